@@ -1,0 +1,35 @@
+#pragma once
+/// Triangle mesh files: STL, OBJ, OFF, PLY, 3MF.
+
+#include <burin/base/diagnostics.h>
+#include <burin/base/run_context.h>
+#include <burin/mesh/tri_mesh.h>
+#include <burin/surface/scene.h>
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace burin {
+
+/// A mesh file as it stands, before any repair: one soup a named object.
+struct MeshFile {
+  /// "STL (binary)", "STL (ASCII)", "OBJ", "OFF", "PLY (ASCII)", "PLY (binary)", "3MF".
+  std::string format;
+  std::vector<PolygonSoup> objects;
+  Diagnostics diagnostics;
+};
+
+/// Whether the suffix (any case) is one of this reader's.
+bool is_mesh_suffix(const std::filesystem::path& path);
+
+/// Reads a file without mending anything. The format follows from the content where that is clear, else from the suffix.
+/// Throws InputError with the line (text formats) or the byte offset (binary ones). Never allocates more than the bytes of
+/// the file can hold. Cost: 0.2 s a million triangles of binary STL.
+MeshFile read_mesh_file(const std::filesystem::path& path, const RunContext& context);
+
+/// Reads and repairs: one part an object, named by the file where the object has no name. Diagnostics of both steps are in
+/// the scene's.
+Scene read_mesh(const std::filesystem::path& path, const RunContext& context);
+
+}  // namespace burin

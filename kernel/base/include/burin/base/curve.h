@@ -1,0 +1,65 @@
+#pragma once
+/// A line in space that may become ink: what strokes and features both are, so that visibility knows neither.
+
+#include <burin/base/ids.h>
+#include <burin/base/vec.h>
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace burin {
+
+/// What a line is; the names are those of the drawing file's `kind`.
+enum class LineClass {
+  Contour,
+  Boundary,
+  Crease,
+  Smooth,
+  Seam,
+  Intersection,
+  Section,
+  Ridge,
+  Valley,
+  Suggestive,
+  Stroke,
+  Pattern
+};
+
+/// The name of a kind in the drawing file, e.g. "contour".
+const char* to_string(LineClass kind);
+
+/// A polyline on (or along the edge of) one part's surface, in model coordinates.
+///
+/// `points` has n >= 2 entries; a closed curve does not repeat its first point and has n segments (segment i
+/// joins points[i] and points[(i+1) % n]), an open one has n-1. The per-point and per-segment arrays are
+/// either empty or of exactly that size.
+struct Curve3 {
+  std::vector<Vec3> points;
+  /// A point: unit vector to the open side, where no surface of the curve's own sheet lies (the surface normal
+  /// for strokes and contours, the mean of both normals for creases). Visibility rays start a little along it.
+  std::vector<Vec3> normals;
+  /// A segment: a triangle of the part's proxy that the segment lies on or bounds; -1 where unknown.
+  std::vector<std::int32_t> faces;
+  /// A segment: nonzero where the curve's own sheet is known to hide it (both neighbours of an edge face away
+  /// on a closed surface; a fold whose far side is in front). No ray is cast there.
+  std::vector<std::uint8_t> self_hidden;
+  /// A point: width in paper mm. Empty for features, whose width is the style's.
+  std::vector<double> widths;
+
+  LineClass kind = LineClass::Stroke;
+  SourceId source;
+  bool closed = false;
+  /// Whether the surface ends or folds here in the picture, so that what lies behind may change visibility:
+  /// contours, boundaries and creases between a face turned to the viewer and one turned away.
+  bool occluding = false;
+  /// Creases: +1 convex, -1 concave, 0 otherwise.
+  int crease_sign = 0;
+  /// Strokes: 1 or 2, the family of the direction field.
+  int family = 0;
+
+  std::size_t segment_count() const { return closed ? points.size() : points.size() - 1; }
+  std::size_t next(std::size_t i) const { return i + 1 == points.size() ? 0 : i + 1; }
+};
+
+}  // namespace burin

@@ -1,0 +1,53 @@
+#pragma once
+/// Progress and cancellation of one run, passed to everything that may take longer than 0.1 s.
+
+#include <atomic>
+#include <chrono>
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace burin {
+
+/// Seconds that one named stage took.
+struct StageTime {
+  std::string name;
+  double seconds = 0;
+};
+
+/// One run: a flag that any thread (or a signal handler) may set, a progress callback and stage timings.
+/// `cancel`, `cancelled` and `check` may be called from any thread; the rest from the thread that runs.
+class RunContext {
+ public:
+  /// Called with the stage's name and the share done in [0,1], at most every 20 ms, from the running thread.
+  using ProgressCallback = std::function<void(const std::string& stage, double share)>;
+
+  explicit RunContext(ProgressCallback callback = {});
+  RunContext(const RunContext&) = delete;
+  RunContext& operator=(const RunContext&) = delete;
+
+  /// Asks the run to stop; async-signal-safe.
+  void cancel() noexcept { cancelled_.store(true, std::memory_order_relaxed); }
+  bool cancelled() const noexcept { return cancelled_.load(std::memory_order_relaxed); }
+  /// Throws Cancelled once `cancel` was called. Cheap enough for inner loops of a microsecond.
+  void check() const;
+
+  /// Ends the stage under way and begins the next; a name that comes again adds to its time.
+  void begin_stage(const std::string& name);
+  void end_stage();
+  /// Reports the share of the present stage that is done.
+  void progress(double share);
+
+  const std::vector<StageTime>& stages() const { return stages_; }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  std::atomic<bool> cancelled_{false};
+  ProgressCallback callback_;
+  std::vector<StageTime> stages_;
+  int current_ = -1;
+  Clock::time_point stage_start_{};
+  Clock::time_point last_report_{};
+};
+
+}  // namespace burin

@@ -1,0 +1,40 @@
+#include <burin/base/parallel.h>
+
+#include <tbb/global_control.h>
+#include <tbb/parallel_for.h>
+#include <tbb/parallel_invoke.h>
+
+#include <algorithm>
+
+namespace burin {
+
+void parallel_for(std::size_t n, std::size_t grain,
+                  const std::function<void(std::size_t, std::size_t)>& body,
+                  const RunContext* context) {
+  if (n == 0) return;
+  grain = std::max<std::size_t>(grain, 1);
+  const std::size_t chunks = (n + grain - 1) / grain;
+  const auto run = [&](std::size_t chunk) {
+    if (context) context->check();
+    body(chunk * grain, std::min(n, (chunk + 1) * grain));
+  };
+  if (chunks == 1) return run(0);
+  tbb::parallel_for(std::size_t{0}, chunks, run);
+}
+
+void parallel_invoke(const std::function<void()>& a, const std::function<void()>& b) {
+  tbb::parallel_invoke(a, b);
+}
+
+struct ThreadLimit::Impl {
+  explicit Impl(std::size_t threads)
+      : control(tbb::global_control::max_allowed_parallelism, threads) {}
+  tbb::global_control control;
+};
+
+ThreadLimit::ThreadLimit(int threads)
+    : impl_(threads > 0 ? std::make_unique<Impl>(static_cast<std::size_t>(threads)) : nullptr) {}
+
+ThreadLimit::~ThreadLimit() = default;
+
+}  // namespace burin

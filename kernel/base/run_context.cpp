@@ -1,0 +1,41 @@
+#include <burin/base/error.h>
+#include <burin/base/run_context.h>
+
+#include <algorithm>
+
+namespace burin {
+
+RunContext::RunContext(ProgressCallback callback) : callback_(std::move(callback)) {}
+
+void RunContext::check() const {
+  if (cancelled()) throw Cancelled();
+}
+
+void RunContext::begin_stage(const std::string& name) {
+  end_stage();
+  check();
+  const auto it = std::find_if(stages_.begin(), stages_.end(),
+                               [&](const StageTime& s) { return s.name == name; });
+  current_ = static_cast<int>(it - stages_.begin());
+  if (it == stages_.end()) stages_.push_back({name, 0});
+  stage_start_ = Clock::now();
+  last_report_ = {};
+  progress(0);
+}
+
+void RunContext::end_stage() {
+  if (current_ < 0) return;
+  stages_[static_cast<std::size_t>(current_)].seconds +=
+      std::chrono::duration<double>(Clock::now() - stage_start_).count();
+  current_ = -1;
+}
+
+void RunContext::progress(double share) {
+  if (!callback_ || current_ < 0) return;
+  const auto now = Clock::now();
+  if (now - last_report_ < std::chrono::milliseconds(20)) return;
+  last_report_ = now;
+  callback_(stages_[static_cast<std::size_t>(current_)].name, std::clamp(share, 0.0, 1.0));
+}
+
+}  // namespace burin

@@ -1,0 +1,76 @@
+#pragma once
+/// The result: plain 2-D data in millimetres of paper.
+
+#include <burin/base/curve.h>
+#include <burin/base/diagnostics.h>
+#include <burin/base/ids.h>
+#include <burin/base/vec.h>
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace burin {
+
+/// One line of ink. `points` (paper mm, origin bottom left, y up) and `points3` (model mm) have the same size; `width`
+/// (paper mm) has one entry for a constant width or one a point.
+struct Path {
+  LineClass kind = LineClass::Contour;
+  bool visible = true;
+  SourceId source;
+  bool closed = false;
+  std::vector<Vec2> points;
+  std::vector<Vec3> points3;
+  std::vector<double> width;
+  /// Strokes: the direction field and the family (1 or 2) in it.
+  std::string field;
+  int family = 0;
+};
+
+/// Paths that are drawn together; layers are painted in order.
+struct Layer {
+  std::string name;
+  std::vector<Path> paths;
+};
+
+/// How the sheet was seen, as numbers that a program can project with (see the drawing file's contract).
+struct DrawingView {
+  std::string projection = "orthographic";
+  Vec3 direction{0}, right{0}, up{0};
+  double scale = 1;
+  Vec3 center{0};
+  Vec2 offset{0};
+  /// Perspective only: the viewer's place and the vertical field of view in degrees.
+  Vec3 eye{0};
+  double field_of_view = 0;
+};
+
+struct DrawingPart {
+  std::int32_t id = 0;
+  std::string name;
+  std::string source;
+  std::int64_t triangles = 0;
+  std::int64_t faces = 0;
+};
+
+struct DrawingStats {
+  std::int64_t triangles = 0;
+  std::int64_t strokes = 0;
+  std::int64_t coverage_points = 0;
+  /// Covering radius of the coverage in paper mm (Definition 1 of the paper, measured).
+  double coverage_delta = 0;
+};
+
+struct Drawing {
+  double paper_width = 297;
+  double paper_height = 210;
+  std::uint64_t seed = 1;
+  std::string style;
+  DrawingView view;
+  std::vector<DrawingPart> parts;
+  std::vector<Layer> layers;
+  Diagnostics diagnostics;
+  DrawingStats stats;
+};
+
+}  // namespace burin

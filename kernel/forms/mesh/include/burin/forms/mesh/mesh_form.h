@@ -1,0 +1,26 @@
+#pragma once
+/// Triangle meshes as a surface form.
+
+#include <burin/mesh/tri_mesh.h>
+#include <burin/surface/scene.h>
+
+#include <memory>
+
+namespace burin {
+
+/// A part given by triangles: charts are triangles, coordinates barycentric, the proxy is the mesh itself.
+class MeshForm final : public Form {
+ public:
+  /// Takes a manifold, oriented mesh, as `repair` returns it.
+  explicit MeshForm(TriMesh mesh) : mesh_(std::move(mesh)) {}
+
+  const TriMesh& mesh() const { return mesh_; }
+  Box3 bounds(const Mat3& axes) const override;
+  std::shared_ptr<const Surface> realise(const RealiseOptions& options,
+                                         RunContext& context) const override;
+
+ private:
+  TriMesh mesh_;
+};
+
+}  // namespace burin

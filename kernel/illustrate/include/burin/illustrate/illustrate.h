@@ -1,0 +1,29 @@
+#pragma once
+/// From a scene to a drawing: the only place that knows the order of the stages.
+
+#include <burin/base/run_context.h>
+#include <burin/camera/camera.h>
+#include <burin/drawing/drawing.h>
+#include <burin/illustrate/style.h>
+#include <burin/surface/scene.h>
+
+#include <cstdint>
+#include <optional>
+
+namespace burin {
+
+enum class HiddenLines { None, Dashed };
+
+struct IllustrateOptions {
+  HiddenLines hidden = HiddenLines::None;
+  std::uint64_t seed = 1;
+  /// Chord tolerance in model mm of any tessellation; absent = 0.05 paper mm.
+  std::optional<double> tolerance;
+};
+
+/// Draws `scene` as `camera` sees it. Stages timed on `context`: build curvature field cover trace features visibility
+/// compose. Throws GeometryError where the scene has no part, Cancelled once the context is cancelled.
+Drawing illustrate(const Scene& scene, const Camera& camera, const Style& style,
+                   const IllustrateOptions& options, RunContext& context);
+
+}  // namespace burin

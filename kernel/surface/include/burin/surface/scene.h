@@ -1,0 +1,55 @@
+#pragma once
+/// What is drawn: named parts, each with a form that can be realised as a surface.
+
+#include <burin/base/box.h>
+#include <burin/base/diagnostics.h>
+#include <burin/base/run_context.h>
+#include <burin/surface/surface.h>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace burin {
+
+/// How a form is to be turned into a surface.
+struct RealiseOptions {
+  /// Chord tolerance of any tessellation in model mm.
+  double tolerance = 0.01;
+  /// Degrees between neighbouring triangles from which an edge of a mesh is sharp.
+  double crease_angle = 30;
+  /// Whether principal curvatures will be asked for.
+  bool curvature = true;
+};
+
+/// The plain description of a shape as it was read; cheap to keep, no acceleration structures.
+class Form {
+ public:
+  Form() = default;
+  Form(const Form&) = delete;
+  Form& operator=(const Form&) = delete;
+  virtual ~Form() = default;
+
+  /// Bounds in the axes that are the ROWS of `axes` (the identity: model axes).
+  virtual Box3 bounds(const Mat3& axes) const = 0;
+  /// Builds the surface. Stages "build" (connectivity, creases, normals) and "curvature" are timed on `context`.
+  virtual std::shared_ptr<const Surface> realise(const RealiseOptions& options,
+                                                 RunContext& context) const = 0;
+};
+
+struct Part {
+  std::string name;
+  /// The file the part came from, as the user named it.
+  std::string source;
+  std::shared_ptr<const Form> form;
+};
+
+/// Parts in the order of the input, with what the readers mended or left out.
+struct Scene {
+  std::vector<Part> parts;
+  Diagnostics diagnostics;
+
+  Box3 bounds(const Mat3& axes = Mat3(1)) const;
+};
+
+}  // namespace burin
