@@ -1,5 +1,6 @@
 #pragma once
-/// Analytic shapes as triangle meshes, shared by tests and benchmarks. All are closed and oriented outwards.
+/// Analytic shapes as triangle meshes, shared by tests and benchmarks. All are closed and oriented
+/// outwards.
 
 #include <burin/mesh/tri_mesh.h>
 

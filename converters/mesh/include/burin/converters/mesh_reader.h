@@ -23,13 +23,14 @@ struct MeshFile {
 /// Whether the suffix (any case) is one of this reader's.
 bool is_mesh_suffix(const std::filesystem::path& path);
 
-/// Reads a file without mending anything. The format follows from the content where that is clear, else from the suffix.
-/// Throws InputError with the line (text formats) or the byte offset (binary ones). Never allocates more than the bytes of
-/// the file can hold. Cost: 0.2 s a million triangles of binary STL.
+/// Reads a file without mending anything. The format follows from the content where that is clear,
+/// else from the suffix. Throws InputError with the line (text formats) or the byte offset (binary
+/// ones). Never allocates more than the bytes of the file can hold. Cost: 0.2 s a million triangles
+/// of binary STL.
 MeshFile read_mesh_file(const std::filesystem::path& path, const RunContext& context);
 
-/// Reads and repairs: one part an object, named by the file where the object has no name. Diagnostics of both steps are in
-/// the scene's.
+/// Reads and repairs: one part an object, named by the file where the object has no name.
+/// Diagnostics of both steps are in the scene's.
 Scene read_mesh(const std::filesystem::path& path, const RunContext& context);
 
 }  // namespace burin

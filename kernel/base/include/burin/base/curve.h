@@ -1,5 +1,6 @@
 #pragma once
-/// A line in space that may become ink: what strokes and features both are, so that visibility knows neither.
+/// A line in space that may become ink: what strokes and features both are, so that visibility
+/// knows neither.
 
 #include <burin/base/ids.h>
 #include <burin/base/vec.h>
@@ -31,18 +32,20 @@ const char* to_string(LineClass kind);
 
 /// A polyline on (or along the edge of) one part's surface, in model coordinates.
 ///
-/// `points` has n >= 2 entries; a closed curve does not repeat its first point and has n segments (segment i
-/// joins points[i] and points[(i+1) % n]), an open one has n-1. The per-point and per-segment arrays are
-/// either empty or of exactly that size.
+/// `points` has n >= 2 entries; a closed curve does not repeat its first point and has n segments
+/// (segment i joins points[i] and points[(i+1) % n]), an open one has n-1. The per-point and
+/// per-segment arrays are either empty or of exactly that size.
 struct Curve3 {
   std::vector<Vec3> points;
-  /// A point: unit vector to the open side, where no surface of the curve's own sheet lies (the surface normal
-  /// for strokes and contours, the mean of both normals for creases). Visibility rays start a little along it.
+  /// A point: unit vector to the open side, where no surface of the curve's own sheet lies (the
+  /// surface normal for strokes and contours, the mean of both normals for creases). Visibility
+  /// rays start a little along it.
   std::vector<Vec3> normals;
-  /// A segment: a triangle of the part's proxy that the segment lies on or bounds; -1 where unknown.
+  /// A segment: a triangle of the part's proxy that the segment lies on or bounds; -1 where
+  /// unknown.
   std::vector<std::int32_t> faces;
-  /// A segment: nonzero where the curve's own sheet is known to hide it (both neighbours of an edge face away
-  /// on a closed surface; a fold whose far side is in front). No ray is cast there.
+  /// A segment: nonzero where the curve's own sheet is known to hide it (both neighbours of an edge
+  /// face away on a closed surface; a fold whose far side is in front). No ray is cast there.
   std::vector<std::uint8_t> self_hidden;
   /// A point: width in paper mm. Empty for features, whose width is the style's.
   std::vector<double> widths;
@@ -50,8 +53,9 @@ struct Curve3 {
   LineClass kind = LineClass::Stroke;
   SourceId source;
   bool closed = false;
-  /// Whether the surface ends or folds here in the picture, so that what lies behind may change visibility:
-  /// contours, boundaries and creases between a face turned to the viewer and one turned away.
+  /// Whether the surface ends or folds here in the picture, so that what lies behind may change
+  /// visibility: contours, boundaries and creases between a face turned to the viewer and one
+  /// turned away.
   bool occluding = false;
   /// Creases: +1 convex, -1 concave, 0 otherwise.
   int crease_sign = 0;

@@ -1,5 +1,6 @@
 #pragma once
-/// What was degraded, mended or left out, in words for the user; carried from the reader to the drawing.
+/// What was degraded, mended or left out, in words for the user; carried from the reader to the
+/// drawing.
 
 #include <cstdint>
 #include <string>
@@ -12,7 +13,8 @@ enum class Severity { Info, Warning, Error };
 /// "info", "warning" or "error".
 const char* to_string(Severity severity);
 
-/// One entry: a stable dotted code ("mesh.nonmanifold_edges"), how often it occurred, and one sentence.
+/// One entry: a stable dotted code ("mesh.nonmanifold_edges"), how often it occurred, and one
+/// sentence.
 struct Diagnostic {
   Severity severity = Severity::Warning;
   std::string code;

@@ -1,5 +1,6 @@
 #pragma once
-/// The typed exceptions of the kernel. Each message is one line that says what is wrong and what to do.
+/// The typed exceptions of the kernel. Each message is one line that says what is wrong and what to
+/// do.
 
 #include <cstdint>
 #include <stdexcept>
@@ -13,8 +14,8 @@ class Error : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// Broken, missing or unreadable input. `file` and `line` (0 = unknown) say where; a binary format puts
-/// "at byte N" into `what()` instead of a line.
+/// Broken, missing or unreadable input. `file` and `line` (0 = unknown) say where; a binary format
+/// puts "at byte N" into `what()` instead of a line.
 class InputError : public Error {
  public:
   explicit InputError(const std::string& what, std::string file = {}, std::int64_t line = 0)

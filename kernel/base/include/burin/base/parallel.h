@@ -9,10 +9,11 @@
 
 namespace burin {
 
-/// Calls `body(begin, end)` for the ranges [0,grain), [grain,2*grain), ... of [0,n), from several threads.
-/// The ranges depend on `n` and `grain` alone, so that sums a range are the same for any number of threads.
-/// The body writes to its own slots only. Polls `context` once a range and throws Cancelled; exceptions of
-/// the body are passed on. A grain should hold 10 us to 10 ms of work.
+/// Calls `body(begin, end)` for the ranges [0,grain), [grain,2*grain), ... of [0,n), from several
+/// threads. The ranges depend on `n` and `grain` alone, so that sums a range are the same for any
+/// number of threads. The body writes to its own slots only. Polls `context` once a range and
+/// throws Cancelled; exceptions of the body are passed on. A grain should hold 10 us to 10 ms of
+/// work.
 void parallel_for(std::size_t n, std::size_t grain,
                   const std::function<void(std::size_t, std::size_t)>& body,
                   const RunContext* context = nullptr);

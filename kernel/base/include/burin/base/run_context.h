@@ -15,11 +15,13 @@ struct StageTime {
   double seconds = 0;
 };
 
-/// One run: a flag that any thread (or a signal handler) may set, a progress callback and stage timings.
-/// `cancel`, `cancelled` and `check` may be called from any thread; the rest from the thread that runs.
+/// One run: a flag that any thread (or a signal handler) may set, a progress callback and stage
+/// timings. `cancel`, `cancelled` and `check` may be called from any thread; the rest from the
+/// thread that runs.
 class RunContext {
  public:
-  /// Called with the stage's name and the share done in [0,1], at most every 20 ms, from the running thread.
+  /// Called with the stage's name and the share done in [0,1], at most every 20 ms, from the
+  /// running thread.
   using ProgressCallback = std::function<void(const std::string& stage, double share)>;
 
   explicit RunContext(ProgressCallback callback = {});

@@ -25,8 +25,8 @@ Vec3 any_orthogonal(Vec3 n);
 /// `v` without its part along the unit vector `n` (not normalised).
 inline Vec3 reject(Vec3 v, Vec3 n) { return v - glm::dot(v, n) * n; }
 
-/// Rotates `v`, tangent at unit normal `from`, by the smallest rotation that takes `from` to the unit
-/// normal `to`: discrete parallel transport. Length is kept; opposite normals return `v`.
+/// Rotates `v`, tangent at unit normal `from`, by the smallest rotation that takes `from` to the
+/// unit normal `to`: discrete parallel transport. Length is kept; opposite normals return `v`.
 Vec3 transport(Vec3 v, Vec3 from, Vec3 to);
 
 }  // namespace burin

@@ -26,15 +26,16 @@ struct ViewOptions {
   Paper paper;
 };
 
-/// The direction to the viewer (and up) of "front back left right top bottom iso dimetric trimetric" or of
-/// "X,Y,Z". Throws UsageError for anything else and for the zero vector.
+/// The direction to the viewer (and up) of "front back left right top bottom iso dimetric
+/// trimetric" or of "X,Y,Z". Throws UsageError for anything else and for the zero vector.
 struct NamedView {
   Vec3 direction;
   Vec3 up;
 };
 NamedView named_view(std::string_view name);
 
-/// A ray through a point of the paper, from the viewer into the scene; `direction` is a unit vector.
+/// A ray through a point of the paper, from the viewer into the scene; `direction` is a unit
+/// vector.
 struct ViewRay {
   Vec3 origin;
   Vec3 direction;
@@ -43,12 +44,12 @@ struct ViewRay {
 /// An orthographic or perspective projection onto the sheet. Immutable.
 class Camera {
  public:
-  /// Bounds of the model in given axes: takes a rotation whose ROWS are the axes, returns the box of the model's
-  /// points in them.
+  /// Bounds of the model in given axes: takes a rotation whose ROWS are the axes, returns the box
+  /// of the model's points in them.
   using ExtentFn = std::function<Box3(const Mat3& axes)>;
 
-  /// A camera that shows the model in the middle of the sheet. Throws GeometryError where the extent is empty or
-  /// not finite. A model that is a single point gets scale 1.
+  /// A camera that shows the model in the middle of the sheet. Throws GeometryError where the
+  /// extent is empty or not finite. A model that is a single point gets scale 1.
   static Camera fit(const ExtentFn& extent, const ViewOptions& options);
 
   bool perspective() const { return eye_distance_ > 0; }
@@ -68,8 +69,8 @@ class Camera {
 
   /// Paper millimetres, origin bottom left, y up.
   Vec2 to_paper(Vec3 p) const;
-  /// Model mm along `direction` from the plane through `center`; larger is nearer to the viewer. Orders points
-  /// that fall on one paper point, in perspective too.
+  /// Model mm along `direction` from the plane through `center`; larger is nearer to the viewer.
+  /// Orders points that fall on one paper point, in perspective too.
   double depth(Vec3 p) const { return glm::dot(p - center_, direction_); }
   /// Unit vector from `p` to the viewer.
   Vec3 to_viewer(Vec3 p) const;
@@ -79,8 +80,8 @@ class Camera {
   double scale_at(Vec3 p) const;
   /// The derivative of `to_paper` at `p` along `t`.
   Vec2 velocity(Vec3 p, Vec3 t) const;
-  /// The viewing ray through a point of the paper. Orthographic: the origin lies in the plane through `center`
-  /// (step back along -direction before casting).
+  /// The viewing ray through a point of the paper. Orthographic: the origin lies in the plane
+  /// through `center` (step back along -direction before casting).
   ViewRay ray(Vec2 paper) const;
 
  private:

@@ -12,8 +12,8 @@
 
 namespace burin {
 
-/// One line of ink. `points` (paper mm, origin bottom left, y up) and `points3` (model mm) have the same size; `width`
-/// (paper mm) has one entry for a constant width or one a point.
+/// One line of ink. `points` (paper mm, origin bottom left, y up) and `points3` (model mm) have the
+/// same size; `width` (paper mm) has one entry for a constant width or one a point.
 struct Path {
   LineClass kind = LineClass::Contour;
   bool visible = true;
@@ -33,7 +33,8 @@ struct Layer {
   std::vector<Path> paths;
 };
 
-/// How the sheet was seen, as numbers that a program can project with (see the drawing file's contract).
+/// How the sheet was seen, as numbers that a program can project with (see the drawing file's
+/// contract).
 struct DrawingView {
   std::string projection = "orthographic";
   Vec3 direction{0}, right{0}, up{0};

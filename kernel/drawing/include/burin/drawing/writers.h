@@ -9,7 +9,8 @@
 namespace burin {
 
 struct SvgOptions {
-  /// Plain polylines of constant width instead of fitted curves and outlined strokes: for plotters and lasers.
+  /// Plain polylines of constant width instead of fitted curves and outlined strokes: for plotters
+  /// and lasers.
   bool flatten_polylines = false;
   /// Largest distance in paper mm between a fitted cubic Bezier and the polyline it stands for.
   double fit_tolerance = 0.02;
@@ -20,8 +21,9 @@ struct JsonOptions {
   bool points3 = true;
 };
 
-/// Writes the drawing as SVG in true millimetres: one group a layer, inside it one group a part. Numbers have a fixed
-/// format, so that the same drawing gives the same bytes everywhere. Does not test the stream for errors.
+/// Writes the drawing as SVG in true millimetres: one group a layer, inside it one group a part.
+/// Numbers have a fixed format, so that the same drawing gives the same bytes everywhere. Does not
+/// test the stream for errors.
 void write_svg(const Drawing& drawing, const SvgOptions& options, std::ostream& out,
                const RunContext& context);
 

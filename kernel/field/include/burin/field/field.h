@@ -18,10 +18,11 @@ struct FieldQuery {
   std::int32_t part = 0;
   const SurfacePoint& point;
   const Frame& frame;
-  /// The direction the stroke came in; resolves the sign of a line field and the arm of a cross field. The zero vector
-  /// at a seed.
+  /// The direction the stroke came in; resolves the sign of a line field and the arm of a cross
+  /// field. The zero vector at a seed.
   Vec3 previous{0};
-  /// 1 or 2: the family asked for at a seed. While `previous` is not zero the arm nearest to it is followed.
+  /// 1 or 2: the family asked for at a seed. While `previous` is not zero the arm nearest to it is
+  /// followed.
   int family = 1;
 };
 
@@ -38,19 +39,22 @@ namespace field {
 
 /// The part of a fixed model direction that is tangent.
 Field fixed(Vec3 direction);
-/// The principal directions: family 1 across the larger |curvature| bends most (d1 or d2 by |k|), family 2 along it.
+/// The principal directions: family 1 across the larger |curvature| bends most (d1 or d2 by |k|),
+/// family 2 along it.
 Field principal();
 
 struct SmoothedOptions {
-  /// Weight of the confident directions against smoothness, relative; larger follows curvature more closely.
+  /// Weight of the confident directions against smoothness, relative; larger follows curvature more
+  /// closely.
   double alignment = 1;
   /// Direction in model space that parts without any confident direction (spheres, planes) follow.
   Vec3 fallback{0, 0, 1};
 };
 
-/// A smoothed 4-symmetric cross field over the proxies of `surfaces` (one a part): keeps confident principal
-/// directions, follows creases, and flows into planes, umbilics and noise. Family 1 is, at a seed, the arm nearest to
-/// the direction of larger absolute curvature (in regions without one: to the region's fixed choice).
+/// A smoothed 4-symmetric cross field over the proxies of `surfaces` (one a part): keeps confident
+/// principal directions, follows creases, and flows into planes, umbilics and noise. Family 1 is,
+/// at a seed, the arm nearest to the direction of larger absolute curvature (in regions without
+/// one: to the region's fixed choice).
 /// @cite Knoeppel2013
 Field smoothed(std::vector<const Surface*> surfaces, const SmoothedOptions& options,
                const RunContext& context);

@@ -21,8 +21,9 @@ struct IllustrateOptions {
   std::optional<double> tolerance;
 };
 
-/// Draws `scene` as `camera` sees it. Stages timed on `context`: build curvature field cover trace features visibility
-/// compose. Throws GeometryError where the scene has no part, Cancelled once the context is cancelled.
+/// Draws `scene` as `camera` sees it. Stages timed on `context`: build curvature field cover trace
+/// features visibility compose. Throws GeometryError where the scene has no part, Cancelled once
+/// the context is cancelled.
 Drawing illustrate(const Scene& scene, const Camera& camera, const Style& style,
                    const IllustrateOptions& options, RunContext& context);
 

@@ -10,13 +10,16 @@
 
 namespace burin {
 
-/// Every choice that shapes a drawing, in groups. Lengths in paper mm, angles in degrees. Keys of files and of
-/// `--set KEY=VALUE` are "group.member" (e.g. "line.outer"); `set_style_key` holds the one table of them.
+/// Every choice that shapes a drawing, in groups. Lengths in paper mm, angles in degrees. Keys of
+/// files and of
+/// `--set KEY=VALUE` are "group.member" (e.g. "line.outer"); `set_style_key` holds the one table of
+/// them.
 struct Style {
   std::string name = "technical";
 
   struct {
-    /// Line widths after ISO 128: the outer outline, inner contours, creases, boundaries, intersections, hidden lines.
+    /// Line widths after ISO 128: the outer outline, inner contours, creases, boundaries,
+    /// intersections, hidden lines.
     double outer = 0.7;
     double contour = 0.35;
     double crease = 0.25;
@@ -82,14 +85,16 @@ std::vector<StyleInfo> builtin_styles();
 /// A built-in style by name. Throws UsageError that lists the names.
 Style builtin_style(std::string_view name);
 
-/// Reads a style from JSON text: {"base": "engraving", "line.outer": 0.5, "hatch": {"spacing_min": 0.4}}. `source` names
-/// it in errors. Throws InputError on broken JSON (with its line), UsageError on unknown keys or values out of range.
+/// Reads a style from JSON text: {"base": "engraving", "line.outer": 0.5, "hatch": {"spacing_min":
+/// 0.4}}. `source` names it in errors. Throws InputError on broken JSON (with its line), UsageError
+/// on unknown keys or values out of range.
 Style parse_style(std::string_view json, const std::string& source);
 
 /// The style as JSON that `parse_style` reads back to the same style.
 std::string style_to_json(const Style& style);
 
-/// Sets one dotted key from text. Throws UsageError that names the nearest known key, or the allowed range.
+/// Sets one dotted key from text. Throws UsageError that names the nearest known key, or the
+/// allowed range.
 void set_style_key(Style& style, std::string_view key, std::string_view value);
 
 }  // namespace burin

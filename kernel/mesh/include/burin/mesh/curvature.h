@@ -8,15 +8,16 @@
 
 namespace burin {
 
-/// Principal curvatures (1/mm, positive where the surface bends away from the outward normal, as a sphere does) and
-/// directions at one wedge: k1 >= k2, d1 and d2 unit tangents, (d1, d2, n) right-handed.
+/// Principal curvatures (1/mm, positive where the surface bends away from the outward normal, as a
+/// sphere does) and directions at one wedge: k1 >= k2, d1 and d2 unit tangents, (d1, d2, n)
+/// right-handed.
 struct Curvature {
   double k1 = 0;
   double k2 = 0;
   Vec3 d1{1, 0, 0};
   Vec3 d2{0, 1, 0};
-  /// How far |k1-k2| stands out of the estimate's own local noise and of flatness, in [0,1]: 0 = umbilic, flat or
-  /// noise, 1 = certain.
+  /// How far |k1-k2| stands out of the estimate's own local noise and of flatness, in [0,1]: 0 =
+  /// umbilic, flat or noise, 1 = certain.
   double confidence = 0;
 };
 
@@ -25,8 +26,9 @@ struct CurvatureOptions {
   int smoothing = -1;
 };
 
-/// One entry a wedge. Tensors a triangle from the change of wedge normals, averaged to wedges by corner area; never
-/// across a crease. Cost: at most 0.8 s a million triangles on 2 cores. @cite Rusinkiewicz2004
+/// One entry a wedge. Tensors a triangle from the change of wedge normals, averaged to wedges by
+/// corner area; never across a crease. Cost: at most 0.8 s a million triangles on 2 cores. @cite
+/// Rusinkiewicz2004
 std::vector<Curvature> estimate_curvature(const ProxyMesh& proxy, const CurvatureOptions& options,
                                           const RunContext& context);
 

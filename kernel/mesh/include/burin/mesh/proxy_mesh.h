@@ -1,5 +1,6 @@
 #pragma once
-/// A mesh that knows its creases: what features, fields, tone and visibility see of any surface form.
+/// A mesh that knows its creases: what features, fields, tone and visibility see of any surface
+/// form.
 
 #include <burin/base/run_context.h>
 #include <burin/mesh/topology.h>
@@ -10,12 +11,13 @@
 
 namespace burin {
 
-/// What an edge of the mesh is to the surface: inside a smooth region, a crease, or the end of the surface.
+/// What an edge of the mesh is to the surface: inside a smooth region, a crease, or the end of the
+/// surface.
 enum class EdgeKind : std::uint8_t { Smooth, ConvexCrease, ConcaveCrease, Boundary };
 
-/// Triangles, connectivity, creases, and one normal a WEDGE: the corners of a vertex that no crease separates share
-/// a wedge, so that normals, curvature and fields on wedges never mix two sides of a crease. Over wedges the mesh
-/// is a set of smooth patches with boundaries. Immutable once built.
+/// Triangles, connectivity, creases, and one normal a WEDGE: the corners of a vertex that no crease
+/// separates share a wedge, so that normals, curvature and fields on wedges never mix two sides of
+/// a crease. Over wedges the mesh is a set of smooth patches with boundaries. Immutable once built.
 struct ProxyMesh {
   TriMesh mesh;
   Topology topology;
@@ -27,11 +29,13 @@ struct ProxyMesh {
   std::vector<std::uint32_t> wedge_vertex;
   /// For each wedge the unit normal of the surface there, outward for a closed mesh.
   std::vector<Vec3> wedge_normal;
-  /// For each triangle its smooth region (connected over smooth edges), numbered from 0 in order of the triangles.
+  /// For each triangle its smooth region (connected over smooth edges), numbered from 0 in order of
+  /// the triangles.
   std::vector<std::int32_t> face_region;
   std::int32_t region_count = 0;
-  /// For each wedge an estimate of how far, in model mm, the triangles around it lie from the true surface: the
-  /// sagitta h^2 k / 8 of its longest edge h under the normals' change. Visibility offsets by it.
+  /// For each wedge an estimate of how far, in model mm, the triangles around it lie from the true
+  /// surface: the sagitta h^2 k / 8 of its longest edge h under the normals' change. Visibility
+  /// offsets by it.
   std::vector<float> wedge_sagitta;
   /// Largest distance in model mm between the proxy and the form; 0 where the mesh is the form.
   double tolerance = 0;
@@ -39,7 +43,9 @@ struct ProxyMesh {
   bool closed(std::uint32_t face) const {
     return topology.component_closed[static_cast<std::size_t>(topology.face_component[face])] != 0;
   }
-  const Vec3& wedge_position(std::uint32_t wedge) const { return mesh.positions[wedge_vertex[wedge]]; }
+  const Vec3& wedge_position(std::uint32_t wedge) const {
+    return mesh.positions[wedge_vertex[wedge]];
+  }
   bool is_crease(HalfEdge h) const {
     const EdgeKind k = edge_kind[static_cast<std::size_t>(h)];
     return k == EdgeKind::ConvexCrease || k == EdgeKind::ConcaveCrease;
@@ -50,13 +56,14 @@ struct ProxyMesh {
 };
 
 struct ProxyOptions {
-  /// An edge is a crease where the normals of its two triangles differ by more than this angle in degrees.
+  /// An edge is a crease where the normals of its two triangles differ by more than this angle in
+  /// degrees.
   double crease_angle = 30;
 };
 
-/// Builds all of the above for a manifold, oriented mesh. Normals come from a quadric fitted to the wedge's
-/// neighbours (falling back on area-weighted ones where these do not determine it): averaged normals alone do not
-/// converge on irregular meshes. @cite Rusinkiewicz2004, Max1999
+/// Builds all of the above for a manifold, oriented mesh. Normals come from a quadric fitted to the
+/// wedge's neighbours (falling back on area-weighted ones where these do not determine it):
+/// averaged normals alone do not converge on irregular meshes. @cite Rusinkiewicz2004, Max1999
 ProxyMesh build_proxy(TriMesh mesh, const ProxyOptions& options, const RunContext& context);
 
 }  // namespace burin

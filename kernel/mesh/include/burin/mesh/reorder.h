@@ -5,8 +5,9 @@
 
 namespace burin {
 
-/// Sorts vertices and triangles along a Morton curve where the present order is scattered; returns whether it did.
-/// Every mesh algorithm is up to five times slower on a scattered million triangles. Deterministic.
+/// Sorts vertices and triangles along a Morton curve where the present order is scattered; returns
+/// whether it did. Every mesh algorithm is up to five times slower on a scattered million
+/// triangles. Deterministic.
 bool reorder_for_cache(TriMesh& mesh);
 
 }  // namespace burin

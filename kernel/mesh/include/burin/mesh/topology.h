@@ -18,7 +18,8 @@ inline HalfEdge prev_in_face(HalfEdge h) { return h % 3 == 0 ? h + 2 : h - 1; }
 inline std::uint32_t face_of(HalfEdge h) { return static_cast<std::uint32_t>(h) / 3; }
 
 struct Topology {
-  /// For each half-edge the opposite one in the neighbouring triangle, or kNoHalfEdge at a boundary.
+  /// For each half-edge the opposite one in the neighbouring triangle, or kNoHalfEdge at a
+  /// boundary.
   std::vector<HalfEdge> opposite;
   /// Connected component of each triangle, numbered from 0 in order of the first triangle.
   std::vector<std::int32_t> face_component;
@@ -31,8 +32,9 @@ inline std::uint32_t origin(const TriMesh& mesh, HalfEdge h) {
   return mesh.triangles[face_of(h)][static_cast<std::size_t>(h % 3)];
 }
 
-/// Connectivity of a manifold, oriented mesh (as `repair` returns it). Throws GeometryError, naming a triangle,
-/// where the mesh is not manifold or not consistently oriented. Cost: 0.15 s a million triangles.
+/// Connectivity of a manifold, oriented mesh (as `repair` returns it). Throws GeometryError, naming
+/// a triangle, where the mesh is not manifold or not consistently oriented. Cost: 0.15 s a million
+/// triangles.
 Topology build_topology(const TriMesh& mesh, const RunContext& context);
 
 }  // namespace burin

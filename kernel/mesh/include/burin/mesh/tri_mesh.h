@@ -24,9 +24,10 @@ struct TriMesh {
   double area(std::uint32_t triangle) const;
 };
 
-/// What a mesh file holds before any repair: polygons of three or more corners over shared or unshared points.
-/// Polygon i has the corners `indices[offsets[i]] .. indices[offsets[i+1]-1]`; `offsets` has one entry more than
-/// there are polygons (and holds a single 0 where there are none).
+/// What a mesh file holds before any repair: polygons of three or more corners over shared or
+/// unshared points. Polygon i has the corners `indices[offsets[i]] .. indices[offsets[i+1]-1]`;
+/// `offsets` has one entry more than there are polygons (and holds a single 0 where there are
+/// none).
 struct PolygonSoup {
   std::string name;
   std::vector<Vec3> positions;

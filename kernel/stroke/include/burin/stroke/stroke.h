@@ -18,7 +18,8 @@ namespace burin {
 
 /// The pen and the hatching; lengths in paper mm, tones as ink coverage (1 - reflectance).
 struct HatchOptions {
-  /// Distance of neighbouring strokes of a family where the tone is darkest and where it is lightest.
+  /// Distance of neighbouring strokes of a family where the tone is darkest and where it is
+  /// lightest.
   double spacing_min = 0.5;
   double spacing_max = 1.4;
   double width_min = 0.08;
@@ -52,8 +53,8 @@ struct StrokeResult {
   double coverage_delta = 0;
 };
 
-/// Places, traces and weighs the strokes of all parts. `probe` says what is visible at a point of the paper.
-/// Stages "cover" and "trace" are timed on `context`. @cite Jobard1997, Elber1998
+/// Places, traces and weighs the strokes of all parts. `probe` says what is visible at a point of
+/// the paper. Stages "cover" and "trace" are timed on `context`. @cite Jobard1997, Elber1998
 StrokeResult trace_strokes(std::span<const Surface* const> surfaces, const Camera& camera,
                            const Field& field, const Tone& tone, const ViewProbe& probe,
                            const HatchOptions& options, RunContext& context);

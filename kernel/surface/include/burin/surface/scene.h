@@ -32,7 +32,8 @@ class Form {
 
   /// Bounds in the axes that are the ROWS of `axes` (the identity: model axes).
   virtual Box3 bounds(const Mat3& axes) const = 0;
-  /// Builds the surface. Stages "build" (connectivity, creases, normals) and "curvature" are timed on `context`.
+  /// Builds the surface. Stages "build" (connectivity, creases, normals) and "curvature" are timed
+  /// on `context`.
   virtual std::shared_ptr<const Surface> realise(const RealiseOptions& options,
                                                  RunContext& context) const = 0;
 };

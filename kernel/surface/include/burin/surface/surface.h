@@ -1,5 +1,6 @@
 #pragma once
-/// The contract between forms and everything above: a surface covers itself with points and marches on itself.
+/// The contract between forms and everything above: a surface covers itself with points and marches
+/// on itself.
 /// @cite Elber1998
 
 #include <burin/base/diagnostics.h>
@@ -14,8 +15,8 @@
 
 namespace burin {
 
-/// A point on a surface: which chart (mesh: triangle; B-rep: face), coordinates in it (mesh: barycentric; B-rep:
-/// u, v) and the position in model mm.
+/// A point on a surface: which chart (mesh: triangle; B-rep: face), coordinates in it (mesh:
+/// barycentric; B-rep: u, v) and the position in model mm.
 struct SurfacePoint {
   std::int32_t chart = -1;
   Vec3 coords{0};
@@ -47,8 +48,8 @@ enum class MarchStop {
   NotConverged,  // a numeric method gave up
 };
 
-/// The truth about a march: where it ended, the direction there (the tangent carried along), how far it went in
-/// model mm, and why it stopped.
+/// The truth about a march: where it ended, the direction there (the tangent carried along), how
+/// far it went in model mm, and why it stopped.
 struct MarchStep {
   SurfacePoint end;
   Vec3 direction{0};
@@ -56,14 +57,14 @@ struct MarchStep {
   MarchStop stop = MarchStop::Completed;
 };
 
-/// What `cover` is asked: `count` independent points, uniform by area in model space, or by the weight where one is
-/// given. The stream of random numbers is keyed by (seed, part, face).
+/// What `cover` is asked: `count` independent points, uniform by area in model space, or by the
+/// weight where one is given. The stream of random numbers is keyed by (seed, part, face).
 struct CoverRequest {
   std::size_t count = 1000;
   std::uint64_t seed = 1;
   std::int32_t part = 0;
-  /// Relative density in [0,1] at a point with its unit normal; absent = 1 everywhere. With the cosine between normal
-  /// and view it makes the points uniform in the picture.
+  /// Relative density in [0,1] at a point with its unit normal; absent = 1 everywhere. With the
+  /// cosine between normal and view it makes the points uniform in the picture.
   std::function<double(Vec3 position, Vec3 normal)> weight;
 };
 
@@ -82,16 +83,19 @@ class Surface {
   virtual ~Surface() = default;
 
   /// Operation 1. The default draws points on the proxy by area and lifts them by `lift`.
-  virtual std::vector<SurfacePoint> cover(const CoverRequest& request, const RunContext& context) const;
-  /// Operation 2. Goes `length` model mm from `from` in the direction of `tangent` (need not be unit nor exactly
-  /// tangent: it is projected), straight on the surface, over smooth edges and seams but not over creases.
+  virtual std::vector<SurfacePoint> cover(const CoverRequest& request,
+                                          const RunContext& context) const;
+  /// Operation 2. Goes `length` model mm from `from` in the direction of `tangent` (need not be
+  /// unit nor exactly tangent: it is projected), straight on the surface, over smooth edges and
+  /// seams but not over creases.
   virtual MarchStep march(const SurfacePoint& from, Vec3 tangent, double length) const = 0;
   /// Local geometry. Curvature is present where the surface was realised with it.
   virtual Frame frame(const SurfacePoint& point) const = 0;
   /// Occluder and default coverage; states its own tolerance.
   virtual const ProxyMesh& proxy() const = 0;
 
-  /// Where on the proxy a point lies, and the point of the surface at (nearest to) a place of the proxy.
+  /// Where on the proxy a point lies, and the point of the surface at (nearest to) a place of the
+  /// proxy.
   virtual ProxyPoint to_proxy(const SurfacePoint& point) const = 0;
   virtual SurfacePoint lift(const ProxyPoint& point) const = 0;
   /// Frames at all wedges of the proxy. The default lifts each wedge and asks `frame`.

@@ -8,20 +8,23 @@
 
 namespace burin {
 
-/// Linear reflectance in [0,1] at a point with its unit normal (turned to the viewer): 1 = white paper, 0 = full ink.
+/// Linear reflectance in [0,1] at a point with its unit normal (turned to the viewer): 1 = white
+/// paper, 0 = full ink.
 using Tone = std::function<double(Vec3 position, Vec3 normal)>;
 
 namespace tone {
 
 struct LambertOptions {
-  /// From the model to the light in view space: x right, y up, z to the viewer; any length but zero.
+  /// From the model to the light in view space: x right, y up, z to the viewer; any length but
+  /// zero.
   Vec3 light{-0.5, 0.65, 0.6};
   /// Reflectance in full shade and gain of the lit part.
   double ambient = 0.12;
   double diffuse = 0.95;
   /// Everything lighter than this stays white paper.
   double highlight = 0.9;
-  /// Darkness added where the surface turns away from the viewer, as engravers round a form; 0 = none.
+  /// Darkness added where the surface turns away from the viewer, as engravers round a form; 0 =
+  /// none.
   double rim = 0.15;
 };
 

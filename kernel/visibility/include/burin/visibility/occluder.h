@@ -26,9 +26,10 @@ struct Hit {
   double distance = 0;
 };
 
-/// Built once, read by many threads. Coordinates are taken relative to the scene's centre and scaled to unit size before
-/// they become single precision, so that a part of any size and place gives the same answers. The proxies must outlive
-/// the occluder. Cost: about 0.2 s and 80 MB a million triangles.
+/// Built once, read by many threads. Coordinates are taken relative to the scene's centre and
+/// scaled to unit size before they become single precision, so that a part of any size and place
+/// gives the same answers. The proxies must outlive the occluder. Cost: about 0.2 s and 80 MB a
+/// million triangles.
 class Occluder {
  public:
   Occluder(std::span<const ProxyMesh* const> proxies, const RunContext& context);
@@ -36,7 +37,8 @@ class Occluder {
   Occluder(const Occluder&) = delete;
   Occluder& operator=(const Occluder&) = delete;
 
-  /// The first triangle that a ray meets between `near` and `far` model mm from its origin; `direction` is a unit vector.
+  /// The first triangle that a ray meets between `near` and `far` model mm from its origin;
+  /// `direction` is a unit vector.
   std::optional<Hit> first_hit(Vec3 origin, Vec3 direction, double near, double far) const;
   /// Whether any triangle that `ignore` does not name lies on the ray between `near` and `far`.
   bool occluded(Vec3 origin, Vec3 direction, double near, double far,

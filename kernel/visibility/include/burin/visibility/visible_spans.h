@@ -12,13 +12,15 @@
 
 namespace burin {
 
-/// A piece of a curve between two parameters (segment index plus share of the segment, 0 .. segment_count()); the spans
-/// of a curve follow each other without gap. On a closed curve the last one may be continued by the first.
+/// A piece of a curve between two parameters (segment index plus share of the segment, 0 ..
+/// segment_count()); the spans of a curve follow each other without gap. On a closed curve the last
+/// one may be continued by the first.
 struct Span {
   double begin = 0;
   double end = 0;
   bool visible = true;
-  /// Visible, occluding, and on one side of it in the picture there is nothing but paper: the outer outline.
+  /// Visible, occluding, and on one side of it in the picture there is nothing but paper: the outer
+  /// outline.
   bool outer = false;
 };
 
@@ -29,16 +31,19 @@ struct VisibilityOptions {
   bool classify_outer = false;
 };
 
-/// Visibility in one view. The picture is cut by the occluding curves (exact crossings in the plane); every piece of a
-/// curve between two cuts gets one answer from a vote of occlusion rays; along a chain the answer may change only at a cut.
+/// Visibility in one view. The picture is cut by the occluding curves (exact crossings in the
+/// plane); every piece of a curve between two cuts gets one answer from a vote of occlusion rays;
+/// along a chain the answer may change only at a cut.
 class VisibilityMap {
  public:
-  /// `features`: all feature lines of the view; the occluding ones among them cut. All arguments must outlive the map.
+  /// `features`: all feature lines of the view; the occluding ones among them cut. All arguments
+  /// must outlive the map.
   VisibilityMap(const Occluder& occluder, std::span<const ProxyMesh* const> proxies,
                 const Camera& camera, std::span<const Curve3> features, const RunContext& context);
   ~VisibilityMap();
 
-  /// The spans of each curve. `curves` may be the features themselves. Deterministic for any number of threads.
+  /// The spans of each curve. `curves` may be the features themselves. Deterministic for any number
+  /// of threads.
   std::vector<std::vector<Span>> classify(std::span<const Curve3> curves,
                                           const VisibilityOptions& options,
                                           const RunContext& context) const;
@@ -48,8 +53,8 @@ class VisibilityMap {
   std::unique_ptr<Impl> impl_;
 };
 
-/// The part of `curve` between two parameters as a curve of its own: per-point arrays are interpolated at both ends.
-/// On a closed curve `end` may exceed segment_count() and wraps.
+/// The part of `curve` between two parameters as a curve of its own: per-point arrays are
+/// interpolated at both ends. On a closed curve `end` may exceed segment_count() and wraps.
 Curve3 slice(const Curve3& curve, double begin, double end);
 
 }  // namespace burin

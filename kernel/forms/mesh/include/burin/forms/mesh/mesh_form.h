@@ -8,7 +8,8 @@
 
 namespace burin {
 
-/// A part given by triangles: charts are triangles, coordinates barycentric, the proxy is the mesh itself.
+/// A part given by triangles: charts are triangles, coordinates barycentric, the proxy is the mesh
+/// itself.
 class MeshForm final : public Form {
  public:
   /// Takes a manifold, oriented mesh, as `repair` returns it.

@@ -1,0 +1,63 @@
+#include <burin/base/error.h>
+#include <burin/camera/camera.h>
+
+#include <fmt/format.h>
+
+#include <charconv>
+#include <cmath>
+#include <optional>
+
+namespace burin {
+namespace {
+
+std::optional<Vec3> parse_vector(std::string_view text) {
+  Vec3 v(0);
+  const char* at = text.data();
+  const char* end = at + text.size();
+  for (int i = 0; i < 3; ++i) {
+    if (i > 0) {
+      if (at == end || *at != ',') return std::nullopt;
+      ++at;
+    }
+    while (at != end && *at == ' ') ++at;
+    if (at != end && *at == '+') ++at;
+    const auto [next, error] = std::from_chars(at, end, v[i]);
+    if (error != std::errc() || !std::isfinite(v[i])) return std::nullopt;
+    at = next;
+  }
+  return at == end ? std::optional(v) : std::nullopt;
+}
+
+// From the model to a viewer to whom the x axis shows at `azimuth` and who looks down by
+// `elevation`, in degrees.
+Vec3 axonometric(double azimuth, double elevation) {
+  const double a = glm::radians(azimuth), e = glm::radians(elevation);
+  return {std::sin(a) * std::cos(e), -std::cos(a) * std::cos(e), std::sin(e)};
+}
+
+}  // namespace
+
+NamedView named_view(std::string_view name) {
+  const Vec3 z(0, 0, 1);
+  if (name == "front") return {{0, -1, 0}, z};
+  if (name == "back") return {{0, 1, 0}, z};
+  if (name == "left") return {{-1, 0, 0}, z};
+  if (name == "right") return {{1, 0, 0}, z};
+  if (name == "top") return {{0, 0, 1}, {0, 1, 0}};
+  if (name == "bottom") return {{0, 0, -1}, {0, 1, 0}};
+  if (name == "iso") return {{1, -1, 1}, z};
+  // ISO 5456-3: dimetric shortens one axis by half (edges at 7 and 42 degrees); trimetric has three
+  // scales.
+  if (name == "dimetric") return {axonometric(20.705, 19.471), z};
+  if (name == "trimetric") return {axonometric(30, 25), z};
+  if (const auto v = parse_vector(name)) {
+    if (glm::length(*v) > 0) return {*v, z};
+    throw UsageError("the view 0,0,0 has no direction: give X,Y,Z from the model to the viewer");
+  }
+  throw UsageError(
+      fmt::format("unknown view '{}': use front, back, left, right, top, bottom, iso, dimetric, "
+                  "trimetric, or X,Y,Z from the model to the viewer",
+                  name));
+}
+
+}  // namespace burin
