@@ -1,6 +1,7 @@
 #pragma once
 /// Where a line of the drawing comes from.
 
+#include <compare>
 #include <cstdint>
 
 namespace burin {
