@@ -1,0 +1,39 @@
+#pragma once
+/// The steps of build_proxy, each of which fills some arrays of the ProxyMesh from those before it.
+
+#include <burin/mesh/proxy_mesh.h>
+
+#include "corners.h"
+
+namespace burin {
+
+/// Triangles a range of the parallel loops: 0.1 to 5 ms each.
+inline constexpr std::size_t kFaceGrain = 4096;
+
+/// Unit normals of all triangles; zero where a triangle has no area.
+std::vector<Vec3> face_normals(const TriMesh& mesh, const RunContext& context);
+
+/// Gives triangles too thin for a normal of their own that of the neighbour across their longest
+/// edge.
+void mend_sliver_normals(const TriMesh& mesh, const Topology& topology, std::vector<Vec3>& normals,
+                         const RunContext& context);
+
+/// Fills edge_kind, from the normals of the triangles.
+void classify_edges(ProxyMesh& proxy, const std::vector<Vec3>& normals, double crease_angle,
+                    const RunContext& context);
+
+/// Fills face_region and region_count from edge_kind.
+void find_regions(ProxyMesh& proxy);
+
+/// Fills wedges and wedge_vertex from edge_kind. The wedges of a vertex have consecutive indices,
+/// in the order of the vertices; where no vertex has two they are the vertices.
+void find_wedges(ProxyMesh& proxy, const VertexCorners& corners, const RunContext& context);
+
+/// Fills wedge_normal.
+void find_wedge_normals(ProxyMesh& proxy, const VertexCorners& corners,
+                        const std::vector<Vec3>& face_normals, const RunContext& context);
+
+/// Fills wedge_sagitta from the wedge normals.
+void find_sagitta(ProxyMesh& proxy, const VertexCorners& corners, const RunContext& context);
+
+}  // namespace burin

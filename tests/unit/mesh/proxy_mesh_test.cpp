@@ -1,0 +1,178 @@
+#include <burin/base/error.h>
+#include <burin/base/parallel.h>
+#include <burin/mesh/proxy_mesh.h>
+
+#include <burin_test/shapes.h>
+#include <gtest/gtest.h>
+
+#include <set>
+
+namespace burin {
+namespace {
+
+ProxyMesh proxy_of(TriMesh mesh, double crease_angle = 30) {
+  const RunContext context;
+  return build_proxy(std::move(mesh), {.crease_angle = crease_angle}, context);
+}
+
+std::int64_t count_edges(const ProxyMesh& proxy, EdgeKind kind) {
+  std::int64_t count = 0;
+  for (std::size_t h = 0; h < proxy.edge_kind.size(); ++h) {
+    const HalfEdge o = proxy.topology.opposite[h];
+    if (proxy.edge_kind[h] == kind && (o == kNoHalfEdge || o > static_cast<HalfEdge>(h))) ++count;
+  }
+  return count;
+}
+
+void expect_opposites_agree(const ProxyMesh& proxy) {
+  for (std::size_t h = 0; h < proxy.topology.opposite.size(); ++h) {
+    const HalfEdge o = proxy.topology.opposite[h];
+    if (o == kNoHalfEdge) continue;
+    const auto he = static_cast<HalfEdge>(h);
+    ASSERT_EQ(proxy.topology.opposite[static_cast<std::size_t>(o)], he);
+    ASSERT_EQ(origin(proxy.mesh, o), origin(proxy.mesh, next_in_face(he)));
+    ASSERT_EQ(proxy.edge_kind[h], proxy.edge_kind[static_cast<std::size_t>(o)]);
+  }
+}
+
+/// A prism over the L of six corners, height 1; its inner corner makes one concave edge.
+TriMesh l_prism() {
+  const Vec2 outline[6] = {{0, 0}, {2, 0}, {2, 1}, {1, 1}, {1, 2}, {0, 2}};
+  TriMesh m;
+  for (int z = 0; z < 2; ++z) {
+    for (const Vec2& p : outline) m.positions.push_back({p.x, p.y, z});
+  }
+  const Triangle cap[4] = {{0, 1, 3}, {1, 2, 3}, {0, 3, 5}, {3, 4, 5}};
+  for (const Triangle& t : cap) {
+    m.triangles.push_back({t[0] + 6, t[1] + 6, t[2] + 6});
+    m.triangles.push_back({t[0], t[2], t[1]});
+  }
+  for (std::uint32_t i = 0; i < 6; ++i) {
+    const std::uint32_t j = (i + 1) % 6;
+    m.triangles.push_back({i, j, j + 6});
+    m.triangles.push_back({i, j + 6, i + 6});
+  }
+  return m;
+}
+
+TEST(ProxyMesh, BoxHasTwelveConvexCreasesSixRegionsAndTwentyFourWedges) {
+  const ProxyMesh proxy = proxy_of(test::box({0, 0, 0}, {1, 2, 3}));
+  expect_opposites_agree(proxy);
+  EXPECT_EQ(count_edges(proxy, EdgeKind::ConvexCrease), 12);
+  EXPECT_EQ(count_edges(proxy, EdgeKind::ConcaveCrease), 0);
+  EXPECT_EQ(count_edges(proxy, EdgeKind::Boundary), 0);
+  EXPECT_EQ(count_edges(proxy, EdgeKind::Smooth), 6);
+  EXPECT_EQ(proxy.region_count, 6);
+  ASSERT_EQ(proxy.wedge_vertex.size(), 24u);
+  EXPECT_EQ(proxy.topology.component_closed, std::vector<std::uint8_t>{1});
+  for (std::uint32_t f = 0; f < 12; ++f) {
+    for (const std::uint32_t w : proxy.wedges[f]) {
+      EXPECT_EQ(glm::length(proxy.wedge_normal[w] - proxy.mesh.normal(f)), 0);
+      EXPECT_EQ(proxy.wedge_sagitta[w], 0);
+    }
+  }
+}
+
+TEST(ProxyMesh, InsideOutBoxHasConcaveCreases) {
+  TriMesh m = test::box({0, 0, 0}, {1, 2, 3});
+  for (Triangle& t : m.triangles) std::swap(t[1], t[2]);
+  EXPECT_EQ(count_edges(proxy_of(m), EdgeKind::ConcaveCrease), 12);
+}
+
+TEST(ProxyMesh, LPrismHasOneConcaveCrease) {
+  const ProxyMesh proxy = proxy_of(l_prism());
+  EXPECT_EQ(count_edges(proxy, EdgeKind::ConvexCrease), 17);
+  EXPECT_EQ(count_edges(proxy, EdgeKind::ConcaveCrease), 1);
+  EXPECT_EQ(proxy.region_count, 8);
+}
+
+TEST(ProxyMesh, CylinderHasTwoCreaseCirclesAndThreeRegions) {
+  const ProxyMesh proxy = proxy_of(test::cylinder(5, 20, 64));
+  expect_opposites_agree(proxy);
+  EXPECT_EQ(count_edges(proxy, EdgeKind::ConvexCrease), 128);
+  EXPECT_EQ(proxy.region_count, 3);
+  EXPECT_EQ(proxy.wedge_vertex.size(), 64u * 4 + 2);
+  for (std::size_t w = 0; w < proxy.wedge_vertex.size(); ++w) {
+    const Vec3 n = proxy.wedge_normal[w];
+    EXPECT_NEAR(glm::length(n), 1, 1e-12);
+    if (std::abs(n.z) > 0.5) {
+      EXPECT_EQ(std::abs(n.z), 1);
+      EXPECT_EQ(proxy.wedge_sagitta[w], 0);
+    }
+  }
+}
+
+TEST(ProxyMesh, OpenMeshHasBoundaries) {
+  const auto sheet = test::grid(5, 4, false, false,
+                                [](std::uint32_t i, std::uint32_t j) { return Vec3(i, j, 0); });
+  const ProxyMesh proxy = proxy_of(test::joined(sheet, test::box({10, 0, 0}, {11, 1, 1})));
+  EXPECT_EQ(count_edges(proxy, EdgeKind::Boundary), 2 * (4 + 3));
+  EXPECT_EQ(proxy.topology.component_closed, (std::vector<std::uint8_t>{0, 1}));
+  EXPECT_FALSE(proxy.closed(0));
+  EXPECT_TRUE(proxy.closed(static_cast<std::uint32_t>(sheet.triangles.size())));
+  EXPECT_EQ(proxy.region_count, 7);
+}
+
+TEST(ProxyMesh, TorusIsOneRegionWhoseWedgesAreItsVertices) {
+  const ProxyMesh proxy = proxy_of(test::torus(10, 3, 60, 40));
+  EXPECT_EQ(proxy.region_count, 1);
+  EXPECT_EQ(proxy.wedges, proxy.mesh.triangles);
+  for (std::size_t w = 0; w < proxy.wedge_vertex.size(); ++w) {
+    const Vec3 p = proxy.mesh.positions[w];
+    const Vec3 ring = 10.0 * glm::normalize(Vec3(p.x, p.y, 0));
+    EXPECT_GT(glm::dot(proxy.wedge_normal[w], glm::normalize(p - ring)), std::cos(0.02));
+  }
+}
+
+TEST(ProxyMesh, InterpolatesPositionAndNormal) {
+  const ProxyMesh proxy = proxy_of(test::torus(10, 3, 60, 40));
+  const Vec3 third(1.0 / 3);
+  EXPECT_NEAR(glm::length(proxy.normal(7, third)), 1, 1e-15);
+  EXPECT_GT(glm::dot(proxy.normal(7, third), proxy.mesh.normal(7)), 0.999);
+  const Triangle& t = proxy.mesh.triangles[7];
+  const Vec3 mean =
+      (proxy.mesh.positions[t[0]] + proxy.mesh.positions[t[1]] + proxy.mesh.positions[t[2]]) / 3.0;
+  EXPECT_LT(glm::length(proxy.position(7, third) - mean), 1e-12);
+}
+
+TEST(ProxyMesh, SliverTakesTheNormalOfItsNeighbour) {
+  // A unit square of two triangles with a sliver, bent out of the plane, between them.
+  TriMesh m;
+  m.positions = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0.5, 0.5, 1e-7}};
+  m.triangles = {{0, 1, 2}, {0, 2, 4}, {0, 4, 3}, {4, 2, 3}};
+  const ProxyMesh proxy = proxy_of(m);
+  EXPECT_EQ(proxy.region_count, 1);
+  EXPECT_EQ(count_edges(proxy, EdgeKind::ConvexCrease), 0);
+}
+
+TEST(Topology, RefusesWhatIsNotManifold) {
+  const RunContext context;
+  TriMesh m = test::box({0, 0, 0}, {1, 1, 1});
+  m.triangles.push_back({0, 0, 1});
+  EXPECT_THROW(build_topology(m, context), GeometryError);
+  m.triangles.back() = {0, 1, 99};
+  EXPECT_THROW(build_topology(m, context), GeometryError);
+  m.triangles.back() = {0, 3, 5};
+  EXPECT_THROW(build_topology(m, context), GeometryError);
+  m.triangles.pop_back();
+  std::swap(m.triangles[0][0], m.triangles[0][1]);
+  EXPECT_THROW(build_topology(m, context), GeometryError);
+}
+
+TEST(Topology, AcceptsFansThatMeetAtAVertex) {
+  TriMesh m;
+  m.positions = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {-1, 0, 0}, {-1, -1, 0}};
+  m.triangles = {{0, 1, 2}, {0, 3, 4}};
+  const ProxyMesh proxy = proxy_of(m);
+  EXPECT_EQ(proxy.wedge_vertex.size(), 6u);
+  EXPECT_EQ(proxy.region_count, 2);
+}
+
+TEST(ProxyMesh, StopsWhenCancelled) {
+  RunContext context;
+  context.cancel();
+  EXPECT_THROW(build_proxy(test::torus(10, 3, 60, 40), {}, context), Cancelled);
+}
+
+}  // namespace
+}  // namespace burin
