@@ -1,0 +1,152 @@
+#include "compose.h"
+
+#include <burin/drawing/bezier.h>
+
+#include <algorithm>
+#include <utility>
+
+namespace burin::detail {
+namespace {
+
+// Paper mm: points of a line that lie closer than this to the line through the others are left out;
+// a tenth of the thinnest pen's width.
+constexpr double kSimplify = 0.005;
+// Share of the style's shortest stroke that the visible rest of a stroke must have, so that no
+// stubs stand at outlines.
+constexpr double kShortestRest = 0.3;
+
+bool same_ink(const Span& a, const Span& b) { return a.visible == b.visible && a.outer == b.outer; }
+
+// Neighbouring spans of one kind made one; on a closed curve the last may take in the first and run
+// past the end.
+std::vector<Span> merged(const std::vector<Span>& spans, bool closed, double end) {
+  std::vector<Span> out;
+  for (const Span& s : spans) {
+    if (!out.empty() && same_ink(out.back(), s)) {
+      out.back().end = s.end;
+    } else {
+      out.push_back(s);
+    }
+  }
+  if (closed && out.size() > 1 && same_ink(out.front(), out.back())) {
+    out.back().end = end + out.front().end;
+    out.erase(out.begin());
+  }
+  return out;
+}
+
+Path to_path(const Curve3& curve, const Camera& camera) {
+  Path path;
+  path.kind = curve.kind;
+  path.source = curve.source;
+  path.closed = curve.closed;
+  path.family = curve.family;
+  path.points3 = curve.points;
+  path.points.reserve(curve.points.size());
+  for (const Vec3& p : curve.points) path.points.push_back(camera.to_paper(p));
+  path.width = curve.widths;
+  return path;
+}
+
+double paper_length(const Path& path) {
+  double sum = 0;
+  for (std::size_t i = 1; i < path.points.size(); ++i)
+    sum += glm::length(path.points[i] - path.points[i - 1]);
+  return sum;
+}
+
+void simplify_path(Path& path) {
+  if (path.points.size() < 3) return;
+  Path out = path;
+  out.points.clear();
+  out.points3.clear();
+  for (const std::size_t i : simplify(path.points, kSimplify)) {
+    out.points.push_back(path.points[i]);
+    out.points3.push_back(path.points3[i]);
+  }
+  path = std::move(out);
+}
+
+// The curve between two parameters; a span that is the whole of a closed curve stays closed.
+Curve3 piece(const Curve3& curve, const Span& span) {
+  const auto count = static_cast<double>(curve.segment_count());
+  if (span.begin <= 0 && span.end >= count && span.end - span.begin <= count) return curve;
+  return slice(curve, span.begin, span.end);
+}
+
+double feature_width(const Style& style, LineClass kind, const Span& span) {
+  if (!span.visible) return style.line.hidden;
+  if (span.outer) return style.line.outer;
+  switch (kind) {
+    case LineClass::Contour:
+      return style.line.contour;
+    case LineClass::Boundary:
+      return style.line.boundary;
+    case LineClass::Intersection:
+      return style.line.intersection;
+    default:
+      return style.line.crease;
+  }
+}
+
+const char* feature_layer(LineClass kind, const Span& span) {
+  if (!span.visible) return "hidden";
+  if (span.outer) return "outline";
+  return to_string(kind);
+}
+
+}  // namespace
+
+void compose_strokes(std::span<const Curve3> strokes, const std::vector<std::vector<Span>>& spans,
+                     const Camera& camera, const Style& style, Drawing& drawing) {
+  Layer layers[2] = {{"stroke-1", {}}, {"stroke-2", {}}};
+  for (std::size_t i = 0; i < strokes.size(); ++i) {
+    const Curve3& curve = strokes[i];
+    const auto count = static_cast<double>(curve.segment_count());
+    for (const Span& span : merged(spans[i], curve.closed, count)) {
+      if (!span.visible) continue;
+      const bool whole = span.begin <= 0 && span.end >= count;
+      Path path = to_path(piece(curve, span), camera);
+      if (!whole && paper_length(path) < kShortestRest * style.hatch.length_min) continue;
+      path.field = style.hatch.field;
+      layers[curve.family == 2 ? 1 : 0].paths.push_back(std::move(path));
+    }
+  }
+  for (Layer& layer : layers) {
+    drawing.stats.strokes += static_cast<std::int64_t>(layer.paths.size());
+    if (!layer.paths.empty()) drawing.layers.push_back(std::move(layer));
+  }
+}
+
+void compose_features(std::span<const Curve3> features, const std::vector<std::vector<Span>>& spans,
+                      const Camera& camera, const Style& style, HiddenLines hidden,
+                      Drawing& drawing) {
+  std::vector<Layer> layers;
+  for (const char* name : {"hidden", "intersection", "crease", "boundary", "contour", "outline"}) {
+    layers.push_back({name, {}});
+  }
+  for (std::size_t i = 0; i < features.size(); ++i) {
+    const Curve3& curve = features[i];
+    for (const Span& span :
+         merged(spans[i], curve.closed, static_cast<double>(curve.segment_count()))) {
+      if (!span.visible && hidden == HiddenLines::None) continue;
+      Path path = to_path(piece(curve, span), camera);
+      if (path.points.size() < 2) continue;
+      path.visible = span.visible;
+      path.width = {feature_width(style, curve.kind, span)};
+      simplify_path(path);
+      const char* name = feature_layer(curve.kind, span);
+      const auto layer = std::ranges::find(layers, name, &Layer::name);
+      if (layer == layers.end()) {
+        layers.push_back({name, {std::move(path)}});
+      } else {
+        layer->paths.push_back(std::move(path));
+      }
+    }
+  }
+  for (Layer& layer : layers) {
+    if (!layer.paths.empty()) drawing.layers.push_back(std::move(layer));
+  }
+}
+
+}  // namespace burin::detail

@@ -1,0 +1,165 @@
+#include <burin/base/error.h>
+#include <burin/feature/feature.h>
+#include <burin/field/field.h>
+#include <burin/illustrate/illustrate.h>
+#include <burin/stroke/stroke.h>
+#include <burin/tone/tone.h>
+#include <burin/visibility/occluder.h>
+#include <burin/visibility/visible_spans.h>
+
+#include "compose.h"
+
+#include <memory>
+#include <vector>
+
+namespace burin {
+namespace {
+
+// Paper mm that a tessellation chosen from the sheet may be off.
+constexpr double kSheetTolerance = 0.05;
+
+using Surfaces = std::vector<std::shared_ptr<const Surface>>;
+
+Surfaces realise(const Scene& scene, const Camera& camera, const Style& style,
+                 const IllustrateOptions& options, RunContext& context) {
+  RealiseOptions realise;
+  realise.tolerance = options.tolerance.value_or(kSheetTolerance / camera.scale());
+  realise.crease_angle = style.feature.crease_angle;
+  realise.curvature = style.hatch.enabled && style.hatch.field != "fixed";
+  Surfaces surfaces;
+  for (const Part& part : scene.parts) surfaces.push_back(part.form->realise(realise, context));
+  return surfaces;
+}
+
+Field make_field(const std::vector<const Surface*>& surfaces, const Style& style,
+                 const RunContext& context) {
+  if (style.hatch.field == "fixed") return field::fixed(style.hatch.direction);
+  if (style.hatch.field == "principal") return field::principal();
+  return field::smoothed(
+      surfaces, {.alignment = style.hatch.alignment, .fallback = style.hatch.direction}, context);
+}
+
+HatchOptions hatch_options(const Style& style, std::uint64_t seed) {
+  const auto& h = style.hatch;
+  return {.spacing_min = h.spacing_min,
+          .spacing_max = h.spacing_max,
+          .width_min = h.width_min,
+          .width_max = h.width_max,
+          .tone_min = h.tone_min,
+          .cross_from = h.cross_from,
+          .length_min = h.length_min,
+          .length_max = h.length_max,
+          .taper = h.taper,
+          .foreshortening = h.foreshortening,
+          .seed = seed};
+}
+
+ViewProbe make_probe(const Occluder& occluder, const Camera& camera) {
+  const double back = 2 * occluder.diagonal();
+  return [&occluder, &camera, back](Vec2 paper) -> std::optional<ViewHit> {
+    ViewRay ray = camera.ray(paper);
+    double far = 2 * back;
+    if (camera.perspective()) {
+      far += glm::length(camera.eye() - camera.center());
+    } else {
+      ray.origin -= back * ray.direction;
+    }
+    const auto hit = occluder.first_hit(ray.origin, ray.direction, 0, far);
+    if (!hit) return std::nullopt;
+    return ViewHit{hit->where.part, {hit->where.face, hit->bary}};
+  };
+}
+
+StrokeResult hatch(const std::vector<const Surface*>& surfaces, const Occluder& occluder,
+                   const Camera& camera, const Style& style, std::uint64_t seed,
+                   RunContext& context) {
+  context.begin_stage("field");
+  const Field field = make_field(surfaces, style, context);
+  const Tone tone = tone::lambert(camera, {.light = style.tone.light,
+                                           .ambient = style.tone.ambient,
+                                           .diffuse = style.tone.diffuse,
+                                           .highlight = style.tone.highlight,
+                                           .rim = style.tone.rim});
+  return trace_strokes(surfaces, camera, field, tone, make_probe(occluder, camera),
+                       hatch_options(style, seed), context);
+}
+
+DrawingView describe(const Camera& camera) {
+  DrawingView view;
+  view.projection = camera.perspective() ? "perspective" : "orthographic";
+  view.direction = camera.direction();
+  view.right = camera.right();
+  view.up = camera.up();
+  view.scale = camera.scale();
+  view.center = camera.center();
+  view.offset = camera.offset();
+  if (camera.perspective()) {
+    view.eye = camera.eye();
+    view.field_of_view = camera.field_of_view();
+  }
+  return view;
+}
+
+Drawing describe(const Scene& scene, const std::vector<const ProxyMesh*>& proxies,
+                 const Camera& camera, const Style& style, std::uint64_t seed) {
+  Drawing drawing;
+  drawing.paper_width = camera.paper().width;
+  drawing.paper_height = camera.paper().height;
+  drawing.seed = seed;
+  drawing.style = style.name;
+  drawing.view = describe(camera);
+  drawing.diagnostics = scene.diagnostics;
+  for (std::size_t i = 0; i < scene.parts.size(); ++i) {
+    const auto triangles = static_cast<std::int64_t>(proxies[i]->mesh.triangles.size());
+    drawing.parts.push_back({static_cast<std::int32_t>(i), scene.parts[i].name,
+                             scene.parts[i].source, triangles, proxies[i]->region_count});
+    drawing.stats.triangles += triangles;
+  }
+  return drawing;
+}
+
+}  // namespace
+
+Drawing illustrate(const Scene& scene, const Camera& camera, const Style& style,
+                   const IllustrateOptions& options, RunContext& context) {
+  if (scene.parts.empty()) throw GeometryError("nothing to draw: the input has no parts");
+  const Surfaces owned = realise(scene, camera, style, options, context);
+  std::vector<const Surface*> surfaces;
+  std::vector<const ProxyMesh*> proxies;
+  for (const auto& s : owned) {
+    surfaces.push_back(s.get());
+    proxies.push_back(&s->proxy());
+  }
+  Drawing drawing = describe(scene, proxies, camera, style, options.seed);
+  context.begin_stage("build");
+  const Occluder occluder(proxies, context);
+
+  StrokeResult strokes;
+  if (style.hatch.enabled) {
+    strokes = hatch(surfaces, occluder, camera, style, options.seed, context);
+    drawing.stats.coverage_points = strokes.coverage_points;
+    drawing.stats.coverage_delta = strokes.coverage_delta;
+  }
+
+  context.begin_stage("features");
+  const std::vector<Curve3> features =
+      extract_features(proxies, camera,
+                       {.contours = style.feature.contours,
+                        .creases = style.feature.creases,
+                        .boundaries = style.feature.boundaries,
+                        .intersections = style.feature.intersections},
+                       drawing.diagnostics, context);
+
+  context.begin_stage("visibility");
+  const VisibilityMap map(occluder, proxies, camera, features, context);
+  const auto feature_spans = map.classify(features, {.classify_outer = true}, context);
+  const auto stroke_spans = map.classify(strokes.strokes, {}, context);
+
+  context.begin_stage("compose");
+  detail::compose_strokes(strokes.strokes, stroke_spans, camera, style, drawing);
+  detail::compose_features(features, feature_spans, camera, style, options.hidden, drawing);
+  context.end_stage();
+  return drawing;
+}
+
+}  // namespace burin

@@ -1,0 +1,58 @@
+#pragma once
+// What every step of the placement needs to know; internal to the module.
+
+#include <burin/stroke/stroke.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace burin::detail {
+
+/// How one tone is shared between two crossing families: 1 - (1-first)(1-second) = darkness.
+struct Coverage2 {
+  double first = 0;
+  double second = 0;
+};
+
+/// The arguments of trace_strokes and the small functions of them.
+struct Picture {
+  std::span<const Surface* const> surfaces;
+  const Camera& camera;
+  const Field& field;
+  const Tone& tone;
+  const ViewProbe& probe;
+  const HatchOptions& options;
+  /// Model mm within which two places along one viewing ray are the same surface.
+  double same_place = 0;
+
+  const Surface& surface(std::int32_t part) const {
+    return *surfaces[static_cast<std::size_t>(part)];
+  }
+
+  /// Ink asked for in [0,1] at a point with its normal turned to the viewer.
+  double darkness(Vec3 position, Vec3 normal) const {
+    return std::clamp(1 - tone(position, normal), 0.0, 1.0);
+  }
+
+  Coverage2 share(double darkness) const {
+    constexpr double kRamp = 0.25;  // of tone, over which the second family fades in
+    const double t = std::clamp((darkness - options.cross_from) / kRamp, 0.0, 1.0);
+    const double even = 1 - std::sqrt(1 - std::min(darkness, 0.98));
+    const double second = options.cross_from > 1 ? 0 : even * t * t * (3 - 2 * t);
+    return {1 - (1 - darkness) / (1 - second), second};
+  }
+  double share(double darkness, int family) const {
+    const Coverage2 c = share(darkness);
+    return family == 1 ? c.first : c.second;
+  }
+
+  /// Distance between neighbours of a family that is to cover a share `ink` of the paper. Denser
+  /// where darker, so that the widths stay in the pen's comfortable range.
+  double spacing(double ink) const {
+    constexpr double kDense = 0.6;  // of ink, from which the spacing is the smallest
+    const double t = std::clamp(ink / kDense, 0.0, 1.0);
+    return options.spacing_max + (options.spacing_min - options.spacing_max) * t;
+  }
+};
+
+}  // namespace burin::detail

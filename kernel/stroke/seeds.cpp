@@ -1,0 +1,123 @@
+#include "seeds.h"
+
+#include <burin/base/parallel.h>
+
+#include "sample_grid.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace burin::detail {
+namespace {
+
+// Candidates for each seed that fits: enough that few gaps are left to the strokes' own neighbours.
+constexpr double kCandidates = 3;
+
+bool wants_ink(const Picture& picture, const RasterCell& cell) {
+  return cell.part >= 0 && picture.share(cell.darkness, 1) >= picture.options.tone_min;
+}
+
+// Paper mm^2 that each part shows and that want ink.
+std::vector<double> dark_area(const Picture& picture, const ViewRaster& raster) {
+  std::vector<double> area(picture.surfaces.size(), 0);
+  for (const RasterCell& c : raster.cells) {
+    if (wants_ink(picture, c))
+      area[static_cast<std::size_t>(c.part)] += raster.pitch * raster.pitch;
+  }
+  return area;
+}
+
+// Paper mm^2 that the triangles of a surface turned to the viewer would cover, seen or not: the
+// measure that points of a view-uniform coverage are spread over.
+double projected_area(const Surface& surface, const Camera& camera) {
+  const TriMesh& mesh = surface.proxy().mesh;
+  double sum = 0;
+  for (const Triangle& t : mesh.triangles) {
+    const Vec2 a = camera.to_paper(mesh.positions[t[0]]), b = camera.to_paper(mesh.positions[t[1]]);
+    const Vec2 c = camera.to_paper(mesh.positions[t[2]]);
+    sum += std::max(0.0, 0.5 * cross2(b - a, c - a));
+  }
+  return sum;
+}
+
+double measure_delta(const Picture& picture, const ViewRaster& raster, const SampleGrid& grid,
+                     double reach, const RunContext& context) {
+  std::vector<double> row(static_cast<std::size_t>(raster.ny), 0);
+  parallel_for(
+      row.size(), 8,
+      [&](std::size_t begin, std::size_t end) {
+        for (std::size_t y = begin; y < end; ++y) {
+          for (std::int32_t x = 0; x < raster.nx; ++x) {
+            const RasterCell& cell = raster.at(x, static_cast<std::int32_t>(y));
+            if (!wants_ink(picture, cell)) continue;
+            GridSample s;
+            s.paper = raster.center(x, static_cast<std::int32_t>(y));
+            s.depth = cell.depth;
+            s.part = cell.part;
+            s.region = cell.region;
+            row[y] = std::max(row[y], grid.nearest(s, reach, -1, 0, 0));
+          }
+        }
+      },
+      &context);
+  return row.empty() ? 0 : *std::max_element(row.begin(), row.end());
+}
+
+}  // namespace
+
+Coverage cover_picture(const Picture& picture, const ViewRaster& raster,
+                       const RunContext& context) {
+  const Camera& camera = picture.camera;
+  const HatchOptions& o = picture.options;
+  const std::vector<double> dark = dark_area(picture, raster);
+  SampleGrid grid(raster.origin, raster.pitch * Vec2(raster.nx, raster.ny), o.spacing_max);
+  Coverage out;
+  for (std::size_t part = 0; part < picture.surfaces.size(); ++part) {
+    if (dark[part] <= 0) continue;
+    const Surface& surface = *picture.surfaces[part];
+    const double shown = std::max(projected_area(surface, camera), dark[part]);
+    CoverRequest request;
+    request.seed = o.seed;
+    request.part = static_cast<std::int32_t>(part);
+    request.count =
+        static_cast<std::size_t>(kCandidates * shown / (o.spacing_min * o.spacing_min)) + 64;
+    const bool two_sided = [&] {
+      const auto& closed = surface.proxy().topology.component_closed;
+      return std::find(closed.begin(), closed.end(), 0) != closed.end();
+    }();
+    request.weight = [&](Vec3 position, Vec3 normal) {
+      const double cosine = glm::dot(normal, camera.to_viewer(position));
+      const double facing = two_sided ? std::abs(cosine) : std::max(0.0, cosine);
+      if (picture.share(picture.darkness(position, cosine < 0 ? -normal : normal), 1) < o.tone_min)
+        return 0.0;
+      return facing;
+    };
+    for (const SurfacePoint& p : surface.cover(request, context)) {
+      const ProxyPoint place = surface.to_proxy(p);
+      GridSample s;
+      s.paper = camera.to_paper(p.position);
+      s.depth = camera.depth(p.position);
+      s.part = static_cast<std::int32_t>(part);
+      s.region = surface.proxy().face_region[place.face];
+      const Vec3 n = surface.proxy().normal(place.face, place.bary);
+      const double cosine = glm::dot(n, camera.to_viewer(p.position));
+      const double c = std::clamp(std::abs(cosine), 0.1, 1.0);
+      s.slope = (std::sqrt(1 - c * c) / c + 0.1) / camera.scale_at(p.position);
+      const double ink = picture.share(picture.darkness(p.position, cosine < 0 ? -n : n), 1);
+      const double d = picture.spacing(ink);
+      if (grid.nearest(s, d, -1, 0, 0) < d) continue;
+      const auto hit = picture.probe(s.paper);
+      if (hit && !(hit->part == s.part && hit->point.face == place.face)) {
+        const ProxyMesh& proxy = picture.surface(hit->part).proxy();
+        const Vec3 q = proxy.position(hit->point.face, hit->point.bary);
+        if (camera.depth(q) - s.depth > picture.same_place) continue;
+      }
+      grid.insert(s);
+      out.seeds.push_back({s.part, p});
+    }
+  }
+  out.delta = measure_delta(picture, raster, grid, 4 * o.spacing_max, context);
+  return out;
+}
+
+}  // namespace burin::detail

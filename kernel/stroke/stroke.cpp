@@ -1,0 +1,93 @@
+#include <burin/base/error.h>
+#include <burin/base/parallel.h>
+#include <burin/stroke/stroke.h>
+
+#include "placement.h"
+#include "seeds.h"
+#include "view_raster.h"
+#include "widths.h"
+
+#include <cmath>
+
+namespace burin {
+namespace {
+
+using namespace detail;
+
+void check(const HatchOptions& o) {
+  const bool sane = o.spacing_min > 0 && o.spacing_max >= o.spacing_min && o.width_min > 0 &&
+                    o.width_max >= o.width_min && o.length_min >= 0 && o.length_max > o.length_min;
+  if (!sane) {
+    throw UsageError(
+        "hatch options contradict each other: spacing, width and length each need 0 < min <= max");
+  }
+}
+
+// Model mm within which two hits along a viewing ray are one surface: what single precision of the
+// rays and the chords of the proxy can move them, as a share of the scene's size.
+double same_place(std::span<const Surface* const> surfaces) {
+  Box3 box;
+  double tolerance = 0;
+  for (const Surface* s : surfaces) {
+    box.add(s->proxy().mesh.bounds());
+    tolerance = std::max(tolerance, s->proxy().tolerance);
+  }
+  return 1e-4 * box.diagonal() + 2 * tolerance;
+}
+
+Curve3 to_curve(const TracedStroke& stroke, std::vector<double> widths) {
+  Curve3 c;
+  c.kind = LineClass::Stroke;
+  c.family = stroke.family;
+  c.closed = stroke.closed;
+  c.source = {stroke.part, stroke.samples.front().region, -1};
+  c.widths = std::move(widths);
+  for (const StrokeSample& s : stroke.samples) {
+    c.points.push_back(s.point.position);
+    c.normals.push_back(s.normal);
+    c.faces.push_back(static_cast<std::int32_t>(s.face));
+  }
+  if (!c.closed) c.faces.pop_back();
+  return c;
+}
+
+}  // namespace
+
+StrokeResult trace_strokes(std::span<const Surface* const> surfaces, const Camera& camera,
+                           const Field& field, const Tone& tone, const ViewProbe& probe,
+                           const HatchOptions& options, RunContext& context) {
+  check(options);
+  const Picture picture{surfaces, camera, field, tone, probe, options, same_place(surfaces)};
+  context.begin_stage("cover");
+  const ViewRaster raster = make_raster(picture, context);
+  const Coverage coverage = cover_picture(picture, raster, context);
+
+  context.begin_stage("trace");
+  std::vector<Family> families;
+  const SampleGrid empty({0, 0}, {0, 0}, 1);
+  families.push_back({{}, empty});
+  if (options.cross_from <= 1) families.push_back({{}, empty});
+  const auto place = [&](std::size_t f) {
+    const auto report = [&](double share) {
+      if (f == 0) context.progress(0.8 * share);
+    };
+    families[f] =
+        place_family(picture, raster, coverage.seeds, static_cast<int>(f) + 1, context, report);
+  };
+  place(0);
+  if (families.size() > 1) place(1);
+  Widths widths = solve_widths(picture, raster, families, context);
+
+  StrokeResult result;
+  result.coverage_points = static_cast<std::int64_t>(coverage.seeds.size());
+  result.coverage_delta = coverage.delta;
+  for (std::size_t f = 0; f < families.size(); ++f) {
+    for (std::size_t s = 0; s < families[f].strokes.size(); ++s) {
+      result.strokes.push_back(to_curve(families[f].strokes[s], std::move(widths[f][s])));
+    }
+  }
+  context.end_stage();
+  return result;
+}
+
+}  // namespace burin

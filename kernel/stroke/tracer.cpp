@@ -1,0 +1,183 @@
+#include "tracer.h"
+
+#include <cmath>
+
+namespace burin::detail {
+namespace {
+
+constexpr double kStep = 0.4;      // paper mm between samples
+constexpr double kProbeEvery = 2;  // samples between two tests of visibility
+constexpr double kHiddenTail =
+    1.2;  // paper mm that a stroke goes on unseen, to be cut exactly later
+constexpr double kMinFacing = 0.02;  // cosine: the surface is seen edge-on and turns away
+constexpr double kMinRun = 0.12;     // share of its length that a step must keep on paper
+constexpr double kMaxTurn = 0.7;     // cosine of the turn in one step that still is a smooth stroke
+constexpr double kTestShare =
+    0.55;                           // of the spacing: a stroke ends nearer than that to a neighbour
+constexpr int kMaxSamples = 20000;  // a bound where length_max is set absurdly high
+
+}  // namespace
+
+double TracedStroke::length() const {
+  double sum = 0;
+  for (std::size_t i = 1; i < samples.size(); ++i) {
+    sum += glm::length(samples[i].paper - samples[i - 1].paper);
+  }
+  return sum;
+}
+
+GridSample grid_sample(const StrokeSample& s, std::int32_t part, std::int32_t stroke,
+                       std::int32_t index) {
+  return {s.paper, s.direction, s.depth, s.slope, part, s.region, stroke, index};
+}
+
+double Tracer::spacing(const StrokeSample& s) const {
+  const double d = picture_.spacing(picture_.share(s.darkness, family_));
+  if (picture_.options.foreshortening <= 0) return d;
+  // How much a step across the stroke is shortened by the slant of the surface.
+  const Vec3 across = glm::cross(s.normal, s.tangent);
+  const double kept = glm::length(picture_.camera.velocity(s.point.position, across)) /
+                      picture_.camera.scale_at(s.point.position);
+  const double f = picture_.options.foreshortening;
+  return d * (1 - f + f * std::max(kept, 0.2));  // never denser than five times
+}
+
+bool Tracer::fill(std::int32_t part, const SurfacePoint& point, Vec3 previous, int arm,
+                  StrokeSample& out) const {
+  const Surface& surface = picture_.surface(part);
+  const Frame frame = surface.frame(point);
+  const auto direction = picture_.field.direction({part, point, frame, previous, arm});
+  if (!direction) return false;
+  const Camera& camera = picture_.camera;
+  const ProxyPoint place = surface.to_proxy(point);
+  out.point = point;
+  out.normal = frame.normal;
+  out.tangent = *direction;
+  out.paper = camera.to_paper(point.position);
+  const Vec2 v = camera.velocity(point.position, out.tangent);
+  const double speed = glm::length(v);
+  out.direction = speed > 0 ? v / speed : Vec2(1, 0);
+  out.depth = camera.depth(point.position);
+  const Vec3 to_viewer = camera.to_viewer(point.position);
+  const double cosine = glm::dot(frame.normal, to_viewer);
+  out.facing = std::abs(cosine);
+  const double c = std::max(out.facing, 0.1);
+  out.slope = (std::sqrt(1 - c * c) / c + 0.1) / camera.scale_at(point.position);
+  out.face = place.face;
+  out.region = surface.proxy().face_region[place.face];
+  out.darkness = picture_.darkness(point.position, cosine < 0 ? -frame.normal : frame.normal);
+  out.visible = cosine > 0 || !surface.proxy().closed(place.face);
+  return true;
+}
+
+bool Tracer::seen(std::int32_t part, const StrokeSample& s) const {
+  const auto hit = picture_.probe(s.paper);
+  // Beside the occluder's polygon, though not beside the true surface: at the very outline.
+  if (!hit) return true;
+  const ProxyMesh& proxy = picture_.surface(hit->part).proxy();
+  if (hit->part == part && hit->point.face == s.face) return true;
+  const double nearer =
+      picture_.camera.depth(proxy.position(hit->point.face, hit->point.bary)) - s.depth;
+  return nearer <= picture_.same_place;
+}
+
+bool Tracer::seed(std::int32_t part, const SurfacePoint& point, int arm, StrokeSample& out) const {
+  return fill(part, point, Vec3(0), arm, out) && out.visible && out.facing > kMinFacing &&
+         seen(part, out);
+}
+
+bool Tracer::free(std::int32_t part, const StrokeSample& s, double share) const {
+  const double ink = picture_.share(s.darkness, family_);
+  if (ink < picture_.options.tone_min) return false;
+  const double d = share * spacing(s);
+  return grid_.nearest(grid_sample(s, part, -1, 0), d, -1, 0, 0) >= d;
+}
+
+StrokeEnd Tracer::extend(std::int32_t part, const StrokeSample& seed, double sign,
+                         std::vector<StrokeSample>& out) const {
+  const Surface& surface = picture_.surface(part);
+  const Camera& camera = picture_.camera;
+  StrokeSample at = seed;
+  at.tangent *= sign;
+  double travelled = 0, unseen = 0;
+  for (int i = 0; i < kMaxSamples; ++i) {
+    const double scale = camera.scale_at(at.point.position);
+    const double speed = glm::length(camera.velocity(at.point.position, at.tangent)) / scale;
+    const double length = kStep / (scale * std::max(speed, kMinRun));
+    // Second order: half a step, the direction there, the whole step along it.
+    Vec3 tangent = at.tangent;
+    const MarchStep half = surface.march(at.point, tangent, 0.5 * length);
+    if (half.stop == MarchStop::Completed) {
+      const Frame frame = surface.frame(half.end);
+      if (const auto d =
+              picture_.field.direction({part, half.end, frame, half.direction, family_})) {
+        tangent = transport(*d, frame.normal, at.normal);
+      }
+    }
+    const MarchStep step = surface.march(at.point, tangent, length);
+    if (step.stop == MarchStop::Singular || step.stop == MarchStop::NotConverged) {
+      return StrokeEnd::Singular;
+    }
+    StrokeSample next;
+    const bool ends = step.stop != MarchStop::Completed;
+    if (!fill(part, step.end, step.direction, family_, next)) return StrokeEnd::Singular;
+    if (ends) next.tangent = normalize_or(step.direction, at.tangent);
+    if (glm::dot(next.tangent, step.direction) < kMaxTurn * glm::length(step.direction)) {
+      return StrokeEnd::Singular;
+    }
+    if (!next.visible || next.facing < kMinFacing) {
+      out.push_back(next);
+      return StrokeEnd::Edge;
+    }
+    const double ds = glm::length(next.paper - at.paper);
+    if (unseen > 0 || i % static_cast<int>(kProbeEvery) == 0) {
+      unseen = seen(part, next) ? 0 : unseen + std::max(ds, 0.1 * kStep);
+    }
+    next.visible = unseen == 0;
+    if (unseen > kHiddenTail) return StrokeEnd::Hidden;
+    if (next.visible) {
+      if (picture_.share(next.darkness, family_) < picture_.options.tone_min)
+        return StrokeEnd::Light;
+      const double d = kTestShare * spacing(next);
+      if (grid_.nearest(grid_sample(next, part, -1, 0), d, -1, 0, 0) < d) return StrokeEnd::Crowded;
+      const Vec2 gap = next.paper - seed.paper;
+      if (travelled > 4 * kStep && next.region == seed.region &&
+          std::abs(next.depth - seed.depth) < kStep * seed.slope) {
+        if (glm::length(gap) < 0.75 * kStep && glm::dot(next.tangent, sign * seed.tangent) > 0.9) {
+          return StrokeEnd::Closed;
+        }
+      }
+    }
+    out.push_back(next);
+    if (ends) return StrokeEnd::Edge;
+    travelled += ds;
+    if (travelled > picture_.options.length_max / 2) return StrokeEnd::Length;
+    at = next;
+  }
+  return StrokeEnd::Length;
+}
+
+TracedStroke Tracer::trace(std::int32_t part, const StrokeSample& seed) const {
+  TracedStroke stroke;
+  stroke.part = part;
+  stroke.family = family_;
+  std::vector<StrokeSample> forward, backward;
+  stroke.end_reason = extend(part, seed, 1, forward);
+  if (stroke.end_reason == StrokeEnd::Closed) {
+    stroke.closed = true;
+    stroke.begin_reason = StrokeEnd::Closed;
+  } else {
+    stroke.begin_reason = extend(part, seed, -1, backward);
+    if (stroke.begin_reason == StrokeEnd::Closed) stroke.begin_reason = StrokeEnd::Crowded;
+  }
+  for (auto it = backward.rbegin(); it != backward.rend(); ++it) {
+    it->tangent = -it->tangent;
+    it->direction = -it->direction;
+    stroke.samples.push_back(*it);
+  }
+  stroke.samples.push_back(seed);
+  stroke.samples.insert(stroke.samples.end(), forward.begin(), forward.end());
+  return stroke;
+}
+
+}  // namespace burin::detail

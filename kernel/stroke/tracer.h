@@ -1,0 +1,76 @@
+#pragma once
+// One streamline of the field through one point, in steps of paper millimetres.
+
+#include "picture.h"
+#include "sample_grid.h"
+
+#include <vector>
+
+namespace burin::detail {
+
+/// Why a stroke ends; decides how its end is shaped.
+enum class StrokeEnd { Edge, Hidden, Light, Crowded, Singular, Length, Closed };
+
+/// One place of a stroke under way.
+struct StrokeSample {
+  SurfacePoint point;
+  Vec3 normal{0};   // unit, outward
+  Vec3 tangent{0};  // unit, along the stroke
+  Vec2 paper{0};
+  Vec2 direction{0};  // unit, on paper
+  double depth = 0;
+  double slope = 0;   // model mm of depth a paper mm
+  double facing = 0;  // cosine between the normal turned to the viewer and the view
+  double darkness = 0;
+  std::uint32_t face = 0;  // of the proxy
+  std::int32_t region = -1;
+  bool visible = true;
+};
+
+struct TracedStroke {
+  std::int32_t part = -1;
+  std::vector<StrokeSample> samples;
+  StrokeEnd begin_reason = StrokeEnd::Length;
+  StrokeEnd end_reason = StrokeEnd::Length;
+  bool closed = false;
+  int family = 1;
+
+  double length() const;  // on paper
+};
+
+GridSample grid_sample(const StrokeSample& s, std::int32_t part, std::int32_t stroke,
+                       std::int32_t index);
+
+class Tracer {
+ public:
+  /// `neighbours`: the family's strokes so far.
+  Tracer(const Picture& picture, const SampleGrid& neighbours, int family)
+      : picture_(picture), grid_(neighbours), family_(family) {}
+
+  /// The sample at a surface point with the direction of the field's family `arm` there; false
+  /// where there is none or the point is turned away or hidden.
+  bool seed(std::int32_t part, const SurfacePoint& point, int arm, StrokeSample& out) const;
+
+  /// The whole stroke through a seed, both ways.
+  TracedStroke trace(std::int32_t part, const StrokeSample& seed) const;
+
+  /// The distance that neighbours of this family keep at a place.
+  double spacing(const StrokeSample& s) const;
+
+  /// Whether a new stroke of this family may begin here: dark enough, and no neighbour nearer than
+  /// `share` of the spacing.
+  bool free(std::int32_t part, const StrokeSample& s, double share) const;
+
+ private:
+  bool fill(std::int32_t part, const SurfacePoint& point, Vec3 previous, int arm,
+            StrokeSample& out) const;
+  bool seen(std::int32_t part, const StrokeSample& s) const;
+  StrokeEnd extend(std::int32_t part, const StrokeSample& seed, double sign,
+                   std::vector<StrokeSample>& out) const;
+
+  const Picture& picture_;
+  const SampleGrid& grid_;
+  int family_;
+};
+
+}  // namespace burin::detail

@@ -1,0 +1,52 @@
+#include "view_raster.h"
+
+#include <burin/base/parallel.h>
+
+namespace burin::detail {
+namespace {
+
+Box2 projected_bounds(const Picture& picture) {
+  Box2 box;
+  for (const Surface* s : picture.surfaces) {
+    for (const Vec3& p : s->proxy().mesh.positions) box.add(picture.camera.to_paper(p));
+  }
+  Box2 clipped;
+  const Paper& paper = picture.camera.paper();
+  clipped.min = glm::clamp(box.min, Vec2(0), Vec2(paper.width, paper.height));
+  clipped.max = glm::clamp(box.max, Vec2(0), Vec2(paper.width, paper.height));
+  return clipped;
+}
+
+}  // namespace
+
+ViewRaster make_raster(const Picture& picture, const RunContext& context) {
+  ViewRaster raster;
+  const Box2 box = projected_bounds(picture);
+  raster.origin = box.min;
+  raster.nx = static_cast<std::int32_t>(box.size().x / raster.pitch) + 1;
+  raster.ny = static_cast<std::int32_t>(box.size().y / raster.pitch) + 1;
+  const auto nx = static_cast<std::size_t>(raster.nx);
+  raster.cells.resize(nx * static_cast<std::size_t>(raster.ny));
+  parallel_for(
+      static_cast<std::size_t>(raster.ny), 4,
+      [&](std::size_t begin, std::size_t end) {
+        for (std::size_t y = begin; y < end; ++y) {
+          for (std::size_t x = 0; x < nx; ++x) {
+            const auto hit = picture.probe(
+                raster.center(static_cast<std::int32_t>(x), static_cast<std::int32_t>(y)));
+            if (!hit) continue;
+            const ProxyMesh& proxy = picture.surface(hit->part).proxy();
+            const Vec3 p = proxy.position(hit->point.face, hit->point.bary);
+            Vec3 n = proxy.normal(hit->point.face, hit->point.bary);
+            if (glm::dot(n, picture.camera.to_viewer(p)) < 0) n = -n;
+            raster.cells[y * nx + x] = {hit->part, proxy.face_region[hit->point.face],
+                                        picture.camera.depth(p),
+                                        static_cast<float>(picture.darkness(p, n))};
+          }
+        }
+      },
+      &context);
+  return raster;
+}
+
+}  // namespace burin::detail

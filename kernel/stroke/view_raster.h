@@ -1,0 +1,39 @@
+#pragma once
+// What is seen through each cell of a grid on paper: the target tone, and where there is paper
+// only.
+
+#include <burin/base/box.h>
+
+#include "picture.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace burin::detail {
+
+struct RasterCell {
+  std::int32_t part = -1;  // -1: paper
+  std::int32_t region = -1;
+  double depth = 0;
+  float darkness = 0;
+};
+
+struct ViewRaster {
+  Vec2 origin{0};      // paper mm, lower left corner
+  double pitch = 0.5;  // paper mm
+  std::int32_t nx = 0, ny = 0;
+  std::vector<RasterCell> cells;
+
+  Vec2 center(std::int32_t x, std::int32_t y) const {
+    return origin + pitch * Vec2(x + 0.5, y + 0.5);
+  }
+  const RasterCell& at(std::int32_t x, std::int32_t y) const {
+    return cells[static_cast<std::size_t>(y) * static_cast<std::size_t>(nx) +
+                 static_cast<std::size_t>(x)];
+  }
+};
+
+/// Probes the sheet where the scene projects. Cost: one ray a cell, about 250,000 on A4.
+ViewRaster make_raster(const Picture& picture, const RunContext& context);
+
+}  // namespace burin::detail

@@ -1,0 +1,261 @@
+#include "widths.h"
+
+#include <burin/base/parallel.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace burin::detail {
+namespace {
+
+constexpr double kBlur = 0.9;       // paper mm, half width of each of the box blurs
+constexpr int kRounds = 4;          // of correction
+constexpr double kSmoothing = 1.2;  // paper mm over which widths are evened out along a stroke
+
+using Plane = std::vector<float>;
+
+// Two passes of a box blur, the second in place of a Gaussian's tails; both directions.
+void box_blur(Plane& plane, std::int32_t nx, std::int32_t ny, std::int32_t radius) {
+  Plane out(plane.size());
+  const auto pass = [&](const Plane& in, Plane& to, std::int32_t lines, std::int32_t length,
+                        std::size_t line_stride, std::size_t step) {
+    parallel_for(static_cast<std::size_t>(lines), 16, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t l = begin; l < end; ++l) {
+        const std::size_t base = l * line_stride;
+        double sum = 0;
+        for (std::int32_t i = -radius; i < length; ++i) {
+          const std::int32_t in_at = i + radius, out_at = i - radius - 1;
+          if (in_at < length) sum += in[base + static_cast<std::size_t>(in_at) * step];
+          if (out_at >= 0) sum -= in[base + static_cast<std::size_t>(out_at) * step];
+          if (i >= 0)
+            to[base + static_cast<std::size_t>(i) * step] =
+                static_cast<float>(std::max(0.0, sum) / (2 * radius + 1));
+        }
+      }
+    });
+  };
+  for (int twice = 0; twice < 2; ++twice) {
+    pass(plane, out, ny, nx, static_cast<std::size_t>(nx), 1);
+    pass(out, plane, nx, ny, 1, static_cast<std::size_t>(nx));
+  }
+}
+
+class WidthSolver {
+ public:
+  WidthSolver(const Picture& picture, const ViewRaster& raster, const std::vector<Family>& families,
+              const RunContext& context)
+      : picture_(picture),
+        raster_(raster),
+        families_(families),
+        context_(context),
+        radius_(std::max(1, static_cast<std::int32_t>(std::lround(kBlur / raster.pitch)))) {
+    mask_.resize(raster.cells.size());
+    for (std::size_t i = 0; i < mask_.size(); ++i)
+      mask_[i] = raster.cells[i].part >= 0 ? 1.0f : 0.0f;
+    blurred_mask_ = mask_;
+    blur(blurred_mask_);
+  }
+
+  Widths solve() {
+    first_guess();
+    // Second family first: what it cannot give, the first one makes up for.
+    Plane second(mask_.size(), 0.0f);
+    for (std::size_t f = families_.size(); f-- > 0;) {
+      Plane target(mask_.size());
+      for (std::size_t i = 0; i < target.size(); ++i) {
+        const double dark = raster_.cells[i].darkness;
+        const double ink =
+            f == 1 ? picture_.share(dark).second : 1 - (1 - dark) / std::max(0.05, 1.0 - second[i]);
+        target[i] = mask_[i] * static_cast<float>(std::clamp(ink, 0.0, 1.0));
+      }
+      blur(target);
+      Plane ink;
+      for (int round = 0; round < kRounds; ++round) {
+        context_.check();
+        ink = deposit(f);
+        correct(f, target, ink);
+      }
+      if (f == 1) second = normalised(deposit(f));
+    }
+    return std::move(widths_);
+  }
+
+ private:
+  void blur(Plane& p) const { box_blur(p, raster_.nx, raster_.ny, radius_); }
+
+  Plane normalised(Plane p) const {
+    for (std::size_t i = 0; i < p.size(); ++i) {
+      p[i] = blurred_mask_[i] > 0 ? std::min(1.0f, p[i] / blurred_mask_[i]) : 0.0f;
+    }
+    return p;
+  }
+
+  void first_guess() {
+    widths_.resize(families_.size());
+    taper_.resize(families_.size());
+    for (std::size_t f = 0; f < families_.size(); ++f) {
+      const auto& strokes = families_[f].strokes;
+      widths_[f].resize(strokes.size());
+      taper_[f].resize(strokes.size());
+      parallel_for(
+          strokes.size(), 16,
+          [&](std::size_t begin, std::size_t end) {
+            for (std::size_t s = begin; s < end; ++s) {
+              widths_[f][s] = guess(f, s);
+              taper_[f][s] = taper(strokes[s]);
+            }
+          },
+          &context_);
+    }
+  }
+
+  std::vector<double> guess(std::size_t f, std::size_t id) const {
+    const TracedStroke& stroke = families_[f].strokes[id];
+    std::vector<double> w(stroke.samples.size());
+    for (std::size_t i = 0; i < w.size(); ++i) {
+      const StrokeSample& s = stroke.samples[i];
+      const double ink = picture_.share(s.darkness, static_cast<int>(f) + 1);
+      const auto sides = families_[f].grid.sides(
+          grid_sample(s, stroke.part, static_cast<std::int32_t>(id), 0), picture_.spacing(ink));
+      w[i] = limit(ink * 0.5 * (sides.left + sides.right));
+    }
+    smooth(stroke, w);
+    return w;
+  }
+
+  double limit(double w) const {
+    return std::clamp(w, picture_.options.width_min, picture_.options.width_max);
+  }
+
+  // Ends that stop at an edge are cut there; all others thin out.
+  std::vector<double> taper(const TracedStroke& stroke) const {
+    const std::size_t n = stroke.samples.size();
+    std::vector<double> t(n, 1.0);
+    if (stroke.closed) return t;
+    const double length = std::min(picture_.options.taper, 0.4 * stroke.length());
+    const auto thins = [](StrokeEnd e) {
+      return e == StrokeEnd::Light || e == StrokeEnd::Crowded || e == StrokeEnd::Singular ||
+             e == StrokeEnd::Length;
+    };
+    const auto apply = [&](bool from_begin) {
+      double s = 0;
+      for (std::size_t i = 0; i < n && s < length; ++i) {
+        const std::size_t at = from_begin ? i : n - 1 - i;
+        t[at] = std::min(t[at], s / length);
+        if (i + 1 < n) {
+          const std::size_t next = from_begin ? at + 1 : at - 1;
+          s += glm::length(stroke.samples[next].paper - stroke.samples[at].paper);
+        }
+      }
+    };
+    if (length > 0 && thins(stroke.begin_reason)) apply(true);
+    if (length > 0 && thins(stroke.end_reason)) apply(false);
+    return t;
+  }
+
+  // A moving average over kSmoothing paper mm.
+  void smooth(const TracedStroke& stroke, std::vector<double>& w) const {
+    const double step =
+        stroke.length() / static_cast<double>(std::max<std::size_t>(1, w.size() - 1));
+    const auto r = static_cast<std::ptrdiff_t>(step > 0 ? kSmoothing / step : 0);
+    if (r < 1) return;
+    std::vector<double> sums(w.size() + 1, 0);
+    for (std::size_t i = 0; i < w.size(); ++i) sums[i + 1] = sums[i] + w[i];
+    const auto n = static_cast<std::ptrdiff_t>(w.size());
+    for (std::ptrdiff_t i = 0; i < n; ++i) {
+      const auto a = std::max<std::ptrdiff_t>(0, i - r), b = std::min(n, i + r + 1);
+      w[static_cast<std::size_t>(i)] =
+          (sums[static_cast<std::size_t>(b)] - sums[static_cast<std::size_t>(a)]) /
+          static_cast<double>(b - a);
+    }
+  }
+
+  // The share of each cell that the strokes of a family cover, blurred.
+  Plane deposit(std::size_t f) const {
+    Plane plane(mask_.size(), 0.0f);
+    const auto& strokes = families_[f].strokes;
+    for (std::size_t id = 0; id < strokes.size(); ++id) {
+      const auto& samples = strokes[id].samples;
+      for (std::size_t i = 1; i < samples.size(); ++i) {
+        if (!samples[i].visible || !samples[i - 1].visible) continue;
+        const double w = 0.5 * (widths_[f][id][i] * taper_[f][id][i] +
+                                widths_[f][id][i - 1] * taper_[f][id][i - 1]);
+        splat(plane, 0.5 * (samples[i].paper + samples[i - 1].paper),
+              w * glm::length(samples[i].paper - samples[i - 1].paper));
+      }
+    }
+    blur(plane);
+    return plane;
+  }
+
+  template <class F>
+  void corners(Vec2 paper, const F& f) const {
+    const Vec2 q = (paper - raster_.origin) / raster_.pitch - 0.5;
+    const auto x = static_cast<std::int32_t>(std::floor(q.x)),
+               y = static_cast<std::int32_t>(std::floor(q.y));
+    const Vec2 t = q - Vec2(x, y);
+    for (std::int32_t dy = 0; dy < 2; ++dy) {
+      for (std::int32_t dx = 0; dx < 2; ++dx) {
+        const std::int32_t cx = std::clamp(x + dx, 0, raster_.nx - 1),
+                           cy = std::clamp(y + dy, 0, raster_.ny - 1);
+        f(static_cast<std::size_t>(cy) * static_cast<std::size_t>(raster_.nx) +
+              static_cast<std::size_t>(cx),
+          (dx ? t.x : 1 - t.x) * (dy ? t.y : 1 - t.y));
+      }
+    }
+  }
+
+  void splat(Plane& plane, Vec2 paper, double area) const {
+    const double share = area / (raster_.pitch * raster_.pitch);
+    corners(paper, [&](std::size_t cell, double weight) {
+      plane[cell] += static_cast<float>(share * weight);
+    });
+  }
+
+  void correct(std::size_t f, const Plane& target, const Plane& ink) {
+    const auto& strokes = families_[f].strokes;
+    parallel_for(strokes.size(), 32, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t id = begin; id < end; ++id) {
+        std::vector<double>& w = widths_[f][id];
+        for (std::size_t i = 0; i < w.size(); ++i) {
+          double want = 0, have = 0;
+          corners(strokes[id].samples[i].paper, [&](std::size_t cell, double weight) {
+            want += weight * target[cell];
+            have += weight * ink[cell];
+          });
+          if (have > 0) w[i] *= std::clamp(want / have, 0.5, 2.0);
+        }
+        smooth(strokes[id], w);
+        for (double& width : w) width = limit(width);
+      }
+    });
+  }
+
+  const Picture& picture_;
+  const ViewRaster& raster_;
+  const std::vector<Family>& families_;
+  const RunContext& context_;
+  std::int32_t radius_;
+  Plane mask_, blurred_mask_;
+  Widths widths_, taper_;
+
+ public:
+  const Widths& tapers() const { return taper_; }
+};
+
+}  // namespace
+
+Widths solve_widths(const Picture& picture, const ViewRaster& raster,
+                    const std::vector<Family>& families, const RunContext& context) {
+  WidthSolver solver(picture, raster, families, context);
+  Widths widths = solver.solve();
+  for (std::size_t f = 0; f < widths.size(); ++f) {
+    for (std::size_t s = 0; s < widths[f].size(); ++s) {
+      for (std::size_t i = 0; i < widths[f][s].size(); ++i)
+        widths[f][s][i] *= solver.tapers()[f][s][i];
+    }
+  }
+  return widths;
+}
+
+}  // namespace burin::detail
