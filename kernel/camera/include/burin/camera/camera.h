@@ -18,12 +18,12 @@ struct ViewOptions {
   /// Up on the sheet; where it is (nearly) along `direction` another axis is taken.
   Vec3 up{0, 0, 1};
   /// Vertical field of view of the sheet's inner height in degrees; absent = orthographic.
-  std::optional<double> perspective;
+  std::optional<double> perspective{};
   /// Paper mm per model mm (perspective: in the plane of the model's centre); absent = fit.
-  std::optional<double> scale;
+  std::optional<double> scale{};
   /// Empty border of the sheet in mm that a fitted drawing keeps.
   double margin = 10;
-  Paper paper;
+  Paper paper{};
 };
 
 /// The direction to the viewer (and up) of "front back left right top bottom iso dimetric

@@ -18,7 +18,7 @@ struct IllustrateOptions {
   HiddenLines hidden = HiddenLines::None;
   std::uint64_t seed = 1;
   /// Chord tolerance in model mm of any tessellation; absent = 0.05 paper mm.
-  std::optional<double> tolerance;
+  std::optional<double> tolerance{};
 };
 
 /// Draws `scene` as `camera` sees it. Stages timed on `context`: build curvature field cover trace
