@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -15,15 +14,6 @@ namespace {
 // Radians: an up vector closer to the view than this would leave the sheet's turn to rounding.
 constexpr double kUpAngle = 1e-6;
 
-std::array<Vec3, 8> corners(const Box3& box) {
-  std::array<Vec3, 8> out;
-  for (std::size_t i = 0; i < 8; ++i) {
-    out[i] = {i & 1 ? box.max.x : box.min.x, i & 2 ? box.max.y : box.min.y,
-              i & 4 ? box.max.z : box.min.z};
-  }
-  return out;
-}
-
 Vec3 usable_up(Vec3 direction, Vec3 up) {
   for (const Vec3 candidate : {up, Vec3(0, 1, 0), Vec3(0, 0, 1)}) {
     const double length = glm::length(candidate);
@@ -33,30 +23,32 @@ Vec3 usable_up(Vec3 direction, Vec3 up) {
   return any_orthogonal(direction);
 }
 
-// The largest scale at which the corners of `box` (axes: right, up, to the viewer; relative to its
-// centre), seen from distance inner_height / scale / (2 tan), project into the inner sheet. Scale
-// grows the picture steadily, so bisection on its logarithm finds it.
-double perspective_scale(const Box3& box, double inner_width, double inner_height,
-                         double half_tan) {
-  const Vec3 c = box.center();
-  const auto fits = [&](double scale) {
-    const double distance = inner_height / scale / (2 * half_tan);
-    return std::ranges::all_of(corners(box), [&](Vec3 p) {
-      const Vec3 q = p - c;
-      const double away = distance - q.z;
-      // The viewer stays outside the box by a tenth of the distance, so that no part of it fills
-      // the sheet alone.
-      if (away < 0.1 * distance) return false;
-      const double s = scale * distance / away;
-      return std::abs(q.x) * s <= inner_width / 2 && std::abs(q.y) * s <= inner_height / 2;
-    });
-  };
-  double low = inner_height / (box.diagonal() * 1e3), high = inner_height / box.diagonal() * 1e3;
-  for (int i = 0; i < 80; ++i) {
-    const double middle = std::sqrt(low * high);
-    (fits(middle) ? low : high) = middle;
+// Where a perspective view looks and from how far, so that the model touches the inner sheet and
+// lies in its middle.
+struct Standpoint {
+  Vec2 center{0};       // along right and up
+  double distance = 0;  // from the plane through the middle of the model's depth
+};
+
+// A point at (x, y, z) along right, up and direction lands inside the half width w of the sheet
+// exactly where |x - cx| k / w + z <= distance, k = scale * distance being fixed by the angle of
+// view. That is linear, so the model's extents along four slanted directions give the tightest view
+// in closed form.
+Standpoint perspective_standpoint(const Camera::ExtentFn& extent, const Camera& c, Vec2 half_sheet,
+                                  double k, double middle_depth, double near_depth) {
+  Standpoint out;
+  double reach = -std::numeric_limits<double>::infinity();
+  for (int i = 0; i < 2; ++i) {
+    const Vec3 side = (i == 0 ? c.right() : c.up()) * (k / half_sheet[i]);
+    const Box3 b =
+        extent(glm::transpose(Mat3(c.direction() + side, c.direction() - side, c.direction())));
+    out.center[i] = 0.5 * (b.max.x - b.max.y) * half_sheet[i] / k;
+    reach = std::max(reach, 0.5 * (b.max.x + b.max.y));
   }
-  return low;
+  // The viewer stays a tenth of the distance before the model, so that no part of it fills the
+  // sheet alone.
+  out.distance = std::max(reach - middle_depth, (near_depth - middle_depth) / 0.9);
+  return out;
 }
 
 }  // namespace
@@ -80,44 +72,39 @@ Camera Camera::fit(const ExtentFn& extent, const ViewOptions& options) {
   if (!std::isfinite(size.x + size.y + size.z)) {
     throw GeometryError("the model's extent is not finite: remove its points at infinity");
   }
-  const Vec3 middle = box.center();
-  c.center_ = c.right_ * middle.x + c.up_ * middle.y + c.direction_ * middle.z;
-
-  const double inner_width = options.paper.width - 2 * options.margin;
-  const double inner_height = options.paper.height - 2 * options.margin;
-  if (!(options.margin >= 0) || inner_width <= 0 || inner_height <= 0) {
+  const Vec2 inner = Vec2(options.paper.width, options.paper.height) - 2 * options.margin;
+  if (!(options.margin >= 0) || inner.x <= 0 || inner.y <= 0) {
     throw UsageError(fmt::format("a margin of {} mm leaves nothing of a sheet of {} x {} mm",
                                  options.margin, options.paper.width, options.paper.height));
   }
-  double half_tan = 0;
+  if (options.scale && !(*options.scale > 0 && std::isfinite(*options.scale))) {
+    throw UsageError("the scale must be a positive number of paper mm per model mm");
+  }
+  Vec3 middle = box.center();
   if (options.perspective) {
     if (!(*options.perspective >= 1 && *options.perspective <= 120)) {
       throw UsageError("the field of view must be between 1 and 120 degrees");
     }
     c.field_of_view_ = *options.perspective;
-    half_tan = std::tan(c.field_of_view_ * std::numbers::pi / 360);
-  }
-  if (options.scale) {
-    if (!(*options.scale > 0) || !std::isfinite(*options.scale)) {
-      throw UsageError("the scale must be a positive number of paper mm per model mm");
+    const double k = inner.y / 2 / std::tan(c.field_of_view_ * std::numbers::pi / 360);
+    const Standpoint at = perspective_standpoint(extent, c, 0.5 * inner, k, middle.z, box.max.z);
+    middle.x = at.center.x;
+    middle.y = at.center.y;
+    c.eye_distance_ = options.scale ? k / *options.scale : at.distance > 0 ? at.distance : k;
+    c.scale_ = k / c.eye_distance_;
+    if (c.eye_distance_ <= 0.5 * size.z) {
+      throw UsageError(fmt::format(
+          "at scale {} and {} degrees the viewer stands inside the model: use a smaller scale or "
+          "a smaller angle",
+          c.scale_, c.field_of_view_));
     }
+  } else if (options.scale) {
     c.scale_ = *options.scale;
-  } else if (half_tan > 0 && box.diagonal() > 0) {
-    c.scale_ = perspective_scale(box, inner_width, inner_height, half_tan);
   } else if (size.x > 0 || size.y > 0) {
     const double inf = std::numeric_limits<double>::infinity();
-    c.scale_ =
-        std::min(size.x > 0 ? inner_width / size.x : inf, size.y > 0 ? inner_height / size.y : inf);
+    c.scale_ = std::min(size.x > 0 ? inner.x / size.x : inf, size.y > 0 ? inner.y / size.y : inf);
   }
-  if (half_tan > 0) {
-    c.eye_distance_ = inner_height / c.scale_ / (2 * half_tan);
-    if (c.eye_distance_ <= 0.5 * size.z) {
-      throw UsageError(
-          fmt::format("at scale {} and {} degrees the viewer stands inside the model: "
-                      "use a smaller scale or a smaller angle",
-                      c.scale_, c.field_of_view_));
-    }
-  }
+  c.center_ = c.right_ * middle.x + c.up_ * middle.y + c.direction_ * middle.z;
   return c;
 }
 

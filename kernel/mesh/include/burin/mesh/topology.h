@@ -32,9 +32,10 @@ inline std::uint32_t origin(const TriMesh& mesh, HalfEdge h) {
   return mesh.triangles[face_of(h)][static_cast<std::size_t>(h % 3)];
 }
 
-/// Connectivity of an oriented mesh whose edges have at most two triangles (as `repair` returns it). Fans that meet at
-/// a vertex alone are allowed. Throws GeometryError, naming a triangle, where an edge has more triangles or two
-/// neighbours are not oriented alike. Cost: 0.15 s a million triangles.
+/// Connectivity of an oriented mesh whose edges have at most two triangles (as `repair` returns
+/// it). Fans that meet at a vertex alone are allowed. Throws GeometryError, naming a triangle,
+/// where an edge has more triangles or two neighbours are not oriented alike. Cost: 0.15 s a
+/// million triangles.
 Topology build_topology(const TriMesh& mesh, const RunContext& context);
 
 }  // namespace burin

@@ -30,7 +30,8 @@ class Form {
   Form& operator=(const Form&) = delete;
   virtual ~Form() = default;
 
-  /// Bounds in the axes that are the ROWS of `axes` (the identity: model axes).
+  /// The box of `axes * p` over all points p of the form: bounds along the rows of `axes`, which
+  /// need be neither unit nor orthogonal (the identity: model axes).
   virtual Box3 bounds(const Mat3& axes) const = 0;
   /// Builds the surface. Stages "build" (connectivity, creases, normals) and "curvature" are timed
   /// on `context`.
