@@ -1,0 +1,43 @@
+#pragma once
+/// The surface behind MeshForm.
+
+#include <burin/mesh/curvature.h>
+#include <burin/surface/surface.h>
+
+#include <vector>
+
+namespace burin {
+
+/// The curvature tensor at a wedge in the TangentBasis of the wedge's normal: `mean` times the
+/// identity plus the deviator, (k1-k2)/2 at twice the angle of d1 as a complex number. 32 bytes,
+/// and interpolation is linear.
+struct WedgeTensor {
+  double mean = 0;
+  Vec2 deviator{0};
+  double confidence = 0;
+};
+
+/// A proxy mesh taken at its word: charts are its triangles.
+class MeshSurface final : public Surface {
+ public:
+  /// `curvature` has one entry a wedge, or none where no curvature was asked for.
+  MeshSurface(ProxyMesh proxy, const std::vector<Curvature>& curvature);
+
+  MarchStep march(const SurfacePoint& from, Vec3 tangent, double length) const override;
+  Frame frame(const SurfacePoint& point) const override;
+  const ProxyMesh& proxy() const override { return proxy_; }
+  ProxyPoint to_proxy(const SurfacePoint& point) const override {
+    return {static_cast<std::uint32_t>(point.chart), point.coords};
+  }
+  SurfacePoint lift(const ProxyPoint& point) const override {
+    return {static_cast<std::int32_t>(point.face), point.bary,
+            proxy_.position(point.face, point.bary)};
+  }
+  std::vector<Frame> wedge_frames(const RunContext& context) const override;
+
+ private:
+  ProxyMesh proxy_;
+  std::vector<WedgeTensor> tensors_;
+};
+
+}  // namespace burin
