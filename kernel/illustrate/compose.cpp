@@ -89,6 +89,19 @@ double feature_width(const Style& style, LineClass kind, const Span& span) {
   }
 }
 
+bool is_drawn(const Style& style, LineClass kind) {
+  switch (kind) {
+    case LineClass::Contour:
+      return style.feature.contours;
+    case LineClass::Boundary:
+      return style.feature.boundaries;
+    case LineClass::Intersection:
+      return style.feature.intersections;
+    default:
+      return style.feature.creases;
+  }
+}
+
 const char* feature_layer(LineClass kind, const Span& span) {
   if (!span.visible) return "hidden";
   if (span.outer) return "outline";
@@ -127,6 +140,7 @@ void compose_features(std::span<const Curve3> features, const std::vector<std::v
   }
   for (std::size_t i = 0; i < features.size(); ++i) {
     const Curve3& curve = features[i];
+    if (!is_drawn(style, curve.kind)) continue;
     for (const Span& span :
          merged(spans[i], curve.closed, static_cast<double>(curve.segment_count()))) {
       if (!span.visible && hidden == HiddenLines::None) continue;

@@ -142,12 +142,9 @@ Drawing illustrate(const Scene& scene, const Camera& camera, const Style& style,
   }
 
   context.begin_stage("features");
+  // All of them, drawn or not: contours and boundaries cut the visibility of the others.
   const std::vector<Curve3> features =
-      extract_features(proxies, camera,
-                       {.contours = style.feature.contours,
-                        .creases = style.feature.creases,
-                        .boundaries = style.feature.boundaries,
-                        .intersections = style.feature.intersections},
+      extract_features(proxies, camera, {.intersections = style.feature.intersections},
                        drawing.diagnostics, context);
 
   context.begin_stage("visibility");

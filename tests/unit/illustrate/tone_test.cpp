@@ -1,0 +1,139 @@
+// The ink on paper is the tone that was asked for: the measure of issue "strokes and tone".
+#include <burin/camera/camera.h>
+#include <burin/forms/mesh/mesh_form.h>
+#include <burin/illustrate/illustrate.h>
+#include <burin/tone/tone.h>
+#include <burin/visibility/occluder.h>
+
+#include "burin_test/ink.h"
+#include "burin_test/shapes.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <memory>
+
+namespace burin {
+namespace {
+
+struct ToneReport {
+  double mean_error = 0;             // mean |ink - target| over the cells measured
+  std::size_t cells = 0;             // that were measured
+  std::array<double, 10> by_tone{};  // mean ink in ten bins of the target
+  std::array<std::size_t, 10> count{};
+};
+
+constexpr double kPitch = 0.05;  // paper mm of the fine grid
+constexpr int kCoarse = 10;      // fine cells a coarse one: 0.5 mm
+constexpr int kBlur = 2;         // coarse cells: a disc of 2 mm across
+
+Camera camera_for(const Scene& scene, const char* view) {
+  const NamedView v = named_view(view);
+  return Camera::fit([&](const Mat3& axes) { return scene.bounds(axes); },
+                     {.direction = v.direction, .up = v.up, .paper = {120, 90}});
+}
+
+// The darkness that the style asks for in each coarse cell, -1 where there is paper only.
+std::vector<float> target_tone(const Scene& scene, const Camera& camera, const Style& style, int nx,
+                               int ny) {
+  RunContext context;
+  std::vector<std::shared_ptr<const Surface>> surfaces;
+  std::vector<const ProxyMesh*> proxies;
+  for (const Part& part : scene.parts) {
+    surfaces.push_back(part.form->realise({.curvature = false}, context));
+    proxies.push_back(&surfaces.back()->proxy());
+  }
+  const Occluder occluder(proxies, context);
+  const Tone tone = tone::lambert(camera, {.light = style.tone.light,
+                                           .ambient = style.tone.ambient,
+                                           .diffuse = style.tone.diffuse,
+                                           .highlight = style.tone.highlight,
+                                           .rim = style.tone.rim});
+  std::vector<float> out(static_cast<std::size_t>(nx * ny), -1);
+  const double back = 2 * occluder.diagonal();
+  for (int y = 0; y < ny; ++y) {
+    for (int x = 0; x < nx; ++x) {
+      const ViewRay ray = camera.ray(kPitch * kCoarse * Vec2(x + 0.5, y + 0.5));
+      const auto hit =
+          occluder.first_hit(ray.origin - back * ray.direction, ray.direction, 0, 2 * back);
+      if (!hit) continue;
+      const ProxyMesh& proxy = *proxies[static_cast<std::size_t>(hit->where.part)];
+      Vec3 n = proxy.normal(hit->where.face, hit->bary);
+      if (glm::dot(n, camera.direction()) < 0) n = -n;
+      out[static_cast<std::size_t>(y * nx + x)] =
+          static_cast<float>(1 - tone(proxy.position(hit->where.face, hit->bary), n));
+    }
+  }
+  return out;
+}
+
+ToneReport measure(const Scene& scene, const char* view) {
+  const Camera camera = camera_for(scene, view);
+  const Style style = builtin_style("engraving");
+  RunContext context;
+  const Drawing drawing = illustrate(scene, camera, style, {}, context);
+  Sheet strokes(120, 90, kPitch), features(120, 90, kPitch);
+  for (const Layer& layer : drawing.layers) {
+    for (const Path& path : layer.paths) {
+      // 2 mm beside a feature line: its own ink and the end of the hatching there are not measured.
+      path.kind == LineClass::Stroke ? strokes.paint(path) : features.paint(path, 2.0);
+    }
+  }
+  const int nx = strokes.nx() / kCoarse, ny = strokes.ny() / kCoarse;
+  const std::vector<float> ink = strokes.shares(kCoarse), near_line = features.shares(kCoarse);
+  const std::vector<float> target = target_tone(scene, camera, style, nx, ny);
+  std::vector<std::uint8_t> mask(target.size());
+  for (std::size_t i = 0; i < mask.size(); ++i) mask[i] = target[i] >= 0;
+  const std::vector<float> have = test::disc_mean(ink, mask, nx, ny, kBlur);
+  const std::vector<float> want = test::disc_mean(target, mask, nx, ny, kBlur);
+  ToneReport report;
+  for (std::size_t i = 0; i < mask.size(); ++i) {
+    if (!mask[i] || near_line[i] > 0 || want[i] < 0.05 || want[i] > 0.70) continue;
+    report.mean_error += std::abs(have[i] - want[i]);
+    ++report.cells;
+    const auto bin = static_cast<std::size_t>(want[i] * 10);
+    report.by_tone[bin] += have[i];
+    ++report.count[bin];
+  }
+  report.mean_error /= static_cast<double>(std::max<std::size_t>(1, report.cells));
+  for (std::size_t b = 0; b < 10; ++b) {
+    if (report.count[b] > 0) report.by_tone[b] /= static_cast<double>(report.count[b]);
+  }
+  return report;
+}
+
+Scene scene_of(TriMesh mesh) {
+  Scene scene;
+  scene.parts.push_back({"part", "part.stl", std::make_shared<MeshForm>(std::move(mesh))});
+  return scene;
+}
+
+void expect_tone(const Scene& scene, const char* view) {
+  const ToneReport report = measure(scene, view);
+  ASSERT_GT(report.cells, 2000u);
+  EXPECT_LE(report.mean_error, 0.05);
+  double last = -1;
+  for (std::size_t b = 0; b < 10; ++b) {
+    if (report.count[b] < 100) continue;  // too few cells for a mean
+    EXPECT_GT(report.by_tone[b], last) << "tone " << 0.1 * static_cast<double>(b);
+    last = report.by_tone[b];
+  }
+  ::testing::Test::RecordProperty("mean_error", std::to_string(report.mean_error));
+  std::printf("tone error %.4f over %zu cells\n", report.mean_error, report.cells);
+}
+
+TEST(Tone, InkOnATorusIsWhatTheLightAsks) {
+  expect_tone(scene_of(test::torus(30, 12, 160, 80)), "iso");
+}
+
+TEST(Tone, InkOnASphereIsWhatTheLightAsks) {
+  expect_tone(scene_of(test::ellipsoid({20, 20, 20}, 160, 80)), "front");
+}
+
+TEST(Tone, InkOnACylinderIsWhatTheLightAsks) {
+  expect_tone(scene_of(test::cylinder(20, 50, 96)), "iso");
+}
+
+}  // namespace
+}  // namespace burin
