@@ -1,6 +1,7 @@
 #include <burin/forms/mesh/mesh_form.h>
 #include <burin/mesh/curvature.h>
 #include <burin/mesh/proxy_mesh.h>
+#include <burin/mesh/reorder.h>
 
 #include "mesh_surface.h"
 
@@ -20,8 +21,15 @@ Box3 MeshForm::bounds(const Mat3& axes) const {
 std::shared_ptr<const Surface> MeshForm::realise(const RealiseOptions& options,
                                                  RunContext& context) const {
   context.begin_stage("build");
-  ProxyMesh proxy = build_proxy(mesh_, ProxyOptions{.crease_angle = options.crease_angle}, context);
+  TriMesh mesh = mesh_;
+  reorder_for_cache(mesh);
+  const ProxyOptions proxy_options{.crease_angle = options.crease_angle};
+  ProxyMesh proxy = build_proxy(std::move(mesh), proxy_options, context);
   std::vector<Curvature> curvature;
+  if (options.curvature) {
+    context.begin_stage("curvature");
+    curvature = estimate_curvature(proxy, {}, context);
+  }
   context.end_stage();
   return std::make_shared<MeshSurface>(std::move(proxy), curvature);
 }

@@ -1,3 +1,4 @@
+#include <burin/base/error.h>
 #include <burin/forms/mesh/mesh_form.h>
 
 #include <burin_test/shapes.h>
