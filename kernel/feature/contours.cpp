@@ -1,0 +1,210 @@
+#include "contours.h"
+
+#include <burin/base/parallel.h>
+
+#include "noise.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace burin {
+
+namespace {
+
+constexpr std::size_t kFaceGrain = 16384;
+
+/// Triangles with corners of both signs, ascending.
+std::vector<std::uint32_t> mixed_faces(const Facing& facing, const RunContext& context) {
+  const std::vector<Triangle>& wedges = facing.proxy().wedges;
+  std::vector<std::vector<std::uint32_t>> found((wedges.size() + kFaceGrain - 1) / kFaceGrain);
+  parallel_for(
+      wedges.size(), kFaceGrain,
+      [&](std::size_t begin, std::size_t end) {
+        for (std::size_t f = begin; f < end; ++f) {
+          const bool a = facing.front(wedges[f][0]);
+          if (a != facing.front(wedges[f][1]) || a != facing.front(wedges[f][2])) {
+            found[begin / kFaceGrain].push_back(static_cast<std::uint32_t>(f));
+          }
+        }
+      },
+      &context);
+  std::vector<std::uint32_t> all;
+  for (const auto& part : found) all.insert(all.end(), part.begin(), part.end());
+  return all;
+}
+
+/// Where a contour with the front side to its left leaves triangle `f`: the half-edge that runs
+/// from back to front. It comes in over the one that runs from front to back.
+HalfEdge exit_of(const Facing& facing, std::uint32_t f) {
+  for (HalfEdge h = static_cast<HalfEdge>(3 * f);; ++h) {
+    if (!facing.front(facing.origin_wedge(h)) && facing.front(facing.target_wedge(h))) return h;
+  }
+}
+
+HalfEdge entry_of(const Facing& facing, std::uint32_t f) {
+  for (HalfEdge h = static_cast<HalfEdge>(3 * f);; ++h) {
+    if (facing.front(facing.origin_wedge(h)) && !facing.front(facing.target_wedge(h))) return h;
+  }
+}
+
+/// The half-edge over which a contour that leaves by `h` enters the next triangle.
+HalfEdge beyond(const ProxyMesh& proxy, HalfEdge h) {
+  const auto i = static_cast<std::size_t>(h);
+  return proxy.edge_kind[i] == EdgeKind::Smooth ? proxy.topology.opposite[i] : kNoHalfEdge;
+}
+
+/// Points and triangles of a contour under way; steps of no length are left out.
+struct Trail {
+  std::vector<Vec3> points, normals;
+  std::vector<std::int32_t> faces;
+
+  void add(const Facing& facing, HalfEdge h, std::int32_t face) {
+    const ZeroCrossing zero = facing.crossing(h);
+    if (!points.empty()) {
+      if (zero.position == points.back()) return;
+      faces.push_back(face);
+    }
+    points.push_back(zero.position);
+    normals.push_back(facing.normal(h, zero.share));
+  }
+  /// Drops the repeated first point of a closed trail.
+  bool close() {
+    if (points.size() > 1 && points.front() == points.back()) {
+      points.pop_back();
+      normals.pop_back();
+    }
+    return points.size() >= 3;
+  }
+};
+
+class Tracer {
+ public:
+  Tracer(const Facing& facing, const RunContext& context)
+      : facing_(facing),
+        context_(context),
+        mixed_(mixed_faces(facing, context)),
+        used_(mixed_.size(), 0) {}
+
+  const std::vector<std::uint32_t>& mixed() const { return mixed_; }
+  bool used(std::size_t i) const { return used_[i] != 0; }
+
+  /// Follows the contour from triangle `f` on; true where it came back to `f`.
+  bool follow(std::uint32_t f, Trail& trail) {
+    trail.add(facing_, entry_of(facing_, f), -1);
+    for (std::uint32_t at = f;;) {
+      mark(at);
+      const HalfEdge out = exit_of(facing_, at);
+      trail.add(facing_, out, static_cast<std::int32_t>(at));
+      const HalfEdge in = beyond(facing_.proxy(), out);
+      if (in == kNoHalfEdge) return false;
+      at = face_of(in);
+      if (at == f) return true;
+    }
+  }
+
+ private:
+  void mark(std::uint32_t f) {
+    used_[static_cast<std::size_t>(std::ranges::lower_bound(mixed_, f) - mixed_.begin())] = 1;
+    if (++steps_ % 4096 == 0) context_.check();
+  }
+
+  const Facing& facing_;
+  const RunContext& context_;
+  std::vector<std::uint32_t> mixed_;
+  std::vector<std::uint8_t> used_;
+  std::size_t steps_ = 0;
+};
+
+/// Normals to the open side of the picture: outward where the front side is the nearer one, inward
+/// under a fold. A point between both states follows the one that can be seen.
+void open_normals(Curve3& curve, const std::vector<std::uint8_t>& folded) {
+  const std::size_t n = curve.points.size();
+  for (std::size_t i = 0; i < n; ++i) {
+    const bool after = i < folded.size() ? folded[i] != 0 : folded.back() != 0;
+    const bool before = i > 0 ? folded[i - 1] != 0 : (curve.closed ? folded.back() != 0 : after);
+    if (before && after) curve.normals[i] = -curve.normals[i];
+  }
+}
+
+/// The points from `begin` to `end` (segments; over the end of a closed curve) as a curve of its
+/// own.
+Curve3 piece(const Curve3& curve, std::size_t begin, std::size_t end) {
+  Curve3 out;
+  out.kind = curve.kind;
+  out.source = curve.source;
+  out.occluding = curve.occluding;
+  const std::size_t n = curve.points.size();
+  for (std::size_t i = begin; i <= end; ++i) {
+    out.points.push_back(curve.points[i % n]);
+    out.normals.push_back(curve.normals[i % n]);
+    if (i < end) out.faces.push_back(curve.faces[i % n]);
+  }
+  out.self_hidden.assign(out.faces.size(), 0);
+  return out;
+}
+
+/// Cuts at the cusps: an open sheet shows both its sides, so nothing of it hides itself for
+/// certain, but the open side changes there.
+void add_pieces(const Curve3& curve, const std::vector<std::uint8_t>& folded,
+                std::vector<Curve3>& out) {
+  const std::size_t m = folded.size();
+  std::size_t start = 0;
+  if (curve.closed) {
+    while (start < m && folded[start] == folded[(start + m - 1) % m]) ++start;
+  }
+  if (start == m) {  // one state all round
+    out.push_back(curve);
+    if (folded[0]) open_normals(out.back(), folded);
+    return;
+  }
+  for (std::size_t i = start, end = start + m; i < end;) {
+    std::size_t j = i + 1;
+    while (j < end && folded[j % m] == folded[i % m]) ++j;
+    out.push_back(piece(curve, i, j));
+    if (folded[i % m]) open_normals(out.back(), std::vector<std::uint8_t>(j - i, 1));
+    i = j;
+  }
+}
+
+}  // namespace
+
+Contours trace_contours(const Facing& facing, std::int32_t part, const RunContext& context) {
+  const ProxyMesh& proxy = facing.proxy();
+  Tracer tracer(facing, context);
+  Contours out;
+  const auto trace = [&](std::uint32_t f) {
+    Trail trail;
+    Curve3 curve;
+    curve.closed = tracer.follow(f, trail);
+    if (curve.closed ? !trail.close() : trail.points.size() < 2) return;
+    curve.kind = LineClass::Contour;
+    curve.source = {part, proxy.face_region[f], -1};
+    curve.occluding = true;
+    curve.points = std::move(trail.points);
+    curve.normals = std::move(trail.normals);
+    curve.faces = std::move(trail.faces);
+    curve.self_hidden.assign(curve.faces.size(), 0);
+    if (curve.closed && is_noise(facing, curve)) {
+      ++out.noise;
+      return;
+    }
+    auto folded = folded_under(curve.points, curve.normals, curve.closed, facing.camera());
+    if (proxy.closed(f)) {
+      curve.self_hidden = std::move(folded);
+      open_normals(curve, curve.self_hidden);
+      out.curves.push_back(std::move(curve));
+    } else {
+      add_pieces(curve, folded, out.curves);
+    }
+  };
+  for (const std::uint32_t f : tracer.mixed()) {  // open ones first: they must begin at their start
+    if (proxy.edge_kind[static_cast<std::size_t>(entry_of(facing, f))] != EdgeKind::Smooth)
+      trace(f);
+  }
+  for (std::size_t i = 0; i < tracer.mixed().size(); ++i) {
+    if (!tracer.used(i)) trace(tracer.mixed()[i]);
+  }
+  return out;
+}
+
+}  // namespace burin

@@ -1,0 +1,215 @@
+#include "edge_lines.h"
+
+#include <array>
+#include <utility>
+
+namespace burin {
+
+namespace {
+
+/// A part of an edge along which neither side changes its facing.
+struct Step {
+  Vec3 from{0}, to{0};
+  /// Unit normals of the surface to the left and to the right at both ends; a boundary has no
+  /// right.
+  std::array<Vec3, 2> left, right;
+  bool left_front = false, right_front = false;
+  HalfEdge half_edge = kNoHalfEdge;
+};
+
+/// What a step is; steps with equal looks become one curve.
+struct Look {
+  LineClass kind = LineClass::Crease;
+  bool face_left = true;
+  /// Sign of the sum of both normals towards the open side.
+  int open = 1;
+  friend bool operator==(const Look&, const Look&) = default;
+};
+
+struct LookAndHidden {
+  Look look;
+  bool hidden = false;
+};
+
+LookAndHidden crease_look(bool left_front, bool right_front, bool convex, bool closed) {
+  if (left_front == right_front) {
+    const bool away = !left_front;
+    return {{LineClass::Crease, true, closed || !away ? 1 : -1}, closed && away};
+  }
+  // A fold. In a hollow the face turned away covers the one turned to the viewer.
+  return {{LineClass::Contour, left_front, closed || convex ? 1 : -1}, closed && !convex};
+}
+
+class ChainWalk {
+ public:
+  ChainWalk(const Facing& facing, const EdgeChain& chain) : facing_(facing), chain_(chain) {
+    for (const HalfEdge h : chain.edges) add_edge(h);
+  }
+  const std::vector<Step>& steps() const { return steps_; }
+
+ private:
+  void add_edge(HalfEdge h) {
+    const ProxyMesh& proxy = facing_.proxy();
+    const HalfEdge o = proxy.topology.opposite[static_cast<std::size_t>(h)];
+    struct Cut {
+      double share;
+      Vec3 position;
+      bool left;
+    };
+    std::array<Cut, 4> cuts{};
+    std::size_t count = 0;
+    cuts[count++] = {0, proxy.mesh.positions[origin(proxy.mesh, h)], false};
+    if (facing_.crosses(h)) {
+      const ZeroCrossing zero = facing_.crossing(h);
+      cuts[count++] = {zero.share, zero.position, true};
+    }
+    if (o != kNoHalfEdge && facing_.crosses(o)) {
+      const ZeroCrossing zero = facing_.crossing(o);
+      cuts[count++] = {1 - zero.share, zero.position, false};
+    }
+    cuts[count++] = {1, proxy.mesh.positions[origin(proxy.mesh, next_in_face(h))], false};
+    if (count == 4 && cuts[1].share > cuts[2].share) std::swap(cuts[1], cuts[2]);
+    Step step;
+    step.half_edge = h;
+    step.left_front = facing_.front(facing_.origin_wedge(h));
+    step.right_front = o != kNoHalfEdge && facing_.front(facing_.target_wedge(o));
+    for (std::size_t i = 0; i + 1 < count; ++i) {
+      if (i > 0) (cuts[i].left ? step.left_front : step.right_front) ^= true;
+      step.from = cuts[i].position;
+      step.to = cuts[i + 1].position;
+      if (step.from == step.to) continue;
+      for (std::size_t end = 0; end < 2; ++end) {
+        const double share = cuts[i + end].share;
+        step.left[end] = facing_.normal(h, share);
+        step.right[end] = o == kNoHalfEdge ? Vec3(0) : facing_.normal(o, 1 - share);
+      }
+      steps_.push_back(step);
+    }
+  }
+
+  const Facing& facing_;
+  const EdgeChain& chain_;
+  std::vector<Step> steps_;
+};
+
+/// Across the edge, away from both its triangles: where their normals cancel out (a knife's edge).
+Vec3 away_from_faces(const ProxyMesh& proxy, const Step& step) {
+  const Vec3 along = normalize_or(step.to - step.from, Vec3(1, 0, 0));
+  const HalfEdge o = proxy.topology.opposite[static_cast<std::size_t>(step.half_edge)];
+  Vec3 into(0);
+  for (const HalfEdge h : {step.half_edge, o}) {
+    const Vec3& apex = proxy.mesh.positions[origin(proxy.mesh, prev_in_face(h))];
+    into += normalize_or(reject(apex - step.from, along), Vec3(0));
+  }
+  return normalize_or(-into, any_orthogonal(along));
+}
+
+Vec3 crease_normal(const ProxyMesh& proxy, const Step& step, std::size_t end, int open) {
+  const Vec3 sum = step.left[end] + step.right[end];
+  constexpr double kCancelled = 1e-3;  // Radians off a knife's edge: the sum is rounding below it.
+  if (glm::dot(sum, sum) < kCancelled * kCancelled) return away_from_faces(proxy, step);
+  return glm::normalize(sum) * static_cast<double>(open);
+}
+
+class LineMaker {
+ public:
+  LineMaker(const Facing& facing, const EdgeChain& chain, SourceId source)
+      : facing_(facing), chain_(chain), source_(source), walk_(facing, chain) {
+    closed_mesh_ = facing.proxy().closed(face_of(chain.edges.front()));
+  }
+
+  void make(const FeatureOptions& options, std::vector<Curve3>& out) {
+    const std::vector<Step>& steps = walk_.steps();
+    const std::size_t n = steps.size();
+    if (n == 0) return;
+    std::size_t start = 0;
+    if (chain_.closed) {
+      while (start < n && look(start).look == look((start + n - 1) % n).look) ++start;
+    }
+    if (start == n) return add(0, n, true, options, out);
+    for (std::size_t i = start, end = start + n; i < end;) {
+      std::size_t j = i + 1;
+      while (j < end && look(j % n).look == look(i % n).look) ++j;
+      add(i, j, false, options, out);
+      i = j;
+    }
+  }
+
+ private:
+  LookAndHidden look(std::size_t i) const {
+    if (chain_.kind == EdgeKind::Boundary) return {{LineClass::Boundary, true, 1}, false};
+    const Step& s = walk_.steps()[i];
+    return crease_look(s.left_front, s.right_front, chain_.kind == EdgeKind::ConvexCrease,
+                       closed_mesh_);
+  }
+
+  Vec3 normal(const Step& step, std::size_t end, int open) const {
+    if (chain_.kind != EdgeKind::Boundary) {
+      return crease_normal(facing_.proxy(), step, end, open);
+    }
+    const Vec3& n = step.left[end];
+    const Vec3 v = facing_.camera().to_viewer(end == 0 ? step.from : step.to);
+    return glm::dot(n, v) < 0 ? -n : n;
+  }
+
+  static bool wanted(LineClass kind, const FeatureOptions& options) {
+    if (kind == LineClass::Boundary) return options.boundaries;
+    if (kind == LineClass::Contour) return options.contours || options.creases;
+    return options.creases;
+  }
+
+  void add(std::size_t begin, std::size_t end, bool closed, const FeatureOptions& options,
+           std::vector<Curve3>& out) const {
+    const std::vector<Step>& steps = walk_.steps();
+    const std::size_t n = steps.size();
+    const Look first = look(begin % n).look;
+    if (!wanted(first.kind, options)) return;
+    const auto& proxy = facing_.proxy();
+    Curve3 curve;
+    curve.kind = first.kind;
+    curve.closed = closed;
+    curve.occluding = first.kind != LineClass::Crease;
+    if (chain_.kind == EdgeKind::ConvexCrease) curve.crease_sign = 1;
+    if (chain_.kind == EdgeKind::ConcaveCrease) curve.crease_sign = -1;
+    for (std::size_t i = begin; i < end; ++i) {
+      const Step& s = steps[i % n];
+      const HalfEdge h = first.face_left
+                             ? s.half_edge
+                             : proxy.topology.opposite[static_cast<std::size_t>(s.half_edge)];
+      curve.points.push_back(s.from);
+      curve.normals.push_back(normal(s, 0, first.open));
+      curve.faces.push_back(static_cast<std::int32_t>(face_of(h)));
+      curve.self_hidden.push_back(look(i % n).hidden);
+    }
+    if (!closed) {
+      const Step& last = steps[(end - 1) % n];
+      curve.points.push_back(last.to);
+      curve.normals.push_back(normal(last, 1, first.open));
+    }
+    curve.source = source_;
+    curve.source.face = proxy.face_region[static_cast<std::size_t>(curve.faces.front())];
+    out.push_back(std::move(curve));
+  }
+
+  const Facing& facing_;
+  const EdgeChain& chain_;
+  SourceId source_;
+  ChainWalk walk_;
+  bool closed_mesh_ = false;
+};
+
+}  // namespace
+
+std::vector<Curve3> edge_lines(const Facing& facing, std::span<const EdgeChain> chains,
+                               std::int32_t part, const FeatureOptions& options,
+                               const RunContext& context) {
+  std::vector<Curve3> out;
+  for (std::size_t i = 0; i < chains.size(); ++i) {
+    if (i % 1024 == 0) context.check();
+    const SourceId source{part, -1, static_cast<std::int32_t>(i)};
+    LineMaker(facing, chains[i], source).make(options, out);
+  }
+  return out;
+}
+
+}  // namespace burin

@@ -1,0 +1,46 @@
+#include <burin/feature/feature.h>
+
+#include "contours.h"
+#include "edge_chains.h"
+#include "edge_lines.h"
+#include "facing.h"
+
+#include <iterator>
+#include <utility>
+
+namespace burin {
+
+namespace {
+
+void append(std::vector<Curve3>&& from, std::vector<Curve3>& to) {
+  to.insert(to.end(), std::move_iterator(from.begin()), std::move_iterator(from.end()));
+}
+
+}  // namespace
+
+std::vector<Curve3> extract_features(std::span<const ProxyMesh* const> proxies,
+                                     const Camera& camera, const FeatureOptions& options,
+                                     Diagnostics& diagnostics, const RunContext& context) {
+  std::vector<Curve3> curves;
+  std::int64_t noise = 0;
+  for (std::size_t i = 0; i < proxies.size(); ++i) {
+    const auto part = static_cast<std::int32_t>(i);
+    const Facing facing(*proxies[i], camera, context);
+    if (options.contours) {
+      Contours contours = trace_contours(facing, part, context);
+      append(std::move(contours.curves), curves);
+      noise += contours.noise;
+    }
+    if (options.contours || options.creases || options.boundaries) {
+      const std::vector<EdgeChain> chains = chain_edges(*proxies[i], context);
+      append(edge_lines(facing, chains, part, options, context), curves);
+    }
+  }
+  if (noise > 0) {
+    diagnostics.add(Severity::Info, "feature.noise_loops", noise,
+                    "closed contours too small to be shape were left out");
+  }
+  return curves;
+}
+
+}  // namespace burin

@@ -1,0 +1,49 @@
+#pragma once
+// Which way each wedge of a proxy faces, and where along an edge that changes.
+
+#include <burin/base/run_context.h>
+#include <burin/camera/camera.h>
+#include <burin/mesh/proxy_mesh.h>
+
+#include <cstdint>
+#include <vector>
+
+namespace burin {
+
+/// A point where g is zero, on the edge of half-edge h.
+struct ZeroCrossing {
+  Vec3 position{0};
+  /// Share of the edge from the half-edge's own origin, in [0,1].
+  double share = 0;
+};
+
+/// g = normal . to_viewer - kEdgeOn at every wedge of one part. Perspective: the vector to the
+/// viewer is taken in units of the viewer's distance from the picture's centre, not as a unit
+/// vector, which keeps the sign and makes g constant on a plane.
+class Facing {
+ public:
+  Facing(const ProxyMesh& proxy, const Camera& camera, const RunContext& context);
+
+  const ProxyMesh& proxy() const { return *proxy_; }
+  const Camera& camera() const { return *camera_; }
+  double g(std::uint32_t wedge) const { return g_[wedge]; }
+  bool front(std::uint32_t wedge) const { return g_[wedge] > 0; }
+
+  std::uint32_t origin_wedge(HalfEdge h) const {
+    return proxy_->wedges[face_of(h)][static_cast<std::size_t>(h % 3)];
+  }
+  std::uint32_t target_wedge(HalfEdge h) const { return origin_wedge(next_in_face(h)); }
+  /// Whether g changes its sign along `h`, in the triangle of `h`.
+  bool crosses(HalfEdge h) const { return front(origin_wedge(h)) != front(target_wedge(h)); }
+  /// The zero on a half-edge that crosses; bit for bit the same from both sides of a smooth edge.
+  ZeroCrossing crossing(HalfEdge h) const;
+  /// Unit normal on `h` (in its triangle) at a share of it.
+  Vec3 normal(HalfEdge h, double share) const;
+
+ private:
+  const ProxyMesh* proxy_;
+  const Camera* camera_;
+  std::vector<double> g_;
+};
+
+}  // namespace burin

@@ -1,0 +1,28 @@
+#pragma once
+// Every tolerance of the feature room, each with its unit. Paper mm and radians only: a model of
+// any size and place meets the same limits.
+
+namespace burin {
+
+/// Radians: a surface seen more edge-on than this counts as turned away, so that side walls, caps
+/// and the like that are meant to be seen edge-on, but are so only within rounding, are one whole
+/// and not a mottle. Coordinates in single precision turn normals by up to some 1e-5. It moves a
+/// contour by R * kEdgeOn^2 / 2 on paper (R: radius of curvature there): 1e-6 mm at 200 mm.
+inline constexpr double kEdgeOn = 1e-4;
+
+/// Paper mm: a zero of g nearer than this to the end of a mesh edge is put on that end, so that no
+/// crumbs of lines are born.
+inline constexpr double kSnapLength = 1e-3;
+
+/// Paper mm: a contour turns between its visible and its self-hidden state only where it goes on
+/// for this long in the new one; shorter runs are noise of the triangulation.
+inline constexpr double kCuspLength = 0.1;
+
+/// A closed contour inside one smooth region is noise, not shape, where the surface inside it never
+/// turns by more than an angle through edge-on: kNoiseAngle for any loop, kSpeckAngle for a loop of
+/// less than kSpeckLength. Radians, radians, paper mm.
+inline constexpr double kNoiseAngle = 0.02;
+inline constexpr double kSpeckAngle = 0.35;
+inline constexpr double kSpeckLength = 0.3;
+
+}  // namespace burin
