@@ -46,12 +46,14 @@ struct Picture {
     return family == 1 ? c.first : c.second;
   }
 
-  /// Distance between neighbours of a family that is to cover a share `ink` of the paper. Denser
-  /// where darker, so that the widths stay in the pen's comfortable range.
+  /// Distance between neighbours of a family that is to cover a share `ink` of the paper: the same
+  /// wherever the thinnest line can carry the tone, so that width alone shades and the rhythm of
+  /// the lines stays calm; wider where it is lighter.
   double spacing(double ink) const {
-    constexpr double kDense = 0.6;  // of ink, from which the spacing is the smallest
-    const double t = std::clamp(ink / kDense, 0.0, 1.0);
-    return options.spacing_max + (options.spacing_min - options.spacing_max) * t;
+    constexpr double kThin =
+        1.25;  // of the thinnest pen: what a line of the widest grid has left to thin out
+    if (ink <= 0) return options.spacing_max;
+    return std::clamp(kThin * options.width_min / ink, options.spacing_min, options.spacing_max);
   }
 };
 

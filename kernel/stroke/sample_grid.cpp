@@ -46,14 +46,12 @@ void SampleGrid::visit(const GridSample& at, double radius, const Visit& f) cons
   }
 }
 
-double SampleGrid::nearest(const GridSample& at, double radius, std::int32_t own_stroke,
-                           std::int32_t own_from, std::int32_t own_to) const {
+double SampleGrid::nearest(const GridSample& at, double radius) const {
   double best = radius;
   visit(at, radius, [&](const GridSample& s) {
     const Vec2 d = at.paper - s.paper;
     const double d2 = glm::dot(d, d);
     if (d2 >= radius * radius) return;
-    if (s.stroke == own_stroke && s.index >= own_from && s.index <= own_to) return;
     const double along = std::abs(glm::dot(d, s.direction));
     const double across = std::abs(cross2(s.direction, d));
     const double distance = along < across ? across : std::sqrt(d2);

@@ -30,8 +30,7 @@ class SampleGrid {
   /// The smallest distance on paper below `radius` from `at` to a sample of the same sheet that
   /// `skip` does not exclude, measured across the sample's own direction; `radius` where there is
   /// none.
-  double nearest(const GridSample& at, double radius, std::int32_t own_stroke,
-                 std::int32_t own_from, std::int32_t own_to) const;
+  double nearest(const GridSample& at, double radius) const;
 
   /// The nearest distances on the left and on the right of `at` (looking along its direction), each
   /// `radius` where there is no neighbour; samples of `own_stroke` do not count.

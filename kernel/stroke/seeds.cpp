@@ -11,7 +11,7 @@ namespace burin::detail {
 namespace {
 
 // Candidates for each seed that fits: enough that few gaps are left to the strokes' own neighbours.
-constexpr double kCandidates = 3;
+constexpr double kCandidates = 4;
 
 bool wants_ink(const Picture& picture, const RasterCell& cell) {
   return cell.part >= 0 && picture.share(cell.darkness, 1) >= picture.options.tone_min;
@@ -55,7 +55,7 @@ double measure_delta(const Picture& picture, const ViewRaster& raster, const Sam
             s.depth = cell.depth;
             s.part = cell.part;
             s.region = cell.region;
-            row[y] = std::max(row[y], grid.nearest(s, reach, -1, 0, 0));
+            row[y] = std::max(row[y], grid.nearest(s, reach));
           }
         }
       },
@@ -80,7 +80,7 @@ Coverage cover_picture(const Picture& picture, const ViewRaster& raster,
     request.seed = o.seed;
     request.part = static_cast<std::int32_t>(part);
     request.count =
-        static_cast<std::size_t>(kCandidates * shown / (o.spacing_min * o.spacing_min)) + 64;
+        static_cast<std::size_t>(kCandidates * shown / (o.spacing_max * o.spacing_max)) + 64;
     const bool two_sided = [&] {
       const auto& closed = surface.proxy().topology.component_closed;
       return std::find(closed.begin(), closed.end(), 0) != closed.end();
@@ -103,9 +103,7 @@ Coverage cover_picture(const Picture& picture, const ViewRaster& raster,
       const double cosine = glm::dot(n, camera.to_viewer(p.position));
       const double c = std::clamp(std::abs(cosine), 0.1, 1.0);
       s.slope = (std::sqrt(1 - c * c) / c + 0.1) / camera.scale_at(p.position);
-      const double ink = picture.share(picture.darkness(p.position, cosine < 0 ? -n : n), 1);
-      const double d = picture.spacing(ink);
-      if (grid.nearest(s, d, -1, 0, 0) < d) continue;
+      if (grid.nearest(s, o.spacing_max) < o.spacing_max) continue;
       const auto hit = picture.probe(s.paper);
       if (hit && !(hit->part == s.part && hit->point.face == place.face)) {
         const ProxyMesh& proxy = picture.surface(hit->part).proxy();

@@ -8,6 +8,7 @@
 #include "widths.h"
 
 #include <cmath>
+#include <thread>
 
 namespace burin {
 namespace {
@@ -67,15 +68,19 @@ StrokeResult trace_strokes(std::span<const Surface* const> surfaces, const Camer
   const SampleGrid empty({0, 0}, {0, 0}, 1);
   families.push_back({{}, empty});
   if (options.cross_from <= 1) families.push_back({{}, empty});
+  const auto caller = std::this_thread::get_id();  // progress is told from there only
   const auto place = [&](std::size_t f) {
     const auto report = [&](double share) {
-      if (f == 0) context.progress(0.8 * share);
+      if (std::this_thread::get_id() == caller) context.progress(0.8 * share);
     };
     families[f] =
         place_family(picture, raster, coverage.seeds, static_cast<int>(f) + 1, context, report);
   };
-  place(0);
-  if (families.size() > 1) place(1);
+  if (families.size() > 1) {
+    parallel_invoke([&] { place(0); }, [&] { place(1); });
+  } else {
+    place(0);
+  }
   Widths widths = solve_widths(picture, raster, families, context);
 
   StrokeResult result;

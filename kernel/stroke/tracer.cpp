@@ -90,7 +90,7 @@ bool Tracer::free(std::int32_t part, const StrokeSample& s, double share) const 
   const double ink = picture_.share(s.darkness, family_);
   if (ink < picture_.options.tone_min) return false;
   const double d = share * spacing(s);
-  return grid_.nearest(grid_sample(s, part, -1, 0), d, -1, 0, 0) >= d;
+  return grid_.nearest(grid_sample(s, part, -1, 0), d) >= d;
 }
 
 StrokeEnd Tracer::extend(std::int32_t part, const StrokeSample& seed, double sign,
@@ -139,7 +139,7 @@ StrokeEnd Tracer::extend(std::int32_t part, const StrokeSample& seed, double sig
       if (picture_.share(next.darkness, family_) < picture_.options.tone_min)
         return StrokeEnd::Light;
       const double d = kTestShare * spacing(next);
-      if (grid_.nearest(grid_sample(next, part, -1, 0), d, -1, 0, 0) < d) return StrokeEnd::Crowded;
+      if (grid_.nearest(grid_sample(next, part, -1, 0), d) < d) return StrokeEnd::Crowded;
       const Vec2 gap = next.paper - seed.paper;
       if (travelled > 4 * kStep && next.region == seed.region &&
           std::abs(next.depth - seed.depth) < kStep * seed.slope) {

@@ -14,7 +14,7 @@ Tone lambert(const Camera& camera, const LambertOptions& options) {
     double reflectance = options.ambient + options.diffuse * lit;
     const double facing = std::clamp(glm::dot(normal, camera.to_viewer(position)), 0.0, 1.0);
     reflectance -= options.rim * std::pow(1 - facing, 3);
-    return reflectance >= options.highlight ? 1.0 : std::clamp(reflectance, 0.0, 1.0);
+    return std::clamp(reflectance / options.highlight, 0.0, 1.0);
   };
 }
 

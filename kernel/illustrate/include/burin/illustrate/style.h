@@ -60,7 +60,7 @@ struct Style {
   struct {
     Vec3 light{-0.5, 0.65, 0.6};
     double ambient = 0.12;
-    double diffuse = 0.95;
+    double diffuse = 0.82;
     double highlight = 0.9;
     double rim = 0.15;
   } tone;

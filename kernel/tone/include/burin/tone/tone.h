@@ -20,8 +20,8 @@ struct LambertOptions {
   Vec3 light{-0.5, 0.65, 0.6};
   /// Reflectance in full shade and gain of the lit part.
   double ambient = 0.12;
-  double diffuse = 0.95;
-  /// Everything lighter than this stays white paper.
+  double diffuse = 0.82;
+  /// What is this light, or lighter, is white paper; tones below are stretched to meet it.
   double highlight = 0.9;
   /// Darkness added where the surface turns away from the viewer, as engravers round a form; 0 =
   /// none.

@@ -1,0 +1,160 @@
+#include <burin/base/error.h>
+#include <burin/base/parallel.h>
+#include <burin/forms/mesh/mesh_form.h>
+#include <burin/stroke/stroke.h>
+#include <burin/visibility/occluder.h>
+
+#include "burin_test/shapes.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+
+namespace burin {
+namespace {
+
+// One part seen through a camera, with everything that strokes need.
+struct Stage {
+  Stage(TriMesh mesh, const char* view, double scale) : form(std::move(mesh)) {
+    surface = form.realise({}, context);
+    proxies = {&surface->proxy()};
+    surfaces = {surface.get()};
+    occluder = std::make_unique<Occluder>(proxies, context);
+    const NamedView v = named_view(view);
+    camera =
+        Camera::fit([&](const Mat3& axes) { return form.bounds(axes); },
+                    {.direction = v.direction, .up = v.up, .scale = scale, .paper = {100, 100}});
+    const double back = 2 * occluder->diagonal();
+    probe = [this, back](Vec2 p) -> std::optional<ViewHit> {
+      const ViewRay r = camera.ray(p);
+      const auto hit = occluder->first_hit(r.origin - back * r.direction, r.direction, 0, 2 * back);
+      if (!hit) return std::nullopt;
+      return ViewHit{hit->where.part, {hit->where.face, hit->bary}};
+    };
+  }
+  StrokeResult strokes(const Field& field, double tone, const HatchOptions& options) {
+    return trace_strokes(
+        surfaces, camera, field, [tone](Vec3, Vec3) { return tone; }, probe, options, context);
+  }
+
+  RunContext context;
+  MeshForm form;
+  std::shared_ptr<const Surface> surface;
+  std::vector<const ProxyMesh*> proxies;
+  std::vector<const Surface*> surfaces;
+  std::unique_ptr<Occluder> occluder;
+  Camera camera = Camera::fit([](const Mat3&) { return Box3{Vec3(0), Vec3(1)}; }, {});
+  ViewProbe probe;
+};
+
+constexpr HatchOptions kOneFamily{
+    .spacing_min = 0.8, .spacing_max = 1.6, .width_min = 0.1, .cross_from = 2};
+
+TEST(Strokes, AreEvenlySpacedAndAsWideAsTheToneAsksOnAPlane) {
+  // The front of a box of 60 x 40 mm, hatched upright with 30 % of ink.
+  Stage stage(test::box({0, 0, 0}, {60, 5, 40}), "front", 1);
+  const StrokeResult r = stage.strokes(field::fixed({0, 0, 1}), 0.7, kOneFamily);
+  std::vector<double> at, widths;
+  for (const Curve3& c : r.strokes) {
+    EXPECT_EQ(c.kind, LineClass::Stroke);
+    EXPECT_EQ(c.widths.size(), c.points.size());
+    EXPECT_EQ(c.normals.size(), c.points.size());
+    EXPECT_EQ(c.faces.size(), c.segment_count());
+    const Vec3 middle = c.points[c.points.size() / 2];
+    widths.push_back(c.widths[c.widths.size() / 2]);
+    for (const Vec3& p : c.points) {
+      EXPECT_NEAR(p.x, c.points[0].x, 1e-9);
+      EXPECT_NEAR(p.y, 0, 1e-9);
+    }
+    // From edge to edge: no stroke ends before the border of the face.
+    EXPECT_NEAR(std::abs(c.points.back().z - c.points.front().z), 40, 1e-9);
+    at.push_back(middle.x);
+  }
+  std::sort(widths.begin(), widths.end());
+  EXPECT_NEAR(widths[widths.size() / 2], 0.3 * 0.8, 0.3 * 0.8 * 0.05);
+  // Beside the border a line makes up for the strip that is left over, or shares it.
+  EXPECT_GT(widths.front(), 0.3 * 0.8 * 0.65);
+  EXPECT_LT(widths.back(), 0.3 * 0.8 * 1.35);
+  std::sort(at.begin(), at.end());
+  ASSERT_GE(at.size(), 73u);  // 60 / 0.8 = 75
+  for (std::size_t i = 1; i < at.size(); ++i) {
+    EXPECT_GE(at[i] - at[i - 1], 0.8 * 0.9);
+    EXPECT_LE(at[i] - at[i - 1], 0.8 * 2.01);
+  }
+}
+
+TEST(Strokes, CircleAroundATurnedPart) {
+  Stage stage(test::cylinder(20, 40, 128), "front", 1);
+  const StrokeResult r = stage.strokes(field::principal(), 0.6, kOneFamily);
+  int around = 0;
+  for (const Curve3& c : r.strokes) {
+    const double z = c.points[0].z;
+    bool level = true;
+    for (const Vec3& p : c.points) {
+      level = level && std::abs(p.z - z) < 0.02;
+      EXPECT_LE(std::hypot(p.x, p.y), 20 + 1e-9);
+    }
+    around += level;
+  }
+  EXPECT_GE(around, 45);  // 40 / 0.8 = 50
+  EXPECT_GE(around, static_cast<int>(0.95 * static_cast<double>(r.strokes.size())));
+}
+
+TEST(Strokes, LeaveThePaperWhiteWhereNoInkIsAsked) {
+  Stage stage(test::box({0, 0, 0}, {60, 5, 40}), "front", 1);
+  EXPECT_TRUE(stage.strokes(field::fixed({0, 0, 1}), 0.97, kOneFamily).strokes.empty());
+}
+
+TEST(Strokes, CrossOnlyWhereItIsDark) {
+  Stage stage(test::box({0, 0, 0}, {60, 5, 40}), "front", 1);
+  HatchOptions options = kOneFamily;
+  options.cross_from = 0.5;
+  const auto count = [&](double tone) {
+    const StrokeResult r =
+        stage.strokes(field::smoothed(stage.surfaces, {}, stage.context), tone, options);
+    return std::count_if(r.strokes.begin(), r.strokes.end(),
+                         [](const Curve3& c) { return c.family == 2; });
+  };
+  EXPECT_EQ(count(0.7), 0);
+  EXPECT_GT(count(0.2), 30);
+}
+
+TEST(Strokes, CoverageIsMeasured) {
+  Stage stage(test::box({0, 0, 0}, {60, 5, 40}), "front", 1);
+  const StrokeResult r = stage.strokes(field::fixed({0, 0, 1}), 0.6, kOneFamily);
+  // A Poisson-disk set of radius d covers its plane with about 0.6 / d^2 points each; its covering
+  // radius lies between d / sqrt(3) (hexagonal) and, for a set that is not quite maximal, a few d.
+  EXPECT_GT(r.coverage_points, static_cast<std::int64_t>(0.4 * 60 * 40 / (1.6 * 1.6)));
+  EXPECT_GT(r.coverage_delta, 1.6 / std::sqrt(3.0));
+  EXPECT_LT(r.coverage_delta, 3 * 1.6);
+}
+
+TEST(Strokes, AreTheSameForAnyNumberOfThreads) {
+  const auto run = [](int threads) {
+    const ThreadLimit limit(threads);
+    Stage stage(test::torus(20, 8, 64, 32), "iso", 1);
+    HatchOptions options = kOneFamily;
+    options.cross_from = 0.3;
+    return stage.strokes(field::principal(), 0.5, options);
+  };
+  const StrokeResult one = run(1), many = run(0);
+  ASSERT_EQ(one.strokes.size(), many.strokes.size());
+  for (std::size_t i = 0; i < one.strokes.size(); ++i) {
+    EXPECT_EQ(one.strokes[i].points, many.strokes[i].points);
+    EXPECT_EQ(one.strokes[i].widths, many.strokes[i].widths);
+  }
+}
+
+TEST(Strokes, StopWhenCancelledAndRefuseNonsense) {
+  Stage stage(test::box({0, 0, 0}, {60, 5, 40}), "front", 1);
+  HatchOptions options = kOneFamily;
+  options.spacing_min = 3;
+  EXPECT_THROW(stage.strokes(field::fixed({0, 0, 1}), 0.5, options), UsageError);
+  stage.context.cancel();
+  EXPECT_THROW(stage.strokes(field::fixed({0, 0, 1}), 0.5, kOneFamily), Cancelled);
+}
+
+}  // namespace
+}  // namespace burin
