@@ -1,0 +1,69 @@
+#pragma once
+/// The occluding segments of the picture in a uniform grid, and where they cut another segment.
+
+#include <burin/base/box.h>
+#include <burin/base/vec.h>
+
+#include "picture.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace burin {
+
+/// What a segment of a curve meets in the picture, in shares of the segment in space.
+struct Crossings {
+  std::vector<double> cuts;
+  /// Stretches that lie exactly under a nearer occluding segment: a line behind a line.
+  struct Stretch {
+    double begin, end;
+  };
+  std::vector<Stretch> covered;
+  void clear() {
+    cuts.clear();
+    covered.clear();
+  }
+};
+
+/// Which occluding segments cut.
+enum class CutRule {
+  NearerOrAt,  ///< those before or at the depth of the segment where they cross it
+  AnyDepth
+};
+
+/// Segments that cut, found by a uniform grid over the paper. All tests are on closed segments
+/// thickened by kReach, so that two chains that only share a point, or miss each other by rounding,
+/// still count as meeting: a cut too many costs one more vote, a cut too few would let an answer
+/// run past a T-junction.
+class Cutters {
+ public:
+  /// Paper mm; above rounding on any sheet, far below anything visible.
+  static constexpr double kReach = 1e-7;
+
+  /// `same_depth`: model mm within which two depths count as one.
+  Cutters(std::vector<PictureSegment> segments, double same_depth);
+
+  /// Adds to `out` where the occluding segments cut `s`; unordered and possibly twice.
+  void cross(const PictureSegment& s, CutRule rule, Crossings& out) const;
+  std::size_t size() const { return segments_.size(); }
+
+ private:
+  template <class Visit>
+  void visit_cells(const PictureSegment& s, Visit&& visit) const;
+  void cross_one(const PictureSegment& s, const PictureSegment& cutter, CutRule rule,
+                 Crossings& out) const;
+  void cross_parallel(const PictureSegment& s, const PictureSegment& cutter, CutRule rule,
+                      Crossings& out) const;
+  bool cuts_at(const PictureSegment& s, double space, const PictureSegment& cutter, double share,
+               CutRule rule, double sign) const;
+
+  std::vector<PictureSegment> segments_;
+  double same_depth_;
+  Box2 box_;
+  double cell_ = 1;
+  int columns_ = 0, rows_ = 0;
+  std::vector<std::uint32_t> first_;    // per cell, one more than cells
+  std::vector<std::uint32_t> members_;  // segment indices, cell by cell
+};
+
+}  // namespace burin

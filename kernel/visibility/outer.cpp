@@ -1,0 +1,91 @@
+#include "outer.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace burin {
+namespace {
+
+// Paper mm beside the curve where the sheet must be empty: beyond the chord error of a proxy fit
+// for drawing (0.05 mm), below the width of a gap that a reader would see as one.
+constexpr double kBeside = 0.2;
+// Paper mm between two places that are looked at, and how many at least and at most.
+constexpr double kSpacing = 2;
+constexpr int kFewest = 3, kMost = 7;
+
+bool beside_paper(const Probe& probe, const Track& track, const Piece& piece) {
+  const int count = std::clamp(static_cast<int>(piece.length() / kSpacing), kFewest, kMost) | 1;
+  int open = 0;
+  for (int i = 0; i < count; ++i) {
+    const double at = piece.from + piece.length() * (i + 0.5) / count;
+    const double parameter = track.parameter_at(at);
+    const std::size_t n = track.segment_count();
+    const auto segment = std::min(static_cast<std::size_t>(parameter), 2 * n - 1) % n;
+    const double share = picture_share(parameter - std::floor(parameter),
+                                       track.start_range(segment), track.end_range(segment));
+    const Vec2 d = track.direction(segment);
+    const Vec2 p = glm::mix(track.start(segment), track.end(segment), share);
+    const Vec2 side = kBeside * Vec2(-d.y, d.x);
+    if (!probe.paper_covered(p + side) || !probe.paper_covered(p - side)) ++open;
+  }
+  return 2 * open > count;
+}
+
+// Marks the stretch `piece`, short parts of which take their neighbours' answer.
+void mark(const Probe& probe, const Track& track, const Piece& piece,
+          const std::vector<double>& cuts, double minimum, std::vector<Piece>& out) {
+  std::vector<Piece> parts;
+  Piece rest = piece;
+  for (const double cut : cuts) {
+    const double at = track.length_at(cut);
+    if (at - rest.from < minimum || piece.to - at < minimum) continue;
+    Piece part = rest;
+    part.end = rest.begin = cut;
+    part.to = rest.from = at;
+    parts.push_back(part);
+  }
+  parts.push_back(rest);
+  for (Piece& part : parts) {
+    part.outer = beside_paper(probe, track, part);
+    if (!out.empty() && out.back().visible && out.back().outer == part.outer &&
+        out.back().to == part.from) {
+      out.back().end = part.end;
+      out.back().to = part.to;
+    } else {
+      out.push_back(part);
+    }
+  }
+}
+
+}  // namespace
+
+std::vector<Piece> find_outer(const Probe& probe, const Cutters& cutters, const Track& track,
+                              const std::vector<Piece>& pieces, double minimum, Scratch& scratch) {
+  const auto n = static_cast<double>(track.segment_count());
+  scratch.cuts.clear();
+  for (std::size_t i = 0; i < track.segment_count(); ++i) {
+    scratch.crossings.clear();
+    cutters.cross(track.segment(i), CutRule::AnyDepth, scratch.crossings);
+    for (const double t : scratch.crossings.cuts) {
+      scratch.cuts.push_back(static_cast<double>(i) + t);
+      if (track.closed()) scratch.cuts.push_back(static_cast<double>(i) + t + n);
+    }
+  }
+  std::sort(scratch.cuts.begin(), scratch.cuts.end());
+  std::vector<Piece> out;
+  std::vector<double> inside;
+  for (const Piece& piece : pieces) {
+    if (!piece.visible) {
+      out.push_back(piece);
+      continue;
+    }
+    inside.clear();
+    for (const double cut : scratch.cuts) {
+      if (cut > piece.begin && cut < piece.end) inside.push_back(cut);
+    }
+    mark(probe, track, piece, inside, minimum, out);
+  }
+  return out;
+}
+
+}  // namespace burin

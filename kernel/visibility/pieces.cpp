@@ -1,0 +1,141 @@
+#include "pieces.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace burin {
+namespace {
+
+// Paper mm: cuts closer than this are one (rounding of the same crossing found twice).
+constexpr double kSameCut = 1e-6;
+
+// Whether the surface under a stroke hides what faces away from the viewer.
+bool turns_away_hidden(const Curve3& curve, const Probe& probe, std::size_t segment) {
+  if (curve.kind != LineClass::Stroke && curve.kind != LineClass::Pattern) return false;
+  if (curve.normals.empty() || curve.faces.empty() || curve.faces[segment] < 0) return false;
+  const ProxyMesh* proxy = probe.proxy(curve.source.part);
+  return proxy && !proxy->topology.face_component.empty() &&
+         proxy->closed(static_cast<std::uint32_t>(curve.faces[segment]));
+}
+
+double facing(const Curve3& curve, const Camera& camera, std::size_t i) {
+  return glm::dot(curve.normals[i], camera.to_viewer(curve.points[i]));
+}
+
+// Whether the surface's own turn or the caller's knowledge hides the middle of a piece.
+bool hidden_by_itself(const Curve3& curve, const Probe& probe, double middle) {
+  const auto i = std::min(static_cast<std::size_t>(middle), curve.segment_count() - 1);
+  if (!curve.self_hidden.empty() && curve.self_hidden[i]) return true;
+  if (!turns_away_hidden(curve, probe, i)) return false;
+  const double t = middle - static_cast<double>(i);
+  const Camera& camera = probe.camera();
+  return (1 - t) * facing(curve, camera, i) + t * facing(curve, camera, curve.next(i)) < 0;
+}
+
+void own_cuts(const Curve3& curve, const Probe& probe, std::vector<double>& cuts) {
+  const std::size_t n = curve.segment_count();
+  if (!curve.self_hidden.empty()) {
+    for (std::size_t i = curve.closed ? 0 : 1; i < n; ++i) {
+      const std::size_t before = i == 0 ? n - 1 : i - 1;
+      if (curve.self_hidden[i] != curve.self_hidden[before]) cuts.push_back(static_cast<double>(i));
+    }
+  }
+  if (curve.normals.empty() || curve.faces.empty()) return;
+  double g = facing(curve, probe.camera(), 0);
+  for (std::size_t i = 0; i < n; ++i) {
+    const double h = facing(curve, probe.camera(), curve.next(i));
+    if ((g < 0) != (h < 0) && turns_away_hidden(curve, probe, i)) {
+      cuts.push_back(static_cast<double>(i) + g / (g - h));
+    }
+    g = h;
+  }
+}
+
+}  // namespace
+
+void Cutting::find_cuts(const Curve3& curve, const Track& track, Scratch& scratch) const {
+  scratch.cuts.clear();
+  scratch.covered.clear();
+  if (curve.kind == LineClass::Stroke || curve.kind == LineClass::Pattern ||
+      !curve.self_hidden.empty()) {
+    own_cuts(curve, probe_, scratch.cuts);
+  }
+  for (std::size_t i = 0; i < track.segment_count(); ++i) {
+    if (!curve.self_hidden.empty() && curve.self_hidden[i]) continue;
+    scratch.crossings.clear();
+    cutters_.cross(track.segment(i), CutRule::NearerOrAt, scratch.crossings);
+    const auto at = static_cast<double>(i);
+    for (const double t : scratch.crossings.cuts) scratch.cuts.push_back(at + t);
+    for (const Crossings::Stretch& s : scratch.crossings.covered) {
+      scratch.covered.push_back({at + s.begin, at + s.end});
+    }
+  }
+}
+
+std::vector<Piece> pieces_between(const Track& track, std::vector<double>& cuts) {
+  const auto n = static_cast<double>(track.segment_count());
+  std::sort(cuts.begin(), cuts.end());
+  const double total = track.length();
+  std::vector<Piece> ends;  // places of the cuts that remain
+  for (const double cut : cuts) {
+    const double at = track.length_at(std::min(cut, n * (1 - 1e-16)));
+    if (!ends.empty() && at - ends.back().from <= kSameCut) continue;
+    const bool at_an_end = at <= kSameCut || at >= total - kSameCut;
+    if (at_an_end && !track.closed()) continue;
+    ends.push_back({cut, cut, at, at});
+  }
+  std::vector<Piece> pieces;
+  if (track.closed() && !ends.empty()) {
+    if (ends.size() > 1 && ends.front().from + total - ends.back().from <= kSameCut)
+      ends.pop_back();
+    for (std::size_t i = 0; i + 1 < ends.size(); ++i) {
+      pieces.push_back({ends[i].begin, ends[i + 1].begin, ends[i].from, ends[i + 1].from});
+    }
+    pieces.push_back(
+        {ends.back().begin, ends.front().begin + n, ends.back().from, ends.front().from + total});
+    return pieces;
+  }
+  Piece piece{0, n, 0, total};
+  for (const Piece& e : ends) {
+    piece.end = e.begin;
+    piece.to = e.from;
+    pieces.push_back(piece);
+    piece = {e.begin, n, e.from, total};
+  }
+  pieces.push_back(piece);
+  return pieces;
+}
+
+std::vector<Piece> Cutting::classify(const Curve3& curve, const Track& track,
+                                     Scratch& scratch) const {
+  find_cuts(curve, track, scratch);
+  std::vector<Piece> pieces = pieces_between(track, scratch.cuts), out;
+  out.reserve(pieces.size());
+  for (Piece& piece : pieces) {
+    // The middle on paper, so that a piece of almost no length in space decides by its own inside.
+    double middle = track.parameter_at(0.5 * (piece.from + piece.to));
+    if (middle >= static_cast<double>(track.segment_count())) {
+      middle -= static_cast<double>(track.segment_count());
+    }
+    const bool covered = std::any_of(
+        scratch.covered.begin(), scratch.covered.end(),
+        [&](const Crossings::Stretch& s) { return s.begin <= middle && middle <= s.end; });
+    if (covered || hidden_by_itself(curve, probe_, middle)) {
+      piece.visible = false;
+      out.push_back(piece);
+    } else {
+      vote(curve, track, piece, out);
+    }
+  }
+  return out;
+}
+
+bool Cutting::visible_at(const Curve3& curve, const Track& track, double length) const {
+  double parameter = track.parameter_at(length);
+  const auto n = static_cast<double>(track.segment_count());
+  if (parameter >= n) parameter -= track.closed() ? n : 0;
+  const auto i = std::min(static_cast<std::size_t>(parameter), track.segment_count() - 1);
+  return probe_.visible(curve, i, std::min(1.0, parameter - static_cast<double>(i)));
+}
+
+}  // namespace burin

@@ -1,0 +1,63 @@
+#pragma once
+/// A curve between its cuts, and one answer for each piece.
+
+#include <burin/base/curve.h>
+
+#include "cutters.h"
+#include "probe.h"
+#include "track.h"
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace burin {
+
+/// A stretch of a curve on which visibility is one and the same. On a closed curve `end` may exceed
+/// the number of segments: the piece runs over the start.
+struct Piece {
+  double begin = 0, end = 0;
+  /// Paper mm from the curve's start.
+  double from = 0, to = 0;
+  bool visible = true;
+  bool outer = false;
+  double length() const { return to - from; }
+};
+
+/// Everything that classifying one curve takes; reused from curve to curve by one thread.
+struct Scratch {
+  Crossings crossings;
+  std::vector<double> cuts;
+  std::vector<Crossings::Stretch> covered;  // in parameters of the curve
+};
+
+/// The pieces of a curve between its cuts: where an occluding segment crosses it in the picture,
+/// where `self_hidden` changes and, for strokes on closed surfaces, where the surface turns away.
+/// Answers that need no ray are given.
+class Cutting {
+ public:
+  Cutting(const Probe& probe, const Cutters& cutters) : probe_(probe), cutters_(cutters) {}
+
+  /// Sets the pieces' places and answers; deterministic.
+  std::vector<Piece> classify(const Curve3& curve, const Track& track, Scratch& scratch) const;
+
+ private:
+  void find_cuts(const Curve3& curve, const Track& track, Scratch& scratch) const;
+  void vote(const Curve3& curve, const Track& track, const Piece& piece,
+            std::vector<Piece>& out) const;
+  void refine(const Curve3& curve, const Track& track, const Piece& piece,
+              std::vector<Piece>& out) const;
+  bool visible_at(const Curve3& curve, const Track& track, double length) const;
+
+  const Probe& probe_;
+  const Cutters& cutters_;
+};
+
+/// The pieces between sorted cuts of a curve, without answers.
+std::vector<Piece> pieces_between(const Track& track, std::vector<double>& cuts);
+
+/// Pieces of like answer joined; those shorter than `minimum` paper mm take the answer of their
+/// neighbours.
+std::vector<Piece> settle(std::vector<Piece> pieces, const Track& track, double minimum);
+
+}  // namespace burin

@@ -1,0 +1,47 @@
+#pragma once
+/// Whether one point of a curve can be seen: one occlusion ray that knows which surfaces the point
+/// lies on.
+
+#include <burin/base/curve.h>
+#include <burin/camera/camera.h>
+#include <burin/mesh/proxy_mesh.h>
+#include <burin/visibility/occluder.h>
+
+#include <span>
+
+namespace burin {
+
+/// Casts rays from points of curves to the viewer. A ray does not count
+/// - the triangle that the point lies on, and those whose plane runs through the point: the ray
+/// leaves them there, however
+///   flat it is to them (coplanar and touching parts, faces seen edge on);
+/// - triangles within the chord error of the two meshes of the point: nearer than that the proxies
+/// do not tell which one is
+///   in front;
+/// - of a rounded fold that the point lies on, the triangles around it: a contour does not hide
+/// behind its own fold.
+class Probe {
+ public:
+  Probe(const Occluder& occluder, std::span<const ProxyMesh* const> proxies, const Camera& camera)
+      : occluder_(occluder), proxies_(proxies), camera_(camera) {}
+
+  /// `segment` of `curve` at the share `t`.
+  bool visible(const Curve3& curve, std::size_t segment, double t) const;
+  /// Whether any surface lies on the line of sight through a point of the paper.
+  bool paper_covered(Vec2 paper) const;
+  /// Model mm between the triangles at `face` of `part` and the surface they stand for; 0 where
+  /// unknown.
+  double chord_error(std::int32_t part, std::int32_t face) const;
+
+  const Camera& camera() const { return camera_; }
+  const Occluder& occluder() const { return occluder_; }
+  /// The proxy of a part, or null.
+  const ProxyMesh* proxy(std::int32_t part) const;
+
+ private:
+  const Occluder& occluder_;
+  std::span<const ProxyMesh* const> proxies_;
+  const Camera& camera_;
+};
+
+}  // namespace burin

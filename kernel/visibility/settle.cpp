@@ -1,0 +1,44 @@
+// One consistent answer along a chain.
+
+#include "pieces.h"
+
+#include <algorithm>
+
+namespace burin {
+namespace {
+
+// Joins neighbours of like answer.
+std::vector<Piece> join(const std::vector<Piece>& pieces, const Track& track) {
+  std::vector<Piece> runs;
+  for (const Piece& p : pieces) {
+    if (!runs.empty() && runs.back().visible == p.visible) {
+      runs.back().end = p.end;
+      runs.back().to = p.to;
+    } else {
+      runs.push_back(p);
+    }
+  }
+  if (track.closed() && runs.size() > 1 && runs.front().visible == runs.back().visible) {
+    runs.back().end = runs.front().end + static_cast<double>(track.segment_count());
+    runs.back().to = runs.front().to + track.length();
+    runs.erase(runs.begin());
+  }
+  return runs;
+}
+
+}  // namespace
+
+std::vector<Piece> settle(std::vector<Piece> pieces, const Track& track, double minimum) {
+  pieces = join(pieces, track);
+  while (pieces.size() > 1) {
+    const auto shortest =
+        std::min_element(pieces.begin(), pieces.end(),
+                         [](const Piece& a, const Piece& b) { return a.length() < b.length(); });
+    if (shortest->length() >= minimum) break;
+    shortest->visible = !shortest->visible;  // its neighbours agree: answers alternate
+    pieces = join(pieces, track);
+  }
+  return pieces;
+}
+
+}  // namespace burin

@@ -1,0 +1,156 @@
+#include <burin/base/parallel.h>
+#include <burin/visibility/visible_spans.h>
+
+#include "outer.h"
+#include "pieces.h"
+
+#include <algorithm>
+#include <memory>
+
+namespace burin {
+namespace {
+
+// Multiples of the occluder's resolution within which two depths are one: curves that meet in
+// space.
+constexpr double kSameDepth = 4;
+// Paper mm: what the features are settled with before they cut other curves.
+constexpr double kFeatureMinimum = 0.05;
+constexpr std::size_t kCurveGrain = 8;
+
+// The pieces as spans from the start of the curve to its end.
+std::vector<Span> to_spans(const std::vector<Piece>& pieces, double n) {
+  std::vector<Span> spans;
+  for (const Piece& p : pieces) {
+    if (p.end > n && p.begin < n) {
+      spans.push_back({p.begin, n, p.visible, p.outer});
+      spans.push_back({0, p.end - n, p.visible, p.outer});
+    } else {
+      const double shift = p.begin >= n ? n : 0;
+      spans.push_back({p.begin - shift, p.end - shift, p.visible, p.outer});
+    }
+  }
+  std::erase_if(spans, [&](const Span& s) { return s.end <= s.begin && spans.size() > 1; });
+  std::sort(spans.begin(), spans.end(),
+            [](const Span& a, const Span& b) { return a.begin < b.begin; });
+  return spans;
+}
+
+bool cuts(const Curve3& curve) { return curve.occluding || curve.kind == LineClass::Intersection; }
+
+PictureSegment part_of(const PictureSegment& s, double begin, double end) {
+  const double u = picture_share(begin, s.range_a, s.range_b);
+  const double v = picture_share(end, s.range_a, s.range_b);
+  PictureSegment out = s;
+  out.a = u == 0 ? s.a : glm::mix(s.a, s.b, u);
+  out.b = v == 1 ? s.b : glm::mix(s.a, s.b, v);
+  out.depth_a = glm::mix(s.depth_a, s.depth_b, begin);
+  out.depth_b = glm::mix(s.depth_a, s.depth_b, end);
+  out.range_a = glm::mix(s.range_a, s.range_b, begin);
+  out.range_b = glm::mix(s.range_a, s.range_b, end);
+  return out;
+}
+
+void add_span(const Track& track, const Span& span, std::vector<PictureSegment>& out) {
+  const std::size_t n = track.segment_count();
+  const auto first = std::min(static_cast<std::size_t>(span.begin), n - 1);
+  for (std::size_t i = first; i < n && static_cast<double>(i) < span.end; ++i) {
+    const auto at = static_cast<double>(i);
+    out.push_back(
+        part_of(track.segment(i), std::max(0.0, span.begin - at), std::min(1.0, span.end - at)));
+  }
+}
+
+}  // namespace
+
+struct VisibilityMap::Impl {
+  Impl(const Occluder& o, std::span<const ProxyMesh* const> proxies, const Camera& camera,
+       std::span<const Curve3> f, const RunContext& context)
+      : probe(o, proxies, camera), features(f), same_depth(kSameDepth * o.resolution()) {
+    tracks.reserve(features.size());
+    for (const Curve3& curve : features) tracks.emplace_back(curve, camera);
+    std::vector<PictureSegment> all;
+    for (std::size_t c = 0; c < features.size(); ++c) {
+      if (!cuts(features[c])) continue;
+      for (std::size_t i = 0; i < tracks[c].segment_count(); ++i) {
+        if (features[c].self_hidden.empty() || !features[c].self_hidden[i]) {
+          all.push_back(tracks[c].segment(i));
+        }
+      }
+    }
+    every = std::make_unique<Cutters>(std::move(all), same_depth);
+    feature_pieces.resize(features.size());
+    parallel_for(
+        features.size(), kCurveGrain,
+        [&](std::size_t begin, std::size_t end) {
+          Scratch scratch;
+          const Cutting cutting(probe, *every);
+          for (std::size_t c = begin; c < end; ++c) {
+            feature_pieces[c] = cutting.classify(features[c], tracks[c], scratch);
+          }
+        },
+        &context);
+    std::vector<PictureSegment> seen;
+    for (std::size_t c = 0; c < features.size(); ++c) {
+      if (!cuts(features[c])) continue;
+      const auto n = static_cast<double>(tracks[c].segment_count());
+      for (const Span& s : to_spans(settle(feature_pieces[c], tracks[c], kFeatureMinimum), n)) {
+        if (s.visible) add_span(tracks[c], s, seen);
+      }
+    }
+    visible = std::make_unique<Cutters>(std::move(seen), same_depth);
+  }
+
+  std::vector<Span> finish(std::vector<Piece> pieces, const Curve3& curve, const Track& track,
+                           const VisibilityOptions& options, Scratch& scratch) const {
+    pieces = settle(std::move(pieces), track, options.minimum_length);
+    if (options.classify_outer && curve.occluding) {
+      pieces = find_outer(probe, *every, track, pieces, options.minimum_length, scratch);
+    }
+    return to_spans(pieces, static_cast<double>(track.segment_count()));
+  }
+
+  Probe probe;
+  std::span<const Curve3> features;
+  double same_depth;
+  std::vector<Track> tracks;  // of the features
+  std::vector<std::vector<Piece>> feature_pieces;
+  std::unique_ptr<Cutters> every;  // all occluding features
+  // Those that can be seen. What is seen along any other curve can change only at these: the
+  // foremost sheet of the picture changes nowhere else.
+  std::unique_ptr<Cutters> visible;
+};
+
+VisibilityMap::VisibilityMap(const Occluder& occluder, std::span<const ProxyMesh* const> proxies,
+                             const Camera& camera, std::span<const Curve3> features,
+                             const RunContext& context)
+    : impl_(std::make_unique<Impl>(occluder, proxies, camera, features, context)) {}
+
+VisibilityMap::~VisibilityMap() = default;
+
+std::vector<std::vector<Span>> VisibilityMap::classify(std::span<const Curve3> curves,
+                                                       const VisibilityOptions& options,
+                                                       const RunContext& context) const {
+  std::vector<std::vector<Span>> out(curves.size());
+  const bool known =
+      curves.data() == impl_->features.data() && curves.size() == impl_->features.size();
+  parallel_for(
+      curves.size(), kCurveGrain,
+      [&](std::size_t begin, std::size_t end) {
+        Scratch scratch;
+        const Cutting cutting(impl_->probe, *impl_->visible);
+        for (std::size_t c = begin; c < end; ++c) {
+          if (known) {
+            out[c] = impl_->finish(impl_->feature_pieces[c], curves[c], impl_->tracks[c], options,
+                                   scratch);
+          } else {
+            const Track track(curves[c], impl_->probe.camera());
+            out[c] = impl_->finish(cutting.classify(curves[c], track, scratch), curves[c], track,
+                                   options, scratch);
+          }
+        }
+      },
+      &context);
+  return out;
+}
+
+}  // namespace burin

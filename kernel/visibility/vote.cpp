@@ -1,0 +1,122 @@
+// One answer for a piece from several rays.
+
+#include "pieces.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace burin {
+namespace {
+
+// Rays keep this share of a piece away from each of its ends: beside a cut the polygons of the
+// proxy and the smooth contour that cut differ by the chord error.
+constexpr double kMargin = 0.12;
+// Paper mm a ray on a long piece; pieces shorter than this get three.
+constexpr double kSpacing = 1.5;
+constexpr int kFewest = 3, kMost = 9;
+// A piece whose rays disagree by more than a share is looked at again: it may pass through a
+// surface without a cut.
+constexpr double kDoubt = 0.15;
+// The second look: paper mm a ray, and the shortest stretch that may be cut off by rays alone.
+constexpr double kFineSpacing = 0.25;
+constexpr double kShortestStretch = 1.0;
+constexpr int kMostFine = 256;
+constexpr int kBisections = 14;
+
+double place(const Piece& piece, int i, int count) {
+  return piece.from +
+         piece.length() * (kMargin + (1 - 2 * kMargin) * (static_cast<double>(i) + 0.5) / count);
+}
+
+// Highest in the middle of the piece, low at its ends.
+double weight(int i, int count) {
+  const double x = (static_cast<double>(i) + 0.5) / count;
+  return 0.25 + x * (1 - x);
+}
+
+struct Run {
+  int begin, end;
+  bool visible;
+};
+
+std::vector<Run> runs_of(const std::vector<char>& answers) {
+  std::vector<Run> runs;
+  for (int i = 0; i < static_cast<int>(answers.size()); ++i) {
+    const bool visible = answers[static_cast<std::size_t>(i)] != 0;
+    if (runs.empty() || runs.back().visible != visible) runs.push_back({i, i, visible});
+    runs.back().end = i + 1;
+  }
+  return runs;
+}
+
+// Gives runs of fewer than `fewest` answers to their neighbours, shortest first.
+void absorb_short(std::vector<Run>& runs, int fewest) {
+  while (runs.size() > 1) {
+    const auto shortest = std::min_element(
+        runs.begin(), runs.end(),
+        [](const Run& a, const Run& b) { return a.end - a.begin < b.end - b.begin; });
+    if (shortest->end - shortest->begin >= fewest) return;
+    shortest->visible = !shortest->visible;
+    std::vector<Run> joined;
+    for (const Run& r : runs) {
+      if (!joined.empty() && joined.back().visible == r.visible) {
+        joined.back().end = r.end;
+      } else {
+        joined.push_back(r);
+      }
+    }
+    runs = std::move(joined);
+  }
+}
+
+}  // namespace
+
+void Cutting::vote(const Curve3& curve, const Track& track, const Piece& piece,
+                   std::vector<Piece>& out) const {
+  const int count = std::clamp(static_cast<int>(piece.length() / kSpacing) + 1, kFewest, kMost) | 1;
+  double seen = 0, all = 0;
+  for (int i = 0; i < count; ++i) {
+    const double w = weight(i, count);
+    all += w;
+    if (visible_at(curve, track, place(piece, i, count))) seen += w;
+  }
+  Piece answer = piece;
+  answer.visible = 2 * seen > all;
+  const double doubt = std::min(seen, all - seen) / all;
+  if (doubt > kDoubt && piece.length() > 2 * kShortestStretch) {
+    refine(curve, track, piece, out);
+  } else {
+    out.push_back(answer);
+  }
+}
+
+// The rays of a piece disagree: no occluding line was known where its visibility changes. Many rays
+// find the stretches, bisection their ends.
+void Cutting::refine(const Curve3& curve, const Track& track, const Piece& piece,
+                     std::vector<Piece>& out) const {
+  const int count = std::clamp(static_cast<int>(piece.length() / kFineSpacing), kFewest, kMostFine);
+  std::vector<char> answers(static_cast<std::size_t>(count));
+  for (int i = 0; i < count; ++i) {
+    answers[static_cast<std::size_t>(i)] = visible_at(curve, track, place(piece, i, count));
+  }
+  std::vector<Run> runs = runs_of(answers);
+  const double spacing = piece.length() * (1 - 2 * kMargin) / count;
+  absorb_short(runs, std::max(2, static_cast<int>(std::ceil(kShortestStretch / spacing))));
+  Piece rest = piece;
+  for (std::size_t r = 0; r < runs.size(); ++r) {
+    rest.visible = runs[r].visible;
+    if (r + 1 == runs.size()) break;
+    double before = place(piece, runs[r].end - 1, count), after = place(piece, runs[r].end, count);
+    for (int i = 0; i < kBisections; ++i) {
+      const double middle = 0.5 * (before + after);
+      (visible_at(curve, track, middle) == runs[r].visible ? before : after) = middle;
+    }
+    Piece done = rest;
+    done.to = rest.from = 0.5 * (before + after);
+    done.end = rest.begin = track.parameter_at(done.to);
+    out.push_back(done);
+  }
+  out.push_back(rest);
+}
+
+}  // namespace burin
