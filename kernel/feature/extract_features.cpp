@@ -4,6 +4,7 @@
 #include "edge_chains.h"
 #include "edge_lines.h"
 #include "facing.h"
+#include "intersections.h"
 
 #include <iterator>
 #include <utility>
@@ -36,6 +37,7 @@ std::vector<Curve3> extract_features(std::span<const ProxyMesh* const> proxies,
       append(edge_lines(facing, chains, part, options, context), curves);
     }
   }
+  if (options.intersections) append(intersection_curves(proxies, camera, context), curves);
   if (noise > 0) {
     diagnostics.add(Severity::Info, "feature.noise_loops", noise,
                     "closed contours too small to be shape were left out");

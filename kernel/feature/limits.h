@@ -25,4 +25,13 @@ inline constexpr double kNoiseAngle = 0.02;
 inline constexpr double kSpeckAngle = 0.35;
 inline constexpr double kSpeckLength = 0.3;
 
+/// Paper mm: an intersection of two parts that runs this near along a crease or boundary of one of
+/// them is a contact of their borders, which are drawn anyway. Runs shorter than kSpeckLength are
+/// kept (they cross the crease), and what is left between such runs is dropped where it is shorter.
+inline constexpr double kContactLength = 0.01;
+
+/// Radians: surfaces that cross at less than this along most of a curve touch (a shaft in its hole,
+/// two plates): their facets cut each other by chance.
+inline constexpr double kContactAngle = 0.05;
+
 }  // namespace burin

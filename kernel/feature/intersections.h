@@ -1,0 +1,34 @@
+#pragma once
+// Curves in which parts pass through each other.
+
+#include <burin/base/curve.h>
+#include <burin/base/run_context.h>
+#include <burin/camera/camera.h>
+#include <burin/mesh/proxy_mesh.h>
+
+#include "exact/triangle_pairs.h"
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace burin {
+
+/// A connected component of a part and the triangles of it that may meet another one.
+struct PieceOfPart {
+  std::int32_t part = -1;
+  const ProxyMesh* proxy = nullptr;
+};
+
+/// The intersection curves of all components of different parts, and of closed components of one
+/// part. They run in the concave edge of the union: on closed surfaces they are self-hidden where
+/// either surface is turned away.
+std::vector<Curve3> intersection_curves(std::span<const ProxyMesh* const> proxies,
+                                        const Camera& camera, const RunContext& context);
+
+/// Chains the segments of two components, drops contacts, and cuts where the smooth region of `a`
+/// changes.
+std::vector<Curve3> chain_intersections(std::span<const PairSegment> segments, const PieceOfPart& a,
+                                        const PieceOfPart& b, const Camera& camera);
+
+}  // namespace burin
