@@ -36,6 +36,27 @@ double same_place(std::span<const Surface* const> surfaces) {
   return 1e-4 * box.diagonal() + 2 * tolerance;
 }
 
+// Takes the kinks out of a line that crossed the facets of a coarse mesh: low-pass filtering
+// without shrinking, ends kept.
+// @cite Taubin1995
+void fair(std::vector<Vec3>& points, bool closed) {
+  constexpr int kPasses = 6;
+  constexpr double kShrink = 0.5,
+                   kInflate = -0.53;  // a pass band of waves longer than about 12 samples
+  const std::size_t n = points.size();
+  if (n < 4) return;
+  std::vector<Vec3> moved(n);
+  for (int pass = 0; pass < 2 * kPasses; ++pass) {
+    const double weight = pass % 2 == 0 ? kShrink : kInflate;
+    for (std::size_t i = 0; i < n; ++i) {
+      const bool fixed = !closed && (i == 0 || i + 1 == n);
+      const Vec3 middle = 0.5 * (points[(i + n - 1) % n] + points[(i + 1) % n]);
+      moved[i] = fixed ? points[i] : points[i] + weight * (middle - points[i]);
+    }
+    points.swap(moved);
+  }
+}
+
 Curve3 to_curve(const TracedStroke& stroke, std::vector<double> widths) {
   Curve3 c;
   c.kind = LineClass::Stroke;
@@ -49,6 +70,7 @@ Curve3 to_curve(const TracedStroke& stroke, std::vector<double> widths) {
     c.faces.push_back(static_cast<std::int32_t>(s.face));
   }
   if (!c.closed) c.faces.pop_back();
+  fair(c.points, c.closed);
   return c;
 }
 
