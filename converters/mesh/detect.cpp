@@ -1,0 +1,143 @@
+#include "formats.h"
+#include "text.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstring>
+#include <map>
+
+namespace burin {
+namespace {
+
+const std::map<std::string, MeshFormat>& suffixes() {
+  static const std::map<std::string, MeshFormat> table = {{".stl", MeshFormat::StlBinary},
+                                                          {".obj", MeshFormat::Obj},
+                                                          {".off", MeshFormat::Off},
+                                                          {".ply", MeshFormat::Ply},
+                                                          {".3mf", MeshFormat::ThreeMf}};
+  return table;
+}
+
+bool starts(std::string_view text, std::string_view with) {
+  return text.substr(0, with.size()) == with;
+}
+
+/// Files that are often met under the name of a mesh: what they are and what to do.
+const char* foreign(std::string_view bytes) {
+  struct Magic {
+    std::string_view bytes;
+    const char* message;
+  };
+  using namespace std::string_view_literals;
+  static constexpr Magic kMagic[] = {
+      {"version https://git-lfs"sv,
+       "is a Git LFS pointer, not the model; fetch it with 'git lfs pull'"},
+      {"\xff\xfe"sv, "is text in UTF-16; save it as UTF-8 or ASCII"},
+      {"\xfe\xff"sv, "is text in UTF-16; save it as UTF-8 or ASCII"},
+      {"ISO-10303-21"sv, "is a STEP file; give it the suffix .step"},
+      {"DBRep_DrawableShape"sv, "is an OpenCASCADE BREP file; give it the suffix .brep"},
+      {"CASCADE Topology"sv, "is an OpenCASCADE BREP file; give it the suffix .brep"},
+      {"glTF"sv, "is a binary glTF file; convert it to STL, OBJ, OFF, PLY or 3MF"},
+      {"Kaydara FBX"sv, "is an FBX file; convert it to STL, OBJ, OFF, PLY or 3MF"},
+      {"\x1f\x8b"sv, "is compressed by gzip; unpack it first"},
+      {"BZh"sv, "is compressed by bzip2; unpack it first"},
+      {"\xfd"
+       "7zXZ"sv,
+       "is compressed by xz; unpack it first"},
+      {"%PDF"sv, "is a PDF document, not a mesh"},
+      {"\x89PNG"sv, "is a PNG picture, not a mesh"},
+      {"<!DOCTYPE"sv, "is a web page, not a mesh; download the file itself"},
+      {"<html"sv, "is a web page, not a mesh; download the file itself"},
+  };
+  for (const Magic& m : kMagic) {
+    if (starts(bytes, m.bytes)) return m.message;
+  }
+  return nullptr;
+}
+
+bool is_exact_binary_stl(std::string_view bytes) {
+  if (bytes.size() < 84) return false;
+  std::uint32_t n = 0;
+  std::memcpy(&n, bytes.data() + 80, sizeof n);
+  return n > 0 && bytes.size() == 84 + 50 * static_cast<std::size_t>(n);
+}
+
+bool is_text(std::string_view bytes) {
+  return std::ranges::none_of(bytes.substr(0, 1024), [](char c) {
+    return c >= 0 && c < ' ' && !is_blank(c) && !is_line_end(c);
+  });
+}
+
+std::string_view without_leading_space(std::string_view text) {
+  const std::size_t begin = text.find_first_not_of(" \t\v\f\r\n");
+  return begin == std::string_view::npos ? std::string_view() : text.substr(begin);
+}
+
+/// The first lines that are neither empty nor comments look like an OBJ's.
+bool looks_like_obj(std::string_view text) {
+  static constexpr std::string_view kFirst[] = {"v ", "vn ",     "vt ",     "o ",
+                                                "g ", "mtllib ", "usemtl ", "s "};
+  while (!text.empty()) {
+    text = without_leading_space(text);
+    if (!starts(text, "#")) {
+      return std::ranges::any_of(kFirst, [&](std::string_view k) { return starts(text, k); });
+    }
+    const std::size_t end = text.find_first_of("\r\n");
+    text = end == std::string_view::npos ? std::string_view() : text.substr(end);
+  }
+  return false;
+}
+
+bool looks_like_off(std::string_view text) {
+  text = without_leading_space(text);
+  const std::size_t off = text.substr(0, 8).find("OFF");
+  return off != std::string_view::npos &&
+         text.substr(0, off).find_first_not_of("STCN4n") == std::string_view::npos;
+}
+
+bool looks_like_ascii_stl(std::string_view text) {
+  text = without_leading_space(text);
+  return lowered(text.substr(0, 5)) == "solid" || lowered(text.substr(0, 6)) == "facet ";
+}
+
+}  // namespace
+
+bool is_mesh_suffix(const std::filesystem::path& path) {
+  return suffixes().contains(lowered(path.extension().string()));
+}
+
+MeshFormat detect_format(const Source& source, const std::filesystem::path& path) {
+  const std::string_view bytes = source.bytes();
+  if (is_exact_binary_stl(bytes)) return MeshFormat::StlBinary;
+  if (const char* message = foreign(bytes)) source.fail(message);
+  if (starts(bytes, "PK\x03\x04") || starts(bytes, "PK\x05\x06")) return MeshFormat::ThreeMf;
+  if (starts(bytes, "ply\n") || starts(bytes, "ply\r")) return MeshFormat::Ply;
+  const auto suffix = suffixes().find(lowered(path.extension().string()));
+  const bool named = suffix != suffixes().end();
+  if (is_text(bytes)) {
+    if (looks_like_ascii_stl(bytes)) return MeshFormat::StlAscii;
+    if (looks_like_off(bytes)) return MeshFormat::Off;
+    if (looks_like_obj(bytes) && (!named || suffix->second != MeshFormat::Off))
+      return MeshFormat::Obj;
+    if (named && suffix->second == MeshFormat::StlBinary) {
+      source.fail_at_line(
+          bytes.data(),
+          "is text but no ASCII STL, which begins with 'solid'; is it another format?");
+    }
+  }
+  if (!named) {
+    source.fail(
+        fmt::format("is no mesh of a known kind (suffix '{}'); STL, OBJ, OFF, PLY and 3MF are read",
+                    path.extension().string()));
+  }
+  if (suffix->second == MeshFormat::ThreeMf)
+    source.fail("is no 3MF file: a 3MF is a zip archive; export it again");
+  if (suffix->second == MeshFormat::Ply)
+    source.fail("is no PLY file, which begins with the line 'ply'; is it another format?");
+  if (suffix->second == MeshFormat::Obj && !is_text(bytes))
+    source.fail_at_byte(0, "is binary data, not an OBJ; is it another format?");
+  return suffix->second;
+}
+
+}  // namespace burin

@@ -1,0 +1,129 @@
+#include "groups.h"
+
+#include <burin/mesh/weld.h>
+
+#include <algorithm>
+#include <numeric>
+
+namespace burin {
+namespace {
+
+struct GroupEdge {
+  std::uint32_t a, b, group;
+  friend auto operator<=>(const GroupEdge&, const GroupEdge&) = default;
+};
+
+class Union {
+ public:
+  explicit Union(std::size_t n) : parent_(n) { std::iota(parent_.begin(), parent_.end(), 0u); }
+  std::uint32_t find(std::uint32_t i) {
+    while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
+    return i;
+  }
+  void join(std::uint32_t i, std::uint32_t j) {
+    const auto [low, high] = std::minmax(find(i), find(j));
+    parent_[high] = low;
+  }
+
+ private:
+  std::vector<std::uint32_t> parent_;
+};
+
+/// Groups numbered densely in the order of their first faces; returns their names.
+std::vector<std::string> number_by_appearance(GroupedFaces& faces) {
+  std::vector<std::uint32_t> number(faces.names.size() + 1, kNoGroup);
+  std::vector<std::string> names;
+  for (std::uint32_t& g : faces.group) {
+    std::uint32_t& n = number[g == kNoGroup ? faces.names.size() : g];
+    if (n == kNoGroup) {
+      n = static_cast<std::uint32_t>(names.size());
+      names.push_back(g == kNoGroup ? std::string() : faces.names[g]);
+    }
+    g = n;
+  }
+  return names;
+}
+
+/// Joins groups that both end at one edge.
+Union connect(const GroupedFaces& faces, std::size_t groups, const RunContext& context) {
+  const std::vector<std::uint32_t> vertex = weld(faces.positions, context).vertex;
+  std::vector<GroupEdge> edges;
+  edges.reserve(faces.indices.size());
+  for (std::size_t f = 0; f + 1 < faces.offsets.size(); ++f) {
+    const std::size_t begin = faces.offsets[f], end = faces.offsets[f + 1];
+    for (std::size_t c = begin; c < end; ++c) {
+      const auto [a, b] = std::minmax(vertex[faces.indices[c]],
+                                      vertex[faces.indices[c + 1 == end ? begin : c + 1]]);
+      edges.push_back({a, b, faces.group[f]});
+    }
+  }
+  context.check();
+  std::sort(edges.begin(), edges.end());
+  context.check();
+  Union sets(groups);
+  const GroupEdge* open = nullptr;  // the last edge at which a group ends
+  for (std::size_t i = 0; i < edges.size();) {
+    std::size_t next = i + 1;
+    while (next < edges.size() && edges[next] == edges[i]) ++next;
+    if (next == i + 1) {
+      if (open && open->a == edges[i].a && open->b == edges[i].b) {
+        sets.join(open->group, edges[i].group);
+      }
+      open = &edges[i];
+    }
+    i = next;
+  }
+  return sets;
+}
+
+}  // namespace
+
+std::vector<PolygonSoup> split_groups(GroupedFaces faces, Diagnostics& diagnostics,
+                                      const RunContext& context) {
+  std::vector<std::string> names = number_by_appearance(faces);
+  if (faces.join_connected && names.size() > 1) {
+    Union sets = connect(faces, names.size(), context);
+    const std::size_t before = names.size();
+    for (std::uint32_t& g : faces.group) g = sets.find(g);
+    faces.names = std::move(names);
+    names = number_by_appearance(faces);
+    if (names.size() < before) {
+      diagnostics.add(Severity::Info, "mesh.joined_groups",
+                      static_cast<std::int64_t>(before - names.size()),
+                      "groups whose open borders fit together were read as one part");
+      if (names.size() == 1) names[0].clear();  // the name of a piece is not that of the whole
+    }
+  }
+
+  std::vector<PolygonSoup> soups(names.size());
+  for (std::size_t g = 0; g < names.size(); ++g) soups[g].name = std::move(names[g]);
+  if (soups.size() == 1) {
+    soups[0].positions = std::move(faces.positions);
+    soups[0].indices = std::move(faces.indices);
+    soups[0].offsets = std::move(faces.offsets);
+    return soups;
+  }
+  // For each position the soup that took it last and its place there.
+  std::vector<std::uint32_t> owner(faces.positions.size(), kNoGroup), place(faces.positions.size());
+  std::vector<std::vector<std::size_t>> faces_of(soups.size());
+  for (std::size_t f = 0; f < faces.group.size(); ++f) faces_of[faces.group[f]].push_back(f);
+  for (std::uint32_t g = 0; g < soups.size(); ++g) {
+    context.check();
+    PolygonSoup& soup = soups[g];
+    for (const std::size_t f : faces_of[g]) {
+      for (std::size_t c = faces.offsets[f]; c < faces.offsets[f + 1]; ++c) {
+        const std::uint32_t v = faces.indices[c];
+        if (owner[v] != g) {
+          owner[v] = g;
+          place[v] = static_cast<std::uint32_t>(soup.positions.size());
+          soup.positions.push_back(faces.positions[v]);
+        }
+        soup.indices.push_back(place[v]);
+      }
+      soup.offsets.push_back(soup.indices.size());
+    }
+  }
+  return soups;
+}
+
+}  // namespace burin

@@ -1,0 +1,33 @@
+#pragma once
+/// Faces of a file in named groups, made into one soup a part.
+
+#include <burin/base/diagnostics.h>
+#include <burin/base/run_context.h>
+#include <burin/mesh/tri_mesh.h>
+
+#include <cstdint>
+#include <limits>
+#include <string>
+#include <vector>
+
+namespace burin {
+
+inline constexpr std::uint32_t kNoGroup = std::numeric_limits<std::uint32_t>::max();
+
+struct GroupedFaces {
+  std::vector<Vec3> positions;
+  std::vector<std::uint32_t> indices;
+  std::vector<std::size_t> offsets{0};
+  /// For each face an index into `names`, or kNoGroup.
+  std::vector<std::uint32_t> group;
+  std::vector<std::string> names;
+  /// Groups whose open borders fit together become one part: many programs write the faces or
+  /// materials of one closed body as groups, and its inner borders are no ends of the surface.
+  bool join_connected = false;
+};
+
+/// One soup a group that has faces, in the order of their first faces.
+std::vector<PolygonSoup> split_groups(GroupedFaces faces, Diagnostics& diagnostics,
+                                      const RunContext& context);
+
+}  // namespace burin

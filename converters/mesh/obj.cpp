@@ -1,0 +1,211 @@
+#include "formats.h"
+#include "groups.h"
+#include "text.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+#include <unordered_map>
+
+// Own code: tinyobjloader and OpenMesh read floats, assimp has no line numbers in its errors.
+namespace burin {
+namespace {
+
+constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
+
+class ObjReader {
+ public:
+  explicit ObjReader(const Source& source) : source_(source), text_(source) {}
+  MeshFile read();
+
+ private:
+  void statement();
+  void vertex();
+  void face();
+  void corner();
+  void named(std::unordered_map<std::string, std::uint32_t>& table, std::uint32_t& current);
+  void other(std::string_view keyword, const char* where);
+  void skip_blanks();
+  void next_line();
+  void finish_indices() const;
+
+  const Source& source_;
+  TextCursor text_;
+  std::vector<Vec3> positions_;
+  std::vector<std::uint32_t> corners_;
+  std::vector<std::size_t> offsets_{0};
+  std::vector<std::uint32_t> object_of_face_, group_of_face_;
+  std::unordered_map<std::string, std::uint32_t> objects_, groups_;
+  std::uint32_t object_ = kNone, group_ = kNone;
+  std::uint32_t largest_index_ = 0;
+  const char* largest_index_at_ = nullptr;
+  std::int64_t free_form_ = 0, unknown_ = 0, short_faces_ = 0;
+  const char* first_unknown_ = nullptr;
+};
+
+void ObjReader::skip_blanks() {
+  for (;;) {
+    text_.skip_blanks();
+    if (text_.peek() != '\\' || text_.left() < 2 || !is_line_end(text_.where()[1])) return;
+    text_.next_line();  // a continued line
+  }
+}
+
+void ObjReader::next_line() {
+  bool continued = true;
+  while (continued) {
+    while (!text_.at_line_end()) text_.skip(1);
+    continued =
+        text_.where() > source_.bytes().data() && text_.where()[-1] == '\\' && !text_.at_end();
+    text_.next_line();
+  }
+}
+
+void ObjReader::vertex() {
+  Vec3 p;
+  for (int i = 0; i < 3; ++i) {
+    skip_blanks();
+    p[i] = text_.number("a coordinate");
+  }
+  if (positions_.size() == kNone) text_.fail("more than 4,294,967,294 vertices; split the model");
+  positions_.push_back(p);
+}
+
+void ObjReader::corner() {
+  const char* begin = text_.where();
+  const char* p = begin;
+  const bool negative = *p == '-';
+  if (negative || *p == '+') ++p;
+  std::int64_t value = 0;
+  const char* digits = p;
+  while (*p >= '0' && *p <= '9' && p - digits < 12) value = 10 * value + (*p++ - '0');
+  const bool ends = *p == '/' || *p == '\\' || *p == '#' || is_blank(*p) || is_line_end(*p) ||
+                    p == begin + text_.left();
+  if (p == digits || !ends) text_.fail(quoted(text_.token()) + " is not a corner of a face");
+  if (negative) value = static_cast<std::int64_t>(positions_.size()) + 1 - value;
+  if (value < 1 || value >= kNone) {
+    text_.fail(fmt::format(
+        "the face refers to vertex {}, but vertices are numbered from 1 and {} come "
+        "before this line",
+        std::string_view(begin, static_cast<std::size_t>(p - begin)), positions_.size()));
+  }
+  // A vertex may come after the face, so the upper bound is checked at the end of the file.
+  if (value > largest_index_) {
+    largest_index_ = static_cast<std::uint32_t>(value);
+    largest_index_at_ = begin;
+  }
+  corners_.push_back(static_cast<std::uint32_t>(value - 1));
+  if (*p == '/') {  // texture and normal: not used
+    while (*p != '\\' && !is_blank(*p) && !is_line_end(*p) && p != begin + text_.left()) ++p;
+  }
+  text_.skip(static_cast<std::size_t>(p - begin));
+}
+
+void ObjReader::face() {
+  const std::size_t begin = corners_.size();
+  for (skip_blanks(); !text_.at_line_end() && text_.peek() != '#'; skip_blanks()) corner();
+  if (corners_.size() - begin < 3) {
+    corners_.resize(begin);
+    ++short_faces_;
+    return;
+  }
+  offsets_.push_back(corners_.size());
+  object_of_face_.push_back(object_);
+  group_of_face_.push_back(group_);
+}
+
+void ObjReader::named(std::unordered_map<std::string, std::uint32_t>& table,
+                      std::uint32_t& current) {
+  const std::string name(text_.rest_of_line());
+  current = table.try_emplace(name, static_cast<std::uint32_t>(table.size())).first->second;
+}
+
+void ObjReader::other(std::string_view keyword, const char* where) {
+  static constexpr std::string_view kHarmless[] = {
+      "vt",     "vn", "vp",  "s",     "l",        "p",        "mtllib",     "usemtl",    "usemap",
+      "maplib", "mg", "lod", "bevel", "c_interp", "d_interp", "shadow_obj", "trace_obj", "vc"};
+  static constexpr std::string_view kFreeForm[] = {
+      "curv", "curv2", "surf", "cstype", "deg", "bmat", "step",  "parm",
+      "trim", "hole",  "scrv", "sp",     "end", "con",  "ctech", "stech"};
+  if (std::ranges::find(kHarmless, keyword) != std::end(kHarmless)) return;
+  if (std::ranges::find(kFreeForm, keyword) != std::end(kFreeForm)) {
+    free_form_ += keyword == "surf";
+    return;
+  }
+  if (unknown_++ == 0) first_unknown_ = where;
+}
+
+void ObjReader::statement() {
+  const char* where = text_.where();
+  const std::string_view keyword = text_.token();
+  if (keyword == "v") return vertex();
+  if (keyword == "f" || keyword == "fo") return face();
+  if (keyword == "o") return named(objects_, object_);
+  if (keyword == "g") return named(groups_, group_);
+  other(keyword, where);
+}
+
+void ObjReader::finish_indices() const {
+  if (largest_index_ > positions_.size()) {
+    source_.fail_at_line(
+        largest_index_at_,
+        fmt::format("the face refers to vertex {}, the file holds {}; it is truncated "
+                    "or damaged, export it again",
+                    largest_index_, positions_.size()));
+  }
+}
+
+MeshFile ObjReader::read() {
+  for (text_.skip_space(); !text_.at_end(); text_.skip_space()) {
+    source_.context().check();
+    if (text_.peek() == '#') {
+      text_.next_line();
+    } else {
+      statement();
+      next_line();
+    }
+  }
+  finish_indices();
+  if (offsets_.size() == 1) {
+    if (first_unknown_ != nullptr)
+      source_.fail_at_line(
+          first_unknown_, "is no OBJ statement, and the file holds no face; is it another format?");
+    source_.fail(
+        fmt::format("holds {} vertices but no face; export it as a surface", positions_.size()));
+  }
+
+  MeshFile file;
+  file.format = "OBJ";
+  if (short_faces_ > 0) {
+    file.diagnostics.add(Severity::Warning, "obj.short_faces", short_faces_,
+                         "faces of fewer than three corners were left out");
+  }
+  if (free_form_ > 0) {
+    file.diagnostics.add(Severity::Warning, "obj.free_form", free_form_,
+                         "free-form surfaces were left out; only polygons are read");
+  }
+  if (unknown_ > 0) {
+    file.diagnostics.add(Severity::Info, "obj.unknown_statements", unknown_,
+                         fmt::format("unknown statements were ignored, the first on line {}",
+                                     source_.line_of(first_unknown_)));
+  }
+  const bool by_object = !objects_.empty();
+  const auto& table = by_object ? objects_ : groups_;
+  GroupedFaces faces;
+  faces.positions = std::move(positions_);
+  faces.indices = std::move(corners_);
+  faces.offsets = std::move(offsets_);
+  faces.group = by_object ? std::move(object_of_face_) : std::move(group_of_face_);
+  faces.names.resize(table.size());
+  for (const auto& [name, index] : table) faces.names[index] = name;
+  faces.join_connected = !by_object;
+  file.objects = split_groups(std::move(faces), file.diagnostics, source_.context());
+  return file;
+}
+
+}  // namespace
+
+MeshFile read_obj(const Source& source) { return ObjReader(source).read(); }
+
+}  // namespace burin
