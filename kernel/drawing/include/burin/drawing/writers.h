@@ -14,6 +14,9 @@ struct SvgOptions {
   bool flatten_polylines = false;
   /// Largest distance in paper mm between a fitted cubic Bezier and the polyline it stands for.
   double fit_tolerance = 0.02;
+  /// Dash and gap of hidden lines in paper mm.
+  double dash = 2.0;
+  double gap = 1.0;
 };
 
 struct JsonOptions {
@@ -22,12 +25,20 @@ struct JsonOptions {
 };
 
 /// Writes the drawing as SVG in true millimetres: one group a layer, inside it one group a part.
-/// Numbers have a fixed format, so that the same drawing gives the same bytes everywhere. Does not
-/// test the stream for errors.
+/// Paths of constant width are stroked, strokes whose width varies are filled outlines (class and
+/// data as ever). Paths that are not visible are dashed, at their mean width, and stand in the
+/// layer "hidden", which comes first unless the drawing places it. Paths with numbers that are not
+/// finite are left out. Numbers have a fixed format (0.001 mm), so that the same drawing gives the
+/// same bytes everywhere, for any number of threads. Does not test the stream for errors. Throws
+/// Cancelled. Cost: about 0.2 us a point, all cores. @cite SVG11
 void write_svg(const Drawing& drawing, const SvgOptions& options, std::ostream& out,
                const RunContext& context);
 
-/// Writes the drawing file ("format": "burin-drawing", "version": 1).
+/// Writes the drawing file ("format": "burin-drawing", "version": 1), one path a line. Paper
+/// coordinates and widths are rounded to 0.0001 mm, model coordinates to what a millionth of a
+/// paper mm is in the model; the rest is exact. Paths with numbers that are not finite are left out
+/// and counted as the diagnostic "drawing.not_finite". Does not test the stream for errors. Throws
+/// Cancelled. Cost: about 0.15 us a point, all cores.
 void write_json(const Drawing& drawing, const JsonOptions& options, std::ostream& out,
                 const RunContext& context);
 

@@ -1,0 +1,212 @@
+#include <burin/base/version.h>
+#include <burin/drawing/writers.h>
+
+#include "ink.h"
+#include "ordered_text.h"
+
+#include <algorithm>
+#include <cmath>
+#include <ostream>
+
+namespace burin {
+namespace {
+
+/// Paper mm are written to 0.1 um, far below any printer.
+constexpr int kPaperDecimals = 4;
+
+/// Decimals of model mm that hold a millionth of a paper mm.
+int model_decimals(double scale) {
+  if (!(scale > 0) || !std::isfinite(scale)) return 9;
+  return std::clamp(static_cast<int>(std::ceil(std::log10(scale))) + 6, 0, 15);
+}
+
+void append_key(Buffer& out, std::string_view key) {
+  fmt::format_to(fmt::appender(out), "\"{}\": ", key);
+}
+
+void append_vec(Buffer& out, Vec3 v) {
+  out.push_back('[');
+  append_exact(out, v.x);
+  append(out, ", ");
+  append_exact(out, v.y);
+  append(out, ", ");
+  append_exact(out, v.z);
+  out.push_back(']');
+}
+
+void append_member(Buffer& out, std::string_view key, Vec3 v) {
+  append_key(out, key);
+  append_vec(out, v);
+  append(out, ", ");
+}
+
+void append_view(Buffer& out, const DrawingView& view) {
+  append(out, "  \"view\": {\"projection\": ");
+  append_json(out, view.projection);
+  append(out, ", ");
+  append_member(out, "direction", view.direction);
+  append_member(out, "right", view.right);
+  append_member(out, "up", view.up);
+  append_key(out, "scale");
+  append_exact(out, view.scale);
+  append(out, ", ");
+  append_member(out, "center", view.center);
+  append(out, "\"offset\": [");
+  append_exact(out, view.offset.x);
+  append(out, ", ");
+  append_exact(out, view.offset.y);
+  append(out, "]");
+  if (view.projection == "perspective") {
+    append(out, ", ");
+    append_member(out, "eye", view.eye);
+    append_key(out, "field_of_view");
+    append_exact(out, view.field_of_view);
+  }
+  append(out, "},\n");
+}
+
+void append_part(Buffer& out, const DrawingPart& part) {
+  fmt::format_to(fmt::appender(out), "{{\"id\": {}, \"name\": ", part.id);
+  append_json(out, part.name);
+  append(out, ", \"source\": ");
+  append_json(out, part.source);
+  fmt::format_to(fmt::appender(out), ", \"triangles\": {}, \"faces\": {}}}", part.triangles,
+                 part.faces);
+}
+
+void append_diagnostic(Buffer& out, const Diagnostic& d) {
+  fmt::format_to(fmt::appender(out), "{{\"severity\": \"{}\", \"code\": ", to_string(d.severity));
+  append_json(out, d.code);
+  fmt::format_to(fmt::appender(out), ", \"count\": {}, \"message\": ", d.count);
+  append_json(out, d.message);
+  out.push_back('}');
+}
+
+/// "  "name": [a,\n    b],\n" with `one` for each element.
+template <class List, class F>
+void append_list(Buffer& out, std::string_view name, const List& list, const F& one) {
+  fmt::format_to(fmt::appender(out), "  \"{}\": [", name);
+  bool first = true;
+  for (const auto& element : list) {
+    append(out, first ? "\n    " : ",\n    ");
+    first = false;
+    one(out, element);
+  }
+  append(out, "],\n");
+}
+
+void append_head(Buffer& out, const Drawing& d) {
+  fmt::format_to(
+      fmt::appender(out),
+      "{{\n  \"format\": \"burin-drawing\", \"version\": 1, \"generator\": \"burin {}\", "
+      "\"seed\": {}, \"style\": ",
+      version(), d.seed);
+  append_json(out, d.style);
+  append(out, ",\n  \"paper\": {\"width\": ");
+  append_exact(out, d.paper_width);
+  append(out, ", \"height\": ");
+  append_exact(out, d.paper_height);
+  append(out, ", \"unit\": \"mm\"},\n");
+  append_view(out, d.view);
+  append_list(out, "parts", d.parts, append_part);
+  append(out, "  \"layers\": [");
+}
+
+void append_tail(Buffer& out, const Drawing& d, std::size_t left_out) {
+  append(out, "],\n");
+  std::vector<Diagnostic> entries = d.diagnostics.entries();
+  if (left_out > 0) {
+    entries.push_back({Severity::Warning, "drawing.not_finite", static_cast<std::int64_t>(left_out),
+                       "paths with coordinates that are no finite numbers were left out"});
+  }
+  append_list(out, "diagnostics", entries, append_diagnostic);
+  fmt::format_to(fmt::appender(out),
+                 "  \"stats\": {{\"triangles\": {}, \"strokes\": {}, \"coverage_points\": {}, "
+                 "\"coverage_delta\": ",
+                 d.stats.triangles, d.stats.strokes, d.stats.coverage_points);
+  append_exact(out, d.stats.coverage_delta);
+  append(out, "}\n}\n");
+}
+
+/// One path on one line.
+void append_path(Buffer& out, const Path& p, bool points3, int decimals3) {
+  fmt::format_to(fmt::appender(out),
+                 "{{\"kind\": \"{}\", \"visible\": {}, \"part\": {}, \"face\": {}, \"edge\": {}, "
+                 "\"closed\": {}",
+                 to_string(p.kind), p.visible, p.source.part, p.source.face, p.source.edge,
+                 p.closed);
+  if (p.kind == LineClass::Stroke) {
+    append(out, ", \"field\": ");
+    append_json(out, p.field);
+    fmt::format_to(fmt::appender(out), ", \"family\": {}", p.family);
+  }
+  append(out, ", \"points\": [");
+  for (std::size_t i = 0; i < p.points.size(); ++i) {
+    append(out, i == 0 ? "[" : ",[");
+    append_fixed(out, p.points[i].x, kPaperDecimals);
+    out.push_back(',');
+    append_fixed(out, p.points[i].y, kPaperDecimals);
+    out.push_back(']');
+  }
+  if (points3 && p.points3.size() == p.points.size()) {
+    append(out, "], \"points3\": [");
+    for (std::size_t i = 0; i < p.points3.size(); ++i) {
+      append(out, i == 0 ? "[" : ",[");
+      append_fixed(out, p.points3[i].x, decimals3);
+      out.push_back(',');
+      append_fixed(out, p.points3[i].y, decimals3);
+      out.push_back(',');
+      append_fixed(out, p.points3[i].z, decimals3);
+      out.push_back(']');
+    }
+  }
+  append(out, "], \"width\": [");
+  for (std::size_t i = 0; i < p.width.size(); ++i) {
+    if (i > 0) out.push_back(',');
+    append_fixed(out, p.width[i], kPaperDecimals);
+  }
+  append(out, "]}");
+}
+
+void write(const Buffer& text, std::ostream& out) {
+  out.write(text.data(), static_cast<std::streamsize>(text.size()));
+}
+
+}  // namespace
+
+void write_json(const Drawing& drawing, const JsonOptions& options, std::ostream& out,
+                const RunContext& context) {
+  // Nearer to the viewer than the centre a perspective drawing is larger: one decimal more.
+  const int decimals3 = std::min(
+      15, model_decimals(drawing.view.scale) + (drawing.view.projection == "perspective" ? 1 : 0));
+  Buffer text;
+  append_head(text, drawing);
+  write(text, out);
+  std::size_t left_out = 0;
+  for (std::size_t l = 0; l < drawing.layers.size(); ++l) {
+    const Layer& layer = drawing.layers[l];
+    std::vector<const Path*> paths;
+    for (const Path& p : layer.paths) {
+      if (is_finite(p)) paths.push_back(&p);
+    }
+    left_out += layer.paths.size() - paths.size();
+    text.clear();
+    append(text, l == 0 ? "\n    {\"name\": " : ",\n    {\"name\": ");
+    append_json(text, layer.name);
+    append(text, ", \"paths\": [");
+    write(text, out);
+    write_ordered(
+        paths.size(), [&](std::size_t i) { return paths[i]->points.size(); },
+        [&](std::size_t i, Buffer& buffer) {
+          append(buffer, i == 0 ? "\n      " : ",\n      ");
+          append_path(buffer, *paths[i], options.points3, decimals3);
+        },
+        out, context);
+    out << "]}";
+  }
+  text.clear();
+  append_tail(text, drawing, left_out);
+  write(text, out);
+}
+
+}  // namespace burin

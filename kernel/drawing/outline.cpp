@@ -1,0 +1,123 @@
+#include <burin/drawing/outline.h>
+
+#include "schneider.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace burin {
+namespace {
+
+constexpr double kCornerCosine = 0.8660254037844386;  // 30 degrees
+/// Radians that a stretch curling tighter than half the width may turn before it is cut: its inner
+/// side folds back, and by the nonzero rule a fold stays filled up to half a turn.
+constexpr double kMaxTightTurn = 1.0;
+/// Half widths in mm below which an end is a point: finer than a pen.
+constexpr double kPointedEnd = 0.012;
+/// Handle of a cubic that caps an end of half width 1; its middle then lies exactly 1 ahead.
+constexpr double kCapHandle = 4.0 / 3.0;
+/// The share of the tolerance spent on leaving out points of the centre line.
+constexpr double kSimplifyShare = 0.25;
+
+/// The centre line with z = half width.
+using Centre = std::vector<Vec3>;
+
+Vec2 flat(Vec3 v) { return {v.x, v.y}; }
+Vec2 left(Vec2 d) { return {-d.y, d.x}; }
+
+Centre centre_line(std::span<const Vec2> points, std::span<const double> widths, double tolerance) {
+  Centre all;
+  all.reserve(points.size());
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const Vec3 p(points[i], 0.5 * std::max(widths[i], 0.0));
+    if (all.empty() || glm::distance(flat(all.back()), points[i]) > 0.01 * tolerance) {
+      all.push_back(p);
+    }
+  }
+  Centre out;
+  for (const std::size_t i : simplify(all, kSimplifyShare * tolerance)) {
+    if (out.empty() || flat(out.back()) != flat(all[i])) out.push_back(all[i]);
+  }
+  return out;
+}
+
+/// Unit tangents at the points of one piece.
+std::vector<Vec2> tangents(std::span<const Vec3> c) {
+  const std::size_t n = c.size();
+  std::vector<Vec2> t(n);
+  for (std::size_t i = 1; i + 1 < n; ++i) {
+    t[i] = circle_tangent(flat(c[i - 1]), flat(c[i]), flat(c[i + 1]));
+  }
+  // The ends as a circle through the last three points has them.
+  const auto mirrored = [](Vec2 inner, Vec2 chord) {
+    return 2 * glm::dot(inner, chord) * chord - inner;
+  };
+  const Vec2 first = direction(flat(c[0]), flat(c[1]));
+  const Vec2 last = direction(flat(c[n - 2]), flat(c[n - 1]));
+  t[0] = n > 2 ? mirrored(t[1], first) : first;
+  t[n - 1] = n > 2 ? mirrored(t[n - 2], last) : last;
+  return t;
+}
+
+void append_side(std::span<const Vec2> side, double tolerance, std::vector<CubicBezier>& chain) {
+  const std::vector<CubicBezier> fitted = fit_cubics(side, false, tolerance);
+  chain.insert(chain.end(), fitted.begin(), fitted.end());
+}
+
+/// A round end from one side to the other, both half a width away from the end of the centre line.
+void append_cap(Vec2 from, Vec2 to, Vec2 ahead, double half, std::vector<CubicBezier>& chain) {
+  if (half <= kPointedEnd) return;
+  const Vec2 handle = ahead * (kCapHandle * half);
+  chain.push_back({from, from + handle, to + handle, to});
+}
+
+/// The closed chain round one piece: along its left side, back along its right side.
+std::vector<CubicBezier> piece_outline(std::span<const Vec3> c, double tolerance) {
+  const std::size_t n = c.size();
+  const std::vector<Vec2> t = tangents(c);
+  std::vector<Vec2> there(n), back(n);
+  for (std::size_t i = 0; i < n; ++i) {
+    const bool tip = (i == 0 || i + 1 == n) && c[i].z <= kPointedEnd;
+    const Vec2 side = left(t[i]) * (tip ? 0.0 : c[i].z);
+    there[i] = flat(c[i]) + side;
+    back[n - 1 - i] = flat(c[i]) - side;
+  }
+  std::vector<CubicBezier> chain;
+  const double rest = (1 - kSimplifyShare) * tolerance;
+  append_side(there, rest, chain);
+  append_cap(there[n - 1], back[0], t[n - 1], c[n - 1].z, chain);
+  append_side(back, rest, chain);
+  append_cap(back[n - 1], there[0], -t[0], c[0].z, chain);
+  return chain;
+}
+
+}  // namespace
+
+std::vector<std::vector<CubicBezier>> stroke_outline(std::span<const Vec2> points,
+                                                     std::span<const double> widths,
+                                                     double tolerance) {
+  std::vector<std::vector<CubicBezier>> chains;
+  const Centre c = centre_line(points, widths, tolerance);
+  if (c.size() < 2) return chains;
+  std::size_t begin = 0;
+  double tight = 0;
+  const auto cut = [&](std::size_t at) {
+    chains.push_back(piece_outline(std::span(c).subspan(begin, at - begin + 1), tolerance));
+    begin = at;
+    tight = 0;
+  };
+  for (std::size_t i = 1; i + 1 < c.size(); ++i) {
+    const Vec2 in = flat(c[i]) - flat(c[i - 1]), on = flat(c[i + 1]) - flat(c[i]);
+    const double l0 = glm::length(in), l1 = glm::length(on);
+    const double cosine = glm::dot(in, on) / (l0 * l1);
+    const double turn = std::acos(std::clamp(cosine, -1.0, 1.0));
+    // Radius of curvature about min(l0, l1) / turn: within half the width the inner side folds.
+    const bool folds = std::min(l0, l1) < c[i].z * turn;
+    tight = folds ? tight + turn : 0;
+    if (cosine < kCornerCosine || tight > kMaxTightTurn) cut(i);
+  }
+  cut(c.size() - 1);
+  return chains;
+}
+
+}  // namespace burin

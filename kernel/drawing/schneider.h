@@ -1,0 +1,26 @@
+#pragma once
+/// Fitting one smooth run of points with given tangents at its ends.
+
+#include <burin/drawing/bezier.h>
+
+#include <span>
+#include <vector>
+
+namespace burin {
+
+/// The unit direction from a to b, which differ.
+Vec2 direction(Vec2 a, Vec2 b);
+
+/// The tangent at b of the circle through a, b, c; near to second order for any smooth curve,
+/// whatever the spacing.
+Vec2 circle_tangent(Vec2 a, Vec2 b, Vec2 c);
+
+/// The straight line from a to b as a cubic.
+CubicBezier straight(Vec2 a, Vec2 b);
+
+/// Appends cubics that follow `points` (two or more, no two neighbours equal) within `tolerance`.
+/// `start` and `end` are the unit tangents there, both in the sense of travel.
+void fit_run(std::span<const Vec2> points, Vec2 start, Vec2 end, double tolerance,
+             std::vector<CubicBezier>& out);
+
+}  // namespace burin
