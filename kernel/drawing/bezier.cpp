@@ -15,6 +15,8 @@ constexpr double kCornerCosine = 0.8660254037844386;
 constexpr double kStraightRatio = 4;
 /// The share of the tolerance spent on leaving points out; the fit has the rest.
 constexpr double kSimplifyShare = 0.25;
+/// Points nearer than this share of the tolerance are one.
+constexpr double kRepeatShare = 0.01;
 
 std::vector<Vec2> without_repeats(std::span<const Vec2> points, bool closed, double distance) {
   std::vector<Vec2> out;
@@ -173,14 +175,15 @@ bool is_straight(const CubicBezier& c, double tolerance) {
 
 std::vector<CubicBezier> fit_cubics(std::span<const Vec2> points, bool closed, double tolerance) {
   std::vector<CubicBezier> out;
-  // A hundredth of the tolerance: repeats, for this purpose.
-  std::vector<Vec2> p = without_repeats(points, closed, 0.01 * tolerance);
+  std::vector<Vec2> p = without_repeats(points, closed, kRepeatShare * tolerance);
   if (p.size() < 3) closed = false;
+  const std::size_t before = p.size() + (closed ? 1 : 0);
   if (p.size() >= 2)
     p = closed ? thinned_loop(std::move(p), kSimplifyShare * tolerance)
                : thinned(p, kSimplifyShare * tolerance);
   if (p.size() < 2) return out;
-  const double rest = (1 - kSimplifyShare - 0.01) * tolerance;
+  const double spent = kRepeatShare + (p.size() < before ? kSimplifyShare : 0.0);
+  const double rest = (1 - spent) * tolerance;
   if (closed && p.size() > 3) {
     const Ends ends = open_loop(p, rest);
     fit_open(p, ends, rest, out);
@@ -188,6 +191,11 @@ std::vector<CubicBezier> fit_cubics(std::span<const Vec2> points, bool closed, d
     fit_open(p, {}, rest, out);
   }
   return out;
+}
+
+void fit_thinned(std::span<const Vec2> points, double tolerance, std::vector<CubicBezier>& out) {
+  const std::vector<Vec2> p = without_repeats(points, false, kRepeatShare * tolerance);
+  if (p.size() > 1) fit_open(p, {}, (1 - kRepeatShare) * tolerance, out);
 }
 
 }  // namespace burin

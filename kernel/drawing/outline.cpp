@@ -59,11 +59,6 @@ std::vector<Vec2> tangents(std::span<const Vec3> c) {
   return t;
 }
 
-void append_side(std::span<const Vec2> side, double tolerance, std::vector<CubicBezier>& chain) {
-  const std::vector<CubicBezier> fitted = fit_cubics(side, false, tolerance);
-  chain.insert(chain.end(), fitted.begin(), fitted.end());
-}
-
 /// A round end from one side to the other, both half a width away from the end of the centre line.
 void append_cap(Vec2 from, Vec2 to, Vec2 ahead, double half, std::vector<CubicBezier>& chain) {
   if (half <= kPointedEnd) return;
@@ -84,9 +79,9 @@ std::vector<CubicBezier> piece_outline(std::span<const Vec3> c, double tolerance
   }
   std::vector<CubicBezier> chain;
   const double rest = (1 - kSimplifyShare) * tolerance;
-  append_side(there, rest, chain);
+  fit_thinned(there, rest, chain);
   append_cap(there[n - 1], back[0], t[n - 1], c[n - 1].z, chain);
-  append_side(back, rest, chain);
+  fit_thinned(back, rest, chain);
   append_cap(back[n - 1], there[0], -t[0], c[0].z, chain);
   return chain;
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 namespace burin {
 namespace {
@@ -11,26 +12,30 @@ namespace {
 /// split.
 constexpr std::size_t kMaxSpan = 48;
 constexpr int kMaxReparametrisations = 4;
-
-double segment_distance2(Vec2 p, Vec2 a, Vec2 b) {
-  const Vec2 d = b - a, v = p - a;
-  const double t = std::clamp(glm::dot(v, d) / glm::dot(d, d), 0.0, 1.0);
-  const Vec2 w = v - t * d;
-  return glm::dot(w, w);
-}
+/// Squared misfit over its limit that reparametrisation will not mend.
+constexpr double kHopeless = 9;
 
 /// Points and their parameters on the curve under trial.
 struct Span {
   std::span<const Vec2> points;
-  std::array<double, kMaxSpan> u{};
+  std::array<double, kMaxSpan> u;
   double length = 0;
 
   explicit Span(std::span<const Vec2> p) : points(p) {
-    for (std::size_t i = 1; i < p.size(); ++i) {
-      u[i] = u[i - 1] + glm::distance(p[i - 1], p[i]);
-    }
+    u[0] = 0;
+    for (std::size_t i = 1; i < p.size(); ++i) u[i] = u[i - 1] + glm::distance(p[i - 1], p[i]);
     length = u[p.size() - 1];
     for (std::size_t i = 1; i < p.size(); ++i) u[i] /= length;
+  }
+
+  /// Squared distance of q from segment i.
+  double distance2(Vec2 q, std::size_t i) const {
+    const Vec2 d = points[i + 1] - points[i], v = q - points[i];
+    const double along = glm::dot(v, d), dd = glm::dot(d, d);
+    if (along <= 0) return glm::dot(v, v);
+    if (along < dd) return cross2(d, v) * cross2(d, v) / dd;
+    const Vec2 w = q - points[i + 1];
+    return glm::dot(w, w);
   }
 };
 
@@ -66,28 +71,21 @@ CubicBezier least_squares(const Span& s, Vec2 start, Vec2 end) {
   return {p0, p0 + start * alpha0, p3 - end * alpha1, p3};
 }
 
-struct Misfit {
-  double squared = 0;
-  std::size_t vertex = 1;
-};
-
 /// The largest squared distance of curve and polyline, tested at the points and densely between
-/// them, where a curve of few points could bow.
-Misfit misfit(const Span& s, const CubicBezier& c) {
+/// them, where a curve of few points could bow. Gives up, with some number beyond it, past
+/// `hopeless`.
+double misfit(const Span& s, const CubicBezier& c, double hopeless) {
   const std::size_t n = s.points.size();
   const int samples = n > 8 ? 1 : static_cast<int>(8 / (n - 1)) + 1;
-  Misfit worst;
-  const auto take = [&](double d2, std::size_t vertex) {
-    if (d2 > worst.squared) worst = {d2, vertex};
-  };
-  for (std::size_t i = 0; i + 1 < n; ++i) {
+  double worst = 0;
+  for (std::size_t i = 0; i + 1 < n && worst <= hopeless; ++i) {
     for (int k = 1; k <= samples; ++k) {
       const double t = s.u[i] + (s.u[i + 1] - s.u[i]) * k / (samples + 1);
-      take(segment_distance2(evaluate(c, t), s.points[i], s.points[i + 1]), i == 0 ? 1 : i);
+      worst = std::max(worst, s.distance2(evaluate(c, t), i));
     }
     if (i == 0) continue;
     const Vec2 d = evaluate(c, s.u[i]) - s.points[i];
-    take(glm::dot(d, d), i);
+    worst = std::max(worst, glm::dot(d, d));
   }
   return worst;
 }
@@ -110,23 +108,56 @@ bool reparametrise(Span& s, const CubicBezier& c) {
   return true;
 }
 
-/// Tries one cubic; where it fails `split` is the point to divide at.
-bool fit_one(std::span<const Vec2> points, Vec2 start, Vec2 end, double tolerance,
-             CubicBezier& curve, std::size_t& split) {
-  const double limit = tolerance * tolerance;
+/// The best cubic for the points, and its squared misfit: exact up to the limit, a hint beyond it.
+double fit_one(std::span<const Vec2> points, Vec2 start, Vec2 end, double limit,
+               CubicBezier& curve) {
   Span s(points);
-  Misfit best;
-  for (int k = 0; k <= kMaxReparametrisations; ++k) {
+  double best = std::numeric_limits<double>::infinity();
+  for (int k = 0;; ++k) {
     curve = least_squares(s, start, end);
-    const Misfit m = misfit(s, curve);
-    if (m.squared <= limit) return true;
-    if (k == 0 || m.squared < best.squared) best = m;
-    // Reparametrisation rarely wins more than a factor of four in distance; stalled rounds are not
-    // worth their cost.
-    if (m.squared > 16 * limit || m.squared > 1.5 * best.squared || !reparametrise(s, curve)) break;
+    const double m = misfit(s, curve, kHopeless * limit);
+    // Stalled rounds are not worth their cost.
+    const bool stalled = m > 0.9 * best;
+    best = std::min(best, m);
+    if (m <= limit) return m;
+    if (k == kMaxReparametrisations || stalled || m > kHopeless * limit) return best;
+    if (!reparametrise(s, curve)) return best;
   }
-  split = best.vertex;
-  return false;
+}
+
+/// The first cubic of a run and how many segments it spans.
+struct Piece {
+  std::size_t segments = 0;
+  CubicBezier curve{};
+};
+
+/// The longest piece, nearly, that one cubic can span: trials start from `guess`, and the misfit,
+/// which grows with about the fourth power of the length, tells the next.
+Piece longest_piece(std::span<const Vec2> points, Vec2 start, Vec2 end, double tolerance,
+                    std::size_t guess) {
+  const double limit = tolerance * tolerance;
+  const std::size_t most = std::min(points.size(), kMaxSpan) - 1;
+  Piece best;
+  std::size_t failed = most + 1, k = std::min(guess, most);
+  while (best.segments < k && k < failed) {
+    const Vec2 tangent =
+        k + 1 == points.size() ? end : circle_tangent(points[k - 1], points[k], points[k + 1]);
+    CubicBezier curve;
+    const double m = fit_one(points.first(k + 1), start, tangent, limit, curve);
+    const double factor = std::clamp(std::pow(limit / std::max(m, 1e-4 * limit), 0.125), 0.4, 2.0);
+    const auto next = static_cast<std::size_t>(std::lround(static_cast<double>(k) * factor));
+    if (m <= limit) {
+      best = {k, curve};
+      k = std::min(next, failed - 1);
+    } else {
+      failed = k;
+      k = std::clamp(next, best.segments, k - 1);
+    }
+  }
+  // Two points whose tangents make even one segment bow: a straight line breaks them by a degree or
+  // so.
+  if (best.segments == 0) best = {1, straight(points[0], points[1])};
+  return best;
 }
 
 }  // namespace
@@ -144,22 +175,15 @@ CubicBezier straight(Vec2 a, Vec2 b) { return {a, a + (b - a) / 3.0, b - (b - a)
 
 void fit_run(std::span<const Vec2> points, Vec2 start, Vec2 end, double tolerance,
              std::vector<CubicBezier>& out) {
-  const std::size_t n = points.size();
-  std::size_t split = n / 2;
-  if (n <= kMaxSpan) {
-    CubicBezier curve;
-    if (fit_one(points, start, end, tolerance, curve, split)) {
-      out.push_back(curve);
-      return;
-    }
-    if (n == 2) {
-      out.push_back(straight(points[0], points[1]));
-      return;
-    }
+  std::size_t guess = kMaxSpan;
+  while (points.size() > 1) {
+    const Piece piece = longest_piece(points, start, end, tolerance, guess);
+    guess = piece.segments;
+    out.push_back(piece.curve);
+    if (guess + 1 == points.size()) return;
+    start = circle_tangent(points[guess - 1], points[guess], points[guess + 1]);
+    points = points.subspan(guess);
   }
-  const Vec2 middle = circle_tangent(points[split - 1], points[split], points[split + 1]);
-  fit_run(points.first(split + 1), start, middle, tolerance, out);
-  fit_run(points.subspan(split), middle, end, tolerance, out);
 }
 
 }  // namespace burin

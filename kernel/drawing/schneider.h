@@ -23,4 +23,8 @@ CubicBezier straight(Vec2 a, Vec2 b);
 void fit_run(std::span<const Vec2> points, Vec2 start, Vec2 end, double tolerance,
              std::vector<CubicBezier>& out);
 
+/// Fits an open polyline that needs no thinning: corners and straight runs first, then the runs
+/// between them. Points that repeat are ignored.
+void fit_thinned(std::span<const Vec2> points, double tolerance, std::vector<CubicBezier>& out);
+
 }  // namespace burin

@@ -1,0 +1,256 @@
+#include <burin/base/error.h>
+#include <burin/base/parallel.h>
+#include <burin/drawing/writers.h>
+
+#include "polyline_support.h"
+
+#include <burin_test/drawings.h>
+#include <gtest/gtest.h>
+#include <pugixml.hpp>
+
+#include <limits>
+#include <sstream>
+
+namespace burin {
+namespace {
+
+std::string svg_text(const Drawing& drawing, const SvgOptions& options = {}) {
+  std::ostringstream out;
+  write_svg(drawing, options, out, RunContext());
+  return out.str();
+}
+
+pugi::xml_document parsed(const std::string& text) {
+  pugi::xml_document doc;
+  const auto result = doc.load_string(text.c_str());
+  EXPECT_TRUE(result) << result.description();
+  return doc;
+}
+
+std::string attribute(const pugi::xml_node& node, const char* name) {
+  return node.attribute(name).value();
+}
+
+/// The points of a path's data, curves sampled, in paper coordinates (y up). Knows the commands the
+/// writer uses.
+std::vector<Vec2> path_points(const std::string& d, double height, bool* has_curves = nullptr) {
+  std::vector<Vec2> out;
+  const char* at = d.c_str();
+  Vec2 here(0);
+  const auto number = [&] {
+    while (*at == ' ' || *at == ',') ++at;
+    char* end = nullptr;
+    const double x = std::strtod(at, &end);
+    EXPECT_NE(end, at) << d;
+    at = end;
+    return x;
+  };
+  const auto pair = [&] {
+    const double x = number();
+    return Vec2(x, number());
+  };
+  char command = 0;
+  while (*at) {
+    if (std::isalpha(static_cast<unsigned char>(*at))) command = *at++;
+    switch (command) {
+      case 'M':
+        here = pair();
+        break;
+      case 'h':
+        here.x += number();
+        break;
+      case 'v':
+        here.y += number();
+        break;
+      case 'l':
+        here += pair();
+        break;
+      case 'c': {
+        const Vec2 a = here + pair(), b = here + pair(), c = here + pair();
+        for (int k = 1; k < 64; ++k) out.push_back(evaluate({here, a, b, c}, k / 64.0));
+        here = c;
+        if (has_curves) *has_curves = true;
+        break;
+      }
+      case 'z':
+        continue;
+      default:
+        ADD_FAILURE() << "command " << command << " in " << d;
+        return out;
+    }
+    out.push_back(here);
+  }
+  for (Vec2& p : out) p.y = height - p.y;
+  return out;
+}
+
+TEST(SvgWriter, SheetIsInMillimetres) {
+  const auto doc = parsed(svg_text(test::sample_drawing()));
+  const auto svg = doc.child("svg");
+  EXPECT_EQ(attribute(svg, "width"), "200mm");
+  EXPECT_EQ(attribute(svg, "height"), "150mm");
+  EXPECT_EQ(attribute(svg, "viewBox"), "0 0 200 150");
+  Drawing odd = test::sample_drawing();
+  odd.paper_width = 215.9;
+  odd.paper_height = 279.4;
+  const auto letter = parsed(svg_text(odd));
+  EXPECT_EQ(attribute(letter.child("svg"), "viewBox"), "0 0 215.9 279.4");
+  EXPECT_EQ(attribute(letter.child("svg"), "width"), "215.9mm");
+}
+
+TEST(SvgWriter, OneGroupALayerInsideItOneGroupAPart) {
+  const auto doc = parsed(svg_text(test::sample_drawing()));
+  std::vector<std::string> layers, ids, titles;
+  std::size_t paths = 0;
+  for (const auto& layer : doc.child("svg").children("g")) {
+    layers.push_back(attribute(layer, "inkscape:label"));
+    ids.push_back(attribute(layer, "id"));
+    EXPECT_EQ(attribute(layer, "inkscape:groupmode"), "layer");
+    for (const auto& part : layer.children()) {
+      ASSERT_STREQ(part.name(), "g");
+      ids.push_back(attribute(part, "id"));
+      titles.push_back(part.child_value("title"));
+      EXPECT_STREQ(part.first_child().name(), "title");
+      for (const auto& path : part.children("path")) {
+        ++paths;
+        EXPECT_EQ(attribute(path, "class"), attribute(path, "data-kind"));
+        EXPECT_EQ(attribute(path, "data-part"), attribute(part, "data-part"));
+        EXPECT_FALSE(attribute(path, "data-face").empty());
+        EXPECT_FALSE(attribute(path, "data-edge").empty());
+      }
+    }
+  }
+  EXPECT_EQ(layers, (std::vector<std::string>{"stroke-1", "hidden", "contour"}));
+  EXPECT_EQ(titles,
+            (std::vector<std::string>{"bracket <A&B>", "part 1", "bracket <A&B>", "part 1"}));
+  EXPECT_EQ(paths, 15u);
+  std::sort(ids.begin(), ids.end());
+  EXPECT_EQ(std::adjacent_find(ids.begin(), ids.end()), ids.end());
+}
+
+TEST(SvgWriter, PathsCarryTheirSource) {
+  const auto doc = parsed(svg_text(test::sample_drawing()));
+  const auto circle = doc.select_node("//g[@id='contour']//path[@class='contour']").node();
+  EXPECT_EQ(attribute(circle, "data-part"), "1");
+  EXPECT_EQ(attribute(circle, "data-face"), "12");
+  EXPECT_EQ(attribute(circle, "data-edge"), "-1");
+  EXPECT_EQ(attribute(circle, "stroke-width"), "0.7");
+  const auto crease = doc.select_node("//g[@id='contour']//path[@class='crease']").node();
+  EXPECT_EQ(attribute(crease, "data-edge"), "7");
+  EXPECT_EQ(attribute(crease, "stroke-width"), "0.25");
+  const auto layer = doc.select_node("//g[@id='contour']").node();
+  EXPECT_EQ(attribute(layer, "stroke-linecap"), "round");
+  EXPECT_EQ(attribute(layer, "stroke-linejoin"), "round");
+  EXPECT_EQ(attribute(layer, "fill"), "none");
+}
+
+TEST(SvgWriter, StraightLinesStayLinesAndYPointsDown) {
+  const auto doc = parsed(svg_text(test::sample_drawing()));
+  const auto crease = doc.select_node("//g[@id='contour']//path[@class='crease']").node();
+  EXPECT_EQ(attribute(crease, "d"), "M20 90h40v-40l-40-30");
+}
+
+TEST(SvgWriter, CurvesKeepTheTolerance) {
+  const Drawing drawing = test::sample_drawing();
+  const auto doc = parsed(svg_text(drawing));
+  const auto circle = doc.select_node("//path[@class='contour']").node();
+  bool curves = false;
+  const auto points = path_points(attribute(circle, "d"), 150, &curves);
+  EXPECT_TRUE(curves);
+  EXPECT_EQ(attribute(circle, "d").back(), 'z');
+  const auto& given = drawing.layers[2].paths[0].points;
+  EXPECT_LE(test::farthest(points, given, true), 0.02);
+  EXPECT_LE(test::farthest(given, points, true), 0.02);
+}
+
+TEST(SvgWriter, StrokesOfVaryingWidthAreFilledOutlines) {
+  const Drawing drawing = test::sample_drawing();
+  const auto doc = parsed(svg_text(drawing));
+  const auto paths = doc.select_nodes("//g[@id='stroke-1']//path");
+  ASSERT_EQ(paths.size(), 12u);
+  for (std::size_t i = 0; i < paths.size(); ++i) {
+    EXPECT_EQ(attribute(paths[i].node(), "fill"), "#000");
+    EXPECT_EQ(attribute(paths[i].node(), "stroke"), "none");
+    const Path& p = drawing.layers[0].paths[i];
+    double ink = 0;
+    for (std::size_t k = 1; k < p.points.size(); ++k) {
+      ink += 0.5 * (p.width[k] + p.width[k - 1]) * glm::distance(p.points[k], p.points[k - 1]);
+    }
+    const auto outline = path_points(attribute(paths[i].node(), "d"), 150);
+    EXPECT_NEAR(std::abs(test::signed_area(outline)), ink, 0.02 * ink);
+    EXPECT_LT(attribute(paths[i].node(), "d").size(), 3000u);
+  }
+}
+
+TEST(SvgWriter, HiddenLinesAreDashedInTheirOwnLayer) {
+  Drawing drawing = test::sample_drawing();
+  drawing.layers.erase(drawing.layers.begin() + 1);
+  drawing.layers[1].paths[0].visible = false;  // the circle, in the layer of contours
+  const auto doc = parsed(svg_text(drawing, {.dash = 1.5, .gap = 0.75}));
+  const auto first = doc.child("svg").child("g");
+  EXPECT_EQ(attribute(first, "inkscape:label"), "hidden");
+  EXPECT_EQ(attribute(first, "stroke-dasharray"), "1.5 0.75");
+  EXPECT_EQ(first.select_nodes(".//path").size(), 1u);
+  EXPECT_TRUE(doc.select_nodes("//g[@id='contour']//path[@class='contour']").empty());
+}
+
+TEST(SvgWriter, FlattenGivesPlainPolylines) {
+  const Drawing drawing = test::sample_drawing();
+  const std::string text = svg_text(drawing, {.flatten_polylines = true});
+  const auto doc = parsed(text);
+  EXPECT_TRUE(doc.select_nodes("//path").empty());
+  const auto lines = doc.select_nodes("//polyline");
+  ASSERT_EQ(lines.size(), 15u);
+  const auto crease = doc.select_node("//g[@id='contour']//polyline[@class='crease']").node();
+  EXPECT_EQ(attribute(crease, "points"), "20,90 60,90 60,50 20,20");
+  const auto circle = doc.select_node("//polyline[@class='contour']").node();
+  const std::string points = attribute(circle, "points");
+  EXPECT_EQ(points.substr(0, points.find(' ')), points.substr(points.rfind(' ') + 1));
+  const auto stroke = doc.select_node("//polyline[@class='stroke']").node();
+  EXPECT_NEAR(stroke.attribute("stroke-width").as_double(), 0.3, 0.03);
+}
+
+TEST(SvgWriter, NothingButPlainVectors) {
+  const std::string text = svg_text(test::sample_drawing());
+  for (const char* word : {"<image", "clip", "<script", "href", "<use", "url(", "<style", "mask"}) {
+    EXPECT_EQ(text.find(word), std::string::npos) << word;
+  }
+}
+
+TEST(SvgWriter, SameBytesForAnyNumberOfThreads) {
+  Drawing drawing = test::sample_drawing();
+  for (int i = 0; i < 400; ++i) {
+    drawing.layers[0].paths.push_back(test::wavy_stroke({10, 0.3 * i}, 60 + 0.3 * i, 0.005 * i));
+  }
+  const std::string all = svg_text(drawing);
+  EXPECT_EQ(all, svg_text(drawing));
+  const ThreadLimit one(1);
+  EXPECT_EQ(all, svg_text(drawing));
+}
+
+TEST(SvgWriter, DegenerateDrawings) {
+  EXPECT_TRUE(parsed(svg_text(Drawing())).child("svg"));
+  Drawing d = test::sample_drawing();
+  d.layers = {{"odd name/\xff\x01", {}}, {"1", {}}, {"1", {}}, {"", {}}};
+  Path dot = test::feature_line(LineClass::Contour, {{5, 5}, {5, 5}}, false, 0.5);
+  Path lost = dot, single = dot;
+  lost.points[1].x = std::numeric_limits<double>::quiet_NaN();
+  single.points.resize(1);
+  d.layers[0].paths = {dot, lost, single};
+  d.layers[0].paths[0].source.part = -1;
+  const std::string text = svg_text(d);
+  const auto doc = parsed(text);
+  EXPECT_EQ(doc.select_nodes("//path").size(), 1u);
+  EXPECT_EQ(attribute(doc.select_node("//path").node(), "d"), "M5 145h0");
+  EXPECT_EQ(text.find("nan"), std::string::npos);
+}
+
+TEST(SvgWriter, StopsWhenCancelled) {
+  RunContext context;
+  context.cancel();
+  std::ostringstream out;
+  EXPECT_THROW(write_svg(test::sample_drawing(), {}, out, context), Cancelled);
+}
+
+}  // namespace
+}  // namespace burin
