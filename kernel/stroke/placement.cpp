@@ -1,6 +1,9 @@
 #include "placement.h"
 
+#include <algorithm>
 #include <cmath>
+#include <optional>
+#include <utility>
 
 namespace burin::detail {
 namespace {
@@ -9,6 +12,10 @@ namespace {
 // meets it to within rounding and the bend of the surface; a point of the coverage is anywhere.
 constexpr double kBeside = 0.92;
 constexpr double kAnywhere = 0.98;
+// Between two strokes that run apart a third one fits once their gap has grown to this many
+// spacings; it keeps half the gap, less rounding.
+constexpr double kGap = 1.7;
+constexpr double kInGap = 0.47 * kGap;
 // A stroke from edge to edge may be shorter than the style's shortest, down to this share of the
 // spacing: narrow faces would stay white.
 constexpr double kNarrow = 1.0;
@@ -37,9 +44,37 @@ class Placement {
   void fill_beside(const RunContext& context) {
     for (; done_ < out_.strokes.size(); ++done_) {
       context.check();
-      const std::size_t count = out_.strokes[done_].samples.size();
-      for (std::size_t i = 0; i < count; i += 2) {
-        for (const double side : {1.0, -1.0}) beside(done_, i, side);
+      for (const double side : {1.0, -1.0}) {
+        for (const std::size_t i : widest_first(done_, side)) {
+          // A copy: `start` may grow the list of strokes.
+          const StrokeSample s = out_.strokes[done_].samples[i];
+          const auto at = offset(out_.strokes[done_].part, s, side, tracer_.spacing(s));
+          if (at) start(out_.strokes[done_].part, *at, kBeside);
+        }
+      }
+    }
+  }
+
+  // A stroke in the middle of every gap that is too wide for the tone and too narrow for
+  // `fill_beside`.
+  void fill_gaps(const RunContext& context) {
+    for (std::size_t stroke = 0; stroke < out_.strokes.size(); ++stroke) {
+      context.check();
+      const std::size_t count = out_.strokes[stroke].samples.size();
+      for (std::size_t i = 1; i + 1 < count; i += 3) {
+        const StrokeSample s = out_.strokes[stroke].samples[i];
+        if (!s.visible) continue;
+        const double d = tracer_.spacing(s);
+        const auto gap = out_.grid.sides(
+            grid_sample(s, out_.strokes[stroke].part, static_cast<std::int32_t>(stroke), 0),
+            2.2 * d);
+        for (const double side : {1.0, -1.0}) {
+          const double width = side > 0 ? gap.left : gap.right;
+          if (width > kGap * d && width < 2.1 * d) {
+            const auto at = offset(out_.strokes[stroke].part, s, side, 0.5 * width);
+            if (at) start(out_.strokes[stroke].part, *at, kInGap);
+          }
+        }
       }
     }
   }
@@ -68,26 +103,53 @@ class Placement {
     out_.strokes.push_back(std::move(stroke));
   }
 
-  void beside(std::size_t stroke, std::size_t index, double side) {
-    // Copies: `start` may grow the list of strokes.
-    const std::int32_t part = out_.strokes[stroke].part;
-    const StrokeSample s = out_.strokes[stroke].samples[index];
-    if (!s.visible || s.facing < 0.1) return;
+  // Every second visible sample, from where the lines of the field run widest apart to where they
+  // run closest: a neighbour set at the widest place keeps no more than the spacing everywhere, and
+  // ends where it comes too close. Set elsewhere, it would leave gaps of up to twice the spacing.
+  std::vector<std::size_t> widest_first(std::size_t stroke, double side) const {
+    const TracedStroke& line = out_.strokes[stroke];
+    std::vector<std::pair<double, std::size_t>> widths;
+    double log_width = 0;  // of the strip between this line of the field and a close one
+    for (std::size_t i = 0; i < line.samples.size(); i += 2) {
+      const StrokeSample& s = line.samples[i];
+      if (!s.visible) continue;
+      const double d = tracer_.spacing(s);
+      if (const auto at = offset(line.part, s, side, d)) {
+        if (const auto there = tracer_.direction(line.part, *at, s.tangent)) {
+          const double step = i > 1 ? glm::length(s.paper - line.samples[i - 2].paper) : 0;
+          log_width += step * side * cross2(s.direction, *there) / d;
+        }
+      }
+      widths.emplace_back(-log_width, i);
+    }
+    std::sort(widths.begin(), widths.end());
+    std::vector<std::size_t> order;
+    for (const auto& [width, i] : widths) order.push_back(i);
+    return order;
+  }
+
+  // The surface point `d` paper mm across a sample to the left (side = 1) or right (-1).
+  std::optional<SurfacePoint> offset(std::int32_t part, const StrokeSample& s, double side,
+                                     double d) const {
+    if (s.facing < 0.1) return std::nullopt;
     const Surface& surface = picture_.surface(part);
-    const Vec3 across = side * glm::cross(s.normal, s.tangent);
-    const double d = tracer_.spacing(s);
-    const double speed =
-        std::abs(cross2(s.direction, picture_.camera.velocity(s.point.position, across)));
-    if (speed < 0.1 * picture_.camera.scale_at(s.point.position)) return;
+    Vec3 across = glm::cross(s.normal, s.tangent);
+    double speed = cross2(s.direction, picture_.camera.velocity(s.point.position, across));
+    if (speed < 0) {
+      across = -across;
+      speed = -speed;
+    }
+    if (speed < 0.1 * picture_.camera.scale_at(s.point.position)) return std::nullopt;
     double length = d / speed;
-    MarchStep step = surface.march(s.point, across, length);
-    if (step.stop != MarchStop::Completed) return;
+    MarchStep step = surface.march(s.point, side * across, length);
+    if (step.stop != MarchStop::Completed) return std::nullopt;
     const double reached =
-        std::abs(cross2(s.direction, picture_.camera.to_paper(step.end.position) - s.paper));
-    if (reached < 0.5 * d) return;  // bent away from the viewer
+        side * cross2(s.direction, picture_.camera.to_paper(step.end.position) - s.paper);
+    if (reached < 0.5 * d) return std::nullopt;  // bent away from the viewer
     length *= d / reached;
-    step = surface.march(s.point, across, length);
-    if (step.stop == MarchStop::Completed) start(part, step.end, kBeside);
+    step = surface.march(s.point, side * across, length);
+    if (step.stop != MarchStop::Completed) return std::nullopt;
+    return step.end;
   }
 
   const Picture& picture_;
@@ -117,6 +179,7 @@ Family place_family(const Picture& picture, const ViewRaster& raster,
     placement.start(seeds[i].part, seeds[i].point, Placement::anywhere());
     placement.fill_beside(context);
   }
+  placement.fill_gaps(context);
   return out;
 }
 

@@ -86,6 +86,16 @@ bool Tracer::seed(std::int32_t part, const SurfacePoint& point, int arm, StrokeS
          seen(part, out);
 }
 
+std::optional<Vec2> Tracer::direction(std::int32_t part, const SurfacePoint& point,
+                                      Vec3 previous) const {
+  const Frame frame = picture_.surface(part).frame(point);
+  const auto d = picture_.field.direction({part, point, frame, previous, family_});
+  if (!d) return std::nullopt;
+  const Vec2 v = picture_.camera.velocity(point.position, *d);
+  const double speed = glm::length(v);
+  return speed > 0 ? std::optional(v / speed) : std::nullopt;
+}
+
 bool Tracer::free(std::int32_t part, const StrokeSample& s, double share) const {
   const double ink = picture_.share(s.darkness, family_);
   if (ink < picture_.options.tone_min) return false;

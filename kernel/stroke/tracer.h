@@ -51,6 +51,9 @@ class Tracer {
   /// where there is none or the point is turned away or hidden.
   bool seed(std::int32_t part, const SurfacePoint& point, int arm, StrokeSample& out) const;
 
+  /// The unit direction on paper that a stroke coming in along `previous` (model space) has at a surface point.
+  std::optional<Vec2> direction(std::int32_t part, const SurfacePoint& point, Vec3 previous) const;
+
   /// The whole stroke through a seed, both ways.
   TracedStroke trace(std::int32_t part, const StrokeSample& seed) const;
 
