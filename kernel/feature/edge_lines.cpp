@@ -1,5 +1,7 @@
 #include "edge_lines.h"
 
+#include "hair.h"
+
 #include <array>
 #include <utility>
 
@@ -154,7 +156,7 @@ class LineMaker {
 
   static bool wanted(LineClass kind, const FeatureOptions& options) {
     if (kind == LineClass::Boundary) return options.boundaries;
-    if (kind == LineClass::Contour) return options.contours || options.creases;
+    if (kind == LineClass::Contour) return options.contours;
     return options.creases;
   }
 
@@ -206,8 +208,12 @@ std::vector<Curve3> edge_lines(const Facing& facing, std::span<const EdgeChain> 
   std::vector<Curve3> out;
   for (std::size_t i = 0; i < chains.size(); ++i) {
     if (i % 1024 == 0) context.check();
-    const SourceId source{part, -1, static_cast<std::int32_t>(i)};
-    LineMaker(facing, chains[i], source).make(options, out);
+    LineMaker maker(facing, chains[i], {part, -1, static_cast<std::int32_t>(i)});
+    FeatureOptions wanted = options;
+    wanted.contours |= wanted.creases;  // a crease that is a contour is still a crease
+    // Folds of the picture that run along a hair are contours and stay.
+    if (is_hair(facing, chains[i])) wanted.creases = false;
+    maker.make(wanted, out);
   }
   return out;
 }

@@ -4,6 +4,7 @@
 
 #include "limits.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace burin {
@@ -12,6 +13,33 @@ namespace {
 
 constexpr std::size_t kWedgeGrain = 16384;
 
+constexpr std::size_t kFaceGrain = 16384;
+
+/// Triangles that are themselves seen edge-on, ascending.
+template <class ToViewer>
+std::vector<std::uint32_t> edge_on_faces(const TriMesh& mesh, const ToViewer& to_viewer,
+                                         const RunContext& context) {
+  const std::size_t n = mesh.triangles.size();
+  std::vector<std::vector<std::uint32_t>> found((n + kFaceGrain - 1) / kFaceGrain);
+  parallel_for(
+      n, kFaceGrain,
+      [&](std::size_t begin, std::size_t end) {
+        for (std::size_t f = begin; f < end; ++f) {
+          const Triangle& t = mesh.triangles[f];
+          const Vec3& a = mesh.positions[t[0]];
+          const Vec3 normal = glm::cross(mesh.positions[t[1]] - a, mesh.positions[t[2]] - a);
+          const double g = glm::dot(normal, to_viewer(a));
+          if (g * g <= kEdgeOn * kEdgeOn * glm::dot(normal, normal)) {
+            found[begin / kFaceGrain].push_back(static_cast<std::uint32_t>(f));
+          }
+        }
+      },
+      &context);
+  std::vector<std::uint32_t> all;
+  for (const auto& part : found) all.insert(all.end(), part.begin(), part.end());
+  return all;
+}
+
 }  // namespace
 
 Facing::Facing(const ProxyMesh& proxy, const Camera& camera, const RunContext& context)
@@ -19,16 +47,22 @@ Facing::Facing(const ProxyMesh& proxy, const Camera& camera, const RunContext& c
   const bool perspective = camera.perspective();
   const Vec3 direction = camera.direction(), eye = camera.eye();
   const double unit = perspective ? 1 / glm::length(eye - camera.center()) : 0;
+  const auto to_viewer = [&](const Vec3& p) { return perspective ? (eye - p) * unit : direction; };
   parallel_for(
       g_.size(), kWedgeGrain,
       [&](std::size_t begin, std::size_t end) {
         for (std::size_t w = begin; w < end; ++w) {
-          const auto wedge = static_cast<std::uint32_t>(w);
-          const Vec3 v = perspective ? (eye - proxy.wedge_position(wedge)) * unit : direction;
+          const Vec3 v = to_viewer(proxy.wedge_position(static_cast<std::uint32_t>(w)));
           g_[w] = glm::dot(proxy.wedge_normal[w], v) - kEdgeOn;
         }
       },
       &context);
+  // A flat wall between two fillets has normals that lean to both: seen edge-on it would be cut in
+  // two somewhere. As a whole turned away it ends where the fillet begins, which is where it is
+  // seen.
+  for (const std::uint32_t f : edge_on_faces(proxy.mesh, to_viewer, context)) {
+    for (const std::uint32_t w : proxy.wedges[f]) g_[w] = std::min(g_[w], -kEdgeOn);
+  }
 }
 
 ZeroCrossing Facing::crossing(HalfEdge h) const {

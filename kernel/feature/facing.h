@@ -19,7 +19,8 @@ struct ZeroCrossing {
 
 /// g = normal . to_viewer - kEdgeOn at every wedge of one part. Perspective: the vector to the
 /// viewer is taken in units of the viewer's distance from the picture's centre, not as a unit
-/// vector, which keeps the sign and makes g constant on a plane.
+/// vector, which keeps the sign and makes g constant on a plane. The wedges of a triangle that is
+/// seen edge-on are turned away whatever their normals say.
 class Facing {
  public:
   Facing(const ProxyMesh& proxy, const Camera& camera, const RunContext& context);

@@ -162,7 +162,8 @@ class CurveMaker {
         along_border(*a_.proxy, l.face_a, l, limit) || along_border(*b_.proxy, l.face_b, l, limit);
     const Vec3 na = smooth_normal(*a_.proxy, l.face_a, middle);
     const Vec3 nb = smooth_normal(*b_.proxy, l.face_b, middle);
-    l.tangential = glm::length(glm::cross(na, nb)) < std::sin(kContactAngle);
+    const double limit_angle = glm::dot(na, nb) < 0 ? kContactAngle : kOverlapAngle;
+    l.tangential = glm::length(glm::cross(na, nb)) < std::sin(limit_angle);
   }
 
   static double length(const Chain& c) {
@@ -243,8 +244,6 @@ class CurveMaker {
     c.source = {a_.part, region(chain.links.front()), -1};
     c.closed = chain.closed;
     c.crease_sign = -1;
-    // Everything on either surface goes into the other one here: visibility may change.
-    c.occluding = true;
     const std::size_t n = chain.links.size();
     for (std::size_t i = 0; i < n; ++i) {
       const Link& l = chain.links[i];

@@ -2,6 +2,8 @@
 // Every tolerance of the feature room, each with its unit. Paper mm and radians only: a model of
 // any size and place meets the same limits.
 
+#include <cstddef>
+
 namespace burin {
 
 /// Radians: a surface seen more edge-on than this counts as turned away, so that side walls, caps
@@ -25,13 +27,26 @@ inline constexpr double kNoiseAngle = 0.02;
 inline constexpr double kSpeckAngle = 0.35;
 inline constexpr double kSpeckLength = 0.3;
 
+/// Paper mm, not foreshortened, of a right-angled crease (one of half the bend needs twice the
+/// length): a crease with the same smooth region on both its sides separates nothing; where it is
+/// shorter than this it is the noise of a scan, a hair on the picture.
+inline constexpr double kHairLength = 6;
+/// A smooth region of so few triangles, of so little area (mm^2 of paper, not foreshortened), is an
+/// island of noise: short creases around it count as hair where they bend by less than kIslandBend
+/// (radians) all along. Real parts of that size (the walls of a small letter) bend by more.
+inline constexpr std::size_t kIslandFaces = 6;
+inline constexpr double kIslandArea = 4;
+inline constexpr double kIslandBend = 1.2;
+
 /// Paper mm: an intersection of two parts that runs this near along a crease or boundary of one of
 /// them is a contact of their borders, which are drawn anyway. Runs shorter than kSpeckLength are
 /// kept (they cross the crease), and what is left between such runs is dropped where it is shorter.
 inline constexpr double kContactLength = 0.01;
 
-/// Radians: surfaces that cross at less than this along most of a curve touch (a shaft in its hole,
-/// two plates): their facets cut each other by chance.
-inline constexpr double kContactAngle = 0.05;
+/// Radians: surfaces that cross at less than this along most of a curve touch, and their facets cut
+/// each other by chance. Facing each other (a shaft in its hole, facets of up to 14 degrees), or
+/// facing the same way (two shafts of one radius that overlap).
+inline constexpr double kContactAngle = 0.25;
+inline constexpr double kOverlapAngle = 0.05;
 
 }  // namespace burin
