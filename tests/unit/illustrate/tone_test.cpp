@@ -73,7 +73,7 @@ ToneReport measure(const Scene& scene, const char* view) {
   const Style style = builtin_style("engraving");
   RunContext context;
   const Drawing drawing = illustrate(scene, camera, style, {}, context);
-  Sheet strokes(120, 90, kPitch), features(120, 90, kPitch);
+  test::Sheet strokes(120, 90, kPitch), features(120, 90, kPitch);
   for (const Layer& layer : drawing.layers) {
     for (const Path& path : layer.paths) {
       // 2 mm beside a feature line: its own ink and the end of the hatching there are not measured.
@@ -120,7 +120,6 @@ void expect_tone(const Scene& scene, const char* view) {
     last = report.by_tone[b];
   }
   ::testing::Test::RecordProperty("mean_error", std::to_string(report.mean_error));
-  std::printf("tone error %.4f over %zu cells\n", report.mean_error, report.cells);
 }
 
 TEST(Tone, InkOnATorusIsWhatTheLightAsks) {
