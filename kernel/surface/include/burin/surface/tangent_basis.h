@@ -13,7 +13,10 @@ struct TangentBasis {
   Vec3 normal, x, y;
 
   explicit TangentBasis(Vec3 unit_normal)
-      : normal(unit_normal), x(any_orthogonal(unit_normal)), y(glm::cross(unit_normal, x)) {}
+      : TangentBasis(unit_normal, any_orthogonal(unit_normal)) {}
+  /// The same from a stored x axis.
+  TangentBasis(Vec3 unit_normal, Vec3 x_axis)
+      : normal(unit_normal), x(x_axis), y(glm::cross(unit_normal, x_axis)) {}
 
   /// Coordinates of the tangent part of `v`, and the tangent with given coordinates.
   Vec2 coords(Vec3 v) const { return {glm::dot(v, x), glm::dot(v, y)}; }

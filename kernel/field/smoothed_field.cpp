@@ -1,0 +1,135 @@
+#include <burin/base/parallel.h>
+#include <burin/field/smoothed_field.h>
+#include <burin/surface/tangent_basis.h>
+
+#include "constraints.h"
+#include "family.h"
+
+#include <cmath>
+#include <numbers>
+
+namespace burin::field {
+namespace {
+
+// Mean of the three unit crosses of a triangle below which the field is singular: with crosses that
+// turn by an index of one quarter around the triangle, the mean falls below it in the middle tenth
+// of the triangle's area, where the field turns by more than a right angle over a third of the
+// triangle's size.
+constexpr double kSingular = 0.1;
+
+// The arm of the cross (x, y) in which `previous` goes on.
+Vec3 nearest_arm(Vec3 x, Vec3 y, Vec3 previous) {
+  const double a = glm::dot(x, previous), b = glm::dot(y, previous);
+  if (std::abs(a) >= std::abs(b)) return a < 0 ? -x : x;
+  return b < 0 ? -y : y;
+}
+
+}  // namespace
+
+struct SmoothedField::Part {
+  const Surface* surface = nullptr;
+  FlatPatches flats;
+  // For each wedge the line of family 1, a direction to the second power in the basis on `axis`.
+  std::vector<Vec2> line;
+  std::vector<Vec3> axis;
+
+  Part(const Surface& s, const SmoothedOptions& options, const RunContext& context) : surface(&s) {
+    const ProxyMesh& proxy = s.proxy();
+    std::vector<Frame> frames;
+    parallel_invoke([&] { flats = find_flat_patches(proxy, options.fallback, context); },
+                    [&] { frames = s.wedge_frames(context); });
+    std::vector<std::uint8_t> skipped(flats.face_patch.size());
+    for (std::size_t f = 0; f < skipped.size(); ++f) skipped[f] = flats.face_patch[f] >= 0;
+    WedgeGraph graph = build_wedge_graph(proxy, skipped, context);
+    const LabelTargets targets = set_constraints(proxy, frames, flats, options, graph, context);
+    frames = {};
+    const std::vector<Vec2> crosses = minimise(graph.crosses, context);
+    line = choose_family(proxy, graph, crosses, targets, context);
+    axis = std::move(graph.axis);
+  }
+
+  // The line of a triangle's wedge in the basis at a point.
+  Vec2 carried(std::uint32_t wedge, const TangentBasis& to) const {
+    const TangentBasis from(surface->proxy().wedge_normal[wedge], axis[wedge]);
+    return complex_mul(line[wedge], complex_square(turn(from, to)));
+  }
+
+  int index(std::uint32_t face) const;
+};
+
+int SmoothedField::Part::index(std::uint32_t face) const {
+  // The crosses' turn from corner to corner, each within half a turn of the fourth power, less what
+  // the basis turns by itself on the way round.
+  const ProxyMesh& proxy = surface->proxy();
+  const Triangle& w = proxy.wedges[face];
+  double total = 0, around = 0;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const std::uint32_t a = w[k], b = w[(k + 1) % 3];
+    const TangentBasis from(proxy.wedge_normal[a], axis[a]), to(proxy.wedge_normal[b], axis[b]);
+    const Vec2 r = turn(from, to);
+    const Vec2 change =
+        complex_mul(complex_square(line[b]),
+                    complex_conj(complex_square(complex_mul(complex_square(r), line[a]))));
+    total += std::atan2(change.y, change.x);
+    around += std::atan2(r.y, r.x);
+  }
+  const double holonomy = std::remainder(around, 2 * std::numbers::pi);
+  return static_cast<int>(std::lround((total + 4 * holonomy) / (2 * std::numbers::pi)));
+}
+
+SmoothedField::SmoothedField(std::vector<const Surface*> surfaces, const SmoothedOptions& options,
+                             const RunContext& context) {
+  for (const Surface* s : surfaces) parts_.push_back(std::make_unique<Part>(*s, options, context));
+}
+
+SmoothedField::~SmoothedField() = default;
+
+std::optional<Vec3> SmoothedField::direction(const FieldQuery& q) const {
+  const Part& part = *parts_[static_cast<std::size_t>(q.part)];
+  const ProxyPoint at = part.surface->to_proxy(q.point);
+  const bool seed = q.previous == Vec3(0);
+  const std::int32_t flat = part.flats.face_patch[at.face];
+  if (flat >= 0) {
+    const FlatPatch& patch = part.flats.patches[static_cast<std::size_t>(flat)];
+    if (seed) return q.family == 2 ? patch.second : patch.first;
+    return nearest_arm(patch.first, patch.second, q.previous);
+  }
+  const TangentBasis basis(q.frame.normal);
+  const Triangle& wedges = part.surface->proxy().wedges[at.face];
+  Vec2 cross(0), line(0);
+  for (int k = 0; k < 3; ++k) {
+    const Vec2 y = part.carried(wedges[static_cast<std::size_t>(k)], basis);
+    cross += at.bary[k] * complex_square(y);
+    line += at.bary[k] * y;
+  }
+  const double size = glm::length(cross);
+  if (size < kSingular) return std::nullopt;
+  Vec2 first = complex_sqrt(cross / size);
+  if (glm::dot(first, line) < 0) first = -first;
+  const Vec3 x = basis.vector(complex_sqrt(first)), y = glm::cross(basis.normal, x);
+  if (seed) return q.family == 2 ? y : x;
+  return nearest_arm(x, y, q.previous);
+}
+
+std::vector<Singularity> SmoothedField::singularities(std::int32_t part) const {
+  const Part& p = *parts_[static_cast<std::size_t>(part)];
+  std::vector<Singularity> found;
+  for (std::uint32_t f = 0; f < p.flats.face_patch.size(); ++f) {
+    if (p.flats.face_patch[f] >= 0) continue;
+    const int index = p.index(f);
+    if (index != 0) found.push_back({f, index});
+  }
+  return found;
+}
+
+const std::vector<std::int32_t>& SmoothedField::flat_patches(std::int32_t part) const {
+  return parts_[static_cast<std::size_t>(part)]->flats.face_patch;
+}
+
+Field smoothed(std::vector<const Surface*> surfaces, const SmoothedOptions& options,
+               const RunContext& context) {
+  auto built = std::make_shared<const SmoothedField>(std::move(surfaces), options, context);
+  return {"smoothed", [built](const FieldQuery& q) { return built->direction(q); }};
+}
+
+}  // namespace burin::field
