@@ -11,9 +11,8 @@
 namespace burin {
 
 /// Every choice that shapes a drawing, in groups. Lengths in paper mm, angles in degrees. Keys of
-/// files and of
-/// `--set KEY=VALUE` are "group.member" (e.g. "line.outer"); `set_style_key` holds the one table of
-/// them.
+/// files and of `--set KEY=VALUE` are "group.member" (e.g. "line.outer"); `style_keys` lists them
+/// with what they take.
 struct Style {
   std::string name = "technical";
 
@@ -82,19 +81,33 @@ struct StyleInfo {
 };
 std::vector<StyleInfo> builtin_styles();
 
-/// A built-in style by name. Throws UsageError that lists the names.
+/// A built-in style by name. Throws UsageError that names the nearest one and lists all.
 Style builtin_style(std::string_view name);
 
 /// Reads a style from JSON text: {"base": "engraving", "line.outer": 0.5, "hatch": {"spacing_min":
-/// 0.4}}. `source` names it in errors. Throws InputError on broken JSON (with its line), UsageError
-/// on unknown keys or values out of range.
+/// 0.4}}. What it does not set comes from "base" (technical); without "name" it has that of the
+/// file. Comments are allowed. `source` names it in errors. Throws InputError on broken JSON (with
+/// its line), UsageError ("FILE:LINE: ...") on unknown keys or values out of range.
 Style parse_style(std::string_view json, const std::string& source);
 
 /// The style as JSON that `parse_style` reads back to the same style.
 std::string style_to_json(const Style& style);
 
-/// Sets one dotted key from text. Throws UsageError that names the nearest known key, or the
-/// allowed range.
+/// Sets one dotted key from text: a number, "true" or "false", a word of a list, or a vector
+/// "x,y,z". Throws UsageError that names the nearest known key, or what the key takes.
 void set_style_key(Style& style, std::string_view key, std::string_view value);
+
+/// Tests what no single key can: that each "_min" is at most its "_max". Throws UsageError.
+void check_style(const Style& style);
+
+/// One key: what it means, what it takes ("0.01 to 10", "true or false") and its value in `style`
+/// as text.
+struct StyleKeyInfo {
+  std::string key;
+  std::string meaning;
+  std::string takes;
+  std::string value;
+};
+std::vector<StyleKeyInfo> style_keys(const Style& style);
 
 }  // namespace burin

@@ -1,0 +1,107 @@
+#include <burin/base/error.h>
+#include <burin/base/nearest.h>
+#include <burin/illustrate/style.h>
+
+#include "style_table.h"
+
+#include <fmt/format.h>
+
+namespace burin {
+namespace {
+
+/// Features alone, three clear widths after ISO 128.
+Style outline() {
+  Style s;
+  s.name = "outline";
+  s.line = {.outer = 0.7,
+            .contour = 0.35,
+            .crease = 0.25,
+            .boundary = 0.35,
+            .intersection = 0.25,
+            .hidden = 0.18};
+  s.hatch.enabled = false;
+  return s;
+}
+
+/// Features, and light hatching where the light does not reach.
+Style technical() {
+  Style s;
+  s.name = "technical";
+  s.line.outer = 0.5;
+  s.line.contour = 0.3;
+  s.line.crease = 0.25;
+  s.line.boundary = 0.3;
+  s.hatch.spacing_min = 0.9;
+  s.hatch.spacing_max = 1.6;
+  s.hatch.width_min = 0.08;
+  s.hatch.width_max = 0.22;
+  s.hatch.tone_min = 0.35;
+  s.hatch.cross_from = 1.1;
+  s.tone.ambient = 0.35;
+  s.tone.highlight = 0.7;
+  s.tone.rim = 0.05;
+  return s;
+}
+
+/// Full tone by swelling, crossing strokes; the lines of features stay thin.
+Style engraving() {
+  Style s;
+  s.name = "engraving";
+  s.line.outer = 0.35;
+  s.line.contour = 0.25;
+  s.line.crease = 0.15;
+  s.line.boundary = 0.25;
+  s.line.intersection = 0.2;
+  s.hatch.spacing_min = 0.55;
+  s.hatch.spacing_max = 1.1;
+  s.hatch.width_min = 0.07;
+  s.hatch.width_max = 0.42;
+  s.hatch.tone_min = 0.06;
+  s.hatch.cross_from = 0.5;
+  return s;
+}
+
+void check_order(const char* low_key, double low, const char* high_key, double high) {
+  if (low <= high) return;
+  throw UsageError(fmt::format("style key '{}' is {}, more than '{}', which is {}", low_key, low,
+                               high_key, high));
+}
+
+}  // namespace
+
+std::vector<StyleInfo> builtin_styles() {
+  return {{"outline", "feature lines alone: thick outer outline, thin inner lines (ISO 128)"},
+          {"technical", "feature lines, and light hatching where the part lies in shade"},
+          {"engraving", "full tone: swelling strokes along the form, crossed where it is dark"}};
+}
+
+Style builtin_style(std::string_view name) {
+  if (name == "outline") return outline();
+  if (name == "technical") return technical();
+  if (name == "engraving") return engraving();
+  std::vector<std::string> names;
+  for (const StyleInfo& s : builtin_styles()) names.push_back(s.name);
+  throw UsageError(fmt::format(
+      "unknown style '{}'; the nearest is '{}' (built in: {}; or the path of a style file)", name,
+      nearest(name, names), fmt::join(names, ", ")));
+}
+
+void set_style_key(Style& style, std::string_view key, std::string_view value) {
+  detail::set_value(style, detail::find_key(key), value);
+}
+
+void check_style(const Style& s) {
+  check_order("hatch.spacing_min", s.hatch.spacing_min, "hatch.spacing_max", s.hatch.spacing_max);
+  check_order("hatch.width_min", s.hatch.width_min, "hatch.width_max", s.hatch.width_max);
+  check_order("hatch.length_min", s.hatch.length_min, "hatch.length_max", s.hatch.length_max);
+}
+
+std::vector<StyleKeyInfo> style_keys(const Style& style) {
+  std::vector<StyleKeyInfo> out;
+  for (const detail::StyleKey& key : detail::style_table()) {
+    out.push_back({key.name, key.meaning, detail::takes(key), detail::value_text(style, key)});
+  }
+  return out;
+}
+
+}  // namespace burin

@@ -1,0 +1,134 @@
+#include <burin/base/error.h>
+#include <burin/illustrate/style.h>
+
+#include "style_table.h"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <filesystem>
+
+namespace burin {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+std::int64_t line_at(std::string_view text, std::size_t position) {
+  return 1 + std::count(text.begin(),
+                        text.begin() + static_cast<std::ptrdiff_t>(std::min(position, text.size())),
+                        '\n');
+}
+
+/// The line of a key, as a reader of the file would look for it: the group's name, then the
+/// member's.
+std::int64_t line_of(std::string_view text, std::string_view group, std::string_view member) {
+  std::size_t at = group.empty() ? 0 : text.find(fmt::format("\"{}\"", group));
+  if (at == std::string_view::npos) at = 0;
+  at = text.find(fmt::format("\"{}\"", member), at);
+  return at == std::string_view::npos ? 1 : line_at(text, at);
+}
+
+/// A value as the text that `set_style_key` takes.
+std::string to_text(const Json& value) {
+  if (value.is_string()) return value.get<std::string>();
+  if (!value.is_array()) return value.dump();
+  std::string list;
+  for (const Json& element : value) list += (list.empty() ? "" : ",") + element.dump();
+  return list;
+}
+
+Json to_json(const Style& style, const detail::StyleKey& key) {
+  const std::string text = detail::value_text(style, key);
+  if (std::holds_alternative<detail::VectorKey>(key.kind)) return Json::parse("[" + text + "]");
+  if (std::holds_alternative<detail::NumberKey>(key.kind) || text == "true" || text == "false") {
+    return Json::parse(text);
+  }
+  return text;
+}
+
+Json parse(std::string_view text, const std::string& source) {
+  try {
+    Json json = Json::parse(text, nullptr, true, true);
+    if (json.is_object()) return json;
+  } catch (const Json::parse_error& e) {
+    const std::int64_t line = line_at(text, e.byte > 0 ? e.byte - 1 : 0);
+    throw InputError("not valid JSON here; mend the style file", source, line);
+  }
+  throw InputError("a style file is one JSON object, {\"base\": ..., \"line.outer\": ...}", source,
+                   1);
+}
+
+/// Reads a style's members into `style`, naming file and line in errors.
+class Reader {
+ public:
+  Reader(Style& style, std::string_view text, const std::string& source)
+      : style_(style), text_(text), source_(source) {}
+
+  void object(const Json& json, const std::string& group) {
+    for (const auto& [key, value] : json.items()) {
+      const std::string full = group.empty() ? key : group + "." + key;
+      if (group.empty() && key == "base") continue;
+      if (group.empty() && key == "name") {
+        at(group, key, [&, &v = value] { name(v); });
+      } else if (value.is_object() && group.empty()) {
+        object(value, key);
+      } else {
+        at(group, key, [&, &v = value] { set_style_key(style_, full, to_text(v)); });
+      }
+    }
+  }
+
+  void base(const Json& json) {
+    if (!json.contains("base")) return;
+    at("", "base", [&] { style_ = builtin_style(to_text(json["base"])); });
+  }
+
+ private:
+  void name(const Json& value) {
+    if (!value.is_string()) throw UsageError("style key 'name' takes text");
+    style_.name = value.get<std::string>();
+  }
+
+  template <class F>
+  void at(const std::string& group, const std::string& key, const F& read) const {
+    try {
+      read();
+    } catch (const UsageError& e) {
+      throw UsageError(fmt::format("{}:{}: {}", source_, line_of(text_, group, key), e.what()));
+    }
+  }
+
+  Style& style_;
+  std::string_view text_;
+  const std::string& source_;
+};
+
+}  // namespace
+
+Style parse_style(std::string_view json, const std::string& source) {
+  const Json parsed = parse(json, source);
+  Style style = builtin_style("technical");
+  Reader reader(style, json, source);
+  reader.base(parsed);
+  style.name = std::filesystem::path(source).stem().string();
+  reader.object(parsed, "");
+  try {
+    check_style(style);
+  } catch (const UsageError& e) {
+    throw UsageError(fmt::format("{}: {}", source, e.what()));
+  }
+  return style;
+}
+
+std::string style_to_json(const Style& style) {
+  Json json;
+  json["name"] = style.name;
+  for (const detail::StyleKey& key : detail::style_table()) {
+    const std::size_t dot = key.name.find('.');
+    json[key.name.substr(0, dot)][key.name.substr(dot + 1)] = to_json(style, key);
+  }
+  return json.dump(2) + "\n";
+}
+
+}  // namespace burin

@@ -1,0 +1,182 @@
+#include <burin/base/error.h>
+#include <burin/base/nearest.h>
+#include <burin/illustrate/style.h>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <functional>
+#include <set>
+
+namespace burin {
+namespace {
+
+std::string usage_message(const std::function<void()>& f) {
+  try {
+    f();
+  } catch (const UsageError& e) {
+    return e.what();
+  }
+  return "no UsageError";
+}
+
+bool contains(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+TEST(Style, EveryMemberHasOneKey) {
+  // Doubles, switches, words and vectors of Style, counted by hand: a new member needs a key.
+  const auto keys = style_keys(Style());
+  std::set<std::string> names;
+  for (const StyleKeyInfo& key : keys) {
+    names.insert(key.key);
+    EXPECT_FALSE(key.meaning.empty());
+    EXPECT_FALSE(key.takes.empty());
+    EXPECT_FALSE(key.value.empty());
+  }
+  EXPECT_EQ(names.size(), keys.size());
+  EXPECT_EQ(keys.size(), 8u + 5u + 14u + 5u + 2u + 1u);
+}
+
+TEST(Style, KeysTakeTheirOwnValues) {
+  for (const StyleInfo& info : builtin_styles()) {
+    const Style style = builtin_style(info.name);
+    Style copy;
+    for (const StyleKeyInfo& key : style_keys(style)) set_style_key(copy, key.key, key.value);
+    copy.name = style.name;
+    EXPECT_EQ(style_to_json(copy), style_to_json(style));
+    EXPECT_NO_THROW(check_style(style));
+  }
+}
+
+TEST(Style, SetsMembersByType) {
+  Style s;
+  set_style_key(s, "line.outer", "1.25");
+  EXPECT_EQ(s.line.outer, 1.25);
+  set_style_key(s, "hatch.enabled", "false");
+  EXPECT_FALSE(s.hatch.enabled);
+  set_style_key(s, "hatch.field", "fixed");
+  EXPECT_EQ(s.hatch.field, "fixed");
+  set_style_key(s, "tone.light", " 1, -2.5,3e-1");
+  EXPECT_EQ(s.tone.light, Vec3(1, -2.5, 0.3));
+  set_style_key(s, "svg.flatten", "polylines");
+  EXPECT_TRUE(s.svg.flatten);
+  set_style_key(s, "svg.flatten", "none");
+  EXPECT_FALSE(s.svg.flatten);
+  set_style_key(s, "json.points3", "false");
+  EXPECT_FALSE(s.json.points3);
+}
+
+TEST(Style, RefusesWhatAKeyDoesNotTake) {
+  const std::pair<const char*, const char*> wrong[] = {
+      {"line.outer", "thick"},       {"line.outer", "0"},       {"line.outer", "nan"},
+      {"line.outer", "1e9"},         {"line.outer", ""},        {"line.outer", "0.5mm"},
+      {"hatch.enabled", "maybe"},    {"hatch.field", "circle"}, {"hatch.direction", "0,0,0"},
+      {"hatch.direction", "1,2"},    {"tone.light", "1,2,3,4"}, {"svg.flatten", "true"},
+      {"feature.crease_angle", "-1"}};
+  for (const auto& [key, value] : wrong) {
+    Style s;
+    const std::string message = usage_message([&, k = key, v = value] { set_style_key(s, k, v); });
+    EXPECT_TRUE(contains(message, key)) << message;
+    EXPECT_TRUE(contains(message, "takes")) << message;
+    EXPECT_EQ(style_to_json(s), style_to_json(Style()));
+  }
+  Style s;
+  EXPECT_EQ(usage_message([&] { set_style_key(s, "line.crease", "11"); }),
+            "style key 'line.crease' takes 0.01 to 10, not '11'");
+}
+
+TEST(Style, UnknownKeysNameTheNearest) {
+  Style s;
+  EXPECT_TRUE(contains(usage_message([&] { set_style_key(s, "line.outr", "1"); }), "'line.outer'"));
+  EXPECT_TRUE(contains(usage_message([&] { set_style_key(s, "hatch.spacingmin", "1"); }),
+                       "'hatch.spacing_min'"));
+  EXPECT_TRUE(contains(usage_message([&] { builtin_style("engravng"); }), "'engraving'"));
+}
+
+TEST(Style, MinimaStayBelowMaxima) {
+  Style s;
+  set_style_key(s, "hatch.spacing_min", "5");
+  EXPECT_TRUE(contains(usage_message([&] { check_style(s); }), "hatch.spacing_max"));
+}
+
+TEST(Style, PresetsDiffer) {
+  EXPECT_FALSE(builtin_style("outline").hatch.enabled);
+  EXPECT_GT(builtin_style("technical").hatch.cross_from, 1);
+  EXPECT_LT(builtin_style("engraving").hatch.cross_from, 1);
+  EXPECT_EQ(builtin_style("outline").line.outer, 0.7);
+  for (const StyleInfo& info : builtin_styles())
+    EXPECT_EQ(builtin_style(info.name).name, info.name);
+}
+
+TEST(StyleFile, ReadsGroupsDotsBaseAndComments) {
+  const Style s = parse_style(R"({
+    // a comment
+    "base": "engraving", "line.outer": 0.5,
+    "hatch": {"spacing_min": 0.4, "field": "fixed", "direction": [1, 0, 0]},
+    "svg": {"flatten": "polylines"}, "json.points3": false
+  })",
+                              "dir/fine.json");
+  EXPECT_EQ(s.name, "fine");
+  EXPECT_EQ(s.line.outer, 0.5);
+  EXPECT_EQ(s.line.contour, builtin_style("engraving").line.contour);
+  EXPECT_EQ(s.hatch.spacing_min, 0.4);
+  EXPECT_EQ(s.hatch.field, "fixed");
+  EXPECT_EQ(s.hatch.direction, Vec3(1, 0, 0));
+  EXPECT_TRUE(s.svg.flatten);
+  EXPECT_FALSE(s.json.points3);
+  EXPECT_EQ(parse_style(R"({"name": "x"})", "f").name, "x");
+}
+
+TEST(StyleFile, RoundTrip) {
+  for (const StyleInfo& info : builtin_styles()) {
+    Style s = builtin_style(info.name);
+    s.tone.light = {1.0 / 3, -2e-7, 12345.678};
+    s.hatch.taper = 0.1 + 0.2;
+    s.svg.flatten = true;
+    const std::string text = style_to_json(s);
+    const Style back = parse_style(text, "other");
+    EXPECT_EQ(style_to_json(back), text);
+    EXPECT_EQ(back.tone.light, s.tone.light);
+    EXPECT_EQ(back.hatch.taper, s.hatch.taper);
+    EXPECT_EQ(back.name, info.name);
+  }
+}
+
+TEST(StyleFile, ErrorsNameFileAndLine) {
+  try {
+    parse_style("{\n\"line.outer\": 0.5,\n\"line.crease\" 3}", "my.json");
+    FAIL();
+  } catch (const InputError& e) {
+    EXPECT_EQ(e.file(), "my.json");
+    EXPECT_EQ(e.line(), 3);
+  }
+  EXPECT_THROW(parse_style("[1,2]", "f"), InputError);
+  EXPECT_THROW(parse_style("", "f"), InputError);
+  const auto message = [](const char* text) {
+    return usage_message([&] { parse_style(text, "my.json"); });
+  };
+  EXPECT_TRUE(
+      message("{\n \"line\": {\n  \"outr\": 1}}").starts_with("my.json:3: unknown style key"));
+  EXPECT_TRUE(message("{\"hatch\": 3}").starts_with("my.json:1: unknown style key 'hatch'"));
+  EXPECT_TRUE(message("{\"line\": {\"outer\": {\"a\": 1}}}").starts_with("my.json:1: style key"));
+  EXPECT_TRUE(message("{\n\n\"base\": \"engravin\"}").starts_with("my.json:3: unknown style"));
+  EXPECT_TRUE(message("{\"line.outer\": [1, 2]}").starts_with("my.json:1: style key 'line.outer'"));
+  EXPECT_TRUE(message("{\"line.outer\": null}").starts_with("my.json:1: style key 'line.outer'"));
+  EXPECT_TRUE(message("{\"name\": 3}").starts_with("my.json:1: style key 'name'"));
+  EXPECT_TRUE(
+      message("{\"hatch.width_min\": 5}").starts_with("my.json: style key 'hatch.width_min'"));
+}
+
+TEST(Nearest, CountsEdits) {
+  EXPECT_EQ(edit_distance("", ""), 0u);
+  EXPECT_EQ(edit_distance("abc", ""), 3u);
+  EXPECT_EQ(edit_distance("kitten", "sitting"), 3u);
+  EXPECT_EQ(edit_distance("veiw", "view"), 1u);
+  const std::vector<std::string> known{"view", "verbose", "paper"};
+  EXPECT_EQ(nearest("veiw", known), "view");
+  EXPECT_EQ(nearest("x", {}), "");
+}
+
+}  // namespace
+}  // namespace burin
