@@ -59,7 +59,7 @@ void OffReader::header() {
   const bool n_dimensional = skip("n");
   if (!skip("OFF")) {
     if (*p >= '0' && *p <= '9' && p == text_.where()) return;  // the header word is optional
-    text_.fail("an OFF file begins with OFF, this one with " + quoted(text_.token()));
+    text_.fail("an OFF file begins with OFF, this one with " + in_quotes(text_.token()));
   }
   text_.skip(static_cast<std::size_t>(p - text_.where()));
   text_.skip_blanks();

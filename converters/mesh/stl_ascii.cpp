@@ -94,7 +94,7 @@ void StlTextReader::loop() {
     } else if (text_.at_end()) {
       truncated("a facet");
     } else {
-      text_.fail(quoted(text_.token()) +
+      text_.fail(in_quotes(text_.token()) +
                  " stands where 'vertex' or 'endloop' should; the file is damaged, "
                  "export it again");
     }
@@ -128,7 +128,7 @@ void StlTextReader::word() {
     return;
   }
   if (at_word("color")) return text_.next_line();
-  text_.fail(quoted(text_.token()) +
+  text_.fail(in_quotes(text_.token()) +
              " is no word of an ASCII STL; the file is damaged, export it again");
 }
 

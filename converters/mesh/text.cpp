@@ -8,7 +8,7 @@
 
 namespace burin {
 
-std::string quoted(std::string_view token) {
+std::string in_quotes(std::string_view token) {
   constexpr std::size_t kLongest = 40;
   std::string out = "'";
   for (const char c : token.substr(0, kLongest)) out += c >= ' ' && c < 127 ? c : '?';
@@ -112,7 +112,7 @@ void TextCursor::expected(const char* what) {
     fail(fmt::format("the file ends where {} should be; it is truncated, export it again", what));
   if (at_line_end()) fail(fmt::format("the line ends where {} should be", what));
   const char* begin = p_;
-  const std::string found = quoted(token());
+  const std::string found = in_quotes(token());
   source_.fail_at_line(begin, fmt::format("{} is not {}", found, what));
 }
 

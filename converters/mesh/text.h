@@ -13,7 +13,7 @@ inline bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\v' || c ==
 inline bool is_line_end(char c) { return c == '\n' || c == '\r'; }
 
 /// `token`, short and printable, in quotes: for messages.
-std::string quoted(std::string_view token);
+std::string in_quotes(std::string_view token);
 /// ASCII letters lowered.
 std::string lowered(std::string_view text);
 /// Reads a whole token as a double: an optional sign, decimal digits, an exponent; inf and nan too.
