@@ -283,6 +283,3 @@ MeshFile read_ply(const Source& source) {
 }
 
 }  // namespace burin
-namespace burin {
-MeshFile read_3mf(const Source& source) { source.fail("3MF cannot be read yet"); }
-}  // namespace burin

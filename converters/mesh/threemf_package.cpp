@@ -1,0 +1,120 @@
+#include "threemf_package.h"
+
+#include <fmt/format.h>
+#include <unistd.h>
+#include <zip.h>
+
+#include <algorithm>
+
+namespace burin {
+namespace {
+
+// Deflate packs a run of equal bytes 1000 to 1, a mesh 5 to 20 to 1.
+constexpr double kLargestRatio = 200;
+constexpr std::size_t kHarmless = std::size_t{16} << 20;
+// A parsed document takes several times the bytes of its text.
+constexpr std::size_t kShareOfMemory = 8;
+
+std::size_t largest_member() {
+  const long pages = ::sysconf(_SC_PHYS_PAGES), page = ::sysconf(_SC_PAGESIZE);
+  if (pages <= 0 || page <= 0) return std::size_t{1} << 29;
+  return static_cast<std::size_t>(pages) * static_cast<std::size_t>(page) / kShareOfMemory;
+}
+
+struct CloseArchive {
+  void operator()(zip_t* z) const { zip_discard(z); }
+};
+struct CloseMember {
+  void operator()(zip_file_t* f) const { zip_fclose(f); }
+};
+
+}  // namespace
+
+struct Package::Impl {
+  std::unique_ptr<zip_t, CloseArchive> archive;
+
+  zip_int64_t locate(const std::string& name) const {
+    const char* n = name.c_str();
+    while (*n == '/') ++n;
+    return zip_name_locate(archive.get(), n, ZIP_FL_NOCASE);
+  }
+};
+
+Package::Package(const Source& source) : source_(source), impl_(std::make_unique<Impl>()) {
+  zip_error_t error;
+  zip_error_init(&error);
+  zip_source_t* bytes =
+      zip_source_buffer_create(source.bytes().data(), source.bytes().size(), 0, &error);
+  if (bytes != nullptr) {
+    impl_->archive.reset(zip_open_from_source(bytes, ZIP_RDONLY, &error));
+    if (!impl_->archive) zip_source_free(bytes);
+  }
+  const std::string reason = impl_->archive ? std::string() : zip_error_strerror(&error);
+  zip_error_fini(&error);
+  if (!impl_->archive) {
+    source_.fail(
+        fmt::format("is a damaged zip archive ({}); it may be truncated, export it again", reason));
+  }
+}
+
+Package::~Package() = default;
+
+std::vector<std::string> Package::names() const {
+  std::vector<std::string> out;
+  const zip_int64_t count = zip_get_num_entries(impl_->archive.get(), 0);
+  for (zip_int64_t i = 0; i < count; ++i) {
+    const char* name = zip_get_name(impl_->archive.get(), static_cast<zip_uint64_t>(i), 0);
+    if (name != nullptr) out.emplace_back(name);
+  }
+  return out;
+}
+
+bool Package::has(const std::string& name) const { return impl_->locate(name) >= 0; }
+
+std::string Package::read(const std::string& name) const {
+  const zip_int64_t found = impl_->locate(name);
+  if (found < 0)
+    source_.fail(fmt::format("the 3MF archive has no member {}; export it again", name));
+  const auto index = static_cast<zip_uint64_t>(found);
+  zip_stat_t info;
+  zip_stat_init(&info);
+  zip_stat_index(impl_->archive.get(), index, 0, &info);
+  constexpr zip_uint64_t kNeeded = ZIP_STAT_SIZE | ZIP_STAT_COMP_SIZE;
+  if ((info.valid & kNeeded) != kNeeded) {
+    source_.fail(fmt::format("{} in the 3MF archive has no size; export it again", name));
+  }
+  const double ratio = static_cast<double>(info.size) / (static_cast<double>(info.comp_size) + 1);
+  if (info.comp_size > source_.bytes().size() || (info.size > kHarmless && ratio > kLargestRatio)) {
+    source_.fail(
+        fmt::format("{} in the 3MF archive claims {} bytes packed into {}; it is damaged or "
+                    "hostile and was not unpacked",
+                    name, info.size, info.comp_size));
+  }
+  if (info.size > largest_member()) {
+    source_.fail(
+        fmt::format("{} in the 3MF archive holds {} bytes, too many for this machine's memory",
+                    name, info.size));
+  }
+  const std::unique_ptr<zip_file_t, CloseMember> member(
+      zip_fopen_index(impl_->archive.get(), index, 0));
+  const auto fail = [&](const char* reason) {
+    source_.fail(fmt::format("{} in the 3MF archive cannot be unpacked ({}); export it again", name,
+                             reason));
+  };
+  if (!member) fail(zip_strerror(impl_->archive.get()));
+  std::string bytes(static_cast<std::size_t>(info.size), '\0');
+  constexpr std::size_t kPiece = std::size_t{4} << 20;
+  for (std::size_t done = 0; done < bytes.size();) {
+    source_.context().check();
+    const zip_int64_t got =
+        zip_fread(member.get(), bytes.data() + done, std::min(kPiece, bytes.size() - done));
+    if (got < 0) fail(zip_file_strerror(member.get()));
+    if (got == 0) fail("it is shorter than it claims");
+    done += static_cast<std::size_t>(got);
+  }
+  char more = 0;  // reading on to the end makes libzip compare the checksum
+  if (zip_fread(member.get(), &more, 1) != 0) fail("its checksum or size is wrong");
+  return bytes;
+}
+
+}  // namespace burin

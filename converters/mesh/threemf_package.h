@@ -1,0 +1,37 @@
+#pragma once
+/// The zip archive that a 3MF file is.
+
+#include "source.h"
+
+#include <cstddef>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace burin {
+
+/// Members of an archive in memory, unpacked one at a time (libzip behind it). Errors are
+/// InputErrors of `source`.
+class Package {
+ public:
+  explicit Package(const Source& source);
+  ~Package();
+  Package(const Package&) = delete;
+  Package& operator=(const Package&) = delete;
+
+  /// The names of all members.
+  std::vector<std::string> names() const;
+  /// Whether there is a member of this name (in any case, with or without a leading slash).
+  bool has(const std::string& name) const;
+  /// The unpacked bytes. Refused where they are far more than their packed size or this machine's
+  /// memory allows.
+  std::string read(const std::string& name) const;
+
+ private:
+  struct Impl;
+  const Source& source_;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace burin
