@@ -15,31 +15,6 @@ constexpr std::size_t kWedgeGrain = 16384;
 
 constexpr std::size_t kFaceGrain = 16384;
 
-/// Triangles that are themselves seen edge-on, ascending.
-template <class ToViewer>
-std::vector<std::uint32_t> edge_on_faces(const TriMesh& mesh, const ToViewer& to_viewer,
-                                         const RunContext& context) {
-  const std::size_t n = mesh.triangles.size();
-  std::vector<std::vector<std::uint32_t>> found((n + kFaceGrain - 1) / kFaceGrain);
-  parallel_for(
-      n, kFaceGrain,
-      [&](std::size_t begin, std::size_t end) {
-        for (std::size_t f = begin; f < end; ++f) {
-          const Triangle& t = mesh.triangles[f];
-          const Vec3& a = mesh.positions[t[0]];
-          const Vec3 normal = glm::cross(mesh.positions[t[1]] - a, mesh.positions[t[2]] - a);
-          const double g = glm::dot(normal, to_viewer(a));
-          if (g * g <= kEdgeOn * kEdgeOn * glm::dot(normal, normal)) {
-            found[begin / kFaceGrain].push_back(static_cast<std::uint32_t>(f));
-          }
-        }
-      },
-      &context);
-  std::vector<std::uint32_t> all;
-  for (const auto& part : found) all.insert(all.end(), part.begin(), part.end());
-  return all;
-}
-
 }  // namespace
 
 Facing::Facing(const ProxyMesh& proxy, const Camera& camera, const RunContext& context)
@@ -57,11 +32,37 @@ Facing::Facing(const ProxyMesh& proxy, const Camera& camera, const RunContext& c
         }
       },
       &context);
-  // A flat wall between two fillets has normals that lean to both: seen edge-on it would be cut in
-  // two somewhere. As a whole turned away it ends where the fillet begins, which is where it is
-  // seen.
-  for (const std::uint32_t f : edge_on_faces(proxy.mesh, to_viewer, context)) {
-    for (const std::uint32_t w : proxy.wedges[f]) g_[w] = std::min(g_[w], -kEdgeOn);
+  turn_flat_walls_away(to_viewer, context);
+}
+
+template <class ToViewer>
+void Facing::turn_flat_walls_away(const ToViewer& to_viewer, const RunContext& context) {
+  const TriMesh& mesh = proxy_->mesh;
+  const std::size_t n = mesh.triangles.size();
+  std::vector<std::vector<std::uint32_t>> found((n + kFaceGrain - 1) / kFaceGrain);
+  parallel_for(
+      n, kFaceGrain,
+      [&](std::size_t begin, std::size_t end) {
+        for (std::size_t f = begin; f < end; ++f) {
+          const Triangle& t = mesh.triangles[f];
+          const Vec3 &a = mesh.positions[t[0]], &b = mesh.positions[t[1]],
+                     &c = mesh.positions[t[2]];
+          const Vec3 normal = glm::cross(b - a, c - a);
+          const double g = glm::dot(normal, to_viewer(a));
+          if (g * g > kEdgeOn * kEdgeOn * glm::dot(normal, normal)) continue;
+          const auto [least, most] = std::minmax(
+              {g_[proxy_->wedges[f][0]], g_[proxy_->wedges[f][1]], g_[proxy_->wedges[f][2]]});
+          const double longest =
+              std::max({glm::length(b - a), glm::length(c - b), glm::length(a - c)});
+          if (longest * (most - least) / 8 * camera_->scale_at(a) < kFlatBulge) continue;
+          found[begin / kFaceGrain].push_back(static_cast<std::uint32_t>(f));
+        }
+      },
+      &context);
+  for (const auto& part : found) {
+    for (const std::uint32_t f : part) {
+      for (const std::uint32_t w : proxy_->wedges[f]) g_[w] = std::min(g_[w], -kEdgeOn);
+    }
   }
 }
 

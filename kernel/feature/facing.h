@@ -19,8 +19,7 @@ struct ZeroCrossing {
 
 /// g = normal . to_viewer - kEdgeOn at every wedge of one part. Perspective: the vector to the
 /// viewer is taken in units of the viewer's distance from the picture's centre, not as a unit
-/// vector, which keeps the sign and makes g constant on a plane. The wedges of a triangle that is
-/// seen edge-on are turned away whatever their normals say.
+/// vector, which keeps the sign and makes g constant on a plane.
 class Facing {
  public:
   Facing(const ProxyMesh& proxy, const Camera& camera, const RunContext& context);
@@ -42,6 +41,12 @@ class Facing {
   Vec3 normal(HalfEdge h, double share) const;
 
  private:
+  /// A flat wall between two fillets has normals that lean to both: seen edge-on it would be cut in
+  /// two somewhere. As a whole turned away it ends where the fillet begins, which is where it is
+  /// seen.
+  template <class ToViewer>
+  void turn_flat_walls_away(const ToViewer& to_viewer, const RunContext& context);
+
   const ProxyMesh* proxy_;
   const Camera* camera_;
   std::vector<double> g_;

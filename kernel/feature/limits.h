@@ -12,6 +12,10 @@ namespace burin {
 /// contour by R * kEdgeOn^2 / 2 on paper (R: radius of curvature there): 1e-6 mm at 200 mm.
 inline constexpr double kEdgeOn = 1e-4;
 
+/// Paper mm: a triangle that is itself edge-on, but whose corner normals claim a bulge (sagitta) of
+/// more than this, is a flat wall with blended normals, not a fine facet of something round.
+inline constexpr double kFlatBulge = 0.02;
+
 /// Paper mm: a zero of g nearer than this to the end of a mesh edge is put on that end, so that no
 /// crumbs of lines are born.
 inline constexpr double kSnapLength = 1e-3;
