@@ -1,0 +1,16 @@
+#pragma once
+/// A quadric height function fitted to points around a vertex.
+
+#include <burin/base/vec.h>
+
+#include <span>
+
+namespace burin {
+
+/// The unit normal at the origin of the surface z = a x + b y + c x^2 + d x y + e y^2 over the
+/// plane of the unit vector `normal`, fitted to `points` (relative to the vertex) with weight 1 /
+/// distance^2. Where the points do not determine all of it, the flattest solution is taken. Returns
+/// the zero vector where there is none.
+Vec3 quadric_normal(Vec3 normal, std::span<const Vec3> points);
+
+}  // namespace burin
