@@ -48,8 +48,7 @@ MeshFile read_mesh_file(const std::filesystem::path& path, const RunContext& con
   }
 }
 
-Scene read_mesh(const std::filesystem::path& path, const RunContext& context) {
-  MeshFile file = read_mesh_file(path, context);
+Scene repair_parts(MeshFile file, const std::filesystem::path& path, const RunContext& context) {
   Scene scene;
   scene.diagnostics = std::move(file.diagnostics);
   const bool several = file.objects.size() > 1;
@@ -69,6 +68,10 @@ Scene read_mesh(const std::filesystem::path& path, const RunContext& context) {
   }
   if (scene.parts.empty()) throw InputError(first_failure, path.string());
   return scene;
+}
+
+Scene read_mesh(const std::filesystem::path& path, const RunContext& context) {
+  return repair_parts(read_mesh_file(path, context), path, context);
 }
 
 }  // namespace burin

@@ -29,6 +29,11 @@ bool is_mesh_suffix(const std::filesystem::path& path);
 /// of binary STL.
 MeshFile read_mesh_file(const std::filesystem::path& path, const RunContext& context);
 
+/// Repairs each object of a file into a part of its own, named by the file where it has no name. A
+/// part of which no triangle is left becomes a diagnostic; throws InputError where that befalls all
+/// of them.
+Scene repair_parts(MeshFile file, const std::filesystem::path& path, const RunContext& context);
+
 /// Reads and repairs: one part an object, named by the file where the object has no name.
 /// Diagnostics of both steps are in the scene's.
 Scene read_mesh(const std::filesystem::path& path, const RunContext& context);

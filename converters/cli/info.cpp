@@ -1,0 +1,18 @@
+#include "info.h"
+
+#include <burin/converters/mesh_info.h>
+
+#include <fmt/core.h>
+
+int run_info(const InfoOptions& options, burin::RunContext& context) {
+  std::vector<burin::MeshInfo> files;
+  context.begin_stage("read");
+  for (const std::filesystem::path& path : options.inputs) {
+    files.push_back(burin::inspect_mesh(path, context));
+    if (options.json) continue;
+    fmt::print("{}{}", files.size() > 1 ? "\n" : "", burin::to_text(files.back()));
+  }
+  context.end_stage();
+  if (options.json) fmt::print("{}", burin::to_json(files));
+  return 0;
+}

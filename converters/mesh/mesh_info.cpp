@@ -1,0 +1,78 @@
+#include <burin/base/parallel.h>
+#include <burin/converters/mesh_info.h>
+#include <burin/converters/mesh_reader.h>
+#include <burin/forms/mesh/mesh_form.h>
+#include <burin/mesh/proxy_mesh.h>
+
+#include "self_intersections.h"
+
+#include <algorithm>
+
+namespace burin {
+namespace {
+
+/// Area and volume; from the middle of the box, so that a far origin costs no digits.
+void measure(const TriMesh& mesh, PartInfo& info) {
+  info.bounds = mesh.bounds();
+  const Vec3 o = info.bounds.center();
+  double area = 0, volume = 0;
+  for (const Triangle& t : mesh.triangles) {
+    const Vec3 a = mesh.positions[t[0]] - o, b = mesh.positions[t[1]] - o,
+               c = mesh.positions[t[2]] - o;
+    area += glm::length(glm::cross(b - a, c - a)) / 2;
+    volume += glm::dot(a, glm::cross(b, c)) / 6;
+  }
+  info.area = area;
+  info.volume = info.closed() ? volume : 0;
+}
+
+PartInfo inspect_part(const Part& part, const RunContext& context) {
+  PartInfo info;
+  info.name = part.name;
+  const TriMesh& mesh = dynamic_cast<const MeshForm&>(*part.form).mesh();
+  info.vertices = static_cast<std::int64_t>(mesh.positions.size());
+  info.triangles = static_cast<std::int64_t>(mesh.triangles.size());
+  const ProxyMesh proxy = build_proxy(mesh, {}, context);
+  info.faces = proxy.region_count;
+  info.components = static_cast<std::int64_t>(proxy.topology.component_closed.size());
+  info.boundary_edges = std::ranges::count(proxy.topology.opposite, kNoHalfEdge);
+  info.self_intersections = count_self_intersections(mesh, context);
+  measure(mesh, info);
+  return info;
+}
+
+}  // namespace
+
+PartInfo MeshInfo::total() const {
+  PartInfo sum;
+  for (const PartInfo& p : parts) {
+    sum.vertices += p.vertices;
+    sum.triangles += p.triangles;
+    sum.faces += p.faces;
+    sum.components += p.components;
+    sum.boundary_edges += p.boundary_edges;
+    sum.self_intersections += p.self_intersections;
+    sum.area += p.area;
+    sum.volume += p.volume;
+    sum.bounds.add(p.bounds);
+  }
+  return sum;
+}
+
+MeshInfo inspect_mesh(const std::filesystem::path& path, const RunContext& context) {
+  MeshInfo info;
+  info.file = path.string();
+  MeshFile file = read_mesh_file(path, context);
+  info.format = file.format;
+  const Scene scene = repair_parts(std::move(file), path, context);
+  info.diagnostics = scene.diagnostics;
+  for (const Part& part : scene.parts) info.parts.push_back(inspect_part(part, context));
+  const std::int64_t crossings = info.total().self_intersections;
+  if (crossings > 0) {
+    info.diagnostics.add(Severity::Warning, "mesh.self_intersections", crossings,
+                         "pairs of triangles cross each other; they are drawn as they are");
+  }
+  return info;
+}
+
+}  // namespace burin
