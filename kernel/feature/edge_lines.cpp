@@ -208,12 +208,15 @@ std::vector<Curve3> edge_lines(const Facing& facing, std::span<const EdgeChain> 
   std::vector<Curve3> out;
   for (std::size_t i = 0; i < chains.size(); ++i) {
     if (i % 1024 == 0) context.check();
-    LineMaker maker(facing, chains[i], {part, -1, static_cast<std::int32_t>(i)});
     FeatureOptions wanted = options;
     wanted.contours |= wanted.creases;  // a crease that is a contour is still a crease
-    // Folds of the picture that run along a hair are contours and stay.
-    if (is_hair(facing, chains[i])) wanted.creases = false;
-    maker.make(wanted, out);
+    SourceId source{part, -1, static_cast<std::int32_t>(i)};
+    if (is_hair(facing, chains[i])) {
+      // Folds of the picture that run along a hair are contours like those before and after it.
+      wanted.creases = false;
+      source.edge = -1;
+    }
+    LineMaker(facing, chains[i], source).make(wanted, out);
   }
   return out;
 }

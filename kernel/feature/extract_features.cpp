@@ -5,6 +5,7 @@
 #include "edge_lines.h"
 #include "facing.h"
 #include "intersections.h"
+#include "tidy.h"
 
 #include <iterator>
 #include <utility>
@@ -27,15 +28,19 @@ std::vector<Curve3> extract_features(std::span<const ProxyMesh* const> proxies,
   for (std::size_t i = 0; i < proxies.size(); ++i) {
     const auto part = static_cast<std::int32_t>(i);
     const Facing facing(*proxies[i], camera, context);
+    std::vector<Curve3> lines;
     if (options.contours) {
       Contours contours = trace_contours(facing, part, context);
-      append(std::move(contours.curves), curves);
+      lines = std::move(contours.curves);
       noise += contours.noise;
     }
     if (options.contours || options.creases || options.boundaries) {
       const std::vector<EdgeChain> chains = chain_edges(*proxies[i], context);
-      append(edge_lines(facing, chains, part, options, context), curves);
+      append(edge_lines(facing, chains, part, options, context), lines);
     }
+    join_contours(lines);
+    drop_specks(lines, camera);
+    append(std::move(lines), curves);
   }
   if (options.intersections) append(intersection_curves(proxies, camera, context), curves);
   if (noise > 0) {
