@@ -1,0 +1,196 @@
+#include "arguments.h"
+
+#include <burin/base/error.h>
+#include <burin/base/nearest.h>
+#include <burin/base/version.h>
+
+#include <CLI/App.hpp>
+#include <CLI/Config.hpp>
+#include <CLI/Formatter.hpp>
+#include <fmt/format.h>
+
+namespace burin::cli {
+namespace {
+
+constexpr const char* kSheet = "The sheet and the view";
+constexpr const char* kLook = "The look";
+constexpr const char* kRun = "The run";
+constexpr const char* kFiles = "Files";
+
+CLI::Option* text(CLI::App& app, const char* name, std::string& value, const char* type,
+                  const char* group, const char* help) {
+  return app.add_option(name, value, help)
+      ->type_name(type)
+      ->group(group)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
+}
+
+/// An option that may be given several times, one value each time.
+void list(CLI::App& app, const char* name, std::vector<std::string>& values, const char* type,
+          const char* group, const char* help) {
+  app.add_option(name, values, help)->type_name(type)->group(group)->allow_extra_args(false);
+}
+
+void add_chatter(CLI::App& app, Chatter& chatter) {
+  app.add_flag("--quiet,-q", chatter.quiet, "print nothing but errors")->group(kRun);
+  app.add_flag("--verbose,-v", chatter.verbose, "print the time of each stage")->group(kRun);
+  app.add_flag("--progress", chatter.progress,
+               "show progress (default on a terminal); elsewhere than on a\n"
+               "terminal one line a step: burin: progress STAGE SHARE")
+      ->group(kRun);
+  app.add_flag("--no-progress", chatter.no_progress, "show none")->group(kRun);
+}
+
+CLI::App* add_draw(CLI::App& app, DrawArguments& a, Chatter& chatter) {
+  CLI::App* draw = app.add_subcommand("draw", "draw models as one sheet of line art");
+  draw->add_option("INPUT", a.inputs,
+                   "model files, each one or more parts of the scene:\nSTL, OBJ, OFF, PLY, 3MF")
+      ->type_name("")
+      ->group(kFiles);
+  list(*draw, "-o,--output", a.outputs, "FILE", kFiles,
+       "drawing to write, .svg or .json by its suffix; repeatable;\n"
+       "- is standard output and needs --format");
+  text(*draw, "--format", a.format, "svg|json", kFiles,
+       "format of outputs whose name does not tell it");
+  text(*draw, "--view", a.view, "NAME|X,Y,Z", kSheet,
+       "front back left right top bottom iso dimetric trimetric,\n"
+       "or the direction from the model to the viewer (default iso)");
+  text(*draw, "--up", a.up, "X,Y,Z", kSheet,
+       "up on the sheet (default 0,0,1; for top and bottom 0,1,0)");
+  text(*draw, "--perspective", a.perspective, "DEG", kSheet,
+       "vertical field of view in degrees (default: orthographic)");
+  text(*draw, "--paper", a.paper, "NAME|WxH", kSheet,
+       "A0..A6 (A4p is portrait), letter, or mm, say 200x150 (default A4)");
+  text(*draw, "--scale", a.scale, "S", kSheet,
+       "paper mm for a model mm (default: fit to the sheet)");
+  text(*draw, "--margin", a.margin, "MM", kSheet, "empty border of a fitted sheet (default 10)");
+  text(*draw, "--style", a.style, "NAME|FILE", kLook,
+       "outline, technical, engraving, or a style file (default technical)");
+  list(*draw, "--set", a.set, "KEY=VALUE", kLook,
+       "change one key of the style; repeatable; see burin styles --keys");
+  text(*draw, "--light", a.light, "X,Y,Z", kLook,
+       "direction to the light: right, up, towards the viewer\n"
+       "(default: upper left front)");
+  text(*draw, "--hidden", a.hidden, "none|dashed", kLook,
+       "leave hidden lines out or draw them dashed (default none)");
+  text(*draw, "--tolerance", a.tolerance, "MM", kLook,
+       "chord tolerance of any tessellation, in model mm\n"
+       "(default: less than 0.05 mm on the sheet)");
+  text(*draw, "--seed", a.seed, "N", kRun, "random seed (default 1)");
+  text(*draw, "--threads", a.threads, "N", kRun,
+       "worker threads (default: all); the drawing is the same for any number");
+  add_chatter(*draw, chatter);
+  draw->footer(
+      "\nExamples:\n"
+      "  burin draw bracket.stl -o bracket.svg\n"
+      "  burin draw pump.3mf -o pump.svg -o pump.json --style engraving --view 2,-3,1\n"
+      "  burin draw a.obj b.obj -o - --format svg --hidden dashed --set line.outer=1 > both.svg\n\n"
+      "Exit status: 0 drawn; 2 usage; 3 bad input; 4 output cannot be written; 5 cancelled; 1 "
+      "else.");
+  return draw;
+}
+
+CLI::App* add_info(CLI::App& app, InfoArguments& a) {
+  CLI::App* info =
+      app.add_subcommand("info", "tell what model files hold, and what is wrong with them");
+  info->add_option("INPUT", a.inputs, "model files")->type_name("")->group(kFiles);
+  info->add_flag("--json", a.json, "print JSON, for programs");
+  return info;
+}
+
+CLI::App* add_styles(CLI::App& app, StylesArguments& a) {
+  CLI::App* styles = app.add_subcommand("styles", "list the built-in styles");
+  styles->add_flag("--keys", a.keys, "list all style keys: meaning, range, value");
+  text(*styles, "--show", a.show, "NAME", "OPTIONS",
+       "print a style as JSON, to be changed and given to --style");
+  return styles;
+}
+
+std::vector<std::string> known_options(const CLI::App& app) {
+  std::vector<std::string> names;
+  for (const CLI::Option* option : app.get_options()) {
+    for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
+    for (const std::string& name : option->get_snames()) names.push_back("-" + name);
+  }
+  return names;
+}
+
+/// Throws for the first word that no option or argument took.
+void refuse_extras(const CLI::App& app, const std::string& command) {
+  for (const std::string& word : app.remaining()) {
+    const std::string name = word.substr(0, word.find('='));
+    if (name.starts_with('-')) {
+      throw UsageError(fmt::format("unknown option {}; the nearest is {} (see {} --help)", name,
+                                   nearest(name, known_options(app)), command));
+    }
+    throw UsageError(fmt::format("unexpected argument '{}' (see {} --help)", word, command));
+  }
+}
+
+/// A command is missing or unknown.
+void refuse_command(const CLI::App& app) {
+  std::vector<std::string> names;
+  for (const CLI::App* sub : app.get_subcommands({})) names.push_back(sub->get_name());
+  const std::vector<std::string> words = app.remaining();
+  if (words.empty()) {
+    throw UsageError(
+        "no command; say what to do, e.g. burin draw part.stl -o part.svg (see burin --help)");
+  }
+  if (words.front().starts_with('-')) refuse_extras(app, "burin");
+  throw UsageError(fmt::format("unknown command '{}'; the nearest is '{}' (see burin --help)",
+                               words.front(), nearest(words.front(), names)));
+}
+
+std::string one_line(std::string message) {
+  for (char& c : message) {
+    if (c == '\n') c = ' ';
+  }
+  return message;
+}
+
+}  // namespace
+
+Arguments parse_arguments(int argc, const char* const* argv) {
+  Arguments a;
+  CLI::App app(
+      "Burin turns models into engraved line art: hidden lines removed, tone carried by strokes.",
+      "burin");
+  app.get_formatter()->column_width(28);
+  app.set_help_flag("-h,--help", "print this help");
+  app.footer(
+      "\nburin COMMAND --help tells the options of a command.\n"
+      "Example: burin draw bracket.stl -o bracket.svg --style engraving");
+  app.set_version_flag("--version,-V", std::string("burin ") + version(), "print the version");
+  CLI::App* draw = add_draw(app, a.draw, a.chatter);
+  CLI::App* info = add_info(app, a.info);
+  CLI::App* styles = add_styles(app, a.styles);
+  CLI::App* plugins = app.add_subcommand("plugins", "list the plug-ins that are loaded");
+  app.allow_extras();
+  for (CLI::App* sub : {draw, info, styles, plugins}) sub->allow_extras();
+
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::CallForHelp&) {
+    a.help = app.help();
+    return a;
+  } catch (const CLI::CallForVersion& e) {
+    a.help = std::string(e.what()) + "\n";
+    return a;
+  } catch (const CLI::ParseError& e) {
+    throw UsageError(one_line(e.what()) + " (see burin --help)");
+  }
+
+  if (app.get_subcommands().empty()) refuse_command(app);
+  if (app.get_subcommands().size() > 1)
+    throw UsageError("one command at a time (see burin --help)");
+  const CLI::App* chosen = app.get_subcommands().front();
+  refuse_extras(*chosen, "burin " + chosen->get_name());
+  refuse_extras(app, "burin");
+  a.verb = chosen == draw     ? Verb::Draw
+           : chosen == info   ? Verb::Info
+           : chosen == styles ? Verb::Styles
+                              : Verb::Plugins;
+  return a;
+}
+
+}  // namespace burin::cli

@@ -1,0 +1,64 @@
+#pragma once
+/// What was asked on the command line.
+
+#include <string>
+#include <vector>
+
+namespace burin::cli {
+
+/// Options as they were typed; `draw` turns them into values, so that each error names its option.
+struct DrawArguments {
+  std::vector<std::string> inputs;
+  std::vector<std::string> outputs;
+  std::string format;
+  std::string view = "iso";
+  std::string up;
+  std::string perspective;
+  std::string paper = "A4";
+  std::string scale;
+  std::string margin = "10";
+  std::string style = "technical";
+  std::vector<std::string> set;
+  std::string light;
+  std::string hidden = "none";
+  std::string tolerance;
+  std::string seed = "1";
+  std::string threads;
+};
+
+struct StylesArguments {
+  bool keys = false;
+  std::string show;
+};
+
+struct InfoArguments {
+  std::vector<std::string> inputs;
+  bool json = false;
+};
+
+/// What a run says of itself on standard error.
+struct Chatter {
+  bool quiet = false;
+  bool verbose = false;
+  /// Neither: a bar where standard error is a terminal.
+  bool progress = false;
+  bool no_progress = false;
+};
+
+enum class Verb { Help, Draw, Info, Styles, Plugins };
+
+struct Arguments {
+  Verb verb = Verb::Help;
+  /// Help: the whole text to print.
+  std::string help;
+  DrawArguments draw;
+  StylesArguments styles;
+  InfoArguments info;
+  Chatter chatter;
+};
+
+/// Reads the command line. Throws UsageError, naming the nearest option or command where one is
+/// unknown.
+Arguments parse_arguments(int argc, const char* const* argv);
+
+}  // namespace burin::cli

@@ -1,0 +1,98 @@
+#include "console.h"
+
+#include "signals.h"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string_view>
+#include <vector>
+
+namespace burin::cli {
+namespace {
+
+constexpr std::array<std::string_view, 10> kStages{"read",    "build", "curvature", "field",
+                                                   "cover",   "trace", "features",  "visibility",
+                                                   "compose", "write"};
+constexpr int kBarWidth = 30;
+
+/// One write, past stdio: lines of different threads do not mix.
+void say(std::string_view text) {
+  while (!text.empty()) {
+    const ssize_t n = ::write(STDERR_FILENO, text.data(), text.size());
+    if (n <= 0) return;  // nobody listens
+    text.remove_prefix(static_cast<std::size_t>(n));
+  }
+}
+
+std::string one_line(std::string text) {
+  std::replace_if(
+      text.begin(), text.end(), [](char c) { return c == '\n' || c == '\r'; }, ' ');
+  return text;
+}
+
+}  // namespace
+
+void print_error(const std::string& message) {
+  say(fmt::format("burin: error: {}\n", one_line(message)));
+}
+
+Console::Console(const Chatter& chatter)
+    : quiet_(chatter.quiet), verbose_(chatter.verbose), terminal_(::isatty(STDERR_FILENO) == 1) {
+  progress_ = !quiet_ && !chatter.no_progress && (chatter.progress || terminal_);
+}
+
+void Console::progress(const std::string& stage, double share) {
+  const int percent = static_cast<int>(std::lround(100 * share));
+  if (!progress_ || (stage == last_stage_ && percent == last_percent_)) return;
+  last_stage_ = stage;
+  last_percent_ = percent;
+  if (!terminal_) return say(fmt::format("burin: progress {} {:.2f}\n", stage, share));
+  const int done = std::clamp(static_cast<int>(kBarWidth * share), 0, kBarWidth);
+  say(fmt::format("\r\x1b[Kburin: {:<10} [{:#<{}}{:-<{}}] {:3} %", stage, "", done, "",
+                  kBarWidth - done, percent));
+  drawn_ = true;
+  signals::bar_is_drawn(true);
+}
+
+void Console::clear() {
+  if (!drawn_) return;
+  say("\r\x1b[K");
+  drawn_ = false;
+  signals::bar_is_drawn(false);
+}
+
+void Console::diagnostics(const Diagnostics& diagnostics) {
+  if (quiet_) return;
+  clear();
+  for (const Diagnostic& d : diagnostics.entries()) {
+    if (d.severity == Severity::Info && !verbose_) continue;
+    const char* word = d.severity == Severity::Info ? "note" : "warning";
+    say(fmt::format("burin: {}: {}\n", word, one_line(d.message)));
+  }
+}
+
+void Console::stages(const RunContext& context, double total) {
+  if (!verbose_ || quiet_) return;
+  clear();
+  std::vector<StageTime> lines;
+  for (const std::string_view name : kStages) lines.push_back({std::string(name), 0});
+  for (const StageTime& stage : context.stages()) {
+    const auto it = std::find_if(lines.begin(), lines.end(),
+                                 [&](const StageTime& l) { return l.name == stage.name; });
+    if (it == lines.end()) {
+      lines.push_back(stage);
+    } else {
+      it->seconds += stage.seconds;
+    }
+  }
+  std::string text;
+  for (const StageTime& l : lines)
+    text += fmt::format("burin: stage {} {:.4f}\n", l.name, l.seconds);
+  say(text + fmt::format("burin: total {:.4f}\n", total));
+}
+
+}  // namespace burin::cli

@@ -1,0 +1,45 @@
+#pragma once
+/// Everything that the command says on standard error.
+
+#include <burin/base/diagnostics.h>
+#include <burin/base/run_context.h>
+
+#include "arguments.h"
+
+#include <string>
+
+namespace burin::cli {
+
+/// One line, `burin: error: MESSAGE`.
+void print_error(const std::string& message);
+
+/// Progress, warnings and timings of one run, as much as is wanted of them.
+class Console {
+ public:
+  explicit Console(const Chatter& chatter);
+  ~Console() { clear(); }
+  Console(const Console&) = delete;
+  Console& operator=(const Console&) = delete;
+
+  /// For RunContext: draws the bar, or prints a line where no terminal is.
+  void progress(const std::string& stage, double share);
+  /// Takes the bar away.
+  void clear();
+
+  /// One line an entry, `burin: warning: ...`; mere information with --verbose only.
+  void diagnostics(const Diagnostics& diagnostics);
+  /// The lines of --verbose: all stages of a drawing in their order, then any others, then the
+  /// total.
+  void stages(const RunContext& context, double total);
+
+ private:
+  bool quiet_;
+  bool verbose_;
+  bool progress_;
+  bool terminal_;
+  bool drawn_ = false;
+  std::string last_stage_;
+  int last_percent_ = -1;
+};
+
+}  // namespace burin::cli

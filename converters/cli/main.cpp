@@ -1,0 +1,124 @@
+/// The command `burin`.
+
+#include <burin/base/error.h>
+#include <burin/base/run_context.h>
+
+#include "arguments.h"
+#include "console.h"
+#include "draw.h"
+#include "info.h"
+#include "signals.h"
+#include "styles.h"
+
+#include <fmt/format.h>
+
+#include <chrono>
+#include <cstdio>
+#include <exception>
+#include <new>
+
+namespace burin::cli {
+namespace {
+
+enum Status { kDone = 0, kFailed = 1, kUsage = 2, kBadInput = 3, kNoOutput = 4, kStopped = 5 };
+
+std::string located(const std::string& file, std::int64_t line, const std::string& what) {
+  if (file.empty()) return what;
+  return line > 0 ? fmt::format("{}:{}: {}", file, line, what) : fmt::format("{}: {}", file, what);
+}
+
+/// Says what went wrong, in one line; to be called where an exception was caught. `input` is the
+/// file that errors without one of their own are about.
+Status report(const std::string& input) {
+  try {
+    throw;
+  } catch (const Cancelled&) {
+    if (signals::may_say_cancelled()) print_error("cancelled");
+    return kStopped;
+  } catch (const UsageError& e) {
+    print_error(e.what());
+    return kUsage;
+  } catch (const InputError& e) {
+    print_error(located(e.file().empty() ? input : e.file(), e.line(), e.what()));
+    return kBadInput;
+  } catch (const GeometryError& e) {
+    print_error(located(input, 0, e.what()));
+    return kBadInput;
+  } catch (const OutputError& e) {
+    print_error(located(e.file(), 0, e.what()));
+    return kNoOutput;
+  } catch (const std::bad_alloc&) {
+    print_error(located(input, 0, "out of memory; draw a smaller model, or fewer at once"));
+    return kFailed;
+  } catch (const std::exception& e) {
+    print_error(located(input, 0, e.what()));
+    return kFailed;
+  }
+}
+
+void print(const std::string& text) { std::fwrite(text.data(), 1, text.size(), stdout); }
+
+void check_printed() {
+  if (std::fflush(stdout) != 0 || std::ferror(stdout)) {
+    throw OutputError("cannot be written", "standard output");
+  }
+}
+
+int run(const Arguments& arguments, RunContext& context, Console& console) {
+  switch (arguments.verb) {
+    case Verb::Help:
+      print(arguments.help);
+      break;
+    case Verb::Draw:
+      run_draw(arguments.draw, context, console);
+      break;
+    case Verb::Info: {
+      if (arguments.info.inputs.empty()) {
+        throw UsageError("no input; name model files: burin info INPUT...");
+      }
+      InfoOptions options;
+      options.inputs.assign(arguments.info.inputs.begin(), arguments.info.inputs.end());
+      options.json = arguments.info.json;
+      const int status = run_info(options, context);
+      check_printed();
+      return status;
+    }
+    case Verb::Styles:
+      print(run_styles(arguments.styles));
+      break;
+    case Verb::Plugins:
+      print("no plug-ins are loaded\n");
+      break;
+  }
+  check_printed();
+  return kDone;
+}
+
+int main_of(int argc, const char* const* argv) {
+  using Clock = std::chrono::steady_clock;
+  const auto start = Clock::now();
+  std::string input;
+  try {
+    const Arguments arguments = parse_arguments(argc, argv);
+    const auto& inputs =
+        arguments.verb == Verb::Info ? arguments.info.inputs : arguments.draw.inputs;
+    if (inputs.size() == 1) input = inputs.front();
+    Console console(arguments.chatter);
+    RunContext context(
+        [&](const std::string& stage, double share) { console.progress(stage, share); });
+    const signals::Handlers handlers(context);
+    const int status = run(arguments, context, console);
+    signals::finish();
+    if (arguments.verb == Verb::Draw) {
+      console.stages(context, std::chrono::duration<double>(Clock::now() - start).count());
+    }
+    return status;
+  } catch (...) {
+    return report(input);
+  }
+}
+
+}  // namespace
+}  // namespace burin::cli
+
+int main(int argc, char** argv) { return burin::cli::main_of(argc, argv); }

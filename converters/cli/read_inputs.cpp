@@ -1,0 +1,47 @@
+#include "read_inputs.h"
+
+#include <burin/base/error.h>
+#include <burin/converters/mesh_reader.h>
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+#include <iterator>
+
+namespace burin::cli {
+
+void check_inputs(const std::vector<std::string>& paths) {
+  for (const std::string& path : paths) {
+    struct stat info {};
+    if (::stat(path.c_str(), &info) != 0) {
+      throw InputError(errno == ENOENT || errno == ENOTDIR
+                           ? "there is no such file; check the path"
+                           : std::string("cannot be opened: ") + std::strerror(errno),
+                       path);
+    }
+    if (S_ISDIR(info.st_mode)) throw InputError("is a folder; name a model file in it", path);
+    if (::access(path.c_str(), R_OK) != 0) {
+      throw InputError("no permission to read it; change that or copy the file", path);
+    }
+  }
+}
+
+Scene read_inputs(const std::vector<std::string>& paths, RunContext& context) {
+  context.begin_stage("read");
+  Scene scene;
+  for (std::size_t i = 0; i < paths.size(); ++i) {
+    // The mesh reader knows formats by content as well as by suffix.
+    Scene one = read_mesh(paths[i], context);
+    scene.parts.insert(scene.parts.end(), std::make_move_iterator(one.parts.begin()),
+                       std::make_move_iterator(one.parts.end()));
+    scene.diagnostics.append(one.diagnostics);
+    context.progress(static_cast<double>(i + 1) / static_cast<double>(paths.size()));
+  }
+  context.end_stage();
+  return scene;
+}
+
+}  // namespace burin::cli

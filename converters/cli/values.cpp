@@ -1,0 +1,62 @@
+#include "values.h"
+
+#include <burin/base/error.h>
+
+#include <fmt/format.h>
+
+#include <charconv>
+#include <cmath>
+#include <string_view>
+
+namespace burin::cli {
+namespace {
+
+template <class T>
+std::optional<T> parse(std::string_view text) {
+  if (text.starts_with('+')) text.remove_prefix(1);
+  T value{};
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc() || end != text.data() + text.size()) return {};
+  return value;
+}
+
+[[noreturn]] void refuse(const char* option, const char* what, const std::string& text) {
+  throw UsageError(fmt::format("option {} takes {}, not '{}'", option, what, text));
+}
+
+}  // namespace
+
+std::optional<double> number_option(const char* option, const std::string& text, double low,
+                                    double high, const char* what) {
+  if (text.empty()) return {};
+  const auto x = parse<double>(text);
+  if (!x || !(*x >= low && *x <= high)) refuse(option, what, text);
+  return x;
+}
+
+std::uint64_t whole_option(const char* option, const std::string& text, std::uint64_t low,
+                           std::uint64_t high, const char* what) {
+  const auto n = parse<std::uint64_t>(text);
+  if (!n || *n < low || *n > high) refuse(option, what, text);
+  return *n;
+}
+
+Vec3 direction_option(const char* option, const std::string& text) {
+  constexpr const char* kWhat = "a direction X,Y,Z other than 0,0,0";
+  Vec3 v(0);
+  std::string_view rest = text;
+  for (int i = 0; i < 3; ++i) {
+    const std::size_t comma = i < 2 ? rest.find(',') : rest.size();
+    if (comma == std::string_view::npos) refuse(option, kWhat, text);
+    std::string_view word = rest.substr(0, comma);
+    while (word.starts_with(' ')) word.remove_prefix(1);
+    const auto x = parse<double>(word);
+    if (!x || !std::isfinite(*x)) refuse(option, kWhat, text);
+    v[i] = *x;
+    rest.remove_prefix(std::min(comma + 1, rest.size()));
+  }
+  if (v == Vec3(0)) refuse(option, kWhat, text);
+  return v;
+}
+
+}  // namespace burin::cli
