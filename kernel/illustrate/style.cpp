@@ -47,9 +47,9 @@ Style technical() {
 Style engraving() {
   Style s;
   s.name = "engraving";
-  s.line.outer = 0.35;
+  s.line.outer = 0.4;
   s.line.contour = 0.25;
-  s.line.crease = 0.15;
+  s.line.crease = 0.18;
   s.line.boundary = 0.25;
   s.line.intersection = 0.2;
   s.hatch.spacing_min = 0.55;
@@ -57,7 +57,9 @@ Style engraving() {
   s.hatch.width_min = 0.07;
   s.hatch.width_max = 0.42;
   s.hatch.tone_min = 0.06;
-  s.hatch.cross_from = 0.5;
+  s.hatch.cross_from = 0.55;
+  s.tone.ambient = 0.22;
+  s.tone.diffuse = 0.72;
   return s;
 }
 

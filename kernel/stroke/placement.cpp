@@ -1,5 +1,7 @@
 #include "placement.h"
 
+#include <burin/base/rng.h>
+
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -23,17 +25,26 @@ constexpr double kNarrow = 1.0;
 class Placement {
  public:
   Placement(const Picture& picture, Family& out, int family)
-      : picture_(picture), out_(out), family_(family), tracer_(picture, out.grid, family) {}
+      : picture_(picture),
+        out_(out),
+        family_(family),
+        tracer_(picture, out.grid, family),
+        rng_(picture.options.seed, 0, static_cast<std::uint64_t>(family)) {}
 
-  void start(std::int32_t part, const SurfacePoint& point, double share) {
+  // A stroke through a point, if it keeps `share` of the spacing from all others and is long
+  // enough. It takes the arm of the field nearest to `toward`, the direction of the stroke it is a
+  // neighbour of: so the strokes of a patch belong together even where the field's families change
+  // names.
+  void start(std::int32_t part, const SurfacePoint& point, Vec3 toward, double share) {
     StrokeSample seed;
-    if (!tracer_.seed(part, point, family_, seed) || !tracer_.free(part, seed, share)) return;
-    TracedStroke stroke = tracer_.trace(part, seed);
+    if (!tracer_.seed(part, point, family_, toward, seed) || !tracer_.free(part, seed, share))
+      return;
+    TracedStroke stroke = tracer_.trace(part, seed, reach());
     if (family_ == 1 && narrow(stroke)) {
       // Across a narrow strip the strokes would be a fringe: go along it.
       StrokeSample along;
-      if (tracer_.seed(part, point, 2, along)) {
-        TracedStroke other = tracer_.trace(part, along);
+      if (tracer_.seed(part, point, family_, glm::cross(seed.normal, seed.tangent), along)) {
+        TracedStroke other = tracer_.trace(part, along, reach());
         if (other.length() > 2 * stroke.length()) stroke = std::move(other);
       }
     }
@@ -49,7 +60,7 @@ class Placement {
           // A copy: `start` may grow the list of strokes.
           const StrokeSample s = out_.strokes[done_].samples[i];
           const auto at = offset(out_.strokes[done_].part, s, side, tracer_.spacing(s));
-          if (at) start(out_.strokes[done_].part, *at, kBeside);
+          if (at) start(out_.strokes[done_].part, *at, s.tangent, kBeside);
         }
       }
     }
@@ -72,7 +83,7 @@ class Placement {
           const double width = side > 0 ? gap.left : gap.right;
           if (width > kGap * d && width < 2.1 * d) {
             const auto at = offset(out_.strokes[stroke].part, s, side, 0.5 * width);
-            if (at) start(out_.strokes[stroke].part, *at, kInGap);
+            if (at) start(out_.strokes[stroke].part, *at, s.tangent, kInGap);
           }
         }
       }
@@ -80,6 +91,13 @@ class Placement {
   }
 
  private:
+  // Half the longest stroke, drawn anew for each by a third either way: ends of equal strokes would
+  // line up to a white band.
+  double reach() const {
+    const double dice = rng_.uniform(out_.strokes.size());
+    return 0.5 * picture_.options.length_max * (2.0 / 3 + 2.0 / 3 * dice);
+  }
+
   bool narrow(const TracedStroke& s) const {
     return s.begin_reason == StrokeEnd::Edge && s.end_reason == StrokeEnd::Edge &&
            s.length() < 1.2 * picture_.options.length_min;
@@ -156,6 +174,7 @@ class Placement {
   Family& out_;
   int family_;
   Tracer tracer_;
+  Rng rng_;
   std::size_t done_ = 0;
 
  public:
@@ -176,7 +195,7 @@ Family place_family(const Picture& picture, const ViewRaster& raster,
       context.check();
       progress(static_cast<double>(i) / static_cast<double>(seeds.size()));
     }
-    placement.start(seeds[i].part, seeds[i].point, Placement::anywhere());
+    placement.start(seeds[i].part, seeds[i].point, Vec3(0), Placement::anywhere());
     placement.fill_beside(context);
   }
   placement.fill_gaps(context);

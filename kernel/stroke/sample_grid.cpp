@@ -46,16 +46,21 @@ void SampleGrid::visit(const GridSample& at, double radius, const Visit& f) cons
   }
 }
 
-double SampleGrid::nearest(const GridSample& at, double radius) const {
-  double best = radius;
+SampleGrid::Near SampleGrid::nearest(const GridSample& at, double radius, double run_up) const {
+  constexpr double kAcross =
+      0.6;  // cosine of the angle from which two lines cross rather than run together
+  Near best{radius};
   visit(at, radius, [&](const GridSample& s) {
     const Vec2 d = at.paper - s.paper;
     const double d2 = glm::dot(d, d);
-    if (d2 >= radius * radius) return;
+    if (d2 >= best.distance * best.distance + s.pace * s.pace) return;
     const double along = std::abs(glm::dot(d, s.direction));
     const double across = std::abs(cross2(s.direction, d));
-    const double distance = along < across ? across : std::sqrt(d2);
-    if (distance < best && same_sheet(at, s)) best = distance;
+    double distance = along < s.pace ? across : std::sqrt(d2);
+    const bool crossing =
+        at.direction != Vec2(0) && std::abs(glm::dot(at.direction, s.direction)) < kAcross;
+    if (crossing) distance *= run_up;
+    if (distance < best.distance && same_sheet(at, s)) best = {distance, crossing};
   });
   return best;
 }

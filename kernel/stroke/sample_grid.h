@@ -11,7 +11,8 @@ namespace burin::detail {
 /// One place of one stroke on paper, and which visible sheet it lies on.
 struct GridSample {
   Vec2 paper{0};
-  Vec2 direction{0};  // unit, on paper
+  Vec2 direction{0};  // unit, on paper; zero for a point that is no part of a line
+  double pace = 0;    // paper mm to either side along the line that the sample stands for
   double depth = 0;   // model mm toward the viewer
   double slope = 0;   // model mm of depth a paper mm that the sheet may change by here
   std::int32_t part = -1;
@@ -27,10 +28,14 @@ class SampleGrid {
 
   void insert(const GridSample& sample);
 
-  /// The smallest distance on paper below `radius` from `at` to a sample of the same sheet that
-  /// `skip` does not exclude, measured across the sample's own direction; `radius` where there is
-  /// none.
-  double nearest(const GridSample& at, double radius) const;
+  /// The sample of the same sheet that is nearest to `at` below `radius` paper mm, measured across
+  /// the sample's own direction. One that runs across the direction of `at` counts as farther than
+  /// it is: a stroke may run up to it.
+  struct Near {
+    double distance;        // `radius` where there is none
+    bool crossing = false;  // it runs across
+  };
+  Near nearest(const GridSample& at, double radius, double run_up = 1) const;
 
   /// The nearest distances on the left and on the right of `at` (looking along its direction), each
   /// `radius` where there is no neighbour; samples of `own_stroke` do not count.

@@ -14,6 +14,7 @@ constexpr double kMinRun = 0.12;     // share of its length that a step must kee
 constexpr double kMaxTurn = 0.7;     // cosine of the turn in one step that still is a smooth stroke
 constexpr double kTestShare =
     0.55;                           // of the spacing: a stroke ends nearer than that to a neighbour
+constexpr double kRunUp = 2.5;      // how much closer to a stroke that crosses its way
 constexpr int kMaxSamples = 20000;  // a bound where length_max is set absurdly high
 
 }  // namespace
@@ -28,7 +29,7 @@ double TracedStroke::length() const {
 
 GridSample grid_sample(const StrokeSample& s, std::int32_t part, std::int32_t stroke,
                        std::int32_t index) {
-  return {s.paper, s.direction, s.depth, s.slope, part, s.region, stroke, index};
+  return {s.paper, s.direction, 0.6 * kStep, s.depth, s.slope, part, s.region, stroke, index};
 }
 
 double Tracer::spacing(const StrokeSample& s) const {
@@ -81,8 +82,9 @@ bool Tracer::seen(std::int32_t part, const StrokeSample& s) const {
   return nearer <= picture_.same_place;
 }
 
-bool Tracer::seed(std::int32_t part, const SurfacePoint& point, int arm, StrokeSample& out) const {
-  return fill(part, point, Vec3(0), arm, out) && out.visible && out.facing > kMinFacing &&
+bool Tracer::seed(std::int32_t part, const SurfacePoint& point, int arm, Vec3 toward,
+                  StrokeSample& out) const {
+  return fill(part, point, toward, arm, out) && out.visible && out.facing > kMinFacing &&
          seen(part, out);
 }
 
@@ -100,10 +102,10 @@ bool Tracer::free(std::int32_t part, const StrokeSample& s, double share) const 
   const double ink = picture_.share(s.darkness, family_);
   if (ink < picture_.options.tone_min) return false;
   const double d = share * spacing(s);
-  return grid_.nearest(grid_sample(s, part, -1, 0), d) >= d;
+  return grid_.nearest(grid_sample(s, part, -1, 0), d).distance >= d;
 }
 
-StrokeEnd Tracer::extend(std::int32_t part, const StrokeSample& seed, double sign,
+StrokeEnd Tracer::extend(std::int32_t part, const StrokeSample& seed, double sign, double reach,
                          std::vector<StrokeSample>& out) const {
   const Surface& surface = picture_.surface(part);
   const Camera& camera = picture_.camera;
@@ -149,7 +151,8 @@ StrokeEnd Tracer::extend(std::int32_t part, const StrokeSample& seed, double sig
       if (picture_.share(next.darkness, family_) < picture_.options.tone_min)
         return StrokeEnd::Light;
       const double d = kTestShare * spacing(next);
-      if (grid_.nearest(grid_sample(next, part, -1, 0), d) < d) return StrokeEnd::Crowded;
+      const SampleGrid::Near near = grid_.nearest(grid_sample(next, part, -1, 0), d, kRunUp);
+      if (near.distance < d) return near.crossing ? StrokeEnd::Met : StrokeEnd::Crowded;
       const Vec2 gap = next.paper - seed.paper;
       if (travelled > 4 * kStep && next.region == seed.region &&
           std::abs(next.depth - seed.depth) < kStep * seed.slope) {
@@ -161,23 +164,23 @@ StrokeEnd Tracer::extend(std::int32_t part, const StrokeSample& seed, double sig
     out.push_back(next);
     if (ends) return StrokeEnd::Edge;
     travelled += ds;
-    if (travelled > picture_.options.length_max / 2) return StrokeEnd::Length;
+    if (travelled > reach) return StrokeEnd::Length;
     at = next;
   }
   return StrokeEnd::Length;
 }
 
-TracedStroke Tracer::trace(std::int32_t part, const StrokeSample& seed) const {
+TracedStroke Tracer::trace(std::int32_t part, const StrokeSample& seed, double reach) const {
   TracedStroke stroke;
   stroke.part = part;
   stroke.family = family_;
   std::vector<StrokeSample> forward, backward;
-  stroke.end_reason = extend(part, seed, 1, forward);
+  stroke.end_reason = extend(part, seed, 1, reach, forward);
   if (stroke.end_reason == StrokeEnd::Closed) {
     stroke.closed = true;
     stroke.begin_reason = StrokeEnd::Closed;
   } else {
-    stroke.begin_reason = extend(part, seed, -1, backward);
+    stroke.begin_reason = extend(part, seed, -1, reach, backward);
     if (stroke.begin_reason == StrokeEnd::Closed) stroke.begin_reason = StrokeEnd::Crowded;
   }
   for (auto it = backward.rbegin(); it != backward.rend(); ++it) {

@@ -8,8 +8,9 @@
 
 namespace burin::detail {
 
-/// Why a stroke ends; decides how its end is shaped.
-enum class StrokeEnd { Edge, Hidden, Light, Crowded, Singular, Length, Closed };
+/// Why a stroke ends; decides how its end is shaped. Crowded: a neighbour comes too close; Met: a
+/// stroke crosses its way.
+enum class StrokeEnd { Edge, Hidden, Light, Crowded, Met, Singular, Length, Closed };
 
 /// One place of a stroke under way.
 struct StrokeSample {
@@ -47,15 +48,18 @@ class Tracer {
   Tracer(const Picture& picture, const SampleGrid& neighbours, int family)
       : picture_(picture), grid_(neighbours), family_(family) {}
 
-  /// The sample at a surface point with the direction of the field's family `arm` there; false
-  /// where there is none or the point is turned away or hidden.
-  bool seed(std::int32_t part, const SurfacePoint& point, int arm, StrokeSample& out) const;
+  /// The sample at a surface point; false where the field is singular or the point turned away or
+  /// hidden. The direction is the arm of the field nearest to `toward` (model space), or the
+  /// family's own arm where that is the zero vector.
+  bool seed(std::int32_t part, const SurfacePoint& point, int arm, Vec3 toward,
+            StrokeSample& out) const;
 
-  /// The unit direction on paper that a stroke coming in along `previous` (model space) has at a surface point.
+  /// The unit direction on paper that a stroke coming in along `previous` (model space) has at a
+  /// surface point.
   std::optional<Vec2> direction(std::int32_t part, const SurfacePoint& point, Vec3 previous) const;
 
-  /// The whole stroke through a seed, both ways.
-  TracedStroke trace(std::int32_t part, const StrokeSample& seed) const;
+  /// The whole stroke through a seed, both ways, each at most `reach` paper mm.
+  TracedStroke trace(std::int32_t part, const StrokeSample& seed, double reach) const;
 
   /// The distance that neighbours of this family keep at a place.
   double spacing(const StrokeSample& s) const;
@@ -68,7 +72,7 @@ class Tracer {
   bool fill(std::int32_t part, const SurfacePoint& point, Vec3 previous, int arm,
             StrokeSample& out) const;
   bool seen(std::int32_t part, const StrokeSample& s) const;
-  StrokeEnd extend(std::int32_t part, const StrokeSample& seed, double sign,
+  StrokeEnd extend(std::int32_t part, const StrokeSample& seed, double sign, double reach,
                    std::vector<StrokeSample>& out) const;
 
   const Picture& picture_;

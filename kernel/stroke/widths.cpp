@@ -8,8 +8,10 @@
 namespace burin::detail {
 namespace {
 
-constexpr double kBlur = 0.9;       // paper mm, half width of each of the box blurs
-constexpr int kRounds = 4;          // of correction
+constexpr double kBlur = 0.9;  // paper mm, half width of each of the box blurs
+constexpr int kRounds = 4;     // of correction
+constexpr double kMetTaper =
+    0.5;  // paper mm over which a stroke thins out that runs up to another one
 constexpr double kSmoothing = 1.2;  // paper mm over which widths are evened out along a stroke
 
 using Plane = std::vector<float>;
@@ -132,24 +134,33 @@ class WidthSolver {
     const std::size_t n = stroke.samples.size();
     std::vector<double> t(n, 1.0);
     if (stroke.closed) return t;
-    const double length = std::min(picture_.options.taper, 0.4 * stroke.length());
-    const auto thins = [](StrokeEnd e) {
-      return e == StrokeEnd::Light || e == StrokeEnd::Crowded || e == StrokeEnd::Singular ||
-             e == StrokeEnd::Length;
+    const double longest = std::min(picture_.options.taper, 0.4 * stroke.length());
+    const auto length = [&](StrokeEnd e) {
+      switch (e) {
+        case StrokeEnd::Light:
+        case StrokeEnd::Crowded:
+        case StrokeEnd::Singular:
+        case StrokeEnd::Length:
+          return longest;
+        case StrokeEnd::Met:
+          return std::min(longest, kMetTaper);
+        default:
+          return 0.0;
+      }
     };
-    const auto apply = [&](bool from_begin) {
+    const auto apply = [&](bool from_begin, double thin) {
       double s = 0;
-      for (std::size_t i = 0; i < n && s < length; ++i) {
+      for (std::size_t i = 0; i < n && s < thin; ++i) {
         const std::size_t at = from_begin ? i : n - 1 - i;
-        t[at] = std::min(t[at], s / length);
+        t[at] = std::min(t[at], s / thin);
         if (i + 1 < n) {
           const std::size_t next = from_begin ? at + 1 : at - 1;
           s += glm::length(stroke.samples[next].paper - stroke.samples[at].paper);
         }
       }
     };
-    if (length > 0 && thins(stroke.begin_reason)) apply(true);
-    if (length > 0 && thins(stroke.end_reason)) apply(false);
+    apply(true, length(stroke.begin_reason));
+    apply(false, length(stroke.end_reason));
     return t;
   }
 

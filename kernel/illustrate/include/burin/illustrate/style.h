@@ -51,7 +51,7 @@ struct Style {
     double tone_min = 0.05;
     double cross_from = 0.45;
     double length_min = 2.5;
-    double length_max = 120;
+    double length_max = 300;
     double taper = 2.5;
     double foreshortening = 0;
   } hatch;

@@ -28,9 +28,9 @@ struct HatchOptions {
   double tone_min = 0.05;
   /// The second family crosses the first where the tone asks for more than this; over 1 = never.
   double cross_from = 0.45;
-  /// A stroke shorter than this is not drawn; one longer than this ends.
+  /// A stroke shorter than this is not drawn; one longer than about this ends (a third more or less, by chance).
   double length_min = 2.5;
-  double length_max = 120;
+  double length_max = 300;
   /// Length over which a stroke's end thins out.
   double taper = 2.5;
   /// 0: equal spacing on paper whatever the slant of the surface; 1: equal spacing on the surface.
