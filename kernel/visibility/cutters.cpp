@@ -94,7 +94,8 @@ void Cutters::cross(const PictureSegment& s, CutRule rule, Crossings& out) const
   if (segments_.empty() || !finite(s)) return;
   visit_cells(s, [&](std::size_t cell) {
     for (std::uint32_t i = first_[cell]; i < first_[cell + 1]; ++i) {
-      cross_one(s, segments_[members_[i]], rule, out);
+      const PictureSegment& cutter = segments_[members_[i]];
+      if (!follow_each_other(s, cutter)) cross_one(s, cutter, rule, out);
     }
   });
 }

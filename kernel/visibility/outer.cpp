@@ -6,14 +6,14 @@
 namespace burin {
 namespace {
 
-// Paper mm beside the curve where the sheet must be empty: beyond the chord error of a proxy fit
-// for drawing (0.05 mm), below the width of a gap that a reader would see as one.
+// Paper mm beside the curve where the sheet must be empty, beside what the proxy's polygons may jut
+// out over a smooth contour: below the width of a gap that a reader would see as one.
 constexpr double kBeside = 0.2;
 // Paper mm between two places that are looked at, and how many at least and at most.
 constexpr double kSpacing = 2;
 constexpr int kFewest = 3, kMost = 7;
 
-bool beside_paper(const Probe& probe, const Track& track, const Piece& piece) {
+bool beside_paper(const Probe& probe, const Curve3& curve, const Track& track, const Piece& piece) {
   const int count = std::clamp(static_cast<int>(piece.length() / kSpacing), kFewest, kMost) | 1;
   int open = 0;
   for (int i = 0; i < count; ++i) {
@@ -25,14 +25,17 @@ bool beside_paper(const Probe& probe, const Track& track, const Piece& piece) {
                                        track.start_range(segment), track.end_range(segment));
     const Vec2 d = track.direction(segment);
     const Vec2 p = glm::mix(track.start(segment), track.end(segment), share);
-    const Vec2 side = kBeside * Vec2(-d.y, d.x);
+    const std::int32_t face = curve.faces.empty() ? -1 : curve.faces[segment];
+    const double error =
+        probe.chord_error(curve.source.part, face) * probe.camera().scale_at(curve.points[segment]);
+    const Vec2 side = (kBeside + 2 * error) * Vec2(-d.y, d.x);
     if (!probe.paper_covered(p + side) || !probe.paper_covered(p - side)) ++open;
   }
   return 2 * open > count;
 }
 
 // Marks the stretch `piece`, short parts of which take their neighbours' answer.
-void mark(const Probe& probe, const Track& track, const Piece& piece,
+void mark(const Probe& probe, const Curve3& curve, const Track& track, const Piece& piece,
           const std::vector<double>& cuts, double minimum, std::vector<Piece>& out) {
   std::vector<Piece> parts;
   Piece rest = piece;
@@ -46,7 +49,7 @@ void mark(const Probe& probe, const Track& track, const Piece& piece,
   }
   parts.push_back(rest);
   for (Piece& part : parts) {
-    part.outer = beside_paper(probe, track, part);
+    part.outer = beside_paper(probe, curve, track, part);
     if (!out.empty() && out.back().visible && out.back().outer == part.outer &&
         out.back().to == part.from) {
       out.back().end = part.end;
@@ -59,13 +62,14 @@ void mark(const Probe& probe, const Track& track, const Piece& piece,
 
 }  // namespace
 
-std::vector<Piece> find_outer(const Probe& probe, const Cutters& cutters, const Track& track,
+std::vector<Piece> find_outer(const Probe& probe, const Cutters& cutters, const Curve3& curve,
+                              const Track& track, std::int32_t number,
                               const std::vector<Piece>& pieces, double minimum, Scratch& scratch) {
   const auto n = static_cast<double>(track.segment_count());
   scratch.cuts.clear();
   for (std::size_t i = 0; i < track.segment_count(); ++i) {
     scratch.crossings.clear();
-    cutters.cross(track.segment(i), CutRule::AnyDepth, scratch.crossings);
+    cutters.cross(track.segment(i, number), CutRule::AnyDepth, scratch.crossings);
     for (const double t : scratch.crossings.cuts) {
       scratch.cuts.push_back(static_cast<double>(i) + t);
       if (track.closed()) scratch.cuts.push_back(static_cast<double>(i) + t + n);
@@ -83,7 +87,7 @@ std::vector<Piece> find_outer(const Probe& probe, const Cutters& cutters, const 
     for (const double cut : scratch.cuts) {
       if (cut > piece.begin && cut < piece.end) inside.push_back(cut);
     }
-    mark(probe, track, piece, inside, minimum, out);
+    mark(probe, curve, track, piece, inside, minimum, out);
   }
   return out;
 }

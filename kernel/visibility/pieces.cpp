@@ -53,7 +53,8 @@ void own_cuts(const Curve3& curve, const Probe& probe, std::vector<double>& cuts
 
 }  // namespace
 
-void Cutting::find_cuts(const Curve3& curve, const Track& track, Scratch& scratch) const {
+void Cutting::find_cuts(const Curve3& curve, const Track& track, std::int32_t number,
+                        Scratch& scratch) const {
   scratch.cuts.clear();
   scratch.covered.clear();
   if (curve.kind == LineClass::Stroke || curve.kind == LineClass::Pattern ||
@@ -63,7 +64,7 @@ void Cutting::find_cuts(const Curve3& curve, const Track& track, Scratch& scratc
   for (std::size_t i = 0; i < track.segment_count(); ++i) {
     if (!curve.self_hidden.empty() && curve.self_hidden[i]) continue;
     scratch.crossings.clear();
-    cutters_.cross(track.segment(i), CutRule::NearerOrAt, scratch.crossings);
+    cutters_.cross(track.segment(i, number), CutRule::NearerOrAt, scratch.crossings);
     const auto at = static_cast<double>(i);
     for (const double t : scratch.crossings.cuts) scratch.cuts.push_back(at + t);
     for (const Crossings::Stretch& s : scratch.crossings.covered) {
@@ -106,9 +107,9 @@ std::vector<Piece> pieces_between(const Track& track, std::vector<double>& cuts)
   return pieces;
 }
 
-std::vector<Piece> Cutting::classify(const Curve3& curve, const Track& track,
+std::vector<Piece> Cutting::classify(const Curve3& curve, const Track& track, std::int32_t number,
                                      Scratch& scratch) const {
-  find_cuts(curve, track, scratch);
+  find_cuts(curve, track, number, scratch);
   std::vector<Piece> pieces = pieces_between(track, scratch.cuts), out;
   out.reserve(pieces.size());
   for (Piece& piece : pieces) {

@@ -38,11 +38,14 @@ class Cutting {
  public:
   Cutting(const Probe& probe, const Cutters& cutters) : probe_(probe), cutters_(cutters) {}
 
-  /// Sets the pieces' places and answers; deterministic.
-  std::vector<Piece> classify(const Curve3& curve, const Track& track, Scratch& scratch) const;
+  /// Sets the pieces' places and answers; deterministic. `number`: the curve's number among the
+  /// cutters, or -1.
+  std::vector<Piece> classify(const Curve3& curve, const Track& track, std::int32_t number,
+                              Scratch& scratch) const;
 
  private:
-  void find_cuts(const Curve3& curve, const Track& track, Scratch& scratch) const;
+  void find_cuts(const Curve3& curve, const Track& track, std::int32_t number,
+                 Scratch& scratch) const;
   void vote(const Curve3& curve, const Track& track, const Piece& piece,
             std::vector<Piece>& out) const;
   void refine(const Curve3& curve, const Track& track, const Piece& piece,

@@ -1,6 +1,7 @@
 #include "probe.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -10,10 +11,13 @@ namespace {
 // Multiples of the occluder's resolution: distance from a plane within which a point lies on it.
 // Covers vertices that went through single precision (STL) once in each part.
 constexpr double kOnPlane = 4;
-// Multiples of the chord error within which the ring of triangles around a point on a fold lies in
-// front of it: the ring reaches 1.5 edges far, so its planes pass at most k (1.5 h)^2 / 2 = 9 (k
-// h^2 / 8) from the point.
-constexpr double kFoldDepth = 9;
+// Steps from triangle to triangle over smooth edges: the patch around a point on a fold, two rings
+// of vertices wide.
+constexpr int kFoldSteps = 4;
+// Edges of both triangles within which a fold can lie in front of its own contour: its polygons and
+// its contour, which runs where interpolated normals turn away, differ by about an edge along the
+// line of sight.
+constexpr double kFoldReach = 2;
 
 // What a hit is judged by.
 struct Origin {
@@ -21,14 +25,9 @@ struct Origin {
   Vec3 point;
   std::int32_t part, face;
   double on_plane, error;
+  // On a fold: a contour, or a point whose polygon faces away though its surface does not.
+  bool fold;
 };
-
-bool share_corner(const Triangle& a, const Triangle& b) {
-  for (const std::uint32_t i : a) {
-    if (std::find(b.begin(), b.end(), i) != b.end()) return true;
-  }
-  return false;
-}
 
 double plane_distance(const TriMesh& mesh, std::uint32_t face, Vec3 p) {
   const Triangle& t = mesh.triangles[face];
@@ -36,6 +35,39 @@ double plane_distance(const TriMesh& mesh, std::uint32_t face, Vec3 p) {
   const Vec3 n = glm::cross(mesh.positions[t[1]] - a, mesh.positions[t[2]] - a);
   const double length = glm::length(n);
   return length > 0 ? std::abs(glm::dot(n, p - a)) / length : 0;
+}
+
+double longest_edge(const TriMesh& mesh, std::uint32_t face) {
+  double longest = 0;
+  const Triangle& t = mesh.triangles[face];
+  for (std::size_t i = 0; i < 3; ++i) {
+    longest =
+        std::max(longest, glm::distance(mesh.positions[t[i]], mesh.positions[t[(i + 1) % 3]]));
+  }
+  return longest;
+}
+
+// Whether `to` is among the triangles within kFoldSteps of `from`.
+bool near_on_surface(const ProxyMesh& proxy, std::uint32_t from, std::uint32_t to) {
+  std::array<std::uint32_t, 64> seen;  // steps 1 to 4 reach at most 3 + 6 + 12 + 24 others
+  std::size_t count = 0, begin = 0;
+  seen[count++] = from;
+  for (int step = 0; step < kFoldSteps; ++step) {
+    const std::size_t end = count;
+    for (std::size_t i = begin; i < end; ++i) {
+      for (std::size_t k = 0; k < 3; ++k) {
+        const std::size_t h = 3 * std::size_t{seen[i]} + k;
+        if (proxy.edge_kind[h] != EdgeKind::Smooth) continue;
+        const std::uint32_t next = face_of(proxy.topology.opposite[h]);
+        if (next == to) return true;
+        if (std::find(seen.begin(), seen.begin() + count, next) == seen.begin() + count) {
+          seen[count++] = next;
+        }
+      }
+    }
+    begin = end;
+  }
+  return false;
 }
 
 bool hides(const Origin& o, const Hit& hit) {
@@ -46,9 +78,18 @@ bool hides(const Origin& o, const Hit& hit) {
   const double error =
       o.probe->chord_error(hit.where.part, static_cast<std::int32_t>(hit.where.face));
   if (distance <= o.on_plane + o.error + error) return false;
-  return !own_part || distance > o.on_plane + kFoldDepth * std::max(o.error, error) ||
-         !share_corner(proxy.mesh.triangles[hit.where.face],
-                       proxy.mesh.triangles[static_cast<std::size_t>(o.face)]);
+  if (!own_part || !o.fold) return true;
+  const auto own = static_cast<std::uint32_t>(o.face);
+  const double reach =
+      kFoldReach * (longest_edge(proxy.mesh, own) + longest_edge(proxy.mesh, hit.where.face));
+  return hit.distance > reach || !near_on_surface(proxy, own, hit.where.face);
+}
+
+bool on_fold(const Curve3& curve, const ProxyMesh* proxy, std::int32_t face, Vec3 view) {
+  if (!proxy || face < 0 || proxy->edge_kind.empty()) return false;
+  if (curve.kind == LineClass::Contour) return true;
+  return (curve.kind == LineClass::Stroke || curve.kind == LineClass::Pattern) &&
+         glm::dot(proxy->mesh.normal(static_cast<std::uint32_t>(face)), view) < 0;
 }
 
 }  // namespace
@@ -60,12 +101,21 @@ const ProxyMesh* Probe::proxy(std::int32_t part) const {
 
 double Probe::chord_error(std::int32_t part, std::int32_t face) const {
   const ProxyMesh* p = proxy(part);
-  if (!p || face < 0 || p->wedge_sagitta.empty()) return 0;
+  if (!p || face < 0 || p->wedges.empty()) return 0;
+  // k h^2 / 8 of each edge h, where k h^2 / 2 is how far the edge leaves the tangent plane at
+  // either end. The smaller of both: what bends at one end only is not bent along the edge. A
+  // diagonal of a cylinder's long facet has the sagitta of the facet.
   double largest = 0;
-  for (const std::uint32_t w : p->wedges[static_cast<std::size_t>(face)]) {
-    largest = std::max(largest, static_cast<double>(p->wedge_sagitta[w]));
+  const Triangle& w = p->wedges[static_cast<std::size_t>(face)];
+  for (std::size_t i = 0; i < 3; ++i) {
+    const std::uint32_t a = w[i], b = w[(i + 1) % 3];
+    const Vec3 edge = p->wedge_position(b) - p->wedge_position(a);
+    const double at_a = glm::dot(p->wedge_normal[a], edge),
+                 at_b = glm::dot(p->wedge_normal[b], edge);
+    if ((at_a < 0) == (at_b > 0))
+      largest = std::max(largest, std::min(std::abs(at_a), std::abs(at_b)));
   }
-  return largest;
+  return largest / 4;
 }
 
 bool Probe::visible(const Curve3& curve, std::size_t segment, double t) const {
@@ -79,7 +129,8 @@ bool Probe::visible(const Curve3& curve, std::size_t segment, double t) const {
                       curve.source.part,
                       face,
                       kOnPlane * resolution,
-                      chord_error(curve.source.part, face)};
+                      chord_error(curve.source.part, face),
+                      on_fold(curve, proxy(curve.source.part), face, view)};
   Vec3 start = p;
   if (!curve.normals.empty()) {
     Vec3 n = normalize_or(glm::mix(curve.normals[segment], curve.normals[after], t), Vec3(0));

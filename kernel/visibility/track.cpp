@@ -24,6 +24,22 @@ Track::Track(const Curve3& curve, const Camera& camera) : closed_(curve.closed) 
   }
 }
 
+PictureSegment Track::segment(std::size_t i, std::int32_t curve) const {
+  const std::size_t j = next(i), n = segment_count();
+  const std::size_t before = i > 0 ? i - 1 : closed_ ? n - 1 : i;
+  const std::size_t after = i + 1 < n ? i + 1 : closed_ ? 0 : i;
+  return {xy_[i],
+          xy_[j],
+          depth_[i],
+          depth_[j],
+          range_[i],
+          range_[j],
+          curve,
+          static_cast<std::uint32_t>(i),
+          static_cast<std::uint32_t>(before),
+          static_cast<std::uint32_t>(after)};
+}
+
 double Track::length_at(double parameter) const {
   const auto n = static_cast<double>(segment_count());
   const double turns = closed_ ? std::floor(parameter / n) : 0;

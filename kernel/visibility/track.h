@@ -23,10 +23,8 @@ class Track {
   Vec2 end(std::size_t segment) const { return xy_[next(segment)]; }
   double start_range(std::size_t segment) const { return range_[segment]; }
   double end_range(std::size_t segment) const { return range_[next(segment)]; }
-  PictureSegment segment(std::size_t i) const {
-    const std::size_t j = next(i);
-    return {xy_[i], xy_[j], depth_[i], depth_[j], range_[i], range_[j]};
-  }
+  /// `curve` is any number that tells curves apart; -1: none.
+  PictureSegment segment(std::size_t i, std::int32_t curve) const;
   /// Whole length in paper mm.
   double length() const { return length_.back(); }
   /// Paper mm from the curve's start to a parameter.

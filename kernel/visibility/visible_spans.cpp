@@ -55,8 +55,8 @@ void add_span(const Track& track, const Span& span, std::vector<PictureSegment>&
   const auto first = std::min(static_cast<std::size_t>(span.begin), n - 1);
   for (std::size_t i = first; i < n && static_cast<double>(i) < span.end; ++i) {
     const auto at = static_cast<double>(i);
-    out.push_back(
-        part_of(track.segment(i), std::max(0.0, span.begin - at), std::min(1.0, span.end - at)));
+    out.push_back(part_of(track.segment(i, -1), std::max(0.0, span.begin - at),
+                          std::min(1.0, span.end - at)));
   }
 }
 
@@ -73,7 +73,7 @@ struct VisibilityMap::Impl {
       if (!cuts(features[c])) continue;
       for (std::size_t i = 0; i < tracks[c].segment_count(); ++i) {
         if (features[c].self_hidden.empty() || !features[c].self_hidden[i]) {
-          all.push_back(tracks[c].segment(i));
+          all.push_back(tracks[c].segment(i, static_cast<std::int32_t>(c)));
         }
       }
     }
@@ -85,7 +85,8 @@ struct VisibilityMap::Impl {
           Scratch scratch;
           const Cutting cutting(probe, *every);
           for (std::size_t c = begin; c < end; ++c) {
-            feature_pieces[c] = cutting.classify(features[c], tracks[c], scratch);
+            feature_pieces[c] =
+                cutting.classify(features[c], tracks[c], static_cast<std::int32_t>(c), scratch);
           }
         },
         &context);
@@ -101,10 +102,12 @@ struct VisibilityMap::Impl {
   }
 
   std::vector<Span> finish(std::vector<Piece> pieces, const Curve3& curve, const Track& track,
-                           const VisibilityOptions& options, Scratch& scratch) const {
+                           std::int32_t number, const VisibilityOptions& options,
+                           Scratch& scratch) const {
     pieces = settle(std::move(pieces), track, options.minimum_length);
     if (options.classify_outer && curve.occluding) {
-      pieces = find_outer(probe, *every, track, pieces, options.minimum_length, scratch);
+      pieces =
+          find_outer(probe, *every, curve, track, number, pieces, options.minimum_length, scratch);
     }
     return to_spans(pieces, static_cast<double>(track.segment_count()));
   }
@@ -140,12 +143,12 @@ std::vector<std::vector<Span>> VisibilityMap::classify(std::span<const Curve3> c
         const Cutting cutting(impl_->probe, *impl_->visible);
         for (std::size_t c = begin; c < end; ++c) {
           if (known) {
-            out[c] = impl_->finish(impl_->feature_pieces[c], curves[c], impl_->tracks[c], options,
-                                   scratch);
+            out[c] = impl_->finish(impl_->feature_pieces[c], curves[c], impl_->tracks[c],
+                                   static_cast<std::int32_t>(c), options, scratch);
           } else {
             const Track track(curves[c], impl_->probe.camera());
-            out[c] = impl_->finish(cutting.classify(curves[c], track, scratch), curves[c], track,
-                                   options, scratch);
+            out[c] = impl_->finish(cutting.classify(curves[c], track, -1, scratch), curves[c],
+                                   track, -1, options, scratch);
           }
         }
       },
