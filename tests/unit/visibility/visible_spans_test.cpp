@@ -4,32 +4,17 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <map>
+#include <span>
+#include <utility>
+#include <vector>
 
 namespace burin {
 namespace {
 
 using test::View;
 
-struct Ink {
-  int visible = 0, hidden = 0;  // spans
-  double length = 0;            // visible paper mm
-};
-
-[[maybe_unused]] Ink ink(const View& view) {
-  Ink out;
-  for (std::size_t c = 0; c < view.features.size(); ++c) {
-    for (const Span& s : view.spans[c]) {
-      (s.visible ? out.visible : out.hidden)++;
-      if (s.visible)
-        out.length += test::paper_length(view.camera, view.features[c], s.begin, s.end);
-    }
-  }
-  return out;
-}
-
-// Segments of the creases of boxes that are seen; chains may hold several edges.
-int visible_box_edges(const View& view, double edge) {
+// Length in space of what is seen of the features.
+double visible_length(const View& view) {
   double length = 0;
   for (std::size_t c = 0; c < view.features.size(); ++c) {
     for (const Span& s : view.spans[c]) {
@@ -40,7 +25,30 @@ int visible_box_edges(const View& view, double edge) {
       }
     }
   }
-  return static_cast<int>(std::lround(length / edge));
+  return length;
+}
+
+double shortest_visible(const View& view) {
+  double shortest = 1e9;
+  for (std::size_t c = 0; c < view.features.size(); ++c) {
+    for (const Span& s : view.spans[c]) {
+      if (!s.visible) continue;
+      shortest =
+          std::min(shortest, test::paper_length(view.camera, view.features[c], s.begin, s.end));
+    }
+  }
+  return shortest;
+}
+
+double outer_length(const View& view) {
+  double length = 0;
+  for (std::size_t c = 0; c < view.features.size(); ++c) {
+    for (const Span& s : view.spans[c]) {
+      EXPECT_TRUE(s.visible || !s.outer);
+      if (s.outer) length += test::paper_length(view.camera, view.features[c], s.begin, s.end);
+    }
+  }
+  return length;
 }
 
 TEST(VisibleSpans, ShowsNineEdgesOfABox) {
@@ -48,7 +56,7 @@ TEST(VisibleSpans, ShowsNineEdgesOfABox) {
     ViewOptions options;
     if (perspective) options.perspective = 30;
     const View view({test::box({0, 0, 0}, {1, 1, 1})}, options);
-    EXPECT_EQ(visible_box_edges(view, 1), 9);
+    EXPECT_NEAR(visible_length(view), 9, 1e-9);
   }
 }
 
@@ -138,6 +146,283 @@ TEST(VisibleSpans, ShowsTheWholeContourOfABall) {
   ASSERT_EQ(view.spans[0].size(), 1u);
   EXPECT_TRUE(view.spans[0][0].visible);
 }
+
+// --- parts that touch
+// ------------------------------------------------------------------------------------------
+
+TEST(VisibleSpans, DrawsABoxOnAPlateWithoutSpecks) {
+  const View view({test::box({-2, -2, -1}, {2, 2, 0}), test::box({-0.5, -0.5, 0}, {0.5, 0.5, 0.5})},
+                  {});
+  EXPECT_NEAR(visible_length(view), 27 + 7.5, 1e-9);
+  EXPECT_GT(shortest_visible(view), 5);
+}
+
+TEST(VisibleSpans, DrawsTwoBoxesWithACommonFace) {
+  const View view({test::box({0, 0, 0}, {1, 1, 1}), test::box({1, 0, 0}, {2, 1, 1})}, {});
+  EXPECT_NEAR(visible_length(view), 7 + 9, 1e-9);
+  EXPECT_GT(shortest_visible(view), 5);
+}
+
+TEST(VisibleSpans, DrawsABoxSunkFlushIntoAnother) {
+  const View view({test::box({-2, -2, -2}, {2, 2, 0}), test::box({-1, -1, -1}, {1, 1, 0})}, {});
+  EXPECT_NEAR(visible_length(view), 30 + 8, 1e-9);
+  EXPECT_GT(shortest_visible(view), 5);
+}
+
+TEST(VisibleSpans, DrawsABoxOnTheSideOfAnother) {
+  const View view({test::box({-2, -2, -2}, {2, 2, 0}), test::box({2, -1, -2}, {3, 1, -1})}, {});
+  EXPECT_NEAR(visible_length(view), 27 + 12, 1e-9);
+  EXPECT_GT(shortest_visible(view), 5);
+}
+
+// From every named side, with faces seen edge on and lines behind lines.
+TEST(VisibleSpans, NeverSpecklesOnTouchingBoxes) {
+  for (const char* name :
+       {"front", "back", "left", "right", "top", "bottom", "iso", "dimetric", "trimetric"}) {
+    const NamedView named = named_view(name);
+    const View view({test::box({-2, -2, -1}, {2, 2, 0}), test::box({-1, -2, 0}, {1, 0, 1}),
+                     test::box({1, -2, 0}, {2, 0, 1}), test::box({-1, -1.5, 1}, {0.5, -0.5, 2})},
+                    {.direction = named.direction, .up = named.up});
+    EXPECT_GT(shortest_visible(view), 4) << name;
+  }
+}
+
+// A pin in a hole of its own radius, tessellated differently: the rims are whole.
+TEST(VisibleSpans, DrawsAPinInItsHole) {
+  const std::uint32_t n = 64;
+  TriMesh washer = test::grid(n, 4, true, true, [&](std::uint32_t i, std::uint32_t j) {
+    const double u = 2 * test::kPi * i / n, r = j == 0 || j == 3 ? 3 : 1, z = j < 2 ? 0 : 1;
+    return Vec3(r * std::cos(u), r * std::sin(u), z);
+  });
+  for (Triangle& t : washer.triangles) std::swap(t[1], t[2]);
+  const TriMesh pin =
+      test::mapped(test::cylinder(1, 3, 50), [](Vec3 p) { return p - Vec3(0, 0, 1); });
+  const View view({washer, pin}, {.direction = {0, -1, 1}});
+  double rim = 0;
+  int pieces = 0;
+  for (std::size_t c = 0; c < view.features.size(); ++c) {
+    const Curve3& curve = view.features[c];
+    const Vec3 p = curve.points[0];
+    if (curve.source.part != 0 || std::abs(p.z - 1) > 1e-9 || std::hypot(p.x, p.y) > 1.1) continue;
+    for (const Span& s : view.spans[c]) {
+      if (!s.visible) continue;
+      ++pieces;
+      rim += test::paper_length(view.camera, curve, s.begin, s.end);
+    }
+  }
+  // The pin stands 1 high before the far half of the rim and hides all of it that lies behind its
+  // outline.
+  EXPECT_LE(pieces, 3);
+  EXPECT_GT(rim / view.camera.scale(), 2.2);
+  EXPECT_LT(rim / view.camera.scale(), 3.2);
+}
+
+// --- the outer outline
+// -----------------------------------------------------------------------------------------
+
+TEST(VisibleSpans, FindsTheOutlineOfABox) {
+  const View view({test::box({0, 0, 0}, {1, 1, 1})}, {}, {.classify_outer = true});
+  EXPECT_NEAR(outer_length(view), 6 * std::sqrt(2.0 / 3.0) * view.camera.scale(), 1e-9);
+}
+
+TEST(VisibleSpans, CutsTheOutlineWhereAFarPartBegins) {
+  const View view({test::box({-1, -1, 0}, {1, 1, 1}), test::box({0, -0.5, -3}, {3, 0.5, -2})},
+                  {.direction = {0, 0, 1}, .up = {0, 1, 0}}, {.classify_outer = true});
+  EXPECT_NEAR(outer_length(view) / view.camera.scale(), 12, 1e-9);
+}
+
+// --- smooth surfaces
+// -------------------------------------------------------------------------------------------
+
+constexpr double kMajor = 3, kMinor = 1;
+
+double torus_distance(Vec3 p) { return std::hypot(std::hypot(p.x, p.y) - kMajor, p.z) - kMinor; }
+
+// How near the line of sight from `p` comes to the inside of the torus beyond the point's own
+// neighbourhood: sphere tracing of the exact distance; negative where it is hidden.
+double clearance(Vec3 p, Vec3 view) {
+  double nearest = 1e9;
+  for (double t = 0.4; t < 12;) {
+    const double d = torus_distance(p + view * t);
+    nearest = std::min(nearest, d);
+    if (d < 0) return d;
+    t += std::max(d, 0.002);
+  }
+  return nearest;
+}
+
+// Share of the length of the curves whose answer is that of the exact surface; where it is nearly
+// touched none is asked for.
+double torus_agreement(const View& view, std::span<const Curve3> curves,
+                       const std::vector<std::vector<Span>>& spans) {
+  double right = 0, all = 0;
+  for (std::size_t c = 0; c < curves.size(); ++c) {
+    const Curve3& curve = curves[c];
+    for (const Span& s : spans[c]) {
+      const double length = test::paper_length(view.camera, curve, s.begin, s.end);
+      const int count = static_cast<int>(length / 0.5) + 1;
+      for (int i = 0; i < count; ++i) {
+        const double at = s.begin + (s.end - s.begin) * (i + 0.5) / count;
+        if (!curve.self_hidden.empty() && curve.self_hidden[static_cast<std::size_t>(at)]) continue;
+        const Vec3 p = test::point_at(curve, at);
+        const double clear = clearance(p, view.camera.to_viewer(p));
+        if (std::abs(clear) < 0.02) continue;
+        all += length / count;
+        if (s.visible == (clear > 0)) right += length / count;
+      }
+    }
+  }
+  EXPECT_GT(all, 100);
+  return right / all;
+}
+
+TEST(VisibleSpans, AgreesWithTheExactTorusAlongItsContours) {
+  for (const Vec3 direction : {Vec3(1, 0, 0.25), Vec3(1, 0.2, 0.6), Vec3(1, 1, 1)}) {
+    for (const bool perspective : {false, true}) {
+      ViewOptions options{.direction = direction};
+      if (perspective) options.perspective = 35;
+      const View view({test::torus(kMajor, kMinor, 240, 100)}, options);
+      EXPECT_GT(torus_agreement(view, view.features, view.spans), 0.995) << direction.z;
+      EXPECT_GT(shortest_visible(view), 0.5);
+    }
+  }
+}
+
+TEST(VisibleSpans, AgreesWithTheExactTorusAlongStrokes) {
+  const std::uint32_t nu = 240, nv = 100;
+  const View view({test::torus(kMajor, kMinor, nu, nv)}, {.direction = {1, 0.2, 0.6}});
+  std::vector<Curve3> strokes(60);
+  for (std::size_t s = 0; s < strokes.size(); ++s) {
+    Curve3& stroke = strokes[s];
+    stroke.source.part = 0;
+    const double row = 240.0 * static_cast<double>(s) / 60 + 0.4;
+    for (std::uint32_t i = 0; i <= 4 * nv / 5; ++i) {  // points on the edges of the quads' rows
+      const double u = 2 * test::kPi * row / nu, v = 2 * test::kPi * i / nv;
+      const Vec3 out{std::cos(u), std::sin(u), 0};
+      const Vec3 n = out * std::cos(v) + Vec3(0, 0, std::sin(v));
+      stroke.points.push_back(kMajor * out + kMinor * n);
+      stroke.normals.push_back(n);
+      if (i > 0)
+        stroke.faces.push_back(
+            static_cast<std::int32_t>(2 * (static_cast<std::uint32_t>(row) * nv + i - 1)));
+    }
+  }
+  const auto spans = view.map->classify(strokes, {}, view.context);
+  double right = 0, all = 0;
+  for (std::size_t s = 0; s < strokes.size(); ++s) {
+    for (const Span& span : spans[s]) {
+      for (double at = span.begin; at < span.end; at += 0.1) {
+        const Vec3 p = test::point_at(strokes[s], at), v = view.camera.to_viewer(p);
+        const Vec3 n = strokes[s].normals[static_cast<std::size_t>(at)];
+        const double facing = glm::dot(n, v), clear = clearance(p, v);
+        if (std::abs(facing) < 0.1 || std::abs(clear) < 0.02) continue;
+        all += 1;
+        right += span.visible == (facing > 0 && clear > 0);
+      }
+      EXPECT_GT(test::paper_length(view.camera, strokes[s], span.begin, span.end), 0.05);
+    }
+  }
+  EXPECT_GT(all, 1000);
+  EXPECT_GT(right / all, 0.998);
+}
+
+// --- size, place, threads, closed curves
+// -------------------------------------------------------------------------
+
+TEST(VisibleSpans, AnswersAlikeAtEverySizeAndPlace) {
+  const auto make = [](double scale, Vec3 shift) {
+    const auto place = [&](TriMesh m) {
+      return test::mapped(std::move(m), [&](Vec3 p) { return p * scale + shift; });
+    };
+    return View({place(test::box({-2.1, -2.05, -1.02}, {2.04, 2.2, 0.03})),
+                 place(test::mapped(test::torus(3, 1, 90, 40),
+                                    [](Vec3 p) { return p + Vec3(0.03, 0.02, 0.0123); })),
+                 place(test::mapped(test::ellipsoid({1, 1, 2}, 60, 40),
+                                    [](Vec3 p) { return p + Vec3(1, 0, 3); }))},
+                {}, {.classify_outer = true});
+  };
+  const View plain = make(1, Vec3(0));
+  for (const auto& [scale, shift] : {std::pair{1e-3, Vec3(0)},
+                                     {1e4, Vec3(0)},
+                                     {1.0, Vec3(1e5, -1e5, 5e4)},
+                                     {1e-3, Vec3(30, 20, -50)}}) {
+    const View other = make(scale, shift);
+    ASSERT_EQ(other.features.size(), plain.features.size());
+    for (std::size_t c = 0; c < plain.features.size(); ++c) {
+      ASSERT_EQ(other.spans[c].size(), plain.spans[c].size()) << scale << ' ' << c;
+      for (std::size_t i = 0; i < plain.spans[c].size(); ++i) {
+        const Span &a = plain.spans[c][i], &b = other.spans[c][i];
+        EXPECT_EQ(a.visible, b.visible);
+        EXPECT_EQ(a.outer, b.outer);
+        for (const auto& [x, y] : {std::pair{a.begin, b.begin}, {a.end, b.end}}) {
+          const Vec2 p = plain.camera.to_paper(test::point_at(plain.features[c], x));
+          const Vec2 q = other.camera.to_paper(test::point_at(other.features[c], y));
+          EXPECT_LT(glm::length(p - q), 1e-3);
+        }
+      }
+    }
+  }
+}
+
+TEST(VisibleSpans, AnswersAlikeForAnyNumberOfThreads) {
+  const auto make = [] {
+    return View(
+        {test::torus(3, 1, 150, 60), test::box({-4, -4, -2}, {4, 4, -1}),
+         test::mapped(test::torus(1, 0.4, 90, 40), [](Vec3 p) { return p + Vec3(2, -2, 1.5); })},
+        {}, {.classify_outer = true});
+  };
+  const View many = make();
+  const ThreadLimit limit(1);
+  const View one = make();
+  ASSERT_EQ(one.spans.size(), many.spans.size());
+  for (std::size_t c = 0; c < one.spans.size(); ++c) {
+    ASSERT_EQ(one.spans[c].size(), many.spans[c].size());
+    for (std::size_t i = 0; i < one.spans[c].size(); ++i) {
+      const Span &a = one.spans[c][i], &b = many.spans[c][i];
+      EXPECT_TRUE(a.begin == b.begin && a.end == b.end && a.visible == b.visible &&
+                  a.outer == b.outer);
+    }
+  }
+}
+
+TEST(VisibleSpans, CutsAClosedCurveOverItsStart) {
+  const View view({test::box({-1, -1, 0}, {1, 1, 1}), test::box({-4, -4, -3}, {4, 4, -2.5})},
+                  {.direction = {0, 0, 1}, .up = {0, 1, 0}});
+  // A square round (1, 0) below the box, from a corner that is hidden or seen.
+  const std::vector<Vec3> square{{0.5, -0.5, -1}, {1.5, -0.5, -1}, {1.5, 0.5, -1}, {0.5, 0.5, -1}};
+  for (std::size_t turn = 0; turn < 4; ++turn) {
+    Curve3 c;
+    c.closed = true;
+    for (std::size_t i = 0; i < 4; ++i) c.points.push_back(square[(i + turn) % 4]);
+    const auto spans = view.classify(c);
+    ASSERT_EQ(spans.size(), 3u);
+    EXPECT_EQ(spans.front().begin, 0);
+    EXPECT_EQ(spans.back().end, 4);
+    double seen = 0;
+    for (std::size_t i = 0; i < spans.size(); ++i) {
+      if (i > 0) {
+        EXPECT_EQ(spans[i].begin, spans[i - 1].end);
+        EXPECT_NEAR(test::point_at(c, spans[i].begin).x, 1, 1e-12);
+      }
+      if (spans[i].visible) seen += spans[i].end - spans[i].begin;
+    }
+    EXPECT_NEAR(seen, 2, 1e-12);
+    EXPECT_EQ(spans.front().visible, spans.back().visible);
+  }
+}
+
+// A rod through a plate without any intersection curve: the cut lies where it pierces the plate.
+TEST(VisibleSpans, FindsWhereALineEntersASurface) {
+  View view({test::box({-2, -2, -1}, {2, 2, 0})}, {.direction = {0.3, 0.2, 1}});
+  const Curve3 rod = test::line({0.1, 0.2, -0.7}, {0.2, 0.1, 0.7}, 3);
+  const auto spans = view.classify(rod);
+  ASSERT_EQ(spans.size(), 2u);
+  EXPECT_FALSE(spans[0].visible);
+  EXPECT_NEAR(test::point_at(rod, spans[1].begin).z, 0, 1e-3);
+}
+
+// --- slices
+// ----------------------------------------------------------------------------------------------------
 
 TEST(VisibleSpans, SlicesOpenCurves) {
   Curve3 c = test::line({0, 0, 0}, {4, 0, 0}, 4);
