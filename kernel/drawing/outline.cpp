@@ -14,8 +14,11 @@ constexpr double kCornerCosine = 0.8660254037844386;  // 30 degrees
 constexpr double kMaxTightTurn = 1.0;
 /// Half widths in mm below which an end is a point: finer than a pen.
 constexpr double kPointedEnd = 0.012;
-/// Handle of a cubic that caps an end of half width 1; its middle then lies exactly 1 ahead.
+/// Handle of a cubic cap whose middle then lies exactly 1 ahead.
 constexpr double kCapHandle = 4.0 / 3.0;
+/// Depth of the nose at a stroke's end as a share of half its width. The nose ends where the line
+/// does: ink must not pass the crease that a stroke stops at.
+constexpr double kNose = 0.8;
 /// The share of the tolerance spent on leaving out points of the centre line.
 constexpr double kSimplifyShare = 0.25;
 
@@ -59,15 +62,37 @@ std::vector<Vec2> tangents(std::span<const Vec3> c) {
   return t;
 }
 
-/// A round end from one side to the other, both half a width away from the end of the centre line.
-void append_cap(Vec2 from, Vec2 to, Vec2 ahead, double half, std::vector<CubicBezier>& chain) {
-  if (half <= kPointedEnd) return;
-  const Vec2 handle = ahead * (kCapHandle * half);
+/// A round end from one side to the other that reaches `depth` ahead of them.
+void append_cap(Vec2 from, Vec2 to, Vec2 ahead, double depth, std::vector<CubicBezier>& chain) {
+  if (from == to) return;
+  const Vec2 handle = ahead * (kCapHandle * depth);
   chain.push_back({from, from + handle, to + handle, to});
 }
 
+/// Takes `depth` off the end of a line, but leaves some of it.
+void shorten(Centre& c, double depth) {
+  while (c.size() > 2 && depth > 0) {
+    const double l = glm::distance(flat(c.back()), flat(c[c.size() - 2]));
+    if (l > depth) break;
+    depth -= l;
+    c.pop_back();
+  }
+  const Vec3 before = c[c.size() - 2];
+  const double l = glm::distance(flat(c.back()), flat(before));
+  c.back() = glm::mix(c.back(), before, std::min(depth / l, 0.5));
+}
+
+/// Makes room for a nose at the end of the line; its depth.
+double shorten_for_nose(Centre& c) {
+  if (c.back().z <= kPointedEnd) return 0;
+  const Vec2 tip = flat(c.back());
+  shorten(c, kNose * c.back().z);
+  return glm::distance(tip, flat(c.back()));
+}
+
 /// The closed chain round one piece: along its left side, back along its right side.
-std::vector<CubicBezier> piece_outline(std::span<const Vec3> c, double tolerance) {
+std::vector<CubicBezier> piece_outline(std::span<const Vec3> c, double start_depth,
+                                       double end_depth, double tolerance) {
   const std::size_t n = c.size();
   const std::vector<Vec2> t = tangents(c);
   std::vector<Vec2> there(n), back(n);
@@ -80,9 +105,9 @@ std::vector<CubicBezier> piece_outline(std::span<const Vec3> c, double tolerance
   std::vector<CubicBezier> chain;
   const double rest = (1 - kSimplifyShare) * tolerance;
   fit_thinned(there, rest, chain);
-  append_cap(there[n - 1], back[0], t[n - 1], c[n - 1].z, chain);
+  append_cap(there[n - 1], back[0], t[n - 1], end_depth, chain);
   fit_thinned(back, rest, chain);
-  append_cap(back[n - 1], there[0], -t[0], c[0].z, chain);
+  append_cap(back[n - 1], there[0], -t[0], start_depth, chain);
   return chain;
 }
 
@@ -92,15 +117,20 @@ std::vector<std::vector<CubicBezier>> stroke_outline(std::span<const Vec2> point
                                                      std::span<const double> widths,
                                                      double tolerance) {
   std::vector<std::vector<CubicBezier>> chains;
-  const Centre c = centre_line(points, widths, tolerance);
+  Centre c = centre_line(points, widths, tolerance);
   if (c.size() < 2) return chains;
+  const double end_nose = shorten_for_nose(c);
+  std::ranges::reverse(c);
+  double start_depth = shorten_for_nose(c);
+  std::ranges::reverse(c);
   std::size_t begin = 0;
-  double tight = 0;
-  const auto cut = [&](std::size_t at) {
-    chains.push_back(piece_outline(std::span(c).subspan(begin, at - begin + 1), tolerance));
+  const auto cut = [&](std::size_t at, double depth) {
+    const auto piece = std::span(c).subspan(begin, at - begin + 1);
+    chains.push_back(piece_outline(piece, start_depth, depth, tolerance));
+    start_depth = depth;
     begin = at;
-    tight = 0;
   };
+  double tight = 0;
   for (std::size_t i = 1; i + 1 < c.size(); ++i) {
     const Vec2 in = flat(c[i]) - flat(c[i - 1]), on = flat(c[i + 1]) - flat(c[i]);
     const double l0 = glm::length(in), l1 = glm::length(on);
@@ -109,9 +139,11 @@ std::vector<std::vector<CubicBezier>> stroke_outline(std::span<const Vec2> point
     // Radius of curvature about min(l0, l1) / turn: within half the width the inner side folds.
     const bool folds = std::min(l0, l1) < c[i].z * turn;
     tight = folds ? tight + turn : 0;
-    if (cosine < kCornerCosine || tight > kMaxTightTurn) cut(i);
+    if (cosine >= kCornerCosine && tight <= kMaxTightTurn) continue;
+    cut(i, c[i].z);
+    tight = 0;
   }
-  cut(c.size() - 1);
+  cut(c.size() - 1, end_nose);
   return chains;
 }
 

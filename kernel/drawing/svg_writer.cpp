@@ -17,6 +17,7 @@ namespace burin {
 namespace {
 
 constexpr std::string_view kHiddenLayer = "hidden";
+constexpr double kWidestRoundCap = 0.15;  // paper mm
 
 /// A layer as SVG has it: its paths by part.
 struct Group {
@@ -172,13 +173,25 @@ void append_polyline(Buffer& out, SvgPen& pen, const Path& p, double tolerance) 
   append(out, "\"/>\n");
 }
 
-/// The chains of a stroke; a closed one is cut open at its first point, where two round ends meet.
+/// Whether a path is drawn as a filled outline: where its width varies, and strokes so wide that
+/// the round cap of a stroked line would show beyond the crease that they end at.
+bool is_outlined(const Path& p) {
+  return has_varying_width(p) ||
+         (p.kind == LineClass::Stroke && !p.closed && mean_width(p) > kWidestRoundCap);
+}
+
+/// The chains of a stroke; a closed one is cut open at its first point, where two noses meet.
 std::vector<std::vector<CubicBezier>> outline_of(const Path& p, double tolerance) {
-  if (!p.closed) return stroke_outline(p.points, p.width, tolerance);
   std::vector<Vec2> points = p.points;
   std::vector<double> widths = p.width;
-  points.push_back(points.front());
-  widths.push_back(widths.front());
+  widths.resize(points.size(), mean_width(p));
+  if (p.closed) {
+    // A little past the first point, so that the noses overlap.
+    for (const std::size_t i : {std::size_t{0}, std::size_t{1}}) {
+      points.push_back(points[i]);
+      widths.push_back(widths[i]);
+    }
+  }
   return stroke_outline(points, widths, tolerance);
 }
 
@@ -191,7 +204,7 @@ void append_path(Buffer& out, const Path& p, double paper_height, const SvgOptio
   const double tolerance =
       std::max(options.fit_tolerance - kWritingError, 0.5 * options.fit_tolerance);
   std::vector<std::vector<CubicBezier>> chains;
-  if (p.visible && has_varying_width(p)) chains = outline_of(p, tolerance);
+  if (p.visible && is_outlined(p)) chains = outline_of(p, tolerance);
   const bool filled = !chains.empty();
   if (!filled) chains.push_back(fit_cubics(p.points, p.closed, tolerance));
   append(out, "<path");
