@@ -237,7 +237,35 @@ class Finder {
       border += length;
       if (ends_at(p, smooth[i])) wider += length;
     }
-    return wider >= kBorderShare * border;
+    // Between round fillets the field flows in from them, along circles: a constant direction would
+    // break off all around.
+    return wider >= kBorderShare * border && outline_mean(p).strength > kMinDominance;
+  }
+
+  // The mean direction of a patch's outline, to the fourth power in the basis on the patch's
+  // normal, and how strong it is: 1 for an outline whose edges are all parallel or at right angles,
+  // 0 for a circle.
+  struct OutlineMean {
+    Vec2 cross{0};
+    double strength = 0;
+  };
+  OutlineMean outline_mean(std::size_t p) const {
+    const TangentBasis basis(patch_normal(p));
+    Vec2 sum(0);
+    double total = 0;
+    for (const HalfEdge h : outline_[p]) {
+      const Vec2 e = basis.coords(corner(next_in_face(h)) - corner(h));
+      const double length = glm::length(e);
+      if (!(length > 0)) continue;
+      sum += length * complex_square(complex_square(e / length));
+      total += length;
+    }
+    const double size = glm::length(sum);
+    if (!(size > 0)) return {};
+    return {sum / size, size / total};
+  }
+  Vec3 patch_normal(std::size_t p) const {
+    return normalize_or(area_vector_[p], normal_[face_of(outline_[p].front())]);
   }
 
   // Whether the patch ends at the smooth edge `h` because the surface begins to bend there.
@@ -252,22 +280,13 @@ class Finder {
 
   FlatPatch with_cross(std::size_t p) const {
     FlatPatch patch;
-    patch.normal = normalize_or(area_vector_[p], normal_[face_of(outline_[p].front())]);
+    patch.normal = patch_normal(p);
     const TangentBasis basis(patch.normal);
-    Vec2 sum(0);
-    double total = 0;
-    for (const HalfEdge h : outline_[p]) {
-      const Vec2 e = basis.coords(corner(next_in_face(h)) - corner(h));
-      const double length = glm::length(e);
-      if (!(length > 0)) continue;
-      sum += length * complex_square(complex_square(e / length));
-      total += length;
-    }
+    const OutlineMean mean = outline_mean(p);
     const Vec3 preferred = fallback_tangent(fallback_, patch.normal);
-    const double size = glm::length(sum);
     patch.first = preferred;
-    if (size > kMinDominance * total) {
-      const Vec3 arm = basis.vector(complex_sqrt(complex_sqrt(sum / size)));
+    if (mean.strength > kMinDominance) {
+      const Vec3 arm = basis.vector(complex_sqrt(complex_sqrt(mean.cross)));
       const Vec3 other = glm::cross(patch.normal, arm);
       const double along = glm::dot(arm, preferred), across = glm::dot(other, preferred);
       // Between two arms that are equally near the first one stays, whatever the rounding.

@@ -16,7 +16,7 @@ constexpr double kBeside = 0.92;
 constexpr double kAnywhere = 0.98;
 // Between two strokes that run apart a third one fits once their gap has grown to this many
 // spacings; it keeps half the gap, less rounding.
-constexpr double kGap = 1.7;
+constexpr double kGap = 1.5;
 constexpr double kInGap = 0.47 * kGap;
 // A stroke from edge to edge may be shorter than the style's shortest, down to this share of the
 // spacing: narrow faces would stay white.
@@ -107,7 +107,8 @@ class Placement {
     const double length = s.length();
     if (s.samples.size() < 3) return false;
     if (length >= picture_.options.length_min) return true;
-    return s.begin_reason == StrokeEnd::Edge && s.end_reason == StrokeEnd::Edge &&
+    const auto bounded = [](StrokeEnd e) { return e == StrokeEnd::Edge || e == StrokeEnd::Away; };
+    return bounded(s.begin_reason) && bounded(s.end_reason) &&
            length >= kNarrow * picture_.options.spacing_max;
   }
 

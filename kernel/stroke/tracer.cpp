@@ -139,7 +139,7 @@ StrokeEnd Tracer::extend(std::int32_t part, const StrokeSample& seed, double sig
     }
     if (!next.visible || next.facing < kMinFacing) {
       out.push_back(next);
-      return StrokeEnd::Edge;
+      return StrokeEnd::Away;
     }
     const double ds = glm::length(next.paper - at.paper);
     if (unseen > 0 || i % static_cast<int>(kProbeEvery) == 0) {

@@ -8,9 +8,9 @@
 
 namespace burin::detail {
 
-/// Why a stroke ends; decides how its end is shaped. Crowded: a neighbour comes too close; Met: a
-/// stroke crosses its way.
-enum class StrokeEnd { Edge, Hidden, Light, Crowded, Met, Singular, Length, Closed };
+/// Why a stroke ends; decides how its end is shaped. Edge: a crease or boundary; Away: the surface
+/// turns away from the viewer; Crowded: a neighbour comes too close; Met: a stroke crosses its way.
+enum class StrokeEnd { Edge, Away, Hidden, Light, Crowded, Met, Singular, Length, Closed };
 
 /// One place of a stroke under way.
 struct StrokeSample {
