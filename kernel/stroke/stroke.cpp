@@ -50,7 +50,11 @@ void fair(std::vector<Vec3>& points, bool closed) {
     const double weight = pass % 2 == 0 ? kShrink : kInflate;
     for (std::size_t i = 0; i < n; ++i) {
       const bool fixed = !closed && (i == 0 || i + 1 == n);
-      const Vec3 middle = 0.5 * (points[(i + n - 1) % n] + points[(i + 1) % n]);
+      // The place that the point would have on the straight line between its neighbours.
+      const Vec3 a = points[(i + n - 1) % n], b = points[(i + 1) % n];
+      const double before = glm::distance(a, points[i]), after = glm::distance(points[i], b);
+      const double t = before + after > 0 ? before / (before + after) : 0.5;
+      const Vec3 middle = a + t * (b - a);
       moved[i] = fixed ? points[i] : points[i] + weight * (middle - points[i]);
     }
     points.swap(moved);

@@ -94,7 +94,7 @@ TEST(Strokes, CircleAroundATurnedPart) {
     bool level = true;
     for (const Vec3& p : c.points) {
       level = level && std::abs(p.z - z) < 0.02;
-      EXPECT_LE(std::hypot(p.x, p.y), 20 + 0.01);  // the facets lie 0.006 mm inside the cylinder
+      EXPECT_LE(std::hypot(p.x, p.y), 20 + 0.03);  // fairing goes round the corners of facets
     }
     around += level;
   }
