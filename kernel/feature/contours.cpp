@@ -1,7 +1,5 @@
 #include "contours.h"
 
-#include <burin/base/parallel.h>
-
 #include "noise.h"
 
 #include <algorithm>
@@ -10,28 +8,6 @@
 namespace burin {
 
 namespace {
-
-constexpr std::size_t kFaceGrain = 16384;
-
-/// Triangles with corners of both signs, ascending.
-std::vector<std::uint32_t> mixed_faces(const Facing& facing, const RunContext& context) {
-  const std::vector<Triangle>& wedges = facing.proxy().wedges;
-  std::vector<std::vector<std::uint32_t>> found((wedges.size() + kFaceGrain - 1) / kFaceGrain);
-  parallel_for(
-      wedges.size(), kFaceGrain,
-      [&](std::size_t begin, std::size_t end) {
-        for (std::size_t f = begin; f < end; ++f) {
-          const bool a = facing.front(wedges[f][0]);
-          if (a != facing.front(wedges[f][1]) || a != facing.front(wedges[f][2])) {
-            found[begin / kFaceGrain].push_back(static_cast<std::uint32_t>(f));
-          }
-        }
-      },
-      &context);
-  std::vector<std::uint32_t> all;
-  for (const auto& part : found) all.insert(all.end(), part.begin(), part.end());
-  return all;
-}
 
 /// Where a contour with the front side to its left leaves triangle `f`: the half-edge that runs
 /// from back to front. It comes in over the one that runs from front to back.
@@ -82,7 +58,7 @@ class Tracer {
   Tracer(const Facing& facing, const RunContext& context)
       : facing_(facing),
         context_(context),
-        mixed_(mixed_faces(facing, context)),
+        mixed_(facing.mixed_faces(context)),
         used_(mixed_.size(), 0) {}
 
   const std::vector<std::uint32_t>& mixed() const { return mixed_; }

@@ -1,5 +1,5 @@
 #include "contours.h"
-#include "limits.h"
+#include "paper_limits.h"
 
 #include <cstddef>
 #include <optional>

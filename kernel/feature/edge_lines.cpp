@@ -44,7 +44,7 @@ LookAndHidden crease_look(bool left_front, bool right_front, bool convex, bool c
 
 class ChainWalk {
  public:
-  ChainWalk(const Facing& facing, const EdgeChain& chain) : facing_(facing), chain_(chain) {
+  ChainWalk(const Facing& facing, const EdgeChain& chain) : facing_(facing) {
     for (const HalfEdge h : chain.edges) add_edge(h);
   }
   const std::vector<Step>& steps() const { return steps_; }
@@ -90,7 +90,6 @@ class ChainWalk {
   }
 
   const Facing& facing_;
-  const EdgeChain& chain_;
   std::vector<Step> steps_;
 };
 

@@ -2,7 +2,7 @@
 
 #include <burin/base/parallel.h>
 
-#include "limits.h"
+#include "paper_limits.h"
 
 #include <algorithm>
 #include <utility>
@@ -33,6 +33,7 @@ Facing::Facing(const ProxyMesh& proxy, const Camera& camera, const RunContext& c
       },
       &context);
   turn_flat_walls_away(to_viewer, context);
+  turn_thin_patches_away(context);
 }
 
 template <class ToViewer>
@@ -64,6 +65,25 @@ void Facing::turn_flat_walls_away(const ToViewer& to_viewer, const RunContext& c
       for (const std::uint32_t w : proxy_->wedges[f]) g_[w] = std::min(g_[w], -kEdgeOn);
     }
   }
+}
+
+std::vector<std::uint32_t> Facing::mixed_faces(const RunContext& context) const {
+  const std::vector<Triangle>& wedges = proxy_->wedges;
+  std::vector<std::vector<std::uint32_t>> found((wedges.size() + kFaceGrain - 1) / kFaceGrain);
+  parallel_for(
+      wedges.size(), kFaceGrain,
+      [&](std::size_t begin, std::size_t end) {
+        for (std::size_t f = begin; f < end; ++f) {
+          const bool a = front(wedges[f][0]);
+          if (a != front(wedges[f][1]) || a != front(wedges[f][2])) {
+            found[begin / kFaceGrain].push_back(static_cast<std::uint32_t>(f));
+          }
+        }
+      },
+      &context);
+  std::vector<std::uint32_t> all;
+  for (const auto& part : found) all.insert(all.end(), part.begin(), part.end());
+  return all;
 }
 
 ZeroCrossing Facing::crossing(HalfEdge h) const {

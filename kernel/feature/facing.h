@@ -37,6 +37,8 @@ class Facing {
   bool crosses(HalfEdge h) const { return front(origin_wedge(h)) != front(target_wedge(h)); }
   /// The zero on a half-edge that crosses; bit for bit the same from both sides of a smooth edge.
   ZeroCrossing crossing(HalfEdge h) const;
+  /// Triangles with corners of both signs, ascending.
+  std::vector<std::uint32_t> mixed_faces(const RunContext& context) const;
   /// Unit normal on `h` (in its triangle) at a share of it.
   Vec3 normal(HalfEdge h, double share) const;
 
@@ -46,6 +48,10 @@ class Facing {
   /// seen.
   template <class ToViewer>
   void turn_flat_walls_away(const ToViewer& to_viewer, const RunContext& context);
+
+  /// Turns away what would show less than kThinWidth of paper in its width: patches of a ruled
+  /// surface seen along its rulings, which noise in the normals turns a little to the viewer.
+  void turn_thin_patches_away(const RunContext& context);
 
   const ProxyMesh* proxy_;
   const Camera* camera_;

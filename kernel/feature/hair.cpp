@@ -1,6 +1,6 @@
 #include "hair.h"
 
-#include "limits.h"
+#include "paper_limits.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,5 @@
 #include "intersections.h"
-#include "limits.h"
+#include "paper_limits.h"
 
 #include <algorithm>
 #include <array>
@@ -54,6 +54,7 @@ class Joiner {
   }
 
  private:
+  using Key = decltype(Piercing().key());
   struct End {
     const Piercing* point;
     std::size_t segment;
@@ -61,10 +62,12 @@ class Joiner {
 
   /// The other segment at a point, kNone where it is the end of a curve or a branching.
   std::size_t across(const Piercing& p, std::size_t segment) const {
-    const auto range =
-        std::ranges::equal_range(ends_, p.key(), {}, [](const End& e) { return e.point->key(); });
-    if (range.size() != 2) return kNone;
-    const std::size_t other = range[0].segment == segment ? range[1].segment : range[0].segment;
+    const auto before = [](const End& e, const Key& k) { return e.point->key() < k; };
+    const auto after = [](const Key& k, const End& e) { return k < e.point->key(); };
+    const auto first = std::lower_bound(ends_.begin(), ends_.end(), p.key(), before);
+    const auto last = std::upper_bound(first, ends_.end(), p.key(), after);
+    if (last - first != 2) return kNone;
+    const std::size_t other = first[0].segment == segment ? first[1].segment : first[0].segment;
     return other == segment ? kNone : other;
   }
 

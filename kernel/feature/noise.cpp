@@ -1,6 +1,6 @@
 #include "noise.h"
 
-#include "limits.h"
+#include "paper_limits.h"
 
 #include <algorithm>
 #include <cmath>

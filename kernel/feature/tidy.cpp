@@ -1,6 +1,6 @@
 #include "tidy.h"
 
-#include "limits.h"
+#include "paper_limits.h"
 
 #include <algorithm>
 #include <array>
@@ -15,7 +15,7 @@ namespace {
 constexpr std::size_t kNone = static_cast<std::size_t>(-1);
 
 using PointKey = std::array<double, 3>;
-PointKey key(const Vec3& p) { return {p.x, p.y, p.z}; }
+PointKey point_key(const Vec3& p) { return {p.x, p.y, p.z}; }
 
 void reverse(Curve3& c) {
   std::ranges::reverse(c.points);
@@ -34,21 +34,23 @@ class Ends {
       if (!joinable(curves[i])) continue;
       for (const bool front : {true, false}) {
         const Vec3& p = front ? curves[i].points.front() : curves[i].points.back();
-        ends_.push_back({key(p), curves[i].source, i, front});
+        ends_.push_back({point_key(p), curves[i].source, i, front});
       }
     }
-    std::ranges::sort(ends_);
+    std::ranges::sort(ends_, {}, [](const End& e) { return std::pair(e.key(), e.curve); });
   }
 
   /// The only other curve of the same source at the given end of curve `i`, and which of its ends.
   std::pair<std::size_t, bool> partner(const std::vector<Curve3>& curves, std::size_t i,
                                        bool front) const {
     const Curve3& c = curves[i];
-    const PointKey at = key(front ? c.points.front() : c.points.back());
-    const auto here = std::ranges::equal_range(
-        ends_, std::pair(at, c.source), {}, [](const End& e) { return std::pair(e.at, e.source); });
-    if (here.size() != 2) return {kNone, false};
-    const End& other = here[0].curve == i && here[0].front == front ? here[1] : here[0];
+    const Key at{point_key(front ? c.points.front() : c.points.back()), c.source};
+    const auto first = std::lower_bound(ends_.begin(), ends_.end(), at,
+                                        [](const End& e, const Key& k) { return e.key() < k; });
+    const auto last = std::upper_bound(first, ends_.end(), at,
+                                       [](const Key& k, const End& e) { return k < e.key(); });
+    if (last - first != 2) return {kNone, false};
+    const End& other = first[0].curve == i && first[0].front == front ? first[1] : first[0];
     if (other.curve == i) return {kNone, false};
     const Curve3& d = curves[other.curve];
     const Vec3& n = front ? c.normals.front() : c.normals.back();
@@ -58,12 +60,13 @@ class Ends {
   }
 
  private:
+  using Key = std::pair<PointKey, SourceId>;
   struct End {
     PointKey at;
     SourceId source;
     std::size_t curve;
     bool front;
-    friend auto operator<=>(const End&, const End&) = default;
+    Key key() const { return {at, source}; }
   };
   std::vector<End> ends_;
 };
@@ -138,18 +141,19 @@ void drop_specks(std::vector<Curve3>& curves, const Camera& camera) {
     std::map<PointKey, int> touched;
     for (const Curve3& c : curves) {
       if (!speck(c)) continue;
-      touched[key(c.points.front())] = 0;
-      touched[key(c.points.back())] = 0;
+      touched[point_key(c.points.front())] = 0;
+      touched[point_key(c.points.back())] = 0;
     }
     if (touched.empty()) return;
     for (const Curve3& c : curves) {
       for (const Vec3& p : c.points) {
-        const auto found = touched.find(key(p));
+        const auto found = touched.find(point_key(p));
         if (found != touched.end()) ++found->second;
       }
     }
     const auto dropped = std::erase_if(curves, [&](const Curve3& c) {
-      return speck(c) && (touched[key(c.points.front())] < 2 || touched[key(c.points.back())] < 2);
+      return speck(c) &&
+             (touched[point_key(c.points.front())] < 2 || touched[point_key(c.points.back())] < 2);
     });
     if (dropped == 0) return;
   }

@@ -16,6 +16,11 @@ inline constexpr double kEdgeOn = 1e-4;
 /// more than this, is a flat wall with blended normals, not a fine facet of something round.
 inline constexpr double kFlatBulge = 0.02;
 
+/// Paper mm: a patch of a smooth region that is turned to the viewer but shows less than this in
+/// its mean width (area seen over length) is turned away: nobody can see it, and its borders would
+/// double lines.
+inline constexpr double kThinWidth = 0.02;
+
 /// Paper mm: a zero of g nearer than this to the end of a mesh edge is put on that end, so that no
 /// crumbs of lines are born.
 inline constexpr double kSnapLength = 1e-3;
