@@ -17,6 +17,14 @@ constexpr double kTestShare =
 constexpr double kRunUp = 2.5;      // how much closer to a stroke that crosses its way
 constexpr int kMaxSamples = 20000;  // a bound where length_max is set absurdly high
 
+// Where the surface turns away its lines draw together on paper and run into the outline; ended at
+// the full distance they would all stop at one line short of it.
+double crowding(double facing) {
+  constexpr double kSlanted = 0.5;  // cosine from which lines may draw together
+  constexpr double kLeast = 0.35;
+  return kLeast + (1 - kLeast) * std::min(1.0, facing / kSlanted);
+}
+
 }  // namespace
 
 double TracedStroke::length() const {
@@ -150,7 +158,7 @@ StrokeEnd Tracer::extend(std::int32_t part, const StrokeSample& seed, double sig
     if (next.visible) {
       if (picture_.share(next.darkness, family_) < picture_.options.tone_min)
         return StrokeEnd::Light;
-      const double d = kTestShare * spacing(next);
+      const double d = kTestShare * crowding(next.facing) * spacing(next);
       const SampleGrid::Near near = grid_.nearest(grid_sample(next, part, -1, 0), d, kRunUp);
       if (near.distance < d) return near.crossing ? StrokeEnd::Met : StrokeEnd::Crowded;
       const Vec2 gap = next.paper - seed.paper;
