@@ -21,14 +21,26 @@ struct FeatureOptions {
 };
 
 /// All feature lines of one proxy a part, hidden ones too, chained into long paths; a chain ends
-/// where its kind, part or smooth region changes and at vertices where more than two lines of its
-/// kind meet.
+/// where its kind, its source or what shows its open side changes, and at vertices where more than
+/// two lines of its kind meet. Ends that meet do so bit for bit.
 ///
 /// Contours of smooth regions are the zero set of g = normal . to_viewer, linear in each triangle
-/// over its wedge normals (perspective too); a crease between a triangle turned to the viewer and
-/// one turned away is a contour as well. `source.face` is the smooth region (of creases: that of
-/// the front face), `source.edge` the index of the crease or boundary chain inside its part, the
-/// same for every view. @cite Hertzmann2000, Benard2019
+/// over its wedge normals (perspective too); a crease between a side turned to the viewer and one
+/// turned away is a contour as well, and is kept where either contours or creases are asked for.
+/// What is seen edge-on counts as turned away. `source.face` is the smooth region (of creases: that
+/// of the front side), `source.edge` the index of the crease or boundary chain inside its part, the
+/// same for every view; -1 for contours inside regions and for intersections. Intersections belong
+/// to the first of both parts, have crease_sign -1 and are not `occluding`.
+///
+/// `self_hidden` is set on closed components alone: creases with both sides turned away, folds in a
+/// hollow, contours whose far side is in front, intersections with either surface turned away. Per
+/// point `normals`, per segment `faces` and `self_hidden` are always present.
+///
+/// Left out, by limits in paper mm: closed contours that are noise (diagnostic
+/// "feature.noise_loops"), short weak creases that separate nothing, intersections where parts
+/// merely touch. Results do not depend on the number of threads. Throws Cancelled. Cost: 0.03 s a
+/// million triangles, 0.1 s more where two parts of half a million each pass through each other.
+/// @cite Hertzmann2000, Benard2019, Edelsbrunner1990
 std::vector<Curve3> extract_features(std::span<const ProxyMesh* const> proxies,
                                      const Camera& camera, const FeatureOptions& options,
                                      Diagnostics& diagnostics, const RunContext& context);
