@@ -37,6 +37,10 @@ constexpr std::size_t kMaxSamples = 48;
 // An outline whose mean direction is weaker than this has none: a circle's is 0, a square's 1.
 constexpr double kMinDominance = 0.15;
 
+// Share of the outline by which smooth borders must lie across one arm rather than the other to
+// decide on family 1.
+constexpr double kMinVotes = 0.03;
+
 class Finder {
  public:
   Finder(const ProxyMesh& proxy, Vec3 fallback, const RunContext& context)
@@ -237,35 +241,7 @@ class Finder {
       border += length;
       if (ends_at(p, smooth[i])) wider += length;
     }
-    // Between round fillets the field flows in from them, along circles: a constant direction would
-    // break off all around.
-    return wider >= kBorderShare * border && outline_mean(p).strength > kMinDominance;
-  }
-
-  // The mean direction of a patch's outline, to the fourth power in the basis on the patch's
-  // normal, and how strong it is: 1 for an outline whose edges are all parallel or at right angles,
-  // 0 for a circle.
-  struct OutlineMean {
-    Vec2 cross{0};
-    double strength = 0;
-  };
-  OutlineMean outline_mean(std::size_t p) const {
-    const TangentBasis basis(patch_normal(p));
-    Vec2 sum(0);
-    double total = 0;
-    for (const HalfEdge h : outline_[p]) {
-      const Vec2 e = basis.coords(corner(next_in_face(h)) - corner(h));
-      const double length = glm::length(e);
-      if (!(length > 0)) continue;
-      sum += length * complex_square(complex_square(e / length));
-      total += length;
-    }
-    const double size = glm::length(sum);
-    if (!(size > 0)) return {};
-    return {sum / size, size / total};
-  }
-  Vec3 patch_normal(std::size_t p) const {
-    return normalize_or(area_vector_[p], normal_[face_of(outline_[p].front())]);
+    return wider >= kBorderShare * border;
   }
 
   // Whether the patch ends at the smooth edge `h` because the surface begins to bend there.
@@ -278,19 +254,54 @@ class Finder {
     return turn * own > kStraighter * bend_[p] * behind;
   }
 
+  // The mean of the patch's outline as a cross in `basis`, its length the strength in [0,1].
+  Vec2 mean_outline(std::size_t p, const TangentBasis& basis) const {
+    Vec2 sum(0);
+    double total = 0;
+    for (const HalfEdge h : outline_[p]) {
+      const Vec2 e = basis.coords(corner(next_in_face(h)) - corner(h));
+      const double length = glm::length(e);
+      if (!(length > 0)) continue;
+      sum += length * complex_square(complex_square(e / length));
+      total += length;
+    }
+    return total > 0 ? sum / total : Vec2(0);
+  }
+
+  // How much more of the smooth border lies across `arm` than along it, in [-1,1] of the whole
+  // outline: strokes of family 1 go across the bend that begins there, and are to go on over the
+  // flat part.
+  double bends_along(std::size_t p, Vec3 arm) const {
+    double votes = 0, total = 0;
+    for (const HalfEdge h : outline_[p]) {
+      const Vec3 e = corner(next_in_face(h)) - corner(h);
+      const double length = glm::length(e);
+      total += length;
+      if (!(length > 0) || smooth_opposite(h) == kNoHalfEdge) continue;
+      const double cosine = glm::dot(e, arm) / length;
+      votes += length * (1 - 2 * cosine * cosine);
+    }
+    return total > 0 ? votes / total : 0;
+  }
+
   FlatPatch with_cross(std::size_t p) const {
     FlatPatch patch;
-    patch.normal = patch_normal(p);
+    patch.normal = normalize_or(area_vector_[p], normal_[face_of(outline_[p].front())]);
     const TangentBasis basis(patch.normal);
-    const OutlineMean mean = outline_mean(p);
+    const Vec2 mean = mean_outline(p, basis);
     const Vec3 preferred = fallback_tangent(fallback_, patch.normal);
+    const double strength = glm::length(mean);
     patch.first = preferred;
-    if (mean.strength > kMinDominance) {
-      const Vec3 arm = basis.vector(complex_sqrt(complex_sqrt(mean.cross)));
+    if (strength > kMinDominance) {
+      const Vec3 arm = basis.vector(complex_sqrt(complex_sqrt(mean / strength)));
       const Vec3 other = glm::cross(patch.normal, arm);
-      const double along = glm::dot(arm, preferred), across = glm::dot(other, preferred);
+      const double votes = bends_along(p, arm);
+      const bool decided = std::abs(votes) > kMinVotes;
       // Between two arms that are equally near the first one stays, whatever the rounding.
-      patch.first = std::abs(across) > std::abs(along) + 1e-6 ? other : arm;
+      const bool swap = decided ? votes < 0
+                                : std::abs(glm::dot(other, preferred)) >
+                                      std::abs(glm::dot(arm, preferred)) + 1e-6;
+      patch.first = swap ? other : arm;
     }
     patch.second = glm::cross(patch.normal, patch.first);
     return patch;

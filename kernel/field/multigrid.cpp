@@ -16,9 +16,23 @@ constexpr double kStrong = 0.25;
 // nodes; the coarse stiffness is scaled back by it.
 constexpr double kOvercorrection = 0.45;
 constexpr std::uint32_t kCoarsest = 48;
-constexpr int kCoarsestSweeps = 200;
-constexpr int kCoarseSweeps = 12;
-constexpr int kFineSweeps = 6;
+constexpr int kCoarsestSweeps = 100;
+// Sweeps after each step between levels; corrections by the coarser levels on every level, each of
+// which corrects twice in turn.
+constexpr int kSweeps = 2;
+constexpr int kCycles = 3;
+constexpr int kBranches = 2;
+
+constexpr std::uint32_t kNoNode = 0xffffffffu;
+
+// Groups of neighbouring nodes: value i is `phase[i]` times the value of its group `parent[i]`.
+// Nodes without links have no group (kNoNode).
+template <class Scalar>
+struct Aggregates {
+  std::vector<std::uint32_t> parent;
+  std::vector<Scalar> phase;
+  std::uint32_t count = 0;
+};
 
 template <class Scalar>
 double strongest_link(const System<Scalar>& s, std::uint32_t i) {
@@ -99,6 +113,27 @@ Members members_of(const Aggregates<Scalar>& groups) {
   return m;
 }
 
+// The system and its ever coarser versions; level 0 is the finest.
+template <class Scalar>
+class Hierarchy {
+ public:
+  Hierarchy(const System<Scalar>& system, const RunContext& context);
+  std::vector<Scalar> solve() const;
+
+ private:
+  std::size_t depth() const { return coarse_.size(); }
+  const System<Scalar>& level(std::size_t l) const { return l == 0 ? *finest_ : coarse_[l - 1]; }
+  // Adds the values of level l + 1 to those of level l.
+  void hand_down(std::size_t l, const std::vector<Scalar>& coarse, std::vector<Scalar>& fine) const;
+  // Brings `values` nearer to the minimiser of level l by solving for what is left on level l + 1.
+  void correct(std::size_t l, const std::vector<Scalar>& pull, std::vector<Scalar>& values) const;
+
+  const System<Scalar>* finest_;
+  const RunContext& context_;
+  std::deque<System<Scalar>> coarse_;
+  std::vector<Aggregates<Scalar>> groups_;
+};
+
 // One range of rows of the coarse system, joined with the others afterwards.
 template <class Scalar>
 struct Rows {
@@ -106,8 +141,7 @@ struct Rows {
   std::vector<Scalar> coupling;
 };
 
-}  // namespace
-
+// Every group is a node and its strongly linked neighbours, about six nodes on a mesh.
 template <class Scalar>
 Aggregates<Scalar> aggregate(const System<Scalar>& s) {
   const auto n = static_cast<std::uint32_t>(s.size());
@@ -138,6 +172,7 @@ Aggregates<Scalar> aggregate(const System<Scalar>& s) {
   return groups;
 }
 
+// The system of the groups.
 template <class Scalar>
 System<Scalar> coarsen(const System<Scalar>& s, const Aggregates<Scalar>& groups,
                        const RunContext& context) {
@@ -189,9 +224,11 @@ System<Scalar> coarsen(const System<Scalar>& s, const Aggregates<Scalar>& groups
   return c;
 }
 
+}  // namespace
+
 template <class Scalar>
-void relax(const System<Scalar>& s, std::vector<Scalar>& values, int sweeps,
-           const RunContext& context) {
+void relax(const System<Scalar>& s, const std::vector<Scalar>& pull, std::vector<Scalar>& values,
+           int sweeps, const RunContext& context) {
   std::vector<Scalar> before(values.size());
   for (int sweep = 0; sweep < sweeps; ++sweep) {
     before.swap(values);
@@ -199,7 +236,7 @@ void relax(const System<Scalar>& s, std::vector<Scalar>& values, int sweeps,
         s.size(), kRange,
         [&](std::size_t begin, std::size_t end) {
           for (std::size_t i = begin; i < end; ++i) {
-            Scalar sum = s.pull[i];
+            Scalar sum = pull[i];
             for (std::uint32_t k = s.first[i]; k < s.first[i + 1]; ++k) {
               const std::size_t j = s.neighbour[k];
               sum += times(s.coupling[k], j >= begin && j < i ? values[j] : before[j]);
@@ -213,42 +250,84 @@ void relax(const System<Scalar>& s, std::vector<Scalar>& values, int sweeps,
 }
 
 template <class Scalar>
-std::vector<Scalar> minimise(const System<Scalar>& system, const RunContext& context) {
-  // Down the hierarchy ...
-  std::deque<System<Scalar>> coarse;
-  std::vector<Aggregates<Scalar>> groups;
-  const System<Scalar>* level = &system;
-  while (level->size() > kCoarsest) {
-    Aggregates<Scalar> next = aggregate(*level);
-    // A level that shrinks by less than a fifth is not worth its sweeps.
-    if (next.count == 0 || next.count > 0.8 * static_cast<double>(level->size())) break;
-    coarse.push_back(coarsen(*level, next, context));
-    groups.push_back(std::move(next));
-    level = &coarse.back();
-  }
-  // ... and up again.
-  std::vector<Scalar> values(level->size(), Scalar{0});
-  relax(*level, values, kCoarsestSweeps, context);
-  for (std::size_t l = groups.size(); l-- > 0;) {
-    const System<Scalar>& fine = l == 0 ? system : coarse[l - 1];
-    std::vector<Scalar> finer(fine.size(), Scalar{0});
-    for (std::size_t i = 0; i < finer.size(); ++i) {
-      const std::uint32_t a = groups[l].parent[i];
-      if (a != kNoNode) finer[i] = times(groups[l].phase[i], values[a]);
-    }
-    relax(fine, finer, l == 0 ? kFineSweeps : kCoarseSweeps, context);
+std::vector<Scalar> Hierarchy<Scalar>::solve() const {
+  // Full multigrid: each level begins with what the next coarser one found.
+  std::vector<Scalar> values(level(depth()).size(), Scalar{0});
+  relax(level(depth()), level(depth()).pull, values, kCoarsestSweeps, context_);
+  for (std::size_t l = depth(); l-- > 0;) {
+    std::vector<Scalar> finer(level(l).size(), Scalar{0});
+    hand_down(l, values, finer);
+    relax(level(l), level(l).pull, finer, kSweeps, context_);
+    for (int cycle = 0; cycle < kCycles; ++cycle) correct(l, level(l).pull, finer);
     values = std::move(finer);
   }
   return values;
 }
 
-template Aggregates<Vec2> aggregate(const System<Vec2>&);
-template Aggregates<double> aggregate(const System<double>&);
-template System<Vec2> coarsen(const System<Vec2>&, const Aggregates<Vec2>&, const RunContext&);
-template System<double> coarsen(const System<double>&, const Aggregates<double>&,
-                                const RunContext&);
-template void relax(const System<Vec2>&, std::vector<Vec2>&, int, const RunContext&);
-template void relax(const System<double>&, std::vector<double>&, int, const RunContext&);
+template <class Scalar>
+Hierarchy<Scalar>::Hierarchy(const System<Scalar>& system, const RunContext& context)
+    : finest_(&system), context_(context) {
+  while (level(depth()).size() > kCoarsest) {
+    const System<Scalar>& last = level(depth());
+    Aggregates<Scalar> next = aggregate(last);
+    // A level that shrinks by less than a fifth is not worth its sweeps.
+    if (next.count == 0 || next.count > 0.8 * static_cast<double>(last.size())) break;
+    coarse_.push_back(coarsen(last, next, context));
+    groups_.push_back(std::move(next));
+  }
+}
+
+template <class Scalar>
+void Hierarchy<Scalar>::hand_down(std::size_t l, const std::vector<Scalar>& coarse,
+                                  std::vector<Scalar>& fine) const {
+  const Aggregates<Scalar>& groups = groups_[l];
+  parallel_for(fine.size(), kRange, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      const std::uint32_t a = groups.parent[i];
+      if (a != kNoNode) fine[i] += times(groups.phase[i], coarse[a]);
+    }
+  });
+}
+
+template <class Scalar>
+void Hierarchy<Scalar>::correct(std::size_t l, const std::vector<Scalar>& pull,
+                                std::vector<Scalar>& values) const {
+  const System<Scalar>& s = level(l);
+  std::vector<Scalar> rest(s.size());
+  parallel_for(
+      s.size(), kRange,
+      [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) {
+          rest[i] = pull[i] - (s.stiffness[i] + s.mass[i]) * values[i];
+          for (std::uint32_t k = s.first[i]; k < s.first[i + 1]; ++k) {
+            rest[i] += times(s.coupling[k], values[s.neighbour[k]]);
+          }
+        }
+      },
+      &context_);
+  const Aggregates<Scalar>& groups = groups_[l];
+  std::vector<Scalar> coarse_pull(groups.count, Scalar{0}), coarse(groups.count, Scalar{0});
+  for (std::size_t i = 0; i < s.size(); ++i) {
+    const std::uint32_t a = groups.parent[i];
+    if (a != kNoNode) coarse_pull[a] += times(conjugate(groups.phase[i]), rest[i]);
+  }
+  if (l + 1 == depth()) {
+    relax(level(l + 1), coarse_pull, coarse, kCoarsestSweeps, context_);
+  } else {
+    relax(level(l + 1), coarse_pull, coarse, kSweeps, context_);
+    for (int i = 0; i < kBranches; ++i) correct(l + 1, coarse_pull, coarse);
+  }
+  hand_down(l, coarse, values);
+  relax(s, pull, values, kSweeps, context_);
+}
+
+template <class Scalar>
+std::vector<Scalar> minimise(const System<Scalar>& system, const RunContext& context) {
+  return Hierarchy<Scalar>(system, context).solve();
+}
+
+template void relax(const System<Vec2>&, const std::vector<Vec2>&, std::vector<Vec2>&, int,
+                    const RunContext&);
 template std::vector<Vec2> minimise(const System<Vec2>&, const RunContext&);
 template std::vector<double> minimise(const System<double>&, const RunContext&);
 

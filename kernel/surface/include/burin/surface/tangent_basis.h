@@ -30,8 +30,7 @@ inline Vec2 turn(const TangentBasis& from, const TangentBasis& to) {
   const double c = 1.0 + glm::dot(from.normal, to.normal);
   if (c < 1e-12) return {1, 0};  // opposite normals (unit vectors): no smallest rotation
   const Vec3 carried = from.x - (glm::dot(from.x, to.normal) / c) * (from.normal + to.normal);
-  const Vec2 a = to.coords(carried);
-  return a / glm::length(a);
+  return to.coords(carried);
 }
 
 /// The product of two plane vectors as complex numbers, and the square of one: angles add.
