@@ -1,0 +1,52 @@
+#pragma once
+/// The forms that the conformance suite runs over. A new form adds its lines to `form_cases`.
+
+#include <burin/forms/mesh/mesh_form.h>
+
+#include <burin_test/cad.h>
+#include <burin_test/irregular.h>
+#include <burin_test/shapes.h>
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace burin::test {
+
+struct FormCase {
+  std::string name;
+  std::function<std::shared_ptr<const Form>()> make;
+  /// No boundary, so that the normals point out of a volume.
+  bool closed = true;
+  /// Degrees that frames' normals may be off those of the proxy.
+  double normal_tolerance = 20;
+};
+
+inline std::shared_ptr<const Form> mesh_form(TriMesh mesh) {
+  return std::make_shared<MeshForm>(std::move(mesh));
+}
+
+inline std::vector<FormCase> form_cases() {
+  return {
+      {"MeshTorus", [] { return mesh_form(torus(3, 1, 60, 30)); }},
+      {"MeshIrregularEllipsoid",
+       [] {
+         return mesh_form(irregular_ellipsoid({3, 2, 1}, 4000));
+       }},
+      {"MeshCylinder", [] { return mesh_form(cylinder(2, 5, 48)); }},
+      {"MeshBox",
+       [] {
+         return mesh_form(box({0, 0, 0}, {1, 2, 3}));
+       }},
+      {"MeshFillet", [] { return mesh_form(filleted_edge(1, 4, 6, 6, 5).mesh); }, false},
+      {"MeshNoisy", [] { return mesh_form(noisy(irregular_torus(3, 1, 4000), 0.05)); }, true, 45},
+      {"MeshTinyFarAway",
+       [] {
+         return mesh_form(
+             mapped(torus(3e-3, 1e-3, 60, 30), [](Vec3 p) { return p + Vec3(100, -50, 30); }));
+       }},
+  };
+}
+
+}  // namespace burin::test
