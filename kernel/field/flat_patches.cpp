@@ -1,13 +1,13 @@
 #include "flat_patches.h"
 
 #include <burin/base/parallel.h>
-#include <burin/surface/tangent_basis.h>
 
-#include "fallback.h"
+#include "flat_cross.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 
 namespace burin::field {
 namespace {
@@ -34,13 +34,6 @@ constexpr double kWider = 3;
 constexpr double kStraighter = 8;
 // Border edges that are looked at, at the most.
 constexpr std::size_t kMaxSamples = 48;
-// An outline whose mean direction is weaker than this has none: a circle's is 0, a square's 1.
-constexpr double kMinDominance = 0.15;
-
-// Share of the outline by which smooth borders must lie across one arm rather than the other to
-// decide on family 1.
-constexpr double kMinVotes = 0.03;
-
 class Finder {
  public:
   Finder(const ProxyMesh& proxy, Vec3 fallback, const RunContext& context)
@@ -61,8 +54,10 @@ class Finder {
     for (std::size_t p = 0; p < outline_.size(); ++p) {
       if (p % 1024 == 0) context_.check();
       if (!is_flat(p)) continue;
+      const auto patch = with_cross(p);
+      if (!patch) continue;
       renamed[p] = static_cast<std::int32_t>(result.patches.size());
-      result.patches.push_back(with_cross(p));
+      result.patches.push_back(*patch);
     }
     for (std::size_t f = 0; f < patch_.size(); ++f) {
       if (patch_[f] >= 0) result.face_patch[f] = renamed[static_cast<std::size_t>(patch_[f])];
@@ -254,57 +249,13 @@ class Finder {
     return turn * own > kStraighter * bend_[p] * behind;
   }
 
-  // The mean of the patch's outline as a cross in `basis`, its length the strength in [0,1].
-  Vec2 mean_outline(std::size_t p, const TangentBasis& basis) const {
-    Vec2 sum(0);
-    double total = 0;
+  std::optional<FlatPatch> with_cross(std::size_t p) const {
+    std::vector<OutlineEdge> edges;
     for (const HalfEdge h : outline_[p]) {
-      const Vec2 e = basis.coords(corner(next_in_face(h)) - corner(h));
-      const double length = glm::length(e);
-      if (!(length > 0)) continue;
-      sum += length * complex_square(complex_square(e / length));
-      total += length;
+      const Vec3 a = corner(h), b = corner(next_in_face(h));
+      if (a != b) edges.push_back({0.5 * (a + b), b - a, smooth_opposite(h) != kNoHalfEdge});
     }
-    return total > 0 ? sum / total : Vec2(0);
-  }
-
-  // How much more of the smooth border lies across `arm` than along it, in [-1,1] of the whole
-  // outline: strokes of family 1 go across the bend that begins there, and are to go on over the
-  // flat part.
-  double bends_along(std::size_t p, Vec3 arm) const {
-    double votes = 0, total = 0;
-    for (const HalfEdge h : outline_[p]) {
-      const Vec3 e = corner(next_in_face(h)) - corner(h);
-      const double length = glm::length(e);
-      total += length;
-      if (!(length > 0) || smooth_opposite(h) == kNoHalfEdge) continue;
-      const double cosine = glm::dot(e, arm) / length;
-      votes += length * (1 - 2 * cosine * cosine);
-    }
-    return total > 0 ? votes / total : 0;
-  }
-
-  FlatPatch with_cross(std::size_t p) const {
-    FlatPatch patch;
-    patch.normal = normalize_or(area_vector_[p], normal_[face_of(outline_[p].front())]);
-    const TangentBasis basis(patch.normal);
-    const Vec2 mean = mean_outline(p, basis);
-    const Vec3 preferred = fallback_tangent(fallback_, patch.normal);
-    const double strength = glm::length(mean);
-    patch.first = preferred;
-    if (strength > kMinDominance) {
-      const Vec3 arm = basis.vector(complex_sqrt(complex_sqrt(mean / strength)));
-      const Vec3 other = glm::cross(patch.normal, arm);
-      const double votes = bends_along(p, arm);
-      const bool decided = std::abs(votes) > kMinVotes;
-      // Between two arms that are equally near the first one stays, whatever the rounding.
-      const bool swap = decided ? votes < 0
-                                : std::abs(glm::dot(other, preferred)) >
-                                      std::abs(glm::dot(arm, preferred)) + 1e-6;
-      patch.first = swap ? other : arm;
-    }
-    patch.second = glm::cross(patch.normal, patch.first);
-    return patch;
+    return flat_cross(normalize_or(area_vector_[p], Vec3(0, 0, 1)), edges, fallback_);
   }
 
   const ProxyMesh& proxy_;

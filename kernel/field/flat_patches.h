@@ -4,17 +4,12 @@
 #include <burin/base/run_context.h>
 #include <burin/mesh/proxy_mesh.h>
 
+#include "flat_cross.h"
+
 #include <cstdint>
 #include <vector>
 
 namespace burin::field {
-
-/// A connected flat part: two unit arms of its constant cross; `first` belongs to family 1.
-struct FlatPatch {
-  Vec3 normal{0, 0, 1};
-  Vec3 first{1, 0, 0};
-  Vec3 second{0, 1, 0};
-};
 
 struct FlatPatches {
   std::vector<FlatPatch> patches;
@@ -24,9 +19,8 @@ struct FlatPatches {
 };
 
 /// Finds coplanar triangles and tells flat parts from the facets of curved ones: a flat part is
-/// bounded by creases, or is much wider than the facets that it goes over into. Its cross follows
-/// its outline (the mean of the outline's directions to the fourth power, by length); where the
-/// outline has no such direction, as a circle, it follows `fallback`.
+/// bounded by creases, or is much wider than the facets that it goes over into. Their directions
+/// are those of `flat_cross`.
 FlatPatches find_flat_patches(const ProxyMesh& proxy, Vec3 fallback, const RunContext& context);
 
 }  // namespace burin::field

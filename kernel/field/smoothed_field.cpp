@@ -90,9 +90,10 @@ std::optional<Vec3> SmoothedField::direction(const FieldQuery& q) const {
   const bool seed = q.previous == Vec3(0);
   const std::int32_t flat = part.flats.face_patch[at.face];
   if (flat >= 0) {
-    const FlatPatch& patch = part.flats.patches[static_cast<std::size_t>(flat)];
-    if (seed) return q.family == 2 ? patch.second : patch.first;
-    return nearest_arm(patch.first, patch.second, q.previous);
+    const auto arms = part.flats.patches[static_cast<std::size_t>(flat)].at(q.point.position);
+    if (!arms) return std::nullopt;
+    if (seed) return q.family == 2 ? arms->second : arms->first;
+    return nearest_arm(arms->first, arms->second, q.previous);
   }
   const TangentBasis basis(q.frame.normal);
   const Triangle& wedges = part.surface->proxy().wedges[at.face];

@@ -1,0 +1,44 @@
+#pragma once
+/// The directions of a flat part from its outline.
+
+#include <burin/base/vec.h>
+
+#include <optional>
+#include <vector>
+
+namespace burin::field {
+
+/// The unit arms of a cross; `first` belongs to family 1.
+struct Arms {
+  Vec3 first{1, 0, 0};
+  Vec3 second{0, 1, 0};
+};
+
+/// A flat part: a constant cross, or circles (family 1) and rays about a centre.
+struct FlatPatch {
+  Vec3 normal{0, 0, 1};
+  Arms arms;
+  std::optional<Vec3> center;
+  /// Model mm; nearer to the centre than this there is no direction.
+  double hub = 0;
+
+  std::optional<Arms> at(Vec3 position) const;
+};
+
+/// An edge of a flat part's outline: its middle, its vector, and whether the surface goes on
+/// smoothly behind it.
+struct OutlineEdge {
+  Vec3 middle{0};
+  Vec3 vector{0};
+  bool smooth = false;
+};
+
+/// The cross of a flat part. It is constant and follows the outline (the mean of the outline's
+/// directions to the fourth power, by length) where that has a direction. Where it has none, as a
+/// circle: circles about the centre if the part goes over into round fillets all around, and
+/// `fallback` if creases bound it. Nothing where the smooth border has no such shape: then the
+/// field had better flow in from it.
+std::optional<FlatPatch> flat_cross(Vec3 normal, const std::vector<OutlineEdge>& outline,
+                                    Vec3 fallback);
+
+}  // namespace burin::field
