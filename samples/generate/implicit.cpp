@@ -40,41 +40,94 @@ Grid sample(const Field& field, Vec3 low, Vec3 high, double cell) {
   return g;
 }
 
-// One vertex a cell that the surface crosses: the mean of the crossings on the cell's edges.
-std::unordered_map<std::size_t, std::uint32_t> place_vertices(const Grid& g, TriMesh& mesh) {
-  std::unordered_map<std::size_t, std::uint32_t> ids;
+// The 24 slots of a cell's edges: the edge from corner `a` along `axis` (where bit `axis` of `a` is
+// clear).
+constexpr unsigned kEdgeSlots = 24;
+unsigned edge_slot(unsigned a, unsigned axis) { return 3 * a + axis; }
+
+// For each crossed edge of a cell the sheet it belongs to, numbered by one of its edges. Two
+// crossings on a face of the cell belong together; of four, those about the same inside corner: so
+// sheets that pass close by stay apart.
+std::array<unsigned, kEdgeSlots> sheets_of(const std::array<double, 8>& corner) {
+  std::array<unsigned, kEdgeSlots> root{};
+  for (unsigned i = 0; i < kEdgeSlots; ++i) root[i] = i;
+  const auto join = [&](unsigned a, unsigned b) {
+    const unsigned from = root[b], to = root[a];
+    for (unsigned& r : root) r = r == from ? to : r;
+  };
+  for (unsigned face = 0; face < 6; ++face) {
+    const unsigned n = face / 2, u = (n + 1) % 3, v = (n + 2) % 3, base = (face & 1u) << n;
+    const unsigned ring[4] = {base, base | 1u << u, base | 1u << u | 1u << v, base | 1u << v};
+    const unsigned edges[4] = {edge_slot(ring[0], u), edge_slot(ring[1], v), edge_slot(ring[3], u),
+                               edge_slot(ring[0], v)};
+    std::vector<unsigned> crossed;
+    for (unsigned k = 0; k < 4; ++k) {
+      if ((corner[ring[k]] < 0) != (corner[ring[(k + 1) % 4]] < 0)) crossed.push_back(k);
+    }
+    if (crossed.size() == 2) join(edges[crossed[0]], edges[crossed[1]]);
+    if (crossed.size() < 4) continue;
+    for (unsigned k = 0; k < 4; ++k) {
+      if (corner[ring[k]] < 0) join(edges[k], edges[(k + 3) % 4]);
+    }
+  }
+  return root;
+}
+
+using VertexIds = std::unordered_map<std::size_t, std::uint32_t>;
+
+// One vertex a cell and sheet: the mean of the sheet's crossings on the cell's edges. Keys are cell
+// * 24 + edge.
+VertexIds place_vertices(const Grid& g, TriMesh& mesh) {
+  VertexIds ids;
   for (std::size_t z = 0; z + 1 < g.n[2]; ++z) {
     for (std::size_t y = 0; y + 1 < g.n[1]; ++y) {
       for (std::size_t x = 0; x + 1 < g.n[0]; ++x) {
-        Vec3 sum(0);
-        int count = 0;
-        for (unsigned a = 0; a < 8; ++a) {
-          for (unsigned axis = 0; axis < 3; ++axis) {
-            const unsigned b = a | (1u << axis);
-            if (b == a) continue;
-            const auto corner = [&](unsigned c) {
-              return std::array{x + (c & 1u), y + (c >> 1 & 1u), z + (c >> 2 & 1u)};
-            };
-            const auto p = corner(a), q = corner(b);
-            const double fp = g.values[g.index(p[0], p[1], p[2])],
-                         fq = g.values[g.index(q[0], q[1], q[2])];
-            if ((fp < 0) == (fq < 0)) continue;
-            sum += glm::mix(g.at(p[0], p[1], p[2]), g.at(q[0], q[1], q[2]), fp / (fp - fq));
-            ++count;
-          }
+        std::array<double, 8> value{};
+        std::array<Vec3, 8> place{};
+        for (unsigned c = 0; c < 8; ++c) {
+          value[c] = g.values[g.index(x + (c & 1u), y + (c >> 1 & 1u), z + (c >> 2 & 1u))];
+          place[c] = g.at(x + (c & 1u), y + (c >> 1 & 1u), z + (c >> 2 & 1u));
         }
-        if (count == 0) continue;
-        ids[g.index(x, y, z)] = static_cast<std::uint32_t>(mesh.positions.size());
-        mesh.positions.push_back(sum / static_cast<double>(count));
+        const auto sheet = sheets_of(value);
+        std::array<Vec3, kEdgeSlots> sum{};
+        std::array<int, kEdgeSlots> count{};
+        for (unsigned e = 0; e < kEdgeSlots; ++e) {
+          const unsigned a = e / 3, b = a | (1u << e % 3);
+          if (a == b || (value[a] < 0) == (value[b] < 0)) continue;
+          sum[sheet[e]] += glm::mix(place[a], place[b], value[a] / (value[a] - value[b]));
+          ++count[sheet[e]];
+        }
+        std::array<std::uint32_t, kEdgeSlots> vertex{};
+        for (unsigned e = 0; e < kEdgeSlots; ++e) {
+          if (count[e] == 0) continue;
+          vertex[e] = static_cast<std::uint32_t>(mesh.positions.size());
+          mesh.positions.push_back(sum[e] / static_cast<double>(count[e]));
+        }
+        for (unsigned e = 0; e < kEdgeSlots; ++e) {
+          if (count[sheet[e]] > 0) ids[g.index(x, y, z) * kEdgeSlots + e] = vertex[sheet[e]];
+        }
       }
     }
   }
   return ids;
 }
 
+// Two triangles over the shorter diagonal.
+void append_quad(TriMesh& mesh, const std::array<std::uint32_t, 4>& q) {
+  const auto length = [&](std::size_t a, std::size_t b) {
+    return glm::distance(mesh.positions[q[a]], mesh.positions[q[b]]);
+  };
+  if (length(0, 2) < length(1, 3)) {
+    mesh.triangles.push_back({q[0], q[1], q[2]});
+    mesh.triangles.push_back({q[0], q[2], q[3]});
+  } else {
+    mesh.triangles.push_back({q[0], q[1], q[3]});
+    mesh.triangles.push_back({q[1], q[2], q[3]});
+  }
+}
+
 // One quad a grid edge that the surface crosses, between the four cells about it.
-void connect(const Grid& g, const std::unordered_map<std::size_t, std::uint32_t>& ids,
-             TriMesh& mesh) {
+void connect(const Grid& g, const VertexIds& ids, TriMesh& mesh) {
   for (std::size_t z = 1; z + 1 < g.n[2]; ++z) {
     for (std::size_t y = 1; y + 1 < g.n[1]; ++y) {
       for (std::size_t x = 1; x + 1 < g.n[0]; ++x) {
@@ -83,23 +136,19 @@ void connect(const Grid& g, const std::unordered_map<std::size_t, std::uint32_t>
           const bool other =
               g.values[g.index(x + (axis == 0), y + (axis == 1), z + (axis == 2))] < 0;
           if (inside == other) continue;
-          const auto cell = [&](std::size_t u, std::size_t v) {
-            const std::size_t d[3][3] = {{0, u, v}, {v, 0, u}, {u, v, 0}};
-            return ids.at(g.index(x - d[axis][0], y - d[axis][1], z - d[axis][2]));
+          // The cell that lies `u` and `v` cells back along the other two axes has the edge at that
+          // corner of its own.
+          const auto vertex = [&](unsigned u, unsigned v) {
+            std::array<unsigned, 3> back{};
+            back[(axis + 1) % 3] = u;
+            back[(axis + 2) % 3] = v;
+            const unsigned corner = back[0] | back[1] << 1 | back[2] << 2;
+            return ids.at(g.index(x - back[0], y - back[1], z - back[2]) * kEdgeSlots +
+                          edge_slot(corner, axis));
           };
-          std::array<std::uint32_t, 4> q{cell(1, 1), cell(0, 1), cell(0, 0), cell(1, 0)};
-          if (!inside) std::swap(q[1], q[3]);
-          const auto length = [&](int a, int b) {
-            return glm::distance(mesh.positions[q[static_cast<std::size_t>(a)]],
-                                 mesh.positions[q[static_cast<std::size_t>(b)]]);
-          };
-          if (length(0, 2) < length(1, 3)) {
-            mesh.triangles.push_back({q[0], q[1], q[2]});
-            mesh.triangles.push_back({q[0], q[2], q[3]});
-          } else {
-            mesh.triangles.push_back({q[0], q[1], q[3]});
-            mesh.triangles.push_back({q[1], q[2], q[3]});
-          }
+          std::array<std::uint32_t, 4> quad{vertex(1, 1), vertex(0, 1), vertex(0, 0), vertex(1, 0)};
+          if (!inside) std::swap(quad[1], quad[3]);
+          append_quad(mesh, quad);
         }
       }
     }
@@ -158,7 +207,9 @@ TriMesh mesh_implicit(const Field& field, Vec3 low, Vec3 high, double cell) {
   const auto ids = place_vertices(grid, mesh);
   connect(grid, ids, mesh);
   relax(field, cell, mesh);
-  return mesh;
+  Builder builder;  // which finds what surface nets get wrong in too coarse a grid
+  builder.add(mesh);
+  return builder.finish();
 }
 
 double sphere(Vec3 p, Vec3 center, double radius) { return glm::distance(p, center) - radius; }

@@ -73,6 +73,10 @@ Outline rounded(const std::vector<Corner>& corners, bool closed, double toleranc
                     tolerance);
     }
   }
+  // Arcs that meet without a straight piece between them share their end.
+  const auto meet = [](Vec2 a, Vec2 b) { return glm::distance(a, b) < 1e-4; };
+  out.erase(std::unique(out.begin(), out.end(), meet), out.end());
+  if (closed && meet(out.front(), out.back())) out.pop_back();
   return out;
 }
 

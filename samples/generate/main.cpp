@@ -41,8 +41,8 @@ void write_large(const std::filesystem::path& folder) {
   using namespace burin::samples;
   save(knot(790, 63), folder / "knot_100k.stl");
   save(knot(2500, 200), folder / "knot_1m.stl");
-  save(moai(0.872, 0), folder / "moai_100k.stl");
-  save(moai(0.276, 0), folder / "moai_1m.stl");
+  save(moai(0.9045, 0), folder / "moai_100k.stl");
+  save(moai(0.2857, 0), folder / "moai_1m.stl");
 }
 
 }  // namespace

@@ -56,7 +56,7 @@ std::vector<Solid> gyroid() {
     const double wall = std::abs(g) / (1.5 * k) - 3.0;
     return smooth_max(wall, glm::length(p) - 38, 4.5);
   };
-  return {{"gyroid", mesh_implicit(field, {-41, -41, -41}, {41, 41, 41}, 1.32)}};
+  return {{"gyroid", mesh_implicit(field, {-41, -41, -41}, {41, 41, 41}, 1.3)}};
 }
 
 namespace {
@@ -69,9 +69,9 @@ double head_field(Vec3 p) {
   double d = round_box({q.x / narrow, q.y, q.z}, {0, 2, 74}, {22, 20, 44}, 11);
   d = smooth_min(d, limb(q, {-17, -17, 95}, {17, -17, 95}, 5.5, 5.5), 6);  // brow
   for (const double s : {-1.0, 1.0}) {
-    d = smooth_max(d, -ellipsoid(q, {s * 12.5, -22, 84}, {8, 6, 6.5}), 6);       // sockets
-    d = smooth_max(d, -ellipsoid(q, {s * 18, -23, 66}, {7, 5, 14}), 8);          // cheeks
-    d = smooth_min(d, sphere(q, {s * 5.5, -26.5, 63}, 4.6), 3);                  // nostrils
+    d = smooth_max(d, -ellipsoid(q, {s * 12.5, -22, 84}, {8, 6, 6.5}), 6);     // sockets
+    d = smooth_max(d, -ellipsoid(q, {s * 18, -23, 66}, {7, 5, 14}), 8);        // cheeks
+    d = smooth_min(d, sphere(q, {s * 5.5, -26.5, 63}, 4.6), 3);                // nostrils
     d = smooth_min(d, round_box(q, {s * 23.5, 5, 76}, {3.4, 6, 20}, 2.6), 3);  // ears
     d = smooth_max(d, -limb(q, {s * 29, 3, 66}, {s * 29, 5, 88}, 2.4, 2.4), 2);
   }
@@ -91,7 +91,7 @@ double gaussian(const Rng& rng, std::uint64_t i) {
 }  // namespace
 
 std::vector<Solid> moai(double cell, double noise) {
-  TriMesh mesh = mesh_implicit(head_field, {-52, -45, -22}, {52, 45, 126}, cell);
+  TriMesh mesh = mesh_implicit(head_field, {-52, -45, -36}, {52, 45, 126}, cell);
   if (noise <= 0) return {{"moai", mesh}};
   // A scanner sees no underside and measures along the normal with an error.
   std::vector<Triangle> seen;
