@@ -10,6 +10,10 @@ namespace burin {
 /// Triangles a range of the parallel loops: 0.1 to 5 ms each.
 inline constexpr std::size_t kFaceGrain = 4096;
 
+inline std::uint32_t wedge_of(const ProxyMesh& proxy, HalfEdge corner) {
+  return proxy.wedges[face_of(corner)][static_cast<std::size_t>(corner % 3)];
+}
+
 /// Unit normals of all triangles; zero where a triangle has no area.
 std::vector<Vec3> face_normals(const TriMesh& mesh, const RunContext& context);
 
@@ -21,6 +25,10 @@ void mend_sliver_normals(const TriMesh& mesh, const Topology& topology, std::vec
 /// Fills edge_kind, from the normals of the triangles.
 void classify_edges(ProxyMesh& proxy, const std::vector<Vec3>& normals, double crease_angle,
                     const RunContext& context);
+
+/// Makes short chains of creases smooth that end inside a smooth region at all their ends: noise,
+/// not form.
+void prune_hairs(ProxyMesh& proxy, const RunContext& context);
 
 /// Fills face_region and region_count from edge_kind.
 void find_regions(ProxyMesh& proxy);

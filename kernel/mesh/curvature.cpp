@@ -2,144 +2,185 @@
 #include <burin/mesh/curvature.h>
 
 #include "build_steps.h"
-#include "tensor.h"
+#include "face_tensors.h"
+#include "tensor_smoothing.h"
 
 #include <algorithm>
-#include <array>
+#include <atomic>
 #include <cmath>
 
 namespace burin {
 
 namespace {
 
-/// Tensor and frame of one triangle, and the share of its area that belongs to each corner.
-struct FaceTensor {
-  Tensor tensor;
-  std::array<double, 3> corner_area{0, 0, 0};
-};
+/// Passes after which the tensors are looked at; each doubling halves the noise, at the cost of
+/// detail.
+constexpr int kLevels[] = {0, 1, 2, 4, 8, 16, 32};
+/// A deviator over its noise: of pure noise one value in a hundred is over the first and one in a
+/// thousand over the second, from where on it is left as it is. More smoothing would only blur.
+constexpr double kNoise = 6, kSignal = 10;
+/// |k1 - k2| over the larger |k|: below the first umbilic, above the second not.
+constexpr double kUmbilic = 0.05, kAnisotropic = 0.15;
+/// Largest |k| times the diagonal of the mesh: below the first flat (the whole part would bend by a
+/// degree), above the second curved.
+constexpr double kFlat = 0.02, kCurved = 0.06;
+/// Wedges, of all, that may remain unresolved without another level of passes.
+constexpr double kRest = 0.005;
 
-struct FaceFrame {
-  TangentFrame frame;
-  std::array<Vec2, 3> edge;  // edge k runs from corner k to corner k + 1
-  double area = 0;
-};
-
-FaceFrame face_frame(const ProxyMesh& proxy, std::size_t f) {
-  const Triangle& t = proxy.mesh.triangles[f];
-  std::array<Vec3, 3> e;
-  for (std::size_t k = 0; k < 3; ++k) {
-    e[k] = proxy.mesh.positions[t[(k + 1) % 3]] - proxy.mesh.positions[t[k]];
-  }
-  FaceFrame result;
-  const Vec3 twice_area = glm::cross(e[0], e[1]);
-  result.area = 0.5 * glm::length(twice_area);
-  result.frame.n = normalize_or(twice_area, proxy.wedge_normal[proxy.wedges[f][0]]);
-  result.frame.u = normalize_or(e[0], any_orthogonal(result.frame.n));
-  result.frame.v = glm::cross(result.frame.n, result.frame.u);
-  for (std::size_t k = 0; k < 3; ++k) {
-    result.edge[k] = {glm::dot(e[k], result.frame.u), glm::dot(e[k], result.frame.v)};
-  }
-  return result;
+double smoothstep(double low, double high, double x) {
+  const double t = std::clamp((x - low) / (high - low), 0.0, 1.0);
+  return t * t * (3 - 2 * t);
 }
 
-/// The symmetric tensor that maps the three edges to the changes of the normals along them, by
-/// least squares.
-Tensor fit_tensor(const FaceFrame& face, const std::array<Vec3, 3>& normals) {
-  double xx = 0, xy = 0, yy = 0, r0 = 0, r1 = 0, r2 = 0;
-  for (std::size_t k = 0; k < 3; ++k) {
-    const Vec2 e = face.edge[k];
-    const Vec3 change = normals[(k + 1) % 3] - normals[k];
-    const Vec2 dn(glm::dot(change, face.frame.u), glm::dot(change, face.frame.v));
-    xx += e.x * e.x;
-    xy += e.x * e.y;
-    yy += e.y * e.y;
-    r0 += e.x * dn.x;
-    r1 += e.x * dn.y + e.y * dn.x;
-    r2 += e.y * dn.y;
-  }
-  // [xx xy 0; xy xx+yy xy; 0 xy yy] (a b c) = r, in closed form; its determinant is trace * (xx yy
-  // - xy^2).
-  const double minor = xx * yy - xy * xy, trace = xx + yy;
-  if (!(minor > 1e-18 * trace * trace)) return {};  // a needle of aspect 1e-9 has no tensor
-  const double b = (r1 * xx * yy - xy * (r0 * yy + r2 * xx)) / (trace * minor);
-  const double a = (r0 - xy * b) / xx, c = (r2 - xy * b) / yy;
-  return {0.5 * (a + c), 0.5 * (a - c), b};
+double largest(const Tensor& t) { return std::abs(t.mean) + t.deviation(); }
+
+/// What is left of the noise after some passes, measured on noisy planes and spheres; `edge` is the
+/// share that wedges at creases and boundaries have in the average, which are noisier and average
+/// out along a line only.
+double noise_left(int passes, double edge) {
+  return std::pow(1 + 1.6 * passes, -0.85) + 0.5 * edge;
 }
 
-/// Voronoi areas of the corners; an obtuse triangle gives half of itself to the obtuse corner.
-/// @cite Meyer2003
-std::array<double, 3> corner_areas(const FaceFrame& face) {
-  std::array<double, 3> length2, cotangent, result;
-  for (std::size_t k = 0; k < 3; ++k) {
-    length2[k] = glm::dot(face.edge[k], face.edge[k]);
-    cotangent[k] = -glm::dot(face.edge[k], face.edge[(k + 2) % 3]);
-  }
-  for (std::size_t k = 0; k < 3; ++k) {
-    if (cotangent[k] > 0) continue;
-    result.fill(0.25 * face.area);
-    result[k] = 0.5 * face.area;
-    return result;
-  }
-  for (std::size_t k = 0; k < 3; ++k) {
-    const std::size_t next = (k + 1) % 3, before = (k + 2) % 3;
-    result[k] =
-        (length2[k] * cotangent[before] + length2[before] * cotangent[next]) / (16 * face.area);
-  }
-  return result;
-}
-
-std::vector<FaceTensor> face_tensors(const ProxyMesh& proxy, const RunContext& context) {
-  std::vector<FaceTensor> result(proxy.mesh.triangles.size());
+/// The noise of each wedge's deviator: how far it is from the mean of its ring, across the
+/// direction of that mean only, so that curvature that sets in or ends (as at fillets) without
+/// turning is none; averaged over some rings.
+std::vector<double> deviator_noise(const std::vector<Tensor>& tensors, const WedgeLinks& links,
+                                   const RunContext& context) {
+  std::vector<double> squares(tensors.size());
+  const std::vector<Tensor> mean = smoothed(tensors, links, 1, context);
   parallel_for(
-      result.size(), kFaceGrain,
+      squares.size(), kFaceGrain,
       [&](std::size_t begin, std::size_t end) {
-        for (std::size_t f = begin; f < end; ++f) {
-          const FaceFrame face = face_frame(proxy, f);
-          if (!(face.area > 0)) continue;
-          const Triangle& w = proxy.wedges[f];
-          result[f].tensor = fit_tensor(
-              face, {proxy.wedge_normal[w[0]], proxy.wedge_normal[w[1]], proxy.wedge_normal[w[2]]});
-          result[f].corner_area = corner_areas(face);
+        for (std::size_t w = begin; w < end; ++w) {
+          const double d = mean[w].deviation();
+          const double across = tensors[w].dx * mean[w].dy - tensors[w].dy * mean[w].dx;
+          // The mean holds a seventh of the wedge itself.
+          squares[w] = d > 0 ? across * across / (d * d) * (7.0 / 6) : 0;
         }
       },
       &context);
-  return result;
+  squares = smoothed(std::move(squares), links, 2, context);
+  std::vector<double> sorted = squares;
+  const auto middle = sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2);
+  if (!sorted.empty()) std::nth_element(sorted.begin(), middle, sorted.end());
+  const double floor = sorted.empty() ? 0 : 0.25 * *middle;
+  for (double& s : squares) s = std::sqrt(std::max(s, floor));
+  return squares;
 }
 
-Curvature principal(const Tensor& t, const TangentFrame& frame) {
+/// Smooths each wedge as much as its noise asks for.
+class AdaptiveSmoothing {
+ public:
+  AdaptiveSmoothing(const ProxyMesh& proxy, const WedgeLinks& links, std::vector<Tensor> tensors,
+                    const RunContext& context)
+      : links_(links),
+        diagonal_(proxy.mesh.bounds().diagonal()),
+        context_(context),
+        tensors_(std::move(tensors)),
+        result_(tensors_),
+        noise_(deviator_noise(tensors_, links, context)),
+        settled_(tensors_.size(), 0) {
+    edge_.assign(tensors_.size(), 0);
+    for (std::size_t h = 0; h < proxy.edge_kind.size(); ++h) {
+      if (proxy.edge_kind[h] == EdgeKind::Smooth) continue;
+      edge_[wedge_of(proxy, static_cast<HalfEdge>(h))] = 1;
+      edge_[wedge_of(proxy, next_in_face(static_cast<HalfEdge>(h)))] = 1;
+    }
+  }
+
+  void run() {
+    for (const int level : kLevels) {
+      smooth_to(level);
+      const auto unsettled = static_cast<double>(settle(false));
+      if (unsettled <= kRest * static_cast<double>(tensors_.size())) break;
+    }
+    settle(true);
+  }
+
+  void run_fixed(int passes) {
+    smooth_to(passes);
+    settle(true);
+  }
+
+  const Tensor& tensor(std::size_t w) const { return result_[w]; }
+
+  double confidence(std::size_t w) const {
+    const Tensor& t = result_[w];
+    const double d = t.deviation(), k = largest(t), noise = noise_[w];
+    if (!(k > 0)) return 0;
+    return smoothstep(kNoise, kSignal, noise > 0 ? d / noise : kSignal) *
+           smoothstep(kUmbilic, kAnisotropic, 2 * d / k) *
+           smoothstep(kFlat, kCurved, k * diagonal_);
+  }
+
+ private:
+  void smooth_to(int passes) {
+    tensors_ = smoothed(std::move(tensors_), links_, passes - passes_, context_);
+    edge_ = smoothed(std::move(edge_), links_, passes - passes_, context_);
+    passes_ = passes;
+  }
+
+  /// Keeps the tensors that the present passes resolve (or `all`); returns how many wedges remain.
+  std::size_t settle(bool all) {
+    std::atomic<std::size_t> rest{0};
+    parallel_for(
+        tensors_.size(), kFaceGrain,
+        [&](std::size_t begin, std::size_t end) {
+          std::size_t unsettled = 0;
+          for (std::size_t w = begin; w < end; ++w) {
+            if (settled_[w]) continue;
+            const double noise = noise_[w] * noise_left(passes_, edge_[w]);
+            const double d = tensors_[w].deviation(), k = largest(tensors_[w]);
+            const bool no_matter =
+                (k + 2 * noise) * diagonal_ < kFlat || 2 * (d + 2 * noise) < kUmbilic * k;
+            if (!all && d < kSignal * noise && !no_matter) {
+              ++unsettled;
+              continue;
+            }
+            settled_[w] = 1;
+            result_[w] = tensors_[w];
+            noise_[w] = noise;
+          }
+          rest += unsettled;
+        },
+        &context_);
+    return rest;
+  }
+
+  const WedgeLinks& links_;
+  double diagonal_;
+  const RunContext& context_;
+  int passes_ = 0;
+  std::vector<Tensor> tensors_, result_;
+  std::vector<double> noise_, edge_;
+  std::vector<std::uint8_t> settled_;
+};
+
+Curvature principal(const Tensor& t, const TangentFrame& frame, double confidence) {
   const double angle = 0.5 * std::atan2(t.dy, t.dx), d = t.deviation();
   const Vec3 d1 = std::cos(angle) * frame.u + std::sin(angle) * frame.v;
-  return {t.mean + d, t.mean - d, d1, glm::cross(frame.n, d1), 1};
+  return {t.mean + d, t.mean - d, d1, glm::cross(frame.n, d1), confidence};
 }
 
 }  // namespace
 
-std::vector<Curvature> estimate_curvature(const ProxyMesh& proxy, const CurvatureOptions&,
+std::vector<Curvature> estimate_curvature(const ProxyMesh& proxy, const CurvatureOptions& options,
                                           const RunContext& context) {
-  VertexCorners corners;
-  std::vector<FaceTensor> faces;
-  parallel_invoke([&] { corners = vertex_corners(proxy.mesh); },
-                  [&] { faces = face_tensors(proxy, context); });
+  const VertexCorners corners = vertex_corners(proxy.mesh);
+  const WedgeLinks links = wedge_links(proxy, corners, context);
+  AdaptiveSmoothing smoothing(proxy, links, wedge_tensors(proxy, corners, context), context);
+  if (options.smoothing < 0) {
+    smoothing.run();
+  } else {
+    smoothing.run_fixed(options.smoothing);
+  }
   std::vector<Curvature> result(proxy.wedge_vertex.size());
-  std::vector<Tensor> tensors(result.size());
-  std::vector<double> weights(result.size(), 0);
   parallel_for(
-      proxy.mesh.positions.size(), kFaceGrain,
+      result.size(), kFaceGrain,
       [&](std::size_t begin, std::size_t end) {
-        for (std::size_t v = begin; v < end; ++v) {
-          for (const HalfEdge h : corners.of(v)) {
-            const std::size_t f = face_of(h), k = static_cast<std::size_t>(h % 3);
-            const std::uint32_t w = proxy.wedges[f][k];
-            const TangentFrame to = tangent_frame(proxy.wedge_normal[w]);
-            const double area = faces[f].corner_area[k];
-            tensors[w] += area * carried(faces[f].tensor, face_frame(proxy, f).frame, to);
-            weights[w] += area;
-          }
-          for (const HalfEdge h : corners.of(v)) {
-            const std::uint32_t w = proxy.wedges[face_of(h)][static_cast<std::size_t>(h % 3)];
-            const double scale = weights[w] > 0 ? 1 / weights[w] : 0;
-            result[w] = principal(scale * tensors[w], tangent_frame(proxy.wedge_normal[w]));
-          }
+        for (std::size_t w = begin; w < end; ++w) {
+          result[w] = principal(smoothing.tensor(w), tangent_frame(proxy.wedge_normal[w]),
+                                smoothing.confidence(w));
         }
       },
       &context);

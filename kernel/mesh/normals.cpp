@@ -11,10 +11,6 @@ namespace burin {
 
 namespace {
 
-std::uint32_t wedge_of(const ProxyMesh& proxy, HalfEdge h) {
-  return proxy.wedges[face_of(h)][static_cast<std::size_t>(h % 3)];
-}
-
 double smoothstep(double low, double high, double x) {
   const double t = std::clamp((x - low) / (high - low), 0.0, 1.0);
   return t * t * (3 - 2 * t);

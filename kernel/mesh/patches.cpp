@@ -15,8 +15,9 @@ namespace {
 constexpr double kFlatAngle = 2e-5;
 /// Share of the box's diagonal by which the single precision of STL files moves corners.
 constexpr double kRounding = 1e-7;
-/// How much wider than the facet it bends to a patch is that runs straight.
-constexpr double kWide = 4;
+/// How much wider than the facet it bends to a patch is that runs straight; and than a single
+/// triangle, which says little about the width of the facet it is part of.
+constexpr double kWide = 2.5, kWideOfOne = 12;
 /// Curvatures that differ by less than this factor belong to one curved face.
 constexpr double kAlike = 2.5;
 
@@ -177,8 +178,7 @@ class PatchFinder {
   bool runs_straight(const PlanarPatches& patches, HalfEdge h) const {
     const HalfEdge o = opposite(h);
     const Crossing wide = cross(patches, h), narrow = cross(patches, o);
-    // One triangle alone says little about the width of the facets beyond.
-    const double wanted = narrow.exit == kNoHalfEdge ? kWide * kWide : kWide;
+    const double wanted = narrow.exit == kNoHalfEdge ? kWideOfOne : kWide;
     if (!(wide.width >= wanted * narrow.width) || !(narrow.width > 0)) return false;
     // Strips of unequal width on one curved face all bend alike a mm.
     const double here = bend(h, wide.width, narrow.width);

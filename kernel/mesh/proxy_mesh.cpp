@@ -27,6 +27,7 @@ ProxyMesh build_proxy(TriMesh mesh, const ProxyOptions& options, const RunContex
                   [&] { normals = face_normals(proxy.mesh, context); });
   mend_sliver_normals(proxy.mesh, proxy.topology, normals, context);
   classify_edges(proxy, normals, options.crease_angle, context);
+  prune_hairs(proxy, context);
   parallel_invoke([&] { find_regions(proxy); }, [&] { corners = vertex_corners(proxy.mesh); });
   find_wedges(proxy, corners, context);
   find_wedge_normals(proxy, corners, normals, context);

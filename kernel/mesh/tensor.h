@@ -33,13 +33,18 @@ inline TangentFrame tangent_frame(Vec3 n) {
   return {u, glm::cross(n, u), n};
 }
 
-/// The tensor of frame `from` seen in frame `to`, carried by the smallest rotation that joins their
-/// normals.
-inline Tensor carried(const Tensor& t, const TangentFrame& from, const TangentFrame& to) {
+/// Cosine and sine of twice the angle by which frame `from`, carried by the smallest rotation that
+/// joins the normals, is turned against frame `to`.
+inline Vec2 double_turn(const TangentFrame& from, const TangentFrame& to) {
   const Vec3 u = transport(from.u, from.n, to.n);
   const double c = glm::dot(u, to.u), s = glm::dot(u, to.v);
-  const double c2 = c * c - s * s, s2 = 2 * c * s;
-  return {t.mean, t.dx * c2 - t.dy * s2, t.dx * s2 + t.dy * c2};
+  return {c * c - s * s, 2 * c * s};
+}
+
+/// The tensor of frame `from` seen in frame `to`.
+inline Tensor carried(const Tensor& t, const TangentFrame& from, const TangentFrame& to) {
+  const Vec2 turn = double_turn(from, to);
+  return {t.mean, t.dx * turn.x - t.dy * turn.y, t.dx * turn.y + t.dy * turn.x};
 }
 
 }  // namespace burin

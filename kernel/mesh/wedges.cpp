@@ -21,18 +21,18 @@ HalfEdge counter_clockwise(const ProxyMesh& proxy, HalfEdge h) {
 
 constexpr std::uint32_t kUnset = 0xffffffffu;
 
-std::uint32_t& wedge_of(ProxyMesh& proxy, HalfEdge h) {
+std::uint32_t& wedge_slot(ProxyMesh& proxy, HalfEdge h) {
   return proxy.wedges[face_of(h)][static_cast<std::size_t>(h % 3)];
 }
 
 /// Marks every corner that smooth edges connect with `start` around its vertex.
 void mark_wedge(ProxyMesh& proxy, HalfEdge start, std::uint32_t wedge) {
   for (HalfEdge h = start; h != kNoHalfEdge; h = counter_clockwise(proxy, h)) {
-    if (wedge_of(proxy, h) == wedge) return;  // all the way round
-    wedge_of(proxy, h) = wedge;
+    if (wedge_slot(proxy, h) == wedge) return;  // all the way round
+    wedge_slot(proxy, h) = wedge;
   }
   for (HalfEdge h = clockwise(proxy, start); h != kNoHalfEdge; h = clockwise(proxy, h)) {
-    wedge_of(proxy, h) = wedge;
+    wedge_slot(proxy, h) = wedge;
   }
 }
 
@@ -48,7 +48,7 @@ void find_wedges(ProxyMesh& proxy, const VertexCorners& corners, const RunContex
         for (std::size_t v = begin; v < end; ++v) {
           std::uint32_t count = 0;
           for (const HalfEdge h : corners.of(v)) {
-            if (wedge_of(proxy, h) == kUnset) mark_wedge(proxy, h, count++);
+            if (wedge_slot(proxy, h) == kUnset) mark_wedge(proxy, h, count++);
           }
           first[v + 1] = count;
         }

@@ -2,7 +2,7 @@
 #include <burin/base/parallel.h>
 #include <burin/mesh/proxy_mesh.h>
 
-#include <burin_test/shapes.h>
+#include <burin_test/irregular.h>
 #include <gtest/gtest.h>
 
 #include <set>
@@ -143,6 +143,27 @@ TEST(ProxyMesh, SliverTakesTheNormalOfItsNeighbour) {
   const ProxyMesh proxy = proxy_of(m);
   EXPECT_EQ(proxy.region_count, 1);
   EXPECT_EQ(count_edges(proxy, EdgeKind::ConvexCrease), 0);
+}
+
+TEST(ProxyMesh, AFoldBetweenTwoTrianglesIsACrease) {
+  TriMesh m;
+  m.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, -1, 1}};
+  m.triangles = {{0, 1, 2}, {1, 0, 3}};
+  EXPECT_EQ(count_edges(proxy_of(m), EdgeKind::ConcaveCrease), 1);
+}
+
+TEST(ProxyMesh, HairsOfNoiseAreNoCreases) {
+  const TriMesh m = test::noisy(test::irregular_torus(10, 4, 20000), 0.05);
+  const ProxyMesh proxy = proxy_of(m);
+  std::int64_t sharp = 0;
+  for (std::size_t h = 0; h < proxy.topology.opposite.size(); ++h) {
+    const auto a = static_cast<std::uint32_t>(h / 3), b = face_of(proxy.topology.opposite[h]);
+    sharp += a < b && test::line_angle(m.normal(a), m.normal(b)) > 30;
+  }
+  EXPECT_GT(sharp, 80);  // noise makes many edges sharper than the crease angle
+  EXPECT_LT(
+      count_edges(proxy, EdgeKind::ConvexCrease) + count_edges(proxy, EdgeKind::ConcaveCrease),
+      sharp / 2);  // what is left are little loops
 }
 
 TEST(Topology, RefusesWhatIsNotManifold) {

@@ -1,5 +1,5 @@
 #pragma once
-/// Half-edge connectivity as one flat array, built through OpenMesh.
+/// Half-edge connectivity as one flat array, built through OpenMesh. @cite Botsch2002
 
 #include <burin/base/run_context.h>
 #include <burin/mesh/tri_mesh.h>
