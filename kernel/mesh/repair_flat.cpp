@@ -10,7 +10,8 @@ class FlatRemover {
  public:
   FlatRemover(TriMesh& mesh, std::vector<std::uint32_t>& opposite)
       : mesh_(mesh), opposite_(opposite) {}
-  void run(RepairCounts& counts, const RunContext& context);
+  void run(bool drop_all, RepairCounts& counts, const RunContext& context);
+  void drop_pockets();
 
  private:
   bool flat(std::uint32_t t) const {
@@ -87,7 +88,7 @@ void FlatRemover::drop(std::uint32_t t) {
   mesh_.triangles[t] = {0, 0, 0};
 }
 
-void FlatRemover::run(RepairCounts& counts, const RunContext& context) {
+void FlatRemover::run(bool drop_all, RepairCounts& counts, const RunContext& context) {
   std::vector<std::uint32_t> queue;
   for (std::uint32_t t = 0; t < mesh_.triangles.size(); ++t) {
     if (flat(t)) queue.push_back(t);
@@ -101,7 +102,7 @@ void FlatRemover::run(RepairCounts& counts, const RunContext& context) {
     if (!flat(t)) continue;
     const std::uint32_t h = longest(t);
     const std::uint32_t other = opposite_[h] == kNone ? kNone : opposite_[h] / 3;
-    if (other != kNone && turns_left > 0 && turn(h)) {
+    if (other != kNone && !drop_all && turns_left > 0 && turn(h)) {
       --turns_left;
       for (const std::uint32_t k : {t, other}) {
         if (flat(k)) queue.push_back(k);
@@ -113,11 +114,24 @@ void FlatRemover::run(RepairCounts& counts, const RunContext& context) {
   }
 }
 
+/// Two triangles back to back on all three edges.
+void FlatRemover::drop_pockets() {
+  for (std::uint32_t t = 0; t < mesh_.triangles.size(); ++t) {
+    const std::uint32_t other = opposite_[3 * t];
+    if (other == kNone || opposite_[3 * t + 1] == kNone || opposite_[3 * t + 2] == kNone) continue;
+    if (opposite_[3 * t + 1] / 3 != other / 3 || opposite_[3 * t + 2] / 3 != other / 3) continue;
+    drop(t);
+    drop(other / 3);
+  }
+}
+
 }  // namespace
 
-void remove_flat(TriMesh& mesh, std::vector<std::uint32_t>& opposite, RepairCounts& counts,
-                 const RunContext& context) {
-  FlatRemover(mesh, opposite).run(counts, context);
+void remove_flat(TriMesh& mesh, std::vector<std::uint32_t>& opposite, bool drop,
+                 RepairCounts& counts, const RunContext& context) {
+  FlatRemover remover(mesh, opposite);
+  remover.run(drop, counts, context);
+  remover.drop_pockets();
 }
 
 }  // namespace burin::repair_stages

@@ -5,44 +5,16 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <tuple>
 
 namespace burin::repair_stages {
 namespace {
-
-bool repeats_corner(const Triangle& t) { return t[0] == t[1] || t[1] == t[2] || t[2] == t[0]; }
-
-/// Of triangles with the same three corners the first stays.
-std::int64_t drop_duplicates(TriMesh& mesh) {
-  struct Entry {
-    Triangle corners;
-    std::uint32_t triangle;
-    auto operator<=>(const Entry&) const = default;
-  };
-  std::vector<Entry> entries;
-  entries.reserve(mesh.triangles.size());
-  for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
-    Triangle sorted = mesh.triangles[t];
-    std::sort(sorted.begin(), sorted.end());
-    entries.push_back({sorted, t});
-  }
-  std::sort(entries.begin(), entries.end());
-  std::int64_t count = 0;
-  for (std::size_t i = 1; i < entries.size(); ++i) {
-    if (entries[i].corners != entries[i - 1].corners) continue;
-    mesh.triangles[entries[i].triangle] = {0, 0, 0};
-    ++count;
-  }
-  if (count > 0) std::erase_if(mesh.triangles, repeats_corner);
-  return count;
-}
 
 /// Two pairs of partners may still have the same ends, where a fan comes by one neighbour twice: a
 /// new vertex in the middle of all pairs but one tells them apart and changes no shape. Returns
 /// whether there was one.
 bool split_repeated_edges(TriMesh& mesh, const RunContext& context) {
   EdgeGroups edges = group_edges(mesh, context);
-  std::vector<std::uint8_t> touched(mesh.triangles.size(), 0);
+  std::vector<std::uint8_t> touched(mesh.triangles.size(), 0);  // its half-edges are out of date
   const auto insert = [&](std::uint32_t h, std::uint32_t middle) {
     const std::uint32_t x = from(mesh, h), y = to(mesh, h), b = apex(mesh, h);
     mesh.triangles[h / 3] = {x, middle, b};
@@ -137,21 +109,26 @@ void split_fans(TriMesh& mesh, const std::vector<std::uint32_t>& opposite, const
 
 void make_manifold(TriMesh& mesh, Diagnostics& diagnostics, const RunContext& context) {
   RepairCounts counts;
+  join_tiny_edges(mesh);
   counts.repeated_corners =
       static_cast<std::int64_t>(std::erase_if(mesh.triangles, repeats_corner));
-  counts.duplicates = drop_duplicates(mesh);
-  constexpr int kRounds = 8;
+  counts.duplicates = drop_duplicates(mesh, context);
+  // Mending may lay bare a further defect, or among slivers go in circles: later rounds only cut
+  // apart.
+  constexpr int kMendingRounds = 4, kRounds = 12;
   for (int round = 0; round < kRounds; ++round) {
     context.check();
+    const bool cut = round >= kMendingRounds;
     RepairCounts again;  // what later rounds find is of our own making
     RepairCounts& now = round == 0 ? counts : again;
     EdgeGroups edges = group_edges(mesh, context);
     orient_patches(mesh, edges, now, context);
-    std::vector<std::uint32_t> opposite = match_half_edges(mesh, edges, now);
-    remove_flat(mesh, opposite, now, context);
+    std::vector<std::uint32_t> opposite = match_half_edges(mesh, edges, cut, now);
+    remove_flat(mesh, opposite, cut, now, context);
     split_fans(mesh, opposite, edges, now);
     std::erase_if(mesh.triangles, repeats_corner);
-    if (!split_repeated_edges(mesh, context) && inspect(mesh, context).clean()) break;
+    if (!cut && split_repeated_edges(mesh, context)) continue;
+    if (inspect(mesh, context).clean()) break;
   }
   drop_unused_positions(mesh);
   report(counts, diagnostics);

@@ -91,7 +91,7 @@ void pair_sheets(const std::vector<Leaf>& leaves, std::vector<std::uint32_t>& op
 
 }  // namespace
 
-std::vector<std::uint32_t> match_half_edges(const TriMesh& mesh, const EdgeGroups& edges,
+std::vector<std::uint32_t> match_half_edges(const TriMesh& mesh, const EdgeGroups& edges, bool cut,
                                             RepairCounts& counts) {
   std::vector<std::uint32_t> opposite(edges.half_edge.size(), kNone);
   for (std::size_t g = 0; g < edges.size(); ++g) {
@@ -102,6 +102,7 @@ std::vector<std::uint32_t> match_half_edges(const TriMesh& mesh, const EdgeGroup
     }
     if (group.size() <= 2) continue;
     ++counts.nonmanifold_edges;
+    if (cut) continue;
     // So many triangles at one edge are no shape; comparing all pairs of them would take forever.
     constexpr std::size_t kMostSheets = 256;
     std::vector<Leaf> leaves = sorted_around(mesh, group);

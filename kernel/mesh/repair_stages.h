@@ -73,6 +73,18 @@ struct RepairCounts {
   std::int64_t nonmanifold_edges = 0, nonmanifold_vertices = 0, flat = 0, flat_dropped = 0;
 };
 
+inline bool repeats_corner(const Triangle& t) {
+  return t[0] == t[1] || t[1] == t[2] || t[2] == t[0];
+}
+
+/// Gives the ends of edges that are shorter than the rounding of their coordinates one vertex.
+void join_tiny_edges(TriMesh& mesh);
+
+/// Drops triangles that repeat another one. Of two that face each other in one place both stay
+/// where they are the wall between solids or hang on a body, and one where they are a sheet drawn
+/// from both sides.
+std::int64_t drop_duplicates(TriMesh& mesh, const RunContext& context);
+
 /// Turns triangles so that neighbours over edges of two triangles agree, each such patch as most of
 /// its triangles were; remaps `edges`. Returns how many were turned and over how many edges no
 /// agreement is possible.
@@ -81,15 +93,15 @@ void orient_patches(TriMesh& mesh, EdgeGroups& edges, RepairCounts& counts,
 
 /// For each half-edge its partner in the neighbouring triangle, or kNone. At an edge of more than
 /// two triangles those are partners between which material lies, so that solids that touch there
-/// stay closed and come apart.
-std::vector<std::uint32_t> match_half_edges(const TriMesh& mesh, const EdgeGroups& edges,
+/// stay closed and come apart; with `cut` all of them end there.
+std::vector<std::uint32_t> match_half_edges(const TriMesh& mesh, const EdgeGroups& edges, bool cut,
                                             RepairCounts& counts);
 
 /// Turns the long edge of each triangle without area over to its neighbour, which leaves no hole;
-/// drops it where it has no neighbour or this would not be manifold. Dropped triangles become {0,
-/// 0, 0}.
-void remove_flat(TriMesh& mesh, std::vector<std::uint32_t>& opposite, RepairCounts& counts,
-                 const RunContext& context);
+/// drops it where it has no neighbour or this would not be manifold, or always with `drop`. Drops
+/// also pairs of triangles that only have each other. Dropped triangles become {0, 0, 0}.
+void remove_flat(TriMesh& mesh, std::vector<std::uint32_t>& opposite, bool drop,
+                 RepairCounts& counts, const RunContext& context);
 
 /// Gives each fan of triangles around a vertex a vertex of its own.
 void split_fans(TriMesh& mesh, const std::vector<std::uint32_t>& opposite, const EdgeGroups& edges,
