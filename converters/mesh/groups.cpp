@@ -21,8 +21,8 @@ class Union {
     return i;
   }
   void join(std::uint32_t i, std::uint32_t j) {
-    const auto [low, high] = std::minmax(find(i), find(j));
-    parent_[high] = low;
+    const std::uint32_t a = find(i), b = find(j);
+    parent_[std::max(a, b)] = std::min(a, b);
   }
 
  private:

@@ -19,6 +19,8 @@ struct OffHeader {
   bool binary = false;
 };
 
+bool is_digit(char c) { return c >= '0' && c <= '9'; }
+
 class OffReader {
  public:
   explicit OffReader(const Source& source) : source_(source), text_(source) {}
@@ -47,6 +49,9 @@ class OffReader {
 void OffReader::header() {
   text_.skip_space('#');
   const char* p = text_.where();
+  const bool counts_follow =
+      text_.left() > 1 && is_digit(*p) && (is_digit(p[1]) || is_blank(p[1]) || is_line_end(p[1]));
+  if (counts_follow) return;  // the header word is optional
   const auto skip = [&](std::string_view word) {
     const bool found = std::string_view(p, text_.left()).substr(0, word.size()) == word;
     if (found) p += word.size();
@@ -58,7 +63,6 @@ void OffReader::header() {
   header_.homogeneous = skip("4");
   const bool n_dimensional = skip("n");
   if (!skip("OFF")) {
-    if (*p >= '0' && *p <= '9' && p == text_.where()) return;  // the header word is optional
     text_.fail("an OFF file begins with OFF, this one with " + in_quotes(text_.token()));
   }
   text_.skip(static_cast<std::size_t>(p - text_.where()));
@@ -80,8 +84,7 @@ void OffReader::skip_edge_count() {
   TextCursor ahead = text_;
   ahead.skip_space('#');
   const std::string_view line = ahead.rest_of_line();
-  const bool alone =
-      !line.empty() && std::ranges::all_of(line, [](char c) { return c >= '0' && c <= '9'; });
+  const bool alone = !line.empty() && std::ranges::all_of(line, is_digit);
   if (alone && face_count_ + vertex_count_ > 0) {
     text_.skip_space('#');
     text_.next_line();
@@ -91,9 +94,9 @@ void OffReader::skip_edge_count() {
 void OffReader::counts() {
   constexpr std::size_t kVertexBytes = 5, kFaceBytes = 2;  // "0 0 0" and "0\n"
   text_.skip_space('#');
-  vertex_count_ = text_.count("the number of vertices,", kVertexBytes);
+  vertex_count_ = text_.count("the number of vertices", kVertexBytes);
   text_.skip_space('#');
-  face_count_ = text_.count("the number of faces,", kFaceBytes);
+  face_count_ = text_.count("the number of faces", kFaceBytes);
   skip_edge_count();
 }
 
@@ -139,7 +142,7 @@ void OffReader::faces() {
   for (std::size_t f = 0; f < face_count_; ++f) {
     source_.context().check();
     text_.skip_space('#');
-    const std::size_t corners = text_.count("the number of corners,", 1);
+    const std::size_t corners = text_.count("the number of corners", 1);
     for (std::size_t c = 0; c < corners; ++c) {
       text_.skip_space('#');
       const char* begin = text_.where();

@@ -32,7 +32,7 @@ class AsciiValues {
   }
   std::size_t list_length(PlyType, PlyType) {
     text_.skip_space();
-    return text_.count("the length of a list,", 1);
+    return text_.count("the length of a list", 1);
   }
   void require(const PlyElement& e) {
     // A digit and a blank a property, the last blank missing.

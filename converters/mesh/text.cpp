@@ -100,7 +100,7 @@ std::size_t TextCursor::count(const char* what, std::size_t bytes_each) {
   const std::int64_t n = integer(what);
   if (n < 0 || static_cast<std::uint64_t>(n) > left() / bytes_each) {
     source_.fail_at_line(begin,
-                         fmt::format("{} {} cannot fit into the {} bytes that follow; the file "
+                         fmt::format("{}, {}, cannot fit into the {} bytes that follow; the file "
                                      "is truncated or damaged, export it again",
                                      what, n, left()));
   }

@@ -166,7 +166,7 @@ bool EarClipper::run(std::span<Triangle> out, const RunContext& context) {
     refilled = false;
   }
   out[done] = {corners_[prev_[any_]], corners_[any_], corners_[next_[any_]]};
-  return simple;
+  return simple && orientation(at(prev_[any_]), at(any_), at(next_[any_])) >= 0;
 }
 
 /// The two triangles of a quadrilateral: the cut must lie inside it; of two such cuts the shorter

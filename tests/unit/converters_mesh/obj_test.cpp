@@ -1,0 +1,107 @@
+#include "reading.h"
+
+namespace burin {
+namespace {
+
+using test::expect_error;
+using test::read_bytes;
+
+const std::string kCorners = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n";
+
+std::vector<std::uint32_t> indices(const std::string& bytes) {
+  return read_bytes(bytes, "a.obj").objects.at(0).indices;
+}
+
+TEST(Obj, ReadsDoubles) {
+  const TriMesh box = test::precise_box();
+  const MeshFile file = read_bytes(test::obj(box), "a.obj");
+  EXPECT_EQ(file.format, "OBJ");
+  test::expect_mesh(file, box);
+}
+
+TEST(Obj, CornersOfAllForms) {
+  using List = std::vector<std::uint32_t>;
+  EXPECT_EQ(indices(kCorners + "f 1 2 3 4\n"), (List{0, 1, 2, 3}));
+  EXPECT_EQ(indices(kCorners + "f 1/1 2/2 3/3\n"), (List{0, 1, 2}));
+  EXPECT_EQ(indices(kCorners + "f 1//9 2//9 4//9\n"), (List{0, 1, 3}));
+  EXPECT_EQ(indices(kCorners + "f 1/5/9 2/6/9 4/7/9 # end\n"), (List{0, 1, 3}));
+  EXPECT_EQ(indices(kCorners + "f -4 -3/-1 -1/-2/-3\n"), (List{0, 1, 3}));
+  EXPECT_EQ(indices("v 0 0 0\nv 1 0 0\nv 1 1 0\nf -3 -2 -1\nv 0 1 0\nf -4 -2 -1\n"),
+            (List{0, 1, 2, 0, 2, 3}));
+  EXPECT_EQ(indices("f 1 2 3\n" + kCorners), (List{0, 1, 2}));  // vertices may follow
+}
+
+TEST(Obj, AnyLineEndsAndContinuedLines) {
+  using List = std::vector<std::uint32_t>;
+  std::string mac = kCorners + "f 1 2 3\nf 1 3 4";
+  std::replace(mac.begin(), mac.end(), '\n', '\r');
+  EXPECT_EQ(indices(mac), (List{0, 1, 2, 0, 2, 3}));
+  EXPECT_EQ(indices(kCorners + "f 1 2 \\\n 3 \\\r\n4\n"), (List{0, 1, 2, 3}));
+  EXPECT_EQ(indices(kCorners + "f 1 2\\\n 3\n"), (List{0, 1, 2}));
+  EXPECT_EQ(indices("v 0 \\\n 0 0\nv 1 0 0\nv 1 1 0\nf 1 2 3\n# c:\\\nf 1 3 2\n"),
+            (List{0, 1, 2, 0, 2, 1}));
+  EXPECT_EQ(indices("\xef\xbb\xbf# mark\n" + kCorners + "f 1 2 3"), (List{0, 1, 2}));
+}
+
+TEST(Obj, ObjectsAreParts) {
+  const std::string bytes = "o left\n" + kCorners +
+                            "f 1 2 3\no right side\ng ignored\nv 5 0 0\nv 6 0 0\nv 6 1 0\n" +
+                            "f 5 6 7\no left\nf 1 3 4\n";
+  const MeshFile file = read_bytes(bytes, "a.obj");
+  ASSERT_EQ(file.objects.size(), 2u);
+  EXPECT_EQ(file.objects[0].name, "left");
+  EXPECT_EQ(file.objects[0].polygon_count(), 2u);
+  EXPECT_EQ(file.objects[1].name, "right side");
+  EXPECT_EQ(file.objects[1].positions, (std::vector<Vec3>{{5, 0, 0}, {6, 0, 0}, {6, 1, 0}}));
+}
+
+TEST(Obj, GroupsArePartsUnlessTheyAreOneSurface) {
+  const std::string apart = kCorners + "v 5 0 0\nv 6 0 0\nv 6 1 0\ng a\nf 1 2 3\ng b\nf 5 6 7\n";
+  const MeshFile two = read_bytes(apart, "a.obj");
+  ASSERT_EQ(two.objects.size(), 2u);
+  EXPECT_EQ(two.objects[0].name, "a");
+  EXPECT_EQ(two.objects[1].name, "b");
+  const MeshFile one = read_bytes(kCorners + "g a\nf 1 2 3\ng b\nf 1 3 4\n", "a.obj");
+  ASSERT_EQ(one.objects.size(), 1u);
+  EXPECT_EQ(one.objects[0].polygon_count(), 2u);
+  EXPECT_EQ(test::count_of(one.diagnostics, "mesh.joined_groups"), 1);
+}
+
+TEST(Obj, PartsWithoutNameHaveTheFiles) {
+  const Scene scene = test::read_scene(kCorners + "f 1 2 3\n", "bracket.obj");
+  ASSERT_EQ(scene.parts.size(), 1u);
+  EXPECT_TRUE(scene.parts[0].name.ends_with("bracket")) << scene.parts[0].name;
+}
+
+TEST(Obj, WhatIsNotDrawnIsSkipped) {
+  const MeshFile file = read_bytes("mtllib a.mtl\n" + kCorners +
+                                       "vt 0 0\nvn 0 0 1\nusemtl x\ns off\nl 1 2\np 1\nf 1 2\n"
+                                       "f 1 2 3\nfoo bar\ncstype bspline\nsurf 0 1 0 1 1 2\nend\n",
+                                   "a.obj");
+  EXPECT_EQ(file.objects.at(0).polygon_count(), 1u);
+  EXPECT_EQ(test::count_of(file.diagnostics, "obj.short_faces"), 1);
+  EXPECT_EQ(test::count_of(file.diagnostics, "obj.unknown_statements"), 1);
+  EXPECT_EQ(test::count_of(file.diagnostics, "obj.free_form"), 1);
+}
+
+TEST(Obj, ColoursAndWeightsAfterCoordinates) {
+  const MeshFile file =
+      read_bytes("v 0 0 0 1 0 0\nv 1 0 0 nan nan nan\nv 1 1 0 1.0\nf 1 2 3\n", "a.obj");
+  EXPECT_EQ(file.objects.at(0).positions[2], Vec3(1, 1, 0));
+}
+
+TEST(Obj, ErrorsNameTheLine) {
+  expect_error(kCorners + "f 1 2 9\n", "a.obj", 5, "vertex 9, the file holds 4");
+  expect_error(kCorners + "\nf 0 1 2\n", "a.obj", 6, "vertex 0");
+  expect_error(kCorners + "f -5 1 2\n", "a.obj", 5, "vertex -5");
+  expect_error(kCorners + "f 1 2 x\n", "a.obj", 5, "'x' is not a corner");
+  expect_error(kCorners + "f 1 2 99999999999999999999\n", "a.obj", 5, "");
+  expect_error("v 0 0\n", "a.obj", 1, "the line ends where a coordinate should be");
+  expect_error("v 0 0 0\r\nv 1 o 0\r\n", "a.obj", 2, "'o' is not a coordinate");
+  expect_error("v 0 0 0\rv 1 o 0\r", "a.obj", 2, "'o' is not a coordinate");
+  expect_error(kCorners, "a.obj", 0, "holds 4 vertices but no face");
+  expect_error("hello\nworld\n", "a.obj", 1, "no OBJ statement");
+}
+
+}  // namespace
+}  // namespace burin

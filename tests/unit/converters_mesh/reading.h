@@ -1,0 +1,60 @@
+#pragma once
+/// Reading bytes as a file, and the errors that come of it.
+
+#include <burin/base/error.h>
+#include <burin/converters/mesh_reader.h>
+
+#include <burin_test/mesh_checks.h>
+#include <burin_test/mesh_files.h>
+#include <burin_test/shapes.h>
+#include <gtest/gtest.h>
+
+#include <string>
+
+namespace burin::test {
+
+inline MeshFile read_bytes(const std::string& bytes, const std::string& name) {
+  const TempFile file(name, bytes);
+  const RunContext context;
+  return read_mesh_file(file.path(), context);
+}
+
+inline Scene read_scene(const std::string& bytes, const std::string& name) {
+  const TempFile file(name, bytes);
+  const RunContext context;
+  return read_mesh(file.path(), context);
+}
+
+/// The bytes are refused, at this line (0: none), with a message of one line that holds `part`.
+inline void expect_error(const std::string& bytes, const std::string& name, std::int64_t line,
+                         const std::string& part) {
+  const TempFile file(name, bytes);
+  const RunContext context;
+  try {
+    read_mesh(file.path(), context);
+    ADD_FAILURE() << name << " was read; expected: " << part;
+  } catch (const InputError& e) {
+    const std::string what = e.what();
+    EXPECT_EQ(e.file(), file.path().string());
+    EXPECT_EQ(e.line(), line) << what;
+    EXPECT_NE(what.find(part), std::string::npos) << what;
+    EXPECT_EQ(what.find('\n'), std::string::npos) << what;
+  }
+}
+
+/// The one object of the file holds these positions and triangles, exactly.
+inline void expect_mesh(const MeshFile& file, const TriMesh& mesh) {
+  ASSERT_EQ(file.objects.size(), 1u);
+  const PolygonSoup& soup = file.objects[0];
+  const PolygonSoup expected = soup_of(mesh);
+  EXPECT_EQ(soup.positions, expected.positions);
+  EXPECT_EQ(soup.indices, expected.indices);
+  EXPECT_EQ(soup.offsets, expected.offsets);
+}
+
+/// A box whose coordinates no float holds.
+inline TriMesh precise_box() {
+  return box({0.1, 1.0 / 3, -1e-7}, {1.1, 2.0 / 3, 123456.789012345});
+}
+
+}  // namespace burin::test

@@ -1,0 +1,157 @@
+#include "reading.h"
+
+#include <cmath>
+
+namespace burin {
+namespace {
+
+using test::expect_error;
+using test::read_bytes;
+
+const TriMesh kTorus = test::torus(5, 2, 24, 16);
+
+TEST(StlBinary, WeldsCornersInTheOrderOfAppearance) {
+  const MeshFile file = read_bytes(test::stl_binary(kTorus), "a.stl");
+  EXPECT_EQ(file.format, "STL (binary)");
+  ASSERT_EQ(file.objects.size(), 1u);
+  const PolygonSoup& soup = file.objects[0];
+  EXPECT_EQ(soup.positions.size(), kTorus.positions.size());
+  EXPECT_EQ(soup.polygon_count(), kTorus.triangles.size());
+  std::uint32_t next = 0;
+  for (std::size_t i = 0; i < soup.indices.size(); ++i) {
+    EXPECT_LE(soup.indices[i], next);
+    next += soup.indices[i] == next;
+    const Vec3& p = kTorus.positions[kTorus.triangles[i / 3][i % 3]];
+    for (int k = 0; k < 3; ++k) {
+      EXPECT_EQ(soup.positions[soup.indices[i]][k], static_cast<double>(static_cast<float>(p[k])));
+    }
+  }
+}
+
+TEST(StlBinary, MayBeginWithSolid) {
+  const MeshFile file = read_bytes(test::stl_binary(kTorus, "solid facet normal"), "a.stl");
+  EXPECT_EQ(file.format, "STL (binary)");
+  EXPECT_EQ(file.objects.at(0).polygon_count(), kTorus.triangles.size());
+}
+
+TEST(StlBinary, IsKnownUnderAnyName) {
+  EXPECT_EQ(read_bytes(test::stl_binary(kTorus), "a.obj").format, "STL (binary)");
+  EXPECT_EQ(read_bytes(test::stl_binary(kTorus), "a.bin").format, "STL (binary)");
+}
+
+TEST(StlBinary, TrailingBytesAreIgnoredAndTold) {
+  const MeshFile file = read_bytes(test::stl_binary(kTorus) + "garbage", "a.stl");
+  EXPECT_EQ(file.objects.at(0).polygon_count(), kTorus.triangles.size());
+  EXPECT_EQ(test::count_of(file.diagnostics, "stl.trailing_bytes"), 7);
+}
+
+TEST(StlBinary, FalseCountsAreRefused) {
+  std::string bytes = test::stl_binary(kTorus);
+  bytes.replace(80, 4, test::raw(std::uint32_t{0xfffffff0u}));
+  expect_error(bytes, "a.stl", 0,
+               "at byte 80: the binary STL claims 4294967280 triangles, its bytes hold 768");
+  bytes.replace(80, 4, test::raw(std::uint32_t{0}));
+  expect_error(bytes, "a.stl", 0, "at byte 80: the binary STL holds no triangles");
+}
+
+TEST(StlBinary, TruncatedFilesAreRefused) {
+  const std::string bytes = test::stl_binary(kTorus);
+  expect_error(bytes.substr(0, bytes.size() - 1), "a.stl", 0, "at byte 80");
+  expect_error(bytes.substr(0, 90), "a.stl", 0, "at byte 80");
+  expect_error(std::string(40, '\1'), "a.stl", 0,
+               "at byte 40: the file ends inside the 84-byte header");
+}
+
+TEST(StlBinary, NaNTrianglesAreLeftOut) {
+  std::string bytes = test::stl_binary(kTorus);
+  bytes.replace(84 + 12, 4, test::raw(std::nanf("")));
+  const Scene scene = test::read_scene(bytes, "a.stl");
+  EXPECT_EQ(test::count_of(scene.diagnostics, "mesh.bad_coordinates"), 1);
+}
+
+TEST(StlAscii, ReadsDoubles) {
+  const TriMesh box = test::precise_box();
+  const MeshFile file = read_bytes(test::stl_ascii(box), "a.stl");
+  EXPECT_EQ(file.format, "STL (ASCII)");
+  ASSERT_EQ(file.objects.size(), 1u);
+  EXPECT_EQ(file.objects[0].name, "part");
+  ASSERT_EQ(file.objects[0].positions.size(), 36u);
+  for (std::size_t i = 0; i < 36; ++i) {
+    EXPECT_EQ(file.objects[0].positions[i], box.positions[box.triangles[i / 3][i % 3]]);
+  }
+}
+
+TEST(StlAscii, SolidsArePartsByName) {
+  const TriMesh other = test::box({5, 5, 5}, {6, 6, 6});
+  const std::string bytes = test::stl_ascii(kTorus, "the wheel") + test::stl_ascii(other, "hub") +
+                            test::stl_ascii(test::box({9, 9, 9}, {10, 10, 10}), "the wheel");
+  const Scene scene = test::read_scene(bytes, "a.stl");
+  ASSERT_EQ(scene.parts.size(), 2u);
+  EXPECT_EQ(scene.parts[0].name, "the wheel");
+  EXPECT_EQ(scene.parts[1].name, "hub");
+  EXPECT_DOUBLE_EQ(scene.parts[0].form->bounds(Mat3(1)).max.x, 10);
+}
+
+TEST(StlAscii, PatchesOfOneSurfaceAreOnePart) {
+  TriMesh lid = test::box({0, 0, 0}, {1, 1, 1}), rest = lid;
+  rest.triangles.assign(lid.triangles.begin() + 2, lid.triangles.end());
+  lid.triangles.resize(2);
+  const MeshFile file =
+      read_bytes(test::stl_ascii(lid, "inlet") + test::stl_ascii(rest, "wall"), "a.stl");
+  ASSERT_EQ(file.objects.size(), 1u);
+  EXPECT_EQ(test::count_of(file.diagnostics, "mesh.joined_groups"), 1);
+}
+
+TEST(StlAscii, TouchingSolidsStayParts) {
+  const std::string bytes = test::stl_ascii(test::box({0, 0, 0}, {1, 1, 1}), "a") +
+                            test::stl_ascii(test::box({1, 0, 0}, {2, 1, 1}), "b");
+  EXPECT_EQ(read_bytes(bytes, "a.stl").objects.size(), 2u);
+}
+
+TEST(StlAscii, TakesCaseLineEndsAndLayoutAsTheyCome) {
+  std::string bytes = test::stl_ascii(kTorus, "x");
+  for (const char* ends : {"\r\n", "\r", "\n\n  \t"}) {
+    std::string changed;
+    for (const char c : bytes) c == '\n' ? changed += ends : changed += c;
+    EXPECT_EQ(read_bytes(changed, "a.stl").objects.at(0).polygon_count(), kTorus.triangles.size());
+  }
+  const std::string loud =
+      "SOLID\nFACET NORMAL nan nan nan OUTER LOOP VERTEX +1 0 0 VERTEX 0 1e0 0\nVERTEX 0 0 1. "
+      "ENDLOOP ENDFACET\nfacet outer loop vertex 0 0 0 vertex 1 0 0 vertex 1 1 0 vertex 0 1 0 "
+      "endloop "
+      "endfacet ENDSOLID";
+  const MeshFile file = read_bytes(loud, "a.stl");
+  EXPECT_EQ(file.objects.at(0).offsets, (std::vector<std::size_t>{0, 3, 7}));
+}
+
+TEST(StlAscii, ErrorsNameTheLine) {
+  const std::string head = "solid a\nfacet normal 0 0 1\nouter loop\n";
+  expect_error(head + "vertex 0 0 0\nvertex 1 x 0\n", "a.stl", 5, "'x' is not a coordinate");
+  expect_error(head + "vertex 0 0 0\nvertex 1 0.5.5 0\n", "a.stl", 5,
+               "'0.5.5' is not a coordinate");
+  expect_error(head + "vertex 0 0 0\nvertex 1", "a.stl", 5, "truncated");
+  expect_error(head + "vertex 0 0 0\nvortex 1 0 0\n", "a.stl", 5, "'vortex' stands where 'vertex'");
+  expect_error("solid a\r\nfacet\r\nouter hoop\r\n", "a.stl", 3, "'loop' should follow");
+  expect_error("solid a\nendsolid a\n", "a.stl", 0, "holds no triangles");
+  expect_error("solid a\nfacets\n", "a.stl", 2, "'facets' is no word of an ASCII STL");
+}
+
+TEST(StlAscii, MissingEndsolidIsTold) {
+  std::string bytes = test::stl_ascii(kTorus);
+  bytes.resize(bytes.find("endsolid"));
+  EXPECT_EQ(test::count_of(read_bytes(bytes, "a.stl").diagnostics, "stl.no_endsolid"), 1);
+}
+
+TEST(StlAscii, NumbersOfAnyForm) {
+  const MeshFile file = read_bytes(
+      "solid\nfacet outer loop vertex 1e-400 -1e999 inf vertex +0 .5 5. vertex 1E+2 -0.1e1 007 "
+      "endloop "
+      "endfacet endsolid",
+      "a.stl");
+  const std::vector<Vec3>& p = file.objects.at(0).positions;
+  constexpr double kInf = std::numeric_limits<double>::infinity();
+  EXPECT_EQ(p, (std::vector<Vec3>{{0, -kInf, kInf}, {0, 0.5, 5}, {100, -1, 7}}));
+}
+
+}  // namespace
+}  // namespace burin
