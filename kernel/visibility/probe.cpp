@@ -11,13 +11,21 @@ namespace {
 // Multiples of the occluder's resolution: distance from a plane within which a point lies on it.
 // Covers vertices that went through single precision (STL) once in each part.
 constexpr double kOnPlane = 4;
-// Steps from triangle to triangle over smooth edges: the patch around a point on a fold, two rings
-// of vertices wide.
-constexpr int kFoldSteps = 4;
+// Triangles around a point on a fold that are the fold: over so many edges in any direction, which
+// is two rings of vertices, or straight toward the viewer, where triangles are narrow across the
+// line of sight.
+constexpr int kFoldSteps = 4, kFoldWalk = 8;
 // Edges of both triangles within which a fold can lie in front of its own contour: its polygons and
 // its contour, which runs where interpolated normals turn away, differ by about an edge along the
 // line of sight.
 constexpr double kFoldReach = 2;
+
+// Cosine below which a boundary is seen so flat that its own sheet may come to lie before it.
+constexpr double kGrazing = 0.3;
+
+// A fold that a point may lie on: a contour with the outside of the surface before it, or a
+// stroke's point whose polygon faces away though its surface does not; a boundary seen flat.
+enum class Fold { None, Contour, Boundary };
 
 // What a hit is judged by.
 struct Origin {
@@ -25,8 +33,9 @@ struct Origin {
   Vec3 point;
   std::int32_t part, face;
   double on_plane, error;
-  // On a fold: a contour, or a point whose polygon faces away though its surface does not.
-  bool fold;
+  Vec3 view;    // to the viewer
+  Vec3 across;  // the normal of the plane of the line of sight and the surface normal
+  Fold fold;
 };
 
 double plane_distance(const TriMesh& mesh, std::uint32_t face, Vec3 p) {
@@ -70,6 +79,47 @@ bool near_on_surface(const ProxyMesh& proxy, std::uint32_t from, std::uint32_t t
   return false;
 }
 
+// Whether a walk over smooth edges from the point, straight as the viewer sees it, comes to
+// triangle `to` within kFoldWalk; at first toward the viewer or away from it.
+bool walk_reaches(const ProxyMesh& proxy, const Origin& o, double direction, std::uint32_t to) {
+  const TriMesh& mesh = proxy.mesh;
+  const auto side = [&](std::uint32_t v) {
+    return glm::dot(o.across, mesh.positions[v] - o.point);
+  };
+  auto face = static_cast<std::uint32_t>(o.face);
+  HalfEdge from = kNoHalfEdge;
+  for (int step = 0; step < kFoldWalk; ++step) {
+    HalfEdge out = kNoHalfEdge;
+    double farthest = -std::numeric_limits<double>::infinity();
+    for (HalfEdge h = static_cast<HalfEdge>(3 * face), end = h + 3; h < end; ++h) {
+      const std::uint32_t a = origin(mesh, h), b = origin(mesh, next_in_face(h));
+      const double u = side(a), v = side(b);
+      if (h == from || (u < 0) == (v < 0)) continue;
+      const Vec3 p = mesh.positions[a] + (u / (u - v)) * (mesh.positions[b] - mesh.positions[a]);
+      const double along = direction * glm::dot(p - o.point, o.view);
+      if (along > farthest) farthest = along, out = h;
+    }
+    if (out == kNoHalfEdge || proxy.edge_kind[static_cast<std::size_t>(out)] != EdgeKind::Smooth) {
+      return false;
+    }
+    from = proxy.topology.opposite[static_cast<std::size_t>(out)];
+    face = face_of(from);
+    if (face == to) return true;
+  }
+  return false;
+}
+
+// Whether a hit belongs to the fold that the point lies on.
+bool on_same_fold(const ProxyMesh& proxy, const Origin& o, const Hit& hit) {
+  const auto own = static_cast<std::uint32_t>(o.face);
+  const double reach =
+      kFoldReach * (longest_edge(proxy.mesh, own) + longest_edge(proxy.mesh, hit.where.face));
+  if (hit.distance > reach) return false;
+  return near_on_surface(proxy, own, hit.where.face) ||
+         walk_reaches(proxy, o, +1, hit.where.face) ||
+         (o.fold == Fold::Boundary && walk_reaches(proxy, o, -1, hit.where.face));
+}
+
 bool hides(const Origin& o, const Hit& hit) {
   const bool own_part = hit.where.part == o.part && o.face >= 0;
   if (own_part && static_cast<std::int32_t>(hit.where.face) == o.face) return false;
@@ -78,18 +128,27 @@ bool hides(const Origin& o, const Hit& hit) {
   const double error =
       o.probe->chord_error(hit.where.part, static_cast<std::int32_t>(hit.where.face));
   if (distance <= o.on_plane + o.error + error) return false;
-  if (!own_part || !o.fold) return true;
-  const auto own = static_cast<std::uint32_t>(o.face);
-  const double reach =
-      kFoldReach * (longest_edge(proxy.mesh, own) + longest_edge(proxy.mesh, hit.where.face));
-  return hit.distance > reach || !near_on_surface(proxy, own, hit.where.face);
+  return !own_part || o.fold == Fold::None || !on_same_fold(proxy, o, hit);
 }
 
-bool on_fold(const Curve3& curve, const ProxyMesh* proxy, std::int32_t face, Vec3 view) {
-  if (!proxy || face < 0 || proxy->edge_kind.empty()) return false;
-  if (curve.kind == LineClass::Contour) return true;
-  return (curve.kind == LineClass::Stroke || curve.kind == LineClass::Pattern) &&
-         glm::dot(proxy->mesh.normal(static_cast<std::uint32_t>(face)), view) < 0;
+// `normal` is the curve's.
+Fold fold_at(const Curve3& curve, const ProxyMesh* proxy, std::int32_t face, Vec3 normal,
+             Vec3 view) {
+  if (!proxy || face < 0 || proxy->edge_kind.empty()) return Fold::None;
+  const Vec3 polygon = proxy->mesh.normal(static_cast<std::uint32_t>(face));
+  switch (curve.kind) {
+    case LineClass::Contour:
+      // Under a fold of an open sheet, where normals are turned inward, all that lies before the
+      // contour counts.
+      return glm::dot(polygon, normal) > 0 ? Fold::Contour : Fold::None;
+    case LineClass::Boundary:
+      return std::abs(glm::dot(normal, view)) < kGrazing ? Fold::Boundary : Fold::None;
+    case LineClass::Stroke:
+    case LineClass::Pattern:
+      return glm::dot(polygon, view) < 0 ? Fold::Contour : Fold::None;
+    default:
+      return Fold::None;
+  }
 }
 
 }  // namespace
@@ -124,22 +183,25 @@ bool Probe::visible(const Curve3& curve, std::size_t segment, double t) const {
   const Vec3 view = camera_.to_viewer(p);
   const std::int32_t face = curve.faces.empty() ? -1 : curve.faces[segment];
   const double resolution = occluder_.resolution();
-  const Origin origin{this,
-                      p,
-                      curve.source.part,
-                      face,
-                      kOnPlane * resolution,
-                      chord_error(curve.source.part, face),
-                      on_fold(curve, proxy(curve.source.part), face, view)};
-  Vec3 start = p;
+  const std::int32_t part = curve.source.part;
+  const ProxyMesh* own = proxy(part);
+  Vec3 n(0);
   if (!curve.normals.empty()) {
-    Vec3 n = normalize_or(glm::mix(curve.normals[segment], curve.normals[after], t), Vec3(0));
-    const ProxyMesh* own = proxy(curve.source.part);
+    n = normalize_or(glm::mix(curve.normals[segment], curve.normals[after], t), Vec3(0));
     const bool sheet = own && face >= 0 && !own->topology.face_component.empty() &&
                        !own->closed(static_cast<std::uint32_t>(face));
     if (sheet && glm::dot(n, view) < 0) n = -n;  // an open sheet is seen from both sides
-    start += n * (origin.error + resolution);
   }
+  const Origin origin{this,
+                      p,
+                      part,
+                      face,
+                      kOnPlane * resolution,
+                      chord_error(part, face),
+                      view,
+                      glm::cross(view, n),
+                      fold_at(curve, own, face, n, view)};
+  const Vec3 start = p + n * (origin.error + resolution);
   const Origin* o = &origin;
   return !occluder_.occluded_by(start, view, 2 * resolution, camera_.distance_to_viewer(start),
                                 [o](const Hit& hit) { return hides(*o, hit); });
