@@ -1,0 +1,196 @@
+#include "models.h"
+
+namespace burin {
+namespace {
+
+namespace fs = std::filesystem;
+using test::slurp;
+
+class CliErrors : public test::CliTest {
+ protected:
+  /// A failing run: status, a part of its one line of error, and nothing left behind.
+  void expect_failure(const std::string& line, int status, const std::string& part) {
+    SCOPED_TRACE(line);
+    const std::size_t before = folder_.count();
+    EXPECT_EQ(run(line), status);
+    expect_error(part);
+    EXPECT_EQ(out_, "");
+    EXPECT_EQ(folder_.count(), before);
+  }
+};
+
+TEST_F(CliErrors, UsageNamesTheNearest) {
+  expect_failure("", 2, "burin --help");
+  expect_failure("drow @/box.off", 2, "'draw'");
+  expect_failure("--verson", 2, "--version");
+  expect_failure("draw @/box.off -o @/a.svg --vew front", 2, "--view");
+  expect_failure("draw @/box.off --ouput @/a.svg", 2, "--output");
+  expect_failure("draw @/box.off -o @/a.svg --set line.outr=1", 2, "'line.outer'");
+  expect_failure("draw @/box.off -o @/a.svg --style engravin", 2, "'engraving'");
+  expect_failure("styles --show outlin", 2, "'outline'");
+  expect_failure("info --jsn @/box.off", 2, "--json");
+}
+
+TEST_F(CliErrors, UsageOfEachOption) {
+  const std::string draw = "draw @/box.off -o @/a.svg ";
+  expect_failure("draw", 2, "no input");
+  expect_failure("info", 2, "no input");
+  expect_failure("draw @/box.off", 2, "no output");
+  expect_failure("draw @/box.off -o", 2, "--output");
+  expect_failure(draw + "--view sideways", 2, "sideways");
+  expect_failure(draw + "--view 0,0,0", 2, "0,0,0");
+  expect_failure(draw + "--up 0,1", 2, "--up");
+  expect_failure(draw + "--perspective 200", 2, "--perspective");
+  expect_failure(draw + "--paper A9", 2, "A9");
+  expect_failure(draw + "--scale 0", 2, "--scale");
+  expect_failure(draw + "--scale big", 2, "--scale");
+  expect_failure(draw + "--margin 110", 2, "--margin");
+  expect_failure(draw + "--set line.outer", 2, "KEY=VALUE");
+  expect_failure(draw + "--set line.outer=99", 2, "0.01 to 10");
+  expect_failure(draw + "--set hatch.spacing_min=20", 2, "hatch.spacing_max");
+  expect_failure(draw + "--set svg.flatten=true", 2, "polylines or none");
+  expect_failure(draw + "--light 0,0,0", 2, "--light");
+  expect_failure(draw + "--hidden solid", 2, "--hidden");
+  expect_failure(draw + "--tolerance -1", 2, "--tolerance");
+  expect_failure(draw + "--seed 1.5", 2, "--seed");
+  expect_failure(draw + "--seed -1", 2, "--seed");
+  expect_failure(draw + "--threads 0", 2, "--threads");
+  expect_failure(draw + "--quiet=maybe", 2, "quiet");
+}
+
+TEST_F(CliErrors, UsageOfOutputs) {
+  expect_failure("draw @/box.off -o @/a.png", 2, ".svg or .json");
+  expect_failure("draw @/box.off -o @/a", 2, ".svg or .json");
+  expect_failure("draw @/box.off -o -", 2, "--format");
+  expect_failure("draw @/box.off -o @/a --format dxf", 2, "--format");
+  expect_failure("draw @/box.off -o @/a.svg -o @/./a.svg", 2, "twice");
+  expect_failure("draw @/box.off -o - -o - --format svg", 2, "twice");
+  // An input is never overwritten, by whatever way it is named.
+  const std::string before = slurp(box_);
+  fs::create_symlink("box.off", folder_ / "box.svg");
+  expect_failure("draw @/box.off -o @/box.svg", 2, "input");
+  expect_failure("draw @/box.off -o @/box.off --format svg", 2, "input");
+  folder_.write("s.json", "{}");
+  expect_failure("draw @/box.off -o @/s.json --style @/s.json", 2, "input");
+  EXPECT_EQ(slurp(box_), before);
+  EXPECT_EQ(slurp(folder_ / "s.json"), "{}");
+}
+
+TEST_F(CliErrors, BadInput) {
+  expect_failure("draw @/none.stl -o @/a.svg", 3, "none.stl: ");
+  expect_failure("info @/none.stl", 3, "none.stl: ");
+  expect_failure("draw @ -o @/a.svg", 3, "folder");
+  folder_.write("empty.stl", "");
+  expect_failure("draw @/empty.stl -o @/a.svg", 3, "empty.stl: ");
+  folder_.write("short.off", "OFF\n4 2 0\n0 0 0\n1 0 0\n");
+  expect_failure("draw @/short.off -o @/a.svg", 3, "short.off:");
+  folder_.write("word.off", "OFF\n3 1 0\n0 0 0\n1 0 zero\n0 1 0\n3 0 1 2\n");
+  expect_failure("draw @/word.off -o @/a.svg", 3, "word.off:4: ");
+  folder_.write("flat.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n2 0 0\n3 0 1 2\n");
+  expect_failure("draw @/flat.off -o @/a.svg", 3, "flat.off: ");
+  folder_.write("thing.xyz", "one two three\n");
+  expect_failure("draw @/thing.xyz -o @/a.svg", 3, "STL");
+}
+
+TEST_F(CliErrors, BadStyleFiles) {
+  folder_.write("broken.json", "{\n\"line.outer\": 0.5,\n\"line.crease\" 3}");
+  expect_failure("draw @/box.off -o @/a.svg --style @/broken.json", 3, "broken.json:3: ");
+  folder_.write("wrong.json", "{\n\"line.outr\": 0.5}");
+  expect_failure("draw @/box.off -o @/a.svg --style @/wrong.json", 2, "wrong.json:2: ");
+  expect_failure("draw @/box.off -o @/a.svg --style @/none.json", 3, "none.json: ");
+}
+
+TEST_F(CliErrors, OutputThatCannotBeWritten) {
+  expect_failure("draw @/box.off -o @/no/such/a.svg", 4, "no/such/a.svg: ");
+  expect_failure("draw @/box.off -o @/box.off/a.svg", 4, "box.off/a.svg: ");
+  fs::create_directory(folder_ / "dir.svg");
+  expect_failure("draw @/box.off -o @/dir.svg", 4, "folder");
+  expect_failure("draw @/box.off -o /proc/a.svg", 4, "/proc/a.svg: ");
+  expect_failure("draw @/box.off -o @/good.svg -o @/no/bad.json", 4, "no/bad.json: ");
+  // An unwritable output is known before the input is read.
+  folder_.write("broken.off", "OFF\nnonsense\n");
+  expect_failure("draw @/broken.off -o @/no/a.svg", 4, "no/a.svg");
+  if (::geteuid() != 0) {
+    fs::create_directory(folder_ / "locked");
+    fs::permissions(folder_ / "locked", fs::perms::owner_read | fs::perms::owner_exec);
+    expect_failure("draw @/box.off -o @/locked/a.svg", 4, "permission");
+  }
+}
+
+TEST_F(CliErrors, FullDisk) {
+  if (!fs::exists("/dev/full")) GTEST_SKIP() << "no /dev/full";
+  // The good file of the same run is not left behind either.
+  expect_failure("draw @/box.off -o @/good.svg -o /dev/full --format svg", 4,
+                 "/dev/full: the disk is full");
+  test::Command command(folder_, {"draw", box_, "-o", "-", "--format", "svg"}, "/dev/full");
+  EXPECT_EQ(command.wait(), 4);
+  EXPECT_TRUE(command.std_err.starts_with("burin: error: standard output: ")) << command.std_err;
+  test::Command help(folder_, {"--help"}, "/dev/full");
+  EXPECT_EQ(help.wait(), 4);
+}
+
+TEST_F(CliErrors, ClosedPipe) {
+  const std::string pipe = folder_ / "pipe";
+  ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
+  folder_.write("torus.off", test::off_text(test::torus(20, 8, 60, 30)));
+  const int reader = ::open(pipe.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC);
+  test::Command command(
+      folder_,
+      {"draw", folder_ / "torus.off", "-o", "-", "--format", "json", "--style", "engraving"}, pipe);
+  ::close(reader);
+  EXPECT_EQ(command.wait(), 4);
+}
+
+TEST_F(CliErrors, EarlierOutputStaysOnFailure) {
+  folder_.write("a.svg", "precious");
+  expect_failure("draw @/none.stl -o @/a.svg", 3, "none.stl");
+  EXPECT_EQ(slurp(folder_ / "a.svg"), "precious");
+}
+
+class CliSignals : public test::CliTest {
+ protected:
+  void SetUp() override {
+    CliTest::SetUp();
+    torus_ = folder_.write("torus.off", test::off_text(test::torus(20, 8, 600, 300)));
+  }
+  /// Starts a long run and waits until it says that it is in `stage`.
+  void expect_stopped(const std::string& stage, int signal) {
+    SCOPED_TRACE(stage);
+    folder_.write("a.svg", "old");
+    const std::size_t before = folder_.count();
+    test::Command command(
+        folder_, {"draw", torus_, "-o", folder_ / "a.svg", "-o", folder_ / "b.json", "--style",
+                  "engraving", "--progress", "--paper", "A2"});
+    ASSERT_TRUE(command.wait_for("progress " + stage));
+    command.signal(signal);
+    EXPECT_EQ(command.wait(), 5) << command.std_err;
+    EXPECT_TRUE(command.std_err.ends_with("burin: error: cancelled\n")) << command.std_err;
+    EXPECT_EQ(folder_.count(), before);
+    EXPECT_EQ(slurp(folder_ / "a.svg"), "old");
+  }
+  std::string torus_;
+};
+
+TEST_F(CliSignals, StopsInEachStage) {
+  expect_stopped("read", SIGINT);
+  expect_stopped("build", SIGTERM);
+  expect_stopped("field", SIGINT);
+  expect_stopped("cover", SIGHUP);
+  expect_stopped("trace", SIGINT);
+}
+
+TEST_F(CliSignals, SecondSignalKills) {
+  const std::size_t before = folder_.count();
+  test::Command command(folder_, {"draw", torus_, "-o", folder_ / "a.svg", "--style", "engraving",
+                                  "--progress", "--paper", "A2"});
+  ASSERT_TRUE(command.wait_for("progress build"));
+  command.signal(SIGINT);
+  command.signal(SIGTERM);
+  const int status = command.wait();
+  // Whichever came first: the orderly end or the kill.
+  EXPECT_TRUE(status == 5 || status == 1000 + SIGINT || status == 1000 + SIGTERM) << status;
+  EXPECT_EQ(folder_.count(), before);
+}
+
+}  // namespace
+}  // namespace burin

@@ -1,0 +1,60 @@
+#pragma once
+/// Small models as files, and what the tests of the command share.
+
+#include <burin_test/command.h>
+#include <burin_test/shapes.h>
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+namespace burin::test {
+
+inline std::string off_text(const TriMesh& m) {
+  std::string text = fmt::format("OFF\n{} {} 0\n", m.positions.size(), m.triangles.size());
+  for (const Vec3& p : m.positions) text += fmt::format("{} {} {}\n", p.x, p.y, p.z);
+  for (const Triangle& t : m.triangles) text += fmt::format("3 {} {} {}\n", t[0], t[1], t[2]);
+  return text;
+}
+
+inline std::string box_off() { return off_text(box({0, 0, 0}, {40, 30, 20})); }
+
+/// A folder with a box in it.
+class CliTest : public ::testing::Test {
+ protected:
+  void SetUp() override { box_ = folder_.write("box.off", box_off()); }
+
+  /// Runs with the words of a line split at blanks; "@" stands for the folder.
+  int run(const std::string& line) {
+    std::vector<std::string> words;
+    std::string word;
+    for (const char c : line + " ") {
+      if (c == '@') {
+        word += folder_.path();
+      } else if (c != ' ') {
+        word += c;
+      } else if (!word.empty()) {
+        words.push_back(word);
+        word.clear();
+      }
+    }
+    Command command(folder_, words);
+    const int status = command.wait();
+    out_ = command.std_out;
+    err_ = command.std_err;
+    return status;
+  }
+
+  /// That the last run said one line of error that holds `part`.
+  void expect_error(const std::string& part) const {
+    EXPECT_TRUE(err_.starts_with("burin: error: ")) << err_;
+    EXPECT_EQ(std::count(err_.begin(), err_.end(), '\n'), 1) << err_;
+    EXPECT_NE(err_.find(part), std::string::npos) << err_ << " lacks " << part;
+  }
+
+  Folder folder_;
+  std::string box_, out_, err_;
+};
+
+}  // namespace burin::test
