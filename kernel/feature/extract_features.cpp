@@ -5,6 +5,7 @@
 #include "edge_lines.h"
 #include "facing.h"
 #include "intersections.h"
+#include "rounding.h"
 #include "tidy.h"
 
 #include <iterator>
@@ -40,6 +41,9 @@ std::vector<Curve3> extract_features(std::span<const ProxyMesh* const> proxies,
     }
     join_contours(lines);
     drop_specks(lines, camera);
+    for (Curve3& line : lines) {
+      if (line.kind == LineClass::Contour && line.source.edge < 0) round_off(line, camera);
+    }
     append(std::move(lines), curves);
   }
   if (options.intersections) append(intersection_curves(proxies, camera, context), curves);

@@ -25,6 +25,10 @@ inline constexpr double kThinWidth = 0.02;
 /// crumbs of lines are born.
 inline constexpr double kSnapLength = 1e-3;
 
+/// Paper mm: between its points a contour may be this far from the smooth line through them: a
+/// fifth of what the writers' curves may be off.
+inline constexpr double kRoundness = 0.004;
+
 /// Paper mm: a contour turns between its visible and its self-hidden state only where it goes on
 /// for this long in the new one; shorter runs are noise of the triangulation.
 inline constexpr double kCuspLength = 0.1;

@@ -1,0 +1,102 @@
+#include "rounding.h"
+
+#include "paper_limits.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+namespace burin {
+
+namespace {
+
+class Rounder {
+ public:
+  Rounder(const Curve3& curve, const Camera& camera) : in_(curve), camera_(camera) {}
+
+  Curve3 run() {
+    Curve3 out = in_;
+    out.points.clear();
+    out.normals.clear();
+    out.faces.clear();
+    out.self_hidden.clear();
+    for (std::size_t i = 0; i < in_.segment_count(); ++i) segment(i, out);
+    if (!in_.closed) {
+      out.points.push_back(in_.points.back());
+      out.normals.push_back(in_.normals.back());
+    }
+    return out;
+  }
+
+ private:
+  std::size_t size() const { return in_.points.size(); }
+
+  // The nearest point before (step = -1) or after (+1) point i that is far enough away to tell a
+  // direction: the ends of very short segments, at edges crossed close to a vertex, do not.
+  std::optional<std::size_t> far_point(std::size_t i, int step, double length) const {
+    for (std::size_t k = 1; k < size(); ++k) {
+      if (!in_.closed && (step < 0 ? k > i : i + k >= size())) return std::nullopt;
+      const std::size_t j = step < 0 ? (i + size() - k) % size() : (i + k) % size();
+      if (glm::distance(in_.points[j], in_.points[i]) >= kFarEnough * length) return j;
+    }
+    return std::nullopt;
+  }
+
+  // The unit tangent at the end `i` of a segment towards its other end `other`; nothing at a
+  // corner.
+  std::optional<Vec3> tangent(std::size_t i, std::size_t other, int away) const {
+    const Vec3 chord = in_.points[other] - in_.points[i];
+    const double length = glm::length(chord);
+    const auto j = far_point(i, away, length);
+    if (!j) return std::nullopt;
+    const Vec3 back = in_.points[i] - in_.points[*j];
+    const double before = glm::length(back);
+    if (glm::dot(chord, back) < kSmoothTurn * length * before) return std::nullopt;
+    // Of the parabola through the three points.
+    return normalize_or(back / before * length + chord / length * before, chord / length);
+  }
+
+  void segment(std::size_t i, Curve3& out) const {
+    const std::size_t j = in_.next(i);
+    const Vec3 p = in_.points[i], q = in_.points[j];
+    const double length = glm::length(q - p);
+    const auto at_p = tangent(i, j, -1), at_q = tangent(j, i, +1);
+    std::size_t pieces = 1;
+    // A missing end: the parabola that the other end asks for.
+    const Vec3 unit = normalize_or(q - p, Vec3(1, 0, 0));
+    Vec3 from = unit, to = unit;
+    if (at_p || at_q) {
+      from = at_p ? *at_p : 2 * glm::dot(-*at_q, unit) * unit + *at_q;
+      to = at_q ? -*at_q : 2 * glm::dot(*at_p, unit) * unit - *at_p;
+      const double bulge = length * camera_.scale_at(p) / 8 * glm::length(to - from);
+      pieces =
+          static_cast<std::size_t>(std::clamp(std::ceil(std::sqrt(bulge / kRoundness)), 1.0, 16.0));
+    }
+    for (std::size_t k = 0; k < pieces; ++k) {
+      const double t = static_cast<double>(k) / static_cast<double>(pieces), s = 1 - t;
+      const Vec3 cubic =
+          s * s * (1 + 2 * t) * p + t * t * (1 + 2 * s) * q + length * s * t * (s * from - t * to);
+      out.points.push_back(k == 0 ? p : cubic);
+      out.normals.push_back(
+          k == 0 ? in_.normals[i]
+                 : normalize_or(s * in_.normals[i] + t * in_.normals[j], in_.normals[i]));
+      out.faces.push_back(in_.faces[i]);
+      out.self_hidden.push_back(in_.self_hidden[i]);
+    }
+  }
+
+  static constexpr double kFarEnough = 0.25;    // of the segment that is to be rounded
+  static constexpr double kSmoothTurn = 0.766;  // cosine of 40 degrees: a sharper turn is a corner
+
+  const Curve3& in_;
+  const Camera& camera_;
+};
+
+}  // namespace
+
+void round_off(Curve3& curve, const Camera& camera) {
+  if (curve.points.size() < 3) return;
+  curve = Rounder(curve, camera).run();
+}
+
+}  // namespace burin
