@@ -6,6 +6,7 @@
 #include <burin_test/irregular.h>
 
 #include <map>
+#include <numeric>
 
 namespace burin {
 namespace {
