@@ -10,6 +10,10 @@ namespace burin {
 /// Triangles a range of the parallel loops: 0.1 to 5 ms each.
 inline constexpr std::size_t kFaceGrain = 4096;
 
+/// The two halves of build_topology.
+std::vector<HalfEdge> find_opposites(const TriMesh& mesh, const RunContext& context);
+void find_components(Topology& topology);
+
 inline std::uint32_t wedge_of(const ProxyMesh& proxy, HalfEdge corner) {
   return proxy.wedges[face_of(corner)][static_cast<std::size_t>(corner % 3)];
 }

@@ -4,17 +4,19 @@
 
 #include "build_steps.h"
 
+#include <algorithm>
 #include <array>
+#include <memory>
 
 namespace burin {
 
 namespace {
 
-/// Tensor and frame of one triangle, and the share of its area that belongs to each corner.
-struct FaceTensor {
-  TangentFrame frame;
-  Tensor tensor;
-  std::array<double, 3> corner_area{0, 0, 0};
+/// The tensor of a triangle in the frame of the wedge at one corner, times the share of the
+/// triangle's area that belongs to the corner. Without initialisers, so that a hundred megabytes of
+/// them are not written twice.
+struct CornerTensor {
+  double mean, dx, dy, area;
 };
 
 struct FaceFrame {
@@ -87,19 +89,27 @@ std::array<double, 3> corner_areas(const FaceFrame& face) {
   return result;
 }
 
-std::vector<FaceTensor> face_tensors(const ProxyMesh& proxy, const RunContext& context) {
-  std::vector<FaceTensor> result(proxy.mesh.triangles.size());
+std::unique_ptr<CornerTensor[]> corner_tensors(const ProxyMesh& proxy, const RunContext& context) {
+  const std::size_t faces = proxy.mesh.triangles.size();
+  auto result = std::make_unique_for_overwrite<CornerTensor[]>(3 * faces);
   parallel_for(
-      result.size(), kFaceGrain,
+      faces, kFaceGrain,
       [&](std::size_t begin, std::size_t end) {
         for (std::size_t f = begin; f < end; ++f) {
           const FaceFrame face = face_frame(proxy, f);
-          if (!(face.area > 0)) continue;
+          if (!(face.area > 0)) {
+            std::fill_n(&result[3 * f], 3, CornerTensor{0, 0, 0, 0});
+            continue;
+          }
           const Triangle& w = proxy.wedges[f];
-          result[f].tensor = fit_tensor(
-              face, {proxy.wedge_normal[w[0]], proxy.wedge_normal[w[1]], proxy.wedge_normal[w[2]]});
-          result[f].corner_area = corner_areas(face);
-          result[f].frame = face.frame;
+          const std::array<Vec3, 3> normals = {proxy.wedge_normal[w[0]], proxy.wedge_normal[w[1]],
+                                               proxy.wedge_normal[w[2]]};
+          const Tensor tensor = fit_tensor(face, normals);
+          const std::array<double, 3> area = corner_areas(face);
+          for (std::size_t k = 0; k < 3; ++k) {
+            const Tensor t = area[k] * carried(tensor, face.frame, tangent_frame(normals[k]));
+            result[3 * f + k] = {t.mean, t.dx, t.dy, area[k]};
+          }
         }
       },
       &context);
@@ -110,7 +120,7 @@ std::vector<FaceTensor> face_tensors(const ProxyMesh& proxy, const RunContext& c
 
 std::vector<Tensor> wedge_tensors(const ProxyMesh& proxy, const VertexCorners& corners,
                                   const RunContext& context) {
-  const std::vector<FaceTensor> faces = face_tensors(proxy, context);
+  const auto at_corner = corner_tensors(proxy, context);
   std::vector<Tensor> result(proxy.wedge_vertex.size());
   std::vector<double> weight(result.size(), 0);
   parallel_for(
@@ -119,11 +129,9 @@ std::vector<Tensor> wedge_tensors(const ProxyMesh& proxy, const VertexCorners& c
         for (std::size_t v = begin; v < end; ++v) {
           for (const HalfEdge h : corners.of(v)) {
             const std::uint32_t w = wedge_of(proxy, h);
-            const FaceTensor& face = faces[face_of(h)];
-            const double area = face.corner_area[static_cast<std::size_t>(h % 3)];
-            weight[w] += area;
-            result[w] +=
-                area * carried(face.tensor, face.frame, tangent_frame(proxy.wedge_normal[w]));
+            const CornerTensor& c = at_corner[static_cast<std::size_t>(h)];
+            result[w] += Tensor{c.mean, c.dx, c.dy};
+            weight[w] += c.area;
           }
           for (const HalfEdge h : corners.of(v)) {
             const std::uint32_t w = wedge_of(proxy, h);

@@ -167,7 +167,9 @@ void find_wedge_normals(ProxyMesh& proxy, const VertexCorners& corners,
           const auto all = corners.of(v);
           sorted.assign(all.begin(), all.end());
           const auto wedge = [&](HalfEdge h) { return wedge_of(proxy, h); };
-          std::ranges::stable_sort(sorted, {}, wedge);
+          if (!std::ranges::is_sorted(sorted, {}, wedge)) {
+            std::ranges::sort(sorted, {}, [&](HalfEdge h) { return std::pair(wedge(h), h); });
+          }
           for (auto first = sorted.begin(); first != sorted.end();) {
             const std::uint32_t w = wedge(*first);
             const auto last =

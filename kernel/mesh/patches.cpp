@@ -49,6 +49,16 @@ class PatchFinder {
   }
   Vec3 at(HalfEdge h) const { return proxy_.mesh.positions[origin(proxy_.mesh, h)]; }
 
+  /// Whether the corner `far` lies in the plane of normal `n` through the start of `edge`; both
+  /// from that start.
+  bool in_plane(Vec3 n, Vec3 edge, Vec3 far) const {
+    const double off = std::abs(glm::dot(n, far));
+    if (off <= rounding_) return true;
+    // The height over the edge is at most the distance: mostly this decides, without a root.
+    if (off * off > kFlatAngle * kFlatAngle * glm::dot(far, far)) return false;
+    return off * glm::length(edge) <= kFlatAngle * glm::length(glm::cross(edge, far));
+  }
+
   /// Whether the triangle beyond `h` lies in the plane of the triangle of `h`.
   bool coplanar(HalfEdge h) const {
     const auto i = static_cast<std::size_t>(h);
@@ -56,31 +66,30 @@ class PatchFinder {
     const HalfEdge o = opposite(h);
     const Vec3& n = normals_[face_of(h)];
     const Vec3& m = normals_[face_of(o)];
-    if (glm::dot(n, m) < 0.99) return false;  // 8 degrees: cheap, before the exact test
+    if (glm::dot(n, m) < 1 - 5e-5) return false;  // 0.01 radians
     const Vec3 a = at(h), edge = at(o) - a;
-    const Vec3 to_far = at(prev_in_face(o)) - a, to_near = at(prev_in_face(h)) - a;
-    const double length = glm::length(edge);
-    return std::abs(glm::dot(n, to_far)) * length <=
-               std::max(kFlatAngle * glm::length(glm::cross(edge, to_far)), rounding_ * length) &&
-           std::abs(glm::dot(m, to_near)) * length <=
-               std::max(kFlatAngle * glm::length(glm::cross(edge, to_near)), rounding_ * length);
+    return in_plane(n, edge, at(prev_in_face(o)) - a) && in_plane(m, edge, at(prev_in_face(h)) - a);
   }
 
   void mark_coplanar() {
     const std::size_t faces = normals_.size();
-    std::vector<std::vector<std::uint32_t>> found((faces + kFaceGrain - 1) / kFaceGrain);
+    std::vector<std::vector<HalfEdge>> found((faces + kFaceGrain - 1) / kFaceGrain);
     parallel_for(
         faces, kFaceGrain,
         [&](std::size_t begin, std::size_t end) {
-          for (std::size_t f = begin; f < end; ++f) {
-            const auto h = static_cast<HalfEdge>(3 * f);
-            if (coplanar(h) || coplanar(h + 1) || coplanar(h + 2)) {
-              found[begin / kFaceGrain].push_back(static_cast<std::uint32_t>(f));
-            }
+          for (auto h = static_cast<HalfEdge>(3 * begin); h < static_cast<HalfEdge>(3 * end); ++h) {
+            if (h < opposite(h) && coplanar(h)) found[begin / kFaceGrain].push_back(h);
           }
         },
         &context_);
-    for (const auto& part : found) candidates_.insert(candidates_.end(), part.begin(), part.end());
+    std::vector<std::uint8_t> marked;
+    for (const auto& part : found) {
+      if (!part.empty() && marked.empty()) marked.assign(faces, 0);
+      for (const HalfEdge h : part) marked[face_of(h)] = marked[face_of(opposite(h))] = 1;
+    }
+    for (std::uint32_t f = 0; f < marked.size(); ++f) {
+      if (marked[f]) candidates_.push_back(f);
+    }
   }
 
   bool is_needle(std::uint32_t f) const {

@@ -23,15 +23,25 @@ ProxyMesh build_proxy(TriMesh mesh, const ProxyOptions& options, const RunContex
   proxy.mesh = std::move(mesh);
   VertexCorners corners;
   std::vector<Vec3> normals;
-  parallel_invoke([&] { proxy.topology = build_topology(proxy.mesh, context); },
-                  [&] { normals = face_normals(proxy.mesh, context); });
+  parallel_invoke([&] { proxy.topology.opposite = find_opposites(proxy.mesh, context); },
+                  [&] {
+                    normals = face_normals(proxy.mesh, context);
+                    corners = vertex_corners(proxy.mesh);
+                  });
   mend_sliver_normals(proxy.mesh, proxy.topology, normals, context);
   classify_edges(proxy, normals, options.crease_angle, context);
   prune_hairs(proxy, context);
-  parallel_invoke([&] { find_regions(proxy); }, [&] { corners = vertex_corners(proxy.mesh); });
-  find_wedges(proxy, corners, context);
-  find_wedge_normals(proxy, corners, normals, context);
-  find_sagitta(proxy, corners, context);
+  // Floods are serial: they run beside the rest, which does not need them.
+  parallel_invoke(
+      [&] {
+        find_regions(proxy);
+        find_components(proxy.topology);
+      },
+      [&] {
+        find_wedges(proxy, corners, context);
+        find_wedge_normals(proxy, corners, normals, context);
+        find_sagitta(proxy, corners, context);
+      });
   return proxy;
 }
 

@@ -62,7 +62,7 @@ WedgeLinks wedge_links(const ProxyMesh& proxy, const VertexCorners& corners,
       },
       &context);
   for (std::size_t w = 0; w < wedges; ++w) result.offsets[w + 1] += result.offsets[w];
-  result.links.resize(result.offsets[wedges]);
+  result.links = std::make_unique_for_overwrite<WedgeLink[]>(result.offsets[wedges]);
   parallel_for(
       vertices, kFaceGrain,
       [&](std::size_t begin, std::size_t end) {

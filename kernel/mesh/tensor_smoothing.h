@@ -7,6 +7,7 @@
 #include "tensor.h"
 
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 namespace burin {
@@ -21,7 +22,7 @@ struct WedgeLink {
 /// The neighbours of wedge w are links[offsets[w]] .. links[offsets[w + 1] - 1].
 struct WedgeLinks {
   std::vector<std::uint32_t> offsets;
-  std::vector<WedgeLink> links;
+  std::unique_ptr<WedgeLink[]> links;
 };
 
 WedgeLinks wedge_links(const ProxyMesh& proxy, const VertexCorners& corners,

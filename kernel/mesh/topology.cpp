@@ -2,11 +2,13 @@
 #include <burin/base/parallel.h>
 #include <burin/mesh/topology.h>
 
+#include "build_steps.h"
 #include "flood.h"
 #include "openmesh_glm.h"
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <limits>
 #include <mutex>
 
@@ -14,7 +16,9 @@ namespace burin {
 
 namespace {
 
-constexpr std::size_t kGrain = 8192;  // triangles a range: 0.1 to 1 ms
+/// OpenMesh builds serially; slices of the mesh this large are built side by side and stitched.
+constexpr std::size_t kSlice = 1 << 17;  // triangles
+constexpr std::uint32_t kNone = 0xffffffffu;
 
 /// OpenMesh takes a triangle with a repeated corner and then aborts, so none may reach it.
 void check_corners(const TriMesh& mesh) {
@@ -35,65 +39,156 @@ void check_corners(const TriMesh& mesh) {
   }
 }
 
-OpenMeshTriMesh to_openmesh(const TriMesh& mesh, const RunContext& context) {
-  static std::once_flag quiet;
-  std::call_once(quiet, [] { omerr().disable(); });
-  OpenMeshTriMesh om;
-  const std::size_t faces = mesh.triangles.size();
-  om.reserve(mesh.positions.size(), faces + faces / 2 + 16, faces);
-  for (const Vec3& p : mesh.positions) om.add_vertex(p);
-  for (std::size_t f = 0; f < faces; ++f) {
-    if (f % kGrain == 0) context.check();
-    const Triangle& t = mesh.triangles[f];
-    const auto vertex = [](std::uint32_t v) { return OpenMesh::VertexHandle(static_cast<int>(v)); };
-    if (!om.add_face(vertex(t[0]), vertex(t[1]), vertex(t[2])).is_valid()) {
-      throw GeometryError(fmt::format(
-          "triangle {} meets an edge that has two triangles already or is turned against its "
-          "neighbour; repair the mesh",
-          f));
-    }
-  }
-  return om;
+[[noreturn]] void throw_not_manifold(std::size_t face) {
+  throw GeometryError(fmt::format(
+      "triangle {} meets an edge that has two triangles already or is turned against its "
+      "neighbour; repair the mesh",
+      face));
 }
 
-std::vector<HalfEdge> flat_opposites(const TriMesh& mesh, const OpenMeshTriMesh& om,
-                                     const RunContext& context) {
-  const std::size_t faces = mesh.triangles.size();
-  std::vector<HalfEdge> to_flat(om.n_halfedges(), kNoHalfEdge);
-  std::vector<HalfEdge> opposite(3 * faces, kNoHalfEdge);
-  std::vector<int> to_openmesh(3 * faces);
-  parallel_for(
-      faces, kGrain,
-      [&](std::size_t begin, std::size_t end) {
-        for (std::size_t f = begin; f < end; ++f) {
-          auto h = om.halfedge_handle(OpenMesh::FaceHandle(static_cast<int>(f)));
-          const auto from = static_cast<std::uint32_t>(om.from_vertex_handle(h).idx());
-          std::size_t k = from == mesh.triangles[f][0] ? 0 : from == mesh.triangles[f][1] ? 1 : 2;
-          for (int i = 0; i < 3; ++i, k = (k + 1) % 3, h = om.next_halfedge_handle(h)) {
-            to_flat[static_cast<std::size_t>(h.idx())] = static_cast<HalfEdge>(3 * f + k);
-            to_openmesh[3 * f + k] = h.idx();
-          }
-        }
-      },
-      &context);
-  parallel_for(
-      3 * faces, 3 * kGrain,
-      [&](std::size_t begin, std::size_t end) {
-        for (std::size_t h = begin; h < end; ++h) {
-          opposite[h] =
-              to_flat[static_cast<std::size_t>(to_openmesh[h] ^ 1)];  // OpenMesh pairs them
-        }
-      },
-      &context);
-  return opposite;
+/// A half-edge without an opposite in its slice, with its edge: the lower vertex first.
+struct OpenEdge {
+  std::uint32_t low, high;
+  HalfEdge h;
+
+  bool same_edge(const OpenEdge& e) const { return low == e.low && high == e.high; }
+  friend auto operator<=>(const OpenEdge&, const OpenEdge&) = default;
+};
+
+/// Some consecutive triangles of the mesh, as an OpenMesh of their own.
+class Slice {
+ public:
+  Slice(const TriMesh& mesh, std::size_t begin, std::size_t end)
+      : mesh_(mesh), begin_(begin), end_(end) {}
+
+  void build(std::vector<HalfEdge>& opposite, const RunContext& context) {
+    add_faces(context);
+    if (bad_face == kNone) read_opposites(opposite);
+    openmesh_ = {};
+  }
+
+  /// The first triangle that OpenMesh does not take, or kNone.
+  std::uint32_t bad_face = kNone;
+  std::vector<OpenEdge> open;
+
+ private:
+  void add_faces(const RunContext& context) {
+    const std::size_t faces = end_ - begin_;
+    openmesh_.reserve(std::min(mesh_.positions.size(), faces), 2 * faces, faces);
+    std::vector<int> local(mesh_.positions.size(), -1);
+    for (std::size_t f = begin_; f < end_; ++f) {
+      if (f % kFaceGrain == 0) context.check();
+      std::array<OpenMesh::VertexHandle, 3> corner;
+      for (std::size_t k = 0; k < 3; ++k) {
+        const std::uint32_t v = mesh_.triangles[f][k];
+        if (local[v] < 0) local[v] = openmesh_.add_vertex(mesh_.positions[v]).idx();
+        corner[k] = OpenMesh::VertexHandle(local[v]);
+      }
+      if (!openmesh_.add_face(corner[0], corner[1], corner[2]).is_valid()) {
+        bad_face = static_cast<std::uint32_t>(f);
+        return;
+      }
+      first_corner_.push_back(corner[0].idx());
+    }
+  }
+
+  void read_opposites(std::vector<HalfEdge>& opposite) {
+    std::vector<HalfEdge> to_flat(openmesh_.n_halfedges(), kNoHalfEdge);
+    std::vector<int> to_openmesh(3 * (end_ - begin_));
+    for (std::size_t i = 0; i < end_ - begin_; ++i) {
+      auto h = openmesh_.halfedge_handle(OpenMesh::FaceHandle(static_cast<int>(i)));
+      while (openmesh_.from_vertex_handle(h).idx() != first_corner_[i]) {
+        h = openmesh_.next_halfedge_handle(h);
+      }
+      for (std::size_t k = 0; k < 3; ++k, h = openmesh_.next_halfedge_handle(h)) {
+        to_flat[static_cast<std::size_t>(h.idx())] = static_cast<HalfEdge>(3 * (begin_ + i) + k);
+        to_openmesh[3 * i + k] = h.idx();
+      }
+    }
+    for (std::size_t i = 0; i < to_openmesh.size(); ++i) {
+      const auto h = static_cast<HalfEdge>(3 * begin_ + i);
+      // OpenMesh numbers the two half-edges of an edge 2 e and 2 e + 1.
+      const HalfEdge o = to_flat[static_cast<std::size_t>(to_openmesh[i] ^ 1)];
+      opposite[static_cast<std::size_t>(h)] = o;
+      if (o != kNoHalfEdge) continue;
+      const std::uint32_t a = origin(mesh_, h), b = origin(mesh_, next_in_face(h));
+      open.push_back({std::min(a, b), std::max(a, b), h});
+    }
+  }
+
+  const TriMesh& mesh_;
+  std::size_t begin_, end_;
+  OpenMeshTriMesh openmesh_;
+  std::vector<int> first_corner_;
+};
+
+/// Joins half-edges of different slices; returns those at the boundary of the mesh, sorted.
+std::vector<OpenEdge> stitch(const TriMesh& mesh, std::vector<OpenEdge> open,
+                             std::vector<HalfEdge>& opposite) {
+  std::ranges::sort(open);
+  std::vector<OpenEdge> boundary;
+  for (std::size_t i = 0; i < open.size();) {
+    std::size_t end = i + 1;
+    while (end < open.size() && open[i].same_edge(open[end])) ++end;
+    if (end == i + 1) {
+      boundary.push_back(open[i]);
+    } else {
+      const HalfEdge a = open[i].h, b = open[i + 1].h;
+      if (end > i + 2 || origin(mesh, a) == origin(mesh, b)) throw_not_manifold(face_of(b));
+      opposite[static_cast<std::size_t>(a)] = b;
+      opposite[static_cast<std::size_t>(b)] = a;
+    }
+    i = end;
+  }
+  return boundary;
+}
+
+/// Throws where an edge of the boundary has two more triangles in another slice.
+void check_boundary(const TriMesh& mesh, const std::vector<OpenEdge>& boundary,
+                    const std::vector<HalfEdge>& opposite) {
+  if (boundary.empty()) return;
+  std::vector<std::uint8_t> marked(mesh.positions.size(), 0);
+  for (const OpenEdge& e : boundary) marked[e.low] = marked[e.high] = 1;
+  for (std::size_t i = 0; i < opposite.size(); ++i) {
+    const auto h = static_cast<HalfEdge>(i);
+    const std::uint32_t a = origin(mesh, h), b = origin(mesh, next_in_face(h));
+    if (opposite[i] == kNoHalfEdge || !marked[a] || !marked[b]) continue;
+    const OpenEdge wanted{std::min(a, b), std::max(a, b), kNoHalfEdge};
+    const auto it = std::ranges::lower_bound(boundary, wanted);
+    if (it != boundary.end() && it->same_edge(wanted)) throw_not_manifold(face_of(it->h));
+  }
 }
 
 }  // namespace
 
-Topology build_topology(const TriMesh& mesh, const RunContext& context) {
+std::vector<HalfEdge> find_opposites(const TriMesh& mesh, const RunContext& context) {
   check_corners(mesh);
-  Topology topology;
-  topology.opposite = flat_opposites(mesh, to_openmesh(mesh, context), context);
+  static std::once_flag quiet;
+  std::call_once(quiet, [] { omerr().disable(); });
+  const std::size_t faces = mesh.triangles.size();
+  std::vector<HalfEdge> opposite(3 * faces, kNoHalfEdge);
+  std::vector<Slice> slices;
+  for (std::size_t begin = 0; begin < faces; begin += kSlice) {
+    slices.emplace_back(mesh, begin, std::min(faces, begin + kSlice));
+  }
+  parallel_for(
+      slices.size(), 1,
+      [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) slices[i].build(opposite, context);
+      },
+      &context);
+  std::vector<OpenEdge> open;
+  for (const Slice& slice : slices) {
+    if (slice.bad_face != kNone) throw_not_manifold(slice.bad_face);
+    open.insert(open.end(), slice.open.begin(), slice.open.end());
+  }
+  if (slices.size() > 1) {
+    check_boundary(mesh, stitch(mesh, std::move(open), opposite), opposite);
+  }
+  return opposite;
+}
+
+void find_components(Topology& topology) {
   const std::int32_t components = flood(
       topology.opposite, [](HalfEdge) { return true; }, topology.face_component);
   topology.component_closed.assign(static_cast<std::size_t>(components), 1);
@@ -101,6 +196,12 @@ Topology build_topology(const TriMesh& mesh, const RunContext& context) {
     if (topology.opposite[h] != kNoHalfEdge) continue;
     topology.component_closed[static_cast<std::size_t>(topology.face_component[h / 3])] = 0;
   }
+}
+
+Topology build_topology(const TriMesh& mesh, const RunContext& context) {
+  Topology topology;
+  topology.opposite = find_opposites(mesh, context);
+  find_components(topology);
   return topology;
 }
 
