@@ -63,10 +63,10 @@ bool is_exact_binary_stl(std::string_view bytes) {
   return n > 0 && bytes.size() == 84 + 50 * static_cast<std::size_t>(n);
 }
 
+/// Whether the file is text of some kind: no text holds a NUL, and hardly a mesh in binary lacks
+/// one.
 bool is_text(std::string_view bytes) {
-  return std::ranges::none_of(bytes.substr(0, 1024), [](char c) {
-    return c >= 0 && c < ' ' && !is_blank(c) && !is_line_end(c);
-  });
+  return bytes.substr(0, 1024).find('\0') == std::string_view::npos;
 }
 
 std::string_view without_leading_space(std::string_view text) {
@@ -98,7 +98,9 @@ bool looks_like_off(std::string_view text) {
 
 bool looks_like_ascii_stl(std::string_view text) {
   text = without_leading_space(text);
-  return lowered(text.substr(0, 5)) == "solid" || lowered(text.substr(0, 6)) == "facet ";
+  const std::string word =
+      lowered(text.substr(0, std::min(text.find_first_of(" \t\v\f\r\n"), std::size_t{6})));
+  return word == "solid" || word == "facet";
 }
 
 }  // namespace

@@ -79,7 +79,8 @@ void ModelParser::fail(std::ptrdiff_t offset, const std::string& what) const {
       std::min(static_cast<std::size_t>(std::max<std::ptrdiff_t>(offset, 0)), text_.size());
   const auto line =
       1 + std::count(text_.begin(), text_.begin() + static_cast<std::ptrdiff_t>(end), '\n');
-  source_.fail(fmt::format("in {}, line {}: {}", name_, line, what));
+  const std::size_t slash = name_.starts_with('/') ? 1 : 0;
+  source_.fail(fmt::format("in {}, line {}: {}", name_.substr(slash), line, what));
 }
 
 double ModelParser::unit(const pugi::xml_node& model) const {

@@ -58,7 +58,7 @@ TEST(StlBinary, TruncatedFilesAreRefused) {
   const std::string bytes = test::stl_binary(kTorus);
   expect_error(bytes.substr(0, bytes.size() - 1), "a.stl", 0, "at byte 80");
   expect_error(bytes.substr(0, 90), "a.stl", 0, "at byte 80");
-  expect_error(std::string(40, '\1'), "a.stl", 0,
+  expect_error(std::string(40, '\0'), "a.stl", 0,
                "at byte 40: the file ends inside the 84-byte header");
 }
 

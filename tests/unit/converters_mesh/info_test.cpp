@@ -1,0 +1,108 @@
+#include <burin/converters/mesh_info.h>
+
+#include "reading.h"
+
+#include <nlohmann/json.hpp>
+
+namespace burin {
+namespace {
+
+MeshInfo inspect(const std::string& bytes, const std::string& name) {
+  const test::TempFile file(name, bytes);
+  const RunContext context;
+  return inspect_mesh(file.path(), context);
+}
+
+TEST(Info, MeasuresABox) {
+  const MeshInfo info = inspect(test::stl_binary(test::box({1, 2, 3}, {3, 5, 7})), "a.stl");
+  EXPECT_EQ(info.format, "STL (binary)");
+  ASSERT_EQ(info.parts.size(), 1u);
+  const PartInfo& p = info.parts[0];
+  EXPECT_EQ(p.triangles, 12);
+  EXPECT_EQ(p.vertices, 8);
+  EXPECT_EQ(p.faces, 6);
+  EXPECT_EQ(p.components, 1);
+  EXPECT_TRUE(p.closed());
+  EXPECT_EQ(p.self_intersections, 0);
+  EXPECT_DOUBLE_EQ(p.volume, 24);
+  EXPECT_DOUBLE_EQ(p.area, 52);
+  EXPECT_EQ(p.bounds.min, Vec3(1, 2, 3));
+  EXPECT_EQ(p.bounds.max, Vec3(3, 5, 7));
+  EXPECT_TRUE(info.diagnostics.empty());
+}
+
+TEST(Info, CountsCrossingTriangles) {
+  // A blade through one side of a box, of two triangles that each cross two of it.
+  TriMesh m = test::box({0, 0, 0}, {4, 4, 4});
+  const auto n = static_cast<std::uint32_t>(m.positions.size());
+  m.positions.insert(m.positions.end(), {{1, 1, 3}, {2, 1, 3}, {1.5, 1, 5}});
+  m.triangles.push_back({n, n + 1, n + 2});
+  const MeshInfo info = inspect(test::obj(m), "a.obj");
+  EXPECT_EQ(info.parts.at(0).self_intersections, 1);
+  EXPECT_EQ(info.parts[0].components, 2);
+  EXPECT_EQ(info.parts[0].boundary_edges, 3);
+  EXPECT_FALSE(info.parts[0].closed());
+  EXPECT_EQ(test::count_of(info.diagnostics, "mesh.self_intersections"), 1);
+  EXPECT_EQ(test::count_of(info.diagnostics, "mesh.open"), 3);
+}
+
+TEST(Info, FoldedNeighboursOverlap) {
+  const MeshInfo fold = inspect("v 0 0 0\nv 2 0 0\nv 1 1 0\nv 1 2 0\nf 1 2 3\nf 2 1 4\n", "a.obj");
+  EXPECT_EQ(fold.parts.at(0).self_intersections, 1);
+  const MeshInfo flat = inspect("v 0 0 0\nv 2 0 0\nv 1 1 0\nv 1 -2 0\nf 1 2 3\nf 2 1 4\n", "a.obj");
+  EXPECT_EQ(flat.parts.at(0).self_intersections, 0);
+}
+
+TEST(Info, DistantAndTinyModelsMeasureTheSame) {
+  for (const double scale : {1e-3, 1.0, 1e4}) {
+    const TriMesh m = test::mapped(test::ellipsoid({3, 2, 1}, 40, 20),
+                                   [&](Vec3 p) { return scale * p + Vec3(1e5); });
+    const MeshInfo info = inspect(test::obj(m), "a.obj");
+    const double expected = test::numbers(test::ellipsoid({3, 2, 1}, 40, 20)).volume;
+    EXPECT_NEAR(info.parts.at(0).volume / std::pow(scale, 3) / expected, 1, 1e-6);
+    EXPECT_EQ(info.parts[0].self_intersections, 0);
+  }
+}
+
+TEST(Info, TextNamesWhatWasFoundAndDone) {
+  TriMesh m = test::box({0, 0, 0}, {1, 1, 1});
+  std::swap(m.triangles[3][0], m.triangles[3][1]);
+  const std::string text = to_text(inspect(test::obj(m), "cube.obj"));
+  for (const char* part :
+       {"cube.obj: OBJ\n", "triangles   12\n", "faces       6 ", "surface     closed",
+        "1 x 1 x 1 mm", "mesh.flipped_faces: triangles were turned over"}) {
+    EXPECT_NE(text.find(part), std::string::npos) << part << "\n" << text;
+  }
+}
+
+TEST(Info, JsonHoldsAllOfIt) {
+  const std::string two =
+      "o a\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\no b\nv 5 0 0\nv 6 0 0\nv 5 1 0\nf 4 5 6\n";
+  const std::vector<MeshInfo> files = {inspect(two, "two.obj"),
+                                       inspect(test::off(test::torus(5, 2, 20, 10)), "t.off")};
+  const nlohmann::json json = nlohmann::json::parse(to_json(files));
+  EXPECT_EQ(json["format"], "burin-info");
+  EXPECT_EQ(json["version"], 1);
+  ASSERT_EQ(json["files"].size(), 2u);
+  const auto& f = json["files"][0];
+  EXPECT_EQ(f["format"], "OBJ");
+  EXPECT_EQ(f["triangles"], 2);
+  EXPECT_EQ(f["closed"], false);
+  EXPECT_EQ(f["boundary_edges"], 6);
+  EXPECT_EQ(f["bounds"]["max"], nlohmann::json({6.0, 1.0, 0.0}));
+  EXPECT_EQ(f["parts"][1]["name"], "b");
+  EXPECT_EQ(f["parts"][1]["triangles"], 1);
+  EXPECT_EQ(f["diagnostics"][0]["code"], "mesh.open");
+  EXPECT_EQ(json["files"][1]["closed"], true);
+}
+
+TEST(Info, NamesThatAreNoTextDoNotHurt) {
+  const MeshInfo info = inspect(
+      "o \xff\xfe\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\no \x01\nv 5 0 0\nv 6 0 0\nv 5 1 0\nf 4 5 "
+      "6\n",
+      "a.obj");
+  EXPECT_EQ(nlohmann::json::parse(to_json(std::vector{info}))["files"][0]["parts"].size(), 2u);
+}
+
+}  // namespace
+}  // namespace burin

@@ -1,0 +1,226 @@
+#include "reading.h"
+
+#include <zip.h>
+
+#include <map>
+
+namespace burin {
+namespace {
+
+constexpr const char* kRelationships =
+    "<?xml version=\"1.0\"?><Relationships "
+    "xmlns=\"http://schemas.openxmlformats.org/package/2006/relationships\"><Relationship "
+    "Id=\"r0\" "
+    "Target=\"/3D/here.model\" "
+    "Type=\"http://schemas.microsoft.com/3dmanufacturing/2013/01/3dmodel\"/></Relationships>";
+
+/// The bytes of a zip archive with these members.
+std::string zipped(const std::map<std::string, std::string>& members) {
+  const test::TempFile file("archive.zip", "");
+  int error = 0;
+  zip_t* archive = zip_open(file.path().c_str(), ZIP_CREATE | ZIP_TRUNCATE, &error);
+  for (const auto& [name, bytes] : members) {
+    zip_file_add(archive, name.c_str(), zip_source_buffer(archive, bytes.data(), bytes.size(), 0),
+                 0);
+  }
+  zip_close(archive);
+  std::ifstream in(file.path(), std::ios::binary);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+std::string archive(const std::string& model) {
+  return zipped({{"[Content_Types].xml", "<Types/>"},
+                 {"_rels/.rels", kRelationships},
+                 {"3D/here.model", model}});
+}
+
+std::string model(const std::string& resources, const std::string& build,
+                  const std::string& attributes = "") {
+  return "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<model " + attributes +
+         " xmlns=\"http://schemas.microsoft.com/3dmanufacturing/core/2015/02\" "
+         "xmlns:p=\"http://schemas.microsoft.com/3dmanufacturing/production/2015/"
+         "06\">\n<resources>\n" +
+         resources + "</resources>\n<build>" + build + "</build></model>\n";
+}
+
+std::string mesh(const TriMesh& m) {
+  std::string out = "<mesh><vertices>\n";
+  for (const Vec3& p : m.positions)
+    out += fmt::format("<vertex x=\"{}\" y=\"{}\" z=\"{}\"/>\n", p.x, p.y, p.z);
+  out += "</vertices><triangles>\n";
+  for (const Triangle& t : m.triangles) {
+    out += fmt::format("<triangle v1=\"{}\" v2=\"{}\" v3=\"{}\" pid=\"1\"/>\n", t[0], t[1], t[2]);
+  }
+  return out + "</triangles></mesh>";
+}
+
+std::string object(int id, const std::string& name, const std::string& content) {
+  return fmt::format("<object id=\"{}\" name=\"{}\" type=\"model\">{}</object>\n", id, name,
+                     content);
+}
+
+const TriMesh kBox = test::box({0, 0, 0}, {1, 2, 3});
+
+Box3 bounds(const Scene& scene, std::size_t part) {
+  return scene.parts.at(part).form->bounds(Mat3(1));
+}
+
+void expect_box(const Box3& box, Vec3 low, Vec3 high) {
+  for (int k = 0; k < 3; ++k) {
+    EXPECT_NEAR(box.min[k], low[k], 1e-9);
+    EXPECT_NEAR(box.max[k], high[k], 1e-9);
+  }
+}
+
+TEST(ThreeMf, ReadsDoubles) {
+  const TriMesh box = test::precise_box();
+  const MeshFile file = test::read_bytes(
+      archive(model(object(1, "a &lt;b&gt; &#228;", mesh(box)), "<item objectid=\"1\"/>")),
+      "a.3mf");
+  EXPECT_EQ(file.format, "3MF");
+  test::expect_mesh(file, box);
+  EXPECT_EQ(file.objects[0].name, "a <b> \xc3\xa4");
+}
+
+TEST(ThreeMf, IsKnownByContent) {
+  const std::string bytes = archive(model(object(1, "", mesh(kBox)), "<item objectid=\"1\"/>"));
+  EXPECT_EQ(test::read_bytes(bytes, "a.stl").format, "3MF");
+}
+
+TEST(ThreeMf, UnitsBecomeMillimetres) {
+  const std::map<std::string, double> units = {{"micron", 1e-3},   {"millimeter", 1},
+                                               {"centimeter", 10}, {"inch", 25.4},
+                                               {"foot", 304.8},    {"meter", 1000}};
+  for (const auto& [name, mm] : units) {
+    const Scene scene = test::read_scene(
+        archive(model(object(1, "", mesh(kBox)),
+                      "<item objectid=\"1\" transform=\"1 0 0 0 1 0 0 0 1 5 0 0\"/>",
+                      "unit=\"" + name + "\"")),
+        "a.3mf");
+    expect_box(bounds(scene, 0), Vec3(5, 0, 0) * mm, Vec3(6, 2, 3) * mm);
+  }
+}
+
+TEST(ThreeMf, ComponentsAndItemsAreMoved) {
+  // Rows of the transform are the images of the axes; the component is turned about z, then the
+  // item shifts it.
+  const std::string objects =
+      object(1, "wheel", mesh(kBox)) +
+      object(2, "axle",
+             "<components><component objectid=\"1\" transform=\"0 1 0 -1 0 0 0 0 1 10 0 0\"/>"
+             "<component objectid=\"1\"/></components>");
+  const Scene scene = test::read_scene(
+      archive(model(
+          objects,
+          "<item objectid=\"2\" transform=\"2 0 0 0 2 0 0 0 2 0 100 0\"/><item objectid=\"1\"/>")),
+      "a.3mf");
+  ASSERT_EQ(scene.parts.size(), 3u);
+  expect_box(bounds(scene, 0), {16, 100, 0}, {20, 102, 6});
+  expect_box(bounds(scene, 1), {0, 100, 0}, {2, 104, 6});
+  expect_box(bounds(scene, 2), {0, 0, 0}, {1, 2, 3});
+  EXPECT_EQ(scene.parts[0].name, "wheel");
+}
+
+TEST(ThreeMf, MirroredItemsStayRightSideOut) {
+  const MeshFile file = test::read_bytes(
+      archive(model(object(1, "", mesh(kBox)),
+                    "<item objectid=\"1\" transform=\"-1 0 0 0 1 0 0 0 1 0 0 0\"/>")),
+      "a.3mf");
+  TriMesh m;
+  m.positions = file.objects.at(0).positions;
+  for (std::size_t i = 0; i < file.objects[0].indices.size(); i += 3) {
+    const auto* c = &file.objects[0].indices[i];
+    m.triangles.push_back({c[0], c[1], c[2]});
+  }
+  EXPECT_NEAR(test::numbers(m).volume, 6, 1e-12);
+}
+
+TEST(ThreeMf, ObjectsOfOtherModelParts) {
+  const std::string other = model(object(7, "inner", mesh(kBox)), "");
+  const std::string root = model(object(1, "outer",
+                                        "<components><component p:path=\"/3D/Objects/other.model\" "
+                                        "objectid=\"7\"/></components>"),
+                                 "<item objectid=\"1\"/>");
+  const Scene scene = test::read_scene(zipped({{"_rels/.rels", kRelationships},
+                                               {"3D/here.model", root},
+                                               {"3D/Objects/other.model", other}}),
+                                       "a.3mf");
+  ASSERT_EQ(scene.parts.size(), 1u);
+  EXPECT_EQ(scene.parts[0].name, "inner");
+}
+
+TEST(ThreeMf, EmptyBuildShowsAllObjects) {
+  const MeshFile file = test::read_bytes(
+      archive(model(object(1, "a", mesh(kBox)) + object(2, "b", mesh(kBox)), "")), "a.3mf");
+  EXPECT_EQ(file.objects.size(), 2u);
+  EXPECT_EQ(test::count_of(file.diagnostics, "3mf.no_build"), 1);
+}
+
+TEST(ThreeMf, ModelIsFoundWithoutRelationships) {
+  const std::string m = model(object(1, "a", mesh(kBox)), "<item objectid=\"1\"/>");
+  EXPECT_EQ(test::read_bytes(zipped({{"3D/3dmodel.model", m}}), "a.3mf").objects.size(), 1u);
+}
+
+void expect_model_error(const std::string& text, const std::string& part) {
+  test::expect_error(archive(text), "a.3mf", 0, part);
+}
+
+TEST(ThreeMf, ErrorsNameTheMemberAndLine) {
+  std::string broken = mesh(kBox);
+  const std::string item = "<item objectid=\"1\"/>";
+  broken.replace(broken.find("v1=\"0\""), 6, "v1=\"8\"");
+  expect_model_error(model(object(1, "", broken), item),
+                     "in 3D/here.model, line 14: a triangle refers to vertex '8', its mesh has 8");
+  broken = mesh(kBox);
+  broken.replace(broken.find("x=\"0\""), 5, "x=\"zero\"");
+  expect_model_error(model(object(1, "", broken), item), "line 5: 'zero' is no number for x");
+  expect_model_error(model(object(1, "", "<mesh><vertices>"), item), "bad XML");
+  expect_model_error(model(object(1, "", mesh(kBox)), "<item objectid=\"2\"/>"),
+                     "has no object '2'");
+  expect_model_error(model(object(1, "", mesh(kBox)) + object(1, "", mesh(kBox)), item),
+                     "two objects have the id '1'");
+  expect_model_error(model(object(1, "", mesh(kBox)), "<item objectid=\"1\" transform=\"1 0 0\"/>"),
+                     "is no transform");
+  expect_model_error(model(object(1, "", mesh(kBox)), item, "unit=\"furlong\""),
+                     "'furlong' is no unit");
+  expect_model_error(model(object(1, "", ""), item), "holds no triangles");
+  expect_model_error("<other/>", "no element 'model'");
+}
+
+TEST(ThreeMf, EntityTricksAreRefused) {
+  std::string text = model(object(1, "&lol;", mesh(kBox)), "<item objectid=\"1\"/>");
+  text.insert(text.find("<model"),
+              "<!DOCTYPE model [<!ENTITY lol SYSTEM \"file:///etc/passwd\">]>\n");
+  expect_model_error(text, "document type is not allowed");
+}
+
+TEST(ThreeMf, ComponentsThatExplodeOrLoopAreRefused) {
+  std::string objects = object(1, "", mesh(kBox));
+  for (int i = 2; i < 60; ++i) {  // 2^58 boxes
+    const std::string c = fmt::format("<component objectid=\"{}\"/>", i - 1);
+    objects += object(i, "", "<components>" + c + c + "</components>");
+  }
+  expect_model_error(model(objects, "<item objectid=\"59\"/>"), "far too many");
+  expect_model_error(model(object(1, "", "<components><component objectid=\"1\"/></components>"),
+                           "<item objectid=\"1\"/>"),
+                     "contain each other");
+}
+
+TEST(ThreeMf, BombsAndDamagedArchivesAreRefused) {
+  const std::string bomb =
+      zipped({{"_rels/.rels", kRelationships}, {"3D/here.model", std::string(64 << 20, ' ')}});
+  EXPECT_LT(bomb.size(), 200'000u);
+  test::expect_error(bomb, "a.3mf", 0, "hostile and was not unpacked");
+  const std::string good = archive(model(object(1, "", mesh(kBox)), "<item objectid=\"1\"/>"));
+  test::expect_error(good.substr(0, good.size() / 2), "a.3mf", 0, "damaged zip archive");
+  test::expect_error(zipped({{"readme.txt", "hello"}}), "a.3mf", 0, "without a 3MF model");
+  test::expect_error(zipped({{"Document.xml", "<x/>"}}), "a.3mf", 0, "FreeCAD document");
+  test::expect_error("solidity", "a.3mf", 0, "no 3MF file");
+  std::string liar = good;  // the sizes in the central directory
+  const std::size_t entry = liar.rfind("PK\x01\x02");
+  liar.replace(entry + 24, 4, test::raw(std::uint32_t{0xfffffff0u}));
+  test::expect_error(liar, "a.3mf", 0, "");
+}
+
+}  // namespace
+}  // namespace burin
