@@ -13,13 +13,16 @@ struct RepairOptions {
   bool merge_duplicate_points = true;
 };
 
-/// Triangulates polygons, drops what no drawing can use (corners with NaN or infinite coordinates,
-/// repeated corners, zero-area and duplicate faces), orients neighbouring faces alike and closed
-/// components outwards, and splits vertices at non-manifold edges and vertices. Clean input passes
-/// through a linear test and is not touched, the order of its faces and vertices kept. Each kind of
-/// defect becomes one entry of `diagnostics` (codes "mesh.*"), with its count and what was done.
-/// Throws GeometryError where no triangle is left. Cost: about 0.1 s for a clean million triangles;
-/// 2 s for a broken one. @cite CGAL
+/// Triangulates polygons, drops what no drawing can use (corners with NaN, infinite or absurd
+/// coordinates, repeated corners, zero-area and duplicate faces), orients neighbouring faces alike
+/// and closed components outwards (walls of cavities inwards), and splits vertices at non-manifold
+/// edges and vertices, so that solids which only touch stay closed. Clean input passes through a
+/// linear test and is not touched, the order of its faces and vertices kept; positions that no face
+/// uses go. Each kind of defect becomes one entry of `diagnostics` (codes "mesh.*", listed in
+/// kernel/docs/readers.md), with its count and what was done. The result satisfies `build_topology`
+/// and is the same for any number of threads. Throws GeometryError where no triangle is left, and
+/// where the soup's indices are wrong. Cost: 0.05 s for a clean million triangles on 2 cores; 0.4 s
+/// for a broken one. @cite Gueziec2001, Meisters1975
 TriMesh repair(PolygonSoup soup, const RepairOptions& options, Diagnostics& diagnostics,
                const RunContext& context);
 
