@@ -16,6 +16,11 @@ double smoothstep(double low, double high, double x) {
   return t * t * (3 - 2 * t);
 }
 
+/// Radians between neighbours that curve so gently that curvature may be extrapolated: 10 degrees.
+constexpr double kGentle = 0.17;
+
+double angle_of(double cosine) { return std::acos(std::clamp(cosine, -1.0, 1.0)); }
+
 /// Finds the normal of one wedge after another; keeps its buffers between them.
 class WedgeNormal {
  public:
@@ -108,22 +113,29 @@ class WedgeNormal {
     by_shape_ = normalize_or(by_shape_, fallback(corners));
   }
 
-  /// The fitted normal, or the averaged one where the fit makes no sense.
+  /// The fitted normal, or the averaged one where the fit leans more than the triangles explain.
   Vec3 fitted(std::span<const HalfEdge> corners) {
     points_ = ring_;
-    double least = 1;  // cosine of the largest angle between the average and a triangle near by
+    double near = 1, beyond = 1;  // cosines of the largest angles between the average and triangles
     const Vec3 p = at(corners.front());
     const bool few = ring_.size() < 6;
     for (const HalfEdge h : corners) {
-      least = std::min(least, glm::dot(by_shape_, normals_[face_of(h)]));
-      const HalfEdge beyond = next_in_face(h);
-      if (!smooth(beyond) || (!few && ends_.empty())) continue;
-      const HalfEdge o = proxy_.topology.opposite[static_cast<std::size_t>(beyond)];
-      least = std::min(least, glm::dot(by_shape_, normals_[face_of(o)]));
+      near = std::min(near, glm::dot(by_shape_, normals_[face_of(h)]));
+      const HalfEdge far_edge = next_in_face(h);
+      if (!smooth(far_edge) || (!few && ends_.empty())) continue;
+      const HalfEdge o = proxy_.topology.opposite[static_cast<std::size_t>(far_edge)];
+      beyond = std::min(beyond, glm::dot(by_shape_, normals_[face_of(o)]));
       if (few) points_.push_back(at(prev_in_face(o)) - p);
     }
     const Vec3 n = quadric_normal(by_shape_, points_);
-    return n == Vec3(0) || glm::dot(n, by_shape_) < least ? by_shape_ : n;
+    if (n == Vec3(0)) return by_shape_;
+    const double c = glm::dot(n, by_shape_);
+    if (c >= near) return n;
+    // At a rim the surface may go on turning as it does further in, by half a triangle, as long as
+    // that is gentle.
+    const double bend = ends_.empty() ? 0 : angle_of(beyond);
+    const double rim = 0.6 * bend * (1 - smoothstep(kGentle, 2 * kGentle, bend));
+    return angle_of(c) <= angle_of(near) + rim ? n : by_shape_;
   }
 
   /// 0 where the neighbours lie about evenly around the vertex, 1 where they are far away on one
