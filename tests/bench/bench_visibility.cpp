@@ -108,7 +108,8 @@ BENCHMARK(classify_strokes)
     ->Args({100'000, 5'000})
     ->Args({1'000'000, 20'000})
     ->Unit(benchmark::kMillisecond)
-    ->UseRealTime();
+    ->UseRealTime()
+    ->MeasureProcessCPUTime();
 
 }  // namespace
 }  // namespace burin

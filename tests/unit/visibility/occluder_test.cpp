@@ -73,7 +73,7 @@ TEST(Occluder, AnswersAlikeAtEverySizeAndPlace) {
   const TriMesh ball = test::ellipsoid({1, 1, 1}, 40, 20);
   for (const auto& [scale, shift] : {std::pair{1.0, 0.0}, {1e-3, 0.0}, {1e4, 0.0}, {1.0, 1e5}}) {
     const Vec3 at(shift, -shift, 0.5 * shift);
-    const Scene s({test::mapped(ball, [&](Vec3 p) { return p * scale + at; })});
+    const Scene s({test::mapped(ball, [scale = scale, at](Vec3 p) { return p * scale + at; })});
     const Rng rng(7);
     int wrong = 0;
     for (std::uint64_t i = 0; i < 2000; ++i) {

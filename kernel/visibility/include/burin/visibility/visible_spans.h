@@ -19,8 +19,8 @@ struct Span {
   double begin = 0;
   double end = 0;
   bool visible = true;
-  /// Visible, occluding, and on one side of it in the picture there is nothing but paper: the outer
-  /// outline.
+  /// Visible, occluding, and on one side of it in the picture there is nothing but paper (looked at
+  /// 0.2 mm beside it, more where the proxy's chord error is more): the outer outline.
   bool outer = false;
 };
 
@@ -31,9 +31,14 @@ struct VisibilityOptions {
   bool classify_outer = false;
 };
 
-/// Visibility in one view. The picture is cut by the occluding curves (exact crossings in the
-/// plane); every piece of a curve between two cuts gets one answer from a vote of occlusion rays;
-/// along a chain the answer may change only at a cut.
+/// Visibility in one view. The picture is cut by the occluding curves (crossings in the plane,
+/// found by a grid); every piece of a curve between two cuts gets one answer from a vote of
+/// occlusion rays; along a chain the answer may change only at a cut, at a change of `self_hidden`,
+/// where a stroke's surface turns away or where a curve passes through a surface. Features are cut
+/// by every occluding feature before or at their depth, other curves by the visible ones alone: the
+/// foremost sheet of the picture changes nowhere else. A line exactly behind a nearer line is
+/// hidden.
+/// @cite Appel1967, Benard2019
 class VisibilityMap {
  public:
   /// `features`: all feature lines of the view; the occluding ones among them cut. All arguments
@@ -42,7 +47,8 @@ class VisibilityMap {
                 const Camera& camera, std::span<const Curve3> features, const RunContext& context);
   ~VisibilityMap();
 
-  /// The spans of each curve. `curves` may be the features themselves. Deterministic for any number
+  /// The spans of each curve. `curves` may be the features themselves (the same memory), whose rays
+  /// were cast before. Deterministic for any number
   /// of threads.
   std::vector<std::vector<Span>> classify(std::span<const Curve3> curves,
                                           const VisibilityOptions& options,
