@@ -10,15 +10,18 @@ namespace burin::field {
 namespace {
 
 constexpr std::size_t kGrain = 4096;
-// The field follows curvature over lengths of 1 / (kAlignment |k1-k2|) and more: about half the
-// radius of a cylinder, at confidence one half.
-constexpr double kAlignment = 2;
+// The field follows curvature over lengths of 1 / (kAlignment |k1-k2|) and more: about the radius
+// of a cylinder, at confidence one half.
+constexpr double kAlignment = 1;
 // Full confidence follows this many times as closely as half confidence.
 constexpr double kFullConfidence = 50;
+// Curvature of smaller radius than this share of its region's size (square root of its area) pulls
+// no more strongly: small bumps may not bend the field around them.
+constexpr double kSmallRadius = 0.12;
+// Directions must agree over this share of the region's size to count.
+constexpr double kAgreement = 0.06;
 // A crease outweighs the wedge's links by this factor where curvature says nothing.
 constexpr double kCrease = 4;
-// Passes over which directions must agree to count.
-constexpr int kCoherencePasses = 2;
 // Pull of the style's direction on a region, relative to the stiffness of the region as a whole:
 // where nothing else pulls, and where something does (there it only decides what is open).
 constexpr double kFallback = 8;
@@ -34,13 +37,14 @@ struct Builder {
   const std::vector<Frame>& frames;
   const FlatPatches& flats;
   const SmoothedOptions& options;
-  WedgeGraph& graph;
+  const WedgeGraph& graph;
+  const Hierarchy<Vec2>& hierarchy;
   const RunContext& context;
 
   std::vector<Vec2> line = {};          // d1 to the second power
   std::vector<double> confidence = {};  // what is left of it
   std::vector<double> region_area = {};
-  std::vector<double> region_pull = {};
+  Constraints result = {};
 
   std::size_t size() const { return frames.size(); }
   template <class Body>
@@ -68,43 +72,33 @@ struct Builder {
     });
   }
 
-  // Keeps of each confidence what the neighbours' directions agree with: noise contradicts itself.
-  void weigh_by_coherence() {
-    const System<Vec2>& s = graph.crosses;
-    std::vector<Vec2> sum(size(), Vec2(0)), next(size(), Vec2(0));
-    std::vector<double> total(size(), 0), next_total(size(), 0);
+  // |k1-k2| as far as it counts, 1/mm.
+  double bend(std::size_t w) const {
+    const double k = frames[w].k1 - frames[w].k2, most = 1 / (kSmallRadius * region_size(w));
+    return k / std::sqrt(1 + (k / most) * (k / most));
+  }
+  double region_size(std::size_t w) const {
+    return std::sqrt(region_area[static_cast<std::size_t>(graph.region[w])]);
+  }
+
+  // Keeps of each confidence what the directions around agree with: noise contradicts itself.
+  void weigh_by_agreement() {
+    std::vector<Vec2> directions(size(), Vec2(0));
+    std::vector<double> limit(size(), 0);
     for_wedges([&](std::size_t w) {
-      total[w] = graph.area[w] * confidence[w] * (frames[w].k1 - frames[w].k2);
-      sum[w] = total[w] * complex_square(line[w]);
+      directions[w] = graph.area[w] * confidence[w] * bend(w) * complex_square(line[w]);
+      limit[w] = kAgreement * kAgreement * region_size(w) * region_size(w);
     });
-    for (int pass = 0; pass < kCoherencePasses; ++pass) {
-      for_wedges([&](std::size_t w) {
-        next[w] = s.stiffness[w] * sum[w];
-        next_total[w] = s.stiffness[w] * total[w];
-        for (std::uint32_t k = s.first[w]; k < s.first[w + 1]; ++k) {
-          next[w] += complex_mul(s.coupling[k], sum[s.neighbour[k]]);
-          next_total[w] += glm::length(s.coupling[k]) * total[s.neighbour[k]];
-        }
-        const double scale = s.stiffness[w] > 0 ? 0.5 / s.stiffness[w] : 1;
-        next[w] *= scale;
-        next_total[w] *= scale;
-      });
-      sum.swap(next);
-      total.swap(next_total);
-    }
-    for_wedges([&](std::size_t w) {
-      const double c = total[w] > 0 ? glm::length(sum[w]) / total[w] : 0;
-      confidence[w] *= c * c;
-    });
+    const std::vector<double> agreement = hierarchy.agreement(directions, graph.area, limit);
+    for_wedges([&](std::size_t w) { confidence[w] *= agreement[w] * agreement[w]; });
   }
 
   void follow_curvature() {
     const double rate = kAlignment * kAlignment * std::max(options.alignment, 0.0);
     for_wedges([&](std::size_t w) {
-      const double bend = frames[w].k1 - frames[w].k2, c = confidence[w];
-      const double mass = rate * graph.area[w] * bend * bend * c / (1 + 1 / kFullConfidence - c);
-      graph.crosses.mass[w] = mass;
-      graph.crosses.pull[w] = mass * complex_square(line[w]);
+      const double k = bend(w), c = confidence[w];
+      result.mass[w] = rate * graph.area[w] * k * k * c / (1 + 1 / kFullConfidence - c);
+      result.pull[w] = result.mass[w] * complex_square(line[w]);
     });
   }
 
@@ -134,19 +128,17 @@ struct Builder {
       const double size_w = glm::length(sum[w]), doubt = 1 - 2 * confidence[w];
       if (!(size_w > 0) || doubt <= 0) return;
       const double mass = kCrease * doubt * graph.crosses.stiffness[w] * size_w / total[w];
-      graph.crosses.mass[w] += mass;
-      graph.crosses.pull[w] += mass * (sum[w] / size_w);
+      result.mass[w] += mass;
+      result.pull[w] += mass * (sum[w] / size_w);
     });
   }
 
-  void measure_regions() {
-    region_area.assign(static_cast<std::size_t>(proxy.region_count), 0);
-    region_pull = region_area;
+  std::vector<double> region_sums(const std::vector<double>& values) const {
+    std::vector<double> sums(static_cast<std::size_t>(proxy.region_count), 0);
     for (std::size_t w = 0; w < size(); ++w) {
-      const auto r = static_cast<std::size_t>(graph.region[w]);
-      region_area[r] += graph.area[w];
-      region_pull[r] += graph.crosses.mass[w];
+      sums[static_cast<std::size_t>(graph.region[w])] += values[w];
     }
+    return sums;
   }
 
   Vec2 fallback_line(std::size_t w) const {
@@ -155,46 +147,49 @@ struct Builder {
   }
 
   void follow_fallback() {
+    const std::vector<double> region_pull = region_sums(result.mass);
     for_wedges([&](std::size_t w) {
       const auto r = static_cast<std::size_t>(graph.region[w]);
       const double open = std::max(0.0, 1 - region_pull[r] / kInformed);
       const double mass = (kOpen + kFallback * open) * graph.area[w] / region_area[r];
       const Vec2 target =
           fallback_line(w);  // its length falls to 0 where the surface faces the direction
-      graph.crosses.mass[w] += mass * glm::length(target);
-      graph.crosses.pull[w] += mass * glm::length(target) * complex_square(target);
+      result.mass[w] += mass * glm::length(target);
+      result.pull[w] += mass * glm::length(target) * complex_square(target);
     });
   }
 
-  LabelTargets label_targets() {
-    LabelTargets t;
-    t.line.assign(size(), Vec2(0));
-    t.weight.assign(size(), 0);
+  void set_labels() {
     for_wedges([&](std::size_t w) {
       const double share = graph.area[w] / region_area[static_cast<std::size_t>(graph.region[w])];
       const double a = std::abs(frames[w].k1), b = std::abs(frames[w].k2);
       const double lead = a + b > 0 ? confidence[w] * (a - b) / (a + b) : 0;
       const Vec2 open = kOpen * share * fallback_line(w);
-      t.line[w] = kLabel * share * lead * line[w] + open;
-      t.weight[w] = kLabel * share * std::abs(lead) + glm::length(open);
+      result.line_pull[w] = kLabel * share * lead * line[w] + open;
+      result.line_mass[w] = kLabel * share * std::abs(lead) + glm::length(open);
     });
-    return t;
   }
 };
 
 }  // namespace
 
-LabelTargets set_constraints(const ProxyMesh& proxy, const std::vector<Frame>& frames,
-                             const FlatPatches& flats, const SmoothedOptions& options,
-                             WedgeGraph& graph, const RunContext& context) {
-  Builder b{proxy, frames, flats, options, graph, context};
+Constraints find_constraints(const ProxyMesh& proxy, const std::vector<Frame>& frames,
+                             const FlatPatches& flats, const WedgeGraph& graph,
+                             const Hierarchy<Vec2>& hierarchy, const SmoothedOptions& options,
+                             const RunContext& context) {
+  Builder b{proxy, frames, flats, options, graph, hierarchy, context};
+  b.result.mass.assign(b.size(), 0);
+  b.result.line_mass.assign(b.size(), 0);
+  b.result.pull.assign(b.size(), Vec2(0));
+  b.result.line_pull.assign(b.size(), Vec2(0));
+  b.region_area = b.region_sums(graph.area);
   b.read_frames();
-  b.weigh_by_coherence();
+  b.weigh_by_agreement();
   b.follow_curvature();
   b.follow_creases();
-  b.measure_regions();
   b.follow_fallback();
-  return b.label_targets();
+  b.set_labels();
+  return std::move(b.result);
 }
 
 }  // namespace burin::field

@@ -6,23 +6,27 @@
 #include <burin/field/field.h>
 
 #include "flat_patches.h"
+#include "hierarchy.h"
 #include "wedge_graph.h"
 
 #include <vector>
 
 namespace burin::field {
 
-/// For each wedge the line that family 1 should follow, as a direction to the second power in the
-/// wedge's TangentBasis, times its weight.
-struct LabelTargets {
-  std::vector<Vec2> line;
-  /// Length of `line` before any cancelling.
-  std::vector<double> weight;
+/// One entry a wedge, in its TangentBasis; zero for wedges without curved triangles.
+struct Constraints {
+  /// The cross that is wanted (a direction to the fourth power) times how much, and how much.
+  std::vector<Vec2> pull;
+  std::vector<double> mass;
+  /// The line that family 1 should follow (a direction to the second power) times how much, and how
+  /// much.
+  std::vector<Vec2> line_pull;
+  std::vector<double> line_mass;
 };
 
-/// Sets mass and pull of `graph.crosses` and returns the targets of the labels.
-LabelTargets set_constraints(const ProxyMesh& proxy, const std::vector<Frame>& frames,
-                             const FlatPatches& flats, const SmoothedOptions& options,
-                             WedgeGraph& graph, const RunContext& context);
+Constraints find_constraints(const ProxyMesh& proxy, const std::vector<Frame>& frames,
+                             const FlatPatches& flats, const WedgeGraph& graph,
+                             const Hierarchy<Vec2>& hierarchy, const SmoothedOptions& options,
+                             const RunContext& context);
 
 }  // namespace burin::field

@@ -11,7 +11,12 @@ namespace burin::field {
 /// one of the two lines of its cross, chosen so that neighbours agree wherever the field has no odd
 /// singularity between them, and otherwise near the target.
 std::vector<Vec2> choose_family(const ProxyMesh& proxy, const WedgeGraph& graph,
-                                const std::vector<Vec2>& crosses, const LabelTargets& targets,
+                                const std::vector<Vec2>& crosses, const Constraints& targets,
                                 const RunContext& context);
+
+/// Exchanges the families of flat parts whose smooth borders mostly name the other arm, so that
+/// strokes go on over them.
+void match_flat_families(const ProxyMesh& proxy, const WedgeGraph& graph,
+                         const std::vector<Vec2>& lines, FlatPatches& flats);
 
 }  // namespace burin::field

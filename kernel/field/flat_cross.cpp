@@ -11,9 +11,6 @@ namespace {
 
 // An outline whose mean direction is weaker than this has none: a circle's is 0, a square's 1.
 constexpr double kMinDominance = 0.15;
-// Share of the outline by which smooth borders must lie across one arm rather than the other to
-// decide on family 1.
-constexpr double kMinVotes = 0.03;
 // Share of the outline from which a smooth border decides how a part without a direction is drawn.
 constexpr double kSmoothShare = 0.3;
 // Mean squared sine of the angle between a border and the circles about its centre up to which it
@@ -22,7 +19,8 @@ constexpr double kRound = 0.02;
 // Radius, as a share of the border's, of the hub where circles are too small to draw.
 constexpr double kHub = 1e-3;
 
-// The mean of the outline as a cross in `basis`, its length the strength in [0,1].
+// The mean of the outline as a cross in `basis`, its length the
+// strength in [0,1].
 Vec2 mean_outline(const std::vector<OutlineEdge>& outline, const TangentBasis& basis) {
   Vec2 sum(0);
   double total = 0;
@@ -34,20 +32,6 @@ Vec2 mean_outline(const std::vector<OutlineEdge>& outline, const TangentBasis& b
     total += length;
   }
   return total > 0 ? sum / total : Vec2(0);
-}
-
-// How much more of the smooth border lies across `arm` than along it, in [-1,1] of the outline:
-// strokes of family 1 go across the bend that begins there, and are to go on over the flat part.
-double votes_for(const std::vector<OutlineEdge>& outline, Vec3 arm) {
-  double votes = 0, total = 0;
-  for (const OutlineEdge& edge : outline) {
-    const double length = glm::length(edge.vector);
-    total += length;
-    if (!edge.smooth || !(length > 0)) continue;
-    const double cosine = glm::dot(edge.vector, arm) / length;
-    votes += length * (1 - 2 * cosine * cosine);
-  }
-  return total > 0 ? votes / total : 0;
 }
 
 double smooth_share(const std::vector<OutlineEdge>& outline) {
@@ -103,7 +87,13 @@ std::optional<Arms> FlatPatch::at(Vec3 position) const {
   const Vec3 r = reject(position - *center, normal);
   const double radius = glm::length(r);
   if (radius <= hub) return std::nullopt;
-  return Arms{glm::cross(normal, r / radius), -r / radius};
+  const Vec3 ray = r / radius, circle = glm::cross(normal, ray);
+  return rays_first ? Arms{ray, circle} : Arms{circle, -ray};
+}
+
+void FlatPatch::swap_families() {
+  rays_first = !rays_first;
+  arms = {arms.second, -arms.first};
 }
 
 std::optional<FlatPatch> flat_cross(Vec3 normal, const std::vector<OutlineEdge>& outline,
@@ -112,19 +102,18 @@ std::optional<FlatPatch> flat_cross(Vec3 normal, const std::vector<OutlineEdge>&
   patch.normal = normal;
   const TangentBasis basis(normal);
   const Vec2 mean = mean_outline(outline, basis);
-  const double strength = glm::length(mean);
+  const double strength = glm::length(mean), smooth = smooth_share(outline);
   const Vec3 preferred = fallback_tangent(fallback, normal);
+  const auto round = [&] { return set_round(outline, basis, patch); };
   patch.arms.first = preferred;
   if (strength > kMinDominance) {
     const Vec3 arm = basis.vector(complex_sqrt(complex_sqrt(mean / strength)));
     const Vec3 other = glm::cross(normal, arm);
-    const double votes = votes_for(outline, arm);
     // Between two arms that are equally near the first one stays, whatever the rounding.
-    const bool swap = std::abs(votes) > kMinVotes ? votes < 0
-                                                  : std::abs(glm::dot(other, preferred)) >
-                                                        std::abs(glm::dot(arm, preferred)) + 1e-6;
+    const bool swap =
+        std::abs(glm::dot(other, preferred)) > std::abs(glm::dot(arm, preferred)) + 1e-6;
     patch.arms.first = swap ? other : arm;
-  } else if (smooth_share(outline) > kSmoothShare && !set_round(outline, basis, patch)) {
+  } else if (smooth > kSmoothShare && !round()) {
     return std::nullopt;
   }
   patch.arms.second = glm::cross(normal, patch.arms.first);

@@ -14,15 +14,19 @@ struct Arms {
   Vec3 second{0, 1, 0};
 };
 
-/// A flat part: a constant cross, or circles (family 1) and rays about a centre.
+/// A flat part: a constant cross, or circles and rays about a centre.
 struct FlatPatch {
   Vec3 normal{0, 0, 1};
   Arms arms;
   std::optional<Vec3> center;
+  /// Whether family 1 is the rays'.
+  bool rays_first = false;
   /// Model mm; nearer to the centre than this there is no direction.
   double hub = 0;
 
   std::optional<Arms> at(Vec3 position) const;
+  /// Exchanges the families.
+  void swap_families();
 };
 
 /// An edge of a flat part's outline: its middle, its vector, and whether the surface goes on

@@ -34,6 +34,11 @@ constexpr double kWider = 3;
 constexpr double kStraighter = 8;
 // Border edges that are looked at, at the most.
 constexpr std::size_t kMaxSamples = 48;
+// ... and a part that is not exactly flat (its triangles are off by more than this, radians) would
+// turn by so much over its width if it bent on like the facets behind.
+constexpr double kExact = 5e-4;
+constexpr double kBend = 0.35;
+
 class Finder {
  public:
   Finder(const ProxyMesh& proxy, Vec3 fallback, const RunContext& context)
@@ -246,7 +251,8 @@ class Finder {
     if (own < kMinWidth * size_ || own < kWider * behind) return false;
     const double turn =
         glm::length(glm::cross(normalize_or(area_vector_[p], Vec3(0)), normal_[face_of(other)]));
-    return turn * own > kStraighter * bend_[p] * behind;
+    const double least = bend_[p] < kExact ? 0 : kBend;
+    return turn * own > std::max(kStraighter * bend_[p], least) * behind;
   }
 
   std::optional<FlatPatch> with_cross(std::size_t p) const {

@@ -4,6 +4,7 @@
 
 #include "constraints.h"
 #include "family.h"
+#include "multigrid.h"
 
 #include <cmath>
 #include <numbers>
@@ -41,10 +42,13 @@ struct SmoothedField::Part {
     std::vector<std::uint8_t> skipped(flats.face_patch.size());
     for (std::size_t f = 0; f < skipped.size(); ++f) skipped[f] = flats.face_patch[f] >= 0;
     WedgeGraph graph = build_wedge_graph(proxy, skipped, context);
-    const LabelTargets targets = set_constraints(proxy, frames, flats, options, graph, context);
+    const Hierarchy<Vec2> hierarchy(graph.crosses, context);
+    const Constraints wanted =
+        find_constraints(proxy, frames, flats, graph, hierarchy, options, context);
     frames = {};
-    const std::vector<Vec2> crosses = minimise(graph.crosses, context);
-    line = choose_family(proxy, graph, crosses, targets, context);
+    const std::vector<Vec2> crosses = minimise(hierarchy, wanted.mass, wanted.pull, context);
+    line = choose_family(proxy, graph, crosses, wanted, context);
+    match_flat_families(proxy, graph, line, flats);
     axis = std::move(graph.axis);
   }
 

@@ -96,11 +96,9 @@ WedgeGraph build_wedge_graph(const ProxyMesh& proxy, const std::vector<std::uint
   g.axis.resize(n);
   g.area.assign(n, 0);
   g.region.assign(n, 0);
-  System<Vec2>& s = g.crosses;
+  Links<Vec2>& s = g.crosses;
   s.first.assign(n + 1, 0);
   s.stiffness.assign(n, 0);
-  s.mass.assign(n, 0);
-  s.pull.assign(n, Vec2(0));
   const auto links = [&](std::size_t w, const auto& link) {
     for_links(proxy, share, skipped, corners.corner.data() + corners.first[w],
               corners.corner.data() + corners.first[w + 1], link);

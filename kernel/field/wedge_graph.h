@@ -5,7 +5,7 @@
 #include <burin/base/run_context.h>
 #include <burin/mesh/proxy_mesh.h>
 
-#include "multigrid.h"
+#include "links.h"
 
 #include <cstdint>
 #include <vector>
@@ -13,9 +13,9 @@
 namespace burin::field {
 
 struct WedgeGraph {
-  /// The links of crosses (directions to the fourth power in each wedge's TangentBasis); mass and
-  /// pull are zero. Wedges of flat parts alone have no links.
-  System<Vec2> crosses;
+  /// The links of crosses (directions to the fourth power in each wedge's TangentBasis). Wedges of
+  /// flat parts alone have no links.
+  Links<Vec2> crosses;
   /// For each wedge the x axis of its TangentBasis.
   std::vector<Vec3> axis;
   /// For each wedge a third of the area of its curved triangles, in model mm^2.

@@ -203,7 +203,8 @@ TEST_P(SurfaceContract, ShortMarchesAreStraight) {
     const MarchStep step = surface_->march(points_[i], t, 1e-5 * size_);
     if (step.stop != MarchStop::Completed) continue;
     const Vec3 gone = reject(step.end.position - points_[i].position, f.normal);
-    EXPECT_LT(line_angle(gone, t), 3 + 1e3 * rounding() / size_ * 1e5);
+    // The tangent is projected to the triangle, whose normal differs from the frame's.
+    EXPECT_LT(line_angle(gone, t), 0.2 * GetParam().normal_tolerance + 1e8 * rounding() / size_);
   }
 }
 
