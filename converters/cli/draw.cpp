@@ -104,7 +104,8 @@ std::vector<Output> make_outputs(const DrawArguments& a) {
   if (is_file(a.style)) sources.push_back(a.style);
   // What is printed cannot be taken back: after all that is written aside.
   std::vector<std::string> names = a.outputs;
-  std::ranges::stable_partition(names, [](const std::string& name) { return name != "-"; });
+  std::stable_partition(names.begin(), names.end(),
+                        [](const std::string& name) { return name != "-"; });
   return plan_outputs(names, a.format, sources);
 }
 

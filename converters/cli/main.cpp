@@ -20,7 +20,7 @@
 namespace burin::cli {
 namespace {
 
-enum Status { kDone = 0, kFailed = 1, kUsage = 2, kBadInput = 3, kNoOutput = 4, kStopped = 5 };
+constexpr int kDone = 0, kFailed = 1, kUsage = 2, kBadInput = 3, kNoOutput = 4, kStopped = 5;
 
 std::string located(const std::string& file, std::int64_t line, const std::string& what) {
   if (file.empty()) return what;
@@ -29,7 +29,7 @@ std::string located(const std::string& file, std::int64_t line, const std::strin
 
 /// Says what went wrong, in one line; to be called where an exception was caught. `input` is the
 /// file that errors without one of their own are about.
-Status report(const std::string& input) {
+int report(const std::string& input) {
   try {
     throw;
   } catch (const Cancelled&) {

@@ -81,8 +81,8 @@ int SmoothedField::Part::index(std::uint32_t face) const {
   return static_cast<int>(std::lround((total + 4 * holonomy) / (2 * std::numbers::pi)));
 }
 
-SmoothedField::SmoothedField(std::vector<const Surface*> surfaces, const SmoothedOptions& options,
-                             const RunContext& context) {
+SmoothedField::SmoothedField(const std::vector<const Surface*>& surfaces,
+                             const SmoothedOptions& options, const RunContext& context) {
   for (const Surface* s : surfaces) parts_.push_back(std::make_unique<Part>(*s, options, context));
 }
 

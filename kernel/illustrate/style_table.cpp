@@ -13,6 +13,7 @@ namespace burin::detail {
 namespace {
 
 /// A member by its way into Style.
+// NOLINTNEXTLINE(bugprone-macro-parentheses): a type takes none
 #define BURIN_MEMBER(type, path) [](Style& s) -> type& { return s.path; }
 
 StyleKey number(const char* name, double& (*member)(Style&), double low, double high,

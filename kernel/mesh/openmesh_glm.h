@@ -9,10 +9,12 @@
 namespace OpenMesh {
 template <glm::length_t L, class T, glm::qualifier Q>
 struct vector_traits<glm::vec<L, T, Q>> {
+  // NOLINTBEGIN(readability-identifier-naming): OpenMesh's names
   using vector_type = glm::vec<L, T, Q>;
   using value_type = T;
   static const size_t size_ = L;
   static size_t size() { return L; }
+  // NOLINTEND(readability-identifier-naming)
 };
 }  // namespace OpenMesh
 

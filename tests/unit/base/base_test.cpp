@@ -57,8 +57,9 @@ TEST(Rng, IsUniformByChiSquare) {
   std::vector<int> bins(kBins, 0);
   for (int i = 0; i < kDraws; ++i)
     ++bins[static_cast<std::size_t>(rng.uniform(static_cast<std::uint64_t>(i)) * kBins)];
+  constexpr double kMean = kDraws / static_cast<double>(kBins);
   double chi = 0;
-  for (const int b : bins) chi += std::pow(b - kDraws / kBins, 2) / (kDraws / kBins);
+  for (const int b : bins) chi += std::pow(b - kMean, 2) / kMean;
   // 99 degrees of freedom: 99.9 % of uniform samples lie below 148.
   EXPECT_LT(chi, 148);
 }

@@ -9,7 +9,7 @@
 namespace burin {
 namespace {
 
-Camera::ExtentFn extent_of(std::vector<Vec3> points) {
+Camera::ExtentFn extent_of(const std::vector<Vec3>& points) {
   return [points](const Mat3& axes) {
     Box3 box;
     for (const Vec3& p : points) box.add(axes * p);

@@ -20,7 +20,7 @@ struct Singularity {
 /// Cost: 0.8 s a million triangles to build on 2 cores, 0.3 us a query. @cite Knoeppel2013
 class SmoothedField {
  public:
-  SmoothedField(std::vector<const Surface*> surfaces, const SmoothedOptions& options,
+  SmoothedField(const std::vector<const Surface*>& surfaces, const SmoothedOptions& options,
                 const RunContext& context);
   ~SmoothedField();
   SmoothedField(const SmoothedField&) = delete;
