@@ -18,7 +18,7 @@ constexpr std::size_t kFaceGrain = 16384;
 }  // namespace
 
 Facing::Facing(const ProxyMesh& proxy, const Camera& camera, const RunContext& context)
-    : proxy_(&proxy), camera_(&camera), g_(proxy.wedge_normal.size()) {
+    : proxy_(&proxy), camera_(&camera), surface_(proxy), g_(proxy.wedge_normal.size()) {
   const bool perspective = camera.perspective();
   const Vec3 direction = camera.direction(), eye = camera.eye();
   const double unit = perspective ? 1 / glm::length(eye - camera.center()) : 0;
@@ -32,12 +32,6 @@ Facing::Facing(const ProxyMesh& proxy, const Camera& camera, const RunContext& c
         }
       },
       &context);
-  sharp_.assign(proxy.mesh.positions.size(), 0);
-  for (std::size_t h = 0; h < proxy.edge_kind.size(); ++h) {
-    if (proxy.edge_kind[h] == EdgeKind::Smooth) continue;
-    sharp_[origin(proxy.mesh, static_cast<HalfEdge>(h))] = 1;
-    sharp_[origin(proxy.mesh, next_in_face(static_cast<HalfEdge>(h)))] = 1;
-  }
   turn_flat_walls_away(to_viewer, context);
   turn_thin_patches_away(context);
 }
@@ -108,28 +102,10 @@ ZeroCrossing Facing::crossing(HalfEdge h) const {
     t = 1;
     out.position = q;
   } else {
-    out.position = on_surface(a, b, t);
+    out.position = surface_.on_edge(a, b, t);
   }
   out.share = swapped ? 1 - t : t;
   return out;
-}
-
-Vec3 Facing::on_surface(std::uint32_t a, std::uint32_t b, double t) const {
-  const Vec3 &p = proxy_->wedge_position(a), &q = proxy_->wedge_position(b);
-  const Vec3 chord = q - p;
-  // Beside a crease the surface ends in the crease's own straight edges.
-  if (sharp_[proxy_->wedge_vertex[a]] || sharp_[proxy_->wedge_vertex[b]]) return p + t * chord;
-  // The cubic over the edge that is tangent to both wedges' planes. @cite Vlachos2001
-  const double from_a = -glm::dot(chord, proxy_->wedge_normal[a]);
-  const double from_b = glm::dot(chord, proxy_->wedge_normal[b]);
-  const Vec3 lift =
-      t * (1 - t) *
-      ((1 - t) * from_a * proxy_->wedge_normal[a] + t * from_b * proxy_->wedge_normal[b]);
-  // An edge whose normals ask for more than this share of its length is no sample of a smooth
-  // surface.
-  constexpr double kMostLift = 0.2;
-  const double most = kMostLift * glm::length(chord), high = glm::length(lift);
-  return p + t * chord + (high > most ? most / high : 1.0) * lift;
 }
 
 Vec3 Facing::normal(HalfEdge h, double share) const {

@@ -4,6 +4,7 @@
 #include <burin/base/run_context.h>
 #include <burin/camera/camera.h>
 #include <burin/mesh/proxy_mesh.h>
+#include <burin/mesh/rounded_mesh.h>
 
 #include <cstdint>
 #include <vector>
@@ -49,18 +50,14 @@ class Facing {
   template <class ToViewer>
   void turn_flat_walls_away(const ToViewer& to_viewer, const RunContext& context);
 
-  /// Where a smooth surface with these two wedges passes over their edge, at a share of it.
-  Vec3 on_surface(std::uint32_t a, std::uint32_t b, double t) const;
-
   /// Turns away what would show less than kThinWidth of paper in its width: patches of a ruled
   /// surface seen along its rulings, which noise in the normals turns a little to the viewer.
   void turn_thin_patches_away(const RunContext& context);
 
   const ProxyMesh* proxy_;
   const Camera* camera_;
+  RoundedMesh surface_;
   std::vector<double> g_;
-  /// For each vertex, nonzero where a crease or boundary passes.
-  std::vector<std::uint8_t> sharp_;
 };
 
 }  // namespace burin

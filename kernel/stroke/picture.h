@@ -34,6 +34,14 @@ struct Picture {
     return std::clamp(1 - tone(position, normal), 0.0, 1.0);
   }
 
+  /// Model mm of depth that a surface seen under a cosine of `facing` may change by a paper mm;
+  /// `scale` in paper mm a model mm.
+  static double slope(double facing, double scale) {
+    constexpr double kLeastFacing = 0.02;  // seen more edge-on, a surface is not drawn on
+    const double c = std::clamp(facing, kLeastFacing, 1.0);
+    return (std::sqrt(1 - c * c) / c + 0.1) / scale;
+  }
+
   Coverage2 share(double darkness) const {
     constexpr double kRamp = 0.25;  // of tone, over which the second family fades in
     const double t = std::clamp((darkness - options.cross_from) / kRamp, 0.0, 1.0);

@@ -6,9 +6,13 @@
 namespace burin::detail {
 
 bool same_sheet(const GridSample& a, const GridSample& b) {
+  // The sheet bends between the two: twice the larger slope leaves room for that. And two samples
+  // closer than a thin line (paper mm) are one place however steep the sheet is: else neighbours
+  // could be set on each other without end.
+  constexpr double kOnePlace = 0.1;
   if (a.part != b.part || a.region != b.region) return false;
-  // The sheet bends between the two: twice the larger slope leaves room for that.
-  const double reach = 2 * std::max(a.slope, b.slope) * glm::length(a.paper - b.paper);
+  const double reach =
+      2 * std::max(a.slope, b.slope) * (glm::length(a.paper - b.paper) + kOnePlace);
   return std::abs(a.depth - b.depth) <= reach;
 }
 

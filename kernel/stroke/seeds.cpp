@@ -120,8 +120,7 @@ Coverage cover_picture(const Picture& picture, const ViewRaster& raster,
       s.region = surface.proxy().face_region[place.face];
       const Vec3 n = surface.proxy().normal(place.face, place.bary);
       const double cosine = glm::dot(n, camera.to_viewer(p.position));
-      const double c = std::clamp(std::abs(cosine), 0.1, 1.0);
-      s.slope = (std::sqrt(1 - c * c) / c + 0.1) / camera.scale_at(p.position);
+      s.slope = Picture::slope(std::abs(cosine), camera.scale_at(p.position));
       if (grid.nearest(s, o.spacing_max).distance < o.spacing_max) continue;
       const auto hit = picture.probe(s.paper);
       if (hit && !(hit->part == s.part && hit->point.face == place.face)) {

@@ -61,7 +61,7 @@ void fair(std::vector<Vec3>& points, bool closed) {
   }
 }
 
-Curve3 to_curve(const TracedStroke& stroke, std::vector<double> widths) {
+Curve3 to_curve(const TracedStroke& stroke, const Surface& surface, std::vector<double> widths) {
   Curve3 c;
   c.kind = LineClass::Stroke;
   c.family = stroke.family;
@@ -69,7 +69,7 @@ Curve3 to_curve(const TracedStroke& stroke, std::vector<double> widths) {
   c.source = {stroke.part, stroke.samples.front().region, -1};
   c.widths = std::move(widths);
   for (const StrokeSample& s : stroke.samples) {
-    c.points.push_back(s.point.position);
+    c.points.push_back(surface.drawn_position(s.point));
     c.normals.push_back(s.normal);
     c.faces.push_back(static_cast<std::int32_t>(s.face));
   }
@@ -114,7 +114,9 @@ StrokeResult trace_strokes(std::span<const Surface* const> surfaces, const Camer
   result.coverage_delta = coverage.delta;
   for (std::size_t f = 0; f < families.size(); ++f) {
     for (std::size_t s = 0; s < families[f].strokes.size(); ++s) {
-      result.strokes.push_back(to_curve(families[f].strokes[s], std::move(widths[f][s])));
+      result.strokes.push_back(to_curve(families[f].strokes[s],
+                                        picture.surface(families[f].strokes[s].part),
+                                        std::move(widths[f][s])));
     }
   }
   context.end_stage();

@@ -70,8 +70,7 @@ bool Tracer::fill(std::int32_t part, const SurfacePoint& point, Vec3 previous, i
   const Vec3 to_viewer = camera.to_viewer(point.position);
   const double cosine = glm::dot(frame.normal, to_viewer);
   out.facing = std::abs(cosine);
-  const double c = std::max(out.facing, 0.1);
-  out.slope = (std::sqrt(1 - c * c) / c + 0.1) / camera.scale_at(point.position);
+  out.slope = Picture::slope(out.facing, camera.scale_at(point.position));
   out.face = place.face;
   out.region = surface.proxy().face_region[place.face];
   out.darkness = picture_.darkness(point.position, cosine < 0 ? -frame.normal : frame.normal);

@@ -2,6 +2,7 @@
 /// The surface behind MeshForm.
 
 #include <burin/mesh/curvature.h>
+#include <burin/mesh/rounded_mesh.h>
 #include <burin/surface/surface.h>
 
 #include <vector>
@@ -34,9 +35,13 @@ class MeshSurface final : public Surface {
             proxy_.position(point.face, point.bary)};
   }
   std::vector<Frame> wedge_frames(const RunContext& context) const override;
+  Vec3 drawn_position(const SurfacePoint& point) const override {
+    return rounded_.on_face(static_cast<std::uint32_t>(point.chart), point.coords);
+  }
 
  private:
   ProxyMesh proxy_;
+  RoundedMesh rounded_;
   std::vector<WedgeTensor> tensors_;
 };
 

@@ -98,6 +98,9 @@ class Surface {
   /// proxy.
   virtual ProxyPoint to_proxy(const SurfacePoint& point) const = 0;
   virtual SurfacePoint lift(const ProxyPoint& point) const = 0;
+  /// Where ink at a surface point is drawn: the point itself for exact forms; for a mesh the smooth
+  /// surface that its facets stand for, so that strokes meet the contours.
+  virtual Vec3 drawn_position(const SurfacePoint& point) const { return point.position; }
   /// Frames at all wedges of the proxy. The default lifts each wedge and asks `frame`.
   virtual std::vector<Frame> wedge_frames(const RunContext& context) const;
 };
