@@ -57,9 +57,10 @@ Union connect(const GroupedFaces& faces, std::size_t groups, const RunContext& c
       edges.push_back({a, b, faces.group[f]});
     }
   }
-  context.check();
-  std::sort(edges.begin(), edges.end());
-  context.check();
+  std::sort(edges.begin(), edges.end(), [&](const GroupEdge& a, const GroupEdge& b) {
+    context.check();
+    return a < b;
+  });
   Union sets(groups);
   const GroupEdge* open = nullptr;  // the last edge at which a group ends
   for (std::size_t i = 0; i < edges.size();) {

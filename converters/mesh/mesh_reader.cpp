@@ -3,6 +3,7 @@
 #include <burin/mesh/repair.h>
 
 #include "formats.h"
+#include "text.h"
 
 #include <fmt/format.h>
 
@@ -42,7 +43,9 @@ void append(Diagnostics& all, const Diagnostics& part, const std::string& name, 
 MeshFile read_mesh_file(const std::filesystem::path& path, const RunContext& context) {
   try {
     const Source source(path, context);
-    return read_as(detect_format(source, path), source);
+    MeshFile file = read_as(detect_format(source, path), source);
+    for (PolygonSoup& soup : file.objects) soup.name = clean_name(soup.name);
+    return file;
   } catch (const std::bad_alloc&) {
     throw InputError("does not fit into the memory of this machine", path.string());
   }
@@ -54,7 +57,7 @@ Scene repair_parts(MeshFile file, const std::filesystem::path& path, const RunCo
   const bool several = file.objects.size() > 1;
   std::string first_failure;
   for (PolygonSoup& soup : file.objects) {
-    const std::string name = soup.name.empty() ? path.stem().string() : soup.name;
+    const std::string name = soup.name.empty() ? clean_name(path.stem().string()) : soup.name;
     Diagnostics diagnostics;
     try {
       TriMesh mesh = repair(std::move(soup), {}, diagnostics, context);

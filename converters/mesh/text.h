@@ -14,6 +14,9 @@ inline bool is_line_end(char c) { return c == '\n' || c == '\r'; }
 
 /// `token`, short and printable, in quotes: for messages.
 std::string in_quotes(std::string_view token);
+/// A name out of a file as UTF-8 that XML and JSON can hold: bytes that are no UTF-8 are taken as
+/// Latin-1, control characters become blanks, and what is too long is cut.
+std::string clean_name(std::string_view name);
 /// ASCII letters lowered.
 std::string lowered(std::string_view text);
 /// Reads a whole token as a double: an optional sign, decimal digits, an exponent; inf and nan too.

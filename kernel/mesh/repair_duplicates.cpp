@@ -36,7 +36,7 @@ struct Copies {
 };
 
 /// The first triangle of each three corners, one that faces it (its twin), and further copies.
-Copies find_copies(const TriMesh& mesh) {
+Copies find_copies(const TriMesh& mesh, const RunContext& context) {
   struct Entry {
     Triangle corners;
     std::uint32_t triangle;
@@ -49,7 +49,10 @@ Copies find_copies(const TriMesh& mesh) {
     std::sort(sorted.begin(), sorted.end());
     entries.push_back({sorted, t});
   }
-  std::sort(entries.begin(), entries.end());
+  std::sort(entries.begin(), entries.end(), [&](const Entry& a, const Entry& b) {
+    context.check();
+    return a < b;
+  });
   Copies copies;
   copies.kind.assign(mesh.triangles.size(), Copy::None);
   copies.first.resize(mesh.triangles.size());
@@ -125,7 +128,7 @@ void join_tiny_edges(TriMesh& mesh) {
 }
 
 std::int64_t drop_duplicates(TriMesh& mesh, const RunContext& context) {
-  const Copies copies = find_copies(mesh);
+  const Copies copies = find_copies(mesh, context);
   if (std::ranges::all_of(copies.kind, [](Copy c) { return c == Copy::None; })) return 0;
   Patches twins(copies, Copy::Twin), same(copies, Copy::Same);
   std::vector<std::uint8_t> is_twin(mesh.triangles.size(), 0);  // either of the two

@@ -103,8 +103,10 @@ std::vector<std::uint32_t> match_half_edges(const TriMesh& mesh, const EdgeGroup
     if (group.size() <= 2) continue;
     ++counts.nonmanifold_edges;
     if (cut) continue;
-    // So many triangles at one edge are no shape; comparing all pairs of them would take forever.
-    constexpr std::size_t kMostSheets = 256;
+    // Thousands of triangles at one edge are no shape, and comparing all of them would take
+    // forever.
+    constexpr std::size_t kMostSolids = 4096, kMostSheets = 256;
+    if (group.size() > kMostSolids) continue;
     std::vector<Leaf> leaves = sorted_around(mesh, group);
     const auto forward = static_cast<std::size_t>(std::ranges::count_if(leaves, &Leaf::forward));
     if (2 * forward == leaves.size()) {

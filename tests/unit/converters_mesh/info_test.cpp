@@ -96,13 +96,5 @@ TEST(Info, JsonHoldsAllOfIt) {
   EXPECT_EQ(json["files"][1]["closed"], true);
 }
 
-TEST(Info, NamesThatAreNoTextDoNotHurt) {
-  const MeshInfo info = inspect(
-      "o \xff\xfe\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\no \x01\nv 5 0 0\nv 6 0 0\nv 5 1 0\nf 4 5 "
-      "6\n",
-      "a.obj");
-  EXPECT_EQ(nlohmann::json::parse(to_json(std::vector{info}))["files"][0]["parts"].size(), 2u);
-}
-
 }  // namespace
 }  // namespace burin

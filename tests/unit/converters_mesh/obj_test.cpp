@@ -73,6 +73,21 @@ TEST(Obj, PartsWithoutNameHaveTheFiles) {
   EXPECT_TRUE(scene.parts[0].name.ends_with("bracket")) << scene.parts[0].name;
 }
 
+TEST(Obj, NamesBecomeText) {
+  const auto name = [](const std::string& bytes) {
+    return read_bytes("o " + bytes + "\n" + kCorners + "f 1 2 3\n", "a.obj").objects.at(0).name;
+  };
+  EXPECT_EQ(name("K\xc3\xb6rper"), "K\xc3\xb6rper");
+  EXPECT_EQ(name("K\xf6rper"), "K\xc3\xb6rper");  // Latin-1
+  EXPECT_EQ(name("a\x01"
+                 "b\x7f"),
+            "a b");
+  EXPECT_EQ(name("\xed\xa0\x80"), "\xc3\xad\xc2\xa0");  // a surrogate is no UTF-8
+  EXPECT_EQ(name("\x02"), "");
+  EXPECT_EQ(name(std::string(5000, 'x')).size(), 200u);
+  EXPECT_EQ(name("\xf0\x9f\x94\xa9"), "\xf0\x9f\x94\xa9");
+}
+
 TEST(Obj, WhatIsNotDrawnIsSkipped) {
   const MeshFile file = read_bytes("mtllib a.mtl\n" + kCorners +
                                        "vt 0 0\nvn 0 0 1\nusemtl x\ns off\nl 1 2\np 1\nf 1 2\n"
