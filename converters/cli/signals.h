@@ -5,7 +5,7 @@
 
 namespace burin::cli::signals {
 
-/// As long as it lives SIGINT, SIGTERM and SIGHUP cancel `context`. A run that has not ended 80 ms
+/// As long as it lives SIGINT, SIGTERM and SIGHUP cancel `context`. A run that has not ended 40 ms
 /// after the first signal is ended with status 5; a second signal kills at once. Either way the
 /// files that `guard` knows are removed. SIGPIPE is ignored, so that writing into a closed pipe
 /// fails as any other write does. One at a time.
