@@ -127,7 +127,7 @@ class WedgeNormal {
       beyond = std::min(beyond, glm::dot(by_shape_, normals_[face_of(o)]));
       if (few) points_.push_back(at(prev_in_face(o)) - p);
     }
-    const Vec3 n = quadric_normal(by_shape_, points_);
+    const Vec3 n = quadric_normal(by_shape_, points_, ring_.size());
     if (n == Vec3(0)) return by_shape_;
     const double c = glm::dot(n, by_shape_);
     if (c >= near) return n;

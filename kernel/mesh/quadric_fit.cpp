@@ -15,7 +15,7 @@ constexpr double kRidge = 1e-6;
 /// The same for rings that do not determine the curved terms, as those on two parallel rims.
 constexpr double kStrongRidge = 1e-2;
 /// Such rings are told by a curved term of which the other terms leave less than this share.
-constexpr double kUndetermined = 1e-2;
+constexpr double kUndetermined = 1e-1;
 
 using Row = std::array<double, kTerms>;
 
@@ -59,9 +59,9 @@ struct System {
 
 }  // namespace
 
-Vec3 quadric_normal(Vec3 normal, std::span<const Vec3> points) {
-  // Axes along the ring's longer extent, so that those of a ring of long thin triangles do not mix
-  // its scales.
+Vec3 quadric_normal(Vec3 normal, std::span<const Vec3> points, std::size_t ring) {
+  // Axes along the longer extent, so that those of a ring of long thin triangles do not mix its
+  // scales.
   double size = 0;
   Vec3 longest(0);
   for (const Vec3& p : points) {
@@ -71,16 +71,19 @@ Vec3 quadric_normal(Vec3 normal, std::span<const Vec3> points) {
   const Vec3 u = normalize_or(reject(longest, normal), any_orthogonal(normal));
   const Vec3 v = glm::cross(normal, u);
   const double scale = static_cast<double>(points.size()) / size;
-  System system;
-  for (const Vec3& p : points) {
-    const double x = glm::dot(p, u) * scale, y = glm::dot(p, v) * scale;
-    const double z = glm::dot(p, normal) * scale, distance2 = x * x + y * y + z * z;
-    if (distance2 > 0) system.add({x, y, x * x, x * y, y * y}, z, 1 / distance2);
-  }
-  System again = system;
+  const auto system_of = [&](std::span<const Vec3> some) {
+    System system;
+    for (const Vec3& p : some) {
+      const double x = glm::dot(p, u) * scale, y = glm::dot(p, v) * scale;
+      const double z = glm::dot(p, normal) * scale, distance2 = x * x + y * y + z * z;
+      if (distance2 > 0) system.add({x, y, x * x, x * y, y * y}, z, 1 / distance2);
+    }
+    return system;
+  };
+  System system = system_of(points);
   double share = system.solve(kRidge);
   if (share < kUndetermined) {
-    system = again;
+    system = system_of(points.first(ring));
     share = system.solve(kStrongRidge);
   }
   if (share == 0) return Vec3(0);
