@@ -55,16 +55,25 @@ double paper_length(const Path& path) {
   return sum;
 }
 
+// Leaves out points that neither the line nor its width needs.
 void simplify_path(Path& path) {
   if (path.points.size() < 3) return;
-  Path out = path;
-  out.points.clear();
-  out.points3.clear();
-  for (const std::size_t i : simplify(path.points, kSimplify)) {
-    out.points.push_back(path.points[i]);
-    out.points3.push_back(path.points3[i]);
+  const bool varies = path.width.size() == path.points.size();
+  std::vector<Vec3> line;
+  line.reserve(path.points.size());
+  for (std::size_t i = 0; i < path.points.size(); ++i) {
+    line.emplace_back(path.points[i], varies ? path.width[i] : 0.0);
   }
-  path = std::move(out);
+  std::size_t kept = 0;
+  for (const std::size_t i : simplify(line, kSimplify)) {  // ascending: entries move forward only
+    path.points[kept] = path.points[i];
+    path.points3[kept] = path.points3[i];
+    if (varies) path.width[kept] = path.width[i];
+    ++kept;
+  }
+  path.points.resize(kept);
+  path.points3.resize(kept);
+  if (varies) path.width.resize(kept);
 }
 
 // The curve between two parameters; a span that is the whole of a closed curve stays closed.
@@ -122,6 +131,7 @@ void compose_strokes(std::span<const Curve3> strokes, const std::vector<std::vec
       Path path = to_path(piece(curve, span), camera);
       if (!whole && paper_length(path) < kShortestRest * style.hatch.length_min) continue;
       path.field = style.hatch.field;
+      simplify_path(path);
       layers[curve.family == 2 ? 1 : 0].paths.push_back(std::move(path));
     }
   }
