@@ -10,7 +10,7 @@ namespace {
 // A link belongs to a group only if it is at least this share of its node's strongest one.
 constexpr double kStrong = 0.25;
 // Values constant over a group exaggerate the energy of a smooth field by the group's diameter in
-// nodes; the coarse weights are scaled back by it.
+// nodes; the coarse weights are scaled back by it. @cite Braess1995
 constexpr double kOvercorrection = 0.45;
 
 template <class Scalar>

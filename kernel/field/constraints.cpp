@@ -19,13 +19,13 @@ constexpr double kFullConfidence = 50;
 // no more strongly: small bumps may not bend the field around them.
 constexpr double kSmallRadius = 0.12;
 // Directions must agree over this share of the region's size to count.
-constexpr double kAgreement = 0.06;
+constexpr double kAgreement = 0.04;
 // A crease outweighs the wedge's links by this factor where curvature says nothing.
 constexpr double kCrease = 4;
 // Pull of the style's direction on a region, relative to the stiffness of the region as a whole:
 // where nothing else pulls, and where something does (there it only decides what is open).
 constexpr double kFallback = 8;
-constexpr double kOpen = 1e-3;
+constexpr double kOpen = 1e-6;
 // A region whose curvature pulls with more than this has a field of its own.
 constexpr double kInformed = 0.5;
 // Pull on family labels relative to the region's stiffness: larger lets labels change over shorter
