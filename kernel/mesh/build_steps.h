@@ -30,9 +30,11 @@ void mend_sliver_normals(const TriMesh& mesh, const Topology& topology, std::vec
 void classify_edges(ProxyMesh& proxy, const std::vector<Vec3>& normals, double crease_angle,
                     const RunContext& context);
 
-/// Makes short chains of creases smooth that end inside a smooth region at all their ends: noise,
-/// not form.
-void prune_hairs(ProxyMesh& proxy, const RunContext& context);
+/// Makes creases smooth that are noise, not form: short chains that end inside a smooth region at
+/// all their ends, and small groups of creases where the smooth edges around bend both ways.
+/// `crease_angle` in radians.
+void prune_noise(ProxyMesh& proxy, const std::vector<Vec3>& normals, double crease_angle,
+                 const RunContext& context);
 
 /// Fills face_region and region_count from edge_kind.
 void find_regions(ProxyMesh& proxy);

@@ -3,6 +3,8 @@
 
 #include "build_steps.h"
 
+#include <numbers>
+
 namespace burin {
 
 Vec3 ProxyMesh::position(std::uint32_t face, Vec3 bary) const {
@@ -30,7 +32,7 @@ ProxyMesh build_proxy(TriMesh mesh, const ProxyOptions& options, const RunContex
                   });
   mend_sliver_normals(proxy.mesh, proxy.topology, normals, context);
   classify_edges(proxy, normals, options.crease_angle, context);
-  prune_hairs(proxy, context);
+  prune_noise(proxy, normals, options.crease_angle * std::numbers::pi / 180, context);
   // Floods are serial: they run beside the rest, which does not need them.
   parallel_invoke(
       [&] {
