@@ -24,6 +24,8 @@ struct Case {
   const char* options;
 };
 
+void PrintTo(const Case& c, std::ostream* out) { *out << c.name; }
+
 // Small sheets keep the files small.
 const Case kCases[] = {
     {"bracket_outline.json", "bracket.off", "--style outline --view 1,-1,0.8 --paper 100x80"},
