@@ -34,12 +34,20 @@ class Rounder {
   // The nearest point before (step = -1) or after (+1) point i that is far enough away to tell a
   // direction: the ends of very short segments, at edges crossed close to a vertex, do not.
   std::optional<std::size_t> far_point(std::size_t i, int step, double length) const {
-    for (std::size_t k = 1; k < size(); ++k) {
+    for (std::size_t k = 1; k < std::min(size(), kFewPoints); ++k) {
       if (!in_.closed && (step < 0 ? k > i : i + k >= size())) return std::nullopt;
       const std::size_t j = step < 0 ? (i + size() - k) % size() : (i + k) % size();
       if (glm::distance(in_.points[j], in_.points[i]) >= kFarEnough * length) return j;
     }
     return std::nullopt;
+  }
+
+  // Whether the curve goes on from point i in much finer steps than a segment of this length.
+  bool much_finer(std::size_t i, int step, double length) const {
+    const std::size_t k = kFewPoints - 1;
+    if (size() <= k || (!in_.closed && (step < 0 ? k > i : i + k >= size()))) return false;
+    const std::size_t j = step < 0 ? (i + size() - k) % size() : (i + k) % size();
+    return glm::distance(in_.points[j], in_.points[i]) < kFarEnough * length;
   }
 
   // The unit tangent at the end `i` of a segment towards its other end `other`; nothing at a
@@ -65,7 +73,8 @@ class Rounder {
     // A missing end: the parabola that the other end asks for.
     const Vec3 unit = normalize_or(q - p, Vec3(1, 0, 0));
     Vec3 from = unit, to = unit;
-    if (at_p || at_q) {
+    const bool straight = much_finer(i, -1, length) || much_finer(j, +1, length);
+    if ((at_p || at_q) && !straight) {
       from = at_p ? *at_p : 2 * glm::dot(-*at_q, unit) * unit + *at_q;
       to = at_q ? -*at_q : 2 * glm::dot(*at_p, unit) * unit - *at_p;
       const double bulge = length * camera_.scale_at(p) / 8 * glm::length(to - from);
@@ -85,7 +94,10 @@ class Rounder {
     }
   }
 
-  static constexpr double kFarEnough = 0.25;    // of the segment that is to be rounded
+  static constexpr double kFarEnough = 0.25;  // of the segment that is to be rounded
+  // Where as many points lie nearer, the segment is a straight one beside a fine curve (a cone that
+  // ends in a fillet).
+  static constexpr std::size_t kFewPoints = 4;
   static constexpr double kSmoothTurn = 0.766;  // cosine of 40 degrees: a sharper turn is a corner
 
   const Curve3& in_;

@@ -116,6 +116,12 @@ std::optional<Vec3> SmoothedField::direction(const FieldQuery& q) const {
   return nearest_arm(x, y, q.previous);
 }
 
+double SmoothedField::certainty(const FieldQuery& q) const {
+  const Part& part = *parts_[static_cast<std::size_t>(q.part)];
+  const ProxyPoint at = part.surface->to_proxy(q.point);
+  return part.flats.face_patch[at.face] >= 0 ? 2 : q.frame.confidence;
+}
+
 std::vector<Singularity> SmoothedField::singularities(std::int32_t part) const {
   const Part& p = *parts_[static_cast<std::size_t>(part)];
   std::vector<Singularity> found;
@@ -134,7 +140,8 @@ const std::vector<std::int32_t>& SmoothedField::flat_patches(std::int32_t part) 
 Field smoothed(std::vector<const Surface*> surfaces, const SmoothedOptions& options,
                const RunContext& context) {
   auto built = std::make_shared<const SmoothedField>(std::move(surfaces), options, context);
-  return {"smoothed", [built](const FieldQuery& q) { return built->direction(q); }};
+  return {"smoothed", [built](const FieldQuery& q) { return built->direction(q); },
+          [built](const FieldQuery& q) { return built->certainty(q); }};
 }
 
 }  // namespace burin::field

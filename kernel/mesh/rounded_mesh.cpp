@@ -1,35 +1,44 @@
 #include <burin/mesh/rounded_mesh.h>
 
 #include <algorithm>
+#include <limits>
 
 namespace burin {
 
 namespace {
 
-// An edge whose normals ask for a bulge of more than about this share of its length is no sample of
-// a smooth surface.
-constexpr double kMostLift = 0.27;
+// The bulge that an edge may have, as a share of the shortest edge at its ends, by three: a smooth
+// surface sampled evenly turns by at most the crease angle over an edge, which is a bulge of about
+// 0.07 edges. Where facets are long and thin (a cone as CAD programs export it) the normals at a
+// faint kink would bend the long edges far outward: there the bulge is that of the fine direction.
+constexpr double kMostLift = 3 * 0.15;
 
 }  // namespace
 
 RoundedMesh::RoundedMesh(const ProxyMesh& proxy)
-    : proxy_(&proxy), sharp_(proxy.mesh.positions.size(), 0) {
-  for (std::size_t h = 0; h < proxy.edge_kind.size(); ++h) {
-    if (proxy.edge_kind[h] == EdgeKind::Smooth) continue;
-    sharp_[origin(proxy.mesh, static_cast<HalfEdge>(h))] = 1;
-    sharp_[origin(proxy.mesh, next_in_face(static_cast<HalfEdge>(h)))] = 1;
+    : proxy_(&proxy), finest_(proxy.mesh.positions.size(), std::numeric_limits<float>::max()) {
+  const TriMesh& mesh = proxy.mesh;
+  for (std::size_t f = 0; f < mesh.triangles.size(); ++f) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::uint32_t a = mesh.triangles[f][k], b = mesh.triangles[f][(k + 1) % 3];
+      const bool smooth = proxy.edge_kind[3 * f + k] == EdgeKind::Smooth;
+      const float length =
+          smooth ? static_cast<float>(glm::distance(mesh.positions[a], mesh.positions[b])) : 0.0f;
+      finest_[a] = std::min(finest_[a], length);
+      finest_[b] = std::min(finest_[b], length);
+    }
   }
 }
 
 // What the control point of the edge's cubic beside wedge a is off the straight edge, times three:
 // the edge projected onto the plane of a's normal.
 Vec3 RoundedMesh::control_lift(std::uint32_t a, std::uint32_t b) const {
-  if (sharp_[proxy_->wedge_vertex[a]] || sharp_[proxy_->wedge_vertex[b]]) return Vec3(0);
-  const Vec3 chord = proxy_->wedge_position(b) - proxy_->wedge_position(a);
+  const double most =
+      kMostLift * std::min(finest_[proxy_->wedge_vertex[a]], finest_[proxy_->wedge_vertex[b]]);
+  if (most <= 0) return Vec3(0);
   const Vec3& n = proxy_->wedge_normal[a];
-  const Vec3 lift = -glm::dot(chord, n) * n;
-  const double most = 3 * kMostLift * glm::length(chord), high = glm::length(lift);
-  return high > most ? most / high * lift : lift;
+  const double lift = -glm::dot(proxy_->wedge_position(b) - proxy_->wedge_position(a), n);
+  return std::clamp(lift, -most, most) * n;
 }
 
 Vec3 RoundedMesh::on_edge(std::uint32_t a, std::uint32_t b, double t) const {

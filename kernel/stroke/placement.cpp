@@ -32,18 +32,15 @@ class Placement {
         rng_(picture.options.seed, 0, static_cast<std::uint64_t>(family)) {}
 
   // A stroke through a point, if it keeps `share` of the spacing from all others and is long
-  // enough. It takes the arm of the field nearest to `toward`, the direction of the stroke it is a
-  // neighbour of: so the strokes of a patch belong together even where the field's families change
-  // names.
-  void start(std::int32_t part, const SurfacePoint& point, Vec3 toward, double share) {
+  // enough.
+  void start(std::int32_t part, const SurfacePoint& point, double share) {
     StrokeSample seed;
-    if (!tracer_.seed(part, point, family_, toward, seed) || !tracer_.free(part, seed, share))
-      return;
+    if (!tracer_.seed(part, point, Vec3(0), seed) || !tracer_.free(part, seed, share)) return;
     TracedStroke stroke = tracer_.trace(part, seed, reach());
     if (family_ == 1 && narrow(stroke)) {
       // Across a narrow strip the strokes would be a fringe: go along it.
       StrokeSample along;
-      if (tracer_.seed(part, point, family_, glm::cross(seed.normal, seed.tangent), along)) {
+      if (tracer_.seed(part, point, glm::cross(seed.normal, seed.tangent), along)) {
         TracedStroke other = tracer_.trace(part, along, reach());
         if (other.length() > 2 * stroke.length()) stroke = std::move(other);
       }
@@ -60,7 +57,7 @@ class Placement {
           // A copy: `start` may grow the list of strokes.
           const StrokeSample s = out_.strokes[done_].samples[i];
           const auto at = offset(out_.strokes[done_].part, s, side, tracer_.spacing(s));
-          if (at) start(out_.strokes[done_].part, *at, s.tangent, kBeside);
+          if (at) start(out_.strokes[done_].part, *at, kBeside);
         }
       }
     }
@@ -83,7 +80,7 @@ class Placement {
           const double width = side > 0 ? gap.left : gap.right;
           if (width > kGap * d && width < 2.1 * d) {
             const auto at = offset(out_.strokes[stroke].part, s, side, 0.5 * width);
-            if (at) start(out_.strokes[stroke].part, *at, s.tangent, kInGap);
+            if (at) start(out_.strokes[stroke].part, *at, kInGap);
           }
         }
       }
@@ -196,7 +193,7 @@ Family place_family(const Picture& picture, const ViewRaster& raster,
       context.check();
       progress(static_cast<double>(i) / static_cast<double>(seeds.size()));
     }
-    placement.start(seeds[i].part, seeds[i].point, Vec3(0), Placement::anywhere());
+    placement.start(seeds[i].part, seeds[i].point, Placement::anywhere());
     placement.fill_beside(context);
   }
   placement.fill_gaps(context);

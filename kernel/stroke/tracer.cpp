@@ -15,6 +15,8 @@ constexpr double kMaxTurn = 0.7;     // cosine of the turn in one step that stil
 constexpr double kTestShare =
     0.55;                           // of the spacing: a stroke ends nearer than that to a neighbour
 constexpr double kRunUp = 2.5;      // how much closer to a stroke that crosses its way
+constexpr double kOwnArm = 0.7;     // cosine up to which a direction is that of the family
+constexpr double kForeign = 1.2;    // paper mm that a stroke may run along another family's arm
 constexpr int kMaxSamples = 20000;  // a bound where length_max is set absurdly high
 
 // Where the surface turns away its lines draw together on paper and run into the outline; ended at
@@ -51,12 +53,16 @@ double Tracer::spacing(const StrokeSample& s) const {
   return d * (1 - f + f * std::max(kept, 0.2));  // never denser than five times
 }
 
-bool Tracer::fill(std::int32_t part, const SurfacePoint& point, Vec3 previous, int arm,
+bool Tracer::fill(std::int32_t part, const SurfacePoint& point, Vec3 previous,
                   StrokeSample& out) const {
   const Surface& surface = picture_.surface(part);
   const Frame frame = surface.frame(point);
-  const auto direction = picture_.field.direction({part, point, frame, previous, arm});
+  const auto direction = picture_.field.direction({part, point, frame, previous, family_});
   if (!direction) return false;
+  if (previous != Vec3(0)) {
+    const auto own = picture_.field.direction({part, point, frame, Vec3(0), family_});
+    out.own = !own || std::abs(glm::dot(*own, *direction)) > kOwnArm;
+  }
   const Camera& camera = picture_.camera;
   const ProxyPoint place = surface.to_proxy(point);
   out.point = point;
@@ -89,9 +95,9 @@ bool Tracer::seen(std::int32_t part, const StrokeSample& s) const {
   return nearer <= picture_.same_place;
 }
 
-bool Tracer::seed(std::int32_t part, const SurfacePoint& point, int arm, Vec3 toward,
+bool Tracer::seed(std::int32_t part, const SurfacePoint& point, Vec3 toward,
                   StrokeSample& out) const {
-  return fill(part, point, toward, arm, out) && out.visible && out.facing > kMinFacing &&
+  return fill(part, point, toward, out) && out.visible && out.facing > kMinFacing &&
          seen(part, out);
 }
 
@@ -118,7 +124,8 @@ StrokeEnd Tracer::extend(std::int32_t part, const StrokeSample& seed, double sig
   const Camera& camera = picture_.camera;
   StrokeSample at = seed;
   at.tangent *= sign;
-  double travelled = 0, unseen = 0;
+  double travelled = 0, unseen = 0, foreign = 0;
+  std::size_t last_own = 0;
   for (int i = 0; i < kMaxSamples; ++i) {
     const double scale = camera.scale_at(at.point.position);
     const double speed = glm::length(camera.velocity(at.point.position, at.tangent)) / scale;
@@ -139,7 +146,7 @@ StrokeEnd Tracer::extend(std::int32_t part, const StrokeSample& seed, double sig
     }
     StrokeSample next;
     const bool ends = step.stop != MarchStop::Completed;
-    if (!fill(part, step.end, step.direction, family_, next)) return StrokeEnd::Singular;
+    if (!fill(part, step.end, step.direction, next)) return StrokeEnd::Singular;
     if (ends) next.tangent = normalize_or(step.direction, at.tangent);
     if (glm::dot(next.tangent, step.direction) < kMaxTurn * glm::length(step.direction)) {
       return StrokeEnd::Singular;
@@ -149,6 +156,16 @@ StrokeEnd Tracer::extend(std::int32_t part, const StrokeSample& seed, double sig
       return StrokeEnd::Away;
     }
     const double ds = glm::length(next.paper - at.paper);
+    // The families change names along seams of the field. A stroke that ran on there would cross
+    // the other side's strokes' way and leave stubs of them.
+    foreign = seed.own && !next.own ? foreign + ds : 0;
+    if (foreign == 0) last_own = out.size() + 1;
+    if (foreign > kForeign) {
+      // One sample past the seam, where the other side's strokes end too: no white line between
+      // them.
+      out.resize(std::min(out.size(), last_own + 1));
+      return StrokeEnd::Met;
+    }
     if (unseen > 0 || i % static_cast<int>(kProbeEvery) == 0) {
       unseen = seen(part, next) ? 0 : unseen + std::max(ds, 0.1 * kStep);
     }

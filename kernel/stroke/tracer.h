@@ -26,6 +26,7 @@ struct StrokeSample {
   std::uint32_t face = 0;  // of the proxy
   std::int32_t region = -1;
   bool visible = true;
+  bool own = true;  // the stroke runs along the arm that the field gives its family here
 };
 
 struct TracedStroke {
@@ -49,10 +50,9 @@ class Tracer {
       : picture_(picture), grid_(neighbours), family_(family) {}
 
   /// The sample at a surface point; false where the field is singular or the point turned away or
-  /// hidden. The direction is the arm of the field nearest to `toward` (model space), or the
-  /// family's own arm where that is the zero vector.
-  bool seed(std::int32_t part, const SurfacePoint& point, int arm, Vec3 toward,
-            StrokeSample& out) const;
+  /// hidden. The direction is the family's own, or the arm of the field nearest to `toward` (model
+  /// space) where that is not zero.
+  bool seed(std::int32_t part, const SurfacePoint& point, Vec3 toward, StrokeSample& out) const;
 
   /// The unit direction on paper that a stroke coming in along `previous` (model space) has at a
   /// surface point.
@@ -69,8 +69,7 @@ class Tracer {
   bool free(std::int32_t part, const StrokeSample& s, double share) const;
 
  private:
-  bool fill(std::int32_t part, const SurfacePoint& point, Vec3 previous, int arm,
-            StrokeSample& out) const;
+  bool fill(std::int32_t part, const SurfacePoint& point, Vec3 previous, StrokeSample& out) const;
   bool seen(std::int32_t part, const StrokeSample& s) const;
   StrokeEnd extend(std::int32_t part, const StrokeSample& seed, double sign, double reach,
                    std::vector<StrokeSample>& out) const;

@@ -29,10 +29,16 @@ struct FieldQuery {
 /// Returns a unit tangent, or nothing where the field is singular.
 using DirectionFn = std::function<std::optional<Vec3>(const FieldQuery&)>;
 
-/// A named direction field. `direction` may be called from many threads.
+/// How clearly the field speaks at a seed: 0 = by chance, up to 1 = the shape says so, 2 = decided
+/// for a whole face.
+using CertaintyFn = std::function<double(const FieldQuery&)>;
+
+/// A named direction field. The functions may be called from many threads.
 struct Field {
   std::string name;
   DirectionFn direction;
+  /// Strokes start where it is largest. Absent = the frame's confidence.
+  CertaintyFn certainty{};
 };
 
 namespace field {

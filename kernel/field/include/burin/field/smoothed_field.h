@@ -29,6 +29,10 @@ class SmoothedField {
   /// As DirectionFn.
   std::optional<Vec3> direction(const FieldQuery& query) const;
 
+  /// As CertaintyFn: 2 on flat parts, which have one direction each, elsewhere the frame's
+  /// confidence.
+  double certainty(const FieldQuery& query) const;
+
   /// The curved triangles of a part around which the crosses turn. On a closed, curved surface the
   /// indices add up to four times the Euler characteristic.
   std::vector<Singularity> singularities(std::int32_t part) const;

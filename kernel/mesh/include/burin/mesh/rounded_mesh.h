@@ -26,7 +26,8 @@ class RoundedMesh {
   Vec3 control_lift(std::uint32_t a, std::uint32_t b) const;
 
   const ProxyMesh* proxy_;
-  std::vector<std::uint8_t> sharp_;  // a vertex: whether a crease or boundary passes
+  // A vertex: the length of its shortest edge in model mm; 0 where a crease or boundary passes.
+  std::vector<float> finest_;
 };
 
 }  // namespace burin
