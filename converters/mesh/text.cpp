@@ -110,10 +110,10 @@ std::size_t TextCursor::count(const char* what, std::size_t bytes_each) {
 void TextCursor::expected(const char* what) {
   if (at_end())
     fail(fmt::format("the file ends where {} should be; it is truncated, export it again", what));
-  if (at_line_end()) fail(fmt::format("the line ends where {} should be", what));
+  if (at_line_end()) fail(fmt::format("the line ends where {} should be; export it again", what));
   const char* begin = p_;
   const std::string found = in_quotes(token());
-  source_.fail_at_line(begin, fmt::format("{} is not {}", found, what));
+  source_.fail_at_line(begin, fmt::format("{} is not {}; export it again", found, what));
 }
 
 }  // namespace burin
