@@ -82,7 +82,8 @@ void ObjReader::corner() {
   while (*p >= '0' && *p <= '9' && p - digits < 12) value = 10 * value + (*p++ - '0');
   const bool ends = *p == '/' || *p == '\\' || *p == '#' || is_blank(*p) || is_line_end(*p) ||
                     p == begin + text_.left();
-  if (p == digits || !ends) text_.fail(in_quotes(text_.token()) + " is not a corner of a face; export it again");
+  if (p == digits || !ends)
+    text_.fail(in_quotes(text_.token()) + " is not a corner of a face; export it again");
   if (negative) value = static_cast<std::int64_t>(positions_.size()) + 1 - value;
   if (value < 1 || value >= kNone) {
     text_.fail(fmt::format(

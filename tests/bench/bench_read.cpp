@@ -1,10 +1,10 @@
 // Reading and repair of a torus of a million triangles in each format.
 #include <burin/converters/mesh_reader.h>
 #include <burin/mesh/repair.h>
-#include <burin_test/mesh_files.h>
-#include <burin_test/shapes.h>
 
 #include <benchmark/benchmark.h>
+#include <burin_test/mesh_files.h>
+#include <burin_test/shapes.h>
 
 namespace burin {
 namespace {
