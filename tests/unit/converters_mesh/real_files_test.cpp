@@ -5,8 +5,8 @@
 
 #include "reading.h"
 
+#include <cctype>
 #include <map>
-#include <regex>
 #include <sstream>
 
 namespace burin {
@@ -31,15 +31,21 @@ std::vector<Listed> listed() {
   return out;
 }
 
+/// The whole number that ends where `at` is, e.g. 12 in "12 tris" at 2; -1 where there is none.
+std::int64_t number_before(const std::string& content, std::size_t at) {
+  std::size_t begin = at;
+  while (begin > 0 && std::isdigit(static_cast<unsigned char>(content[begin - 1]))) --begin;
+  return begin == at ? -1 : std::stoll(content.substr(begin, at - begin));
+}
+
 std::int64_t number(const std::string& content, const std::string& unit) {
-  std::smatch m;
-  if (!std::regex_search(content, m, std::regex("(-?[0-9]+) " + unit))) return -1;
-  return std::stoll(m[1]);
+  const std::size_t at = content.find(" " + unit);
+  return at == std::string::npos ? -1 : number_before(content, at);
 }
 
 std::int64_t euler(const std::string& content) {
-  std::smatch m;
-  return std::regex_search(content, m, std::regex("chi (-?[0-9]+)")) ? std::stoll(m[1]) : -999;
+  const std::size_t at = content.find("chi ");
+  return at == std::string::npos ? -999 : std::stoll(content.substr(at + 4));
 }
 
 /// What the whole file adds up to after repair; throws where a part is not manifold.
