@@ -24,7 +24,7 @@ constexpr double kAgreement = 0.04;
 constexpr double kCrease = 4;
 // Pull of the style's direction on a region, relative to the stiffness of the region as a whole:
 // where nothing else pulls, and where something does (there it only decides what is open).
-constexpr double kFallback = 8;
+constexpr double kFallback = 200;
 constexpr double kOpen = 1e-6;
 // A region whose curvature pulls with more than this has a field of its own.
 constexpr double kInformed = 0.5;

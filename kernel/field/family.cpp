@@ -2,6 +2,7 @@
 
 #include <burin/base/parallel.h>
 
+#include "islands.h"
 #include "multigrid.h"
 
 #include <array>
@@ -36,7 +37,7 @@ std::vector<Vec2> choose_family(const ProxyMesh& proxy, const WedgeGraph& graph,
   Links<double> signs;
   signs.first = links.first;
   signs.neighbour = links.neighbour;
-  signs.stiffness = links.stiffness;
+  signs.stiffness.assign(n, 0);
   std::vector<double> pull(n, 0);
   signs.coupling.resize(links.coupling.size());
   for_wedges([&](std::size_t w) {
@@ -45,11 +46,13 @@ std::vector<Vec2> choose_family(const ProxyMesh& proxy, const WedgeGraph& graph,
       const Vec2 r = wedge_turn(proxy, graph, j, static_cast<std::uint32_t>(w));
       const double agree = glm::dot(line[w], complex_mul(complex_square(r), line[j]));
       signs.coupling[k] = agree * glm::length(links.coupling[k]);
+      signs.stiffness[w] += std::abs(signs.coupling[k]);
     }
     pull[w] = glm::dot(targets.line_pull[w], line[w]);
   });
-  const std::vector<double> sign =
+  std::vector<double> sign =
       minimise(Hierarchy<double>(signs, context), targets.line_mass, pull, context);
+  join_islands(signs, pull, sign);
   for_wedges([&](std::size_t w) {
     if (sign[w] < 0) line[w] = -line[w];
   });

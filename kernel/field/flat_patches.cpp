@@ -234,6 +234,9 @@ class Finder {
       if (smooth_opposite(h) != kNoHalfEdge) smooth.push_back(h);
     }
     if (smooth.empty()) return true;
+    Box3 box;
+    for (const HalfEdge h : outline_[p]) box.add(corner(h));
+    if (box.diagonal() < kMinWidth * size_) return false;
     const std::size_t stride = (smooth.size() + kMaxSamples - 1) / kMaxSamples;
     double border = 0, wider = 0;
     for (std::size_t i = 0; i < smooth.size(); i += stride) {
