@@ -9,6 +9,9 @@
 namespace burin::field {
 namespace {
 
+// Strokes go on over smooth borders, not over creases: these count so many times in the mean
+// direction.
+constexpr double kSmoothWeight = 4;
 // An outline whose mean direction is weaker than this has none: a circle's is 0, a square's 1.
 constexpr double kMinDominance = 0.15;
 // Share of the outline from which a smooth border decides how a part without a direction is drawn.
@@ -25,11 +28,12 @@ Vec2 mean_outline(const std::vector<OutlineEdge>& outline, const TangentBasis& b
   Vec2 sum(0);
   double total = 0;
   for (const OutlineEdge& edge : outline) {
-    const Vec2 e = basis.coords(edge.vector);
-    const double length = glm::length(e);
+    const Vec2 arm = basis.coords(edge.arm);
+    const double length = glm::length(arm);
     if (!(length > 0)) continue;
-    sum += length * complex_square(complex_square(e / length));
-    total += length;
+    const double weight = (edge.smooth ? kSmoothWeight : 1) * glm::length(edge.vector);
+    sum += weight * complex_square(complex_square(arm / length));
+    total += weight;
   }
   return total > 0 ? sum / total : Vec2(0);
 }

@@ -29,12 +29,14 @@ struct FlatPatch {
   void swap_families();
 };
 
-/// An edge of a flat part's outline: its middle, its vector, and whether the surface goes on
-/// smoothly behind it.
+/// An edge of a flat part's outline: its middle, its vector, whether the surface goes on smoothly
+/// behind it, and an arm of the cross that strokes have there (the edge itself at a crease, a
+/// principal direction at a smooth border).
 struct OutlineEdge {
   Vec3 middle{0};
   Vec3 vector{0};
   bool smooth = false;
+  Vec3 arm{0};
 };
 
 /// The cross of a flat part. It is constant and follows the outline (the mean of the outline's

@@ -39,10 +39,15 @@ constexpr std::size_t kMaxSamples = 48;
 constexpr double kExact = 5e-4;
 constexpr double kBend = 0.35;
 
+// Confidence from which principal directions are followed at a smooth border.
+constexpr double kSure = 0.5;
+
 class Finder {
  public:
-  Finder(const ProxyMesh& proxy, Vec3 fallback, const RunContext& context)
+  Finder(const ProxyMesh& proxy, const std::vector<Frame>& frames, Vec3 fallback,
+         const RunContext& context)
       : proxy_(proxy),
+        frames_(frames),
         fallback_(fallback),
         context_(context),
         size_(proxy.mesh.bounds().diagonal()) {}
@@ -262,12 +267,17 @@ class Finder {
     std::vector<OutlineEdge> edges;
     for (const HalfEdge h : outline_[p]) {
       const Vec3 a = corner(h), b = corner(next_in_face(h));
-      if (a != b) edges.push_back({0.5 * (a + b), b - a, smooth_opposite(h) != kNoHalfEdge});
+      if (a == b) continue;
+      OutlineEdge edge{0.5 * (a + b), b - a, smooth_opposite(h) != kNoHalfEdge, b - a};
+      const Frame& f = frames_[proxy_.wedges[face_of(h)][static_cast<std::size_t>(h % 3)]];
+      if (edge.smooth && f.confidence > kSure) edge.arm = f.d1;
+      edges.push_back(edge);
     }
     return flat_cross(normalize_or(area_vector_[p], Vec3(0, 0, 1)), edges, fallback_);
   }
 
   const ProxyMesh& proxy_;
+  const std::vector<Frame>& frames_;
   Vec3 fallback_;
   const RunContext& context_;
   double size_;
@@ -282,8 +292,9 @@ class Finder {
 
 }  // namespace
 
-FlatPatches find_flat_patches(const ProxyMesh& proxy, Vec3 fallback, const RunContext& context) {
-  return Finder(proxy, fallback, context).run();
+FlatPatches find_flat_patches(const ProxyMesh& proxy, const std::vector<Frame>& frames,
+                              Vec3 fallback, const RunContext& context) {
+  return Finder(proxy, frames, fallback, context).run();
 }
 
 }  // namespace burin::field

@@ -2,7 +2,7 @@
 /// Flat parts of a surface, which get one direction each.
 
 #include <burin/base/run_context.h>
-#include <burin/mesh/proxy_mesh.h>
+#include <burin/surface/surface.h>
 
 #include "flat_cross.h"
 
@@ -21,6 +21,7 @@ struct FlatPatches {
 /// Finds coplanar triangles and tells flat parts from the facets of curved ones: a flat part is
 /// bounded by creases, or is much wider than the facets that it goes over into. Their directions
 /// are those of `flat_cross`.
-FlatPatches find_flat_patches(const ProxyMesh& proxy, Vec3 fallback, const RunContext& context);
+FlatPatches find_flat_patches(const ProxyMesh& proxy, const std::vector<Frame>& frames,
+                              Vec3 fallback, const RunContext& context);
 
 }  // namespace burin::field

@@ -1,4 +1,3 @@
-#include <burin/base/parallel.h>
 #include <burin/field/smoothed_field.h>
 #include <burin/surface/tangent_basis.h>
 
@@ -36,9 +35,8 @@ struct SmoothedField::Part {
 
   Part(const Surface& s, const SmoothedOptions& options, const RunContext& context) : surface(&s) {
     const ProxyMesh& proxy = s.proxy();
-    std::vector<Frame> frames;
-    parallel_invoke([&] { flats = find_flat_patches(proxy, options.fallback, context); },
-                    [&] { frames = s.wedge_frames(context); });
+    std::vector<Frame> frames = s.wedge_frames(context);
+    flats = find_flat_patches(proxy, frames, options.fallback, context);
     std::vector<std::uint8_t> skipped(flats.face_patch.size());
     for (std::size_t f = 0; f < skipped.size(); ++f) skipped[f] = flats.face_patch[f] >= 0;
     WedgeGraph graph = build_wedge_graph(proxy, skipped, context);
