@@ -10,6 +10,9 @@ namespace {
 
 constexpr double kBlur = 0.9;  // paper mm, half width of each of the box blurs
 constexpr int kRounds = 4;     // of correction
+// A width may leave its first guess by this factor: a stroke that is left alone in a fading tone
+// must not swell to a leaf to make up for its neighbours.
+constexpr double kMostCorrection = 1.6;
 constexpr double kMetTaper =
     0.5;  // paper mm over which a stroke thins out that runs up to another one
 constexpr double kSmoothing = 1.2;  // paper mm over which widths are evened out along a stroke
@@ -109,6 +112,7 @@ class WidthSolver {
           },
           &context_);
     }
+    guess_ = widths_;
   }
 
   std::vector<double> guess(std::size_t f, std::size_t id) const {
@@ -237,7 +241,10 @@ class WidthSolver {
           if (have > 0) w[i] *= std::clamp(want / have, 0.5, 2.0);
         }
         smooth(strokes[id], w);
-        for (double& width : w) width = limit(width);
+        const std::vector<double>& guess = guess_[f][id];
+        for (std::size_t i = 0; i < w.size(); ++i) {
+          w[i] = limit(std::clamp(w[i], guess[i] / kMostCorrection, guess[i] * kMostCorrection));
+        }
       }
     });
   }
@@ -248,7 +255,7 @@ class WidthSolver {
   const RunContext& context_;
   std::int32_t radius_;
   Plane mask_, blurred_mask_;
-  Widths widths_, taper_;
+  Widths widths_, guess_, taper_;
 
  public:
   const Widths& tapers() const { return taper_; }
