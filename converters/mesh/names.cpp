@@ -44,12 +44,11 @@ std::string clean_name(std::string_view name) {
   while (!name.empty() && out.size() < kLongestName) {
     const std::size_t length = utf8 ? utf8_length(name) : 1;
     const auto lead = static_cast<std::uint8_t>(name[0]);
-    if (lead < 0x20 || lead == 0x7f) {
+    const bool control = lead < 0x20 || lead == 0x7f || (!utf8 && lead >= 0x80 && lead < 0xa0);
+    if (control) {
       out += ' ';
     } else if (lead < 0x80 || utf8) {
       out += name.substr(0, length);
-    } else if (lead < 0xa0) {
-      out += ' ';  // a control character of Latin-1
     } else {
       out += static_cast<char>(0xc0 | lead >> 6);
       out += static_cast<char>(0x80 | (lead & 0x3f));

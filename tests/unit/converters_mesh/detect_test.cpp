@@ -31,11 +31,10 @@ TEST(Detect, EmptyFiles) {
 TEST(Detect, OtherFilesUnderAMeshName) {
   expect_error("version https://git-lfs.github.com/spec/v1\noid sha256:0\n", "a.stl", 0,
                "Git LFS pointer");
-  expect_error(
-      "\xfe\xff\0v\0 \0"
-      "1",
-      "a.obj", 0, "UTF-16");
-  expect_error("\xff\xfev\0 \0", "a.obj", 0, "UTF-16");
+  // The bytes of "v 1" in both orders, behind their marks.
+  const std::string zero(1, '\0');
+  expect_error("\xfe\xff" + zero + "v" + zero + " " + zero + "1", "a.obj", 0, "UTF-16");
+  expect_error("\xff\xfev" + zero + " " + zero + "1" + zero, "a.obj", 0, "UTF-16");
   expect_error("ISO-10303-21;\nHEADER;\n", "a.stl", 0, "is a STEP file");
   expect_error("DBRep_DrawableShape\n", "a.stl", 0, "BREP");
   expect_error("\x1f\x8b\x08", "a.stl", 0, "gzip");
