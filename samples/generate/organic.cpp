@@ -52,9 +52,10 @@ std::vector<Solid> gyroid() {
     const double k = 2 * kPi / 34;
     const double g = std::sin(k * p.x) * std::cos(k * p.y) + std::sin(k * p.y) * std::cos(k * p.z) +
                      std::sin(k * p.z) * std::cos(k * p.x);
-    // The gradient of the gyroid is about 1.5 k, so this is nearly a distance.
-    const double wall = std::abs(g) / (1.5 * k) - 3.0;
-    return smooth_max(wall, glm::length(p) - 38, 4.5);
+    // The gradient of the gyroid is about 1.5 k, so this is nearly the distance from the middle of
+    // the sheet. With the distance from the ball as the other leg, the sheet ends in a round rim.
+    const double across = g / (1.5 * k), beyond = std::max(0.0, glm::length(p) - 36);
+    return std::hypot(across, beyond) - 3.0;
   };
   return {{"gyroid", mesh_implicit(field, {-41, -41, -41}, {41, 41, 41}, 1.3)}};
 }
