@@ -135,9 +135,9 @@ const std::vector<std::int32_t>& SmoothedField::flat_patches(std::int32_t part) 
   return parts_[static_cast<std::size_t>(part)]->flats.face_patch;
 }
 
-Field smoothed(std::vector<const Surface*> surfaces, const SmoothedOptions& options,
+Field smoothed(const std::vector<const Surface*>& surfaces, const SmoothedOptions& options,
                const RunContext& context) {
-  auto built = std::make_shared<const SmoothedField>(std::move(surfaces), options, context);
+  auto built = std::make_shared<const SmoothedField>(surfaces, options, context);
   return {"smoothed", [built](const FieldQuery& q) { return built->direction(q); },
           [built](const FieldQuery& q) { return built->certainty(q); }};
 }

@@ -6,7 +6,6 @@
 namespace burin {
 namespace {
 
-using test::kPi;
 using test::Probe;
 
 TEST(FixedField, IsTheTangentPartOfItsDirection) {

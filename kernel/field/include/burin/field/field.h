@@ -62,7 +62,7 @@ struct SmoothedOptions {
 /// at a seed, the arm nearest to the direction of larger absolute curvature (in regions without
 /// one: to the region's fixed choice).
 /// @cite Knoeppel2013
-Field smoothed(std::vector<const Surface*> surfaces, const SmoothedOptions& options,
+Field smoothed(const std::vector<const Surface*>& surfaces, const SmoothedOptions& options,
                const RunContext& context);
 
 }  // namespace field
