@@ -43,7 +43,7 @@ struct MeshInfo {
 };
 
 /// Reads, repairs and measures. Throws InputError as `read_mesh_file` does. Cost: for
-/// self-intersections about 4 s a million triangles.
+/// self-intersections about 1 s a million triangles.
 MeshInfo inspect_mesh(const std::filesystem::path& path, const RunContext& context);
 
 /// A few lines for a reader.

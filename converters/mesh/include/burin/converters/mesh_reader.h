@@ -25,7 +25,7 @@ bool is_mesh_suffix(const std::filesystem::path& path);
 
 /// Reads a file without mending anything. The format follows from the content where that is clear,
 /// else from the suffix. Throws InputError with the line (text formats) or the byte offset (binary
-/// ones). Never allocates more than the bytes of the file can hold. Cost: 0.2 s a million triangles
+/// ones). Never allocates more than the bytes of the file can hold. Cost: 0.1 s a million triangles
 /// of binary STL.
 MeshFile read_mesh_file(const std::filesystem::path& path, const RunContext& context);
 

@@ -21,7 +21,7 @@ struct RepairOptions {
 /// uses go. Each kind of defect becomes one entry of `diagnostics` (codes "mesh.*", listed in
 /// kernel/docs/readers.md), with its count and what was done. The result satisfies `build_topology`
 /// and is the same for any number of threads. Throws GeometryError where no triangle is left, and
-/// where the soup's indices are wrong. Cost: 0.05 s for a clean million triangles on 2 cores; 0.4 s
+/// where the soup's indices are wrong. Cost: 0.05 s for a clean million triangles on 2 cores; 0.5 s
 /// for a broken one. @cite Gueziec2001, Meisters1975
 TriMesh repair(PolygonSoup soup, const RepairOptions& options, Diagnostics& diagnostics,
                const RunContext& context);
