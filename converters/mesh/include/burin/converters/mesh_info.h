@@ -42,8 +42,8 @@ struct MeshInfo {
   PartInfo total() const;
 };
 
-/// Reads, repairs and measures. Throws InputError as `read_mesh_file` does. Cost: for
-/// self-intersections about 1 s a million triangles.
+/// Reads, repairs and measures. Throws InputError as `read_mesh_file` does. Cost: about
+/// 2 s of processor time a million triangles.
 MeshInfo inspect_mesh(const std::filesystem::path& path, const RunContext& context);
 
 /// A few lines for a reader.
