@@ -57,13 +57,15 @@ struct ProxyMesh {
 
 struct ProxyOptions {
   /// An edge is a crease where the normals of its two triangles differ by more than this angle in
-  /// degrees.
+  /// degrees, unless it belongs to a small group of creases that is noise (kernel/docs/mesh.md).
   double crease_angle = 30;
 };
 
 /// Builds all of the above for a manifold, oriented mesh. Normals come from a quadric fitted to the
-/// wedge's neighbours (falling back on area-weighted ones where these do not determine it):
-/// averaged normals alone do not converge on irregular meshes. @cite Rusinkiewicz2004, Max1999
+/// wedge's neighbours; those of flat faces are exact, also where a fillet runs into them, and where
+/// neighbours do not determine a fit they are averages. Averages alone do not converge on irregular
+/// meshes. Throws GeometryError as build_topology does. Cost: 0.35 s a million triangles on 2
+/// cores. @cite Rusinkiewicz2004, Max1999
 ProxyMesh build_proxy(TriMesh mesh, const ProxyOptions& options, const RunContext& context);
 
 }  // namespace burin
