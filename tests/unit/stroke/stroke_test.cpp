@@ -1,16 +1,19 @@
 #include <burin/base/error.h>
 #include <burin/base/parallel.h>
+#include <burin/base/rng.h>
 #include <burin/forms/mesh/mesh_form.h>
 #include <burin/stroke/stroke.h>
 #include <burin/visibility/occluder.h>
 
 #include "burin_test/shapes.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <string>
 
 namespace burin {
 namespace {
@@ -119,6 +122,24 @@ TEST(Strokes, CrossOnlyWhereItIsDark) {
   };
   EXPECT_EQ(count(0.7), 0);
   EXPECT_GT(count(0.2), 30);
+}
+
+TEST(Strokes, EndOnFacesSeenSquareOnFromAnyDirection) {
+  // The cosine between view and normal rounds to a little more than 1 there; strokes were once
+  // placed on each other for ever.
+  const Rng rng(3);
+  for (std::uint64_t i = 0; i < 12; ++i) {
+    const Vec3 n = glm::normalize(
+        Vec3(rng.uniform(3 * i), rng.uniform(3 * i + 1), rng.uniform(3 * i + 2)) - 0.4);
+    const Vec3 u = any_orthogonal(n), v = glm::cross(n, u);
+    const TriMesh box = test::mapped(test::box({-20, -15, -2}, {20, 15, 2}),
+                                     [&](Vec3 p) { return p.x * u + p.y * v + p.z * n; });
+    const std::string view = fmt::format("{:.17g},{:.17g},{:.17g}", n.x, n.y, n.z);
+    Stage stage(box, view.c_str(), 1);
+    const StrokeResult r = stage.strokes(field::fixed(u), 0.7, kOneFamily);
+    EXPECT_GE(r.strokes.size(), 30u);  // 30 mm / 0.8 mm, less what the border leaves
+    EXPECT_LE(r.strokes.size(), 45u);
+  }
 }
 
 TEST(Strokes, CoverageIsMeasured) {
