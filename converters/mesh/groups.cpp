@@ -1,9 +1,9 @@
 #include "groups.h"
 
+#include <burin/base/disjoint_sets.h>
 #include <burin/mesh/weld.h>
 
 #include <algorithm>
-#include <numeric>
 
 namespace burin {
 namespace {
@@ -11,22 +11,6 @@ namespace {
 struct GroupEdge {
   std::uint32_t a, b, group;
   friend auto operator<=>(const GroupEdge&, const GroupEdge&) = default;
-};
-
-class Union {
- public:
-  explicit Union(std::size_t n) : parent_(n) { std::iota(parent_.begin(), parent_.end(), 0u); }
-  std::uint32_t find(std::uint32_t i) {
-    while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
-    return i;
-  }
-  void join(std::uint32_t i, std::uint32_t j) {
-    const std::uint32_t a = find(i), b = find(j);
-    parent_[std::max(a, b)] = std::min(a, b);
-  }
-
- private:
-  std::vector<std::uint32_t> parent_;
 };
 
 /// Groups numbered densely in the order of their first faces; returns their names.
@@ -45,7 +29,7 @@ std::vector<std::string> number_by_appearance(GroupedFaces& faces) {
 }
 
 /// Joins groups that both end at one edge.
-Union connect(const GroupedFaces& faces, std::size_t groups, const RunContext& context) {
+DisjointSets connect(const GroupedFaces& faces, std::size_t groups, const RunContext& context) {
   const std::vector<std::uint32_t> vertex = weld(faces.positions, context).vertex;
   std::vector<GroupEdge> edges;
   edges.reserve(faces.indices.size());
@@ -61,7 +45,7 @@ Union connect(const GroupedFaces& faces, std::size_t groups, const RunContext& c
     context.check();
     return a < b;
   });
-  Union sets(groups);
+  DisjointSets sets(groups);
   const GroupEdge* open = nullptr;  // the last edge at which a group ends
   for (std::size_t i = 0; i < edges.size();) {
     std::size_t next = i + 1;
@@ -83,7 +67,7 @@ std::vector<PolygonSoup> split_groups(GroupedFaces faces, Diagnostics& diagnosti
                                       const RunContext& context) {
   std::vector<std::string> names = number_by_appearance(faces);
   if (faces.join_connected && names.size() > 1) {
-    Union sets = connect(faces, names.size(), context);
+    DisjointSets sets = connect(faces, names.size(), context);
     const std::size_t before = names.size();
     for (std::uint32_t& g : faces.group) g = sets.find(g);
     faces.names = std::move(names);

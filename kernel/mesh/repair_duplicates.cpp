@@ -1,31 +1,16 @@
+#include <burin/base/disjoint_sets.h>
+
 #include "repair_stages.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 
 namespace burin::repair_stages {
 namespace {
 
 /// Whether the corners come in the same cyclic order as when sorted.
 bool is_even(const Triangle& t) { return (t[0] < t[1]) + (t[1] < t[2]) + (t[2] < t[0]) == 2; }
-
-class Union {
- public:
-  explicit Union(std::size_t n) : parent_(n) { std::iota(parent_.begin(), parent_.end(), 0u); }
-  std::uint32_t find(std::uint32_t i) {
-    while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
-    return i;
-  }
-  void join(std::uint32_t i, std::uint32_t j) {
-    const std::uint32_t a = find(i), b = find(j);
-    parent_[std::max(a, b)] = std::min(a, b);
-  }
-
- private:
-  std::vector<std::uint32_t> parent_;
-};
 
 enum class Copy : std::uint8_t { None, Twin, Same };
 
@@ -101,14 +86,14 @@ class Patches {
  private:
   const Copies& copies_;
   Copy kind_;
-  Union sets_;
+  DisjointSets sets_;
   std::vector<int> votes_;
 };
 
 }  // namespace
 
 void join_tiny_edges(TriMesh& mesh) {
-  Union sets(mesh.positions.size());
+  DisjointSets sets(mesh.positions.size());
   bool any = false;
   for (const Triangle& t : mesh.triangles) {
     for (std::size_t k = 0; k < 3; ++k) {

@@ -1,3 +1,4 @@
+#include <burin/base/disjoint_sets.h>
 #include <burin/base/parallel.h>
 
 #include "repair_stages.h"
@@ -43,26 +44,17 @@ class Outward {
 };
 
 void Outward::find_components() {
-  std::vector<std::uint32_t> parent(mesh_.positions.size());
-  std::iota(parent.begin(), parent.end(), 0u);
-  const auto find = [&](std::uint32_t i) {
-    while (parent[i] != i) i = parent[i] = parent[parent[i]];
-    return i;
-  };
+  DisjointSets sets(mesh_.positions.size());
   for (const Triangle& t : mesh_.triangles) {
-    std::uint32_t a = find(t[0]);
-    for (const std::uint32_t v : {t[1], t[2]}) {
-      const std::uint32_t b = find(v);
-      parent[std::max(a, b)] = std::min(a, b);
-      a = std::min(a, b);
-    }
+    sets.join(t[0], t[1]);
+    sets.join(t[0], t[2]);
   }
   context_.check();
   std::vector<std::uint32_t> number(mesh_.positions.size(), kNone);
   component_of_.resize(mesh_.triangles.size());
   for (std::uint32_t t = 0; t < mesh_.triangles.size(); ++t) {
     const Triangle& tri = mesh_.triangles[t];
-    std::uint32_t& c = number[find(tri[0])];
+    std::uint32_t& c = number[sets.find(tri[0])];
     if (c == kNone) {
       c = static_cast<std::uint32_t>(components_.size());
       components_.emplace_back().first = t;
