@@ -28,7 +28,8 @@ struct HatchOptions {
   double tone_min = 0.05;
   /// The second family crosses the first where the tone asks for more than this; over 1 = never.
   double cross_from = 0.45;
-  /// A stroke shorter than this is not drawn; one longer than about this ends (a third more or less, by chance).
+  /// A stroke shorter than this is not drawn; one longer than about this ends (a third more or
+  /// less, by chance).
   double length_min = 2.5;
   double length_max = 300;
   /// Length over which a stroke's end thins out.
