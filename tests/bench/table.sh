@@ -48,7 +48,7 @@ for mesh in knot_100k moai_100k knot_1m moai_1m; do
         printf "%-11s %-10s", mesh, style
         n = split(names, stage, " ")
         for (i = 1; i <= n; ++i) printf " %8.3f", time[stage[i]]
-        printf " %8.3f %8.0f %8.2f\n", total, peak, base > 0 ? total / base : 0
+        printf " %8.3f %8.0f %8.2f\n", total, peak, (base > 0 ? total / base : 0)
       }' "$scratch/$mesh-$style-$pick.log"
   done
 done
