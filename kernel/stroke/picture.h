@@ -29,6 +29,16 @@ struct Picture {
     return *surfaces[static_cast<std::size_t>(part)];
   }
 
+  /// Whether a place of a proxy, at its point on paper and its depth, is what the viewer sees
+  /// there.
+  bool seen(std::int32_t part, std::uint32_t face, Vec2 paper, double depth) const {
+    const auto hit = probe(paper);
+    // Beside the occluder's polygon, though not beside the true surface: at the very outline.
+    if (!hit || (hit->part == part && hit->point.face == face)) return true;
+    const Vec3 nearer = surface(hit->part).proxy().position(hit->point.face, hit->point.bary);
+    return camera.depth(nearer) - depth <= same_place;
+  }
+
   /// Ink asked for in [0,1] at a point with its normal turned to the viewer.
   double darkness(Vec3 position, Vec3 normal) const {
     return std::clamp(1 - tone(position, normal), 0.0, 1.0);

@@ -74,8 +74,7 @@ class Placement {
         if (!s.visible) continue;
         const double d = tracer_.spacing(s);
         const auto gap = out_.grid.sides(
-            grid_sample(s, out_.strokes[stroke].part, static_cast<std::int32_t>(stroke), 0),
-            2.2 * d);
+            grid_sample(s, out_.strokes[stroke].part, static_cast<std::int32_t>(stroke)), 2.2 * d);
         for (const double side : {1.0, -1.0}) {
           const double width = side > 0 ? gap.left : gap.right;
           if (width > kGap * d && width < 2.1 * d) {
@@ -111,10 +110,8 @@ class Placement {
 
   void add(TracedStroke stroke) {
     const auto id = static_cast<std::int32_t>(out_.strokes.size());
-    for (std::size_t i = 0; i < stroke.samples.size(); ++i) {
-      const StrokeSample& s = stroke.samples[i];
-      if (s.visible)
-        out_.grid.insert(grid_sample(s, stroke.part, id, static_cast<std::int32_t>(i)));
+    for (const StrokeSample& s : stroke.samples) {
+      if (s.visible) out_.grid.insert(grid_sample(s, stroke.part, id));
     }
     out_.strokes.push_back(std::move(stroke));
   }
@@ -174,9 +171,6 @@ class Placement {
   Tracer tracer_;
   Rng rng_;
   std::size_t done_ = 0;
-
- public:
-  static constexpr double anywhere() { return kAnywhere; }
 };
 
 }  // namespace
@@ -193,7 +187,7 @@ Family place_family(const Picture& picture, const ViewRaster& raster,
       context.check();
       progress(static_cast<double>(i) / static_cast<double>(seeds.size()));
     }
-    placement.start(seeds[i].part, seeds[i].point, Placement::anywhere());
+    placement.start(seeds[i].part, seeds[i].point, kAnywhere);
     placement.fill_beside(context);
   }
   placement.fill_gaps(context);

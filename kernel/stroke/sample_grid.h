@@ -18,7 +18,6 @@ struct GridSample {
   std::int32_t part = -1;
   std::int32_t region = -1;
   std::int32_t stroke = -1;
-  std::int32_t index = 0;  // along the stroke
 };
 
 class SampleGrid {
@@ -38,7 +37,7 @@ class SampleGrid {
   Near nearest(const GridSample& at, double radius, double run_up = 1) const;
 
   /// The nearest distances on the left and on the right of `at` (looking along its direction), each
-  /// `radius` where there is no neighbour; samples of `own_stroke` do not count.
+  /// `radius` where there is no neighbour; samples of its own stroke do not count.
   struct Sides {
     double left, right;
   };

@@ -125,12 +125,7 @@ Coverage cover_picture(const Picture& picture, const ViewRaster& raster,
       const double cosine = glm::dot(n, camera.to_viewer(p.position));
       s.slope = Picture::slope(std::abs(cosine), camera.scale_at(p.position));
       if (grid.nearest(s, o.spacing_max).distance < o.spacing_max) continue;
-      const auto hit = picture.probe(s.paper);
-      if (hit && !(hit->part == s.part && hit->point.face == place.face)) {
-        const ProxyMesh& proxy = picture.surface(hit->part).proxy();
-        const Vec3 q = proxy.position(hit->point.face, hit->point.bary);
-        if (camera.depth(q) - s.depth > picture.same_place) continue;
-      }
+      if (!picture.seen(s.part, place.face, s.paper, s.depth)) continue;
       grid.insert(s);
       out.seeds.push_back({s.part, p});
     }

@@ -37,9 +37,8 @@ double TracedStroke::length() const {
   return sum;
 }
 
-GridSample grid_sample(const StrokeSample& s, std::int32_t part, std::int32_t stroke,
-                       std::int32_t index) {
-  return {s.paper, s.direction, 0.6 * kStep, s.depth, s.slope, part, s.region, stroke, index};
+GridSample grid_sample(const StrokeSample& s, std::int32_t part, std::int32_t stroke) {
+  return {s.paper, s.direction, 0.6 * kStep, s.depth, s.slope, part, s.region, stroke};
 }
 
 double Tracer::spacing(const StrokeSample& s) const {
@@ -84,21 +83,10 @@ bool Tracer::fill(std::int32_t part, const SurfacePoint& point, Vec3 previous,
   return true;
 }
 
-bool Tracer::seen(std::int32_t part, const StrokeSample& s) const {
-  const auto hit = picture_.probe(s.paper);
-  // Beside the occluder's polygon, though not beside the true surface: at the very outline.
-  if (!hit) return true;
-  const ProxyMesh& proxy = picture_.surface(hit->part).proxy();
-  if (hit->part == part && hit->point.face == s.face) return true;
-  const double nearer =
-      picture_.camera.depth(proxy.position(hit->point.face, hit->point.bary)) - s.depth;
-  return nearer <= picture_.same_place;
-}
-
 bool Tracer::seed(std::int32_t part, const SurfacePoint& point, Vec3 toward,
                   StrokeSample& out) const {
   return fill(part, point, toward, out) && out.visible && out.facing > kMinFacing &&
-         seen(part, out);
+         picture_.seen(part, out.face, out.paper, out.depth);
 }
 
 std::optional<Vec2> Tracer::direction(std::int32_t part, const SurfacePoint& point,
@@ -115,7 +103,7 @@ bool Tracer::free(std::int32_t part, const StrokeSample& s, double share) const 
   const double ink = picture_.share(s.darkness, family_);
   if (ink < picture_.options.tone_min) return false;
   const double d = share * spacing(s);
-  return grid_.nearest(grid_sample(s, part, -1, 0), d).distance >= d;
+  return grid_.nearest(grid_sample(s, part, -1), d).distance >= d;
 }
 
 StrokeEnd Tracer::extend(std::int32_t part, const StrokeSample& seed, double sign, double reach,
@@ -167,7 +155,9 @@ StrokeEnd Tracer::extend(std::int32_t part, const StrokeSample& seed, double sig
       return StrokeEnd::Met;
     }
     if (unseen > 0 || i % static_cast<int>(kProbeEvery) == 0) {
-      unseen = seen(part, next) ? 0 : unseen + std::max(ds, 0.1 * kStep);
+      unseen = picture_.seen(part, next.face, next.paper, next.depth)
+                   ? 0
+                   : unseen + std::max(ds, 0.1 * kStep);
     }
     next.visible = unseen == 0;
     if (unseen > kHiddenTail) return StrokeEnd::Hidden;
@@ -175,7 +165,7 @@ StrokeEnd Tracer::extend(std::int32_t part, const StrokeSample& seed, double sig
       if (picture_.share(next.darkness, family_) < picture_.options.tone_min)
         return StrokeEnd::Light;
       const double d = kTestShare * crowding(next.facing) * spacing(next);
-      const SampleGrid::Near near = grid_.nearest(grid_sample(next, part, -1, 0), d, kRunUp);
+      const SampleGrid::Near near = grid_.nearest(grid_sample(next, part, -1), d, kRunUp);
       if (near.distance < d) return near.crossing ? StrokeEnd::Met : StrokeEnd::Crowded;
       const Vec2 gap = next.paper - seed.paper;
       if (travelled > 4 * kStep && next.region == seed.region &&

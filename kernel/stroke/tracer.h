@@ -40,8 +40,7 @@ struct TracedStroke {
   double length() const;  // on paper
 };
 
-GridSample grid_sample(const StrokeSample& s, std::int32_t part, std::int32_t stroke,
-                       std::int32_t index);
+GridSample grid_sample(const StrokeSample& s, std::int32_t part, std::int32_t stroke);
 
 class Tracer {
  public:
@@ -70,7 +69,6 @@ class Tracer {
 
  private:
   bool fill(std::int32_t part, const SurfacePoint& point, Vec3 previous, StrokeSample& out) const;
-  bool seen(std::int32_t part, const StrokeSample& s) const;
   StrokeEnd extend(std::int32_t part, const StrokeSample& seed, double sign, double reach,
                    std::vector<StrokeSample>& out) const;
 

@@ -122,7 +122,7 @@ class WidthSolver {
       const StrokeSample& s = stroke.samples[i];
       const double ink = picture_.share(s.darkness, static_cast<int>(f) + 1);
       const auto sides = families_[f].grid.sides(
-          grid_sample(s, stroke.part, static_cast<std::int32_t>(id), 0), picture_.spacing(ink));
+          grid_sample(s, stroke.part, static_cast<std::int32_t>(id)), picture_.spacing(ink));
       w[i] = limit(ink * 0.5 * (sides.left + sides.right));
     }
     smooth(stroke, w);
