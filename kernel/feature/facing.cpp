@@ -19,25 +19,22 @@ constexpr std::size_t kFaceGrain = 16384;
 
 Facing::Facing(const ProxyMesh& proxy, const Camera& camera, const RunContext& context)
     : proxy_(&proxy), camera_(&camera), surface_(proxy), g_(proxy.wedge_normal.size()) {
-  const bool perspective = camera.perspective();
-  const Vec3 direction = camera.direction(), eye = camera.eye();
-  const double unit = perspective ? 1 / glm::length(eye - camera.center()) : 0;
-  const auto to_viewer = [&](const Vec3& p) { return perspective ? (eye - p) * unit : direction; };
+  const FacingFunction facing(camera);
+  const bool cut = !proxy.on_contour.empty();
   parallel_for(
       g_.size(), kWedgeGrain,
       [&](std::size_t begin, std::size_t end) {
         for (std::size_t w = begin; w < end; ++w) {
-          const Vec3 v = to_viewer(proxy.wedge_position(static_cast<std::uint32_t>(w)));
-          g_[w] = glm::dot(proxy.wedge_normal[w], v) - kEdgeOn;
+          const Vec3& p = proxy.wedge_position(static_cast<std::uint32_t>(w));
+          g_[w] = cut && proxy.on_contour[w] != 0 ? 0 : facing(p, proxy.wedge_normal[w]);
         }
       },
       &context);
-  turn_flat_walls_away(to_viewer, context);
+  turn_flat_walls_away(facing, context);
   turn_thin_patches_away(context);
 }
 
-template <class ToViewer>
-void Facing::turn_flat_walls_away(const ToViewer& to_viewer, const RunContext& context) {
+void Facing::turn_flat_walls_away(const FacingFunction& facing, const RunContext& context) {
   const TriMesh& mesh = proxy_->mesh;
   const std::size_t n = mesh.triangles.size();
   std::vector<std::vector<std::uint32_t>> found((n + kFaceGrain - 1) / kFaceGrain);
@@ -49,7 +46,7 @@ void Facing::turn_flat_walls_away(const ToViewer& to_viewer, const RunContext& c
           const Vec3 &a = mesh.positions[t[0]], &b = mesh.positions[t[1]],
                      &c = mesh.positions[t[2]];
           const Vec3 normal = glm::cross(b - a, c - a);
-          const double g = glm::dot(normal, to_viewer(a));
+          const double g = glm::dot(normal, facing.to_viewer(a));
           if (g * g > kEdgeOn * kEdgeOn * glm::dot(normal, normal)) continue;
           const auto [least, most] = std::minmax(
               {g_[proxy_->wedges[f][0]], g_[proxy_->wedges[f][1]], g_[proxy_->wedges[f][2]]});

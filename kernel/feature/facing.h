@@ -2,7 +2,7 @@
 // Which way each wedge of a proxy faces, and where along an edge that changes.
 
 #include <burin/base/run_context.h>
-#include <burin/camera/camera.h>
+#include <burin/camera/facing.h>
 #include <burin/mesh/proxy_mesh.h>
 #include <burin/mesh/rounded_mesh.h>
 
@@ -18,9 +18,7 @@ struct ZeroCrossing {
   double share = 0;
 };
 
-/// g = normal . to_viewer - kEdgeOn at every wedge of one part. Perspective: the vector to the
-/// viewer is taken in units of the viewer's distance from the picture's centre, not as a unit
-/// vector, which keeps the sign and makes g constant on a plane.
+/// FacingFunction at every wedge of one part; exactly zero where the proxy says so.
 class Facing {
  public:
   Facing(const ProxyMesh& proxy, const Camera& camera, const RunContext& context);
@@ -47,8 +45,7 @@ class Facing {
   /// A flat wall between two fillets has normals that lean to both: seen edge-on it would be cut in
   /// two somewhere. As a whole turned away it ends where the fillet begins, which is where it is
   /// seen.
-  template <class ToViewer>
-  void turn_flat_walls_away(const ToViewer& to_viewer, const RunContext& context);
+  void turn_flat_walls_away(const FacingFunction& facing, const RunContext& context);
 
   /// Turns away what would show less than kThinWidth of paper in its width: patches of a ruled
   /// surface seen along its rulings, which noise in the normals turns a little to the viewer.

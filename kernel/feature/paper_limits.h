@@ -2,15 +2,11 @@
 // Every tolerance of the feature room, each with its unit. Paper mm and radians only: a model of
 // any size and place meets the same limits.
 
+#include <burin/camera/facing.h>
+
 #include <cstddef>
 
 namespace burin {
-
-/// Radians: a surface seen more edge-on than this counts as turned away, so that side walls, caps
-/// and the like that are meant to be seen edge-on, but are so only within rounding, are one whole
-/// and not a mottle. Coordinates in single precision turn normals by up to some 1e-5. It moves a
-/// contour by R * kEdgeOn^2 / 2 on paper (R: radius of curvature there): 1e-6 mm at 200 mm.
-inline constexpr double kEdgeOn = 1e-4;
 
 /// Paper mm: a triangle that is itself edge-on, but whose corner normals claim a bulge (sagitta) of
 /// more than this, is a flat wall with blended normals, not a fine facet of something round.

@@ -21,10 +21,12 @@ constexpr double kSheetTolerance = 0.05;
 using Surfaces = std::vector<std::shared_ptr<const Surface>>;
 
 Surfaces realise(const Scene& scene, const Camera& camera, const Style& style,
-                 const IllustrateOptions& options, RunContext& context) {
+                 const IllustrateOptions& options, Diagnostics& diagnostics, RunContext& context) {
   RealiseOptions realise;
   realise.tolerance = options.tolerance.value_or(kSheetTolerance / camera.scale());
   realise.crease_angle = style.feature.crease_angle;
+  realise.view = &camera;
+  realise.diagnostics = &diagnostics;
   realise.curvature = style.hatch.enabled && style.hatch.field != "fixed";
   Surfaces surfaces;
   for (const Part& part : scene.parts) surfaces.push_back(part.form->realise(realise, context));
@@ -123,7 +125,8 @@ Drawing describe(const Scene& scene, const std::vector<const ProxyMesh*>& proxie
 Drawing illustrate(const Scene& scene, const Camera& camera, const Style& style,
                    const IllustrateOptions& options, RunContext& context) {
   if (scene.parts.empty()) throw GeometryError("nothing to draw: the input has no parts");
-  const Surfaces owned = realise(scene, camera, style, options, context);
+  Diagnostics realised;
+  const Surfaces owned = realise(scene, camera, style, options, realised, context);
   std::vector<const Surface*> surfaces;
   std::vector<const ProxyMesh*> proxies;
   for (const auto& s : owned) {
@@ -131,6 +134,7 @@ Drawing illustrate(const Scene& scene, const Camera& camera, const Style& style,
     proxies.push_back(&s->proxy());
   }
   Drawing drawing = describe(scene, proxies, camera, style, options.seed);
+  drawing.diagnostics.append(realised);
   context.begin_stage("build");
   const Occluder occluder(proxies, context);
 

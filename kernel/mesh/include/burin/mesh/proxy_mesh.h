@@ -40,6 +40,22 @@ struct ProxyMesh {
   /// Largest distance in model mm between the proxy and the form; 0 where the mesh is the form.
   double tolerance = 0;
 
+  /// The rest is empty where the mesh is its own source. For each triangle the face of the input
+  /// that it stands for; for each half-edge the edge of the input that it lies on, -1 inside faces
+  /// (Smooth half-edges with an edge are smooth edges of the model); nonzero on half-edges of
+  /// seams, where a face meets itself.
+  std::vector<std::int32_t> source_face;
+  std::vector<std::int32_t> source_edge;
+  std::vector<std::uint8_t> seam;
+  /// For each wedge nonzero where g (FacingFunction) is exactly zero in the view that the proxy was
+  /// cut for, or where the surface has no normal (the tip of a cone): contours pass through it.
+  std::vector<std::uint8_t> on_contour;
+
+  /// The face of the input of a triangle: the smooth region where the mesh is its own source.
+  std::int32_t face_source(std::uint32_t face) const {
+    return source_face.empty() ? face_region[face] : source_face[face];
+  }
+
   bool closed(std::uint32_t face) const {
     return topology.component_closed[static_cast<std::size_t>(topology.face_component[face])] != 0;
   }
@@ -67,5 +83,27 @@ struct ProxyOptions {
 /// meshes. Throws GeometryError as build_topology does. Cost: 0.35 s a million triangles on 2
 /// cores. @cite Rusinkiewicz2004, Max1999
 ProxyMesh build_proxy(TriMesh mesh, const ProxyOptions& options, const RunContext& context);
+
+/// What a form knows about the triangles of its proxy that a mesh has to guess.
+struct ProxyDraft {
+  TriMesh mesh;
+  /// For each half-edge: the unit normal of the surface at its origin, on the side of its triangle;
+  /// nonzero where g is zero or no normal exists there.
+  std::vector<Vec3> corner_normal;
+  std::vector<std::uint8_t> corner_on_contour;
+  /// For each half-edge nonzero where the surface has a sharp edge; both sides agree.
+  std::vector<std::uint8_t> sharp;
+  /// As in ProxyMesh.
+  std::vector<std::int32_t> source_face;
+  std::vector<std::int32_t> source_edge;
+  std::vector<std::uint8_t> seam;
+  double tolerance = 0;
+};
+
+/// Builds the proxy of an exact form: edges are creases where the draft says so (convex or concave
+/// by the corner normals), the normal of a wedge is the mean of its corners', a wedge is on the
+/// contour where one of its corners is. `wedge_sagitta` is estimated from the normals. Throws
+/// GeometryError as build_topology does. Cost: 0.2 s a million triangles.
+ProxyMesh assemble_proxy(ProxyDraft draft, const RunContext& context);
 
 }  // namespace burin

@@ -4,6 +4,7 @@
 #include <burin/base/box.h>
 #include <burin/base/diagnostics.h>
 #include <burin/base/run_context.h>
+#include <burin/camera/camera.h>
 #include <burin/surface/surface.h>
 
 #include <memory>
@@ -20,6 +21,11 @@ struct RealiseOptions {
   double crease_angle = 30;
   /// Whether principal curvatures will be asked for.
   bool curvature = true;
+  /// The view that is to be drawn. Exact forms cut their proxies along its contours; meshes need
+  /// none. Absent = no cuts. Read during `realise` only.
+  const Camera* view = nullptr;
+  /// Where faces that cannot be realised are named; absent = nobody asks.
+  Diagnostics* diagnostics = nullptr;
 };
 
 /// The plain description of a shape as it was read; cheap to keep, no acceleration structures.
@@ -44,6 +50,10 @@ struct Part {
   /// The file the part came from, as the user named it.
   std::string source;
   std::shared_ptr<const Form> form;
+  /// Names from the top of an assembly down to what contains this part; empty outside assemblies.
+  std::vector<std::string> assembly = {};
+  /// "#rrggbb" where the input gives the part one colour, else empty.
+  std::string color = {};
 };
 
 /// Parts in the order of the input, with what the readers mended or left out.

@@ -23,6 +23,9 @@ struct SurfacePoint {
   Vec3 position{0};
 };
 
+/// What a face of a CAD part is, as far as strokes care.
+enum class FaceKind : std::uint8_t { Plane, Cylinder, Cone, Sphere, Torus, Freeform };
+
 /// Local geometry at a surface point; the value type that lets nothing above know the form.
 struct Frame {
   Vec3 position{0};
@@ -37,6 +40,8 @@ struct Frame {
   bool umbilic = true;
   /// How certain d1 and d2 are, in [0,1].
   double confidence = 0;
+  /// Freeform also where nothing is known.
+  FaceKind kind = FaceKind::Freeform;
 };
 
 /// Why a march ended.

@@ -1,0 +1,48 @@
+#pragma once
+/// Trimmed faces and solids of a CAD part as a form (OCCT behind it).
+
+#include <burin/forms/parametric/chart.h>
+#include <burin/surface/scene.h>
+
+#include <cstdint>
+#include <memory>
+#include <string>
+
+namespace burin {
+
+/// A shape as it was read; shared by all its instances.
+class BrepModel;
+
+/// One instance of a shape. Faces become charts (planes, cylinders, cones, spheres and tori keep
+/// their analytic form, the rest is B-spline or evaluated by OCCT), numbered like the faces of the
+/// shape; edges likewise. The tessellation comes from OCCT's mesher at the tolerance asked for, its
+/// nodes on edges shared by both faces; it is made once a tolerance and shared by the instances.
+/// Faces that cannot be meshed are left out, each named by its number in a diagnostic.
+class BrepForm final : public Form {
+ public:
+  BrepForm(std::shared_ptr<const BrepModel> model, const Placement& placement);
+  ~BrepForm() override;
+
+  const BrepModel& model() const { return *model_; }
+  const Placement& placement() const { return placement_; }
+  Box3 bounds(const Mat3& axes) const override;
+  /// Throws GeometryError where no face can be realised.
+  std::shared_ptr<const Surface> realise(const RealiseOptions& options,
+                                         RunContext& context) const override;
+
+ private:
+  std::shared_ptr<const BrepModel> model_;
+  Placement placement_;
+};
+
+/// Counts of a shape, for `burin info`.
+struct BrepCounts {
+  std::int64_t solids = 0, shells = 0, faces = 0, edges = 0, free_edges = 0;
+  bool closed = false;
+};
+BrepCounts count(const BrepModel& model);
+
+/// Reads OCCT's BREP text or binary from memory. Throws InputError.
+std::shared_ptr<const BrepModel> brep_from_text(const std::string& text);
+
+}  // namespace burin
