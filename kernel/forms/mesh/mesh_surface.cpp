@@ -37,12 +37,17 @@ void set_tensor(Frame& frame, const TangentBasis& basis, const WedgeTensor& t) {
 }  // namespace
 
 MeshSurface::MeshSurface(ProxyMesh proxy, const std::vector<Curvature>& curvature)
-    : proxy_(std::move(proxy)), rounded_(proxy_), tensors_(curvature.size()) {
+    : proxy_(std::move(proxy)), tensors_(curvature.size()) {
   parallel_for(curvature.size(), kGrain, [&](std::size_t begin, std::size_t end) {
     for (std::size_t w = begin; w < end; ++w) {
       tensors_[w] = to_tensor(curvature[w], proxy_.wedge_normal[w]);
     }
   });
+}
+
+Vec3 MeshSurface::drawn_position(const SurfacePoint& point) const {
+  std::call_once(rounding_, [this] { rounded_.emplace(proxy_); });
+  return rounded_->on_face(static_cast<std::uint32_t>(point.chart), point.coords);
 }
 
 Frame MeshSurface::frame(const SurfacePoint& point) const {

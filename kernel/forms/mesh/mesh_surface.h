@@ -5,6 +5,8 @@
 #include <burin/mesh/rounded_mesh.h>
 #include <burin/surface/surface.h>
 
+#include <mutex>
+#include <optional>
 #include <vector>
 
 namespace burin {
@@ -35,13 +37,13 @@ class MeshSurface final : public Surface {
             proxy_.position(point.face, point.bary)};
   }
   std::vector<Frame> wedge_frames(const RunContext& context) const override;
-  Vec3 drawn_position(const SurfacePoint& point) const override {
-    return rounded_.on_face(static_cast<std::uint32_t>(point.chart), point.coords);
-  }
+  Vec3 drawn_position(const SurfacePoint& point) const override;
 
  private:
   ProxyMesh proxy_;
-  RoundedMesh rounded_;
+  // Made when the first stroke is drawn: outlines do without.
+  mutable std::once_flag rounding_;
+  mutable std::optional<RoundedMesh> rounded_;
   std::vector<WedgeTensor> tensors_;
 };
 
