@@ -1,14 +1,16 @@
 #include "info.h"
 
-#include <burin/converters/mesh_info.h>
+#include <burin/converters/file_info.h>
+
+#include "readers.h"
 
 #include <fmt/core.h>
 
 int run_info(const InfoOptions& options, burin::RunContext& context) {
-  std::vector<burin::MeshInfo> files;
+  std::vector<burin::FileInfo> files;
   context.begin_stage("read");
   for (const std::filesystem::path& path : options.inputs) {
-    files.push_back(burin::inspect_mesh(path, context));
+    files.push_back(burin::cli::reader_of(path).inspect(path, context));
     if (options.json) continue;
     fmt::print("{}{}", files.size() > 1 ? "\n" : "", burin::to_text(files.back()));
   }

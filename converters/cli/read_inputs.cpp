@@ -1,7 +1,8 @@
 #include "read_inputs.h"
 
 #include <burin/base/error.h>
-#include <burin/converters/mesh_reader.h>
+
+#include "readers.h"
 
 #include <fcntl.h>
 #include <sys/stat.h>
@@ -33,8 +34,7 @@ Scene read_inputs(const std::vector<std::string>& paths, RunContext& context) {
   context.begin_stage("read");
   Scene scene;
   for (std::size_t i = 0; i < paths.size(); ++i) {
-    // The mesh reader knows formats by content as well as by suffix.
-    Scene one = read_mesh(paths[i], context);
+    Scene one = reader_of(paths[i]).read(paths[i], context);
     scene.parts.insert(scene.parts.end(), std::make_move_iterator(one.parts.begin()),
                        std::make_move_iterator(one.parts.end()));
     scene.diagnostics.append(one.diagnostics);

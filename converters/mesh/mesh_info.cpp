@@ -43,31 +43,15 @@ PartInfo inspect_part(const Part& part, const RunContext& context) {
 
 }  // namespace
 
-PartInfo MeshInfo::total() const {
-  PartInfo sum;
-  for (const PartInfo& p : parts) {
-    sum.vertices += p.vertices;
-    sum.triangles += p.triangles;
-    sum.faces += p.faces;
-    sum.components += p.components;
-    sum.boundary_edges += p.boundary_edges;
-    sum.self_intersections += p.self_intersections;
-    sum.area += p.area;
-    sum.volume += p.volume;
-    sum.bounds.add(p.bounds);
-  }
-  return sum;
-}
-
-MeshInfo inspect_mesh(const std::filesystem::path& path, const RunContext& context) {
-  MeshInfo info;
+FileInfo inspect_mesh(const std::filesystem::path& path, const RunContext& context) {
+  FileInfo info;
   info.file = path.string();
   MeshFile file = read_mesh_file(path, context);
   info.format = file.format;
   const Scene scene = repair_parts(std::move(file), path, context);
   info.diagnostics = scene.diagnostics;
   for (const Part& part : scene.parts) info.parts.push_back(inspect_part(part, context));
-  const std::int64_t crossings = info.total().self_intersections;
+  const std::int64_t crossings = info.total().self_intersections.value_or(0);
   if (crossings > 0) {
     info.diagnostics.add(Severity::Warning, "mesh.self_intersections", crossings,
                          "pairs of triangles cross each other; they are drawn as they are");

@@ -7,14 +7,14 @@
 namespace burin {
 namespace {
 
-MeshInfo inspect(const std::string& bytes, const std::string& name) {
+FileInfo inspect(const std::string& bytes, const std::string& name) {
   const test::TempFile file(name, bytes);
   const RunContext context;
   return inspect_mesh(file.path(), context);
 }
 
 TEST(Info, MeasuresABox) {
-  const MeshInfo info = inspect(test::stl_binary(test::box({1, 2, 3}, {3, 5, 7})), "a.stl");
+  const FileInfo info = inspect(test::stl_binary(test::box({1, 2, 3}, {3, 5, 7})), "a.stl");
   EXPECT_EQ(info.format, "STL (binary)");
   ASSERT_EQ(info.parts.size(), 1u);
   const PartInfo& p = info.parts[0];
@@ -37,7 +37,7 @@ TEST(Info, CountsCrossingTriangles) {
   const auto n = static_cast<std::uint32_t>(m.positions.size());
   m.positions.insert(m.positions.end(), {{1, 1, 3}, {2, 1, 3}, {1.5, 1, 5}});
   m.triangles.push_back({n, n + 1, n + 2});
-  const MeshInfo info = inspect(test::obj(m), "a.obj");
+  const FileInfo info = inspect(test::obj(m), "a.obj");
   EXPECT_EQ(info.parts.at(0).self_intersections, 1);
   EXPECT_EQ(info.parts[0].components, 2);
   EXPECT_EQ(info.parts[0].boundary_edges, 3);
@@ -47,9 +47,9 @@ TEST(Info, CountsCrossingTriangles) {
 }
 
 TEST(Info, FoldedNeighboursOverlap) {
-  const MeshInfo fold = inspect("v 0 0 0\nv 2 0 0\nv 1 1 0\nv 1 2 0\nf 1 2 3\nf 2 1 4\n", "a.obj");
+  const FileInfo fold = inspect("v 0 0 0\nv 2 0 0\nv 1 1 0\nv 1 2 0\nf 1 2 3\nf 2 1 4\n", "a.obj");
   EXPECT_EQ(fold.parts.at(0).self_intersections, 1);
-  const MeshInfo flat = inspect("v 0 0 0\nv 2 0 0\nv 1 1 0\nv 1 -2 0\nf 1 2 3\nf 2 1 4\n", "a.obj");
+  const FileInfo flat = inspect("v 0 0 0\nv 2 0 0\nv 1 1 0\nv 1 -2 0\nf 1 2 3\nf 2 1 4\n", "a.obj");
   EXPECT_EQ(flat.parts.at(0).self_intersections, 0);
 }
 
@@ -57,7 +57,7 @@ TEST(Info, DistantAndTinyModelsMeasureTheSame) {
   for (const double scale : {1e-3, 1.0, 1e4}) {
     const TriMesh m = test::mapped(test::ellipsoid({3, 2, 1}, 40, 20),
                                    [&](Vec3 p) { return scale * p + Vec3(1e5); });
-    const MeshInfo info = inspect(test::obj(m), "a.obj");
+    const FileInfo info = inspect(test::obj(m), "a.obj");
     const double expected = test::numbers(test::ellipsoid({3, 2, 1}, 40, 20)).volume;
     EXPECT_NEAR(info.parts.at(0).volume / std::pow(scale, 3) / expected, 1, 1e-6);
     EXPECT_EQ(info.parts[0].self_intersections, 0);
@@ -78,7 +78,7 @@ TEST(Info, TextNamesWhatWasFoundAndDone) {
 TEST(Info, JsonHoldsAllOfIt) {
   const std::string two =
       "o a\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\no b\nv 5 0 0\nv 6 0 0\nv 5 1 0\nf 4 5 6\n";
-  const std::vector<MeshInfo> files = {inspect(two, "two.obj"),
+  const std::vector<FileInfo> files = {inspect(two, "two.obj"),
                                        inspect(test::off(test::torus(5, 2, 20, 10)), "t.off")};
   const nlohmann::json json = nlohmann::json::parse(to_json(files));
   EXPECT_EQ(json["format"], "burin-info");

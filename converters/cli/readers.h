@@ -1,0 +1,31 @@
+#pragma once
+/// The table of readers: which one a file needs.
+
+#include <burin/base/run_context.h>
+#include <burin/converters/file_info.h>
+#include <burin/surface/scene.h>
+
+#include <filesystem>
+#include <string_view>
+
+namespace burin::cli {
+
+/// One family of formats. A new one is a row in readers.cpp.
+struct Reader {
+  /// For messages: "STL, OBJ".
+  const char* formats;
+  /// Whether the first bytes of a file (as many as `kHeadBytes`, less where the file is shorter)
+  /// can only be this family's; absent = the content never tells.
+  bool (*knows_content)(std::string_view head);
+  bool (*knows_suffix)(const std::filesystem::path& path);
+  Scene (*read)(const std::filesystem::path& path, RunContext& context);
+  FileInfo (*inspect)(const std::filesystem::path& path, RunContext& context);
+};
+
+inline constexpr std::size_t kHeadBytes = 4096;
+
+/// By content where that is clear, else by the suffix, else the readers of meshes, which say what
+/// is wrong with a file that nobody knows.
+const Reader& reader_of(const std::filesystem::path& path);
+
+}  // namespace burin::cli

@@ -1,0 +1,64 @@
+#pragma once
+/// What `burin info` tells about a file, whatever its format.
+
+#include <burin/base/box.h>
+#include <burin/base/diagnostics.h>
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace burin {
+
+/// One part. What a format does not know is absent.
+struct PartInfo {
+  std::string name;
+  /// Names from the top of the assembly down to what contains the part.
+  std::vector<std::string> assembly = {};
+  /// "#rrggbb" or empty.
+  std::string color = {};
+  /// The first part that shares this one's shape, -1 where the shape is its own.
+  std::int32_t same_shape_as = -1;
+
+  /// Meshes: after repair.
+  std::optional<std::int64_t> vertices = {}, triangles = {};
+  /// CAD files: solids, and shells in solids or without one.
+  std::optional<std::int64_t> solids = {}, shells = {};
+  /// Meshes: smooth regions, connected triangles with no crease of more than 30 degrees between
+  /// them. Else faces or patches as they stand in the file.
+  std::int64_t faces = 0;
+  /// CAD files: edges, each once.
+  std::optional<std::int64_t> edges = {};
+  std::optional<std::int64_t> components = {};
+  /// Edges with a face on one side only.
+  std::int64_t boundary_edges = 0;
+  /// Meshes: pairs of triangles that cross or overlap other than at shared corners and edges.
+  std::optional<std::int64_t> self_intersections = {};
+  /// Square and cubic millimetres; the volume is 0 where the part is open.
+  double area = 0;
+  double volume = 0;
+  Box3 bounds = {};
+  bool closed() const { return boundary_edges == 0; }
+};
+
+struct FileInfo {
+  std::string file;
+  std::string format;
+  /// STEP: the name of the schema; else empty.
+  std::string schema = {};
+  std::vector<PartInfo> parts = {};
+  /// Defects that were found, and what was done about them.
+  Diagnostics diagnostics = {};
+
+  /// The parts added up; their bounds together.
+  PartInfo total() const;
+};
+
+/// A few lines for a reader.
+std::string to_text(const FileInfo& info);
+/// {"format": "burin-info", "version": 1, "files": [...]}, numbers in full precision.
+std::string to_json(std::span<const FileInfo> files);
+
+}  // namespace burin
