@@ -53,11 +53,8 @@ class Placement {
     for (; done_ < out_.strokes.size(); ++done_) {
       context.check();
       for (const double side : {1.0, -1.0}) {
-        for (const std::size_t i : widest_first(done_, side)) {
-          // A copy: `start` may grow the list of strokes.
-          const StrokeSample s = out_.strokes[done_].samples[i];
-          const auto at = offset(out_.strokes[done_].part, s, side, tracer_.spacing(s));
-          if (at) start(out_.strokes[done_].part, *at, kBeside);
+        for (const SurfacePoint& at : widest_first(done_, side)) {
+          start(out_.strokes[done_].part, at, kBeside);
         }
       }
     }
@@ -116,29 +113,38 @@ class Placement {
     out_.strokes.push_back(std::move(stroke));
   }
 
-  // Every second visible sample, from where the lines of the field run widest apart to where they
-  // run closest: a neighbour set at the widest place keeps no more than the spacing everywhere, and
-  // ends where it comes too close. Set elsewhere, it would leave gaps of up to twice the spacing.
-  std::vector<std::size_t> widest_first(std::size_t stroke, double side) const {
+  // The places beside every second visible sample, from where the lines of the field run widest
+  // apart to where they run closest: a neighbour set at the widest place keeps no more than the
+  // spacing everywhere, and ends where it comes too close. Set elsewhere, it would leave gaps of up
+  // to twice the spacing.
+  std::vector<SurfacePoint> widest_first(std::size_t stroke, double side) const {
     const TracedStroke& line = out_.strokes[stroke];
-    std::vector<std::pair<double, std::size_t>> widths;
+    struct Place {
+      double width;
+      std::size_t order;
+      SurfacePoint point;
+    };
+    std::vector<Place> places;
     double log_width = 0;  // of the strip between this line of the field and a close one
     for (std::size_t i = 0; i < line.samples.size(); i += 2) {
       const StrokeSample& s = line.samples[i];
       if (!s.visible) continue;
       const double d = tracer_.spacing(s);
-      if (const auto at = offset(line.part, s, side, d)) {
-        if (const auto there = tracer_.direction(line.part, *at, s.tangent)) {
-          const double step = i > 1 ? glm::length(s.paper - line.samples[i - 2].paper) : 0;
-          log_width += step * side * cross2(s.direction, *there) / d;
-        }
+      const auto at = offset(line.part, s, side, d);
+      if (!at) continue;
+      if (const auto there = tracer_.direction(line.part, *at, s.tangent)) {
+        const double step = i > 1 ? glm::length(s.paper - line.samples[i - 2].paper) : 0;
+        log_width += step * side * cross2(s.direction, *there) / d;
       }
-      widths.emplace_back(-log_width, i);
+      places.push_back({-log_width, i, *at});
     }
-    std::sort(widths.begin(), widths.end());
-    std::vector<std::size_t> order;
-    for (const auto& [width, i] : widths) order.push_back(i);
-    return order;
+    std::sort(places.begin(), places.end(), [](const Place& a, const Place& b) {
+      return std::pair(a.width, a.order) < std::pair(b.width, b.order);
+    });
+    std::vector<SurfacePoint> points;
+    points.reserve(places.size());
+    for (const Place& p : places) points.push_back(p.point);
+    return points;
   }
 
   // The surface point `d` paper mm across a sample to the left (side = 1) or right (-1).

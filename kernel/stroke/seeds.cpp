@@ -42,7 +42,7 @@ double projected_area(const Surface& surface, const Camera& camera) {
 }
 
 double measure_delta(const Picture& picture, const ViewRaster& raster, const SampleGrid& grid,
-                     double reach, const RunContext& context) {
+                     double near, double reach, const RunContext& context) {
   std::vector<double> row(static_cast<std::size_t>(raster.ny), 0);
   parallel_for(
       row.size(), 8,
@@ -56,7 +56,10 @@ double measure_delta(const Picture& picture, const ViewRaster& raster, const Sam
             s.depth = cell.depth;
             s.part = cell.part;
             s.region = cell.region;
-            row[y] = std::max(row[y], grid.nearest(s, reach).distance);
+            // Nearly every cell has a seed close by: the far ones are looked for where it has not.
+            double distance = grid.nearest(s, near).distance;
+            if (distance >= near) distance = grid.nearest(s, reach).distance;
+            row[y] = std::max(row[y], distance);
           }
         }
       },
@@ -110,6 +113,7 @@ Coverage cover_picture(const Picture& picture, const ViewRaster& raster,
     request.weight = [&](Vec3 position, Vec3 normal) {
       const double cosine = glm::dot(normal, camera.to_viewer(position));
       const double facing = two_sided ? std::abs(cosine) : std::max(0.0, cosine);
+      if (facing <= 0) return 0.0;
       if (picture.share(picture.darkness(position, cosine < 0 ? -normal : normal), 1) < o.tone_min)
         return 0.0;
       return facing;
@@ -131,7 +135,7 @@ Coverage cover_picture(const Picture& picture, const ViewRaster& raster,
     }
   }
   surest_first(picture, out.seeds);
-  out.delta = measure_delta(picture, raster, grid, 4 * o.spacing_max, context);
+  out.delta = measure_delta(picture, raster, grid, o.spacing_max, 4 * o.spacing_max, context);
   return out;
 }
 

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace burin {
 namespace {
@@ -22,6 +23,26 @@ std::vector<double> cumulative_areas(const TriMesh& mesh) {
   return sums;
 }
 
+constexpr std::size_t kGrain = 1024;
+
+// The candidate number `i`, uniform by area; nothing where the weight rejects it.
+std::optional<ProxyPoint> candidate(const ProxyMesh& p, const std::vector<double>& sums,
+                                    const Rng& rng, const CoverRequest& request, std::size_t i) {
+  const double at = rng.uniform(kDraws * i) * sums.back();
+  const auto it = std::upper_bound(sums.begin(), sums.end(), at);
+  const auto face = static_cast<std::uint32_t>(
+      std::min<std::ptrdiff_t>(it - sums.begin(), static_cast<std::ptrdiff_t>(sums.size()) - 1));
+  // Uniform in the triangle: the square root undoes the narrowing towards one corner. @cite
+  // Osada2002
+  const double r = std::sqrt(rng.uniform(kDraws * i + 1)), s = rng.uniform(kDraws * i + 2);
+  const ProxyPoint place{face, Vec3(1 - r, r * (1 - s), r * s)};
+  if (request.weight) {
+    const double keep = request.weight(p.position(face, place.bary), p.normal(face, place.bary));
+    if (rng.uniform(kDraws * i + 3) >= keep) return std::nullopt;
+  }
+  return place;
+}
+
 }  // namespace
 
 std::vector<SurfacePoint> Surface::cover(const CoverRequest& request,
@@ -32,22 +53,25 @@ std::vector<SurfacePoint> Surface::cover(const CoverRequest& request,
   if (sums.empty() || !(sums.back() > 0)) return points;
   const Rng rng(request.seed, static_cast<std::uint64_t>(request.part));
   points.reserve(request.count);
+  // Candidates are tried in blocks on all cores; those kept are taken in the order of the
+  // candidates, so that no result depends on the blocks.
   const std::size_t limit = kMaxCandidates * request.count;
-  for (std::size_t i = 0; i < limit && points.size() < request.count; ++i) {
-    if (i % 4096 == 0) context.check();
-    const double at = rng.uniform(kDraws * i) * sums.back();
-    const auto it = std::upper_bound(sums.begin(), sums.end(), at);
-    const auto face = static_cast<std::uint32_t>(
-        std::min<std::ptrdiff_t>(it - sums.begin(), static_cast<std::ptrdiff_t>(sums.size()) - 1));
-    // Uniform in the triangle: the square root undoes the narrowing towards one corner. @cite
-    // Osada2002
-    const double r = std::sqrt(rng.uniform(kDraws * i + 1)), s = rng.uniform(kDraws * i + 2);
-    const ProxyPoint place{face, Vec3(1 - r, r * (1 - s), r * s)};
-    if (request.weight) {
-      const double keep = request.weight(p.position(face, place.bary), p.normal(face, place.bary));
-      if (rng.uniform(kDraws * i + 3) >= keep) continue;
+  std::vector<std::optional<ProxyPoint>> kept;
+  for (std::size_t first = 0; first < limit && points.size() < request.count;) {
+    const std::size_t block =
+        std::min(limit - first, std::max<std::size_t>(kGrain, request.count - points.size()));
+    kept.assign(block, std::nullopt);
+    parallel_for(
+        block, kGrain,
+        [&](std::size_t begin, std::size_t end) {
+          for (std::size_t k = begin; k < end; ++k)
+            kept[k] = candidate(p, sums, rng, request, first + k);
+        },
+        &context);
+    for (std::size_t k = 0; k < block && points.size() < request.count; ++k) {
+      if (kept[k]) points.push_back(lift(*kept[k]));
     }
-    points.push_back(lift(place));
+    first += block;
   }
   return points;
 }
