@@ -1,10 +1,15 @@
 #include "placement.h"
 
+#include <burin/base/parallel.h>
 #include <burin/base/rng.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
+#include <functional>
+#include <map>
 #include <optional>
+#include <thread>
 #include <utility>
 
 namespace burin::detail {
@@ -22,14 +27,28 @@ constexpr double kInGap = 0.47 * kGap;
 // spacing: narrow faces would stay white.
 constexpr double kNarrow = 1.0;
 
+// A smooth region of a part that is to be hatched.
+struct Region {
+  std::int32_t part = -1, region = -1;
+  std::vector<const Seed*> seeds;
+  Box2 box;  // where it is seen
+};
+
+void insert_visible(SampleGrid& grid, const TracedStroke& stroke, std::int32_t id) {
+  for (const StrokeSample& s : stroke.samples) {
+    if (s.visible) grid.insert(grid_sample(s, stroke.part, id));
+  }
+}
+
 class Placement {
  public:
-  Placement(const Picture& picture, Family& out, int family)
+  Placement(const Picture& picture, Family& out, int family, const Region& region)
       : picture_(picture),
         out_(out),
         family_(family),
         tracer_(picture, out.grid, family),
-        rng_(picture.options.seed, 0, static_cast<std::uint64_t>(family)) {}
+        rng_(picture.options.seed, static_cast<std::uint64_t>(region.part),
+             2 * static_cast<std::uint64_t>(region.region) + static_cast<std::uint64_t>(family)) {}
 
   // A stroke through a point, if it keeps `share` of the spacing from all others and is long
   // enough.
@@ -106,10 +125,7 @@ class Placement {
   }
 
   void add(TracedStroke stroke) {
-    const auto id = static_cast<std::int32_t>(out_.strokes.size());
-    for (const StrokeSample& s : stroke.samples) {
-      if (s.visible) out_.grid.insert(grid_sample(s, stroke.part, id));
-    }
+    insert_visible(out_.grid, stroke, static_cast<std::int32_t>(out_.strokes.size()));
     out_.strokes.push_back(std::move(stroke));
   }
 
@@ -179,24 +195,101 @@ class Placement {
   std::size_t done_ = 0;
 };
 
-}  // namespace
-
-Family place_family(const Picture& picture, const ViewRaster& raster,
-                    const std::vector<Seed>& seeds, int family, const RunContext& context,
-                    const std::function<void(double)>& progress) {
-  Family out{{},
-             SampleGrid(raster.origin, raster.pitch * Vec2(raster.nx, raster.ny),
-                        picture.options.spacing_max)};
-  Placement placement(picture, out, family);
-  for (std::size_t i = 0; i < seeds.size(); ++i) {
-    if (i % 16 == 0) {
-      context.check();
-      progress(static_cast<double>(i) / static_cast<double>(seeds.size()));
+// The seeds of each region that has any, in their order; regions by part and number.
+std::vector<Region> regions_of(const Picture& picture, const ViewRaster& raster,
+                               const std::vector<Seed>& seeds) {
+  std::map<std::pair<std::int32_t, std::int32_t>, Region> found;
+  for (const Seed& seed : seeds) {
+    const Surface& surface = picture.surface(seed.part);
+    const std::int32_t region = surface.proxy().face_region[surface.to_proxy(seed.point).face];
+    Region& r = found[{seed.part, region}];
+    r.part = seed.part;
+    r.region = region;
+    r.seeds.push_back(&seed);
+  }
+  for (std::int32_t y = 0; y < raster.ny; ++y) {
+    for (std::int32_t x = 0; x < raster.nx; ++x) {
+      const RasterCell& cell = raster.at(x, y);
+      if (cell.part < 0) continue;
+      const auto it = found.find({cell.part, cell.region});
+      if (it != found.end()) it->second.box.add(raster.center(x, y));
     }
-    placement.start(seeds[i].part, seeds[i].point, kAnywhere);
+  }
+  std::vector<Region> regions;
+  for (auto& [key, region] : found) regions.push_back(std::move(region));
+  return regions;
+}
+
+Family place_region(const Picture& picture, const Region& region, int family,
+                    const RunContext& context, const std::function<void(std::size_t)>& done) {
+  constexpr std::size_t kReportEvery = 16;  // seeds
+  Family out{{}, SampleGrid(region.box.min, region.box.size(), picture.options.spacing_max)};
+  Placement placement(picture, out, family, region);
+  for (std::size_t i = 0; i < region.seeds.size(); ++i) {
+    if (i % kReportEvery == 0) {
+      context.check();
+      done(std::min(kReportEvery, region.seeds.size() - i));
+    }
+    placement.start(region.part, region.seeds[i]->point, kAnywhere);
     placement.fill_beside(context);
   }
   placement.fill_gaps(context);
+  return out;
+}
+
+}  // namespace
+
+std::vector<Family> place_families(const Picture& picture, const ViewRaster& raster,
+                                   const std::vector<Seed>& seeds, int families,
+                                   const RunContext& context,
+                                   const std::function<void(double)>& progress) {
+  const std::vector<Region> regions = regions_of(picture, raster, seeds);
+  struct Task {
+    std::size_t family, region;
+  };
+  std::vector<Task> tasks;
+  for (std::size_t f = 0; f < static_cast<std::size_t>(families); ++f) {
+    for (std::size_t r = 0; r < regions.size(); ++r) tasks.push_back({f, r});
+  }
+  // The longest first: none is left over when the other cores have nothing more to do.
+  std::ranges::stable_sort(tasks, std::greater(),
+                           [&](const Task& t) { return regions[t.region].seeds.size(); });
+  const SampleGrid none({0, 0}, {0, 0}, 1);
+  std::vector<Family> placed(tasks.size(), Family{{}, none});
+  std::atomic<std::size_t> done{0};
+  const auto caller = std::this_thread::get_id();
+  const double all = static_cast<double>(seeds.size()) * families;
+  const auto report = [&](std::size_t count) {
+    const std::size_t sum = done += count;
+    if (std::this_thread::get_id() == caller) progress(static_cast<double>(sum) / all);
+  };
+  parallel_for(
+      tasks.size(), 1,
+      [&](std::size_t begin, std::size_t end) {
+        for (std::size_t t = begin; t < end; ++t) {
+          placed[t] = place_region(picture, regions[tasks[t].region],
+                                   static_cast<int>(tasks[t].family) + 1, context, report);
+        }
+      },
+      &context);
+  // One family each again, in the order of the regions, with a grid of all of its strokes.
+  std::vector<std::size_t> order(tasks.size());
+  for (std::size_t t = 0; t < tasks.size(); ++t) {
+    order[tasks[t].family * regions.size() + tasks[t].region] = t;
+  }
+  std::vector<Family> out;
+  for (std::size_t f = 0; f < static_cast<std::size_t>(families); ++f) {
+    out.push_back({{},
+                   SampleGrid(raster.origin, raster.pitch * Vec2(raster.nx, raster.ny),
+                              picture.options.spacing_max)});
+    for (std::size_t r = 0; r < regions.size(); ++r) {
+      for (TracedStroke& stroke : placed[order[f * regions.size() + r]].strokes) {
+        const auto id = static_cast<std::int32_t>(out[f].strokes.size());
+        insert_visible(out[f].grid, stroke, id);
+        out[f].strokes.push_back(std::move(stroke));
+      }
+    }
+  }
   return out;
 }
 

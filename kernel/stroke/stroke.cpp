@@ -1,5 +1,4 @@
 #include <burin/base/error.h>
-#include <burin/base/parallel.h>
 #include <burin/stroke/stroke.h>
 
 #include "placement.h"
@@ -8,7 +7,6 @@
 #include "widths.h"
 
 #include <cmath>
-#include <thread>
 
 namespace burin {
 namespace {
@@ -90,23 +88,9 @@ StrokeResult trace_strokes(std::span<const Surface* const> surfaces, const Camer
   const Coverage coverage = cover_picture(picture, raster, context);
 
   context.begin_stage("trace");
-  std::vector<Family> families;
-  const SampleGrid empty({0, 0}, {0, 0}, 1);
-  families.push_back({{}, empty});
-  if (options.cross_from <= 1) families.push_back({{}, empty});
-  const auto caller = std::this_thread::get_id();  // progress is told from there only
-  const auto place = [&](std::size_t f) {
-    const auto report = [&](double share) {
-      if (std::this_thread::get_id() == caller) context.progress(0.8 * share);
-    };
-    families[f] =
-        place_family(picture, raster, coverage.seeds, static_cast<int>(f) + 1, context, report);
-  };
-  if (families.size() > 1) {
-    parallel_invoke([&] { place(0); }, [&] { place(1); });
-  } else {
-    place(0);
-  }
+  const std::vector<Family> families =
+      place_families(picture, raster, coverage.seeds, options.cross_from <= 1 ? 2 : 1, context,
+                     [&](double share) { context.progress(0.8 * share); });
   Widths widths = solve_widths(picture, raster, families, context);
 
   StrokeResult result;
