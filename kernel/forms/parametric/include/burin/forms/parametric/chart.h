@@ -54,9 +54,10 @@ struct Placement {
   }
 };
 
-/// The unit normal Su x Sv (turned round where `reversed`). At poles and collapsed sides, where one
-/// partial vanishes, its limit by second derivatives; the zero vector where there is none (the tip
-/// of a cone). `domain_center` tells from which side the limit is taken: from inside.
+/// The unit normal Su x Sv (turned round where `reversed`). Where a partial vanishes (poles,
+/// collapsed sides), both do, or they are parallel: its limit by second derivatives, at the tip of
+/// a cone that along the ruling `uv.x`; the zero vector where they do not tell. `domain_center`
+/// tells from which side the limit is taken: from inside.
 /// @cite doCarmo1976
 Vec3 chart_normal(const SurfaceDerivatives& d, bool reversed, Vec2 uv, Vec2 domain_center);
 

@@ -11,7 +11,9 @@ namespace burin {
 
 /// A NURBS surface as data: degrees, knot vectors (clamped or not, size = count + degree + 1),
 /// control points in row-major order (index = i * count_v + j, i along u) and weights (empty where
-/// polynomial). A Bezier patch has knots 0..0 1..1.
+/// polynomial). The domain is knots[degree] to knots[count]. A direction is periodic where the two
+/// sides across it coincide and parameters shall wrap (control points are repeated as the knots
+/// need them). A Bezier patch has knots 0..0 1..1.
 struct NurbsData {
   int degree_u = 0, degree_v = 0;
   std::vector<double> knots_u, knots_v;
@@ -23,8 +25,9 @@ struct NurbsData {
 
 /// A chart that evaluates `data`. Spans are made ready once, so that it needs no cache and no
 /// locks. Throws GeometryError that says what is wrong with the data (counts, descending knots,
-/// weights that are not positive, numbers that are not finite). Cost: 0.1 us an evaluation of the
-/// second order of a bicubic surface. @cite Piegl1997
+/// weights that are not positive, numbers that are not finite, periods that do not close). Degrees
+/// 1 to 60. Cost: 0.05 us an evaluation of the second order of a bicubic surface; memory: 0.5 kB a
+/// bicubic span. @cite Piegl1997
 std::shared_ptr<const Chart> make_nurbs_chart(NurbsData data, FaceKind kind = FaceKind::Freeform);
 
 /// The data behind a chart made by make_nurbs_chart; nullptr for others.
