@@ -55,6 +55,7 @@ class Placement {
   void start(std::int32_t part, const SurfacePoint& point, double share) {
     StrokeSample seed;
     if (!tracer_.seed(part, point, Vec3(0), seed) || !tracer_.free(part, seed, share)) return;
+    if (!picture_.seen(part, seed.face, seed.paper, seed.depth)) return;
     TracedStroke stroke = tracer_.trace(part, seed, reach());
     if (family_ == 1 && narrow(stroke)) {
       // Across a narrow strip the strokes would be a fringe: go along it.

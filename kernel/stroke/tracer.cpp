@@ -85,8 +85,7 @@ bool Tracer::fill(std::int32_t part, const SurfacePoint& point, Vec3 previous,
 
 bool Tracer::seed(std::int32_t part, const SurfacePoint& point, Vec3 toward,
                   StrokeSample& out) const {
-  return fill(part, point, toward, out) && out.visible && out.facing > kMinFacing &&
-         picture_.seen(part, out.face, out.paper, out.depth);
+  return fill(part, point, toward, out) && out.visible && out.facing > kMinFacing;
 }
 
 std::optional<Vec2> Tracer::direction(std::int32_t part, const SurfacePoint& point,
