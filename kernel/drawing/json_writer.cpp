@@ -140,6 +140,10 @@ void append_path(Buffer& out, const Path& p, bool points3, int decimals3) {
     append_json(out, p.field);
     fmt::format_to(fmt::appender(out), ", \"family\": {}", p.family);
   }
+  for (std::size_t i = 0; i < p.faces.size(); ++i) {
+    fmt::format_to(fmt::appender(out), "{}[{},{}]{}", i == 0 ? ", \"faces\": [" : ",",
+                   p.faces[i].first_point, p.faces[i].face, i + 1 == p.faces.size() ? "]" : "");
+  }
   append(out, ", \"points\": [");
   for (std::size_t i = 0; i < p.points.size(); ++i) {
     append(out, i == 0 ? "[" : ",[");

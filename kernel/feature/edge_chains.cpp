@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <span>
 
 namespace burin {
 
@@ -11,8 +12,16 @@ namespace {
 
 constexpr std::size_t kEdgeGrain = 65536;
 
-/// One half-edge for each crease or boundary edge, ascending.
-std::vector<HalfEdge> feature_edges(const ProxyMesh& proxy, const RunContext& context) {
+bool is_wanted(const ProxyMesh& proxy, std::size_t h, const FeatureOptions& options) {
+  if (proxy.edge_kind[h] != EdgeKind::Smooth) return true;
+  if (proxy.source_edge.empty() || proxy.source_edge[h] < 0) return false;
+  const bool seam = !proxy.seam.empty() && proxy.seam[h] != 0;
+  return seam ? options.seams : options.smooth;
+}
+
+/// One half-edge for each edge that is wanted, ascending.
+std::vector<HalfEdge> feature_edges(const ProxyMesh& proxy, const FeatureOptions& options,
+                                    const RunContext& context) {
   const std::size_t n = proxy.edge_kind.size();
   std::vector<std::vector<HalfEdge>> found((n + kEdgeGrain - 1) / kEdgeGrain);
   parallel_for(
@@ -20,11 +29,9 @@ std::vector<HalfEdge> feature_edges(const ProxyMesh& proxy, const RunContext& co
       [&](std::size_t begin, std::size_t end) {
         std::vector<HalfEdge>& out = found[begin / kEdgeGrain];
         for (std::size_t h = begin; h < end; ++h) {
-          if (proxy.edge_kind[h] == EdgeKind::Smooth) continue;
           const HalfEdge o = proxy.topology.opposite[h];
-          if (o == kNoHalfEdge || static_cast<HalfEdge>(h) < o) {
-            out.push_back(static_cast<HalfEdge>(h));
-          }
+          if (o != kNoHalfEdge && static_cast<HalfEdge>(h) > o) continue;
+          if (is_wanted(proxy, h, options)) out.push_back(static_cast<HalfEdge>(h));
         }
       },
       &context);
@@ -35,17 +42,25 @@ std::vector<HalfEdge> feature_edges(const ProxyMesh& proxy, const RunContext& co
 
 class Chainer {
  public:
-  Chainer(const ProxyMesh& proxy, const std::vector<HalfEdge>& edges)
+  explicit Chainer(const ProxyMesh& proxy)
       : proxy_(proxy),
         degree_(proxy.mesh.positions.size(), 0),
         incident_(proxy.mesh.positions.size()),
-        used_(proxy.edge_kind.size(), 0) {
+        used_(proxy.edge_kind.size(), 0) {}
+
+  /// Chains of these edges, as if there were no others.
+  void chain(std::span<const HalfEdge> edges, std::vector<EdgeChain>& out) {
     for (const HalfEdge h : edges) {
       add(origin(proxy_.mesh, h), h);
       add(target(h), h);
     }
+    for (const HalfEdge h : edges) {
+      if (!used(h)) out.push_back(chain_from(h));
+    }
+    for (const HalfEdge h : edges) degree_[origin(proxy_.mesh, h)] = degree_[target(h)] = 0;
   }
 
+ private:
   bool used(HalfEdge h) const { return used_[static_cast<std::size_t>(h)] != 0; }
 
   EdgeChain chain_from(HalfEdge start) {
@@ -65,7 +80,6 @@ class Chainer {
     return chain;
   }
 
- private:
   EdgeKind kind(HalfEdge h) const { return proxy_.edge_kind[static_cast<std::size_t>(h)]; }
   HalfEdge reversed(HalfEdge h) const {
     return proxy_.topology.opposite[static_cast<std::size_t>(h)];
@@ -128,14 +142,33 @@ class Chainer {
 
 }  // namespace
 
-std::vector<EdgeChain> chain_edges(const ProxyMesh& proxy, const RunContext& context) {
-  const std::vector<HalfEdge> edges = feature_edges(proxy, context);
+std::vector<EdgeChain> chain_edges(const ProxyMesh& proxy, const FeatureOptions& options,
+                                   const RunContext& context) {
+  std::vector<HalfEdge> edges = feature_edges(proxy, options, context);
   std::vector<EdgeChain> chains;
   if (edges.empty()) return chains;
-  Chainer chainer(proxy, edges);
-  for (std::size_t i = 0; i < edges.size(); ++i) {
-    if (i % 4096 == 0) context.check();
-    if (!chainer.used(edges[i])) chains.push_back(chainer.chain_from(edges[i]));
+  Chainer chainer(proxy);
+  if (proxy.source_edge.empty()) {
+    chainer.chain(edges, chains);
+    for (std::size_t i = 0; i < chains.size(); ++i) {
+      chains[i].source = static_cast<std::int32_t>(i);
+    }
+    return chains;
+  }
+  const auto source = [&](HalfEdge h) { return proxy.source_edge[static_cast<std::size_t>(h)]; };
+  std::ranges::stable_sort(edges, {}, source);
+  for (auto first = edges.begin(); first != edges.end();) {
+    context.check();
+    const auto last =
+        std::find_if(first, edges.end(), [&](HalfEdge h) { return source(h) != source(*first); });
+    const std::size_t before = chains.size();
+    chainer.chain({first, last}, chains);
+    for (std::size_t i = before; i < chains.size(); ++i) {
+      const auto h = static_cast<std::size_t>(chains[i].edges.front());
+      chains[i].source = proxy.source_edge[h];
+      chains[i].seam = !proxy.seam.empty() && proxy.seam[h] != 0;
+    }
+    first = last;
   }
   return chains;
 }

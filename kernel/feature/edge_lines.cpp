@@ -1,6 +1,7 @@
 #include "edge_lines.h"
 
 #include "hair.h"
+#include "paper_limits.h"
 
 #include <array>
 #include <utility>
@@ -16,12 +17,15 @@ struct Step {
   /// right.
   std::array<Vec3, 2> left, right;
   bool left_front = false, right_front = false;
+  /// Of a smooth edge: a contour runs along it.
+  bool on_contour = false;
   HalfEdge half_edge = kNoHalfEdge;
 };
 
 /// What a step is; steps with equal looks become one curve.
 struct Look {
   LineClass kind = LineClass::Crease;
+  bool drawn = true;
   bool face_left = true;
   /// Sign of the sum of both normals towards the open side.
   int open = 1;
@@ -36,15 +40,16 @@ struct LookAndHidden {
 LookAndHidden crease_look(bool left_front, bool right_front, bool convex, bool closed) {
   if (left_front == right_front) {
     const bool away = !left_front;
-    return {{LineClass::Crease, true, closed || !away ? 1 : -1}, closed && away};
+    return {{LineClass::Crease, true, true, closed || !away ? 1 : -1}, closed && away};
   }
   // A fold. In a hollow the face turned away covers the one turned to the viewer.
-  return {{LineClass::Contour, left_front, closed || convex ? 1 : -1}, closed && !convex};
+  return {{LineClass::Contour, true, left_front, closed || convex ? 1 : -1}, closed && !convex};
 }
 
 class ChainWalk {
  public:
-  ChainWalk(const Facing& facing, const EdgeChain& chain) : facing_(facing) {
+  ChainWalk(const Facing& facing, const EdgeChain& chain)
+      : facing_(facing), smooth_(chain.kind == EdgeKind::Smooth) {
     for (const HalfEdge h : chain.edges) add_edge(h);
   }
   const std::vector<Step>& steps() const { return steps_; }
@@ -75,6 +80,11 @@ class ChainWalk {
     step.half_edge = h;
     step.left_front = facing_.front(facing_.origin_wedge(h));
     step.right_front = o != kNoHalfEdge && facing_.front(facing_.target_wedge(o));
+    if (smooth_ && count == 2 && !step.left_front) {
+      const bool left = front_beside(h), right = front_beside(o);
+      step.left_front = step.right_front = left && right;
+      step.on_contour = left != right;
+    }
     for (std::size_t i = 0; i + 1 < count; ++i) {
       if (i > 0) (cuts[i].left ? step.left_front : step.right_front) ^= true;
       step.from = cuts[i].position;
@@ -89,7 +99,23 @@ class ChainWalk {
     }
   }
 
+  /// Whether the triangle of a half-edge with both ends turned away is turned to the viewer right
+  /// from that edge on: then a contour runs along it.
+  bool front_beside(HalfEdge h) const {
+    const HalfEdge in = next_in_face(h), out = prev_in_face(h);
+    if (!facing_.front(facing_.origin_wedge(out))) return false;
+    const TriMesh& mesh = facing_.proxy().mesh;
+    const Vec3 &a = mesh.positions[origin(mesh, h)], &b = mesh.positions[origin(mesh, in)];
+    const Vec3 along = normalize_or(b - a, Vec3(0));
+    const auto near = [&](HalfEdge crossed) {
+      const Vec3 off = reject(facing_.crossing(crossed).position - a, along);
+      return glm::length(off) * facing_.camera().scale_at(a) < kAlongEdge;
+    };
+    return near(in) && near(out);
+  }
+
   const Facing& facing_;
+  bool smooth_;
   std::vector<Step> steps_;
 };
 
@@ -138,8 +164,14 @@ class LineMaker {
 
  private:
   LookAndHidden look(std::size_t i) const {
-    if (chain_.kind == EdgeKind::Boundary) return {{LineClass::Boundary, true, 1}, false};
+    if (chain_.kind == EdgeKind::Boundary) return {{LineClass::Boundary, true, true, 1}, false};
     const Step& s = walk_.steps()[i];
+    if (chain_.kind == EdgeKind::Smooth) {
+      if (s.on_contour) return {{LineClass::Smooth, false, true, 1}, false};
+      LookAndHidden out = crease_look(s.left_front, s.right_front, true, closed_mesh_);
+      out.look.kind = chain_.seam ? LineClass::Seam : LineClass::Smooth;
+      return out;
+    }
     return crease_look(s.left_front, s.right_front, chain_.kind == EdgeKind::ConvexCrease,
                        closed_mesh_);
   }
@@ -156,6 +188,7 @@ class LineMaker {
   static bool wanted(LineClass kind, const FeatureOptions& options) {
     if (kind == LineClass::Boundary) return options.boundaries;
     if (kind == LineClass::Contour) return options.contours;
+    if (kind == LineClass::Smooth || kind == LineClass::Seam) return true;  // else not in the list
     return options.creases;
   }
 
@@ -164,12 +197,12 @@ class LineMaker {
     const std::vector<Step>& steps = walk_.steps();
     const std::size_t n = steps.size();
     const Look first = look(begin % n).look;
-    if (!wanted(first.kind, options)) return;
+    if (!first.drawn || !wanted(first.kind, options)) return;
     const auto& proxy = facing_.proxy();
     Curve3 curve;
     curve.kind = first.kind;
     curve.closed = closed;
-    curve.occluding = first.kind != LineClass::Crease;
+    curve.occluding = first.kind == LineClass::Contour || first.kind == LineClass::Boundary;
     if (chain_.kind == EdgeKind::ConvexCrease) curve.crease_sign = 1;
     if (chain_.kind == EdgeKind::ConcaveCrease) curve.crease_sign = -1;
     for (std::size_t i = begin; i < end; ++i) {
@@ -188,7 +221,7 @@ class LineMaker {
       curve.normals.push_back(normal(last, 1, first.open));
     }
     curve.source = source_;
-    curve.source.face = proxy.face_region[static_cast<std::size_t>(curve.faces.front())];
+    curve.source.face = proxy.face_source(static_cast<std::uint32_t>(curve.faces.front()));
     out.push_back(std::move(curve));
   }
 
@@ -205,12 +238,13 @@ std::vector<Curve3> edge_lines(const Facing& facing, std::span<const EdgeChain> 
                                std::int32_t part, const FeatureOptions& options,
                                const RunContext& context) {
   std::vector<Curve3> out;
+  const bool exact = !facing.proxy().source_edge.empty();  // its creases are no noise
   for (std::size_t i = 0; i < chains.size(); ++i) {
     if (i % 1024 == 0) context.check();
     FeatureOptions wanted = options;
     wanted.contours |= wanted.creases;  // a crease that is a contour is still a crease
-    SourceId source{part, -1, static_cast<std::int32_t>(i)};
-    if (is_hair(facing, chains[i])) {
+    SourceId source{part, -1, chains[i].source};
+    if (!exact && is_hair(facing, chains[i])) {
       // Folds of the picture that run along a hair are contours like those before and after it.
       wanted.creases = false;
       source.edge = -1;

@@ -13,8 +13,7 @@
 
 namespace burin {
 
-/// Cuts every chain where the facing of one of its sides changes and names the pieces. Numbers in
-/// `source.edge` are places in `chains`.
+/// Cuts every chain where the facing of one of its sides changes and names the pieces.
 std::vector<Curve3> edge_lines(const Facing& facing, std::span<const EdgeChain> chains,
                                std::int32_t part, const FeatureOptions& options,
                                const RunContext& context);

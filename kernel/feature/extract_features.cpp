@@ -1,4 +1,5 @@
 #include <burin/feature/feature.h>
+#include <burin/feature/source_faces.h>
 
 #include "contours.h"
 #include "edge_chains.h"
@@ -26,27 +27,43 @@ std::vector<Curve3> extract_features(std::span<const ProxyMesh* const> proxies,
                                      Diagnostics& diagnostics, const RunContext& context) {
   std::vector<Curve3> curves;
   std::int64_t noise = 0;
+  const bool edges =
+      options.contours || options.creases || options.boundaries || options.smooth || options.seams;
   for (std::size_t i = 0; i < proxies.size(); ++i) {
     const auto part = static_cast<std::int32_t>(i);
-    const Facing facing(*proxies[i], camera, context);
+    const ProxyMesh& proxy = *proxies[i];
+    const Facing facing(proxy, camera, context);
     std::vector<Curve3> lines;
     if (options.contours) {
       Contours contours = trace_contours(facing, part, context);
       lines = std::move(contours.curves);
       noise += contours.noise;
     }
-    if (options.contours || options.creases || options.boundaries) {
-      const std::vector<EdgeChain> chains = chain_edges(*proxies[i], context);
+    if (edges) {
+      const std::vector<EdgeChain> chains = chain_edges(proxy, options, context);
       append(edge_lines(facing, chains, part, options, context), lines);
     }
     join_contours(lines);
-    drop_specks(lines, camera);
+    if (proxy.source_edge.empty()) drop_specks(lines, camera);
     for (Curve3& line : lines) {
-      if (line.kind == LineClass::Contour && line.source.edge < 0) round_off(line, camera);
+      if (line.kind != LineClass::Contour || line.source.edge >= 0) continue;
+      // Those of a cut proxy are samples of the exact line, near enough to one another.
+      if (proxy.on_contour.empty()) round_off(line, camera);
+      if (!proxy.source_face.empty()) {
+        line.source.face = main_face(source_faces(line, proxy, camera));
+      }
     }
     append(std::move(lines), curves);
   }
-  if (options.intersections) append(intersection_curves(proxies, camera, context), curves);
+  if (options.intersections) {
+    std::vector<Curve3> lines = intersection_curves(proxies, camera, context);
+    for (Curve3& line : lines) {
+      const ProxyMesh& proxy = *proxies[static_cast<std::size_t>(line.source.part)];
+      if (proxy.source_face.empty()) continue;
+      line.source.face = main_face(source_faces(line, proxy, camera));
+    }
+    append(std::move(lines), curves);
+  }
   if (noise > 0) {
     diagnostics.add(Severity::Info, "feature.noise_loops", noise,
                     "closed contours too small to be shape were left out");

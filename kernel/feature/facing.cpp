@@ -59,7 +59,7 @@ void Facing::turn_flat_walls_away(const FacingFunction& facing, const RunContext
       &context);
   for (const auto& part : found) {
     for (const std::uint32_t f : part) {
-      for (const std::uint32_t w : proxy_->wedges[f]) g_[w] = std::min(g_[w], -kEdgeOn);
+      for (const std::uint32_t w : proxy_->wedges[f]) turn_away(w);
     }
   }
 }

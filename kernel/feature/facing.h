@@ -6,6 +6,7 @@
 #include <burin/mesh/proxy_mesh.h>
 #include <burin/mesh/rounded_mesh.h>
 
+#include <algorithm>
 #include <cstdint>
 #include <vector>
 
@@ -42,6 +43,13 @@ class Facing {
   Vec3 normal(HalfEdge h, double share) const;
 
  private:
+  /// Makes what is turned to the viewer just turned away; contours of a cut proxy stay where they
+  /// are.
+  void turn_away(std::uint32_t wedge) {
+    const bool on_contour = !proxy_->on_contour.empty() && proxy_->on_contour[wedge] != 0;
+    if (!on_contour) g_[wedge] = std::min(g_[wedge], -kEdgeOn);
+  }
+
   /// A flat wall between two fillets has normals that lean to both: seen edge-on it would be cut in
   /// two somewhere. As a whole turned away it ends where the fillet begins, which is where it is
   /// seen.

@@ -21,6 +21,9 @@ inline constexpr double kThinWidth = 0.02;
 /// crumbs of lines are born.
 inline constexpr double kSnapLength = 1e-3;
 
+/// Paper mm: a contour whose zeros lie this near to a smooth edge of the input runs along it.
+inline constexpr double kAlongEdge = 0.01;
+
 /// Paper mm: between its points a contour may be this far from the smooth line through them: a
 /// fifth of what the writers' curves may be off.
 inline constexpr double kRoundness = 0.004;

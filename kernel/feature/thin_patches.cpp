@@ -99,7 +99,7 @@ void Facing::turn_thin_patches_away(const RunContext& context) {
       for (const std::uint32_t w : proxy_->wedges[f]) away.push_back(w);
     }
   }
-  for (const std::uint32_t w : away) g_[w] = std::min(g_[w], -kEdgeOn);
+  for (const std::uint32_t w : away) turn_away(w);
 }
 
 }  // namespace burin

@@ -1,6 +1,7 @@
 #include "compose.h"
 
 #include <burin/drawing/bezier.h>
+#include <burin/feature/source_faces.h>
 
 #include <algorithm>
 #include <utility>
@@ -55,7 +56,18 @@ double paper_length(const Path& path) {
   return sum;
 }
 
-// Leaves out points that neither the line nor its width needs.
+// Where a path goes on to the next face of the input; features that are edges have one face.
+void name_faces(const Curve3& curve, const ProxyMesh& proxy, const Camera& camera, Path& path) {
+  if (proxy.source_face.empty() || curve.source.edge >= 0 || curve.faces.empty()) return;
+  const std::vector<FaceRun> runs = source_faces(curve, proxy, camera);
+  path.source.face = main_face(runs);
+  if (runs.size() < 2) return;
+  for (const FaceRun& run : runs) {
+    path.faces.push_back({static_cast<std::uint32_t>(run.first_segment), run.face});
+  }
+}
+
+// Leaves out points that neither the line nor its width needs; those where the face changes stay.
 void simplify_path(Path& path) {
   if (path.points.size() < 3) return;
   const bool varies = path.width.size() == path.points.size();
@@ -65,11 +77,25 @@ void simplify_path(Path& path) {
     line.emplace_back(path.points[i], varies ? path.width[i] : 0.0);
   }
   std::size_t kept = 0;
-  for (const std::size_t i : simplify(line, kSimplify)) {  // ascending: entries move forward only
+  const auto keep = [&](std::size_t i) {  // ascending: entries move forward only
     path.points[kept] = path.points[i];
     path.points3[kept] = path.points3[i];
     if (varies) path.width[kept] = path.width[i];
     ++kept;
+  };
+  std::size_t first = 0;
+  for (std::size_t run = 1; run <= path.faces.size(); ++run) {
+    const std::size_t next =
+        run < path.faces.size() ? path.faces[run].first_point : path.points.size() - 1;
+    if (next == first) continue;
+    const auto part = std::span(line).subspan(first, next - first + 1);
+    if (kept > 0) --kept;  // the joint is the last of one part and the first of the next
+    for (const std::size_t i : simplify(part, kSimplify)) keep(first + i);
+    if (run < path.faces.size()) path.faces[run].first_point = static_cast<std::uint32_t>(kept - 1);
+    first = next;
+  }
+  if (path.faces.empty()) {
+    for (const std::size_t i : simplify(line, kSimplify)) keep(i);
   }
   path.points.resize(kept);
   path.points3.resize(kept);
@@ -93,6 +119,9 @@ double feature_width(const Style& style, LineClass kind, const Span& span) {
       return style.line.boundary;
     case LineClass::Intersection:
       return style.line.intersection;
+    case LineClass::Smooth:
+    case LineClass::Seam:
+      return style.line.smooth;
     default:
       return style.line.crease;
   }
@@ -106,6 +135,10 @@ bool is_drawn(const Style& style, LineClass kind) {
       return style.feature.boundaries;
     case LineClass::Intersection:
       return style.feature.intersections;
+    case LineClass::Smooth:
+      return style.feature.smooth;
+    case LineClass::Seam:
+      return style.feature.seams;
     default:
       return style.feature.creases;
   }
@@ -117,10 +150,15 @@ const char* feature_layer(LineClass kind, const Span& span) {
   return to_string(kind);
 }
 
+const ProxyMesh& proxy_of(std::span<const ProxyMesh* const> proxies, const Curve3& curve) {
+  return *proxies[static_cast<std::size_t>(curve.source.part)];
+}
+
 }  // namespace
 
 void compose_strokes(std::span<const Curve3> strokes, const std::vector<std::vector<Span>>& spans,
-                     const Camera& camera, const Style& style, Drawing& drawing) {
+                     std::span<const ProxyMesh* const> proxies, const Camera& camera,
+                     const Style& style, Drawing& drawing) {
   Layer layers[2] = {{"stroke-1", {}}, {"stroke-2", {}}};
   for (std::size_t i = 0; i < strokes.size(); ++i) {
     const Curve3& curve = strokes[i];
@@ -128,9 +166,11 @@ void compose_strokes(std::span<const Curve3> strokes, const std::vector<std::vec
     for (const Span& span : merged(spans[i], curve.closed, count)) {
       if (!span.visible) continue;
       const bool whole = span.begin <= 0 && span.end >= count;
-      Path path = to_path(piece(curve, span), camera);
+      const Curve3 visible = piece(curve, span);
+      Path path = to_path(visible, camera);
       if (!whole && paper_length(path) < kShortestRest * style.hatch.length_min) continue;
       path.field = style.hatch.field;
+      name_faces(visible, proxy_of(proxies, curve), camera, path);
       simplify_path(path);
       layers[curve.family == 2 ? 1 : 0].paths.push_back(std::move(path));
     }
@@ -142,10 +182,11 @@ void compose_strokes(std::span<const Curve3> strokes, const std::vector<std::vec
 }
 
 void compose_features(std::span<const Curve3> features, const std::vector<std::vector<Span>>& spans,
-                      const Camera& camera, const Style& style, HiddenLines hidden,
-                      Drawing& drawing) {
+                      std::span<const ProxyMesh* const> proxies, const Camera& camera,
+                      const Style& style, HiddenLines hidden, Drawing& drawing) {
   std::vector<Layer> layers;
-  for (const char* name : {"hidden", "intersection", "crease", "boundary", "contour", "outline"}) {
+  for (const char* name :
+       {"hidden", "seam", "smooth", "intersection", "crease", "boundary", "contour", "outline"}) {
     layers.push_back({name, {}});
   }
   for (std::size_t i = 0; i < features.size(); ++i) {
@@ -154,10 +195,12 @@ void compose_features(std::span<const Curve3> features, const std::vector<std::v
     for (const Span& span :
          merged(spans[i], curve.closed, static_cast<double>(curve.segment_count()))) {
       if (!span.visible && hidden == HiddenLines::None) continue;
-      Path path = to_path(piece(curve, span), camera);
+      const Curve3 drawn = piece(curve, span);
+      Path path = to_path(drawn, camera);
       if (path.points.size() < 2) continue;
       path.visible = span.visible;
       path.width = {feature_width(style, curve.kind, span)};
+      name_faces(drawn, proxy_of(proxies, curve), camera, path);
       simplify_path(path);
       const char* name = feature_layer(curve.kind, span);
       const auto layer = std::ranges::find(layers, name, &Layer::name);

@@ -6,6 +6,7 @@
 #include <burin/drawing/drawing.h>
 #include <burin/illustrate/illustrate.h>
 #include <burin/illustrate/style.h>
+#include <burin/mesh/proxy_mesh.h>
 #include <burin/visibility/visible_spans.h>
 
 #include <span>
@@ -15,11 +16,12 @@ namespace burin::detail {
 
 /// Appends the layers of the strokes: one a family.
 void compose_strokes(std::span<const Curve3> strokes, const std::vector<std::vector<Span>>& spans,
-                     const Camera& camera, const Style& style, Drawing& drawing);
+                     std::span<const ProxyMesh* const> proxies, const Camera& camera,
+                     const Style& style, Drawing& drawing);
 
 /// Appends the layers of the feature lines, thin ones first.
 void compose_features(std::span<const Curve3> features, const std::vector<std::vector<Span>>& spans,
-                      const Camera& camera, const Style& style, HiddenLines hidden,
-                      Drawing& drawing);
+                      std::span<const ProxyMesh* const> proxies, const Camera& camera,
+                      const Style& style, HiddenLines hidden, Drawing& drawing);
 
 }  // namespace burin::detail

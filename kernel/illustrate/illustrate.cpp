@@ -10,6 +10,7 @@
 #include "compose.h"
 
 #include <memory>
+#include <set>
 #include <vector>
 
 namespace burin {
@@ -102,6 +103,12 @@ DrawingView describe(const Camera& camera) {
   return view;
 }
 
+std::int64_t face_count(const ProxyMesh& proxy) {
+  if (proxy.source_face.empty()) return proxy.region_count;
+  return static_cast<std::int64_t>(
+      std::set(proxy.source_face.begin(), proxy.source_face.end()).size());
+}
+
 Drawing describe(const Scene& scene, const std::vector<const ProxyMesh*>& proxies,
                  const Camera& camera, const Style& style, std::uint64_t seed) {
   Drawing drawing;
@@ -114,7 +121,7 @@ Drawing describe(const Scene& scene, const std::vector<const ProxyMesh*>& proxie
   for (std::size_t i = 0; i < scene.parts.size(); ++i) {
     const auto triangles = static_cast<std::int64_t>(proxies[i]->mesh.triangles.size());
     drawing.parts.push_back({static_cast<std::int32_t>(i), scene.parts[i].name,
-                             scene.parts[i].source, triangles, proxies[i]->region_count});
+                             scene.parts[i].source, triangles, face_count(*proxies[i])});
     drawing.stats.triangles += triangles;
   }
   return drawing;
@@ -148,7 +155,10 @@ Drawing illustrate(const Scene& scene, const Camera& camera, const Style& style,
   context.begin_stage("features");
   // All of them, drawn or not: contours and boundaries cut the visibility of the others.
   const std::vector<Curve3> features =
-      extract_features(proxies, camera, {.intersections = style.feature.intersections},
+      extract_features(proxies, camera,
+                       {.intersections = style.feature.intersections,
+                        .smooth = style.feature.smooth,
+                        .seams = style.feature.seams},
                        drawing.diagnostics, context);
 
   context.begin_stage("visibility");
@@ -157,8 +167,9 @@ Drawing illustrate(const Scene& scene, const Camera& camera, const Style& style,
   const auto stroke_spans = map.classify(strokes.strokes, {}, context);
 
   context.begin_stage("compose");
-  detail::compose_strokes(strokes.strokes, stroke_spans, camera, style, drawing);
-  detail::compose_features(features, feature_spans, camera, style, options.hidden, drawing);
+  detail::compose_strokes(strokes.strokes, stroke_spans, proxies, camera, style, drawing);
+  detail::compose_features(features, feature_spans, proxies, camera, style, options.hidden,
+                           drawing);
   context.end_stage();
   return drawing;
 }

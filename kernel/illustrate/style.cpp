@@ -17,8 +17,10 @@ Style outline() {
             .contour = 0.35,
             .crease = 0.25,
             .boundary = 0.35,
+            .smooth = 0.18,
             .intersection = 0.25,
             .hidden = 0.18};
+  s.feature.smooth = true;
   s.hatch.enabled = false;
   return s;
 }
@@ -31,6 +33,8 @@ Style technical() {
   s.line.contour = 0.3;
   s.line.crease = 0.25;
   s.line.boundary = 0.3;
+  s.line.smooth = 0.13;
+  s.feature.smooth = true;
   s.hatch.spacing_min = 0.9;
   s.hatch.spacing_max = 1.6;
   s.hatch.width_min = 0.08;
@@ -51,6 +55,7 @@ Style engraving() {
   s.line.contour = 0.25;
   s.line.crease = 0.18;
   s.line.boundary = 0.25;
+  s.line.smooth = 0.13;
   s.line.intersection = 0.2;
   s.hatch.spacing_min = 0.55;
   s.hatch.spacing_max = 1.1;

@@ -64,7 +64,7 @@ Curve3 to_curve(const TracedStroke& stroke, const Surface& surface, std::vector<
   c.kind = LineClass::Stroke;
   c.family = stroke.family;
   c.closed = stroke.closed;
-  c.source = {stroke.part, stroke.samples.front().region, -1};
+  c.source = {stroke.part, surface.proxy().face_source(stroke.samples.front().face), -1};
   c.widths = std::move(widths);
   for (const StrokeSample& s : stroke.samples) {
     c.points.push_back(surface.drawn_position(s.point));

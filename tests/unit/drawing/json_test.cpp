@@ -86,6 +86,14 @@ TEST(JsonWriter, PathsHaveEveryFieldOfTheContract) {
   }
 }
 
+TEST(JsonWriter, FacesAreNamedWhereAPathRunsOverSeveral) {
+  Drawing drawing = test::sample_drawing();
+  EXPECT_EQ(json_text(drawing).find("\"faces\": [["), std::string::npos);
+  drawing.layers[0].paths[0].faces = {{0, 12}, {1, 7}};
+  const json j = json::parse(json_text(drawing));
+  EXPECT_EQ(j.at("layers")[0].at("paths")[0].at("faces"), json::parse("[[0,12],[1,7]]"));
+}
+
 TEST(JsonWriter, PerspectiveTellsEyeAndField) {
   Drawing d = test::sample_drawing();
   d.view.projection = "perspective";

@@ -12,12 +12,21 @@
 
 namespace burin {
 
+/// From a point of a path on, the face of the input that it lies on.
+struct PathFace {
+  std::uint32_t first_point = 0;
+  std::int32_t face = -1;
+};
+
 /// One line of ink. `points` (paper mm, origin bottom left, y up) and `points3` (model mm) have the
 /// same size; `width` (paper mm) has one entry for a constant width or one a point.
 struct Path {
   LineClass kind = LineClass::Contour;
   bool visible = true;
+  /// The face is the one that holds most of the line where that runs over several.
   SourceId source;
+  /// Only where the line runs over several faces; the first entry begins at point 0.
+  std::vector<PathFace> faces;
   bool closed = false;
   std::vector<Vec2> points;
   std::vector<Vec3> points3;

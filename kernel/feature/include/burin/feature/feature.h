@@ -18,6 +18,10 @@ struct FeatureOptions {
   bool boundaries = true;
   /// Curves in which different parts (or closed components of one part) pass through each other.
   bool intersections = true;
+  /// Of proxies that know the edges of their input: those over which the surface goes on smoothly,
+  /// and those where a face meets itself.
+  bool smooth = false;
+  bool seams = false;
 };
 
 /// All feature lines of one proxy a part, hidden ones too, chained into long paths; a chain ends
@@ -32,9 +36,16 @@ struct FeatureOptions {
 /// same for every view; -1 for contours inside regions and for intersections. Intersections belong
 /// to the first of both parts, have crease_sign -1 and are not `occluding`.
 ///
-/// `self_hidden` is set on closed components alone: creases with both sides turned away, folds in a
-/// hollow, contours whose far side is in front, intersections with either surface turned away. Per
-/// point `normals`, per segment `faces` and `self_hidden` are always present.
+/// Proxies that know their source: `source.edge` is the edge of the input, one a curve, and
+/// `source.face` the face of the input. A contour runs on over all faces of a smooth region;
+/// `source.face` is then the one that holds most of its length on paper (see source_faces.h for the
+/// others). Smooth edges and seams are of kind Smooth and Seam, not `occluding`, and are left out
+/// where a contour runs along them.
+///
+/// `self_hidden` is set on closed components alone: creases and smooth edges with both sides
+/// turned away, folds in a hollow, contours whose far side is in front, intersections with either
+/// surface turned away. Per point `normals`, per segment `faces` and `self_hidden` are always
+/// present.
 ///
 /// Left out, by limits in paper mm: closed contours that are noise (diagnostic
 /// "feature.noise_loops"), short weak creases that separate nothing, intersections where parts

@@ -17,12 +17,13 @@ struct Style {
   std::string name = "technical";
 
   struct {
-    /// Line widths after ISO 128: the outer outline, inner contours, creases, boundaries,
-    /// intersections, hidden lines.
+    /// Line widths after ISO 128: the outer outline, inner contours, creases, boundaries, smooth
+    /// edges and seams, intersections, hidden lines.
     double outer = 0.7;
     double contour = 0.35;
     double crease = 0.25;
     double boundary = 0.35;
+    double smooth = 0.18;
     double intersection = 0.25;
     double hidden = 0.18;
     /// Dash and gap of hidden lines.
@@ -34,6 +35,9 @@ struct Style {
     bool contours = true;
     bool creases = true;
     bool boundaries = true;
+    /// Edges of CAD parts over which the surface goes on smoothly, and where a face meets itself.
+    bool smooth = false;
+    bool seams = false;
     bool intersections = true;
     double crease_angle = 30;
   } feature;
