@@ -1,5 +1,6 @@
 #include "readers.h"
 
+#include <burin/converters/cad_reader.h>
 #include <burin/converters/mesh_info.h>
 #include <burin/converters/mesh_reader.h>
 
@@ -17,7 +18,9 @@ constexpr Reader kMesh{
       return inspect_mesh(path, context);
     }};
 
-constexpr std::array kReaders{kMesh};
+constexpr Reader kCad{"STEP, IGES, BREP", is_cad_content, is_cad_suffix, read_cad, inspect_cad};
+
+constexpr std::array kReaders{kCad, kMesh};
 
 /// Empty where the file cannot be read: its reader says why.
 std::string head_of(const std::filesystem::path& path) {

@@ -1,0 +1,38 @@
+#include <burin/base/error.h>
+
+#include "cad_file.h"
+#include "collect.h"
+#include "occt_session.h"
+#include "text.h"
+
+#include <BRepTools.hxx>
+#include <BRep_Builder.hxx>
+#include <BinTools.hxx>
+
+#include <sstream>
+#include <string>
+
+namespace burin {
+
+CadFile read_brep(const Source& source, bool binary, RunContext& context) {
+  std::istringstream in(std::string(source.bytes()));
+  const Handle(OcctProgress) progress = new OcctProgress(context, 0, 1);
+  TopoDS_Shape shape;
+  if (binary) {
+    BinTools::Read(shape, in, progress->Start());
+  } else {
+    BRepTools::Read(shape, in, BRep_Builder(), progress->Start());
+  }
+  context.check();
+  if (shape.IsNull()) source.fail("is broken or no BREP file; export the model again");
+  CadFile file;
+  file.format = binary ? "BREP (binary)" : "BREP (text)";
+  const std::string stem = clean_name(std::filesystem::path(source.file()).stem().string());
+  for (const TopoDS_Shape& piece : split_shape(shape)) {
+    file.parts.push_back(make_part(piece, TopLoc_Location(), stem));
+  }
+  make_names_unique(file.parts);
+  return file;
+}
+
+}  // namespace burin

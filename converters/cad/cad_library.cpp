@@ -1,0 +1,80 @@
+#include "cad_library.h"
+
+#include <burin/base/error.h>
+#include <burin/base/version.h>
+#include <burin/forms/brep/brep_form.h>
+#include <burin/forms/brep/occt/brep_model.h>
+
+#include "cad_file.h"
+#include "measure.h"
+
+#include <fmt/format.h>
+
+#include <map>
+#include <memory>
+#include <utility>
+
+namespace burin {
+namespace {
+
+/// The models of shapes, each made once.
+class Models {
+ public:
+  /// The number of the model and the model; throws GeometryError.
+  std::pair<std::size_t, std::shared_ptr<const BrepModel>> of(const TopoDS_Shape& shape) {
+    const auto key = std::pair(shape.TShape().get(), shape.Orientation());
+    const auto [it, is_new] = known_.try_emplace(key, known_.size(), nullptr);
+    if (is_new) it->second.second = make_brep_model(shape);
+    return it->second;
+  }
+
+ private:
+  std::map<std::pair<TopoDS_TShape*, TopAbs_Orientation>,
+           std::pair<std::size_t, std::shared_ptr<const BrepModel>>>
+      known_;
+};
+
+Scene read(const std::filesystem::path& path, RunContext& context) {
+  CadFile file = read_cad_file(path, context);
+  Scene scene;
+  scene.diagnostics = std::move(file.diagnostics);
+  Models models;
+  for (CadPart& part : file.parts) {
+    context.check();
+    auto form = std::make_shared<BrepForm>(models.of(part.shape).second, part.placement);
+    scene.parts.push_back({std::move(part.name), path.string(), std::move(form),
+                           std::move(part.assembly), std::move(part.color)});
+  }
+  return scene;
+}
+
+FileInfo inspect(const std::filesystem::path& path, RunContext& context) {
+  CadFile file = read_cad_file(path, context);
+  FileInfo info;
+  info.file = path.string();
+  info.format = std::move(file.format);
+  info.schema = std::move(file.schema);
+  info.diagnostics = std::move(file.diagnostics);
+  Models models;
+  std::map<std::size_t, std::int32_t> first;  // part of each model
+  for (CadPart& part : file.parts) {
+    context.check();
+    const auto [number, model] = models.of(part.shape);
+    PartInfo p = measure(*model, part.placement);
+    const auto [it, is_new] =
+        first.try_emplace(number, static_cast<std::int32_t>(info.parts.size()));
+    if (!is_new) p.same_shape_as = it->second;
+    p.name = std::move(part.name);
+    p.assembly = std::move(part.assembly);
+    p.color = std::move(part.color);
+    info.parts.push_back(std::move(p));
+  }
+  return info;
+}
+
+constexpr CadLibrary kLibrary{BURIN_CAD_VERSION, read, inspect};
+
+}  // namespace
+}  // namespace burin
+
+extern "C" const burin::CadLibrary* burin_cad_library() { return &burin::kLibrary; }

@@ -1,0 +1,23 @@
+#pragma once
+/// The door of libburin_cad: one symbol, `burin_cad_library`, which gives this.
+
+#include <burin/base/run_context.h>
+#include <burin/converters/file_info.h>
+#include <burin/surface/scene.h>
+
+#include <filesystem>
+
+namespace burin {
+
+/// Both sides are built together and share libburin: C++ types and exceptions pass. `version` must
+/// be looked at before anything else is used.
+struct CadLibrary {
+  const char* version;
+  Scene (*read)(const std::filesystem::path& path, RunContext& context);
+  FileInfo (*inspect)(const std::filesystem::path& path, RunContext& context);
+};
+
+inline constexpr const char* kCadLibraryDoor = "burin_cad_library";
+using CadLibraryDoor = const CadLibrary* (*)();
+
+}  // namespace burin

@@ -1,0 +1,48 @@
+#include "measure.h"
+
+#include <BRepGProp.hxx>
+#include <GProp_GProps.hxx>
+#include <Standard_Failure.hxx>
+
+#include <cmath>
+
+namespace burin {
+namespace {
+
+/// Volume, or area, of the model itself.
+double integral(const TopoDS_Shape& shape, bool volume) {
+  try {
+    GProp_GProps properties;
+    if (volume) {
+      BRepGProp::VolumeProperties(shape, properties);
+    } else {
+      BRepGProp::SurfaceProperties(shape, properties);
+    }
+    const double mass = properties.Mass();
+    return std::isfinite(mass) ? mass : 0;
+  } catch (const Standard_Failure&) {
+    return 0;
+  }
+}
+
+}  // namespace
+
+PartInfo measure(const BrepModel& model, const Placement& placement) {
+  const BrepCounts counts = model.counts();
+  PartInfo info;
+  info.solids = counts.solids;
+  info.shells = counts.shells;
+  info.faces = counts.faces;
+  info.edges = counts.edges;
+  info.boundary_edges = counts.free_edges;
+  // A placement is a similarity.
+  const double volume_scale = std::abs(glm::determinant(placement.linear));
+  info.area = integral(model.shape(), false) * std::pow(volume_scale, 2.0 / 3);
+  if (counts.closed) info.volume = std::abs(integral(model.shape(), true)) * volume_scale;
+  info.bounds = model.bounds(placement.linear);
+  info.bounds.min += placement.offset;
+  info.bounds.max += placement.offset;
+  return info;
+}
+
+}  // namespace burin

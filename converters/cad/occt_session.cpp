@@ -1,0 +1,87 @@
+#include "occt_session.h"
+
+#include <burin/base/error.h>
+
+#include "text.h"
+
+#include <IGESControl_Controller.hxx>
+#include <Interface_Static.hxx>
+#include <Message.hxx>
+#include <Message_Messenger.hxx>
+#include <OSD.hxx>
+#include <OSD_Exception.hxx>
+#include <STEPControl_Controller.hxx>
+#include <Standard_ErrorHandler.hxx>
+#include <Standard_Failure.hxx>
+#include <Standard_OutOfMemory.hxx>
+#include <XCAFDoc_ShapeTool.hxx>
+#include <fmt/format.h>
+
+#include <array>
+
+namespace burin {
+namespace {
+
+// Signals that OCCT's handlers are wanted for, and those that OSD::SetSignal takes as well.
+constexpr std::array kCrashes{SIGSEGV, SIGBUS, SIGILL, SIGFPE};
+constexpr std::array kOthers{SIGHUP, SIGINT, SIGQUIT, SIGSYS, SIGTERM, SIGPIPE, SIGALRM};
+
+std::mutex& occt_mutex() {
+  static std::mutex mutex;
+  return mutex;
+}
+
+void set_parameters() {
+  STEPControl_Controller::Init();
+  IGESControl_Controller::Init();
+  Interface_Static::SetCVal("xstep.cascade.unit", "MM");
+  Interface_Static::SetIVal("read.stepcaf.subshapes.name", 0);
+  XCAFDoc_ShapeTool::SetAutoNaming(Standard_False);
+}
+
+}  // namespace
+
+OcctSession::OcctSession() : lock_(occt_mutex()) {
+  auto& printers = Message::DefaultMessenger()->ChangePrinters();
+  printers_ = printers;
+  printers.Clear();
+  set_parameters();
+  const auto keep = [](int signal) {
+    struct sigaction action {};
+    ::sigaction(signal, nullptr, &action);
+    return std::pair(signal, action);
+  };
+  std::vector<std::pair<int, struct sigaction>> others;
+  for (const int signal : kCrashes) handlers_.push_back(keep(signal));
+  for (const int signal : kOthers) others.push_back(keep(signal));
+  // No Ctrl-C may arrive while the handler for it is not ours.
+  sigset_t all, before;
+  sigfillset(&all);
+  ::pthread_sigmask(SIG_SETMASK, &all, &before);
+  OSD::SetSignal(OSD_SignalMode_Set, Standard_False);
+  for (const auto& [signal, action] : others) ::sigaction(signal, &action, nullptr);
+  ::pthread_sigmask(SIG_SETMASK, &before, nullptr);
+}
+
+OcctSession::~OcctSession() {
+  for (const auto& [signal, action] : handlers_) ::sigaction(signal, &action, nullptr);
+  Message::DefaultMessenger()->ChangePrinters() = printers_;
+}
+
+void OcctSession::guarded(const std::string& file, const std::function<void()>& body) const {
+  try {
+    OCC_CATCH_SIGNALS
+    body();
+  } catch (const OSD_Exception&) {
+    throw InputError("crashed the reader of OCCT; export the model again, or in another format",
+                     file);
+  } catch (const Standard_OutOfMemory&) {
+    throw std::bad_alloc();
+  } catch (const Standard_Failure& e) {
+    throw InputError(fmt::format("cannot be read by OCCT ({}: {}); export the model again",
+                                 e.DynamicType()->Name(), clean_name(e.GetMessageString())),
+                     file);
+  }
+}
+
+}  // namespace burin

@@ -1,0 +1,51 @@
+#pragma once
+/// What a reader needs of OCCT's process-wide state.
+
+#include <burin/base/run_context.h>
+
+#include <Message_ProgressIndicator.hxx>
+#include <Message_SequenceOfPrinters.hxx>
+
+#include <csignal>
+#include <functional>
+#include <mutex>
+#include <vector>
+
+namespace burin {
+
+/// As long as it lives this thread alone reads: OCCT's readers share parameters and caches. Its
+/// messages go nowhere, lengths come in mm, and the four signals of a crash are exceptions inside
+/// `guarded`.
+class OcctSession {
+ public:
+  OcctSession();
+  ~OcctSession();
+  OcctSession(const OcctSession&) = delete;
+  OcctSession& operator=(const OcctSession&) = delete;
+
+  /// Runs `body`, which reads `file`. Whatever OCCT throws, or a signal of a crash in it, becomes
+  /// an InputError.
+  void guarded(const std::string& file, const std::function<void()>& body) const;
+
+ private:
+  std::unique_lock<std::mutex> lock_;
+  Message_SequenceOfPrinters printers_;
+  std::vector<std::pair<int, struct sigaction>> handlers_;
+};
+
+/// Progress of OCCT's algorithms into a share of the present stage, and their cancellation.
+class OcctProgress : public Message_ProgressIndicator {
+ public:
+  OcctProgress(RunContext& context, double from, double to)
+      : context_(context), from_(from), to_(to) {}
+  Standard_Boolean UserBreak() override { return context_.cancelled(); }
+  void Show(const Message_ProgressScope&, const Standard_Boolean) override {
+    context_.progress(from_ + (to_ - from_) * GetPosition());
+  }
+
+ private:
+  RunContext& context_;
+  double from_, to_;
+};
+
+}  // namespace burin

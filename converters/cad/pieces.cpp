@@ -1,0 +1,80 @@
+#include "collect.h"
+
+#include <BRepBndLib.hxx>
+#include <BRepBuilderAPI_Sewing.hxx>
+#include <Bnd_Box.hxx>
+#include <TopExp_Explorer.hxx>
+#include <fmt/format.h>
+#include <gp_Trsf.hxx>
+
+#include <cmath>
+#include <map>
+#include <utility>
+
+namespace burin {
+namespace {
+
+// Share of the size of free faces within which their borders are taken for one edge: programs that
+// write faces alone keep their borders together to about a hundredth of a mm in a metre.
+constexpr double kSewing = 1e-5;
+
+Placement placement_of(const TopLoc_Location& location) {
+  const gp_Trsf t = location.Transformation();
+  Placement p;
+  for (int row = 0; row < 3; ++row) {
+    for (int column = 0; column < 3; ++column) p.linear[column][row] = t.Value(row + 1, column + 1);
+    p.offset[row] = t.Value(row + 1, 4);
+  }
+  return p;
+}
+
+TopoDS_Shape sewn(const std::vector<TopoDS_Shape>& faces) {
+  Bnd_Box box;
+  for (const TopoDS_Shape& face : faces) BRepBndLib::Add(face, box);
+  BRepBuilderAPI_Sewing sewing(kSewing * (box.IsVoid() ? 1.0 : std::sqrt(box.SquareExtent())));
+  for (const TopoDS_Shape& face : faces) sewing.Add(face);
+  sewing.Perform();
+  return sewing.SewedShape();
+}
+
+std::vector<TopoDS_Shape> all(const TopoDS_Shape& shape, TopAbs_ShapeEnum kind,
+                              TopAbs_ShapeEnum outside) {
+  std::vector<TopoDS_Shape> found;
+  for (TopExp_Explorer it(shape, kind, outside); it.More(); it.Next()) {
+    if (TopExp_Explorer(it.Current(), TopAbs_FACE).More()) found.push_back(it.Current());
+  }
+  return found;
+}
+
+}  // namespace
+
+std::vector<TopoDS_Shape> split_shape(const TopoDS_Shape& shape) {
+  std::vector<TopoDS_Shape> pieces = all(shape, TopAbs_SOLID, TopAbs_SHAPE);
+  for (TopoDS_Shape& shell : all(shape, TopAbs_SHELL, TopAbs_SOLID)) pieces.push_back(shell);
+  const std::vector<TopoDS_Shape> faces = all(shape, TopAbs_FACE, TopAbs_SHELL);
+  if (faces.size() == 1) pieces.push_back(faces.front());
+  if (faces.size() < 2) return pieces;
+  const TopoDS_Shape joined = sewn(faces);
+  for (TopoDS_Shape& shell : all(joined, TopAbs_SHELL, TopAbs_SOLID)) pieces.push_back(shell);
+  for (TopoDS_Shape& face : all(joined, TopAbs_FACE, TopAbs_SHELL)) pieces.push_back(face);
+  return pieces;
+}
+
+CadPart make_part(const TopoDS_Shape& shape, const TopLoc_Location& location,
+                  const std::string& name) {
+  CadPart part;
+  part.name = name;
+  part.shape = shape.Located(TopLoc_Location());
+  part.placement = placement_of(location * shape.Location());
+  return part;
+}
+
+void make_names_unique(std::vector<CadPart>& parts) {
+  std::map<std::pair<std::vector<std::string>, std::string>, int> seen;
+  for (CadPart& part : parts) {
+    const int n = ++seen[{part.assembly, part.name}];
+    if (n > 1) part.name += fmt::format(" #{}", n);
+  }
+}
+
+}  // namespace burin
