@@ -1,0 +1,179 @@
+#include "march.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace burin::detail {
+namespace {
+
+// Shares of the part's size: what a step may leave open (a march of many steps stays below 1e-9),
+// and the step below which the path is taken for singular.
+constexpr double kStepError = 3e-10;
+constexpr double kShortest = 1e-11;
+// Steps of one march at the most, so that it ends whatever the surface is.
+constexpr int kMaxSteps = 200'000;
+constexpr int kMaxTriangles = 100'000;
+// Border half-edges looked at round a vertex to find the one that a way leaves through.
+constexpr int kMaxHandOvers = 8;
+
+}  // namespace
+
+MarchStep March::run(const SurfacePoint& from, Vec3 tangent) {
+  Vec2 uv(from.coords.x, from.coords.y);
+  triangle_ = triangles_.locate(static_cast<std::uint32_t>(from.coords.z), uv);
+  MarchStep none;
+  none.end = from;
+  if (!path().start(uv, tangent, state_)) {
+    none.stop = MarchStop::Singular;
+    return none;
+  }
+  if (!(length_ > 0)) {
+    none.direction = state_.direction();
+    return none;
+  }
+  const double size = atlas_.size;
+  double trial = length_;
+  for (int i = 0; i < kMaxSteps; ++i) {
+    const double rest = length_ - gone_;
+    // A domain ends with a border, and beyond it S is clamped: no step goes much farther.
+    const double side = triangles_.to_side(triangle_, state_.uv, state_.velocity);
+    const double h = std::min({trial, rest, 1.001 * std::max(side, 0.0) + 1e-9 * size});
+    PathState to;
+    PathError error;
+    double excess = 1e4;
+    if (path().step(state_, h, to, error)) {
+      const double ahead = std::max(h, 0.1 * rest);
+      excess = (error.position + error.direction * ahead) / (kStepError * size);
+    }
+    // The embedded method is of the third order: its error goes with the fourth power of the step.
+    const double scale = excess > 0 ? 0.9 / std::sqrt(std::sqrt(excess)) : 4;
+    if (excess > 1) {
+      trial = h * std::max(scale, 0.1);
+      if (trial < kShortest * size) return result(MarchStop::Singular);
+      continue;
+    }
+    trial = std::max(h * std::min(scale, 4.0), kShortest * size);
+    if (const auto stop = advance(to, h)) return result(*stop);
+    if (gone_ >= length_) return result(MarchStop::Completed);
+  }
+  return result(MarchStop::NotConverged);
+}
+
+MarchStep March::result(MarchStop stop) const {
+  MarchStep step;
+  step.end.chart = triangles_.face(triangle_);
+  step.end.coords = Vec3(state_.uv, static_cast<double>(triangle_));
+  step.end.position = state_.s.p;
+  step.direction = state_.direction();
+  step.length = std::min(gone_, length_);
+  step.stop = stop;
+  return step;
+}
+
+std::optional<MarchStop> March::advance(PathState& to, double length) {
+  const Crossing crossing = pass(to);
+  if (crossing.edge != kNoHalfEdge) return cross(crossing, to, length);
+  double share = 1;
+  if (triangles_.meets_pole(triangle_, state_.uv, to.uv, share)) {
+    PathState at;
+    PathError error;
+    if (share > 0 && path().step(state_, share * length, at, error)) {
+      state_ = at;
+      gone_ += share * length;
+    }
+    return MarchStop::Singular;
+  }
+  state_ = to;
+  turns_ = 0;
+  const double rest = length_ - gone_;
+  gone_ = length < rest ? gone_ + length : length_;
+  return std::nullopt;
+}
+
+// Walks through the triangles under a step. Afterwards state_, `to` and triangle_ are those of the
+// triangle where the step ends, or of the one whose border it crosses.
+March::Crossing March::pass(PathState& to) {
+  Way way{state_.uv, to.uv, Vec2(0), triangle_};
+  Crossing crossing;
+  for (int i = 0; i < kMaxTriangles; ++i) {
+    const UvExit exit = triangles_.exit(way.triangle, way.from, way.to);
+    if (triangles_.curved(way.triangle) && passes_curve(way, exit, crossing)) break;
+    if (exit.edge == kNoHalfEdge) break;
+    if (triangles_.is_border(exit.edge) || triangles_.opposite(exit.edge) == kNoHalfEdge) {
+      crossing = leave(exit.edge, way);
+      break;
+    }
+    way.move(triangles_.branch_step(exit.edge));
+    way.triangle = face_of(triangles_.opposite(exit.edge));
+  }
+  triangle_ = way.triangle;
+  state_.uv += way.step;
+  to.uv += way.step;
+  return crossing;
+}
+
+// A curve that bends into its triangle can be met before its chord.
+bool March::passes_curve(const Way& way, const UvExit& exit, Crossing& crossing) const {
+  const double upto = std::clamp(exit.share, 0.0, 1.0);
+  const Vec2 q = way.at(upto);
+  for (int k = 0; k < 3; ++k) {
+    const auto h = static_cast<HalfEdge>(3 * way.triangle) + k;
+    if (h == exit.edge || !triangles_.is_border(h)) continue;
+    const double bulge = triangles_.bulge(h);
+    if (bulge == 0 || triangles_.inside_chord(h, q) >= bulge) continue;
+    if (triangles_.inside(h, q) >= -triangles_.noise(h)) continue;
+    crossing = {h, upto};
+    return true;
+  }
+  return false;
+}
+
+// The way leaves through the chord of a border half-edge: does it pass the curve, too?
+March::Crossing March::leave(HalfEdge h, Way& way) const {
+  Crossing crossing;
+  if (!triangles_.is_border(h)) {
+    crossing.edge = h;
+    return crossing;
+  }
+  HalfEdge before = kNoHalfEdge;
+  for (int i = 0; i < kMaxHandOvers; ++i) {
+    const double noise = triangles_.noise(h), bulge = triangles_.bulge(h);
+    const double begin = triangles_.inside_chord(h, way.from);
+    const double end = triangles_.inside_chord(h, way.to);
+    const double beyond = 1.01 * bulge + 2 * noise;
+    double upto = 1;
+    if (end < -beyond && begin > end) {
+      upto = std::clamp((begin + beyond) / (begin - end), 0.0, 1.0);
+    }
+    const double share = triangles_.share(h, way.at(upto));
+    if (bulge > 0 && (share < 0 || share > 1)) {
+      Vec2 step(0);
+      const HalfEdge other =
+          share > 1 ? triangles_.next_border(h, step) : triangles_.previous_border(h, step);
+      if (other != kNoHalfEdge && other != before) {
+        way.move(step);
+        before = h;
+        h = other;
+        continue;
+      }
+    }
+    way.triangle = face_of(h);
+    if (triangles_.inside(h, way.at(upto)) < -noise) {
+      crossing = {h, upto};
+      return crossing;
+    }
+    if (upto < 1 && triangles_.inside(h, way.to) < -noise) {
+      crossing = {h, 1};
+      return crossing;
+    }
+    break;
+  }
+  // Between chord and curve: still on this face.
+  way.triangle = face_of(h);
+  Vec2 to = way.to;
+  way.triangle = triangles_.locate(way.triangle, to);
+  way.move(to - way.to);
+  return crossing;
+}
+
+}  // namespace burin::detail
