@@ -1,0 +1,79 @@
+#pragma once
+/// What an IRIT data file holds, as it stands there.
+
+#include <burin/base/run_context.h>
+#include <burin/forms/parametric/nurbs.h>
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace burin {
+
+/// [name value ...]: the words of the value, without quotes, parted by blanks; nested blocks are
+/// left out.
+struct IritAttribute {
+  std::string name;
+  std::string value;
+};
+using IritAttributes = std::vector<IritAttribute>;
+
+/// SURFACE BEZIER or BSPLINE: points divided by their weights, periodic directions with their first
+/// points repeated at the end. Points of less than three coordinates get zeros.
+struct IritSurface {
+  NurbsData data;
+  IritAttributes attributes;
+  std::int64_t line = 0;
+};
+
+/// CURVE BEZIER or BSPLINE; knots as in NurbsData, empty weights where polynomial.
+struct IritCurve {
+  int degree = 0;
+  std::vector<double> knots;
+  std::vector<Vec3> points;
+  std::vector<double> weights;
+  bool periodic = false;
+  IritAttributes attributes;
+};
+
+struct IritPolygon {
+  enum class Kind : std::uint8_t { Polygon, Polyline, PointList };
+  Kind kind = Kind::Polygon;
+  std::vector<Vec3> points;
+  IritAttributes attributes;
+};
+
+/// NUMBER, POINT, VECTOR, PLANE, MATRIX (rows one after another; points are rows to its left) or
+/// CTLPT.
+struct IritNumbers {
+  std::string kind;
+  std::vector<double> values;
+};
+
+/// Something that is not yet read: "TRIMSRF", "SURFACE GREGORY".
+struct IritUnread {
+  std::string what;
+  std::int64_t line = 0;
+};
+
+using IritItem =
+    std::variant<IritSurface, IritCurve, IritPolygon, IritNumbers, std::string, IritUnread>;
+
+/// [OBJECT attributes name ...]: a leaf with items, or a list of objects. No name: empty.
+struct IritObject {
+  std::string name;
+  IritAttributes attributes;
+  std::vector<IritItem> items;
+  std::vector<IritObject> objects;
+  std::int64_t line = 0;
+
+  /// The value of an attribute (names in any case), nullptr where there is none.
+  const std::string* attribute(const std::string& wanted) const;
+};
+
+/// The file as the list of its objects. Throws InputError as read_irit does.
+IritObject read_irit_tree(const std::filesystem::path& path, const RunContext& context);
+
+}  // namespace burin

@@ -1,0 +1,82 @@
+#include "leftovers.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace burin::irit {
+namespace {
+
+const char* const kUnread = "irit.unread";
+const char* const kNoSurface = "irit.no_surface";
+
+struct Words {
+  std::string_view keyword, words;
+};
+constexpr Words kWords[] = {
+    {"TRIMSRF", "trimmed surface"},    {"MODEL", "model of trimmed surfaces"},
+    {"VMODEL", "volumetric model"},    {"TRIMMODEL", "model of trimmed surfaces"},
+    {"TRIVAR", "trivariate volume"},   {"MULTIVAR", "multivariate function"},
+    {"TRISRF", "triangular patch"},    {"INSTANCE", "instance of another object"},
+    {"POLYSTRIP", "strip of polygons"}};
+
+std::string in_words(const std::string& what) {
+  const auto* it = std::ranges::find(kWords, what, &Words::keyword);
+  return it == std::end(kWords) ? what : fmt::format("{} ({})", what, it->words);
+}
+
+}  // namespace
+
+void Leftovers::count(const std::string& code, const std::string& what, std::int64_t line) {
+  auto it = std::ranges::find(kinds_, what, &Kind::what);
+  if (it == kinds_.end()) it = kinds_.insert(it, {code, what, 0, line});
+  ++it->count;
+}
+
+void Leftovers::add(const IritItem& item, std::int64_t object_line) {
+  if (const auto* unread = std::get_if<IritUnread>(&item)) {
+    // Names come from the file: a damaged one must not make a list of thousands.
+    constexpr std::size_t kMaxKinds = 50;
+    count(kUnread, kinds_.size() < kMaxKinds ? in_words(unread->what) : "other blocks",
+          unread->line);
+  } else if (std::holds_alternative<IritCurve>(item)) {
+    count(kNoSurface, "CURVE", object_line);
+  } else if (const auto* polygon = std::get_if<IritPolygon>(&item)) {
+    if (polygon->kind == IritPolygon::Kind::Polyline) count(kNoSurface, "POLYLINE", object_line);
+    if (polygon->kind == IritPolygon::Kind::PointList) count(kNoSurface, "POINTLIST", object_line);
+  }
+}
+
+void Leftovers::add_invisible(std::int64_t line) {
+  count("irit.invisible", "objects marked invisible", line);
+}
+
+void Leftovers::tell(Diagnostics& diagnostics) const {
+  for (const Kind& kind : kinds_) {
+    const bool unread = kind.code == kUnread;
+    const std::string why = unread                    ? "is not yet read and was left out"
+                            : kind.code == kNoSurface ? "is no surface and was left out"
+                                                      : "were left out";
+    diagnostics.add(unread ? Severity::Warning : Severity::Info, kind.code, kind.count,
+                    fmt::format("{} {}; the first on line {}", kind.what, why, kind.line));
+  }
+}
+
+std::string Leftovers::nothing_else() const {
+  if (kinds_.empty()) return "holds no surface; export the model with its surfaces";
+  std::string all;
+  bool unread = false;
+  for (const Kind& kind : kinds_) {
+    unread |= kind.code == kUnread;
+    all += fmt::format("{}{} {}", all.empty() ? "" : ", ", kind.count, kind.what);
+  }
+  return unread ? fmt::format(
+                      "holds nothing that is read so far, only {}; convert it to surfaces "
+                      "or polygons",
+                      all)
+                : fmt::format("holds no surface, only {}; export the model with its surfaces", all);
+}
+
+std::int64_t Leftovers::first_line() const { return kinds_.empty() ? 0 : kinds_.front().line; }
+
+}  // namespace burin::irit

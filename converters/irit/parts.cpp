@@ -1,0 +1,215 @@
+#include "parts.h"
+
+#include <burin/base/error.h>
+#include <burin/forms/mesh/mesh_form.h>
+#include <burin/forms/parametric/parametric_form.h>
+#include <burin/mesh/repair.h>
+
+#include "color.h"
+#include "leftovers.h"
+#include "sides.h"
+#include "text.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <optional>
+
+namespace burin::irit {
+namespace {
+
+/// What the lists around an object hand down to it.
+struct Around {
+  std::vector<std::string> names;  // of the lists that have one
+  std::string color;
+};
+
+/// An object with surfaces or polygons of its own.
+struct Leaf {
+  std::string name;
+  std::string color;
+  std::size_t order = 0;
+  Patches patches;
+};
+
+struct OrderedPart {
+  std::size_t order = 0;
+  Part part;
+};
+
+bool is_yes(const std::string* value) { return value != nullptr && *value != "0"; }
+
+class PartMaker {
+ public:
+  PartMaker(const Source& source, const std::filesystem::path& path)
+      : source_(source), path_(path) {}
+  Scene make(IritObject root);
+
+ private:
+  void list(IritObject& object, const Around& around);
+  std::optional<Leaf> leaf(IritObject& object, const Around& around);
+  void polygons(const IritObject& object, const Leaf& leaf, const Around& around);
+  void join(const std::vector<Leaf>& leaves, const Around& around, bool named_list);
+  std::shared_ptr<const Chart> chart(IritSurface& surface) const;
+  std::string file_name() const { return clean_name(path_.stem().string()); }
+  /// The name of the innermost list that has one, taken off the list of names.
+  std::string take_name(Around& around) const;
+
+  const Source& source_;
+  const std::filesystem::path& path_;
+  std::size_t order_ = 0;
+  std::vector<OrderedPart> parts_;
+  Leftovers leftovers_;
+  Diagnostics diagnostics_;
+};
+
+std::shared_ptr<const Chart> PartMaker::chart(IritSurface& surface) const {
+  try {
+    return make_nurbs_chart(std::move(surface.data));
+  } catch (const GeometryError& e) {
+    throw InputError(e.what(), source_.file(), surface.line);
+  }
+}
+
+std::string PartMaker::take_name(Around& around) const {
+  if (around.names.empty()) return file_name();
+  std::string name = std::move(around.names.back());
+  around.names.pop_back();
+  return name;
+}
+
+void PartMaker::polygons(const IritObject& object, const Leaf& leaf, const Around& around) {
+  PolygonSoup soup;
+  for (const IritItem& item : object.items) {
+    const auto* polygon = std::get_if<IritPolygon>(&item);
+    if (polygon == nullptr || polygon->kind != IritPolygon::Kind::Polygon) continue;
+    if (polygon->points.size() < 3) continue;
+    for (const Vec3& p : polygon->points) {
+      soup.indices.push_back(static_cast<std::uint32_t>(soup.positions.size()));
+      soup.positions.push_back(p);
+    }
+    soup.offsets.push_back(soup.indices.size());
+  }
+  if (soup.polygon_count() == 0) return;
+  Around outer = around;
+  const std::string name = leaf.name.empty() ? take_name(outer) : leaf.name;
+  Diagnostics diagnostics;
+  try {
+    TriMesh mesh = repair(std::move(soup), {}, diagnostics, source_.context());
+    parts_.push_back({leaf.order,
+                      {name, path_.string(), std::make_shared<MeshForm>(std::move(mesh)),
+                       outer.names, leaf.color}});
+  } catch (const GeometryError& e) {
+    diagnostics.add(Severity::Error, "mesh.empty_part", 1,
+                    "the part was left out: " + std::string(e.what()));
+  }
+  for (Diagnostic d : diagnostics.entries()) {
+    d.message = fmt::format("{}: {}", name, d.message);
+    diagnostics_.add(std::move(d));
+  }
+}
+
+/// The object's own items; none where nothing of it makes a part of patches.
+std::optional<Leaf> PartMaker::leaf(IritObject& object, const Around& around) {
+  Leaf leaf{object.name, around.color, order_++, {}};
+  for (IritItem& item : object.items) {
+    source_.context().check();
+    if (auto* surface = std::get_if<IritSurface>(&item)) leaf.patches.push_back(chart(*surface));
+    leftovers_.add(item, object.line);
+  }
+  polygons(object, leaf, around);
+  if (leaf.patches.empty()) return std::nullopt;
+  return leaf;
+}
+
+/// Objects of one list: those without names, and those whose sides fit, are one part.
+void PartMaker::join(const std::vector<Leaf>& leaves, const Around& around, bool named_list) {
+  if (leaves.empty()) return;
+  DisjointSets sets(leaves.size());
+  std::vector<Patches> patches;
+  std::optional<std::uint32_t> unnamed;
+  for (std::uint32_t i = 0; i < leaves.size(); ++i) {
+    patches.push_back(leaves[i].patches);
+    if (!leaves[i].name.empty()) continue;
+    if (unnamed) sets.join(*unnamed, i);
+    unnamed = i;
+  }
+  join_sides(patches, sets);
+  for (std::uint32_t i = 0; i < leaves.size(); ++i) {
+    if (sets.find(i) != i) continue;
+    Patches all;
+    std::string name, color = leaves[i].color;
+    std::size_t members = 0;
+    for (std::uint32_t k = i; k < leaves.size(); ++k) {
+      if (sets.find(k) != i) continue;
+      ++members;
+      all.insert(all.end(), patches[k].begin(), patches[k].end());
+      if (name.empty()) name = leaves[k].name;
+      if (leaves[k].color != color) color.clear();
+    }
+    Around outer = around;
+    const bool whole_list = named_list && members > 1 && members == leaves.size();
+    if (name.empty() || whole_list) name = take_name(outer);
+    parts_.push_back(
+        {leaves[i].order,
+         {name, path_.string(), std::make_shared<ParametricForm>(std::move(all), kWeld),
+          outer.names, color}});
+  }
+}
+
+void PartMaker::list(IritObject& object, const Around& around) {
+  std::vector<Leaf> leaves;
+  const auto keep = [&](std::optional<Leaf> leaf) {
+    if (leaf) leaves.push_back(std::move(*leaf));
+  };
+  if (!object.items.empty()) {
+    // Items beside the objects of a list belong to the list itself.
+    IritObject own;
+    own.items = std::move(object.items);
+    own.line = object.line;
+    keep(leaf(own, around));
+  }
+  for (IritObject& child : object.objects) {
+    if (is_yes(child.attribute("invisible"))) {
+      leftovers_.add_invisible(child.line);
+      continue;
+    }
+    Around inside{around.names, color_of(child).value_or(around.color)};
+    if (child.objects.empty()) {
+      keep(leaf(child, inside));
+      continue;
+    }
+    if (!child.name.empty()) inside.names.push_back(child.name);
+    list(child, inside);
+  }
+  join(leaves, around, !object.name.empty());
+}
+
+Scene PartMaker::make(IritObject root) {
+  list(root, {});
+  if (parts_.empty()) {
+    throw InputError(leftovers_.nothing_else(), source_.file(), leftovers_.first_line());
+  }
+  std::ranges::stable_sort(parts_, {}, &OrderedPart::order);
+  Scene scene;
+  for (OrderedPart& p : parts_) scene.parts.push_back(std::move(p.part));
+  scene.diagnostics = std::move(diagnostics_);
+  leftovers_.tell(scene.diagnostics);
+  return scene;
+}
+
+}  // namespace
+
+Scene make_parts(IritObject root, const Source& source, const std::filesystem::path& path) {
+  return PartMaker(source, path).make(std::move(root));
+}
+
+Scene make_part(std::vector<NurbsData> patches, const Source& source,
+                const std::filesystem::path& path) {
+  if (patches.empty()) source.fail("holds no patch; export it again");
+  IritObject root;
+  for (NurbsData& data : patches) root.items.push_back(IritSurface{std::move(data), {}, 0});
+  return make_parts(std::move(root), source, path);
+}
+
+}  // namespace burin::irit

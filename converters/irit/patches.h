@@ -1,0 +1,23 @@
+#pragma once
+/// Bezier patches of Geomview and plain patch lists.
+
+#include <burin/forms/parametric/nurbs.h>
+
+#include "source.h"
+
+#include <vector>
+
+namespace burin::irit {
+
+/// Whether the text begins with BBP or BEZ and its digits.
+bool is_geomview(std::string_view text);
+/// Whether the text begins with two counts and as many numbered points, of which the first (some
+/// may be cut off) are looked at.
+bool is_patch_list(std::string_view text);
+
+/// Patches whose control points lie at infinity (weight 0) are split until all weights are
+/// positive: the surface is the same.
+std::vector<NurbsData> read_geomview(const Source& source);
+std::vector<NurbsData> read_patch_list(const Source& source);
+
+}  // namespace burin::irit
