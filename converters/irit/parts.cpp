@@ -64,6 +64,15 @@ class PartMaker {
 };
 
 std::shared_ptr<const Chart> PartMaker::chart(IritSurface& surface) const {
+  // Charts hold each span by itself: a few kilobytes of a file could ask for gigabytes.
+  constexpr double kMostCoefficients = 2e7;
+  const auto coefficients = [](int count, int degree) { return (count - degree) * (degree + 1.0); };
+  if (coefficients(surface.data.count_u, surface.data.degree_u) *
+          coefficients(surface.data.count_v, surface.data.degree_v) >
+      kMostCoefficients) {
+    throw InputError("this surface is too large to be drawn; split it or lower its order",
+                     source_.file(), surface.line);
+  }
   try {
     return make_nurbs_chart(std::move(surface.data));
   } catch (const GeometryError& e) {

@@ -1,5 +1,6 @@
+#include "reader.h"
+
 #include <burin/converters/irit_reader.h>
-#include <burin/converters/mesh_reader.h>
 
 #include "parts.h"
 #include "patches.h"
@@ -8,39 +9,62 @@
 
 #include <algorithm>
 #include <array>
-#include <fstream>
 
 namespace burin {
+namespace irit {
 namespace {
 
-constexpr std::size_t kHead = 1 << 16;
+bool is_text(std::string_view text) {
+  return text.substr(0, 1024).find('\0') == std::string_view::npos;
+}
 
-enum class Kind { Data, Geomview, List, Unknown };
+/// The text at `at`, a bracket, opens an object or a surface.
+bool opens_object(std::string_view text, std::size_t at) {
+  const std::size_t word = text.find_first_not_of(" \t\r\n", at + 1);
+  if (word == std::string_view::npos) return false;
+  const std::string keyword = lowered(text.substr(word, 8));
+  return keyword.starts_with("object") || keyword.starts_with("surface");
+}
 
-bool is_text(std::string_view head) { return head.find('\0') == std::string_view::npos; }
-
-/// The first bracket that is no comment opens an object or one of its items.
-bool is_irit_data(std::string_view text) {
-  std::size_t at = 0;
-  for (int brackets = 0; brackets < 8; ++brackets) {
-    at = text.find('[', at);
-    if (at == std::string_view::npos) return false;
-    const std::size_t word = text.find_first_not_of(" \t\r\n", ++at);
-    if (word == std::string_view::npos) return false;
-    const std::string keyword = lowered(text.substr(word, 8));
-    if (keyword.starts_with("object") || keyword.starts_with("surface ")) return true;
+/// One of the first brackets opens an object: before the first, anything is a comment.
+bool has_object(std::string_view text) {
+  std::size_t at = text.find('[');
+  for (int brackets = 0; brackets < 20 && at != std::string_view::npos; ++brackets) {
+    if (opens_object(text, at)) return true;
+    at = text.find('[', at + 1);
   }
   return false;
 }
 
-Kind kind_of(std::string_view head) {
-  if (!is_text(head.substr(0, 1024))) return Kind::Unknown;
-  if (irit::is_geomview(head)) return Kind::Geomview;
-  if (irit::is_patch_list(head)) return Kind::List;
-  return is_irit_data(head) ? Kind::Data : Kind::Unknown;
+/// The text begins with an object, or with comments that are marked as such.
+bool begins_with_object(std::string_view text) {
+  for (;;) {
+    const std::size_t at = text.find_first_not_of(" \t\r\n");
+    if (at == std::string_view::npos) return false;
+    if (text[at] == '[') return opens_object(text, at);
+    if (text[at] != '#') return false;
+    const std::size_t end = text.find_first_of("\r\n", at);
+    if (end == std::string_view::npos) return false;
+    text.remove_prefix(end);
+  }
 }
 
 }  // namespace
+
+Kind kind_of(const Source& source, const std::filesystem::path& path) {
+  const std::string_view text = source.bytes();
+  if (!is_text(text)) source.fail("is binary data, which is not read; write it as text (dat2irit)");
+  if (is_geomview(text)) return Kind::Geomview;
+  if (is_patch_list(text)) return Kind::List;
+  const std::string suffix = lowered(path.extension().string());
+  const bool named = suffix == ".itd" || suffix == ".irt";
+  if (has_object(text) || (named && text.find('[') != std::string_view::npos)) return Kind::Data;
+  source.fail(
+      "is neither IRIT data, which has [OBJECT, nor Bezier patches of Geomview (BEZ.., BBP), nor a "
+      "patch list; is it another format?");
+}
+
+}  // namespace irit
 
 bool is_irit_suffix(const std::filesystem::path& path) {
   constexpr std::array kSuffixes = {".itd", ".irt", ".bez", ".bbp"};
@@ -48,42 +72,22 @@ bool is_irit_suffix(const std::filesystem::path& path) {
   return std::find(kSuffixes.begin(), kSuffixes.end(), suffix) != kSuffixes.end();
 }
 
-bool is_irit_file(const std::filesystem::path& path) {
-  if (is_irit_suffix(path)) return true;
-  std::error_code error;
-  if (is_mesh_suffix(path) || !std::filesystem::is_regular_file(path, error)) return false;
-  std::string head(kHead, '\0');
-  std::ifstream in(path, std::ios::binary);
-  in.read(head.data(), static_cast<std::streamsize>(head.size()));
-  head.resize(static_cast<std::size_t>(std::max<std::streamsize>(in.gcount(), 0)));
-  return kind_of(head) != Kind::Unknown;
+bool is_irit_content(std::string_view head) {
+  return irit::is_text(head) &&
+         (irit::is_geomview(head) || irit::is_patch_list(head) || irit::begins_with_object(head));
 }
 
 Scene read_irit(const std::filesystem::path& path, const RunContext& context) {
   const Source source(path, context);
-  Kind kind = kind_of(source.bytes());
-  const std::string suffix = lowered(path.extension().string());
-  const bool text = is_text(source.bytes().substr(0, 1024));
-  if (kind == Kind::Unknown && text && (suffix == ".itd" || suffix == ".irt") &&
-      source.bytes().find('[') != std::string_view::npos) {
-    kind = Kind::Data;
-  }
-  switch (kind) {
-    case Kind::Geomview:
+  switch (irit::kind_of(source, path)) {
+    case irit::Kind::Geomview:
       return irit::make_part(irit::read_geomview(source), source, path);
-    case Kind::List:
+    case irit::Kind::List:
       return irit::make_part(irit::read_patch_list(source), source, path);
-    case Kind::Data:
-      return irit::make_parts(irit::parse_tree(source), source, path);
-    case Kind::Unknown:
+    case irit::Kind::Data:
       break;
   }
-  if (!text) {
-    source.fail("is binary data, which is not read; write it as text (dat2irit)");
-  }
-  source.fail(
-      "is neither IRIT data, which begins with [OBJECT, nor Bezier patches of Geomview (BEZ.., "
-      "BBP), nor a patch list; is it another format?");
+  return irit::make_parts(irit::parse_tree(source), source, path);
 }
 
 }  // namespace burin

@@ -3,18 +3,19 @@
 /// patch lists.
 
 #include <burin/base/run_context.h>
+#include <burin/converters/file_info.h>
 #include <burin/surface/scene.h>
 
 #include <filesystem>
+#include <string_view>
 
 namespace burin {
 
 /// Whether the suffix (any case) is one of this reader's: .itd .irt .bez .bbp.
 bool is_irit_suffix(const std::filesystem::path& path);
 
-/// Whether the file is for this reader: by its suffix, or, where the suffix is not one of a mesh,
-/// by how its text begins (no more than 64 KB of it are read). False where it cannot be read.
-bool is_irit_file(const std::filesystem::path& path);
+/// Whether the first bytes of a file can only be this reader's.
+bool is_irit_content(std::string_view head);
 
 /// Reads exact parts (ParametricForm). The files know no unit: coordinates are taken as mm.
 ///
@@ -33,5 +34,9 @@ bool is_irit_file(const std::filesystem::path& path);
 /// is left. Never allocates more than a small multiple of the file. Cost: 0.1 s for 10 MB.
 /// @cite Elber2009, Geomview2014
 Scene read_irit(const std::filesystem::path& path, const RunContext& context);
+
+/// Reads and measures: faces are patches, edges their borders (each once); area, volume and open
+/// edges are those of triangles within a ten-thousandth of the size.
+FileInfo inspect_irit(const std::filesystem::path& path, RunContext& context);
 
 }  // namespace burin

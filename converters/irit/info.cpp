@@ -1,0 +1,81 @@
+#include <burin/converters/irit_reader.h>
+#include <burin/forms/parametric/parametric_form.h>
+
+#include "reader.h"
+
+#include <algorithm>
+#include <set>
+
+namespace burin {
+namespace {
+
+const char* format_name(irit::Kind kind) {
+  switch (kind) {
+    case irit::Kind::Data:
+      return "IRIT data";
+    case irit::Kind::Geomview:
+      return "Geomview Bezier patches";
+    case irit::Kind::List:
+      break;
+  }
+  return "patch list";
+}
+
+/// Area and volume; from the middle of the box, so that a far origin costs no digits.
+void measure(const TriMesh& mesh, PartInfo& info) {
+  info.bounds = mesh.bounds();
+  const Vec3 o = info.bounds.center();
+  for (const Triangle& t : mesh.triangles) {
+    const Vec3 a = mesh.positions[t[0]] - o, b = mesh.positions[t[1]] - o,
+               c = mesh.positions[t[2]] - o;
+    info.area += glm::length(glm::cross(b - a, c - a)) / 2;
+    info.volume += glm::dot(a, glm::cross(b, c)) / 6;
+  }
+  if (!info.closed()) info.volume = 0;
+}
+
+PartInfo inspect_part(const Part& part, Diagnostics& diagnostics, RunContext& context) {
+  PartInfo info{part.name, part.assembly, part.color};
+  constexpr double kChord = 1e-4;  // of the size
+  RealiseOptions options;
+  options.tolerance = kChord * part.form->bounds(Mat3(1)).diagonal();
+  options.curvature = false;
+  options.diagnostics = &diagnostics;
+  const auto surface = part.form->realise(options, context);
+  const ProxyMesh& proxy = surface->proxy();
+  const auto* patches = dynamic_cast<const ParametricForm*>(part.form.get());
+  info.components = static_cast<std::int64_t>(proxy.topology.component_closed.size());
+  if (patches == nullptr) {
+    info.triangles = static_cast<std::int64_t>(proxy.mesh.triangles.size());
+    info.faces = proxy.region_count;
+    info.boundary_edges = std::ranges::count(proxy.topology.opposite, kNoHalfEdge);
+  } else {
+    info.faces = static_cast<std::int64_t>(patches->patches().size());
+    std::set<std::int32_t> edges, open;
+    for (std::size_t h = 0; h < proxy.source_edge.size(); ++h) {
+      if (proxy.source_edge[h] < 0) continue;
+      edges.insert(proxy.source_edge[h]);
+      if (proxy.topology.opposite[h] == kNoHalfEdge) open.insert(proxy.source_edge[h]);
+    }
+    info.edges = static_cast<std::int64_t>(edges.size());
+    info.boundary_edges = static_cast<std::int64_t>(open.size());
+  }
+  measure(proxy.mesh, info);
+  return info;
+}
+
+}  // namespace
+
+FileInfo inspect_irit(const std::filesystem::path& path, RunContext& context) {
+  FileInfo info;
+  info.file = path.string();
+  info.format = format_name(irit::kind_of(Source(path, context), path));
+  const Scene scene = read_irit(path, context);
+  info.diagnostics = scene.diagnostics;
+  for (const Part& part : scene.parts) {
+    info.parts.push_back(inspect_part(part, info.diagnostics, context));
+  }
+  return info;
+}
+
+}  // namespace burin
