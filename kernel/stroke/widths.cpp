@@ -3,6 +3,7 @@
 #include <burin/base/parallel.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace burin::detail {
@@ -19,29 +20,59 @@ constexpr double kSmoothing = 1.2;  // paper mm over which widths are evened out
 
 using Plane = std::vector<float>;
 
-// Two passes of a box blur, the second in place of a Gaussian's tails; both directions.
+// Two passes of a box blur, the second in place of a Gaussian's tails; both directions. Lines run
+// side by side, in bundles, so that columns are read along the rows.
 void box_blur(Plane& plane, std::int32_t nx, std::int32_t ny, std::int32_t radius) {
+  constexpr std::int32_t kBundle = 64;
   Plane out(plane.size());
-  const auto pass = [&](const Plane& in, Plane& to, std::int32_t lines, std::int32_t length,
-                        std::size_t line_stride, std::size_t step) {
-    parallel_for(static_cast<std::size_t>(lines), 16, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t l = begin; l < end; ++l) {
-        const std::size_t base = l * line_stride;
+  const auto rows = [&](const Plane& in, Plane& to) {
+    parallel_for(static_cast<std::size_t>(ny), 16, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t y = begin; y < end; ++y) {
+        const std::size_t base = y * static_cast<std::size_t>(nx);
         double sum = 0;
-        for (std::int32_t i = -radius; i < length; ++i) {
+        for (std::int32_t i = -radius; i < nx; ++i) {
           const std::int32_t in_at = i + radius, out_at = i - radius - 1;
-          if (in_at < length) sum += in[base + static_cast<std::size_t>(in_at) * step];
-          if (out_at >= 0) sum -= in[base + static_cast<std::size_t>(out_at) * step];
-          if (i >= 0)
-            to[base + static_cast<std::size_t>(i) * step] =
+          if (in_at < nx) sum += in[base + static_cast<std::size_t>(in_at)];
+          if (out_at >= 0) sum -= in[base + static_cast<std::size_t>(out_at)];
+          if (i >= 0) {
+            to[base + static_cast<std::size_t>(i)] =
                 static_cast<float>(std::max(0.0, sum) / (2 * radius + 1));
+          }
+        }
+      }
+    });
+  };
+  const auto columns = [&](const Plane& in, Plane& to) {
+    const std::int32_t bundles = (nx + kBundle - 1) / kBundle;
+    parallel_for(static_cast<std::size_t>(bundles), 1, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t b = begin; b < end; ++b) {
+        const std::size_t first = b * kBundle;
+        const std::size_t count =
+            std::min<std::size_t>(kBundle, static_cast<std::size_t>(nx) - first);
+        std::array<double, kBundle> sum{};
+        const auto row = [&](std::int32_t y) {
+          return static_cast<std::size_t>(y) * static_cast<std::size_t>(nx) + first;
+        };
+        for (std::int32_t i = -radius; i < ny; ++i) {
+          const std::int32_t in_at = i + radius, out_at = i - radius - 1;
+          if (in_at < ny) {
+            for (std::size_t c = 0; c < count; ++c) sum[c] += in[row(in_at) + c];
+          }
+          if (out_at >= 0) {
+            for (std::size_t c = 0; c < count; ++c) sum[c] -= in[row(out_at) + c];
+          }
+          if (i >= 0) {
+            for (std::size_t c = 0; c < count; ++c) {
+              to[row(i) + c] = static_cast<float>(std::max(0.0, sum[c]) / (2 * radius + 1));
+            }
+          }
         }
       }
     });
   };
   for (int twice = 0; twice < 2; ++twice) {
-    pass(plane, out, ny, nx, static_cast<std::size_t>(nx), 1);
-    pass(out, plane, nx, ny, 1, static_cast<std::size_t>(nx));
+    rows(plane, out);
+    columns(out, plane);
   }
 }
 
