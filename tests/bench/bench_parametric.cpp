@@ -1,11 +1,14 @@
 // Parametric forms. Budgets a core: second-order evaluations of a bicubic B-spline 10 M/s along a
 // stroke, 5 M/s at random places; 10,000 points of Algorithm 1 on the horn in 10 ms.
 
+#include <burin/forms/parametric/coverage.h>
 #include <burin/forms/parametric/nurbs.h>
 
 #include <benchmark/benchmark.h>
+#include <burin_test/horn.h>
 #include <burin_test/nurbs_shapes.h>
 
+#include <limits>
 #include <vector>
 
 namespace burin {
@@ -78,6 +81,52 @@ void chart_frames(benchmark::State& state) {
   state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(places.size()));
 }
 BENCHMARK(chart_frames);
+
+void bound(benchmark::State& state, const NurbsData& data, double tolerance = 0.05) {
+  const RunContext context;
+  const auto chart = make_nurbs_chart(data);
+  AreaBound b;
+  for (auto _ : state) b = area_bound(*chart, context, tolerance);
+  state.counters["bound"] = b.value;
+  state.counters["loose"] = b.attained > 0 ? b.value / b.attained : 0;
+  state.counters["splits"] = static_cast<double>(b.subdivisions);
+}
+constexpr double kAsItIs = std::numeric_limits<double>::infinity();
+BENCHMARK_CAPTURE(bound, horn, test::horn_nurbs());
+BENCHMARK_CAPTURE(bound, horn_plain, test::horn_nurbs(), kAsItIs);
+BENCHMARK_CAPTURE(bound, torus, test::torus_nurbs(3, 1));
+BENCHMARK_CAPTURE(bound, torus_plain, test::torus_nurbs(3, 1), kAsItIs);
+BENCHMARK_CAPTURE(bound, sphere, test::sphere_nurbs(1));
+BENCHMARK_CAPTURE(bound, sphere_plain, test::sphere_nurbs(1), kAsItIs);
+BENCHMARK_CAPTURE(bound, rational, bicubic(true));
+BENCHMARK_CAPTURE(bound, rational_plain, bicubic(true), kAsItIs);
+
+void cover(benchmark::State& state, const NurbsData& data, const CoverageOptions& options) {
+  const RunContext context;
+  const auto chart = make_nurbs_chart(data);
+  Coverage c;
+  for (auto _ : state) c = cover_chart(*chart, options, context);
+  state.counters["points"] = static_cast<double>(c.points.size());
+  state.counters["candidates"] =
+      static_cast<double>(c.candidates) / static_cast<double>(c.points.size());
+  state.counters["radius"] = c.covering_radius;
+}
+
+CoverageOptions coverage(std::size_t count, bool measure, double spacing = 0) {
+  CoverageOptions options;
+  options.count = count;
+  options.measure = measure;
+  options.spacing = spacing;
+  return options;
+}
+BENCHMARK_CAPTURE(cover, horn_10k, test::horn_nurbs(), coverage(10'000, false))->UseRealTime();
+BENCHMARK_CAPTURE(cover, horn_10k_measured, test::horn_nurbs(), coverage(10'000, true))
+    ->UseRealTime();
+BENCHMARK_CAPTURE(cover, horn_discs, test::horn_nurbs(), coverage(1'000'000, true, 1.2))
+    ->UseRealTime();
+BENCHMARK_CAPTURE(cover, torus_10k, test::torus_nurbs(3, 1), coverage(10'000, false))
+    ->UseRealTime();
+BENCHMARK_CAPTURE(cover, sphere_10k, test::sphere_nurbs(1), coverage(10'000, false))->UseRealTime();
 
 }  // namespace
 }  // namespace burin
