@@ -1,0 +1,213 @@
+#include "chart_mesh_builder.h"
+
+#include <burin/base/disjoint_sets.h>
+
+#include "occt_vec.h"
+
+#include <BRep_Tool.hxx>
+#include <Poly_PolygonOnTriangulation.hxx>
+#include <Poly_Triangulation.hxx>
+#include <TopLoc_Location.hxx>
+
+#include <algorithm>
+
+namespace burin {
+namespace {
+
+constexpr std::uint32_t kNone = 0xffffffffu;
+
+std::size_t index(std::int32_t i) { return static_cast<std::size_t>(i); }
+
+/// One piece of a coedge between two nodes of its face.
+struct Segment {
+  std::uint32_t low, high;  // nodes
+  std::int32_t coedge;
+  double t_low, t_high;
+};
+
+bool before(const Segment& s, const Segment& t) {
+  return s.low != t.low ? s.low < t.low : s.high < t.high;
+}
+
+class Builder {
+ public:
+  explicit Builder(const ModelParts& parts)
+      : parts_(parts), edge_start_(parts.edges.size(), kNone) {
+    positions_ = parts.vertices;
+  }
+
+  ChartMesh build(std::vector<std::int32_t>& unmeshed) {
+    for (std::size_t f = 0; f < parts_.faces.size(); ++f) {
+      if (!parts_.faces[f].chart || !add_face(f)) unmeshed.push_back(static_cast<std::int32_t>(f));
+    }
+    finish();
+    return std::move(mesh_);
+  }
+
+ private:
+  bool add_face(std::size_t f) {
+    const ModelFace& face = parts_.faces[f];
+    TopLoc_Location location;
+    const Handle(Poly_Triangulation) t = BRep_Tool::Triangulation(face.face, location);
+    if (t.IsNull() || t->NbTriangles() == 0 || !t->HasUVNodes()) return false;
+    global_.assign(static_cast<std::size_t>(t->NbNodes()) + 1, kNone);
+    segments_.clear();
+    for (auto c = index(face.first_coedge);
+         c < parts_.coedges.size() && parts_.coedges[c].face == static_cast<std::int32_t>(f); ++c) {
+      add_coedge(static_cast<std::int32_t>(c), t, location);
+    }
+    std::ranges::sort(segments_, before);
+    const gp_Trsf& move = location.Transformation();
+    for (int i = 1; i <= t->NbNodes(); ++i) {
+      std::uint32_t& g = global_[static_cast<std::size_t>(i)];
+      if (g == kNone) g = add_vertex(to_vec(t->Node(i).Transformed(move)));
+    }
+    for (int i = 1; i <= t->NbTriangles(); ++i) add_triangle(f, *t, i);
+    return true;
+  }
+
+  /// The vertices of the model edge, made when its first face with triangles comes; of this coedge
+  /// alone where another number of nodes was used for it.
+  std::uint32_t edge_vertices(std::int32_t edge, const std::vector<Vec3>& inner) {
+    std::uint32_t& start = edge_start_[index(edge)];
+    if (start != kNone && inner_count(edge) == inner.size()) return start;
+    const auto made = static_cast<std::uint32_t>(positions_.size());
+    positions_.insert(positions_.end(), inner.begin(), inner.end());
+    if (start == kNone) {
+      start = made;
+      inner_.resize(parts_.edges.size(), 0);
+      inner_[index(edge)] = inner.size();
+    }
+    return made;
+  }
+  std::size_t inner_count(std::int32_t edge) const { return inner_[index(edge)]; }
+
+  void add_coedge(std::int32_t coedge, const Handle(Poly_Triangulation) & t,
+                  const TopLoc_Location& location) {
+    const ModelCoedge& c = parts_.coedges[index(coedge)];
+    const ModelEdge& e = parts_.edges[index(c.edge)];
+    const Handle(Poly_PolygonOnTriangulation) polygon =
+        BRep_Tool::PolygonOnTriangulation(c.use, t, location);
+    if (polygon.IsNull()) return;
+    const int n = polygon->NbNodes();
+    const auto node = [&](int k) { return static_cast<std::uint32_t>(polygon->Node(k + 1)); };
+    std::vector<Vec3> inner;
+    for (int k = 1; k + 1 < n && !e.degenerate; ++k) {
+      inner.push_back(to_vec(t->Node(polygon->Node(k + 1)).Transformed(location.Transformation())));
+    }
+    const std::uint32_t start = edge_vertices(c.edge, inner);
+    for (int k = 0; k < n; ++k) {
+      const bool end = k == 0 || k + 1 == n;
+      std::int32_t vertex = e.vertex[k == 0 ? 0 : 1];
+      if (e.degenerate) vertex = e.vertex[0];
+      if (vertex >= 0 && (end || e.degenerate)) {
+        assign(node(k), static_cast<std::uint32_t>(vertex));
+      } else if (!end && !e.degenerate) {
+        assign(node(k), start + static_cast<std::uint32_t>(k) - 1);
+      }
+    }
+    if (!e.degenerate) add_segments(coedge, e, *polygon);
+  }
+
+  void add_segments(std::int32_t coedge, const ModelEdge& e, const Poly_PolygonOnTriangulation& p) {
+    const int n = p.NbNodes();
+    const Handle(TColStd_HArray1OfReal) known = p.Parameters();
+    const auto t = [&](int k) {
+      if (!known.IsNull()) return known->Value(known->Lower() + k);
+      return e.first + (e.last - e.first) * k / (n - 1);
+    };
+    for (int k = 0; k + 1 < n; ++k) {
+      Segment s{static_cast<std::uint32_t>(p.Node(k + 1)),
+                static_cast<std::uint32_t>(p.Node(k + 2)), coedge, t(k), t(k + 1)};
+      if (s.low == s.high) continue;
+      if (s.low > s.high) {
+        std::swap(s.low, s.high);
+        std::swap(s.t_low, s.t_high);
+      }
+      segments_.push_back(s);
+    }
+  }
+
+  /// A node that stands for two places (ends of an edge shorter than the mesher sees) joins them.
+  void assign(std::uint32_t node, std::uint32_t vertex) {
+    if (global_[node] != kNone && global_[node] != vertex)
+      joined_.emplace_back(global_[node], vertex);
+    global_[node] = vertex;
+  }
+
+  std::uint32_t add_vertex(Vec3 p) {
+    positions_.push_back(p);
+    return static_cast<std::uint32_t>(positions_.size() - 1);
+  }
+
+  void add_triangle(std::size_t f, const Poly_Triangulation& t, int i) {
+    std::array<int, 3> n{};
+    t.Triangle(i).Get(n[0], n[1], n[2]);
+    if (parts_.faces[f].reversed) std::swap(n[1], n[2]);
+    mesh_.triangles.push_back({global_[index(n[0])], global_[index(n[1])], global_[index(n[2])]});
+    mesh_.face.push_back(static_cast<std::int32_t>(f));
+    for (std::size_t k = 0; k < 3; ++k) {
+      mesh_.uv.push_back(to_vec(t.UVNode(n[k])));
+      mesh_.border.push_back(
+          add_border(static_cast<std::uint32_t>(n[k]), static_cast<std::uint32_t>(n[(k + 1) % 3])));
+    }
+  }
+
+  std::int32_t add_border(std::uint32_t a, std::uint32_t b) {
+    const Segment key{std::min(a, b), std::max(a, b), -1, 0, 0};
+    const auto s = std::ranges::lower_bound(segments_, key, before);
+    if (s == segments_.end() || s->low != key.low || s->high != key.high) return -1;
+    const bool up = a < b;
+    mesh_.borders.push_back({parts_.coedges[index(s->coedge)].edge,
+                             parts_.coedges[index(s->coedge)].curve.known() ? s->coedge : -1,
+                             up ? s->t_low : s->t_high, up ? s->t_high : s->t_low});
+    return static_cast<std::int32_t>(mesh_.borders.size() - 1);
+  }
+
+  /// Joins, drops triangles without extent and vertices without a triangle.
+  void finish() {
+    DisjointSets sets(positions_.size());
+    for (const auto& [a, b] : joined_) sets.join(a, b);
+    ChartMesh out;
+    std::vector<std::uint32_t> number(positions_.size(), kNone);
+    for (std::size_t f = 0; f < mesh_.triangles.size(); ++f) {
+      Triangle t = mesh_.triangles[f];
+      for (std::uint32_t& v : t) v = static_cast<std::uint32_t>(sets.find(v));
+      if (t[0] == t[1] || t[1] == t[2] || t[2] == t[0]) continue;
+      for (std::uint32_t& v : t) {
+        if (number[v] == kNone) {
+          number[v] = static_cast<std::uint32_t>(out.positions.size());
+          out.positions.push_back(positions_[v]);
+        }
+        v = number[v];
+      }
+      out.triangles.push_back(t);
+      out.face.push_back(mesh_.face[f]);
+      out.uv.insert(out.uv.end(), &mesh_.uv[3 * f], &mesh_.uv[3 * f] + 3);
+      out.border.insert(out.border.end(), &mesh_.border[3 * f], &mesh_.border[3 * f] + 3);
+    }
+    out.borders = std::move(mesh_.borders);
+    out.normal.assign(3 * out.triangles.size(), Vec3(0));
+    out.on_contour.assign(3 * out.triangles.size(), 0);
+    out.edge_class = parts_.edge_class;
+    mesh_ = std::move(out);
+  }
+
+  const ModelParts& parts_;
+  ChartMesh mesh_;
+  std::vector<Vec3> positions_;
+  std::vector<std::uint32_t> edge_start_;  // first inner vertex of each model edge
+  std::vector<std::size_t> inner_;
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> joined_;
+  // Of the present face: the vertex of each node (from 1), and the pieces of its coedges.
+  std::vector<std::uint32_t> global_;
+  std::vector<Segment> segments_;
+};
+
+}  // namespace
+
+ChartMesh build_chart_mesh(const ModelParts& parts, std::vector<std::int32_t>& unmeshed) {
+  return Builder(parts).build(unmeshed);
+}
+
+}  // namespace burin

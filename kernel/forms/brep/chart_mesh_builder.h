@@ -1,0 +1,14 @@
+#pragma once
+/// A ChartMesh from the triangulations that OCCT's mesher left on the faces.
+
+#include "model_parts.h"
+
+namespace burin {
+
+/// Corners at vertices and on edges are shared by the faces that meet there; triangles that shrink
+/// to nothing (at poles) are left out. `unmeshed` gets the faces without triangles. Where more than
+/// two faces share an edge, the result is not yet manifold (see make_manifold.h). Normals and
+/// on_contour are zero.
+ChartMesh build_chart_mesh(const ModelParts& parts, std::vector<std::int32_t>& unmeshed);
+
+}  // namespace burin

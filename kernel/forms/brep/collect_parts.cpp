@@ -1,0 +1,132 @@
+#include "contain.h"
+#include "model_parts.h"
+#include "occt_vec.h"
+#include "surface_chart.h"
+
+#include <BRepLib.hxx>
+#include <BRep_Tool.hxx>
+#include <Precision.hxx>
+#include <ShapeFix_Edge.hxx>
+#include <TopExp.hxx>
+#include <TopExp_Explorer.hxx>
+#include <TopTools_IndexedMapOfShape.hxx>
+#include <TopoDS.hxx>
+#include <TopoDS_Vertex.hxx>
+
+#include <cmath>
+
+namespace burin {
+namespace {
+
+TopoDS_Face forward(const TopoDS_Face& f) { return TopoDS::Face(f.Oriented(TopAbs_FORWARD)); }
+
+Pcurve pcurve_of(const TopoDS_Edge& use, const TopoDS_Face& face, const ModelEdge& edge) {
+  return contained_or(Pcurve(), [&] {
+    double first = 0, last = 0;
+    Handle(Geom2d_Curve) c = BRep_Tool::CurveOnSurface(use, face, first, last);
+    if (c.IsNull()) {
+      ShapeFix_Edge().FixAddPCurve(use, face, BRep_Tool::IsClosed(use, face), 0.0);
+      c = BRep_Tool::CurveOnSurface(use, face, first, last);
+    }
+    return Pcurve(c, first, last, edge.first, edge.last);
+  });
+}
+
+std::int32_t number(const TopTools_IndexedMapOfShape& map, const TopoDS_Shape& s) {
+  return s.IsNull() ? -1 : map.FindIndex(s) - 1;
+}
+
+ModelEdge make_edge(const TopoDS_Edge& shape, const TopTools_IndexedMapOfShape& vertices) {
+  ModelEdge e;
+  e.edge = TopoDS::Edge(shape.Oriented(TopAbs_FORWARD));
+  e.degenerate = BRep_Tool::Degenerated(e.edge);
+  contained([&] {
+    if (!e.degenerate && !BRep_Tool::IsGeometric(e.edge)) return;
+    if (!e.degenerate) BRepLib::BuildCurve3d(e.edge);
+    if (!e.degenerate && !BRep_Tool::SameParameter(e.edge)) {
+      BRepLib::SameParameter(e.edge, Precision::Confusion());
+    }
+    BRep_Tool::Range(e.edge, e.first, e.last);
+    double first = 0, last = 0;
+    if (!e.degenerate) e.curve = BRep_Tool::Curve(e.edge, first, last);
+  });
+  e.vertex = {number(vertices, TopExp::FirstVertex(e.edge)),
+              number(vertices, TopExp::LastVertex(e.edge))};
+  return e;
+}
+
+/// The box in (u,v) of a face, from samples of its coedges: enough to end infinite directions.
+ParameterBox used_box(const ModelParts& parts, std::size_t first, std::size_t end) {
+  Box2 box;
+  for (std::size_t c = first; c < end; ++c) {
+    const ModelCoedge& co = parts.coedges[c];
+    const ModelEdge& e = parts.edges[static_cast<std::size_t>(co.edge)];
+    if (!co.curve.known()) continue;
+    const int steps = co.curve.straight() ? 1 : 8;
+    for (int i = 0; i <= steps; ++i) box.add(co.curve.at(e.first + (e.last - e.first) * i / steps));
+  }
+  const auto finite = [](Vec2 p) { return std::abs(p.x) + std::abs(p.y) < 1e100; };
+  if (box.empty() || !finite(box.min) || !finite(box.max)) return {Vec2(-1), Vec2(1)};
+  return {box.min, box.max};
+}
+
+void add_face(ModelParts& parts, const TopoDS_Face& face, const TopTools_IndexedMapOfShape& edges) {
+  ModelFace f;
+  f.face = face;
+  f.first_coedge = static_cast<std::int32_t>(parts.coedges.size());
+  f.reversed = face.Orientation() == TopAbs_REVERSED;
+  const TopoDS_Face front = forward(face);
+  for (TopExp_Explorer it(front, TopAbs_EDGE); it.More(); it.Next()) {
+    ModelCoedge c;
+    c.use = TopoDS::Edge(it.Current());
+    c.edge = number(edges, c.use);
+    c.face = static_cast<std::int32_t>(parts.faces.size());
+    c.reversed = c.use.Orientation() == TopAbs_REVERSED;
+    c.internal = c.use.Orientation() == TopAbs_INTERNAL || c.use.Orientation() == TopAbs_EXTERNAL;
+    ModelEdge& e = parts.edges[static_cast<std::size_t>(c.edge)];
+    c.curve = pcurve_of(c.use, front, e);
+    e.coedges.push_back(static_cast<std::int32_t>(parts.coedges.size()));
+    parts.coedges.push_back(std::move(c));
+  }
+  const Handle(Geom_Surface) surface =
+      contained_or(Handle(Geom_Surface)(), [&] { return BRep_Tool::Surface(face); });
+  if (!surface.IsNull()) {
+    f.chart = contained_or(std::shared_ptr<const Chart>(), [&] {
+      return make_surface_chart(
+          surface, used_box(parts, static_cast<std::size_t>(f.first_coedge), parts.coedges.size()));
+    });
+  }
+  parts.faces.push_back(std::move(f));
+}
+
+void collect_bodies(ModelParts& parts, const TopTools_IndexedMapOfShape& faces) {
+  const auto add = [&](const TopoDS_Shape& body) {
+    auto& list = parts.bodies.emplace_back();
+    for (TopExp_Explorer f(body, TopAbs_FACE); f.More(); f.Next()) {
+      list.push_back(number(faces, f.Current()));
+    }
+  };
+  for (TopExp_Explorer s(parts.shape, TopAbs_SOLID); s.More(); s.Next()) add(s.Current());
+  for (TopExp_Explorer s(parts.shape, TopAbs_SHELL, TopAbs_SOLID); s.More(); s.Next()) {
+    add(s.Current());
+  }
+}
+
+}  // namespace
+
+void collect_parts(ModelParts& parts) {
+  TopTools_IndexedMapOfShape faces, edges, vertices;
+  TopExp::MapShapes(parts.shape, TopAbs_FACE, faces);
+  TopExp::MapShapes(parts.shape, TopAbs_EDGE, edges);
+  TopExp::MapShapes(parts.shape, TopAbs_VERTEX, vertices);
+  for (int i = 1; i <= vertices.Extent(); ++i) {
+    parts.vertices.push_back(to_vec(BRep_Tool::Pnt(TopoDS::Vertex(vertices(i)))));
+  }
+  for (int i = 1; i <= edges.Extent(); ++i) {
+    parts.edges.push_back(make_edge(TopoDS::Edge(edges(i)), vertices));
+  }
+  for (int i = 1; i <= faces.Extent(); ++i) add_face(parts, TopoDS::Face(faces(i)), edges);
+  collect_bodies(parts, faces);
+}
+
+}  // namespace burin

@@ -1,0 +1,40 @@
+#pragma once
+/// What OCCT throws ends here. Its exceptions are Standard_Failure and, from the standard library,
+/// std::exception. Signals (division by zero, bad addresses inside OCCT) are not caught: OCCT could
+/// turn them into exceptions only by handlers for the whole process.
+
+#include <Standard_Failure.hxx>
+
+#include <exception>
+#include <string>
+#include <utility>
+
+namespace burin {
+
+/// Runs `work`; returns what OCCT had to say where it threw, empty where it did not. Burin's own
+/// errors (Cancelled and the like are std::runtime_error) are passed on.
+template <class Work>
+std::string contained(Work&& work) {
+  try {
+    work();
+    return {};
+  } catch (const Standard_Failure& failure) {
+    const char* message = failure.GetMessageString();
+    return message && *message ? message : failure.DynamicType()->Name();
+  } catch (const std::bad_alloc&) {
+    return "out of memory";
+  } catch (const std::logic_error& error) {
+    return *error.what() ? error.what() : "unknown";
+  }
+}
+
+/// The result of `work`, or `fallback` where OCCT threw.
+template <class T, class Work>
+T contained_or(T fallback, Work&& work) {
+  T result = std::move(fallback);
+  T made;
+  if (contained([&] { made = work(); }).empty()) result = std::move(made);
+  return result;
+}
+
+}  // namespace burin

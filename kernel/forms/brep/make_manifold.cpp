@@ -1,0 +1,149 @@
+#include "make_manifold.h"
+
+#include <burin/base/disjoint_sets.h>
+
+#include <algorithm>
+#include <array>
+
+namespace burin {
+namespace {
+
+using Half = std::int32_t;
+constexpr Half kNone = -1;
+
+std::size_t index(std::int32_t i) { return static_cast<std::size_t>(i); }
+Half next(Half h) { return h % 3 == 2 ? h - 2 : h + 1; }
+
+class Manifold {
+ public:
+  Manifold(ChartMesh& mesh, const std::vector<std::int32_t>& face_body)
+      : mesh_(mesh), body_(face_body), opposite_(3 * mesh.triangles.size(), kNone) {}
+
+  void run() {
+    // Splitting vertices may leave pairs of edges with the same two ends: they are parted again.
+    for (int round = 0; round < 4; ++round) {
+      if (pair(round == 3)) break;
+      split_vertices();
+    }
+    agree_on_borders();
+  }
+
+ private:
+  std::uint32_t from(Half h) const { return mesh_.triangles[index(h) / 3][index(h) % 3]; }
+  std::uint32_t to(Half h) const { return from(next(h)); }
+  std::int32_t body(Half h) const { return body_[index(mesh_.face[index(h) / 3])]; }
+  std::int32_t edge(Half h) const {
+    const std::int32_t b = mesh_.border[index(h)];
+    return b < 0 ? -1 : mesh_.borders[index(b)].edge;
+  }
+
+  /// Half-edges by the lower of their ends, in order (a counting sort).
+  void bucket() {
+    start_.assign(mesh_.positions.size() + 1, 0);
+    const auto halves = static_cast<Half>(opposite_.size());
+    const auto low = [&](Half h) { return std::min(from(h), to(h)); };
+    for (Half h = 0; h < halves; ++h) ++start_[low(h) + 1];
+    for (std::size_t v = 1; v < start_.size(); ++v) start_[v] += start_[v - 1];
+    sorted_.resize(opposite_.size());
+    std::vector<std::uint32_t> at(start_.begin(), start_.end() - 1);
+    for (Half h = 0; h < halves; ++h) sorted_[at[low(h)]++] = h;
+  }
+
+  /// Finds the opposite of each half-edge; false where an edge has more triangles than two, or two
+  /// turned against each other, which are then left unpaired.
+  bool pair(bool part_all) {
+    bucket();
+    std::ranges::fill(opposite_, kNone);
+    bool manifold = true;
+    for (std::size_t v = 0; v + 1 < start_.size(); ++v) {
+      const auto begin = sorted_.begin() + start_[v], end = sorted_.begin() + start_[v + 1];
+      const auto high = [&](Half h) { return std::max(from(h), to(h)); };
+      std::sort(begin, end,
+                [&](Half a, Half b) { return high(a) != high(b) ? high(a) < high(b) : a < b; });
+      for (auto i = begin; i != end;) {
+        auto j = i;
+        while (j != end && high(*j) == high(*i)) ++j;
+        manifold &= pair_group(i, j, part_all);
+        i = j;
+      }
+    }
+    return manifold;
+  }
+
+  template <class It>
+  bool pair_group(It begin, It end, bool part_all) {
+    const auto n = end - begin;
+    if (n == 1) return true;
+    if (n == 2 && from(begin[0]) != from(begin[1])) {
+      join(begin[0], begin[1]);
+      return true;
+    }
+    if (part_all) return false;
+    // Partners of the same model edge and body first, of the same edge, then any.
+    for (int strictness = 2; strictness >= 0; --strictness) {
+      for (auto i = begin; i != end; ++i) {
+        for (auto j = i + 1; j != end && opposite_[index(*i)] == kNone; ++j) {
+          const bool fits = opposite_[index(*j)] == kNone && from(*i) != from(*j) &&
+                            (strictness < 1 || edge(*i) == edge(*j)) &&
+                            (strictness < 2 || body(*i) == body(*j));
+          if (fits) join(*i, *j);
+        }
+      }
+    }
+    return false;
+  }
+
+  void join(Half a, Half b) {
+    opposite_[index(a)] = b;
+    opposite_[index(b)] = a;
+  }
+
+  /// One vertex for each fan of triangles that pairs hold together.
+  void split_vertices() {
+    DisjointSets fans(opposite_.size());
+    for (Half h = 0; h < static_cast<Half>(opposite_.size()); ++h) {
+      const Half o = opposite_[index(h)];
+      if (o == kNone) continue;
+      fans.join(static_cast<std::uint32_t>(h), static_cast<std::uint32_t>(next(o)));
+    }
+    std::vector<std::uint8_t> taken(mesh_.positions.size(), 0);
+    std::vector<std::uint32_t> vertex(opposite_.size());
+    for (std::size_t c = 0; c < vertex.size(); ++c) {
+      std::uint32_t& v = mesh_.triangles[c / 3][c % 3];
+      const std::uint32_t fan = fans.find(static_cast<std::uint32_t>(c));
+      if (fan != c) {
+        v = vertex[fan];  // fans are named by their first corner
+      } else if (taken[v]) {
+        mesh_.positions.push_back(Vec3(mesh_.positions[v]));
+        v = static_cast<std::uint32_t>(mesh_.positions.size() - 1);
+      } else {
+        taken[v] = 1;
+      }
+      vertex[c] = v;
+    }
+  }
+
+  /// Where a sliver on an edge shrank to nothing, its neighbour lies on the edge now.
+  void agree_on_borders() {
+    for (Half h = 0; h < static_cast<Half>(opposite_.size()); ++h) {
+      const Half o = opposite_[index(h)];
+      if (o == kNone || mesh_.border[index(h)] >= 0 || mesh_.border[index(o)] < 0) continue;
+      const ChartMesh::Border b = mesh_.borders[index(mesh_.border[index(o)])];
+      mesh_.border[index(h)] = static_cast<std::int32_t>(mesh_.borders.size());
+      mesh_.borders.push_back({b.edge, -1, b.t1, b.t0});
+    }
+  }
+
+  ChartMesh& mesh_;
+  const std::vector<std::int32_t>& body_;
+  std::vector<Half> opposite_, sorted_;
+  std::vector<std::uint32_t> start_;
+};
+
+}  // namespace
+
+void make_manifold(ChartMesh& mesh, const std::vector<std::int32_t>& face_body) {
+  Manifold(mesh, face_body).run();
+}
+
+}  // namespace burin

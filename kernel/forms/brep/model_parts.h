@@ -1,0 +1,70 @@
+#pragma once
+/// What a BrepModel is made of.
+
+#include <burin/base/box.h>
+#include <burin/forms/brep/occt/brep_model.h>
+
+#include "pcurve.h"
+
+#include <Geom_Curve.hxx>
+#include <TopoDS_Edge.hxx>
+#include <TopoDS_Face.hxx>
+#include <TopoDS_Shape.hxx>
+
+#include <array>
+#include <memory>
+#include <mutex>
+#include <vector>
+
+namespace burin {
+
+struct ModelFace {
+  TopoDS_Face face;
+  std::shared_ptr<const Chart> chart;
+  /// Its coedges, from `first_coedge` to that of the next face.
+  std::int32_t first_coedge = 0;
+  bool reversed = false;
+};
+
+struct ModelEdge {
+  TopoDS_Edge edge;  // forward
+  /// At the start and at the end; -1 where it has none.
+  std::array<std::int32_t, 2> vertex{-1, -1};
+  double first = 0, last = 0;
+  /// Null where the edge is a point (`degenerate`) or known in faces alone.
+  Handle(Geom_Curve) curve;
+  bool degenerate = false;
+  std::vector<std::int32_t> coedges;
+};
+
+struct ModelCoedge {
+  std::int32_t edge = -1, face = -1;
+  TopoDS_Edge use;  // as the forward face uses it
+  bool reversed = false;
+  /// Both its sides are this face.
+  bool internal = false;
+  Pcurve curve;
+};
+
+struct ModelParts {
+  TopoDS_Shape shape;
+  std::vector<ModelFace> faces;
+  std::vector<ModelEdge> edges;
+  std::vector<ModelCoedge> coedges;
+  std::vector<Vec3> vertices;
+  /// Faces of each solid, and of each shell outside solids.
+  std::vector<std::vector<std::int32_t>> bodies;
+  std::vector<ModelEdgeClass> edge_class;
+};
+
+/// Faces, edges and their curves of a shape; mends what costs little: missing curves of edges in
+/// space or in faces, parameters that differ.
+void collect_parts(ModelParts& parts);
+
+/// Turns faces so that neighbours agree, where the file has them otherwise.
+void orient_faces(ModelParts& parts);
+
+/// Sharp, smooth, seam or boundary, from the exact normals along each edge.
+std::vector<ModelEdgeClass> classify_edges(const ModelParts& parts);
+
+}  // namespace burin
