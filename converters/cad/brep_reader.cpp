@@ -15,13 +15,19 @@
 namespace burin {
 
 CadFile read_brep(const Source& source, bool binary, RunContext& context) {
-  std::istringstream in(std::string(source.bytes()));
+  std::istringstream in{std::string(source.bytes())};
+  // OCCT's readers loop for ever where a number is missing; an exception ends them.
+  in.exceptions(std::ios::failbit | std::ios::badbit);
   const Handle(OcctProgress) progress = new OcctProgress(context, 0, 1);
   TopoDS_Shape shape;
-  if (binary) {
-    BinTools::Read(shape, in, progress->Start());
-  } else {
-    BRepTools::Read(shape, in, BRep_Builder(), progress->Start());
+  try {
+    if (binary) {
+      BinTools::Read(shape, in, progress->Start());
+    } else {
+      BRepTools::Read(shape, in, BRep_Builder(), progress->Start());
+    }
+  } catch (const std::ios_base::failure&) {
+    source.fail("is broken or ends early; export the model again");
   }
   context.check();
   if (shape.IsNull()) source.fail("is broken or no BREP file; export the model again");

@@ -26,10 +26,11 @@ CadFormat detect(const Source& source, const std::filesystem::path& path) {
   source.fail("is no CAD file of a known kind; STEP, IGES and BREP are read");
 }
 
-CadFile read_as(CadFormat format, const Source& source, RunContext& context) {
+CadFile read_as(CadFormat format, const Source& source, const OcctSession& session,
+                RunContext& context) {
   switch (format) {
     case CadFormat::Step:
-      return read_step(source, context);
+      return read_step(source, session, context);
     case CadFormat::Iges:
       return read_iges(source, context);
     case CadFormat::BrepText:
@@ -42,12 +43,12 @@ CadFile read_as(CadFormat format, const Source& source, RunContext& context) {
 
 }  // namespace
 
-CadFile read_cad_file(const std::filesystem::path& path, RunContext& context) {
+CadFile read_cad_file(const std::filesystem::path& path, const OcctSession& session,
+                      RunContext& context) {
   const Source source(path, context);
   const CadFormat format = detect(source, path);
-  const OcctSession session;
   CadFile file;
-  session.guarded(source.file(), [&] { file = read_as(format, source, context); });
+  session.guarded(source.file(), [&] { file = read_as(format, source, session, context); });
   if (file.parts.empty()) {
     source.fail("holds no faces to draw; export the solids or surfaces of the model");
   }

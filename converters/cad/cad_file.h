@@ -15,6 +15,8 @@
 
 namespace burin {
 
+class OcctSession;
+
 struct CadPart {
   std::string name;
   std::vector<std::string> assembly;
@@ -31,10 +33,11 @@ struct CadFile {
 };
 
 /// By content, else by suffix. Throws InputError; nothing of OCCT gets out.
-CadFile read_cad_file(const std::filesystem::path& path, RunContext& context);
+CadFile read_cad_file(const std::filesystem::path& path, const OcctSession& session,
+                      RunContext& context);
 
-/// One reader a format; to be called inside an OcctSession.
-CadFile read_step(const Source& source, RunContext& context);
+/// One reader a format, to be called inside `guarded`.
+CadFile read_step(const Source& source, const OcctSession& session, RunContext& context);
 CadFile read_iges(const Source& source, RunContext& context);
 CadFile read_brep(const Source& source, bool binary, RunContext& context);
 

@@ -31,7 +31,7 @@ bool is_step(std::string_view text) {
 bool is_iges(std::string_view text) {
   if (text.size() < 80) return false;
   const auto number = text.substr(73, 7);
-  const std::size_t digits = number.find_first_not_of(' ');
+  const std::size_t digits = number.find_first_not_of(" 0");
   return text[72] == 'S' && digits != std::string_view::npos && number.substr(digits) == "1";
 }
 

@@ -7,6 +7,7 @@
 
 #include "cad_file.h"
 #include "measure.h"
+#include "occt_session.h"
 
 #include <fmt/format.h>
 
@@ -23,9 +24,9 @@ class Models {
   /// The number of the model and the model; throws GeometryError.
   std::pair<std::size_t, std::shared_ptr<const BrepModel>> of(const TopoDS_Shape& shape) {
     const auto key = std::pair(shape.TShape().get(), shape.Orientation());
-    const auto [it, is_new] = known_.try_emplace(key, known_.size(), nullptr);
-    if (is_new) it->second.second = make_brep_model(shape);
-    return it->second;
+    const auto it = known_.find(key);
+    if (it != known_.end()) return it->second;
+    return known_[key] = {known_.size(), make_brep_model(shape)};
   }
 
  private:
@@ -34,22 +35,48 @@ class Models {
       known_;
 };
 
+/// Calls `one(part)` for each part of a file; parts at which OCCT or the form fails are left out.
+/// Throws InputError where that befalls all of them.
+template <class F>
+void for_parts(CadFile& file, const OcctSession& session, const std::string& path,
+               Diagnostics& diagnostics, const RunContext& context, const F& one) {
+  std::string first;
+  std::int64_t failures = 0;
+  for (CadPart& part : file.parts) {
+    context.check();
+    const auto fail = [&](const std::exception& e) {
+      if (failures++ == 0) first = e.what();
+      diagnostics.add(Severity::Error, "cad.broken_part", 1,
+                      fmt::format("{}: the part was left out: {}", part.name, e.what()));
+    };
+    try {
+      session.guarded(path, [&] { one(part); });
+    } catch (const InputError& e) {
+      fail(e);
+    } catch (const GeometryError& e) {
+      fail(e);
+    }
+  }
+  if (failures == static_cast<std::int64_t>(file.parts.size())) throw InputError(first, path);
+}
+
 Scene read(const std::filesystem::path& path, RunContext& context) {
-  CadFile file = read_cad_file(path, context);
+  const OcctSession session;
+  CadFile file = read_cad_file(path, session, context);
   Scene scene;
   scene.diagnostics = std::move(file.diagnostics);
   Models models;
-  for (CadPart& part : file.parts) {
-    context.check();
+  for_parts(file, session, path.string(), scene.diagnostics, context, [&](CadPart& part) {
     auto form = std::make_shared<BrepForm>(models.of(part.shape).second, part.placement);
     scene.parts.push_back({std::move(part.name), path.string(), std::move(form),
                            std::move(part.assembly), std::move(part.color)});
-  }
+  });
   return scene;
 }
 
 FileInfo inspect(const std::filesystem::path& path, RunContext& context) {
-  CadFile file = read_cad_file(path, context);
+  const OcctSession session;
+  CadFile file = read_cad_file(path, session, context);
   FileInfo info;
   info.file = path.string();
   info.format = std::move(file.format);
@@ -57,8 +84,7 @@ FileInfo inspect(const std::filesystem::path& path, RunContext& context) {
   info.diagnostics = std::move(file.diagnostics);
   Models models;
   std::map<std::size_t, std::int32_t> first;  // part of each model
-  for (CadPart& part : file.parts) {
-    context.check();
+  for_parts(file, session, info.file, info.diagnostics, context, [&](CadPart& part) {
     const auto [number, model] = models.of(part.shape);
     PartInfo p = measure(*model, part.placement);
     const auto [it, is_new] =
@@ -68,7 +94,7 @@ FileInfo inspect(const std::filesystem::path& path, RunContext& context) {
     p.assembly = std::move(part.assembly);
     p.color = std::move(part.color);
     info.parts.push_back(std::move(p));
-  }
+  });
   return info;
 }
 

@@ -8,6 +8,7 @@
 #include <Interface_Static.hxx>
 #include <Message.hxx>
 #include <Message_Messenger.hxx>
+#include <Message_Printer.hxx>
 #include <OSD.hxx>
 #include <OSD_Exception.hxx>
 #include <STEPControl_Controller.hxx>
@@ -20,6 +21,22 @@
 #include <array>
 
 namespace burin {
+
+/// Keeps the first message that is a complaint.
+class MessageKeeper : public Message_Printer {
+ public:
+  DEFINE_STANDARD_RTTI_INLINE(MessageKeeper, Message_Printer)
+
+ protected:
+  void send(const TCollection_AsciiString& text, const Message_Gravity gravity) const override {
+    if (gravity >= Message_Alarm && kept_.empty()) kept_ = clean_name(text.ToCString());
+  }
+
+ private:
+  mutable std::string kept_;
+  friend class OcctSession;
+};
+
 namespace {
 
 // Signals that OCCT's handlers are wanted for, and those that OSD::SetSignal takes as well.
@@ -45,6 +62,8 @@ OcctSession::OcctSession() : lock_(occt_mutex()) {
   auto& printers = Message::DefaultMessenger()->ChangePrinters();
   printers_ = printers;
   printers.Clear();
+  messages_ = new MessageKeeper;
+  printers.Append(messages_);
   set_parameters();
   const auto keep = [](int signal) {
     struct sigaction action {};
@@ -67,6 +86,8 @@ OcctSession::~OcctSession() {
   for (const auto& [signal, action] : handlers_) ::sigaction(signal, &action, nullptr);
   Message::DefaultMessenger()->ChangePrinters() = printers_;
 }
+
+std::string OcctSession::first_message() const { return messages_->kept_; }
 
 void OcctSession::guarded(const std::string& file, const std::function<void()>& body) const {
   try {

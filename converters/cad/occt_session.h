@@ -13,9 +13,11 @@
 
 namespace burin {
 
+class MessageKeeper;
+
 /// As long as it lives this thread alone reads: OCCT's readers share parameters and caches. Its
-/// messages go nowhere, lengths come in mm, and the four signals of a crash are exceptions inside
-/// `guarded`.
+/// messages are not printed, lengths come in mm, and the four signals of a crash are exceptions
+/// inside `guarded`.
 class OcctSession {
  public:
   OcctSession();
@@ -26,10 +28,13 @@ class OcctSession {
   /// Runs `body`, which reads `file`. Whatever OCCT throws, or a signal of a crash in it, becomes
   /// an InputError.
   void guarded(const std::string& file, const std::function<void()>& body) const;
+  /// The first thing that OCCT complained of, or empty.
+  std::string first_message() const;
 
  private:
   std::unique_lock<std::mutex> lock_;
   Message_SequenceOfPrinters printers_;
+  Handle(MessageKeeper) messages_;
   std::vector<std::pair<int, struct sigaction>> handlers_;
 };
 

@@ -10,6 +10,7 @@
 #include <Interface_CheckIterator.hxx>
 #include <STEPCAFControl_Reader.hxx>
 #include <StepData_StepModel.hxx>
+#include <StepGeom_CartesianPoint.hxx>
 #include <TCollection_HAsciiString.hxx>
 #include <TDocStd_Document.hxx>
 #include <Transfer_TransientProcess.hxx>
@@ -18,6 +19,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <cstdlib>
 #include <istream>
 #include <streambuf>
 
@@ -50,15 +53,48 @@ class PolledText : public std::streambuf {
   std::size_t at_ = 0;
 };
 
-void parse(STEPCAFControl_Reader& reader, std::string_view text, const Source& source,
-           RunContext& context) {
+bool parses(STEPCAFControl_Reader& reader, std::string_view text, const Source& source,
+            RunContext& context) {
   PolledText buffer(text, context);
   std::istream in(&buffer);
   const IFSelect_ReturnStatus status = reader.ChangeReader().ReadStream(source.file().c_str(), in);
   context.check();
-  if (status != IFSelect_RetDone) {
-    source.fail("is broken or no STEP file: OCCT cannot parse it; export the model again");
+  return status == IFSelect_RetDone;
+}
+
+/// A file that was cut off, closed after its last whole entity; empty where it was not.
+std::string closed_early(std::string_view text) {
+  if (text.find("END-ISO-10303-21") != std::string_view::npos) return {};
+  const std::size_t data = text.find("DATA");
+  const std::size_t end = text.rfind(';');
+  if (data == std::string_view::npos || end == std::string_view::npos || end < data) return {};
+  return std::string(text.substr(0, end + 1)) + "\nENDSEC;\nEND-ISO-10303-21;\n";
+}
+
+/// OCCT says "Line 12: what".
+[[noreturn]] void fail_parsing(const Source& source, const std::string& message) {
+  std::int64_t line = 0;
+  std::string what = "OCCT cannot parse it";
+  if (const std::size_t at = message.find("Line "); at != std::string::npos) {
+    line = std::strtoll(message.c_str() + at + 5, nullptr, 10);
+    const std::size_t words = message.find(": ", at);
+    if (words != std::string::npos) what = message.substr(words + 2);
+    what.erase(what.find_last_not_of(" *") + 1);
   }
+  throw InputError(fmt::format("is broken or no STEP file ({}); export the model again", what),
+                   source.file(), line);
+}
+
+/// Reads the entities, and of a file that was cut off those before the cut.
+void parse(STEPCAFControl_Reader& reader, const Source& source, const OcctSession& session,
+           Diagnostics& diagnostics, RunContext& context) {
+  if (parses(reader, source.bytes(), source, context)) return;
+  const std::string message = session.first_message();
+  const std::string closed = closed_early(source.bytes());
+  if (closed.empty() || !parses(reader, closed, source, context)) fail_parsing(source, message);
+  diagnostics.add(Severity::Error, "step.truncated", 1,
+                  "the file ends in the middle; what stands before was read, the rest is missing "
+                  "and parts may be out of place");
 }
 
 std::string schema_of(STEPCAFControl_Reader& reader) {
@@ -76,27 +112,62 @@ std::string protocol_of(const std::string& schema) {
   return "STEP";
 }
 
-/// Entities that OCCT says it failed at.
+/// Counts checks that failed; the message of the first one.
+class Failures {
+ public:
+  void add(const Handle(Interface_Check) & check) {
+    if (check.IsNull() || !check->HasFailed()) return;
+    if (count_++ == 0) first_ = clean_name(check->CFail(1));
+  }
+  void report(Diagnostics& diagnostics, Severity severity, const char* code,
+              const char* what) const {
+    if (count_ == 0) return;
+    diagnostics.add(severity, code, count_, fmt::format("{}; the first: {}", what, first_));
+  }
+
+ private:
+  std::int64_t count_ = 0;
+  std::string first_;
+};
+
+/// Entities that refer to what is not there, or that OCCT could make nothing of.
 void add_failures(STEPCAFControl_Reader& reader, Diagnostics& diagnostics) {
+  Failures broken, untranslated;
+  const Handle(StepData_StepModel) model = reader.ChangeReader().StepModel();
+  for (int i = 1; i <= model->NbEntities(); ++i) broken.add(model->Check(i, Standard_True));
+  // Mostly names, styles and tolerances that no drawing needs.
+  broken.report(diagnostics, Severity::Info, "step.broken_entities",
+                "entities of the file are broken");
   const Handle(Transfer_TransientProcess) process =
       reader.Reader().WS()->TransferReader()->TransientProcess();
   if (process.IsNull()) return;
-  std::int64_t failures = 0;
-  std::string first;
   Interface_CheckIterator checks = process->CheckList(Standard_False);
-  for (checks.Start(); checks.More(); checks.Next()) {
-    const Handle(Interface_Check)& check = checks.Value();
-    if (!check->HasFailed()) continue;
-    if (failures++ == 0) first = clean_name(check->CFail(1));
+  for (checks.Start(); checks.More(); checks.Next()) untranslated.add(checks.Value());
+  untranslated.report(diagnostics, Severity::Warning, "step.not_translated",
+                      "entities could not be translated");
+}
+
+// Model mm beyond which a coordinate is taken for rubbish: OCCT's algorithms take time in
+// proportion to it where curves are periodic.
+constexpr double kFarthest = 1e12;
+
+void refuse_absurd_points(STEPCAFControl_Reader& reader, const Source& source) {
+  const Handle(StepData_StepModel) model = reader.ChangeReader().StepModel();
+  for (int i = 1; i <= model->NbEntities(); ++i) {
+    const auto point = Handle(StepGeom_CartesianPoint)::DownCast(model->Value(i));
+    if (point.IsNull()) continue;
+    for (int k = 1; k <= point->NbCoordinates(); ++k) {
+      const double x = point->CoordinatesValue(k);
+      if (std::abs(x) <= kFarthest) continue;
+      source.fail(fmt::format("has a point with the coordinate {:g} (#{}); export the model again",
+                              x, model->IdentLabel(point)));
+    }
   }
-  if (failures == 0) return;
-  diagnostics.add(Severity::Warning, "step.not_translated", failures,
-                  fmt::format("entities could not be translated, the first because: {}", first));
 }
 
 }  // namespace
 
-CadFile read_step(const Source& source, RunContext& context) {
+CadFile read_step(const Source& source, const OcctSession& session, RunContext& context) {
   STEPCAFControl_Reader reader;
   reader.SetColorMode(Standard_True);
   reader.SetNameMode(Standard_True);
@@ -105,9 +176,10 @@ CadFile read_step(const Source& source, RunContext& context) {
   reader.SetGDTMode(Standard_False);
   reader.SetMatMode(Standard_False);
   reader.SetViewMode(Standard_False);
-  parse(reader, source.bytes(), source, context);
 
   CadFile file;
+  parse(reader, source, session, file.diagnostics, context);
+  refuse_absurd_points(reader, source);
   file.schema = schema_of(reader);
   file.format = protocol_of(file.schema);
   Handle(TDocStd_Document) document = new TDocStd_Document("BinXCAF");
