@@ -2,6 +2,7 @@
 
 #include <burin/base/parallel.h>
 
+#include "exact_faces.h"
 #include "fallback.h"
 
 #include <cmath>
@@ -47,6 +48,9 @@ struct Builder {
   Constraints result = {};
 
   std::size_t size() const { return frames.size(); }
+  bool exact() const { return !proxy.source_face.empty(); }
+  // The directions of these are known for certain, however small the face is.
+  bool is_certain(std::size_t w) const { return exact() && has_exact_lines(frames[w]); }
   template <class Body>
   void for_wedges(const Body& body) {
     parallel_for(
@@ -68,7 +72,7 @@ struct Builder {
       const double length = glm::length(d);
       if (!(length > 0) || frames[w].umbilic) return;
       line[w] = complex_square(d / length);
-      confidence[w] = frames[w].confidence;
+      confidence[w] = is_certain(w) ? 1 : frames[w].confidence;
     });
   }
 
@@ -90,7 +94,9 @@ struct Builder {
       limit[w] = kAgreement * kAgreement * region_size(w) * region_size(w);
     });
     const std::vector<double> agreement = hierarchy.agreement(directions, graph.area, limit);
-    for_wedges([&](std::size_t w) { confidence[w] *= agreement[w] * agreement[w]; });
+    for_wedges([&](std::size_t w) {
+      if (!is_certain(w)) confidence[w] *= agreement[w] * agreement[w];
+    });
   }
 
   void follow_curvature() {
@@ -143,7 +149,25 @@ struct Builder {
 
   Vec2 fallback_line(std::size_t w) const {
     const TangentBasis basis(proxy.wedge_normal[w], graph.axis[w]);
-    return complex_square(basis.coords(normalize_or(options.fallback, Vec3(0, 0, 1))));
+    if (!exact() || frames[w].kind != FaceKind::Sphere) {
+      return complex_square(basis.coords(normalize_or(options.fallback, Vec3(0, 0, 1))));
+    }
+    // Family 1 of a ball goes round the axis.
+    const bool view = options.policy.sphere == FacePolicy::Sphere::View;
+    const Vec3 axis = normalize_or(view ? options.view : options.fallback, Vec3(0, 0, 1));
+    return complex_square(basis.coords(glm::cross(proxy.wedge_normal[w], axis)));
+  }
+
+  // How clearly family 1 is to follow d1 (positive) or d2.
+  double lead(std::size_t w) const {
+    if (is_certain(w) && frames[w].kind != FaceKind::Torus) {
+      const auto ruled =
+          frames[w].kind == FaceKind::Cone ? options.policy.cone : options.policy.cylinder;
+      const bool first_is_circle = std::abs(frames[w].k1) > std::abs(frames[w].k2);
+      return first_is_circle == (ruled == FacePolicy::Ruled::Circles) ? 1 : -1;
+    }
+    const double a = std::abs(frames[w].k1), b = std::abs(frames[w].k2);
+    return a + b > 0 ? confidence[w] * (a - b) / (a + b) : 0;
   }
 
   void follow_fallback() {
@@ -162,11 +186,10 @@ struct Builder {
   void set_labels() {
     for_wedges([&](std::size_t w) {
       const double share = graph.area[w] / region_area[static_cast<std::size_t>(graph.region[w])];
-      const double a = std::abs(frames[w].k1), b = std::abs(frames[w].k2);
-      const double lead = a + b > 0 ? confidence[w] * (a - b) / (a + b) : 0;
+      const double towards = lead(w);
       const Vec2 open = kOpen * share * fallback_line(w);
-      result.line_pull[w] = kLabel * share * lead * line[w] + open;
-      result.line_mass[w] = kLabel * share * std::abs(lead) + glm::length(open);
+      result.line_pull[w] = kLabel * share * towards * line[w] + open;
+      result.line_mass[w] = kLabel * share * std::abs(towards) + glm::length(open);
     });
   }
 };

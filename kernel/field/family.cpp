@@ -6,17 +6,90 @@
 #include "multigrid.h"
 
 #include <array>
+#include <utility>
 
 namespace burin::field {
 namespace {
 
 constexpr std::size_t kGrain = 4096;
 
+// A wedge on the smooth border of a flat part, and how well the first arms of both agree there:
+// between -length and length of the border.
+struct Border {
+  std::size_t patch;
+  std::uint32_t wedge;
+  double agreement;
+};
+
+std::vector<Border> find_borders(const ProxyMesh& proxy, const WedgeGraph& graph,
+                                 const std::vector<Vec2>& lines, const FlatPatches& flats) {
+  std::vector<Border> borders;
+  for (std::size_t h = 0; h < proxy.edge_kind.size(); ++h) {
+    const std::int32_t p = flats.face_patch[h / 3];
+    if (p < 0 || proxy.edge_kind[h] != EdgeKind::Smooth) continue;
+    if (flats.face_patch[face_of(proxy.topology.opposite[h])] >= 0) continue;
+    const std::array<std::uint32_t, 2> ends{proxy.wedges[h / 3][h % 3],
+                                            proxy.wedges[h / 3][(h + 1) % 3]};
+    const Vec3 a = proxy.wedge_position(ends[0]), b = proxy.wedge_position(ends[1]);
+    const auto arms = flats.patches[static_cast<std::size_t>(p)].at(0.5 * (a + b));
+    if (!arms) continue;
+    for (const std::uint32_t w : ends) {
+      const TangentBasis basis(proxy.wedge_normal[w], graph.axis[w]);
+      const double cosine = glm::dot(basis.vector(complex_sqrt(lines[w])), arms->first);
+      borders.push_back(
+          {static_cast<std::size_t>(p), w, glm::distance(a, b) * (2 * cosine * cosine - 1)});
+    }
+  }
+  return borders;
+}
+
+// A label of a flat part holds over this share of its extent from a border on: the weight of a
+// border is its length over that distance, as for triangles.
+constexpr double kReach = 0.25;
+// Where nothing else decides, the first arm stays.
+constexpr double kStay = 1e-6;
+
+// Every flat part becomes a node behind those of the wedges.
+void add_flats(const std::vector<Border>& borders, const FlatPatches& flats, Links<double>& signs,
+               std::vector<double>& pull, std::vector<double>& mass) {
+  const std::size_t n = signs.size(), patches = flats.patches.size();
+  std::vector<double> length(patches, 0);
+  for (const Border& b : borders) length[b.patch] += std::abs(b.agreement);
+  std::vector<std::vector<std::pair<std::uint32_t, double>>> added(n + patches);
+  for (const Border& b : borders) {
+    if (b.agreement == 0) continue;
+    // The part's extent is about a quarter of its outline.
+    const double coupling = b.agreement / (kReach * 0.25 * length[b.patch]);
+    added[b.wedge].emplace_back(static_cast<std::uint32_t>(n + b.patch), coupling);
+    added[n + b.patch].emplace_back(b.wedge, coupling);
+  }
+  Links<double> all;
+  for (std::size_t i = 0; i < n + patches; ++i) {
+    double stiffness = i < n ? signs.stiffness[i] : 0;
+    if (i < n) {
+      for (std::uint32_t k = signs.first[i]; k < signs.first[i + 1]; ++k) {
+        all.neighbour.push_back(signs.neighbour[k]);
+        all.coupling.push_back(signs.coupling[k]);
+      }
+    }
+    for (const auto& [j, coupling] : added[i]) {
+      all.neighbour.push_back(j);
+      all.coupling.push_back(coupling);
+      stiffness += std::abs(coupling);
+    }
+    all.first.push_back(static_cast<std::uint32_t>(all.neighbour.size()));
+    all.stiffness.push_back(stiffness);
+  }
+  signs = std::move(all);
+  pull.resize(n + patches, kStay);
+  mass.resize(n + patches, kStay);
+}
+
 }  // namespace
 
 std::vector<Vec2> choose_family(const ProxyMesh& proxy, const WedgeGraph& graph,
                                 const std::vector<Vec2>& crosses, const Constraints& targets,
-                                const RunContext& context) {
+                                FlatPatches* flats, const RunContext& context) {
   const Links<Vec2>& links = graph.crosses;
   const std::size_t n = links.size();
   std::vector<Vec2> line(n, Vec2(1, 0));
@@ -50,32 +123,25 @@ std::vector<Vec2> choose_family(const ProxyMesh& proxy, const WedgeGraph& graph,
     }
     pull[w] = glm::dot(targets.line_pull[w], line[w]);
   });
+  std::vector<double> mass = targets.line_mass;
+  if (flats) add_flats(find_borders(proxy, graph, line, *flats), *flats, signs, pull, mass);
   std::vector<double> sign =
-      minimise(Hierarchy<double>(signs, context), targets.line_mass, pull, context);
+      minimise(Hierarchy<double>(signs, context), std::move(mass), pull, context);
   join_islands(signs, pull, sign);
   for_wedges([&](std::size_t w) {
     if (sign[w] < 0) line[w] = -line[w];
   });
+  for (std::size_t p = 0; n + p < sign.size(); ++p) {
+    if (sign[n + p] < 0) flats->patches[p].swap_families();
+  }
   return line;
 }
 
 void match_flat_families(const ProxyMesh& proxy, const WedgeGraph& graph,
                          const std::vector<Vec2>& lines, FlatPatches& flats) {
   std::vector<double> votes(flats.patches.size(), 0);
-  for (std::size_t h = 0; h < proxy.edge_kind.size(); ++h) {
-    const std::int32_t p = flats.face_patch[h / 3];
-    if (p < 0 || proxy.edge_kind[h] != EdgeKind::Smooth) continue;
-    if (flats.face_patch[face_of(proxy.topology.opposite[h])] >= 0) continue;
-    const std::array<std::uint32_t, 2> ends{proxy.wedges[h / 3][h % 3],
-                                            proxy.wedges[h / 3][(h + 1) % 3]};
-    const Vec3 a = proxy.wedge_position(ends[0]), b = proxy.wedge_position(ends[1]);
-    const auto arms = flats.patches[static_cast<std::size_t>(p)].at(0.5 * (a + b));
-    if (!arms) continue;
-    for (const std::uint32_t w : ends) {
-      const TangentBasis basis(proxy.wedge_normal[w], graph.axis[w]);
-      const double cosine = glm::dot(basis.vector(complex_sqrt(lines[w])), arms->first);
-      votes[static_cast<std::size_t>(p)] += glm::distance(a, b) * (2 * cosine * cosine - 1);
-    }
+  for (const Border& border : find_borders(proxy, graph, lines, flats)) {
+    votes[border.patch] += border.agreement;
   }
   for (std::size_t p = 0; p < votes.size(); ++p) {
     if (votes[p] < 0) flats.patches[p].swap_families();

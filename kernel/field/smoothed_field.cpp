@@ -2,9 +2,12 @@
 #include <burin/surface/tangent_basis.h>
 
 #include "constraints.h"
+#include "exact_faces.h"
 #include "family.h"
 #include "multigrid.h"
+#include "plane_faces.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -24,10 +27,36 @@ Vec3 nearest_arm(Vec3 x, Vec3 y, Vec3 previous) {
   return b < 0 ? -y : y;
 }
 
+double smooth_step(double from, double to, double x) {
+  const double t = std::clamp((x - from) / (to - from), 0.0, 1.0);
+  return t * t * (3 - 2 * t);
+}
+
+// The cross of the exact principal directions, where there are some to follow: always on cylinders,
+// cones and tori; on freeform faces as far as the smoothed cross, which knows what is noise and
+// what is shape, agrees, and away from umbilics. Strokes so follow lines of curvature and not the
+// long triangles of a proxy.
+Vec2 with_exact_lines(Vec2 cross, const Frame& frame, const TangentBasis& basis) {
+  // Cosines of four times the angle between both crosses: 20 and 10 degrees.
+  constexpr double kForeign = 0.17, kSame = 0.77;
+  constexpr double kUmbilic = 0.05, kClear = 0.2;  // confidence
+  const Vec2 d = basis.coords(frame.d1);
+  const double length = glm::length(d), size = glm::length(cross);
+  if (frame.umbilic || !(length > 0)) return cross;
+  const Vec2 own = complex_square(complex_square(d / length));
+  if (has_exact_lines(frame)) return own;
+  if (size < kSingular) return cross;
+  const double follow = smooth_step(kForeign, kSame, glm::dot(own, cross) / size) *
+                        smooth_step(kUmbilic, kClear, frame.confidence);
+  return (1 - follow) * cross + follow * size * own;
+}
+
 }  // namespace
 
 struct SmoothedField::Part {
   const Surface* surface = nullptr;
+  // Whether the form knows its faces; then its frames are exact.
+  bool exact = false;
   FlatPatches flats;
   // For each wedge the line of family 1, a direction to the second power in the basis on `axis`.
   std::vector<Vec2> line;
@@ -35,8 +64,15 @@ struct SmoothedField::Part {
 
   Part(const Surface& s, const SmoothedOptions& options, const RunContext& context) : surface(&s) {
     const ProxyMesh& proxy = s.proxy();
-    std::vector<Frame> frames = s.wedge_frames(context);
-    flats = find_flat_patches(proxy, frames, options.fallback, context);
+    exact = !proxy.source_face.empty();
+    std::vector<Frame> frames;
+    if (exact) {
+      flats = find_plane_faces(s, find_face_kinds(s, context), options, context);
+      frames = curved_frames(s, flats, context);
+    } else {
+      frames = s.wedge_frames(context);
+      flats = find_flat_patches(proxy, frames, options.fallback, context);
+    }
     std::vector<std::uint8_t> skipped(flats.face_patch.size());
     for (std::size_t f = 0; f < skipped.size(); ++f) skipped[f] = flats.face_patch[f] >= 0;
     WedgeGraph graph = build_wedge_graph(proxy, skipped, context);
@@ -45,8 +81,12 @@ struct SmoothedField::Part {
         find_constraints(proxy, frames, flats, graph, hierarchy, options, context);
     frames = {};
     const std::vector<Vec2> crosses = minimise(hierarchy, wanted.mass, wanted.pull, context);
-    line = choose_family(proxy, graph, crosses, wanted, context);
-    match_flat_families(proxy, graph, line, flats);
+    line = choose_family(proxy, graph, crosses, wanted, exact ? &flats : nullptr, context);
+    if (!exact) {
+      match_flat_families(proxy, graph, line, flats);
+    } else if (options.policy.plane == FacePolicy::Plane::Differ) {
+      make_planes_differ(proxy, flats);
+    }
     axis = std::move(graph.axis);
   }
 
@@ -105,6 +145,7 @@ std::optional<Vec3> SmoothedField::direction(const FieldQuery& q) const {
     cross += at.bary[k] * complex_square(y);
     line += at.bary[k] * y;
   }
+  if (part.exact) cross = with_exact_lines(cross, q.frame, basis);
   const double size = glm::length(cross);
   if (size < kSingular) return std::nullopt;
   Vec2 first = complex_sqrt(cross / size);

@@ -2,33 +2,14 @@
 
 #include <burin/base/parallel.h>
 
+#include "wedge_corners.h"
+
+#include <optional>
+
 namespace burin::field {
 namespace {
 
 constexpr std::size_t kGrain = 4096;
-
-// The corners (as half-edges that start there) of every wedge.
-struct WedgeCorners {
-  std::vector<std::uint32_t> first;
-  std::vector<HalfEdge> corner;
-};
-
-WedgeCorners wedge_corners(const ProxyMesh& proxy) {
-  WedgeCorners c;
-  c.first.assign(proxy.wedge_vertex.size() + 1, 0);
-  for (const Triangle& t : proxy.wedges) {
-    for (const std::uint32_t w : t) ++c.first[w + 1];
-  }
-  for (std::size_t w = 1; w < c.first.size(); ++w) c.first[w] += c.first[w - 1];
-  c.corner.resize(3 * proxy.wedges.size());
-  std::vector<std::uint32_t> next(c.first.begin(), c.first.end() - 1);
-  for (std::size_t f = 0; f < proxy.wedges.size(); ++f) {
-    for (std::size_t k = 0; k < 3; ++k) {
-      c.corner[next[proxy.wedges[f][k]]++] = static_cast<HalfEdge>(3 * f + k);
-    }
-  }
-  return c;
-}
 
 std::uint32_t wedge_at(const ProxyMesh& proxy, HalfEdge h) {
   return proxy.wedges[face_of(h)][static_cast<std::size_t>(h % 3)];
@@ -89,10 +70,11 @@ WedgeGraph build_wedge_graph(const ProxyMesh& proxy, const std::vector<std::uint
                              const RunContext& context) {
   const std::size_t n = proxy.wedge_vertex.size();
   WedgeGraph g;
-  WedgeCorners corners;
+  std::optional<WedgeCorners> found;
   std::vector<double> share;
-  parallel_invoke([&] { corners = wedge_corners(proxy); },
+  parallel_invoke([&] { found.emplace(proxy); },
                   [&] { share = edge_shares(proxy, skipped, context); });
+  const WedgeCorners& corners = *found;
   g.axis.resize(n);
   g.area.assign(n, 0);
   g.region.assign(n, 0);

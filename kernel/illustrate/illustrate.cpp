@@ -34,12 +34,28 @@ Surfaces realise(const Scene& scene, const Camera& camera, const Style& style,
   return surfaces;
 }
 
-Field make_field(const std::vector<const Surface*>& surfaces, const Style& style,
-                 const RunContext& context) {
+field::FacePolicy face_policy(const Style& style) {
+  using Policy = field::FacePolicy;
+  const auto ruled = [](const std::string& word) {
+    return word == "rulings" ? Policy::Ruled::Rulings : Policy::Ruled::Circles;
+  };
+  const auto& h = style.hatch;
+  return {.plane = h.plane == "direction" ? Policy::Plane::Direction : Policy::Plane::Differ,
+          .cylinder = ruled(h.cylinder),
+          .cone = ruled(h.cone),
+          .sphere = h.sphere == "view" ? Policy::Sphere::View : Policy::Sphere::Axis};
+}
+
+Field make_field(const std::vector<const Surface*>& surfaces, const Camera& camera,
+                 const Style& style, const RunContext& context) {
   if (style.hatch.field == "fixed") return field::fixed(style.hatch.direction);
   if (style.hatch.field == "principal") return field::principal();
-  return field::smoothed(
-      surfaces, {.alignment = style.hatch.alignment, .fallback = style.hatch.direction}, context);
+  return field::smoothed(surfaces,
+                         {.alignment = style.hatch.alignment,
+                          .fallback = style.hatch.direction,
+                          .policy = face_policy(style),
+                          .view = camera.direction()},
+                         context);
 }
 
 HatchOptions hatch_options(const Style& style, std::uint64_t seed) {
@@ -77,7 +93,7 @@ StrokeResult hatch(const std::vector<const Surface*>& surfaces, const Occluder& 
                    const Camera& camera, const Style& style, std::uint64_t seed,
                    RunContext& context) {
   context.begin_stage("field");
-  const Field field = make_field(surfaces, style, context);
+  const Field field = make_field(surfaces, camera, style, context);
   const Tone tone = tone::lambert(camera, {.light = style.tone.light,
                                            .ambient = style.tone.ambient,
                                            .diffuse = style.tone.diffuse,

@@ -97,6 +97,16 @@ std::vector<StyleKey> hatch_keys() {
              "length over which the end of a stroke thins out, in mm"),
       number("hatch.foreshortening", BURIN_MEMBER(double, hatch.foreshortening), 0, 1,
              "0 spaces strokes evenly on the paper, 1 on the surface"),
+      {"hatch.plane",
+       "strokes on plane faces of CAD parts: neighbours differ, or all follow hatch.direction",
+       WordKey{BURIN_MEMBER(std::string, hatch.plane), {"differ", "direction"}}},
+      {"hatch.cylinder", "the first strokes on cylinders of CAD parts go round or along",
+       WordKey{BURIN_MEMBER(std::string, hatch.cylinder), {"circles", "rulings"}}},
+      {"hatch.cone", "the first strokes on cones of CAD parts go round or along",
+       WordKey{BURIN_MEMBER(std::string, hatch.cone), {"circles", "rulings"}}},
+      {"hatch.sphere",
+       "balls of CAD parts: circles about hatch.direction or about the line of view",
+       WordKey{BURIN_MEMBER(std::string, hatch.sphere), {"axis", "view"}}},
   };
 }
 

@@ -49,18 +49,42 @@ Field fixed(Vec3 direction);
 /// family 2 along it.
 Field principal();
 
+/// What strokes follow on the faces of exact forms whose kind is known. Meshes have no such faces.
+struct FacePolicy {
+  enum class Plane {
+    Differ,     // one direction a face along its outline, chosen so that neighbours over a crease
+                // differ and smooth neighbours agree
+    Direction,  // the tangent part of `fallback`
+  };
+  enum class Ruled { Circles, Rulings };
+  enum class Sphere {
+    Axis,  // circles of latitude about `fallback`
+    View,  // ... about `view`
+  };
+  Plane plane = Plane::Differ;
+  /// Which of the two is family 1.
+  Ruled cylinder = Ruled::Circles;
+  Ruled cone = Ruled::Circles;
+  /// Spheres that nothing else tells a direction: a ball, not the corner between fillets.
+  Sphere sphere = Sphere::Axis;
+};
+
 struct SmoothedOptions {
   /// Weight of the confident directions against smoothness, relative; larger follows curvature more
   /// closely.
   double alignment = 1;
   /// Direction in model space that parts without any confident direction (spheres, planes) follow.
   Vec3 fallback{0, 0, 1};
+  FacePolicy policy{};
+  /// Direction from the model to the viewer, for FacePolicy::Sphere::View.
+  Vec3 view{0, 0, 1};
 };
 
 /// A smoothed 4-symmetric cross field over the proxies of `surfaces` (one a part): keeps confident
 /// principal directions, follows creases, and flows into planes, umbilics and noise. Family 1 is,
 /// at a seed, the arm nearest to the direction of larger absolute curvature (in regions without
-/// one: to the region's fixed choice).
+/// one: to the region's fixed choice). On exact forms the arms are the exact principal directions
+/// wherever the surface has some worth following; the cross says which family they belong to.
 /// @cite Knoeppel2013
 Field smoothed(const std::vector<const Surface*>& surfaces, const SmoothedOptions& options,
                const RunContext& context);

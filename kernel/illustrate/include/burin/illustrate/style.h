@@ -58,6 +58,12 @@ struct Style {
     double length_max = 300;
     double taper = 2.5;
     double foreshortening = 0;
+    /// Exact forms, by the kind of their faces (see field::FacePolicy): "differ" or "direction";
+    /// "circles" or "rulings", twice; "axis" or "view".
+    std::string plane = "differ";
+    std::string cylinder = "circles";
+    std::string cone = "circles";
+    std::string sphere = "axis";
   } hatch;
 
   struct {
