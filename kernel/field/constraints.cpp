@@ -153,9 +153,7 @@ struct Builder {
       return complex_square(basis.coords(normalize_or(options.fallback, Vec3(0, 0, 1))));
     }
     // Family 1 of a ball goes round the axis.
-    const bool view = options.policy.sphere == FacePolicy::Sphere::View;
-    const Vec3 axis = normalize_or(view ? options.view : options.fallback, Vec3(0, 0, 1));
-    return complex_square(basis.coords(glm::cross(proxy.wedge_normal[w], axis)));
+    return complex_square(basis.coords(glm::cross(proxy.wedge_normal[w], ball_axis(options))));
   }
 
   // How clearly family 1 is to follow d1 (positive) or d2.

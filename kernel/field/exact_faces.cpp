@@ -67,6 +67,15 @@ std::vector<FaceKind> find_face_kinds(const Surface& surface, const RunContext& 
   return kind;
 }
 
+std::vector<std::uint8_t> find_balls(const ProxyMesh& proxy, const std::vector<FaceKind>& kinds) {
+  std::vector<std::uint8_t> ball(static_cast<std::size_t>(proxy.region_count), 1);
+  for (std::size_t f = 0; f < kinds.size(); ++f) {
+    if (kinds[f] == FaceKind::Sphere || kinds[f] == FaceKind::Plane) continue;
+    ball[static_cast<std::size_t>(proxy.face_region[f])] = 0;
+  }
+  return ball;
+}
+
 std::vector<Frame> curved_frames(const Surface& surface, const FlatPatches& flats,
                                  const RunContext& context) {
   const ProxyMesh& proxy = surface.proxy();
