@@ -63,6 +63,8 @@ BENCHMARK_CAPTURE(evaluate, torus_stroke, test::torus_nurbs(3, 1), false);
 BENCHMARK_CAPTURE(evaluate, torus_random, test::torus_nurbs(3, 1), true);
 BENCHMARK_CAPTURE(evaluate, degree5_stroke, test::random_nurbs(5, 5, 20, 20, false, true, 1),
                   false);
+BENCHMARK_CAPTURE(evaluate, degree5_stroke_position,
+                  test::random_nurbs(5, 5, 20, 20, false, true, 1), false, false);
 BENCHMARK_CAPTURE(evaluate, degree9x3_rational_stroke,
                   test::random_nurbs(9, 3, 20, 20, true, true, 1), false);
 

@@ -156,9 +156,8 @@ struct BernsteinBasis {
   double b[kMax], b1[kMax], b2[kMax];
 
   BernsteinBasis(int degree, double t, double width) {
-    b[0] = 1;
-    int n = 0;
-    for (; n < degree - 2; ++n) raise(b, n, t);
+    int n = std::max(degree - 2, 0);
+    values(n, t, b);
     const double f2 = degree * (degree - 1) / (width * width), f1 = degree / width;
     if (degree < 2) b2[0] = b2[1] = 0;
     if (degree >= 2) {
@@ -167,6 +166,11 @@ struct BernsteinBasis {
     }
     for (int i = 0; i <= degree; ++i) b1[i] = f1 * (at(n, i - 1) - at(n, i));
     raise(b, n, t);
+  }
+
+  static void values(int degree, double t, double* b) {
+    b[0] = 1;
+    for (int n = 0; n < degree; ++n) raise(b, n, t);
   }
 
  private:
@@ -184,7 +188,20 @@ class BezierChart final : public NurbsChart {
   BezierChart(NurbsData data, NurbsSpans spans, FaceKind kind)
       : NurbsChart(std::move(data), spans, kind), spans_(std::move(spans)) {}
 
-  Vec3 position(Vec2 uv) const override { return derivatives(uv).p; }
+  Vec3 position(Vec2 uv) const override {
+    const KnotSpans::Place pu = u_.find(uv.x), pv = v_.find(uv.y);
+    double bu[BernsteinBasis::kMax], bv[BernsteinBasis::kMax];
+    BernsteinBasis::values(spans_.degree_u, pu.offset / u_.width(pu.span), bu);
+    BernsteinBasis::values(spans_.degree_v, pv.offset / v_.width(pv.span), bv);
+    const Vec4* c = spans_.patch(pu.span * v_.size() + pv.span).data();
+    Vec4 r(0);
+    for (int i = 0; i <= spans_.degree_u; ++i) {
+      Vec4 s(0);
+      for (int j = 0; j <= spans_.degree_v; ++j, ++c) s += bv[j] * *c;
+      r += bu[i] * s;
+    }
+    return origin_ + Vec3(r) / (spans_.rational ? r.w : 1);
+  }
 
   SurfaceDerivatives derivatives(Vec2 uv) const override {
     const KnotSpans::Place pu = u_.find(uv.x), pv = v_.find(uv.y);

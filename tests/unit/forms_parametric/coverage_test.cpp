@@ -269,6 +269,33 @@ TEST(Coverage, HornTakesFewerThanThreeCandidatesAPoint) {
   }
 }
 
+TEST(Coverage, IsUniformByAreaOnTheHorn) {
+  // 12 x 16 cells of (u,v), a span or four spans each; their areas by the midpoint rule.
+  const RunContext context;
+  const auto chart = make_nurbs_chart(test::horn_nurbs());
+  std::vector<double> area(12 * 16, 0.0), count(12 * 16, 0.0);
+  constexpr int kFine = 24;
+  double total = 0;
+  for (int i = 0; i < 12 * kFine; ++i) {
+    for (int j = 0; j < 16 * kFine; ++j) {
+      const double r = area_at(*chart, (Vec2(i, 4 * j) + Vec2(0.5, 2)) / double(kFine));
+      area[static_cast<std::size_t>(i / kFine * 16 + j / kFine)] += r;
+      total += r;
+    }
+  }
+  const Coverage c = cover_chart(*chart, options_of(100'000, 21), context);
+  for (const CoveragePoint& p : c.points) {
+    ++count[static_cast<std::size_t>(p.uv.x) * 16 + static_cast<std::size_t>(p.uv.y / 4)];
+  }
+  double chi2 = 0;
+  for (std::size_t k = 0; k < area.size(); ++k) {
+    const double expected = 100'000 * area[k] / total;
+    chi2 += (count[k] - expected) * (count[k] - expected) / expected;
+  }
+  const double freedom = 12 * 16 - 1;
+  EXPECT_LT(std::abs(chi2 - freedom) / std::sqrt(2 * freedom), 3.5);
+}
+
 TEST(Horn, HasCircularSections) {
   const test::HornShape shape;
   const auto chart = make_nurbs_chart(test::horn_nurbs(shape));
