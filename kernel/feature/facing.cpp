@@ -30,7 +30,7 @@ Facing::Facing(const ProxyMesh& proxy, const Camera& camera, const RunContext& c
         }
       },
       &context);
-  turn_flat_walls_away(facing, context);
+  if (!cut) turn_flat_walls_away(facing, context);  // exact normals do not lean
   turn_thin_patches_away(context);
 }
 

@@ -1,0 +1,295 @@
+#include <burin/base/parallel.h>
+#include <burin/forms/parametric/contour_cut.h>
+
+#include "contour_cut_mesh.h"
+#include "contour_cut_search.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace burin {
+
+namespace {
+
+using What = Incision::What;
+
+constexpr std::size_t kScanGrain = 4096;  // half-edges
+constexpr std::size_t kWorkGrain = 64;    // edges that are evaluated, some us each
+
+/// Every round halves what is left, from the size of the sheet to the length of a chord.
+constexpr int kRounds = 40;
+
+/// The numbers below n for which `wanted` holds, ascending.
+template <class Number, class Wanted>
+std::vector<Number> filter(std::size_t n, const Wanted& wanted, const RunContext& context) {
+  std::vector<std::vector<Number>> found((n + kScanGrain - 1) / kScanGrain);
+  parallel_for(
+      n, kScanGrain,
+      [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) {
+          if (wanted(static_cast<Number>(i))) {
+            found[begin / kScanGrain].push_back(static_cast<Number>(i));
+          }
+        }
+      },
+      &context);
+  std::vector<Number> all;
+  for (const auto& part : found) all.insert(all.end(), part.begin(), part.end());
+  return all;
+}
+
+class Cutter {
+ public:
+  Cutter(ChartMesh& mesh, const PlacedAtlas& atlas, const Camera& camera,
+         const ContourCutOptions& options, const RunContext& context)
+      : context_(context), mesh_(mesh, atlas, camera, context), search_(mesh_, options) {}
+
+  void run() {
+    begin();
+    for (int round = 0; round < kRounds; ++round) {
+      for (int i = 0; i < kRounds && !crossings_.empty(); ++i) cut();
+      if (looks_.empty() && faces_.empty()) break;
+      look();
+    }
+    finish();
+  }
+
+ private:
+  bool first_of_edge(HalfEdge h) const {
+    const HalfEdge o = mesh_.opposite(h);
+    return o == kNoHalfEdge || h < o;
+  }
+
+  void begin() {
+    const std::size_t n = mesh_.half_edge_count();
+    crossings_ = filter<HalfEdge>(
+        n, [&](HalfEdge h) { return first_of_edge(h) && search_.crosses(h); }, context_);
+    looks_ = filter<HalfEdge>(
+        n,
+        [&](HalfEdge h) {
+          return first_of_edge(h) && !search_.crosses(h) &&
+                 (search_.chord(h) || search_.suspect(h));
+        },
+        context_);
+    faces_ = filter<std::uint32_t>(
+        n / 3, [&](std::uint32_t f) { return search_.suspect_face(f); }, context_);
+  }
+
+  /// The list as edges, each once, and `list` empty for what comes next.
+  std::vector<HalfEdge> take(std::vector<HalfEdge>& list) {
+    std::vector<HalfEdge> out = std::exchange(list, {});
+    for (HalfEdge& h : out) {
+      if (!first_of_edge(h)) h = mesh_.opposite(h);
+    }
+    std::ranges::sort(out);
+    const auto repeated = std::ranges::unique(out);
+    out.erase(repeated.begin(), repeated.end());
+    return out;
+  }
+
+  template <class Find>
+  std::vector<Incision> find_all(std::size_t n, const Find& find) const {
+    std::vector<Incision> out(n);
+    parallel_for(
+        n, kWorkGrain,
+        [&](std::size_t begin, std::size_t end) {
+          for (std::size_t i = begin; i < end; ++i) out[i] = find(i);
+        },
+        &context_);
+    return out;
+  }
+
+  /// Cuts all edges along which g changes its sign.
+  void cut() {
+    std::vector<HalfEdge> edges = take(crossings_);
+    std::erase_if(edges, [&](HalfEdge h) { return !search_.crosses(h); });
+    const auto zeros =
+        find_all(edges.size(), [&](std::size_t i) { return search_.zero(edges[i]); });
+    mesh_.watch(edges);
+    // First the vertices that contours pass through, so that nothing is cut beside them.
+    for (const bool marks : {true, false}) {
+      for (std::size_t i = 0; i < edges.size(); ++i) {
+        if ((zeros[i].what != What::SplitEdge) != marks) continue;
+        const HalfEdge h = edges[i], side = zeros[i].side == 0 ? h : mesh_.opposite(h);
+        if (mesh_.sign(side) * mesh_.sign(next_in_face(side)) >= 0) continue;
+        if (marks) {
+          const bool first = (zeros[i].what == What::MarkOrigin) == (zeros[i].side == 0);
+          mark(first ? side : next_in_face(side), zeros[i].place);
+        } else {
+          split(h, zeros[i].point, true);
+        }
+      }
+    }
+    mesh_.unwatch();
+  }
+
+  void mark(HalfEdge corner, const FaceSample& zero) {
+    mesh_.mark_zero(corner, &zero);
+    for (const HalfEdge h : mesh_.wedge(corner)) {
+      touch(h, true);
+      touch(prev_in_face(h), true);
+      touch(next_in_face(h), false);
+    }
+  }
+
+  /// Returns the other half of `h`.
+  HalfEdge split(HalfEdge h, const EdgePoint& point, bool look_on) {
+    const HalfEdge h2 = mesh_.split_edge(h, point), o = mesh_.opposite(h2);
+    touch(h, look_on);
+    touch(h2, look_on);
+    touch(next_in_face(h), look_on);
+    touch(prev_in_face(h), false);
+    touch(next_in_face(h2), false);
+    if (o == kNoHalfEdge) return h2;
+    const HalfEdge o2 = mesh_.opposite(h);
+    touch(next_in_face(o), look_on);
+    touch(prev_in_face(o), false);
+    touch(next_in_face(o2), false);
+    return h2;
+  }
+
+  /// Puts an edge that has changed where it belongs.
+  void touch(HalfEdge h, bool look_on) {
+    if (search_.crosses(h)) {
+      crossings_.push_back(h);
+    } else if (search_.chord(h) || (look_on && search_.suspect(h))) {
+      looks_.push_back(h);
+    }
+  }
+
+  /// Looks at chords of contours, and at edges and triangles that may hide some.
+  void look() {
+    const std::vector<HalfEdge> edges = take(looks_);
+    std::vector<std::uint32_t> faces = std::exchange(faces_, {});
+    std::ranges::sort(faces);
+    const auto versions = [&](HalfEdge h) {
+      const HalfEdge o = mesh_.opposite(h);
+      return std::pair(mesh_.version(face_of(h)), o == kNoHalfEdge ? 0 : mesh_.version(face_of(o)));
+    };
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> before;
+    for (const HalfEdge h : edges) before.push_back(versions(h));
+    std::vector<std::uint32_t> faces_before;
+    for (const std::uint32_t f : faces) faces_before.push_back(mesh_.version(f));
+    const auto found = find_all(edges.size() + faces.size(), [&](std::size_t i) {
+      if (i >= edges.size()) return search_.hidden_loop(faces[i - edges.size()]);
+      if (search_.chord(edges[i])) return search_.bulge(edges[i]);
+      return search_.hidden_crossing(edges[i]);
+    });
+    for (std::size_t i = 0; i < edges.size(); ++i) {
+      if (found[i].what == What::Nothing) continue;
+      if (versions(edges[i]) != before[i]) {
+        looks_.push_back(edges[i]);
+      } else {
+        apply(found[i]);
+      }
+    }
+    for (std::size_t i = 0; i < faces.size(); ++i) {
+      const Incision& incision = found[edges.size() + i];
+      if (incision.what == What::Nothing) continue;
+      if (mesh_.version(faces[i]) != faces_before[i]) {
+        add_face(faces[i]);
+      } else {
+        apply(incision);
+      }
+    }
+  }
+
+  void apply(const Incision& incision) {
+    const HalfEdge h = incision.half_edge;
+    if (incision.what == What::SplitFace) {
+      split_face(incision);
+    } else if (incision.what == What::Detour) {
+      EdgePoint point = incision.point;
+      const bool fits = detour(incision, point);
+      split(h, fits ? point : incision.point, !fits);
+    } else {
+      const bool was_chord = search_.chord(h);
+      const HalfEdge h2 = split(h, incision.point, true);
+      if (was_chord) return;
+      for (const HalfEdge e : {h, h2, mesh_.opposite(h), mesh_.opposite(h2)}) {
+        if (e != kNoHalfEdge) add_face(face_of(e));
+      }
+    }
+  }
+
+  void add_face(std::uint32_t f) {
+    if (search_.suspect_face(f)) faces_.push_back(f);
+  }
+
+  void split_face(const Incision& incision) {
+    const std::uint32_t f = incision.face;
+    mesh_.split_face(f, incision.place);
+    const auto h = static_cast<HalfEdge>(3 * f);
+    for (const std::uint32_t piece :
+         {f, face_of(mesh_.opposite(h + 1)), face_of(mesh_.opposite(h + 2))}) {
+      const auto e = static_cast<HalfEdge>(3 * piece);
+      touch(e, false);
+      touch(e + 1, true);
+      add_face(piece);
+    }
+  }
+
+  /// The point where a contour that bulges out of edge `h` passes, as a point of that edge; false
+  /// where a triangle would turn over.
+  bool detour(const Incision& incision, EdgePoint& point) const {
+    const HalfEdge h = incision.half_edge, o = mesh_.opposite(h);
+    for (const HalfEdge corner : {h, next_in_face(h), o, next_in_face(o)}) {
+      if (mesh_.pole(corner)) return false;
+    }
+    const std::size_t side = incision.side;
+    const Vec2 shift = mesh_.uv(next_in_face(o)) - mesh_.uv(h);
+    point.position = incision.place.position;
+    point.uv[side] = incision.place.uv;
+    point.uv[1 - side] = incision.place.uv + (side == 0 ? shift : -shift);
+    point.normal = {incision.place.normal, incision.place.normal};
+    point.own_g = {incision.place.g, incision.place.g};
+    point.zero = {true, true};
+    for (const std::size_t k : {std::size_t{0}, std::size_t{1}}) {
+      const HalfEdge e = k == 0 ? h : o;
+      const Vec2 a = mesh_.uv(e), b = mesh_.uv(next_in_face(e)), c = mesh_.uv(prev_in_face(e));
+      const Vec2 m = point.uv[k];
+      const double whole = cross2(b - a, c - a), left = cross2(m - a, c - a),
+                   right = cross2(b - m, c - m);
+      if (!(left * whole > 0) || !(right * whole > 0)) return false;
+    }
+    return true;
+  }
+
+  /// Rounds are bounded and normals are blended at borders: what is left of triangles that face
+  /// both ways loses its smaller value.
+  void finish() {
+    const auto faces_both_ways = [&](std::uint32_t f) {
+      const auto h = static_cast<HalfEdge>(3 * f);
+      const int a = mesh_.sign(h), b = mesh_.sign(h + 1), c = mesh_.sign(h + 2);
+      return std::min({a, b, c}) < 0 && std::max({a, b, c}) > 0;
+    };
+    for (const std::uint32_t f :
+         filter<std::uint32_t>(mesh_.half_edge_count() / 3, faces_both_ways, context_)) {
+      while (faces_both_ways(f)) {
+        HalfEdge least = kNoHalfEdge;
+        for (auto h = static_cast<HalfEdge>(3 * f); h < static_cast<HalfEdge>(3 * f + 3); ++h) {
+          if (mesh_.sign(h) == 0) continue;
+          if (least < 0 || std::abs(mesh_.g(h)) < std::abs(mesh_.g(least))) least = h;
+        }
+        mesh_.mark_zero(least, nullptr);
+      }
+    }
+  }
+
+  const RunContext& context_;
+  CutMesh mesh_;
+  CutSearch search_;
+  std::vector<HalfEdge> crossings_, looks_;
+  std::vector<std::uint32_t> faces_;
+};
+
+}  // namespace
+
+void cut_along_contours(ChartMesh& mesh, const PlacedAtlas& atlas, const Camera& camera,
+                        const ContourCutOptions& options, const RunContext& context) {
+  if (mesh.triangles.empty()) return;
+  Cutter(mesh, atlas, camera, options, context).run();
+}
+
+}  // namespace burin
