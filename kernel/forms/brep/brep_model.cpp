@@ -3,9 +3,9 @@
 #include "chart_mesh_builder.h"
 #include "contain.h"
 #include "make_manifold.h"
-#include "measure.h"
 #include "mesher.h"
 #include "model_parts.h"
+#include "refine.h"
 #include "shape_bounds.h"
 #include "turn_triangles.h"
 
@@ -44,7 +44,7 @@ struct BrepModel::Impl {
 
   const Tessellation& tessellate(double tolerance, const Atlas& atlas, RunContext& context);
   Tessellation make(double tolerance, const Atlas& atlas, RunContext& context);
-  void turn_outward(ChartMesh& mesh);
+  void turn_outward(RawMesh& raw);
 };
 
 BrepModel::BrepModel(const TopoDS_Shape& shape) : impl_(std::make_unique<Impl>()) {
@@ -90,26 +90,28 @@ Tessellation BrepModel::Impl::make(double tolerance, const Atlas& atlas, RunCont
   Tessellation made;
   made.tolerance = tolerance;
   mesh_shape(parts, tolerance, context);
-  ChartMesh mesh = build_chart_mesh(parts, made.unmeshed);
+  RawMesh raw = build_chart_mesh(parts, made.unmeshed);
   clear_mesh(parts);
-  make_manifold(mesh, face_body);
-  turn_outward(mesh);
-  mesh.tolerance = measure_tolerance(mesh, atlas, context);
-  made.mesh = std::make_shared<const ChartMesh>(std::move(mesh));
+  make_manifold(raw.mesh, face_body);
+  turn_outward(raw);
+  refine(raw, atlas, tolerance, context);
+  raw.mesh.normal.assign(raw.mesh.uv.size(), Vec3(0));
+  raw.mesh.on_contour.assign(raw.mesh.uv.size(), 0);
+  made.mesh = std::make_shared<const ChartMesh>(std::move(raw.mesh));
   return made;
 }
 
 /// Once for a model: solids and closed shells of negative volume are turned inside out.
-void BrepModel::Impl::turn_outward(ChartMesh& mesh) {
+void BrepModel::Impl::turn_outward(RawMesh& raw) {
   if (std::exchange(outward, true)) return;
   std::vector<std::uint8_t> turned(parts.faces.size(), 0);
-  const std::vector<double> volume = body_volumes(mesh, face_body, parts.bodies.size());
+  const std::vector<double> volume = body_volumes(raw.mesh, face_body, parts.bodies.size());
   for (std::size_t b = 0; b < volume.size(); ++b) {
     if (volume[b] >= 0) continue;
     for (const std::int32_t f : parts.bodies[b]) turned[static_cast<std::size_t>(f)] = 1;
   }
   for (std::size_t f = 0; f < turned.size(); ++f) parts.faces[f].reversed ^= turned[f] != 0;
-  turn_triangles(mesh, turned);
+  turn_triangles(raw.mesh, turned, raw.pole);
 }
 
 const Tessellation& BrepModel::Impl::tessellate(double tolerance, const Atlas& atlas,

@@ -8,6 +8,7 @@
 #include <Poly_PolygonOnTriangulation.hxx>
 #include <Poly_Triangulation.hxx>
 #include <TopLoc_Location.hxx>
+#include <TopoDS.hxx>
 
 #include <algorithm>
 
@@ -36,12 +37,12 @@ class Builder {
     positions_ = parts.vertices;
   }
 
-  ChartMesh build(std::vector<std::int32_t>& unmeshed) {
+  RawMesh build(std::vector<std::int32_t>& unmeshed) {
     for (std::size_t f = 0; f < parts_.faces.size(); ++f) {
       if (!parts_.faces[f].chart || !add_face(f)) unmeshed.push_back(static_cast<std::int32_t>(f));
     }
     finish();
-    return std::move(mesh_);
+    return {std::move(mesh_), std::move(pole_)};
   }
 
  private:
@@ -51,6 +52,7 @@ class Builder {
     const Handle(Poly_Triangulation) t = BRep_Tool::Triangulation(face.face, location);
     if (t.IsNull() || t->NbTriangles() == 0 || !t->HasUVNodes()) return false;
     global_.assign(static_cast<std::size_t>(t->NbNodes()) + 1, kNone);
+    node_pole_.assign(global_.size(), 0);
     segments_.clear();
     for (auto c = index(face.first_coedge);
          c < parts_.coedges.size() && parts_.coedges[c].face == static_cast<std::int32_t>(f); ++c) {
@@ -86,8 +88,7 @@ class Builder {
                   const TopLoc_Location& location) {
     const ModelCoedge& c = parts_.coedges[index(coedge)];
     const ModelEdge& e = parts_.edges[index(c.edge)];
-    const Handle(Poly_PolygonOnTriangulation) polygon =
-        BRep_Tool::PolygonOnTriangulation(c.use, t, location);
+    const Handle(Poly_PolygonOnTriangulation) polygon = polygon_of(c, t, location);
     if (polygon.IsNull()) return;
     const int n = polygon->NbNodes();
     const auto node = [&](int k) { return static_cast<std::uint32_t>(polygon->Node(k + 1)); };
@@ -100,6 +101,7 @@ class Builder {
       const bool end = k == 0 || k + 1 == n;
       std::int32_t vertex = e.vertex[k == 0 ? 0 : 1];
       if (e.degenerate) vertex = e.vertex[0];
+      if (e.degenerate) node_pole_[node(k)] = direction_of(c, e);
       if (vertex >= 0 && (end || e.degenerate)) {
         assign(node(k), static_cast<std::uint32_t>(vertex));
       } else if (!end && !e.degenerate) {
@@ -107,6 +109,24 @@ class Builder {
       }
     }
     if (!e.degenerate) add_segments(coedge, e, *polygon);
+  }
+
+  /// Of the two polygons of a seam the mesher keeps now the one, now the other first: the nearer
+  /// to the coedge's own curve is taken.
+  Handle(Poly_PolygonOnTriangulation)
+      polygon_of(const ModelCoedge& c, const Handle(Poly_Triangulation) & t,
+                 const TopLoc_Location& location) const {
+    Handle(Poly_PolygonOnTriangulation) own = BRep_Tool::PolygonOnTriangulation(c.use, t, location);
+    if (own.IsNull() || !c.curve.known()) return own;
+    const Handle(Poly_PolygonOnTriangulation) other =
+        BRep_Tool::PolygonOnTriangulation(TopoDS::Edge(c.use.Reversed()), t, location);
+    if (other.IsNull() || other == own) return own;
+    const ModelEdge& e = parts_.edges[index(c.edge)];
+    const auto off = [&](const Handle(Poly_PolygonOnTriangulation) & p) {
+      return glm::length(to_vec(t->UVNode(p->Node(1))) - c.curve.at(e.first)) +
+             glm::length(to_vec(t->UVNode(p->Node(p->NbNodes()))) - c.curve.at(e.last));
+    };
+    return off(other) < off(own) ? other : own;
   }
 
   void add_segments(std::int32_t coedge, const ModelEdge& e, const Poly_PolygonOnTriangulation& p) {
@@ -126,6 +146,13 @@ class Builder {
       }
       segments_.push_back(s);
     }
+  }
+
+  /// The parameter that runs along a point-like edge: 1 = u, 2 = v.
+  static std::uint8_t direction_of(const ModelCoedge& c, const ModelEdge& e) {
+    if (!c.curve.known()) return 0;
+    const Vec2 d = glm::abs(c.curve.at(e.last) - c.curve.at(e.first));
+    return d.x >= d.y ? 1 : 2;
   }
 
   /// A node that stands for two places (ends of an edge shorter than the mesher sees) joins them.
@@ -148,6 +175,7 @@ class Builder {
     mesh_.face.push_back(static_cast<std::int32_t>(f));
     for (std::size_t k = 0; k < 3; ++k) {
       mesh_.uv.push_back(to_vec(t.UVNode(n[k])));
+      pole_.push_back(node_pole_[index(n[k])]);
       mesh_.border.push_back(
           add_border(static_cast<std::uint32_t>(n[k]), static_cast<std::uint32_t>(n[(k + 1) % 3])));
     }
@@ -169,6 +197,7 @@ class Builder {
     DisjointSets sets(positions_.size());
     for (const auto& [a, b] : joined_) sets.join(a, b);
     ChartMesh out;
+    std::vector<std::uint8_t> pole;
     std::vector<std::uint32_t> number(positions_.size(), kNone);
     for (std::size_t f = 0; f < mesh_.triangles.size(); ++f) {
       Triangle t = mesh_.triangles[f];
@@ -185,28 +214,39 @@ class Builder {
       out.face.push_back(mesh_.face[f]);
       out.uv.insert(out.uv.end(), &mesh_.uv[3 * f], &mesh_.uv[3 * f] + 3);
       out.border.insert(out.border.end(), &mesh_.border[3 * f], &mesh_.border[3 * f] + 3);
+      pole.insert(pole.end(), &pole_[3 * f], &pole_[3 * f] + 3);
+      centre_poles(&out.uv[out.uv.size() - 3], &pole[pole.size() - 3]);
     }
     out.borders = std::move(mesh_.borders);
-    out.normal.assign(3 * out.triangles.size(), Vec3(0));
-    out.on_contour.assign(3 * out.triangles.size(), 0);
     out.edge_class = parts_.edge_class;
     mesh_ = std::move(out);
+    pole_ = std::move(pole);
+  }
+
+  /// The mesher has some node of a pole there, not the one that lies beside the triangle.
+  static void centre_poles(Vec2* uv, const std::uint8_t* pole) {
+    for (int k = 0; k < 3; ++k) {
+      const int a = (k + 1) % 3, b = (k + 2) % 3, i = pole[k] - 1;
+      if (i >= 0) uv[k][i] = pole[a] ? uv[b][i] : pole[b] ? uv[a][i] : 0.5 * (uv[a][i] + uv[b][i]);
+    }
   }
 
   const ModelParts& parts_;
   ChartMesh mesh_;
+  std::vector<std::uint8_t> pole_;
   std::vector<Vec3> positions_;
   std::vector<std::uint32_t> edge_start_;  // first inner vertex of each model edge
   std::vector<std::size_t> inner_;
   std::vector<std::pair<std::uint32_t, std::uint32_t>> joined_;
   // Of the present face: the vertex of each node (from 1), and the pieces of its coedges.
   std::vector<std::uint32_t> global_;
+  std::vector<std::uint8_t> node_pole_;
   std::vector<Segment> segments_;
 };
 
 }  // namespace
 
-ChartMesh build_chart_mesh(const ModelParts& parts, std::vector<std::int32_t>& unmeshed) {
+RawMesh build_chart_mesh(const ModelParts& parts, std::vector<std::int32_t>& unmeshed) {
   return Builder(parts).build(unmeshed);
 }
 

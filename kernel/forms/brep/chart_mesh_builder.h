@@ -2,6 +2,7 @@
 /// A ChartMesh from the triangulations that OCCT's mesher left on the faces.
 
 #include "model_parts.h"
+#include "raw_mesh.h"
 
 namespace burin {
 
@@ -9,6 +10,6 @@ namespace burin {
 /// to nothing (at poles) are left out. `unmeshed` gets the faces without triangles. Where more than
 /// two faces share an edge, the result is not yet manifold (see make_manifold.h). Normals and
 /// on_contour are zero.
-ChartMesh build_chart_mesh(const ModelParts& parts, std::vector<std::int32_t>& unmeshed);
+RawMesh build_chart_mesh(const ModelParts& parts, std::vector<std::int32_t>& unmeshed);
 
 }  // namespace burin

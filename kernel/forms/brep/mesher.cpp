@@ -39,6 +39,7 @@ IMeshTools_Parameters parameters(double tolerance, IMeshTools_MeshAlgoType algor
   p.Deflection = tolerance;
   p.Angle = kAngle;
   p.InParallel = true;
+  p.ControlSurfaceDeflection = false;  // see refine.h
   p.MeshAlgo = algorithm;
   return p;
 }
