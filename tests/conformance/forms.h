@@ -2,9 +2,13 @@
 /// The forms that the conformance suite runs over. A new form adds its lines to `form_cases`.
 
 #include <burin/forms/mesh/mesh_form.h>
+#include <burin/forms/parametric/nurbs.h>
+#include <burin/forms/parametric/parametric_form.h>
 
 #include <burin_test/cad.h>
+#include <burin_test/charts.h>
 #include <burin_test/irregular.h>
+#include <burin_test/nurbs_shapes.h>
 #include <burin_test/shapes.h>
 
 #include <functional>
@@ -27,6 +31,11 @@ inline std::shared_ptr<const Form> mesh_form(TriMesh mesh) {
   return std::make_shared<MeshForm>(std::move(mesh));
 }
 
+inline std::shared_ptr<const Form> parametric_form(
+    std::vector<std::shared_ptr<const Chart>> patches) {
+  return std::make_shared<ParametricForm>(std::move(patches));
+}
+
 inline std::vector<FormCase> form_cases() {
   return {
       {"MeshTorus", [] { return mesh_form(torus(3, 1, 60, 30)); }},
@@ -46,6 +55,24 @@ inline std::vector<FormCase> form_cases() {
          return mesh_form(
              mapped(torus(3e-3, 1e-3, 60, 30), [](Vec3 p) { return p + Vec3(100, -50, 30); }));
        }},
+      {"NurbsTorus", [] { return parametric_form({make_nurbs_chart(torus_nurbs(3, 1))}); }},
+      {"NurbsSphere", [] { return parametric_form({make_nurbs_chart(sphere_nurbs(2))}); }},
+      {"ParametricEllipsoid",
+       [] {
+         return parametric_form({ellipsoid_chart({3, 2, 1})});
+       }},
+      {"ParametricHalfPipe", [] { return parametric_form({cylinder_chart(2, 5, 4)}); }, false},
+      {"SixPatchEllipsoid",
+       [] {
+         return parametric_form(six_patches({3, 2, 1}));
+       }},
+      {"ParametricBox",
+       [] {
+         return parametric_form(box_patches({1, 2, 3}));
+       }},
+      {"NurbsSheet",
+       [] { return parametric_form({make_nurbs_chart(random_nurbs(3, 3, 9, 7, true, true, 5))}); },
+       false},
   };
 }
 

@@ -51,13 +51,14 @@ inline std::shared_ptr<const Chart> ellipsoid_chart(Vec3 half) {
   return chart_of(f, {0, -kPi / 2}, {2 * kPi, kPi / 2}, {2 * kPi, 0});
 }
 
-/// Cylinder about z: u the angle (periodic), v the height.
-inline std::shared_ptr<const Chart> cylinder_chart(double radius, double height) {
+/// Cylinder about z: u the angle (periodic where it goes all the way round), v the height.
+inline std::shared_ptr<const Chart> cylinder_chart(double radius, double height,
+                                                   double angle = 2 * kPi) {
   const auto f = [=](Vec2 p) {
     const double c = radius * std::cos(p.x), s = radius * std::sin(p.x);
     return SurfaceDerivatives{{c, s, p.y}, {-s, c, 0}, {0, 0, 1}, {-c, -s, 0}, Vec3(0), Vec3(0)};
   };
-  return chart_of(f, {0, 0}, {2 * kPi, height}, {2 * kPi, 0});
+  return chart_of(f, {0, 0}, {angle, height}, {angle < 2 * kPi ? 0 : 2 * kPi, 0});
 }
 
 /// The plane z = 0 over a rectangle.
@@ -66,6 +67,57 @@ inline std::shared_ptr<const Chart> plane_chart(Vec2 min, Vec2 max) {
     return SurfaceDerivatives{{p.x, p.y, 0}, {1, 0, 0}, {0, 1, 0}, Vec3(0), Vec3(0), Vec3(0)};
   };
   return chart_of(f, min, max);
+}
+
+/// The faces of a cube blown up to an ellipsoid: six patches without poles, every other one
+/// oriented inwards.
+inline std::vector<std::shared_ptr<const Chart>> six_patches(Vec3 half) {
+  std::vector<std::shared_ptr<const Chart>> patches;
+  for (int axis = 0; axis < 3; ++axis) {
+    for (const double sign : {-1.0, 1.0}) {
+      const auto f = [=](Vec2 p) {
+        Vec3 q(0), x(0), y(0);
+        x[(axis + 1) % 3] = y[(axis + 2) % 3] = 1;
+        q[axis] = sign;
+        q += p.x * x + p.y * y;
+        const double n = 1 / glm::length(q), n3 = n * n * n, n5 = n3 * n * n;
+        // Derivatives of q / |q|.
+        const auto second = [&](Vec3 a, Vec3 b) {
+          const double qa = glm::dot(q, a), qb = glm::dot(q, b);
+          return half * (-n3 * (qb * a + qa * b + glm::dot(a, b) * q) + 3 * n5 * qa * qb * q);
+        };
+        SurfaceDerivatives d;
+        d.p = half * q * n;
+        d.u = half * (x * n - q * (glm::dot(q, x) * n3));
+        d.v = half * (y * n - q * (glm::dot(q, y) * n3));
+        d.uu = second(x, x);
+        d.uv = second(x, y);
+        d.vv = second(y, y);
+        return d;
+      };
+      patches.push_back(chart_of(f, Vec2(-1), Vec2(1)));
+    }
+  }
+  return patches;
+}
+
+/// The faces of a box from the origin, bilinear, every other one oriented inwards.
+inline std::vector<std::shared_ptr<const Chart>> box_patches(Vec3 size) {
+  std::vector<std::shared_ptr<const Chart>> patches;
+  for (int axis = 0; axis < 3; ++axis) {
+    for (const double at : {0.0, 1.0}) {
+      std::vector<Vec3> points;
+      for (const Vec2 q : {Vec2(0, 0), Vec2(0, 1), Vec2(1, 0), Vec2(1, 1)}) {
+        Vec3 p;
+        p[axis] = at;
+        p[(axis + 1) % 3] = q.x;
+        p[(axis + 2) % 3] = q.y;
+        points.push_back(size * p);
+      }
+      patches.push_back(make_nurbs_chart(bezier_patch(1, 1, points)));
+    }
+  }
+  return patches;
 }
 
 /// Charts with straight coedges: coedge 4 * face + side, t in [0,1] along the side; sides 0: v min,

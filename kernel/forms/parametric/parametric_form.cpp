@@ -1,0 +1,40 @@
+#include <burin/base/error.h>
+#include <burin/forms/parametric/charted_surface.h>
+#include <burin/forms/parametric/contour_cut.h>
+#include <burin/forms/parametric/parametric_form.h>
+
+#include "tessellate.h"
+
+#include <fmt/format.h>
+
+#include <utility>
+
+namespace burin {
+
+ParametricForm::ParametricForm(std::vector<std::shared_ptr<const Chart>> patches, double weld)
+    : patches_(std::move(patches)), weld_(weld) {}
+
+ParametricForm::~ParametricForm() = default;
+
+std::shared_ptr<const Surface> ParametricForm::realise(const RealiseOptions& options,
+                                                       RunContext& context) const {
+  if (patches_.empty()) throw GeometryError("a parametric form without patches");
+  context.begin_stage("build");
+  context.check();
+  const detail::PatchComplex complex = detail::weld(patches_, weld_, context);
+  if (complex.contradictions > 0 && options.diagnostics) {
+    options.diagnostics->add(
+        Severity::Warning, "parametric.one_sided", complex.contradictions,
+        fmt::format("{} common sides of patches would make the surface one-sided; left open",
+                    complex.contradictions));
+  }
+  ChartMesh mesh = detail::tessellate(complex, options.tolerance, context);
+  const PlacedAtlas atlas{complex.atlas, {}, complex.size};
+  set_wedge_normals(mesh, atlas, context);
+  if (options.view) cut_along_contours(mesh, atlas, *options.view, {}, context);
+  auto surface = make_charted_surface(atlas, std::move(mesh), context);
+  context.end_stage();
+  return surface;
+}
+
+}  // namespace burin
