@@ -15,9 +15,9 @@ constexpr double kBoltCircle = 46, kBolt = 5;
 constexpr int kBolts = 6;
 const gp_Dir kUp(0, 0, 1);
 
-/// A key and its slot: a box in the side of the shaft.
+/// A key and its slot: a box in the side of the shaft that comes to lie on top.
 TopoDS_Shape key_block(double low, double high, double width, double top) {
-  return box({-width, kShaft - 4, low}, {width, top, high});
+  return box({-top, -width, low}, {4 - kShaft, width, high});
 }
 
 /// The half coupling: the flange's face at z = 0, the hub towards +z. `spigot` > 0 stands out of
@@ -29,7 +29,7 @@ TopoDS_Shape half(double spigot) {
   body = rounded(body, 6, [](const EdgeView& e) { return !e.convex; });
   body = chamfered(body, 1.5, [](const EdgeView& e) { return e.convex && e.middle.Z() > 1; });
   std::vector<TopoDS_Shape> tools = {cylinder({0, 0, -10}, kUp, kShaft, 100),
-                                     box({-5, 0, -10}, {5, kShaft + 3.3, 100})};
+                                     box({-kShaft - 3.3, -5, -10}, {0, 5, 100})};
   const TopoDS_Shape hole = cylinder({kBoltCircle, 0, -10}, kUp, kBolt + 0.25, 60);
   for (TopoDS_Shape& copy : round_about(hole, kBolts)) tools.push_back(copy);
   if (spigot > 0) {
@@ -44,12 +44,12 @@ TopoDS_Shape half(double spigot) {
 TopoDS_Shape shaft(double from, double to) {
   TopoDS_Shape body = cylinder({0, 0, from}, kUp, kShaft, to - from);
   body = chamfered(body, 1.5, [](const EdgeView& e) { return e.convex && !e.line; });
-  return cut(body, {key_block(8, 56, 5, 40)});
+  return cut(body, {key_block(8, 62, 5, 40)});
 }
 
 TopoDS_Shape key() {
-  return rounded(key_block(8, 56, 5, kShaft + 3), 4.9,
-                 [](const EdgeView& e) { return std::abs(e.direction.Y()) > 0.9; });
+  return rounded(key_block(8, 62, 5, kShaft + 3), 4.9,
+                 [](const EdgeView& e) { return std::abs(e.direction.X()) > 0.9; });
 }
 
 /// A hexagonal prism from z = 0, chamfered by a cone at its upper end, or both.

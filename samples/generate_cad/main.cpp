@@ -2,6 +2,7 @@
 #include "models.h"
 
 #include <APIHeaderSection_MakeHeader.hxx>
+#include <Interface_Protocol.hxx>
 #include <Interface_Static.hxx>
 #include <Message.hxx>
 #include <Message_Messenger.hxx>
@@ -9,6 +10,8 @@
 #include <STEPControl_Controller.hxx>
 #include <Standard_Failure.hxx>
 #include <StepData_StepModel.hxx>
+#include <StepVisual_MechanicalDesignGeometricPresentationRepresentation.hxx>
+#include <StepVisual_StyledItem.hxx>
 #include <TCollection_HAsciiString.hxx>
 #include <TDataStd_Name.hxx>
 #include <TDocStd_Document.hxx>
@@ -30,6 +33,26 @@ using burin::samples::Assembly;
 using burin::samples::Member;
 namespace fs = std::filesystem;
 
+/// Puts the colours in the order of what they colour: OCCT writes them in that of addresses.
+void sort_colors(const Handle(StepData_StepModel) & model) {
+  using Colors = StepVisual_MechanicalDesignGeometricPresentationRepresentation;
+  std::vector<Handle(Standard_Transient)> others;
+  std::map<int, Handle(Standard_Transient)> colors;
+  for (int i = 1; i <= model->NbEntities(); ++i) {
+    const auto color = Handle(Colors)::DownCast(model->Value(i));
+    if (color.IsNull()) {
+      if (colors.empty()) others.push_back(model->Value(i));
+      continue;
+    }
+    const auto item = Handle(StepVisual_StyledItem)::DownCast(color->ItemsValue(1));
+    colors[item.IsNull() ? i : model->Number(item->Item())] = color;
+  }
+  const Handle(Interface_Protocol) protocol = model->Protocol();
+  model->ClearEntities();
+  for (const auto& entity : others) model->AddEntity(entity);
+  for (const auto& [number, color] : colors) model->AddWithRefs(color, protocol);
+}
+
 /// A document with one thing in it, and its file.
 class StepFile {
  public:
@@ -37,6 +60,9 @@ class StepFile {
     STEPControl_Controller::Init();
     Interface_Static::SetCVal("write.step.schema", "AP214IS");
     Interface_Static::SetIVal("write.step.assembly", 1);
+    // Readers find curves on surfaces themselves; written, they make a freeform part ten times as
+    // large.
+    Interface_Static::SetIVal("write.surfacecurve.mode", 0);
     shapes_ = XCAFDoc_DocumentTool::ShapeTool(document_->Main());
     colors_ = XCAFDoc_DocumentTool::ColorTool(document_->Main());
     XCAFDoc_ShapeTool::SetAutoNaming(Standard_False);
@@ -65,6 +91,7 @@ class StepFile {
     writer.SetColorMode(Standard_True);
     writer.SetNameMode(Standard_True);
     if (!writer.Transfer(document_, STEPControl_AsIs)) throw std::runtime_error("no STEP model");
+    sort_colors(writer.ChangeWriter().Model());
     APIHeaderSection_MakeHeader header(writer.ChangeWriter().Model());
     const auto text = [](const std::string& s) { return new TCollection_HAsciiString(s.c_str()); };
     header.SetName(text(product));

@@ -26,7 +26,7 @@ TopoDS_Shape wall() {
 }
 
 TopoDS_Shape ribs() {
-  return prism({{-6, -36, 8}, {-6, 36, 8}, {-6, 26, 46}, {-6, -26, 46}}, {12, 0, 0});
+  return prism({{-6, -36, 8}, {-6, 36, 8}, {-6, 14, 46}, {-6, -14, 46}}, {12, 0, 0});
 }
 
 TopoDS_Shape body() {
@@ -34,7 +34,7 @@ TopoDS_Shape body() {
   const TopoDS_Shape boss = cylinder({0, 0, kAxis}, kUp, 9, kBarrel + 9);
   const TopoDS_Shape rough = fuse({foot(), wall(), ribs(), barrel, boss});
   const TopoDS_Shape inside =
-      rounded(rough, 4, [](const EdgeView& e) { return !e.convex && e.middle.Z() > 10; });
+      rounded(rough, 3.5, [](const EdgeView& e) { return !e.convex && e.middle.Z() > 10; });
   return rounded(inside, 2, [](const EdgeView& e) {
     const bool rim = std::abs(std::abs(e.middle.Y()) - kBarrelHalf) < 1e-3 && e.middle.Z() > 25;
     return e.convex && (rim || std::abs(e.middle.Z() - kFoot) < 1e-3);
