@@ -149,11 +149,7 @@ struct Builder {
 
   Vec2 fallback_line(std::size_t w) const {
     const TangentBasis basis(proxy.wedge_normal[w], graph.axis[w]);
-    if (!exact() || frames[w].kind != FaceKind::Sphere) {
-      return complex_square(basis.coords(normalize_or(options.fallback, Vec3(0, 0, 1))));
-    }
-    // Family 1 of a ball goes round the axis.
-    return complex_square(basis.coords(glm::cross(proxy.wedge_normal[w], ball_axis(options))));
+    return complex_square(basis.coords(normalize_or(options.fallback, Vec3(0, 0, 1))));
   }
 
   // How clearly family 1 is to follow d1 (positive) or d2.

@@ -5,7 +5,9 @@
 #include "wedge_corners.h"
 
 #include <algorithm>
-#include <map>
+#include <array>
+#include <cmath>
+#include <span>
 
 namespace burin::field {
 namespace {
@@ -20,14 +22,32 @@ struct Face {
   std::size_t begin = 0, end = 0;
 };
 
-bool is_flat(const ProxyMesh& proxy, std::span<const std::uint32_t> triangles) {
+// Triangles of a face that are looked at, at most.
+constexpr std::size_t kSamples = 64;
+// Radii of a sphere differ by no more than this share.
+constexpr double kRound = 1e-3;
+
+Vec3 mean_normal(const ProxyMesh& proxy, std::span<const std::uint32_t> triangles) {
   Vec3 mean(0);
   for (const std::uint32_t f : triangles) mean += proxy.mesh.area(f) * proxy.mesh.normal(f);
-  mean = normalize_or(mean, Vec3(0));
-  for (const std::uint32_t f : triangles) {
-    if (glm::length(proxy.mesh.normal(f) - mean) > kFlat) return false;
+  return normalize_or(mean, Vec3(0));
+}
+
+// The kind of a freeform face by its shape: CAD programs write planes and balls as B-splines too.
+FaceKind kind_by_shape(const Surface& surface, std::span<const std::uint32_t> triangles) {
+  const ProxyMesh& proxy = surface.proxy();
+  const Vec3 mean = mean_normal(proxy, triangles);
+  const std::size_t stride = (triangles.size() + kSamples - 1) / kSamples;
+  bool flat = true, round = true;
+  double k = 0;
+  for (std::size_t i = 0; i < triangles.size() && (flat || round); i += stride) {
+    const Frame at = surface.frame(surface.lift({triangles[i], Vec3(1.0 / 3)}));
+    flat = flat && glm::length(at.normal - mean) <= kFlat;
+    const double own = 0.5 * (at.k1 + at.k2);
+    if (i == 0) k = own;
+    round = round && at.umbilic && k != 0 && std::abs(own - k) <= kRound * std::abs(k);
   }
-  return true;
+  return flat ? FaceKind::Plane : round ? FaceKind::Sphere : FaceKind::Freeform;
 }
 
 }  // namespace
@@ -45,21 +65,13 @@ std::vector<FaceKind> find_face_kinds(const Surface& surface, const RunContext& 
     faces.back().end = i + 1;
   }
   parallel_for(
-      faces.size(), 64,
+      faces.size(), 16,
       [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
           const std::span triangles(order.data() + faces[i].begin, order.data() + faces[i].end);
           const ProxyPoint middle{triangles.front(), Vec3(1.0 / 3)};
           FaceKind k = surface.frame(surface.lift(middle)).kind;
-          // A chart may be flat whatever its equations look like; few triangles that happen to be
-          // coplanar are no proof, their corners' normals are.
-          if (k == FaceKind::Freeform && is_flat(proxy, triangles)) {
-            const auto off = [&](std::uint32_t f) {
-              const Frame at = surface.frame(surface.lift({f, Vec3(1.0 / 3)}));
-              return glm::length(at.normal - proxy.mesh.normal(f)) > kFlat;
-            };
-            if (std::ranges::none_of(triangles, off)) k = FaceKind::Plane;
-          }
+          if (k == FaceKind::Freeform) k = kind_by_shape(surface, triangles);
           for (const std::uint32_t f : triangles) kind[f] = k;
         }
       },
@@ -67,13 +79,68 @@ std::vector<FaceKind> find_face_kinds(const Surface& surface, const RunContext& 
   return kind;
 }
 
-std::vector<std::uint8_t> find_balls(const ProxyMesh& proxy, const std::vector<FaceKind>& kinds) {
-  std::vector<std::uint8_t> ball(static_cast<std::size_t>(proxy.region_count), 1);
-  for (std::size_t f = 0; f < kinds.size(); ++f) {
-    if (kinds[f] == FaceKind::Sphere || kinds[f] == FaceKind::Plane) continue;
-    ball[static_cast<std::size_t>(proxy.face_region[f])] = 0;
+namespace {
+
+// How the border of a region runs: the sum of t t^T over its edges, by length.
+using Runs = std::array<double, 6>;  // xx yy zz xy xz yz
+
+Vec3 times(const Runs& m, Vec3 v) {
+  return {m[0] * v.x + m[3] * v.y + m[4] * v.z, m[3] * v.x + m[1] * v.y + m[5] * v.z,
+          m[4] * v.x + m[5] * v.y + m[2] * v.z};
+}
+
+// The direction that the border runs at a right angle to: the eigenvector of the least eigenvalue,
+// by power iteration on (trace - m).
+std::optional<Vec3> axis_of(const Runs& runs) {
+  constexpr int kSteps = 200;
+  // The border runs along its axis for no more than this share, and further round it than that.
+  constexpr double kAlong = 0.15, kAround = 0.2;
+  const double trace = runs[0] + runs[1] + runs[2];
+  if (!(trace > 0)) return std::nullopt;
+  Vec3 axis = glm::normalize(Vec3(0.61, 0.53, 0.59));
+  for (int i = 0; i < kSteps; ++i) {
+    axis = normalize_or(trace * axis - times(runs, axis), Vec3(0, 0, 1));
   }
-  return ball;
+  const double along = glm::dot(axis, times(runs, axis));
+  // The middle eigenvalue: of a straight border there are many axes.
+  const Vec3 x = any_orthogonal(axis), y = glm::cross(axis, x);
+  const double a = glm::dot(x, times(runs, x)), b = glm::dot(y, times(runs, y)),
+               c = glm::dot(x, times(runs, y));
+  const double middle = 0.5 * (a + b) - std::hypot(0.5 * (a - b), c);
+  if (along > kAlong * trace || middle < kAround * trace) return std::nullopt;
+  return axis;
+}
+
+}  // namespace
+
+BallAxes find_balls(const ProxyMesh& proxy, const std::vector<FaceKind>& kinds,
+                    const SmoothedOptions& options) {
+  const auto count = static_cast<std::size_t>(proxy.region_count);
+  std::vector<std::uint8_t> ball(count, 1);
+  std::vector<Runs> runs(count, Runs{});
+  for (std::size_t f = 0; f < kinds.size(); ++f) {
+    const auto region = static_cast<std::size_t>(proxy.face_region[f]);
+    if (kinds[f] != FaceKind::Sphere) {
+      ball[region] = 0;
+      continue;
+    }
+    for (std::size_t k = 0; k < 3; ++k) {
+      if (proxy.edge_kind[3 * f + k] == EdgeKind::Smooth) continue;
+      const Triangle& t = proxy.mesh.triangles[f];
+      const Vec3 e = proxy.mesh.positions[t[(k + 1) % 3]] - proxy.mesh.positions[t[k]];
+      const double length = glm::length(e);
+      if (!(length > 0)) continue;
+      const double products[6] = {e.x * e.x, e.y * e.y, e.z * e.z, e.x * e.y, e.x * e.z, e.y * e.z};
+      for (std::size_t i = 0; i < 6; ++i) runs[region][i] += products[i] / length;
+    }
+  }
+  const bool view = options.policy.sphere == FacePolicy::Sphere::View;
+  const Vec3 given = normalize_or(view ? options.view : options.fallback, Vec3(0, 0, 1));
+  BallAxes axes(count);
+  for (std::size_t r = 0; r < count; ++r) {
+    if (ball[r] != 0) axes[r] = view ? given : axis_of(runs[r]).value_or(given);
+  }
+  return axes;
 }
 
 std::vector<Frame> curved_frames(const Surface& surface, const FlatPatches& flats,

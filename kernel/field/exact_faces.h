@@ -7,6 +7,7 @@
 
 #include "flat_patches.h"
 
+#include <optional>
 #include <vector>
 
 namespace burin::field {
@@ -17,19 +18,16 @@ inline bool has_exact_lines(const Frame& frame) {
                             frame.kind == FaceKind::Torus);
 }
 
-/// For each triangle the kind of its face of the input (Plane also for flat faces of other kinds);
-/// empty where the proxy knows no faces.
+/// For each triangle the kind of its face of the input, Plane and Sphere also for faces of other
+/// equations that have that shape; empty where the proxy knows no faces.
 std::vector<FaceKind> find_face_kinds(const Surface& surface, const RunContext& context);
 
-/// For each smooth region nonzero where its curved faces are spheres alone: balls, whose directions
-/// nothing but the style decides.
-std::vector<std::uint8_t> find_balls(const ProxyMesh& proxy, const std::vector<FaceKind>& kinds);
-
-/// The axis that circles of latitude go round on a ball.
-inline Vec3 ball_axis(const SmoothedOptions& options) {
-  const bool view = options.policy.sphere == FacePolicy::Sphere::View;
-  return normalize_or(view ? options.view : options.fallback, Vec3(0, 0, 1));
-}
+/// For each smooth region whose curved faces are spheres alone, a ball, the unit axis that its
+/// circles of latitude go round: what the policy says; under FacePolicy::Sphere::Axis the axis of
+/// the ball's own border where that has one (the rim of a dome). Nothing for other regions.
+using BallAxes = std::vector<std::optional<Vec3>>;
+BallAxes find_balls(const ProxyMesh& proxy, const std::vector<FaceKind>& kinds,
+                    const SmoothedOptions& options);
 
 /// For each wedge the most confident of the frames of the curved faces that meet there; umbilic
 /// where only flat faces do. A wedge on the border of a plane and a fillet has two frames: the

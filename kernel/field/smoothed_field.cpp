@@ -32,15 +32,41 @@ double smooth_step(double from, double to, double x) {
   return t * t * (3 - 2 * t);
 }
 
+// The circle of latitude on a ball and the meridian.
+std::optional<Arms> ball_arms(Vec3 normal, Vec3 axis) {
+  constexpr double kPole = 0.03;  // sine of the angle to a pole
+  const Vec3 circle = glm::cross(axis, normal);
+  const double sine = glm::length(circle);
+  if (sine < kPole) return std::nullopt;
+  return Arms{circle / sine, glm::cross(normal, circle / sine)};
+}
+
+// The cross of the exact lines, where there are some to follow: always on cylinders, cones and
+// tori; on freeform faces as far as the smoothed cross, which knows what is noise and what is
+// shape, agrees, and away from umbilics. Strokes so follow lines of curvature and not the long
+// triangles of a proxy.
+Vec2 with_exact_lines(Vec2 cross, const Frame& frame, const TangentBasis& basis) {
+  // Cosines of four times the angle between both crosses: 20 and 10 degrees.
+  constexpr double kForeign = 0.17, kSame = 0.77;
+  constexpr double kUmbilic = 0.05, kClear = 0.2;  // confidence
+  const Vec2 d = basis.coords(frame.d1);
+  const double length = glm::length(d), size = glm::length(cross);
+  if (frame.umbilic || !(length > 0)) return cross;
+  const Vec2 own = complex_square(complex_square(d / length));
+  if (has_exact_lines(frame)) return own;
+  if (size < kSingular) return cross;
+  const double follow = smooth_step(kForeign, kSame, glm::dot(own, cross) / size) *
+                        smooth_step(kUmbilic, kClear, frame.confidence);
+  return (1 - follow) * cross + follow * size * own;
+}
+
 }  // namespace
 
 struct SmoothedField::Part {
   const Surface* surface = nullptr;
   // Whether the form knows its faces; then its frames are exact.
   bool exact = false;
-  // Of an exact form, for each smooth region.
-  std::vector<std::uint8_t> balls;
-  Vec3 axis_of_balls{0, 0, 1};
+  BallAxes balls;
   FlatPatches flats;
   // For each wedge the line of family 1, a direction to the second power in the basis on `axis`.
   std::vector<Vec2> line;
@@ -53,8 +79,7 @@ struct SmoothedField::Part {
     if (exact) {
       const std::vector<FaceKind> kinds = find_face_kinds(s, context);
       flats = find_plane_faces(s, kinds, options, context);
-      balls = find_balls(proxy, kinds);
-      axis_of_balls = ball_axis(options);
+      balls = find_balls(proxy, kinds, options);
       frames = curved_frames(s, flats, context);
     } else {
       frames = s.wedge_frames(context);
@@ -83,37 +108,11 @@ struct SmoothedField::Part {
     return complex_mul(line[wedge], complex_square(turn(from, to)));
   }
 
-  Vec2 with_exact_lines(Vec2 cross, std::uint32_t face, const Frame& frame,
-                        const TangentBasis& basis) const;
+  const std::optional<Vec3>& ball_axis(std::uint32_t face) const {
+    return balls[static_cast<std::size_t>(surface->proxy().face_region[face])];
+  }
   int index(std::uint32_t face) const;
 };
-
-// The cross of the exact lines, where there are some to follow: always on cylinders, cones, tori
-// and balls; on freeform faces as far as the smoothed cross, which knows what is noise and what is
-// shape, agrees, and away from umbilics. Strokes so follow lines of curvature and not the long
-// triangles of a proxy.
-Vec2 SmoothedField::Part::with_exact_lines(Vec2 cross, std::uint32_t face, const Frame& frame,
-                                           const TangentBasis& basis) const {
-  // Cosines of four times the angle between both crosses: 20 and 10 degrees.
-  constexpr double kForeign = 0.17, kSame = 0.77;
-  constexpr double kUmbilic = 0.05, kClear = 0.2;  // confidence
-  constexpr double kPole = 0.03;                   // sine of the angle to a pole
-  const auto region = static_cast<std::size_t>(surface->proxy().face_region[face]);
-  if (frame.kind == FaceKind::Sphere && balls[region] != 0) {
-    const Vec2 circle = basis.coords(glm::cross(frame.normal, axis_of_balls));
-    const double sine = glm::length(circle);
-    return sine > kPole ? complex_square(complex_square(circle / sine)) : Vec2(0);
-  }
-  const Vec2 d = basis.coords(frame.d1);
-  const double length = glm::length(d), size = glm::length(cross);
-  if (frame.umbilic || !(length > 0)) return cross;
-  const Vec2 own = complex_square(complex_square(d / length));
-  if (has_exact_lines(frame)) return own;
-  if (size < kSingular) return cross;
-  const double follow = smooth_step(kForeign, kSame, glm::dot(own, cross) / size) *
-                        smooth_step(kUmbilic, kClear, frame.confidence);
-  return (1 - follow) * cross + follow * size * own;
-}
 
 int SmoothedField::Part::index(std::uint32_t face) const {
   // The crosses' turn from corner to corner, each within half a turn of the fourth power, less what
@@ -147,8 +146,11 @@ std::optional<Vec3> SmoothedField::direction(const FieldQuery& q) const {
   const ProxyPoint at = part.surface->to_proxy(q.point);
   const bool seed = q.previous == Vec3(0);
   const std::int32_t flat = part.flats.face_patch[at.face];
-  if (flat >= 0) {
-    const auto arms = part.flats.patches[static_cast<std::size_t>(flat)].at(q.point.position);
+  const bool ball = part.exact && part.ball_axis(at.face).has_value();
+  if (flat >= 0 || ball) {
+    const auto arms = ball
+                          ? ball_arms(q.frame.normal, *part.ball_axis(at.face))
+                          : part.flats.patches[static_cast<std::size_t>(flat)].at(q.point.position);
     if (!arms) return std::nullopt;
     if (seed) return q.family == 2 ? arms->second : arms->first;
     return nearest_arm(arms->first, arms->second, q.previous);
@@ -161,7 +163,7 @@ std::optional<Vec3> SmoothedField::direction(const FieldQuery& q) const {
     cross += at.bary[k] * complex_square(y);
     line += at.bary[k] * y;
   }
-  if (part.exact) cross = part.with_exact_lines(cross, at.face, q.frame, basis);
+  if (part.exact) cross = with_exact_lines(cross, q.frame, basis);
   const double size = glm::length(cross);
   if (size < kSingular) return std::nullopt;
   Vec2 first = complex_sqrt(cross / size);

@@ -236,5 +236,39 @@ TEST(ExactFaces, ABallHasCirclesOfLatitude) {
   }
 }
 
+TEST(ExactFaces, ADomeHasCirclesAlongItsRim) {
+  // Half a ball that lies on its side, given as some spline or other, with its flat face.
+  const Vec3 axis(1, 0, 0);
+  constexpr std::uint32_t kN = 48, kM = 12;
+  TriMesh m = test::grid(kN, kM, true, false, [&](std::uint32_t i, std::uint32_t j) {
+    const double u = 2 * kPi * i / kN, v = kPi / 2 * j / kM;
+    return Vec3(2 * std::sin(v), 2 * std::cos(v) * std::cos(u), 2 * std::cos(v) * std::sin(u));
+  });
+  const auto pole = static_cast<std::uint32_t>(m.positions.size());
+  m.positions.push_back({2, 0, 0});
+  for (std::uint32_t i = 0; i < kN; ++i) {
+    const std::uint32_t next = (i + 1) % kN;
+    m.triangles.push_back({i * kM + kM - 1, next * kM + kM - 1, pole});
+    if (i > 0 && i + 1 < kN) m.triangles.push_back({0, next * kM, i * kM});
+  }
+  const auto is_flat = [](Vec3 n) { return n.x < -0.9; };
+  const ProxyMesh proxy =
+      test::sourced(build_proxy(m, {}, RunContext()),
+                    {.face = [&](std::uint32_t f) { return is_flat(m.normal(f)) ? 1 : 0; },
+                     .edge = [](Vec3, Vec3) { return -1; }});
+  const Exact s(proxy, [](std::int32_t face, Vec3 p) {
+    if (face == 1) return plane(p, {-1, 0, 0});
+    Frame f = plane(p, glm::normalize(p));
+    f.kind = FaceKind::Freeform;
+    f.k1 = f.k2 = 0.5;
+    return f;
+  });
+  for (const Probe& p : test::probes(s.surface)) {
+    const Vec3 n = p.frame.normal;
+    if (is_flat(n) || n.x > 0.99) continue;
+    EXPECT_LT(line_angle(s.at(p), glm::cross(axis, n)), 0.01);
+  }
+}
+
 }  // namespace
 }  // namespace burin
