@@ -1,6 +1,7 @@
 #include "readers.h"
 
 #include <burin/converters/cad_reader.h>
+#include <burin/converters/irit_reader.h>
 #include <burin/converters/mesh_info.h>
 #include <burin/converters/mesh_reader.h>
 
@@ -20,7 +21,12 @@ constexpr Reader kMesh{
 
 constexpr Reader kCad{"STEP, IGES, BREP", is_cad_content, is_cad_suffix, read_cad, inspect_cad};
 
-constexpr std::array kReaders{kCad, kMesh};
+constexpr Reader kIrit{
+    "ITD, IRT, BEZ, BBP", is_irit_content, is_irit_suffix,
+    [](const std::filesystem::path& path, RunContext& context) { return read_irit(path, context); },
+    inspect_irit};
+
+constexpr std::array kReaders{kCad, kIrit, kMesh};
 
 /// Empty where the file cannot be read: its reader says why.
 std::string head_of(const std::filesystem::path& path) {

@@ -1,7 +1,9 @@
 // burin_samples models FOLDER: writes the sample models.
+// burin_samples splines FOLDER: those of them that are spline patches.
 // burin_samples large FOLDER: writes the meshes of the benchmarks, of 100,000 and of 1,000,000
 // triangles.
 #include "models.h"
+#include "splines.h"
 #include "write_mesh.h"
 
 #include <fmt/format.h>
@@ -37,6 +39,20 @@ void write_models(const std::filesystem::path& folder) {
   save(moai(0.98, 0.06), folder / "moai_scan.ply");
 }
 
+void save(const std::vector<burin::samples::SplineObject>& objects,
+          const std::filesystem::path& path) {
+  burin::samples::write_irit(objects, path);
+  std::size_t patches = 0;
+  for (const auto& object : objects) patches += object.surfaces.size();
+  fmt::print("{:<28} {:>9} bytes {:>8} patches   {:>3} parts\n", path.filename().string(),
+             std::filesystem::file_size(path), patches, objects.size());
+}
+
+void write_splines(const std::filesystem::path& folder) {
+  save(burin::samples::horn(), folder / "horn.itd");
+  save(burin::samples::spline_teapot(), folder / "teapot.itd");
+}
+
 void write_large(const std::filesystem::path& folder) {
   using namespace burin::samples;
   save(knot(790, 63), folder / "knot_100k.stl");
@@ -52,10 +68,13 @@ int main(int argc, char** argv) {
   try {
     if (what == "models") {
       write_models(argv[2]);
+      write_splines(argv[2]);
+    } else if (what == "splines") {
+      write_splines(argv[2]);
     } else if (what == "large") {
       write_large(argv[2]);
     } else {
-      std::fputs("usage: burin_samples models|large FOLDER\n", stderr);
+      std::fputs("usage: burin_samples models|splines|large FOLDER\n", stderr);
       return 2;
     }
   } catch (const std::exception& error) {

@@ -1,0 +1,41 @@
+#pragma once
+/// Spline models: surfaces that sweep circles, and the files they are written to.
+
+#include <burin/forms/parametric/nurbs.h>
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace burin::samples {
+
+/// An ellipse in space: center, and its half axes as vectors.
+struct Ring {
+  Vec3 center, a, b;
+};
+
+/// A cubic B-spline over rings as its control rows (u), exact ellipses across (v): rational
+/// quadratics of four quarters. It begins and ends at the first and the last ring. A ring without
+/// extent makes a pole.
+NurbsData sweep(const std::vector<Ring>& rings);
+
+/// Turns the control points (radius, height) of a profile about z.
+NurbsData turn(const std::vector<Vec2>& profile);
+
+/// A named object of an IRIT file; several make a list of the name of the file.
+struct SplineObject {
+  std::string name;
+  std::string rgb;  // "200,100,0" or empty
+  std::vector<NurbsData> surfaces;
+};
+void write_irit(const std::vector<SplineObject>& objects, const std::filesystem::path& path);
+
+/// The horn of Elber's paper: a circle that sweeps a helix while both grow. Open at both ends; u
+/// runs along it, v around.
+NurbsData horn_wall();
+/// The wall with a round tip and a rim that turns inwards, all borders smooth: a closed body.
+std::vector<SplineObject> horn();
+/// Body, lid, spout and handle, each a closed body of one patch.
+std::vector<SplineObject> spline_teapot();
+
+}  // namespace burin::samples

@@ -1,0 +1,103 @@
+// Changed bytes, cut ends and repeated pieces of good files: each is read or refused in one line.
+#include <burin/base/rng.h>
+
+#include "reading.h"
+
+namespace burin {
+namespace {
+
+std::string mutated(std::string bytes, const Rng& rng, std::uint64_t& n) {
+  const auto below = [&](std::size_t limit) {
+    return static_cast<std::size_t>(rng.uniform(n++) * static_cast<double>(limit));
+  };
+  static constexpr std::string_view kSpice[] = {"-1", "0",   "99999999999", "nan", "1e999",
+                                                "\n", "[",   "]",           "\"",  "\\",
+                                                "#",  " 3 ", "[KV ",        "BEZ"};
+  const std::size_t changes = 1 + below(4);
+  for (std::size_t i = 0; i < changes && !bytes.empty(); ++i) {
+    const std::size_t at = below(bytes.size());
+    switch (below(5)) {
+      case 0:
+        bytes[at] = static_cast<char>(below(256));
+        break;
+      case 1:
+        bytes.erase(at, 1 + below(8));
+        break;
+      case 2:
+        bytes.insert(at, kSpice[below(std::size(kSpice))]);
+        break;
+      case 3:
+        bytes.insert(at, bytes.substr(below(bytes.size()), below(60)));
+        break;
+      case 4:
+        bytes.resize(at);
+        break;
+    }
+  }
+  return bytes;
+}
+
+/// What was read evaluates to finite points.
+void look_at(const Scene& scene) {
+  ASSERT_FALSE(scene.parts.empty());
+  for (const Part& part : scene.parts) {
+    EXPECT_FALSE(part.name.empty());
+    const auto* form = dynamic_cast<const ParametricForm*>(part.form.get());
+    if (form == nullptr) continue;
+    for (const auto& patch : form->patches()) {
+      const SurfaceDerivatives d = patch->derivatives(patch->domain().center());
+      EXPECT_TRUE(std::isfinite(d.p.x + d.p.y + d.p.z));
+    }
+  }
+}
+
+void fuzz(const std::string& good, const std::string& name, int rounds, std::uint64_t seed) {
+  ASSERT_NO_THROW(look_at(test::scene_of(good, name)));
+  const Rng rng(seed);
+  std::uint64_t n = 0;
+  int read = 0, refused = 0;
+  for (int i = 0; i < rounds; ++i) {
+    const std::string bytes = mutated(good, rng, n);
+    try {
+      look_at(test::scene_of(bytes, name));
+      ++read;
+    } catch (const InputError& e) {
+      const std::string what = e.what();
+      EXPECT_FALSE(what.empty());
+      for (const char c : what) EXPECT_GE(static_cast<unsigned char>(c), 0x20) << what;
+      ++refused;
+    }
+  }
+  EXPECT_EQ(read + refused, rounds);
+  EXPECT_GT(refused, rounds / 10);
+  EXPECT_GT(read, 0);
+}
+
+const std::string kData =
+    "a comment\n[OBJECT [COLOR 4] [RGB \"1,2,3\"] BOTH\n"
+    "[OBJECT A [SURFACE BSPLINE 4 3 3 2 P3 [KV 0 0 0 1 2 2 2] [KV 0 0 1 2 2]\n"
+    "[1 0 0 0] [0.7 1 1 0] [1 2 0 0] [1 3 0 0]\n[1 0 0 1] [0.7 1 1 1] [1 2 0 1] [1 3 0 1]\n"
+    "[1 0 0 2] [0.7 1 1 2] [1 2 0 2] [1 3 0 2]]]\n"
+    "[OBJECT B [SURFACE BSPLINE 3 2 3 2 E3 [KVP 0 1 2 3 4 5 6 7] [KV 0 0 1 1]\n"
+    "[1 0 0] [0 1 0] [-1 -1 0] [1 0 1] [0 1 1] [-1 -1 1]]]\n"
+    "[OBJECT C [POLYGON [PLANE 0 0 1 0] 3 [0 0 0] [1 0 0] [0 1 0]] [POLYGON 3 [1 0 0] [1 1 0] [0 1 "
+    "0]]]\n"
+    "[OBJECT D [CURVE BEZIER 2 E2 [0 0] [1 1]]] [OBJECT E [TRIMSRF [x [y] z] q]]\n"
+    "[OBJECT F [NUMBER 3]] [OBJECT G [MATRIX 1 0 0 0 0 1 0 0 0 0 1 0 0 0 0 1]]\n"
+    "[OBJECT H [SURFACE BEZIER 2 2 E3 [0 0 9] [1 0 9] [0 1 9] [1 1 9]]]]\n";
+
+TEST(IritFuzz, Data) { fuzz(kData, "a.itd", 5000, 1); }
+
+TEST(IritFuzz, Geomview) {
+  fuzz("#x\nBEZ214\n1 0 0 1  0 1 0 0  -1 0 0 1\n1 0 2 1  0 1 0 0  -1 0 2 1\n", "a.bez", 2000, 2);
+}
+
+TEST(IritFuzz, PatchList) {
+  std::string text = "16 2\n";
+  for (int i = 1; i <= 16; ++i) text += fmt::format("{} {} {} 0.5\n", i, i % 4, i / 4);
+  for (int i = 0; i < 32; ++i) text += fmt::format("{} ", 1 + i % 16);
+  fuzz(text, "a.bez", 2000, 3);
+}
+
+}  // namespace
+}  // namespace burin
