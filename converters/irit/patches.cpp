@@ -1,63 +1,10 @@
 #include "patches.h"
 
-#include "lexer.h"
 #include "split.h"
-#include "text.h"
-
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <charconv>
-#include <cmath>
-#include <optional>
+#include "words.h"
 
 namespace burin::irit {
 namespace {
-
-/// The words of a text in which # begins a comment to the end of the line.
-class Words {
- public:
-  explicit Words(std::string_view text) : p_(text.data()), end_(p_ + text.size()) {}
-
-  /// Empty at the end.
-  std::string_view next() {
-    for (; p_ < end_ && (is_blank(*p_) || is_line_end(*p_) || *p_ == '#'); ++p_) {
-      if (*p_ == '#') p_ = std::find_if(p_, end_, is_line_end);
-      if (p_ == end_) break;
-    }
-    const char* begin = p_;
-    while (p_ < end_ && !is_blank(*p_) && !is_line_end(*p_) && *p_ != '#') ++p_;
-    return {begin, static_cast<std::size_t>(p_ - begin)};
-  }
-  std::size_t left() const { return static_cast<std::size_t>(end_ - p_); }
-
- private:
-  const char* p_;
-  const char* end_;
-};
-
-std::optional<std::int64_t> whole(std::string_view word) {
-  std::int64_t value = 0;
-  const char* end = word.data() + word.size();
-  const auto [stop, error] = std::from_chars(word.data(), end, value);
-  if (word.empty() || error != std::errc() || stop != end) return std::nullopt;
-  return value;
-}
-
-[[noreturn]] void expected(const Source& source, std::string_view found, const std::string& what) {
-  if (found.empty()) {
-    fail_at(source, found.data(),
-            fmt::format("the file ends where {} should be; it is truncated", what));
-  }
-  fail_at(source, found.data(), fmt::format("{} is not {}", in_quotes(found), what));
-}
-
-double number(const Source& source, Words& in, const char* what) {
-  const std::string_view word = in.next();
-  double value = 0;
-  if (!parse_double(word, value) || !std::isfinite(value)) expected(source, word, what);
-  return value;
-}
 
 /// What a header of Geomview says: [C]BEZ<degree u><degree v><dimension>[_ST] or [ST]BBP.
 struct Header {
@@ -109,21 +56,6 @@ HomogeneousPatch read_patch(const Source& source, Words& in, const Header& heade
 
 bool is_geomview(std::string_view text) { return header_of(Words(text).next()).has_value(); }
 
-bool is_patch_list(std::string_view text) {
-  constexpr std::int64_t kLookedAt = 8;
-  Words in(text);
-  const auto points = whole(in.next()), patches = whole(in.next());
-  if (!points || !patches || *points < 4 || *patches < 1) return false;
-  for (std::int64_t i = 1; i <= std::min(*points, kLookedAt); ++i) {
-    if (whole(in.next()) != i) return false;
-    double unused = 0;
-    for (int k = 0; k < 3; ++k) {
-      if (!parse_double(in.next(), unused)) return false;
-    }
-  }
-  return true;
-}
-
 std::vector<NurbsData> read_geomview(const Source& source) {
   Words in(source.bytes());
   const std::string_view word = in.next();
@@ -142,54 +74,6 @@ std::vector<NurbsData> read_geomview(const Source& source) {
     }
   }
   return patches;
-}
-
-std::vector<NurbsData> read_patch_list(const Source& source) {
-  constexpr std::size_t kPointBytes = 8, kPatchBytes = 32;  // "1 0 0 0 ", sixteen times "1 "
-  Words in(source.bytes());
-  const auto count = [&](const char* what, std::size_t bytes_each) {
-    const std::string_view word = in.next();
-    const auto n = whole(word);
-    if (!n || *n < 1) expected(source, word, what);
-    if (static_cast<std::size_t>(*n) > in.left() / bytes_each + 1) {
-      fail_at(source, word.data(),
-              fmt::format("{}, {}, cannot fit into the {} bytes that follow; the file is truncated "
-                          "or damaged",
-                          what, *n, in.left()));
-    }
-    return static_cast<std::size_t>(*n);
-  };
-  const std::size_t points = count("the number of points", kPointBytes);
-  const std::size_t patches = count("the number of patches", kPatchBytes);
-  std::vector<Vec3> position(points);
-  for (std::size_t i = 0; i < points; ++i) {
-    source.context().check();
-    const std::string_view word = in.next();
-    const std::string due = fmt::format("the number of point {}", i + 1);
-    if (whole(word) != static_cast<std::int64_t>(i + 1)) expected(source, word, due);
-    for (int k = 0; k < 3; ++k) position[i][k] = number(source, in, "a coordinate");
-  }
-  std::vector<NurbsData> list;
-  for (std::size_t i = 0; i < patches; ++i) {
-    source.context().check();
-    std::vector<Vec3> corners;
-    for (int k = 0; k < 16; ++k) {
-      const std::string_view word = in.next();
-      const auto n = whole(word);
-      if (!n || *n < 1 || *n > static_cast<std::int64_t>(points)) {
-        expected(source, word, fmt::format("the number of a point, 1 to {}", points));
-      }
-      corners.push_back(position[static_cast<std::size_t>(*n - 1)]);
-    }
-    list.push_back(bezier_patch(3, 3, std::move(corners)));
-  }
-  const std::string_view rest = in.next();
-  if (!rest.empty()) {
-    fail_at(source, rest.data(),
-            fmt::format("{} stands after the last patch; is the number of patches right?",
-                        in_quotes(rest)));
-  }
-  return list;
 }
 
 }  // namespace burin::irit

@@ -11,8 +11,7 @@ namespace burin::irit {
 
 /// Whether the text begins with BBP or BEZ and its digits.
 bool is_geomview(std::string_view text);
-/// Whether the text begins with two counts and as many numbered points, of which the first (some
-/// may be cut off) are looked at.
+/// Whether the text begins as one of the layouts of patch lists does; the first bytes are enough.
 bool is_patch_list(std::string_view text);
 
 /// Patches whose control points lie at infinity (weight 0) are split until all weights are

@@ -96,7 +96,12 @@ TEST(IritFuzz, PatchList) {
   std::string text = "16 2\n";
   for (int i = 1; i <= 16; ++i) text += fmt::format("{} {} {} 0.5\n", i, i % 4, i / 4);
   for (int i = 0; i < 32; ++i) text += fmt::format("{} ", 1 + i % 16);
-  fuzz(text, "a.bez", 2000, 3);
+  fuzz(text, "a.bez", 1000, 3);
+  text = "2\n";
+  for (int i = 0; i < 32; ++i) text += fmt::format("{}{}", 1 + i % 16, i % 16 < 15 ? "," : "\n");
+  text += "16\n";
+  for (int i = 1; i <= 16; ++i) text += fmt::format("{},{},0.5\n", i % 4, i / 4);
+  fuzz(text, "a.bez", 1000, 4);
 }
 
 }  // namespace

@@ -91,7 +91,7 @@ TEST(PatchList, IsKnownByItsContent) {
 }
 
 TEST(PatchList, Errors) {
-  expect_error(list_text(16, 1) + "3\n", 20, "stands after the last patch", "a.txt");
+  expect_error(list_text(16, 1) + "3\n", 20, "stands after the end of the list", "a.txt");
   std::string cut = list_text(16, 2);
   cut.resize(cut.size() - 8);
   expect_error(cut, 20, "the file ends", "a.txt");
@@ -103,7 +103,21 @@ TEST(PatchList, Errors) {
   expect_error(wrong, 19, "'17' is not the number of a point, 1 to 16", "a.txt");
 }
 
+TEST(PatchList, TheClassicLayoutCountsPatchesFirst) {
+  std::string text = "1\n1,2,3,4,5,6,7,8,9,10,11,12,13,14,15,16\n16\n";
+  for (int i = 0; i < 16; ++i) text += fmt::format("{}.0,{}.0,{}\n", i % 4, i / 4, i == 5 ? 9 : 0);
+  EXPECT_TRUE(is_irit_content(text));
+  const Scene scene = test::scene_of(text, "pot.txt");
+  const auto& patches = test::patches_of(scene.parts[0]);
+  ASSERT_EQ(patches.size(), 1u);
+  expect_near(patches[0]->position({1.0 / 3, 1.0 / 3}), {1, 1, 9 * 16.0 / 81}, 1e-14);
+  expect_error("2\n" + text.substr(2), 4, "is not the number of a point", "a.txt");
+  expect_error(text + "0 0 0\n", 20, "stands after the end", "a.txt");
+  expect_error(text.substr(0, text.size() - 9), 19, "the file ends", "a.txt");
+}
+
 TEST(PatchList, OthersAreNot) {
+  EXPECT_FALSE(is_irit_content("3\n1 2 3\n4 5 6\n"));
   EXPECT_FALSE(is_irit_content("12 14\n1 2 3\n4 5 6\n"));
   EXPECT_FALSE(is_irit_content("OFF\n4 4 6\n"));
   EXPECT_FALSE(is_irit_content("solid [object\n"));
