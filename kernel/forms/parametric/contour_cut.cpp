@@ -48,44 +48,26 @@ class Cutter {
   void run() {
     begin();
     for (int round = 0; round < kRounds; ++round) {
-      for (int i = 0; i < kRounds && !crossings_.empty(); ++i) cut();
-      if (looks_.empty() && faces_.empty()) break;
+      for (int i = 0; i < kRounds && mesh_.any_request(CutMesh::kCut); ++i) cut();
+      if (!mesh_.any_request(CutMesh::kLook) && faces_.empty()) break;
       look();
     }
     finish();
   }
 
  private:
-  bool first_of_edge(HalfEdge h) const {
-    const HalfEdge o = mesh_.opposite(h);
-    return o == kNoHalfEdge || h < o;
-  }
-
   void begin() {
     const std::size_t n = mesh_.half_edge_count();
-    crossings_ = filter<HalfEdge>(
-        n, [&](HalfEdge h) { return first_of_edge(h) && search_.crosses(h); }, context_);
-    looks_ = filter<HalfEdge>(
-        n,
-        [&](HalfEdge h) {
-          return first_of_edge(h) && !search_.crosses(h) &&
-                 (search_.chord(h) || search_.suspect(h));
-        },
-        context_);
+    const auto first_of_edge = [&](HalfEdge h) {
+      const HalfEdge o = mesh_.opposite(h);
+      return o == kNoHalfEdge || h < o;
+    };
+    const auto interesting = [&](HalfEdge h) {
+      return first_of_edge(h) && (search_.crosses(h) || search_.chord(h) || search_.suspect(h));
+    };
+    for (const HalfEdge h : filter<HalfEdge>(n, interesting, context_)) touch(h, true);
     faces_ = filter<std::uint32_t>(
         n / 3, [&](std::uint32_t f) { return search_.suspect_face(f); }, context_);
-  }
-
-  /// The list as edges, each once, and `list` empty for what comes next.
-  std::vector<HalfEdge> take(std::vector<HalfEdge>& list) {
-    std::vector<HalfEdge> out = std::exchange(list, {});
-    for (HalfEdge& h : out) {
-      if (!first_of_edge(h)) h = mesh_.opposite(h);
-    }
-    std::ranges::sort(out);
-    const auto repeated = std::ranges::unique(out);
-    out.erase(repeated.begin(), repeated.end());
-    return out;
   }
 
   template <class Find>
@@ -102,7 +84,7 @@ class Cutter {
 
   /// Cuts all edges along which g changes its sign.
   void cut() {
-    std::vector<HalfEdge> edges = take(crossings_);
+    std::vector<HalfEdge> edges = mesh_.take_requests(CutMesh::kCut);
     std::erase_if(edges, [&](HalfEdge h) { return !search_.crosses(h); });
     const auto zeros =
         find_all(edges.size(), [&](std::size_t i) { return search_.zero(edges[i]); });
@@ -152,15 +134,16 @@ class Cutter {
   /// Puts an edge that has changed where it belongs.
   void touch(HalfEdge h, bool look_on) {
     if (search_.crosses(h)) {
-      crossings_.push_back(h);
+      mesh_.request(h, CutMesh::kCut);
     } else if (search_.chord(h) || (look_on && search_.suspect(h))) {
-      looks_.push_back(h);
+      mesh_.request(h, CutMesh::kLook);
     }
   }
 
   /// Looks at chords of contours, and at edges and triangles that may hide some.
   void look() {
-    const std::vector<HalfEdge> edges = take(looks_);
+    const std::vector<HalfEdge> taken = mesh_.take_requests(CutMesh::kLook);
+    std::vector<HalfEdge> edges = taken;
     std::vector<std::uint32_t> faces = std::exchange(faces_, {});
     std::ranges::sort(faces);
     const auto versions = [&](HalfEdge h) {
@@ -176,14 +159,16 @@ class Cutter {
       if (search_.chord(edges[i])) return search_.bulge(edges[i]);
       return search_.hidden_crossing(edges[i]);
     });
+    mesh_.watch(edges);
     for (std::size_t i = 0; i < edges.size(); ++i) {
       if (found[i].what == What::Nothing) continue;
-      if (versions(edges[i]) != before[i]) {
-        looks_.push_back(edges[i]);
+      if (edges[i] != taken[i] || versions(edges[i]) != before[i]) {
+        mesh_.request(edges[i], CutMesh::kLook);
       } else {
         apply(found[i]);
       }
     }
+    mesh_.unwatch();
     for (std::size_t i = 0; i < faces.size(); ++i) {
       const Incision& incision = found[edges.size() + i];
       if (incision.what == What::Nothing) continue;
@@ -280,7 +265,6 @@ class Cutter {
   const RunContext& context_;
   CutMesh mesh_;
   CutSearch search_;
-  std::vector<HalfEdge> crossings_, looks_;
   std::vector<std::uint32_t> faces_;
 };
 

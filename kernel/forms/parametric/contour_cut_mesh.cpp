@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace burin {
 
@@ -34,7 +35,9 @@ CutMesh::CutMesh(ChartMesh& mesh, const PlacedAtlas& atlas, const Camera& camera
       g_(opposite_.size()),
       shift_(opposite_.size(), 0),
       pole_(opposite_.size(), 0),
-      version_(mesh.triangles.size(), 0) {
+      version_(mesh.triangles.size(), 0),
+      watch_(opposite_.size(), -1),
+      requests_(opposite_.size(), 0) {
   for (std::size_t f = 0; f < atlas.atlas->face_count(); ++f) {
     kinds_.push_back(atlas.atlas->chart(static_cast<std::int32_t>(f)).kind());
   }
@@ -108,6 +111,7 @@ FaceSample CutMesh::sample(std::int32_t face, Vec2 uv) const {
   const Vec3 nv = turn / area * (glm::cross(d.uv, d.v) + glm::cross(d.u, d.vv));
   const Vec3 view = reject(facing_.to_viewer(d.p), s.normal);
   const Vec2 gradient(glm::dot(nu, view), glm::dot(nv, view));
+  s.gradient = gradient;
   const double e = glm::dot(d.u, d.u), f = glm::dot(d.u, d.v), g = glm::dot(d.v, d.v);
   const Vec2 up = Vec2(g * gradient.x - f * gradient.y, e * gradient.y - f * gradient.x) /
                   (area * area);  // the steepest way, by the first fundamental form
@@ -115,6 +119,7 @@ FaceSample CutMesh::sample(std::int32_t face, Vec2 uv) const {
   if (!(steep > 0)) return s;
   s.to_zero = -s.g / steep * up;
   s.distance = std::abs(s.g) / std::sqrt(steep);
+  s.along = gradient.x * d.v - gradient.y * d.u;
   return s;
 }
 
@@ -175,7 +180,6 @@ EdgePoint CutMesh::edge_point(HalfEdge h, double share) const {
 
 void CutMesh::watch(std::vector<HalfEdge>& edges) {
   watched_ = &edges;
-  watch_.resize(g_.size(), -1);
   for (std::size_t i = 0; i < edges.size(); ++i) {
     watch_[at(edges[i])] = static_cast<std::int32_t>(i);
   }
@@ -184,6 +188,24 @@ void CutMesh::watch(std::vector<HalfEdge>& edges) {
 void CutMesh::unwatch() {
   for (const HalfEdge h : *watched_) watch_[at(h)] = -1;
   watched_ = nullptr;
+}
+
+void CutMesh::request(HalfEdge h, Request what) {
+  requests_[at(h)] |= what;
+  requested_[what - 1].push_back(h);
+}
+
+std::vector<HalfEdge> CutMesh::take_requests(Request what) {
+  std::vector<HalfEdge> out = std::exchange(requested_[what - 1], {});
+  std::erase_if(out, [&](HalfEdge h) { return (requests_[at(h)] & what) == 0; });
+  for (HalfEdge& h : out) {
+    requests_[at(h)] &= static_cast<std::uint8_t>(~what);
+    if (opposite_[at(h)] != kNoHalfEdge) h = std::min(h, opposite_[at(h)]);
+  }
+  std::ranges::sort(out);
+  const auto repeated = std::ranges::unique(out);
+  out.erase(repeated.begin(), repeated.end());
+  return out;
 }
 
 std::uint32_t CutMesh::add_triangle(std::uint32_t like) {
@@ -200,6 +222,7 @@ std::uint32_t CutMesh::add_triangle(std::uint32_t like) {
   shift_.resize(n);
   pole_.resize(n);
   watch_.resize(n, -1);
+  requests_.resize(n, 0);
   version_.push_back(0);
   return f;
 }
@@ -232,7 +255,8 @@ void CutMesh::link(HalfEdge a, HalfEdge b) {
   if (b != kNoHalfEdge) opposite_[at(b)] = a;
 }
 
-/// The edge of half-edge `from` as that of `to`: its border, its opposite and who watches it.
+/// The edge of half-edge `from` as that of `to`: its border, its opposite, who watches it and what
+/// is to be done there.
 void CutMesh::move_edge(HalfEdge from, HalfEdge to) {
   mesh_.border[at(to)] = mesh_.border[at(from)];
   link(to, opposite_[at(from)]);
@@ -241,6 +265,10 @@ void CutMesh::move_edge(HalfEdge from, HalfEdge to) {
   if (watched_ != nullptr && watch_[at(from)] >= 0) {
     (*watched_)[static_cast<std::size_t>(watch_[at(from)])] = to;
     std::swap(watch_[at(from)], watch_[at(to)]);
+  }
+  requests_[at(to)] = std::exchange(requests_[at(from)], std::uint8_t{0});
+  for (const Request what : {kCut, kLook}) {
+    if ((requests_[at(to)] & what) != 0) requested_[what - 1].push_back(to);
   }
 }
 

@@ -18,10 +18,14 @@ struct FaceSample {
   Vec2 uv{0};
   Vec3 position{0}, normal{0};
   double g = 0;
+  /// The derivatives of g in (u,v).
+  Vec2 gradient{0};
   /// The step in (u,v) to where g is zero, to first order, and its length in model mm (infinite
   /// where g does not change to first order).
   Vec2 to_zero{0};
   double distance = 0;
+  /// Along the level of g; zero where that is not known.
+  Vec3 along{0};
 };
 
 /// A place on an edge. Side 0 is that of the half-edge, 1 that of its opposite.
@@ -86,6 +90,14 @@ class CutMesh {
   void watch(std::vector<HalfEdge>& edges);
   void unwatch();
 
+  /// What is still to be done at edges; requests move with their edges.
+  enum Request : std::uint8_t { kCut = 1, kLook = 2 };
+  void request(HalfEdge h, Request what);
+  bool any_request(Request what) const { return !requested_[what - 1].empty(); }
+  /// The edges that `what` was requested for, each once and by its lower half-edge, ascending; the
+  /// requests are forgotten.
+  std::vector<HalfEdge> take_requests(Request what);
+
  private:
   static std::size_t at(HalfEdge h) { return static_cast<std::size_t>(h); }
 
@@ -116,6 +128,9 @@ class CutMesh {
   std::vector<std::uint32_t> version_;
   std::vector<HalfEdge>* watched_ = nullptr;
   std::vector<std::int32_t> watch_;
+  /// A half-edge: the requests of its edge; and all half-edges with one, among others.
+  std::vector<std::uint8_t> requests_;
+  std::array<std::vector<HalfEdge>, 2> requested_;
 };
 
 }  // namespace burin

@@ -43,6 +43,14 @@ class Chord {
     return glm::distance(q, from_ + t * d);
   }
 
+  /// How far an S may be from its chord that passes at a place near it at a slant: a fifth of the
+  /// chord's length times the slope, as the cubic is that meets the chord in the middle.
+  double slant(const FaceSample& s) const {
+    const Vec2 way = camera_.velocity(s.position, s.along), d = to_ - from_;
+    const double length = glm::length(way);
+    return end_on_ || !(length > 0) ? 0 : 0.22 * std::abs(cross2(d, way)) / length;
+  }
+
  private:
   // A contour that turns back on paper, in a cusp, runs along the view there: its tip may lie
   // beyond the end of a chord that it is near to in width. Cosine of the angle to the paper.
@@ -184,9 +192,12 @@ Incision CutSearch::true_chord(HalfEdge h, int left) const {
   const FaceSample middle = mesh_.sample(mesh_.face(h), mesh_.uv_on(h, kLook));
   const double g = middle.g + shift;
   if (std::abs(g) <= kNoise && line.off(middle.position) <= options_.chord) return out;
+  bool slanted = false;
   if (middle.distance < 1e300) {  // to first order the contour is near: is that so?
     const FaceSample near = mesh_.sample(mesh_.face(h), middle.uv + middle.to_zero);
-    if (line.off(near.position) <= 0.5 * options_.chord && near.distance <= 0.5 * middle.distance) {
+    slanted = line.slant(near) > 0.7 * options_.chord;
+    if (!slanted && line.off(near.position) <= 0.5 * options_.chord &&
+        near.distance <= 0.5 * middle.distance) {
       return out;
     }
   }
@@ -212,7 +223,7 @@ Incision CutSearch::true_chord(HalfEdge h, int left) const {
       if (leaves.what != What::Nothing) return leaves;
     } else {
       out.place = zero_between(mesh_.face(in), {start, g, shift}, {end.uv, end.g, 0});
-      if (line.off(out.place.position) > options_.chord) out.what = What::Detour;
+      if (slanted || line.off(out.place.position) > options_.chord) out.what = What::Detour;
       return out;
     }
   }
@@ -220,7 +231,7 @@ Incision CutSearch::true_chord(HalfEdge h, int left) const {
                            {mesh_.uv(apex), mesh_.g(apex), mesh_.shift(apex)});
   if (std::abs(line.share(out.place.position) - 0.5) > 0.35) {
     out.what = What::SplitEdge;  // seen from the apex it is behind the ends of the chord
-  } else if (line.off(out.place.position) > options_.chord) {
+  } else if (slanted || line.off(out.place.position) > options_.chord) {
     out.what = What::Detour;
   }
   return out;
@@ -281,7 +292,7 @@ bool CutSearch::within_reach(HalfEdge a, HalfEdge b, double lowest, double lengt
   if (kind == FaceKind::Plane) return false;
   // On surfaces whose normals turn evenly g is within an eighth of turn^2 of linear; on others the
   // normals may turn to and fro as far as the tolerance of the triangles lets them.
-  const double reach = kind == FaceKind::Freeform ? 0.5 * turn + 4 * mesh_.mesh().tolerance / length
+  const double reach = kind == FaceKind::Freeform ? 0.5 * turn + 8 * mesh_.mesh().tolerance / length
                                                   : 0.25 * turn * turn;
   return lowest <= reach;
 }
@@ -318,18 +329,29 @@ Incision CutSearch::dip_in(HalfEdge h, int side) const {
   const double sign = mesh_.g(from) + mesh_.g(to) > 0 ? 1 : -1;
   Incision out;
   out.half_edge = h;
-  const auto wrong_at = [&](double t) {
-    out.point = mesh_.edge_point(h, t);
-    if (sign * out.point.g[k] >= 0) return false;
-    return deep(mesh_.sample(mesh_.face(in), out.point.uv[k]), out.point.g[k]);
+  FaceSample here;
+  double lowest = 1e300, at = 0;
+  const auto look = [&](double t) {
+    const EdgePoint point = mesh_.edge_point(h, t);
+    const double g = sign * point.g[k];
+    if (g >= lowest) return false;
+    lowest = g, at = t;
+    out.point = point;
+    here = mesh_.sample(mesh_.face(in), point.uv[k]);
+    if (g < 0 && deep(here, g)) out.what = What::SplitEdge;
+    return out.what == What::Nothing;
   };
-  if (wrong_at(0.5)) {
-    out.what = What::SplitEdge;
-    return out;
+  look(0.5);
+  const double ends = std::min(sign * mesh_.g(from), sign * mesh_.g(to)), middle = lowest;
+  const double t = lowest_of_parabola(sign * mesh_.g(from), middle, sign * mesh_.g(to));
+  if (out.what == What::Nothing && std::abs(t - 0.5) > 0.05) look(t);
+  if (lowest > 0.9 * ends) return out;
+  // Down along the edge to the zero and beyond it.
+  const Vec2 way = (mesh_.uv(next_in_face(in)) - mesh_.uv(in)) * (side == 0 ? 1.0 : -1.0);
+  for (int step = 0; step < 3 && out.what == What::Nothing && lowest > 0; ++step) {
+    const double slope = sign * glm::dot(here.gradient, way);
+    if (slope == 0 || !look(std::clamp(at - 1.5 * lowest / slope, 0.02, 0.98))) break;
   }
-  const double t =
-      lowest_of_parabola(sign * mesh_.g(from), sign * out.point.g[k], sign * mesh_.g(to));
-  if (std::abs(t - 0.5) > 0.05 && wrong_at(t)) out.what = What::SplitEdge;
   return out;
 }
 
@@ -373,19 +395,22 @@ Incision CutSearch::hidden_loop(std::uint32_t face) const {
     look(bary);
   }
   if (lowest > 0.9 * corner && lowest > 0 && corner > 0) return out;
-  // Down to the zero and beyond it, by steps half as long again as first order asks for.
+  // Down to the zero and beyond it, by steps half as long again as first order asks for, or shorter
+  // ones where those lead out of the triangle or up again.
   const Vec2 p = mesh_.uv(h), q = mesh_.uv(h + 1) - p, r = mesh_.uv(h + 2) - p;
   const double area = cross2(q, r);
-  for (int step = 0; step < 6 && lowest > -1e300; ++step) {
+  double stride = 1.5;
+  for (int step = 0; step < 10 && stride > 0.2; ++step) {
     if (!(at_best.distance < 1e300) || area == 0) break;
-    const double along = lowest > 0 ? 1.5 : -1.5;
-    const Vec2 next = at_best.uv + along * at_best.to_zero - p;
+    const Vec2 next = at_best.uv + (lowest > 0 ? stride : -stride) * at_best.to_zero - p;
     const double y = cross2(next, r) / area, z = cross2(q, next) / area;
     const Vec3 bary(1 - y - z, y, z);
-    if (std::min({bary.x, bary.y, bary.z}) < 0.02) break;
     const double before = lowest;
-    if (look(bary) >= before) break;
-    if (lowest < 0 && deep(at_best, lowest)) break;
+    if (std::min({bary.x, bary.y, bary.z}) < 0.02 || look(bary) >= before) {
+      stride *= 0.5;
+    } else if (lowest < 0 && deep(at_best, lowest)) {
+      break;
+    }
   }
   if (lowest >= 0 || !deep(at_best, lowest)) return out;
   if (std::min({best.x, best.y, best.z}) < 0.02) return out;  // edges are looked at themselves

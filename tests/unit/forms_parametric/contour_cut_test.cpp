@@ -183,10 +183,10 @@ double distance_to(const std::vector<Curve3>& curves, const Camera& camera, Vec3
 }
 
 /// Largest distance on paper from the analytic zero set to the contours.
-double farthest(const Cut& cut, std::int32_t face = 0) {
+double farthest(const Cut& cut, int n = 400) {
   double worst = 0;
   for (const bool swap : {false, true}) {
-    for (const Vec3& p : zero_set(cut.charted.atlas, face, cut.camera, 400, swap)) {
+    for (const Vec3& p : zero_set(cut.charted.atlas, 0, cut.camera, n, swap)) {
       worst = std::max(worst, distance_to(cut.contours, cut.camera, p));
     }
   }
@@ -390,6 +390,36 @@ TEST(ContourCut, RoundedBoxHasFourRulingsObliqueAndNoDoubleLinesEdgeOn) {
         EXPECT_NEAR(p.y, -2, 2e-4);
       }
     }
+  }
+}
+
+TEST(ContourCut, SmallBumpsThatNoCornerSeesAreFound) {
+  // A dome of radius 1.5 mm on a gentle slope, in triangles of 4 mm.
+  for (const Vec2 at : {Vec2(1.3, 0.9), Vec2(-2.2, 3.1), Vec2(0.4, -1.7), Vec2(2.0, 0.0)}) {
+    const auto graph = [at](Vec2 p) {
+      const Vec2 d = p - at;
+      return Vec3(p, 0.6 * std::exp(-glm::dot(d, d)) + 0.01 * p.x);
+    };
+    Charted dome = test::charted_graph(8, 4, graph);
+    dome.mesh.tolerance = 0.6;
+    const Cut cut(std::move(dome), {.direction = {0.1, -1, 0.3}});
+    expect_sound(cut);
+    ASSERT_GE(cut.contours.size(), 1u) << at.x << " " << at.y;  // cut at cusps: an open sheet
+    EXPECT_LT(farthest(cut), 0.01);
+    EXPECT_LT(largest_error(cut), 1e-8);
+  }
+}
+
+TEST(ContourCut, WavesHaveAllTheirContours) {
+  const auto graph = [](Vec2 p) {
+    return Vec3(p, 0.5 * std::sin(1.3 * p.x + 0.2) * std::cos(1.1 * p.y) + 0.05 * p.y * p.y);
+  };
+  for (const int n : {12, 40}) {
+    const Cut cut(test::charted_graph(6, n, graph), {.direction = {0.4, -1, 0.35}});
+    expect_sound(cut);
+    EXPECT_LT(farthest(cut, 90), 0.01) << n;
+    EXPECT_LT(largest_error(cut), 1e-8);
+    expect_points_are_vertices(cut);
   }
 }
 
