@@ -11,7 +11,10 @@ namespace {
 constexpr double kStepError = 3e-10;
 constexpr double kShortest = 1e-11;
 // Steps of one march at the most, so that it ends whatever the surface is.
-constexpr int kMaxSteps = 200'000;
+constexpr int kMaxSteps = 20'000;
+// Share of a march that is stepped however near a border is ahead: a march along a border always
+// has it ahead, within rounding.
+constexpr double kAlongBorder = 0.05;
 constexpr int kMaxTriangles = 100'000;
 // Border half-edges looked at round a vertex to find the one that a way leaves through.
 constexpr int kMaxHandOvers = 8;
@@ -37,7 +40,7 @@ MarchStep March::run(const SurfacePoint& from, Vec3 tangent) {
     const double rest = length_ - gone_;
     // A domain ends with a border, and beyond it S is clamped: no step goes much farther.
     const double side = triangles_.to_side(triangle_, state_.uv, state_.velocity);
-    const double h = std::min({trial, rest, 1.001 * std::max(side, 0.0) + 1e-9 * size});
+    const double h = std::min({trial, rest, 1.001 * std::max(side, kAlongBorder * length_)});
     PathState to;
     PathError error;
     double excess = 1e4;
