@@ -44,7 +44,9 @@ void add_chatter(CLI::App& app, Chatter& chatter) {
 CLI::App* add_draw(CLI::App& app, DrawArguments& a, Chatter& chatter) {
   CLI::App* draw = app.add_subcommand("draw", "draw models as one sheet of line art");
   draw->add_option("INPUT", a.inputs,
-                   "model files, each one or more parts of the scene:\nSTEP, IGES, BREP, STL, OBJ, OFF, PLY, 3MF")
+                   "model files, each one or more parts of the scene:\nSTEP, IGES, BREP, STL, OBJ, "
+                   "OFF, PLY, 3MF,\n"
+                   "IRIT (.itd, .irt), Geomview patches (.bez, .bbp)")
       ->type_name("")
       ->group(kFiles);
   list(*draw, "-o,--output", a.outputs, "FILE", kFiles,
