@@ -1,7 +1,9 @@
 #include <burin/base/parallel.h>
+#include <burin/forms/parametric/continuity.h>
 
 #include "model_parts.h"
 
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -43,6 +45,34 @@ bool is_smooth(const ModelParts& parts, const ModelEdge& e, const ModelCoedge& a
   return smooth_at(parts, a, b, e.first) && smooth_at(parts, a, b, e.last);
 }
 
+/// Whether a smooth edge only divides one surface: curvature goes on over it all along.
+bool divides(const ModelParts& parts, const ModelEdge& e, const ModelCoedge& a,
+             const ModelCoedge& b) {
+  struct Side {
+    SurfaceDerivatives d;
+    Vec3 normal;
+  };
+  const auto side = [&](const ModelCoedge& c, double t) {
+    const ModelFace& face = parts.faces[static_cast<std::size_t>(c.face)];
+    const Vec2 uv = c.curve.at(t);
+    const SurfaceDerivatives d = face.chart->derivatives(uv);
+    return Side{d, chart_normal(d, face.reversed, uv, face.chart->domain().center())};
+  };
+  std::array<Side, kSamples> left, right;
+  double length = 0;
+  for (std::size_t i = 0; i < left.size(); ++i) {
+    const double t = e.first + (static_cast<double>(i) + 0.5) / kSamples * (e.last - e.first);
+    left[i] = side(a, t);
+    right[i] = side(b, t);
+    if (i > 0) length += glm::distance(left[i - 1].d.p, left[i].d.p);
+  }
+  if (!(length > 0)) return false;
+  for (std::size_t i = 0; i < left.size(); ++i) {
+    if (!bends_alike(left[i].d, left[i].normal, right[i].d, right[i].normal, length)) return false;
+  }
+  return true;
+}
+
 ModelEdgeClass class_of(const ModelParts& parts, const ModelEdge& e) {
   if (e.coedges.size() == 1) {
     const ModelCoedge& c = parts.coedges[static_cast<std::size_t>(e.coedges[0])];
@@ -53,7 +83,8 @@ ModelEdgeClass class_of(const ModelParts& parts, const ModelEdge& e) {
   const ModelCoedge& a = parts.coedges[static_cast<std::size_t>(e.coedges[0])];
   const ModelCoedge& b = parts.coedges[static_cast<std::size_t>(e.coedges[1])];
   if (!is_smooth(parts, e, a, b)) return ModelEdgeClass::Sharp;
-  return a.face == b.face ? ModelEdgeClass::Seam : ModelEdgeClass::Smooth;
+  const bool one = a.face == b.face || divides(parts, e, a, b);
+  return one ? ModelEdgeClass::Seam : ModelEdgeClass::Smooth;
 }
 
 }  // namespace

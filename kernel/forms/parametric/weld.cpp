@@ -2,6 +2,7 @@
 
 #include <burin/base/box.h>
 #include <burin/base/disjoint_sets.h>
+#include <burin/forms/parametric/continuity.h>
 
 #include <algorithm>
 #include <cmath>
@@ -143,6 +144,29 @@ int orient(PatchAtlas& atlas, const Sides& sides, Pairing& pairing) {
   return contradictions;
 }
 
+// Whether a smooth edge only divides one surface: curvature goes on over it all along.
+bool divides(const PatchAtlas& atlas, const PatchEdge& edge) {
+  constexpr int kPlaces = 9;
+  const auto side = [&](std::int32_t coedge, double t) {
+    const std::int32_t f = atlas.uses()[static_cast<std::size_t>(coedge)].face;
+    const Vec2 uv = atlas.on_coedge(coedge, t);
+    const Chart& chart = atlas.chart(f);
+    const SurfaceDerivatives d = chart.derivatives(uv);
+    return std::pair(d, chart_normal(d, atlas.reversed(f), uv, chart.domain().center()));
+  };
+  const double length =
+      glm::distance(side(edge.coedge[0], 0).first.p, side(edge.coedge[0], 0.5).first.p) +
+      glm::distance(side(edge.coedge[0], 0.5).first.p, side(edge.coedge[0], 1).first.p);
+  if (!(length > 0)) return false;
+  for (int i = 0; i < kPlaces; ++i) {
+    const double t = (i + 0.5) / kPlaces;
+    const auto [a, normal_a] = side(edge.coedge[0], t);
+    const auto [b, normal_b] = side(edge.coedge[1], t);
+    if (!bends_alike(a, normal_a, b, normal_b, length)) return false;
+  }
+  return true;
+}
+
 // The largest angle between both normals somewhere along the edge, against kSharpAngle.
 ModelEdgeClass edge_kind(const PatchAtlas& atlas, const PatchEdge& edge) {
   if (edge.coedge[1] < 0) return ModelEdgeClass::Boundary;
@@ -162,7 +186,8 @@ ModelEdgeClass edge_kind(const PatchAtlas& atlas, const PatchEdge& edge) {
   const auto face = [&](int k) {
     return atlas.uses()[static_cast<std::size_t>(edge.coedge[static_cast<std::size_t>(k)])].face;
   };
-  return face(0) == face(1) ? ModelEdgeClass::Seam : ModelEdgeClass::Smooth;
+  const bool one = face(0) == face(1) || divides(atlas, edge);
+  return one ? ModelEdgeClass::Seam : ModelEdgeClass::Smooth;
 }
 
 void add_edges(PatchComplex& complex, const Sides& sides, Pairing& pairing) {

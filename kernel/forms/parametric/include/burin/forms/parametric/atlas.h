@@ -48,7 +48,8 @@ struct PlacedAtlas {
   }
 };
 
-/// What a model edge is.
+/// What a model edge is. Seams are edges where a face meets itself, or that divide one surface:
+/// curvature goes on over them (`bends_alike`), as between the halves of a cylinder.
 enum class ModelEdgeClass : std::uint8_t { Sharp, Smooth, Seam, Boundary };
 
 /// Half-edge numbering as in Topology: h = 3 * triangle + corner.
