@@ -118,16 +118,18 @@ class Cutter {
   /// Returns the other half of `h`.
   HalfEdge split(HalfEdge h, const EdgePoint& point, bool look_on) {
     const HalfEdge h2 = mesh_.split_edge(h, point), o = mesh_.opposite(h2);
+    // Contours that had been hidden may go on over the edges around.
+    const bool look_around = !point.zero[0] && !point.zero[1];
     touch(h, look_on);
     touch(h2, look_on);
     touch(next_in_face(h), look_on);
-    touch(prev_in_face(h), false);
-    touch(next_in_face(h2), false);
+    touch(prev_in_face(h), look_around);
+    touch(next_in_face(h2), look_around);
     if (o == kNoHalfEdge) return h2;
     const HalfEdge o2 = mesh_.opposite(h);
     touch(next_in_face(o), look_on);
-    touch(prev_in_face(o), false);
-    touch(next_in_face(o2), false);
+    touch(prev_in_face(o), look_around);
+    touch(next_in_face(o2), look_around);
     return h2;
   }
 
@@ -209,7 +211,7 @@ class Cutter {
     for (const std::uint32_t piece :
          {f, face_of(mesh_.opposite(h + 1)), face_of(mesh_.opposite(h + 2))}) {
       const auto e = static_cast<HalfEdge>(3 * piece);
-      touch(e, false);
+      touch(e, true);
       touch(e + 1, true);
       add_face(piece);
     }

@@ -345,6 +345,14 @@ Incision CutSearch::dip_in(HalfEdge h, int side) const {
   const double ends = std::min(sign * mesh_.g(from), sign * mesh_.g(to)), middle = lowest;
   const double t = lowest_of_parabola(sign * mesh_.g(from), middle, sign * mesh_.g(to));
   if (out.what == What::Nothing && std::abs(t - 0.5) > 0.05) look(t);
+  for (const HalfEdge beside : {h, o}) {  // where a contour comes near over a triangle beside it
+    if (out.what != What::Nothing || beside == kNoHalfEdge) continue;
+    const HalfEdge apex = prev_in_face(beside);
+    if (mesh_.face(apex) != mesh_.face(in) || sign * mesh_.g(apex) > 0) continue;
+    const Vec3 &a = mesh_.position(h), along = mesh_.position(next_in_face(h)) - a;
+    const double share = glm::dot(mesh_.position(apex) - a, along) / glm::dot(along, along);
+    if (share > 0.02 && share < 0.98) look(share);
+  }
   if (lowest > 0.9 * ends) return out;
   // Down along the edge to the zero and beyond it.
   const Vec2 way = (mesh_.uv(next_in_face(in)) - mesh_.uv(in)) * (side == 0 ? 1.0 : -1.0);
