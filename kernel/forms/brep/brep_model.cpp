@@ -92,9 +92,8 @@ Tessellation BrepModel::Impl::make(double tolerance, const Atlas& atlas, RunCont
   mesh_shape(parts, tolerance, context);
   RawMesh raw = build_chart_mesh(parts, made.unmeshed);
   clear_mesh(parts);
-  make_manifold(raw.mesh, face_body);
   turn_outward(raw);
-  refine(raw, atlas, tolerance, context);
+  refine(raw, make_manifold(raw.mesh, face_body), atlas, tolerance, context);
   raw.mesh.normal.assign(raw.mesh.uv.size(), Vec3(0));
   raw.mesh.on_contour.assign(raw.mesh.uv.size(), 0);
   made.mesh = std::make_shared<const ChartMesh>(std::move(raw.mesh));

@@ -19,13 +19,14 @@ class Manifold {
   Manifold(ChartMesh& mesh, const std::vector<std::int32_t>& face_body)
       : mesh_(mesh), body_(face_body), opposite_(3 * mesh.triangles.size(), kNone) {}
 
-  void run() {
-    // Splitting vertices may leave pairs of edges with the same two ends: they are parted again.
-    for (int round = 0; round < 4; ++round) {
-      if (pair(round == 3)) break;
+  ManifoldPairs run() {
+    // Once vertices are split, edges may still have both ends in common with another.
+    for (int round = 0; round < 2 && !pair(); ++round) {
       split_vertices();
+      if (round == 1) pair();
     }
     agree_on_borders();
+    return {std::move(opposite_), std::move(double_)};
   }
 
  private:
@@ -50,10 +51,11 @@ class Manifold {
   }
 
   /// Finds the opposite of each half-edge; false where an edge has more triangles than two, or two
-  /// turned against each other, which are then left unpaired.
-  bool pair(bool part_all) {
+  /// turned against each other.
+  bool pair() {
     bucket();
     std::ranges::fill(opposite_, kNone);
+    double_.clear();
     bool manifold = true;
     for (std::size_t v = 0; v + 1 < start_.size(); ++v) {
       const auto begin = sorted_.begin() + start_[v], end = sorted_.begin() + start_[v + 1];
@@ -63,7 +65,7 @@ class Manifold {
       for (auto i = begin; i != end;) {
         auto j = i;
         while (j != end && high(*j) == high(*i)) ++j;
-        manifold &= pair_group(i, j, part_all);
+        manifold &= pair_group(i, j);
         i = j;
       }
     }
@@ -71,26 +73,36 @@ class Manifold {
   }
 
   template <class It>
-  bool pair_group(It begin, It end, bool part_all) {
+  bool pair_group(It begin, It end) {
     const auto n = end - begin;
     if (n == 1) return true;
     if (n == 2 && from(begin[0]) != from(begin[1])) {
       join(begin[0], begin[1]);
       return true;
     }
-    if (part_all) return false;
     // Partners of the same model edge and body first, of the same edge, then any.
     for (int strictness = 2; strictness >= 0; --strictness) {
       for (auto i = begin; i != end; ++i) {
         for (auto j = i + 1; j != end && opposite_[index(*i)] == kNone; ++j) {
-          const bool fits = opposite_[index(*j)] == kNone && from(*i) != from(*j) &&
-                            (strictness < 1 || edge(*i) == edge(*j)) &&
-                            (strictness < 2 || body(*i) == body(*j));
+          const bool fits =
+              opposite_[index(*j)] == kNone && from(*i) != from(*j) && alike(*i, *j, strictness);
           if (fits) join(*i, *j);
         }
       }
     }
+    // All but the first of them have to be told apart by vertices of their own.
+    for (auto i = begin; i != end; ++i) {
+      const Half o = opposite_[index(*i)];
+      if (*i != *begin && o != *begin && (o == kNone || *i < o)) double_.push_back(*i);
+    }
     return false;
+  }
+
+  bool alike(Half a, Half b, int strictness) const {
+    if (strictness == 0) return true;
+    if (edge(a) != edge(b)) return false;
+    if (edge(a) < 0) return mesh_.face[index(a) / 3] == mesh_.face[index(b) / 3];
+    return strictness == 1 || body(a) == body(b);
   }
 
   void join(Half a, Half b) {
@@ -136,14 +148,14 @@ class Manifold {
 
   ChartMesh& mesh_;
   const std::vector<std::int32_t>& body_;
-  std::vector<Half> opposite_, sorted_;
+  std::vector<Half> opposite_, sorted_, double_;
   std::vector<std::uint32_t> start_;
 };
 
 }  // namespace
 
-void make_manifold(ChartMesh& mesh, const std::vector<std::int32_t>& face_body) {
-  Manifold(mesh, face_body).run();
+ManifoldPairs make_manifold(ChartMesh& mesh, const std::vector<std::int32_t>& face_body) {
+  return Manifold(mesh, face_body).run();
 }
 
 }  // namespace burin

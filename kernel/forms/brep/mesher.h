@@ -7,8 +7,8 @@
 
 namespace burin {
 
-/// Leaves triangulations within `tolerance` on the faces (edges exactly so; the inside of freeform
-/// faces comes coarser, see refine.h) and polygons on the edges that all their faces share. What
+/// Leaves triangulations on the faces, some times coarser than `tolerance` (refine.h does the
+/// rest), and polygons on the edges that all their faces share. What
 /// was there before is removed first, so that the result depends on the tolerance alone. Faces
 /// without triangles are tried again by another algorithm, other tolerances and after mending.
 /// Throws Cancelled.

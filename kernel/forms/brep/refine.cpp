@@ -25,12 +25,15 @@ class Refiner {
     centre_.assign(m_.triangles.size(), -1);
   }
 
-  void run() {
+  void run(ManifoldPairs pairs) {
+    opposite_ = std::move(pairs.opposite);
     for (int level = 0;; ++level) {
-      opposite_ = pair_half_edges(m_.triangles, m_.positions.size());
       measure(level < 2);
-      if (level == kLevels || !mark()) break;
+      const bool more = mark(pairs.to_split);
+      if (!more || (level >= kLevels && pairs.to_split.empty())) break;
       split();
+      pairs.to_split.clear();
+      opposite_ = pair_half_edges(m_.triangles, m_.positions.size());
     }
     m_.tolerance = 0;
     for (const double e : error_) m_.tolerance = std::max(m_.tolerance, e);
@@ -105,7 +108,7 @@ class Refiner {
   }
 
   /// Edges that are to be split, on both sides; false where there are none.
-  bool mark() {
+  bool mark(const std::vector<HalfEdge>& in_any_case) {
     split_.assign(m_.uv.size(), 0);
     bool any = false;
     const auto mark_edge = [&](std::size_t h) {
@@ -117,6 +120,7 @@ class Refiner {
       const bool first = opposite_[h] < 0 || h < at(opposite_[h]);
       if (first && error_[h] > tolerance_) mark_edge(h);
     }
+    for (const HalfEdge h : in_any_case) mark_edge(at(h));
     for (std::size_t f = 0; f < m_.triangles.size(); ++f) {
       if (centre_[f] <= tolerance_ || split_[3 * f] || split_[3 * f + 1] || split_[3 * f + 2]) {
         continue;
@@ -297,8 +301,9 @@ class Refiner {
 
 }  // namespace
 
-void refine(RawMesh& raw, const Atlas& atlas, double tolerance, const RunContext& context) {
-  Refiner(raw, atlas, tolerance, context).run();
+void refine(RawMesh& raw, ManifoldPairs pairs, const Atlas& atlas, double tolerance,
+            const RunContext& context) {
+  Refiner(raw, atlas, tolerance, context).run(std::move(pairs));
 }
 
 }  // namespace burin
