@@ -19,6 +19,7 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <iostream>
 
 namespace burin {
 
@@ -59,6 +60,9 @@ void set_parameters() {
 }  // namespace
 
 OcctSession::OcctSession() : lock_(occt_mutex()) {
+  // Parts of OCCT print past its messengers.
+  out_ = std::cout.rdbuf(nullptr);
+  log_ = std::cerr.rdbuf(nullptr);
   auto& printers = Message::DefaultMessenger()->ChangePrinters();
   printers_ = printers;
   printers.Clear();
@@ -85,6 +89,8 @@ OcctSession::OcctSession() : lock_(occt_mutex()) {
 OcctSession::~OcctSession() {
   for (const auto& [signal, action] : handlers_) ::sigaction(signal, &action, nullptr);
   Message::DefaultMessenger()->ChangePrinters() = printers_;
+  std::cout.rdbuf(out_);
+  std::cerr.rdbuf(log_);
 }
 
 std::string OcctSession::first_message() const { return messages_->kept_; }

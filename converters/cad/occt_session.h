@@ -9,6 +9,7 @@
 #include <csignal>
 #include <functional>
 #include <mutex>
+#include <streambuf>
 #include <vector>
 
 namespace burin {
@@ -33,6 +34,7 @@ class OcctSession {
 
  private:
   std::unique_lock<std::mutex> lock_;
+  std::streambuf *out_, *log_;
   Message_SequenceOfPrinters printers_;
   Handle(MessageKeeper) messages_;
   std::vector<std::pair<int, struct sigaction>> handlers_;

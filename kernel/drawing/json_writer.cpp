@@ -70,8 +70,21 @@ void append_part(Buffer& out, const DrawingPart& part) {
   append_json(out, part.name);
   append(out, ", \"source\": ");
   append_json(out, part.source);
-  fmt::format_to(fmt::appender(out), ", \"triangles\": {}, \"faces\": {}}}", part.triangles,
+  fmt::format_to(fmt::appender(out), ", \"triangles\": {}, \"faces\": {}", part.triangles,
                  part.faces);
+  if (!part.assembly.empty()) {
+    append(out, ", \"assembly\": [");
+    for (std::size_t i = 0; i < part.assembly.size(); ++i) {
+      if (i > 0) append(out, ", ");
+      append_json(out, part.assembly[i]);
+    }
+    out.push_back(']');
+  }
+  if (!part.color.empty()) {
+    append(out, ", \"color\": ");
+    append_json(out, part.color);
+  }
+  out.push_back('}');
 }
 
 void append_diagnostic(Buffer& out, const Diagnostic& d) {

@@ -136,8 +136,9 @@ Drawing describe(const Scene& scene, const std::vector<const ProxyMesh*>& proxie
   drawing.diagnostics = scene.diagnostics;
   for (std::size_t i = 0; i < scene.parts.size(); ++i) {
     const auto triangles = static_cast<std::int64_t>(proxies[i]->mesh.triangles.size());
-    drawing.parts.push_back({static_cast<std::int32_t>(i), scene.parts[i].name,
-                             scene.parts[i].source, triangles, face_count(*proxies[i])});
+    const Part& part = scene.parts[i];
+    drawing.parts.push_back({static_cast<std::int32_t>(i), part.name, part.source, triangles,
+                             face_count(*proxies[i]), part.assembly, part.color});
     drawing.stats.triangles += triangles;
   }
   return drawing;

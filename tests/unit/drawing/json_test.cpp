@@ -46,6 +46,17 @@ TEST(JsonWriter, HeadHasEveryFieldOfTheContract) {
       "coverage_points": 1000, "coverage_delta": 0.8})"));
 }
 
+TEST(JsonWriter, PartsOfAssembliesSayWhereTheyBelong) {
+  Drawing drawing = test::sample_drawing();
+  drawing.parts[1].assembly = {"pump", "rotor \"left\""};
+  drawing.parts[1].color = "#ff8040";
+  const json j = json::parse(json_text(drawing));
+  EXPECT_FALSE(j.at("parts")[0].contains("assembly"));
+  EXPECT_FALSE(j.at("parts")[0].contains("color"));
+  EXPECT_EQ(j.at("parts")[1].at("assembly"), json::parse(R"(["pump", "rotor \"left\""])"));
+  EXPECT_EQ(j.at("parts")[1].at("color"), "#ff8040");
+}
+
 TEST(JsonWriter, PathsHaveEveryFieldOfTheContract) {
   const Drawing drawing = test::sample_drawing();
   const json j = json::parse(json_text(drawing));

@@ -60,7 +60,12 @@ struct DrawingPart {
   std::string name;
   std::string source;
   std::int64_t triangles = 0;
+  /// Faces of a CAD part or patches; smooth regions of a mesh.
   std::int64_t faces = 0;
+  /// Names from the top of an assembly down to what contains the part; empty outside assemblies.
+  std::vector<std::string> assembly = {};
+  /// "#rrggbb" where the input gives the part one colour, else empty.
+  std::string color = {};
 };
 
 struct DrawingStats {

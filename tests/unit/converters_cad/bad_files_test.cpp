@@ -1,0 +1,154 @@
+// Broken files: one error that says what to do, or what was left out.
+#include <burin/base/error.h>
+
+#include "cad_files.h"
+
+#include <BRepTools.hxx>
+#include <burin_test/shapes.h>
+
+#include <atomic>
+#include <filesystem>
+#include <random>
+#include <thread>
+
+namespace burin {
+namespace {
+
+using test::CadDocument;
+
+class BadFiles : public test::CadTest {
+ protected:
+  std::string box_step() {
+    CadDocument document;
+    document.part(test::solid_box(3, 4, 5), "box");
+    document.part(test::solid_sphere(2), "ball");
+    return document.step(folder_ / "box.step");
+  }
+  void expect_error(const std::string& path, const std::string& part) {
+    const std::string message = error_of(path);
+    EXPECT_NE(message.find(part), std::string::npos) << path << ": '" << message << "'";
+    EXPECT_EQ(message.find('\n'), std::string::npos);
+  }
+};
+
+TEST_F(BadFiles, ErrorsSayWhatToDo) {
+  expect_error(folder_ / "none.step", "check the path");
+  expect_error(folder_.write("empty.step", ""), "empty");
+  std::filesystem::create_directory(folder_ / "folder.step");
+  expect_error(folder_ / "folder.step", "folder");
+  expect_error(folder_.write("rubbish.step", std::string("\1\2\0\3rubbish", 11)), "ISO-10303-21");
+  expect_error(folder_.write("rubbish.igs", "rubbish"), "IGES");
+  expect_error(folder_.write("rubbish.brep", "rubbish"), "BREP");
+  expect_error(folder_.write("head.step", "ISO-10303-21;\nHEADER;\n"), "export the model again");
+  expect_error(folder_.write("nothing.step",
+                             "ISO-10303-21;\nHEADER;\nFILE_DESCRIPTION((''),'2;1');\n"
+                             "FILE_NAME('','',(''),(''),'','','');\nFILE_SCHEMA(('CONFIG_CONTROL_"
+                             "DESIGN'));\nENDSEC;\nDATA;\n#1=CARTESIAN_POINT('',(0.,0.,0.));\n"
+                             "ENDSEC;\nEND-ISO-10303-21;\n"),
+               "no faces");
+  expect_error(
+      changed(box_step(), "CARTESIAN_POINT('',(", "CARTESIAN_POINT('',(1.E300+", "far.step"),
+      "export the model again");
+}
+
+TEST_F(BadFiles, ErrorsOfSyntaxNameTheLine) {
+  const std::string file = folder_.write("line.step",
+                                         "ISO-10303-21;\nHEADER;\nFILE_SCHEMA(('X'));\nENDSEC;"
+                                         "\nDATA;\n#1=CARTESIAN_POINT('',(1.,2.,3.);\n"
+                                         "ENDSEC;\nEND-ISO-10303-21;\n");
+  try {
+    read(file);
+    FAIL() << "no error";
+  } catch (const InputError& e) {
+    // The parser sees the fault at the end of the line, or at the start of the next.
+    EXPECT_GE(e.line(), 6);
+    EXPECT_LE(e.line(), 7);
+  }
+}
+
+TEST_F(BadFiles, WhatStandsBeforeACutIsRead) {
+  CadDocument document;
+  document.part(test::solid_box(3, 4, 5), "first");
+  document.part(test::solid_sphere(2), "second");
+  const std::string text = test::slurp(document.step(folder_ / "two.step"));
+  const std::size_t middle = text.find("'second'");
+  ASSERT_NE(middle, std::string::npos);
+  const Scene scene = read(folder_.write("cut.step", text.substr(0, middle)));
+  ASSERT_EQ(scene.parts.size(), 1u);
+  EXPECT_EQ(scene.parts[0].name, "first");
+  EXPECT_EQ(test::count_of(scene.diagnostics, "step.truncated"), 1);
+}
+
+TEST_F(BadFiles, NoCutCrashes) {
+  const std::string step = test::slurp(box_step());
+  ASSERT_TRUE(BRepTools::Write(test::solid_sphere(2), (folder_ / "ball.brep").c_str()));
+  const std::string brep = test::slurp(folder_ / "ball.brep");
+  for (int i = 1; i < 25; ++i) {
+    for (const auto& [text, name] : {std::pair(step, "cut.step"), std::pair(brep, "cut.brep")}) {
+      const std::string cut = text.substr(0, text.size() * static_cast<std::size_t>(i) / 25);
+      try {
+        EXPECT_FALSE(read(folder_.write(name, cut)).parts.empty());
+      } catch (const InputError& e) {
+        EXPECT_STRNE(e.what(), "");
+      }
+    }
+  }
+}
+
+TEST_F(BadFiles, NoWrongByteCrashes) {
+  const std::string step = test::slurp(box_step());
+  std::mt19937 random(7);
+  const auto below = [&](std::size_t n) { return static_cast<std::size_t>(random() % n); };
+  for (int i = 0; i < 40; ++i) {
+    std::string text = step;
+    for (int k = 0; k < 20; ++k)
+      text[400 + below(text.size() - 400)] = "0123456789#,()'$*A;"[below(19)];
+    try {
+      EXPECT_FALSE(read(folder_.write("wrong.step", text)).parts.empty());
+    } catch (const InputError& e) {
+      EXPECT_STRNE(e.what(), "");
+    }
+  }
+}
+
+TEST_F(BadFiles, ACancelledRunReadsNothing) {
+  const std::string file = box_step();
+  RunContext context;
+  context.cancel();
+  EXPECT_THROW(read_cad(file, context), Cancelled);
+}
+
+TEST_F(BadFiles, CancelStopsAReadingUnderWay) {
+  CadDocument document;
+  const TDF_Label top = document.assembly("top");
+  for (int i = 0; i < 150; ++i) {
+    const TDF_Label part = document.part(test::solid_box(1, 2, 3 + i), "p");
+    document.use(top, part, gp_Trsf(), "u");
+  }
+  const std::string file = document.step(folder_ / "many.step");
+  double reached = 0;
+  RunContext* running = nullptr;
+  RunContext context([&](const std::string&, double share) {
+    reached = std::max(reached, share);
+    if (share > 0.35) running->cancel();
+  });
+  running = &context;
+  context.begin_stage("read");
+  EXPECT_THROW(read_cad(file, context), Cancelled);
+  EXPECT_GT(reached, 0.35);
+  EXPECT_LT(reached, 1);
+}
+
+TEST_F(BadFiles, SeveralThreadsMayRead) {
+  const std::string file = box_step();
+  std::atomic<int> parts = 0;
+  std::vector<std::thread> threads;
+  for (int i = 0; i < 4; ++i) {
+    threads.emplace_back([&] { parts += static_cast<int>(read(file).parts.size()); });
+  }
+  for (std::thread& t : threads) t.join();
+  EXPECT_EQ(parts, 8);
+}
+
+}  // namespace
+}  // namespace burin

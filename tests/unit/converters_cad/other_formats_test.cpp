@@ -1,0 +1,67 @@
+// IGES, BREP, and how formats are told apart.
+#include "cad_files.h"
+
+#include <BRepTools.hxx>
+#include <BinTools.hxx>
+#include <Interface_Static.hxx>
+
+namespace burin {
+namespace {
+
+using test::CadDocument;
+
+class OtherFormats : public test::CadTest {
+ protected:
+  /// That a file holds one closed box of 3 x 4 x 5 mm.
+  void expect_closed_box(const std::string& file, const std::string& format) {
+    SCOPED_TRACE(file);
+    const FileInfo info = inspect(file);
+    EXPECT_EQ(info.format, format);
+    ASSERT_EQ(info.parts.size(), 1u);
+    EXPECT_EQ(info.parts[0].faces, 6);
+    EXPECT_EQ(info.parts[0].edges, 12);
+    EXPECT_TRUE(info.parts[0].closed());
+    EXPECT_NEAR(info.parts[0].volume, 60, 1e-6);
+    test::expect_box(info.parts[0].bounds, {0, 0, 0}, {3, 4, 5});
+    EXPECT_EQ(read(file).parts.size(), 1u);
+  }
+};
+
+TEST_F(OtherFormats, FacesOfIgesAreSewn) {
+  CadDocument document;
+  document.part(test::solid_box(3, 4, 5), "box", "#ff0000");
+  // Mode 0: trimmed surfaces that know nothing of each other; 1: a solid.
+  for (const int mode : {0, 1}) {
+    Interface_Static::SetIVal("write.iges.brep.mode", mode);
+    expect_closed_box(document.iges(folder_ / "box.igs"), "IGES");
+  }
+  Interface_Static::SetIVal("write.iges.brep.mode", 0);
+  EXPECT_EQ(read(folder_ / "box.igs").parts.at(0).color, "#ff0000");
+}
+
+TEST_F(OtherFormats, BrepIsReadAsTextAndBinary) {
+  const std::string text = folder_ / "lever.brep", binary = folder_ / "lever.brp";
+  ASSERT_TRUE(BRepTools::Write(test::solid_box(3, 4, 5), text.c_str()));
+  ASSERT_TRUE(BinTools::Write(test::solid_box(3, 4, 5), binary.c_str()));
+  expect_closed_box(text, "BREP (text)");
+  expect_closed_box(binary, "BREP (binary)");
+  EXPECT_EQ(read(text).parts[0].name, "lever");
+}
+
+TEST_F(OtherFormats, ContentGoesBeforeTheSuffix) {
+  CadDocument document;
+  document.part(test::solid_box(3, 4, 5), "box");
+  const std::string step = test::slurp(document.step(folder_ / "box.step"));
+  expect_closed_box(folder_.write("wrong.brep", step), "STEP (AP214)");
+  expect_closed_box(folder_.write("none", "/* a note */\r\n  " + step), "STEP (AP214)");
+  EXPECT_TRUE(is_cad_content(step));
+  EXPECT_FALSE(is_cad_content("solid box\nfacet normal 0 0 1\n"));
+  EXPECT_FALSE(is_cad_content(""));
+  for (const char* name : {"a.step", "a.STP", "a.p21", "a.igs", "a.IGES", "a.brep", "a.brp"}) {
+    EXPECT_TRUE(is_cad_suffix(name)) << name;
+  }
+  EXPECT_FALSE(is_cad_suffix("a.stl"));
+}
+
+}  // namespace
+}  // namespace burin
