@@ -8,24 +8,26 @@
 namespace burin {
 namespace {
 
-// Rays keep this share of a piece away from each of its ends: beside a cut the polygons of the
-// proxy and the smooth contour that cut differ by the chord error.
-constexpr double kMargin = 0.12;
+// Rays keep this share of a piece, and no more paper mm than that, away from each of its ends:
+// beside a cut the polygons of the proxy and the smooth contour that cut differ by the chord error.
+constexpr double kMargin = 0.12, kWidestMargin = 0.6;
 // Paper mm a ray on a long piece; pieces shorter than this get three.
 constexpr double kSpacing = 1.5;
-constexpr int kFewest = 3, kMost = 9;
-// A piece whose rays disagree by more than a share is looked at again: it may pass through a
-// surface without a cut.
-constexpr double kDoubt = 0.15;
+constexpr int kFewest = 3, kMost = 129;
+// A piece whose rays disagree by more than a share, or over more than so many paper mm, is looked
+// at again: it may pass through a surface without a cut (a shaft into its hole).
+constexpr double kDoubt = 0.15, kDoubtLength = 1.2;
 // The second look: paper mm a ray, and the shortest stretch that may be cut off by rays alone.
 constexpr double kFineSpacing = 0.25;
 constexpr double kShortestStretch = 1.0;
-constexpr int kMostFine = 256;
+constexpr int kMostFine = 1024;
 constexpr int kBisections = 14;
 
+double margin(const Piece& piece) { return std::min(kMargin * piece.length(), kWidestMargin); }
+
 double place(const Piece& piece, int i, int count) {
-  return piece.from +
-         piece.length() * (kMargin + (1 - 2 * kMargin) * (static_cast<double>(i) + 0.5) / count);
+  const double probed = piece.length() - 2 * margin(piece);
+  return piece.from + margin(piece) + probed * (static_cast<double>(i) + 0.5) / count;
 }
 
 // Highest in the middle of the piece, low at its ends.
@@ -75,15 +77,21 @@ void Cutting::vote(const Curve3& curve, const Track& track, const Piece& piece,
                    std::vector<Piece>& out) const {
   const int count = std::clamp(static_cast<int>(piece.length() / kSpacing) + 1, kFewest, kMost) | 1;
   double seen = 0, all = 0;
+  int yes = 0;
   for (int i = 0; i < count; ++i) {
     const double w = weight(i, count);
     all += w;
-    if (visible_at(curve, track, place(piece, i, count))) seen += w;
+    if (visible_at(curve, track, place(piece, i, count))) {
+      seen += w;
+      ++yes;
+    }
   }
+  const int outvoted = std::min(yes, count - yes);
   Piece answer = piece;
   answer.visible = 2 * seen > all;
   const double doubt = std::min(seen, all - seen) / all;
-  if (doubt > kDoubt && piece.length() > 2 * kShortestStretch) {
+  const bool doubtful = doubt > kDoubt || outvoted * piece.length() > kDoubtLength * count;
+  if (doubtful && piece.length() > 2 * kShortestStretch) {
     refine(curve, track, piece, out);
   } else {
     out.push_back(answer);
@@ -100,7 +108,7 @@ void Cutting::refine(const Curve3& curve, const Track& track, const Piece& piece
     answers[static_cast<std::size_t>(i)] = visible_at(curve, track, place(piece, i, count));
   }
   std::vector<Run> runs = runs_of(answers);
-  const double spacing = piece.length() * (1 - 2 * kMargin) / count;
+  const double spacing = (piece.length() - 2 * margin(piece)) / count;
   absorb_short(runs, std::max(2, static_cast<int>(std::ceil(kShortestStretch / spacing))));
   Piece rest = piece;
   for (std::size_t r = 0; r < runs.size(); ++r) {
