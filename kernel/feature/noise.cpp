@@ -74,6 +74,9 @@ class Patch {
 
 bool is_noise(const Facing& facing, const Curve3& contour) {
   const double length = paper_length(facing.camera(), contour.points);
+  // Exact normals have no noise: however shallow, a loop that can be seen is shape.
+  const bool exact = !facing.proxy().on_contour.empty();
+  if (exact && length >= kSpeckLength) return false;
   const double limit = length < kSpeckLength ? kSpeckAngle : kNoiseAngle;
   // The enclosed patch of a short curve is small; a long way round is not worth the search.
   const std::size_t most = 16 * contour.faces.size() + 64;

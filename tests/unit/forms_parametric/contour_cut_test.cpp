@@ -410,6 +410,15 @@ TEST(ContourCut, SmallBumpsThatNoCornerSeesAreFound) {
   }
 }
 
+TEST(ContourCut, ShallowDentsOfExactSurfacesAreNoNoise) {
+  // Its far side turns by less than a degree through edge-on.
+  const auto graph = [](Vec2 p) { return Vec3(p, 0.2 * std::exp(-0.5 * glm::dot(p, p))); };
+  const Cut cut(test::charted_graph(4, 30, graph), {.direction = {0, -1, 0.11}});
+  expect_sound(cut);
+  ASSERT_GE(cut.contours.size(), 1u);
+  EXPECT_LT(farthest(cut, 100), 0.01);
+}
+
 TEST(ContourCut, WavesHaveAllTheirContours) {
   const auto graph = [](Vec2 p) {
     return Vec3(p, 0.5 * std::sin(1.3 * p.x + 0.2) * std::cos(1.1 * p.y) + 0.05 * p.y * p.y);
