@@ -188,7 +188,8 @@ TEST_P(SurfaceContract, MarchesTellTheTruth) {
       EXPECT_NEAR(step.length, length, 1e-9 * length);
       EXPECT_NEAR(glm::length(step.direction), 1, 1e-6);
       const Vec3 n = surface_->proxy().mesh.normal(surface_->to_proxy(step.end).face);
-      EXPECT_LT(std::abs(glm::dot(step.direction, n)), 0.1);
+      // Exact directions are tangent to the surface, which turns under its triangles.
+      EXPECT_LT(std::abs(glm::dot(step.direction, n)), 0.15);
     } else {
       EXPECT_LT(step.length, length);
     }

@@ -42,6 +42,13 @@ MarchStep March::run(const SurfacePoint& from, Vec3 tangent) {
     const double side = triangles_.to_side(triangle_, state_.uv, state_.velocity);
     const double h = std::min({trial, rest, 1.001 * std::max(side, kAlongBorder * length_)});
     PathState to;
+    // Strokes are made of such steps.
+    if (h == length_ && path().short_step(state_, h, kStepError * size, to)) {
+      if (const auto stop = advance(to, h)) return result(*stop);
+      if (gone_ >= length_) return result(MarchStop::Completed);
+      trial = length_;
+      continue;
+    }
     PathError error;
     double excess = 1e4;
     if (path().step(state_, h, to, error)) {

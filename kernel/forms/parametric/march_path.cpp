@@ -28,11 +28,12 @@ bool geodesic_acceleration(const SurfaceDerivatives& d, Vec2 w, Vec2& accelerati
 bool GeodesicPath::start(Vec2 uv, Vec3 tangent, PathState& state) const {
   state.uv = uv;
   state.s = atlas_.derivatives(face_, uv);
-  const Vec3 n = normal(state);
-  const double size = glm::length(tangent);
-  const Vec3 flat = reject(tangent, n);
+  const Vec3 across = glm::cross(state.s.u, state.s.v);
+  const double area = glm::length(across);
+  if (!(area > 0)) return false;
+  const Vec3 flat = reject(tangent, across / area);
   const double length = glm::length(flat);
-  if (n == Vec3(0) || !(length > kAlongNormal * size)) return false;
+  if (!(length > kAlongNormal * glm::length(tangent))) return false;
   return tangent_components(state.s, flat / length, state.velocity) &&
          geodesic_acceleration(state.s, state.velocity, state.acceleration);
 }
@@ -62,6 +63,37 @@ bool GeodesicPath::step(const PathState& from, double h, PathState& to, PathErro
   error.position = glm::length(dw.x * to.s.u + dw.y * to.s.v);
   error.direction = glm::length(da.x * to.s.u + da.y * to.s.v) + std::abs(speed - 1);
   return std::isfinite(error.position) && std::isfinite(error.direction);
+}
+
+bool GeodesicPath::short_step(const PathState& from, double h, double distance,
+                              PathState& to) const {
+  const Vec2 w = from.velocity, a = from.acceleration;
+  const Vec2 predicted = w + h * a;
+  const Vec2 uv = from.uv + h * w + (0.5 * h * h) * a;
+  to.s = atlas_.derivatives(face_, uv);
+  if (!geodesic_acceleration(to.s, predicted, to.acceleration)) return false;
+  const Vec2 change = to.acceleration - a, shift = h * h / 6 * change;
+  // What the correction leaves open is smaller than itself by about the share by which the
+  // geometry changes over the step.
+  const auto share = [](Vec3 x, Vec3 y) { return glm::length(x - y) / glm::length(x); };
+  const Vec2 bend = h * a;
+  const double rate = share(from.s.u, to.s.u) + share(from.s.v, to.s.v) +
+                      glm::length(bend.x * from.s.u + bend.y * from.s.v);
+  const double left_open = rate * glm::length(shift.x * to.s.u + shift.y * to.s.v);
+  // A quarter: the error is h^4 k^3 / 24, this h^3 k^2 / 6 times a rate of some 3 h k.
+  if (!(0.25 * left_open <= distance)) return false;
+  to.uv = uv + shift;
+  to.velocity = w + (0.5 * h) * (a + to.acceleration);
+  // S at the corrected place by its Taylor series: the shift is of the third order, what is left
+  // out of the ninth.
+  SurfaceDerivatives& s = to.s;
+  s.p += shift.x * s.u + shift.y * s.v + (0.5 * shift.x * shift.x) * s.uu +
+         (shift.x * shift.y) * s.uv + (0.5 * shift.y * shift.y) * s.vv;
+  s.u += shift.x * s.uu + shift.y * s.uv;
+  s.v += shift.x * s.uv + shift.y * s.vv;
+  const double speed = glm::length(to.direction());
+  to.velocity /= speed;
+  return speed > 0 && std::isfinite(speed);
 }
 
 Vec2 between(const PathState& from, const PathState& to, double length, double gone) {

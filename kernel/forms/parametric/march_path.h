@@ -32,6 +32,10 @@ class GeodesicPath {
   /// the embedded one of the third order, which uses the slope at the end: the next step needs it
   /// anyway. False where the path is not defined. @cite Hairer1993
   bool step(const PathState& from, double length, PathState& to, PathError& error) const;
+  /// The same for a step so short that a prediction by the acceleration and one correction are
+  /// within `distance` model mm: one evaluation of S instead of four. False where they may not be.
+  /// The acceleration of `to` is that of the prediction: no further step should begin there.
+  bool short_step(const PathState& from, double length, double distance, PathState& to) const;
 
  private:
   const PlacedAtlas& atlas_;

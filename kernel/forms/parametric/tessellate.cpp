@@ -11,7 +11,7 @@ namespace {
 // Rounds of measuring and refining; the second derivatives that plan the grid miss little.
 constexpr int kRounds = 4;
 // Between the places that are measured the triangles can be a little farther off.
-constexpr double kMeasureMargin = 1.15;
+constexpr double kMeasureMargin = 1.05;
 
 /// Nodes of an edge: ascending t and the vertices there.
 struct EdgeNodes {
@@ -105,7 +105,10 @@ int collapsed_at(const PatchComplex& complex, std::size_t face, std::uint32_t ve
 
 // How far the points of a triangle are from S at the same (u,v): its middle and those of its sides.
 // At a pole (u,v) follows the rays from it, as everywhere.
-double distance_off(const ChartMesh& mesh, const PatchComplex& complex, std::size_t triangle) {
+struct Distance {
+  double normal = 0, full = 0;
+};
+Distance distance_off(const ChartMesh& mesh, const PatchComplex& complex, std::size_t triangle) {
   const auto face = static_cast<std::size_t>(mesh.face[triangle]);
   const Chart& chart = complex.atlas->chart(mesh.face[triangle]);
   const Triangle& t = mesh.triangles[triangle];
@@ -113,10 +116,15 @@ double distance_off(const ChartMesh& mesh, const PatchComplex& complex, std::siz
   for (std::size_t k = 0; k < 3; ++k) {
     if (t[k] < complex.vertices.size()) collapsed[k] = collapsed_at(complex, face, t[k]);
   }
-  double largest = 0;
+  const Vec3 corner = mesh.positions[t[0]];
+  const Vec3 normal = normalize_or(
+      glm::cross(mesh.positions[t[1]] - corner, mesh.positions[t[2]] - corner), Vec3(0));
+  Distance largest;
   for (std::size_t k = 0; k < 4; ++k) {
     Vec3 weight(1.0 / 3);
     if (k < 3) {
+      // A side inside a face is measured in one of its triangles.
+      if (mesh.border[3 * triangle + (k + 1) % 3] < 0 && t[(k + 1) % 3] > t[(k + 2) % 3]) continue;
       weight = Vec3(0.5);
       weight[static_cast<int>(k)] = 0;
     }
@@ -133,26 +141,28 @@ double distance_off(const ChartMesh& mesh, const PatchComplex& complex, std::siz
       const double wa = weight[static_cast<int>(a)], wb = weight[static_cast<int>(b)];
       uv[i] = (wa * mesh.uv[3 * triangle + a][i] + wb * mesh.uv[3 * triangle + b][i]) / (wa + wb);
     }
-    largest = std::max(largest, glm::distance(p, chart.position(uv)));
+    const Vec3 gap = p - chart.position(uv);
+    largest.full = std::max(largest.full, glm::length(gap));
+    largest.normal = std::max(largest.normal, std::abs(glm::dot(gap, normal)));
   }
   return largest;
 }
 
-std::vector<double> measure(const ChartMesh& mesh, const PatchComplex& complex,
-                            const RunContext& context) {
-  std::vector<double> off(mesh.triangles.size());
+// The largest of each face.
+std::vector<Distance> measure(const ChartMesh& mesh, const PatchComplex& complex,
+                              const RunContext& context) {
+  std::vector<Distance> off(mesh.triangles.size());
   parallel_for(
       off.size(), 1024,
       [&](std::size_t begin, std::size_t end) {
-        for (std::size_t i = begin; i < end; ++i) {
-          off[i] = distance_off(mesh, complex, i);
-        }
+        for (std::size_t i = begin; i < end; ++i) off[i] = distance_off(mesh, complex, i);
       },
       &context);
-  std::vector<double> largest(complex.atlas->face_count(), 0);
+  std::vector<Distance> largest(complex.atlas->face_count());
   for (std::size_t i = 0; i < off.size(); ++i) {
-    double& m = largest[static_cast<std::size_t>(mesh.face[i])];
-    m = std::max(m, kMeasureMargin * off[i]);
+    Distance& m = largest[static_cast<std::size_t>(mesh.face[i])];
+    m.normal = std::max(m.normal, kMeasureMargin * off[i].normal);
+    m.full = std::max(m.full, kMeasureMargin * off[i].full);
   }
   return largest;
 }
@@ -187,12 +197,16 @@ ChartMesh tessellate(const PatchComplex& complex, double tolerance, const RunCon
       grids[f] = plans[f].lines(distance[f], least_cells(complex, f));
     }
     ChartMesh mesh = build(complex, grids, context);
-    const std::vector<double> off = measure(mesh, complex, context);
-    mesh.tolerance = off.empty() ? 0 : *std::max_element(off.begin(), off.end());
-    if (mesh.tolerance <= wanted || round == kRounds) return mesh;
+    const std::vector<Distance> off = measure(mesh, complex, context);
+    bool fine = true;
     for (std::size_t f = 0; f < faces; ++f) {
-      if (off[f] > wanted) distance[f] *= 0.95 * wanted / off[f];
+      mesh.tolerance = std::max(mesh.tolerance, off[f].full);
+      const double excess = std::max(off[f].normal, off[f].full / kAlong) / wanted;
+      if (excess <= 1) continue;
+      fine = false;
+      distance[f] *= 0.95 / excess;
     }
+    if (fine || round == kRounds) return mesh;
   }
 }
 

@@ -28,94 +28,126 @@ int samples(const Chart& chart, int direction) {
 
 }  // namespace
 
-GridPlan::GridPlan(const Chart& chart) : box_(chart.domain()) {
-  const int n[2] = {samples(chart, 0), samples(chart, 1)};
+GridPlan::GridPlan(const Chart& chart)
+    : box_(chart.domain()), count_{samples(chart, 0), samples(chart, 1)} {
   for (int i = 0; i < 2; ++i) {
-    bend_[i].assign(static_cast<std::size_t>(n[i]), 0);
-    turn_[i].assign(static_cast<std::size_t>(n[i]), 0);
+    bend_[i].assign(static_cast<std::size_t>(count_[i]), 0);
+    turn_[i].assign(static_cast<std::size_t>(count_[i]), 0);
   }
-  std::vector<Vec3> normals(static_cast<std::size_t>(n[0] * n[1]));
-  std::vector<double> along[2] = {std::vector<double>(static_cast<std::size_t>(n[1])),
-                                  std::vector<double>(static_cast<std::size_t>(n[0]))};
-  for (int i = 0; i < n[0]; ++i) {
-    for (int j = 0; j < n[1]; ++j) {
-      const auto a = static_cast<std::size_t>(i), b = static_cast<std::size_t>(j);
-      const Vec2 uv = box_.min + box_.size() * Vec2(i / (n[0] - 1.0), j / (n[1] - 1.0));
+  const Vec2 step = box_.size() / Vec2(count_[0] - 1, count_[1] - 1);
+  std::vector<Vec3> normals;
+  std::vector<double> along_u(bend_[1].size()), along_v(bend_[0].size());
+  const auto turned = [&](std::size_t a, std::size_t b) {
+    if (normals[a] == Vec3(0) || normals[b] == Vec3(0)) return 0.0;
+    return 2 * std::asin(std::min(1.0, 0.5 * glm::distance(normals[a], normals[b])));
+  };
+  const auto raise = [](double& x, double y) { x = std::max(x, y); };
+  for (std::size_t i = 0; i < bend_[0].size(); ++i) {
+    for (std::size_t j = 0; j < bend_[1].size(); ++j) {
+      const Vec2 uv = box_.min + step * Vec2(i, j);
       const SurfaceDerivatives d = chart.derivatives(uv);
-      bend_[0][a] = std::max(bend_[0][a], glm::length(d.uu));
-      bend_[1][b] = std::max(bend_[1][b], glm::length(d.vv));
-      along[0][b] += glm::length(d.u) * box_.size().x / n[0];
-      along[1][a] += glm::length(d.v) * box_.size().y / n[1];
-      const Vec3 normal = chart_normal(d, false, uv, box_.center());
-      normals[static_cast<std::size_t>(i * n[1] + j)] = normal;
-      const auto turned = [&](int k) {
-        const Vec3 other = normals[static_cast<std::size_t>(k)];
-        if (other == Vec3(0) || normal == Vec3(0)) return 0.0;
-        return 2 * std::asin(std::min(1.0, 0.5 * glm::distance(normal, other)));
-      };
+      const Vec3 n = chart_normal(d, false, uv, box_.center());
+      const std::size_t k = normals.size(), columns = bend_[1].size();
+      normals.push_back(n);
+      normal_.push_back({glm::dot(d.uu, n), glm::dot(d.vv, n), glm::dot(d.uv, n)});
+      full_.push_back({glm::length(d.uu), glm::length(d.vv), glm::length(d.uv)});
+      raise(bend_[0][i], std::max(std::abs(normal_[k].u), full_[k].u / kAlong));
+      raise(bend_[1][j], std::max(std::abs(normal_[k].v), full_[k].v / kAlong));
+      along_u[j] += glm::length(d.u) * step.x;
+      along_v[i] += glm::length(d.v) * step.y;
       if (i > 0) {
-        const double rate = turned((i - 1) * n[1] + j) * (n[0] - 1) / box_.size().x;
-        for (const std::size_t k : {a - 1, a}) turn_[0][k] = std::max(turn_[0][k], rate);
+        const double rate = turned(k, k - columns) / step.x;
+        raise(turn_[0][i], rate);
+        raise(turn_[0][i - 1], rate);
       }
       if (j > 0) {
-        const double rate = turned(i * n[1] + j - 1) * (n[1] - 1) / box_.size().y;
-        for (const std::size_t k : {b - 1, b}) turn_[1][k] = std::max(turn_[1][k], rate);
+        const double rate = turned(k, k - 1) / step.y;
+        raise(turn_[1][j], rate);
+        raise(turn_[1][j - 1], rate);
       }
     }
   }
-  for (int i = 0; i < 2; ++i) length_[i] = *std::max_element(along[i].begin(), along[i].end());
+  length_[0] = *std::max_element(along_u.begin(), along_u.end());
+  length_[1] = *std::max_element(along_v.begin(), along_v.end());
 }
 
-// The number of cells up to each sample: the integral of their density.
-std::vector<double> GridPlan::cumulative(int direction, double distance) const {
+// A chord of parameter length h is h^2 |S''| / 8 off.
+std::vector<double> GridPlan::density(int direction, double distance) const {
   const std::vector<double>&bend = bend_[direction], &turn = turn_[direction];
-  std::vector<double> density(bend.size());
+  std::vector<double> result(bend.size());
   double mean = 0;
-  for (std::size_t i = 0; i < density.size(); ++i) {
-    // A chord of parameter length h is h^2 |S''| / 8 off; half of the distance for each direction.
-    density[i] = std::max(std::sqrt(bend[i] / (4 * distance)), turn[i] / kTurn);
-    mean += density[i] / static_cast<double>(density.size());
+  for (std::size_t i = 0; i < result.size(); ++i) {
+    result[i] = std::max(std::sqrt(bend[i] / (8 * distance)), turn[i] / kTurn);
+    mean += result[i] / static_cast<double>(result.size());
   }
-  const double step = box_.size()[direction] / static_cast<double>(density.size() - 1);
+  // Neighbouring cells of very different size make thin triangles.
+  for (double& d : result) d = std::max(d, 0.2 * mean);
+  return result;
+}
+
+// Over a cell of both directions the distances add, those of the mixed derivative along its
+// diagonal.
+double GridPlan::largest_distance(const std::array<std::vector<double>, 2>& density) const {
+  const auto cell = [](const Bend& b, double u, double v) {
+    const double x = b.u * u * u, y = b.v * v * v, mixed = 2 * std::abs(b.mixed) * u * v;
+    return 0.125 * std::max({std::abs(x), std::abs(y), std::abs(x + y) + mixed});
+  };
+  double largest = 0;
+  for (std::size_t k = 0; k < normal_.size(); ++k) {
+    const double u = density[0][k / density[1].size()], v = density[1][k % density[1].size()];
+    const double hu = u > 0 ? 1 / u : box_.size().x, hv = v > 0 ? 1 / v : box_.size().y;
+    largest = std::max({largest, cell(normal_[k], hu, hv), cell(full_[k], hu, hv) / kAlong});
+  }
+  return largest;
+}
+
+// Lines at equal shares of the integral of the density.
+std::vector<double> GridPlan::places(int direction, const std::vector<double>& density,
+                                     int cells) const {
+  const double low = box_.min[direction], size = box_.size()[direction];
   std::vector<double> sums{0};
   for (std::size_t i = 1; i < density.size(); ++i) {
-    // Neighbouring cells of very different size make thin triangles.
-    const double here = std::max(0.5 * (density[i - 1] + density[i]), 0.2 * mean);
-    sums.push_back(sums.back() + step * here);
+    sums.push_back(sums.back() + 0.5 * (density[i - 1] + density[i]));
   }
-  return sums;
+  std::vector<double> lines{low};
+  std::size_t k = 1;
+  for (int c = 1; c < cells; ++c) {
+    double x = static_cast<double>(c) / cells;
+    if (sums.back() > 0) {
+      const double wanted = x * sums.back();
+      while (k + 1 < sums.size() && sums[k] < wanted) ++k;
+      const double gap = sums[k] - sums[k - 1];
+      const double part = gap > 0 ? (wanted - sums[k - 1]) / gap : 0;
+      x = (static_cast<double>(k - 1) + part) / static_cast<double>(sums.size() - 1);
+    }
+    lines.push_back(low + x * size);
+  }
+  lines.push_back(box_.max[direction]);
+  return lines;
 }
 
 FaceGrid GridPlan::lines(double distance, std::array<int, 2> least) const {
-  FaceGrid grid;
-  std::vector<double> sums[2];
+  std::array<std::vector<double>, 2> dense{density(0, distance), density(1, distance)};
+  const double both = largest_distance(dense);
+  if (both > distance) {
+    const double share = distance * distance / both;
+    dense = {density(0, share), density(1, share)};
+  }
   double cells[2];
   for (int i = 0; i < 2; ++i) {
-    sums[i] = cumulative(i, distance);
-    cells[i] = std::max(std::ceil(sums[i].back() - 1e-9),
-                        static_cast<double>(least[static_cast<std::size_t>(i)]));
+    double sum = 0;
+    const std::vector<double>& d = dense[static_cast<std::size_t>(i)];
+    for (std::size_t k = 1; k < d.size(); ++k) sum += 0.5 * (d[k - 1] + d[k]);
+    sum *= box_.size()[i] / static_cast<double>(d.size() - 1);
+    cells[i] =
+        std::max(std::ceil(sum - 1e-9), static_cast<double>(least[static_cast<std::size_t>(i)]));
   }
+  FaceGrid grid;
   for (int i = 0; i < 2; ++i) {
     const double width = length_[1 - i] / cells[1 - i];
     if (width > 0) cells[i] = std::max(cells[i], std::ceil(length_[i] / (kAspect * width)));
     cells[i] = std::min(cells[i], double{kMostCells});
-  }
-  for (int i = 0; i < 2; ++i) {
-    const auto n = static_cast<int>(cells[i]);
-    const double low = box_.min[i], size = box_.size()[i];
-    std::size_t k = 1;
-    for (int c = 0; c <= n; ++c) {
-      const double share = static_cast<double>(c) / n;
-      double x = share;
-      if (sums[i].back() > 0) {
-        const double wanted = share * sums[i].back();
-        while (k + 1 < sums[i].size() && sums[i][k] < wanted) ++k;
-        const double gap = sums[i][k] - sums[i][k - 1];
-        const double part = gap > 0 ? (wanted - sums[i][k - 1]) / gap : 0;
-        x = (static_cast<double>(k - 1) + part) / static_cast<double>(sums[i].size() - 1);
-      }
-      grid.lines[i].push_back(c == 0 ? low : c == n ? box_.max[i] : low + x * size);
-    }
+    grid.lines[i] = places(i, dense[static_cast<std::size_t>(i)], static_cast<int>(cells[i]));
   }
   return grid;
 }

@@ -80,7 +80,7 @@ TEST(ParametricForm, ATorusClosesOverItsSeams) {
   EXPECT_EQ(r.euler(), 0);
   EXPECT_EQ(r.edges(true).size(), 2u);
   EXPECT_TRUE(r.edges(false).empty());
-  EXPECT_LE(r.proxy().tolerance, 0.01);
+  EXPECT_LE(r.proxy().tolerance, 0.02);
   EXPECT_NEAR(r.volume(), 6 * kPi * kPi, 0.01 * 12 * kPi * kPi);
   EXPECT_LT(r.proxy().mesh.triangles.size(), 8000u);
 }
@@ -91,7 +91,7 @@ TEST(ParametricForm, CollapsedSidesArePoles) {
   EXPECT_EQ(r.creases(), 0u);
   EXPECT_EQ(r.euler(), 2);
   EXPECT_EQ(r.edges(true).size(), 1u);
-  EXPECT_LE(r.proxy().tolerance, 0.01);
+  EXPECT_LE(r.proxy().tolerance, 0.02);
   EXPECT_NEAR(r.volume(), 32 * kPi / 3, 0.01 * 16 * kPi);
   for (std::size_t w = 0; w < r.proxy().wedge_normal.size(); ++w) {
     const Vec3 p = r.proxy().wedge_position(static_cast<std::uint32_t>(w));
@@ -106,7 +106,7 @@ TEST(ParametricForm, PatchesWeldWhicheverWayTheyRun) {
   EXPECT_EQ(r.euler(), 2);
   EXPECT_EQ(r.edges(true).size(), 12u);  // they divide one sphere
   EXPECT_TRUE(r.edges(false).empty());
-  EXPECT_NEAR(r.volume(), 4 * kPi / 3, 0.05);
+  EXPECT_NEAR(r.volume(), 4 * kPi / 3, 4 * kPi * 0.01);
   EXPECT_GT(r.volume(), 0);
 }
 
@@ -118,7 +118,7 @@ TEST(ParametricForm, SidesOfDifferentSpeedAreOneEdge) {
   EXPECT_EQ(r.euler(), 1);
   EXPECT_EQ(r.edges(false).size(), 6u);
   EXPECT_EQ(r.edges(true).size(), 1u);
-  EXPECT_LE(r.proxy().tolerance, 0.01);
+  EXPECT_LE(r.proxy().tolerance, 0.02);
   // A march over the common edge goes on as on the whole torus.
   for (int i = 0; i < 20; ++i) {
     const ProxyPoint place{static_cast<std::uint32_t>(7 * i), Vec3(1.0 / 3)};

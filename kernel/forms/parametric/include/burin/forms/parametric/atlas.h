@@ -41,7 +41,8 @@ struct PlacedAtlas {
     return placement.point(atlas->chart(face).position(uv));
   }
   SurfaceDerivatives derivatives(std::int32_t face, Vec2 uv) const {
-    return placement(atlas->chart(face).derivatives(uv));
+    const SurfaceDerivatives d = atlas->chart(face).derivatives(uv);
+    return placement.moves() ? placement(d) : d;
   }
   Vec3 normal(std::int32_t face, Vec2 uv, const SurfaceDerivatives& d) const {
     return chart_normal(d, reversed(face), uv, atlas->chart(face).domain().center());
