@@ -78,6 +78,9 @@ CLI::App* add_draw(CLI::App& app, DrawArguments& a, Chatter& chatter) {
   text(*draw, "--tolerance", a.tolerance, "MM", kLook,
        "chord tolerance of any tessellation, in model mm\n"
        "(default: less than 0.05 mm on the sheet)");
+  text(*draw, "--bounds", a.bounds, "X0,..,Z1", kLook,
+       "domain x0,y0,z0,x1,y1,z1 of functions, in model mm\n"
+       "(default: their own bounds)");
   text(*draw, "--seed", a.seed, "N", kRun, "random seed (default 1)");
   text(*draw, "--threads", a.threads, "N", kRun,
        "worker threads (default: all); the drawing is the same for any number");
@@ -96,6 +99,8 @@ CLI::App* add_info(CLI::App& app, InfoArguments& a) {
   CLI::App* info =
       app.add_subcommand("info", "tell what model files hold, and what is wrong with them");
   info->add_option("INPUT", a.inputs, "model files")->type_name("")->group(kFiles);
+  text(*info, "--bounds", a.bounds, "X0,..,Z1", kFiles,
+       "domain x0,y0,z0,x1,y1,z1 of functions, in model mm");
   info->add_flag("--json", a.json, "print JSON, for programs");
   return info;
 }

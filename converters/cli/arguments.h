@@ -22,6 +22,7 @@ struct DrawArguments {
   std::string light;
   std::string hidden = "none";
   std::string tolerance;
+  std::string bounds;
   std::string seed = "1";
   std::string threads;
 };
@@ -33,6 +34,7 @@ struct StylesArguments {
 
 struct InfoArguments {
   std::vector<std::string> inputs;
+  std::string bounds;
   bool json = false;
 };
 

@@ -30,6 +30,7 @@ struct Plan {
   Style style;
   ViewOptions view;
   IllustrateOptions illustrate;
+  ReadOptions read;
   int threads = 0;
 };
 
@@ -87,6 +88,7 @@ Plan make_plan(const DrawArguments& a) {
   plan.view = make_view(a);
   plan.illustrate.tolerance =
       number_option("--tolerance", a.tolerance, 1 / kLarge, kLarge, "a number of mm over 0");
+  plan.read.bounds = box_option("--bounds", a.bounds);
   plan.illustrate.seed = whole_option(
       "--seed", a.seed, 0, std::numeric_limits<std::uint64_t>::max(), "a whole number from 0");
   if (a.hidden != "none" && a.hidden != "dashed") {
@@ -138,7 +140,7 @@ void run_draw(const DrawArguments& arguments, RunContext& context, Console& cons
   for (const Output& output : outputs) output.probe();
 
   const ThreadLimit limit(plan.threads);
-  const Scene scene = read_inputs(arguments.inputs, context);
+  const Scene scene = read_inputs(arguments.inputs, plan.read, context);
   const Camera camera =
       Camera::fit([&](const Mat3& axes) { return scene.bounds(axes); }, plan.view);
   const Drawing drawing = illustrate(scene, camera, plan.style, plan.illustrate, context);

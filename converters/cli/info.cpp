@@ -10,7 +10,7 @@ int run_info(const InfoOptions& options, burin::RunContext& context) {
   std::vector<burin::FileInfo> files;
   context.begin_stage("read");
   for (const std::filesystem::path& path : options.inputs) {
-    files.push_back(burin::cli::reader_of(path).inspect(path, context));
+    files.push_back(burin::cli::reader_of(path).inspect(path, {options.bounds}, context));
     if (options.json) continue;
     fmt::print("{}{}", files.size() > 1 ? "\n" : "", burin::to_text(files.back()));
   }

@@ -9,6 +9,7 @@
 #include "info.h"
 #include "signals.h"
 #include "styles.h"
+#include "values.h"
 
 #include <fmt/format.h>
 
@@ -79,6 +80,7 @@ int run(const Arguments& arguments, RunContext& context, Console& console) {
       InfoOptions options;
       options.inputs.assign(arguments.info.inputs.begin(), arguments.info.inputs.end());
       options.json = arguments.info.json;
+      options.bounds = box_option("--bounds", arguments.info.bounds);
       const int status = run_info(options, context);
       check_printed();
       return status;

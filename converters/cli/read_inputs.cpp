@@ -30,11 +30,12 @@ void check_inputs(const std::vector<std::string>& paths) {
   }
 }
 
-Scene read_inputs(const std::vector<std::string>& paths, RunContext& context) {
+Scene read_inputs(const std::vector<std::string>& paths, const ReadOptions& options,
+                  RunContext& context) {
   context.begin_stage("read");
   Scene scene;
   for (std::size_t i = 0; i < paths.size(); ++i) {
-    Scene one = reader_of(paths[i]).read(paths[i], context);
+    Scene one = reader_of(paths[i]).read(paths[i], options, context);
     scene.parts.insert(scene.parts.end(), std::make_move_iterator(one.parts.begin()),
                        std::make_move_iterator(one.parts.end()));
     scene.diagnostics.append(one.diagnostics);

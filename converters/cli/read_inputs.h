@@ -4,6 +4,8 @@
 #include <burin/base/run_context.h>
 #include <burin/surface/scene.h>
 
+#include "readers.h"
+
 #include <string>
 #include <vector>
 
@@ -14,6 +16,7 @@ void check_inputs(const std::vector<std::string>& paths);
 
 /// Reads each file by the reader of its format; the parts of all of them, in order. Stage "read".
 /// Throws InputError.
-Scene read_inputs(const std::vector<std::string>& paths, RunContext& context);
+Scene read_inputs(const std::vector<std::string>& paths, const ReadOptions& options,
+                  RunContext& context);
 
 }  // namespace burin::cli

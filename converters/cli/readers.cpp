@@ -1,6 +1,7 @@
 #include "readers.h"
 
 #include <burin/converters/cad_reader.h>
+#include <burin/converters/implicit_reader.h>
 #include <burin/converters/irit_reader.h>
 #include <burin/converters/mesh_info.h>
 #include <burin/converters/mesh_reader.h>
@@ -12,21 +13,32 @@
 namespace burin::cli {
 namespace {
 
+using Path = std::filesystem::path;
+
 constexpr Reader kMesh{
     "STL, OBJ, OFF, PLY, 3MF", nullptr, is_mesh_suffix,
-    [](const std::filesystem::path& path, RunContext& context) { return read_mesh(path, context); },
-    [](const std::filesystem::path& path, RunContext& context) {
-      return inspect_mesh(path, context);
-    }};
+    [](const Path& path, const ReadOptions&, RunContext& c) { return read_mesh(path, c); },
+    [](const Path& path, const ReadOptions&, RunContext& c) { return inspect_mesh(path, c); }};
 
-constexpr Reader kCad{"STEP, IGES, BREP", is_cad_content, is_cad_suffix, read_cad, inspect_cad};
+constexpr Reader kCad{
+    "STEP, IGES, BREP", is_cad_content, is_cad_suffix,
+    [](const Path& path, const ReadOptions&, RunContext& c) { return read_cad(path, c); },
+    [](const Path& path, const ReadOptions&, RunContext& c) { return inspect_cad(path, c); }};
 
 constexpr Reader kIrit{
     "ITD, IRT, BEZ, BBP", is_irit_content, is_irit_suffix,
-    [](const std::filesystem::path& path, RunContext& context) { return read_irit(path, context); },
-    inspect_irit};
+    [](const Path& path, const ReadOptions&, RunContext& c) { return read_irit(path, c); },
+    [](const Path& path, const ReadOptions&, RunContext& c) { return inspect_irit(path, c); }};
 
-constexpr std::array kReaders{kCad, kIrit, kMesh};
+constexpr Reader kImplicit{"IMPLICIT", nullptr, is_implicit_suffix,
+                           [](const Path& path, const ReadOptions& o, RunContext& c) {
+                             return read_implicit(path, {o.bounds}, c);
+                           },
+                           [](const Path& path, const ReadOptions& o, RunContext& c) {
+                             return inspect_implicit(path, {o.bounds}, c);
+                           }};
+
+constexpr std::array kReaders{kCad, kIrit, kImplicit, kMesh};
 
 /// Empty where the file cannot be read: its reader says why.
 std::string head_of(const std::filesystem::path& path) {

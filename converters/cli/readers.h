@@ -1,14 +1,22 @@
 #pragma once
 /// The table of readers: which one a file needs.
 
+#include <burin/base/box.h>
 #include <burin/base/run_context.h>
 #include <burin/converters/file_info.h>
 #include <burin/surface/scene.h>
 
 #include <filesystem>
+#include <optional>
 #include <string_view>
 
 namespace burin::cli {
+
+/// What the command line says about reading.
+struct ReadOptions {
+  /// The domain of functions.
+  std::optional<Box3> bounds = {};
+};
 
 /// One family of formats. A new one is a row in readers.cpp.
 struct Reader {
@@ -18,8 +26,9 @@ struct Reader {
   /// can only be this family's; absent = the content never tells.
   bool (*knows_content)(std::string_view head);
   bool (*knows_suffix)(const std::filesystem::path& path);
-  Scene (*read)(const std::filesystem::path& path, RunContext& context);
-  FileInfo (*inspect)(const std::filesystem::path& path, RunContext& context);
+  Scene (*read)(const std::filesystem::path& path, const ReadOptions& options, RunContext& context);
+  FileInfo (*inspect)(const std::filesystem::path& path, const ReadOptions& options,
+                      RunContext& context);
 };
 
 inline constexpr std::size_t kHeadBytes = 4096;

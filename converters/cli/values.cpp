@@ -6,6 +6,7 @@
 
 #include <charconv>
 #include <cmath>
+#include <span>
 #include <string_view>
 
 namespace burin::cli {
@@ -18,6 +19,21 @@ std::optional<T> parse(std::string_view text) {
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
   if (error != std::errc() || end != text.data() + text.size()) return {};
   return value;
+}
+
+/// Exactly as many finite numbers as there is room for, between commas.
+bool parse_list(std::string_view rest, std::span<double> out) {
+  for (std::size_t i = 0; i < out.size(); ++i) {
+    const std::size_t comma = i + 1 < out.size() ? rest.find(',') : rest.size();
+    if (comma == std::string_view::npos) return false;
+    std::string_view word = rest.substr(0, comma);
+    while (word.starts_with(' ')) word.remove_prefix(1);
+    const auto x = parse<double>(word);
+    if (!x || !std::isfinite(*x)) return false;
+    out[i] = *x;
+    rest.remove_prefix(std::min(comma + 1, rest.size()));
+  }
+  return true;
 }
 
 [[noreturn]] void refuse(const char* option, const char* what, const std::string& text) {
@@ -43,20 +59,21 @@ std::uint64_t whole_option(const char* option, const std::string& text, std::uin
 
 Vec3 direction_option(const char* option, const std::string& text) {
   constexpr const char* kWhat = "a direction X,Y,Z other than 0,0,0";
-  Vec3 v(0);
-  std::string_view rest = text;
+  double v[3];
+  if (!parse_list(text, v) || (v[0] == 0 && v[1] == 0 && v[2] == 0)) refuse(option, kWhat, text);
+  return {v[0], v[1], v[2]};
+}
+
+std::optional<Box3> box_option(const char* option, const std::string& text) {
+  constexpr const char* kWhat = "a box x0,y0,z0,x1,y1,z1 with each minimum below its maximum";
+  if (text.empty()) return {};
+  double v[6];
+  if (!parse_list(text, v)) refuse(option, kWhat, text);
+  const Box3 box{{v[0], v[1], v[2]}, {v[3], v[4], v[5]}};
   for (int i = 0; i < 3; ++i) {
-    const std::size_t comma = i < 2 ? rest.find(',') : rest.size();
-    if (comma == std::string_view::npos) refuse(option, kWhat, text);
-    std::string_view word = rest.substr(0, comma);
-    while (word.starts_with(' ')) word.remove_prefix(1);
-    const auto x = parse<double>(word);
-    if (!x || !std::isfinite(*x)) refuse(option, kWhat, text);
-    v[i] = *x;
-    rest.remove_prefix(std::min(comma + 1, rest.size()));
+    if (!(box.min[i] < box.max[i])) refuse(option, kWhat, text);
   }
-  if (v == Vec3(0)) refuse(option, kWhat, text);
-  return v;
+  return box;
 }
 
 }  // namespace burin::cli

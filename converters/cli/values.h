@@ -1,6 +1,7 @@
 #pragma once
 /// Values of options from text; each error names its option.
 
+#include <burin/base/box.h>
 #include <burin/base/vec.h>
 
 #include <cstdint>
@@ -19,5 +20,9 @@ std::uint64_t whole_option(const char* option, const std::string& text, std::uin
 
 /// A direction X,Y,Z, any but zero. Throws UsageError.
 Vec3 direction_option(const char* option, const std::string& text);
+
+/// A box x0,y0,z0,x1,y1,z1 with each minimum below its maximum; nothing where the text is empty.
+/// Throws UsageError.
+std::optional<Box3> box_option(const char* option, const std::string& text);
 
 }  // namespace burin::cli

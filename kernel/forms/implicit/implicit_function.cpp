@@ -64,7 +64,7 @@ class Clipped final : public ImplicitFunction {
     function_->values(points, out);
     for (std::size_t i = 0; i < points.size(); ++i) {
       const double d = faces_[nearest(points[i])]->value(points[i]);
-      if (d > out[i] || std::isnan(out[i])) out[i] = d;
+      if (d > out[i]) out[i] = d;  // what is not a number stays so
     }
   }
   void gradients(std::span<const Vec3> points, std::span<Gradient1> out) const override {

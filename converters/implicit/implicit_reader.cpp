@@ -1,0 +1,64 @@
+#include <burin/base/error.h>
+#include <burin/converters/implicit_reader.h>
+#include <burin/forms/implicit/implicit_form.h>
+
+#include "source.h"
+
+#include <algorithm>
+#include <memory>
+
+namespace burin {
+
+bool is_implicit_suffix(const std::filesystem::path& path) {
+  std::string suffix = path.extension().string();
+  std::ranges::transform(suffix, suffix.begin(), [](char c) {
+    return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+  });
+  return suffix == ".implicit";
+}
+
+Scene read_implicit(const std::filesystem::path& path, const ImplicitReadOptions& options,
+                    const RunContext& context) {
+  const Source source(path, context);
+  const Expression expression = parse_implicit(source.bytes(), source.file());
+  Scene scene;
+  try {
+    auto form = std::make_shared<ImplicitForm>(make_function(expression), options.bounds, context);
+    scene.parts.push_back({path.stem().string(), path.string(), std::move(form)});
+  } catch (const GeometryError& e) {
+    throw InputError(e.what(), source.file());
+  } catch (const UsageError& e) {
+    throw InputError(e.what(), source.file());
+  }
+  return scene;
+}
+
+FileInfo inspect_implicit(const std::filesystem::path& path, const ImplicitReadOptions& options,
+                          RunContext& context) {
+  constexpr double kChord = 1e-4;  // of the size
+  const Scene scene = read_implicit(path, options, context);
+  FileInfo info;
+  info.file = path.string();
+  info.format = "implicit function";
+  PartInfo part;
+  part.name = scene.parts.front().name;
+  part.bounds = scene.parts.front().form->bounds(Mat3(1));
+  RealiseOptions realise;
+  realise.tolerance = kChord * part.bounds.diagonal();
+  realise.diagnostics = &info.diagnostics;
+  const auto surface = scene.parts.front().form->realise(realise, context);
+  const ProxyMesh& proxy = surface->proxy();
+  part.components = static_cast<std::int64_t>(proxy.topology.component_closed.size());
+  part.faces = proxy.region_count;
+  const Vec3 o = part.bounds.center();
+  for (const Triangle& t : proxy.mesh.triangles) {
+    const Vec3 a = proxy.mesh.positions[t[0]] - o, b = proxy.mesh.positions[t[1]] - o,
+               c = proxy.mesh.positions[t[2]] - o;
+    part.area += glm::length(glm::cross(b - a, c - a)) / 2;
+    part.volume += glm::dot(a, glm::cross(b, c)) / 6;
+  }
+  info.parts.push_back(std::move(part));
+  return info;
+}
+
+}  // namespace burin

@@ -1,0 +1,157 @@
+#include "grid.h"
+
+#include <burin/base/error.h>
+#include <burin/base/parallel.h>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+
+namespace burin {
+namespace {
+
+std::uint64_t key(Cell c) {
+  const auto part = [](int v) { return static_cast<std::uint64_t>(v) & 0x1fffff; };
+  return part(c.x) | (part(c.y) << 21) | (part(c.z) << 42);
+}
+
+// A cube of cells under way to the blocks, with the part of the function that matters in it.
+struct Cube {
+  Cell first{0};
+  int side = 0;
+  const ImplicitFunction* function = nullptr;
+  std::shared_ptr<const ImplicitFunction> own;
+};
+
+// What intervals say about a cube.
+enum class Verdict : std::uint8_t { Inside, Outside, Unknown };
+
+Verdict judge(const ImplicitFunction& f, const Box3& box) {
+  const Interval range = f.range(box);
+  // Rounding of the samples must not disagree: a relative 1e-12 counts as zero.
+  const double slack = 1e-12 * (std::abs(range.min) + std::abs(range.max));
+  if (!(std::abs(range.min) < 1e300) || !(std::abs(range.max) < 1e300)) {
+    // Infinite ends: only the finite one tells.
+    return range.min > 0 ? Verdict::Outside : range.max < 0 ? Verdict::Inside : Verdict::Unknown;
+  }
+  if (range.min > slack) return Verdict::Outside;
+  if (range.max < -slack) return Verdict::Inside;
+  return Verdict::Unknown;
+}
+
+std::vector<Cube> halves(const Cube& c, const Cell& cells) {
+  std::vector<Cube> out;
+  const int half = c.side / 2;
+  for (int k = 0; k < 8; ++k) {
+    Cube part = c;
+    part.first += half * Cell(k & 1, (k >> 1) & 1, (k >> 2) & 1);
+    part.side = half;
+    if (part.first.x < cells.x && part.first.y < cells.y && part.first.z < cells.z) {
+      out.push_back(part);
+    }
+  }
+  return out;
+}
+
+}  // namespace
+
+GridLayout make_layout(const Box3& domain, double step) {
+  GridLayout layout;
+  layout.step = step;
+  const Vec3 size = domain.size();
+  for (int a = 0; a < 3; ++a) {
+    layout.cells[a] = 2 + static_cast<int>(std::ceil(size[a] / step));
+  }
+  // Centred, and off the grid by an odd share of a step, so that symmetric shapes do not pass
+  // through corners: coordinate planes and the like.
+  layout.origin =
+      domain.center() - 0.5 * step * Vec3(layout.cells) + step * Vec3(0.0137, 0.0291, 0.0213);
+  return layout;
+}
+
+Grid::Grid(const ImplicitFunction& function, const GridLayout& layout, std::size_t max_blocks,
+           const RunContext& context)
+    : layout_(layout) {
+  const int longest = std::max({layout.cells.x, layout.cells.y, layout.cells.z});
+  Cube root;
+  root.function = &function;
+  for (root.side = kSide; root.side < longest;) root.side *= 2;
+  std::vector<Cube> cubes{root};
+  // Level by level, so that the work is shared evenly and the order never depends on it.
+  for (;;) {
+    std::vector<Verdict> verdicts(cubes.size());
+    parallel_for(
+        cubes.size(), 16,
+        [&](std::size_t begin, std::size_t end) {
+          for (std::size_t i = begin; i < end; ++i) {
+            Cube& c = cubes[i];
+            const Box3 box = layout_.box(c.first, c.first + c.side);
+            verdicts[i] = judge(*c.function, box);
+            if (verdicts[i] != Verdict::Unknown) continue;
+            if (auto part = c.function->restricted(box)) {
+              c.own = std::move(part);
+              c.function = c.own.get();
+            }
+          }
+        },
+        &context);
+    std::vector<Cube> kept;
+    for (std::size_t i = 0; i < cubes.size(); ++i) {
+      any_inside_ |= verdicts[i] == Verdict::Inside;
+      any_outside_ |= verdicts[i] == Verdict::Outside;
+      if (verdicts[i] == Verdict::Unknown) kept.push_back(std::move(cubes[i]));
+    }
+    if (kept.size() > max_blocks) {
+      throw GeometryError(
+          "the surface is too fine or fills all of its domain; give a smaller domain by --bounds");
+    }
+    cubes = std::move(kept);
+    if (cubes.empty() || cubes.front().side == kSide) break;
+    std::vector<Cube> next;
+    for (const Cube& c : cubes) {
+      for (Cube& part : halves(c, layout_.cells)) next.push_back(std::move(part));
+    }
+    cubes = std::move(next);
+  }
+
+  std::vector<Block> all(cubes.size());
+  std::vector<std::uint8_t> signs(cubes.size());
+  parallel_for(
+      cubes.size(), 4,
+      [&](std::size_t begin, std::size_t end) {
+        std::vector<Vec3> points(kSamples);
+        for (std::size_t i = begin; i < end; ++i) {
+          Block& b = all[i];
+          b.first = cubes[i].first;
+          std::size_t n = 0;
+          for (int z = 0; z < kCorners; ++z) {
+            for (int y = 0; y < kCorners; ++y) {
+              for (int x = 0; x < kCorners; ++x)
+                points[n++] = layout_.corner(b.first + Cell(x, y, z));
+            }
+          }
+          b.values.resize(kSamples);
+          cubes[i].function->values(points, b.values);
+          std::size_t inside = 0;
+          for (const double v : b.values) inside += v < 0;
+          signs[i] = static_cast<std::uint8_t>((inside > 0 ? 1 : 0) | (inside < kSamples ? 2 : 0));
+          if (signs[i] != 3) b.values = {};
+        }
+      },
+      &context);
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    any_inside_ |= (signs[i] & 1) != 0;
+    any_outside_ |= (signs[i] & 2) != 0;
+    if (signs[i] != 3) continue;
+    index_.emplace(key(all[i].first / kSide), static_cast<std::int32_t>(blocks_.size()));
+    blocks_.push_back(std::move(all[i]));
+  }
+}
+
+std::int32_t Grid::block_of(Cell cell) const {
+  if (cell.x < 0 || cell.y < 0 || cell.z < 0) return -1;
+  const auto it = index_.find(key(cell / kSide));
+  return it == index_.end() ? -1 : it->second;
+}
+
+}  // namespace burin

@@ -1,0 +1,118 @@
+#include <burin/base/error.h>
+#include <burin/forms/implicit/implicit_form.h>
+
+#include "contour_cut.h"
+#include "draft.h"
+#include "implicit_surface.h"
+#include "mesher.h"
+#include "project.h"
+#include "shape_operator.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace burin {
+namespace {
+
+// Paper mm that chords of contours may be off.
+constexpr double kContourChord = 0.005;
+
+// The farthest point of the surface in a direction, from the vertex that lies farthest: Newton for
+// the place where the normal is the direction.
+double support(const Survey& s, Vec3 start, Vec3 direction) {
+  constexpr int kSteps = 6;
+  const ImplicitFunction& f = s.function->piece_function(start);
+  Vec3 p = start;
+  for (int i = 0; i < kSteps; ++i) {
+    const Gradient2 g = f.hessian(p);
+    const Frame frame = implicit_frame(g, p, Vec3(0), 1e6 * s.mesh.size);
+    const double up = glm::dot(frame.normal, direction);
+    Vec3 step(0);
+    for (const auto& [k, d] : {std::pair(frame.k1, frame.d1), std::pair(frame.k2, frame.d2)}) {
+      if (k * up > 0) step += glm::dot(d, direction) / (k * up) * d;
+    }
+    if (!(glm::length(step) <= s.mesh.step)) return glm::dot(start, direction);
+    const auto q = onto_surface(f, p + step, 2 * s.mesh.step, s.mesh.accuracy);
+    if (!q) return glm::dot(start, direction);
+    p = *q;
+  }
+  const bool real = std::abs(s.function->value(p)) <=
+                        1e-9 * s.mesh.size * glm::length(s.function->gradient(p).gradient) &&
+                    glm::distance(p, start) <= 2 * s.mesh.step;
+  return real ? std::max(glm::dot(p, direction), glm::dot(start, direction))
+              : glm::dot(start, direction);
+}
+
+}  // namespace
+
+struct ImplicitForm::Impl {
+  Survey survey;
+};
+
+ImplicitForm::ImplicitForm(std::shared_ptr<const ImplicitFunction> function,
+                           std::optional<Box3> domain, const RunContext& context) {
+  const Box3 own = function->bounds();
+  auto impl = std::make_unique<Impl>();
+  if (!domain) {
+    for (int a = 0; a < 3; ++a) {
+      if (!std::isfinite(own.min[a]) || !std::isfinite(own.max[a])) {
+        throw GeometryError(
+            "the function has no bounds of its own; give its domain by --bounds "
+            "x0,y0,z0,x1,y1,z1");
+      }
+      if (!(own.min[a] < own.max[a])) {
+        throw GeometryError(
+            "the function is nowhere negative: there is no surface; check the formula, and whether "
+            "solids that are to be cut meet");
+      }
+    }
+  }
+  impl->survey = survey(std::move(function), domain.value_or(own), domain.has_value(), context);
+  impl_ = std::move(impl);
+}
+
+ImplicitForm::~ImplicitForm() = default;
+
+Box3 ImplicitForm::bounds(const Mat3& axes) const {
+  const Survey& s = impl_->survey;
+  Box3 box;
+  for (int a = 0; a < 3; ++a) {
+    const Vec3 row(axes[0][a], axes[1][a], axes[2][a]);
+    Vec3 low = s.mesh.positions.front(), high = low;
+    for (const Triangle& t : s.mesh.triangles) {
+      for (const std::uint32_t v : t) {
+        const Vec3& p = s.mesh.positions[v];
+        if (glm::dot(p, row) < glm::dot(low, row)) low = p;
+        if (glm::dot(p, row) > glm::dot(high, row)) high = p;
+      }
+    }
+    const double length = glm::length(row);
+    box.min[a] = -support(s, low, -row / length) * length;
+    box.max[a] = support(s, high, row / length) * length;
+  }
+  return box;
+}
+
+std::shared_ptr<const Surface> ImplicitForm::realise(const RealiseOptions& options,
+                                                     RunContext& context) const {
+  context.begin_stage("build");
+  const Survey& s = impl_->survey;
+  Diagnostics diagnostics = s.diagnostics;
+  const double step = choose_step(s, options.tolerance, diagnostics);
+  std::size_t stray = 0;
+  ExactMesh mesh = mesh_surface(*s.function, s.box, step, stray, context);
+  if (stray > 0) {
+    diagnostics.add(Severity::Warning, "implicit.not_on_surface", static_cast<std::int64_t>(stray),
+                    "places where the function jumps or has no slope: the surface is not exact "
+                    "there");
+  }
+  if (options.view) cut_along_contours(mesh, *s.function, *options.view, kContourChord, context);
+  ProxyMesh proxy = assemble_proxy(make_draft(mesh, *s.function, context), context);
+  if (options.diagnostics) options.diagnostics->append(diagnostics);
+  context.end_stage();
+  return std::make_shared<ImplicitSurface>(s.function, std::move(proxy), std::move(mesh.side),
+                                           mesh.step, mesh.size);
+}
+
+}  // namespace burin

@@ -1,0 +1,169 @@
+// Geodesics on f = 0.
+
+#include "implicit_surface.h"
+#include "project.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace burin {
+namespace {
+
+// Angle in radians that one step may turn: with the fourth order the error of a step is some 1e-9
+// of its length.
+constexpr double kTurn = 0.1;
+// Below this turn the third order, which needs one Hessian, is as good.
+constexpr double kShortTurn = 0.02;
+// Steps of one march: a walk round and round for ever ends with NotConverged.
+constexpr int kMaxSteps = 1'000'000;
+// Cosine of 2 degrees: pieces that differ by less meet smoothly.
+constexpr double kSmooth = 0.99939;
+
+// How much normals turn a mm, at the most.
+double turning(const Gradient2& g) {
+  const double slope = glm::length(g.gradient);
+  const double h =
+      g.xx * g.xx + g.yy * g.yy + g.zz * g.zz + 2 * (g.xy * g.xy + g.xz * g.xz + g.yz * g.yz);
+  return std::sqrt(h) / slope;
+}
+
+// The acceleration of a point that runs along a geodesic with velocity t.
+Vec3 acceleration(const Gradient2& g, Vec3 t) {
+  return -glm::dot(t, g.hessian_times(t)) / glm::dot(g.gradient, g.gradient) * g.gradient;
+}
+
+}  // namespace
+
+struct ImplicitSurface::State {
+  Vec3 position{0}, tangent{0};
+  Gradient2 g;
+};
+
+// One step of `length` on f = 0, which ends on it with a unit tangent.
+bool ImplicitSurface::advance(const ImplicitFunction& f, const State& from, double length,
+                              State& to) const {
+  const Vec3 p = from.position, t = from.tangent;
+  Vec3 q, v;
+  if (length * turning(from.g) < kShortTurn) {
+    // The Taylor series of the geodesic in its Darboux frame.
+    const double slope = glm::length(from.g.gradient);
+    const Vec3 n = from.g.gradient / slope, b = glm::cross(n, t), ht = from.g.hessian_times(t);
+    const double k = -glm::dot(t, ht) / slope, m = -glm::dot(b, ht) / slope;
+    const double s = length;
+    q = p + (s - k * k * s * s * s / 6) * t + 0.5 * k * s * s * n + k * m * s * s * s / 6 * -b;
+    v = t + k * s * n;
+    const auto on = onto_surface(f, q, 0.5 * length + accuracy_, accuracy_);
+    if (!on) return false;
+    q = *on;
+    to.g = f.hessian(q);
+    // Carried by the smallest rotation between the normals: symmetric, so of the second order.
+    const Vec3 n2 = normalize_or(to.g.gradient, Vec3(0));
+    to.position = q;
+    to.tangent = normalize_or(reject(transport(t, n, n2), n2), Vec3(0));
+    return to.tangent != Vec3(0);
+  }
+  const double h = length;
+  const Vec3 a1 = acceleration(from.g, t);
+  const Vec3 v2 = t + 0.5 * h * a1;
+  const Vec3 a2 = acceleration(f.hessian(p + 0.5 * h * t), v2);
+  const Vec3 v3 = t + 0.5 * h * a2;
+  const Vec3 a3 = acceleration(f.hessian(p + 0.5 * h * v2), v3);
+  const Vec3 v4 = t + h * a3;
+  const Vec3 a4 = acceleration(f.hessian(p + h * v3), v4);
+  q = p + h / 6 * (t + 2.0 * v2 + 2.0 * v3 + v4);
+  v = t + h / 6 * (a1 + 2.0 * a2 + 2.0 * a3 + a4);
+  const auto on = onto_surface(f, q, 0.5 * length + accuracy_, accuracy_);
+  if (!on) return false;
+  to.position = *on;
+  to.g = f.hessian(*on);
+  to.tangent = normalize_or(reject(v, normalize_or(to.g.gradient, Vec3(0))), Vec3(0));
+  return to.tangent != Vec3(0);
+}
+
+// Whether a point of a piece's own zero set belongs to the surface.
+bool ImplicitSurface::active(const ImplicitFunction& piece, Vec3 p) const {
+  const double slope = glm::length(piece.gradient(p).gradient);
+  return std::abs(function_->value(p)) <= 1e-9 * size_ * slope;
+}
+
+MarchStep ImplicitSurface::march(const SurfacePoint& from, Vec3 tangent, double length) const {
+  MarchStep step;
+  step.end = from;
+  const ImplicitFunction* f = &function_at(from.chart);
+  State at;
+  at.position = from.position;
+  at.g = f->hessian(at.position);
+  const Vec3 n = normalize_or(at.g.gradient, Vec3(0));
+  const Vec3 flat = reject(tangent, n);
+  // A tangent within 1e-9 radians of the normal has no direction in the plane.
+  if (n == Vec3(0) || !(glm::length(flat) > 1e-9 * glm::length(tangent))) {
+    step.stop = MarchStop::Singular;
+    return step;
+  }
+  at.tangent = glm::normalize(flat);
+  std::uint32_t face = static_cast<std::uint32_t>(from.chart);
+  const auto finish = [&](MarchStop stop) {
+    const ProxyPoint place = walk(face, at.position).place;
+    step.end = {static_cast<std::int32_t>(place.face), place.bary, at.position};
+    step.direction = at.tangent;
+    step.stop = stop;
+    return step;
+  };
+  for (int i = 0; i < kMaxSteps; ++i) {
+    const double rest = length - step.length;
+    if (!(rest > 0)) {
+      step.length = std::max(length, 0.0);
+      return finish(MarchStop::Completed);
+    }
+    const double turn = turning(at.g);
+    double s = std::min(rest, 8 * step_);
+    if (turn * s > kTurn) s = kTurn / turn;
+    State next;
+    // Curvature that grows along the way is met by shorter steps.
+    bool good = false;
+    for (int half = 0; half < 20 && !good; ++half) {
+      good = advance(*f, at, s, next) && turning(next.g) * s < 2 * kTurn;
+      if (!good) s *= 0.5;
+    }
+    if (!good) return finish(usable(at.g.gradient) ? MarchStop::NotConverged : MarchStop::Singular);
+    const Walk way = walk(face, next.position);
+    if (way.by_crease && !active(*f, next.position)) {
+      // Another piece has come up: on the way, at an angle or smoothly.
+      double low = 0, high = s;
+      State good_at = at, probe;
+      while (high - low > accuracy_) {
+        const double middle = 0.5 * (low + high);
+        if (middle <= low || middle >= high) break;
+        if (advance(*f, at, middle, probe) && active(*f, probe.position)) {
+          low = middle;
+          good_at = probe;
+        } else {
+          high = middle;
+        }
+      }
+      if (!advance(*f, at, high, probe)) probe = good_at;
+      const Gradient1 other = function_->piece_function(probe.position).gradient(probe.position);
+      const Vec3 here = normalize_or(good_at.g.gradient, Vec3(0)),
+                 there = normalize_or(other.gradient, Vec3(0));
+      if (glm::dot(here, there) < kSmooth) {
+        step.length += low;
+        at = good_at;
+        return finish(MarchStop::Crease);
+      }
+      const auto on = onto_surface(*function_, next.position, step_, accuracy_);
+      if (on) next.position = *on;
+      f = &function_->piece_function(next.position);
+      next.g = f->hessian(next.position);
+      next.tangent =
+          normalize_or(reject(next.tangent, normalize_or(next.g.gradient, Vec3(0))), next.tangent);
+    } else if (!way.by_crease) {
+      f = function_.get();
+    }
+    at = next;
+    face = way.place.face;
+    step.length = s == rest ? length : step.length + s;
+  }
+  return finish(MarchStop::NotConverged);
+}
+
+}  // namespace burin

@@ -1,0 +1,150 @@
+#include "implicit_surface.h"
+
+#include <burin/base/parallel.h>
+
+#include "project.h"
+#include "shape_operator.h"
+
+#include <algorithm>
+
+namespace burin {
+
+ImplicitSurface::ImplicitSurface(std::shared_ptr<const ImplicitFunction> function, ProxyMesh proxy,
+                                 std::vector<const ImplicitFunction*> side, double step,
+                                 double size)
+    : function_(std::move(function)),
+      proxy_(std::move(proxy)),
+      side_(std::move(side)),
+      step_(step),
+      size_(size) {
+  double far = 0;
+  for (const Vec3& p : proxy_.mesh.positions) far = std::max(far, glm::length(p));
+  accuracy_ = 1e-11 * size + 1e-15 * far;  // as in project_nets
+}
+
+const ImplicitFunction& ImplicitSurface::function_at(std::int32_t face) const {
+  const ImplicitFunction* side = side_[static_cast<std::size_t>(face)];
+  return side ? *side : *function_;
+}
+
+SurfacePoint ImplicitSurface::lift(const ProxyPoint& point) const {
+  const Vec3 p = proxy_.position(point.face, point.bary);
+  const auto face = static_cast<std::int32_t>(point.face);
+  // Where Newton does not get there (a jump of the function) the triangle is all there is.
+  const double reach = 2 * proxy_.tolerance + accuracy_;
+  return {face, point.bary, onto_surface(function_at(face), p, reach, accuracy_).value_or(p)};
+}
+
+Frame ImplicitSurface::frame(const SurfacePoint& point) const {
+  const auto face = static_cast<std::uint32_t>(point.chart);
+  return implicit_frame(function_at(point.chart).hessian(point.position), point.position,
+                        proxy_.mesh.normal(face), size_);
+}
+
+std::vector<Frame> ImplicitSurface::wedge_frames(const RunContext& context) const {
+  const std::size_t n = proxy_.wedge_vertex.size();
+  std::vector<const ImplicitFunction*> piece(n, nullptr);
+  for (std::uint32_t f = 0; f < proxy_.wedges.size(); ++f) {
+    for (const std::uint32_t w : proxy_.wedges[f]) piece[w] = side_[f];
+  }
+  std::vector<Frame> frames(n);
+  parallel_for(
+      n, 1024,
+      [&](std::size_t begin, std::size_t end) {
+        std::vector<Vec3> points;
+        for (std::size_t w = begin; w < end; ++w) {
+          points.push_back(proxy_.wedge_position(static_cast<std::uint32_t>(w)));
+        }
+        std::vector<Gradient2> g(points.size());
+        function_->hessians(points, g);
+        for (std::size_t w = begin; w < end; ++w) {
+          if (piece[w]) g[w - begin] = piece[w]->hessian(points[w - begin]);
+          frames[w] =
+              implicit_frame(g[w - begin], points[w - begin], proxy_.wedge_normal[w], size_);
+        }
+      },
+      &context);
+  return frames;
+}
+
+namespace {
+
+// Coordinates in a triangle of the foot of p on its plane; false where the triangle has no area.
+bool coordinates(const TriMesh& mesh, std::uint32_t face, Vec3 p, Vec3& bary) {
+  const Triangle& t = mesh.triangles[face];
+  const Vec3 a = mesh.positions[t[0]], u = mesh.positions[t[1]] - a, v = mesh.positions[t[2]] - a;
+  const Vec3 n = glm::cross(u, v), w = p - a;
+  const double nn = glm::dot(n, n);
+  if (!(nn > 0)) return false;
+  bary.y = glm::dot(glm::cross(w, v), n) / nn;
+  bary.z = glm::dot(glm::cross(u, w), n) / nn;
+  bary.x = 1 - bary.y - bary.z;
+  return true;
+}
+
+// The nearest point of the triangle's border or inside.
+Vec3 clamped(const TriMesh& mesh, std::uint32_t face, Vec3 p, Vec3 bary) {
+  if (std::min({bary.x, bary.y, bary.z}) >= 0) return bary;
+  const Triangle& t = mesh.triangles[face];
+  Vec3 best(1, 0, 0);
+  double least = std::numeric_limits<double>::infinity();
+  for (int k = 0; k < 3; ++k) {
+    const auto i = static_cast<std::size_t>(k), j = static_cast<std::size_t>((k + 1) % 3);
+    const Vec3 a = mesh.positions[t[i]], d = mesh.positions[t[j]] - a;
+    const double dd = glm::dot(d, d);
+    const double s = dd > 0 ? std::clamp(glm::dot(p - a, d) / dd, 0.0, 1.0) : 0;
+    const double gap = glm::distance(p, a + s * d);
+    if (gap >= least) continue;
+    least = gap;
+    best = Vec3(0);
+    best[k] = 1 - s;
+    best[(k + 1) % 3] = s;
+  }
+  return best;
+}
+
+}  // namespace
+
+ImplicitSurface::Walk ImplicitSurface::walk(std::uint32_t face, Vec3 p) const {
+  // Triangles at the most; steps are short against the surface, so that few are needed.
+  constexpr int kMost = 4096;
+  // From here on it may be going round a corner: what lies nearest counts.
+  constexpr int kStraight = 64;
+  Walk w;
+  std::uint32_t before = face, best = face;
+  double least = std::numeric_limits<double>::infinity();
+  Vec3 bary(1, 0, 0), best_bary = bary;
+  for (int i = 0; i < kMost; ++i) {
+    w.by_crease |= side_[face] != nullptr;
+    const bool flat = !coordinates(proxy_.mesh, face, p, bary);
+    if (flat) bary = Vec3(-1, -1, 3);
+    const Vec3 on = flat ? Vec3(1, 0, 0) : clamped(proxy_.mesh, face, p, bary);
+    const double gap = glm::distance(p, proxy_.position(face, on));
+    const bool nearer = gap < least;
+    if (nearer) {
+      least = gap;
+      best = face;
+      best_bary = on;
+    }
+    if (!flat && on == bary) break;
+    // Over the edge that it is farthest beyond, unless that is sharp or it came from there.
+    HalfEdge through = kNoHalfEdge;
+    double most = 0;
+    for (int k = 0; k < 3; ++k) {
+      const HalfEdge h = static_cast<HalfEdge>(3 * face) + (k + 1) % 3;  // opposite to corner k
+      const auto e = static_cast<std::size_t>(h);
+      if (bary[k] >= most || proxy_.edge_kind[e] != EdgeKind::Smooth) continue;
+      const HalfEdge o = proxy_.topology.opposite[e];
+      if (o == kNoHalfEdge || (face_of(o) == before && i > 0)) continue;
+      most = bary[k];
+      through = o;
+    }
+    if (through == kNoHalfEdge || (i > kStraight && !nearer)) break;
+    before = face;
+    face = face_of(through);
+  }
+  w.place = {best, best_bary};
+  return w;
+}
+
+}  // namespace burin

@@ -1,0 +1,48 @@
+#pragma once
+// The surface behind ImplicitForm.
+
+#include <burin/forms/implicit/implicit_function.h>
+#include <burin/surface/surface.h>
+
+#include <memory>
+#include <vector>
+
+namespace burin {
+
+/// Charts of SurfacePoint are triangles of the proxy next to the point, coords its place in them;
+/// positions lie on f = 0.
+class ImplicitSurface final : public Surface {
+ public:
+  /// `side`: for each triangle that touches a crease the piece it belongs to, else nullptr.
+  ImplicitSurface(std::shared_ptr<const ImplicitFunction> function, ProxyMesh proxy,
+                  std::vector<const ImplicitFunction*> side, double step, double size);
+
+  MarchStep march(const SurfacePoint& from, Vec3 tangent, double length) const override;
+  Frame frame(const SurfacePoint& point) const override;
+  const ProxyMesh& proxy() const override { return proxy_; }
+  ProxyPoint to_proxy(const SurfacePoint& point) const override {
+    return {static_cast<std::uint32_t>(point.chart), point.coords};
+  }
+  SurfacePoint lift(const ProxyPoint& point) const override;
+  std::vector<Frame> wedge_frames(const RunContext& context) const override;
+
+ private:
+  // The way of a point over the triangles.
+  struct Walk {
+    ProxyPoint place;
+    bool by_crease = false;  // it came by a triangle that touches a crease
+  };
+  struct State;
+
+  const ImplicitFunction& function_at(std::int32_t face) const;
+  Walk walk(std::uint32_t face, Vec3 p) const;
+  bool advance(const ImplicitFunction& f, const State& from, double length, State& to) const;
+  bool active(const ImplicitFunction& piece, Vec3 p) const;
+
+  std::shared_ptr<const ImplicitFunction> function_;
+  ProxyMesh proxy_;
+  std::vector<const ImplicitFunction*> side_;
+  double step_, size_, accuracy_;
+};
+
+}  // namespace burin

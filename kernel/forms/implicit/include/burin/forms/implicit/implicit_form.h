@@ -1,0 +1,37 @@
+#pragma once
+/// The zero set of a function as a form.
+
+#include <burin/base/box.h>
+#include <burin/forms/implicit/implicit_function.h>
+#include <burin/surface/scene.h>
+
+#include <memory>
+#include <optional>
+
+namespace burin {
+
+/// The surface f = 0, closed: where it reaches the domain it is clipped by the domain's box, which
+/// a diagnostic ("implicit.clipped") tells. Without a domain the function's own bounds are taken.
+/// The constructor looks over the domain in 128 steps: components larger than two of them are
+/// found. Throws GeometryError in one line where the function has no surface there, or one so fine
+/// that it fills the domain. The functions of realised surfaces are shared with the form.
+/// Cost: 0.1 s to look, 0.5 s to realise 300,000 triangles on 2 cores.
+class ImplicitForm final : public Form {
+ public:
+  ImplicitForm(std::shared_ptr<const ImplicitFunction> function, std::optional<Box3> domain,
+               const RunContext& context);
+  ~ImplicitForm() override;
+
+  Box3 bounds(const Mat3& axes) const override;
+  /// Triangles hold `tolerance` with exceptions for a fiftieth of the surface, and are 400,000 at
+  /// most ("implicit.proxy_coarse"). They are cut along creases and along the contours of
+  /// `options.view`; positions, normals and curvature of the surface are exact in any case.
+  std::shared_ptr<const Surface> realise(const RealiseOptions& options,
+                                         RunContext& context) const override;
+
+ private:
+  struct Impl;
+  std::unique_ptr<const Impl> impl_;
+};
+
+}  // namespace burin

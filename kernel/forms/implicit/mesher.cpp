@@ -1,0 +1,188 @@
+#include "mesher.h"
+
+#include <burin/base/error.h>
+#include <burin/base/parallel.h>
+
+#include "project.h"
+#include "shape_operator.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace burin {
+namespace {
+
+// Steps of the first look along the longest side of the domain: everything larger than two of them
+// is found.
+constexpr double kSurveySteps = 128;
+constexpr std::size_t kMaxBlocks = 60'000;  // 30 million cells, 0.4 GB
+constexpr double kMaxTriangles = 400'000;
+constexpr double kCoarsest = 64, kFinest = 1000;  // steps along the surface's longest side
+// Triangles a square of one step: crossed cells twice, as surfaces slanted to the grid have 1.5.
+constexpr double kTrianglesPerStep = 3;
+constexpr double kEdgePerStep = 1.25;  // mean length of the longer edges
+
+ExactMesh mesh_grid(const ImplicitFunction& f, const Grid& grid, double size, std::size_t& stray,
+                    const RunContext& context) {
+  ExactMesh mesh = project_nets(f, make_nets(grid, context), grid.layout(), size, stray, context);
+  cut_along_creases(mesh, f, context);
+  return mesh;
+}
+
+Box3 box_of(const std::vector<Vec3>& points) {
+  Box3 b;
+  for (const Vec3& p : points) b.add(p);
+  return b;
+}
+
+double longest(const Box3& b) {
+  const Vec3 s = b.size();
+  return std::max({s.x, s.y, s.z});
+}
+
+bool finite(const Box3& b) {
+  for (int a = 0; a < 3; ++a) {
+    if (!(std::abs(b.min[a]) < 1e9) || !(std::abs(b.max[a]) < 1e9) || !(b.min[a] < b.max[a])) {
+      return false;
+    }
+  }
+  return true;
+}
+
+bool reaches(const Box3& surface, const Box3& domain, double margin) {
+  for (int a = 0; a < 3; ++a) {
+    if (surface.min[a] < domain.min[a] + margin || surface.max[a] > domain.max[a] - margin) {
+      return true;
+    }
+  }
+  return false;
+}
+
+std::string shown(const Box3& b) {
+  return fmt::format("{:.6g},{:.6g},{:.6g},{:.6g},{:.6g},{:.6g}", b.min.x, b.min.y, b.min.z,
+                     b.max.x, b.max.y, b.max.z);
+}
+
+[[noreturn]] void all_inside(const Box3& domain) {
+  throw GeometryError(fmt::format(
+      "the function is negative everywhere in {}: there is no surface; give a larger domain by "
+      "--bounds",
+      shown(domain)));
+}
+
+bool any_within(const std::vector<Vec3>& points, const Box3& domain) {
+  const double margin = 1e-6 * longest(domain);
+  return std::ranges::any_of(points, [&](const Vec3& p) {
+    Box3 at;
+    at.add(p);
+    return !reaches(at, domain, margin);
+  });
+}
+
+[[noreturn]] void no_surface(const ImplicitFunction& f, const Grid& grid, const Box3& domain) {
+  const double middle = f.value(domain.center());
+  if (!grid.any_outside()) all_inside(domain);
+  if (std::isnan(middle)) {
+    throw GeometryError(fmt::format(
+        "the function is not a number in {}: there is no surface; mind roots and logarithms of "
+        "negative numbers",
+        shown(domain)));
+  }
+  throw GeometryError(
+      fmt::format("the function is nowhere negative in {}: there is no surface; check the formula, "
+                  "its sign and "
+                  "--bounds",
+                  shown(domain)));
+}
+
+void measure(Survey& s, const RunContext& context) {
+  std::vector<double> curvature(s.mesh.positions.size());
+  parallel_for(
+      curvature.size(), 512,
+      [&](std::size_t begin, std::size_t end) {
+        std::vector<Gradient2> g(end - begin);
+        s.function->hessians(std::span(s.mesh.positions).subspan(begin, end - begin), g);
+        for (std::size_t i = begin; i < end; ++i) {
+          const double k = largest_curvature(g[i - begin]);
+          curvature[i] =
+              s.mesh.on_crease(static_cast<std::uint32_t>(i)) || !std::isfinite(k) ? 0 : k;
+        }
+      },
+      &context);
+  std::vector<double> sorted = curvature;
+  const std::size_t at = sorted.size() * 49 / 50;
+  std::ranges::nth_element(sorted, sorted.begin() + static_cast<std::ptrdiff_t>(at));
+  s.small_radius = sorted[at] > 0 ? 1 / sorted[at] : std::numeric_limits<double>::infinity();
+  TriMesh area;
+  area.positions = s.mesh.positions;
+  area.triangles = s.mesh.triangles;
+  for (std::uint32_t t = 0; t < area.triangles.size(); ++t) s.area += area.area(t);
+}
+
+}  // namespace
+
+Survey survey(std::shared_ptr<const ImplicitFunction> function, const Box3& domain, bool given,
+              const RunContext& context) {
+  constexpr int kEnlargements = 4;
+  Survey s;
+  s.function = std::move(function);
+  Box3 at = domain;
+  if (!given) at = {domain.min - 0.01 * domain.size(), domain.max + 0.01 * domain.size()};
+  if (!finite(at)) {
+    throw GeometryError(fmt::format("the domain {} is empty or endless", shown(at)));
+  }
+  for (int round = 0;; ++round) {
+    const double step = longest(at) / kSurveySteps;
+    if (given) s.function = clip(s.function, at);
+    const Grid grid(*s.function, make_layout(at, step), kMaxBlocks, context);
+    if (grid.blocks().empty()) no_surface(*s.function, grid, at);
+    std::size_t stray = 0;
+    s.mesh = mesh_grid(*s.function, grid, longest(at), stray, context);
+    s.box = box_of(s.mesh.positions);
+    if (s.mesh.triangles.empty()) no_surface(*s.function, grid, at);
+    if (given && !any_within(s.mesh.positions, at)) all_inside(at);
+    const bool cut = reaches(s.box, at, given ? 1e-9 * longest(at) : 0.0);
+    if (given && cut) {
+      s.diagnostics.add(Severity::Warning, "implicit.clipped", 1,
+                        fmt::format("the surface reaches the domain {} and is cut there; a larger "
+                                    "one can be given by --bounds",
+                                    shown(at)));
+    }
+    if (given || !cut) break;
+    // Bounds that were derived and do not hold: solids that are no distances, offset far.
+    if (round == kEnlargements) {
+      given = true;
+      continue;
+    }
+    at = {at.min - 0.25 * at.size(), at.max + 0.25 * at.size()};
+  }
+  measure(s, context);
+  return s;
+}
+
+ExactMesh mesh_surface(const ImplicitFunction& function, const Box3& box, double step,
+                       std::size_t& stray, const RunContext& context) {
+  const Grid grid(function, make_layout(box, step), kMaxBlocks, context);
+  return mesh_grid(function, grid, longest(box), stray, context);
+}
+
+double choose_step(const Survey& survey, double tolerance, Diagnostics& diagnostics) {
+  const double size = longest(survey.box);
+  // Sagitta edge^2 / (8 r).
+  const double wanted = std::sqrt(8 * survey.small_radius * tolerance) / kEdgePerStep;
+  double step = std::min(wanted, size / kCoarsest);
+  const double least =
+      std::max(std::sqrt(kTrianglesPerStep * survey.area / kMaxTriangles), size / kFinest);
+  if (step < least) {
+    step = std::min(least, size / kCoarsest);
+    diagnostics.add(
+        Severity::Info, "implicit.proxy_coarse", 1,
+        fmt::format("the triangles that hide lines are {:.3g} mm long instead of {:.3g} mm, so "
+                    "that there are not more than {:.0f}; lines and strokes are exact nevertheless",
+                    step, wanted, kMaxTriangles));
+  }
+  return step;
+}
+
+}  // namespace burin

@@ -1,0 +1,41 @@
+#pragma once
+// From a function to its triangles.
+
+#include <burin/base/box.h>
+#include <burin/base/diagnostics.h>
+#include <burin/base/run_context.h>
+#include <burin/forms/implicit/implicit_function.h>
+
+#include "exact_mesh.h"
+
+#include <memory>
+
+namespace burin {
+
+/// What a first look over the domain tells.
+struct Survey {
+  /// The function to be drawn: clipped where it reaches the domain.
+  std::shared_ptr<const ImplicitFunction> function;
+  /// A coarse mesh with its creases.
+  ExactMesh mesh;
+  /// Of the surface itself.
+  Box3 box;
+  double area = 0;
+  /// Radius of curvature in model mm that all but a fiftieth of the surface exceeds.
+  double small_radius = 0;
+  Diagnostics diagnostics;
+};
+
+/// Looks for the surface at a 128th of the domain. Throws GeometryError where there is none.
+Survey survey(std::shared_ptr<const ImplicitFunction> function, const Box3& domain, bool given,
+              const RunContext& context);
+
+/// Triangles of edge length about `step`, creases cut.
+ExactMesh mesh_surface(const ImplicitFunction& function, const Box3& box, double step,
+                       std::size_t& stray, const RunContext& context);
+
+/// The step for chords within `tolerance` model mm, bounded by the size of the surface and by the
+/// number of triangles, and what of that is worth a word to the user.
+double choose_step(const Survey& survey, double tolerance, Diagnostics& diagnostics);
+
+}  // namespace burin
