@@ -3,6 +3,7 @@
 #include <burin/base/parallel.h>
 
 #include "half_edges.h"
+#include "unfold.h"
 
 #include <algorithm>
 #include <cmath>
@@ -28,6 +29,7 @@ class Refiner {
   void run(ManifoldPairs pairs) {
     opposite_ = std::move(pairs.opposite);
     for (int level = 0;; ++level) {
+      forget(unfold(raw_, opposite_, atlas_));
       measure(level < 2);
       const bool more = mark(pairs.to_split);
       if (!more || (level >= kLevels && pairs.to_split.empty())) break;
@@ -41,6 +43,20 @@ class Refiner {
   }
 
  private:
+  /// What flips have changed is to be measured anew, on both sides of each edge.
+  void forget(const std::vector<std::size_t>& changed) {
+    for (const std::size_t f : changed) {
+      centre_[f] = -1;
+      for (std::size_t h = 3 * f; h < 3 * f + 3; ++h) {
+        known_[h] = 0;
+        error_[h] = 0;
+        if (opposite_[h] < 0) continue;
+        known_[at(opposite_[h])] = 0;
+        error_[at(opposite_[h])] = 0;
+      }
+    }
+  }
+
   /// How far S at (u,v) lies from p, a point of a triangle with normal n.
   double distance(const Chart& chart, Vec2 uv, Vec3 p, Vec3 n) const {
     const Vec3 d = chart.position(uv) - p;
