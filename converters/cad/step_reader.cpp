@@ -71,12 +71,13 @@ std::string closed_early(std::string_view text) {
   return std::string(text.substr(0, end + 1)) + "\nENDSEC;\nEND-ISO-10303-21;\n";
 }
 
-/// OCCT says "Line 12: what".
+/// OCCT says "Line 12: what" of a fault in line 11: its scanner begins with 1 and counts the line
+/// that it enters.
 [[noreturn]] void fail_parsing(const Source& source, const std::string& message) {
   std::int64_t line = 0;
   std::string what = "OCCT cannot parse it";
   if (const std::size_t at = message.find("Line "); at != std::string::npos) {
-    line = std::strtoll(message.c_str() + at + 5, nullptr, 10);
+    line = std::max(std::strtoll(message.c_str() + at + 5, nullptr, 10) - 1, 0ll);
     const std::size_t words = message.find(": ", at);
     if (words != std::string::npos) what = message.substr(words + 2);
     what.erase(what.find_last_not_of(" *") + 1);

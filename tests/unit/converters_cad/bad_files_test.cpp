@@ -60,9 +60,7 @@ TEST_F(BadFiles, ErrorsOfSyntaxNameTheLine) {
     read(file);
     FAIL() << "no error";
   } catch (const InputError& e) {
-    // The parser sees the fault at the end of the line, or at the start of the next.
-    EXPECT_GE(e.line(), 6);
-    EXPECT_LE(e.line(), 7);
+    EXPECT_EQ(e.line(), 6);
   }
 }
 
