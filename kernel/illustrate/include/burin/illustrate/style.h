@@ -55,7 +55,7 @@ struct Style {
     double tone_min = 0.05;
     double cross_from = 0.45;
     double length_min = 2.5;
-    double length_max = 300;
+    double length_max = 2000;
     double taper = 2.5;
     double foreshortening = 0;
     /// Exact forms, by the kind of their faces (see field::FacePolicy): "differ" or "direction";
