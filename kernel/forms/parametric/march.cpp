@@ -183,7 +183,29 @@ March::Crossing March::leave(HalfEdge h, Way& way) const {
   Vec2 to = way.to;
   way.triangle = triangles_.locate(way.triangle, to);
   way.move(to - way.to);
+  crossing.edge = beyond(way);
   return crossing;
+}
+
+// The border half-edge that the end of the way lies beyond, if any. A way along a border leaves
+// the face where the next one turns off from it, though it never crosses its own.
+HalfEdge March::beyond(Way& way) const {
+  const auto outside = [&](HalfEdge h, Vec2 at) {
+    return triangles_.inside(h, at) < -triangles_.noise(h);
+  };
+  const Vec2 middle = triangles_.uv(way.triangle, Vec3(1.0 / 3));
+  const HalfEdge h = triangles_.exit(way.triangle, middle, way.to).edge;
+  if (h == kNoHalfEdge || !triangles_.is_border(h)) return kNoHalfEdge;
+  if (outside(h, way.to)) return h;
+  const double share = triangles_.share(h, way.to);
+  if (share >= 0 && share <= 1) return kNoHalfEdge;
+  Vec2 step(0);
+  const HalfEdge other =
+      share > 1 ? triangles_.next_border(h, step) : triangles_.previous_border(h, step);
+  if (other == kNoHalfEdge || !outside(other, way.to + step)) return kNoHalfEdge;
+  way.move(step);
+  way.triangle = face_of(other);
+  return other;
 }
 
 }  // namespace burin::detail

@@ -40,6 +40,7 @@ class March {
   std::optional<MarchStop> advance(PathState& to, double length);
   Crossing pass(PathState& to);
   Crossing leave(HalfEdge edge, Way& way) const;
+  HalfEdge beyond(Way& way) const;
   bool passes_curve(const Way& way, const UvExit& exit, Crossing& crossing) const;
   double meet(const Crossing& crossing, const PathState& to, double length) const;
   double refine(const Crossing& crossing, double length, double guess, PathState& at) const;
