@@ -40,6 +40,11 @@ void insert_visible(SampleGrid& grid, const TracedStroke& stroke, std::int32_t i
   }
 }
 
+// Strokes keep their distance only where they are on one sheet. A region so folded, or a surface so
+// broken, that no two places of it count as one sheet could be filled without end: no more than as
+// many layers of the densest strokes are laid.
+constexpr double kMostInk = 8;
+
 class Placement {
  public:
   Placement(const Picture& picture, Family& out, int family, const Region& region)
@@ -48,11 +53,14 @@ class Placement {
         family_(family),
         tracer_(picture, out.grid, family),
         rng_(picture.options.seed, static_cast<std::uint64_t>(region.part),
-             2 * static_cast<std::uint64_t>(region.region) + static_cast<std::uint64_t>(family)) {}
+             2 * static_cast<std::uint64_t>(region.region) + static_cast<std::uint64_t>(family)),
+        most_(kMostInk * (1 + region.box.size().x) * (1 + region.box.size().y) /
+              picture.options.spacing_min) {}
 
   // A stroke through a point, if it keeps `share` of the spacing from all others and is long
   // enough.
   void start(std::int32_t part, const SurfacePoint& point, double share) {
+    if (drawn_ > most_) return;
     StrokeSample seed;
     if (!tracer_.seed(part, point, Vec3(0), seed) || !tracer_.free(part, seed, share)) return;
     if (!picture_.seen(part, seed.face, seed.paper, seed.depth)) return;
@@ -127,6 +135,7 @@ class Placement {
 
   void add(TracedStroke stroke) {
     insert_visible(out_.grid, stroke, static_cast<std::int32_t>(out_.strokes.size()));
+    drawn_ += stroke.length();
     out_.strokes.push_back(std::move(stroke));
   }
 
@@ -194,6 +203,8 @@ class Placement {
   Tracer tracer_;
   Rng rng_;
   std::size_t done_ = 0;
+  // Paper mm of strokes so far, and at the most.
+  double drawn_ = 0, most_ = 0;
 };
 
 // The seeds of each region that has any, in their order; regions by part and number.
