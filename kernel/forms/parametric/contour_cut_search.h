@@ -9,6 +9,9 @@
 
 namespace burin {
 
+/// Radians: smaller values of g are noise of charts with numeric derivatives.
+inline constexpr double kNumericNoise = 1e-8;
+
 /// What is to be done at an edge or in a triangle.
 struct Incision {
   enum class What {
