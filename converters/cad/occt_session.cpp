@@ -49,6 +49,9 @@ std::mutex& occt_mutex() {
   return mutex;
 }
 
+// Bytes for the handler of a signal.
+constexpr std::size_t kHandlerStack = std::size_t{1} << 17;
+
 void set_parameters() {
   STEPControl_Controller::Init();
   IGESControl_Controller::Init();
@@ -83,11 +86,23 @@ OcctSession::OcctSession() : lock_(occt_mutex()) {
   ::pthread_sigmask(SIG_SETMASK, &all, &before);
   OSD::SetSignal(OSD_SignalMode_Set, Standard_False);
   for (const auto& [signal, action] : others) ::sigaction(signal, &action, nullptr);
+  // A file whose entities refer to themselves lets OCCT run out of stack: its handler needs
+  // another.
+  stack_.resize(kHandlerStack);
+  stack_t stack{};
+  stack.ss_sp = stack_.data();
+  stack.ss_size = stack_.size();
+  ::sigaltstack(&stack, &stack_before_);
+  struct sigaction crash {};
+  ::sigaction(SIGSEGV, nullptr, &crash);
+  crash.sa_flags |= SA_ONSTACK;
+  ::sigaction(SIGSEGV, &crash, nullptr);
   ::pthread_sigmask(SIG_SETMASK, &before, nullptr);
 }
 
 OcctSession::~OcctSession() {
   for (const auto& [signal, action] : handlers_) ::sigaction(signal, &action, nullptr);
+  ::sigaltstack(&stack_before_, nullptr);
   Message::DefaultMessenger()->ChangePrinters() = printers_;
   std::cout.rdbuf(out_);
   std::cerr.rdbuf(log_);
@@ -96,17 +111,21 @@ OcctSession::~OcctSession() {
 std::string OcctSession::first_message() const { return messages_->kept_; }
 
 void OcctSession::guarded(const std::string& file, const std::function<void()>& body) const {
+  constexpr const char* kCrashed =
+      "crashes the reader of OCCT; export the model again, or in another format";
   try {
     OCC_CATCH_SIGNALS
     body();
   } catch (const OSD_Exception&) {
-    throw InputError("crashed the reader of OCCT; export the model again, or in another format",
-                     file);
+    throw InputError(kCrashed, file);
   } catch (const Standard_OutOfMemory&) {
     throw std::bad_alloc();
   } catch (const Standard_Failure& e) {
+    const std::string message = clean_name(e.GetMessageString());
+    // Parts of OCCT catch the exception of a signal and throw one of their own.
+    if (message.find("System Signal") != std::string::npos) throw InputError(kCrashed, file);
     throw InputError(fmt::format("cannot be read by OCCT ({}: {}); export the model again",
-                                 e.DynamicType()->Name(), clean_name(e.GetMessageString())),
+                                 e.DynamicType()->Name(), message),
                      file);
   }
 }

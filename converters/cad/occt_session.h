@@ -38,6 +38,8 @@ class OcctSession {
   Message_SequenceOfPrinters printers_;
   Handle(MessageKeeper) messages_;
   std::vector<std::pair<int, struct sigaction>> handlers_;
+  std::vector<char> stack_;
+  stack_t stack_before_{};
 };
 
 /// Progress of OCCT's algorithms into a share of the present stage, and their cancellation.

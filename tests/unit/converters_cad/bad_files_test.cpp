@@ -9,6 +9,7 @@
 #include <atomic>
 #include <filesystem>
 #include <random>
+#include <regex>
 #include <thread>
 
 namespace burin {
@@ -75,6 +76,16 @@ TEST_F(BadFiles, WhatStandsBeforeACutIsRead) {
   ASSERT_EQ(scene.parts.size(), 1u);
   EXPECT_EQ(scene.parts[0].name, "first");
   EXPECT_EQ(test::count_of(scene.diagnostics, "step.truncated"), 1);
+}
+
+TEST_F(BadFiles, AnEdgeThatIsMadeOfItselfIsRefused) {
+  // OCCT follows it until the stack ends.
+  std::string text = test::slurp(box_step());
+  const std::regex edge(R"(#(\d+) = ORIENTED_EDGE\('',\*,\*,#(\d+),)");
+  text = std::regex_replace(text, edge, "#$1 = ORIENTED_EDGE('',*,*,#$1,");
+  expect_error(folder_.write("loop.step", text), "export the model again");
+  // And the next file is read as ever.
+  EXPECT_EQ(read(folder_ / "box.step").parts.size(), 2u);
 }
 
 TEST_F(BadFiles, NoCutCrashes) {
