@@ -6,9 +6,9 @@
 namespace burin::detail {
 namespace {
 
-// Shares of the part's size: what a step may leave open (a march of many steps stays below 1e-9),
-// and the step below which the path is taken for singular.
-constexpr double kStepError = 3e-10;
+// Shares of the part's size: what the steps of a long march and a march of one step may leave open
+// by their estimates, and the step below which the path is taken for singular.
+constexpr double kStepError = 3e-10, kShortError = 1e-9;
 constexpr double kShortest = 1e-11;
 // Steps of one march at the most, so that it ends whatever the surface is.
 constexpr int kMaxSteps = 20'000;
@@ -43,7 +43,7 @@ MarchStep March::run(const SurfacePoint& from, Vec3 tangent) {
     const double h = std::min({trial, rest, 1.001 * std::max(side, kAlongBorder * length_)});
     PathState to;
     // Strokes are made of such steps.
-    if (h == length_ && path().short_step(state_, h, kStepError * size, to)) {
+    if (h == length_ && path().short_step(state_, h, kShortError * size, to)) {
       if (const auto stop = advance(to, h)) return result(*stop);
       if (gone_ >= length_) return result(MarchStop::Completed);
       trial = length_;

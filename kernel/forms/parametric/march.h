@@ -44,7 +44,8 @@ class March {
   bool passes_curve(const Way& way, const UvExit& exit, Crossing& crossing) const;
   double meet(const Crossing& crossing, const PathState& to, double length) const;
   double refine(const Crossing& crossing, double length, double guess, PathState& at) const;
-  std::optional<MarchStop> cross(const Crossing& crossing, const PathState& to, double length);
+  double find_crossing(Crossing& crossing, PathState& to, double length, PathState& at);
+  std::optional<MarchStop> cross(Crossing crossing, PathState& to, double length);
   std::optional<MarchStop> enter(HalfEdge edge, const BorderPlace& place, bool progress);
   std::optional<MarchStop> slide(HalfEdge edge, const BorderPlace& place, Vec3 direction);
   GeodesicPath path() const { return {atlas_, triangles_.face(triangle_)}; }

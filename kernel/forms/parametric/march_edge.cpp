@@ -14,6 +14,10 @@ constexpr int kMaxRefinements = 3;
 // up.
 constexpr int kStalled = 3;
 constexpr int kMaxTurns = 100;
+// Share of a chord beyond its ends that still belongs to it, and neighbours looked at for what lies
+// farther on.
+constexpr double kBeyond = 1e-9;
+constexpr int kMaxHandOvers = 8;
 // Cosine of the largest angle between march and edge at which both faces may claim that it goes to
 // the other one, by rounding and the tolerance of the edge; a larger one is a fold.
 constexpr double kGrazing = 0.985;
@@ -89,12 +93,37 @@ double March::refine(const Crossing& crossing, double length, double guess, Path
   return x;
 }
 
-std::optional<MarchStop> March::cross(const Crossing& crossing, const PathState& to,
-                                      double length) {
-  const HalfEdge h = crossing.edge;
-  if (!triangles_.is_border(h)) return MarchStop::Boundary;
+// Where the path meets the curve of a border half-edge, or that of its neighbour on the border
+// where it passes the first one beyond its end.
+double March::find_crossing(Crossing& crossing, PathState& to, double length, PathState& at) {
+  double gone = refine(crossing, length, meet(crossing, to, length), at);
+  HalfEdge before = kNoHalfEdge;
+  for (int i = 0; i < kMaxHandOvers; ++i) {
+    const HalfEdge h = crossing.edge;
+    const double share = triangles_.share(h, at.uv);
+    if (share >= -kBeyond && share <= 1 + kBeyond) break;
+    Vec2 step(0);
+    const HalfEdge other =
+        share > 1 ? triangles_.next_border(h, step) : triangles_.previous_border(h, step);
+    // Back again: the path passes between both, at their common vertex.
+    if (other == kNoHalfEdge || other == before) break;
+    before = h;
+    const Vec2 end = to.uv + step;
+    if (triangles_.inside(other, end) >= -triangles_.noise(other)) break;
+    state_.uv += step;
+    to.uv = end;
+    crossing = {other, 1};
+    gone = refine(crossing, length, meet(crossing, to, length), at);
+  }
+  triangle_ = face_of(crossing.edge);
+  return gone;
+}
+
+std::optional<MarchStop> March::cross(Crossing crossing, PathState& to, double length) {
+  if (!triangles_.is_border(crossing.edge)) return MarchStop::Boundary;
   PathState at;
-  const double gone = refine(crossing, length, meet(crossing, to, length), at);
+  const double gone = find_crossing(crossing, to, length, at);
+  const HalfEdge h = crossing.edge;
   const BorderPlace place = triangles_.beside(h, at.uv);
   const Vec3 direction = at.direction();
   gone_ += gone;
