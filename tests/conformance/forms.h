@@ -1,6 +1,8 @@
 #pragma once
 /// The forms that the conformance suite runs over. A new form adds its lines to `form_cases`.
 
+#include <burin/forms/implicit/expression.h>
+#include <burin/forms/implicit/implicit_form.h>
 #include <burin/forms/mesh/mesh_form.h>
 #include <burin/forms/parametric/nurbs.h>
 #include <burin/forms/parametric/parametric_form.h>
@@ -34,6 +36,17 @@ inline std::shared_ptr<const Form> mesh_form(TriMesh mesh) {
 inline std::shared_ptr<const Form> parametric_form(
     std::vector<std::shared_ptr<const Chart>> patches) {
   return std::make_shared<ParametricForm>(std::move(patches));
+}
+
+inline std::shared_ptr<const Form> implicit_form(const Expression& f) {
+  return std::make_shared<ImplicitForm>(make_function(f), std::nullopt, RunContext{});
+}
+
+/// Three cylinders along the axes, blended.
+inline Expression implicit_blend() {
+  const Expression c = implicit::cylinder(1, 6);
+  return implicit::smooth_unite(implicit::smooth_unite(c, implicit::rotate(c, {90, 0, 0}), 0.5),
+                                implicit::rotate(c, {0, 90, 0}), 0.5);
 }
 
 inline std::vector<FormCase> form_cases() {
@@ -73,6 +86,17 @@ inline std::vector<FormCase> form_cases() {
       {"NurbsSheet",
        [] { return parametric_form({make_nurbs_chart(random_nurbs(3, 3, 9, 7, true, true, 5))}); },
        false},
+      {"ImplicitTorus", [] { return implicit_form(implicit::torus(3, 1)); }},
+      {"ImplicitEllipsoid",
+       [] {
+         const Expression x = Expression::x(), y = Expression::y(), z = Expression::z();
+         return implicit_form(x * x / 9 + y * y / 4 + z * z - 1);
+       }},
+      {"ImplicitBlend", [] { return implicit_form(implicit_blend()); }},
+      {"ImplicitBoxMinusSphere",
+       [] {
+         return implicit_form(implicit::subtract(implicit::box(2, 2, 2), implicit::sphere(1.2)));
+       }},
   };
 }
 

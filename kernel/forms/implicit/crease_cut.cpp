@@ -52,6 +52,7 @@ class CreaseCutter {
       cut_at_points(mesh_, points, [&](std::size_t t) { return corner(t, points); });
     }
     if (mesh_.creases.empty()) return;
+    add_missing_corners();
     set_sides();
     flip_slivers(mesh_);
     collapse_slivers(mesh_, f_, 0.3 * mesh_.step, context_);
@@ -145,6 +146,36 @@ class CreaseCutter {
     // No such corner: the sides run out into one another here.
     const auto q = onto_surface(f_, middle, kReach * mesh_.step, mesh_.accuracy);
     return mesh_.add_crease_vertex(q.value_or(middle), all);
+  }
+
+  // Triangles whose corners lie on three creases, with no piece in common, cut off a corner.
+  void add_missing_corners() {
+    const std::size_t count = mesh_.triangles.size();
+    for (std::size_t t = 0; t < count; ++t) {
+      const Triangle tri = mesh_.triangles[t];
+      if (!std::ranges::all_of(tri, [&](std::uint32_t v) { return mesh_.on_crease(v); })) continue;
+      std::vector<const ImplicitFunction*> pieces;
+      bool shared = false;
+      for (const std::uint32_t v : tri) {
+        for (const auto& s : sides(v)) {
+          if (std::ranges::find(pieces, s.piece) == pieces.end()) pieces.push_back(s.piece);
+          shared |= std::ranges::all_of(tri, [&](std::uint32_t w) {
+            return std::ranges::any_of(sides(w), [&](const auto& o) { return o.piece == s.piece; });
+          });
+        }
+      }
+      if (shared || pieces.size() != 3) continue;
+      const Vec3 middle =
+          (mesh_.positions[tri[0]] + mesh_.positions[tri[1]] + mesh_.positions[tri[2]]) / 3.0;
+      const auto c =
+          find_corner(mesh_, f_, *pieces[0], *pieces[1], *pieces[2], middle, kReach * mesh_.step);
+      if (!c) continue;
+      const std::uint32_t v = mesh_.add_crease_vertex(c->position, c->sides);
+      mesh_.triangles[t] = {tri[0], tri[1], v};
+      mesh_.triangles.push_back({tri[1], tri[2], v});
+      mesh_.triangles.push_back({tri[2], tri[0], v});
+      mesh_.side.insert(mesh_.side.end(), 2, nullptr);
+    }
   }
 
   // The piece of triangles that have crease vertices.

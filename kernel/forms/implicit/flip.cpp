@@ -10,6 +10,7 @@ namespace burin {
 namespace {
 
 constexpr int kPasses = 6;
+constexpr std::uint8_t kRings = 3;
 // Height over longest side below which a triangle is a sliver, or the cosine its plane may turn
 // away from the surface.
 constexpr double kFlat = 0.05;
@@ -22,7 +23,19 @@ struct Half {
 
 class Flipper {
  public:
-  explicit Flipper(ExactMesh& mesh) : mesh_(mesh) {}
+  explicit Flipper(ExactMesh& mesh) : mesh_(mesh), near_(mesh.positions.size(), 0) {
+    // Vertices within three edges of a crease: where thin wedges have been sorted out.
+    for (std::size_t v = 0; v < near_.size(); ++v) near_[v] = mesh.crease[v] >= 0;
+    for (std::uint8_t ring = 1; ring <= kRings; ++ring) {
+      for (const Triangle& t : mesh.triangles) {
+        const auto in = [&](std::uint32_t v) { return near_[v] > 0 && near_[v] <= ring; };
+        if (!in(t[0]) && !in(t[1]) && !in(t[2])) continue;
+        for (const std::uint32_t v : t) {
+          if (near_[v] == 0) near_[v] = static_cast<std::uint8_t>(ring + 1);
+        }
+      }
+    }
+  }
 
   void run() {
     for (int pass = 0; pass < kPasses; ++pass) {
@@ -32,7 +45,7 @@ class Flipper {
   }
 
  private:
-  bool on_line(std::uint32_t v) const { return mesh_.on_crease(v); }
+  bool on_line(std::uint32_t v) const { return near_[v] > 0; }
 
   void find_edges() {
     edges_.clear();
@@ -123,6 +136,7 @@ class Flipper {
 
   static constexpr std::uint32_t kNone = EdgePoints::kNone;
   ExactMesh& mesh_;
+  std::vector<std::uint8_t> near_;
   std::vector<Half> edges_;
   std::set<std::pair<std::uint32_t, std::uint32_t>> fresh_;
 };

@@ -80,10 +80,11 @@ bool ImplicitSurface::advance(const ImplicitFunction& f, const State& from, doub
   return to.tangent != Vec3(0);
 }
 
-// Whether a point of a piece's own zero set belongs to the surface.
-bool ImplicitSurface::active(const ImplicitFunction& piece, Vec3 p) const {
+// Whether a point of a piece's own zero set belongs to the surface and lies on the near side of all
+// creases.
+bool ImplicitSurface::stays(const ImplicitFunction& piece, std::uint32_t face, Vec3 p) const {
   const double slope = glm::length(piece.gradient(p).gradient);
-  return std::abs(function_->value(p)) <= 1e-9 * size_ * slope;
+  return std::abs(function_->value(p)) <= 1e-9 * size_ * slope && walk(face, p).reached;
 }
 
 MarchStep ImplicitSurface::march(const SurfacePoint& from, Vec3 tangent, double length) const {
@@ -127,14 +128,20 @@ MarchStep ImplicitSurface::march(const SurfacePoint& from, Vec3 tangent, double 
     }
     if (!good) return finish(usable(at.g.gradient) ? MarchStop::NotConverged : MarchStop::Singular);
     const Walk way = walk(face, next.position);
-    if (way.by_crease && !active(*f, next.position)) {
+    if (way.by_crease && f == function_.get() && f->has_pieces()) {
+      // Over a crease only a single piece goes on smoothly: the step once more, on it.
+      f = &function_->piece_function(at.position);
+      at.g = f->hessian(at.position);
+      continue;
+    }
+    if (way.by_crease && !stays(*f, face, next.position)) {
       // Another piece has come up: on the way, at an angle or smoothly.
       double low = 0, high = s;
       State good_at = at, probe;
       while (high - low > accuracy_) {
         const double middle = 0.5 * (low + high);
         if (middle <= low || middle >= high) break;
-        if (advance(*f, at, middle, probe) && active(*f, probe.position)) {
+        if (advance(*f, at, middle, probe) && stays(*f, face, probe.position)) {
           low = middle;
           good_at = probe;
         } else {
@@ -142,10 +149,11 @@ MarchStep ImplicitSurface::march(const SurfacePoint& from, Vec3 tangent, double 
         }
       }
       if (!advance(*f, at, high, probe)) probe = good_at;
-      const Gradient1 other = function_->piece_function(probe.position).gradient(probe.position);
       const Vec3 here = normalize_or(good_at.g.gradient, Vec3(0)),
-                 there = normalize_or(other.gradient, Vec3(0));
-      if (glm::dot(here, there) < kSmooth) {
+                 there = normalize_or(
+                     function_->piece_function(probe.position).gradient(probe.position).gradient,
+                     Vec3(0));
+      if (glm::dot(here, there) < kSmooth || !walk(face, next.position).reached) {
         step.length += low;
         at = good_at;
         return finish(MarchStop::Crease);

@@ -144,6 +144,8 @@ ImplicitSurface::Walk ImplicitSurface::walk(std::uint32_t face, Vec3 p) const {
     face = face_of(through);
   }
   w.place = {best, best_bary};
+  // Beside an edge between two triangles a point of the surface lies off both by some sagitta.
+  w.reached = least <= 2 * proxy_.tolerance + 0.05 * step_;
   return w;
 }
 

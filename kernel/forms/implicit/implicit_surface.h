@@ -31,13 +31,14 @@ class ImplicitSurface final : public Surface {
   struct Walk {
     ProxyPoint place;
     bool by_crease = false;  // it came by a triangle that touches a crease
+    bool reached = false;    // else a crease is in the way
   };
   struct State;
 
   const ImplicitFunction& function_at(std::int32_t face) const;
   Walk walk(std::uint32_t face, Vec3 p) const;
   bool advance(const ImplicitFunction& f, const State& from, double length, State& to) const;
-  bool active(const ImplicitFunction& piece, Vec3 p) const;
+  bool stays(const ImplicitFunction& piece, std::uint32_t face, Vec3 p) const;
 
   std::shared_ptr<const ImplicitFunction> function_;
   ProxyMesh proxy_;

@@ -184,7 +184,8 @@ class Projector {
     for (const ImplicitFunction* piece : pieces) {
       const auto q = onto_surface(*piece, middle, layout_.step, mesh_.accuracy);
       if (!q || !on_surface(*q)) continue;
-      out.crease.position = *q;
+      // Next to a smooth change of pieces the other one may be active by a hair.
+      out.crease.position = onto_surface(f_, *q, layout_.step, mesh_.accuracy).value_or(*q);
       out.kept = false;
       return out;
     }
