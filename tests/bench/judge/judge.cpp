@@ -84,13 +84,15 @@ int run(const std::vector<std::string>& args) {
   const nlohmann::json drawing = read_json(args[first + 1]);
   const View view = read_view(drawing);
   const Referee referee(scene, view, context);
-  const std::vector<Polyline> ours = drawing_lines(drawing);
+  // Seams, and edges that only divide one surface, are no lines of the shape. Each side may take
+  // some of them for lines; neither has to draw what the other takes for one.
+  const std::vector<Polyline> ours = drawing_lines(drawing, "seam");
+  const std::vector<Polyline> with_seams = drawing_lines(drawing, "");
   for (std::size_t i = first + 2; i < args.size(); ++i) {
     const auto equals = args[i].find('=');
     const nlohmann::json other = read_json(args[i].substr(equals + 1));
     const Verdict mine = judge(ours, plane_lines(other, view, ""), referee);
-    // Seams are no lines of the shape: the other side may draw them, we need not.
-    const Verdict theirs = judge(plane_lines(other, view, "seam"), ours, referee);
+    const Verdict theirs = judge(plane_lines(other, view, "seam"), with_seams, referee);
     fmt::print(
         "{} {:.0f} {:.2f} {:.0f} {:.2f} extra {} missing {} other_extra {} other_missing {} "
         "mesh {:.3f} hlr {:.3f}\n",

@@ -4,6 +4,7 @@
 # lines of OCCT's exact or polygonal algorithm on the view plane, with its own seconds. A row: model, view, algorithm;
 # length of our lines (mm) and the share with a partner; the same of theirs; spans that rays call wrong: ours too
 # many, ours missing, theirs too many, theirs missing; seconds of theirs (meshing, hiding) and of ours less reading.
+# Our seams are drawn, and count as partners only.
 set -uo pipefail
 build=$(cd "$1" && pwd); hlr=$2; shift 2
 scratch=$(mktemp -d); trap 'rm -rf "$scratch"' EXIT
@@ -14,7 +15,7 @@ for model in "$@"; do
   for view in 1,-1,1 -0.4,-1,0.55; do
     read -r -a v <<<"${view//,/ }"
     name=$(basename "$model")
-    "$build/bin/burin" draw "$model" --style outline --view="$view" -o "$scratch/d.json" --verbose 2>"$scratch/log" || {
+    "$build/bin/burin" draw "$model" --style outline --set feature.seams=true --view="$view" -o "$scratch/d.json" --verbose 2>"$scratch/log" || {
       printf '%-34s %-12s %s\n' "$name" "$view" "$(grep 'burin: error' "$scratch/log")"; continue; }
     ours=$(awk '/^burin: stage read/ { r += $4 } /^burin: total/ { t = $3 } END { printf "%.3f", t - r }' "$scratch/log")
     for other in poly exact; do

@@ -32,11 +32,13 @@ View read_view(const nlohmann::json& drawing) {
   return view;
 }
 
-std::vector<Polyline> drawing_lines(const nlohmann::json& drawing) {
+std::vector<Polyline> drawing_lines(const nlohmann::json& drawing, const std::string& without) {
   std::vector<Polyline> out;
   for (const auto& layer : drawing.at("layers")) {
     for (const auto& path : layer.at("paths")) {
-      if (path.at("kind") == "stroke" || !path.at("visible").get<bool>()) continue;
+      if (path.at("kind") == "stroke" || path.at("kind") == without ||
+          !path.at("visible").get<bool>())
+        continue;
       Polyline line;
       for (const auto& p : path.at("points")) line.push_back(vec2(p));
       if (path.at("closed").get<bool>()) line.push_back(line.front());

@@ -32,8 +32,8 @@ struct View {
 };
 
 View read_view(const nlohmann::json& drawing);
-/// The visible paths of a drawing file that are no strokes.
-std::vector<Polyline> drawing_lines(const nlohmann::json& drawing);
+/// The visible paths of a drawing file that are neither strokes nor of the kind `without`.
+std::vector<Polyline> drawing_lines(const nlohmann::json& drawing, const std::string& without);
 /// The lines that another program printed, of all kinds but `without`.
 std::vector<Polyline> plane_lines(const nlohmann::json& lines, const View& view,
                                   const std::string& without);
