@@ -249,7 +249,7 @@ void add_vertices(PatchComplex& complex, const Sides& sides, const Pairing& pair
 
 PatchComplex weld(const ChartList& patches, double tolerance, const RunContext& context) {
   PatchComplex complex;
-  complex.atlas = std::make_shared<PatchAtlas>(split_at_kinks(patches));
+  complex.atlas = std::make_shared<PatchAtlas>(split_at_kinks(mend_poles(patches, tolerance)));
   const Sides sides = find_sides(*complex.atlas, tolerance, complex.size);
   Pairing pairing = pair_sides(sides, tolerance * complex.size, context);
   complex.contradictions = orient(*complex.atlas, sides, pairing);

@@ -86,6 +86,10 @@ struct PatchComplex {
 /// several faces. Cost: 10 us a patch.
 PatchComplex weld(const ChartList& patches, double tolerance, const RunContext& context);
 
+/// `patches`, tiny loops of control points at their sides collapsed to one: poles that were meant
+/// as such. `tolerance` as in `weld`.
+ChartList mend_poles(const ChartList& patches, double tolerance);
+
 /// `patches`, those that have kinks cut there. A kink is a knot line of chart.breaks() at which the
 /// normals of both sides differ by more than kSharpAngle somewhere.
 ChartList split_at_kinks(const ChartList& patches);

@@ -3,6 +3,7 @@
 #include <burin/forms/parametric/parametric_form.h>
 
 #include <burin_test/charts.h>
+#include <burin_test/nurbs_shapes.h>
 #include <gtest/gtest.h>
 
 #include <map>
@@ -97,6 +98,17 @@ TEST(ParametricForm, CollapsedSidesArePoles) {
     const Vec3 p = r.proxy().wedge_position(static_cast<std::uint32_t>(w));
     EXPECT_LT(glm::distance(r.proxy().wedge_normal[w], p / 2.0), 1e-9);
   }
+}
+
+TEST(ParametricForm, TinyHolesAtPolesAreClosed) {
+  NurbsData ball = test::sphere_nurbs(2);
+  for (int i = 1; i + 1 < ball.count_u; ++i) {
+    Vec3& p = ball.points[static_cast<std::size_t>(i * ball.count_v)];
+    p += Vec3(3e-4 * std::sin(i), 3e-4 * std::cos(i), 0);
+  }
+  const Realised r({make_nurbs_chart(ball)});
+  EXPECT_EQ(r.open_sides(), 0u);
+  EXPECT_EQ(r.euler(), 2);
 }
 
 TEST(ParametricForm, PatchesWeldWhicheverWayTheyRun) {
