@@ -33,7 +33,8 @@ Vec3 mean_normal(const ProxyMesh& proxy, std::span<const std::uint32_t> triangle
   return normalize_or(mean, Vec3(0));
 }
 
-// The kind of a freeform face by its shape: CAD programs write planes and balls as B-splines too.
+// The kind of a face by its shape: CAD programs write planes and balls as B-splines and surfaces of
+// revolution too.
 FaceKind kind_by_shape(const Surface& surface, std::span<const std::uint32_t> triangles) {
   const ProxyMesh& proxy = surface.proxy();
   const Vec3 mean = mean_normal(proxy, triangles);
@@ -71,7 +72,10 @@ std::vector<FaceKind> find_face_kinds(const Surface& surface, const RunContext& 
           const std::span triangles(order.data() + faces[i].begin, order.data() + faces[i].end);
           const ProxyPoint middle{triangles.front(), Vec3(1.0 / 3)};
           FaceKind k = surface.frame(surface.lift(middle)).kind;
-          if (k == FaceKind::Freeform) k = kind_by_shape(surface, triangles);
+          if (k == FaceKind::Freeform || k == FaceKind::Torus) {
+            const FaceKind shape = kind_by_shape(surface, triangles);
+            if (shape != FaceKind::Freeform) k = shape;
+          }
           for (const std::uint32_t f : triangles) kind[f] = k;
         }
       },

@@ -6,6 +6,7 @@
 #include <Geom_Circle.hxx>
 #include <Geom_Line.hxx>
 #include <Geom_SurfaceOfLinearExtrusion.hxx>
+#include <Geom_SurfaceOfRevolution.hxx>
 #include <Geom_TrimmedCurve.hxx>
 #include <Precision.hxx>
 #include <Standard_Failure.hxx>
@@ -16,8 +17,10 @@
 namespace burin {
 namespace {
 
-/// What strokes may take an extrusion for: extruded lines are planes, extruded circles cylinders.
+/// What strokes may take a surface for: extruded lines are planes, extruded circles cylinders;
+/// surfaces of revolution have circles and meridians for lines of curvature, as tori do.
 FaceKind kind_of(const Handle(Geom_Surface) & surface) {
+  if (surface->IsKind(STANDARD_TYPE(Geom_SurfaceOfRevolution))) return FaceKind::Torus;
   const auto extrusion = Handle(Geom_SurfaceOfLinearExtrusion)::DownCast(surface);
   if (extrusion.IsNull()) return FaceKind::Freeform;
   Handle(Geom_Curve) curve = extrusion->BasisCurve();

@@ -57,12 +57,13 @@ std::size_t samples_of(const Handle(Geom_Curve) & curve) {
 /// Samples in one direction of a face: every 30 degrees of round faces, 4 a span of splines.
 int samples_of(const Chart& chart, int direction, double from, double to) {
   const double turn = chart.period()[direction];
-  if (chart.kind() == FaceKind::Sphere || chart.kind() == FaceKind::Torus) {
-    return std::clamp(static_cast<int>(std::ceil((to - from) / 0.5236)) + 1, 3, 16);
-  }
+  const int turns = std::clamp(static_cast<int>(std::ceil((to - from) / 0.5236)) + 1, 3, 16);
+  if (chart.kind() == FaceKind::Sphere) return turns;
   int spans = 1;
   for (const double b : chart.breaks(direction)) spans += b > from && b < to;
-  return std::clamp(4 * spans, turn > 0 ? 12 : 6, 40);
+  const int samples = std::clamp(4 * spans, turn > 0 ? 12 : 6, 40);
+  // The meridians of other surfaces of revolution than tori have parameters of any kind.
+  return chart.kind() == FaceKind::Torus ? std::max(turns, samples) : samples;
 }
 
 bool ends_at_edges(const Chart& chart) {
