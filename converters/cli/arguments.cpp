@@ -46,7 +46,8 @@ CLI::App* add_draw(CLI::App& app, DrawArguments& a, Chatter& chatter) {
   draw->add_option("INPUT", a.inputs,
                    "model files, each one or more parts of the scene:\nSTEP, IGES, BREP, STL, OBJ, "
                    "OFF, PLY, 3MF,\n"
-                   "IRIT (.itd, .irt), Geomview patches (.bez, .bbp)")
+                   "IRIT (.itd, .irt), Geomview patches (.bez, .bbp),\n"
+                   "functions (.implicit)")
       ->type_name("")
       ->group(kFiles);
   list(*draw, "-o,--output", a.outputs, "FILE", kFiles,

@@ -1,6 +1,7 @@
 /// Implicit functions: values, derivatives, proxies and marching of a blend of three cylinders.
 
 #include <burin/forms/implicit/expression.h>
+#include <burin/forms/implicit/implicit_form.h>
 
 #include <benchmark/benchmark.h>
 
@@ -72,6 +73,54 @@ void implicit_one_hessian(benchmark::State& state) {
   state.SetItemsProcessed(state.iterations());
 }
 BENCHMARK(implicit_one_hessian);
+
+/// The first look over the domain.
+void implicit_survey(benchmark::State& state) {
+  const auto f = make_function(blend());
+  RunContext context;
+  for (auto _ : state) benchmark::DoNotOptimize(ImplicitForm(f, std::nullopt, context));
+}
+BENCHMARK(implicit_survey)->Unit(benchmark::kMillisecond)->MeasureProcessCPUTime();
+
+/// The proxy of a torus (360,000 triangles) and of the blend (60,000), creases and all.
+void implicit_realise(benchmark::State& state) {
+  const bool smooth = state.range(0) == 0;
+  RunContext context;
+  const ImplicitForm form(make_function(smooth ? torus(3, 1) : blend()), std::nullopt, context);
+  RealiseOptions options;
+  options.tolerance = smooth ? 0.00018 : 0.0015;
+  double triangles = 0;
+  for (auto _ : state) {
+    triangles = static_cast<double>(form.realise(options, context)->proxy().mesh.triangles.size());
+  }
+  state.counters["triangles"] = triangles;
+}
+BENCHMARK(implicit_realise)
+    ->Arg(0)
+    ->Arg(1)
+    ->Unit(benchmark::kMillisecond)
+    ->MeasureProcessCPUTime()
+    ->UseRealTime();
+
+/// Steps of a fiftieth of the fillet's radius along lines of the blend.
+void implicit_march(benchmark::State& state) {
+  RunContext context;
+  const ImplicitForm form(make_function(blend()), std::nullopt, context);
+  const auto surface = form.realise({.tolerance = 0.005}, context);
+  const auto starts = surface->cover({.count = 100}, context);
+  std::size_t i = 0;
+  std::int64_t steps = 0;
+  for (auto _ : state) {
+    MarchStep step;
+    step.end = starts[i++ % starts.size()];
+    step.direction = surface->frame(step.end).d1;
+    for (int k = 0; k < 50 && step.stop == MarchStop::Completed; ++k, ++steps) {
+      step = surface->march(step.end, step.direction, 0.01);
+    }
+  }
+  state.SetItemsProcessed(steps);
+}
+BENCHMARK(implicit_march)->Unit(benchmark::kMicrosecond);
 
 }  // namespace
 }  // namespace burin

@@ -45,6 +45,8 @@ TEST_F(CliErrors, UsageOfEachOption) {
   expect_failure(draw + "--scale 0", 2, "--scale");
   expect_failure(draw + "--scale big", 2, "--scale");
   expect_failure(draw + "--margin 110", 2, "--margin");
+  expect_failure(draw + "--bounds 0,0,0,1,1", 2, "--bounds");
+  expect_failure(draw + "--bounds 0,0,0,1,1,0", 2, "--bounds");
   expect_failure(draw + "--set line.outer", 2, "KEY=VALUE");
   expect_failure(draw + "--set line.outer=99", 2, "0.01 to 10");
   expect_failure(draw + "--set hatch.spacing_min=20", 2, "hatch.spacing_max");

@@ -19,22 +19,33 @@ double deviation(const ExactMesh& mesh, const ImplicitFunction& f, const RunCont
   parallel_for(
       mesh.triangles.size(), kGrain,
       [&](std::size_t begin, std::size_t end) {
-        std::vector<Vec3> points;
-        std::vector<std::size_t> owner;
+        // The middles of the triangles and of their longest edges, where chords are farthest off.
+        const std::size_t n = end - begin;
+        std::vector<Vec3> centers(n), middles(n);
         for (std::size_t t = begin; t < end; ++t) {
-          const Triangle& tri = mesh.triangles[t];
-          const Vec3 a = mesh.positions[tri[0]], b = mesh.positions[tri[1]],
-                     c = mesh.positions[tri[2]];
-          points.insert(points.end(),
-                        {0.5 * (a + b), 0.5 * (b + c), 0.5 * (c + a), (a + b + c) / 3.0});
+          Vec3 p[3];
+          for (std::size_t k = 0; k < 3; ++k) p[k] = mesh.positions[mesh.triangles[t][k]];
+          centers[t - begin] = (p[0] + p[1] + p[2]) / 3.0;
+          double longest = -1;
+          for (std::size_t k = 0; k < 3; ++k) {
+            const double l = glm::distance(p[k], p[(k + 1) % 3]);
+            if (l <= longest) continue;
+            longest = l;
+            middles[t - begin] = 0.5 * (p[k] + p[(k + 1) % 3]);
+          }
         }
-        std::vector<Gradient1> g(points.size());
-        f.gradients(points, g);
-        for (std::size_t i = 0; i < g.size(); ++i) {
+        std::vector<Gradient1> g(n);
+        std::vector<double> v(n);
+        f.gradients(centers, g);
+        f.values(middles, v);
+        for (std::size_t i = 0; i < n; ++i) {
           // Beside a crease the piece that the triangle belongs to counts.
-          const ImplicitFunction* side = mesh.side[begin + i / 4];
-          if (side) g[i] = side->gradient(points[i]);
-          const double d = std::abs(g[i].value) / glm::length(g[i].gradient);
+          if (const ImplicitFunction* side = mesh.side[begin + i]) {
+            g[i] = side->gradient(centers[i]);
+            v[i] = side->value(middles[i]);
+          }
+          const double d =
+              std::max(std::abs(g[i].value), std::abs(v[i])) / glm::length(g[i].gradient);
           if (std::isfinite(d)) most[begin / kGrain] = std::max(most[begin / kGrain], d);
         }
       },

@@ -12,8 +12,9 @@ namespace {
 // Angle in radians that one step may turn: with the fourth order the error of a step is some 1e-9
 // of its length.
 constexpr double kTurn = 0.1;
-// Below this turn the third order, which needs one Hessian, is as good.
-constexpr double kShortTurn = 0.02;
+// Below this turn the third order, which needs one more Hessian only, will do: it is some 1e-7 of
+// the radius of curvature off, and 1e-5 radians.
+constexpr double kShortTurn = 0.05;
 // Steps of one march: a walk round and round for ever ends with NotConverged.
 constexpr int kMaxSteps = 1'000'000;
 // Cosine of 2 degrees: pieces that differ by less meet smoothly.
@@ -43,7 +44,7 @@ struct ImplicitSurface::State {
 bool ImplicitSurface::advance(const ImplicitFunction& f, const State& from, double length,
                               State& to) const {
   const Vec3 p = from.position, t = from.tangent;
-  Vec3 q, v;
+  Vec3 q;
   if (length * turning(from.g) < kShortTurn) {
     // The Taylor series of the geodesic in its Darboux frame.
     const double slope = glm::length(from.g.gradient);
@@ -51,11 +52,19 @@ bool ImplicitSurface::advance(const ImplicitFunction& f, const State& from, doub
     const double k = -glm::dot(t, ht) / slope, m = -glm::dot(b, ht) / slope;
     const double s = length;
     q = p + (s - k * k * s * s * s / 6) * t + 0.5 * k * s * s * n + k * m * s * s * s / 6 * -b;
-    v = t + k * s * n;
-    const auto on = onto_surface(f, q, 0.5 * length + accuracy_, accuracy_);
-    if (!on) return false;
-    q = *on;
     to.g = f.hessian(q);
+    const Vec3 d = -to.g.value / glm::dot(to.g.gradient, to.g.gradient) * to.g.gradient;
+    if (glm::dot(d, d) * turning(to.g) <= accuracy_) {
+      // One step of Newton is enough, and the gradient goes along with it.
+      q += d;
+      to.g.gradient += to.g.hessian_times(d);
+      to.g.value = 0;
+    } else {
+      const auto on = onto_surface(f, q, 0.5 * length + accuracy_, accuracy_);
+      if (!on) return false;
+      q = *on;
+      to.g = f.hessian(q);
+    }
     // Carried by the smallest rotation between the normals: symmetric, so of the second order.
     const Vec3 n2 = normalize_or(to.g.gradient, Vec3(0));
     to.position = q;
@@ -71,7 +80,7 @@ bool ImplicitSurface::advance(const ImplicitFunction& f, const State& from, doub
   const Vec3 v4 = t + h * a3;
   const Vec3 a4 = acceleration(f.hessian(p + h * v3), v4);
   q = p + h / 6 * (t + 2.0 * v2 + 2.0 * v3 + v4);
-  v = t + h / 6 * (a1 + 2.0 * a2 + 2.0 * a3 + a4);
+  const Vec3 v = t + h / 6 * (a1 + 2.0 * a2 + 2.0 * a3 + a4);
   const auto on = onto_surface(f, q, 0.5 * length + accuracy_, accuracy_);
   if (!on) return false;
   to.position = *on;

@@ -56,14 +56,31 @@ void newton(const ImplicitFunction& f, std::span<Vec3> positions, std::span<Vec3
   for (const std::uint32_t i : active) done[i] = 0;
 }
 
-// The change of sign between two points, to the last bit.
-Vec3 bisect(const ImplicitFunction& f, Vec3 inside, Vec3 outside) {
-  for (int i = 0; i < 60; ++i) {
-    const Vec3 middle = 0.5 * (inside + outside);
-    if (middle == inside || middle == outside) break;
-    (f.value(middle) < 0 ? inside : outside) = middle;
+// The change of sign between two points: the secant rule in the form of Illinois, which keeps the
+// bracket, and halving where values are of no use.
+Vec3 crossing(const ImplicitFunction& f, Vec3 inside, Vec3 outside, double accuracy) {
+  const Vec3 d = outside - inside;
+  double low = 0, high = 1, f_low = f.value(inside), f_high = f.value(outside);
+  const double enough = accuracy / glm::length(d);
+  int kept = 0;  // times in a row that the same end stayed
+  for (int i = 0; i < 100 && high - low > enough; ++i) {
+    double share = low + (high - low) * (f_low / (f_low - f_high));
+    if (!(share > low && share < high) || i % 4 == 3) share = 0.5 * (low + high);
+    const double v = f.value(inside + share * d);
+    if (v == 0) return inside + share * d;
+    if (v < 0) {
+      low = share;
+      f_low = v;
+      kept = kept > 0 ? kept + 1 : 1;
+      if (kept > 1) f_high *= 0.5;
+    } else {
+      high = share;
+      f_high = v;
+      kept = kept < 0 ? kept - 1 : -1;
+      if (kept < -1) f_low *= 0.5;
+    }
   }
-  return inside;
+  return inside + low * d;
 }
 
 class Projector {
@@ -166,7 +183,7 @@ class Projector {
     double least = std::numeric_limits<double>::infinity();
     const auto edges = crossed_edges(layout_, nets_.sources[v]);
     for (const auto& [inside, outside] : edges) {
-      const Vec3 at = bisect(f_, inside, outside);
+      const Vec3 at = crossing(f_, inside, outside, mesh_.accuracy);
       middle += at / static_cast<double>(edges.size());
       const ImplicitFunction* piece = &f_.piece_function(at);
       if (std::ranges::find(pieces, piece) == pieces.end()) pieces.push_back(piece);
