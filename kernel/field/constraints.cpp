@@ -31,7 +31,7 @@ constexpr double kOpen = 1e-6;
 constexpr double kInformed = 0.5;
 // Pull on family labels relative to the region's stiffness: larger lets labels change over shorter
 // distances.
-constexpr double kLabel = 30;
+constexpr double kLabel = 10;
 
 struct Builder {
   const ProxyMesh& proxy;
