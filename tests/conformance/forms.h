@@ -7,6 +7,8 @@
 #include <burin/forms/parametric/nurbs.h>
 #include <burin/forms/parametric/parametric_form.h>
 
+#include <BRepPrimAPI_MakeTorus.hxx>
+#include <burin_test/brep_shapes.h>
 #include <burin_test/cad.h>
 #include <burin_test/charts.h>
 #include <burin_test/irregular.h>
@@ -96,6 +98,17 @@ inline std::vector<FormCase> form_cases() {
       {"ImplicitBoxMinusSphere",
        [] {
          return implicit_form(implicit::subtract(implicit::box(2, 2, 2), implicit::sphere(1.2)));
+       }},
+      {"BrepBox", [] { return brep_form(box_shape(1, 2, 3)); }},
+      {"BrepCylinder", [] { return brep_form(cylinder_shape(2, 5)); }},
+      {"BrepFilletedBox", [] { return brep_form(filleted_box_shape(0.25)); }},
+      {"BrepTorus", [] { return brep_form(BRepPrimAPI_MakeTorus(3, 1).Shape()); }},
+      {"BrepPlateWithHole", [] { return brep_form(plate_with_hole_shape()); }},
+      {"BrepMirroredFarAway",
+       [] {
+         Placement p{Mat3(-1, 0, 0, 0, 0, 1, 0, 1, 0), {1e4, -2e4, 500}};
+         p.linear *= 0.1;
+         return brep_form(filleted_box_shape(0.5), p);
        }},
   };
 }

@@ -24,14 +24,21 @@ bool is_binary(const std::string& text) {
 
 std::shared_ptr<const BrepModel> brep_from_text(const std::string& text) {
   TopoDS_Shape shape;
-  const std::string failure = contained([&] {
+  std::string failure;
+  try {
     std::istringstream in(text);
-    if (is_binary(text)) {
-      BinTools::Read(shape, in);
-    } else {
-      BRepTools::Read(shape, in, BRep_Builder());
-    }
-  });
+    // OCCT's readers loop for ever where a number is missing; an exception ends them.
+    in.exceptions(std::ios::failbit | std::ios::badbit);
+    failure = contained([&] {
+      if (is_binary(text)) {
+        BinTools::Read(shape, in);
+      } else {
+        BRepTools::Read(shape, in, BRep_Builder());
+      }
+    });
+  } catch (const std::ios_base::failure&) {
+    throw InputError("a BREP file that is broken or ends early; export the model again");
+  }
   if (!failure.empty()) throw InputError(fmt::format("not a BREP file (OCCT: {})", failure));
   if (shape.IsNull()) throw InputError("not a BREP file, or one that holds no shape");
   return make_brep_model(shape);

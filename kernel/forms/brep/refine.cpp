@@ -17,13 +17,27 @@ constexpr std::size_t kGrain = 256;  // triangles
 std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
 std::size_t next(std::size_t h) { return h % 3 == 2 ? h - 2 : h + 1; }
 
+/// How far S is off: in full, and with deviations along the triangle or edge counted a quarter, by
+/// which is split.
+struct Off {
+  double full = 0, weighted = 0;
+  void add(Vec3 d, double part, bool across) {
+    // `part`: of d along the unit normal (or, not `across`, along the edge).
+    const double all = glm::dot(d, d), other = std::max(0.0, all - part * part);
+    full = std::max(full, std::sqrt(all));
+    const double w = across ? part * part + other / 16 : other + part * part / 16;
+    weighted = std::max(weighted, std::sqrt(w));
+  }
+};
+
 class Refiner {
  public:
   Refiner(RawMesh& raw, const Atlas& atlas, double tolerance, const RunContext& context)
       : raw_(raw), m_(raw.mesh), atlas_(atlas), tolerance_(tolerance), context_(context) {
     known_.assign(m_.uv.size(), 0);
-    error_.assign(m_.uv.size(), 0);
-    centre_.assign(m_.triangles.size(), -1);
+    error_.resize(m_.uv.size());
+    centre_.resize(m_.triangles.size());
+    centre_known_.assign(m_.triangles.size(), 0);
   }
 
   void run(ManifoldPairs pairs) {
@@ -38,30 +52,22 @@ class Refiner {
       opposite_ = pair_half_edges(m_.triangles, m_.positions.size());
     }
     m_.tolerance = 0;
-    for (const double e : error_) m_.tolerance = std::max(m_.tolerance, e);
-    for (const double e : centre_) m_.tolerance = std::max(m_.tolerance, e);
+    for (std::size_t h = 0; h < error_.size(); ++h) {
+      if (known_[h]) m_.tolerance = std::max(m_.tolerance, error_[h].full);
+    }
+    for (const Off& e : centre_) m_.tolerance = std::max(m_.tolerance, e.full);
   }
 
  private:
   /// What flips have changed is to be measured anew, on both sides of each edge.
   void forget(const std::vector<std::size_t>& changed) {
     for (const std::size_t f : changed) {
-      centre_[f] = -1;
+      centre_known_[f] = 0;
       for (std::size_t h = 3 * f; h < 3 * f + 3; ++h) {
         known_[h] = 0;
-        error_[h] = 0;
-        if (opposite_[h] < 0) continue;
-        known_[at(opposite_[h])] = 0;
-        error_[at(opposite_[h])] = 0;
+        if (opposite_[h] >= 0) known_[at(opposite_[h])] = 0;
       }
     }
-  }
-
-  /// How far S at (u,v) lies from p, a point of a triangle with normal n.
-  double distance(const Chart& chart, Vec2 uv, Vec3 p, Vec3 n) const {
-    const Vec3 d = chart.position(uv) - p;
-    const double off = glm::dot(d, n);
-    return std::sqrt(off * off + (glm::dot(d, d) - off * off) / 16);
   }
 
   Vec3 normal(std::size_t f) const {
@@ -75,22 +81,13 @@ class Refiner {
     const Chart& chart = atlas_.chart(m_.face[h / 3]);
     const Vec3 a = m_.positions[m_.triangles[h / 3][h % 3]];
     const Vec3 b = m_.positions[m_.triangles[h / 3][(h + 1) % 3]];
-    double e = 0;
+    Off e;
     const bool border = m_.border[h] >= 0;
     if (border || chart.kind() != FaceKind::Plane) {
-      const Vec3 n = border ? Vec3(0) : normal(h / 3);
-      // Chords of edges count in full but along themselves.
-      const Vec3 along = border ? normalize_or(b - a, Vec3(0)) : Vec3(0);
+      const Vec3 axis = border ? normalize_or(b - a, Vec3(0)) : normal(h / 3);
       for (const double s : {0.5, 0.25, 0.75}) {
-        const Vec2 uv = raw_.on_edge(atlas_, h, s);
-        const Vec3 p = a + s * (b - a);
-        if (border) {
-          const Vec3 d = chart.position(uv) - p;
-          const double l = glm::dot(d, along);
-          e = std::max(e, std::sqrt(std::max(0.0, glm::dot(d, d) - l * l) + l * l / 16));
-        } else {
-          e = std::max(e, distance(chart, uv, p, n));
-        }
+        const Vec3 d = chart.position(raw_.on_edge(atlas_, h, s)) - (a + s * (b - a));
+        e.add(d, glm::dot(d, axis), !border);
         if (!quarters) break;
       }
     }
@@ -100,12 +97,14 @@ class Refiner {
 
   void measure_centre(std::size_t f) {
     const Chart& chart = atlas_.chart(m_.face[f]);
-    centre_[f] = 0;
+    centre_known_[f] = 1;
+    centre_[f] = {};
     if (chart.kind() == FaceKind::Plane) return;
     const auto& t = m_.triangles[f];
     const Vec3 p = (m_.positions[t[0]] + m_.positions[t[1]] + m_.positions[t[2]]) / 3.0;
     const Vec2 uv = (m_.uv[3 * f] + m_.uv[3 * f + 1] + m_.uv[3 * f + 2]) / 3.0;
-    centre_[f] = distance(chart, uv, p, normal(f));
+    const Vec3 d = chart.position(uv) - p;
+    centre_[f].add(d, glm::dot(d, normal(f)), true);
   }
 
   void measure(bool quarters) {
@@ -117,7 +116,7 @@ class Refiner {
               const bool first = opposite_[h] < 0 || h < at(opposite_[h]);
               if (first && !known_[h]) measure_edge(h, quarters);
             }
-            if (centre_[f] < 0) measure_centre(f);
+            if (!centre_known_[f]) measure_centre(f);
           }
         },
         &context_);
@@ -134,11 +133,12 @@ class Refiner {
     };
     for (std::size_t h = 0; h < split_.size(); ++h) {
       const bool first = opposite_[h] < 0 || h < at(opposite_[h]);
-      if (first && error_[h] > tolerance_) mark_edge(h);
+      if (first && error_[h].weighted > tolerance_) mark_edge(h);
     }
     for (const HalfEdge h : in_any_case) mark_edge(at(h));
     for (std::size_t f = 0; f < m_.triangles.size(); ++f) {
-      if (centre_[f] <= tolerance_ || split_[3 * f] || split_[3 * f + 1] || split_[3 * f + 2]) {
+      if (centre_[f].weighted <= tolerance_ || split_[3 * f] || split_[3 * f + 1] ||
+          split_[3 * f + 2]) {
         continue;
       }
       std::size_t longest = 3 * f;
@@ -162,7 +162,7 @@ class Refiner {
     std::uint8_t pole;
     std::int32_t border;
     std::uint8_t known;
-    double error;
+    Off error;
   };
 
   Corner corner(std::size_t h) const {
@@ -178,7 +178,7 @@ class Refiner {
       v = static_cast<std::uint32_t>(m_.positions.size());
       m_.positions.push_back(atlas_.chart(m_.face[h / 3]).position(uv));
     }
-    return {v, uv, 0, -1, 0, 0};
+    return {v, uv, 0, -1, 0, {}};
   }
 
   /// The two halves of the border entry of h; -1 inside faces.
@@ -196,7 +196,7 @@ class Refiner {
     c.uv[i] = a.pole ? b.uv[i] : b.pole ? a.uv[i] : 0.5 * (a.uv[i] + b.uv[i]);
   }
 
-  void emit(std::int32_t face, double centre, std::array<Corner, 3> c) {
+  void emit(std::int32_t face, const Off* centre, std::array<Corner, 3> c) {
     Triangle t{};
     for (std::size_t k = 0; k < 3; ++k) {
       t[k] = c[k].vertex;
@@ -206,7 +206,8 @@ class Refiner {
     }
     out_.triangles.push_back(t);
     out_.face.push_back(face);
-    out_centre_.push_back(centre);
+    out_centre_.push_back(centre ? *centre : Off());
+    out_centre_known_.push_back(centre != nullptr);
     for (const Corner& k : c) {
       out_.uv.push_back(k.uv);
       out_.border.push_back(k.border);
@@ -219,7 +220,8 @@ class Refiner {
   void split() {
     context_.check();
     out_ = {};
-    out_pole_.clear(), out_known_.clear(), out_error_.clear(), out_centre_.clear();
+    out_pole_.clear(), out_known_.clear(), out_error_.clear(), out_centre_.clear(),
+        out_centre_known_.clear();
     made_.assign(m_.uv.size(), 0);
     for (std::size_t f = 0; f < m_.triangles.size(); ++f) split_triangle(f);
     out_.positions = std::move(m_.positions);
@@ -230,13 +232,14 @@ class Refiner {
     known_.swap(out_known_);
     error_.swap(out_error_);
     centre_.swap(out_centre_);
+    centre_known_.swap(out_centre_known_);
   }
 
   void split_triangle(std::size_t f) {
     const std::size_t h = 3 * f;
     const std::int32_t face = m_.face[f];
     const int count = split_[h] + split_[h + 1] + split_[h + 2];
-    if (count == 0) return emit(face, centre_[f], {corner(h), corner(h + 1), corner(h + 2)});
+    if (count == 0) return emit(face, &centre_[f], {corner(h), corner(h + 1), corner(h + 2)});
     if (count == 3) return split_in_four(face, h);
     // Turned so that the marked edge is the first, or the one not marked the last.
     std::size_t a = h;
@@ -244,8 +247,8 @@ class Refiner {
     const std::size_t b = next(a), c = next(b);
     if (count == 1) {
       const Corner m = half(a);
-      emit(face, -1, {first_, m_inner(m), corner(c)});
-      emit(face, -1, {m, corner(b), m_inner(corner(c))});
+      emit(face, nullptr, {first_, m_inner(m), corner(c)});
+      emit(face, nullptr, {m, corner(b), m_inner(corner(c))});
     } else {
       split_in_three(face, a, b, c);
     }
@@ -255,7 +258,6 @@ class Refiner {
   static Corner m_inner(Corner c) {
     c.border = -1;
     c.known = 0;
-    c.error = 0;
     return c;
   }
 
@@ -274,10 +276,10 @@ class Refiner {
     const Corner m0 = half(h), a = first_;
     const Corner m1 = half(h + 1), b = first_;
     const Corner m2 = half(h + 2), c = first_;
-    emit(face, -1, {a, m_inner(m0), m2});
-    emit(face, -1, {b, m_inner(m1), m0});
-    emit(face, -1, {c, m_inner(m2), m1});
-    emit(face, -1, {m_inner(m0), m_inner(m1), m_inner(m2)});
+    emit(face, nullptr, {a, m_inner(m0), m2});
+    emit(face, nullptr, {b, m_inner(m1), m0});
+    emit(face, nullptr, {c, m_inner(m2), m1});
+    emit(face, nullptr, {m_inner(m0), m_inner(m1), m_inner(m2)});
   }
 
   /// Edges a and b split: the triangle at their common corner, and the rest by its shorter
@@ -286,16 +288,16 @@ class Refiner {
     const Corner ma = half(ha), a = first_;
     const Corner mb = half(hb), b = first_;
     const Corner c = corner(hc);
-    emit(face, -1, {b, m_inner(mb), ma});
+    emit(face, nullptr, {b, m_inner(mb), ma});
     const auto far = [&](const Corner& p, const Corner& q) {
       return glm::length(m_.positions[p.vertex] - m_.positions[q.vertex]);
     };
     if (far(a, mb) <= far(ma, c)) {
-      emit(face, -1, {a, m_inner(ma), m_inner(mb)});
-      emit(face, -1, {m_inner(a), mb, c});
+      emit(face, nullptr, {a, m_inner(ma), m_inner(mb)});
+      emit(face, nullptr, {m_inner(a), mb, c});
     } else {
-      emit(face, -1, {a, m_inner(ma), c});
-      emit(face, -1, {m_inner(ma), mb, m_inner(c)});
+      emit(face, nullptr, {a, m_inner(ma), c});
+      emit(face, nullptr, {m_inner(ma), mb, m_inner(c)});
     }
   }
 
@@ -307,12 +309,14 @@ class Refiner {
   std::vector<HalfEdge> opposite_;
   // Of edges (at the lower half-edge) and triangles: measured, and by how much they are off.
   std::vector<std::uint8_t> known_, split_;
-  std::vector<double> error_, centre_;
+  std::vector<Off> error_, centre_;
+  std::vector<std::uint8_t> centre_known_;
   std::vector<std::uint32_t> made_;  // vertex in the middle of an edge; 0: none yet
   Corner first_{};
   ChartMesh out_;
   std::vector<std::uint8_t> out_pole_, out_known_;
-  std::vector<double> out_error_, out_centre_;
+  std::vector<std::uint8_t> out_centre_known_;
+  std::vector<Off> out_error_, out_centre_;
 };
 
 }  // namespace

@@ -12,7 +12,8 @@ namespace burin {
 /// of every triangle's centre (tangential deviations count a quarter). New vertices lie on the
 /// surface, those on model edges on the edge. The mesher's own control of the inside of faces does
 /// the same at 10 to 20 times the cost. Deterministic. Sets mesh.tolerance to what was measured
-/// last. Edges that `pairs` names are split in any case. Cost: 1 us a triangle that comes out.
+/// last, deviations along the triangles in full. Edges that `pairs` names are split in any case.
+/// Cost: 1 us a triangle that comes out.
 void refine(RawMesh& raw, ManifoldPairs pairs, const Atlas& atlas, double tolerance,
             const RunContext& context);
 

@@ -7,6 +7,10 @@ namespace burin {
 namespace {
 
 constexpr int kPasses = 8;
+/// Cosine between neighbouring triangles of one smooth face below which they are a fold: 60
+/// degrees, more than the mesher's angle and two halvings leave. A flip has to better it by so much
+/// that none is undone.
+constexpr double kBend = 0.5, kBetter = 0.05;
 
 std::size_t at(HalfEdge h) { return static_cast<std::size_t>(h); }
 
@@ -16,6 +20,14 @@ class Unfolder {
       : raw_(raw), m_(raw.mesh), opposite_(opposite), atlas_(atlas) {}
 
   std::vector<std::size_t> run() {
+    turn_up();
+    for (int pass = 0; pass < kPasses && flatten(); ++pass) {
+    }
+    return std::move(changed_);
+  }
+
+ private:
+  void turn_up() {
     std::vector<std::size_t> turned = turned_triangles();
     for (int pass = 0; pass < kPasses && !turned.empty(); ++pass) {
       const std::size_t before = changed_.size();
@@ -31,10 +43,55 @@ class Unfolder {
       std::ranges::sort(turned);
       turned.erase(std::unique(turned.begin(), turned.end()), turned.end());
     }
-    return std::move(changed_);
   }
 
- private:
+  /// Flips edges inside faces over which triangles bend sharply; false where there was none.
+  bool flatten() {
+    bool any = false;
+    for (HalfEdge h = 0; h < static_cast<HalfEdge>(opposite_.size()); ++h) {
+      if (opposite_[at(h)] < h || !inside(h)) continue;
+      const HalfEdge o = opposite_[at(h)];
+      const std::uint32_t a = from(h), b = from(o), c = from(prev_in_face(h)),
+                          d = from(prev_in_face(o));
+      const double now = bend(a, b, c, b, a, d);
+      if (now >= kBend || atlas_.chart(m_.face[face_of(h)]).kind() == FaceKind::Plane) continue;
+      if (bend(a, d, c, d, b, c) <= now + kBetter || !(smaller_area(h) > 0)) continue;
+      flip(h);
+      any = true;
+    }
+    return any;
+  }
+
+  /// The cosine between the normals of two triangles.
+  double bend(std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t d, std::uint32_t e,
+              std::uint32_t f) const {
+    const auto normal = [&](std::uint32_t i, std::uint32_t j, std::uint32_t k) {
+      const Vec3 o = m_.positions[i];
+      return normalize_or(glm::cross(m_.positions[j] - o, m_.positions[k] - o), Vec3(0));
+    };
+    return glm::dot(normal(a, b, c), normal(d, e, f));
+  }
+
+  /// Whether an edge may be flipped: no model edge, not at a pole, whose corners have several
+  /// (u,v).
+  bool inside(HalfEdge h) const {
+    const HalfEdge o = opposite_[at(h)];
+    if (o < 0 || m_.border[at(h)] >= 0 || m_.border[at(o)] >= 0) return false;
+    if (m_.face[face_of(o)] != m_.face[face_of(h)]) return false;
+    const HalfEdge n = next_in_face(h), p = prev_in_face(h), q = prev_in_face(o);
+    if (m_.uv[at(h)] != m_.uv[at(next_in_face(o))] || m_.uv[at(n)] != m_.uv[at(o)]) return false;
+    return !raw_.pole[at(p)] && !raw_.pole[at(q)];
+  }
+
+  /// The smaller area in (u,v) of the two triangles once h is flipped; -1 where it cannot be.
+  double smaller_area(HalfEdge h) const {
+    const HalfEdge o = opposite_[at(h)], p = prev_in_face(h), q = prev_in_face(o);
+    if (joined(p, from(q))) return -1;
+    const std::int32_t face = m_.face[face_of(h)];
+    const Vec2 a = m_.uv[at(h)], b = m_.uv[at(o)], c = m_.uv[at(p)], d = m_.uv[at(q)];
+    return std::min(area(a, d, c, face), area(d, b, c, face));
+  }
+
   double area(Vec2 a, Vec2 b, Vec2 c, std::int32_t face) const {
     return (atlas_.reversed(face) ? -1 : 1) * cross2(b - a, c - a);
   }
@@ -54,18 +111,14 @@ class Unfolder {
   /// The smaller area that two triangles would have, once their common edge h is flipped, less the
   /// smaller that they have; nothing to gain (-1) where it cannot be.
   double gain(HalfEdge h) const {
+    if (!inside(h)) return -1;
+    const double now = std::min(area(face_of(h)), area(face_of(opposite_[at(h)])));
     const HalfEdge o = opposite_[at(h)];
-    if (o < 0 || m_.border[at(h)] >= 0 || m_.border[at(o)] >= 0) return -1;
     const std::int32_t face = m_.face[face_of(h)];
-    if (m_.face[face_of(o)] != face) return -1;
-    const HalfEdge n = next_in_face(h), p = prev_in_face(h), q = prev_in_face(o);
-    // Poles have several (u,v).
-    if (m_.uv[at(h)] != m_.uv[at(next_in_face(o))] || m_.uv[at(n)] != m_.uv[at(o)]) return -1;
-    if (raw_.pole[at(p)] || raw_.pole[at(q)]) return -1;
-    const Vec2 a = m_.uv[at(h)], b = m_.uv[at(n)], c = m_.uv[at(p)], d = m_.uv[at(q)];
-    const double now = std::min(area(a, b, c, face), area(b, a, d, face));
+    const Vec2 a = m_.uv[at(h)], b = m_.uv[at(o)], c = m_.uv[at(prev_in_face(h))],
+               d = m_.uv[at(prev_in_face(o))];
     const double then = std::min(area(a, d, c, face), area(d, b, c, face));
-    if (then <= now || joined(p, from(q))) return -1;
+    if (then <= now || joined(prev_in_face(h), from(prev_in_face(o)))) return -1;
     return then - now;
   }
 

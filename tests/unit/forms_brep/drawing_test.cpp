@@ -2,7 +2,7 @@
 
 #include <burin/illustrate/illustrate.h>
 
-#include "brep_shapes.h"
+#include "brep_checks.h"
 
 #include <glm/gtc/matrix_transform.hpp>
 #include <gtest/gtest.h>

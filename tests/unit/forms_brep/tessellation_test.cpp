@@ -1,6 +1,6 @@
 #include <burin/base/error.h>
 
-#include "brep_shapes.h"
+#include "brep_checks.h"
 
 #include <BRepPrimAPI_MakeCone.hxx>
 #include <BRepPrimAPI_MakeSphere.hxx>
@@ -55,7 +55,8 @@ TEST(BrepTessellation, AnalyticShapes) {
       EXPECT_EQ(defects(*model, *mesh), "");
       EXPECT_EQ(open_half_edges(*mesh), 0);
       EXPECT_EQ(euler_characteristic(*mesh), c.euler);
-      EXPECT_LE(mesh->tolerance, 1.01 * tolerance);
+      // Off the surface by `tolerance`; along it, where nothing shows, by up to four times that.
+      EXPECT_LE(mesh->tolerance, 4.01 * tolerance);
       // A chord that is off by h shortens by a share of h, and the solid by a layer of h.
       EXPECT_NEAR(area(*mesh), c.area, 10 * share * c.area);
       EXPECT_NEAR(volume(*mesh), c.volume, c.area * tolerance);

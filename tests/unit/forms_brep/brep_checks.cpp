@@ -1,19 +1,9 @@
-#include "brep_shapes.h"
+#include "brep_checks.h"
 
 #include <burin/base/error.h>
 #include <burin/mesh/tri_mesh.h>
 
-#include <BRepAlgoAPI_Cut.hxx>
-#include <BRepFilletAPI_MakeFillet.hxx>
-#include <BRepPrimAPI_MakeBox.hxx>
-#include <BRepPrimAPI_MakeCylinder.hxx>
-#include <BRep_Tool.hxx>
-#include <TopExp.hxx>
-#include <TopExp_Explorer.hxx>
-#include <TopoDS.hxx>
-#include <TopoDS_Vertex.hxx>
 #include <fmt/format.h>
-#include <gp_Ax2.hxx>
 
 #include <algorithm>
 #include <cmath>
@@ -27,45 +17,6 @@ TriMesh triangles_of(const ChartMesh& m) { return {m.positions, m.triangles}; }
 double distance(Vec3 a, Vec3 b) { return glm::length(a - b); }
 
 }  // namespace
-
-TopoDS_Shape box_shape(double dx, double dy, double dz) {
-  return BRepPrimAPI_MakeBox(dx, dy, dz).Shape();
-}
-TopoDS_Shape cylinder_shape(double radius, double height) {
-  return BRepPrimAPI_MakeCylinder(radius, height).Shape();
-}
-
-TopoDS_Shape filleted_box_shape(double radius) {
-  const TopoDS_Shape box = box_shape(4, 3, 2);
-  BRepFilletAPI_MakeFillet fillet(box);
-  for (TopExp_Explorer e(box, TopAbs_EDGE); e.More(); e.Next()) {
-    fillet.Add(radius, TopoDS::Edge(e.Current()));
-  }
-  return fillet.Shape();
-}
-
-TopoDS_Shape plate_with_hole_shape() {
-  const TopoDS_Shape plate = box_shape(10, 8, 1);
-  const TopoDS_Shape drill =
-      BRepPrimAPI_MakeCylinder(gp_Ax2(gp_Pnt(5, 4, -1), gp_Dir(0, 0, 1)), 2, 3).Shape();
-  return BRepAlgoAPI_Cut(plate, drill).Shape();
-}
-
-TopoDS_Shape one_fillet_shape(double radius) {
-  const TopoDS_Shape box = box_shape(10, 10, 5);
-  BRepFilletAPI_MakeFillet fillet(box);
-  for (TopExp_Explorer it(box, TopAbs_EDGE); it.More(); it.Next()) {
-    const TopoDS_Edge e = TopoDS::Edge(it.Current());
-    const gp_Pnt a = BRep_Tool::Pnt(TopExp::FirstVertex(e)),
-                 b = BRep_Tool::Pnt(TopExp::LastVertex(e));
-    const auto on = [](const gp_Pnt& p) { return p.X() > 9.9 && p.Z() > 4.9; };
-    if (on(a) && on(b)) {
-      fillet.Add(radius, e);
-      break;
-    }
-  }
-  return fillet.Shape();
-}
 
 std::string defects(const BrepModel& model, const ChartMesh& mesh, double slack) {
   const double off = slack * model.size();
@@ -110,7 +61,11 @@ std::string defects(const BrepModel& model, const ChartMesh& mesh, double slack)
     const Vec2 uv = (mesh.uv[3 * f] + mesh.uv[3 * f + 1] + mesh.uv[3 * f + 2]) / 3.0;
     const Vec3 n = chart_normal(chart.derivatives(uv), model.reversed(mesh.face[f]), uv,
                                 chart.domain().center());
-    if (!(glm::dot(n, tri.normal(f)) > 0)) return fmt::format("triangle {} is turned", f);
+    const double facing = glm::dot(n, tri.normal(f));
+    if (!(facing > 0)) {
+      return fmt::format("triangle {} of face {} is turned ({}, area {})", f, mesh.face[f], facing,
+                         tri.area(f));
+    }
   }
   return {};
 }
