@@ -155,6 +155,7 @@ TEST_P(SurfaceContract, WedgeFramesAreTheFramesAtTheWedges) {
       const Frame at = surface_->frame(surface_->lift({f, bary}));
       EXPECT_LE(glm::distance(w.position, at.position), near());
       EXPECT_LT(glm::distance(w.normal, at.normal), 1e-9);
+      if (GetParam().curvature_jumps) continue;
       EXPECT_NEAR(w.k1, at.k1, 1e-9 * (std::abs(w.k1) + std::abs(w.k2)) + 1e-12 / size_);
       if (!w.umbilic && w.k1 - w.k2 > 1e-6 * std::abs(w.k1)) {
         EXPECT_LT(line_angle(w.d1, at.d1), 1e-3);

@@ -5,6 +5,7 @@
 #include "march.h"
 
 #include <algorithm>
+#include <limits>
 #include <tuple>
 #include <utility>
 
@@ -62,6 +63,8 @@ class ChartedSurface final : public Surface {
   };
   std::vector<WedgeCorner> wedge_corners() const;
   Frame corner_frame(HalfEdge corner) const;
+  /// Barycentric coordinates of the point of a triangle's sides that is nearest to p.
+  Vec3 nearest_side(std::uint32_t triangle, Vec3 p) const;
 
   PlacedAtlas atlas_;
   ChartMesh mesh_;
@@ -86,8 +89,30 @@ Frame ChartedSurface::frame(const SurfacePoint& point) const {
 ProxyPoint ChartedSurface::to_proxy(const SurfacePoint& point) const {
   Vec2 uv(point.coords.x, point.coords.y);
   const std::uint32_t triangle = triangles_.locate(static_cast<std::uint32_t>(point.coords.z), uv);
-  const Vec3 b = glm::clamp(triangles_.bary(triangle, uv), Vec3(0), Vec3(1));
+  const Vec3 b = triangles_.bary(triangle, uv);
+  // Between a chord and the edge that it stands for.
+  if (std::min({b.x, b.y, b.z}) < 0) return {triangle, nearest_side(triangle, point.position)};
   return {triangle, b / (b.x + b.y + b.z)};
+}
+
+Vec3 ChartedSurface::nearest_side(std::uint32_t triangle, Vec3 p) const {
+  const Triangle& t = mesh_.triangles[triangle];
+  Vec3 best(1, 0, 0);
+  double least = std::numeric_limits<double>::infinity();
+  for (int k = 0; k < 3; ++k) {
+    const int n = (k + 1) % 3;
+    const Vec3 a = mesh_.positions[t[static_cast<std::size_t>(k)]];
+    const Vec3 e = mesh_.positions[t[static_cast<std::size_t>(n)]] - a;
+    const double l2 = glm::dot(e, e);
+    const double s = l2 > 0 ? std::clamp(glm::dot(p - a, e) / l2, 0.0, 1.0) : 0;
+    const double d = glm::distance(p, a + s * e);
+    if (d >= least) continue;
+    least = d;
+    best = Vec3(0);
+    best[k] = 1 - s;
+    best[n] = s;
+  }
+  return best;
 }
 
 SurfacePoint ChartedSurface::lift(const ProxyPoint& point) const {
