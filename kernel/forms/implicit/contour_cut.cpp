@@ -244,7 +244,7 @@ class ContourCutter {
         [&](std::size_t begin, std::size_t end) {
           for (std::size_t v = begin; v < end; ++v) {
             // g changes by less than a radian in a step; creases stay.
-            if (mesh_.crease[v] >= 0) continue;
+            if (mesh_.crease[v] >= 0 || mesh_.zero[v]) continue;
             if (std::abs(facing_(mesh_.positions[v], mesh_.normals[v])) > 0.5) continue;
             const auto q = onto_contour(f_, mesh_.positions[v], reach);
             if (!q) continue;

@@ -100,6 +100,8 @@ MarchStep ImplicitSurface::march(const SurfacePoint& from, Vec3 tangent, double 
   MarchStep step;
   step.end = from;
   const ImplicitFunction* f = &function_at(from.chart);
+  // Whether it is one piece, which is smooth everywhere, or the whole function near here.
+  bool one_piece = side_[static_cast<std::size_t>(from.chart)] != nullptr;
   State at;
   at.position = from.position;
   at.g = f->hessian(at.position);
@@ -126,7 +128,7 @@ MarchStep ImplicitSurface::march(const SurfacePoint& from, Vec3 tangent, double 
       return finish(MarchStop::Completed);
     }
     const double turn = turning(at.g);
-    double s = std::min(rest, 8 * step_);
+    double s = std::min(rest, (kLocalReach - 1) * step_);
     if (turn * s > kTurn) s = kTurn / turn;
     State next;
     // Curvature that grows along the way is met by shorter steps.
@@ -137,9 +139,10 @@ MarchStep ImplicitSurface::march(const SurfacePoint& from, Vec3 tangent, double 
     }
     if (!good) return finish(usable(at.g.gradient) ? MarchStop::NotConverged : MarchStop::Singular);
     const Walk way = walk(face, next.position);
-    if (way.by_crease && f == function_.get() && f->has_pieces()) {
+    if (way.by_crease && !one_piece && function_->has_pieces()) {
       // Over a crease only a single piece goes on smoothly: the step once more, on it.
       f = &function_->piece_function(at.position);
+      one_piece = true;
       at.g = f->hessian(at.position);
       continue;
     }
@@ -174,7 +177,8 @@ MarchStep ImplicitSurface::march(const SurfacePoint& from, Vec3 tangent, double 
       next.tangent =
           normalize_or(reject(next.tangent, normalize_or(next.g.gradient, Vec3(0))), next.tangent);
     } else if (!way.by_crease) {
-      f = function_.get();
+      f = &function_at(static_cast<std::int32_t>(way.place.face));
+      one_piece = false;
     }
     at = next;
     face = way.place.face;

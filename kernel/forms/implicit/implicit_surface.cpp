@@ -6,6 +6,9 @@
 #include "shape_operator.h"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
 
 namespace burin {
 
@@ -20,11 +23,47 @@ ImplicitSurface::ImplicitSurface(std::shared_ptr<const ImplicitFunction> functio
   double far = 0;
   for (const Vec3& p : proxy_.mesh.positions) far = std::max(far, glm::length(p));
   accuracy_ = 1e-11 * size + 1e-15 * far;  // as in project_nets
+  find_locals();
+}
+
+void ImplicitSurface::find_locals() {
+  constexpr double kSide = 3;  // steps
+  local_of_.assign(side_.size(), -1);
+  if (!function_->has_pieces()) return;
+  const TriMesh& mesh = proxy_.mesh;
+  using Key = std::array<std::int64_t, 3>;
+  std::map<Key, std::int32_t> names;
+  std::vector<Box3> boxes;
+  for (std::size_t f = 0; f < side_.size(); ++f) {
+    const Triangle& t = mesh.triangles[f];
+    const Vec3 corner = mesh.positions[t[0]];
+    Key key;
+    for (int a = 0; a < 3; ++a) {
+      key[static_cast<std::size_t>(a)] =
+          static_cast<std::int64_t>(std::floor(corner[a] / (kSide * step_)));
+    }
+    const auto [it, fresh] = names.try_emplace(key, static_cast<std::int32_t>(boxes.size()));
+    if (fresh) boxes.emplace_back();
+    local_of_[f] = it->second;
+    for (const std::uint32_t v : t)
+      boxes[static_cast<std::size_t>(it->second)].add(mesh.positions[v]);
+  }
+  locals_.resize(boxes.size());
+  const double margin = kLocalReach * step_ + proxy_.tolerance;
+  parallel_for(boxes.size(), 16, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      locals_[i] = function_->restricted({boxes[i].min - margin, boxes[i].max + margin});
+    }
+  });
+  for (std::int32_t& l : local_of_) {
+    if (!locals_[static_cast<std::size_t>(l)]) l = -1;
+  }
 }
 
 const ImplicitFunction& ImplicitSurface::function_at(std::int32_t face) const {
-  const ImplicitFunction* side = side_[static_cast<std::size_t>(face)];
-  return side ? *side : *function_;
+  const auto f = static_cast<std::size_t>(face);
+  if (side_[f]) return *side_[f];
+  return local_of_[f] < 0 ? *function_ : *locals_[static_cast<std::size_t>(local_of_[f])];
 }
 
 SurfacePoint ImplicitSurface::lift(const ProxyPoint& point) const {

@@ -36,6 +36,7 @@ class ImplicitSurface final : public Surface {
   struct State;
 
   const ImplicitFunction& function_at(std::int32_t face) const;
+  void find_locals();
   Walk walk(std::uint32_t face, Vec3 p) const;
   bool advance(const ImplicitFunction& f, const State& from, double length, State& to) const;
   bool stays(const ImplicitFunction& piece, std::uint32_t face, Vec3 p) const;
@@ -43,6 +44,11 @@ class ImplicitSurface final : public Surface {
   std::shared_ptr<const ImplicitFunction> function_;
   ProxyMesh proxy_;
   std::vector<const ImplicitFunction*> side_;
+  // The function restricted to boxes of some cells, which is shorter: for each triangle its entry,
+  // -1 = none. They hold up to kLocalReach steps from the triangle.
+  static constexpr double kLocalReach = 2;
+  std::vector<std::shared_ptr<const ImplicitFunction>> locals_;
+  std::vector<std::int32_t> local_of_;
   double step_, size_, accuracy_;
 };
 

@@ -4,6 +4,7 @@
 
 #include "exact_mesh.h"
 #include "project.h"
+#include "tips.h"
 
 #include <array>
 #include <cmath>
@@ -308,6 +309,7 @@ ExactMesh project_nets(const ImplicitFunction& f, Nets nets, const GridLayout& l
   mesh.crease.assign(n, -1);
   mesh.zero.assign(n, 0);
   stray += Projector(mesh, f, nets, layout, context).run();
+  place_tips(mesh, f, nets);
   triangulate(mesh, nets);
   mesh.side.assign(mesh.triangles.size(), nullptr);
   return mesh;
