@@ -23,6 +23,9 @@ constexpr double kAnywhere = 0.98;
 // spacings; it keeps half the gap, less rounding.
 constexpr double kGap = 1.5;
 constexpr double kInGap = 0.47 * kGap;
+// Share of the spacing that a place beside a stroke may be off: a fraction of what is left to
+// chance anyway.
+constexpr double kNearEnough = 0.02;
 // A stroke from edge to edge may be shorter than the style's shortest, down to this share of the
 // spacing: narrow faces would stay white.
 constexpr double kNarrow = 1.0;
@@ -191,6 +194,7 @@ class Placement {
     const double reached =
         side * cross2(s.direction, picture_.camera.to_paper(step.end.position) - s.paper);
     if (reached < 0.5 * d) return std::nullopt;  // bent away from the viewer
+    if (std::abs(reached - d) < kNearEnough * d) return step.end;
     length *= d / reached;
     step = surface.march(s.point, side * across, length);
     if (step.stop != MarchStop::Completed) return std::nullopt;
