@@ -23,7 +23,7 @@ namespace {
 /// however small.
 constexpr double kAngle = 0.5;
 
-/// The mesher leaves the last two halvings to `refine`, which makes them 10 times as fast; its time
+/// The mesher leaves the last two halvings to `refine`, which is faster; its time
 /// grows faster than its triangles.
 constexpr double kCoarser = 4;
 /// Edges of triangles that the mesher may leave out, a share of the tolerance.
