@@ -166,7 +166,8 @@ class Parser {
     if (!word) {
       if (names_.contains(std::string(name.text)) || name.text == "x" || name.text == "y" ||
           name.text == "z" || name.text == "pi") {
-        fail(file_, name.place, fmt::format("{} is no function; it takes no (", in_quotes(name.text)));
+        fail(file_, name.place,
+             fmt::format("{} is no function; it takes no (", in_quotes(name.text)));
       }
       unknown(name, true);
     }

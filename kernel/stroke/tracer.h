@@ -49,8 +49,8 @@ class Tracer {
       : picture_(picture), grid_(neighbours), family_(family) {}
 
   /// The sample at a surface point; false where the field is singular or the point turned away.
-  /// Whether something hides it is not asked: that takes a ray. The direction is the family's own, or the arm of the field nearest to `toward` (model
-  /// space) where that is not zero.
+  /// Whether something hides it is not asked: that takes a ray. The direction is the family's own,
+  /// or the arm of the field nearest to `toward` (model space) where that is not zero.
   bool seed(std::int32_t part, const SurfacePoint& point, Vec3 toward, StrokeSample& out) const;
 
   /// The unit direction on paper that a stroke coming in along `previous` (model space) has at a

@@ -9,7 +9,6 @@
 namespace burin {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kPi = 3.14159265358979323846;
 
 // Ends that are NaN (0 * inf, inf - inf) tell nothing.

@@ -48,8 +48,8 @@ class Cutter {
   void run() {
     begin();
     for (int round = 0; round < kRounds; ++round) {
-      for (int i = 0; i < kRounds && mesh_.any_request(CutMesh::kCut); ++i) cut();
-      if (!mesh_.any_request(CutMesh::kLook) && faces_.empty()) break;
+      for (int i = 0; i < kRounds && mesh_.any_request(CutMesh::Cut); ++i) cut();
+      if (!mesh_.any_request(CutMesh::Look) && faces_.empty()) break;
       look();
     }
     finish();
@@ -84,7 +84,7 @@ class Cutter {
 
   /// Cuts all edges along which g changes its sign.
   void cut() {
-    std::vector<HalfEdge> edges = mesh_.take_requests(CutMesh::kCut);
+    std::vector<HalfEdge> edges = mesh_.take_requests(CutMesh::Cut);
     std::erase_if(edges, [&](HalfEdge h) { return !search_.crosses(h); });
     const auto zeros =
         find_all(edges.size(), [&](std::size_t i) { return search_.zero(edges[i]); });
@@ -136,15 +136,15 @@ class Cutter {
   /// Puts an edge that has changed where it belongs.
   void touch(HalfEdge h, bool look_on) {
     if (search_.crosses(h)) {
-      mesh_.request(h, CutMesh::kCut);
+      mesh_.request(h, CutMesh::Cut);
     } else if (search_.chord(h) || (look_on && search_.suspect(h))) {
-      mesh_.request(h, CutMesh::kLook);
+      mesh_.request(h, CutMesh::Look);
     }
   }
 
   /// Looks at chords of contours, and at edges and triangles that may hide some.
   void look() {
-    const std::vector<HalfEdge> taken = mesh_.take_requests(CutMesh::kLook);
+    const std::vector<HalfEdge> taken = mesh_.take_requests(CutMesh::Look);
     std::vector<HalfEdge> edges = taken;
     std::vector<std::uint32_t> faces = std::exchange(faces_, {});
     std::ranges::sort(faces);
@@ -165,7 +165,7 @@ class Cutter {
     for (std::size_t i = 0; i < edges.size(); ++i) {
       if (found[i].what == What::Nothing) continue;
       if (edges[i] != taken[i] || versions(edges[i]) != before[i]) {
-        mesh_.request(edges[i], CutMesh::kLook);
+        mesh_.request(edges[i], CutMesh::Look);
       } else {
         apply(found[i]);
       }

@@ -203,8 +203,7 @@ std::vector<HalfEdge> CutMesh::take_requests(Request what) {
     if (opposite_[at(h)] != kNoHalfEdge) h = std::min(h, opposite_[at(h)]);
   }
   std::ranges::sort(out);
-  const auto repeated = std::ranges::unique(out);
-  out.erase(repeated.begin(), repeated.end());
+  out.erase(std::unique(out.begin(), out.end()), out.end());
   return out;
 }
 
@@ -267,7 +266,7 @@ void CutMesh::move_edge(HalfEdge from, HalfEdge to) {
     std::swap(watch_[at(from)], watch_[at(to)]);
   }
   requests_[at(to)] = std::exchange(requests_[at(from)], std::uint8_t{0});
-  for (const Request what : {kCut, kLook}) {
+  for (const Request what : {Cut, Look}) {
     if ((requests_[at(to)] & what) != 0) requested_[what - 1].push_back(to);
   }
 }

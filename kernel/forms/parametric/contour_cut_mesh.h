@@ -91,7 +91,7 @@ class CutMesh {
   void unwatch();
 
   /// What is still to be done at edges; requests move with their edges.
-  enum Request : std::uint8_t { kCut = 1, kLook = 2 };
+  enum Request : std::uint8_t { Cut = 1, Look = 2 };
   void request(HalfEdge h, Request what);
   bool any_request(Request what) const { return !requested_[what - 1].empty(); }
   /// The edges that `what` was requested for, each once and by its lower half-edge, ascending; the

@@ -79,7 +79,7 @@ class Cover {
         options_(options),
         context_(context),
         bound_(bound),
-        draw_(candidates, bound, Candidates::kPoints, context) {}
+        draw_(candidates, bound, Candidates::Points, context) {}
 
   Coverage run() {
     if (options_.spacing > 0) {
@@ -176,7 +176,7 @@ class Cover {
     }
     std::vector<CoveragePoint> places;
     const std::size_t wanted = std::max<std::size_t>(512, 8 * n), limit = 1000 * wanted;
-    Draw draw(candidates_, bound_, Candidates::kChecks, context_);
+    Draw draw(candidates_, bound_, Candidates::Checks, context_);
     while (places.size() < wanted && draw.drawn() < limit) {
       draw.go_on(std::min<std::size_t>(2 * wanted, 1 << 16),
                  [&](std::uint64_t, const Candidates::Result& r) {

@@ -11,7 +11,7 @@ namespace burin {
 class Candidates {
  public:
   /// Numbers of streams that do not meet: the points, and the places where they are measured.
-  enum Stream : std::uint64_t { kPoints = 0, kChecks = 1 };
+  enum Stream : std::uint64_t { Points = 0, Checks = 1 };
 
   Candidates(const Chart& chart, const CoverageOptions& options);
 

@@ -117,12 +117,13 @@ class DifferenceChart final : public FoldedChart {
   };
   Nodes nodes(double x, double step, int direction) const {
     Nodes n;
-    int at = kNodes / 2;
+    constexpr int kHalf = kNodes / 2;
+    int at = kHalf;
     if (options_.period[direction] == 0) {
       const double below = (x - options_.domain.min[direction]) / step;
       const double above = (options_.domain.max[direction] - x) / step;
       if (below < at) at = static_cast<int>(below);
-      if (above < kNodes / 2) at = kNodes - 1 - static_cast<int>(above);
+      if (above < kHalf) at = kNodes - 1 - static_cast<int>(above);
     }
     n.at = static_cast<std::size_t>(at);
     n.weights = &kWeights[n.at];

@@ -37,8 +37,8 @@ class UvTriangles {
   /// Not clamped.
   Vec3 bary(std::uint32_t triangle, Vec2 uv) const;
   /// The triangle of the same face at a point, walking from `triangle`; at borders the last one
-  /// before them. Takes `uv` to the branch of that triangle.
-  std::uint32_t locate(std::uint32_t triangle, Vec2& uv) const;
+  /// before them. Takes `target` to the branch of that triangle.
+  std::uint32_t locate(std::uint32_t triangle, Vec2& target) const;
 
   UvExit exit(std::uint32_t triangle, Vec2 from, Vec2 to) const;
   bool is_border(HalfEdge h) const { return mesh_.border[static_cast<std::size_t>(h)] >= 0; }
@@ -76,9 +76,9 @@ class UvTriangles {
     return place(h, b.t0 + share * (b.t1 - b.t0));
   }
   /// The place on the opposite side of a border half-edge that is the same point in space.
-  BorderPlace across(HalfEdge h, const BorderPlace& place) const;
+  BorderPlace across(HalfEdge h, const BorderPlace& from) const;
   /// The derivative of the curve at a place by the share of the chord.
-  Vec2 tangent(HalfEdge h, const BorderPlace& place) const;
+  Vec2 tangent(HalfEdge h, const BorderPlace& at) const;
   /// +1 where triangles of a face run counter-clockwise in (u,v), else -1.
   double turn(std::uint32_t triangle) const {
     return turn_[static_cast<std::size_t>(face(triangle))];

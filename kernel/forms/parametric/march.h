@@ -39,7 +39,7 @@ class March {
 
   std::optional<MarchStop> advance(PathState& to, double length);
   Crossing pass(PathState& to);
-  Crossing leave(HalfEdge edge, Way& way) const;
+  Crossing leave(HalfEdge h, Way& way) const;
   HalfEdge beyond(Way& way) const;
   bool passes_curve(const Way& way, const UvExit& exit, Crossing& crossing) const;
   double meet(const Crossing& crossing, const PathState& to, double length) const;

@@ -7,7 +7,7 @@ namespace burin::detail {
 
 /// Lines of the grid over a face: ascending parameters in u and in v, the domain's ends included.
 struct FaceGrid {
-  std::vector<double> lines[2];
+  std::array<std::vector<double>, 2> lines;
 };
 
 /// How many grid lines a chart asks for: its second derivatives bound how far the triangles are

@@ -49,7 +49,7 @@ class PatchAtlas final : public Atlas {
   Vec2 on_coedge(std::int32_t coedge, double t) const override;
   /// The side's own t at a t of its edge, and back.
   double side_t(std::int32_t coedge, double t) const;
-  double edge_t(std::int32_t coedge, double side_t) const;
+  double edge_t(std::int32_t coedge, double wanted) const;
 
   const std::vector<SideUse>& uses() const { return uses_; }
   std::vector<SideUse>& uses() { return uses_; }
@@ -109,8 +109,8 @@ struct SideCurve {
   Vec3 at(double t) const { return chart->position(side_uv(box, side, t)); }
   /// Derivative by t.
   Vec3 slope(double t, Vec3& point) const;
-  /// The t nearest to a point, found from `guess` by Newton's method.
-  double nearest(Vec3 point, double guess) const;
+  /// The t nearest to a point, found from the given one by Newton's method.
+  double nearest(Vec3 point, double t) const;
 };
 SideCurve side_curve(const Chart& chart, int side);
 

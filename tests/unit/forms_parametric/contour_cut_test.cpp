@@ -221,8 +221,7 @@ std::vector<Vec3> sorted_zero_vertices(const Cut& cut) {
   }
   const auto key = [](const Vec3& p) { return std::tuple(p.x, p.y, p.z); };
   std::ranges::sort(out, {}, key);
-  const auto repeated = std::ranges::unique(out);
-  out.erase(repeated.begin(), repeated.end());
+  out.erase(std::unique(out.begin(), out.end()), out.end());
   return out;
 }
 
