@@ -35,6 +35,10 @@ const Case kCases[] = {
     {"stand_outline.svg", "bearing_stand.obj", "--style outline --view 1,-1.2,0.8 --paper 80x80"},
     {"knot_outline.json", "knot.ply",
      "--style outline --view 0.4,-0.5,1 --paper 80x80 --perspective 25"},
+    {"pedestal_hidden.json", "pedestal.step",
+     "--style outline --hidden dashed --view 1,-1.2,0.8 --paper 90x70"},
+    {"coupling_outline.json", "coupling.step", "--style outline --view 1,-1.2,0.8 --paper 70x60"},
+    {"horn_engraving.json", "horn.itd", "--style engraving --view 1,-1.2,0.7 --paper 50x45"},
     {"blob_engraving.json", "blob.off", "--style engraving --view 1,-1.2,0.8 --paper 50x50"},
 };
 
