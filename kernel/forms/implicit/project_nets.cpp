@@ -1,5 +1,6 @@
 // Dual vertices moved onto the surface and its creases.
 
+#include <burin/base/disjoint_sets.h>
 #include <burin/base/parallel.h>
 
 #include "exact_mesh.h"
@@ -291,6 +292,26 @@ void triangulate(ExactMesh& mesh, const Nets& nets) {
   }
 }
 
+// Single samples that a thin wedge lets through between the others make cubes about one grid
+// corner, which lie in the wedge that is there already. They are far smaller than what a grid can
+// find.
+void drop_chips(ExactMesh& mesh) {
+  constexpr double kSmallest = 0.5;  // steps
+  DisjointSets parts(mesh.positions.size());
+  for (const Triangle& t : mesh.triangles) {
+    parts.join(t[0], t[1]);
+    parts.join(t[0], t[2]);
+  }
+  std::vector<Box3> boxes(mesh.positions.size());
+  for (const Triangle& t : mesh.triangles) {
+    for (const std::uint32_t v : t) boxes[parts.find(v)].add(mesh.positions[v]);
+  }
+  const auto chip = [&](const Triangle& t) {
+    return boxes[parts.find(t[0])].diagonal() < kSmallest * mesh.step;
+  };
+  if (!std::ranges::all_of(mesh.triangles, chip)) std::erase_if(mesh.triangles, chip);
+}
+
 }  // namespace
 
 ExactMesh project_nets(const ImplicitFunction& f, Nets nets, const GridLayout& layout, double size,
@@ -309,8 +330,9 @@ ExactMesh project_nets(const ImplicitFunction& f, Nets nets, const GridLayout& l
   mesh.crease.assign(n, -1);
   mesh.zero.assign(n, 0);
   stray += Projector(mesh, f, nets, layout, context).run();
-  place_tips(mesh, f, nets);
   triangulate(mesh, nets);
+  if (f.has_pieces()) drop_chips(mesh);
+  place_tips(mesh, f, nets);
   mesh.side.assign(mesh.triangles.size(), nullptr);
   return mesh;
 }

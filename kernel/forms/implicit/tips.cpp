@@ -17,9 +17,9 @@ namespace {
 constexpr double kTurned = 0.7;
 // Steps that a tip may lie away from the vertices around it, and share of one that their tangent
 // planes may miss it.
-constexpr double kReach = 4, kMiss = 0.02;
+constexpr double kReach = 12, kMiss = 0.02;
 // More of them mean a rough surface.
-constexpr std::size_t kMostVertices = 4000;
+constexpr std::size_t kMostVertices = 4000, kMostTips = 100;
 
 using Ring = std::set<std::uint32_t>;
 
@@ -74,6 +74,48 @@ std::optional<Vec3> common_point(const ExactMesh& mesh, std::uint32_t v, const R
   return o + x;
 }
 
+// Puts vertex v to the tip and a fan of triangles from there to the border of what lies within
+// `reach` of it; false where that is no disc around the tip.
+bool fan(ExactMesh& mesh, std::uint32_t v, Vec3 tip, double reach) {
+  const auto inside = [&](std::uint32_t w) {
+    return w == v || (mesh.pieces[w] == mesh.pieces[v] && !mesh.on_crease(w) &&
+                      glm::distance(mesh.positions[w], tip) < reach);
+  };
+  std::set<std::pair<std::uint32_t, std::uint32_t>> halves;
+  std::vector<Triangle> kept;
+  for (const Triangle& t : mesh.triangles) {
+    if (!inside(t[0]) && !inside(t[1]) && !inside(t[2])) {
+      kept.push_back(t);
+      continue;
+    }
+    for (std::size_t k = 0; k < 3; ++k) halves.emplace(t[k], t[(k + 1) % 3]);
+  }
+  std::map<std::uint32_t, std::uint32_t> border;
+  for (const auto& [a, b] : halves) {
+    if (halves.contains({b, a})) continue;
+    if (inside(a) || inside(b) || !border.emplace(a, b).second) return false;
+  }
+  if (border.size() < 3) return false;
+  std::uint32_t a = border.begin()->first;
+  for (std::size_t i = 0; i < border.size(); ++i) {
+    const auto it = border.find(a);
+    if (it == border.end() || (i > 0 && a == border.begin()->first)) return false;
+    const std::uint32_t b = it->second;
+    const Vec3 n = glm::cross(mesh.positions[b] - mesh.positions[a], tip - mesh.positions[a]);
+    const bool sound = mesh.pieces[a] == mesh.pieces[v] && !mesh.on_crease(a) &&
+                       glm::dot(n, mesh.normals[a]) > 0 && glm::dot(n, mesh.normals[b]) > 0;
+    if (!sound) return false;
+    kept.push_back({a, b, v});
+    a = b;
+  }
+  if (a != border.begin()->first) return false;
+  mesh.triangles = std::move(kept);
+  mesh.positions[v] = tip;
+  mesh.normals[v] = Vec3(0);
+  mesh.zero[v] = 1;
+  return true;
+}
+
 }  // namespace
 
 void place_tips(ExactMesh& mesh, const ImplicitFunction& f, const Nets& nets) {
@@ -94,11 +136,9 @@ void place_tips(ExactMesh& mesh, const ImplicitFunction& f, const Nets& nets) {
   for (const Tip& t : tips) {
     const bool near = std::ranges::any_of(
         taken, [&](const Vec3& p) { return glm::distance(p, t.position) < 0.5 * mesh.step; });
-    if (near) continue;
+    if (near || taken.size() >= kMostTips) continue;
+    if (!fan(mesh, t.vertex, t.position, t.distance + mesh.step)) continue;
     taken.push_back(t.position);
-    mesh.positions[t.vertex] = t.position;
-    mesh.normals[t.vertex] = Vec3(0);
-    mesh.zero[t.vertex] = 1;
   }
 }
 

@@ -5,8 +5,8 @@
 
 namespace burin {
 
-/// Puts the vertex next to each tip of the surface, where the tangent planes around meet in a point
-/// of f = 0, onto it. It has no normal, and contours pass through it.
+/// Puts a vertex onto each tip of the surface, where the tangent planes around meet in a point of
+/// f = 0, and joins it to the triangles around. It has no normal, and contours pass through it.
 void place_tips(ExactMesh& mesh, const ImplicitFunction& f, const Nets& nets);
 
 }  // namespace burin

@@ -134,19 +134,20 @@ TEST(ImplicitMesh, ATurnedBoxHasEightCorners) {
   EXPECT_EQ(corners, 8);
 }
 
-TEST(ImplicitMesh, ConesHaveTheirTips) {
-  const Made m = make(rotate(cone(1, 0, 2), {10, 20, 30}), 0.005);
-  const Mat3 turn = [] {
-    const auto f = rotate(plane(0, 0, 1, 0), {10, 20, 30});
-    Mat3 axes(1);
-    axes[2] = make_function(f)->gradient(Vec3(0)).gradient;  // where z has gone
-    return axes;
-  }();
-  double least = 1;
-  for (const Vec3& p : m.proxy().mesh.positions) least = std::min(least, glm::distance(p, turn[2]));
-  EXPECT_LT(least, 1e-8);
-  EXPECT_EQ(euler(m.proxy()), 2);
-  EXPECT_EQ(m.proxy().region_count, 2);
+TEST(ImplicitMesh, ConesAndNeedlesHaveTheirTips) {
+  // Where the z axis goes.
+  const Vec3 axis =
+      make_function(rotate(plane(0, 0, 1, 0), {10, 20, 30}))->gradient(Vec3(0)).gradient;
+  for (const double height : {1.0, 2.0, 12.0}) {
+    const Made m = make(rotate(cone(1, 0, height), {10, 20, 30}), 0.005);
+    double least = 1;
+    for (const Vec3& p : m.proxy().mesh.positions) {
+      least = std::min(least, glm::distance(p, 0.5 * height * axis));
+    }
+    EXPECT_LT(least, 1e-8) << height;
+    EXPECT_EQ(euler(m.proxy()), 2);
+    EXPECT_EQ(m.proxy().region_count, 2);
+  }
 }
 
 TEST(ImplicitMesh, UnionsHaveConcaveEdges) {
