@@ -147,7 +147,7 @@ Expression substitute(const Expression& f, const Expression& x, const Expression
     if (n->op == Op::Z) return z.node();
     if (const auto it = done.find(n.get()); it != done.end()) return it->second;
     const NodePtr a = self(self, n->a), b = n->b ? self(self, n->b) : nullptr;
-    const NodePtr out = finish(n->op, n->value, a, b).node();
+    NodePtr out = finish(n->op, n->value, a, b).node();
     done.emplace(n.get(), out);
     return out;
   };

@@ -31,17 +31,18 @@ constexpr int kLanes = Order == 0   ? 128
 template <int Order, int N>
 class Block {
  public:
-  static constexpr int C = kComponents<Order>;
+  static constexpr int kCount = kComponents<Order>;
 
   explicit Block(std::uint32_t registers) {
     thread_local std::vector<double> memory;
-    const std::size_t size = static_cast<std::size_t>(registers) * C * N;
+    const std::size_t size = static_cast<std::size_t>(registers) * kCount * N;
     if (memory.size() < size) memory.resize(size);
     data_ = memory.data();
   }
 
   double* at(std::uint32_t reg, int component) {
-    return data_ + (static_cast<std::size_t>(reg) * C + static_cast<std::size_t>(component)) * N;
+    return data_ +
+           (static_cast<std::size_t>(reg) * kCount + static_cast<std::size_t>(component)) * N;
   }
 
   void run(const Step& s, const double (&xyz)[3][N]) {
@@ -79,7 +80,7 @@ class Block {
 
  private:
   void add(const Step& s, double sign) {
-    for (int c = 0; c < C; ++c) {
+    for (int c = 0; c < kCount; ++c) {
       if (!has(s.mask, c)) continue;
       double* r = at(s.to, c);
       const double *a = at(s.a, c), *b = at(s.b, c);
@@ -100,7 +101,7 @@ class Block {
   void multiply(const Step& s) {
     double* r0 = at(s.to, 0);
     const double *a0 = at(s.a, 0), *b0 = at(s.b, 0);
-    for (int c = 1; c < C; ++c) {
+    for (int c = 1; c < kCount; ++c) {
       if (!has(s.mask, c)) continue;
       double* r = at(s.to, c);
       const double *a = at(s.a, c), *b = at(s.b, c);
@@ -136,7 +137,7 @@ class Block {
     } else {
       for (int i = 0; i < N; ++i) first[i] = a0[i] >= b0[i] || std::isnan(a0[i]);
     }
-    for (int c = 0; c < C; ++c) {
+    for (int c = 0; c < kCount; ++c) {
       if (!has(s.mask, c)) continue;
       double* r = at(s.to, c);
       const double* a = has(s.mask_a, c) ? at(s.a, c) : zero_;
@@ -147,7 +148,7 @@ class Block {
 
   // r = f(a) from f' in f1_ and f'' in f2_.
   void chain(const Step& s) {
-    for (int c = 1; c < C; ++c) {
+    for (int c = 1; c < kCount; ++c) {
       if (!has(s.mask, c)) continue;
       double* r = at(s.to, c);
       if (has(s.mask_a, c)) {
@@ -175,7 +176,7 @@ class Block {
   }
 
   void scale(const Step& s, const double* factor) {
-    for (int c = 0; c < C; ++c) {
+    for (int c = 0; c < kCount; ++c) {
       if (!has(s.mask, c)) continue;
       const double* a = at(s.a, c);
       double* r = at(s.to, c);
@@ -279,7 +280,7 @@ class Block {
       const auto part = [&](Mask m, std::uint32_t reg, int c) {
         return has(m, c) ? at(reg, c) : zero_;
       };
-      for (int c = 1; c < C; ++c) {
+      for (int c = 1; c < kCount; ++c) {
         if (!has(s.mask, c)) continue;
         double* r = at(s.to, c);
         const double *yc = part(s.mask_a, s.a, c), *xc = part(s.mask_b, s.b, c);
