@@ -46,6 +46,10 @@ std::vector<Curve3> extract_features(std::span<const ProxyMesh* const> proxies,
     join_contours(lines);
     if (proxy.source_edge.empty()) drop_specks(lines, camera);
     for (Curve3& line : lines) {
+      if (line.source.edge >= 0 && !proxy.source_edge.empty()) {
+        // The points of a model edge lie on a smooth curve, a chord error apart from its chords.
+        round_off(line, camera);
+      }
       if (line.kind != LineClass::Contour || line.source.edge >= 0) continue;
       // Those of a cut proxy are samples of the exact line, near enough to one another.
       if (proxy.on_contour.empty()) round_off(line, camera);

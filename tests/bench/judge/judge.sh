@@ -19,8 +19,11 @@ for model in "$@"; do
       printf '%-34s %-12s %s\n' "$name" "$view" "$(grep 'burin: error' "$scratch/log")"; continue; }
     ours=$(awk '/^burin: stage read/ { r += $4 } /^burin: total/ { t = $3 } END { printf "%.3f", t - r }' "$scratch/log")
     for other in poly exact; do
-      if ! timeout "$limit" "$hlr" "$other" "$model" "$scratch/o.json" "${v[@]}" >/dev/null 2>&1; then
-        printf '%-34s %-12s %-6s no answer within %s s; burin %s s\n' "$name" "$view" "$other" "$limit" "$ours"; continue
+      timeout "$limit" "$hlr" "$other" "$model" "$scratch/o.json" "${v[@]}" >/dev/null 2>&1
+      status=$?
+      if ((status != 0)); then
+        why="ended with status $status"; ((status == 124)) && why="no answer within $limit s"
+        printf '%-34s %-12s %-6s %s; burin %s s\n' "$name" "$view" "$other" "$why" "$ours"; continue
       fi
       row=$("$build/bin/burin_judge" "$model" "$scratch/d.json" "$other=$scratch/o.json" 2>&1) || {
         printf '%-34s %-12s %s\n' "$name" "$view" "$row"; continue; }
