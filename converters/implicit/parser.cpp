@@ -50,7 +50,7 @@ class Parser {
         definition();
         continue;
       }
-      const Expression result = sum();
+      Expression result = sum();
       if (is(";")) take();
       if (token_.kind != TokenKind::End) {
         fail(file_, token_.place,
@@ -127,7 +127,7 @@ class Parser {
       take();
       return -signed_value();
     }
-    const Expression base = atom();
+    Expression base = atom();
     if (!is("^")) return base;
     const Token sign = take();
     const Expression exponent = signed_value();
@@ -138,7 +138,7 @@ class Parser {
     if (token_.kind == TokenKind::Number) return take().number;
     if (is("(")) {
       take();
-      const Expression inner = sum();
+      Expression inner = sum();
       expect(")", "here");
       return inner;
     }

@@ -131,7 +131,7 @@ class Builder {
 
   void add_segments(std::int32_t coedge, const ModelEdge& e, const Poly_PolygonOnTriangulation& p) {
     const int n = p.NbNodes();
-    const Handle(TColStd_HArray1OfReal) known = p.Parameters();
+    const Handle(TColStd_HArray1OfReal)& known = p.Parameters();
     const auto t = [&](int k) {
       if (!known.IsNull()) return known->Value(known->Lower() + k);
       return e.first + (e.last - e.first) * k / (n - 1);

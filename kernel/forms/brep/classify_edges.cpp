@@ -23,10 +23,10 @@ Vec3 normal_at(const ModelParts& parts, const ModelCoedge& c, double t) {
 }
 
 bool smooth_at(const ModelParts& parts, const ModelCoedge& a, const ModelCoedge& b, double t) {
-  static const double kCos = std::cos(kSmoothAngle * std::numbers::pi / 180);
+  static const double cosine = std::cos(kSmoothAngle * std::numbers::pi / 180);
   const Vec3 m = normal_at(parts, a, t), n = normal_at(parts, b, t);
   // Places without a normal (tips) say nothing.
-  return m == Vec3(0) || n == Vec3(0) || glm::dot(m, n) >= kCos;
+  return m == Vec3(0) || n == Vec3(0) || glm::dot(m, n) >= cosine;
 }
 
 bool known(const ModelParts& parts, const ModelCoedge& c) {

@@ -93,7 +93,7 @@ class Projector {
 
   std::size_t run() {
     const std::size_t n = mesh_.positions.size();
-    state_.assign(n, kGood);
+    state_.assign(n, Good);
     parallel_for(
         n, kGrain, [&](std::size_t begin, std::size_t end) { project(begin, end); }, &context_);
     mark();
@@ -103,7 +103,7 @@ class Projector {
     for (int round = 0; round < kRounds; ++round) {
       std::vector<std::uint32_t> again;
       for (std::uint32_t v = 0; v < n; ++v) {
-        if (state_[v] == kMarked || state_[v] == kLost) again.push_back(v);
+        if (state_[v] == Marked || state_[v] == Lost) again.push_back(v);
       }
       if (again.empty()) break;
       std::vector<Placed> placed(again.size());
@@ -120,7 +120,7 @@ class Projector {
   }
 
  private:
-  enum State : std::uint8_t { kGood, kMarked, kLost, kSettled, kMoved };
+  enum State : std::uint8_t { Good, Marked, Lost, Settled, Moved };
   struct Placed {
     Meeting crease;  // without sides: a point of the surface
     bool kept = true, stray = false;
@@ -132,7 +132,7 @@ class Projector {
            std::span(mesh_.normals).subspan(begin, end - begin), kReach * layout_.step,
            mesh_.accuracy, done);
     for (std::size_t i = begin; i < end; ++i) {
-      if (!done[i - begin]) state_[i] = kLost;
+      if (!done[i - begin]) state_[i] = Lost;
       mesh_.pieces[i] = f_.piece(mesh_.positions[i]);
     }
   }
@@ -147,7 +147,7 @@ class Projector {
           if (mesh_.pieces[u] == mesh_.pieces[v]) continue;
           if (glm::dot(mesh_.normals[u], mesh_.normals[v]) > kSmooth) continue;
           for (const std::uint32_t w : {u, v}) {
-            if (state_[w] == kGood) state_[w] = kMarked;
+            if (state_[w] == Good) state_[w] = Marked;
           }
         }
       }
@@ -160,14 +160,13 @@ class Projector {
       const auto ring =
           std::span(nets_.corners)
               .subspan(nets_.first_corner[k], nets_.first_corner[k + 1] - nets_.first_corner[k]);
-      if (std::ranges::none_of(ring, [&](std::uint32_t v) { return state_[v] == kMoved; }))
-        continue;
+      if (std::ranges::none_of(ring, [&](std::uint32_t v) { return state_[v] == Moved; })) continue;
       for (const std::uint32_t v : ring) {
-        if (state_[v] == kGood) state_[v] = kMarked;
+        if (state_[v] == Good) state_[v] = Marked;
       }
     }
     for (State& s : state_) {
-      if (s == kMoved) s = kSettled;
+      if (s == Moved) s = Settled;
     }
   }
 
@@ -208,7 +207,7 @@ class Projector {
       out.kept = false;
       return out;
     }
-    if (state_[v] == kLost) {
+    if (state_[v] == Lost) {
       out.crease.position = nearest;
       out.kept = false;
       out.stray = !on_surface(nearest);
@@ -245,8 +244,8 @@ class Projector {
   }
 
   bool settle(std::uint32_t v, Placed& placed) {
-    const bool lost = state_[v] == kLost;
-    state_[v] = kSettled;
+    const bool lost = state_[v] == Lost;
+    state_[v] = Settled;
     if (placed.kept) return lost;
     const std::uint64_t before = mesh_.pieces[v];
     const Vec3 p = mesh_.positions[v] = placed.crease.position;
@@ -256,7 +255,7 @@ class Projector {
       mesh_.crease[v] = static_cast<std::int32_t>(mesh_.creases.size());
       mesh_.creases.push_back(std::move(placed.crease.sides));
     }
-    if (mesh_.on_crease(v) || mesh_.pieces[v] != before) state_[v] = kMoved;
+    if (mesh_.on_crease(v) || mesh_.pieces[v] != before) state_[v] = Moved;
     return placed.stray;
   }
 
