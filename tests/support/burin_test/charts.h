@@ -152,8 +152,9 @@ class PlainAtlas final : public Atlas {
 
 /// A surface of one chart over a grid of nu x nv cells. Points of the grid at one place in space
 /// are one vertex, so that seams close and collapsed sides become poles.
-inline std::shared_ptr<const Surface> grid_surface(std::shared_ptr<const Chart> chart, int nu,
-                                                   int nv, const Placement& placement = {}) {
+inline std::shared_ptr<const Surface> grid_surface(const std::shared_ptr<const Chart>& chart,
+                                                   int nu, int nv,
+                                                   const Placement& placement = {}) {
   const ParameterBox box = chart->domain();
   PlacedAtlas atlas{std::make_shared<PlainAtlas>(std::vector{chart}), placement, 1};
   ChartMesh m;

@@ -28,14 +28,14 @@ gp_Trsf turned(double degrees);
 class CadDocument {
  public:
   CadDocument();
-  /// A part; `color` as "#rrggbb".
-  TDF_Label part(const TopoDS_Shape& shape, const std::string& name, const std::string& color = {});
+  /// A part; `hex` is its colour as "#rrggbb".
+  TDF_Label part(const TopoDS_Shape& shape, const std::string& name, const std::string& hex = {});
   TDF_Label assembly(const std::string& name);
   TDF_Label use(const TDF_Label& assembly, const TDF_Label& what, const gp_Trsf& place,
                 const std::string& name);
-  void color(const TDF_Label& label, const std::string& color);
+  void color(const TDF_Label& label, const std::string& hex);
   /// Of a shape inside a part: a solid or a face.
-  void color(const TDF_Label& part, const TopoDS_Shape& inside, const std::string& color);
+  void color(const TDF_Label& part, const TopoDS_Shape& inside, const std::string& hex);
 
   std::string step(const std::string& file) const;
   std::string iges(const std::string& file) const;

@@ -14,7 +14,6 @@
 namespace burin {
 namespace {
 
-using test::kPi;
 
 Camera camera_for(Vec3 direction) {
   return Camera::fit(

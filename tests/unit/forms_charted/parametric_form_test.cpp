@@ -64,7 +64,7 @@ struct Realised {
 
 /// The part of a chart over a rectangle, its parameters scaled by `speed` (u -> u^speed), turned
 /// round where asked.
-ChartPtr piece(ChartPtr whole, Vec2 min, Vec2 max, bool swap = false, double speed = 1) {
+ChartPtr piece(const ChartPtr& whole, Vec2 min, Vec2 max, bool swap = false, double speed = 1) {
   return make_function_chart(
       [=](Vec2 p) {
         Vec2 q = swap ? Vec2(p.y, p.x) : p;

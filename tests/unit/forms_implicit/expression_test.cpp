@@ -66,7 +66,7 @@ TEST(Expression, DerivativesAreThoseOfDifferences) {
     int compared = 0;
     for (std::uint64_t i = 0; i < 200; ++i) {
       const Vec3 p = random_point(i, 2);
-      constexpr double h = 1e-5;
+      constexpr double kStep = 1e-5;
       const Gradient2 at = f->hessian(p);
       if (!std::isfinite(at.value)) continue;
       bool smooth = true;  // differences across an edge of pieces say nothing
@@ -74,11 +74,11 @@ TEST(Expression, DerivativesAreThoseOfDifferences) {
       Mat3 second(0);
       for (int a = 0; a < 3; ++a) {
         Vec3 step(0);
-        step[a] = h;
+        step[a] = kStep;
         smooth = smooth && f->piece(p + step) == f->piece(p) && f->piece(p - step) == f->piece(p);
         const Gradient1 up = f->gradient(p + step), down = f->gradient(p - step);
-        difference[a] = (up.value - down.value) / (2 * h);
-        second[a] = (up.gradient - down.gradient) / (2 * h);
+        difference[a] = (up.value - down.value) / (2 * kStep);
+        second[a] = (up.gradient - down.gradient) / (2 * kStep);
       }
       if (!smooth) continue;
       ++compared;
