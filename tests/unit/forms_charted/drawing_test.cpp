@@ -14,7 +14,6 @@
 namespace burin {
 namespace {
 
-
 Camera camera_for(Vec3 direction) {
   return Camera::fit(
       [](const Mat3& axes) {
