@@ -59,7 +59,7 @@ Handle(Geom_BSplineCurve) spline(const std::vector<gp_Pnt>& points, bool closed)
   for (int i = 1; i <= parameters; ++i) t->SetValue(i, i - 1);
   GeomAPI_Interpolate through(at, t, closed, 1e-6);
   through.Perform();
-  const Handle(Geom_BSplineCurve) curve = through.Curve();
+  Handle(Geom_BSplineCurve) curve = through.Curve();
   if (closed) curve->SetNotPeriodic();
   return curve;
 }

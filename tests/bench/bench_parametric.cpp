@@ -28,7 +28,8 @@ std::vector<Vec2> random_places(const Chart& chart) {
 std::vector<Vec2> stroke_places(const Chart& chart) {
   std::vector<Vec2> places(1 << 16);
   for (std::size_t i = 0; i < places.size(); ++i) {
-    const double t = static_cast<double>(i % 300) / 300, c = static_cast<double>(i / 300) / 220;
+    const std::size_t line = i / 300;
+    const double t = static_cast<double>(i % 300) / 300, c = static_cast<double>(line) / 220;
     places[i] = chart.domain().min + Vec2(t, 0.5 * (c + t)) * chart.domain().size();
   }
   return places;
