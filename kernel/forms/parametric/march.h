@@ -46,8 +46,8 @@ class March {
   double refine(const Crossing& crossing, double length, double guess, PathState& at) const;
   double find_crossing(Crossing& crossing, PathState& to, double length, PathState& at);
   std::optional<MarchStop> cross(Crossing crossing, PathState& to, double length);
-  std::optional<MarchStop> enter(HalfEdge edge, const BorderPlace& place, bool progress);
-  std::optional<MarchStop> slide(HalfEdge edge, const BorderPlace& place, Vec3 direction);
+  std::optional<MarchStop> enter(HalfEdge h, const BorderPlace& place, bool progress);
+  std::optional<MarchStop> slide(HalfEdge h, const BorderPlace& place, Vec3 direction);
   GeodesicPath path() const { return {atlas_, triangles_.face(triangle_)}; }
   MarchStep result(MarchStop stop) const;
 

@@ -230,7 +230,7 @@ TEST(BrepBroken, WiresThatDoNotCloseAndInfiniteFacesAreNamed) {
   EXPECT_NEAR(volume(*mesh), 6, 0.2);  // the open face may be drawn as far as it goes
   ASSERT_EQ(diagnostics.entries().size(), 1u);
   EXPECT_EQ(diagnostics.entries()[0].code, "brep.face_not_meshed");
-  EXPECT_NE(diagnostics.entries()[0].message.find("7"), std::string::npos);
+  EXPECT_NE(diagnostics.entries()[0].message.find('7'), std::string::npos);
   EXPECT_THROW(make_brep_model(infinite)->tessellate(1e-2, context, nullptr), GeometryError);
 }
 
