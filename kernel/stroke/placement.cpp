@@ -232,7 +232,14 @@ std::vector<Region> regions_of(const Picture& picture, const ViewRaster& raster,
     }
   }
   std::vector<Region> regions;
-  for (auto& [key, region] : found) regions.push_back(std::move(region));
+  for (auto& [key, region] : found) {
+    if (region.box.empty()) {  // seen between the cells of the raster only
+      for (const Seed* seed : region.seeds) {
+        region.box.add(picture.camera.to_paper(seed->point.position));
+      }
+    }
+    regions.push_back(std::move(region));
+  }
   return regions;
 }
 
