@@ -5,47 +5,22 @@
 
 #include "reading.h"
 
+#include <burin_test/mutated.h>
+
 namespace burin {
 namespace {
 
 constexpr int kMutations = 400;
 
-std::string mutated(std::string bytes, const Rng& rng, std::uint64_t& n) {
-  const auto below = [&](std::size_t limit) {
-    return static_cast<std::size_t>(rng.uniform(n++) * static_cast<double>(limit));
-  };
-  static constexpr std::string_view kSpice[] = {"-1", "0", "99999999999",      "nan", "1e999",
-                                                "\n", "",  "\xff\xff\xff\xff", "/",   "\\\n"};
-  const std::size_t changes = 1 + below(4);
-  for (std::size_t i = 0; i < changes && !bytes.empty(); ++i) {
-    const std::size_t at = below(bytes.size());
-    switch (below(5)) {
-      case 0:
-        bytes[at] = static_cast<char>(below(256));
-        break;
-      case 1:
-        bytes.erase(at, 1 + below(8));
-        break;
-      case 2:
-        bytes.insert(at, kSpice[below(std::size(kSpice))]);
-        break;
-      case 3:
-        bytes.insert(at, bytes.substr(below(bytes.size()), below(60)));
-        break;
-      case 4:
-        bytes.resize(at);
-        break;
-    }
-  }
-  return bytes;
-}
+constexpr std::string_view kSpice[] = {"-1", "0", "99999999999",      "nan", "1e999",
+                                       "\n", "",  "\xff\xff\xff\xff", "/",   "\\\n"};
 
 void fuzz(const std::string& good, const std::string& name, std::uint64_t seed) {
   const Rng rng(seed);
   std::uint64_t n = 0;
   int read = 0, refused = 0;
   for (int i = 0; i < kMutations; ++i) {
-    const std::string bytes = mutated(good, rng, n);
+    const std::string bytes = test::mutated(good, kSpice, rng, n);
     try {
       const Scene scene = test::read_scene(bytes, name);
       for (const Part& part : scene.parts) {
