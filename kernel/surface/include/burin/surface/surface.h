@@ -70,6 +70,7 @@ struct CoverRequest {
   std::int32_t part = 0;
   /// Relative density in [0,1] at a point with its unit normal; absent = 1 everywhere. With the
   /// cosine between normal and view it makes the points uniform in the picture.
+  /// Asked from many threads.
   std::function<double(Vec3 position, Vec3 normal)> weight = {};
 };
 
