@@ -3,12 +3,12 @@
 #include <burin/base/error.h>
 #include <burin/base/parallel.h>
 #include <burin/camera/camera.h>
-#include <burin/drawing/writers.h>
+#include <burin/converters/read.h>
+#include <burin/converters/write.h>
 #include <burin/illustrate/illustrate.h>
 #include <burin/illustrate/style.h>
 
 #include "output.h"
-#include "read_inputs.h"
 #include "signals.h"
 #include "values.h"
 
@@ -111,20 +111,6 @@ std::vector<Output> make_outputs(const DrawArguments& a) {
   return plan_outputs(names, a.format, sources);
 }
 
-void write(const Drawing& drawing, const Style& style, Output& output, const RunContext& context) {
-  output.write([&](std::ostream& out) {
-    if (output.format() == Format::Svg) {
-      const SvgOptions options{.flatten_polylines = style.svg.flatten,
-                               .fit_tolerance = style.svg.fit_tolerance,
-                               .dash = style.line.dash,
-                               .gap = style.line.gap};
-      write_svg(drawing, options, out, context);
-    } else {
-      write_json(drawing, {.points3 = style.json.points3}, out, context);
-    }
-  });
-}
-
 }  // namespace
 
 void run_draw(const DrawArguments& arguments, RunContext& context, Console& console) {
@@ -140,14 +126,17 @@ void run_draw(const DrawArguments& arguments, RunContext& context, Console& cons
   for (const Output& output : outputs) output.probe();
 
   const ThreadLimit limit(plan.threads);
-  const Scene scene = read_inputs(arguments.inputs, plan.read, context);
+  const Scene scene = read_scene(arguments.inputs, plan.read, context);
   const Camera camera =
       Camera::fit([&](const Mat3& axes) { return scene.bounds(axes); }, plan.view);
   const Drawing drawing = illustrate(scene, camera, plan.style, plan.illustrate, context);
 
   context.begin_stage("write");
+  const WriteOptions options = write_options(plan.style);
   for (std::size_t i = 0; i < outputs.size(); ++i) {
-    write(drawing, plan.style, outputs[i], context);
+    outputs[i].write([&](std::ostream& out) {
+      write_drawing(drawing, outputs[i].format(), options, out, context);
+    });
     context.progress(static_cast<double>(i + 1) / static_cast<double>(outputs.size()));
   }
   context.check();

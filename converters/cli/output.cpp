@@ -51,31 +51,23 @@ std::string advice(int error) {
   throw OutputError(advice(error), name == "-" ? "standard output" : name);
 }
 
-std::optional<Format> format_named(std::string name) {
-  std::transform(name.begin(), name.end(), name.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  if (name == "svg") return Format::Svg;
-  if (name == "json") return Format::Json;
-  return std::nullopt;
-}
-
 Format format_of(const std::string& output, const std::string& format) {
   std::optional<Format> asked;
   if (!format.empty()) {
     asked = format_named(format);
     if (!asked)
-      throw UsageError(fmt::format("option --format takes svg or json, not '{}'", format));
+      throw UsageError(fmt::format("option --format takes {}, not '{}'", format_list(), format));
   }
   if (output == "-") {
     if (asked) return *asked;
-    throw UsageError("output to - (standard output) needs --format svg or --format json");
+    throw UsageError("output to - (standard output) needs --format: " + format_list());
   }
   const std::string suffix = fs::path(output).extension().string();
   const auto named = suffix.empty() ? std::nullopt : format_named(suffix.substr(1));
   if (named) return *named;
   if (asked) return *asked;
-  throw UsageError(fmt::format("{}: {} does not name a format that burin writes; use .svg or .json",
-                               output, suffix.empty() ? "a name without suffix" : suffix));
+  throw UsageError(fmt::format("{}: {} does not name a format that burin writes; use {}", output,
+                               suffix.empty() ? "a name without suffix" : suffix, format_list()));
 }
 
 bool same_file(const std::string& a, const std::string& b) {

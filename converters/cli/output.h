@@ -1,6 +1,8 @@
 #pragma once
 /// Files that appear whole or not at all.
 
+#include <burin/converters/write.h>
+
 #include <filesystem>
 #include <functional>
 #include <iosfwd>
@@ -8,8 +10,6 @@
 #include <vector>
 
 namespace burin::cli {
-
-enum class Format { Svg, Json };
 
 /// One output: "-" is standard output, devices and pipes are written as they are, anything else
 /// aside and renamed.

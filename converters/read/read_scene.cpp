@@ -1,6 +1,5 @@
-#include "read_inputs.h"
-
 #include <burin/base/error.h>
+#include <burin/converters/read.h>
 
 #include "readers.h"
 
@@ -12,7 +11,7 @@
 #include <cstring>
 #include <iterator>
 
-namespace burin::cli {
+namespace burin {
 
 void check_inputs(const std::vector<std::string>& paths) {
   for (const std::string& path : paths) {
@@ -30,12 +29,12 @@ void check_inputs(const std::vector<std::string>& paths) {
   }
 }
 
-Scene read_inputs(const std::vector<std::string>& paths, const ReadOptions& options,
-                  RunContext& context) {
+Scene read_scene(const std::vector<std::string>& paths, const ReadOptions& options,
+                 RunContext& context) {
   context.begin_stage("read");
   Scene scene;
   for (std::size_t i = 0; i < paths.size(); ++i) {
-    Scene one = reader_of(paths[i]).read(paths[i], options, context);
+    Scene one = detail::reader_of(paths[i]).read(paths[i], options, context);
     scene.parts.insert(scene.parts.end(), std::make_move_iterator(one.parts.begin()),
                        std::make_move_iterator(one.parts.end()));
     scene.diagnostics.append(one.diagnostics);
@@ -45,4 +44,9 @@ Scene read_inputs(const std::vector<std::string>& paths, const ReadOptions& opti
   return scene;
 }
 
-}  // namespace burin::cli
+FileInfo inspect_file(const std::filesystem::path& path, const ReadOptions& options,
+                      RunContext& context) {
+  return detail::reader_of(path).inspect(path, options, context);
+}
+
+}  // namespace burin

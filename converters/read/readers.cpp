@@ -10,7 +10,7 @@
 #include <fstream>
 #include <string>
 
-namespace burin::cli {
+namespace burin::detail {
 namespace {
 
 using Path = std::filesystem::path;
@@ -64,4 +64,4 @@ const Reader& reader_of(const std::filesystem::path& path) {
   return kMesh;
 }
 
-}  // namespace burin::cli
+}  // namespace burin::detail

@@ -1,22 +1,12 @@
 #pragma once
-/// The table of readers: which one a file needs.
+// The table of readers; internal to the room.
 
-#include <burin/base/box.h>
-#include <burin/base/run_context.h>
-#include <burin/converters/file_info.h>
-#include <burin/surface/scene.h>
+#include <burin/converters/read.h>
 
 #include <filesystem>
-#include <optional>
 #include <string_view>
 
-namespace burin::cli {
-
-/// What the command line says about reading.
-struct ReadOptions {
-  /// The domain of functions.
-  std::optional<Box3> bounds = {};
-};
+namespace burin::detail {
 
 /// One family of formats. A new one is a row in readers.cpp.
 struct Reader {
@@ -37,4 +27,4 @@ inline constexpr std::size_t kHeadBytes = 4096;
 /// is wrong with a file that nobody knows.
 const Reader& reader_of(const std::filesystem::path& path);
 
-}  // namespace burin::cli
+}  // namespace burin::detail

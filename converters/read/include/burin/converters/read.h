@@ -1,0 +1,35 @@
+#pragma once
+/// Any file that Burin reads, as a scene: the one door of the command line, the Python module and
+/// whoever else has a path in hand.
+
+#include <burin/base/box.h>
+#include <burin/base/run_context.h>
+#include <burin/converters/file_info.h>
+#include <burin/surface/scene.h>
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace burin {
+
+/// What no file says of itself. A reader takes what concerns its formats and ignores the rest.
+struct ReadOptions {
+  /// The domain of functions.
+  std::optional<Box3> bounds = {};
+};
+
+/// Throws InputError for the first path that is no file that can be opened.
+void check_inputs(const std::vector<std::string>& paths);
+
+/// Reads each file by the reader of its format (told by its content where that is clear, else by
+/// its suffix); the parts of all of them, in order. Stage "read". Throws InputError.
+Scene read_scene(const std::vector<std::string>& paths, const ReadOptions& options,
+                 RunContext& context);
+
+/// What `burin info` tells of a file. Throws InputError.
+FileInfo inspect_file(const std::filesystem::path& path, const ReadOptions& options,
+                      RunContext& context);
+
+}  // namespace burin

@@ -1,0 +1,237 @@
+"""Line art from CAD parts, meshes, functions and volumes.
+
+Lengths of models are millimetres; lengths on the sheet are millimetres of paper, origin bottom left,
+y up; angles are degrees. Arrays are numpy arrays, float64 unless said.
+"""
+
+from collections.abc import Callable, Mapping, Sequence
+from os import PathLike
+from typing import Any
+
+from numpy import ndarray
+
+__version__: str
+
+class Error(Exception):
+    """What all errors of this module are."""
+
+class UsageError(Error, ValueError):
+    """An argument or option that makes no sense."""
+
+class InputError(Error):
+    """A file that is missing, broken or empty. Attributes: file (str), line (int, 0 = unknown)."""
+
+    file: str
+    line: int
+
+class GeometryError(Error):
+    """A shape that cannot be drawn."""
+
+class OutputError(Error, OSError):
+    """A file that cannot be written."""
+
+class Cancelled(Error):
+    """The run was cancelled."""
+
+class Cancel:
+    """A flag that ends runs; may be set from any thread."""
+
+    def cancel(self) -> None: ...
+    @property
+    def cancelled(self) -> bool: ...
+
+Progress = Callable[[str, float], Any]
+"""Called with the stage's name and the share done in [0, 1], at most every 20 ms, with the GIL held,
+from the thread that called. An exception in it ends the run and is passed on."""
+
+class Part:
+    name: str
+    source: str
+    color: str
+    assembly: list[str]
+    drawn: bool
+    hatched: bool
+    transparent: bool
+
+class Scene:
+    """What is drawn: parts in order."""
+
+    def __init__(self) -> None: ...
+    @staticmethod
+    def read(
+        *paths: str | PathLike[str],
+        bounds: Sequence[float] | None = None,
+        progress: Progress | None = None,
+        cancel: Cancel | None = None,
+        **options: Any,
+    ) -> Scene:
+        """Files, by their formats. `options` are the long options of the command line that concern
+        reading, with underscores."""
+    def add_brep(
+        self,
+        brep: str | bytes,
+        name: str = "",
+        *,
+        placement: ndarray | Sequence[Sequence[float]] | None = None,
+        color: str = "",
+        assembly: Sequence[str] = (),
+        source: str = "",
+    ) -> Part:
+        """A shape as OCCT writes it in text (FreeCAD: `shape.exportBrepToString()`). `placement` is a
+        4 x 4 matrix of a rigid motion (row major, acts on columns). One part, whatever its solids; faces
+        and edges are numbered as in the shape (TopExp order), from 0."""
+    def add_mesh(
+        self,
+        vertices: ndarray,
+        triangles: ndarray,
+        name: str = "",
+        *,
+        color: str = "",
+        assembly: Sequence[str] = (),
+        source: str = "",
+    ) -> Part:
+        """`vertices` (n, 3), `triangles` (m, 3) of any integer type; repaired as files are."""
+    def add_function(
+        self,
+        values: Callable[[ndarray], ndarray],
+        bounds: Sequence[float],
+        name: str = "",
+        *,
+        gradients: Callable[[ndarray], ndarray] | None = None,
+        hessians: Callable[[ndarray], ndarray] | None = None,
+    ) -> Part:
+        """The zero set of a function, negative inside: `values` takes points (n, 3) and gives (n,);
+        `gradients` gives (n, 3), `hessians` (n, 3, 3), both by central differences where absent."""
+    def add_implicit(
+        self, text: str, name: str = "", *, bounds: Sequence[float] | None = None
+    ) -> Part:
+        """A function as text, as in `.implicit` files."""
+    @property
+    def parts(self) -> list[Part]: ...
+    def bounds(self) -> ndarray:
+        """(2, 3): least and greatest coordinates."""
+    @property
+    def diagnostics(self) -> list[Diagnostic]: ...
+
+class Diagnostic:
+    severity: str
+    code: str
+    count: int
+    message: str
+
+class Path:
+    """One line of ink."""
+
+    kind: str
+    visible: bool
+    part: int
+    face: int
+    edge: int
+    closed: bool
+    field: str
+    family: int
+    @property
+    def points(self) -> ndarray:
+        """(n, 2) mm of paper."""
+    @property
+    def points3(self) -> ndarray:
+        """(n, 3) mm of the model."""
+    @property
+    def width(self) -> ndarray:
+        """(1,) or (n,) mm of paper."""
+
+class Layer:
+    name: str
+    paths: list[Path]
+
+class View:
+    """How the sheet was seen."""
+
+    projection: str
+    direction: ndarray
+    right: ndarray
+    up: ndarray
+    scale: float
+    center: ndarray
+    offset: ndarray
+    eye: ndarray
+    field_of_view: float
+    def project(self, points: ndarray) -> ndarray:
+        """(n, 3) of the model to (n, 2) of the sheet."""
+
+class Drawing:
+    @property
+    def layers(self) -> list[Layer]: ...
+    @property
+    def diagnostics(self) -> list[Diagnostic]: ...
+    @property
+    def parts(self) -> list[dict[str, Any]]: ...
+    @property
+    def view(self) -> View: ...
+    @property
+    def paper(self) -> tuple[float, float]: ...
+    @property
+    def style(self) -> str: ...
+    @property
+    def seed(self) -> int: ...
+    @property
+    def stats(self) -> dict[str, float]: ...
+    def arrays(self) -> dict[str, ndarray]:
+        """All paths as few arrays, for programs that show them: "points" (N, 2), "points3" (N, 3),
+        "width" (N,), and a path: "first" (P + 1,) index of its first point, "layer", "kind", "part",
+        "face", "edge", "visible", "closed" (P,); "kinds" and "layers" are lists of names."""
+    def save(self, path: str | PathLike[str], **options: Any) -> None:
+        """Writes a file whole or not at all; the suffix names the format. `options`: the format's keys
+        with underscores, e.g. svg_flatten=True, png_dpi=300."""
+    def to_bytes(self, format: str, **options: Any) -> bytes: ...
+    @staticmethod
+    def load(path: str | PathLike[str]) -> Drawing:
+        """A drawing file (JSON)."""
+    @staticmethod
+    def from_json(text: str | bytes) -> Drawing: ...
+
+def draw(
+    source: str | PathLike[str] | Scene | Sequence[str | PathLike[str]],
+    *,
+    view: str | Sequence[float] = "iso",
+    up: Sequence[float] | None = None,
+    perspective: float | None = None,
+    paper: str | Sequence[float] = "A4",
+    scale: float | None = None,
+    margin: float = 10,
+    style: str | PathLike[str] | Mapping[str, Any] = "technical",
+    set: Mapping[str, Any] | None = None,
+    light: Sequence[float] | None = None,
+    hidden: str = "none",
+    tolerance: float | None = None,
+    bounds: Sequence[float] | None = None,
+    seed: int = 1,
+    threads: int | None = None,
+    center: Sequence[float] | None = None,
+    field: Callable[[ndarray, ndarray], ndarray] | None = None,
+    tone: Callable[[ndarray, ndarray], ndarray] | None = None,
+    progress: Progress | None = None,
+    cancel: Cancel | None = None,
+    **read_options: Any,
+) -> Drawing:
+    """Draws a scene. Arguments are the long options of `burin draw`. `style` as a mapping is that of a style
+    file ({"base": "engraving", "line.outer": 0.5}); `set` overrides single keys. `center`: the model point in
+    the middle of the sheet, with `scale`; absent = the middle of what is drawn. `field` and `tone` are called with
+    positions (n, 3) and unit normals (n, 3), from the thread that called: `field` gives directions (n, 3), whose
+    tangent parts strokes follow (NaN = none here), `tone` the wanted darkness (n,) in [0, 1]. The GIL is
+    released while the kernel works."""
+
+def info(*paths: str | PathLike[str], **read_options: Any) -> list[dict[str, Any]]:
+    """What `burin info --json` tells, one entry a file."""
+
+def styles() -> dict[str, str]:
+    """Names of the built-in styles with what they are for."""
+
+def style(name: str | PathLike[str] | Mapping[str, Any]) -> dict[str, Any]:
+    """All keys of a style with their values: {"line.outer": 0.7, ...}."""
+
+def style_keys() -> list[dict[str, str]]:
+    """Each key of a style: "key", "meaning", "takes", "value" (in technical)."""
+
+def formats() -> list[str]:
+    """Suffixes that `Drawing.save` writes."""
