@@ -1,0 +1,3 @@
+"""Burin for FreeCAD: illustrations of parts and assemblies."""
+
+__version__ = "0.1.0"

@@ -1,0 +1,10 @@
+"""Objects of documents. Works without a GUI. The names here are a file-format contract: documents refer to
+`freecad.burin_wb.features.Illustration`, `.SheetView` and `.FlatEdges`."""
+
+from .illustration import Illustration, make_illustration
+
+# The stored module name stays this package's, whatever file a class lives in.
+for _class in (Illustration,):
+    _class.__module__ = __name__
+
+__all__ = ["Illustration", "make_illustration"]

@@ -1,0 +1,104 @@
+"""The parametric illustration: properties in, a drawing kept in the document out."""
+
+import os
+import tempfile
+
+import FreeCAD
+
+from .job import Job
+from .properties import ILLUSTRATION, SCHEMA, ensure
+from .sources import collect
+
+
+def run_here(obj, job, finish):
+    """The scheduler of programs without a GUI: runs to the end at once."""
+    from .. import kernel
+
+    finish(job.draw(kernel.module()), None)
+
+
+# How runs are done: called with (object, job, finish). The GUI replaces it by one that returns at once and calls
+# `finish(drawing, error)` later from the main thread.
+scheduler = run_here
+
+
+class Illustration:
+    """The Proxy of an illustration. Documents name it as freecad.burin_wb.features.Illustration."""
+
+    def __init__(self, obj):
+        obj.Proxy = self
+        ensure(obj, ILLUSTRATION)
+
+    def onDocumentRestored(self, obj):
+        ensure(obj, ILLUSTRATION)
+        if obj.Schema > SCHEMA:
+            FreeCAD.Console.PrintWarning(
+                f"{obj.Label}: was made by a newer Burin; its drawing is shown as it was kept\n"
+            )
+
+    def execute(self, obj):
+        if obj.Schema > SCHEMA:
+            return
+        job = make_job(obj)
+        inputs = job.fingerprint()
+        if inputs == obj.Inputs and obj.Drawing and os.path.exists(obj.Drawing):
+            return
+
+        def finish(drawing, error):
+            if error is not None:
+                obj.Message = str(error)
+                return
+            keep(obj, drawing, inputs, job.notes)
+
+        scheduler(obj, job, finish)
+
+    def dumps(self):
+        return None
+
+    def loads(self, state):
+        return None
+
+    __getstate__ = dumps
+    __setstate__ = loads
+
+
+def make_job(obj):
+    """What the kernel is to do for this object, as plain data."""
+    parts, notes = collect(obj.Sources, obj.Looks)
+    options = {
+        "view": tuple(obj.ViewDirection),
+        "up": tuple(obj.ViewUp),
+        "perspective": obj.FieldOfView.Value if obj.Projection == "Perspective" else None,
+        "paper": (obj.Width.Value, obj.Height.Value),
+        "margin": obj.Margin.Value,
+        "scale": None if obj.FitScale else obj.Scale,
+        "style": obj.Style,
+        "set": dict(obj.StyleKeys),
+        "light": tuple(obj.Light),
+        "hidden": obj.HiddenLines.lower(),
+        "seed": obj.Seed,
+        "tolerance": obj.Tolerance.Value or None,
+    }
+    return Job(parts, options, notes)
+
+
+def keep(obj, drawing, inputs, notes=()):
+    """Puts a drawing into the document."""
+    handle, path = tempfile.mkstemp(suffix=".json", prefix="burin-")
+    os.close(handle)
+    try:
+        drawing.save(path, json_points3=False)
+        obj.Drawing = path
+    finally:
+        os.unlink(path)
+    obj.DrawnScale = drawing.view.scale
+    obj.Inputs = inputs
+    obj.Message = "; ".join([*notes, *(d.message for d in drawing.diagnostics)])
+
+
+def make_illustration(document, sources, name="Illustration"):
+    """A new illustration of `sources`, a list of objects or (object, sub-names). No transaction, no recompute."""
+    obj = document.addObject("App::FeaturePython", name)
+    Illustration(obj)
+    obj.Sources = [s if isinstance(s, tuple) else (s, ("",)) for s in sources]
+    return obj

@@ -1,0 +1,68 @@
+"""Properties as tables: one row a property, so that creation, migration and documentation agree."""
+
+from collections import namedtuple
+
+# kind: the App::Property type; value: the default, for enumerations the list (first = default).
+Row = namedtuple("Row", "name kind group value text")
+
+SCHEMA = 1
+
+ILLUSTRATION = (
+    Row("Sources", "App::PropertyLinkSubListGlobal", "Source", None,
+        "What is drawn: objects, links, assemblies; sub-names choose objects in an assembly"),
+    Row("Looks", "App::PropertyMap", "Source", {},
+        "Object name to words: 'not drawn', 'not hatched', 'transparent', 'style=FILE or name'; ';' between"),
+    Row("ViewDirection", "App::PropertyVector", "View", (1, -1, 1),
+        "From the model to the viewer"),
+    Row("ViewUp", "App::PropertyVector", "View", (0, 0, 1), "Up on the sheet"),
+    Row("Projection", "App::PropertyEnumeration", "View", ["Orthographic", "Perspective"],
+        "Parallel, or with vanishing points"),
+    Row("FieldOfView", "App::PropertyAngle", "View", 35.0,
+        "Perspective: vertical field of view (1 to 170 degrees)"),
+    Row("Width", "App::PropertyLength", "Sheet", 180.0, "Width of the drawing on paper"),
+    Row("Height", "App::PropertyLength", "Sheet", 130.0, "Height of the drawing on paper"),
+    Row("Margin", "App::PropertyLength", "Sheet", 2.0, "Kept free on each side"),
+    Row("FitScale", "App::PropertyBool", "Sheet", True,
+        "Scale so that the drawing fills the sheet; otherwise Scale holds"),
+    Row("Scale", "App::PropertyFloat", "Sheet", 1.0, "Millimetres of paper for a millimetre of the model"),
+    Row("Style", "App::PropertyString", "Style", "technical", "A built-in style, or the path of a style file"),
+    Row("StyleKeys", "App::PropertyMap", "Style", {}, "Keys of the style that differ, such as line.outer = 0.5"),
+    Row("Light", "App::PropertyVector", "Style", (-0.5, 0.65, 0.6),
+        "From the model to the light: right, up, to the viewer"),
+    Row("HiddenLines", "App::PropertyEnumeration", "Style", ["None", "Dashed"],
+        "Hidden feature lines: left out or dashed"),
+    Row("Seed", "App::PropertyInteger", "Style", 1, "Seed of all that is left to chance"),
+    Row("Tolerance", "App::PropertyLength", "Style", 0.0,
+        "Chord tolerance in the model; 0 = chosen from the sheet"),
+    Row("Drawing", "App::PropertyFileIncluded", "Result", "", "The drawing (JSON), kept in the document"),
+    Row("DrawnScale", "App::PropertyFloat", "Result", 0.0, "The scale of the kept drawing"),
+    Row("Inputs", "App::PropertyString", "Result", "", "Fingerprint of what the kept drawing was made from"),
+    Row("Message", "App::PropertyString", "Result", "", "What the last run had to say"),
+    Row("Schema", "App::PropertyInteger", "Result", SCHEMA, "Version of these properties"),
+)
+READ_ONLY = {"Drawing", "DrawnScale", "Inputs", "Message", "Schema"}
+HIDDEN = {"Inputs", "Schema"}
+
+SHEET_VIEW = (
+    Row("Illustration", "App::PropertyLinkGlobal", "Burin", None, "The illustration that this view places"),
+    Row("Schema", "App::PropertyInteger", "Burin", SCHEMA, "Version of these properties"),
+)
+
+FLAT_EDGES = (
+    Row("Illustration", "App::PropertyLinkGlobal", "Burin", None, "The illustration whose lines these are"),
+    Row("Schema", "App::PropertyInteger", "Burin", SCHEMA, "Version of these properties"),
+)
+
+
+def ensure(obj, rows):
+    """Adds what is missing, so that objects of older schemas get new properties with their defaults."""
+    have = set(obj.PropertiesList)
+    for row in rows:
+        if row.name in have:
+            continue
+        obj.addProperty(row.kind, row.name, row.group, row.text)
+        if row.value not in (None, ""):
+            setattr(obj, row.name, row.value)
+    for row in rows:
+        if row.name in READ_ONLY:
+            obj.setEditorMode(row.name, 3 if row.name in HIDDEN else 1)
