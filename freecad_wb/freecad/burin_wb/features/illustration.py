@@ -5,21 +5,28 @@ import tempfile
 
 import FreeCAD
 
-from .job import Job
+from .. import worker
+from ..job import Job
 from .properties import ILLUSTRATION, SCHEMA, ensure
 from .sources import collect
 
 
-def run_here(obj, job, finish):
-    """The scheduler of programs without a GUI: runs to the end at once."""
-    from .. import kernel
+_worker = worker.Worker()
 
-    finish(job.draw(kernel.module()), None)
+
+def run_to_end(obj, job, finish):
+    """The scheduler of programs without a GUI: waits for the worker process."""
+    try:
+        result = _worker.draw(job)
+    except worker.Failed as error:
+        finish(None, error)
+        return
+    finish(result, None)
 
 
 # How runs are done: called with (object, job, finish). The GUI replaces it by one that returns at once and calls
-# `finish(drawing, error)` later from the main thread.
-scheduler = run_here
+# `finish(result, error)` later from the main thread.
+scheduler = run_to_end
 
 
 class Illustration:
@@ -44,11 +51,12 @@ class Illustration:
         if inputs == obj.Inputs and obj.Drawing and os.path.exists(obj.Drawing):
             return
 
-        def finish(drawing, error):
+        def finish(result, error):
             if error is not None:
                 obj.Message = str(error)
+                FreeCAD.Console.PrintError(f"{obj.Label}: {error}\n")
                 return
-            keep(obj, drawing, inputs, job.notes)
+            keep(obj, result, inputs)
 
         scheduler(obj, job, finish)
 
@@ -82,18 +90,18 @@ def make_job(obj):
     return Job(parts, options, notes)
 
 
-def keep(obj, drawing, inputs, notes=()):
-    """Puts a drawing into the document."""
+def keep(obj, result, inputs):
+    """Puts the result of a run into the document."""
     handle, path = tempfile.mkstemp(suffix=".json", prefix="burin-")
-    os.close(handle)
     try:
-        drawing.save(path, json_points3=False)
+        with os.fdopen(handle, "wb") as out:
+            out.write(result.drawing)
         obj.Drawing = path
     finally:
         os.unlink(path)
-    obj.DrawnScale = drawing.view.scale
+    obj.DrawnScale = result.scale
     obj.Inputs = inputs
-    obj.Message = "; ".join([*notes, *(d.message for d in drawing.diagnostics)])
+    obj.Message = "; ".join(result.messages)
 
 
 def make_illustration(document, sources, name="Illustration"):

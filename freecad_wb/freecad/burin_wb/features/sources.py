@@ -1,6 +1,6 @@
 """From document objects to parts: assemblies are taken apart, placements and names kept."""
 
-from .job import PartJob
+from ..job import PartJob
 
 
 class Left(Exception):

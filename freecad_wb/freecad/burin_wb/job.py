@@ -26,6 +26,15 @@ class PartJob:
 
 
 @dataclass
+class Result:
+    """What a run brings back."""
+
+    drawing: bytes  # a drawing file (JSON)
+    scale: float
+    messages: List[str]
+
+
+@dataclass
 class Job:
     parts: List[PartJob]
     options: Dict[str, Any]  # keywords of burin.draw
@@ -46,3 +55,9 @@ class Job:
                 made = scene.add_mesh(part.vertices, part.triangles, part.name, **common)
             made.drawn, made.hatched, made.transparent = part.drawn, part.hatched, part.transparent
         return burin.draw(scene, progress=progress, cancel=cancel, **self.options)
+
+    def run(self, burin, progress=None, cancel=None):
+        """As `draw`, for the document."""
+        drawing = self.draw(burin, progress, cancel)
+        messages = [*self.notes, *(d.message for d in drawing.diagnostics)]
+        return Result(drawing.to_bytes("json", json_points3=False), drawing.view.scale, messages)

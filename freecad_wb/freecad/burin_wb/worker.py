@@ -1,0 +1,200 @@
+"""The kernel in a process of its own: a crash there leaves FreeCAD and the document alive.
+
+Run as a script it is the worker: jobs come pickled on standard input, messages go pickled to standard output,
+each behind its length as eight bytes. Imported it is the side that asks."""
+
+import os
+import pickle
+import shutil
+import struct
+import subprocess
+import sys
+import tempfile
+import threading
+
+HEAD = struct.Struct("<Q")
+
+
+class Failed(Exception):
+    """The run failed; the text is for the user."""
+
+
+class Stopped(Exception):
+    """The run was cancelled."""
+
+
+def _send(stream, message):
+    data = pickle.dumps(message, protocol=4)
+    stream.write(HEAD.pack(len(data)))
+    stream.write(data)
+    stream.flush()
+
+
+def _receive(stream):
+    """The next message; nothing where the other side is gone."""
+    head = stream.read(HEAD.size)
+    if len(head) < HEAD.size:
+        return None
+    size = HEAD.unpack(head)[0]
+    data = stream.read(size)
+    return pickle.loads(data) if len(data) == size else None
+
+
+# --- the side that asks ---------------------------------------------------------------------------
+
+
+def interpreter():
+    """A Python of this version that can be started by itself; nothing where there is none."""
+    named = os.environ.get("BURIN_PYTHON", "")
+    version = "python%d.%d" % sys.version_info[:2]
+    for candidate in (named, "/usr/bin/" + version, shutil.which(version), sys._base_executable):
+        if candidate and os.path.basename(candidate).startswith("python") and os.access(candidate, os.X_OK):
+            return candidate
+    return None
+
+
+class Worker:
+    """One worker process; keeps running from job to job. For one thread at a time, except `cancel`."""
+
+    def __init__(self):
+        self._process = None
+        self._log = None
+        self._lock = threading.Lock()
+
+    def start(self):
+        """Starts the process ahead of the first job. Throws Failed."""
+        with self._lock:
+            if self._process is None or self._process.poll() is not None:
+                self._launch()
+
+    def draw(self, job, progress=None):
+        """Runs a job to its end. Returns a job.Result. `progress(stage, share)` is called from this thread.
+        Throws Failed or Stopped."""
+        self.start()
+        process = self._process
+        try:
+            _send(process.stdin, ("draw", job))
+            while True:
+                message = _receive(process.stdout)
+                if message is None:
+                    raise Failed(self._last_words(process))
+                kind, *rest = message
+                if kind == "progress":
+                    if progress is not None:
+                        progress(*rest)
+                elif kind == "done":
+                    return rest[0]
+                elif kind == "cancelled":
+                    raise Stopped()
+                else:
+                    raise Failed(rest[0])
+        except (BrokenPipeError, OSError) as error:
+            raise Failed(self._last_words(process)) from error
+
+    def cancel(self):
+        """Asks the job under way to end; may be called from any thread."""
+        process = self._process
+        if process is not None and process.poll() is None:
+            try:
+                _send(process.stdin, ("cancel",))
+            except (BrokenPipeError, OSError):
+                pass
+
+    def stop(self):
+        """Ends the process, whatever it does."""
+        with self._lock:
+            process, self._process = self._process, None
+        if process is None:
+            return
+        process.kill()
+        process.wait()
+        for stream in (process.stdin, process.stdout, self._log):
+            try:
+                stream.close()
+            except OSError:
+                pass
+
+    def _launch(self):
+        from . import kernel
+
+        python = interpreter()
+        if python is None:
+            raise Failed("no Python interpreter was found for the worker; set BURIN_PYTHON to one")
+        environment = dict(os.environ)
+        environment["BURIN_PYTHON_PATH"] = os.pathsep.join(kernel.folders())
+        for name in ("PYTHONHOME", "LD_PRELOAD"):
+            environment.pop(name, None)
+        self._log = tempfile.TemporaryFile()
+        self._process = subprocess.Popen(
+            [python, os.path.abspath(__file__)], stdin=subprocess.PIPE, stdout=subprocess.PIPE,
+            stderr=self._log, env=environment, start_new_session=True)
+
+    def _last_words(self, process):
+        try:
+            status = process.wait(timeout=5)
+        except subprocess.TimeoutExpired:
+            process.kill()
+            status = process.wait()
+        self._log.seek(0)
+        said = self._log.read().decode(errors="replace").strip().splitlines()
+        self._process = None
+        why = "signal %d" % -status if status < 0 else "status %d" % status
+        tail = ": " + said[-1] if said else ""
+        return f"the drawing kernel ended unexpectedly ({why}){tail}; the document is as it was"
+
+
+# --- the worker -----------------------------------------------------------------------------------
+
+
+def _serve():
+    here = os.path.dirname(os.path.abspath(__file__))
+    sys.path[:] = [p for p in sys.path if os.path.abspath(p or ".") != here]
+    sys.path.insert(0, os.path.normpath(os.path.join(here, "../..")))
+    source, sink = sys.stdin.buffer, os.fdopen(os.dup(1), "wb")
+    os.dup2(2, 1)  # what libraries print does not end up between the messages
+    from freecad.burin_wb import kernel  # noqa: E402
+
+    try:
+        burin = kernel.module()
+    except kernel.KernelMissing as error:
+        _receive(source)
+        _send(sink, ("failed", str(error)))
+        return
+    state = {"cancel": None, "jobs": [], "closed": False}
+    ready = threading.Condition()
+
+    def listen():
+        while True:
+            message = _receive(source)
+            with ready:
+                if message is None:
+                    state["closed"] = True
+                if message is None or message[0] == "cancel":
+                    if state["cancel"] is not None:
+                        state["cancel"].cancel()
+                else:
+                    state["jobs"].append(message[1])
+                    state["cancel"] = burin.Cancel()
+                ready.notify()
+            if message is None:
+                return
+
+    threading.Thread(target=listen, daemon=True).start()
+    while True:
+        with ready:
+            while not state["jobs"] and not state["closed"]:
+                ready.wait()
+            if state["closed"]:
+                return
+            job, cancel = state["jobs"].pop(0), state["cancel"]
+        try:
+            result = job.run(burin, lambda stage, share: _send(sink, ("progress", stage, share)), cancel)
+            _send(sink, ("done", result))
+        except burin.Cancelled:
+            _send(sink, ("cancelled",))
+        except burin.Error as error:
+            _send(sink, ("failed", str(error)))
+
+
+if __name__ == "__main__":
+    _serve()
