@@ -1,4 +1,5 @@
-#include "ink.h"
+#include <burin/drawing/ink.h>
+#include <burin/drawing/outline.h>
 
 #include <algorithm>
 #include <cmath>
@@ -7,8 +8,66 @@ namespace burin {
 namespace {
 
 constexpr double kVisibleWidthChange = 0.01;  // paper mm
+constexpr double kWidestRoundCap = 0.15;      // paper mm
+
+/// Whether a path is drawn as a filled outline: where its width varies, and strokes so wide that
+/// the round cap of a stroked line would show beyond the crease that they end at.
+bool is_outlined(const Path& p) {
+  return has_varying_width(p) ||
+         (p.kind == LineClass::Stroke && !p.closed && mean_width(p) > kWidestRoundCap);
+}
+
+/// The chains of a stroke; a closed one is cut open at its first point, where two noses meet.
+std::vector<std::vector<CubicBezier>> outline_of(const Path& p, double tolerance) {
+  std::vector<Vec2> points = p.points;
+  std::vector<double> widths = p.width;
+  widths.resize(points.size(), mean_width(p));
+  if (p.closed) {
+    // A little past the first point, so that the noses overlap.
+    for (const std::size_t i : {std::size_t{0}, std::size_t{1}}) {
+      points.push_back(points[i]);
+      widths.push_back(widths[i]);
+    }
+  }
+  return stroke_outline(points, widths, tolerance);
+}
 
 }  // namespace
+
+std::vector<InkLayer> ink_layers(const Drawing& drawing) {
+  std::vector<InkLayer> layers;
+  InkLayer hidden{std::string(kHiddenLayer), {}};
+  bool hidden_placed = false;
+  std::size_t hidden_at = 0;
+  for (const Layer& layer : drawing.layers) {
+    if (layer.name == kHiddenLayer && !hidden_placed) {
+      hidden_placed = true;
+      hidden_at = layers.size();
+    }
+    InkLayer ink{layer.name, {}};
+    for (const Path& p : layer.paths) {
+      if (p.points.size() < 2 || !is_finite(p)) continue;
+      const bool to_hidden = !p.visible || layer.name == kHiddenLayer;
+      (to_hidden ? hidden : ink).parts[p.source.part].push_back(&p);
+    }
+    if (layer.name != kHiddenLayer) layers.push_back(std::move(ink));
+  }
+  if (hidden_placed || !hidden.parts.empty()) {
+    layers.insert(layers.begin() + static_cast<std::ptrdiff_t>(hidden_at), std::move(hidden));
+  }
+  return layers;
+}
+
+Ink ink_of(const Path& path, double tolerance) {
+  Ink ink;
+  if (path.visible && is_outlined(path)) ink.chains = outline_of(path, tolerance);
+  ink.filled = !ink.chains.empty();
+  if (!ink.filled) {
+    ink.width = mean_width(path);
+    ink.chains.push_back(fit_cubics(path.points, path.closed, tolerance));
+  }
+  return ink;
+}
 
 bool is_finite(const Path& path) {
   const auto number = [](double x) { return std::isfinite(x); };

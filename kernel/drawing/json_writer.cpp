@@ -1,8 +1,7 @@
 #include <burin/base/version.h>
+#include <burin/drawing/ink.h>
+#include <burin/drawing/ordered_text.h>
 #include <burin/drawing/writers.h>
-
-#include "ink.h"
-#include "ordered_text.h"
 
 #include <algorithm>
 #include <cmath>

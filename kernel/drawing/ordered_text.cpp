@@ -1,6 +1,5 @@
-#include "ordered_text.h"
-
 #include <burin/base/parallel.h>
+#include <burin/drawing/ordered_text.h>
 
 #include <ostream>
 #include <vector>

@@ -2,8 +2,7 @@
 /// The `d` attribute of SVG paths.
 
 #include <burin/drawing/bezier.h>
-
-#include "text.h"
+#include <burin/drawing/text.h>
 
 #include <cstdint>
 #include <span>

@@ -1,59 +1,23 @@
 #include <burin/base/version.h>
 #include <burin/drawing/bezier.h>
-#include <burin/drawing/outline.h>
+#include <burin/drawing/ink.h>
+#include <burin/drawing/ordered_text.h>
 #include <burin/drawing/writers.h>
 
-#include "ink.h"
-#include "ordered_text.h"
 #include "svg_path.h"
 
 #include <algorithm>
-#include <iterator>
-#include <map>
 #include <ostream>
 #include <set>
 
 namespace burin {
 namespace {
 
-constexpr std::string_view kHiddenLayer = "hidden";
-constexpr double kWidestRoundCap = 0.15;  // paper mm
-
-/// A layer as SVG has it: its paths by part.
-struct Group {
-  std::string name;
-  std::map<std::int32_t, std::vector<const Path*>> parts;
-};
-
 /// One path with the tags that come before it.
 struct Item {
   std::string before;
   const Path* path = nullptr;
 };
-
-std::vector<Group> grouped(const Drawing& drawing) {
-  std::vector<Group> groups;
-  Group hidden{std::string(kHiddenLayer), {}};
-  bool hidden_placed = false;
-  std::size_t hidden_at = 0;
-  for (const Layer& layer : drawing.layers) {
-    if (layer.name == kHiddenLayer && !hidden_placed) {
-      hidden_placed = true;
-      hidden_at = groups.size();
-    }
-    Group group{layer.name, {}};
-    for (const Path& p : layer.paths) {
-      if (p.points.size() < 2 || !is_finite(p)) continue;
-      const bool to_hidden = !p.visible || layer.name == kHiddenLayer;
-      (to_hidden ? hidden : group).parts[p.source.part].push_back(&p);
-    }
-    if (layer.name != kHiddenLayer) groups.push_back(std::move(group));
-  }
-  if (hidden_placed || !hidden.parts.empty()) {
-    groups.insert(groups.begin() + static_cast<std::ptrdiff_t>(hidden_at), std::move(hidden));
-  }
-  return groups;
-}
 
 /// A name as an XML id that no other group has.
 std::string unique_id(std::string_view name, std::set<std::string>& taken) {
@@ -91,13 +55,13 @@ std::string head(const Drawing& drawing) {
   return fmt::to_string(out);
 }
 
-std::string layer_tag(const std::string& name, const std::string& id, const SvgOptions& options) {
+std::string layer_tag(const InkLayer& layer, const std::string& id, const SvgOptions& options) {
   Buffer out;
   append(out, fmt::format("<g id=\"{}\" inkscape:groupmode=\"layer\" inkscape:label=\"", id));
-  append_xml(out, name);
+  append_xml(out, layer.name);
   append(out,
          "\" fill=\"none\" stroke=\"#000\" stroke-linecap=\"round\" stroke-linejoin=\"round\"");
-  if (name == kHiddenLayer) {
+  if (layer.is_hidden()) {
     append(out, " stroke-dasharray=\"");
     append_fixed(out, options.dash, 3);
     out.push_back(' ');
@@ -123,14 +87,14 @@ std::string part_tag(std::int32_t part, const std::string& id, const Drawing& dr
 }
 
 /// All paths in order; the last item has none, only the closing tags.
-std::vector<Item> items_of(const Drawing& drawing, const std::vector<Group>& groups,
+std::vector<Item> items_of(const Drawing& drawing, const std::vector<InkLayer>& groups,
                            const SvgOptions& options) {
   std::vector<Item> items;
   std::set<std::string> ids;
   std::string before = head(drawing);
-  for (const Group& group : groups) {
+  for (const InkLayer& group : groups) {
     const std::string id = unique_id(group.name, ids);
-    before += layer_tag(group.name, id, options);
+    before += layer_tag(group, id, options);
     for (const auto& [part, paths] : group.parts) {
       const std::string stem = part < 0 ? "none" : fmt::format("{}", part);
       before += part_tag(part, unique_id(id + "-" + stem, ids), drawing);
@@ -154,9 +118,9 @@ void append_source(Buffer& out, const Path& p) {
       p.source.part, p.source.face, p.source.edge, kind);
 }
 
-void append_stroke_width(Buffer& out, const Path& p) {
+void append_stroke_width(Buffer& out, double width) {
   append(out, " stroke-width=\"");
-  append_fixed(out, mean_width(p), 3);
+  append_fixed(out, width, 3);
   out.push_back('"');
 }
 
@@ -167,32 +131,10 @@ void append_polyline(Buffer& out, SvgPen& pen, const Path& p, double tolerance) 
   for (const std::size_t i : simplify(all, tolerance)) kept.push_back(all[i]);
   append(out, "<polyline");
   append_source(out, p);
-  append_stroke_width(out, p);
+  append_stroke_width(out, mean_width(p));
   append(out, " points=\"");
   pen.points(kept);
   append(out, "\"/>\n");
-}
-
-/// Whether a path is drawn as a filled outline: where its width varies, and strokes so wide that
-/// the round cap of a stroked line would show beyond the crease that they end at.
-bool is_outlined(const Path& p) {
-  return has_varying_width(p) ||
-         (p.kind == LineClass::Stroke && !p.closed && mean_width(p) > kWidestRoundCap);
-}
-
-/// The chains of a stroke; a closed one is cut open at its first point, where two noses meet.
-std::vector<std::vector<CubicBezier>> outline_of(const Path& p, double tolerance) {
-  std::vector<Vec2> points = p.points;
-  std::vector<double> widths = p.width;
-  widths.resize(points.size(), mean_width(p));
-  if (p.closed) {
-    // A little past the first point, so that the noses overlap.
-    for (const std::size_t i : {std::size_t{0}, std::size_t{1}}) {
-      points.push_back(points[i]);
-      widths.push_back(widths[i]);
-    }
-  }
-  return stroke_outline(points, widths, tolerance);
 }
 
 /// What rounding to the grid and writing nearly straight curves as lines may add, in paper mm.
@@ -203,20 +145,17 @@ void append_path(Buffer& out, const Path& p, double paper_height, const SvgOptio
   if (options.flatten_polylines) return append_polyline(out, pen, p, options.fit_tolerance);
   const double tolerance =
       std::max(options.fit_tolerance - kWritingError, 0.5 * options.fit_tolerance);
-  std::vector<std::vector<CubicBezier>> chains;
-  if (p.visible && is_outlined(p)) chains = outline_of(p, tolerance);
-  const bool filled = !chains.empty();
-  if (!filled) chains.push_back(fit_cubics(p.points, p.closed, tolerance));
+  const Ink ink = ink_of(p, tolerance);
   append(out, "<path");
   append_source(out, p);
-  if (filled) {
+  if (ink.filled) {
     append(out, " fill=\"#000\" stroke=\"none\"");
   } else {
-    append_stroke_width(out, p);
+    append_stroke_width(out, ink.width);
   }
   append(out, " d=\"");
-  for (const auto& chain : chains) pen.chain(chain, filled || p.closed);
-  if (chains.front().empty()) pen.dot(p.points.front());
+  for (const auto& chain : ink.chains) pen.chain(chain, ink.filled || p.closed);
+  if (ink.chains.front().empty()) pen.dot(p.points.front());
   append(out, "\"/>\n");
 }
 
@@ -224,7 +163,7 @@ void append_path(Buffer& out, const Path& p, double paper_height, const SvgOptio
 
 void write_svg(const Drawing& drawing, const SvgOptions& options, std::ostream& out,
                const RunContext& context) {
-  const std::vector<Item> items = items_of(drawing, grouped(drawing), options);
+  const std::vector<Item> items = items_of(drawing, ink_layers(drawing), options);
   write_ordered(
       items.size(), [&](std::size_t i) { return items[i].path ? items[i].path->points.size() : 0; },
       [&](std::size_t i, Buffer& buffer) {

@@ -1,4 +1,4 @@
-#include "text.h"
+#include <burin/drawing/text.h>
 
 #include <array>
 #include <cmath>

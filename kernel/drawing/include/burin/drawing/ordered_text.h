@@ -2,8 +2,7 @@
 /// Text formatted by all cores and written in order.
 
 #include <burin/base/run_context.h>
-
-#include "text.h"
+#include <burin/drawing/text.h>
 
 #include <cstddef>
 #include <functional>

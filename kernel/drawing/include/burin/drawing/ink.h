@@ -1,0 +1,54 @@
+#pragma once
+/// What the writers of pictures make of a drawing: which paths stand in which layer, and which area
+/// or line each of them is on paper. One code, so that all formats show the same.
+
+#include <burin/drawing/bezier.h>
+#include <burin/drawing/drawing.h>
+
+#include <cstdint>
+#include <map>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace burin {
+
+/// The layer of all paths that are not visible.
+inline constexpr std::string_view kHiddenLayer = "hidden";
+
+/// A layer as it is painted: its paths (two points or more, all numbers finite) by part.
+struct InkLayer {
+  std::string name;
+  std::map<std::int32_t, std::vector<const Path*>> parts;
+
+  /// Whether its lines are dashed.
+  bool is_hidden() const { return name == kHiddenLayer; }
+};
+
+/// The layers in the order of painting. Hidden paths are gathered in the layer "hidden", which
+/// comes first unless the drawing places it. Points into `drawing`.
+std::vector<InkLayer> ink_layers(const Drawing& drawing);
+
+/// A path on paper: the area inside `chains` by the nonzero rule, or lines along them of one width
+/// with round ends and joins. A line without a curve is a dot at the path's first point.
+struct Ink {
+  bool filled = false;
+  double width = 0;
+  std::vector<std::vector<CubicBezier>> chains;
+};
+
+/// The ink of a path, within `tolerance` mm. Strokes whose width varies, and those so wide that
+/// their round caps would show, are areas; hidden paths are lines of their mean width.
+Ink ink_of(const Path& path, double tolerance);
+
+/// Whether every number of the path can be written.
+bool is_finite(const Path& path);
+
+/// The width all along the path, as seen: the mean of its widths, weighted by length; 0 without
+/// any.
+double mean_width(const Path& path);
+
+/// Whether the widths differ so much that the eye or a measurement could tell (more than 0.01 mm).
+bool has_varying_width(const Path& path);
+
+}  // namespace burin
