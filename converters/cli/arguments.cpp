@@ -66,6 +66,8 @@ CLI::App* add_draw(CLI::App& app, DrawArguments& a, Chatter& chatter) {
        "A0..A6 (A4p is portrait), letter, or mm, say 200x150 (default A4)");
   text(*draw, "--scale", a.scale, "S", kSheet,
        "paper mm for a model mm (default: fit to the sheet)");
+  text(*draw, "--center", a.center, "X,Y,Z", kSheet,
+       "the model point in the middle of the sheet\n(default: the middle of the drawing)");
   text(*draw, "--margin", a.margin, "MM", kSheet, "empty border of a fitted sheet (default 10)");
   text(*draw, "--style", a.style, "NAME|FILE", kLook,
        "outline, technical, engraving, or a style file (default technical)");
@@ -79,7 +81,7 @@ CLI::App* add_draw(CLI::App& app, DrawArguments& a, Chatter& chatter) {
   text(*draw, "--tolerance", a.tolerance, "MM", kLook,
        "chord tolerance of any tessellation, in model mm\n"
        "(default: less than 0.05 mm on the sheet)");
-  text(*draw, "--bounds", a.bounds, "X0,..,Z1", kLook,
+  text(*draw, "--bounds", a.read.bounds, "X0,..,Z1", kLook,
        "domain x0,y0,z0,x1,y1,z1 of functions, in model mm\n"
        "(default: their own bounds)");
   text(*draw, "--seed", a.seed, "N", kRun, "random seed (default 1)");
@@ -100,7 +102,7 @@ CLI::App* add_info(CLI::App& app, InfoArguments& a) {
   CLI::App* info =
       app.add_subcommand("info", "tell what model files hold, and what is wrong with them");
   info->add_option("INPUT", a.inputs, "model files")->type_name("")->group(kFiles);
-  text(*info, "--bounds", a.bounds, "X0,..,Z1", kFiles,
+  text(*info, "--bounds", a.read.bounds, "X0,..,Z1", kFiles,
        "domain x0,y0,z0,x1,y1,z1 of functions, in model mm");
   info->add_flag("--json", a.json, "print JSON, for programs");
   return info;

@@ -1,30 +1,19 @@
 #pragma once
 /// What was asked on the command line.
 
+#include <burin/converters/request.h>
+
 #include <string>
 #include <vector>
 
 namespace burin::cli {
 
-/// Options as they were typed; `draw` turns them into values, so that each error names its option.
-struct DrawArguments {
+/// Options as they were typed; `make_plan` turns them into values, so that each error names its
+/// option.
+struct DrawArguments : DrawRequest {
   std::vector<std::string> inputs;
   std::vector<std::string> outputs;
   std::string format;
-  std::string view = "iso";
-  std::string up;
-  std::string perspective;
-  std::string paper = "A4";
-  std::string scale;
-  std::string margin = "10";
-  std::string style = "technical";
-  std::vector<std::string> set;
-  std::string light;
-  std::string hidden = "none";
-  std::string tolerance;
-  std::string bounds;
-  std::string seed = "1";
-  std::string threads;
 };
 
 struct StylesArguments {
@@ -34,7 +23,7 @@ struct StylesArguments {
 
 struct InfoArguments {
   std::vector<std::string> inputs;
-  std::string bounds;
+  ReadRequest read;
   bool json = false;
 };
 

@@ -1,16 +1,15 @@
 #pragma once
 /// `burin info`: what stands in a file, and what is wrong with it.
 
-#include <burin/base/box.h>
 #include <burin/base/run_context.h>
+#include <burin/converters/read.h>
 
 #include <filesystem>
-#include <optional>
 #include <vector>
 
 struct InfoOptions {
   std::vector<std::filesystem::path> inputs;
-  std::optional<burin::Box3> bounds = {};
+  burin::ReadOptions read = {};
   /// For programs: one JSON object for all inputs, printed when all are read.
   bool json = false;
 };

@@ -9,7 +9,6 @@
 #include "info.h"
 #include "signals.h"
 #include "styles.h"
-#include "values.h"
 
 #include <fmt/format.h>
 
@@ -80,7 +79,7 @@ int run(const Arguments& arguments, RunContext& context, Console& console) {
       InfoOptions options;
       options.inputs.assign(arguments.info.inputs.begin(), arguments.info.inputs.end());
       options.json = arguments.info.json;
-      options.bounds = box_option("--bounds", arguments.info.bounds);
+      options.read = make_read_options(arguments.info.read, Spelling::Options);
       const int status = run_info(options, context);
       check_printed();
       return status;

@@ -1,5 +1,7 @@
 #include "signals.h"
 
+#include <burin/converters/output.h>
+
 #include <unistd.h>
 
 #include <array>
@@ -71,6 +73,7 @@ void handle(int signal, void (*handler)(int)) {
 }  // namespace
 
 Handlers::Handlers(RunContext& context) {
+  set_output_guard({guard, release});
   g_context = &context;
   sigevent event{};
   event.sigev_notify = SIGEV_SIGNAL;

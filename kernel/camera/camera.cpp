@@ -81,6 +81,19 @@ Camera Camera::fit(const ExtentFn& extent, const ViewOptions& options) {
     throw UsageError("the scale must be a positive number of paper mm per model mm");
   }
   Vec3 middle = box.center();
+  // What is to fit: twice the larger side where the middle is not that of the box.
+  Vec3 fit = size;
+  if (options.center) {
+    if (options.perspective && !options.scale) {
+      throw UsageError("a perspective view with a centre of its own needs a scale; give both");
+    }
+    const Vec3 p = *options.center;
+    middle = {glm::dot(p, c.right_), glm::dot(p, c.up_), glm::dot(p, c.direction_)};
+    if (!std::isfinite(middle.x + middle.y + middle.z)) {
+      throw UsageError("the centre of the sheet must be finite");
+    }
+    fit = 2.0 * glm::max(glm::abs(box.max - middle), glm::abs(box.min - middle));
+  }
   if (options.perspective) {
     if (!(*options.perspective >= 1 && *options.perspective <= 120)) {
       throw UsageError("the field of view must be between 1 and 120 degrees");
@@ -88,11 +101,13 @@ Camera Camera::fit(const ExtentFn& extent, const ViewOptions& options) {
     c.field_of_view_ = *options.perspective;
     const double k = inner.y / 2 / std::tan(c.field_of_view_ * std::numbers::pi / 360);
     const Standpoint at = perspective_standpoint(extent, c, 0.5 * inner, k, middle.z, box.max.z);
-    middle.x = at.center.x;
-    middle.y = at.center.y;
+    if (!options.center) {
+      middle.x = at.center.x;
+      middle.y = at.center.y;
+    }
     c.eye_distance_ = options.scale ? k / *options.scale : at.distance > 0 ? at.distance : k;
     c.scale_ = k / c.eye_distance_;
-    if (c.eye_distance_ <= 0.5 * size.z) {
+    if (c.eye_distance_ <= (options.center ? box.max.z - middle.z : 0.5 * size.z)) {
       throw UsageError(fmt::format(
           "at scale {} and {} degrees the viewer stands inside the model: use a smaller scale or "
           "a smaller angle",
@@ -100,9 +115,9 @@ Camera Camera::fit(const ExtentFn& extent, const ViewOptions& options) {
     }
   } else if (options.scale) {
     c.scale_ = *options.scale;
-  } else if (size.x > 0 || size.y > 0) {
+  } else if (fit.x > 0 || fit.y > 0) {
     const double inf = std::numeric_limits<double>::infinity();
-    c.scale_ = std::min(size.x > 0 ? inner.x / size.x : inf, size.y > 0 ? inner.y / size.y : inf);
+    c.scale_ = std::min(fit.x > 0 ? inner.x / fit.x : inf, fit.y > 0 ? inner.y / fit.y : inf);
   }
   c.center_ = c.right_ * middle.x + c.up_ * middle.y + c.direction_ * middle.z;
   return c;

@@ -172,7 +172,6 @@ std::optional<Vec3> to_vector(std::string_view text) {
 std::optional<bool> to_flag(std::string_view text, const FlagKey& key) {
   if (text == key.on) return true;
   if (text == key.off) return false;
-  if (key.on != "true") return {};
   if (text == "1" || text == "yes" || text == "on") return true;
   if (text == "0" || text == "no" || text == "off") return false;
   return {};

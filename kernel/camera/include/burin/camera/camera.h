@@ -21,6 +21,9 @@ struct ViewOptions {
   std::optional<double> perspective{};
   /// Paper mm per model mm (perspective: in the plane of the model's centre); absent = fit.
   std::optional<double> scale{};
+  /// The point in the middle of the sheet; absent = the middle of what is drawn. A perspective view
+  /// needs a scale with it, which holds in the plane through this point.
+  std::optional<Vec3> center{};
   /// Empty border of the sheet in mm that a fitted drawing keeps.
   double margin = 10;
   Paper paper{};

@@ -9,7 +9,16 @@
 #include <string>
 #include <vector>
 
-namespace burin::cli {
+namespace burin {
+
+/// What a program wants to know of files that are written aside, so that a signal that ends it
+/// leaves none behind. `guard` is told of a file before it is made; the path stays valid until
+/// `release`. Absent at first. To be set before anything is written.
+struct OutputGuard {
+  void (*guard)(const char* path) = nullptr;
+  void (*release)(const char* path) = nullptr;
+};
+void set_output_guard(const OutputGuard& guard);
 
 /// One output: "-" is standard output, devices and pipes are written as they are, anything else
 /// aside and renamed.
@@ -51,4 +60,4 @@ class Output {
 std::vector<Output> plan_outputs(const std::vector<std::string>& names, const std::string& format,
                                  const std::vector<std::string>& sources);
 
-}  // namespace burin::cli
+}  // namespace burin

@@ -7,7 +7,7 @@
 #include <streambuf>
 #include <vector>
 
-namespace burin::cli {
+namespace burin {
 
 class FdBuffer : public std::streambuf {
  public:
@@ -59,4 +59,4 @@ class FdBuffer : public std::streambuf {
   std::vector<char> buffer_;
 };
 
-}  // namespace burin::cli
+}  // namespace burin

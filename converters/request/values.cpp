@@ -1,15 +1,15 @@
-#include "values.h"
-
 #include <burin/base/error.h>
+#include <burin/converters/values.h>
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <span>
 #include <string_view>
 
-namespace burin::cli {
+namespace burin {
 namespace {
 
 template <class T>
@@ -36,13 +36,14 @@ bool parse_list(std::string_view rest, std::span<double> out) {
   return true;
 }
 
-[[noreturn]] void refuse(const char* option, const char* what, const std::string& text) {
-  throw UsageError(fmt::format("option {} takes {}, not '{}'", option, what, text));
+[[noreturn]] void refuse(const std::string& option, const char* what, const std::string& text) {
+  const char* kind = option.starts_with("--") ? "option" : "argument";
+  throw UsageError(fmt::format("{} {} takes {}, not '{}'", kind, option, what, text));
 }
 
 }  // namespace
 
-std::optional<double> number_option(const char* option, const std::string& text, double low,
+std::optional<double> number_option(const std::string& option, const std::string& text, double low,
                                     double high, const char* what) {
   if (text.empty()) return {};
   const auto x = parse<double>(text);
@@ -50,21 +51,35 @@ std::optional<double> number_option(const char* option, const std::string& text,
   return x;
 }
 
-std::uint64_t whole_option(const char* option, const std::string& text, std::uint64_t low,
+std::uint64_t whole_option(const std::string& option, const std::string& text, std::uint64_t low,
                            std::uint64_t high, const char* what) {
   const auto n = parse<std::uint64_t>(text);
   if (!n || *n < low || *n > high) refuse(option, what, text);
   return *n;
 }
 
-Vec3 direction_option(const char* option, const std::string& text) {
+Vec3 direction_option(const std::string& option, const std::string& text) {
   constexpr const char* kWhat = "a direction X,Y,Z other than 0,0,0";
   double v[3];
   if (!parse_list(text, v) || (v[0] == 0 && v[1] == 0 && v[2] == 0)) refuse(option, kWhat, text);
   return {v[0], v[1], v[2]};
 }
 
-std::optional<Box3> box_option(const char* option, const std::string& text) {
+std::optional<Vec3> point_option(const std::string& option, const std::string& text) {
+  if (text.empty()) return {};
+  double v[3];
+  if (!parse_list(text, v)) refuse(option, "a point X,Y,Z", text);
+  return Vec3(v[0], v[1], v[2]);
+}
+
+std::size_t word_option(const std::string& option, const std::string& text,
+                        const std::vector<std::string>& words) {
+  const auto it = std::find(words.begin(), words.end(), text);
+  if (it == words.end()) refuse(option, fmt::format("{}", fmt::join(words, " or ")).c_str(), text);
+  return static_cast<std::size_t>(it - words.begin());
+}
+
+std::optional<Box3> box_option(const std::string& option, const std::string& text) {
   constexpr const char* kWhat = "a box x0,y0,z0,x1,y1,z1 with each minimum below its maximum";
   if (text.empty()) return {};
   double v[6];
@@ -76,4 +91,4 @@ std::optional<Box3> box_option(const char* option, const std::string& text) {
   return box;
 }
 
-}  // namespace burin::cli
+}  // namespace burin

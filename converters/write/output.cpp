@@ -1,10 +1,7 @@
-#include "output.h"
-
 #include <burin/base/error.h>
-#include <burin/base/nearest.h>
+#include <burin/converters/output.h>
 
 #include "fd_stream.h"
-#include "signals.h"
 
 #include <fcntl.h>
 #include <fmt/format.h>
@@ -19,10 +16,19 @@
 #include <ostream>
 #include <utility>
 
-namespace burin::cli {
+namespace burin {
 namespace {
 
 namespace fs = std::filesystem;
+
+OutputGuard g_guard;
+
+void guarded(const char* path) {
+  if (g_guard.guard) g_guard.guard(path);
+}
+void released(const char* path) {
+  if (g_guard.release) g_guard.release(path);
+}
 
 std::string advice(int error) {
   switch (error) {
@@ -86,6 +92,8 @@ fs::path resolved(const std::string& name) {
 
 }  // namespace
 
+void set_output_guard(const OutputGuard& guard) { g_guard = guard; }
+
 Output::Output(std::string name, Format format)
     : name_(std::move(name)), format_(format), target_(resolved(name_)) {
   static std::atomic<int> count{0};
@@ -104,7 +112,7 @@ Output::~Output() { discard(); }
 void Output::discard() {
   if (!written_aside_) return;
   ::unlink(aside_.c_str());
-  signals::release(aside_.c_str());
+  released(aside_.c_str());
   written_aside_ = false;
 }
 
@@ -127,10 +135,10 @@ void Output::probe() const {
     if (::access(target_.c_str(), W_OK) != 0) fail(name_, errno);
   }
   if (is_direct()) return;
-  signals::guard(aside_.c_str());
+  guarded(aside_.c_str());
   const auto undo = [this] {
     ::unlink(aside_.c_str());
-    signals::release(aside_.c_str());
+    released(aside_.c_str());
   };
   try {
     ::close(open_aside());
@@ -146,7 +154,7 @@ void Output::write(const std::function<void(std::ostream&)>& body) {
   const bool direct = is_direct();
   if (!direct) {
     written_aside_ = true;
-    signals::guard(aside_.c_str());
+    guarded(aside_.c_str());
     fd = open_aside();
     struct stat info {};
     // A file that is replaced keeps its permissions.
@@ -173,7 +181,7 @@ void Output::write(const std::function<void(std::ostream&)>& body) {
 void Output::commit() {
   if (!written_aside_) return;
   if (::rename(aside_.c_str(), target_.c_str()) != 0) fail(name_, errno);
-  signals::release(aside_.c_str());
+  released(aside_.c_str());
   written_aside_ = false;
 }
 
@@ -198,4 +206,4 @@ std::vector<Output> plan_outputs(const std::vector<std::string>& names, const st
   return outputs;
 }
 
-}  // namespace burin::cli
+}  // namespace burin

@@ -1,0 +1,65 @@
+#pragma once
+/// What a user asks of a drawing, as text, and what that means to the kernel: one place for the
+/// command line and the Python module, so that both take the same and say the same.
+
+#include <burin/camera/camera.h>
+#include <burin/converters/read.h>
+#include <burin/illustrate/illustrate.h>
+#include <burin/illustrate/style.h>
+
+#include <string>
+#include <vector>
+
+namespace burin {
+
+/// Long options about reading, as they were typed; empty = absent.
+struct ReadRequest {
+  std::string bounds;
+};
+
+/// Long options of `burin draw`, as they were typed; empty = absent.
+struct DrawRequest {
+  std::string view = "iso";
+  std::string up;
+  std::string perspective;
+  std::string paper = "A4";
+  std::string scale;
+  std::string center;
+  std::string margin = "10";
+  std::string style = "technical";
+  /// The text of a style file; goes before `style`.
+  std::string style_text;
+  std::vector<std::string> set;
+  std::string light;
+  std::string hidden = "none";
+  std::string tolerance;
+  std::string seed = "1";
+  std::string threads;
+  ReadRequest read;
+};
+
+/// How errors name an option: "--crease-angle" or "crease_angle".
+enum class Spelling { Options, Keywords };
+
+/// Everything but the inputs and outputs themselves.
+struct DrawPlan {
+  Style style;
+  ViewOptions view;
+  IllustrateOptions illustrate;
+  ReadOptions read;
+  /// Worker threads; 0 = all.
+  int threads = 0;
+};
+
+/// Throws UsageError that names the option; InputError for a style file that cannot be read.
+DrawPlan make_plan(const DrawRequest& request, Spelling spelling);
+ReadOptions make_read_options(const ReadRequest& request, Spelling spelling);
+
+/// The style of a name or file, with no changes. Throws UsageError, InputError.
+Style load_style(const std::string& name);
+
+/// Sets an option about reading by its name without dashes ("bounds"). Throws UsageError that names
+/// the nearest.
+void set_read_option(ReadRequest& request, const std::string& name, const std::string& value);
+
+}  // namespace burin

@@ -1,0 +1,125 @@
+#include <burin/base/error.h>
+#include <burin/base/nearest.h>
+#include <burin/converters/request.h>
+#include <burin/converters/values.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <limits>
+
+namespace burin {
+namespace {
+
+constexpr double kLarge = 1e12;  // past any sheet, scale or tolerance that means something
+
+/// "crease_angle" as the user knows it.
+std::string spelled(std::string name, Spelling spelling) {
+  if (spelling == Spelling::Keywords) return name;
+  std::replace(name.begin(), name.end(), '_', '-');
+  return "--" + name;
+}
+
+Style make_style(const DrawRequest& r, Spelling spelling) {
+  Style style = r.style_text.empty() ? load_style(r.style) : parse_style(r.style_text, "style");
+  if (!r.light.empty()) style.tone.light = direction_option(spelled("light", spelling), r.light);
+  for (const std::string& assignment : r.set) {
+    const std::size_t equals = assignment.find('=');
+    if (equals == std::string::npos) {
+      throw UsageError(fmt::format("option --set takes KEY=VALUE, not '{}'", assignment));
+    }
+    set_style_key(style, assignment.substr(0, equals), assignment.substr(equals + 1));
+  }
+  check_style(style);
+  return style;
+}
+
+ViewOptions make_view(const DrawRequest& r, Spelling spelling) {
+  const auto number = [&](const char* name, const std::string& text, double low, double high,
+                          const char* what) {
+    return number_option(spelled(name, spelling), text, low, high, what);
+  };
+  ViewOptions view;
+  const NamedView named = named_view(r.view);
+  view.direction = named.direction;
+  view.up = r.up.empty() ? named.up : direction_option(spelled("up", spelling), r.up);
+  view.paper = Paper::named(r.paper);
+  view.perspective = number("perspective", r.perspective, 1, 170, "1 to 170 degrees");
+  view.scale = number("scale", r.scale, 1 / kLarge, kLarge, "a number over 0");
+  view.center = point_option(spelled("center", spelling), r.center);
+  const double most = 0.5 * std::min(view.paper.width, view.paper.height) - 1;
+  const std::string range = fmt::format("0 to {} mm on this paper", most);
+  view.margin = number("margin", r.margin, 0, most, range.c_str()).value_or(view.margin);
+  return view;
+}
+
+/// An option about reading. A new one is a row here and a line in make_read_options.
+struct ReadRow {
+  const char* name;
+  std::string ReadRequest::*text;
+};
+constexpr std::array kReadRows{ReadRow{"bounds", &ReadRequest::bounds}};
+
+}  // namespace
+
+Style load_style(const std::string& name) {
+  const auto builtin = builtin_styles();
+  if (std::any_of(builtin.begin(), builtin.end(),
+                  [&](const StyleInfo& s) { return s.name == name; })) {
+    return builtin_style(name);
+  }
+  std::error_code error;
+  if (!std::filesystem::is_regular_file(name, error)) {
+    const bool path = name.find('/') != std::string::npos || name.ends_with(".json");
+    if (path) throw InputError("there is no such style file; check the path", name);
+    return builtin_style(name);
+  }
+  std::ifstream in(name, std::ios::binary);
+  const std::string text{std::istreambuf_iterator<char>(in), {}};
+  if (!in.good() && !in.eof()) throw InputError("the style file cannot be read", name);
+  return parse_style(text, name);
+}
+
+ReadOptions make_read_options(const ReadRequest& request, Spelling spelling) {
+  return {.bounds = box_option(spelled("bounds", spelling), request.bounds)};
+}
+
+void set_read_option(ReadRequest& request, const std::string& name, const std::string& value) {
+  std::vector<std::string> names;
+  for (const ReadRow& row : kReadRows) {
+    if (name == row.name) {
+      request.*row.text = value;
+      return;
+    }
+    names.emplace_back(row.name);
+  }
+  throw UsageError(
+      fmt::format("unknown argument '{}'; the nearest is '{}'", name, nearest(name, names)));
+}
+
+DrawPlan make_plan(const DrawRequest& request, Spelling spelling) {
+  DrawPlan plan;
+  plan.style = make_style(request, spelling);
+  plan.view = make_view(request, spelling);
+  plan.illustrate.tolerance = number_option(spelled("tolerance", spelling), request.tolerance,
+                                            1 / kLarge, kLarge, "a number of mm over 0");
+  plan.read = make_read_options(request.read, spelling);
+  plan.illustrate.seed =
+      whole_option(spelled("seed", spelling), request.seed, 0,
+                   std::numeric_limits<std::uint64_t>::max(), "a whole number from 0");
+  plan.illustrate.hidden =
+      word_option(spelled("hidden", spelling), request.hidden, {"none", "dashed"}) == 0
+          ? HiddenLines::None
+          : HiddenLines::Dashed;
+  if (!request.threads.empty()) {
+    plan.threads = static_cast<int>(
+        whole_option(spelled("threads", spelling), request.threads, 1, 4096, "1 to 4096"));
+  }
+  return plan;
+}
+
+}  // namespace burin
