@@ -39,11 +39,12 @@ struct VolumeOptions {
   double smoothing = 0;
 };
 
-/// f = level - spline (its negative where smaller values are inside), in units of the data. Outside
-/// the box of the samples the function is not defined (NaN). Throws UsageError where the sizes do
-/// not fit, GeometryError where the level is outside the range of the spline (the error names the
-/// range).
-/// @cite Unser1999 @cite Elber1998
+/// f = level - spline (its negative where smaller values are inside), in units of the data. Where
+/// the inside reaches the sides of the box of the samples, planes close it there (they are pieces
+/// of the function); outside the box it is positive. Samples that are not finite count as outside.
+/// Throws UsageError where the sizes do not fit, GeometryError where the level is outside the range
+/// of the data (the error names the range). Cost: 2 floats a sample while it is made, 1 afterwards;
+/// 25 ns a sample to interpolate. @cite Unser1999 @cite Elber1998
 std::shared_ptr<const ImplicitFunction> make_volume_function(VolumeGrid grid,
                                                              const VolumeOptions& options,
                                                              const RunContext& context);
