@@ -154,14 +154,19 @@ const ProxyMesh& proxy_of(std::span<const ProxyMesh* const> proxies, const Curve
   return *proxies[static_cast<std::size_t>(curve.source.part)];
 }
 
+const Style& style_of(const Looks& looks, const Curve3& curve) {
+  return looks.style(static_cast<std::size_t>(curve.source.part));
+}
+
 }  // namespace
 
 void compose_strokes(std::span<const Curve3> strokes, const std::vector<std::vector<Span>>& spans,
                      std::span<const ProxyMesh* const> proxies, const Camera& camera,
-                     const Style& style, Drawing& drawing) {
+                     const Looks& looks, Drawing& drawing) {
   Layer layers[2] = {{"stroke-1", {}}, {"stroke-2", {}}};
   for (std::size_t i = 0; i < strokes.size(); ++i) {
     const Curve3& curve = strokes[i];
+    const Style& style = style_of(looks, curve);
     const auto count = static_cast<double>(curve.segment_count());
     for (const Span& span : merged(spans[i], curve.closed, count)) {
       if (!span.visible) continue;
@@ -183,7 +188,7 @@ void compose_strokes(std::span<const Curve3> strokes, const std::vector<std::vec
 
 void compose_features(std::span<const Curve3> features, const std::vector<std::vector<Span>>& spans,
                       std::span<const ProxyMesh* const> proxies, const Camera& camera,
-                      const Style& style, HiddenLines hidden, Drawing& drawing) {
+                      const Looks& looks, HiddenLines hidden, Drawing& drawing) {
   std::vector<Layer> layers;
   for (const char* name :
        {"hidden", "seam", "smooth", "intersection", "crease", "boundary", "contour", "outline"}) {
@@ -191,6 +196,7 @@ void compose_features(std::span<const Curve3> features, const std::vector<std::v
   }
   for (std::size_t i = 0; i < features.size(); ++i) {
     const Curve3& curve = features[i];
+    const Style& style = style_of(looks, curve);
     if (!is_drawn(style, curve.kind)) continue;
     for (const Span& span :
          merged(spans[i], curve.closed, static_cast<double>(curve.segment_count()))) {

@@ -9,6 +9,8 @@
 #include <burin/mesh/proxy_mesh.h>
 #include <burin/visibility/visible_spans.h>
 
+#include "looks.h"
+
 #include <span>
 #include <vector>
 
@@ -17,11 +19,11 @@ namespace burin::detail {
 /// Appends the layers of the strokes: one a family.
 void compose_strokes(std::span<const Curve3> strokes, const std::vector<std::vector<Span>>& spans,
                      std::span<const ProxyMesh* const> proxies, const Camera& camera,
-                     const Style& style, Drawing& drawing);
+                     const Looks& looks, Drawing& drawing);
 
 /// Appends the layers of the feature lines, thin ones first.
 void compose_features(std::span<const Curve3> features, const std::vector<std::vector<Span>>& spans,
                       std::span<const ProxyMesh* const> proxies, const Camera& camera,
-                      const Style& style, HiddenLines hidden, Drawing& drawing);
+                      const Looks& looks, HiddenLines hidden, Drawing& drawing);
 
 }  // namespace burin::detail

@@ -5,12 +5,16 @@
 #include <burin/stroke/stroke.h>
 #include <burin/tone/tone.h>
 #include <burin/visibility/occluder.h>
-#include <burin/visibility/visible_spans.h>
 
 #include "compose.h"
+#include "looks.h"
+#include "sight.h"
 
+#include <algorithm>
+#include <iterator>
 #include <memory>
 #include <set>
+#include <utility>
 #include <vector>
 
 namespace burin {
@@ -21,16 +25,23 @@ constexpr double kSheetTolerance = 0.05;
 
 using Surfaces = std::vector<std::shared_ptr<const Surface>>;
 
-Surfaces realise(const Scene& scene, const Camera& camera, const Style& style,
+Surfaces realise(const Scene& scene, const Camera& camera, const detail::Looks& looks,
                  const IllustrateOptions& options, Diagnostics& diagnostics, RunContext& context) {
   RealiseOptions realise;
   realise.tolerance = options.tolerance.value_or(kSheetTolerance / camera.scale());
-  realise.crease_angle = style.feature.crease_angle;
   realise.view = &camera;
   realise.diagnostics = &diagnostics;
-  realise.curvature = style.hatch.enabled && style.hatch.field != "fixed";
   Surfaces surfaces;
-  for (const Part& part : scene.parts) surfaces.push_back(part.form->realise(realise, context));
+  for (std::size_t i = 0; i < scene.parts.size(); ++i) {
+    if (!looks.drawn(i)) {
+      surfaces.push_back(detail::empty_surface());
+      continue;
+    }
+    const Style& style = looks.style(i);
+    realise.crease_angle = style.feature.crease_angle;
+    realise.curvature = looks.hatched(i) && style.hatch.field != "fixed";
+    surfaces.push_back(scene.parts[i].form->realise(realise, context));
+  }
   return surfaces;
 }
 
@@ -73,25 +84,31 @@ HatchOptions hatch_options(const Style& style, std::uint64_t seed) {
           .seed = seed};
 }
 
-ViewProbe make_probe(const Occluder& occluder, const Camera& camera) {
+// What is seen of the parts that are flagged.
+ViewProbe make_probe(const Occluder& occluder, const Camera& camera, std::vector<bool> parts) {
   const double back = 2 * occluder.diagonal();
-  return [&occluder, &camera, back](Vec2 paper) -> std::optional<ViewHit> {
-    ViewRay ray = camera.ray(paper);
-    double far = 2 * back;
-    if (camera.perspective()) {
-      far += glm::length(camera.eye() - camera.center());
-    } else {
-      ray.origin -= back * ray.direction;
-    }
-    const auto hit = occluder.first_hit(ray.origin, ray.direction, 0, far);
-    if (!hit) return std::nullopt;
-    return ViewHit{hit->where.part, {hit->where.face, hit->bary}};
-  };
+  return
+      [&occluder, &camera, back, parts = std::move(parts)](Vec2 paper) -> std::optional<ViewHit> {
+        ViewRay ray = camera.ray(paper);
+        double far = 2 * back;
+        if (camera.perspective()) {
+          far += glm::length(camera.eye() - camera.center());
+        } else {
+          ray.origin -= back * ray.direction;
+        }
+        const auto hit = occluder.first_hit(ray.origin, ray.direction, 0, far);
+        if (!hit || !parts[static_cast<std::size_t>(hit->where.part)]) return std::nullopt;
+        return ViewHit{hit->where.part, {hit->where.face, hit->bary}};
+      };
 }
 
-StrokeResult hatch(const std::vector<const Surface*>& surfaces, const Occluder& occluder,
-                   const Camera& camera, const Style& style, std::uint64_t seed,
-                   RunContext& context) {
+// The strokes of the parts that are flagged.
+StrokeResult hatch(std::vector<const Surface*> surfaces, std::vector<bool> parts,
+                   const Occluder& occluder, const Camera& camera, const Style& style,
+                   std::uint64_t seed, RunContext& context) {
+  for (std::size_t i = 0; i < surfaces.size(); ++i) {
+    if (!parts[i]) surfaces[i] = detail::empty_surface().get();
+  }
   context.begin_stage("field");
   const Field field = make_field(surfaces, camera, style, context);
   const Tone tone = tone::lambert(camera, {.light = style.tone.light,
@@ -99,8 +116,39 @@ StrokeResult hatch(const std::vector<const Surface*>& surfaces, const Occluder& 
                                            .diffuse = style.tone.diffuse,
                                            .highlight = style.tone.highlight,
                                            .rim = style.tone.rim});
-  return trace_strokes(surfaces, camera, field, tone, make_probe(occluder, camera),
-                       hatch_options(style, seed), context);
+  return trace_strokes(surfaces, camera, field, tone,
+                       make_probe(occluder, camera, std::move(parts)), hatch_options(style, seed),
+                       context);
+}
+
+StrokeResult hatch_all(const std::vector<const Surface*>& surfaces, const Occluder& occluder,
+                       const Camera& camera, const detail::Looks& looks, std::uint64_t seed,
+                       RunContext& context) {
+  StrokeResult all;
+  for (std::size_t k = 0; k < looks.styles().size(); ++k) {
+    std::vector<bool> parts = looks.hatched_by(k);
+    if (std::find(parts.begin(), parts.end(), true) == parts.end()) continue;
+    StrokeResult one =
+        hatch(surfaces, std::move(parts), occluder, camera, *looks.styles()[k], seed, context);
+    all.strokes.insert(all.strokes.end(), std::make_move_iterator(one.strokes.begin()),
+                       std::make_move_iterator(one.strokes.end()));
+    all.coverage_points += one.coverage_points;
+    all.coverage_delta = std::max(all.coverage_delta, one.coverage_delta);
+  }
+  return all;
+}
+
+// Feature lines of all parts; drawn or not: contours and boundaries cut the visibility of others.
+std::vector<Curve3> features_of(const std::vector<const ProxyMesh*>& proxies, const Camera& camera,
+                                const detail::Looks& looks, Diagnostics& diagnostics,
+                                const RunContext& context) {
+  FeatureOptions options{.intersections = false, .smooth = false, .seams = false};
+  for (const Style* style : looks.styles()) {
+    options.intersections |= style->feature.intersections;
+    options.smooth |= style->feature.smooth;
+    options.seams |= style->feature.seams;
+  }
+  return extract_features(proxies, camera, options, diagnostics, context);
 }
 
 DrawingView describe(const Camera& camera) {
@@ -150,7 +198,8 @@ Drawing illustrate(const Scene& scene, const Camera& camera, const Style& style,
                    const IllustrateOptions& options, RunContext& context) {
   if (scene.parts.empty()) throw GeometryError("nothing to draw: the input has no parts");
   Diagnostics realised;
-  const Surfaces owned = realise(scene, camera, style, options, realised, context);
+  const detail::Looks looks(scene.parts.size(), style, options);
+  const Surfaces owned = realise(scene, camera, looks, options, realised, context);
   std::vector<const Surface*> surfaces;
   std::vector<const ProxyMesh*> proxies;
   for (const auto& s : owned) {
@@ -160,32 +209,23 @@ Drawing illustrate(const Scene& scene, const Camera& camera, const Style& style,
   Drawing drawing = describe(scene, proxies, camera, style, options.seed);
   drawing.diagnostics.append(realised);
   context.begin_stage("build");
-  const Occluder occluder(proxies, context);
+  const detail::Sight sight(proxies, camera, looks, context);
 
-  StrokeResult strokes;
-  if (style.hatch.enabled) {
-    strokes = hatch(surfaces, occluder, camera, style, options.seed, context);
-    drawing.stats.coverage_points = strokes.coverage_points;
-    drawing.stats.coverage_delta = strokes.coverage_delta;
-  }
+  const StrokeResult strokes =
+      hatch_all(surfaces, sight.solid(), camera, looks, options.seed, context);
+  drawing.stats.coverage_points = strokes.coverage_points;
+  drawing.stats.coverage_delta = strokes.coverage_delta;
 
   context.begin_stage("features");
-  // All of them, drawn or not: contours and boundaries cut the visibility of the others.
   const std::vector<Curve3> features =
-      extract_features(proxies, camera,
-                       {.intersections = style.feature.intersections,
-                        .smooth = style.feature.smooth,
-                        .seams = style.feature.seams},
-                       drawing.diagnostics, context);
+      features_of(proxies, camera, looks, drawing.diagnostics, context);
 
   context.begin_stage("visibility");
-  const VisibilityMap map(occluder, proxies, camera, features, context);
-  const auto feature_spans = map.classify(features, {.classify_outer = true}, context);
-  const auto stroke_spans = map.classify(strokes.strokes, {}, context);
+  const detail::Seen seen = sight.classify(features, strokes.strokes, context);
 
   context.begin_stage("compose");
-  detail::compose_strokes(strokes.strokes, stroke_spans, proxies, camera, style, drawing);
-  detail::compose_features(features, feature_spans, proxies, camera, style, options.hidden,
+  detail::compose_strokes(strokes.strokes, seen.strokes, proxies, camera, looks, drawing);
+  detail::compose_features(features, seen.features, proxies, camera, looks, options.hidden,
                            drawing);
   context.end_stage();
   return drawing;

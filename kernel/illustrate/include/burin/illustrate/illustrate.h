@@ -9,16 +9,30 @@
 
 #include <cstdint>
 #include <optional>
+#include <vector>
 
 namespace burin {
 
 enum class HiddenLines { None, Dashed };
+
+/// How one part is drawn where that differs from the others.
+struct PartLook {
+  /// False: as if the part were not there.
+  bool drawn = true;
+  bool hatched = true;
+  /// Its lines are drawn, without strokes, and it hides itself but no other part.
+  bool transparent = false;
+  /// Instead of the drawing's; what it says of files is ignored.
+  std::optional<Style> style{};
+};
 
 struct IllustrateOptions {
   HiddenLines hidden = HiddenLines::None;
   std::uint64_t seed = 1;
   /// Chord tolerance in model mm of any tessellation; absent = 0.05 paper mm.
   std::optional<double> tolerance{};
+  /// One a part, in order; parts beyond its end look as all do.
+  std::vector<PartLook> looks{};
 };
 
 /// Draws `scene` as `camera` sees it. Stages timed on `context`: build curvature field cover trace

@@ -1,0 +1,78 @@
+#include "sight.h"
+
+namespace burin::detail {
+namespace {
+
+std::vector<const ProxyMesh*> solid_ones(std::span<const ProxyMesh* const> proxies,
+                                         const Looks& looks) {
+  std::vector<const ProxyMesh*> solid(proxies.begin(), proxies.end());
+  for (std::size_t i = 0; i < solid.size(); ++i) {
+    if (looks.transparent(i)) solid[i] = &empty_surface()->proxy();
+  }
+  return solid;
+}
+
+std::size_t part_of(const Curve3& curve) { return static_cast<std::size_t>(curve.source.part); }
+
+// The curves that a rule picks, and where they came from.
+struct Picked {
+  std::vector<Curve3> curves;
+  std::vector<std::size_t> from;
+};
+template <class Rule>
+Picked pick(std::span<const Curve3> curves, Rule&& rule) {
+  Picked picked;
+  for (std::size_t i = 0; i < curves.size(); ++i) {
+    if (!rule(curves[i])) continue;
+    picked.curves.push_back(curves[i]);
+    picked.from.push_back(i);
+  }
+  return picked;
+}
+
+}  // namespace
+
+Sight::Sight(std::span<const ProxyMesh* const> proxies, const Camera& camera, const Looks& looks,
+             const RunContext& context)
+    : proxies_(proxies),
+      camera_(camera),
+      looks_(looks),
+      solid_proxies_(solid_ones(proxies, looks)),
+      solid_(solid_proxies_, context) {}
+
+Seen Sight::classify(std::span<const Curve3> features, std::span<const Curve3> strokes,
+                     const RunContext& context) const {
+  Seen seen;
+  if (!looks_.any_transparent()) {
+    const VisibilityMap map(solid_, solid_proxies_, camera_, features, context);
+    seen.features = map.classify(features, {.classify_outer = true}, context);
+    seen.strokes = map.classify(strokes, {}, context);
+    return seen;
+  }
+  seen.features.resize(features.size());
+  const auto is_solid = [&](const Curve3& c) { return !looks_.transparent(part_of(c)); };
+  {
+    const Picked solid = pick(features, is_solid);
+    const VisibilityMap map(solid_, solid_proxies_, camera_, solid.curves, context);
+    const auto spans = map.classify(solid.curves, {.classify_outer = true}, context);
+    for (std::size_t i = 0; i < spans.size(); ++i) seen.features[solid.from[i]] = spans[i];
+    seen.strokes = map.classify(strokes, {}, context);
+  }
+  for (std::size_t part = 0; part < looks_.size(); ++part) {
+    if (!looks_.transparent(part) || !looks_.drawn(part)) continue;
+    std::vector<const ProxyMesh*> proxies = solid_proxies_;
+    proxies[part] = proxies_[part];
+    const Occluder occluder(proxies, context);
+    // All that cuts here; only the answers for the part itself are kept.
+    const Picked cutting =
+        pick(features, [&](const Curve3& c) { return part_of(c) == part || is_solid(c); });
+    const VisibilityMap map(occluder, proxies, camera_, cutting.curves, context);
+    const auto spans = map.classify(cutting.curves, {.classify_outer = true}, context);
+    for (std::size_t i = 0; i < spans.size(); ++i) {
+      if (part_of(cutting.curves[i]) == part) seen.features[cutting.from[i]] = spans[i];
+    }
+  }
+  return seen;
+}
+
+}  // namespace burin::detail

@@ -1,0 +1,42 @@
+#pragma once
+// What is seen of which lines when some parts can be looked through; internal to the module.
+
+#include <burin/base/curve.h>
+#include <burin/camera/camera.h>
+#include <burin/visibility/occluder.h>
+#include <burin/visibility/visible_spans.h>
+
+#include "looks.h"
+
+#include <span>
+#include <vector>
+
+namespace burin::detail {
+
+/// Spans of features and of strokes, one list a curve.
+struct Seen {
+  std::vector<std::vector<Span>> features, strokes;
+};
+
+/// All arguments must outlive it.
+class Sight {
+ public:
+  Sight(std::span<const ProxyMesh* const> proxies, const Camera& camera, const Looks& looks,
+        const RunContext& context);
+
+  /// The parts that hide others.
+  const Occluder& solid() const { return solid_; }
+  /// Strokes are those of solid parts. A transparent part is hidden by the solid ones and by
+  /// itself, one tree of rays a part.
+  Seen classify(std::span<const Curve3> features, std::span<const Curve3> strokes,
+                const RunContext& context) const;
+
+ private:
+  std::span<const ProxyMesh* const> proxies_;
+  const Camera& camera_;
+  const Looks& looks_;
+  std::vector<const ProxyMesh*> solid_proxies_;
+  Occluder solid_;
+};
+
+}  // namespace burin::detail
