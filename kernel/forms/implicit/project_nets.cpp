@@ -285,6 +285,10 @@ void triangulate(ExactMesh& mesh, const Nets& nets) {
           mesh.on_crease(c[0]) + mesh.on_crease(c[1]) + mesh.on_crease(c[2]) + mesh.on_crease(c[3]);
       start = even != odd ? odd != (on == 3) : gap(1, 3) < gap(0, 2);
     }
+    // From the vertex on a face, if there is one: no diagonal may join the cells beside it again.
+    for (std::uint32_t i = 0; count > 4 && i < count; ++i) {
+      if (c[i] >= nets.first_extra) start = i;
+    }
     for (std::uint32_t i = 1; i + 1 < count; ++i) {
       mesh.triangles.push_back({c[start], c[(start + i) % count], c[(start + i + 1) % count]});
     }

@@ -163,6 +163,7 @@ class NetMaker {
       }
     }
     nets_.vertices.resize(next, Vec3(0));
+    nets_.first_extra = next;
     nets_.sources.resize(next);
   }
 
