@@ -2,6 +2,7 @@
 // compiler makes them vector code.
 
 #include "program.h"
+#include "program_one.h"
 
 #include <algorithm>
 #include <cmath>
@@ -326,13 +327,11 @@ void run_blocks(const std::vector<Step>& steps, std::uint32_t registers,
   }
 }
 
-// Few points (marching asks for one at a time) are not worth a whole block.
+// Few points are not worth a whole block; for one see run_one.
 template <int Order, class Emit>
 void run(const std::vector<Step>& steps, std::uint32_t registers, std::span<const Vec3> points,
          const Emit& emit) {
-  if (points.size() == 1) {
-    run_blocks<Order, 1>(steps, registers, points, emit);
-  } else if (points.size() <= 8) {
+  if (points.size() <= 8) {
     run_blocks<Order, 4>(steps, registers, points, emit);
   } else {
     run_blocks<Order, kLanes<Order>>(steps, registers, points, emit);
@@ -342,12 +341,24 @@ void run(const std::vector<Step>& steps, std::uint32_t registers, std::span<cons
 }  // namespace
 
 void Program::values(std::span<const Vec3> points, std::span<double> out) const {
+  if (points.size() == 1) {
+    double v[1];
+    run_one(steps_, registers_, result_, points[0], v);
+    out[0] = v[0];
+    return;
+  }
   run<0>(steps_, registers_, points, [&](auto& block, std::size_t first, std::size_t count) {
     std::copy_n(block.at(result_, 0), count, out.begin() + static_cast<std::ptrdiff_t>(first));
   });
 }
 
 void Program::gradients(std::span<const Vec3> points, std::span<Gradient1> out) const {
+  if (points.size() == 1) {
+    double v[4];
+    run_one(steps_, registers_, result_, points[0], v);
+    out[0] = {v[0], {v[1], v[2], v[3]}};
+    return;
+  }
   run<1>(steps_, registers_, points, [&](auto& block, std::size_t first, std::size_t count) {
     for (std::size_t i = 0; i < count; ++i) {
       const auto get = [&](int c) { return has(result_mask_, c) ? block.at(result_, c)[i] : 0; };
@@ -357,6 +368,12 @@ void Program::gradients(std::span<const Vec3> points, std::span<Gradient1> out) 
 }
 
 void Program::hessians(std::span<const Vec3> points, std::span<Gradient2> out) const {
+  if (points.size() == 1) {
+    double v[10];
+    run_one(steps_, registers_, result_, points[0], v);
+    out[0] = {v[0], {v[1], v[2], v[3]}, v[4], v[5], v[6], v[7], v[8], v[9]};
+    return;
+  }
   run<2>(steps_, registers_, points, [&](auto& block, std::size_t first, std::size_t count) {
     for (std::size_t i = 0; i < count; ++i) {
       const auto get = [&](int c) { return has(result_mask_, c) ? block.at(result_, c)[i] : 0; };
