@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace burin {
 namespace {
@@ -15,6 +16,8 @@ constexpr double kTurn = 0.1;
 // Below this turn the third order, which needs one more Hessian only, will do: it is some 1e-7 of
 // the radius of curvature off, and 1e-5 radians.
 constexpr double kShortTurn = 0.05;
+// Cosine of the angle that the normal may turn over a step although less was expected: 2 kTurn.
+constexpr double kMostTurned = 0.98007;
 // Steps of one march: a walk round and round for ever ends with NotConverged.
 constexpr int kMaxSteps = 1'000'000;
 // Cosine of 2 degrees: pieces that differ by less meet smoothly.
@@ -37,13 +40,25 @@ Vec3 acceleration(const Gradient2& g, Vec3 t) {
 
 struct ImplicitSurface::State {
   Vec3 position{0}, tangent{0};
+  // Not unit: the gradient here, and the whole of the derivatives where a step has begun.
+  Vec3 gradient{0};
   Gradient2 g;
+  bool has_hessian = false;
+
+  void complete(const ImplicitFunction& f) {
+    if (has_hessian) return;
+    g = f.hessian(position);
+    gradient = g.gradient;
+    has_hessian = true;
+  }
 };
 
-// One step of `length` on f = 0, which ends on it with a unit tangent.
+// One step of `length` from a complete state, which ends on f = 0 with a unit tangent. Of the end
+// the gradient alone is found: a Hessian a step, the one where it begins, is enough.
 bool ImplicitSurface::advance(const ImplicitFunction& f, const State& from, double length,
                               State& to) const {
   const Vec3 p = from.position, t = from.tangent;
+  to.has_hessian = false;
   Vec3 q;
   if (length * turning(from.g) < kShortTurn) {
     // The Taylor series of the geodesic in its Darboux frame.
@@ -52,24 +67,23 @@ bool ImplicitSurface::advance(const ImplicitFunction& f, const State& from, doub
     const double k = -glm::dot(t, ht) / slope, m = -glm::dot(b, ht) / slope;
     const double s = length;
     q = p + (s - k * k * s * s * s / 6) * t + 0.5 * k * s * s * n + k * m * s * s * s / 6 * -b;
-    to.g = f.hessian(q);
-    const Vec3 d = -to.g.value / glm::dot(to.g.gradient, to.g.gradient) * to.g.gradient;
-    if (glm::dot(d, d) * turning(to.g) <= accuracy_) {
+    const Gradient1 g = f.gradient(q);
+    const Vec3 d = -g.value / glm::dot(g.gradient, g.gradient) * g.gradient;
+    if (glm::dot(d, d) * turning(from.g) <= accuracy_) {
       // One step of Newton is enough, and the gradient goes along with it.
       q += d;
-      to.g.gradient += to.g.hessian_times(d);
-      to.g.value = 0;
+      to.gradient = g.gradient + from.g.hessian_times(d);
     } else {
       const auto on = onto_surface(f, q, 0.5 * length + accuracy_, accuracy_);
       if (!on) return false;
       q = *on;
-      to.g = f.hessian(q);
+      to.gradient = f.gradient(q).gradient;
     }
     // Carried by the smallest rotation between the normals: symmetric, so of the second order.
-    const Vec3 n2 = normalize_or(to.g.gradient, Vec3(0));
+    const Vec3 n2 = normalize_or(to.gradient, Vec3(0));
     to.position = q;
     to.tangent = normalize_or(reject(transport(t, n, n2), n2), Vec3(0));
-    return to.tangent != Vec3(0);
+    return to.tangent != Vec3(0) && glm::dot(n, n2) > kMostTurned;
   }
   const double h = length;
   const Vec3 a1 = acceleration(from.g, t);
@@ -84,9 +98,9 @@ bool ImplicitSurface::advance(const ImplicitFunction& f, const State& from, doub
   const auto on = onto_surface(f, q, 0.5 * length + accuracy_, accuracy_);
   if (!on) return false;
   to.position = *on;
-  to.g = f.hessian(*on);
-  to.tangent = normalize_or(reject(v, normalize_or(to.g.gradient, Vec3(0))), Vec3(0));
-  return to.tangent != Vec3(0);
+  to.complete(f);
+  to.tangent = normalize_or(reject(v, normalize_or(to.gradient, Vec3(0))), Vec3(0));
+  return to.tangent != Vec3(0) && turning(to.g) * length < 2 * kTurn;
 }
 
 // Whether a point of a piece's own zero set belongs to the surface and lies on the near side of all
@@ -104,8 +118,10 @@ MarchStep ImplicitSurface::march(const SurfacePoint& from, Vec3 tangent, double 
   bool one_piece = side_[static_cast<std::size_t>(from.chart)] != nullptr;
   State at;
   at.position = from.position;
-  at.g = f->hessian(at.position);
-  const Vec3 n = normalize_or(at.g.gradient, Vec3(0));
+  at.g = known_hessian(*f, at.position);
+  at.gradient = at.g.gradient;
+  at.has_hessian = true;
+  const Vec3 n = normalize_or(at.gradient, Vec3(0));
   const Vec3 flat = reject(tangent, n);
   // A tangent within 1e-9 radians of the normal has no direction in the plane.
   if (n == Vec3(0) || !(glm::length(flat) > 1e-9 * glm::length(tangent))) {
@@ -114,19 +130,17 @@ MarchStep ImplicitSurface::march(const SurfacePoint& from, Vec3 tangent, double 
   }
   at.tangent = glm::normalize(flat);
   std::uint32_t face = static_cast<std::uint32_t>(from.chart);
-  const auto finish = [&](MarchStop stop) {
-    const ProxyPoint place = walk(face, at.position).place;
+  const auto finish = [&](MarchStop stop, std::optional<ProxyPoint> known = {}) {
+    const ProxyPoint place = known ? *known : walk(face, at.position).place;
     step.end = {static_cast<std::int32_t>(place.face), place.bary, at.position};
     step.direction = at.tangent;
     step.stop = stop;
     return step;
   };
+  if (!(length > 0)) return finish(MarchStop::Completed);
   for (int i = 0; i < kMaxSteps; ++i) {
     const double rest = length - step.length;
-    if (!(rest > 0)) {
-      step.length = std::max(length, 0.0);
-      return finish(MarchStop::Completed);
-    }
+    at.complete(*f);
     const double turn = turning(at.g);
     double s = std::min(rest, (kLocalReach - 1) * step_);
     if (turn * s > kTurn) s = kTurn / turn;
@@ -134,16 +148,16 @@ MarchStep ImplicitSurface::march(const SurfacePoint& from, Vec3 tangent, double 
     // Curvature that grows along the way is met by shorter steps.
     bool good = false;
     for (int half = 0; half < 20 && !good; ++half) {
-      good = advance(*f, at, s, next) && turning(next.g) * s < 2 * kTurn;
+      good = advance(*f, at, s, next);
       if (!good) s *= 0.5;
     }
-    if (!good) return finish(usable(at.g.gradient) ? MarchStop::NotConverged : MarchStop::Singular);
+    if (!good) return finish(usable(at.gradient) ? MarchStop::NotConverged : MarchStop::Singular);
     const Walk way = walk(face, next.position);
     if (way.by_crease && !one_piece && function_->has_pieces()) {
       // Over a crease only a single piece goes on smoothly: the step once more, on it.
       f = &function_->piece_function(at.position);
       one_piece = true;
-      at.g = f->hessian(at.position);
+      at.has_hessian = false;
       continue;
     }
     if (way.by_crease && !stays(*f, face, next.position)) {
@@ -161,7 +175,7 @@ MarchStep ImplicitSurface::march(const SurfacePoint& from, Vec3 tangent, double 
         }
       }
       if (!advance(*f, at, high, probe)) probe = good_at;
-      const Vec3 here = normalize_or(good_at.g.gradient, Vec3(0)),
+      const Vec3 here = normalize_or(good_at.gradient, Vec3(0)),
                  there = normalize_or(
                      function_->piece_function(probe.position).gradient(probe.position).gradient,
                      Vec3(0));
@@ -173,16 +187,21 @@ MarchStep ImplicitSurface::march(const SurfacePoint& from, Vec3 tangent, double 
       const auto on = onto_surface(*function_, next.position, step_, accuracy_);
       if (on) next.position = *on;
       f = &function_->piece_function(next.position);
-      next.g = f->hessian(next.position);
+      next.has_hessian = false;
+      next.complete(*f);
       next.tangent =
-          normalize_or(reject(next.tangent, normalize_or(next.g.gradient, Vec3(0))), next.tangent);
+          normalize_or(reject(next.tangent, normalize_or(next.gradient, Vec3(0))), next.tangent);
     } else if (!way.by_crease) {
       f = &function_at(static_cast<std::int32_t>(way.place.face));
       one_piece = false;
     }
     at = next;
     face = way.place.face;
-    step.length = s == rest ? length : step.length + s;
+    if (s >= rest) {
+      step.length = length;
+      return finish(MarchStop::Completed, way.place);
+    }
+    step.length += s;
   }
   return finish(MarchStop::NotConverged);
 }

@@ -7,10 +7,16 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cmath>
 #include <map>
 
 namespace burin {
+namespace {
+
+std::atomic<std::uint64_t> surfaces_made{0};
+
+}  // namespace
 
 ImplicitSurface::ImplicitSurface(std::shared_ptr<const ImplicitFunction> function, ProxyMesh proxy,
                                  std::vector<const ImplicitFunction*> side, double step,
@@ -19,7 +25,8 @@ ImplicitSurface::ImplicitSurface(std::shared_ptr<const ImplicitFunction> functio
       proxy_(std::move(proxy)),
       side_(std::move(side)),
       step_(step),
-      size_(size) {
+      size_(size),
+      name_(++surfaces_made) {
   double far = 0;
   for (const Vec3& p : proxy_.mesh.positions) far = std::max(far, glm::length(p));
   accuracy_ = 1e-11 * size + 1e-15 * far;  // as in project_nets
@@ -66,6 +73,28 @@ const ImplicitFunction& ImplicitSurface::function_at(std::int32_t face) const {
   return local_of_[f] < 0 ? *function_ : *locals_[static_cast<std::size_t>(local_of_[f])];
 }
 
+// f.hessian(p), or what that was a moment ago: tracers ask for the frame where a step ended and
+// then step on from there, half a step for a try and a whole one. Nothing but the time depends on
+// it.
+Gradient2 ImplicitSurface::known_hessian(const ImplicitFunction& f, Vec3 p) const {
+  struct Entry {
+    std::uint64_t surface = 0;
+    const ImplicitFunction* f = nullptr;
+    Vec3 p{0};
+    Gradient2 g;
+  };
+  constexpr std::size_t kEntries = 4;
+  thread_local std::array<Entry, kEntries> entries;
+  thread_local std::size_t oldest = 0;
+  for (const Entry& e : entries) {
+    if (e.p == p && e.f == &f && e.surface == name_) return e.g;
+  }
+  Entry& e = entries[oldest];
+  oldest = (oldest + 1) % kEntries;
+  e = {name_, &f, p, f.hessian(p)};
+  return e.g;
+}
+
 SurfacePoint ImplicitSurface::lift(const ProxyPoint& point) const {
   const Vec3 p = proxy_.position(point.face, point.bary);
   const auto face = static_cast<std::int32_t>(point.face);
@@ -76,7 +105,7 @@ SurfacePoint ImplicitSurface::lift(const ProxyPoint& point) const {
 
 Frame ImplicitSurface::frame(const SurfacePoint& point) const {
   const auto face = static_cast<std::uint32_t>(point.chart);
-  return implicit_frame(function_at(point.chart).hessian(point.position), point.position,
+  return implicit_frame(known_hessian(function_at(point.chart), point.position), point.position,
                         proxy_.mesh.normal(face), size_);
 }
 

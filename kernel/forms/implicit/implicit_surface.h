@@ -4,6 +4,7 @@
 #include <burin/forms/implicit/implicit_function.h>
 #include <burin/surface/surface.h>
 
+#include <cstdint>
 #include <memory>
 #include <vector>
 
@@ -37,6 +38,7 @@ class ImplicitSurface final : public Surface {
 
   const ImplicitFunction& function_at(std::int32_t face) const;
   void find_locals();
+  Gradient2 known_hessian(const ImplicitFunction& f, Vec3 p) const;
   Walk walk(std::uint32_t face, Vec3 p) const;
   bool advance(const ImplicitFunction& f, const State& from, double length, State& to) const;
   bool stays(const ImplicitFunction& piece, std::uint32_t face, Vec3 p) const;
@@ -50,6 +52,8 @@ class ImplicitSurface final : public Surface {
   std::vector<std::shared_ptr<const ImplicitFunction>> locals_;
   std::vector<std::int32_t> local_of_;
   double step_, size_, accuracy_;
+  // Of all surfaces that ever were, see known_hessian.
+  std::uint64_t name_;
 };
 
 }  // namespace burin
