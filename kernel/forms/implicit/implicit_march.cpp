@@ -24,8 +24,7 @@ constexpr int kMaxSteps = 1'000'000;
 constexpr double kSmooth = 0.99939;
 
 // How much normals turn a mm, at the most.
-double turning(const Gradient2& g) {
-  const double slope = glm::length(g.gradient);
+double turning(const Gradient2& g, double slope) {
   const double h =
       g.xx * g.xx + g.yy * g.yy + g.zz * g.zz + 2 * (g.xy * g.xy + g.xz * g.xz + g.yz * g.yz);
   return std::sqrt(h) / slope;
@@ -39,17 +38,18 @@ Vec3 acceleration(const Gradient2& g, Vec3 t) {
 }  // namespace
 
 struct ImplicitSurface::State {
-  Vec3 position{0}, tangent{0};
-  // Not unit: the gradient here, and the whole of the derivatives where a step has begun.
-  Vec3 gradient{0};
+  Vec3 position{0}, tangent{0}, normal{0};
+  // Where a step has begun:
   Gradient2 g;
-  bool has_hessian = false;
+  double slope = 0, turn = 0;
+  bool complete = false;
 
-  void complete(const ImplicitFunction& f) {
-    if (has_hessian) return;
-    g = f.hessian(position);
-    gradient = g.gradient;
-    has_hessian = true;
+  void set(const Gradient2& derivatives) {
+    g = derivatives;
+    slope = glm::length(g.gradient);
+    normal = usable(g.gradient) ? g.gradient / slope : Vec3(0);
+    turn = turning(g, slope);
+    complete = true;
   }
 };
 
@@ -58,32 +58,32 @@ struct ImplicitSurface::State {
 bool ImplicitSurface::advance(const ImplicitFunction& f, const State& from, double length,
                               State& to) const {
   const Vec3 p = from.position, t = from.tangent;
-  to.has_hessian = false;
+  to.complete = false;
   Vec3 q;
-  if (length * turning(from.g) < kShortTurn) {
+  if (length * from.turn < kShortTurn) {
     // The Taylor series of the geodesic in its Darboux frame.
-    const double slope = glm::length(from.g.gradient);
-    const Vec3 n = from.g.gradient / slope, b = glm::cross(n, t), ht = from.g.hessian_times(t);
-    const double k = -glm::dot(t, ht) / slope, m = -glm::dot(b, ht) / slope;
+    const Vec3 n = from.normal, b = glm::cross(n, t), ht = from.g.hessian_times(t);
+    const double k = -glm::dot(t, ht) / from.slope, m = -glm::dot(b, ht) / from.slope;
     const double s = length;
     q = p + (s - k * k * s * s * s / 6) * t + 0.5 * k * s * s * n + k * m * s * s * s / 6 * -b;
     const Gradient1 g = f.gradient(q);
     const Vec3 d = -g.value / glm::dot(g.gradient, g.gradient) * g.gradient;
-    if (glm::dot(d, d) * turning(from.g) <= accuracy_) {
+    Vec3 gradient;
+    if (glm::dot(d, d) * from.turn <= accuracy_) {
       // One step of Newton is enough, and the gradient goes along with it.
       q += d;
-      to.gradient = g.gradient + from.g.hessian_times(d);
+      gradient = g.gradient + from.g.hessian_times(d);
     } else {
       const auto on = onto_surface(f, q, 0.5 * length + accuracy_, accuracy_);
       if (!on) return false;
       q = *on;
-      to.gradient = f.gradient(q).gradient;
+      gradient = f.gradient(q).gradient;
     }
     // Carried by the smallest rotation between the normals: symmetric, so of the second order.
-    const Vec3 n2 = normalize_or(to.gradient, Vec3(0));
     to.position = q;
-    to.tangent = normalize_or(reject(transport(t, n, n2), n2), Vec3(0));
-    return to.tangent != Vec3(0) && glm::dot(n, n2) > kMostTurned;
+    to.normal = normalize_or(gradient, Vec3(0));
+    to.tangent = normalize_or(reject(transport(t, n, to.normal), to.normal), Vec3(0));
+    return to.tangent != Vec3(0) && glm::dot(n, to.normal) > kMostTurned;
   }
   const double h = length;
   const Vec3 a1 = acceleration(from.g, t);
@@ -98,9 +98,9 @@ bool ImplicitSurface::advance(const ImplicitFunction& f, const State& from, doub
   const auto on = onto_surface(f, q, 0.5 * length + accuracy_, accuracy_);
   if (!on) return false;
   to.position = *on;
-  to.complete(f);
-  to.tangent = normalize_or(reject(v, normalize_or(to.gradient, Vec3(0))), Vec3(0));
-  return to.tangent != Vec3(0) && turning(to.g) * length < 2 * kTurn;
+  to.set(f.hessian(*on));
+  to.tangent = normalize_or(reject(v, to.normal), Vec3(0));
+  return to.tangent != Vec3(0) && to.turn * length < 2 * kTurn;
 }
 
 // Whether a point of a piece's own zero set belongs to the surface and lies on the near side of all
@@ -118,10 +118,8 @@ MarchStep ImplicitSurface::march(const SurfacePoint& from, Vec3 tangent, double 
   bool one_piece = side_[static_cast<std::size_t>(from.chart)] != nullptr;
   State at;
   at.position = from.position;
-  at.g = known_hessian(*f, at.position);
-  at.gradient = at.g.gradient;
-  at.has_hessian = true;
-  const Vec3 n = normalize_or(at.gradient, Vec3(0));
+  at.set(known_hessian(*f, at.position));
+  const Vec3 n = at.normal;
   const Vec3 flat = reject(tangent, n);
   // A tangent within 1e-9 radians of the normal has no direction in the plane.
   if (n == Vec3(0) || !(glm::length(flat) > 1e-9 * glm::length(tangent))) {
@@ -140,10 +138,9 @@ MarchStep ImplicitSurface::march(const SurfacePoint& from, Vec3 tangent, double 
   if (!(length > 0)) return finish(MarchStop::Completed);
   for (int i = 0; i < kMaxSteps; ++i) {
     const double rest = length - step.length;
-    at.complete(*f);
-    const double turn = turning(at.g);
+    if (!at.complete) at.set(f->hessian(at.position));
     double s = std::min(rest, (kLocalReach - 1) * step_);
-    if (turn * s > kTurn) s = kTurn / turn;
+    if (at.turn * s > kTurn) s = kTurn / at.turn;
     State next;
     // Curvature that grows along the way is met by shorter steps.
     bool good = false;
@@ -151,13 +148,13 @@ MarchStep ImplicitSurface::march(const SurfacePoint& from, Vec3 tangent, double 
       good = advance(*f, at, s, next);
       if (!good) s *= 0.5;
     }
-    if (!good) return finish(usable(at.gradient) ? MarchStop::NotConverged : MarchStop::Singular);
+    if (!good) return finish(at.normal != Vec3(0) ? MarchStop::NotConverged : MarchStop::Singular);
     const Walk way = walk(face, next.position);
     if (way.by_crease && !one_piece && function_->has_pieces()) {
       // Over a crease only a single piece goes on smoothly: the step once more, on it.
       f = &function_->piece_function(at.position);
       one_piece = true;
-      at.has_hessian = false;
+      at.complete = false;
       continue;
     }
     if (way.by_crease && !stays(*f, face, next.position)) {
@@ -175,7 +172,7 @@ MarchStep ImplicitSurface::march(const SurfacePoint& from, Vec3 tangent, double 
         }
       }
       if (!advance(*f, at, high, probe)) probe = good_at;
-      const Vec3 here = normalize_or(good_at.gradient, Vec3(0)),
+      const Vec3 here = good_at.normal,
                  there = normalize_or(
                      function_->piece_function(probe.position).gradient(probe.position).gradient,
                      Vec3(0));
@@ -187,10 +184,8 @@ MarchStep ImplicitSurface::march(const SurfacePoint& from, Vec3 tangent, double 
       const auto on = onto_surface(*function_, next.position, step_, accuracy_);
       if (on) next.position = *on;
       f = &function_->piece_function(next.position);
-      next.has_hessian = false;
-      next.complete(*f);
-      next.tangent =
-          normalize_or(reject(next.tangent, normalize_or(next.gradient, Vec3(0))), next.tangent);
+      next.set(f->hessian(next.position));
+      next.tangent = normalize_or(reject(next.tangent, next.normal), next.tangent);
     } else if (!way.by_crease) {
       f = &function_at(static_cast<std::int32_t>(way.place.face));
       one_piece = false;

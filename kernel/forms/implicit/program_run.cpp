@@ -343,7 +343,7 @@ void run(const std::vector<Step>& steps, std::uint32_t registers, std::span<cons
 void Program::values(std::span<const Vec3> points, std::span<double> out) const {
   if (points.size() == 1) {
     double v[1];
-    run_one(steps_, registers_, result_, points[0], v);
+    run_one(steps_, registers_, result_, result_mask_, points[0], v);
     out[0] = v[0];
     return;
   }
@@ -355,7 +355,7 @@ void Program::values(std::span<const Vec3> points, std::span<double> out) const 
 void Program::gradients(std::span<const Vec3> points, std::span<Gradient1> out) const {
   if (points.size() == 1) {
     double v[4];
-    run_one(steps_, registers_, result_, points[0], v);
+    run_one(steps_, registers_, result_, result_mask_, points[0], v);
     out[0] = {v[0], {v[1], v[2], v[3]}};
     return;
   }
@@ -370,7 +370,7 @@ void Program::gradients(std::span<const Vec3> points, std::span<Gradient1> out) 
 void Program::hessians(std::span<const Vec3> points, std::span<Gradient2> out) const {
   if (points.size() == 1) {
     double v[10];
-    run_one(steps_, registers_, result_, points[0], v);
+    run_one(steps_, registers_, result_, result_mask_, points[0], v);
     out[0] = {v[0], {v[1], v[2], v[3]}, v[4], v[5], v[6], v[7], v[8], v[9]};
     return;
   }

@@ -5,6 +5,7 @@
 #include <bit>
 #include <cmath>
 #include <map>
+#include <optional>
 #include <tuple>
 #include <unordered_map>
 
@@ -13,12 +14,14 @@ namespace {
 
 constexpr std::size_t kMaxInstructions = 200'000;
 
-// Equal operations on equal operands become one.
+// Equal operations on equal operands become one, and those that change nothing none. Values stay
+// the same to the bit: grids compare signs from several shortened tapes.
 class Builder {
  public:
   explicit Builder(std::vector<Instruction>& code) : code_(code) {}
 
   std::uint32_t add(Instruction i) {
+    if (const auto known = simplify(i)) return *known;
     const Key key{i.op, i.a, i.b, std::bit_cast<std::uint64_t>(i.value)};
     const auto [it, fresh] = known_.try_emplace(key, static_cast<std::uint32_t>(code_.size()));
     if (fresh) {
@@ -26,13 +29,119 @@ class Builder {
         throw UsageError("the function has more than 200,000 operations; make it simpler");
       }
       code_.push_back(i);
+      finite_.push_back(stays_finite(i));
     }
     return it->second;
   }
 
+  // Leaves out what `result` does not need.
+  void finish(std::uint32_t result) {
+    std::vector<std::uint8_t> needed(result + 1, 0);
+    needed[result] = 1;
+    for (std::uint32_t k = result + 1; k-- > 0;) {
+      if (!needed[k] || is_leaf(code_[k].op)) continue;
+      needed[code_[k].a] = 1;
+      if (is_binary(code_[k].op)) needed[code_[k].b] = 1;
+    }
+    std::vector<std::uint32_t> name(result + 1, 0);
+    std::uint32_t count = 0;
+    for (std::uint32_t k = 0; k <= result; ++k) {
+      if (!needed[k]) continue;
+      Instruction i = code_[k];
+      if (!is_leaf(i.op)) i.a = name[i.a];
+      if (is_binary(i.op)) i.b = name[i.b];
+      name[k] = count;
+      code_[count++] = i;
+    }
+    code_.resize(count);
+  }
+
  private:
   using Key = std::tuple<Op, std::uint32_t, std::uint32_t, std::uint64_t>;
+
+  bool is(std::uint32_t k, Op op) const { return code_[k].op == op; }
+  bool is_number(std::uint32_t k, double v) const {
+    return is(k, Op::Constant) && code_[k].value == v;
+  }
+
+  // Never infinite nor NaN for want of a definition: zero times it is zero.
+  bool stays_finite(const Instruction& i) const {
+    switch (i.op) {
+      case Op::Constant:
+        return std::isfinite(i.value);
+      case Op::X:
+      case Op::Y:
+      case Op::Z:
+        return true;
+      case Op::Negate:
+      case Op::Abs:
+      case Op::Square:
+      case Op::Sin:
+      case Op::Cos:
+      case Op::Atan:
+        return finite_[i.a] != 0;
+      case Op::Add:
+      case Op::Subtract:
+      case Op::Multiply:
+      case Op::Min:
+      case Op::Max:
+        return finite_[i.a] && finite_[i.b];
+      default:
+        return false;
+    }
+  }
+
+  // The instruction that has the same values already; else `i` may become a simpler one.
+  std::optional<std::uint32_t> simplify(Instruction& i) {
+    if (is_leaf(i.op)) return std::nullopt;
+    const bool two = is_binary(i.op);
+    if (is(i.a, Op::Constant) && (!two || is(i.b, Op::Constant))) {
+      const double v = apply(i.op, code_[i.a].value, two ? code_[i.b].value : 0, i.value);
+      i = {.op = Op::Constant, .value = v};
+      return std::nullopt;
+    }
+    switch (i.op) {
+      case Op::Negate:
+        if (is(i.a, Op::Negate)) return code_[i.a].a;
+        break;
+      case Op::Square:
+        if (is(i.a, Op::Negate)) i.a = code_[i.a].a;
+        break;
+      case Op::Add:
+        if (is_number(i.a, 0)) return i.b;
+        if (is_number(i.b, 0)) return i.a;
+        if (is(i.b, Op::Negate)) {
+          i = {.op = Op::Subtract, .a = i.a, .b = code_[i.b].a};
+        } else if (is(i.a, Op::Negate)) {
+          i = {.op = Op::Subtract, .a = i.b, .b = code_[i.a].a};
+        }
+        break;
+      case Op::Subtract:
+        if (is_number(i.b, 0)) return i.a;
+        if (is(i.b, Op::Negate)) i = {.op = Op::Add, .a = i.a, .b = code_[i.b].a};
+        break;
+      case Op::Multiply:
+        return product(i);
+      default:
+        break;
+    }
+    return std::nullopt;
+  }
+  std::optional<std::uint32_t> product(Instruction& i) {
+    for (const auto& [c, x] : {std::pair(i.a, i.b), std::pair(i.b, i.a)}) {
+      if (is_number(c, 1)) return x;
+      if (is_number(c, 0) && finite_[x]) return c;
+      if (is_number(c, -1)) {
+        if (is(x, Op::Negate)) return code_[x].a;
+        i = {.op = Op::Negate, .a = x};
+        return std::nullopt;
+      }
+    }
+    return std::nullopt;
+  }
+
   std::vector<Instruction>& code_;
+  std::vector<std::uint8_t> finite_;
   std::map<Key, std::uint32_t> known_;
 };
 
@@ -43,9 +152,11 @@ double side_value(const Instruction& i, double a, double b) {
 // What a choice becomes once it is made: kOpen = stays a choice.
 enum class Side : std::uint8_t { First, Second, Open };
 
-// The tape with the choices made; operations that are not needed any more are left out.
+// The tape with the choices made; operations that are not needed any more are left out. `ranges`,
+// where not empty, holds the values that each instruction may have.
 std::vector<Instruction> with_choices(const std::vector<Instruction>& code,
-                                      const std::vector<Side>& sides) {
+                                      const std::vector<Side>& sides,
+                                      const std::vector<Interval>& ranges) {
   const auto n = code.size();
   // Backwards: what is needed. A choice made needs its one operand alone.
   std::vector<std::uint8_t> needed(n, 0);
@@ -60,24 +171,36 @@ std::vector<Instruction> with_choices(const std::vector<Instruction>& code,
   std::vector<Instruction> out;
   Builder builder(out);
   std::vector<std::uint32_t> at(n, 0);
+  std::vector<Interval> known;  // of the new instructions
+  const auto emit = [&](const Instruction& i, std::size_t k) {
+    const std::uint32_t made = builder.add(i);
+    known.resize(out.size());
+    if (!ranges.empty()) known[made] = ranges[k];
+    return made;
+  };
   for (std::size_t k = 0; k < n; ++k) {
     if (!needed[k]) continue;
     Instruction i = code[k];
     if (is_choice(i.op) && sides[k] != Side::Open) {
       const std::uint32_t kept = at[sides[k] == Side::Second && i.op != Op::Abs ? i.b : i.a];
-      at[k] = i.op == Op::Abs && sides[k] == Side::Second
-                  ? builder.add({.op = Op::Negate, .a = kept})
-                  : kept;
+      at[k] = i.op == Op::Abs && sides[k] == Side::Second ? emit({.op = Op::Negate, .a = kept}, k)
+                                                          : kept;
       continue;
     }
     if (!is_leaf(i.op)) i.a = at[i.a];
     if (is_binary(i.op)) i.b = at[i.b];
-    at[k] = builder.add(i);
+    // Rounded, the root of a square is the number without its sign, and here that is known.
+    if (i.op == Op::Sqrt && out[i.a].op == Op::Square) {
+      const std::uint32_t base = out[i.a].a;
+      if (known[base].min >= 0) {
+        at[k] = base;
+        continue;
+      }
+      if (known[base].max <= 0) i = {.op = Op::Negate, .a = base};
+    }
+    at[k] = emit(i, k);
   }
-  // The result is the last instruction; it may be an operand of others only where it is needed by
-  // none.
-  const std::uint32_t result = at[n - 1];
-  if (result + 1 != out.size()) out.resize(result + 1);
+  builder.finish(at[n - 1]);
   return out;
 }
 
@@ -105,8 +228,7 @@ Tape::Tape(const Expression& expression) {
     done.emplace(n, at);
     return at;
   };
-  const std::uint32_t result = walk(walk, expression.node().get());
-  code_.resize(result + 1);
+  builder.finish(walk(walk, expression.node().get()));
 }
 
 bool Tape::has_choices() const {
@@ -172,7 +294,7 @@ Tape Tape::chosen(Vec3 p) const {
     sides[k] = side_value(i, slots[i.a], slots[i.b]) != 0 ? Side::Second : Side::First;
   }
   Tape tape;
-  tape.code_ = with_choices(code_, sides);
+  tape.code_ = with_choices(code_, sides, {});
   return tape;
 }
 
@@ -196,7 +318,7 @@ Tape Tape::restricted(const Box3& box) const {
     if (i.op == Op::Max && b.min > a.max) sides[k] = Side::Second;
   }
   Tape tape;
-  tape.code_ = with_choices(code_, sides);
+  tape.code_ = with_choices(code_, sides, slots);
   return tape;
 }
 
