@@ -121,6 +121,40 @@ TEST(Expression, BatchesOfAnySizeAgreeToTheBit) {
   }
 }
 
+TEST(Expression, ShortenedFunctionsAgreeToTheBit) {
+  // Neighbouring blocks of a grid see a corner by different ones and have to find the same sign.
+  int shortened = 0;
+  for (const auto& [name, e] : formulas()) {
+    const auto f = make_function(e);
+    for (std::uint64_t i = 0; i < 100; ++i) {
+      const Vec3 center = random_point(i, 1.5);
+      const auto part = f->restricted({center - 0.2, center + 0.2});
+      if (!part) continue;
+      ++shortened;
+      for (std::uint64_t j = 0; j < 5; ++j) {
+        const Vec3 p = center + random_point(1000 + j, 0.2);
+        const double v = f->value(p);
+        if (std::isnan(v)) continue;
+        EXPECT_EQ(v, part->value(p)) << name;
+        EXPECT_LT(glm::distance(f->gradient(p).gradient, part->gradient(p).gradient), 1e-12);
+      }
+    }
+  }
+  EXPECT_GT(shortened, 300);
+}
+
+TEST(Expression, WhatChangesNothingIsLeftOut) {
+  // The rotation by right angles multiplies by 0, 1 and -1.
+  const Expression f = rotate(translate(sphere(1), {0, 0, 0.5}), {90, 0, 90});
+  const auto g = make_function(f);
+  for (std::uint64_t i = 0; i < 20; ++i) {
+    const Vec3 p = random_point(i, 2);
+    EXPECT_NEAR(g->value(p), glm::distance(p, Vec3(0.5, 0, 0)) - 1, 1e-15);
+  }
+  // What is not defined stays so.
+  EXPECT_TRUE(std::isnan(make_function(0.0 * implicit::sqrt(kX))->value({-1, 0, 0})));
+}
+
 TEST(Expression, IntervalsHoldTheValues) {
   for (const auto& [name, e] : formulas()) {
     const auto f = make_function(e);
