@@ -38,7 +38,8 @@ WriteOptions write_options(const Style& style) {
   return {.svg = {.flatten_polylines = style.svg.flatten,
                   .fit_tolerance = style.svg.fit_tolerance,
                   .dash = style.line.dash,
-                  .gap = style.line.gap},
+                  .gap = style.line.gap,
+                  .merge = style.svg.merge},
           .json = {.points3 = style.json.points3}};
 }
 

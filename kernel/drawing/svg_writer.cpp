@@ -1,10 +1,10 @@
-#include <burin/base/version.h>
 #include <burin/drawing/bezier.h>
 #include <burin/drawing/ink.h>
 #include <burin/drawing/ordered_text.h>
 #include <burin/drawing/writers.h>
 
 #include "svg_path.h"
+#include "svg_tags.h"
 
 #include <algorithm>
 #include <ostream>
@@ -18,59 +18,6 @@ struct Item {
   std::string before;
   const Path* path = nullptr;
 };
-
-/// A name as an XML id that no other group has.
-std::string unique_id(std::string_view name, std::set<std::string>& taken) {
-  std::string id;
-  for (const char c : name) {
-    const bool letter = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_';
-    const bool later = (c >= '0' && c <= '9') || c == '-' || c == '.';
-    if (id.empty() && !letter) id = "layer-";
-    id.push_back(letter || later ? c : '_');
-  }
-  if (id.empty()) id = "layer";
-  const std::string stem = id;
-  for (int i = 2; !taken.insert(id).second; ++i) id = fmt::format("{}-{}", stem, i);
-  return id;
-}
-
-std::string head(const Drawing& drawing) {
-  Buffer out;
-  append(out,
-         "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
-         "<svg xmlns=\"http://www.w3.org/2000/svg\" "
-         "xmlns:inkscape=\"http://www.inkscape.org/namespaces/inkscape\" version=\"1.1\" width=\"");
-  const double w = drawing.paper_width, h = drawing.paper_height;
-  append_fixed(out, w, 3);
-  append(out, "mm\" height=\"");
-  append_fixed(out, h, 3);
-  append(out, "mm\" viewBox=\"0 0 ");
-  append_fixed(out, w, 3);
-  out.push_back(' ');
-  append_fixed(out, h, 3);
-  append(out, "\">\n<desc>");
-  append_xml(out,
-             fmt::format("burin {}, style {}, seed {}", version(), drawing.style, drawing.seed));
-  append(out, "</desc>\n");
-  return fmt::to_string(out);
-}
-
-std::string layer_tag(const InkLayer& layer, const std::string& id, const SvgOptions& options) {
-  Buffer out;
-  append(out, fmt::format("<g id=\"{}\" inkscape:groupmode=\"layer\" inkscape:label=\"", id));
-  append_xml(out, layer.name);
-  append(out,
-         "\" fill=\"none\" stroke=\"#000\" stroke-linecap=\"round\" stroke-linejoin=\"round\"");
-  if (layer.is_hidden()) {
-    append(out, " stroke-dasharray=\"");
-    append_fixed(out, options.dash, 3);
-    out.push_back(' ');
-    append_fixed(out, options.gap, 3);
-    out.push_back('"');
-  }
-  append(out, ">\n");
-  return fmt::to_string(out);
-}
 
 std::string part_tag(std::int32_t part, const std::string& id, const Drawing& drawing) {
   Buffer out;
@@ -91,13 +38,13 @@ std::vector<Item> items_of(const Drawing& drawing, const std::vector<InkLayer>& 
                            const SvgOptions& options) {
   std::vector<Item> items;
   std::set<std::string> ids;
-  std::string before = head(drawing);
+  std::string before = svg_head(drawing);
   for (const InkLayer& group : groups) {
-    const std::string id = unique_id(group.name, ids);
-    before += layer_tag(group, id, options);
+    const std::string id = svg_id(group.name, ids);
+    before += svg_layer_tag(group, id, options);
     for (const auto& [part, paths] : group.parts) {
       const std::string stem = part < 0 ? "none" : fmt::format("{}", part);
-      before += part_tag(part, unique_id(id + "-" + stem, ids), drawing);
+      before += part_tag(part, svg_id(id + "-" + stem, ids), drawing);
       for (const Path* path : paths) {
         items.push_back({std::move(before), path});
         before.clear();
@@ -137,15 +84,10 @@ void append_polyline(Buffer& out, SvgPen& pen, const Path& p, double tolerance) 
   append(out, "\"/>\n");
 }
 
-/// What rounding to the grid and writing nearly straight curves as lines may add, in paper mm.
-constexpr double kWritingError = 0.002;
-
 void append_path(Buffer& out, const Path& p, double paper_height, const SvgOptions& options) {
   SvgPen pen(out, paper_height);
   if (options.flatten_polylines) return append_polyline(out, pen, p, options.fit_tolerance);
-  const double tolerance =
-      std::max(options.fit_tolerance - kWritingError, 0.5 * options.fit_tolerance);
-  const Ink ink = ink_of(p, tolerance);
+  const Ink ink = ink_of(p, curve_tolerance(options));
   append(out, "<path");
   append_source(out, p);
   if (ink.filled) {
@@ -163,6 +105,7 @@ void append_path(Buffer& out, const Path& p, double paper_height, const SvgOptio
 
 void write_svg(const Drawing& drawing, const SvgOptions& options, std::ostream& out,
                const RunContext& context) {
+  if (options.merge) return write_merged_svg(drawing, options, out, context);
   const std::vector<Item> items = items_of(drawing, ink_layers(drawing), options);
   write_ordered(
       items.size(), [&](std::size_t i) { return items[i].path ? items[i].path->points.size() : 0; },

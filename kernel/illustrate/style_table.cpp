@@ -123,6 +123,8 @@ std::vector<StyleKey> other_keys() {
              "darkness added where the surface turns away from the viewer"),
       {"svg.flatten", "polylines: plain polylines of constant width, for plotters and lasers",
        FlagKey{BURIN_MEMBER(bool, svg.flatten), "polylines", "none"}},
+      flag("svg.merge", BURIN_MEMBER(bool, svg.merge),
+           "one element a layer and pen; sources are not told"),
       number("svg.fit_tolerance", BURIN_MEMBER(double, svg.fit_tolerance), 0.001, 1,
              "how far fitted curves may be from the computed lines, in mm"),
       flag("json.points3", BURIN_MEMBER(bool, json.points3),

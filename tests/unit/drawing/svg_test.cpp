@@ -8,7 +8,10 @@
 #include <gtest/gtest.h>
 #include <pugixml.hpp>
 
+#include <cmath>
 #include <limits>
+#include <map>
+#include <set>
 #include <sstream>
 
 namespace burin {
@@ -250,6 +253,46 @@ TEST(SvgWriter, StopsWhenCancelled) {
   context.cancel();
   std::ostringstream out;
   EXPECT_THROW(write_svg(test::sample_drawing(), {}, out, context), Cancelled);
+}
+
+/// All path data of a file, one sorted list of subpaths for each pair of layer and pen.
+std::map<std::pair<std::string, std::string>, std::multiset<std::string>> subpaths(
+    const std::string& text) {
+  std::map<std::pair<std::string, std::string>, std::multiset<std::string>> out;
+  const pugi::xml_document doc = parsed(text);
+  for (const auto& found : doc.select_nodes("//path")) {
+    const pugi::xml_node path = found.node();
+    std::string layer;
+    for (pugi::xml_node g = path.parent(); g; g = g.parent()) {
+      if (g.attribute("inkscape:label")) layer = attribute(g, "inkscape:label");
+    }
+    const std::string d = attribute(path, "d");
+    for (std::size_t from = 0; from < d.size();) {
+      const std::size_t to = std::min(d.find('M', from + 1), d.size());
+      out[{layer, attribute(path, "stroke-width")}].insert(d.substr(from, to - from));
+      from = to;
+    }
+  }
+  return out;
+}
+
+TEST(Svg, MergedFilesHaveOneElementAPenAndTheSameInk) {
+  Drawing drawing;
+  drawing.layers = {{"contour", {}}, {"stroke-1", {}}};
+  for (int i = 0; i < 40; ++i) {
+    Path line;
+    line.source.part = i % 3;
+    line.width = {i % 2 ? 0.35 : 0.7};
+    for (int k = 0; k < 8; ++k) line.points.emplace_back(10 + 3 * k, 10 + i + std::sin(k));
+    drawing.layers[0].paths.push_back(line);
+    line.kind = LineClass::Stroke;
+    line.width.assign(8, 0.1);
+    line.width[4] = 0.4;
+    drawing.layers[1].paths.push_back(line);
+  }
+  const std::string merged = svg_text(drawing, {.merge = true});
+  EXPECT_EQ(parsed(merged).select_nodes("//path").size(), 3u);
+  EXPECT_EQ(subpaths(merged), subpaths(svg_text(drawing)));
 }
 
 }  // namespace

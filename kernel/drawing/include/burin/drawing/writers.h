@@ -17,6 +17,9 @@ struct SvgOptions {
   /// Dash and gap of hidden lines in paper mm.
   double dash = 2.0;
   double gap = 1.0;
+  /// One element a layer and pen, for programs that are slow where there are many; says nothing of
+  /// sources.
+  bool merge = false;
 };
 
 struct JsonOptions {

@@ -76,6 +76,7 @@ struct Style {
 
   struct {
     bool flatten = false;
+    bool merge = false;
     double fit_tolerance = 0.02;
   } svg;
 

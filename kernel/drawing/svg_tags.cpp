@@ -1,0 +1,68 @@
+#include "svg_tags.h"
+
+#include <burin/base/version.h>
+#include <burin/drawing/text.h>
+
+#include <algorithm>
+
+namespace burin {
+
+std::string svg_id(std::string_view name, std::set<std::string>& taken) {
+  std::string id;
+  for (const char c : name) {
+    const bool letter = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_';
+    const bool later = (c >= '0' && c <= '9') || c == '-' || c == '.';
+    if (id.empty() && !letter) id = "layer-";
+    id.push_back(letter || later ? c : '_');
+  }
+  if (id.empty()) id = "layer";
+  const std::string stem = id;
+  for (int i = 2; !taken.insert(id).second; ++i) id = fmt::format("{}-{}", stem, i);
+  return id;
+}
+
+std::string svg_head(const Drawing& drawing) {
+  Buffer out;
+  append(out,
+         "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
+         "<svg xmlns=\"http://www.w3.org/2000/svg\" "
+         "xmlns:inkscape=\"http://www.inkscape.org/namespaces/inkscape\" version=\"1.1\" width=\"");
+  const double w = drawing.paper_width, h = drawing.paper_height;
+  append_fixed(out, w, 3);
+  append(out, "mm\" height=\"");
+  append_fixed(out, h, 3);
+  append(out, "mm\" viewBox=\"0 0 ");
+  append_fixed(out, w, 3);
+  out.push_back(' ');
+  append_fixed(out, h, 3);
+  append(out, "\">\n<desc>");
+  append_xml(out,
+             fmt::format("burin {}, style {}, seed {}", version(), drawing.style, drawing.seed));
+  append(out, "</desc>\n");
+  return fmt::to_string(out);
+}
+
+std::string svg_layer_tag(const InkLayer& layer, const std::string& id, const SvgOptions& options) {
+  Buffer out;
+  append(out, fmt::format("<g id=\"{}\" inkscape:groupmode=\"layer\" inkscape:label=\"", id));
+  append_xml(out, layer.name);
+  append(out,
+         "\" fill=\"none\" stroke=\"#000\" stroke-linecap=\"round\" stroke-linejoin=\"round\"");
+  if (layer.is_hidden()) {
+    append(out, " stroke-dasharray=\"");
+    append_fixed(out, options.dash, 3);
+    out.push_back(' ');
+    append_fixed(out, options.gap, 3);
+    out.push_back('"');
+  }
+  append(out, ">\n");
+  return fmt::to_string(out);
+}
+
+double curve_tolerance(const SvgOptions& options) {
+  // What rounding to the grid and writing nearly straight curves as lines may add, in paper mm.
+  constexpr double kWritingError = 0.002;
+  return std::max(options.fit_tolerance - kWritingError, 0.5 * options.fit_tolerance);
+}
+
+}  // namespace burin

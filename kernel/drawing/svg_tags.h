@@ -1,0 +1,28 @@
+#pragma once
+/// What all kinds of SVG files that are written here begin with.
+
+#include <burin/drawing/drawing.h>
+#include <burin/drawing/ink.h>
+#include <burin/drawing/writers.h>
+
+#include <iosfwd>
+#include <set>
+#include <string>
+#include <string_view>
+
+namespace burin {
+
+/// All before the first layer.
+std::string svg_head(const Drawing& drawing);
+/// The opening tag of a layer's group.
+std::string svg_layer_tag(const InkLayer& layer, const std::string& id, const SvgOptions& options);
+/// A name as an XML id that no other group has.
+std::string svg_id(std::string_view name, std::set<std::string>& taken);
+/// Paper mm that fitted curves may be off before their numbers are rounded.
+double curve_tolerance(const SvgOptions& options);
+
+/// See SvgOptions::merge.
+void write_merged_svg(const Drawing& drawing, const SvgOptions& options, std::ostream& out,
+                      const RunContext& context);
+
+}  // namespace burin
