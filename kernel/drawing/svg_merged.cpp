@@ -40,6 +40,18 @@ std::map<double, std::vector<Item>> by_pen(const InkLayer& layer, const SvgOptio
   return pens;
 }
 
+std::string pen_tag(double width) {
+  Buffer out;
+  append(out, "<path");
+  if (width > 0) {
+    append_pen(out, width);
+  } else {
+    append(out, " fill=\"#000\" stroke=\"none\"");
+  }
+  append(out, " d=\"");
+  return fmt::to_string(out);
+}
+
 void append_subpath(Buffer& out, const Item& item, double paper_height) {
   SvgPen pen(out, paper_height);
   for (const auto& chain : item.ink.chains) pen.chain(chain, item.ink.filled || item.path->closed);
@@ -56,8 +68,7 @@ void write_merged_svg(const Drawing& drawing, const SvgOptions& options, std::os
   for (const InkLayer& layer : ink_layers(drawing)) {
     before += svg_layer_tag(layer, svg_id(layer.name, ids), options);
     for (auto& [width, paths] : by_pen(layer, options, context)) {
-      before += width > 0 ? fmt::format("<path stroke-width=\"{:.3f}\" d=\"", width)
-                          : std::string("<path fill=\"#000\" stroke=\"none\" d=\"");
+      before += pen_tag(width);
       for (Item& item : paths) {
         item.before = std::exchange(before, {});
         items.push_back(std::move(item));

@@ -1,7 +1,6 @@
 #include "svg_tags.h"
 
 #include <burin/base/version.h>
-#include <burin/drawing/text.h>
 
 #include <algorithm>
 
@@ -57,6 +56,12 @@ std::string svg_layer_tag(const InkLayer& layer, const std::string& id, const Sv
   }
   append(out, ">\n");
   return fmt::to_string(out);
+}
+
+void append_pen(Buffer& out, double width) {
+  append(out, " stroke-width=\"");
+  append_fixed(out, width, 3);
+  out.push_back('"');
 }
 
 double curve_tolerance(const SvgOptions& options) {

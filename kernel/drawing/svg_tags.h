@@ -3,6 +3,7 @@
 
 #include <burin/drawing/drawing.h>
 #include <burin/drawing/ink.h>
+#include <burin/drawing/text.h>
 #include <burin/drawing/writers.h>
 
 #include <iosfwd>
@@ -18,6 +19,7 @@ std::string svg_head(const Drawing& drawing);
 std::string svg_layer_tag(const InkLayer& layer, const std::string& id, const SvgOptions& options);
 /// A name as an XML id that no other group has.
 std::string svg_id(std::string_view name, std::set<std::string>& taken);
+void append_pen(Buffer& out, double width);
 /// Paper mm that fitted curves may be off before their numbers are rounded.
 double curve_tolerance(const SvgOptions& options);
 

@@ -65,12 +65,6 @@ void append_source(Buffer& out, const Path& p) {
       p.source.part, p.source.face, p.source.edge, kind);
 }
 
-void append_stroke_width(Buffer& out, double width) {
-  append(out, " stroke-width=\"");
-  append_fixed(out, width, 3);
-  out.push_back('"');
-}
-
 void append_polyline(Buffer& out, SvgPen& pen, const Path& p, double tolerance) {
   std::vector<Vec2> all = p.points;
   if (p.closed) all.push_back(all.front());
@@ -78,7 +72,7 @@ void append_polyline(Buffer& out, SvgPen& pen, const Path& p, double tolerance) 
   for (const std::size_t i : simplify(all, tolerance)) kept.push_back(all[i]);
   append(out, "<polyline");
   append_source(out, p);
-  append_stroke_width(out, mean_width(p));
+  append_pen(out, mean_width(p));
   append(out, " points=\"");
   pen.points(kept);
   append(out, "\"/>\n");
@@ -93,7 +87,7 @@ void append_path(Buffer& out, const Path& p, double paper_height, const SvgOptio
   if (ink.filled) {
     append(out, " fill=\"#000\" stroke=\"none\"");
   } else {
-    append_stroke_width(out, ink.width);
+    append_pen(out, ink.width);
   }
   append(out, " d=\"");
   for (const auto& chain : ink.chains) pen.chain(chain, ink.filled || p.closed);
