@@ -4,6 +4,7 @@
 #include <burin/base/run_context.h>
 #include <burin/forms/implicit/implicit_function.h>
 
+#include "box_function.h"
 #include "volume_lines.h"
 
 #include <array>
@@ -15,27 +16,18 @@ namespace burin {
 
 /// Uniform B-spline of degree 2 or 3 over [0, size - 1] along each axis. Beyond the ends its
 /// coefficients go on odd (c[-1] = 2 c[0] - c[1]).
-class VolumeSpline {
+class VolumeSpline final : public BoxField {
  public:
   VolumeSpline(SampleBlock coefficients, int degree, const RunContext& context);
 
-  /// At points inside the grid; others count as the nearest point of its border.
-  void values(std::span<const Vec3> at, std::span<double> out) const;
-  void gradients(std::span<const Vec3> at, std::span<Gradient1> out) const;
-  void hessians(std::span<const Vec3> at, std::span<Gradient2> out) const;
-
-  /// Of the coefficients that take part in the box, or in blocks of 4 of them around it: no value
-  /// of the spline lies outside.
-  Interval range(Vec3 min, Vec3 max) const;
-
-  /// The same over the six sides.
-  Interval border_range() const;
-  /// A box that holds all points where the spline is above (or else below) the level; empty where
-  /// there are none.
-  Box3 support(double level, bool above) const;
-
-  /// The last sample along each axis.
-  Vec3 last() const { return last_; }
+  void values(std::span<const Vec3> at, std::span<double> out) const override;
+  void gradients(std::span<const Vec3> at, std::span<Gradient1> out) const override;
+  void hessians(std::span<const Vec3> at, std::span<Gradient2> out) const override;
+  /// Of the coefficients that take part in the box, or in blocks of 4 of them around it.
+  Interval range(Vec3 min, Vec3 max) const override;
+  Interval border_range() const override;
+  Box3 support(double level, bool above) const override;
+  Vec3 last() const override { return last_; }
 
  private:
   static constexpr int kBlock = 4;  // coefficients along a side of the blocks of `levels_`

@@ -59,8 +59,10 @@ struct TrivariateSpline {
   std::vector<double> coefficients;
 };
 
-/// f = spline - level, negative inside; not defined (NaN) outside the knots' box. Degrees 1 to 9.
-/// Throws UsageError where sizes and knots do not fit. @cite Elber1998
+/// f = spline - level, negative inside, closed at the sides of the knots' box as volumes are.
+/// Degrees 1 to 9; below 3 curvature jumps where knots are. Throws UsageError where sizes and knots
+/// do not fit, GeometryError where the level is outside the range of the coefficients.
+/// @cite Elber1998
 std::shared_ptr<const ImplicitFunction> make_trivariate_function(TrivariateSpline spline,
                                                                  double level);
 
