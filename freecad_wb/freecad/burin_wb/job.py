@@ -30,6 +30,7 @@ class Result:
     """What a run brings back."""
 
     drawing: bytes  # a drawing file (JSON)
+    picture: bytes  # SVG, few elements
     scale: float
     messages: List[str]
 
@@ -60,4 +61,5 @@ class Job:
         """As `draw`, for the document."""
         drawing = self.draw(burin, progress, cancel)
         messages = [*self.notes, *(d.message for d in drawing.diagnostics)]
-        return Result(drawing.to_bytes("json", json_points3=False), drawing.view.scale, messages)
+        return Result(drawing.to_bytes("json", json_points3=False), drawing.to_bytes("svg", svg_merge=True),
+                      drawing.view.scale, messages)

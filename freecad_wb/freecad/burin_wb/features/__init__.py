@@ -2,9 +2,10 @@
 `freecad.burin_wb.features.Illustration`, `.SheetView` and `.FlatEdges`."""
 
 from .illustration import Illustration, make_illustration
+from .sheet_view import SheetView, place_on_page
 
 # The stored module name stays this package's, whatever file a class lives in.
-for _class in (Illustration,):
+for _class in (Illustration, SheetView):
     _class.__module__ = __name__
 
-__all__ = ["Illustration", "make_illustration"]
+__all__ = ["Illustration", "SheetView", "make_illustration", "place_on_page"]

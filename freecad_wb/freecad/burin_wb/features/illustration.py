@@ -92,16 +92,22 @@ def make_job(obj):
 
 def keep(obj, result, inputs):
     """Puts the result of a run into the document."""
-    handle, path = tempfile.mkstemp(suffix=".json", prefix="burin-")
-    try:
-        with os.fdopen(handle, "wb") as out:
-            out.write(result.drawing)
-        obj.Drawing = path
-    finally:
-        os.unlink(path)
+    _include(obj, "Drawing", result.drawing, ".json")
+    _include(obj, "Picture", result.picture, ".svg")
     obj.DrawnScale = result.scale
     obj.Inputs = inputs
     obj.Message = "; ".join(result.messages)
+
+
+def _include(obj, name, data, suffix):
+    handle, path = tempfile.mkstemp(suffix=suffix, prefix="burin-")
+    try:
+        with os.fdopen(handle, "wb") as out:
+            out.write(data)
+        setattr(obj, name, path)
+    finally:
+        if os.path.exists(path):
+            os.unlink(path)
 
 
 def make_illustration(document, sources, name="Illustration"):

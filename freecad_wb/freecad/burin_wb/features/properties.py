@@ -35,12 +35,13 @@ ILLUSTRATION = (
     Row("Tolerance", "App::PropertyLength", "Style", 0.0,
         "Chord tolerance in the model; 0 = chosen from the sheet"),
     Row("Drawing", "App::PropertyFileIncluded", "Result", "", "The drawing (JSON), kept in the document"),
+    Row("Picture", "App::PropertyFileIncluded", "Result", "", "The drawing as SVG, kept in the document"),
     Row("DrawnScale", "App::PropertyFloat", "Result", 0.0, "The scale of the kept drawing"),
     Row("Inputs", "App::PropertyString", "Result", "", "Fingerprint of what the kept drawing was made from"),
     Row("Message", "App::PropertyString", "Result", "", "What the last run had to say"),
     Row("Schema", "App::PropertyInteger", "Result", SCHEMA, "Version of these properties"),
 )
-READ_ONLY = {"Drawing", "DrawnScale", "Inputs", "Message", "Schema"}
+READ_ONLY = {"Drawing", "Picture", "DrawnScale", "Inputs", "Message", "Schema"}
 HIDDEN = {"Inputs", "Schema"}
 
 SHEET_VIEW = (
