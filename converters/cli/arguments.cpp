@@ -41,13 +41,21 @@ void add_chatter(CLI::App& app, Chatter& chatter) {
   app.add_flag("--no-progress", chatter.no_progress, "show none")->group(kRun);
 }
 
+void add_openscad(CLI::App& app, ReadRequest& a) {
+  list(app, "-D,--define", a.define, "NAME=VALUE", kFiles,
+       "define a variable of OpenSCAD files; repeatable; a text\n"
+       "keeps its quotes: -D 'label=\"A\"'");
+  text(app, "--openscad-timeout", a.openscad_timeout, "SECONDS", kFiles,
+       "end OpenSCAD after so long (default 300)");
+}
+
 CLI::App* add_draw(CLI::App& app, DrawArguments& a, Chatter& chatter) {
   CLI::App* draw = app.add_subcommand("draw", "draw models as one sheet of line art");
   draw->add_option("INPUT", a.inputs,
                    "model files, each one or more parts of the scene:\nSTEP, IGES, BREP, STL, OBJ, "
                    "OFF, PLY, 3MF,\n"
                    "IRIT (.itd, .irt), Geomview patches (.bez, .bbp),\n"
-                   "functions (.implicit)")
+                   "functions (.implicit), OpenSCAD (.scad, .csg)")
       ->type_name("")
       ->group(kFiles);
   list(*draw, "-o,--output", a.outputs, "FILE", kFiles,
@@ -55,6 +63,7 @@ CLI::App* add_draw(CLI::App& app, DrawArguments& a, Chatter& chatter) {
        "- is standard output and needs --format");
   text(*draw, "--format", a.format, "svg|json", kFiles,
        "format of outputs whose name does not tell it");
+  add_openscad(*draw, a.read);
   text(*draw, "--view", a.view, "NAME|X,Y,Z", kSheet,
        "front back left right top bottom iso dimetric trimetric,\n"
        "or the direction from the model to the viewer (default iso)");
@@ -104,6 +113,7 @@ CLI::App* add_info(CLI::App& app, InfoArguments& a) {
   info->add_option("INPUT", a.inputs, "model files")->type_name("")->group(kFiles);
   text(*info, "--bounds", a.read.bounds, "X0,..,Z1", kFiles,
        "domain x0,y0,z0,x1,y1,z1 of functions, in model mm");
+  add_openscad(*info, a.read);
   info->add_flag("--json", a.json, "print JSON, for programs");
   return info;
 }

@@ -5,6 +5,7 @@
 #include <burin/converters/irit_reader.h>
 #include <burin/converters/mesh_info.h>
 #include <burin/converters/mesh_reader.h>
+#include <burin/converters/openscad_reader.h>
 
 #include <array>
 #include <fstream>
@@ -38,7 +39,17 @@ constexpr Reader kImplicit{"IMPLICIT", nullptr, is_implicit_suffix,
                              return inspect_implicit(path, {o.bounds}, c);
                            }};
 
-constexpr std::array kReaders{kCad, kIrit, kImplicit, kMesh};
+OpenscadOptions openscad_options(const ReadOptions& o) { return {o.defines, o.openscad_timeout}; }
+
+constexpr Reader kOpenscad{"OpenSCAD", nullptr, is_openscad_suffix,
+                           [](const Path& path, const ReadOptions& o, RunContext& c) {
+                             return read_openscad(path, openscad_options(o), c);
+                           },
+                           [](const Path& path, const ReadOptions& o, RunContext& c) {
+                             return inspect_openscad(path, openscad_options(o), c);
+                           }};
+
+constexpr std::array kReaders{kCad, kIrit, kImplicit, kOpenscad, kMesh};
 
 /// Empty where the file cannot be read: its reader says why.
 std::string head_of(const std::filesystem::path& path) {

@@ -1,5 +1,6 @@
 #include <burin/base/error.h>
 #include <burin/base/nearest.h>
+#include <burin/converters/openscad_reader.h>
 #include <burin/converters/request.h>
 #include <burin/converters/values.h>
 
@@ -62,7 +63,8 @@ struct ReadRow {
   const char* name;
   std::string ReadRequest::*text;
 };
-constexpr std::array kReadRows{ReadRow{"bounds", &ReadRequest::bounds}};
+constexpr std::array kReadRows{ReadRow{"bounds", &ReadRequest::bounds},
+                               ReadRow{"openscad_timeout", &ReadRequest::openscad_timeout}};
 
 }  // namespace
 
@@ -85,11 +87,23 @@ Style load_style(const std::string& name) {
 }
 
 ReadOptions make_read_options(const ReadRequest& request, Spelling spelling) {
-  return {.bounds = box_option(spelled("bounds", spelling), request.bounds)};
+  constexpr double kWeek = 604'800;
+  ReadOptions read;
+  read.bounds = box_option(spelled("bounds", spelling), request.bounds);
+  check_openscad_defines(request.define);
+  read.defines = request.define;
+  read.openscad_timeout = number_option(spelled("openscad_timeout", spelling),
+                                        request.openscad_timeout, 0.001, kWeek, "seconds over 0")
+                              .value_or(read.openscad_timeout);
+  return read;
 }
 
 void set_read_option(ReadRequest& request, const std::string& name, const std::string& value) {
-  std::vector<std::string> names;
+  std::vector<std::string> names = {"define"};
+  if (name == names.front()) {
+    request.define.push_back(value);
+    return;
+  }
   for (const ReadRow& row : kReadRows) {
     if (name == row.name) {
       request.*row.text = value;

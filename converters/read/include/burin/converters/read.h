@@ -18,6 +18,9 @@ namespace burin {
 struct ReadOptions {
   /// The domain of functions.
   std::optional<Box3> bounds = {};
+  /// OpenSCAD files: definitions `NAME=VALUE`, and the seconds after which OpenSCAD is ended.
+  std::vector<std::string> defines = {};
+  double openscad_timeout = 300;
 };
 
 /// Throws InputError for the first path that is no file that can be opened.

@@ -15,6 +15,9 @@ namespace burin {
 /// Long options about reading, as they were typed; empty = absent.
 struct ReadRequest {
   std::string bounds;
+  /// OpenSCAD's -D NAME=VALUE.
+  std::vector<std::string> define = {};
+  std::string openscad_timeout = {};
 };
 
 /// Long options of `burin draw`, as they were typed; empty = absent.

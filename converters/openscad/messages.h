@@ -1,0 +1,52 @@
+#pragma once
+// What OpenSCAD says, sorted; internal to the room.
+
+#include <burin/base/diagnostics.h>
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace burin::detail {
+
+/// One line of OpenSCAD's: without its "WARNING:", its place taken out of the text.
+struct Remark {
+  Severity severity = Severity::Info;
+  std::string text;
+  /// As OpenSCAD names it: relative to its folder; empty and 0 where the remark has no place.
+  std::string file = {};
+  std::int64_t line = 0;
+  std::int64_t count = 1;
+};
+
+/// Gathers the lines of one run. What comes again is counted; no more than kMostRemarks are kept
+/// of each severity.
+class Messages {
+ public:
+  void add(const std::string& line);
+
+  const std::vector<Remark>& remarks() const { return remarks_; }
+  /// The first of a severity, or nullptr.
+  const Remark* first(Severity severity) const;
+  bool two_dimensional() const { return two_dimensional_; }
+  bool empty() const { return empty_; }
+  /// The last line, for programs that are no OpenSCAD.
+  const std::string& last() const { return last_; }
+  /// As "openscad.warning" and so on; `folder` is put before the names of files.
+  Diagnostics diagnostics(const std::string& folder) const;
+
+ private:
+  void keep(Remark remark);
+
+  std::vector<Remark> remarks_;
+  std::int64_t kept_[3] = {0, 0, 0}, dropped_[3] = {0, 0, 0};
+  bool two_dimensional_ = false, empty_ = false;
+  std::string last_;
+};
+
+inline constexpr std::int64_t kMostRemarks = 50;
+
+/// `file` under `folder` where it is relative and the folder has a name.
+std::string in_folder(const std::string& folder, const std::string& file);
+
+}  // namespace burin::detail

@@ -1,0 +1,191 @@
+#include "models.h"
+
+#include <nlohmann/json.hpp>
+#include <sys/stat.h>
+
+#include <csignal>
+#include <cstdlib>
+
+namespace burin::test {
+namespace {
+
+/// A script in the place of OpenSCAD: `--help` is answered, `body` is the rest.
+constexpr const char* kHelp = "#!/bin/sh\nif [ \"$1\" = --help ]; then echo binstl; exit 0; fi\n";
+
+class OpenscadTest : public CliTest {
+ protected:
+  void TearDown() override { ::unsetenv("BURIN_OPENSCAD"); }
+  void use_script(const std::string& body) {
+    const std::string path = folder_.write("fake", kHelp + body);
+    ::chmod(path.c_str(), 0700);
+    ::setenv("BURIN_OPENSCAD", path.c_str(), 1);
+  }
+  int draw(const std::string& model, const std::string& options = "") {
+    folder_.write("m.scad", model);
+    return run("draw @/m.scad -o @/m.svg " + options);
+  }
+  /// That nothing runs any more whose command line holds the name of the folder. What was killed
+  /// takes a moment to go.
+  void expect_no_process() const {
+    for (int i = 0; i < 100 && !running().empty(); ++i) {
+      std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    }
+    EXPECT_EQ(running(), "");
+  }
+  std::string running() const {
+    for (const auto& entry : std::filesystem::directory_iterator("/proc")) {
+      const std::string command = slurp(entry.path() / "cmdline");
+      if (command.find(folder_.path()) != std::string::npos) return command;
+    }
+    return {};
+  }
+};
+
+/// With the real program.
+class RealOpenscadTest : public OpenscadTest {
+ protected:
+  void SetUp() override {
+    OpenscadTest::SetUp();
+    if (std::system("command -v openscad >/dev/null") != 0) {
+      GTEST_SKIP() << "openscad is not installed";
+    }
+  }
+};
+
+TEST_F(OpenscadTest, WithoutTheProgramTheErrorSaysWhatToInstall) {
+  ::setenv("BURIN_OPENSCAD", (folder_ / "none").c_str(), 1);
+  EXPECT_EQ(draw("cube(1);"), 3);
+  expect_error("BURIN_OPENSCAD");
+  const std::string path = std::getenv("PATH");
+  ::unsetenv("BURIN_OPENSCAD");
+  ::setenv("PATH", folder_.path().c_str(), 1);
+  EXPECT_EQ(draw("cube(1);"), 3);
+  ::setenv("PATH", path.c_str(), 1);
+  expect_error("install the package openscad");
+  ::setenv("BURIN_OPENSCAD", (folder_ / "m.scad").c_str(), 1);
+  EXPECT_EQ(draw("cube(1);"), 3);
+  expect_error("cannot be run");
+  ::setenv("BURIN_OPENSCAD", "/bin/true", 1);
+  EXPECT_EQ(draw("cube(1);"), 3);
+  expect_error("is no OpenSCAD of 2021.01 or newer");
+}
+
+TEST_F(OpenscadTest, TheTimeLimitEndsItWithItsChildren) {
+  use_script("sh -c 'sleep 50; :' " + folder_.path() + " & sh -c 'sleep 50; :' " + folder_.path() +
+             "\n");
+  EXPECT_EQ(draw("cube(1);", "--openscad-timeout 0.3"), 3);
+  expect_error("--openscad-timeout");
+  expect_no_process();
+}
+
+TEST_F(OpenscadTest, CancellingEndsItWithItsChildren) {
+  use_script("touch $0.started\n(sh -c 'sleep 50; :' " + folder_.path() + ") &\nwait\n");
+  folder_.write("m.scad", "cube(1);");
+  Command command(folder_, {"draw", folder_ / "m.scad", "-o", folder_ / "m.svg"});
+  for (int i = 0; i < 500 && !std::filesystem::exists(folder_ / "fake.started"); ++i) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  }
+  ASSERT_TRUE(std::filesystem::exists(folder_ / "fake.started"));
+  command.signal(SIGTERM);
+  EXPECT_EQ(command.wait(), 5);
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "m.svg"));
+  expect_no_process();
+}
+
+TEST_F(OpenscadTest, CrashesFloodsAndRubbishAreToldInOneLine) {
+  use_script("kill -SEGV $$\n");
+  EXPECT_EQ(draw("cube(1);"), 3);
+  expect_error("crashed (signal 11");
+  use_script("echo nonsense; exit 7\n");
+  EXPECT_EQ(draw("cube(1);"), 3);
+  expect_error("(exit status 7): nonsense");
+  use_script("exit 0\n");
+  EXPECT_EQ(draw("cube(1);"), 3);
+  expect_error("made no mesh");
+  use_script("head -c 300 /dev/zero >/dev/fd/3\n");
+  EXPECT_EQ(draw("cube(1);"), 3);
+  expect_error("m.scad: what OpenSCAD made of it");
+  use_script("yes ERROR: flood & yes WARNING: flood\n");
+  EXPECT_EQ(draw("cube(1);", "--openscad-timeout 0.3"), 3);
+  expect_error("was not done after");
+}
+
+TEST_F(OpenscadTest, DefinitionsAreChecked) {
+  for (const char* bad : {"x", "=1", "1x=2", "x=", "x=1;cube()", "x=[1,2", "x=\"a", "x=(]", "x={}",
+                          "x=1//", "$=1", "a$=1"}) {
+    EXPECT_EQ(draw("cube(1);", std::string("-D ") + bad), 2) << bad;
+    expect_error("option -D");
+  }
+  EXPECT_EQ(draw("cube(1);", "--openscad-timeout 0"), 2);
+  expect_error("--openscad-timeout");
+}
+
+TEST_F(RealOpenscadTest, DrawsWithDefinitions) {
+  ASSERT_EQ(draw("echo(\"size\", s); cube(s);", "-D s=20 -v"), 0) << err_;
+  EXPECT_NE(err_.find("ECHO: \"size\", 20"), std::string::npos) << err_;
+  ASSERT_EQ(run("info @/m.scad -D s=[1,2,3] --json"), 0) << err_;
+  const auto info = nlohmann::json::parse(out_)["files"][0];
+  EXPECT_EQ(info["format"], "OpenSCAD");
+  EXPECT_EQ(info["parts"][0]["name"], "m");
+  EXPECT_NEAR(info["parts"][0]["volume"].get<double>(), 6, 1e-12);
+}
+
+TEST_F(RealOpenscadTest, ErrorsComeWithTheirLines) {
+  EXPECT_EQ(draw("cube(1);\ncube(2\n"), 3);
+  expect_error("m.scad:2: Parser error: syntax error");
+  EXPECT_EQ(draw("assert(false, \"too thin\");"), 3);
+  expect_error("m.scad:1: Assertion 'false' failed: \"too thin\"");
+  EXPECT_EQ(draw("cube(1);\nmodule m() { m(); }\nm();"), 3);
+  expect_error("m.scad:2: Recursion detected calling module 'm'");
+  EXPECT_EQ(draw("function f(x) = f(x + 1);\ncube(f(0));"), 3);
+  expect_error("m.scad:1: Recursion detected calling function 'f'");
+  folder_.write("lib.scad", "\n\nx = ;\n");
+  EXPECT_EQ(draw("include <lib.scad>\ncube(1);"), 3);
+  expect_error("lib.scad:3: Parser error");
+  EXPECT_EQ(draw(std::string("\x01\xff\0\x80"
+                             "ELF;;;(",
+                             11)),
+            3);
+  expect_error("m.scad");
+}
+
+TEST_F(RealOpenscadTest, FlatAndEmptyResultsAreTold) {
+  EXPECT_EQ(draw("square(2);"), 3);
+  expect_error("2-D object");
+  EXPECT_EQ(draw("x = 1;"), 3);
+  expect_error("makes nothing of it");
+  EXPECT_EQ(draw("x = 1;\nwheel();"), 3);
+  expect_error(
+      "m.scad:2: OpenSCAD makes nothing of it: the top level object is empty; its first "
+      "warning: Ignoring unknown module 'wheel'");
+  EXPECT_EQ(draw(""), 3);
+  expect_error("m.scad: is empty");
+}
+
+TEST_F(RealOpenscadTest, WarningsAreShownAndTheRestIsDrawn) {
+  ASSERT_EQ(draw("use <none.scad>\ncube(3);\nwheel();\nwheel();"), 0) << err_;
+  EXPECT_NE(err_.find("Can't open library 'none.scad'"), std::string::npos) << err_;
+  EXPECT_NE(err_.find("m.scad:3: Ignoring unknown module 'wheel'"), std::string::npos) << err_;
+}
+
+TEST_F(RealOpenscadTest, OddNamesAndIncludesBesideTheFileWork) {
+  const std::string folder = folder_ / "a 'b\" $(c)";
+  std::filesystem::create_directory(folder);
+  std::ofstream(folder + "/-D x.scad") << "include <parts.scad>\npart();";
+  std::ofstream(folder + "/parts.scad") << "module part() { import(\"box.off\"); }";
+  std::filesystem::copy(box_, folder + "/box.off");
+  Command command(folder_, {"draw", folder + "/-D x.scad", "-o", folder_ / "o.svg"});
+  EXPECT_EQ(command.wait(), 0) << command.std_err;
+}
+
+TEST_F(RealOpenscadTest, CsgFilesAreRead) {
+  folder_.write("c.csg",
+                "group() { multmatrix([[1,0,0,5],[0,1,0,0],[0,0,1,0],[0,0,0,1]]) "
+                "cube(size = [1, 2, 3], center = false); }");
+  ASSERT_EQ(run("info @/c.csg --json"), 0) << err_;
+  const auto part = nlohmann::json::parse(out_)["files"][0]["parts"][0];
+  EXPECT_NEAR(part["volume"].get<double>(), 6, 1e-12);
+}
+
+}  // namespace
+}  // namespace burin::test
