@@ -47,7 +47,7 @@ std::vector<InkLayer> ink_layers(const Drawing& drawing) {
     InkLayer ink{layer.name, {}};
     for (const Path& p : layer.paths) {
       if (p.points.size() < 2 || !is_finite(p)) continue;
-      const bool to_hidden = !p.visible || layer.name == kHiddenLayer;
+      const bool to_hidden = (!p.visible && !p.in_full) || layer.name == kHiddenLayer;
       (to_hidden ? hidden : ink).parts[p.source.part].push_back(&p);
     }
     if (layer.name != kHiddenLayer) layers.push_back(std::move(ink));
@@ -60,7 +60,7 @@ std::vector<InkLayer> ink_layers(const Drawing& drawing) {
 
 Ink ink_of(const Path& path, double tolerance) {
   Ink ink;
-  if (path.visible && is_outlined(path)) ink.chains = outline_of(path, tolerance);
+  if ((path.visible || path.in_full) && is_outlined(path)) ink.chains = outline_of(path, tolerance);
   ink.filled = !ink.chains.empty();
   if (!ink.filled) {
     ink.width = mean_width(path);

@@ -3,6 +3,8 @@
 #include <burin/drawing/bezier.h>
 #include <burin/feature/source_faces.h>
 
+#include "haloes.h"
+
 #include <algorithm>
 #include <utility>
 
@@ -17,24 +19,6 @@ constexpr double kSimplify = 0.005;
 constexpr double kShortestRest = 0.3;
 
 bool same_ink(const Span& a, const Span& b) { return a.visible == b.visible && a.outer == b.outer; }
-
-// Neighbouring spans of one kind made one; on a closed curve the last may take in the first and run
-// past the end.
-std::vector<Span> merged(const std::vector<Span>& spans, bool closed, double end) {
-  std::vector<Span> out;
-  for (const Span& s : spans) {
-    if (!out.empty() && same_ink(out.back(), s)) {
-      out.back().end = s.end;
-    } else {
-      out.push_back(s);
-    }
-  }
-  if (closed && out.size() > 1 && same_ink(out.front(), out.back())) {
-    out.back().end = end + out.front().end;
-    out.erase(out.begin());
-  }
-  return out;
-}
 
 Path to_path(const Curve3& curve, const Camera& camera) {
   Path path;
@@ -109,43 +93,8 @@ Curve3 piece(const Curve3& curve, const Span& span) {
   return slice(curve, span.begin, span.end);
 }
 
-double feature_width(const Style& style, LineClass kind, const Span& span) {
-  if (!span.visible) return style.line.hidden;
-  if (span.outer) return style.line.outer;
-  switch (kind) {
-    case LineClass::Contour:
-      return style.line.contour;
-    case LineClass::Boundary:
-      return style.line.boundary;
-    case LineClass::Intersection:
-      return style.line.intersection;
-    case LineClass::Smooth:
-    case LineClass::Seam:
-      return style.line.smooth;
-    default:
-      return style.line.crease;
-  }
-}
-
-bool is_drawn(const Style& style, LineClass kind) {
-  switch (kind) {
-    case LineClass::Contour:
-      return style.feature.contours;
-    case LineClass::Boundary:
-      return style.feature.boundaries;
-    case LineClass::Intersection:
-      return style.feature.intersections;
-    case LineClass::Smooth:
-      return style.feature.smooth;
-    case LineClass::Seam:
-      return style.feature.seams;
-    default:
-      return style.feature.creases;
-  }
-}
-
-const char* feature_layer(LineClass kind, const Span& span) {
-  if (!span.visible) return "hidden";
+const char* feature_layer(LineClass kind, const Span& span, bool in_full) {
+  if (!span.visible) return in_full ? "behind" : "hidden";
   if (span.outer) return "outline";
   return to_string(kind);
 }
@@ -154,28 +103,41 @@ const ProxyMesh& proxy_of(std::span<const ProxyMesh* const> proxies, const Curve
   return *proxies[static_cast<std::size_t>(curve.source.part)];
 }
 
-const Style& style_of(const Looks& looks, const Curve3& curve) {
-  return looks.style(static_cast<std::size_t>(curve.source.part));
+// The stretches of a curve's spans that haloes leave.
+std::vector<Span> drawn_spans(const Curve3& curve, const std::vector<Span>& spans,
+                              const Gaps& gaps) {
+  const auto count = static_cast<double>(curve.segment_count());
+  std::vector<Span> out;
+  for (const Span& span : merged(spans, curve.closed, count)) {
+    for (const Span& rest : without(span, gaps, curve.closed, count)) out.push_back(rest);
+  }
+  return out;
 }
 
-}  // namespace
+// Draws a path's widths after its depth.
+void cue_widths(const DepthCue& cue, Path& path) {
+  if (!cue.active()) return;
+  const std::vector<double> factors = cue.widths(path.points3);
+  if (path.width.size() == 1) path.width.assign(factors.size(), path.width.front());
+  for (std::size_t i = 0; i < factors.size(); ++i) path.width[i] *= factors[i];
+}
 
-void compose_strokes(std::span<const Curve3> strokes, const std::vector<std::vector<Span>>& spans,
-                     std::span<const ProxyMesh* const> proxies, const Camera& camera,
-                     const Looks& looks, Drawing& drawing) {
+void compose_strokes(const LinesToDraw& lines, const std::vector<Gaps>& gaps,
+                     const Composition& how, Drawing& drawing) {
   Layer layers[2] = {{"stroke-1", {}}, {"stroke-2", {}}};
-  for (std::size_t i = 0; i < strokes.size(); ++i) {
-    const Curve3& curve = strokes[i];
-    const Style& style = style_of(looks, curve);
+  for (std::size_t i = 0; i < lines.strokes.size(); ++i) {
+    const Curve3& curve = lines.strokes[i];
     const auto count = static_cast<double>(curve.segment_count());
-    for (const Span& span : merged(spans[i], curve.closed, count)) {
+    for (const Span& span : drawn_spans(curve, lines.stroke_spans[i], gaps[i])) {
       if (!span.visible) continue;
       const bool whole = span.begin <= 0 && span.end >= count;
       const Curve3 visible = piece(curve, span);
-      Path path = to_path(visible, camera);
-      if (!whole && paper_length(path) < kShortestRest * style.hatch.length_min) continue;
-      path.field = style.hatch.field;
-      name_faces(visible, proxy_of(proxies, curve), camera, path);
+      Path path = to_path(visible, how.camera);
+      if (!whole && paper_length(path) < kShortestRest * how.style_of(curve).hatch.length_min)
+        continue;
+      path.field = how.style_of(curve).hatch.field;
+      cue_widths(how.cue, path);
+      name_faces(visible, proxy_of(how.proxies, curve), how.camera, path);
       simplify_path(path);
       layers[curve.family == 2 ? 1 : 0].paths.push_back(std::move(path));
     }
@@ -186,29 +148,30 @@ void compose_strokes(std::span<const Curve3> strokes, const std::vector<std::vec
   }
 }
 
-void compose_features(std::span<const Curve3> features, const std::vector<std::vector<Span>>& spans,
-                      std::span<const ProxyMesh* const> proxies, const Camera& camera,
-                      const Looks& looks, HiddenLines hidden, Drawing& drawing) {
+void compose_features(const LinesToDraw& lines, const std::vector<Gaps>& gaps,
+                      const Composition& how, Drawing& drawing) {
   std::vector<Layer> layers;
-  for (const char* name :
-       {"hidden", "seam", "smooth", "intersection", "crease", "boundary", "contour", "outline"}) {
+  for (const char* name : {"hidden", "behind", "seam", "smooth", "intersection", "crease",
+                           "boundary", "contour", "outline"}) {
     layers.push_back({name, {}});
   }
-  for (std::size_t i = 0; i < features.size(); ++i) {
-    const Curve3& curve = features[i];
-    const Style& style = style_of(looks, curve);
-    if (!is_drawn(style, curve.kind)) continue;
-    for (const Span& span :
-         merged(spans[i], curve.closed, static_cast<double>(curve.segment_count()))) {
-      if (!span.visible && hidden == HiddenLines::None) continue;
+  for (std::size_t i = 0; i < lines.features.size(); ++i) {
+    const Curve3& curve = lines.features[i];
+    if (!how.draws(curve)) continue;
+    for (const Span& span : drawn_spans(curve, lines.feature_spans[i], gaps[i])) {
+      if (!span.visible && !how.shows_hidden()) continue;
       const Curve3 drawn = piece(curve, span);
-      Path path = to_path(drawn, camera);
+      Path path = to_path(drawn, how.camera);
       if (path.points.size() < 2) continue;
+      // What a halo leaves of a line, shorter than the halo, is a speck.
+      if (!gaps[i].empty() && paper_length(path) < how.style.halo.gap) continue;
       path.visible = span.visible;
-      path.width = {feature_width(style, curve.kind, span)};
-      name_faces(drawn, proxy_of(proxies, curve), camera, path);
+      path.in_full = !span.visible && how.style.halo.hidden;
+      path.width = {how.feature_width(curve, span)};
+      cue_widths(how.cue, path);
+      name_faces(drawn, proxy_of(how.proxies, curve), how.camera, path);
       simplify_path(path);
-      const char* name = feature_layer(curve.kind, span);
+      const char* name = feature_layer(curve.kind, span, path.in_full);
       const auto layer = std::ranges::find(layers, name, &Layer::name);
       if (layer == layers.end()) {
         layers.push_back({name, {std::move(path)}});
@@ -220,6 +183,68 @@ void compose_features(std::span<const Curve3> features, const std::vector<std::v
   for (Layer& layer : layers) {
     if (!layer.paths.empty()) drawing.layers.push_back(std::move(layer));
   }
+}
+
+}  // namespace
+
+double Composition::feature_width(const Curve3& feature, const Span& span) const {
+  const auto& line = style_of(feature).line;
+  if (!span.visible) return line.hidden;
+  if (span.outer) return line.outer;
+  switch (feature.kind) {
+    case LineClass::Contour:
+      return line.contour;
+    case LineClass::Boundary:
+      return line.boundary;
+    case LineClass::Intersection:
+      return line.intersection;
+    case LineClass::Smooth:
+    case LineClass::Seam:
+      return line.smooth;
+    default:
+      return line.crease;
+  }
+}
+
+bool Composition::draws(const Curve3& feature) const {
+  const auto& drawn = style_of(feature).feature;
+  switch (feature.kind) {
+    case LineClass::Contour:
+      return drawn.contours;
+    case LineClass::Boundary:
+      return drawn.boundaries;
+    case LineClass::Intersection:
+      return drawn.intersections;
+    case LineClass::Smooth:
+      return drawn.smooth;
+    case LineClass::Seam:
+      return drawn.seams;
+    default:
+      return drawn.creases;
+  }
+}
+
+std::vector<Span> merged(const std::vector<Span>& spans, bool closed, double count) {
+  std::vector<Span> out;
+  for (const Span& s : spans) {
+    if (!out.empty() && same_ink(out.back(), s)) {
+      out.back().end = s.end;
+    } else {
+      out.push_back(s);
+    }
+  }
+  if (closed && out.size() > 1 && same_ink(out.front(), out.back())) {
+    out.back().end = count + out.front().end;
+    out.erase(out.begin());
+  }
+  return out;
+}
+
+void compose(const LinesToDraw& lines, const Composition& how, Drawing& drawing,
+             const RunContext& context) {
+  const Haloes haloes = find_haloes(lines, how, context);
+  compose_strokes(lines, haloes.strokes, how, drawing);
+  compose_features(lines, haloes.features, how, drawing);
 }
 
 }  // namespace burin::detail

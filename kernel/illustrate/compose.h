@@ -2,6 +2,7 @@
 // From curves with visible spans to the paths of a drawing; internal to the module.
 
 #include <burin/base/curve.h>
+#include <burin/base/run_context.h>
 #include <burin/camera/camera.h>
 #include <burin/drawing/drawing.h>
 #include <burin/illustrate/illustrate.h>
@@ -9,6 +10,7 @@
 #include <burin/mesh/proxy_mesh.h>
 #include <burin/visibility/visible_spans.h>
 
+#include "depth_cue.h"
 #include "looks.h"
 
 #include <span>
@@ -16,14 +18,41 @@
 
 namespace burin::detail {
 
-/// Appends the layers of the strokes: one a family.
-void compose_strokes(std::span<const Curve3> strokes, const std::vector<std::vector<Span>>& spans,
-                     std::span<const ProxyMesh* const> proxies, const Camera& camera,
-                     const Looks& looks, Drawing& drawing);
+/// The curves of a view and the spans of each.
+struct LinesToDraw {
+  std::span<const Curve3> features;
+  std::span<const std::vector<Span>> feature_spans;
+  std::span<const Curve3> strokes;
+  std::span<const std::vector<Span>> stroke_spans;
+};
 
-/// Appends the layers of the feature lines, thin ones first.
-void compose_features(std::span<const Curve3> features, const std::vector<std::vector<Span>>& spans,
-                      std::span<const ProxyMesh* const> proxies, const Camera& camera,
-                      const Looks& looks, HiddenLines hidden, Drawing& drawing);
+/// How they are to be drawn.
+struct Composition {
+  std::span<const ProxyMesh* const> proxies;
+  const Camera& camera;
+  const Looks& looks;
+  /// The drawing's: haloes are one for all parts.
+  const Style& style;
+  HiddenLines hidden = HiddenLines::None;
+  const DepthCue& cue;
+
+  /// Whether hidden features are drawn at all.
+  bool shows_hidden() const { return hidden != HiddenLines::None || style.halo.hidden; }
+  /// That of the curve's part.
+  const Style& style_of(const Curve3& curve) const {
+    return looks.style(static_cast<std::size_t>(curve.source.part));
+  }
+  bool draws(const Curve3& feature) const;
+  /// Paper mm, before depth.
+  double feature_width(const Curve3& feature, const Span& span) const;
+};
+
+/// Neighbouring spans of one kind made one; on a closed curve of `count` segments the last may take
+/// in the first and run past the end.
+std::vector<Span> merged(const std::vector<Span>& spans, bool closed, double count);
+
+/// Appends the layers: strokes, one a family, then feature lines, thin ones first.
+void compose(const LinesToDraw& lines, const Composition& how, Drawing& drawing,
+             const RunContext& context);
 
 }  // namespace burin::detail

@@ -23,6 +23,15 @@ namespace {
 // Paper mm that a tessellation chosen from the sheet may be off.
 constexpr double kSheetTolerance = 0.05;
 
+// Paper mm of radius from which a surface is flat for strokes that keep an angle: over a hand's
+// width the angle changes by some three degrees.
+constexpr double kFlatRadius = 2000;
+
+bool needs_curvature(const std::string& field) {
+  return field != "fixed" && field != "planes" && field != "screen-vertical" &&
+         field != "isoparametric";
+}
+
 using Surfaces = std::vector<std::shared_ptr<const Surface>>;
 
 Surfaces realise(const Scene& scene, const Camera& camera, const detail::Looks& looks,
@@ -39,7 +48,7 @@ Surfaces realise(const Scene& scene, const Camera& camera, const detail::Looks& 
     }
     const Style& style = looks.style(i);
     realise.crease_angle = style.feature.crease_angle;
-    realise.curvature = looks.hatched(i) && style.hatch.field != "fixed";
+    realise.curvature = looks.hatched(i) && needs_curvature(style.hatch.field);
     surfaces.push_back(scene.parts[i].form->realise(realise, context));
   }
   return surfaces;
@@ -57,16 +66,42 @@ field::FacePolicy face_policy(const Style& style) {
           .sphere = h.sphere == "view" ? Policy::Sphere::View : Policy::Sphere::Axis};
 }
 
+// A direction given as right, up and to the viewer in model space.
+Vec3 from_sheet(const Camera& camera, Vec3 v) {
+  return camera.right() * v.x + camera.up() * v.y + camera.direction() * v.z;
+}
+
 Field make_field(const std::vector<const Surface*>& surfaces, const Camera& camera,
                  const Style& style, const RunContext& context) {
-  if (style.hatch.field == "fixed") return field::fixed(style.hatch.direction);
-  if (style.hatch.field == "principal") return field::principal();
+  const std::string& word = style.hatch.field;
+  const Vec3 direction = style.hatch.direction;
+  if (word == "fixed") return field::fixed(direction);
+  if (word == "planes") return field::planes(direction);
+  if (word == "screen-vertical") return field::screen_vertical(camera);
+  if (word == "isoparametric") return field::isoparametric();
+  if (word == "principal") return field::principal();
+  const field::AngleOptions angle{.fallback = direction, .flat = camera.scale() / kFlatRadius};
+  if (word == "isophote") return field::isophote(camera, angle);
+  if (word == "isophote-light") return field::isophote(from_sheet(camera, style.tone.light), angle);
+  if (word == "steepest") return field::steepest(camera, angle);
   return field::smoothed(surfaces,
                          {.alignment = style.hatch.alignment,
                           .fallback = style.hatch.direction,
                           .policy = face_policy(style),
                           .view = camera.direction()},
                          context);
+}
+
+Tone make_tone(const Camera& camera, const Style& style, const detail::DepthCue& cue) {
+  const Tone light = tone::lambert(camera, {.light = style.tone.light,
+                                            .ambient = style.tone.ambient,
+                                            .diffuse = style.tone.diffuse,
+                                            .highlight = style.tone.highlight,
+                                            .rim = style.tone.rim});
+  if (!cue.pales()) return light;
+  return [light, &cue](Vec3 position, Vec3 normal) {
+    return 1 - (1 - light(position, normal)) * cue.ink(position);
+  };
 }
 
 HatchOptions hatch_options(const Style& style, std::uint64_t seed) {
@@ -105,31 +140,27 @@ ViewProbe make_probe(const Occluder& occluder, const Camera& camera, std::vector
 // The strokes of the parts that are flagged.
 StrokeResult hatch(std::vector<const Surface*> surfaces, std::vector<bool> parts,
                    const Occluder& occluder, const Camera& camera, const Style& style,
-                   std::uint64_t seed, RunContext& context) {
+                   const detail::DepthCue& cue, std::uint64_t seed, RunContext& context) {
   for (std::size_t i = 0; i < surfaces.size(); ++i) {
     if (!parts[i]) surfaces[i] = detail::empty_surface().get();
   }
   context.begin_stage("field");
   const Field field = make_field(surfaces, camera, style, context);
-  const Tone tone = tone::lambert(camera, {.light = style.tone.light,
-                                           .ambient = style.tone.ambient,
-                                           .diffuse = style.tone.diffuse,
-                                           .highlight = style.tone.highlight,
-                                           .rim = style.tone.rim});
+  const Tone tone = make_tone(camera, style, cue);
   return trace_strokes(surfaces, camera, field, tone,
                        make_probe(occluder, camera, std::move(parts)), hatch_options(style, seed),
                        context);
 }
 
 StrokeResult hatch_all(const std::vector<const Surface*>& surfaces, const Occluder& occluder,
-                       const Camera& camera, const detail::Looks& looks, std::uint64_t seed,
-                       RunContext& context) {
+                       const Camera& camera, const detail::Looks& looks,
+                       const detail::DepthCue& cue, std::uint64_t seed, RunContext& context) {
   StrokeResult all;
   for (std::size_t k = 0; k < looks.styles().size(); ++k) {
     std::vector<bool> parts = looks.hatched_by(k);
     if (std::find(parts.begin(), parts.end(), true) == parts.end()) continue;
     StrokeResult one =
-        hatch(surfaces, std::move(parts), occluder, camera, *looks.styles()[k], seed, context);
+        hatch(surfaces, std::move(parts), occluder, camera, *looks.styles()[k], cue, seed, context);
     all.strokes.insert(all.strokes.end(), std::make_move_iterator(one.strokes.begin()),
                        std::make_move_iterator(one.strokes.end()));
     all.coverage_points += one.coverage_points;
@@ -211,8 +242,9 @@ Drawing illustrate(const Scene& scene, const Camera& camera, const Style& style,
   context.begin_stage("build");
   const detail::Sight sight(proxies, camera, looks, context);
 
+  const detail::DepthCue cue(proxies, camera, style);
   const StrokeResult strokes =
-      hatch_all(surfaces, sight.solid(), camera, looks, options.seed, context);
+      hatch_all(surfaces, sight.solid(), camera, looks, cue, options.seed, context);
   drawing.stats.coverage_points = strokes.coverage_points;
   drawing.stats.coverage_delta = strokes.coverage_delta;
 
@@ -224,9 +256,8 @@ Drawing illustrate(const Scene& scene, const Camera& camera, const Style& style,
   const detail::Seen seen = sight.classify(features, strokes.strokes, context);
 
   context.begin_stage("compose");
-  detail::compose_strokes(strokes.strokes, seen.strokes, proxies, camera, looks, drawing);
-  detail::compose_features(features, seen.features, proxies, camera, looks, options.hidden,
-                           drawing);
+  detail::compose({features, seen.features, strokes.strokes, seen.strokes},
+                  {proxies, camera, looks, style, options.hidden, cue}, drawing, context);
   context.end_stage();
   return drawing;
 }

@@ -68,6 +68,37 @@ Style engraving() {
   return s;
 }
 
+/// Light strokes; lines behind others stand clear of them, and what is far is thin.
+Style haloed() {
+  Style s = technical();
+  s.name = "haloed";
+  s.line.outer = 0.5;
+  s.line.contour = 0.4;
+  s.line.crease = 0.3;
+  s.hatch.tone_min = 0.2;
+  s.halo.gap = 0.6;
+  s.depth.near = 1.25;
+  s.depth.far = 0.45;
+  return s;
+}
+
+/// Every feature line, hidden or not; haloes and widths alone tell what is before what.
+Style wireframe() {
+  Style s = outline();
+  s.name = "wireframe";
+  s.line = {.outer = 0.4,
+            .contour = 0.4,
+            .crease = 0.35,
+            .boundary = 0.4,
+            .smooth = 0.2,
+            .intersection = 0.3,
+            .hidden = 0.3};
+  s.halo = {.gap = 0.7, .lines = "features", .hidden = true};
+  s.depth.near = 1.3;
+  s.depth.far = 0.4;
+  return s;
+}
+
 void check_order(const char* low_key, double low, const char* high_key, double high) {
   if (low <= high) return;
   throw UsageError(fmt::format("style key '{}' is {}, more than '{}', which is {}", low_key, low,
@@ -79,13 +110,17 @@ void check_order(const char* low_key, double low, const char* high_key, double h
 std::vector<StyleInfo> builtin_styles() {
   return {{"outline", "feature lines alone: thick outer outline, thin inner lines (ISO 128)"},
           {"technical", "feature lines, and light hatching where the part lies in shade"},
-          {"engraving", "full tone: swelling strokes along the form, crossed where it is dark"}};
+          {"engraving", "full tone: swelling strokes along the form, crossed where it is dark"},
+          {"haloed", "light strokes; lines behind others stand clear of them, far lines are thin"},
+          {"wireframe", "all feature lines, hidden ones too: haloes and widths alone tell depth"}};
 }
 
 Style builtin_style(std::string_view name) {
   if (name == "outline") return outline();
   if (name == "technical") return technical();
   if (name == "engraving") return engraving();
+  if (name == "haloed") return haloed();
+  if (name == "wireframe") return wireframe();
   std::vector<std::string> names;
   for (const StyleInfo& s : builtin_styles()) names.push_back(s.name);
   throw UsageError(fmt::format(

@@ -70,8 +70,12 @@ std::vector<StyleKey> hatch_keys() {
   return {
       flag("hatch.enabled", BURIN_MEMBER(bool, hatch.enabled), "draw strokes that carry the tone"),
       {"hatch.field",
-       "what strokes follow: the smoothed or raw principal directions, or one direction",
-       WordKey{BURIN_MEMBER(std::string, hatch.field), {"smoothed", "principal", "fixed"}}},
+       "what strokes follow: the smoothed or raw principal directions, lines of constant angle to "
+       "the view or the light, or across them, parameter lines, planes across hatch.direction, up "
+       "on the sheet, or one direction",
+       WordKey{BURIN_MEMBER(std::string, hatch.field),
+               {"smoothed", "principal", "isophote", "isophote-light", "steepest", "isoparametric",
+                "planes", "screen-vertical", "fixed"}}},
       {"hatch.direction",
        "the fixed direction, in model space, also where a surface has none of its own",
        VectorKey{BURIN_MEMBER(Vec3, hatch.direction)}},
@@ -110,6 +114,24 @@ std::vector<StyleKey> hatch_keys() {
   };
 }
 
+std::vector<StyleKey> depth_keys() {
+  return {
+      number("halo.gap", BURIN_MEMBER(double, halo.gap), 0, 10,
+             "white beside a line where another passes behind it, in mm; 0 = off"),
+      {"halo.lines",
+       "what interrupts lines behind it: where the surface turns away, every feature, strokes too",
+       WordKey{BURIN_MEMBER(std::string, halo.lines), {"occluding", "features", "all"}}},
+      flag("halo.hidden", BURIN_MEMBER(bool, halo.hidden),
+           "draw hidden lines in full: haloes alone tell what is behind"),
+      number("depth.near", BURIN_MEMBER(double, depth.near), 0.05, 10,
+             "factor of all widths at the nearest point of the scene; 1 = off"),
+      number("depth.far", BURIN_MEMBER(double, depth.far), 0.05, 10,
+             "factor of all widths at the farthest point of the scene; 1 = off"),
+      number("depth.ink", BURIN_MEMBER(double, depth.ink), 0, 1,
+             "share of the strokes' ink that is left at the farthest point; 1 = off"),
+  };
+}
+
 std::vector<StyleKey> other_keys() {
   return {
       {"tone.light", "direction from the model to the light: right, up, towards the viewer",
@@ -135,7 +157,8 @@ std::vector<StyleKey> other_keys() {
 
 std::vector<StyleKey> all_keys() {
   std::vector<StyleKey> keys;
-  for (const auto& group : {line_keys(), feature_keys(), hatch_keys(), other_keys()}) {
+  for (const auto& group :
+       {line_keys(), feature_keys(), hatch_keys(), depth_keys(), other_keys()}) {
     keys.insert(keys.end(), group.begin(), group.end());
   }
   return keys;

@@ -6,97 +6,16 @@
 #include <cmath>
 
 namespace burin {
-namespace {
-
-double depth_at(const PictureSegment& s, double space) {
-  return s.depth_a + space * (s.depth_b - s.depth_a);
-}
-
-double to_space(const PictureSegment& s, double picture) {
-  return space_share(std::clamp(picture, 0.0, 1.0), s.range_a, s.range_b);
-}
-
-bool finite(const PictureSegment& s) {
-  return std::isfinite(s.a.x + s.a.y + s.b.x + s.b.y) && s.range_a > 0 && s.range_b > 0;
-}
-
-}  // namespace
-
 Cutters::Cutters(std::vector<PictureSegment> segments, double same_depth)
     : segments_(std::move(segments)), same_depth_(same_depth) {
-  std::erase_if(segments_, [](const PictureSegment& s) { return !finite(s); });
-  if (segments_.empty()) return;
-  double total = 0;
-  for (const PictureSegment& s : segments_) {
-    box_.add(s.a);
-    box_.add(s.b);
-    total += glm::length(s.b - s.a);
-  }
-  box_.min -= 2 * kReach;
-  box_.max += 2 * kReach;
-  // About one cutter a cell where they are dense; never much smaller than a cutter, which would be
-  // in many cells.
-  const Vec2 size = box_.size();
-  const auto n = static_cast<double>(segments_.size());
-  cell_ =
-      std::max({std::sqrt(size.x * size.y / n), 0.5 * total / n, 1e-4 * std::max(size.x, size.y)});
-  columns_ = static_cast<int>(size.x / cell_) + 1;
-  rows_ = static_cast<int>(size.y / cell_) + 1;
-  first_.assign(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_) + 1, 0);
-  for (const PictureSegment& s : segments_) {
-    visit_cells(s, [&](std::size_t cell) { ++first_[cell + 1]; });
-  }
-  for (std::size_t i = 1; i < first_.size(); ++i) first_[i] += first_[i - 1];
-  members_.resize(first_.back());
-  std::vector<std::uint32_t> fill(first_.begin(), first_.end() - 1);
-  for (std::size_t i = 0; i < segments_.size(); ++i) {
-    visit_cells(segments_[i],
-                [&](std::size_t cell) { members_[fill[cell]++] = static_cast<std::uint32_t>(i); });
-  }
-}
-
-// All cells that the segment, thickened by the reach, touches: row by row.
-template <class Visit>
-void Cutters::visit_cells(const PictureSegment& s, Visit&& visit) const {
-  const Vec2 lo = glm::min(s.a, s.b) - kReach, hi = glm::max(s.a, s.b) + kReach;
-  if (hi.x < box_.min.x || hi.y < box_.min.y || lo.x > box_.max.x || lo.y > box_.max.y) return;
-  const auto column = [&](double x) {
-    return std::clamp(
-        static_cast<int>((std::clamp(x, box_.min.x, box_.max.x) - box_.min.x) / cell_), 0,
-        columns_ - 1);
-  };
-  const auto row = [&](double y) {
-    return std::clamp(
-        static_cast<int>((std::clamp(y, box_.min.y, box_.max.y) - box_.min.y) / cell_), 0,
-        rows_ - 1);
-  };
-  const int first_row = row(lo.y), last_row = row(hi.y);
-  const double slope = s.a.y == s.b.y ? 0 : (s.b.x - s.a.x) / (s.b.y - s.a.y);
-  for (int j = first_row; j <= last_row; ++j) {
-    double x0 = lo.x, x1 = hi.x;
-    if (first_row != last_row && s.a.y != s.b.y) {
-      const double y0 = box_.min.y + j * cell_ - kReach, y1 = y0 + cell_ + 2 * kReach;
-      const double u = s.a.x + (y0 - s.a.y) * slope, v = s.a.x + (y1 - s.a.y) * slope;
-      x0 = std::max(x0, std::min(u, v) - kReach);
-      x1 = std::min(x1, std::max(u, v) + kReach);
-      if (x0 > x1) continue;
-    }
-    if (x0 > box_.max.x || x1 < box_.min.x) continue;
-    const int last = column(x1);
-    for (int i = column(x0); i <= last; ++i) {
-      visit(static_cast<std::size_t>(j) * static_cast<std::size_t>(columns_) +
-            static_cast<std::size_t>(i));
-    }
-  }
+  std::erase_if(segments_, [](const PictureSegment& s) { return !is_finite(s); });
+  grid_ = SegmentGrid(segments_, kReach);
 }
 
 void Cutters::cross(const PictureSegment& s, CutRule rule, Crossings& out) const {
-  if (segments_.empty() || !finite(s)) return;
-  visit_cells(s, [&](std::size_t cell) {
-    for (std::uint32_t i = first_[cell]; i < first_[cell + 1]; ++i) {
-      const PictureSegment& cutter = segments_[members_[i]];
-      if (!follow_each_other(s, cutter)) cross_one(s, cutter, rule, out);
-    }
+  if (segments_.empty() || !is_finite(s)) return;
+  grid_.visit(s, kReach, [&](std::uint32_t i) {
+    if (!follow_each_other(s, segments_[i])) cross_one(s, segments_[i], rule, out);
   });
 }
 

@@ -1,12 +1,9 @@
 #pragma once
 /// The occluding segments of the picture in a uniform grid, and where they cut another segment.
 
-#include <burin/base/box.h>
-#include <burin/base/vec.h>
-
 #include "picture.h"
+#include "segment_grid.h"
 
-#include <cstdint>
 #include <vector>
 
 namespace burin {
@@ -48,8 +45,6 @@ class Cutters {
   std::size_t size() const { return segments_.size(); }
 
  private:
-  template <class Visit>
-  void visit_cells(const PictureSegment& s, Visit&& visit) const;
   void cross_one(const PictureSegment& s, const PictureSegment& cutter, CutRule rule,
                  Crossings& out) const;
   void cross_parallel(const PictureSegment& s, const PictureSegment& cutter, CutRule rule,
@@ -59,11 +54,7 @@ class Cutters {
 
   std::vector<PictureSegment> segments_;
   double same_depth_;
-  Box2 box_;
-  double cell_ = 1;
-  int columns_ = 0, rows_ = 0;
-  std::vector<std::uint32_t> first_;    // per cell, one more than cells
-  std::vector<std::uint32_t> members_;  // segment indices, cell by cell
+  SegmentGrid grid_;
 };
 
 }  // namespace burin

@@ -3,6 +3,8 @@
 
 #include <burin/base/vec.h>
 
+#include <algorithm>
+#include <cmath>
 #include <cstdint>
 
 namespace burin {
@@ -30,6 +32,32 @@ inline double space_share(double picture, double from, double to) {
 }
 inline double picture_share(double space, double from, double to) {
   return space * to / ((1 - space) * from + space * to);
+}
+
+/// The same for a segment; the share of the picture may miss [0,1] by rounding.
+inline double to_space(const PictureSegment& s, double picture) {
+  return space_share(std::clamp(picture, 0.0, 1.0), s.range_a, s.range_b);
+}
+inline double depth_at(const PictureSegment& s, double space) {
+  return s.depth_a + space * (s.depth_b - s.depth_a);
+}
+
+inline bool is_finite(const PictureSegment& s) {
+  return std::isfinite(s.a.x + s.a.y + s.b.x + s.b.y) && s.range_a > 0 && s.range_b > 0;
+}
+
+/// The piece of a segment between two shares of it in space.
+inline PictureSegment part_of(const PictureSegment& s, double begin, double end) {
+  const double u = picture_share(begin, s.range_a, s.range_b);
+  const double v = picture_share(end, s.range_a, s.range_b);
+  PictureSegment out = s;
+  out.a = u == 0 ? s.a : glm::mix(s.a, s.b, u);
+  out.b = v == 1 ? s.b : glm::mix(s.a, s.b, v);
+  out.depth_a = glm::mix(s.depth_a, s.depth_b, begin);
+  out.depth_b = glm::mix(s.depth_a, s.depth_b, end);
+  out.range_a = glm::mix(s.range_a, s.range_b, begin);
+  out.range_b = glm::mix(s.range_a, s.range_b, end);
+  return out;
 }
 
 }  // namespace burin

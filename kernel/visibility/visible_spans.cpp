@@ -37,19 +37,6 @@ std::vector<Span> to_spans(const std::vector<Piece>& pieces, double n) {
 
 bool cuts(const Curve3& curve) { return curve.occluding || curve.kind == LineClass::Intersection; }
 
-PictureSegment part_of(const PictureSegment& s, double begin, double end) {
-  const double u = picture_share(begin, s.range_a, s.range_b);
-  const double v = picture_share(end, s.range_a, s.range_b);
-  PictureSegment out = s;
-  out.a = u == 0 ? s.a : glm::mix(s.a, s.b, u);
-  out.b = v == 1 ? s.b : glm::mix(s.a, s.b, v);
-  out.depth_a = glm::mix(s.depth_a, s.depth_b, begin);
-  out.depth_b = glm::mix(s.depth_a, s.depth_b, end);
-  out.range_a = glm::mix(s.range_a, s.range_b, begin);
-  out.range_b = glm::mix(s.range_a, s.range_b, end);
-  return out;
-}
-
 void add_span(const Track& track, const Span& span, std::vector<PictureSegment>& out) {
   const std::size_t n = track.segment_count();
   const auto first = std::min(static_cast<std::size_t>(span.begin), n - 1);

@@ -23,6 +23,8 @@ struct PathFace {
 struct Path {
   LineClass kind = LineClass::Contour;
   bool visible = true;
+  /// Hidden, yet drawn like the visible ones, not dashed.
+  bool in_full = false;
   /// The face is the one that holds most of the line where that runs over several.
   SourceId source;
   /// Only where the line runs over several faces; the first entry begins at point 0.

@@ -13,7 +13,7 @@
 
 namespace burin {
 
-/// The layer of all paths that are not visible.
+/// The layer of all paths that are not visible, but for those that are drawn in full.
 inline constexpr std::string_view kHiddenLayer = "hidden";
 
 /// A layer as it is painted: its paths (two points or more, all numbers finite) by part.
@@ -38,7 +38,8 @@ struct Ink {
 };
 
 /// The ink of a path, within `tolerance` mm. Strokes whose width varies, and those so wide that
-/// their round caps would show, are areas; hidden paths are lines of their mean width.
+/// their round caps would show, are areas; hidden paths that are dashed
+/// are lines of their mean width.
 Ink ink_of(const Path& path, double tolerance);
 
 /// Whether every number of the path can be written.

@@ -49,6 +49,35 @@ Field fixed(Vec3 direction);
 /// family 2 along it.
 Field principal();
 
+/// Family 1 runs along the curves in which planes with this normal cut the surface, family 2 at a
+/// right angle. Nothing where the surface is parallel to them, within half a degree.
+Field planes(Vec3 normal);
+/// The tangent part of the camera's up direction: `fixed` seen from the sheet.
+Field screen_vertical(const Camera& camera);
+/// The parameter lines of the chart: family 1 along u, family 2 along v, which need not be at a
+/// right angle. Nothing on forms without parameters (meshes, implicit ones) and at poles.
+Field isoparametric();
+
+struct AngleOptions {
+  /// What flat places follow: the tangent part of this direction, or of an axis where it is nearly
+  /// normal.
+  Vec3 fallback{0, 0, 1};
+  /// 1/model mm: a place is flat where its larger |curvature| (plus, in perspective, 1 / distance
+  /// to the viewer) is no more than this. 0 = only true planes are.
+  double flat = 0;
+};
+
+/// Lines of constant angle between the normal and the line of sight (perspective: that of the
+/// point), from the change of the normal along the principal directions: family 1 along them,
+/// family 2 across. Contours are such lines. Nothing where the angle stands still (it is largest,
+/// smallest, or at a saddle), within half a degree. @cite Elber1998
+Field isophote(const Camera& camera, const AngleOptions& options);
+/// The same for the angle to a light from a direction in model space: lines of equal light.
+Field isophote(Vec3 light, const AngleOptions& options);
+/// The same cross as `isophote`, its families exchanged: family 1 runs where that angle changes
+/// most, into the contours.
+Field steepest(const Camera& camera, const AngleOptions& options);
+
 /// What strokes follow on the faces of exact forms whose kind is known. Meshes have no such faces.
 struct FacePolicy {
   enum class Plane {

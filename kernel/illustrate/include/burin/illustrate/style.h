@@ -44,7 +44,9 @@ struct Style {
 
   struct {
     bool enabled = true;
-    /// "smoothed", "principal" or "fixed".
+    /// "smoothed", "principal", "isophote" (constant angle to the view), "isophote-light" (to the
+    /// light), "steepest" (across isophotes), "isoparametric", "planes" (cuts by planes at a right
+    /// angle to `direction`), "screen-vertical" or "fixed".
     std::string field = "smoothed";
     Vec3 direction{0, 0, 1};
     double alignment = 1;
@@ -75,6 +77,24 @@ struct Style {
   } tone;
 
   struct {
+    /// Paper mm of white beside the ink of a line where another passes behind it; 0 = off.
+    double gap = 0;
+    /// What interrupts lines behind it: "occluding" (contours, boundaries, creases at which the
+    /// surface turns away), "features" (every feature line) or "all" (strokes too).
+    std::string lines = "occluding";
+    /// Hidden feature lines are drawn in full: haloes alone tell what is behind.
+    bool hidden = false;
+  } halo;
+
+  struct {
+    /// Factors of all widths at the nearest and the farthest point of the scene; 1 = off.
+    double near = 1;
+    double far = 1;
+    /// Share of its ink that the tone of strokes keeps at the farthest point; 1 = off.
+    double ink = 1;
+  } depth;
+
+  struct {
     bool flatten = false;
     bool merge = false;
     double fit_tolerance = 0.02;
@@ -85,7 +105,8 @@ struct Style {
   } json;
 };
 
-/// Names and one-line descriptions of the built-in styles: outline, technical, engraving.
+/// Names and one-line descriptions of the built-in styles: outline, technical, engraving,
+/// haloed, wireframe.
 struct StyleInfo {
   std::string name;
   std::string description;
