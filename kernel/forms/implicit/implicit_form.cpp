@@ -51,7 +51,11 @@ struct ImplicitForm::Impl {
 };
 
 ImplicitForm::ImplicitForm(std::shared_ptr<const ImplicitFunction> function,
-                           std::optional<Box3> domain, const RunContext& context) {
+                           std::optional<Box3> domain, const RunContext& context,
+                           double smallest_part) {
+  if (!(smallest_part >= 0 && smallest_part < 1)) {
+    throw UsageError("the smallest part is a share from 0 to below 1 of the largest one");
+  }
   const Box3 own = function->bounds();
   auto impl = std::make_unique<Impl>();
   if (!domain) {
@@ -68,7 +72,8 @@ ImplicitForm::ImplicitForm(std::shared_ptr<const ImplicitFunction> function,
       }
     }
   }
-  impl->survey = survey(std::move(function), domain.value_or(own), domain.has_value(), context);
+  impl->survey =
+      survey(std::move(function), domain.value_or(own), domain.has_value(), smallest_part, context);
   impl_ = std::move(impl);
 }
 
@@ -100,12 +105,17 @@ std::shared_ptr<const Surface> ImplicitForm::realise(const RealiseOptions& optio
   const Survey& s = impl_->survey;
   Diagnostics diagnostics = s.diagnostics;
   const double step = choose_step(s, options.tolerance, diagnostics);
-  std::size_t stray = 0;
-  ExactMesh mesh = mesh_surface(*s.function, s.box, step, stray, context);
-  if (stray > 0) {
-    diagnostics.add(Severity::Warning, "implicit.not_on_surface", static_cast<std::int64_t>(stray),
+  MeshCounts counts;
+  ExactMesh mesh = mesh_surface(s, step, counts, context);
+  if (counts.strays > 0) {
+    diagnostics.add(Severity::Warning, "implicit.not_on_surface",
+                    static_cast<std::int64_t>(counts.strays),
                     "places where the function jumps or has no slope: the surface is not exact "
                     "there");
+  }
+  if (counts.specks > 0) {
+    diagnostics.add(Severity::Info, "implicit.specks", static_cast<std::int64_t>(counts.specks),
+                    fmt::format("components smaller than {:.3g} mm were left out", s.smallest));
   }
   if (options.view) cut_along_contours(mesh, *s.function, *options.view, kContourChord, context);
   ProxyMesh proxy = assemble_proxy(make_draft(mesh, *s.function, context), context);

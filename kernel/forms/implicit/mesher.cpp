@@ -5,6 +5,7 @@
 
 #include "project.h"
 #include "shape_operator.h"
+#include "specks.h"
 
 #include <fmt/format.h>
 
@@ -23,9 +24,11 @@ constexpr double kCoarsest = 64, kFinest = 1000;  // steps along the surface's l
 constexpr double kTrianglesPerStep = 3;
 constexpr double kEdgePerStep = 1.25;  // mean length of the longer edges
 
-ExactMesh mesh_grid(const ImplicitFunction& f, const Grid& grid, double size, std::size_t& stray,
-                    const RunContext& context) {
-  ExactMesh mesh = project_nets(f, make_nets(grid, context), grid.layout(), size, stray, context);
+ExactMesh mesh_grid(const ImplicitFunction& f, const Grid& grid, double size, double smallest,
+                    MeshCounts& counts, const RunContext& context) {
+  ExactMesh mesh =
+      project_nets(f, make_nets(grid, context), grid.layout(), size, counts.strays, context);
+  if (smallest > 0) counts.specks += drop_specks(mesh, smallest);
   cut_along_creases(mesh, f, context);
   return mesh;
 }
@@ -123,7 +126,7 @@ void measure(Survey& s, const RunContext& context) {
 }  // namespace
 
 Survey survey(std::shared_ptr<const ImplicitFunction> function, const Box3& domain, bool given,
-              const RunContext& context) {
+              double smallest, const RunContext& context) {
   constexpr int kEnlargements = 4;
   Survey s;
   s.function = std::move(function);
@@ -137,9 +140,13 @@ Survey survey(std::shared_ptr<const ImplicitFunction> function, const Box3& doma
     if (given) s.function = clip(s.function, at);
     const Grid grid(*s.function, make_layout(at, step), kMaxBlocks, context);
     if (grid.blocks().empty()) no_surface(*s.function, grid, at);
-    std::size_t stray = 0;
-    s.mesh = mesh_grid(*s.function, grid, longest(at), stray, context);
+    MeshCounts counts;
+    s.mesh = mesh_grid(*s.function, grid, longest(at), 0, counts, context);
     s.box = box_of(s.mesh.positions);
+    if (smallest > 0) {
+      s.smallest = smallest * largest_component(s.mesh);
+      drop_specks(s.mesh, s.smallest);
+    }
     if (s.mesh.triangles.empty()) no_surface(*s.function, grid, at);
     if (given && !any_within(s.mesh.positions, at)) all_inside(at);
     const bool cut = reaches(s.box, at, given ? 1e-9 * longest(at) : 0.0);
@@ -161,10 +168,10 @@ Survey survey(std::shared_ptr<const ImplicitFunction> function, const Box3& doma
   return s;
 }
 
-ExactMesh mesh_surface(const ImplicitFunction& function, const Box3& box, double step,
-                       std::size_t& stray, const RunContext& context) {
-  const Grid grid(function, make_layout(box, step), kMaxBlocks, context);
-  return mesh_grid(function, grid, longest(box), stray, context);
+ExactMesh mesh_surface(const Survey& survey, double step, MeshCounts& counts,
+                       const RunContext& context) {
+  const Grid grid(*survey.function, make_layout(survey.box, step), kMaxBlocks, context);
+  return mesh_grid(*survey.function, grid, longest(survey.box), survey.smallest, counts, context);
 }
 
 double choose_step(const Survey& survey, double tolerance, Diagnostics& diagnostics) {

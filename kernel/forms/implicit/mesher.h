@@ -18,21 +18,30 @@ struct Survey {
   std::shared_ptr<const ImplicitFunction> function;
   /// A coarse mesh with its creases.
   ExactMesh mesh;
-  /// Of the surface itself.
+  /// Of the surface itself, with what is left out.
   Box3 box;
   double area = 0;
   /// Radius of curvature in model mm that all but a fiftieth of the surface exceeds.
   double small_radius = 0;
+  /// Components with a smaller diagonal, in model mm, are left out.
+  double smallest = 0;
   Diagnostics diagnostics;
 };
 
-/// Looks for the surface at a 128th of the domain. Throws GeometryError where there is none.
+/// Looks for the surface at a 128th of the domain. Components smaller than `smallest` of the
+/// largest one are left out. Throws GeometryError where there is none.
 Survey survey(std::shared_ptr<const ImplicitFunction> function, const Box3& domain, bool given,
-              const RunContext& context);
+              double smallest, const RunContext& context);
+
+/// What came of the meshing.
+struct MeshCounts {
+  std::size_t strays = 0;  // vertices that could not be brought to the surface
+  std::size_t specks = 0;  // components left out
+};
 
 /// Triangles of edge length about `step`, creases cut.
-ExactMesh mesh_surface(const ImplicitFunction& function, const Box3& box, double step,
-                       std::size_t& stray, const RunContext& context);
+ExactMesh mesh_surface(const Survey& survey, double step, MeshCounts& counts,
+                       const RunContext& context);
 
 /// The step for chords within `tolerance` model mm, bounded by the size of the surface and by the
 /// number of triangles, and what of that is worth a word to the user.

@@ -267,6 +267,44 @@ TEST(Volume, ABallIsABall) {
   EXPECT_LT(bend, 0.05);
 }
 
+// A torus in ten specks of noise: the form is the torus alone, its contour that of the torus.
+TEST(Volume, SpecksAreLeftOut) {
+  std::mt19937 random(1);
+  std::uniform_int_distribution<std::size_t> any(2, 57);
+  VolumeGrid g = sampled({60, 60, 60}, Vec3(-29.5), Mat3(1), [&](Vec3 p) {
+    const Vec2 q(std::hypot(p.x, p.y) - 15, p.z);
+    return std::max(-5.0, 5 - glm::length(q));
+  });
+  for (int i = 0; i < 10; ++i) {
+    g.samples[(any(random) * 60 + any(random)) * 60 + static_cast<std::size_t>(i % 2)] = 60;
+  }
+  RunContext context;
+  auto f = make_volume_function(g, {}, context);
+  Diagnostics diagnostics;
+  RealiseOptions options;
+  options.tolerance = 0.02;
+  options.diagnostics = &diagnostics;
+  const auto all = ImplicitForm(f, std::nullopt, context).realise(options, context);
+  EXPECT_GT(all->proxy().topology.component_closed.size(), 5u);
+  EXPECT_TRUE(diagnostics.empty());
+  const ImplicitForm form(f, std::nullopt, context, 0.2);
+  EXPECT_NEAR(form.bounds(Mat3(1)).min.x, -20, 0.2);
+  const auto torus = form.realise(options, context);
+  EXPECT_EQ(torus->proxy().topology.component_closed.size(), 1u);
+  ASSERT_EQ(diagnostics.entries().size(), 1u);
+  EXPECT_EQ(diagnostics.entries()[0].code, "implicit.specks");
+}
+
+// Noise has all the sign patterns there are: its triangles are a closed manifold all the same.
+TEST(Volume, NoiseIsAManifold) {
+  RunContext context;
+  const ImplicitForm form(make_volume_function(noise({24, 20, 22}), {.level = 50}, context),
+                          std::nullopt, context);
+  const auto surface = form.realise({.tolerance = 0.05}, context);
+  for (const auto closed : surface->proxy().topology.component_closed) EXPECT_TRUE(closed);
+  EXPECT_GT(surface->proxy().mesh.triangles.size(), 50'000u);
+}
+
 // A level set that leaves the data is closed by the planes of the turned box.
 TEST(Volume, ClosedAtTheSidesOfTheData) {
   const Mat3 turn(glm::rotate(glm::dmat4(1), 0.7, glm::normalize(Vec3(1, 2, 3))));
