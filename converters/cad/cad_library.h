@@ -3,9 +3,11 @@
 
 #include <burin/base/run_context.h>
 #include <burin/converters/file_info.h>
+#include <burin/forms/parametric/chart.h>
 #include <burin/surface/scene.h>
 
 #include <filesystem>
+#include <string>
 
 namespace burin {
 
@@ -15,6 +17,7 @@ struct CadLibrary {
   const char* version;
   Scene (*read)(const std::filesystem::path& path, RunContext& context);
   FileInfo (*inspect)(const std::filesystem::path& path, RunContext& context);
+  Part (*read_text)(const std::string& brep, const Placement& placement, RunContext& context);
 };
 
 inline constexpr const char* kCadLibraryDoor = "burin_cad_library";

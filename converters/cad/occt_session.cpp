@@ -62,16 +62,8 @@ void set_parameters() {
 
 }  // namespace
 
-OcctSession::OcctSession() : lock_(occt_mutex()) {
-  // Parts of OCCT print past its messengers.
-  out_ = std::cout.rdbuf(nullptr);
-  log_ = std::cerr.rdbuf(nullptr);
-  auto& printers = Message::DefaultMessenger()->ChangePrinters();
-  printers_ = printers;
-  printers.Clear();
-  messages_ = new MessageKeeper;
-  printers.Append(messages_);
-  set_parameters();
+OcctSession::OcctSession(Of of) : lock_(occt_mutex()), files_(of == Of::Files) {
+  if (files_) take_messages();
   const auto keep = [](int signal) {
     struct sigaction action {};
     ::sigaction(signal, nullptr, &action);
@@ -100,15 +92,30 @@ OcctSession::OcctSession() : lock_(occt_mutex()) {
   ::pthread_sigmask(SIG_SETMASK, &before, nullptr);
 }
 
+void OcctSession::take_messages() {
+  // Parts of OCCT print past its messengers.
+  out_ = std::cout.rdbuf(nullptr);
+  log_ = std::cerr.rdbuf(nullptr);
+  auto& printers = Message::DefaultMessenger()->ChangePrinters();
+  printers_ = printers;
+  printers.Clear();
+  messages_ = new MessageKeeper;
+  printers.Append(messages_);
+  set_parameters();
+}
+
 OcctSession::~OcctSession() {
   for (const auto& [signal, action] : handlers_) ::sigaction(signal, &action, nullptr);
   ::sigaltstack(&stack_before_, nullptr);
+  if (!files_) return;
   Message::DefaultMessenger()->ChangePrinters() = printers_;
   std::cout.rdbuf(out_);
   std::cerr.rdbuf(log_);
 }
 
-std::string OcctSession::first_message() const { return messages_->kept_; }
+std::string OcctSession::first_message() const {
+  return messages_.IsNull() ? std::string() : messages_->kept_;
+}
 
 void OcctSession::guarded(const std::string& file, const std::function<void()>& body) const {
   constexpr const char* kCrashed =

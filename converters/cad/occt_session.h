@@ -21,7 +21,11 @@ class MessageKeeper;
 /// inside `guarded`.
 class OcctSession {
  public:
-  OcctSession();
+  /// Shapes: no file is exchanged. Parameters and the program's streams stay as they are, for
+  /// another user of OCCT in this process (FreeCAD) may be at work.
+  enum class Of { Files, Shapes };
+
+  explicit OcctSession(Of of = Of::Files);
   ~OcctSession();
   OcctSession(const OcctSession&) = delete;
   OcctSession& operator=(const OcctSession&) = delete;
@@ -33,8 +37,11 @@ class OcctSession {
   std::string first_message() const;
 
  private:
+  void take_messages();
+
   std::unique_lock<std::mutex> lock_;
-  std::streambuf *out_, *log_;
+  bool files_;
+  std::streambuf *out_ = nullptr, *log_ = nullptr;
   Message_SequenceOfPrinters printers_;
   Handle(MessageKeeper) messages_;
   std::vector<std::pair<int, struct sigaction>> handlers_;

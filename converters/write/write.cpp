@@ -25,6 +25,12 @@ std::optional<Format> format_named(std::string_view name) {
   return std::nullopt;
 }
 
+std::vector<std::string> format_names() {
+  std::vector<std::string> names;
+  for (const Row& row : kFormats) names.emplace_back(row.name);
+  return names;
+}
+
 std::string format_list() {
   std::string list;
   for (std::size_t i = 0; i < kFormats.size(); ++i) {

@@ -64,4 +64,8 @@ FileInfo inspect_cad(const std::filesystem::path& path, RunContext& context) {
   return library().inspect(path, context);
 }
 
+Part read_brep_text(const std::string& brep, const Placement& placement, RunContext& context) {
+  return library().read_text(brep, placement, context);
+}
+
 }  // namespace burin

@@ -11,6 +11,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace burin {
 
@@ -18,6 +19,8 @@ enum class Format { Svg, Json };
 
 /// The format of a suffix or name in any case ("svg", "SVG"); nothing where there is none.
 std::optional<Format> format_named(std::string_view name);
+/// The suffixes without their dots.
+std::vector<std::string> format_names();
 /// For messages: ".svg or .json".
 std::string format_list();
 

@@ -1,0 +1,141 @@
+#include "add_parts.h"
+
+#include <burin/base/error.h>
+#include <burin/converters/cad_reader.h>
+#include <burin/converters/implicit_reader.h>
+#include <burin/converters/values.h>
+#include <burin/forms/implicit/implicit_form.h>
+#include <burin/forms/mesh/mesh_form.h>
+#include <burin/mesh/repair.h>
+
+#include "arrays.h"
+#include "function.h"
+#include "run.h"
+#include "text.h"
+
+#include <fmt/format.h>
+
+#include <limits>
+#include <memory>
+#include <optional>
+
+namespace burin::python {
+namespace {
+
+// How far the axes of a placement may be from unit length and right angles: programs keep rotations
+// as single-precision numbers or as quaternions that were multiplied many times.
+constexpr double kRigid = 1e-5;
+
+Placement rigid(const py::object& value) {
+  Placement place;
+  if (value.is_none()) return place;
+  constexpr const char* kWhat = "argument placement takes a 4 x 4 matrix of a rigid motion";
+  const Doubles m = matrix(value, "placement", 4);
+  if (m.shape(0) != 4) throw UsageError(fmt::format("{}, not {} rows", kWhat, m.shape(0)));
+  const auto at = m.unchecked<2>();
+  for (int row = 0; row < 3; ++row) {
+    for (int column = 0; column < 3; ++column) place.linear[column][row] = at(row, column);
+    place.offset[row] = at(row, 3);
+  }
+  const Mat3 unit = glm::transpose(place.linear) * place.linear;
+  double off = 0;
+  for (int column = 0; column < 3; ++column) {
+    for (int row = 0; row < 3; ++row) {
+      const double expected = row == column ? 1 : 0;
+      off = std::max(off, std::abs(unit[column][row] - expected));
+    }
+  }
+  const bool finite = std::isfinite(place.offset.x + place.offset.y + place.offset.z);
+  const bool last = at(3, 0) == 0 && at(3, 1) == 0 && at(3, 2) == 0 && at(3, 3) == 1;
+  if (!(off <= kRigid) || !finite || !last) {
+    throw UsageError(fmt::format("{}; this one scales, shears or is not finite", kWhat));
+  }
+  return place;
+}
+
+std::optional<Box3> box(const py::object& bounds) {
+  return box_option("bounds", list_text("bounds", bounds));
+}
+
+/// Corners (m, 3) of any integer type, each one of `n` vertices.
+PolygonSoup soup_of(const py::object& vertices, const py::object& triangles) {
+  PolygonSoup soup;
+  soup.positions = points(vertices, "vertices");
+  const py::array given = py::array::ensure(triangles);
+  if (!given) {
+    PyErr_Clear();
+    throw UsageError("argument triangles takes an array of whole numbers (m, 3)");
+  }
+  const char kind = given.dtype().kind();
+  if (given.ndim() != 2 || given.shape(1) != 3 || (kind != 'i' && kind != 'u')) {
+    throw UsageError(fmt::format(
+        "argument triangles takes an array of whole numbers (m, 3), not {} of shape {}",
+        std::string(py::str(given.dtype())), std::string(py::str(given.attr("shape")))));
+  }
+  using Corners = py::array_t<std::int64_t, py::array::c_style | py::array::forcecast>;
+  const Corners corners = Corners::ensure(given);
+  const auto n = static_cast<std::int64_t>(soup.positions.size());
+  const std::int64_t* data = corners.data();
+  const auto count = static_cast<std::size_t>(corners.size());
+  soup.indices.resize(count);
+  for (std::size_t i = 0; i < count; ++i) {
+    if (data[i] < 0 || data[i] >= n) {
+      throw UsageError(
+          fmt::format("argument triangles: corner {} of triangle {} is {}; there are {} "
+                      "vertices, counted from 0",
+                      i % 3, i / 3, data[i], n));
+    }
+    soup.indices[i] = static_cast<std::uint32_t>(data[i]);
+  }
+  soup.offsets.resize(count / 3 + 1);
+  for (std::size_t i = 0; i < soup.offsets.size(); ++i) soup.offsets[i] = 3 * i;
+  return soup;
+}
+
+Part implicit(std::shared_ptr<const ImplicitFunction> function, const std::optional<Box3>& domain) {
+  Part part;
+  run(py::none(), nullptr, [&](RunContext& context) {
+    part.form = std::make_shared<ImplicitForm>(std::move(function), domain, context);
+  });
+  return part;
+}
+
+}  // namespace
+
+Part brep_part(const py::object& brep, const py::object& placement) {
+  if (!py::isinstance<py::str>(brep) && !py::isinstance<py::bytes>(brep)) {
+    throw py::type_error("argument brep takes str or bytes, as OCCT writes a shape");
+  }
+  const auto text = brep.cast<std::string>();
+  const Placement place = rigid(placement);
+  Part part;
+  run(py::none(), nullptr,
+      [&](RunContext& context) { part = read_brep_text(text, place, context); });
+  return part;
+}
+
+Part mesh_part(const py::object& vertices, const py::object& triangles, const std::string& name,
+               Diagnostics& diagnostics) {
+  PolygonSoup soup = soup_of(vertices, triangles);
+  soup.name = name;
+  Part part;
+  run(py::none(), nullptr, [&](RunContext& context) {
+    TriMesh mesh = repair(std::move(soup), {}, diagnostics, context);
+    part.form = std::make_shared<MeshForm>(std::move(mesh));
+  });
+  return part;
+}
+
+Part function_part(const py::object& values, const py::object& bounds, const py::object& gradients,
+                   const py::object& hessians) {
+  const std::optional<Box3> domain = box(bounds);
+  if (!domain) throw UsageError("argument bounds takes a box x0,y0,z0,x1,y1,z1");
+  return implicit(make_python_function(values, gradients, hessians, *domain), domain);
+}
+
+Part implicit_part(const std::string& text, const py::object& bounds) {
+  const Expression expression = parse_implicit(text, "text");
+  return implicit(make_function(expression), box(bounds));
+}
+
+}  // namespace burin::python

@@ -1,0 +1,148 @@
+#include <burin/base/error.h>
+#include <burin/base/parallel.h>
+#include <burin/camera/camera.h>
+#include <burin/converters/read.h>
+#include <burin/converters/request.h>
+#include <burin/illustrate/illustrate.h>
+
+#include "drawing.h"
+#include "module.h"
+#include "read.h"
+#include "run.h"
+#include "scene.h"
+#include "style_text.h"
+#include "text.h"
+
+#include <fmt/format.h>
+
+#include <optional>
+#include <utility>
+
+namespace burin::python {
+namespace {
+
+/// What `draw` was given, in the order of its signature.
+struct Keywords {
+  py::object view, up, perspective, paper, scale, margin, style, set, light, hidden, tolerance,
+      seed, threads, center;
+};
+
+std::string word(const char* name, const py::object& value) {
+  if (py::isinstance<py::str>(value)) return value.cast<std::string>();
+  throw py::type_error(
+      fmt::format("argument {} takes a word, not {}", name, std::string(py::repr(value))));
+}
+
+DrawRequest request_of(const Keywords& k) {
+  DrawRequest r;
+  r.view = list_text("view", k.view);
+  r.up = list_text("up", k.up);
+  r.perspective = number_text("perspective", k.perspective);
+  r.paper = list_text("paper", k.paper, "x");
+  r.scale = number_text("scale", k.scale);
+  r.center = list_text("center", k.center);
+  r.margin = number_text("margin", k.margin);
+  set_style(r, k.style);
+  if (!k.set.is_none()) r.set = assignments(k.set);
+  r.light = list_text("light", k.light);
+  r.hidden = word("hidden", k.hidden);
+  r.tolerance = number_text("tolerance", k.tolerance);
+  r.seed = number_text("seed", k.seed);
+  r.threads = number_text("threads", k.threads);
+  return r;
+}
+
+/// What is to be drawn: a scene, or files to be read in the run.
+struct Source {
+  std::optional<Scene> scene;
+  std::vector<std::string> paths;
+
+  explicit Source(const py::object& value) {
+    if (py::isinstance<PyScene>(value)) {
+      scene = value.cast<const PyScene&>().scene;
+    } else {
+      paths = path_list(value);
+      if (paths.empty()) throw UsageError("no input; name model files, or give a scene");
+    }
+  }
+
+  Scene get(const ReadOptions& options, RunContext& context) {
+    if (scene) return std::move(*scene);
+    check_inputs(paths);
+    return read_scene(paths, options, context);
+  }
+};
+
+DrawingOwner draw(const py::object& source, const py::object& view, const py::object& up,
+                  const py::object& perspective, const py::object& paper, const py::object& scale,
+                  const py::object& margin, const py::object& style, const py::object& set,
+                  const py::object& light, const py::object& hidden, const py::object& tolerance,
+                  const py::object& bounds, const py::object& seed, const py::object& threads,
+                  const py::object& center, const py::object& field, const py::object& tone,
+                  const py::object& progress, const std::shared_ptr<CancelFlag>& cancel,
+                  const py::kwargs& options) {
+  Source from(source);
+  if (from.scene && (!bounds.is_none() || !options.empty())) {
+    throw UsageError(
+        "arguments about reading (bounds ...) go to Scene.read, not to the scene's draw");
+  }
+  DrawPlan plan = make_plan(request_of({view, up, perspective, paper, scale, margin, style, set,
+                                        light, hidden, tolerance, seed, threads, center}),
+                            Spelling::Keywords);
+  plan.read = read_options(bounds, options);
+  if (!field.is_none() || !tone.is_none()) throw UsageError("field and tone are not there yet");
+  auto result = std::make_shared<PyDrawing>();
+  result->style = plan.style;
+  run(progress, cancel, [&](RunContext& context) {
+    const ThreadLimit limit(plan.threads);
+    const Scene scene = from.get(plan.read, context);
+    const Camera camera =
+        Camera::fit([&](const Mat3& axes) { return scene.bounds(axes); }, plan.view);
+    result->drawing = illustrate(scene, camera, plan.style, plan.illustrate, context);
+  });
+  return result;
+}
+
+py::list info(const py::args& paths, const py::kwargs& options) {
+  std::vector<std::string> names;
+  for (const py::handle path : paths) names.push_back(path_text(path));
+  if (names.empty()) throw UsageError("no input; name model files");
+  const ReadOptions read = read_options(py::none(), options);
+  std::vector<FileInfo> files;
+  run(py::none(), nullptr, [&](RunContext& context) {
+    check_inputs(names);
+    context.begin_stage("read");
+    for (const std::string& name : names) files.push_back(inspect_file(name, read, context));
+    context.end_stage();
+  });
+  return py::module_::import("json").attr("loads")(to_json(files))["files"];
+}
+
+}  // namespace
+
+void add_draw(py::module_& module) {
+  module.def(
+      "draw", draw, py::arg("source"), py::kw_only(), py::arg("view") = "iso",
+      py::arg("up") = py::none(), py::arg("perspective") = py::none(), py::arg("paper") = "A4",
+      py::arg("scale") = py::none(), py::arg("margin") = 10, py::arg("style") = "technical",
+      py::arg("set") = py::none(), py::arg("light") = py::none(), py::arg("hidden") = "none",
+      py::arg("tolerance") = py::none(), py::arg("bounds") = py::none(), py::arg("seed") = 1,
+      py::arg("threads") = py::none(), py::arg("center") = py::none(),
+      py::arg("field") = py::none(), py::arg("tone") = py::none(), py::arg("progress") = py::none(),
+      py::arg("cancel") = py::none(),
+      "Draws a scene, a file or several files. Arguments are the long options of `burin draw`. "
+      "`style` "
+      "as a mapping is that of a style file ({\"base\": \"engraving\", \"line.outer\": 0.5}); "
+      "`set` "
+      "overrides single keys. `center`: the model point in the middle of the sheet, with `scale`; "
+      "absent = the middle of what is drawn. `field` and `tone` are called with positions (n, 3) "
+      "in mm "
+      "and unit normals (n, 3), from the thread that called: `field` gives directions (n, 3), "
+      "whose "
+      "tangent parts strokes follow (NaN = none here), `tone` the wanted darkness (n,) in [0, 1]. "
+      "The "
+      "GIL is released while the kernel works. Throws Error.");
+  module.def("info", info, "What `burin info --json` tells, one entry a file. Throws InputError.");
+}
+
+}  // namespace burin::python

@@ -1,0 +1,314 @@
+#include "drawing.h"
+
+#include <burin/base/error.h>
+#include <burin/base/nearest.h>
+#include <burin/converters/output.h>
+#include <burin/converters/write.h>
+
+#include "arrays.h"
+#include "flat_arrays.h"
+#include "module.h"
+#include "run.h"
+#include "scene.h"
+#include "text.h"
+
+#include <fmt/format.h>
+#include <pybind11/stl.h>
+
+#include <algorithm>
+#include <sstream>
+#include <utility>
+
+namespace burin::python {
+namespace {
+
+/// A layer, and a path of it; both keep the drawing.
+struct PyLayer {
+  DrawingOwner owner;
+  std::size_t index = 0;
+
+  const Layer& layer() const { return owner->drawing.layers[index]; }
+};
+struct PyPath {
+  DrawingOwner owner;
+  std::size_t layer = 0, index = 0;
+
+  const Path& path() const { return owner->drawing.layers[layer].paths[index]; }
+};
+struct PyView {
+  DrawingView view;
+};
+
+py::ssize_t rows(std::size_t n) { return static_cast<py::ssize_t>(n); }
+
+/// Whether files are written by a style key.
+bool is_about_files(const std::string& key) {
+  if (key == "line.dash" || key == "line.gap") return true;
+  const std::string group = key.substr(0, key.find('.'));
+  for (const char* other : {"line", "feature", "hatch", "tone"}) {
+    if (group == other) return false;
+  }
+  return true;
+}
+
+/// The style of the drawing with keywords like svg_flatten=True for the key "svg.flatten".
+WriteOptions options_of(const PyDrawing& drawing, const py::kwargs& options) {
+  Style style = drawing.style;
+  std::vector<std::string> keys, names;
+  for (const StyleKeyInfo& info : style_keys(style)) {
+    if (!is_about_files(info.key)) continue;
+    keys.push_back(info.key);
+    names.push_back(info.key);
+    std::replace(names.back().begin(), names.back().end(), '.', '_');
+  }
+  for (const auto& [key, value] : options) {
+    const auto name = key.cast<std::string>();
+    const auto it = std::find(names.begin(), names.end(), name);
+    if (it == names.end()) {
+      throw UsageError(
+          fmt::format("unknown argument '{}'; the nearest is '{}'", name, nearest(name, names)));
+    }
+    set_style_key(style, keys[static_cast<std::size_t>(it - names.begin())],
+                  value_text(name.c_str(), value));
+  }
+  check_style(style);
+  return write_options(style);
+}
+
+void save(const DrawingOwner& self, const py::object& path, const py::kwargs& options) {
+  const std::string name = path_text(path);
+  if (name.empty()) throw UsageError("the path of the drawing is empty");
+  const WriteOptions write = options_of(*self, options);
+  run(py::none(), nullptr, [&](RunContext& context) {
+    // "-" is a file like any other here.
+    std::vector<Output> outputs = plan_outputs({name == "-" ? "./-" : name}, "", {});
+    Output& output = outputs.front();
+    output.write([&](std::ostream& out) {
+      write_drawing(self->drawing, output.format(), write, out, context);
+    });
+    context.check();
+    output.commit();
+  });
+}
+
+py::bytes to_bytes(const DrawingOwner& self, const std::string& format, const py::kwargs& options) {
+  const auto named = format_named(format);
+  if (!named) {
+    throw UsageError(fmt::format("argument format takes {}, not '{}'", format_list(), format));
+  }
+  const WriteOptions write = options_of(*self, options);
+  std::ostringstream out;
+  run(py::none(), nullptr,
+      [&](RunContext& context) { write_drawing(self->drawing, *named, write, out, context); });
+  return {out.str()};
+}
+
+py::list parts(const PyDrawing& self) {
+  py::list list;
+  for (const DrawingPart& p : self.drawing.parts) {
+    py::dict d;
+    d["id"] = p.id;
+    d["name"] = p.name;
+    d["source"] = p.source;
+    d["triangles"] = p.triangles;
+    d["faces"] = p.faces;
+    d["assembly"] = p.assembly;
+    d["color"] = p.color;
+    list.append(d);
+  }
+  return list;
+}
+
+py::dict stats(const PyDrawing& self) {
+  const DrawingStats& s = self.drawing.stats;
+  py::dict d;
+  d["triangles"] = s.triangles;
+  d["strokes"] = s.strokes;
+  d["coverage_points"] = s.coverage_points;
+  d["coverage_delta"] = s.coverage_delta;
+  return d;
+}
+
+py::array project(const PyView& self, const py::object& model) {
+  const DrawingView& v = self.view;
+  const std::vector<Vec3> from = points(model, "points");
+  // From the plane through the centre to the viewer; none in an orthographic view.
+  const double eye = v.projection == "perspective" ? glm::dot(v.eye - v.center, v.direction) : 0;
+  std::vector<double> out;
+  out.reserve(2 * from.size());
+  for (const Vec3& p : from) {
+    const Vec3 q = p - v.center;
+    const double s = eye > 0 ? v.scale * eye / (eye - glm::dot(q, v.direction)) : v.scale;
+    out.insert(out.end(),
+               {s * glm::dot(q, v.right) + v.offset.x, s * glm::dot(q, v.up) + v.offset.y});
+  }
+  return own(std::move(out), {rows(from.size()), 2});
+}
+
+void add_path(py::module_& module) {
+  py::class_<PyPath> path(module, "Path", "One line of ink.");
+  of_package(path)
+      .def_property_readonly(
+          "kind", [](const PyPath& p) { return to_string(p.path().kind); },
+          "contour, boundary, crease, smooth, seam, intersection, stroke ...")
+      .def_property_readonly(
+          "visible", [](const PyPath& p) { return p.path().visible; }, "False where it is dashed.")
+      .def_property_readonly(
+          "part", [](const PyPath& p) { return p.path().source.part; }, "Number of the part.")
+      .def_property_readonly(
+          "face", [](const PyPath& p) { return p.path().source.face; },
+          "Number of the face in the part, -1 = none.")
+      .def_property_readonly(
+          "edge", [](const PyPath& p) { return p.path().source.edge; },
+          "Number of the edge in the part, -1 = none.")
+      .def_property_readonly(
+          "closed", [](const PyPath& p) { return p.path().closed; },
+          "Whether the last point joins the first, which is not repeated.")
+      .def_property_readonly(
+          "field", [](const PyPath& p) { return p.path().field; },
+          "Strokes: the direction field, else empty.")
+      .def_property_readonly(
+          "family", [](const PyPath& p) { return p.path().family; },
+          "Strokes: 1 or 2, the family in the field, else 0.")
+      .def_property_readonly(
+          "points",
+          [](const PyPath& p) {
+            const auto& v = p.path().points;
+            return view(v.empty() ? nullptr : &v[0].x, {rows(v.size()), 2}, py::cast(p.owner));
+          },
+          "(n, 2) mm of paper; read-only, no copy.")
+      .def_property_readonly(
+          "points3",
+          [](const PyPath& p) {
+            const auto& v = p.path().points3;
+            return view(v.empty() ? nullptr : &v[0].x, {rows(v.size()), 3}, py::cast(p.owner));
+          },
+          "(n, 3) mm of the model; read-only, no copy.")
+      .def_property_readonly(
+          "width",
+          [](const PyPath& p) {
+            const auto& v = p.path().width;
+            return view(v.data(), {rows(v.size())}, py::cast(p.owner));
+          },
+          "(1,) or (n,) mm of paper; read-only, no copy.")
+      .def("__len__", [](const PyPath& p) { return p.path().points.size(); })
+      .def("__repr__", [](const PyPath& p) {
+        return fmt::format("<burin.Path {}, {} points, part {}>", to_string(p.path().kind),
+                           p.path().points.size(), p.path().source.part);
+      });
+}
+
+void add_layer(py::module_& module) {
+  py::class_<PyLayer> layer(module, "Layer", "Paths that are drawn together.");
+  of_package(layer)
+      .def_property_readonly(
+          "name", [](const PyLayer& l) { return l.layer().name; }, "Its name in files.")
+      .def_property_readonly(
+          "paths",
+          [](const PyLayer& l) {
+            py::list list;
+            for (std::size_t i = 0; i < l.layer().paths.size(); ++i) {
+              list.append(py::cast(PyPath{l.owner, l.index, i}));
+            }
+            return list;
+          },
+          "The paths, in the order in which they are drawn.")
+      .def("__len__", [](const PyLayer& l) { return l.layer().paths.size(); })
+      .def("__repr__", [](const PyLayer& l) {
+        return fmt::format("<burin.Layer '{}', {} paths>", l.layer().name, l.layer().paths.size());
+      });
+}
+
+void add_view(py::module_& module) {
+  py::class_<PyView> view(module, "View",
+                          "How the sheet was seen. `right`, `up` and `direction` are orthonormal.");
+  of_package(view)
+      .def_property_readonly(
+          "projection", [](const PyView& v) { return v.view.projection; },
+          "\"orthographic\" or \"perspective\".")
+      .def_property_readonly(
+          "direction", [](const PyView& v) { return to_array(v.view.direction); },
+          "(3,) unit vector from the model to the viewer.")
+      .def_property_readonly(
+          "right", [](const PyView& v) { return to_array(v.view.right); },
+          "(3,) what points right on the sheet.")
+      .def_property_readonly(
+          "up", [](const PyView& v) { return to_array(v.view.up); }, "(3,) what points up on it.")
+      .def_property_readonly(
+          "scale", [](const PyView& v) { return v.view.scale; },
+          "Paper mm a model mm (perspective: in the plane through `center`).")
+      .def_property_readonly(
+          "center", [](const PyView& v) { return to_array(v.view.center); },
+          "(3,) the model point at `offset`, in mm.")
+      .def_property_readonly(
+          "offset", [](const PyView& v) { return to_array(v.view.offset); }, "(2,) mm of paper.")
+      .def_property_readonly(
+          "eye", [](const PyView& v) { return to_array(v.view.eye); },
+          "(3,) the viewer's place in mm; perspective only.")
+      .def_property_readonly(
+          "field_of_view", [](const PyView& v) { return v.view.field_of_view; },
+          "Vertical, in degrees; 0 = orthographic.")
+      .def("project", project, py::arg("points"),
+           "(n, 3) mm of the model to (n, 2) mm of the sheet.");
+}
+
+}  // namespace
+
+void add_drawing(py::module_& module) {
+  add_path(module);
+  add_layer(module);
+  add_view(module);
+  py::class_<PyDrawing, DrawingOwner> drawing(module, "Drawing", "A sheet of lines, in mm.");
+  of_package(drawing)
+      .def_property_readonly(
+          "layers",
+          [](const DrawingOwner& self) {
+            py::list list;
+            for (std::size_t i = 0; i < self->drawing.layers.size(); ++i) {
+              list.append(py::cast(PyLayer{self, i}));
+            }
+            return list;
+          },
+          "The layers, painted in order.")
+      .def_property_readonly(
+          "diagnostics", [](const PyDrawing& self) { return to_list(self.drawing.diagnostics); },
+          "What was mended, degraded or left out.")
+      .def_property_readonly("parts", parts,
+                             "A dict a part: id, name, source, triangles, faces, assembly, color.")
+      .def_property_readonly(
+          "view", [](const PyDrawing& self) { return PyView{self.drawing.view}; },
+          "How the sheet was seen.")
+      .def_property_readonly(
+          "paper",
+          [](const PyDrawing& self) {
+            return py::make_tuple(self.drawing.paper_width, self.drawing.paper_height);
+          },
+          "Width and height of the sheet in mm.")
+      .def_property_readonly(
+          "style", [](const PyDrawing& self) { return self.drawing.style; }, "Name of the style.")
+      .def_property_readonly(
+          "seed", [](const PyDrawing& self) { return self.drawing.seed; }, "The random seed.")
+      .def_property_readonly("stats", stats,
+                             "triangles, strokes, coverage_points, coverage_delta (mm of paper).")
+      .def(
+          "arrays", [](const PyDrawing& self) { return flat_arrays(self.drawing); },
+          "All paths as few arrays: \"points\" (N, 2) and \"points3\" (N, 3) in mm, \"width\" (N,) "
+          "in "
+          "mm; and a path: \"first\" (P + 1,) index of its first point, \"layer\", \"kind\", "
+          "\"part\", \"face\", \"edge\", \"family\", \"visible\", \"closed\" (P,); \"kinds\" and "
+          "\"layers\" are lists of names.")
+      .def(
+          "save", save, py::arg("path"),
+          "Writes a file whole or not at all; the suffix names the format. `options`: the format's "
+          "keys with underscores, e.g. svg_flatten=True. Throws OutputError.")
+      .def("to_bytes", to_bytes, py::arg("format"),
+           "The file of that format (\"svg\", \"json\" ...) in memory.")
+      .def("__repr__", [](const PyDrawing& self) {
+        std::size_t paths = 0;
+        for (const Layer& layer : self.drawing.layers) paths += layer.paths.size();
+        return fmt::format("<burin.Drawing {:g} x {:g} mm, {} paths>", self.drawing.paper_width,
+                           self.drawing.paper_height, paths);
+      });
+}
+
+}  // namespace burin::python

@@ -1,0 +1,89 @@
+#include <burin/base/error.h>
+
+#include "module.h"
+
+#include <fmt/format.h>
+
+#include <exception>
+#include <string>
+
+namespace burin::python {
+namespace {
+
+/// Made once and never freed: Python may ask for them until its very end.
+struct Errors {
+  PyObject *error, *usage, *input, *geometry, *output, *cancelled;
+};
+Errors g_errors;
+
+PyObject* make(py::module_& module, const char* name, const char* doc, const py::tuple& bases,
+               const py::dict& attributes = {}) {
+  const std::string full = fmt::format("burin.{}", name);
+  PyObject* type =
+      PyErr_NewExceptionWithDoc(full.c_str(), doc, bases.ptr(), attributes.inc_ref().ptr());
+  if (!type) throw py::error_already_set();
+  module.attr(name) = py::handle(type);
+  return type;
+}
+
+std::string located(const std::string& file, std::int64_t line, const std::string& what) {
+  if (file.empty()) return what;
+  return line > 0 ? fmt::format("{}:{}: {}", file, line, what) : fmt::format("{}: {}", file, what);
+}
+
+/// Sets a Python error that has the place as attributes.
+void set(PyObject* type, const std::string& message, const std::string& file, std::int64_t line) {
+  const py::object error = py::handle(type)(message);
+  error.attr("file") = file;
+  if (type == g_errors.input) error.attr("line") = line;
+  PyErr_SetObject(type, error.ptr());
+}
+
+void translate(std::exception_ptr pointer) {
+  try {
+    if (pointer) std::rethrow_exception(pointer);
+  } catch (const Cancelled& e) {
+    PyErr_SetString(g_errors.cancelled, e.what());
+  } catch (const UsageError& e) {
+    PyErr_SetString(g_errors.usage, e.what());
+  } catch (const InputError& e) {
+    set(g_errors.input, located(e.file(), e.line(), e.what()), e.file(), e.line());
+  } catch (const GeometryError& e) {
+    PyErr_SetString(g_errors.geometry, e.what());
+  } catch (const OutputError& e) {
+    set(g_errors.output, located(e.file(), 0, e.what()), e.file(), 0);
+  } catch (const Error& e) {
+    PyErr_SetString(g_errors.error, e.what());
+  }
+}
+
+}  // namespace
+
+void add_errors(py::module_& module) {
+  const auto builtin = [](PyObject* type) { return py::reinterpret_borrow<py::object>(type); };
+  const py::tuple exception = py::make_tuple(builtin(PyExc_Exception));
+  g_errors.error = make(module, "Error", "What all errors of this module are.", exception);
+  const py::object error = builtin(g_errors.error);
+  const auto derive = [&](const char* name, const char* doc, const py::dict& attributes = {}) {
+    return make(module, name, doc, py::make_tuple(error), attributes);
+  };
+  g_errors.usage = make(module, "UsageError", "An argument or option that makes no sense.",
+                        py::make_tuple(error, builtin(PyExc_ValueError)));
+  py::dict place;
+  place["file"] = "";
+  place["line"] = 0;
+  g_errors.input = derive(
+      "InputError",
+      "A file that is missing, broken or empty. Attributes: file (str), line (int, 0 = unknown).",
+      place);
+  g_errors.geometry = derive("GeometryError", "A shape that cannot be drawn.");
+  py::dict file;
+  file["file"] = "";
+  g_errors.output =
+      make(module, "OutputError", "A file that cannot be written. Attribute: file (str).",
+           py::make_tuple(error, builtin(PyExc_OSError)), file);
+  g_errors.cancelled = derive("Cancelled", "The run was cancelled.");
+  py::register_local_exception_translator(translate);
+}
+
+}  // namespace burin::python

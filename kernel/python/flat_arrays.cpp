@@ -1,0 +1,96 @@
+#include "flat_arrays.h"
+
+#include "arrays.h"
+
+#include <array>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+namespace burin::python {
+namespace {
+
+constexpr std::array kKinds{LineClass::Contour,    LineClass::Boundary, LineClass::Crease,
+                            LineClass::Smooth,     LineClass::Seam,     LineClass::Intersection,
+                            LineClass::Section,    LineClass::Ridge,    LineClass::Valley,
+                            LineClass::Suggestive, LineClass::Stroke,   LineClass::Pattern};
+
+/// A number a path.
+struct Columns {
+  std::vector<std::int64_t> first{0};
+  std::vector<std::int32_t> layer, kind, part, face, edge, family;
+  std::vector<bool> visible, closed;
+};
+
+py::array_t<bool> flags(const std::vector<bool>& values) {
+  py::array_t<bool> array(static_cast<py::ssize_t>(values.size()));
+  std::copy(values.begin(), values.end(), array.mutable_data());
+  return array;
+}
+
+template <class T>
+py::array column(std::vector<T> values) {
+  const auto n = static_cast<py::ssize_t>(values.size());
+  return own(std::move(values), {n});
+}
+
+}  // namespace
+
+py::dict flat_arrays(const Drawing& drawing) {
+  Columns c;
+  std::size_t total = 0;
+  for (const Layer& layer : drawing.layers) {
+    for (const Path& path : layer.paths) total += path.points.size();
+  }
+  std::vector<double> points, points3, width;
+  points.reserve(2 * total);
+  points3.reserve(3 * total);
+  width.reserve(total);
+  for (std::size_t i = 0; i < drawing.layers.size(); ++i) {
+    for (const Path& path : drawing.layers[i].paths) {
+      const std::size_t n = path.points.size();
+      for (const Vec2& p : path.points) points.insert(points.end(), {p.x, p.y});
+      for (std::size_t k = 0; k < n; ++k) {
+        const Vec3 p = k < path.points3.size() ? path.points3[k]
+                                               : Vec3(std::numeric_limits<double>::quiet_NaN());
+        points3.insert(points3.end(), {p.x, p.y, p.z});
+      }
+      if (path.width.size() == n) {
+        width.insert(width.end(), path.width.begin(), path.width.end());
+      } else {
+        width.insert(width.end(), n, path.width.empty() ? 0.0 : path.width.front());
+      }
+      c.first.push_back(c.first.back() + static_cast<std::int64_t>(n));
+      c.layer.push_back(static_cast<std::int32_t>(i));
+      c.kind.push_back(static_cast<std::int32_t>(path.kind));
+      c.part.push_back(path.source.part);
+      c.face.push_back(path.source.face);
+      c.edge.push_back(path.source.edge);
+      c.family.push_back(path.family);
+      c.visible.push_back(path.visible);
+      c.closed.push_back(path.closed);
+    }
+  }
+  const auto n = static_cast<py::ssize_t>(total);
+  py::dict out;
+  out["points"] = own(std::move(points), {n, 2});
+  out["points3"] = own(std::move(points3), {n, 3});
+  out["width"] = own(std::move(width), {n});
+  out["first"] = column(std::move(c.first));
+  out["layer"] = column(std::move(c.layer));
+  out["kind"] = column(std::move(c.kind));
+  out["part"] = column(std::move(c.part));
+  out["face"] = column(std::move(c.face));
+  out["edge"] = column(std::move(c.edge));
+  out["family"] = column(std::move(c.family));
+  out["visible"] = flags(c.visible);
+  out["closed"] = flags(c.closed);
+  py::list kinds, layers;
+  for (const LineClass kind : kKinds) kinds.append(to_string(kind));
+  for (const Layer& layer : drawing.layers) layers.append(layer.name);
+  out["kinds"] = kinds;
+  out["layers"] = layers;
+  return out;
+}
+
+}  // namespace burin::python

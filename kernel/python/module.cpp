@@ -1,0 +1,15 @@
+#include "module.h"
+
+#include <burin/base/version.h>
+
+PYBIND11_MODULE(_burin, module) {
+  using namespace burin::python;
+  module.doc() = "The compiled part of the package burin.";
+  module.attr("__version__") = burin::version();
+  add_errors(module);
+  add_run(module);
+  add_scene(module);
+  add_drawing(module);
+  add_draw(module);
+  add_styles(module);
+}

@@ -1,0 +1,202 @@
+#include "run.h"
+
+#include <burin/base/error.h>
+
+#include "module.h"
+
+#include <chrono>
+#include <condition_variable>
+#include <exception>
+#include <string>
+#include <thread>
+#include <vector>
+
+namespace burin::python {
+namespace {
+
+constexpr std::chrono::milliseconds kPoll{20};
+
+struct Request {
+  const std::function<void()>& body;
+  std::exception_ptr error;
+  bool done = false;
+};
+
+/// Where code without the GIL leaves what it wants of Python. One for all runs: whoever waits does
+/// what is there. Never freed, for threads may outlive static objects.
+struct Desk {
+  std::mutex mutex;
+  std::condition_variable wanted, answered;
+  std::vector<Request*> requests;
+  int waiters = 0;
+};
+Desk& desk() {
+  static Desk& desk = *new Desk;
+  return desk;
+}
+
+void answer(const std::vector<Request*>& requests) {
+  for (Request* request : requests) {
+    try {
+      request->body();
+    } catch (...) {
+      request->error = std::current_exception();
+    }
+  }
+  const std::lock_guard lock(desk().mutex);
+  for (Request* request : requests) request->done = true;
+  desk().answered.notify_all();
+}
+
+/// One call of `run`.
+class Run {
+ public:
+  Run(const py::object& progress, const std::shared_ptr<CancelFlag>& cancel)
+      : progress_(progress),
+        cancel_(cancel),
+        context_([this](const std::string& stage, double share) { report(stage, share); }) {
+    if (cancel_) cancel_->add(context_);
+  }
+  ~Run() {
+    if (cancel_) cancel_->remove(context_);
+  }
+  Run(const Run&) = delete;
+  Run& operator=(const Run&) = delete;
+
+  void operator()(const std::function<void(RunContext&)>& work) {
+    {
+      const py::gil_scoped_release release;
+      std::thread worker([&] { do_work(work); });
+      wait();
+      worker.join();
+    }
+    // What is said last is the end of the last stage.
+    if (!stopped_ && !failed_) tell();
+    if (stopped_) std::rethrow_exception(stopped_);
+    if (failed_) std::rethrow_exception(failed_);
+  }
+
+ private:
+  void do_work(const std::function<void(RunContext&)>& work) {
+    std::exception_ptr error;
+    try {
+      context_.check();
+      work(context_);
+    } catch (...) {
+      error = std::current_exception();
+    }
+    const std::lock_guard lock(desk().mutex);
+    failed_ = error;
+    done_ = true;
+    desk().wanted.notify_all();
+  }
+
+  void report(const std::string& stage, double share) {
+    const std::lock_guard lock(progress_mutex_);
+    stage_ = stage;
+    share_ = share;
+    news_ = true;
+  }
+
+  void wait() {
+    auto next = std::chrono::steady_clock::now() + kPoll;
+    std::unique_lock lock(desk().mutex);
+    ++desk().waiters;
+    while (!done_) {
+      desk().wanted.wait_until(lock, next, [&] { return done_ || !desk().requests.empty(); });
+      if (done_) break;
+      std::vector<Request*> requests;
+      requests.swap(desk().requests);
+      lock.unlock();
+      const bool poll = std::chrono::steady_clock::now() >= next;
+      if (poll || !requests.empty()) {
+        const py::gil_scoped_acquire gil;
+        if (!requests.empty()) answer(requests);
+        if (poll) look();
+      }
+      if (poll) next = std::chrono::steady_clock::now() + kPoll;
+      lock.lock();
+    }
+    // Requests of other runs that came meanwhile are theirs to answer.
+    --desk().waiters;
+    if (!desk().requests.empty()) desk().wanted.notify_all();
+  }
+
+  /// With the GIL: signals and progress.
+  void look() {
+    if (stopped_) return;
+    try {
+      if (PyErr_CheckSignals() != 0) throw py::error_already_set();
+      tell();
+    } catch (...) {
+      stopped_ = std::current_exception();
+      context_.cancel();
+    }
+  }
+
+  void tell() {
+    if (progress_.is_none()) return;
+    std::string stage;
+    double share = 0;
+    {
+      const std::lock_guard lock(progress_mutex_);
+      if (!news_) return;
+      news_ = false;
+      stage = stage_;
+      share = share_;
+    }
+    progress_(stage, share);
+  }
+
+  py::object progress_;
+  std::shared_ptr<CancelFlag> cancel_;
+  RunContext context_;
+  std::mutex progress_mutex_;
+  std::string stage_;
+  double share_ = 0;
+  bool news_ = false;
+  // Under the desk's mutex until the worker has ended.
+  bool done_ = false;
+  std::exception_ptr failed_;
+  std::exception_ptr stopped_;
+};
+
+}  // namespace
+
+void run(const py::object& progress, const std::shared_ptr<CancelFlag>& cancel,
+         const std::function<void(RunContext&)>& work) {
+  if (!progress.is_none() && !PyCallable_Check(progress.ptr())) {
+    throw py::type_error("progress takes a function of the stage's name and its share done");
+  }
+  Run(progress, cancel)(work);
+}
+
+void in_python(const std::function<void()>& body) {
+  Request request{body, {}, false};
+  {
+    std::unique_lock lock(desk().mutex);
+    if (desk().waiters > 0) {
+      desk().requests.push_back(&request);
+      desk().wanted.notify_all();
+      desk().answered.wait(lock, [&] { return request.done; });
+    }
+  }
+  if (!request.done) {
+    const py::gil_scoped_acquire gil;
+    body();
+  }
+  if (request.error) std::rethrow_exception(request.error);
+}
+
+void add_run(py::module_& module) {
+  py::class_<CancelFlag, std::shared_ptr<CancelFlag>> cancel(
+      module, "Cancel",
+      "A flag that ends runs within 0.1 s; may be set from any thread, for good.");
+  of_package(cancel)
+      .def(py::init<>())
+      .def("cancel", &CancelFlag::cancel,
+           "Ends the runs that were given this flag, and later ones.")
+      .def_property_readonly("cancelled", &CancelFlag::cancelled, "Whether `cancel` was called.");
+}
+
+}  // namespace burin::python

@@ -1,0 +1,172 @@
+#include "scene.h"
+
+#include <burin/base/error.h>
+#include <burin/converters/read.h>
+#include <burin/converters/request.h>
+
+#include "add_parts.h"
+#include "arrays.h"
+#include "module.h"
+#include "read.h"
+#include "run.h"
+#include "text.h"
+
+#include <pybind11/stl.h>
+
+#include <utility>
+
+namespace burin::python {
+namespace {
+
+using Owner = std::shared_ptr<PyScene>;
+
+PyPart append(const Owner& owner, Part part, const PartNames& names) {
+  part.name = names.name;
+  part.color = names.color;
+  for (const py::handle name : names.assembly) part.assembly.push_back(name.cast<std::string>());
+  part.source = names.source;
+  owner->scene.parts.push_back(std::move(part));
+  return {owner, owner->scene.parts.size() - 1};
+}
+
+Owner read(const py::args& paths, const py::object& bounds, const py::object& progress,
+           const std::shared_ptr<CancelFlag>& cancel, const py::kwargs& options) {
+  std::vector<std::string> names;
+  for (const py::handle path : paths) names.push_back(path_text(path));
+  if (names.empty()) throw UsageError("no input; name model files");
+  const ReadOptions read = read_options(bounds, options);
+  auto owner = std::make_shared<PyScene>();
+  run(progress, cancel, [&](RunContext& context) {
+    check_inputs(names);
+    owner->scene = read_scene(names, read, context);
+  });
+  return owner;
+}
+
+py::array box_array(const Box3& b) {
+  if (b.empty()) throw GeometryError("the scene has no parts, and so no bounds");
+  return own<double>({b.min.x, b.min.y, b.min.z, b.max.x, b.max.y, b.max.z}, {2, 3});
+}
+
+template <class T>
+void property(py::class_<PyPart>& c, const char* name, T Part::*member, const char* doc) {
+  c.def_property(
+      name, [member](const PyPart& p) { return p.part().*member; },
+      [member](const PyPart& p, const T& value) { p.part().*member = value; }, doc);
+}
+
+void add_part(py::module_& module) {
+  py::class_<PyPart> part(module, "Part", "One part of a scene.");
+  of_package(part);
+  property(part, "name", &Part::name, "Its name on the drawing.");
+  property(part, "source", &Part::source, "The file it came from, as the user named it.");
+  property(part, "color", &Part::color, "\"#rrggbb\", or empty where it has none.");
+  property(part, "assembly", &Part::assembly,
+           "Names from the top of an assembly down to what contains the part.");
+  part.def("__repr__", [](const PyPart& p) { return "<burin.Part '" + p.part().name + "'>"; });
+}
+
+void add_diagnostic(py::module_& module) {
+  py::class_<Diagnostic> diagnostic(module, "Diagnostic",
+                                    "What was mended, degraded or left out, and how often.");
+  of_package(diagnostic)
+      .def_property_readonly(
+          "severity", [](const Diagnostic& d) { return to_string(d.severity); },
+          "\"info\", \"warning\" or \"error\".")
+      .def_readonly("code", &Diagnostic::code, "Stable, e.g. \"mesh.nonmanifold_edges\".")
+      .def_readonly("count", &Diagnostic::count, "How often it occurred.")
+      .def_readonly("message", &Diagnostic::message, "One sentence.")
+      .def("__repr__", [](const Diagnostic& d) {
+        return std::string("<burin.Diagnostic ") + to_string(d.severity) + " " + d.code + ": " +
+               d.message + ">";
+      });
+}
+
+}  // namespace
+
+py::list to_list(const Diagnostics& diagnostics) {
+  py::list list;
+  for (const Diagnostic& d : diagnostics.entries()) list.append(py::cast(d));
+  return list;
+}
+
+void add_scene(py::module_& module) {
+  add_diagnostic(module);
+  add_part(module);
+  py::class_<PyScene, Owner> scene(module, "Scene", "What is drawn: parts in order.");
+  of_package(scene)
+      .def(py::init<>())
+      .def_static(
+          "read", read, py::kw_only(), py::arg("bounds") = py::none(),
+          py::arg("progress") = py::none(), py::arg("cancel") = py::none(),
+          "Files, by their formats, as parts in order. `options` are the long options of the "
+          "command line that concern reading, with underscores. Throws InputError.")
+      .def(
+          "add_brep",
+          [](const Owner& self, const py::object& brep, const std::string& name,
+             const py::object& placement, const std::string& color, const py::object& assembly,
+             const std::string& source) {
+            return append(self, brep_part(brep, placement), {name, color, assembly, source});
+          },
+          py::arg("brep"), py::arg("name") = "", py::kw_only(), py::arg("placement") = py::none(),
+          py::arg("color") = "", py::arg("assembly") = py::tuple(), py::arg("source") = "",
+          "A shape as OCCT writes it in text or binary (FreeCAD: shape.exportBrepToString()). "
+          "`placement` is a 4 x 4 matrix of a rigid motion (row major, acts on columns). One part, "
+          "whatever its solids; faces and edges are numbered as in the shape (TopExp order), from "
+          "0.")
+      .def(
+          "add_mesh",
+          [](const Owner& self, const py::object& vertices, const py::object& triangles,
+             const std::string& name, const std::string& color, const py::object& assembly,
+             const std::string& source) {
+            Diagnostics found;
+            Part part = mesh_part(vertices, triangles, name, found);
+            self->scene.diagnostics.append(found);
+            return append(self, std::move(part), {name, color, assembly, source});
+          },
+          py::arg("vertices"), py::arg("triangles"), py::arg("name") = "", py::kw_only(),
+          py::arg("color") = "", py::arg("assembly") = py::tuple(), py::arg("source") = "",
+          "`vertices` (n, 3) in mm, `triangles` (m, 3) of any integer type, counter-clockwise seen "
+          "from outside; repaired as files are, which `diagnostics` tells.")
+      .def(
+          "add_function",
+          [](const Owner& self, const py::object& values, const py::object& bounds,
+             const std::string& name, const py::object& gradients, const py::object& hessians) {
+            return append(self, function_part(values, bounds, gradients, hessians),
+                          {name, "", py::tuple(), ""});
+          },
+          py::arg("values"), py::arg("bounds"), py::arg("name") = "", py::kw_only(),
+          py::arg("gradients") = py::none(), py::arg("hessians") = py::none(),
+          "The zero set of a function, negative inside, clipped by `bounds` (x0, y0, z0, x1, y1, "
+          "z1): "
+          "`values` takes points (n, 3) and gives (n,); `gradients` gives (n, 3), `hessians` "
+          "(n, 3, 3), both by central differences where absent. They are called by threads that "
+          "wait in this module, with the GIL.")
+      .def(
+          "add_implicit",
+          [](const Owner& self, const std::string& text, const std::string& name,
+             const py::object& bounds) {
+            return append(self, implicit_part(text, bounds), {name, "", py::tuple(), ""});
+          },
+          py::arg("text"), py::arg("name") = "", py::kw_only(), py::arg("bounds") = py::none(),
+          "A function as text, as in `.implicit` files. Throws InputError with the line.")
+      .def_property_readonly(
+          "parts",
+          [](const Owner& self) {
+            py::list list;
+            for (std::size_t i = 0; i < self->scene.parts.size(); ++i) {
+              list.append(py::cast(PyPart{self, i}));
+            }
+            return list;
+          },
+          "The parts, in the order of the drawing's part numbers.")
+      .def(
+          "bounds", [](const PyScene& self) { return box_array(self.scene.bounds()); },
+          "(2, 3) in mm: least and greatest coordinates.")
+      .def_property_readonly(
+          "diagnostics", [](const PyScene& self) { return to_list(self.scene.diagnostics); },
+          "What the readers mended or left out.")
+      .def("__len__", [](const PyScene& self) { return self.scene.parts.size(); });
+}
+
+}  // namespace burin::python

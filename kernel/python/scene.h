@@ -1,0 +1,29 @@
+#pragma once
+/// Scenes as Python holds them.
+
+#include <burin/surface/scene.h>
+
+#include <pybind11/pybind11.h>
+
+#include <memory>
+
+namespace burin::python {
+
+namespace py = pybind11;
+
+struct PyScene {
+  Scene scene;
+};
+
+/// One part of a scene, which it keeps.
+struct PyPart {
+  std::shared_ptr<PyScene> owner;
+  std::size_t index = 0;
+
+  Part& part() const { return owner->scene.parts[index]; }
+};
+
+/// Diagnostics as a list.
+py::list to_list(const Diagnostics& diagnostics);
+
+}  // namespace burin::python

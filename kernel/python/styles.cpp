@@ -1,0 +1,107 @@
+#include <burin/base/error.h>
+#include <burin/converters/request.h>
+#include <burin/converters/write.h>
+#include <burin/illustrate/style.h>
+
+#include "module.h"
+#include "style_text.h"
+#include "text.h"
+
+#include <fmt/format.h>
+#include <pybind11/stl.h>
+
+namespace burin::python {
+namespace {
+
+bool is_mapping(const py::object& value) {
+  return PyMapping_Check(value.ptr()) && PyObject_HasAttrString(value.ptr(), "items");
+}
+
+/// What JSON has no words for: numpy's numbers and arrays, tuples of them.
+py::object plain(const py::object& value) {
+  if (PyObject_HasAttrString(value.ptr(), "tolist")) return value.attr("tolist")();
+  throw py::type_error(
+      fmt::format("style: {} is no value of a style key", std::string(py::repr(value))));
+}
+
+/// {"line.outer": 0.7, ...}, with "name" first.
+py::dict flat(const Style& style) {
+  py::dict out;
+  const py::dict json = py::module_::import("json").attr("loads")(style_to_json(style));
+  for (const auto& [group, members] : json) {
+    if (!py::isinstance<py::dict>(members)) {
+      out[group] = members;
+      continue;
+    }
+    for (const auto& [key, value] : members.cast<py::dict>()) {
+      out[py::str("{}.{}").format(group, key)] = value;
+    }
+  }
+  return out;
+}
+
+Style style_of(const py::object& value) {
+  DrawRequest request;
+  set_style(request, value);
+  return make_plan(request, Spelling::Keywords).style;
+}
+
+}  // namespace
+
+void set_style(DrawRequest& request, const py::object& style) {
+  if (!is_mapping(style)) {
+    request.style = path_text(style);
+    return;
+  }
+  const py::object dumps = py::module_::import("json").attr("dumps");
+  request.style_text = dumps(py::module_::import("builtins").attr("dict")(style),
+                             py::arg("default") = py::cpp_function(plain))
+                           .cast<std::string>();
+}
+
+std::vector<std::string> assignments(const py::object& mapping) {
+  if (!is_mapping(mapping)) throw py::type_error("argument set takes a mapping of style keys");
+  std::vector<std::string> out;
+  for (const py::handle item : mapping.attr("items")()) {
+    const auto pair = item.cast<py::tuple>();
+    const auto key = pair[0].cast<std::string>();
+    out.push_back(key + "=" + value_text(key.c_str(), pair[1]));
+  }
+  return out;
+}
+
+void add_styles(py::module_& module) {
+  module.def(
+      "styles",
+      [] {
+        py::dict out;
+        for (const StyleInfo& s : builtin_styles()) out[py::str(s.name)] = s.description;
+        return out;
+      },
+      "Names of the built-in styles with what they are for.");
+  module.def(
+      "style", [](const py::object& name) { return flat(style_of(name)); }, py::arg("name"),
+      "All keys of a style with their values, {\"name\": ..., \"line.outer\": 0.7, ...}; lengths "
+      "in mm "
+      "of paper. Takes what `style` of `draw` takes, and gives what it takes.");
+  module.def(
+      "style_keys",
+      [] {
+        py::list out;
+        for (const StyleKeyInfo& k : style_keys(builtin_style("technical"))) {
+          py::dict d;
+          d["key"] = k.key;
+          d["meaning"] = k.meaning;
+          d["takes"] = k.takes;
+          d["value"] = k.value;
+          out.append(d);
+        }
+        return out;
+      },
+      "Each key of a style: \"key\", \"meaning\", \"takes\", \"value\" (in technical).");
+  module.def(
+      "formats", [] { return format_names(); },
+      "Suffixes that `Drawing.save` writes, e.g. \"svg\".");
+}
+
+}  // namespace burin::python
