@@ -15,6 +15,7 @@ namespace {
 constexpr const char* kSheet = "The sheet and the view";
 constexpr const char* kLook = "The look";
 constexpr const char* kRun = "The run";
+constexpr const char* kReading = "Functions and volumes";
 constexpr const char* kFiles = "Files";
 
 CLI::Option* text(CLI::App& app, const char* name, std::string& value, const char* type,
@@ -29,6 +30,33 @@ CLI::Option* text(CLI::App& app, const char* name, std::string& value, const cha
 void list(CLI::App& app, const char* name, std::vector<std::string>& values, const char* type,
           const char* group, const char* help) {
   app.add_option(name, values, help)->type_name(type)->group(group)->allow_extra_args(false);
+}
+
+/// What files do not say of themselves.
+void add_reading(CLI::App& app, ReadRequest& read, const char* group) {
+  text(app, "--bounds", read.bounds, "X0,..,Z1", group,
+       "domain x0,y0,z0,x1,y1,z1 of functions and volumes, in\n"
+       "model mm (default: their own bounds)");
+  text(app, "--iso", read.iso, "LEVEL", group,
+       "the surface of a volume is where its data takes this\n"
+       "value; burin info tells the range (no default)");
+  text(app, "--inside", read.inside, "above|below", group,
+       "values of a volume that are inside (default above)");
+  text(app, "--smooth", read.smooth, "SAMPLES", group,
+       "standard deviation of a Gaussian that a volume is\n"
+       "smoothed with (default 0)");
+  text(app, "--volume-degree", read.volume_degree, "2|3", group,
+       "degree of the spline of a volume (default 3)");
+  app.add_flag_callback(
+         "--interpolate", [&read] { read.interpolate = "true"; },
+         "take the values of the samples exactly; without it they\n"
+         "are the spline's coefficients, a little smoother")
+      ->group(group);
+  text(app, "--raw", read.raw, "NXxNYxNZ[..]", group,
+       "what a raw file holds: NXxNYxNZ[:TYPE[:DX,DY,DZ]], TYPE\n"
+       "u8 i8 u16 .. f64, u16be .. for big-endian (default u8:1,1,1)");
+  text(app, "--raw-skip", read.raw_skip, "BYTES", group,
+       "bytes before the first sample of a raw file (default 0)");
 }
 
 void add_chatter(CLI::App& app, Chatter& chatter) {
@@ -55,7 +83,9 @@ CLI::App* add_draw(CLI::App& app, DrawArguments& a, Chatter& chatter) {
                    "model files, each one or more parts of the scene:\nSTEP, IGES, BREP, STL, OBJ, "
                    "OFF, PLY, 3MF,\n"
                    "IRIT (.itd, .irt), Geomview patches (.bez, .bbp),\n"
-                   "functions (.implicit), OpenSCAD (.scad, .csg)")
+                   "functions (.implicit), volumes (.nrrd .nhdr .mha .mhd\n"
+                   ".inr .nii .nii.gz .vti, .raw with --raw),\n"
+                   "OpenSCAD (.scad, .csg)")
       ->type_name("")
       ->group(kFiles);
   list(*draw, "-o,--output", a.outputs, "FILE", kFiles,
@@ -90,9 +120,7 @@ CLI::App* add_draw(CLI::App& app, DrawArguments& a, Chatter& chatter) {
   text(*draw, "--tolerance", a.tolerance, "MM", kLook,
        "chord tolerance of any tessellation, in model mm\n"
        "(default: less than 0.05 mm on the sheet)");
-  text(*draw, "--bounds", a.read.bounds, "X0,..,Z1", kLook,
-       "domain x0,y0,z0,x1,y1,z1 of functions, in model mm\n"
-       "(default: their own bounds)");
+  add_reading(*draw, a.read, kReading);
   text(*draw, "--seed", a.seed, "N", kRun, "random seed (default 1)");
   text(*draw, "--threads", a.threads, "N", kRun,
        "worker threads (default: all); the drawing is the same for any number");
@@ -101,6 +129,7 @@ CLI::App* add_draw(CLI::App& app, DrawArguments& a, Chatter& chatter) {
       "\nExamples:\n"
       "  burin draw bracket.stl -o bracket.svg\n"
       "  burin draw pump.3mf -o pump.svg -o pump.json --style engraving --view 2,-3,1\n"
+      "  burin draw head.nii.gz -o head.svg --iso 60 --smooth 1\n"
       "  burin draw a.obj b.obj -o - --format svg --hidden dashed --set line.outer=1 > both.svg\n\n"
       "Exit status: 0 drawn; 2 usage; 3 bad input; 4 output cannot be written; 5 cancelled; 1 "
       "else.");
@@ -111,8 +140,7 @@ CLI::App* add_info(CLI::App& app, InfoArguments& a) {
   CLI::App* info =
       app.add_subcommand("info", "tell what model files hold, and what is wrong with them");
   info->add_option("INPUT", a.inputs, "model files")->type_name("")->group(kFiles);
-  text(*info, "--bounds", a.read.bounds, "X0,..,Z1", kFiles,
-       "domain x0,y0,z0,x1,y1,z1 of functions, in model mm");
+  add_reading(*info, a.read, kReading);
   add_openscad(*info, a.read);
   info->add_flag("--json", a.json, "print JSON, for programs");
   return info;

@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include <utility>
+
 namespace burin {
 namespace {
 
@@ -41,6 +43,10 @@ std::string brief(const PartInfo& p) {
 
 Json to_json(const Vec3& v) { return Json::array({v.x, v.y, v.z}); }
 
+Json to_json(const Box3& b) {
+  return {{"min", to_json(b.min)}, {"max", to_json(b.max)}, {"size", to_json(b.size())}};
+}
+
 void put(Json& out, const char* key, const std::optional<std::int64_t>& n) {
   if (n) out[key] = *n;
 }
@@ -59,10 +65,49 @@ Json to_json(const PartInfo& p) {
   put(out, "self_intersections", p.self_intersections);
   out["area"] = p.area;
   out["volume"] = p.volume;
-  out["bounds"] = {{"min", to_json(p.bounds.min)},
-                   {"max", to_json(p.bounds.max)},
-                   {"size", to_json(p.bounds.size())}};
+  out["bounds"] = to_json(p.bounds);
   return out;
+}
+
+Json to_json(const VolumeInfo& v) {
+  Json out = {{"size", v.size}, {"type", v.type}, {"origin", to_json(v.origin)}};
+  out["steps"] = Json::array({to_json(v.steps[0]), to_json(v.steps[1]), to_json(v.steps[2])});
+  if (!v.space.empty()) out["space"] = v.space;
+  out["bounds"] = to_json(v.bounds);
+  out["min"] = v.min;
+  out["max"] = v.max;
+  for (std::size_t k = 0; k < v.percentiles.size(); ++k) {
+    out["percentiles"][fmt::format("{}", VolumeInfo::kPercents[k])] = v.percentiles[k];
+  }
+  out["level"] = v.level;
+  return out;
+}
+
+/// Lines of label and text.
+using Lines = std::vector<std::pair<const char*, std::string>>;
+
+Lines lines_of(const VolumeInfo& v) {
+  Lines lines;
+  lines.emplace_back("samples",
+                     fmt::format("{} x {} x {} of {}", v.size[0], v.size[1], v.size[2], v.type));
+  const Vec3 spacing(glm::length(v.steps[0]), glm::length(v.steps[1]), glm::length(v.steps[2]));
+  lines.emplace_back("spacing",
+                     fmt::format("{:.6g} x {:.6g} x {:.6g} mm", spacing.x, spacing.y, spacing.z));
+  const auto direction = [&](int k) { return point(v.steps[k] / spacing[k]); };
+  lines.emplace_back("axes", fmt::format("{}, {}, {}", direction(0), direction(1), direction(2)));
+  if (!v.space.empty()) lines.emplace_back("space", v.space);
+  lines.emplace_back("origin", point(v.origin));
+  lines.emplace_back("size", size(v.bounds));
+  lines.emplace_back("bounds", fmt::format("{} to {}", point(v.bounds.min), point(v.bounds.max)));
+  lines.emplace_back("values", fmt::format("{:.6g} to {:.6g}", v.min, v.max));
+  std::string shares;
+  for (std::size_t k = 0; k < v.percentiles.size(); ++k) {
+    shares += fmt::format("{}{}% below {:.6g}", k > 0 ? ", " : "", VolumeInfo::kPercents[k],
+                          v.percentiles[k]);
+  }
+  lines.emplace_back("shares", shares);
+  lines.emplace_back("try", fmt::format("--iso {:.6g}", v.level));
+  return lines;
 }
 
 Json to_json(const FileInfo& info) {
@@ -70,7 +115,8 @@ Json to_json(const FileInfo& info) {
   out["file"] = info.file;
   out["format"] = info.format;
   if (!info.schema.empty()) out["schema"] = info.schema;
-  out.update(to_json(info.total()));
+  if (info.volume) out["volume"] = to_json(*info.volume);
+  if (!info.volume || !info.parts.empty()) out.update(to_json(info.total()));
   out["parts"] = Json::array();
   for (std::size_t i = 0; i < info.parts.size(); ++i) {
     const PartInfo& p = info.parts[i];
@@ -104,6 +150,19 @@ std::string to_text(const FileInfo& info) {
     if (n) line(label, fmt::format("{}{}", *n, what));
   };
   if (!info.schema.empty()) line("schema", info.schema);
+  if (info.volume) {
+    for (const auto& [label, text] : lines_of(*info.volume)) line(label, text);
+  }
+  const auto defects = [&] {
+    if (info.diagnostics.empty()) line("defects", "none");
+    for (const Diagnostic& d : info.diagnostics.entries()) {
+      line(to_string(d.severity), fmt::format("{} x {}: {}", d.count, d.code, d.message));
+    }
+  };
+  if (info.volume && info.parts.empty()) {
+    defects();
+    return out;
+  }
   number("parts", static_cast<std::int64_t>(info.parts.size()));
   number("triangles", all.triangles);
   number("solids", all.solids);
@@ -122,10 +181,7 @@ std::string to_text(const FileInfo& info) {
       line(fmt::format("part {}", i).c_str(), brief(info.parts[i]));
     }
   }
-  if (info.diagnostics.empty()) line("defects", "none");
-  for (const Diagnostic& d : info.diagnostics.entries()) {
-    line(to_string(d.severity), fmt::format("{} x {}: {}", d.count, d.code, d.message));
-  }
+  defects();
   return out;
 }
 

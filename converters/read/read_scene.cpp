@@ -34,7 +34,7 @@ Scene read_scene(const std::vector<std::string>& paths, const ReadOptions& optio
   context.begin_stage("read");
   Scene scene;
   for (std::size_t i = 0; i < paths.size(); ++i) {
-    Scene one = detail::reader_of(paths[i]).read(paths[i], options, context);
+    Scene one = detail::reader_of(paths[i], options).read(paths[i], options, context);
     scene.parts.insert(scene.parts.end(), std::make_move_iterator(one.parts.begin()),
                        std::make_move_iterator(one.parts.end()));
     scene.diagnostics.append(one.diagnostics);
@@ -46,7 +46,7 @@ Scene read_scene(const std::vector<std::string>& paths, const ReadOptions& optio
 
 FileInfo inspect_file(const std::filesystem::path& path, const ReadOptions& options,
                       RunContext& context) {
-  return detail::reader_of(path).inspect(path, options, context);
+  return detail::reader_of(path, options).inspect(path, options, context);
 }
 
 }  // namespace burin

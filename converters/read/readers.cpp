@@ -6,6 +6,7 @@
 #include <burin/converters/mesh_info.h>
 #include <burin/converters/mesh_reader.h>
 #include <burin/converters/openscad_reader.h>
+#include <burin/converters/volume_reader.h>
 
 #include <array>
 #include <fstream>
@@ -49,7 +50,15 @@ constexpr Reader kOpenscad{"OpenSCAD", nullptr, is_openscad_suffix,
                              return inspect_openscad(path, openscad_options(o), c);
                            }};
 
-constexpr std::array kReaders{kCad, kIrit, kImplicit, kOpenscad, kMesh};
+constexpr Reader kVolume{"NRRD, MHA, MHD, INR, NII, VTI, RAW", is_volume_content, is_volume_suffix,
+                         [](const Path& path, const ReadOptions& o, RunContext& c) {
+                           return read_volume_scene(path, o.volume, o.bounds, c);
+                         },
+                         [](const Path& path, const ReadOptions& o, RunContext& c) {
+                           return inspect_volume(path, o.volume, o.bounds, c);
+                         }};
+
+constexpr std::array kReaders{kCad, kIrit, kImplicit, kOpenscad, kVolume, kMesh};
 
 /// Empty where the file cannot be read: its reader says why.
 std::string head_of(const std::filesystem::path& path) {
@@ -64,7 +73,7 @@ std::string head_of(const std::filesystem::path& path) {
 
 }  // namespace
 
-const Reader& reader_of(const std::filesystem::path& path) {
+const Reader& reader_of(const std::filesystem::path& path, const ReadOptions& options) {
   const std::string head = head_of(path);
   for (const Reader& reader : kReaders) {
     if (reader.knows_content && reader.knows_content(head)) return reader;
@@ -72,7 +81,7 @@ const Reader& reader_of(const std::filesystem::path& path) {
   for (const Reader& reader : kReaders) {
     if (reader.knows_suffix(path)) return reader;
   }
-  return kMesh;
+  return options.volume.raw ? kVolume : kMesh;
 }
 
 }  // namespace burin::detail

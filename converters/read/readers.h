@@ -23,8 +23,8 @@ struct Reader {
 
 inline constexpr std::size_t kHeadBytes = 4096;
 
-/// By content where that is clear, else by the suffix, else the readers of meshes, which say what
-/// is wrong with a file that nobody knows.
-const Reader& reader_of(const std::filesystem::path& path);
+/// By content where that is clear, else by the suffix, else raw data where its layout is given,
+/// else the readers of meshes, which say what is wrong with a file that nobody knows.
+const Reader& reader_of(const std::filesystem::path& path, const ReadOptions& options);
 
 }  // namespace burin::detail

@@ -63,8 +63,48 @@ struct ReadRow {
   const char* name;
   std::string ReadRequest::*text;
 };
-constexpr std::array kReadRows{ReadRow{"bounds", &ReadRequest::bounds},
-                               ReadRow{"openscad_timeout", &ReadRequest::openscad_timeout}};
+constexpr std::array kReadRows{
+    ReadRow{"bounds", &ReadRequest::bounds},
+    ReadRow{"iso", &ReadRequest::iso},
+    ReadRow{"inside", &ReadRequest::inside},
+    ReadRow{"volume_degree", &ReadRequest::volume_degree},
+    ReadRow{"smooth", &ReadRequest::smooth},
+    ReadRow{"interpolate", &ReadRequest::interpolate},
+    ReadRow{"raw", &ReadRequest::raw},
+    ReadRow{"raw_skip", &ReadRequest::raw_skip},
+    ReadRow{"openscad_timeout", &ReadRequest::openscad_timeout},
+};
+
+VolumeReadOptions make_volume_options(const ReadRequest& r, Spelling spelling) {
+  constexpr double kWidest = 100;  // samples
+  VolumeReadOptions out;
+  out.level = number_option(spelled("iso", spelling), r.iso, std::numeric_limits<double>::lowest(),
+                            std::numeric_limits<double>::max(), "a number");
+  if (!r.inside.empty()) {
+    out.inside_above = word_option(spelled("inside", spelling), r.inside, {"above", "below"}) == 0;
+  }
+  if (!r.volume_degree.empty()) {
+    out.degree = static_cast<int>(
+        whole_option(spelled("volume_degree", spelling), r.volume_degree, 2, 3, "2 or 3"));
+  }
+  out.smoothing = number_option(spelled("smooth", spelling), r.smooth, 0, kWidest,
+                                "a standard deviation of 0 to 100 samples")
+                      .value_or(0);
+  if (!r.interpolate.empty()) {
+    std::string word = r.interpolate;
+    if (word == "True" || word == "False") word.front() += 'a' - 'A';
+    out.interpolate = word_option(spelled("interpolate", spelling), word, {"false", "true"}) == 1;
+  }
+  if (!r.raw.empty()) out.raw = parse_raw_layout(r.raw);
+  if (!r.raw_skip.empty()) {
+    const auto skip = whole_option(spelled("raw_skip", spelling), r.raw_skip, 0,
+                                   std::uint64_t{1} << 50, "a number of bytes");
+    if (!out.raw)
+      throw UsageError(spelled("raw_skip", spelling) + " goes with " + spelled("raw", spelling));
+    out.raw->skip = static_cast<std::int64_t>(skip);
+  }
+  return out;
+}
 
 }  // namespace
 
@@ -95,6 +135,7 @@ ReadOptions make_read_options(const ReadRequest& request, Spelling spelling) {
   read.openscad_timeout = number_option(spelled("openscad_timeout", spelling),
                                         request.openscad_timeout, 0.001, kWeek, "seconds over 0")
                               .value_or(read.openscad_timeout);
+  read.volume = make_volume_options(request, spelling);
   return read;
 }
 

@@ -3,7 +3,9 @@
 
 #include <burin/base/box.h>
 #include <burin/base/diagnostics.h>
+#include <burin/base/vec.h>
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -43,12 +45,36 @@ struct PartInfo {
   bool closed() const { return boundary_edges == 0; }
 };
 
+/// Samples on a grid.
+struct VolumeInfo {
+  static constexpr std::array<double, 5> kPercents{1, 25, 50, 75, 99};
+
+  std::array<std::int64_t, 3> size{};
+  /// As they are stored: u8, i16, f32 ...; whether all values are whole numbers for sure.
+  std::string type;
+  bool whole = true;
+  /// Model mm of the first sample, and from sample to sample along each axis of the grid.
+  Vec3 origin{0};
+  Mat3 steps{1};
+  /// What the coordinates are, where the file says it: "right-anterior-superior".
+  std::string space;
+  /// Of all samples.
+  Box3 bounds;
+  double min = 0, max = 0;
+  /// Values below which kPercents of the samples lie.
+  std::array<double, 5> percentiles{};
+  /// A level to try: what best parts the values in two.
+  double level = 0;
+};
+
 struct FileInfo {
   std::string file;
   std::string format;
   /// STEP: the name of the schema; else empty.
   std::string schema = {};
   std::vector<PartInfo> parts = {};
+  /// Volumes only; without a level they have no parts.
+  std::optional<VolumeInfo> volume = {};
   /// Defects that were found, and what was done about them.
   Diagnostics diagnostics = {};
 

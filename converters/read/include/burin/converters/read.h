@@ -5,6 +5,7 @@
 #include <burin/base/box.h>
 #include <burin/base/run_context.h>
 #include <burin/converters/file_info.h>
+#include <burin/converters/volume_reader.h>
 #include <burin/surface/scene.h>
 
 #include <filesystem>
@@ -16,11 +17,13 @@ namespace burin {
 
 /// What no file says of itself. A reader takes what concerns its formats and ignores the rest.
 struct ReadOptions {
-  /// The domain of functions.
+  /// The domain of functions; volumes are clipped to it.
   std::optional<Box3> bounds = {};
   /// OpenSCAD files: definitions `NAME=VALUE`, and the seconds after which OpenSCAD is ended.
   std::vector<std::string> defines = {};
   double openscad_timeout = 300;
+  /// Volumes; trivariate splines take the level alone.
+  VolumeReadOptions volume = {};
 };
 
 /// Throws InputError for the first path that is no file that can be opened.

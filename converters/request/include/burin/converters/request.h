@@ -18,6 +18,14 @@ struct ReadRequest {
   /// OpenSCAD's -D NAME=VALUE.
   std::vector<std::string> define = {};
   std::string openscad_timeout = {};
+  /// Volumes.
+  std::string iso;
+  std::string inside;
+  std::string volume_degree;
+  std::string smooth;
+  std::string interpolate;
+  std::string raw;
+  std::string raw_skip;
 };
 
 /// Long options of `burin draw`, as they were typed; empty = absent.
