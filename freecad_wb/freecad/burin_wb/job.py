@@ -54,7 +54,10 @@ class Job:
                 made = scene.add_brep(part.brep, part.name, **common)
             else:
                 made = scene.add_mesh(part.vertices, part.triangles, part.name, **common)
-            made.drawn, made.hatched, made.transparent = part.drawn, part.hatched, part.transparent
+            for look in ("drawn", "hatched", "transparent", "style"):
+                wanted = getattr(part, look)
+                if wanted != getattr(PartJob, look):
+                    setattr(made, look, wanted)
         return burin.draw(scene, progress=progress, cancel=cancel, **self.options)
 
     def run(self, burin, progress=None, cancel=None):

@@ -11,6 +11,7 @@ import subprocess
 import sys
 import tempfile
 import threading
+import traceback
 
 HEAD = struct.Struct("<Q")
 
@@ -194,7 +195,14 @@ def _serve():
             _send(sink, ("cancelled",))
         except burin.Error as error:
             _send(sink, ("failed", str(error)))
+        except Exception as error:  # a mistake of ours: told, and the worker lives on
+            traceback.print_exc()
+            _send(sink, ("failed", f"the drawing kernel failed: {error!r}"))
 
 
 if __name__ == "__main__":
-    _serve()
+    try:
+        _serve()
+    finally:
+        sys.stderr.flush()
+        os._exit(0)  # the listening thread holds standard input
