@@ -1,9 +1,11 @@
 // burin_samples models FOLDER: writes the sample models.
 // burin_samples splines FOLDER: those of them that are spline patches.
+// burin_samples volumes FOLDER: those that are volumes.
 // burin_samples large FOLDER: writes the meshes of the benchmarks, of 100,000 and of 1,000,000
 // triangles.
 #include "models.h"
 #include "splines.h"
+#include "volumes.h"
 #include "write_mesh.h"
 
 #include <fmt/format.h>
@@ -53,6 +55,12 @@ void write_splines(const std::filesystem::path& folder) {
   save(burin::samples::spline_teapot(), folder / "teapot.itd");
 }
 
+void write_volumes(const std::filesystem::path& folder) {
+  const std::filesystem::path path = folder / "tube_joints.nrrd";
+  burin::samples::write_nrrd(burin::samples::tube_joints(), path);
+  fmt::print("{:<28} {:>9} bytes\n", path.filename().string(), std::filesystem::file_size(path));
+}
+
 void write_large(const std::filesystem::path& folder) {
   using namespace burin::samples;
   save(knot(790, 63), folder / "knot_100k.stl");
@@ -69,12 +77,15 @@ int main(int argc, char** argv) {
     if (what == "models") {
       write_models(argv[2]);
       write_splines(argv[2]);
+      write_volumes(argv[2]);
     } else if (what == "splines") {
       write_splines(argv[2]);
+    } else if (what == "volumes") {
+      write_volumes(argv[2]);
     } else if (what == "large") {
       write_large(argv[2]);
     } else {
-      std::fputs("usage: burin_samples models|splines|large FOLDER\n", stderr);
+      std::fputs("usage: burin_samples models|splines|volumes|large FOLDER\n", stderr);
       return 2;
     }
   } catch (const std::exception& error) {
