@@ -1,0 +1,37 @@
+"""Run by FreeCAD's GUI at every start: only names here, the rest is imported when the workbench is first used."""
+
+import os
+
+import FreeCADGui as Gui
+
+_RESOURCES = os.path.join(os.path.dirname(__file__), "resources")
+
+
+class BurinWorkbench(Gui.Workbench):
+    """Illustrations of parts and assemblies."""
+
+    MenuText = "Burin"
+    ToolTip = "Line art of parts and assemblies: contours, hidden lines removed, strokes that follow the surface"
+    Icon = os.path.join(_RESOURCES, "icons", "burin.svg")
+
+    def Initialize(self):
+        from freecad.burin_wb import commands
+
+        names = commands.register()
+        self.appendToolbar("Burin", names)
+        self.appendMenu("&Burin", names)
+
+    def ContextMenu(self, recipient):
+        from freecad.burin_wb import commands
+
+        self.appendContextMenu("Burin", commands.context())
+
+    def GetClassName(self):
+        return "Gui::PythonWorkbench"
+
+
+Gui.addLanguagePath(os.path.join(_RESOURCES, "translations"))
+Gui.updateLocale()
+Gui.addIconPath(os.path.join(_RESOURCES, "icons"))
+Gui.addPreferencePage(os.path.join(_RESOURCES, "preferences.ui"), "Burin")
+Gui.addWorkbench(BurinWorkbench())

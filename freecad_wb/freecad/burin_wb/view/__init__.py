@@ -1,0 +1,1 @@
+"""What the GUI shows of illustrations."""
