@@ -45,6 +45,9 @@ void add_reading(CLI::App& app, ReadRequest& read, const char* group) {
   text(app, "--smooth", read.smooth, "SAMPLES", group,
        "standard deviation of a Gaussian that a volume is\n"
        "smoothed with (default 0)");
+  text(app, "--specks", read.specks, "SHARE", group,
+       "components of a volume smaller than this share of the\n"
+       "largest one are left out (default 0.02)");
   text(app, "--volume-degree", read.volume_degree, "2|3", group,
        "degree of the spline of a volume (default 3)");
   app.add_flag_callback(
