@@ -5,7 +5,6 @@
 
 #include "arguments.h"
 #include "console.h"
-#include "convert.h"
 #include "draw.h"
 #include "info.h"
 #include "signals.h"
@@ -73,9 +72,6 @@ int run(const Arguments& arguments, RunContext& context, Console& console) {
     case Verb::Draw:
       run_draw(arguments.draw, context, console);
       break;
-    case Verb::Convert:
-      run_convert(arguments.convert, context, console);
-      break;
     case Verb::Info: {
       if (arguments.info.inputs.empty()) {
         throw UsageError("no input; name model files: burin info INPUT...");
@@ -108,14 +104,13 @@ int main_of(int argc, const char* const* argv) {
     const auto& inputs =
         arguments.verb == Verb::Info ? arguments.info.inputs : arguments.draw.inputs;
     if (inputs.size() == 1) input = inputs.front();
-    if (arguments.verb == Verb::Convert) input = arguments.convert.input;
     Console console(arguments.chatter);
     RunContext context(
         [&](const std::string& stage, double share) { console.progress(stage, share); });
     const signals::Handlers handlers(context);
     const int status = run(arguments, context, console);
     signals::finish();
-    if (arguments.verb == Verb::Draw || arguments.verb == Verb::Convert) {
+    if (arguments.verb == Verb::Draw) {
       console.stages(context, std::chrono::duration<double>(Clock::now() - start).count());
     }
     return status;

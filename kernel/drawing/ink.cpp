@@ -17,7 +17,21 @@ bool is_outlined(const Path& p) {
          (p.kind == LineClass::Stroke && !p.closed && mean_width(p) > kWidestRoundCap);
 }
 
-/// The chains of a stroke; a closed one is cut open at its first point, where two noses meet.
+/// Adds a point half a width beyond the end of a line: the nose of an outline ends where its line
+/// does, a round cap half a width later.
+void prolong(std::vector<Vec2>& points, std::vector<double>& widths) {
+  const std::size_t n = points.size();
+  std::size_t before = n - 1;
+  while (before > 0 && points[before - 1] == points[n - 1]) --before;
+  if (before == 0) return;
+  const Vec2 along = glm::normalize(points[n - 1] - points[before - 1]);
+  points.push_back(points[n - 1] + 0.5 * widths[n - 1] * along);
+  widths.push_back(widths[n - 1]);
+}
+
+/// The chains of a stroke; a closed one is cut open at its first point, where two noses meet. Lines
+/// that are no strokes keep the round caps that they have where their width does not vary, so that
+/// those that meet leave no notch.
 std::vector<std::vector<CubicBezier>> outline_of(const Path& p, double tolerance) {
   std::vector<Vec2> points = p.points;
   std::vector<double> widths = p.width;
@@ -27,6 +41,12 @@ std::vector<std::vector<CubicBezier>> outline_of(const Path& p, double tolerance
     for (const std::size_t i : {std::size_t{0}, std::size_t{1}}) {
       points.push_back(points[i]);
       widths.push_back(widths[i]);
+    }
+  } else if (p.kind != LineClass::Stroke) {
+    for (int end = 0; end < 2; ++end) {
+      prolong(points, widths);
+      std::reverse(points.begin(), points.end());
+      std::reverse(widths.begin(), widths.end());
     }
   }
   return stroke_outline(points, widths, tolerance);

@@ -15,6 +15,7 @@ constexpr double kStill = 0.01;
 
 /// How the cosine between normal and a direction changes along the surface.
 struct Slope {
+  double cosine = 0;
   Vec3 gradient{0};  // 1 / model mm, tangent
   double most = 0;   // what its length could be with the surface bent as it is
 };
@@ -30,7 +31,9 @@ double sharpest(const Frame& f) { return std::max(std::abs(f.k1), std::abs(f.k2)
 
 SlopeFn from_direction(Vec3 direction) {
   const Vec3 v = normalize_or(direction, Vec3(0, 0, 1));
-  return [v](const SurfacePoint&, const Frame& f) { return Slope{bending(f, v), sharpest(f)}; };
+  return [v](const SurfacePoint&, const Frame& f) {
+    return Slope{glm::dot(f.normal, v), bending(f, v), sharpest(f)};
+  };
 }
 
 // In perspective the direction to the viewer changes too: dv/dt = -(t - v (t.v)) / distance.
@@ -39,8 +42,9 @@ SlopeFn from_viewer(const Camera& camera) {
   return [camera](const SurfacePoint& p, const Frame& f) {
     const Vec3 v = camera.to_viewer(p.position);
     const double nearness = 1 / camera.distance_to_viewer(p.position);
-    const Vec3 turning = nearness * glm::dot(f.normal, v) * reject(v, f.normal);
-    return Slope{bending(f, v) + turning, sharpest(f) + nearness};
+    const double cosine = glm::dot(f.normal, v);
+    const Vec3 turning = nearness * cosine * reject(v, f.normal);
+    return Slope{cosine, bending(f, v) + turning, sharpest(f) + nearness};
   };
 }
 
@@ -67,7 +71,12 @@ Field angle_field(const char* name, SlopeFn slope, const AngleOptions& options, 
     const Slope s = slope(q.point, q.frame);
     return s.most > options.flat ? std::min(1.0, glm::length(s.gradient) / s.most) : 0.0;
   };
-  return {name, direction, certainty};
+  const auto level = [=](const SurfacePoint& p, const Frame& f) -> std::optional<Level> {
+    const Slope s = slope(p, f);
+    if (s.most <= options.flat || !(glm::length(s.gradient) > kStill * s.most)) return std::nullopt;
+    return Level{s.cosine, s.gradient};
+  };
+  return {name, direction, certainty, level};
 }
 
 }  // namespace

@@ -163,8 +163,9 @@ void compose_features(const LinesToDraw& lines, const std::vector<Gaps>& gaps,
       const Curve3 drawn = piece(curve, span);
       Path path = to_path(drawn, how.camera);
       if (path.points.size() < 2) continue;
-      // What a halo leaves of a line, shorter than the halo, is a speck.
-      if (!gaps[i].empty() && paper_length(path) < how.style.halo.gap) continue;
+      // What haloes leave of a line between them, shorter than they are, is a speck.
+      const double least = (span.visible ? 1 : 2) * how.style.halo.gap;
+      if (!gaps[i].empty() && paper_length(path) < least) continue;
       path.visible = span.visible;
       path.in_full = !span.visible && how.style.halo.hidden;
       path.width = {how.feature_width(curve, span)};

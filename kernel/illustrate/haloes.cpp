@@ -41,8 +41,7 @@ HaloLine feature_line(const Curve3& curve, const std::vector<Span>& spans, const
       line.casters.push_back({span.begin, span.end, half});
     }
   }
-  // Widths that vary are drawn as outlines, which end where the line does; others have round caps.
-  if (!how.cue.active()) line.overhang = widest;
+  line.overhang = widest;  // round caps
   return line;
 }
 

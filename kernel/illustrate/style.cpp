@@ -93,7 +93,8 @@ Style wireframe() {
             .smooth = 0.2,
             .intersection = 0.3,
             .hidden = 0.3};
-  s.halo = {.gap = 0.7, .lines = "features", .hidden = true};
+  s.feature.smooth = false;
+  s.halo = {.gap = 0.6, .lines = "features", .hidden = true};
   s.depth.near = 1.3;
   s.depth.far = 0.4;
   return s;

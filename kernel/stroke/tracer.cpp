@@ -13,11 +13,14 @@ constexpr double kMinFacing = 0.02;  // cosine: the surface is seen edge-on and 
 constexpr double kMinRun = 0.12;     // share of its length that a step must keep on paper
 constexpr double kMaxTurn = 0.7;     // cosine of the turn in one step that still is a smooth stroke
 constexpr double kTestShare =
-    0.55;                           // of the spacing: a stroke ends nearer than that to a neighbour
-constexpr double kRunUp = 2.5;      // how much closer to a stroke that crosses its way
-constexpr double kOwnArm = 0.7;     // cosine up to which a direction is that of the family
-constexpr double kForeign = 1.2;    // paper mm that a stroke may run along another family's arm
-constexpr int kMaxSamples = 20000;  // a bound where length_max is set absurdly high
+    0.55;                         // of the spacing: a stroke ends nearer than that to a neighbour
+constexpr double kRunUp = 2.5;    // how much closer to a stroke that crosses its way
+constexpr double kOwnArm = 0.7;   // cosine up to which a direction is that of the family
+constexpr double kForeign = 1.2;  // paper mm that a stroke may run along another family's arm
+constexpr double kAlongLevel = 0.5;  // sine of the angle to a level line up to which it is one
+constexpr double kMostOff = 0.25;    // of a step that a stroke may be off its level line
+constexpr double kLeastOff = 1e-4;   // ... that it is left off
+constexpr int kMaxSamples = 20000;   // a bound where length_max is set absurdly high
 
 // Where the surface turns away its lines draw together on paper and run into the outline; ended at
 // the full distance they would all stop at one line short of it.
@@ -105,6 +108,37 @@ bool Tracer::free(std::int32_t part, const StrokeSample& s, double share) const 
   return grid_.nearest(grid_sample(s, part, -1), d).distance >= d;
 }
 
+// What a stroke from a seed keeps: the field's level, where it runs along a level line.
+std::optional<double> Tracer::level_kept(const Surface& surface, const StrokeSample& seed) const {
+  if (!picture_.field.level) return std::nullopt;
+  const auto level = picture_.field.level(seed.point, surface.frame(seed.point));
+  if (!level) return std::nullopt;
+  const double climb = std::abs(glm::dot(seed.tangent, level->gradient));
+  if (climb > kAlongLevel * glm::length(level->gradient)) return std::nullopt;
+  return level->value;
+}
+
+// Brings the end of a step of some length back to the level that its stroke keeps, by Newton's
+// method: near outlines steps are long on the surface, and errors add up. False where the level
+// cannot be kept: its line turns more sharply than steps can follow.
+bool Tracer::keep_level(const Surface& surface, double level, double length,
+                        MarchStep& step) const {
+  constexpr int kMost = 4;
+  for (int i = 0; i < kMost; ++i) {
+    const Frame frame = surface.frame(step.end);
+    const auto here = picture_.field.level(step.end, frame);
+    if (!here) return true;
+    const double slope = glm::length(here->gradient), off = (level - here->value) / slope;
+    if (std::abs(off) < kLeastOff * length) return true;
+    if (!(std::abs(off) < kMostOff * length)) return false;
+    const MarchStep back = surface.march(step.end, off / slope * here->gradient, std::abs(off));
+    if (back.stop != MarchStop::Completed) return true;
+    step.direction = transport(step.direction, frame.normal, surface.frame(back.end).normal);
+    step.end = back.end;
+  }
+  return true;
+}
+
 StrokeEnd Tracer::extend(std::int32_t part, const StrokeSample& seed, double sign, double reach,
                          std::vector<StrokeSample>& out) const {
   const Surface& surface = picture_.surface(part);
@@ -113,6 +147,7 @@ StrokeEnd Tracer::extend(std::int32_t part, const StrokeSample& seed, double sig
   at.tangent *= sign;
   double travelled = 0, unseen = 0, foreign = 0;
   std::size_t last_own = 0;
+  const std::optional<double> level = level_kept(surface, seed);
   for (int i = 0; i < kMaxSamples; ++i) {
     const double scale = camera.scale_at(at.point.position);
     const double speed = glm::length(camera.velocity(at.point.position, at.tangent)) / scale;
@@ -127,7 +162,10 @@ StrokeEnd Tracer::extend(std::int32_t part, const StrokeSample& seed, double sig
         tangent = transport(*d, frame.normal, at.normal);
       }
     }
-    const MarchStep step = surface.march(at.point, tangent, length);
+    MarchStep step = surface.march(at.point, tangent, length);
+    if (level && step.stop == MarchStop::Completed && !keep_level(surface, *level, length, step)) {
+      return StrokeEnd::Singular;
+    }
     if (step.stop == MarchStop::Singular || step.stop == MarchStop::NotConverged) {
       return StrokeEnd::Singular;
     }

@@ -69,6 +69,8 @@ class Tracer {
 
  private:
   bool fill(std::int32_t part, const SurfacePoint& point, Vec3 previous, StrokeSample& out) const;
+  std::optional<double> level_kept(const Surface& surface, const StrokeSample& seed) const;
+  bool keep_level(const Surface& surface, double level, double length, MarchStep& step) const;
   StrokeEnd extend(std::int32_t part, const StrokeSample& seed, double sign, double reach,
                    std::vector<StrokeSample>& out) const;
 

@@ -40,6 +40,12 @@ const Case kCases[] = {
     {"coupling_outline.json", "coupling.step", "--style outline --view 1,-1.2,0.8 --paper 70x60"},
     {"horn_engraving.json", "horn.itd", "--style engraving --view 1,-1.2,0.7 --paper 50x45"},
     {"blob_engraving.json", "blob.off", "--style engraving --view 1,-1.2,0.8 --paper 50x50"},
+    {"knot_haloed.json", "knot.ply", "--style haloed --view 0.4,-0.5,1 --paper 60x50"},
+    {"pedestal_wireframe.json", "pedestal.step",
+     "--style wireframe --view 1,-1.2,0.8 --paper 90x70"},
+    {"smooth_blend_isophotes.json", "smooth_blend.implicit",
+     "--style engraving --set hatch.field=isophote --set hatch.cross_from=2 --set halo.gap=0.4 "
+     "--view 1,-0.8,1 --paper 50x50"},
 };
 
 std::string read(const fs::path& path) {

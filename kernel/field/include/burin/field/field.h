@@ -33,12 +33,23 @@ using DirectionFn = std::function<std::optional<Vec3>(const FieldQuery&)>;
 /// for a whole face.
 using CertaintyFn = std::function<double(const FieldQuery&)>;
 
+/// A function on a surface and its tangent gradient (1/model mm).
+struct Level {
+  double value = 0;
+  Vec3 gradient{0};
+};
+/// What lines that are meant to be level lines keep; nothing where it stands still.
+using LevelFn = std::function<std::optional<Level>(const SurfacePoint&, const Frame&)>;
+
 /// A named direction field. The functions may be called from many threads.
 struct Field {
   std::string name;
   DirectionFn direction;
   /// Strokes start where it is largest. Absent = the frame's confidence.
   CertaintyFn certainty{};
+  /// Where one family runs along the level lines of a function: that function, by which strokes are
+  /// held on their lines. Absent = strokes follow the directions alone.
+  LevelFn level{};
 };
 
 namespace field {
