@@ -17,6 +17,11 @@ constexpr const char* kLook = "The look";
 constexpr const char* kRun = "The run";
 constexpr const char* kReading = "Functions and volumes";
 constexpr const char* kFiles = "Files";
+constexpr const char* kFormatHelp =
+    "svg, pdf, eps, png, dxf or json: format of outputs whose\n"
+    "name does not tell it";
+constexpr const char* kThreadsHelp =
+    "worker threads (default: all); the drawing is the same for any number";
 
 CLI::Option* text(CLI::App& app, const char* name, std::string& value, const char* type,
                   const char* group, const char* help) {
@@ -45,6 +50,9 @@ void add_reading(CLI::App& app, ReadRequest& read, const char* group) {
   text(app, "--smooth", read.smooth, "SAMPLES", group,
        "standard deviation of a Gaussian that a volume is\n"
        "smoothed with (default 0)");
+  text(app, "--specks", read.specks, "SHARE", group,
+       "components of a volume smaller than this share of the\n"
+       "largest one are left out (default 0.02)");
   text(app, "--volume-degree", read.volume_degree, "2|3", group,
        "degree of the spline of a volume (default 3)");
   app.add_flag_callback(
@@ -89,10 +97,9 @@ CLI::App* add_draw(CLI::App& app, DrawArguments& a, Chatter& chatter) {
       ->type_name("")
       ->group(kFiles);
   list(*draw, "-o,--output", a.outputs, "FILE", kFiles,
-       "drawing to write, .svg or .json by its suffix; repeatable;\n"
-       "- is standard output and needs --format");
-  text(*draw, "--format", a.format, "svg|json", kFiles,
-       "format of outputs whose name does not tell it");
+       "drawing to write, .svg .pdf .eps .png .dxf or .json by its\n"
+       "suffix; repeatable; - is standard output and needs --format");
+  text(*draw, "--format", a.format, "FORMAT", kFiles, kFormatHelp);
   add_openscad(*draw, a.read);
   text(*draw, "--view", a.view, "NAME|X,Y,Z", kSheet,
        "front back left right top bottom iso dimetric trimetric,\n"
@@ -122,8 +129,7 @@ CLI::App* add_draw(CLI::App& app, DrawArguments& a, Chatter& chatter) {
        "(default: less than 0.05 mm on the sheet)");
   add_reading(*draw, a.read, kReading);
   text(*draw, "--seed", a.seed, "N", kRun, "random seed (default 1)");
-  text(*draw, "--threads", a.threads, "N", kRun,
-       "worker threads (default: all); the drawing is the same for any number");
+  text(*draw, "--threads", a.threads, "N", kRun, kThreadsHelp);
   add_chatter(*draw, chatter);
   draw->footer(
       "\nExamples:\n"
@@ -134,6 +140,27 @@ CLI::App* add_draw(CLI::App& app, DrawArguments& a, Chatter& chatter) {
       "Exit status: 0 drawn; 2 usage; 3 bad input; 4 output cannot be written; 5 cancelled; 1 "
       "else.");
   return draw;
+}
+
+CLI::App* add_convert(CLI::App& app, ConvertArguments& a, Chatter& chatter) {
+  CLI::App* convert = app.add_subcommand("convert", "write a drawing file in other formats");
+  text(*convert, "DRAWING", a.input, "", kFiles,
+       "drawing file (.json) of burin draw or of another program");
+  list(*convert, "-o,--output", a.outputs, "FILE", kFiles,
+       "file to write, .svg .pdf .eps .png .dxf or .json by its\n"
+       "suffix; repeatable; - is standard output and needs --format");
+  text(*convert, "--format", a.format, "FORMAT", kFiles, kFormatHelp);
+  list(*convert, "--set", a.set, "KEY=VALUE", kLook,
+       "change a key of a format (svg. png. dxf. json. line.dash\n"
+       "line.gap); repeatable; see burin styles --keys");
+  text(*convert, "--threads", a.threads, "N", kRun, kThreadsHelp);
+  add_chatter(*convert, chatter);
+  convert->footer(
+      "\nExamples:\n"
+      "  burin convert pump.json -o pump.pdf -o pump.dxf\n"
+      "  burin convert pump.json -o pump.png --set png.dpi=600 --set png.background=transparent\n\n"
+      "Exit status: that of burin draw.");
+  return convert;
 }
 
 CLI::App* add_info(CLI::App& app, InfoArguments& a) {
@@ -210,11 +237,12 @@ Arguments parse_arguments(int argc, const char* const* argv) {
       "Example: burin draw bracket.stl -o bracket.svg --style engraving");
   app.set_version_flag("--version,-V", std::string("burin ") + version(), "print the version");
   CLI::App* draw = add_draw(app, a.draw, a.chatter);
+  CLI::App* convert = add_convert(app, a.convert, a.chatter);
   CLI::App* info = add_info(app, a.info);
   CLI::App* styles = add_styles(app, a.styles);
   CLI::App* plugins = app.add_subcommand("plugins", "list the plug-ins that are loaded");
   app.allow_extras();
-  for (CLI::App* sub : {draw, info, styles, plugins}) sub->allow_extras();
+  for (CLI::App* sub : {draw, convert, info, styles, plugins}) sub->allow_extras();
 
   try {
     app.parse(argc, argv);
@@ -234,10 +262,11 @@ Arguments parse_arguments(int argc, const char* const* argv) {
   const CLI::App* chosen = app.get_subcommands().front();
   refuse_extras(*chosen, "burin " + chosen->get_name());
   refuse_extras(app, "burin");
-  a.verb = chosen == draw     ? Verb::Draw
-           : chosen == info   ? Verb::Info
-           : chosen == styles ? Verb::Styles
-                              : Verb::Plugins;
+  a.verb = chosen == draw      ? Verb::Draw
+           : chosen == convert ? Verb::Convert
+           : chosen == info    ? Verb::Info
+           : chosen == styles  ? Verb::Styles
+                               : Verb::Plugins;
   return a;
 }
 

@@ -16,6 +16,14 @@ struct DrawArguments : DrawRequest {
   std::string format;
 };
 
+struct ConvertArguments {
+  std::string input;
+  std::vector<std::string> outputs;
+  std::string format;
+  std::vector<std::string> set;
+  std::string threads;
+};
+
 struct StylesArguments {
   bool keys = false;
   std::string show;
@@ -36,13 +44,14 @@ struct Chatter {
   bool no_progress = false;
 };
 
-enum class Verb { Help, Draw, Info, Styles, Plugins };
+enum class Verb { Help, Draw, Convert, Info, Styles, Plugins };
 
 struct Arguments {
   Verb verb = Verb::Help;
   /// Help: the whole text to print.
   std::string help;
   DrawArguments draw;
+  ConvertArguments convert;
   StylesArguments styles;
   InfoArguments info;
   Chatter chatter;

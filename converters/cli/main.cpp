@@ -5,6 +5,7 @@
 
 #include "arguments.h"
 #include "console.h"
+#include "convert.h"
 #include "draw.h"
 #include "info.h"
 #include "signals.h"
@@ -72,6 +73,9 @@ int run(const Arguments& arguments, RunContext& context, Console& console) {
     case Verb::Draw:
       run_draw(arguments.draw, context, console);
       break;
+    case Verb::Convert:
+      run_convert(arguments.convert, context, console);
+      break;
     case Verb::Info: {
       if (arguments.info.inputs.empty()) {
         throw UsageError("no input; name model files: burin info INPUT...");
@@ -104,13 +108,14 @@ int main_of(int argc, const char* const* argv) {
     const auto& inputs =
         arguments.verb == Verb::Info ? arguments.info.inputs : arguments.draw.inputs;
     if (inputs.size() == 1) input = inputs.front();
+    if (arguments.verb == Verb::Convert) input = arguments.convert.input;
     Console console(arguments.chatter);
     RunContext context(
         [&](const std::string& stage, double share) { console.progress(stage, share); });
     const signals::Handlers handlers(context);
     const int status = run(arguments, context, console);
     signals::finish();
-    if (arguments.verb == Verb::Draw) {
+    if (arguments.verb == Verb::Draw || arguments.verb == Verb::Convert) {
       console.stages(context, std::chrono::duration<double>(Clock::now() - start).count());
     }
     return status;

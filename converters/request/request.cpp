@@ -69,6 +69,7 @@ constexpr std::array kReadRows{
     ReadRow{"inside", &ReadRequest::inside},
     ReadRow{"volume_degree", &ReadRequest::volume_degree},
     ReadRow{"smooth", &ReadRequest::smooth},
+    ReadRow{"specks", &ReadRequest::specks},
     ReadRow{"interpolate", &ReadRequest::interpolate},
     ReadRow{"raw", &ReadRequest::raw},
     ReadRow{"raw_skip", &ReadRequest::raw_skip},
@@ -77,6 +78,7 @@ constexpr std::array kReadRows{
 
 VolumeReadOptions make_volume_options(const ReadRequest& r, Spelling spelling) {
   constexpr double kWidest = 100;  // samples
+  constexpr double kLargestSpeck = 0.99;
   VolumeReadOptions out;
   out.level = number_option(spelled("iso", spelling), r.iso, std::numeric_limits<double>::lowest(),
                             std::numeric_limits<double>::max(), "a number");
@@ -90,6 +92,9 @@ VolumeReadOptions make_volume_options(const ReadRequest& r, Spelling spelling) {
   out.smoothing = number_option(spelled("smooth", spelling), r.smooth, 0, kWidest,
                                 "a standard deviation of 0 to 100 samples")
                       .value_or(0);
+  out.smallest_part = number_option(spelled("specks", spelling), r.specks, 0, kLargestSpeck,
+                                    "a share from 0 to 0.99 of the largest component's size")
+                          .value_or(out.smallest_part);
   if (!r.interpolate.empty()) {
     std::string word = r.interpolate;
     if (word == "True" || word == "False") word.front() += 'a' - 'A';

@@ -64,7 +64,8 @@ Scene scene_of(Volume volume, const std::filesystem::path& path, const VolumeRea
                                          {*options.level, options.inside_above, options.degree,
                                           options.interpolate, options.smoothing},
                                          context);
-    auto form = std::make_shared<ImplicitForm>(std::move(function), domain, context);
+    auto form =
+        std::make_shared<ImplicitForm>(std::move(function), domain, context, options.smallest_part);
     scene.parts.push_back({name_of(path), file, std::move(form)});
   } catch (const GeometryError& e) {
     throw InputError(e.what(), file);

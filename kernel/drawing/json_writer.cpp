@@ -147,6 +147,7 @@ void append_path(Buffer& out, const Path& p, bool points3, int decimals3) {
                  "\"closed\": {}",
                  to_string(p.kind), p.visible, p.source.part, p.source.face, p.source.edge,
                  p.closed);
+  if (p.in_full) append(out, ", \"in_full\": true");
   if (p.kind == LineClass::Stroke) {
     append(out, ", \"field\": ");
     append_json(out, p.field);

@@ -151,6 +151,11 @@ std::vector<StyleKey> other_keys() {
              "how far fitted curves may be from the computed lines, in mm"),
       flag("json.points3", BURIN_MEMBER(bool, json.points3),
            "write model coordinates beside those of the paper"),
+      number("png.dpi", BURIN_MEMBER(double, png.dpi), 10, 4800, "pixels an inch"),
+      {"png.background", "what is no ink",
+       WordKey{BURIN_MEMBER(std::string, png.background), {"white", "transparent"}}},
+      flag("dxf.splines", BURIN_MEMBER(bool, dxf.splines),
+           "smooth curves as SPLINE, not as LWPOLYLINE; OpenSCAD reads no SPLINE"),
   };
 }
 #undef BURIN_MEMBER

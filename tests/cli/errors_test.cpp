@@ -61,10 +61,10 @@ TEST_F(CliErrors, UsageOfEachOption) {
 }
 
 TEST_F(CliErrors, UsageOfOutputs) {
-  expect_failure("draw @/box.off -o @/a.png", 2, ".svg or .json");
-  expect_failure("draw @/box.off -o @/a", 2, ".svg or .json");
+  expect_failure("draw @/box.off -o @/a.bmp", 2, ".dxf or .json");
+  expect_failure("draw @/box.off -o @/a", 2, ".dxf or .json");
   expect_failure("draw @/box.off -o -", 2, "--format");
-  expect_failure("draw @/box.off -o @/a --format dxf", 2, "--format");
+  expect_failure("draw @/box.off -o @/a --format bmp", 2, "--format");
   expect_failure("draw @/box.off -o @/a.svg -o @/./a.svg", 2, "twice");
   expect_failure("draw @/box.off -o - -o - --format svg", 2, "twice");
   // An input is never overwritten, by whatever way it is named.

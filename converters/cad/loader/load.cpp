@@ -1,45 +1,19 @@
-#include <burin/base/error.h>
-#include <burin/base/version.h>
 #include <burin/converters/cad_reader.h>
 
 #include "../cad_format.h"
 #include "../cad_library.h"
 
-#include <dlfcn.h>
-#include <fmt/format.h>
-
-#include <cstring>
-#include <string>
+#include "beside.h"
 
 namespace burin {
 namespace {
 
-/// The library stands beside libburin, wherever that was found; `version` gives an address in it.
-std::filesystem::path library_path() {
-  Dl_info info{};
-  if (::dladdr(version(), &info) == 0 || info.dli_fname == nullptr) return BURIN_CAD_LIBRARY;
-  return std::filesystem::path(info.dli_fname).parent_path() / BURIN_CAD_LIBRARY;
-}
-
-[[noreturn]] void fail(const std::string& why) {
-  throw Error(
-      fmt::format("the library that reads CAD files cannot be used: {}; install it beside "
-                  "libburin, or export the model as STL",
-                  why));
-}
-
 const CadLibrary& load() {
-  const std::filesystem::path path = library_path();
-  // Never closed: forms that it made may live as long as the process.
-  void* library = ::dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL | RTLD_NODELETE);
-  if (!library) fail(::dlerror());
-  const auto door = reinterpret_cast<CadLibraryDoor>(::dlsym(library, kCadLibraryDoor));
-  if (!door) fail(path.string() + " is no such library");
+  const LibraryWords words{"reads CAD files", "or export the model as STL"};
+  const auto door =
+      reinterpret_cast<CadLibraryDoor>(library_door(BURIN_CAD_LIBRARY, kCadLibraryDoor, words));
   const CadLibrary& cad = *door();
-  if (std::strcmp(cad.version, version()) != 0) {
-    fail(fmt::format("{} is of version {}, this program of {}", path.string(), cad.version,
-                     version()));
-  }
+  check_library_version(BURIN_CAD_LIBRARY, cad.version, words);
   return cad;
 }
 

@@ -41,7 +41,7 @@ class Collapser {
         for (const auto& [u, v] :
              {std::pair(t[k], t[(k + 1) % 3]), std::pair(t[(k + 1) % 3], t[k])}) {
           const double d = glm::distance(mesh_.positions[u], mesh_.positions[v]);
-          if (d < limit * allowed(u, v)) candidates.emplace_back(d, u, v);
+          if (d < limit * mesh_.step_at(u) * allowed(u, v)) candidates.emplace_back(d, u, v);
         }
       }
     }

@@ -49,7 +49,7 @@ class ContourCutter {
         break;
       }
     }
-    collapse_slivers(mesh_, f_, kSnap * mesh_.step, context_);
+    collapse_slivers(mesh_, f_, kSnap, context_);
   }
 
  private:
@@ -238,7 +238,6 @@ class ContourCutter {
 
   // Vertices next to the contour are drawn onto it: cuts beside them would leave slivers.
   void snap() {
-    const double reach = kSnap * mesh_.step;
     parallel_for(
         mesh_.positions.size(), 1024,
         [&](std::size_t begin, std::size_t end) {
@@ -246,6 +245,7 @@ class ContourCutter {
             // g changes by less than a radian in a step; creases stay.
             if (mesh_.crease[v] >= 0 || mesh_.zero[v]) continue;
             if (std::abs(facing_(mesh_.positions[v], mesh_.normals[v])) > 0.5) continue;
+            const double reach = kSnap * mesh_.step_at(static_cast<std::uint32_t>(v));
             const auto q = onto_contour(f_, mesh_.positions[v], reach);
             if (!q) continue;
             mesh_.positions[v] = *q;

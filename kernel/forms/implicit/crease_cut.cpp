@@ -55,7 +55,7 @@ class CreaseCutter {
     add_missing_corners();
     set_sides();
     flip_slivers(mesh_);
-    collapse_slivers(mesh_, f_, 0.3 * mesh_.step, context_);
+    collapse_slivers(mesh_, f_, 0.3, context_);
     flip_slivers(mesh_);
   }
 

@@ -56,7 +56,10 @@ double deviation(const ExactMesh& mesh, const ImplicitFunction& f, const RunCont
   return std::min(kMargin * d, mesh.step);
 }
 
-void find_sharp(const ExactMesh& mesh, ProxyDraft& draft) {
+}  // namespace
+
+std::vector<std::uint8_t> sharp_halves(const ExactMesh& mesh, std::span<const Vec3> corner_normal) {
+  std::vector<std::uint8_t> sharp(3 * mesh.triangles.size(), 0);
   std::vector<std::tuple<std::uint32_t, std::uint32_t, std::size_t>> edges;
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
     for (std::size_t k = 0; k < 3; ++k) {
@@ -71,13 +74,12 @@ void find_sharp(const ExactMesh& mesh, ProxyDraft& draft) {
     const auto& [x, y, o] = edges[i + 1];
     if (u != x || v != y) continue;
     const auto next = [](std::size_t e) { return e % 3 == 2 ? e - 2 : e + 1; };
-    const double a = glm::dot(draft.corner_normal[h], draft.corner_normal[next(o)]);
-    const double b = glm::dot(draft.corner_normal[next(h)], draft.corner_normal[o]);
-    draft.sharp[h] = draft.sharp[o] = std::min(a, b) < kSharp;
+    const double a = glm::dot(corner_normal[h], corner_normal[next(o)]);
+    const double b = glm::dot(corner_normal[next(h)], corner_normal[o]);
+    sharp[h] = sharp[o] = std::min(a, b) < kSharp;
   }
+  return sharp;
 }
-
-}  // namespace
 
 ProxyDraft make_draft(const ExactMesh& mesh, const ImplicitFunction& f, const RunContext& context) {
   ProxyDraft draft;
@@ -98,7 +100,6 @@ ProxyDraft make_draft(const ExactMesh& mesh, const ImplicitFunction& f, const Ru
   const std::size_t corners = 3 * mesh.triangles.size();
   draft.corner_normal.resize(corners);
   draft.corner_on_contour.resize(corners);
-  draft.sharp.assign(corners, 0);
   parallel_for(
       mesh.triangles.size(), kGrain,
       [&](std::size_t begin, std::size_t end) {
@@ -110,7 +111,7 @@ ProxyDraft make_draft(const ExactMesh& mesh, const ImplicitFunction& f, const Ru
         }
       },
       &context);
-  find_sharp(mesh, draft);
+  draft.sharp = sharp_halves(mesh, draft.corner_normal);
   draft.tolerance = deviation(mesh, f, context);
   return draft;
 }

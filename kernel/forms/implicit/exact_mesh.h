@@ -43,8 +43,12 @@ struct ExactMesh {
   /// Edge length of the grid, the size of the surface, and how near to f = 0 vertices have to be,
   /// in model mm.
   double step = 1, size = 1, accuracy = 1e-11;
+  /// Graded meshes: the length of the edges around each vertex of those that were there first;
+  /// `step` is then that of most edges. Empty: `step` everywhere.
+  std::vector<double> spacing;
 
   bool on_crease(std::uint32_t v) const { return crease[v] >= 0; }
+  double step_at(std::uint32_t v) const { return v < spacing.size() ? spacing[v] : step; }
   std::uint32_t add_vertex(Vec3 position, Vec3 normal, std::uint64_t piece);
   std::uint32_t add_crease_vertex(Vec3 position, CreaseVertex sides);
   /// The side of a crease vertex that triangle t lies on.
@@ -81,7 +85,7 @@ void cut_at_points(ExactMesh& mesh, const EdgePoints& points,
 void flip_slivers(ExactMesh& mesh);
 
 /// Draws vertices that lie on no line (crease, contour) onto the line at the end of an edge that is
-/// shorter than `limit`, where that folds nothing: cutting leaves slivers.
+/// shorter than `limit` steps, where that folds nothing: cutting leaves slivers.
 void collapse_slivers(ExactMesh& mesh, const ImplicitFunction& f, double limit,
                       const RunContext& context);
 

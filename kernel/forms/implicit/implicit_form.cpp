@@ -2,6 +2,7 @@
 #include <burin/forms/implicit/implicit_form.h>
 
 #include "contour_cut.h"
+#include "delaunay/delaunay_mesher.h"
 #include "draft.h"
 #include "implicit_surface.h"
 #include "mesher.h"
@@ -48,16 +49,42 @@ double support(const Survey& s, Vec3 start, Vec3 direction) {
 
 struct ImplicitForm::Impl {
   Survey survey;
+  ImplicitProxyOptions options;
+
+  ExactMesh mesh(double tolerance, MeshCounts& counts, Diagnostics& diagnostics,
+                 RunContext& context) const;
 };
+
+ExactMesh ImplicitForm::Impl::mesh(double tolerance, MeshCounts& counts, Diagnostics& diagnostics,
+                                   RunContext& context) const {
+  Diagnostics of_nets;
+  const double step = choose_step(survey, tolerance, options.max_triangles, of_nets);
+  bool graded = options.mesher == Mesher::Delaunay;
+  if (options.mesher == Mesher::Auto && !of_nets.empty()) {
+    // More would take longer than the drawing.
+    constexpr double kQuick = 0.25;
+    graded = 2 * delaunay_outlook(survey, tolerance, context).vertices <=
+             kQuick * static_cast<double>(options.max_triangles);
+  }
+  if (graded) {
+    auto made =
+        mesh_delaunay(survey, tolerance, options.max_triangles, counts, diagnostics, context);
+    if (made) return std::move(*made);
+    counts = {};
+  }
+  diagnostics.append(of_nets);
+  return mesh_surface(survey, step, counts, context);
+}
 
 ImplicitForm::ImplicitForm(std::shared_ptr<const ImplicitFunction> function,
                            std::optional<Box3> domain, const RunContext& context,
-                           double smallest_part) {
+                           double smallest_part, const ImplicitProxyOptions& proxy) {
   if (!(smallest_part >= 0 && smallest_part < 1)) {
     throw UsageError("the smallest part is a share from 0 to below 1 of the largest one");
   }
   const Box3 own = function->bounds();
   auto impl = std::make_unique<Impl>();
+  impl->options = proxy;
   if (!domain) {
     for (int a = 0; a < 3; ++a) {
       if (!std::isfinite(own.min[a]) || !std::isfinite(own.max[a])) {
@@ -104,9 +131,8 @@ std::shared_ptr<const Surface> ImplicitForm::realise(const RealiseOptions& optio
   context.begin_stage("build");
   const Survey& s = impl_->survey;
   Diagnostics diagnostics = s.diagnostics;
-  const double step = choose_step(s, options.tolerance, diagnostics);
   MeshCounts counts;
-  ExactMesh mesh = mesh_surface(s, step, counts, context);
+  ExactMesh mesh = impl_->mesh(options.tolerance, counts, diagnostics, context);
   if (counts.strays > 0) {
     diagnostics.add(Severity::Warning, "implicit.not_on_surface",
                     static_cast<std::int64_t>(counts.strays),

@@ -17,8 +17,7 @@ namespace {
 // Steps of the first look along the longest side of the domain: everything larger than two of them
 // is found.
 constexpr double kSurveySteps = 128;
-constexpr std::size_t kMaxBlocks = 60'000;  // 30 million cells, 0.4 GB
-constexpr double kMaxTriangles = 400'000;
+constexpr std::size_t kMaxBlocks = 60'000;        // 30 million cells, 0.4 GB
 constexpr double kCoarsest = 64, kFinest = 1000;  // steps along the surface's longest side
 // Triangles a square of one step: crossed cells twice, as surfaces slanted to the grid have 1.5.
 constexpr double kTrianglesPerStep = 3;
@@ -174,20 +173,22 @@ ExactMesh mesh_surface(const Survey& survey, double step, MeshCounts& counts,
   return mesh_grid(*survey.function, grid, longest(survey.box), survey.smallest, counts, context);
 }
 
-double choose_step(const Survey& survey, double tolerance, Diagnostics& diagnostics) {
+double choose_step(const Survey& survey, double tolerance, std::size_t max_triangles,
+                   Diagnostics& diagnostics) {
   const double size = longest(survey.box);
   // Sagitta edge^2 / (8 r).
   const double wanted = std::sqrt(8 * survey.small_radius * tolerance) / kEdgePerStep;
   double step = std::min(wanted, size / kCoarsest);
   const double least =
-      std::max(std::sqrt(kTrianglesPerStep * survey.area / kMaxTriangles), size / kFinest);
+      std::max(std::sqrt(kTrianglesPerStep * survey.area / static_cast<double>(max_triangles)),
+               size / kFinest);
   if (step < least) {
     step = std::min(least, size / kCoarsest);
     diagnostics.add(
         Severity::Info, "implicit.proxy_coarse", 1,
         fmt::format("the triangles that hide lines are {:.3g} mm long instead of {:.3g} mm, so "
-                    "that there are not more than {:.0f}; lines and strokes are exact nevertheless",
-                    step, wanted, kMaxTriangles));
+                    "that there are not more than {}; lines and strokes are exact nevertheless",
+                    step, wanted, max_triangles));
   }
   return step;
 }

@@ -45,6 +45,7 @@ ExactMesh mesh_surface(const Survey& survey, double step, MeshCounts& counts,
 
 /// The step for chords within `tolerance` model mm, bounded by the size of the surface and by the
 /// number of triangles, and what of that is worth a word to the user.
-double choose_step(const Survey& survey, double tolerance, Diagnostics& diagnostics);
+double choose_step(const Survey& survey, double tolerance, std::size_t max_triangles,
+                   Diagnostics& diagnostics);
 
 }  // namespace burin

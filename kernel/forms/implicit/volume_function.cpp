@@ -35,8 +35,8 @@ void check(const VolumeGrid& grid, const VolumeOptions& options) {
   if (options.degree != 2 && options.degree != 3) {
     throw UsageError(fmt::format("a volume's degree is 2 or 3, not {}", options.degree));
   }
-  if (!(options.smoothing >= 0) || !(options.smoothing <= 50)) {
-    throw UsageError("a volume's smoothing is from 0 to 50 samples");
+  if (!(options.smoothing >= 0) || !(options.smoothing <= 100)) {
+    throw UsageError("a volume's smoothing is from 0 to 100 samples");
   }
   if (!std::isfinite(options.level)) throw UsageError("a volume's level is a finite number");
 }

@@ -70,6 +70,10 @@ class Illustration:
     __setstate__ = loads
 
 
+def is_illustration(obj):
+    return isinstance(getattr(obj, "Proxy", None), Illustration)
+
+
 def make_job(obj):
     """What the kernel is to do for this object, as plain data."""
     parts, notes = collect(obj.Sources, obj.Looks)

@@ -23,6 +23,7 @@ struct ReadRequest {
   std::string inside;
   std::string volume_degree;
   std::string smooth;
+  std::string specks;
   std::string interpolate;
   std::string raw;
   std::string raw_skip;

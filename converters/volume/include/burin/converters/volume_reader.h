@@ -4,6 +4,7 @@
 #include <burin/base/box.h>
 #include <burin/base/run_context.h>
 #include <burin/converters/file_info.h>
+#include <burin/forms/implicit/implicit_form.h>
 #include <burin/forms/implicit/volume_function.h>
 #include <burin/surface/scene.h>
 
@@ -45,6 +46,8 @@ struct VolumeReadOptions {
   int degree = 3;
   bool interpolate = false;
   double smoothing = 0;
+  /// As in ImplicitForm.
+  double smallest_part = kSmallestVolumePart;
   /// The only way to read raw files; other files ignore it.
   std::optional<RawLayout> raw = {};
 };

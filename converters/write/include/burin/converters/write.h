@@ -7,6 +7,8 @@
 #include <burin/drawing/writers.h>
 #include <burin/illustrate/style.h>
 
+#include <filesystem>
+#include <functional>
 #include <iosfwd>
 #include <optional>
 #include <string>
@@ -15,25 +17,55 @@
 
 namespace burin {
 
-enum class Format { Svg, Json };
+enum class Format { Svg, Pdf, Eps, Png, Dxf, Json };
 
 /// The format of a suffix or name in any case ("svg", "SVG"); nothing where there is none.
 std::optional<Format> format_named(std::string_view name);
 /// The suffixes without their dots.
 std::vector<std::string> format_names();
-/// For messages: ".svg or .json".
+/// For messages: ".svg, .pdf, .eps, .png, .dxf or .json".
 std::string format_list();
+
+struct PngOptions {
+  /// Pixels an inch; the file tells it, so that pictures have their true size.
+  double dpi = 300;
+  /// White paper, or ink alone.
+  bool transparent = false;
+};
+
+struct DxfOptions {
+  /// Smooth curves of constant width as SPLINE instead of LWPOLYLINE.
+  bool splines = false;
+};
 
 /// What the formats leave open.
 struct WriteOptions {
+  /// Curves, flattening and dashes. `fit_tolerance`, `dash` and `gap` hold for all formats.
   SvgOptions svg;
   JsonOptions json;
+  PngOptions png;
+  DxfOptions dxf;
+  /// Called now and then by the thread that writes, with the share that is done.
+  std::function<void(double)> progress;
 };
 /// What a style says about files.
 WriteOptions write_options(const Style& style);
 
-/// Writes the drawing. Does not test the stream for errors. Throws Cancelled.
+/// What `write_drawing` tests first, for programs that want to know before a long run: whether the
+/// format holds a sheet of that many mm. Throws UsageError, one sentence that says what to do.
+void check_sheet(double width, double height, Format format, const WriteOptions& options);
+
+/// Writes the drawing, in every format in true millimetres and the same bytes for the same drawing,
+/// for any number of threads (the date in a PDF is that of SOURCE_DATE_EPOCH, else there is none).
+/// Does not test the stream for errors. Throws Cancelled; UsageError as `check_sheet`; Error where
+/// libburin_cairo, which writes PDF and PNG, cannot be loaded.
 void write_drawing(const Drawing& drawing, Format format, const WriteOptions& options,
                    std::ostream& out, const RunContext& context);
+
+/// Writes a file that appears whole or not at all, in the format of its suffix. Throws UsageError
+/// where the suffix names none, OutputError where it cannot be written, and what `write_drawing`
+/// does.
+void write_file(const Drawing& drawing, const std::filesystem::path& path,
+                const WriteOptions& options, const RunContext& context);
 
 }  // namespace burin

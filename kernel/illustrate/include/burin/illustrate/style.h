@@ -103,6 +103,16 @@ struct Style {
   struct {
     bool points3 = true;
   } json;
+
+  struct {
+    double dpi = 300;
+    /// "white" or "transparent".
+    std::string background = "white";
+  } png;
+
+  struct {
+    bool splines = false;
+  } dxf;
 };
 
 /// Names and one-line descriptions of the built-in styles: outline, technical, engraving,

@@ -1,0 +1,72 @@
+#include "convert.h"
+
+#include <burin/base/error.h>
+#include <burin/base/parallel.h>
+#include <burin/converters/read_drawing.h>
+#include <burin/converters/values.h>
+#include <burin/illustrate/style.h>
+
+#include "outputs.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+namespace burin::cli {
+namespace {
+
+/// The keys of a style that shape files; all others have shaped the drawing already.
+bool shapes_files(std::string_view key) {
+  constexpr std::array<std::string_view, 6> kKeys{"svg.",  "png.",      "dxf.",
+                                                  "json.", "line.dash", "line.gap"};
+  return std::any_of(kKeys.begin(), kKeys.end(),
+                     [&](std::string_view k) { return key.starts_with(k); });
+}
+
+Style make_style(const std::vector<std::string>& assignments) {
+  Style style = builtin_style("technical");
+  for (const std::string& text : assignments) {
+    const std::size_t equals = text.find('=');
+    if (equals == std::string::npos) {
+      throw UsageError(fmt::format("option --set takes KEY=VALUE, not '{}'", text));
+    }
+    const std::string key = text.substr(0, equals);
+    set_style_key(style, key, text.substr(equals + 1));
+    if (shapes_files(key)) continue;
+    throw UsageError(
+        fmt::format("style key '{}' shapes a drawing, not its file; give it to burin draw (convert "
+                    "takes svg. png. dxf. json. line.dash line.gap)",
+                    key));
+  }
+  check_style(style);
+  return style;
+}
+
+int threads_of(const ConvertArguments& a) {
+  if (a.threads.empty()) return 0;
+  return static_cast<int>(whole_option("--threads", a.threads, 1, 4096, "1 to 4096"));
+}
+
+}  // namespace
+
+void run_convert(const ConvertArguments& arguments, RunContext& context, Console& console) {
+  if (arguments.input.empty()) {
+    throw UsageError("no input; name a drawing file: burin convert DRAWING.json -o OUT");
+  }
+  if (arguments.outputs.empty()) {
+    throw UsageError("no output; name one: burin convert DRAWING.json -o OUT.pdf");
+  }
+  const Style style = make_style(arguments.set);
+  const ThreadLimit limit(threads_of(arguments));
+  std::vector<Output> outputs =
+      make_outputs(arguments.outputs, arguments.format, {arguments.input});
+  for (const Output& output : outputs) output.probe();
+  context.begin_stage("read");
+  const Drawing drawing = read_drawing(arguments.input, context);
+  context.end_stage();
+  write_outputs(outputs, drawing, write_options(style), context);
+  console.diagnostics(drawing.diagnostics);
+}
+
+}  // namespace burin::cli

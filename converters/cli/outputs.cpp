@@ -1,0 +1,33 @@
+#include "outputs.h"
+
+#include "signals.h"
+
+#include <algorithm>
+
+namespace burin::cli {
+
+std::vector<Output> make_outputs(std::vector<std::string> names, const std::string& format,
+                                 const std::vector<std::string>& sources) {
+  std::stable_partition(names.begin(), names.end(),
+                        [](const std::string& name) { return name != "-"; });
+  return plan_outputs(names, format, sources);
+}
+
+void write_outputs(std::vector<Output>& outputs, const Drawing& drawing, WriteOptions options,
+                   RunContext& context) {
+  context.begin_stage("write");
+  for (std::size_t i = 0; i < outputs.size(); ++i) {
+    const auto done = static_cast<double>(i), all = static_cast<double>(outputs.size());
+    options.progress = [&](double share) { context.progress((done + share) / all); };
+    outputs[i].write([&](std::ostream& out) {
+      write_drawing(drawing, outputs[i].format(), options, out, context);
+    });
+    options.progress(1);
+  }
+  context.check();
+  signals::finish();
+  for (Output& output : outputs) output.commit();
+  context.end_stage();
+}
+
+}  // namespace burin::cli

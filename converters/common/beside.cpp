@@ -1,0 +1,44 @@
+#include "beside.h"
+
+#include <burin/base/error.h>
+#include <burin/base/version.h>
+
+#include <dlfcn.h>
+#include <fmt/format.h>
+
+#include <cstring>
+#include <filesystem>
+
+namespace burin {
+namespace {
+
+/// `version` gives an address in libburin.
+std::filesystem::path beside_libburin(const char* file) {
+  Dl_info info{};
+  if (::dladdr(version(), &info) == 0 || info.dli_fname == nullptr) return file;
+  return std::filesystem::path(info.dli_fname).parent_path() / file;
+}
+
+[[noreturn]] void fail(const LibraryWords& words, const std::string& why) {
+  throw Error(fmt::format("the library that {} cannot be used: {}; install it beside libburin, {}",
+                          words.purpose, why, words.remedy));
+}
+
+}  // namespace
+
+void* library_door(const char* file, const char* door, const LibraryWords& words) {
+  const std::filesystem::path path = beside_libburin(file);
+  void* library = ::dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL | RTLD_NODELETE);
+  if (!library) fail(words, ::dlerror());
+  void* found = ::dlsym(library, door);
+  if (!found) fail(words, path.string() + " is no such library");
+  return found;
+}
+
+void check_library_version(const char* file, const char* found, const LibraryWords& words) {
+  if (std::strcmp(found, version()) == 0) return;
+  fail(words, fmt::format("{} is of version {}, this program of {}", beside_libburin(file).string(),
+                          found, version()));
+}
+
+}  // namespace burin

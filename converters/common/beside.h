@@ -1,0 +1,20 @@
+#pragma once
+/// Shared libraries of ours that are loaded when they are needed.
+
+#include <string>
+
+namespace burin {
+
+/// What a library is for and what to do without it, for messages.
+struct LibraryWords {
+  std::string purpose, remedy;
+};
+
+/// The function `door` of the library `file` that stands beside libburin, wherever that was found.
+/// Never closed: what it made may live as long as the process. Throws Error, one sentence.
+void* library_door(const char* file, const char* door, const LibraryWords& words);
+
+/// Throws Error where `found`, the library's version, is not this program's.
+void check_library_version(const char* file, const char* found, const LibraryWords& words);
+
+}  // namespace burin

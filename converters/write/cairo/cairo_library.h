@@ -1,0 +1,23 @@
+#pragma once
+/// The door of libburin_cairo: one symbol, `burin_cairo_library`, which gives this.
+
+#include <burin/converters/write.h>
+
+#include <iosfwd>
+
+namespace burin {
+
+/// Both sides are built together and share libburin: C++ types and exceptions pass. `version` must
+/// be looked at before anything else is used.
+struct CairoLibrary {
+  using Writer = void (*)(const Drawing& drawing, const WriteOptions& options, std::ostream& out,
+                          const RunContext& context);
+  const char* version;
+  Writer write_pdf;
+  Writer write_png;
+};
+
+inline constexpr const char* kCairoLibraryDoor = "burin_cairo_library";
+using CairoLibraryDoor = const CairoLibrary* (*)();
+
+}  // namespace burin

@@ -1,0 +1,97 @@
+#include <burin/base/error.h>
+#include <burin/drawing/near_sheet.h>
+
+#include "../title.h"
+#include "shapes.h"
+#include "writers.h"
+
+#include <cairo-pdf.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cstdlib>
+#include <cstring>
+#include <ctime>
+#include <ostream>
+#include <string>
+
+namespace burin {
+namespace {
+
+constexpr double kPointsPerMm = 72 / 25.4;
+constexpr std::size_t kAtOnce = 2048;  // shapes; a few ms of work
+
+/// Where cairo's bytes go. They stop when the run is cancelled.
+struct Sink {
+  std::ostream& out;
+  const RunContext& context;
+};
+
+cairo_status_t write_bytes(void* sink, const unsigned char* bytes, unsigned int n) {
+  const Sink& to = *static_cast<Sink*>(sink);
+  if (to.context.cancelled()) return CAIRO_STATUS_WRITE_ERROR;
+  to.out.write(reinterpret_cast<const char*>(bytes), static_cast<std::streamsize>(n));
+  return CAIRO_STATUS_SUCCESS;
+}
+
+/// The date that a build or a test asks for; empty, which leaves dates out, without one.
+std::string asked_date() {
+  const char* text = std::getenv("SOURCE_DATE_EPOCH");
+  long long seconds = 0;
+  if (!text || std::from_chars(text, text + std::strlen(text), seconds).ec != std::errc())
+    return {};
+  const auto time = static_cast<std::time_t>(seconds);
+  std::tm date{};
+  if (!::gmtime_r(&time, &date)) return {};
+  std::array<char, 32> out{};
+  std::strftime(out.data(), out.size(), "%Y-%m-%dT%H:%M:%SZ", &date);
+  return out.data();
+}
+
+void set_metadata(cairo_surface_t* surface, const Drawing& drawing) {
+  const auto set = [&](cairo_pdf_metadata_t what, const std::string& text) {
+    cairo_pdf_surface_set_metadata(surface, what, text.c_str());
+  };
+  set(CAIRO_PDF_METADATA_TITLE, title_of(drawing));
+  set(CAIRO_PDF_METADATA_SUBJECT, subject_of(drawing));
+  set(CAIRO_PDF_METADATA_CREATOR, creator());
+  const std::string date = asked_date();
+  cairo_pdf_surface_set_metadata(surface, CAIRO_PDF_METADATA_CREATE_DATE,
+                                 date.empty() ? nullptr : date.c_str());
+}
+
+}  // namespace
+
+void write_pdf(const Drawing& drawing, const WriteOptions& options, std::ostream& out,
+               const RunContext& context) {
+  const double w = drawing.paper_width, h = drawing.paper_height;
+  Sink sink{out, context};
+  const Surface surface(
+      cairo_pdf_surface_create_for_stream(write_bytes, &sink, w * kPointsPerMm, h * kPointsPerMm));
+  check(cairo_surface_status(surface.get()));
+  cairo_pdf_surface_restrict_to_version(surface.get(), CAIRO_PDF_VERSION_1_5);
+  set_metadata(surface.get(), drawing);
+  const NearSheet sheet(drawing);
+  std::vector<Shape> shapes = shapes_of(sheet.layers());
+  {
+    const Pen pen = pen_on(surface.get(), h, kPointsPerMm, 0);
+    for (std::size_t begin = 0; begin < shapes.size(); begin += kAtOnce) {
+      const auto some = std::span(shapes).subspan(begin, std::min(kAtOnce, shapes.size() - begin));
+      fit_ink(some, options.svg.fit_tolerance, context);
+      for (Shape& shape : some) {
+        paint(pen.get(), shape, options);
+        shape.ink = {};
+      }
+      context.check();
+      if (options.progress) {
+        options.progress(0.8 * static_cast<double>(begin) / static_cast<double>(shapes.size()));
+      }
+    }
+    check(cairo_status(pen.get()));
+  }
+  cairo_surface_finish(surface.get());
+  context.check();
+  check(cairo_surface_status(surface.get()));
+}
+
+}  // namespace burin

@@ -1,0 +1,186 @@
+#include <burin/base/error.h>
+#include <burin/base/parallel.h>
+#include <burin/drawing/near_sheet.h>
+
+#include "../sheet.h"
+#include "../title.h"
+#include "shapes.h"
+#include "writers.h"
+
+#include <png.h>
+
+#include <algorithm>
+#include <cmath>
+#include <ostream>
+#include <string>
+
+namespace burin {
+namespace {
+
+constexpr int kBandPixels = 1 << 22;
+constexpr int kMostBandRows = 256;
+constexpr int kBandsAtOnce = 16;
+
+/// The picture in pixels and how it is cut into bands, each painted on its own.
+struct Grid {
+  double scale;  // pixels a mm
+  int width, height, rows, bands;
+
+  Grid(const Drawing& drawing, double dpi)
+      : scale(dpi / kMmPerInch),
+        width(pixels(drawing.paper_width, dpi)),
+        height(pixels(drawing.paper_height, dpi)) {
+    rows = std::clamp(kBandPixels / width, 16, kMostBandRows);
+    bands = (height + rows - 1) / rows;
+  }
+};
+
+/// The shapes that show in each band.
+std::vector<std::vector<std::uint32_t>> by_band(const std::vector<Shape>& shapes, const Grid& grid,
+                                                double paper_height) {
+  std::vector<std::vector<std::uint32_t>> bands(static_cast<std::size_t>(grid.bands));
+  for (std::size_t i = 0; i < shapes.size(); ++i) {
+    const Path& path = *shapes[i].path;
+    double low = path.points[0].y, high = low, width = 0;
+    for (const Vec2& p : path.points) {
+      low = std::min(low, p.y);
+      high = std::max(high, p.y);
+    }
+    for (const double w : path.width) width = std::max(width, w);
+    const double room = width + 2 / grid.scale + 0.1;  // half of it and the fit, amply
+    const auto band = [&](double y) {
+      const double at = std::floor((paper_height - y) * grid.scale / grid.rows);
+      return static_cast<int>(std::clamp(at, -1.0, static_cast<double>(grid.bands)));
+    };
+    const int first = std::max(band(high + room), 0);
+    const int last = std::min(band(low - room), grid.bands - 1);
+    for (int b = first; b <= last; ++b) {
+      bands[static_cast<std::size_t>(b)].push_back(static_cast<std::uint32_t>(i));
+    }
+  }
+  return bands;
+}
+
+/// The ink of one band, 0 to 255 a pixel.
+Surface painted(const std::vector<Shape>& shapes, const std::vector<std::uint32_t>& chosen,
+                const Grid& grid, int band, const Drawing& drawing, const WriteOptions& options,
+                const RunContext& context) {
+  constexpr std::size_t kBetweenPolls = 256;
+  const int top = band * grid.rows;
+  Surface surface(cairo_image_surface_create(CAIRO_FORMAT_A8, grid.width,
+                                             std::min(grid.rows, grid.height - top)));
+  check(cairo_surface_status(surface.get()));
+  const Pen pen = pen_on(surface.get(), drawing.paper_height, grid.scale, top);
+  cairo_set_antialias(pen.get(), CAIRO_ANTIALIAS_BEST);
+  for (std::size_t k = 0; k < chosen.size(); ++k) {
+    if (k % kBetweenPolls == 0) context.check();
+    paint(pen.get(), shapes[chosen[k]], options);
+  }
+  check(cairo_status(pen.get()));
+  cairo_surface_flush(surface.get());
+  return surface;
+}
+
+/// libpng over a stream.
+class PngFile {
+ public:
+  PngFile(std::ostream& out, const Grid& grid, const Drawing& drawing, const PngOptions& options)
+      : transparent_(options.transparent), row_(static_cast<std::size_t>(grid.width) * 2) {
+    png_ = png_create_write_struct(PNG_LIBPNG_VER_STRING, nullptr, fail, nullptr);
+    info_ = png_ ? png_create_info_struct(png_) : nullptr;
+    if (!info_) throw std::bad_alloc();
+    png_set_write_fn(png_, &out, write, [](png_structp) {});
+    png_set_IHDR(png_, info_, static_cast<png_uint_32>(grid.width),
+                 static_cast<png_uint_32>(grid.height), 8,
+                 transparent_ ? PNG_COLOR_TYPE_GRAY_ALPHA : PNG_COLOR_TYPE_GRAY, PNG_INTERLACE_NONE,
+                 PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
+    const auto per_metre = static_cast<png_uint_32>(std::lround(1000 * grid.scale));
+    png_set_pHYs(png_, info_, per_metre, per_metre, PNG_RESOLUTION_METER);
+    // Line art on empty paper: most bytes repeat, and filters only slow that down.
+    png_set_filter(png_, PNG_FILTER_TYPE_BASE, PNG_FILTER_NONE | PNG_FILTER_UP);
+    std::string title = title_of(drawing), software = creator();
+    std::array<png_text, 2> texts{};
+    texts[0] = text("Title", title);
+    texts[1] = text("Software", software);
+    png_set_text(png_, info_, texts.data(), static_cast<int>(texts.size()));
+    png_write_info(png_, info_);
+  }
+  ~PngFile() { png_destroy_write_struct(&png_, &info_); }
+  PngFile(const PngFile&) = delete;
+  PngFile& operator=(const PngFile&) = delete;
+
+  void append(cairo_surface_t* band) {
+    const unsigned char* data = cairo_image_surface_get_data(band);
+    const int rows = cairo_image_surface_get_height(band);
+    const int width = cairo_image_surface_get_width(band);
+    const int stride = cairo_image_surface_get_stride(band);
+    for (int y = 0; y < rows; ++y) {
+      const unsigned char* ink = data + static_cast<std::ptrdiff_t>(y) * stride;
+      for (int x = 0; x < width; ++x) {
+        const auto at = static_cast<std::size_t>(x);
+        if (transparent_) {
+          row_[2 * at] = 0;
+          row_[2 * at + 1] = ink[x];
+        } else {
+          row_[at] = static_cast<unsigned char>(255 - ink[x]);
+        }
+      }
+      png_write_row(png_, row_.data());
+    }
+  }
+  void finish() { png_write_end(png_, nullptr); }
+
+ private:
+  static png_text text(const char* key, std::string& value) {
+    png_text t{};
+    t.compression = PNG_ITXT_COMPRESSION_NONE;
+    t.key = const_cast<char*>(key);  // libpng does not write to it
+    t.text = value.data();
+    t.itxt_length = value.size();
+    return t;
+  }
+  static void write(png_structp png, png_bytep bytes, png_size_t n) {
+    static_cast<std::ostream*>(png_get_io_ptr(png))
+        ->write(reinterpret_cast<const char*>(bytes), static_cast<std::streamsize>(n));
+  }
+  [[noreturn]] static void fail(png_structp, png_const_charp what) {
+    throw Error(std::string("libpng failed: ") + what);
+  }
+
+  png_structp png_ = nullptr;
+  png_infop info_ = nullptr;
+  bool transparent_;
+  std::vector<unsigned char> row_;
+};
+
+}  // namespace
+
+void write_png(const Drawing& drawing, const WriteOptions& options, std::ostream& out,
+               const RunContext& context) {
+  const Grid grid(drawing, options.png.dpi);
+  const NearSheet sheet(drawing);
+  std::vector<Shape> shapes = shapes_of(sheet.layers());
+  fit_ink(shapes, options.svg.fit_tolerance, context);
+  const auto chosen = by_band(shapes, grid, drawing.paper_height);
+  PngFile file(out, grid, drawing, options.png);
+  for (int begin = 0; begin < grid.bands; begin += kBandsAtOnce) {
+    const int n = std::min(kBandsAtOnce, grid.bands - begin);
+    std::vector<Surface> bands(static_cast<std::size_t>(n));
+    parallel_for(
+        bands.size(), 1,
+        [&](std::size_t k, std::size_t) {
+          const int band = begin + static_cast<int>(k);
+          bands[k] = painted(shapes, chosen[static_cast<std::size_t>(band)], grid, band, drawing,
+                             options, context);
+        },
+        &context);
+    for (const Surface& band : bands) {
+      context.check();
+      file.append(band.get());
+    }
+    if (options.progress) options.progress(static_cast<double>(begin + n) / grid.bands);
+  }
+  file.finish();
+}
+
+}  // namespace burin

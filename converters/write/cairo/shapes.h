@@ -1,0 +1,47 @@
+#pragma once
+/// The ink of a drawing, painted by cairo.
+
+#include <burin/converters/write.h>
+#include <burin/drawing/ink.h>
+
+#include <cairo.h>
+
+#include <memory>
+#include <span>
+#include <vector>
+
+namespace burin {
+
+struct SurfaceDeleter {
+  void operator()(cairo_surface_t* surface) const { cairo_surface_destroy(surface); }
+};
+using Surface = std::unique_ptr<cairo_surface_t, SurfaceDeleter>;
+
+struct PenDeleter {
+  void operator()(cairo_t* pen) const { cairo_destroy(pen); }
+};
+using Pen = std::unique_ptr<cairo_t, PenDeleter>;
+
+/// A path with its ink.
+struct Shape {
+  const Path* path = nullptr;
+  bool dashed = false;
+  Ink ink;
+};
+
+/// The paths of the layers in the order of painting, their ink still to be fitted.
+std::vector<Shape> shapes_of(const std::vector<InkLayer>& layers);
+
+/// Fits the ink of some shapes, all cores. Throws Cancelled.
+void fit_ink(std::span<Shape> shapes, double tolerance, const RunContext& context);
+
+/// A pen that paints black on `surface` in paper mm, `scale` units of the surface a mm; the top of
+/// the surface lies `top` units below that of the sheet.
+Pen pen_on(cairo_surface_t* surface, double paper_height, double scale, double top);
+
+void paint(cairo_t* pen, const Shape& shape, const WriteOptions& options);
+
+/// Throws Error where cairo failed.
+void check(cairo_status_t status);
+
+}  // namespace burin

@@ -1,0 +1,134 @@
+#include "eps.h"
+
+#include <burin/drawing/near_sheet.h>
+#include <burin/drawing/ordered_text.h>
+#include <burin/drawing/text.h>
+
+#include "title.h"
+
+#include <cmath>
+#include <ostream>
+#include <string>
+#include <vector>
+
+namespace burin {
+namespace {
+
+constexpr double kPointsPerMm = 72 / 25.4;
+constexpr double kUnitsPerMm = 1000;
+constexpr double kStraight = 0.0005;  // paper mm; as in the other formats
+
+/// One path with what comes before it.
+struct Item {
+  std::string before;
+  const Path* path = nullptr;
+};
+
+/// Text for a comment: one line of printable ASCII, as DSC asks for.
+std::string plain(std::string_view text) {
+  std::string out;
+  for (const char c : text.substr(0, 200)) out += c >= ' ' && c <= '~' ? c : '?';
+  return out;
+}
+
+std::string head(const Drawing& drawing) {
+  const double w = drawing.paper_width * kPointsPerMm, h = drawing.paper_height * kPointsPerMm;
+  return fmt::format(
+      "%!PS-Adobe-3.0 EPSF-3.0\n%%Creator: {}\n%%Title: {}\n%%BoundingBox: 0 0 {} {}\n"
+      "%%HiResBoundingBox: 0 0 {:.5f} {:.5f}\n%%DocumentData: Clean7Bit\n%%LanguageLevel: 2\n"
+      "%%Pages: 1\n%%EndComments\n%%BeginProlog\n"
+      "/burin 12 dict def burin begin\n/m{{moveto}}bind def/l{{rlineto}}bind def\n"
+      "/c{{rcurveto}}bind def/h{{closepath}}bind def\n/f{{fill}}bind def/s{{stroke}}bind def\n"
+      "/w{{setlinewidth}}bind def end\n%%EndProlog\n%%Page: 1 1\nsave burin begin\n"
+      "0 0 {:.5f} {:.5f} rectclip\n{:.12f} dup scale\n0 setgray 1 setlinecap 1 setlinejoin\n",
+      creator(), plain(title_of(drawing)), std::ceil(w), std::ceil(h), w, h, w, h,
+      kPointsPerMm / kUnitsPerMm);
+}
+
+/// Steps between places on the grid of micrometres.
+class EpsPen {
+ public:
+  explicit EpsPen(Buffer& out) : out_(out) {}
+
+  void move(Vec2 p) {
+    at_ = place(p);
+    fmt::format_to(fmt::appender(out_), "{} {} m\n", at_.x, at_.y);
+  }
+  void line(Vec2 p) {
+    step(place(p));
+    at_ = place(p);
+    append(out_, "l\n");
+  }
+  void curve(const CubicBezier& c) {
+    for (int i = 1; i < 4; ++i) step(place(c[static_cast<std::size_t>(i)]));
+    at_ = place(c[3]);
+    append(out_, "c\n");
+  }
+
+ private:
+  struct Place {
+    std::int64_t x = 0, y = 0;
+  };
+  static Place place(Vec2 p) {
+    return {std::llround(p.x * kUnitsPerMm), std::llround(p.y * kUnitsPerMm)};
+  }
+  void step(Place to) { fmt::format_to(fmt::appender(out_), "{} {} ", to.x - at_.x, to.y - at_.y); }
+
+  Buffer& out_;
+  Place at_;
+};
+
+void append_path(Buffer& out, const Path& path, double tolerance) {
+  const Ink ink = ink_of(path, tolerance);
+  EpsPen pen(out);
+  for (const auto& chain : ink.chains) {
+    pen.move(chain.empty() ? path.points.front() : chain.front()[0]);
+    if (chain.empty()) pen.line(path.points.front());
+    for (const CubicBezier& c : chain) {
+      if (is_straight(c, kStraight)) {
+        pen.line(c[3]);
+      } else {
+        pen.curve(c);
+      }
+    }
+    if (!chain.empty() && (ink.filled || path.closed)) append(out, "h\n");
+  }
+  if (ink.filled) return append(out, "f\n");
+  fmt::format_to(fmt::appender(out), "{} w s\n", std::llround(ink.width * kUnitsPerMm));
+}
+
+std::vector<Item> items_of(const std::vector<InkLayer>& layers, std::string before,
+                           const SvgOptions& options) {
+  std::vector<Item> items;
+  for (const InkLayer& layer : layers) {
+    before += fmt::format("% layer {}\n", plain(layer.name));
+    before += layer.is_hidden() ? fmt::format("[{} {}] 0 setdash\n", options.dash * kUnitsPerMm,
+                                              options.gap * kUnitsPerMm)
+                                : "[] 0 setdash\n";
+    for (const auto& [part, paths] : layer.parts) {
+      for (const Path* path : paths) {
+        items.push_back({std::move(before), path});
+        before.clear();
+      }
+    }
+  }
+  items.push_back({before + "end restore\nshowpage\n%%Trailer\n%%EOF\n", nullptr});
+  return items;
+}
+
+}  // namespace
+
+void write_eps(const Drawing& drawing, const WriteOptions& options, std::ostream& out,
+               const RunContext& context) {
+  const NearSheet sheet(drawing);
+  const std::vector<Item> items = items_of(sheet.layers(), head(drawing), options.svg);
+  write_ordered(
+      items.size(), [&](std::size_t i) { return items[i].path ? items[i].path->points.size() : 0; },
+      [&](std::size_t i, Buffer& buffer) {
+        append(buffer, items[i].before);
+        if (items[i].path) append_path(buffer, *items[i].path, options.svg.fit_tolerance);
+      },
+      out, context);
+}
+
+}  // namespace burin

@@ -1,0 +1,30 @@
+#pragma once
+/// What a drawing is called where a format asks for it.
+
+#include <burin/base/version.h>
+#include <burin/drawing/drawing.h>
+
+#include <fmt/format.h>
+
+#include <string>
+
+namespace burin {
+
+/// The name of its part, "NAME and 3 more", or "drawing".
+inline std::string title_of(const Drawing& drawing) {
+  std::string name;
+  for (const DrawingPart& part : drawing.parts) {
+    if (name.empty()) name = part.name;
+  }
+  if (name.empty()) return "drawing";
+  if (drawing.parts.size() == 1) return name;
+  return fmt::format("{} and {} more", name, drawing.parts.size() - 1);
+}
+
+inline std::string creator() { return fmt::format("burin {}", version()); }
+
+inline std::string subject_of(const Drawing& drawing) {
+  return fmt::format("style {}, seed {}", drawing.style, drawing.seed);
+}
+
+}  // namespace burin

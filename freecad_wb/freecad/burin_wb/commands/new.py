@@ -1,0 +1,52 @@
+"""New illustration of the selection."""
+
+import FreeCAD
+import FreeCADGui as Gui
+
+from ..features import is_illustration, make_illustration
+from ..features.sources import collect
+from ..view.provider import IllustrationView
+from .base import Command, Refused
+from .view import camera_of, set_view
+
+
+class NewIllustration(Command):
+    name = "Burin_NewIllustration"
+    text = "New illustration"
+    tip = "Draws the selected parts, bodies, meshes or assemblies as the 3-D view shows them"
+    icon = "burin_new.svg"
+    accel = "U, N"
+
+    def possible(self):
+        return bool(Gui.Selection.getSelection())
+
+    def run(self, document):
+        sources = selected_sources()
+        if not sources:
+            raise Refused("select the parts, bodies, meshes or assemblies to be drawn first")
+        parts, notes = collect(sources)
+        if not parts:
+            raise Refused("nothing to draw: " + ("; ".join(notes) or "the selection has no visible shape"))
+        obj = make_illustration(document, sources)
+        IllustrationView(obj.ViewObject)
+        eye = camera_of(Gui.ActiveDocument.ActiveView)
+        if eye is not None:
+            set_view(obj, eye)
+        document.recompute([obj])
+        Gui.Selection.clearSelection()
+        Gui.Selection.addSelection(obj)
+        return obj
+
+
+def selected_sources():
+    """The selection as pairs of object and sub-names, whole objects only, without illustrations."""
+    sources = []
+    for chosen in Gui.Selection.getSelectionEx("", 0):
+        if is_illustration(chosen.Object):
+            continue
+        subs = sorted({s[: s.rfind(".") + 1] for s in chosen.SubElementNames}) or [""]
+        sources.append((chosen.Object, tuple(subs)))
+    return sources
+
+
+COMMANDS = [NewIllustration()]

@@ -1,0 +1,48 @@
+"""Illustrations on TechDraw pages."""
+
+import os
+
+import FreeCAD
+
+from ..features import place_on_page
+from .base import Command, Refused, selected_illustrations
+
+TEMPLATE = os.path.join("Mod", "TechDraw", "Templates", "A3_Landscape_blank.svg")
+
+
+def page_of(document):
+    """The selected page, else the document's only one, else a new one with an A3 template."""
+    import FreeCADGui as Gui
+
+    pages = [o for o in Gui.Selection.getSelection() if o.isDerivedFrom("TechDraw::DrawPage")]
+    pages = pages or [o for o in document.Objects if o.isDerivedFrom("TechDraw::DrawPage")]
+    if len(pages) > 1:
+        raise Refused("this document has several pages; select one of them too")
+    if pages:
+        return pages[0]
+    page = document.addObject("TechDraw::DrawPage", "Page")
+    template = document.addObject("TechDraw::DrawSVGTemplate", "Template")
+    template.Template = os.path.join(FreeCAD.getResourceDir(), TEMPLATE)
+    page.Template = template
+    return page
+
+
+class PlaceOnPage(Command):
+    name = "Burin_PlaceOnPage"
+    text = "Place on TechDraw page"
+    tip = "Puts the illustration on a TechDraw page at its own scale; makes the page where there is none"
+    icon = "burin_page.svg"
+
+    def possible(self):
+        return bool(selected_illustrations())
+
+    def run(self, document):
+        page = page_of(document)
+        for obj in selected_illustrations():
+            place_on_page(page, obj)
+        document.recompute()
+        if page.ViewObject is not None:
+            page.ViewObject.show()
+
+
+COMMANDS = [PlaceOnPage()]

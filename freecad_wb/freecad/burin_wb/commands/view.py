@@ -1,0 +1,122 @@
+"""From where an illustration is seen."""
+
+import collections
+
+import FreeCAD
+import FreeCADGui as Gui
+
+from .base import Command, Refused, selected_illustrations
+
+# direction: from the model to the viewer; angle: vertical field of view in degrees, 0 = parallel.
+Eye = collections.namedtuple("Eye", "direction up angle")
+
+
+def camera_of(view):
+    """The 3-D view's camera; nothing where the view has none."""
+    if view is None or not hasattr(view, "getCameraNode"):
+        return None
+    import math
+
+    node = view.getCameraNode()
+    rotation = view.getCameraOrientation()
+    direction = rotation.multVec(FreeCAD.Vector(0, 0, 1))
+    up = rotation.multVec(FreeCAD.Vector(0, 1, 0))
+    angle = 0.0
+    if view.getCameraType() == "Perspective":
+        angle = math.degrees(node.heightAngle.getValue())
+    return Eye(direction, up, angle)
+
+
+def set_view(obj, eye):
+    obj.ViewDirection, obj.ViewUp = eye.direction, eye.up
+    obj.Projection = "Perspective" if eye.angle else "Orthographic"
+    if eye.angle:
+        obj.FieldOfView = eye.angle
+
+
+STANDARD = {
+    "Front": ((0, -1, 0), (0, 0, 1)), "Back": ((0, 1, 0), (0, 0, 1)),
+    "Left": ((-1, 0, 0), (0, 0, 1)), "Right": ((1, 0, 0), (0, 0, 1)),
+    "Top": ((0, 0, 1), (0, 1, 0)), "Bottom": ((0, 0, -1), (0, 1, 0)),
+    "Isometric": ((1, -1, 1), (0, 0, 1)),
+}
+
+
+def standard(name):
+    direction, up = STANDARD[name]
+    return Eye(FreeCAD.Vector(*direction), FreeCAD.Vector(*up), 0.0)
+
+
+def of_face(face):
+    """Square onto a flat or curved face, at its middle; up stays up where that can be."""
+    u0, u1, v0, v1 = face.ParameterRange
+    normal = face.normalAt((u0 + u1) / 2, (v0 + v1) / 2)
+    up = FreeCAD.Vector(0, 0, 1)
+    if abs(normal.dot(up)) > 0.999:  # seen from above or below: as in the standard views
+        up = FreeCAD.Vector(0, 1, 0)
+    return Eye(normal, up, 0.0)
+
+
+class ViewFromCamera(Command):
+    name = "Burin_ViewFromCamera"
+    text = "View from the 3-D view"
+    tip = "Draws the illustration as the 3-D view shows the model now, in perspective too"
+    icon = "burin_view.svg"
+
+    def possible(self):
+        return bool(selected_illustrations()) and camera_of(Gui.ActiveDocument.ActiveView) is not None
+
+    def run(self, document):
+        eye = camera_of(Gui.ActiveDocument.ActiveView)
+        if eye is None:
+            raise Refused("show a 3-D view of the model first")
+        for obj in selected_illustrations():
+            set_view(obj, eye)
+        document.recompute()
+
+
+class ViewFromFace(Command):
+    name = "Burin_ViewFromFace"
+    text = "View square onto a face"
+    tip = "Select an illustration and a face: the illustration looks square onto the face"
+    icon = "burin_view_face.svg"
+
+    def possible(self):
+        return bool(selected_illustrations()) and _selected_face() is not None
+
+    def run(self, document):
+        face = _selected_face()
+        if face is None:
+            raise Refused("select a face too")
+        for obj in selected_illustrations():
+            set_view(obj, of_face(face))
+        document.recompute()
+
+
+def _selected_face():
+    for chosen in Gui.Selection.getSelectionEx():
+        for shape in chosen.SubObjects:
+            if shape.ShapeType == "Face":
+                return shape
+    return None
+
+
+def _standard_command(view):
+    class Standard(Command):
+        name = "Burin_View" + view
+        text = view
+        tip = f"{view} view of the illustration"
+        icon = "burin_view.svg"
+
+        def possible(self):
+            return bool(selected_illustrations())
+
+        def run(self, document):
+            for obj in selected_illustrations():
+                set_view(obj, standard(view))
+            document.recompute()
+
+    return Standard()
+
+
+COMMANDS = [ViewFromCamera(), ViewFromFace(), *(_standard_command(v) for v in STANDARD)]

@@ -1,0 +1,21 @@
+"""File > Export, and the same headless: `from freecad.burin_wb import export; export.export([obj], "a.pdf")`."""
+
+import os
+
+import FreeCAD
+
+from . import kernel
+from .features import is_illustration
+
+
+def export(objects, filename):
+    """Writes the kept drawing of one illustration; the suffix names the format. FreeCAD calls this too. Throws ValueError
+    with what to do."""
+    chosen = [o for o in objects if is_illustration(o)]
+    if len(chosen) != 1:
+        raise ValueError("choose one illustration to export (a Burin object in the tree)")
+    obj = chosen[0]
+    if not obj.Drawing or not os.path.exists(obj.Drawing):
+        raise ValueError(f"{obj.Label} has no drawing yet; recompute it first")
+    kernel.module().Drawing.load(obj.Drawing).save(filename)
+    FreeCAD.Console.PrintMessage(f"{obj.Label}: written to {filename}\n")
