@@ -37,6 +37,7 @@ class IllustrationView:
 
     def _show(self):
         """Puts the kept drawing behind the model, where it hides nothing."""
+        from ..features.sheet import Sheet
         from . import ink
 
         self._root.removeAllChildren()
@@ -44,7 +45,7 @@ class IllustrationView:
         if not path or not os.path.exists(path):
             return
         try:
-            sheet = ink.Sheet(path)
+            sheet = Sheet(path)
         except (OSError, ValueError, KeyError) as error:
             FreeCAD.Console.PrintError(f"{self.Object.Label}: the kept drawing cannot be read ({error})\n")
             return

@@ -1,0 +1,84 @@
+"""A kept drawing: the way from paper to the model, and from lines to the edges and faces that made them."""
+
+import json
+import math
+
+import FreeCAD
+
+
+class Sheet:
+    """The drawing file of an illustration. Paper: mm, origin bottom left, y up."""
+
+    def __init__(self, path):
+        with open(path, encoding="utf-8") as file:
+            self.data = json.load(file)
+        view = self.data["view"]
+        self.scale = view["scale"]
+        self.offset = view["offset"]
+        self.center = FreeCAD.Vector(*view["center"])
+        self.right, self.up = FreeCAD.Vector(*view["right"]), FreeCAD.Vector(*view["up"])
+        self.direction = FreeCAD.Vector(*view["direction"])
+
+    def paths(self):
+        """All paths with their layers' names, in the order of painting."""
+        for layer in self.data["layers"]:
+            for path in layer["paths"]:
+                yield layer["name"], path
+
+    def place(self, point, lift=0.0):
+        """The model place of a paper point on the plane through the view's centre, `lift` mm to the viewer."""
+        x, y = (point[0] - self.offset[0]) / self.scale, (point[1] - self.offset[1]) / self.scale
+        return self.center + self.right * x + self.up * y + self.direction * lift
+
+    def on_paper(self, place):
+        """The paper point of a place of the sheet's plane (or of what is straight before or behind it)."""
+        relative = place - self.center
+        return (relative.dot(self.right) * self.scale + self.offset[0],
+                relative.dot(self.up) * self.scale + self.offset[1])
+
+    def nearest(self, point, reach):
+        """The visible path nearest to a paper point within `reach` mm; lines of edges before strokes."""
+        best, found = math.inf, None
+        for _, path in self.paths():
+            if not path["visible"]:
+                continue
+            distance = distance_to(path, point)
+            if distance > reach:
+                continue
+            if path["kind"] == "stroke":
+                distance += reach
+            if distance < best:
+                best, found = distance, path
+        return found
+
+    def element(self, path):
+        """Of what a path tells: the source object's path ('Assembly.Body') and its element ('Edge3', 'Face7' or '')."""
+        source = next((p["source"] for p in self.data["parts"] if p["id"] == path["part"]), "")
+        if path["edge"] >= 0:
+            return source, f"Edge{path['edge'] + 1}"
+        if path["face"] >= 0:
+            return source, f"Face{path['face'] + 1}"
+        return source, ""
+
+    def paths_of(self, source, element=""):
+        """The paths that an object, or one of its elements, made."""
+        parts = {p["id"] for p in self.data["parts"] if p["source"] == source}
+        for _, path in self.paths():
+            if path["part"] in parts and (not element or self.element(path)[1] == element
+                                          or element == f"Face{path['face'] + 1}"):
+                yield path
+
+
+def distance_to(path, point):
+    """From a paper point to a path, in mm."""
+    points = path["points"]
+    if path["closed"]:
+        points = points + points[:1]
+    best = math.inf
+    x, y = point
+    for (ax, ay), (bx, by) in zip(points, points[1:]):
+        dx, dy = bx - ax, by - ay
+        square = dx * dx + dy * dy
+        t = max(0.0, min(1.0, ((x - ax) * dx + (y - ay) * dy) / square)) if square else 0.0
+        best = min(best, math.hypot(ax + t * dx - x, ay + t * dy - y))
+    return best
