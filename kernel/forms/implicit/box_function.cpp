@@ -134,12 +134,26 @@ class BoxFunction final : public ImplicitFunction {
         }
         out.gradient += slope_ * normalize_or(gap, Vec3(0));
       }
-    } else if constexpr (std::is_same_v<Out, double>) {
-      Gradient1 g;
-      field_->gradients({&on, 1}, {&g, 1});
-      out += sign_ * glm::dot(g.gradient, gap);
-    } else {
-      out.value += glm::dot(out.gradient, gap);
+      return;
+    }
+    // Along the tangents: the derivatives are those of what it goes on as, or Newton's rule would
+    // creep there.
+    Gradient2 g;
+    field_->hessians({&on, 1}, {&g, 1});
+    value_of(out) += sign_ * glm::dot(g.gradient, gap);
+    if constexpr (!std::is_same_v<Out, double>) {
+      const Vec3 change = sign_ * g.hessian_times(gap);
+      for (int a = 0; a < 3; ++a) {
+        if (gap[a] == 0) out.gradient[a] += change[a];
+      }
+    }
+    if constexpr (std::is_same_v<Out, Gradient2>) {
+      if (gap.x != 0) out.xx = 0;
+      if (gap.y != 0) out.yy = 0;
+      if (gap.z != 0) out.zz = 0;
+      if (gap.x != 0 && gap.y != 0) out.xy = 0;
+      if (gap.x != 0 && gap.z != 0) out.xz = 0;
+      if (gap.y != 0 && gap.z != 0) out.yz = 0;
     }
   }
 

@@ -186,6 +186,9 @@ MarchStep ImplicitSurface::march(const SurfacePoint& from, Vec3 tangent, double 
       f = &function_->piece_function(next.position);
       next.set(f->hessian(next.position));
       next.tangent = normalize_or(reject(next.tangent, next.normal), next.tangent);
+    } else if (way.lost && !way.by_crease) {
+      // Beyond what the function of the last triangle holds for.
+      return finish(MarchStop::NotConverged);
     } else if (!way.by_crease) {
       f = &function_at(static_cast<std::int32_t>(way.place.face));
       one_piece = false;

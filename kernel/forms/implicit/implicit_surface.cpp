@@ -214,6 +214,7 @@ ImplicitSurface::Walk ImplicitSurface::walk(std::uint32_t face, Vec3 p) const {
   w.place = {best, best_bary};
   // Beside an edge between two triangles a point of the surface lies off both by some sagitta.
   w.reached = least <= 2 * proxy_.tolerance + 0.05 * step_;
+  w.lost = least > 2 * proxy_.tolerance + 0.5 * step_;
   return w;
 }
 

@@ -33,6 +33,7 @@ class ImplicitSurface final : public Surface {
     ProxyPoint place;
     bool by_crease = false;  // it came by a triangle that touches a crease
     bool reached = false;    // else a crease is in the way
+    bool lost = false;       // no triangle is near: a sheet that the proxy has not
   };
   struct State;
 

@@ -143,6 +143,23 @@ TEST(Volume, DerivativesAreThoseOfTheValues) {
   }
 }
 
+// What a spline goes on as outside, for the planes that cut it, has its own derivatives.
+TEST(Volume, DerivativesBeyondTheSides) {
+  const VolumeGrid g = noise({9, 9, 9}, Mat3(0.5));
+  const auto f = spline(g, {.level = 50});
+  const double d = 1e-6;
+  for (const Vec3& p : {Vec3(-0.3, 2.1, 1.7), Vec3(1.2, 4.4, -0.2), Vec3(4.3, -0.6, 4.1)}) {
+    const Gradient2 h = f->hessian(p);
+    EXPECT_DOUBLE_EQ(h.value, f->value(p));
+    EXPECT_EQ(h.gradient, f->gradient(p).gradient);
+    for (int a = 0; a < 3; ++a) {
+      Vec3 e(0);
+      e[a] = d;
+      EXPECT_NEAR((f->value(p + e) - f->value(p - e)) / (2 * d), h.gradient[a], 1e-4);
+    }
+  }
+}
+
 TEST(Volume, DerivativesAreContinuous) {
   const VolumeGrid g = noise({9, 9, 9});
   const auto cubic = spline(g, {.level = 50}), quadratic = spline(g, {.level = 50, .degree = 2});
