@@ -1,11 +1,213 @@
 #include "dxf.h"
 
 #include <burin/base/error.h>
+#include <burin/drawing/ink.h>
+#include <burin/drawing/ordered_text.h>
+
+#include "dxf_frame.h"
+#include "dxf_groups.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <ostream>
 
 namespace burin {
+namespace {
 
-void write_dxf(const Drawing&, const WriteOptions&, std::ostream&, const RunContext&) {
-  throw Error("DXF cannot be written yet; write SVG or PDF");
+using dxf::Fixed;
+using dxf::Groups;
+
+/// The line weights that DXF knows, in 1/100 mm; all widths of ISO 128 are among them.
+constexpr std::array kWeights{0,  5,  9,  13, 15, 18,  20,  25,  30,  35,  40,  50,
+                              53, 60, 70, 80, 90, 100, 106, 120, 140, 158, 200, 211};
+
+int weight_of(const Path& path) {
+  const double width = 100 * mean_width(path);
+  return *std::min_element(kWeights.begin(), kWeights.end(),
+                           [&](int a, int b) { return std::abs(a - width) < std::abs(b - width); });
+}
+
+/// Strokes carry tone: their exact width counts. Other lines have a weight, as CAD knows it.
+bool has_true_width(const Path& path) {
+  return path.kind == LineClass::Stroke || path.kind == LineClass::Pattern ||
+         has_varying_width(path);
+}
+
+/// One path and where it belongs.
+struct Item {
+  const Path* path = nullptr;
+  const dxf::LayerRow* layer = nullptr;
+};
+
+/// The head of an entity, up to its own data.
+void append_entity(Groups& out, const char* kind, const char* type, const Item& item,
+                   std::uint64_t handle) {
+  out.text(0, kind).handle(5, handle).handle(330, Fixed::ModelSpace).text(100, "AcDbEntity");
+  out.text(8, item.layer->name);
+  const int weight = weight_of(*item.path);
+  if (weight != item.layer->weight) out.whole(370, weight);
+  out.text(100, type);
+}
+
+void append_source(Groups& out, const Path& path) {
+  out.text(1001, dxf::kApplication).text(1000, to_string(path.kind));
+  out.whole(1071, path.source.part).whole(1071, path.source.face).whole(1071, path.source.edge);
+}
+
+/// The points of a path that its shape, and the width along it, need; z = half the width. A closed
+/// path does not repeat its first point, no two neighbours are the same.
+std::vector<Vec3> thinned(const Path& path, bool widths, double tolerance) {
+  const bool varies = widths && path.width.size() == path.points.size();
+  const double constant = widths ? 0.5 * mean_width(path) : 0;
+  std::vector<Vec3> all;
+  all.reserve(path.points.size() + 1);
+  for (std::size_t i = 0; i < path.points.size(); ++i) {
+    all.emplace_back(path.points[i], varies ? 0.5 * path.width[i] : constant);
+  }
+  if (path.closed) all.push_back(all.front());
+  std::vector<Vec3> kept;
+  for (const std::size_t i : simplify(all, tolerance)) {
+    if (kept.empty() || Vec2(kept.back()) != Vec2(all[i])) kept.push_back(all[i]);
+  }
+  while (path.closed && kept.size() > 1 && Vec2(kept.back()) == Vec2(kept.front())) {
+    kept.pop_back();
+  }
+  return kept;
+}
+
+void append_polyline(Groups& out, const Item& item, const std::vector<Vec3>& points,
+                     std::uint64_t handle) {
+  constexpr int kClosed = 1, kDashesGoOn = 128;
+  append_entity(out, "LWPOLYLINE", "AcDbPolyline", item, handle);
+  const bool closed = item.path->closed && points.size() > 2;
+  out.whole(90, static_cast<std::int64_t>(points.size()));
+  out.whole(70, (closed ? kClosed : 0) + (item.layer->dashed ? kDashesGoOn : 0));
+  const bool widths = has_true_width(*item.path);
+  const bool varies = has_varying_width(*item.path);
+  if (!varies) out.real(43, widths ? 2 * points[0].z : 0);
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    out.point(10, Vec2(points[i]));
+    if (!varies) continue;
+    const std::size_t next = i + 1 < points.size() ? i + 1 : closed ? 0 : i;
+    out.real(40, 2 * points[i].z).real(41, 2 * points[next].z);
+  }
+}
+
+/// A chain of cubics as one B-spline: its control points are theirs, knots at joints are threefold.
+void append_spline(Groups& out, const Item& item, const std::vector<CubicBezier>& chain,
+                   std::uint64_t handle) {
+  constexpr int kPlanar = 8;
+  append_entity(out, "SPLINE", "AcDbSpline", item, handle);
+  const auto n = static_cast<std::int64_t>(chain.size());
+  out.point(210, Vec3(0, 0, 1)).whole(70, kPlanar).whole(71, 3);
+  out.whole(72, 3 * n + 5).whole(73, 3 * n + 1).whole(74, 0);
+  out.real(42, 0.000001).real(43, 0.000001);
+  for (std::int64_t knot = 0; knot <= n; ++knot) {
+    const int times = knot == 0 || knot == n ? 4 : 3;
+    for (int i = 0; i < times; ++i) out.real(40, static_cast<double>(knot));
+  }
+  out.point(10, Vec3(chain.front()[0], 0));
+  for (const CubicBezier& c : chain) {
+    for (std::size_t i = 1; i < 4; ++i) out.point(10, Vec3(c[i], 0));
+  }
+}
+
+void append_path(Groups& out, const Item& item, const WriteOptions& options, std::uint64_t handle) {
+  const Path& path = *item.path;
+  const double tolerance = options.svg.fit_tolerance;
+  const bool true_width = has_true_width(path);
+  std::vector<CubicBezier> chain;
+  if (options.dxf.splines && !true_width) chain = fit_cubics(path.points, path.closed, tolerance);
+  const bool curved = std::any_of(chain.begin(), chain.end(), [&](const CubicBezier& c) {
+    return !is_straight(c, 0.1 * tolerance);
+  });
+  if (curved) {
+    append_spline(out, item, chain, handle);
+    return append_source(out, path);
+  }
+  const std::vector<Vec3> points = thinned(path, true_width, tolerance);
+  if (points.size() < 2) {
+    append_entity(out, "POINT", "AcDbPoint", item, handle);
+    out.point(10, Vec3(Vec2(points[0]), 0));
+  } else if (points.size() == 2 && !true_width) {
+    append_entity(out, "LINE", "AcDbLine", item, handle);
+    out.point(10, Vec3(Vec2(points[0]), 0)).point(11, Vec3(Vec2(points[1]), 0));
+  } else {
+    append_polyline(out, item, points, handle);
+  }
+  append_source(out, path);
+}
+
+/// The weight that most paths of a layer have; the thinner one of equals.
+int common_weight(const InkLayer& layer) {
+  std::map<int, std::size_t> counts;
+  for (const auto& [part, paths] : layer.parts) {
+    for (const Path* path : paths) ++counts[weight_of(*path)];
+  }
+  int best = 25;
+  std::size_t most = 0;
+  for (const auto& [weight, count] : counts) {
+    if (count <= most) continue;
+    most = count;
+    best = weight;
+  }
+  return best;
+}
+
+dxf::Frame frame_of(const Drawing& drawing, const std::vector<Item>& items,
+                    const SvgOptions& options) {
+  dxf::Frame frame;
+  frame.sheet = {drawing.paper_width, drawing.paper_height};
+  frame.high = frame.sheet;
+  frame.dash = options.dash;
+  frame.gap = options.gap;
+  bool first = true;
+  for (const Item& item : items) {
+    for (const Vec2& p : item.path->points) {
+      frame.low = first ? p : glm::min(frame.low, p);
+      frame.high = first ? p : glm::max(frame.high, p);
+      first = false;
+    }
+  }
+  return frame;
+}
+
+void write(const Buffer& text, std::ostream& out) {
+  out.write(text.data(), static_cast<std::streamsize>(text.size()));
+}
+
+}  // namespace
+
+void write_dxf(const Drawing& drawing, const WriteOptions& options, std::ostream& out,
+               const RunContext& context) {
+  const std::vector<InkLayer> layers = ink_layers(drawing);
+  std::vector<dxf::LayerRow> rows;
+  rows.reserve(layers.size());  // items point to them
+  std::vector<Item> items;
+  for (const InkLayer& layer : layers) {
+    rows.push_back({dxf::symbol_name(layer.name, rows), layer.is_hidden(), common_weight(layer)});
+    for (const auto& [part, paths] : layer.parts) {
+      for (const Path* path : paths) items.push_back({path, &rows.back()});
+    }
+  }
+  dxf::Frame frame = frame_of(drawing, items, options.svg);
+  const std::uint64_t first = static_cast<std::uint64_t>(Fixed::FirstLayer) + rows.size();
+  frame.next_handle = first + items.size();
+  Buffer text;
+  dxf::append_head(text, frame, rows);
+  write(text, out);
+  write_ordered(
+      items.size(), [&](std::size_t i) { return items[i].path->points.size(); },
+      [&](std::size_t i, Buffer& buffer) {
+        Groups groups(buffer);
+        append_path(groups, items[i], options, first + i);
+      },
+      out, context);
+  text.clear();
+  dxf::append_tail(text, frame);
+  write(text, out);
 }
 
 }  // namespace burin

@@ -24,6 +24,7 @@ inline std::string title_of(const Drawing& drawing) {
 inline std::string creator() { return fmt::format("burin {}", version()); }
 
 inline std::string subject_of(const Drawing& drawing) {
+  if (drawing.style.empty()) return "line art";
   return fmt::format("style {}, seed {}", drawing.style, drawing.seed);
 }
 

@@ -178,7 +178,7 @@ TEST(ReadDrawing, ReadsOrRefusesAnyDamage) {
       const Drawing d = parsed(bytes);
       ++read;
       if (i % 10 == 0) {
-        for (const Format f : {Format::Svg, Format::Eps, Format::Pdf}) {
+        for (const Format f : {Format::Svg, Format::Eps, Format::Dxf, Format::Pdf}) {
           if (f == Format::Pdf && std::max(d.paper_width, d.paper_height) > 5000) continue;
           EXPECT_GT(written(d, f).size(), 100u);
         }

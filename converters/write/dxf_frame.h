@@ -1,0 +1,39 @@
+#pragma once
+/// What stands before and after the entities of a DXF file.
+
+#include <burin/base/box.h>
+#include <burin/drawing/drawing.h>
+#include <burin/drawing/text.h>
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace burin::dxf {
+
+/// A layer of the file.
+struct LayerRow {
+  std::string name;
+  bool dashed = false;
+  /// The line weight that most of its paths have, in 1/100 mm.
+  int weight = 25;
+};
+
+/// A name as any reader of DXF takes it, other than those in `taken`: printable ASCII, "_" for what
+/// is forbidden.
+std::string symbol_name(std::string_view name, const std::vector<LayerRow>& taken);
+
+/// Sizes that the head tells of.
+struct Frame {
+  Vec2 sheet{0}, low{0}, high{0};
+  double dash = 2, gap = 1;
+  std::uint64_t next_handle = 0;
+};
+
+/// HEADER, CLASSES, TABLES, BLOCKS, and ENTITIES up to the first.
+void append_head(Buffer& out, const Frame& frame, const std::vector<LayerRow>& layers);
+
+/// The end of ENTITIES, and OBJECTS.
+void append_tail(Buffer& out, const Frame& frame);
+
+}  // namespace burin::dxf

@@ -1,0 +1,213 @@
+// Every format in true millimetres, the same bytes each time, and nothing lost on nasty drawings.
+#include <burin/base/parallel.h>
+#include <burin/base/version.h>
+
+#include "writing.h"
+
+#include <burin_test/command.h>
+#include <fmt/format.h>
+
+#include <cstdlib>
+#include <limits>
+
+namespace burin {
+namespace {
+
+using test::parsed;
+using test::written;
+
+constexpr Format kAll[] = {Format::Svg, Format::Pdf, Format::Eps,
+                           Format::Png, Format::Dxf, Format::Json};
+
+/// A sheet of 200 x 150 with a line of 100 mm and a closed square of 40 mm.
+Drawing ruler() {
+  return parsed(R"({"format": "burin-drawing", "version": 1, "paper": {"width": 200, "height": 150},
+    "layers": [{"name": "contour", "paths": [
+      {"points": [[50, 30], [150, 30]], "width": 0.5, "part": 0, "face": 4, "edge": 7, "kind": "crease"},
+      {"points": [[50, 60], [90, 60], [90, 100], [50, 100]], "closed": true, "width": 0.25}]}]})");
+}
+
+int number_at(const std::string& bytes, std::size_t at) {
+  int n = 0;
+  for (std::size_t i = 0; i < 4; ++i) n = n << 8 | static_cast<unsigned char>(bytes[at + i]);
+  return n;
+}
+
+TEST(WriteDrawing, FormatsHaveNames) {
+  EXPECT_EQ(format_named("PDF"), Format::Pdf);
+  EXPECT_EQ(format_named("dxf"), Format::Dxf);
+  EXPECT_EQ(format_named("bmp"), std::nullopt);
+  EXPECT_EQ(format_list(), ".svg, .pdf, .eps, .png, .dxf or .json");
+}
+
+TEST(WriteDrawing, SameBytesEachTimeForAnyNumberOfThreads) {
+  const Drawing drawing = test::sample_drawing();
+  for (const Format f : kAll) {
+    const std::string text = written(drawing, f);
+    EXPECT_GT(text.size(), 1000u);
+    EXPECT_EQ(written(drawing, f), text);
+    const ThreadLimit one(1);
+    EXPECT_EQ(written(drawing, f), text) << static_cast<int>(f);
+  }
+}
+
+TEST(WriteDrawing, CancelledRunsStop) {
+  const Drawing drawing = test::sample_drawing();
+  RunContext cancelled;
+  cancelled.cancel();
+  for (const Format f : kAll) {
+    std::ostringstream out;
+    EXPECT_THROW(write_drawing(drawing, f, {}, out, cancelled), Cancelled) << static_cast<int>(f);
+  }
+}
+
+TEST(WriteDrawing, NastyDrawingsAreWritten) {
+  Drawing d;
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const auto add = [&](std::vector<Vec2> points, std::vector<double> width, bool closed = false) {
+    Path p;
+    p.points = std::move(points);
+    p.width = std::move(width);
+    p.closed = closed;
+    d.layers[0].paths.push_back(p);
+  };
+  for (const Format f : kAll) EXPECT_FALSE(written(d, f).empty());
+  d.layers.push_back({"a", {}});
+  for (const Format f : kAll) EXPECT_FALSE(written(d, f).empty());
+  add({}, {});
+  add({{1, 1}}, {1});
+  add({{1, 1}, {1, 1}}, {5});
+  add({{1, 1}, {1, 1}, {1, 1}}, {1, 2, 3}, true);
+  add({{1, 1}, {2, 2}}, {nan});
+  add({{nan, 1}, {2, 2}}, {1});
+  add({{1, 1}, {2, 2}}, {});
+  add({{-1e9, 50}, {1e9, 50}}, {0.5});
+  add({{-1e9, -1e9}, {1e9, 1e9}, {50, 1e9}}, {0.1, 9, 0.1}, true);
+  add({{10, 10}, {10, 10}, {20, 10}, {10, 10}}, {0}, true);
+  for (const Format f : kAll) {
+    const std::string text = written(d, f);
+    EXPECT_EQ(text.find("nan"), std::string::npos) << static_cast<int>(f);
+    EXPECT_GT(text.size(), 500u);
+  }
+}
+
+TEST(WriteDrawing, SheetsThatAFormatCannotHoldAreRefused) {
+  EXPECT_NO_THROW(check_sheet(5080, 10, Format::Pdf, {}));
+  EXPECT_THROW(check_sheet(5081, 10, Format::Pdf, {}), UsageError);
+  EXPECT_THROW(check_sheet(0, 10, Format::Svg, {}), UsageError);
+  WriteOptions fine;
+  fine.png.dpi = 4800;
+  EXPECT_THROW(check_sheet(297, 210, Format::Png, fine), UsageError);
+  Drawing large = ruler();
+  large.paper_width = 9000;
+  EXPECT_THROW(written(large, Format::Png), UsageError);
+}
+
+TEST(WriteDrawing, PngHasItsSizeAndResolution) {
+  WriteOptions options;
+  options.png.dpi = 254;
+  const std::string png = written(ruler(), Format::Png, options);
+  EXPECT_EQ(png.substr(1, 3), "PNG");
+  EXPECT_EQ(number_at(png, 16), 2000);
+  EXPECT_EQ(number_at(png, 20), 1500);
+  EXPECT_EQ(png[25], 0);  // grey
+  const std::size_t physical = png.find("pHYs");
+  ASSERT_NE(physical, std::string::npos);
+  EXPECT_EQ(number_at(png, physical + 4), 10000);
+  options.png.transparent = true;
+  EXPECT_EQ(written(ruler(), Format::Png, options)[25], 4);  // grey and alpha
+}
+
+TEST(WriteDrawing, EpsHasTheBoxOfTheSheetAndWholeMicrometres) {
+  const std::string eps = written(ruler(), Format::Eps);
+  EXPECT_TRUE(eps.starts_with("%!PS-Adobe-3.0 EPSF-3.0\n"));
+  EXPECT_NE(eps.find("%%BoundingBox: 0 0 567 426\n"), std::string::npos);
+  EXPECT_NE(eps.find("%%HiResBoundingBox: 0 0 566.92913 425.19685\n"), std::string::npos);
+  EXPECT_NE(eps.find("50000 30000 m\n100000 0 l\n500 w s\n"), std::string::npos);
+  EXPECT_EQ(eps.find("Date"), std::string::npos);
+}
+
+TEST(WriteDrawing, PdfHasNoDateUnlessAskedFor) {
+  const Drawing drawing = ruler();
+  const std::string plain = written(drawing, Format::Pdf);
+  EXPECT_TRUE(plain.starts_with("%PDF-1.5"));
+  ::setenv("SOURCE_DATE_EPOCH", "86400", 1);
+  const std::string dated = written(drawing, Format::Pdf);
+  ::unsetenv("SOURCE_DATE_EPOCH");
+  EXPECT_EQ(plain.find("CreationDate"), std::string::npos);
+  EXPECT_NE(dated.find("(19700102000000"), std::string::npos);
+  EXPECT_EQ(written(drawing, Format::Pdf), plain);
+}
+
+TEST(WriteDrawing, DxfNamesLayersWeightsAndSources) {
+  Drawing d = ruler();
+  d.layers.push_back(d.layers[0]);
+  d.layers[1].name = "CONTOUR";
+  d.layers[1].paths[0].visible = false;
+  d.layers.push_back({"gr\xC3\xBC/n", {}});
+  const std::string dxf = written(d, Format::Dxf);
+  const auto holds = [&](const std::string& text) {
+    return dxf.find("\n" + text + "\n") != std::string::npos;
+  };
+  EXPECT_TRUE(holds("$ACADVER\n1\nAC1015"));
+  EXPECT_TRUE(holds("$INSUNITS\n70\n4"));
+  EXPECT_TRUE(holds("$EXTMIN\n10\n50.0\n20\n30.0\n30\n0.0"));
+  EXPECT_TRUE(holds("$EXTMAX\n10\n150.0\n20\n100.0\n30\n0.0"));
+  EXPECT_TRUE(holds("AcDbLayerTableRecord\n2\ncontour\n70\n0\n62\n7\n6\nContinuous\n370\n25"));
+  EXPECT_TRUE(holds("AcDbLayerTableRecord\n2\nCONTOUR-2\n70\n0\n62\n7\n6\nContinuous\n370\n25"));
+  EXPECT_TRUE(holds("AcDbLayerTableRecord\n2\nhidden\n70\n0\n62\n7\n6\nACAD_ISO02W100\n370\n50"));
+  EXPECT_TRUE(holds("2\ngr___n"));
+  EXPECT_TRUE(
+      holds("8\ncontour\n370\n50\n100\nAcDbLine\n10\n50.0\n20\n30.0\n30\n0.0\n11\n150.0\n21\n"
+            "30.0\n31\n0.0\n1001\nBURIN\n1000\ncrease\n1071\n0\n1071\n4\n1071\n7"));
+  EXPECT_TRUE(holds("AcDbPolyline\n90\n4\n70\n1\n43\n0.0\n10\n50.0\n20\n60.0"));
+  EXPECT_TRUE(dxf.ends_with("ENDSEC\n0\nEOF\n"));
+}
+
+TEST(WriteDrawing, DxfStrokesHaveAWidthAtEachVertex) {
+  Drawing d = ruler();
+  Path stroke;
+  stroke.kind = LineClass::Stroke;
+  stroke.points = {{10, 10}, {20, 10}, {30, 12}};
+  stroke.width = {0, 0.4, 0.1};
+  d.layers[0].paths = {stroke};
+  EXPECT_NE(
+      written(d, Format::Dxf)
+          .find("AcDbPolyline\n90\n3\n70\n0\n10\n10.0\n20\n10.0\n40\n0.0\n41\n0.4\n"
+                "10\n20.0\n20\n10.0\n40\n0.4\n41\n0.1\n10\n30.0\n20\n12.0\n40\n0.1\n41\n0.1\n"),
+      std::string::npos);
+}
+
+TEST(WriteDrawing, DxfSplinesOnlyWhereAskedFor) {
+  const Drawing drawing = test::sample_drawing();
+  WriteOptions options;
+  EXPECT_EQ(written(drawing, Format::Dxf, options).find("\nSPLINE\n"), std::string::npos);
+  options.dxf.splines = true;
+  const std::string dxf = written(drawing, Format::Dxf, options);
+  EXPECT_NE(dxf.find("\nSPLINE\n"), std::string::npos);
+  // n cubics: 3n + 5 knots, 3n + 1 control points.
+  const std::size_t at = dxf.find("\n71\n3\n72\n") + 9;
+  const int knots = std::stoi(dxf.substr(at));
+  EXPECT_EQ((knots - 5) % 3, 0);
+  EXPECT_NE(dxf.find(fmt::format("\n72\n{}\n73\n{}\n74\n0\n", knots, knots - 4)),
+            std::string::npos);
+}
+
+TEST(WriteFile, WritesWholeOrNotAtAll) {
+  const test::Folder folder;
+  const Drawing drawing = ruler();
+  const std::string path = folder / "a.eps";
+  write_file(drawing, path, {}, RunContext());
+  EXPECT_EQ(test::slurp(path), written(drawing, Format::Eps));
+  RunContext cancelled;
+  cancelled.cancel();
+  folder.write("b.pdf", "before");
+  EXPECT_THROW(write_file(drawing, folder / "b.pdf", {}, cancelled), Cancelled);
+  EXPECT_EQ(test::slurp(folder / "b.pdf"), "before");
+  EXPECT_THROW(write_file(drawing, folder / "a.bmp", {}, RunContext()), UsageError);
+  EXPECT_THROW(write_file(drawing, folder / "none/a.svg", {}, RunContext()), OutputError);
+  EXPECT_EQ(folder.count(), 2u);
+}
+
+}  // namespace
+}  // namespace burin
