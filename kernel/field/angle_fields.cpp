@@ -57,7 +57,8 @@ Vec3 arm(const FieldQuery& q, Vec3 first) {
   return (std::abs(b) > std::abs(a) ? b : a) < 0 ? -d : d;
 }
 
-Field angle_field(const char* name, SlopeFn slope, const AngleOptions& options, bool across) {
+Field angle_field(const char* name, const SlopeFn& slope, const AngleOptions& options,
+                  bool across) {
   const auto direction = [=](const FieldQuery& q) -> std::optional<Vec3> {
     const Frame& f = q.frame;
     const Slope s = slope(q.point, f);
