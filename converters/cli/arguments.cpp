@@ -44,9 +44,11 @@ void add_reading(CLI::App& app, ReadRequest& read, const char* group) {
        "model mm (default: their own bounds)");
   text(app, "--iso", read.iso, "LEVEL", group,
        "the surface of a volume is where its data takes this\n"
-       "value; burin info tells the range (no default)");
+       "value; burin info tells the range (no default; trivariate\n"
+       "splines: 0)");
   text(app, "--inside", read.inside, "above|below", group,
-       "values of a volume that are inside (default above)");
+       "values that are inside (default above; trivariate splines:\n"
+       "below)");
   text(app, "--smooth", read.smooth, "SAMPLES", group,
        "standard deviation of a Gaussian that a volume is\n"
        "smoothed with (default 0)");

@@ -1,4 +1,5 @@
 #include <burin/converters/irit_reader.h>
+#include <burin/forms/implicit/implicit_form.h>
 #include <burin/forms/parametric/parametric_form.h>
 
 #include "reader.h"
@@ -45,7 +46,9 @@ PartInfo inspect_part(const Part& part, Diagnostics& diagnostics, RunContext& co
   const ProxyMesh& proxy = surface->proxy();
   const auto* patches = dynamic_cast<const ParametricForm*>(part.form.get());
   info.components = static_cast<std::int64_t>(proxy.topology.component_closed.size());
-  if (patches == nullptr) {
+  if (dynamic_cast<const ImplicitForm*>(part.form.get()) != nullptr) {
+    info.faces = proxy.region_count;
+  } else if (patches == nullptr) {
     info.triangles = static_cast<std::int64_t>(proxy.mesh.triangles.size());
     info.faces = proxy.region_count;
     info.boundary_edges = std::ranges::count(proxy.topology.opposite, kNoHalfEdge);
@@ -66,11 +69,12 @@ PartInfo inspect_part(const Part& part, Diagnostics& diagnostics, RunContext& co
 
 }  // namespace
 
-FileInfo inspect_irit(const std::filesystem::path& path, RunContext& context) {
+FileInfo inspect_irit(const std::filesystem::path& path, RunContext& context,
+                      const IritReadOptions& options) {
   FileInfo info;
   info.file = path.string();
   info.format = format_name(irit::kind_of(Source(path, context), path));
-  const Scene scene = read_irit(path, context);
+  const Scene scene = read_irit(path, context, options);
   info.diagnostics = scene.diagnostics;
   for (const Part& part : scene.parts) {
     info.parts.push_back(inspect_part(part, info.diagnostics, context));

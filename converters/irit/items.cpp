@@ -17,11 +17,11 @@ struct NumberKind {
 constexpr NumberKind kNumberKinds[] = {
     {"NUMBER", 1}, {"POINT", 3}, {"VECTOR", 3}, {"PLANE", 4}, {"MATRIX", 16}};
 
-constexpr std::string_view kUnread[] = {"TRIMSRF",  "TRIVAR",   "TRISRF",     "MODEL",
-                                        "MULTIVAR", "INSTANCE", "POLYSTRIP",  "TRIMMODEL",
-                                        "VMODEL",   "TRIMCRV",  "TRIMCRVSEG", "CTLPT"};
+constexpr std::string_view kUnread[] = {"TRIMSRF",  "TRISRF",     "MODEL",     "MULTIVAR",
+                                        "INSTANCE", "POLYSTRIP",  "TRIMMODEL", "VMODEL",
+                                        "TRIMCRV",  "TRIMCRVSEG", "CTLPT"};
 constexpr std::string_view kOther[] = {"SURFACE",   "CURVE",  "POLYGON", "POLYLINE",
-                                       "POINTLIST", "STRING", "OBJECT"};
+                                       "POINTLIST", "STRING", "OBJECT",  "TRIVAR"};
 
 IritNumbers read_numbers(Lexer& in, const NumberKind& kind) {
   IritNumbers numbers{std::string(kind.keyword), {}};
@@ -89,6 +89,7 @@ IritItem read_item(Lexer& in, const Token& keyword) {
   const std::string word = raised(keyword.text);
   if (word == "SURFACE") return read_surface(in, keyword);
   if (word == "CURVE") return read_curve(in, keyword);
+  if (word == "TRIVAR") return read_trivariate(in, keyword);
   if (word == "POLYGON") return read_polygon(in, IritPolygon::Kind::Polygon);
   if (word == "POLYLINE") return read_polygon(in, IritPolygon::Kind::Polyline);
   if (word == "POINTLIST") return read_polygon(in, IritPolygon::Kind::PointList);

@@ -21,7 +21,9 @@ constexpr Words kWords[] = {
     {"POLYSTRIP", "strip of polygons"}};
 
 std::string in_words(const std::string& what) {
-  const auto* it = std::ranges::find(kWords, what, &Words::keyword);
+  // "TRIVAR of points E3" is named by its first word.
+  const auto* it =
+      std::ranges::find(kWords, std::string_view(what).substr(0, what.find(' ')), &Words::keyword);
   return it == std::end(kWords) ? what : fmt::format("{} ({})", what, it->words);
 }
 

@@ -1,6 +1,7 @@
 #include "parts.h"
 
 #include <burin/base/error.h>
+#include <burin/forms/implicit/implicit_form.h>
 #include <burin/forms/mesh/mesh_form.h>
 #include <burin/forms/parametric/parametric_form.h>
 #include <burin/mesh/repair.h>
@@ -41,14 +42,15 @@ bool is_yes(const std::string* value) { return value != nullptr && *value != "0"
 
 class PartMaker {
  public:
-  PartMaker(const Source& source, const std::filesystem::path& path)
-      : source_(source), path_(path) {}
+  PartMaker(const Source& source, const std::filesystem::path& path, const IritReadOptions& options)
+      : source_(source), path_(path), options_(options) {}
   Scene make(IritObject root);
 
  private:
   void list(IritObject& object, const Around& around);
   std::optional<Leaf> leaf(IritObject& object, const Around& around);
   void polygons(const IritObject& object, const Leaf& leaf, const Around& around);
+  void trivariates(IritObject& object, const Leaf& leaf, const Around& around);
   void join(const std::vector<Leaf>& leaves, const Around& around, bool named_list);
   std::shared_ptr<const Chart> chart(IritSurface& surface) const;
   std::string file_name() const { return clean_name(path_.stem().string()); }
@@ -57,6 +59,7 @@ class PartMaker {
 
   const Source& source_;
   const std::filesystem::path& path_;
+  const IritReadOptions& options_;
   std::size_t order_ = 0;
   std::vector<OrderedPart> parts_;
   Leftovers leftovers_;
@@ -118,6 +121,31 @@ void PartMaker::polygons(const IritObject& object, const Leaf& leaf, const Aroun
   }
 }
 
+void PartMaker::trivariates(IritObject& object, const Leaf& leaf, const Around& around) {
+  for (IritItem& item : object.items) {
+    auto* trivariate = std::get_if<IritTrivariate>(&item);
+    if (trivariate == nullptr) continue;
+    Around outer = around;
+    const std::string name = leaf.name.empty() ? take_name(outer) : leaf.name;
+    double level = options_.level;
+    if (options_.inside_above) {
+      level = -level;
+      for (double& c : trivariate->spline.coefficients) c = -c;
+    }
+    try {
+      auto form = std::make_shared<ImplicitForm>(
+          make_trivariate_function(std::move(trivariate->spline), level), options_.bounds,
+          source_.context());
+      parts_.push_back(
+          {leaf.order, {name, path_.string(), std::move(form), outer.names, leaf.color}});
+    } catch (const GeometryError& e) {
+      throw InputError(e.what(), source_.file(), trivariate->line);
+    } catch (const UsageError& e) {
+      throw InputError(e.what(), source_.file(), trivariate->line);
+    }
+  }
+}
+
 /// The object's own items; none where nothing of it makes a part of patches.
 std::optional<Leaf> PartMaker::leaf(IritObject& object, const Around& around) {
   Leaf leaf{object.name, around.color, order_++, {}};
@@ -127,6 +155,7 @@ std::optional<Leaf> PartMaker::leaf(IritObject& object, const Around& around) {
     leftovers_.add(item, object.line);
   }
   polygons(object, leaf, around);
+  trivariates(object, leaf, around);
   if (leaf.patches.empty()) return std::nullopt;
   return leaf;
 }
@@ -209,8 +238,9 @@ Scene PartMaker::make(IritObject root) {
 
 }  // namespace
 
-Scene make_parts(IritObject root, const Source& source, const std::filesystem::path& path) {
-  return PartMaker(source, path).make(std::move(root));
+Scene make_parts(IritObject root, const Source& source, const std::filesystem::path& path,
+                 const IritReadOptions& options) {
+  return PartMaker(source, path, options).make(std::move(root));
 }
 
 Scene make_part(std::vector<NurbsData> patches, const Source& source,
@@ -218,7 +248,7 @@ Scene make_part(std::vector<NurbsData> patches, const Source& source,
   if (patches.empty()) source.fail("holds no patch; export it again");
   IritObject root;
   for (NurbsData& data : patches) root.items.push_back(IritSurface{std::move(data), {}, 0});
-  return make_parts(std::move(root), source, path);
+  return make_parts(std::move(root), source, path, {});
 }
 
 }  // namespace burin::irit

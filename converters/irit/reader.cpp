@@ -77,7 +77,8 @@ bool is_irit_content(std::string_view head) {
          (irit::is_geomview(head) || irit::is_patch_list(head) || irit::begins_with_object(head));
 }
 
-Scene read_irit(const std::filesystem::path& path, const RunContext& context) {
+Scene read_irit(const std::filesystem::path& path, const RunContext& context,
+                const IritReadOptions& options) {
   const Source source(path, context);
   switch (irit::kind_of(source, path)) {
     case irit::Kind::Geomview:
@@ -87,7 +88,7 @@ Scene read_irit(const std::filesystem::path& path, const RunContext& context) {
     case irit::Kind::Data:
       break;
   }
-  return irit::make_parts(irit::parse_tree(source), source, path);
+  return irit::make_parts(irit::parse_tree(source), source, path, options);
 }
 
 }  // namespace burin

@@ -1,4 +1,4 @@
-// SURFACE and CURVE of IRIT data.
+// SURFACE, CURVE and TRIVAR of IRIT data.
 #include "items.h"
 #include "text.h"
 
@@ -51,7 +51,9 @@ class SplineReader {
   std::string unread() const { return unread_; }
   const Axis& axis(std::size_t i) const { return axes_[i]; }
   IritAttributes attributes;
-  /// In the order of NurbsData, wrapped.
+  /// Trivariates: in the order of the file.
+  std::vector<double> scalars;
+  /// Others: in the order of NurbsData, wrapped.
   std::vector<Vec3> points;
   std::vector<double> weights;
 
@@ -62,6 +64,9 @@ class SplineReader {
   void knots(Axis& axis);
   void bezier_knots(Axis& axis);
   void fits(const Token& at) const;
+  /// Why it is none of the trivariates that are functions of space; empty: it is.
+  std::string no_function() const;
+  void scalar_points();
   void control_points();
   void control_point(std::size_t index);
 
@@ -87,10 +92,12 @@ bool SplineReader::read() {
   const Token at = in_.peek();
   counts(basis == Basis::BSpline);
   point_type();
-  if (type_.coordinates < 2) return skip("of points with one coordinate");
+  const bool trivariate = axes_.size() == 3;
+  if (!trivariate && type_.coordinates < 2) return skip("of points with one coordinate");
   fits(at);
   for (Axis& axis : axes_) basis == Basis::BSpline ? knots(axis) : bezier_knots(axis);
-  control_points();
+  if (trivariate && !no_function().empty()) return skip(no_function());
+  trivariate ? scalar_points() : control_points();
   in_.close("the ] after the control points");
   return true;
 }
@@ -167,6 +174,35 @@ void SplineReader::knots(Axis& axis) {
   if (!(axis.knots[static_cast<std::size_t>(axis.degree())] <
         axis.knots[static_cast<std::size_t>(axis.all_points())])) {
     in_.fail(begin, "the knots leave no interval to draw; export it again");
+  }
+}
+
+std::string SplineReader::no_function() const {
+  constexpr std::int64_t kMaxFunctionOrder = 10;
+  if (type_.rational || type_.coordinates != 1) {
+    return fmt::format("of points {}{}", type_.rational ? "P" : "E", type_.coordinates);
+  }
+  for (const Axis& axis : axes_) {
+    if (axis.periodic) return "with periodic knots";
+    if (axis.order > kMaxFunctionOrder) return fmt::format("of order {}", axis.order);
+  }
+  return {};
+}
+
+void SplineReader::scalar_points() {
+  std::size_t all = 1;
+  for (const Axis& axis : axes_) all *= static_cast<std::size_t>(axis.points);
+  scalars.resize(all);
+  for (double& value : scalars) {
+    in_.source().context().check();
+    in_.open("the [ of a control point");
+    read_attributes(in_);
+    const Token at = in_.peek();
+    value = in_.number("a coordinate");
+    if (std::abs(value) > kLargestCoordinate) {
+      in_.fail(at, "this value is absurdly large; export it again");
+    }
+    in_.close("the ] of a control point");
   }
 }
 
@@ -247,6 +283,23 @@ IritItem read_curve(Lexer& in, const Token& keyword) {
                    std::move(reader.weights),
                    t.periodic,
                    std::move(reader.attributes)};
+}
+
+IritItem read_trivariate(Lexer& in, const Token& keyword) {
+  const std::int64_t line = in.line_of(keyword.where);
+  SplineReader reader(in, keyword, 3);
+  if (!reader.read()) return IritUnread{reader.unread(), line};
+  IritTrivariate out;
+  out.line = line;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Axis& axis = reader.axis(k);
+    out.spline.order[k] = static_cast<std::int32_t>(axis.order);
+    out.spline.size[k] = static_cast<std::int32_t>(axis.points);
+    out.spline.knots[k] = axis.knots;
+  }
+  out.spline.coefficients = std::move(reader.scalars);
+  out.attributes = std::move(reader.attributes);
+  return out;
 }
 
 }  // namespace burin::irit

@@ -27,10 +27,17 @@ constexpr Reader kCad{
     [](const Path& path, const ReadOptions&, RunContext& c) { return read_cad(path, c); },
     [](const Path& path, const ReadOptions&, RunContext& c) { return inspect_cad(path, c); }};
 
-constexpr Reader kIrit{
-    "ITD, IRT, BEZ, BBP", is_irit_content, is_irit_suffix,
-    [](const Path& path, const ReadOptions&, RunContext& c) { return read_irit(path, c); },
-    [](const Path& path, const ReadOptions&, RunContext& c) { return inspect_irit(path, c); }};
+IritReadOptions irit_options(const ReadOptions& o) {
+  return {o.volume.level.value_or(0), o.volume.inside_above.value_or(false), o.bounds};
+}
+
+constexpr Reader kIrit{"ITD, IRT, BEZ, BBP", is_irit_content, is_irit_suffix,
+                       [](const Path& path, const ReadOptions& o, RunContext& c) {
+                         return read_irit(path, c, irit_options(o));
+                       },
+                       [](const Path& path, const ReadOptions& o, RunContext& c) {
+                         return inspect_irit(path, c, irit_options(o));
+                       }};
 
 constexpr Reader kImplicit{"IMPLICIT", nullptr, is_implicit_suffix,
                            [](const Path& path, const ReadOptions& o, RunContext& c) {

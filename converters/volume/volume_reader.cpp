@@ -182,7 +182,7 @@ Volume Reader::read() {
   one.payload.reset();
   fill(one, volume);
   const Finite finite =
-      make_finite(volume.grid.samples, options_.inside_above, file.file(), context_);
+      make_finite(volume.grid.samples, options_.inside_above.value_or(true), file.file(), context_);
   volume.info.min = finite.min;
   volume.info.max = finite.max;
   volume.diagnostics = std::move(one.diagnostics);

@@ -61,8 +61,8 @@ Scene scene_of(Volume volume, const std::filesystem::path& path, const VolumeRea
   scene.diagnostics = std::move(volume.diagnostics);
   try {
     auto function = make_volume_function(std::move(volume.grid),
-                                         {*options.level, options.inside_above, options.degree,
-                                          options.interpolate, options.smoothing},
+                                         {*options.level, options.inside_above.value_or(true),
+                                          options.degree, options.interpolate, options.smoothing},
                                          context);
     auto form =
         std::make_shared<ImplicitForm>(std::move(function), domain, context, options.smallest_part);

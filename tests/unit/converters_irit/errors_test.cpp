@@ -81,8 +81,10 @@ TEST(IritErrors, DeepNestingNeitherHangsNorOverflows) {
 }
 
 TEST(IritErrors, NothingToDraw) {
-  expect_error("[OBJECT A [TRIMSRF x]\n]\n[OBJECT B [TRIVAR BSPLINE 2]]", 1,
-               "1 TRIMSRF (trimmed surface), 1 TRIVAR (trivariate volume)");
+  expect_error(
+      "[OBJECT A [TRIMSRF x]\n]\n[OBJECT B [TRIVAR BEZIER 2 2 2 E3 [0 0 0] [1 0 0] "
+      "[0 1 0] [1 1 0] [0 0 1] [1 0 1] [0 1 1] [1 1 1]]]",
+      1, "1 TRIMSRF (trimmed surface), 1 TRIVAR of points E3 (trivariate volume)");
   expect_error("\n[OBJECT A [CURVE BEZIER 2 E3 [0 0 0] [1 0 0]]]", 2, "no surface, only 1 CURVE");
   expect_error("[OBJECT A]", 0, "holds no surface");
   expect_error("some text", 0, "neither IRIT data");

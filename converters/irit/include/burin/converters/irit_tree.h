@@ -2,6 +2,7 @@
 /// What an IRIT data file holds, as it stands there.
 
 #include <burin/base/run_context.h>
+#include <burin/forms/implicit/volume_function.h>
 #include <burin/forms/parametric/nurbs.h>
 
 #include <cstdint>
@@ -38,6 +39,13 @@ struct IritCurve {
   IritAttributes attributes;
 };
 
+/// TRIVAR BEZIER or BSPLINE of points with one coordinate: a function of space.
+struct IritTrivariate {
+  TrivariateSpline spline;
+  IritAttributes attributes;
+  std::int64_t line = 0;
+};
+
 struct IritPolygon {
   enum class Kind : std::uint8_t { Polygon, Polyline, PointList };
   Kind kind = Kind::Polygon;
@@ -58,8 +66,8 @@ struct IritUnread {
   std::int64_t line = 0;
 };
 
-using IritItem =
-    std::variant<IritSurface, IritCurve, IritPolygon, IritNumbers, std::string, IritUnread>;
+using IritItem = std::variant<IritSurface, IritCurve, IritTrivariate, IritPolygon, IritNumbers,
+                              std::string, IritUnread>;
 
 /// [OBJECT attributes name ...]: a leaf with items, or a list of objects. No name: empty.
 struct IritObject {

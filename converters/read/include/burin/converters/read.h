@@ -22,7 +22,7 @@ struct ReadOptions {
   /// OpenSCAD files: definitions `NAME=VALUE`, and the seconds after which OpenSCAD is ended.
   std::vector<std::string> defines = {};
   double openscad_timeout = 300;
-  /// Volumes; trivariate splines take the level alone.
+  /// Volumes; trivariate splines of IRIT files take the level (0) and what is inside (below).
   VolumeReadOptions volume = {};
 };
 

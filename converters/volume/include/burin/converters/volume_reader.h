@@ -40,8 +40,8 @@ RawLayout parse_raw_layout(std::string_view text);
 struct VolumeReadOptions {
   /// The surface is where the data takes this value; it must be given to draw.
   std::optional<double> level = {};
-  /// Whether larger values are inside.
-  bool inside_above = true;
+  /// Whether larger values are inside; absent = they are.
+  std::optional<bool> inside_above = {};
   /// As in VolumeOptions.
   int degree = 3;
   bool interpolate = false;
