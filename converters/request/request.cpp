@@ -25,8 +25,19 @@ std::string spelled(std::string name, Spelling spelling) {
   return "--" + name;
 }
 
+/// Errors have no line: the text is made by a program.
+Style style_of_text(const std::string& text) {
+  try {
+    return parse_style(text, "style");
+  } catch (const UsageError& e) {
+    const std::string message = e.what();
+    const std::size_t place = message.find(": ");
+    throw UsageError(place == std::string::npos ? message : message.substr(place + 2));
+  }
+}
+
 Style make_style(const DrawRequest& r, Spelling spelling) {
-  Style style = r.style_text.empty() ? load_style(r.style) : parse_style(r.style_text, "style");
+  Style style = r.style_text.empty() ? load_style(r.style) : style_of_text(r.style_text);
   if (!r.light.empty()) style.tone.light = direction_option(spelled("light", spelling), r.light);
   for (const std::string& assignment : r.set) {
     const std::size_t equals = assignment.find('=');
@@ -144,7 +155,8 @@ ReadOptions make_read_options(const ReadRequest& request, Spelling spelling) {
   return read;
 }
 
-void set_read_option(ReadRequest& request, const std::string& name, const std::string& value) {
+void set_read_option(ReadRequest& request, const std::string& name, const std::string& value,
+                     const std::vector<std::string>& others) {
   std::vector<std::string> names = {"define"};
   if (name == names.front()) {
     request.define.push_back(value);
@@ -157,6 +169,7 @@ void set_read_option(ReadRequest& request, const std::string& name, const std::s
     }
     names.emplace_back(row.name);
   }
+  names.insert(names.end(), others.begin(), others.end());
   throw UsageError(
       fmt::format("unknown argument '{}'; the nearest is '{}'", name, nearest(name, names)));
 }

@@ -140,27 +140,31 @@ ViewProbe make_probe(const Occluder& occluder, const Camera& camera, std::vector
 // The strokes of the parts that are flagged.
 StrokeResult hatch(std::vector<const Surface*> surfaces, std::vector<bool> parts,
                    const Occluder& occluder, const Camera& camera, const Style& style,
-                   const detail::DepthCue& cue, std::uint64_t seed, RunContext& context) {
+                   const detail::DepthCue& cue, const IllustrateOptions& options,
+                   RunContext& context) {
   for (std::size_t i = 0; i < surfaces.size(); ++i) {
     if (!parts[i]) surfaces[i] = detail::empty_surface().get();
   }
   context.begin_stage("field");
-  const Field field = make_field(surfaces, camera, style, context);
-  const Tone tone = make_tone(camera, style, cue);
-  return trace_strokes(surfaces, camera, field, tone,
-                       make_probe(occluder, camera, std::move(parts)), hatch_options(style, seed),
+  const ViewProbe probe = make_probe(occluder, camera, std::move(parts));
+  const HatchScene scene{surfaces, camera, probe, context};
+  const Field field =
+      options.field ? options.field(scene) : make_field(surfaces, camera, style, context);
+  const Tone tone = options.tone ? options.tone(scene) : make_tone(camera, style, cue);
+  return trace_strokes(surfaces, camera, field, tone, probe, hatch_options(style, options.seed),
                        context);
 }
 
 StrokeResult hatch_all(const std::vector<const Surface*>& surfaces, const Occluder& occluder,
                        const Camera& camera, const detail::Looks& looks,
-                       const detail::DepthCue& cue, std::uint64_t seed, RunContext& context) {
+                       const detail::DepthCue& cue, const IllustrateOptions& options,
+                       RunContext& context) {
   StrokeResult all;
   for (std::size_t k = 0; k < looks.styles().size(); ++k) {
     std::vector<bool> parts = looks.hatched_by(k);
     if (std::find(parts.begin(), parts.end(), true) == parts.end()) continue;
-    StrokeResult one =
-        hatch(surfaces, std::move(parts), occluder, camera, *looks.styles()[k], cue, seed, context);
+    StrokeResult one = hatch(surfaces, std::move(parts), occluder, camera, *looks.styles()[k], cue,
+                             options, context);
     all.strokes.insert(all.strokes.end(), std::make_move_iterator(one.strokes.begin()),
                        std::make_move_iterator(one.strokes.end()));
     all.coverage_points += one.coverage_points;
@@ -223,6 +227,14 @@ Drawing describe(const Scene& scene, const std::vector<const ProxyMesh*>& proxie
   return drawing;
 }
 
+void name_own_field(Drawing& drawing) {
+  for (Layer& layer : drawing.layers) {
+    for (Path& path : layer.paths) {
+      if (path.kind == LineClass::Stroke) path.field = "own";
+    }
+  }
+}
+
 }  // namespace
 
 Drawing illustrate(const Scene& scene, const Camera& camera, const Style& style,
@@ -244,7 +256,7 @@ Drawing illustrate(const Scene& scene, const Camera& camera, const Style& style,
 
   const detail::DepthCue cue(proxies, camera, style);
   const StrokeResult strokes =
-      hatch_all(surfaces, sight.solid(), camera, looks, cue, options.seed, context);
+      hatch_all(surfaces, sight.solid(), camera, looks, cue, options, context);
   drawing.stats.coverage_points = strokes.coverage_points;
   drawing.stats.coverage_delta = strokes.coverage_delta;
 
@@ -258,6 +270,7 @@ Drawing illustrate(const Scene& scene, const Camera& camera, const Style& style,
   context.begin_stage("compose");
   detail::compose({features, seen.features, strokes.strokes, seen.strokes},
                   {proxies, camera, looks, style, options.hidden, cue}, drawing, context);
+  if (options.field) name_own_field(drawing);
   context.end_stage();
   return drawing;
 }

@@ -202,6 +202,8 @@ std::optional<Vec3> to_vector(std::string_view text) {
 std::optional<bool> to_flag(std::string_view text, const FlagKey& key) {
   if (text == key.on) return true;
   if (text == key.off) return false;
+  if (text == "true") return true;
+  if (text == "false") return false;
   if (text == "1" || text == "yes" || text == "on") return true;
   if (text == "0" || text == "no" || text == "off") return false;
   return {};

@@ -5,6 +5,7 @@
 #include <burin/converters/implicit_reader.h>
 #include <burin/converters/values.h>
 #include <burin/forms/implicit/implicit_form.h>
+#include <burin/forms/implicit/volume_function.h>
 #include <burin/forms/mesh/mesh_form.h>
 #include <burin/mesh/repair.h>
 
@@ -15,6 +16,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
 #include <limits>
 #include <memory>
 #include <optional>
@@ -92,6 +95,50 @@ PolygonSoup soup_of(const py::object& vertices, const py::object& triangles) {
   return soup;
 }
 
+constexpr std::uint64_t kMostSamples = 1024;
+
+/// The function as a cubic spline through `n` samples along the longest side of its domain and the
+/// same step along the others.
+std::shared_ptr<const ImplicitFunction> sampled(const ImplicitFunction& function,
+                                                const Box3& domain, int n,
+                                                const RunContext& context) {
+  constexpr double kLeast = 8;  // a cubic spline's border takes as much
+  VolumeGrid grid;
+  grid.origin = domain.min;
+  const Vec3 size = domain.size();
+  const double step = std::max({size.x, size.y, size.z}) / std::max(n - 1, 1);
+  for (int k = 0; k < 3; ++k) {
+    const double count = std::max(kLeast, std::ceil(size[k] / step - 1e-9) + 1);  // of samples
+    grid.size[static_cast<std::size_t>(k)] = static_cast<std::int32_t>(count);
+    grid.steps[k] = Vec3(0);
+    grid.steps[k][k] = size[k] / (count - 1);
+  }
+  const auto [nx, ny, nz] = grid.size;
+  // A plane at a time: few calls, and cancel is heard.
+  std::vector<Vec3> at(static_cast<std::size_t>(nx) * static_cast<std::size_t>(ny));
+  std::vector<double> values(at.size());
+  grid.samples.reserve(at.size() * static_cast<std::size_t>(nz));
+  for (std::int32_t k = 0; k < nz; ++k) {
+    context.check();
+    for (std::int32_t j = 0; j < ny; ++j) {
+      for (std::int32_t i = 0; i < nx; ++i) {
+        at[static_cast<std::size_t>(j) * static_cast<std::size_t>(nx) +
+           static_cast<std::size_t>(i)] = grid.origin + grid.steps * Vec3(i, j, k);
+      }
+    }
+    function.values(at, values);
+    for (const double v : values) grid.samples.push_back(static_cast<float>(v));
+  }
+  const auto inside = [](float v) { return v < 0; };
+  if (std::none_of(grid.samples.begin(), grid.samples.end(), inside)) {
+    throw GeometryError(
+        "the function is nowhere negative in its bounds; widen them, or use more samples");
+  }
+  return make_volume_function(std::move(grid),
+                              {.level = 0, .inside_above = false, .degree = 3, .interpolate = true},
+                              context);
+}
+
 Part implicit(std::shared_ptr<const ImplicitFunction> function, const std::optional<Box3>& domain) {
   Part part;
   run(py::none(), nullptr, [&](RunContext& context) {
@@ -126,11 +173,19 @@ Part mesh_part(const py::object& vertices, const py::object& triangles, const st
   return part;
 }
 
-Part function_part(const py::object& values, const py::object& bounds, const py::object& gradients,
-                   const py::object& hessians) {
+Part function_part(const PythonFunctions& functions, const py::object& bounds,
+                   const py::object& samples) {
   const std::optional<Box3> domain = box(bounds);
   if (!domain) throw UsageError("argument bounds takes a box x0,y0,z0,x1,y1,z1");
-  return implicit(make_python_function(values, gradients, hessians, *domain), domain);
+  const auto n = static_cast<int>(
+      whole_option("samples", number_text("samples", samples), 0, kMostSamples, "0 to 1024"));
+  const auto exact = make_python_function(functions, *domain);
+  Part part;
+  run(py::none(), nullptr, [&](RunContext& context) {
+    const auto function = n == 0 ? exact : sampled(*exact, *domain, n, context);
+    part.form = std::make_shared<ImplicitForm>(function, domain, context);
+  });
+  return part;
 }
 
 Part implicit_part(const std::string& text, const py::object& bounds) {

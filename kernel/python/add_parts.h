@@ -4,6 +4,8 @@
 
 #include <burin/surface/scene.h>
 
+#include "function.h"
+
 #include <pybind11/pybind11.h>
 
 #include <string>
@@ -23,8 +25,10 @@ struct PartNames {
 Part brep_part(const py::object& brep, const py::object& placement);
 Part mesh_part(const py::object& vertices, const py::object& triangles, const std::string& name,
                Diagnostics& diagnostics);
-Part function_part(const py::object& values, const py::object& bounds, const py::object& gradients,
-                   const py::object& hessians);
+/// `samples` along the longest side of the bounds that stand for the function; 0 = the function
+/// itself is called for every point.
+Part function_part(const PythonFunctions& functions, const py::object& bounds,
+                   const py::object& samples);
 Part implicit_part(const std::string& text, const py::object& bounds);
 
 }  // namespace burin::python

@@ -6,6 +6,7 @@
 #include <burin/illustrate/illustrate.h>
 
 #include "drawing.h"
+#include "fields.h"
 #include "module.h"
 #include "read.h"
 #include "run.h"
@@ -55,11 +56,14 @@ DrawRequest request_of(const Keywords& k) {
 /// What is to be drawn: a scene, or files to be read in the run.
 struct Source {
   std::optional<Scene> scene;
+  std::vector<PartLook> looks;
   std::vector<std::string> paths;
 
   explicit Source(const py::object& value) {
     if (py::isinstance<PyScene>(value)) {
-      scene = value.cast<const PyScene&>().scene;
+      const auto& given = value.cast<const PyScene&>();
+      scene = given.scene;
+      looks = given.looks;
     } else {
       paths = path_list(value);
       if (paths.empty()) throw UsageError("no input; name model files, or give a scene");
@@ -82,6 +86,10 @@ DrawingOwner draw(const py::object& source, const py::object& view, const py::ob
                   const py::object& progress, const std::shared_ptr<CancelFlag>& cancel,
                   const py::kwargs& options) {
   Source from(source);
+  const ReadOptions read = read_options(
+      bounds, options,
+      {"view", "up", "perspective", "paper", "scale", "margin", "style", "set", "light", "hidden",
+       "tolerance", "bounds", "seed", "threads", "center", "field", "tone", "progress", "cancel"});
   if (from.scene && (!bounds.is_none() || !options.empty())) {
     throw UsageError(
         "arguments about reading (bounds ...) go to Scene.read, not to the scene's draw");
@@ -89,8 +97,10 @@ DrawingOwner draw(const py::object& source, const py::object& view, const py::ob
   DrawPlan plan = make_plan(request_of({view, up, perspective, paper, scale, margin, style, set,
                                         light, hidden, tolerance, seed, threads, center}),
                             Spelling::Keywords);
-  plan.read = read_options(bounds, options);
-  if (!field.is_none() || !tone.is_none()) throw UsageError("field and tone are not there yet");
+  plan.read = read;
+  plan.illustrate.field = python_field(field);
+  plan.illustrate.tone = python_tone(tone);
+  if (from.scene) plan.illustrate.looks = from.looks;
   auto result = std::make_shared<PyDrawing>();
   result->style = plan.style;
   run(progress, cancel, [&](RunContext& context) {

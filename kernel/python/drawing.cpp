@@ -2,7 +2,7 @@
 
 #include <burin/base/error.h>
 #include <burin/base/nearest.h>
-#include <burin/converters/output.h>
+#include <burin/converters/read_drawing.h>
 #include <burin/converters/write.h>
 
 #include "arrays.h"
@@ -16,6 +16,7 @@
 #include <pybind11/stl.h>
 
 #include <algorithm>
+#include <functional>
 #include <sstream>
 #include <utility>
 
@@ -79,16 +80,8 @@ void save(const DrawingOwner& self, const py::object& path, const py::kwargs& op
   const std::string name = path_text(path);
   if (name.empty()) throw UsageError("the path of the drawing is empty");
   const WriteOptions write = options_of(*self, options);
-  run(py::none(), nullptr, [&](RunContext& context) {
-    // "-" is a file like any other here.
-    std::vector<Output> outputs = plan_outputs({name == "-" ? "./-" : name}, "", {});
-    Output& output = outputs.front();
-    output.write([&](std::ostream& out) {
-      write_drawing(self->drawing, output.format(), write, out, context);
-    });
-    context.check();
-    output.commit();
-  });
+  run(py::none(), nullptr,
+      [&](RunContext& context) { write_file(self->drawing, name, write, context); });
 }
 
 py::bytes to_bytes(const DrawingOwner& self, const std::string& format, const py::kwargs& options) {
@@ -101,6 +94,32 @@ py::bytes to_bytes(const DrawingOwner& self, const std::string& format, const py
   run(py::none(), nullptr,
       [&](RunContext& context) { write_drawing(self->drawing, *named, write, out, context); });
   return {out.str()};
+}
+
+/// `read` gives a drawing; runs without the GIL.
+DrawingOwner made(const std::function<Drawing(const RunContext&)>& read) {
+  auto drawing = std::make_shared<PyDrawing>();
+  // What files do not say is as in `burin convert`.
+  drawing->style = builtin_style("technical");
+  run(py::none(), nullptr, [&](RunContext& context) {
+    context.begin_stage("read");
+    drawing->drawing = read(context);
+    context.end_stage();
+  });
+  return drawing;
+}
+
+DrawingOwner load(const py::object& path) {
+  const std::string name = path_text(path);
+  return made([&](const RunContext& context) { return read_drawing(name, context); });
+}
+
+DrawingOwner from_json(const py::object& text) {
+  if (!py::isinstance<py::str>(text) && !py::isinstance<py::bytes>(text)) {
+    throw py::type_error("argument text takes str or bytes, a drawing file");
+  }
+  const auto json = text.cast<std::string>();
+  return made([&](const RunContext& context) { return parse_drawing(json, "", context); });
 }
 
 py::list parts(const PyDrawing& self) {
@@ -303,6 +322,12 @@ void add_drawing(py::module_& module) {
           "keys with underscores, e.g. svg_flatten=True. Throws OutputError.")
       .def("to_bytes", to_bytes, py::arg("format"),
            "The file of that format (\"svg\", \"json\" ...) in memory.")
+      .def_static("load", load, py::arg("path"),
+                  "A drawing file (JSON), of Burin or of another program. Throws InputError.")
+      .def_static("from_json", from_json, py::arg("text"),
+                  "The same for text in memory, str or bytes. Throws InputError with the line.")
+      .def(py::pickle([](const DrawingOwner& self) { return to_bytes(self, "json", {}); },
+                      [](const py::bytes& text) { return from_json(text); }))
       .def("__repr__", [](const PyDrawing& self) {
         std::size_t paths = 0;
         for (const Layer& layer : self.drawing.layers) paths += layer.paths.size();

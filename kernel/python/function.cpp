@@ -180,19 +180,18 @@ class PythonFunction final : public ImplicitFunction {
 
 }  // namespace
 
-std::shared_ptr<const ImplicitFunction> make_python_function(const py::object& values,
-                                                             const py::object& gradients,
-                                                             const py::object& hessians,
+std::shared_ptr<const ImplicitFunction> make_python_function(const PythonFunctions& functions,
                                                              const Box3& bounds) {
   const auto check = [](const py::object& function, const char* name) {
     if (!PyCallable_Check(function.ptr())) {
       throw py::type_error(fmt::format("{} takes a function of points (n, 3)", name));
     }
   };
-  check(values, "values");
-  if (!gradients.is_none()) check(gradients, "gradients");
-  if (!hessians.is_none()) check(hessians, "hessians");
-  return std::make_shared<PythonFunction>(values, gradients, hessians, bounds);
+  check(functions.values, "values");
+  if (!functions.gradients.is_none()) check(functions.gradients, "gradients");
+  if (!functions.hessians.is_none()) check(functions.hessians, "hessians");
+  return std::make_shared<PythonFunction>(functions.values, functions.gradients, functions.hessians,
+                                          bounds);
 }
 
 }  // namespace burin::python

@@ -4,6 +4,7 @@
 
 #include "module.h"
 
+#include <algorithm>
 #include <chrono>
 #include <condition_variable>
 #include <exception>
@@ -18,6 +19,8 @@ constexpr std::chrono::milliseconds kPoll{20};
 
 struct Request {
   const std::function<void()>& body;
+  /// Who is to answer; nullptr = anybody.
+  RunId own;
   std::exception_ptr error;
   bool done = false;
 };
@@ -34,6 +37,8 @@ Desk& desk() {
   static Desk& desk = *new Desk;
   return desk;
 }
+
+thread_local RunId t_run = nullptr;
 
 void answer(const std::vector<Request*>& requests) {
   for (Request* request : requests) {
@@ -79,6 +84,7 @@ class Run {
  private:
   void do_work(const std::function<void(RunContext&)>& work) {
     std::exception_ptr error;
+    t_run = this;
     try {
       context_.check();
       work(context_);
@@ -103,10 +109,12 @@ class Run {
     std::unique_lock lock(desk().mutex);
     ++desk().waiters;
     while (!done_) {
-      desk().wanted.wait_until(lock, next, [&] { return done_ || !desk().requests.empty(); });
-      if (done_) break;
       std::vector<Request*> requests;
-      requests.swap(desk().requests);
+      desk().wanted.wait_until(lock, next, [&] {
+        requests = take();
+        return done_ || !requests.empty();
+      });
+      if (done_ && requests.empty()) break;
       lock.unlock();
       const bool poll = std::chrono::steady_clock::now() >= next;
       if (poll || !requests.empty()) {
@@ -120,6 +128,17 @@ class Run {
     // Requests of other runs that came meanwhile are theirs to answer.
     --desk().waiters;
     if (!desk().requests.empty()) desk().wanted.notify_all();
+  }
+
+  /// The requests that this thread may answer; under the desk's mutex.
+  std::vector<Request*> take() const {
+    auto& all = desk().requests;
+    const auto mine = std::stable_partition(all.begin(), all.end(), [this](const Request* r) {
+      return r->own != nullptr && r->own != this;
+    });
+    std::vector<Request*> taken(mine, all.end());
+    all.erase(mine, all.end());
+    return taken;
   }
 
   /// With the GIL: signals and progress.
@@ -171,8 +190,10 @@ void run(const py::object& progress, const std::shared_ptr<CancelFlag>& cancel,
   Run(progress, cancel)(work);
 }
 
-void in_python(const std::function<void()>& body) {
-  Request request{body, {}, false};
+RunId this_run() { return t_run; }
+
+void in_python(const std::function<void()>& body, RunId own) {
+  Request request{body, own, {}, false};
   {
     std::unique_lock lock(desk().mutex);
     if (desk().waiters > 0) {

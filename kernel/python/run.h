@@ -49,9 +49,16 @@ class CancelFlag {
 void run(const py::object& progress, const std::shared_ptr<CancelFlag>& cancel,
          const std::function<void(RunContext&)>& work);
 
+/// Names a call of `run`.
+using RunId = const void*;
+
 /// For code below `run`, on any thread, without the GIL: has `body` called with the GIL, by a
-/// thread that waits in `run`, and waits for it. Exceptions are passed on. Calls that many threads
-/// ask for at once take the GIL once. Where nobody waits the GIL is taken here.
-void in_python(const std::function<void()>& body);
+/// thread that waits in `run` (with `own`: in that very run), and waits for it. Exceptions are
+/// passed on. Calls that many threads ask for at once take the GIL once. Where nobody waits the GIL
+/// is taken here.
+void in_python(const std::function<void()>& body, RunId own = nullptr);
+
+/// The run whose work this thread does; nullptr on others, TBB's among them.
+RunId this_run();
 
 }  // namespace burin::python

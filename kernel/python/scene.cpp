@@ -9,10 +9,12 @@
 #include "module.h"
 #include "read.h"
 #include "run.h"
+#include "style_text.h"
 #include "text.h"
 
 #include <pybind11/stl.h>
 
+#include <optional>
 #include <utility>
 
 namespace burin::python {
@@ -26,21 +28,43 @@ PyPart append(const Owner& owner, Part part, const PartNames& names) {
   for (const py::handle name : names.assembly) part.assembly.push_back(name.cast<std::string>());
   part.source = names.source;
   owner->scene.parts.push_back(std::move(part));
+  owner->looks.resize(owner->scene.parts.size());
   return {owner, owner->scene.parts.size() - 1};
 }
 
-Owner read(const py::args& paths, const py::object& bounds, const py::object& progress,
-           const std::shared_ptr<CancelFlag>& cancel, const py::kwargs& options) {
+/// pybind11 2.10 takes no keywords of their own after *args.
+Owner read(const py::args& paths, const py::kwargs& keywords) {
+  const auto pop = [&](const char* name) -> py::object {
+    if (!keywords.contains(name)) return py::none();
+    return keywords.attr("pop")(name);
+  };
   std::vector<std::string> names;
   for (const py::handle path : paths) names.push_back(path_text(path));
   if (names.empty()) throw UsageError("no input; name model files");
-  const ReadOptions read = read_options(bounds, options);
+  const py::object progress = pop("progress"), cancel = pop("cancel"), bounds = pop("bounds");
+  if (!cancel.is_none() && !py::isinstance<CancelFlag>(cancel)) {
+    throw py::type_error("argument cancel takes a Cancel");
+  }
+  const ReadOptions read = read_options(bounds, keywords, {"bounds", "progress", "cancel"});
   auto owner = std::make_shared<PyScene>();
-  run(progress, cancel, [&](RunContext& context) {
+  run(progress, cancel.cast<std::shared_ptr<CancelFlag>>(), [&](RunContext& context) {
     check_inputs(names);
     owner->scene = read_scene(names, read, context);
+    owner->looks.resize(owner->scene.parts.size());
   });
   return owner;
+}
+
+/// The signature stands in the text, for pybind11 does not know it.
+void add_read(py::class_<PyScene, Owner>& scene) {
+  py::options options;
+  options.disable_function_signatures();
+  scene.def_static(
+      "read", read,
+      "read(*paths: object, bounds: object = None, progress: object = None, "
+      "cancel: burin.Cancel = None, **options) -> burin.Scene\n\n"
+      "Files, by their formats, as parts in order. `options` are the long options of the command "
+      "line that concern reading, with underscores. Throws InputError.\n");
 }
 
 py::array box_array(const Box3& b) {
@@ -55,6 +79,16 @@ void property(py::class_<PyPart>& c, const char* name, T Part::*member, const ch
       [member](const PyPart& p, const T& value) { p.part().*member = value; }, doc);
 }
 
+void look(py::class_<PyPart>& c, const char* name, bool PartLook::*member, const char* doc) {
+  c.def_property(
+      name, [member](const PyPart& p) { return p.look().*member; },
+      [member](const PyPart& p, bool value) { p.look().*member = value; }, doc);
+}
+
+py::object style_dict(const std::optional<Style>& style) {
+  return style ? py::object(flat(*style)) : py::none();
+}
+
 void add_part(py::module_& module) {
   py::class_<PyPart> part(module, "Part", "One part of a scene.");
   of_package(part);
@@ -63,6 +97,16 @@ void add_part(py::module_& module) {
   property(part, "color", &Part::color, "\"#rrggbb\", or empty where it has none.");
   property(part, "assembly", &Part::assembly,
            "Names from the top of an assembly down to what contains the part.");
+  look(part, "drawn", &PartLook::drawn, "False: as if the part were not there.");
+  look(part, "hatched", &PartLook::hatched, "False: lines alone, without strokes.");
+  look(part, "transparent", &PartLook::transparent,
+       "Its lines are drawn, without strokes, and it hides itself but no other part.");
+  part.def_property(
+      "style", [](const PyPart& p) { return style_dict(p.look().style); },
+      [](const PyPart& p, const py::object& value) {
+        p.look().style = value.is_none() ? std::nullopt : std::optional(style_of(value));
+      },
+      "A style of its own, as `style` of `draw` takes it; None = that of the drawing.");
   part.def("__repr__", [](const PyPart& p) { return "<burin.Part '" + p.part().name + "'>"; });
 }
 
@@ -94,13 +138,8 @@ void add_scene(py::module_& module) {
   add_diagnostic(module);
   add_part(module);
   py::class_<PyScene, Owner> scene(module, "Scene", "What is drawn: parts in order.");
-  of_package(scene)
-      .def(py::init<>())
-      .def_static(
-          "read", read, py::kw_only(), py::arg("bounds") = py::none(),
-          py::arg("progress") = py::none(), py::arg("cancel") = py::none(),
-          "Files, by their formats, as parts in order. `options` are the long options of the "
-          "command line that concern reading, with underscores. Throws InputError.")
+  add_read(of_package(scene));
+  scene.def(py::init<>())
       .def(
           "add_brep",
           [](const Owner& self, const py::object& brep, const std::string& name,
@@ -131,17 +170,23 @@ void add_scene(py::module_& module) {
       .def(
           "add_function",
           [](const Owner& self, const py::object& values, const py::object& bounds,
-             const std::string& name, const py::object& gradients, const py::object& hessians) {
-            return append(self, function_part(values, bounds, gradients, hessians),
+             const std::string& name, const py::object& gradients, const py::object& hessians,
+             const py::object& samples) {
+            return append(self, function_part({values, gradients, hessians}, bounds, samples),
                           {name, "", py::tuple(), ""});
           },
           py::arg("values"), py::arg("bounds"), py::arg("name") = "", py::kw_only(),
           py::arg("gradients") = py::none(), py::arg("hessians") = py::none(),
+          py::arg("samples") = 192,
           "The zero set of a function, negative inside, clipped by `bounds` (x0, y0, z0, x1, y1, "
           "z1): "
-          "`values` takes points (n, 3) and gives (n,); `gradients` gives (n, 3), `hessians` "
-          "(n, 3, 3), both by central differences where absent. They are called by threads that "
-          "wait in this module, with the GIL.")
+          "`values` takes points (n, 3) in mm and gives (n,). It is called for a grid with "
+          "`samples` "
+          "points along the longest side of the bounds, and what is drawn is the cubic spline "
+          "through "
+          "them. samples=0 calls the function for every point of the surface that is wanted, which "
+          "takes minutes; then `gradients` gives (n, 3) and `hessians` (n, 3, 3), both by central "
+          "differences where absent. Called with the GIL, by threads that wait in this module.")
       .def(
           "add_implicit",
           [](const Owner& self, const std::string& text, const std::string& name,

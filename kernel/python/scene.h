@@ -1,11 +1,13 @@
 #pragma once
 /// Scenes as Python holds them.
 
+#include <burin/illustrate/illustrate.h>
 #include <burin/surface/scene.h>
 
 #include <pybind11/pybind11.h>
 
 #include <memory>
+#include <vector>
 
 namespace burin::python {
 
@@ -13,6 +15,8 @@ namespace py = pybind11;
 
 struct PyScene {
   Scene scene;
+  /// One a part.
+  std::vector<PartLook> looks;
 };
 
 /// One part of a scene, which it keeps.
@@ -21,6 +25,7 @@ struct PyPart {
   std::size_t index = 0;
 
   Part& part() const { return owner->scene.parts[index]; }
+  PartLook& look() const { return owner->looks[index]; }
 };
 
 /// Diagnostics as a list.

@@ -13,10 +13,6 @@
 namespace burin::python {
 namespace {
 
-bool is_mapping(const py::object& value) {
-  return PyMapping_Check(value.ptr()) && PyObject_HasAttrString(value.ptr(), "items");
-}
-
 /// What JSON has no words for: numpy's numbers and arrays, tuples of them.
 py::object plain(const py::object& value) {
   if (PyObject_HasAttrString(value.ptr(), "tolist")) return value.attr("tolist")();
@@ -24,7 +20,8 @@ py::object plain(const py::object& value) {
       fmt::format("style: {} is no value of a style key", std::string(py::repr(value))));
 }
 
-/// {"line.outer": 0.7, ...}, with "name" first.
+}  // namespace
+
 py::dict flat(const Style& style) {
   py::dict out;
   const py::dict json = py::module_::import("json").attr("loads")(style_to_json(style));
@@ -45,8 +42,6 @@ Style style_of(const py::object& value) {
   set_style(request, value);
   return make_plan(request, Spelling::Keywords).style;
 }
-
-}  // namespace
 
 void set_style(DrawRequest& request, const py::object& style) {
   if (!is_mapping(style)) {

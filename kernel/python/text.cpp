@@ -55,6 +55,10 @@ std::string value_text(const char* name, const py::handle& value) {
   return list_text(name, value);
 }
 
+bool is_mapping(const py::handle& value) {
+  return PyMapping_Check(value.ptr()) && PyObject_HasAttrString(value.ptr(), "items");
+}
+
 std::string path_text(const py::handle& value) {
   const auto path = py::reinterpret_steal<py::object>(PyOS_FSPath(value.ptr()));
   if (!path) throw py::error_already_set();

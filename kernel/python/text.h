@@ -16,6 +16,8 @@ std::string number_text(const char* name, const py::handle& value);
 std::string list_text(const char* name, const py::handle& value, const char* separator = ",");
 /// What a style key takes: also True and False.
 std::string value_text(const char* name, const py::handle& value);
+/// Whether it has keys and values.
+bool is_mapping(const py::handle& value);
 /// A path as text, of anything that os.fspath takes.
 std::string path_text(const py::handle& value);
 /// One path or a sequence of them.

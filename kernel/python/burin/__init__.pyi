@@ -28,7 +28,9 @@ class GeometryError(Error):
     """A shape that cannot be drawn."""
 
 class OutputError(Error, OSError):
-    """A file that cannot be written."""
+    """A file that cannot be written. Attribute: file (str)."""
+
+    file: str
 
 class Cancelled(Error):
     """The run was cancelled."""
@@ -52,11 +54,14 @@ class Part:
     drawn: bool
     hatched: bool
     transparent: bool
+    style: dict[str, Any] | None
+    """Part's own style, as `style` of `draw` takes it; None = that of the drawing."""
 
 class Scene:
     """What is drawn: parts in order."""
 
     def __init__(self) -> None: ...
+    def __len__(self) -> int: ...
     @staticmethod
     def read(
         *paths: str | PathLike[str],
@@ -99,9 +104,14 @@ class Scene:
         *,
         gradients: Callable[[ndarray], ndarray] | None = None,
         hessians: Callable[[ndarray], ndarray] | None = None,
+        samples: int = 192,
     ) -> Part:
-        """The zero set of a function, negative inside: `values` takes points (n, 3) and gives (n,);
-        `gradients` gives (n, 3), `hessians` (n, 3, 3), both by central differences where absent."""
+        """The zero set of a function, negative inside, clipped by `bounds`: `values` takes points (n, 3)
+        and gives (n,). What is drawn is the cubic spline through `samples` points along the longest side
+        of the bounds and as many to the mm along the others, so that the function is called once a plane
+        of them; kernel/docs/python.md says how near that is. samples=0 asks the function itself, and
+        `gradients` (n, 3) and `hessians` (n, 3, 3) where given (else central differences), for every
+        point: slow."""
     def add_implicit(
         self, text: str, name: str = "", *, bounds: Sequence[float] | None = None
     ) -> Part:
@@ -114,22 +124,47 @@ class Scene:
     def diagnostics(self) -> list[Diagnostic]: ...
 
 class Diagnostic:
-    severity: str
-    code: str
-    count: int
-    message: str
+    @property
+    def severity(self) -> str:
+        """"info", "warning" or "error"."""
+    @property
+    def code(self) -> str:
+        """Stable, e.g. "mesh.nonmanifold_edges"."""
+    @property
+    def count(self) -> int:
+        """How often it occurred."""
+    @property
+    def message(self) -> str:
+        """One sentence."""
 
 class Path:
     """One line of ink."""
 
-    kind: str
-    visible: bool
-    part: int
-    face: int
-    edge: int
-    closed: bool
-    field: str
-    family: int
+    def __len__(self) -> int: ...
+    @property
+    def kind(self) -> str:
+        """contour, boundary, crease, smooth, seam, intersection, stroke ..."""
+    @property
+    def visible(self) -> bool:
+        """False where it is dashed."""
+    @property
+    def part(self) -> int:
+        """Number of the part."""
+    @property
+    def face(self) -> int:
+        """Number of the face in the part, -1 = none."""
+    @property
+    def edge(self) -> int:
+        """Number of the edge in the part, -1 = none."""
+    @property
+    def closed(self) -> bool:
+        """Whether the last point joins the first, which is not repeated."""
+    @property
+    def field(self) -> str:
+        """Strokes: the direction field ("own" = that of the caller), else empty."""
+    @property
+    def family(self) -> int:
+        """Strokes: 1 or 2, the family in the field, else 0."""
     @property
     def points(self) -> ndarray:
         """(n, 2) mm of paper."""
@@ -141,21 +176,46 @@ class Path:
         """(1,) or (n,) mm of paper."""
 
 class Layer:
-    name: str
-    paths: list[Path]
+    """Paths that are drawn together."""
+
+    def __len__(self) -> int: ...
+    @property
+    def name(self) -> str:
+        """Its name in files."""
+    @property
+    def paths(self) -> list[Path]:
+        """The paths, in the order in which they are drawn."""
 
 class View:
     """How the sheet was seen."""
 
-    projection: str
-    direction: ndarray
-    right: ndarray
-    up: ndarray
-    scale: float
-    center: ndarray
-    offset: ndarray
-    eye: ndarray
-    field_of_view: float
+    @property
+    def projection(self) -> str:
+        """"orthographic" or "perspective"."""
+    @property
+    def direction(self) -> ndarray:
+        """(3,) unit vector from the model to the viewer."""
+    @property
+    def right(self) -> ndarray:
+        """(3,) what points right on the sheet."""
+    @property
+    def up(self) -> ndarray:
+        """(3,) what points up on it."""
+    @property
+    def scale(self) -> float:
+        """Paper mm a model mm (perspective: in the plane through `center`)."""
+    @property
+    def center(self) -> ndarray:
+        """(3,) the model point at `offset`, in mm."""
+    @property
+    def offset(self) -> ndarray:
+        """(2,) mm of paper."""
+    @property
+    def eye(self) -> ndarray:
+        """(3,) the viewer's place in mm; perspective only."""
+    @property
+    def field_of_view(self) -> float:
+        """Vertical, in degrees; 0 = orthographic."""
     def project(self, points: ndarray) -> ndarray:
         """(n, 3) of the model to (n, 2) of the sheet."""
 
@@ -179,7 +239,7 @@ class Drawing:
     def arrays(self) -> dict[str, ndarray]:
         """All paths as few arrays, for programs that show them: "points" (N, 2), "points3" (N, 3),
         "width" (N,), and a path: "first" (P + 1,) index of its first point, "layer", "kind", "part",
-        "face", "edge", "visible", "closed" (P,); "kinds" and "layers" are lists of names."""
+        "face", "edge", "family", "visible", "closed" (P,); "kinds" and "layers" are lists of names."""
     def save(self, path: str | PathLike[str], **options: Any) -> None:
         """Writes a file whole or not at all; the suffix names the format. `options`: the format's keys
         with underscores, e.g. svg_flatten=True, png_dpi=300."""
@@ -228,7 +288,8 @@ def styles() -> dict[str, str]:
     """Names of the built-in styles with what they are for."""
 
 def style(name: str | PathLike[str] | Mapping[str, Any]) -> dict[str, Any]:
-    """All keys of a style with their values: {"line.outer": 0.7, ...}."""
+    """All keys of a style with their values: {"name": "outline", "line.outer": 0.7, ...}; `draw` takes
+    it back."""
 
 def style_keys() -> list[dict[str, str]]:
     """Each key of a style: "key", "meaning", "takes", "value" (in technical)."""

@@ -71,7 +71,8 @@ ReadOptions make_read_options(const ReadRequest& request, Spelling spelling);
 Style load_style(const std::string& name);
 
 /// Sets an option about reading by its name without dashes ("bounds"). Throws UsageError that names
-/// the nearest.
-void set_read_option(ReadRequest& request, const std::string& name, const std::string& value);
+/// the nearest of these and of `others`.
+void set_read_option(ReadRequest& request, const std::string& name, const std::string& value,
+                     const std::vector<std::string>& others = {});
 
 }  // namespace burin

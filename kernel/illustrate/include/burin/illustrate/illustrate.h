@@ -4,11 +4,16 @@
 #include <burin/base/run_context.h>
 #include <burin/camera/camera.h>
 #include <burin/drawing/drawing.h>
+#include <burin/field/field.h>
 #include <burin/illustrate/style.h>
+#include <burin/stroke/stroke.h>
 #include <burin/surface/scene.h>
+#include <burin/tone/tone.h>
 
 #include <cstdint>
+#include <functional>
 #include <optional>
+#include <span>
 #include <vector>
 
 namespace burin {
@@ -26,6 +31,17 @@ struct PartLook {
   std::optional<Style> style{};
 };
 
+/// What a field or a tone of the caller's own may look at. All of it lives as long as the strokes
+/// are placed.
+struct HatchScene {
+  /// One a part; empty ones where a part has no strokes of this style.
+  std::span<const Surface* const> surfaces;
+  const Camera& camera;
+  /// What is seen of these parts at a point of the paper.
+  const ViewProbe& probe;
+  const RunContext& context;
+};
+
 struct IllustrateOptions {
   HiddenLines hidden = HiddenLines::None;
   std::uint64_t seed = 1;
@@ -33,6 +49,10 @@ struct IllustrateOptions {
   std::optional<double> tolerance{};
   /// One a part, in order; parts beyond its end look as all do.
   std::vector<PartLook> looks{};
+  /// Instead of the style's: called once for each style that has strokes, in the thread that runs;
+  /// what they return is called from many threads. Paths of strokes call such a field "own".
+  std::function<Field(const HatchScene&)> field{};
+  std::function<Tone(const HatchScene&)> tone{};
 };
 
 /// Draws `scene` as `camera` sees it. Stages timed on `context`: build curvature field cover trace

@@ -1,0 +1,42 @@
+#!/usr/bin/env bash
+# test.sh SOURCE BUILD PYTHON_FOLDER: installs the build into a folder of its own, moves that, and uses what is there.
+# PYTHON_FOLDER is empty where the Python module is not built.
+set -euo pipefail
+source=$1 build=$2 python_folder=${3:-}
+scratch=$(mktemp -d "$build/install-test.XXXXXX")
+trap 'rm -rf "$scratch"' EXIT
+fail() { printf 'install test: %s\n' "$*" >&2; exit 1; }
+
+cmake --install "$build" --prefix "$scratch/first" >"$scratch/log" || { cat "$scratch/log"; fail "cmake --install failed"; }
+# Nothing may depend on where it was installed.
+mv "$scratch/first" "$scratch/moved"
+prefix=$scratch/moved
+
+"$prefix/bin/burin" --version | grep -q '^burin ' || fail "the command does not start"
+for model in spindle.stl coupling.step; do
+  "$prefix/bin/burin" draw "$source/samples/$model" -o "$scratch/a.svg" --quiet --style outline || fail "the command does not draw $model"
+  "$prefix/bin/burin" draw "$source/samples/$model" -o "$scratch/a.pdf" --quiet || fail "the command writes no PDF"
+  grep -q '<path' "$scratch/a.svg" || fail "the drawing of $model is empty"
+done
+while read -r file; do
+  if readelf -d "$file" | grep -E 'R(UN)?PATH' | grep -qF "$build"; then fail "$file looks for libraries in the build"; fi
+done < <(find "$prefix" -name '*.so*' -type f; echo "$prefix/bin/burin")
+
+if [[ -n $python_folder ]]; then
+  cd "$scratch"
+  cp "$source/samples/spindle.stl" a.stl
+  PYTHONPATH=$prefix/$python_folder /usr/bin/python3 -c "import burin; burin.draw('a.stl').save('a.svg')" || fail "the Python module does not draw"
+  PYTHONPATH=$prefix/$python_folder /usr/bin/python3 - "$source/samples/coupling.step" "$prefix" <<'PY' || fail "the Python module does not draw a CAD part"
+import sys, burin
+assert burin.__file__.startswith(sys.argv[2]), burin.__file__
+assert len(burin.draw(sys.argv[1], style="outline").arrays()["part"]) > 50
+maps = open("/proc/self/maps").read()
+libraries = {line.split()[-1] for line in maps.splitlines() if "libburin" in line}
+assert len(libraries) == 2 and all(l.startswith(sys.argv[2]) for l in libraries), libraries
+PY
+fi
+
+cmake -S "$source/tests/install/consumer" -B "$scratch/consumer" -DCMAKE_PREFIX_PATH="$prefix" >"$scratch/log" 2>&1 &&
+  cmake --build "$scratch/consumer" >>"$scratch/log" 2>&1 || { cat "$scratch/log"; fail "a program does not build on the installed kernel"; }
+"$scratch/consumer/consumer" | grep -q layers || fail "the program on the installed kernel does not run"
+echo "installed, moved and used"

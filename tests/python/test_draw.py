@@ -1,0 +1,309 @@
+"""Drawing: options, styles, fields and tones, and what comes out."""
+
+import json
+import subprocess
+import tempfile
+import unittest
+from pathlib import Path
+
+import burin
+import numpy as np
+from support import COMMAND, SAMPLES, cube, sphere
+
+
+def mesh_scene(shape=cube):
+    scene = burin.Scene()
+    scene.add_mesh(*shape())
+    return scene
+
+
+class SameAsCommand(unittest.TestCase):
+    """The same options give the same bytes."""
+
+    def check(self, model, words, **keywords):
+        with tempfile.TemporaryDirectory() as folder:
+            for suffix in ("svg", "json"):
+                theirs, ours = Path(folder, "a." + suffix), Path(folder, "b." + suffix)
+                subprocess.run(
+                    [COMMAND, "draw", SAMPLES / model, "-o", theirs, "--quiet", *words], check=True, timeout=60
+                )
+                burin.draw(SAMPLES / model, **keywords).save(ours)
+                self.assertEqual(theirs.read_bytes(), ours.read_bytes())
+
+    def test_defaults(self):
+        self.check("spindle.stl", [])
+
+    def test_many_options(self):
+        self.check(
+            "coupling.step",
+            ["--view=2,-3,1.5", "--up=0,0.1,1", "--paper=200x150", "--margin=7.5", "--style=engraving"]
+            + ["--set=line.outer=0.9", "--set=hatch.direction=1,0,0.25", "--set=svg.flatten=polylines"]
+            + ["--light=-1,0.5,0.25", "--hidden=dashed", "--seed=7", "--threads=1", "--tolerance=0.05"],
+            view=(2, -3, 1.5),
+            up=np.array([0, 0.1, 1]),
+            paper=(200, 150),
+            margin=7.5,
+            style="engraving",
+            set={"line.outer": 0.9, "hatch.direction": (1, 0, 0.25), "svg.flatten": True},
+            light=[-1, 0.5, 0.25],
+            hidden="dashed",
+            seed=7,
+            threads=1,
+            tolerance=0.05,
+        )
+
+    def test_perspective_scale_and_center(self):
+        self.check(
+            "bracket.off",
+            ["--perspective=40", "--scale=0.5", "--center=10,5,2", "--style=outline"],
+            perspective=40,
+            scale=0.5,
+            center=(10, 5, 2),
+            style="outline",
+        )
+
+    def test_info(self):
+        said = subprocess.run(
+            [COMMAND, "info", "--json", SAMPLES / "bracket.off"], check=True, timeout=60, capture_output=True
+        )
+        self.assertEqual(burin.info(SAMPLES / "bracket.off"), json.loads(said.stdout)["files"])
+
+
+class Options(unittest.TestCase):
+    def test_errors_name_the_keyword(self):
+        scene = mesh_scene()
+        bad = [
+            ({"scale": -1}, "argument scale takes a number over 0"),
+            ({"perspective": 500}, "argument perspective takes 1 to 170"),
+            ({"margin": 200}, "argument margin takes"),
+            ({"light": (0, 0, 0)}, "argument light takes a direction"),
+            ({"center": (1, 2)}, "argument center takes a point"),
+            ({"hidden": "dotted"}, "argument hidden takes none or dashed"),
+            ({"threads": 0}, "argument threads takes"),
+            ({"seed": -1}, "argument seed takes"),
+            ({"tolerance": 0}, "argument tolerance takes"),
+            ({"view": "frnt"}, "unknown view 'frnt'"),
+            ({"paper": "B4"}, "unknown paper 'B4'"),
+            ({"style": "tecnical"}, "the nearest is 'technical'"),
+            ({"style": {"line.outr": 1}}, "^unknown style key 'line.outr'; the nearest is 'line.outer'"),
+            ({"set": {"line.outer": "thick"}}, "'line.outer' takes 0.01 to 10, not 'thick'"),
+            ({"set": {"hatch.spacing_min": 5}}, "more than 'hatch.spacing_max'"),
+            ({"tolerence": 1}, "unknown argument 'tolerence'; the nearest is 'tolerance'"),
+            ({"bounds": (0, 0, 0, 1, 1, 1)}, "Scene.read"),
+        ]
+        for keywords, message in bad:
+            with self.subTest(keywords), self.assertRaisesRegex(burin.UsageError, message):
+                burin.draw(scene, **keywords)
+
+    def test_wrong_types(self):
+        scene = mesh_scene()
+        bad = [{"scale": True}, {"scale": [1]}, {"view": 3}, {"light": "abc".split}, {"hidden": None}]
+        bad += [{"set": ["line.outer=1"]}, {"style": 3}, {"field": 3}, {"tone": "dark"}, {"progress": 1}, {"cancel": 1}]
+        for keywords in bad:
+            with self.subTest(keywords), self.assertRaises(TypeError):
+                burin.draw(scene, **keywords)
+        for source in (3, None, [3]):
+            with self.assertRaises(TypeError):
+                burin.draw(source)
+
+    def test_usage_errors_are_value_errors(self):
+        self.assertTrue(issubclass(burin.UsageError, ValueError))
+        self.assertTrue(issubclass(burin.OutputError, OSError))
+        for error in (burin.UsageError, burin.InputError, burin.GeometryError, burin.OutputError, burin.Cancelled):
+            self.assertTrue(issubclass(error, burin.Error))
+            self.assertEqual(error.__module__, "burin")
+
+    def test_nothing_to_draw(self):
+        with self.assertRaises(burin.GeometryError):
+            burin.draw(burin.Scene())
+        with self.assertRaises(burin.UsageError):
+            burin.draw([])
+
+    def test_center_is_in_the_middle_of_the_sheet(self):
+        for extra in ({"scale": 2}, {}, {"scale": 2, "perspective": 30}):
+            drawing = burin.draw(mesh_scene(), style="outline", center=(1, 2, 3), **extra)
+            np.testing.assert_allclose(drawing.view.project([[1, 2, 3]]), [[297 / 2, 105]], atol=1e-9)
+        with self.assertRaisesRegex(burin.UsageError, "scale"):
+            burin.draw(mesh_scene(), center=(1, 2, 3), perspective=30)
+        # Without a scale all of it is on the sheet, and just so.
+        drawing = burin.draw(mesh_scene(), style="outline", center=(1, 2, 3))
+        points = drawing.arrays()["points"]
+        self.assertTrue((points > 9.9).all() and (points < [287.1, 200.1]).all())
+        margins = [*points.min(axis=0), *([297, 210] - points.max(axis=0))]
+        self.assertLess(min(margins), 10.1)
+
+
+class Styles(unittest.TestCase):
+    def test_built_in(self):
+        self.assertEqual(list(burin.styles())[:3], ["outline", "technical", "engraving"])
+        keys = [entry["key"] for entry in burin.style_keys()]
+        style = burin.style("technical")
+        self.assertEqual([key for key in style if key != "name"], keys)
+        self.assertEqual(style["line.outer"], 0.5)
+        self.assertIs(style["hatch.enabled"], True)
+        self.assertEqual(style["hatch.direction"], [0, 0, 1])
+        self.assertEqual(set(burin.style_keys()[0]), {"key", "meaning", "takes", "value"})
+
+    def test_mapping_is_a_style_file(self):
+        mapping = {"base": "engraving", "line.outer": np.float64(0.5), "hatch": {"enabled": False}}
+        with tempfile.TemporaryDirectory() as folder:
+            path = Path(folder, "mine.json")
+            path.write_text('{"base": "engraving", "line.outer": 0.5, "hatch": {"enabled": false}}')
+            by_file = burin.style(path)
+        by_mapping = burin.style(mapping)
+        self.assertEqual(by_file.pop("name"), "mine")
+        by_mapping.pop("name")
+        self.assertEqual(by_file, by_mapping)
+        self.assertEqual(by_file["line.outer"], 0.5)
+
+    def test_what_style_gives_draw_takes(self):
+        drawing = burin.draw(mesh_scene(), style=burin.style("engraving"))
+        self.assertEqual(drawing.style, "engraving")
+        self.assertEqual(drawing.to_bytes("json"), burin.draw(mesh_scene(), style="engraving").to_bytes("json"))
+
+
+class Result(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.drawing = burin.draw(mesh_scene(sphere), style="engraving", paper="A5", seed=3, perspective=35)
+
+    def test_head(self):
+        d = self.drawing
+        self.assertEqual((d.paper, d.seed, d.style), ((210, 148), 3, "engraving"))
+        self.assertEqual(d.stats["triangles"], 12 * 0 + len(sphere()[1]))
+        self.assertEqual(d.parts[0]["id"], 0)
+        self.assertEqual(d.diagnostics, [])
+
+    def test_arrays_are_the_paths(self):
+        arrays = self.drawing.arrays()
+        paths = [(i, path) for i, layer in enumerate(self.drawing.layers) for path in layer.paths]
+        self.assertGreater(len(paths), 50)
+        first = arrays["first"]
+        self.assertEqual((len(first), first[0], first[-1]), (len(paths) + 1, 0, len(arrays["points"])))
+        self.assertEqual(arrays["layers"], [layer.name for layer in self.drawing.layers])
+        for k, (layer, path) in enumerate(paths):
+            span = slice(first[k], first[k + 1])
+            np.testing.assert_array_equal(arrays["points"][span], path.points)
+            np.testing.assert_array_equal(arrays["points3"][span], path.points3)
+            np.testing.assert_array_equal(arrays["width"][span], np.broadcast_to(path.width, len(path)))
+            self.assertEqual(arrays["layer"][k], layer)
+            self.assertEqual(arrays["kinds"][arrays["kind"][k]], path.kind)
+            for name in ("part", "face", "edge", "family", "visible", "closed"):
+                self.assertEqual(arrays[name][k], getattr(path, name))
+            self.assertEqual(path.field != "", path.kind == "stroke")
+        self.assertEqual([arrays[n].dtype.kind for n in ("points", "first", "part", "visible")], list("fiib"))
+
+    def test_view_projects(self):
+        view = self.drawing.view
+        self.assertEqual((view.projection, view.field_of_view), ("perspective", 35))
+        # On contours of meshes points and points3 are the same line but for the fairing.
+        for layer in self.drawing.layers:
+            for path in layer.paths:
+                np.testing.assert_allclose(view.project(path.points3), path.points, atol=0.02)
+        axes = np.array([view.right, view.up, view.direction])
+        np.testing.assert_allclose(axes @ axes.T, np.eye(3), atol=1e-12)
+
+    def test_paths_outlive_the_drawing_and_cannot_be_written(self):
+        drawing = burin.draw(mesh_scene(), style="outline")
+        points = drawing.layers[0].paths[0].points
+        copy = points.copy()
+        del drawing
+        np.testing.assert_array_equal(points, copy)
+        with self.assertRaises(ValueError):
+            points[0, 0] = 1
+
+    def test_flat_is_fast(self):
+        # Not a time: how many Python objects are made does not depend on the number of paths.
+        arrays = self.drawing.arrays()
+        self.assertEqual(len(arrays), 14)
+
+
+class FieldAndTone(unittest.TestCase):
+    def strokes(self, drawing):
+        return [path for layer in drawing.layers for path in layer.paths if path.kind == "stroke"]
+
+    def test_strokes_follow_the_field(self):
+        seen = []
+
+        def swirl(positions, normals):
+            seen.append(len(positions))
+            self.assertEqual(positions.shape, normals.shape)
+            np.testing.assert_allclose(np.linalg.norm(normals, axis=1), 1, atol=1e-9)
+            return np.stack([-(positions[:, 1] - 5), positions[:, 0] - 5, 0 * positions[:, 0]], -1)
+
+        drawing = burin.draw(mesh_scene(), view="top", style="engraving", field=swirl, set={"hatch.cross_from": 1.1})
+        strokes = self.strokes(drawing)
+        self.assertGreater(len(strokes), 20)
+        self.assertTrue(all(s.field == "own" for s in strokes))
+        self.assertLess(len(seen), 100)
+        # Circles about the middle of the face: the radius stays along each stroke.
+        for stroke in strokes:
+            radius = np.hypot(*(stroke.points3[:, :2] - 5).T)
+            if radius.min() > 1:
+                self.assertLess(np.ptp(radius), 0.05)
+
+    def test_no_strokes_where_the_field_is_none(self):
+        def half(positions, normals):
+            return np.where(positions[:, :1] < 5, np.nan, [[0.0, 1.0, 0.0]])
+
+        strokes = self.strokes(burin.draw(mesh_scene(), view="top", style="engraving", field=half))
+        self.assertGreater(len(strokes), 10)
+        least = min(s.points3[:, 0].min() for s in strokes)
+        scale = 190 / 10
+        self.assertGreater(least, 5 - 1 / scale)
+
+    def test_tone_is_darkness(self):
+        def stripes(positions, normals):
+            return np.where(positions[:, 0] < 5, 0.9, 0.0)
+
+        drawing = burin.draw(mesh_scene(), view="top", style="engraving", tone=stripes)
+        ink = {True: 0.0, False: 0.0}
+        for s in self.strokes(drawing):
+            lengths = np.linalg.norm(np.diff(s.points, axis=0), axis=1)
+            width = np.broadcast_to(s.width, len(s))
+            for x, area in zip(s.points3[:-1, 0], lengths * (width[:-1] + width[1:]) / 2):
+                ink[bool(x < 5)] += area
+        dark = ink[True] / (95 * 190)
+        self.assertGreater(dark, 0.45)
+        self.assertLess(ink[False], 0.02 * ink[True])
+
+    def test_dark_and_light(self):
+        areas = []
+        for darkness in (0.2, 0.5):
+            drawing = burin.draw(mesh_scene(), view="top", style="engraving", tone=lambda p, n: np.full(len(p), darkness))
+            areas.append(
+                sum(
+                    np.sum(np.linalg.norm(np.diff(s.points, axis=0), axis=1)) * np.mean(s.width)
+                    for s in self.strokes(drawing)
+                )
+                / 190**2
+            )
+        self.assertAlmostEqual(areas[0], 0.2, delta=0.05)
+        self.assertAlmostEqual(areas[1], 0.5, delta=0.1)
+
+    def test_same_bytes_for_any_number_of_threads(self):
+        def tone(positions, normals):
+            return 0.5 + 0.5 * np.sin(positions[:, 0])
+
+        def field(positions, normals):
+            return positions[:, [1, 2, 0]]
+
+        one, two = (
+            burin.draw(mesh_scene(sphere), style="engraving", tone=tone, field=field, threads=n).to_bytes("json")
+            for n in (1, 4)
+        )
+        self.assertEqual(one, two)
+
+    def test_errors(self):
+        def broken(positions, normals):
+            raise ZeroDivisionError("mine")
+
+        for name in ("field", "tone"):
+            with self.assertRaisesRegex(ZeroDivisionError, "mine"):
+                burin.draw(mesh_scene(), **{name: broken})
+            with self.assertRaisesRegex(ValueError, f"{name} must give an array of shape"):
+                burin.draw(mesh_scene(), **{name: lambda p, n: np.zeros((len(p), 2))})
+
+
+if __name__ == "__main__":
+    unittest.main()

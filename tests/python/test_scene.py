@@ -1,0 +1,256 @@
+"""Scenes: from files, from BREP text, from arrays and from functions."""
+
+import tempfile
+import unittest
+from pathlib import Path
+
+import burin
+import numpy as np
+from support import PLATE, SAMPLES, cube
+
+
+class Files(unittest.TestCase):
+    def test_parts_of_several_files_in_order(self):
+        scene = burin.Scene.read(SAMPLES / "spindle.stl", str(SAMPLES / "bolt.3mf"))
+        names = [part.name for part in scene.parts]
+        self.assertEqual(names[0], "spindle")
+        self.assertEqual(scene.parts[0].source, str(SAMPLES / "spindle.stl"))
+        self.assertGreaterEqual(len(names), 2)
+
+    def test_cad_file_has_assembly(self):
+        scene = burin.Scene.read(SAMPLES / "coupling.step")
+        self.assertGreater(len(scene.parts), 1)
+        self.assertTrue(all(part.assembly for part in scene.parts))
+
+    def test_bounds_of_a_function(self):
+        with tempfile.TemporaryDirectory() as folder:
+            path = Path(folder, "half.implicit")
+            path.write_text("sphere(5)")
+            scene = burin.Scene.read(path, bounds=[-6, -6, -6, 6, 6, 0])
+        np.testing.assert_allclose(scene.bounds(), [[-5, -5, -5], [5, 5, 0]], atol=0.05)
+
+    def test_missing_file(self):
+        with self.assertRaises(burin.InputError) as caught:
+            burin.Scene.read("/nowhere/part.stl")
+        self.assertEqual(caught.exception.file, "/nowhere/part.stl")
+        self.assertEqual(caught.exception.line, 0)
+        self.assertIn("/nowhere/part.stl: there is no such file", str(caught.exception))
+
+    def test_broken_file_names_its_line(self):
+        with tempfile.TemporaryDirectory() as folder:
+            path = Path(folder, "broken.obj")
+            path.write_text("v 0 0 0\nv 1 0 0\nv 0 1 zero\nf 1 2 3\n")
+            with self.assertRaises(burin.InputError) as caught:
+                burin.Scene.read(path)
+        self.assertEqual((caught.exception.file, caught.exception.line), (str(path), 3))
+
+    def test_unknown_option_names_the_nearest(self):
+        with self.assertRaisesRegex(burin.UsageError, "'bonds'.*'bounds'"):
+            burin.Scene.read(SAMPLES / "spindle.stl", bonds=[0, 0, 0, 1, 1, 1])
+
+    def test_options_are_judged_as_on_the_command_line(self):
+        with self.assertRaisesRegex(burin.UsageError, "argument bounds takes a box"):
+            burin.Scene.read(SAMPLES / "blend.implicit", bounds=[0, 0, 0, 1, 1])
+
+
+class Brep(unittest.TestCase):
+    def test_faces_and_edges_are_numbered_as_in_the_shape(self):
+        scene = burin.Scene()
+        part = scene.add_brep(PLATE, "plate", color="#102030", assembly=["pump"], source="Plate")
+        self.assertEqual((part.name, part.color, part.source), ("plate", "#102030", "Plate"))
+        self.assertEqual(part.assembly, ["pump"])
+        np.testing.assert_allclose(scene.bounds(), [[0, 0, 0], [30, 20, 10]], atol=1e-9)
+        drawing = burin.draw(scene, style="outline", hidden="dashed")
+        self.assertEqual(drawing.parts[0]["faces"], 7)
+        paths = [path for layer in drawing.layers for path in layer.paths]
+        # TopExp's order: the twelve edges of the box, the two circles, and last the seam, no line.
+        self.assertEqual({path.edge for path in paths} - {-1}, set(range(14)))
+        circles = set()
+        for path in paths:
+            radius = np.hypot(path.points3[:, 0] - 10, path.points3[:, 1] - 10)
+            if path.edge >= 0 and len(path) > 4 and abs(radius - 5).max() < 0.01:
+                circles.add(path.edge)
+        self.assertEqual(circles, {9, 13})
+
+    def test_placement(self):
+        turn = np.array([[0, -1, 0, 100], [1, 0, 0, 0], [0, 0, 1, -5], [0, 0, 0, 1.0]])
+        scene = burin.Scene()
+        scene.add_brep(PLATE.encode(), placement=turn)
+        np.testing.assert_allclose(scene.bounds(), [[80, 0, -5], [100, 30, 5]], atol=1e-9)
+
+    def test_placement_that_is_no_rigid_motion(self):
+        for matrix in (np.diag([2, 2, 2, 1.0]), np.eye(3), np.full((4, 4), np.nan), np.eye(4) * 2):
+            with self.assertRaisesRegex(burin.UsageError, "placement"):
+                burin.Scene().add_brep(PLATE, placement=matrix)
+
+    def test_garbage(self):
+        for text in ("", "garbage", PLATE[: len(PLATE) // 2], PLATE.replace("1 0 0", "x", 1)):
+            with self.assertRaises(burin.InputError):
+                burin.Scene().add_brep(text)
+        with self.assertRaises(TypeError):
+            burin.Scene().add_brep(3)
+
+    def test_a_failed_part_leaves_the_scene_as_it_was(self):
+        scene = burin.Scene()
+        scene.add_brep(PLATE)
+        with self.assertRaises(burin.InputError):
+            scene.add_brep("garbage")
+        self.assertEqual(len(scene.parts), 1)
+
+
+class Mesh(unittest.TestCase):
+    def test_types_of_arrays(self):
+        vertices, triangles = cube()
+        for positions in (vertices, vertices.astype("f4"), vertices.tolist(), np.asfortranarray(vertices)):
+            for corners in (triangles, triangles.astype("u1"), triangles.astype(">i4"), triangles.tolist()):
+                scene = burin.Scene()
+                scene.add_mesh(positions, corners)
+                np.testing.assert_array_equal(scene.bounds(), [[0, 0, 0], [10, 10, 10]])
+                self.assertEqual(scene.diagnostics, [])
+
+    def test_repair_is_told(self):
+        vertices, triangles = cube()
+        scene = burin.Scene()
+        scene.add_mesh(vertices, np.vstack([triangles, [[0, 1, 3]]]))
+        self.assertEqual([d.code for d in scene.diagnostics], ["mesh.duplicate_faces"])
+        self.assertEqual(scene.diagnostics[0].count, 1)
+        self.assertIn(scene.diagnostics[0].severity, ("info", "warning"))
+
+    def test_vertices_that_are_not_numbers_are_left_out(self):
+        vertices, triangles = cube()
+        vertices[7] = np.nan
+        scene = burin.Scene()
+        scene.add_mesh(vertices, triangles)
+        self.assertTrue(scene.diagnostics)
+        self.assertTrue(np.isfinite(scene.bounds()).all())
+
+    def test_bad_arrays(self):
+        vertices, triangles = cube()
+        bad = [
+            (vertices[:, :2], triangles, r"vertices.*\(n, 3\).*\(8, 2\)"),
+            (vertices.ravel(), triangles, "vertices"),
+            ("text", triangles, "vertices"),
+            (vertices, triangles[:, :2], r"triangles.*\(m, 3\)"),
+            (vertices, triangles.astype(float), "triangles.*whole numbers.*float64"),
+            (vertices, triangles + 1, "corner .* is 8; there are 8 vertices"),
+            (vertices, triangles - 1, "is -1"),
+        ]
+        for v, t, message in bad:
+            with self.assertRaisesRegex(burin.UsageError, message):
+                burin.Scene().add_mesh(v, t)
+
+    def test_empty(self):
+        with self.assertRaises(burin.GeometryError):
+            burin.Scene().add_mesh(np.zeros((0, 3)), np.zeros((0, 3), int))
+        with self.assertRaises(burin.GeometryError):
+            burin.Scene().bounds()
+
+
+class Functions(unittest.TestCase):
+    BOX = (-6, -6, -6, 6, 6, 6)
+
+    @staticmethod
+    def ball(points):
+        return np.linalg.norm(points, axis=1) - 5
+
+    def test_sphere_is_where_it_is(self):
+        scene = burin.Scene()
+        scene.add_function(self.ball, self.BOX, "ball", samples=64)
+        drawing = burin.draw(scene, style="outline", view="front")
+        points = drawing.arrays()["points3"]
+        self.assertGreater(len(points), 50)
+        radius = np.linalg.norm(points, axis=1)
+        # A cubic spline through samples 0.19 mm apart: h^4 of them, and the drawing's own rounding.
+        self.assertLess(abs(radius - 5).max(), 2e-3)
+
+    def test_few_calls(self):
+        calls = []
+
+        def counted(points):
+            calls.append(points.shape)
+            return self.ball(points)
+
+        scene = burin.Scene()
+        scene.add_function(counted, self.BOX, samples=32)
+        self.assertEqual(calls, [(32 * 32, 3)] * 32)
+        burin.draw(scene, style="outline")
+        self.assertEqual(len(calls), 32)
+
+    def test_exact_calls_agree_with_derivatives_given_and_not(self):
+        def gradient(p):
+            return p / np.linalg.norm(p, axis=1)[:, None]
+
+        def hessian(p):
+            r = np.linalg.norm(p, axis=1)[:, None, None]
+            return (np.eye(3) - p[:, :, None] * p[:, None, :] / r**2) / r
+
+        drawings = []
+        for extra in ({}, {"gradients": gradient}, {"gradients": gradient, "hessians": hessian}):
+            scene = burin.Scene()
+            scene.add_function(self.ball, self.BOX, samples=0, **extra)
+            drawings.append(burin.draw(scene, style="outline", tolerance=0.1).arrays()["points3"])
+        for points in drawings:
+            self.assertLess(abs(np.linalg.norm(points, axis=1) - 5).max(), 1e-4)
+
+    def test_errors_of_the_function_are_passed_on(self):
+        def broken(points):
+            raise KeyError("mine")
+
+        with self.assertRaisesRegex(KeyError, "mine"):
+            burin.Scene().add_function(broken, self.BOX)
+        with self.assertRaisesRegex(ValueError, r"values must give an array of shape \(\d+\)"):
+            burin.Scene().add_function(lambda p: p, self.BOX)
+        with self.assertRaises(TypeError):
+            burin.Scene().add_function(lambda p: "text", self.BOX)
+        with self.assertRaises(TypeError):
+            burin.Scene().add_function(3, self.BOX)
+
+    def test_nothing_there(self):
+        for nothing in (lambda p: p[:, 0] ** 2 + 1, lambda p: np.full(len(p), np.nan)):
+            with self.assertRaises(burin.GeometryError):
+                burin.Scene().add_function(nothing, self.BOX, samples=16)
+
+    def test_text(self):
+        scene = burin.Scene()
+        part = scene.add_implicit("r = 4;\ntorus(10, r)", "ring")
+        self.assertEqual(part.name, "ring")
+        np.testing.assert_allclose(scene.bounds(), [[-14, -14, -4], [14, 14, 4]], atol=0.05)
+        with self.assertRaises(burin.InputError) as caught:
+            scene.add_implicit("r = 4;\ntorus(10, q)")
+        self.assertEqual(caught.exception.line, 2)
+
+
+class Parts(unittest.TestCase):
+    def test_flags(self):
+        scene = burin.Scene()
+        scene.add_mesh(*cube(), "front")
+        vertices, triangles = cube()
+        back = scene.add_mesh(vertices + [2, 20, 2], triangles, "back")
+
+        def parts_drawn(**options):
+            return set(burin.draw(scene, view="front", **options).arrays()["part"].tolist())
+
+        self.assertEqual((back.drawn, back.hatched, back.transparent, back.style), (True, True, False, None))
+        self.assertEqual(parts_drawn(), {0, 1})
+        scene.parts[0].drawn = False
+        self.assertEqual(parts_drawn(), {1})
+        scene.parts[0].drawn = True
+        for part in scene.parts:
+            part.hatched = False
+        drawing = burin.draw(scene, style="engraving")
+        self.assertFalse([p for layer in drawing.layers for p in layer.paths if p.kind == "stroke"])
+        back.style = {"base": "outline", "line.outer": 1.5}
+        self.assertEqual(scene.parts[1].style["line.outer"], 1.5)
+        with self.assertRaises(burin.UsageError):
+            back.style = "no such style"
+
+    def test_names_can_be_changed(self):
+        scene = burin.Scene()
+        part = scene.add_mesh(*cube())
+        part.name, part.color, part.assembly = "lid", "#00ff00", ["pump", "head"]
+        entry = burin.draw(scene, style="outline").parts[0]
+        self.assertEqual((entry["name"], entry["color"], entry["assembly"]), ("lid", "#00ff00", ["pump", "head"]))
+
+
+if __name__ == "__main__":
+    unittest.main()
