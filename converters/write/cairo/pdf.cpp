@@ -19,6 +19,9 @@ namespace burin {
 namespace {
 
 constexpr double kPointsPerMm = 72 / 25.4;
+/// Shapes from which on neighbours become one path: cairo keeps a kilobyte for each.
+constexpr std::size_t kMany = 50'000;
+constexpr std::size_t kTogether = 64;
 constexpr std::size_t kAtOnce = 2048;  // shapes; a few ms of work
 
 /// Where cairo's bytes go. They stop when the run is cancelled.
@@ -60,6 +63,21 @@ void set_metadata(cairo_surface_t* surface, const Drawing& drawing) {
                                  date.empty() ? nullptr : date.c_str());
 }
 
+/// Paints shapes, up to `together` neighbours of one pen as one path, and drops their ink.
+void paint_all(cairo_t* pen, std::span<Shape> shapes, std::size_t together,
+               const WriteOptions& options) {
+  std::size_t traced = 0;
+  for (std::size_t i = 0; i < shapes.size(); ++i) {
+    trace(pen, shapes[i]);
+    shapes[i].ink.chains = {};
+    ++traced;
+    const bool last = i + 1 == shapes.size() || !same_pen(shapes[i], shapes[i + 1]);
+    if (!last && traced < together) continue;
+    paint_traced(pen, shapes[i], options);
+    traced = 0;
+  }
+}
+
 }  // namespace
 
 void write_pdf(const Drawing& drawing, const WriteOptions& options, std::ostream& out,
@@ -78,10 +96,7 @@ void write_pdf(const Drawing& drawing, const WriteOptions& options, std::ostream
     for (std::size_t begin = 0; begin < shapes.size(); begin += kAtOnce) {
       const auto some = std::span(shapes).subspan(begin, std::min(kAtOnce, shapes.size() - begin));
       fit_ink(some, options.svg.fit_tolerance, context);
-      for (Shape& shape : some) {
-        paint(pen.get(), shape, options);
-        shape.ink = {};
-      }
+      paint_all(pen.get(), some, shapes.size() > kMany ? kTogether : 1, options);
       context.check();
       if (options.progress) {
         options.progress(0.8 * static_cast<double>(begin) / static_cast<double>(shapes.size()));

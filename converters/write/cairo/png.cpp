@@ -74,7 +74,8 @@ Surface painted(const std::vector<Shape>& shapes, const std::vector<std::uint32_
   cairo_set_antialias(pen.get(), CAIRO_ANTIALIAS_BEST);
   for (std::size_t k = 0; k < chosen.size(); ++k) {
     if (k % kBetweenPolls == 0) context.check();
-    paint(pen.get(), shapes[chosen[k]], options);
+    trace(pen.get(), shapes[chosen[k]]);
+    paint_traced(pen.get(), shapes[chosen[k]], options);
   }
   check(cairo_status(pen.get()));
   cairo_surface_flush(surface.get());

@@ -49,7 +49,7 @@ Pen pen_on(cairo_surface_t* surface, double paper_height, double scale, double t
   return pen;
 }
 
-void paint(cairo_t* pen, const Shape& shape, const WriteOptions& options) {
+void trace(cairo_t* pen, const Shape& shape) {
   const Ink& ink = shape.ink;
   for (const auto& chain : ink.chains) {
     const Vec2 start = chain.empty() ? shape.path->points.front() : chain.front()[0];
@@ -65,11 +65,19 @@ void paint(cairo_t* pen, const Shape& shape, const WriteOptions& options) {
     }
     if (!chain.empty() && (ink.filled || shape.path->closed)) cairo_close_path(pen);
   }
-  if (ink.filled) return cairo_fill(pen);
+}
+
+void paint_traced(cairo_t* pen, const Shape& shape, const WriteOptions& options) {
+  if (shape.ink.filled) return cairo_fill(pen);
   const std::array<double, 2> dashes{options.svg.dash, options.svg.gap};
   cairo_set_dash(pen, dashes.data(), shape.dashed ? 2 : 0, 0);
-  cairo_set_line_width(pen, ink.width);
+  cairo_set_line_width(pen, shape.ink.width);
   cairo_stroke(pen);
+}
+
+bool same_pen(const Shape& a, const Shape& b) {
+  if (a.ink.filled || b.ink.filled) return a.ink.filled && b.ink.filled;
+  return a.ink.width == b.ink.width && a.dashed == b.dashed;
 }
 
 void check(cairo_status_t status) {

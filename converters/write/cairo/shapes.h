@@ -39,7 +39,11 @@ void fit_ink(std::span<Shape> shapes, double tolerance, const RunContext& contex
 /// the surface lies `top` units below that of the sheet.
 Pen pen_on(cairo_surface_t* surface, double paper_height, double scale, double top);
 
-void paint(cairo_t* pen, const Shape& shape, const WriteOptions& options);
+/// Adds a shape to the pen's path.
+void trace(cairo_t* pen, const Shape& shape);
+/// Paints the pen's path, of shapes of the same pen as `shape`.
+void paint_traced(cairo_t* pen, const Shape& shape, const WriteOptions& options);
+bool same_pen(const Shape& a, const Shape& b);
 
 /// Throws Error where cairo failed.
 void check(cairo_status_t status);
