@@ -52,6 +52,38 @@ Neighbours sharp_neighbours(const ExactMesh& mesh, const ImplicitFunction& f) {
   return next;
 }
 
+// Without vertices next to one another: among these the order may be wrong.
+std::vector<std::uint32_t> thinned(const ExactMesh& mesh, const std::vector<std::uint32_t>& chain) {
+  constexpr double kNear = 0.4;  // steps
+  const auto near = [&](std::uint32_t u, std::uint32_t v) {
+    return glm::distance(mesh.positions[u], mesh.positions[v]) < kNear * mesh.step;
+  };
+  std::vector<std::uint32_t> kept{chain.front()};
+  for (std::size_t i = 1; i + 1 < chain.size(); ++i) {
+    if (!near(kept.back(), chain[i]) && !near(chain[i], chain.back())) kept.push_back(chain[i]);
+  }
+  kept.push_back(chain.back());
+  // Around a hole of a step nothing is left.
+  return kept.front() == kept.back() && kept.size() < 5 ? chain : kept;
+}
+
+// Parts between kinks.
+void add_parts(const ExactMesh& mesh, const std::vector<std::uint32_t>& chain,
+               CreaseChains& chains) {
+  std::vector<std::uint32_t> part{chain.front()};
+  for (std::size_t i = 1; i < chain.size(); ++i) {
+    part.push_back(chain[i]);
+    if (i + 1 < chain.size()) {
+      const Vec3 at = mesh.positions[chain[i]];
+      const Vec3 a = normalize_or(at - mesh.positions[chain[i - 1]], Vec3(0)),
+                 b = normalize_or(mesh.positions[chain[i + 1]] - at, Vec3(0));
+      if (glm::dot(a, b) >= kKink) continue;
+    }
+    chains.push_back(part);
+    part = {chain[i]};
+  }
+}
+
 }  // namespace
 
 std::vector<CreaseVertex::Side> common_sides(const ExactMesh& mesh, std::uint32_t u,
@@ -69,11 +101,7 @@ CreaseChains chain_creases(const ExactMesh& mesh, const ImplicitFunction& f) {
   if (mesh.creases.empty()) return chains;
   Neighbours next = sharp_neighbours(mesh, f);
   const auto is_node = [&](std::uint32_t v) {
-    const auto& n = next.at(v);
-    if (n.size() != 2 || sides_of(mesh, v).size() > 2) return true;
-    const Vec3 a = normalize_or(mesh.positions[n[0]] - mesh.positions[v], Vec3(0)),
-               b = normalize_or(mesh.positions[n[1]] - mesh.positions[v], Vec3(0));
-    return -glm::dot(a, b) < kKink;
+    return next.at(v).size() != 2 || sides_of(mesh, v).size() > 2;
   };
   std::map<std::uint32_t, bool> node;
   for (const auto& entry : next) node[entry.first] = is_node(entry.first);
@@ -90,7 +118,7 @@ CreaseChains chain_creases(const ExactMesh& mesh, const ImplicitFunction& f) {
       if (at == start || node[at] || next[at].empty()) break;
       to = next[at].front();
     }
-    chains.push_back(std::move(chain));
+    add_parts(mesh, thinned(mesh, chain), chains);
   };
   for (const bool nodes : {true, false}) {
     for (const auto& [v, at_node] : node) {
