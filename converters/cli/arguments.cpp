@@ -42,6 +42,9 @@ void add_reading(CLI::App& app, ReadRequest& read, const char* group) {
   text(app, "--bounds", read.bounds, "X0,..,Z1", group,
        "domain x0,y0,z0,x1,y1,z1 of functions and volumes, in\n"
        "model mm (default: their own bounds)");
+  text(app, "--mesher", read.mesher, "auto|nets|delaunay", group,
+       "triangles of functions: even and fast, or graded by\n"
+       "curvature (default auto); lines are exact with either");
   text(app, "--iso", read.iso, "LEVEL", group,
        "the surface of a volume is where its data takes this\n"
        "value; burin info tells the range (no default; trivariate\n"

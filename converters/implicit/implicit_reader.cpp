@@ -23,7 +23,8 @@ Scene read_implicit(const std::filesystem::path& path, const ImplicitReadOptions
   const Expression expression = parse_implicit(source.bytes(), source.file());
   Scene scene;
   try {
-    auto form = std::make_shared<ImplicitForm>(make_function(expression), options.bounds, context);
+    auto form = std::make_shared<ImplicitForm>(make_function(expression), options.bounds, context,
+                                               0, options.proxy);
     scene.parts.push_back({path.stem().string(), path.string(), std::move(form)});
   } catch (const GeometryError& e) {
     throw InputError(e.what(), source.file());

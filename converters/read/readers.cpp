@@ -41,10 +41,10 @@ constexpr Reader kIrit{"ITD, IRT, BEZ, BBP", is_irit_content, is_irit_suffix,
 
 constexpr Reader kImplicit{"IMPLICIT", nullptr, is_implicit_suffix,
                            [](const Path& path, const ReadOptions& o, RunContext& c) {
-                             return read_implicit(path, {o.bounds}, c);
+                             return read_implicit(path, {o.bounds, {o.mesher}}, c);
                            },
                            [](const Path& path, const ReadOptions& o, RunContext& c) {
-                             return inspect_implicit(path, {o.bounds}, c);
+                             return inspect_implicit(path, {o.bounds, {o.mesher}}, c);
                            }};
 
 OpenscadOptions openscad_options(const ReadOptions& o) { return {o.defines, o.openscad_timeout}; }

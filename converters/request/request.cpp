@@ -76,6 +76,7 @@ struct ReadRow {
 };
 constexpr std::array kReadRows{
     ReadRow{"bounds", &ReadRequest::bounds},
+    ReadRow{"mesher", &ReadRequest::mesher},
     ReadRow{"iso", &ReadRequest::iso},
     ReadRow{"inside", &ReadRequest::inside},
     ReadRow{"volume_degree", &ReadRequest::volume_degree},
@@ -146,12 +147,18 @@ ReadOptions make_read_options(const ReadRequest& request, Spelling spelling) {
   constexpr double kWeek = 604'800;
   ReadOptions read;
   read.bounds = box_option(spelled("bounds", spelling), request.bounds);
+  if (!request.mesher.empty()) {
+    constexpr std::array kMeshers{Mesher::Auto, Mesher::Nets, Mesher::Delaunay};
+    read.mesher = kMeshers[word_option(spelled("mesher", spelling), request.mesher,
+                                       {"auto", "nets", "delaunay"})];
+  }
   check_openscad_defines(request.define);
   read.defines = request.define;
   read.openscad_timeout = number_option(spelled("openscad_timeout", spelling),
                                         request.openscad_timeout, 0.001, kWeek, "seconds over 0")
                               .value_or(read.openscad_timeout);
   read.volume = make_volume_options(request, spelling);
+  if (!request.mesher.empty()) read.volume.mesher = read.mesher;
   return read;
 }
 

@@ -65,7 +65,8 @@ Scene scene_of(Volume volume, const std::filesystem::path& path, const VolumeRea
                                           options.degree, options.interpolate, options.smoothing},
                                          context);
     auto form =
-        std::make_shared<ImplicitForm>(std::move(function), domain, context, options.smallest_part);
+        std::make_shared<ImplicitForm>(std::move(function), domain, context, options.smallest_part,
+                                       ImplicitProxyOptions{options.mesher});
     scene.parts.push_back({name_of(path), file, std::move(form)});
   } catch (const GeometryError& e) {
     throw InputError(e.what(), file);

@@ -42,8 +42,10 @@ inline std::shared_ptr<const Form> parametric_form(
   return std::make_shared<ParametricForm>(std::move(patches));
 }
 
-inline std::shared_ptr<const Form> implicit_form(const Expression& f) {
-  return std::make_shared<ImplicitForm>(make_function(f), std::nullopt, RunContext{});
+inline std::shared_ptr<const Form> implicit_form(const Expression& f,
+                                                 Mesher mesher = Mesher::Auto) {
+  return std::make_shared<ImplicitForm>(make_function(f), std::nullopt, RunContext{}, 0,
+                                        ImplicitProxyOptions{mesher});
 }
 
 /// Three cylinders along the axes, blended.
@@ -100,6 +102,14 @@ inline std::vector<FormCase> form_cases() {
       {"ImplicitBoxMinusSphere",
        [] {
          return implicit_form(implicit::subtract(implicit::box(2, 2, 2), implicit::sphere(1.2)));
+       }},
+      {"ImplicitTorusDelaunay",
+       [] { return implicit_form(implicit::torus(3, 1), Mesher::Delaunay); }},
+      {"ImplicitBlendDelaunay", [] { return implicit_form(implicit_blend(), Mesher::Delaunay); }},
+      {"ImplicitBoxMinusSphereDelaunay",
+       [] {
+         return implicit_form(implicit::subtract(implicit::box(2, 2, 2), implicit::sphere(1.2)),
+                              Mesher::Delaunay);
        }},
       {"BrepBox", [] { return brep_form(box_shape(1, 2, 3)); }},
       {"BrepCylinder", [] { return brep_form(cylinder_shape(2, 5)); }},

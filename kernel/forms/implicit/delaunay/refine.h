@@ -57,7 +57,7 @@ struct RefinedMesh {
   bool manifold = false;
 };
 
-/// Sequential and the same on every run. Cost: 25 us a triangle. @cite Boissonnat2005
+/// Sequential and the same on every run. Cost: 30 to 60 us a triangle. @cite Boissonnat2005
 /// @cite Cheng2007
 RefinedMesh refine_surface(const RefineInput& input, RefineField& field);
 

@@ -5,6 +5,7 @@
 #include <burin/base/run_context.h>
 #include <burin/converters/file_info.h>
 #include <burin/forms/implicit/expression.h>
+#include <burin/forms/implicit/implicit_form.h>
 #include <burin/surface/scene.h>
 
 #include <filesystem>
@@ -26,6 +27,7 @@ struct ImplicitReadOptions {
   /// The domain; absent = the function's own bounds, and where it has none an error that asks for
   /// it.
   std::optional<Box3> bounds = {};
+  ImplicitProxyOptions proxy = {};
 };
 
 /// One part, named by the file. Throws InputError also where the function has no surface.

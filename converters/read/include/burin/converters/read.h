@@ -6,6 +6,7 @@
 #include <burin/base/run_context.h>
 #include <burin/converters/file_info.h>
 #include <burin/converters/volume_reader.h>
+#include <burin/forms/implicit/implicit_form.h>
 #include <burin/surface/scene.h>
 
 #include <filesystem>
@@ -19,6 +20,8 @@ namespace burin {
 struct ReadOptions {
   /// The domain of functions; volumes are clipped to it.
   std::optional<Box3> bounds = {};
+  /// How the triangles of functions are made.
+  Mesher mesher = Mesher::Auto;
   /// OpenSCAD files: definitions `NAME=VALUE`, and the seconds after which OpenSCAD is ended.
   std::vector<std::string> defines = {};
   double openscad_timeout = 300;

@@ -15,6 +15,8 @@ namespace burin {
 /// Long options about reading, as they were typed; empty = absent.
 struct ReadRequest {
   std::string bounds;
+  /// Of functions: auto, nets or delaunay.
+  std::string mesher = {};
   /// OpenSCAD's -D NAME=VALUE.
   std::vector<std::string> define = {};
   std::string openscad_timeout = {};

@@ -50,6 +50,8 @@ struct VolumeReadOptions {
   double smallest_part = kSmallestVolumePart;
   /// The only way to read raw files; other files ignore it.
   std::optional<RawLayout> raw = {};
+  /// Samples lie on a grid, and so may the triangles.
+  Mesher mesher = Mesher::Nets;
 };
 
 /// A volume as it was read.

@@ -22,7 +22,7 @@ enum class Mesher {
   /// Dual nets on a grid: even triangles, 0.5 s for 350,000.
   Nets,
   /// Delaunay refinement: triangles as large as the curvature lets them be and no slivers, but
-  /// 20 times slower; nets where no closed surface comes of it ("implicit.delaunay_failed").
+  /// 10 to 60 times slower; nets where no closed surface comes of it ("implicit.delaunay_failed").
   Delaunay
 };
 
