@@ -40,7 +40,7 @@ constexpr Convert kConvert[] = {
 
 class Loader {
  public:
-  Loader(Layout& layout, const Source& file, const RunContext& context)
+  Loader(Layout& layout, const Source& file, RunContext& context)
       : layout_(layout), file_(file), context_(context), count_(as_count(layout)) {}
 
   std::vector<float> load(Bytes& in, const Bytes* of_known_size);
@@ -61,7 +61,7 @@ class Loader {
 
   Layout& layout_;
   const Source& file_;
-  const RunContext& context_;
+  RunContext& context_;
   std::size_t count_;
 };
 
@@ -108,6 +108,7 @@ std::vector<float> Loader::load(Bytes& in, const Bytes* of_known_size) {
                       "wrong",
                       done * each + got, bytes()));
     }
+    context_.progress(static_cast<double>(done + n) / static_cast<double>(count_));
     kConvert[static_cast<std::size_t>(layout_.type)](piece.data(), n, layout_, &samples[done]);
   }
   if (of_known_size != nullptr && of_known_size->most_left() > 0) {
@@ -160,7 +161,7 @@ constexpr std::size_t kLongestText = 40;
 }  // namespace
 
 std::vector<float> load_samples(Layout& layout, const Source& file, bool packed,
-                                const RunContext& context) {
+                                RunContext& context) {
   Loader loader(layout, file, context);
   const auto each = static_cast<double>(bytes_of(layout.type));
   std::string_view bytes =

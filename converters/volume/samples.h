@@ -10,8 +10,9 @@ namespace burin::volume {
 
 // The samples that `layout` says, out of `packed`: the whole file of the header where the data
 // stands there too.
+// Reports the share of them that is there.
 std::vector<float> load_samples(Layout& layout, const Source& file, bool packed,
-                                const RunContext& context);
+                                RunContext& context);
 
 // Counts what is no finite number (or so large that its square's square is none), and sets it to
 // the value that lies farthest outside. Throws where nothing else is left.

@@ -104,8 +104,7 @@ std::filesystem::path header_path(const std::filesystem::path& path) {
 
 class Reader {
  public:
-  Reader(const std::filesystem::path& path, const VolumeReadOptions& options,
-         const RunContext& context)
+  Reader(const std::filesystem::path& path, const VolumeReadOptions& options, RunContext& context)
       : path_(path), options_(options), context_(context) {}
   Volume read();
 
@@ -116,7 +115,7 @@ class Reader {
 
   const std::filesystem::path& path_;
   const VolumeReadOptions& options_;
-  const RunContext& context_;
+  RunContext& context_;
 };
 
 bool Reader::is_raw(std::string_view head) const {
