@@ -4,8 +4,24 @@ A Job holds no document objects, so it may go to a thread or another process."""
 
 import hashlib
 import pickle
-from dataclasses import dataclass, field
+import re
+from dataclasses import dataclass, field, replace
 from typing import Any, Dict, List, Optional
+
+
+# BREP text: a shape that was stored and read again differs in flags and in digits past the fifteenth.
+_FLAGS = re.compile(rb"(?m)^[01]{7}$")
+_NUMBER = re.compile(rb"[-+]?\d+\.?\d*(?:e[-+]?\d+)?")
+_DECIMALS = 9  # of a mm: far below what is drawn, far above what storing changes
+
+
+def canonical(brep):
+    """BREP text without what does not belong to the shape: equal for shapes that draw the same."""
+    import numpy
+
+    text = _FLAGS.sub(b"", brep)
+    numbers = numpy.array(_NUMBER.findall(text), dtype="S32").astype(float)
+    return _NUMBER.sub(b"", text), (numpy.round(numbers, _DECIMALS) + 0.0).tobytes()
 
 
 @dataclass
@@ -33,6 +49,7 @@ class Result:
     picture: bytes  # SVG, few elements
     scale: float
     messages: List[str]
+    fingerprint: str
 
 
 @dataclass
@@ -41,9 +58,14 @@ class Job:
     options: Dict[str, Any]  # keywords of burin.draw
     notes: List[str] = field(default_factory=list)  # what was left out, and why
 
-    def fingerprint(self):
-        """The same for the same shapes, camera and style."""
+    def exact_fingerprint(self):
+        """The same for the same bytes of shapes, camera and style. Quick."""
         return hashlib.sha256(pickle.dumps((self.parts, self.options), protocol=4)).hexdigest()
+
+    def fingerprint(self):
+        """The same also for shapes that were stored and read again. Cost: 0.1 s a megabyte of BREP text."""
+        parts = [replace(p, brep=canonical(p.brep)) if p.brep is not None else p for p in self.parts]
+        return hashlib.sha256(pickle.dumps((parts, self.options), protocol=4)).hexdigest()
 
     def draw(self, burin, progress=None, cancel=None):
         """Runs the kernel here. Returns a burin.Drawing; throws burin.Error."""
@@ -65,4 +87,4 @@ class Job:
         drawing = self.draw(burin, progress, cancel)
         messages = [*self.notes, *(d.message for d in drawing.diagnostics)]
         return Result(drawing.to_bytes("json", json_points3=False), drawing.to_bytes("svg", svg_merge=True),
-                      drawing.view.scale, messages)
+                      drawing.view.scale, messages, self.fingerprint())

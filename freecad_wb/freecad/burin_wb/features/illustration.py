@@ -32,11 +32,14 @@ scheduler = run_to_end
 class Illustration:
     """The Proxy of an illustration. Documents name it as freecad.burin_wb.features.Illustration."""
 
+    _restored = False
+
     def __init__(self, obj):
         obj.Proxy = self
         ensure(obj, ILLUSTRATION)
 
     def onDocumentRestored(self, obj):
+        self._restored = True
         ensure(obj, ILLUSTRATION)
         if obj.Schema > SCHEMA:
             FreeCAD.Console.PrintWarning(
@@ -47,8 +50,8 @@ class Illustration:
         if obj.Schema > SCHEMA:
             return
         job = make_job(obj)
-        inputs = job.fingerprint()
-        if inputs == obj.Inputs and obj.Drawing and os.path.exists(obj.Drawing):
+        exact = job.exact_fingerprint()
+        if self._is_drawn(obj, job, exact):
             return
 
         def finish(result, error):
@@ -56,9 +59,25 @@ class Illustration:
                 obj.Message = str(error)
                 FreeCAD.Console.PrintError(f"{obj.Label}: {error}\n")
                 return
-            keep(obj, result, inputs)
+            keep(obj, result, exact)
 
         scheduler(obj, job, finish)
+
+    def _is_drawn(self, obj, job, exact):
+        """Whether the kept drawing is of these inputs."""
+        if not obj.Drawing or not os.path.exists(obj.Drawing):
+            return False
+        kept_exact, _, kept = obj.Inputs.partition(":")
+        if kept_exact == exact:
+            return True
+        if not self._restored:
+            return False
+        # Shapes come back from a file with other bytes.
+        self._restored = False
+        if kept != job.fingerprint():
+            return False
+        obj.Inputs = exact + ":" + kept
+        return True
 
     def dumps(self):
         return None
@@ -94,12 +113,12 @@ def make_job(obj):
     return Job(parts, options, notes)
 
 
-def keep(obj, result, inputs):
+def keep(obj, result, exact):
     """Puts the result of a run into the document."""
     _include(obj, "Drawing", result.drawing, ".json")
     _include(obj, "Picture", result.picture, ".svg")
     obj.DrawnScale = result.scale
-    obj.Inputs = inputs
+    obj.Inputs = exact + ":" + result.fingerprint
     obj.Message = "; ".join(result.messages)
 
 
