@@ -3,9 +3,8 @@
 A Job holds no document objects, so it may go to a thread or another process."""
 
 import hashlib
-import pickle
 import re
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field, fields
 from typing import Any, Dict, List, Optional
 
 
@@ -41,6 +40,9 @@ class PartJob:
     style: Optional[Any] = None
 
 
+_SHAPE = {"brep", "vertices", "triangles"}
+
+
 @dataclass
 class Result:
     """What a run brings back."""
@@ -60,12 +62,23 @@ class Job:
 
     def exact_fingerprint(self):
         """The same for the same bytes of shapes, camera and style. Quick."""
-        return hashlib.sha256(pickle.dumps((self.parts, self.options), protocol=4)).hexdigest()
+        return self._hash(lambda brep: (brep,))
 
     def fingerprint(self):
         """The same also for shapes that were stored and read again. Cost: 0.1 s a megabyte of BREP text."""
-        parts = [replace(p, brep=canonical(p.brep)) if p.brep is not None else p for p in self.parts]
-        return hashlib.sha256(pickle.dumps((parts, self.options), protocol=4)).hexdigest()
+        return self._hash(canonical)
+
+    def _hash(self, of_brep):
+        digest = hashlib.sha256(repr(sorted(self.options.items())).encode())
+        for part in self.parts:
+            said = [getattr(part, f.name) for f in fields(part) if f.name not in _SHAPE]
+            digest.update(repr(said).encode())
+            blocks = of_brep(part.brep) if part.brep is not None else (
+                part.vertices.tobytes(), part.triangles.tobytes())
+            for block in blocks:
+                digest.update(len(block).to_bytes(8, "little"))
+                digest.update(block)
+        return digest.hexdigest()
 
     def draw(self, burin, progress=None, cancel=None):
         """Runs the kernel here. Returns a burin.Drawing; throws burin.Error."""
