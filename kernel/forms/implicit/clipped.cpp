@@ -81,6 +81,7 @@ class Clipped final : public ImplicitFunction {
     return on_face(p, n) ? *faces_[n.face] : function_->piece_function(p);
   }
   bool has_pieces() const override { return true; }
+  double cost() const override { return function_->cost() + 30; }
   std::shared_ptr<const ImplicitFunction> restricted(const Box3& box) const override {
     for (const auto& face : faces_) {
       if (face->range(box).max >= 0) return nullptr;

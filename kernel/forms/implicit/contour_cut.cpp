@@ -118,8 +118,11 @@ class ContourCutter {
       if (i == 0 || !all[i].same_edge(all[i - 1])) first.push_back(i);
     }
     std::vector<std::optional<NewPoint>> made(first.size());
+    // Some ten trials, each moved onto the surface.
+    const double each = 40 * work::kOneValue * work::kGradient * f_.cost();
+    mesh_.budget.spend(static_cast<double>(first.size()), each);
     parallel_for(
-        first.size(), 32,
+        first.size(), work::grain(each, 32),
         [&](std::size_t begin, std::size_t end) {
           for (std::size_t n = begin; n < end; ++n) {
             const Place& p = all[first[n]];
@@ -238,8 +241,10 @@ class ContourCutter {
 
   // Vertices next to the contour are drawn onto it: cuts beside them would leave slivers.
   void snap() {
+    const double each = 4 * work::kHessian * f_.cost();
+    mesh_.budget.spend(static_cast<double>(mesh_.positions.size()), each);
     parallel_for(
-        mesh_.positions.size(), 1024,
+        mesh_.positions.size(), work::grain(each, 1024),
         [&](std::size_t begin, std::size_t end) {
           for (std::size_t v = begin; v < end; ++v) {
             // g changes by less than a radian in a step; creases stay.

@@ -17,6 +17,8 @@ constexpr double kSmooth = 0.99939;
 // Edge lengths that a point on a crease may lie away from the edge that it cuts: far where the edge
 // passes behind a thin wedge.
 constexpr double kReach = 3;
+// Nanoseconds a triangle for what sorts out slivers.
+constexpr double kSorting = 2000;
 
 CreaseVertex::Side side(const ImplicitFunction& piece, Vec3 p) {
   return {&piece, normalize_or(piece.gradient(p).gradient, Vec3(0))};
@@ -34,9 +36,13 @@ class CreaseCutter {
 
   void cut() {
     const auto edges = mixed_edges();
+    // The place of the change by halving, then Newton for the crease.
+    const double each = 30 * work::kPiece * f_.cost();
+    mesh_.budget.spend(static_cast<double>(edges.size()), each);
+    if (!edges.empty()) mesh_.budget.spend(static_cast<double>(mesh_.triangles.size()), kSorting);
     std::vector<std::optional<Meeting>> found(edges.size());
     parallel_for(
-        edges.size(), 64,
+        edges.size(), work::grain(each, 64),
         [&](std::size_t begin, std::size_t end) {
           for (std::size_t i = begin; i < end; ++i) found[i] = crossing(edges[i][0], edges[i][1]);
         },

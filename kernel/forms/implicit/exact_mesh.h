@@ -7,6 +7,7 @@
 #include <burin/mesh/tri_mesh.h>
 
 #include "surface_nets.h"
+#include "work.h"
 
 #include <algorithm>
 #include <cstdint>
@@ -46,6 +47,8 @@ struct ExactMesh {
   /// Graded meshes: the length of the edges around each vertex of those that were there first;
   /// `step` is then that of most edges. Empty: `step` everywhere.
   std::vector<double> spacing;
+  /// What may still be done to it.
+  WorkBudget budget{10e9};
 
   bool on_crease(std::uint32_t v) const { return crease[v] >= 0; }
   double step_at(std::uint32_t v) const { return v < spacing.size() ? spacing[v] : step; }
@@ -93,7 +96,7 @@ void collapse_slivers(ExactMesh& mesh, const ImplicitFunction& f, double limit,
 /// in which pieces meet at an angle are put on the crease or the corner. Counts vertices that could
 /// not be brought to the surface.
 ExactMesh project_nets(const ImplicitFunction& f, Nets nets, const GridLayout& layout, double size,
-                       std::size_t& stray, const RunContext& context);
+                       const WorkBudget& budget, std::size_t& stray, const RunContext& context);
 
 /// A point where pieces of f meet at an angle.
 struct Meeting {

@@ -4,8 +4,44 @@
 
 namespace burin {
 
+namespace {
+
+// In additions.
+double cost_of(Op op) {
+  switch (op) {
+    case Op::Sqrt:
+    case Op::Reciprocal:
+      return 4;
+    case Op::Exp:
+    case Op::Log:
+    case Op::Sin:
+    case Op::Cos:
+    case Op::Tan:
+    case Op::Asin:
+    case Op::Acos:
+    case Op::Atan:
+    case Op::Power:
+    case Op::Atan2:
+      return 15;
+    default:
+      return 1;
+  }
+}
+
+double cost_of(const Tape& tape) {
+  double cost = 0;
+  for (const Instruction& i : tape.code()) cost += cost_of(i.op);
+  return cost;
+}
+
+}  // namespace
+
 ExpressionFunction::ExpressionFunction(Tape tape, const Box3& bounds)
-    : tape_(std::move(tape)), program_(tape_), bounds_(bounds), has_pieces_(tape_.has_choices()) {}
+    : tape_(std::move(tape)),
+      program_(tape_),
+      bounds_(bounds),
+      has_pieces_(tape_.has_choices()),
+      cost_(cost_of(tape_)) {}
 
 void ExpressionFunction::values(std::span<const Vec3> points, std::span<double> out) const {
   program_.values(points, out);

@@ -22,6 +22,7 @@ class ExpressionFunction final : public ImplicitFunction {
   std::uint64_t piece(Vec3 p) const override;
   const ImplicitFunction& piece_function(Vec3 p) const override;
   bool has_pieces() const override { return has_pieces_; }
+  double cost() const override { return cost_; }
   std::shared_ptr<const ImplicitFunction> restricted(const Box3& box) const override;
 
  private:
@@ -29,6 +30,7 @@ class ExpressionFunction final : public ImplicitFunction {
   Program program_;
   Box3 bounds_;
   bool has_pieces_;
+  double cost_;
   // Made when first asked for; there are few.
   mutable std::mutex mutex_;
   mutable std::map<std::uint64_t, std::unique_ptr<const ImplicitFunction>> pieces_;

@@ -10,6 +10,8 @@
 namespace burin {
 namespace {
 
+constexpr std::size_t kMaxBlocks = 60'000;  // 30 million cells, 0.4 GB
+
 std::uint64_t key(Cell c) {
   const auto part = [](int v) { return static_cast<std::uint64_t>(v) & 0x1fffff; };
   return part(c.x) | (part(c.y) << 21) | (part(c.z) << 42);
@@ -37,6 +39,20 @@ Verdict judge(const ImplicitFunction& f, const Box3& box) {
   if (range.min > slack) return Verdict::Outside;
   if (range.max < -slack) return Verdict::Inside;
   return Verdict::Unknown;
+}
+
+// Nanoseconds for all cubes and for the worst one.
+struct Work {
+  double all = 0, most = 0;
+};
+Work work_of(const std::vector<Cube>& cubes, double each) {
+  Work w;
+  for (const Cube& c : cubes) {
+    const double one = each * c.function->cost();
+    w.all += one;
+    w.most = std::max(w.most, one);
+  }
+  return w;
 }
 
 std::vector<Cube> halves(const Cube& c, const Cell& cells) {
@@ -69,7 +85,7 @@ GridLayout make_layout(const Box3& domain, double step) {
   return layout;
 }
 
-Grid::Grid(const ImplicitFunction& function, const GridLayout& layout, std::size_t max_blocks,
+Grid::Grid(const ImplicitFunction& function, const GridLayout& layout, WorkBudget& budget,
            const RunContext& context)
     : layout_(layout) {
   const int longest = std::max({layout.cells.x, layout.cells.y, layout.cells.z});
@@ -79,9 +95,11 @@ Grid::Grid(const ImplicitFunction& function, const GridLayout& layout, std::size
   std::vector<Cube> cubes{root};
   // Level by level, so that the work is shared evenly and the order never depends on it.
   for (;;) {
+    const Work boxes = work_of(cubes, work::kBox);
+    budget.spend(boxes.all, 1);
     std::vector<Verdict> verdicts(cubes.size());
     parallel_for(
-        cubes.size(), 16,
+        cubes.size(), work::grain(boxes.most, 16),
         [&](std::size_t begin, std::size_t end) {
           for (std::size_t i = begin; i < end; ++i) {
             Cube& c = cubes[i];
@@ -101,10 +119,7 @@ Grid::Grid(const ImplicitFunction& function, const GridLayout& layout, std::size
       any_outside_ |= verdicts[i] == Verdict::Outside;
       if (verdicts[i] == Verdict::Unknown) kept.push_back(std::move(cubes[i]));
     }
-    if (kept.size() > max_blocks) {
-      throw GeometryError(
-          "the surface is too fine or fills all of its domain; give a smaller domain by --bounds");
-    }
+    if (kept.size() > kMaxBlocks) throw TooMuchWork();
     cubes = std::move(kept);
     if (cubes.empty() || cubes.front().side == kSide) break;
     std::vector<Cube> next;
@@ -114,10 +129,12 @@ Grid::Grid(const ImplicitFunction& function, const GridLayout& layout, std::size
     cubes = std::move(next);
   }
 
+  const Work samples = work_of(cubes, kSamples * work::kValue);
+  budget.spend(samples.all, 1);
   std::vector<Block> all(cubes.size());
   std::vector<std::uint8_t> signs(cubes.size());
   parallel_for(
-      cubes.size(), 4,
+      cubes.size(), work::grain(samples.most, 4),
       [&](std::size_t begin, std::size_t end) {
         std::vector<Vec3> points(kSamples);
         for (std::size_t i = begin; i < end; ++i) {

@@ -5,6 +5,8 @@
 #include <burin/base/run_context.h>
 #include <burin/forms/implicit/implicit_function.h>
 
+#include "work.h"
+
 #include <cstdint>
 #include <unordered_map>
 #include <vector>
@@ -41,8 +43,8 @@ class Grid {
     }
   };
 
-  // Throws GeometryError where more than `max_blocks` blocks are left. NaN counts as outside.
-  Grid(const ImplicitFunction& function, const GridLayout& layout, std::size_t max_blocks,
+  // Throws TooMuchWork where the budget does not suffice. NaN counts as outside.
+  Grid(const ImplicitFunction& function, const GridLayout& layout, WorkBudget& budget,
        const RunContext& context);
 
   const GridLayout& layout() const { return layout_; }

@@ -12,12 +12,15 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <optional>
 
 namespace burin {
 namespace {
 
 // Paper mm that chords of contours may be off.
 constexpr double kContourChord = 0.005;
+// Nanoseconds of one core.
+constexpr double kContourBudget = 4e9;
 
 // The farthest point of the surface in a direction, from the vertex that lies farthest: Newton for
 // the place where the normal is the direction.
@@ -45,6 +48,31 @@ double support(const Survey& s, Vec3 start, Vec3 direction) {
               : glm::dot(start, direction);
 }
 
+// As fine as wanted, or else as fine as it can be had.
+ExactMesh affordable_mesh(const Survey& s, double step, MeshCounts& counts,
+                          Diagnostics& diagnostics, const RunContext& context) {
+  constexpr double kCoarser = 1.7;
+  for (double at = step;; at *= kCoarser) {
+    const bool coarse = at >= s.mesh.step;
+    std::optional<ExactMesh> mesh;
+    counts = {};
+    try {
+      mesh = coarse && at > step ? s.mesh : mesh_surface(s, at, counts, context);
+    } catch (const TooMuchWork&) {
+      if (coarse) mesh = s.mesh;
+    }
+    if (!mesh) continue;
+    if (mesh->step > step) {
+      diagnostics.add(
+          Severity::Warning, "implicit.budget", 1,
+          fmt::format("the function takes so long that the triangles that hide lines are {:.3g} mm "
+                      "long instead of {:.3g} mm",
+                      mesh->step, step));
+    }
+    return std::move(*mesh);
+  }
+}
+
 }  // namespace
 
 struct ImplicitForm::Impl {
@@ -67,13 +95,16 @@ ExactMesh ImplicitForm::Impl::mesh(double tolerance, MeshCounts& counts, Diagnos
              kQuick * static_cast<double>(options.max_triangles);
   }
   if (graded) {
-    auto made =
-        mesh_delaunay(survey, tolerance, options.max_triangles, counts, diagnostics, context);
-    if (made) return std::move(*made);
+    try {
+      auto made =
+          mesh_delaunay(survey, tolerance, options.max_triangles, counts, diagnostics, context);
+      if (made) return std::move(*made);
+    } catch (const TooMuchWork&) {
+    }
     counts = {};
   }
   diagnostics.append(of_nets);
-  return mesh_surface(survey, step, counts, context);
+  return affordable_mesh(survey, step, counts, diagnostics, context);
 }
 
 ImplicitForm::ImplicitForm(std::shared_ptr<const ImplicitFunction> function,
@@ -143,7 +174,15 @@ std::shared_ptr<const Surface> ImplicitForm::realise(const RealiseOptions& optio
     diagnostics.add(Severity::Info, "implicit.specks", static_cast<std::int64_t>(counts.specks),
                     fmt::format("components smaller than {:.3g} mm were left out", s.smallest));
   }
-  if (options.view) cut_along_contours(mesh, *s.function, *options.view, kContourChord, context);
+  if (options.view) {
+    try {
+      mesh.budget = WorkBudget(kContourBudget);
+      cut_along_contours(mesh, *s.function, *options.view, kContourChord, context);
+    } catch (const TooMuchWork&) {
+      diagnostics.add(Severity::Warning, "implicit.budget", 1,
+                      "the contours are too many to be found exactly: they follow the triangles");
+    }
+  }
   ProxyMesh proxy = assemble_proxy(make_draft(mesh, *s.function, context), context);
   if (options.diagnostics) options.diagnostics->append(diagnostics);
   context.end_stage();

@@ -18,8 +18,9 @@ constexpr double kTurn = 0.1;
 constexpr double kShortTurn = 0.05;
 // Cosine of the angle that the normal may turn over a step although less was expected: 2 kTurn.
 constexpr double kMostTurned = 0.98007;
-// Steps of one march: a walk round and round for ever ends with NotConverged.
-constexpr int kMaxSteps = 1'000'000;
+// Steps of one march, and for each edge length of the triangles that it goes: into a cusp or round
+// and round on what is far finer than they are it ends with NotConverged.
+constexpr double kFirstSteps = 64, kStepsPerEdge = 128;
 // Cosine of 2 degrees: pieces that differ by less meet smoothly.
 constexpr double kSmooth = 0.99939;
 
@@ -136,7 +137,8 @@ MarchStep ImplicitSurface::march(const SurfacePoint& from, Vec3 tangent, double 
     return step;
   };
   if (!(length > 0)) return finish(MarchStop::Completed);
-  for (int i = 0; i < kMaxSteps; ++i) {
+  const double most = kFirstSteps + kStepsPerEdge * length / step_;
+  for (double i = 0; i < most; ++i) {
     const double rest = length - step.length;
     if (!at.complete) at.set(f->hessian(at.position));
     double s = std::min(rest, (kLocalReach - 1) * step_);

@@ -4,6 +4,7 @@
 
 #include "project.h"
 #include "shape_operator.h"
+#include "work.h"
 
 #include <algorithm>
 #include <array>
@@ -55,9 +56,16 @@ void ImplicitSurface::find_locals() {
     for (const std::uint32_t v : t)
       boxes[static_cast<std::size_t>(it->second)].add(mesh.positions[v]);
   }
+  // Nanoseconds of one core that may go into finding shorter functions.
+  constexpr double kBudget = 3e9;
+  const double each = work::kBox * function_->cost();
+  if (static_cast<double>(boxes.size()) * each > kBudget) {
+    local_of_.assign(side_.size(), -1);
+    return;
+  }
   locals_.resize(boxes.size());
   const double margin = kLocalReach * step_ + proxy_.tolerance;
-  parallel_for(boxes.size(), 16, [&](std::size_t begin, std::size_t end) {
+  parallel_for(boxes.size(), work::grain(each, 16), [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
       locals_[i] = function_->restricted({boxes[i].min - margin, boxes[i].max + margin});
     }
@@ -117,7 +125,7 @@ std::vector<Frame> ImplicitSurface::wedge_frames(const RunContext& context) cons
   }
   std::vector<Frame> frames(n);
   parallel_for(
-      n, 1024,
+      n, work::grain(2 * work::kHessian * function_->cost(), 1024),
       [&](std::size_t begin, std::size_t end) {
         std::vector<Vec3> points;
         for (std::size_t w = begin; w < end; ++w) {

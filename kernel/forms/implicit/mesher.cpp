@@ -16,17 +16,22 @@ namespace {
 
 // Steps of the first look along the longest side of the domain: everything larger than two of them
 // is found.
-constexpr double kSurveySteps = 128;
-constexpr std::size_t kMaxBlocks = 60'000;        // 30 million cells, 0.4 GB
+constexpr double kSurveySteps = 128, kFewestSteps = 32;
+// Nanoseconds of one core that a look and a mesh may take.
+constexpr double kLookBudget = 4e9, kMeshBudget = 6e9;
+// Vertices of a look: a surface that has more is noise, or finer than a drawing can show.
+constexpr std::size_t kMaxVertices = 1'500'000;
 constexpr double kCoarsest = 64, kFinest = 1000;  // steps along the surface's longest side
 // Triangles a square of one step: crossed cells twice, as surfaces slanted to the grid have 1.5.
 constexpr double kTrianglesPerStep = 3;
 constexpr double kEdgePerStep = 1.25;  // mean length of the longer edges
 
 ExactMesh mesh_grid(const ImplicitFunction& f, const Grid& grid, double size, double smallest,
-                    MeshCounts& counts, const RunContext& context) {
+                    const WorkBudget& budget, MeshCounts& counts, const RunContext& context) {
+  Nets nets = make_nets(grid, context);
+  if (nets.vertices.size() > kMaxVertices) throw TooMuchWork();
   ExactMesh mesh =
-      project_nets(f, make_nets(grid, context), grid.layout(), size, counts.strays, context);
+      project_nets(f, std::move(nets), grid.layout(), size, budget, counts.strays, context);
   if (smallest > 0) counts.specks += drop_specks(mesh, smallest);
   cut_along_creases(mesh, f, context);
   return mesh;
@@ -124,23 +129,22 @@ void measure(Survey& s, const RunContext& context) {
 
 }  // namespace
 
-Survey survey(std::shared_ptr<const ImplicitFunction> function, const Box3& domain, bool given,
-              double smallest, const RunContext& context) {
+namespace {
+
+// One look at a given number of steps along the longest side of the domain.
+Survey look(std::shared_ptr<const ImplicitFunction> function, Box3 at, bool given, double smallest,
+            double steps, const RunContext& context) {
   constexpr int kEnlargements = 4;
   Survey s;
   s.function = std::move(function);
-  Box3 at = domain;
-  if (!given) at = {domain.min - 0.01 * domain.size(), domain.max + 0.01 * domain.size()};
-  if (!finite(at)) {
-    throw GeometryError(fmt::format("the domain {} is empty or endless", shown(at)));
-  }
+  WorkBudget budget(kLookBudget);
   for (int round = 0;; ++round) {
-    const double step = longest(at) / kSurveySteps;
+    const double step = longest(at) / steps;
     if (given) s.function = clip(s.function, at);
-    const Grid grid(*s.function, make_layout(at, step), kMaxBlocks, context);
+    const Grid grid(*s.function, make_layout(at, step), budget, context);
     if (grid.blocks().empty()) no_surface(*s.function, grid, at);
     MeshCounts counts;
-    s.mesh = mesh_grid(*s.function, grid, longest(at), 0, counts, context);
+    s.mesh = mesh_grid(*s.function, grid, longest(at), 0, budget, counts, context);
     s.box = box_of(s.mesh.positions);
     if (smallest > 0) {
       s.smallest = smallest * largest_component(s.mesh);
@@ -167,10 +171,43 @@ Survey survey(std::shared_ptr<const ImplicitFunction> function, const Box3& doma
   return s;
 }
 
+}  // namespace
+
+Survey survey(std::shared_ptr<const ImplicitFunction> function, const Box3& domain, bool given,
+              double smallest, const RunContext& context) {
+  Box3 at = domain;
+  if (!given) at = {domain.min - 0.01 * domain.size(), domain.max + 0.01 * domain.size()};
+  if (!finite(at)) {
+    throw GeometryError(fmt::format("the domain {} is empty or endless", shown(at)));
+  }
+  // A function of many operations is looked at in fewer places.
+  for (double steps = kSurveySteps;; steps /= 2) {
+    try {
+      Survey s = look(function, at, given, smallest, steps, context);
+      if (steps < kSurveySteps) {
+        s.diagnostics.add(
+            Severity::Warning, "implicit.budget", 1,
+            fmt::format("the function takes so long that the surface was looked for in steps of "
+                        "{:.3g} mm only: smaller parts of it may be missing",
+                        longest(at) / steps));
+      }
+      return s;
+    } catch (const TooMuchWork&) {
+      if (steps > kFewestSteps) continue;
+    }
+    throw GeometryError(
+        fmt::format("the surface is finer than {:.3g} mm or fills all of its domain, or the "
+                    "function takes too long: give a smaller domain by --bounds or simplify it",
+                    2 * longest(at) / kSurveySteps));
+  }
+}
+
 ExactMesh mesh_surface(const Survey& survey, double step, MeshCounts& counts,
                        const RunContext& context) {
-  const Grid grid(*survey.function, make_layout(survey.box, step), kMaxBlocks, context);
-  return mesh_grid(*survey.function, grid, longest(survey.box), survey.smallest, counts, context);
+  WorkBudget budget(kMeshBudget);
+  const Grid grid(*survey.function, make_layout(survey.box, step), budget, context);
+  return mesh_grid(*survey.function, grid, longest(survey.box), survey.smallest, budget, counts,
+                   context);
 }
 
 double choose_step(const Survey& survey, double tolerance, std::size_t max_triangles,

@@ -18,6 +18,11 @@ constexpr std::size_t kGrain = 1024;
 // Steps of the grid that Newton may move a vertex. Beside sharp edges it would go from piece to
 // piece and away.
 constexpr double kReach = 0.8;
+// Pieces in a cell that are looked at: more than meet at a corner are noise.
+constexpr std::size_t kMostPieces = 5;
+// Nanoseconds an operation of the function for a vertex that Newton does not place: some ten values
+// on each of four edges, and the creases between the pieces there.
+constexpr double kPlacing = 400;
 // Neighbours whose normals differ by more (cosine of 2 degrees) and whose pieces differ may have a
 // crease between them.
 constexpr double kSmooth = 0.99939;
@@ -64,8 +69,9 @@ Vec3 crossing(const ImplicitFunction& f, Vec3 inside, Vec3 outside, double accur
   const Vec3 d = outside - inside;
   double low = 0, high = 1, f_low = f.value(inside), f_high = f.value(outside);
   const double enough = accuracy / glm::length(d);
+  constexpr int kTrials = 50;
   int kept = 0;  // times in a row that the same end stayed
-  for (int i = 0; i < 100 && high - low > enough; ++i) {
+  for (int i = 0; i < kTrials && high - low > enough; ++i) {
     double share = low + (high - low) * (f_low / (f_low - f_high));
     if (!(share > low && share < high) || i % 4 == 3) share = 0.5 * (low + high);
     const double v = f.value(inside + share * d);
@@ -93,9 +99,14 @@ class Projector {
 
   std::size_t run() {
     const std::size_t n = mesh_.positions.size();
+    const double cost = f_.cost();
+    // Four gradients and the name of the piece; nets and triangles.
+    const double each = (4 * work::kGradient + work::kPiece) * cost + 500;
+    mesh_.budget.spend(static_cast<double>(n), each);
     state_.assign(n, Good);
     parallel_for(
-        n, kGrain, [&](std::size_t begin, std::size_t end) { project(begin, end); }, &context_);
+        n, work::grain(each, kGrain),
+        [&](std::size_t begin, std::size_t end) { project(begin, end); }, &context_);
     mark();
     // A vertex that turns out to lie on another piece makes its neighbours doubtful.
     constexpr int kRounds = 4;
@@ -106,9 +117,10 @@ class Projector {
         if (state_[v] == Marked || state_[v] == Lost) again.push_back(v);
       }
       if (again.empty()) break;
+      mesh_.budget.spend(static_cast<double>(again.size()), kPlacing * cost);
       std::vector<Placed> placed(again.size());
       parallel_for(
-          again.size(), 64,
+          again.size(), work::grain(kPlacing * cost, 64),
           [&](std::size_t begin, std::size_t end) {
             for (std::size_t i = begin; i < end; ++i) placed[i] = place(again[i]);
           },
@@ -186,8 +198,10 @@ class Projector {
     for (const auto& [inside, outside] : edges) {
       const Vec3 at = crossing(f_, inside, outside, mesh_.accuracy);
       middle += at / static_cast<double>(edges.size());
-      const ImplicitFunction* piece = &f_.piece_function(at);
-      if (std::ranges::find(pieces, piece) == pieces.end()) pieces.push_back(piece);
+      if (pieces.size() < kMostPieces) {
+        const ImplicitFunction* piece = &f_.piece_function(at);
+        if (std::ranges::find(pieces, piece) == pieces.end()) pieces.push_back(piece);
+      }
       const double d = glm::distance(at, mesh_.positions[v]);
       if (d < least) {
         least = d;
@@ -318,8 +332,9 @@ void drop_chips(ExactMesh& mesh) {
 }  // namespace
 
 ExactMesh project_nets(const ImplicitFunction& f, Nets nets, const GridLayout& layout, double size,
-                       std::size_t& stray, const RunContext& context) {
+                       const WorkBudget& budget, std::size_t& stray, const RunContext& context) {
   ExactMesh mesh;
+  mesh.budget = budget;
   mesh.step = layout.step;
   mesh.size = size;
   mesh.positions = std::move(nets.vertices);

@@ -78,6 +78,9 @@ class ImplicitFunction {
     return nullptr;
   }
 
+  /// How many arithmetic operations a value takes, about: what bounds the work of meshing.
+  virtual double cost() const { return 50; }
+
   static Box3 everywhere() {
     constexpr double kInfinity = std::numeric_limits<double>::infinity();
     return {Vec3(-kInfinity), Vec3(kInfinity)};
