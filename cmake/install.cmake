@@ -18,9 +18,6 @@ install(TARGETS ${libraries}
 install(TARGETS burin LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR} NAMELINK_ONLY)
 
 if(TARGET burin_python)
-  # Where Debian's Python looks below /usr/local; below another prefix PYTHONPATH says it.
-  set(BURIN_PYTHON_FOLDER lib/python${Python3_VERSION_MAJOR}.${Python3_VERSION_MINOR}/dist-packages
-    CACHE STRING "Folder below the prefix that the Python package is installed into")
   burin_rpath(burin_python ${BURIN_PYTHON_FOLDER}/burin)
   install(TARGETS burin_python LIBRARY DESTINATION ${BURIN_PYTHON_FOLDER}/burin)
   install(FILES kernel/python/burin/__init__.py kernel/python/burin/__init__.pyi kernel/python/burin/py.typed
@@ -30,6 +27,9 @@ endif()
 get_property(modules GLOBAL PROPERTY BURIN_MODULES)
 foreach(module IN LISTS modules)
   get_target_property(folders ${module} HEADER_DIRS)
+  if(NOT folders)  # a module without a header of its own
+    continue()
+  endif()
   foreach(folder IN LISTS folders)
     install(DIRECTORY ${folder}/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
   endforeach()
