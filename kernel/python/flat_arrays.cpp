@@ -3,7 +3,9 @@
 #include "arrays.h"
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -28,6 +30,15 @@ py::array_t<bool> flags(const std::vector<bool>& values) {
   return array;
 }
 
+/// The coordinates of vectors.
+template <class Vec>
+void append(std::vector<double>& all, const std::vector<Vec>& vectors) {
+  if (vectors.empty()) return;
+  static_assert(sizeof(Vec) == static_cast<std::size_t>(Vec::length()) * sizeof(double));
+  const double* first = &vectors.front().x;
+  all.insert(all.end(), first, first + vectors.size() * static_cast<std::size_t>(Vec::length()));
+}
+
 template <class T>
 py::array column(std::vector<T> values) {
   const auto n = static_cast<py::ssize_t>(values.size());
@@ -49,11 +60,11 @@ py::dict flat_arrays(const Drawing& drawing) {
   for (std::size_t i = 0; i < drawing.layers.size(); ++i) {
     for (const Path& path : drawing.layers[i].paths) {
       const std::size_t n = path.points.size();
-      for (const Vec2& p : path.points) points.insert(points.end(), {p.x, p.y});
-      for (std::size_t k = 0; k < n; ++k) {
-        const Vec3 p = k < path.points3.size() ? path.points3[k]
-                                               : Vec3(std::numeric_limits<double>::quiet_NaN());
-        points3.insert(points3.end(), {p.x, p.y, p.z});
+      append(points, path.points);
+      append(points3, path.points3);
+      if (path.points3.size() != n) {
+        points3.resize(points3.size() + 3 * (n - path.points3.size()),
+                       std::numeric_limits<double>::quiet_NaN());
       }
       if (path.width.size() == n) {
         width.insert(width.end(), path.width.begin(), path.width.end());
