@@ -34,6 +34,6 @@ struct Frame {
 void append_head(Buffer& out, const Frame& frame, const std::vector<LayerRow>& layers);
 
 /// The end of ENTITIES, and OBJECTS.
-void append_tail(Buffer& out, const Frame& frame);
+void append_tail(Buffer& buffer, const Frame& frame);
 
 }  // namespace burin::dxf
