@@ -121,6 +121,8 @@ class Flipper {
     if (!other || changed.contains(other->face)) return kNone;
     const std::uint32_t o = other->face, w = mesh_.triangles[o][(other->corner + 2) % 3];
     const auto name = std::pair(std::min(apex, w), std::max(apex, w));
+    // Of edges between two vertices far from creases not all are known.
+    if (!on_line(apex) && !on_line(w)) return kNone;
     if (w == apex || find(apex, w, kNone) || fresh_.contains(name)) return kNone;
     const Vec3 normal = side_normal(o);
     const double before =
