@@ -50,7 +50,7 @@ TEST_F(CliErrors, UsageOfEachOption) {
   expect_failure(draw + "--set line.outer", 2, "KEY=VALUE");
   expect_failure(draw + "--set line.outer=99", 2, "0.01 to 10");
   expect_failure(draw + "--set hatch.spacing_min=20", 2, "hatch.spacing_max");
-  expect_failure(draw + "--set svg.flatten=true", 2, "polylines or none");
+  expect_failure(draw + "--set svg.flatten=maybe", 2, "polylines or none");
   expect_failure(draw + "--light 0,0,0", 2, "--light");
   expect_failure(draw + "--hidden solid", 2, "--hidden");
   expect_failure(draw + "--tolerance -1", 2, "--tolerance");
