@@ -17,9 +17,17 @@ class BurinWorkbench(Gui.Workbench):
     def Initialize(self):
         from freecad.burin_wb import commands
 
-        names = commands.register()
-        self.appendToolbar("Burin", names)
-        self.appendMenu("&Burin", names)
+        commands.register()
+        self.appendToolbar("Burin", commands.toolbar())
+        self.appendMenu("&Burin", commands.menu())
+
+    def Activated(self):
+        from freecad.burin_wb import kernel
+
+        if not kernel.found():
+            from freecad.burin_wb.commands import base
+
+            base.ask_for_kernel()
 
     def ContextMenu(self, recipient):
         from freecad.burin_wb import commands

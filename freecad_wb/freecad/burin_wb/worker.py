@@ -46,7 +46,9 @@ def _receive(stream):
 
 def interpreter():
     """A Python of this version that can be started by itself; nothing where there is none."""
-    named = os.environ.get("BURIN_PYTHON", "")
+    from . import preferences
+
+    named = preferences.python() or os.environ.get("BURIN_PYTHON", "")
     version = "python%d.%d" % sys.version_info[:2]
     for candidate in (named, "/usr/bin/" + version, shutil.which(version), sys._base_executable):
         if candidate and os.path.basename(candidate).startswith("python") and os.access(candidate, os.X_OK):

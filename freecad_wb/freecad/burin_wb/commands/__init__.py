@@ -2,23 +2,44 @@
 
 _registered = []
 
+# Rows of the menu and the toolbar; None is a line between them.
+LAYOUT = ("Burin_NewIllustration", "Burin_View", "Burin_Style", "Burin_Look", None, "Burin_PlaceOnPage", "Burin_Export",
+          None, "Burin_SelectSource", "Burin_ShowLines")
+
 
 def register():
-    """Registers all commands once; their names in the order of the toolbar."""
-    if not _registered:
-        import FreeCADGui as Gui
+    """Registers all commands once."""
+    if _registered:
+        return
+    import FreeCADGui as Gui
 
-        from ..view import scheduler
-        from . import export, new, page, select, style, view
+    from ..view import scheduler
+    from . import export, help, look, new, page, select, style, view
 
-        scheduler.install()
-        for module in (new, view, style, page, export, select):
-            for command in module.COMMANDS:
-                Gui.addCommand(command.name, command)
-                _registered.append(command.name)
-    return list(_registered)
+    scheduler.install()
+    for module in (new, view, style, look, page, export, select, help):
+        for command in module.COMMANDS:
+            Gui.addCommand(command.name, command)
+            _registered.append(command.name)
+
+
+def toolbar():
+    return [name or "Separator" for name in LAYOUT]
+
+
+def menu():
+    return [*toolbar(), "Separator", "Burin_Help"]
 
 
 def context():
-    """Names for the context menu."""
-    return list(_registered)
+    """Names for the context menu: what can be done with the selection."""
+    from ..features import is_illustration
+    import FreeCADGui as Gui
+
+    chosen = Gui.Selection.getSelection()
+    if not chosen:
+        return []
+    if not any(is_illustration(o) for o in chosen):
+        return ["Burin_NewIllustration", "Burin_Look"]
+    return ["Burin_Edit", "Burin_View", "Burin_Style", "Burin_PlaceOnPage", "Burin_Export", "Burin_SelectSource",
+            "Burin_ShowLines"]

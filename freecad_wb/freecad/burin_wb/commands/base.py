@@ -6,7 +6,9 @@ import FreeCAD
 import FreeCADGui as Gui
 from PySide import QtCore
 
+from .. import kernel, worker
 from ..features import is_illustration
+from ..view.text import tr
 
 _ICONS = os.path.join(os.path.dirname(os.path.dirname(__file__)), "resources", "icons")
 
@@ -20,6 +22,7 @@ class Command:
 
     name = text = tip = icon = accel = ""
     transaction = True
+    needs_kernel = False
 
     def GetResources(self):
         return {
@@ -30,7 +33,8 @@ class Command:
         }
 
     def IsActive(self):
-        return FreeCAD.ActiveDocument is not None and self.possible()
+        # While a panel is open its transaction is: a command would end it.
+        return FreeCAD.ActiveDocument is not None and Gui.Control.activeDialog() is False and self.possible()
 
     def possible(self):
         return True
@@ -40,11 +44,14 @@ class Command:
 
     def Activated(self, index=0):
         document = FreeCAD.ActiveDocument
+        if self.needs_kernel and not kernel.found():
+            ask_for_kernel()
+            return
         if self.transaction:
-            document.openTransaction(self.text)
+            document.openTransaction(QtCore.QCoreApplication.translate(self.name, self.text))
         try:
             self.run(document)
-        except Refused as why:
+        except (Refused, kernel.KernelMissing, worker.Failed) as why:
             if self.transaction:
                 document.abortTransaction()
             tell(str(why))
@@ -53,16 +60,28 @@ class Command:
                 document.abortTransaction()
             raise
         else:
-            if self.transaction:
+            if self.transaction and Gui.Control.activeDialog() is False:
                 document.commitTransaction()
 
 
 def tell(text):
-    """A message box, or the report view where there is no one to answer it."""
+    """A message in the report view and in the status bar."""
     FreeCAD.Console.PrintWarning(text + "\n")
     window = Gui.getMainWindow()
     if window is not None:
         window.statusBar().showMessage(text, 10000)
+
+
+def ask_for_kernel():
+    """Says what to install. Does not stop what runs: the box waits beside it."""
+    from PySide import QtGui
+
+    tell(kernel.HOW_TO_INSTALL)
+    box = QtGui.QMessageBox(QtGui.QMessageBox.Information, "Burin", tr("The drawing kernel is not installed."),
+                            QtGui.QMessageBox.Ok, Gui.getMainWindow())
+    box.setInformativeText(kernel.HOW_TO_INSTALL)
+    box.setAttribute(QtCore.Qt.WA_DeleteOnClose)
+    box.open()
 
 
 def selected_illustrations():
@@ -72,3 +91,25 @@ def selected_illustrations():
         return chosen
     all_of_them = [o for o in FreeCAD.ActiveDocument.Objects if is_illustration(o)]
     return all_of_them if len(all_of_them) == 1 else []
+
+
+class Group:
+    """Several commands behind one button with an arrow."""
+
+    name = text = tip = ""
+    members = ()
+
+    def GetResources(self):
+        return {
+            "MenuText": QtCore.QT_TRANSLATE_NOOP(self.name, self.text),
+            "ToolTip": QtCore.QT_TRANSLATE_NOOP(self.name, self.tip),
+        }
+
+    def GetCommands(self):
+        return tuple(self.members)
+
+    def GetDefaultCommand(self):
+        return 0
+
+    def IsActive(self):
+        return FreeCAD.ActiveDocument is not None

@@ -1,12 +1,13 @@
 """New illustration of the selection."""
 
-import FreeCAD
 import FreeCADGui as Gui
 
+from .. import preferences
 from ..features import is_illustration, make_illustration
 from ..features.sources import collect
-from ..view.provider import IllustrationView
 from .base import Command, Refused
+from ..tasks import show
+from ..tasks.illustration import IllustrationPanel
 from .view import camera_of, set_view
 
 
@@ -16,6 +17,7 @@ class NewIllustration(Command):
     tip = "Draws the selected parts, bodies, meshes or assemblies as the 3-D view shows them"
     icon = "burin_new.svg"
     accel = "U, N"
+    needs_kernel = True
 
     def possible(self):
         return bool(Gui.Selection.getSelection())
@@ -28,14 +30,14 @@ class NewIllustration(Command):
         if not parts:
             raise Refused("nothing to draw: " + ("; ".join(notes) or "the selection has no visible shape"))
         obj = make_illustration(document, sources)
-        IllustrationView(obj.ViewObject)
+        preferences.apply_to(obj)
         eye = camera_of(Gui.ActiveDocument.ActiveView)
         if eye is not None:
             set_view(obj, eye)
         document.recompute([obj])
         Gui.Selection.clearSelection()
         Gui.Selection.addSelection(obj)
-        return obj
+        show(IllustrationPanel(obj))
 
 
 def selected_sources():

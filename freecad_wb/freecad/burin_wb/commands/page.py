@@ -4,6 +4,7 @@ import os
 
 import FreeCAD
 
+from .. import preferences
 from ..features import place_on_page
 from .base import Command, Refused, selected_illustrations
 
@@ -22,7 +23,7 @@ def page_of(document):
         return pages[0]
     page = document.addObject("TechDraw::DrawPage", "Page")
     template = document.addObject("TechDraw::DrawSVGTemplate", "Template")
-    template.Template = os.path.join(FreeCAD.getResourceDir(), TEMPLATE)
+    template.Template = preferences.template() or os.path.join(FreeCAD.getResourceDir(), TEMPLATE)
     page.Template = template
     return page
 
@@ -43,6 +44,14 @@ class PlaceOnPage(Command):
         document.recompute()
         if page.ViewObject is not None:
             page.ViewObject.show()
+            _fit_when_shown()
+
+
+def _fit_when_shown():
+    import FreeCADGui as Gui
+    from PySide import QtCore
+
+    QtCore.QTimer.singleShot(100, lambda: Gui.SendMsgToActiveView("ViewFit"))
 
 
 COMMANDS = [PlaceOnPage()]

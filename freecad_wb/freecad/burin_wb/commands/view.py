@@ -5,7 +5,7 @@ import collections
 import FreeCAD
 import FreeCADGui as Gui
 
-from .base import Command, Refused, selected_illustrations
+from .base import Command, Group, Refused, selected_illustrations
 
 # direction: from the model to the viewer; angle: vertical field of view in degrees, 0 = parallel.
 Eye = collections.namedtuple("Eye", "direction up angle")
@@ -59,9 +59,9 @@ def of_face(face):
 
 class ViewFromCamera(Command):
     name = "Burin_ViewFromCamera"
-    text = "View from the 3-D view"
+    text = "As in the 3-D view"
     tip = "Draws the illustration as the 3-D view shows the model now, in perspective too"
-    icon = "burin_view.svg"
+    icon = "burin_view_camera.svg"
 
     def possible(self):
         return bool(selected_illustrations()) and camera_of(Gui.ActiveDocument.ActiveView) is not None
@@ -77,7 +77,7 @@ class ViewFromCamera(Command):
 
 class ViewFromFace(Command):
     name = "Burin_ViewFromFace"
-    text = "View square onto a face"
+    text = "Square onto a face"
     tip = "Select an illustration and a face: the illustration looks square onto the face"
     icon = "burin_view_face.svg"
 
@@ -101,22 +101,64 @@ def _selected_face():
     return None
 
 
-def _standard_command(view):
-    class Standard(Command):
-        name = "Burin_View" + view
-        text = view
-        tip = f"{view} view of the illustration"
-        icon = "burin_view.svg"
+class Standard(Command):
+    """Subclasses are named after their views."""
 
-        def possible(self):
-            return bool(selected_illustrations())
+    def possible(self):
+        return bool(selected_illustrations())
 
-        def run(self, document):
-            for obj in selected_illustrations():
-                set_view(obj, standard(view))
-            document.recompute()
-
-    return Standard()
+    def run(self, document):
+        chosen = selected_illustrations()
+        if not chosen:
+            raise Refused("select an illustration")
+        for obj in chosen:
+            set_view(obj, standard(self.text))
+        document.recompute()
 
 
-COMMANDS = [ViewFromCamera(), ViewFromFace(), *(_standard_command(v) for v in STANDARD)]
+class Front(Standard):
+    name, text, icon = "Burin_ViewFront", "Front", "burin_view_front.svg"
+    tip = "The illustration looks from the front (along y)"
+
+
+class Back(Standard):
+    name, text, icon = "Burin_ViewBack", "Back", "burin_view_back.svg"
+    tip = "The illustration looks from the back"
+
+
+class Left(Standard):
+    name, text, icon = "Burin_ViewLeft", "Left", "burin_view_left.svg"
+    tip = "The illustration looks from the left"
+
+
+class Right(Standard):
+    name, text, icon = "Burin_ViewRight", "Right", "burin_view_right.svg"
+    tip = "The illustration looks from the right"
+
+
+class Top(Standard):
+    name, text, icon = "Burin_ViewTop", "Top", "burin_view_top.svg"
+    tip = "The illustration looks from above"
+
+
+class Bottom(Standard):
+    name, text, icon = "Burin_ViewBottom", "Bottom", "burin_view_bottom.svg"
+    tip = "The illustration looks from below"
+
+
+class Isometric(Standard):
+    name, text, icon = "Burin_ViewIsometric", "Isometric", "burin_view_isometric.svg"
+    tip = "The illustration looks from the front, the right and above at once"
+
+
+MEMBERS = [ViewFromCamera(), ViewFromFace(), Isometric(), Front(), Back(), Left(), Right(), Top(), Bottom()]
+
+
+class ViewGroup(Group):
+    name = "Burin_View"
+    text = "View"
+    tip = "From where the illustration is seen"
+    members = [m.name for m in MEMBERS]
+
+
+COMMANDS = [*MEMBERS, ViewGroup()]

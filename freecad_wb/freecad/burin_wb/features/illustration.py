@@ -37,10 +37,12 @@ class Illustration:
     def __init__(self, obj):
         obj.Proxy = self
         ensure(obj, ILLUSTRATION)
+        _dress(obj)
 
     def onDocumentRestored(self, obj):
         self._restored = True
         ensure(obj, ILLUSTRATION)
+        _dress(obj)
         if obj.Schema > SCHEMA:
             FreeCAD.Console.PrintWarning(
                 f"{obj.Label}: was made by a newer Burin; its drawing is shown as it was kept\n"
@@ -87,6 +89,14 @@ class Illustration:
 
     __getstate__ = dumps
     __setstate__ = loads
+
+
+def _dress(obj):
+    """With a GUI: the view provider, which documents saved without a GUI have lost, and runs beside the GUI."""
+    if FreeCAD.GuiUp:
+        from .. import view
+
+        view.dress(obj)
 
 
 def is_illustration(obj):

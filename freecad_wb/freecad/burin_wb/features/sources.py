@@ -47,7 +47,7 @@ def _walk(top, sub, asked, parts, notes, seen, looks):
         if asked:
             notes.append(f"{resolved.Label}: {why}")
         return
-    _apply_looks(part, looks.get(resolved.Name) or looks.get(path) or "")
+    _apply_looks(part, looks.get(path) or looks.get(resolved.Name) or "")
     parts.append(part)
 
 

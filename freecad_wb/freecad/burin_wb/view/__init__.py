@@ -1,1 +1,13 @@
 """What the GUI shows of illustrations."""
+
+
+def dress(obj):
+    """Gives an illustration its view provider, also where a script made it or the document lost it, and takes its runs
+    out of the GUI's way."""
+    from . import scheduler
+    from .provider import IllustrationView
+
+    scheduler.install()
+    view = obj.ViewObject
+    if view is not None and not isinstance(view.Proxy, IllustrationView):
+        IllustrationView(view)

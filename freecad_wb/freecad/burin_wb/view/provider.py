@@ -15,8 +15,12 @@ class IllustrationView:
         from pivy import coin
 
         self.Object = view.Object
-        self._root = coin.SoSeparator()
+        self._root, self._ink, self._lit = coin.SoSeparator(), coin.SoSeparator(), coin.SoSeparator()
+        self._root.addChild(self._ink)
+        self._root.addChild(self._lit)
         view.addDisplayMode(self._root, "Ink")
+        self._shown = None
+        self._watch = None
         self._show()
 
     def getDisplayModes(self, view):
@@ -37,41 +41,76 @@ class IllustrationView:
 
     def _show(self):
         """Puts the kept drawing behind the model, where it hides nothing."""
-        from ..features.sheet import Sheet
         from . import ink
 
-        self._root.removeAllChildren()
+        self._dim()
+        self._ink.removeAllChildren()
+        sheet = self._sheet()
+        if sheet is not None:
+            self._ink.addChild(ink.ink_node(sheet, (p for _, p in sheet.paths()), -behind(self.Object, sheet)))
+
+    def _sheet(self):
+        """The kept drawing; nothing where there is none that can be read."""
+        from ..features.sheet import Sheet
+
         path = getattr(self.Object, "Drawing", "")
         if not path or not os.path.exists(path):
-            return
+            return None
         try:
-            sheet = Sheet(path)
+            return Sheet(path)
         except (OSError, ValueError, KeyError) as error:
-            FreeCAD.Console.PrintError(f"{self.Object.Label}: the kept drawing cannot be read ({error})\n")
-            return
-        self._root.addChild(ink.ink_node(sheet, -behind(self.Object, sheet)))
+            FreeCAD.Console.PrintError(f"{self.Object.Label}: the kept drawing cannot be read ({error}); "
+                                       "recompute the illustration\n")
+            return None
 
-    def doubleClicked(self, view):
+    def light(self, sheet, paths):
+        """Shows some lines in colour, until the selection changes."""
         import FreeCADGui as Gui
 
-        Gui.ActiveDocument.setEdit(view.Object.Name)
+        from . import ink
+
+        self._dim()
+        paths = list(paths)
+        if not paths:
+            return
+        # A hair before the ink, which is dark.
+        lift = -behind(self.Object, sheet) + 0.05 / sheet.scale
+        self._lit.addChild(ink.ink_node(sheet, paths, lift, ink.LIT, extra=2))
+        self._watch = _Watch(self)
+        Gui.Selection.addObserver(self._watch)
+
+    def lit(self):
+        """Whether lines are shown in colour."""
+        return self._lit.getNumChildren() > 0
+
+    def _dim(self):
+        if self._watch is not None:
+            import FreeCADGui as Gui
+
+            Gui.Selection.removeObserver(self._watch)
+            self._watch = None
+        self._lit.removeAllChildren()
+
+    def doubleClicked(self, view):
+        from ..tasks import edit
+
+        edit(view.Object)
         return True
 
     def setEdit(self, view, mode=0):
-        if mode != 0:
-            return None
-        import FreeCADGui as Gui
+        """The panel has its own transaction; FreeCAD's edit mode would end it."""
+        from ..tasks import edit
 
-        from ..tasks.illustration import IllustrationPanel
-
-        Gui.Control.showDialog(IllustrationPanel(view.Object))
-        return True
-
-    def unsetEdit(self, view, mode=0):
-        import FreeCADGui as Gui
-
-        Gui.Control.closeDialog()
+        edit(view.Object)
         return False
+
+    def setupContextMenu(self, view, menu):
+        from PySide import QtGui
+
+        from .text import tr
+
+        action = menu.addAction(QtGui.QIcon(_ICON), tr("Edit illustration"))
+        action.triggered.connect(lambda: self.doubleClicked(view))
 
     def claimChildren(self):
         return []
@@ -86,14 +125,45 @@ class IllustrationView:
     __setstate__ = loads
 
 
+class _Watch:
+    """Puts the light out when the selection changes."""
+
+    def __init__(self, provider):
+        self._provider = provider
+
+    def _changed(self, *_):
+        from PySide import QtCore
+
+        provider = self._provider  # not from within the call: it removes this observer
+        QtCore.QTimer.singleShot(0, lambda: provider._dim() if provider._watch is self else None)
+
+    addSelection = removeSelection = setSelection = clearSelection = _changed
+
+
 def behind(obj, sheet):
     """Model mm from the view's centre back to a plane behind all sources."""
     farthest = 0.0
-    for source, _ in obj.Sources:
-        box = getattr(getattr(source, "Shape", None), "BoundBox", None)
-        if box is None or not box.isValid():
-            continue
-        for k in range(8):
-            depth = (sheet.center - box.getPoint(k)).dot(sheet.direction)
-            farthest = max(farthest, depth)
+    for source, subs in obj.Sources:
+        for box in _boxes(source, subs):
+            for k in range(8):
+                depth = (sheet.center - box.getPoint(k)).dot(sheet.direction)
+                farthest = max(farthest, depth)
     return farthest
+
+
+def _boxes(source, subs):
+    """Boxes in global coordinates, without making shapes: assemblies by what is shown of them."""
+    for sub in subs or ("",):
+        for kind in ("Shape", "Mesh"):
+            box = getattr(getattr(source, kind, None), "BoundBox", None)
+            if box is not None and box.isValid():
+                yield box
+                break
+        else:
+            view = getattr(source, "ViewObject", None)
+            try:
+                box = view.getBoundingBox(sub) if view is not None else None
+            except Exception:  # not shown yet
+                box = None
+            if box is not None and box.isValid():
+                yield box

@@ -1,24 +1,26 @@
 """Runs of the kernel beside the GUI: the newest job of an object wins, results come back in the GUI's thread."""
 
+import collections
 import threading
-import time
 
 import FreeCAD
 from PySide import QtCore
 
 from .. import worker
-from ..features import illustration
+from ..features import illustration, is_illustration
 
 # Seconds that a worker gets to end a cancelled job before it is ended itself.
 PATIENCE = 1.0
+
+# Results that are kept, so that undo and redo show at once what was drawn before.
+KEPT = 8
 
 
 class _Run:
     def __init__(self, key, job, finish):
         self.key, self.job, self.finish = key, job, finish
-        self.stage, self.share = "waiting", 0.0
+        self.stage, self.share = "", 0.0
         self.cancelled = False
-        self.started = None
 
 
 class Scheduler(QtCore.QObject):
@@ -26,15 +28,19 @@ class Scheduler(QtCore.QObject):
 
     progressed = QtCore.Signal(object, str, float)  # (document, object) names, stage, share
     ended = QtCore.Signal(object, object)  # names, error or None
-    _came_back = QtCore.Signal(object, object, object)
+    began = QtCore.Signal(object)  # names
+    _came_back = QtCore.Signal()
 
     def __init__(self):
         super().__init__()
         self._worker = worker.Worker()
         self._waiting = []
         self._current = None
+        self._kept = collections.OrderedDict()
+        self._ended_runs = collections.deque()
+        self.count = 0  # runs of the kernel so far
         self._lock = threading.Condition()
-        self._came_back.connect(self._finish)
+        self._came_back.connect(self._collect, QtCore.Qt.QueuedConnection)
         self._thread = None
         self._timer = QtCore.QTimer(self)
         self._timer.setInterval(100)
@@ -42,14 +48,22 @@ class Scheduler(QtCore.QObject):
 
     def __call__(self, obj, job, finish):
         key = (obj.Document.Name, obj.Name)
+        result = self._kept.get(job.fingerprint())
         with self._lock:
             self._drop(key)
-            self._waiting.append(_Run(key, job, finish))
+            if result is None:
+                self._waiting.append(_Run(key, job, finish))
+        if result is not None:
+            finish(result, None)
+            self._after(obj, key, None)
+            return
+        with self._lock:
             if self._thread is None:
                 self._thread = threading.Thread(target=self._work, name="burin", daemon=True)
                 self._thread.start()
             self._lock.notify()
         self._timer.start()
+        self.began.emit(key)
 
     def running(self, obj=None):
         """Whether a run is under way or waiting, of an object or of any."""
@@ -77,6 +91,15 @@ class Scheduler(QtCore.QObject):
         if still:
             self._worker.stop()
 
+    def cancel_all(self):
+        with self._lock:
+            for key in {r.key for r in [self._current, *self._waiting] if r}:
+                self._drop(key)
+
+    def stop(self):
+        """Ends the worker; the next run starts another one."""
+        self._worker.stop()
+
     def _work(self):
         while True:
             with self._lock:
@@ -84,7 +107,7 @@ class Scheduler(QtCore.QObject):
                     self._current = None
                     self._lock.wait()
                 self._current = run = self._waiting.pop(0)
-                run.started = time.monotonic()
+                self.count += 1
             result = error = None
             try:
                 result = self._worker.draw(run.job, lambda stage, share: self._note(run, stage, share))
@@ -92,7 +115,8 @@ class Scheduler(QtCore.QObject):
                 error = worker.Stopped("cancelled; the drawing shown is the one before")
             except Exception as failure:
                 error = failure
-            self._came_back.emit(run, result, error)
+            self._ended_runs.append((run, result, error))
+            self._came_back.emit()
 
     @staticmethod
     def _note(run, stage, share):
@@ -107,16 +131,28 @@ class Scheduler(QtCore.QObject):
         if not run.cancelled:
             self.progressed.emit(run.key, run.stage, run.share)
 
-    def _finish(self, run, result, error):
+    def _collect(self):
         """In the GUI's thread."""
+        while self._ended_runs:
+            self._finish(*self._ended_runs.popleft())
+
+    def _finish(self, run, result, error):
+        if result is not None:
+            self._kept[run.job.fingerprint()] = result
+            while len(self._kept) > KEPT:
+                self._kept.popitem(last=False)
         obj = _object(run.key)
-        if obj is None or run.cancelled and not isinstance(error, worker.Stopped):
-            return
-        if not run.cancelled or isinstance(error, worker.Stopped) and not self.running(obj):
-            run.finish(result, error)
-            if error is None:
-                _follow(obj)
-        self.ended.emit(run.key, error)
+        newer = obj is not None and any(r.key == run.key for r in self._waiting)
+        if obj is not None and not newer:
+            if run.cancelled:
+                error = worker.Stopped("cancelled; the drawing shown is the one before")
+            run.finish(None if error else result, error)
+        self._after(obj, run.key, error)
+
+    def _after(self, obj, key, error):
+        if obj is not None and error is None:
+            _follow(obj)
+        self.ended.emit(key, error)
 
 
 def _object(key):
@@ -138,10 +174,46 @@ def _follow(obj):
 scheduler = None
 
 
+class _Documents:
+    """Undo and redo bring back properties, not drawings: those are looked up, or drawn again."""
+
+    def slotUndoDocument(self, document):
+        self._renew(document)
+
+    slotRedoDocument = slotUndoDocument
+
+    def slotDeletedObject(self, obj):
+        if is_illustration(obj):
+            scheduler.cancel(obj)
+
+    def _renew(self, document):
+        for obj in document.Objects:
+            if is_illustration(obj):
+                obj.touch()
+                obj.recompute()
+
+
 def install():
     """From now on runs do not stop the GUI."""
     global scheduler
     if scheduler is None:
+        from . import status
+
         scheduler = Scheduler()
         illustration.scheduler = scheduler
+        scheduler.documents = _Documents()
+        FreeCAD.addDocumentObserver(scheduler.documents)
+        status.install(scheduler)
     return scheduler
+
+
+def wait(obj=None, seconds=60.0):
+    """For scripts: lets the GUI live until the runs of an illustration (or all) have ended. Whether they have."""
+    clock, loop = QtCore.QElapsedTimer(), QtCore.QEventLoop()
+    clock.start()
+    while scheduler is not None and (scheduler.running(obj) or scheduler._ended_runs):
+        if clock.elapsed() > 1000 * seconds:
+            return False
+        QtCore.QTimer.singleShot(10, loop.quit)
+        loop.exec_() if hasattr(loop, "exec_") else loop.exec()
+    return True

@@ -1,0 +1,159 @@
+"""What the panels share: one transaction, changes drawn a moment later, progress with Cancel."""
+
+import FreeCADGui as Gui
+from PySide import QtCore, QtGui
+
+from ..view import scheduler
+from ..view.text import tr
+from .preview import Preview
+
+# Milliseconds after the last change until it is drawn: as long as one types or turns a wheel.
+PAUSE = 200
+WIDTH = 340
+
+
+class Panel:
+    """A task panel of one illustration. Subclasses fill `self.column`."""
+
+    title = ""
+
+    def __init__(self, obj):
+        self.obj = obj
+        self.document = obj.Document
+        self.over = False
+        self.form = QtGui.QWidget()
+        self.form.setWindowTitle(self.title or obj.Label)
+        self.form.setWindowIcon(QtGui.QIcon(obj.ViewObject.Proxy.getIcon()))
+        self.form.setMaximumWidth(WIDTH)
+        self.column = QtGui.QVBoxLayout(self.form)
+        self.column.setContentsMargins(4, 4, 4, 4)
+        self._pause = QtCore.QTimer(self.form)
+        self._pause.setSingleShot(True)
+        self._pause.setInterval(PAUSE)
+        self._pause.timeout.connect(lambda: self.draw())
+        self.preview = Preview(obj)
+        self.preview.setToolTip(tr("The drawing as it is now"))
+        self.column.addWidget(self.preview)
+        self._add_progress()
+        self.fill()
+        self.column.addStretch()
+        self.runs = scheduler.install()
+        self.runs.progressed.connect(self._progressed)
+        self.runs.ended.connect(self._ended)
+        self._tell_state()
+
+    def fill(self):
+        raise NotImplementedError
+
+    # --- changes ---
+
+    def change(self, name, value):
+        """Sets a property; drawn after a pause."""
+        if getattr(self.obj, name) != value:
+            setattr(self.obj, name, value)
+            self.changed()
+
+    def changed(self):
+        self._pause.start()
+
+    def draw(self):
+        """Starts a run where something has changed; a run under way is ended."""
+        self._pause.stop()
+        if self.alive():
+            self.obj.touch()
+            self.obj.recompute()
+            self._tell_state()
+
+    def alive(self):
+        """Whether the illustration is still in its document."""
+        try:
+            return self.document.getObject(self.obj.Name) is not None
+        except (ReferenceError, RuntimeError, NameError):
+            return False
+
+    # --- progress ---
+
+    def _add_progress(self):
+        row = QtGui.QHBoxLayout()
+        self.bar = QtGui.QProgressBar()
+        self.bar.setObjectName("progress")
+        self.bar.setRange(0, 100)
+        self.bar.setFormat("%p %")
+        self.stop = QtGui.QPushButton(tr("Stop"))
+        self.stop.setObjectName("stop")
+        self.stop.setToolTip(tr("Ends the run; the drawing shown stays the one before"))
+        self.stop.clicked.connect(lambda: self.runs.cancel(self.obj))
+        row.addWidget(self.bar)
+        row.addWidget(self.stop)
+        self.message = QtGui.QLabel()
+        self.message.setObjectName("message")
+        self.message.setWordWrap(True)
+        self.message.setMinimumHeight(self.message.fontMetrics().height())
+        self.message.setTextInteractionFlags(QtCore.Qt.TextSelectableByMouse)
+        self.column.addLayout(row)
+        self.column.addWidget(self.message)
+
+    def _progressed(self, key, stage, share):
+        if key == self._key() and not self.over:
+            self.bar.setValue(round(100 * share))
+            self.message.setText(tr(stage) if stage else tr("drawing"))
+
+    def _ended(self, key, error):
+        if not self.over and key == self._key():
+            self._tell_state(error)
+            if error is None:
+                self.preview.renew()
+
+    def _tell_state(self, error=None):
+        running = self.runs.running(self.obj)
+        self.stop.setEnabled(running)
+        if running:
+            self.bar.setValue(0)
+            self.message.setText(tr("drawing"))
+        else:
+            self.bar.setValue(0 if error else 100 if self.obj.Drawing else 0)
+            self.message.setText(str(error) if error else self.obj.Message or tr("drawn"))
+
+    def _key(self):
+        return self.document.Name, self.obj.Name
+
+    # --- the end ---
+
+    def accept(self):
+        if self._pause.isActive():
+            self.draw()
+        self._close()
+        self.document.commitTransaction()
+        Gui.Control.closeDialog()
+        return True
+
+    def reject(self):
+        self._pause.stop()
+        self.runs.cancel(self.obj)
+        self._close()
+        self.document.abortTransaction()
+        Gui.Control.closeDialog()
+        if self.alive():
+            self.obj.touch()
+            self.obj.recompute()
+        return True
+
+    def _close(self):
+        self.over = True
+        for signal, slot in ((self.runs.progressed, self._progressed), (self.runs.ended, self._ended)):
+            try:
+                signal.disconnect(slot)
+            except RuntimeError:
+                pass
+
+    def getStandardButtons(self):
+        return int(QtGui.QDialogButtonBox.Ok | QtGui.QDialogButtonBox.Cancel)
+
+    def isAllowedAlterSelection(self):
+        return True
+
+    def isAllowedAlterView(self):
+        return True
+
+    def isAllowedAlterDocument(self):
+        return False

@@ -1,0 +1,196 @@
+"""The panel that edits a style key by key."""
+
+import json
+import os
+
+from PySide import QtCore, QtGui
+
+from .. import kernel
+from ..view.text import tr
+from . import widgets
+from .panel import Panel
+
+# Keys of files, not of what is drawn.
+OF_FILES = ("svg", "json", "png", "dxf")
+
+
+def keys():
+    """Keys of styles that can be seen in the model: dicts with key, meaning, takes, value."""
+    return [k for k in kernel.module().style_keys() if k["key"].split(".")[0] not in OF_FILES]
+
+
+def text_of(value):
+    """A value as the property StyleKeys keeps it."""
+    if isinstance(value, bool):
+        return "true" if value else "false"
+    if isinstance(value, (list, tuple)):
+        return ",".join(f"{v:g}" for v in value)
+    return f"{value:g}" if isinstance(value, float) else str(value)
+
+
+class StylePanel(Panel):
+    @property
+    def title(self):
+        return tr("Style")
+
+    def fill(self):
+        self.buttons = {}
+        self.base = widgets.choice(widgets.styles(self.obj.Style), self.obj.Style,
+                                   tr("A built-in style, or a style file"), self._use, "base")
+        self.column.addWidget(self.base)
+        row = QtGui.QHBoxLayout()
+        for text, tip, name, slot in (
+                (tr("Open…"), tr("Chooses a style file"), "open", self._open),
+                (tr("Save as…"), tr("Saves the style with all changes as a file"), "save", self._save),
+                (tr("Reset"), tr("Takes back all changes: the values of the style itself"), "reset", self._reset)):
+            button = QtGui.QPushButton(text)
+            button.setObjectName(name)
+            button.setToolTip(tip)
+            button.setMinimumWidth(50)
+            button.clicked.connect(lambda *_, slot=slot: slot())
+            row.addWidget(button)
+            self.buttons[name] = button
+        self.column.addLayout(row)
+        self.filter = QtGui.QLineEdit()
+        self.filter.setObjectName("filter")
+        self.filter.setPlaceholderText(tr("Filter"))
+        self.filter.setToolTip(tr("Shows keys whose name or meaning holds these words"))
+        self.filter.setClearButtonEnabled(True)
+        self.filter.textChanged.connect(lambda words: self._filter(words))
+        self.column.addWidget(self.filter)
+        self.tree = QtGui.QTreeWidget()
+        self.tree.setObjectName("keys")
+        self.tree.setColumnCount(2)
+        self.tree.setHeaderLabels([tr("Key"), tr("Value")])
+        self.tree.setMinimumHeight(260)
+        self.tree.setIndentation(12)
+        self.tree.setColumnWidth(0, 120)
+        self.column.addWidget(self.tree, 1)
+        self._fill_keys()
+
+    def _fill_keys(self):
+        """All keys with an editor each. Throws kernel.KernelMissing."""
+        self.tree.clear()
+        self.editors, self.items, heads = {}, {}, {}
+        self.values = self._values_of_base()
+        changed = dict(self.obj.StyleKeys)
+        for row in keys():
+            head, _, name = row["key"].partition(".")
+            if head not in heads:
+                heads[head] = QtGui.QTreeWidgetItem(self.tree, [tr(head)])
+                heads[head].setExpanded(head in ("line", "hatch"))
+                heads[head].setFirstColumnSpanned(True)
+            item = QtGui.QTreeWidgetItem(heads[head], [name.replace("_", " ")])
+            tip = f"{row['key']}: {row['meaning']} ({row['takes']})"
+            item.setToolTip(0, tip)
+            value = changed.get(row["key"], self.values.get(row["key"], row["value"]))
+            editor = self._editor(row, value, tip)
+            self.tree.setItemWidget(item, 1, editor)
+            self.editors[row["key"]], self.items[row["key"]] = editor, item
+            self._mark(row["key"])
+
+    def _values_of_base(self):
+        try:
+            return {k: text_of(v) for k, v in kernel.module().style(self.obj.Style).items()}
+        except kernel.module().Error as error:
+            QtCore.QTimer.singleShot(0, lambda: self.message.setText(str(error)))
+            return {}
+
+    def _editor(self, row, value, tip):
+        key, takes = row["key"], row["takes"]
+        if takes == "true or false":
+            return widgets.check(value == "true", "", tip, lambda on: self._set(key, "true" if on else "false"), key)
+        low, to, high = takes.partition(" to ")
+        if to:
+            return widgets.number(float(value), tip, lambda v: self._set(key, f"{v:.6g}"), key, float(low),
+                                  float(high), 3, _step(float(value)))
+        if ", " in takes:
+            return widgets.choice(takes.split(", "), value, tip, lambda v: self._set(key, v), key)
+        line = QtGui.QLineEdit(value)
+        line.setObjectName(key)
+        line.setToolTip(tip)
+        line.editingFinished.connect(lambda: self._set(key, line.text().strip()))
+        return line
+
+    def _set(self, key, text):
+        changed = dict(self.obj.StyleKeys)
+        if _same(text, self.values.get(key)):
+            changed.pop(key, None)
+        else:
+            changed[key] = text
+        self.change("StyleKeys", changed)
+        self._mark(key)
+
+    def _mark(self, key):
+        font = self.items[key].font(0)
+        font.setBold(key in self.obj.StyleKeys)
+        self.items[key].setFont(0, font)
+        self.buttons["reset"].setEnabled(bool(dict(self.obj.StyleKeys)))
+
+    def _use(self, name):
+        if name != self.obj.Style:
+            self.change("Style", name)
+            self._fill_keys()
+
+    def _reset(self):
+        self.change("StyleKeys", {})
+        self._fill_keys()
+
+    def _filter(self, words):
+        wanted = words.lower().split()
+        for k in range(self.tree.topLevelItemCount()):
+            head, shown = self.tree.topLevelItem(k), 0
+            for r in range(head.childCount()):
+                item = head.child(r)
+                fits = all(w in item.toolTip(0).lower() for w in wanted)
+                item.setHidden(not fits)
+                shown += fits
+            head.setHidden(shown == 0)
+            if wanted:
+                head.setExpanded(True)
+
+    def _open(self):
+        name, _ = QtGui.QFileDialog.getOpenFileName(self.form, tr("Style file"), "", tr("Style files") + " (*.json);;* (*)")
+        if name:
+            self.use(name)
+
+    def use(self, name):
+        if self.base.findData(name) < 0:
+            self.base.addItem(os.path.basename(name), name)
+        self.base.setCurrentIndex(self.base.findData(name))
+
+    def _save(self):
+        name, _ = QtGui.QFileDialog.getSaveFileName(self.form, tr("Save style"), "", tr("Style files") + " (*.json)")
+        if name:
+            self.save(name if name.endswith(".json") else name + ".json")
+
+    def save(self, name):
+        """Writes all keys to a file, and uses the file from now on."""
+        try:
+            write_style(name, self.obj.Style, self.obj.StyleKeys)
+        except (OSError, kernel.module().Error) as error:
+            self.message.setText(str(error))
+            return
+        self.change("StyleKeys", {})
+        self.use(name)
+
+
+def write_style(name, style, changes):
+    """A style file with all keys. Throws OSError, burin.Error."""
+    burin = kernel.module()
+    values = burin.style({**burin.style(style), **dict(changes)})
+    with open(name, "w", encoding="utf-8") as file:
+        json.dump(values, file, indent=2)
+        file.write("\n")
+
+
+def _step(value):
+    """A twentieth or so of a value, one digit."""
+    return float(f"{max(abs(value), 0.02) / 20:.0e}")
+
+
+def _same(a, b):
+    try:
+        return abs(float(a) - float(b)) < 1e-9
+    except (TypeError, ValueError):
+        return a == b

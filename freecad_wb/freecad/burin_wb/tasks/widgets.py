@@ -1,0 +1,74 @@
+"""Small pieces of panels."""
+
+import FreeCADGui as Gui
+from PySide import QtGui
+
+_BUILT_IN = ("technical", "outline", "engraving", "haloed", "wireframe")
+
+
+def quantity(value, unit, tip, changed, name, least=0.0, most=1e6):
+    """A field with a unit, such as '180 mm'; `changed` gets the number in that unit."""
+    box = Gui.UiLoader().createWidget("Gui::QuantitySpinBox")
+    box.setObjectName(name)
+    box.setProperty("unit", unit)
+    box.setProperty("minimum", least)
+    box.setProperty("maximum", most)
+    box.setProperty("rawValue", float(value))
+    box.setToolTip(tip)
+    box.setMinimumWidth(60)
+    box.valueChanged.connect(lambda *_: changed(float(box.property("rawValue"))))
+    return box
+
+
+def number(value, tip, changed, name, least, most, decimals=3, step=0.1):
+    box = QtGui.QDoubleSpinBox()
+    box.setObjectName(name)
+    box.setDecimals(decimals)
+    box.setRange(least, most)
+    box.setSingleStep(step)
+    box.setValue(value)
+    box.setToolTip(tip)
+    box.setMinimumWidth(50)
+    box.valueChanged.connect(lambda value: changed(value))
+    return box
+
+
+def choice(values, chosen, tip, changed, name, texts=None):
+    """A list of words; `texts` are what is shown of them."""
+    box = QtGui.QComboBox()
+    box.setObjectName(name)
+    for k, value in enumerate(values):
+        box.addItem((texts or values)[k], value)
+    box.setCurrentIndex(max(0, list(values).index(chosen) if chosen in values else 0))
+    box.setToolTip(tip)
+    box.setSizeAdjustPolicy(QtGui.QComboBox.AdjustToMinimumContentsLengthWithIcon)
+    box.setMinimumContentsLength(8)
+    box.currentIndexChanged.connect(lambda k: changed(box.itemData(k)))
+    return box
+
+
+def check(value, text, tip, changed, name):
+    box = QtGui.QCheckBox(text)
+    box.setObjectName(name)
+    box.setChecked(value)
+    box.setToolTip(tip)
+    box.toggled.connect(lambda on: changed(on))
+    return box
+
+
+def styles(chosen):
+    """Names of styles to choose from: the built-in ones, and a file where one is chosen."""
+    names = list(_BUILT_IN)
+    if chosen and chosen not in names:
+        names.append(chosen)
+    return names
+
+
+def group(title, column):
+    """A titled box; returns its form layout."""
+    box = QtGui.QGroupBox(title)
+    form = QtGui.QFormLayout(box)
+    form.setContentsMargins(6, 4, 6, 4)
+    form.setFieldGrowthPolicy(QtGui.QFormLayout.AllNonFixedFieldsGrow)
+    column.addWidget(box)
+    return form

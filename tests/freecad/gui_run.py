@@ -1,0 +1,78 @@
+#!/usr/bin/env python3
+"""Runs a test script in FreeCAD's GUI on a screen of its own: gui_run.py BURIN_PYTHON OUT SCRIPT.
+
+Ends with 77 (skipped) where FreeCAD or Xvfb is absent, else with the script's status."""
+
+import os
+import pathlib
+import shutil
+import subprocess
+import sys
+import tempfile
+
+SKIP = 77
+HERE = pathlib.Path(__file__).resolve().parent
+ADDON = HERE.parent.parent / "freecad_wb"
+
+CONFIG = """<?xml version="1.0" encoding="UTF-8" standalone="no" ?>
+<FCParameters><FCParamGroup Name="Root"><FCParamGroup Name="BaseApp"><FCParamGroup Name="Preferences">
+<FCParamGroup Name="General"><FCText Name="AutoloadModule">%s</FCText><FCText Name="Language">%s</FCText></FCParamGroup>
+<FCParamGroup Name="MainWindow"><FCParamGroup Name="DockWindows"/></FCParamGroup>
+</FCParamGroup></FCParamGroup></FCParamGroup></FCParameters>
+"""
+
+
+def screen():
+    """Starts Xvfb on a free display; the process and the display's name."""
+    read, write = os.pipe()
+    server = subprocess.Popen(["Xvfb", "-displayfd", str(write), "-screen", "0", "1280x900x24", "-nolisten", "tcp"],
+                              pass_fds=[write], stderr=subprocess.DEVNULL)
+    os.close(write)
+    with os.fdopen(read) as told:
+        number = told.readline().strip()
+    return server, ":" + number
+
+
+def main():
+    kernel, out, script = sys.argv[1:4]
+    freecad = next((p for p in map(shutil.which, ("freecad", "FreeCAD")) if p), None)
+    for name, found in (("freecad", freecad), ("Xvfb (package xvfb)", shutil.which("Xvfb"))):
+        if not found:
+            print(f"skipped: {name} is not installed")
+            return SKIP
+    out = pathlib.Path(out)
+    out.mkdir(parents=True, exist_ok=True)
+    verdict = out / (pathlib.Path(script).stem + ".verdict")
+    verdict.unlink(missing_ok=True)
+    home = tempfile.mkdtemp(prefix="burin-freecad-")
+    with open(os.path.join(home, "user.cfg"), "w", encoding="utf-8") as config:
+        config.write(CONFIG % (os.environ.get("BURIN_TEST_START", "BurinWorkbench"),
+                               os.environ.get("BURIN_TEST_LANGUAGE", "English")))
+    server, display = screen()
+    environment = dict(os.environ, DISPLAY=display, FREECAD_USER_HOME=home, QTWEBENGINE_DISABLE_SANDBOX="1",
+                       BURIN_TEST_OUT=str(out), BURIN_TEST_VERDICT=str(verdict), PYTHONDONTWRITEBYTECODE="1",
+                       LC_ALL="C.UTF-8")
+    environment.pop("PYTHONPATH", None)
+    if kernel != "none":
+        environment["BURIN_PYTHON_PATH"] = kernel
+    else:
+        environment.pop("BURIN_PYTHON_PATH", None)
+    try:
+        status = subprocess.run([freecad, os.path.abspath(script), "-M", os.environ.get("BURIN_TEST_ADDON", str(ADDON))],
+                                env=environment, stdin=subprocess.DEVNULL,
+                                timeout=float(os.environ.get("BURIN_TEST_TIMEOUT", "120"))).returncode
+    except subprocess.TimeoutExpired:
+        print("FreeCAD did not end in time")
+        status = 1
+    finally:
+        server.terminate()
+        server.wait()
+        shutil.rmtree(home, ignore_errors=True)
+    if status == 0 and not verdict.exists():
+        print("FreeCAD ended before the tests did")
+        status = 1
+    return status if status >= 0 else 1
+
+
+if __name__ == "__main__":
+    sys.exit(main())

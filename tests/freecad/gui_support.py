@@ -1,0 +1,161 @@
+"""What GUI tests share. A test script ends with `gui_support.run(__name__)`."""
+
+import os
+import pathlib
+import subprocess
+import sys
+import time
+import traceback
+import unittest
+
+import FreeCAD
+import FreeCADGui as Gui
+from PySide import QtCore, QtGui
+
+OUT = pathlib.Path(os.environ["BURIN_TEST_OUT"])
+DATA = pathlib.Path(os.environ.get("BURIN_TEST_DATA", "/nowhere"))
+REFERENCES = pathlib.Path(__file__).resolve().parent / "references"
+
+
+def run(name):
+    """Runs the tests of a module once FreeCAD's window stands, and ends FreeCAD."""
+
+    def main():
+        status = 1
+        try:
+            settle(300)
+            suite = unittest.defaultTestLoader.loadTestsFromModule(sys.modules[name])
+            only = os.environ.get("BURIN_TEST_ONLY")
+            if only:
+                suite = unittest.defaultTestLoader.loadTestsFromName(only, sys.modules[name])
+            result = unittest.TextTestRunner(stream=sys.stderr, verbosity=2, durations=None) \
+                if sys.version_info >= (3, 12) else unittest.TextTestRunner(stream=sys.stderr, verbosity=2)
+            result = result.run(suite)
+            status = 0 if result.wasSuccessful() and result.testsRun else 1
+            pathlib.Path(os.environ["BURIN_TEST_VERDICT"]).write_text(str(status))
+        except BaseException:
+            traceback.print_exc()
+        finally:
+            stop_worker()
+            sys.stdout.flush()
+            sys.stderr.flush()
+            os._exit(status)
+
+    QtCore.QTimer.singleShot(0, main)
+
+
+def stop_worker():
+    from freecad.burin_wb.view import scheduler
+
+    if scheduler.scheduler is not None:
+        scheduler.scheduler.stop()
+
+
+def settle(milliseconds=60):
+    """Lets the GUI work for a while."""
+    loop = QtCore.QEventLoop()
+    QtCore.QTimer.singleShot(milliseconds, loop.quit)
+    loop.exec_()
+
+
+def until(condition, seconds=30.0):
+    """Lets the GUI work until a condition holds; whether it does."""
+    end = time.monotonic() + seconds
+    while not condition():
+        if time.monotonic() > end:
+            return False
+        settle(10)
+    return True
+
+
+def drawn(obj=None, seconds=60.0):
+    """Waits for the runs of an illustration."""
+    from freecad.burin_wb.view import scheduler
+
+    assert scheduler.wait(obj, seconds), "the run did not end in time"
+    settle(20)
+
+
+def screenshot(name):
+    """The whole screen as OUT/name.png."""
+    settle(150)
+    path = OUT / f"{name}.png"
+    subprocess.run(["import", "-window", "root", str(path)], check=True, timeout=20)
+    return path
+
+
+def picture(name, width=640, height=480):
+    """The 3-D view as OUT/name.png."""
+    settle(50)
+    path = OUT / f"{name}.png"
+    Gui.ActiveDocument.ActiveView.saveImage(str(path), width, height, "White")
+    return path
+
+
+def panel():
+    """The panel that is shown, as the add-on made it."""
+    from freecad.burin_wb import tasks
+
+    return tasks.shown
+
+
+class Messages:
+    """What the report view is told while a `with` lasts."""
+
+    def __enter__(self):
+        self.dock = Gui.getMainWindow().findChild(QtGui.QTextEdit, "Report view")
+        self.text = ""
+        self.start = self.dock.toPlainText() if self.dock else ""
+        return self
+
+    def __exit__(self, *_):
+        settle(50)
+        if self.dock:
+            self.text = self.dock.toPlainText()[len(self.start):]
+
+
+class Case(unittest.TestCase):
+    """A test with a document of its own."""
+
+    def setUp(self):
+        self.document = FreeCAD.newDocument("Test")
+        self.document.UndoMode = 1
+
+    def tearDown(self):
+        if Gui.Control.activeDialog():
+            Gui.Control.closeDialog()
+        stop = [n for n in FreeCAD.listDocuments()]
+        for name in stop:
+            FreeCAD.closeDocument(name)
+        settle(10)
+
+    def box_and_ball(self):
+        """A box with a ball beside it; both are parts."""
+        box = self.document.addObject("Part::Box", "Box")
+        box.Length, box.Width, box.Height = 40, 30, 20
+        ball = self.document.addObject("Part::Sphere", "Ball")
+        ball.Radius = 14
+        ball.Placement.Base = FreeCAD.Vector(55, 15, 14)
+        self.document.recompute()
+        Gui.ActiveDocument.ActiveView.viewIsometric()
+        Gui.ActiveDocument.ActiveView.fitAll()
+        return box, ball
+
+    def select(self, *objects):
+        Gui.Selection.clearSelection()
+        for obj in objects:
+            if isinstance(obj, tuple):
+                Gui.Selection.addSelection(self.document.Name, obj[0].Name, obj[1])
+            else:
+                Gui.Selection.addSelection(self.document.Name, obj.Name)
+
+    def illustrate(self, *objects):
+        """A new illustration by the command, its panel closed with OK."""
+        self.select(*objects)
+        Gui.runCommand("Burin_NewIllustration")
+        self.assertTrue(Gui.Control.activeDialog())
+        obj = panel().obj
+        drawn(obj)
+        panel().accept()
+        settle()
+        return obj
