@@ -106,6 +106,14 @@ CLI::App* add_draw(CLI::App& app, DrawArguments& a, Chatter& chatter) {
        "suffix; repeatable; - is standard output and needs --format");
   text(*draw, "--format", a.format, "FORMAT", kFiles, kFormatHelp);
   add_openscad(*draw, a.read);
+  draw->add_flag_callback(
+          "--heal", [&a] { a.read.heal = "true"; },
+          "draw facets of meshes as the round surfaces that they\n"
+          "stand for (default for OpenSCAD files)")
+      ->group(kLook);
+  draw->add_flag_callback(
+          "--no-heal", [&a] { a.read.heal = "false"; }, "draw facets as they are")
+      ->group(kLook);
   text(*draw, "--view", a.view, "NAME|X,Y,Z", kSheet,
        "front back left right top bottom iso dimetric trimetric,\n"
        "or the direction from the model to the viewer (default iso)");

@@ -19,7 +19,11 @@ using Path = std::filesystem::path;
 
 constexpr Reader kMesh{
     "STL, OBJ, OFF, PLY, 3MF", nullptr, is_mesh_suffix,
-    [](const Path& path, const ReadOptions&, RunContext& c) { return read_mesh(path, c); },
+    [](const Path& path, const ReadOptions& o, RunContext& c) {
+      Scene scene = read_mesh(path, c);
+      if (o.heal.value_or(false)) heal_parts(scene, c);
+      return scene;
+    },
     [](const Path& path, const ReadOptions&, RunContext& c) { return inspect_mesh(path, c); }};
 
 constexpr Reader kCad{
@@ -51,7 +55,9 @@ OpenscadOptions openscad_options(const ReadOptions& o) { return {o.defines, o.op
 
 constexpr Reader kOpenscad{"OpenSCAD", nullptr, is_openscad_suffix,
                            [](const Path& path, const ReadOptions& o, RunContext& c) {
-                             return read_openscad(path, openscad_options(o), c);
+                             Scene scene = read_openscad(path, openscad_options(o), c);
+                             if (o.heal.value_or(true)) heal_parts(scene, c);
+                             return scene;
                            },
                            [](const Path& path, const ReadOptions& o, RunContext& c) {
                              return inspect_openscad(path, openscad_options(o), c);

@@ -86,7 +86,14 @@ constexpr std::array kReadRows{
     ReadRow{"raw", &ReadRequest::raw},
     ReadRow{"raw_skip", &ReadRequest::raw_skip},
     ReadRow{"openscad_timeout", &ReadRequest::openscad_timeout},
+    ReadRow{"heal", &ReadRequest::heal},
 };
+
+/// "true" or "false", also as Python spells them.
+bool flag_option(const std::string& option, std::string word) {
+  if (word == "True" || word == "False") word.front() += 'a' - 'A';
+  return word_option(option, word, {"false", "true"}) == 1;
+}
 
 VolumeReadOptions make_volume_options(const ReadRequest& r, Spelling spelling) {
   constexpr double kWidest = 100;  // samples
@@ -108,9 +115,7 @@ VolumeReadOptions make_volume_options(const ReadRequest& r, Spelling spelling) {
                                     "a share from 0 to 0.99 of the largest component's size")
                           .value_or(out.smallest_part);
   if (!r.interpolate.empty()) {
-    std::string word = r.interpolate;
-    if (word == "True" || word == "False") word.front() += 'a' - 'A';
-    out.interpolate = word_option(spelled("interpolate", spelling), word, {"false", "true"}) == 1;
+    out.interpolate = flag_option(spelled("interpolate", spelling), r.interpolate);
   }
   if (!r.raw.empty()) out.raw = parse_raw_layout(r.raw);
   if (!r.raw_skip.empty()) {
@@ -159,6 +164,9 @@ ReadOptions make_read_options(const ReadRequest& request, Spelling spelling) {
                               .value_or(read.openscad_timeout);
   read.volume = make_volume_options(request, spelling);
   if (!request.mesher.empty()) read.volume.mesher = read.mesher;
+  if (!request.heal.empty()) {
+    read.heal = flag_option(spelled("heal", spelling), request.heal);
+  }
   return read;
 }
 

@@ -31,6 +31,11 @@ std::shared_ptr<const Surface> MeshForm::realise(const RealiseOptions& options,
     curvature = estimate_curvature(proxy, {}, context);
   }
   context.end_stage();
+  return make_mesh_surface(std::move(proxy), curvature);
+}
+
+std::shared_ptr<const Surface> make_mesh_surface(ProxyMesh proxy,
+                                                 const std::vector<Curvature>& curvature) {
   return std::make_shared<MeshSurface>(std::move(proxy), curvature);
 }
 

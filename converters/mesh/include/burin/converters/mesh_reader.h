@@ -38,4 +38,8 @@ Scene repair_parts(MeshFile file, const std::filesystem::path& path, const RunCo
 /// Diagnostics of both steps are in the scene's.
 Scene read_mesh(const std::filesystem::path& path, const RunContext& context);
 
+/// Recognises the round surfaces that the facets of mesh parts stand for (kernel/docs/openscad.md);
+/// what was found becomes a diagnostic, and what was not leaves its part as it is.
+void heal_parts(Scene& scene, const RunContext& context);
+
 }  // namespace burin

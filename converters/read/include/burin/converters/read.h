@@ -27,6 +27,9 @@ struct ReadOptions {
   double openscad_timeout = 300;
   /// Volumes; trivariate splines of IRIT files take the level (0) and what is inside (below).
   VolumeReadOptions volume = {};
+  /// Whether the round surfaces that facets stand for are recognised and drawn; absent: those of
+  /// OpenSCAD files are, those of meshes not.
+  std::optional<bool> heal = {};
 };
 
 /// Throws InputError for the first path that is no file that can be opened.

@@ -29,6 +29,8 @@ struct ReadRequest {
   std::string interpolate;
   std::string raw;
   std::string raw_skip;
+  /// "true" or "false".
+  std::string heal = {};
 };
 
 /// Long options of `burin draw`, as they were typed; empty = absent.

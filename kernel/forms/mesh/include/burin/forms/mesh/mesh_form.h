@@ -1,10 +1,13 @@
 #pragma once
 /// Triangle meshes as a surface form.
 
+#include <burin/mesh/curvature.h>
+#include <burin/mesh/proxy_mesh.h>
 #include <burin/mesh/tri_mesh.h>
 #include <burin/surface/scene.h>
 
 #include <memory>
+#include <vector>
 
 namespace burin {
 
@@ -23,5 +26,10 @@ class MeshForm final : public Form {
  private:
   TriMesh mesh_;
 };
+
+/// The surface of a proxy mesh taken at its word: what MeshForm realises, for forms that make their
+/// own proxies. `curvature` has one entry a wedge, or none.
+std::shared_ptr<const Surface> make_mesh_surface(ProxyMesh proxy,
+                                                 const std::vector<Curvature>& curvature);
 
 }  // namespace burin

@@ -1,0 +1,235 @@
+#include "faces.h"
+
+#include "meet.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numbers>
+#include <numeric>
+
+namespace burin::healed {
+namespace {
+
+constexpr double kDegree = std::numbers::pi / 180;
+// A plane goes over into a round surface where it continues the run of facets: their angle to it is
+// no more than that between facets, and half of that to the surface itself.
+constexpr double kAsFacets = 1.1, kAsSurface = 0.55;
+
+class Sets {
+ public:
+  explicit Sets(std::size_t n) : parent_(n) { std::iota(parent_.begin(), parent_.end(), 0U); }
+  std::uint32_t find(std::uint32_t i) {
+    while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
+    return i;
+  }
+  void join(std::uint32_t a, std::uint32_t b) {
+    a = find(a);
+    b = find(b);
+    parent_[std::max(a, b)] = std::min(a, b);
+  }
+  /// Numbers from 0 in the order of first members.
+  std::vector<std::int32_t> numbers() {
+    std::vector<std::int32_t> number(parent_.size(), -1);
+    std::int32_t next = 0;
+    for (std::uint32_t i = 0; i < parent_.size(); ++i) {
+      const std::uint32_t root = find(i);
+      number[i] = root == i ? next++ : number[root];
+    }
+    return number;
+  }
+
+ private:
+  std::vector<std::uint32_t> parent_;
+};
+
+enum class Kind { Inside, Smooth, Tangent, Sharp };
+
+class Divider {
+ public:
+  Divider(const ProxyMesh& proxy, const Facets& facets, const Recognised& round)
+      : proxy_(proxy), facets_(facets), round_(round), meet_(round, facets) {}
+
+  Faces run() {
+    const std::size_t n = proxy_.mesh.triangles.size();
+    Sets sets(n);
+    std::vector<Kind> kinds(3 * n);
+    for (std::size_t h = 0; h < 3 * n; ++h) {
+      kinds[h] = kind(static_cast<HalfEdge>(h));
+      const HalfEdge o = proxy_.topology.opposite[h];
+      if (kinds[h] == Kind::Inside && o != kNoHalfEdge) {
+        sets.join(static_cast<std::uint32_t>(h / 3), face_of(o));
+      }
+    }
+    Faces out;
+    HealedMesh& m = out.mesh;
+    m.mesh = proxy_.mesh;
+    m.face = sets.numbers();
+    m.facet = facets_.of;
+    for (std::size_t t = 0; t < n; ++t) {
+      m.patch.push_back(round_.patch_of[static_cast<std::size_t>(facets_.of[t])]);
+    }
+    std::vector<std::uint8_t> flat(n, 1);
+    std::vector<std::int32_t> first(n, -1);
+    for (std::size_t t = 0; t < n; ++t) {
+      std::int32_t& f = first[static_cast<std::size_t>(m.face[t])];
+      if (f < 0) f = facets_.of[t];
+      if (f != facets_.of[t]) flat[static_cast<std::size_t>(m.face[t])] = 0;
+    }
+    std::map<std::array<std::int32_t, 4>, std::int32_t> records;
+    for (std::size_t h = 0; h < 3 * n; ++h) {
+      m.normal.push_back(proxy_.wedge_normal[proxy_.wedges[h / 3][h % 3]]);
+      m.edge.push_back(-1);
+      const HalfEdge o = proxy_.topology.opposite[h];
+      if (kinds[h] == Kind::Inside) continue;
+      const std::int32_t a = m.face[h / 3], b = o == kNoHalfEdge ? -1 : m.face[face_of(o)];
+      const auto exact = [&](std::size_t t) {
+        return m.patch[t] >= 0 || flat[static_cast<std::size_t>(m.face[t])] != 0;
+      };
+      const bool sharp = kinds[h] == Kind::Sharp;
+      // Where a freeform stretch goes over into a round one nobody drew an edge.
+      const bool named = sharp || (exact(h / 3) && exact(face_of(o)));
+      const auto [at, fresh] = records.try_emplace(
+          {std::min(a, b), std::max(a, b), static_cast<std::int32_t>(kinds[h]), named},
+          static_cast<std::int32_t>(records.size()));
+      if (fresh) {
+        out.edges.push_back({named ? at->second : -1, sharp});
+        out.tangent.push_back(kinds[h] == Kind::Tangent);
+      }
+      m.edge.back() = at->second;
+    }
+    return out;
+  }
+
+ private:
+  SurfaceRef ref_of(std::uint32_t t) const {
+    const std::int32_t f = facets_.of[t];
+    const std::int32_t p = round_.patch_of[static_cast<std::size_t>(f)];
+    return p >= 0 ? p : ~f;
+  }
+  const Patch* patch(SurfaceRef r) const {
+    return r < 0 ? nullptr : &round_.patches[static_cast<std::size_t>(r)];
+  }
+
+  Kind kind(HalfEdge h) const {
+    const HalfEdge o = proxy_.topology.opposite[static_cast<std::size_t>(h)];
+    if (o == kNoHalfEdge) return Kind::Sharp;
+    const SurfaceRef a = ref_of(face_of(h)), b = ref_of(face_of(o));
+    const Patch *pa = patch(a), *pb = patch(b);
+    if (a == b) return Kind::Inside;
+    if (!pa && !pb) {
+      return proxy_.edge_kind[static_cast<std::size_t>(h)] == EdgeKind::Smooth ? Kind::Inside
+                                                                               : Kind::Sharp;
+    }
+    if (pa && pb && pa->chain >= 0 && pa->chain == pb->chain) return Kind::Inside;
+    const Vec3 middle = 0.5 * (proxy_.mesh.positions[origin(proxy_.mesh, h)] +
+                               proxy_.mesh.positions[origin(proxy_.mesh, o)]);
+    const double angle = std::acos(
+        std::clamp(glm::dot(meet_.normal(a, middle), meet_.normal(b, middle)), -1.0, 1.0));
+    const double facets = std::acos(
+        std::clamp(glm::dot(facet_normal(face_of(h)), facet_normal(face_of(o))), -1.0, 1.0));
+    const double turn = std::max(pa ? pa->turn : 0, pb ? pb->turn : 0);
+    if (angle <= kDegree) return pa && pb ? Kind::Smooth : Kind::Tangent;
+    if (angle > kAsSurface * turn || facets > kAsFacets * turn) return Kind::Sharp;
+    return pa && pb ? Kind::Smooth : Kind::Tangent;
+  }
+
+  Vec3 facet_normal(std::uint32_t t) const {
+    return facets_.list[static_cast<std::size_t>(facets_.of[t])].normal;
+  }
+
+  const ProxyMesh& proxy_;
+  const Facets& facets_;
+  const Recognised& round_;
+  Meeting meet_;
+};
+
+/// The normal of a patch at a corner; at the tip of a cone that in the middle of the triangle.
+Vec3 corner_normal(const Patch& patch, Vec3 corner, Vec3 middle) {
+  constexpr double kTip = 1e-6;  // of the distance to the middle
+  const double r = patch.axis.profile(corner).x, far = glm::length(middle - corner);
+  if (patch.profile == Patch::Profile::Line && r < kTip * far) corner += kTip * (middle - corner);
+  return patch.normal_at(corner);
+}
+
+}  // namespace
+
+Faces find_faces(const ProxyMesh& proxy, const Facets& facets, const Recognised& round) {
+  return Divider(proxy, facets, round).run();
+}
+
+HealedFaces count_faces(const TriMesh& mesh, const Topology& topology, const Facets& facets,
+                        const Recognised& round) {
+  Sets sets(mesh.triangles.size());
+  const auto patch = [&](std::uint32_t t) {
+    return round.patch_of[static_cast<std::size_t>(facets.of[t])];
+  };
+  const auto kind = [&](std::int32_t p) { return round.patches[static_cast<std::size_t>(p)].kind; };
+  const auto chain = [&](std::int32_t p) {
+    return round.patches[static_cast<std::size_t>(p)].chain;
+  };
+  for (std::size_t h = 0; h < topology.opposite.size(); ++h) {
+    const HalfEdge o = topology.opposite[h];
+    if (o == kNoHalfEdge) continue;
+    const auto t = static_cast<std::uint32_t>(h / 3);
+    const std::int32_t a = patch(t), b = patch(face_of(o));
+    if (a < 0 || b < 0) continue;
+    if (a == b || (chain(a) >= 0 && chain(a) == chain(b) && kind(a) == kind(b))) {
+      sets.join(t, face_of(o));
+    }
+  }
+  HealedFaces n;
+  for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
+    if (patch(t) < 0 || sets.find(t) != t) continue;
+    const FaceKind k = kind(patch(t));
+    ++(k == FaceKind::Cylinder ? n.cylinders
+       : k == FaceKind::Cone   ? n.cones
+       : k == FaceKind::Sphere ? n.spheres
+       : k == FaceKind::Torus  ? n.tori
+                               : n.revolved);
+  }
+  return n;
+}
+
+ProxyMesh make_proxy(HealedMesh m, const Faces& faces, const Facets& facets,
+                     const Recognised& round, double tolerance, const RunContext& context) {
+  ProxyDraft draft;
+  const std::size_t corners = 3 * m.mesh.triangles.size();
+  draft.sharp.assign(corners, 0);
+  draft.source_edge.assign(corners, -1);
+  draft.seam.assign(corners, 0);
+  draft.corner_normal = m.normal;
+  // The normals of planes that a round surface runs into count there for both.
+  std::map<std::uint32_t, Vec3> planes;
+  for (std::size_t h = 0; h < corners; ++h) {
+    if (m.edge[h] < 0) continue;
+    const auto record = static_cast<std::size_t>(m.edge[h]);
+    draft.sharp[h] = faces.edges[record].sharp;
+    draft.source_edge[h] = faces.edges[record].source;
+    if (!faces.tangent[record] || m.patch[h / 3] >= 0) continue;
+    const Vec3 n = facets.list[static_cast<std::size_t>(m.facet[h / 3])].normal;
+    planes.try_emplace(m.mesh.triangles[h / 3][h % 3], n);
+    planes.try_emplace(m.mesh.triangles[h / 3][(h + 1 - 3 * (h / 3)) % 3], n);
+  }
+  for (std::size_t h = 0; h < corners; ++h) {
+    if (m.patch[h / 3] < 0) continue;
+    const Patch& patch = round.patches[static_cast<std::size_t>(m.patch[h / 3])];
+    const Triangle& t = m.mesh.triangles[h / 3];
+    const Vec3 middle =
+        (m.mesh.positions[t[0]] + m.mesh.positions[t[1]] + m.mesh.positions[t[2]]) / 3.0;
+    Vec3& n = draft.corner_normal[h];
+    n = corner_normal(patch, m.mesh.positions[t[h % 3]], middle);
+    const auto plane = planes.find(t[h % 3]);
+    if (plane == planes.end()) continue;
+    const double limit = std::max(kAsSurface * patch.turn, kDegree);
+    if (glm::dot(plane->second, n) >= std::cos(limit)) n = plane->second;
+  }
+  draft.source_face = std::move(m.face);
+  draft.mesh = std::move(m.mesh);
+  draft.tolerance = tolerance;
+  ProxyMesh proxy = assemble_proxy(std::move(draft), context);
+  proxy.on_contour.clear();  // it is not cut for a view
+  return proxy;
+}
+
+}  // namespace burin::healed

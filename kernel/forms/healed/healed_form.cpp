@@ -1,0 +1,83 @@
+#include <burin/forms/healed/healed_form.h>
+#include <burin/forms/mesh/mesh_form.h>
+#include <burin/mesh/curvature.h>
+
+#include "faces.h"
+#include "healed_surface.h"
+
+#include <algorithm>
+#include <mutex>
+
+namespace burin {
+
+struct HealedForm::Impl {
+  explicit Impl(TriMesh mesh) : form(std::move(mesh)) {}
+
+  MeshForm form;
+  healed::Facets facets;
+  std::shared_ptr<const healed::Recognised> round;
+  HealedFaces faces;
+  // The points that the box is taken of: made when it is asked for.
+  std::once_flag once;
+  std::vector<Vec3> outermost;
+};
+
+HealedForm::HealedForm(TriMesh mesh, const RunContext& context)
+    : impl_(std::make_unique<Impl>(std::move(mesh))) {
+  const TriMesh& m = impl_->form.mesh();
+  const Topology topology = build_topology(m, context);
+  impl_->facets = healed::find_facets(m, topology, context);
+  impl_->round = std::make_shared<const healed::Recognised>(healed::join_profiles(
+      m, impl_->facets, healed::find_bands(m, impl_->facets, context), context));
+  impl_->faces = healed::count_faces(m, topology, impl_->facets, *impl_->round);
+}
+HealedForm::~HealedForm() = default;
+
+const TriMesh& HealedForm::mesh() const { return impl_->form.mesh(); }
+HealedFaces HealedForm::faces() const { return impl_->faces; }
+
+Box3 HealedForm::bounds(const Mat3& axes) const {
+  Box3 box = impl_->form.bounds(axes);
+  if (impl_->faces.total() == 0) return box;
+  std::call_once(impl_->once, [&] {
+    constexpr double kChord = 2e-4;  // of the size
+    const RunContext context;
+    healed::Faces faces =
+        healed::find_faces(build_proxy(mesh(), {}, context), impl_->facets, *impl_->round);
+    const std::size_t old = mesh().positions.size();
+    healed::refine(faces.mesh, *impl_->round, impl_->facets, kChord * mesh().bounds().diagonal(),
+                   context);
+    const auto& all = faces.mesh.mesh.positions;
+    impl_->outermost.assign(all.begin() + static_cast<std::ptrdiff_t>(old), all.end());
+  });
+  const Mat3 rows = glm::transpose(axes);
+  for (const Vec3& p : impl_->outermost) {
+    box.add(Vec3(glm::dot(rows[0], p), glm::dot(rows[1], p), glm::dot(rows[2], p)));
+  }
+  return box;
+}
+
+std::shared_ptr<const Surface> HealedForm::realise(const RealiseOptions& options,
+                                                   RunContext& context) const {
+  if (impl_->faces.total() == 0) return impl_->form.realise(options, context);
+  context.begin_stage("build");
+  const ProxyOptions proxy_options{.crease_angle = options.crease_angle};
+  const ProxyMesh input = build_proxy(mesh(), proxy_options, context);
+  healed::Faces faces = healed::find_faces(input, impl_->facets, *impl_->round);
+  healed::HealedMesh refined = faces.mesh;
+  healed::refine(refined, *impl_->round, impl_->facets, options.tolerance, context);
+  std::vector<std::int32_t> patch = refined.patch;
+  ProxyMesh proxy = healed::make_proxy(std::move(refined), faces, impl_->facets, *impl_->round,
+                                       options.tolerance, context);
+  std::vector<Curvature> curvature;
+  const bool all_round = std::find(patch.begin(), patch.end(), -1) == patch.end();
+  if (options.curvature && !all_round) {
+    context.begin_stage("curvature");
+    curvature = estimate_curvature(proxy, {}, context);
+  }
+  context.end_stage();
+  return std::make_shared<healed::HealedSurface>(make_mesh_surface(std::move(proxy), curvature),
+                                                 impl_->round, std::move(patch));
+}
+
+}  // namespace burin
