@@ -1,5 +1,7 @@
 #include "bands.h"
 
+#include "balls.h"
+
 #include <Eigen/Dense>
 
 #include <algorithm>
@@ -22,7 +24,7 @@ constexpr double kOfSagitta = 0.05;
 // How far a facet may reach out of its share of the turn.
 constexpr double kSector = 0.02;
 // Nearly flat cones have no axis to speak of.
-constexpr double kFlattest = 0.9995;
+constexpr double kFlattest = 0.99995;
 constexpr std::size_t kLeastFacets = 3;
 // Neighbours of a facet at which a run may begin: those with the longest edges.
 constexpr std::size_t kNeighbours = 8;
@@ -98,6 +100,7 @@ class Finder {
       if (f % 64 == 0) context_.check();
       begin_at(static_cast<std::int32_t>(f));
     }
+    take_spheres();
     claim();
     join();
     take_lost();
@@ -170,7 +173,7 @@ class Finder {
     }
     grow(run, b);
     refine(run);
-    if (steps(run) < kLeastFacets) return;
+    if (!enough(run)) return;
     const auto id = static_cast<std::int32_t>(runs_.size());
     for (const std::int32_t f : run.facets) runs_of_[static_cast<std::size_t>(f)].push_back(id);
     runs_.push_back(std::move(run));
@@ -247,6 +250,23 @@ class Finder {
     return indices.size();
   }
 
+  /// Three planes at equal angles always touch some circle: of so few each facet must fill its
+  /// share of the turn, too.
+  bool enough(const Run& run) const {
+    const std::size_t n = steps(run);
+    if (n != kLeastFacets) return n > kLeastFacets;
+    return std::all_of(run.facets.begin(), run.facets.end(), [&](std::int32_t f) {
+      const double index = std::round(run.fit.angle(facet(f).center) / run.fit.step);
+      double low = 0, high = 0;
+      for (const std::uint32_t v : facet(f).vertices) {
+        const double a = run.fit.angle(mesh_.positions[v]) - index * run.fit.step;
+        low = std::min(low, std::remainder(a, kTurn));
+        high = std::max(high, std::remainder(a, kTurn));
+      }
+      return std::min(-low, high) >= 0.5 * run.fit.step * (1 - 2 * kSector);
+    });
+  }
+
   Band band_of(const Run& run) const {
     Band band;
     const Fit& fit = run.fit;
@@ -261,6 +281,77 @@ class Finder {
     return band;
   }
 
+  /// A ball is a globe where rings around one axis through its middle hold a good part of its
+  /// facets; other polyhedra with their corners on a sphere are what they are.
+  void take_spheres() {
+    constexpr double kShare = 0.3, kParallel = 1e-4;
+    out_.of_sphere.assign(facets_.list.size(), -1);
+    for (const Ball& ball : find_balls(mesh_, facets_, context_)) {
+      std::vector<std::uint8_t> in(facets_.list.size(), 0);
+      for (const std::int32_t f : ball.facets) in[static_cast<std::size_t>(f)] = 1;
+      std::vector<const Run*> rings;
+      for (const Run& run : runs_) {
+        const double aside = run.fit.axis.profile(ball.center).x;
+        if (aside > 0.1 * ball.sagitta + 10 * facets_.noise) continue;
+        const auto held = static_cast<std::size_t>(
+            std::count_if(run.facets.begin(), run.facets.end(),
+                          [&](std::int32_t f) { return in[static_cast<std::size_t>(f)] != 0; }));
+        if (10 * held >= 9 * run.facets.size()) rings.push_back(&run);
+      }
+      const Run* best = nullptr;
+      std::size_t most = 0;
+      for (const Run* ring : rings) {
+        std::vector<std::uint8_t> held(facets_.list.size(), 0);
+        std::size_t count = 0;
+        std::set<long> latitudes;
+        const double gap = std::abs(ball.radius) - distance(ring->fit, ball.center);
+        for (const Run* other : rings) {
+          const Vec3 across = glm::cross(ring->fit.axis.direction, other->fit.axis.direction);
+          if (glm::length(across) > kParallel) continue;
+          // Rings at equal steps of latitude touch one smaller sphere.
+          const double deeper = std::abs(ball.radius) - distance(other->fit, ball.center) - gap;
+          if (std::abs(deeper) > 0.1 * gap + 3 * facets_.noise) continue;
+          const double up = glm::dot(ring->fit.axis.direction, other->fit.axis.direction);
+          latitudes.insert(std::lround(1000 * up * other->fit.rise));
+          for (const std::int32_t f : other->facets) {
+            count += held[static_cast<std::size_t>(f)] == 0 && in[static_cast<std::size_t>(f)] != 0;
+            held[static_cast<std::size_t>(f)] = 1;
+          }
+        }
+        if (count > most && latitudes.size() >= kLeastFacets) {
+          most = count;
+          best = ring;
+        }
+      }
+      if (!best || static_cast<double>(most) < kShare * static_cast<double>(ball.facets.size())) {
+        continue;
+      }
+      add_sphere(ball, best->fit);
+    }
+  }
+
+  /// From a point on the axis to the cone of a run.
+  static double distance(const Fit& fit, Vec3 center) {
+    const double c = fit.spread() * std::cos(0.5 * fit.step);
+    const double h = glm::dot(center - fit.axis.origin, fit.axis.direction);
+    return std::abs(fit.offset - fit.rise * h) / std::sqrt(c * c + fit.rise * fit.rise);
+  }
+
+  void add_sphere(const Ball& ball, const Fit& ring) {
+    Patch p;
+    p.axis = {ball.center, ring.axis.direction};
+    p.step = ring.step;
+    p.sagitta = ball.sagitta;
+    p.turn = ring.step;
+    p.profile = Patch::Profile::Circle;
+    p.radius = ball.radius;
+    p.kind = FaceKind::Sphere;
+    for (const std::int32_t f : ball.facets) {
+      out_.of_sphere[static_cast<std::size_t>(f)] = static_cast<std::int32_t>(out_.spheres.size());
+    }
+    out_.spheres.push_back(p);
+  }
+
   /// The largest runs take their facets.
   void claim() {
     std::vector<std::size_t> order(runs_.size());
@@ -271,9 +362,13 @@ class Finder {
     out_.of.assign(facets_.list.size(), -1);
     for (const std::size_t i : order) {
       Run& run = runs_[i];
-      std::erase_if(run.facets,
-                    [&](std::int32_t f) { return out_.of[static_cast<std::size_t>(f)] >= 0; });
-      if (run.facets.empty() || steps(run) < kLeastFacets) continue;
+      // A meridian of a sphere looks like a cylinder; what its rings leave of it is none.
+      const std::size_t before = run.facets.size();
+      std::erase_if(run.facets, [&](std::int32_t f) {
+        const auto k = static_cast<std::size_t>(f);
+        return out_.of[k] >= 0 || out_.of_sphere[k] >= 0;
+      });
+      if (2 * run.facets.size() < before || !enough(run)) continue;
       Band band = band_of(run);
       for (const std::int32_t f : run.facets) {
         out_.of[static_cast<std::size_t>(f)] = static_cast<std::int32_t>(out_.list.size());
@@ -328,7 +423,7 @@ class Finder {
   void take_lost() {
     std::size_t tests = 0;
     for (std::size_t f = 0; f < facets_.list.size(); ++f) {
-      if (out_.of[f] >= 0) continue;
+      if (out_.of[f] >= 0 || out_.of_sphere[f] >= 0) continue;
       if (f % 64 == 0) context_.check();
       const Facet& g = facets_.list[f];
       if (thin(g)) {

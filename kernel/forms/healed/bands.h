@@ -21,9 +21,13 @@ struct Bands {
   std::vector<Band> list;
   /// For each facet its band, or -1.
   std::vector<std::int32_t> of;
+  /// Spheres, and for each facet its sphere, or -1.
+  std::vector<Patch> spheres;
+  std::vector<std::int32_t> of_sphere;
 };
 
-/// Larger runs first; a facet is in one at the most. Bands of the same surface are one.
+/// Spheres before runs, as the meridians of a sphere look like runs; larger runs first; a facet is
+/// in one at the most. Bands of the same surface are one.
 Bands find_bands(const TriMesh& mesh, const Facets& facets, const RunContext& context);
 
 }  // namespace burin::healed

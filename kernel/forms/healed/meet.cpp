@@ -40,7 +40,9 @@ bool Meeting::operator()(const std::vector<SurfaceRef>& refs, Vec3& p) const {
   double sagittas = 0;
   for (const SurfaceRef r : refs) sagittas = std::max(sagittas, sagitta(r));
   if (refs.size() == 1 && refs.front() >= 0) {
-    p = round_.patches[static_cast<std::size_t>(refs.front())].project(p);
+    const Vec3 q = round_.patches[static_cast<std::size_t>(refs.front())].project(p);
+    if (!(glm::length(q - p) <= kReach * sagittas + 10 * facets_.noise)) return false;
+    p = q;
     return true;
   }
   const double close = 2 * facets_.noise + 1e-3 * sagittas;

@@ -37,6 +37,11 @@ class Joiner {
       out_.patches.push_back(b.patch);
       nodes_.push_back({static_cast<std::int32_t>(nodes_.size()), -1, {}});
     }
+    const auto first = static_cast<std::int32_t>(out_.patches.size());
+    out_.patches.insert(out_.patches.end(), bands_.spheres.begin(), bands_.spheres.end());
+    for (std::size_t f = 0; f < facets_.list.size(); ++f) {
+      if (bands_.of_sphere[f] >= 0) out_.patch_of[f] = first + bands_.of_sphere[f];
+    }
     for (std::size_t b = 0; b < bands_.list.size(); ++b) {
       if (b % 16 == 0) context_.check();
       meet(static_cast<std::int32_t>(b));
@@ -64,7 +69,7 @@ class Joiner {
     for (const std::int32_t f : bands_.list[static_cast<std::size_t>(b)].facets) {
       for (const FacetLink& l : facet(f).links) {
         const std::int32_t other = bands_.of[static_cast<std::size_t>(l.facet)];
-        if (other == b) continue;
+        if (other == b || bands_.of_sphere[static_cast<std::size_t>(l.facet)] >= 0) continue;
         if (glm::dot(facet(f).normal, facet(l.facet).normal) < std::cos(kLargestTurn)) continue;
         if (other >= 0) {
           if (linked(b, other) || !same_axis(patch(b), patch(other))) continue;
