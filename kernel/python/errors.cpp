@@ -39,6 +39,7 @@ void set(PyObject* type, const std::string& message, const std::string& file, st
   PyErr_SetObject(type, error.ptr());
 }
 
+// NOLINTNEXTLINE(performance-unnecessary-value-param): as pybind11 wants it
 void translate(std::exception_ptr pointer) {
   try {
     if (pointer) std::rethrow_exception(pointer);
