@@ -8,7 +8,9 @@ from collections.abc import Callable, Mapping, Sequence
 from os import PathLike
 from typing import Any
 
-from numpy import ndarray
+from numpy.typing import NDArray
+
+_Array = NDArray[Any]
 
 __version__: str
 
@@ -77,7 +79,7 @@ class Scene:
         brep: str | bytes,
         name: str = "",
         *,
-        placement: ndarray | Sequence[Sequence[float]] | None = None,
+        placement: _Array | Sequence[Sequence[float]] | None = None,
         color: str = "",
         assembly: Sequence[str] = (),
         source: str = "",
@@ -87,8 +89,8 @@ class Scene:
         and edges are numbered as in the shape (TopExp order), from 0."""
     def add_mesh(
         self,
-        vertices: ndarray,
-        triangles: ndarray,
+        vertices: _Array,
+        triangles: _Array,
         name: str = "",
         *,
         color: str = "",
@@ -98,12 +100,12 @@ class Scene:
         """`vertices` (n, 3), `triangles` (m, 3) of any integer type; repaired as files are."""
     def add_function(
         self,
-        values: Callable[[ndarray], ndarray],
+        values: Callable[[_Array], _Array],
         bounds: Sequence[float],
         name: str = "",
         *,
-        gradients: Callable[[ndarray], ndarray] | None = None,
-        hessians: Callable[[ndarray], ndarray] | None = None,
+        gradients: Callable[[_Array], _Array] | None = None,
+        hessians: Callable[[_Array], _Array] | None = None,
         samples: int = 192,
     ) -> Part:
         """The zero set of a function, negative inside, clipped by `bounds`: `values` takes points (n, 3)
@@ -118,7 +120,7 @@ class Scene:
         """A function as text, as in `.implicit` files."""
     @property
     def parts(self) -> list[Part]: ...
-    def bounds(self) -> ndarray:
+    def bounds(self) -> _Array:
         """(2, 3): least and greatest coordinates."""
     @property
     def diagnostics(self) -> list[Diagnostic]: ...
@@ -166,13 +168,13 @@ class Path:
     def family(self) -> int:
         """Strokes: 1 or 2, the family in the field, else 0."""
     @property
-    def points(self) -> ndarray:
+    def points(self) -> _Array:
         """(n, 2) mm of paper."""
     @property
-    def points3(self) -> ndarray:
+    def points3(self) -> _Array:
         """(n, 3) mm of the model."""
     @property
-    def width(self) -> ndarray:
+    def width(self) -> _Array:
         """(1,) or (n,) mm of paper."""
 
 class Layer:
@@ -193,30 +195,30 @@ class View:
     def projection(self) -> str:
         """"orthographic" or "perspective"."""
     @property
-    def direction(self) -> ndarray:
+    def direction(self) -> _Array:
         """(3,) unit vector from the model to the viewer."""
     @property
-    def right(self) -> ndarray:
+    def right(self) -> _Array:
         """(3,) what points right on the sheet."""
     @property
-    def up(self) -> ndarray:
+    def up(self) -> _Array:
         """(3,) what points up on it."""
     @property
     def scale(self) -> float:
         """Paper mm a model mm (perspective: in the plane through `center`)."""
     @property
-    def center(self) -> ndarray:
+    def center(self) -> _Array:
         """(3,) the model point at `offset`, in mm."""
     @property
-    def offset(self) -> ndarray:
+    def offset(self) -> _Array:
         """(2,) mm of paper."""
     @property
-    def eye(self) -> ndarray:
+    def eye(self) -> _Array:
         """(3,) the viewer's place in mm; perspective only."""
     @property
     def field_of_view(self) -> float:
         """Vertical, in degrees; 0 = orthographic."""
-    def project(self, points: ndarray) -> ndarray:
+    def project(self, points: _Array) -> _Array:
         """(n, 3) of the model to (n, 2) of the sheet."""
 
 class Drawing:
@@ -236,7 +238,7 @@ class Drawing:
     def seed(self) -> int: ...
     @property
     def stats(self) -> dict[str, float]: ...
-    def arrays(self) -> dict[str, ndarray]:
+    def arrays(self) -> dict[str, _Array]:
         """All paths as few arrays, for programs that show them: "points" (N, 2), "points3" (N, 3),
         "width" (N,), and a path: "first" (P + 1,) index of its first point, "layer", "kind", "part",
         "face", "edge", "family", "visible", "closed" (P,); "kinds" and "layers" are lists of names."""
@@ -268,8 +270,8 @@ def draw(
     seed: int = 1,
     threads: int | None = None,
     center: Sequence[float] | None = None,
-    field: Callable[[ndarray, ndarray], ndarray] | None = None,
-    tone: Callable[[ndarray, ndarray], ndarray] | None = None,
+    field: Callable[[_Array, _Array], _Array] | None = None,
+    tone: Callable[[_Array, _Array], _Array] | None = None,
     progress: Progress | None = None,
     cancel: Cancel | None = None,
     **read_options: Any,
