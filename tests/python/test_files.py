@@ -26,8 +26,6 @@ class Save(unittest.TestCase):
     def test_each_format(self):
         self.assertTrue({"svg", "json"} <= set(burin.formats()))
         for suffix in burin.formats():
-            if suffix == "dxf":
-                continue  # has tests of its own
             path = self.folder / f"a.{suffix}"
             self.drawing.save(path)
             self.assertGreater(path.stat().st_size, 500)
