@@ -15,6 +15,7 @@ constexpr std::uint8_t kRings = 3;
 // away from the surface.
 constexpr double kFlat = 0.05;
 constexpr double kTilted = 0.4;
+constexpr double kEach = 600;  // nanoseconds an edge and pass
 
 struct Half {
   std::uint32_t low = 0, high = 0, face = 0, corner = 0;
@@ -57,6 +58,7 @@ class Flipper {
         edges_.push_back({std::min(u, v), std::max(u, v), t, k});
       }
     }
+    mesh_.budget.spend(static_cast<double>(edges_.size()), kEach);
     std::ranges::sort(edges_, {}, &Half::order);
   }
 

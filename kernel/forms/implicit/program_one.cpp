@@ -179,8 +179,9 @@ void unary(const Step& s, double* __restrict r, const double* __restrict a) {
 }
 
 template <int Count>
-void step(const Step& s, double* __restrict r, const double* __restrict a,
-          const double* __restrict b, Vec3 p) {
+[[gnu::always_inline]] inline void step(const Step& s, double* __restrict r,
+                                        const double* __restrict a, const double* __restrict b,
+                                        Vec3 p) {
   switch (s.op) {
     case Op::Constant:
       r[0] = s.value;
