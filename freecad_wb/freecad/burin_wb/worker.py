@@ -59,28 +59,48 @@ def interpreter():
 class Worker:
     """One worker process; keeps running from job to job. For one thread at a time, except `cancel`."""
 
+    _told = False  # that there is no process of its own; once a session
+
     def __init__(self):
         self._process = None
         self._log = None
         self._lock = threading.Lock()
+        self._sending = threading.Lock()
+        self._here = None  # the Cancel of a run in this process
 
     def start(self):
-        """Starts the process ahead of the first job. Throws Failed."""
+        """Starts the process ahead of the first job. Whether there is one: without an interpreter that can be
+        started by itself, or where the system lets none start, jobs run in this process."""
         with self._lock:
-            if self._process is None or self._process.poll() is not None:
-                self._launch()
+            if self._process is not None and self._process.poll() is None:
+                return True
+            self._forget()
+            python = interpreter()
+            try:
+                if python is not None:
+                    self._launch(python)
+                    return True
+                why = "no Python interpreter was found; set BURIN_PYTHON to one"
+            except OSError as error:
+                why = f"{python}: {error.strerror}"
+        if not Worker._told:
+            Worker._told = True
+            print(f"Burin: drawing inside FreeCAD itself, not in a process of its own ({why})", file=sys.stderr)
+        return False
 
     def draw(self, job, progress=None):
         """Runs a job to its end. Returns a job.Result. `progress(stage, share)` is called from this thread.
         Throws Failed or Stopped."""
-        self.start()
-        process = self._process
+        if not self.start():
+            return self._draw_here(job, progress)
+        process, log = self._process, self._log
         try:
-            _send(process.stdin, ("draw", job))
+            with self._sending:
+                _send(process.stdin, ("draw", job))
             while True:
                 message = _receive(process.stdout)
                 if message is None:
-                    raise Failed(self._last_words(process))
+                    raise Failed(self._last_words(process, log))
                 kind, *rest = message
                 if kind == "progress":
                     if progress is not None:
@@ -91,38 +111,49 @@ class Worker:
                     raise Stopped()
                 else:
                     raise Failed(rest[0])
-        except (BrokenPipeError, OSError) as error:
-            raise Failed(self._last_words(process)) from error
+        except (OSError, ValueError, EOFError, pickle.UnpicklingError) as error:
+            raise Failed(self._last_words(process, log)) from error
+
+    def _draw_here(self, job, progress):
+        from . import kernel
+
+        try:
+            burin = kernel.module()
+        except kernel.KernelMissing as error:
+            raise Failed(str(error)) from error
+        self._here = burin.Cancel()
+        try:
+            return job.run(burin, progress, self._here)
+        except burin.Cancelled:
+            raise Stopped() from None
+        except burin.Error as error:
+            raise Failed(str(error)) from error
+        finally:
+            self._here = None
 
     def cancel(self):
-        """Asks the job under way to end; may be called from any thread."""
-        process = self._process
+        """Asks the job under way to end; may be called from any thread. Takes as long as a job takes to be sent."""
+        here, process = self._here, self._process
+        if here is not None:
+            here.cancel()
         if process is not None and process.poll() is None:
             try:
-                _send(process.stdin, ("cancel",))
-            except (BrokenPipeError, OSError):
+                with self._sending:
+                    _send(process.stdin, ("cancel",))
+            except (OSError, ValueError):
                 pass
 
     def stop(self):
         """Ends the process, whatever it does."""
         with self._lock:
-            process, self._process = self._process, None
-        if process is None:
-            return
-        process.kill()
-        process.wait()
-        for stream in (process.stdin, process.stdout, self._log):
-            try:
-                stream.close()
-            except OSError:
-                pass
+            process = self._process
+            if process is not None:
+                process.kill()
+                process.wait()
 
-    def _launch(self):
+    def _launch(self, python):
         from . import kernel
 
-        python = interpreter()
-        if python is None:
-            raise Failed("no Python interpreter was found for the worker; set BURIN_PYTHON to one")
         environment = dict(os.environ)
         environment["BURIN_PYTHON_PATH"] = os.pathsep.join(kernel.folders())
         for name in ("PYTHONHOME", "LD_PRELOAD"):
@@ -132,18 +163,32 @@ class Worker:
             [python, os.path.abspath(__file__)], stdin=subprocess.PIPE, stdout=subprocess.PIPE,
             stderr=self._log, env=environment, start_new_session=True)
 
-    def _last_words(self, process):
+    def _forget(self):
+        """With the lock held: closes what an ended process left."""
+        if self._process is None:
+            return
+        for stream in (self._process.stdin, self._process.stdout, self._log):
+            try:
+                stream.close()
+            except OSError:
+                pass
+        self._process = None
+
+    @staticmethod
+    def _last_words(process, log):
         try:
             status = process.wait(timeout=5)
         except subprocess.TimeoutExpired:
             process.kill()
             status = process.wait()
-        self._log.seek(0)
-        said = self._log.read().decode(errors="replace").strip().splitlines()
-        self._process = None
+        try:
+            log.seek(0)
+            said = log.read().decode(errors="replace").strip().splitlines()
+        except (OSError, ValueError):
+            said = []
         why = "signal %d" % -status if status < 0 else "status %d" % status
         tail = ": " + said[-1] if said else ""
-        return f"the drawing kernel ended unexpectedly ({why}){tail}; the document is as it was"
+        return f"the drawing kernel ended unexpectedly ({why}){tail}; the document is as it was, the next run starts it anew"
 
 
 # --- the worker -----------------------------------------------------------------------------------

@@ -51,7 +51,7 @@ class Picker:
         path = self.sheet.nearest(here, reach)
         if path is None:
             return None
-        return select(self.obj.Document, *self.sheet.element(path))
+        return select(self.obj.Document, *self.sheet.element(path, here))
 
     def _on_plane(self, position):
         """Where the line of sight through a pixel meets the plane of the ink."""

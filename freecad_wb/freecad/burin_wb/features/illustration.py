@@ -6,12 +6,16 @@ import tempfile
 import FreeCAD
 
 from .. import worker
-from ..job import Job
-from .properties import ILLUSTRATION, SCHEMA, ensure
-from .sources import collect
+from ..job import Job, Refused
+from . import styles
+from .properties import ILLUSTRATION, ensure, is_newer
+from .sources import collect, from_the_top, invalid
 
 
 _worker = worker.Worker()
+
+# What the kernel says of parts and notes may be long; this many are shown.
+SHOWN = 6
 
 
 def run_to_end(obj, job, finish):
@@ -43,25 +47,31 @@ class Illustration:
         self._restored = True
         ensure(obj, ILLUSTRATION)
         _dress(obj)
-        if obj.Schema > SCHEMA:
-            FreeCAD.Console.PrintWarning(
-                f"{obj.Label}: was made by a newer Burin; its drawing is shown as it was kept\n"
-            )
+        if is_newer(obj):
+            FreeCAD.Console.PrintWarning(f"{obj.Label}: {NEWER}\n")
 
     def execute(self, obj):
-        if obj.Schema > SCHEMA:
+        if is_newer(obj):
+            FreeCAD.Console.PrintWarning(f"{obj.Label}: {NEWER}\n")
             return
-        job = make_job(obj)
+        try:
+            job = make_job(obj)
+        except Refused as why:
+            tell(obj, why)
+            return
         exact = job.exact_fingerprint()
         if self._is_drawn(obj, job, exact):
             return
 
         def finish(result, error):
-            if error is not None:
-                obj.Message = str(error)
-                FreeCAD.Console.PrintError(f"{obj.Label}: {error}\n")
-                return
-            keep(obj, result, exact)
+            if error is None:
+                try:
+                    keep(obj, result, exact)
+                    return
+                except OSError as failure:
+                    error = (f"the drawing cannot be kept in the document ({failure}); make room on the disk or save "
+                             "the document elsewhere")
+            tell(obj, error)
 
         scheduler(obj, job, finish)
 
@@ -99,13 +109,42 @@ def _dress(obj):
         view.dress(obj)
 
 
+NEWER = "was made by a newer Burin; it is shown as it was kept and not drawn again. Install that version to change it"
+
+
+def tell(obj, error):
+    """A run did not end with a drawing: the one before stays."""
+    text = str(error)
+    if isinstance(error, worker.Failed):
+        faulty = invalid(obj.Sources)
+        if faulty:
+            text += "; faulty shapes (see Part > Check geometry): " + shortened(faulty, ", ")
+    if obj.Drawing:
+        text += "; the drawing shown is the one before"
+    obj.Message = text
+    FreeCAD.Console.PrintError(f"{obj.Label}: {text}\n")
+
+
+def shortened(texts, between="; "):
+    shown = between.join(texts[:SHOWN])
+    return shown if len(texts) <= SHOWN else f"{shown}{between}and {len(texts) - SHOWN} more"
+
+
 def is_illustration(obj):
     return isinstance(getattr(obj, "Proxy", None), Illustration)
 
 
 def make_job(obj):
-    """What the kernel is to do for this object, as plain data."""
+    """What the kernel is to do for this object, as plain data. Throws Refused."""
+    if not obj.Sources:
+        raise Refused("nothing to draw: Sources is empty; choose parts, bodies, meshes or assemblies there")
     parts, notes = collect(obj.Sources, obj.Looks)
+    if not parts:
+        raise Refused("nothing to draw: " + shortened(notes))
+    style = styles.resolve(obj.Style, obj.Document)
+    for part in parts:
+        if part.style:
+            part.style = styles.resolve(part.style, obj.Document)
     options = {
         "view": tuple(obj.ViewDirection),
         "up": tuple(obj.ViewUp),
@@ -113,23 +152,23 @@ def make_job(obj):
         "paper": (obj.Width.Value, obj.Height.Value),
         "margin": obj.Margin.Value,
         "scale": None if obj.FitScale else obj.Scale,
-        "style": obj.Style,
+        "style": style,
         "set": dict(obj.StyleKeys),
         "light": tuple(obj.Light),
         "hidden": obj.HiddenLines.lower(),
         "seed": obj.Seed,
         "tolerance": obj.Tolerance.Value or None,
     }
-    return Job(parts, options, notes)
+    return Job(parts, options, notes, styles.contents({style, *(p.style for p in parts)}))
 
 
 def keep(obj, result, exact):
-    """Puts the result of a run into the document."""
+    """Puts the result of a run into the document. Throws OSError."""
     _include(obj, "Drawing", result.drawing, ".json")
     _include(obj, "Picture", result.picture, ".svg")
     obj.DrawnScale = result.scale
     obj.Inputs = exact + ":" + result.fingerprint
-    obj.Message = "; ".join(result.messages)
+    obj.Message = shortened(result.messages)
 
 
 def _include(obj, name, data, suffix):
@@ -147,5 +186,22 @@ def make_illustration(document, sources, name="Illustration"):
     """A new illustration of `sources`, a list of objects or (object, sub-names). No transaction, no recompute."""
     obj = document.addObject("App::FeaturePython", name)
     Illustration(obj)
-    obj.Sources = [s if isinstance(s, tuple) else (s, ("",)) for s in sources]
+    obj.Sources = [_whole(*s) if isinstance(s, tuple) else _whole(s, ("",)) for s in sources]
     return obj
+
+
+def _whole(obj, subs):
+    """A source through the outermost assembly, so that moving the assembly is noticed."""
+    subs = (subs,) if isinstance(subs, str) else tuple(subs) or ("",)
+    tops = [from_the_top(obj, sub) for sub in subs]
+    return tops[0][0], tuple(sub for _, sub in tops)
+
+
+def repair(document):
+    """Gives illustrations that were saved without the add-on their behaviour back. Returns them."""
+    lost = [o for o in document.Objects if getattr(o, "Proxy", 0) is None
+            and {"Sources", "Drawing", "Inputs", "Schema"} <= set(o.PropertiesList)]
+    for obj in lost:
+        obj.Proxy = Illustration.__new__(Illustration)
+        obj.Proxy.onDocumentRestored(obj)
+    return lost

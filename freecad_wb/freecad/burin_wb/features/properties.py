@@ -55,8 +55,16 @@ FLAT_EDGES = (
 )
 
 
+def is_newer(obj):
+    """Whether a newer version made the object: it is shown and not touched."""
+    return getattr(obj, "Schema", 0) > SCHEMA
+
+
 def ensure(obj, rows):
-    """Adds what is missing, so that objects of older schemas get new properties with their defaults."""
+    """Adds what is missing, so that objects of older schemas get new properties with their defaults. Leaves objects
+    of newer schemas alone."""
+    if is_newer(obj):
+        return
     have = set(obj.PropertiesList)
     for row in rows:
         if row.name in have:
@@ -67,3 +75,5 @@ def ensure(obj, rows):
     for row in rows:
         if row.name in READ_ONLY:
             obj.setEditorMode(row.name, 3 if row.name in HIDDEN else 1)
+    if obj.Schema != SCHEMA:
+        obj.Schema = SCHEMA

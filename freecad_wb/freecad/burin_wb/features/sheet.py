@@ -51,34 +51,49 @@ class Sheet:
                 best, found = distance, path
         return found
 
-    def element(self, path):
-        """Of what a path tells: the source object's path ('Assembly.Body') and its element ('Edge3', 'Face7' or '')."""
+    def element(self, path, point=None):
+        """Of what a path tells: the source object's path ('Assembly.Body') and its element ('Edge3', 'Face7' or '').
+        Lines that run over several faces tell of the one at `point`, a paper point; without it of the longest."""
         source = next((p["source"] for p in self.data["parts"] if p["id"] == path["part"]), "")
         if path["edge"] >= 0:
             return source, f"Edge{path['edge'] + 1}"
-        if path["face"] >= 0:
-            return source, f"Face{path['face'] + 1}"
-        return source, ""
+        face = path["face"]
+        if point is not None and path.get("faces"):
+            at = nearest_segment(path, point)[1]
+            face = [f for first, f in path["faces"] if first <= at][-1]
+        return source, f"Face{face + 1}" if face >= 0 else ""
 
     def paths_of(self, source, element=""):
         """The paths that an object, or one of its elements, made."""
         parts = {p["id"] for p in self.data["parts"] if p["source"] == source}
         for _, path in self.paths():
-            if path["part"] in parts and (not element or self.element(path)[1] == element
-                                          or element == f"Face{path['face'] + 1}"):
+            if path["part"] in parts and (not element or element in elements_of(path)):
                 yield path
+
+
+def elements_of(path):
+    """All elements that a path tells of."""
+    found = {f"Face{face + 1}" for face in [path["face"], *(f for _, f in path.get("faces", ()))] if face >= 0}
+    if path["edge"] >= 0:
+        found.add(f"Edge{path['edge'] + 1}")
+    return found
 
 
 def distance_to(path, point):
     """From a paper point to a path, in mm."""
+    return nearest_segment(path, point)[0]
+
+
+def nearest_segment(path, point):
+    """The distance from a paper point to a path, in mm, and the number of the point that begins the segment there."""
     points = path["points"]
     if path["closed"]:
         points = points + points[:1]
-    best = math.inf
+    best = math.inf, 0
     x, y = point
-    for (ax, ay), (bx, by) in zip(points, points[1:]):
+    for k, ((ax, ay), (bx, by)) in enumerate(zip(points, points[1:])):
         dx, dy = bx - ax, by - ay
         square = dx * dx + dy * dy
         t = max(0.0, min(1.0, ((x - ax) * dx + (y - ay) * dy) / square)) if square else 0.0
-        best = min(best, math.hypot(ax + t * dx - x, ay + t * dy - y))
+        best = min(best, (math.hypot(ax + t * dx - x, ay + t * dy - y), k))
     return best

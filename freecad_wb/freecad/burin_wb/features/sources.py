@@ -12,8 +12,18 @@ def collect(sources, looks=None):
     parts, notes, seen = [], [], set()
     for obj, subs in sources:
         for sub in _objects_of(subs):
-            _walk(obj, sub, True, parts, notes, seen, looks or {})
+            _walk(*from_the_top(obj, sub), True, parts, notes, seen, looks or {})
     return parts, notes
+
+
+def from_the_top(obj, sub=""):
+    """An object inside assemblies as the outermost assembly has it: (assembly, 'Inner.Body.'). Only so placements
+    are those of the whole."""
+    inside, part = obj, obj.getParentGeoFeatureGroup()
+    while part is not None:
+        obj, sub, part = part, inside.Name + "." + sub, part.getParentGeoFeatureGroup()
+        inside = obj
+    return obj, sub
 
 
 def _objects_of(subs):
@@ -23,7 +33,10 @@ def _objects_of(subs):
 
 
 def _walk(top, sub, asked, parts, notes, seen, looks):
-    resolved = top.getSubObject(sub, retType=1) if sub else top
+    try:
+        resolved = top.getSubObject(sub, retType=1) if sub else top
+    except Exception:  # FreeCAD throws many kinds for names that it does not know
+        resolved = None
     path = top.Name + ("." + sub.rstrip(".") if sub else "")
     if resolved is None:
         notes.append(f"{path}: the object is gone; choose the sources again")
@@ -32,35 +45,52 @@ def _walk(top, sub, asked, parts, notes, seen, looks):
         return
     seen.add(path)
     leaf = resolved.getLinkedObject(True)
-    if not asked and not _visible(top, sub, resolved):
+    if leaf is None or _is_broken_link(leaf):
+        notes.append(f"{resolved.Label}: links to something that is not there; open the file that it links to, or "
+                     "repair the link")
         return
-    if leaf is None:
-        notes.append(f"{resolved.Label}: links to something that is not there; repair the link")
-        return
-    if _is_container(leaf):
-        for child in resolved.getSubObjects():
-            _walk(top, sub + child, False, parts, notes, seen, looks)
+    children = _children(resolved, leaf)
+    if children is not None:
+        before = len(parts) + len(notes)
+        for child in children:
+            if _visible(resolved, top, sub + child):
+                _walk(top, sub + child, False, parts, notes, seen, looks)
+        if asked and len(parts) + len(notes) == before:
+            notes.append(f"{resolved.Label}: has no visible shape in it; show what is to be drawn")
         return
     try:
         part = _part(top, sub, resolved, leaf, path)
     except Left as why:
-        if asked:
+        if asked or "Invalid" in resolved.State:
             notes.append(f"{resolved.Label}: {why}")
         return
+    if "Invalid" in resolved.State:
+        notes.append(f"{resolved.Label}: its last recompute failed; drawn as it was before that")
     _apply_looks(part, looks.get(path) or looks.get(resolved.Name) or "")
     parts.append(part)
 
 
-def _visible(top, sub, obj):
-    return bool(getattr(obj, "Visibility", True))
+def _visible(parent, top, sub):
+    """Whether a child is shown: links have a say of their own, else the object's property holds."""
+    said = parent.isElementVisible(sub.rstrip(".").rpartition(".")[2])
+    if said >= 0:
+        return said == 1
+    child = top.getSubObject(sub, retType=1)
+    return child is None or bool(getattr(child, "Visibility", True))
 
 
-def _is_container(obj):
-    if obj.isDerivedFrom("PartDesign::Body") or hasattr(obj, "Shape") and not obj.hasExtension(
-        "App::GroupExtension"
-    ):
-        return False
-    return obj.isDerivedFrom("App::Part") or obj.hasExtension("App::GroupExtension")
+def _is_broken_link(leaf):
+    return leaf.isDerivedFrom("App::Link") and not leaf.getSubObjects()
+
+
+def _children(obj, leaf):
+    """Sub-names of the objects in an assembly, a group, a link array; None for what has a shape of its own."""
+    if leaf.isDerivedFrom("PartDesign::Body"):
+        return None
+    if (leaf.hasExtension("App::GroupExtension") or leaf.isDerivedFrom("App::LinkGroup")
+            or leaf.isDerivedFrom("App::Link")):
+        return obj.getSubObjects()
+    return None
 
 
 def _labels(top, sub):
@@ -99,14 +129,29 @@ def _mesh(top, sub, leaf):
 
     points, facets = leaf.Mesh.Topology
     if not facets:
-        raise Left("is an empty mesh")
+        raise Left("is an empty mesh; choose another one")
     vertices = numpy.fromiter((c for p in points for c in p), float, 3 * len(points)).reshape(-1, 3)
-    if sub:
-        matrix = top.getSubObject(sub, retType=4)
-        own = leaf.Placement.toMatrix().inverse()
-        a = numpy.array((matrix * own).A).reshape(4, 4)
+    # The points are where the mesh itself is; assemblies and links put it elsewhere.
+    matrix = top.getSubObject(sub, retType=4) * leaf.Placement.toMatrix().inverse()
+    a = numpy.array(matrix.A).reshape(4, 4)
+    if not numpy.array_equal(a, numpy.eye(4)):
         vertices = vertices @ a[:3, :3].T + a[:3, 3]
     return dict(vertices=vertices, triangles=numpy.array(facets, dtype=numpy.int32))
+
+
+def invalid(sources):
+    """Labels of the objects among the sources whose shapes FreeCAD itself finds faulty. Slow: for messages."""
+    import Part
+
+    found, (parts, _) = [], collect(sources)
+    for part in parts:
+        if part.brep is None:
+            continue
+        shape = Part.Shape()
+        shape.importBrepFromString(part.brep.decode())
+        if not shape.isValid():
+            found.append(part.name)
+    return found
 
 
 def _color(obj, leaf):
