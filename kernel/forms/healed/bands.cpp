@@ -19,8 +19,9 @@ constexpr double kLargestStep = kTurn / 9 * 1.01;
 constexpr double kLeastStep = kTurn / 1800;
 // How unequal the first two steps may be.
 constexpr double kEqual = 0.02;
-// A plane may be off by this share of the sagitta of its facet.
-constexpr double kOfSagitta = 0.05;
+// A plane may be off by this share of the sagitta of its facet: the facets of a thread, which drift
+// along the axis, are off by more.
+constexpr double kOfSagitta = 0.005;
 // How far a facet may reach out of its share of the turn.
 constexpr double kSector = 0.02;
 // Nearly flat cones have no axis to speak of.
@@ -254,6 +255,11 @@ class Finder {
   /// share of the turn, too.
   bool enough(const Run& run) const {
     const std::size_t n = steps(run);
+    // A short piece of a thread looks like a cone.
+    constexpr double kUpright = 0.01, kLeastCone = 1.4;  // sine of the slope; radians around
+    if (std::abs(run.fit.rise) > kUpright && static_cast<double>(n) * run.fit.step < kLeastCone) {
+      return false;
+    }
     if (n != kLeastFacets) return n > kLeastFacets;
     return std::all_of(run.facets.begin(), run.facets.end(), [&](std::int32_t f) {
       const double index = std::round(run.fit.angle(facet(f).center) / run.fit.step);

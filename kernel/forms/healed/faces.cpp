@@ -88,7 +88,13 @@ class Divider {
       };
       const bool sharp = kinds[h] == Kind::Sharp;
       // Where a freeform stretch goes over into a round one nobody drew an edge.
-      const bool named = sharp || (exact(h / 3) && exact(face_of(o)));
+      const auto ball = [&](std::size_t t) {
+        const Patch* p = patch(ref_of(static_cast<std::uint32_t>(t)));
+        return p && p->kind == FaceKind::Sphere;
+      };
+      // Neither where facets of a sphere end in steps beside those of a fillet.
+      const bool named =
+          sharp || (exact(h / 3) && exact(face_of(o)) && !ball(h / 3) && !ball(face_of(o)));
       const auto [at, fresh] = records.try_emplace(
           {std::min(a, b), std::max(a, b), static_cast<std::int32_t>(kinds[h]), named},
           static_cast<std::int32_t>(records.size()));

@@ -36,6 +36,21 @@ double Meeting::sagitta(SurfaceRef ref) const {
   return ref < 0 ? 0 : round_.patches[static_cast<std::size_t>(ref)].sagitta;
 }
 
+bool Meeting::between(const std::vector<SurfaceRef>& refs, Vec3& p) const {
+  constexpr double kAlike = 0.9;  // the cosine between normals of surfaces that go over smoothly
+  Vec3 sum(0);
+  const Vec3 first = normal(refs.front(), p);
+  for (const SurfaceRef r : refs) {
+    if (glm::dot(normal(r, p), first) < kAlike) return false;
+    Vec3 n;
+    const double d = distance(r, p, n);
+    if (!(std::abs(d) <= 2 * sagitta(r) + 10 * facets_.noise) && r >= 0) return false;
+    sum += p - d * n;
+  }
+  p = sum / static_cast<double>(refs.size());
+  return true;
+}
+
 bool Meeting::operator()(const std::vector<SurfaceRef>& refs, Vec3& p) const {
   double sagittas = 0;
   for (const SurfaceRef r : refs) sagittas = std::max(sagittas, sagitta(r));
@@ -70,7 +85,7 @@ bool Meeting::operator()(const std::vector<SurfaceRef>& refs, Vec3& p) const {
   }
   for (const SurfaceRef r : refs) {
     Vec3 n;
-    if (!(std::abs(distance(r, q, n)) <= close)) return false;
+    if (!(std::abs(distance(r, q, n)) <= close)) return between(refs, p);
   }
   p = q;
   return true;

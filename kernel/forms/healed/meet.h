@@ -23,6 +23,8 @@ class Meeting {
 
  private:
   double distance(SurfaceRef ref, Vec3 p, Vec3& normal) const;
+  /// Where surfaces go over into one another but do not quite touch: between them.
+  bool between(const std::vector<SurfaceRef>& refs, Vec3& p) const;
 
   const Recognised& round_;
   const Facets& facets_;
