@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <utility>
 
 namespace burin::healed {
 namespace {
@@ -47,6 +48,7 @@ class Joiner {
       meet(static_cast<std::int32_t>(b));
     }
     follow();
+    take_crescents();
     return std::move(out_);
   }
 
@@ -286,8 +288,37 @@ class Joiner {
     }
   }
 
+  /// Where round surfaces of one radius are united their polygons leave facets between them that
+  /// are thinner than either sagitta: no more than rounding.
+  void take_crescents() {
+    for (std::size_t f = 0; f < facets_.list.size(); ++f) {
+      if (f % 256 == 0) context_.check();
+      if (out_.patch_of[f] >= 0) continue;
+      const Facet& g = facets_.list[f];
+      std::int32_t first = -1, second = -1;
+      for (const FacetLink& l : g.links) {
+        const std::int32_t p = out_.patch_of[static_cast<std::size_t>(l.facet)];
+        if (p < 0 || p == first || p == second || !along(p, g)) continue;
+        (first < 0 ? first : second) = p;
+      }
+      if (second >= 0) crescents_.emplace_back(f, first);
+    }
+    for (const auto& [f, p] : crescents_) out_.patch_of[f] = p;
+  }
+
+  /// Whether a facet lies within the sagitta of a patch and across it.
+  bool along(std::int32_t p, const Facet& g) const {
+    const Patch& patch = out_.patches[static_cast<std::size_t>(p)];
+    if (std::abs(glm::dot(patch.normal_at(g.center), g.normal)) > 0.5) return false;
+    return std::all_of(g.vertices.begin(), g.vertices.end(), [&](std::uint32_t v) {
+      const Vec3 q = mesh_.positions[v];
+      return glm::length(q - patch.project(q)) <= 1.2 * patch.sagitta + 3 * facets_.noise;
+    });
+  }
+
   const TriMesh& mesh_;
   const Facets& facets_;
+  std::vector<std::pair<std::size_t, std::int32_t>> crescents_;
   Bands bands_;
   const RunContext& context_;
   std::vector<Node> nodes_;
