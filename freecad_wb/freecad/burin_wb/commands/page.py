@@ -21,9 +21,12 @@ def page_of(document):
         raise Refused("this document has several pages; select one of them too")
     if pages:
         return pages[0]
+    file = preferences.template() or os.path.join(FreeCAD.getResourceDir(), TEMPLATE)
+    if not os.path.isfile(file):
+        raise Refused(f"the template {file} is not there; choose another one in the preferences of Burin")
     page = document.addObject("TechDraw::DrawPage", "Page")
     template = document.addObject("TechDraw::DrawSVGTemplate", "Template")
-    template.Template = preferences.template() or os.path.join(FreeCAD.getResourceDir(), TEMPLATE)
+    template.Template = file
     page.Template = template
     return page
 

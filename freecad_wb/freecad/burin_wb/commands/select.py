@@ -2,12 +2,22 @@
 
 import FreeCAD
 import FreeCADGui as Gui
+from PySide import QtCore
 
 from ..features.sheet import Sheet
+from ..view.text import tr
 from .base import Command, Refused, selected_illustrations, tell
 
 # Pixels around the pointer within which a line is meant.
 REACH = 8
+
+
+def sheet_of(obj):
+    """The kept drawing. Throws Refused."""
+    try:
+        return Sheet(obj.Drawing)
+    except (OSError, ValueError, KeyError) as error:
+        raise Refused(f"{obj.Label} has no drawing that can be read ({error}); recompute it") from error
 
 
 class SelectSource(Command):
@@ -24,8 +34,16 @@ class SelectSource(Command):
         chosen = selected_illustrations()
         if len(chosen) != 1 or not chosen[0].Drawing:
             raise Refused("select one illustration that is drawn")
-        Picker(chosen[0], Gui.ActiveDocument.ActiveView)
-        tell("Click a line of the illustration; Esc ends")
+        global picker
+        if picker is not None:
+            picker.stop()
+        sheet_of(chosen[0])
+        picker = Picker(chosen[0], Gui.ActiveDocument.ActiveView)
+        tell(tr("Click a line of the illustration; Esc ends"))
+
+
+# What waits for clicks; one at a time.
+picker = None
 
 
 class Picker:
@@ -36,12 +54,21 @@ class Picker:
         self.sheet = Sheet(obj.Drawing)
         self._callback = view.addEventCallback("SoEvent", self._event)
 
+    def stop(self):
+        global picker
+        if self._callback is not None:
+            self.view.removeEventCallback("SoEvent", self._callback)
+            self._callback = None
+        if picker is self:
+            picker = None
+
     def _event(self, event):
         if event.get("Type") == "SoKeyboardEvent" and event.get("Key") == "ESCAPE":
-            self.view.removeEventCallback("SoEvent", self._callback)
+            QtCore.QTimer.singleShot(0, lambda: self.stop())  # not while the view calls
         elif (event.get("Type") == "SoMouseButtonEvent" and event.get("Button") == "BUTTON1"
               and event.get("State") == "DOWN"):
-            self.pick(event["Position"])
+            # After the view's own selection, which the same click makes.
+            QtCore.QTimer.singleShot(0, lambda at=tuple(event["Position"]): self.pick(at))
 
     def pick(self, position):
         """Selects what made the line under a place of the view, in pixels."""
@@ -50,6 +77,7 @@ class Picker:
         reach = ((here[0] - beside[0]) ** 2 + (here[1] - beside[1]) ** 2) ** 0.5
         path = self.sheet.nearest(here, reach)
         if path is None:
+            tell(tr("there is no line of the illustration here"))
             return None
         return select(self.obj.Document, *self.sheet.element(path, here))
 
@@ -94,7 +122,7 @@ class ShowLines(Command):
 
     def run(self, document):
         obj = selected_illustrations()[0]
-        sheet = Sheet(obj.Drawing)
+        sheet = sheet_of(obj)
         lit = []
         for chosen in Gui.Selection.getSelectionEx("", 0):
             if chosen.Object is obj:

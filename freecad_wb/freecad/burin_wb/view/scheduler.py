@@ -17,8 +17,8 @@ KEPT = 8
 
 
 class _Run:
-    def __init__(self, key, job, finish):
-        self.key, self.job, self.finish = key, job, finish
+    def __init__(self, obj, job, finish):
+        self.obj, self.key, self.job, self.finish = obj, (obj.Document.Name, obj.Name), job, finish
         self.stage, self.share = "", 0.0
         self.cancelled = False
 
@@ -52,7 +52,7 @@ class Scheduler(QtCore.QObject):
         with self._lock:
             self._drop(key)
             if result is None:
-                self._waiting.append(_Run(key, job, finish))
+                self._waiting.append(_Run(obj, job, finish))
         if result is not None:
             finish(result, None)
             self._after(obj, key, None)
@@ -141,7 +141,7 @@ class Scheduler(QtCore.QObject):
             self._kept[run.job.fingerprint()] = result
             while len(self._kept) > KEPT:
                 self._kept.popitem(last=False)
-        obj = _object(run.key)
+        obj = run.obj if _lives(run.obj) else None
         newer = obj is not None and any(r.key == run.key for r in self._waiting)
         if obj is not None and not newer:
             if run.cancelled:
@@ -155,11 +155,12 @@ class Scheduler(QtCore.QObject):
         self.ended.emit(key, error)
 
 
-def _object(key):
+def _lives(obj):
+    """Whether an object is still in its document; undo takes objects out, closing deletes them."""
     try:
-        return FreeCAD.getDocument(key[0]).getObject(key[1])
-    except NameError:  # the document was closed meanwhile
-        return None
+        return obj.Document.getObject(obj.Name) is not None
+    except (AttributeError, ReferenceError, RuntimeError):
+        return False
 
 
 def _follow(obj):
@@ -188,8 +189,7 @@ class _Documents:
 
     def _renew(self, document):
         for obj in document.Objects:
-            if is_illustration(obj):
-                obj.touch()
+            if is_illustration(obj) and "Touched" in obj.State:
                 obj.recompute()
 
 

@@ -1,4 +1,4 @@
-"""What GUI tests share. A test script ends with `gui_support.run(__name__)`."""
+"""What GUI tests share. A test script ends with `support.run(__name__)`."""
 
 import os
 import pathlib
@@ -159,3 +159,11 @@ class Case(unittest.TestCase):
         panel().accept()
         settle()
         return obj
+
+
+def off_segment(point, ends):
+    """Distance of a paper point from the segment between two others, in mm."""
+    (ax, ay), (bx, by) = ends
+    dx, dy = bx - ax, by - ay
+    t = max(0.0, min(1.0, ((point[0] - ax) * dx + (point[1] - ay) * dy) / (dx * dx + dy * dy)))
+    return ((ax + t * dx - point[0]) ** 2 + (ay + t * dy - point[1]) ** 2) ** 0.5

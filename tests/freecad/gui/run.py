@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Runs a test script in FreeCAD's GUI on a screen of its own: gui_run.py BURIN_PYTHON OUT SCRIPT.
+"""Runs a test script in FreeCAD's GUI on a screen of its own: run.py BURIN_PYTHON OUT SCRIPT.
 
 Ends with 77 (skipped) where FreeCAD or Xvfb is absent, else with the script's status."""
 
@@ -12,7 +12,7 @@ import tempfile
 
 SKIP = 77
 HERE = pathlib.Path(__file__).resolve().parent
-ADDON = HERE.parent.parent / "freecad_wb"
+ADDON = HERE.parent.parent.parent / "freecad_wb"
 
 CONFIG = """<?xml version="1.0" encoding="UTF-8" standalone="no" ?>
 <FCParameters><FCParamGroup Name="Root"><FCParamGroup Name="BaseApp"><FCParamGroup Name="Preferences">
@@ -48,6 +48,10 @@ def main():
     with open(os.path.join(home, "user.cfg"), "w", encoding="utf-8") as config:
         config.write(CONFIG % (os.environ.get("BURIN_TEST_START", "BurinWorkbench"),
                                os.environ.get("BURIN_TEST_LANGUAGE", "English")))
+    addon = ADDON
+    if os.environ.get("BURIN_TEST_COPY"):  # apart from the build folder, where the kernel is found
+        addon = os.path.join(home, "addon")
+        shutil.copytree(ADDON, addon)
     server, display = screen()
     environment = dict(os.environ, DISPLAY=display, FREECAD_USER_HOME=home, QTWEBENGINE_DISABLE_SANDBOX="1",
                        BURIN_TEST_OUT=str(out), BURIN_TEST_VERDICT=str(verdict), PYTHONDONTWRITEBYTECODE="1",
@@ -58,7 +62,7 @@ def main():
     else:
         environment.pop("BURIN_PYTHON_PATH", None)
     try:
-        status = subprocess.run([freecad, os.path.abspath(script), "-M", os.environ.get("BURIN_TEST_ADDON", str(ADDON))],
+        status = subprocess.run([freecad, os.path.abspath(script), "-M", str(addon)],
                                 env=environment, stdin=subprocess.DEVNULL,
                                 timeout=float(os.environ.get("BURIN_TEST_TIMEOUT", "120"))).returncode
     except subprocess.TimeoutExpired:

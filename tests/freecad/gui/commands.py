@@ -1,0 +1,388 @@
+"""Each command on a real document: what it does, undo, redo, save, reopen, export."""
+
+import math
+import os
+import sys
+import unittest.mock
+
+sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
+import FreeCAD  # noqa: E402
+import FreeCADGui as Gui  # noqa: E402
+import support  # noqa: E402
+from PySide import QtGui  # noqa: E402
+
+V = FreeCAD.Vector
+
+
+def sheet_of(obj):
+    from freecad.burin_wb.features.sheet import Sheet
+
+    return Sheet(obj.Drawing)
+
+
+def runs():
+    from freecad.burin_wb.view import scheduler
+
+    return scheduler.scheduler.count
+
+
+class Workbench(support.Case):
+    def test_is_there_with_toolbar_menu_and_icons(self):
+        from freecad.burin_wb import commands
+
+        self.assertEqual(Gui.activeWorkbench().MenuText, "Burin")
+        self.assertIn("Burin", Gui.activeWorkbench().listToolbars())
+        self.assertTrue(any("Burin" in m for m in Gui.activeWorkbench().listMenus()))
+        for name in commands._registered:
+            self.assertIn(name, Gui.listCommands())
+        icons = os.path.join(os.path.dirname(commands.__file__), "..", "resources", "icons")
+        for module in ("new", "view", "style", "look", "page", "export", "select", "help"):
+            for command in __import__(f"freecad.burin_wb.commands.{module}", fromlist=["x"]).COMMANDS:
+                pixmap = command.GetResources().get("Pixmap")
+                if pixmap:
+                    self.assertTrue(os.path.isfile(pixmap), pixmap)
+                    self.assertFalse(QtGui.QIcon(pixmap).pixmap(64, 64).isNull(), pixmap)
+                self.assertTrue(command.GetResources()["ToolTip"], command.name)
+        self.assertTrue(os.path.isfile(os.path.join(icons, "preferences-burin.svg")))
+
+    def test_commands_that_cannot_be_done_are_grey(self):
+        from freecad.burin_wb import commands
+
+        for name in [n for n in commands.LAYOUT if n and n not in ("Burin_View", "Burin_Look")]:
+            self.assertFalse(Gui.Command.get(name).isActive(), name)
+        box, _ = self.box_and_ball()
+        self.select(box)
+        self.assertTrue(Gui.Command.get("Burin_NewIllustration").isActive())
+        self.assertFalse(Gui.Command.get("Burin_Style").isActive())
+        self.assertFalse(Gui.Command.get("Burin_LookNotDrawn").isActive())
+
+    def test_the_context_menu_fits_the_selection(self):
+        from freecad.burin_wb import commands
+
+        box, ball = self.box_and_ball()
+        self.select()
+        self.assertEqual(commands.context(), [])
+        self.select(box)
+        self.assertIn("Burin_NewIllustration", commands.context())
+        obj = self.illustrate(box, ball)
+        self.select(obj)
+        self.assertIn("Burin_PlaceOnPage", commands.context())
+
+    def test_help_opens(self):
+        Gui.runCommand("Burin_Help")
+        window = Gui.getMainWindow().findChild(QtGui.QDialog, "BurinHelp")
+        self.assertIn("TechDraw", window.findChild(QtGui.QTextBrowser).toPlainText())
+        window.close()
+
+    def test_the_preferences_page_holds_and_new_illustrations_use_it(self):
+        from freecad.burin_wb import preferences
+
+        page = Gui.PySideUic.loadUi(os.path.join(os.path.dirname(preferences.__file__), "resources", "preferences.ui"))
+        self.assertEqual(page.findChild(QtGui.QComboBox, "style").count(), len(preferences.STYLES))
+        self.assertEqual(page.findChild(QtGui.QComboBox, "sheet").count(), len(preferences.SHEETS))
+        group = preferences.group()
+        group.SetInt("Style", 1)
+        group.SetInt("Sheet", 2)
+        group.SetInt("HiddenLines", 1)
+        try:
+            obj = self.illustrate(*self.box_and_ball())
+        finally:
+            for name in ("Style", "Sheet", "HiddenLines"):
+                group.RemInt(name)
+        self.assertEqual((obj.Style, obj.HiddenLines, obj.Width.Value, obj.Height.Value),
+                         ("outline", "Dashed", 190.0, 277.0))
+        self.assertTrue(any(not p["visible"] for _, p in sheet_of(obj).paths()))
+
+
+class New(support.Case):
+    def test_undo_removes_and_redo_restores(self):
+        obj = self.illustrate(*self.box_and_ball())
+        name = obj.Name
+        self.assertTrue(os.path.exists(obj.Drawing))
+        before, count = open(obj.Drawing).read(), runs()
+        self.document.undo()
+        support.drawn()
+        self.assertIsNone(self.document.getObject(name))
+        self.document.redo()
+        support.drawn()
+        again = self.document.getObject(name)
+        self.assertEqual(open(again.Drawing).read(), before)
+        self.assertEqual(again.ViewObject.Proxy.Object.Name, name)
+        self.assertEqual(runs(), count)
+
+    def test_cancel_leaves_nothing(self):
+        self.select(*self.box_and_ball())
+        objects = [o.Name for o in self.document.Objects]
+        Gui.runCommand("Burin_NewIllustration")
+        support.panel().reject()
+        support.drawn()
+        self.assertEqual([o.Name for o in self.document.Objects], objects)
+
+    def test_all_kinds_of_objects(self):
+        import Mesh
+        import Part
+
+        body = self.document.addObject("PartDesign::Body", "Body")
+        pad = self.document.addObject("PartDesign::AdditiveBox", "Pad")
+        body.addObject(pad)
+        feature = self.document.addObject("Part::Feature", "Plain")
+        feature.Shape = Part.makeCylinder(5, 10, V(30, 0, 0))
+        assembly = self.document.addObject("App::Part", "Assembly")
+        inner = self.document.addObject("Part::Box", "Inner")
+        assembly.addObject(inner)
+        assembly.Placement.Base = V(60, 0, 0)
+        link = self.document.addObject("App::Link", "Link")
+        link.LinkedObject = assembly
+        link.Placement = FreeCAD.Placement(V(90, 0, 0), FreeCAD.Rotation())
+        mesh = self.document.addObject("Mesh::Feature", "Net")
+        mesh.Mesh = Mesh.createSphere(6, 30)
+        mesh.Placement.Base = V(120, 5, 5)
+        self.document.recompute()
+        obj = self.illustrate(body, feature, assembly, link, mesh)
+        self.assertEqual(obj.Message, "")
+        parts = {p["source"] for p in sheet_of(obj).data["parts"]}
+        self.assertEqual(parts, {"Body", "Plain", "Assembly.Inner", "Link.Inner", "Net"})
+        # Placements hold: each part's ink lies where the part is.
+        sheet = sheet_of(obj)
+        for source, x in (("Assembly.Inner", 65), ("Link.Inner", 95), ("Net", 120)):
+            points = [p for path in sheet.paths_of(source) for p in path["points"]]
+            at = sheet.on_paper(V(x, 5, 5))
+            near = min(math.dist(p, at) for p in points)
+            self.assertLess(near, 9 * sheet.scale, source)
+
+    def test_scripts_get_the_same_view(self):
+        from freecad.burin_wb.features import make_illustration
+        from freecad.burin_wb.view.provider import IllustrationView
+
+        obj = make_illustration(self.document, list(self.box_and_ball()))
+        self.document.recompute()
+        support.drawn()
+        self.assertIsInstance(obj.ViewObject.Proxy, IllustrationView)
+        self.assertGreater(obj.ViewObject.Proxy._ink.getNumChildren(), 0)
+
+    def test_saved_and_opened_again_shows_the_kept_drawing_without_the_kernel(self):
+        obj = self.illustrate(*self.box_and_ball())
+        name, before, count = obj.Name, open(obj.Drawing).read(), runs()
+        path = str(support.OUT / "kept.FCStd")
+        self.document.saveAs(path)
+        FreeCAD.closeDocument(self.document.Name)
+        self.document = FreeCAD.openDocument(path)
+        again = self.document.getObject(name)
+        self.assertEqual(open(again.Drawing).read(), before)
+        self.assertGreater(again.ViewObject.Proxy._ink.getNumChildren(), 0)
+        again.touch()
+        self.document.recompute()
+        support.drawn()
+        self.assertEqual(runs(), count, "an unchanged illustration was computed")
+
+    def test_what_a_save_without_gui_lost_comes_back(self):
+        import zipfile
+
+        obj = self.illustrate(*self.box_and_ball())
+        name, path = obj.Name, str(support.OUT / "full.FCStd")
+        self.document.saveAs(path)
+        FreeCAD.closeDocument(self.document.Name)
+        bare = str(support.OUT / "bare.FCStd")
+        with zipfile.ZipFile(path) as full, zipfile.ZipFile(bare, "w") as less:
+            for entry in full.namelist():
+                if entry != "GuiDocument.xml":
+                    less.writestr(entry, full.read(entry))
+        self.document = FreeCAD.openDocument(bare)
+        proxy = self.document.getObject(name).ViewObject.Proxy
+        self.assertGreater(proxy._ink.getNumChildren(), 0)
+
+
+class Views(support.Case):
+    def setUp(self):
+        super().setUp()
+        self.box, self.ball = self.box_and_ball()
+        self.obj = self.illustrate(self.box, self.ball)
+
+    def run_view(self, name, *more):
+        self.select(self.obj, *more)
+        self.assertTrue(Gui.Command.get(name).isActive(), name)
+        Gui.runCommand(name)
+        support.drawn()
+
+    def test_standard_views_undo_and_redo(self):
+        first = open(self.obj.Picture).read()
+        self.run_view("Burin_ViewTop")
+        self.assertEqual(tuple(self.obj.ViewDirection), (0, 0, 1))
+        self.assertAlmostEqual(sheet_of(self.obj).direction.z, 1, 6)
+        top, count = open(self.obj.Picture).read(), runs()
+        self.assertNotEqual(top, first)
+        self.document.undo()
+        support.drawn()
+        self.assertEqual(open(self.obj.Picture).read(), first)
+        self.document.redo()
+        support.drawn()
+        self.assertEqual(open(self.obj.Picture).read(), top)
+        self.assertEqual(runs(), count, "undo and redo ran the kernel though their drawings are kept")
+
+    def test_all_standard_views(self):
+        from freecad.burin_wb.commands.view import STANDARD
+
+        for name, (direction, _) in STANDARD.items():
+            self.run_view("Burin_View" + name)
+            self.assertLess((sheet_of(self.obj).direction - V(*direction).normalize()).Length, 1e-6, name)
+
+    def test_from_the_camera_parallel_and_in_perspective(self):
+        view = Gui.ActiveDocument.ActiveView
+        view.setCameraOrientation(FreeCAD.Rotation(V(1, 0, 0), 50))
+        self.run_view("Burin_ViewFromCamera")
+        wanted = view.getCameraOrientation().multVec(V(0, 0, 1))
+        self.assertLess((sheet_of(self.obj).direction - wanted).Length, 1e-5)
+        view.setCameraType("Perspective")
+        self.run_view("Burin_ViewFromCamera")
+        self.assertEqual(self.obj.Projection, "Perspective")
+        self.assertEqual(sheet_of(self.obj).data["view"]["projection"], "perspective")
+        view.setCameraType("Orthographic")
+
+    def test_square_onto_a_face(self):
+        for face, normal in (("Face1", V(-1, 0, 0)), ("Face6", V(0, 0, 1))):
+            self.run_view("Burin_ViewFromFace", (self.box, face))
+            self.assertLess((sheet_of(self.obj).direction - normal).Length, 1e-6)
+
+    def test_looks_of_objects(self):
+        parts = lambda: {p["part"] for _, p in sheet_of(self.obj).paths()}  # noqa: E731
+        self.assertEqual(len(parts()), 2)
+        self.run_view("Burin_LookNotDrawn", self.ball)
+        self.assertEqual(dict(self.obj.Looks), {"Ball": "not drawn"})
+        self.assertEqual(len(parts()), 1)
+        self.document.undo()
+        support.drawn()
+        self.assertEqual(len(parts()), 2)
+        self.run_view("Burin_LookNotHatched", self.ball)
+        strokes = [p for _, p in sheet_of(self.obj).paths() if p["kind"] == "stroke"]
+        self.assertTrue(strokes)
+        self.assertEqual(len({p["part"] for p in strokes}), 1)
+        self.run_view("Burin_LookNotHatched", self.ball)  # once more takes it back
+        self.assertEqual(dict(self.obj.Looks), {})
+
+
+class Pages(support.Case):
+    def setUp(self):
+        super().setUp()
+        self.box, self.ball = self.box_and_ball()
+        self.obj = self.illustrate(self.box, self.ball)
+
+    def place(self):
+        self.select(self.obj)
+        Gui.runCommand("Burin_PlaceOnPage")
+        support.settle(200)
+        return next(o for o in self.document.Objects if o.isDerivedFrom("TechDraw::DrawPage"))
+
+    def test_makes_the_page_and_undo_takes_it_back(self):
+        before = len(self.document.Objects)
+        page = self.place()
+        self.assertEqual(len(page.Views), 1)
+        self.assertEqual(page.Views[0].Scale, 1.0)
+        self.assertEqual((page.Template.Width.Value, page.Template.Height.Value), (420, 297))
+        self.document.undo()
+        support.settle(100)
+        self.assertEqual(len(self.document.Objects), before)
+        self.document.redo()
+        support.settle(100)
+        self.assertEqual(len(self.document.Objects), before + 3)
+
+    def test_page_follows_and_exports_true_scale(self):
+        import re
+
+        import TechDrawGui
+
+        page = self.place()
+        first = page.Views[0].Symbol
+        self.select(self.obj)
+        Gui.runCommand("Burin_ViewFront")
+        support.drawn()
+        self.assertNotEqual(page.Views[0].Symbol, first)
+        svg, pdf = str(support.OUT / "page.svg"), str(support.OUT / "page.pdf")
+        TechDrawGui.exportPageAsSvg(page, svg)
+        TechDrawGui.exportPageAsPdf(page, pdf)
+        self.assertGreater(os.path.getsize(pdf), 2000)
+        self.assertEqual(open(pdf, "rb").read(5), b"%PDF-")
+        box = re.search(rb"/MediaBox \[0 0 (\S+) (\S+)\]", open(pdf, "rb").read())
+        self.assertAlmostEqual(float(box.group(1)) / 72 * 25.4, 420, 0)
+        # The matrix of the symbol: 10 scene units are a millimetre of paper.
+        matrices = re.findall(r'matrix\(([^)]*)\)', open(svg).read())
+        scales = {round(float(m.split(",")[0]), 3) for m in matrices}
+        self.assertIn(10.0, scales)
+
+    def test_export_by_command_and_by_file_menu(self):
+        self.select(self.obj)
+        for suffix in ("svg", "pdf", "png", "eps", "dxf", "json"):
+            path = str(support.OUT / f"by-command.{suffix}")
+            if os.path.exists(path):
+                os.unlink(path)
+            with unittest.mock.patch.object(QtGui.QFileDialog, "getSaveFileName", lambda *_: (path, "")):
+                Gui.runCommand("Burin_Export")
+            self.assertGreater(os.path.getsize(path), 500, suffix)
+        from freecad.burin_wb import export
+
+        path = str(support.OUT / "by-menu.svg")
+        export.export([self.obj], path)
+        self.assertIn('width="180mm"', open(path).read()[:2000])
+        self.assertIn("freecad.burin_wb.export", FreeCAD.getExportType("svg"))
+
+
+class Sources(support.Case):
+    def setUp(self):
+        super().setUp()
+        self.box, self.ball = self.box_and_ball()
+        self.obj = self.illustrate(self.box, self.ball)
+        self.view = Gui.ActiveDocument.ActiveView
+
+    def test_a_click_on_a_line_selects_its_edge(self):
+        from freecad.burin_wb.commands.select import Picker
+        from freecad.burin_wb.view.provider import behind
+
+        sheet = sheet_of(self.obj)
+        picker = Picker(self.obj, self.view)
+        lift = -behind(self.obj, sheet)
+        for _, path in sheet.paths():
+            source, element = sheet.element(path)
+            if path["kind"] != "crease" or source != "Box":
+                continue
+            a, b = path["points"][:2]
+            middle = sheet.place(((a[0] + b[0]) / 2, (a[1] + b[1]) / 2), lift)
+            where = self.view.getPointOnScreen(middle.x, middle.y, middle.z)
+            self.assertEqual(picker.pick(where), (source, element))
+            chosen = Gui.Selection.getSelectionEx()[0]
+            self.assertEqual((chosen.ObjectName, chosen.SubElementNames), (source, (element,)))
+            # The edge in the model is where the line is on the paper.
+            edge = chosen.SubObjects[0]
+            ends = [sheet.on_paper(v.Point) for v in edge.Vertexes]
+            self.assertLess(support.off_segment(a, ends), 0.1)
+            break
+        else:
+            self.fail("no crease of the box is drawn")
+        self.assertIsNone(picker.pick((3, 3)))
+        picker.stop()
+
+    def test_select_source_by_mouse_and_escape(self):
+        self.select(self.obj)
+        Gui.runCommand("Burin_SelectSource")
+        from freecad.burin_wb.commands import select
+
+        self.assertIsNotNone(select.picker)
+        select.picker._event({"Type": "SoKeyboardEvent", "Key": "ESCAPE", "State": "DOWN"})
+        support.settle(50)
+        self.assertIsNone(select.picker)
+
+    def test_lines_of_a_face_light_up_until_the_selection_changes(self):
+        self.select(self.obj, (self.box, "Face6"))
+        self.assertTrue(Gui.Command.get("Burin_ShowLines").isActive())
+        Gui.runCommand("Burin_ShowLines")
+        support.settle(50)
+        proxy = self.obj.ViewObject.Proxy
+        self.assertTrue(proxy.lit())
+        self.view.viewFront()
+        self.view.setCameraOrientation(FreeCAD.Rotation(V(1, 0, 0), -60))
+        self.view.fitAll()
+        support.picture("lit")
+        self.select(self.ball)
+        support.settle(50)
+        self.assertFalse(proxy.lit())
+
+
+support.run(__name__)

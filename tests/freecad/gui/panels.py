@@ -1,0 +1,273 @@
+"""The panels: values in and out, OK and Cancel, the preview, and a GUI that never stalls."""
+
+import json
+import os
+import sys
+import time
+
+sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
+import FreeCAD  # noqa: E402
+import FreeCADGui as Gui  # noqa: E402
+import support  # noqa: E402
+from PySide import QtCore, QtGui  # noqa: E402
+
+
+class Beat:
+    """A heart that beats in the GUI's thread. `longest`: seconds of the GUI's own work between two beats, which other
+    programs on the machine do not lengthen; `wall`: seconds of the clock."""
+
+    def __init__(self):
+        self.longest = self.wall = 0.0
+        self.beats = 0
+        self._last = None
+        self._timer = QtCore.QTimer()
+        self._timer.timeout.connect(lambda: self._beat())
+
+    def _beat(self):
+        now = time.thread_time(), time.monotonic()
+        if self._last is not None:
+            self.longest = max(self.longest, now[0] - self._last[0])
+            self.wall = max(self.wall, now[1] - self._last[1])
+        self._last = now
+        self.beats += 1
+
+    def __enter__(self):
+        self._beat()
+        self._timer.start(5)
+        return self
+
+    def __exit__(self, *_):
+        self._timer.stop()
+        self._beat()
+
+
+def runs():
+    from freecad.burin_wb.view import scheduler
+
+    return scheduler.scheduler.count
+
+
+def child(kind, name):
+    return support.panel().form.findChild(kind, name)
+
+
+def pick(box, value):
+    box.setCurrentIndex(box.findData(value))
+
+
+class Editing(support.Case):
+    def setUp(self):
+        super().setUp()
+        self.obj = self.illustrate(*self.box_and_ball())
+
+    def open(self):
+        self.obj.ViewObject.Proxy.doubleClicked(self.obj.ViewObject)
+        support.settle(50)
+
+    def drawn(self):
+        support.settle(300)  # the pause after the last change
+        support.drawn()
+
+    def test_widgets_hold_tooltips_and_the_panel_is_narrow(self):
+        for show in (self.open, lambda: Gui.runCommand("Burin_Style")):
+            show()
+            form = support.panel().form
+            self.assertLessEqual(form.minimumSizeHint().width(), 270)
+            self.assertLessEqual(form.maximumWidth(), 360)
+            for kind in (QtGui.QComboBox, QtGui.QAbstractSpinBox, QtGui.QPushButton, QtGui.QCheckBox):
+                for widget in form.findChildren(kind):
+                    self.assertTrue(widget.toolTip(), widget.objectName())
+            support.panel().reject()
+            support.settle(50)
+
+    def test_changes_are_shown_and_ok_is_one_undo(self):
+        before = (self.obj.Width.Value, self.obj.Style, self.obj.HiddenLines, open(self.obj.Picture).read())
+        undos = self.document.UndoCount
+        self.open()
+        child(QtGui.QWidget, "width").setProperty("rawValue", 120.0)
+        pick(child(QtGui.QComboBox, "style"), "outline")
+        pick(child(QtGui.QComboBox, "hidden"), "Dashed")
+        pick(child(QtGui.QComboBox, "view"), "Front")
+        self.drawn()
+        self.assertEqual(child(QtGui.QLabel, "message").text(), "drawn")
+        self.assertFalse(support.panel().preview.shown().isNull())
+        picture = open(self.obj.Picture).read()
+        self.assertIn('width="120mm"', picture[:2000])
+        support.panel().accept()
+        self.assertFalse(Gui.Control.activeDialog())
+        self.assertEqual(self.document.UndoCount, undos + 1)
+        self.document.undo()
+        support.drawn()
+        self.assertEqual((self.obj.Width.Value, self.obj.Style, self.obj.HiddenLines, open(self.obj.Picture).read()), before)
+        self.document.redo()
+        support.drawn()
+        self.assertEqual(open(self.obj.Picture).read(), picture)
+
+    def test_cancel_takes_all_back(self):
+        before, undos = open(self.obj.Picture).read(), self.document.UndoCount
+        self.open()
+        pick(child(QtGui.QComboBox, "style"), "outline")
+        self.drawn()
+        self.assertNotEqual(open(self.obj.Picture).read(), before)
+        support.panel().reject()
+        support.drawn()
+        self.assertEqual((self.obj.Style, self.document.UndoCount), ("technical", undos))
+        self.assertEqual(open(self.obj.Picture).read(), before)
+
+    def test_escape_cancels(self):
+        self.open()
+        pick(child(QtGui.QComboBox, "style"), "outline")
+        form = support.panel().form
+        QtGui.QApplication.sendEvent(form, QtGui.QKeyEvent(QtCore.QEvent.KeyPress, QtCore.Qt.Key_Escape,
+                                                           QtCore.Qt.NoModifier))
+        self.assertTrue(support.until(lambda: Gui.Control.activeDialog() is False, 3))
+        self.assertEqual(self.obj.Style, "technical")
+
+    def test_objects_of_the_table(self):
+        self.open()
+        table = child(QtGui.QTableWidget, "objects")
+        names = [table.item(r, 0).text() for r in range(table.rowCount())]
+        self.assertEqual(names, ["Box", "Ball"])
+        table.item(1, 1).setCheckState(QtCore.Qt.Checked)
+        table.setCurrentCell(0, 0)
+        pick(child(QtGui.QComboBox, "own"), "outline")
+        self.drawn()
+        self.assertEqual(dict(self.obj.Looks), {"Ball": "not drawn", "Box": "style=outline"})
+        support.panel().accept()
+        self.open()
+        table = child(QtGui.QTableWidget, "objects")
+        self.assertEqual(table.rowCount(), 2, "an object that is not drawn is missing in the table")
+        support.panel().reject()
+
+    def test_keys_of_the_style(self):
+        Gui.runCommand("Burin_Style")
+        before = open(self.obj.Picture).read()
+        child(QtGui.QDoubleSpinBox, "line.outer").setValue(1.25)
+        child(QtGui.QCheckBox, "hatch.enabled").setChecked(False)
+        self.drawn()
+        self.assertEqual(dict(self.obj.StyleKeys), {"line.outer": "1.25", "hatch.enabled": "false"})
+        self.assertNotEqual(open(self.obj.Picture).read(), before)
+        widths = {p["width"][0] for _, p in self._paths()}
+        self.assertIn(1.25, widths)
+        support.screenshot("style-panel")
+        child(QtGui.QLineEdit, "filter").setText("outer")
+        self.assertTrue(support.panel().items["line.gap"].isHidden())
+        self.assertFalse(support.panel().items["line.outer"].isHidden())
+        path = str(support.OUT / "mine.json")
+        support.panel().save(path)
+        self.drawn()
+        self.assertEqual((self.obj.Style, dict(self.obj.StyleKeys)), (path, {}))
+        self.assertEqual(json.load(open(path))["line.outer"], 1.25)
+        self.assertIn(1.25, {p["width"][0] for _, p in self._paths()})
+        support.panel().accept()
+        self.document.undo()
+        support.drawn()
+        self.assertEqual((self.obj.Style, dict(self.obj.StyleKeys)), ("technical", {}))
+
+    def test_a_value_that_is_the_style_s_own_is_no_change(self):
+        Gui.runCommand("Burin_Style")
+        box = child(QtGui.QDoubleSpinBox, "line.outer")
+        value = box.value()
+        box.setValue(value + 0.2)
+        box.setValue(value)
+        self.assertEqual(dict(self.obj.StyleKeys), {})
+        support.panel().reject()
+
+    def test_unchanged_computes_nothing(self):
+        count = runs()
+        self.open()
+        support.panel().draw()
+        support.panel().accept()
+        self.obj.touch()
+        self.document.recompute()
+        support.drawn()
+        self.assertEqual(runs(), count)
+
+    def _paths(self):
+        from freecad.burin_wb.features.sheet import Sheet
+
+        return Sheet(self.obj.Drawing).paths()
+
+
+class Stall(support.Case):
+    """A real part: the GUI goes on, progress is told, a change ends a run, Stop ends it."""
+
+    def setUp(self):
+        super().setUp()
+        path = support.DATA / "step" / "nist" / "nist_ctc_01_asme1_ap242-e1.stp"
+        if not path.exists():
+            self.skipTest(f"{path} is absent")
+        import Part
+
+        self.part = self.document.addObject("Part::Feature", "Part")
+        self.part.Shape = Part.read(str(path))
+        self.document.recompute()
+        Gui.ActiveDocument.ActiveView.viewIsometric()
+        Gui.ActiveDocument.ActiveView.fitAll()
+        support.settle(300)
+
+    def test_the_gui_never_stalls(self):
+        self.select(self.part)
+        stages = set()
+        lines = []
+        from freecad.burin_wb.view import scheduler
+
+        scheduler.scheduler._kept.clear()
+        with Beat() as beat:
+            start = time.monotonic()
+            Gui.runCommand("Burin_NewIllustration")
+            obj = support.panel().obj
+            support.panel().runs.progressed.connect(lambda key, stage, share: stages.add(stage))
+            support.drawn(obj)
+            lines.append(("new, technical", time.monotonic() - start, beat))
+        support.panel().accept()
+        for style in ("engraving", "outline"):
+            with Beat() as beat:
+                start = time.monotonic()
+                obj.Style = style
+                obj.recompute()
+                support.drawn(obj)
+                lines.append((style, time.monotonic() - start, beat))
+        text = "".join(f"{name}: {seconds:.2f} s to the drawing, longest work of the GUI's thread between heartbeats "
+                       f"{1000 * beat.longest:.0f} ms (clock {1000 * beat.wall:.0f} ms), {beat.beats} beats\n"
+                       for name, seconds, beat in lines)
+        (support.OUT / "stall.txt").write_text(text)
+        print(text)
+        support.screenshot("nist")
+        self.assertEqual(obj.Message, "")
+        self.assertTrue(stages)
+        for name, _, beat in lines:
+            self.assertLess(beat.longest, 0.1, name)
+
+    def test_a_second_change_ends_the_first_run(self):
+        obj = self.illustrate(self.part)
+        ended = []
+        from freecad.burin_wb.view import scheduler
+
+        scheduler.scheduler.ended.connect(lambda key, error: ended.append(error))
+        obj.Style = "engraving"
+        obj.recompute()
+        support.until(lambda: scheduler.scheduler._current is not None and scheduler.scheduler._current.share > 0, 5)
+        obj.Seed = 2
+        obj.recompute()
+        support.drawn(obj)
+        self.assertEqual(json.load(open(obj.Drawing))["seed"], 2)
+        self.assertEqual(obj.Message, "")
+        self.assertIsNone(ended[-1])
+
+    def test_stop_keeps_the_drawing_before(self):
+        obj = self.illustrate(self.part)
+        before = open(obj.Drawing).read()
+        obj.ViewObject.Proxy.doubleClicked(obj.ViewObject)
+        pick(child(QtGui.QComboBox, "style"), "engraving")
+        self.assertTrue(support.until(lambda: child(QtGui.QPushButton, "stop").isEnabled(), 5))
+        child(QtGui.QPushButton, "stop").click()
+        support.drawn(obj)
+        self.assertIn("cancelled", child(QtGui.QLabel, "message").text())
+        self.assertEqual(open(obj.Drawing).read(), before)
+        support.panel().reject()
+        support.drawn(obj)
+        self.assertEqual((obj.Style, obj.Message), ("technical", ""))
+
+
+support.run(__name__)
