@@ -114,10 +114,23 @@ class Messages:
             self.text = self.dock.toPlainText()[len(self.start):]
 
 
+# Mistakes in slots and callbacks, which end nothing by themselves.
+uncaught = []
+
+
+def _note(kind, error, trace):
+    uncaught.append("".join(traceback.format_exception(kind, error, trace)))
+    sys.stderr.write(uncaught[-1])
+
+
+sys.excepthook = _note
+
+
 class Case(unittest.TestCase):
     """A test with a document of its own."""
 
     def setUp(self):
+        uncaught.clear()
         self.document = FreeCAD.newDocument("Test")
         self.document.UndoMode = 1
 
@@ -128,6 +141,7 @@ class Case(unittest.TestCase):
         for name in stop:
             FreeCAD.closeDocument(name)
         settle(10)
+        self.assertEqual(uncaught, [])
 
     def box_and_ball(self):
         """A box with a ball beside it; both are parts."""

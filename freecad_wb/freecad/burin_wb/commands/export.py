@@ -4,6 +4,7 @@ import FreeCADGui as Gui
 from PySide import QtGui
 
 from .. import export as exporter
+from ..view.text import tr
 from .base import Command, Refused, selected_illustrations
 
 FILTERS = "SVG (*.svg);;PDF (*.pdf);;PNG (*.png);;EPS (*.eps);;DXF (*.dxf);;Drawing (*.json)"
@@ -22,7 +23,7 @@ class Export(Command):
     def run(self, document):
         chosen = selected_illustrations()
         if len(chosen) != 1:
-            raise Refused("select one illustration")
+            raise Refused(tr("select one illustration"))
         name, _ = QtGui.QFileDialog.getSaveFileName(Gui.getMainWindow(), self.text, "", FILTERS)
         if not name:
             return

@@ -4,6 +4,7 @@ import FreeCADGui as Gui
 
 from ..features import is_illustration
 from ..features.looks import FLAGS, flags_of, path_of, with_flag
+from ..view.text import tr
 from .base import Command, Group, Refused, selected_illustrations
 
 
@@ -27,7 +28,7 @@ class Look(Command):
     def run(self, document):
         paths, illustrations = chosen_objects(), selected_illustrations()
         if not paths or not illustrations:
-            raise Refused("select an object of the illustration (and the illustration, where there are several)")
+            raise Refused(tr("select an object of the illustration (and the illustration, where there are several)"))
         for obj in illustrations:
             looks = dict(obj.Looks)
             on = not all(self.flag in flags_of(looks.get(path, "")) for path in paths)

@@ -5,6 +5,7 @@ import FreeCADGui as Gui
 from .. import preferences
 from ..features import is_illustration, make_illustration
 from ..features.sources import collect
+from ..view.text import tr
 from .base import Command, Refused
 from ..tasks import show
 from ..tasks.illustration import IllustrationPanel
@@ -25,10 +26,10 @@ class NewIllustration(Command):
     def run(self, document):
         sources = selected_sources()
         if not sources:
-            raise Refused("select the parts, bodies, meshes or assemblies to be drawn first")
+            raise Refused(tr("select the parts, bodies, meshes or assemblies to be drawn first"))
         parts, notes = collect(sources)
         if not parts:
-            raise Refused("nothing to draw: " + ("; ".join(notes) or "the selection has no visible shape"))
+            raise Refused(tr("nothing to draw: {0}").format("; ".join(notes) or tr("the selection has no visible shape")))
         obj = make_illustration(document, sources)
         preferences.apply_to(obj)
         eye = camera_of(Gui.ActiveDocument.ActiveView)

@@ -6,6 +6,7 @@ import FreeCAD
 
 from .. import preferences
 from ..features import place_on_page
+from ..view.text import tr
 from .base import Command, Refused, selected_illustrations
 
 TEMPLATE = os.path.join("Mod", "TechDraw", "Templates", "A3_Landscape_blank.svg")
@@ -18,12 +19,12 @@ def page_of(document):
     pages = [o for o in Gui.Selection.getSelection() if o.isDerivedFrom("TechDraw::DrawPage")]
     pages = pages or [o for o in document.Objects if o.isDerivedFrom("TechDraw::DrawPage")]
     if len(pages) > 1:
-        raise Refused("this document has several pages; select one of them too")
+        raise Refused(tr("this document has several pages; select one of them too"))
     if pages:
         return pages[0]
     file = preferences.template() or os.path.join(FreeCAD.getResourceDir(), TEMPLATE)
     if not os.path.isfile(file):
-        raise Refused(f"the template {file} is not there; choose another one in the preferences of Burin")
+        raise Refused(tr("the template {0} is not there; choose another one in the preferences of Burin").format(file))
     page = document.addObject("TechDraw::DrawPage", "Page")
     template = document.addObject("TechDraw::DrawSVGTemplate", "Template")
     template.Template = file

@@ -17,7 +17,7 @@ def sheet_of(obj):
     try:
         return Sheet(obj.Drawing)
     except (OSError, ValueError, KeyError) as error:
-        raise Refused(f"{obj.Label} has no drawing that can be read ({error}); recompute it") from error
+        raise Refused(tr("{0} has no drawing that can be read ({1}); recompute it").format(obj.Label, error)) from error
 
 
 class SelectSource(Command):
@@ -33,7 +33,7 @@ class SelectSource(Command):
     def run(self, document):
         chosen = selected_illustrations()
         if len(chosen) != 1 or not chosen[0].Drawing:
-            raise Refused("select one illustration that is drawn")
+            raise Refused(tr("select one illustration that is drawn"))
         global picker
         if picker is not None:
             picker.stop()
@@ -103,7 +103,7 @@ def select(document, source, element):
     top, _, rest = source.partition(".")
     sub = (rest + "." if rest else "") + element
     if document.getObject(top) is None:
-        tell(f"{source} is no longer in the document")
+        tell(tr("{0} is no longer in the document").format(source))
         return None
     Gui.Selection.clearSelection()
     Gui.Selection.addSelection(document.Name, top, sub)
@@ -132,7 +132,7 @@ class ShowLines(Command):
                 source = chosen.ObjectName + ("." + names if names else "")
                 lit.extend(sheet.paths_of(source, element))
         obj.ViewObject.Proxy.light(sheet, lit)
-        tell(f"{len(lit)} lines")
+        tell(tr("{0} lines").format(len(lit)))
 
 
 COMMANDS = [SelectSource(), ShowLines()]

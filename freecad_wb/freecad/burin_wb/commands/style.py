@@ -1,5 +1,6 @@
 """The style of an illustration, and the panel that edits everything of it."""
 
+from ..view.text import tr
 from .base import Command, Refused, selected_illustrations
 
 
@@ -20,7 +21,7 @@ class Style(Command):
 
         chosen = selected_illustrations()
         if len(chosen) != 1:
-            raise Refused("select one illustration")
+            raise Refused(tr("select one illustration"))
         document.openTransaction(self.text)
         show(StylePanel(chosen[0]))
 
@@ -40,7 +41,7 @@ class Edit(Command):
 
         chosen = selected_illustrations()
         if len(chosen) != 1:
-            raise Refused("select one illustration")
+            raise Refused(tr("select one illustration"))
         edit(chosen[0])
 
 

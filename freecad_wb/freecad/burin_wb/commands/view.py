@@ -5,6 +5,7 @@ import collections
 import FreeCAD
 import FreeCADGui as Gui
 
+from ..view.text import tr
 from .base import Command, Group, Refused, selected_illustrations
 
 # direction: from the model to the viewer; angle: vertical field of view in degrees, 0 = parallel.
@@ -69,7 +70,7 @@ class ViewFromCamera(Command):
     def run(self, document):
         eye = camera_of(Gui.ActiveDocument.ActiveView)
         if eye is None:
-            raise Refused("show a 3-D view of the model first")
+            raise Refused(tr("show a 3-D view of the model first"))
         for obj in selected_illustrations():
             set_view(obj, eye)
         document.recompute()
@@ -87,7 +88,7 @@ class ViewFromFace(Command):
     def run(self, document):
         face = _selected_face()
         if face is None:
-            raise Refused("select a face too")
+            raise Refused(tr("select a face too"))
         for obj in selected_illustrations():
             set_view(obj, of_face(face))
         document.recompute()
@@ -110,7 +111,7 @@ class Standard(Command):
     def run(self, document):
         chosen = selected_illustrations()
         if not chosen:
-            raise Refused("select an illustration")
+            raise Refused(tr("select an illustration"))
         for obj in chosen:
             set_view(obj, standard(self.text))
         document.recompute()

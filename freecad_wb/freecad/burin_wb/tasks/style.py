@@ -93,7 +93,7 @@ class StylePanel(Panel):
         try:
             return {k: text_of(v) for k, v in kernel.module().style(self.obj.Style).items()}
         except kernel.module().Error as error:
-            QtCore.QTimer.singleShot(0, lambda: self.message.setText(str(error)))
+            QtCore.QTimer.singleShot(0, lambda text=str(error): self.message.setText(text))
             return {}
 
     def _editor(self, row, value, tip):

@@ -8,6 +8,7 @@ from PySide import QtCore
 
 from .. import worker
 from ..features import illustration, is_illustration
+from .text import tr
 
 # Seconds that a worker gets to end a cancelled job before it is ended itself.
 PATIENCE = 1.0
@@ -112,7 +113,7 @@ class Scheduler(QtCore.QObject):
             try:
                 result = self._worker.draw(run.job, lambda stage, share: self._note(run, stage, share))
             except worker.Stopped:
-                error = worker.Stopped("cancelled; the drawing shown is the one before")
+                error = worker.Stopped(tr("cancelled; the drawing shown is the one before"))
             except Exception as failure:
                 error = failure
             self._ended_runs.append((run, result, error))
@@ -145,7 +146,7 @@ class Scheduler(QtCore.QObject):
         newer = obj is not None and any(r.key == run.key for r in self._waiting)
         if obj is not None and not newer:
             if run.cancelled:
-                error = worker.Stopped("cancelled; the drawing shown is the one before")
+                error = worker.Stopped(tr("cancelled; the drawing shown is the one before"))
             run.finish(None if error else result, error)
         self._after(obj, run.key, error)
 
