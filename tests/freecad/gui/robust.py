@@ -47,6 +47,17 @@ class Crash(support.Case):
         FreeCAD.closeDocument(self.document.Name)
         support.drawn()
 
+    def test_a_document_closed_while_its_panel_is_open(self):
+        from freecad.burin_wb.view import scheduler
+
+        self.select(*self.box_and_ball())
+        Gui.runCommand("Burin_NewIllustration")
+        FreeCAD.closeDocument(self.document.Name)
+        support.settle(50)
+        self.assertFalse(Gui.Control.activeDialog())
+        scheduler.scheduler.progressed.emit(support.panel().key, "trace", 0.5)
+        support.drawn()
+
     def test_an_illustration_deleted_while_it_is_drawn(self):
         obj = self.illustrate(*self.box_and_ball())
         obj.Style = "engraving"

@@ -20,6 +20,7 @@ class Panel:
     def __init__(self, obj):
         self.obj = obj
         self.document = obj.Document
+        self.key = obj.Document.Name, obj.Name
         self.over = False
         self.form = QtGui.QWidget()
         self.form.setWindowTitle(self.title or obj.Label)
@@ -67,7 +68,7 @@ class Panel:
     def alive(self):
         """Whether the illustration is still in its document."""
         try:
-            return self.document.getObject(self.obj.Name) is not None
+            return self.document.getObject(self.key[1]) is self.obj and self.obj.Name == self.key[1]
         except (ReferenceError, RuntimeError, NameError):
             return False
 
@@ -94,12 +95,12 @@ class Panel:
         self.column.addWidget(self.message)
 
     def _progressed(self, key, stage, share):
-        if key == self._key() and not self.over:
+        if self._concerns(key):
             self.bar.setValue(round(100 * share))
             self.message.setText(tr(stage) if stage else tr("drawing"))
 
     def _ended(self, key, error):
-        if not self.over and key == self._key():
+        if self._concerns(key):
             self._tell_state(error)
             if error is None:
                 self.preview.renew()
@@ -114,8 +115,8 @@ class Panel:
             self.bar.setValue(0 if error else 100 if self.obj.Drawing else 0)
             self.message.setText(str(error) if error else self.obj.Message or tr("drawn"))
 
-    def _key(self):
-        return self.document.Name, self.obj.Name
+    def _concerns(self, key):
+        return not self.over and key == self.key and self.alive()
 
     # --- the end ---
 
@@ -137,6 +138,12 @@ class Panel:
             self.obj.touch()
             self.obj.recompute()
         return True
+
+    def abandon(self):
+        """The document is closed: there is nothing to keep or to take back."""
+        self._pause.stop()
+        self._close()
+        Gui.Control.closeDialog()
 
     def _close(self):
         self.over = True

@@ -18,8 +18,9 @@ KEPT = 8
 
 
 class _Run:
-    def __init__(self, obj, job, finish):
-        self.obj, self.key, self.job, self.finish = obj, (obj.Document.Name, obj.Name), job, finish
+    def __init__(self, obj, job, inputs, finish):
+        self.obj, self.key = obj, (obj.Document.Name, obj.Name)
+        self.job, self.inputs, self.finish = job, inputs, finish
         self.stage, self.share = "", 0.0
         self.cancelled = False
 
@@ -49,11 +50,12 @@ class Scheduler(QtCore.QObject):
 
     def __call__(self, obj, job, finish):
         key = (obj.Document.Name, obj.Name)
-        result = self._kept.get(job.fingerprint())
+        inputs = job.exact_fingerprint()
+        result = self._kept.get(inputs)
         with self._lock:
             self._drop(key)
             if result is None:
-                self._waiting.append(_Run(obj, job, finish))
+                self._waiting.append(_Run(obj, job, inputs, finish))
         if result is not None:
             finish(result, None)
             self._after(obj, key, None)
@@ -72,10 +74,18 @@ class Scheduler(QtCore.QObject):
             runs = [r for r in [self._current, *self._waiting] if r and not r.cancelled]
         return any(obj is None or r.key == (obj.Document.Name, obj.Name) for r in runs)
 
-    def cancel(self, obj):
+    def cancel(self, obj, tell=True):
         """Ends the runs of an object; what it shows stays as it is."""
+        key = (obj.Document.Name, obj.Name)
         with self._lock:
-            self._drop((obj.Document.Name, obj.Name))
+            unborn = [r for r in self._waiting if r.key == key]
+            self._drop(key)
+            begun = self._current is not None and self._current.key == key
+        if unborn and not begun:  # else the end of what has begun is told
+            error = worker.Stopped(tr("cancelled"))
+            if tell:
+                unborn[-1].finish(None, error)
+            self.ended.emit(key, error)
 
     def _drop(self, key):
         """With the lock held."""
@@ -94,8 +104,13 @@ class Scheduler(QtCore.QObject):
 
     def cancel_all(self):
         with self._lock:
-            for key in {r.key for r in [self._current, *self._waiting] if r}:
-                self._drop(key)
+            runs = [r for r in [self._current, *self._waiting] if r]
+        for run in {r.key: r for r in runs}.values():
+            if _lives(run.obj):
+                self.cancel(run.obj)
+            else:
+                with self._lock:
+                    self._drop(run.key)
 
     def stop(self):
         """Ends the worker; the next run starts another one."""
@@ -113,7 +128,7 @@ class Scheduler(QtCore.QObject):
             try:
                 result = self._worker.draw(run.job, lambda stage, share: self._note(run, stage, share))
             except worker.Stopped:
-                error = worker.Stopped(tr("cancelled; the drawing shown is the one before"))
+                error = worker.Stopped(tr("cancelled"))
             except Exception as failure:
                 error = failure
             self._ended_runs.append((run, result, error))
@@ -139,14 +154,14 @@ class Scheduler(QtCore.QObject):
 
     def _finish(self, run, result, error):
         if result is not None:
-            self._kept[run.job.fingerprint()] = result
+            self._kept[run.inputs] = result
             while len(self._kept) > KEPT:
                 self._kept.popitem(last=False)
         obj = run.obj if _lives(run.obj) else None
         newer = obj is not None and any(r.key == run.key for r in self._waiting)
         if obj is not None and not newer:
             if run.cancelled:
-                error = worker.Stopped(tr("cancelled; the drawing shown is the one before"))
+                error = worker.Stopped(tr("cancelled"))
             run.finish(None if error else result, error)
         self._after(obj, run.key, error)
 
@@ -186,7 +201,13 @@ class _Documents:
 
     def slotDeletedObject(self, obj):
         if is_illustration(obj):
-            scheduler.cancel(obj)
+            scheduler.cancel(obj, tell=False)
+
+    def slotDeletedDocument(self, document):
+        from .. import tasks
+
+        if tasks.shown is not None and not tasks.shown.over and tasks.shown.key[0] == document.Name:
+            tasks.shown.abandon()
 
     def _renew(self, document):
         for obj in document.Objects:

@@ -252,8 +252,8 @@
       <translation>Aufbau</translation>
     </message>
     <message>
-      <source>cancelled; the drawing shown is the one before</source>
-      <translation>abgebrochen; gezeigt wird die vorige Zeichnung</translation>
+      <source>cancelled</source>
+      <translation>abgebrochen</translation>
     </message>
     <message>
       <source>compose</source>
