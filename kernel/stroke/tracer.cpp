@@ -9,6 +9,7 @@ constexpr double kStep = 0.4;      // paper mm between samples
 constexpr double kProbeEvery = 2;  // samples between two tests of visibility
 constexpr double kHiddenTail =
     1.2;  // paper mm that a stroke goes on unseen, to be cut exactly later
+constexpr double kHiddenReach = 15;  // paper mm: behind less a stroke comes out as the same line
 constexpr double kMinFacing = 0.02;  // cosine: the surface is seen edge-on and turns away
 constexpr double kMinRun = 0.12;     // share of its length that a step must keep on paper
 constexpr double kMaxTurn = 0.7;     // cosine of the turn in one step that still is a smooth stroke
@@ -139,8 +140,25 @@ bool Tracer::keep_level(const Surface& surface, double level, double length,
   return true;
 }
 
+// A stroke that went on unseen and did not come out again ends behind what hides it.
 StrokeEnd Tracer::extend(std::int32_t part, const StrokeSample& seed, double sign, double reach,
                          std::vector<StrokeSample>& out) const {
+  const StrokeEnd end = advance(part, seed, sign, reach, out);
+  // The last sample of a stroke whose surface turns away is not visible for that reason.
+  std::size_t seen = out.size() - (end == StrokeEnd::Away ? 1 : 0);
+  while (seen > 0 && !out[seen - 1].visible) --seen;
+  double tail = 0;
+  for (std::size_t i = std::max<std::size_t>(seen, 1); i < out.size(); ++i) {
+    tail += glm::length(out[i].paper - out[i - 1].paper);
+    if (tail <= kHiddenTail) continue;
+    out.resize(i);
+    return StrokeEnd::Hidden;
+  }
+  return end;
+}
+
+StrokeEnd Tracer::advance(std::int32_t part, const StrokeSample& seed, double sign, double reach,
+                          std::vector<StrokeSample>& out) const {
   const Surface& surface = picture_.surface(part);
   const Camera& camera = picture_.camera;
   StrokeSample at = seed;
@@ -197,7 +215,7 @@ StrokeEnd Tracer::extend(std::int32_t part, const StrokeSample& seed, double sig
                    : unseen + std::max(ds, 0.1 * kStep);
     }
     next.visible = unseen == 0;
-    if (unseen > kHiddenTail) return StrokeEnd::Hidden;
+    if (unseen > kHiddenReach) return StrokeEnd::Hidden;
     if (next.visible) {
       if (picture_.share(next.darkness, family_) < picture_.options.tone_min)
         return StrokeEnd::Light;

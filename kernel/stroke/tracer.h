@@ -74,6 +74,9 @@ class Tracer {
   StrokeEnd extend(std::int32_t part, const StrokeSample& seed, double sign, double reach,
                    std::vector<StrokeSample>& out) const;
 
+  StrokeEnd advance(std::int32_t part, const StrokeSample& seed, double sign, double reach,
+                    std::vector<StrokeSample>& out) const;
+
   const Picture& picture_;
   const SampleGrid& grid_;
   int family_;
