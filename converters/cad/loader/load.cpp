@@ -2,7 +2,6 @@
 
 #include "../cad_format.h"
 #include "../cad_library.h"
-
 #include "beside.h"
 
 namespace burin {
