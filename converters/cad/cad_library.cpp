@@ -8,6 +8,7 @@
 #include "cad_file.h"
 #include "measure.h"
 #include "occt_session.h"
+#include "shape_in_memory.h"
 
 #include <fmt/format.h>
 
@@ -108,7 +109,7 @@ Part read_text(const std::string& brep, const Placement& placement, RunContext& 
   return part;
 }
 
-constexpr CadLibrary kLibrary{BURIN_CAD_VERSION, read, inspect, read_text};
+constexpr CadLibrary kLibrary{BURIN_CAD_VERSION, read, inspect, read_text, read_shape_in_memory};
 
 }  // namespace
 }  // namespace burin

@@ -2,11 +2,13 @@
 /// The door of libburin_cad: one symbol, `burin_cad_library`, which gives this.
 
 #include <burin/base/run_context.h>
+#include <burin/converters/cad_reader.h>
 #include <burin/converters/file_info.h>
 #include <burin/forms/parametric/chart.h>
 #include <burin/surface/scene.h>
 
 #include <filesystem>
+#include <memory>
 #include <string>
 
 namespace burin {
@@ -18,6 +20,8 @@ struct CadLibrary {
   Scene (*read)(const std::filesystem::path& path, RunContext& context);
   FileInfo (*inspect)(const std::filesystem::path& path, RunContext& context);
   Part (*read_text)(const std::string& brep, const Placement& placement, RunContext& context);
+  std::shared_ptr<const BrepShape> (*read_shape)(const std::string& bytes, BrepBytes kind,
+                                                 RunContext& context);
 };
 
 inline constexpr const char* kCadLibraryDoor = "burin_cad_library";

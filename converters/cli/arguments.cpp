@@ -90,6 +90,18 @@ void add_openscad(CLI::App& app, ReadRequest& a) {
        "end OpenSCAD after so long (default 300)");
 }
 
+void add_freecad(CLI::App& app, ReadRequest& a) {
+  list(app, "--object", a.object, "NAME|LABEL", kFiles,
+       "draw this object of FreeCAD documents, hidden or not;\n"
+       "repeatable (default: all that are visible)");
+  app.add_flag_callback(
+         "--recompute", [&a] { a.recompute = "true"; },
+         "let FreeCAD recompute a copy of the document first")
+      ->group(kFiles);
+  text(app, "--freecad-timeout", a.freecad_timeout, "SECONDS", kFiles,
+       "end FreeCAD after so long (default 300)");
+}
+
 CLI::App* add_draw(CLI::App& app, DrawArguments& a, Chatter& chatter) {
   CLI::App* draw = app.add_subcommand("draw", "draw models as one sheet of line art");
   draw->add_option("INPUT", a.inputs,
@@ -98,7 +110,7 @@ CLI::App* add_draw(CLI::App& app, DrawArguments& a, Chatter& chatter) {
                    "IRIT (.itd, .irt), Geomview patches (.bez, .bbp),\n"
                    "functions (.implicit), volumes (.nrrd .nhdr .mha .mhd\n"
                    ".inr .nii .nii.gz .vti, .raw with --raw),\n"
-                   "OpenSCAD (.scad, .csg)")
+                   "OpenSCAD (.scad, .csg), FreeCAD (.FCStd)")
       ->type_name("")
       ->group(kFiles);
   list(*draw, "-o,--output", a.outputs, "FILE", kFiles,
@@ -106,6 +118,7 @@ CLI::App* add_draw(CLI::App& app, DrawArguments& a, Chatter& chatter) {
        "suffix; repeatable; - is standard output and needs --format");
   text(*draw, "--format", a.format, "FORMAT", kFiles, kFormatHelp);
   add_openscad(*draw, a.read);
+  add_freecad(*draw, a.read);
   draw->add_flag_callback(
           "--heal", [&a] { a.read.heal = "true"; },
           "draw facets of meshes as the round surfaces that they\n"
@@ -182,6 +195,7 @@ CLI::App* add_info(CLI::App& app, InfoArguments& a) {
   info->add_option("INPUT", a.inputs, "model files")->type_name("")->group(kFiles);
   add_reading(*info, a.read, kReading);
   add_openscad(*info, a.read);
+  add_freecad(*info, a.read);
   info->add_flag("--json", a.json, "print JSON, for programs");
   return info;
 }

@@ -26,7 +26,9 @@ void measure(const TriMesh& mesh, PartInfo& info) {
   info.volume = info.closed() ? volume : 0;
 }
 
-PartInfo inspect_part(const Part& part, const RunContext& context) {
+}  // namespace
+
+PartInfo measure_mesh_part(const Part& part, const RunContext& context) {
   PartInfo info;
   info.name = part.name;
   const TriMesh& mesh = dynamic_cast<const MeshForm&>(*part.form).mesh();
@@ -41,8 +43,6 @@ PartInfo inspect_part(const Part& part, const RunContext& context) {
   return info;
 }
 
-}  // namespace
-
 FileInfo inspect_mesh(const std::filesystem::path& path, const RunContext& context) {
   FileInfo info;
   info.file = path.string();
@@ -50,7 +50,7 @@ FileInfo inspect_mesh(const std::filesystem::path& path, const RunContext& conte
   info.format = file.format;
   const Scene scene = repair_parts(std::move(file), path, context);
   info.diagnostics = scene.diagnostics;
-  for (const Part& part : scene.parts) info.parts.push_back(inspect_part(part, context));
+  for (const Part& part : scene.parts) info.parts.push_back(measure_mesh_part(part, context));
   const std::int64_t crossings = info.total().self_intersections.value_or(0);
   if (crossings > 0) {
     info.diagnostics.add(Severity::Warning, "mesh.self_intersections", crossings,

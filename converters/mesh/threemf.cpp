@@ -1,7 +1,7 @@
 #include "formats.h"
+#include "package.h"
 #include "text.h"
 #include "threemf_model.h"
-#include "threemf_package.h"
 
 #include <fmt/format.h>
 
@@ -16,7 +16,7 @@ constexpr std::size_t kMostTriangles = 100'000'000;
 
 class ThreeMfReader {
  public:
-  explicit ThreeMfReader(const Source& source) : source_(source), package_(source) {}
+  explicit ThreeMfReader(const Source& source) : source_(source), package_(source, "3MF archive") {}
   MeshFile read();
 
  private:

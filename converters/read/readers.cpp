@@ -1,6 +1,7 @@
 #include "readers.h"
 
 #include <burin/converters/cad_reader.h>
+#include <burin/converters/fcstd_reader.h>
 #include <burin/converters/implicit_reader.h>
 #include <burin/converters/irit_reader.h>
 #include <burin/converters/mesh_info.h>
@@ -63,6 +64,18 @@ constexpr Reader kOpenscad{"OpenSCAD", nullptr, is_openscad_suffix,
                              return inspect_openscad(path, openscad_options(o), c);
                            }};
 
+FcstdOptions fcstd_options(const ReadOptions& o) {
+  return {o.objects, o.recompute, o.freecad_timeout};
+}
+
+constexpr Reader kFcstd{"FreeCAD", is_fcstd_content, is_fcstd_suffix,
+                        [](const Path& path, const ReadOptions& o, RunContext& c) {
+                          return read_fcstd(path, fcstd_options(o), c);
+                        },
+                        [](const Path& path, const ReadOptions& o, RunContext& c) {
+                          return inspect_fcstd(path, fcstd_options(o), c);
+                        }};
+
 constexpr Reader kVolume{"NRRD, MHA, MHD, INR, NII, VTI, RAW", is_volume_content, is_volume_suffix,
                          [](const Path& path, const ReadOptions& o, RunContext& c) {
                            return read_volume_scene(path, o.volume, o.bounds, c);
@@ -71,7 +84,7 @@ constexpr Reader kVolume{"NRRD, MHA, MHD, INR, NII, VTI, RAW", is_volume_content
                            return inspect_volume(path, o.volume, o.bounds, c);
                          }};
 
-constexpr std::array kReaders{kCad, kIrit, kImplicit, kOpenscad, kVolume, kMesh};
+constexpr std::array kReaders{kCad, kIrit, kImplicit, kOpenscad, kFcstd, kVolume, kMesh};
 
 /// Empty where the file cannot be read: its reader says why.
 std::string head_of(const std::filesystem::path& path) {

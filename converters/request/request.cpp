@@ -86,6 +86,8 @@ constexpr std::array kReadRows{
     ReadRow{"raw", &ReadRequest::raw},
     ReadRow{"raw_skip", &ReadRequest::raw_skip},
     ReadRow{"openscad_timeout", &ReadRequest::openscad_timeout},
+    ReadRow{"recompute", &ReadRequest::recompute},
+    ReadRow{"freecad_timeout", &ReadRequest::freecad_timeout},
     ReadRow{"heal", &ReadRequest::heal},
 };
 
@@ -162,6 +164,13 @@ ReadOptions make_read_options(const ReadRequest& request, Spelling spelling) {
   read.openscad_timeout = number_option(spelled("openscad_timeout", spelling),
                                         request.openscad_timeout, 0.001, kWeek, "seconds over 0")
                               .value_or(read.openscad_timeout);
+  read.objects = request.object;
+  if (!request.recompute.empty()) {
+    read.recompute = flag_option(spelled("recompute", spelling), request.recompute);
+  }
+  read.freecad_timeout = number_option(spelled("freecad_timeout", spelling),
+                                       request.freecad_timeout, 0.001, kWeek, "seconds over 0")
+                             .value_or(read.freecad_timeout);
   read.volume = make_volume_options(request, spelling);
   if (!request.mesher.empty()) read.volume.mesher = read.mesher;
   if (!request.heal.empty()) {
@@ -172,9 +181,9 @@ ReadOptions make_read_options(const ReadRequest& request, Spelling spelling) {
 
 void set_read_option(ReadRequest& request, const std::string& name, const std::string& value,
                      const std::vector<std::string>& others) {
-  std::vector<std::string> names = {"define"};
-  if (name == names.front()) {
-    request.define.push_back(value);
+  std::vector<std::string> names = {"define", "object"};
+  if (name == "define" || name == "object") {
+    (name == "define" ? request.define : request.object).push_back(value);
     return;
   }
   for (const ReadRow& row : kReadRows) {

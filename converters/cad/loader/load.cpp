@@ -41,4 +41,9 @@ Part read_brep_text(const std::string& brep, const Placement& placement, RunCont
   return library().read_text(brep, placement, context);
 }
 
+std::shared_ptr<const BrepShape> read_brep_shape(const std::string& bytes, BrepBytes kind,
+                                                 RunContext& context) {
+  return library().read_shape(bytes, kind, context);
+}
+
 }  // namespace burin

@@ -7,6 +7,7 @@
 #include <burin/surface/scene.h>
 
 #include <filesystem>
+#include <memory>
 #include <string>
 #include <string_view>
 
@@ -37,5 +38,30 @@ FileInfo inspect_cad(const std::filesystem::path& path, RunContext& context);
 /// in the order of TopExp::MapShapes. Throws InputError where the text is broken, GeometryError
 /// where the shape has no face. Cost: 1 to 15 ms, and once a process 60 ms to load the library.
 Part read_brep_text(const std::string& brep, const Placement& placement, RunContext& context);
+
+/// A shape out of memory, read once and placed as often as it is wanted.
+class BrepShape {
+ public:
+  BrepShape() = default;
+  BrepShape(const BrepShape&) = delete;
+  BrepShape& operator=(const BrepShape&) = delete;
+  virtual ~BrepShape() = default;
+
+  /// The location that the shape itself carries. The functions below leave it out.
+  virtual const Placement& own() const = 0;
+  /// The shape at `placement` (a rigid motion, a scale the same along all axes, a mirror); faces
+  /// and edges numbered as `read_brep_text` does. All forms share one model.
+  virtual std::shared_ptr<const Form> form(const Placement& placement) const = 0;
+  /// Counts and measures at `placement`; no name.
+  virtual PartInfo measure(const Placement& placement) const = 0;
+};
+
+/// Occt: BREP as OCCT writes it, text or binary. FreecadBinary: what FreeCAD's exportBinary and
+/// its documents hold, which has no head of its own kind and another tail.
+enum class BrepBytes { Occt, FreecadBinary };
+
+/// Throws InputError where the bytes are broken, GeometryError where the shape has no face.
+std::shared_ptr<const BrepShape> read_brep_shape(const std::string& bytes, BrepBytes kind,
+                                                 RunContext& context);
 
 }  // namespace burin

@@ -3,6 +3,7 @@
 
 #include <burin/base/run_context.h>
 #include <burin/converters/file_info.h>
+#include <burin/surface/scene.h>
 
 #include <filesystem>
 
@@ -11,5 +12,8 @@ namespace burin {
 /// Reads, repairs and measures. Throws InputError as `read_mesh_file` does. Cost: about
 /// 2 s of processor time a million triangles.
 FileInfo inspect_mesh(const std::filesystem::path& path, const RunContext& context);
+
+/// Counts and measures of a part that `repair_parts` made.
+PartInfo measure_mesh_part(const Part& part, const RunContext& context);
 
 }  // namespace burin

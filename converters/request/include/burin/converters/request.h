@@ -20,6 +20,10 @@ struct ReadRequest {
   /// OpenSCAD's -D NAME=VALUE.
   std::vector<std::string> define = {};
   std::string openscad_timeout = {};
+  /// FreeCAD documents.
+  std::vector<std::string> object = {};
+  std::string recompute = {};
+  std::string freecad_timeout = {};
   /// Volumes.
   std::string iso;
   std::string inside;

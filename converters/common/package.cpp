@@ -1,10 +1,11 @@
-#include "threemf_package.h"
+#include "package.h"
 
 #include <fmt/format.h>
 #include <unistd.h>
 #include <zip.h>
 
 #include <algorithm>
+#include <utility>
 
 namespace burin {
 namespace {
@@ -40,7 +41,8 @@ struct Package::Impl {
   }
 };
 
-Package::Package(const Source& source) : source_(source), impl_(std::make_unique<Impl>()) {
+Package::Package(const Source& source, std::string kind)
+    : source_(source), kind_(std::move(kind)), impl_(std::make_unique<Impl>()) {
   zip_error_t error;
   zip_error_init(&error);
   zip_source_t* bytes =
@@ -73,33 +75,31 @@ bool Package::has(const std::string& name) const { return impl_->locate(name) >=
 
 std::string Package::read(const std::string& name) const {
   const zip_int64_t found = impl_->locate(name);
-  if (found < 0)
-    source_.fail(fmt::format("the 3MF archive has no member {}; export it again", name));
+  if (found < 0) source_.fail(fmt::format("the {} has no member {}; export it again", kind_, name));
   const auto index = static_cast<zip_uint64_t>(found);
   zip_stat_t info;
   zip_stat_init(&info);
   zip_stat_index(impl_->archive.get(), index, 0, &info);
   constexpr zip_uint64_t kNeeded = ZIP_STAT_SIZE | ZIP_STAT_COMP_SIZE;
   if ((info.valid & kNeeded) != kNeeded) {
-    source_.fail(fmt::format("{} in the 3MF archive has no size; export it again", name));
+    source_.fail(fmt::format("{} in the {} has no size; export it again", name, kind_));
   }
   const double ratio = static_cast<double>(info.size) / (static_cast<double>(info.comp_size) + 1);
   if (info.comp_size > source_.bytes().size() || (info.size > kHarmless && ratio > kLargestRatio)) {
     source_.fail(
-        fmt::format("{} in the 3MF archive claims {} bytes packed into {}; it is damaged or "
+        fmt::format("{} in the {} claims {} bytes packed into {}; it is damaged or "
                     "hostile and was not unpacked",
-                    name, info.size, info.comp_size));
+                    name, kind_, info.size, info.comp_size));
   }
   if (info.size > largest_member()) {
-    source_.fail(
-        fmt::format("{} in the 3MF archive holds {} bytes, too many for this machine's memory",
-                    name, info.size));
+    source_.fail(fmt::format("{} in the {} holds {} bytes, too many for this machine's memory",
+                             name, kind_, info.size));
   }
   const std::unique_ptr<zip_file_t, CloseMember> member(
       zip_fopen_index(impl_->archive.get(), index, 0));
   const auto fail = [&](const char* reason) {
-    source_.fail(fmt::format("{} in the 3MF archive cannot be unpacked ({}); export it again", name,
-                             reason));
+    source_.fail(
+        fmt::format("{} in the {} cannot be unpacked ({}); export it again", name, kind_, reason));
   };
   if (!member) fail(zip_strerror(impl_->archive.get()));
   std::string bytes(static_cast<std::size_t>(info.size), '\0');

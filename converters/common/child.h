@@ -1,5 +1,5 @@
 #pragma once
-// A program that is run to its end, to a time limit or to a cancellation; internal to the room.
+// A program that is run to its end, to a time limit or to a cancellation; for converters alone.
 
 #include <burin/base/run_context.h>
 

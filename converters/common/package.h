@@ -1,5 +1,5 @@
 #pragma once
-/// The zip archive that a 3MF file is.
+/// Zip archives: what 3MF files and FreeCAD documents are.
 
 #include "source.h"
 
@@ -15,7 +15,8 @@ namespace burin {
 /// InputErrors of `source`.
 class Package {
  public:
-  explicit Package(const Source& source);
+  /// `kind` for messages: "3MF archive". Throws where it is no zip archive.
+  Package(const Source& source, std::string kind);
   ~Package();
   Package(const Package&) = delete;
   Package& operator=(const Package&) = delete;
@@ -24,13 +25,14 @@ class Package {
   std::vector<std::string> names() const;
   /// Whether there is a member of this name (in any case, with or without a leading slash).
   bool has(const std::string& name) const;
-  /// The unpacked bytes. Refused where they are far more than their packed size or this machine's
-  /// memory allows.
+  /// The unpacked bytes; the run is polled for a cancel. Refused where they are far more than their
+  /// packed size or this machine's memory allows.
   std::string read(const std::string& name) const;
 
  private:
   struct Impl;
   const Source& source_;
+  std::string kind_;
   std::unique_ptr<Impl> impl_;
 };
 

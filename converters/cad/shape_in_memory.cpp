@@ -1,0 +1,99 @@
+#include "shape_in_memory.h"
+
+#include <burin/base/error.h>
+#include <burin/forms/brep/brep_form.h>
+#include <burin/forms/brep/occt/brep_model.h>
+
+#include "collect.h"
+#include "measure.h"
+#include "occt_session.h"
+
+#include <BRepTools.hxx>
+#include <BRep_Builder.hxx>
+#include <BinTools.hxx>
+#include <BinTools_ShapeSet.hxx>
+
+#include <sstream>
+#include <utility>
+
+namespace burin {
+namespace {
+
+class ShapeInMemory final : public BrepShape {
+ public:
+  ShapeInMemory(std::shared_ptr<const BrepModel> model, const Placement& own)
+      : model_(std::move(model)), own_(own) {}
+
+  const Placement& own() const override { return own_; }
+  std::shared_ptr<const Form> form(const Placement& placement) const override {
+    return std::make_shared<BrepForm>(model_, placement);
+  }
+  PartInfo measure(const Placement& placement) const override {
+    const OcctSession session(OcctSession::Of::Shapes);
+    PartInfo info;
+    session.guarded({}, [&] { info = burin::measure(*model_, placement); });
+    return info;
+  }
+
+ private:
+  std::shared_ptr<const BrepModel> model_;
+  Placement own_;
+};
+
+/// A set of shapes, then which of them it is, its location and its orientation.
+TopoDS_Shape read_freecad_binary(std::istream& in) {
+  BinTools_ShapeSet set;
+  set.Read(in);
+  Standard_Integer shape = 0, location = 0, orientation = 0;
+  BinTools::GetInteger(in, shape);
+  BinTools::GetInteger(in, location);
+  BinTools::GetInteger(in, orientation);
+  if (shape < 1 || shape > set.NbShapes() || location < 0 ||
+      location > set.Locations().NbLocations() || orientation < TopAbs_FORWARD ||
+      orientation > TopAbs_EXTERNAL) {
+    return {};
+  }
+  TopoDS_Shape found = set.Shape(shape);
+  if (found.IsNull()) return found;
+  found.Location(set.Locations().Location(location));
+  found.Orientation(static_cast<TopAbs_Orientation>(orientation));
+  return found;
+}
+
+TopoDS_Shape read(std::istream& in, BrepBytes kind, const std::string& bytes) {
+  TopoDS_Shape shape;
+  // OCCT's own binary form begins with "\nOpen CASCADE Topology V".
+  if (kind == BrepBytes::FreecadBinary) return read_freecad_binary(in);
+  if (bytes.substr(0, 64).find("Open CASCADE Topology") != std::string::npos) {
+    BinTools::Read(shape, in);
+  } else {
+    BRepTools::Read(shape, in, BRep_Builder());
+  }
+  return shape;
+}
+
+}  // namespace
+
+std::shared_ptr<const BrepShape> read_shape_in_memory(const std::string& bytes, BrepBytes kind,
+                                                      RunContext& context) {
+  const OcctSession session(OcctSession::Of::Shapes);
+  std::shared_ptr<const BrepShape> read_shape;
+  session.guarded({}, [&] {
+    std::istringstream in(bytes);
+    // OCCT's readers loop for ever where a number is missing; an exception ends them.
+    in.exceptions(std::ios::failbit | std::ios::badbit);
+    TopoDS_Shape shape;
+    try {
+      shape = read(in, kind, bytes);
+    } catch (const std::ios_base::failure&) {
+      throw InputError("the BREP data is broken or ends early");
+    }
+    context.check();
+    if (shape.IsNull()) throw InputError("the BREP data is broken or holds no shape");
+    const CadPart part = make_part(shape, TopLoc_Location(), {});
+    read_shape = std::make_shared<ShapeInMemory>(make_brep_model(part.shape), part.placement);
+  });
+  return read_shape;
+}
+
+}  // namespace burin

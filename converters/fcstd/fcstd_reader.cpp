@@ -1,0 +1,255 @@
+#include <burin/base/error.h>
+#include <burin/converters/cad_reader.h>
+#include <burin/converters/fcstd_reader.h>
+#include <burin/converters/mesh_info.h>
+#include <burin/converters/mesh_reader.h>
+
+#include "bms.h"
+#include "recompute.h"
+#include "text.h"
+#include "walk.h"
+#include "xml.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <optional>
+#include <utility>
+
+namespace burin {
+namespace {
+
+using Path = std::filesystem::path;
+using detail::FcUse;
+
+/// Share of a scale by which the axes of a placement may differ and be taken for one.
+constexpr double kEven = 1e-9;
+
+bool is_similar(const Mat3& m) {
+  const double x = glm::length(m[0]), y = glm::length(m[1]), z = glm::length(m[2]);
+  const double most = kEven * std::max({x, y, z});
+  return x > 0 && y > 0 && z > 0 && std::abs(x - y) <= most && std::abs(x - z) <= most;
+}
+
+/// What is made of a document: parts for a drawing, or what is told of them.
+struct Made {
+  std::string program;
+  std::vector<Part> parts;
+  std::vector<PartInfo> infos;
+  Diagnostics diagnostics;
+};
+
+class Maker {
+ public:
+  Maker(const Path& path, const FcstdOptions& options, bool measures, RunContext& context)
+      : path_(path), options_(options), measures_(measures), context_(context) {}
+
+  Made make() {
+    std::optional<detail::TemporaryFolder> folder;
+    Path copy;
+    if (options_.recompute) {
+      { const detail::FcDocument looks_well(path_, {}, context_); }
+      folder.emplace();
+      copy = detail::recompute(path_, options_.timeout, *folder, made_.diagnostics, context_);
+    }
+    detail::FcDocuments documents(context_);
+    const detail::FcDocument& root = documents.open(path_, copy);
+    made_.program = root.program();
+    if (root.gui_is_broken()) {
+      made_.diagnostics.add(Severity::Warning, "fcstd.broken_colors", 1,
+                            "GuiDocument.xml is broken; there are no colours, and what is hidden "
+                            "is told by Document.xml alone");
+    }
+    detail::FcWalk walk(documents, root, context_);
+    if (options_.objects.empty()) {
+      walk.visible();
+    } else {
+      walk.chosen(options_.objects);
+    }
+    made_.diagnostics.append(walk.diagnostics);
+    number_names(walk.uses);
+    for (std::size_t i = 0; i < walk.uses.size(); ++i) {
+      context_.check();
+      add(walk.uses[i]);
+      context_.progress(static_cast<double>(i + 1) / static_cast<double>(walk.uses.size()));
+    }
+    if (made_.parts.empty()) fail(root, walk.diagnostics);
+    if (without_faces_ > 0) {
+      made_.diagnostics.add(Severity::Info, "fcstd.no_faces", without_faces_,
+                            "visible objects without any face (wires, points) were left out");
+    }
+    return std::move(made_);
+  }
+
+ private:
+  /// A member of an archive, read once; without a shape where it is broken or has no face.
+  struct Shape {
+    std::shared_ptr<const BrepShape> brep;
+    std::optional<PolygonSoup> mesh;
+    bool no_face = false;
+    /// The first part that shows it.
+    std::int32_t first = -1;
+  };
+
+  /// Gives " #2", " #3" ... to uses that have name and assembly in common with one before.
+  static void number_names(std::vector<FcUse>& uses) {
+    std::map<std::pair<std::vector<std::string>, std::string>, int> seen;
+    for (FcUse& use : uses) {
+      const int n = ++seen[{use.assembly, use.name}];
+      if (n > 1) use.name += fmt::format(" #{}", n);
+    }
+  }
+
+  void broken(const FcUse& use, const std::string& why) {
+    const std::string message = fmt::format("{}: the object was left out: {}", use.name, why);
+    if (first_failure_.empty()) first_failure_ = message;
+    made_.diagnostics.add(Severity::Error, "fcstd.broken_shape", 1, message);
+  }
+
+  Shape& shape_of(const FcUse& use) {
+    const bool brep = !use.shape->shape.empty();
+    const std::string& member = brep ? use.shape->shape : use.shape->mesh;
+    const auto [it, is_new] = shapes_.try_emplace({use.document, member});
+    if (!is_new) return it->second;
+    try {
+      std::string bytes = use.document->member(member);
+      if (brep) {
+        const bool binary = lowered(Path(member).extension().string()) == ".bin";
+        it->second.brep =
+            read_brep_shape(bytes, binary ? BrepBytes::FreecadBinary : BrepBytes::Occt, context_);
+      } else {
+        it->second.mesh = detail::read_bms(Source(member, std::move(bytes), context_));
+      }
+    } catch (const GeometryError&) {
+      it->second.no_face = true;
+    } catch (const InputError& e) {
+      broken(use, e.what());
+    }
+    return it->second;
+  }
+
+  void add(const FcUse& use) {
+    Shape& shape = shape_of(use);
+    if (shape.no_face) ++without_faces_;
+    try {
+      if (shape.brep) return add_brep(use, shape);
+      if (shape.mesh) add_mesh(use, *shape.mesh);
+    } catch (const GeometryError& e) {
+      broken(use, e.what());
+    } catch (const InputError& e) {
+      broken(use, e.what());
+    }
+  }
+
+  void add_brep(const FcUse& use, Shape& shape) {
+    const Placement place =
+        use.own ? detail::after(use.placement, shape.brep->own()) : use.placement;
+    if (!is_similar(place.linear)) {
+      return broken(use, "its link scales it unevenly, which is not drawn; scale the shape itself");
+    }
+    if (measures_) {
+      PartInfo info = shape.brep->measure(place);
+      info.same_shape_as = shape.first;
+      if (shape.first < 0) shape.first = static_cast<std::int32_t>(made_.infos.size());
+      push(use, std::move(info));
+    }
+    push(use, shape.brep->form(place));
+  }
+
+  void add_mesh(const FcUse& use, PolygonSoup soup) {
+    const Placement place =
+        use.own ? detail::after(use.placement, use.shape->placement) : use.placement;
+    for (Vec3& p : soup.positions) p = place.point(p);
+    if (place.mirrors()) {
+      for (std::size_t i = 0; i + 2 < soup.indices.size(); i += 3) {
+        std::swap(soup.indices[i + 1], soup.indices[i + 2]);
+      }
+    }
+    soup.name = use.name;
+    MeshFile file;
+    file.objects.push_back(std::move(soup));
+    Scene scene = repair_parts(std::move(file), path_, context_);
+    for (Diagnostic d : scene.diagnostics.entries()) {
+      d.message = use.name + ": " + d.message;
+      made_.diagnostics.add(std::move(d));
+    }
+    if (measures_) push(use, measure_mesh_part(scene.parts.front(), context_));
+    push(use, std::move(scene.parts.front().form));
+  }
+
+  void push(const FcUse& use, PartInfo info) {
+    info.name = use.name;
+    info.assembly = use.assembly;
+    info.color = use.color;
+    made_.infos.push_back(std::move(info));
+  }
+  void push(const FcUse& use, std::shared_ptr<const Form> form) {
+    made_.parts.push_back({use.name, path_.string(), std::move(form), use.assembly, use.color});
+  }
+
+  [[noreturn]] void fail(const detail::FcDocument& root, const Diagnostics& walked) const {
+    const std::string file = path_.string();
+    if (!first_failure_.empty()) throw InputError(first_failure_, file);
+    if (!walked.empty()) throw InputError(walked.entries().front().message, file);
+    if (without_faces_ > 0 || !options_.objects.empty()) {
+      throw InputError("what is to be drawn has no faces; solids, surfaces and meshes are drawn",
+                       file);
+    }
+    const auto& objects = root.objects();
+    const auto hidden = std::find_if(objects.begin(), objects.end(), [](const auto& o) {
+      return !(o.shape.empty() && o.mesh.empty()) && !o.is_illustration &&
+             !o.type.starts_with("Sketcher::");
+    });
+    if (hidden != objects.end()) {
+      throw InputError(
+          fmt::format("all of its shapes are hidden; show them in FreeCAD, or choose some: "
+                      "--object {}",
+                      in_quotes(hidden->label)),
+          file);
+    }
+    const bool drawings = std::any_of(objects.begin(), objects.end(),
+                                      [](const auto& o) { return o.is_illustration; });
+    throw InputError(drawings ? "holds Burin illustrations only, no shapes; draw the document that "
+                                "they show"
+                              : "holds no shapes or meshes to draw",
+                     file);
+  }
+
+  const Path& path_;
+  const FcstdOptions& options_;
+  bool measures_;
+  RunContext& context_;
+  Made made_;
+  std::map<std::pair<const detail::FcDocument*, std::string>, Shape> shapes_;
+  std::int64_t without_faces_ = 0;
+  std::string first_failure_;
+};
+
+}  // namespace
+
+bool is_fcstd_suffix(const Path& path) { return lowered(path.extension().string()) == ".fcstd"; }
+
+bool is_fcstd_content(std::string_view head) {
+  constexpr std::size_t kName = 30;  // bytes of a local header before the name
+  return head.starts_with(std::string_view("PK\3\4", 4)) && head.size() > kName &&
+         head.substr(kName).starts_with("Document.xml");
+}
+
+Scene read_fcstd(const Path& path, const FcstdOptions& options, RunContext& context) {
+  Made made = Maker(path, options, false, context).make();
+  return {std::move(made.parts), std::move(made.diagnostics)};
+}
+
+FileInfo inspect_fcstd(const Path& path, const FcstdOptions& options, RunContext& context) {
+  Made made = Maker(path, options, true, context).make();
+  FileInfo info;
+  info.file = path.string();
+  info.format = std::move(made.program);
+  info.parts = std::move(made.infos);
+  info.diagnostics = std::move(made.diagnostics);
+  return info;
+}
+
+}  // namespace burin

@@ -1,0 +1,94 @@
+#pragma once
+// From the tree of a document to the shapes that stand in space; internal to the room.
+
+#include <burin/base/diagnostics.h>
+
+#include "document.h"
+
+#include <memory>
+#include <set>
+
+namespace burin::detail {
+
+/// One shape or mesh in one place.
+struct FcUse {
+  const FcDocument* document = nullptr;
+  const FcObject* object = nullptr;
+  /// `object` again, or a feature with the shape of a body that has none of its own.
+  const FcObject* shape = nullptr;
+  /// Applied after the object's own placement where `own`, else in its stead.
+  Placement placement;
+  bool own = true;
+  std::string name, color;
+  std::vector<std::string> assembly;
+};
+
+/// The documents that a walk has opened, each once.
+class FcDocuments {
+ public:
+  explicit FcDocuments(const RunContext& context) : context_(context) {}
+  const FcDocument& open(const std::filesystem::path& path, const std::filesystem::path& copy = {});
+
+ private:
+  const RunContext& context_;
+  std::map<std::filesystem::path, std::unique_ptr<FcDocument>> open_;
+};
+
+class FcWalk {
+ public:
+  FcWalk(FcDocuments& documents, const FcDocument& root, const RunContext& context);
+
+  /// Everything that is visible.
+  void visible();
+  /// Objects by their names or labels. Throws InputError that names the nearest.
+  void chosen(const std::vector<std::string>& names);
+
+  std::vector<FcUse> uses;
+  Diagnostics diagnostics;
+
+ private:
+  struct Place {
+    Placement placement;
+    /// Whether the object's own placement applies.
+    bool own = true;
+    /// Whether it is shown whatever its own visibility.
+    bool shown = false;
+    /// Whether a user named it.
+    bool named = false;
+    std::vector<std::string> assembly;
+    std::string alias, color;
+  };
+  struct Target {
+    const FcDocument* document = nullptr;
+    std::int32_t object = -1;
+    Placement before;
+    /// Whether `object` lies below the one that the link names first.
+    bool below = false;
+  };
+
+  void visit(const FcDocument& document, std::int32_t number, const Place& place);
+  void visit_here(const FcDocument& document, const FcObject& object, const Place& place);
+  void members(const FcDocument& document, const FcObject& object, const Place& place);
+  void link_group(const FcDocument& document, const FcObject& object, const Place& place);
+  void link(const FcDocument& document, const FcObject& object, const Place& place);
+  void array(const FcDocument& document, const FcObject& object, const Target& target,
+             const Place& place);
+  void leaf(const FcDocument& document, const FcObject& object, const Place& place);
+  bool find_target(const FcDocument& document, const FcObject& link, Target& target);
+  static bool descend(const std::string& sub, bool transform, Target& target);
+  void find_parents();
+  Place place_of(std::int32_t number) const;
+  void note(const char* code, const std::string& message);
+
+  FcDocuments& documents_;
+  const FcDocument& root_;
+  const RunContext& context_;
+  /// Of the objects of the root document; -1 = none.
+  std::vector<std::int32_t> parent_;
+  std::vector<std::int32_t> roots_;
+  std::vector<const FcObject*> path_;
+  std::set<std::string> noted_;
+  std::size_t visits_ = 0;
+};
+
+}  // namespace burin::detail
