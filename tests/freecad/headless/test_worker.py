@@ -1,0 +1,145 @@
+"""The kernel in a process of its own: crashes, cancelled runs, none to be had."""
+
+import json
+import os
+import signal
+import threading
+import time
+
+import Part
+
+from support import V, App, Case, content
+
+from freecad.burin_wb import worker
+from freecad.burin_wb.features import illustration as module
+from freecad.burin_wb.job import Job, PartJob
+
+
+def long_job():
+    """Some seconds of work."""
+    block = Part.makeBox(60, 60, 10)
+    for i in range(5):
+        for k in range(5):
+            block = block.cut(Part.makeCylinder(4, 20, V(6 + 12 * i, 6 + 12 * k, -5)))
+    options = {"style": "engraving", "paper": (1500, 1500), "margin": 5, "tolerance": 0.002}
+    return Job([PartJob("Block", "Block", block.exportBrepToString().encode())], options)
+
+
+class Killed(threading.Thread):
+    """Sends a signal to the process of a worker once its run is under way."""
+
+    def __init__(self, of, number):
+        super().__init__(daemon=True)
+        self.of, self.number, self.hit = of, number, threading.Event()
+
+    def progress(self, stage, share):
+        if not self.hit.is_set():
+            self.hit.set()
+            os.kill(self.of._process.pid, self.number)
+
+
+class Worker(Case):
+    def setUp(self):
+        super().setUp()
+        self.worker = worker.Worker()
+
+    def tearDown(self):
+        self.worker.stop()
+        super().tearDown()
+
+    def test_a_crash_in_a_run_is_told_and_the_next_run_works(self):
+        for number in (signal.SIGSEGV, signal.SIGKILL, signal.SIGABRT):
+            killer = Killed(self.worker, number)
+            with self.assertRaises(worker.Failed) as caught:
+                self.worker.draw(long_job(), killer.progress)
+            self.assertIn(f"ended unexpectedly (signal {int(number)})", str(caught.exception))
+        job = Job([PartJob("Box", "Box", Part.makeBox(1, 2, 3).exportBrepToString().encode())], {"style": "outline"})
+        self.assertIn(b"layers", self.worker.draw(job).drawing)
+
+    def test_a_crash_leaves_the_document_alive(self):
+        obj = self.illustration(self.box())
+        before = content(obj.Drawing)
+        running, module._worker = module._worker, self.worker
+        try:
+            self.worker.start()
+            os.kill(self.worker._process.pid, signal.SIGSTOP)  # so that the job is in it when it dies
+            pid = self.worker._process.pid
+            threading.Timer(0.3, os.kill, (pid, signal.SIGSEGV)).start()
+            threading.Timer(0.35, os.kill, (pid, signal.SIGCONT)).start()
+            self.doc.Box.Length = 12
+            self.doc.recompute()
+            self.assertIn("ended unexpectedly (signal 11)", obj.Message)
+            self.assertEqual(content(obj.Drawing), before)
+            self.redraw(obj)
+            self.assertEqual(obj.Message, "")
+            self.assertNotEqual(content(obj.Drawing), before)
+            self.assertEqual(len(json.loads(content(self.reopen(obj).Drawing))["parts"]), 1)
+        finally:
+            module._worker = running
+
+    def test_a_worker_that_died_between_runs_is_started_anew(self):
+        obj = self.illustration(self.box())
+        process = module._worker._process
+        process.kill()
+        process.wait()
+        obj.Seed = 3
+        self.redraw(obj)
+        self.assertEqual(obj.Message, "")
+
+    def test_cancelled(self):
+        cancelled = []
+
+        def progress(stage, share):
+            if not cancelled:
+                cancelled.append(time.monotonic())
+                self.worker.cancel()
+
+        with self.assertRaises(worker.Stopped):
+            self.worker.draw(long_job(), progress)
+        job = Job([PartJob("Box", "Box", Part.makeBox(1, 2, 3).exportBrepToString().encode())], {"style": "outline"})
+        self.assertIn(b"layers", self.worker.draw(job).drawing)
+        self.worker.cancel()  # nothing is under way: of no effect
+        self.assertIn(b"layers", self.worker.draw(job).drawing)
+
+    def test_progress_comes_with_stages(self):
+        seen = []
+        self.worker.draw(Job(long_job().parts, {"style": "technical"}), lambda *told: seen.append(told))
+        self.assertGreater(len({stage for stage, _ in seen}), 2)
+        self.assertTrue(all(0 <= share <= 1 for _, share in seen))
+
+    def test_without_an_interpreter_it_runs_here_and_says_so_once(self):
+        before, worker.interpreter = worker.interpreter, lambda: None
+        worker.Worker._told = False
+        try:
+            obj = self.illustration(self.box())
+            kept = content(obj.Drawing)
+            module._worker, running = self.worker, module._worker
+            try:
+                obj.Seed = 2
+                self.redraw(obj)
+                obj.Seed = 1
+                self.redraw(obj)
+            finally:
+                module._worker = running
+            self.assertEqual((obj.Message, self.worker._process), ("", None))
+            self.assertTrue(worker.Worker._told)
+            self.assertEqual(content(obj.Drawing), kept)  # the same wherever it runs
+        finally:
+            worker.interpreter = before
+
+    def test_a_program_that_is_no_python(self):
+        before, worker.interpreter = worker.interpreter, lambda: "/bin/false"
+        try:
+            with self.assertRaises(worker.Failed):
+                self.worker.draw(Job([], {}))
+            worker.interpreter = lambda: "/nowhere/python3"
+            self.worker.draw(Job([PartJob("Box", "Box", Part.makeBox(1, 2, 3).exportBrepToString().encode())], {}))
+        finally:
+            worker.interpreter = before
+
+    def test_two_runs_give_the_same_bytes(self):
+        obj = self.illustration(self.box())
+        first = content(obj.Drawing), content(obj.Picture)
+        obj.Inputs = ""
+        self.redraw(obj)
+        self.assertEqual((content(obj.Drawing), content(obj.Picture)), first)
