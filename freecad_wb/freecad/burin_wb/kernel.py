@@ -18,8 +18,8 @@ class KernelMissing(Exception):
 
 
 def folders():
-    """Folders that are searched besides sys.path, in order: the environment's, this add-on's own, and
-    the build folder of a development checkout."""
+    """Folders that hold the module and are searched besides sys.path, in order: the environment's, the preferences',
+    this add-on's own, the one that was installed with it, and the build folder of a development checkout."""
     here = os.path.dirname(os.path.realpath(__file__))
     named = os.environ.get("BURIN_PYTHON_PATH", "")
     found = [p for p in named.split(os.pathsep) if p]
@@ -28,25 +28,47 @@ def folders():
 
         found.append(preferences.kernel_folder())
     found.append(os.path.join(here, "native"))
+    found.extend(_installed(here))
     found.append(os.path.normpath(os.path.join(here, "../../../build/release/python")))
-    return [p for p in found if os.path.isdir(os.path.join(p, "burin"))]
+    return [p for p in found if p and _holds_module(p)]
+
+
+def _installed(here):
+    """PREFIX/lib/pythonX.Y/dist-packages beside PREFIX/share/freecad/Mod/Burin, wherever the prefix was moved to; for
+    add-ons installed elsewhere what the installation noted."""
+    prefix = os.path.normpath(os.path.join(here, "../../../../../.."))
+    python = "lib/python%d.%d" % sys.version_info[:2]
+    found = [os.path.join(prefix, python, packages) for packages in ("dist-packages", "site-packages")]
+    try:
+        with open(os.path.join(here, "kernel.path"), encoding="utf-8") as noted:
+            found.append(noted.read().strip())
+    except OSError:
+        pass
+    return found
+
+
+def _holds_module(folder):
+    package = os.path.join(folder, "burin")
+    return os.path.isdir(package) and any(name.startswith("_burin.") for name in os.listdir(package))
 
 
 def found():
     """Whether the module is there; does not load it."""
     if "burin" in sys.modules or folders():
         return True
-    return importlib.util.find_spec("burin") is not None
+    spec = importlib.util.find_spec("burin")
+    return spec is not None and spec.origin is not None
 
 
 def module():
     """The module `burin`. Throws KernelMissing."""
-    if "burin" in sys.modules:
-        return sys.modules["burin"]
     for folder in folders():
         if folder not in sys.path:
             sys.path.append(folder)
     try:
-        return importlib.import_module("burin")
-    except ImportError as error:
+        burin = importlib.import_module("burin")
+        burin.draw  # a folder that only has the name is a module too
+        return burin
+    except (ImportError, AttributeError) as error:
+        sys.modules.pop("burin", None)
         raise KernelMissing(f"{HOW_TO_INSTALL} ({error})") from error

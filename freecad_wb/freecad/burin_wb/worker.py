@@ -212,6 +212,14 @@ def _serve():
     ready = threading.Condition()
 
     def listen():
+        try:
+            hear()
+        except BaseException:  # nobody would hear of the jobs to come
+            traceback.print_exc()
+            sys.stderr.flush()
+            os._exit(1)
+
+    def hear():
         while True:
             message = _receive(source)
             with ready:

@@ -1,5 +1,6 @@
 """The parametric illustration: properties in, a drawing kept in the document out."""
 
+import json
 import os
 import tempfile
 
@@ -61,6 +62,8 @@ class Illustration:
             return
         exact = job.exact_fingerprint()
         if self._is_drawn(obj, job, exact):
+            if obj.Message.endswith(KEPT):
+                obj.Message = shortened(job.notes + messages_of(obj.Drawing))
             return
 
         def finish(result, error):
@@ -69,7 +72,7 @@ class Illustration:
                     keep(obj, result, exact)
                     return
                 except OSError as failure:
-                    error = (f"the drawing cannot be kept in the document ({failure}); make room on the disk or save "
+                    error = (f"the drawing cannot be kept in the document ({reason(failure)}); make room on the disk or save "
                              "the document elsewhere")
             tell(obj, error)
 
@@ -111,6 +114,14 @@ def _dress(obj):
 
 NEWER = "was made by a newer Burin; it is shown as it was kept and not drawn again. Install that version to change it"
 
+KEPT = "; the drawing shown is the one before"
+
+
+def messages_of(drawing):
+    """What the kernel had to say of a kept drawing."""
+    with open(drawing, encoding="utf-8") as file:
+        return [d["message"] for d in json.load(file).get("diagnostics", ())]
+
 
 def tell(obj, error):
     """A run did not end with a drawing: the one before stays."""
@@ -120,9 +131,15 @@ def tell(obj, error):
         if faulty:
             text += "; faulty shapes (see Part > Check geometry): " + shortened(faulty, ", ")
     if obj.Drawing:
-        text += "; the drawing shown is the one before"
+        text += KEPT
     obj.Message = text
     FreeCAD.Console.PrintError(f"{obj.Label}: {text}\n")
+
+
+def reason(error):
+    """What an exception says: FreeCAD's own have it in a dictionary."""
+    said = error.args[0] if error.args else ""
+    return said["sErrMsg"] if isinstance(said, dict) and "sErrMsg" in said else str(error)
 
 
 def shortened(texts, between="; "):

@@ -51,6 +51,8 @@ SHEET_VIEW = (
 
 FLAT_EDGES = (
     Row("Illustration", "App::PropertyLinkGlobal", "Burin", None, "The illustration whose lines these are"),
+    Row("Strokes", "App::PropertyBool", "Burin", False, "The strokes of hatching too (slow where there are thousands)"),
+    Row("Hidden", "App::PropertyBool", "Burin", False, "The dashed hidden lines too"),
     Row("Schema", "App::PropertyInteger", "Burin", SCHEMA, "Version of these properties"),
 )
 

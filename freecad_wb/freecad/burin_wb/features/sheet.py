@@ -15,6 +15,8 @@ class Sheet:
         view = self.data["view"]
         self.scale = view["scale"]
         self.offset = view["offset"]
+        paper = self.data["paper"]
+        self.middle = paper["width"] / 2, paper["height"] / 2
         self.center = FreeCAD.Vector(*view["center"])
         self.right, self.up = FreeCAD.Vector(*view["right"]), FreeCAD.Vector(*view["up"])
         self.direction = FreeCAD.Vector(*view["direction"])
@@ -24,6 +26,10 @@ class Sheet:
         for layer in self.data["layers"]:
             for path in layer["paths"]:
                 yield layer["name"], path
+
+    def flat(self, point):
+        """A paper point in mm of the model, from the middle of the sheet."""
+        return (point[0] - self.middle[0]) / self.scale, (point[1] - self.middle[1]) / self.scale
 
     def place(self, point, lift=0.0):
         """The model place of a paper point on the plane through the view's centre, `lift` mm to the viewer."""

@@ -1,6 +1,7 @@
 """From document objects to parts: assemblies are taken apart, placements and names kept."""
 
 from ..job import PartJob
+from .looks import FLAGS, words_of
 
 
 class Left(Exception):
@@ -66,7 +67,7 @@ def _walk(top, sub, asked, parts, notes, seen, looks):
         return
     if "Invalid" in resolved.State:
         notes.append(f"{resolved.Label}: its last recompute failed; drawn as it was before that")
-    _apply_looks(part, looks.get(path) or looks.get(resolved.Name) or "")
+    _apply_looks(part, looks.get(path) or looks.get(resolved.Name) or "", notes)
     parts.append(part)
 
 
@@ -163,8 +164,8 @@ def _color(obj, leaf):
     return ""
 
 
-def _apply_looks(part, words):
-    for word in (w.strip() for w in words.split(";")):
+def _apply_looks(part, words, notes):
+    for word in words_of(words):
         if word == "not drawn":
             part.drawn = False
         elif word == "not hatched":
@@ -173,3 +174,5 @@ def _apply_looks(part, words):
             part.transparent = True
         elif word.startswith("style="):
             part.style = word[len("style=") :]
+        else:
+            notes.append(f"{part.name}: the look '{word}' is not known; there are {', '.join(FLAGS)} and style=NAME")

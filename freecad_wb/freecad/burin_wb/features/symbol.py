@@ -7,6 +7,11 @@ import re
 PIXELS_PER_MM = 3.78
 
 
+def symbol_size(width, height):
+    """What a symbol of a sheet takes on the page, in mm."""
+    return math.ceil(width * PIXELS_PER_MM) / PIXELS_PER_MM, math.ceil(height * PIXELS_PER_MM) / PIXELS_PER_MM
+
+
 def to_symbol(svg, width, height):
     """The text of an SVG file in mm as the text of a symbol: size in whole pixels, user unit 1 mm of paper."""
     w, h = math.ceil(width * PIXELS_PER_MM), math.ceil(height * PIXELS_PER_MM)

@@ -1,0 +1,85 @@
+"""The lines of an illustration as edges in a plane, for TechDraw: dimensions, hatches and DXF work on them."""
+
+import FreeCAD
+
+from .curves import edges_of
+from .properties import FLAT_EDGES, ensure, is_newer
+from .sheet import Sheet
+from .sheet_view import add_template, sheet_center
+
+# Edges stay this near to the drawn lines, in mm of paper: half the finest pen's width is 0.06.
+TOLERANCE = 0.02
+
+
+class FlatEdges:
+    """The Proxy of a Part::FeaturePython: an illustration's lines in the XY plane, in mm of the model as projected,
+    the middle of the sheet at the origin. Documents name it as freecad.burin_wb.features.FlatEdges."""
+
+    def __init__(self, obj):
+        obj.Proxy = self
+        ensure(obj, FLAT_EDGES)
+
+    def onDocumentRestored(self, obj):
+        ensure(obj, FLAT_EDGES)
+
+    def execute(self, obj):
+        import Part
+
+        source = obj.Illustration
+        if is_newer(obj) or source is None or not source.Drawing:
+            return
+        sheet = Sheet(source.Drawing)
+        edges = []
+        for _, path in sheet.paths():
+            if path["kind"] == "stroke" and not obj.Strokes or not path["visible"] and not obj.Hidden:
+                continue
+            edges.extend(edges_of([sheet.flat(p) for p in path["points"]], path["closed"], TOLERANCE / sheet.scale))
+        obj.Shape = Part.makeCompound(edges)
+        for view in obj.InList:
+            if view.isDerivedFrom("TechDraw::DrawViewPart"):
+                fit(view, obj, sheet)
+
+    def dumps(self):
+        return None
+
+    def loads(self, state):
+        return None
+
+    __getstate__ = dumps
+    __setstate__ = loads
+
+
+def fit(view, flat, sheet):
+    """Puts a TechDraw view over the illustration's own view on the same page, else leaves its place alone."""
+    if view.Scale != sheet.scale:
+        view.Scale = sheet.scale
+    page = next((o for o in view.InList if o.isDerivedFrom("TechDraw::DrawPage")), None)
+    beside = [v for v in page.Views if getattr(v, "Illustration", None) is flat.Illustration] if page else []
+    if not beside or not flat.Shape.Edges:
+        return
+    x, y = sheet_center(beside[0])
+    # TechDraw puts the middle of what it shows at X, Y.
+    middle = flat.Shape.optimalBoundingBox(False).Center
+    view.X, view.Y = x + middle.x * sheet.scale, y + middle.y * sheet.scale
+
+
+def make_flat_edges(page, illustration, name="IllustrationLines"):
+    """A TechDraw view of `illustration`'s lines on `page`: an ordinary DrawViewPart, whose dimensions tell the projected
+    lengths in the model. It lies over the illustration's own view where that is on the page. Returns the view. No
+    transaction, no recompute."""
+    if page.Template is None:
+        add_template(page)
+    document = page.Document
+    flat = document.addObject("Part::FeaturePython", name)
+    FlatEdges(flat)
+    flat.Illustration = illustration
+    if flat.ViewObject is not None:
+        flat.ViewObject.Proxy = 0
+        flat.ViewObject.Visibility = False  # on the page, not in the model
+    view = document.addObject("TechDraw::DrawViewPart", name + "View")
+    view.Source = [flat]
+    view.Direction, view.XDirection = FreeCAD.Vector(0, 0, 1), FreeCAD.Vector(1, 0, 0)
+    view.ScaleType = "Custom"
+    page.addView(view)
+    flat.Proxy.execute(flat)
+    return view
