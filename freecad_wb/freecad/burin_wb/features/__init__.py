@@ -3,10 +3,11 @@
 
 from .flat_edges import FlatEdges, make_flat_edges
 from .illustration import Illustration, is_illustration, make_illustration, repair
+from .sources import visible
 from .sheet_view import SheetView, place_on_page
 
 # The stored module name stays this package's, whatever file a class lives in.
 for _class in (Illustration, SheetView, FlatEdges):
     _class.__module__ = __name__
 
-__all__ = ["FlatEdges", "Illustration", "SheetView", "is_illustration", "make_flat_edges", "make_illustration", "place_on_page", "repair"]
+__all__ = ["FlatEdges", "Illustration", "SheetView", "is_illustration", "make_flat_edges", "make_illustration", "place_on_page", "repair", "visible"]

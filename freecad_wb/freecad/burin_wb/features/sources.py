@@ -2,6 +2,7 @@
 
 from ..job import PartJob
 from .looks import FLAGS, words_of
+from .shown import is_shown
 
 
 class Left(Exception):
@@ -77,7 +78,7 @@ def _visible(parent, top, sub):
     if said >= 0:
         return said == 1
     child = top.getSubObject(sub, retType=1)
-    return child is None or bool(getattr(child, "Visibility", True))
+    return child is None or is_shown(child)
 
 
 def _is_broken_link(leaf):
@@ -176,3 +177,17 @@ def _apply_looks(part, words, notes):
             part.style = word[len("style=") :]
         else:
             notes.append(f"{part.name}: the look '{word}' is not known; there are {', '.join(FLAGS)} and style=NAME")
+
+
+def visible(document):
+    """What a document shows, as sources: its visible objects with faces, each through the outermost assembly."""
+    found = []
+    for obj in document.Objects:
+        if not is_shown(obj) or obj.getParentGeoFeatureGroup() is not None:
+            continue
+        if obj.isDerivedFrom("App::DocumentObjectGroup"):
+            continue  # a folder: what is in it is looked at by itself
+        parts, _ = collect([(obj, ("",))])
+        if parts:
+            found.append(obj)
+    return found
