@@ -28,6 +28,10 @@ class BurinWorkbench(Gui.Workbench):
             from freecad.burin_wb.commands import base
 
             base.ask_for_kernel()
+            return
+        from freecad.burin_wb.view import scheduler
+
+        scheduler.install().warm()
 
     def ContextMenu(self, recipient):
         from freecad.burin_wb import commands

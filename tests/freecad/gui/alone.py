@@ -39,6 +39,25 @@ class Alone(support.Case):
         support.drawn(obj)
         self.assertIn("BURIN_PYTHON_PATH", obj.Message)
 
+    def test_costs_little_at_the_start(self):
+        import importlib
+        import time
+
+        def once():
+            Gui.removeWorkbench("BurinWorkbench")
+            for name in [n for n in sys.modules if n.startswith("freecad.burin_wb.init")]:
+                del sys.modules[name]
+            start = time.thread_time()
+            importlib.import_module("freecad.burin_wb.init")
+            importlib.import_module("freecad.burin_wb.init_gui")
+            return time.thread_time() - start
+
+        heavy = {n for n in sys.modules if n.startswith("freecad.burin_wb.")}
+        cost = [once() for _ in range(3)]
+        print("share of the start: " + ", ".join(f"{1000 * c:.1f} ms" for c in cost) + "; of its modules are loaded: "
+              + ", ".join(sorted(heavy)))
+        self.assertLess(min(cost), 0.05)
+
     def test_speaks_german(self):
         translate = QtCore.QCoreApplication.translate
         self.assertEqual(translate("Burin_NewIllustration", "New illustration"), "Neue Illustration")

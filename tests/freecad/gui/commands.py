@@ -334,11 +334,10 @@ class Sources(support.Case):
 
     def test_a_click_on_a_line_selects_its_edge(self):
         from freecad.burin_wb.commands.select import Picker
-        from freecad.burin_wb.view.provider import behind
-
         sheet = sheet_of(self.obj)
         picker = Picker(self.obj, self.view)
-        lift = -behind(self.obj, sheet)
+        lift = self.obj.ViewObject.Proxy.lift(sheet)
+        self.assertGreater(lift, 0, "the ink is behind the model while one clicks on it")
         for _, path in sheet.paths():
             source, element = sheet.element(path)
             if path["kind"] != "crease" or source != "Box":
@@ -357,7 +356,9 @@ class Sources(support.Case):
         else:
             self.fail("no crease of the box is drawn")
         self.assertIsNone(picker.pick((3, 3)))
+        support.picture("picking")
         picker.stop()
+        self.assertLess(self.obj.ViewObject.Proxy.lift(sheet), 0)
 
     def test_select_source_by_mouse_and_escape(self):
         self.select(self.obj)
@@ -370,14 +371,19 @@ class Sources(support.Case):
         self.assertIsNone(select.picker)
 
     def test_lines_of_a_face_light_up_until_the_selection_changes(self):
+        from freecad.burin_wb.commands import select
+
+        self.obj.ViewObject.Paper = True
         self.select(self.obj, (self.box, "Face6"))
         self.assertTrue(Gui.Command.get("Burin_ShowLines").isActive())
         Gui.runCommand("Burin_ShowLines")
         support.settle(50)
         proxy = self.obj.ViewObject.Proxy
         self.assertTrue(proxy.lit())
-        self.view.viewFront()
-        self.view.setCameraOrientation(FreeCAD.Rotation(V(1, 0, 0), -60))
+        lit = {sheet.element(p)[1] for sheet in [sheet_of(self.obj)] for name in select.edges_of(self.box, "Face6")
+               for p in sheet.paths_of("Box", name)}
+        self.assertEqual(len(lit), 4, "a face has its four edges lit")
+        self.view.setCameraOrientation(FreeCAD.Rotation(V(0, 0, 1), 70) * FreeCAD.Rotation(V(1, 0, 0), 55))
         self.view.fitAll()
         support.picture("lit")
         self.select(self.ball)

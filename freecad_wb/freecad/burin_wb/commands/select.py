@@ -5,6 +5,7 @@ import FreeCADGui as Gui
 from PySide import QtCore
 
 from ..features.sheet import Sheet
+from ..view.provider import BEFORE
 from ..view.text import tr
 from .base import Command, Refused, selected_illustrations, tell
 
@@ -51,6 +52,9 @@ class Picker:
 
     def __init__(self, obj, view):
         self.obj, self.view = obj, view
+        # Lines are clicked where they are seen: before the model as long as this lasts.
+        self._plane = obj.ViewObject.Plane
+        obj.ViewObject.Plane = BEFORE
         self.sheet = Sheet(obj.Drawing)
         self._callback = view.addEventCallback("SoEvent", self._event)
 
@@ -59,6 +63,10 @@ class Picker:
         if self._callback is not None:
             self.view.removeEventCallback("SoEvent", self._callback)
             self._callback = None
+            try:
+                self.obj.ViewObject.Plane = self._plane
+            except (AttributeError, ReferenceError):  # deleted meanwhile
+                pass
         if picker is self:
             picker = None
 
@@ -83,15 +91,13 @@ class Picker:
 
     def _on_plane(self, position):
         """Where the line of sight through a pixel meets the plane of the ink."""
-        from ..view.provider import behind
-
         through = self.view.getPoint(*position)
         sight = self.view.getViewDirection()
         if self.view.getCameraType() == "Perspective":
             eye = FreeCAD.Vector(*self.view.getCameraNode().position.getValue().getValue())
             sight = through - eye
         normal = self.sheet.direction
-        origin = self.sheet.center - normal * behind(self.obj, self.sheet)
+        origin = self.sheet.center + normal * self.obj.ViewObject.Proxy.lift(self.sheet)
         slope = sight.dot(normal)
         if abs(slope) < 1e-9 * sight.Length:  # the plane is seen edge-on
             return through
@@ -108,6 +114,18 @@ def select(document, source, element):
     Gui.Selection.clearSelection()
     Gui.Selection.addSelection(document.Name, top, sub)
     return top, sub
+
+
+def edges_of(top, sub):
+    """Names of the edges around a face; of what is no face none."""
+    import Part
+
+    names, _, element = sub.rpartition(".")
+    if not element.startswith("Face"):
+        return []
+    shape = Part.getShape(top, names + "." if names else "", needSubElement=False)
+    around = shape.getElement(element).Edges
+    return [f"Edge{k + 1}" for k, edge in enumerate(shape.Edges) if any(edge.isSame(e) for e in around)]
 
 
 class ShowLines(Command):
@@ -130,7 +148,8 @@ class ShowLines(Command):
             for sub in chosen.SubElementNames or [""]:
                 names, _, element = sub.rpartition(".")
                 source = chosen.ObjectName + ("." + names if names else "")
-                lit.extend(sheet.paths_of(source, element))
+                for one in [element, *edges_of(chosen.Object, sub)]:
+                    lit.extend(p for p in sheet.paths_of(source, one) if p not in lit)
         obj.ViewObject.Proxy.light(sheet, lit)
         tell(tr("{0} lines").format(len(lit)))
 

@@ -11,7 +11,7 @@ def width_of(path):
     return sum(widths) / len(widths) if widths else 0.1
 
 
-def ink_node(sheet, paths, lift=0.0, color=DARK, extra=0.0, dots_per_mm=4.0):
+def ink_node(sheet, paths, lift=0.0, color=DARK, extra=0.0, dots_per_mm=2.5):
     """A Coin node with some paths; one line set a width class. `lift`: model mm to the viewer; `extra`: pixels more."""
     from pivy import coin
 
@@ -58,3 +58,25 @@ def places(sheet, points, lift):
     flat = (numpy.asarray(points, dtype=float).reshape(-1, 2) - sheet.offset[:2]) / sheet.scale
     frame = numpy.array([tuple(sheet.right), tuple(sheet.up)])
     return flat @ frame + tuple(sheet.center + sheet.direction * lift)
+
+
+def paper_node(sheet, size, lift):
+    """A white sheet, seen from both sides."""
+    from pivy import coin
+
+    width, height = size
+    corners = places(sheet, [(0, 0), (width, 0), (width, height), (0, height)], lift)
+    root = coin.SoSeparator()
+    light = coin.SoLightModel()
+    light.model = coin.SoLightModel.BASE_COLOR
+    root.addChild(light)
+    base = coin.SoBaseColor()
+    base.rgb = (1, 1, 1)
+    root.addChild(base)
+    coordinates = coin.SoCoordinate3()
+    coordinates.point.setValues(0, 4, corners)
+    face = coin.SoFaceSet()
+    face.numVertices.setValues(0, 1, [4])
+    root.addChild(coordinates)
+    root.addChild(face)
+    return root

@@ -15,6 +15,8 @@ class IllustrationView:
         from pivy import coin
 
         self.Object = view.Object
+        self.View = view
+        _ensure(view)
         self._root, self._ink, self._lit = coin.SoSeparator(), coin.SoSeparator(), coin.SoSeparator()
         self._root.addChild(self._ink)
         self._root.addChild(self._lit)
@@ -39,15 +41,29 @@ class IllustrationView:
         if name == "Drawing" and hasattr(self, "_root"):
             self._show()
 
+    def onChanged(self, view, name):
+        if name in ("Plane", "InkColor", "Paper") and hasattr(self, "_root"):
+            self._show()
+
+    def lift(self, sheet):
+        """Model mm from the view's centre to the plane of the ink, to the viewer."""
+        return plane(self.Object, sheet, getattr(self.View, "Plane", BEHIND) != BEHIND)
+
     def _show(self):
-        """Puts the kept drawing behind the model, where it hides nothing."""
+        """Puts the kept drawing behind the model, where it hides nothing, or before it."""
         from . import ink
 
         self._dim()
         self._ink.removeAllChildren()
         sheet = self._sheet()
-        if sheet is not None:
-            self._ink.addChild(ink.ink_node(sheet, (p for _, p in sheet.paths()), -behind(self.Object, sheet)))
+        if sheet is None:
+            return
+        lift = self.lift(sheet)
+        color = tuple(getattr(self.View, "InkColor", ink.DARK))[:3]
+        if getattr(self.View, "Paper", False):
+            size = self.Object.Width.Value, self.Object.Height.Value
+            self._ink.addChild(ink.paper_node(sheet, size, lift - 0.1 / sheet.scale))
+        self._ink.addChild(ink.ink_node(sheet, (p for _, p in sheet.paths()), lift, color))
 
     def _sheet(self):
         """The kept drawing; nothing where there is none that can be read."""
@@ -73,9 +89,9 @@ class IllustrationView:
         paths = list(paths)
         if not paths:
             return
-        # A hair before the ink, which is dark.
-        lift = -behind(self.Object, sheet) + 0.05 / sheet.scale
-        self._lit.addChild(ink.ink_node(sheet, paths, lift, ink.LIT, extra=2))
+        # Before the model, which would hide them, and on the ink itself, a hair before it.
+        for lift in (plane(self.Object, sheet, True), self.lift(sheet) + 0.05 / sheet.scale):
+            self._lit.addChild(ink.ink_node(sheet, paths, lift, ink.LIT, extra=2))
         self._watch = _Watch(self)
         Gui.Selection.addObserver(self._watch)
 
@@ -140,15 +156,32 @@ class _Watch:
     addSelection = removeSelection = setSelection = clearSelection = _changed
 
 
-def behind(obj, sheet):
-    """Model mm from the view's centre back to a plane behind all sources."""
+BEHIND, BEFORE = "Behind the model", "Before the model"
+
+
+def _ensure(view):
+    """Adds the properties that a view provider lacks."""
+    from . import ink
+
+    have = set(view.PropertiesList)
+    for kind, name, text, value in (
+            ("App::PropertyEnumeration", "Plane", "Where the ink lies in the 3-D view", [BEHIND, BEFORE]),
+            ("App::PropertyColor", "InkColor", "Colour of the ink in the 3-D view", ink.DARK),
+            ("App::PropertyBool", "Paper", "Shows a white sheet under the ink", False)):
+        if name not in have:
+            view.addProperty(kind, name, "Ink", text)
+            setattr(view, name, value)
+
+
+def plane(obj, sheet, before=False):
+    """Model mm along the view's direction from its centre to a plane behind or before all sources."""
     farthest = 0.0
+    sign = 1.0 if before else -1.0
     for source, subs in obj.Sources:
         for box in _boxes(source, subs):
             for k in range(8):
-                depth = (sheet.center - box.getPoint(k)).dot(sheet.direction)
-                farthest = max(farthest, depth)
-    return farthest
+                farthest = max(farthest, sign * (box.getPoint(k) - sheet.center).dot(sheet.direction))
+    return sign * farthest
 
 
 def _boxes(source, subs):

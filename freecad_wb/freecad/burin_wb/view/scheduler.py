@@ -68,6 +68,17 @@ class Scheduler(QtCore.QObject):
         self._timer.start()
         self.began.emit(key)
 
+    def warm(self):
+        """Starts the worker ahead of the first run, which then is as quick as the others."""
+
+        def start():
+            try:
+                self._worker.start()
+            except worker.Failed:
+                pass  # the first run will tell
+
+        threading.Thread(target=start, daemon=True).start()
+
     def running(self, obj=None):
         """Whether a run is under way or waiting, of an object or of any."""
         with self._lock:

@@ -1,0 +1,98 @@
+"""The way of freecad_wb/docs/README.md, by commands and panel as told there, and as its script; its pictures are the
+references. BURIN_TEST_RENEW=1 renews them."""
+
+import os
+import pathlib
+import shutil
+import subprocess
+import sys
+
+sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
+import FreeCAD  # noqa: E402
+import FreeCADGui as Gui  # noqa: E402
+import support  # noqa: E402
+from PySide import QtGui  # noqa: E402
+from similarity import similarity  # noqa: E402
+
+DOCS = pathlib.Path(__file__).resolve().parents[3] / "freecad_wb" / "docs"
+sys.path.insert(0, str(DOCS))
+import bearing  # noqa: E402
+
+# Pictures of windows hold text, whose fonts differ between machines; pictures of drawings do not.
+WINDOW, DRAWING = 0.75, 0.9
+
+
+class Tutorial(support.Case):
+    def look(self, picture, least, size=None, colors=48):
+        """Compares a picture with the one in the docs."""
+        small = support.OUT / f"{picture.stem}-small.png"
+        resize = ["-resize", size] if size else []
+        subprocess.run(["convert", str(picture), *resize, "-colors", str(colors), "-strip", f"PNG8:{small}"], check=True)
+        reference = DOCS / "images" / f"{picture.stem}.png"
+        if os.environ.get("BURIN_TEST_RENEW"):
+            shutil.copy(small, reference)
+        self.assertLess(reference.stat().st_size, 150_000)
+        value = similarity(small, reference)
+        print(f"{picture.stem}: similarity {value:.3f}")
+        self.assertGreater(value, least, picture.stem)
+
+    def test_by_hand(self):
+        import TechDrawGui
+
+        part = bearing.assembly(self.document)
+        view = Gui.ActiveDocument.ActiveView
+        view.viewIsometric()
+        view.setCameraOrientation(FreeCAD.Rotation(FreeCAD.Vector(1.6, 1, 0), FreeCAD.Vector(0, 0, 1),
+                                                   FreeCAD.Vector(1, -1.6, 1.1), "ZXY"))
+        view.fitAll()
+        self.select(part)
+        self.look(support.screenshot("1-select"), WINDOW, "900x")
+        Gui.runCommand("Burin_NewIllustration")
+        panel = support.panel()
+        panel.style.setCurrentIndex(panel.style.findData("engraving"))
+        panel.width.setProperty("rawValue", 360.0)
+        panel.height.setProperty("rawValue", 250.0)
+        support.settle(300)
+        support.drawn(panel.obj)
+        self.assertEqual(panel.obj.Message, "")
+        self.look(support.screenshot("2-panel"), WINDOW, "900x")
+        obj = panel.obj
+        panel.accept()
+        self.select(obj)
+        Gui.runCommand("Burin_PlaceOnPage")
+        support.settle(400)
+        Gui.Selection.clearSelection()
+        self.look(support.screenshot("3-page"), WINDOW, "900x")
+        page = self.document.Page
+        pdf = support.OUT / "bearing.pdf"
+        TechDrawGui.exportPageAsPdf(page, str(pdf))
+        self.look_at_page(pdf, "4-pdf")
+
+    def look_at_page(self, pdf, name):
+        if not shutil.which("pdftoppm"):
+            print("pdftoppm (package poppler-utils) is not installed: the PDF is not looked at")
+            return
+        subprocess.run(["pdftoppm", "-r", "50", "-png", "-singlefile", str(pdf), str(support.OUT / name)], check=True)
+        self.look(support.OUT / f"{name}.png", DRAWING, None, 16)
+
+    def test_as_a_script(self):
+        pdf = support.OUT / "bearing-script.pdf"
+        page = bearing.whole(str(pdf))
+        self.assertEqual(page.Views[0].Illustration.Message, "")
+        self.look_at_page(pdf, "4-pdf")
+
+    def test_the_ink_in_the_3d_view(self):
+        obj = bearing.illustration(self.document, bearing.assembly(self.document))
+        obj.Style = "technical"
+        self.document.recompute()
+        support.drawn()
+        obj.ViewObject.Paper = True
+        view = Gui.ActiveDocument.ActiveView
+        view.setCameraOrientation(FreeCAD.Rotation(FreeCAD.Vector(0, 0, 1), 75) * FreeCAD.Rotation(FreeCAD.Vector(1, 0, 0), 60))
+        view.fitAll()
+        self.look(support.picture("5-ink"), DRAWING)
+        obj.ViewObject.Visibility = False
+        self.assertLess(similarity(support.picture("no-ink"), support.OUT / "5-ink.png"), 0.98)
+
+
+support.run(__name__)
