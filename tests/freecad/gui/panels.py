@@ -253,7 +253,7 @@ class Stall(support.Case):
         support.drawn(obj)
         self.assertEqual(json.load(open(obj.Drawing))["seed"], 2)
         self.assertEqual(obj.Message, "")
-        self.assertIsNone(ended[-1])
+        self.assertEqual(ended, [None], "a run that a newer one replaces is told")
 
     def test_stop_keeps_the_drawing_before(self):
         obj = self.illustrate(self.part)

@@ -17,7 +17,8 @@ ADDON = HERE.parent.parent.parent / "freecad_wb"
 CONFIG = """<?xml version="1.0" encoding="UTF-8" standalone="no" ?>
 <FCParameters><FCParamGroup Name="Root"><FCParamGroup Name="BaseApp"><FCParamGroup Name="Preferences">
 <FCParamGroup Name="General"><FCText Name="AutoloadModule">%s</FCText><FCText Name="Language">%s</FCText></FCParamGroup>
-<FCParamGroup Name="MainWindow"><FCParamGroup Name="DockWindows"/></FCParamGroup>
+<FCParamGroup Name="OutputWindow"><FCBool Name="checkShowReportViewOnWarning" Value="0"/>
+<FCBool Name="checkShowReportViewOnError" Value="0"/></FCParamGroup>
 </FCParamGroup></FCParamGroup></FCParamGroup></FCParameters>
 """
 

@@ -5,15 +5,19 @@ from PySide import QtGui
 
 
 def grey(path):
-    """A picture as brightness in [0, 1], (height, width)."""
+    """A picture as brightness in [0, 1] at half its size, (height, width)."""
     image = QtGui.QImage(str(path)).convertToFormat(QtGui.QImage.Format_Grayscale8)
     if image.isNull():
         raise ValueError(f"{path} is no picture")
     data = numpy.frombuffer(image.constBits(), numpy.uint8, image.bytesPerLine() * image.height())
-    return data.reshape(image.height(), image.bytesPerLine())[:, : image.width()] / 255.0
+    whole = data.reshape(image.height(), image.bytesPerLine())[:, : image.width()] / 255.0
+    height, width = (n // 2 * 2 for n in whole.shape)
+    # Half the size: single strokes may lie elsewhere, tones and shapes not.
+    return whole[:height, :width].reshape(height // 2, 2, width // 2, 2).mean(axis=(1, 3))
 
 
 def blocks(picture, size=8):
+    """The squares of a picture, one a row."""
     height, width = (n // size * size for n in picture.shape)
     cut = picture[:height, :width].reshape(height // size, size, width // size, size)
     return cut.transpose(0, 2, 1, 3).reshape(-1, size * size)

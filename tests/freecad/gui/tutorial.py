@@ -19,7 +19,7 @@ sys.path.insert(0, str(DOCS))
 import bearing  # noqa: E402
 
 # Pictures of windows hold text, whose fonts differ between machines; pictures of drawings do not.
-WINDOW, DRAWING = 0.75, 0.9
+WINDOW, DRAWING = 0.8, 0.9
 
 
 class Tutorial(support.Case):
@@ -27,7 +27,7 @@ class Tutorial(support.Case):
         """Compares a picture with the one in the docs."""
         small = support.OUT / f"{picture.stem}-small.png"
         resize = ["-resize", size] if size else []
-        subprocess.run(["convert", str(picture), *resize, "-colors", str(colors), "-strip", f"PNG8:{small}"], check=True)
+        subprocess.run(["convert", str(picture), *resize, "+dither", "-colors", str(colors), "-strip", f"PNG8:{small}"], check=True)
         reference = DOCS / "images" / f"{picture.stem}.png"
         if os.environ.get("BURIN_TEST_RENEW"):
             shutil.copy(small, reference)
@@ -39,6 +39,8 @@ class Tutorial(support.Case):
     def test_by_hand(self):
         import TechDrawGui
 
+        for dock in Gui.getMainWindow().findChildren(QtGui.QDockWidget):
+            dock.setVisible(dock.windowTitle() == "Combo View")
         part = bearing.assembly(self.document)
         view = Gui.ActiveDocument.ActiveView
         view.viewIsometric()
@@ -46,7 +48,7 @@ class Tutorial(support.Case):
                                                    FreeCAD.Vector(1, -1.6, 1.1), "ZXY"))
         view.fitAll()
         self.select(part)
-        self.look(support.screenshot("1-select"), WINDOW, "900x")
+        self.look(support.screenshot("1-select"), WINDOW, "800x")
         Gui.runCommand("Burin_NewIllustration")
         panel = support.panel()
         panel.style.setCurrentIndex(panel.style.findData("engraving"))
@@ -55,14 +57,14 @@ class Tutorial(support.Case):
         support.settle(300)
         support.drawn(panel.obj)
         self.assertEqual(panel.obj.Message, "")
-        self.look(support.screenshot("2-panel"), WINDOW, "900x")
+        self.look(support.screenshot("2-panel"), WINDOW, "800x")
         obj = panel.obj
         panel.accept()
         self.select(obj)
         Gui.runCommand("Burin_PlaceOnPage")
         support.settle(400)
         Gui.Selection.clearSelection()
-        self.look(support.screenshot("3-page"), WINDOW, "900x")
+        self.look(support.screenshot("3-page"), WINDOW, "800x")
         page = self.document.Page
         pdf = support.OUT / "bearing.pdf"
         TechDrawGui.exportPageAsPdf(page, str(pdf))

@@ -23,6 +23,7 @@ class _Run:
         self.job, self.inputs, self.finish = job, inputs, finish
         self.stage, self.share = "", 0.0
         self.cancelled = False
+        self.replaced = False  # by a newer one: nothing to tell
 
 
 class Scheduler(QtCore.QObject):
@@ -54,6 +55,8 @@ class Scheduler(QtCore.QObject):
         result = self._kept.get(inputs)
         with self._lock:
             self._drop(key)
+            if self._current is not None and self._current.key == key:
+                self._current.replaced = True
             if result is None:
                 self._waiting.append(_Run(obj, job, inputs, finish))
         if result is not None:
@@ -168,9 +171,10 @@ class Scheduler(QtCore.QObject):
             self._kept[run.inputs] = result
             while len(self._kept) > KEPT:
                 self._kept.popitem(last=False)
+        if run.replaced:
+            return
         obj = run.obj if _lives(run.obj) else None
-        newer = obj is not None and any(r.key == run.key for r in self._waiting)
-        if obj is not None and not newer:
+        if obj is not None:
             if run.cancelled:
                 error = worker.Stopped(tr("cancelled"))
             run.finish(None if error else result, error)
