@@ -36,6 +36,14 @@ assert len(libraries) == 2 and all(l.startswith(sys.argv[2]) for l in libraries)
 PY
 fi
 
+addon=$prefix/share/freecad/Mod/Burin
+if [[ -n $python_folder && -d $addon ]]; then
+  for file in package.xml LICENSE freecad/burin_wb/init_gui.py freecad/burin_wb/resources/icons/burin.svg; do
+    [[ -s $addon/$file ]] || fail "the add-on lacks $file"
+  done
+  "$source/tests/install/addon.sh" "$addon" "$scratch" "$prefix" || fail "the installed add-on does not draw in FreeCAD"
+fi
+
 cmake -S "$source/tests/install/consumer" -B "$scratch/consumer" -DCMAKE_PREFIX_PATH="$prefix" >"$scratch/log" 2>&1 &&
   cmake --build "$scratch/consumer" >>"$scratch/log" 2>&1 || { cat "$scratch/log"; fail "a program does not build on the installed kernel"; }
 "$scratch/consumer/consumer" | grep -q layers || fail "the program on the installed kernel does not run"

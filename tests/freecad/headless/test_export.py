@@ -1,0 +1,58 @@
+"""Illustrations as files, as scripts and FreeCAD's own export do it."""
+
+import importlib
+import os
+import subprocess
+import sys
+
+from support import App, Case, burin, content, features
+
+STARTS = {"svg": b"<?xml", "pdf": b"%PDF-", "png": b"\x89PNG", "eps": b"%!PS-Adobe", "dxf": b"999", "json": b"{"}
+
+
+class Export(Case):
+    def test_three_lines(self):
+        obj = self.illustration(self.box())
+        for suffix, start in STARTS.items():
+            path = os.path.join(self.folder, "a." + suffix)
+            from freecad.burin_wb import export
+            export.export([obj], path)
+            written = content(path).lstrip()
+            self.assertTrue(written.startswith((start, b"0\n", b"  0\n")) if suffix == "dxf" else
+                            written.startswith(start), (suffix, written[:20]))
+            self.assertGreater(len(written), 400, suffix)
+
+    def test_the_file_is_the_kept_drawing(self):
+        obj = self.illustration(self.box())
+        path = os.path.join(self.folder, "a.json")
+        from freecad.burin_wb import export
+
+        export.export([self.doc.Box, obj], path)  # what else is selected is left out
+        kept, written = burin().Drawing.load(obj.Drawing), burin().Drawing.load(path)
+        self.assertEqual(kept.to_bytes("svg"), written.to_bytes("svg"))
+
+    def test_names_that_are_not_ascii(self):
+        obj = self.illustration(self.box(name="Box"))
+        path = os.path.join(self.folder, "Gehäuse – Maßbild.pdf")
+        from freecad.burin_wb import export
+
+        export.export([obj], path)
+        self.assertTrue(content(path).startswith(b"%PDF-"))
+
+    def test_freecad_knows_the_types(self):
+        for suffix in STARTS:
+            self.assertIn("freecad.burin_wb.export", App.getExportType(suffix), suffix)
+            # What File > Export runs.
+            module = importlib.import_module("freecad.burin_wb.export")
+            self.assertTrue(callable(module.export))
+
+    def test_freecadcmd_exports_a_document(self):
+        obj = self.illustration(self.box())
+        self.reopen(obj)
+        out = os.path.join(self.folder, "out.eps")
+        program = next(p for p in ("/usr/bin/freecadcmd", "/usr/bin/FreeCADCmd") if os.path.exists(p))
+        addon = os.path.join(os.path.dirname(features.__file__), "../../..")
+        done = subprocess.run([program, self.doc.FileName, "--output", out, "-P", os.path.normpath(addon)],
+                              stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, timeout=60)
+        self.assertTrue(os.path.exists(out), done.stdout.decode(errors="replace")[-500:])
+        self.assertTrue(content(out).startswith(b"%!PS-Adobe"))
