@@ -76,7 +76,8 @@ TopoDS_Shape read(std::istream& in, BrepBytes kind, const std::string& bytes) {
 
 std::shared_ptr<const BrepShape> read_shape_in_memory(const std::string& bytes, BrepBytes kind,
                                                       RunContext& context) {
-  const OcctSession session(OcctSession::Of::Shapes);
+  // As for files: OCCT tells the program's standard output of tables that are missing.
+  const OcctSession session;
   std::shared_ptr<const BrepShape> read_shape;
   session.guarded({}, [&] {
     std::istringstream in(bytes);

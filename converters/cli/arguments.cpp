@@ -96,7 +96,8 @@ void add_freecad(CLI::App& app, ReadRequest& a) {
        "repeatable (default: all that are visible)");
   app.add_flag_callback(
          "--recompute", [&a] { a.recompute = "true"; },
-         "let FreeCAD recompute a copy of the document first")
+         "let FreeCAD recompute the document first (the file stays\n"
+         "as it is)")
       ->group(kFiles);
   text(app, "--freecad-timeout", a.freecad_timeout, "SECONDS", kFiles,
        "end FreeCAD after so long (default 300)");

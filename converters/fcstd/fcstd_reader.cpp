@@ -211,6 +211,11 @@ class Maker {
     }
     const bool drawings = std::any_of(objects.begin(), objects.end(),
                                       [](const auto& o) { return o.is_illustration; });
+    if (!drawings && std::any_of(objects.begin(), objects.end(),
+                                 [](const auto& o) { return o.type.starts_with("Sketcher::"); })) {
+      throw InputError("holds sketches only, which have no faces; pad or extrude them in FreeCAD",
+                       file);
+    }
     throw InputError(drawings ? "holds Burin illustrations only, no shapes; draw the document that "
                                 "they show"
                               : "holds no shapes or meshes to draw",

@@ -129,9 +129,11 @@ Path recompute(const Path& document, double timeout, const TemporaryFolder& fold
   }
   std::error_code error;
   if (!end.ok() || !std::filesystem::is_regular_file(copy, error)) {
-    throw InputError(fmt::format("FreeCAD made no copy of it (exit status {}): {}", end.status,
-                                 reason.empty() ? last : reason),
-                     file);
+    const std::string& why = reason.empty() ? last : reason;
+    throw InputError(
+        fmt::format("FreeCAD made no copy of it (exit status {}){}{}", end.status,
+                    why.empty() ? "; is BURIN_FREECAD the command freecadcmd?" : ": ", why),
+        file);
   }
   return copy;
 }

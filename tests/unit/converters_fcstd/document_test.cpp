@@ -1,0 +1,206 @@
+// What the archive holds: the window's file, binary shapes, damage.
+#include "writing.h"
+
+#include <BinTools.hxx>
+#include <BinTools_ShapeSet.hxx>
+#include <burin_test/mutated.h>
+
+#include <chrono>
+#include <thread>
+
+namespace burin::test {
+namespace {
+
+const Vec3 kUnit(1, 2, 3);
+
+std::string colors(const std::vector<std::uint32_t>& packed) {
+  std::string out;
+  put(out, static_cast<std::uint32_t>(packed.size()));
+  for (const std::uint32_t p : packed) put(out, p);
+  return out;
+}
+
+TEST_F(FcstdTest, ColorsAndVisibilityComeFromTheWindow) {
+  Document d;
+  for (const char* name : {"A", "B", "C", "D"}) d.add_shape(name, located_box(kUnit, {}), hidden());
+  d.add("App::Link", "L", linked("A"));
+  const std::string shown = text_property("Visibility", "true");
+  const std::string red = property("ShapeColor", "<PropertyColor value=\"4278190080\"/>");
+  const auto faces = [](const std::string& member) {
+    return property("DiffuseColor", "<ColorList file=\"" + member + "\"/>");
+  };
+  d.view("A", shown + red);
+  d.view("B", shown + red + faces("One"));
+  d.view("C", shown + red + faces("Many"));
+  d.view("L", property("ShapeMaterial", "<PropertyMaterial diffuseColor=\"65280\"/>") + shown +
+                  text_property("OverrideMaterial", "true"));
+  d.members.emplace_back("One", colors({0x12345600, 0x12345600}));
+  d.members.emplace_back("Many", colors({0x12345600, 0xff}));
+  const Scene scene = read(d);
+  ASSERT_EQ(paths(scene), (Paths{"A", "B", "C", "L"}));
+  EXPECT_EQ(scene.parts[0].color, "#ff0000");
+  EXPECT_EQ(scene.parts[1].color, "#123456");
+  EXPECT_EQ(scene.parts[2].color, "");
+  EXPECT_EQ(scene.parts[3].color, "#0000ff");
+}
+
+TEST_F(FcstdTest, BinaryShapesAreRead) {
+  const TopoDS_Shape box = located_box(kUnit, {4, 5, 6});
+  std::ostringstream out;
+  BinTools_ShapeSet set;
+  const int number = set.Add(box);
+  const int location = set.Locations().Index(box.Location());
+  set.Write(out);
+  for (const int i : {number, location, static_cast<int>(box.Orientation())}) {
+    BinTools::PutInteger(out, i);
+  }
+  Document d;
+  d.members.emplace_back("PartShape.bin", out.str());
+  d.add("Part::Feature", "Box", property("Shape", "<Part file=\"PartShape.bin\"/>"));
+  const Scene scene = read(d);
+  ASSERT_EQ(scene.parts.size(), 1u);
+  expect_box(scene.parts[0], {4, 5, 6}, {5, 7, 9});
+  const std::string whole = out.str();
+  for (std::size_t cut = 8; cut < whole.size(); cut += whole.size() / 40) {
+    d.members[0].second = whole.substr(0, cut);
+    EXPECT_TRUE(holds(error_of(d.bytes()), "Box: the object was left out")) << cut;
+  }
+}
+
+TEST_F(FcstdTest, ABrokenShapeIsLeftOutAndNamed) {
+  Document d;
+  d.add_shape("Good", located_box(kUnit, {}));
+  d.add("Part::Feature", "Cut", property("Shape", "<Part file=\"Cut.brp\"/>"));
+  d.add("Part::Feature", "Gone", property("Shape", "<Part file=\"Gone.brp\"/>"));
+  d.add("Mesh::Feature", "Mesh", property("Mesh", "<Mesh file=\"Mesh.bms\"/>"));
+  const std::string text = brep_text(located_box(kUnit, {}));
+  d.members.emplace_back("Cut.brp", text.substr(0, text.size() / 2));
+  std::string mesh = bms(box({0, 0, 0}, {1, 1, 1}));
+  mesh[8 + 256 + 8 + 8 * 12] = 77;  // a corner that does not exist
+  d.members.emplace_back("Mesh.bms", mesh);
+  const Scene scene = read(d);
+  EXPECT_EQ(paths(scene), Paths{"Good"});
+  for (const char* name : {"Cut", "Gone", "Mesh"}) {
+    EXPECT_TRUE(has(scene, "fcstd.broken_shape", name)) << name;
+  }
+}
+
+TEST_F(FcstdTest, NothingToDrawIsToldInOneLine) {
+  Document d;
+  EXPECT_TRUE(holds(error_of(d.bytes()), "holds no shapes"));
+  d.add("App::FeaturePython", "Illustration",
+        property("Proxy",
+                 "<Python value=\"e30=\" encoded=\"yes\" module=\"freecad.burin_wb"
+                 ".features\" class=\"Illustration\"/>"));
+  EXPECT_TRUE(holds(error_of(d.bytes()), "Burin illustrations only"));
+  d.add_shape("Box", located_box(kUnit, {}), text_property("Label", "Lid") + hidden());
+  EXPECT_TRUE(holds(error_of(d.bytes()), "--object 'Lid'"));
+}
+
+TEST_F(FcstdTest, WhatIsNoDocumentIsRefused) {
+  EXPECT_TRUE(holds(error_of("solid x\n"), "is no FreeCAD document"));
+  EXPECT_TRUE(holds(error_of(Document::zipped({{"a", "b"}})), "without a Document.xml"));
+  EXPECT_TRUE(holds(error_of(Document::zipped({{"Document.xml", "<Document><a>\n\n</b>"}})),
+                    "Document.xml, line 3: bad XML"));
+  EXPECT_TRUE(holds(error_of(Document::zipped({{"Document.xml", "<a/>"}})), "no document of Free"));
+  Document d;
+  d.add_shape("Box", located_box(kUnit, {}));
+  const std::string bytes = d.bytes();
+  EXPECT_TRUE(holds(error_of(bytes.substr(0, bytes.size() / 2)), "truncated"));
+}
+
+TEST_F(FcstdTest, ABombIsNotUnpacked) {
+  Document d;
+  d.add_shape("Good", located_box(kUnit, {}));
+  d.add("Part::Feature", "Bomb", property("Shape", "<Part file=\"Bomb.brp\"/>"));
+  d.members.emplace_back("Bomb.brp", std::string(std::size_t{40} << 20, ' '));
+  const Scene scene = read(d);
+  EXPECT_EQ(paths(scene), Paths{"Good"});
+  EXPECT_TRUE(has(scene, "fcstd.broken_shape", "hostile"));
+}
+
+TEST_F(FcstdTest, CyclesEnd) {
+  Document d;
+  d.add("App::Part", "A", group({"B", "A"}));
+  d.add("App::Part", "B", group({"A", "Box"}));
+  d.add_shape("Box", located_box(kUnit, {}));
+  d.add("App::Link", "L", linked("L"));
+  d.add("App::Link", "M", linked("N"));
+  d.add("App::Link", "N", linked("M"));
+  const Scene scene = read(d);
+  EXPECT_EQ(scene.parts.size(), 1u);
+  EXPECT_TRUE(has(scene, "fcstd.cycle", "L: "));
+  EXPECT_EQ(read(d, {.objects = {"Box"}}).parts.size(), 1u);
+}
+
+TEST_F(FcstdTest, LinksThatMultiplyAreRefused) {
+  Document d;
+  d.add_shape("Box", located_box(kUnit, {}));
+  d.add("App::Part", "P0", group({"Box"}));
+  for (int i = 1; i <= 40; ++i) {
+    const std::string before = fmt::format("P{}", i - 1);
+    for (const char* side : {"a", "b"})
+      d.add("App::Link", side + std::to_string(i), linked(before));
+    d.add("App::Part", fmt::format("P{}", i),
+          group({fmt::format("a{}", i), fmt::format("b{}", i)}));
+  }
+  EXPECT_TRUE(holds(error_of(d.bytes()), "absurdly many"));
+  Document array;
+  array.add_shape("Box", located_box(kUnit, {}));
+  array.add("App::Link", "L",
+            linked("Box") + property("ElementCount", "<Integer value=\"2000000000\"/>"));
+  EXPECT_TRUE(holds(error_of(array.bytes()), "absurdly many"));
+}
+
+TEST_F(FcstdTest, CancelledRunsEnd) {
+  Document d;
+  d.add_shape("Box", located_box(kUnit, {}));
+  folder_.write("a.FCStd", d.bytes());
+  RunContext context;
+  context.cancel();
+  EXPECT_THROW(read_fcstd(folder_ / "a.FCStd", {}, context), Cancelled);
+}
+
+TEST_F(FcstdTest, DamagedDocumentsAreReadOrRefused) {
+  constexpr std::string_view kSpice[] = {"-1",  "<",     "\"",           "99999999999",
+                                         "nan", "1e999", "\xff",         "</Property>",
+                                         "Box", "Asm",   "value=\"Asm\""};
+  Document d;
+  d.add("App::Part", "Asm", group({"Box", "L"}) + placed({1, 2, 3}));
+  d.add_shape("Box", located_box(kUnit, {}));
+  d.add("App::Link", "L", linked("Box") + property("ElementCount", "<Integer value=\"3\"/>"));
+  d.add("Mesh::Feature", "M", property("Mesh", "<Mesh file=\"M.bms\"/>"));
+  const std::string xml = d.xml(), shape = d.members[0].second,
+                    mesh = bms(box({0, 0, 0}, {1, 1, 1}));
+  d.members.emplace_back("M.bms", mesh);
+  const std::string archive = d.bytes();
+  const Rng rng(5);
+  std::uint64_t n = 0;
+  int read = 0, refused = 0;
+  for (int i = 0; i < 600; ++i) {
+    std::string bytes;
+    if (i % 4 == 0) {
+      bytes = mutated(archive, kSpice, rng, n);
+    } else {
+      const auto maybe = [&](int which, const std::string& good) {
+        return i % 4 == which ? mutated(good, kSpice, rng, n) : good;
+      };
+      bytes = Document::zipped({{"Document.xml", maybe(1, xml)},
+                                {"PartShapeBox.brp", maybe(2, shape)},
+                                {"M.bms", maybe(3, mesh)}});
+    }
+    try {
+      RunContext context;
+      read_fcstd(folder_.write("f.FCStd", bytes), {}, context);
+      ++read;
+    } catch (const InputError& e) {
+      EXPECT_EQ(std::string(e.what()).find('\n'), std::string::npos) << e.what();
+      ++refused;
+    }
+  }
+  EXPECT_GT(read, 50);
+  EXPECT_GT(refused, 50);
+}
+
+}  // namespace
+}  // namespace burin::test
