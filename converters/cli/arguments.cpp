@@ -26,6 +26,10 @@ constexpr const char* kThreadsHelp =
 CLI::Option* text(CLI::App& app, const char* name, std::string& value, const char* type,
                   const char* group, const char* help) {
   return app.add_option(name, value, help)
+      ->each([option = std::string(name)](const std::string& word) {
+        // Most likely a shell's variable that is not set: no reason to draw by the default.
+        if (word.empty()) throw UsageError("option " + option + " has an empty value");
+      })
       ->type_name(type)
       ->group(group)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
@@ -143,7 +147,8 @@ CLI::App* add_draw(CLI::App& app, DrawArguments& a, Chatter& chatter) {
        "the model point in the middle of the sheet\n(default: the middle of the drawing)");
   text(*draw, "--margin", a.margin, "MM", kSheet, "empty border of a fitted sheet (default 10)");
   text(*draw, "--style", a.style, "NAME|FILE", kLook,
-       "outline, technical, engraving, or a style file (default technical)");
+       "outline, technical, engraving, haloed, wireframe, or a style\n"
+       "file (default technical)");
   list(*draw, "--set", a.set, "KEY=VALUE", kLook,
        "change one key of the style; repeatable; see burin styles --keys");
   text(*draw, "--light", a.light, "X,Y,Z", kLook,

@@ -56,6 +56,12 @@ const char* foreign(std::string_view bytes) {
   return nullptr;
 }
 
+/// "format": "burin-drawing" stands first in what `burin draw` writes.
+bool is_drawing(std::string_view bytes) {
+  return starts(bytes, "{") &&
+         bytes.substr(0, 256).find("\"burin-drawing\"") != std::string_view::npos;
+}
+
 bool is_exact_binary_stl(std::string_view bytes) {
   if (bytes.size() < 84) return false;
   std::uint32_t n = 0;
@@ -113,6 +119,9 @@ MeshFormat detect_format(const Source& source, const std::filesystem::path& path
   const std::string_view bytes = source.bytes();
   if (is_exact_binary_stl(bytes)) return MeshFormat::StlBinary;
   if (const char* message = foreign(bytes)) source.fail(message);
+  if (is_drawing(bytes)) {
+    source.fail("is a drawing file, not a model; burin convert writes it in other formats");
+  }
   if (starts(bytes, "PK\x03\x04") || starts(bytes, "PK\x05\x06")) return MeshFormat::ThreeMf;
   if (starts(bytes, "ply\n") || starts(bytes, "ply\r")) return MeshFormat::Ply;
   const auto suffix = suffixes().find(lowered(path.extension().string()));
@@ -130,7 +139,8 @@ MeshFormat detect_format(const Source& source, const std::filesystem::path& path
   }
   if (!named) {
     source.fail(
-        fmt::format("is no mesh of a known kind (suffix '{}'); STL, OBJ, OFF, PLY and 3MF are read",
+        fmt::format("is of no kind that is read (suffix '{}'): meshes, STEP, IGES, BREP, FreeCAD, "
+                    "OpenSCAD, spline patches, functions, volumes; raw volumes need their layout",
                     path.extension().string()));
   }
   if (suffix->second == MeshFormat::ThreeMf)

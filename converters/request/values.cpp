@@ -75,7 +75,11 @@ std::optional<Vec3> point_option(const std::string& option, const std::string& t
 std::size_t word_option(const std::string& option, const std::string& text,
                         const std::vector<std::string>& words) {
   const auto it = std::find(words.begin(), words.end(), text);
-  if (it == words.end()) refuse(option, fmt::format("{}", fmt::join(words, " or ")).c_str(), text);
+  if (it == words.end()) {
+    const std::string all =
+        fmt::format("{} or {}", fmt::join(words.begin(), words.end() - 1, ", "), words.back());
+    refuse(option, all.c_str(), text);
+  }
   return static_cast<std::size_t>(it - words.begin());
 }
 

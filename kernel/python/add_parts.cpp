@@ -129,10 +129,18 @@ std::shared_ptr<const ImplicitFunction> sampled(const ImplicitFunction& function
     function.values(at, values);
     for (const double v : values) grid.samples.push_back(static_cast<float>(v));
   }
-  const auto inside = [](float v) { return v < 0; };
-  if (std::none_of(grid.samples.begin(), grid.samples.end(), inside)) {
+  const auto any = [&](auto&& test) {
+    return std::any_of(grid.samples.begin(), grid.samples.end(), test);
+  };
+  if (!any([](float v) { return std::isfinite(v); })) {
+    throw GeometryError("the function gives no finite number in its bounds");
+  }
+  if (!any([](float v) { return v < 0; })) {
     throw GeometryError(
         "the function is nowhere negative in its bounds; widen them, or use more samples");
+  }
+  if (!any([](float v) { return v >= 0; })) {
+    throw GeometryError("the function is negative everywhere in its bounds; widen them");
   }
   return make_volume_function(std::move(grid),
                               {.level = 0, .inside_above = false, .degree = 3, .interpolate = true},

@@ -83,8 +83,7 @@ DrawingOwner draw(const py::object& source, const py::object& view, const py::ob
                   const py::object& light, const py::object& hidden, const py::object& tolerance,
                   const py::object& bounds, const py::object& seed, const py::object& threads,
                   const py::object& center, const py::object& field, const py::object& tone,
-                  const py::object& progress, const std::shared_ptr<CancelFlag>& cancel,
-                  const py::kwargs& options) {
+                  const py::object& progress, const py::object& cancel, const py::kwargs& options) {
   Source from(source);
   const ReadOptions read = read_options(
       bounds, options,
@@ -101,9 +100,10 @@ DrawingOwner draw(const py::object& source, const py::object& view, const py::ob
   plan.illustrate.field = python_field(field);
   plan.illustrate.tone = python_tone(tone);
   if (from.scene) plan.illustrate.looks = from.looks;
+  const auto flag = cancel_flag(cancel);
   auto result = std::make_shared<PyDrawing>();
   result->style = plan.style;
-  run(progress, cancel, [&](RunContext& context) {
+  run(progress, flag, [&](RunContext& context) {
     const ThreadLimit limit(plan.threads);
     const Scene scene = from.get(plan.read, context);
     const Camera camera =

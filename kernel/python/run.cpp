@@ -182,6 +182,13 @@ class Run {
 
 }  // namespace
 
+std::shared_ptr<CancelFlag> cancel_flag(const py::object& cancel) {
+  if (!cancel.is_none() && !py::isinstance<CancelFlag>(cancel)) {
+    throw py::type_error("argument cancel takes a Cancel");
+  }
+  return cancel.cast<std::shared_ptr<CancelFlag>>();
+}
+
 void run(const py::object& progress, const std::shared_ptr<CancelFlag>& cancel,
          const std::function<void(RunContext&)>& work) {
   if (!progress.is_none() && !PyCallable_Check(progress.ptr())) {

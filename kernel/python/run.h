@@ -42,6 +42,9 @@ class CancelFlag {
   std::set<RunContext*> runs_;
 };
 
+/// None, or a Cancel; throws TypeError for anything else.
+std::shared_ptr<CancelFlag> cancel_flag(const py::object& cancel);
+
 /// Runs `work` on another thread; to be called with the GIL, which is released meanwhile. Every
 /// 20 ms the calling thread looks for signals (Ctrl-C), and tells `progress` (or None) the stage;
 /// an exception of either ends the run and is thrown when the run has ended. So are those of

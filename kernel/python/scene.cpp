@@ -25,6 +25,9 @@ using Owner = std::shared_ptr<PyScene>;
 PyPart append(const Owner& owner, Part part, const PartNames& names) {
   part.name = names.name;
   part.color = names.color;
+  if (py::isinstance<py::str>(names.assembly)) {
+    throw py::type_error("argument assembly takes a list of names");
+  }
   for (const py::handle name : names.assembly) part.assembly.push_back(name.cast<std::string>());
   part.source = names.source;
   owner->scene.parts.push_back(std::move(part));
@@ -42,12 +45,10 @@ Owner read(const py::args& paths, const py::kwargs& keywords) {
   for (const py::handle path : paths) names.push_back(path_text(path));
   if (names.empty()) throw UsageError("no input; name model files");
   const py::object progress = pop("progress"), cancel = pop("cancel"), bounds = pop("bounds");
-  if (!cancel.is_none() && !py::isinstance<CancelFlag>(cancel)) {
-    throw py::type_error("argument cancel takes a Cancel");
-  }
+  const auto flag = cancel_flag(cancel);
   const ReadOptions read = read_options(bounds, keywords, {"bounds", "progress", "cancel"});
   auto owner = std::make_shared<PyScene>();
-  run(progress, cancel.cast<std::shared_ptr<CancelFlag>>(), [&](RunContext& context) {
+  run(progress, flag, [&](RunContext& context) {
     check_inputs(names);
     owner->scene = read_scene(names, read, context);
     owner->looks.resize(owner->scene.parts.size());

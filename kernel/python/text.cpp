@@ -2,11 +2,19 @@
 
 #include <fmt/format.h>
 
+#include <string_view>
+
 namespace burin::python {
 namespace {
 
+/// Python's and numpy's.
+bool is_bool(const py::handle& value) {
+  const std::string_view type = Py_TYPE(value.ptr())->tp_name;
+  return PyBool_Check(value.ptr()) || type == "numpy.bool_" || type == "numpy.bool";
+}
+
 bool is_number(const py::handle& value) {
-  return !PyBool_Check(value.ptr()) && PyNumber_Check(value.ptr()) &&
+  return !is_bool(value) && PyNumber_Check(value.ptr()) &&
          !(PyObject_HasAttrString(value.ptr(), "__len__"));
 }
 
@@ -40,6 +48,11 @@ std::string list_text(const char* name, const py::handle& value, const char* sep
   }
   std::string text;
   for (const py::handle item : py::reinterpret_borrow<py::object>(value)) {
+    // Rows: boxes are (2, 3) arrays as Scene.bounds() gives them.
+    if (!py::isinstance<py::str>(item) && py::isinstance<py::sequence>(item)) {
+      text += (text.empty() ? "" : separator) + list_text(name, item, separator);
+      continue;
+    }
     if (!is_number(item)) {
       throw py::type_error(
           fmt::format("argument {} takes numbers, not {}", name, std::string(py::repr(value))));
@@ -50,7 +63,7 @@ std::string list_text(const char* name, const py::handle& value, const char* sep
 }
 
 std::string value_text(const char* name, const py::handle& value) {
-  if (PyBool_Check(value.ptr())) return value.cast<bool>() ? "true" : "false";
+  if (is_bool(value)) return PyObject_IsTrue(value.ptr()) == 1 ? "true" : "false";
   if (is_number(value)) return text_of_number(value);
   return list_text(name, value);
 }

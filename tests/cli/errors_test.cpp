@@ -57,7 +57,18 @@ TEST_F(CliErrors, UsageOfEachOption) {
   expect_failure(draw + "--seed 1.5", 2, "--seed");
   expect_failure(draw + "--seed -1", 2, "--seed");
   expect_failure(draw + "--threads 0", 2, "--threads");
+  expect_failure(draw + "--mesher fine", 2, "auto, nets or delaunay, not 'fine'");
   expect_failure(draw + "--quiet=maybe", 2, "quiet");
+}
+
+TEST_F(CliErrors, EmptyValuesAreNoDefaults) {
+  for (const std::string option :
+       {"--iso", "--scale", "--center", "--bounds", "--mesher", "--smooth", "--seed", "--style",
+        "--format", "--openscad-timeout"}) {
+    test::Command command(folder_, {"draw", box_, "-o", folder_ / "a.svg", option, ""});
+    EXPECT_EQ(command.wait(), 2);
+    EXPECT_EQ(command.std_err, "burin: error: option " + option + " has an empty value\n");
+  }
 }
 
 TEST_F(CliErrors, UsageOfOutputs) {
@@ -91,7 +102,9 @@ TEST_F(CliErrors, BadInput) {
   folder_.write("flat.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n2 0 0\n3 0 1 2\n");
   expect_failure("draw @/flat.off -o @/a.svg", 3, "flat.off: ");
   folder_.write("thing.xyz", "one two three\n");
-  expect_failure("draw @/thing.xyz -o @/a.svg", 3, "STL");
+  expect_failure("draw @/thing.xyz -o @/a.svg", 3, "of no kind that is read (suffix '.xyz')");
+  folder_.write("drawing.json", R"({"format": "burin-drawing", "version": 1, "layers": []})");
+  expect_failure("draw @/drawing.json -o @/a.svg", 3, "burin convert");
 }
 
 TEST_F(CliErrors, BadStyleFiles) {

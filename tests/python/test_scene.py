@@ -53,6 +53,46 @@ class Files(unittest.TestCase):
             burin.Scene.read(SAMPLES / "blend.implicit", bounds=[0, 0, 0, 1, 1])
 
 
+    def test_bounds_may_be_those_of_a_scene(self):
+        whole = burin.Scene.read(SAMPLES / "blend.implicit")
+        half = whole.bounds()
+        half[1, 2] = 0
+        scene = burin.Scene.read(SAMPLES / "blend.implicit", bounds=half)
+        np.testing.assert_allclose(scene.bounds()[1, 2], 0, atol=1e-6)
+
+    def test_flags_take_booleans_of_numpy(self):
+        scene = burin.Scene.read(SAMPLES / "spindle.stl", heal=np.bool_(False))
+        self.assertEqual(len(scene), 1)
+        with self.assertRaisesRegex(burin.UsageError, "argument heal takes false or true"):
+            burin.Scene.read(SAMPLES / "spindle.stl", heal="perhaps")
+
+
+class Mistakes(unittest.TestCase):
+    """One line each, with the argument."""
+
+    BOX = (-1, -1, -1, 1, 1, 1)
+
+    def test_wrong_types(self):
+        scene = burin.Scene()
+        with self.assertRaisesRegex(TypeError, "^argument cancel takes a Cancel$"):
+            burin.draw(SAMPLES / "bracket.off", cancel=True)
+        with self.assertRaisesRegex(TypeError, "^argument cancel takes a Cancel$"):
+            burin.Scene.read(SAMPLES / "bracket.off", cancel=3)
+        with self.assertRaisesRegex(TypeError, "^argument assembly takes a list of names$"):
+            scene.add_mesh(*cube(), assembly="pump")
+        self.assertEqual(len(scene), 0)
+
+    def test_functions_without_a_surface(self):
+        scene = burin.Scene()
+        for values, message in [
+            (lambda p: 0 * p[:, 0] + 1, "nowhere negative"),
+            (lambda p: 0 * p[:, 0] - 1, "negative everywhere"),
+            (lambda p: np.nan * p[:, 0], "no finite number"),
+        ]:
+            with self.assertRaisesRegex(burin.GeometryError, message):
+                scene.add_function(values, self.BOX, samples=16)
+
+
 class Brep(unittest.TestCase):
     def test_faces_and_edges_are_numbered_as_in_the_shape(self):
         scene = burin.Scene()

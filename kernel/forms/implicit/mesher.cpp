@@ -48,9 +48,13 @@ double longest(const Box3& b) {
   return std::max({s.x, s.y, s.z});
 }
 
+// Mm; a step across it still keeps a ten-millionth of a mm in double.
+constexpr double kFarthest = 1e9;
+
 bool finite(const Box3& b) {
   for (int a = 0; a < 3; ++a) {
-    if (!(std::abs(b.min[a]) < 1e9) || !(std::abs(b.max[a]) < 1e9) || !(b.min[a] < b.max[a])) {
+    if (!(std::abs(b.min[a]) < kFarthest) || !(std::abs(b.max[a]) < kFarthest) ||
+        !(b.min[a] < b.max[a])) {
       return false;
     }
   }
@@ -97,10 +101,19 @@ bool any_within(const std::vector<Vec3>& points, const Box3& domain) {
         shown(domain)));
   }
   throw GeometryError(
-      fmt::format("the function is nowhere negative in {}: there is no surface; check the formula, "
-                  "its sign and "
-                  "--bounds",
-                  shown(domain)));
+      fmt::format("the function is nowhere negative in {}, looked at in steps of {:.3g} mm: there "
+                  "is no surface; check the formula, its sign and --bounds",
+                  shown(domain), grid.layout().step));
+}
+
+// Roundings, signs and comparisons make steps: no normal, no curvature, nothing to draw.
+void check_slope(const ExactMesh& mesh) {
+  const auto level = std::ranges::count(mesh.normals, Vec3(0));
+  if (2 * static_cast<std::size_t>(level) > mesh.normals.size()) {
+    throw GeometryError(
+        "the function has no slope where it changes its sign; give one that grows steadily from "
+        "the inside out, like a distance");
+  }
 }
 
 void measure(Survey& s, const RunContext& context) {
@@ -145,6 +158,7 @@ Survey look(std::shared_ptr<const ImplicitFunction> function, Box3 at, bool give
     if (grid.blocks().empty()) no_surface(*s.function, grid, at);
     MeshCounts counts;
     s.mesh = mesh_grid(*s.function, grid, longest(at), 0, budget, counts, context);
+    check_slope(s.mesh);
     s.box = box_of(s.mesh.positions);
     if (smallest > 0) {
       s.smallest = smallest * largest_component(s.mesh);
@@ -178,7 +192,9 @@ Survey survey(std::shared_ptr<const ImplicitFunction> function, const Box3& doma
   Box3 at = domain;
   if (!given) at = {domain.min - 0.01 * domain.size(), domain.max + 0.01 * domain.size()};
   if (!finite(at)) {
-    throw GeometryError(fmt::format("the domain {} is empty or endless", shown(at)));
+    throw GeometryError(fmt::format(
+        "the domain {} is empty, endless or reaches farther than {:g} mm from the origin",
+        shown(at), kFarthest));
   }
   // A function of many operations is looked at in fewer places.
   for (double steps = kSurveySteps;; steps /= 2) {

@@ -184,7 +184,8 @@ class Projector {
 
   bool on_surface(Vec3 p) const {
     const Gradient1 g = f_.gradient(p);
-    return std::abs(g.value) <= 1e-9 * mesh_.size * glm::length(g.gradient);
+    const double slope = glm::length(g.gradient);
+    return slope > 0 && std::abs(g.value) <= 1e-9 * mesh_.size * slope;
   }
 
   // By the pieces that are active where the sheet crosses the grid: the nearest piece to a vertex

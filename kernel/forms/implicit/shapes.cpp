@@ -17,7 +17,7 @@ constexpr double kPi = 3.14159265358979323846;
 
 void positive(const char* what, double v) {
   if (!(v > 0 && v < 1e12)) {
-    throw UsageError(fmt::format("{} has to be a number over 0, not {}", what, v));
+    throw UsageError(fmt::format("{} has to be a number over 0 and below 1e12, not {}", what, v));
   }
 }
 
