@@ -64,6 +64,10 @@ class Alone(support.Case):
         action = Gui.Command.get("Burin_NewIllustration").getAction()[0]
         self.assertEqual(action.text().replace("&", ""), "Neue Illustration")
         self.assertEqual(translate("Burin", "Stop"), "Anhalten")
+        Gui.runCommand("Burin_Help")
+        window = Gui.getMainWindow().findChild(QtGui.QDialog, "BurinHelp")
+        self.assertIn("Baugruppen", window.findChild(QtGui.QTextBrowser).toPlainText())
+        window.close()
 
 
 support.run(__name__)

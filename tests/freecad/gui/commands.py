@@ -9,7 +9,7 @@ sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 import FreeCAD  # noqa: E402
 import FreeCADGui as Gui  # noqa: E402
 import support  # noqa: E402
-from PySide import QtGui  # noqa: E402
+from PySide import QtCore, QtGui  # noqa: E402
 
 V = FreeCAD.Vector
 
@@ -361,13 +361,33 @@ class Sources(support.Case):
         self.assertLess(self.obj.ViewObject.Proxy.lift(sheet), 0)
 
     def test_select_source_by_mouse_and_escape(self):
-        self.select(self.obj)
-        Gui.runCommand("Burin_SelectSource")
         from freecad.burin_wb.commands import select
 
-        self.assertIsNotNone(select.picker)
-        select.picker._event({"Type": "SoKeyboardEvent", "Key": "ESCAPE", "State": "DOWN"})
+        self.select(self.obj)
+        Gui.runCommand("Burin_SelectSource")
         support.settle(50)
+        sheet = sheet_of(self.obj)
+        path = next(p for _, p in sheet.paths() if p["kind"] == "crease")
+        (ax, ay), (bx, by) = path["points"][:2]
+        place = sheet.place(((ax + bx) / 2, (ay + by) / 2), self.obj.ViewObject.Proxy.lift(sheet))
+        x, y = self.view.getPointOnScreen(place.x, place.y, place.z)
+        area = next(v for v in Gui.getMainWindow().centralWidget().findChildren(QtGui.QGraphicsView)
+                    if v.isVisible()).viewport()
+        width, height = self.view.getSize()
+        at = QtCore.QPointF(x * area.width() / width, area.height() * (1 - y / height) - 1)
+        for kind, buttons in ((QtCore.QEvent.MouseMove, QtCore.Qt.NoButton),
+                              (QtCore.QEvent.MouseButtonPress, QtCore.Qt.LeftButton),
+                              (QtCore.QEvent.MouseButtonRelease, QtCore.Qt.NoButton)):
+            button = QtCore.Qt.NoButton if kind == QtCore.QEvent.MouseMove else QtCore.Qt.LeftButton
+            QtGui.QApplication.sendEvent(area, QtGui.QMouseEvent(kind, at, area.mapToGlobal(at.toPoint()), button,
+                                                                 buttons, QtCore.Qt.NoModifier))
+        support.settle(200)
+        source, element = sheet.element(path)
+        chosen = Gui.Selection.getSelectionEx()
+        self.assertEqual([(c.ObjectName, c.SubElementNames) for c in chosen], [(source, (element,))])
+        for kind in (QtCore.QEvent.KeyPress, QtCore.QEvent.KeyRelease):
+            QtGui.QApplication.sendEvent(area, QtGui.QKeyEvent(kind, QtCore.Qt.Key_Escape, QtCore.Qt.NoModifier))
+        support.settle(100)
         self.assertIsNone(select.picker)
 
     def test_lines_of_a_face_light_up_until_the_selection_changes(self):

@@ -2,14 +2,15 @@
 
 import os
 
+from ..view.text import tr
 from .base import Command
 
 PAGE = os.path.join(os.path.dirname(os.path.dirname(__file__)), "resources", "help")
 
 
-def page(language=""):
-    """The help page in a language ('de'), in English where there is none."""
-    path = os.path.join(PAGE, f"help_{language[:2]}.md")
+def page():
+    """The help page in the user's language: translation files name theirs."""
+    path = os.path.join(PAGE, tr("help_en") + ".md")
     return path if os.path.exists(path) else os.path.join(PAGE, "help_en.md")
 
 
@@ -27,7 +28,7 @@ class Help(Command):
         import FreeCADGui as Gui
         from PySide import QtCore, QtGui
 
-        with open(page(QtCore.QLocale().name()), encoding="utf-8") as file:
+        with open(page(), encoding="utf-8") as file:
             text = file.read()
         window = QtGui.QDialog(Gui.getMainWindow())
         window.setObjectName("BurinHelp")

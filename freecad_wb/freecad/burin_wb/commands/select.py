@@ -2,7 +2,7 @@
 
 import FreeCAD
 import FreeCADGui as Gui
-from PySide import QtCore
+from PySide import QtCore, QtGui
 
 from ..features.sheet import Sheet
 from ..view.provider import BEFORE
@@ -11,6 +11,9 @@ from .base import Command, Refused, selected_illustrations, tell
 
 # Pixels around the pointer within which a line is meant.
 REACH = 8
+
+# Pixels that the pointer may move in a click; more turn the view.
+STILL = 3
 
 
 def sheet_of(obj):
@@ -75,8 +78,16 @@ class Picker:
             QtCore.QTimer.singleShot(0, lambda: self.stop())  # not while the view calls
         elif (event.get("Type") == "SoMouseButtonEvent" and event.get("Button") == "BUTTON1"
               and event.get("State") == "DOWN"):
-            # After the view's own selection, which the same click makes.
-            QtCore.QTimer.singleShot(0, lambda at=tuple(event["Position"]): self.pick(at))
+            self._after_click(tuple(event["Position"]), QtGui.QCursor.pos())
+
+    def _after_click(self, at, pressed):
+        """The view keeps the release for itself and selects then; this comes after it. Drags turn the view."""
+        if self._callback is None:
+            return
+        if QtGui.QApplication.mouseButtons() & QtCore.Qt.LeftButton:
+            QtCore.QTimer.singleShot(30, lambda: self._after_click(at, pressed))
+        elif (QtGui.QCursor.pos() - pressed).manhattanLength() <= STILL:
+            QtCore.QTimer.singleShot(50, lambda: self._callback is not None and self.pick(at))
 
     def pick(self, position):
         """Selects what made the line under a place of the view, in pixels."""

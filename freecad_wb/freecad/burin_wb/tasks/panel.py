@@ -26,6 +26,8 @@ class Panel:
         self.form.setWindowTitle(self.title or obj.Label)
         self.form.setWindowIcon(QtGui.QIcon(obj.ViewObject.Proxy.getIcon()))
         self.form.setMaximumWidth(WIDTH)
+        # FreeCAD may close a panel by itself.
+        self.form.destroyed.connect(lambda *_: self._close())
         self.column = QtGui.QVBoxLayout(self.form)
         self.column.setContentsMargins(4, 4, 4, 4)
         self._pause = QtCore.QTimer(self.form)
@@ -83,7 +85,7 @@ class Panel:
         self.stop = QtGui.QPushButton(tr("Stop"))
         self.stop.setObjectName("stop")
         self.stop.setToolTip(tr("Ends the run; the drawing shown stays the one before"))
-        self.stop.clicked.connect(lambda: self.runs.cancel(self.obj))
+        self.stop.clicked.connect(lambda: self._stop())
         row.addWidget(self.bar)
         row.addWidget(self.stop)
         self.message = QtGui.QLabel()
@@ -115,6 +117,11 @@ class Panel:
             self.bar.setValue(0 if error else 100 if self.obj.Drawing else 0)
             self.message.setText(str(error) if error else self.obj.Message or tr("drawn"))
 
+    def _stop(self):
+        self.stop.setEnabled(False)
+        self.message.setText(tr("stopping"))
+        self.runs.cancel(self.obj)
+
     def _concerns(self, key):
         return not self.over and key == self.key and self.alive()
 
@@ -141,11 +148,12 @@ class Panel:
 
     def abandon(self):
         """The document is closed: there is nothing to keep or to take back."""
-        self._pause.stop()
         self._close()
         Gui.Control.closeDialog()
 
     def _close(self):
+        if self.over:
+            return
         self.over = True
         for signal, slot in ((self.runs.progressed, self._progressed), (self.runs.ended, self._ended)):
             try:

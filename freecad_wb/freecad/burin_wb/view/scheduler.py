@@ -88,6 +88,12 @@ class Scheduler(QtCore.QObject):
             runs = [r for r in [self._current, *self._waiting] if r and not r.cancelled]
         return any(obj is None or r.key == (obj.Document.Name, obj.Name) for r in runs)
 
+    def busy(self, obj=None):
+        """As running, and also while a run that was cancelled comes to its end or has still to be told."""
+        with self._lock:
+            runs = [r for r in [self._current, *self._waiting] if r] + [r for r, _, _ in list(self._ended_runs)]
+        return any(obj is None or r.obj is obj for r in runs)
+
     def cancel(self, obj, tell=True):
         """Ends the runs of an object; what it shows stays as it is."""
         key = (obj.Document.Name, obj.Name)
@@ -248,7 +254,7 @@ def wait(obj=None, seconds=60.0):
     """For scripts: lets the GUI live until the runs of an illustration (or all) have ended. Whether they have."""
     clock, loop = QtCore.QElapsedTimer(), QtCore.QEventLoop()
     clock.start()
-    while scheduler is not None and (scheduler.running(obj) or scheduler._ended_runs):
+    while scheduler is not None and scheduler.busy(obj):
         if clock.elapsed() > 1000 * seconds:
             return False
         QtCore.QTimer.singleShot(10, loop.quit)

@@ -109,7 +109,7 @@
     </message>
     <message>
       <source>Open…</source>
-      <translation>Öffnen …</translation>
+      <translation>Öffnen</translation>
     </message>
     <message>
       <source>Own style</source>
@@ -137,7 +137,7 @@
     </message>
     <message>
       <source>Save as…</source>
-      <translation>Speichern …</translation>
+      <translation>Sichern</translation>
     </message>
     <message>
       <source>Save style</source>
@@ -308,6 +308,10 @@
       <translation>Schraffur</translation>
     </message>
     <message>
+      <source>help_en</source>
+      <translation>help_de</translation>
+    </message>
+    <message>
       <source>left out</source>
       <translation>weggelassen</translation>
     </message>
@@ -358,6 +362,10 @@
     <message>
       <source>show a 3-D view of the model first</source>
       <translation>zeigen Sie zuerst eine 3D-Ansicht des Modells</translation>
+    </message>
+    <message>
+      <source>stopping</source>
+      <translation>wird angehalten</translation>
     </message>
     <message>
       <source>the selection has no visible shape</source>
