@@ -148,6 +148,7 @@ class BadInput(support.Case):
         self.select(obj)
         Gui.runCommand("Burin_PlaceOnPage")
         support.settle(200)
+        support.close_pages()
         self.document.removeObject("Page")
         support.settle(100)
         obj.ViewDirection = FreeCAD.Vector(0, -1, 0)
