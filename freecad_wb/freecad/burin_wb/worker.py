@@ -15,6 +15,9 @@ import traceback
 
 HEAD = struct.Struct("<Q")
 
+# Seconds that a worker gets to end a cancelled job before it is ended itself.
+PATIENCE = 0.08
+
 
 class Failed(Exception):
     """The run failed; the text is for the user."""
@@ -67,6 +70,8 @@ class Worker:
         self._lock = threading.Lock()
         self._sending = threading.Lock()
         self._here = None  # the Cancel of a run in this process
+        self._running = None  # stands for the run under way
+        self._cancelled = False  # whether that is to end
 
     def start(self):
         """Starts the process ahead of the first job. Whether there is one: without an interpreter that can be
@@ -91,16 +96,27 @@ class Worker:
     def draw(self, job, progress=None):
         """Runs a job to its end. Returns a job.Result. `progress(stage, share)` is called from this thread.
         Throws Failed or Stopped."""
-        if not self.start():
-            return self._draw_here(job, progress)
+        with self._lock:
+            self._cancelled, self._running = False, object()
+        try:
+            if not self.start():
+                return self._draw_here(job, progress)
+            return self._draw_there(job, progress)
+        finally:
+            with self._lock:
+                self._running = None
+
+    def _draw_there(self, job, progress):
         process, log = self._process, self._log
         try:
             with self._sending:
+                if self._cancelled:
+                    raise Stopped()
                 _send(process.stdin, ("draw", job))
             while True:
                 message = _receive(process.stdout)
                 if message is None:
-                    raise Failed(self._last_words(process, log))
+                    raise EOFError
                 kind, *rest = message
                 if kind == "progress":
                     if progress is not None:
@@ -112,7 +128,11 @@ class Worker:
                 else:
                     raise Failed(rest[0])
         except (OSError, ValueError, EOFError, pickle.UnpicklingError) as error:
-            raise Failed(self._last_words(process, log)) from error
+            words = self._last_words(process, log)
+            if self._cancelled:
+                self.start()  # the next run is not to wait for it
+                raise Stopped() from error
+            raise Failed(words) from error
 
     def _draw_here(self, job, progress):
         from . import kernel
@@ -122,6 +142,8 @@ class Worker:
         except kernel.KernelMissing as error:
             raise Failed(str(error)) from error
         self._here = burin.Cancel()
+        if self._cancelled:
+            self._here.cancel()
         try:
             return job.run(burin, progress, self._here)
         except burin.Cancelled:
@@ -132,24 +154,39 @@ class Worker:
             self._here = None
 
     def cancel(self):
-        """Asks the job under way to end; may be called from any thread. Takes as long as a job takes to be sent."""
-        here, process = self._here, self._process
+        """Ends the job under way; may be called from any thread. A process that does not end its job within PATIENCE
+        seconds is ended itself. Takes as long as a job takes to be sent."""
+        run, here, process = self._running, self._here, self._process
+        if run is None:
+            return
+        self._cancelled = True
         if here is not None:
             here.cancel()
-        if process is not None and process.poll() is None:
+        elif process is not None and process.poll() is None:
             try:
                 with self._sending:
                     _send(process.stdin, ("cancel",))
             except (OSError, ValueError):
                 pass
+            timer = threading.Timer(PATIENCE, self._lose_patience, (run,))
+            timer.daemon = True
+            timer.start()
+
+    def _lose_patience(self, run):
+        with self._lock:
+            if self._running is run:
+                self._kill()
 
     def stop(self):
         """Ends the process, whatever it does."""
         with self._lock:
-            process = self._process
-            if process is not None:
-                process.kill()
-                process.wait()
+            self._kill()
+
+    def _kill(self):
+        """With the lock held."""
+        if self._process is not None:
+            self._process.kill()
+            self._process.wait()
 
     def _launch(self, python):
         from . import kernel

@@ -150,7 +150,7 @@ def worker_rows(out):
     one = worker.Worker()
     one.draw(Job(parts, {"style": "outline"}))
     warm = best(lambda k: one.draw(Job(parts, {"style": "outline"})))
-    job = Job(parts, {"style": "engraving", "paper": (800, 800), "tolerance": 0.005})
+    job = Job(parts, {"style": "engraving", "paper": (500, 500), "tolerance": 0.01})
     begin = time.perf_counter()
     one.draw(job)
     whole = time.perf_counter() - begin

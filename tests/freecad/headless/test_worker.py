@@ -4,11 +4,10 @@ import json
 import os
 import signal
 import threading
-import time
 
 import Part
 
-from support import V, App, Case, content
+from support import V, Case, content
 
 from freecad.burin_wb import worker
 from freecad.burin_wb.features import illustration as module
@@ -91,7 +90,7 @@ class Worker(Case):
 
         def progress(stage, share):
             if not cancelled:
-                cancelled.append(time.monotonic())
+                cancelled.append(stage)
                 self.worker.cancel()
 
         with self.assertRaises(worker.Stopped):
@@ -99,6 +98,21 @@ class Worker(Case):
         job = Job([PartJob("Box", "Box", Part.makeBox(1, 2, 3).exportBrepToString().encode())], {"style": "outline"})
         self.assertIn(b"layers", self.worker.draw(job).drawing)
         self.worker.cancel()  # nothing is under way: of no effect
+        self.assertIn(b"layers", self.worker.draw(job).drawing)
+
+    def test_a_job_that_does_not_listen_is_ended_with_its_process(self):
+        hit = []
+
+        def progress(stage, share):
+            if not hit:
+                hit.append(self.worker._process)
+                os.kill(hit[0].pid, signal.SIGSTOP)
+                self.worker.cancel()
+
+        with self.assertRaises(worker.Stopped):
+            self.worker.draw(long_job(), progress)
+        self.assertEqual(hit[0].poll(), -signal.SIGKILL)
+        job = Job([PartJob("Box", "Box", Part.makeBox(1, 2, 3).exportBrepToString().encode())], {"style": "outline"})
         self.assertIn(b"layers", self.worker.draw(job).drawing)
 
     def test_progress_comes_with_stages(self):
