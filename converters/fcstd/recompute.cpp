@@ -88,7 +88,8 @@ TemporaryFolder::~TemporaryFolder() {
 
 Path recompute(const Path& document, double timeout, const TemporaryFolder& folder,
                Diagnostics& diagnostics, RunContext& context) {
-  const Path copy = folder.path() / "copy.FCStd", script = folder.path() / "recompute_copy.py";
+  Path copy = folder.path() / "copy.FCStd";
+  const Path script = folder.path() / "recompute_copy.py";
   std::ofstream(script) << fmt::format(
       fmt::runtime(kScript), hex(std::filesystem::absolute(document).string()), hex(copy.string()));
   std::string reason, last;

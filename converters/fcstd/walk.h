@@ -74,7 +74,7 @@ class FcWalk {
   void array(const FcDocument& document, const FcObject& object, const Target& target,
              const Place& place);
   void leaf(const FcDocument& document, const FcObject& object, const Place& place);
-  bool find_target(const FcDocument& document, const FcObject& link, Target& target);
+  bool find_target(const FcDocument& document, const FcObject& object, Target& target);
   static bool descend(const std::string& sub, bool transform, Target& target);
   void find_parents();
   Place place_of(std::int32_t number) const;
