@@ -72,6 +72,7 @@ struct Builder {
       const double length = glm::length(d);
       if (!(length > 0) || frames[w].umbilic) return;
       line[w] = complex_square(d / length);
+      result.certain[w] = static_cast<std::uint8_t>(is_certain(w));
       confidence[w] = is_certain(w) ? 1 : frames[w].confidence;
     });
   }
@@ -197,6 +198,7 @@ Constraints find_constraints(const ProxyMesh& proxy, const std::vector<Frame>& f
   Builder b{proxy, frames, flats, options, graph, hierarchy, context};
   b.result.mass.assign(b.size(), 0);
   b.result.line_mass.assign(b.size(), 0);
+  b.result.certain.assign(b.size(), 0);
   b.result.pull.assign(b.size(), Vec2(0));
   b.result.line_pull.assign(b.size(), Vec2(0));
   b.region_area = b.region_sums(graph.area);

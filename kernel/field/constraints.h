@@ -9,6 +9,7 @@
 #include "hierarchy.h"
 #include "wedge_graph.h"
 
+#include <cstdint>
 #include <vector>
 
 namespace burin::field {
@@ -22,6 +23,8 @@ struct Constraints {
   /// much.
   std::vector<Vec2> line_pull;
   std::vector<double> line_mass;
+  /// Nonzero where the directions of an exact face are followed whatever the crosses say.
+  std::vector<std::uint8_t> certain;
 };
 
 Constraints find_constraints(const ProxyMesh& proxy, const std::vector<Frame>& frames,

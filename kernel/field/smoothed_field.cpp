@@ -1,6 +1,7 @@
 #include <burin/field/smoothed_field.h>
 #include <burin/surface/tangent_basis.h>
 
+#include "bends.h"
 #include "constraints.h"
 #include "exact_faces.h"
 #include "family.h"
@@ -94,6 +95,7 @@ struct SmoothedField::Part {
     frames = {};
     const std::vector<Vec2> crosses = minimise(hierarchy, wanted.mass, wanted.pull, context);
     line = choose_family(proxy, graph, crosses, wanted, exact ? &flats : nullptr, context);
+    bend_over_cuts(proxy, graph, wanted, line, context);
     if (!exact) {
       match_flat_families(proxy, graph, line, flats);
     } else if (options.policy.plane == FacePolicy::Plane::Differ) {
