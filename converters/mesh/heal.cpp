@@ -28,6 +28,14 @@ void heal_parts(Scene& scene, const RunContext& context) {
     const auto* form = dynamic_cast<const MeshForm*>(part.form.get());
     if (!form) continue;
     auto healed = std::make_shared<HealedForm>(form->mesh(), context);
+    if (healed->too_coarse()) {
+      scene.diagnostics.add(Severity::Warning, "mesh.too_coarse_to_heal", 1,
+                            fmt::format("{}: so far from the origin its coordinates have too few "
+                                        "digits to tell round from flat; it is drawn as it is, "
+                                        "move it nearer",
+                                        part.name));
+      continue;
+    }
     const HealedFaces faces = healed->faces();
     if (faces.total() == 0) continue;
     scene.diagnostics.add(Severity::Info, "mesh.healed", faces.total(),

@@ -7,8 +7,10 @@
 namespace burin::healed {
 namespace {
 
-// Of the largest coordinate: single precision has 6e-8, text of six digits 5e-6 at the worst.
+// Of the largest coordinate: text of six digits has 5e-6 at the worst, usually less.
 constexpr double kNoise = 1e-6;
+// Of the largest coordinate where all coordinates are of single precision: two roundings.
+constexpr double kSingleNoise = 1.2e-7;
 // Radians between triangles of one facet: a tenth of a degree is a circle of 3600 sides.
 constexpr double kFlat = 0.0017;
 
@@ -31,14 +33,25 @@ Shape shape_of(const TriMesh& mesh, std::uint32_t t) {
   return s;
 }
 
+// How far coordinates may be off, in mm. Parts are worked on at about their own size first: far
+// from the origin only the digits that are lost there count.
+double noise_of(const TriMesh& mesh) {
+  double largest = 0;
+  bool single = true;
+  for (const Vec3& p : mesh.positions) {
+    for (int k = 0; k < 3; ++k) {
+      largest = std::max(largest, std::abs(p[k]));
+      single = single && p[k] == static_cast<double>(static_cast<float>(p[k]));
+    }
+  }
+  if (!single) return kNoise * largest;
+  return std::max(kSingleNoise * largest, kNoise * std::min(largest, mesh.bounds().diagonal()));
+}
+
 class Finder {
  public:
   Finder(const TriMesh& mesh, const Topology& topology) : mesh_(mesh), topology_(topology) {
-    double largest = 0;
-    for (const Vec3& p : mesh.positions) {
-      largest = std::max({largest, std::abs(p.x), std::abs(p.y), std::abs(p.z)});
-    }
-    out_.noise = kNoise * largest;
+    out_.noise = noise_of(mesh);
     out_.of.assign(mesh.triangles.size(), -1);
     for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) shapes_.push_back(shape_of(mesh, t));
   }

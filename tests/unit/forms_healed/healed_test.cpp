@@ -303,6 +303,30 @@ TEST(Healed, TheSameForAnyScaleAndPlace) {
   }
 }
 
+TEST(Healed, FarFromTheOriginTheSameOrNothing) {
+  // A cylinder, a ball and a cone of about 20 mm.
+  const std::vector<TriMesh> shapes{turned({{10, 0}, {10, 30}}, 48),
+                                    turned(sphere_profile(10, 48), 48),
+                                    turned({{4, 0}, {10, 30}}, 48)};
+  for (const TriMesh& shape : shapes) {
+    const HealedFaces near = faces_of(shape);
+    ASSERT_EQ(near.total(), 1);
+    int healed = 0;
+    for (const double away : {1e2, 3e2, 1e3, 3e3, 1e4, 1e5, 1e6}) {
+      const HealedForm form(moved(shape, tilted(), away * Vec3(1, 0.7, -0.4)), RunContext());
+      const HealedFaces far = form.faces();
+      EXPECT_EQ(form.too_coarse(), far.total() == 0) << away;
+      if (form.too_coarse()) continue;
+      ++healed;
+      EXPECT_EQ(far.total(), 1) << away;
+      EXPECT_EQ(far.cylinders, near.cylinders) << away;
+      EXPECT_EQ(far.spheres, near.spheres) << away;
+      EXPECT_EQ(far.cones, near.cones) << away;
+    }
+    EXPECT_GE(healed, 2);
+  }
+}
+
 TEST(Healed, CancelStops) {
   RunContext context;
   context.cancel();

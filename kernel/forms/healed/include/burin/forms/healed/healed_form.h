@@ -33,6 +33,9 @@ class HealedForm final : public Form {
 
   const TriMesh& mesh() const;
   HealedFaces faces() const;
+  /// Whether the coordinates have too few digits left, as far from the origin, to tell round from
+  /// flat: then nothing is healed.
+  bool too_coarse() const;
   Box3 bounds(const Mat3& axes) const override;
   std::shared_ptr<const Surface> realise(const RealiseOptions& options,
                                          RunContext& context) const override;
