@@ -313,7 +313,9 @@ TEST(Healed, FarFromTheOriginTheSameOrNothing) {
     ASSERT_EQ(near.total(), 1);
     int healed = 0;
     for (const double away : {1e2, 3e2, 1e3, 3e3, 1e4, 1e5, 1e6}) {
-      const HealedForm form(moved(shape, tilted(), away * Vec3(1, 0.7, -0.4)), RunContext());
+      TriMesh mesh = moved(shape, tilted(), away * Vec3(1, 0.7, -0.4));
+      for (Vec3& p : mesh.positions) p = Vec3(single(p.x), single(p.y), single(p.z));
+      const HealedForm form(std::move(mesh), RunContext());
       const HealedFaces far = form.faces();
       EXPECT_EQ(form.too_coarse(), far.total() == 0) << away;
       if (form.too_coarse()) continue;
@@ -323,7 +325,7 @@ TEST(Healed, FarFromTheOriginTheSameOrNothing) {
       EXPECT_EQ(far.spheres, near.spheres) << away;
       EXPECT_EQ(far.cones, near.cones) << away;
     }
-    EXPECT_GE(healed, 2);
+    EXPECT_GE(healed, 4);
   }
 }
 
