@@ -113,7 +113,8 @@ ImplicitForm::ImplicitForm(std::shared_ptr<const ImplicitFunction> function,
   if (!(smallest_part >= 0 && smallest_part < 1)) {
     throw UsageError("the smallest part is a share from 0 to below 1 of the largest one");
   }
-  const Box3 own = function->bounds();
+  const std::shared_ptr<const ImplicitFunction> shared = std::move(function);
+  const Box3 own = shared->bounds();
   auto impl = std::make_unique<Impl>();
   impl->options = proxy;
   if (!domain) {
@@ -130,8 +131,7 @@ ImplicitForm::ImplicitForm(std::shared_ptr<const ImplicitFunction> function,
       }
     }
   }
-  impl->survey =
-      survey(std::move(function), domain.value_or(own), domain.has_value(), smallest_part, context);
+  impl->survey = survey(shared, domain.value_or(own), domain.has_value(), smallest_part, context);
   impl_ = std::move(impl);
 }
 

@@ -187,8 +187,8 @@ Survey look(std::shared_ptr<const ImplicitFunction> function, Box3 at, bool give
 
 }  // namespace
 
-Survey survey(std::shared_ptr<const ImplicitFunction> function, const Box3& domain, bool given,
-              double smallest, const RunContext& context) {
+Survey survey(const std::shared_ptr<const ImplicitFunction>& function, const Box3& domain,
+              bool given, double smallest, const RunContext& context) {
   Box3 at = domain;
   if (!given) at = {domain.min - 0.01 * domain.size(), domain.max + 0.01 * domain.size()};
   if (!finite(at)) {

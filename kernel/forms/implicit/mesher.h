@@ -30,8 +30,8 @@ struct Survey {
 
 /// Looks for the surface at a 128th of the domain. Components smaller than `smallest` of the
 /// largest one are left out. Throws GeometryError where there is none.
-Survey survey(std::shared_ptr<const ImplicitFunction> function, const Box3& domain, bool given,
-              double smallest, const RunContext& context);
+Survey survey(const std::shared_ptr<const ImplicitFunction>& function, const Box3& domain,
+              bool given, double smallest, const RunContext& context);
 
 /// What came of the meshing.
 struct MeshCounts {

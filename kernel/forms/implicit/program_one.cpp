@@ -118,7 +118,7 @@ void angle(const Step& s, double* __restrict r, const double* a, const double* b
 
 template <int Count>
 void unary(const Step& s, double* __restrict r, const double* __restrict a) {
-  constexpr bool first = Count > 1, second = Count > 4;
+  constexpr bool kWithGradient = Count > 1, kWithHessian = Count > 4;
   const double x = a[0];
   switch (s.op) {
     case Op::Negate:
@@ -129,8 +129,8 @@ void unary(const Step& s, double* __restrict r, const double* __restrict a) {
       return chain<Count>(s, r, a, x * x, 2 * x, 2);
     case Op::Sqrt: {
       // At zero the derivative counts as zero: lengths of vectors have their minimum there.
-      const double v = std::sqrt(x), d = first && v > 0 ? 0.5 / v : 0;
-      return chain<Count>(s, r, a, v, d, second && v > 0 ? -0.5 * d / x : 0);
+      const double v = std::sqrt(x), d = kWithGradient && v > 0 ? 0.5 / v : 0;
+      return chain<Count>(s, r, a, v, d, kWithHessian && v > 0 ? -0.5 * d / x : 0);
     }
     case Op::Reciprocal: {
       const double v = 1 / x, d = -v * v;
@@ -146,11 +146,11 @@ void unary(const Step& s, double* __restrict r, const double* __restrict a) {
     }
     case Op::Sin: {
       const double v = std::sin(x);
-      return chain<Count>(s, r, a, v, first ? std::cos(x) : 0, -v);
+      return chain<Count>(s, r, a, v, kWithGradient ? std::cos(x) : 0, -v);
     }
     case Op::Cos: {
       const double v = std::cos(x);
-      return chain<Count>(s, r, a, v, first ? -std::sin(x) : 0, -v);
+      return chain<Count>(s, r, a, v, kWithGradient ? -std::sin(x) : 0, -v);
     }
     case Op::Tan: {
       const double v = std::tan(x), d = 1 + v * v;
@@ -172,8 +172,8 @@ void unary(const Step& s, double* __restrict r, const double* __restrict a) {
       return chain<Count>(s, r, a, std::floor(x + 0.5), 0, 0);
     default: {  // Power
       const double e = s.value;
-      return chain<Count>(s, r, a, std::pow(x, e), first ? e * std::pow(x, e - 1) : 0,
-                          second ? e * (e - 1) * std::pow(x, e - 2) : 0);
+      return chain<Count>(s, r, a, std::pow(x, e), kWithGradient ? e * std::pow(x, e - 1) : 0,
+                          kWithHessian ? e * (e - 1) * std::pow(x, e - 2) : 0);
     }
   }
 }
