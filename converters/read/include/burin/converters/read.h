@@ -25,8 +25,8 @@ struct ReadOptions {
   /// OpenSCAD files: definitions `NAME=VALUE`, and the seconds after which OpenSCAD is ended.
   std::vector<std::string> defines = {};
   double openscad_timeout = 300;
-  /// FreeCAD documents: names or labels of the objects to draw (none: all that are visible); whether
-  /// FreeCAD recomputes a copy first, and the seconds after which it is ended.
+  /// FreeCAD documents: names or labels of the objects to draw (none: all that are visible);
+  /// whether FreeCAD recomputes a copy first, and the seconds after which it is ended.
   std::vector<std::string> objects = {};
   bool recompute = false;
   double freecad_timeout = 300;
