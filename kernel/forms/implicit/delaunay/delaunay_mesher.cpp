@@ -136,11 +136,8 @@ class SeedChooser {
 // Refined vertices put exactly onto the surface and its creases, with what is known there.
 class Finisher {
  public:
-  Finisher(const Survey& survey, const CreaseChains& chains, const Sizing& sizing)
-      : survey_(survey),
-        coarse_(survey.mesh),
-        sizing_(sizing),
-        finder_(survey.mesh, chains, survey.mesh.step) {
+  Finisher(const Survey& survey, const CreaseChains& chains)
+      : survey_(survey), coarse_(survey.mesh), finder_(survey.mesh, chains, survey.mesh.step) {
     for (std::uint32_t v = 0; v < coarse_.positions.size(); ++v) {
       if (is_tip(coarse_, v)) tips_.push_back(v);
     }
@@ -203,7 +200,7 @@ class Finisher {
     mesh.triangles = std::move(refined.triangles);
     for (Triangle& t : mesh.triangles) {
       for (std::uint32_t& v : t) v = name[v];
-      std::ranges::rotate(t, std::ranges::min_element(t));
+      std::rotate(t.begin(), std::min_element(t.begin(), t.end()), t.end());
     }
     std::ranges::sort(mesh.triangles);
   }
@@ -286,7 +283,6 @@ class Finisher {
 
   const Survey& survey_;
   const ExactMesh& coarse_;
-  const Sizing& sizing_;
   ChainFinder finder_;
   std::vector<std::uint32_t> tips_;
 };
@@ -360,8 +356,7 @@ std::optional<ExactMesh> mesh_delaunay(const Survey& survey, double tolerance,
     failed("the surface is not closed");
     return std::nullopt;
   }
-  ExactMesh mesh =
-      Finisher(survey, chains, sizing).finish(std::move(refined), counts.strays, context);
+  ExactMesh mesh = Finisher(survey, chains).finish(std::move(refined), counts.strays, context);
   if (survey.smallest > 0) counts.specks += drop_specks(mesh, survey.smallest);
   const std::size_t wanted = component_count(coarse), got = component_count(mesh);
   if (got != wanted) {
