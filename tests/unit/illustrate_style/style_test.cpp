@@ -72,7 +72,7 @@ TEST(Style, RefusesWhatAKeyDoesNotTake) {
       {"line.outer", "thick"},       {"line.outer", "0"},       {"line.outer", "nan"},
       {"line.outer", "1e9"},         {"line.outer", ""},        {"line.outer", "0.5mm"},
       {"hatch.enabled", "maybe"},    {"hatch.field", "circle"}, {"hatch.direction", "0,0,0"},
-      {"hatch.direction", "1,2"},    {"tone.light", "1,2,3,4"}, {"svg.flatten", "true"},
+      {"hatch.direction", "1,2"},    {"tone.light", "1,2,3,4"}, {"svg.flatten", "maybe"},
       {"feature.crease_angle", "-1"}};
   for (const auto& [key, value] : wrong) {
     Style s;
