@@ -20,10 +20,13 @@ class KernelMissing(Exception):
 def folders():
     """Folders that hold the module and are searched besides sys.path, in order: the environment's, the preferences',
     this add-on's own, the one that was installed with it, and the build folder of a development checkout."""
+    told = os.environ.get("BURIN_WORKER_FOLDERS")
+    if told is not None:  # in the worker: those of the side that asks, and no others
+        return [p for p in told.split(os.pathsep) if p]
     here = os.path.dirname(os.path.realpath(__file__))
     named = os.environ.get("BURIN_PYTHON_PATH", "")
     found = [p for p in named.split(os.pathsep) if p]
-    if "FreeCAD" in sys.modules:  # not in the worker
+    if "FreeCAD" in sys.modules:
         from . import preferences
 
         found.append(preferences.kernel_folder())

@@ -192,7 +192,7 @@ class Worker:
         from . import kernel
 
         environment = dict(os.environ)
-        environment["BURIN_PYTHON_PATH"] = os.pathsep.join(kernel.folders())
+        environment["BURIN_WORKER_FOLDERS"] = os.pathsep.join(kernel.folders())
         for name in ("PYTHONHOME", "LD_PRELOAD"):
             environment.pop(name, None)
         self._log = tempfile.TemporaryFile()
