@@ -32,6 +32,8 @@ Vec3 to_vec(const Point& p) {
 }
 Point to_point(Vec3 v) { return {v.x, v.y, v.z}; }
 
+// The names are those that CGAL's concept asks for.
+// NOLINTBEGIN(readability-identifier-naming)
 /// CGAL's concept MeshDomain_3: one body, its surface found by the field.
 class Body {
  public:
@@ -117,6 +119,7 @@ class Body {
   Box3 bounds_;
   Kernel::Iso_cuboid_3 box_;
 };
+// NOLINTEND(readability-identifier-naming)
 
 using Domain = CGAL::Mesh_domain_with_polyline_features_3<Body>;
 using Triangulation = CGAL::Mesh_triangulation_3<Domain>::type;
