@@ -93,11 +93,11 @@ Field make_field(const std::vector<const Surface*>& surfaces, const Camera& came
 }
 
 Tone make_tone(const Camera& camera, const Style& style, const detail::DepthCue& cue) {
-  const Tone light = tone::lambert(camera, {.light = style.tone.light,
-                                            .ambient = style.tone.ambient,
-                                            .diffuse = style.tone.diffuse,
-                                            .highlight = style.tone.highlight,
-                                            .rim = style.tone.rim});
+  Tone light = tone::lambert(camera, {.light = style.tone.light,
+                                      .ambient = style.tone.ambient,
+                                      .diffuse = style.tone.diffuse,
+                                      .highlight = style.tone.highlight,
+                                      .rim = style.tone.rim});
   if (!cue.pales()) return light;
   return [light, &cue](Vec3 position, Vec3 normal) {
     return 1 - (1 - light(position, normal)) * cue.ink(position);
