@@ -97,7 +97,7 @@ TEST(Haloes, WhatTouchesIsNotSetApart) {
 
 // A torus and, behind it, a larger one, in every form.
 std::vector<std::pair<const char*, Scene>> tori() {
-  const auto moved = [](TriMesh m) {
+  const auto moved = [](const TriMesh& m) {
     return std::make_shared<MeshForm>(test::mapped(m, [](Vec3 p) { return p + Vec3(0, 0, -30); }));
   };
   const auto chart = [](double r, double z) {
