@@ -145,7 +145,7 @@ TEST(Halo, ALoopPassesBehindItself) {
   const auto found = gaps({eight});
   // At t = 0 it is near, at t = pi far: one gap, round about the middle.
   ASSERT_EQ(found[0].size(), 1u);
-  EXPECT_NEAR(0.5 * (found[0][0].begin + found[0][0].end), static_cast<double>(n / 2) - 0.5, 1e-3);
+  EXPECT_NEAR(0.5 * (found[0][0].begin + found[0][0].end), 0.5 * n - 0.5, 1e-3);
   // Its branches cross at a right angle there, at a speed of 20 sqrt(2) a radian.
   const double speed = 20 * std::numbers::sqrt2 * 2 * std::numbers::pi / n;
   EXPECT_NEAR(found[0][0].end - found[0][0].begin, 1 / speed, 0.01);
