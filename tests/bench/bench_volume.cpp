@@ -44,7 +44,7 @@ std::vector<Vec3> points(std::size_t n) {
   // As a block of the mesher has them: neighbours share most coefficients.
   for (std::size_t i = 0; i < n; ++i) {
     out[i] = {20 + 0.7 * static_cast<double>(i % 27), 30 + 0.7 * static_cast<double>(i / 27 % 27),
-              40 + 0.7 * static_cast<double>(i / 729)};
+              40 + 0.7 * std::floor(static_cast<double>(i) / 729)};
   }
   return out;
 }

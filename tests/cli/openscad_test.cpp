@@ -34,7 +34,7 @@ class OpenscadTest : public CliTest {
   }
   std::string running() const {
     for (const auto& entry : std::filesystem::directory_iterator("/proc")) {
-      const std::string command = slurp(entry.path() / "cmdline");
+      std::string command = slurp(entry.path() / "cmdline");
       if (command.find(folder_.path()) != std::string::npos) return command;
     }
     return {};
