@@ -20,7 +20,7 @@ install(TARGETS burin LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR} NAMELINK_ONLY)
 if(TARGET burin_python)
   burin_rpath(burin_python ${BURIN_PYTHON_FOLDER}/burin)
   install(TARGETS burin_python LIBRARY DESTINATION ${BURIN_PYTHON_FOLDER}/burin)
-  install(FILES kernel/python/burin/__init__.py kernel/python/burin/__init__.pyi kernel/python/burin/py.typed
+  install(FILES kernel/python/burin/__init__.py kernel/python/burin/__init__.pyi kernel/python/burin/_draw.py kernel/python/burin/py.typed
     DESTINATION ${BURIN_PYTHON_FOLDER}/burin)
 endif()
 

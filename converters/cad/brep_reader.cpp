@@ -37,6 +37,7 @@ CadFile read_brep(const Source& source, bool binary, RunContext& context) {
   for (const TopoDS_Shape& piece : split_shape(shape)) {
     file.parts.push_back(make_part(piece, TopLoc_Location(), stem));
   }
+  tell_left_out(file.parts, count_loose(shape), file.diagnostics);
   make_names_unique(file.parts);
   return file;
 }

@@ -1,7 +1,7 @@
 #include "cad_format.h"
 
-#include <algorithm>
-#include <cctype>
+#include <burin/base/ascii.h>
+
 #include <string>
 
 namespace burin {
@@ -49,10 +49,7 @@ std::optional<CadFormat> cad_format_of(std::string_view head) {
 }
 
 std::optional<CadFormat> cad_format_of_suffix(const std::filesystem::path& path) {
-  std::string suffix = path.extension().string();
-  std::ranges::transform(suffix, suffix.begin(), [](char c) {
-    return static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  });
+  const std::string suffix = lowered(path.extension().string());
   if (suffix == ".step" || suffix == ".stp" || suffix == ".p21") return CadFormat::Step;
   if (suffix == ".iges" || suffix == ".igs") return CadFormat::Iges;
   if (suffix == ".brep" || suffix == ".brp") return CadFormat::BrepText;

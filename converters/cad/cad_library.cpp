@@ -99,17 +99,8 @@ FileInfo inspect(const std::filesystem::path& path, RunContext& context) {
   return info;
 }
 
-Part read_text(const std::string& brep, const Placement& placement, RunContext& context) {
-  const OcctSession session(OcctSession::Of::Shapes);
-  Part part;
-  session.guarded({}, [&] {
-    part.form = std::make_shared<BrepForm>(brep_from_text(brep), placement);
-    context.check();
-  });
-  return part;
-}
-
-constexpr CadLibrary kLibrary{BURIN_CAD_VERSION, read, inspect, read_text, read_shape_in_memory};
+constexpr CadLibrary kLibrary{BURIN_CAD_VERSION, read, inspect, read_text_in_memory,
+                              read_shape_in_memory};
 
 }  // namespace
 }  // namespace burin

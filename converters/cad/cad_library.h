@@ -19,7 +19,7 @@ struct CadLibrary {
   const char* version;
   Scene (*read)(const std::filesystem::path& path, RunContext& context);
   FileInfo (*inspect)(const std::filesystem::path& path, RunContext& context);
-  Part (*read_text)(const std::string& brep, const Placement& placement, RunContext& context);
+  std::shared_ptr<const BrepShape> (*read_text)(const std::string& brep, RunContext& context);
   std::shared_ptr<const BrepShape> (*read_shape)(const std::string& bytes, BrepBytes kind,
                                                  RunContext& context);
 };

@@ -45,8 +45,8 @@ class Collector {
   }
 
   std::vector<CadPart> parts;
-  /// Leaves without any face.
-  std::int64_t empty = 0;
+  /// Leaves without any face, and what of others belongs to none.
+  std::int64_t left_out = 0;
 
  private:
   struct Place {
@@ -91,7 +91,8 @@ class Collector {
     const TopoDS_Shape shape = XCAFDoc_ShapeTool::GetShape(product);
     const std::vector<TopoDS_Shape> pieces =
         shape.IsNull() ? std::vector<TopoDS_Shape>() : split_shape(shape);
-    if (pieces.empty()) ++empty;
+    const std::int64_t loose = shape.IsNull() ? 0 : count_loose(shape);
+    left_out += pieces.empty() && loose == 0 ? 1 : loose;
     const LabelColors colors(colors_, product);
     for (const TopoDS_Shape& piece : pieces) {
       CadPart part = make_part(piece, place.location, name);
@@ -115,10 +116,7 @@ std::vector<CadPart> collect_parts(const Handle(TDocStd_Document) & document,
                                    const RunContext& context) {
   Collector collector(document, fallback, context);
   collector.run();
-  if (collector.empty > 0 && !collector.parts.empty()) {
-    diagnostics.add(Severity::Info, "cad.no_faces", collector.empty,
-                    "members without any face (wires, points, notes) were left out");
-  }
+  tell_left_out(collector.parts, collector.left_out, diagnostics);
   make_names_unique(collector.parts);
   return std::move(collector.parts);
 }

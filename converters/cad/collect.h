@@ -6,6 +6,7 @@
 #include <Standard_Handle.hxx>
 #include <TopLoc_Location.hxx>
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -16,6 +17,11 @@ namespace burin {
 /// What becomes a part each, in order: each solid, each shell outside solids, and what the faces
 /// outside shells sew into. None where there is no face.
 std::vector<TopoDS_Shape> split_shape(const TopoDS_Shape& shape);
+
+/// Wires, and edges and points outside of them, that belong to no face.
+std::int64_t count_loose(const TopoDS_Shape& shape);
+/// Says that so many of those, and members with nothing at all, were left out beside parts.
+void tell_left_out(const std::vector<CadPart>& parts, std::int64_t count, Diagnostics& diagnostics);
 
 /// The part that `shape` is at `location` (before which its own location is applied).
 CadPart make_part(const TopoDS_Shape& shape, const TopLoc_Location& location,

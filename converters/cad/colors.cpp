@@ -1,5 +1,7 @@
 #include "colors.h"
 
+#include <burin/base/ascii.h>
+
 #include <Quantity_Color.hxx>
 #include <TCollection_AsciiString.hxx>
 #include <TDF_LabelSequence.hxx>
@@ -7,20 +9,13 @@
 #include <TopLoc_Location.hxx>
 #include <XCAFDoc_ShapeTool.hxx>
 
-#include <algorithm>
-#include <cctype>
-
 namespace burin {
 
 std::string label_color(const Handle(XCAFDoc_ColorTool) & tool, const TDF_Label& label) {
   Quantity_Color color;
   for (const XCAFDoc_ColorType type : {XCAFDoc_ColorSurf, XCAFDoc_ColorGen}) {
     if (!tool->GetColor(label, type, color)) continue;
-    std::string hex = Quantity_Color::ColorToHex(color).ToCString();
-    std::ranges::transform(hex, hex.begin(), [](char c) {
-      return static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-    });
-    return hex;
+    return lowered(Quantity_Color::ColorToHex(color).ToCString());
   }
   return {};
 }

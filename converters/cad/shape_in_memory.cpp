@@ -8,6 +8,7 @@
 #include "measure.h"
 #include "occt_session.h"
 
+#include <BRepCheck_Analyzer.hxx>
 #include <BRepTools.hxx>
 #include <BRep_Builder.hxx>
 #include <BinTools.hxx>
@@ -33,6 +34,16 @@ class ShapeInMemory final : public BrepShape {
     PartInfo info;
     session.guarded({}, [&] { info = burin::measure(*model_, placement); });
     return info;
+  }
+  bool valid() const override {
+    const OcctSession session(OcctSession::Of::Shapes);
+    bool valid = false;
+    try {
+      session.guarded({}, [&] { valid = BRepCheck_Analyzer(model_->shape()).IsValid(); });
+    } catch (const InputError&) {  // the check itself crashed
+      return false;
+    }
+    return valid;
   }
 
  private:
@@ -95,6 +106,16 @@ std::shared_ptr<const BrepShape> read_shape_in_memory(const std::string& bytes, 
     read_shape = std::make_shared<ShapeInMemory>(make_brep_model(part.shape), part.placement);
   });
   return read_shape;
+}
+
+std::shared_ptr<const BrepShape> read_text_in_memory(const std::string& brep, RunContext& context) {
+  const OcctSession session(OcctSession::Of::Shapes);
+  std::shared_ptr<const BrepShape> shape;
+  session.guarded({}, [&] {
+    shape = std::make_shared<ShapeInMemory>(brep_from_text(brep), Placement{});
+    context.check();
+  });
+  return shape;
 }
 
 }  // namespace burin

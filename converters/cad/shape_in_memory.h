@@ -9,4 +9,7 @@ namespace burin {
 std::shared_ptr<const BrepShape> read_shape_in_memory(const std::string& bytes, BrepBytes kind,
                                                       RunContext& context);
 
+/// As `read_brep_text`.
+std::shared_ptr<const BrepShape> read_text_in_memory(const std::string& brep, RunContext& context);
+
 }  // namespace burin

@@ -2,7 +2,9 @@
 
 #include "cad_file.h"
 #include "collect.h"
+#include "entity_numbers.h"
 #include "occt_session.h"
+#include "tessellated.h"
 #include "text.h"
 
 #include <APIHeaderSection_MakeHeader.hxx>
@@ -89,9 +91,11 @@ std::string closed_early(std::string_view text) {
 /// Reads the entities, and of a file that was cut off those before the cut.
 void parse(STEPCAFControl_Reader& reader, const Source& source, const OcctSession& session,
            Diagnostics& diagnostics, RunContext& context) {
-  if (parses(reader, source.bytes(), source, context)) return;
+  const std::string changed = unique_entity_numbers(source, diagnostics);
+  const std::string_view text = changed.empty() ? source.bytes() : std::string_view(changed);
+  if (parses(reader, text, source, context)) return;
   const std::string message = session.first_message();
-  const std::string closed = closed_early(source.bytes());
+  const std::string closed = closed_early(text);
   if (closed.empty() || !parses(reader, closed, source, context)) fail_parsing(source, message);
   diagnostics.add(Severity::Error, "step.truncated", 1,
                   "the file ends in the middle; what stands before was read, the rest is missing "
@@ -192,6 +196,7 @@ CadFile read_step(const Source& source, const OcctSession& session, RunContext& 
     const std::string stem = clean_name(std::filesystem::path(source.file()).stem().string());
     file.parts = collect_parts(document, stem, file.diagnostics, context);
   }
+  Tessellated(*reader.ChangeReader().StepModel()).tell(file, source);
   return file;
 }
 

@@ -20,6 +20,9 @@ constexpr const char* kFiles = "Files";
 constexpr const char* kFormatHelp =
     "svg, pdf, eps, png, dxf or json: format of outputs whose\n"
     "name does not tell it";
+constexpr const char* kPrefixHelp =
+    "what all ids of an SVG begin with, so that several stand in\n"
+    "one page";
 constexpr const char* kThreadsHelp =
     "worker threads (default: all); the drawing is the same for any number";
 
@@ -122,6 +125,7 @@ CLI::App* add_draw(CLI::App& app, DrawArguments& a, Chatter& chatter) {
        "drawing to write, .svg .pdf .eps .png .dxf or .json by its\n"
        "suffix; repeatable; - is standard output and needs --format");
   text(*draw, "--format", a.format, "FORMAT", kFiles, kFormatHelp);
+  text(*draw, "--id-prefix", a.id_prefix, "TEXT", kFiles, kPrefixHelp);
   add_openscad(*draw, a.read);
   add_freecad(*draw, a.read);
   draw->add_flag_callback(
@@ -140,12 +144,16 @@ CLI::App* add_draw(CLI::App& app, DrawArguments& a, Chatter& chatter) {
   text(*draw, "--perspective", a.perspective, "DEG", kSheet,
        "vertical field of view in degrees (default: orthographic)");
   text(*draw, "--paper", a.paper, "NAME|WxH", kSheet,
-       "A0..A6 (A4p is portrait), letter, or mm, say 200x150 (default A4)");
-  text(*draw, "--scale", a.scale, "S", kSheet,
-       "paper mm for a model mm (default: fit to the sheet)");
+       "A0..A6, B0..B6, letter, legal, tabloid (A4p is portrait),\n"
+       "mm, say 200x150, or fit: the drawing and its margin, at\n"
+       "--scale or 1 (default A4)");
+  text(*draw, "--scale", a.scale, "S|A:B", kSheet,
+       "paper mm for a model mm, also as 1:2 (default: fit to the\nsheet)");
   text(*draw, "--center", a.center, "X,Y,Z", kSheet,
        "the model point in the middle of the sheet\n(default: the middle of the drawing)");
-  text(*draw, "--margin", a.margin, "MM", kSheet, "empty border of a fitted sheet (default 10)");
+  text(*draw, "--margin", a.margin, "MM|T,R,B,L", kSheet,
+       "empty border of a fitted sheet; one number, or top, right,\n"
+       "bottom, left (default 10)");
   text(*draw, "--style", a.style, "NAME|FILE", kLook,
        "outline, technical, engraving, haloed, wireframe, or a style\n"
        "file (default technical)");
@@ -162,6 +170,12 @@ CLI::App* add_draw(CLI::App& app, DrawArguments& a, Chatter& chatter) {
   add_reading(*draw, a.read, kReading);
   text(*draw, "--seed", a.seed, "N", kRun, "random seed (default 1)");
   text(*draw, "--threads", a.threads, "N", kRun, kThreadsHelp);
+  draw->add_flag_callback(
+          "--verify", [&a] { a.verify = "true"; },
+          "test every visible and hidden line of the drawing by rays\n"
+          "against a finer tessellation of its own; say what they\n"
+          "contradict, where, and how much in all")
+      ->group(kRun);
   add_chatter(*draw, chatter);
   draw->footer(
       "\nExamples:\n"
@@ -182,6 +196,7 @@ CLI::App* add_convert(CLI::App& app, ConvertArguments& a, Chatter& chatter) {
        "file to write, .svg .pdf .eps .png .dxf or .json by its\n"
        "suffix; repeatable; - is standard output and needs --format");
   text(*convert, "--format", a.format, "FORMAT", kFiles, kFormatHelp);
+  text(*convert, "--id-prefix", a.id_prefix, "TEXT", kFiles, kPrefixHelp);
   list(*convert, "--set", a.set, "KEY=VALUE", kLook,
        "change a key of a format (svg. png. dxf. json. line.dash\n"
        "line.gap); repeatable; see burin styles --keys");
@@ -273,7 +288,8 @@ Arguments parse_arguments(int argc, const char* const* argv) {
   CLI::App* convert = add_convert(app, a.convert, a.chatter);
   CLI::App* info = add_info(app, a.info);
   CLI::App* styles = add_styles(app, a.styles);
-  CLI::App* plugins = app.add_subcommand("plugins", "list the plug-ins that are loaded");
+  CLI::App* plugins = app.add_subcommand(
+      "plugins", "list the plug-ins that are loaded: none, this version cannot load any");
   app.allow_extras();
   for (CLI::App* sub : {draw, convert, info, styles, plugins}) sub->allow_extras();
 

@@ -14,12 +14,14 @@ struct DrawArguments : DrawRequest {
   std::vector<std::string> inputs;
   std::vector<std::string> outputs;
   std::string format;
+  std::string id_prefix;
 };
 
 struct ConvertArguments {
   std::string input;
   std::vector<std::string> outputs;
   std::string format;
+  std::string id_prefix;
   std::vector<std::string> set;
   std::string threads;
 };

@@ -75,6 +75,15 @@ void Console::diagnostics(const Diagnostics& diagnostics) {
   }
 }
 
+void Console::verification(const Verification& v) {
+  if (quiet_) return;
+  clear();
+  say(
+      fmt::format("burin: verify: {:.1f} of {:.1f} mm contradicted ({:.3f} %) in {} places, {} "
+                  "loose ends of the outline; {} spans tested\n",
+                  v.contradicted, v.length, 100 * v.share(), v.count, v.loose_ends, v.spans));
+}
+
 void Console::stages(const RunContext& context, double total) {
   if (!verbose_ || quiet_) return;
   clear();

@@ -3,6 +3,7 @@
 
 #include <burin/base/diagnostics.h>
 #include <burin/base/run_context.h>
+#include <burin/drawing/drawing.h>
 
 #include "arguments.h"
 
@@ -28,6 +29,8 @@ class Console {
 
   /// One line an entry, `burin: warning: ...`; mere information with --verbose only.
   void diagnostics(const Diagnostics& diagnostics);
+  /// One line, `burin: verify: ...`: how much of the drawing rays contradict.
+  void verification(const Verification& verification);
   /// The lines of --verbose: all stages of a drawing in their order, then any others, then the
   /// total.
   void stages(const RunContext& context, double total);

@@ -10,19 +10,8 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <array>
-
 namespace burin::cli {
 namespace {
-
-/// The keys of a style that shape files; all others have shaped the drawing already.
-bool shapes_files(std::string_view key) {
-  constexpr std::array<std::string_view, 6> kKeys{"svg.",  "png.",      "dxf.",
-                                                  "json.", "line.dash", "line.gap"};
-  return std::any_of(kKeys.begin(), kKeys.end(),
-                     [&](std::string_view k) { return key.starts_with(k); });
-}
 
 Style make_style(const std::vector<std::string>& assignments) {
   Style style = builtin_style("technical");
@@ -33,7 +22,7 @@ Style make_style(const std::vector<std::string>& assignments) {
     }
     const std::string key = text.substr(0, equals);
     set_style_key(style, key, text.substr(equals + 1));
-    if (shapes_files(key)) continue;
+    if (is_about_files(key)) continue;
     throw UsageError(
         fmt::format("style key '{}' shapes a drawing, not its file; give it to burin draw (convert "
                     "takes svg. png. dxf. json. line.dash line.gap)",
@@ -65,7 +54,9 @@ void run_convert(const ConvertArguments& arguments, RunContext& context, Console
   context.begin_stage("read");
   const Drawing drawing = read_drawing(arguments.input, context);
   context.end_stage();
-  write_outputs(outputs, drawing, write_options(style), context);
+  WriteOptions options = write_options(style);
+  options.svg.id_prefix = id_prefix_option("--id-prefix", arguments.id_prefix);
+  write_outputs(outputs, drawing, options, context);
   console.diagnostics(drawing.diagnostics);
 }
 

@@ -2,13 +2,17 @@
 
 #include <burin/base/error.h>
 #include <burin/base/parallel.h>
-#include <burin/camera/camera.h>
 #include <burin/converters/read.h>
-#include <burin/illustrate/illustrate.h>
+#include <burin/converters/values.h>
 
 #include "outputs.h"
 
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
 #include <filesystem>
+#include <string_view>
 
 namespace burin::cli {
 namespace {
@@ -24,6 +28,31 @@ std::vector<std::string> sources_of(const DrawArguments& a) {
   return sources;
 }
 
+void check_format(const Output& output, const Paper& paper, const WriteOptions& options) {
+  check_sheet(paper.width, paper.height, output.format(), options);
+}
+
+/// Keys that were set for a format that is not written.
+void note_unwritten(const DrawArguments& arguments, const std::vector<Output>& outputs,
+                    DrawPlan& plan) {
+  const auto written = [&](Format format) {
+    return std::any_of(outputs.begin(), outputs.end(),
+                       [&](const Output& o) { return o.format() == format; });
+  };
+  const auto note = [&](const std::string& what, Format format) {
+    plan.notes.add(Severity::Warning, "option.unused", 1,
+                   fmt::format("{} has no effect: no output is .{}", what, name_of(format)));
+  };
+  for (const std::string& assignment : arguments.set) {
+    const std::string key = assignment.substr(0, assignment.find('='));
+    const auto format = only_format_of(key);
+    if (format && !written(*format)) note("style key " + key, *format);
+  }
+  if (!arguments.id_prefix.empty() && !written(Format::Svg)) {
+    note("option --id-prefix", Format::Svg);
+  }
+}
+
 }  // namespace
 
 void run_draw(const DrawArguments& arguments, RunContext& context, Console& console) {
@@ -33,24 +62,27 @@ void run_draw(const DrawArguments& arguments, RunContext& context, Console& cons
   if (arguments.outputs.empty()) {
     throw UsageError("no output; name one: burin draw INPUT... -o OUT.svg");
   }
-  const DrawPlan plan = make_plan(arguments, Spelling::Options);
-  const WriteOptions options = write_options(plan.style);
+  DrawPlan plan = make_plan(arguments, Spelling::Options);
+  WriteOptions options = write_options(plan.style);
+  options.svg.id_prefix = id_prefix_option("--id-prefix", arguments.id_prefix);
   std::vector<Output> outputs =
       make_outputs(arguments.outputs, arguments.format, sources_of(arguments));
+  note_unwritten(arguments, outputs, plan);
   check_inputs(arguments.inputs);
   for (const Output& output : outputs) {
-    check_sheet(plan.view.paper.width, plan.view.paper.height, output.format(), options);
+    if (!plan.sheet.fits) check_format(output, plan.view.paper, options);
     output.probe();
   }
 
   const ThreadLimit limit(plan.threads);
   const Scene scene = read_scene(arguments.inputs, plan.read, context);
-  const Camera camera =
-      Camera::fit([&](const Mat3& axes) { return scene.bounds(axes); }, plan.view);
-  const Drawing drawing = illustrate(scene, camera, plan.style, plan.illustrate, context);
+  const Camera camera = make_camera(scene, plan);
+  for (const Output& output : outputs) check_format(output, camera.paper(), options);
+  const Drawing drawing = draw(scene, camera, plan, context);
 
   write_outputs(outputs, drawing, options, context);
   console.diagnostics(drawing.diagnostics);
+  if (drawing.stats.verify) console.verification(*drawing.stats.verify);
 }
 
 }  // namespace burin::cli

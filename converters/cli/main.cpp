@@ -1,7 +1,9 @@
 /// The command `burin`.
 
 #include <burin/base/error.h>
+#include <burin/base/out_of_memory.h>
 #include <burin/base/run_context.h>
+#include <burin/base/version.h>
 
 #include "arguments.h"
 #include "console.h"
@@ -16,7 +18,6 @@
 #include <chrono>
 #include <cstdio>
 #include <exception>
-#include <new>
 
 namespace burin::cli {
 namespace {
@@ -48,11 +49,11 @@ int report(const std::string& input) {
   } catch (const OutputError& e) {
     print_error(located(e.file(), 0, e.what()));
     return kNoOutput;
-  } catch (const std::bad_alloc&) {
-    print_error(located(input, 0, "out of memory; draw a smaller model, or fewer at once"));
-    return kFailed;
   } catch (const std::exception& e) {
-    print_error(located(input, 0, e.what()));
+    print_error(located(input, 0,
+                        is_out_of_memory(e) ? "out of memory; draw a smaller model, or fewer at "
+                                              "once"
+                                            : e.what()));
     return kFailed;
   }
 }
@@ -92,7 +93,7 @@ int run(const Arguments& arguments, RunContext& context, Console& console) {
       print(run_styles(arguments.styles));
       break;
     case Verb::Plugins:
-      print("no plug-ins are loaded\n");
+      print(fmt::format("no plug-ins are loaded: burin {} cannot load any\n", version()));
       break;
   }
   check_printed();

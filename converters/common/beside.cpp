@@ -8,6 +8,8 @@
 
 #include <cstring>
 #include <filesystem>
+#include <new>
+#include <string>
 
 namespace burin {
 namespace {
@@ -29,7 +31,13 @@ std::filesystem::path beside_libburin(const char* file) {
 void* library_door(const char* file, const char* door, const LibraryWords& words) {
   const std::filesystem::path path = beside_libburin(file);
   void* library = ::dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL | RTLD_NODELETE);
-  if (!library) fail(words, ::dlerror());
+  if (!library) {
+    const std::string why = ::dlerror();
+    for (const char* sign : {"failed to map segment", "annot allocate memory"}) {
+      if (why.find(sign) != std::string::npos) throw std::bad_alloc();
+    }
+    fail(words, why);
+  }
   void* found = ::dlsym(library, door);
   if (!found) fail(words, path.string() + " is no such library");
   return found;
@@ -37,8 +45,8 @@ void* library_door(const char* file, const char* door, const LibraryWords& words
 
 void check_library_version(const char* file, const char* found, const LibraryWords& words) {
   if (std::strcmp(found, version()) == 0) return;
-  fail(words, fmt::format("{} is of version {}, this program of {}", beside_libburin(file).string(),
-                          found, version()));
+  fail(words, fmt::format("{} is version {}, this program is version {}",
+                          beside_libburin(file).string(), found, version()));
 }
 
 }  // namespace burin

@@ -1,5 +1,7 @@
 #include "source.h"
 
+#include <burin/base/missing_file.h>
+
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <sys/stat.h>
@@ -44,7 +46,11 @@ std::size_t half_of_memory() {
 Source::Source(const std::filesystem::path& path, const RunContext& context)
     : file_(path.string()), context_(context) {
   const Descriptor in(path.c_str());
-  if (in.get() < 0) fail(reason(errno));
+  if (in.get() < 0) {
+    const int error = errno;
+    if (error == ENOENT || error == ENOTDIR) throw MissingFile(reason(error), file_);
+    fail(reason(error));
+  }
   struct stat info {};
   if (::fstat(in.get(), &info) != 0) fail(reason(errno));
   if (S_ISDIR(info.st_mode)) fail("is a folder; name a file in it");

@@ -16,12 +16,6 @@ std::string in_quotes(std::string_view token) {
   return out + "'";
 }
 
-std::string lowered(std::string_view text) {
-  std::string out(text);
-  for (char& c : out) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-  return out;
-}
-
 const char* scan_double(const char* p, const char* end, double& value) {
   const char* digits = p;
   if (p < end && *p == '+' && p + 1 < end && p[1] != '-') ++digits;

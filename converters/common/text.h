@@ -1,6 +1,8 @@
 #pragma once
 /// Reading numbers and words out of text, free of the locale, with line numbers in errors.
 
+#include <burin/base/ascii.h>
+
 #include "source.h"
 
 #include <cstdint>
@@ -17,8 +19,6 @@ std::string in_quotes(std::string_view token);
 /// A name out of a file as UTF-8 that XML and JSON can hold: bytes that are no UTF-8 are taken as
 /// Latin-1, control characters become blanks, and what is too long is cut.
 std::string clean_name(std::string_view name);
-/// ASCII letters lowered.
-std::string lowered(std::string_view text);
 /// Reads a whole token as a double: an optional sign, decimal digits, an exponent; inf and nan too.
 /// What is too large is infinite, what is too small is 0.
 bool parse_double(std::string_view token, double& value);

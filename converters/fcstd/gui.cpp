@@ -16,13 +16,26 @@ std::string packed_color(const pugi::xml_node& node, const char* attribute) {
                                              : std::string();
 }
 
-/// The colour that all entries share (a count and packed colours), or empty.
-std::string common_color(const std::string& bytes) {
-  if (bytes.size() < 8) return {};
+/// Entries of a list of the archive, each of `size` bytes with a packed colour at `offset`.
+struct ColorList {
+  std::size_t size, offset;
+};
+constexpr ColorList kColors{4, 0};
+/// Ambient, diffuse, specular and emissive colour, shininess, transparency. FreeCAD 1.0 writes
+/// texts behind the last material.
+constexpr ColorList kMaterials{24, 4};
+
+/// The colour that all entries share (behind their count), or empty.
+std::string common_color(const std::string& bytes, ColorList list) {
+  std::uint32_t count = 0;
+  if (bytes.size() < sizeof count) return {};
+  std::memcpy(&count, bytes.data(), sizeof count);
   std::string color;
-  for (std::size_t i = 4; i + 4 <= bytes.size(); i += 4) {
+  for (std::size_t k = 0; k < count; ++k) {
+    const std::size_t i = sizeof count + k * list.size;
+    if (i + list.size > bytes.size()) return {};
     std::uint32_t packed = 0;
-    std::memcpy(&packed, bytes.data() + i, sizeof packed);
+    std::memcpy(&packed, bytes.data() + i + list.offset, sizeof packed);
     const std::string one = hex(packed);
     if (!color.empty() && one != color) return {};
     color = one;
@@ -34,7 +47,7 @@ std::string common_color(const std::string& bytes) {
 
 void apply_view(const pugi::xml_node& provider,
                 const std::function<std::string(const std::string&)>& list, FcObject& object) {
-  std::string shape_color, material_color, faces;
+  std::string shape_color, material_color, faces, materials;
   for (const pugi::xml_node& p : provider.child("Properties").children("Property")) {
     const std::string_view name = p.attribute("name").value();
     const pugi::xml_node value = first_element(p);
@@ -46,6 +59,8 @@ void apply_view(const pugi::xml_node& provider,
       material_color = packed_color(value, "diffuseColor");
     } else if (name == "DiffuseColor") {
       faces = value.attribute("file").value();
+    } else if (name == "ShapeAppearance") {  // FreeCAD 1.x, in the stead of the three above
+      materials = value.attribute("file").value();
     } else if (name == "OverrideMaterial") {
       object.overrides_color = truth(value);
     }
@@ -54,8 +69,9 @@ void apply_view(const pugi::xml_node& provider,
   if (!faces.empty()) {
     // Faces of several colours leave the part without one.
     const std::string bytes = list(faces);
-    if (bytes.size() >= 8) shape_color = common_color(bytes);
+    if (bytes.size() >= 8) shape_color = common_color(bytes, kColors);
   }
+  if (!materials.empty()) shape_color = common_color(list(materials), kMaterials);
   object.color = shape_color;
 }
 

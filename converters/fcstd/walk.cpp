@@ -20,12 +20,15 @@ constexpr std::size_t kMostDocuments = 200;
 
 /// Whether objects of this type are aids, not parts of the model.
 bool is_aid(const std::string& type) {
-  for (const char* t : {"PartDesign::Plane", "PartDesign::Line", "PartDesign::Point",
-                        "PartDesign::CoordinateSystem", "PartDesign::ShapeBinder",
-                        "PartDesign::SubShapeBinder", "PartDesign::SubShapeBinderPython"}) {
+  for (const char* t :
+       {"PartDesign::Plane", "PartDesign::Line", "PartDesign::Point",
+        "PartDesign::CoordinateSystem", "PartDesign::ShapeBinder", "PartDesign::SubShapeBinder",
+        "PartDesign::SubShapeBinderPython", "App::Origin", "App::Plane", "App::Line", "App::Point",
+        "App::LocalCoordinateSystem", "Part::LocalCoordinateSystem"}) {
     if (type == t) return true;
   }
-  return type.starts_with("Sketcher::");
+  // Those of FreeCAD 1.1 are Part::DatumPlane and so on.
+  return type.starts_with("Sketcher::") || type.starts_with("Part::Datum");
 }
 
 /// Those that `object` holds in the tree.

@@ -1,20 +1,17 @@
+#include <burin/base/ascii.h>
 #include <burin/base/error.h>
 #include <burin/converters/implicit_reader.h>
 #include <burin/forms/implicit/implicit_form.h>
 
 #include "source.h"
+#include "triangles_info.h"
 
-#include <algorithm>
 #include <memory>
 
 namespace burin {
 
 bool is_implicit_suffix(const std::filesystem::path& path) {
-  std::string suffix = path.extension().string();
-  std::ranges::transform(suffix, suffix.begin(), [](char c) {
-    return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-  });
-  return suffix == ".implicit";
+  return lowered(path.extension().string()) == ".implicit";
 }
 
 Scene read_implicit(const std::filesystem::path& path, const ImplicitReadOptions& options,
@@ -51,13 +48,7 @@ FileInfo inspect_implicit(const std::filesystem::path& path, const ImplicitReadO
   const ProxyMesh& proxy = surface->proxy();
   part.components = static_cast<std::int64_t>(proxy.topology.component_closed.size());
   part.faces = proxy.region_count;
-  const Vec3 o = part.bounds.center();
-  for (const Triangle& t : proxy.mesh.triangles) {
-    const Vec3 a = proxy.mesh.positions[t[0]] - o, b = proxy.mesh.positions[t[1]] - o,
-               c = proxy.mesh.positions[t[2]] - o;
-    part.area += glm::length(glm::cross(b - a, c - a)) / 2;
-    part.volume += glm::dot(a, glm::cross(b, c)) / 6;
-  }
+  measure_triangles(proxy.mesh, part);
   info.parts.push_back(std::move(part));
   return info;
 }

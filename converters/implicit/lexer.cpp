@@ -2,6 +2,8 @@
 
 #include <burin/base/error.h>
 
+#include "text.h"
+
 #include <fmt/format.h>
 
 #include <charconv>
@@ -10,8 +12,7 @@
 namespace burin::implicit_text {
 namespace {
 
-bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; }
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
+bool begins_name(char c) { return is_letter(c) || c == '_'; }
 
 // A character as a person would write it.
 std::string shown(char c) {
@@ -63,9 +64,9 @@ Token Lexer::next() {
   const bool point = c == '.' && at_ + 1 < text_.size() && is_digit(text_[at_ + 1]);
   if (is_digit(c) || point) {
     token = number(token);
-  } else if (is_letter(c)) {
+  } else if (begins_name(c)) {
     std::size_t end = at_;
-    while (end < text_.size() && (is_letter(text_[end]) || is_digit(text_[end]))) ++end;
+    while (end < text_.size() && (begins_name(text_[end]) || is_digit(text_[end]))) ++end;
     token.kind = TokenKind::Name;
     token.text = text_.substr(at_, end - at_);
   } else if (std::string_view("+-*/^(),;=").find(c) != std::string_view::npos) {

@@ -263,7 +263,8 @@ class Parser {
 
 Expression parse_implicit(std::string_view text, const std::string& file) {
   if (text.size() > kMaxText) {
-    throw InputError("is larger than 1 MB, which no function is that was written by hand", file);
+    throw InputError("is larger than 1 MB, the most for a function; is it a file of another kind?",
+                     file);
   }
   return Parser(text, file).file();
 }

@@ -3,6 +3,7 @@
 #include <burin/forms/parametric/parametric_form.h>
 
 #include "reader.h"
+#include "triangles_info.h"
 
 #include <algorithm>
 #include <set>
@@ -20,19 +21,6 @@ const char* format_name(irit::Kind kind) {
       break;
   }
   return "patch list";
-}
-
-/// Area and volume; from the middle of the box, so that a far origin costs no digits.
-void measure(const TriMesh& mesh, PartInfo& info) {
-  info.bounds = mesh.bounds();
-  const Vec3 o = info.bounds.center();
-  for (const Triangle& t : mesh.triangles) {
-    const Vec3 a = mesh.positions[t[0]] - o, b = mesh.positions[t[1]] - o,
-               c = mesh.positions[t[2]] - o;
-    info.area += glm::length(glm::cross(b - a, c - a)) / 2;
-    info.volume += glm::dot(a, glm::cross(b, c)) / 6;
-  }
-  if (!info.closed()) info.volume = 0;
 }
 
 PartInfo inspect_part(const Part& part, Diagnostics& diagnostics, RunContext& context) {
@@ -63,7 +51,8 @@ PartInfo inspect_part(const Part& part, Diagnostics& diagnostics, RunContext& co
     info.edges = static_cast<std::int64_t>(edges.size());
     info.boundary_edges = static_cast<std::int64_t>(open.size());
   }
-  measure(proxy.mesh, info);
+  info.bounds = proxy.mesh.bounds();
+  measure_triangles(proxy.mesh, info);
   return info;
 }
 

@@ -3,6 +3,9 @@
 #include "split.h"
 #include "words.h"
 
+#include <algorithm>
+#include <iterator>
+
 namespace burin::irit {
 namespace {
 
@@ -35,6 +38,22 @@ std::optional<Header> header_of(std::string_view word) {
   return header;
 }
 
+// The patches are one part: where one point lies so many times farther out than is usual, nothing
+// of the others is left on any sheet.
+constexpr double kWildRatio = 1e7;
+
+void check_extent(const Source& source, const std::vector<double>& reach) {
+  std::vector<double> sorted;
+  std::ranges::copy_if(reach, std::back_inserter(sorted), [](double r) { return r > 0; });
+  if (sorted.empty()) return;
+  std::ranges::sort(sorted);
+  if (sorted.back() > kWildRatio * sorted[sorted.size() / 2]) {
+    source.fail(
+        "a point of the patches lies ten million times farther out than is usual there; the "
+        "file is damaged");
+  }
+}
+
 /// The file has u fastest, patches v.
 HomogeneousPatch read_patch(const Source& source, Words& in, const Header& header) {
   HomogeneousPatch patch{header.degree_u, header.degree_v, {}};
@@ -62,17 +81,21 @@ std::vector<NurbsData> read_geomview(const Source& source) {
   const std::optional<Header> header = header_of(word);
   if (!header) expected(source, word, "a header of Bezier patches, as BBP or BEZ334");
   std::vector<NurbsData> patches;
+  std::vector<double> reach;
   for (;;) {
     source.context().check();
     Words ahead = in;
     const std::string_view first = ahead.next();
     if (first.empty()) break;
     const HomogeneousPatch patch = read_patch(source, in, *header);
+    // At infinity, too: the size of a direction counts like that of a place.
+    for (const glm::dvec4& p : patch.points) reach.push_back(glm::length(Vec3(p)));
     if (!append_positive(patch, patches)) {
       fail_at(source, first.data(),
               "this patch has points at infinity (weights that are not positive); export it again");
     }
   }
+  check_extent(source, reach);
   return patches;
 }
 

@@ -122,8 +122,7 @@ void SplineReader::point_type() {
   const std::string word = raised(token.text);
   const std::string digits = word.substr(std::min<std::size_t>(1, word.size()));
   const bool good = token.kind == Token::Kind::Word && !digits.empty() && digits.size() <= 2 &&
-                    (word[0] == 'E' || word[0] == 'P') &&
-                    std::ranges::all_of(digits, [](char c) { return c >= '0' && c <= '9'; });
+                    (word[0] == 'E' || word[0] == 'P') && std::ranges::all_of(digits, is_digit);
   const int coordinates = good ? std::stoi(digits) : 0;
   if (coordinates < 1 || coordinates > 18) in_.expected(token, "a type of points, E1 to P18");
   type_ = {word[0] == 'P', coordinates};

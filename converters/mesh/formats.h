@@ -1,5 +1,5 @@
 #pragma once
-/// One reader a format, and the guess which one a file needs.
+/// One reader per format, and the choice of the one that a file needs.
 
 #include <burin/converters/mesh_reader.h>
 

@@ -5,29 +5,11 @@
 #include <burin/mesh/proxy_mesh.h>
 
 #include "self_intersections.h"
+#include "triangles_info.h"
 
 #include <algorithm>
 
 namespace burin {
-namespace {
-
-/// Area and volume; from the middle of the box, so that a far origin costs no digits.
-void measure(const TriMesh& mesh, PartInfo& info) {
-  info.bounds = mesh.bounds();
-  const Vec3 o = info.bounds.center();
-  double area = 0, volume = 0;
-  for (const Triangle& t : mesh.triangles) {
-    const Vec3 a = mesh.positions[t[0]] - o, b = mesh.positions[t[1]] - o,
-               c = mesh.positions[t[2]] - o;
-    area += glm::length(glm::cross(b - a, c - a)) / 2;
-    volume += glm::dot(a, glm::cross(b, c)) / 6;
-  }
-  info.area = area;
-  info.volume = info.closed() ? volume : 0;
-}
-
-}  // namespace
-
 PartInfo measure_mesh_part(const Part& part, const RunContext& context) {
   PartInfo info;
   info.name = part.name;
@@ -39,7 +21,8 @@ PartInfo measure_mesh_part(const Part& part, const RunContext& context) {
   info.components = static_cast<std::int64_t>(proxy.topology.component_closed.size());
   info.boundary_edges = std::ranges::count(proxy.topology.opposite, kNoHalfEdge);
   info.self_intersections = count_self_intersections(mesh, context);
-  measure(mesh, info);
+  info.bounds = mesh.bounds();
+  measure_triangles(mesh, info);
   return info;
 }
 

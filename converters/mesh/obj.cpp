@@ -79,7 +79,7 @@ void ObjReader::corner() {
   if (negative || *p == '+') ++p;
   std::int64_t value = 0;
   const char* digits = p;
-  while (*p >= '0' && *p <= '9' && p - digits < 12) value = 10 * value + (*p++ - '0');
+  while (is_digit(*p) && p - digits < 12) value = 10 * value + (*p++ - '0');
   const bool ends = *p == '/' || *p == '\\' || *p == '#' || is_blank(*p) || is_line_end(*p) ||
                     p == begin + text_.left();
   if (p == digits || !ends)

@@ -19,8 +19,6 @@ struct OffHeader {
   bool binary = false;
 };
 
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
-
 class OffReader {
  public:
   explicit OffReader(const Source& source) : source_(source), text_(source) {}

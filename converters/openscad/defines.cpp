@@ -10,15 +10,13 @@
 namespace burin {
 namespace {
 
-bool is_letter(char c) {
-  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_' || c == '$';
-}
+bool begins_name(char c) { return is_letter(c) || c == '_' || c == '$'; }
 
 bool is_name(std::string_view name) {
-  if (name.empty() || !is_letter(name.front()) || name == "$") return false;
+  if (name.empty() || !begins_name(name.front()) || name == "$") return false;
   for (std::size_t i = 1; i < name.size(); ++i) {
     const char c = name[i];
-    if (c == '$' || !(is_letter(c) || (c >= '0' && c <= '9'))) return false;
+    if (c == '$' || !(begins_name(c) || is_digit(c))) return false;
   }
   return true;
 }
@@ -56,7 +54,32 @@ std::string fault_of(std::string_view value) {
   return open.empty() ? "" : "has brackets that do not match";
 }
 
+/// Whether a program names a variable anywhere, in a comment too.
+bool names(std::string_view program, std::string_view variable) {
+  const auto is_part = [](char c) { return begins_name(c) || is_digit(c); };
+  for (std::size_t at = program.find(variable); at != std::string_view::npos;
+       at = program.find(variable, at + 1)) {
+    const std::size_t end = at + variable.size();
+    if ((at == 0 || !is_part(program[at - 1])) && (end == program.size() || !is_part(program[end])))
+      return true;
+  }
+  return false;
+}
+
 }  // namespace
+
+std::vector<std::string> unused_defines(std::string_view program,
+                                        const std::vector<std::string>& defines) {
+  std::vector<std::string> unused;
+  // Other files may name it.
+  if (names(program, "include") || names(program, "use")) return unused;
+  for (const std::string& define : defines) {
+    const std::string name = define.substr(0, define.find('='));
+    if (name.starts_with('$') || names(program, name)) continue;
+    unused.push_back(name);
+  }
+  return unused;
+}
 
 void check_openscad_defines(const std::vector<std::string>& defines) {
   for (const std::string& define : defines) {

@@ -11,10 +11,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cerrno>
 #include <csignal>
+#include <cstdint>
 #include <cstdlib>
 #include <cstring>
+#include <fstream>
 
 namespace burin {
 namespace {
@@ -95,9 +98,9 @@ class Verdict {
                                    end.signal, ::strsignal(end.signal)),
                        file_);
     }
+    if (end.ok() && bytes > 0) return;  // an echo of the model may say what is asked below
     // An error may end the model early and still leave it a 2-D or an empty object.
-    const detail::Remark* error = messages_.first(Severity::Error);
-    if (error && (!end.ok() || bytes == 0)) fail(*error, "");
+    if (const detail::Remark* error = messages_.first(Severity::Error)) fail(*error, "");
     if (messages_.two_dimensional()) {
       fail_with_warning(
           "OpenSCAD makes a 2-D object of it, which has no surface to draw; extrude "
@@ -106,11 +109,9 @@ class Verdict {
     if (messages_.empty()) {
       fail_with_warning("OpenSCAD makes nothing of it: the top level object is empty");
     }
-    if (!end.ok() || bytes == 0) {
-      throw InputError(fmt::format("OpenSCAD made no mesh of it (exit status {}): {}", end.status,
-                                   messages_.last()),
-                       file_);
-    }
+    throw InputError(fmt::format("OpenSCAD made no mesh of it (exit status {}): {}", end.status,
+                                 messages_.last()),
+                     file_);
   }
 
  private:
@@ -143,15 +144,44 @@ auto in_the_name_of(const Path& path, const Read& read) {
   }
 }
 
+/// The file in memory has no suffix that would tell its kind: what is neither text nor a whole
+/// binary STL is told here, as it came.
+void check_mesh(const detail::MemoryFile& mesh, const Path& path) {
+  constexpr std::size_t kHeader = 80, kTriangle = 50;
+  std::array<char, kHeader + sizeof(std::uint32_t)> head{};
+  std::ifstream(mesh.path(), std::ios::binary).read(head.data(), head.size());
+  if (std::ranges::find(head, '\0') == head.end()) return;
+  std::uint32_t triangles = 0;
+  std::memcpy(&triangles, head.data() + kHeader, sizeof triangles);
+  if (mesh.size() != head.size() + kTriangle * triangles) {
+    throw InputError(fmt::format("what OpenSCAD made of it: {} bytes that are no whole STL; look "
+                                 "at what openscad -o a.stl makes of the file",
+                                 mesh.size()),
+                     path.string());
+  }
+  if (triangles == 0) {
+    throw InputError(
+        "what OpenSCAD made of it: an STL without triangles; sizes and places must lie within the "
+        "range of single precision (1e-38 to 1e38)",
+        path.string());
+  }
+}
+
 /// Runs OpenSCAD; the mesh is left in `mesh`.
 Diagnostics run_openscad(const Path& path, const OpenscadOptions& options,
                          const detail::MemoryFile& mesh, RunContext& context) {
   check_openscad_defines(options.defines);
   std::int64_t lines = 0;
+  Diagnostics unused;
   {
     const Source source(path, context);  // refuses what is missing, a folder, unreadable or empty
     const std::string_view bytes = source.bytes();
     lines = source.line_of(bytes.data() + bytes.find_last_not_of(" \t\r\n") + 1);
+    for (const std::string& name : unused_defines(bytes, options.defines)) {
+      unused.add(Severity::Warning, "openscad.unused_define", 1,
+                 fmt::format("{}: nothing is called {}, which -D defines; check its spelling",
+                             path.string(), name));
+    }
   }
   const Program program = find_program(context);
   detail::ChildRun run;
@@ -172,14 +202,17 @@ Diagnostics run_openscad(const Path& path, const OpenscadOptions& options,
   const detail::ChildEnd end = detail::run_child(run, context);
   if (end.start_error != 0) fail_to_start(program, end.start_error);
   Verdict(path, lines, messages).check(end, options.timeout, mesh.size());
-  return messages.diagnostics(path.parent_path().string());
+  check_mesh(mesh, path);
+  unused.append(messages.diagnostics(path.parent_path().string()));
+  return unused;
 }
 
 }  // namespace
 
 bool is_openscad_suffix(const Path& path) {
-  const std::string suffix = lowered(path.extension().string());
-  return suffix == ".scad" || suffix == ".csg";
+  // Not by extension(), which is empty where nothing stands before the dot.
+  const std::string name = lowered(path.filename().string());
+  return name.ends_with(".scad") || name.ends_with(".csg");
 }
 
 Scene read_openscad(const Path& path, const OpenscadOptions& options, RunContext& context) {

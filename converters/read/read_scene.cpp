@@ -1,4 +1,5 @@
 #include <burin/base/error.h>
+#include <burin/base/missing_file.h>
 #include <burin/converters/read.h>
 
 #include "readers.h"
@@ -17,10 +18,10 @@ void check_inputs(const std::vector<std::string>& paths) {
   for (const std::string& path : paths) {
     struct stat info {};
     if (::stat(path.c_str(), &info) != 0) {
-      throw InputError(errno == ENOENT || errno == ENOTDIR
-                           ? "there is no such file; check the path"
-                           : std::string("cannot be opened: ") + std::strerror(errno),
-                       path);
+      if (errno == ENOENT || errno == ENOTDIR) {
+        throw MissingFile("there is no such file; check the path", path);
+      }
+      throw InputError(std::string("cannot be opened: ") + std::strerror(errno), path);
     }
     if (S_ISDIR(info.st_mode)) throw InputError("is a folder; name a model file in it", path);
     if (::access(path.c_str(), R_OK) != 0) {
@@ -33,13 +34,16 @@ Scene read_scene(const std::vector<std::string>& paths, const ReadOptions& optio
                  RunContext& context) {
   context.begin_stage("read");
   Scene scene;
+  std::vector<const detail::Reader*> readers;
   for (std::size_t i = 0; i < paths.size(); ++i) {
-    Scene one = detail::reader_of(paths[i], options).read(paths[i], options, context);
+    readers.push_back(&detail::reader_of(paths[i], options));
+    Scene one = readers.back()->read(paths[i], options, context);
     scene.parts.insert(scene.parts.end(), std::make_move_iterator(one.parts.begin()),
                        std::make_move_iterator(one.parts.end()));
     scene.diagnostics.append(one.diagnostics);
     context.progress(static_cast<double>(i + 1) / static_cast<double>(paths.size()));
   }
+  detail::name_unused(options, paths, readers, scene);
   context.end_stage();
   return scene;
 }

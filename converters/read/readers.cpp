@@ -17,44 +17,69 @@ namespace burin::detail {
 namespace {
 
 using Path = std::filesystem::path;
+using Names = std::string_view;
+
+constexpr std::array kMeshOptions{Names("heal")};
+constexpr std::array kIritOptions{Names("iso"), Names("inside"), Names("bounds")};
+constexpr std::array kImplicitOptions{Names("bounds"), Names("mesher")};
+constexpr std::array kOpenscadOptions{Names("define"), Names("openscad_timeout"), Names("heal")};
+constexpr std::array kFcstdOptions{Names("object"), Names("recompute"), Names("freecad_timeout")};
+constexpr std::array kVolumeOptions{Names("bounds"),        Names("mesher"),      Names("iso"),
+                                    Names("inside"),        Names("smooth"),      Names("specks"),
+                                    Names("volume_degree"), Names("interpolate"), Names("raw"),
+                                    Names("raw_skip")};
 
 constexpr Reader kMesh{
-    "STL, OBJ, OFF, PLY, 3MF", nullptr, is_mesh_suffix,
+    "STL, OBJ, OFF, PLY, 3MF",
+    nullptr,
+    is_mesh_suffix,
     [](const Path& path, const ReadOptions& o, RunContext& c) {
       Scene scene = read_mesh(path, c);
       if (o.heal.value_or(false)) heal_parts(scene, c);
       return scene;
     },
-    [](const Path& path, const ReadOptions&, RunContext& c) { return inspect_mesh(path, c); }};
+    [](const Path& path, const ReadOptions&, RunContext& c) { return inspect_mesh(path, c); },
+    kMeshOptions};
 
 constexpr Reader kCad{
-    "STEP, IGES, BREP", is_cad_content, is_cad_suffix,
+    "STEP, IGES, BREP",
+    is_cad_content,
+    is_cad_suffix,
     [](const Path& path, const ReadOptions&, RunContext& c) { return read_cad(path, c); },
-    [](const Path& path, const ReadOptions&, RunContext& c) { return inspect_cad(path, c); }};
+    [](const Path& path, const ReadOptions&, RunContext& c) { return inspect_cad(path, c); },
+    {}};
 
 IritReadOptions irit_options(const ReadOptions& o) {
   return {o.volume.level.value_or(0), o.volume.inside_above.value_or(false), o.bounds};
 }
 
-constexpr Reader kIrit{"ITD, IRT, BEZ, BBP", is_irit_content, is_irit_suffix,
+constexpr Reader kIrit{"ITD, IRT, BEZ, BBP",
+                       is_irit_content,
+                       is_irit_suffix,
                        [](const Path& path, const ReadOptions& o, RunContext& c) {
                          return read_irit(path, c, irit_options(o));
                        },
                        [](const Path& path, const ReadOptions& o, RunContext& c) {
                          return inspect_irit(path, c, irit_options(o));
-                       }};
+                       },
+                       kIritOptions};
 
-constexpr Reader kImplicit{"IMPLICIT", nullptr, is_implicit_suffix,
+constexpr Reader kImplicit{"IMPLICIT",
+                           nullptr,
+                           is_implicit_suffix,
                            [](const Path& path, const ReadOptions& o, RunContext& c) {
                              return read_implicit(path, {o.bounds, {o.mesher}}, c);
                            },
                            [](const Path& path, const ReadOptions& o, RunContext& c) {
                              return inspect_implicit(path, {o.bounds, {o.mesher}}, c);
-                           }};
+                           },
+                           kImplicitOptions};
 
 OpenscadOptions openscad_options(const ReadOptions& o) { return {o.defines, o.openscad_timeout}; }
 
-constexpr Reader kOpenscad{"OpenSCAD", nullptr, is_openscad_suffix,
+constexpr Reader kOpenscad{"OpenSCAD",
+                           nullptr,
+                           is_openscad_suffix,
                            [](const Path& path, const ReadOptions& o, RunContext& c) {
                              Scene scene = read_openscad(path, openscad_options(o), c);
                              if (o.heal.value_or(true)) heal_parts(scene, c);
@@ -62,27 +87,34 @@ constexpr Reader kOpenscad{"OpenSCAD", nullptr, is_openscad_suffix,
                            },
                            [](const Path& path, const ReadOptions& o, RunContext& c) {
                              return inspect_openscad(path, openscad_options(o), c);
-                           }};
+                           },
+                           kOpenscadOptions};
 
 FcstdOptions fcstd_options(const ReadOptions& o) {
   return {o.objects, o.recompute, o.freecad_timeout};
 }
 
-constexpr Reader kFcstd{"FreeCAD", is_fcstd_content, is_fcstd_suffix,
+constexpr Reader kFcstd{"FreeCAD",
+                        is_fcstd_content,
+                        is_fcstd_suffix,
                         [](const Path& path, const ReadOptions& o, RunContext& c) {
                           return read_fcstd(path, fcstd_options(o), c);
                         },
                         [](const Path& path, const ReadOptions& o, RunContext& c) {
                           return inspect_fcstd(path, fcstd_options(o), c);
-                        }};
+                        },
+                        kFcstdOptions};
 
-constexpr Reader kVolume{"NRRD, MHA, MHD, INR, NII, VTI, RAW", is_volume_content, is_volume_suffix,
+constexpr Reader kVolume{"NRRD, MHA, MHD, INR, NII, VTI, RAW",
+                         is_volume_content,
+                         is_volume_suffix,
                          [](const Path& path, const ReadOptions& o, RunContext& c) {
                            return read_volume_scene(path, o.volume, o.bounds, c);
                          },
                          [](const Path& path, const ReadOptions& o, RunContext& c) {
                            return inspect_volume(path, o.volume, o.bounds, c);
-                         }};
+                         },
+                         kVolumeOptions};
 
 constexpr std::array kReaders{kCad, kIrit, kImplicit, kOpenscad, kFcstd, kVolume, kMesh};
 

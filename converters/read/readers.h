@@ -4,7 +4,10 @@
 #include <burin/converters/read.h>
 
 #include <filesystem>
+#include <span>
+#include <string>
 #include <string_view>
+#include <vector>
 
 namespace burin::detail {
 
@@ -19,9 +22,16 @@ struct Reader {
   Scene (*read)(const std::filesystem::path& path, const ReadOptions& options, RunContext& context);
   FileInfo (*inspect)(const std::filesystem::path& path, const ReadOptions& options,
                       RunContext& context);
+  /// The options (ReadOptions::Given::name) that it looks at.
+  std::span<const std::string_view> options;
 };
 
 inline constexpr std::size_t kHeadBytes = 4096;
+
+/// Adds a diagnostic for each option that was given and that none of the files looked at: the
+/// readers that read them, one per path, and what they made of them.
+void name_unused(const ReadOptions& options, const std::vector<std::string>& paths,
+                 std::span<const Reader* const> readers, Scene& scene);
 
 /// By content where that is clear, else by the suffix, else raw data where its layout is given,
 /// else the readers of meshes, which say what is wrong with a file that nobody knows.

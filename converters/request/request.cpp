@@ -1,8 +1,11 @@
+#include <burin/base/ascii.h>
 #include <burin/base/error.h>
+#include <burin/base/missing_file.h>
 #include <burin/base/nearest.h>
 #include <burin/converters/openscad_reader.h>
 #include <burin/converters/request.h>
 #include <burin/converters/values.h>
+#include <burin/forms/mesh/mesh_form.h>
 
 #include <fmt/format.h>
 
@@ -25,6 +28,11 @@ std::string spelled(std::string name, Spelling spelling) {
   return "--" + name;
 }
 
+/// "option --crease-angle", "argument crease_angle".
+std::string called(const char* name, Spelling spelling) {
+  return (spelling == Spelling::Options ? "option " : "argument ") + spelled(name, spelling);
+}
+
 /// Errors have no line: the text is made by a program.
 Style style_of_text(const std::string& text) {
   try {
@@ -36,8 +44,11 @@ Style style_of_text(const std::string& text) {
   }
 }
 
-Style make_style(const DrawRequest& r, Spelling spelling) {
-  Style style = r.style_text.empty() ? load_style(r.style) : style_of_text(r.style_text);
+Style named_style(const DrawRequest& r) {
+  return r.style_text.empty() ? load_style(r.style) : style_of_text(r.style_text);
+}
+
+Style make_style(Style style, const DrawRequest& r, Spelling spelling) {
   if (!r.light.empty()) style.tone.light = direction_option(spelled("light", spelling), r.light);
   for (const std::string& assignment : r.set) {
     const std::size_t equals = assignment.find('=');
@@ -50,6 +61,16 @@ Style make_style(const DrawRequest& r, Spelling spelling) {
   return style;
 }
 
+bool fits_drawing(const DrawRequest& r) { return equal_but_for_case(r.paper, "fit"); }
+
+SheetOptions make_sheet(const DrawRequest& r, const Paper& paper, Spelling spelling) {
+  SheetOptions sheet;
+  sheet.fits = fits_drawing(r);
+  const Vec2 room = sheet.fits ? Vec2(kLargestSheet) : Vec2(paper.width, paper.height);
+  sheet.margin = margin_option(spelled("margin", spelling), r.margin, room).value_or(sheet.margin);
+  return sheet;
+}
+
 ViewOptions make_view(const DrawRequest& r, Spelling spelling) {
   const auto number = [&](const char* name, const std::string& text, double low, double high,
                           const char* what) {
@@ -59,13 +80,10 @@ ViewOptions make_view(const DrawRequest& r, Spelling spelling) {
   const NamedView named = named_view(r.view);
   view.direction = named.direction;
   view.up = r.up.empty() ? named.up : direction_option(spelled("up", spelling), r.up);
-  view.paper = Paper::named(r.paper);
-  view.perspective = number("perspective", r.perspective, 1, 170, "1 to 170 degrees");
-  view.scale = number("scale", r.scale, 1 / kLarge, kLarge, "a number over 0");
+  if (!fits_drawing(r)) view.paper = Paper::named(r.paper);
+  view.perspective = number("perspective", r.perspective, 1, 120, "1 to 120 degrees");
+  view.scale = scale_option(spelled("scale", spelling), r.scale, 1 / kLarge, kLarge);
   view.center = point_option(spelled("center", spelling), r.center);
-  const double most = 0.5 * std::min(view.paper.width, view.paper.height) - 1;
-  const std::string range = fmt::format("0 to {} mm on this paper", most);
-  view.margin = number("margin", r.margin, 0, most, range.c_str()).value_or(view.margin);
   return view;
 }
 
@@ -90,6 +108,22 @@ constexpr std::array kReadRows{
     ReadRow{"freecad_timeout", &ReadRequest::freecad_timeout},
     ReadRow{"heal", &ReadRequest::heal},
 };
+
+std::vector<ReadOptions::Given> given_options(const ReadRequest& request, Spelling spelling) {
+  std::vector<ReadOptions::Given> given;
+  const auto add = [&](const char* name) {
+    // The switch that turns it off is an option of its own.
+    const bool off = spelling == Spelling::Options && std::string_view(name) == "heal" &&
+                     request.heal == "false";
+    given.push_back({name, called(off ? "no_heal" : name, spelling)});
+  };
+  for (const ReadRow& row : kReadRows) {
+    if (!(request.*row.text).empty()) add(row.name);
+  }
+  if (!request.define.empty()) add("define");
+  if (!request.object.empty()) add("object");
+  return given;
+}
 
 /// "true" or "false", also as Python spells them.
 bool flag_option(const std::string& option, std::string word) {
@@ -130,6 +164,46 @@ VolumeReadOptions make_volume_options(const ReadRequest& r, Spelling spelling) {
   return out;
 }
 
+/// What the plan asks for that some drawings or styles have no use for.
+void note_unused(const DrawRequest& r, Spelling spelling, const Style& named, DrawPlan& plan) {
+  if (!r.light.empty() && plan.style.tone.light != named.tone.light) {
+    plan.about_strokes.push_back(called("light", spelling));
+  }
+  for (const std::string& assignment : r.set) {
+    const std::string key = assignment.substr(0, assignment.find('='));
+    if (key != "hatch.enabled" && (key.starts_with("hatch.") || key.starts_with("tone."))) {
+      plan.about_strokes.push_back("style key " + key);
+    }
+  }
+  if (!r.tolerance.empty()) plan.about_exact.push_back(called("tolerance", spelling));
+  const auto note = [&](const std::string& text) {
+    plan.notes.add(Severity::Warning, "option.unused", 1, text);
+  };
+  if (plan.illustrate.hidden == HiddenLines::Dashed && plan.style.halo.hidden) {
+    note(fmt::format("{} has no effect: style '{}' draws hidden lines in full (halo.hidden)",
+                     called("hidden", spelling), plan.style.name));
+  }
+  if (!r.up.empty()) {
+    constexpr double kAlong = 1e-6;  // radians, as Camera has it
+    const Vec3 up = glm::normalize(plan.view.up), to = glm::normalize(plan.view.direction);
+    if (glm::length(glm::cross(up, to)) <= kAlong) {
+      note(called("up", spelling) + " has no effect: it lies along the view");
+    }
+  }
+}
+
+bool has_strokes(const DrawPlan& plan) {
+  return plan.style.hatch.enabled ||
+         std::any_of(plan.illustrate.looks.begin(), plan.illustrate.looks.end(),
+                     [](const PartLook& look) { return look.style && look.style->hatch.enabled; });
+}
+
+bool all_facets(const Scene& scene) {
+  return std::all_of(scene.parts.begin(), scene.parts.end(), [](const Part& part) {
+    return dynamic_cast<const MeshForm*>(part.form.get()) != nullptr;
+  });
+}
+
 }  // namespace
 
 Style load_style(const std::string& name) {
@@ -141,7 +215,7 @@ Style load_style(const std::string& name) {
   std::error_code error;
   if (!std::filesystem::is_regular_file(name, error)) {
     const bool path = name.find('/') != std::string::npos || name.ends_with(".json");
-    if (path) throw InputError("there is no such style file; check the path", name);
+    if (path) throw MissingFile("there is no such style file; check the path", name);
     return builtin_style(name);
   }
   std::ifstream in(name, std::ios::binary);
@@ -153,6 +227,7 @@ Style load_style(const std::string& name) {
 ReadOptions make_read_options(const ReadRequest& request, Spelling spelling) {
   constexpr double kWeek = 604'800;
   ReadOptions read;
+  read.given = given_options(request, spelling);
   read.bounds = box_option(spelled("bounds", spelling), request.bounds);
   if (!request.mesher.empty()) {
     constexpr std::array kMeshers{Mesher::Auto, Mesher::Nets, Mesher::Delaunay};
@@ -198,10 +273,34 @@ void set_read_option(ReadRequest& request, const std::string& name, const std::s
       fmt::format("unknown argument '{}'; the nearest is '{}'", name, nearest(name, names)));
 }
 
+Drawing draw(const Scene& scene, const Camera& camera, const DrawPlan& plan, RunContext& context) {
+  Drawing drawing = illustrate(scene, camera, plan.style, plan.illustrate, context);
+  drawing.diagnostics.append(plan.notes);
+  const auto unused = [&](const std::vector<std::string>& choices, const std::string& why) {
+    for (const std::string& choice : choices) {
+      drawing.diagnostics.add(Severity::Warning, "option.unused", 1,
+                              fmt::format("{} has no effect: {}", choice, why));
+    }
+  };
+  if (!has_strokes(plan)) {
+    unused(plan.about_strokes,
+           fmt::format("style '{}' draws no strokes (hatch.enabled=true does)", plan.style.name));
+  }
+  if (all_facets(scene)) unused(plan.about_exact, "all parts are meshes, drawn as they are");
+  return drawing;
+}
+
+Camera make_camera(const Scene& scene, const DrawPlan& plan) {
+  const auto extent = [&](const Mat3& axes) { return scene.bounds(axes); };
+  return Camera::fit(extent, settle(extent, plan.view, plan.sheet));
+}
+
 DrawPlan make_plan(const DrawRequest& request, Spelling spelling) {
   DrawPlan plan;
-  plan.style = make_style(request, spelling);
+  const Style named = named_style(request);
+  plan.style = make_style(named, request, spelling);
   plan.view = make_view(request, spelling);
+  plan.sheet = make_sheet(request, plan.view.paper, spelling);
   plan.illustrate.tolerance = number_option(spelled("tolerance", spelling), request.tolerance,
                                             1 / kLarge, kLarge, "a number of mm over 0");
   plan.read = make_read_options(request.read, spelling);
@@ -212,6 +311,10 @@ DrawPlan make_plan(const DrawRequest& request, Spelling spelling) {
       word_option(spelled("hidden", spelling), request.hidden, {"none", "dashed"}) == 0
           ? HiddenLines::None
           : HiddenLines::Dashed;
+  if (!request.verify.empty()) {
+    plan.illustrate.verify = flag_option(spelled("verify", spelling), request.verify);
+  }
+  note_unused(request, spelling, named, plan);
   if (!request.threads.empty()) {
     plan.threads = static_cast<int>(
         whole_option(spelled("threads", spelling), request.threads, 1, 4096, "1 to 4096"));

@@ -1,3 +1,4 @@
+#include <burin/base/ascii.h>
 #include <burin/base/error.h>
 #include <burin/converters/values.h>
 
@@ -6,6 +7,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <iterator>
 #include <span>
 #include <string_view>
 
@@ -93,6 +95,54 @@ std::optional<Box3> box_option(const std::string& option, const std::string& tex
     if (!(box.min[i] < box.max[i])) refuse(option, kWhat, text);
   }
   return box;
+}
+
+std::optional<double> scale_option(const std::string& option, const std::string& text, double low,
+                                   double high) {
+  if (text.empty()) return {};
+  const std::size_t colon = text.find(':');
+  const std::string_view all = text;
+  std::optional<double> x = parse<double>(all.substr(0, colon));
+  if (colon != std::string::npos) {
+    const auto y = parse<double>(all.substr(colon + 1));
+    x = x && y ? std::optional(*x / *y) : std::nullopt;
+  }
+  if (!x || !(*x >= low && *x <= high))
+    refuse(option, "a number over 0, or a ratio like 1:2", text);
+  return x;
+}
+
+std::optional<Margin> margin_option(const std::string& option, const std::string& text,
+                                    Vec2 sheet) {
+  constexpr double kLeast = 2;  // mm of the sheet that are left
+  if (text.empty()) return {};
+  if (text.find(',') == std::string::npos) {
+    const double most = 0.5 * (std::min(sheet.x, sheet.y) - kLeast);
+    const std::string range =
+        fmt::format("0 to {} mm on this paper, or four of them, TOP,RIGHT,BOTTOM,LEFT", most);
+    return Margin(*number_option(option, text, 0, most, range.c_str()));
+  }
+  double v[4];
+  const bool sane = parse_list(text, v) &&
+                    std::all_of(std::begin(v), std::end(v), [](double x) { return x >= 0; }) &&
+                    v[0] + v[2] <= sheet.y - kLeast && v[1] + v[3] <= sheet.x - kLeast;
+  if (!sane) {
+    const std::string what =
+        fmt::format("mm, one number or four, TOP,RIGHT,BOTTOM,LEFT, that leave {} mm of {} x {} mm",
+                    kLeast, sheet.x, sheet.y);
+    refuse(option, what.c_str(), text);
+  }
+  return Margin(v[0], v[1], v[2], v[3]);
+}
+
+std::string id_prefix_option(const std::string& option, const std::string& text) {
+  const auto is_first = [](char c) { return is_letter(c) || c == '_'; };
+  const auto is_later = [&](char c) { return is_first(c) || is_digit(c) || c == '-' || c == '.'; };
+  if (!text.empty() &&
+      !(is_first(text.front()) && std::all_of(text.begin(), text.end(), is_later))) {
+    refuse(option, "a letter and then letters, digits, - _ and dots", text);
+  }
+  return text;
 }
 
 }  // namespace burin

@@ -85,7 +85,7 @@ Finite make_finite(std::vector<float>& samples, bool inside_above, const std::st
     all.max = std::max(all.max, p.max);
   }
   if (all.bad == static_cast<std::int64_t>(samples.size())) {
-    throw InputError("holds no finite number; is its type or byte order another?", file);
+    throw InputError("holds no finite number; are its type and byte order right?", file);
   }
   if (all.bad > 0) {
     const float outside = inside_above ? all.min : all.max;

@@ -4,6 +4,7 @@
 #include <burin/forms/implicit/implicit_form.h>
 
 #include "text.h"
+#include "triangles_info.h"
 
 #include <fmt/format.h>
 
@@ -89,13 +90,7 @@ void measure(const Part& part, FileInfo& info, RunContext& context) {
   const ProxyMesh& proxy = surface->proxy();
   out.components = static_cast<std::int64_t>(proxy.topology.component_closed.size());
   out.faces = proxy.region_count;
-  const Vec3 o = out.bounds.center();
-  for (const Triangle& t : proxy.mesh.triangles) {
-    const Vec3 a = proxy.mesh.positions[t[0]] - o, b = proxy.mesh.positions[t[1]] - o,
-               c = proxy.mesh.positions[t[2]] - o;
-    out.area += glm::length(glm::cross(b - a, c - a)) / 2;
-    out.volume += glm::dot(a, glm::cross(b, c)) / 6;
-  }
+  measure_triangles(proxy.mesh, out);
   info.parts.push_back(std::move(out));
 }
 

@@ -105,7 +105,7 @@ void VtiFile::grid(const pugi::xml_node& image) {
   out_.origin = {origin[0], origin[1], origin[2]};
   for (std::size_t k = 0; k < 3; ++k) {
     const double n = extent[2 * k + 1] - extent[2 * k] + 1;
-    if (!(n >= 1 && n < 1e9)) fail("its extent is none; export it again");
+    if (!(n >= 1 && n < 1e9)) fail("its extent is empty or too large; export it again");
     out_.size[k] = static_cast<std::int64_t>(n);
     const auto i = static_cast<int>(k);
     out_.steps[i] = spacing[k] * Vec3(turn[k], turn[3 + k], turn[6 + k]);
@@ -170,7 +170,8 @@ std::string VtiFile::unpacked(std::string_view text, bool base64) const {
   if (!packed_) {
     std::string all = base64 ? decoded(text, each + bytes()) : std::string();
     const std::string_view raw = base64 ? std::string_view(all) : text;
-    if (word(raw, 0) != bytes()) fail("the size of its data is another than its extent says");
+    if (word(raw, 0) != bytes())
+      fail("the size of its data is not the one that its extent gives; export it again");
     return std::string(raw.substr(each, bytes()));
   }
   // How many blocks, their size, the size of the last, the packed size of each.
@@ -200,7 +201,8 @@ std::string VtiFile::unpacked(std::string_view text, bool base64) const {
     out += take(*in, bytes() - out.size(), context);
     rest.remove_prefix(size);
   }
-  if (out.size() != bytes()) fail("the size of its data is another than its extent says");
+  if (out.size() != bytes())
+    fail("the size of its data is not the one that its extent gives; export it again");
   return out;
 }
 

@@ -1,11 +1,11 @@
 #include "dxf_frame.h"
 
+#include <burin/base/ascii.h>
 #include <burin/base/version.h>
 
 #include "dxf_groups.h"
 
 #include <algorithm>
-#include <cctype>
 
 namespace burin::dxf {
 namespace {
@@ -198,14 +198,8 @@ std::string symbol_name(std::string_view name, const std::vector<LayerRow>& take
   }
   if (stem.empty()) stem = "layer";
   // Names differ by more than case.
-  const auto same = [](char a, char b) {
-    return std::tolower(static_cast<unsigned char>(a)) ==
-           std::tolower(static_cast<unsigned char>(b));
-  };
   std::string unique = stem;
-  const auto is_taken = [&](const LayerRow& row) {
-    return std::equal(unique.begin(), unique.end(), row.name.begin(), row.name.end(), same);
-  };
+  const auto is_taken = [&](const LayerRow& row) { return equal_but_for_case(unique, row.name); };
   for (int i = 2; unique == "0" || std::any_of(taken.begin(), taken.end(), is_taken); ++i) {
     unique = fmt::format("{}-{}", stem, i);
   }

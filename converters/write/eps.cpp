@@ -3,8 +3,7 @@
 #include <burin/drawing/near_sheet.h>
 #include <burin/drawing/ordered_text.h>
 #include <burin/drawing/text.h>
-
-#include "title.h"
+#include <burin/drawing/title.h>
 
 #include <cmath>
 #include <ostream>

@@ -46,6 +46,8 @@ std::string advice(int error) {
       return "a part of the path is no folder; choose another";
     case EISDIR:
       return "this is a folder; name a file";
+    case ELOOP:
+      return "the link leads to itself; remove it, or name a file";
     case EPIPE:
       return "the reader of the pipe is gone";
     default:
@@ -82,12 +84,19 @@ bool same_file(const std::string& a, const std::string& b) {
   return fs::weakly_canonical(a, error) == fs::weakly_canonical(b, error);
 }
 
-/// Where a link points to: the link stays, the file behind it is replaced.
+/// Where a link points to, also where nothing stands there yet: the link stays, the file behind it
+/// is made or replaced.
 fs::path resolved(const std::string& name) {
+  constexpr int kMostLinks = 40;  // as Linux has it; more are most likely a ring
   std::error_code error;
-  if (!fs::is_symlink(name, error)) return name;
-  const fs::path target = fs::weakly_canonical(name, error);
-  return error ? fs::path(name) : target;
+  fs::path path = name;
+  for (int i = 0; i < kMostLinks && fs::is_symlink(path, error); ++i) {
+    const fs::path target = fs::read_symlink(path, error);
+    if (error) fail(name, error.value());
+    path = target.is_absolute() ? target : path.parent_path() / target;
+  }
+  if (fs::is_symlink(path, error)) fail(name, ELOOP);
+  return path;
 }
 
 }  // namespace

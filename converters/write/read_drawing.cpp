@@ -1,3 +1,4 @@
+#include <burin/base/ascii.h>
 #include <burin/base/error.h>
 #include <burin/base/nearest.h>
 #include <burin/converters/read_drawing.h>
@@ -158,6 +159,42 @@ Diagnostic read_diagnostic(const JsonPlace& place) {
   return d;
 }
 
+Contradiction read_contradiction(const JsonPlace& place) {
+  place.check_object();
+  Contradiction c;
+  const auto value = [&](const char* key, auto& out) {
+    place.optional(key, [&](const JsonPlace& at) { at.set(out); });
+  };
+  value("what", c.what);
+  place.optional("kind", [&](const JsonPlace& kind) { c.kind = kind_named(kind); });
+  value("part", c.source.part);
+  value("face", c.source.face);
+  value("edge", c.source.edge);
+  value("length", c.length);
+  value("at", c.at);
+  value("model", c.model);
+  return c;
+}
+
+Verification read_verification(const JsonPlace& place) {
+  place.check_object();
+  Verification v;
+  const auto value = [&](const char* key, auto& out) {
+    place.optional(key, [&](const JsonPlace& at) { at.set(out); });
+  };
+  value("spans", v.spans);
+  value("length", v.length);
+  value("contradicted", v.contradicted);
+  value("count", v.count);
+  value("loose_ends", v.loose_ends);
+  place.optional("contradictions", [&](const JsonPlace& list) {
+    list.each([&](const JsonPlace& one, std::size_t) {
+      v.contradictions.push_back(read_contradiction(one));
+    });
+  });
+  return v;
+}
+
 void read_paper(const JsonPlace& place, Drawing& drawing) {
   place.check_object();
   const auto side = [&](const char* key, double& out) {
@@ -207,6 +244,8 @@ void read_head(const JsonPlace& root, Drawing& drawing) {
     value("strokes", drawing.stats.strokes);
     value("coverage_points", drawing.stats.coverage_points);
     value("coverage_delta", drawing.stats.coverage_delta);
+    stats.optional("verify",
+                   [&](const JsonPlace& at) { drawing.stats.verify = read_verification(at); });
   });
 }
 
@@ -301,8 +340,7 @@ std::string reason(const Json::exception& e, std::string_view rest) {
 std::string_view word_at(std::string_view bytes, std::size_t at) {
   at = std::min(at, bytes.size());
   std::size_t begin = at;
-  const auto letter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); };
-  while (begin > 0 && letter(bytes[begin - 1])) --begin;
+  while (begin > 0 && is_letter(bytes[begin - 1])) --begin;
   return bytes.substr(begin, 20);
 }
 

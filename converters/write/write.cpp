@@ -1,3 +1,4 @@
+#include <burin/base/ascii.h>
 #include <burin/base/error.h>
 #include <burin/converters/output.h>
 #include <burin/converters/write.h>
@@ -11,43 +12,90 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <cmath>
+#include <span>
 
 namespace burin {
 namespace {
 
-struct Row {
-  const char* name;
+using Keys = std::span<const std::string_view>;
+
+// Keys of styles, or how they begin, that concern one format alone.
+constexpr std::array<std::string_view, 2> kSvgKeys{"svg.flatten", "svg.merge"};
+constexpr std::array<std::string_view, 1> kPngKeys{"png."}, kDxfKeys{"dxf."}, kJsonKeys{"json."};
+// ... and those that all formats look at.
+constexpr std::array<std::string_view, 3> kFileKeys{"svg.", "line.dash", "line.gap"};
+
+bool among(std::string_view key, Keys keys) {
+  return std::ranges::any_of(keys, [&](std::string_view k) { return key.starts_with(k); });
+}
+
+/// A new format is a row here and a source that writes it.
+struct Writer {
+  std::string_view name;
   Format format;
+  Keys keys;
+  void (*write)(const Drawing&, const WriteOptions&, std::ostream&, const RunContext&);
 };
-constexpr std::array kFormats{Row{"svg", Format::Svg}, Row{"pdf", Format::Pdf},
-                              Row{"eps", Format::Eps}, Row{"png", Format::Png},
-                              Row{"dxf", Format::Dxf}, Row{"json", Format::Json}};
+
+constexpr std::array kWriters{
+    Writer{"svg", Format::Svg, kSvgKeys,
+           [](const Drawing& d, const WriteOptions& o, std::ostream& out, const RunContext& c) {
+             write_svg(d, o.svg, out, c);
+           }},
+    Writer{"pdf",
+           Format::Pdf,
+           {},
+           [](const Drawing& d, const WriteOptions& o, std::ostream& out, const RunContext& c) {
+             cairo_library().write_pdf(d, o, out, c);
+           }},
+    Writer{"eps", Format::Eps, {}, write_eps},
+    Writer{"png", Format::Png, kPngKeys,
+           [](const Drawing& d, const WriteOptions& o, std::ostream& out, const RunContext& c) {
+             cairo_library().write_png(d, o, out, c);
+           }},
+    Writer{"dxf", Format::Dxf, kDxfKeys, write_dxf},
+    Writer{"json", Format::Json, kJsonKeys,
+           [](const Drawing& d, const WriteOptions& o, std::ostream& out, const RunContext& c) {
+             write_json(d, o.json, out, c);
+           }},
+};
+
+const Writer& writer_of(Format format) {
+  return *std::ranges::find(kWriters, format, &Writer::format);
+}
 
 }  // namespace
 
 std::optional<Format> format_named(std::string_view name) {
-  std::string lower(name);
-  std::transform(lower.begin(), lower.end(), lower.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  for (const Row& row : kFormats) {
-    if (lower == row.name) return row.format;
-  }
-  return std::nullopt;
+  const std::string lower = lowered(name);
+  const auto found = std::ranges::find(kWriters, lower, &Writer::name);
+  return found == kWriters.end() ? std::nullopt : std::optional(found->format);
 }
 
 std::vector<std::string> format_names() {
   std::vector<std::string> names;
-  for (const Row& row : kFormats) names.emplace_back(row.name);
+  for (const Writer& writer : kWriters) names.emplace_back(writer.name);
   return names;
+}
+
+std::string_view name_of(Format format) { return writer_of(format).name; }
+
+std::optional<Format> only_format_of(std::string_view key) {
+  const auto found =
+      std::ranges::find_if(kWriters, [&](const Writer& w) { return among(key, w.keys); });
+  return found == kWriters.end() ? std::nullopt : std::optional(found->format);
+}
+
+bool is_about_files(std::string_view key) {
+  return only_format_of(key).has_value() || among(key, kFileKeys);
 }
 
 std::string format_list() {
   std::string list;
-  for (std::size_t i = 0; i < kFormats.size(); ++i) {
-    if (i > 0) list += i + 1 == kFormats.size() ? " or " : ", ";
-    list += std::string(".") + kFormats[i].name;
+  for (std::size_t i = 0; i < kWriters.size(); ++i) {
+    if (i > 0) list += i + 1 == kWriters.size() ? " or " : ", ";
+    list += "." + std::string(kWriters[i].name);
   }
   return list;
 }
@@ -68,7 +116,8 @@ WriteOptions write_options(const Style& style) {
 void check_sheet(double width, double height, Format format, const WriteOptions& options) {
   const double side = std::max(width, height);
   if (!(std::min(width, height) > 0)) {
-    throw UsageError(fmt::format("a sheet of {} x {} mm has no room", width, height));
+    throw UsageError(
+        fmt::format("a sheet of {} x {} mm has no area; give both sides a length", width, height));
   }
   if (format == Format::Pdf && side > kLargestPdf) {
     throw UsageError(
@@ -89,20 +138,7 @@ void check_sheet(double width, double height, Format format, const WriteOptions&
 void write_drawing(const Drawing& drawing, Format format, const WriteOptions& options,
                    std::ostream& out, const RunContext& context) {
   check_sheet(drawing.paper_width, drawing.paper_height, format, options);
-  switch (format) {
-    case Format::Svg:
-      return write_svg(drawing, options.svg, out, context);
-    case Format::Pdf:
-      return cairo_library().write_pdf(drawing, options, out, context);
-    case Format::Eps:
-      return write_eps(drawing, options, out, context);
-    case Format::Png:
-      return cairo_library().write_png(drawing, options, out, context);
-    case Format::Dxf:
-      return write_dxf(drawing, options, out, context);
-    case Format::Json:
-      return write_json(drawing, options.json, out, context);
-  }
+  writer_of(format).write(drawing, options, out, context);
 }
 
 void write_file(const Drawing& drawing, const std::filesystem::path& path,

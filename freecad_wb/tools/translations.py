@@ -13,9 +13,9 @@ import xml.etree.ElementTree as xml
 ADDON = pathlib.Path(__file__).resolve().parent.parent / "freecad" / "burin_wb"
 FOLDER = ADDON / "resources" / "translations"
 # Words of the kernel: stages of a run, heads of style keys.
-KERNEL = ("read", "build", "curvature", "features", "visibility", "field", "trace", "cover", "compose", "write",
-          "line", "feature", "hatch", "halo", "depth", "tone", "Front", "Back", "Left", "Right", "Top", "Bottom",
-          "Isometric")
+KERNEL = ("read", "check", "build", "curvature", "features", "visibility", "field", "trace", "cover", "compose",
+          "write", "verify", "line", "feature", "hatch", "halo", "depth", "tone", "sheet", "Front", "Back", "Left",
+          "Right", "Top", "Bottom", "Isometric")
 
 
 def literal(node):

@@ -1,5 +1,7 @@
 #include <burin/base/parallel.h>
 
+#include "task_order.h"
+
 #include <tbb/global_control.h>
 #include <tbb/parallel_for.h>
 #include <tbb/parallel_invoke.h>
@@ -14,16 +16,27 @@ void parallel_for(std::size_t n, std::size_t grain,
   if (n == 0) return;
   grain = std::max<std::size_t>(grain, 1);
   const std::size_t chunks = (n + grain - 1) / grain;
-  const auto run = [&](std::size_t chunk) {
+  const auto range = [&](std::size_t chunk) {
     if (context) context->check();
     body(chunk * grain, std::min(n, (chunk + 1) * grain));
   };
-  if (chunks == 1) return run(0);
-  tbb::parallel_for(std::size_t{0}, chunks, run);
+  if (chunks == 1) return range(0);
+  detail::TaskOrder order;
+  tbb::parallel_for(std::size_t{0}, chunks, [&](std::size_t chunk) {
+    [[maybe_unused]] const detail::TaskOrder::Task task(order);
+    range(chunk);
+  });
 }
 
 void parallel_invoke(const std::function<void()>& a, const std::function<void()>& b) {
-  tbb::parallel_invoke(a, b);
+  detail::TaskOrder order;
+  const auto task_of = [&order](const std::function<void()>& body) {
+    return [&order, &body] {
+      [[maybe_unused]] const detail::TaskOrder::Task task(order);
+      body();
+    };
+  };
+  tbb::parallel_invoke(task_of(a), task_of(b));
 }
 
 struct ThreadLimit::Impl {

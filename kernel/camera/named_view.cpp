@@ -1,3 +1,4 @@
+#include <burin/base/ascii.h>
 #include <burin/base/error.h>
 #include <burin/camera/camera.h>
 
@@ -6,6 +7,7 @@
 #include <charconv>
 #include <cmath>
 #include <optional>
+#include <string>
 
 namespace burin {
 namespace {
@@ -38,19 +40,20 @@ Vec3 axonometric(double azimuth, double elevation) {
 }  // namespace
 
 NamedView named_view(std::string_view name) {
+  const std::string lower = lowered(name);
   const Vec3 z(0, 0, 1);
-  if (name == "front") return {{0, -1, 0}, z};
-  if (name == "back") return {{0, 1, 0}, z};
-  if (name == "left") return {{-1, 0, 0}, z};
-  if (name == "right") return {{1, 0, 0}, z};
-  if (name == "top") return {{0, 0, 1}, {0, 1, 0}};
-  if (name == "bottom") return {{0, 0, -1}, {0, 1, 0}};
-  if (name == "iso") return {{1, -1, 1}, z};
+  if (lower == "front") return {{0, -1, 0}, z};
+  if (lower == "back") return {{0, 1, 0}, z};
+  if (lower == "left") return {{-1, 0, 0}, z};
+  if (lower == "right") return {{1, 0, 0}, z};
+  if (lower == "top") return {{0, 0, 1}, {0, 1, 0}};
+  if (lower == "bottom") return {{0, 0, -1}, {0, 1, 0}};
+  if (lower == "iso") return {{1, -1, 1}, z};
   // ISO 5456-3: dimetric shortens one axis by half (edges at 7 and 42 degrees); trimetric has three
   // scales.
-  if (name == "dimetric") return {axonometric(20.705, 19.471), z};
-  if (name == "trimetric") return {axonometric(30, 25), z};
-  if (const auto v = parse_vector(name)) {
+  if (lower == "dimetric") return {axonometric(20.705, 19.471), z};
+  if (lower == "trimetric") return {axonometric(30, 25), z};
+  if (const auto v = parse_vector(lower)) {
     if (glm::length(*v) > 0) return {*v, z};
     throw UsageError("the view 0,0,0 has no direction: give X,Y,Z from the model to the viewer");
   }

@@ -78,9 +78,11 @@ std::vector<InkLayer> ink_layers(const Drawing& drawing) {
   return layers;
 }
 
+bool wants_area(const Path& path) { return (path.visible || path.in_full) && is_outlined(path); }
+
 Ink ink_of(const Path& path, double tolerance) {
   Ink ink;
-  if ((path.visible || path.in_full) && is_outlined(path)) ink.chains = outline_of(path, tolerance);
+  if (wants_area(path)) ink.chains = outline_of(path, tolerance);
   ink.filled = !ink.chains.empty();
   if (!ink.filled) {
     ink.width = mean_width(path);

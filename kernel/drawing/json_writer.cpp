@@ -124,6 +124,38 @@ void append_head(Buffer& out, const Drawing& d) {
   append(out, "  \"layers\": [");
 }
 
+void append_contradiction(Buffer& out, const Contradiction& c) {
+  append(out, "{\"what\": ");
+  append_json(out, c.what);
+  fmt::format_to(fmt::appender(out),
+                 ", \"kind\": \"{}\", \"part\": {}, \"face\": {}, \"edge\": {}, \"length\": ",
+                 to_string(c.kind), c.source.part, c.source.face, c.source.edge);
+  append_exact(out, c.length);
+  append(out, ", \"at\": [");
+  append_exact(out, c.at.x);
+  append(out, ", ");
+  append_exact(out, c.at.y);
+  append(out, "], \"model\": ");
+  append_vec(out, c.model);
+  out.push_back('}');
+}
+
+void append_verification(Buffer& out, const Verification& v) {
+  fmt::format_to(fmt::appender(out), ",\n    \"verify\": {{\"spans\": {}, \"length\": ", v.spans);
+  append_exact(out, v.length);
+  append(out, ", \"contradicted\": ");
+  append_exact(out, v.contradicted);
+  append(out, ", \"share\": ");
+  append_exact(out, v.share());
+  fmt::format_to(fmt::appender(out), ", \"count\": {}, \"loose_ends\": {}, \"contradictions\": [",
+                 v.count, v.loose_ends);
+  for (std::size_t i = 0; i < v.contradictions.size(); ++i) {
+    append(out, i > 0 ? ",\n      " : "\n      ");
+    append_contradiction(out, v.contradictions[i]);
+  }
+  append(out, "]}");
+}
+
 void append_tail(Buffer& out, const Drawing& d, std::size_t left_out) {
   append(out, "],\n");
   std::vector<Diagnostic> entries = d.diagnostics.entries();
@@ -137,6 +169,7 @@ void append_tail(Buffer& out, const Drawing& d, std::size_t left_out) {
                  "\"coverage_delta\": ",
                  d.stats.triangles, d.stats.strokes, d.stats.coverage_points);
   append_exact(out, d.stats.coverage_delta);
+  if (d.stats.verify) append_verification(out, *d.stats.verify);
   append(out, "}\n}\n");
 }
 

@@ -1,41 +1,103 @@
+#include <burin/base/box.h>
 #include <burin/base/parallel.h>
+#include <burin/drawing/join.h>
 #include <burin/drawing/ordered_text.h>
 
 #include "svg_path.h"
 #include "svg_tags.h"
 
+#include <algorithm>
 #include <cmath>
 #include <ostream>
+#include <span>
+#include <type_traits>
 #include <utility>
 
 namespace burin {
 namespace {
 
-/// A path with its ink; the tags before it. The last item has no path.
+/// Qt reads the first 32,767 elements of a path and leaves out the rest without a word.
+constexpr std::size_t kMostElements = 30'000;
+/// Longer paths are parted unseen: the outline of one costs time that grows with its square.
+constexpr std::size_t kMostPoints = 10'000;
+
+/// The ink of a path, or of a stretch of it; the tags before it. The last item has no ink.
 struct Item {
   std::string before;
-  const Path* path = nullptr;
   Ink ink;
+  bool close = false;
+  Vec2 first{0};
+  std::size_t cost = 0;
+  std::size_t elements = 0;
 };
 
-/// The layer's paths by pen, from thin to thick; 0 = filled outlines. Pens that differ by less than
-/// what is written are one.
-std::map<double, std::vector<Item>> by_pen(const InkLayer& layer, const SvgOptions& options,
-                                           const RunContext& context) {
-  std::vector<Item> items;
-  for (const auto& [part, paths] : layer.parts) {
-    for (const Path* path : paths) items.push_back({{}, path, {}});
+using Pens = std::map<double, std::vector<Item>>;
+
+Item item_of(const Path& path, const SvgOptions& options) {
+  Item item{{}, ink_of(path, curve_tolerance(options)), false, path.points.front(), 0, 1};
+  item.close = item.ink.filled || path.closed;
+  item.cost = path.points.size();
+  for (const auto& chain : item.ink.chains) item.elements += path_elements(chain, item.close);
+  return item;
+}
+
+/// The points from `begin` to `end` as an open path.
+Path stretch(const Path& path, std::size_t begin, std::size_t end) {
+  Path part = without_points(path);
+  const auto cut = [&](const auto& from) {
+    return std::remove_cvref_t<decltype(from)>(from.begin() + static_cast<std::ptrdiff_t>(begin),
+                                               from.begin() + static_cast<std::ptrdiff_t>(end));
+  };
+  part.points = cut(path.points);
+  part.width = path.width.size() == path.points.size() ? cut(path.width) : path.width;
+  return part;
+}
+
+/// A path as items that no reader cuts short: one, unless it has too many elements by itself. Areas
+/// overlap by a segment where they are parted, so that their noses do not show.
+void append_items(const Path& path, const SvgOptions& options, std::vector<Item>& items) {
+  if (path.points.size() <= kMostPoints) {
+    Item whole = item_of(path, options);
+    if (whole.elements <= kMostElements || path.points.size() < 4) {
+      items.push_back(std::move(whole));
+      return;
+    }
   }
+  Path open = stretch(path, 0, path.points.size());
+  if (path.closed) {
+    open.points.push_back(open.points.front());
+    if (open.width.size() > 1) open.width.push_back(open.width.front());
+  }
+  const std::size_t middle = open.points.size() / 2;
+  append_items(stretch(open, 0, middle + (has_varying_width(path) ? 2 : 1)), options, items);
+  append_items(stretch(open, middle, open.points.size()), options, items);
+}
+
+/// The layer's paths, those that close together as one.
+JoinedPaths lines_of(const InkLayer& layer) {
+  std::vector<const Path*> all;
+  for (const auto& [part, paths] : layer.parts) all.insert(all.end(), paths.begin(), paths.end());
+  if (layer.name == kOutlineLayer) return join_rings(all);
+  JoinedPaths as_given;
+  as_given.paths = std::move(all);
+  return as_given;
+}
+
+/// The layer's ink by pen, from thin to thick; 0 = filled outlines. Pens that differ by less than
+/// what is written are one.
+Pens by_pen(std::span<const Path* const> paths, const SvgOptions& options,
+            const RunContext& context) {
+  std::vector<std::vector<Item>> items(paths.size());
   parallel_for(items.size(), 64, [&](std::size_t begin, std::size_t end) {
     context.check();
-    for (std::size_t i = begin; i < end; ++i) {
-      items[i].ink = ink_of(*items[i].path, curve_tolerance(options));
-    }
+    for (std::size_t i = begin; i < end; ++i) append_items(*paths[i], options, items[i]);
   });
-  std::map<double, std::vector<Item>> pens;
-  for (Item& item : items) {
-    const double width = item.ink.filled ? 0 : std::round(item.ink.width * 1e3) * 1e-3;
-    pens[width].push_back(std::move(item));
+  Pens pens;
+  for (auto& of_path : items) {
+    for (Item& item : of_path) {
+      const double width = item.ink.filled ? 0 : std::round(item.ink.width * 1e3) * 1e-3;
+      pens[width].push_back(std::move(item));
+    }
   }
   return pens;
 }
@@ -52,10 +114,53 @@ std::string pen_tag(double width) {
   return fmt::to_string(out);
 }
 
+/// Paths of one pen, parted before they have too many elements; several of them in a group, for
+/// programs that are slow where an element has many others beside it.
+void append_pen_items(double width, std::vector<Item>& of_pen, std::string& before,
+                      std::vector<Item>& items) {
+  std::size_t all = 0, here = 0;
+  for (const Item& item : of_pen) all += item.elements;
+  const bool several = all > kMostElements;
+  if (several) before += "<g>\n";
+  before += pen_tag(width);
+  for (Item& item : of_pen) {
+    if (here + item.elements > kMostElements && here > 0) {
+      before += "\"/>\n" + pen_tag(width);
+      here = 0;
+    }
+    here += item.elements;
+    item.before = std::exchange(before, {});
+    items.push_back(std::move(item));
+  }
+  before = several ? "\"/>\n</g>\n" : "\"/>\n";
+}
+
 void append_subpath(Buffer& out, const Item& item, double paper_height) {
   SvgPen pen(out, paper_height);
-  for (const auto& chain : item.ink.chains) pen.chain(chain, item.ink.filled || item.path->closed);
-  if (item.ink.chains.front().empty()) pen.dot(item.path->points.front());
+  for (const auto& chain : item.ink.chains) pen.chain(chain, item.close);
+  if (item.ink.chains.front().empty()) pen.dot(item.first);
+}
+
+/// Left, top, right and bottom of all ink on the sheet, in mm from its top left, for programs that
+/// trim the picture; empty without ink.
+std::string ink_box(const Drawing& drawing, const std::vector<InkLayer>& layers) {
+  Box2 box;
+  for (const InkLayer& layer : layers) {
+    for (const auto& [part, paths] : layer.parts) {
+      for (const Path* path : paths) {
+        const double reach = path->width.empty()
+                                 ? 0
+                                 : 0.5 * *std::max_element(path->width.begin(), path->width.end());
+        for (const Vec2 p : path->points) {
+          box.add(p - Vec2(reach));
+          box.add(p + Vec2(reach));
+        }
+      }
+    }
+  }
+  if (box.empty()) return {};
+  return fmt::format(" data-ink=\"{:.3f} {:.3f} {:.3f} {:.3f}\"", box.min.x,
+                     drawing.paper_height - box.max.y, box.max.x, drawing.paper_height - box.min.y);
 }
 
 }  // namespace
@@ -63,26 +168,23 @@ void append_subpath(Buffer& out, const Item& item, double paper_height) {
 void write_merged_svg(const Drawing& drawing, const SvgOptions& options, std::ostream& out,
                       const RunContext& context) {
   std::vector<Item> items;
-  std::set<std::string> ids;
-  std::string before = svg_head(drawing);
-  for (const InkLayer& layer : ink_layers(drawing)) {
-    before += svg_layer_tag(layer, svg_id(layer.name, ids), options);
-    for (auto& [width, paths] : by_pen(layer, options, context)) {
-      before += pen_tag(width);
-      for (Item& item : paths) {
-        item.before = std::exchange(before, {});
-        items.push_back(std::move(item));
-      }
-      before = "\"/>\n";
+  SvgIds ids(options.id_prefix);
+  const std::vector<InkLayer> layers = ink_layers(drawing);
+  std::string before = svg_head(drawing, ink_box(drawing, layers));
+  for (const InkLayer& layer : layers) {
+    before += svg_layer_tag(layer, ids.make(layer.name), options);
+    const JoinedPaths lines = lines_of(layer);
+    for (auto& [width, of_pen] : by_pen(lines.paths, options, context)) {
+      append_pen_items(width, of_pen, before, items);
     }
     before += "</g>\n";
   }
-  items.push_back({before + "</svg>\n", nullptr, {}});
+  items.push_back({before + "</svg>\n", {}, false, {}, 0, 0});
   write_ordered(
-      items.size(), [&](std::size_t i) { return items[i].path ? items[i].path->points.size() : 0; },
+      items.size(), [&](std::size_t i) { return items[i].cost; },
       [&](std::size_t i, Buffer& buffer) {
         append(buffer, items[i].before);
-        if (items[i].path) append_subpath(buffer, items[i], drawing.paper_height);
+        if (items[i].cost > 0) append_subpath(buffer, items[i], drawing.paper_height);
       },
       out, context);
 }

@@ -12,6 +12,12 @@ constexpr double kStraight = 0.001;
 
 }  // namespace
 
+std::size_t path_elements(std::span<const CubicBezier> curves, bool close) {
+  std::size_t count = close ? 2 : 1;
+  for (const CubicBezier& c : curves) count += is_straight(c, kStraight) ? 1 : 3;
+  return count;
+}
+
 SvgPen::Place SvgPen::place(Vec2 p) const {
   return {std::llround(p.x * kGrid), std::llround((height_ - p.y) * kGrid)};
 }

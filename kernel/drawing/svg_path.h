@@ -4,10 +4,15 @@
 #include <burin/drawing/bezier.h>
 #include <burin/drawing/text.h>
 
+#include <cstddef>
 #include <cstdint>
 #include <span>
 
 namespace burin {
+
+/// The most elements that readers make of a chain: one for where it begins and for closing it, one
+/// a line, three a curve.
+std::size_t path_elements(std::span<const CubicBezier> curves, bool close);
 
 /// Writes path data in relative commands on a grid of 0.001 mm. Steps are differences of rounded
 /// places, so that no error adds up. Flips y: paper's origin is bottom left, SVG's top left.

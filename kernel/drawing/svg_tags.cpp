@@ -1,26 +1,28 @@
 #include "svg_tags.h"
 
+#include <burin/base/ascii.h>
 #include <burin/base/version.h>
+#include <burin/drawing/title.h>
 
 #include <algorithm>
 
 namespace burin {
 
-std::string svg_id(std::string_view name, std::set<std::string>& taken) {
-  std::string id;
+std::string SvgIds::make(std::string_view name) {
+  std::string id = prefix_;
   for (const char c : name) {
-    const bool letter = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_';
-    const bool later = (c >= '0' && c <= '9') || c == '-' || c == '.';
-    if (id.empty() && !letter) id = "layer-";
-    id.push_back(letter || later ? c : '_');
+    const bool first = is_letter(c) || c == '_';
+    const bool later = is_digit(c) || c == '-' || c == '.';
+    if (id.empty() && !first) id = "layer-";
+    id.push_back(first || later ? c : '_');
   }
   if (id.empty()) id = "layer";
   const std::string stem = id;
-  for (int i = 2; !taken.insert(id).second; ++i) id = fmt::format("{}-{}", stem, i);
+  for (int i = 2; !taken_.insert(id).second; ++i) id = fmt::format("{}-{}", stem, i);
   return id;
 }
 
-std::string svg_head(const Drawing& drawing) {
+std::string svg_head(const Drawing& drawing, std::string_view more) {
   Buffer out;
   append(out,
          "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
@@ -34,7 +36,11 @@ std::string svg_head(const Drawing& drawing) {
   append_fixed(out, w, 3);
   out.push_back(' ');
   append_fixed(out, h, 3);
-  append(out, "\">\n<desc>");
+  append(out, "\" role=\"img\"");
+  append(out, more);
+  append(out, ">\n<title>");
+  append_xml(out, title_of(drawing));
+  append(out, "</title>\n<desc>");
   append_xml(out,
              fmt::format("burin {}, style {}, seed {}", version(), drawing.style, drawing.seed));
   append(out, "</desc>\n");

@@ -10,15 +10,26 @@
 #include <set>
 #include <string>
 #include <string_view>
+#include <utility>
 
 namespace burin {
 
-/// All before the first layer.
-std::string svg_head(const Drawing& drawing);
+/// All before the first layer; `more` are attributes of the root, each with a space before it.
+std::string svg_head(const Drawing& drawing, std::string_view more = {});
 /// The opening tag of a layer's group.
 std::string svg_layer_tag(const InkLayer& layer, const std::string& id, const SvgOptions& options);
-/// A name as an XML id that no other group has.
-std::string svg_id(std::string_view name, std::set<std::string>& taken);
+
+/// Names as XML ids of one file, each once.
+class SvgIds {
+ public:
+  explicit SvgIds(std::string prefix) : prefix_(std::move(prefix)) {}
+  std::string make(std::string_view name);
+
+ private:
+  std::string prefix_;
+  std::set<std::string> taken_;
+};
+
 void append_pen(Buffer& out, double width);
 /// Paper mm that fitted curves may be off before their numbers are rounded.
 double curve_tolerance(const SvgOptions& options);

@@ -1,5 +1,6 @@
 #include <burin/drawing/bezier.h>
 #include <burin/drawing/ink.h>
+#include <burin/drawing/join.h>
 #include <burin/drawing/ordered_text.h>
 #include <burin/drawing/writers.h>
 
@@ -7,88 +8,179 @@
 #include "svg_tags.h"
 
 #include <algorithm>
+#include <deque>
+#include <list>
+#include <map>
 #include <ostream>
 #include <set>
+#include <span>
+#include <utility>
 
 namespace burin {
 namespace {
+
+/// Whether most paths of a group are areas: how they are painted is said once.
+bool mostly_areas(std::span<const Path* const> paths, const SvgOptions& options) {
+  if (options.flatten_polylines) return false;
+  const auto areas = std::ranges::count_if(paths, [](const Path* p) { return wants_area(*p); });
+  return 2 * areas > std::ssize(paths);
+}
+
+void append_paint(Buffer& out, bool filled) {
+  append(out, filled ? " fill=\"#000\" stroke=\"none\"" : " fill=\"none\" stroke=\"#000\"");
+}
+
+/// What a path has to say of its pen inside a group. Each line tells its width: programs that
+/// import SVG for its shapes (OpenSCAD) do not inherit it.
+void append_own_pen(Buffer& out, bool filled, double width, bool group_filled) {
+  if (filled != group_filled) append_paint(out, filled);
+  if (!filled) append_pen(out, width);
+}
 
 /// One path with the tags that come before it.
 struct Item {
   std::string before;
   const Path* path = nullptr;
+  /// Of a closed outline: what it was made of.
+  std::vector<const Path*> pieces = {};
+  bool group_filled = false;
 };
 
-std::string part_tag(std::int32_t part, const std::string& id, const Drawing& drawing) {
-  Buffer out;
-  append(out, fmt::format("<g id=\"{}\" data-part=\"{}\"><title>", id, part));
-  const auto it = std::find_if(drawing.parts.begin(), drawing.parts.end(),
-                               [&](const DrawingPart& p) { return p.id == part; });
-  if (it != drawing.parts.end() && !it->name.empty()) {
-    append_xml(out, it->name);
-  } else {
-    append(out, part < 0 ? std::string("no part") : fmt::format("part {}", part));
-  }
-  append(out, "</title>\n");
-  return fmt::to_string(out);
-}
-
 /// All paths in order; the last item has none, only the closing tags.
-std::vector<Item> items_of(const Drawing& drawing, const std::vector<InkLayer>& groups,
-                           const SvgOptions& options) {
-  std::vector<Item> items;
-  std::set<std::string> ids;
-  std::string before = svg_head(drawing);
-  for (const InkLayer& group : groups) {
-    const std::string id = svg_id(group.name, ids);
-    before += svg_layer_tag(group, id, options);
-    for (const auto& [part, paths] : group.parts) {
-      const std::string stem = part < 0 ? "none" : fmt::format("{}", part);
-      before += part_tag(part, svg_id(id + "-" + stem, ids), drawing);
-      for (const Path* path : paths) {
-        items.push_back({std::move(before), path});
-        before.clear();
+class Items {
+ public:
+  Items(const Drawing& drawing, const SvgOptions& options) : drawing_(drawing), options_(options) {
+    name_parts();
+    SvgIds ids(options.id_prefix);
+    before_ = svg_head(drawing);
+    for (const InkLayer& layer : ink_layers(drawing)) {
+      const std::string id = ids.make(layer.name);
+      before_ += svg_layer_tag(layer, id, options);
+      // Without the prefix, which each id gets once.
+      const std::string stem = id.substr(options.id_prefix.size());
+      for (const auto& [part, paths] : layer.parts) {
+        add_part(part, ids.make(stem + "-" + part_name(part)), paths, layer.name == kOutlineLayer);
       }
-      before += "</g>\n";
+      before_ += "</g>\n";
     }
-    before += "</g>\n";
+    items_.push_back({before_ + "</svg>\n"});
   }
-  items.push_back({before + "</svg>\n", nullptr});
-  return items;
+
+  const std::vector<Item>& all() const { return items_; }
+
+ private:
+  /// A part of the drawing that has a name.
+  struct Named {
+    std::string name;
+    /// Its number among the parts of that name: the second in the scene is so in every layer.
+    std::size_t same = 1;
+  };
+
+  void name_parts() {
+    std::map<std::string_view, std::size_t> count;
+    for (const DrawingPart& part : drawing_.parts) {
+      if (part.name.empty()) continue;
+      named_.try_emplace(part.id, Named{part.name, ++count[part.name]});
+    }
+  }
+
+  /// A part's name in ids: it stays when other parts come or go.
+  std::string part_name(std::int32_t part) const {
+    const auto it = named_.find(part);
+    if (it == named_.end()) return part < 0 ? "none" : fmt::format("{}", part);
+    const auto& [name, same] = it->second;
+    return same == 1 ? name : fmt::format("{}-{}", name, same);
+  }
+
+  void open_part(std::int32_t part, const std::string& id, bool filled) {
+    Buffer out;
+    append(out, fmt::format("<g id=\"{}\" data-part=\"{}\"", id, part));
+    // Lines are what the layer says.
+    if (filled) append_paint(out, true);
+    append(out, "><title>");
+    if (const auto it = named_.find(part); it != named_.end()) {
+      append_xml(out, it->second.name);
+    } else {
+      append(out, part < 0 ? std::string("no part") : fmt::format("part {}", part));
+    }
+    append(out, "</title>\n");
+    before_ += fmt::to_string(out);
+  }
+
+  void add_part(std::int32_t part, const std::string& id, std::span<const Path* const> paths,
+                bool joins) {
+    JoinedPaths lines;
+    if (joins) {
+      lines = join_rings(paths);
+    } else {
+      lines.paths.assign(paths.begin(), paths.end());
+      lines.pieces.resize(paths.size());
+    }
+    const bool filled = mostly_areas(lines.paths, options_);
+    open_part(part, id, filled);
+    for (std::size_t i = 0; i < lines.paths.size(); ++i) {
+      items_.push_back(
+          {std::exchange(before_, {}), lines.paths[i], std::move(lines.pieces[i]), filled});
+    }
+    kept_.push_back(std::move(lines.rings));
+    before_ += "</g>\n";
+  }
+
+  const Drawing& drawing_;
+  const SvgOptions& options_;
+  std::string before_;
+  std::vector<Item> items_;
+  std::list<std::deque<Path>> kept_;
+  std::map<std::int32_t, Named> named_;
+};
+
+/// "a b c", each once, without -1.
+std::string list_of(const std::vector<const Path*>& pieces, std::int32_t SourceId::*member) {
+  std::string text;
+  std::set<std::int32_t> known{-1};
+  for (const Path* piece : pieces) {
+    const std::int32_t number = piece->source.*member;
+    if (known.insert(number).second) text += fmt::format("{}{}", text.empty() ? "" : " ", number);
+  }
+  return text;
 }
 
-void append_source(Buffer& out, const Path& p) {
+void append_source(Buffer& out, const Item& item) {
+  const Path& p = *item.path;
   const char* kind = to_string(p.kind);
   fmt::format_to(
       fmt::appender(out),
       " class=\"{}\" data-part=\"{}\" data-face=\"{}\" data-edge=\"{}\" data-kind=\"{}\"", kind,
       p.source.part, p.source.face, p.source.edge, kind);
+  if (item.pieces.size() < 2) return;
+  const std::string faces = list_of(item.pieces, &SourceId::face);
+  const std::string edges = list_of(item.pieces, &SourceId::edge);
+  if (!faces.empty()) fmt::format_to(fmt::appender(out), " data-faces=\"{}\"", faces);
+  if (!edges.empty()) fmt::format_to(fmt::appender(out), " data-edges=\"{}\"", edges);
 }
 
-void append_polyline(Buffer& out, SvgPen& pen, const Path& p, double tolerance) {
+void append_polyline(Buffer& out, SvgPen& pen, const Item& item, double tolerance) {
+  const Path& p = *item.path;
   std::vector<Vec2> all = p.points;
   if (p.closed) all.push_back(all.front());
   std::vector<Vec2> kept;
   for (const std::size_t i : simplify(all, tolerance)) kept.push_back(all[i]);
   append(out, "<polyline");
-  append_source(out, p);
-  append_pen(out, mean_width(p));
+  append_source(out, item);
+  append_own_pen(out, false, mean_width(p), item.group_filled);
   append(out, " points=\"");
   pen.points(kept);
   append(out, "\"/>\n");
 }
 
-void append_path(Buffer& out, const Path& p, double paper_height, const SvgOptions& options) {
+void append_path(Buffer& out, const Item& item, double paper_height, const SvgOptions& options) {
   SvgPen pen(out, paper_height);
-  if (options.flatten_polylines) return append_polyline(out, pen, p, options.fit_tolerance);
+  const Path& p = *item.path;
+  if (options.flatten_polylines) return append_polyline(out, pen, item, options.fit_tolerance);
   const Ink ink = ink_of(p, curve_tolerance(options));
   append(out, "<path");
-  append_source(out, p);
-  if (ink.filled) {
-    append(out, " fill=\"#000\" stroke=\"none\"");
-  } else {
-    append_pen(out, ink.width);
-  }
+  append_source(out, item);
+  append_own_pen(out, ink.filled, ink.width, item.group_filled);
   append(out, " d=\"");
   for (const auto& chain : ink.chains) pen.chain(chain, ink.filled || p.closed);
   if (ink.chains.front().empty()) pen.dot(p.points.front());
@@ -100,12 +192,13 @@ void append_path(Buffer& out, const Path& p, double paper_height, const SvgOptio
 void write_svg(const Drawing& drawing, const SvgOptions& options, std::ostream& out,
                const RunContext& context) {
   if (options.merge) return write_merged_svg(drawing, options, out, context);
-  const std::vector<Item> items = items_of(drawing, ink_layers(drawing), options);
+  const Items made(drawing, options);
+  const std::vector<Item>& items = made.all();
   write_ordered(
       items.size(), [&](std::size_t i) { return items[i].path ? items[i].path->points.size() : 0; },
       [&](std::size_t i, Buffer& buffer) {
         append(buffer, items[i].before);
-        if (items[i].path) append_path(buffer, *items[i].path, drawing.paper_height, options);
+        if (items[i].path) append_path(buffer, items[i], drawing.paper_height, options);
       },
       out, context);
 }

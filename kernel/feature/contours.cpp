@@ -1,8 +1,10 @@
 #include "contours.h"
 
 #include "noise.h"
+#include "paper_limits.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace burin {
@@ -29,19 +31,39 @@ HalfEdge beyond(const ProxyMesh& proxy, HalfEdge h) {
   return proxy.edge_kind[i] == EdgeKind::Smooth ? proxy.topology.opposite[i] : kNoHalfEdge;
 }
 
+/// Where a segment of a contour enters its triangle and where it leaves it.
+struct Chord {
+  Vec3 in, out;
+};
+
+// The contour of a cut proxy is made of samples of the exact line, near enough to one another; on
+// any other there is a surface to follow between the edges of the mesh.
+bool follows_surface(const ProxyMesh& proxy) { return proxy.on_contour.empty(); }
+
+Vec3 bary_on(HalfEdge h, double share) {
+  Vec3 bary(0);
+  bary[static_cast<int>(h % 3)] = 1 - share;
+  bary[static_cast<int>(next_in_face(h) % 3)] = share;
+  return bary;
+}
+
 /// Points and triangles of a contour under way; steps of no length are left out.
 struct Trail {
   std::vector<Vec3> points, normals;
   std::vector<std::int32_t> faces;
+  std::vector<Chord> chords;  // where the contour follows the surface
 
-  void add(const Facing& facing, HalfEdge h, std::int32_t face) {
-    const ZeroCrossing zero = facing.crossing(h);
-    if (!points.empty()) {
-      if (zero.position == points.back()) return;
-      faces.push_back(face);
+  /// The first point.
+  void begin(const Facing& facing, HalfEdge entry) { add(facing, facing.crossing(entry), entry); }
+  /// The next one: the way out of a triangle that it came into by `entry`.
+  void add(const Facing& facing, HalfEdge entry, HalfEdge exit) {
+    const ZeroCrossing zero = facing.crossing(exit);
+    if (zero.position == points.back()) return;
+    faces.push_back(static_cast<std::int32_t>(face_of(exit)));
+    if (follows_surface(facing.proxy())) {
+      chords.push_back({bary_on(entry, facing.crossing(entry).share), bary_on(exit, zero.share)});
     }
-    points.push_back(zero.position);
-    normals.push_back(facing.normal(h, zero.share));
+    add(facing, zero, exit);
   }
   /// Drops the repeated first point of a closed trail.
   bool close() {
@@ -51,7 +73,51 @@ struct Trail {
     }
     return points.size() >= 3;
   }
+
+ private:
+  void add(const Facing& facing, const ZeroCrossing& zero, HalfEdge h) {
+    points.push_back(zero.position);
+    normals.push_back(facing.normal(h, zero.share));
+  }
 };
+
+// Puts points on the smooth surface between those on the edges of the mesh, wherever a chord would
+// show: the zero of g inside a triangle is straight, the surface over it is not.
+void follow_surface(const Facing& facing, const std::vector<Chord>& chords, Curve3& curve,
+                    std::vector<std::uint8_t>& folded) {
+  constexpr double kMostPieces = 16;
+  Curve3 out = curve;
+  std::vector<std::uint8_t> folds;
+  out.points.clear(), out.normals.clear(), out.faces.clear();
+  for (std::size_t i = 0; i < chords.size(); ++i) {
+    const std::size_t j = curve.next(i);
+    const Vec3 &p = curve.points[i], &q = curve.points[j];
+    const auto face = static_cast<std::uint32_t>(curve.faces[i]);
+    const auto over = [&](double t) {
+      return facing.on_face(face, glm::mix(chords[i].in, chords[i].out, t));
+    };
+    const double bulge =
+        glm::distance(over(0.5), glm::mix(p, q, 0.5)) * facing.camera().scale_at(p);
+    const auto pieces = static_cast<std::size_t>(
+        std::clamp(std::ceil(std::sqrt(bulge / kRoundness)), 1.0, kMostPieces));
+    for (std::size_t k = 0; k < pieces; ++k) {
+      const double t = static_cast<double>(k) / static_cast<double>(pieces);
+      out.points.push_back(k == 0 ? p : over(t));
+      out.normals.push_back(
+          k == 0 ? curve.normals[i]
+                 : normalize_or(glm::mix(curve.normals[i], curve.normals[j], t), curve.normals[i]));
+      out.faces.push_back(curve.faces[i]);
+      folds.push_back(folded[i]);
+    }
+  }
+  if (!curve.closed) {
+    out.points.push_back(curve.points.back());
+    out.normals.push_back(curve.normals.back());
+  }
+  out.self_hidden.assign(out.faces.size(), 0);
+  curve = std::move(out);
+  folded = std::move(folds);
+}
 
 class Tracer {
  public:
@@ -66,11 +132,11 @@ class Tracer {
 
   /// Follows the contour from triangle `f` on; true where it came back to `f`.
   bool follow(std::uint32_t f, Trail& trail) {
-    trail.add(facing_, entry_of(facing_, f), -1);
+    trail.begin(facing_, entry_of(facing_, f));
     for (std::uint32_t at = f;;) {
       mark(at);
       const HalfEdge out = exit_of(facing_, at);
-      trail.add(facing_, out, static_cast<std::int32_t>(at));
+      trail.add(facing_, entry_of(facing_, at), out);
       const HalfEdge in = beyond(facing_.proxy(), out);
       if (in == kNoHalfEdge) return false;
       at = face_of(in);
@@ -165,6 +231,7 @@ Contours trace_contours(const Facing& facing, std::int32_t part, const RunContex
       return;
     }
     auto folded = folded_under(curve.points, curve.normals, curve.closed, facing.camera());
+    if (follows_surface(proxy)) follow_surface(facing, trail.chords, curve, folded);
     if (proxy.closed(f)) {
       curve.self_hidden = std::move(folded);
       open_normals(curve, curve.self_hidden);

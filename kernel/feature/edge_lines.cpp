@@ -119,16 +119,43 @@ class ChainWalk {
   std::vector<Step> steps_;
 };
 
+/// Unit vectors across the edge into the triangles of both its sides.
+std::array<Vec3, 2> into_faces(const ProxyMesh& proxy, const Step& step, Vec3 along) {
+  const HalfEdge o = proxy.topology.opposite[static_cast<std::size_t>(step.half_edge)];
+  std::array<Vec3, 2> into{};
+  for (std::size_t i = 0; i < 2; ++i) {
+    const HalfEdge h = i == 0 ? step.half_edge : o;
+    const Vec3& apex = proxy.mesh.positions[origin(proxy.mesh, prev_in_face(h))];
+    into[i] = normalize_or(reject(apex - step.from, along), Vec3(0));
+  }
+  return into;
+}
+
 /// Across the edge, away from both its triangles: where their normals cancel out (a knife's edge).
 Vec3 away_from_faces(const ProxyMesh& proxy, const Step& step) {
   const Vec3 along = normalize_or(step.to - step.from, Vec3(1, 0, 0));
-  const HalfEdge o = proxy.topology.opposite[static_cast<std::size_t>(step.half_edge)];
-  Vec3 into(0);
-  for (const HalfEdge h : {step.half_edge, o}) {
-    const Vec3& apex = proxy.mesh.positions[origin(proxy.mesh, prev_in_face(h))];
-    into += normalize_or(reject(apex - step.from, along), Vec3(0));
+  const auto into = into_faces(proxy, step, along);
+  return normalize_or(-(into[0] + into[1]), any_orthogonal(along));
+}
+
+/// What the triangles at an edge say of its bend.
+enum class Bend { Knife, Flat, Plain };
+
+/// Knife: both lie on each other, so that nothing of them tells a knife's edge from a hollow. Flat:
+/// they do not bend although the normals do. The normals of a surface that is bent sharply right at
+/// its edge, as lofts are at their tips, may tell both wrong.
+Bend bend_of(const ProxyMesh& proxy, const Step& step) {
+  constexpr double kSameSide = 0.94;    // cosine: 20 degrees
+  constexpr double kNoBend = 0.035;     // sine: 2 degrees
+  constexpr double kBentNormals = 0.2;  // sine: 12 degrees
+  const Vec3 along = normalize_or(step.to - step.from, Vec3(1, 0, 0));
+  const auto into = into_faces(proxy, step, along);
+  if (glm::dot(into[0], into[1]) > kSameSide) return Bend::Knife;
+  const bool flat = glm::length(glm::cross(into[0], into[1])) < kNoBend;
+  for (std::size_t end = 0; flat && end < 2; ++end) {
+    if (glm::length(glm::cross(step.left[end], step.right[end])) > kBentNormals) return Bend::Flat;
   }
-  return normalize_or(-into, any_orthogonal(along));
+  return Bend::Plain;
 }
 
 Vec3 crease_normal(const ProxyMesh& proxy, const Step& step, std::size_t end, int open) {
@@ -172,12 +199,20 @@ class LineMaker {
       out.look.kind = chain_.seam ? LineClass::Seam : LineClass::Smooth;
       return out;
     }
-    return crease_look(s.left_front, s.right_front, chain_.kind == EdgeKind::ConvexCrease,
-                       closed_mesh_);
+    return crease_look(s.left_front, s.right_front,
+                       chain_.kind == EdgeKind::ConvexCrease || doubtful(s), closed_mesh_);
+  }
+
+  /// A hollow that may be none.
+  bool doubtful(const Step& step) const {
+    return chain_.kind == EdgeKind::ConcaveCrease && bend_of(facing_.proxy(), step) != Bend::Plain;
   }
 
   Vec3 normal(const Step& step, std::size_t end, int open) const {
     if (chain_.kind != EdgeKind::Boundary) {
+      if (doubtful(step) && bend_of(facing_.proxy(), step) == Bend::Knife) {
+        return away_from_faces(facing_.proxy(), step);
+      }
       return crease_normal(facing_.proxy(), step, end, open);
     }
     const Vec3& n = step.left[end];

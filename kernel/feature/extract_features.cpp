@@ -10,6 +10,7 @@
 #include "tidy.h"
 
 #include <iterator>
+#include <limits>
 #include <utility>
 
 namespace burin {
@@ -48,7 +49,8 @@ std::vector<Curve3> extract_features(std::span<const ProxyMesh* const> proxies,
     for (Curve3& line : lines) {
       if (line.source.edge >= 0 && !proxy.source_edge.empty()) {
         // The points of a model edge lie on a smooth curve, a chord error apart from its chords.
-        round_off(line, camera);
+        constexpr double kUnknown = std::numeric_limits<double>::infinity();
+        round_off(line, camera, proxy.tolerance > 0 ? proxy.tolerance : kUnknown);
       }
       if (line.kind != LineClass::Contour || line.source.edge >= 0) continue;
       // Those of a cut proxy are samples of the exact line, near enough to one another.
@@ -60,7 +62,7 @@ std::vector<Curve3> extract_features(std::span<const ProxyMesh* const> proxies,
     append(std::move(lines), curves);
   }
   if (options.intersections) {
-    std::vector<Curve3> lines = intersection_curves(proxies, camera, context);
+    std::vector<Curve3> lines = intersection_curves(proxies, camera, diagnostics, context);
     for (Curve3& line : lines) {
       const ProxyMesh& proxy = *proxies[static_cast<std::size_t>(line.source.part)];
       if (proxy.source_face.empty()) continue;
@@ -70,7 +72,7 @@ std::vector<Curve3> extract_features(std::span<const ProxyMesh* const> proxies,
   }
   if (noise > 0) {
     diagnostics.add(Severity::Info, "feature.noise_loops", noise,
-                    "closed contours too small to be shape were left out");
+                    "closed contours that are noise, not shape, were left out");
   }
   return curves;
 }

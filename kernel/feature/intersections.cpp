@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <iterator>
+#include <map>
 #include <utility>
 
 namespace burin {
@@ -47,15 +48,22 @@ std::vector<Component> components(std::span<const ProxyMesh* const> proxies,
   return all;
 }
 
-bool may_meet(const Component& a, const Component& b) {
-  if (a.piece.part == b.piece.part && !(a.closed && b.closed)) return false;
-  return a.box.overlaps(b.box);
+// Pairs of pieces of one part, one of them open, whose boxes overlap. A part of patches has some
+// hundred; a damaged mesh whose triangles all lie apart, across each other, has millions.
+constexpr std::size_t kMostOpenPairs = 100'000;
+
+bool open_pair(const Component& a, const Component& b) {
+  return a.piece.part == b.piece.part && !(a.closed && b.closed);
 }
 
 using Pair = std::pair<std::size_t, std::size_t>;
 
-/// Components whose boxes overlap: a sweep along x.
-std::vector<Pair> overlapping(const std::vector<Component>& all, const RunContext& context) {
+/// Components whose boxes overlap: a sweep along x. Open pieces of a part that has too many pairs
+/// of them across each other are left out; `crowded` counts such parts.
+std::vector<Pair> overlapping(const std::vector<Component>& all, std::int64_t& crowded,
+                              const RunContext& context) {
+  std::map<std::int32_t, std::size_t> open;  // pairs of open pieces, by part
+  const auto too_many = [](std::size_t count) { return count > kMostOpenPairs; };
   std::vector<std::size_t> order(all.size()), active;
   for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
   std::ranges::stable_sort(order, {}, [&](std::size_t i) { return all[i].box.min.x; });
@@ -64,10 +72,18 @@ std::vector<Pair> overlapping(const std::vector<Component>& all, const RunContex
     context.check();
     std::erase_if(active, [&](std::size_t j) { return all[j].box.max.x < all[i].box.min.x; });
     for (const std::size_t j : active) {
-      if (may_meet(all[i], all[j])) pairs.emplace_back(std::min(i, j), std::max(i, j));
+      if (!all[i].box.overlaps(all[j].box)) continue;
+      if (open_pair(all[i], all[j]) && too_many(++open[all[i].piece.part])) continue;
+      pairs.emplace_back(std::min(i, j), std::max(i, j));
     }
     active.push_back(i);
   }
+  std::erase_if(pairs, [&](const Pair& p) {
+    const Component &a = all[p.first], &b = all[p.second];
+    return open_pair(a, b) && too_many(open.at(a.piece.part));
+  });
+  crowded =
+      std::ranges::count_if(open, [&](const auto& of_part) { return too_many(of_part.second); });
   std::ranges::sort(pairs);
   return pairs;
 }
@@ -135,12 +151,19 @@ std::vector<Candidates> candidates(const std::vector<Component>& all,
 }  // namespace
 
 std::vector<Curve3> intersection_curves(std::span<const ProxyMesh* const> proxies,
-                                        const Camera& camera, const RunContext& context) {
+                                        const Camera& camera, Diagnostics& diagnostics,
+                                        const RunContext& context) {
   std::size_t count = 0;
   for (const ProxyMesh* p : proxies) count += p->topology.component_closed.size();
   if (count < 2) return {};
   const std::vector<Component> all = components(proxies, context);
-  const std::vector<Pair> pairs = overlapping(all, context);
+  std::int64_t crowded = 0;
+  const std::vector<Pair> pairs = overlapping(all, crowded, context);
+  if (crowded > 0) {
+    diagnostics.add(Severity::Warning, "feature.open_pieces", crowded,
+                    "parts consist of so many open pieces across each other that the lines in "
+                    "which those pass through each other are left out; the file may be damaged");
+  }
   const std::vector<Candidates> near = candidates(all, pairs, context);
   std::vector<std::vector<Curve3>> found(pairs.size());
   parallel_for(

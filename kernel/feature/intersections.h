@@ -2,6 +2,7 @@
 // Curves in which parts pass through each other.
 
 #include <burin/base/curve.h>
+#include <burin/base/diagnostics.h>
 #include <burin/base/run_context.h>
 #include <burin/camera/camera.h>
 #include <burin/mesh/proxy_mesh.h>
@@ -20,11 +21,11 @@ struct PieceOfPart {
   const ProxyMesh* proxy = nullptr;
 };
 
-/// The intersection curves of all components of different parts, and of closed components of one
-/// part. They run in the concave edge of the union: on closed surfaces they are self-hidden where
-/// either surface is turned away.
+/// The intersection curves of all components, of different parts or of one. They run in the concave
+/// edge of the union: on closed surfaces they are self-hidden where either surface is turned away.
 std::vector<Curve3> intersection_curves(std::span<const ProxyMesh* const> proxies,
-                                        const Camera& camera, const RunContext& context);
+                                        const Camera& camera, Diagnostics& diagnostics,
+                                        const RunContext& context);
 
 /// Chains the segments of two components, drops contacts, and cuts where the smooth region of `a`
 /// changes.

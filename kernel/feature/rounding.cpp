@@ -12,7 +12,11 @@ namespace {
 
 class Rounder {
  public:
-  Rounder(const Curve3& curve, const Camera& camera) : in_(curve), camera_(camera) {}
+  Rounder(const Curve3& curve, const Camera& camera, double most)
+      : in_(curve),
+        camera_(camera),
+        most_(most),
+        far_enough_(std::isfinite(most) ? kFarEnoughOnCurve : kFarEnough) {}
 
   Curve3 run() {
     Curve3 out = in_;
@@ -37,7 +41,7 @@ class Rounder {
     for (std::size_t k = 1; k < std::min(size(), kFewPoints); ++k) {
       if (!in_.closed && (step < 0 ? k > i : i + k >= size())) return std::nullopt;
       const std::size_t j = step < 0 ? (i + size() - k) % size() : (i + k) % size();
-      if (glm::distance(in_.points[j], in_.points[i]) >= kFarEnough * length) return j;
+      if (glm::distance(in_.points[j], in_.points[i]) >= far_enough_ * length) return j;
     }
     return std::nullopt;
   }
@@ -64,6 +68,17 @@ class Rounder {
     return normalize_or(back / before * length + chord / length * before, chord / length);
   }
 
+  // Turns the tangents towards the segment until the cubic lies hardly farther from it than the
+  // exact line may: beside segments of very different lengths they are guesses.
+  void keep_near(Vec3 unit, double length, Vec3& from, Vec3& to) const {
+    constexpr double kMostOfOneEnd = 4.0 / 27;  // of s s t
+    constexpr double kBeyond = 2;  // the sum is more than the cubic's, and the error an estimate
+    const double off = kMostOfOneEnd * length * (glm::length(from - unit) + glm::length(to - unit));
+    if (off <= kBeyond * most_) return;
+    from = unit + kBeyond * most_ / off * (from - unit);
+    to = unit + kBeyond * most_ / off * (to - unit);
+  }
+
   void segment(std::size_t i, Curve3& out) const {
     const std::size_t j = in_.next(i);
     const Vec3 p = in_.points[i], q = in_.points[j];
@@ -77,6 +92,7 @@ class Rounder {
     if ((at_p || at_q) && !straight) {
       from = at_p ? *at_p : 2 * glm::dot(-*at_q, unit) * unit + *at_q;
       to = at_q ? -*at_q : 2 * glm::dot(*at_p, unit) * unit - *at_p;
+      keep_near(unit, length, from, to);
       const double bulge = length * camera_.scale_at(p) / 8 * glm::length(to - from);
       pieces =
           static_cast<std::size_t>(std::clamp(std::ceil(std::sqrt(bulge / kRoundness)), 1.0, 16.0));
@@ -94,7 +110,9 @@ class Rounder {
     }
   }
 
-  static constexpr double kFarEnough = 0.25;  // of the segment that is to be rounded
+  // Of the segment that is to be rounded. Points that lie on an exact curve tell its direction from
+  // near by, and the better for it.
+  static constexpr double kFarEnough = 0.25, kFarEnoughOnCurve = 0.1;
   // Where as many points lie nearer, the segment is a straight one beside a fine curve (a cone that
   // ends in a fillet).
   static constexpr std::size_t kFewPoints = 4;
@@ -102,13 +120,14 @@ class Rounder {
 
   const Curve3& in_;
   const Camera& camera_;
+  double most_, far_enough_;
 };
 
 }  // namespace
 
-void round_off(Curve3& curve, const Camera& camera) {
+void round_off(Curve3& curve, const Camera& camera, double most) {
   if (curve.points.size() < 3) return;
-  curve = Rounder(curve, camera).run();
+  curve = Rounder(curve, camera, most).run();
 }
 
 }  // namespace burin

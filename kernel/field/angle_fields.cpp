@@ -48,36 +48,22 @@ SlopeFn from_viewer(const Camera& camera) {
   };
 }
 
-// The arms of a cross, or the one that goes on.
-Vec3 arm(const FieldQuery& q, Vec3 first) {
-  const Vec3 second = glm::cross(q.frame.normal, first);
-  if (q.previous == Vec3(0)) return q.family == 2 ? second : first;
-  const double a = glm::dot(first, q.previous), b = glm::dot(second, q.previous);
-  const Vec3 d = std::abs(b) > std::abs(a) ? second : first;
-  return (std::abs(b) > std::abs(a) ? b : a) < 0 ? -d : d;
-}
-
 Field angle_field(const char* name, const SlopeFn& slope, const AngleOptions& options,
                   bool across) {
-  const auto direction = [=](const FieldQuery& q) -> std::optional<Vec3> {
-    const Frame& f = q.frame;
-    const Slope s = slope(q.point, f);
-    const double size = glm::length(s.gradient);
-    if (s.most <= options.flat) return arm(q, fallback_tangent(options.fallback, f.normal));
-    if (!(size > kStill * s.most)) return std::nullopt;
-    const Vec3 steepest = s.gradient / size;
-    return arm(q, across ? steepest : glm::cross(f.normal, steepest));
-  };
-  const auto certainty = [=](const FieldQuery& q) {
-    const Slope s = slope(q.point, q.frame);
-    return s.most > options.flat ? std::min(1.0, glm::length(s.gradient) / s.most) : 0.0;
-  };
-  const auto level = [=](const SurfacePoint& p, const Frame& f) -> std::optional<Level> {
-    const Slope s = slope(p, f);
-    if (s.most <= options.flat || !(glm::length(s.gradient) > kStill * s.most)) return std::nullopt;
-    return Level{s.cosine, s.gradient};
-  };
-  return {name, direction, certainty, level};
+  return {name, [=](const FieldQuery& q) -> std::optional<Cross> {
+            const Vec3 n = q.frame.normal;
+            const Slope s = slope(q.point, q.frame);
+            const double size = glm::length(s.gradient);
+            if (s.most <= options.flat) {
+              const Vec3 t = fallback_tangent(options.fallback, n);
+              return Cross{t, glm::cross(n, t), 0};
+            }
+            if (!(size > kStill * s.most)) return std::nullopt;
+            const Vec3 steepest = s.gradient / size;
+            const Vec3 first = across ? steepest : glm::cross(n, steepest);
+            return Cross{first, glm::cross(n, first), std::min(1.0, size / s.most),
+                         Level{s.cosine, s.gradient, Vec3(0)}};
+          }};
 }
 
 }  // namespace

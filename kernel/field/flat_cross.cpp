@@ -19,6 +19,9 @@ constexpr double kSmoothShare = 0.3;
 // Mean squared sine of the angle between a border and the circles about its centre up to which it
 // is round.
 constexpr double kRound = 0.02;
+// Degrees about the centre that one straight edge of a round border may span: two sides of a wedge
+// have a centre, too.
+constexpr double kWidestEdge = 45;
 // Radius, as a share of the border's, of the hub where circles are too small to draw.
 constexpr double kHub = 1e-3;
 
@@ -73,6 +76,8 @@ bool set_round(const std::vector<OutlineEdge>& outline, const TangentBasis& basi
     if (!edge.smooth || !(length > 0)) continue;
     const Vec2 r = basis.coords(edge.middle - origin) - c;
     const double along = glm::dot(r, basis.coords(edge.vector)) / length;
+    const double across = std::abs(cross2(r, basis.coords(edge.vector))) / length;
+    if (0.5 * length > std::tan(glm::radians(0.5 * kWidestEdge)) * across) return false;
     off += length * along * along;
     all += length * glm::dot(r, r);
     radius += length * glm::length(r);

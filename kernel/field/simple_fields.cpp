@@ -12,58 +12,69 @@ constexpr double kSteepest = 0.01;
 // Share of one parameter's speed that the other's must have.
 constexpr double kPole = 1e-6;
 
-// The one of +d and -d that goes on in the direction of `previous`.
-Vec3 along(Vec3 d, Vec3 previous) { return glm::dot(d, previous) < 0 ? -d : d; }
+// The unit part of a direction in the tangent plane; nothing where it stands on the surface.
+std::optional<Vec3> tangent_part(Vec3 direction, Vec3 normal) {
+  const Vec3 t = reject(direction, normal);
+  const double size = glm::length(t);
+  if (size < kSteepest) return std::nullopt;
+  return t / size;
+}
 
-// The tangent part of `unit` and the direction across it, which is family `across`.
-Field projected(const char* name, Vec3 unit, int across) {
-  return {name, [unit, across](const FieldQuery& q) -> std::optional<Vec3> {
-            const Vec3 n = q.frame.normal;
-            const Vec3 t = reject(unit, n);
-            const double size = glm::length(t);
-            if (size < kSteepest) return std::nullopt;
-            const Vec3 first = t / size, second = glm::cross(n, first);
-            if (q.previous == Vec3(0)) return (q.family == 2) == (across == 2) ? second : first;
-            const bool turned =
-                std::abs(glm::dot(second, q.previous)) > std::abs(glm::dot(first, q.previous));
-            return along(turned ? second : first, q.previous);
+// Family 1 along the lines on which `height`, a function of space with a gradient, stands still.
+template <class Gradient, class Height>
+Field contour_lines(const char* name, Gradient gradient, Height height) {
+  return {name, [=](const FieldQuery& q) -> std::optional<Cross> {
+            const Vec3 n = q.frame.normal, g = gradient(q.point.position);
+            const auto climb = tangent_part(glm::normalize(g), n);
+            if (!climb) return std::nullopt;
+            return Cross{glm::cross(n, *climb), *climb, q.frame.confidence,
+                         Level{height(q.point.position), reject(g, n), g}};
           }};
 }
 
 }  // namespace
 
 Field fixed(Vec3 direction) {
-  return projected("fixed", normalize_or(direction, Vec3(0, 0, 1)), 2);
+  const Vec3 unit = normalize_or(direction, Vec3(0, 0, 1));
+  return {"fixed", [unit](const FieldQuery& q) -> std::optional<Cross> {
+            const auto t = tangent_part(unit, q.frame.normal);
+            if (!t) return std::nullopt;
+            return Cross{*t, glm::cross(q.frame.normal, *t), q.frame.confidence};
+          }};
 }
 
-Field planes(Vec3 normal) { return projected("planes", normalize_or(normal, Vec3(0, 0, 1)), 1); }
+Field planes(Vec3 normal) {
+  const Vec3 unit = normalize_or(normal, Vec3(0, 0, 1));
+  return contour_lines(
+      "planes", [unit](Vec3) { return unit; }, [unit](Vec3 p) { return glm::dot(p, unit); });
+}
 
-Field screen_vertical(const Camera& camera) { return projected("screen-vertical", camera.up(), 2); }
+Field screen_vertical(const Camera& camera) {
+  // What stands still along them is x on paper, in model mm in the middle of the sheet.
+  const double unit = 1 / camera.scale();
+  const auto gradient = [camera, unit](Vec3 p) {
+    return unit * Vec3(camera.velocity(p, {1, 0, 0}).x, camera.velocity(p, {0, 1, 0}).x,
+                       camera.velocity(p, {0, 0, 1}).x);
+  };
+  return contour_lines("screen-vertical", gradient,
+                       [camera, unit](Vec3 p) { return unit * camera.to_paper(p).x; });
+}
 
 Field isoparametric() {
-  return {"isoparametric", [](const FieldQuery& q) -> std::optional<Vec3> {
+  return {"isoparametric", [](const FieldQuery& q) -> std::optional<Cross> {
             const double du = glm::length(q.frame.du), dv = glm::length(q.frame.dv);
             // A parameter line that stands still against the other has no direction: a pole.
             if (!(std::min(du, dv) > kPole * std::max(du, dv))) return std::nullopt;
-            const Vec3 u = q.frame.du / du, v = q.frame.dv / dv;
-            if (q.previous == Vec3(0)) return q.family == 2 ? v : u;
-            const bool turned =
-                std::abs(glm::dot(v, q.previous)) > std::abs(glm::dot(u, q.previous));
-            return along(turned ? v : u, q.previous);
+            return Cross{q.frame.du / du, q.frame.dv / dv, q.frame.confidence};
           }};
 }
 
 Field principal() {
-  return {"principal", [](const FieldQuery& q) -> std::optional<Vec3> {
+  return {"principal", [](const FieldQuery& q) -> std::optional<Cross> {
             const Frame& f = q.frame;
             if (f.umbilic) return std::nullopt;
-            if (q.previous == Vec3(0)) {
-              const bool first_larger = std::abs(f.k1) >= std::abs(f.k2);
-              return first_larger == (q.family != 2) ? f.d1 : f.d2;
-            }
-            const bool second =
-                std::abs(glm::dot(f.d2, q.previous)) > std::abs(glm::dot(f.d1, q.previous));
-            return along(second ? f.d2 : f.d1, q.previous);
+            const bool d1_first = std::abs(f.k1) >= std::abs(f.k2);
+            return Cross{d1_first ? f.d1 : f.d2, d1_first ? f.d2 : f.d1, f.confidence};
           }};
 }
 

@@ -21,13 +21,6 @@ namespace {
 // triangle's size.
 constexpr double kSingular = 0.1;
 
-// The arm of the cross (x, y) in which `previous` goes on.
-Vec3 nearest_arm(Vec3 x, Vec3 y, Vec3 previous) {
-  const double a = glm::dot(x, previous), b = glm::dot(y, previous);
-  if (std::abs(a) >= std::abs(b)) return a < 0 ? -x : x;
-  return b < 0 ? -y : y;
-}
-
 double smooth_step(double from, double to, double x) {
   const double t = std::clamp((x - from) / (to - from), 0.0, 1.0);
   return t * t * (3 - 2 * t);
@@ -143,19 +136,18 @@ SmoothedField::SmoothedField(const std::vector<const Surface*>& surfaces,
 
 SmoothedField::~SmoothedField() = default;
 
-std::optional<Vec3> SmoothedField::direction(const FieldQuery& q) const {
+std::optional<Cross> SmoothedField::cross(const FieldQuery& q) const {
   const Part& part = *parts_[static_cast<std::size_t>(q.part)];
   const ProxyPoint at = part.surface->to_proxy(q.point);
-  const bool seed = q.previous == Vec3(0);
   const std::int32_t flat = part.flats.face_patch[at.face];
   const bool ball = part.exact && part.ball_axis(at.face).has_value();
+  const double certainty = flat >= 0 ? 2 : q.frame.confidence;
   if (flat >= 0 || ball) {
     const auto arms = ball
                           ? ball_arms(q.frame.normal, *part.ball_axis(at.face))
                           : part.flats.patches[static_cast<std::size_t>(flat)].at(q.point.position);
     if (!arms) return std::nullopt;
-    if (seed) return q.family == 2 ? arms->second : arms->first;
-    return nearest_arm(arms->first, arms->second, q.previous);
+    return Cross{arms->first, arms->second, certainty};
   }
   const TangentBasis basis(q.frame.normal);
   const Triangle& wedges = part.surface->proxy().wedges[at.face];
@@ -170,15 +162,8 @@ std::optional<Vec3> SmoothedField::direction(const FieldQuery& q) const {
   if (size < kSingular) return std::nullopt;
   Vec2 first = complex_sqrt(cross / size);
   if (glm::dot(first, line) < 0) first = -first;
-  const Vec3 x = basis.vector(complex_sqrt(first)), y = glm::cross(basis.normal, x);
-  if (seed) return q.family == 2 ? y : x;
-  return nearest_arm(x, y, q.previous);
-}
-
-double SmoothedField::certainty(const FieldQuery& q) const {
-  const Part& part = *parts_[static_cast<std::size_t>(q.part)];
-  const ProxyPoint at = part.surface->to_proxy(q.point);
-  return part.flats.face_patch[at.face] >= 0 ? 2 : q.frame.confidence;
+  const Vec3 x = basis.vector(complex_sqrt(first));
+  return Cross{x, glm::cross(basis.normal, x), certainty};
 }
 
 std::vector<Singularity> SmoothedField::singularities(std::int32_t part) const {
@@ -199,8 +184,7 @@ const std::vector<std::int32_t>& SmoothedField::flat_patches(std::int32_t part) 
 Field smoothed(const std::vector<const Surface*>& surfaces, const SmoothedOptions& options,
                const RunContext& context) {
   auto built = std::make_shared<const SmoothedField>(surfaces, options, context);
-  return {"smoothed", [built](const FieldQuery& q) { return built->direction(q); },
-          [built](const FieldQuery& q) { return built->certainty(q); }};
+  return {"smoothed", [built](const FieldQuery& q) { return built->cross(q); }};
 }
 
 }  // namespace burin::field

@@ -122,19 +122,34 @@ void cue_widths(const DepthCue& cue, Path& path) {
   for (std::size_t i = 0; i < factors.size(); ++i) path.width[i] *= factors[i];
 }
 
+// Keeps a line as it was found, before points are left out.
+void keep(const Path& path, bool visible, std::vector<Path>* found) {
+  if (!found || path.points3.size() < 2) return;
+  Path& line = found->emplace_back();
+  line.kind = path.kind;
+  line.visible = visible;
+  line.source = path.source;
+  line.closed = path.closed;
+  line.points3 = path.points3;
+}
+
 void compose_strokes(const LinesToDraw& lines, const std::vector<Gaps>& gaps,
-                     const Composition& how, Drawing& drawing) {
+                     const Composition& how, Drawing& drawing, std::vector<Path>* found) {
   Layer layers[2] = {{"stroke-1", {}}, {"stroke-2", {}}};
   for (std::size_t i = 0; i < lines.strokes.size(); ++i) {
     const Curve3& curve = lines.strokes[i];
     const auto count = static_cast<double>(curve.segment_count());
     for (const Span& span : drawn_spans(curve, lines.stroke_spans[i], gaps[i])) {
-      if (!span.visible) continue;
+      if (!span.visible) {
+        if (found) keep(to_path(piece(curve, span), how.camera), false, found);
+        continue;
+      }
       const bool whole = span.begin <= 0 && span.end >= count;
       const Curve3 visible = piece(curve, span);
       Path path = to_path(visible, how.camera);
       if (!whole && paper_length(path) < kShortestRest * how.style_of(curve).hatch.length_min)
         continue;
+      keep(path, true, found);
       path.field = how.style_of(curve).hatch.field;
       cue_widths(how.cue, path);
       name_faces(visible, proxy_of(how.proxies, curve), how.camera, path);
@@ -149,7 +164,7 @@ void compose_strokes(const LinesToDraw& lines, const std::vector<Gaps>& gaps,
 }
 
 void compose_features(const LinesToDraw& lines, const std::vector<Gaps>& gaps,
-                      const Composition& how, Drawing& drawing) {
+                      const Composition& how, Drawing& drawing, std::vector<Path>* found) {
   std::vector<Layer> layers;
   for (const char* name : {"hidden", "behind", "seam", "smooth", "intersection", "crease",
                            "boundary", "contour", "outline"}) {
@@ -159,13 +174,17 @@ void compose_features(const LinesToDraw& lines, const std::vector<Gaps>& gaps,
     const Curve3& curve = lines.features[i];
     if (!how.draws(curve)) continue;
     for (const Span& span : drawn_spans(curve, lines.feature_spans[i], gaps[i])) {
-      if (!span.visible && !how.shows_hidden()) continue;
+      if (!span.visible && !how.shows_hidden()) {
+        if (found) keep(to_path(piece(curve, span), how.camera), false, found);
+        continue;
+      }
       const Curve3 drawn = piece(curve, span);
       Path path = to_path(drawn, how.camera);
       if (path.points.size() < 2) continue;
       // What haloes leave of a line between them, shorter than they are, is a speck.
       const double least = (span.visible ? 1 : 2) * how.style.halo.gap;
       if (!gaps[i].empty() && paper_length(path) < least) continue;
+      keep(path, span.visible, found);
       path.visible = span.visible;
       path.in_full = !span.visible && how.style.halo.hidden;
       path.width = {how.feature_width(curve, span)};
@@ -242,10 +261,10 @@ std::vector<Span> merged(const std::vector<Span>& spans, bool closed, double cou
 }
 
 void compose(const LinesToDraw& lines, const Composition& how, Drawing& drawing,
-             const RunContext& context) {
+             const RunContext& context, std::vector<Path>* found) {
   const Haloes haloes = find_haloes(lines, how, context);
-  compose_strokes(lines, haloes.strokes, how, drawing);
-  compose_features(lines, haloes.features, how, drawing);
+  compose_strokes(lines, haloes.strokes, how, drawing, found);
+  compose_features(lines, haloes.features, how, drawing, found);
 }
 
 }  // namespace burin::detail

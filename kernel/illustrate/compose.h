@@ -51,8 +51,10 @@ struct Composition {
 /// in the first and run past the end.
 std::vector<Span> merged(const std::vector<Span>& spans, bool closed, double count);
 
-/// Appends the layers: strokes, one a family, then feature lines, thin ones first.
+/// Appends the layers: strokes, one per family, then feature lines, thin ones first. `found`, if
+/// any, gets what is drawn with all its points, and what is left out as hidden: kind, source,
+/// visible, closed and points3 of it.
 void compose(const LinesToDraw& lines, const Composition& how, Drawing& drawing,
-             const RunContext& context);
+             const RunContext& context, std::vector<Path>* found = nullptr);
 
 }  // namespace burin::detail

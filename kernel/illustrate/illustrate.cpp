@@ -1,16 +1,22 @@
 #include <burin/base/error.h>
 #include <burin/feature/feature.h>
-#include <burin/field/field.h>
+#include <burin/field/catalogue.h>
 #include <burin/illustrate/illustrate.h>
 #include <burin/stroke/stroke.h>
 #include <burin/tone/tone.h>
+#include <burin/verify/verify.h>
 #include <burin/visibility/occluder.h>
 
 #include "compose.h"
 #include "looks.h"
+#include "on_sheet.h"
 #include "sight.h"
+#include "undirected.h"
+
+#include <fmt/format.h>
 
 #include <algorithm>
+#include <exception>
 #include <iterator>
 #include <memory>
 #include <set>
@@ -27,20 +33,49 @@ constexpr double kSheetTolerance = 0.05;
 // width the angle changes by some three degrees.
 constexpr double kFlatRadius = 2000;
 
-bool needs_curvature(const std::string& field) {
-  return field != "fixed" && field != "planes" && field != "screen-vertical" &&
-         field != "isoparametric";
+using Surfaces = std::vector<std::shared_ptr<const Surface>>;
+
+// Diagonals of the sheet that a drawing may be large before its surfaces are made no finer: what is
+// beyond the sheet is made too.
+constexpr double kMostSheets = 5;
+
+// Model mm.
+double chord_tolerance(const Scene& scene, const Camera& camera, const IllustrateOptions& options) {
+  if (options.tolerance) return *options.tolerance;
+  const Paper& paper = camera.paper();
+  const double sheets = camera.scale() * scene.bounds(Mat3(1)).diagonal() /
+                        glm::length(Vec2(paper.width, paper.height));
+  return std::max(1.0, sheets / kMostSheets) * kSheetTolerance / camera.scale();
 }
 
-using Surfaces = std::vector<std::shared_ptr<const Surface>>;
+// A word where a magnified drawing of curved surfaces is coarser than the sheet could show.
+void tell_magnified(const Camera& camera, const Surfaces& surfaces, double tolerance,
+                    Diagnostics& diagnostics) {
+  const double on_paper = tolerance * camera.scale(), coarser = on_paper / kSheetTolerance;
+  constexpr double kRounding = 1e-9;
+  if (coarser <= 1 + kRounding) return;
+  // Meshes are drawn as they are.
+  if (std::all_of(surfaces.begin(), surfaces.end(),
+                  [](const auto& s) { return s->proxy().tolerance == 0; })) {
+    return;
+  }
+  diagnostics.add(Severity::Warning, "sheet.magnified", 1,
+                  fmt::format("the drawing is {:.0f} times as large as the sheet: curved surfaces "
+                              "are made to {:.2g} mm of paper; cut the detail out of the model, or "
+                              "give --tolerance, for finer ones",
+                              coarser * kMostSheets, on_paper));
+}
 
 Surfaces realise(const Scene& scene, const Camera& camera, const detail::Looks& looks,
                  const IllustrateOptions& options, Diagnostics& diagnostics, RunContext& context) {
   RealiseOptions realise;
-  realise.tolerance = options.tolerance.value_or(kSheetTolerance / camera.scale());
+  realise.tolerance = chord_tolerance(scene, camera, options);
   realise.view = &camera;
   realise.diagnostics = &diagnostics;
   Surfaces surfaces;
+  // A part that cannot be realised is no reason to refuse the others.
+  std::size_t drawn = 0;
+  std::exception_ptr first;
   for (std::size_t i = 0; i < scene.parts.size(); ++i) {
     if (!looks.drawn(i)) {
       surfaces.push_back(detail::empty_surface());
@@ -48,8 +83,20 @@ Surfaces realise(const Scene& scene, const Camera& camera, const detail::Looks& 
     }
     const Style& style = looks.style(i);
     realise.crease_angle = style.feature.crease_angle;
-    realise.curvature = looks.hatched(i) && needs_curvature(style.hatch.field);
-    surfaces.push_back(scene.parts[i].form->realise(realise, context));
+    realise.curvature = looks.hatched(i) && field::find(style.hatch.field).needs_curvature;
+    try {
+      surfaces.push_back(scene.parts[i].form->realise(realise, context));
+      ++drawn;
+    } catch (const GeometryError& e) {
+      if (!first) first = std::current_exception();
+      diagnostics.add(Severity::Error, "part.not_drawn", 1,
+                      fmt::format("{}: the part was left out: {}", scene.parts[i].name, e.what()));
+      surfaces.push_back(detail::empty_surface());
+    }
+  }
+  if (drawn == 0 && first) std::rethrow_exception(first);
+  if (!options.tolerance) {
+    tell_magnified(camera, surfaces, realise.tolerance, diagnostics);
   }
   return surfaces;
 }
@@ -73,23 +120,15 @@ Vec3 from_sheet(const Camera& camera, Vec3 v) {
 
 Field make_field(const std::vector<const Surface*>& surfaces, const Camera& camera,
                  const Style& style, const RunContext& context) {
-  const std::string& word = style.hatch.field;
-  const Vec3 direction = style.hatch.direction;
-  if (word == "fixed") return field::fixed(direction);
-  if (word == "planes") return field::planes(direction);
-  if (word == "screen-vertical") return field::screen_vertical(camera);
-  if (word == "isoparametric") return field::isoparametric();
-  if (word == "principal") return field::principal();
-  const field::AngleOptions angle{.fallback = direction, .flat = camera.scale() / kFlatRadius};
-  if (word == "isophote") return field::isophote(camera, angle);
-  if (word == "isophote-light") return field::isophote(from_sheet(camera, style.tone.light), angle);
-  if (word == "steepest") return field::steepest(camera, angle);
-  return field::smoothed(surfaces,
-                         {.alignment = style.hatch.alignment,
-                          .fallback = style.hatch.direction,
-                          .policy = face_policy(style),
-                          .view = camera.direction()},
-                         context);
+  return field::find(style.hatch.field)
+      .make({.surfaces = surfaces,
+             .camera = camera,
+             .direction = style.hatch.direction,
+             .light = from_sheet(camera, style.tone.light),
+             .flat = camera.scale() / kFlatRadius,
+             .alignment = style.hatch.alignment,
+             .policy = face_policy(style),
+             .context = context});
 }
 
 Tone make_tone(const Camera& camera, const Style& style, const detail::DepthCue& cue) {
@@ -141,7 +180,7 @@ ViewProbe make_probe(const Occluder& occluder, const Camera& camera, std::vector
 StrokeResult hatch(std::vector<const Surface*> surfaces, std::vector<bool> parts,
                    const Occluder& occluder, const Camera& camera, const Style& style,
                    const detail::DepthCue& cue, const IllustrateOptions& options,
-                   RunContext& context) {
+                   detail::Undirected& undirected, RunContext& context) {
   for (std::size_t i = 0; i < surfaces.size(); ++i) {
     if (!parts[i]) surfaces[i] = detail::empty_surface().get();
   }
@@ -151,6 +190,7 @@ StrokeResult hatch(std::vector<const Surface*> surfaces, std::vector<bool> parts
   const Field field =
       options.field ? options.field(scene) : make_field(surfaces, camera, style, context);
   const Tone tone = options.tone ? options.tone(scene) : make_tone(camera, style, cue);
+  if (!options.field) undirected.look(scene, field, tone, style);
   return trace_strokes(surfaces, camera, field, tone, probe, hatch_options(style, options.seed),
                        context);
 }
@@ -158,13 +198,13 @@ StrokeResult hatch(std::vector<const Surface*> surfaces, std::vector<bool> parts
 StrokeResult hatch_all(const std::vector<const Surface*>& surfaces, const Occluder& occluder,
                        const Camera& camera, const detail::Looks& looks,
                        const detail::DepthCue& cue, const IllustrateOptions& options,
-                       RunContext& context) {
+                       detail::Undirected& undirected, RunContext& context) {
   StrokeResult all;
   for (std::size_t k = 0; k < looks.styles().size(); ++k) {
     std::vector<bool> parts = looks.hatched_by(k);
     if (std::find(parts.begin(), parts.end(), true) == parts.end()) continue;
     StrokeResult one = hatch(surfaces, std::move(parts), occluder, camera, *looks.styles()[k], cue,
-                             options, context);
+                             options, undirected, context);
     all.strokes.insert(all.strokes.end(), std::make_move_iterator(one.strokes.begin()),
                        std::make_move_iterator(one.strokes.end()));
     all.coverage_points += one.coverage_points;
@@ -227,6 +267,23 @@ Drawing describe(const Scene& scene, const std::vector<const ProxyMesh*>& proxie
   return drawing;
 }
 
+/// What was done with less care so that the work stays bounded.
+void tell_bounds(const StrokeResult& strokes, const detail::Seen& seen, Diagnostics& diagnostics) {
+  if (strokes.thinned_parts > 0) {
+    diagnostics.add(Severity::Warning, "stroke.many_sheets", strokes.thinned_parts,
+                    "parts lie in so many sheets over each other that strokes were begun at fewer "
+                    "places; some areas may be white, and the file may be damaged");
+  }
+  if (seen.merged_cuts > 0) {
+    diagnostics.add(
+        Severity::Warning, "visibility.crowded", 1,
+        fmt::format(
+            "the lines cross each other so often that what is hidden was decided for {:.2g} "
+            "mm at a time; the file may be damaged, or show more than one sheet can hold",
+            seen.merged_cuts));
+  }
+}
+
 void name_own_field(Drawing& drawing) {
   for (Layer& layer : drawing.layers) {
     for (Path& path : layer.paths) {
@@ -235,13 +292,11 @@ void name_own_field(Drawing& drawing) {
   }
 }
 
-}  // namespace
-
-Drawing illustrate(const Scene& scene, const Camera& camera, const Style& style,
-                   const IllustrateOptions& options, RunContext& context) {
-  if (scene.parts.empty()) throw GeometryError("nothing to draw: the input has no parts");
+// The drawing; `found` gets its lines as compose gives them.
+Drawing draw(const Scene& scene, const Camera& camera, const Style& style,
+             const detail::Looks& looks, const IllustrateOptions& options, std::vector<Path>* found,
+             RunContext& context) {
   Diagnostics realised;
-  const detail::Looks looks(scene.parts.size(), style, options);
   const Surfaces owned = realise(scene, camera, looks, options, realised, context);
   std::vector<const Surface*> surfaces;
   std::vector<const ProxyMesh*> proxies;
@@ -255,8 +310,10 @@ Drawing illustrate(const Scene& scene, const Camera& camera, const Style& style,
   const detail::Sight sight(proxies, camera, looks, context);
 
   const detail::DepthCue cue(proxies, camera, style);
+  detail::Undirected undirected(scene);
   const StrokeResult strokes =
-      hatch_all(surfaces, sight.solid(), camera, looks, cue, options, context);
+      hatch_all(surfaces, sight.solid(), camera, looks, cue, options, undirected, context);
+  undirected.tell(drawing.diagnostics);
   drawing.stats.coverage_points = strokes.coverage_points;
   drawing.stats.coverage_delta = strokes.coverage_delta;
 
@@ -266,12 +323,55 @@ Drawing illustrate(const Scene& scene, const Camera& camera, const Style& style,
 
   context.begin_stage("visibility");
   const detail::Seen seen = sight.classify(features, strokes.strokes, context);
+  tell_bounds(strokes, seen, drawing.diagnostics);
 
   context.begin_stage("compose");
   detail::compose({features, seen.features, strokes.strokes, seen.strokes},
-                  {proxies, camera, looks, style, options.hidden, cue}, drawing, context);
+                  {proxies, camera, looks, style, options.hidden, cue}, drawing, context, found);
   if (options.field) name_own_field(drawing);
   context.end_stage();
+  return drawing;
+}
+
+// Whether the lines that the outer outline is made of are drawn, and drawn whole.
+bool draws_outline(const detail::Looks& looks, const Style& style) {
+  if (style.halo.gap > 0) return false;
+  for (std::size_t i = 0; i < looks.size(); ++i) {
+    const auto& drawn = looks.style(i).feature;
+    if (!drawn.contours || !drawn.creases || !drawn.boundaries) return false;
+  }
+  return true;
+}
+
+VerifyOptions verify_options(const Scene& scene, const Camera& camera, const Style& style,
+                             const detail::Looks& looks, const IllustrateOptions& options) {
+  VerifyOptions verify{.tolerance = chord_tolerance(scene, camera, options),
+                       .outline = draws_outline(looks, style)};
+  for (std::size_t i = 0; i < looks.size(); ++i) {
+    verify.parts.push_back(!looks.drawn(i)        ? Standing::Absent
+                           : looks.transparent(i) ? Standing::Transparent
+                                                  : Standing::Solid);
+  }
+  return verify;
+}
+
+}  // namespace
+
+Drawing illustrate(const Scene& scene, const Camera& camera, const Style& style,
+                   const IllustrateOptions& options, RunContext& context) {
+  if (scene.parts.empty()) throw GeometryError("nothing to draw: the input has no parts");
+  const detail::Looks looks(scene.parts.size(), style, options);
+  for (const Style* one : looks.styles()) check_style(*one);
+  std::vector<Path> found;
+  // Its surfaces are gone before finer ones are made.
+  Drawing drawing =
+      draw(scene, camera, style, looks, options, options.verify ? &found : nullptr, context);
+  if (options.verify) {
+    drawing.stats.verify =
+        verify(drawing, found, scene, camera, verify_options(scene, camera, style, looks, options),
+               drawing.diagnostics, context);
+  }
+  detail::settle_on_sheet(looks, style.sheet.clip, drawing);
   return drawing;
 }
 

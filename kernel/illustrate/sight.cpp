@@ -1,5 +1,7 @@
 #include "sight.h"
 
+#include <algorithm>
+
 namespace burin::detail {
 namespace {
 
@@ -47,6 +49,7 @@ Seen Sight::classify(std::span<const Curve3> features, std::span<const Curve3> s
     const VisibilityMap map(solid_, solid_proxies_, camera_, features, context);
     seen.features = map.classify(features, {.classify_outer = true}, context);
     seen.strokes = map.classify(strokes, {}, context);
+    seen.merged_cuts = map.merged_cuts();
     return seen;
   }
   seen.features.resize(features.size());
@@ -57,6 +60,7 @@ Seen Sight::classify(std::span<const Curve3> features, std::span<const Curve3> s
     const auto spans = map.classify(solid.curves, {.classify_outer = true}, context);
     for (std::size_t i = 0; i < spans.size(); ++i) seen.features[solid.from[i]] = spans[i];
     seen.strokes = map.classify(strokes, {}, context);
+    seen.merged_cuts = map.merged_cuts();
   }
   for (std::size_t part = 0; part < looks_.size(); ++part) {
     if (!looks_.transparent(part) || !looks_.drawn(part)) continue;
@@ -68,6 +72,7 @@ Seen Sight::classify(std::span<const Curve3> features, std::span<const Curve3> s
         pick(features, [&](const Curve3& c) { return part_of(c) == part || is_solid(c); });
     const VisibilityMap map(occluder, proxies, camera_, cutting.curves, context);
     const auto spans = map.classify(cutting.curves, {.classify_outer = true}, context);
+    seen.merged_cuts = std::max(seen.merged_cuts, map.merged_cuts());
     for (std::size_t i = 0; i < spans.size(); ++i) {
       if (part_of(cutting.curves[i]) == part) seen.features[cutting.from[i]] = spans[i];
     }

@@ -16,6 +16,8 @@ namespace burin::detail {
 /// Spans of features and of strokes, one list a curve.
 struct Seen {
   std::vector<std::vector<Span>> features, strokes;
+  /// See VisibilityMap; the largest.
+  double merged_cuts = 0;
 };
 
 /// All arguments must outlive it.

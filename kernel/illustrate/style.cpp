@@ -6,13 +6,31 @@
 
 #include <fmt/format.h>
 
+#include <array>
+
 namespace burin {
 namespace {
 
+/// Features, and light hatching where the light does not reach: what a style is by default.
+Style technical() { return {}; }
+
+/// Strokes for every tone between white and black, should the style draw any.
+Style full_tone() {
+  Style s;
+  s.hatch.spacing_min = 0.6;
+  s.hatch.spacing_max = 1.4;
+  s.hatch.width_max = 0.5;
+  s.hatch.tone_min = 0.05;
+  s.hatch.cross_from = 0.45;
+  s.tone.ambient = 0.12;
+  s.tone.highlight = 0.9;
+  s.tone.rim = 0.15;
+  return s;
+}
+
 /// Features alone, three clear widths after ISO 128.
 Style outline() {
-  Style s;
-  s.name = "outline";
+  Style s = full_tone();
   s.line = {.outer = 0.7,
             .contour = 0.35,
             .crease = 0.25,
@@ -20,43 +38,19 @@ Style outline() {
             .smooth = 0.18,
             .intersection = 0.25,
             .hidden = 0.18};
-  s.feature.smooth = true;
   s.hatch.enabled = false;
-  return s;
-}
-
-/// Features, and light hatching where the light does not reach.
-Style technical() {
-  Style s;
-  s.name = "technical";
-  s.line.outer = 0.5;
-  s.line.contour = 0.3;
-  s.line.crease = 0.25;
-  s.line.boundary = 0.3;
-  s.line.smooth = 0.13;
-  s.feature.smooth = true;
-  s.hatch.spacing_min = 0.9;
-  s.hatch.spacing_max = 1.6;
-  s.hatch.width_min = 0.08;
-  s.hatch.width_max = 0.22;
-  s.hatch.tone_min = 0.35;
-  s.hatch.cross_from = 1.1;
-  s.tone.ambient = 0.35;
-  s.tone.highlight = 0.7;
-  s.tone.rim = 0.05;
   return s;
 }
 
 /// Full tone by swelling, crossing strokes; the lines of features stay thin.
 Style engraving() {
-  Style s;
-  s.name = "engraving";
+  Style s = full_tone();
   s.line.outer = 0.4;
   s.line.contour = 0.25;
   s.line.crease = 0.18;
   s.line.boundary = 0.25;
-  s.line.smooth = 0.13;
   s.line.intersection = 0.2;
+  s.feature.smooth = false;
   s.hatch.spacing_min = 0.55;
   s.hatch.spacing_max = 1.1;
   s.hatch.width_min = 0.07;
@@ -71,8 +65,6 @@ Style engraving() {
 /// Light strokes; lines behind others stand clear of them, and what is far is thin.
 Style haloed() {
   Style s = technical();
-  s.name = "haloed";
-  s.line.outer = 0.5;
   s.line.contour = 0.4;
   s.line.crease = 0.3;
   s.hatch.tone_min = 0.2;
@@ -85,7 +77,6 @@ Style haloed() {
 /// Every feature line, hidden or not; haloes and widths alone tell what is before what.
 Style wireframe() {
   Style s = outline();
-  s.name = "wireframe";
   s.line = {.outer = 0.4,
             .contour = 0.4,
             .crease = 0.35,
@@ -100,6 +91,24 @@ Style wireframe() {
   return s;
 }
 
+struct Builtin {
+  std::string_view name, meaning;
+  Style (*make)();
+};
+
+constexpr std::array kBuiltin{
+    Builtin{"outline", "feature lines alone: thick outer outline, thin inner lines (ISO 128)",
+            outline},
+    Builtin{"technical", "feature lines, and light hatching where the part lies in shade",
+            technical},
+    Builtin{"engraving", "full tone: swelling strokes along the form, crossed where it is dark",
+            engraving},
+    Builtin{"haloed", "light strokes; lines behind others stand clear of them, far lines are thin",
+            haloed},
+    Builtin{"wireframe", "all feature lines, hidden ones too: haloes and widths alone tell depth",
+            wireframe},
+};
+
 void check_order(const char* low_key, double low, const char* high_key, double high) {
   if (low <= high) return;
   throw UsageError(fmt::format("style key '{}' is {}, more than '{}', which is {}", low_key, low,
@@ -109,21 +118,21 @@ void check_order(const char* low_key, double low, const char* high_key, double h
 }  // namespace
 
 std::vector<StyleInfo> builtin_styles() {
-  return {{"outline", "feature lines alone: thick outer outline, thin inner lines (ISO 128)"},
-          {"technical", "feature lines, and light hatching where the part lies in shade"},
-          {"engraving", "full tone: swelling strokes along the form, crossed where it is dark"},
-          {"haloed", "light strokes; lines behind others stand clear of them, far lines are thin"},
-          {"wireframe", "all feature lines, hidden ones too: haloes and widths alone tell depth"}};
+  std::vector<StyleInfo> styles;
+  for (const Builtin& b : kBuiltin) styles.push_back({std::string(b.name), std::string(b.meaning)});
+  return styles;
 }
 
 Style builtin_style(std::string_view name) {
-  if (name == "outline") return outline();
-  if (name == "technical") return technical();
-  if (name == "engraving") return engraving();
-  if (name == "haloed") return haloed();
-  if (name == "wireframe") return wireframe();
   std::vector<std::string> names;
-  for (const StyleInfo& s : builtin_styles()) names.push_back(s.name);
+  for (const Builtin& b : kBuiltin) {
+    if (b.name == name) {
+      Style style = b.make();
+      style.name = b.name;
+      return style;
+    }
+    names.emplace_back(b.name);
+  }
   throw UsageError(fmt::format(
       "unknown style '{}'; the nearest is '{}' (built in: {}; or the path of a style file)", name,
       nearest(name, names), fmt::join(names, ", ")));
@@ -134,6 +143,10 @@ void set_style_key(Style& style, std::string_view key, std::string_view value) {
 }
 
 void check_style(const Style& s) {
+  Style copy = s;
+  for (const detail::StyleKey& key : detail::style_table()) {
+    detail::set_value(copy, key, detail::value_text(s, key));
+  }
   check_order("hatch.spacing_min", s.hatch.spacing_min, "hatch.spacing_max", s.hatch.spacing_max);
   check_order("hatch.width_min", s.hatch.width_min, "hatch.width_max", s.hatch.width_max);
   check_order("hatch.length_min", s.hatch.length_min, "hatch.length_max", s.hatch.length_max);

@@ -2,6 +2,7 @@
 
 #include <burin/base/error.h>
 #include <burin/base/nearest.h>
+#include <burin/field/catalogue.h>
 
 #include <fmt/format.h>
 
@@ -23,6 +24,12 @@ StyleKey number(const char* name, double& (*member)(Style&), double low, double 
 
 StyleKey flag(const char* name, bool& (*member)(Style&), const char* meaning) {
   return {name, meaning, FlagKey{member}};
+}
+
+std::vector<std::string> field_names() {
+  std::vector<std::string> names;
+  for (const field::FieldKind& kind : field::catalogue()) names.emplace_back(kind.name);
+  return names;
 }
 
 std::vector<StyleKey> line_keys() {
@@ -73,9 +80,7 @@ std::vector<StyleKey> hatch_keys() {
        "what strokes follow: the smoothed or raw principal directions, lines of constant angle to "
        "the view or the light, or across them, parameter lines, planes across hatch.direction, up "
        "on the sheet, or one direction",
-       WordKey{BURIN_MEMBER(std::string, hatch.field),
-               {"smoothed", "principal", "isophote", "isophote-light", "steepest", "isoparametric",
-                "planes", "screen-vertical", "fixed"}}},
+       WordKey{BURIN_MEMBER(std::string, hatch.field), field_names()}},
       {"hatch.direction",
        "the fixed direction, in model space, also where a surface has none of its own",
        VectorKey{BURIN_MEMBER(Vec3, hatch.direction)}},
@@ -143,6 +148,8 @@ std::vector<StyleKey> other_keys() {
              "lightness from which the paper stays white"),
       number("tone.rim", BURIN_MEMBER(double, tone.rim), 0, 1,
              "darkness added where the surface turns away from the viewer"),
+      flag("sheet.clip", BURIN_MEMBER(bool, sheet.clip),
+           "cut what runs off the sheet at its edge; strokes end a few mm beyond it either way"),
       {"svg.flatten", "polylines: plain polylines of constant width, for plotters and lasers",
        FlagKey{BURIN_MEMBER(bool, svg.flatten), "polylines", "none"}},
       flag("svg.merge", BURIN_MEMBER(bool, svg.merge),

@@ -157,16 +157,30 @@ Part implicit(std::shared_ptr<const ImplicitFunction> function, const std::optio
 
 }  // namespace
 
-Part brep_part(const py::object& brep, const py::object& placement) {
+PyBrep read_brep(const py::object& brep) {
   if (!py::isinstance<py::str>(brep) && !py::isinstance<py::bytes>(brep)) {
     throw py::type_error("argument brep takes str or bytes, as OCCT writes a shape");
   }
   const auto text = brep.cast<std::string>();
-  const Placement place = rigid(placement);
-  Part part;
+  PyBrep read;
   run(py::none(), nullptr,
-      [&](RunContext& context) { part = read_brep_text(text, place, context); });
+      [&](RunContext& context) { read.shape = read_brep_text(text, context); });
+  return read;
+}
+
+Part brep_part(const py::object& brep, const py::object& placement) {
+  const Placement place = rigid(placement);
+  const auto shape =
+      py::isinstance<PyBrep>(brep) ? brep.cast<PyBrep>().shape : read_brep(brep).shape;
+  Part part;
+  part.form = shape->form(place);
   return part;
+}
+
+bool is_valid(const PyBrep& brep) {
+  bool valid = false;
+  run(py::none(), nullptr, [&](RunContext&) { valid = brep.shape->valid(); });
+  return valid;
 }
 
 Part mesh_part(const py::object& vertices, const py::object& triangles, const std::string& name,

@@ -2,12 +2,14 @@
 /// Shapes from Python's memory as parts of a scene. To be called with the GIL, which is released
 /// while the kernel works.
 
+#include <burin/converters/cad_reader.h>
 #include <burin/surface/scene.h>
 
 #include "function.h"
 
 #include <pybind11/pybind11.h>
 
+#include <memory>
 #include <string>
 
 namespace burin::python {
@@ -22,6 +24,14 @@ struct PartNames {
   std::string source;
 };
 
+/// What Python calls `Brep`.
+struct PyBrep {
+  std::shared_ptr<const BrepShape> shape;
+};
+
+PyBrep read_brep(const py::object& brep);
+bool is_valid(const PyBrep& brep);
+/// `brep`: a PyBrep, or text.
 Part brep_part(const py::object& brep, const py::object& placement);
 Part mesh_part(const py::object& vertices, const py::object& triangles, const std::string& name,
                Diagnostics& diagnostics);

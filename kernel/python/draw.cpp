@@ -1,9 +1,8 @@
 #include <burin/base/error.h>
 #include <burin/base/parallel.h>
-#include <burin/camera/camera.h>
 #include <burin/converters/read.h>
 #include <burin/converters/request.h>
-#include <burin/illustrate/illustrate.h>
+#include <burin/converters/values.h>
 
 #include "drawing.h"
 #include "fields.h"
@@ -25,7 +24,7 @@ namespace {
 /// What `draw` was given, in the order of its signature.
 struct Keywords {
   py::object view, up, perspective, paper, scale, margin, style, set, light, hidden, tolerance,
-      seed, threads, center;
+      seed, threads, center, verify;
 };
 
 std::string word(const char* name, const py::object& value) {
@@ -42,7 +41,7 @@ DrawRequest request_of(const Keywords& k) {
   r.paper = list_text("paper", k.paper, "x");
   r.scale = number_text("scale", k.scale);
   r.center = list_text("center", k.center);
-  r.margin = number_text("margin", k.margin);
+  r.margin = k.margin.is_none() ? "" : value_text("margin", k.margin);
   set_style(r, k.style);
   if (!k.set.is_none()) r.set = assignments(k.set);
   r.light = list_text("light", k.light);
@@ -50,6 +49,7 @@ DrawRequest request_of(const Keywords& k) {
   r.tolerance = number_text("tolerance", k.tolerance);
   r.seed = number_text("seed", k.seed);
   r.threads = number_text("threads", k.threads);
+  r.verify = std::string(py::str(k.verify));
   return r;
 }
 
@@ -82,33 +82,37 @@ DrawingOwner draw(const py::object& source, const py::object& view, const py::ob
                   const py::object& margin, const py::object& style, const py::object& set,
                   const py::object& light, const py::object& hidden, const py::object& tolerance,
                   const py::object& bounds, const py::object& seed, const py::object& threads,
-                  const py::object& center, const py::object& field, const py::object& tone,
-                  const py::object& progress, const py::object& cancel, const py::kwargs& options) {
+                  const py::object& center, const py::object& verify, const py::object& id_prefix,
+                  const py::object& field, const py::object& tone, const py::object& progress,
+                  const py::object& cancel, const py::kwargs& options) {
   Source from(source);
   const ReadOptions read = read_options(
       bounds, options,
-      {"view", "up", "perspective", "paper", "scale", "margin", "style", "set", "light", "hidden",
-       "tolerance", "bounds", "seed", "threads", "center", "field", "tone", "progress", "cancel"});
+      {"view",   "up",     "perspective", "paper",     "scale",  "margin",   "style",
+       "set",    "light",  "hidden",      "tolerance", "bounds", "seed",     "threads",
+       "center", "verify", "id_prefix",   "field",     "tone",   "progress", "cancel"});
   if (from.scene && (!bounds.is_none() || !options.empty())) {
     throw UsageError(
         "arguments about reading (bounds ...) go to Scene.read, not to the scene's draw");
   }
   DrawPlan plan = make_plan(request_of({view, up, perspective, paper, scale, margin, style, set,
-                                        light, hidden, tolerance, seed, threads, center}),
+                                        light, hidden, tolerance, seed, threads, center, verify}),
                             Spelling::Keywords);
   plan.read = read;
   plan.illustrate.field = python_field(field);
   plan.illustrate.tone = python_tone(tone);
+  if (!field.is_none()) plan.about_strokes.emplace_back("argument field");
+  if (!tone.is_none()) plan.about_strokes.emplace_back("argument tone");
   if (from.scene) plan.illustrate.looks = from.looks;
   const auto flag = cancel_flag(cancel);
   auto result = std::make_shared<PyDrawing>();
   result->style = plan.style;
+  result->id_prefix = id_prefix_option("id_prefix", word("id_prefix", id_prefix));
   run(progress, flag, [&](RunContext& context) {
     const ThreadLimit limit(plan.threads);
     const Scene scene = from.get(plan.read, context);
-    const Camera camera =
-        Camera::fit([&](const Mat3& axes) { return scene.bounds(axes); }, plan.view);
-    result->drawing = illustrate(scene, camera, plan.style, plan.illustrate, context);
+    const Camera camera = make_camera(scene, plan);
+    result->drawing = burin::draw(scene, camera, plan, context);
   });
   return result;
 }
@@ -137,21 +141,10 @@ void add_draw(py::module_& module) {
       py::arg("scale") = py::none(), py::arg("margin") = 10, py::arg("style") = "technical",
       py::arg("set") = py::none(), py::arg("light") = py::none(), py::arg("hidden") = "none",
       py::arg("tolerance") = py::none(), py::arg("bounds") = py::none(), py::arg("seed") = 1,
-      py::arg("threads") = py::none(), py::arg("center") = py::none(),
-      py::arg("field") = py::none(), py::arg("tone") = py::none(), py::arg("progress") = py::none(),
-      py::arg("cancel") = py::none(),
-      "Draws a scene, a file or several files. Arguments are the long options of `burin draw`. "
-      "`style` "
-      "as a mapping is that of a style file ({\"base\": \"engraving\", \"line.outer\": 0.5}); "
-      "`set` "
-      "overrides single keys. `center`: the model point in the middle of the sheet, with `scale`; "
-      "absent = the middle of what is drawn. `field` and `tone` are called with positions (n, 3) "
-      "in mm "
-      "and unit normals (n, 3), from the thread that called: `field` gives directions (n, 3), "
-      "whose "
-      "tangent parts strokes follow (NaN = none here), `tone` the wanted darkness (n,) in [0, 1]. "
-      "The "
-      "GIL is released while the kernel works. Throws Error.");
+      py::arg("threads") = py::none(), py::arg("center") = py::none(), py::arg("verify") = false,
+      py::arg("id_prefix") = "", py::arg("field") = py::none(), py::arg("tone") = py::none(),
+      py::arg("progress") = py::none(), py::arg("cancel") = py::none(),
+      "What burin.draw calls; that one tells its arguments.");
   module.def("info", info, "What `burin info --json` tells, one entry a file. Throws InputError.");
 }
 

@@ -3,6 +3,7 @@
 #include <burin/base/error.h>
 #include <burin/base/nearest.h>
 #include <burin/converters/read_drawing.h>
+#include <burin/converters/values.h>
 #include <burin/converters/write.h>
 
 #include "arrays.h"
@@ -42,14 +43,10 @@ struct PyView {
 
 py::ssize_t rows(std::size_t n) { return static_cast<py::ssize_t>(n); }
 
-/// Whether files are written by a style key.
-bool is_about_files(const std::string& key) {
-  if (key == "line.dash" || key == "line.gap") return true;
-  const std::string group = key.substr(0, key.find('.'));
-  for (const char* other : {"line", "feature", "hatch", "tone"}) {
-    if (group == other) return false;
-  }
-  return true;
+std::string text_of(const py::handle& value) {
+  if (py::isinstance<py::str>(value)) return value.cast<std::string>();
+  throw py::type_error(
+      fmt::format("argument id_prefix takes text, not {}", std::string(py::repr(value))));
 }
 
 /// The style of the drawing with keywords like svg_flatten=True for the key "svg.flatten".
@@ -62,8 +59,14 @@ WriteOptions options_of(const PyDrawing& drawing, const py::kwargs& options) {
     names.push_back(info.key);
     std::replace(names.back().begin(), names.back().end(), '.', '_');
   }
+  std::string id_prefix = drawing.id_prefix;
+  names.emplace_back("id_prefix");
   for (const auto& [key, value] : options) {
     const auto name = key.cast<std::string>();
+    if (name == "id_prefix") {
+      id_prefix = id_prefix_option(name, text_of(value));
+      continue;
+    }
     const auto it = std::find(names.begin(), names.end(), name);
     if (it == names.end()) {
       throw UsageError(
@@ -73,7 +76,9 @@ WriteOptions options_of(const PyDrawing& drawing, const py::kwargs& options) {
                   value_text(name.c_str(), value));
   }
   check_style(style);
-  return write_options(style);
+  WriteOptions write = write_options(style);
+  write.svg.id_prefix = id_prefix;
+  return write;
 }
 
 void save(const DrawingOwner& self, const py::object& path, const py::kwargs& options) {
@@ -138,6 +143,31 @@ py::list parts(const PyDrawing& self) {
   return list;
 }
 
+py::dict verification(const Verification& v) {
+  py::dict d;
+  d["spans"] = v.spans;
+  d["length"] = v.length;
+  d["contradicted"] = v.contradicted;
+  d["share"] = v.share();
+  d["count"] = v.count;
+  d["loose_ends"] = v.loose_ends;
+  py::list list;
+  for (const Contradiction& c : v.contradictions) {
+    py::dict one;
+    one["what"] = c.what;
+    one["kind"] = to_string(c.kind);
+    one["part"] = c.source.part;
+    one["face"] = c.source.face;
+    one["edge"] = c.source.edge;
+    one["length"] = c.length;
+    one["at"] = py::make_tuple(c.at.x, c.at.y);
+    one["model"] = py::make_tuple(c.model.x, c.model.y, c.model.z);
+    list.append(one);
+  }
+  d["contradictions"] = list;
+  return d;
+}
+
 py::dict stats(const PyDrawing& self) {
   const DrawingStats& s = self.drawing.stats;
   py::dict d;
@@ -145,6 +175,7 @@ py::dict stats(const PyDrawing& self) {
   d["strokes"] = s.strokes;
   d["coverage_points"] = s.coverage_points;
   d["coverage_delta"] = s.coverage_delta;
+  if (s.verify) d["verify"] = verification(*s.verify);
   return d;
 }
 
@@ -268,7 +299,12 @@ void add_view(py::module_& module) {
           "field_of_view", [](const PyView& v) { return v.view.field_of_view; },
           "Vertical, in degrees; 0 = orthographic.")
       .def("project", project, py::arg("points"),
-           "(n, 3) mm of the model to (n, 2) mm of the sheet.");
+           "(n, 3) mm of the model to (n, 2) mm of the sheet.")
+      .def("__repr__", [](const PyView& v) {
+        const Vec3 d = v.view.direction;
+        return fmt::format("<burin.View {} from ({:.4g}, {:.4g}, {:.4g}), scale {:.4g}>",
+                           v.view.projection, d.x, d.y, d.z, v.view.scale);
+      });
 }
 
 }  // namespace
@@ -328,6 +364,9 @@ void add_drawing(py::module_& module) {
                   "The same for text in memory, str or bytes. Throws InputError with the line.")
       .def(py::pickle([](const DrawingOwner& self) { return to_bytes(self, "json", {}); },
                       [](const py::bytes& text) { return from_json(text); }))
+      .def(
+          "_repr_svg_", [](const DrawingOwner& self) { return py::str(to_bytes(self, "svg", {})); },
+          "What Jupyter shows.")
       .def("__repr__", [](const PyDrawing& self) {
         std::size_t paths = 0;
         for (const Layer& layer : self.drawing.layers) paths += layer.paths.size();

@@ -5,6 +5,7 @@
 #include <burin/illustrate/style.h>
 
 #include <memory>
+#include <string>
 
 namespace burin::python {
 
@@ -12,6 +13,7 @@ struct PyDrawing {
   Drawing drawing;
   /// Says how files are written.
   Style style;
+  std::string id_prefix = {};
 };
 
 using DrawingOwner = std::shared_ptr<PyDrawing>;

@@ -1,9 +1,12 @@
 #include <burin/base/error.h>
+#include <burin/base/missing_file.h>
+#include <burin/base/out_of_memory.h>
 
 #include "module.h"
 
 #include <fmt/format.h>
 
+#include <cerrno>
 #include <exception>
 #include <string>
 
@@ -12,7 +15,7 @@ namespace {
 
 /// Made once and never freed: Python may ask for them until its very end.
 struct Errors {
-  PyObject *error, *usage, *input, *geometry, *output, *cancelled;
+  PyObject *error, *usage, *input, *missing, *geometry, *output, *cancelled;
 };
 Errors g_errors;
 
@@ -35,7 +38,9 @@ std::string located(const std::string& file, std::int64_t line, const std::strin
 void set(PyObject* type, const std::string& message, const std::string& file, std::int64_t line) {
   const py::object error = py::handle(type)(message);
   error.attr("file") = file;
-  if (type == g_errors.input) error.attr("line") = line;
+  if (type == g_errors.input || type == g_errors.missing) error.attr("line") = line;
+  // What FileNotFoundError has; its text stays that of burin, which names the file too.
+  if (type == g_errors.missing) error.attr("errno") = ENOENT;
   PyErr_SetObject(type, error.ptr());
 }
 
@@ -47,6 +52,8 @@ void translate(std::exception_ptr pointer) {
     PyErr_SetString(g_errors.cancelled, e.what());
   } catch (const UsageError& e) {
     PyErr_SetString(g_errors.usage, e.what());
+  } catch (const MissingFile& e) {
+    set(g_errors.missing, located(e.file(), e.line(), e.what()), e.file(), e.line());
   } catch (const InputError& e) {
     set(g_errors.input, located(e.file(), e.line(), e.what()), e.file(), e.line());
   } catch (const GeometryError& e) {
@@ -55,6 +62,9 @@ void translate(std::exception_ptr pointer) {
     set(g_errors.output, located(e.file(), 0, e.what()), e.file(), 0);
   } catch (const Error& e) {
     PyErr_SetString(g_errors.error, e.what());
+  } catch (const std::exception& e) {
+    if (!is_out_of_memory(e)) throw;
+    PyErr_SetString(PyExc_MemoryError, "out of memory; draw a smaller model, or fewer at once");
   }
 }
 
@@ -77,6 +87,9 @@ void add_errors(py::module_& module) {
       "InputError",
       "A file that is missing, broken or empty. Attributes: file (str), line (int, 0 = unknown).",
       place);
+  g_errors.missing =
+      make(module, "MissingFile", "An input that is not there, also a FileNotFoundError.",
+           py::make_tuple(builtin(g_errors.input), builtin(PyExc_FileNotFoundError)));
   g_errors.geometry = derive("GeometryError", "A shape that cannot be drawn.");
   py::dict file;
   file["file"] = "";

@@ -94,17 +94,12 @@ class SampledField {
     }
   }
 
-  std::optional<Vec3> operator()(const FieldQuery& q) const {
+  std::optional<Cross> operator()(const FieldQuery& q) const {
     const Vec3 n = q.frame.normal;
-    const std::optional<Vec3> first = direction(q.point.position, turned(n, q));
-    if (!first) return std::nullopt;
-    const auto t = tangent(*first, n);
+    const std::optional<Vec3> sampled = direction(q.point.position, turned(n, q));
+    const auto t = sampled ? tangent(*sampled, n) : std::nullopt;
     if (!t) return std::nullopt;
-    const Vec3 second = glm::cross(n, *t);
-    if (q.previous == Vec3(0)) return q.family == 2 ? second : *t;
-    const bool across = std::abs(glm::dot(second, q.previous)) > std::abs(glm::dot(*t, q.previous));
-    const Vec3 arm = across ? second : *t;
-    return glm::dot(arm, q.previous) < 0 ? -arm : arm;
+    return Cross{*t, glm::cross(n, *t), q.frame.confidence};
   }
 
  private:
@@ -118,6 +113,7 @@ class SampledField {
   std::optional<Vec3> direction(Vec3 position, Vec3 normal) const {
     const PictureSamples::Near near = samples_.near(position, normal);
     if (near.count == 0) {
+      if (!samples_.seen(position)) return std::nullopt;
       const std::vector<double> v = function_({&position, 1}, {&normal, 1}, run_);
       return tangent({v[0], v[1], v[2]}, normal);
     }
@@ -142,12 +138,20 @@ class SampledTone {
   SampledTone(const HatchScene& scene, const Asked& function)
       : samples_(scene), function_(function), run_(this_run()) {
     darkness_ = function_(samples_.positions(), samples_.normals(), run_);
-    for (double& d : darkness_) d = clean(d);
+    for (double& d : darkness_) {
+      d = clean(d);
+      mean_ += d / static_cast<double>(darkness_.size());
+    }
   }
 
   double operator()(Vec3 position, Vec3 normal) const {
     const PictureSamples::Near near = samples_.near(position, normal);
-    if (near.count == 0) return 1 - clean(function_({&position, 1}, {&normal, 1}, run_).front());
+    if (near.count == 0) {
+      // Behind something, where no ink shows: any tone will do. White would have points for seeds
+      // looked for again and again.
+      if (!samples_.seen(position)) return 1 - mean_;
+      return 1 - clean(function_({&position, 1}, {&normal, 1}, run_).front());
+    }
     double sum = 0;
     for (std::size_t k = 0; k < static_cast<std::size_t>(near.count); ++k) {
       sum += near.weight[k] * darkness_[near.sample[k]];
@@ -163,6 +167,7 @@ class SampledTone {
   Asked function_;
   RunId run_;
   std::vector<double> darkness_;
+  double mean_ = 0;
 };
 
 void check(const py::object& function, const char* name, const char* gives) {

@@ -3,6 +3,7 @@
 #include <burin/base/parallel.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 #include <utility>
@@ -18,7 +19,7 @@ constexpr double kSameSide = 0.3;
 
 }  // namespace
 
-PictureSamples::PictureSamples(const HatchScene& scene) : camera_(&scene.camera) {
+PictureSamples::PictureSamples(const HatchScene& scene) : scene_(&scene), camera_(&scene.camera) {
   const Paper& paper = scene.camera.paper();
   pitch_ = std::max(pitch_, std::sqrt(paper.width * paper.height / kMostCells));
   nx_ = static_cast<std::int64_t>(paper.width / pitch_) + 1;
@@ -50,6 +51,90 @@ PictureSamples::PictureSamples(const HatchScene& scene) : camera_(&scene.camera)
     positions_.push_back(seen[i]->first);
     normals_.push_back(seen[i]->second);
   }
+  add_slivers();
+}
+
+bool PictureSamples::seen(Vec3 position) const {
+  const auto hit = scene_->probe(camera_->to_paper(position));
+  // Beside the triangles, though not beside the surface: at the very outline.
+  if (!hit) return true;
+  const ProxyMesh& proxy = scene_->surfaces[static_cast<std::size_t>(hit->part)]->proxy();
+  const Vec3 nearer = proxy.position(hit->point.face, hit->point.bary);
+  return camera_->depth(nearer) - camera_->depth(position) <= pitch_ / camera_->scale_at(position);
+}
+
+void PictureSamples::add_slivers() {
+  for (std::size_t part = 0; part < scene_->surfaces.size(); ++part) {
+    const TriMesh& mesh = scene_->surfaces[part]->proxy().mesh;
+    scene_->context.check();
+    for (std::uint32_t face = 0; face < mesh.triangles.size(); ++face) {
+      const Triangle& t = mesh.triangles[face];
+      std::array<Vec2, 3> corner;
+      for (std::size_t k = 0; k < 3; ++k) corner[k] = camera_->to_paper(mesh.positions[t[k]]);
+      // Along the middle of the longest side's height, a sample a cell.
+      std::size_t longest = 0;
+      for (std::size_t k = 1; k < 3; ++k) {
+        if (glm::distance(corner[k], corner[(k + 1) % 3]) >
+            glm::distance(corner[longest], corner[(longest + 1) % 3])) {
+          longest = k;
+        }
+      }
+      const double length = glm::distance(corner[longest], corner[(longest + 1) % 3]);
+      const double count = std::clamp(std::ceil(length / pitch_), 1.0, kMostCells);
+      for (double i = 0; i < count; ++i) {
+        const double along = (i + 0.5) / count;
+        const double height = 0.5 * std::min(1.0, 2 * std::min(along, 1 - along));
+        Vec3 bary(0);
+        bary[static_cast<glm::length_t>(longest)] = (1 - along) * (1 - height);
+        bary[static_cast<glm::length_t>((longest + 1) % 3)] = along * (1 - height);
+        bary[static_cast<glm::length_t>((longest + 2) % 3)] = height;
+        add_sliver(static_cast<std::int32_t>(part), face, bary);
+      }
+    }
+  }
+}
+
+void PictureSamples::add_sliver(std::int32_t part, std::uint32_t face, Vec3 bary) {
+  const ProxyMesh& proxy = scene_->surfaces[static_cast<std::size_t>(part)]->proxy();
+  const Vec3 p = proxy.position(face, bary);
+  Vec3 n = proxy.normal(face, bary);
+  if (glm::dot(n, camera_->to_viewer(p)) < 0) n = -n;
+  const Vec2 place = camera_->to_paper(p) / pitch_;
+  if (!(place.x >= 0 && place.y >= 0 && place.x < static_cast<double>(nx_) &&
+        place.y < static_cast<double>(ny_))) {
+    return;
+  }
+  if (static_cast<double>(positions_.size()) >= 2 * kMostCells || near(p, n).count > 0) return;
+  const auto hit = scene_->probe(camera_->to_paper(p));
+  if (!hit || hit->part != part || !seen(p)) return;
+  slivers_[static_cast<std::int64_t>(place.y) * nx_ + static_cast<std::int64_t>(place.x)].push_back(
+      static_cast<std::uint32_t>(positions_.size()));
+  positions_.push_back(p);
+  normals_.push_back(n);
+}
+
+PictureSamples::Near PictureSamples::near_sliver(Vec3 position, Vec3 normal, Vec2 place,
+                                                 double reach) const {
+  Near out;
+  if (slivers_.empty()) return out;
+  double least = 0;
+  const auto x0 = static_cast<std::int64_t>(std::floor(place.x + 0.5));
+  const auto y0 = static_cast<std::int64_t>(std::floor(place.y + 0.5));
+  for (std::int64_t y = y0 - 1; y <= y0 + 1; ++y) {
+    for (std::int64_t x = x0 - 1; x <= x0 + 1; ++x) {
+      if (x < 0 || x >= nx_) continue;
+      const auto it = slivers_.find(y * nx_ + x);
+      if (it == slivers_.end()) continue;
+      for (const std::uint32_t s : it->second) {
+        if (!same_surface(static_cast<std::int32_t>(s), position, normal, reach)) continue;
+        const double distance = glm::distance(positions_[s], position);
+        if (out.count == 1 && distance >= least) continue;
+        out = {{s}, {1}, 1};
+        least = distance;
+      }
+    }
+  }
+  return out;
 }
 
 std::int32_t PictureSamples::at(std::int64_t x, std::int64_t y) const {
@@ -107,7 +192,7 @@ PictureSamples::Near PictureSamples::near(Vec3 position, Vec3 normal) const {
       least = distance;
     }
   }
-  return out;
+  return out.count > 0 ? out : near_sliver(position, normal, place, reach);
 }
 
 }  // namespace burin::python

@@ -12,8 +12,10 @@
 #include "style_text.h"
 #include "text.h"
 
+#include <fmt/format.h>
 #include <pybind11/stl.h>
 
+#include <algorithm>
 #include <optional>
 #include <utility>
 
@@ -127,6 +129,19 @@ void add_diagnostic(py::module_& module) {
       });
 }
 
+/// "<burin.Scene of 3 parts: 'base', 'lid', 'pin'>", the names of the first few.
+std::string repr(const PyScene& self) {
+  constexpr std::size_t kNamed = 4;
+  const auto& parts = self.scene.parts;
+  std::string text =
+      fmt::format("<burin.Scene of {} part{}", parts.size(), parts.size() == 1 ? "" : "s");
+  for (std::size_t i = 0; i < std::min(parts.size(), kNamed); ++i) {
+    text +=
+        fmt::format("{}{}", i == 0 ? ": " : ", ", std::string(py::repr(py::str(parts[i].name))));
+  }
+  return text + (parts.size() > kNamed ? ", ...>" : ">");
+}
+
 }  // namespace
 
 py::list to_list(const Diagnostics& diagnostics) {
@@ -135,9 +150,23 @@ py::list to_list(const Diagnostics& diagnostics) {
   return list;
 }
 
+void add_brep(py::module_& module) {
+  py::class_<PyBrep> brep(
+      module, "Brep",
+      "A shape as OCCT writes it in text or binary (FreeCAD: "
+      "shape.exportBrepToString()), read once: the parts that are made of it share it.");
+  of_package(brep)
+      .def(py::init(&read_brep), py::arg("brep"), "Throws InputError, GeometryError.")
+      .def("is_valid", &is_valid,
+           "Whether OCCT finds nothing wrong with it. Slow: for messages about what cannot be "
+           "drawn.")
+      .def("__repr__", [](const PyBrep&) { return "<burin.Brep>"; });
+}
+
 void add_scene(py::module_& module) {
   add_diagnostic(module);
   add_part(module);
+  add_brep(module);
   py::class_<PyScene, Owner> scene(module, "Scene", "What is drawn: parts in order.");
   add_read(of_package(scene));
   scene.def(py::init<>())
@@ -150,7 +179,8 @@ void add_scene(py::module_& module) {
           },
           py::arg("brep"), py::arg("name") = "", py::kw_only(), py::arg("placement") = py::none(),
           py::arg("color") = "", py::arg("assembly") = py::tuple(), py::arg("source") = "",
-          "A shape as OCCT writes it in text or binary (FreeCAD: shape.exportBrepToString()). "
+          "A shape as OCCT writes it in text or binary (FreeCAD: shape.exportBrepToString()), or a "
+          "Brep. "
           "`placement` is a 4 x 4 matrix of a rigid motion (row major, acts on columns). One part, "
           "whatever its solids; faces and edges are numbered as in the shape (TopExp order), from "
           "0.")
@@ -212,7 +242,8 @@ void add_scene(py::module_& module) {
       .def_property_readonly(
           "diagnostics", [](const PyScene& self) { return to_list(self.scene.diagnostics); },
           "What the readers mended or left out.")
-      .def("__len__", [](const PyScene& self) { return self.scene.parts.size(); });
+      .def("__len__", [](const PyScene& self) { return self.scene.parts.size(); })
+      .def("__repr__", repr);
 }
 
 }  // namespace burin::python

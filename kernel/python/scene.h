@@ -15,7 +15,7 @@ namespace py = pybind11;
 
 struct PyScene {
   Scene scene;
-  /// One a part.
+  /// One per part.
   std::vector<PartLook> looks;
 };
 

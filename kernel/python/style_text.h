@@ -18,7 +18,7 @@ void set_style(DrawRequest& request, const py::object& style);
 Style style_of(const py::object& value);
 /// {"name": ..., "line.outer": 0.7, ...}.
 py::dict flat(const Style& style);
-/// A mapping of style keys as "KEY=VALUE".
+/// A mapping of style keys, or of groups of them, as "KEY=VALUE".
 std::vector<std::string> assignments(const py::object& mapping);
 
 }  // namespace burin::python

@@ -20,6 +20,25 @@ py::object plain(const py::object& value) {
       fmt::format("style: {} is no value of a style key", std::string(py::repr(value))));
 }
 
+/// The entries of a mapping; {"hatch": {"taper": 1}} is {"hatch.taper": 1}.
+void append_assignments(const py::handle& mapping, const std::string& group,
+                        std::vector<std::string>& out) {
+  if (!is_mapping(mapping)) throw py::type_error("argument set takes a mapping of style keys");
+  for (const py::handle item : mapping.attr("items")()) {
+    const auto pair = item.cast<py::tuple>();
+    if (!py::isinstance<py::str>(pair[0])) {
+      throw py::type_error(fmt::format("argument set: {} is no style key, which is text",
+                                       std::string(py::repr(pair[0]))));
+    }
+    const auto key = group + pair[0].cast<std::string>();
+    if (group.empty() && is_mapping(pair[1])) {
+      append_assignments(pair[1], key + ".", out);
+    } else {
+      out.push_back(key + "=" + value_text(key.c_str(), pair[1]));
+    }
+  }
+}
+
 }  // namespace
 
 py::dict flat(const Style& style) {
@@ -55,13 +74,8 @@ void set_style(DrawRequest& request, const py::object& style) {
 }
 
 std::vector<std::string> assignments(const py::object& mapping) {
-  if (!is_mapping(mapping)) throw py::type_error("argument set takes a mapping of style keys");
   std::vector<std::string> out;
-  for (const py::handle item : mapping.attr("items")()) {
-    const auto pair = item.cast<py::tuple>();
-    const auto key = pair[0].cast<std::string>();
-    out.push_back(key + "=" + value_text(key.c_str(), pair[1]));
-  }
+  append_assignments(mapping, "", out);
   return out;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 // What every step of the placement needs to know; internal to the module.
 
+#include <burin/base/box.h>
 #include <burin/stroke/stroke.h>
 
 #include <algorithm>
@@ -25,8 +26,23 @@ struct Picture {
   /// Model mm within which two places along one viewing ray are the same surface.
   double same_place = 0;
 
+  /// Where strokes are laid: the sheet, and so much beside it that the strokes at its edge have
+  /// neighbours on both sides.
+  Box2 sheet() const {
+    const Vec2 beside(2 * options.spacing_max);
+    return {-beside, Vec2(camera.paper().width, camera.paper().height) + beside};
+  }
+  bool on_sheet(Vec2 paper) const { return sheet().contains(paper); }
+
   const Surface& surface(std::int32_t part) const {
     return *surfaces[static_cast<std::size_t>(part)];
+  }
+
+  /// What lines through a point keep, where the field knows.
+  std::optional<Level> level(std::int32_t part, const SurfacePoint& point,
+                             const Frame& frame) const {
+    const auto cross = field.cross({part, point, frame});
+    return cross ? cross->level : std::nullopt;
   }
 
   /// Whether a place of a proxy, at its point on paper and its depth, is what the viewer sees

@@ -14,6 +14,10 @@ namespace {
 // Candidates for each seed that fits: enough that few gaps are left to the strokes' own neighbours.
 constexpr double kCandidates = 4;
 
+// Sheets of a part over each other that seeds are tried for, counted in areas of the picture: a
+// porous part has some ten, the triangles of a damaged file thousands.
+constexpr double kMostSheets = 16;
+
 bool wants_ink(const Picture& picture, const RasterCell& cell) {
   return cell.part >= 0 && picture.share(cell.darkness, 1) >= picture.options.tone_min;
 }
@@ -28,15 +32,36 @@ std::vector<double> dark_area(const Picture& picture, const ViewRaster& raster) 
   return area;
 }
 
-// Paper mm^2 that the triangles of a surface turned to the viewer would cover, seen or not: the
-// measure that points of a view-uniform coverage are spread over.
-double projected_area(const Surface& surface, const Camera& camera) {
+Box2 box_of(const ViewRaster& raster) {
+  return {raster.origin, raster.origin + raster.pitch * Vec2(raster.nx, raster.ny)};
+}
+
+Box2 box_of(const Camera& camera, Vec3 a, Vec3 b, Vec3 c) {
+  Box2 box;
+  for (const Vec3& corner : {a, b, c}) box.add(camera.to_paper(corner));
+  return box;
+}
+
+// Whether a surface runs off a box of the sheet.
+bool runs_off(const Surface& surface, const Camera& camera, const Box2& box) {
+  const auto& positions = surface.proxy().mesh.positions;
+  return std::ranges::any_of(
+      positions, [&](Vec3 position) { return !box.contains(camera.to_paper(position)); });
+}
+
+// Paper mm^2 that the triangles of a surface turned to the viewer would cover of `box`, seen or
+// not: the measure that points of a view-uniform coverage are spread over. A triangle that reaches
+// out of the box counts for no more than the box that both share.
+double projected_area(const Surface& surface, const Camera& camera, const Box2& box) {
   const TriMesh& mesh = surface.proxy().mesh;
   double sum = 0;
   for (const Triangle& t : mesh.triangles) {
     const Vec2 a = camera.to_paper(mesh.positions[t[0]]), b = camera.to_paper(mesh.positions[t[1]]);
     const Vec2 c = camera.to_paper(mesh.positions[t[2]]);
-    sum += std::max(0.0, 0.5 * cross2(b - a, c - a));
+    const Vec2 shared = glm::min(glm::max(glm::max(a, b), c), box.max) -
+                        glm::max(glm::min(glm::min(a, b), c), box.min);
+    if (shared.x < 0 || shared.y < 0) continue;
+    sum += std::min(std::max(0.0, 0.5 * cross2(b - a, c - a)), shared.x * shared.y);
   }
   return sum;
 }
@@ -67,6 +92,30 @@ double measure_delta(const Picture& picture, const ViewRaster& raster, const Sam
   return row.empty() ? 0 : *std::max_element(row.begin(), row.end());
 }
 
+// Seeds for what the coverage left white of parts that run off the sheet: the little of them that
+// is on it may get no point of the coverage. Parts are flagged in `off`.
+void fill_white(const Picture& picture, const ViewRaster& raster, const std::vector<bool>& off,
+                SampleGrid& grid, std::vector<Seed>& seeds) {
+  const double reach = 2 * picture.options.spacing_max;
+  const auto stride = std::max(1, static_cast<std::int32_t>(reach / raster.pitch / 2));
+  for (std::int32_t y = 0; y < raster.ny; y += stride) {
+    for (std::int32_t x = 0; x < raster.nx; x += stride) {
+      const RasterCell& cell = raster.at(x, y);
+      if (!wants_ink(picture, cell) || !off[static_cast<std::size_t>(cell.part)]) continue;
+      GridSample s;
+      s.paper = raster.center(x, y);
+      s.depth = cell.depth;
+      s.part = cell.part;
+      s.region = cell.region;
+      if (grid.nearest(s, reach).distance < reach) continue;
+      const auto hit = picture.probe(s.paper);
+      if (!hit || hit->part != cell.part) continue;
+      grid.insert(s);
+      seeds.push_back({s.part, picture.surface(s.part).lift(hit->point)});
+    }
+  }
+}
+
 // Seeds at which the field speaks clearly come first: their strokes set the direction of their
 // neighbourhood. In classes of a quarter, so that the order inside a class stays random.
 void surest_first(const Picture& picture, std::vector<Seed>& seeds) {
@@ -75,10 +124,8 @@ void surest_first(const Picture& picture, std::vector<Seed>& seeds) {
   for (std::size_t i = 0; i < seeds.size(); ++i) {
     const SurfacePoint& point = seeds[i].point;
     const Frame frame = picture.surface(seeds[i].part).frame(point);
-    const double certainty = picture.field.certainty
-                                 ? picture.field.certainty({seeds[i].part, point, frame})
-                                 : frame.confidence;
-    rank[i] = static_cast<int>(-4 * certainty);
+    const auto cross = picture.field.cross({seeds[i].part, point, frame});
+    rank[i] = cross ? static_cast<int>(-4 * cross->certainty) : 0;
     order[i] = i;
   }
   std::ranges::stable_sort(order, {}, [&](std::size_t i) { return rank[i]; });
@@ -97,20 +144,28 @@ Coverage cover_picture(const Picture& picture, const ViewRaster& raster,
   const std::vector<double> dark = dark_area(picture, raster);
   SampleGrid grid(raster.origin, raster.pitch * Vec2(raster.nx, raster.ny), o.spacing_max);
   Coverage out;
+  const Box2 box = box_of(raster);
+  const double most = kMostSheets * box.size().x * box.size().y;
+  std::vector<bool> off(picture.surfaces.size(), false);
   for (std::size_t part = 0; part < picture.surfaces.size(); ++part) {
     if (dark[part] <= 0) continue;
     const Surface& surface = *picture.surfaces[part];
-    const double shown = std::max(projected_area(surface, camera), dark[part]);
+    const double shown = std::max(projected_area(surface, camera, box), dark[part]);
+    if (shown > most) ++out.thinned_parts;
+    // The deeper sheets lie over each other, the fewer places of them are seen, and the longer a
+    // ray takes to find out.
+    const double tried = shown > most ? most * std::max(most / shown, 1.0 / 16) : shown;
     CoverRequest request;
     request.seed = o.seed;
     request.part = static_cast<std::int32_t>(part);
     request.count =
-        static_cast<std::size_t>(kCandidates * shown / (o.spacing_max * o.spacing_max)) + 64;
+        static_cast<std::size_t>(kCandidates * tried / (o.spacing_max * o.spacing_max)) + 64;
     const bool two_sided = [&] {
       const auto& closed = surface.proxy().topology.component_closed;
       return std::find(closed.begin(), closed.end(), 0) != closed.end();
     }();
     request.weight = [&](Vec3 position, Vec3 normal) {
+      if (!box.contains(camera.to_paper(position))) return 0.0;
       const double cosine = glm::dot(normal, camera.to_viewer(position));
       const double facing = two_sided ? std::abs(cosine) : std::max(0.0, cosine);
       if (facing <= 0) return 0.0;
@@ -118,6 +173,10 @@ Coverage cover_picture(const Picture& picture, const ViewRaster& raster,
         return 0.0;
       return facing;
     };
+    off[part] = runs_off(surface, camera, box);
+    if (off[part]) {
+      request.among = [&](Vec3 a, Vec3 b, Vec3 c) { return box_of(camera, a, b, c).overlaps(box); };
+    }
     for (const SurfacePoint& p : surface.cover(request, context)) {
       const ProxyPoint place = surface.to_proxy(p);
       GridSample s;
@@ -134,6 +193,7 @@ Coverage cover_picture(const Picture& picture, const ViewRaster& raster,
       out.seeds.push_back({s.part, p});
     }
   }
+  fill_white(picture, raster, off, grid, out.seeds);
   surest_first(picture, out.seeds);
   out.delta = measure_delta(picture, raster, grid, o.spacing_max, 4 * o.spacing_max, context);
   return out;

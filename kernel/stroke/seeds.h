@@ -19,6 +19,8 @@ struct Coverage {
   /// Paper mm: no seen place that wants ink is farther from its nearest seed than this (Definition
   /// 1 of the paper, measured at the cells of the raster).
   double delta = 0;
+  /// Parts for which fewer candidates were tried than their area asks for.
+  std::int64_t thinned_parts = 0;
 };
 
 Coverage cover_picture(const Picture& picture, const ViewRaster& raster, const RunContext& context);

@@ -6,12 +6,18 @@
 #include "view_raster.h"
 #include "widths.h"
 
+#include <fmt/format.h>
+
 #include <cmath>
+#include <string>
 
 namespace burin {
 namespace {
 
 using namespace detail;
+
+// Paper mm of strokes in one drawing: some 2 GB of memory. An A0 sheet in full tone has half.
+constexpr double kLongest = 1.6e6;
 
 void check(const HatchOptions& o) {
   const bool sane = o.spacing_min > 0 && o.spacing_max >= o.spacing_min && o.width_min > 0 &&
@@ -32,6 +38,46 @@ double same_place(std::span<const Surface* const> surfaces) {
     tolerance = std::max(tolerance, s->proxy().tolerance);
   }
   return 1e-4 * box.diagonal() + 2 * tolerance;
+}
+
+// What the tone asks for: the area that strokes of both families cover, in paper mm2, and their
+// length, that area over the distance of neighbours, in mm.
+struct Work {
+  double area = 0, length = 0;
+};
+Work work_of(const Picture& picture, const ViewRaster& raster) {
+  const double cell_area = raster.pitch * raster.pitch;
+  Work work;
+  for (const RasterCell& cell : raster.cells) {
+    if (cell.part < 0) continue;
+    for (const int family : {1, 2}) {
+      const double ink = picture.share(cell.darkness, family);
+      if (!(ink >= picture.options.tone_min && ink > 0)) continue;
+      work.area += cell_area;
+      work.length += cell_area / picture.spacing(ink);
+    }
+  }
+  return work;
+}
+
+// Refuses more strokes than memory should be asked for, before any is placed.
+void check_work(const Picture& picture, const ViewRaster& raster) {
+  const Work work = work_of(picture, raster);
+  if (work.length <= kLongest) return;
+  constexpr double kMm = 1000;  // in a metre
+  // Neighbours that are nowhere nearer than this keep the limit; rounded up to two digits.
+  const double spacing = 1.1 * work.area / kLongest;
+  const Paper& paper = picture.camera.paper();
+  constexpr double kWidest = 50;  // what styles take
+  const std::string advice =
+      spacing > kWidest
+          ? ""
+          : fmt::format("set hatch.spacing_min to {:.2g} and hatch.spacing_max to {:.2g} or more, ",
+                        spacing, std::max(spacing, picture.options.spacing_max));
+  throw UsageError(fmt::format(
+      "the strokes of this style would be {:.0f} m long on the sheet of {:g} x {:g} mm, {:.0f} m "
+      "are the most: {}draw without strokes (hatch.enabled=false), or take a smaller sheet",
+      work.length / kMm, paper.width, paper.height, kLongest / kMm, advice));
 }
 
 // Takes the kinks out of a line that crossed the facets of a coarse mesh: low-pass filtering
@@ -59,7 +105,29 @@ void fair(std::vector<Vec3>& points, bool closed) {
   }
 }
 
-Curve3 to_curve(const TracedStroke& stroke, const Surface& surface, std::vector<double> widths) {
+// Lifting a line off its facets and fairing it move it off what it keeps. Put back along the
+// surface, or, where that is nearly level itself, in space.
+void restore_level(const TracedStroke& stroke, const Surface& surface, const Picture& picture,
+                   std::vector<Vec3>& points) {
+  constexpr double kMost = 0.4;   // paper mm: what is off by more was moved for another reason
+  constexpr double kSteep = 0.5;  // sine of the angle between the surface and level planes
+  if (!stroke.level) return;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    SurfacePoint at = stroke.samples[i].point;
+    const Frame frame = surface.frame(at);
+    at.position = points[i];
+    const auto here = picture.level(stroke.part, at, frame);
+    if (!here) continue;
+    const bool steep = glm::length(here->gradient) >= kSteep * glm::length(here->in_space);
+    const Vec3 along = steep ? here->gradient : here->in_space;
+    const double off = *stroke.level - here->value, slope = glm::length(along);
+    if (std::abs(off) * picture.camera.scale_at(points[i]) > kMost * slope) continue;
+    points[i] += off / (slope * slope) * along;
+  }
+}
+
+Curve3 to_curve(const TracedStroke& stroke, const Picture& picture, std::vector<double> widths) {
+  const Surface& surface = picture.surface(stroke.part);
   Curve3 c;
   c.kind = LineClass::Stroke;
   c.family = stroke.family;
@@ -73,6 +141,7 @@ Curve3 to_curve(const TracedStroke& stroke, const Surface& surface, std::vector<
   }
   if (!c.closed) c.faces.pop_back();
   fair(c.points, c.closed);
+  restore_level(stroke, surface, picture, c.points);
   return c;
 }
 
@@ -85,6 +154,7 @@ StrokeResult trace_strokes(std::span<const Surface* const> surfaces, const Camer
   const Picture picture{surfaces, camera, field, tone, probe, options, same_place(surfaces)};
   context.begin_stage("cover");
   const ViewRaster raster = make_raster(picture, context);
+  check_work(picture, raster);
   const Coverage coverage = cover_picture(picture, raster, context);
 
   context.begin_stage("trace");
@@ -96,11 +166,10 @@ StrokeResult trace_strokes(std::span<const Surface* const> surfaces, const Camer
   StrokeResult result;
   result.coverage_points = static_cast<std::int64_t>(coverage.seeds.size());
   result.coverage_delta = coverage.delta;
+  result.thinned_parts = coverage.thinned_parts;
   for (std::size_t f = 0; f < families.size(); ++f) {
     for (std::size_t s = 0; s < families[f].strokes.size(); ++s) {
-      result.strokes.push_back(to_curve(families[f].strokes[s],
-                                        picture.surface(families[f].strokes[s].part),
-                                        std::move(widths[f][s])));
+      result.strokes.push_back(to_curve(families[f].strokes[s], picture, std::move(widths[f][s])));
     }
   }
   context.end_stage();

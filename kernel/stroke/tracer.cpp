@@ -60,17 +60,16 @@ bool Tracer::fill(std::int32_t part, const SurfacePoint& point, Vec3 previous,
                   StrokeSample& out) const {
   const Surface& surface = picture_.surface(part);
   const Frame frame = surface.frame(point);
-  const auto direction = picture_.field.direction({part, point, frame, previous, family_});
-  if (!direction) return false;
-  if (previous != Vec3(0)) {
-    const auto own = picture_.field.direction({part, point, frame, Vec3(0), family_});
-    out.own = !own || std::abs(glm::dot(*own, *direction)) > kOwnArm;
-  }
+  const auto cross = picture_.field.cross({part, point, frame});
+  if (!cross) return false;
+  const Vec3 own = arm_of(*cross, family_);
+  const Vec3 direction = previous == Vec3(0) ? own : arm_along(*cross, previous);
+  out.own = std::abs(glm::dot(own, direction)) > kOwnArm;
   const Camera& camera = picture_.camera;
   const ProxyPoint place = surface.to_proxy(point);
   out.point = point;
   out.normal = frame.normal;
-  out.tangent = *direction;
+  out.tangent = direction;
   out.paper = camera.to_paper(point.position);
   const Vec2 v = camera.velocity(point.position, out.tangent);
   const double speed = glm::length(v);
@@ -89,15 +88,16 @@ bool Tracer::fill(std::int32_t part, const SurfacePoint& point, Vec3 previous,
 
 bool Tracer::seed(std::int32_t part, const SurfacePoint& point, Vec3 toward,
                   StrokeSample& out) const {
-  return fill(part, point, toward, out) && out.visible && out.facing > kMinFacing;
+  return fill(part, point, toward, out) && out.visible && out.facing > kMinFacing &&
+         picture_.on_sheet(out.paper);
 }
 
 std::optional<Vec2> Tracer::direction(std::int32_t part, const SurfacePoint& point,
                                       Vec3 previous) const {
   const Frame frame = picture_.surface(part).frame(point);
-  const auto d = picture_.field.direction({part, point, frame, previous, family_});
-  if (!d) return std::nullopt;
-  const Vec2 v = picture_.camera.velocity(point.position, *d);
+  const auto cross = picture_.field.cross({part, point, frame});
+  if (!cross) return std::nullopt;
+  const Vec2 v = picture_.camera.velocity(point.position, arm_along(*cross, previous));
   const double speed = glm::length(v);
   return speed > 0 ? std::optional(v / speed) : std::nullopt;
 }
@@ -110,9 +110,8 @@ bool Tracer::free(std::int32_t part, const StrokeSample& s, double share) const 
 }
 
 // What a stroke from a seed keeps: the field's level, where it runs along a level line.
-std::optional<double> Tracer::level_kept(const Surface& surface, const StrokeSample& seed) const {
-  if (!picture_.field.level) return std::nullopt;
-  const auto level = picture_.field.level(seed.point, surface.frame(seed.point));
+std::optional<double> Tracer::level_kept(std::int32_t part, const StrokeSample& seed) const {
+  const auto level = picture_.level(part, seed.point, picture_.surface(part).frame(seed.point));
   if (!level) return std::nullopt;
   const double climb = std::abs(glm::dot(seed.tangent, level->gradient));
   if (climb > kAlongLevel * glm::length(level->gradient)) return std::nullopt;
@@ -122,12 +121,12 @@ std::optional<double> Tracer::level_kept(const Surface& surface, const StrokeSam
 // Brings the end of a step of some length back to the level that its stroke keeps, by Newton's
 // method: near outlines steps are long on the surface, and errors add up. False where the level
 // cannot be kept: its line turns more sharply than steps can follow.
-bool Tracer::keep_level(const Surface& surface, double level, double length,
-                        MarchStep& step) const {
+bool Tracer::keep_level(std::int32_t part, double level, double length, MarchStep& step) const {
   constexpr int kMost = 4;
+  const Surface& surface = picture_.surface(part);
   for (int i = 0; i < kMost; ++i) {
     const Frame frame = surface.frame(step.end);
-    const auto here = picture_.field.level(step.end, frame);
+    const auto here = picture_.level(part, step.end, frame);
     if (!here) return true;
     const double slope = glm::length(here->gradient), off = (level - here->value) / slope;
     if (std::abs(off) < kLeastOff * length) return true;
@@ -140,10 +139,36 @@ bool Tracer::keep_level(const Surface& surface, double level, double length,
   return true;
 }
 
+// Turns a step that ends at an edge of the surface until it ends there on the level: moved along
+// the level's gradient its end would leave the edge.
+void Tracer::aim(std::int32_t part, const SurfacePoint& from, Vec3 tangent, double level,
+                 double length, MarchStep& step) const {
+  constexpr int kMost = 4;
+  const Surface& surface = picture_.surface(part);
+  const Vec3 normal = surface.frame(from).normal;
+  MarchStep best = step;
+  double least = kMostOff * length;
+  for (int i = 0; i < kMost; ++i) {
+    const Frame frame = surface.frame(step.end);
+    const auto here = picture_.level(part, step.end, frame);
+    if (!here) break;
+    const double slope = glm::length(here->gradient), off = (level - here->value) / slope;
+    if (!(std::abs(off) < least)) break;
+    least = std::abs(off);
+    best = step;
+    if (least < kLeastOff * length || !(step.length > least)) break;
+    tangent = glm::normalize(tangent + off / step.length *
+                                           transport(here->gradient / slope, frame.normal, normal));
+    step = surface.march(from, tangent, length);
+    if (step.stop != best.stop) break;
+  }
+  step = best;
+}
+
 // A stroke that went on unseen and did not come out again ends behind what hides it.
-StrokeEnd Tracer::extend(std::int32_t part, const StrokeSample& seed, double sign, double reach,
-                         std::vector<StrokeSample>& out) const {
-  const StrokeEnd end = advance(part, seed, sign, reach, out);
+StrokeEnd Tracer::extend(std::int32_t part, const StrokeSample& seed, std::optional<double> level,
+                         double sign, double reach, std::vector<StrokeSample>& out) const {
+  const StrokeEnd end = advance(part, seed, level, sign, reach, out);
   // The last sample of a stroke whose surface turns away is not visible for that reason.
   std::size_t seen = out.size() - (end == StrokeEnd::Away ? 1 : 0);
   while (seen > 0 && !out[seen - 1].visible) --seen;
@@ -157,15 +182,14 @@ StrokeEnd Tracer::extend(std::int32_t part, const StrokeSample& seed, double sig
   return end;
 }
 
-StrokeEnd Tracer::advance(std::int32_t part, const StrokeSample& seed, double sign, double reach,
-                          std::vector<StrokeSample>& out) const {
+StrokeEnd Tracer::advance(std::int32_t part, const StrokeSample& seed, std::optional<double> level,
+                          double sign, double reach, std::vector<StrokeSample>& out) const {
   const Surface& surface = picture_.surface(part);
   const Camera& camera = picture_.camera;
   StrokeSample at = seed;
   at.tangent *= sign;
   double travelled = 0, unseen = 0, foreign = 0;
   std::size_t last_own = 0;
-  const std::optional<double> level = level_kept(surface, seed);
   for (int i = 0; i < kMaxSamples; ++i) {
     const double scale = camera.scale_at(at.point.position);
     const double speed = glm::length(camera.velocity(at.point.position, at.tangent)) / scale;
@@ -175,14 +199,16 @@ StrokeEnd Tracer::advance(std::int32_t part, const StrokeSample& seed, double si
     const MarchStep half = surface.march(at.point, tangent, 0.5 * length);
     if (half.stop == MarchStop::Completed) {
       const Frame frame = surface.frame(half.end);
-      if (const auto d =
-              picture_.field.direction({part, half.end, frame, half.direction, family_})) {
-        tangent = transport(*d, frame.normal, at.normal);
+      if (const auto cross = picture_.field.cross({part, half.end, frame})) {
+        tangent = transport(arm_along(*cross, half.direction), frame.normal, at.normal);
       }
     }
     MarchStep step = surface.march(at.point, tangent, length);
-    if (level && step.stop == MarchStop::Completed && !keep_level(surface, *level, length, step)) {
+    if (level && step.stop == MarchStop::Completed && !keep_level(part, *level, length, step)) {
       return StrokeEnd::Singular;
+    }
+    if (level && (step.stop == MarchStop::Crease || step.stop == MarchStop::Boundary)) {
+      aim(part, at.point, tangent, *level, length, step);
     }
     if (step.stop == MarchStop::Singular || step.stop == MarchStop::NotConverged) {
       return StrokeEnd::Singular;
@@ -197,6 +223,10 @@ StrokeEnd Tracer::advance(std::int32_t part, const StrokeSample& seed, double si
     if (!next.visible || next.facing < kMinFacing) {
       out.push_back(next);
       return StrokeEnd::Away;
+    }
+    if (!picture_.on_sheet(next.paper)) {
+      out.push_back(next);
+      return StrokeEnd::Edge;
     }
     const double ds = glm::length(next.paper - at.paper);
     // The families change names along seams of the field. A stroke that ran on there would cross
@@ -243,13 +273,14 @@ TracedStroke Tracer::trace(std::int32_t part, const StrokeSample& seed, double r
   TracedStroke stroke;
   stroke.part = part;
   stroke.family = family_;
+  stroke.level = level_kept(part, seed);
   std::vector<StrokeSample> forward, backward;
-  stroke.end_reason = extend(part, seed, 1, reach, forward);
+  stroke.end_reason = extend(part, seed, stroke.level, 1, reach, forward);
   if (stroke.end_reason == StrokeEnd::Closed) {
     stroke.closed = true;
     stroke.begin_reason = StrokeEnd::Closed;
   } else {
-    stroke.begin_reason = extend(part, seed, -1, reach, backward);
+    stroke.begin_reason = extend(part, seed, stroke.level, -1, reach, backward);
     if (stroke.begin_reason == StrokeEnd::Closed) stroke.begin_reason = StrokeEnd::Crowded;
   }
   for (auto it = backward.rbegin(); it != backward.rend(); ++it) {

@@ -36,6 +36,7 @@ struct TracedStroke {
   StrokeEnd end_reason = StrokeEnd::Length;
   bool closed = false;
   int family = 1;
+  std::optional<double> level;  // what the stroke keeps, if it runs along a level line of the field
 
   double length() const;  // on paper
 };
@@ -69,13 +70,15 @@ class Tracer {
 
  private:
   bool fill(std::int32_t part, const SurfacePoint& point, Vec3 previous, StrokeSample& out) const;
-  std::optional<double> level_kept(const Surface& surface, const StrokeSample& seed) const;
-  bool keep_level(const Surface& surface, double level, double length, MarchStep& step) const;
-  StrokeEnd extend(std::int32_t part, const StrokeSample& seed, double sign, double reach,
-                   std::vector<StrokeSample>& out) const;
+  std::optional<double> level_kept(std::int32_t part, const StrokeSample& seed) const;
+  bool keep_level(std::int32_t part, double level, double length, MarchStep& step) const;
+  void aim(std::int32_t part, const SurfacePoint& from, Vec3 tangent, double level, double length,
+           MarchStep& step) const;
+  StrokeEnd extend(std::int32_t part, const StrokeSample& seed, std::optional<double> level,
+                   double sign, double reach, std::vector<StrokeSample>& out) const;
 
-  StrokeEnd advance(std::int32_t part, const StrokeSample& seed, double sign, double reach,
-                    std::vector<StrokeSample>& out) const;
+  StrokeEnd advance(std::int32_t part, const StrokeSample& seed, std::optional<double> level,
+                    double sign, double reach, std::vector<StrokeSample>& out) const;
 
   const Picture& picture_;
   const SampleGrid& grid_;

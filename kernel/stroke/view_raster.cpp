@@ -2,19 +2,22 @@
 
 #include <burin/base/parallel.h>
 
+#include <algorithm>
+#include <cmath>
+
 namespace burin::detail {
 namespace {
+
+// Cells that the grid may have, some 200 MB: on sheets over 2 square metres they are wider.
+constexpr double kMostCells = 8e6;
 
 Box2 projected_bounds(const Picture& picture) {
   Box2 box;
   for (const Surface* s : picture.surfaces) {
     for (const Vec3& p : s->proxy().mesh.positions) box.add(picture.camera.to_paper(p));
   }
-  Box2 clipped;
-  const Paper& paper = picture.camera.paper();
-  clipped.min = glm::clamp(box.min, Vec2(0), Vec2(paper.width, paper.height));
-  clipped.max = glm::clamp(box.max, Vec2(0), Vec2(paper.width, paper.height));
-  return clipped;
+  const Box2 sheet = picture.sheet();
+  return {glm::clamp(box.min, sheet.min, sheet.max), glm::clamp(box.max, sheet.min, sheet.max)};
 }
 
 }  // namespace
@@ -23,6 +26,7 @@ ViewRaster make_raster(const Picture& picture, const RunContext& context) {
   ViewRaster raster;
   const Box2 box = projected_bounds(picture);
   raster.origin = box.min;
+  raster.pitch = std::max(raster.pitch, std::sqrt(box.size().x * box.size().y / kMostCells));
   raster.nx = static_cast<std::int32_t>(box.size().x / raster.pitch) + 1;
   raster.ny = static_cast<std::int32_t>(box.size().y / raster.pitch) + 1;
   const auto nx = static_cast<std::size_t>(raster.nx);

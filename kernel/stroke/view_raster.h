@@ -20,7 +20,7 @@ struct RasterCell {
 
 struct ViewRaster {
   Vec2 origin{0};      // paper mm, lower left corner
-  double pitch = 0.5;  // paper mm
+  double pitch = 0.5;  // paper mm; wider on very large sheets
   std::int32_t nx = 0, ny = 0;
   std::vector<RasterCell> cells;
 
@@ -33,7 +33,8 @@ struct ViewRaster {
   }
 };
 
-/// Probes the sheet where the scene projects. Cost: one ray a cell, about 250,000 on A4.
+/// Probes the sheet where the scene projects. Cost: one ray a cell, about 250,000 on A4, 8 million
+/// at most.
 ViewRaster make_raster(const Picture& picture, const RunContext& context);
 
 }  // namespace burin::detail

@@ -16,10 +16,15 @@ constexpr std::uint64_t kDraws = 4;
 // Candidates a point at the most, so that a weight that is zero everywhere ends.
 constexpr std::size_t kMaxCandidates = 200;
 
-std::vector<double> cumulative_areas(const TriMesh& mesh) {
+std::vector<double> cumulative_areas(const TriMesh& mesh, const CoverRequest& request) {
   std::vector<double> sums(mesh.triangles.size());
   double total = 0;
-  for (std::uint32_t f = 0; f < mesh.triangles.size(); ++f) sums[f] = total += mesh.area(f);
+  for (std::uint32_t f = 0; f < mesh.triangles.size(); ++f) {
+    const auto& [a, b, c] = mesh.triangles[f];
+    const bool counts =
+        !request.among || request.among(mesh.positions[a], mesh.positions[b], mesh.positions[c]);
+    sums[f] = total += counts ? mesh.area(f) : 0;
+  }
   return sums;
 }
 
@@ -48,7 +53,7 @@ std::optional<ProxyPoint> candidate(const ProxyMesh& p, const std::vector<double
 std::vector<SurfacePoint> Surface::cover(const CoverRequest& request,
                                          const RunContext& context) const {
   const ProxyMesh& p = proxy();
-  const std::vector<double> sums = cumulative_areas(p.mesh);
+  const std::vector<double> sums = cumulative_areas(p.mesh, request);
   std::vector<SurfacePoint> points;
   if (sums.empty() || !(sums.back() > 0)) return points;
   const Rng rng(request.seed, static_cast<std::uint64_t>(request.part));

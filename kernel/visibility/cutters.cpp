@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace burin {
 Cutters::Cutters(std::vector<PictureSegment> segments, double same_depth)
@@ -14,15 +15,32 @@ Cutters::Cutters(std::vector<PictureSegment> segments, double same_depth)
 
 void Cutters::cross(const PictureSegment& s, CutRule rule, Crossings& out) const {
   if (segments_.empty() || !is_finite(s)) return;
+  if (even_ > 0) {
+    const double length = glm::length(s.b - s.a);
+    for (double at = 0; at < length; at += even_) out.cuts.push_back(to_space(s, at / length));
+    return;
+  }
   grid_.visit(s, kReach, [&](std::uint32_t i) {
+    ++out.tests;
     if (!follow_each_other(s, segments_[i])) cross_one(s, segments_[i], rule, out);
   });
 }
 
-bool Cutters::cuts_at(const PictureSegment& s, double space, const PictureSegment& cutter,
-                      double share, CutRule rule, double sign) const {
-  return rule == CutRule::AnyDepth ||
-         depth_at(cutter, to_space(cutter, share)) > depth_at(s, space) + sign * same_depth_;
+double Cutters::expected_cuts(double length) const {
+  Box2 box;
+  double own = 0;
+  for (const PictureSegment& s : segments_) {
+    box.add(s.a);
+    box.add(s.b);
+    own += glm::length(s.b - s.a);
+  }
+  const double area = box.empty() ? 0 : box.size().x * box.size().y;
+  return area > 0 ? 2 * own * length / (std::numbers::pi * area) : 0;
+}
+
+bool Cutters::nearer_at(const PictureSegment& s, double space, const PictureSegment& cutter,
+                        double share, double sign) const {
+  return depth_at(cutter, to_space(cutter, share)) > depth_at(s, space) + sign * same_depth_;
 }
 
 void Cutters::cross_one(const PictureSegment& s, const PictureSegment& cutter, CutRule rule,
@@ -40,7 +58,9 @@ void Cutters::cross_one(const PictureSegment& s, const PictureSegment& cutter, C
   if (sa == sb || ca == cb) return;
   const double at = sa / (sa - sb), share = ca / (ca - cb);
   const double space = to_space(s, at);
-  if (cuts_at(s, space, cutter, share, rule, -1)) out.cuts.push_back(space);
+  if (rule == CutRule::AnyDepth || nearer_at(s, space, cutter, share, -1)) {
+    out.cuts.push_back(space);
+  }
 }
 
 // One lies within the reach of the other's line: they share a stretch, a point or nothing.
@@ -52,7 +72,7 @@ void Cutters::cross_parallel(const PictureSegment& s, const PictureSegment& cutt
     const double u = ee > 0 ? glm::dot(s.a - cutter.a, e) / ee : 0;
     if (glm::length(cutter.a + std::clamp(u, 0.0, 1.0) * e - s.a) > kReach) return;
     for (const double end : {0.0, 1.0}) {
-      if (cuts_at(s, end, cutter, u, rule, -1)) out.cuts.push_back(end);
+      if (rule == CutRule::AnyDepth || nearer_at(s, end, cutter, u, -1)) out.cuts.push_back(end);
     }
     return;
   }
@@ -68,10 +88,12 @@ void Cutters::cross_parallel(const PictureSegment& s, const PictureSegment& cutt
   for (int i = 0; i < 2; ++i) {
     const double at = std::clamp(i == 0 ? from : to, 0.0, 1.0);
     ends[i] = to_space(s, at);
-    if (cuts_at(s, ends[i], cutter, share(at), rule, -1)) out.cuts.push_back(ends[i]);
-    nearer = nearer && cuts_at(s, ends[i], cutter, share(at), rule, +1);
+    if (rule == CutRule::AnyDepth || nearer_at(s, ends[i], cutter, share(at), -1)) {
+      out.cuts.push_back(ends[i]);
+    }
+    nearer = nearer && nearer_at(s, ends[i], cutter, share(at), +1);
   }
-  if (nearer && rule == CutRule::NearerOrAt) out.covered.push_back({ends[0], ends[1]});
+  if (nearer) out.covered.push_back({ends[0], ends[1]});
 }
 
 }  // namespace burin

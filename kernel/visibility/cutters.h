@@ -16,6 +16,8 @@ struct Crossings {
     double begin, end;
   };
   std::vector<Stretch> covered;
+  /// Segments that were looked at since the beginning: what the search has cost.
+  std::size_t tests = 0;
   void clear() {
     cuts.clear();
     covered.clear();
@@ -25,6 +27,8 @@ struct Crossings {
 /// Which occluding segments cut.
 enum class CutRule {
   NearerOrAt,  ///< those before or at the depth of the segment where they cross it
+  /// All; for curves that lie a chord error off the lines that bound them. A line that can be seen
+  /// has nothing before it, so that it cuts nothing that it should not.
   AnyDepth
 };
 
@@ -43,17 +47,24 @@ class Cutters {
   /// Adds to `out` where the occluding segments cut `s`; unordered and possibly twice.
   void cross(const PictureSegment& s, CutRule rule, Crossings& out) const;
   std::size_t size() const { return segments_.size(); }
+  /// From now on `cross` cuts every so many paper mm (and at the start of a segment) in place of
+  /// where the segments are: where there are too many of them to be met one by one.
+  void cut_evenly(double spacing) { even_ = spacing; }
+  /// How many cuts lines of so many paper mm in all would get, were they and the segments strewn
+  /// over the picture by chance. @cite Santalo1976
+  double expected_cuts(double length) const;
 
  private:
   void cross_one(const PictureSegment& s, const PictureSegment& cutter, CutRule rule,
                  Crossings& out) const;
   void cross_parallel(const PictureSegment& s, const PictureSegment& cutter, CutRule rule,
                       Crossings& out) const;
-  bool cuts_at(const PictureSegment& s, double space, const PictureSegment& cutter, double share,
-               CutRule rule, double sign) const;
+  bool nearer_at(const PictureSegment& s, double space, const PictureSegment& cutter, double share,
+                 double sign) const;
 
   std::vector<PictureSegment> segments_;
   double same_depth_;
+  double even_ = 0;
   SegmentGrid grid_;
 };
 

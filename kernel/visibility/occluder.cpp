@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <new>
 #include <vector>
 
 namespace burin {
@@ -83,7 +84,7 @@ void filter_hit(const RTCFilterFunctionNArguments* args) {
     const auto hit = intersect_plane(*q.proxies[static_cast<std::size_t>(where.part)], where.face,
                                      q.origin, q.direction);
     stands = hit && hit->distance >= q.near && hit->distance <= q.far &&
-             (!q.counts || (*q.counts)({where, Vec3(0), hit->distance}));
+             (!q.counts || (*q.counts)({where, hit->bary, hit->distance}));
   }
   if (!stands) args->valid[0] = 0;
 }
@@ -119,6 +120,7 @@ struct Occluder::Impl {
     const RTCError error = rtcGetDeviceError(device);
     if (error == RTC_ERROR_NONE) return;
     if (error == RTC_ERROR_CANCELLED) throw Cancelled();
+    if (error == RTC_ERROR_OUT_OF_MEMORY) throw std::bad_alloc();
     throw Error(
         fmt::format("Embree failed with error {} while {}", static_cast<int>(error), doing));
   }
@@ -128,7 +130,10 @@ struct Occluder::Impl {
     auto* vertices = static_cast<float*>(rtcSetNewGeometryBuffer(
         geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, 3 * sizeof(float),
         std::max<std::size_t>(mesh.positions.size(), 1)));
-    if (!vertices) check("allocating the vertices");
+    if (!vertices) {
+      check("allocating the vertices");
+      throw std::bad_alloc();
+    }
     parallel_for(mesh.positions.size(), 65536, [&](std::size_t begin, std::size_t end) {
       for (std::size_t i = begin; i < end; ++i) {
         const Vec3 p = (mesh.positions[i] - center) / half;
@@ -149,8 +154,15 @@ struct Occluder::Impl {
 
   void build(const RunContext& context) {
     const FlushDenormals flush;
+#ifdef BURIN_THREAD_SANITIZER
+    const ThreadLimit alone(1);  // it does not see what orders Embree's own tasks
+#endif
     device = rtcNewDevice(nullptr);
-    if (!device) throw Error("Embree could not open a device");
+    if (!device) {
+      // Any processor of today has what Embree asks for; else it lacks memory for its threads.
+      if (rtcGetDeviceError(nullptr) != RTC_ERROR_UNSUPPORTED_CPU) throw std::bad_alloc();
+      throw Error("this processor lacks the instructions (SSE2) that Embree needs");
+    }
     scene = rtcNewScene(device);
     rtcSetSceneFlags(scene, RTC_SCENE_FLAG_ROBUST);
     rtcSetSceneBuildQuality(scene, RTC_BUILD_QUALITY_MEDIUM);

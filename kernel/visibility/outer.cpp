@@ -64,12 +64,16 @@ void mark(const Probe& probe, const Curve3& curve, const Track& track, const Pie
 
 std::vector<Piece> find_outer(const Probe& probe, const Cutters& cutters, const Curve3& curve,
                               const Track& track, std::int32_t number,
-                              const std::vector<Piece>& pieces, double minimum, Scratch& scratch) {
+                              const std::vector<Piece>& pieces, double minimum, double same_cut,
+                              Scratch& scratch) {
   const auto n = static_cast<double>(track.segment_count());
   scratch.cuts.clear();
   for (std::size_t i = 0; i < track.segment_count(); ++i) {
     scratch.crossings.clear();
     cutters.cross(track.segment(i, number), CutRule::AnyDepth, scratch.crossings);
+    if (same_cut > kSameCut) {
+      thin_cuts(scratch.crossings.cuts, glm::distance(track.start(i), track.end(i)), same_cut);
+    }
     for (const double t : scratch.crossings.cuts) {
       scratch.cuts.push_back(static_cast<double>(i) + t);
       if (track.closed()) scratch.cuts.push_back(static_cast<double>(i) + t + n);
@@ -83,10 +87,8 @@ std::vector<Piece> find_outer(const Probe& probe, const Cutters& cutters, const 
       out.push_back(piece);
       continue;
     }
-    inside.clear();
-    for (const double cut : scratch.cuts) {
-      if (cut > piece.begin && cut < piece.end) inside.push_back(cut);
-    }
+    inside.assign(std::upper_bound(scratch.cuts.begin(), scratch.cuts.end(), piece.begin),
+                  std::lower_bound(scratch.cuts.begin(), scratch.cuts.end(), piece.end));
     mark(probe, curve, track, piece, inside, minimum, out);
   }
   return out;

@@ -14,6 +14,7 @@ namespace burin {
 /// or -1.
 std::vector<Piece> find_outer(const Probe& probe, const Cutters& cutters, const Curve3& curve,
                               const Track& track, std::int32_t number,
-                              const std::vector<Piece>& pieces, double minimum, Scratch& scratch);
+                              const std::vector<Piece>& pieces, double minimum, double same_cut,
+                              Scratch& scratch);
 
 }  // namespace burin

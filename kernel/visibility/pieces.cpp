@@ -6,12 +6,9 @@
 namespace burin {
 namespace {
 
-// Paper mm: cuts closer than this are one (rounding of the same crossing found twice).
-constexpr double kSameCut = 1e-6;
-
 // Whether the surface under a stroke hides what faces away from the viewer.
 bool turns_away_hidden(const Curve3& curve, const Probe& probe, std::size_t segment) {
-  if (curve.kind != LineClass::Stroke && curve.kind != LineClass::Pattern) return false;
+  if (!lies_on_surface(curve)) return false;
   if (curve.normals.empty() || curve.faces.empty() || curve.faces[segment] < 0) return false;
   const ProxyMesh* proxy = probe.proxy(curve.source.part);
   return proxy && !proxy->topology.face_component.empty() &&
@@ -32,7 +29,7 @@ bool hidden_by_itself(const Curve3& curve, const Probe& probe, double middle) {
   return (1 - t) * facing(curve, camera, i) + t * facing(curve, camera, curve.next(i)) < 0;
 }
 
-void own_cuts(const Curve3& curve, const Probe& probe, std::vector<double>& cuts) {
+void own_cuts(const Curve3& curve, const Camera& camera, std::vector<double>& cuts) {
   const std::size_t n = curve.segment_count();
   if (!curve.self_hidden.empty()) {
     for (std::size_t i = curve.closed ? 0 : 1; i < n; ++i) {
@@ -40,15 +37,32 @@ void own_cuts(const Curve3& curve, const Probe& probe, std::vector<double>& cuts
       if (curve.self_hidden[i] != curve.self_hidden[before]) cuts.push_back(static_cast<double>(i));
     }
   }
-  if (curve.normals.empty() || curve.faces.empty()) return;
-  double g = facing(curve, probe.camera(), 0);
+  if (!lies_on_surface(curve) || curve.normals.empty()) return;
+  double g = facing(curve, camera, 0);
   for (std::size_t i = 0; i < n; ++i) {
-    const double h = facing(curve, probe.camera(), curve.next(i));
-    if ((g < 0) != (h < 0) && turns_away_hidden(curve, probe, i)) {
-      cuts.push_back(static_cast<double>(i) + g / (g - h));
-    }
+    const double h = facing(curve, camera, curve.next(i));
+    // A stroke that turns round with its surface comes back on the other side of the fold without
+    // ever crossing it in the picture. Of an open sheet that side can be seen or not.
+    if ((g < 0) != (h < 0)) cuts.push_back(static_cast<double>(i) + g / (g - h));
     g = h;
   }
+}
+
+// Whether a sheet that the curve passes through at an end of the piece hides it. Rays cannot tell
+// on a short piece: within the chord errors of both they do not know which is in front.
+bool hidden_at_passage(const Piece& piece, const std::vector<Passage>& passages,
+                       const Track& track) {
+  constexpr double kShort = 2;  // paper mm
+  if (piece.length() > kShort) return false;
+  const auto meet = [&](double a, double b) {
+    const double apart = std::abs(a - b);
+    return apart <= 2 * kSameCut ||
+           (track.closed() && std::abs(apart - track.length()) <= 2 * kSameCut);
+  };
+  return std::any_of(passages.begin(), passages.end(), [&](const Passage& p) {
+    const double at = track.length_at(p.at);
+    return (p.hidden_after && meet(at, piece.from)) || (p.hidden_before && meet(at, piece.to));
+  });
 }
 
 }  // namespace
@@ -57,30 +71,53 @@ void Cutting::find_cuts(const Curve3& curve, const Track& track, std::int32_t nu
                         Scratch& scratch) const {
   scratch.cuts.clear();
   scratch.covered.clear();
-  if (curve.kind == LineClass::Stroke || curve.kind == LineClass::Pattern ||
-      !curve.self_hidden.empty()) {
-    own_cuts(curve, probe_, scratch.cuts);
-  }
+  own_cuts(curve, probe_.camera(), scratch.cuts);
   for (std::size_t i = 0; i < track.segment_count(); ++i) {
     if (!curve.self_hidden.empty() && curve.self_hidden[i]) continue;
     scratch.crossings.clear();
-    cutters_.cross(track.segment(i, number), CutRule::NearerOrAt, scratch.crossings);
+    cutters_.cross(track.segment(i, number), rule_, scratch.crossings);
     const auto at = static_cast<double>(i);
+    if (same_cut_ > kSameCut) {
+      thin_cuts(scratch.crossings.cuts, glm::distance(track.start(i), track.end(i)), same_cut_);
+    }
     for (const double t : scratch.crossings.cuts) scratch.cuts.push_back(at + t);
     for (const Crossings::Stretch& s : scratch.crossings.covered) {
       scratch.covered.push_back({at + s.begin, at + s.end});
     }
   }
+  scratch.passages = find_passages(probe_, curve, track);
+  for (const Passage& p : scratch.passages) scratch.cuts.push_back(p.at);
 }
 
-std::vector<Piece> pieces_between(const Track& track, std::vector<double>& cuts) {
+std::size_t Cutting::count_cuts(const Track& track, std::int32_t number, Scratch& scratch) const {
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < track.segment_count(); ++i) {
+    scratch.crossings.clear();
+    cutters_.cross(track.segment(i, number), rule_, scratch.crossings);
+    count += scratch.crossings.cuts.size();
+  }
+  return count;
+}
+
+void thin_cuts(std::vector<double>& cuts, double length, double same_cut) {
+  if (!(length > 0) || cuts.size() < 2) return;
+  std::sort(cuts.begin(), cuts.end());
+  const double apart = same_cut / length;
+  std::size_t kept = 1;
+  for (const double cut : cuts) {
+    if (cut - cuts[kept - 1] >= apart) cuts[kept++] = cut;
+  }
+  cuts.resize(kept);
+}
+
+std::vector<Piece> pieces_between(const Track& track, std::vector<double>& cuts, double same_cut) {
   const auto n = static_cast<double>(track.segment_count());
   std::sort(cuts.begin(), cuts.end());
   const double total = track.length();
   std::vector<Piece> ends;  // places of the cuts that remain
   for (const double cut : cuts) {
     const double at = track.length_at(std::min(cut, n * (1 - 1e-16)));
-    if (!ends.empty() && at - ends.back().from <= kSameCut) continue;
+    if (!ends.empty() && at - ends.back().from <= same_cut) continue;
     const bool at_an_end = at <= kSameCut || at >= total - kSameCut;
     if (at_an_end && !track.closed()) continue;
     ends.push_back({cut, cut, at, at});
@@ -110,7 +147,7 @@ std::vector<Piece> pieces_between(const Track& track, std::vector<double>& cuts)
 std::vector<Piece> Cutting::classify(const Curve3& curve, const Track& track, std::int32_t number,
                                      Scratch& scratch) const {
   find_cuts(curve, track, number, scratch);
-  std::vector<Piece> pieces = pieces_between(track, scratch.cuts), out;
+  std::vector<Piece> pieces = pieces_between(track, scratch.cuts, same_cut_), out;
   out.reserve(pieces.size());
   for (Piece& piece : pieces) {
     // The middle on paper, so that a piece of almost no length in space decides by its own inside.
@@ -121,7 +158,8 @@ std::vector<Piece> Cutting::classify(const Curve3& curve, const Track& track, st
     const bool covered = std::any_of(
         scratch.covered.begin(), scratch.covered.end(),
         [&](const Crossings::Stretch& s) { return s.begin <= middle && middle <= s.end; });
-    if (covered || hidden_by_itself(curve, probe_, middle)) {
+    if (covered || hidden_by_itself(curve, probe_, middle) ||
+        hidden_at_passage(piece, scratch.passages, track)) {
       piece.visible = false;
       out.push_back(piece);
     } else {
@@ -131,12 +169,34 @@ std::vector<Piece> Cutting::classify(const Curve3& curve, const Track& track, st
   return out;
 }
 
-bool Cutting::visible_at(const Curve3& curve, const Track& track, double length) const {
+namespace {
+
+struct Place {
+  std::size_t segment;
+  double share;
+};
+
+Place place_at(const Track& track, double length) {
   double parameter = track.parameter_at(length);
   const auto n = static_cast<double>(track.segment_count());
   if (parameter >= n) parameter -= track.closed() ? n : 0;
   const auto i = std::min(static_cast<std::size_t>(parameter), track.segment_count() - 1);
-  return probe_.visible(curve, i, std::min(1.0, parameter - static_cast<double>(i)));
+  return {i, std::min(1.0, parameter - static_cast<double>(i))};
+}
+
+}  // namespace
+
+bool Cutting::visible_at(const Curve3& curve, const Track& track, double length) const {
+  const Place place = place_at(track, length);
+  return probe_.visible(curve, place.segment, place.share);
+}
+
+bool Cutting::clearly_hidden_at(const Curve3& curve, const Track& track, double length) const {
+  // What the proxies do not tell apart is an estimate; the edges of a CAD file may lie off its
+  // faces by more.
+  constexpr double kClear = 3;
+  const Place place = place_at(track, length);
+  return probe_.hidden_by(curve, place.segment, place.share, kClear);
 }
 
 }  // namespace burin

@@ -4,6 +4,7 @@
 #include <burin/base/curve.h>
 
 #include "cutters.h"
+#include "passages.h"
 #include "probe.h"
 #include "track.h"
 
@@ -29,14 +30,20 @@ struct Scratch {
   Crossings crossings;
   std::vector<double> cuts;
   std::vector<Crossings::Stretch> covered;  // in parameters of the curve
+  std::vector<Passage> passages;
 };
 
 /// The pieces of a curve between its cuts: where an occluding segment crosses it in the picture,
-/// where `self_hidden` changes and, for strokes on closed surfaces, where the surface turns away.
-/// Answers that need no ray are given.
+/// where `self_hidden` changes and, for strokes, where they pass through another sheet and, on
+/// closed surfaces, where the surface turns away. Answers that need no ray are given.
 class Cutting {
  public:
-  Cutting(const Probe& probe, const Cutters& cutters) : probe_(probe), cutters_(cutters) {}
+  /// Cuts closer to each other than `same_cut` paper mm are one.
+  Cutting(const Probe& probe, const Cutters& cutters, CutRule rule, double same_cut)
+      : probe_(probe), cutters_(cutters), rule_(rule), same_cut_(same_cut) {}
+
+  /// How many cuts `classify` would find, each crossing once.
+  std::size_t count_cuts(const Track& track, std::int32_t number, Scratch& scratch) const;
 
   /// Sets the pieces' places and answers; deterministic. `number`: the curve's number among the
   /// cutters, or -1.
@@ -51,13 +58,22 @@ class Cutting {
   void refine(const Curve3& curve, const Track& track, const Piece& piece,
               std::vector<Piece>& out) const;
   bool visible_at(const Curve3& curve, const Track& track, double length) const;
+  bool clearly_hidden_at(const Curve3& curve, const Track& track, double length) const;
 
   const Probe& probe_;
   const Cutters& cutters_;
+  CutRule rule_;
+  double same_cut_;
 };
 
+/// Paper mm: cuts closer than this are one (rounding of the same crossing found twice).
+inline constexpr double kSameCut = 1e-6;
+/// Leaves of the shares of a segment of `length` paper mm those that are `same_cut` apart.
+void thin_cuts(std::vector<double>& cuts, double length, double same_cut);
+
 /// The pieces between sorted cuts of a curve, without answers.
-std::vector<Piece> pieces_between(const Track& track, std::vector<double>& cuts);
+std::vector<Piece> pieces_between(const Track& track, std::vector<double>& cuts,
+                                  double same_cut = kSameCut);
 
 /// Pieces of like answer joined; those shorter than `minimum` paper mm take the answer of their
 /// neighbours.

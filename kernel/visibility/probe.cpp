@@ -1,5 +1,7 @@
 #include "probe.h"
 
+#include <burin/mesh/chord_error.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -33,8 +35,9 @@ struct Origin {
   Vec3 point;
   std::int32_t part, face;
   double on_plane, error;
-  Vec3 view;    // to the viewer
-  Vec3 across;  // the normal of the plane of the line of sight and the surface normal
+  bool of_polygons;  // an intersection: it lies on the triangles of both, whatever they stand for
+  Vec3 view;         // to the viewer
+  Vec3 across;       // the normal of the plane of the line of sight and the surface normal
   Fold fold;
 };
 
@@ -120,19 +123,24 @@ bool on_same_fold(const ProxyMesh& proxy, const Origin& o, const Hit& hit) {
          (o.fold == Fold::Boundary && walk_reaches(proxy, o, -1, hit.where.face));
 }
 
-bool hides(const Origin& o, const Hit& hit) {
+// How far the plane of a hit passes the point, in what the proxies do not tell apart there: no more
+// than 1, or 0 on its own fold, where it does not hide.
+double clearance(const Origin& o, const Hit& hit) {
   const bool own_part = hit.where.part == o.part && o.face >= 0;
-  if (own_part && static_cast<std::int32_t>(hit.where.face) == o.face) return false;
+  if (own_part && static_cast<std::int32_t>(hit.where.face) == o.face) return 0;
   const ProxyMesh& proxy = *o.probe->proxy(hit.where.part);
   const double distance = plane_distance(proxy.mesh, hit.where.face, o.point);
   const double error =
-      o.probe->chord_error(hit.where.part, static_cast<std::int32_t>(hit.where.face));
-  if (distance <= o.on_plane + o.error + error) return false;
-  return !own_part || o.fold == Fold::None || !on_same_fold(proxy, o, hit);
+      o.of_polygons
+          ? 0
+          : o.probe->chord_error(hit.where.part, static_cast<std::int32_t>(hit.where.face));
+  const double told = distance / (o.on_plane + o.error + error);
+  if (told <= 1) return told;
+  return !own_part || o.fold == Fold::None || !on_same_fold(proxy, o, hit) ? told : 0;
 }
 
-// `normal` is the curve's.
-Fold fold_at(const Curve3& curve, const ProxyMesh* proxy, std::int32_t face, Vec3 normal,
+// `normal` is the curve's; `back`: an open sheet is seen from behind.
+Fold fold_at(const Curve3& curve, const ProxyMesh* proxy, std::int32_t face, Vec3 normal, bool back,
              Vec3 view) {
   if (!proxy || face < 0 || proxy->edge_kind.empty()) return Fold::None;
   const Vec3 polygon = proxy->mesh.normal(static_cast<std::uint32_t>(face));
@@ -145,7 +153,7 @@ Fold fold_at(const Curve3& curve, const ProxyMesh* proxy, std::int32_t face, Vec
       return std::abs(glm::dot(normal, view)) < kGrazing ? Fold::Boundary : Fold::None;
     case LineClass::Stroke:
     case LineClass::Pattern:
-      return glm::dot(polygon, view) < 0 ? Fold::Contour : Fold::None;
+      return glm::dot(back ? -polygon : polygon, view) < 0 ? Fold::Contour : Fold::None;
     default:
       return Fold::None;
   }
@@ -160,24 +168,24 @@ const ProxyMesh* Probe::proxy(std::int32_t part) const {
 
 double Probe::chord_error(std::int32_t part, std::int32_t face) const {
   const ProxyMesh* p = proxy(part);
-  if (!p || face < 0 || p->wedges.empty()) return 0;
-  // k h^2 / 8 of each edge h, where k h^2 / 2 is how far the edge leaves the tangent plane at
-  // either end. The smaller of both: what bends at one end only is not bent along the edge. A
-  // diagonal of a cylinder's long facet has the sagitta of the facet.
-  double largest = 0;
-  const Triangle& w = p->wedges[static_cast<std::size_t>(face)];
-  for (std::size_t i = 0; i < 3; ++i) {
-    const std::uint32_t a = w[i], b = w[(i + 1) % 3];
-    const Vec3 edge = p->wedge_position(b) - p->wedge_position(a);
-    const double at_a = glm::dot(p->wedge_normal[a], edge),
-                 at_b = glm::dot(p->wedge_normal[b], edge);
-    if ((at_a < 0) == (at_b > 0))
-      largest = std::max(largest, std::min(std::abs(at_a), std::abs(at_b)));
-  }
-  return largest / 4;
+  return p && face >= 0 ? burin::chord_error(*p, static_cast<std::uint32_t>(face)) : 0;
+}
+
+// What is known of how far a point lies beside its triangle: strokes are lifted off flat ones where
+// those run into round ones, of which the triangle's own normals know little.
+double Probe::own_error(const Curve3& curve, std::int32_t face, Vec3 p) const {
+  if (curve.kind == LineClass::Intersection) return 0;
+  const double error = chord_error(curve.source.part, face);
+  const ProxyMesh* own = proxy(curve.source.part);
+  if (!lies_on_surface(curve) || !own || face < 0) return error;
+  return std::max(error, plane_distance(own->mesh, static_cast<std::uint32_t>(face), p));
 }
 
 bool Probe::visible(const Curve3& curve, std::size_t segment, double t) const {
+  return !hidden_by(curve, segment, t, 1);
+}
+
+bool Probe::hidden_by(const Curve3& curve, std::size_t segment, double t, double clear) const {
   const std::size_t after = curve.next(segment);
   const Vec3 p = glm::mix(curve.points[segment], curve.points[after], t);
   const Vec3 view = camera_.to_viewer(p);
@@ -186,25 +194,28 @@ bool Probe::visible(const Curve3& curve, std::size_t segment, double t) const {
   const std::int32_t part = curve.source.part;
   const ProxyMesh* own = proxy(part);
   Vec3 n(0);
+  bool back = false;
   if (!curve.normals.empty()) {
     n = normalize_or(glm::mix(curve.normals[segment], curve.normals[after], t), Vec3(0));
     const bool sheet = own && face >= 0 && !own->topology.face_component.empty() &&
                        !own->closed(static_cast<std::uint32_t>(face));
-    if (sheet && glm::dot(n, view) < 0) n = -n;  // an open sheet is seen from both sides
+    back = sheet && glm::dot(n, view) < 0;
+    if (back) n = -n;  // an open sheet is seen from both sides
   }
   const Origin origin{this,
                       p,
                       part,
                       face,
                       kOnPlane * resolution,
-                      chord_error(part, face),
+                      own_error(curve, face, p),
+                      curve.kind == LineClass::Intersection,
                       view,
                       glm::cross(view, n),
-                      fold_at(curve, own, face, n, view)};
+                      fold_at(curve, own, face, n, back, view)};
   const Vec3 start = p + n * (origin.error + resolution);
   const Origin* o = &origin;
-  return !occluder_.occluded_by(start, view, 2 * resolution, camera_.distance_to_viewer(start),
-                                [o](const Hit& hit) { return hides(*o, hit); });
+  return occluder_.occluded_by(start, view, 2 * resolution, camera_.distance_to_viewer(start),
+                               [o, clear](const Hit& hit) { return clearance(*o, hit) > clear; });
 }
 
 bool Probe::paper_covered(Vec2 paper) const {

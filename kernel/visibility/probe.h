@@ -11,6 +11,11 @@
 
 namespace burin {
 
+/// Whether a curve is drawn on a surface rather than where surfaces bend, end or meet.
+inline bool lies_on_surface(const Curve3& curve) {
+  return curve.kind == LineClass::Stroke || curve.kind == LineClass::Pattern;
+}
+
 /// Casts rays from points of curves to the viewer. A ray does not count
 /// - the triangle that the point lies on, and those whose plane runs through the point: the ray
 /// leaves them there, however
@@ -27,6 +32,9 @@ class Probe {
 
   /// `segment` of `curve` at the share `t`.
   bool visible(const Curve3& curve, std::size_t segment, double t) const;
+  /// Whether something hides it whose plane passes farther off than `clear` times what the proxies
+  /// do not tell apart; with 1, whether it cannot be seen.
+  bool hidden_by(const Curve3& curve, std::size_t segment, double t, double clear) const;
   /// Whether any surface lies on the line of sight through a point of the paper.
   bool paper_covered(Vec2 paper) const;
   /// Model mm between the triangles at `face` of `part` and the surface they stand for; 0 where
@@ -39,6 +47,8 @@ class Probe {
   const ProxyMesh* proxy(std::int32_t part) const;
 
  private:
+  double own_error(const Curve3& curve, std::int32_t face, Vec3 p) const;
+
   const Occluder& occluder_;
   std::span<const ProxyMesh* const> proxies_;
   const Camera& camera_;

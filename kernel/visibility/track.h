@@ -19,6 +19,7 @@ class Track {
 
   std::size_t segment_count() const { return length_.size() - 1; }
   bool closed() const { return closed_; }
+  Vec2 point(std::size_t i) const { return xy_[i]; }
   Vec2 start(std::size_t segment) const { return xy_[segment]; }
   Vec2 end(std::size_t segment) const { return xy_[next(segment)]; }
   double start_range(std::size_t segment) const { return range_[segment]; }

@@ -5,7 +5,9 @@
 #include "pieces.h"
 
 #include <algorithm>
+#include <atomic>
 #include <memory>
+#include <numeric>
 
 namespace burin {
 namespace {
@@ -16,6 +18,14 @@ constexpr double kSameDepth = 4;
 // Paper mm: what the features are settled with before they cut other curves.
 constexpr double kFeatureMinimum = 0.05;
 constexpr std::size_t kCurveGrain = 8;
+// Cuts of all features at the most; each is a piece that wants rays. A drawing that can be looked
+// at has some ten thousand. As many as are worth a count are expected first.
+constexpr double kMostCuts = 5e5, kManyCuts = 5e5;
+// Pairs of segments that are looked at for cuts at the most, a second or two; models that are whole
+// take 5 million and fewer. Beyond, lines are cut evenly, into fewer pieces: what lies so deep over
+// each other wants more time a ray, too.
+constexpr std::size_t kMostTests = 100'000'000;
+constexpr double kMostEvenCuts = 1e5;
 
 // The pieces as spans from the start of the curve to its end.
 std::vector<Span> to_spans(const std::vector<Piece>& pieces, double n) {
@@ -65,18 +75,17 @@ struct VisibilityMap::Impl {
       }
     }
     every = std::make_unique<Cutters>(std::move(all), same_depth);
+    same_cut = spacing_of_cuts(context);
     feature_pieces.resize(features.size());
-    parallel_for(
-        features.size(), kCurveGrain,
-        [&](std::size_t begin, std::size_t end) {
-          Scratch scratch;
-          const Cutting cutting(probe, *every);
-          for (std::size_t c = begin; c < end; ++c) {
-            feature_pieces[c] =
-                cutting.classify(features[c], tracks[c], static_cast<std::int32_t>(c), scratch);
-          }
-        },
-        &context);
+    const auto classify = [&](const Cutting& cutting, std::size_t c, Scratch& scratch) {
+      feature_pieces[c] =
+          cutting.classify(features[c], tracks[c], static_cast<std::int32_t>(c), scratch);
+    };
+    if (same_cut == 0 || !in_bounds(context, classify)) {
+      same_cut = length() / kMostEvenCuts;
+      every->cut_evenly(same_cut);
+      in_bounds(context, classify);
+    }
     std::vector<PictureSegment> seen;
     for (std::size_t c = 0; c < features.size(); ++c) {
       if (!cuts(features[c])) continue;
@@ -88,13 +97,54 @@ struct VisibilityMap::Impl {
     visible = std::make_unique<Cutters>(std::move(seen), same_depth);
   }
 
+  // Paper mm of all features.
+  double length() const {
+    return std::accumulate(tracks.begin(), tracks.end(), 0.0,
+                           [](double sum, const Track& track) { return sum + track.length(); });
+  }
+
+  // Does something with each feature; false where that took more than kMostTests, which leaves it
+  // undone for some.
+  template <class Each>
+  bool in_bounds(const RunContext& context, const Each& each) const {
+    std::atomic<std::size_t> tests{0};
+    parallel_for(
+        features.size(), kCurveGrain,
+        [&](std::size_t begin, std::size_t end) {
+          Scratch scratch;
+          const Cutting cutting(probe, *every, CutRule::NearerOrAt, same_cut);
+          for (std::size_t c = begin; c < end && tests <= kMostTests; ++c) {
+            scratch.crossings.tests = 0;
+            each(cutting, c, scratch);
+            tests += scratch.crossings.tests;
+          }
+        },
+        &context);
+    return tests <= kMostTests;
+  }
+
+  // Paper mm below which cuts are one, so that no more are left than kMostCuts; 0 where they cannot
+  // be counted.
+  double spacing_of_cuts(const RunContext& context) const {
+    if (!(every->expected_cuts(length()) > kManyCuts)) return kSameCut;
+    std::vector<std::size_t> count(tracks.size(), 0);
+    const bool counted =
+        in_bounds(context, [&](const Cutting& cutting, std::size_t c, Scratch& scratch) {
+          count[c] = cutting.count_cuts(tracks[c], static_cast<std::int32_t>(c), scratch);
+        });
+    if (!counted) return 0;
+    const auto all =
+        static_cast<double>(std::accumulate(count.begin(), count.end(), std::size_t{0}));
+    return all > kMostCuts ? length() / kMostCuts : kSameCut;
+  }
+
   std::vector<Span> finish(std::vector<Piece> pieces, const Curve3& curve, const Track& track,
                            std::int32_t number, const VisibilityOptions& options,
                            Scratch& scratch) const {
     pieces = settle(std::move(pieces), track, options.minimum_length);
     if (options.classify_outer && curve.occluding) {
-      pieces =
-          find_outer(probe, *every, curve, track, number, pieces, options.minimum_length, scratch);
+      pieces = find_outer(probe, *every, curve, track, number, pieces, options.minimum_length,
+                          same_cut, scratch);
     }
     return to_spans(pieces, static_cast<double>(track.segment_count()));
   }
@@ -102,6 +152,7 @@ struct VisibilityMap::Impl {
   Probe probe;
   std::span<const Curve3> features;
   double same_depth;
+  double same_cut = kSameCut;
   std::vector<Track> tracks;  // of the features
   std::vector<std::vector<Piece>> feature_pieces;
   std::unique_ptr<Cutters> every;  // all occluding features
@@ -117,6 +168,10 @@ VisibilityMap::VisibilityMap(const Occluder& occluder, std::span<const ProxyMesh
 
 VisibilityMap::~VisibilityMap() = default;
 
+double VisibilityMap::merged_cuts() const {
+  return impl_->same_cut > kSameCut ? impl_->same_cut : 0;
+}
+
 std::vector<std::vector<Span>> VisibilityMap::classify(std::span<const Curve3> curves,
                                                        const VisibilityOptions& options,
                                                        const RunContext& context) const {
@@ -127,7 +182,7 @@ std::vector<std::vector<Span>> VisibilityMap::classify(std::span<const Curve3> c
       curves.size(), kCurveGrain,
       [&](std::size_t begin, std::size_t end) {
         Scratch scratch;
-        const Cutting cutting(impl_->probe, *impl_->visible);
+        const Cutting cutting(impl_->probe, *impl_->visible, CutRule::AnyDepth, impl_->same_cut);
         for (std::size_t c = begin; c < end; ++c) {
           if (known) {
             out[c] = impl_->finish(impl_->feature_pieces[c], curves[c], impl_->tracks[c],

@@ -51,6 +51,20 @@ std::vector<Run> runs_of(const std::vector<char>& answers) {
   return runs;
 }
 
+// Turns a run and joins it to its neighbours.
+void turn(std::vector<Run>& runs, std::size_t which) {
+  runs[which].visible = !runs[which].visible;
+  std::vector<Run> joined;
+  for (const Run& r : runs) {
+    if (!joined.empty() && joined.back().visible == r.visible) {
+      joined.back().end = r.end;
+    } else {
+      joined.push_back(r);
+    }
+  }
+  runs = std::move(joined);
+}
+
 // Gives runs of fewer than `fewest` answers to their neighbours, shortest first.
 void absorb_short(std::vector<Run>& runs, int fewest) {
   while (runs.size() > 1) {
@@ -58,16 +72,7 @@ void absorb_short(std::vector<Run>& runs, int fewest) {
         runs.begin(), runs.end(),
         [](const Run& a, const Run& b) { return a.end - a.begin < b.end - b.begin; });
     if (shortest->end - shortest->begin >= fewest) return;
-    shortest->visible = !shortest->visible;
-    std::vector<Run> joined;
-    for (const Run& r : runs) {
-      if (!joined.empty() && joined.back().visible == r.visible) {
-        joined.back().end = r.end;
-      } else {
-        joined.push_back(r);
-      }
-    }
-    runs = std::move(joined);
+    turn(runs, static_cast<std::size_t>(shortest - runs.begin()));
   }
 }
 
@@ -75,7 +80,9 @@ void absorb_short(std::vector<Run>& runs, int fewest) {
 
 void Cutting::vote(const Curve3& curve, const Track& track, const Piece& piece,
                    std::vector<Piece>& out) const {
-  const int count = std::clamp(static_cast<int>(piece.length() / kSpacing) + 1, kFewest, kMost) | 1;
+  // Where cuts that lie far apart are one, more rays would tell nothing more.
+  const double spacing = std::max(kSpacing, same_cut_ / kFewest);
+  const int count = std::clamp(static_cast<int>(piece.length() / spacing) + 1, kFewest, kMost) | 1;
   double seen = 0, all = 0;
   int yes = 0;
   for (int i = 0; i < count; ++i) {
@@ -91,7 +98,7 @@ void Cutting::vote(const Curve3& curve, const Track& track, const Piece& piece,
   answer.visible = 2 * seen > all;
   const double doubt = std::min(seen, all - seen) / all;
   const bool doubtful = doubt > kDoubt || outvoted * piece.length() > kDoubtLength * count;
-  if (doubtful && piece.length() > 2 * kShortestStretch) {
+  if (doubtful && piece.length() > 2 * std::max(kShortestStretch, same_cut_)) {
     refine(curve, track, piece, out);
   } else {
     out.push_back(answer);
@@ -99,7 +106,8 @@ void Cutting::vote(const Curve3& curve, const Track& track, const Piece& piece,
 }
 
 // The rays of a piece disagree: no occluding line was known where its visibility changes. Many rays
-// find the stretches, bisection their ends.
+// find the stretches, bisection their ends. Without such a line a surface that hides a stretch is
+// one that the curve dives into; what it never gets clear of are the curve's own triangles.
 void Cutting::refine(const Curve3& curve, const Track& track, const Piece& piece,
                      std::vector<Piece>& out) const {
   const int count = std::clamp(static_cast<int>(piece.length() / kFineSpacing), kFewest, kMostFine);
@@ -110,6 +118,18 @@ void Cutting::refine(const Curve3& curve, const Track& track, const Piece& piece
   std::vector<Run> runs = runs_of(answers);
   const double spacing = (piece.length() - 2 * margin(piece)) / count;
   absorb_short(runs, std::max(2, static_cast<int>(std::ceil(kShortestStretch / spacing))));
+  for (std::size_t r = 0; r < runs.size() && runs.size() > 1;) {
+    bool hidden = runs[r].visible;
+    for (int i = runs[r].begin; i < runs[r].end && !hidden; ++i) {
+      hidden = clearly_hidden_at(curve, track, place(piece, i, count));
+    }
+    if (hidden) {
+      ++r;
+    } else {
+      turn(runs, r);
+      if (r > 0) --r;  // what it was joined to
+    }
+  }
   Piece rest = piece;
   for (std::size_t r = 0; r < runs.size(); ++r) {
     rest.visible = runs[r].visible;

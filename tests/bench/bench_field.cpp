@@ -24,7 +24,6 @@ std::shared_ptr<const Surface> torus_of(std::int64_t triangles) {
 struct Lines {
   std::vector<SurfacePoint> points;
   std::vector<Frame> frames;
-  std::vector<Vec3> previous;
 
   Lines(const Surface& s, const field::SmoothedField& f) {
     const RunContext context;
@@ -33,10 +32,10 @@ struct Lines {
       for (int k = 0; k < 200; ++k) {
         points.push_back(p);
         frames.push_back(s.frame(p));
-        previous.push_back(came);
-        const auto d = f.direction({0, p, frames.back(), came});
-        if (!d) break;
-        const MarchStep step = s.march(p, *d, 0.01);
+        const auto cross = f.cross({0, p, frames.back()});
+        if (!cross) break;
+        const Vec3 d = came == Vec3(0) ? cross->first : arm_along(*cross, came);
+        const MarchStep step = s.march(p, d, 0.01);
         p = step.end;
         came = step.direction;
       }
@@ -79,7 +78,7 @@ void BM_FieldQuery(benchmark::State& state) {
   const Lines lines(*s, f);
   std::size_t i = 0;
   for (auto _ : state) {
-    benchmark::DoNotOptimize(f.direction({0, lines.points[i], lines.frames[i], lines.previous[i]}));
+    benchmark::DoNotOptimize(f.cross({0, lines.points[i], lines.frames[i]}));
     if (++i == lines.points.size()) i = 0;
   }
 }

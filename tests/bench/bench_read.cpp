@@ -3,6 +3,7 @@
 #include <burin/mesh/repair.h>
 
 #include <benchmark/benchmark.h>
+#include <burin_test/folder.h>
 #include <burin_test/mesh_files.h>
 #include <burin_test/shapes.h>
 

@@ -243,6 +243,7 @@ TEST_F(Draw, OtherCommands) {
     EXPECT_NE(out_.find(word), std::string::npos) << word;
   }
   ASSERT_EQ(run("plugins"), 0);
+  EXPECT_EQ(out_, std::string("no plug-ins are loaded: burin ") + version() + " cannot load any\n");
   ASSERT_EQ(run("styles"), 0);
   for (const char* word : {"outline", "technical", "engraving"}) {
     EXPECT_NE(out_.find(word), std::string::npos) << word;
@@ -256,6 +257,25 @@ TEST_F(Draw, OtherCommands) {
   EXPECT_EQ(slurp(folder_ / "a.svg"), slurp(folder_ / "b.svg"));
   ASSERT_EQ(run("info @/box.off --json"), 0) << err_;
   EXPECT_TRUE(json::accept(out_));
+}
+
+TEST_F(Draw, ProvesItselfWhereThatIsAskedFor) {
+  ASSERT_EQ(run("draw @/box.off -o @/a.json --style outline --verify"), 0);
+  EXPECT_EQ(std::count(err_.begin(), err_.end(), '\n'), 1) << err_;
+  EXPECT_TRUE(err_.starts_with("burin: verify: 0.0 of ")) << err_;
+  const auto proof =
+      nlohmann::json::parse(test::slurp(folder_ / "a.json")).at("stats").at("verify");
+  // Nine edges are seen, three are hidden by the box itself.
+  EXPECT_GE(proof.at("spans"), 10);
+  EXPECT_GT(proof.at("length"), 300);
+  EXPECT_EQ(proof.at("contradicted"), 0);
+  EXPECT_EQ(proof.at("loose_ends"), 0);
+  EXPECT_TRUE(proof.at("contradictions").empty());
+  // A drawing file keeps it.
+  ASSERT_EQ(run("convert @/a.json -o @/b.json"), 0) << err_;
+  EXPECT_EQ(test::slurp(folder_ / "a.json"), test::slurp(folder_ / "b.json"));
+  ASSERT_EQ(run("draw @/box.off -o @/a.json --style outline --verify --quiet"), 0);
+  EXPECT_EQ(err_, "");
 }
 
 }  // namespace

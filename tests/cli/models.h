@@ -41,6 +41,7 @@ class CliTest : public ::testing::Test {
     }
     Command command(folder_, words);
     const int status = command.wait();
+    peak_mb_ = command.peak_megabytes;
     out_ = command.std_out;
     err_ = command.std_err;
     return status;
@@ -55,6 +56,7 @@ class CliTest : public ::testing::Test {
 
   Folder folder_;
   std::string box_, out_, err_;
+  double peak_mb_ = 0;
 };
 
 }  // namespace burin::test

@@ -52,6 +52,22 @@ class RealOpenscadTest : public OpenscadTest {
   }
 };
 
+TEST_F(OpenscadTest, AVariableThatTheFileDoesNotNameIsTold) {
+  const std::string model = "width = 3; // of it\ncube(width);";
+  const auto told = [&](const std::string& text, const std::string& defines) {
+    use_script(
+        "i=0; for w; do [ \"$p\" = -o ] && out=$w; p=$w; done\n"
+        "printf 'solid a\\nfacet normal 0 0 1\\nouter loop\\nvertex 0 0 0\\nvertex 1 0 0\\n"
+        "vertex 0 1 0\\nendloop\\nendfacet\\nendsolid a\\n' > $out\n");
+    EXPECT_EQ(draw(text, defines + " --no-progress"), 0) << err_;
+    return err_.find("which -D defines; check its spelling") != std::string::npos;
+  };
+  EXPECT_TRUE(told(model, "-D wdth=5"));
+  EXPECT_NE(err_.find("nothing is called wdth"), std::string::npos) << err_;
+  EXPECT_FALSE(told(model, "-D width=5 -D $fn=9"));
+  EXPECT_FALSE(told("include <other.scad>\n" + model, "-D wdth=5"));
+}
+
 TEST_F(OpenscadTest, WithoutTheProgramTheErrorSaysWhatToInstall) {
   ::setenv("BURIN_OPENSCAD", (folder_ / "none").c_str(), 1);
   EXPECT_EQ(draw("cube(1);"), 3);
@@ -104,7 +120,7 @@ TEST_F(OpenscadTest, CrashesFloodsAndRubbishAreToldInOneLine) {
   expect_error("made no mesh");
   use_script("head -c 300 /dev/zero >/dev/fd/3\n");
   EXPECT_EQ(draw("cube(1);"), 3);
-  expect_error("m.scad: what OpenSCAD made of it");
+  expect_error("m.scad: what OpenSCAD made of it: 300 bytes that are no whole STL");
   use_script("yes ERROR: flood & yes WARNING: flood\n");
   EXPECT_EQ(draw("cube(1);", "--openscad-timeout 0.3"), 3);
   expect_error("was not done after");
@@ -176,6 +192,32 @@ TEST_F(RealOpenscadTest, OddNamesAndIncludesBesideTheFileWork) {
   std::filesystem::copy(box_, folder + "/box.off");
   Command command(folder_, {"draw", folder + "/-D x.scad", "-o", folder_ / "o.svg"});
   EXPECT_EQ(command.wait(), 0) << command.std_err;
+}
+
+TEST_F(RealOpenscadTest, NamesOfFilesAndFoldersMayBeOdd) {
+  for (const std::string name : {"a.b.scad", "..scad", ".scad", ".csg", "b l.scad", "b'q\".scad",
+                                 "p%d%s%n.scad", "m.stl.scad", "\u00fc\u6f22.scad", "m.SCAD",
+                                 "a\nb.scad", "d.ot/v1.2/m.scad", "%20s/.hid/x.y.csg"}) {
+    const std::filesystem::path path = folder_ / name;
+    std::filesystem::create_directories(path.parent_path());
+    std::ofstream(path) << "cube([1, 2, 3]);";
+    Command command(folder_, {"info", path.string(), "--json"});
+    ASSERT_EQ(command.wait(), 0) << name << command.std_err;
+    const auto info = nlohmann::json::parse(command.std_out)["files"][0];
+    EXPECT_EQ(info["format"], "OpenSCAD") << name;
+    EXPECT_NEAR(info["parts"][0]["volume"].get<double>(), 6, 1e-6) << name;
+  }
+}
+
+TEST_F(RealOpenscadTest, AMeshWithoutTrianglesIsTold) {
+  EXPECT_EQ(draw("scale(1e300) cube(2);"), 3);
+  expect_error("m.scad: what OpenSCAD made of it: an STL without triangles");
+  EXPECT_EQ(err_.find("suffix"), std::string::npos) << err_;
+}
+
+TEST_F(RealOpenscadTest, AnEchoIsNoVerdict) {
+  EXPECT_EQ(draw("echo(\"Current top level object is empty.\"); cube(1);"), 0) << err_;
+  EXPECT_EQ(draw("echo(\"Current top level object is not a 3D object.\"); cube(1);"), 0) << err_;
 }
 
 TEST_F(RealOpenscadTest, CsgFilesAreRead) {

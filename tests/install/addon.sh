@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
-# addon.sh ADDON SCRATCH PREFIX: FreeCAD loads an installed add-on, which draws with the kernel below PREFIX.
+# addon.sh ADDON SCRATCH PREFIX [HOME]: FreeCAD loads an installed add-on, which draws with the kernel below PREFIX.
+# HOME: a user's folder, in whose Mod the add-on lies; without it FreeCAD is told where it is.
 set -euo pipefail
-addon=$1 scratch=$2 prefix=$3
+addon=$1 scratch=$2 prefix=$3 home=${4:-}
 freecadcmd=$(command -v freecadcmd || command -v FreeCADCmd || true)
 if [[ -z $freecadcmd ]]; then
   echo "FreeCAD is not there: the installed add-on is not tried"
@@ -17,7 +18,7 @@ try:
     from freecad.burin_wb import export, features, kernel
 
     prefix = os.environ["BURIN_PREFIX"]
-    assert features.__file__.startswith(os.environ["BURIN_ADDON"]), features.__file__
+    assert os.path.normpath(features.__file__).startswith(os.environ["BURIN_ADDON"]), features.__file__
     assert "freecad.burin_wb.export" in App.getExportType("eps")
     document = App.newDocument()
     box = document.addObject("Part::Box", "Box")
@@ -31,10 +32,15 @@ except BaseException:
     sys.exit(1)
 sys.exit(0)
 PY
-mkdir -p "$scratch/home"
-# With -M in front FreeCAD 0.20 ends with a segmentation fault.
-env -u BURIN_PYTHON_PATH -u PYTHONPATH FREECAD_USER_HOME="$scratch/home" BURIN_PREFIX="$prefix" BURIN_ADDON="$addon" \
-  BURIN_SCRATCH="$scratch" timeout 60 "$freecadcmd" "$scratch/addon.py" -M "$addon" </dev/null >"$scratch/addon.log" 2>&1 || {
+told=()
+if [[ -z $home ]]; then
+  home=$scratch/home
+  told=(-M "$addon")  # in front FreeCAD 0.20 would end with a segmentation fault
+fi
+mkdir -p "$home"
+rm -f "$scratch/addon.pdf"
+env -u PYTHONPATH BURIN_PYTHON_PATH="${BURIN_KERNEL_FOLDER:-}" FREECAD_USER_HOME="$home" BURIN_PREFIX="$prefix" BURIN_ADDON="$addon" \
+  BURIN_SCRATCH="$scratch" timeout 60 "$freecadcmd" "$scratch/addon.py" "${told[@]}" </dev/null >"$scratch/addon.log" 2>&1 || {
   cat "$scratch/addon.log" >&2
   exit 1
 }

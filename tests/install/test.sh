@@ -42,9 +42,25 @@ if [[ -n $python_folder && -d $addon ]]; then
     [[ -s $addon/$file ]] || fail "the add-on lacks $file"
   done
   "$source/tests/install/addon.sh" "$addon" "$scratch" "$prefix" || fail "the installed add-on does not draw in FreeCAD"
+  # A user's Mod folder: the installed folder copied there, with a kernel that Python finds by itself ...
+  mkdir -p "$scratch/copied/Mod"
+  cp -r "$addon" "$scratch/copied/Mod/Burin"
+  BURIN_KERNEL_FOLDER=$prefix/$python_folder \
+    "$source/tests/install/addon.sh" "$scratch/copied/Mod/Burin" "$scratch" "$prefix" "$scratch/copied" || fail "the copied add-on does not draw"
+  # ... the archive, which has its kernel in it; unpacked by a program that knows no links ...
+  mkdir -p "$scratch/unpacked/Mod"
+  cmake --build "$build" --target burin_addon >"$scratch/log" 2>&1 || { cat "$scratch/log"; fail "the archive of the add-on is not made"; }
+  /usr/bin/python3 -m zipfile -e "$build"/burin-freecad-*.zip "$scratch/unpacked/Mod" || fail "the archive of the add-on does not unpack"
+  "$source/tests/install/addon.sh" "$scratch/unpacked/Mod/Burin" "$scratch" "$scratch/unpacked/Mod/Burin/freecad/burin_wb/native" "$scratch/unpacked" ||
+    fail "the unpacked add-on does not draw"
+  # ... and the repository as the Addon Manager clones it, with its package.xml at the root.
+  mkdir -p "$scratch/cloned/Mod/burin"
+  cp -r "$source/package.xml" "$source/freecad_wb" "$scratch/cloned/Mod/burin"
+  BURIN_KERNEL_FOLDER=$prefix/$python_folder \
+    "$source/tests/install/addon.sh" "$scratch/cloned/Mod/burin/freecad_wb" "$scratch" "$prefix" "$scratch/cloned" || fail "the cloned add-on does not draw"
 fi
 
-cmake -S "$source/tests/install/consumer" -B "$scratch/consumer" -DCMAKE_PREFIX_PATH="$prefix" >"$scratch/log" 2>&1 &&
+cmake -G Ninja -S "$source/tests/install/consumer" -B "$scratch/consumer" -DCMAKE_PREFIX_PATH="$prefix" >"$scratch/log" 2>&1 &&
   cmake --build "$scratch/consumer" >>"$scratch/log" 2>&1 || { cat "$scratch/log"; fail "a program does not build on the installed kernel"; }
 "$scratch/consumer/consumer" | grep -q layers || fail "the program on the installed kernel does not run"
 echo "installed, moved and used"

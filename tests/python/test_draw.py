@@ -1,5 +1,6 @@
 """Drawing: options, styles, fields and tones, and what comes out."""
 
+import inspect
 import json
 import subprocess
 import tempfile
@@ -17,12 +18,28 @@ def mesh_scene(shape=cube):
     return scene
 
 
+class Verified(unittest.TestCase):
+    """verify=True tests the drawing and tells what it found."""
+
+    def test_a_true_drawing(self):
+        scene = mesh_scene()
+        drawing = burin.draw(scene, style="outline", verify=True)
+        proof = drawing.stats["verify"]
+        self.assertGreaterEqual(proof["spans"], 10)
+        self.assertGreater(proof["length"], 100)
+        self.assertEqual((proof["contradicted"], proof["count"], proof["loose_ends"]), (0, 0, 0))
+        self.assertEqual(proof["contradictions"], [])
+        again = burin.Drawing.from_json(drawing.to_bytes("json"))
+        self.assertEqual(again.stats["verify"], proof)
+        self.assertNotIn("verify", burin.draw(scene, style="outline").stats)
+
+
 class SameAsCommand(unittest.TestCase):
     """The same options give the same bytes."""
 
-    def check(self, model, words, **keywords):
+    def check(self, model, words, formats=("svg", "json"), **keywords):
         with tempfile.TemporaryDirectory() as folder:
-            for suffix in ("svg", "json"):
+            for suffix in formats:
                 theirs, ours = Path(folder, "a." + suffix), Path(folder, "b." + suffix)
                 subprocess.run(
                     [COMMAND, "draw", SAMPLES / model, "-o", theirs, "--quiet", *words], check=True, timeout=60
@@ -37,20 +54,24 @@ class SameAsCommand(unittest.TestCase):
         self.check(
             "coupling.step",
             ["--view=2,-3,1.5", "--up=0,0.1,1", "--paper=200x150", "--margin=7.5", "--style=engraving"]
-            + ["--set=line.outer=0.9", "--set=hatch.direction=1,0,0.25", "--set=svg.flatten=polylines"]
+            + ["--set=line.outer=0.9", "--set=hatch.direction=1,0,0.25"]
             + ["--light=-1,0.5,0.25", "--hidden=dashed", "--seed=7", "--threads=1", "--tolerance=0.05"],
             view=(2, -3, 1.5),
             up=np.array([0, 0.1, 1]),
             paper=(200, 150),
             margin=7.5,
             style="engraving",
-            set={"line.outer": 0.9, "hatch.direction": (1, 0, 0.25), "svg.flatten": True},
+            set={"line.outer": 0.9, "hatch.direction": (1, 0, 0.25)},
             light=[-1, 0.5, 0.25],
             hidden="dashed",
             seed=7,
             threads=1,
             tolerance=0.05,
         )
+
+    def test_keys_of_a_format(self):
+        # The command knows which files it writes and warns in others that a key of SVG shapes nothing there.
+        self.check("spindle.stl", ["--set=svg.flatten=polylines"], formats=("svg",), set={"svg.flatten": True})
 
     def test_perspective_scale_and_center(self):
         self.check(
@@ -74,7 +95,7 @@ class Options(unittest.TestCase):
         scene = mesh_scene()
         bad = [
             ({"scale": -1}, "argument scale takes a number over 0"),
-            ({"perspective": 500}, "argument perspective takes 1 to 170"),
+            ({"perspective": 500}, "argument perspective takes 1 to 120"),
             ({"margin": 200}, "argument margin takes"),
             ({"light": (0, 0, 0)}, "argument light takes a direction"),
             ({"center": (1, 2)}, "argument center takes a point"),
@@ -83,7 +104,7 @@ class Options(unittest.TestCase):
             ({"seed": -1}, "argument seed takes"),
             ({"tolerance": 0}, "argument tolerance takes"),
             ({"view": "frnt"}, "unknown view 'frnt'"),
-            ({"paper": "B4"}, "unknown paper 'B4'"),
+            ({"paper": "B9"}, "unknown paper 'B9'"),
             ({"style": "tecnical"}, "the nearest is 'technical'"),
             ({"style": {"line.outr": 1}}, "^unknown style key 'line.outr'; the nearest is 'line.outer'"),
             ({"set": {"line.outer": "thick"}}, "'line.outer' takes 0.01 to 10, not 'thick'"),
@@ -133,6 +154,51 @@ class Options(unittest.TestCase):
         self.assertLess(min(margins), 10.1)
 
 
+class Sheets(unittest.TestCase):
+    def test_paper_scale_and_margin(self):
+        drawing = burin.draw(mesh_scene(), view="FRONT", paper="fit", scale="2:1", margin=(1, 2, 3, 4), style="outline")
+        np.testing.assert_allclose(drawing.paper, (26, 24), atol=1e-9)
+        points = drawing.arrays()["points"]
+        np.testing.assert_allclose([points.min(axis=0), points.max(axis=0)], [[4, 3], [24, 23]], atol=1e-6)
+        self.assertEqual(burin.draw(mesh_scene(), paper="legal", style="outline").paper, (355.6, 215.9))
+        self.assertEqual(burin.draw(mesh_scene(), margin=5, scale=0.5).view.scale, 0.5)
+
+
+class NothingSilent(unittest.TestCase):
+    def said(self, *arguments, **keywords):
+        return [d.message for d in burin.draw(*arguments, **keywords).diagnostics]
+
+    def test_what_has_no_effect(self):
+        outline = {"style": "outline"}
+        cases = [
+            ({"tone": lambda p, n: n[:, 0], **outline}, "argument tone has no effect: style 'outline' draws no strokes"),
+            ({"light": (1, 0, 0), **outline}, "argument light has no effect"),
+            ({"set": {"hatch": {"taper": 1}}, **outline}, "style key hatch.taper has no effect"),
+            ({"tolerance": 0.1, **outline}, "argument tolerance has no effect: all parts are meshes"),
+            ({"scale": 1000, **outline}, "what runs off it is cut"),
+        ]
+        for keywords, message in cases:
+            with self.subTest(message):
+                said = self.said(mesh_scene(), **keywords)
+                self.assertEqual(len(said), 1, said)
+                self.assertIn(message, said[0])
+        said = self.said(SAMPLES / "bracket.off", iso=3, style="outline")
+        self.assertIn("argument iso has no effect on", said[0])
+
+    def test_what_has(self):
+        for keywords in (
+            {"tone": lambda p, n: n[:, 0]},
+            {"style": "outline", "light": burin.style("outline")["tone.light"]},
+            {"set": {"hatch.taper": 1}},
+        ):
+            self.assertEqual(self.said(mesh_scene(), **keywords), [])
+
+    def test_parts_left_out(self):
+        scene = mesh_scene()
+        scene.parts[0].drawn = False
+        self.assertIn("every part is left out", self.said(scene)[0])
+
+
 class Styles(unittest.TestCase):
     def test_built_in(self):
         self.assertEqual(list(burin.styles())[:3], ["outline", "technical", "engraving"])
@@ -155,6 +221,17 @@ class Styles(unittest.TestCase):
         by_mapping.pop("name")
         self.assertEqual(by_file, by_mapping)
         self.assertEqual(by_file["line.outer"], 0.5)
+
+    def test_set_takes_groups(self):
+        nested = {"hatch": {"spacing_min": 0.7, "direction": (1, 0, 0)}, "line.outer": 0.9}
+        plain = {"hatch.spacing_min": 0.7, "hatch.direction": (1, 0, 0), "line.outer": 0.9}
+        one, two = (burin.draw(mesh_scene(), set=keys).to_bytes("json") for keys in (nested, plain))
+        self.assertEqual(one, two)
+        with self.assertRaisesRegex(burin.UsageError, "'hatch.spacing_mn'; the nearest is 'hatch.spacing_min'"):
+            burin.draw(mesh_scene(), set={"hatch": {"spacing_mn": 1}})
+        for wrong in ({"hatch": {"a": {"b": 1}}}, {3: 1}, {"hatch": [1]}):
+            with self.assertRaises((TypeError, burin.UsageError)):
+                burin.draw(mesh_scene(), set=wrong)
 
     def test_what_style_gives_draw_takes(self):
         drawing = burin.draw(mesh_scene(), style=burin.style("engraving"))
@@ -211,6 +288,32 @@ class Result(unittest.TestCase):
         np.testing.assert_array_equal(points, copy)
         with self.assertRaises(ValueError):
             points[0, 0] = 1
+
+    def test_what_shells_show(self):
+        self.assertRegex(repr(self.drawing), r"^<burin.Drawing 210 x 148 mm, \d+ paths>$")
+        self.assertRegex(repr(self.drawing.view), r"^<burin.View perspective from \(0.57.*\), scale .*>$")
+        scene = burin.Scene()
+        self.assertEqual(repr(scene), "<burin.Scene of 0 parts>")
+        for name in ("lid", "it's", "c", "d", "e"):
+            scene.add_mesh(*cube(), name)
+        self.assertEqual(repr(scene), "<burin.Scene of 5 parts: 'lid', \"it's\", 'c', 'd', ...>")
+        svg = self.drawing._repr_svg_()
+        self.assertEqual(svg.encode(), self.drawing.to_bytes("svg"))
+
+    def test_the_signature_tells_the_keywords(self):
+        parameters = inspect.signature(burin.draw).parameters
+        for name in ("view", "paper", "set", "tone", "iso", "define", "object", "heal", "id_prefix"):
+            self.assertIs(parameters[name].kind, inspect.Parameter.KEYWORD_ONLY)
+        self.assertEqual(parameters["view"].default, "iso")
+
+    def test_id_prefix(self):
+        drawing = burin.draw(mesh_scene(), style="outline", id_prefix="fig1-")
+        self.assertIn(b'id="fig1-outline"', drawing.to_bytes("svg"))
+        self.assertIn(b'id="a-outline"', drawing.to_bytes("svg", id_prefix="a-"))
+        with self.assertRaisesRegex(burin.UsageError, "argument id_prefix takes"):
+            drawing.to_bytes("svg", id_prefix="1")
+        with self.assertRaisesRegex(burin.UsageError, "unknown argument 'halo_gap'"):
+            drawing.to_bytes("svg", halo_gap=1)
 
     def test_flat_is_fast(self):
         # Not a time: how many Python objects are made does not depend on the number of paths.
@@ -293,6 +396,26 @@ class FieldAndTone(unittest.TestCase):
             for n in (1, 4)
         )
         self.assertEqual(one, two)
+
+    def test_the_tone_is_asked_in_batches(self):
+        """Slivers narrower than a sample, and what stands behind other parts, cost no call a point."""
+        calls = []
+
+        def tone(positions, normals):
+            calls.append(len(positions))
+            return np.full(len(positions), 0.6)
+
+        scene = burin.Scene()
+        for i in range(12):  # plates one behind the other, their edges a tenth of a mm wide
+            v, t = cube()
+            scene.add_mesh(v * [1, 0.01, 1] + [0.1 * i, i, 0.1 * i], t)
+        burin.draw(scene, view=(0.05, -1, 0.05), style="engraving", tone=tone)
+        self.assertLess(len(calls), 60)
+        self.assertGreater(sum(calls), 10000)
+
+    def test_one_point_forms_are_told(self):
+        with self.assertRaisesRegex(ValueError, r"tone must give an array of shape \(\d+,\), not \(\)"):
+            burin.draw(mesh_scene(), tone=lambda p, n: 0.5)
 
     def test_errors(self):
         def broken(positions, normals):

@@ -1,5 +1,6 @@
 """Scenes: from files, from BREP text, from arrays and from functions."""
 
+import errno
 import tempfile
 import unittest
 from pathlib import Path
@@ -28,6 +29,21 @@ class Files(unittest.TestCase):
             path.write_text("sphere(5)")
             scene = burin.Scene.read(path, bounds=[-6, -6, -6, 6, 6, 0])
         np.testing.assert_allclose(scene.bounds(), [[-5, -5, -5], [5, 5, 0]], atol=0.05)
+
+    def test_a_missing_file_is_a_file_not_found_error(self):
+        for call in (burin.Scene.read, burin.draw, burin.info, burin.Drawing.load):
+            with self.assertRaises(FileNotFoundError) as caught:
+                call("/no/such/part.step")
+            error = caught.exception
+            self.assertIsInstance(error, burin.MissingFile)
+            self.assertIsInstance(error, burin.InputError)
+            self.assertEqual((error.file, error.line, error.errno), ("/no/such/part.step", 0, errno.ENOENT))
+            self.assertIn("/no/such/part.step: ", str(error))
+        with self.assertRaises(FileNotFoundError):
+            burin.draw(burin.Scene(), style="/no/such/style.json")
+        with self.assertRaises(burin.InputError) as caught:
+            burin.Scene.read(SAMPLES)
+        self.assertNotIsInstance(caught.exception, FileNotFoundError)
 
     def test_missing_file(self):
         with self.assertRaises(burin.InputError) as caught:
@@ -122,6 +138,27 @@ class Brep(unittest.TestCase):
         for matrix in (np.diag([2, 2, 2, 1.0]), np.eye(3), np.full((4, 4), np.nan), np.eye(4) * 2):
             with self.assertRaisesRegex(burin.UsageError, "placement"):
                 burin.Scene().add_brep(PLATE, placement=matrix)
+
+    def test_one_shape_in_many_places(self):
+        shape = burin.Brep(PLATE)
+        self.assertTrue(shape.is_valid())
+        places = [np.eye(4) for _ in range(3)]
+        for k, place in enumerate(places):
+            place[:3, 3] = (40 * k, 5 * k, -3 * k)
+        shared, apart = burin.Scene(), burin.Scene()
+        for place in places:
+            shared.add_brep(shape, "plate", placement=place)
+            apart.add_brep(PLATE, "plate", placement=place)
+        draw = lambda scene: burin.draw(scene, style="technical", paper="A6").to_bytes("json")  # noqa: E731
+        self.assertEqual(draw(shared), draw(apart))
+        with self.assertRaises(burin.InputError):
+            burin.Brep("garbage")
+
+    def test_a_shape_with_a_fault(self):
+        # One end of an edge moved off its curve by half a millimetre.
+        moved = PLATE.replace("\n30 20 10\n", "\n30 20 10.5\n")
+        self.assertNotEqual(moved, PLATE)
+        self.assertFalse(burin.Brep(moved).is_valid())
 
     def test_garbage(self):
         for text in ("", "garbage", PLATE[: len(PLATE) // 2], PLATE.replace("1 0 0", "x", 1)):

@@ -2,7 +2,9 @@
 
 import ast
 import importlib.util
+import inspect
 import re
+import textwrap
 import unittest
 from pathlib import Path
 
@@ -41,7 +43,10 @@ def arguments(function):
 
 
 def real_arguments(function, case):
-    """The same, from the docstring that pybind11 made."""
+    """The same, from the function itself, or from the docstring that pybind11 made."""
+    if inspect.isfunction(function):
+        source = ast.parse(textwrap.dedent(inspect.getsource(function))).body[0]
+        return arguments(source)
     match = SIGNATURE.match(function.__doc__ or "")
     case.assertTrue(match, function)
     # Types that Python cannot parse, and those of C++, are of no interest.

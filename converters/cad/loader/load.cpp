@@ -37,8 +37,14 @@ FileInfo inspect_cad(const std::filesystem::path& path, RunContext& context) {
   return library().inspect(path, context);
 }
 
+std::shared_ptr<const BrepShape> read_brep_text(const std::string& brep, RunContext& context) {
+  return library().read_text(brep, context);
+}
+
 Part read_brep_text(const std::string& brep, const Placement& placement, RunContext& context) {
-  return library().read_text(brep, placement, context);
+  Part part;
+  part.form = read_brep_text(brep, context)->form(placement);
+  return part;
 }
 
 std::shared_ptr<const BrepShape> read_brep_shape(const std::string& bytes, BrepBytes kind,

@@ -1,7 +1,7 @@
 #include <burin/base/error.h>
 #include <burin/drawing/near_sheet.h>
+#include <burin/drawing/title.h>
 
-#include "../title.h"
 #include "shapes.h"
 #include "writers.h"
 

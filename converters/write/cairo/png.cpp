@@ -1,9 +1,9 @@
 #include <burin/base/error.h>
 #include <burin/base/parallel.h>
 #include <burin/drawing/near_sheet.h>
+#include <burin/drawing/title.h>
 
 #include "../sheet.h"
-#include "../title.h"
 #include "shapes.h"
 #include "writers.h"
 

@@ -4,6 +4,7 @@
 #include <burin/base/parallel.h>
 
 #include <array>
+#include <new>
 #include <string>
 
 namespace burin {
@@ -82,6 +83,7 @@ bool same_pen(const Shape& a, const Shape& b) {
 
 void check(cairo_status_t status) {
   if (status == CAIRO_STATUS_SUCCESS) return;
+  if (status == CAIRO_STATUS_NO_MEMORY) throw std::bad_alloc();
   throw Error(std::string("cairo failed: ") + cairo_status_to_string(status));
 }
 

@@ -5,7 +5,7 @@ import os
 import FreeCAD
 
 from . import kernel
-from .features import is_illustration
+from .features import illustration, is_illustration
 
 
 def export(objects, filename):
@@ -15,7 +15,12 @@ def export(objects, filename):
     if len(chosen) != 1:
         raise ValueError("choose one illustration to export (a Burin object in the tree)")
     obj = chosen[0]
+    if not illustration.settle(obj):
+        raise ValueError(f"{obj.Label}: {obj.Message}; nothing was written")
     if not obj.Drawing or not os.path.exists(obj.Drawing):
         raise ValueError(f"{obj.Label} has no drawing yet; recompute it first")
     kernel.module().Drawing.load(obj.Drawing).save(filename)
-    FreeCAD.Console.PrintMessage(f"{obj.Label}: written to {filename}\n")
+    if obj.Message.endswith(illustration.KEPT):
+        FreeCAD.Console.PrintWarning(f"{obj.Label}: {obj.Message}, and the one written to {filename}\n")
+    else:
+        FreeCAD.Console.PrintMessage(f"{obj.Label}: written to {filename}\n")

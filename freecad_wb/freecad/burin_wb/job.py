@@ -5,12 +5,21 @@ A Job holds no document objects, so it may go to a thread or another process."""
 import concurrent.futures
 import hashlib
 import re
+import time
 from dataclasses import dataclass, field, fields
-from typing import Any, Dict, List, Optional
+from typing import Any, Dict, List, Optional, Tuple
+
+# What there is to say of parts and notes may be long; this many are shown.
+SHOWN = 6
 
 
 class Refused(Exception):
     """What is asked for cannot be drawn; the text says why and what to do."""
+
+
+def shortened(texts, between="; "):
+    shown = between.join(texts[:SHOWN])
+    return shown if len(texts) <= SHOWN else f"{shown}{between}and {len(texts) - SHOWN} more"
 
 
 # BREP text: storing a shape changes flags and digits past the fifteenth, showing it in 3-D adds curves in the
@@ -58,6 +67,17 @@ def _digits(value):
     return repr(value)
 
 
+class Brep(bytes):
+    """BREP text that parts share, in as many places as there are instances: pickled once, read once, hashed once."""
+
+    digest = None
+
+    def exact(self):
+        if self.digest is None:
+            self.digest = hashlib.sha256(essence(self)).digest()
+        return self.digest
+
+
 @dataclass
 class PartJob:
     """One part. Either `brep` (text, exact) or `vertices` and `triangles` (numpy arrays)."""
@@ -67,6 +87,7 @@ class PartJob:
     brep: Optional[bytes] = None
     vertices: Any = None
     triangles: Any = None
+    placement: Optional[Tuple[float, ...]] = None  # where `brep` is: 16 numbers of a rigid motion, row by row
     color: str = ""
     assembly: List[str] = field(default_factory=list)
     drawn: bool = True
@@ -74,19 +95,35 @@ class PartJob:
     transparent: bool = False
     style: Optional[Any] = None
 
+    def matrix(self):
+        """The placement as the kernel takes it: four rows, or nothing."""
+        return None if self.placement is None else [self.placement[4 * row : 4 * row + 4] for row in range(4)]
 
-_SHAPE = {"brep", "vertices", "triangles"}
+
+_SHAPE = {"brep", "vertices", "triangles", "placement"}
+
+# Seconds after which no further shape is looked at for faults.
+LOOK = 10.0
 
 
 @dataclass
 class Result:
     """What a run brings back."""
 
-    drawing: bytes  # a drawing file (JSON)
-    picture: bytes  # SVG, few elements
+    drawing: Optional[bytes]  # a drawing file (JSON); nothing where the kept one is the same (Job.unless)
+    picture: Optional[bytes]  # SVG, few elements
     scale: float
     messages: List[str]
     fingerprint: str
+
+
+UNCHANGED = Result(None, None, 0.0, [], "")
+
+
+def _place(placement):
+    import numpy
+
+    return b"" if placement is None else _rounded(numpy.array(placement))
 
 
 @dataclass
@@ -95,23 +132,30 @@ class Job:
     options: Dict[str, Any]  # keywords of burin.draw
     notes: List[str] = field(default_factory=list)  # what was left out, and why
     files: Dict[str, str] = field(default_factory=dict)  # style files with the hashes of what they hold
+    unless: str = ""  # nothing is drawn where this is the fingerprint
 
     def exact_fingerprint(self):
         """The same for the same shapes, camera and style while a document is open. Quick."""
-        return self._hash(lambda brep: (essence(brep),), lambda vertices: vertices.tobytes(), repr)
+        return self._hash(lambda brep: (brep.exact() if isinstance(brep, Brep) else essence(brep),),
+                          lambda vertices: vertices.tobytes(), repr, lambda place: repr(place).encode())
 
     def fingerprint(self):
         """The same also for documents that were stored and read again. Cost: 0.1 s a megabyte of BREP text."""
-        return self._hash(canonical, _rounded, _digits)
+        return self._hash(canonical, _rounded, _digits, _place)
 
-    def _hash(self, of_brep, of_vertices, of_option):
+    def _hash(self, of_brep, of_vertices, of_option, of_place):
         said = [(name, of_option(value)) for name, value in sorted(self.options.items())]
         digest = hashlib.sha256(repr((said, sorted(self.files.items()))).encode())
+        blocks_of = {}
         for part in self.parts:
             said = [getattr(part, f.name) for f in fields(part) if f.name not in _SHAPE]
             digest.update(repr(said).encode())
-            blocks = of_brep(part.brep) if part.brep is not None else (
-                of_vertices(part.vertices), part.triangles.tobytes())
+            if part.brep is not None:
+                if id(part.brep) not in blocks_of:
+                    blocks_of[id(part.brep)] = of_brep(part.brep)
+                blocks = (of_place(part.placement), *blocks_of[id(part.brep)])
+            else:
+                blocks = of_vertices(part.vertices), part.triangles.tobytes()
             for block in blocks:
                 digest.update(len(block).to_bytes(8, "little"))
                 digest.update(block)
@@ -119,13 +163,15 @@ class Job:
 
     def draw(self, burin, progress=None, cancel=None):
         """Runs the kernel here. Returns a burin.Drawing; throws burin.Error."""
-        scene = burin.Scene()
+        scene, shapes = burin.Scene(), {}
         for part in self.parts:
             common = dict(color=part.color, assembly=part.assembly, source=part.source)
             if cancel is not None and cancel.cancelled:
                 raise burin.Cancelled("cancelled")
             if part.brep is not None:
-                made = scene.add_brep(part.brep, part.name, **common)
+                if id(part.brep) not in shapes:
+                    shapes[id(part.brep)] = burin.Brep(part.brep)
+                made = scene.add_brep(shapes[id(part.brep)], part.name, placement=part.matrix(), **common)
             else:
                 made = scene.add_mesh(part.vertices, part.triangles, part.name, **common)
             for look in ("drawn", "hatched", "transparent", "style"):
@@ -134,8 +180,36 @@ class Job:
                     setattr(made, look, wanted)
         return burin.draw(scene, progress=progress, cancel=cancel, **self.options)
 
+    def is_drawn(self):
+        """Whether the kept drawing is the one of this job."""
+        return bool(self.unless) and self.unless == self.fingerprint()
+
+    def faults(self, burin, progress=None, cancel=None):
+        """Words for a message: which parts have shapes that OCCT itself finds faulty; empty where none. Slow."""
+        found, looked, begin = [], {}, time.monotonic()
+        for k, part in enumerate(self.parts):
+            if cancel is not None and cancel.cancelled:
+                raise burin.Cancelled("cancelled")
+            if part.brep is None or not part.drawn:
+                continue
+            if progress is not None:
+                progress("check", k / len(self.parts))
+            if id(part.brep) not in looked:
+                if time.monotonic() - begin > LOOK:
+                    found.append("(not all were looked at)")
+                    break
+                try:
+                    looked[id(part.brep)] = burin.Brep(part.brep).is_valid()
+                except burin.Error:
+                    looked[id(part.brep)] = False
+            if not looked[id(part.brep)]:
+                found.append(part.name)
+        return "; faulty shapes (see Part > Check geometry): " + shortened(found, ", ") if found else ""
+
     def run(self, burin, progress=None, cancel=None):
         """As `draw`, for the document."""
+        if self.is_drawn():
+            return UNCHANGED
         with concurrent.futures.ThreadPoolExecutor(1) as beside:  # the kernel works without the interpreter
             fingerprint = beside.submit(self.fingerprint)
             drawing = self.draw(burin, progress, cancel)

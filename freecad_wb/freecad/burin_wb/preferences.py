@@ -33,6 +33,23 @@ def template():
     return group().GetString("Template", "")
 
 
+# Pixels of a symbol that TechDraw takes for a millimetre of paper.
+PIXELS_PER_MM = 3.78
+
+
+def _pixels_key():
+    return "PixelsPerMm-" + ".".join(FreeCAD.Version()[:3])
+
+
+def pixels_per_mm():
+    """Pixels of a symbol that TechDraw takes for a millimetre of paper: what was measured in this version of FreeCAD."""
+    return group().GetFloat(_pixels_key(), PIXELS_PER_MM)
+
+
+def set_pixels_per_mm(pixels):
+    group().SetFloat(_pixels_key(), pixels)
+
+
 def kernel_folder():
     """A folder that holds the module `burin`; empty = where the add-on looks by itself."""
     return group().GetString("KernelFolder", "")

@@ -3,6 +3,8 @@
 Run as a script it is the worker: jobs come pickled on standard input, messages go pickled to standard output,
 each behind its length as eight bytes. Imported it is the side that asks."""
 
+import importlib
+import importlib.util
 import os
 import pickle
 import shutil
@@ -18,9 +20,16 @@ HEAD = struct.Struct("<Q")
 # Seconds that a worker gets to end a cancelled job before it is ended itself.
 PATIENCE = 0.08
 
+# Seconds that a program gets to say that it can be a worker: importing numpy and the kernel takes 0.3.
+HELLO = 30.0
+
 
 class Failed(Exception):
     """The run failed; the text is for the user."""
+
+
+class Crashed(Failed):
+    """The worker ended in the middle of the run."""
 
 
 class Stopped(Exception):
@@ -47,72 +56,109 @@ def _receive(stream):
 # --- the side that asks ---------------------------------------------------------------------------
 
 
-def interpreter():
-    """A Python of this version that can be started by itself; nothing where there is none."""
+def interpreters():
+    """Programs that may be a Python of this version, the likeliest first: the one that the user names, the one that
+    FreeCAD brings (AppImage, Windows), the system's. Whether one can be a worker it says itself when it is started."""
     from . import preferences
 
     named = preferences.python() or os.environ.get("BURIN_PYTHON", "")
     version = "python%d.%d" % sys.version_info[:2]
-    for candidate in (named, "/usr/bin/" + version, shutil.which(version), sys._base_executable):
-        if candidate and os.path.basename(candidate).startswith("python") and os.access(candidate, os.X_OK):
-            return candidate
-    return None
+    own = [os.path.join(folder, name) for folder in (sys.prefix, sys.exec_prefix, os.path.dirname(sys.executable or ""))
+           for name in (os.path.join("bin", version), version, "python.exe")]
+    found = []
+    for candidate in (named, *own, sys._base_executable, "/usr/bin/" + version, shutil.which(version)):
+        if candidate and candidate not in found and os.path.basename(candidate).startswith("python") \
+                and os.path.isfile(candidate) and os.access(candidate, os.X_OK):
+            found.append(candidate)
+    return found
+
+
+def _numpy_folder():
+    """Where this process has numpy, for an interpreter of the same version that has none of its own."""
+    spec = importlib.util.find_spec("numpy")
+    return os.path.dirname(os.path.dirname(spec.origin)) if spec is not None and spec.origin else ""
 
 
 class Worker:
     """One worker process; keeps running from job to job. For one thread at a time, except `cancel`."""
 
     _told = False  # that there is no process of its own; once a session
+    _unfit = {}  # programs that turned out to be no workers, and why
 
     def __init__(self):
         self._process = None
         self._log = None
-        self._lock = threading.Lock()
+        self._lock = threading.Lock()  # of what follows; never held for long
+        self._starting = threading.Lock()
         self._sending = threading.Lock()
+        self._ended = None  # the process that this side ended
         self._here = None  # the Cancel of a run in this process
-        self._running = None  # stands for the run under way
+        self._running = None  # stands for the run under way: its number
         self._cancelled = False  # whether that is to end
+        self._sent = False  # whether the process has it
+        self._number = 0
 
     def start(self):
-        """Starts the process ahead of the first job. Whether there is one: without an interpreter that can be
-        started by itself, or where the system lets none start, jobs run in this process."""
-        with self._lock:
+        """Starts the process ahead of the first job, and waits until it can take one. Whether there is one: where no
+        interpreter can be a worker, jobs run in this process. Throws Stopped where it is ended meanwhile."""
+        with self._starting:
             if self._process is not None and self._process.poll() is None:
                 return True
-            self._forget()
-            python = interpreter()
-            try:
-                if python is not None:
-                    self._launch(python)
+            with self._lock:
+                self._forget()
+            for python in interpreters():
+                if python in Worker._unfit:
+                    continue
+                why = self._launch(python)
+                if why is None:
                     return True
-                why = "no Python interpreter was found; set BURIN_PYTHON to one"
-            except OSError as error:
-                why = f"{python}: {error.strerror}"
+                Worker._unfit[python] = why
+            whys = "; ".join(f"{python}: {why}" for python, why in Worker._unfit.items())
         if not Worker._told:
             Worker._told = True
-            print(f"Burin: drawing inside FreeCAD itself, not in a process of its own ({why})", file=sys.stderr)
+            print("Burin: drawing inside FreeCAD itself, not in a process of its own "
+                  f"({whys or 'no Python interpreter was found'}; set BURIN_PYTHON to one)", file=sys.stderr)
         return False
 
     def draw(self, job, progress=None):
         """Runs a job to its end. Returns a job.Result. `progress(stage, share)` is called from this thread.
         Throws Failed or Stopped."""
+        from . import kernel
+        from .job import UNCHANGED
+
+        if not kernel.found():
+            if job.is_drawn():
+                return UNCHANGED
+            raise Failed(kernel.HOW_TO_INSTALL)
         with self._lock:
-            self._cancelled, self._running = False, object()
+            self._number += 1
+            self._cancelled, self._sent, self._running = False, False, self._number
         try:
             if not self.start():
                 return self._draw_here(job, progress)
-            return self._draw_there(job, progress)
+            try:
+                return self._ask("draw", job, progress)
+            except Crashed as crash:
+                raise Failed(str(crash) + self._faults(job, progress)) from crash
         finally:
             with self._lock:
                 self._running = None
 
-    def _draw_there(self, job, progress):
+    def _faults(self, job, progress):
+        """After a crash: another process looks which shapes are faulty; if it crashes too, so be it."""
+        try:
+            return self._ask("check", job, progress) if self.start() else ""
+        except Failed:
+            return ""
+
+    def _ask(self, what, job, progress):
         process, log = self._process, self._log
         try:
             with self._sending:
                 if self._cancelled:
                     raise Stopped()
-                _send(process.stdin, ("draw", job))
+                self._sent = True
+                _send(process.stdin, (what, self._running, job))
             while True:
                 message = _receive(process.stdout)
                 if message is None:
@@ -132,7 +178,7 @@ class Worker:
             if self._cancelled:
                 self.start()  # the next run is not to wait for it
                 raise Stopped() from error
-            raise Failed(words) from error
+            raise Crashed(words) from error
 
     def _draw_here(self, job, progress):
         from . import kernel
@@ -145,36 +191,41 @@ class Worker:
         if self._cancelled:
             self._here.cancel()
         try:
-            return job.run(burin, progress, self._here)
-        except burin.Cancelled:
-            raise Stopped() from None
-        except burin.Error as error:
-            raise Failed(str(error)) from error
+            kind, answer = _run("draw", job, burin, progress, self._here)
         finally:
             self._here = None
+        if kind == "cancelled":
+            raise Stopped()
+        if kind == "failed":
+            raise Failed(answer)
+        return answer
 
     def cancel(self):
-        """Ends the job under way; may be called from any thread. A process that does not end its job within PATIENCE
-        seconds is ended itself. Takes as long as a job takes to be sent."""
+        """Ends the job under way; may be called from any thread, and returns at once. A process that does not end its
+        job within PATIENCE seconds is ended itself."""
         run, here, process = self._running, self._here, self._process
         if run is None:
             return
         self._cancelled = True
         if here is not None:
             here.cancel()
-        elif process is not None and process.poll() is None:
-            try:
-                with self._sending:
-                    _send(process.stdin, ("cancel",))
-            except (OSError, ValueError):
-                pass
+        elif process is not None:
+            # A process that hangs takes nothing: who writes to it waits.
+            threading.Thread(target=self._ask_to_end, args=(process, run), daemon=True).start()
             timer = threading.Timer(PATIENCE, self._lose_patience, (run,))
             timer.daemon = True
             timer.start()
 
+    def _ask_to_end(self, process, run):
+        try:
+            with self._sending:
+                _send(process.stdin, ("cancel", run))
+        except (OSError, ValueError):
+            pass
+
     def _lose_patience(self, run):
         with self._lock:
-            if self._running is run:
+            if self._running == run and self._sent:
                 self._kill()
 
     def stop(self):
@@ -185,20 +236,50 @@ class Worker:
     def _kill(self):
         """With the lock held."""
         if self._process is not None:
+            self._ended = self._process
             self._process.kill()
-            self._process.wait()
+            try:
+                self._process.wait(2)
+            except subprocess.TimeoutExpired:  # it is gone as soon as the system gets to it
+                pass
 
     def _launch(self, python):
+        """Starts a program and waits for its hello. Nothing where it is a worker now, else why it is none."""
         from . import kernel
 
         environment = dict(os.environ)
         environment["BURIN_WORKER_FOLDERS"] = os.pathsep.join(kernel.folders())
+        environment["BURIN_WORKER_NUMPY"] = _numpy_folder()
         for name in ("PYTHONHOME", "LD_PRELOAD"):
             environment.pop(name, None)
-        self._log = tempfile.TemporaryFile()
-        self._process = subprocess.Popen(
-            [python, os.path.abspath(__file__)], stdin=subprocess.PIPE, stdout=subprocess.PIPE,
-            stderr=self._log, env=environment, start_new_session=True)
+        log = tempfile.TemporaryFile()
+        try:
+            process = subprocess.Popen(
+                [python, os.path.abspath(__file__)], stdin=subprocess.PIPE, stdout=subprocess.PIPE,
+                stderr=log, env=environment, start_new_session=True)
+        except OSError as error:
+            log.close()
+            return error.strerror
+        with self._lock:
+            self._process, self._log = process, log
+        alarm = threading.Timer(HELLO, process.kill)
+        alarm.daemon = True
+        alarm.start()
+        try:
+            message = _receive(process.stdout)
+        except (OSError, ValueError, MemoryError, pickle.UnpicklingError):
+            message = None
+        late = not alarm.is_alive()
+        alarm.cancel()
+        if message == ("ready",):
+            return None
+        if self._ended is process:
+            raise Stopped()
+        process.kill()
+        why = message[1] if message else "said nothing for %g s" % HELLO if late else self._said(process, log)
+        with self._lock:
+            self._forget()
+        return why
 
     def _forget(self):
         """With the lock held: closes what an ended process left."""
@@ -211,8 +292,13 @@ class Worker:
                 pass
         self._process = None
 
+    def _last_words(self, process, log):
+        said = self._said(process, log)
+        return f"the drawing kernel ended unexpectedly ({said}); the document is as it was, the next run starts it anew"
+
     @staticmethod
-    def _last_words(process, log):
+    def _said(process, log):
+        """How a process ended, and the last that it said."""
         try:
             status = process.wait(timeout=5)
         except subprocess.TimeoutExpired:
@@ -224,8 +310,7 @@ class Worker:
         except (OSError, ValueError):
             said = []
         why = "signal %d" % -status if status < 0 else "status %d" % status
-        tail = ": " + said[-1] if said else ""
-        return f"the drawing kernel ended unexpectedly ({why}){tail}; the document is as it was, the next run starts it anew"
+        return why + (": " + said[-1] if said else "")
 
 
 # --- the worker -----------------------------------------------------------------------------------
@@ -240,12 +325,16 @@ def _serve():
     from freecad.burin_wb import kernel  # noqa: E402
 
     try:
+        _find_numpy()
         burin = kernel.module()
-    except kernel.KernelMissing as error:
-        _receive(source)
-        _send(sink, ("failed", str(error)))
+    except ImportError as error:
+        _send(sink, ("unfit", f"it has no numpy ({error})"))
         return
-    state = {"cancel": None, "jobs": [], "closed": False}
+    except kernel.KernelMissing as error:
+        _send(sink, ("unfit", f"it cannot load the drawing kernel ({error.__cause__})"))
+        return
+    _send(sink, ("ready",))
+    state = {"cancel": None, "number": None, "jobs": [], "closed": False}
     ready = threading.Condition()
 
     def listen():
@@ -262,12 +351,13 @@ def _serve():
             with ready:
                 if message is None:
                     state["closed"] = True
-                if message is None or message[0] == "cancel":
-                    if state["cancel"] is not None:
-                        state["cancel"].cancel()
-                else:
-                    state["jobs"].append(message[1])
-                    state["cancel"] = burin.Cancel()
+                elif message[0] != "cancel":
+                    state["jobs"].append(message)
+                    state["cancel"], state["number"] = burin.Cancel(), message[1]
+                # A cancel may come after the end of its job: not to the next one.
+                if state["cancel"] is not None and (message is None or message[0] == "cancel"
+                                                    and message[1] == state["number"]):
+                    state["cancel"].cancel()
                 ready.notify()
             if message is None:
                 return
@@ -279,17 +369,39 @@ def _serve():
                 ready.wait()
             if state["closed"]:
                 return
-            job, cancel = state["jobs"].pop(0), state["cancel"]
+            (what, _, job), cancel = state["jobs"].pop(0), state["cancel"]
+        _send(sink, _run(what, job, burin, lambda stage, share: _send(sink, ("progress", stage, share)), cancel))
+
+
+def _find_numpy():
+    """This interpreter's own, else that of the side that asks. Throws ImportError."""
+    try:
+        import numpy  # noqa: F401
+    except ImportError:
+        folder = os.environ.get("BURIN_WORKER_NUMPY")
+        if not folder:
+            raise
+        sys.path.append(folder)
+        importlib.invalidate_caches()
+        import numpy  # noqa: F401
+
+
+def _run(what, job, burin, progress, cancel):
+    """Does a job here: ("done", result), ("cancelled", nothing) or ("failed", text)."""
+    try:
+        if what == "check":
+            return "done", job.faults(burin, progress, cancel)
         try:
-            result = job.run(burin, lambda stage, share: _send(sink, ("progress", stage, share)), cancel)
-            _send(sink, ("done", result))
-        except burin.Cancelled:
-            _send(sink, ("cancelled",))
-        except burin.Error as error:
-            _send(sink, ("failed", str(error)))
-        except Exception as error:  # a mistake of ours: told, and the worker lives on
-            traceback.print_exc()
-            _send(sink, ("failed", f"the drawing kernel failed: {error!r}"))
+            return "done", job.run(burin, progress, cancel)
+        except (burin.GeometryError, burin.InputError) as error:  # it may be the fault of the shapes
+            return "failed", str(error) + job.faults(burin, progress, cancel)
+    except burin.Cancelled:
+        return "cancelled", None
+    except burin.Error as error:
+        return "failed", str(error)
+    except Exception as error:  # a mistake of ours: told, and the worker lives on
+        traceback.print_exc()
+        return "failed", f"the drawing kernel failed: {error!r}"
 
 
 if __name__ == "__main__":

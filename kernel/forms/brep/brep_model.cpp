@@ -1,19 +1,26 @@
 #include <burin/base/error.h>
+#include <burin/forms/parametric/refine.h>
 
+#include "analytic_chart.h"
 #include "chart_mesh_builder.h"
 #include "contain.h"
+#include "fill_wires.h"
+#include "isolate.h"
+#include "loose_faces.h"
 #include "make_manifold.h"
 #include "mesher.h"
 #include "model_parts.h"
-#include "refine.h"
+#include "name_faces.h"
 #include "shape_bounds.h"
+#include "stray_faces.h"
+#include "surface_chart.h"
 #include "turn_triangles.h"
 
 #include <BRepBuilderAPI_Copy.hxx>
 #include <TopExp_Explorer.hxx>
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
+#include <algorithm>
 #include <chrono>
 #include <deque>
 #include <utility>
@@ -26,8 +33,12 @@ constexpr std::size_t kKept = 4;
 
 struct Tessellation {
   double tolerance = 0;
-  std::shared_ptr<const ChartMesh> mesh;
-  std::vector<std::int32_t> unmeshed;
+  std::shared_ptr<const BrepTriangles> mesh;
+  /// Faces without triangles, and with some of them.
+  std::vector<std::int32_t> unmeshed, in_part;
+  std::vector<std::uint8_t> loose;
+  std::string reason;
+  bool complete = true;  // within the tolerance, not ended by triangle_bound
 };
 
 }  // namespace
@@ -44,14 +55,15 @@ struct BrepModel::Impl {
 
   const Tessellation& tessellate(double tolerance, const Atlas& atlas, RunContext& context);
   Tessellation make(double tolerance, const Atlas& atlas, RunContext& context);
-  void turn_outward(RawMesh& raw);
+  bool turn_outward(const RawMesh& raw);
 };
 
-BrepModel::BrepModel(const TopoDS_Shape& shape) : impl_(std::make_unique<Impl>()) {
+BrepModel::BrepModel(const TopoDS_Shape& shape, const ChartMaker& make_chart)
+    : impl_(std::make_unique<Impl>()) {
   ModelParts& parts = impl_->parts;
   const std::string failure = contained([&] {
     parts.shape = BRepBuilderAPI_Copy(shape, false, false).Shape();
-    collect_parts(parts);
+    collect_parts(parts, shape, make_chart ? make_chart : ChartMaker(make_surface_chart));
   });
   if (!failure.empty()) {
     throw GeometryError(
@@ -76,7 +88,10 @@ BrepModel::~BrepModel() = default;
 const TopoDS_Shape& BrepModel::shape() const { return impl_->parts.shape; }
 std::size_t BrepModel::face_count() const { return impl_->parts.faces.size(); }
 const Chart& BrepModel::chart(std::int32_t face) const {
-  return *impl_->parts.faces[static_cast<std::size_t>(face)].chart;
+  // Loose faces have no triangle over a chart, but whoever lists all charts meets them.
+  static const std::shared_ptr<const Chart> none = plane_chart({}, {Vec2(0), Vec2(1)});
+  const ModelFace& f = impl_->parts.faces[static_cast<std::size_t>(face)];
+  return f.chart ? *f.chart : *none;
 }
 bool BrepModel::reversed(std::int32_t face) const {
   return impl_->parts.faces[static_cast<std::size_t>(face)].reversed;
@@ -86,23 +101,80 @@ Vec2 BrepModel::on_coedge(std::int32_t coedge, double t) const {
 }
 double BrepModel::size() const { return impl_->size; }
 
+/// Triangles of faces that have none together with the others: those that they came with, or of
+/// their own. `unmeshed` keeps the faces for which there are none either.
+LooseTriangles triangles_apart(const ModelParts& parts, std::vector<std::int32_t>& unmeshed,
+                               double tolerance, RunContext& context) {
+  LooseTriangles loose;
+  std::erase_if(unmeshed, [&](std::int32_t f) {
+    const ModelFace& face = parts.faces[static_cast<std::size_t>(f)];
+    LooseTriangles found = face.given;
+    if (found.empty()) found = mesh_alone(parts, f, tolerance, context);
+    if (found.empty()) survived([&] { found = fill_wires(parts, f, tolerance); });
+    if (face.reversed) {
+      for (Triangle& t : found.triangles) std::swap(t[1], t[2]);
+    }
+    loose.append(found);
+    return !found.empty();
+  });
+  return loose;
+}
+
 Tessellation BrepModel::Impl::make(double tolerance, const Atlas& atlas, RunContext& context) {
   Tessellation made;
   made.tolerance = tolerance;
-  mesh_shape(parts, tolerance, context);
+  made.in_part = mesh_shape(parts, tolerance, context);
   RawMesh raw = build_chart_mesh(parts, made.unmeshed);
   clear_mesh(parts);
-  turn_outward(raw);
-  refine(raw, make_manifold(raw.mesh, face_body), atlas, tolerance, context);
-  raw.mesh.normal.assign(raw.mesh.uv.size(), Vec3(0));
-  raw.mesh.on_contour.assign(raw.mesh.uv.size(), 0);
-  made.mesh = std::make_shared<const ChartMesh>(std::move(raw.mesh));
+  const std::vector<std::int32_t> none = made.unmeshed;
+  LooseTriangles loose = triangles_apart(parts, made.unmeshed, tolerance, context);
+  StrayFaces strays, found;
+  const auto take_strays = [&] {
+    strays.add(found);
+    if (!found.marked.empty()) loose.append(take_loose(raw.mesh, found.marked, &raw.pole));
+    return !found.marked.empty();
+  };
+  // Before the work, where the charts can be asked, and after it.
+  survived([&] { found = find_stray_faces(raw, atlas, size, context); });
+  take_strays();
+  RawMesh refined;
+  LooseTriangles parted;
+  Isolated isolated;
+  do {
+    isolated = isolate(parts.faces.size(), [&](const std::vector<std::uint8_t>& out) {
+      refined = raw;
+      parted = take_loose(refined.mesh, out, &refined.pole);
+      made.complete =
+          refine(refined, make_manifold(refined.mesh, face_body), atlas,
+                 {.tolerance = tolerance, .most = triangle_bound(size, tolerance)}, context);
+      found = find_stray_faces(refined, atlas, size, context);
+    });
+  } while (take_strays());
+  // What was taken apart before would still be turned in.
+  if (turn_outward(refined)) return make(tolerance, atlas, context);
+  made.loose = isolated.out;
+  made.reason =
+      !isolated.reason.empty() ? isolated.reason
+      : !strays.marked.empty()
+          ? fmt::format("their edges lie up to {:.3g} mm beside their surfaces", strays.distance)
+          : "they cannot be meshed with their neighbours";
+  for (std::size_t f = 0; f < strays.marked.size(); ++f) made.loose[f] |= strays.marked[f];
+  std::erase_if(made.in_part,
+                [&](std::int32_t f) { return std::ranges::find(none, f) != none.end(); });
+  for (const std::int32_t f : none) made.loose[static_cast<std::size_t>(f)] = 1;
+  for (const std::int32_t f : made.unmeshed) made.loose[static_cast<std::size_t>(f)] = 0;
+  loose.append(parted);
+  refined.mesh.normal.assign(refined.mesh.uv.size(), Vec3(0));
+  refined.mesh.on_contour.assign(refined.mesh.uv.size(), 0);
+  made.mesh = std::make_shared<const BrepTriangles>(
+      BrepTriangles{std::move(refined.mesh), std::move(loose)});
   return made;
 }
 
-/// Once for a model: solids and closed shells of negative volume are turned inside out.
-void BrepModel::Impl::turn_outward(RawMesh& raw) {
-  if (std::exchange(outward, true)) return;
+/// Once for a model: solids and closed shells of negative volume are turned inside out. Of a thin
+/// wall only triangles that are near to both of its sides tell the sign. Whether any was turned.
+bool BrepModel::Impl::turn_outward(const RawMesh& raw) {
+  if (std::exchange(outward, true)) return false;
   std::vector<std::uint8_t> turned(parts.faces.size(), 0);
   const std::vector<double> volume = body_volumes(raw.mesh, face_body, parts.bodies.size());
   for (std::size_t b = 0; b < volume.size(); ++b) {
@@ -110,7 +182,7 @@ void BrepModel::Impl::turn_outward(RawMesh& raw) {
     for (const std::int32_t f : parts.bodies[b]) turned[static_cast<std::size_t>(f)] = 1;
   }
   for (std::size_t f = 0; f < turned.size(); ++f) parts.faces[f].reversed ^= turned[f] != 0;
-  turn_triangles(raw.mesh, turned, raw.pole);
+  return std::ranges::find(turned, 1) != turned.end();
 }
 
 const Tessellation& BrepModel::Impl::tessellate(double tolerance, const Atlas& atlas,
@@ -123,19 +195,27 @@ const Tessellation& BrepModel::Impl::tessellate(double tolerance, const Atlas& a
   return kept.back();
 }
 
-std::shared_ptr<const ChartMesh> BrepModel::tessellate(double tolerance, RunContext& context,
-                                                       Diagnostics* diagnostics) const {
+std::shared_ptr<const BrepTriangles> BrepModel::tessellate(double tolerance, RunContext& context,
+                                                           Diagnostics* diagnostics) const {
   std::unique_lock lock(impl_->mutex, std::defer_lock);
   while (!lock.try_lock_for(std::chrono::milliseconds(20))) context.check();
   const Tessellation& t = impl_->tessellate(tolerance, *this, context);
-  if (t.mesh->triangles.empty()) {
+  if (t.mesh->triangles.empty() && t.mesh->loose.empty()) {
     throw GeometryError("none of the faces could be turned into triangles; repair the shape");
   }
+  name_loose_faces(t.loose, t.reason, diagnostics);
   if (diagnostics && !t.unmeshed.empty()) {
     diagnostics->add(Severity::Warning, "brep.face_not_meshed",
                      static_cast<std::int64_t>(t.unmeshed.size()),
-                     fmt::format("left out, because OCCT cannot mesh them: face{} {}",
-                                 t.unmeshed.size() > 1 ? "s" : "", fmt::join(t.unmeshed, ", ")));
+                     "left out, because OCCT cannot mesh them: " + face_list(t.unmeshed));
+  }
+  if (diagnostics && !t.in_part.empty()) {
+    diagnostics->add(Severity::Warning, "brep.face_in_part",
+                     static_cast<std::int64_t>(t.in_part.size()),
+                     "drawn in part, because OCCT cannot mesh them whole: " + face_list(t.in_part));
+  }
+  if (diagnostics && !t.complete) {
+    add_triangles_bounded(*diagnostics, t.mesh->triangles.size(), t.mesh->tolerance, tolerance);
   }
   return t.mesh;
 }

@@ -3,6 +3,7 @@
 #include <burin/base/disjoint_sets.h>
 
 #include "occt_vec.h"
+#include "wide_triangles.h"
 
 #include <BRep_Tool.hxx>
 #include <Poly_PolygonOnTriangulation.hxx>
@@ -64,8 +65,47 @@ class Builder {
       std::uint32_t& g = global_[static_cast<std::size_t>(i)];
       if (g == kNone) g = add_vertex(to_vec(t->Node(i).Transformed(move)));
     }
-    for (int i = 1; i <= t->NbTriangles(); ++i) add_triangle(f, *t, i);
+    add_triangles(f, *t);
     return true;
+  }
+
+  /// The way in u and in v from one side of a seam of the face to the other; 0 without one.
+  Vec2 way_round(std::size_t f) const {
+    Vec2 way(0);
+    const auto first = index(parts_.faces[f].first_coedge);
+    for (std::size_t c = first; c < parts_.coedges.size(); ++c) {
+      const ModelCoedge& a = parts_.coedges[c];
+      if (a.face != static_cast<std::int32_t>(f)) break;
+      const ModelEdge& e = parts_.edges[index(a.edge)];
+      for (const std::int32_t other : e.coedges) {
+        const ModelCoedge& b = parts_.coedges[index(other)];
+        if (index(other) <= c || b.face != a.face || !a.curve.known() || !b.curve.known()) continue;
+        const double t = 0.5 * (e.first + e.last);
+        way = glm::max(way, glm::abs(a.curve.at(t) - b.curve.at(t)));
+      }
+    }
+    // Rounding of the other direction is no way.
+    for (int i = 0; i < 2; ++i) {
+      if (way[i] < 1e-6 * way[1 - i]) way[i] = 0;
+    }
+    return way;
+  }
+
+  void add_triangles(std::size_t f, const Poly_Triangulation& t) {
+    node_uv_.assign(1, Vec2(0));
+    for (int i = 1; i <= t.NbNodes(); ++i) node_uv_.push_back(to_vec(t.UVNode(i)));
+    std::vector<Triangle> triangles;
+    for (int i = 1; i <= t.NbTriangles(); ++i) {
+      std::array<int, 3> n{};
+      t.Triangle(i).Get(n[0], n[1], n[2]);
+      triangles.push_back({static_cast<std::uint32_t>(n[0]), static_cast<std::uint32_t>(n[1]),
+                           static_cast<std::uint32_t>(n[2])});
+    }
+    split_wide_triangles(node_uv_, node_pole_, triangles, way_round(f));
+    for (std::size_t i = global_.size(); i < node_uv_.size(); ++i) {
+      global_.push_back(add_vertex(parts_.faces[f].chart->position(node_uv_[i])));
+    }
+    for (const Triangle& n : triangles) add_triangle(f, n);
   }
 
   /// The vertices of the model edge, made when its first face with triangles comes; of this coedge
@@ -111,16 +151,27 @@ class Builder {
     if (!e.degenerate) add_segments(coedge, e, *polygon);
   }
 
+  /// Whether the nodes of a polygon are nodes of the triangles: the mesher may leave that of a try
+  /// before, with other nodes, on an edge of a face that it failed at.
+  static bool belongs(const Handle(Poly_PolygonOnTriangulation) & p, const Poly_Triangulation& t) {
+    if (p.IsNull()) return false;
+    for (int k = 1; k <= p->NbNodes(); ++k) {
+      if (p->Node(k) < 1 || p->Node(k) > t.NbNodes()) return false;
+    }
+    return true;
+  }
+
   /// Of the two polygons of a seam the mesher keeps now the one, now the other first: the nearer
   /// to the coedge's own curve is taken.
   Handle(Poly_PolygonOnTriangulation)
       polygon_of(const ModelCoedge& c, const Handle(Poly_Triangulation) & t,
                  const TopLoc_Location& location) const {
     Handle(Poly_PolygonOnTriangulation) own = BRep_Tool::PolygonOnTriangulation(c.use, t, location);
-    if (own.IsNull() || !c.curve.known()) return own;
+    if (!belongs(own, *t)) return nullptr;
+    if (!c.curve.known()) return own;
     const Handle(Poly_PolygonOnTriangulation) other =
         BRep_Tool::PolygonOnTriangulation(TopoDS::Edge(c.use.Reversed()), t, location);
-    if (other.IsNull() || other == own) return own;
+    if (other == own || !belongs(other, *t)) return own;
     const ModelEdge& e = parts_.edges[index(c.edge)];
     const auto off = [&](const Handle(Poly_PolygonOnTriangulation) & p) {
       return glm::length(to_vec(t->UVNode(p->Node(1))) - c.curve.at(e.first)) +
@@ -167,17 +218,14 @@ class Builder {
     return static_cast<std::uint32_t>(positions_.size() - 1);
   }
 
-  void add_triangle(std::size_t f, const Poly_Triangulation& t, int i) {
-    std::array<int, 3> n{};
-    t.Triangle(i).Get(n[0], n[1], n[2]);
+  void add_triangle(std::size_t f, Triangle n) {
     if (parts_.faces[f].reversed) std::swap(n[1], n[2]);
-    mesh_.triangles.push_back({global_[index(n[0])], global_[index(n[1])], global_[index(n[2])]});
+    mesh_.triangles.push_back({global_[n[0]], global_[n[1]], global_[n[2]]});
     mesh_.face.push_back(static_cast<std::int32_t>(f));
     for (std::size_t k = 0; k < 3; ++k) {
-      mesh_.uv.push_back(to_vec(t.UVNode(n[k])));
-      pole_.push_back(node_pole_[index(n[k])]);
-      mesh_.border.push_back(
-          add_border(static_cast<std::uint32_t>(n[k]), static_cast<std::uint32_t>(n[(k + 1) % 3])));
+      mesh_.uv.push_back(node_uv_[n[k]]);
+      pole_.push_back(node_pole_[n[k]]);
+      mesh_.border.push_back(add_border(n[k], n[(k + 1) % 3]));
     }
   }
 
@@ -240,6 +288,7 @@ class Builder {
   std::vector<std::pair<std::uint32_t, std::uint32_t>> joined_;
   // Of the present face: the vertex of each node (from 1), and the pieces of its coedges.
   std::vector<std::uint32_t> global_;
+  std::vector<Vec2> node_uv_;
   std::vector<std::uint8_t> node_pole_;
   std::vector<Segment> segments_;
 };

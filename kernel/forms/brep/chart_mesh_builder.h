@@ -1,8 +1,9 @@
 #pragma once
 /// A ChartMesh from the triangulations that OCCT's mesher left on the faces.
 
+#include <burin/forms/parametric/raw_mesh.h>
+
 #include "model_parts.h"
-#include "raw_mesh.h"
 
 namespace burin {
 

@@ -1,6 +1,7 @@
 #include <burin/base/parallel.h>
 #include <burin/forms/parametric/continuity.h>
 
+#include "contain.h"
 #include "model_parts.h"
 
 #include <array>
@@ -92,7 +93,10 @@ ModelEdgeClass class_of(const ModelParts& parts, const ModelEdge& e) {
 std::vector<ModelEdgeClass> classify_edges(const ModelParts& parts) {
   std::vector<ModelEdgeClass> out(parts.edges.size(), ModelEdgeClass::Boundary);
   parallel_for(out.size(), 64, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) out[i] = class_of(parts, parts.edges[i]);
+    for (std::size_t i = begin; i < end; ++i) {
+      out[i] = ModelEdgeClass::Sharp;  // where a face has no normals, nothing goes on over the edge
+      survived([&] { out[i] = class_of(parts, parts.edges[i]); });
+    }
   });
   return out;
 }

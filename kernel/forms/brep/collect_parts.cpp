@@ -1,10 +1,17 @@
 #include "contain.h"
+#include "mesher.h"
 #include "model_parts.h"
 #include "occt_vec.h"
-#include "surface_chart.h"
 
 #include <BRepLib.hxx>
+#include <BRep_Builder.hxx>
 #include <BRep_Tool.hxx>
+#include <Geom2d_BSplineCurve.hxx>
+#include <Geom2d_BezierCurve.hxx>
+#include <Geom2d_TrimmedCurve.hxx>
+#include <Geom_BSplineSurface.hxx>
+#include <Geom_BezierSurface.hxx>
+#include <Geom_RectangularTrimmedSurface.hxx>
 #include <Precision.hxx>
 #include <ShapeFix_Edge.hxx>
 #include <TopExp.hxx>
@@ -13,17 +20,47 @@
 #include <TopoDS.hxx>
 #include <TopoDS_Vertex.hxx>
 
+#include <algorithm>
 #include <cmath>
+#include <vector>
 
 namespace burin {
 namespace {
 
 TopoDS_Face forward(const TopoDS_Face& f) { return TopoDS::Face(f.Oriented(TopAbs_FORWARD)); }
 
+/// Whether no pole of a spline is without numbers, or so far from where the others are that it was
+/// changed; of any other curve true.
+bool has_sound_poles(const Handle(Geom2d_Curve) & curve) {
+  constexpr double kFarthest = 1e7;  // times the usual distance from the origin, or 1
+  Handle(Geom2d_Curve) basis = curve;
+  if (const auto trimmed = Handle(Geom2d_TrimmedCurve)::DownCast(curve)) {
+    basis = trimmed->BasisCurve();
+  }
+  const TColgp_Array1OfPnt2d* poles = nullptr;
+  if (const auto spline = Handle(Geom2d_BSplineCurve)::DownCast(basis)) {
+    poles = &spline->Poles();
+  } else if (const auto bezier = Handle(Geom2d_BezierCurve)::DownCast(basis)) {
+    poles = &bezier->Poles();
+  }
+  if (!poles) return true;
+  std::vector<double> far;
+  for (int i = poles->Lower(); i <= poles->Upper(); ++i) {
+    far.push_back(std::abs((*poles)(i).X()) + std::abs((*poles)(i).Y()));
+    if (!std::isfinite(far.back())) return false;
+  }
+  std::ranges::sort(far);
+  return far.back() <= kFarthest * std::max(1.0, far[far.size() / 2]);
+}
+
 Pcurve pcurve_of(const TopoDS_Edge& use, const TopoDS_Face& face, const ModelEdge& edge) {
   return contained_or(Pcurve(), [&] {
     double first = 0, last = 0;
     Handle(Geom2d_Curve) c = BRep_Tool::CurveOnSurface(use, face, first, last);
+    if (!c.IsNull() && !has_sound_poles(c)) {
+      BRep_Builder().UpdateEdge(use, Handle(Geom2d_Curve)(), face, BRep_Tool::Tolerance(use));
+      c.Nullify();
+    }
     if (c.IsNull()) {
       ShapeFix_Edge().FixAddPCurve(use, face, BRep_Tool::IsClosed(use, face), 0.0);
       c = BRep_Tool::CurveOnSurface(use, face, first, last);
@@ -70,7 +107,50 @@ ParameterBox used_box(const ModelParts& parts, std::size_t first, std::size_t en
   return {box.min, box.max};
 }
 
-void add_face(ModelParts& parts, const TopoDS_Face& face, const TopTools_IndexedMapOfShape& edges) {
+/// Whether a chart can be evaluated where the face begins and in the middle of its coedges.
+bool works(const ModelParts& parts, const Chart& chart, std::size_t first_coedge) {
+  const auto finite = [&](Vec2 uv) {
+    const SurfaceDerivatives d = chart.derivatives(uv);
+    const Vec3 sum = d.p + d.u + d.v;
+    return std::isfinite(sum.x + sum.y + sum.z);
+  };
+  try {
+    if (!finite(chart.domain().center())) return false;
+    for (std::size_t c = first_coedge; c < parts.coedges.size(); ++c) {
+      const ModelCoedge& co = parts.coedges[c];
+      const ModelEdge& e = parts.edges[static_cast<std::size_t>(co.edge)];
+      if (co.curve.known() && !finite(co.curve.at(0.5 * (e.first + e.last)))) return false;
+    }
+  } catch (const std::exception&) {
+    return false;
+  } catch (const Standard_Failure&) {
+    return false;
+  }
+  return true;
+}
+
+/// Whether the poles of a spline are numbers; of any other surface true.
+bool has_numbers(Handle(Geom_Surface) surface) {
+  if (const auto trimmed = Handle(Geom_RectangularTrimmedSurface)::DownCast(surface)) {
+    surface = trimmed->BasisSurface();
+  }
+  const TColgp_Array2OfPnt* poles = nullptr;
+  if (const auto spline = Handle(Geom_BSplineSurface)::DownCast(surface)) {
+    poles = &spline->Poles();
+  } else if (const auto bezier = Handle(Geom_BezierSurface)::DownCast(surface)) {
+    poles = &bezier->Poles();
+  }
+  for (int i = 1; poles && i <= poles->NbRows(); ++i) {
+    for (int k = 1; k <= poles->NbColumns(); ++k) {
+      const gp_Pnt& p = (*poles)(i, k);
+      if (!std::isfinite(p.X() + p.Y() + p.Z())) return false;
+    }
+  }
+  return true;
+}
+
+void add_face(ModelParts& parts, const TopoDS_Face& face, const TopoDS_Face& original,
+              const TopTools_IndexedMapOfShape& edges, const ChartMaker& make_chart) {
   ModelFace f;
   f.face = face;
   f.first_coedge = static_cast<std::int32_t>(parts.coedges.size());
@@ -91,11 +171,14 @@ void add_face(ModelParts& parts, const TopoDS_Face& face, const TopTools_Indexed
   const Handle(Geom_Surface) surface =
       contained_or(Handle(Geom_Surface)(), [&] { return BRep_Tool::Surface(face); });
   if (!surface.IsNull()) {
+    f.meshable = has_numbers(surface);
     f.chart = contained_or(std::shared_ptr<const Chart>(), [&] {
-      return make_surface_chart(
+      return make_chart(
           surface, used_box(parts, static_cast<std::size_t>(f.first_coedge), parts.coedges.size()));
     });
   }
+  if (f.chart && !works(parts, *f.chart, static_cast<std::size_t>(f.first_coedge))) f.chart.reset();
+  if (!f.chart) f.given = triangles_on(original, static_cast<std::int32_t>(parts.faces.size()));
   parts.faces.push_back(std::move(f));
 }
 
@@ -114,8 +197,9 @@ void collect_bodies(ModelParts& parts, const TopTools_IndexedMapOfShape& faces) 
 
 }  // namespace
 
-void collect_parts(ModelParts& parts) {
-  TopTools_IndexedMapOfShape faces, edges, vertices;
+void collect_parts(ModelParts& parts, const TopoDS_Shape& original, const ChartMaker& make_chart) {
+  TopTools_IndexedMapOfShape faces, edges, vertices, originals;
+  TopExp::MapShapes(original, TopAbs_FACE, originals);
   TopExp::MapShapes(parts.shape, TopAbs_FACE, faces);
   TopExp::MapShapes(parts.shape, TopAbs_EDGE, edges);
   TopExp::MapShapes(parts.shape, TopAbs_VERTEX, vertices);
@@ -125,7 +209,9 @@ void collect_parts(ModelParts& parts) {
   for (int i = 1; i <= edges.Extent(); ++i) {
     parts.edges.push_back(make_edge(TopoDS::Edge(edges(i)), vertices));
   }
-  for (int i = 1; i <= faces.Extent(); ++i) add_face(parts, TopoDS::Face(faces(i)), edges);
+  for (int i = 1; i <= faces.Extent(); ++i) {
+    add_face(parts, TopoDS::Face(faces(i)), TopoDS::Face(originals(i)), edges, make_chart);
+  }
   collect_bodies(parts, faces);
 }
 

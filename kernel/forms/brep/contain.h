@@ -3,6 +3,8 @@
 /// std::exception. Signals (division by zero, bad addresses inside OCCT) are not caught: OCCT could
 /// turn them into exceptions only by handlers for the whole process.
 
+#include <burin/base/error.h>
+
 #include <Standard_Failure.hxx>
 
 #include <exception>
@@ -24,6 +26,19 @@ std::string contained(Work&& work) {
   } catch (const std::bad_alloc&) {
     return "out of memory";
   } catch (const std::logic_error& error) {
+    return *error.what() ? error.what() : "unknown";
+  }
+}
+
+/// As `contained`, and Burin's own errors end here too, save Cancelled: for work on one face or
+/// edge that the others can do without.
+template <class Work>
+std::string survived(Work&& work) {
+  try {
+    return contained(work);
+  } catch (const Cancelled&) {
+    throw;
+  } catch (const std::exception& error) {
     return *error.what() ? error.what() : "unknown";
   }
 }

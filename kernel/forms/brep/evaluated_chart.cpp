@@ -73,7 +73,9 @@ class EvaluatedChart final : public Chart {
   ParameterBox domain() const override { return domain_; }
   Vec2 period() const override { return period_; }
   FaceKind kind() const override { return kind_; }
-  std::vector<double> breaks(int direction) const override { return breaks_[direction != 0]; }
+  std::vector<double> breaks(int direction, int order) const override {
+    return breaks_[direction != 0][order > 1];
+  }
 
  private:
   SurfaceDerivatives second_order(Vec2 uv) const {
@@ -93,13 +95,16 @@ class EvaluatedChart final : public Chart {
   void find_breaks() {
     const GeomAdaptor_Surface adaptor(surface_);
     for (const int k : {0, 1}) {
-      try {
-        const int n = k ? adaptor.NbVIntervals(GeomAbs_C2) : adaptor.NbUIntervals(GeomAbs_C2);
-        if (n < 2) continue;
-        TColStd_Array1OfReal at(1, n + 1);
-        k ? adaptor.VIntervals(at, GeomAbs_C2) : adaptor.UIntervals(at, GeomAbs_C2);
-        for (int i = 2; i <= n; ++i) breaks_[k].push_back(at(i));
-      } catch (const Standard_Failure&) {
+      for (const int smooth : {0, 1}) {
+        const GeomAbs_Shape order = smooth ? GeomAbs_C2 : GeomAbs_C1;
+        try {
+          const int n = k ? adaptor.NbVIntervals(order) : adaptor.NbUIntervals(order);
+          if (n < 2) continue;
+          TColStd_Array1OfReal at(1, n + 1);
+          k ? adaptor.VIntervals(at, order) : adaptor.UIntervals(at, order);
+          for (int i = 2; i <= n; ++i) breaks_[k][smooth].push_back(at(i));
+        } catch (const Standard_Failure&) {
+        }
       }
     }
   }
@@ -108,7 +113,8 @@ class EvaluatedChart final : public Chart {
   FaceKind kind_;
   ParameterBox domain_;
   Vec2 period_{0};
-  std::vector<double> breaks_[2];
+  /// For each direction those of the first order, and those of the second.
+  std::vector<double> breaks_[2][2];
 };
 
 }  // namespace

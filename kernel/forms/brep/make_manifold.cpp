@@ -20,9 +20,11 @@ class Manifold {
       : mesh_(mesh), body_(face_body), opposite_(3 * mesh.triangles.size(), kNone) {}
 
   ManifoldPairs run() {
-    // Once vertices are split, edges may still have both ends in common with another.
-    for (int round = 0; round < 2 && !pair(); ++round) {
-      split_vertices();
+    // Two sheets may touch at a vertex alone, so vertices are split even where all edges pair at
+    // once. Split vertices may leave edges with both ends in common with another pair.
+    for (int round = 0; round < 2; ++round) {
+      const bool paired = pair();
+      if (!split_vertices() && paired) break;
       if (round == 1) pair();
     }
     agree_on_borders();
@@ -110,8 +112,8 @@ class Manifold {
     opposite_[index(b)] = a;
   }
 
-  /// One vertex for each fan of triangles that pairs hold together.
-  void split_vertices() {
+  /// One vertex for each fan of triangles that pairs hold together; false where all are so already.
+  bool split_vertices() {
     DisjointSets fans(opposite_.size());
     for (Half h = 0; h < static_cast<Half>(opposite_.size()); ++h) {
       const Half o = opposite_[index(h)];
@@ -120,6 +122,7 @@ class Manifold {
     }
     std::vector<std::uint8_t> taken(mesh_.positions.size(), 0);
     std::vector<std::uint32_t> vertex(opposite_.size());
+    const std::size_t before = mesh_.positions.size();
     for (std::size_t c = 0; c < vertex.size(); ++c) {
       std::uint32_t& v = mesh_.triangles[c / 3][c % 3];
       const std::uint32_t fan = fans.find(static_cast<std::uint32_t>(c));
@@ -133,6 +136,7 @@ class Manifold {
       }
       vertex[c] = v;
     }
+    return mesh_.positions.size() > before;
   }
 
   /// Where a sliver on an edge shrank to nothing, its neighbour lies on the edge now.

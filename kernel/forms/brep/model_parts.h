@@ -24,6 +24,11 @@ struct ModelFace {
   /// Its coedges, from `first_coedge` to that of the next face.
   std::int32_t first_coedge = 0;
   bool reversed = false;
+  /// Of poles that are no numbers OCCT's mesher makes nodes without end.
+  bool meshable = true;
+  /// The triangles that the shape came with where it has no surface, or no chart that works; turned
+  /// like the forward face.
+  LooseTriangles given;
 };
 
 struct ModelEdge {
@@ -58,8 +63,9 @@ struct ModelParts {
 };
 
 /// Faces, edges and their curves of a shape; mends what costs little: missing curves of edges in
-/// space or in faces, parameters that differ.
-void collect_parts(ModelParts& parts);
+/// space or in faces, parameters that differ. Faces get a chart where theirs can be evaluated, else
+/// the triangles that `original`, of the same structure, has on them.
+void collect_parts(ModelParts& parts, const TopoDS_Shape& original, const ChartMaker& make_chart);
 
 /// Turns faces so that neighbours agree, where the file has them otherwise.
 void orient_faces(ModelParts& parts);

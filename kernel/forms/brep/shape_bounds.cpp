@@ -60,7 +60,7 @@ int samples_of(const Chart& chart, int direction, double from, double to) {
   const int turns = std::clamp(static_cast<int>(std::ceil((to - from) / 0.5236)) + 1, 3, 16);
   if (chart.kind() == FaceKind::Sphere) return turns;
   int spans = 1;
-  for (const double b : chart.breaks(direction)) spans += b > from && b < to;
+  for (const double b : chart.breaks(direction, 2)) spans += b > from && b < to;
   const int samples = std::clamp(4 * spans, turn > 0 ? 12 : 6, 40);
   // The meridians of other surfaces of revolution than tori have parameters of any kind.
   return chart.kind() == FaceKind::Torus ? std::max(turns, samples) : samples;
@@ -119,10 +119,13 @@ ShapeBounds::ShapeBounds(const ModelParts& parts) {
     }
     contained([&] { sample_edge(parts, static_cast<std::int32_t>(e)); });
   }
+  for (const ModelFace& f : parts.faces) {
+    points_.insert(points_.end(), f.given.positions.begin(), f.given.positions.end());
+  }
   std::vector<Grid> grids(parts.faces.size());
   parallel_for(grids.size(), 8, [&](std::size_t begin, std::size_t end) {
     for (std::size_t f = begin; f < end; ++f) {
-      contained([&] { grids[f] = sample_face(parts, static_cast<std::int32_t>(f)); });
+      survived([&] { grids[f] = sample_face(parts, static_cast<std::int32_t>(f)); });
     }
   });
   for (std::size_t f = 0; f < grids.size(); ++f) {
@@ -218,7 +221,9 @@ Box3 ShapeBounds::box(const ModelParts& parts, const Mat3& axes) const {
         const std::size_t i = farthest(&face_points_[f.first], f.count, d);
         if (glm::dot(face_points_[f.first + i], d) + f.slack * length <= far) continue;
         const Chart& chart = *parts.faces[static_cast<std::size_t>(f.face)].chart;
-        far = std::max(far, farthest_on_face(chart, face_uv_[f.first + i], f.cell, d));
+        survived([&] {
+          far = std::max(far, farthest_on_face(chart, face_uv_[f.first + i], f.cell, d));
+        });
       }
       (sign > 0 ? box.max : box.min)[k] = sign * far;
     }

@@ -12,11 +12,12 @@ namespace burin {
 /// in every direction at their edges. Samples of the others are taken inside their wires.
 class ShapeBounds {
  public:
-  /// Cost: 2 us an edge, 20 us a face that is bent both ways.
+  /// Cost: 2 us per edge, 20 us per face that is bent both ways.
   explicit ShapeBounds(const ModelParts& parts);
   ShapeBounds() = default;
 
-  /// The box of axes * p. Cost: 10 ns a sample, 50 us where a curved edge or face is the farthest.
+  /// The box of axes * p. Cost: 10 ns per sample, 50 us where a curved edge or face is the
+  /// farthest.
   Box3 box(const ModelParts& parts, const Mat3& axes) const;
 
   struct CurveSamples {

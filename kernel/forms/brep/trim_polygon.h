@@ -17,10 +17,12 @@ class TrimPolygon {
   /// Where the line v = const enters and leaves the face: u, ascending, in pairs.
   std::vector<double> crossings(double v) const;
 
- private:
   struct Side {
     Vec2 a, b;
   };
+  const std::vector<Side>& sides() const { return sides_; }
+
+ private:
   std::vector<Side> sides_;
   Box2 box_;
 };

@@ -47,6 +47,8 @@ std::vector<double> body_volumes(const ChartMesh& mesh, const std::vector<std::i
   for (std::size_t i = 0; i < bodies; ++i) {
     // A tenth of a thousandth: faces that were left out are small or the body is open.
     if (glm::length(area[i]) > 1e-4 * total[i]) volume[i] = 0;
+    // No more than what the triangles leave between them and the faces: that says nothing.
+    if (std::abs(volume[i]) <= 0.5 * total[i] * mesh.tolerance) volume[i] = 0;
   }
   return volume;
 }

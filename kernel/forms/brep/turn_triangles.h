@@ -13,7 +13,8 @@ namespace burin {
 void turn_triangles(ChartMesh& mesh, const std::vector<std::uint8_t>& face_marked,
                     std::span<std::uint8_t> corners = {});
 
-/// The volume that the triangles of each body enclose; 0 for bodies that are not closed.
+/// The volume that the triangles of each body enclose; 0 for bodies that are not closed, or whose
+/// sign is unsure because their triangles are too coarse.
 std::vector<double> body_volumes(const ChartMesh& mesh, const std::vector<std::int32_t>& face_body,
                                  std::size_t bodies);
 

@@ -1,6 +1,7 @@
 #include "faces.h"
 
 #include "meet.h"
+#include "walls.h"
 
 #include <algorithm>
 #include <cmath>
@@ -15,6 +16,9 @@ constexpr double kDegree = std::numbers::pi / 180;
 // A plane goes over into a round surface where it continues the run of facets: their angle to it is
 // no more than that between facets, and half of that to the surface itself.
 constexpr double kAsFacets = 1.1, kAsSurface = 0.55;
+// Cosine up to which the normals of a wall and of what bends away from it are those of one fan of
+// triangles: twice the angle of smooth edges.
+constexpr double kSameSide = 0.5;
 
 class Sets {
  public:
@@ -48,7 +52,11 @@ enum class Kind { Inside, Smooth, Tangent, Sharp };
 class Divider {
  public:
   Divider(const ProxyMesh& proxy, const Facets& facets, const Recognised& round)
-      : proxy_(proxy), facets_(facets), round_(round), meet_(round, facets) {}
+      : proxy_(proxy),
+        facets_(facets),
+        round_(round),
+        meet_(round, facets),
+        walls_(proxy, facets, round) {}
 
   Faces run() {
     const std::size_t n = proxy_.mesh.triangles.size();
@@ -78,7 +86,6 @@ class Divider {
     }
     std::map<std::array<std::int32_t, 4>, std::int32_t> records;
     for (std::size_t h = 0; h < 3 * n; ++h) {
-      m.normal.push_back(proxy_.wedge_normal[proxy_.wedges[h / 3][h % 3]]);
       m.edge.push_back(-1);
       const HalfEdge o = proxy_.topology.opposite[h];
       if (kinds[h] == Kind::Inside) continue;
@@ -100,14 +107,48 @@ class Divider {
           static_cast<std::int32_t>(records.size()));
       if (fresh) {
         out.edges.push_back({named ? at->second : -1, sharp});
-        out.tangent.push_back(kinds[h] == Kind::Tangent);
+        out.tangent.push_back(kinds[h] == Kind::Tangent &&
+                              (m.patch[h / 3] >= 0 || m.patch[face_of(o)] >= 0));
       }
       m.edge.back() = at->second;
     }
+    m.normal = corner_normals(m, kinds, flat);
     return out;
   }
 
  private:
+  /// Those of MeshForm, but where a facet is a face of its own: it is as flat as it looks, up to
+  /// its border, and what bends away from a wall begins with the wall's normal.
+  std::vector<Vec3> corner_normals(const HealedMesh& m, const std::vector<Kind>& kinds,
+                                   const std::vector<std::uint8_t>& flat) const {
+    const auto is_flat = [&](std::size_t t) {
+      return m.patch[t] < 0 && flat[static_cast<std::size_t>(m.face[t])] != 0;
+    };
+    std::map<std::uint32_t, Vec3> walls;
+    for (std::size_t h = 0; h < kinds.size(); ++h) {
+      if (kinds[h] != Kind::Tangent || !is_flat(h / 3)) continue;
+      if (m.patch[face_of(proxy_.topology.opposite[h])] >= 0) continue;
+      const Vec3 n = facet_normal(static_cast<std::uint32_t>(h / 3));
+      walls.try_emplace(m.mesh.triangles[h / 3][h % 3], n);
+      walls.try_emplace(m.mesh.triangles[h / 3][(h + 1) % 3], n);
+    }
+    std::vector<Vec3> normals;
+    for (std::size_t h = 0; h < kinds.size(); ++h) {
+      const std::size_t t = h / 3;
+      normals.push_back(proxy_.wedge_normal[proxy_.wedges[t][h % 3]]);
+      if (m.patch[t] >= 0) continue;
+      if (is_flat(t)) {
+        normals.back() = facet_normal(static_cast<std::uint32_t>(t));
+        continue;
+      }
+      const auto wall = walls.find(m.mesh.triangles[t][h % 3]);
+      if (wall != walls.end() && glm::dot(wall->second, normals.back()) > kSameSide) {
+        normals.back() = wall->second;
+      }
+    }
+    return normals;
+  }
+
   SurfaceRef ref_of(std::uint32_t t) const {
     const std::int32_t f = facets_.of[t];
     const std::int32_t p = round_.patch_of[static_cast<std::size_t>(f)];
@@ -124,8 +165,8 @@ class Divider {
     const Patch *pa = patch(a), *pb = patch(b);
     if (a == b) return Kind::Inside;
     if (!pa && !pb) {
-      return proxy_.edge_kind[static_cast<std::size_t>(h)] == EdgeKind::Smooth ? Kind::Inside
-                                                                               : Kind::Sharp;
+      const bool smooth = proxy_.edge_kind[static_cast<std::size_t>(h)] == EdgeKind::Smooth;
+      return smooth ? between(~a, ~b) : Kind::Sharp;
     }
     if (pa && pb && pa->chain >= 0 && pa->chain == pb->chain) return Kind::Inside;
     const Vec3 middle = 0.5 * (proxy_.mesh.positions[origin(proxy_.mesh, h)] +
@@ -140,6 +181,14 @@ class Divider {
     return pa && pb ? Kind::Smooth : Kind::Tangent;
   }
 
+  /// Facets that meet at a small angle.
+  Kind between(std::int32_t a, std::int32_t b) const {
+    const bool wall_a = walls_.is_wall(a), wall_b = walls_.is_wall(b);
+    if (!wall_a && !wall_b) return Kind::Inside;
+    if (wall_a && wall_b) return Kind::Sharp;
+    return walls_.goes_on(wall_a ? b : a) ? Kind::Tangent : Kind::Sharp;
+  }
+
   Vec3 facet_normal(std::uint32_t t) const {
     return facets_.list[static_cast<std::size_t>(facets_.of[t])].normal;
   }
@@ -148,6 +197,7 @@ class Divider {
   const Facets& facets_;
   const Recognised& round_;
   Meeting meet_;
+  Walls walls_;
 };
 
 /// The normal of a patch at a corner; at the tip of a cone that in the middle of the triangle.

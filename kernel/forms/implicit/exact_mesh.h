@@ -31,8 +31,8 @@ struct CreaseVertex {
 struct ExactMesh {
   std::vector<Vec3> positions;
   std::vector<Triangle> triangles;
-  /// A vertex: its unit normal (one of them on creases), the name of its piece, and its entry in
-  /// `creases` (-1 = none).
+  /// For each vertex its unit normal (one of them on creases), the name of its piece, and its entry
+  /// in `creases` (-1 = none).
   std::vector<Vec3> normals;
   std::vector<std::uint64_t> pieces;
   std::vector<std::int32_t> crease;

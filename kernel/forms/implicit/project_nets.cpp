@@ -4,6 +4,7 @@
 #include <burin/base/parallel.h>
 
 #include "exact_mesh.h"
+#include "illinois.h"
 #include "project.h"
 #include "tips.h"
 
@@ -63,32 +64,19 @@ void newton(const ImplicitFunction& f, std::span<Vec3> positions, std::span<Vec3
   for (const std::uint32_t i : active) done[i] = 0;
 }
 
-// The change of sign between two points: the secant rule in the form of Illinois, which keeps the
-// bracket, and halving where values are of no use.
+// The change of sign between two points.
 Vec3 crossing(const ImplicitFunction& f, Vec3 inside, Vec3 outside, double accuracy) {
   const Vec3 d = outside - inside;
-  double low = 0, high = 1, f_low = f.value(inside), f_high = f.value(outside);
+  IllinoisBracket bracket(0, 1, f.value(inside), f.value(outside));
   const double enough = accuracy / glm::length(d);
   constexpr int kTrials = 50;
-  int kept = 0;  // times in a row that the same end stayed
-  for (int i = 0; i < kTrials && high - low > enough; ++i) {
-    double share = low + (high - low) * (f_low / (f_low - f_high));
-    if (!(share > low && share < high) || i % 4 == 3) share = 0.5 * (low + high);
+  for (int i = 0; i < kTrials && bracket.size() > enough; ++i) {
+    const double share = bracket.trial(i);
     const double v = f.value(inside + share * d);
     if (v == 0) return inside + share * d;
-    if (v < 0) {
-      low = share;
-      f_low = v;
-      kept = kept > 0 ? kept + 1 : 1;
-      if (kept > 1) f_high *= 0.5;
-    } else {
-      high = share;
-      f_high = v;
-      kept = kept < 0 ? kept - 1 : -1;
-      if (kept < -1) f_low *= 0.5;
-    }
+    bracket.move(share, v, v < 0);
   }
-  return inside + low * d;
+  return inside + bracket.low() * d;
 }
 
 class Projector {

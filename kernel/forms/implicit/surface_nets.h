@@ -17,7 +17,8 @@ struct Nets {
   std::vector<Vec3> vertices;
   // From here on they lie on faces between cells, to keep edges apart that join the same two cells.
   std::uint32_t first_extra = 0;
-  // A vertex: its cell, the signs there (bit = inside) and which sheet of the cell it stands for.
+  // For each vertex its cell, the signs there (bit = inside) and which sheet of the cell it stands
+  // for.
   struct Source {
     Cell cell{0};
     std::uint8_t signs = 0, sheet = 0;

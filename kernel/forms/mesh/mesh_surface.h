@@ -20,7 +20,7 @@ struct WedgeTensor {
   double confidence = 0;
 };
 
-/// A proxy mesh taken at its word: charts are its triangles.
+/// A proxy mesh that is itself the form: charts are its triangles.
 class MeshSurface final : public Surface {
  public:
   /// `curvature` has one entry a wedge, or none where no curvature was asked for.

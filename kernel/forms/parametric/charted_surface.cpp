@@ -40,14 +40,15 @@ class ChartedSurface final : public Surface {
       : atlas_(std::move(atlas)),
         mesh_(std::move(mesh)),
         proxy_(build(mesh_, context)),
-        triangles_(atlas_, mesh_, proxy_.topology.opposite, context) {
+        triangles_(atlas_, mesh_, proxy_.topology.opposite, context),
+        lines_(*atlas_.atlas) {
     // The proxy has them now.
     mesh_.normal = {};
     mesh_.on_contour = {};
   }
 
   MarchStep march(const SurfacePoint& from, Vec3 tangent, double length) const override {
-    return detail::March(atlas_, triangles_, length).run(from, tangent);
+    return detail::March(atlas_, triangles_, lines_, length).run(from, tangent);
   }
   Frame frame(const SurfacePoint& point) const override;
   const ProxyMesh& proxy() const override { return proxy_; }
@@ -70,6 +71,7 @@ class ChartedSurface final : public Surface {
   ChartMesh mesh_;
   ProxyMesh proxy_;
   detail::UvTriangles triangles_;
+  detail::BreakLines lines_;
 };
 
 Frame ChartedSurface::frame(const SurfacePoint& point) const {

@@ -20,6 +20,10 @@ constexpr std::size_t kWorkGrain = 64;    // edges that are evaluated, some us e
 /// Every round halves what is left, from the size of the sheet to the length of a chord.
 constexpr int kRounds = 40;
 
+/// Triangles at the most: so many times those that came, and so many more. Contours are lines on
+/// paper; only where a surface shows its edge everywhere do they fill it.
+constexpr std::size_t kMostTimes = 3, kMostMore = 100'000;
+
 /// The numbers below n for which `wanted` holds, ascending.
 template <class Number, class Wanted>
 std::vector<Number> filter(std::size_t n, const Wanted& wanted, const RunContext& context) {
@@ -43,19 +47,25 @@ class Cutter {
  public:
   Cutter(ChartMesh& mesh, const PlacedAtlas& atlas, const Camera& camera,
          const ContourCutOptions& options, const RunContext& context)
-      : context_(context), mesh_(mesh, atlas, camera, context), search_(mesh_, options) {}
+      : context_(context),
+        mesh_(mesh, atlas, camera, context),
+        search_(mesh_, options),
+        most_(kMostTimes * mesh_.half_edge_count() + 3 * kMostMore) {}
 
-  void run() {
+  bool run() {
     begin();
-    for (int round = 0; round < kRounds; ++round) {
+    for (int round = 0; round < kRounds && !full(); ++round) {
       for (int i = 0; i < kRounds && mesh_.any_request(CutMesh::Cut); ++i) cut();
       if (!mesh_.any_request(CutMesh::Look) && faces_.empty()) break;
       look();
     }
     finish();
+    return !full();
   }
 
  private:
+  bool full() const { return mesh_.half_edge_count() >= most_; }
+
   void begin() {
     const std::size_t n = mesh_.half_edge_count();
     const auto first_of_edge = [&](HalfEdge h) {
@@ -91,7 +101,7 @@ class Cutter {
     mesh_.watch(edges);
     // First the vertices that contours pass through, so that nothing is cut beside them.
     for (const bool marks : {true, false}) {
-      for (std::size_t i = 0; i < edges.size(); ++i) {
+      for (std::size_t i = 0; i < edges.size() && !full(); ++i) {
         if ((zeros[i].what != What::SplitEdge) != marks) continue;
         const HalfEdge h = edges[i], side = zeros[i].side == 0 ? h : mesh_.opposite(h);
         if (mesh_.sign(side) * mesh_.sign(next_in_face(side)) >= 0) continue;
@@ -162,7 +172,7 @@ class Cutter {
       return search_.hidden_crossing(edges[i]);
     });
     mesh_.watch(edges);
-    for (std::size_t i = 0; i < edges.size(); ++i) {
+    for (std::size_t i = 0; i < edges.size() && !full(); ++i) {
       if (found[i].what == What::Nothing) continue;
       if (edges[i] != taken[i] || versions(edges[i]) != before[i]) {
         mesh_.request(edges[i], CutMesh::Look);
@@ -171,7 +181,7 @@ class Cutter {
       }
     }
     mesh_.unwatch();
-    for (std::size_t i = 0; i < faces.size(); ++i) {
+    for (std::size_t i = 0; i < faces.size() && !full(); ++i) {
       const Incision& incision = found[edges.size() + i];
       if (incision.what == What::Nothing) continue;
       if (mesh_.version(faces[i]) != faces_before[i]) {
@@ -267,15 +277,21 @@ class Cutter {
   const RunContext& context_;
   CutMesh mesh_;
   CutSearch search_;
+  std::size_t most_;  // half-edges
   std::vector<std::uint32_t> faces_;
 };
 
 }  // namespace
 
-void cut_along_contours(ChartMesh& mesh, const PlacedAtlas& atlas, const Camera& camera,
+bool cut_along_contours(ChartMesh& mesh, const PlacedAtlas& atlas, const Camera& camera,
                         const ContourCutOptions& options, const RunContext& context) {
-  if (mesh.triangles.empty()) return;
-  Cutter(mesh, atlas, camera, options, context).run();
+  return mesh.triangles.empty() || Cutter(mesh, atlas, camera, options, context).run();
+}
+
+void add_contours_bounded(Diagnostics& diagnostics) {
+  diagnostics.add(Severity::Warning, "surface.contours_bounded", 1,
+                  "a part is edge-on in so many places that its contours were not all found; "
+                  "look from another direction");
 }
 
 }  // namespace burin

@@ -57,11 +57,11 @@ std::vector<double> KnotSpans::extraction(std::size_t span) const {
   return result;
 }
 
-std::vector<double> KnotSpans::breaks() const {
+std::vector<double> KnotSpans::breaks(int order) const {
   std::vector<double> result;
   for (std::size_t s = 1; s < size(); ++s) {
     const int multiplicity = last_knot_[s] - last_knot_[s - 1];
-    if (degree_ - multiplicity < 2) result.push_back(starts_[s]);
+    if (degree_ - multiplicity < order) result.push_back(starts_[s]);
   }
   return result;
 }

@@ -35,8 +35,8 @@ class KnotSpans {
   /// Rows of degree + 1 weights: Bezier point j of the span = sum over i of [j * (degree + 1) + i]
   /// times control point first_control + i. All weights lie in [0, 1]. @cite Ramshaw1989
   std::vector<double> extraction(std::size_t span) const;
-  /// Inner knots where fewer than two derivatives are continuous.
-  std::vector<double> breaks() const;
+  /// Inner knots where fewer than `order` derivatives are continuous.
+  std::vector<double> breaks(int order) const;
 
   struct Place {
     std::size_t span;

@@ -7,8 +7,6 @@
 namespace burin::detail {
 namespace {
 
-// Triangles that one walk may pass, so that a walk over a broken tessellation ends.
-constexpr int kMaxTriangles = 100'000;
 // A partial derivative whose effect over a triangle is below this share of the other's is none.
 constexpr double kCollapsed = 1e-6;
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
@@ -168,7 +166,8 @@ std::uint32_t UvTriangles::locate(std::uint32_t triangle, Vec2& target) const {
   const Vec3 b = bary(triangle, target);
   if (std::min({b.x, b.y, b.z}) >= 0) return triangle;
   Vec2 from = uv(triangle, Vec3(1.0 / 3));
-  for (int i = 0; i < kMaxTriangles; ++i) {
+  WalkGuard guard;
+  while (guard.go_on(triangle, target)) {
     const UvExit e = exit(triangle, from, target);
     if (e.edge == kNoHalfEdge || is_border(e.edge) || opposite(e.edge) == kNoHalfEdge) break;
     const Vec2 step = branch_step(e.edge);
@@ -181,7 +180,8 @@ std::uint32_t UvTriangles::locate(std::uint32_t triangle, Vec2& target) const {
 
 HalfEdge UvTriangles::next_border(HalfEdge h, Vec2& step) const {
   HalfEdge e = next_in_face(h);
-  for (int i = 0; i < kMaxTriangles && !is_border(e); ++i) {
+  WalkGuard guard;
+  while (!is_border(e) && guard.go_on(static_cast<std::uint32_t>(e), Vec2(0))) {
     if (opposite(e) == kNoHalfEdge) return kNoHalfEdge;
     step += branch_step(e);
     e = next_in_face(opposite(e));
@@ -191,7 +191,8 @@ HalfEdge UvTriangles::next_border(HalfEdge h, Vec2& step) const {
 
 HalfEdge UvTriangles::previous_border(HalfEdge h, Vec2& step) const {
   HalfEdge e = prev_in_face(h);
-  for (int i = 0; i < kMaxTriangles && !is_border(e); ++i) {
+  WalkGuard guard;
+  while (!is_border(e) && guard.go_on(static_cast<std::uint32_t>(e), Vec2(0))) {
     if (opposite(e) == kNoHalfEdge) return kNoHalfEdge;
     step += branch_step(e);
     e = prev_in_face(opposite(e));

@@ -23,6 +23,29 @@ struct BorderPlace {
   Vec2 uv{0};        // on the curve, in the branch of the half-edge's triangle
 };
 
+/// Tells a walk from triangle to triangle that goes round for ever, as one over a broken
+/// tessellation may: it comes again to a triangle in the same branch. @cite Brent1980
+class WalkGuard {
+ public:
+  /// False where the walk stands where it stood before, or has passed too many triangles.
+  bool go_on(std::uint32_t triangle, Vec2 step) {
+    if (triangle == triangle_ && step == step_) return false;
+    if (++count_ == next_) {
+      triangle_ = triangle;
+      step_ = step;
+      next_ *= 2;
+    }
+    return count_ < kMost;
+  }
+
+ private:
+  // Triangles of one walk: more than lie along any line over a part on a sheet.
+  static constexpr int kMost = 100'000;
+  std::uint32_t triangle_ = ~std::uint32_t{0};
+  Vec2 step_{0};
+  int count_ = 0, next_ = 64;
+};
+
 /// A triangle with a corner at a pole stands for a strip of (u,v) up to the whole collapsed side:
 /// its two sides through the pole run along the parameter that is not collapsed, so that the strips
 /// of the fan leave no gaps.

@@ -15,7 +15,6 @@ constexpr int kMaxSteps = 20'000;
 // Share of a march that is stepped however near a border is ahead: a march along a border always
 // has it ahead, within rounding.
 constexpr double kAlongBorder = 0.05;
-constexpr int kMaxTriangles = 100'000;
 // Border half-edges looked at round a vertex to find the one that a way leaves through.
 constexpr int kMaxHandOvers = 8;
 
@@ -26,7 +25,7 @@ MarchStep March::run(const SurfacePoint& from, Vec3 tangent) {
   triangle_ = triangles_.locate(static_cast<std::uint32_t>(from.coords.z), uv);
   MarchStep none;
   none.end = from;
-  if (!path().start(uv, tangent, state_)) {
+  if (!start(uv, tangent)) {
     none.stop = MarchStop::Singular;
     return none;
   }
@@ -37,13 +36,15 @@ MarchStep March::run(const SurfacePoint& from, Vec3 tangent) {
   const double size = atlas_.size;
   double trial = length_;
   for (int i = 0; i < kMaxSteps; ++i) {
+    if (const auto stop = enter_cell()) return result(*stop);
     const double rest = length_ - gone_;
     // A domain ends with a border, and beyond it S is clamped: no step goes much farther.
     const double side = triangles_.to_side(triangle_, state_.uv, state_.velocity);
-    const double h = std::min({trial, rest, 1.001 * std::max(side, kAlongBorder * length_)});
+    double h = std::min({trial, rest, 1.001 * std::max(side, kAlongBorder * length_)});
     PathState to;
     // Strokes are made of such steps.
     if (h == length_ && path().short_step(state_, h, kShortError * size, to)) {
+      stop_at_line(to, h);
       if (const auto stop = advance(to, h)) return result(*stop);
       if (gone_ >= length_) return result(MarchStop::Completed);
       trial = length_;
@@ -63,6 +64,7 @@ MarchStep March::run(const SurfacePoint& from, Vec3 tangent) {
       continue;
     }
     trial = std::max(h * std::min(scale, 4.0), kShortest * size);
+    stop_at_line(to, h);
     if (const auto stop = advance(to, h)) return result(*stop);
     if (gone_ >= length_) return result(MarchStop::Completed);
   }
@@ -82,6 +84,7 @@ MarchStep March::result(MarchStop stop) const {
 
 std::optional<MarchStop> March::advance(PathState& to, double length) {
   const Crossing crossing = pass(to);
+  if (lost_) return MarchStop::NotConverged;
   if (crossing.edge != kNoHalfEdge) return cross(crossing, to, length);
   double share = 1;
   if (triangles_.meets_pole(triangle_, state_.uv, to.uv, share)) {
@@ -105,7 +108,12 @@ std::optional<MarchStop> March::advance(PathState& to, double length) {
 March::Crossing March::pass(PathState& to) {
   Way way{state_.uv, to.uv, Vec2(0), triangle_};
   Crossing crossing;
-  for (int i = 0; i < kMaxTriangles; ++i) {
+  WalkGuard guard;
+  for (;;) {
+    if (!guard.go_on(way.triangle, way.step)) {
+      lost_ = true;
+      break;
+    }
     const UvExit exit = triangles_.exit(way.triangle, way.from, way.to);
     if (triangles_.curved(way.triangle) && passes_curve(way, exit, crossing)) break;
     if (exit.edge == kNoHalfEdge) break;

@@ -13,8 +13,9 @@ namespace burin::detail {
 /// Created for one call of Surface::march; nothing in it allocates.
 class March {
  public:
-  March(const PlacedAtlas& atlas, const UvTriangles& triangles, double length)
-      : atlas_(atlas), triangles_(triangles), length_(length) {}
+  March(const PlacedAtlas& atlas, const UvTriangles& triangles, const BreakLines& lines,
+        double length)
+      : atlas_(atlas), triangles_(triangles), lines_(lines), length_(length) {}
 
   MarchStep run(const SurfacePoint& from, Vec3 tangent);
 
@@ -37,6 +38,9 @@ class March {
     Vec2 at(double share) const { return from + share * (to - from); }
   };
 
+  bool start(Vec2 uv, Vec3 tangent);
+  std::optional<MarchStop> enter_cell();
+  void stop_at_line(PathState& to, double& length) const;
   std::optional<MarchStop> advance(PathState& to, double length);
   Crossing pass(PathState& to);
   Crossing leave(HalfEdge h, Way& way) const;
@@ -48,17 +52,22 @@ class March {
   std::optional<MarchStop> cross(Crossing crossing, PathState& to, double length);
   std::optional<MarchStop> enter(HalfEdge h, const BorderPlace& place, bool progress);
   std::optional<MarchStop> slide(HalfEdge h, const BorderPlace& place, Vec3 direction);
-  GeodesicPath path() const { return {atlas_, triangles_.face(triangle_)}; }
+  GeodesicPath path() const { return {atlas_, triangles_.face(triangle_), inner_}; }
   MarchStep result(MarchStop stop) const;
 
   const PlacedAtlas& atlas_;
   const UvTriangles& triangles_;
+  const BreakLines& lines_;
   double length_;
   double gone_ = 0;
   std::uint32_t triangle_ = 0;
   PathState state_;
-  int turns_ = 0;     // crossings without progress in a row
-  double slide_ = 0;  // model mm of the last slide along an edge
+  // Between the break lines of the face that the march is in, and by rounding less: derivatives on
+  // a line belong to the cell above it.
+  ParameterBox cell_ = kUnbounded, inner_ = kUnbounded;
+  int turns_ = 0;      // crossings without progress in a row
+  bool lost_ = false;  // the triangles under the way lead round for ever
+  double slide_ = 0;   // model mm of the last slide along an edge
 };
 
 }  // namespace burin::detail

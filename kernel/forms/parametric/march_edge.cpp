@@ -154,6 +154,7 @@ std::optional<MarchStop> March::enter(HalfEdge h, const BorderPlace& place, bool
   const Vec3 direction = transport(state_.direction(), path().normal(state_), next.normal(state));
   if (!next.start(entry.uv, direction, state)) return MarchStop::Singular;
   triangle_ = triangle;
+  cell_ = inner_ = kUnbounded;
   state_ = state;
   const Vec2 along = triangles_.tangent(other, entry);
   const double inwards = triangles_.turn(triangle) * cross2(along, state.velocity);

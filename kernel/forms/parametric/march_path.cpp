@@ -27,7 +27,7 @@ bool geodesic_acceleration(const SurfaceDerivatives& d, Vec2 w, Vec2& accelerati
 
 bool GeodesicPath::start(Vec2 uv, Vec3 tangent, PathState& state) const {
   state.uv = uv;
-  state.s = atlas_.derivatives(face_, uv);
+  state.s = derivatives(uv);
   const Vec3 across = glm::cross(state.s.u, state.s.v);
   const double area = glm::length(across);
   if (!(area > 0)) return false;
@@ -42,18 +42,18 @@ bool GeodesicPath::step(const PathState& from, double h, PathState& to, PathErro
   const Vec2 w1 = from.velocity, a1 = from.acceleration;
   Vec2 a2, a3, a4;
   const Vec2 w2 = w1 + 0.5 * h * a1;
-  if (!geodesic_acceleration(atlas_.derivatives(face_, from.uv + 0.5 * h * w1), w2, a2)) {
+  if (!geodesic_acceleration(derivatives(from.uv + 0.5 * h * w1), w2, a2)) {
     return false;
   }
   const Vec2 w3 = w1 + 0.5 * h * a2;
-  if (!geodesic_acceleration(atlas_.derivatives(face_, from.uv + 0.5 * h * w2), w3, a3)) {
+  if (!geodesic_acceleration(derivatives(from.uv + 0.5 * h * w2), w3, a3)) {
     return false;
   }
   const Vec2 w4 = w1 + h * a3;
-  if (!geodesic_acceleration(atlas_.derivatives(face_, from.uv + h * w3), w4, a4)) return false;
+  if (!geodesic_acceleration(derivatives(from.uv + h * w3), w4, a4)) return false;
   to.uv = from.uv + h / 6 * (w1 + 2.0 * (w2 + w3) + w4);
   to.velocity = w1 + h / 6 * (a1 + 2.0 * (a2 + a3) + a4);
-  to.s = atlas_.derivatives(face_, to.uv);
+  to.s = derivatives(to.uv);
   const double speed = glm::length(to.direction());
   if (!(speed > 0)) return false;
   // The speed is constant on a geodesic: what it drifts is error, and it must not add up.
@@ -70,7 +70,7 @@ bool GeodesicPath::short_step(const PathState& from, double h, double distance,
   const Vec2 w = from.velocity, a = from.acceleration;
   const Vec2 predicted = w + h * a;
   const Vec2 uv = from.uv + h * w + (0.5 * h * h) * a;
-  to.s = atlas_.derivatives(face_, uv);
+  to.s = derivatives(uv);
   if (!geodesic_acceleration(to.s, predicted, to.acceleration)) return false;
   const Vec2 change = to.acceleration - a, shift = h * h / 6 * change;
   // What the correction leaves open is smaller than itself by about the share by which the

@@ -3,6 +3,8 @@
 
 #include <burin/forms/parametric/atlas.h>
 
+#include "break_lines.h"
+
 namespace burin::detail {
 
 /// A place of a geodesic run through with unit speed: (u,v), its derivative by arc length (the
@@ -19,10 +21,11 @@ struct PathError {
   double position = 0, direction = 0;
 };
 
-/// Geodesics on one face.
+/// Geodesics on one face, within a cell of it: derivatives beyond its sides are those at them.
 class GeodesicPath {
  public:
-  GeodesicPath(const PlacedAtlas& atlas, std::int32_t face) : atlas_(atlas), face_(face) {}
+  GeodesicPath(const PlacedAtlas& atlas, std::int32_t face, const ParameterBox& cell = kUnbounded)
+      : atlas_(atlas), face_(face), cell_(cell) {}
 
   /// The state at `uv` in the direction of `tangent` (projected); false where there is none: the
   /// tangent vanishes, or the surface has no tangent plane.
@@ -38,8 +41,13 @@ class GeodesicPath {
   bool short_step(const PathState& from, double length, double distance, PathState& to) const;
 
  private:
+  SurfaceDerivatives derivatives(Vec2 uv) const {
+    return atlas_.derivatives(face_, glm::clamp(uv, cell_.min, cell_.max));
+  }
+
   const PlacedAtlas& atlas_;
   std::int32_t face_;
+  ParameterBox cell_;
 };
 
 /// (u,v) on the way from one state to another `length` further, `gone` of it travelled: the cubic

@@ -20,8 +20,8 @@ class NurbsChart : public Chart {
   ParameterBox domain() const override { return {{u_.min(), v_.min()}, {u_.max(), v_.max()}}; }
   Vec2 period() const override { return {u_.period(), v_.period()}; }
   FaceKind kind() const override { return kind_; }
-  std::vector<double> breaks(int direction) const override {
-    return (direction == 0 ? u_ : v_).breaks();
+  std::vector<double> breaks(int direction, int order) const override {
+    return (direction == 0 ? u_ : v_).breaks(order);
   }
   const NurbsData& data() const { return data_; }
 
@@ -262,8 +262,9 @@ void check_periods(const NurbsChart& chart) {
     if (chart.period()[direction] == 0) continue;
     // A millionth of the size: the precision to which CAD systems close what they call periodic.
     if (gap_between_sides(chart, direction) > 1e-6 * box.diagonal()) {
-      throw GeometryError(fmt::format("surface said to be periodic in {} that does not close",
-                                      direction == 0 ? "u" : "v"));
+      throw GeometryError(
+          fmt::format("the surface is given as periodic in {}, but does not close there",
+                      direction == 0 ? "u" : "v"));
     }
   }
 }

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <limits>
 
 namespace burin {
 namespace {
@@ -66,6 +67,46 @@ void check_points(const NurbsData& data) {
   }
 }
 
+double median(std::vector<double> values) {
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+// A point farther from the others than this many times their usual distance, or a weight as far
+// from the others, is damage (repair.cpp has the same for meshes): the rest of the surface would be
+// smaller on paper than an atom.
+constexpr double kWildRatio = 1e9;
+
+void check_wild(const NurbsData& data) {
+  std::vector<double> values(data.points.size());
+  Vec3 center(0);
+  for (int k = 0; k < 3; ++k) {
+    for (std::size_t i = 0; i < values.size(); ++i) values[i] = data.points[i][k];
+    center[k] = median(values);
+  }
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    values[i] = glm::length(data.points[i] - center);
+  }
+  double usual = median(values);
+  if (!(usual > 0)) {  // half of the points in one place
+    usual = std::numeric_limits<double>::infinity();
+    for (const double d : values) usual = d > 0 ? std::min(usual, d) : usual;
+  }
+  const auto farthest = std::max_element(values.begin(), values.end());
+  if (*farthest > kWildRatio * usual) {
+    throw GeometryError(fmt::format(
+        "control point {} lies a billion times farther out than the others; the data is damaged",
+        farthest - values.begin()));
+  }
+  if (data.weights.empty()) return;
+  const auto [least, most] = std::minmax_element(data.weights.begin(), data.weights.end());
+  if (*most > kWildRatio * *least) {
+    throw GeometryError(
+        fmt::format("weights of control points from {} to {}; the data is damaged", *least, *most));
+  }
+}
+
 /// All control points as (w (P - origin), w).
 std::vector<Vec4> homogeneous(const NurbsData& data, Vec3 origin, bool rational) {
   double largest = 1;
@@ -89,6 +130,7 @@ void check_nurbs(const NurbsData& data) {
   check_direction("u", data.degree_u, data.count_u, data.knots_u);
   check_direction("v", data.degree_v, data.count_v, data.knots_v);
   check_points(data);
+  check_wild(data);
 }
 
 NurbsSpans::NurbsSpans(const NurbsData& data)

@@ -2,6 +2,7 @@
 #include <burin/forms/parametric/charted_surface.h>
 #include <burin/forms/parametric/contour_cut.h>
 #include <burin/forms/parametric/parametric_form.h>
+#include <burin/forms/parametric/refine.h>
 
 #include "tessellate.h"
 
@@ -28,10 +29,16 @@ std::shared_ptr<const Surface> ParametricForm::realise(const RealiseOptions& opt
         fmt::format("{} common sides of patches would make the surface one-sided; left open",
                     complex.contradictions));
   }
-  ChartMesh mesh = detail::tessellate(complex, options.tolerance, context);
+  detail::Tessellation made = detail::tessellate(complex, options.tolerance, context);
+  ChartMesh& mesh = made.mesh;
+  if (!made.complete && options.diagnostics) {
+    add_triangles_bounded(*options.diagnostics, mesh.triangles.size(), mesh.tolerance,
+                          options.tolerance);
+  }
   const PlacedAtlas atlas{complex.atlas, {}, complex.size};
   set_wedge_normals(mesh, atlas, context);
-  if (options.view) cut_along_contours(mesh, atlas, *options.view, {}, context);
+  const bool found = !options.view || cut_along_contours(mesh, atlas, *options.view, {}, context);
+  if (!found && options.diagnostics) add_contours_bounded(*options.diagnostics);
   auto surface = make_charted_surface(atlas, std::move(mesh), context);
   context.end_stage();
   return surface;

@@ -1,6 +1,9 @@
 #include "tessellate.h"
 
 #include <burin/base/parallel.h>
+#include <burin/forms/parametric/refine.h>
+
+#include "half_edges.h"
 
 #include <algorithm>
 #include <cmath>
@@ -8,8 +11,10 @@
 namespace burin::detail {
 namespace {
 
-// Rounds of measuring and refining; the second derivatives that plan the grid miss little.
+// Rounds of measuring and planning anew; the second derivatives that plan the grid miss little.
 constexpr int kRounds = 4;
+// A grid that is so many times too coarse is so at some spots, where its triangles are split.
+constexpr double kSpots = 2;
 // Between the places that are measured the triangles can be a little farther off.
 constexpr double kMeasureMargin = 1.05;
 
@@ -69,9 +74,10 @@ std::vector<SideNode> side_nodes(const PatchComplex& complex, std::int32_t face,
   return result;
 }
 
-ChartMesh build(const PatchComplex& complex, const std::vector<FaceGrid>& grids,
-                const RunContext& context) {
-  ChartMesh mesh;
+RawMesh build(const PatchComplex& complex, const std::vector<FaceGrid>& grids,
+              const RunContext& context) {
+  RawMesh raw;
+  ChartMesh& mesh = raw.mesh;
   mesh.positions = complex.vertices;
   std::vector<EdgeNodes> edges;
   for (const PatchEdge& edge : complex.edges) {
@@ -85,11 +91,9 @@ ChartMesh build(const PatchComplex& complex, const std::vector<FaceGrid>& grids,
     for (int s = 0; s < 4; ++s) {
       sides[static_cast<std::size_t>(s)] = side_nodes(complex, face, s, edges);
     }
-    add_face(mesh, complex, face, grids[f], sides);
+    add_face(raw, complex, face, grids[f], sides);
   }
-  mesh.normal.assign(mesh.uv.size(), Vec3(0));
-  mesh.on_contour.assign(mesh.uv.size(), 0);
-  return mesh;
+  return raw;
 }
 
 // The direction that has no length at a corner, -1 where it is no pole.
@@ -180,34 +184,68 @@ std::array<int, 2> least_cells(const PatchComplex& complex, std::size_t face) {
   return least;
 }
 
+std::size_t cells(const FaceGrid& grid) {
+  return (grid.lines[0].size() - 1) * (grid.lines[1].size() - 1);
+}
+
+/// The grids for these distances; all coarser where they have more than `most` triangles together.
+std::vector<FaceGrid> grids_for(const PatchComplex& complex, const std::vector<GridPlan>& plans,
+                                const std::vector<double>& distance, std::size_t most) {
+  std::vector<FaceGrid> grids(plans.size());
+  double share = 1;
+  for (int i = 0; i < kRounds; ++i) {
+    std::size_t triangles = 0;
+    for (std::size_t f = 0; f < plans.size(); ++f) {
+      grids[f] = plans[f].lines(distance[f], share, least_cells(complex, f));
+      triangles += 2 * cells(grids[f]);
+    }
+    if (triangles <= most) break;
+    share *= 0.95 * std::sqrt(static_cast<double>(most) / static_cast<double>(triangles));
+  }
+  return grids;
+}
+
 }  // namespace
 
-ChartMesh tessellate(const PatchComplex& complex, double tolerance, const RunContext& context) {
+Tessellation tessellate(const PatchComplex& complex, double tolerance, const RunContext& context) {
   const std::size_t faces = complex.atlas->face_count();
   // Finer than rounding allows, or nothing at all, is no tolerance.
   const double wanted = std::max(tolerance, 1e-9 * complex.size);
+  const std::size_t most = triangle_bound(complex.size, wanted);
   std::vector<GridPlan> plans;
   for (std::size_t f = 0; f < faces; ++f) {
     plans.emplace_back(complex.atlas->chart(static_cast<std::int32_t>(f)));
   }
   std::vector<double> distance(faces, wanted);
-  std::vector<FaceGrid> grids(faces);
+  RawMesh raw;
+  Tessellation made;
   for (int round = 1;; ++round) {
+    // Half of the bound is left for the spots.
+    raw = build(complex, grids_for(complex, plans, distance, most / 2), context);
+    const std::vector<Distance> off = measure(raw.mesh, complex, context);
+    bool again = false, fine = true;
     for (std::size_t f = 0; f < faces; ++f) {
-      grids[f] = plans[f].lines(distance[f], least_cells(complex, f));
-    }
-    ChartMesh mesh = build(complex, grids, context);
-    const std::vector<Distance> off = measure(mesh, complex, context);
-    bool fine = true;
-    for (std::size_t f = 0; f < faces; ++f) {
-      mesh.tolerance = std::max(mesh.tolerance, off[f].full);
+      raw.mesh.tolerance = std::max(raw.mesh.tolerance, off[f].full);
       const double excess = std::max(off[f].normal, off[f].full / kAlong) / wanted;
       if (excess <= 1) continue;
       fine = false;
+      if (excess > kSpots) continue;
       distance[f] *= 0.95 / excess;
+      again = true;
     }
-    if (fine || round == kRounds) return mesh;
+    if (again && round < kRounds) continue;
+    if (!fine) {
+      auto opposite = pair_half_edges(raw.mesh.triangles, raw.mesh.positions.size());
+      made.complete = refine(raw, {std::move(opposite), {}}, *complex.atlas,
+                             {wanted / kMeasureMargin, kAlong, most}, context);
+      raw.mesh.tolerance *= kMeasureMargin;
+    }
+    break;
   }
+  made.mesh = std::move(raw.mesh);
+  made.mesh.normal.assign(made.mesh.uv.size(), Vec3(0));
+  made.mesh.on_contour.assign(made.mesh.uv.size(), 0);
+  return made;
 }
 
 }  // namespace burin::detail

@@ -20,9 +20,9 @@ struct BorderSegment {
 
 class FaceTriangles {
  public:
-  FaceTriangles(ChartMesh& mesh, const PatchComplex& complex, std::int32_t face,
-                const FaceGrid& grid)
-      : mesh_(mesh),
+  FaceTriangles(RawMesh& raw, const PatchComplex& complex, std::int32_t face, const FaceGrid& grid)
+      : mesh_(raw.mesh),
+        pole_(raw.pole),
         complex_(complex),
         face_(face),
         reversed_(complex.atlas->reversed(face)),
@@ -44,6 +44,7 @@ class FaceTriangles {
   void add(Node a, Node b, Node c, const BorderSegment* border = nullptr);
 
   ChartMesh& mesh_;
+  std::vector<std::uint8_t>& pole_;
   const PatchComplex& complex_;
   std::int32_t face_;
   bool reversed_;
@@ -67,6 +68,7 @@ void FaceTriangles::add(Node a, Node b, Node c, const BorderSegment* border) {
   mesh_.face.push_back(face_);
   for (std::size_t k = 0; k < 3; ++k) {
     mesh_.uv.push_back(n[k].uv);
+    pole_.push_back(static_cast<std::uint8_t>(n[k].collapsed + 1));
     if (!border || k != on_border) {
       mesh_.border.push_back(-1);
       continue;
@@ -160,9 +162,9 @@ void FaceTriangles::add_strip(int side, const std::vector<SideNode>& nodes) {
 
 }  // namespace
 
-void add_face(ChartMesh& mesh, const PatchComplex& complex, std::int32_t face, const FaceGrid& grid,
+void add_face(RawMesh& raw, const PatchComplex& complex, std::int32_t face, const FaceGrid& grid,
               const std::array<std::vector<SideNode>, 4>& sides) {
-  FaceTriangles triangles(mesh, complex, face, grid);
+  FaceTriangles triangles(raw, complex, face, grid);
   triangles.add_inside();
   for (int s = 0; s < 4; ++s) triangles.add_strip(s, sides[static_cast<std::size_t>(s)]);
 }

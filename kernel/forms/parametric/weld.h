@@ -83,7 +83,7 @@ struct PatchComplex {
 };
 
 /// Finds what coincides within `tolerance` sizes. Patches with kinks inside are cut there into
-/// several faces. Cost: 10 us a patch.
+/// several faces. Cost: 10 us per patch.
 PatchComplex weld(const ChartList& patches, double tolerance, const RunContext& context);
 
 /// `patches`, tiny loops of control points at their sides collapsed to one: poles that were meant

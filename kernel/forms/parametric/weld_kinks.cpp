@@ -30,9 +30,9 @@ class ChartPiece final : public Chart {
   }
   ParameterBox domain() const override { return box_; }
   FaceKind kind() const override { return whole_->kind(); }
-  std::vector<double> breaks(int direction) const override {
+  std::vector<double> breaks(int direction, int order) const override {
     std::vector<double> inside;
-    for (const double b : whole_->breaks(direction)) {
+    for (const double b : whole_->breaks(direction, order)) {
       if (b > box_.min[direction] && b < box_.max[direction]) inside.push_back(b);
     }
     return inside;
@@ -69,7 +69,7 @@ ChartList split_at_kinks(const ChartList& patches) {
     std::vector<double> cuts[2];
     for (int i = 0; i < 2; ++i) {
       cuts[i].push_back(d.min[i]);
-      for (const double b : patch->breaks(i)) {
+      for (const double b : patch->breaks(i, 2)) {
         if (b > d.min[i] && b < d.max[i] && is_kink(*patch, i, b)) cuts[i].push_back(b);
       }
       cuts[i].push_back(d.max[i]);

@@ -8,6 +8,7 @@ from collections.abc import Callable as _Callable
 from typing import Any as _Any
 
 from ._burin import (
+    Brep,
     Cancel,
     Cancelled,
     Diagnostic,
@@ -16,6 +17,7 @@ from ._burin import (
     GeometryError,
     InputError,
     Layer,
+    MissingFile,
     OutputError,
     Part,
     Path,
@@ -23,17 +25,18 @@ from ._burin import (
     UsageError,
     View,
     __version__,
-    draw,
     formats,
     info,
     style,
     style_keys,
     styles,
 )
+from ._draw import draw
 
 Progress = _Callable[[str, float], _Any]
 
 __all__ = [
+    "Brep",
     "Cancel",
     "Cancelled",
     "Diagnostic",
@@ -42,6 +45,7 @@ __all__ = [
     "GeometryError",
     "InputError",
     "Layer",
+    "MissingFile",
     "OutputError",
     "Part",
     "Path",

@@ -26,6 +26,9 @@ class InputError(Error):
     file: str
     line: int
 
+class MissingFile(InputError, FileNotFoundError):
+    """An input that is not there, also a FileNotFoundError."""
+
 class GeometryError(Error):
     """A shape that cannot be drawn."""
 
@@ -59,6 +62,13 @@ class Part:
     style: dict[str, Any] | None
     """Part's own style, as `style` of `draw` takes it; None = that of the drawing."""
 
+class Brep:
+    """A shape as OCCT writes it in text or binary, read once: the parts that are made of it share it."""
+
+    def __init__(self, brep: str | bytes) -> None: ...
+    def is_valid(self) -> bool:
+        """Whether OCCT finds nothing wrong with it. Slow: for messages about what cannot be drawn."""
+
 class Scene:
     """What is drawn: parts in order."""
 
@@ -76,7 +86,7 @@ class Scene:
         reading, with underscores."""
     def add_brep(
         self,
-        brep: str | bytes,
+        brep: str | bytes | Brep,
         name: str = "",
         *,
         placement: _Array | Sequence[Sequence[float]] | None = None,
@@ -84,8 +94,8 @@ class Scene:
         assembly: Sequence[str] = (),
         source: str = "",
     ) -> Part:
-        """A shape as OCCT writes it in text (FreeCAD: `shape.exportBrepToString()`). `placement` is a
-        4 x 4 matrix of a rigid motion (row major, acts on columns). One part, whatever its solids; faces
+        """A shape as OCCT writes it in text (FreeCAD: `shape.exportBrepToString()`), or a `Brep`, which
+        all parts made of it share. `placement` is a 4 x 4 matrix of a rigid motion (row major, acts on columns). One part, whatever its solids; faces
         and edges are numbered as in the shape (TopExp order), from 0."""
     def add_mesh(
         self,
@@ -237,14 +247,17 @@ class Drawing:
     @property
     def seed(self) -> int: ...
     @property
-    def stats(self) -> dict[str, float]: ...
+    def stats(self) -> dict[str, Any]:
+        """"triangles", "strokes", "coverage_points", "coverage_delta"; where `verify` was asked for, "verify":
+        {"spans", "length", "contradicted", "share", "count", "loose_ends", "contradictions": [{"what", "kind",
+        "part", "face", "edge", "length", "at", "model"}, ...]}, lengths and `at` in mm of the sheet."""
     def arrays(self) -> dict[str, _Array]:
         """All paths as few arrays, for programs that show them: "points" (N, 2), "points3" (N, 3),
         "width" (N,), and a path: "first" (P + 1,) index of its first point, "layer", "kind", "part",
         "face", "edge", "family", "visible", "closed" (P,); "kinds" and "layers" are lists of names."""
     def save(self, path: str | PathLike[str], **options: Any) -> None:
         """Writes a file whole or not at all; the suffix names the format. `options`: the format's keys
-        with underscores, e.g. svg_flatten=True, png_dpi=300."""
+        with underscores, e.g. svg_flatten=True, png_dpi=300, and id_prefix."""
     def to_bytes(self, format: str, **options: Any) -> bytes: ...
     @staticmethod
     def load(path: str | PathLike[str]) -> Drawing:
@@ -259,8 +272,8 @@ def draw(
     up: Sequence[float] | None = None,
     perspective: float | None = None,
     paper: str | Sequence[float] = "A4",
-    scale: float | None = None,
-    margin: float = 10,
+    scale: float | str | None = None,
+    margin: float | Sequence[float] = 10,
     style: str | PathLike[str] | Mapping[str, Any] = "technical",
     set: Mapping[str, Any] | None = None,
     light: Sequence[float] | None = None,
@@ -270,15 +283,36 @@ def draw(
     seed: int = 1,
     threads: int | None = None,
     center: Sequence[float] | None = None,
+    verify: bool = False,
+    id_prefix: str = "",
     field: Callable[[_Array, _Array], _Array] | None = None,
     tone: Callable[[_Array, _Array], _Array] | None = None,
     progress: Progress | None = None,
     cancel: Cancel | None = None,
-    **read_options: Any,
+    mesher: str | None = None,
+    define: Mapping[str, Any] | Sequence[str] | None = None,
+    openscad_timeout: float | None = None,
+    object: str | Sequence[str] | None = None,
+    recompute: bool | None = None,
+    freecad_timeout: float | None = None,
+    heal: bool | None = None,
+    iso: float | None = None,
+    inside: str | None = None,
+    smooth: float | None = None,
+    specks: float | None = None,
+    volume_degree: int | None = None,
+    interpolate: bool | None = None,
+    raw: str | None = None,
+    raw_skip: int | None = None,
+    **unknown: Any,
 ) -> Drawing:
     """Draws a scene. Arguments are the long options of `burin draw`. `style` as a mapping is that of a style
-    file ({"base": "engraving", "line.outer": 0.5}); `set` overrides single keys. `center`: the model point in
-    the middle of the sheet, with `scale`; absent = the middle of what is drawn. `field` and `tone` are called with
+    file ({"base": "engraving", "line.outer": 0.5}); `set` overrides single keys, or groups of them
+    ({"hatch": {"taper": 1}}). `paper` is a name, (width, height) in mm or "fit"; `margin` one number or (top,
+    right, bottom, left). `id_prefix`: what the ids of an SVG begin with. Arguments from `mesher` on, and
+    `bounds`, are about reading files; for a scene they go to `Scene.read`. `center`: the model point in
+    the middle of the sheet, with `scale`; absent = the middle of what is drawn. `verify`: every visible and hidden
+    line is tested against rays, `Drawing.stats["verify"]`. `field` and `tone` are called with
     positions (n, 3) and unit normals (n, 3), from the thread that called: `field` gives directions (n, 3), whose
     tangent parts strokes follow (NaN = none here), `tone` the wanted darkness (n,) in [0, 1]. The GIL is
     released while the kernel works."""

@@ -9,9 +9,9 @@
 
 #include <burin/base/error.h>
 #include <burin/converters/cad_reader.h>
+#include <burin/verify/referee.h>
 
 #include "lines.h"
-#include "referee.h"
 
 #include <fmt/core.h>
 
@@ -24,6 +24,7 @@ namespace burin::judge {
 namespace {
 
 constexpr double kStep = 0.25, kPartner = 0.15, kRing = 0.1;  // paper mm
+constexpr double kTessellation = 0.004;                       // paper mm
 
 nlohmann::json read_json(const std::string& path) {
   std::ifstream in(path);
@@ -82,8 +83,9 @@ int run(const std::vector<std::string>& args) {
   RunContext context;
   const Scene scene = read_cad(args[first], context);
   const nlohmann::json drawing = read_json(args[first + 1]);
-  const View view = read_view(drawing);
-  const Referee referee(scene, view, context);
+  const Camera camera = read_camera(drawing);
+  const Referee referee(fine_surfaces(scene, kTessellation / camera.scale(), {}, context), camera,
+                        {}, context);
   // Seams, and edges that only divide one surface, are no lines of the shape. Each side may take
   // some of them for lines; neither has to draw what the other takes for one.
   const std::vector<Polyline> ours = drawing_lines(drawing, "seam");
@@ -91,8 +93,8 @@ int run(const std::vector<std::string>& args) {
   for (std::size_t i = first + 2; i < args.size(); ++i) {
     const auto equals = args[i].find('=');
     const nlohmann::json other = read_json(args[i].substr(equals + 1));
-    const Verdict mine = judge(ours, plane_lines(other, view, ""), referee);
-    const Verdict theirs = judge(plane_lines(other, view, "seam"), with_seams, referee);
+    const Verdict mine = judge(ours, plane_lines(other, camera, ""), referee);
+    const Verdict theirs = judge(plane_lines(other, camera, "seam"), with_seams, referee);
     fmt::print(
         "{} {:.0f} {:.2f} {:.0f} {:.2f} extra {} missing {} other_extra {} other_missing {} "
         "mesh {:.3f} hlr {:.3f}\n",

@@ -1,8 +1,5 @@
 #include "lines.h"
 
-#include <algorithm>
-#include <cmath>
-
 namespace burin::judge {
 namespace {
 
@@ -11,25 +8,24 @@ Vec3 vec3(const nlohmann::json& v) {
   return {v.at(0).get<double>(), v.at(1).get<double>(), v.at(2).get<double>()};
 }
 
-double distance(Vec2 p, Vec2 a, Vec2 b) {
-  const Vec2 e = b - a;
-  const double l2 = glm::dot(e, e);
-  const double t = l2 > 0 ? std::clamp(glm::dot(p - a, e) / l2, 0.0, 1.0) : 0;
-  return glm::distance(p, a + t * e);
+// A point given on the view plane through the model's origin, in model units.
+Vec2 to_paper(Vec2 plane, const Camera& camera) {
+  return camera.to_paper(plane.x * camera.right() + plane.y * camera.up());
 }
 
 }  // namespace
 
-View read_view(const nlohmann::json& drawing) {
-  const auto& v = drawing.at("view");
-  View view;
-  view.direction = vec3(v.at("direction"));
-  view.right = vec3(v.at("right"));
-  view.up = vec3(v.at("up"));
-  view.center = vec3(v.at("center"));
-  view.offset = vec2(v.at("offset"));
-  view.scale = v.at("scale").get<double>();
-  return view;
+Camera read_camera(const nlohmann::json& drawing) {
+  const auto& view = drawing.at("view");
+  const auto& paper = drawing.at("paper");
+  ViewOptions options;
+  options.direction = vec3(view.at("direction"));
+  options.up = vec3(view.at("up"));
+  options.scale = view.at("scale").get<double>();
+  options.center = vec3(view.at("center"));
+  options.paper = {paper.at("width").get<double>(), paper.at("height").get<double>()};
+  // The extent shapes nothing where scale and centre are given.
+  return Camera::fit([](const Mat3&) { return Box3{Vec3(0), Vec3(1)}; }, options);
 }
 
 std::vector<Polyline> drawing_lines(const nlohmann::json& drawing, const std::string& without) {
@@ -48,13 +44,13 @@ std::vector<Polyline> drawing_lines(const nlohmann::json& drawing, const std::st
   return out;
 }
 
-std::vector<Polyline> plane_lines(const nlohmann::json& lines, const View& view,
+std::vector<Polyline> plane_lines(const nlohmann::json& lines, const Camera& camera,
                                   const std::string& without) {
   std::vector<Polyline> out;
   for (const auto& l : lines.at("lines")) {
     if (l.at("kind") == without) continue;
     Polyline line;
-    for (const auto& p : l.at("points")) line.push_back(view.to_paper(vec2(p)));
+    for (const auto& p : l.at("points")) line.push_back(to_paper(vec2(p), camera));
     out.push_back(std::move(line));
   }
   return out;
@@ -74,39 +70,6 @@ std::vector<Sample> sample(const std::vector<Polyline>& lines, double step) {
     }
   }
   return out;
-}
-
-NearLines::NearLines(const std::vector<Polyline>& lines, double reach) : reach_(reach) {
-  for (const Polyline& line : lines) {
-    for (std::size_t i = 0; i + 1 < line.size(); ++i) {
-      const Vec2 a = line[i], b = line[i + 1];
-      const auto index = static_cast<std::uint32_t>(segments_.size());
-      segments_.push_back({a, b});
-      // Cells along the segment, one every cell's size: the query looks at the eight around.
-      const auto steps = static_cast<std::int64_t>(glm::distance(a, b) / reach) + 1;
-      std::int64_t last = INT64_MIN;
-      for (std::int64_t s = 0; s <= steps; ++s) {
-        const Vec2 p = a + static_cast<double>(s) / static_cast<double>(steps) * (b - a);
-        const std::int64_t k = key(std::llround(p.x / reach), std::llround(p.y / reach));
-        if (k != last) cells_[k].push_back(index);
-        last = k;
-      }
-    }
-  }
-}
-
-bool NearLines::near(Vec2 p) const {
-  const std::int64_t x = std::llround(p.x / reach_), y = std::llround(p.y / reach_);
-  for (std::int64_t dx = -2; dx <= 2; ++dx) {
-    for (std::int64_t dy = -2; dy <= 2; ++dy) {
-      const auto cell = cells_.find(key(x + dx, y + dy));
-      if (cell == cells_.end()) continue;
-      for (const std::uint32_t i : cell->second) {
-        if (distance(p, segments_[i].a, segments_[i].b) <= reach_) return true;
-      }
-    }
-  }
-  return false;
 }
 
 }  // namespace burin::judge

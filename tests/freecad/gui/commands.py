@@ -110,6 +110,20 @@ class New(support.Case):
         self.assertEqual(again.ViewObject.Proxy.Object.Name, name)
         self.assertEqual(runs(), count)
 
+    def test_nothing_selected_takes_all_that_is_shown(self):
+        box, ball = self.box_and_ball()
+        hidden = self.document.addObject("Part::Box", "Hidden")
+        hidden.Visibility = False
+        part = self.document.addObject("App::Part", "Part")
+        part.addObject(ball)
+        self.document.recompute()
+        self.select()
+        self.assertTrue(Gui.Command.get("Burin_NewIllustration").isActive())
+        obj = self.illustrate()
+        self.assertEqual({p["source"] for p in sheet_of(obj).data["parts"]}, {"Box", "Part.Ball"})
+        again = self.illustrate()  # not of the illustration that is there now
+        self.assertEqual([s.Name for s, _ in again.Sources], [s.Name for s, _ in obj.Sources])
+
     def test_cancel_leaves_nothing(self):
         self.select(*self.box_and_ball())
         objects = [o.Name for o in self.document.Objects]
@@ -159,6 +173,24 @@ class New(support.Case):
         support.drawn()
         self.assertIsInstance(obj.ViewObject.Proxy, IllustrationView)
         self.assertGreater(obj.ViewObject.Proxy._ink.getNumChildren(), 0)
+
+    def test_the_ink_is_made_once_for_each_drawing(self):
+        from freecad.burin_wb.features.sheet import Sheet
+
+        name, path = self.illustrate(*self.box_and_ball()).Name, str(support.OUT / "once.FCStd")
+        self.document.saveAs(path)
+        FreeCAD.closeDocument(self.document.Name)
+        read, init = [], Sheet.__init__
+        Sheet.__init__ = lambda sheet, path: (read.append(path), init(sheet, path))[1]
+        try:
+            self.document = FreeCAD.openDocument(path)
+            again = self.document.getObject(name)
+            again.ViewObject.InkColor = again.ViewObject.InkColor
+            self.assertEqual(read, [again.Drawing], "what each property tells on opening made the ink again")
+            again.ViewObject.InkColor = (0.2, 0.3, 0.4)
+            self.assertEqual(len(read), 2)
+        finally:
+            Sheet.__init__ = init
 
     def test_saved_and_opened_again_shows_the_kept_drawing_without_the_kernel(self):
         obj = self.illustrate(*self.box_and_ball())
@@ -243,6 +275,33 @@ class Views(support.Case):
             self.run_view("Burin_ViewFromFace", (self.box, face))
             self.assertLess((sheet_of(self.obj).direction - normal).Length, 1e-6)
 
+    def test_square_onto_a_face_in_assemblies_and_links(self):
+        def turned(axis, angle, *base):
+            return FreeCAD.Placement(V(*base), FreeCAD.Rotation(V(*axis), angle))
+
+        inner, outer = (self.document.addObject("App::Part", n) for n in ("Inner", "Outer"))
+        inner.addObject(self.box)
+        outer.addObject(inner)
+        inner.Placement, outer.Placement = turned((1, 0, 0), 30, 5, 0, 9), turned((0, 0, 1), 40, 0, 7, 0)
+        self.box.Placement = turned((0, 1, 0), 20)
+        link = self.document.addObject("App::Link", "Link")
+        link.LinkedObject = outer
+        link.Placement = turned((1, 1, 0), 70, 100, 0, 0)
+        array = self.document.addObject("App::Link", "Array")
+        array.LinkedObject = self.box
+        array.ShowElement = False
+        array.ElementCount = 2
+        array.PlacementList = [FreeCAD.Placement(), turned((1, 0, 0), 45, 0, 0, 80)]
+        self.document.recompute()
+        nested = outer.Placement * inner.Placement * self.box.Placement
+        for top, sub, placement in ((outer, "Inner.Box.Face6", nested),
+                                    (self.box, "Face6", nested),  # as scripts may select it
+                                    (link, "Inner.Box.Face6", link.Placement * inner.Placement * self.box.Placement),
+                                    (array, "1.Face6", array.PlacementList[1])):
+            self.run_view("Burin_ViewFromFace", (top, sub))
+            away = sheet_of(self.obj).direction - placement.Rotation.multVec(V(0, 0, 1))
+            self.assertLess(away.Length, 1e-6, f"{top.Name}.{sub}")
+
     def test_looks_of_objects(self):
         parts = lambda: {p["part"] for _, p in sheet_of(self.obj).paths()}  # noqa: E731
         self.assertEqual(len(parts()), 2)
@@ -308,6 +367,32 @@ class Pages(support.Case):
         scales = {round(float(m.split(",")[0]), 3) for m in matrices}
         self.assertIn(10.0, scales)
 
+    def exported_scales(self, page):
+        """The matrices of a page that TechDraw exports, by their first numbers."""
+        import re
+
+        import TechDrawGui
+
+        svg = str(support.OUT / "scales.svg")
+        TechDrawGui.exportPageAsSvg(page, svg)
+        return {round(float(m), 3) for m in re.findall(r"matrix\(([-0-9.e]+),", open(svg).read())}
+
+    def test_the_scale_of_symbols_is_measured_and_corrected(self):
+        from freecad.burin_wb import preferences
+        from freecad.burin_wb.view import page_scale
+
+        true = preferences.pixels_per_mm()
+        preferences.set_pixels_per_mm(3.54)  # as if TechDraw had taken another number
+        try:
+            page = self.place()
+            self.assertTrue(support.until(lambda: abs(preferences.pixels_per_mm() - 3.54) > 1e-3, 5), "nothing was measured")
+            self.assertAlmostEqual(preferences.pixels_per_mm(), 3.78, 5)
+            support.settle(100)
+            self.assertIn(10.0, self.exported_scales(page))
+            self.assertAlmostEqual(page_scale.measure(page), 3.78, 5)
+        finally:
+            preferences.set_pixels_per_mm(true)
+
     def test_export_by_command_and_by_file_menu(self):
         self.select(self.obj)
         for suffix in ("svg", "pdf", "png", "eps", "dxf", "json"):
@@ -323,6 +408,47 @@ class Pages(support.Case):
         export.export([self.obj], path)
         self.assertIn('width="180mm"', open(path).read()[:2000])
         self.assertIn("freecad.burin_wb.export", FreeCAD.getExportType("svg"))
+
+
+class Colors(support.Case):
+    def paint(self, view, color):
+        material = view.ShapeMaterial
+        material.DiffuseColor = color
+        view.ShapeMaterial = material
+        view.OverrideMaterial = True
+
+    def colors(self, *objects):
+        from freecad.burin_wb.features.sources import collect
+
+        parts, notes = collect([(o, ("",)) for o in objects])
+        self.assertEqual(notes, [])
+        return {p.source: p.color for p in parts}
+
+    def test_links_have_the_colours_that_they_show(self):
+        box, ball = self.box_and_ball()
+        box.ViewObject.ShapeColor = (1.0, 0.0, 0.0)
+        ball.ViewObject.ShapeColor = (0.0, 1.0, 0.0)
+        part = self.document.addObject("App::Part", "Part")
+        part.addObject(ball)
+        plain, painted, over, again = (self.document.addObject("App::Link", n) for n in ("Plain", "Painted", "Over", "Again"))
+        plain.LinkedObject = painted.LinkedObject = box
+        over.LinkedObject = part
+        again.LinkedObject = painted  # a link to a link
+        self.paint(painted.ViewObject, (0.0, 0.0, 1.0))
+        self.paint(over.ViewObject, (1.0, 1.0, 0.0))
+        array = self.document.addObject("App::Link", "Array")
+        array.LinkedObject = box
+        array.ShowElement = False
+        array.ElementCount = 3
+        self.document.recompute()
+        material = painted.ViewObject.ShapeMaterial
+        array.ViewObject.OverrideMaterialList = [False, True, False]
+        array.ViewObject.MaterialList = [material, material, material]
+        self.assertEqual(self.colors(box, plain, painted, over, again, array), {
+            "Box": "#ff0000", "Plain": "#ff0000", "Painted": "#0000ff", "Over.Ball": "#ffff00", "Again": "#0000ff",
+            "Array.0": "#ff0000", "Array.1": "#0000ff", "Array.2": "#ff0000"})
+        box.ViewObject.DiffuseColor = [(1.0, 0.0, 0.0)] * 5 + [(0.0, 0.0, 0.0)]
+        self.assertEqual(self.colors(box, painted), {"Box": "", "Painted": "#0000ff"})
 
 
 class Sources(support.Case):

@@ -12,35 +12,6 @@ import support  # noqa: E402
 from PySide import QtCore, QtGui  # noqa: E402
 
 
-class Beat:
-    """A heart that beats in the GUI's thread. `longest`: seconds of the GUI's own work between two beats, which other
-    programs on the machine do not lengthen; `wall`: seconds of the clock."""
-
-    def __init__(self):
-        self.longest = self.wall = 0.0
-        self.beats = 0
-        self._last = None
-        self._timer = QtCore.QTimer()
-        self._timer.timeout.connect(lambda: self._beat())
-
-    def _beat(self):
-        now = time.thread_time(), time.monotonic()
-        if self._last is not None:
-            self.longest = max(self.longest, now[0] - self._last[0])
-            self.wall = max(self.wall, now[1] - self._last[1])
-        self._last = now
-        self.beats += 1
-
-    def __enter__(self):
-        self._beat()
-        self._timer.start(5)
-        return self
-
-    def __exit__(self, *_):
-        self._timer.stop()
-        self._beat()
-
-
 def runs():
     from freecad.burin_wb.view import scheduler
 
@@ -213,7 +184,7 @@ class Stall(support.Case):
         from freecad.burin_wb.view import scheduler
 
         scheduler.scheduler._kept.clear()
-        with Beat() as beat:
+        with support.Heartbeat() as beat:
             start = time.monotonic()
             Gui.runCommand("Burin_NewIllustration")
             obj = support.panel().obj
@@ -222,7 +193,7 @@ class Stall(support.Case):
             lines.append(("new, technical", time.monotonic() - start, beat))
         support.panel().accept()
         for style in ("engraving", "outline"):
-            with Beat() as beat:
+            with support.Heartbeat() as beat:
                 start = time.monotonic()
                 obj.Style = style
                 obj.recompute()

@@ -58,6 +58,15 @@ class Crash(support.Case):
         scheduler.scheduler.progressed.emit(support.panel().key, "trace", 0.5)
         support.drawn()
 
+    def test_a_document_closed_while_its_picture_is_painted(self):
+        from freecad.burin_wb.tasks.preview import Preview
+
+        preview = Preview(self.illustrate(*self.box_and_ball()))
+        FreeCAD.closeDocument(self.document.Name)
+        preview._painting = [None]  # what the thread gives where the drawing file has gone
+        preview._look()
+        self.assertFalse(preview.busy())
+
     def test_an_illustration_deleted_while_it_is_drawn(self):
         obj = self.illustrate(*self.box_and_ball())
         obj.Style = "engraving"
@@ -86,9 +95,13 @@ class BadInput(support.Case):
     def command(module, index=0):
         return __import__(f"freecad.burin_wb.commands.{module}", fromlist=["x"]).COMMANDS[index]
 
-    def test_nothing_selected(self):
-        self.box_and_ball()
+    def test_nothing_selected_and_nothing_shown(self):
+        for obj in self.box_and_ball():
+            obj.ViewObject.Visibility = False
+        self.document.addObject("PartDesign::Plane", "Plane")
+        self.document.recompute()
         self.select()
+        self.assertFalse(self.command("new").IsActive())
         self.refused(self.command("new"), "select the parts")
 
     def test_a_sketch_only(self):

@@ -56,7 +56,8 @@ def main():
     server, display = screen()
     environment = dict(os.environ, DISPLAY=display, FREECAD_USER_HOME=home, QTWEBENGINE_DISABLE_SANDBOX="1",
                        BURIN_TEST_OUT=str(out), BURIN_TEST_VERDICT=str(verdict), PYTHONDONTWRITEBYTECODE="1",
-                       LC_ALL="C.UTF-8")
+                       LC_ALL="C.UTF-8",
+                       QT_X11_NO_MITSHM="1")  # Qt 5.15 may wait for ever for Xvfb's word on shared memory
     environment.pop("PYTHONPATH", None)
     if kernel != "none":
         environment["BURIN_PYTHON_PATH"] = kernel

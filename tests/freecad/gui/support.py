@@ -51,6 +51,35 @@ def stop_worker():
         scheduler.scheduler.stop()
 
 
+class Heartbeat:
+    """Beats every 5 ms in the GUI's thread. `longest`: seconds of the GUI's own work between two beats, which other
+    programs on the machine do not lengthen; `wall`: seconds of the clock."""
+
+    def __init__(self):
+        self.longest = self.wall = 0.0
+        self.beats = 0
+        self._last = None
+        self._timer = QtCore.QTimer()
+        self._timer.timeout.connect(lambda: self._beat())
+
+    def _beat(self):
+        now = time.thread_time(), time.monotonic()
+        if self._last is not None:
+            self.longest = max(self.longest, now[0] - self._last[0])
+            self.wall = max(self.wall, now[1] - self._last[1])
+        self._last = now
+        self.beats += 1
+
+    def __enter__(self):
+        self._beat()
+        self._timer.start(5)
+        return self
+
+    def __exit__(self, *_):
+        self._timer.stop()
+        self._beat()
+
+
 def settle(milliseconds=60):
     """Lets the GUI work for a while."""
     loop = QtCore.QEventLoop()
@@ -73,14 +102,23 @@ def drawn(obj=None, seconds=60.0):
     from freecad.burin_wb.view import scheduler
 
     assert scheduler.wait(obj, seconds), "the run did not end in time"
+    if panel() is not None and not panel().over:
+        until(lambda: not panel().preview.busy())
     settle(20)
 
 
 def screenshot(name):
-    """The whole screen as OUT/name.png."""
-    settle(150)
+    """The whole screen as OUT/name.png, when it holds still: a busy machine lays windows out late."""
     path = OUT / f"{name}.png"
-    subprocess.run(["import", "-window", "root", str(path)], check=True, timeout=20)
+    before = None
+    for _ in range(10):
+        settle(150)
+        subprocess.run(["import", "-window", "root", "-define", "png:exclude-chunks=date,time", str(path)],
+                       check=True, timeout=20)
+        now = path.read_bytes()
+        if now == before:
+            break
+        before = now
     return path
 
 

@@ -74,8 +74,9 @@ class Tutorial(support.Case):
         if not shutil.which("pdftoppm"):
             print("pdftoppm (package poppler-utils) is not installed: the PDF is not looked at")
             return
-        subprocess.run(["pdftoppm", "-r", "50", "-png", "-singlefile", str(pdf), str(support.OUT / name)], check=True)
-        self.look(support.OUT / f"{name}.png", DRAWING, None, 16)
+        # At four times the size first: no line is thinner than a pixel to the eye of pdftoppm.
+        subprocess.run(["pdftoppm", "-r", "200", "-png", "-singlefile", str(pdf), str(support.OUT / name)], check=True)
+        self.look(support.OUT / f"{name}.png", DRAWING, "25%", 16)
 
     def test_as_a_script(self):
         pdf = support.OUT / "bearing-script.pdf"

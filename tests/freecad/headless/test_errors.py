@@ -2,8 +2,10 @@
 
 import json
 import os
-import stat
 import shutil
+import signal
+import stat
+import threading
 
 import Part
 
@@ -11,6 +13,7 @@ from support import V, App, Case, content, features
 
 from freecad.burin_wb import export, kernel, worker
 from freecad.burin_wb.features import illustration as module
+from freecad.burin_wb.job import Brep, Job, PartJob
 
 
 class Errors(Case):
@@ -84,15 +87,39 @@ class Errors(Case):
         obj = self.illustration(self.solid(Part.Solid(Part.Shell(faces)), "Open"))
         self.assertTrue(obj.Drawing or "Open" in obj.Message, obj.Message)
 
-    def test_a_failed_run_names_faulty_shapes(self):
+    def faulty_job(self):
+        """A job of a box and of what OCCT calls faulty."""
         wire = Part.makePolygon([V(0, 0, 0), V(10, 10, 0), V(10, 0, 0), V(0, 10, 0), V(0, 0, 0)])
-        obj = self.illustration(self.box())
-        obj.Sources = [(self.box(), ("",)), (self.solid(Part.Face(wire), "Bow"), ("",))]
-        before, module.scheduler = module.scheduler, lambda o, job, finish: finish(None, worker.Failed("no"))
+        texts = {"Box": Part.makeBox(1, 2, 3).exportBrepToString().encode(),
+                 "Bow": Part.Face(wire).exportBrepToString().encode()}
+        return Job([PartJob(name, name, Brep(text)) for name, text in texts.items()], {"style": "outline"})
+
+    def test_a_run_that_fails_for_its_shapes_names_the_faulty_ones(self):
+        job = self.faulty_job()
+        job.parts.append(PartJob("Torn", "Torn", job.parts[0].brep[:700]))
+        with self.assertRaises(worker.Failed) as caught:
+            module._worker.draw(job)
+        self.assertIn("; faulty shapes (see Part > Check geometry): Bow, Torn", str(caught.exception))
+
+    def test_a_crash_names_the_faulty_shapes(self):
+        one = worker.Worker()
         try:
-            self.refuses(obj, "no; faulty shapes (see Part > Check geometry): Bow")
+            one.start()
+            os.kill(one._process.pid, signal.SIGSTOP)
+            for seconds, number in ((0.3, signal.SIGSEGV), (0.35, signal.SIGCONT)):
+                threading.Timer(seconds, os.kill, (one._process.pid, number)).start()
+            with self.assertRaises(worker.Failed) as caught:
+                one.draw(self.faulty_job())
+            self.assertIn("ended unexpectedly (signal 11)", str(caught.exception))
+            self.assertIn("; faulty shapes (see Part > Check geometry): Bow", str(caught.exception))
         finally:
-            module.scheduler = before
+            one.stop()
+
+    def test_an_error_that_is_not_about_shapes_checks_none(self):
+        wire = Part.makePolygon([V(0, 0, 0), V(10, 10, 0), V(10, 0, 0), V(0, 10, 0), V(0, 0, 0)])
+        obj = self.illustration(self.box(), self.solid(Part.Face(wire), "Bow"), StyleKeys={"line.outr": "1"})
+        self.assertIn("line.outr", obj.Message)
+        self.assertNotIn("faulty", obj.Message)
 
     def test_a_source_whose_recompute_failed(self):
         box = self.box()
@@ -160,10 +187,10 @@ class Errors(Case):
                 obj.FitScale = False
             setattr(obj, name, bad)
             self.redraw(obj)
-            if obj.Message:
-                self.assertIn("the drawing shown is the one before", obj.Message, name)
+            if name == "ViewUp":  # something sensible is drawn instead
+                self.assertNotIn("the drawing shown is the one before", obj.Message, name)
             else:
-                self.assertIn(name, ("ViewUp", "Light"))  # something sensible is drawn instead
+                self.assertIn("the drawing shown is the one before", obj.Message, name)
             setattr(obj, name, good)
             obj.FitScale = True
             self.draws(obj)
@@ -236,6 +263,7 @@ class Errors(Case):
         before = content(obj.Drawing)
         running, module._worker = module._worker, worker.Worker()
         folders, kernel.folders = kernel.folders, lambda: []
+        found, kernel.found = kernel.found, lambda: False
         try:
             obj = self.reopen(obj)
             self.assertEqual(content(obj.Drawing), before)
@@ -247,7 +275,7 @@ class Errors(Case):
             self.assertIn("<svg", features.place_on_page(page, obj).Symbol)
         finally:
             module._worker.stop()
-            module._worker, kernel.folders = running, folders
+            module._worker, kernel.folders, kernel.found = running, folders, found
         self.draws(obj)
 
     def test_exports_that_cannot_be(self):

@@ -7,7 +7,7 @@ import zipfile
 from support import V, App, Case, content, features
 
 from freecad.burin_wb.features import illustration as module
-from freecad.burin_wb.features.properties import HIDDEN, ILLUSTRATION, READ_ONLY, SCHEMA
+from freecad.burin_wb.features.properties import HIDDEN, ILLUSTRATION, READ_ONLY, SCHEMA, SHEET_VIEW
 
 
 class Counting:
@@ -40,14 +40,15 @@ class Object(Case):
 
     def test_every_property_is_grouped_and_documented(self):
         obj = features.make_illustration(self.doc, [self.box()])
-        for row in ILLUSTRATION:
-            self.assertEqual(obj.getTypeIdOfProperty(row.name), row.kind)
-            self.assertEqual(obj.getGroupOfProperty(row.name), row.group)
-            self.assertGreater(len(obj.getDocumentationOfProperty(row.name)), 9, row.name)
-        for name in READ_ONLY:
-            self.assertIn("ReadOnly", obj.getEditorMode(name), name)
-        for name in HIDDEN:
-            self.assertIn("Hidden", obj.getEditorMode(name), name)
+        view = features.place_on_page(self.doc.addObject("TechDraw::DrawPage", "Page"), obj)
+        for made, rows in ((obj, ILLUSTRATION), (view, SHEET_VIEW)):
+            for row in rows:
+                self.assertEqual(made.getTypeIdOfProperty(row.name), row.kind)
+                self.assertEqual(made.getGroupOfProperty(row.name), row.group)
+                self.assertGreater(len(made.getDocumentationOfProperty(row.name)), 9, row.name)
+                modes = made.getEditorMode(row.name)
+                self.assertEqual("ReadOnly" in modes, row.name in READ_ONLY, row.name)
+                self.assertEqual("Hidden" in modes, row.name in HIDDEN, row.name)
 
     def test_expressions(self):
         box = self.box()
@@ -149,6 +150,24 @@ class Object(Case):
             self.doc.Box.Length = 12
             self.doc.recompute()
             self.assertEqual(count.runs, 1)
+
+    def test_pages_saved_without_the_add_on_are_repaired_too(self):
+        obj = self.illustration(self.box())
+        page = self.doc.addObject("TechDraw::DrawPage", "Page")
+        view, lines = features.place_on_page(page, obj), features.make_flat_edges(page, obj)
+        self.doc.recompute()
+        names = [o.Name for o in (obj, view, lines.Source[0])]
+        for name in names:
+            self.doc.getObject(name).Proxy = None
+        self.reopen(obj)
+        obj, view, flat = (self.doc.getObject(name) for name in names)
+        self.assertEqual(features.repair(self.doc), [obj, view, flat])
+        self.assertEqual(features.repair(self.doc), [])
+        symbol, length = view.Symbol, flat.Shape.BoundBox.DiagonalLength
+        self.doc.Box.Length = 90
+        self.doc.recompute()
+        self.assertNotEqual(view.Symbol, symbol)
+        self.assertNotAlmostEqual(flat.Shape.BoundBox.DiagonalLength, length, 1)
 
 
 class Styles(Case):

@@ -1,5 +1,6 @@
 """Illustrations on TechDraw pages: true scale, few elements, and lines that TechDraw can measure."""
 
+import glob
 import math
 import os
 import re
@@ -11,8 +12,9 @@ import TechDraw
 from support import V, App, Case, features
 
 from freecad.burin_wb.features.sheet import Sheet
-from freecad.burin_wb.features.sheet_view import sheet_center
-from freecad.burin_wb.features.symbol import to_symbol
+from freecad.burin_wb.features.free_place import extent, free_place
+from freecad.burin_wb.features.sheet_view import add_template, sheet_center
+from freecad.burin_wb.features.symbol import Window, parted, to_symbol
 
 SVG = "{http://www.w3.org/2000/svg}"
 
@@ -26,13 +28,14 @@ class Pages(Case):
         # 100 mm of sheet at TechDraw's 3.78 pixels a mm: the size is whole pixels, a user unit is exactly 1 mm.
         for width, height in ((100, 100), (180, 130), (33.3, 77.7)):
             svg = f'<svg xmlns="x" width="{width}mm" height="{height}mm" viewBox="0 0 {width} {height}"/>'
-            found = re.search(r'width="(\d+)" height="(\d+)" viewBox="0 0 (\S+) (\S+)"', to_symbol(svg, width, height))
+            symbol = to_symbol(svg, Window(0, 0, width, height))
+            found = re.search(r'width="(\d+)" height="(\d+)" viewBox="0.0+ 0.0+ (\S+) (\S+)"', symbol)
             w, h, vw, vh = (float(v) for v in found.groups())
             self.assertAlmostEqual(w / vw, 3.78, delta=1e-6)
             self.assertAlmostEqual(h / vh, 3.78, delta=1e-6)
             self.assertTrue(0 <= vw - width < 1 / 3.78 + 1e-6 and 0 <= vh - height < 1 / 3.78 + 1e-6)
         with self.assertRaises(ValueError):
-            to_symbol("<svg/>", 1, 1)
+            to_symbol("<svg/>", Window(0, 0, 1, 1))
 
     def test_100_mm_are_100_mm(self):
         obj = self.illustration(self.box(100, 50, 20), Style="outline", ViewDirection=V(0, 0, 1), ViewUp=V(0, 1, 0),
@@ -47,7 +50,7 @@ class Pages(Case):
 
     @staticmethod
     def walk(d):
-        """Points of a path made of moves and straight lines."""
+        """Points of a path made of moves and straight lines, closed or not."""
         x = y = 0.0
         for letter, numbers in re.findall(r"([a-zA-Z])([^a-zA-Z]*)", d):
             values = [float(n) for n in re.findall(r"-?(?:\d+\.?\d*|\.\d+)", numbers)]
@@ -55,6 +58,8 @@ class Pages(Case):
                 x, y = (x + values[0], y) if letter == "h" else (x, y + values[0])
                 yield x, y
                 continue
+            if letter == "z":
+                continue  # back to where the ring began
             assert letter in "Mml", letter
             for dx, dy in zip(values[0::2], values[1::2]):
                 x, y = (dx, dy) if letter == "M" else (x + dx, y + dy)
@@ -70,8 +75,48 @@ class Pages(Case):
         self.assertNotEqual(view.Symbol, before)
         obj.Width = 100
         self.doc.recompute()
+        self.assertLess(abs(float(re.search(r'width="(\d+)"', view.Symbol).group(1)) / 3.78 - self.ink(obj)[0]), 2)
+        view.Trim = False
+        self.doc.recompute()
         self.assertIn('width="378"', view.Symbol)
         self.assertEqual((view.ScaleType, view.Scale), ("Custom", 1.0))
+
+    @staticmethod
+    def ink(obj):
+        """Width and height of the lines of an illustration, in mm."""
+        points = [p for _, path in Sheet(obj.Drawing).paths() for p in path["points"]]
+        return tuple(max(p[k] for p in points) - min(p[k] for p in points) for k in (0, 1))
+
+    def test_what_is_drawn_stays_where_it_is_while_its_ink_changes(self):
+        obj = self.illustration(self.box(), FitScale=False, Scale=1.0)
+        view = features.place_on_page(self.page(), obj)
+        self.doc.recompute()
+        view.X, view.Y = 100, 90
+        where = sheet_center(view)
+        self.box(30, 5, 5, "More").Placement.Base = V(40, 0, 0)
+        obj.Sources = [self.doc.Box, self.doc.More]
+        self.doc.recompute()
+        self.assertNotAlmostEqual(view.X.Value, 100, 1)
+        for a, b in zip(sheet_center(view), where):
+            self.assertAlmostEqual(a, b, delta=1e-6)
+
+    def test_views_of_older_versions_stay_where_they_are(self):
+        obj = self.illustration(self.box(), Width=100.1, Height=80.1)
+        view = features.place_on_page(self.page(), obj)
+        view.Trim = False
+        self.doc.recompute()
+        view.X, view.Y = 120, 90
+        where = sheet_center(view)
+        view.removeProperty("Middle")
+        view.removeProperty("Trim")
+        view = self.reopen(view)
+        for a, b in zip(sheet_center(view), where):
+            self.assertAlmostEqual(a, b, delta=1e-6)
+        view.touch()
+        self.doc.recompute()
+        self.assertTrue(view.Trim)
+        for a, b in zip(sheet_center(view), where):
+            self.assertAlmostEqual(a, b, delta=1e-6)
 
     def test_it_comes_back_from_a_file(self):
         view = features.place_on_page(self.page(), self.illustration(self.box()))
@@ -91,6 +136,99 @@ class Pages(Case):
         view = features.place_on_page(self.page(), obj)
         self.assertGreater(len(strokes), 100)
         self.assertLess(len(list(xml.fromstring(view.Symbol).iter())), 60)
+
+
+    def test_long_paths_that_older_versions_kept_are_parted(self):
+        lines = "".join(f"M{k} 1l2 3-4 5c1 1 2 2 3 3" for k in range(9000))  # 54,000 elements
+        old = f'<svg width="9mm" height="9mm" viewBox="0 0 9 9"><path stroke-width="0.3" d="{lines}"/></svg>'
+        paths = re.findall(r'<path stroke-width="0.3" d="([^"]*)"/>', parted(old))
+        self.assertEqual("".join(paths), lines)
+        self.assertGreater(len(paths), 1)
+        self.assertLess(max(path.count("M") for path in paths), 5000)
+        short = old.replace(lines, lines[:999])
+        self.assertEqual(parted(short), short)
+        obj = self.illustration(self.box())
+        view = features.place_on_page(self.page(), obj)
+        view.Symbol, view.Illustration = old, None
+        view = self.reopen(view)
+        self.assertEqual(view.Symbol.count("<path"), len(paths))
+
+
+class Room(Case):
+    """Where views are put."""
+
+    def page(self, template="A3_Landscape_blank.svg"):
+        page = self.doc.addObject("TechDraw::DrawPage", "Page")
+        add_template(page, os.path.join(App.getResourceDir(), "Mod", "TechDraw", "Templates", template))
+        return page
+
+    def place(self, page, **properties):
+        obj = self.illustration(self.box(name="Part"), Style="outline", **properties)
+        view = features.place_on_page(page, obj)
+        self.doc.recompute()
+        return view
+
+    @staticmethod
+    def bounds(view):
+        (w, h), x, y = extent(view), view.X.Value, view.Y.Value
+        return x - w / 2, y - h / 2, x + w / 2, y + h / 2
+
+    def apart(self, a, b):
+        a, b = self.bounds(a), self.bounds(b)
+        return max(b[0] - a[2], a[0] - b[2], b[1] - a[3], a[1] - b[3])
+
+    def test_the_first_is_in_the_middle_and_trimmed_to_its_ink(self):
+        view = self.place(self.page())
+        self.assertAlmostEqual(view.X.Value, 210, delta=1)
+        self.assertAlmostEqual(view.Y.Value, 148.5, delta=1)
+        ink = Pages.ink(view.Illustration)
+        for mm, of_ink in zip(extent(view), ink):
+            self.assertTrue(of_ink < mm < of_ink + 2, (mm, of_ink))
+
+    def test_others_are_beside_it(self):
+        page = self.page()
+        views = [self.place(page, Width=100, Height=80) for _ in range(5)]
+        for k, a in enumerate(views):
+            x0, y0, x1, y1 = self.bounds(a)
+            self.assertTrue(4 < x0 and x1 < 416 and 4 < y0 and y1 < 293)
+            for b in views[:k]:
+                self.assertGreater(self.apart(a, b), 3.9)
+
+    def test_the_title_block_and_the_frame_stay_free(self):
+        # Its comments say: working space 10 10 410 287, title block 220 227 410 287.
+        page = self.page("A3_LandscapeTD.svg")
+        views = [self.place(page, Width=150, Height=90) for _ in range(4)]
+        for view in views:
+            x0, y0, x1, y1 = self.bounds(view)
+            self.assertTrue(10 < x0 and x1 < 410 and 10 < y0 and y1 < 287, self.bounds(view))
+            self.assertFalse(x1 > 220 and y0 < 70, self.bounds(view))
+
+    def test_every_template_has_room(self):
+        folder = os.path.join(App.getResourceDir(), "Mod", "TechDraw", "Templates")
+        page = self.page("A3_Landscape_blank.svg")
+        few = []
+        for file in sorted(glob.glob(os.path.join(folder, "**", "*.svg"), recursive=True)):
+            page.Template.Template = file
+            place = free_place(page, 60, 60)
+            if not place.free:
+                few.append(os.path.basename(file))
+        self.assertEqual(few, [])
+
+    def test_views_of_techdraw_are_not_covered(self):
+        page = self.page()
+        part = self.doc.addObject("TechDraw::DrawViewPart", "View")
+        part.Source = [self.box(100, 60, 40, "Other")]
+        page.addView(part)
+        self.doc.recompute()
+        part.X, part.Y = 210, 148
+        view = self.place(page, Width=100, Height=80)
+        self.assertGreater(self.apart(view, part), 3.9)
+
+    def test_a_page_without_room_says_so(self):
+        page = self.page()
+        self.place(page, Width=400, Height=280, Margin=0)
+        place = free_place(page, 300, 200)
+        self.assertFalse(place.free)
 
 
 class Flat(Case):

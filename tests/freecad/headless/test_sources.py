@@ -1,6 +1,7 @@
 """Sources: what is taken from the document, where it is placed, and which edges and faces lines tell of."""
 
 import json
+import pickle
 
 import numpy
 import Mesh
@@ -9,6 +10,7 @@ import Part
 from support import V, App, Case, burin, drawn, features
 
 from freecad.burin_wb.features.illustration import make_job
+from freecad.burin_wb.features.shapes import shapes
 from freecad.burin_wb.features.sheet import Sheet
 from freecad.burin_wb.features.sources import collect
 
@@ -21,7 +23,7 @@ def box_of(part):
     """Bounds (2, 3) of one part as the kernel sees them."""
     scene = burin().Scene()
     if part.brep is not None:
-        scene.add_brep(part.brep, part.name)
+        scene.add_brep(part.brep, part.name, placement=part.matrix())
     else:
         scene.add_mesh(part.vertices, part.triangles, part.name)
     return scene.bounds()
@@ -70,6 +72,7 @@ class Sources(Case):
         part = next(p for p in job.parts if p.source == "Outer.Inner.Box")
         shape = Part.Shape()
         shape.importBrepFromString(part.brep.decode())
+        shape.Placement = App.Placement(App.Matrix(*part.placement))
         self.assertLess(min((v.Point - corner).Length for v in shape.Vertexes), 1e-9)
 
     def test_an_object_in_an_assembly_is_where_the_assembly_has_it(self):
@@ -112,6 +115,48 @@ class Sources(Case):
         self.doc.recompute()
         self.check([self.doc.Shown, self.doc.Folded, group],
                    [f"{a}.{k}.Box" for a in ("Shown", "Folded") for k in range(3)] + ["Group.Copy", "Group.Cone"])
+
+    def test_links_to_one_shape_are_written_once(self):
+        box = self.box()
+        self.doc.recompute()
+        links = []
+        for k in range(30):
+            link = self.doc.addObject("App::Link", "Link")
+            link.LinkedObject = box
+            link.Placement = placed(20 * k, 0, 0, (1, 1, 0), 7 * k)
+            links.append(link)
+        self.doc.recompute()
+        before = shapes.written
+        _, job = self.check([box, *links], ["Box", *(link.Name for link in links)])
+        self.assertEqual(len({id(part.brep) for part in job.parts}), 1)
+        self.assertEqual(shapes.written - before, 1)
+        self.assertLess(len(pickle.dumps(job, protocol=4)), 5 * len(job.parts[0].brep))
+        box.Height = 31  # another shape
+        self.doc.recompute()
+        again = make_job(self.doc.Illustration)
+        self.assertEqual(shapes.written - before, 2)
+        self.assertNotEqual(again.exact_fingerprint(), job.exact_fingerprint())
+        links[3].Placement.Base.z += 1
+        self.doc.recompute()
+        moved = make_job(self.doc.Illustration)
+        self.assertEqual(shapes.written - before, 2)
+        self.assertNotEqual(moved.exact_fingerprint(), again.exact_fingerprint())
+        self.assertNotEqual(moved.fingerprint(), again.fingerprint())
+
+    def test_instances_draw_as_shapes_of_their_own(self):
+        solid = self.solid(Part.makeBox(40, 30, 20).cut(Part.makeCylinder(7, 90, V(20, 15, -5))))
+        link = self.doc.addObject("App::Link", "Link")
+        link.LinkedObject = solid
+        link.Placement = placed(70, 10, 0, (1, 0, 0), 33)
+        self.doc.recompute()
+        obj = self.illustration(solid, link)
+        linked = drawn(obj).arrays()
+        alone = Part.getShape(link, "", needSubElement=False, transform=True).copy()
+        obj.Sources = [(solid, ("",)), (self.solid(alone, "Alone"), ("",))]
+        copied = drawn(obj).arrays()
+        numpy.testing.assert_array_equal(linked["edge"], copied["edge"])
+        numpy.testing.assert_array_equal(linked["first"], copied["first"])
+        numpy.testing.assert_allclose(linked["points"], copied["points"], atol=0.01)
 
     def test_scaled_link(self):
         self.box()
@@ -177,6 +222,28 @@ class Sources(Case):
     def test_headless_there_are_no_colours(self):
         _, job = self.check(self.box(), ["Box"])
         self.assertEqual(job.parts[0].color, "")
+
+
+class Aids(Case):
+    def test_datum_planes_in_assemblies_are_no_parts(self):
+        part = self.doc.addObject("App::Part", "Part")
+        part.addObject(self.box())
+        for kind in ("PartDesign::Plane", "PartDesign::Line", "PartDesign::Point", "PartDesign::CoordinateSystem"):
+            part.addObject(self.doc.addObject(kind, "Aid"))
+        self.doc.recompute()
+        parts, notes = collect([(part, ("",))])
+        self.assertEqual(([p.source for p in parts], notes), (["Part.Box"], []))
+        self.doc.addObject("PartDesign::Plane", "Alone")
+        self.doc.recompute()
+        self.assertEqual(features.visible(self.doc), [part])
+
+    def test_an_assembly_of_aids_says_that_nothing_is_drawn(self):
+        part = self.doc.addObject("App::Part", "Part")
+        part.addObject(self.doc.addObject("PartDesign::Plane", "Plane"))
+        self.doc.recompute()
+        parts, notes = collect([(part, ("",))])
+        self.assertEqual(len(parts), 0)
+        self.assertIn("has no visible shape", notes[0])
 
 
 class Elements(Case):

@@ -4,6 +4,7 @@ import json
 import os
 import signal
 import threading
+import time
 
 import Part
 
@@ -115,6 +116,42 @@ class Worker(Case):
         job = Job([PartJob("Box", "Box", Part.makeBox(1, 2, 3).exportBrepToString().encode())], {"style": "outline"})
         self.assertIn(b"layers", self.worker.draw(job).drawing)
 
+    def test_a_cancel_does_not_wait_for_a_worker_that_takes_nothing(self):
+        self.worker.start()
+        hung = self.worker._process
+        os.kill(hung.pid, signal.SIGSTOP)  # before a job that is more than a pipe holds
+        job = long_job()
+        job.parts[0].brep += b" " * 2**20
+        caught = []
+
+        def draw():
+            try:
+                self.worker.draw(job)
+            except worker.Stopped as stopped:
+                caught.append(stopped)
+
+        drawing = threading.Thread(target=draw, daemon=True)
+        drawing.start()
+        while not self.worker._sent:
+            time.sleep(0.01)
+        cancelling = threading.Thread(target=self.worker.cancel, daemon=True)
+        cancelling.start()
+        cancelling.join(20)
+        drawing.join(20)
+        try:
+            self.assertFalse(cancelling.is_alive(), "cancel waits for the worker")
+            self.assertEqual(len(caught), 1)
+            self.assertEqual(hung.poll(), -signal.SIGKILL)
+            self.assertIsNone(self.worker._process.poll(), "no new worker waits for the next run")
+        finally:
+            hung.kill()
+
+    def test_a_late_cancel_does_not_end_the_next_job(self):
+        job = Job([PartJob("Box", "Box", Part.makeBox(1, 2, 3).exportBrepToString().encode())], {"style": "outline"})
+        self.worker.draw(job)
+        self.worker._ask_to_end(self.worker._process, self.worker._number)  # on its way while the job ended
+        self.assertIn(b"layers", self.worker.draw(job).drawing)
+
     def test_progress_comes_with_stages(self):
         seen = []
         self.worker.draw(Job(long_job().parts, {"style": "technical"}), lambda *told: seen.append(told))
@@ -122,7 +159,7 @@ class Worker(Case):
         self.assertTrue(all(0 <= share <= 1 for _, share in seen))
 
     def test_without_an_interpreter_it_runs_here_and_says_so_once(self):
-        before, worker.interpreter = worker.interpreter, lambda: None
+        before, worker.interpreters = worker.interpreters, lambda: []
         worker.Worker._told = False
         try:
             obj = self.illustration(self.box())
@@ -139,17 +176,44 @@ class Worker(Case):
             self.assertTrue(worker.Worker._told)
             self.assertEqual(content(obj.Drawing), kept)  # the same wherever it runs
         finally:
-            worker.interpreter = before
+            worker.interpreters = before
 
-    def test_a_program_that_is_no_python(self):
-        before, worker.interpreter = worker.interpreter, lambda: "/bin/false"
+    def test_programs_that_cannot_be_workers_are_passed_over(self):
+        good = worker.interpreters()[0]
+        scripts = []
+        for name, text in (("silent", "exec /bin/false"), ("talks", "echo this is no message; sleep 0.1"),
+                           ("bare", f'BURIN_WORKER_NUMPY= exec {good} -S "$@"')):
+            folder = os.path.join(self.folder, name)
+            os.mkdir(folder)
+            scripts.append(os.path.join(folder, "python3"))
+            with open(scripts[-1], "w") as file:
+                file.write(f"#!/bin/sh\n{text}\n")
+            os.chmod(scripts[-1], 0o755)
+        before, worker.interpreters = worker.interpreters, lambda: ["/nowhere/python3", *scripts, good]
         try:
-            with self.assertRaises(worker.Failed):
-                self.worker.draw(Job([], {}))
-            worker.interpreter = lambda: "/nowhere/python3"
-            self.worker.draw(Job([PartJob("Box", "Box", Part.makeBox(1, 2, 3).exportBrepToString().encode())], {}))
+            job = Job([PartJob("Box", "Box", Part.makeBox(1, 2, 3).exportBrepToString().encode())], {})
+            self.assertIn(b"layers", self.worker.draw(job).drawing)
+            self.assertEqual(self.worker._process.args[0], good)
+            whys = worker.Worker._unfit
+            self.assertEqual({"/nowhere/python3", *scripts} - set(whys), set())
+            self.assertIn("No such file", whys["/nowhere/python3"])
+            self.assertIn("no numpy", whys[scripts[2]])
         finally:
-            worker.interpreter = before
+            worker.interpreters = before
+
+    def test_an_interpreter_without_numpy_gets_freecads(self):
+        # As the system's in a Flatpak, whose numpy is FreeCAD's alone.
+        script = os.path.join(self.folder, "python3")
+        with open(script, "w") as file:
+            file.write(f'#!/bin/sh\nexec {worker.interpreters()[0]} -S "$@"\n')
+        os.chmod(script, 0o755)
+        before, worker.interpreters = worker.interpreters, lambda: [script]
+        try:
+            job = Job([PartJob("Box", "Box", Part.makeBox(1, 2, 3).exportBrepToString().encode())], {})
+            self.assertIn(b"layers", self.worker.draw(job).drawing)
+            self.assertIsNotNone(self.worker._process, worker.Worker._unfit)
+        finally:
+            worker.interpreters = before
 
     def test_two_runs_give_the_same_bytes(self):
         obj = self.illustration(self.box())

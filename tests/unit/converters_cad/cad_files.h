@@ -9,7 +9,7 @@
 #include <TopoDS_Shape.hxx>
 #include <XCAFDoc_ColorTool.hxx>
 #include <XCAFDoc_ShapeTool.hxx>
-#include <burin_test/command.h>
+#include <burin_test/folder.h>
 #include <gp_Trsf.hxx>
 #include <gtest/gtest.h>
 

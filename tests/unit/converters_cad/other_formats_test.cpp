@@ -1,9 +1,16 @@
 // IGES, BREP, and how formats are told apart.
 #include "cad_files.h"
 
+#include <BRepBuilderAPI_MakeEdge.hxx>
+#include <BRepBuilderAPI_MakeVertex.hxx>
+#include <BRepBuilderAPI_MakeWire.hxx>
 #include <BRepTools.hxx>
+#include <BRep_Builder.hxx>
 #include <BinTools.hxx>
 #include <Interface_Static.hxx>
+#include <TopoDS_Compound.hxx>
+
+#include <utility>
 
 namespace burin {
 namespace {
@@ -46,6 +53,32 @@ TEST_F(OtherFormats, BrepIsReadAsTextAndBinary) {
   expect_closed_box(text, "BREP (text)");
   expect_closed_box(binary, "BREP (binary)");
   EXPECT_EQ(read(text).parts[0].name, "lever");
+}
+
+TEST_F(OtherFormats, WiresBesideSolidsAreLeftOutAndTold) {
+  const TopoDS_Edge edge = BRepBuilderAPI_MakeEdge(gp_Pnt(9, 0, 0), gp_Pnt(9, 1, 0));
+  TopoDS_Compound all;
+  BRep_Builder().MakeCompound(all);
+  BRep_Builder().Add(all, test::solid_box(3, 4, 5));
+  BRep_Builder().Add(all, BRepBuilderAPI_MakeWire(edge).Wire());
+  BRep_Builder().Add(all, BRepBuilderAPI_MakeEdge(gp_Pnt(9, 2, 0), gp_Pnt(9, 3, 0)).Edge());
+  BRep_Builder().Add(all, BRepBuilderAPI_MakeVertex(gp_Pnt(9, 4, 0)).Vertex());
+  const std::string brep = folder_ / "wires.brep";
+  ASSERT_TRUE(BRepTools::Write(all, brep.c_str()));
+  CadDocument document;
+  document.part(test::solid_box(3, 4, 5), "box");
+  document.part(BRepBuilderAPI_MakeWire(edge).Wire(), "wire");
+  CadDocument mixed;
+  mixed.part(all, "mixed");
+  for (const auto& [file, count] :
+       {std::pair(brep, 3), std::pair(document.step(folder_ / "a.step"), 1),
+        std::pair(mixed.step(folder_ / "b.step"), 3)}) {
+    const Scene scene = read(file);
+    EXPECT_EQ(scene.parts.size(), 1u) << file;
+    ASSERT_EQ(scene.diagnostics.entries().size(), 1u) << file;
+    EXPECT_EQ(scene.diagnostics.entries()[0].code, "cad.no_faces");
+    EXPECT_EQ(scene.diagnostics.entries()[0].count, count) << file;
+  }
 }
 
 TEST_F(OtherFormats, ContentGoesBeforeTheSuffix) {

@@ -44,6 +44,55 @@ TEST_F(FcstdTest, ColorsAndVisibilityComeFromTheWindow) {
   EXPECT_EQ(scene.parts[3].color, "#0000ff");
 }
 
+/// A list of materials as FreeCAD 1.0 writes it.
+std::string materials(const std::vector<std::uint32_t>& diffuse) {
+  std::string out;
+  put(out, static_cast<std::uint32_t>(diffuse.size()));
+  for (const std::uint32_t d : diffuse) {
+    for (const std::uint32_t p : {0x55555500U, d, 0x88888800U, 0U, 0x3f666666U, 0U}) put(out, p);
+  }
+  const std::string id = "7f9fd73b-50c9-41d8-b7b2-575a030c1eeb";
+  for (std::size_t i = 0; i < diffuse.size(); ++i) {
+    put(out, 0U);
+    put(out, 0U);
+    put(out, static_cast<std::uint32_t>(id.size()));
+    out += id;
+  }
+  return out;
+}
+
+TEST_F(FcstdTest, ColorsOfFreecad1ComeFromTheAppearanceOfTheShape) {
+  Document d;
+  for (const char* name : {"A", "B", "C", "D"}) d.add_shape(name, located_box(kUnit, {}), hidden());
+  const auto appearance = [](const std::string& member) {
+    return text_property("Visibility", "true") +
+           property("ShapeAppearance", "<MaterialList file=\"" + member + "\" version=\"3\"/>");
+  };
+  d.view("A", appearance("One"));
+  d.view("B", appearance("Same"));
+  d.view("C", appearance("Many"));
+  d.view("D", appearance("Cut"));
+  d.members.emplace_back("One", materials({0x12345600}));
+  d.members.emplace_back("Same", materials({0xff000000, 0xff0000ff}));
+  d.members.emplace_back("Many", materials({0x12345600, 0x65432100}));
+  d.members.emplace_back("Cut", materials({0x12345600, 0x12345600}).substr(0, 40));
+  const Scene scene = read(d);
+  ASSERT_EQ(paths(scene), (Paths{"A", "B", "C", "D"}));
+  EXPECT_EQ(scene.parts[0].color, "#123456");
+  EXPECT_EQ(scene.parts[1].color, "#ff0000");
+  EXPECT_EQ(scene.parts[2].color, "");
+  EXPECT_EQ(scene.parts[3].color, "");
+}
+
+TEST_F(FcstdTest, DatumPlanesInAssembliesAreNoParts) {
+  Document d;
+  d.add_shape("Box", located_box(kUnit, {}));
+  for (const std::string type : {"PartDesign::Plane", "Part::DatumPlane", "App::Plane"}) {
+    d.add_shape(type.substr(type.find(':') + 2) + type[0], located_box(kUnit, {}), "", type);
+  }
+  EXPECT_EQ(paths(read(d)), Paths{"Box"});
+}
+
 TEST_F(FcstdTest, BinaryShapesAreRead) {
   const TopoDS_Shape box = located_box(kUnit, {4, 5, 6});
   std::ostringstream out;

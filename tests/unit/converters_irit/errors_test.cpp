@@ -48,6 +48,13 @@ TEST(IritErrors, Numbers) {
   expect_error("[SURFACE BEZIER 2 2 E0 " + kPoints + "]", 1, "is not a type of points");
 }
 
+TEST(IritErrors, WildPoints) {
+  expect_error("[OBJECT A\n[SURFACE BEZIER 2 2 E3 [0 0 0] [1 0 0] [0 1e30 0] [1 1 0]]]", 2,
+               "a billion times farther out");
+  expect_error("[SURFACE BEZIER 2 2 P3 [1 0 0 0] [1 1 0 0] [4294967295 0 1 0] [1 1 1 0]]", 1,
+               "weights of control points from 1 to 4294967295");
+}
+
 TEST(IritErrors, Knots) {
   const auto surface = [](const std::string& u) {
     return "[SURFACE BSPLINE 2 2 2 2 E3\n" + u + "\n[KV 0 0 1 1] " + kPoints + "]";

@@ -6,7 +6,7 @@
 #include <burin/converters/irit_tree.h>
 #include <burin/forms/parametric/parametric_form.h>
 
-#include <burin_test/mesh_files.h>
+#include <burin_test/folder.h>
 #include <gtest/gtest.h>
 
 #include <string>

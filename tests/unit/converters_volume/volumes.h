@@ -4,7 +4,7 @@
 #include <burin/base/error.h>
 #include <burin/converters/volume_reader.h>
 
-#include <burin_test/command.h>
+#include <burin_test/folder.h>
 #include <burin_test/mesh_files.h>
 #include <fmt/format.h>
 #include <gtest/gtest.h>

@@ -28,6 +28,17 @@ Drawing full_drawing() {
   Path none;
   none.points = {{1, 2}};
   d.layers.push_back({"odd \n\t\"\\", {none}});
+  d.stats.verify.emplace();
+  d.stats.verify->spans = 12;
+  d.stats.verify->length = 345.6;
+  d.stats.verify->contradicted = 1.25;
+  d.stats.verify->count = 1;
+  d.stats.verify->contradictions.push_back({.what = "covered",
+                                            .kind = LineClass::Crease,
+                                            .source = {1, 2, 3},
+                                            .length = 1.25,
+                                            .at = {10.5, 20.25},
+                                            .model = {1, -2, 3e-7}});
   return d;
 }
 

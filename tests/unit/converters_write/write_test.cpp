@@ -40,6 +40,17 @@ TEST(WriteDrawing, FormatsHaveNames) {
   EXPECT_EQ(format_list(), ".svg, .pdf, .eps, .png, .dxf or .json");
 }
 
+TEST(Formats, KnowWhichKeysOfAStyleConcernThemAlone) {
+  EXPECT_EQ(only_format_of("png.dpi"), Format::Png);
+  EXPECT_EQ(only_format_of("svg.merge"), Format::Svg);
+  EXPECT_EQ(only_format_of("svg.fit_tolerance"), std::nullopt);  // curves of every format
+  EXPECT_EQ(only_format_of("line.outer"), std::nullopt);
+  EXPECT_TRUE(is_about_files("svg.fit_tolerance"));
+  EXPECT_TRUE(is_about_files("json.points3"));
+  EXPECT_TRUE(is_about_files("line.dash"));
+  EXPECT_FALSE(is_about_files("line.outer"));
+}
+
 TEST(WriteDrawing, SameBytesEachTimeForAnyNumberOfThreads) {
   const Drawing drawing = test::sample_drawing();
   for (const Format f : kAll) {

@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 #include <pugixml.hpp>
 
+#include <cctype>
 #include <cmath>
 #include <limits>
 #include <map>
@@ -31,6 +32,12 @@ pugi::xml_document parsed(const std::string& text) {
 }
 
 std::string attribute(const pugi::xml_node& node, const char* name) {
+  return node.attribute(name).value();
+}
+
+/// What SVG inherits: of the element or of the nearest group that says it.
+std::string inherited(pugi::xml_node node, const char* name) {
+  while (node && !node.attribute(name)) node = node.parent();
   return node.attribute(name).value();
 }
 
@@ -144,7 +151,7 @@ TEST(SvgWriter, PathsCarryTheirSource) {
   const auto layer = doc.select_node("//g[@id='contour']").node();
   EXPECT_EQ(attribute(layer, "stroke-linecap"), "round");
   EXPECT_EQ(attribute(layer, "stroke-linejoin"), "round");
-  EXPECT_EQ(attribute(layer, "fill"), "none");
+  EXPECT_EQ(inherited(layer, "fill"), "none");
 }
 
 TEST(SvgWriter, StraightLinesStayLinesAndYPointsDown) {
@@ -172,8 +179,8 @@ TEST(SvgWriter, StrokesOfVaryingWidthAreFilledOutlines) {
   const auto paths = doc.select_nodes("//g[@id='stroke-1']//path");
   ASSERT_EQ(paths.size(), 12u);
   for (std::size_t i = 0; i < paths.size(); ++i) {
-    EXPECT_EQ(attribute(paths[i].node(), "fill"), "#000");
-    EXPECT_EQ(attribute(paths[i].node(), "stroke"), "none");
+    EXPECT_EQ(inherited(paths[i].node(), "fill"), "#000");
+    EXPECT_EQ(inherited(paths[i].node(), "stroke"), "none");
     const Path& p = drawing.layers[0].paths[i];
     double ink = 0;
     for (std::size_t k = 1; k < p.points.size(); ++k) {
@@ -210,7 +217,7 @@ TEST(SvgWriter, FlattenGivesPlainPolylines) {
   const std::string points = attribute(circle, "points");
   EXPECT_EQ(points.substr(0, points.find(' ')), points.substr(points.rfind(' ') + 1));
   const auto stroke = doc.select_node("//polyline[@class='stroke']").node();
-  EXPECT_NEAR(stroke.attribute("stroke-width").as_double(), 0.3, 0.03);
+  EXPECT_NEAR(std::stod(inherited(stroke, "stroke-width")), 0.3, 0.03);
 }
 
 TEST(SvgWriter, NothingButPlainVectors) {
@@ -269,7 +276,7 @@ std::map<std::pair<std::string, std::string>, std::multiset<std::string>> subpat
     const std::string d = attribute(path, "d");
     for (std::size_t from = 0; from < d.size();) {
       const std::size_t to = std::min(d.find('M', from + 1), d.size());
-      out[{layer, attribute(path, "stroke-width")}].insert(d.substr(from, to - from));
+      out[{layer, inherited(path, "stroke-width")}].insert(d.substr(from, to - from));
       from = to;
     }
   }
@@ -293,6 +300,100 @@ TEST(Svg, MergedFilesHaveOneElementAPenAndTheSameInk) {
   const std::string merged = svg_text(drawing, {.merge = true});
   EXPECT_EQ(parsed(merged).select_nodes("//path").size(), 3u);
   EXPECT_EQ(subpaths(merged), subpaths(svg_text(drawing)));
+}
+
+/// The elements that Qt makes of path data: one a move, a line and a closing, three a curve.
+std::size_t elements(const std::string& d) {
+  std::size_t count = 0, numbers = 0;
+  char command = 0;
+  const auto finish = [&] {
+    if (command == 'M' || command == 'l') count += numbers / 2;
+    if (command == 'h' || command == 'v') count += numbers;
+    if (command == 'c') count += numbers / 2;
+    if (command == 'z') count += 1;
+    numbers = 0;
+  };
+  bool in_number = false;
+  for (const char c : d) {
+    if (std::isalpha(static_cast<unsigned char>(c)) != 0) {
+      finish();
+      command = c;
+      in_number = false;
+    } else if (c == ' ' || c == '-') {
+      in_number = c == '-';
+      if (in_number) ++numbers;
+    } else if (!in_number) {
+      in_number = true;
+      ++numbers;
+    }
+  }
+  finish();
+  return count;
+}
+
+/// A zigzag: as many lines as it has points less one.
+Path zigzag(int points, double width) {
+  Path line;
+  line.kind = LineClass::Crease;
+  line.width = {width};
+  for (int k = 0; k < points; ++k) line.points.emplace_back(10 + 0.01 * k, 10 + 3 * (k % 2));
+  return line;
+}
+
+TEST(Svg, NoMergedPathHasMoreElementsThanQtReads) {
+  Drawing drawing;
+  drawing.paper_width = drawing.paper_height = 1000;
+  drawing.layers = {{"crease", std::vector<Path>(200, zigzag(500, 0.35))}};
+  const std::string merged = svg_text(drawing, {.merge = true});
+  const pugi::xml_document doc = parsed(merged);
+  const auto paths = doc.select_nodes("//path");
+  EXPECT_EQ(paths.size(), 4u);  // 100,000 elements
+  std::size_t all = 0;
+  for (const auto& path : paths) {
+    all += elements(attribute(path.node(), "d"));
+    EXPECT_LE(elements(attribute(path.node(), "d")), 30'000u);
+  }
+  EXPECT_EQ(all, 100'000u);
+  EXPECT_EQ(subpaths(merged), subpaths(svg_text(drawing)));
+  EXPECT_EQ(doc.select_nodes("/svg/g/g/path").size(), 4u) << "a group a pen";
+}
+
+TEST(Svg, AMergedPathThatIsTooLongByItselfIsParted) {
+  for (const bool closed : {false, true}) {
+    for (const bool tapered : {false, true}) {
+      Path line = zigzag(35'000, 0.05);
+      line.closed = closed;
+      if (tapered) {
+        line.width.assign(line.points.size(), 0.05);
+        for (std::size_t i = 0; i < line.width.size(); i += 1000) line.width[i] = 0.2;
+      }
+      Drawing drawing;
+      drawing.paper_width = drawing.paper_height = 1000;
+      drawing.layers = {{"crease", {line}}};
+      const pugi::xml_document doc = parsed(svg_text(drawing, {.merge = true}));
+      std::size_t all = 0;
+      for (const auto& path : doc.select_nodes("//path")) {
+        const std::size_t count = elements(attribute(path.node(), "d"));
+        EXPECT_LE(count, 30'000u);
+        all += count;
+      }
+      EXPECT_GE(all, line.points.size());
+    }
+  }
+}
+
+TEST(Svg, MergedFilesTellWhereTheirInkIs) {
+  Drawing drawing;
+  drawing.paper_width = 100;
+  drawing.paper_height = 50;
+  Path line;
+  line.points = {{10, 5}, {30, 5}, {30, 40}};
+  line.width = {0.5};
+  drawing.layers = {{"crease", {line}}};
+  EXPECT_EQ(attribute(parsed(svg_text(drawing, {.merge = true})).child("svg"), "data-ink"),
+            "9.750 9.750 30.250 45.250");
+  drawing.layers.clear();
+  EXPECT_FALSE(parsed(svg_text(drawing, {.merge = true})).child("svg").attribute("data-ink"));
 }
 
 }  // namespace

@@ -50,6 +50,42 @@ TEST(Intersection, TwoComponentsOfOnePart) {
   EXPECT_NEAR(sum, 6, 1e-9);
 }
 
+/// A square of 2 about the origin, across x.
+TriMesh sheet_across_x(std::uint32_t n) {
+  return grid(n, n, false, false, [n](std::uint32_t i, std::uint32_t j) {
+    return Vec3(0, 2.0 * i / (n - 1) - 1, 2.0 * j / (n - 1) - 1);
+  });
+}
+
+TEST(Intersection, TwoOpenComponentsOfOnePart) {
+  const TriMesh upright = sheet_across_x(4);
+  const TriMesh across = mapped(upright, [](Vec3 p) { return Vec3(p.y, p.x + 0.1, 0.9 * p.z); });
+  const Looked s({joined(upright, across)}, {.direction = {1, -1, 1}});
+  double sum = 0;
+  for (const Curve3& c : s.of(LineClass::Intersection)) {
+    sum += length(c);
+    for (const Vec3& p : c.points) EXPECT_NEAR(std::hypot(p.x, p.y - 0.1), 0, 1e-12);
+    for (const auto hidden : c.self_hidden) EXPECT_EQ(hidden, 0);
+  }
+  EXPECT_NEAR(sum, 1.8, 1e-9);
+}
+
+// Every triangle on its own and across each other: what damaged files make.
+TEST(Intersection, OfTooManyOpenPiecesAreLeftOutAndTold) {
+  TriMesh all;
+  for (int i = 0; i < 500; ++i) {
+    const TriMesh one{{{-1, 0, -1}, {1, 0, -1}, {0, 0, 1}}, {{0, 1, 2}}};
+    const double turn = 0.01 * i;
+    all = joined(all, mapped(one, [turn](Vec3 p) {
+                   return Vec3(std::cos(turn) * p.x, std::sin(turn) * p.x + 1e-4 * p.z, p.z);
+                 }));
+  }
+  const Looked s({all}, {.direction = {1, -1, 1}});
+  EXPECT_TRUE(s.of(LineClass::Intersection).empty());
+  ASSERT_EQ(s.diagnostics.entries().size(), 1u);
+  EXPECT_EQ(s.diagnostics.entries()[0].code, "feature.open_pieces");
+}
+
 TEST(Intersection, TwoCylinders) {
   const std::uint32_t n = 180;
   const double big = 4, small = 3;

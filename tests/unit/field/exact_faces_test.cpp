@@ -45,7 +45,7 @@ struct Exact {
   Exact(ProxyMesh proxy, Framed::Frames frames, const field::SmoothedOptions& options = {})
       : surface(std::move(proxy), std::move(frames)), field({&surface}, options, RunContext()) {}
   Vec3 at(const Probe& p, int family = 1) const {
-    const auto d = field.direction(p.query(family));
+    const auto d = test::direction(field, p.query(family));
     EXPECT_TRUE(d);
     return d.value_or(Vec3(0));
   }

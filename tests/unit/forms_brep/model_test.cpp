@@ -2,6 +2,7 @@
 
 #include "brep_checks.h"
 
+#include <BRepAlgoAPI_Fuse.hxx>
 #include <BRepBuilderAPI_MakeEdge.hxx>
 #include <BRepBuilderAPI_MakeFace.hxx>
 #include <BRepBuilderAPI_MakeVertex.hxx>
@@ -269,6 +270,22 @@ TEST(BrepBroken, EdgesWithThreeFacesArePartedIntoManifolds) {
   // The box itself stays closed: the two flaps have the open half-edges, at most four each.
   EXPECT_LE(open_half_edges(*mesh), 8);
   EXPECT_GE(open_half_edges(*mesh), 6);
+}
+
+TEST(BrepBroken, SheetsThatTouchAtAPointAloneArePartedThere) {
+  // Two boxes with one corner in common, as one body: all edges are manifold, the corner is not.
+  const TopoDS_Shape fused =
+      BRepAlgoAPI_Fuse(box_shape(1, 1, 1),
+                       BRepPrimAPI_MakeBox(gp_Pnt(1, 1, 1), 1.0, 2.0, 3.0).Shape())
+          .Shape();
+  const ModelPtr model = make_brep_model(fused);
+  ASSERT_EQ(model->face_count(), 12u);
+  RunContext context;
+  const auto mesh = model->tessellate(1e-2, context, nullptr);
+  EXPECT_EQ(mesh->positions.size(), 16u);
+  EXPECT_NO_THROW(build_topology({mesh->positions, mesh->triangles}, context));
+  EXPECT_EQ(open_half_edges(*mesh), 0);
+  EXPECT_NEAR(volume(*mesh), 7, 1e-9);
 }
 
 TEST(BrepBroken, InsideOutSolidsAreTurned) {

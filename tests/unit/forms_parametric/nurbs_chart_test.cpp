@@ -176,13 +176,13 @@ TEST(NurbsChart, WrapsPeriodsAndClampsBorders) {
 
 TEST(NurbsChart, KnowsWhereItIsNotSmooth) {
   const auto torus = make_nurbs_chart(test::torus_nurbs(10, 3));
-  EXPECT_EQ(torus->breaks(0), (std::vector<double>{1, 2, 3}));
+  EXPECT_EQ(torus->breaks(0, 2), (std::vector<double>{1, 2, 3}));
   NurbsData data = test::random_nurbs(3, 3, 8, 8, false, true, 4);
   data.knots_u = {0, 0, 0, 0, 1, 2, 2, 3, 4, 4, 4, 4};
   data.knots_v = {0, 0, 0, 0, 1, 2, 2 + 1e-14, 3, 4, 4, 4, 4};
   const auto chart = make_nurbs_chart(data);
-  EXPECT_EQ(chart->breaks(0), (std::vector<double>{2}));
-  EXPECT_EQ(chart->breaks(1), (std::vector<double>{2}));
+  EXPECT_EQ(chart->breaks(0, 2), (std::vector<double>{2}));
+  EXPECT_EQ(chart->breaks(1, 2), (std::vector<double>{2}));
   EXPECT_LT(glm::length(chart->derivatives({2, 2}).vv), 100);
   EXPECT_EQ(nurbs_data(*chart)->knots_u, data.knots_u);
 }
@@ -210,7 +210,7 @@ TEST(NurbsChart, UnclampedPeriodicKnots) {
   // At knots a uniform cubic passes through (1, 4, 1) / 6.
   const Vec3 expected = (data.points[2] + 4.0 * data.points[4] + data.points[6]) / 6.0;
   EXPECT_LT(glm::distance(chart->position({4, 0}), expected), 1e-15);
-  EXPECT_TRUE(chart->breaks(0).empty());
+  EXPECT_TRUE(chart->breaks(0, 2).empty());
 }
 
 TEST(NurbsChart, StaysExactFarFromTheOrigin) {
@@ -264,6 +264,23 @@ TEST(NurbsChart, RefusesBrokenData) {
             std::string::npos);
   EXPECT_NE(message([](NurbsData& d) { d.periodic_v = true; }).find("does not close"),
             std::string::npos);
+}
+
+TEST(NurbsChart, RefusesPointsAndWeightsABillionTimesFartherOutThanTheOthers) {
+  const NurbsData good = test::random_nurbs(3, 2, 6, 6, true, true, 2);
+  NurbsData far = good;
+  far.points[9].z = 1e30;
+  EXPECT_THROW(make_nurbs_chart(far), GeometryError);
+  NurbsData heavy = good;
+  heavy.weights[9] = 4294967295.0 * heavy.weights[8];
+  EXPECT_THROW(make_nurbs_chart(heavy), GeometryError);
+  // A surface of any size is good, and so is one with most of its points in one place.
+  NurbsData large = good;
+  for (Vec3& p : large.points) p *= 1e30;
+  EXPECT_NO_THROW(make_nurbs_chart(large));
+  NurbsData gathered = good;
+  for (std::size_t i = 0; i + 6 < gathered.points.size(); ++i) gathered.points[i] = Vec3(1);
+  EXPECT_NO_THROW(make_nurbs_chart(gathered));
 }
 
 }  // namespace

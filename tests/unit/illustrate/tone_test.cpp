@@ -1,4 +1,4 @@
-// The ink on paper is the tone that was asked for: the measure of issue "strokes and tone".
+// The ink on paper is the tone that was asked for.
 #include <burin/camera/camera.h>
 #include <burin/forms/mesh/mesh_form.h>
 #include <burin/illustrate/illustrate.h>

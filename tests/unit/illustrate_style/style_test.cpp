@@ -1,11 +1,14 @@
 #include <burin/base/error.h>
 #include <burin/base/nearest.h>
 #include <burin/illustrate/style.h>
+#include <burin/stroke/stroke.h>
+#include <burin/tone/tone.h>
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
 #include <functional>
+#include <map>
 #include <set>
 
 namespace burin {
@@ -35,7 +38,7 @@ TEST(Style, EveryMemberHasOneKey) {
     EXPECT_FALSE(key.value.empty());
   }
   EXPECT_EQ(names.size(), keys.size());
-  EXPECT_EQ(keys.size(), 9u + 7u + 18u + 6u + 5u + 3u + 1u + 2u + 1u);
+  EXPECT_EQ(keys.size(), 9u + 7u + 18u + 6u + 5u + 3u + 1u + 2u + 1u + 1u);
 }
 
 TEST(Style, KeysTakeTheirOwnValues) {
@@ -98,6 +101,41 @@ TEST(Style, MinimaStayBelowMaxima) {
   Style s;
   set_style_key(s, "hatch.spacing_min", "5");
   EXPECT_TRUE(contains(usage_message([&] { check_style(s); }), "hatch.spacing_max"));
+}
+
+/// Every key of a style with its value.
+std::map<std::string, std::string> values_of(const Style& style) {
+  std::map<std::string, std::string> out;
+  for (const StyleKeyInfo& key : style_keys(style)) out[key.key] = key.value;
+  return out;
+}
+
+TEST(Style, IsTechnicalByDefault) {
+  EXPECT_EQ(Style().name, "technical");
+  EXPECT_EQ(values_of(Style()), values_of(builtin_style(Style().name)));
+  EXPECT_EQ(values_of(parse_style("{}", "empty.json")), values_of(Style()));
+}
+
+TEST(Style, HatchesAndLightsAsTheirRoomsDoByDefault) {
+  const auto style = Style().hatch;
+  const HatchOptions hatch;
+  EXPECT_EQ(style.spacing_min, hatch.spacing_min);
+  EXPECT_EQ(style.spacing_max, hatch.spacing_max);
+  EXPECT_EQ(style.width_min, hatch.width_min);
+  EXPECT_EQ(style.width_max, hatch.width_max);
+  EXPECT_EQ(style.tone_min, hatch.tone_min);
+  EXPECT_EQ(style.cross_from, hatch.cross_from);
+  EXPECT_EQ(style.length_min, hatch.length_min);
+  EXPECT_EQ(style.length_max, hatch.length_max);
+  EXPECT_EQ(style.taper, hatch.taper);
+  EXPECT_EQ(style.foreshortening, hatch.foreshortening);
+  const auto tone = Style().tone;
+  const tone::LambertOptions light;
+  EXPECT_EQ(tone.light, light.light);
+  EXPECT_EQ(tone.ambient, light.ambient);
+  EXPECT_EQ(tone.diffuse, light.diffuse);
+  EXPECT_EQ(tone.highlight, light.highlight);
+  EXPECT_EQ(tone.rim, light.rim);
 }
 
 TEST(Style, PresetsDiffer) {

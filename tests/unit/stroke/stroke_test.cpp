@@ -52,8 +52,13 @@ struct Stage {
   ViewProbe probe;
 };
 
-constexpr HatchOptions kOneFamily{
-    .spacing_min = 0.8, .spacing_max = 1.6, .width_min = 0.1, .cross_from = 2};
+constexpr HatchOptions kOneFamily{.spacing_min = 0.8,
+                                  .spacing_max = 1.6,
+                                  .width_min = 0.1,
+                                  .width_max = 0.5,
+                                  .tone_min = 0.05,
+                                  .cross_from = 2,
+                                  .length_max = 300};
 
 TEST(Strokes, AreEvenlySpacedAndAsWideAsTheToneAsksOnAPlane) {
   // The front of a box of 60 x 40 mm, hatched upright with 30 % of ink.
@@ -86,6 +91,25 @@ TEST(Strokes, AreEvenlySpacedAndAsWideAsTheToneAsksOnAPlane) {
     EXPECT_GE(at[i] - at[i - 1], 0.8 * 0.9);
     EXPECT_LE(at[i] - at[i - 1], 0.8 * 2.01);
   }
+}
+
+// A damaged file is a crowd of sheets over each other: candidates for seeds are as many as the
+// picture can use, and the caller can tell.
+TEST(Strokes, TryABoundedNumberOfPlacesWhereManySheetsLieOverEachOther) {
+  TriMesh mesh;
+  for (int i = 0; i < 400; ++i) {
+    const auto v = static_cast<std::uint32_t>(mesh.positions.size());
+    const double y = 0.01 * i;
+    mesh.positions.insert(mesh.positions.end(), {{0, y, 0}, {60, y, 0}, {60, y, 40}, {0, y, 40}});
+    mesh.triangles.push_back({v, v + 1, v + 2});
+    mesh.triangles.push_back({v, v + 2, v + 3});
+  }
+  Stage stage(std::move(mesh), "front", 1);
+  const StrokeResult r = stage.strokes(field::fixed({0, 0, 1}), 0.7, kOneFamily);
+  EXPECT_EQ(r.thinned_parts, 1);
+  EXPECT_GT(r.strokes.size(), 30U);
+  Stage one(test::box({0, 0, 0}, {60, 5, 40}), "front", 1);
+  EXPECT_EQ(one.strokes(field::fixed({0, 0, 1}), 0.7, kOneFamily).thinned_parts, 0);
 }
 
 TEST(Strokes, CircleAroundATurnedPart) {

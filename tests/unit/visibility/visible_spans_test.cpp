@@ -1,9 +1,11 @@
 #include <burin/base/parallel.h>
+#include <burin/mesh/chord_error.h>
 
 #include <burin_test/view.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <optional>
 #include <span>
 #include <utility>
 #include <vector>
@@ -58,6 +60,56 @@ TEST(VisibleSpans, ShowsNineEdgesOfABox) {
     const View view({test::box({0, 0, 0}, {1, 1, 1})}, options);
     EXPECT_NEAR(visible_length(view), 9, 1e-9);
   }
+}
+
+// So many lines to and fro in front of a box, drawn with it.
+struct Crowd {
+  explicit Crowd(int count) {
+    ViewOptions options;
+    options.direction = {0, 0, 1};
+    options.up = {0, 1, 0};
+    view.emplace(std::vector{test::box({-1, -1, -2}, {1, 1, -1})}, options);
+    for (int i = 0; i < count; ++i) {
+      const double at = -1 + 2 * (i + 0.5) / count;
+      Curve3 across, up;
+      across.points = {{-1, at, 0}, {1, at, 0}};
+      up.points = {{at, -1, 0}, {at, 1, 0}};
+      for (Curve3* line : {&across, &up}) {
+        line->kind = LineClass::Boundary;
+        line->occluding = true;
+        line->source = {0, 0, -1};
+        lines.push_back(*line);
+      }
+    }
+    map.emplace(*view->occluder, view->pointers, view->camera, lines, view->context);
+  }
+  void expect_all_seen() const {
+    for (const auto& spans : map->classify(lines, {}, view->context)) {
+      ASSERT_EQ(spans.size(), 1U);  // all of it is in front of the box
+      EXPECT_TRUE(spans[0].visible);
+    }
+  }
+  std::optional<View> view;
+  std::vector<Curve3> lines;
+  std::optional<VisibilityMap> map;
+};
+
+// What a damaged file makes: lines that cross each other more than two million times. Each crossing
+// may change what is seen and would want rays of its own.
+TEST(VisibleSpans, MergesCutsWhereLinesCrossEachOtherMillionsOfTimes) {
+  EXPECT_EQ(Crowd(1).map->merged_cuts(), 0);
+  const Crowd crowd(1100);
+  EXPECT_GT(crowd.map->merged_cuts(), 0.05);  // 2200 lines of 190 mm in half a million pieces
+  EXPECT_LT(crowd.map->merged_cuts(), 1);
+  crowd.expect_all_seen();
+}
+
+// Of more than a hundred million pairs of lines none is looked for.
+TEST(VisibleSpans, CutsEvenlyWhereCrossingsCannotBeCounted) {
+  const Crowd crowd(8000);
+  EXPECT_GT(crowd.map->merged_cuts(), 20);  // 16,000 lines of 190 mm in a hundred thousand pieces
+  EXPECT_LT(crowd.map->merged_cuts(), 40);
+  crowd.expect_all_seen();
 }
 
 // Two boxes along x, looked at from +x and a little from above: the far one rises behind the near
@@ -419,6 +471,93 @@ TEST(VisibleSpans, FindsWhereALineEntersASurface) {
   ASSERT_EQ(spans.size(), 2u);
   EXPECT_FALSE(spans[0].visible);
   EXPECT_NEAR(test::point_at(rod, spans[1].begin).z, 0, 1e-3);
+}
+
+// A line on a ball of facets that runs a little lower along its middle, as edges of a CAD file may
+// lie off its faces: within a few chord errors that is its own surface, farther in it is hidden.
+TEST(VisibleSpans, IsNotHiddenByWhatItNeverGetsClearOf) {
+  const View view({test::ellipsoid({1, 1, 1}, 64, 32)}, {.direction = {0, 0, 1}, .up = {0, 1, 0}});
+  const auto seen = [&](double chord_errors) {
+    constexpr int kSegments = 60;
+    Curve3 line;
+    line.kind = LineClass::Crease;
+    line.source.part = 0;
+    for (int i = 0; i <= kSegments; ++i) {
+      const double angle = -0.6 + 1.2 * i / kSegments;
+      const Vec3 out = glm::normalize(Vec3(std::sin(angle), 0.15, std::cos(angle)));
+      const auto hit = view.occluder->first_hit(out * 2.0, -out, 0, 2);
+      if (!hit) return -1.0;
+      const auto face = static_cast<std::int32_t>(hit->where.face);
+      const double error = chord_error(view.proxies[0], hit->where.face);
+      const bool low = std::abs(angle) < 0.2;
+      line.points.push_back(view.proxies[0].position(hit->where.face, hit->bary) -
+                            (low ? chord_errors * error : 0) * out);
+      line.normals.push_back(out);
+      if (i < kSegments) line.faces.push_back(face);
+    }
+    double length = 0;
+    for (const Span& s : view.classify(line)) {
+      if (s.visible) length += test::paper_length(view.camera, line, s.begin, s.end);
+    }
+    return length / test::paper_length(view.camera, line, 0, kSegments);
+  };
+  EXPECT_NEAR(seen(0), 1, 1e-9);
+  EXPECT_NEAR(seen(4), 1, 1e-9);
+  EXPECT_NEAR(seen(40), 1 - std::sin(0.2) / std::sin(0.6), 0.1);
+}
+
+// A coarse ball with a plate through it, under a skin nearer than the chord error of both: where
+// ball and plate pass through each other lies on the facets and is hidden, however coarse they are.
+TEST(VisibleSpans, HidesAnIntersectionRightUnderAnotherSheet) {
+  const View view({test::ellipsoid({10, 10, 10}, 16, 8), test::box({-12, -12, -1}, {12, 12, 1}),
+                   test::ellipsoid({10.1, 10.1, 10.1}, 16, 8)},
+                  {.direction = {1, -1, 1}});
+  double under = 0, over = 0;
+  for (std::size_t c = 0; c < view.features.size(); ++c) {
+    const Curve3& curve = view.features[c];
+    if (curve.kind != LineClass::Intersection) continue;
+    for (const Span& s : view.spans[c]) {
+      if (!s.visible) continue;
+      (curve.source.part == 0 ? under : over) +=
+          test::paper_length(view.camera, curve, s.begin, s.end);
+    }
+  }
+  EXPECT_EQ(under, 0);  // of the ball and the plate
+  EXPECT_GT(over, 50);  // of the plate and the skin
+}
+
+// A stroke goes round an open tube and a mm and more of paper on beyond its fold, as the tracer
+// lets it: it never crosses the contour in the picture, yet it ends there.
+TEST(VisibleSpans, AStrokeOnAnOpenSheetEndsAtItsFold) {
+  constexpr std::uint32_t kAround = 96, kUp = 40;
+  const View view({test::grid(kAround, kUp, true, false,
+                              [](std::uint32_t i, std::uint32_t j) {
+                                const double u = 2 * test::kPi * i / kAround;
+                                return Vec3(50 * std::cos(u), 50 * std::sin(u), 2.5 * j);
+                              })},
+                  {.direction = {0, -1, 0.2}, .scale = 1});
+  Curve3 stroke;
+  stroke.kind = LineClass::Stroke;
+  stroke.source.part = 0;
+  constexpr int kSegments = 60;
+  constexpr double kBeyond = 0.25;  // radians: 1.5 mm of paper
+  for (int i = 0; i <= kSegments; ++i) {
+    const double u = -0.6 + (0.6 + kBeyond) * i / kSegments;
+    const Vec3 out(std::cos(u), std::sin(u), 0);
+    stroke.points.push_back(50.0 * out + Vec3(0, 0, 50));
+    stroke.normals.push_back(out);
+    const auto hit = view.occluder->first_hit(stroke.points.back() + 5.0 * out, -out, 0, 10);
+    ASSERT_TRUE(hit);
+    if (i < kSegments) stroke.faces.push_back(static_cast<std::int32_t>(hit->where.face));
+  }
+  const auto spans = view.classify(stroke);
+  ASSERT_EQ(spans.size(), 2u);
+  EXPECT_TRUE(spans[0].visible);
+  EXPECT_FALSE(spans[1].visible);
+  EXPECT_LT(std::abs(test::point_at(stroke, spans[0].end).x - 50), 0.1);
+  EXPECT_LT(
+      test::paper_length(view.camera, stroke, spans[0].end, kSegments * 0.6 / (0.6 + kBeyond)),
+      0.1);
 }
 
 // --- slices

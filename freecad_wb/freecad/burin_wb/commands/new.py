@@ -1,10 +1,12 @@
-"""New illustration of the selection."""
+"""New illustration of the selection, or of all that is shown."""
 
+import FreeCAD
 import FreeCADGui as Gui
 
 from .. import preferences
-from ..features import is_illustration, make_illustration
-from ..features.sources import collect
+from ..features import is_illustration, make_illustration, visible
+from ..features.shown import is_shown
+from ..features.sources import is_aid, survey
 from ..view.text import tr
 from .base import Command, Refused
 from ..tasks import show
@@ -15,20 +17,20 @@ from .view import camera_of, set_view
 class NewIllustration(Command):
     name = "Burin_NewIllustration"
     text = "New illustration"
-    tip = "Draws the selected parts, bodies, meshes or assemblies as the 3-D view shows them"
+    tip = "Draws the selected parts, bodies, meshes or assemblies (nothing selected: all that are shown) as the 3-D view shows them"
     icon = "burin_new.svg"
     accel = "U, N"
     needs_kernel = True
 
     def possible(self):
-        return bool(Gui.Selection.getSelection())
+        return bool(Gui.Selection.getSelection()) or any(may_be_drawn(o) for o in FreeCAD.ActiveDocument.Objects)
 
     def run(self, document):
-        sources = selected_sources()
+        sources = selected_sources() or [(o, ("",)) for o in visible(document)]
         if not sources:
-            raise Refused(tr("select the parts, bodies, meshes or assemblies to be drawn first"))
-        parts, notes = collect(sources)
-        if not parts:
+            raise Refused(tr("nothing to draw: show or select the parts, bodies, meshes or assemblies to be drawn first"))
+        pieces, notes = survey(sources)
+        if not pieces:
             raise Refused(tr("nothing to draw: {0}").format("; ".join(notes) or tr("the selection has no visible shape")))
         obj = make_illustration(document, sources)
         preferences.apply_to(obj)
@@ -39,6 +41,11 @@ class NewIllustration(Command):
         Gui.Selection.clearSelection()
         Gui.Selection.addSelection(obj)
         show(IllustrationPanel(obj))
+
+
+def may_be_drawn(obj):
+    """Whether an object is shown and of a kind that has shapes. Quick: asked at every change of the selection."""
+    return (obj.isDerivedFrom("App::GeoFeature") or obj.isDerivedFrom("App::Link")) and is_shown(obj) and not is_aid(obj)
 
 
 def selected_sources():

@@ -48,14 +48,26 @@ class PlaceOnPage(Command):
         document.recompute()
         if page.ViewObject is not None:
             page.ViewObject.show()
-            _fit_when_shown()
+            _when_shown(page)
 
 
-def _fit_when_shown():
+def _when_shown(page):
+    """Fits the view, and looks whether the symbols have their true size, once the page's window stands."""
     import FreeCADGui as Gui
     from PySide import QtCore
 
-    QtCore.QTimer.singleShot(100, lambda: Gui.SendMsgToActiveView("ViewFit"))
+    from ..view import page_scale
+
+    key = page.Document.Name, page.Name
+
+    def then():
+        Gui.SendMsgToActiveView("ViewFit")
+        if key[0] in FreeCAD.listDocuments():
+            shown = FreeCAD.getDocument(key[0]).getObject(key[1])
+            if shown is not None:
+                page_scale.check(shown)
+
+    QtCore.QTimer.singleShot(100, then)
 
 
 COMMANDS = [PlaceOnPage()]

@@ -55,6 +55,7 @@ class Picker:
 
     def __init__(self, obj, view):
         self.obj, self.view = obj, view
+        self._names = obj.Document.Name, obj.Name
         # Lines are clicked where they are seen: before the model as long as this lasts.
         self._plane = obj.ViewObject.Plane
         obj.ViewObject.Plane = BEFORE
@@ -63,15 +64,21 @@ class Picker:
 
     def stop(self):
         global picker
-        if self._callback is not None:
-            self.view.removeEventCallback("SoEvent", self._callback)
-            self._callback = None
-            try:
-                self.obj.ViewObject.Plane = self._plane
-            except (AttributeError, ReferenceError):  # deleted meanwhile
-                pass
         if picker is self:
             picker = None
+        if self._callback is None:
+            return
+        callback, self._callback = self._callback, None
+        for leave in (lambda: self.view.removeEventCallback("SoEvent", callback),
+                      lambda: setattr(self.obj.ViewObject, "Plane", self._plane)):
+            try:
+                leave()
+            except (AttributeError, NameError, ReferenceError, RuntimeError):  # the view or the document is gone
+                pass
+
+    def is_of(self, document, obj=None):
+        """Whether it waits for clicks on an illustration, or on any of a document."""
+        return self._names[0] == document.Name and (obj is None or self._names[1] == obj.Name)
 
     def _event(self, event):
         if event.get("Type") == "SoKeyboardEvent" and event.get("Key") == "ESCAPE":

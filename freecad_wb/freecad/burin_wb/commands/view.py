@@ -5,6 +5,7 @@ import collections
 import FreeCAD
 import FreeCADGui as Gui
 
+from ..features.sources import from_the_top
 from ..view.text import tr
 from .base import Command, Group, Refused, selected_illustrations
 
@@ -83,23 +84,31 @@ class ViewFromFace(Command):
     icon = "burin_view_face.svg"
 
     def possible(self):
-        return bool(selected_illustrations()) and _selected_face() is not None
+        return bool(selected_illustrations()) and any(_selected_faces())
 
     def run(self, document):
-        face = _selected_face()
-        if face is None:
+        chosen = next(_selected_faces(), None)
+        if chosen is None:
             raise Refused(tr("select a face too"))
+        face = face_of(*chosen)
         for obj in selected_illustrations():
             set_view(obj, of_face(face))
         document.recompute()
 
 
-def _selected_face():
-    for chosen in Gui.Selection.getSelectionEx():
-        for shape in chosen.SubObjects:
-            if shape.ShapeType == "Face":
-                return shape
-    return None
+def _selected_faces():
+    """Selected faces by their ways from the outermost assembly or link, each of which may move and turn them."""
+    for chosen in Gui.Selection.getSelectionEx("", 0):
+        for sub in chosen.SubElementNames:
+            if sub.rpartition(".")[2].startswith("Face"):
+                yield chosen.Object, sub
+
+
+def face_of(obj, sub):
+    """A face by its way ('Inner.Box.Face3') from `obj`, in global coordinates."""
+    import Part
+
+    return Part.getShape(*from_the_top(obj, sub), needSubElement=True, transform=True)
 
 
 class Standard(Command):

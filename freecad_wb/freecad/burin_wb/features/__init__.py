@@ -2,7 +2,8 @@
 `freecad.burin_wb.features.Illustration`, `.SheetView` and `.FlatEdges`."""
 
 from .flat_edges import FlatEdges, make_flat_edges
-from .illustration import Illustration, is_illustration, make_illustration, repair
+from .illustration import Illustration, is_illustration, make_illustration
+from .repair import repair
 from .sources import visible
 from .sheet_view import SheetView, place_on_page
 

@@ -21,6 +21,7 @@ class FlatEdges:
 
     def onDocumentRestored(self, obj):
         ensure(obj, FLAT_EDGES)
+        _show_plainly(obj)
 
     def execute(self, obj):
         import Part
@@ -49,6 +50,12 @@ class FlatEdges:
     __setstate__ = loads
 
 
+def _show_plainly(flat):
+    """Without a view provider of its own FreeCAD shows a shape only where that is said."""
+    if flat.ViewObject is not None and flat.ViewObject.Proxy is None:
+        flat.ViewObject.Proxy = 0
+
+
 def fit(view, flat, sheet):
     """Puts a TechDraw view over the illustration's own view on the same page, else leaves its place alone."""
     if view.Scale != sheet.scale:
@@ -73,8 +80,8 @@ def make_flat_edges(page, illustration, name="IllustrationLines"):
     flat = document.addObject("Part::FeaturePython", name)
     FlatEdges(flat)
     flat.Illustration = illustration
+    _show_plainly(flat)
     if flat.ViewObject is not None:
-        flat.ViewObject.Proxy = 0
         flat.ViewObject.Visibility = False  # on the page, not in the model
     view = document.addObject("TechDraw::DrawViewPart", name + "View")
     view.Source = [flat]

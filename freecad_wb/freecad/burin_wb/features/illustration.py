@@ -7,16 +7,14 @@ import tempfile
 import FreeCAD
 
 from .. import worker
-from ..job import Job, Refused
+from ..job import Job, Refused, shortened
 from . import styles
 from .properties import ILLUSTRATION, ensure, is_newer
-from .sources import collect, from_the_top, invalid
+from .shapes import shapes
+from .sources import collect, from_the_top
 
 
 _worker = worker.Worker()
-
-# What the kernel says of parts and notes may be long; this many are shown.
-SHOWN = 6
 
 
 def run_to_end(obj, job, finish):
@@ -34,6 +32,17 @@ def run_to_end(obj, job, finish):
 scheduler = run_to_end
 
 
+def ready(obj):
+    """Whether the shapes of an illustration can be written now. The GUI replaces it by one that writes them a few at a
+    time, and executes the illustration again when all are."""
+    return True
+
+
+def settle(obj):
+    """Waits for the run of an illustration that is under way; whether it has ended. The GUI replaces it."""
+    return True
+
+
 class Illustration:
     """The Proxy of an illustration. Documents name it as freecad.burin_wb.features.Illustration."""
 
@@ -47,6 +56,7 @@ class Illustration:
     def onDocumentRestored(self, obj):
         self._restored = True
         ensure(obj, ILLUSTRATION)
+        part_files(obj)
         _dress(obj)
         if is_newer(obj):
             FreeCAD.Console.PrintWarning(f"{obj.Label}: {NEWER}\n")
@@ -55,6 +65,8 @@ class Illustration:
         if is_newer(obj):
             FreeCAD.Console.PrintWarning(f"{obj.Label}: {NEWER}\n")
             return
+        if not ready(obj):
+            return
         try:
             job = make_job(obj)
         except Refused as why:
@@ -62,14 +74,16 @@ class Illustration:
             return
         exact = job.exact_fingerprint()
         if self._is_drawn(obj, job, exact):
-            if obj.Message.endswith(KEPT):
-                obj.Message = shortened(job.notes + messages_of(obj.Drawing))
+            self._take_as_drawn(obj, job, exact)
             return
 
         def finish(result, error):
             if error is None:
                 try:
-                    keep(obj, result, exact)
+                    if result.drawing is None:
+                        self._take_as_drawn(obj, job, exact)
+                    else:
+                        keep(obj, result, exact)
                     return
                 except OSError as failure:
                     error = (f"the drawing cannot be kept in the document ({reason(failure)}); make room on the disk or save "
@@ -87,12 +101,21 @@ class Illustration:
             return True
         if not self._restored:
             return False
-        # Shapes come back from a file with other bytes.
+        # Shapes come back from a file with other bytes; to see that they are the same takes a while.
         self._restored = False
-        if kept != job.fingerprint():
+        if getattr(scheduler, "beside", False):
+            job.unless = kept
             return False
-        obj.Inputs = exact + ":" + kept
-        return True
+        return kept == job.fingerprint()
+
+    @staticmethod
+    def _take_as_drawn(obj, job, exact):
+        """The kept drawing is the one of this job."""
+        kept_exact, _, kept = obj.Inputs.partition(":")
+        if kept_exact != exact:
+            obj.Inputs = exact + ":" + kept
+        if obj.Message.endswith(KEPT):
+            obj.Message = shortened(job.notes + messages_of(obj.Drawing))
 
     def dumps(self):
         return None
@@ -118,18 +141,16 @@ KEPT = "; the drawing shown is the one before"
 
 
 def messages_of(drawing):
-    """What the kernel had to say of a kept drawing."""
+    """What the kernel had to say of a kept drawing. Reads the end of the file alone, which may be long."""
     with open(drawing, encoding="utf-8") as file:
-        return [d["message"] for d in json.load(file).get("diagnostics", ())]
+        text = file.read()
+    _, said, rest = text.rpartition('"diagnostics": ')
+    return [d["message"] for d in json.JSONDecoder().raw_decode(rest)[0]] if said else []
 
 
 def tell(obj, error):
     """A run did not end with a drawing: the one before stays."""
     text = str(error)
-    if isinstance(error, worker.Failed):
-        faulty = invalid(obj.Sources)
-        if faulty:
-            text += "; faulty shapes (see Part > Check geometry): " + shortened(faulty, ", ")
     if obj.Drawing:
         text += KEPT
     obj.Message = text
@@ -142,11 +163,6 @@ def reason(error):
     return said["sErrMsg"] if isinstance(said, dict) and "sErrMsg" in said else str(error)
 
 
-def shortened(texts, between="; "):
-    shown = between.join(texts[:SHOWN])
-    return shown if len(texts) <= SHOWN else f"{shown}{between}and {len(texts) - SHOWN} more"
-
-
 def is_illustration(obj):
     return isinstance(getattr(obj, "Proxy", None), Illustration)
 
@@ -156,6 +172,7 @@ def make_job(obj):
     if not obj.Sources:
         raise Refused("nothing to draw: Sources is empty; choose parts, bodies, meshes or assemblies there")
     parts, notes = collect(obj.Sources, obj.Looks)
+    shapes.trim()
     if not parts:
         raise Refused("nothing to draw: " + shortened(notes))
     style = styles.resolve(obj.Style, obj.Document)
@@ -193,10 +210,30 @@ def _include(obj, name, data, suffix):
     try:
         with os.fdopen(handle, "wb") as out:
             out.write(data)
-        setattr(obj, name, path)
+        # By a name of its own each time: copies of documents have files of the same names, and where objects are
+        # copied from one to the other these must be the same files.
+        setattr(obj, name, (path, os.path.basename(path)))
     finally:
         if os.path.exists(path):
             os.unlink(path)
+
+
+def part_files(obj):
+    """A copy of an object comes with the very files of its original, and each would write over or delete those of the
+    other: gives the copy its own."""
+    for name, suffix in (("Drawing", ".json"), ("Picture", ".svg")):
+        path = getattr(obj, name)
+        if not path or not os.path.exists(path):
+            continue
+        if not any(getattr(other, name, "") == path for other in obj.Document.Objects if other is not obj):
+            continue
+        with open(path, "rb") as file:
+            data = file.read()
+        mode = os.stat(path).st_mode
+        _include(obj, name, data, suffix)  # takes the file away with it
+        with open(path, "wb") as file:
+            file.write(data)
+        os.chmod(path, mode)
 
 
 def make_illustration(document, sources, name="Illustration"):
@@ -212,13 +249,3 @@ def _whole(obj, subs):
     subs = (subs,) if isinstance(subs, str) else tuple(subs) or ("",)
     tops = [from_the_top(obj, sub) for sub in subs]
     return tops[0][0], tuple(sub for _, sub in tops)
-
-
-def repair(document):
-    """Gives illustrations that were saved without the add-on their behaviour back. Returns them."""
-    lost = [o for o in document.Objects if getattr(o, "Proxy", 0) is None
-            and {"Sources", "Drawing", "Inputs", "Schema"} <= set(o.PropertiesList)]
-    for obj in lost:
-        obj.Proxy = Illustration.__new__(Illustration)
-        obj.Proxy.onDocumentRestored(obj)
-    return lost

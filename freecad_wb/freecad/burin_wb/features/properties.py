@@ -41,11 +41,13 @@ ILLUSTRATION = (
     Row("Message", "App::PropertyString", "Result", "", "What the last run had to say"),
     Row("Schema", "App::PropertyInteger", "Result", SCHEMA, "Version of these properties"),
 )
-READ_ONLY = {"Drawing", "Picture", "DrawnScale", "Inputs", "Message", "Schema"}
-HIDDEN = {"Inputs", "Schema"}
+READ_ONLY = {"Drawing", "Picture", "DrawnScale", "Inputs", "Message", "Schema", "Middle"}
+HIDDEN = {"Inputs", "Schema", "Middle"}
 
 SHEET_VIEW = (
     Row("Illustration", "App::PropertyLinkGlobal", "Burin", None, "The illustration that this view places"),
+    Row("Trim", "App::PropertyBool", "Burin", True, "Takes the part of the sheet that has ink, not all of it"),
+    Row("Middle", "App::PropertyVector", "Burin", None, "From the middle of the sheet to the middle of this view, in mm"),
     Row("Schema", "App::PropertyInteger", "Burin", SCHEMA, "Version of these properties"),
 )
 

@@ -1,7 +1,13 @@
 """From document objects to parts: assemblies are taken apart, placements and names kept."""
 
+import os
+import tempfile
+from collections import namedtuple
+
 from ..job import PartJob
+from .colors import color_of
 from .looks import FLAGS, words_of
+from .shapes import shapes
 from .shown import is_shown
 
 
@@ -9,13 +15,42 @@ class Left(Exception):
     """An object that cannot be drawn; the text says why."""
 
 
+# A part to be: `part` without its geometry, which is `shape` (nothing for meshes, those are of `leaf`) at (top, sub).
+Piece = namedtuple("Piece", "part shape leaf top sub")
+
+
 def collect(sources, looks=None):
     """Parts and notes of a list of (object, sub-names) as LinkSubList properties give it."""
-    parts, notes, seen = [], [], set()
+    pieces, notes = survey(sources, looks)
+    return [filled(piece) for piece in pieces], notes
+
+
+def survey(sources, looks=None):
+    """As `collect`, without writing geometry: quick."""
+    pieces, notes, seen = [], [], set()
     for obj, subs in sources:
         for sub in _objects_of(subs):
-            _walk(*from_the_top(obj, sub), True, parts, notes, seen, looks or {})
-    return parts, notes
+            _walk(*from_the_top(obj, sub), True, pieces, notes, seen, looks or {})
+    return pieces, notes
+
+
+def filled(piece):
+    """The part with its geometry. Cost: that of writing a shape or reading a mesh, where it is new."""
+    part = piece.part
+    if piece.shape is None:
+        part.vertices, part.triangles = _mesh(piece)
+    else:
+        part.brep, part.placement = shapes.text(piece.shape, _place(piece))
+    return part
+
+
+def _place(piece):
+    return piece.top.Document.Name, piece.part.source
+
+
+def is_ready(piece):
+    """Whether `filled` has nothing to write."""
+    return piece.shape is not None and shapes.has(piece.shape, _place(piece))
 
 
 def from_the_top(obj, sub=""):
@@ -34,7 +69,7 @@ def _objects_of(subs):
     return sorted(names) or [""]
 
 
-def _walk(top, sub, asked, parts, notes, seen, looks):
+def _walk(top, sub, asked, pieces, notes, seen, looks):
     try:
         resolved = top.getSubObject(sub, retType=1) if sub else top
     except Exception:  # FreeCAD throws many kinds for names that it does not know
@@ -47,29 +82,42 @@ def _walk(top, sub, asked, parts, notes, seen, looks):
         return
     seen.add(path)
     leaf = resolved.getLinkedObject(True)
+    if not asked and leaf is not None and is_aid(leaf):
+        return
     if leaf is None or _is_broken_link(leaf):
         notes.append(f"{resolved.Label}: links to something that is not there; open the file that it links to, or "
                      "repair the link")
         return
     children = _children(resolved, leaf)
     if children is not None:
-        before = len(parts) + len(notes)
+        before = len(pieces) + len(notes)
         for child in children:
             if _visible(resolved, top, sub + child):
-                _walk(top, sub + child, False, parts, notes, seen, looks)
-        if asked and len(parts) + len(notes) == before:
+                _walk(top, sub + child, False, pieces, notes, seen, looks)
+        if asked and len(pieces) + len(notes) == before:
             notes.append(f"{resolved.Label}: has no visible shape in it; show what is to be drawn")
         return
     try:
-        part = _part(top, sub, resolved, leaf, path)
+        piece = _piece(top, sub, resolved, leaf, path)
     except Left as why:
         if asked or "Invalid" in resolved.State:
             notes.append(f"{resolved.Label}: {why}")
         return
     if "Invalid" in resolved.State:
         notes.append(f"{resolved.Label}: its last recompute failed; drawn as it was before that")
-    _apply_looks(part, looks.get(path) or looks.get(resolved.Name) or "", notes)
-    parts.append(part)
+    _apply_looks(piece.part, looks.get(path) or looks.get(resolved.Name) or "", notes)
+    pieces.append(piece)
+
+
+# Aids of modelling, no parts of the model: sketches, datum planes, lines, points and coordinate systems (those of FreeCAD
+# 1.1 lie in assemblies too), binders.
+_AIDS = ("Sketcher::SketchObject", "Part::Datum", "App::OriginFeature", "App::DatumElement", "App::LocalCoordinateSystem",
+         "App::Origin", "PartDesign::ShapeBinder", "PartDesign::SubShapeBinder")
+
+
+def is_aid(obj):
+    """Whether an object is drawn only where it is asked for by name."""
+    return any(obj.isDerivedFrom(kind) for kind in _AIDS)
 
 
 def _visible(parent, top, sub):
@@ -109,10 +157,12 @@ def _labels(top, sub):
     return labels
 
 
-def _part(top, sub, obj, leaf, path):
-    common = dict(name=obj.Label, source=path, assembly=_labels(top, sub), color=_color(obj, leaf))
+def _piece(top, sub, obj, leaf, path):
+    part = PartJob(name=obj.Label, source=path, assembly=_labels(top, sub), color=color_of(top, sub, leaf))
     if leaf.isDerivedFrom("Mesh::Feature"):
-        return PartJob(**common, **_mesh(top, sub, leaf))
+        if not leaf.Mesh.CountFacets:
+            raise Left("is an empty mesh; choose another one")
+        return Piece(part, None, leaf, top, sub)
     import Part
 
     try:
@@ -123,46 +173,44 @@ def _part(top, sub, obj, leaf, path):
         raise Left("has no shape; recompute it, or choose an object with a solid, shell or face")
     if not shape.Faces:
         raise Left("has no faces (a sketch or wire); choose a solid, shell or face")
-    return PartJob(**common, brep=shape.exportBrepToString().encode())
+    return Piece(part, shape, leaf, top, sub)
 
 
-def _mesh(top, sub, leaf):
+def _mesh(piece):
     import numpy
 
-    points, facets = leaf.Mesh.Topology
-    if not facets:
-        raise Left("is an empty mesh; choose another one")
-    vertices = numpy.fromiter((c for p in points for c in p), float, 3 * len(points)).reshape(-1, 3)
-    # The points are where the mesh itself is; assemblies and links put it elsewhere.
-    matrix = top.getSubObject(sub, retType=4) * leaf.Placement.toMatrix().inverse()
+    vertices, triangles = _topology(piece.leaf.Mesh)
+    matrix = piece.top.getSubObject(piece.sub, retType=4)
     a = numpy.array(matrix.A).reshape(4, 4)
     if not numpy.array_equal(a, numpy.eye(4)):
         vertices = vertices @ a[:3, :3].T + a[:3, 3]
-    return dict(vertices=vertices, triangles=numpy.array(facets, dtype=numpy.int32))
+    return vertices, triangles
 
 
-def invalid(sources):
-    """Labels of the objects among the sources whose shapes FreeCAD itself finds faulty. Slow: for messages."""
-    import Part
-
-    found, (parts, _) = [], collect(sources)
-    for part in parts:
-        if part.brep is None:
-            continue
-        shape = Part.Shape()
-        shape.importBrepFromString(part.brep.decode())
-        if not shape.isValid():
-            found.append(part.name)
-    return found
+# FreeCAD's own binary form of meshes: a word that tells the byte order, version, text, counts, points, and for each
+# facet three corners and three neighbours.
+_BMS_WORD, _BMS_COUNTS = 0xA0B0C0D0, 8 + 256
 
 
-def _color(obj, leaf):
-    for candidate in (obj, leaf):
-        view = getattr(candidate, "ViewObject", None)
-        color = getattr(view, "ShapeColor", None)
-        if color:
-            return "#%02x%02x%02x" % tuple(round(255 * c) for c in color[:3])
-    return ""
+def _topology(mesh):
+    """Points (n, 3) without the placement, and corners (m, 3). Through a file: FreeCAD's lists of them take six times as
+    long."""
+    import numpy
+
+    handle, path = tempfile.mkstemp(suffix=".bms", prefix="burin-")
+    os.close(handle)
+    try:
+        mesh.write(path, "BMS")
+        with open(path, "rb") as file:
+            data = file.read()
+    finally:
+        os.unlink(path)
+    order = "<" if int.from_bytes(data[:4], "little") == _BMS_WORD else ">"
+    points, facets = (int(n) for n in numpy.frombuffer(data, order + "u4", 2, _BMS_COUNTS))
+    first = _BMS_COUNTS + 8
+    vertices = numpy.frombuffer(data, order + "f4", 3 * points, first).reshape(-1, 3).astype(float)
+    corners = numpy.frombuffer(data, order + "u4", 6 * facets, first + 12 * points).reshape(-1, 6)[:, :3]
+    return vertices, corners.astype(numpy.int32)
 
 
 def _apply_looks(part, words, notes):
@@ -185,9 +233,9 @@ def visible(document):
     for obj in document.Objects:
         if not is_shown(obj) or obj.getParentGeoFeatureGroup() is not None:
             continue
-        if obj.isDerivedFrom("App::DocumentObjectGroup"):
+        if is_aid(obj) or obj.isDerivedFrom("App::DocumentObjectGroup"):
             continue  # a folder: what is in it is looked at by itself
-        parts, _ = collect([(obj, ("",))])
-        if parts:
+        pieces, _ = survey([(obj, ("",))])
+        if pieces:
             found.append(obj)
     return found

@@ -3,6 +3,7 @@
 import FreeCADGui as Gui
 from PySide import QtCore, QtGui
 
+from ..features.sources import survey
 from ..features.looks import FLAGS, flags_of, style_of, with_flag, with_style
 from ..view.text import tr
 from . import widgets
@@ -77,36 +78,20 @@ class IllustrationPanel(Panel):
                                      tr("Hidden lines: left out or dashed"),
                                      lambda v: self.change("HiddenLines", v), "hidden", [tr("left out"), tr("dashed")])
         form.addRow(tr("Hidden lines"), self.hidden)
-        self.seed = QtGui.QSpinBox()
-        self.seed.setObjectName("seed")
-        self.seed.setRange(0, 2**31 - 1)
-        self.seed.setValue(self.obj.Seed)
-        self.seed.setToolTip(tr("Seed of all that is left to chance: another one gives other strokes"))
-        self.seed.valueChanged.connect(lambda v: self.change("Seed", v))
+        self.seed = widgets.whole(self.obj.Seed, tr("Seed of all that is left to chance: another one gives other strokes"),
+                                  lambda v: self.change("Seed", v), "seed", 0, 2**31 - 1)
         form.addRow(tr("Seed"), self.seed)
 
     def _fill_objects(self):
         form = widgets.group(tr("Objects"), self.column)
-        rows = list(leaves(self.obj))
-        self.table = QtGui.QTableWidget(len(rows), 1 + len(FLAGS))
+        self.rows = []
+        self.table = QtGui.QTableWidget(0, 1 + len(FLAGS))
         self.table.setObjectName("objects")
         self.table.setHorizontalHeaderLabels([tr("Object"), tr("off"), tr("plain"), tr("glass")])
         for k, tip in enumerate((tr("Object of the model"), tr("Not drawn: as if the object were not there"),
                                  tr("Not hatched: lines alone"),
                                  tr("Transparent: what lies behind is drawn too"))):
             self.table.horizontalHeaderItem(k).setToolTip(tip)
-        for r, (path, label) in enumerate(rows):
-            name = QtGui.QTableWidgetItem(label)
-            name.setData(QtCore.Qt.UserRole, path)
-            name.setFlags(QtCore.Qt.ItemIsEnabled)
-            name.setToolTip(path)
-            self.table.setItem(r, 0, name)
-            flags = flags_of(self.obj.Looks.get(path, ""))
-            for k, flag in enumerate(FLAGS):
-                item = QtGui.QTableWidgetItem()
-                item.setFlags(QtCore.Qt.ItemIsEnabled | QtCore.Qt.ItemIsUserCheckable)
-                item.setCheckState(QtCore.Qt.Checked if flag in flags else QtCore.Qt.Unchecked)
-                self.table.setItem(r, 1 + k, item)
         self.table.verticalHeader().hide()
         header = self.table.horizontalHeader()
         header.setSectionResizeMode(QtGui.QHeaderView.ResizeToContents)
@@ -120,6 +105,35 @@ class IllustrationPanel(Panel):
         self.own.setEnabled(False)
         self.table.currentCellChanged.connect(lambda *_: self._chosen())
         form.addRow(tr("Own style"), self.own)
+        self.refresh()
+
+    def refresh(self):
+        """The objects that the sources have now."""
+        rows = leaves(self.obj)
+        if rows == self.rows:
+            return
+        chosen = self._path(self.table.currentRow()) if self.table.currentRow() >= 0 else None
+        self.rows = rows
+        self.table.blockSignals(True)
+        self.table.setRowCount(len(rows))
+        for r, (path, label) in enumerate(rows):
+            self._fill_row(r, path, label)
+        self.table.setCurrentCell(next((r for r, (path, _) in enumerate(rows) if path == chosen), -1), 0)
+        self.table.blockSignals(False)
+        self._chosen()
+
+    def _fill_row(self, r, path, label):
+        name = QtGui.QTableWidgetItem(label)
+        name.setData(QtCore.Qt.UserRole, path)
+        name.setFlags(QtCore.Qt.ItemIsEnabled)
+        name.setToolTip(path)
+        self.table.setItem(r, 0, name)
+        flags = flags_of(self.obj.Looks.get(path, ""))
+        for k, flag in enumerate(FLAGS):
+            item = QtGui.QTableWidgetItem()
+            item.setFlags(QtCore.Qt.ItemIsEnabled | QtCore.Qt.ItemIsUserCheckable)
+            item.setCheckState(QtCore.Qt.Checked if flag in flags else QtCore.Qt.Unchecked)
+            self.table.setItem(r, 1 + k, item)
 
     # --- what widgets do ---
 
@@ -195,21 +209,6 @@ class IllustrationPanel(Panel):
 
 
 def leaves(obj):
-    """Paths and labels of what an illustration is made of: from its drawing, else its sources."""
-    from ..features.sheet import Sheet
-
-    try:
-        parts = [(p["source"], p["name"]) for p in Sheet(obj.Drawing).data["parts"]]
-    except (OSError, ValueError, KeyError):
-        parts = []
-    have = {path for path, _ in parts}
-    # What is not drawn is in no drawing.
-    more = [p for p in obj.Looks if p not in have]
-    if not parts:
-        more += [s.Name for s, _ in obj.Sources if s.Name not in more]
-    for path in more:
-        top = obj.Document.getObject(path.split(".")[0])
-        if top is not None:
-            inner = top.getSubObject(path.partition(".")[2] + ".", retType=1) if "." in path else top
-            parts.append((path, inner.Label if inner is not None else path))
-    return parts
+    """Paths and labels of what an illustration is made of."""
+    pieces, _ = survey(obj.Sources)
+    return [(piece.part.source, piece.part.name) for piece in pieces]

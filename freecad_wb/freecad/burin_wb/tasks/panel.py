@@ -3,9 +3,11 @@
 import FreeCADGui as Gui
 from PySide import QtCore, QtGui
 
+from ..qt import number
 from ..view import scheduler
 from ..view.text import tr
 from .preview import Preview
+from .watch import Changes, Escape
 
 # Milliseconds after the last change until it is drawn: as long as one types or turns a wheel.
 PAUSE = 200
@@ -43,15 +45,22 @@ class Panel:
         self.runs = scheduler.install()
         self.runs.progressed.connect(self._progressed)
         self.runs.ended.connect(self._ended)
+        self._escape = Escape(self.document, lambda: self.over or self.reject())
+        self._watch = Changes(self.document, lambda: self.over or not self.alive() or self.refresh(), obj)
         self._tell_state()
 
     def fill(self):
         raise NotImplementedError
 
+    def refresh(self):
+        """The document changed: shows what it holds now."""
+
     # --- changes ---
 
     def change(self, name, value):
         """Sets a property; drawn after a pause."""
+        if self.over:  # a late word of a field
+            return
         if getattr(self.obj, name) != value:
             setattr(self.obj, name, value)
             self.changed()
@@ -147,14 +156,17 @@ class Panel:
         return True
 
     def abandon(self):
-        """The document is closed: there is nothing to keep or to take back."""
+        """The document is closed, or the changes were undone: there is nothing to keep or to take back."""
+        self._pause.stop()
         self._close()
-        Gui.Control.closeDialog()
+        QtCore.QTimer.singleShot(0, Gui.Control.closeDialog)  # not while the document or a menu is at work
 
     def _close(self):
         if self.over:
             return
         self.over = True
+        self._escape.stop()
+        self._watch.stop()
         for signal, slot in ((self.runs.progressed, self._progressed), (self.runs.ended, self._ended)):
             try:
                 signal.disconnect(slot)
@@ -162,7 +174,7 @@ class Panel:
                 pass
 
     def getStandardButtons(self):
-        return int(QtGui.QDialogButtonBox.Ok | QtGui.QDialogButtonBox.Cancel)
+        return number(QtGui.QDialogButtonBox.Ok | QtGui.QDialogButtonBox.Cancel)
 
     def isAllowedAlterSelection(self):
         return True

@@ -1,9 +1,27 @@
 """Small pieces of panels."""
 
 import FreeCADGui as Gui
-from PySide import QtGui
+from PySide import QtCore, QtGui
 
 _BUILT_IN = ("technical", "outline", "engraving", "haloed", "wireframe")
+
+
+class _StillWheel(QtCore.QObject):
+    """The wheel scrolls the panel; it changes a field only where one has clicked into it."""
+
+    def eventFilter(self, widget, event):
+        if event.type() == QtCore.QEvent.Wheel and not widget.hasFocus():
+            event.ignore()
+            return True
+        return False
+
+
+def still(box):
+    """A field that the wheel does not change in passing."""
+    box.setFocusPolicy(QtCore.Qt.StrongFocus)
+    box.still_wheel = _StillWheel(box)
+    box.installEventFilter(box.still_wheel)
+    return box
 
 
 def quantity(value, unit, tip, changed, name, least=0.0, most=1e6):
@@ -17,7 +35,7 @@ def quantity(value, unit, tip, changed, name, least=0.0, most=1e6):
     box.setToolTip(tip)
     box.setMinimumWidth(60)
     box.valueChanged.connect(lambda *_: changed(float(box.property("rawValue"))))
-    return box
+    return still(box)
 
 
 def number(value, tip, changed, name, least, most, decimals=3, step=0.1):
@@ -30,7 +48,17 @@ def number(value, tip, changed, name, least, most, decimals=3, step=0.1):
     box.setToolTip(tip)
     box.setMinimumWidth(50)
     box.valueChanged.connect(lambda value: changed(value))
-    return box
+    return still(box)
+
+
+def whole(value, tip, changed, name, least, most):
+    box = QtGui.QSpinBox()
+    box.setObjectName(name)
+    box.setRange(least, most)
+    box.setValue(value)
+    box.setToolTip(tip)
+    box.valueChanged.connect(lambda value: changed(value))
+    return still(box)
 
 
 def choice(values, chosen, tip, changed, name, texts=None):
@@ -44,7 +72,7 @@ def choice(values, chosen, tip, changed, name, texts=None):
     box.setSizeAdjustPolicy(QtGui.QComboBox.AdjustToMinimumContentsLengthWithIcon)
     box.setMinimumContentsLength(8)
     box.currentIndexChanged.connect(lambda k: changed(box.itemData(k)))
-    return box
+    return still(box)
 
 
 def check(value, text, tip, changed, name):

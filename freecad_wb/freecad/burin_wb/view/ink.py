@@ -2,7 +2,6 @@
 
 import numpy
 
-DARK = (0.06, 0.06, 0.08)
 LIT = (0.95, 0.35, 0.05)
 
 
@@ -11,7 +10,7 @@ def width_of(path):
     return sum(widths) / len(widths) if widths else 0.1
 
 
-def ink_node(sheet, paths, lift=0.0, color=DARK, extra=0.0, dots_per_mm=2.5):
+def ink_node(sheet, paths, lift, color, extra=0.0, dots_per_mm=2.5):
     """A Coin node with some paths; one line set a width class. `lift`: model mm to the viewer; `extra`: pixels more."""
     from pivy import coin
 

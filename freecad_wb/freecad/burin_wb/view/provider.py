@@ -16,12 +16,12 @@ class IllustrationView:
 
         self.Object = view.Object
         self.View = view
+        self._shown = None
         _ensure(view)
         self._root, self._ink, self._lit = coin.SoSeparator(), coin.SoSeparator(), coin.SoSeparator()
         self._root.addChild(self._ink)
         self._root.addChild(self._lit)
         view.addDisplayMode(self._root, "Ink")
-        self._shown = None
         self._watch = None
         self._show()
 
@@ -51,19 +51,26 @@ class IllustrationView:
 
     def _show(self):
         """Puts the kept drawing behind the model, where it hides nothing, or before it."""
-        from . import ink
-
+        color = tuple(getattr(self.View, "InkColor", DARK))[:3]
+        paper = getattr(self.View, "Paper", False)
+        size = (self.Object.Width.Value, self.Object.Height.Value) if paper else None
+        # Opening a document and undo tell each property once more, and every drawing has a file name of its own.
+        wanted = getattr(self.Object, "Drawing", ""), getattr(self.View, "Plane", BEHIND), color, size
+        if wanted == self._shown:
+            return
+        self._shown = None
         self._dim()
         self._ink.removeAllChildren()
         sheet = self._sheet()
         if sheet is None:
             return
+        from . import ink  # numpy, which takes a while to load
+
         lift = self.lift(sheet)
-        color = tuple(getattr(self.View, "InkColor", ink.DARK))[:3]
-        if getattr(self.View, "Paper", False):
-            size = self.Object.Width.Value, self.Object.Height.Value
+        if paper:
             self._ink.addChild(ink.paper_node(sheet, size, lift - 0.1 / sheet.scale))
         self._ink.addChild(ink.ink_node(sheet, (p for _, p in sheet.paths()), lift, color))
+        self._shown = wanted
 
     def _sheet(self):
         """The kept drawing; nothing where there is none that can be read."""
@@ -156,17 +163,17 @@ class _Watch:
     addSelection = removeSelection = setSelection = clearSelection = _changed
 
 
+DARK = (0.06, 0.06, 0.08)
+
 BEHIND, BEFORE = "Behind the model", "Before the model"
 
 
 def _ensure(view):
     """Adds the properties that a view provider lacks."""
-    from . import ink
-
     have = set(view.PropertiesList)
     for kind, name, text, value in (
             ("App::PropertyEnumeration", "Plane", "Where the ink lies in the 3-D view", [BEHIND, BEFORE]),
-            ("App::PropertyColor", "InkColor", "Colour of the ink in the 3-D view", ink.DARK),
+            ("App::PropertyColor", "InkColor", "Colour of the ink in the 3-D view", DARK),
             ("App::PropertyBool", "Paper", "Shows a white sheet under the ink", False)):
         if name not in have:
             view.addProperty(kind, name, "Ink", text)

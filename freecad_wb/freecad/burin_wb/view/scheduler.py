@@ -1,17 +1,25 @@
 """Runs of the kernel beside the GUI: the newest job of an object wins, results come back in the GUI's thread."""
 
 import collections
+import sys
 import threading
+import time
 
 import FreeCAD
 from PySide import QtCore
 
 from .. import worker
 from ..features import illustration, is_illustration
+from ..features.properties import ILLUSTRATION, READ_ONLY
+from ..features.shapes import shapes
+from ..features.sources import filled, is_ready, survey
 from .text import tr
 
-# Seconds that a worker gets to end a cancelled job before it is ended itself.
+# Seconds after which a cancelled run is ended with its process, also where that has not yet begun with it.
 PATIENCE = 1.0
+
+# Seconds of the GUI's thread that writing shapes may take at a time.
+SLICE = 0.03
 
 # Results that are kept, so that undo and redo show at once what was drawn before.
 KEPT = 8
@@ -24,10 +32,44 @@ class _Run:
         self.stage, self.share = "", 0.0
         self.cancelled = False
         self.replaced = False  # by a newer one: nothing to tell
+        self.asked = _asked(obj)
+
+
+class _Writing:
+    """The shapes of an illustration that are still to be written before its run can begin."""
+
+    def __init__(self, obj):
+        self.obj, self.key = obj, _key(obj)
+        pieces, _ = survey(obj.Sources)
+        self.count = len(pieces)
+        self.pieces = collections.deque(p for p in pieces if p.shape is not None and not is_ready(p))
+
+    def go_on(self):
+        """Writes for a while, one shape at least; whether all are written."""
+        end = time.monotonic() + SLICE
+        while self.pieces:
+            filled(self.pieces.popleft())
+            if time.monotonic() > end:
+                break
+        return not self.pieces
+
+    def share(self):
+        return 1 - len(self.pieces) / max(self.count, 1)
+
+
+def _key(obj):
+    return obj.Document.Name, obj.Name
+
+
+def _asked(obj):
+    """What the properties ask for, to see whether they still do."""
+    return repr([(row.name, getattr(obj, row.name, None)) for row in ILLUSTRATION if row.name not in READ_ONLY])
 
 
 class Scheduler(QtCore.QObject):
     """Called with (object, job, finish) as features.illustration.scheduler; returns at once."""
+
+    beside = True  # long looks belong into runs
 
     progressed = QtCore.Signal(object, str, float)  # (document, object) names, stage, share
     ended = QtCore.Signal(object, object)  # names, error or None
@@ -48,12 +90,70 @@ class Scheduler(QtCore.QObject):
         self._timer = QtCore.QTimer(self)
         self._timer.setInterval(100)
         self._timer.timeout.connect(lambda: self._tell())
+        self._writing = {}  # by key
+        self._ready = set()  # keys of what has just been written
+        self._slices = QtCore.QTimer(self)
+        self._slices.setInterval(0)
+        self._slices.timeout.connect(lambda: self._write())
+
+    # --- shapes, before a run ---
+
+    def ready(self, obj):
+        """As features.illustration.ready: writes shapes for SLICE seconds; the rest comes between other events."""
+        key = _key(obj)
+        self._writing.pop(key, None)
+        if key in self._ready:
+            return True
+        writing = _Writing(obj)
+        if writing.go_on():
+            return True
+        with self._lock:
+            self._drop(key)  # what is under way is of before
+            if self._current is not None and self._current.key == key:
+                self._current.replaced = True
+        self._writing[key] = writing
+        self._slices.start()
+        self._timer.start()
+        self.began.emit(key)
+        return False
+
+    def _write(self):
+        key, writing = next(iter(self._writing.items()), (None, None))
+        if writing is None:
+            self._slices.stop()
+            return
+        if not _lives(writing.obj):
+            del self._writing[key]
+            self.ended.emit(key, worker.Stopped(tr("cancelled")))
+            return
+        try:
+            if not writing.go_on():
+                return
+        except Exception:  # it changed meanwhile: the run will say what is wrong with it
+            pass
+        del self._writing[key]
+        obj = writing.obj
+        self._ready.add(key)
+        try:
+            obj.Proxy.execute(obj)
+        finally:
+            self._ready.discard(key)
+        if not self.running(obj):  # refused, or drawn already
+            obj.purgeTouched()
+            self.ended.emit(key, None)
+
+    # --- runs ---
 
     def __call__(self, obj, job, finish):
-        key = (obj.Document.Name, obj.Name)
+        key = _key(obj)
         inputs = job.exact_fingerprint()
         result = self._kept.get(inputs)
         with self._lock:
+            run = self._current
+            if run is not None and run.key == key and run.inputs == inputs and not run.cancelled and run.obj is obj:
+                self._waiting = [r for r in self._waiting if r.key != key]
+                run.finish, run.asked = finish, _asked(obj)
+                return
             self._drop(key)
             if self._current is not None and self._current.key == key:
                 self._current.replaced = True
@@ -75,9 +175,11 @@ class Scheduler(QtCore.QObject):
         """Starts the worker ahead of the first run, which then is as quick as the others."""
 
         def start():
+            import numpy  # noqa: F401  loaded here it does not stop the GUI
+
             try:
                 self._worker.start()
-            except worker.Failed:
+            except (worker.Failed, worker.Stopped):
                 pass  # the first run will tell
 
         threading.Thread(target=start, daemon=True).start()
@@ -86,26 +188,42 @@ class Scheduler(QtCore.QObject):
         """Whether a run is under way or waiting, of an object or of any."""
         with self._lock:
             runs = [r for r in [self._current, *self._waiting] if r and not r.cancelled]
-        return any(obj is None or r.key == (obj.Document.Name, obj.Name) for r in runs)
+        runs += self._writing.values()
+        return any(obj is None or r.key == _key(obj) for r in runs)
 
     def busy(self, obj=None):
         """As running, and also while a run that was cancelled comes to its end or has still to be told."""
         with self._lock:
             runs = [r for r in [self._current, *self._waiting] if r] + [r for r, _, _ in list(self._ended_runs)]
+        runs += self._writing.values()
         return any(obj is None or r.obj is obj for r in runs)
 
     def cancel(self, obj, tell=True):
         """Ends the runs of an object; what it shows stays as it is."""
-        key = (obj.Document.Name, obj.Name)
+        key = _key(obj)
+        writing = self._writing.pop(key, None)
         with self._lock:
             unborn = [r for r in self._waiting if r.key == key]
             self._drop(key)
             begun = self._current is not None and self._current.key == key
-        if unborn and not begun:  # else the end of what has begun is told
+        if (unborn or writing) and not begun:  # else the end of what has begun is told
             error = worker.Stopped(tr("cancelled"))
-            if tell:
+            if tell and unborn:
                 unborn[-1].finish(None, error)
+            elif tell:
+                illustration.tell(obj, error)
             self.ended.emit(key, error)
+
+    def drop_document(self, name):
+        """Ends all runs of a document that is closed."""
+        self._writing = {key: w for key, w in self._writing.items() if key[0] != name}
+        with self._lock:
+            runs = [r for r in [self._current, *self._waiting] if r and r.key[0] == name]
+            for run in runs:
+                run.replaced = True  # there is nobody to tell
+                self._drop(run.key)
+        for key in {run.key for run in runs}:
+            self.ended.emit(key, worker.Stopped(tr("cancelled")))
 
     def _drop(self, key):
         """With the lock held."""
@@ -125,6 +243,7 @@ class Scheduler(QtCore.QObject):
     def cancel_all(self):
         with self._lock:
             runs = [r for r in [self._current, *self._waiting] if r]
+        runs += self._writing.values()
         for run in {r.key: r for r in runs}.values():
             if _lives(run.obj):
                 self.cancel(run.obj)
@@ -143,7 +262,6 @@ class Scheduler(QtCore.QObject):
                     self._current = None
                     self._lock.wait()
                 self._current = run = self._waiting.pop(0)
-                self.count += 1
             result = error = None
             try:
                 result = self._worker.draw(run.job, lambda stage, share: self._note(run, stage, share))
@@ -160,8 +278,10 @@ class Scheduler(QtCore.QObject):
 
     def _tell(self):
         run = self._current
+        for key, writing in self._writing.items():
+            self.progressed.emit(key, "read", writing.share())
         if run is None:
-            if not self._waiting:
+            if not self._waiting and not self._writing:
                 self._timer.stop()
             return
         if not run.cancelled:
@@ -173,7 +293,9 @@ class Scheduler(QtCore.QObject):
             self._finish(*self._ended_runs.popleft())
 
     def _finish(self, run, result, error):
-        if result is not None:
+        unchanged = result is not None and result.drawing is None
+        self.count += not unchanged
+        if result is not None and not unchanged:
             self._kept[run.inputs] = result
             while len(self._kept) > KEPT:
                 self._kept.popitem(last=False)
@@ -184,6 +306,10 @@ class Scheduler(QtCore.QObject):
             if run.cancelled:
                 error = worker.Stopped(tr("cancelled"))
             run.finish(None if error else result, error)
+            if error is None and run.asked != _asked(obj):
+                # Changed meanwhile and not yet recomputed: it is not up to date.
+                self.ended.emit(run.key, None)
+                return
         self._after(obj, run.key, error)
 
     def _after(self, obj, key, error):
@@ -215,6 +341,8 @@ scheduler = None
 class _Documents:
     """Undo and redo bring back properties, not drawings: those are looked up, or drawn again."""
 
+    _touched = ()
+
     def slotUndoDocument(self, document):
         self._renew(document)
 
@@ -222,18 +350,45 @@ class _Documents:
 
     def slotDeletedObject(self, obj):
         if is_illustration(obj):
+            _put_down(obj.Document, obj)
             scheduler.cancel(obj, tell=False)
+
+    def slotStartSaveDocument(self, document, name):
+        """What is not drawn yet has the drawing before in the file: once opened it is to be drawn."""
+        self._touched = [o for o in document.Objects if is_illustration(o) and "Touched" not in o.State
+                         and (scheduler.running(o) or o.Message.endswith(illustration.KEPT))]
+        for obj in self._touched:
+            obj.touch()
+
+    def slotFinishSaveDocument(self, document, name):
+        for obj in self._touched:
+            obj.purgeTouched()
+        self._touched = []
 
     def slotDeletedDocument(self, document):
         from .. import tasks
 
+        _put_down(document)
+        scheduler.drop_document(document.Name)
+        shapes.forget(document.Name)
         if tasks.shown is not None and not tasks.shown.over and tasks.shown.key[0] == document.Name:
             tasks.shown.abandon()
 
     def _renew(self, document):
+        from .. import tasks
+
+        if tasks.shown is not None and not tasks.shown.over and tasks.shown.key[0] == document.Name:
+            tasks.shown.abandon()  # its transaction was the one that is undone
         for obj in document.Objects:
             if is_illustration(obj) and "Touched" in obj.State:
                 obj.recompute()
+
+
+def _put_down(document, obj=None):
+    """What waits for clicks on an illustration that goes."""
+    select = sys.modules.get(__package__.rpartition(".")[0] + ".commands.select")
+    if select is not None and select.picker is not None and select.picker.is_of(document, obj):
+        select.picker.stop()
 
 
 def install():
@@ -243,11 +398,19 @@ def install():
         from . import status
 
         scheduler = Scheduler()
-        illustration.scheduler = scheduler
+        illustration.scheduler, illustration.ready, illustration.settle = scheduler, scheduler.ready, settle
         scheduler.documents = _Documents()
         FreeCAD.addDocumentObserver(scheduler.documents)
         status.install(scheduler)
     return scheduler
+
+
+def settle(obj):
+    """As features.illustration.settle: the status bar tells of the run meanwhile and can end it."""
+    if scheduler is None or not scheduler.busy(obj):
+        return True
+    wait(obj, float("inf"))
+    return _lives(obj) and not obj.Message.endswith(illustration.KEPT)
 
 
 def wait(obj=None, seconds=60.0):

@@ -1,5 +1,6 @@
 #include "field.h"
 
+#include "../illinois.h"
 #include "../shape_operator.h"
 
 #include <algorithm>
@@ -111,35 +112,23 @@ Vec3 FunctionField::crossing(Vec3 a, Vec3 b) {
     const double middle = 0.5 * (low + high);
     (inside(at(middle)) == first ? low : high) = middle;
   }
-  // The secant rule in the form of Illinois.
   const auto signed_value = [&](double share) {
     const double v = value(cell_at(at(share)), at(share));
     return first ? -v : v;  // positive at the low end
   };
-  double f_low = signed_value(low), f_high = signed_value(high);
-  int kept = 0;
-  for (int i = 0; i < 100 && high - low > enough; ++i) {
-    double share = low + (high - low) * (f_low / (f_low - f_high));
-    if (!(share > low && share < high) || i % 4 == 3) share = 0.5 * (low + high);
+  const double f_low = signed_value(low), f_high = signed_value(high);
+  IllinoisBracket bracket(low, high, f_low, f_high);
+  for (int i = 0; i < 100 && bracket.size() > enough; ++i) {
+    const double share = bracket.trial(i);
     const double v = signed_value(share);
     // NaN is outside.
     const bool as_low = std::isnan(v) ? !first : first ? v > 0 : v >= 0;
-    const double moved = as_low ? share - low : high - share;
-    if (as_low) {
-      low = share;
-      f_low = v;
-      kept = kept > 0 ? kept + 1 : 1;
-      if (kept > 1) f_high *= 0.5;
-    } else {
-      high = share;
-      f_high = v;
-      kept = kept < 0 ? kept - 1 : -1;
-      if (kept < -1) f_low *= 0.5;
-    }
+    const double moved = as_low ? share - bracket.low() : bracket.high() - share;
+    bracket.move(share, v, as_low);
     // The secant rule comes from both sides when it is near: a short step is the last one.
     if (std::abs(v) == 0 || (i > 2 && moved < 0.01 * enough)) return at(share);
   }
-  return at(0.5 * (low + high));
+  return at(bracket.middle());
 }
 
 double FunctionField::radius(Vec3 p) {

@@ -49,7 +49,7 @@ struct RefinedMesh {
   std::vector<Vec3> positions;
   /// ccw seen from outside.
   std::vector<Triangle> triangles;
-  /// A vertex: 2 on the surface, 1 on a curve, 0 on an end of a curve or a corner.
+  /// For each vertex: 2 on the surface, 1 on a curve, 0 on an end of a curve or a corner.
   std::vector<std::uint8_t> dimension;
   /// Whether `most_vertices` ended it.
   bool full = false;
@@ -57,7 +57,7 @@ struct RefinedMesh {
   bool manifold = false;
 };
 
-/// Sequential and the same on every run. Cost: 30 to 60 us a triangle. @cite Boissonnat2005
+/// Sequential and the same on every run. Cost: 30 to 60 us per triangle. @cite Boissonnat2005
 /// @cite Cheng2007
 RefinedMesh refine_surface(const RefineInput& input, RefineField& field);
 

@@ -21,12 +21,12 @@ bool is_cad_content(std::string_view head);
 
 /// One part for each solid (or free shell, or what free faces sew into) of each leaf of the
 /// assembly, in the order of the file, with name, path in the assembly, colour and placement;
-/// instances share one shape. Lengths in mm whatever the file's unit. Everything from outside
-/// (exceptions and signals of OCCT) ends in an InputError that names the file and what to do;
-/// what could not be read of a file that holds more becomes a diagnostic. Progress and cancel as
-/// far as OCCT allows: kernel/docs/cad.md says where it does not. Lives in a library of its own
-/// (libburin_cad), which is loaded when the first CAD file is read: OCCT's exchange libraries take
-/// 65 ms to load. From several threads one file is read at a time, for OCCT's readers share state.
+/// instances share one shape. Lengths in mm whatever the file's unit. An exception of OCCT, or a
+/// signal raised in it, ends in an InputError that names the file and what to do; what could not be
+/// read of a file that holds more becomes a diagnostic. Progress and cancel as far as OCCT allows:
+/// kernel/docs/cad.md says where it does not. Lives in a library of its own (libburin_cad), which
+/// is loaded when the first CAD file is read: OCCT's exchange libraries take 65 ms to load. From
+/// several threads one file is read at a time, for OCCT's readers share state.
 Scene read_cad(const std::filesystem::path& path, RunContext& context);
 
 /// Reads and measures: counts, areas and volumes of the exact surfaces, which parts share a shape.
@@ -39,7 +39,7 @@ FileInfo inspect_cad(const std::filesystem::path& path, RunContext& context);
 /// where the shape has no face. Cost: 1 to 15 ms, and once a process 60 ms to load the library.
 Part read_brep_text(const std::string& brep, const Placement& placement, RunContext& context);
 
-/// A shape out of memory, read once and placed as often as it is wanted.
+/// A shape in memory, read once and placed as often as wanted.
 class BrepShape {
  public:
   BrepShape() = default;
@@ -54,10 +54,16 @@ class BrepShape {
   virtual std::shared_ptr<const Form> form(const Placement& placement) const = 0;
   /// Counts and measures at `placement`; no name.
   virtual PartInfo measure(const Placement& placement) const = 0;
+  /// Whether OCCT finds nothing wrong with the shape (BRepCheck_Analyzer); a check that crashes is
+  /// no. Slow, for messages: about 0.25 ms per face.
+  virtual bool valid() const = 0;
 };
 
+/// As `read_brep_text`, to be placed as often as it is wanted; `own` is the identity.
+std::shared_ptr<const BrepShape> read_brep_text(const std::string& brep, RunContext& context);
+
 /// Occt: BREP as OCCT writes it, text or binary. FreecadBinary: what FreeCAD's exportBinary and
-/// its documents hold, which has no head of its own kind and another tail.
+/// its documents hold, which lacks OCCT's header and ends in another way.
 enum class BrepBytes { Occt, FreecadBinary };
 
 /// Throws InputError where the bytes are broken, GeometryError where the shape has no face.

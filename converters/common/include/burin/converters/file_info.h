@@ -63,7 +63,7 @@ struct VolumeInfo {
   double min = 0, max = 0;
   /// Values below which kPercents of the samples lie.
   std::array<double, 5> percentiles{};
-  /// A level to try: what best parts the values in two.
+  /// A level to try: the one that best divides the values into two groups.
   double level = 0;
 };
 

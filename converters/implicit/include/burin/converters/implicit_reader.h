@@ -16,8 +16,8 @@
 namespace burin {
 
 /// The formula that a text defines: `name = expression;` any number of times, then one expression,
-/// as kernel/docs/implicit.md tells. Throws InputError with `file`, the line, and the column in the
-/// message. Never more than 200 parentheses deep; texts over 1 MB are refused.
+/// as kernel/docs/implicit.md explains. Throws InputError with `file`, the line, and the column in
+/// the message. Never more than 200 parentheses deep; texts over 1 MB are refused.
 Expression parse_implicit(std::string_view text, const std::string& file = {});
 
 /// Whether the suffix (any case) is `.implicit`.

@@ -35,7 +35,7 @@ struct IritReadOptions {
 /// Part::color. Polygons become mesh parts, trivariates of points with one coordinate the surface
 /// where they take `level` (ImplicitForm; parameters are mm). What is no surface (curves,
 /// polylines, points) or not yet read (trimmed surfaces, models, other trivariates, multivariates,
-/// triangular patches, instances) is left out and told in the diagnostics ("irit.no_surface",
+/// triangular patches, instances) is left out and named in the diagnostics ("irit.no_surface",
 /// "irit.unread"), with its first line.
 ///
 /// Geomview patches and patch lists: all patches are one part, named by the file. A patch list is
@@ -45,8 +45,8 @@ struct IritReadOptions {
 /// points. # begins a comment.
 ///
 /// Throws InputError with line, and column in the text, for what is damaged, and where no surface
-/// is left. Never allocates for what the file cannot hold. Cost: 0.1 s for 10 MB and 1 us a span of
-/// a surface.
+/// is left. Never allocates for what the file cannot hold. Cost: 0.1 s for 10 MB and 1 us per span
+/// of a surface.
 /// @cite Elber2009, Geomview2014
 Scene read_irit(const std::filesystem::path& path, const RunContext& context,
                 const IritReadOptions& options = {});

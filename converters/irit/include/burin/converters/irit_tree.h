@@ -13,7 +13,7 @@
 
 namespace burin {
 
-/// [name value ...]: the words of the value, without quotes, parted by blanks; nested blocks are
+/// [name value ...]: the words of the value, without quotes, separated by blanks; nested blocks are
 /// left out.
 struct IritAttribute {
   std::string name;

@@ -10,7 +10,7 @@
 namespace burin {
 
 /// Reads, repairs and measures. Throws InputError as `read_mesh_file` does. Cost: about
-/// 2 s of processor time a million triangles.
+/// 2 s of processor time per million triangles.
 FileInfo inspect_mesh(const std::filesystem::path& path, const RunContext& context);
 
 /// Counts and measures of a part that `repair_parts` made.

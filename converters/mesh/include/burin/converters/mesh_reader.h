@@ -25,13 +25,13 @@ bool is_mesh_suffix(const std::filesystem::path& path);
 
 /// Reads a file without mending anything. The format follows from the content where that is clear,
 /// else from the suffix. Throws InputError with the line (text formats) or the byte offset (binary
-/// ones). Never allocates more than the bytes of the file can hold. Cost: 0.1 s a million triangles
-/// of binary STL.
+/// ones). Never allocates more than the bytes of the file can hold. Cost: 0.1 s per million
+/// triangles of binary STL.
 MeshFile read_mesh_file(const std::filesystem::path& path, const RunContext& context);
 
 /// Repairs each object of a file into a part of its own, named by the file where it has no name. A
-/// part of which no triangle is left becomes a diagnostic; throws InputError where that befalls all
-/// of them.
+/// part of which no triangle is left becomes a diagnostic; throws InputError where that happens to
+/// all of them.
 Scene repair_parts(MeshFile file, const std::filesystem::path& path, const RunContext& context);
 
 /// Reads and repairs: one part an object, named by the file where the object has no name.

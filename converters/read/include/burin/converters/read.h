@@ -1,6 +1,6 @@
 #pragma once
-/// Any file that Burin reads, as a scene: the one door of the command line, the Python module and
-/// whoever else has a path in hand.
+/// Any file that Burin reads, as a scene: used by the command line, the Python module and other
+/// programs.
 
 #include <burin/base/box.h>
 #include <burin/base/run_context.h>
@@ -35,13 +35,21 @@ struct ReadOptions {
   /// Whether the round surfaces that facets stand for are recognised and drawn; absent: those of
   /// OpenSCAD files are, those of meshes not.
   std::optional<bool> heal = {};
+  /// What the user set of all this: the name without dashes ("volume_degree"), and as messages call
+  /// it ("option --volume-degree"). What no file of a scene looks at becomes a diagnostic.
+  struct Given {
+    std::string name;
+    std::string spelled;
+  };
+  std::vector<Given> given = {};
 };
 
-/// Throws InputError for the first path that is no file that can be opened.
+/// Throws MissingFile or InputError for the first path that is no file that can be opened.
 void check_inputs(const std::vector<std::string>& paths);
 
-/// Reads each file by the reader of its format (told by its content where that is clear, else by
-/// its suffix); the parts of all of them, in order. Stage "read". Throws InputError.
+/// Reads each file by the reader of its format (known by its content where that is clear, else by
+/// its suffix); the parts of all of them, in order, and the diagnostic "option.unused" for each
+/// option that was given and concerns none of them. Stage "read". Throws InputError.
 Scene read_scene(const std::vector<std::string>& paths, const ReadOptions& options,
                  RunContext& context);
 

@@ -2,7 +2,7 @@
 /// What a user asks of a drawing, as text, and what that means to the kernel: one place for the
 /// command line and the Python module, so that both take the same and say the same.
 
-#include <burin/camera/camera.h>
+#include <burin/camera/sheet.h>
 #include <burin/converters/read.h>
 #include <burin/illustrate/illustrate.h>
 #include <burin/illustrate/style.h>
@@ -55,6 +55,8 @@ struct DrawRequest {
   std::string tolerance;
   std::string seed = "1";
   std::string threads;
+  /// "true" or "false".
+  std::string verify = {};
   ReadRequest read;
 };
 
@@ -65,14 +67,25 @@ enum class Spelling { Options, Keywords };
 struct DrawPlan {
   Style style;
   ViewOptions view;
+  SheetOptions sheet;
   IllustrateOptions illustrate;
   ReadOptions read;
   /// Worker threads; 0 = all.
   int threads = 0;
+  /// Options that were given and have no effect on a drawing without strokes, and those that have
+  /// none where every part is a mesh; as messages call them.
+  std::vector<std::string> about_strokes = {}, about_exact = {};
+  /// Options that were given and have no effect on any drawing.
+  Diagnostics notes = {};
 };
 
 /// Throws UsageError that names the option; InputError for a style file that cannot be read.
 DrawPlan make_plan(const DrawRequest& request, Spelling spelling);
+/// The camera that a plan asks for, of what was read. Throws UsageError, GeometryError.
+Camera make_camera(const Scene& scene, const DrawPlan& plan);
+/// Draws it, with a diagnostic "option.unused" for each choice of the plan that changes nothing of
+/// this drawing. Throws as `illustrate`.
+Drawing draw(const Scene& scene, const Camera& camera, const DrawPlan& plan, RunContext& context);
 ReadOptions make_read_options(const ReadRequest& request, Spelling spelling);
 
 /// The style of a name or file, with no changes. Throws UsageError, InputError.

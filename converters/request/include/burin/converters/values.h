@@ -1,15 +1,16 @@
 #pragma once
 /// Values of options from text; each error names its option. Names that begin with "--" are those
 /// of the command line ("option --scale takes ..."), others those of a program ("argument scale
-/// takes
-/// ...").
+/// takes ...").
 
 #include <burin/base/box.h>
 #include <burin/base/vec.h>
+#include <burin/camera/sheet.h>
 
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace burin {
@@ -35,5 +36,18 @@ std::size_t word_option(const std::string& option, const std::string& text,
 /// A box x0,y0,z0,x1,y1,z1 with each minimum below its maximum; nothing where the text is empty.
 /// Throws UsageError.
 std::optional<Box3> box_option(const std::string& option, const std::string& text);
+
+/// A scale in [low, high] as a number or as A:B (1:2 is 0.5); nothing where the text is empty.
+/// Throws UsageError.
+std::optional<double> scale_option(const std::string& option, const std::string& text, double low,
+                                   double high);
+
+/// A margin in mm: one number, or TOP,RIGHT,BOTTOM,LEFT; each pair leaves 2 mm of the `sheet`, one
+/// number half of that on each side. Nothing where the text is empty. Throws UsageError.
+std::optional<Margin> margin_option(const std::string& option, const std::string& text, Vec2 sheet);
+
+/// The beginning of ids: empty, or a letter or _ and then letters, digits, - _ and dots. Throws
+/// UsageError.
+std::string id_prefix_option(const std::string& option, const std::string& text);
 
 }  // namespace burin

@@ -73,11 +73,11 @@ bool is_volume_content(std::string_view head);
 /// and doubles are rounded. Coordinates are those of the file, in mm where it names another unit;
 /// of a space that is left-handed by its name (NRRD's LAS, 3D-left-handed) one coordinate changes
 /// its sign, or the model would be its mirror image. Samples that are no finite numbers count as
-/// outside and are told ("volume.not_finite").
+/// outside and are reported ("volume.not_finite").
 ///
 /// NRRD and MetaImage with their data inside or in a file of its own, INRIA, NIfTI-1 and -2,
 /// Analyze, VTK's .vti, raw; uncompressed, gzip, zlib, text. Throws InputError, with the line in
-/// text headers, also for more or less than three dimensions and more than one value a sample.
+/// text headers, also for more or less than three dimensions and more than one value per sample.
 /// Sizes are compared with the bytes of the file, and with a quarter of the memory, before anything
 /// is allocated. Cost: 0.1 s for 16 MB unpacked and 0.1 s for unpacking it.
 /// @cite Kindlmann2004, Cox2004
@@ -90,7 +90,7 @@ Volume read_volume(const std::filesystem::path& path, const VolumeReadOptions& o
 Scene read_volume_scene(const std::filesystem::path& path, const VolumeReadOptions& options,
                         const std::optional<Box3>& bounds, RunContext& context);
 
-/// Without a level no surface is made: FileInfo::volume alone tells of the file.
+/// Without a level no surface is made: FileInfo::volume alone describes the file.
 FileInfo inspect_volume(const std::filesystem::path& path, const VolumeReadOptions& options,
                         const std::optional<Box3>& bounds, RunContext& context);
 

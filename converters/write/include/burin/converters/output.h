@@ -11,8 +11,8 @@
 
 namespace burin {
 
-/// What a program wants to know of files that are written aside, so that a signal that ends it
-/// leaves none behind. `guard` is told of a file before it is made; the path stays valid until
+/// Functions of a program that are called about unfinished files, so that a signal that ends it
+/// leaves none behind. `guard` is called before a file is made; the path stays valid until
 /// `release`. Absent at first. To be set before anything is written.
 struct OutputGuard {
   void (*guard)(const char* path) = nullptr;

@@ -16,7 +16,7 @@ namespace burin {
 /// Anything else may be missing (a path without "width" is 0.25 mm wide, one without "kind" is a
 /// contour), unknown keys are passed over. What is there must be right: InputError says where it is
 /// not, by the line of broken JSON ("FILE:12: ...") or the place in the data ("FILE:
-/// layers[3].paths[17].points[2]: ..."). Throws Cancelled. Cost: about 1 us a point, and the file
+/// layers[3].paths[17].points[2]: ..."). Throws Cancelled. Cost: about 1 us per point, and the file
 /// in memory.
 Drawing read_drawing(const std::filesystem::path& path, const RunContext& context);
 

@@ -1,6 +1,6 @@
 #pragma once
-/// A drawing as a file of any format that Burin writes: the one door of the command line, the
-/// Python module and whoever else has a drawing in hand.
+/// A drawing as a file of any format that Burin writes: used by the command line, the Python module
+/// and other programs.
 
 #include <burin/base/run_context.h>
 #include <burin/drawing/drawing.h>
@@ -23,11 +23,13 @@ enum class Format { Svg, Pdf, Eps, Png, Dxf, Json };
 std::optional<Format> format_named(std::string_view name);
 /// The suffixes without their dots.
 std::vector<std::string> format_names();
+/// "svg", "pdf" ...
+std::string_view name_of(Format format);
 /// For messages: ".svg, .pdf, .eps, .png, .dxf or .json".
 std::string format_list();
 
 struct PngOptions {
-  /// Pixels an inch; the file tells it, so that pictures have their true size.
+  /// Pixels per inch; also written into the file, so that pictures are shown in their true size.
   double dpi = 300;
   /// White paper, or ink alone.
   bool transparent = false;
@@ -50,6 +52,14 @@ struct WriteOptions {
 };
 /// What a style says about files.
 WriteOptions write_options(const Style& style);
+
+/// The one format that a key of a style concerns ("png.dpi"); nothing where it concerns several, or
+/// no file.
+std::optional<Format> only_format_of(std::string_view key);
+
+/// Whether a key of a style says something about files alone, so that it may be changed when the
+/// drawing is done: those that `write_options` looks at.
+bool is_about_files(std::string_view key);
 
 /// What `write_drawing` tests first, for programs that want to know before a long run: whether the
 /// format holds a sheet of that many mm. Throws UsageError, one sentence that says what to do.

@@ -208,6 +208,10 @@
       <translation>Der Zeichenkern ist nicht installiert.</translation>
     </message>
     <message>
+      <source>This FreeCAD takes {0} pixels of a symbol for a millimetre; illustrations on pages were made anew for it</source>
+      <translation>Dieses FreeCAD nimmt {0} Pixel eines Symbols für einen Millimeter; Illustrationen auf Seiten wurden dafür neu gemacht</translation>
+    </message>
+    <message>
       <source>Top</source>
       <translation>Oben</translation>
     </message>
@@ -254,6 +258,10 @@
     <message>
       <source>cancelled</source>
       <translation>abgebrochen</translation>
+    </message>
+    <message>
+      <source>check</source>
+      <translation>Prüfung</translation>
     </message>
     <message>
       <source>compose</source>
@@ -320,6 +328,10 @@
       <translation>Linien</translation>
     </message>
     <message>
+      <source>nothing to draw: show or select the parts, bodies, meshes or assemblies to be drawn first</source>
+      <translation>nichts zu zeichnen: zeigen oder wählen Sie zuerst die Teile, Körper, Netze oder Baugruppen, die gezeichnet werden sollen</translation>
+    </message>
+    <message>
       <source>nothing to draw: {0}</source>
       <translation>nichts zu zeichnen: {0}</translation>
     </message>
@@ -356,8 +368,8 @@
       <translation>wählen Sie eine Illustration, die gezeichnet ist</translation>
     </message>
     <message>
-      <source>select the parts, bodies, meshes or assemblies to be drawn first</source>
-      <translation>wählen Sie zuerst die Teile, Körper, Netze oder Baugruppen, die gezeichnet werden sollen</translation>
+      <source>sheet</source>
+      <translation>Blatt</translation>
     </message>
     <message>
       <source>show a 3-D view of the model first</source>
@@ -390,6 +402,10 @@
     <message>
       <source>trace</source>
       <translation>Striche</translation>
+    </message>
+    <message>
+      <source>verify</source>
+      <translation>Prüfung</translation>
     </message>
     <message>
       <source>visibility</source>
@@ -615,8 +631,8 @@
   <context>
     <name>Burin_NewIllustration</name>
     <message>
-      <source>Draws the selected parts, bodies, meshes or assemblies as the 3-D view shows them</source>
-      <translation>Zeichnet die gewählten Teile, Körper, Netze oder Baugruppen, wie die 3D-Ansicht sie zeigt</translation>
+      <source>Draws the selected parts, bodies, meshes or assemblies (nothing selected: all that are shown) as the 3-D view shows them</source>
+      <translation>Zeichnet die gewählten Teile, Körper, Netze oder Baugruppen (nichts gewählt: alle sichtbaren), wie die 3D-Ansicht sie zeigt</translation>
     </message>
     <message>
       <source>New illustration</source>

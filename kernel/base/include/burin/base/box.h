@@ -25,6 +25,7 @@ struct Box {
   Vec center() const { return 0.5 * (min + max); }
   Vec size() const { return empty() ? Vec(0) : max - min; }
   double diagonal() const { return glm::length(size()); }
+  bool contains(const Vec& p) const { return overlaps({p, p}); }
   bool overlaps(const Box& b) const {
     for (glm::length_t i = 0; i < Vec::length(); ++i) {
       if (min[i] > b.max[i] || b.min[i] > max[i]) return false;

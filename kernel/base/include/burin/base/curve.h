@@ -1,6 +1,6 @@
 #pragma once
-/// A line in space that may become ink: what strokes and features both are, so that visibility
-/// knows neither.
+/// A line in space that may be drawn. Strokes and feature lines are both of this type, so that
+/// visibility treats them alike.
 
 #include <burin/base/ids.h>
 #include <burin/base/vec.h>
@@ -11,7 +11,10 @@
 
 namespace burin {
 
-/// What a line is; the names are those of the drawing file's `kind`.
+/// What a line is; the names are those of the drawing file's `kind`. Burin itself makes contours,
+/// boundaries, creases, smooth edges, seams, intersections and strokes. The drawing file has names
+/// for more, which other programs may write and `burin convert` passes on: sections, ridges,
+/// valleys, suggestive contours and patterns.
 enum class LineClass {
   Contour,
   Boundary,
@@ -37,17 +40,18 @@ const char* to_string(LineClass kind);
 /// per-segment arrays are either empty or of exactly that size.
 struct Curve3 {
   std::vector<Vec3> points;
-  /// A point: unit vector to the open side, where no surface of the curve's own sheet lies (the
-  /// surface normal for strokes and contours, the mean of both normals for creases). Visibility
-  /// rays start a little along it.
+  /// One per point: unit vector to the open side, where no surface of the curve's own sheet lies
+  /// (the surface normal for strokes and contours, the mean of both normals for creases).
+  /// Visibility rays start a little along it.
   std::vector<Vec3> normals;
-  /// A segment: a triangle of the part's proxy that the segment lies on or bounds; -1 where
+  /// One per segment: a triangle of the part's proxy that the segment lies on or bounds; -1 where
   /// unknown.
   std::vector<std::int32_t> faces;
-  /// A segment: nonzero where the curve's own sheet is known to hide it (both neighbours of an edge
-  /// face away on a closed surface; a fold whose far side is in front). No ray is cast there.
+  /// One per segment: nonzero where the curve's own sheet is known to hide it (both neighbours of
+  /// an edge face away on a closed surface; a fold whose far side is in front). No ray is cast
+  /// there.
   std::vector<std::uint8_t> self_hidden;
-  /// A point: width in paper mm. Empty for features, whose width is the style's.
+  /// One per point: width in paper mm. Empty for features, whose width is the style's.
   std::vector<double> widths;
 
   LineClass kind = LineClass::Stroke;

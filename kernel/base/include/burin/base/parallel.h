@@ -1,5 +1,5 @@
 #pragma once
-/// Loops over all cores (TBB behind it) whose results do not depend on the number of threads.
+/// Loops over all cores, on TBB, whose results do not depend on the number of threads.
 
 #include <burin/base/run_context.h>
 
@@ -10,10 +10,10 @@
 namespace burin {
 
 /// Calls `body(begin, end)` for the ranges [0,grain), [grain,2*grain), ... of [0,n), from several
-/// threads. The ranges depend on `n` and `grain` alone, so that sums a range are the same for any
-/// number of threads. The body writes to its own slots only. Polls `context` once a range and
-/// throws Cancelled; exceptions of the body are passed on. A grain should hold 10 us to 10 ms of
-/// work.
+/// threads. The ranges depend on `n` and `grain` alone, so that the sum of each range is the same
+/// for any number of threads. The body writes to its own slots only. Polls `context` once per range
+/// and throws Cancelled; exceptions of the body are passed on. A grain should hold 10 us to 10 ms
+/// of work.
 void parallel_for(std::size_t n, std::size_t grain,
                   const std::function<void(std::size_t, std::size_t)>& body,
                   const RunContext* context = nullptr);

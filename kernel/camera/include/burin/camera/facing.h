@@ -6,10 +6,11 @@
 
 namespace burin {
 
-/// Radians: a surface seen more edge-on than this counts as turned away, so that side walls, caps
-/// and the like that are meant to be seen edge-on, but are so only within rounding, are one whole
-/// and not a mottle. Coordinates in single precision turn normals by up to some 1e-5. It moves a
-/// contour by R * kEdgeOn^2 / 2 on paper (R: radius of curvature there): 1e-6 mm at 200 mm.
+/// Radians: a surface seen more edge-on than this counts as turned away, so that side walls and
+/// caps that are meant to be seen exactly edge-on get one answer all over, not one that rounding
+/// decides from triangle to triangle. Coordinates in single precision turn normals by up to some
+/// 1e-5. It moves a contour by R * kEdgeOn^2 / 2 on paper (R: radius of curvature there): 1e-6 mm
+/// at 200 mm.
 inline constexpr double kEdgeOn = 1e-4;
 
 /// g(p, n) = n . to_viewer - kEdgeOn: positive where a surface with unit normal n is turned to the

@@ -10,8 +10,9 @@ struct Paper {
   double width = 297;
   double height = 210;
 
-  /// "A0".."A6" (landscape), with a trailing "p" portrait, "letter", or "WxH" in mm.
-  /// Throws UsageError, naming what is allowed, for anything else.
+  /// "A0".."A6", "B0".."B6", "letter", "legal", "tabloid" (landscape; with a trailing "p"
+  /// portrait), or "WxH" in mm; in any case. Throws UsageError, naming what is allowed, for
+  /// anything else.
   static Paper named(std::string_view name);
 };
 

@@ -23,7 +23,7 @@ inline Vec2 evaluate(const CubicBezier& c, double t) {
 /// that a smooth curve could not follow within the tolerance; long straight runs stay straight
 /// (`is_straight`). A closed polyline does not repeat its first point; a smooth loop is smooth at
 /// its seam too. Points that repeat are ignored; fewer than two different points give no curve.
-/// Cost: about 0.15 us a point. @cite Schneider1990
+/// Cost: about 0.15 us per point. @cite Schneider1990
 std::vector<CubicBezier> fit_cubics(std::span<const Vec2> points, bool closed, double tolerance);
 
 /// Whether the curve runs from end to end within `tolerance` of its chord, never turning back.

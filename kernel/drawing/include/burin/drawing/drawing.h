@@ -7,6 +7,7 @@
 #include <burin/base/vec.h>
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -19,7 +20,7 @@ struct PathFace {
 };
 
 /// One line of ink. `points` (paper mm, origin bottom left, y up) and `points3` (model mm) have the
-/// same size; `width` (paper mm) has one entry for a constant width or one a point.
+/// same size; `width` (paper mm) has one entry for a constant width or one per point.
 struct Path {
   LineClass kind = LineClass::Contour;
   bool visible = true;
@@ -38,14 +39,18 @@ struct Path {
   int family = 0;
 };
 
+/// What a piece of a path, or a path made of several, begins as: an open path without points or
+/// widths that says of itself what `path` says.
+Path without_points(const Path& path);
+
 /// Paths that are drawn together; layers are painted in order.
 struct Layer {
   std::string name;
   std::vector<Path> paths;
 };
 
-/// How the sheet was seen, as numbers that a program can project with (see the drawing file's
-/// contract).
+/// The view, as numbers that a program can project with: to_paper(p) = scale * (dot(p - center,
+/// right), dot(p - center, up)) + offset in orthographic views.
 struct DrawingView {
   std::string projection = "orthographic";
   Vec3 direction{0}, right{0}, up{0};
@@ -70,12 +75,44 @@ struct DrawingPart {
   std::string color = {};
 };
 
+/// A stretch of a line where rays contradict the drawing, or an end of the outer outline
+/// that nothing goes on from.
+struct Contradiction {
+  /// "covered": drawn, though something stands before it. "open": left out or dashed as hidden,
+  /// though nothing does. "adrift": drawn where there is no surface. "missing": a stretch of the
+  /// outer outline that is not drawn. "loose_end": see there.
+  std::string what;
+  LineClass kind = LineClass::Contour;
+  SourceId source;
+  /// Paper mm; its middle on paper and in the model.
+  double length = 0;
+  Vec2 at{0};
+  Vec3 model{0};
+};
+
+/// What a test of the whole drawing against rays found (kernel/docs/verify.md).
+struct Verification {
+  /// Lines tested, visible and hidden, and their length in paper mm.
+  std::int64_t spans = 0;
+  double length = 0;
+  /// Paper mm of these that rays contradict, in stretches of 0.5 mm and more, and how many.
+  double contradicted = 0;
+  std::int64_t count = 0;
+  std::int64_t loose_ends = 0;
+  /// The longest of them, at most a hundred, then loose ends, at most a hundred.
+  std::vector<Contradiction> contradictions;
+
+  double share() const { return length > 0 ? contradicted / length : 0; }
+};
+
 struct DrawingStats {
   std::int64_t triangles = 0;
   std::int64_t strokes = 0;
   std::int64_t coverage_points = 0;
-  /// Covering radius of the coverage in paper mm (Definition 1 of the paper, measured).
+  /// Covering radius of the coverage in paper mm, measured. @cite Elber1998 (Definition 1)
   double coverage_delta = 0;
+  /// Present where the drawing was tested.
+  std::optional<Verification> verify = {};
 };
 
 struct Drawing {

@@ -16,6 +16,9 @@ namespace burin {
 /// The layer of all paths that are not visible, but for those that are drawn in full.
 inline constexpr std::string_view kHiddenLayer = "hidden";
 
+/// The layer of the border between the drawing and empty paper.
+inline constexpr std::string_view kOutlineLayer = "outline";
+
 /// A layer as it is painted: its paths (two points or more, all numbers finite) by part.
 struct InkLayer {
   std::string name;
@@ -36,6 +39,9 @@ struct Ink {
   double width = 0;
   std::vector<std::vector<CubicBezier>> chains;
 };
+
+/// Whether a path is painted as an area, as far as its widths tell: `ink_of` decides.
+bool wants_area(const Path& path);
 
 /// The ink of a path, within `tolerance` mm. Strokes whose width varies, and those so wide that
 /// their round caps would show, are areas; hidden paths that are dashed

@@ -15,8 +15,8 @@ namespace burin {
 /// no ink passes the ends. The sides keep within `tolerance` mm of the exact ones. One chain is the
 /// rule; where the line turns by more than 30 degrees at a point, or curls tighter than half its
 /// width, it is cut in two chains with round ends, so that no loop, spike or hole shows. `widths`
-/// has one entry a point; negative ones count as 0. Fewer than two different points give no chain.
-/// Cost: about 0.3 us a point.
+/// has one entry per point; negative ones count as 0. Fewer than two different points give no
+/// chain. Cost: about 0.3 us per point.
 std::vector<std::vector<CubicBezier>> stroke_outline(std::span<const Vec2> points,
                                                      std::span<const double> widths,
                                                      double tolerance);

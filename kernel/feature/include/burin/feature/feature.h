@@ -16,7 +16,7 @@ struct FeatureOptions {
   bool contours = true;
   bool creases = true;
   bool boundaries = true;
-  /// Curves in which different parts (or closed components of one part) pass through each other.
+  /// Curves in which parts, or components of one part, pass through each other.
   bool intersections = true;
   /// Of proxies that know the edges of their input: those over which the surface goes on smoothly,
   /// and those where a face meets itself.
@@ -24,9 +24,9 @@ struct FeatureOptions {
   bool seams = false;
 };
 
-/// All feature lines of one proxy a part, hidden ones too, chained into long paths; a chain ends
-/// where its kind, its source or what shows its open side changes, and at vertices where more than
-/// two lines of its kind meet. Ends that meet do so bit for bit.
+/// All feature lines of one proxy per part, hidden ones too, chained into long paths; a chain ends
+/// where its kind, its source, or which of its sides face the viewer changes, and at vertices where
+/// more than two lines of its kind meet. Ends that meet do so bit for bit.
 ///
 /// Contours of smooth regions are the zero set of g = normal . to_viewer, linear in each triangle
 /// over its wedge normals (perspective too); a crease between a side turned to the viewer and one
@@ -36,7 +36,7 @@ struct FeatureOptions {
 /// same for every view; -1 for contours inside regions and for intersections. Intersections belong
 /// to the first of both parts, have crease_sign -1 and are not `occluding`.
 ///
-/// Proxies that know their source: `source.edge` is the edge of the input, one a curve, and
+/// Proxies that know their source: `source.edge` is the edge of the input, one per curve, and
 /// `source.face` the face of the input. A contour runs on over all faces of a smooth region;
 /// `source.face` is then the one that holds most of its length on paper (see source_faces.h for the
 /// others). Smooth edges and seams are of kind Smooth and Seam, not `occluding`, and are left out
@@ -49,7 +49,7 @@ struct FeatureOptions {
 ///
 /// Left out, by limits in paper mm: closed contours that are noise (diagnostic
 /// "feature.noise_loops"), short weak creases that separate nothing, intersections where parts
-/// merely touch. Results do not depend on the number of threads. Throws Cancelled. Cost: 0.03 s a
+/// merely touch. Results do not depend on the number of threads. Throws Cancelled. Cost: 0.03 s per
 /// million triangles, 0.1 s more where two parts of half a million each pass through each other.
 /// @cite Hertzmann2000, Benard2019, Edelsbrunner1990
 std::vector<Curve3> extract_features(std::span<const ProxyMesh* const> proxies,

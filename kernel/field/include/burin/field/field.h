@@ -18,38 +18,38 @@ struct FieldQuery {
   std::int32_t part = 0;
   const SurfacePoint& point;
   const Frame& frame;
-  /// The direction the stroke came in; resolves the sign of a line field and the arm of a cross
-  /// field. The zero vector at a seed.
-  Vec3 previous{0};
-  /// 1 or 2: the family asked for at a seed. While `previous` is not zero the arm nearest to it is
-  /// followed.
-  int family = 1;
 };
 
-/// Returns a unit tangent, or nothing where the field is singular.
-using DirectionFn = std::function<std::optional<Vec3>(const FieldQuery&)>;
-
-/// How clearly the field speaks at a seed: 0 = by chance, up to 1 = the shape says so, 2 = decided
-/// for a whole face.
-using CertaintyFn = std::function<double(const FieldQuery&)>;
-
-/// A function on a surface and its tangent gradient (1/model mm).
+/// A function on a surface and its gradient along it (1/model mm).
 struct Level {
   double value = 0;
   Vec3 gradient{0};
+  /// The gradient in space, where the function is defined off the surface, too; else zero.
+  Vec3 in_space{0};
 };
-/// What lines that are meant to be level lines keep; nothing where it stands still.
-using LevelFn = std::function<std::optional<Level>(const SurfacePoint&, const Frame&)>;
 
-/// A named direction field. The functions may be called from many threads.
+/// The lines that strokes may follow at a point. A line has no sign: who follows one chooses it.
+struct Cross {
+  /// Unit tangents, of family 1 and of family 2; not always at a right angle.
+  Vec3 first{1, 0, 0}, second{0, 1, 0};
+  /// How certain the lines are: 0 = arbitrary, up to 1 = given by the shape, 2 = one cross chosen
+  /// for a whole face. Strokes start where it is largest.
+  double certainty = 0;
+  /// Where one of the families runs along the level lines of a function: that function, by which
+  /// strokes are held on their lines.
+  std::optional<Level> level{};
+};
+
+/// The arm of a family, 1 or 2.
+Vec3 arm_of(const Cross& cross, int family);
+/// The arm in which a stroke that comes in along `previous` (not zero) goes on, with its sign.
+Vec3 arm_along(const Cross& cross, Vec3 previous);
+
+/// A named direction field: a cross, or nothing where the field is singular. The function may be
+/// called from many threads.
 struct Field {
   std::string name;
-  DirectionFn direction;
-  /// Strokes start where it is largest. Absent = the frame's confidence.
-  CertaintyFn certainty{};
-  /// Where one family runs along the level lines of a function: that function, by which strokes are
-  /// held on their lines. Absent = strokes follow the directions alone.
-  LevelFn level{};
+  std::function<std::optional<Cross>(const FieldQuery&)> cross;
 };
 
 namespace field {
@@ -63,7 +63,9 @@ Field principal();
 /// Family 1 runs along the curves in which planes with this normal cut the surface, family 2 at a
 /// right angle. Nothing where the surface is parallel to them, within half a degree.
 Field planes(Vec3 normal);
-/// The tangent part of the camera's up direction: `fixed` seen from the sheet.
+/// Family 1 is upright on the sheet: it runs along the curves in which planes through the line of
+/// sight and up cut the surface (in perspective they turn about the eye), family 2 at a right
+/// angle. Nothing where the surface is parallel to them, within half a degree. @cite Elber1998
 Field screen_vertical(const Camera& camera);
 /// The parameter lines of the chart: family 1 along u, family 2 along v, which need not be at a
 /// right angle. Nothing on forms without parameters (meshes, implicit ones) and at poles.
@@ -80,8 +82,8 @@ struct AngleOptions {
 
 /// Lines of constant angle between the normal and the line of sight (perspective: that of the
 /// point), from the change of the normal along the principal directions: family 1 along them,
-/// family 2 across. Contours are such lines. Nothing where the angle stands still (it is largest,
-/// smallest, or at a saddle), within half a degree. @cite Elber1998
+/// family 2 across. Contours are such lines. Nothing where the gradient of the angle vanishes (it
+/// is largest, smallest, or at a saddle), within half a degree. @cite Elber1998
 Field isophote(const Camera& camera, const AngleOptions& options);
 /// The same for the angle to a light from a direction in model space: lines of equal light.
 Field isophote(Vec3 light, const AngleOptions& options);
@@ -105,7 +107,7 @@ struct FacePolicy {
   /// Which of the two is family 1.
   Ruled cylinder = Ruled::Circles;
   Ruled cone = Ruled::Circles;
-  /// Spheres that nothing else tells a direction: a ball, not the corner between fillets.
+  /// Spheres whose neighbours give them no direction: a ball, not the corner between fillets.
   Sphere sphere = Sphere::Axis;
 };
 
@@ -120,11 +122,12 @@ struct SmoothedOptions {
   Vec3 view{0, 0, 1};
 };
 
-/// A smoothed 4-symmetric cross field over the proxies of `surfaces` (one a part): keeps confident
-/// principal directions, follows creases, and flows into planes, umbilics and noise. Family 1 is,
-/// at a seed, the arm nearest to the direction of larger absolute curvature (in regions without
-/// one: to the region's fixed choice). On exact forms the arms are the exact principal directions
-/// wherever the surface has some worth following; the cross says which family they belong to.
+/// A smoothed 4-symmetric cross field over the proxies of `surfaces` (one per part): keeps
+/// confident principal directions, follows creases, and flows into planes, umbilics and noise.
+/// Family 1 is, at a seed, the arm nearest to the direction of larger absolute curvature (in
+/// regions without one: to the region's fixed choice). On exact forms the arms are the exact
+/// principal directions wherever the surface has some worth following; the cross says which family
+/// they belong to.
 /// @cite Knoeppel2013
 Field smoothed(const std::vector<const Surface*>& surfaces, const SmoothedOptions& options,
                const RunContext& context);

@@ -1,5 +1,5 @@
 #pragma once
-/// The smoothed cross field as an object: what field::smoothed wraps, open to tests and pictures.
+/// The smoothed cross field as an object: what field::smoothed wraps, for tests and pictures.
 
 #include <burin/field/field.h>
 
@@ -17,7 +17,7 @@ struct Singularity {
 };
 
 /// A smoothed 4-symmetric cross field on the proxies of surfaces, which must outlive it. Immutable.
-/// Cost: 0.8 s a million triangles to build on 2 cores, 0.3 us a query. @cite Knoeppel2013
+/// Cost: 0.8 s per million triangles to build on 2 cores, 0.3 us per query. @cite Knoeppel2013
 class SmoothedField {
  public:
   SmoothedField(const std::vector<const Surface*>& surfaces, const SmoothedOptions& options,
@@ -26,12 +26,9 @@ class SmoothedField {
   SmoothedField(const SmoothedField&) = delete;
   SmoothedField& operator=(const SmoothedField&) = delete;
 
-  /// As DirectionFn.
-  std::optional<Vec3> direction(const FieldQuery& query) const;
-
-  /// As CertaintyFn: 2 on flat parts, which have one direction each, elsewhere the frame's
-  /// confidence.
-  double certainty(const FieldQuery& query) const;
+  /// The cross at a point; its certainty is 2 on flat parts, which have one cross each, elsewhere
+  /// the frame's confidence. Nothing where the field is singular.
+  std::optional<Cross> cross(const FieldQuery& query) const;
 
   /// The curved triangles of a part around which the crosses turn. On a closed, curved surface the
   /// indices add up to four times the Euler characteristic.

@@ -34,7 +34,7 @@ struct PartLook {
 /// What a field or a tone of the caller's own may look at. All of it lives as long as the strokes
 /// are placed.
 struct HatchScene {
-  /// One a part; empty ones where a part has no strokes of this style.
+  /// One per part; empty ones where a part has no strokes of this style.
   std::span<const Surface* const> surfaces;
   const Camera& camera;
   /// What is seen of these parts at a point of the paper.
@@ -47,17 +47,22 @@ struct IllustrateOptions {
   std::uint64_t seed = 1;
   /// Chord tolerance in model mm of any tessellation; absent = 0.05 paper mm.
   std::optional<double> tolerance{};
-  /// One a part, in order; parts beyond its end look as all do.
+  /// One per part, in order; parts beyond its end look as all do.
   std::vector<PartLook> looks{};
   /// Instead of the style's: called once for each style that has strokes, in the thread that runs;
   /// what they return is called from many threads. Paths of strokes call such a field "own".
   std::function<Field(const HatchScene&)> field{};
   std::function<Tone(const HatchScene&)> tone{};
+  /// Whether the drawing is tested against rays once it is finished: `Drawing::stats.verify`, and
+  /// diagnostics. It draws the same.
+  bool verify = false;
 };
 
 /// Draws `scene` as `camera` sees it. Stages timed on `context`: build curvature field cover trace
-/// features visibility compose. Throws GeometryError where the scene has no part, Cancelled once
-/// the context is cancelled.
+/// features visibility compose verify. Diagnostics tell of parts whose strokes have no direction to
+/// follow, of a drawing that is empty, off the sheet, cut at its edge or no larger than a dot.
+/// Throws GeometryError where the scene has no part, UsageError where a style has a member that its
+/// key does not take, Cancelled once the context is cancelled.
 Drawing illustrate(const Scene& scene, const Camera& camera, const Style& style,
                    const IllustrateOptions& options, RunContext& context);
 

@@ -12,18 +12,18 @@ namespace burin {
 
 /// Every choice that shapes a drawing, in groups. Lengths in paper mm, angles in degrees. Keys of
 /// files and of `--set KEY=VALUE` are "group.member" (e.g. "line.outer"); `style_keys` lists them
-/// with what they take.
+/// with what they take. The defaults are those of the built-in style "technical".
 struct Style {
   std::string name = "technical";
 
   struct {
     /// Line widths after ISO 128: the outer outline, inner contours, creases, boundaries, smooth
     /// edges and seams, intersections, hidden lines.
-    double outer = 0.7;
-    double contour = 0.35;
+    double outer = 0.5;
+    double contour = 0.3;
     double crease = 0.25;
-    double boundary = 0.35;
-    double smooth = 0.18;
+    double boundary = 0.3;
+    double smooth = 0.13;
     double intersection = 0.25;
     double hidden = 0.18;
     /// Dash and gap of hidden lines.
@@ -36,7 +36,7 @@ struct Style {
     bool creases = true;
     bool boundaries = true;
     /// Edges of CAD parts over which the surface goes on smoothly, and where a face meets itself.
-    bool smooth = false;
+    bool smooth = true;
     bool seams = false;
     bool intersections = true;
     double crease_angle = 30;
@@ -44,18 +44,16 @@ struct Style {
 
   struct {
     bool enabled = true;
-    /// "smoothed", "principal", "isophote" (constant angle to the view), "isophote-light" (to the
-    /// light), "steepest" (across isophotes), "isoparametric", "planes" (cuts by planes at a right
-    /// angle to `direction`), "screen-vertical" or "fixed".
+    /// What strokes follow: the name of a row of field::catalogue().
     std::string field = "smoothed";
     Vec3 direction{0, 0, 1};
     double alignment = 1;
-    double spacing_min = 0.6;
-    double spacing_max = 1.4;
+    double spacing_min = 0.9;
+    double spacing_max = 1.6;
     double width_min = 0.08;
-    double width_max = 0.5;
-    double tone_min = 0.05;
-    double cross_from = 0.45;
+    double width_max = 0.22;
+    double tone_min = 0.35;
+    double cross_from = 1.1;
     double length_min = 2.5;
     double length_max = 2000;
     double taper = 2.5;
@@ -70,10 +68,10 @@ struct Style {
 
   struct {
     Vec3 light{-0.5, 0.65, 0.6};
-    double ambient = 0.12;
+    double ambient = 0.35;
     double diffuse = 0.82;
-    double highlight = 0.9;
-    double rim = 0.15;
+    double highlight = 0.7;
+    double rim = 0.05;
   } tone;
 
   struct {
@@ -93,6 +91,11 @@ struct Style {
     /// Share of its ink that the tone of strokes keeps at the farthest point; 1 = off.
     double ink = 1;
   } depth;
+
+  struct {
+    /// What runs off the sheet is cut at its edge.
+    bool clip = true;
+  } sheet;
 
   struct {
     bool flatten = false;
@@ -139,7 +142,8 @@ std::string style_to_json(const Style& style);
 /// "x,y,z". Throws UsageError that names the nearest known key, or what the key takes.
 void set_style_key(Style& style, std::string_view key, std::string_view value);
 
-/// Tests what no single key can: that each "_min" is at most its "_max". Throws UsageError.
+/// Tests what is not known of a style that no text made: that each member is something that its key
+/// takes; and what no single key can: that each "_min" is at most its "_max". Throws UsageError.
 void check_style(const Style& style);
 
 /// One key: what it means, what it takes ("0.01 to 10", "true or false") and its value in `style`

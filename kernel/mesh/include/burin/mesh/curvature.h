@@ -16,8 +16,8 @@ struct Curvature {
   double k2 = 0;
   Vec3 d1{1, 0, 0};
   Vec3 d2{0, 1, 0};
-  /// How far |k1-k2| stands out of the estimate's own local noise and of flatness, in [0,1]: 0 =
-  /// umbilic, flat or noise, 1 = certain.
+  /// How clearly |k1-k2| exceeds the local noise of the estimate and the curvature of a flat place,
+  /// in [0,1]: 0 = umbilic, flat or noise, 1 = certain.
   double confidence = 0;
 };
 
@@ -27,9 +27,10 @@ struct CurvatureOptions {
   int smoothing = -1;
 };
 
-/// One entry a wedge. Tensors a triangle from the change of wedge normals, averaged to wedges by
-/// corner area; never across a crease. Cost: 0.25 s a million triangles on 2 cores; three times
-/// that where all is noisy. @cite Rusinkiewicz2004
+/// One entry per wedge. The tensor of a triangle follows from the change of its wedge normals; a
+/// wedge takes the mean over its triangles, weighted by corner area; never across a crease. Cost:
+/// 0.25 s per million triangles on 2 cores; three times that where all is noisy. @cite
+/// Rusinkiewicz2004
 std::vector<Curvature> estimate_curvature(const ProxyMesh& proxy, const CurvatureOptions& options,
                                           const RunContext& context);
 

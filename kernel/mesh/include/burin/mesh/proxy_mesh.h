@@ -15,9 +15,10 @@ namespace burin {
 /// surface.
 enum class EdgeKind : std::uint8_t { Smooth, ConvexCrease, ConcaveCrease, Boundary };
 
-/// Triangles, connectivity, creases, and one normal a WEDGE: the corners of a vertex that no crease
-/// separates share a wedge, so that normals, curvature and fields on wedges never mix two sides of
-/// a crease. Over wedges the mesh is a set of smooth patches with boundaries. Immutable once built.
+/// Triangles, connectivity, creases, and one normal per WEDGE: the corners of a vertex that no
+/// crease separates share a wedge, so that normals, curvature and fields on wedges never mix two
+/// sides of a crease. Over wedges the mesh is a set of smooth patches with boundaries. Immutable
+/// once built.
 struct ProxyMesh {
   TriMesh mesh;
   Topology topology;
@@ -80,7 +81,7 @@ struct ProxyOptions {
 /// Builds all of the above for a manifold, oriented mesh. Normals come from a quadric fitted to the
 /// wedge's neighbours; those of flat faces are exact, also where a fillet runs into them, and where
 /// neighbours do not determine a fit they are averages. Averages alone do not converge on irregular
-/// meshes. Throws GeometryError as build_topology does. Cost: 0.35 s a million triangles on 2
+/// meshes. Throws GeometryError as build_topology does. Cost: 0.35 s per million triangles on 2
 /// cores. @cite Rusinkiewicz2004, Max1999
 ProxyMesh build_proxy(TriMesh mesh, const ProxyOptions& options, const RunContext& context);
 
@@ -103,7 +104,7 @@ struct ProxyDraft {
 /// Builds the proxy of an exact form: edges are creases where the draft says so (convex or concave
 /// by the corner normals), the normal of a wedge is the mean of its corners', a wedge is on the
 /// contour where one of its corners is. `wedge_sagitta` is estimated from the normals. Throws
-/// GeometryError as build_topology does. Cost: 0.2 s a million triangles.
+/// GeometryError as build_topology does. Cost: 0.2 s per million triangles.
 ProxyMesh assemble_proxy(ProxyDraft draft, const RunContext& context);
 
 }  // namespace burin

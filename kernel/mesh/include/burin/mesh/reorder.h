@@ -1,5 +1,5 @@
 #pragma once
-/// Vertex and face order that caches like.
+/// An order of vertices and faces that makes good use of the processor's cache.
 
 #include <burin/mesh/tri_mesh.h>
 

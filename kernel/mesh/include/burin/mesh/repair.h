@@ -1,6 +1,5 @@
 #pragma once
-/// From a polygon soup to a clean, oriented, manifold triangle mesh (CGAL polygon mesh processing
-/// behind it).
+/// From a polygon soup to a clean, oriented, manifold triangle mesh. Own code: no library.
 
 #include <burin/base/diagnostics.h>
 #include <burin/base/run_context.h>

@@ -8,11 +8,11 @@
 
 namespace burin {
 
-/// Curved point-normal triangles over a proxy mesh: a cubic patch a triangle, tangent at each wedge
-/// to the wedge's normal, without gaps between triangles. An edge that touches a crease or boundary
-/// vertex stays straight, so that a surface that ends in straight crease edges ends there exactly.
-/// Holds a reference: the proxy must outlive it. Cost: one pass over the edges to build, about 0.1
-/// us a point. @cite Vlachos2001
+/// Curved point-normal triangles over a proxy mesh: one cubic patch per triangle, tangent at each
+/// wedge to the wedge's normal, without gaps between triangles. An edge that touches a crease or
+/// boundary vertex stays straight, so that a surface that ends in straight crease edges ends there
+/// exactly. Holds a reference: the proxy must outlive it. Cost: one pass over the edges to build,
+/// about 0.1 us per point. @cite Vlachos2001
 class RoundedMesh {
  public:
   explicit RoundedMesh(const ProxyMesh& proxy);
@@ -26,7 +26,8 @@ class RoundedMesh {
   Vec3 control_lift(std::uint32_t a, std::uint32_t b) const;
 
   const ProxyMesh* proxy_;
-  // A vertex: the length of its shortest edge in model mm; 0 where a crease or boundary passes.
+  // For each vertex the length of its shortest edge in model mm; 0 where a crease or boundary
+  // passes.
   std::vector<float> finest_;
 };
 

@@ -1,5 +1,6 @@
 #pragma once
-/// Half-edge connectivity as one flat array, built through OpenMesh. @cite Botsch2002
+/// Half-edge connectivity as one flat array. OpenMesh builds it; only the array is kept. @cite
+/// Botsch2002
 
 #include <burin/base/run_context.h>
 #include <burin/mesh/tri_mesh.h>
@@ -34,7 +35,7 @@ inline std::uint32_t origin(const TriMesh& mesh, HalfEdge h) {
 
 /// Connectivity of an oriented mesh whose edges have at most two triangles (as `repair` returns
 /// it). Fans that meet at a vertex alone are allowed. Throws GeometryError, naming a triangle,
-/// where an edge has more triangles or two neighbours are not oriented alike. Cost: 0.15 s a
+/// where an edge has more triangles or two neighbours are not oriented alike. Cost: 0.15 s per
 /// million triangles.
 Topology build_topology(const TriMesh& mesh, const RunContext& context);
 

@@ -19,12 +19,12 @@ struct RealiseOptions {
   double tolerance = 0.01;
   /// Degrees between neighbouring triangles from which an edge of a mesh is sharp.
   double crease_angle = 30;
-  /// Whether principal curvatures will be asked for.
+  /// Whether principal curvatures are needed.
   bool curvature = true;
   /// The view that is to be drawn. Exact forms cut their proxies along its contours; meshes need
   /// none. Absent = no cuts. Read during `realise` only.
   const Camera* view = nullptr;
-  /// Where faces that cannot be realised are named; absent = nobody asks.
+  /// Faces that cannot be realised are named here; absent = they are not reported.
   Diagnostics* diagnostics = nullptr;
 };
 

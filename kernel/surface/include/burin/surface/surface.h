@@ -16,17 +16,18 @@
 namespace burin {
 
 /// A point on a surface: which chart (mesh: triangle; B-rep: face), coordinates in it (mesh:
-/// barycentric; B-rep: u, v) and the position in model mm.
+/// barycentric; B-rep: u, v and the number of a triangle of the proxy at or next to the point) and
+/// the position in model mm.
 struct SurfacePoint {
   std::int32_t chart = -1;
   Vec3 coords{0};
   Vec3 position{0};
 };
 
-/// What a face of a CAD part is, as far as strokes care.
+/// The kind of surface of a CAD face, as far as strokes treat kinds differently.
 enum class FaceKind : std::uint8_t { Plane, Cylinder, Cone, Sphere, Torus, Freeform };
 
-/// Local geometry at a surface point; the value type that lets nothing above know the form.
+/// Local geometry at a surface point: all that fields, tone and strokes know of a form.
 struct Frame {
   Vec3 position{0};
   /// Unit, outward for closed surfaces.
@@ -36,7 +37,7 @@ struct Frame {
   Vec3 d1{1, 0, 0}, d2{0, 1, 0};
   /// Partial derivatives in the chart; zero where the form has no parameters.
   Vec3 du{0}, dv{0};
-  /// No principal directions to speak of here.
+  /// No principal directions are defined here: the surface is flat, or bends alike all round.
   bool umbilic = true;
   /// How certain d1 and d2 are, in [0,1].
   double confidence = 0;
@@ -53,7 +54,7 @@ enum class MarchStop {
   NotConverged,  // a numeric method gave up
 };
 
-/// The truth about a march: where it ended, the direction there (the tangent carried along), how
+/// What came of a march: where it ended, the direction there (the tangent carried along), how
 /// far it went in model mm, and why it stopped.
 struct MarchStep {
   SurfacePoint end;
@@ -62,7 +63,7 @@ struct MarchStep {
   MarchStop stop = MarchStop::Completed;
 };
 
-/// What `cover` is asked: `count` independent points, uniform by area in model space, or by the
+/// What `cover` shall do: `count` independent points, uniform by area in model space, or by the
 /// weight where one is given. The stream of random numbers is keyed by (seed, part, face).
 struct CoverRequest {
   std::size_t count = 1000;
@@ -70,8 +71,11 @@ struct CoverRequest {
   std::int32_t part = 0;
   /// Relative density in [0,1] at a point with its unit normal; absent = 1 everywhere. With the
   /// cosine between normal and view it makes the points uniform in the picture.
-  /// Asked from many threads.
+  /// Called from many threads.
   std::function<double(Vec3 position, Vec3 normal)> weight = {};
+  /// Whether a triangle of the proxy, given by its corners, may hold points; absent = all may.
+  /// Spares the candidates that the weight would reject.
+  std::function<bool(Vec3 a, Vec3 b, Vec3 c)> among = {};
 };
 
 /// A point of the proxy mesh: triangle and barycentric coordinates.
@@ -88,7 +92,8 @@ class Surface {
   Surface& operator=(const Surface&) = delete;
   virtual ~Surface() = default;
 
-  /// Operation 1. The default draws points on the proxy by area and lifts them by `lift`.
+  /// Operation 1. The default, which every form uses, draws points on the proxy by area and lifts
+  /// them by `lift`.
   virtual std::vector<SurfacePoint> cover(const CoverRequest& request,
                                           const RunContext& context) const;
   /// Operation 2. Goes `length` model mm from `from` in the direction of `tangent` (need not be
@@ -97,7 +102,8 @@ class Surface {
   virtual MarchStep march(const SurfacePoint& from, Vec3 tangent, double length) const = 0;
   /// Local geometry. Curvature is present where the surface was realised with it.
   virtual Frame frame(const SurfacePoint& point) const = 0;
-  /// Occluder and default coverage; states its own tolerance.
+  /// The triangles that stand for the surface: they hide what is behind them, and `cover` draws its
+  /// points on them. `ProxyMesh::tolerance` is how far they may lie from the surface.
   virtual const ProxyMesh& proxy() const = 0;
 
   /// Where on the proxy a point lies, and the point of the surface at (nearest to) a place of the

@@ -46,7 +46,7 @@ class Occluder {
   bool occluded(Vec3 origin, Vec3 direction, double near, double far,
                 const std::function<bool(FaceRef)>& ignore = {}) const;
   /// Whether any hit between `near` and `far` satisfies `counts`, which is asked in no particular
-  /// order; the `bary` of the hits that it sees is not filled in.
+  /// order, and may be asked about one hit twice.
   bool occluded_by(Vec3 origin, Vec3 direction, double near, double far,
                    const std::function<bool(const Hit&)>& counts) const;
   /// Model mm: the length below which single precision cannot tell two places of this scene apart.

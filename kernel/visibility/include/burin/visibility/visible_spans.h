@@ -47,6 +47,10 @@ class VisibilityMap {
                 const Camera& camera, std::span<const Curve3> features, const RunContext& context);
   ~VisibilityMap();
 
+  /// Where the features cross each other millions of times, as those of damaged files do: the paper
+  /// mm within which the places were visibility may change count as one. Else 0.
+  double merged_cuts() const;
+
   /// The spans of each curve. `curves` may be the features themselves (the same memory), whose rays
   /// were cast before. Deterministic for any number
   /// of threads.

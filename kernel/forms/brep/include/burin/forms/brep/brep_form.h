@@ -16,7 +16,7 @@ class BrepModel;
 /// One instance of a shape. Faces become charts (planes, cylinders, cones, spheres and tori keep
 /// their analytic form, the rest is B-spline or evaluated by OCCT), numbered like the faces of the
 /// shape; edges likewise. The tessellation comes from OCCT's mesher at the tolerance asked for, its
-/// nodes on edges shared by both faces; it is made once a tolerance and shared by the instances.
+/// nodes on edges shared by both faces; it is made once per tolerance and shared by the instances.
 /// Faces that cannot be meshed are left out, each named by its number in a diagnostic.
 class BrepForm final : public Form {
  public:

@@ -1,5 +1,5 @@
 #pragma once
-/// Meshes whose facets stand for round surfaces, drawn as these.
+/// Meshes whose facets stand for round surfaces; the round surfaces are drawn.
 
 #include <burin/mesh/tri_mesh.h>
 #include <burin/surface/scene.h>
@@ -18,15 +18,15 @@ struct HealedFaces {
 };
 
 /// A part given by triangles of which runs of flat facets lie around an axis at equal angles, nine
-/// or more a turn: cylinders and cones, and where such bands follow one another smoothly spheres,
-/// tori and other surfaces of revolution. The vertices of the mesh lie on the surface that is
-/// meant: it goes through them, has its own normals and curvature, and meets its neighbours in
+/// or more to a turn: cylinders and cones, and where such bands follow one another smoothly
+/// spheres, tori and other surfaces of revolution. The vertices of the mesh lie on the surface that
+/// is meant: it goes through them, has its own normals and curvature, and meets its neighbours in
 /// circles and curves instead of polygons. All else stays what MeshForm makes of it. No point moves
 /// farther than a few times the sagitta of the facets it lies in; polyhedra of eight or fewer sides
 /// a turn are left alone (kernel/docs/openscad.md). Charts are triangles of the refined mesh.
 class HealedForm final : public Form {
  public:
-  /// Takes a manifold, oriented mesh, as `repair` returns it, and recognises. Cost: 2 s a million
+  /// Takes a manifold, oriented mesh, as `repair` returns it, and recognises. Cost: 2 s per million
   /// triangles.
   HealedForm(TriMesh mesh, const RunContext& context);
   ~HealedForm() override;

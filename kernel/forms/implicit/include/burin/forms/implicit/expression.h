@@ -28,7 +28,7 @@ class Expression {
   friend Expression operator-(const Expression& a);
 
   /// A box that holds the zero set and its inside: known for solids, found by interval arithmetic
-  /// for other formulas; infinite sides where neither tells.
+  /// for other formulas; infinite sides where neither finds one.
   Box3 bounds() const;
   /// Operations on the longest way from the result to a variable. Formulas deeper than kMaxDepth
   /// are refused with UsageError: functions walk over them recursively.
@@ -45,7 +45,7 @@ class Expression {
 /// Compiles a formula to a tape that is run over arrays of points. Derivatives are exact (forward
 /// differentiation); at points where a square root is zero or pieces meet they are those of one
 /// side, or zero. Throws UsageError where it has more than 200,000 operations. Cost of three
-/// blended cylinders: 30 ns a value, 0.3 us a gradient with Hessian. @cite Griewank2008
+/// blended cylinders: 30 ns per value, 0.3 us per gradient with Hessian. @cite Griewank2008
 std::shared_ptr<const ImplicitFunction> make_function(const Expression& expression);
 
 /// The vocabulary. Lengths in model mm; solids are centred at the origin, along z, negative inside,

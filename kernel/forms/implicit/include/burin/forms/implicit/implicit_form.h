@@ -33,8 +33,8 @@ struct ImplicitProxyOptions {
   std::size_t max_triangles = 400'000;
 };
 
-/// The surface f = 0, closed: where it reaches the domain it is clipped by the domain's box, which
-/// a diagnostic ("implicit.clipped") tells. Without a domain the function's own bounds are taken.
+/// The surface f = 0, closed: where it reaches the domain it is clipped by the domain's box, and a
+/// diagnostic ("implicit.clipped") says so. Without a domain the function's own bounds are taken.
 /// The constructor looks over the domain in 128 steps: components larger than two of them are
 /// found. Those smaller than `smallest_part`, a share of the largest one's diagonal, are left out
 /// ("implicit.specks"): the noise of measured data. Throws GeometryError in one line where the

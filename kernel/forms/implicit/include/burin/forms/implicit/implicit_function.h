@@ -1,5 +1,5 @@
 #pragma once
-/// f(x,y,z) with its derivatives: what an implicit form is given by, whoever supplies it.
+/// f(x,y,z) with its derivatives: what an implicit form is made from.
 
 #include <burin/base/box.h>
 #include <burin/base/vec.h>
@@ -58,7 +58,7 @@ class ImplicitFunction {
   Gradient2 hessian(Vec3 p) const;
 
   /// An interval that holds all values over a box (whose sides may be infinite), up to rounding.
-  /// The default knows nothing.
+  /// The default is all numbers.
   virtual Interval range([[maybe_unused]] const Box3& box) const { return {}; }
   /// A box that holds the zero set and its inside; infinite sides where nothing is known.
   virtual Box3 bounds() const { return everywhere(); }

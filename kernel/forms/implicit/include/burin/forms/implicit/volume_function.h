@@ -32,7 +32,7 @@ struct VolumeOptions {
   /// 2 or 3: continuous gradient, or continuous Hessian.
   int degree = 3;
   /// Whether the spline takes the values of the samples (prefiltered), or has them as coefficients,
-  /// which smooths a little, as in the paper.
+  /// which smooths a little, as Elber 1998 does.
   bool interpolate = false;
   /// Standard deviation in samples of a Gaussian that the samples are smoothed with first; 0 =
   /// none.
@@ -43,8 +43,8 @@ struct VolumeOptions {
 /// the inside reaches the sides of the box of the samples, planes close it there (they are pieces
 /// of the function); outside the box it is positive. Samples that are not finite count as outside.
 /// Throws UsageError where the sizes do not fit, GeometryError where the level is outside the range
-/// of the data (the error names the range). Cost: 2 floats a sample while it is made, 1 afterwards;
-/// 25 ns a sample to interpolate. @cite Unser1999 @cite Elber1998
+/// of the data (the error names the range). Cost: 2 floats per sample while it is made, 1
+/// afterwards; 25 ns per sample to interpolate. @cite Unser1999 @cite Elber1998
 std::shared_ptr<const ImplicitFunction> make_volume_function(VolumeGrid grid,
                                                              const VolumeOptions& options,
                                                              const RunContext& context);

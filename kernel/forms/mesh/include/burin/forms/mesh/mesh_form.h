@@ -27,8 +27,8 @@ class MeshForm final : public Form {
   TriMesh mesh_;
 };
 
-/// The surface of a proxy mesh taken at its word: what MeshForm realises, for forms that make their
-/// own proxies. `curvature` has one entry a wedge, or none.
+/// The surface that a proxy mesh is by itself: what MeshForm realises, for forms that make their
+/// own proxies. `curvature` has one entry per wedge, or none.
 std::shared_ptr<const Surface> make_mesh_surface(ProxyMesh proxy,
                                                  const std::vector<Curvature>& curvature);
 

@@ -8,7 +8,8 @@
 
 namespace burin {
 
-/// S and its partial derivatives up to the second order, in model mm a unit of the parameters.
+/// S and its partial derivatives up to the second order, in model mm and parameters: `u` is dS/du,
+/// `uv` is d2S/du dv.
 struct SurfaceDerivatives {
   Vec3 p{0}, u{0}, v{0}, uu{0}, uv{0}, vv{0};
 };
@@ -36,12 +37,17 @@ class Chart {
   /// Length of the period in u and in v; 0 where the direction is not periodic.
   virtual Vec2 period() const { return Vec2(0); }
   virtual FaceKind kind() const { return FaceKind::Freeform; }
-  /// Parameters inside the domain at which S is less than twice differentiable (knots of high
-  /// multiplicity), ascending: `direction` 0 = u, 1 = v.
-  virtual std::vector<double> breaks([[maybe_unused]] int direction) const { return {}; }
+  /// Parameters inside the domain at which fewer than `order` derivatives of S are continuous
+  /// (knots of high multiplicity), ascending: `direction` 0 = u, 1 = v. Derivatives there are those
+  /// of the upper side.
+  virtual std::vector<double> breaks([[maybe_unused]] int direction,
+                                     [[maybe_unused]] int order) const {
+    return {};
+  }
 };
 
-/// Derivatives of `t` before `from`, and so on: S moved by a similarity.
+/// Where a shape stands in the scene: p -> linear * p + offset, model mm. `linear` is a rotation or
+/// a mirror image, times one scale for all directions.
 struct Placement {
   Mat3 linear{1};
   Vec3 offset{0};
@@ -57,8 +63,8 @@ struct Placement {
 
 /// The unit normal Su x Sv (turned round where `reversed`). Where a partial vanishes (poles,
 /// collapsed sides), both do, or they are parallel: its limit by second derivatives, at the tip of
-/// a cone that along the ruling `uv.x`; the zero vector where they do not tell. `domain_center`
-/// tells from which side the limit is taken: from inside.
+/// a cone the limit along the ruling u = `uv.x`; the zero vector where these vanish, too. The limit
+/// is taken from the side of `domain_center`: from inside.
 /// @cite doCarmo1976
 Vec3 chart_normal(const SurfaceDerivatives& d, bool reversed, Vec2 uv, Vec2 domain_center);
 

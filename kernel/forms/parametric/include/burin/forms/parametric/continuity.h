@@ -1,5 +1,5 @@
 #pragma once
-/// How smoothly two charts go over into one another.
+/// How smoothly two charts meet.
 
 #include <burin/forms/parametric/chart.h>
 
@@ -8,7 +8,7 @@ namespace burin {
 /// Whether both sides of a smooth edge bend alike at a point of it: the second fundamental forms
 /// agree within 1 % of the larger curvature (or are flat against `size`, the size of the part in
 /// model mm). An edge that is so all along divides one surface: the halves of a cylinder, the
-/// patches of a spline. Normals are the outward ones of either side; degenerate places say yes.
+/// patches of a spline. Normals are the outward ones of either side; true at degenerate places.
 bool bends_alike(const SurfaceDerivatives& a, Vec3 normal_a, const SurfaceDerivatives& b,
                  Vec3 normal_b, double size);
 

@@ -1,5 +1,6 @@
 #pragma once
-/// Algorithm 1: points spread over S(u,v) by rejection against a bound of |Su x Sv|.
+/// Algorithm 1: points spread over S(u,v) by rejection against a bound of |Su x Sv|. For programs,
+/// tests and benchmarks: drawings take their points from `Surface::cover`.
 /// @cite Elber1998
 
 #include <burin/base/run_context.h>
@@ -26,7 +27,7 @@ struct AreaBound {
 /// and derivatives taken symbolically; the square root of the largest coefficient is a true bound,
 /// and the spans that it comes from are subdivided until value <= (1 + tolerance) * attained. An
 /// infinite tolerance gives the largest coefficient as it is. Other charts: 64 x 64 samples, the
-/// best of them climbed, and a twentieth more. Cost: 10 us a bicubic span.
+/// best of them climbed, and a twentieth more. Cost: 10 us per bicubic span.
 AreaBound area_bound(const Chart& chart, const RunContext& context, double tolerance = 0.05);
 
 /// In which measure points are uniform.
@@ -82,7 +83,7 @@ struct Coverage {
 /// Covers the whole domain of a chart. Where a bound that is not proved turns out too small it is
 /// raised and all is drawn again, so that the points are uniform under the bound reported. The same
 /// for any number of threads. Throws GeometryError where Picture has no camera or the viewer stands
-/// inside the control points. Cost: 0.1 us a candidate; 5 us a point to measure the radius.
+/// inside the control points. Cost: 0.1 us per candidate; 5 us per point to measure the radius.
 Coverage cover_chart(const Chart& chart, const CoverageOptions& options, const RunContext& context);
 
 }  // namespace burin

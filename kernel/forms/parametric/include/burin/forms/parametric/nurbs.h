@@ -26,8 +26,8 @@ struct NurbsData {
 /// A chart that evaluates `data`. Spans are made ready once, so that it needs no cache and no
 /// locks. Throws GeometryError that says what is wrong with the data (counts, descending knots,
 /// weights that are not positive, numbers that are not finite, periods that do not close). Degrees
-/// 1 to 60. Cost: 0.05 us an evaluation of the second order of a bicubic surface; memory: 0.5 kB a
-/// bicubic span. @cite Piegl1997
+/// 1 to 60. Cost: 0.05 us per evaluation of the second order of a bicubic surface; memory: 0.5 kB
+/// per bicubic span. @cite Piegl1997
 std::shared_ptr<const Chart> make_nurbs_chart(NurbsData data, FaceKind kind = FaceKind::Freeform);
 
 /// The data behind a chart made by make_nurbs_chart; nullptr for others.
@@ -37,13 +37,15 @@ const NurbsData* nurbs_data(const Chart& chart);
 NurbsData bezier_patch(int degree_u, int degree_v, std::vector<Vec3> points,
                        std::vector<double> weights = {});
 
+struct FunctionChartOptions {
+  ParameterBox domain;
+  /// As Chart::period.
+  Vec2 period{0};
+};
+
 /// S(u,v) given by a function that fills all derivatives, or by its position alone (derivatives by
 /// central differences of the sixth order: some 1e-9 of the size off). The functions must be safe
 /// to call from many threads.
-struct FunctionChartOptions {
-  ParameterBox domain;
-  Vec2 period{0};
-};
 std::shared_ptr<const Chart> make_function_chart(std::function<SurfaceDerivatives(Vec2)> evaluate,
                                                  const FunctionChartOptions& options);
 std::shared_ptr<const Chart> make_function_chart(std::function<Vec3(Vec2)> position,

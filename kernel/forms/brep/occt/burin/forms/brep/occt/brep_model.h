@@ -5,14 +5,27 @@
 #include <burin/base/diagnostics.h>
 #include <burin/base/run_context.h>
 #include <burin/forms/brep/brep_form.h>
+#include <burin/forms/brep/loose_triangles.h>
 #include <burin/forms/parametric/atlas.h>
 
+#include <Geom_Surface.hxx>
 #include <TopoDS_Shape.hxx>
 
+#include <functional>
 #include <memory>
 #include <vector>
 
 namespace burin {
+
+/// Joined triangles over charts, and those of faces that could not be joined. `loose` names each in
+/// a diagnostic.
+struct BrepTriangles : ChartMesh {
+  LooseTriangles loose;
+};
+
+/// Makes the chart of a face from its surface and the box of (u,v) that it takes.
+using ChartMaker =
+    std::function<std::shared_ptr<const Chart>(const Handle(Geom_Surface)&, const ParameterBox&)>;
 
 /// A shape with its faces as charts, in its own coordinates. Faces and edges are numbered from 0 in
 /// the order of TopExp::MapShapes. Coedges are uses of edges by faces, in the order of the faces.
@@ -21,8 +34,9 @@ class BrepModel final : public Atlas {
  public:
   /// Takes a copy of the shape's structure (not of its geometry) with triangulations of its own.
   /// The location of the shape itself is part of its coordinates. Throws GeometryError where the
-  /// shape has no face.
-  explicit BrepModel(const TopoDS_Shape& shape);
+  /// shape has no face. `make_chart` stands in for make_surface_chart where tests want faces that
+  /// break.
+  explicit BrepModel(const TopoDS_Shape& shape, const ChartMaker& make_chart = {});
   ~BrepModel() override;
 
   const TopoDS_Shape& shape() const;
@@ -39,13 +53,15 @@ class BrepModel final : public Atlas {
   /// The diagonal of the box along the axes of the model.
   double size() const;
 
-  /// Triangles within `tolerance` (of the model's own unit), the same whatever was asked for
-  /// before; normals are not filled in. Waits for the mesher if another thread has it; the last few
-  /// results are kept. Faces that cannot be meshed are left out and named in `diagnostics`
-  /// ("brep.face_not_meshed"). Throws GeometryError where none can, Cancelled within 0.1 s of a
-  /// cancel save inside one face (kernel/docs/brep.md).
-  std::shared_ptr<const ChartMesh> tessellate(double tolerance, RunContext& context,
-                                              Diagnostics* diagnostics) const;
+  /// Triangles within `tolerance` (in the model's own unit); they do not depend on earlier calls;
+  /// normals are not filled in. Waits for the mesher if another thread has it; the last few results
+  /// are kept. Faces that cannot be meshed together with their neighbours, or have no chart that
+  /// works, are meshed by themselves or keep the triangles that the shape came with, and are named
+  /// in `diagnostics` ("brep.face_loose"); those without any triangle are left out
+  /// ("brep.face_not_meshed"). Throws GeometryError where that is all of them, Cancelled within
+  /// 0.1 s of a cancel save inside one face (kernel/docs/brep.md).
+  std::shared_ptr<const BrepTriangles> tessellate(double tolerance, RunContext& context,
+                                                  Diagnostics* diagnostics) const;
 
  private:
   struct Impl;

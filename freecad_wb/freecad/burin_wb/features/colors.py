@@ -1,0 +1,57 @@
+"""Colours of parts as the 3-D view shows them. Only a GUI has them."""
+
+
+def color_of(top, sub, leaf):
+    """'#rrggbb' of the object at `sub` ('Inner.Link.') below `top`: that of the outermost link that has a colour of its
+    own, else of the shape `leaf` itself; empty where its faces have several."""
+    for link, element in _links(top, sub):
+        color = _override(getattr(link, "ViewObject", None), element)
+        if color:
+            return color
+    obj = top.getSubObject(sub, retType=1) if sub else top
+    for candidate in (obj, leaf):
+        view = getattr(candidate, "ViewObject", None)
+        if view is not None:
+            return appearance(view)
+    return ""
+
+
+def _links(top, sub):
+    """The links on the way to an object, from the outermost on, each with the number of its element where it is an array
+    whose elements are no objects (else -1)."""
+    names = sub.rstrip(".").split(".") if sub else []
+    seen = set()
+    for k in range(len(names) + 1):
+        link = top.getSubObject(".".join(names[:k]) + ".", retType=1) if k else top
+        element = int(names[k]) if k < len(names) and names[k].isdigit() else -1
+        while link is not None and (link.isDerivedFrom("App::Link") or link.isDerivedFrom("App::LinkElement")):
+            if link.FullName not in seen:
+                seen.add(link.FullName)
+                yield link, element
+            linked, element = link.getLinkedObject(False), -1
+            link = linked if linked is not link else None
+
+
+def _override(view, element):
+    """The colour that a link gives to what it links to; empty where it gives none."""
+    if getattr(view, "OverrideMaterial", False):
+        return _hex(view.ShapeMaterial.DiffuseColor)
+    chosen = getattr(view, "OverrideMaterialList", ())
+    if 0 <= element < len(chosen) and chosen[element]:
+        return _hex(view.MaterialList[element].DiffuseColor)
+    return ""
+
+
+def appearance(view):
+    """The one colour of a view provider, of FreeCAD 1.x (ShapeAppearance) or before."""
+    materials = getattr(view, "ShapeAppearance", None)
+    if materials:
+        colors = [m.DiffuseColor for m in materials]
+    else:
+        colors = getattr(view, "DiffuseColor", None) or [getattr(view, "ShapeColor", None)]
+    colors = {_hex(c) for c in colors if c}
+    return colors.pop() if len(colors) == 1 else ""
+
+
+def _hex(color):
+    return "#%02x%02x%02x" % tuple(round(255 * c) for c in color[:3])

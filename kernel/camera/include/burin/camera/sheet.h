@@ -1,0 +1,40 @@
+#pragma once
+/// What a user asks of the sheet, beyond a name and one margin.
+
+#include <burin/camera/camera.h>
+
+#include <string_view>
+
+namespace burin {
+
+/// Empty border of the sheet in mm, side by side.
+struct Margin {
+  double top = 10, right = 10, bottom = 10, left = 10;
+
+  Margin() = default;
+  explicit Margin(double all) : top(all), right(all), bottom(all), left(all) {}
+  Margin(double t, double r, double b, double l) : top(t), right(r), bottom(b), left(l) {}
+  bool even() const { return top == right && right == bottom && bottom == left; }
+};
+
+/// Sides in mm of a sheet that a user may mean; beyond, somebody mistook the unit.
+inline constexpr double kLeastSheet = 5;
+inline constexpr double kLargestSheet = 10000;
+
+/// Beside `ViewOptions`: what decides about the sheet as soon as the model is known.
+struct SheetOptions {
+  /// That of a fitted drawing; where the scale is given the drawing stands in the middle of what
+  /// the margin leaves.
+  Margin margin{};
+  /// The sheet is as large as the drawing at the view's scale (absent = 1) and the margin;
+  /// `ViewOptions::paper` is not looked at.
+  bool fits = false;
+};
+
+/// The view with paper, margin, scale and centre settled, so that `Camera::fit` need not know of
+/// SheetOptions. Perspective: the margins must be even, and a sheet that fits has the height that
+/// the field of view asks for. Throws UsageError where a sheet that fits would be larger than
+/// kLargestSheet, and as `Camera::fit`.
+ViewOptions settle(const Camera::ExtentFn& extent, ViewOptions view, const SheetOptions& sheet);
+
+}  // namespace burin

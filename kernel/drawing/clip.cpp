@@ -1,0 +1,162 @@
+#include <burin/drawing/clip.h>
+
+#include <algorithm>
+#include <map>
+#include <optional>
+#include <utility>
+
+namespace burin {
+namespace {
+
+// The share of a segment in the window, as parameters.
+std::optional<std::pair<double, double>> inside(Vec2 a, Vec2 b, const Box2& window) {
+  double t0 = 0, t1 = 1;
+  for (int i = 0; i < 2; ++i) {
+    const double d = b[i] - a[i];
+    if (d == 0) {
+      if (a[i] < window.min[i] || a[i] > window.max[i]) return {};
+      continue;
+    }
+    const double u = (window.min[i] - a[i]) / d, v = (window.max[i] - a[i]) / d;
+    t0 = std::max(t0, std::min(u, v));
+    t1 = std::min(t1, std::max(u, v));
+  }
+  if (!(t0 <= t1)) return {};
+  return std::pair(t0, t1);
+}
+
+// The share of a segment of the model that is seen as the share `t` of its picture.
+double share_in_model(Vec3 a, Vec3 b, double t, const DrawingView* view) {
+  if (view == nullptr || view->projection != "perspective") return t;
+  const double far_a = glm::dot(view->eye - a, view->direction);
+  const double far_b = glm::dot(view->eye - b, view->direction);
+  const double sum = (1 - t) * far_b + t * far_a;
+  return sum > 0 ? t * far_a / sum : t;
+}
+
+// The face of the input at a point of a path.
+std::int32_t face_at(const Path& path, std::size_t point) {
+  std::int32_t face = path.source.face;
+  for (const PathFace& run : path.faces) {
+    if (run.first_point <= point) face = run.face;
+  }
+  return face;
+}
+
+class Cutter {
+ public:
+  Cutter(const Path& path, const Box2& window, const DrawingView* view)
+      : path_(path),
+        window_(window),
+        view_(view),
+        varies_(path.width.size() == path.points.size()),
+        spatial_(path.points3.size() == path.points.size()) {}
+
+  std::vector<Path> run() {
+    const std::size_t n = path_.points.size(), segments = path_.closed ? n : n - 1;
+    // A closed path is cut from a point outside on, so that no piece is cut in two at its start.
+    const std::size_t first = path_.closed ? outside() : 0;
+    for (std::size_t k = 0; k < segments; ++k) segment((first + k) % n, (first + k + 1) % n);
+    for (Path& piece : pieces_) name_main_face(piece);
+    return std::move(pieces_);
+  }
+
+ private:
+  std::size_t outside() const {
+    std::size_t i = 0;
+    while (i + 1 < path_.points.size() && window_.contains(path_.points[i])) ++i;
+    return i;
+  }
+
+  void segment(std::size_t i, std::size_t j) {
+    const auto part = inside(path_.points[i], path_.points[j], window_);
+    // A line that touches a corner has no piece there.
+    if (!part || (!goes_on_ && part->first == part->second)) {
+      goes_on_ = false;
+      return;
+    }
+    if (!goes_on_) {
+      begin();
+      add(i, j, part->first);
+    }
+    name_face(face_at(path_, i));
+    add(i, j, part->second);
+    goes_on_ = part->second == 1;
+  }
+
+  void begin() {
+    Path head = without_points(path_);
+    if (!varies_) head.width = path_.width;
+    pieces_.push_back(std::move(head));
+  }
+
+  void add(std::size_t i, std::size_t j, double t) {
+    Path& piece = pieces_.back();
+    piece.points.push_back(glm::mix(path_.points[i], path_.points[j], t));
+    if (varies_) piece.width.push_back(glm::mix(path_.width[i], path_.width[j], t));
+    if (!spatial_) return;
+    const Vec3 a = path_.points3[i], b = path_.points3[j];
+    piece.points3.push_back(glm::mix(a, b, share_in_model(a, b, t, view_)));
+  }
+
+  // A piece that stays on one face names that alone.
+  void name_face(std::int32_t face) {
+    if (path_.faces.empty()) return;
+    Path& piece = pieces_.back();
+    const auto at = static_cast<std::uint32_t>(piece.points.size() - 1);
+    const bool first = at == 0;
+    if (first) piece.source.face = face;
+    const std::int32_t before = piece.faces.empty() ? piece.source.face : piece.faces.back().face;
+    if (first || face == before) return;
+    if (piece.faces.empty()) piece.faces.push_back({0, piece.source.face});
+    piece.faces.push_back({at, face});
+  }
+
+  static void name_main_face(Path& piece) {
+    std::map<std::int32_t, double> length;
+    for (std::size_t run = 0; run < piece.faces.size(); ++run) {
+      const std::size_t end =
+          run + 1 < piece.faces.size() ? piece.faces[run + 1].first_point : piece.points.size() - 1;
+      for (std::size_t i = piece.faces[run].first_point; i < end; ++i) {
+        length[piece.faces[run].face] += glm::distance(piece.points[i], piece.points[i + 1]);
+      }
+    }
+    double most = -1;
+    for (const auto& [face, mm] : length) {
+      if (mm > most) piece.source.face = face;
+      most = std::max(most, mm);
+    }
+  }
+
+  const Path& path_;
+  const Box2& window_;
+  const DrawingView* view_;
+  bool varies_, spatial_;
+  bool goes_on_ = false;
+  std::vector<Path> pieces_;
+};
+
+}  // namespace
+
+Path without_points(const Path& path) {
+  Path head;
+  head.kind = path.kind;
+  head.visible = path.visible;
+  head.in_full = path.in_full;
+  head.source = path.source;
+  head.field = path.field;
+  head.family = path.family;
+  return head;
+}
+
+bool lies_in(const Path& path, const Box2& window) {
+  return std::all_of(path.points.begin(), path.points.end(),
+                     [&](Vec2 p) { return window.contains(p); });
+}
+
+std::vector<Path> clipped(const Path& path, const Box2& window, const DrawingView* view) {
+  if (path.points.size() < 2) return {};
+  return Cutter(path, window, view).run();
+}
+
+}  // namespace burin

@@ -1,0 +1,19 @@
+#pragma once
+/// Paths cut at the sides of a rectangle.
+
+#include <burin/base/box.h>
+#include <burin/drawing/drawing.h>
+
+#include <vector>
+
+namespace burin {
+
+/// Whether all points of a path lie in the rectangle (paper mm).
+bool lies_in(const Path& path, const Box2& window);
+
+/// The pieces of a path in the rectangle, each of them open, in their order along it; widths, model
+/// points and faces go with them. `view` says how model points lie to those of the paper (absent:
+/// straight in proportion, as in orthographic views). @cite LiangBarsky1984
+std::vector<Path> clipped(const Path& path, const Box2& window, const DrawingView* view = nullptr);
+
+}  // namespace burin

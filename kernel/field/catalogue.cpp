@@ -1,0 +1,62 @@
+#include <burin/base/error.h>
+#include <burin/field/catalogue.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <string>
+
+namespace burin::field {
+namespace {
+
+AngleOptions angle(const FieldRequest& r) { return {.fallback = r.direction, .flat = r.flat}; }
+
+constexpr std::array kKinds{
+    FieldKind{"smoothed", "the principal directions, made smooth", true, "",
+              [](const FieldRequest& r) {
+                return smoothed(r.surfaces,
+                                {.alignment = r.alignment,
+                                 .fallback = r.direction,
+                                 .policy = r.policy,
+                                 .view = r.camera.direction()},
+                                r.context);
+              }},
+    FieldKind{"principal", "the principal directions as they are", true,
+              "planes and spheres have no principal directions",
+              [](const FieldRequest&) { return principal(); }},
+    FieldKind{"isophote", "lines of constant angle to the view", true, "",
+              [](const FieldRequest& r) { return isophote(r.camera, angle(r)); }},
+    FieldKind{"isophote-light", "lines of constant angle to the light", true, "",
+              [](const FieldRequest& r) { return isophote(r.light, angle(r)); }},
+    FieldKind{"steepest", "across the lines of constant angle to the view", true, "",
+              [](const FieldRequest& r) { return steepest(r.camera, angle(r)); }},
+    FieldKind{"isoparametric", "parameter lines", false,
+              "meshes and functions have no parameter lines",
+              [](const FieldRequest&) { return isoparametric(); }},
+    FieldKind{"planes", "cuts by planes at a right angle to hatch.direction", false,
+              "hatch.direction is at a right angle to the surface there",
+              [](const FieldRequest& r) { return planes(r.direction); }},
+    FieldKind{"screen-vertical", "upright on the sheet", false,
+              "the surface is upright and seen edge-on there",
+              [](const FieldRequest& r) { return screen_vertical(r.camera); }},
+    FieldKind{"fixed", "hatch.direction", false,
+              "the surface is at a right angle to the direction there",
+              [](const FieldRequest& r) { return fixed(r.direction); }},
+};
+
+}  // namespace
+
+std::span<const FieldKind> catalogue() { return kKinds; }
+
+const FieldKind& find(std::string_view name) {
+  const auto found = std::ranges::find(kKinds, name, &FieldKind::name);
+  if (found != kKinds.end()) return *found;
+  std::string names;
+  for (const FieldKind& kind : kKinds) {
+    names += (names.empty() ? "" : ", ") + std::string(kind.name);
+  }
+  throw UsageError(fmt::format("unknown hatch.field '{}'; there are {}", name, names));
+}
+
+}  // namespace burin::field

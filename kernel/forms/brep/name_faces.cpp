@@ -1,0 +1,33 @@
+#include "name_faces.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cstddef>
+
+namespace burin {
+
+std::string face_list(const std::vector<std::int32_t>& faces) {
+  constexpr std::size_t kNamed = 10;
+  const std::size_t named = std::min(faces.size(), kNamed);
+  std::string list = fmt::format(
+      "face{} {}", faces.size() > 1 ? "s" : "",
+      fmt::join(faces.begin(), faces.begin() + static_cast<std::ptrdiff_t>(named), ", "));
+  if (named < faces.size()) list += fmt::format(" and {} more", faces.size() - named);
+  return list;
+}
+
+void name_loose_faces(const std::vector<std::uint8_t>& marked, const std::string& reason,
+                      Diagnostics* diagnostics) {
+  std::vector<std::int32_t> faces;
+  for (std::size_t f = 0; f < marked.size(); ++f) {
+    if (marked[f]) faces.push_back(static_cast<std::int32_t>(f));
+  }
+  if (faces.empty() || !diagnostics) return;
+  diagnostics->add(Severity::Warning, "brep.face_loose", static_cast<std::int64_t>(faces.size()),
+                   fmt::format("drawn from triangles alone, joined to nothing ({}): {}", reason,
+                               face_list(faces)));
+}
+
+}  // namespace burin

@@ -1,0 +1,114 @@
+#include "on_sheet.h"
+
+#include <burin/base/box.h>
+#include <burin/drawing/clip.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <string>
+#include <utility>
+
+namespace burin::detail {
+namespace {
+
+// Paper mm: a drawing that is no larger is a dot.
+constexpr double kDot = 1;
+// Paper mm that a line may pass the edge and still is on the sheet: rounding of a drawing that
+// fills it.
+constexpr double kEdge = 0.01;
+
+bool draws_anything(const Style& s) {
+  const auto& f = s.feature;
+  return s.hatch.enabled || f.contours || f.creases || f.boundaries || f.smooth || f.seams ||
+         f.intersections;
+}
+
+std::string why_empty(const Looks& looks) {
+  bool any_part = false, any_line = false;
+  for (std::size_t i = 0; i < looks.size(); ++i) {
+    any_part = any_part || looks.drawn(i);
+    any_line = any_line || (looks.drawn(i) && draws_anything(looks.style(i)));
+  }
+  if (!any_part) return "every part is left out";
+  if (!any_line)
+    return "the style has neither feature lines (feature.*) nor strokes (hatch.enabled)";
+  return "no line of the model is seen from this view; try another one";
+}
+
+// Millimetres in two or three digits, never as a power of ten.
+std::string mm(double x) {
+  return std::abs(x) >= 10 || x == 0 ? fmt::format("{:.0f}", x) : fmt::format("{:.2g}", x);
+}
+
+Box2 bounds(const Drawing& drawing) {
+  Box2 box;
+  for (const Layer& layer : drawing.layers) {
+    for (const Path& path : layer.paths) {
+      for (const Vec2& p : path.points) box.add(p);
+    }
+  }
+  return box;
+}
+
+// Returns whether anything was cut.
+void clip_to(const Box2& sheet, Drawing& drawing) {
+  drawing.stats.strokes = 0;
+  for (Layer& layer : drawing.layers) {
+    std::vector<Path> kept;
+    for (Path& path : layer.paths) {
+      if (lies_in(path, sheet)) {
+        kept.push_back(std::move(path));
+      } else {
+        std::vector<Path> pieces = clipped(path, sheet, &drawing.view);
+        kept.insert(kept.end(), std::make_move_iterator(pieces.begin()),
+                    std::make_move_iterator(pieces.end()));
+      }
+    }
+    layer.paths = std::move(kept);
+    for (const Path& path : layer.paths) drawing.stats.strokes += path.kind == LineClass::Stroke;
+  }
+  std::erase_if(drawing.layers, [](const Layer& layer) { return layer.paths.empty(); });
+}
+
+}  // namespace
+
+void settle_on_sheet(const Looks& looks, bool clip, Drawing& drawing) {
+  const Box2 ink = bounds(drawing);
+  const auto warn = [&](const char* code, const std::string& message) {
+    drawing.diagnostics.add(Severity::Warning, code, 1, message);
+  };
+  if (ink.empty()) return warn("drawing.empty", "nothing is drawn: " + why_empty(looks));
+  const Vec2 size(drawing.paper_width, drawing.paper_height);
+  const Box2 sheet{Vec2(-kEdge), size + kEdge};
+  const Vec2 extent = ink.size();
+  if (std::max(extent.x, extent.y) < kDot) {
+    warn("sheet.dot", fmt::format("the drawing is no larger than a dot, {:.2g} x {:.2g} mm on the "
+                                  "sheet: give a larger scale, or none to fit the sheet",
+                                  extent.x, extent.y));
+  }
+  if (!ink.overlaps(sheet)) {
+    warn("sheet.outside",
+         fmt::format("nothing of the drawing lies on the sheet of {:g} x {:g} mm: it reaches from "
+                     "{}, {} to {}, {}; change the centre or the scale",
+                     size.x, size.y, mm(ink.min.x), mm(ink.min.y), mm(ink.max.x), mm(ink.max.y)));
+    if (clip) clip_to(sheet, drawing);
+    return;
+  }
+  const bool inside = ink.min.x >= sheet.min.x && ink.min.y >= sheet.min.y &&
+                      ink.max.x <= sheet.max.x && ink.max.y <= sheet.max.y;
+  if (inside || !clip) return;
+  clip_to(sheet, drawing);
+  const double smaller = std::min(size.x / extent.x, size.y / extent.y);
+  warn("sheet.clipped",
+       fmt::format("the drawing is {} x {} mm, the sheet {:g} x {:g} mm: what runs off it "
+                   "is cut ({}; sheet.clip=false keeps it)",
+                   mm(extent.x), mm(extent.y), size.x, size.y,
+                   smaller < 1 ? fmt::format("scale {:.2g} or less would hold it all",
+                                             0.95 * smaller * drawing.view.scale)
+                               : "another centre would hold it all"));
+}
+
+}  // namespace burin::detail

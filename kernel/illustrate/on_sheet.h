@@ -1,0 +1,14 @@
+#pragma once
+// The drawing and the sheet that it stands on; internal to the module.
+
+#include <burin/drawing/drawing.h>
+
+#include "looks.h"
+
+namespace burin::detail {
+
+/// Cuts what runs off the sheet at its edge (with `clip`), and tells of a drawing that is empty,
+/// off the sheet, cut, or no larger than a dot.
+void settle_on_sheet(const Looks& looks, bool clip, Drawing& drawing);
+
+}  // namespace burin::detail

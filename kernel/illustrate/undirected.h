@@ -1,0 +1,35 @@
+#pragma once
+// Strokes that were asked for and have no direction to follow; internal to the module.
+
+#include <burin/illustrate/illustrate.h>
+
+#include <string>
+#include <vector>
+
+namespace burin::detail {
+
+/// Looks, before strokes are placed, where ink is wanted and the field says nothing.
+class Undirected {
+ public:
+  /// `scene` must outlive it.
+  explicit Undirected(const Scene& scene) : scene_(scene) {}
+
+  /// Asks the field where the parts of a style are seen and want ink: at most some ten thousand
+  /// places of the picture.
+  void look(const HatchScene& hatched, const Field& field, const Tone& tone, const Style& style);
+  /// One diagnostic "strokes.no_direction" for each field that left something out.
+  void tell(Diagnostics& diagnostics) const;
+
+ private:
+  struct Found {
+    std::string field;
+    /// Parts without any direction, and those with few; their numbers in the scene.
+    std::vector<std::size_t> none, some;
+  };
+  std::string names(const std::vector<std::size_t>& parts) const;
+
+  const Scene& scene_;
+  std::vector<Found> found_;
+};
+
+}  // namespace burin::detail

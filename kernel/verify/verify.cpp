@@ -1,0 +1,238 @@
+#include <burin/base/parallel.h>
+#include <burin/verify/referee.h>
+#include <burin/verify/verify.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+
+namespace burin {
+namespace {
+
+// Paper mm between two places of a line that are tested, and the shortest stretch that counts.
+constexpr double kStep = 0.125;
+constexpr double kShortest = 0.5;
+constexpr int kFewest = 4;  // the same in places
+// The tessellation's share of the drawing's tolerance. Finer than the sheet's own choice the lines
+// themselves are not.
+constexpr double kFiner = 0.25;
+constexpr double kSheetTolerance = 0.05;  // paper mm
+// Lines a step of progress, and a task.
+constexpr std::size_t kAtOnce = 1024, kGrain = 8;
+constexpr std::size_t kListed = 100, kNamed = 20;
+
+/// What one line gave.
+struct Tested {
+  double length = 0;  // 0: too short
+  std::vector<Contradiction> found;
+};
+
+struct Place {
+  Vec3 model;
+  Vec2 paper;
+};
+
+// Places every kStep mm of paper, from half of that on.
+std::vector<Place> places_of(const Path& path, const Camera& camera, double& length) {
+  std::vector<Place> places;
+  const std::size_t n = path.points3.size();
+  double next = 0.5 * kStep;
+  length = 0;
+  for (std::size_t i = 0; i + (path.closed ? 0 : 1) < n; ++i) {
+    const Vec3 a = path.points3[i], b = path.points3[(i + 1) % n];
+    const double d = glm::distance(camera.to_paper(a), camera.to_paper(b));
+    for (; next < length + d; next += kStep) {
+      const Vec3 p = glm::mix(a, b, (next - length) / d);
+      places.push_back({p, camera.to_paper(p)});
+    }
+    length += d;
+  }
+  return places;
+}
+
+Tested test_line(const Path& path, const Camera& camera, const Referee& referee) {
+  Tested tested;
+  const std::vector<Place> places = places_of(path, camera, tested.length);
+  if (tested.length < kShortest || !std::isfinite(tested.length)) return {};
+  using Fold = Referee::Fold;
+  const Fold fold = path.kind != LineClass::Contour ? Fold::None
+                    : path.source.edge >= 0         ? Fold::Sharp
+                                                    : Fold::Smooth;
+  int run = 0;
+  Finding worst = Finding::Holds;
+  const auto close = [&](std::size_t end) {
+    if (run >= kFewest) {
+      const Place& middle = places[end - static_cast<std::size_t>(run + 1) / 2];
+      tested.found.push_back({.what = to_string(worst),
+                              .kind = path.kind,
+                              .source = path.source,
+                              .length = run * kStep,
+                              .at = middle.paper,
+                              .model = middle.model});
+    }
+    run = 0;
+  };
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    const Finding finding = referee.test(places[i].model, path.visible, fold);
+    if (finding == Finding::Holds) {
+      close(i);
+    } else {
+      ++run;
+      worst = finding;
+    }
+  }
+  close(places.size());
+  return tested;
+}
+
+std::string name_of(const Scene& scene, std::int32_t part) {
+  const auto i = static_cast<std::size_t>(part);
+  if (part < 0 || i >= scene.parts.size()) return "of no part";
+  const std::string& name = scene.parts[i].name;
+  return name.empty() ? fmt::format("of part {}", part) : fmt::format("of part '{}'", name);
+}
+
+std::string sentence(const Contradiction& c, const Scene& scene) {
+  const std::string where =
+      fmt::format("at {:.1f},{:.1f} mm of the sheet (model {:.6g},{:.6g},{:.6g})", c.at.x, c.at.y,
+                  c.model.x, c.model.y, c.model.z);
+  const std::string line = fmt::format("{} {}", to_string(c.kind), name_of(scene, c.source.part));
+  if (c.what == "loose_end") {
+    return fmt::format("the outer outline ends, a {}, {}", line, where);
+  }
+  if (c.what == "missing") {
+    return fmt::format("{:.2f} mm of the outer outline {} are missing, {}", c.length,
+                       name_of(scene, c.source.part), where);
+  }
+  const char* says = c.what == "covered" ? "drawn, but something stands before it"
+                     : c.what == "open"  ? "taken for hidden, but nothing stands before it"
+                                         : "drawn where there is no surface";
+  return fmt::format("{:.2f} mm of a {} are {}, {}", c.length, line, says, where);
+}
+
+void report(const Verification& v, const Scene& scene, Diagnostics& diagnostics) {
+  std::size_t named = 0;
+  for (const Contradiction& c : v.contradictions) {
+    if (++named > kNamed) break;
+    diagnostics.add(Severity::Warning, "verify." + c.what, 1, sentence(c, scene));
+  }
+  const auto all = static_cast<std::size_t>(v.count + v.loose_ends);
+  if (all > kNamed) {
+    diagnostics.add(Severity::Warning, "verify.more", static_cast<std::int64_t>(all - kNamed),
+                    fmt::format("{} more places where rays contradict the drawing", all - kNamed));
+  }
+}
+
+bool flagged(const VerifyOptions& options, std::size_t part, Standing standing) {
+  return (part < options.parts.size() ? options.parts[part] : Standing::Solid) == standing;
+}
+
+/// The referees of a scene: one for the solid parts, one for each transparent part with them.
+class Court {
+ public:
+  Court(const Scene& scene, const Camera& camera, const VerifyOptions& options,
+        Diagnostics& diagnostics, RunContext& context)
+      : by_part_(scene.parts.size()) {
+    const double own = kSheetTolerance / camera.scale();
+    std::vector<bool> wanted;
+    for (std::size_t i = 0; i < scene.parts.size(); ++i) {
+      wanted.push_back(!flagged(options, i, Standing::Absent));
+    }
+    const double fine = kFiner * std::min(options.tolerance, own);
+    const FineSurfaces all = fine_surfaces(scene, fine, wanted, context);
+    const double paper = camera.scale() * std::max(options.tolerance, own);
+    const RefereeOptions how{.radius = 2 * paper, .slack = paper + kFiner * kSheetTolerance};
+    FineSurfaces solid = all;
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      if (flagged(options, i, Standing::Transparent)) solid[i] = nullptr;
+      if (wanted[i] && !all[i]) {
+        diagnostics.add(Severity::Warning, "verify.not_tested", 1,
+                        fmt::format("lines {} are not verified: it cannot be tessellated finely",
+                                    name_of(scene, static_cast<std::int32_t>(i))));
+      }
+    }
+    solid_ = std::make_shared<Referee>(solid, camera, how, context);
+    all_ = solid == all ? solid_ : std::make_shared<Referee>(all, camera, how, context);
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      if (!all[i]) continue;
+      if (!flagged(options, i, Standing::Transparent)) {
+        by_part_[i] = solid_;
+        continue;
+      }
+      FineSurfaces with = solid;
+      with[i] = all[i];
+      by_part_[i] = std::make_shared<Referee>(std::move(with), camera, how, context);
+    }
+  }
+
+  /// Of all parts that are drawn.
+  const Referee& all() const { return *all_; }
+  /// Null where the part has no fine surface.
+  const Referee* of(std::int32_t part) const {
+    const auto i = static_cast<std::size_t>(part);
+    return part >= 0 && i < by_part_.size() ? by_part_[i].get() : nullptr;
+  }
+
+ private:
+  std::shared_ptr<Referee> solid_, all_;
+  std::vector<std::shared_ptr<Referee>> by_part_;
+};
+
+std::vector<Tested> test_lines(std::span<const Path> lines, const Camera& camera,
+                               const Court& court, RunContext& context) {
+  std::vector<Tested> tested(lines.size());
+  for (std::size_t from = 0; from < lines.size(); from += kAtOnce) {
+    context.progress(static_cast<double>(from) / static_cast<double>(lines.size()));
+    parallel_for(
+        std::min(kAtOnce, lines.size() - from), kGrain,
+        [&](std::size_t begin, std::size_t end) {
+          for (std::size_t i = from + begin; i < from + end; ++i) {
+            const Referee* referee = court.of(lines[i].source.part);
+            if (referee) tested[i] = test_line(lines[i], camera, *referee);
+          }
+        },
+        &context);
+  }
+  return tested;
+}
+
+void add_loose_ends(const Drawing& drawing, Verification& verification) {
+  for (const LooseEnd& end : loose_ends(drawing)) {
+    if (static_cast<std::size_t>(verification.loose_ends++) >= kListed) continue;
+    verification.contradictions.push_back(
+        {.what = "loose_end", .source = end.source, .at = end.at, .model = end.model});
+  }
+}
+
+}  // namespace
+
+Verification verify(const Drawing& drawing, std::span<const Path> lines, const Scene& scene,
+                    const Camera& camera, const VerifyOptions& options, Diagnostics& diagnostics,
+                    RunContext& context) {
+  const Court court(scene, camera, options, diagnostics, context);
+  context.begin_stage("verify");
+  Verification out;
+  const auto add = [&](const std::vector<Contradiction>& found) {
+    for (const Contradiction& c : found) {
+      ++out.count;
+      out.contradicted += c.length;
+      out.contradictions.push_back(c);
+    }
+  };
+  for (const Tested& t : test_lines(lines, camera, court, context)) {
+    out.spans += t.length > 0 ? 1 : 0;
+    out.length += t.length;
+    add(t.found);
+  }
+  if (options.outline) add(missing_outline(drawing, court.all(), camera, context));
+  std::ranges::stable_sort(out.contradictions, std::ranges::greater{}, &Contradiction::length);
+  if (out.contradictions.size() > kListed) out.contradictions.resize(kListed);
+  if (options.outline) add_loose_ends(drawing, out);
+  report(out, scene, diagnostics);
+  context.end_stage();
+  return out;
+}
+
+}  // namespace burin

@@ -1,0 +1,120 @@
+/// Strokes that run along planes, or upright on the sheet, do so on every form: as they are drawn.
+
+#include <burin/field/field.h>
+#include <burin/stroke/stroke.h>
+#include <burin/visibility/occluder.h>
+
+#include "forms.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+namespace burin {
+namespace {
+
+using test::FormCase;
+
+// One part of any form on a sheet of 100 x 100 mm, and the strokes of a field on what is seen.
+struct Hatched {
+  Hatched(const Form& form, std::optional<double> perspective)
+      : camera(Camera::fit(
+            [&](const Mat3& axes) { return form.bounds(axes); },
+            {.direction = {0.7, -1, 0.6}, .perspective = perspective, .paper = {100, 100}})) {
+    surface = form.realise({.tolerance = 0.05 / camera.scale(), .view = &camera}, context);
+  }
+
+  std::vector<Curve3> strokes(const Field& field) {
+    const std::vector<const ProxyMesh*> proxies{&surface->proxy()};
+    const Occluder occluder(proxies, context);
+    const double far = 4 * occluder.diagonal() + 1e3 * camera.perspective() * occluder.diagonal();
+    const ViewProbe probe = [&](Vec2 p) -> std::optional<ViewHit> {
+      ViewRay r = camera.ray(p);
+      if (!camera.perspective()) r.origin -= 2 * occluder.diagonal() * r.direction;
+      const auto hit = occluder.first_hit(r.origin, r.direction, 0, far);
+      if (!hit) return std::nullopt;
+      return ViewHit{hit->where.part, {hit->where.face, hit->bary}};
+    };
+    const HatchOptions options{.spacing_min = 1.2,
+                               .spacing_max = 2.4,
+                               .width_max = 0.5,
+                               .tone_min = 0.05,
+                               .cross_from = 2,
+                               .length_max = 300};
+    return trace_strokes(
+               std::vector<const Surface*>{surface.get()}, camera, field,
+               [](Vec3, Vec3) { return 0.6; }, probe, options, context)
+        .strokes;
+  }
+
+  RunContext context;
+  Camera camera;
+  std::shared_ptr<const Surface> surface;
+};
+
+// On a face narrower than strokes are long they run along it, across the field: those keep nothing.
+bool across(const Curve3& c, Vec3 gradient) {
+  const std::size_t i = c.points.size() / 2;
+  const Vec3 tangent = normalize_or(c.points[i] - c.points[i - 1], Vec3(0));
+  const Vec3 steepest = normalize_or(reject(gradient, c.normals[i]), Vec3(0));
+  return std::abs(glm::dot(tangent, steepest)) > 0.7;
+}
+
+class HeldStrokes : public testing::TestWithParam<FormCase> {};
+
+TEST_P(HeldStrokes, OfPlanesStayInTheirPlane) {
+  Hatched hatched(*GetParam().make(), {});
+  const Vec3 normal = glm::normalize(Vec3(1, 0.4, 1.7));
+  double worst = 0;
+  std::size_t held = 0;
+  const auto strokes = hatched.strokes(field::planes(normal));
+  for (const Curve3& c : strokes) {
+    if (across(c, normal)) continue;
+    ++held;
+    double low = 1e300, high = -1e300;
+    for (const Vec3& p : c.points) {
+      low = std::min(low, glm::dot(p, normal));
+      high = std::max(high, glm::dot(p, normal));
+    }
+    worst = std::max(worst, hatched.camera.scale() * (high - low));
+  }
+  EXPECT_GE(held, 10U);
+  EXPECT_GE(static_cast<double>(held), 0.9 * static_cast<double>(strokes.size()));
+  EXPECT_LT(worst, 0.02) << "mm of paper off the plane";
+}
+
+TEST_P(HeldStrokes, UprightOnTheSheetAreUpright) {
+  for (const auto& perspective : {std::optional<double>(), std::optional<double>(45)}) {
+    Hatched hatched(*GetParam().make(), perspective);
+    const Camera& camera = hatched.camera;
+    double worst = 0, off = 0;
+    std::size_t held = 0;
+    const auto strokes = hatched.strokes(field::screen_vertical(camera));
+    for (const Curve3& c : strokes) {
+      const Vec3 middle = c.points[c.points.size() / 2];
+      if (across(c, glm::cross(camera.up(), camera.to_viewer(middle)))) continue;
+      ++held;
+      Vec2 from = camera.to_paper(c.points.front());
+      for (const Vec3& p : c.points) {
+        const Vec2 at = camera.to_paper(p);
+        off = std::max(off, std::abs(at.x - camera.to_paper(c.points.front()).x));
+        if (glm::distance(at, from) < 0.2) continue;  // what is drawn of an angle is length
+        worst = std::max(worst, std::atan2(std::abs(at.x - from.x), std::abs(at.y - from.y)));
+        from = at;
+      }
+    }
+    EXPECT_GE(held, 10U);
+    EXPECT_GE(static_cast<double>(held), 0.9 * static_cast<double>(strokes.size()));
+    EXPECT_LT(worst * 180 / std::numbers::pi, 0.5) << "degrees, " << perspective.value_or(0);
+    EXPECT_LT(off, 0.02) << "mm of paper, " << perspective.value_or(0);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Forms, HeldStrokes, testing::ValuesIn(test::form_cases()),
+                         [](const auto& which) { return which.param.name; });
+
+}  // namespace
+}  // namespace burin

@@ -1,0 +1,107 @@
+#include <burin/drawing/clip.h>
+#include <burin/drawing/join.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+namespace burin {
+namespace {
+
+const Box2 kWindow{{0, 0}, {10, 10}};
+
+Path line(std::vector<Vec2> points, bool closed = false) {
+  Path p;
+  p.closed = closed;
+  for (const Vec2& at : points) p.points3.emplace_back(2.0 * at, 1);
+  p.points = std::move(points);
+  p.width = {0.3};
+  p.source = {2, 5, 7};
+  return p;
+}
+
+TEST(Clip, CutsWithEverythingThatBelongsToAPoint) {
+  Path p = line({{-10, 5}, {5, 5}, {5, 20}});
+  p.width = {0.1, 0.4, 0.7};
+  p.faces = {{0, 5}, {1, 6}};
+  ASSERT_FALSE(lies_in(p, kWindow));
+  const std::vector<Path> pieces = clipped(p, kWindow);
+  ASSERT_EQ(pieces.size(), 1u);
+  const Path& q = pieces[0];
+  ASSERT_EQ(q.points.size(), 3u);
+  EXPECT_LT(glm::distance(q.points.front(), Vec2(0, 5)), 1e-12);
+  EXPECT_LT(glm::distance(q.points.back(), Vec2(5, 10)), 1e-12);
+  EXPECT_LT(glm::distance(q.points3.front(), Vec3(0, 10, 1)), 1e-12);
+  EXPECT_NEAR(q.width.front(), 0.3, 1e-12);
+  EXPECT_NEAR(q.width.back(), 0.5, 1e-12);
+  ASSERT_EQ(q.faces.size(), 2u);
+  EXPECT_EQ(q.faces[1].first_point, 1u);
+  EXPECT_EQ(q.faces[1].face, 6);
+  EXPECT_EQ(q.source, (SourceId{2, 5, 7}));
+}
+
+TEST(Clip, AClosedPathGivesWholePieces) {
+  // It begins inside: what is left are two corners, not three pieces.
+  const std::vector<Path> pieces =
+      clipped(line({{5, 5}, {5, 15}, {-5, 15}, {-5, 5}}, true), kWindow);
+  ASSERT_EQ(pieces.size(), 1u);
+  EXPECT_FALSE(pieces[0].closed);
+  // From where it comes in to where it leaves.
+  EXPECT_LT(glm::distance(pieces[0].points.front(), Vec2(0, 5)), 1e-12);
+  EXPECT_LT(glm::distance(pieces[0].points.back(), Vec2(5, 10)), 1e-12);
+}
+
+TEST(Clip, WhatIsOutsideOrTouchesACornerLeavesNothing) {
+  EXPECT_TRUE(clipped(line({{-5, 0}, {0, -5}}), kWindow).empty());
+  EXPECT_TRUE(clipped(line({{-5, 5}, {5, -5}}), kWindow).empty());
+  EXPECT_TRUE(clipped(line({{20, 20}, {30, 30}}), kWindow).empty());
+}
+
+TEST(Clip, InPerspectiveThePointOfTheModelIsTheOneThatIsSeen) {
+  DrawingView view;
+  view.projection = "perspective";
+  view.direction = {0, 0, 1};
+  view.eye = {0, 0, 100};
+  const auto paper = [](Vec3 p) { return Vec2(p.x, p.y) * (100 / (100 - p.z)); };
+  Path p;
+  p.points3 = {{-4, 2, 50}, {30, 8, -40}};
+  for (const Vec3& q : p.points3) p.points.push_back(paper(q));
+  p.width = {0.3};
+  const std::vector<Path> pieces = clipped(p, kWindow, &view);
+  ASSERT_EQ(pieces.size(), 1u);
+  for (std::size_t i = 0; i < 2; ++i) {
+    EXPECT_LT(glm::distance(paper(pieces[0].points3[i]), pieces[0].points[i]), 1e-12);
+  }
+}
+
+TEST(Join, RingsBecomeOneClosedPathAndTheRestStays) {
+  const Path a = line({{0, 0}, {5, 0}, {5, 5}});
+  const Path open = line({{20, 20}, {25, 20}});
+  Path b = line({{0, 0.001}, {0, 9}, {5, 5.001}});  // the other way round, ends within the grid
+  b.source = {2, 9, -1};
+  const std::vector<const Path*> all{&a, &open, &b};
+  const JoinedPaths joined = join_rings(all);
+  ASSERT_EQ(joined.paths.size(), 2u);
+  const Path& ring = *joined.paths[0];
+  EXPECT_TRUE(ring.closed);
+  EXPECT_EQ(ring.points.size(), 4u);
+  EXPECT_EQ(ring.source, b.source);  // the longer one
+  EXPECT_EQ(joined.pieces[0].size(), 2u);
+  EXPECT_EQ(joined.paths[1], &open);
+  EXPECT_TRUE(joined.pieces[1].empty());
+}
+
+TEST(Join, LinesThatBranchDifferOrStayOpenAreLeft) {
+  const Path a = line({{0, 0}, {5, 0}}), b = line({{5, 0}, {0, 5}}), c = line({{0, 5}, {0, 0}});
+  const Path branch = line({{0, 0}, {-5, -5}});
+  Path thick = c;
+  thick.width = {0.6};
+  const auto count = [](std::vector<const Path*> all) { return join_rings(all).paths.size(); };
+  EXPECT_EQ(count({&a, &b, &c}), 1u);
+  EXPECT_EQ(count({&a, &b}), 2u);
+  EXPECT_EQ(count({&a, &b, &thick}), 3u);
+  EXPECT_EQ(count({&a, &b, &c, &branch}), 4u);
+}
+
+}  // namespace
+}  // namespace burin
