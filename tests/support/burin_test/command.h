@@ -3,8 +3,11 @@
 
 #include <fcntl.h>
 #include <spawn.h>
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
+
+#include <burin_test/folder.h>
 
 #include <chrono>
 #include <csignal>
@@ -23,39 +26,6 @@ inline std::string slurp(const std::filesystem::path& path) {
   std::ifstream in(path, std::ios::binary);
   return {std::istreambuf_iterator<char>(in), {}};
 }
-
-/// An empty folder of its own that goes with the object.
-class Folder {
- public:
-  Folder() {
-    std::string name = (std::filesystem::temp_directory_path() / "burin-test-XXXXXX").string();
-    path_ = ::mkdtemp(name.data());
-  }
-  ~Folder() {
-    std::error_code error;
-    std::filesystem::remove_all(path_, error);
-  }
-  Folder(const Folder&) = delete;
-  Folder& operator=(const Folder&) = delete;
-
-  std::string operator/(const std::string& name) const { return (path_ / name).string(); }
-  std::string path() const { return path_.string(); }
-  /// How many files it holds, hidden ones too.
-  std::size_t count() const {
-    std::size_t n = 0;
-    for (const auto& entry : std::filesystem::directory_iterator(path_)) {
-      n += entry.exists() ? 1 : 0;
-    }
-    return n;
-  }
-  std::string write(const std::string& name, const std::string& text) const {
-    std::ofstream(path_ / name, std::ios::binary) << text;
-    return *this / name;
-  }
-
- private:
-  std::filesystem::path path_;
-};
 
 /// A run of the command whose output goes to files of a folder.
 class Command {
@@ -84,7 +54,9 @@ class Command {
   int wait() {
     if (pid_ > 0) {
       int status = 0;
-      ::waitpid(pid_, &status, 0);
+      rusage used{};
+      ::wait4(pid_, &status, 0, &used);
+      peak_megabytes = static_cast<double>(used.ru_maxrss) / 1024;
       status_ = WIFEXITED(status) ? WEXITSTATUS(status) : 1000 + WTERMSIG(status);
       pid_ = 0;
       std::error_code error;
@@ -100,7 +72,7 @@ class Command {
 
   /// Waits until the run has said `text` on standard error; false where it ended before.
   bool wait_for(const std::string& text) const {
-    for (int i = 0; i < 3000; ++i) {
+    for (int i = 0; i < 30000; ++i) {  // a minute: another program may have the machine
       if (slurp(err_).find(text) != std::string::npos) return true;
       siginfo_t info{};
       if (::waitid(P_PID, static_cast<id_t>(pid_), &info, WEXITED | WNOHANG | WNOWAIT) == 0 &&
@@ -113,6 +85,8 @@ class Command {
   }
 
   std::string std_out, std_err;
+  /// Of memory, at the most; 0 until it was waited for.
+  double peak_megabytes = 0;
 
  private:
   std::string out_, err_;

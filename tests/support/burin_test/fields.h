@@ -20,14 +20,36 @@ inline std::shared_ptr<const Surface> realised(TriMesh mesh, bool curvature = tr
   return MeshForm(std::move(mesh)).realise({.curvature = curvature}, context);
 }
 
-/// A point with its frame, as a stroke tracer asks a field about it.
+/// What a stroke tracer asks at a point: the arm of a family, or, on the way, the one that goes on.
+struct Asked {
+  FieldQuery query;
+  int family = 1;
+  Vec3 previous{0};
+};
+
+/// `field`: a Field, or what has its function `cross`.
+template <class HasCross>
+std::optional<Vec3> direction(const HasCross& field, const Asked& asked) {
+  const auto cross = field.cross(asked.query);
+  if (!cross) return std::nullopt;
+  return asked.previous == Vec3(0) ? arm_of(*cross, asked.family)
+                                   : arm_along(*cross, asked.previous);
+}
+
+/// How clearly a field speaks; 0 where it says nothing.
+inline double certainty(const Field& field, const Asked& asked) {
+  const auto cross = field.cross(asked.query);
+  return cross ? cross->certainty : 0;
+}
+
+/// A point with its frame.
 struct Probe {
   SurfacePoint point;
   Frame frame;
 
   Probe(const Surface& s, ProxyPoint at) : point(s.lift(at)), frame(s.frame(point)) {}
-  FieldQuery query(int family = 1, Vec3 previous = Vec3(0)) const {
-    return {0, point, frame, previous, family};
+  Asked query(int family = 1, Vec3 previous = Vec3(0)) const {
+    return {{0, point, frame}, family, previous};
   }
 };
 
@@ -60,7 +82,7 @@ struct Smoothed {
                                                    options, context);
   }
   std::optional<Vec3> at(const Probe& p, int family = 1, Vec3 previous = Vec3(0)) const {
-    return field->direction(p.query(family, previous));
+    return direction(*field, p.query(family, previous));
   }
   int index_sum() const {
     int sum = 0;

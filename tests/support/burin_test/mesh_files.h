@@ -8,8 +8,6 @@
 #include <algorithm>
 #include <bit>
 #include <cstring>
-#include <filesystem>
-#include <fstream>
 #include <string>
 
 namespace burin::test {
@@ -96,25 +94,5 @@ inline std::string ply_binary(const TriMesh& m, std::endian order = std::endian:
   }
   return out;
 }
-
-/// A file in the folder for temporary files that goes when this object goes.
-class TempFile {
- public:
-  TempFile(const std::string& name, const std::string& bytes)
-      : path_(std::filesystem::temp_directory_path() /
-              fmt::format("burin_test_{}_{}", static_cast<const void*>(this), name)) {
-    std::ofstream(path_, std::ios::binary) << bytes;
-  }
-  ~TempFile() {
-    std::error_code ignored;
-    std::filesystem::remove(path_, ignored);
-  }
-  TempFile(const TempFile&) = delete;
-  TempFile& operator=(const TempFile&) = delete;
-  const std::filesystem::path& path() const { return path_; }
-
- private:
-  std::filesystem::path path_;
-};
 
 }  // namespace burin::test

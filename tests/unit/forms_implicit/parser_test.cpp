@@ -4,6 +4,7 @@
 #include <burin/base/rng.h>
 #include <burin/converters/implicit_reader.h>
 
+#include <burin_test/folder.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -152,12 +153,12 @@ TEST(ImplicitText, GarbageNeverCrashes) {
 }
 
 TEST(ImplicitReader, ReadsAPartNamedByItsFile) {
-  const auto path = std::filesystem::temp_directory_path() / "burin_ball.implicit";
-  std::ofstream(path) << "sphere(2)\n";
+  const test::TempFile file("ball.implicit", "sphere(2)\n");
+  const std::filesystem::path& path = file.path();
   RunContext context;
   const Scene scene = read_implicit(path, {}, context);
   ASSERT_EQ(scene.parts.size(), 1u);
-  EXPECT_EQ(scene.parts[0].name, "burin_ball");
+  EXPECT_EQ(scene.parts[0].name, "ball");
   EXPECT_NEAR(scene.parts[0].form->bounds(Mat3(1)).max.x, 2, 1e-9);
   const FileInfo info = inspect_implicit(path, {}, context);
   EXPECT_NEAR(info.parts.at(0).volume, 4.0 / 3 * 3.14159265358979 * 8, 0.02);
@@ -167,7 +168,6 @@ TEST(ImplicitReader, ReadsAPartNamedByItsFile) {
   std::ofstream(path) << "z\n";
   EXPECT_THROW(read_implicit(path, {}, context), InputError);
   EXPECT_EQ(read_implicit(path, {Box3{Vec3(-1), Vec3(1)}}, context).parts.size(), 1u);
-  std::filesystem::remove(path);
   EXPECT_TRUE(is_implicit_suffix("a/B.IMPLICIT"));
   EXPECT_FALSE(is_implicit_suffix("implicit"));
 }
