@@ -2,25 +2,25 @@
 
 import os
 
-import FreeCAD
-
 from . import kernel
+from .errors import Refused
 from .features import illustration, is_illustration
+from .tell import NOTE, tell
 
 
 def export(objects, filename):
-    """Writes the kept drawing of one illustration; the suffix names the format. FreeCAD calls this too. Throws ValueError
-    with what to do."""
+    """Writes the kept drawing of one illustration; the suffix names the format. FreeCAD calls this too. Throws Refused,
+    which is a ValueError, with what to do."""
     chosen = [o for o in objects if is_illustration(o)]
     if len(chosen) != 1:
-        raise ValueError("choose one illustration to export (a Burin object in the tree)")
+        raise Refused("choose one illustration to export (a Burin object in the tree)")
     obj = chosen[0]
     if not illustration.settle(obj):
-        raise ValueError(f"{obj.Label}: {obj.Message}; nothing was written")
+        raise Refused(f"{obj.Label}: {obj.Message}; nothing was written")
     if not obj.Drawing or not os.path.exists(obj.Drawing):
-        raise ValueError(f"{obj.Label} has no drawing yet; recompute it first")
+        raise Refused(f"{obj.Label} has no drawing yet; recompute it first")
     kernel.module().Drawing.load(obj.Drawing).save(filename)
     if obj.Message.endswith(illustration.KEPT):
-        FreeCAD.Console.PrintWarning(f"{obj.Label}: {obj.Message}, and the one written to {filename}\n")
+        tell(f"{obj.Label}: {obj.Message}, and the one written to {filename}")
     else:
-        FreeCAD.Console.PrintMessage(f"{obj.Label}: written to {filename}\n")
+        tell(f"{obj.Label}: written to {filename}", NOTE)

@@ -4,6 +4,8 @@ import os
 
 import FreeCADGui as Gui
 
+from freecad.burin_wb import hooks
+
 _RESOURCES = os.path.join(os.path.dirname(__file__), "resources")
 
 
@@ -42,6 +44,19 @@ class BurinWorkbench(Gui.Workbench):
         return "Gui::PythonWorkbench"
 
 
+def _dress(obj):
+    from freecad.burin_wb import view
+
+    view.dress(obj)
+
+
+def _edit(obj):
+    from freecad.burin_wb import tasks
+
+    tasks.edit(obj)
+
+
+hooks.dress, hooks.edit = _dress, _edit
 Gui.addLanguagePath(os.path.join(_RESOURCES, "translations"))
 Gui.updateLocale()
 Gui.addIconPath(os.path.join(_RESOURCES, "icons"))

@@ -6,15 +6,12 @@ import concurrent.futures
 import hashlib
 import re
 import time
+import traceback
 from dataclasses import dataclass, field, fields
 from typing import Any, Dict, List, Optional, Tuple
 
 # What there is to say of parts and notes may be long; this many are shown.
 SHOWN = 6
-
-
-class Refused(Exception):
-    """What is asked for cannot be drawn; the text says why and what to do."""
 
 
 def shortened(texts, between="; "):
@@ -216,3 +213,21 @@ class Job:
             messages = [*self.notes, *(d.message for d in drawing.diagnostics)]
             return Result(drawing.to_bytes("json", json_points3=False), drawing.to_bytes("svg", svg_merge=True),
                           drawing.view.scale, messages, fingerprint.result())
+
+
+def answer(what, job, burin, progress, cancel):
+    """Does a job here: ("done", result), ("cancelled", nothing) or ("failed", text)."""
+    try:
+        if what == "check":
+            return "done", job.faults(burin, progress, cancel)
+        try:
+            return "done", job.run(burin, progress, cancel)
+        except (burin.GeometryError, burin.InputError) as error:  # it may be the fault of the shapes
+            return "failed", str(error) + job.faults(burin, progress, cancel)
+    except burin.Cancelled:
+        return "cancelled", None
+    except burin.Error as error:
+        return "failed", str(error)
+    except Exception as error:  # a mistake of ours: told, and the worker lives on
+        traceback.print_exc()
+        return "failed", f"the drawing kernel failed: {error!r}"

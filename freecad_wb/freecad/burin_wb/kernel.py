@@ -1,35 +1,20 @@
 """The way to the kernel: the Python module `burin`, in this process or in a worker process."""
 
-import importlib
 import importlib.util
 import os
 import sys
 
-HOW_TO_INSTALL = (
-    "The drawing kernel (the Python module 'burin') was not found. Build it with './dev build' and "
-    "install it with 'cmake --install build/release', or set the environment variable BURIN_PYTHON_PATH "
-    "to the folder that holds it (build/release/python), or name that folder in the preferences. Documents open and show their kept drawings "
-    "without it."
-)
-
-
-class KernelMissing(Exception):
-    """The module `burin` cannot be imported; the text says what to install."""
+from . import preferences
+from .load import load
 
 
 def folders():
     """Folders that hold the module and are searched besides sys.path, in order: the environment's, the preferences',
     this add-on's own, the one that was installed with it, and the build folder of a development checkout."""
-    told = os.environ.get("BURIN_WORKER_FOLDERS")
-    if told is not None:  # in the worker: those of the side that asks, and no others
-        return [p for p in told.split(os.pathsep) if p]
     here = os.path.dirname(os.path.realpath(__file__))
     named = os.environ.get("BURIN_PYTHON_PATH", "")
     found = [p for p in named.split(os.pathsep) if p]
-    if "FreeCAD" in sys.modules:
-        from . import preferences
-
-        found.append(preferences.kernel_folder())
+    found.append(preferences.kernel_folder())
     found.append(os.path.join(here, "native"))
     found.extend(_installed(here))
     found.append(os.path.normpath(os.path.join(here, "../../../build/release/python")))
@@ -64,14 +49,5 @@ def found():
 
 
 def module():
-    """The module `burin`. Throws KernelMissing."""
-    for folder in folders():
-        if folder not in sys.path:
-            sys.path.append(folder)
-    try:
-        burin = importlib.import_module("burin")
-        burin.draw  # a folder that only has the name is a module too
-        return burin
-    except (ImportError, AttributeError) as error:
-        sys.modules.pop("burin", None)
-        raise KernelMissing(f"{HOW_TO_INSTALL} ({error})") from error
+    """The module `burin`. Throws errors.KernelMissing."""
+    return load(folders())

@@ -1,66 +1,32 @@
-"""The kernel in a process of its own: a crash there leaves FreeCAD and the document alive.
+"""The kernel in a process of its own (serve.py): a crash there leaves FreeCAD and the document alive."""
 
-Run as a script it is the worker: jobs come pickled on standard input, messages go pickled to standard output,
-each behind its length as eight bytes. Imported it is the side that asks."""
-
-import importlib
 import importlib.util
 import os
 import pickle
 import shutil
-import struct
 import subprocess
 import sys
 import tempfile
 import threading
-import traceback
 
-HEAD = struct.Struct("<Q")
+from . import kernel, preferences
+from .errors import HOW_TO_INSTALL, Crashed, Failed, KernelMissing, Stopped
+from .job import UNCHANGED, answer
+from .messages import receive, send
 
-# Seconds that a worker gets to end a cancelled job before it is ended itself.
-PATIENCE = 0.08
+# Seconds that a process gets to end a cancelled job before it is ended itself: one that has the job, and one that still
+# starts.
+PATIENCE, PATIENCE_AT_START = 0.08, 1.0
 
 # Seconds that a program gets to say that it can be a worker: importing numpy and the kernel takes 0.3.
 HELLO = 30.0
 
-
-class Failed(Exception):
-    """The run failed; the text is for the user."""
-
-
-class Crashed(Failed):
-    """The worker ended in the middle of the run."""
-
-
-class Stopped(Exception):
-    """The run was cancelled."""
-
-
-def _send(stream, message):
-    data = pickle.dumps(message, protocol=4)
-    stream.write(HEAD.pack(len(data)))
-    stream.write(data)
-    stream.flush()
-
-
-def _receive(stream):
-    """The next message; nothing where the other side is gone."""
-    head = stream.read(HEAD.size)
-    if len(head) < HEAD.size:
-        return None
-    size = HEAD.unpack(head)[0]
-    data = stream.read(size)
-    return pickle.loads(data) if len(data) == size else None
-
-
-# --- the side that asks ---------------------------------------------------------------------------
+_PROGRAM = os.path.join(os.path.dirname(os.path.abspath(__file__)), "serve.py")
 
 
 def interpreters():
     """Programs that may be a Python of this version, the likeliest first: the one that the user names, the one that
     FreeCAD brings (AppImage, Windows), the system's. Whether one can be a worker it says itself when it is started."""
-    from . import preferences
-
     named = preferences.python() or os.environ.get("BURIN_PYTHON", "")
     version = "python%d.%d" % sys.version_info[:2]
     own = [os.path.join(folder, name) for folder in (sys.prefix, sys.exec_prefix, os.path.dirname(sys.executable or ""))
@@ -120,20 +86,19 @@ class Worker:
                   f"({whys or 'no Python interpreter was found'}; set BURIN_PYTHON to one)", file=sys.stderr)
         return False
 
-    def draw(self, job, progress=None):
-        """Runs a job to its end. Returns a job.Result. `progress(stage, share)` is called from this thread.
-        Throws Failed or Stopped."""
-        from . import kernel
-        from .job import UNCHANGED
-
+    def draw(self, job, progress=None, wanted=lambda: True):
+        """Runs a job to its end. Returns a job.Result. `progress(stage, share)` is called from this thread. `wanted()` is
+        asked as soon as `cancel` is of effect: whether the job was not cancelled before. Throws Failed or Stopped."""
         if not kernel.found():
             if job.is_drawn():
                 return UNCHANGED
-            raise Failed(kernel.HOW_TO_INSTALL)
+            raise Failed(HOW_TO_INSTALL)
         with self._lock:
             self._number += 1
             self._cancelled, self._sent, self._running = False, False, self._number
         try:
+            if not wanted():
+                raise Stopped()
             if not self.start():
                 return self._draw_here(job, progress)
             try:
@@ -158,9 +123,9 @@ class Worker:
                 if self._cancelled:
                     raise Stopped()
                 self._sent = True
-                _send(process.stdin, (what, self._running, job))
+                send(process.stdin, (what, self._running, job))
             while True:
-                message = _receive(process.stdout)
+                message = receive(process.stdout)
                 if message is None:
                     raise EOFError
                 kind, *rest = message
@@ -181,51 +146,52 @@ class Worker:
             raise Crashed(words) from error
 
     def _draw_here(self, job, progress):
-        from . import kernel
-
         try:
             burin = kernel.module()
-        except kernel.KernelMissing as error:
+        except KernelMissing as error:
             raise Failed(str(error)) from error
         self._here = burin.Cancel()
         if self._cancelled:
             self._here.cancel()
         try:
-            kind, answer = _run("draw", job, burin, progress, self._here)
+            kind, given = answer("draw", job, burin, progress, self._here)
         finally:
             self._here = None
         if kind == "cancelled":
             raise Stopped()
         if kind == "failed":
-            raise Failed(answer)
-        return answer
+            raise Failed(given)
+        return given
 
     def cancel(self):
         """Ends the job under way; may be called from any thread, and returns at once. A process that does not end its
-        job within PATIENCE seconds is ended itself."""
+        job in time is ended itself."""
         run, here, process = self._running, self._here, self._process
         if run is None:
             return
         self._cancelled = True
         if here is not None:
             here.cancel()
-        elif process is not None:
+            return
+        if process is not None:
             # A process that hangs takes nothing: who writes to it waits.
             threading.Thread(target=self._ask_to_end, args=(process, run), daemon=True).start()
-            timer = threading.Timer(PATIENCE, self._lose_patience, (run,))
+        for seconds, has_it in ((PATIENCE, True), (PATIENCE_AT_START, False)):
+            timer = threading.Timer(seconds, self._lose_patience, (run, has_it))
             timer.daemon = True
             timer.start()
 
     def _ask_to_end(self, process, run):
         try:
             with self._sending:
-                _send(process.stdin, ("cancel", run))
+                send(process.stdin, ("cancel", run))
         except (OSError, ValueError):
             pass
 
-    def _lose_patience(self, run):
+    def _lose_patience(self, run, has_it):
+        """Ends the process where the run is still under way, and the process has its job or has it not yet."""
         with self._lock:
-            if self._running == run and self._sent:
+            if self._running == run and self._sent == has_it:
                 self._kill()
 
     def stop(self):
@@ -245,8 +211,6 @@ class Worker:
 
     def _launch(self, python):
         """Starts a program and waits for its hello. Nothing where it is a worker now, else why it is none."""
-        from . import kernel
-
         environment = dict(os.environ)
         environment["BURIN_WORKER_FOLDERS"] = os.pathsep.join(kernel.folders())
         environment["BURIN_WORKER_NUMPY"] = _numpy_folder()
@@ -255,7 +219,7 @@ class Worker:
         log = tempfile.TemporaryFile()
         try:
             process = subprocess.Popen(
-                [python, os.path.abspath(__file__)], stdin=subprocess.PIPE, stdout=subprocess.PIPE,
+                [python, _PROGRAM], stdin=subprocess.PIPE, stdout=subprocess.PIPE,
                 stderr=log, env=environment, start_new_session=True)
         except OSError as error:
             log.close()
@@ -266,7 +230,7 @@ class Worker:
         alarm.daemon = True
         alarm.start()
         try:
-            message = _receive(process.stdout)
+            message = receive(process.stdout)
         except (OSError, ValueError, MemoryError, pickle.UnpicklingError):
             message = None
         late = not alarm.is_alive()
@@ -311,102 +275,3 @@ class Worker:
             said = []
         why = "signal %d" % -status if status < 0 else "status %d" % status
         return why + (": " + said[-1] if said else "")
-
-
-# --- the worker -----------------------------------------------------------------------------------
-
-
-def _serve():
-    here = os.path.dirname(os.path.abspath(__file__))
-    sys.path[:] = [p for p in sys.path if os.path.abspath(p or ".") != here]
-    sys.path.insert(0, os.path.normpath(os.path.join(here, "../..")))
-    source, sink = sys.stdin.buffer, os.fdopen(os.dup(1), "wb")
-    os.dup2(2, 1)  # what libraries print does not end up between the messages
-    from freecad.burin_wb import kernel  # noqa: E402
-
-    try:
-        _find_numpy()
-        burin = kernel.module()
-    except ImportError as error:
-        _send(sink, ("unfit", f"it has no numpy ({error})"))
-        return
-    except kernel.KernelMissing as error:
-        _send(sink, ("unfit", f"it cannot load the drawing kernel ({error.__cause__})"))
-        return
-    _send(sink, ("ready",))
-    state = {"cancel": None, "number": None, "jobs": [], "closed": False}
-    ready = threading.Condition()
-
-    def listen():
-        try:
-            hear()
-        except BaseException:  # nobody would hear of the jobs to come
-            traceback.print_exc()
-            sys.stderr.flush()
-            os._exit(1)
-
-    def hear():
-        while True:
-            message = _receive(source)
-            with ready:
-                if message is None:
-                    state["closed"] = True
-                elif message[0] != "cancel":
-                    state["jobs"].append(message)
-                    state["cancel"], state["number"] = burin.Cancel(), message[1]
-                # A cancel may come after the end of its job: not to the next one.
-                if state["cancel"] is not None and (message is None or message[0] == "cancel"
-                                                    and message[1] == state["number"]):
-                    state["cancel"].cancel()
-                ready.notify()
-            if message is None:
-                return
-
-    threading.Thread(target=listen, daemon=True).start()
-    while True:
-        with ready:
-            while not state["jobs"] and not state["closed"]:
-                ready.wait()
-            if state["closed"]:
-                return
-            (what, _, job), cancel = state["jobs"].pop(0), state["cancel"]
-        _send(sink, _run(what, job, burin, lambda stage, share: _send(sink, ("progress", stage, share)), cancel))
-
-
-def _find_numpy():
-    """This interpreter's own, else that of the side that asks. Throws ImportError."""
-    try:
-        import numpy  # noqa: F401
-    except ImportError:
-        folder = os.environ.get("BURIN_WORKER_NUMPY")
-        if not folder:
-            raise
-        sys.path.append(folder)
-        importlib.invalidate_caches()
-        import numpy  # noqa: F401
-
-
-def _run(what, job, burin, progress, cancel):
-    """Does a job here: ("done", result), ("cancelled", nothing) or ("failed", text)."""
-    try:
-        if what == "check":
-            return "done", job.faults(burin, progress, cancel)
-        try:
-            return "done", job.run(burin, progress, cancel)
-        except (burin.GeometryError, burin.InputError) as error:  # it may be the fault of the shapes
-            return "failed", str(error) + job.faults(burin, progress, cancel)
-    except burin.Cancelled:
-        return "cancelled", None
-    except burin.Error as error:
-        return "failed", str(error)
-    except Exception as error:  # a mistake of ours: told, and the worker lives on
-        traceback.print_exc()
-        return "failed", f"the drawing kernel failed: {error!r}"
-
-
-if __name__ == "__main__":
-    try:
-        _serve()
-    finally:
-        sys.stderr.flush()
-        os._exit(0)  # the listening thread holds standard input

@@ -252,7 +252,7 @@ class Views(support.Case):
         self.assertEqual(runs(), count, "undo and redo ran the kernel though their drawings are kept")
 
     def test_all_standard_views(self):
-        from freecad.burin_wb.commands.view import STANDARD
+        from freecad.burin_wb.features.eye import STANDARD
 
         for name, (direction, _) in STANDARD.items():
             self.run_view("Burin_View" + name)

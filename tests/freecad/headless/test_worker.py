@@ -146,6 +146,42 @@ class Worker(Case):
         finally:
             hung.kill()
 
+    def test_a_job_cancelled_before_the_worker_has_it_is_not_begun(self):
+        begun = []
+        with self.assertRaises(worker.Stopped):
+            self.worker.draw(long_job(), lambda *told: begun.append(told), lambda: False)
+        self.assertEqual((begun, self.worker._sent), ([], False))
+        job = Job([PartJob("Box", "Box", Part.makeBox(1, 2, 3).exportBrepToString().encode())], {"style": "outline"})
+        self.assertIn(b"layers", self.worker.draw(job).drawing)
+
+    def test_a_cancel_ends_a_process_that_does_not_come_up(self):
+        script = os.path.join(self.folder, "python3")
+        with open(script, "w") as file:
+            file.write("#!/bin/sh\nexec sleep 60\n")
+        os.chmod(script, 0o755)
+        before, worker.interpreters = worker.interpreters, lambda: [script]
+        caught = []
+
+        def draw():
+            try:
+                self.worker.draw(long_job())
+            except worker.Stopped as stopped:
+                caught.append(stopped)
+
+        try:
+            drawing = threading.Thread(target=draw, daemon=True)
+            drawing.start()
+            while self.worker._process is None:
+                time.sleep(0.01)
+            process = self.worker._process
+            self.worker.cancel()
+            drawing.join(20)
+            self.assertEqual(len(caught), 1)
+            self.assertEqual(process.poll(), -signal.SIGKILL)
+            self.assertNotIn(script, worker.Worker._unfit, "it may come up another time")
+        finally:
+            worker.interpreters = before
+
     def test_a_late_cancel_does_not_end_the_next_job(self):
         job = Job([PartJob("Box", "Box", Part.makeBox(1, 2, 3).exportBrepToString().encode())], {"style": "outline"})
         self.worker.draw(job)

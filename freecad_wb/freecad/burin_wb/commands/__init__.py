@@ -1,5 +1,11 @@
 """Commands of menus and toolbars."""
 
+import FreeCADGui as Gui
+
+from ..features import is_illustration
+from ..view import scheduler
+from . import export, help, look, new, page, select, style, view
+
 _registered = []
 
 # Rows of the menu and the toolbar; None is a line between them.
@@ -11,11 +17,6 @@ def register():
     """Registers all commands once."""
     if _registered:
         return
-    import FreeCADGui as Gui
-
-    from ..view import scheduler
-    from . import export, help, look, new, page, select, style, view
-
     scheduler.install()
     for module in (new, view, style, look, page, export, select, help):
         for command in module.COMMANDS:
@@ -33,9 +34,6 @@ def menu():
 
 def context():
     """Names for the context menu: what can be done with the selection."""
-    from ..features import is_illustration
-    import FreeCADGui as Gui
-
     chosen = Gui.Selection.getSelection()
     if not chosen:
         return []

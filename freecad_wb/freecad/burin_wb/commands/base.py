@@ -4,17 +4,15 @@ import os
 
 import FreeCAD
 import FreeCADGui as Gui
-from PySide import QtCore
+from PySide import QtCore, QtGui
 
-from .. import kernel, worker
+from .. import kernel
+from ..errors import HOW_TO_INSTALL, Failed, Refused
 from ..features import is_illustration
-from ..view.text import tr
+from ..tell import tell
+from ..text import tr
 
 _ICONS = os.path.join(os.path.dirname(os.path.dirname(__file__)), "resources", "icons")
-
-
-class Refused(Exception):
-    """The command cannot be done; the text says why and what to do."""
 
 
 class Command:
@@ -51,7 +49,7 @@ class Command:
             document.openTransaction(QtCore.QCoreApplication.translate(self.name, self.text))
         try:
             self.run(document)
-        except (Refused, kernel.KernelMissing, worker.Failed) as why:
+        except (Refused, Failed) as why:
             if self.transaction:
                 document.abortTransaction()
             tell(str(why))
@@ -64,22 +62,12 @@ class Command:
                 document.commitTransaction()
 
 
-def tell(text):
-    """A message in the report view and in the status bar."""
-    FreeCAD.Console.PrintWarning(text + "\n")
-    window = Gui.getMainWindow()
-    if window is not None:
-        window.statusBar().showMessage(text, 10000)
-
-
 def ask_for_kernel():
     """Says what to install. Does not stop what runs: the box waits beside it."""
-    from PySide import QtGui
-
-    tell(kernel.HOW_TO_INSTALL)
+    tell(HOW_TO_INSTALL)
     box = QtGui.QMessageBox(QtGui.QMessageBox.Information, "Burin", tr("The drawing kernel is not installed."),
                             QtGui.QMessageBox.Ok, Gui.getMainWindow())
-    box.setInformativeText(kernel.HOW_TO_INSTALL)
+    box.setInformativeText(HOW_TO_INSTALL)
     box.setAttribute(QtCore.Qt.WA_DeleteOnClose)
     box.open()
 

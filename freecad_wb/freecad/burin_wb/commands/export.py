@@ -4,8 +4,9 @@ import FreeCADGui as Gui
 from PySide import QtGui
 
 from .. import export as exporter
-from ..view.text import tr
-from .base import Command, Refused, selected_illustrations
+from ..errors import Refused
+from ..text import tr
+from .base import Command, selected_illustrations
 
 FILTERS = "SVG (*.svg);;PDF (*.pdf);;PNG (*.png);;EPS (*.eps);;DXF (*.dxf);;Drawing (*.json)"
 

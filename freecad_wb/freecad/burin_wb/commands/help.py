@@ -2,7 +2,10 @@
 
 import os
 
-from ..view.text import tr
+import FreeCADGui as Gui
+from PySide import QtCore, QtGui
+
+from ..text import tr
 from .base import Command
 
 PAGE = os.path.join(os.path.dirname(os.path.dirname(__file__)), "resources", "help")
@@ -25,9 +28,6 @@ class Help(Command):
         return True
 
     def run(self, document):
-        import FreeCADGui as Gui
-        from PySide import QtCore, QtGui
-
         with open(page(), encoding="utf-8") as file:
             text = file.read()
         window = QtGui.QDialog(Gui.getMainWindow())

@@ -2,10 +2,11 @@
 
 import FreeCADGui as Gui
 
+from ..errors import Refused
 from ..features import is_illustration
 from ..features.looks import FLAGS, flags_of, path_of, with_flag
-from ..view.text import tr
-from .base import Command, Group, Refused, selected_illustrations
+from ..text import tr
+from .base import Command, Group, selected_illustrations
 
 
 def chosen_objects():

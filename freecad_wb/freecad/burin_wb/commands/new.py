@@ -4,14 +4,16 @@ import FreeCAD
 import FreeCADGui as Gui
 
 from .. import preferences
+from ..errors import Refused
 from ..features import is_illustration, make_illustration, visible
+from ..features.eye import set_view
 from ..features.shown import is_shown
 from ..features.sources import is_aid, survey
-from ..view.text import tr
-from .base import Command, Refused
 from ..tasks import show
 from ..tasks.illustration import IllustrationPanel
-from .view import camera_of, set_view
+from ..text import tr
+from ..view.camera import camera_of
+from .base import Command
 
 
 class NewIllustration(Command):

@@ -3,19 +3,21 @@
 import os
 
 import FreeCAD
+import FreeCADGui as Gui
+from PySide import QtCore
 
 from .. import preferences
+from ..errors import Refused
 from ..features import place_on_page
-from ..view.text import tr
-from .base import Command, Refused, selected_illustrations
+from ..text import tr
+from ..view import page_scale
+from .base import Command, selected_illustrations
 
 TEMPLATE = os.path.join("Mod", "TechDraw", "Templates", "A3_Landscape_blank.svg")
 
 
 def page_of(document):
     """The selected page, else the document's only one, else a new one with an A3 template."""
-    import FreeCADGui as Gui
-
     pages = [o for o in Gui.Selection.getSelection() if o.isDerivedFrom("TechDraw::DrawPage")]
     pages = pages or [o for o in document.Objects if o.isDerivedFrom("TechDraw::DrawPage")]
     if len(pages) > 1:
@@ -53,11 +55,6 @@ class PlaceOnPage(Command):
 
 def _when_shown(page):
     """Fits the view, and looks whether the symbols have their true size, once the page's window stands."""
-    import FreeCADGui as Gui
-    from PySide import QtCore
-
-    from ..view import page_scale
-
     key = page.Document.Name, page.Name
 
     def then():

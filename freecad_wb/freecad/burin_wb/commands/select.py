@@ -2,12 +2,16 @@
 
 import FreeCAD
 import FreeCADGui as Gui
+import Part
 from PySide import QtCore, QtGui
 
+from ..errors import Refused
 from ..features.sheet import Sheet
+from ..tell import tell
+from ..text import tr
+from ..view import scheduler
 from ..view.provider import BEFORE
-from ..view.text import tr
-from .base import Command, Refused, selected_illustrations, tell
+from .base import Command, selected_illustrations
 
 # Pixels around the pointer within which a line is meant.
 REACH = 8
@@ -61,6 +65,8 @@ class Picker:
         obj.ViewObject.Plane = BEFORE
         self.sheet = Sheet(obj.Drawing)
         self._callback = view.addEventCallback("SoEvent", self._event)
+        self._runs = scheduler.install()
+        self._runs.left.connect(self._left)
 
     def stop(self):
         global picker
@@ -69,16 +75,18 @@ class Picker:
         if self._callback is None:
             return
         callback, self._callback = self._callback, None
-        for leave in (lambda: self.view.removeEventCallback("SoEvent", callback),
+        for leave in (lambda: self._runs.left.disconnect(self._left),
+                      lambda: self.view.removeEventCallback("SoEvent", callback),
                       lambda: setattr(self.obj.ViewObject, "Plane", self._plane)):
             try:
                 leave()
             except (AttributeError, NameError, ReferenceError, RuntimeError):  # the view or the document is gone
                 pass
 
-    def is_of(self, document, obj=None):
-        """Whether it waits for clicks on an illustration, or on any of a document."""
-        return self._names[0] == document.Name and (obj is None or self._names[1] == obj.Name)
+    def _left(self, document, name):
+        """The illustration is deleted, or its document is closed."""
+        if document == self._names[0] and name in ("", self._names[1]):
+            self.stop()
 
     def _event(self, event):
         if event.get("Type") == "SoKeyboardEvent" and event.get("Key") == "ESCAPE":
@@ -136,8 +144,6 @@ def select(document, source, element):
 
 def edges_of(top, sub):
     """Names of the edges around a face; of what is no face none."""
-    import Part
-
     names, _, element = sub.rpartition(".")
     if not element.startswith("Face"):
         return []

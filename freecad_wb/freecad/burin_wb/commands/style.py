@@ -1,7 +1,10 @@
 """The style of an illustration, and the panel that edits everything of it."""
 
-from ..view.text import tr
-from .base import Command, Refused, selected_illustrations
+from ..errors import Refused
+from ..tasks import edit, show
+from ..tasks.style import StylePanel
+from ..text import tr
+from .base import Command, selected_illustrations
 
 
 class Style(Command):
@@ -16,9 +19,6 @@ class Style(Command):
         return len(selected_illustrations()) == 1
 
     def run(self, document):
-        from ..tasks import show
-        from ..tasks.style import StylePanel
-
         chosen = selected_illustrations()
         if len(chosen) != 1:
             raise Refused(tr("select one illustration"))
@@ -37,8 +37,6 @@ class Edit(Command):
         return len(selected_illustrations()) == 1
 
     def run(self, document):
-        from ..tasks import edit
-
         chosen = selected_illustrations()
         if len(chosen) != 1:
             raise Refused(tr("select one illustration"))

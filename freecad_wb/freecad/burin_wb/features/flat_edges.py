@@ -1,6 +1,7 @@
 """The lines of an illustration as edges in a plane, for TechDraw: dimensions, hatches and DXF work on them."""
 
 import FreeCAD
+import Part
 
 from .curves import edges_of
 from .properties import FLAT_EDGES, ensure, is_newer
@@ -24,8 +25,6 @@ class FlatEdges:
         _show_plainly(obj)
 
     def execute(self, obj):
-        import Part
-
         source = obj.Illustration
         if is_newer(obj) or source is None or not source.Drawing:
             return

@@ -4,6 +4,8 @@ import collections
 import math
 import re
 
+from .. import preferences
+
 # mm that things lie apart, tried in turn.
 DISTANCES = (5.0, 2.0, 0.0)
 
@@ -101,8 +103,6 @@ def _own_extent(view):
 
 
 def _symbol_extent(view):
-    from .. import preferences
-
     found = [re.search(rf'<svg[^>]*?\s{name}="([0-9.]+)(mm|px)?"', view.Symbol[:4000]) for name in ("width", "height")]
     if None in found:
         return None

@@ -4,24 +4,25 @@ import json
 import os
 import tempfile
 
-import FreeCAD
-
-from .. import worker
-from ..job import Job, Refused, shortened
+from .. import hooks
+from ..errors import Failed, Refused
+from ..job import Job, shortened
+from ..tell import ERROR, tell
+from ..worker import Worker
 from . import styles
 from .properties import ILLUSTRATION, ensure, is_newer
 from .shapes import shapes
 from .sources import collect, from_the_top
 
 
-_worker = worker.Worker()
+_worker = Worker()
 
 
 def run_to_end(obj, job, finish):
     """The scheduler of programs without a GUI: waits for the worker process."""
     try:
         result = _worker.draw(job)
-    except worker.Failed as error:
+    except Failed as error:
         finish(None, error)
         return
     finish(result, None)
@@ -51,26 +52,26 @@ class Illustration:
     def __init__(self, obj):
         obj.Proxy = self
         ensure(obj, ILLUSTRATION)
-        _dress(obj)
+        hooks.dress(obj)
 
     def onDocumentRestored(self, obj):
         self._restored = True
         ensure(obj, ILLUSTRATION)
         part_files(obj)
-        _dress(obj)
+        hooks.dress(obj)
         if is_newer(obj):
-            FreeCAD.Console.PrintWarning(f"{obj.Label}: {NEWER}\n")
+            tell(f"{obj.Label}: {NEWER}")
 
     def execute(self, obj):
         if is_newer(obj):
-            FreeCAD.Console.PrintWarning(f"{obj.Label}: {NEWER}\n")
+            tell(f"{obj.Label}: {NEWER}")
             return
         if not ready(obj):
             return
         try:
             job = make_job(obj)
         except Refused as why:
-            tell(obj, why)
+            not_drawn(obj, why)
             return
         exact = job.exact_fingerprint()
         if self._is_drawn(obj, job, exact):
@@ -88,7 +89,7 @@ class Illustration:
                 except OSError as failure:
                     error = (f"the drawing cannot be kept in the document ({reason(failure)}); make room on the disk or save "
                              "the document elsewhere")
-            tell(obj, error)
+            not_drawn(obj, error)
 
         scheduler(obj, job, finish)
 
@@ -127,14 +128,6 @@ class Illustration:
     __setstate__ = loads
 
 
-def _dress(obj):
-    """With a GUI: the view provider, which documents saved without a GUI have lost, and runs beside the GUI."""
-    if FreeCAD.GuiUp:
-        from .. import view
-
-        view.dress(obj)
-
-
 NEWER = "was made by a newer Burin; it is shown as it was kept and not drawn again. Install that version to change it"
 
 KEPT = "; the drawing shown is the one before"
@@ -148,13 +141,13 @@ def messages_of(drawing):
     return [d["message"] for d in json.JSONDecoder().raw_decode(rest)[0]] if said else []
 
 
-def tell(obj, error):
-    """A run did not end with a drawing: the one before stays."""
+def not_drawn(obj, error):
+    """A run did not end with a drawing: the one before stays, and the user is told."""
     text = str(error)
     if obj.Drawing:
         text += KEPT
     obj.Message = text
-    FreeCAD.Console.PrintError(f"{obj.Label}: {text}\n")
+    tell(f"{obj.Label}: {text}", ERROR)
 
 
 def reason(error):

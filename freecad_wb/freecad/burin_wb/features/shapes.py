@@ -4,6 +4,7 @@ import collections
 import itertools
 
 import FreeCAD
+import Part
 
 from ..job import Brep
 
@@ -63,8 +64,6 @@ shapes = Shapes()
 
 def _apart(shape):
     """A shape without its placement, and that. Scaled shapes stay whole."""
-    import Part
-
     numbers = shape.Matrix.A
     if not _is_rigid(numbers):
         return shape, None

@@ -5,6 +5,7 @@ import os
 import FreeCAD
 
 from .. import preferences
+from ..tell import tell
 from .free_place import extent, free_place
 from .properties import SHEET_VIEW, ensure
 from .symbol import Window, parted, pixels_of, symbol_size, to_symbol, window_of
@@ -106,7 +107,7 @@ def place_on_page(page, illustration, name="IllustrationView"):
     place = free_place(page, *size, but=view)
     view.X, view.Y = place.x, place.y
     if not place.free:
-        FreeCAD.Console.PrintWarning(
+        tell(
             f"{illustration.Label}: {page.Label} has no room for its {size[0]:.0f} x {size[1]:.0f} mm beside what lies there; "
-            "move it, make its Width and Height smaller, or choose a larger template\n")
+            "move it, make its Width and Height smaller, or choose a larger template")
     return view

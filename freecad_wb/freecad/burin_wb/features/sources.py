@@ -4,6 +4,8 @@ import os
 import tempfile
 from collections import namedtuple
 
+import Part
+
 from ..job import PartJob
 from .colors import color_of
 from .looks import FLAGS, words_of
@@ -163,8 +165,6 @@ def _piece(top, sub, obj, leaf, path):
         if not leaf.Mesh.CountFacets:
             raise Left("is an empty mesh; choose another one")
         return Piece(part, None, leaf, top, sub)
-    import Part
-
     try:
         shape = Part.getShape(top, sub, needSubElement=False, transform=True)
     except Exception as error:  # the kernel of FreeCAD throws many kinds

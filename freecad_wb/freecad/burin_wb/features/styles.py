@@ -3,7 +3,7 @@
 import hashlib
 import os
 
-from ..job import Refused
+from ..errors import Refused
 
 
 def is_file(text):

@@ -1,5 +1,10 @@
 """Panels beside the tree. A panel works in the transaction that is open when it is shown."""
 
+import FreeCADGui as Gui
+
+from ..tell import tell
+from ..text import tr
+from .illustration import IllustrationPanel
 
 # The panel that is open.
 shown = None
@@ -8,8 +13,6 @@ shown = None
 def show(panel):
     """Shows a panel; from now on its OK commits and its Cancel takes back."""
     global shown
-    import FreeCADGui as Gui
-
     Gui.Control.showDialog(panel)
     shown = panel
     return panel
@@ -17,14 +20,7 @@ def show(panel):
 
 def edit(obj):
     """The panel of an illustration, as an undoable change of its own."""
-    import FreeCADGui as Gui
-
-    from ..view.text import tr
-    from .illustration import IllustrationPanel
-
     if Gui.Control.activeDialog() is not False:
-        from ..commands.base import tell
-
         tell(tr("another panel is open; close it first"))
         return None
     obj.Document.openTransaction(tr("Edit illustration"))

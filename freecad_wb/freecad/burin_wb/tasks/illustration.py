@@ -3,9 +3,11 @@
 import FreeCADGui as Gui
 from PySide import QtCore, QtGui
 
-from ..features.sources import survey
+from ..features.eye import STANDARD, set_view, standard
 from ..features.looks import FLAGS, flags_of, style_of, with_flag, with_style
-from ..view.text import tr
+from ..features.sources import survey
+from ..text import tr
+from ..view.camera import camera_of
 from . import widgets
 from .panel import Panel
 
@@ -18,8 +20,6 @@ class IllustrationPanel(Panel):
         self._fill_objects()
 
     def _fill_view(self):
-        from ..commands.view import STANDARD
-
         form = widgets.group(tr("View"), self.column)
         row = QtGui.QHBoxLayout()
         names = ["", *STANDARD]
@@ -138,16 +138,12 @@ class IllustrationPanel(Panel):
     # --- what widgets do ---
 
     def _standard(self, name):
-        from ..commands.view import set_view, standard
-
         if name:
             set_view(self.obj, standard(name))
             self.projection.setCurrentIndex(0)
             self.changed()
 
     def _camera(self):
-        from ..commands.view import camera_of, set_view
-
         eye = camera_of(Gui.ActiveDocument.ActiveView)
         if eye is None:
             self.message.setText(tr("show a 3-D view of the model first"))

@@ -4,8 +4,8 @@ import FreeCADGui as Gui
 from PySide import QtCore, QtGui
 
 from ..qt import number
+from ..text import tr
 from ..view import scheduler
-from ..view.text import tr
 from .preview import Preview
 from .watch import Changes, Escape
 
@@ -45,6 +45,8 @@ class Panel:
         self.runs = scheduler.install()
         self.runs.progressed.connect(self._progressed)
         self.runs.ended.connect(self._ended)
+        self.runs.left.connect(self._left)
+        self.runs.undone.connect(self._undone)
         self._escape = Escape(self.document, lambda: self.over or self.reject())
         self._watch = Changes(self.document, lambda: self.over or not self.alive() or self.refresh(), obj)
         self._tell_state()
@@ -161,13 +163,22 @@ class Panel:
         self._close()
         QtCore.QTimer.singleShot(0, Gui.Control.closeDialog)  # not while the document or a menu is at work
 
+    def _left(self, document, name):
+        if document == self.key[0] and not name:  # the document is closed
+            self.abandon()
+
+    def _undone(self, document):
+        if document == self.key[0]:  # the panel's transaction was the one that is undone
+            self.abandon()
+
     def _close(self):
         if self.over:
             return
         self.over = True
         self._escape.stop()
         self._watch.stop()
-        for signal, slot in ((self.runs.progressed, self._progressed), (self.runs.ended, self._ended)):
+        for signal, slot in ((self.runs.progressed, self._progressed), (self.runs.ended, self._ended),
+                             (self.runs.left, self._left), (self.runs.undone, self._undone)):
             try:
                 signal.disconnect(slot)
             except RuntimeError:

@@ -6,6 +6,7 @@ import threading
 from PySide import QtCore, QtGui, QtSvg
 
 from .. import kernel
+from ..errors import KernelMissing
 
 HEIGHT = 190
 WIDTH = 220
@@ -98,7 +99,7 @@ def _paint(path, dpi, into):
     """In a thread: appends the PNG of a drawing file; nothing where it cannot be read."""
     try:
         burin = kernel.module()
-    except kernel.KernelMissing:
+    except KernelMissing:
         into.append(None)
         return
     try:

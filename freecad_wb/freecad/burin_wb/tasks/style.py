@@ -6,7 +6,7 @@ import os
 from PySide import QtCore, QtGui
 
 from .. import kernel
-from ..view.text import tr
+from ..text import tr
 from . import widgets
 from .panel import Panel
 
@@ -69,7 +69,7 @@ class StylePanel(Panel):
         self._fill_keys()
 
     def _fill_keys(self):
-        """All keys with an editor each. Throws kernel.KernelMissing."""
+        """All keys with an editor each. Throws errors.KernelMissing."""
         self.tree.clear()
         self.editors, self.items, heads = {}, {}, {}
         self.values = self._values_of_base()

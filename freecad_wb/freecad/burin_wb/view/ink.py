@@ -1,6 +1,6 @@
 """Drawings as Coin nodes: the ink on the plane of its view, in model coordinates."""
 
-import numpy
+from pivy import coin
 
 LIT = (0.95, 0.35, 0.05)
 
@@ -12,8 +12,6 @@ def width_of(path):
 
 def ink_node(sheet, paths, lift, color, extra=0.0, dots_per_mm=2.5):
     """A Coin node with some paths; one line set a width class. `lift`: model mm to the viewer; `extra`: pixels more."""
-    from pivy import coin
-
     groups = {}
     for path in paths:
         style = max(1, round(width_of(path) * dots_per_mm) + extra), path["visible"]
@@ -26,11 +24,11 @@ def ink_node(sheet, paths, lift, color, extra=0.0, dots_per_mm=2.5):
     base.rgb = color
     root.addChild(base)
     for (pixels, visible), some in sorted(groups.items()):
-        root.addChild(_lines(coin, sheet, some, lift, pixels, visible))
+        root.addChild(_lines(sheet, some, lift, pixels, visible))
     return root
 
 
-def _lines(coin, sheet, paths, lift, pixels, visible):
+def _lines(sheet, paths, lift, pixels, visible):
     part = coin.SoSeparator()
     style = coin.SoDrawStyle()
     style.lineWidth = pixels
@@ -54,6 +52,8 @@ def _lines(coin, sheet, paths, lift, pixels, visible):
 
 def places(sheet, points, lift):
     """As Sheet.place, of many points at once: (n, 3)."""
+    import numpy
+
     flat = (numpy.asarray(points, dtype=float).reshape(-1, 2) - sheet.offset[:2]) / sheet.scale
     frame = numpy.array([tuple(sheet.right), tuple(sheet.up)])
     return flat @ frame + tuple(sheet.center + sheet.direction * lift)
@@ -61,8 +61,6 @@ def places(sheet, points, lift):
 
 def paper_node(sheet, size, lift):
     """A white sheet, seen from both sides."""
-    from pivy import coin
-
     width, height = size
     corners = places(sheet, [(0, 0), (width, 0), (width, height), (0, height)], lift)
     root = coin.SoSeparator()

@@ -9,7 +9,8 @@ from PySide import QtGui
 
 from .. import preferences
 from ..features.sheet_view import SheetView
-from .text import tr
+from ..tell import tell
+from ..text import tr
 
 # A millimetre in ten metres.
 EXACT = 1e-4
@@ -26,9 +27,9 @@ def check(page):
             if isinstance(getattr(view, "Proxy", None), SheetView):
                 view.touch()
                 view.recompute()
-    FreeCAD.Console.PrintWarning(
+    tell(
         tr("This FreeCAD takes {0} pixels of a symbol for a millimetre; illustrations on pages were made anew for it").format(
-            f"{measured:.4f}") + "\n")
+            f"{measured:.4f}"))
 
 
 def measure(page):

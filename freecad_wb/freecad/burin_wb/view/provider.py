@@ -2,7 +2,15 @@
 
 import os
 
-import FreeCAD
+import FreeCADGui as Gui
+from pivy import coin
+from PySide import QtCore, QtGui
+
+from .. import hooks
+from ..features.sheet import Sheet
+from ..tell import ERROR, tell
+from ..text import tr
+from . import ink
 
 _ICON = os.path.join(os.path.dirname(os.path.dirname(__file__)), "resources", "icons", "burin_illustration.svg")
 
@@ -12,8 +20,6 @@ class IllustrationView:
         view.Proxy = self
 
     def attach(self, view):
-        from pivy import coin
-
         self.Object = view.Object
         self.View = view
         self._shown = None
@@ -64,8 +70,6 @@ class IllustrationView:
         sheet = self._sheet()
         if sheet is None:
             return
-        from . import ink  # numpy, which takes a while to load
-
         lift = self.lift(sheet)
         if paper:
             self._ink.addChild(ink.paper_node(sheet, size, lift - 0.1 / sheet.scale))
@@ -74,24 +78,17 @@ class IllustrationView:
 
     def _sheet(self):
         """The kept drawing; nothing where there is none that can be read."""
-        from ..features.sheet import Sheet
-
         path = getattr(self.Object, "Drawing", "")
         if not path or not os.path.exists(path):
             return None
         try:
             return Sheet(path)
         except (OSError, ValueError, KeyError) as error:
-            FreeCAD.Console.PrintError(f"{self.Object.Label}: the kept drawing cannot be read ({error}); "
-                                       "recompute the illustration\n")
+            tell(f"{self.Object.Label}: the kept drawing cannot be read ({error}); recompute the illustration", ERROR)
             return None
 
     def light(self, sheet, paths):
         """Shows some lines in colour, until the selection changes."""
-        import FreeCADGui as Gui
-
-        from . import ink
-
         self._dim()
         paths = list(paths)
         if not paths:
@@ -108,30 +105,20 @@ class IllustrationView:
 
     def _dim(self):
         if self._watch is not None:
-            import FreeCADGui as Gui
-
             Gui.Selection.removeObserver(self._watch)
             self._watch = None
         self._lit.removeAllChildren()
 
     def doubleClicked(self, view):
-        from ..tasks import edit
-
-        edit(view.Object)
+        hooks.edit(view.Object)
         return True
 
     def setEdit(self, view, mode=0):
         """The panel has its own transaction; FreeCAD's edit mode would end it."""
-        from ..tasks import edit
-
-        edit(view.Object)
+        hooks.edit(view.Object)
         return False
 
     def setupContextMenu(self, view, menu):
-        from PySide import QtGui
-
-        from .text import tr
-
         action = menu.addAction(QtGui.QIcon(_ICON), tr("Edit illustration"))
         action.triggered.connect(lambda: self.doubleClicked(view))
 
@@ -155,8 +142,6 @@ class _Watch:
         self._provider = provider
 
     def _changed(self, *_):
-        from PySide import QtCore
-
         provider = self._provider  # not from within the call: it removes this observer
         QtCore.QTimer.singleShot(0, lambda: provider._dim() if provider._watch is self else None)
 

@@ -1,22 +1,20 @@
 """Runs of the kernel beside the GUI: the newest job of an object wins, results come back in the GUI's thread."""
 
 import collections
-import sys
 import threading
 import time
 
 import FreeCAD
 from PySide import QtCore
 
-from .. import worker
-from ..features import illustration, is_illustration
+from ..errors import Failed, Stopped
+from ..features import illustration
 from ..features.properties import ILLUSTRATION, READ_ONLY
-from ..features.shapes import shapes
 from ..features.sources import filled, is_ready, survey
-from .text import tr
-
-# Seconds after which a cancelled run is ended with its process, also where that has not yet begun with it.
-PATIENCE = 1.0
+from ..text import tr
+from ..worker import Worker
+from . import status
+from .documents import Documents
 
 # Seconds of the GUI's thread that writing shapes may take at a time.
 SLICE = 0.03
@@ -74,11 +72,13 @@ class Scheduler(QtCore.QObject):
     progressed = QtCore.Signal(object, str, float)  # (document, object) names, stage, share
     ended = QtCore.Signal(object, object)  # names, error or None
     began = QtCore.Signal(object)  # names
+    left = QtCore.Signal(str, str)  # names; an illustration leaves its document, or (without its name) the document is closed
+    undone = QtCore.Signal(str)  # name of a document whose changes were undone or done again
     _came_back = QtCore.Signal()
 
     def __init__(self):
         super().__init__()
-        self._worker = worker.Worker()
+        self._worker = Worker()
         self._waiting = []
         self._current = None
         self._kept = collections.OrderedDict()
@@ -124,7 +124,7 @@ class Scheduler(QtCore.QObject):
             return
         if not _lives(writing.obj):
             del self._writing[key]
-            self.ended.emit(key, worker.Stopped(tr("cancelled")))
+            self.ended.emit(key, Stopped(tr("cancelled")))
             return
         try:
             if not writing.go_on():
@@ -179,7 +179,7 @@ class Scheduler(QtCore.QObject):
 
             try:
                 self._worker.start()
-            except (worker.Failed, worker.Stopped):
+            except (Failed, Stopped):
                 pass  # the first run will tell
 
         threading.Thread(target=start, daemon=True).start()
@@ -207,11 +207,11 @@ class Scheduler(QtCore.QObject):
             self._drop(key)
             begun = self._current is not None and self._current.key == key
         if (unborn or writing) and not begun:  # else the end of what has begun is told
-            error = worker.Stopped(tr("cancelled"))
+            error = Stopped(tr("cancelled"))
             if tell and unborn:
                 unborn[-1].finish(None, error)
             elif tell:
-                illustration.tell(obj, error)
+                illustration.not_drawn(obj, error)
             self.ended.emit(key, error)
 
     def drop_document(self, name):
@@ -223,7 +223,7 @@ class Scheduler(QtCore.QObject):
                 run.replaced = True  # there is nobody to tell
                 self._drop(run.key)
         for key in {run.key for run in runs}:
-            self.ended.emit(key, worker.Stopped(tr("cancelled")))
+            self.ended.emit(key, Stopped(tr("cancelled")))
 
     def _drop(self, key):
         """With the lock held."""
@@ -232,13 +232,6 @@ class Scheduler(QtCore.QObject):
         if run is not None and run.key == key and not run.cancelled:
             run.cancelled = True
             self._worker.cancel()
-            threading.Timer(PATIENCE, self._lose_patience, (run,)).start()
-
-    def _lose_patience(self, run):
-        with self._lock:
-            still = self._current is run
-        if still:
-            self._worker.stop()
 
     def cancel_all(self):
         with self._lock:
@@ -264,9 +257,10 @@ class Scheduler(QtCore.QObject):
                 self._current = run = self._waiting.pop(0)
             result = error = None
             try:
-                result = self._worker.draw(run.job, lambda stage, share: self._note(run, stage, share))
-            except worker.Stopped:
-                error = worker.Stopped(tr("cancelled"))
+                result = self._worker.draw(run.job, lambda stage, share: self._note(run, stage, share),
+                                           lambda: not run.cancelled)
+            except Stopped:
+                error = Stopped(tr("cancelled"))
             except Exception as failure:
                 error = failure
             self._ended_runs.append((run, result, error))
@@ -304,7 +298,7 @@ class Scheduler(QtCore.QObject):
         obj = run.obj if _lives(run.obj) else None
         if obj is not None:
             if run.cancelled:
-                error = worker.Stopped(tr("cancelled"))
+                error = Stopped(tr("cancelled"))
             run.finish(None if error else result, error)
             if error is None and run.asked != _asked(obj):
                 # Changed meanwhile and not yet recomputed: it is not up to date.
@@ -338,68 +332,13 @@ def _follow(obj):
 scheduler = None
 
 
-class _Documents:
-    """Undo and redo bring back properties, not drawings: those are looked up, or drawn again."""
-
-    _touched = ()
-
-    def slotUndoDocument(self, document):
-        self._renew(document)
-
-    slotRedoDocument = slotUndoDocument
-
-    def slotDeletedObject(self, obj):
-        if is_illustration(obj):
-            _put_down(obj.Document, obj)
-            scheduler.cancel(obj, tell=False)
-
-    def slotStartSaveDocument(self, document, name):
-        """What is not drawn yet has the drawing before in the file: once opened it is to be drawn."""
-        self._touched = [o for o in document.Objects if is_illustration(o) and "Touched" not in o.State
-                         and (scheduler.running(o) or o.Message.endswith(illustration.KEPT))]
-        for obj in self._touched:
-            obj.touch()
-
-    def slotFinishSaveDocument(self, document, name):
-        for obj in self._touched:
-            obj.purgeTouched()
-        self._touched = []
-
-    def slotDeletedDocument(self, document):
-        from .. import tasks
-
-        _put_down(document)
-        scheduler.drop_document(document.Name)
-        shapes.forget(document.Name)
-        if tasks.shown is not None and not tasks.shown.over and tasks.shown.key[0] == document.Name:
-            tasks.shown.abandon()
-
-    def _renew(self, document):
-        from .. import tasks
-
-        if tasks.shown is not None and not tasks.shown.over and tasks.shown.key[0] == document.Name:
-            tasks.shown.abandon()  # its transaction was the one that is undone
-        for obj in document.Objects:
-            if is_illustration(obj) and "Touched" in obj.State:
-                obj.recompute()
-
-
-def _put_down(document, obj=None):
-    """What waits for clicks on an illustration that goes."""
-    select = sys.modules.get(__package__.rpartition(".")[0] + ".commands.select")
-    if select is not None and select.picker is not None and select.picker.is_of(document, obj):
-        select.picker.stop()
-
-
 def install():
     """From now on runs do not stop the GUI."""
     global scheduler
     if scheduler is None:
-        from . import status
-
         scheduler = Scheduler()
         illustration.scheduler, illustration.ready, illustration.settle = scheduler, scheduler.ready, settle
-        scheduler.documents = _Documents()
+        scheduler.documents = Documents(scheduler)
         FreeCAD.addDocumentObserver(scheduler.documents)
         status.install(scheduler)
     return scheduler

@@ -4,7 +4,7 @@ import FreeCAD
 import FreeCADGui as Gui
 from PySide import QtCore, QtGui
 
-from .text import tr
+from ..text import tr
 
 # Milliseconds that a run may take before it is worth telling.
 QUIET = 300
@@ -52,9 +52,6 @@ class Status(QtGui.QWidget):
         if not self._scheduler.running():
             self._timer.stop()
             self.hide()
-        if error is not None:
-            window = Gui.getMainWindow()
-            window.statusBar().showMessage(f"{_label(key)}: {error}", 10000)
 
 
 def _label(key):
