@@ -3,6 +3,8 @@
 
 #include "reading.h"
 
+#include <algorithm>
+
 namespace burin {
 namespace {
 

@@ -7,6 +7,7 @@
 #include <burin/forms/parametric/parametric_form.h>
 
 #include <burin_test/folder.h>
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <string>
