@@ -1,9 +1,10 @@
 #include <burin/base/ascii.h>
 #include <burin/base/error.h>
-#include <burin/camera/camera.h>
+#include <burin/camera/standards.h>
 
 #include <fmt/format.h>
 
+#include <array>
 #include <charconv>
 #include <cmath>
 #include <optional>
@@ -39,28 +40,37 @@ Vec3 axonometric(double azimuth, double elevation) {
 
 }  // namespace
 
-NamedView named_view(std::string_view name) {
-  const std::string lower = lowered(name);
-  const Vec3 z(0, 0, 1);
-  if (lower == "front") return {{0, -1, 0}, z};
-  if (lower == "back") return {{0, 1, 0}, z};
-  if (lower == "left") return {{-1, 0, 0}, z};
-  if (lower == "right") return {{1, 0, 0}, z};
-  if (lower == "top") return {{0, 0, 1}, {0, 1, 0}};
-  if (lower == "bottom") return {{0, 0, -1}, {0, 1, 0}};
-  if (lower == "iso") return {{1, -1, 1}, z};
+std::span<const StandardView> standard_views() {
+  static const Vec3 y(0, 1, 0), z(0, 0, 1);
   // ISO 5456-3: dimetric shortens one axis by half (edges at 7 and 42 degrees); trimetric has three
   // scales.
-  if (lower == "dimetric") return {axonometric(20.705, 19.471), z};
-  if (lower == "trimetric") return {axonometric(30, 25), z};
+  static const std::array views{
+      StandardView{"front", {{0, -1, 0}, z}},
+      StandardView{"back", {{0, 1, 0}, z}},
+      StandardView{"left", {{-1, 0, 0}, z}},
+      StandardView{"right", {{1, 0, 0}, z}},
+      StandardView{"top", {{0, 0, 1}, y}},
+      StandardView{"bottom", {{0, 0, -1}, y}},
+      StandardView{"iso", {{1, -1, 1}, z}},
+      StandardView{"dimetric", {axonometric(20.705, 19.471), z}},
+      StandardView{"trimetric", {axonometric(30, 25), z}},
+  };
+  return views;
+}
+
+NamedView named_view(std::string_view name) {
+  const std::string lower = lowered(name);
+  std::string names;
+  for (const StandardView& known : standard_views()) {
+    if (lower == known.name) return known.view;
+    names += std::string(known.name) + ", ";
+  }
   if (const auto v = parse_vector(lower)) {
-    if (glm::length(*v) > 0) return {*v, z};
+    if (glm::length(*v) > 0) return {*v, Vec3(0, 0, 1)};
     throw UsageError("the view 0,0,0 has no direction: give X,Y,Z from the model to the viewer");
   }
   throw UsageError(
-      fmt::format("unknown view '{}': use front, back, left, right, top, bottom, iso, dimetric, "
-                  "trimetric, or X,Y,Z from the model to the viewer",
-                  name));
+      fmt::format("unknown view '{}': use {}or X,Y,Z from the model to the viewer", name, names));
 }
 
 }  // namespace burin

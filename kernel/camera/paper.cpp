@@ -1,6 +1,7 @@
 #include <burin/base/ascii.h>
 #include <burin/base/error.h>
 #include <burin/camera/sheet.h>
+#include <burin/camera/standards.h>
 
 #include <fmt/format.h>
 
@@ -19,27 +20,27 @@ std::optional<double> number(std::string_view text) {
   return value;
 }
 
-// Long and short side in mm.
-struct Sheet {
-  std::string_view name;
-  double longer, shorter;
-};
-constexpr std::array kSheets{
+constexpr std::array kPapers{
     // ISO 216.
-    Sheet{"a0", 1189, 841}, Sheet{"a1", 841, 594}, Sheet{"a2", 594, 420}, Sheet{"a3", 420, 297},
-    Sheet{"a4", 297, 210}, Sheet{"a5", 210, 148}, Sheet{"a6", 148, 105}, Sheet{"b0", 1414, 1000},
-    Sheet{"b1", 1000, 707}, Sheet{"b2", 707, 500}, Sheet{"b3", 500, 353}, Sheet{"b4", 353, 250},
-    Sheet{"b5", 250, 176}, Sheet{"b6", 176, 125},
+    StandardPaper{"A0", 1189, 841}, StandardPaper{"A1", 841, 594}, StandardPaper{"A2", 594, 420},
+    StandardPaper{"A3", 420, 297}, StandardPaper{"A4", 297, 210}, StandardPaper{"A5", 210, 148},
+    StandardPaper{"A6", 148, 105}, StandardPaper{"B0", 1414, 1000}, StandardPaper{"B1", 1000, 707},
+    StandardPaper{"B2", 707, 500}, StandardPaper{"B3", 500, 353}, StandardPaper{"B4", 353, 250},
+    StandardPaper{"B5", 250, 176}, StandardPaper{"B6", 176, 125},
     // ANSI Y14.1 and American offices.
-    Sheet{"letter", 279.4, 215.9}, Sheet{"legal", 355.6, 215.9}, Sheet{"tabloid", 431.8, 279.4}};
+    StandardPaper{"letter", 279.4, 215.9}, StandardPaper{"legal", 355.6, 215.9},
+    StandardPaper{"tabloid", 431.8, 279.4}};
 
 }  // namespace
 
+std::span<const StandardPaper> standard_papers() { return kPapers; }
+
 Paper Paper::named(std::string_view name) {
   const std::string lower = lowered(name);
-  for (const Sheet& sheet : kSheets) {
-    if (lower == sheet.name) return {sheet.longer, sheet.shorter};
-    if (lower == std::string(sheet.name) + "p") return {sheet.shorter, sheet.longer};
+  for (const StandardPaper& sheet : kPapers) {
+    const std::string known = lowered(sheet.name);
+    if (lower == known) return {sheet.longer, sheet.shorter};
+    if (lower == known + "p") return {sheet.shorter, sheet.longer};
   }
   if (const auto x = lower.find('x'); x != std::string::npos) {
     const std::string_view text = lower;

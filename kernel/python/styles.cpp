@@ -1,4 +1,5 @@
 #include <burin/base/error.h>
+#include <burin/camera/standards.h>
 #include <burin/converters/request.h>
 #include <burin/converters/write.h>
 #include <burin/illustrate/style.h>
@@ -111,6 +112,29 @@ void add_styles(py::module_& module) {
   module.def(
       "formats", [] { return format_names(); },
       "Suffixes that `Drawing.save` writes, e.g. \"svg\".");
+  module.def(
+      "views",
+      [] {
+        py::dict out;
+        for (const StandardView& v : standard_views()) {
+          const auto [d, u] = v.view;
+          out[py::str(std::string(v.name))] =
+              py::make_tuple(py::make_tuple(d.x, d.y, d.z), py::make_tuple(u.x, u.y, u.z));
+        }
+        return out;
+      },
+      "Names that `view` takes, each with the direction from the model to the viewer, and up.");
+  module.def(
+      "papers",
+      [] {
+        py::dict out;
+        for (const StandardPaper& p : standard_papers()) {
+          out[py::str(std::string(p.name))] = py::make_tuple(p.longer, p.shorter);
+        }
+        return out;
+      },
+      "Names that `paper` takes, each with width and height in mm; with a trailing p it is "
+      "upright.");
 }
 
 }  // namespace burin::python

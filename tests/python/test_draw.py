@@ -155,6 +155,18 @@ class Options(unittest.TestCase):
 
 
 class Sheets(unittest.TestCase):
+    def test_names_of_views_and_papers(self):
+        self.assertLessEqual({"front", "iso", "trimetric"}, set(burin.views()))
+        for name, (direction, up) in burin.views().items():
+            by_name, by_vectors = (burin.draw(mesh_scene(), view=v, up=u, style="outline").view
+                                   for v, u in ((name, None), (direction, up)))
+            for axis in ("direction", "right", "up"):
+                np.testing.assert_allclose(getattr(by_name, axis), getattr(by_vectors, axis), atol=1e-12, err_msg=name)
+        self.assertEqual(burin.papers()["A4"], (297, 210))
+        for name, (width, height) in burin.papers().items():
+            self.assertEqual(burin.draw(mesh_scene(), paper=name, style="outline").paper, (width, height), name)
+            self.assertEqual(burin.draw(mesh_scene(), paper=name + "p", style="outline").paper, (height, width), name)
+
     def test_paper_scale_and_margin(self):
         drawing = burin.draw(mesh_scene(), view="FRONT", paper="fit", scale="2:1", margin=(1, 2, 3, 4), style="outline")
         np.testing.assert_allclose(drawing.paper, (26, 24), atol=1e-9)

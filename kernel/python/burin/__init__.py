@@ -27,9 +27,11 @@ from ._burin import (
     __version__,
     formats,
     info,
+    papers,
     style,
     style_keys,
     styles,
+    views,
 )
 from ._draw import draw
 
@@ -56,7 +58,9 @@ __all__ = [
     "draw",
     "formats",
     "info",
+    "papers",
     "style",
     "style_keys",
     "styles",
+    "views",
 ]

@@ -332,3 +332,9 @@ def style_keys() -> list[dict[str, str]]:
 
 def formats() -> list[str]:
     """Suffixes that `Drawing.save` writes."""
+
+def views() -> dict[str, tuple[tuple[float, float, float], tuple[float, float, float]]]:
+    """Names that `view` takes, each with the direction from the model to the viewer, and up."""
+
+def papers() -> dict[str, tuple[float, float]]:
+    """Names that `paper` takes, each with width and height in mm; with a trailing p it is upright."""

@@ -1,9 +1,11 @@
 #include <burin/base/error.h>
 #include <burin/camera/camera.h>
+#include <burin/camera/standards.h>
 
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <string>
 #include <vector>
 
 namespace burin {
@@ -39,6 +41,31 @@ TEST(Paper, KnowsIsoSheetsPortraitLetterAndSizes) {
        {"A7", "A4q", "", "200", "200x", "x150", "0x100", "-5x100", "1e9x10", "nanx10", "B7"}) {
     EXPECT_THROW(Paper::named(bad), UsageError) << bad;
   }
+}
+
+TEST(Paper, StandardSheetsAreFoundByTheirNamesInAnyCase) {
+  for (const StandardPaper& sheet : standard_papers()) {
+    const Paper across = Paper::named(sheet.name),
+                upright = Paper::named(std::string(sheet.name) + "P");
+    EXPECT_EQ(across.width, sheet.longer) << sheet.name;
+    EXPECT_EQ(across.height, sheet.shorter) << sheet.name;
+    EXPECT_EQ(upright.width, sheet.shorter) << sheet.name;
+    EXPECT_GT(sheet.longer, sheet.shorter) << sheet.name;
+  }
+}
+
+TEST(NamedView, StandardViewsAreFoundByTheirNamesAndToldToWhoeverMistypesOne) {
+  std::string said;
+  try {
+    named_view("frnt");
+  } catch (const UsageError& e) {
+    said = e.what();
+  }
+  for (const StandardView& known : standard_views()) {
+    EXPECT_EQ(named_view(known.name).direction, known.view.direction) << known.name;
+    EXPECT_NE(said.find(std::string(known.name) + ","), std::string::npos) << said;
+  }
+  EXPECT_NE(said.find("or X,Y,Z"), std::string::npos) << said;
 }
 
 TEST(NamedView, ParsesVectorsAndRefusesNonsense) {
