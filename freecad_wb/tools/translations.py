@@ -10,12 +10,16 @@ import sys
 import tempfile
 import xml.etree.ElementTree as xml
 
-ADDON = pathlib.Path(__file__).resolve().parent.parent / "freecad" / "burin_wb"
+ROOT = pathlib.Path(__file__).resolve().parent.parent
+sys.path.insert(0, str(ROOT))
+
+from freecad.burin_wb import offers  # noqa: E402
+
+ADDON = ROOT / "freecad" / "burin_wb"
 FOLDER = ADDON / "resources" / "translations"
-# Words of the kernel: stages of a run, heads of style keys.
-KERNEL = ("read", "check", "build", "curvature", "features", "visibility", "field", "trace", "cover", "compose",
-          "write", "verify", "line", "feature", "hatch", "halo", "depth", "tone", "sheet", "Front", "Back", "Left",
-          "Right", "Top", "Bottom", "Isometric")
+# Stages of a run, as the kernel tells them.
+STAGES = ("read", "check", "build", "curvature", "features", "visibility", "field", "trace", "cover", "compose",
+          "write", "verify")
 
 
 def literal(node):
@@ -43,13 +47,24 @@ def words_of(tree):
                     yield told["name"], told[key]
 
 
+def offered():
+    """Words of the kernel that panels show: groups of style keys, standard views, what styles are for."""
+    told = offers.kept()
+    yield from (group for group in told["groups"] if group not in told["formats"])
+    yield from map(offers.title, told["views"])
+    yield from ("none", "dashed")
+    yield from told["styles"].values()
+
+
 def words():
-    found = {("Burin", word): None for word in KERNEL}
+    found = {("Burin", word): None for word in (*STAGES, *offered())}
     for path in sorted(ADDON.rglob("*.py")):
         for pair in words_of(ast.parse(path.read_text(encoding="utf-8"))):
             found[pair] = None
     ui = xml.parse(ADDON / "resources" / "preferences.ui").getroot()
     for node in ui.iter("string"):
+        if node.get("notr") == "true":
+            continue
         found[("BurinPreferences", node.text)] = None
     # FreeCAD asks with the workbench's name for menus and toolbars.
     found[("Workbench", "Burin")] = found[("Workbench", "&Burin")] = None

@@ -2,6 +2,7 @@
 
 import FreeCAD
 
-for _text, _suffix in (("Burin SVG", "svg"), ("Burin PDF", "pdf"), ("Burin PNG", "png"), ("Burin EPS", "eps"),
-                       ("Burin DXF", "dxf"), ("Burin drawing", "json")):
-    FreeCAD.addExportType(f"{_text} (*.{_suffix})", "freecad.burin_wb.export")
+from freecad.burin_wb import offers
+
+for _suffix in offers.kept()["formats"]:
+    FreeCAD.addExportType(f"Burin {_suffix.upper()} (*.{_suffix})", "freecad.burin_wb.export")

@@ -44,6 +44,22 @@ class BurinWorkbench(Gui.Workbench):
         return "Gui::PythonWorkbench"
 
 
+class PreferencesPage:
+    """FreeCAD makes one when the preferences are opened."""
+
+    def __init__(self):
+        from freecad.burin_wb.tasks.preferences import Page
+
+        self._page = Page()
+        self.form = self._page.form
+
+    def loadSettings(self):
+        self._page.load()
+
+    def saveSettings(self):
+        self._page.save()
+
+
 def _dress(obj):
     from freecad.burin_wb import view
 
@@ -60,5 +76,5 @@ hooks.dress, hooks.edit = _dress, _edit
 Gui.addLanguagePath(os.path.join(_RESOURCES, "translations"))
 Gui.updateLocale()
 Gui.addIconPath(os.path.join(_RESOURCES, "icons"))
-Gui.addPreferencePage(os.path.join(_RESOURCES, "preferences.ui"), "Burin")
+Gui.addPreferencePage(PreferencesPage, "Burin")
 Gui.addWorkbench(BurinWorkbench())

@@ -4,7 +4,8 @@ import importlib.util
 import os
 import sys
 
-from . import preferences
+from . import offers, preferences
+from .errors import KernelMissing
 from .load import load
 
 
@@ -51,3 +52,11 @@ def found():
 def module():
     """The module `burin`. Throws errors.KernelMissing."""
     return load(folders())
+
+
+def offered():
+    """What the kernel offers: the one that is there; without one, that which the add-on was made with."""
+    try:
+        return offers.asked(module()) if found() else offers.kept()
+    except KernelMissing:
+        return offers.kept()

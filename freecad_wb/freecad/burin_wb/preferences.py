@@ -2,12 +2,12 @@
 
 import FreeCAD
 
+from . import offers
+
 GROUP = "User parameter:BaseApp/Preferences/Mod/Burin"
 
-# Millimetres of the drawing, by the index of the preference "Sheet": what fits on the page with its frame.
-SHEETS = {0: (180.0, 130.0), 1: (277.0, 190.0), 2: (190.0, 277.0), 3: (400.0, 277.0), 4: (574.0, 400.0)}
-HIDDEN = {0: "None", 1: "Dashed"}
-STYLES = ("technical", "outline", "engraving", "haloed", "wireframe")
+# Width and height in mm of the drawing where no sheet is chosen, and what else the frame of a page takes of its sides.
+SMALL, FRAME = (180.0, 130.0), 20.0
 
 
 def group():
@@ -15,17 +15,27 @@ def group():
 
 
 def style():
-    """The style of new illustrations: a built-in one, or a file where one is named."""
-    return group().GetString("StyleFile", "") or STYLES[min(group().GetInt("Style", 0), len(STYLES) - 1)]
+    """The style of new illustrations: a built-in one, or a file where one is named; empty = that of illustrations."""
+    return group().GetString("StyleFile", "") or group().GetString("StyleName", "")
+
+
+def sheets():
+    """Names of sheets that fit on a page of that paper, with width and height in mm; with a trailing p portrait."""
+    found = {"": SMALL}
+    for paper, (width, height) in offers.kept()["papers"].items():
+        found[paper] = width - FRAME, height - FRAME
+        found[paper + "p"] = height - FRAME, width - FRAME
+    return found
 
 
 def sheet():
     """Width and height of new illustrations, in mm."""
-    return SHEETS.get(group().GetInt("Sheet", 0), SHEETS[0])
+    return sheets().get(group().GetString("SheetName", ""), SMALL)
 
 
 def hidden():
-    return HIDDEN.get(group().GetInt("HiddenLines", 0), "None")
+    """How new illustrations draw hidden lines; empty = as illustrations do."""
+    return group().GetString("Hidden", "")
 
 
 def template():
@@ -62,5 +72,8 @@ def python():
 
 def apply_to(obj):
     """New illustrations start with what the user prefers."""
-    obj.Style, obj.HiddenLines = style(), hidden()
     obj.Width, obj.Height = sheet()
+    if style():
+        obj.Style = style()
+    if hidden() in obj.getEnumerationsOfProperty("HiddenLines"):
+        obj.HiddenLines = hidden()

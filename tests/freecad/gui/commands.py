@@ -74,21 +74,65 @@ class Workbench(support.Case):
         self.assertIn("TechDraw", window.findChild(QtGui.QTextBrowser).toPlainText())
         window.close()
 
-    def test_the_preferences_page_holds_and_new_illustrations_use_it(self):
+    def test_the_preferences_page_keeps_files_and_folders(self):
         from freecad.burin_wb import preferences
+        from freecad.burin_wb.tasks.preferences import Page
 
-        page = Gui.PySideUic.loadUi(os.path.join(os.path.dirname(preferences.__file__), "resources", "preferences.ui"))
-        self.assertEqual(page.findChild(QtGui.QComboBox, "style").count(), len(preferences.STYLES))
-        self.assertEqual(page.findChild(QtGui.QComboBox, "sheet").count(), len(preferences.SHEETS))
-        group = preferences.group()
-        group.SetInt("Style", 1)
-        group.SetInt("Sheet", 2)
-        group.SetInt("HiddenLines", 1)
+        page = Page()
+        page.load()
+        fields = {name: page.form.findChild(QtGui.QWidget, widget) for name, widget in (
+            ("StyleFile", "style_file"), ("Template", "template_file"), ("KernelFolder", "folder"), ("Python", "python"))}
         try:
+            for name, field in fields.items():
+                field.setProperty("text" if name == "KernelFolder" else "fileName", "/somewhere/" + name)
+            page.save()
+            self.assertEqual({name: preferences.group().GetString(name, "") for name in fields},
+                             {name: "/somewhere/" + name for name in fields})
+            self.assertEqual(preferences.style(), "/somewhere/StyleFile")
+            for name, field in fields.items():
+                field.setProperty("text" if name == "KernelFolder" else "fileName", "")
+            page.save()
+            self.assertFalse(set(preferences.group().GetStrings()) & set(fields))
+        finally:
+            for name in fields:
+                preferences.group().RemString(name)
+
+    def test_freecad_opens_the_preferences_page(self):
+        shown = []
+
+        def look():
+            dialog = QtGui.QApplication.activeModalWidget()
+            shown.extend(box.count() for box in dialog.findChildren(QtGui.QComboBox, "sheet"))
+            dialog.reject()
+
+        QtCore.QTimer.singleShot(1500, look)
+        Gui.showPreferences("Burin", 0)
+        self.assertEqual(len(shown), 1)
+        self.assertGreater(shown[0], 10)
+
+    def test_the_preferences_page_holds_and_new_illustrations_use_it(self):
+        from freecad.burin_wb import kernel, preferences
+        from freecad.burin_wb.tasks.preferences import Page
+
+        page = Page()
+        page.load()
+        burin = kernel.module()
+        lists = {name: page.form.findChild(QtGui.QComboBox, name) for name in ("style", "sheet", "hidden")}
+        self.assertEqual([lists["style"].itemText(k) for k in range(lists["style"].count())], list(burin.styles()))
+        self.assertEqual(lists["style"].currentData(), "technical")
+        self.assertEqual(lists["sheet"].count(), 1 + 2 * len(burin.papers()))
+        self.assertEqual(lists["hidden"].currentData(), "None")
+        try:
+            for name, value in (("style", "outline"), ("sheet", "A4p"), ("hidden", "Dashed")):
+                lists[name].setCurrentIndex(lists[name].findData(value))
+            page.save()
+            again = Page()
+            again.load()
+            self.assertEqual(again.form.findChild(QtGui.QComboBox, "sheet").currentText(), "A4 portrait (190 x 277 mm)")
             obj = self.illustrate(*self.box_and_ball())
         finally:
-            for name in ("Style", "Sheet", "HiddenLines"):
-                group.RemInt(name)
+            for name in ("StyleName", "SheetName", "Hidden"):
+                preferences.group().RemString(name)
         self.assertEqual((obj.Style, obj.HiddenLines, obj.Width.Value, obj.Height.Value),
                          ("outline", "Dashed", 190.0, 277.0))
         self.assertTrue(any(not p["visible"] for _, p in sheet_of(obj).paths()))
@@ -252,10 +296,11 @@ class Views(support.Case):
         self.assertEqual(runs(), count, "undo and redo ran the kernel though their drawings are kept")
 
     def test_all_standard_views(self):
-        from freecad.burin_wb.features.eye import STANDARD
+        from freecad.burin_wb import kernel
+        from freecad.burin_wb.offers import title
 
-        for name, (direction, _) in STANDARD.items():
-            self.run_view("Burin_View" + name)
+        for name, (direction, _) in kernel.module().views().items():
+            self.run_view("Burin_View" + title(name))
             self.assertLess((sheet_of(self.obj).direction - V(*direction).normalize()).Length, 1e-6, name)
 
     def test_from_the_camera_parallel_and_in_perspective(self):
@@ -395,14 +440,18 @@ class Pages(support.Case):
 
     def test_export_by_command_and_by_file_menu(self):
         self.select(self.obj)
-        for suffix in ("svg", "pdf", "png", "eps", "dxf", "json"):
+        from freecad.burin_wb import export, kernel
+
+        asked = []
+        for suffix in kernel.module().formats():
             path = str(support.OUT / f"by-command.{suffix}")
             if os.path.exists(path):
                 os.unlink(path)
-            with unittest.mock.patch.object(QtGui.QFileDialog, "getSaveFileName", lambda *_: (path, "")):
+            with unittest.mock.patch.object(QtGui.QFileDialog, "getSaveFileName",
+                                            lambda *args: asked.append(args) or (path, "")):
                 Gui.runCommand("Burin_Export")
             self.assertGreater(os.path.getsize(path), 500, suffix)
-        from freecad.burin_wb import export
+            self.assertIn(f"(*.{suffix})", asked[-1][-1])
 
         path = str(support.OUT / "by-menu.svg")
         export.export([self.obj], path)

@@ -58,7 +58,7 @@ class Editing(support.Case):
         child(QtGui.QWidget, "width").setProperty("rawValue", 120.0)
         pick(child(QtGui.QComboBox, "style"), "outline")
         pick(child(QtGui.QComboBox, "hidden"), "Dashed")
-        pick(child(QtGui.QComboBox, "view"), "Front")
+        pick(child(QtGui.QComboBox, "view"), "front")
         self.drawn()
         self.assertEqual(child(QtGui.QLabel, "message").text(), "drawn")
         self.assertFalse(support.panel().preview.shown().isNull())

@@ -40,7 +40,8 @@ class Export(Case):
         self.assertTrue(content(path).startswith(b"%PDF-"))
 
     def test_freecad_knows_the_types(self):
-        for suffix in STARTS:
+        self.assertEqual(set(STARTS), set(burin().formats()))
+        for suffix in burin().formats():
             self.assertIn("freecad.burin_wb.export", App.getExportType(suffix), suffix)
             # What File > Export runs.
             module = importlib.import_module("freecad.burin_wb.export")

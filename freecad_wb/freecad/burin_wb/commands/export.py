@@ -4,17 +4,16 @@ import FreeCADGui as Gui
 from PySide import QtGui
 
 from .. import export as exporter
+from .. import kernel
 from ..errors import Refused
 from ..text import tr
 from .base import Command, selected_illustrations
-
-FILTERS = "SVG (*.svg);;PDF (*.pdf);;PNG (*.png);;EPS (*.eps);;DXF (*.dxf);;Drawing (*.json)"
 
 
 class Export(Command):
     name = "Burin_Export"
     text = "Export illustration..."
-    tip = "Writes the illustration as SVG, PDF, PNG, EPS, DXF or as a drawing file"
+    tip = "Writes the illustration as a file: for print, for the web, for drawing programs"
     icon = "burin_export.svg"
     transaction = False
 
@@ -25,7 +24,8 @@ class Export(Command):
         chosen = selected_illustrations()
         if len(chosen) != 1:
             raise Refused(tr("select one illustration"))
-        name, _ = QtGui.QFileDialog.getSaveFileName(Gui.getMainWindow(), self.text, "", FILTERS)
+        filters = ";;".join(f"{suffix.upper()} (*.{suffix})" for suffix in kernel.offered()["formats"])
+        name, _ = QtGui.QFileDialog.getSaveFileName(Gui.getMainWindow(), self.text, "", filters)
         if not name:
             return
         try:

@@ -55,7 +55,9 @@ def _selected_faces():
 
 
 class Standard(Command):
-    """Subclasses are named after their views."""
+    """Subclasses set `view`, its name."""
+
+    view = ""
 
     def possible(self):
         return bool(selected_illustrations())
@@ -65,46 +67,57 @@ class Standard(Command):
         if not chosen:
             raise Refused(tr("select an illustration"))
         for obj in chosen:
-            set_view(obj, standard(self.text))
+            set_view(obj, standard(self.view))
         document.recompute()
 
 
 class Front(Standard):
-    name, text, icon = "Burin_ViewFront", "Front", "burin_view_front.svg"
+    view, name, text, icon = "front", "Burin_ViewFront", "Front", "burin_view_front.svg"
     tip = "The illustration looks from the front (along y)"
 
 
 class Back(Standard):
-    name, text, icon = "Burin_ViewBack", "Back", "burin_view_back.svg"
+    view, name, text, icon = "back", "Burin_ViewBack", "Back", "burin_view_back.svg"
     tip = "The illustration looks from the back"
 
 
 class Left(Standard):
-    name, text, icon = "Burin_ViewLeft", "Left", "burin_view_left.svg"
+    view, name, text, icon = "left", "Burin_ViewLeft", "Left", "burin_view_left.svg"
     tip = "The illustration looks from the left"
 
 
 class Right(Standard):
-    name, text, icon = "Burin_ViewRight", "Right", "burin_view_right.svg"
+    view, name, text, icon = "right", "Burin_ViewRight", "Right", "burin_view_right.svg"
     tip = "The illustration looks from the right"
 
 
 class Top(Standard):
-    name, text, icon = "Burin_ViewTop", "Top", "burin_view_top.svg"
+    view, name, text, icon = "top", "Burin_ViewTop", "Top", "burin_view_top.svg"
     tip = "The illustration looks from above"
 
 
 class Bottom(Standard):
-    name, text, icon = "Burin_ViewBottom", "Bottom", "burin_view_bottom.svg"
+    view, name, text, icon = "bottom", "Burin_ViewBottom", "Bottom", "burin_view_bottom.svg"
     tip = "The illustration looks from below"
 
 
 class Isometric(Standard):
-    name, text, icon = "Burin_ViewIsometric", "Isometric", "burin_view_isometric.svg"
+    view, name, text, icon = "iso", "Burin_ViewIsometric", "Isometric", "burin_view_isometric.svg"
     tip = "The illustration looks from the front, the right and above at once"
 
 
-MEMBERS = [ViewFromCamera(), ViewFromFace(), Isometric(), Front(), Back(), Left(), Right(), Top(), Bottom()]
+class Dimetric(Standard):
+    view, name, text, icon = "dimetric", "Burin_ViewDimetric", "Dimetric", "burin_view_dimetric.svg"
+    tip = "The illustration looks almost from the front: depths are halved, as ISO 5456-3 has it"
+
+
+class Trimetric(Standard):
+    view, name, text, icon = "trimetric", "Burin_ViewTrimetric", "Trimetric", "burin_view_trimetric.svg"
+    tip = "The illustration looks from the front, the right and above, at each by another angle"
+
+
+MEMBERS = [ViewFromCamera(), ViewFromFace(), Isometric(), Dimetric(), Trimetric(), Front(), Back(), Left(), Right(),
+           Top(), Bottom()]
 
 
 class ViewGroup(Group):

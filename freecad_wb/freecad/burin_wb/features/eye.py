@@ -5,21 +5,20 @@ import collections
 import FreeCAD
 import Part
 
+from .. import offers
 from .sources import from_the_top
 
 # direction: from the model to the viewer; angle: vertical field of view in degrees, 0 = parallel.
 Eye = collections.namedtuple("Eye", "direction up angle")
 
-STANDARD = {
-    "Front": ((0, -1, 0), (0, 0, 1)), "Back": ((0, 1, 0), (0, 0, 1)),
-    "Left": ((-1, 0, 0), (0, 0, 1)), "Right": ((1, 0, 0), (0, 0, 1)),
-    "Top": ((0, 0, 1), (0, 1, 0)), "Bottom": ((0, 0, -1), (0, 1, 0)),
-    "Isometric": ((1, -1, 1), (0, 0, 1)),
-}
+
+def standards():
+    """Names of the standard views."""
+    return list(offers.kept()["views"])
 
 
 def standard(name):
-    direction, up = STANDARD[name]
+    direction, up = offers.kept()["views"][name]
     return Eye(FreeCAD.Vector(*direction), FreeCAD.Vector(*up), 0.0)
 
 

@@ -59,6 +59,16 @@ FLAT_EDGES = (
 )
 
 
+def default_of(name):
+    """The value of a property that new illustrations have."""
+    return next(row.value for row in ILLUSTRATION if row.name == name)
+
+
+def words_of(name):
+    """The words of an enumeration; new illustrations have the first."""
+    return list(default_of(name))
+
+
 def is_newer(obj):
     """Whether a newer version made the object: it is shown and not touched."""
     return getattr(obj, "Schema", 0) > SCHEMA

@@ -3,9 +3,10 @@
 import FreeCADGui as Gui
 from PySide import QtCore, QtGui
 
-from ..features.eye import STANDARD, set_view, standard
+from ..features.eye import set_view, standard, standards
 from ..features.looks import FLAGS, flags_of, style_of, with_flag, with_style
 from ..features.sources import survey
+from ..offers import title
 from ..text import tr
 from ..view.camera import camera_of
 from . import widgets
@@ -22,9 +23,9 @@ class IllustrationPanel(Panel):
     def _fill_view(self):
         form = widgets.group(tr("View"), self.column)
         row = QtGui.QHBoxLayout()
-        names = ["", *STANDARD]
+        names = ["", *standards()]
         self.view = widgets.choice(names, "", tr("Standard views"), self._standard, "view",
-                                   [tr("as it is"), *(tr(n) for n in STANDARD)])
+                                   [tr("as it is"), *(tr(title(n)) for n in standards())])
         camera = QtGui.QPushButton(tr("3-D view"))
         camera.setObjectName("camera")
         camera.setToolTip(tr("Draws the illustration as the 3-D view shows the model now, in perspective too"))
@@ -74,9 +75,9 @@ class IllustrationPanel(Panel):
         row.addWidget(self.style)
         row.addWidget(file)
         form.addRow(row)
-        self.hidden = widgets.choice(["None", "Dashed"], self.obj.HiddenLines,
-                                     tr("Hidden lines: left out or dashed"),
-                                     lambda v: self.change("HiddenLines", v), "hidden", [tr("left out"), tr("dashed")])
+        words = self.obj.getEnumerationsOfProperty("HiddenLines")
+        self.hidden = widgets.choice(words, self.obj.HiddenLines, tr("How hidden lines are drawn"),
+                                     lambda v: self.change("HiddenLines", v), "hidden", [tr(w.lower()) for w in words])
         form.addRow(tr("Hidden lines"), self.hidden)
         self.seed = widgets.whole(self.obj.Seed, tr("Seed of all that is left to chance: another one gives other strokes"),
                                   lambda v: self.change("Seed", v), "seed", 0, 2**31 - 1)

@@ -10,13 +10,11 @@ from ..text import tr
 from . import widgets
 from .panel import Panel
 
-# Keys of files, not of what is drawn.
-OF_FILES = ("svg", "json", "png", "dxf")
-
 
 def keys():
-    """Keys of styles that can be seen in the model: dicts with key, meaning, takes, value."""
-    return [k for k in kernel.module().style_keys() if k["key"].split(".")[0] not in OF_FILES]
+    """Rows of the keys that change what is drawn, not how a format writes it."""
+    burin = kernel.module()
+    return [row for row in burin.style_keys() if row["key"].partition(".")[0] not in burin.formats()]
 
 
 def text_of(value):

@@ -3,7 +3,7 @@
 import FreeCADGui as Gui
 from PySide import QtCore, QtGui
 
-_BUILT_IN = ("technical", "outline", "engraving", "haloed", "wireframe")
+from .. import kernel
 
 
 class _StillWheel(QtCore.QObject):
@@ -86,7 +86,7 @@ def check(value, text, tip, changed, name):
 
 def styles(chosen):
     """Names of styles to choose from: the built-in ones, and a file where one is chosen."""
-    names = list(_BUILT_IN)
+    names = list(kernel.offered()["styles"])
     if chosen and chosen not in names:
         names.append(chosen)
     return names

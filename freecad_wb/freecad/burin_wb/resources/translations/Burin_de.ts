@@ -32,6 +32,10 @@
       <translation>Eine Linie der Illustration anklicken; Esc beendet</translation>
     </message>
     <message>
+      <source>Dimetric</source>
+      <translation>Dimetrisch</translation>
+    </message>
+    <message>
       <source>Draws the illustration as the 3-D view shows the model now, in perspective too</source>
       <translation>Zeichnet die Illustration so, wie die 3D-Ansicht das Modell jetzt zeigt, auch in Perspektive</translation>
     </message>
@@ -68,8 +72,8 @@
       <translation>Verdeckte Linien</translation>
     </message>
     <message>
-      <source>Hidden lines: left out or dashed</source>
-      <translation>Verdeckte Linien: weggelassen oder gestrichelt</translation>
+      <source>How hidden lines are drawn</source>
+      <translation>Wie verdeckte Linien gezeichnet werden</translation>
     </message>
     <message>
       <source>Isometric</source>
@@ -220,6 +224,10 @@
       <translation>Durchsichtig: was dahinter liegt, wird auch gezeichnet</translation>
     </message>
     <message>
+      <source>Trimetric</source>
+      <translation>Trimetrisch</translation>
+    </message>
+    <message>
       <source>Value</source>
       <translation>Wert</translation>
     </message>
@@ -238,6 +246,10 @@
     <message>
       <source>Width of the drawing on paper</source>
       <translation>Breite der Zeichnung auf dem Papier</translation>
+    </message>
+    <message>
+      <source>all feature lines, hidden ones too: haloes and widths alone tell depth</source>
+      <translation>alle Formlinien, auch verdeckte: nur Höfe und Strichbreiten zeigen die Tiefe</translation>
     </message>
     <message>
       <source>another panel is open; close it first</source>
@@ -296,12 +308,24 @@
       <translation>Merkmale</translation>
     </message>
     <message>
+      <source>feature lines alone: thick outer outline, thin inner lines (ISO 128)</source>
+      <translation>nur Formlinien: dicker Umriss außen, dünne Linien innen (ISO 128)</translation>
+    </message>
+    <message>
+      <source>feature lines, and light hatching where the part lies in shade</source>
+      <translation>Formlinien, und leichte Schraffur, wo das Teil im Schatten liegt</translation>
+    </message>
+    <message>
       <source>features</source>
       <translation>Merkmallinien</translation>
     </message>
     <message>
       <source>field</source>
       <translation>Richtungsfeld</translation>
+    </message>
+    <message>
+      <source>full tone: swelling strokes along the form, crossed where it is dark</source>
+      <translation>voller Ton: schwellende Striche entlang der Form, gekreuzt, wo es dunkel ist</translation>
     </message>
     <message>
       <source>glass</source>
@@ -320,12 +344,20 @@
       <translation>help_de</translation>
     </message>
     <message>
-      <source>left out</source>
-      <translation>weggelassen</translation>
+      <source>landscape</source>
+      <translation>quer</translation>
+    </message>
+    <message>
+      <source>light strokes; lines behind others stand clear of them, far lines are thin</source>
+      <translation>leichte Striche; Linien hinter anderen halten Abstand von ihnen, ferne Linien sind dünn</translation>
     </message>
     <message>
       <source>line</source>
       <translation>Linien</translation>
+    </message>
+    <message>
+      <source>none</source>
+      <translation>keine</translation>
     </message>
     <message>
       <source>nothing to draw: show or select the parts, bodies, meshes or assemblies to be drawn first</source>
@@ -342,6 +374,10 @@
     <message>
       <source>plain</source>
       <translation>schlicht</translation>
+    </message>
+    <message>
+      <source>portrait</source>
+      <translation>hoch</translation>
     </message>
     <message>
       <source>read</source>
@@ -431,28 +467,8 @@
   <context>
     <name>BurinPreferences</name>
     <message>
-      <source>180 x 130 mm</source>
-      <translation>180 x 130 mm</translation>
-    </message>
-    <message>
       <source>A style file instead of the style above; empty = none</source>
       <translation>Eine Stildatei anstelle des Stils oben; leer = keine</translation>
-    </message>
-    <message>
-      <source>A2 landscape (574 x 400 mm)</source>
-      <translation>A2 quer (574 x 400 mm)</translation>
-    </message>
-    <message>
-      <source>A3 landscape (400 x 277 mm)</source>
-      <translation>A3 quer (400 x 277 mm)</translation>
-    </message>
-    <message>
-      <source>A4 landscape (277 x 190 mm)</source>
-      <translation>A4 quer (277 x 190 mm)</translation>
-    </message>
-    <message>
-      <source>A4 portrait (190 x 277 mm)</source>
-      <translation>A4 hoch (190 x 277 mm)</translation>
     </message>
     <message>
       <source>Drawing kernel</source>
@@ -469,6 +485,10 @@
     <message>
       <source>Hidden lines</source>
       <translation>Verdeckte Linien</translation>
+    </message>
+    <message>
+      <source>How new illustrations draw hidden lines</source>
+      <translation>Wie neue Illustrationen verdeckte Linien zeichnen</translation>
     </message>
     <message>
       <source>New illustrations</source>
@@ -515,40 +535,8 @@
       <translation>Der Stil, mit dem neue Illustrationen beginnen</translation>
     </message>
     <message>
-      <source>Whether new illustrations show hidden lines</source>
-      <translation>Ob neue Illustrationen verdeckte Linien zeigen</translation>
-    </message>
-    <message>
       <source>Width and height that new illustrations start with</source>
       <translation>Breite und Höhe, mit denen neue Illustrationen beginnen</translation>
-    </message>
-    <message>
-      <source>dashed</source>
-      <translation>gestrichelt</translation>
-    </message>
-    <message>
-      <source>engraving: full tone in swelling strokes</source>
-      <translation>engraving: voller Ton in schwellenden Strichen</translation>
-    </message>
-    <message>
-      <source>haloed: lines behind others stand clear of them</source>
-      <translation>haloed: Linien hinter anderen halten Abstand</translation>
-    </message>
-    <message>
-      <source>left out</source>
-      <translation>weggelassen</translation>
-    </message>
-    <message>
-      <source>outline: lines alone</source>
-      <translation>outline: nur Linien</translation>
-    </message>
-    <message>
-      <source>technical: lines, light hatching in the shade</source>
-      <translation>technical: Linien, leichte Schraffur im Schatten</translation>
-    </message>
-    <message>
-      <source>wireframe: hidden lines too</source>
-      <translation>wireframe: auch verdeckte Linien</translation>
     </message>
   </context>
   <context>
@@ -569,8 +557,8 @@
       <translation>Illustration exportieren …</translation>
     </message>
     <message>
-      <source>Writes the illustration as SVG, PDF, PNG, EPS, DXF or as a drawing file</source>
-      <translation>Schreibt die Illustration als SVG, PDF, PNG, EPS, DXF oder als Zeichnungsdatei</translation>
+      <source>Writes the illustration as a file: for print, for the web, for drawing programs</source>
+      <translation>Schreibt die Illustration als Datei: für den Druck, für das Web, für Zeichenprogramme</translation>
     </message>
   </context>
   <context>
@@ -717,6 +705,17 @@
     </message>
   </context>
   <context>
+    <name>Burin_ViewDimetric</name>
+    <message>
+      <source>Dimetric</source>
+      <translation>Dimetrisch</translation>
+    </message>
+    <message>
+      <source>The illustration looks almost from the front: depths are halved, as ISO 5456-3 has it</source>
+      <translation>Die Illustration blickt fast von vorn: Tiefen sind halbiert, wie in ISO 5456-3</translation>
+    </message>
+  </context>
+  <context>
     <name>Burin_ViewFromCamera</name>
     <message>
       <source>As in the 3-D view</source>
@@ -791,6 +790,17 @@
     <message>
       <source>Top</source>
       <translation>Oben</translation>
+    </message>
+  </context>
+  <context>
+    <name>Burin_ViewTrimetric</name>
+    <message>
+      <source>The illustration looks from the front, the right and above, at each by another angle</source>
+      <translation>Die Illustration blickt von vorn, rechts und oben, jeweils unter einem anderen Winkel</translation>
+    </message>
+    <message>
+      <source>Trimetric</source>
+      <translation>Trimetrisch</translation>
     </message>
   </context>
   <context>

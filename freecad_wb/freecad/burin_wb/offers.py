@@ -1,0 +1,40 @@
+"""What the kernel offers: names of formats, styles, views, sheets. Menus, properties and FreeCAD's start know them without
+loading the kernel, from a file that its own module told (tools/offers.py; a test compares them)."""
+
+import functools
+import json
+import os
+
+PATH = os.path.join(os.path.dirname(__file__), "resources", "offers.json")
+
+
+def asked(burin):
+    """What a kernel offers, of its module."""
+    return {
+        "formats": burin.formats(),
+        "styles": burin.styles(),  # with what they are for
+        "views": {name: [_rounded(direction), _rounded(up)] for name, (direction, up) in burin.views().items()},
+        "papers": {name: list(size) for name, size in burin.papers().items()},  # width and height in mm
+        "groups": list(dict.fromkeys(row["key"].partition(".")[0] for row in burin.style_keys())),  # of style keys
+    }
+
+
+def _rounded(vector):
+    """Without the last digits, which may be others on another machine."""
+    return [round(x, 12) for x in vector]
+
+
+@functools.lru_cache(maxsize=None)
+def kept():
+    """What the kernel offers that the add-on was made with."""
+    with open(PATH, encoding="utf-8") as file:
+        return json.load(file)
+
+
+# The kernel's names are what one types.
+_TITLES = {"iso": "Isometric"}
+
+
+def title(view):
+    """A standard view's name as menus have it, in English."""
+    return _TITLES.get(view, view.capitalize())
