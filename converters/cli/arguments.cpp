@@ -3,36 +3,59 @@
 #include <burin/base/error.h>
 #include <burin/base/nearest.h>
 #include <burin/base/version.h>
+#include <burin/converters/write.h>
 
 #include <CLI/App.hpp>
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
 #include <fmt/format.h>
 
+#include <sstream>
+#include <type_traits>
+
 namespace burin::cli {
 namespace {
 
-constexpr const char* kSheet = "The sheet and the view";
 constexpr const char* kLook = "The look";
 constexpr const char* kRun = "The run";
-constexpr const char* kReading = "Functions and volumes";
 constexpr const char* kFiles = "Files";
-constexpr const char* kFormatHelp =
-    "svg, pdf, eps, png, dxf or json: format of outputs whose\n"
-    "name does not tell it";
-constexpr const char* kPrefixHelp =
-    "what all ids of an SVG begin with, so that several stand in\n"
-    "one page";
-constexpr const char* kThreadsHelp =
-    "worker threads (default: all); the drawing is the same for any number";
+
+/// Lines of help are this long, beside the column of the names.
+constexpr std::size_t kHelpWidth = 60;
+
+std::string wrapped(const std::string& text) {
+  std::string out;
+  std::size_t used = 0;
+  std::istringstream words(text);
+  for (std::string word; words >> word;) {
+    const bool fits = used + 1 + word.size() <= kHelpWidth;
+    if (used > 0) out += fits ? ' ' : '\n';
+    used = fits && used > 0 ? used + 1 + word.size() : word.size();
+    out += word;
+  }
+  return out;
+}
+
+std::string format_help() {
+  return wrapped(fmt::format("{}: format of outputs whose name does not tell it", format_list("")));
+}
+
+std::string output_help(const char* what) {
+  return wrapped(
+      fmt::format("{} to write, {} by its suffix; repeatable; - is standard output and "
+                  "needs --format",
+                  what, format_list()));
+}
+
+/// Most likely a shell's variable that is not set: no reason to draw by the default.
+void refuse_empty(const std::string& option, const std::string& word) {
+  if (word.empty()) throw UsageError("option " + option + " has an empty value");
+}
 
 CLI::Option* text(CLI::App& app, const char* name, std::string& value, const char* type,
-                  const char* group, const char* help) {
+                  const char* group, const std::string& help) {
   return app.add_option(name, value, help)
-      ->each([option = std::string(name)](const std::string& word) {
-        // Most likely a shell's variable that is not set: no reason to draw by the default.
-        if (word.empty()) throw UsageError("option " + option + " has an empty value");
-      })
+      ->each([option = std::string(name)](const std::string& word) { refuse_empty(option, word); })
       ->type_name(type)
       ->group(group)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
@@ -40,43 +63,59 @@ CLI::Option* text(CLI::App& app, const char* name, std::string& value, const cha
 
 /// An option that may be given several times, one value each time.
 void list(CLI::App& app, const char* name, std::vector<std::string>& values, const char* type,
-          const char* group, const char* help) {
+          const char* group, const std::string& help) {
   app.add_option(name, values, help)->type_name(type)->group(group)->allow_extra_args(false);
 }
 
-/// What files do not say of themselves.
-void add_reading(CLI::App& app, ReadRequest& read, const char* group) {
-  text(app, "--bounds", read.bounds, "X0,..,Z1", group,
-       "domain x0,y0,z0,x1,y1,z1 of functions and volumes, in\n"
-       "model mm (default: their own bounds)");
-  text(app, "--mesher", read.mesher, "auto|nets|delaunay", group,
-       "triangles of functions: even and fast, or graded by\n"
-       "curvature (default auto); lines are exact with either");
-  text(app, "--iso", read.iso, "LEVEL", group,
-       "the surface of a volume is where its data takes this\n"
-       "value; burin info tells the range (no default; trivariate\n"
-       "splines: 0)");
-  text(app, "--inside", read.inside, "above|below", group,
-       "values that are inside (default above; trivariate splines:\n"
-       "below)");
-  text(app, "--smooth", read.smooth, "SAMPLES", group,
-       "standard deviation of a Gaussian that a volume is\n"
-       "smoothed with (default 0)");
-  text(app, "--specks", read.specks, "SHARE", group,
-       "components of a volume smaller than this share of the\n"
-       "largest one are left out (default 0.02)");
-  text(app, "--volume-degree", read.volume_degree, "2|3", group,
-       "degree of the spline of a volume (default 3)");
-  app.add_flag_callback(
-         "--interpolate", [&read] { read.interpolate = "true"; },
-         "take the values of the samples exactly; without it they\n"
-         "are the spline's coefficients, a little smoother")
-      ->group(group);
-  text(app, "--raw", read.raw, "NXxNYxNZ[..]", group,
-       "what a raw file holds: NXxNYxNZ[:TYPE[:DX,DY,DZ]], TYPE\n"
-       "u8 i8 u16 .. f64, u16be .. for big-endian (default u8:1,1,1)");
-  text(app, "--raw-skip", read.raw_skip, "BYTES", group,
-       "bytes before the first sample of a raw file (default 0)");
+/// A switch, and the form that turns it off where there is one.
+void add_switch(CLI::App& app, const RequestOption& option, Request& request) {
+  const std::string& name = option.option.name;
+  const auto add = [&](const std::string& flag, const std::string& help, const char* value) {
+    app.add_flag_callback(
+           spelled(flag, Spelling::Options), [&request, name, value] { request[name] = {value}; },
+           wrapped(help))
+        ->group(option.group);
+  };
+  add(name, option.option.meaning, "true");
+  if (!option.negated.empty()) add("no_" + name, option.negated, "false");
+}
+
+void add_request(CLI::App& app, const RequestOption& option, Request& request) {
+  if (std::holds_alternative<Switch>(option.option.takes)) return add_switch(app, option, request);
+  const std::string& name = option.option.name;
+  const std::string word = spelled(name, Spelling::Options);
+  const std::string names = option.letter == 0 ? word : fmt::format("-{},{}", option.letter, word);
+  const auto add = [&]<class Values>(CLI::MultiOptionPolicy policy) {
+    const auto set = [&request, name, word](const Values& values) {
+      if constexpr (std::is_same_v<Values, std::string>) {
+        refuse_empty(word, values);
+        request[name] = {values};
+      } else {
+        for (const std::string& value : values) refuse_empty(word, value);
+        request[name] = values;
+      }
+    };
+    app.add_option_function<Values>(names, set, wrapped(option.option.meaning))
+        ->type_name(option.label)
+        ->group(option.group)
+        ->allow_extra_args(false)
+        ->multi_option_policy(policy);
+  };
+  if (option.many) {
+    add.template operator()<std::vector<std::string>>(CLI::MultiOptionPolicy::TakeAll);
+  } else {
+    add.template operator()<std::string>(CLI::MultiOptionPolicy::TakeLast);
+  }
+}
+
+void add_requests(CLI::App& app, const std::vector<RequestOption>& options, Request& request) {
+  for (const RequestOption& option : options) add_request(app, option, request);
+}
+
+std::vector<RequestOption> reading() {
+  std::vector<RequestOption> options;
+  for (const auto& row : read_option_rows()) options.push_back(row.about);
+  return options;
 }
 
 void add_chatter(CLI::App& app, Chatter& chatter) {
@@ -87,27 +126,6 @@ void add_chatter(CLI::App& app, Chatter& chatter) {
                "terminal one line a step: burin: progress STAGE SHARE")
       ->group(kRun);
   app.add_flag("--no-progress", chatter.no_progress, "show none")->group(kRun);
-}
-
-void add_openscad(CLI::App& app, ReadRequest& a) {
-  list(app, "-D,--define", a.define, "NAME=VALUE", kFiles,
-       "define a variable of OpenSCAD files; repeatable; a text\n"
-       "keeps its quotes: -D 'label=\"A\"'");
-  text(app, "--openscad-timeout", a.openscad_timeout, "SECONDS", kFiles,
-       "end OpenSCAD after so long (default 300)");
-}
-
-void add_freecad(CLI::App& app, ReadRequest& a) {
-  list(app, "--object", a.object, "NAME|LABEL", kFiles,
-       "draw this object of FreeCAD documents, hidden or not;\n"
-       "repeatable (default: all that are visible)");
-  app.add_flag_callback(
-         "--recompute", [&a] { a.recompute = "true"; },
-         "let FreeCAD recompute the document first (the file stays\n"
-         "as it is)")
-      ->group(kFiles);
-  text(app, "--freecad-timeout", a.freecad_timeout, "SECONDS", kFiles,
-       "end FreeCAD after so long (default 300)");
 }
 
 CLI::App* add_draw(CLI::App& app, DrawArguments& a, Chatter& chatter) {
@@ -121,61 +139,9 @@ CLI::App* add_draw(CLI::App& app, DrawArguments& a, Chatter& chatter) {
                    "OpenSCAD (.scad, .csg), FreeCAD (.FCStd)")
       ->type_name("")
       ->group(kFiles);
-  list(*draw, "-o,--output", a.outputs, "FILE", kFiles,
-       "drawing to write, .svg .pdf .eps .png .dxf or .json by its\n"
-       "suffix; repeatable; - is standard output and needs --format");
-  text(*draw, "--format", a.format, "FORMAT", kFiles, kFormatHelp);
-  text(*draw, "--id-prefix", a.id_prefix, "TEXT", kFiles, kPrefixHelp);
-  add_openscad(*draw, a.read);
-  add_freecad(*draw, a.read);
-  draw->add_flag_callback(
-          "--heal", [&a] { a.read.heal = "true"; },
-          "draw facets of meshes as the round surfaces that they\n"
-          "stand for (default for OpenSCAD files)")
-      ->group(kLook);
-  draw->add_flag_callback(
-          "--no-heal", [&a] { a.read.heal = "false"; }, "draw facets as they are")
-      ->group(kLook);
-  text(*draw, "--view", a.view, "NAME|X,Y,Z", kSheet,
-       "front back left right top bottom iso dimetric trimetric,\n"
-       "or the direction from the model to the viewer (default iso)");
-  text(*draw, "--up", a.up, "X,Y,Z", kSheet,
-       "up on the sheet (default 0,0,1; for top and bottom 0,1,0)");
-  text(*draw, "--perspective", a.perspective, "DEG", kSheet,
-       "vertical field of view in degrees (default: orthographic)");
-  text(*draw, "--paper", a.paper, "NAME|WxH", kSheet,
-       "A0..A6, B0..B6, letter, legal, tabloid (A4p is portrait),\n"
-       "mm, say 200x150, or fit: the drawing and its margin, at\n"
-       "--scale or 1 (default A4)");
-  text(*draw, "--scale", a.scale, "S|A:B", kSheet,
-       "paper mm for a model mm, also as 1:2 (default: fit to the\nsheet)");
-  text(*draw, "--center", a.center, "X,Y,Z", kSheet,
-       "the model point in the middle of the sheet\n(default: the middle of the drawing)");
-  text(*draw, "--margin", a.margin, "MM|T,R,B,L", kSheet,
-       "empty border of a fitted sheet; one number, or top, right,\n"
-       "bottom, left (default 10)");
-  text(*draw, "--style", a.style, "NAME|FILE", kLook,
-       "outline, technical, engraving, haloed, wireframe, or a style\n"
-       "file (default technical)");
-  list(*draw, "--set", a.set, "KEY=VALUE", kLook,
-       "change one key of the style; repeatable; see burin styles --keys");
-  text(*draw, "--light", a.light, "X,Y,Z", kLook,
-       "direction to the light: right, up, towards the viewer\n"
-       "(default: upper left front)");
-  text(*draw, "--hidden", a.hidden, "none|dashed", kLook,
-       "leave hidden lines out or draw them dashed (default none)");
-  text(*draw, "--tolerance", a.tolerance, "MM", kLook,
-       "chord tolerance of any tessellation, in model mm\n"
-       "(default: less than 0.05 mm on the sheet)");
-  add_reading(*draw, a.read, kReading);
-  text(*draw, "--seed", a.seed, "N", kRun, "random seed (default 1)");
-  text(*draw, "--threads", a.threads, "N", kRun, kThreadsHelp);
-  draw->add_flag_callback(
-          "--verify", [&a] { a.verify = "true"; },
-          "test every visible and hidden line of the drawing by rays\n"
-          "against a finer tessellation of its own; say what they\n"
-          "contradict, where, and how much in all")
-      ->group(kRun);
+  list(*draw, "-o,--output", a.outputs, "FILE", kFiles, output_help("drawing"));
+  text(*draw, "--format", a.format, "FORMAT", kFiles, format_help());
+  add_requests(*draw, all_options(), a.request.options);
   add_chatter(*draw, chatter);
   draw->footer(
       "\nExamples:\n"
@@ -192,15 +158,13 @@ CLI::App* add_convert(CLI::App& app, ConvertArguments& a, Chatter& chatter) {
   CLI::App* convert = app.add_subcommand("convert", "write a drawing file in other formats");
   text(*convert, "DRAWING", a.input, "", kFiles,
        "drawing file (.json) of burin draw or of another program");
-  list(*convert, "-o,--output", a.outputs, "FILE", kFiles,
-       "file to write, .svg .pdf .eps .png .dxf or .json by its\n"
-       "suffix; repeatable; - is standard output and needs --format");
-  text(*convert, "--format", a.format, "FORMAT", kFiles, kFormatHelp);
-  text(*convert, "--id-prefix", a.id_prefix, "TEXT", kFiles, kPrefixHelp);
+  list(*convert, "-o,--output", a.outputs, "FILE", kFiles, output_help("file"));
+  text(*convert, "--format", a.format, "FORMAT", kFiles, format_help());
+  add_request(*convert, find_option("id_prefix"), a.options);
   list(*convert, "--set", a.set, "KEY=VALUE", kLook,
        "change a key of a format (svg. png. dxf. json. line.dash\n"
        "line.gap); repeatable; see burin styles --keys");
-  text(*convert, "--threads", a.threads, "N", kRun, kThreadsHelp);
+  add_request(*convert, find_option("threads"), a.options);
   add_chatter(*convert, chatter);
   convert->footer(
       "\nExamples:\n"
@@ -214,9 +178,10 @@ CLI::App* add_info(CLI::App& app, InfoArguments& a) {
   CLI::App* info =
       app.add_subcommand("info", "tell what model files hold, and what is wrong with them");
   info->add_option("INPUT", a.inputs, "model files")->type_name("")->group(kFiles);
-  add_reading(*info, a.read, kReading);
-  add_openscad(*info, a.read);
-  add_freecad(*info, a.read);
+  for (const RequestOption& option : reading()) {
+    // How facets are drawn is nothing that a file holds.
+    if (option.group != kLook) add_request(*info, option, a.read);
+  }
   info->add_flag("--json", a.json, "print JSON, for programs");
   return info;
 }
@@ -227,6 +192,14 @@ CLI::App* add_styles(CLI::App& app, StylesArguments& a) {
   text(*styles, "--show", a.show, "NAME", "OPTIONS",
        "print a style as JSON, to be changed and given to --style");
   return styles;
+}
+
+CLI::App* add_options(CLI::App& app, OptionsArguments& a) {
+  CLI::App* options = app.add_subcommand("options", "list all options and style keys");
+  options->add_flag("--json", a.json, "print JSON, for programs");
+  options->add_flag("--style-schema", a.style_schema,
+                    "print the JSON Schema of style files, for editors");
+  return options;
 }
 
 std::vector<std::string> known_options(const CLI::App& app) {
@@ -288,10 +261,11 @@ Arguments parse_arguments(int argc, const char* const* argv) {
   CLI::App* convert = add_convert(app, a.convert, a.chatter);
   CLI::App* info = add_info(app, a.info);
   CLI::App* styles = add_styles(app, a.styles);
+  CLI::App* options = add_options(app, a.options);
   CLI::App* plugins = app.add_subcommand(
       "plugins", "list the plug-ins that are loaded: none, this version cannot load any");
   app.allow_extras();
-  for (CLI::App* sub : {draw, convert, info, styles, plugins}) sub->allow_extras();
+  for (CLI::App* sub : {draw, convert, info, styles, options, plugins}) sub->allow_extras();
 
   try {
     app.parse(argc, argv);
@@ -315,6 +289,7 @@ Arguments parse_arguments(int argc, const char* const* argv) {
            : chosen == convert ? Verb::Convert
            : chosen == info    ? Verb::Info
            : chosen == styles  ? Verb::Styles
+           : chosen == options ? Verb::Options
                                : Verb::Plugins;
   return a;
 }

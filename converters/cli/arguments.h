@@ -10,20 +10,20 @@ namespace burin::cli {
 
 /// Options as they were typed; `make_plan` turns them into values, so that each error names its
 /// option.
-struct DrawArguments : DrawRequest {
+struct DrawArguments {
+  DrawRequest request;
   std::vector<std::string> inputs;
   std::vector<std::string> outputs;
   std::string format;
-  std::string id_prefix;
 };
 
 struct ConvertArguments {
   std::string input;
   std::vector<std::string> outputs;
   std::string format;
-  std::string id_prefix;
   std::vector<std::string> set;
-  std::string threads;
+  /// The others: "threads", "id_prefix".
+  Request options;
 };
 
 struct StylesArguments {
@@ -31,9 +31,14 @@ struct StylesArguments {
   std::string show;
 };
 
+struct OptionsArguments {
+  bool json = false;
+  bool style_schema = false;
+};
+
 struct InfoArguments {
   std::vector<std::string> inputs;
-  ReadRequest read;
+  Request read;
   bool json = false;
 };
 
@@ -46,7 +51,7 @@ struct Chatter {
   bool no_progress = false;
 };
 
-enum class Verb { Help, Draw, Convert, Info, Styles, Plugins };
+enum class Verb { Help, Draw, Convert, Info, Styles, Options, Plugins };
 
 struct Arguments {
   Verb verb = Verb::Help;
@@ -56,6 +61,7 @@ struct Arguments {
   ConvertArguments convert;
   StylesArguments styles;
   InfoArguments info;
+  OptionsArguments options;
   Chatter chatter;
 };
 

@@ -32,9 +32,11 @@ Style make_style(const std::vector<std::string>& assignments) {
   return style;
 }
 
-int threads_of(const ConvertArguments& a) {
-  if (a.threads.empty()) return 0;
-  return static_cast<int>(whole_option("--threads", a.threads, 1, 4096, "1 to 4096"));
+/// That of an option that was given; else `absent`.
+template <class T>
+T asked(const ConvertArguments& a, const std::string& name, T absent) {
+  const auto value = asked_value(find_option(name), a.options, spelled(name, Spelling::Options));
+  return value ? std::get<T>(*value) : absent;
 }
 
 }  // namespace
@@ -47,7 +49,7 @@ void run_convert(const ConvertArguments& arguments, RunContext& context, Console
     throw UsageError("no output; name one: burin convert DRAWING.json -o OUT.pdf");
   }
   const Style style = make_style(arguments.set);
-  const ThreadLimit limit(threads_of(arguments));
+  const ThreadLimit limit(static_cast<int>(asked(arguments, "threads", std::uint64_t{0})));
   std::vector<Output> outputs =
       make_outputs(arguments.outputs, arguments.format, {arguments.input});
   for (const Output& output : outputs) output.probe();
@@ -55,7 +57,8 @@ void run_convert(const ConvertArguments& arguments, RunContext& context, Console
   const Drawing drawing = read_drawing(arguments.input, context);
   context.end_stage();
   WriteOptions options = write_options(style);
-  options.svg.id_prefix = id_prefix_option("--id-prefix", arguments.id_prefix);
+  options.svg.id_prefix =
+      id_prefix_option("--id-prefix", asked(arguments, "id_prefix", std::string()));
   write_outputs(outputs, drawing, options, context);
   console.diagnostics(drawing.diagnostics);
 }

@@ -3,7 +3,6 @@
 #include <burin/base/error.h>
 #include <burin/base/parallel.h>
 #include <burin/converters/read.h>
-#include <burin/converters/values.h>
 
 #include "outputs.h"
 
@@ -24,7 +23,9 @@ bool is_file(const std::string& name) {
 
 std::vector<std::string> sources_of(const DrawArguments& a) {
   std::vector<std::string> sources = a.inputs;
-  if (is_file(a.style)) sources.push_back(a.style);
+  const auto style = a.request.options.find("style");
+  if (style == a.request.options.end()) return sources;
+  if (is_file(style->second.back())) sources.push_back(style->second.back());
   return sources;
 }
 
@@ -43,12 +44,15 @@ void note_unwritten(const DrawArguments& arguments, const std::vector<Output>& o
     plan.notes.add(Severity::Warning, "option.unused", 1,
                    fmt::format("{} has no effect: no output is .{}", what, name_of(format)));
   };
-  for (const std::string& assignment : arguments.set) {
+  const auto set = arguments.request.options.find("set");
+  const std::vector<std::string> none;
+  for (const std::string& assignment :
+       set == arguments.request.options.end() ? none : set->second) {
     const std::string key = assignment.substr(0, assignment.find('='));
     const auto format = only_format_of(key);
     if (format && !written(*format)) note("style key " + key, *format);
   }
-  if (!arguments.id_prefix.empty() && !written(Format::Svg)) {
+  if (!plan.id_prefix.empty() && !written(Format::Svg)) {
     note("option --id-prefix", Format::Svg);
   }
 }
@@ -62,9 +66,9 @@ void run_draw(const DrawArguments& arguments, RunContext& context, Console& cons
   if (arguments.outputs.empty()) {
     throw UsageError("no output; name one: burin draw INPUT... -o OUT.svg");
   }
-  DrawPlan plan = make_plan(arguments, Spelling::Options);
+  DrawPlan plan = make_plan(arguments.request, Spelling::Options);
   WriteOptions options = write_options(plan.style);
-  options.svg.id_prefix = id_prefix_option("--id-prefix", arguments.id_prefix);
+  options.svg.id_prefix = plan.id_prefix;
   std::vector<Output> outputs =
       make_outputs(arguments.outputs, arguments.format, sources_of(arguments));
   note_unwritten(arguments, outputs, plan);

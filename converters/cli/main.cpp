@@ -10,6 +10,7 @@
 #include "convert.h"
 #include "draw.h"
 #include "info.h"
+#include "options.h"
 #include "signals.h"
 #include "styles.h"
 
@@ -91,6 +92,9 @@ int run(const Arguments& arguments, RunContext& context, Console& console) {
     }
     case Verb::Styles:
       print(run_styles(arguments.styles));
+      break;
+    case Verb::Options:
+      print(run_options(arguments.options));
       break;
     case Verb::Plugins:
       print(fmt::format("no plug-ins are loaded: burin {} cannot load any\n", version()));

@@ -22,8 +22,8 @@ std::string list_styles() {
 std::string list_keys(const std::string& style) {
   std::string text =
       fmt::format("{:<22} {:<26} {:<15} {}\n", "KEY", "TAKES", "IN " + style, "MEANING");
-  for (const StyleKeyInfo& k : style_keys(builtin_style(style))) {
-    text += fmt::format("{:<22} {:<26} {:<15} {}\n", k.key, k.takes, k.value, k.meaning);
+  for (const StyleKey& k : style_keys(builtin_style(style))) {
+    text += fmt::format("{:<22} {:<26} {:<15} {}\n", k.name, takes_text(k), k.value, k.meaning);
   }
   return text;
 }

@@ -17,17 +17,6 @@ namespace burin::detail {
 namespace {
 
 using Path = std::filesystem::path;
-using Names = std::string_view;
-
-constexpr std::array kMeshOptions{Names("heal")};
-constexpr std::array kIritOptions{Names("iso"), Names("inside"), Names("bounds")};
-constexpr std::array kImplicitOptions{Names("bounds"), Names("mesher")};
-constexpr std::array kOpenscadOptions{Names("define"), Names("openscad_timeout"), Names("heal")};
-constexpr std::array kFcstdOptions{Names("object"), Names("recompute"), Names("freecad_timeout")};
-constexpr std::array kVolumeOptions{Names("bounds"),        Names("mesher"),      Names("iso"),
-                                    Names("inside"),        Names("smooth"),      Names("specks"),
-                                    Names("volume_degree"), Names("interpolate"), Names("raw"),
-                                    Names("raw_skip")};
 
 constexpr Reader kMesh{
     "STL, OBJ, OFF, PLY, 3MF",
@@ -39,7 +28,7 @@ constexpr Reader kMesh{
       return scene;
     },
     [](const Path& path, const ReadOptions&, RunContext& c) { return inspect_mesh(path, c); },
-    kMeshOptions};
+    kMeshes};
 
 constexpr Reader kCad{
     "STEP, IGES, BREP",
@@ -47,7 +36,7 @@ constexpr Reader kCad{
     is_cad_suffix,
     [](const Path& path, const ReadOptions&, RunContext& c) { return read_cad(path, c); },
     [](const Path& path, const ReadOptions&, RunContext& c) { return inspect_cad(path, c); },
-    {}};
+    kCadFiles};
 
 IritReadOptions irit_options(const ReadOptions& o) {
   return {o.volume.level.value_or(0), o.volume.inside_above.value_or(false), o.bounds};
@@ -62,7 +51,7 @@ constexpr Reader kIrit{"ITD, IRT, BEZ, BBP",
                        [](const Path& path, const ReadOptions& o, RunContext& c) {
                          return inspect_irit(path, c, irit_options(o));
                        },
-                       kIritOptions};
+                       kSplines};
 
 constexpr Reader kImplicit{"IMPLICIT",
                            nullptr,
@@ -73,7 +62,7 @@ constexpr Reader kImplicit{"IMPLICIT",
                            [](const Path& path, const ReadOptions& o, RunContext& c) {
                              return inspect_implicit(path, {o.bounds, {o.mesher}}, c);
                            },
-                           kImplicitOptions};
+                           kFunctions};
 
 OpenscadOptions openscad_options(const ReadOptions& o) { return {o.defines, o.openscad_timeout}; }
 
@@ -88,7 +77,7 @@ constexpr Reader kOpenscad{"OpenSCAD",
                            [](const Path& path, const ReadOptions& o, RunContext& c) {
                              return inspect_openscad(path, openscad_options(o), c);
                            },
-                           kOpenscadOptions};
+                           kOpenscadFiles};
 
 FcstdOptions fcstd_options(const ReadOptions& o) {
   return {o.objects, o.recompute, o.freecad_timeout};
@@ -103,7 +92,7 @@ constexpr Reader kFcstd{"FreeCAD",
                         [](const Path& path, const ReadOptions& o, RunContext& c) {
                           return inspect_fcstd(path, fcstd_options(o), c);
                         },
-                        kFcstdOptions};
+                        kFreecadFiles};
 
 constexpr Reader kVolume{"NRRD, MHA, MHD, INR, NII, VTI, RAW",
                          is_volume_content,
@@ -114,7 +103,7 @@ constexpr Reader kVolume{"NRRD, MHA, MHD, INR, NII, VTI, RAW",
                          [](const Path& path, const ReadOptions& o, RunContext& c) {
                            return inspect_volume(path, o.volume, o.bounds, c);
                          },
-                         kVolumeOptions};
+                         kVolumes};
 
 constexpr std::array kReaders{kCad, kIrit, kImplicit, kOpenscad, kFcstd, kVolume, kMesh};
 

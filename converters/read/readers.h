@@ -3,6 +3,8 @@
 
 #include <burin/converters/read.h>
 
+#include "read_options.h"
+
 #include <filesystem>
 #include <span>
 #include <string>
@@ -22,8 +24,7 @@ struct Reader {
   Scene (*read)(const std::filesystem::path& path, const ReadOptions& options, RunContext& context);
   FileInfo (*inspect)(const std::filesystem::path& path, const ReadOptions& options,
                       RunContext& context);
-  /// The options (ReadOptions::Given::name) that it looks at.
-  std::span<const std::string_view> options;
+  Family family;
 };
 
 inline constexpr std::size_t kHeadBytes = 4096;

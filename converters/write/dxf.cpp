@@ -161,8 +161,8 @@ dxf::Frame frame_of(const Drawing& drawing, const std::vector<Item>& items,
   dxf::Frame frame;
   frame.sheet = {drawing.paper_width, drawing.paper_height};
   frame.high = frame.sheet;
-  frame.dash = options.dash;
-  frame.gap = options.gap;
+  frame.dash = options.dashes.dash;
+  frame.gap = options.dashes.gap;
   bool first = true;
   for (const Item& item : items) {
     for (const Vec2& p : item.path->points) {

@@ -101,9 +101,10 @@ std::vector<Item> items_of(const std::vector<InkLayer>& layers, std::string befo
   std::vector<Item> items;
   for (const InkLayer& layer : layers) {
     before += fmt::format("% layer {}\n", plain(layer.name));
-    before += layer.is_hidden() ? fmt::format("[{} {}] 0 setdash\n", options.dash * kUnitsPerMm,
-                                              options.gap * kUnitsPerMm)
-                                : "[] 0 setdash\n";
+    before += layer.is_hidden()
+                  ? fmt::format("[{} {}] 0 setdash\n", options.dashes.dash * kUnitsPerMm,
+                                options.dashes.gap * kUnitsPerMm)
+                  : "[] 0 setdash\n";
     for (const auto& [part, paths] : layer.parts) {
       for (const Path* path : paths) {
         items.push_back({std::move(before), path});

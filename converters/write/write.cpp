@@ -91,25 +91,21 @@ bool is_about_files(std::string_view key) {
   return only_format_of(key).has_value() || among(key, kFileKeys);
 }
 
-std::string format_list() {
+std::string format_list(std::string_view before) {
   std::string list;
   for (std::size_t i = 0; i < kWriters.size(); ++i) {
     if (i > 0) list += i + 1 == kWriters.size() ? " or " : ", ";
-    list += "." + std::string(kWriters[i].name);
+    list += std::string(before) + std::string(kWriters[i].name);
   }
   return list;
 }
 
 WriteOptions write_options(const Style& style) {
   WriteOptions options;
-  options.svg = {.flatten_polylines = style.svg.flatten,
-                 .fit_tolerance = style.svg.fit_tolerance,
-                 .dash = style.line.dash,
-                 .gap = style.line.gap,
-                 .merge = style.svg.merge};
-  options.json = {.points3 = style.json.points3};
-  options.png = {.dpi = style.png.dpi, .transparent = style.png.background == "transparent"};
-  options.dxf = {.splines = style.dxf.splines};
+  options.svg = style.svg;
+  options.json = style.json;
+  options.png = style.png;
+  options.dxf = style.dxf;
   return options;
 }
 

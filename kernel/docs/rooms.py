@@ -40,7 +40,7 @@ def room(target):
     if name in ("read", "request", "cli"):
         return "converters/" + name
     if name == "python":
-        return "kernel/python"
+        return "converters/python"
     return re.sub("^(forms|convert)_", lambda m: m[1].replace("convert", "converters") + "/", name)
 
 

@@ -55,9 +55,9 @@ std::string svg_layer_tag(const InkLayer& layer, const std::string& id, const Sv
          "\" fill=\"none\" stroke=\"#000\" stroke-linecap=\"round\" stroke-linejoin=\"round\"");
   if (layer.is_hidden()) {
     append(out, " stroke-dasharray=\"");
-    append_fixed(out, options.dash, 3);
+    append_fixed(out, options.dashes.dash, 3);
     out.push_back(' ');
-    append_fixed(out, options.gap, 3);
+    append_fixed(out, options.dashes.gap, 3);
     out.push_back('"');
   }
   append(out, ">\n");

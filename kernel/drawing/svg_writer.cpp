@@ -21,7 +21,7 @@ namespace {
 
 /// Whether most paths of a group are areas: how they are painted is said once.
 bool mostly_areas(std::span<const Path* const> paths, const SvgOptions& options) {
-  if (options.flatten_polylines) return false;
+  if (options.flatten) return false;
   const auto areas = std::ranges::count_if(paths, [](const Path* p) { return wants_area(*p); });
   return 2 * areas > std::ssize(paths);
 }
@@ -176,7 +176,7 @@ void append_polyline(Buffer& out, SvgPen& pen, const Item& item, double toleranc
 void append_path(Buffer& out, const Item& item, double paper_height, const SvgOptions& options) {
   SvgPen pen(out, paper_height);
   const Path& p = *item.path;
-  if (options.flatten_polylines) return append_polyline(out, pen, item, options.fit_tolerance);
+  if (options.flatten) return append_polyline(out, pen, item, options.fit_tolerance);
   const Ink ink = ink_of(p, curve_tolerance(options));
   append(out, "<path");
   append_source(out, item);

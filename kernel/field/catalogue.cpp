@@ -10,15 +10,17 @@
 namespace burin::field {
 namespace {
 
-AngleOptions angle(const FieldRequest& r) { return {.fallback = r.direction, .flat = r.flat}; }
+AngleOptions angle(const FieldRequest& r) {
+  return {.fallback = r.options.direction, .flat = r.flat};
+}
 
 constexpr std::array kKinds{
     FieldKind{"smoothed", "the principal directions, made smooth", true, "",
               [](const FieldRequest& r) {
                 return smoothed(r.surfaces,
-                                {.alignment = r.alignment,
-                                 .fallback = r.direction,
-                                 .policy = r.policy,
+                                {.alignment = r.options.alignment,
+                                 .fallback = r.options.direction,
+                                 .policy = r.options.faces,
                                  .view = r.camera.direction()},
                                 r.context);
               }},
@@ -36,13 +38,13 @@ constexpr std::array kKinds{
               [](const FieldRequest&) { return isoparametric(); }},
     FieldKind{"planes", "cuts by planes at a right angle to hatch.direction", false,
               "hatch.direction is at a right angle to the surface there",
-              [](const FieldRequest& r) { return planes(r.direction); }},
+              [](const FieldRequest& r) { return planes(r.options.direction); }},
     FieldKind{"screen-vertical", "upright on the sheet", false,
               "the surface is upright and seen edge-on there",
               [](const FieldRequest& r) { return screen_vertical(r.camera); }},
     FieldKind{"fixed", "hatch.direction", false,
               "the surface is at a right angle to the direction there",
-              [](const FieldRequest& r) { return fixed(r.direction); }},
+              [](const FieldRequest& r) { return fixed(r.options.direction); }},
 };
 
 }  // namespace

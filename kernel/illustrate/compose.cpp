@@ -150,7 +150,7 @@ void compose_strokes(const LinesToDraw& lines, const std::vector<Gaps>& gaps,
       if (!whole && paper_length(path) < kShortestRest * how.style_of(curve).hatch.length_min)
         continue;
       keep(path, true, found);
-      path.field = how.style_of(curve).hatch.field;
+      path.field = how.style_of(curve).hatch.field.name;
       cue_widths(how.cue, path);
       name_faces(visible, proxy_of(how.proxies, curve), how.camera, path);
       simplify_path(path);

@@ -10,8 +10,9 @@ namespace {
 constexpr double kMostSlanted = 0.02;
 
 bool casts(const Style& style, const Curve3& curve) {
-  if (curve.kind == LineClass::Stroke) return style.halo.lines == "all";
-  return style.halo.lines != "occluding" || curve.occluding || curve.kind == LineClass::Boundary;
+  if (curve.kind == LineClass::Stroke) return style.halo.lines == HaloStyle::Lines::All;
+  return style.halo.lines != HaloStyle::Lines::Occluding || curve.occluding ||
+         curve.kind == LineClass::Boundary;
 }
 
 HaloLine picture(const Curve3& curve, const Composition& how) {

@@ -2,6 +2,7 @@
 #include <burin/feature/feature.h>
 #include <burin/field/catalogue.h>
 #include <burin/illustrate/illustrate.h>
+#include <burin/illustrate/view_probe.h>
 #include <burin/stroke/stroke.h>
 #include <burin/tone/tone.h>
 #include <burin/verify/verify.h>
@@ -83,7 +84,7 @@ Surfaces realise(const Scene& scene, const Camera& camera, const detail::Looks& 
     }
     const Style& style = looks.style(i);
     realise.crease_angle = style.feature.crease_angle;
-    realise.curvature = looks.hatched(i) && field::find(style.hatch.field).needs_curvature;
+    realise.curvature = looks.hatched(i) && field::find(style.hatch.field.name).needs_curvature;
     try {
       surfaces.push_back(scene.parts[i].form->realise(realise, context));
       ++drawn;
@@ -101,18 +102,6 @@ Surfaces realise(const Scene& scene, const Camera& camera, const detail::Looks& 
   return surfaces;
 }
 
-field::FacePolicy face_policy(const Style& style) {
-  using Policy = field::FacePolicy;
-  const auto ruled = [](const std::string& word) {
-    return word == "rulings" ? Policy::Ruled::Rulings : Policy::Ruled::Circles;
-  };
-  const auto& h = style.hatch;
-  return {.plane = h.plane == "direction" ? Policy::Plane::Direction : Policy::Plane::Differ,
-          .cylinder = ruled(h.cylinder),
-          .cone = ruled(h.cone),
-          .sphere = h.sphere == "view" ? Policy::Sphere::View : Policy::Sphere::Axis};
-}
-
 // A direction given as right, up and to the viewer in model space.
 Vec3 from_sheet(const Camera& camera, Vec3 v) {
   return camera.right() * v.x + camera.up() * v.y + camera.direction() * v.z;
@@ -120,60 +109,21 @@ Vec3 from_sheet(const Camera& camera, Vec3 v) {
 
 Field make_field(const std::vector<const Surface*>& surfaces, const Camera& camera,
                  const Style& style, const RunContext& context) {
-  return field::find(style.hatch.field)
+  return field::find(style.hatch.field.name)
       .make({.surfaces = surfaces,
              .camera = camera,
-             .direction = style.hatch.direction,
+             .options = style.hatch.field,
              .light = from_sheet(camera, style.tone.light),
              .flat = camera.scale() / kFlatRadius,
-             .alignment = style.hatch.alignment,
-             .policy = face_policy(style),
              .context = context});
 }
 
 Tone make_tone(const Camera& camera, const Style& style, const detail::DepthCue& cue) {
-  Tone light = tone::lambert(camera, {.light = style.tone.light,
-                                      .ambient = style.tone.ambient,
-                                      .diffuse = style.tone.diffuse,
-                                      .highlight = style.tone.highlight,
-                                      .rim = style.tone.rim});
+  Tone light = tone::lambert(camera, style.tone);
   if (!cue.pales()) return light;
   return [light, &cue](Vec3 position, Vec3 normal) {
     return 1 - (1 - light(position, normal)) * cue.ink(position);
   };
-}
-
-HatchOptions hatch_options(const Style& style, std::uint64_t seed) {
-  const auto& h = style.hatch;
-  return {.spacing_min = h.spacing_min,
-          .spacing_max = h.spacing_max,
-          .width_min = h.width_min,
-          .width_max = h.width_max,
-          .tone_min = h.tone_min,
-          .cross_from = h.cross_from,
-          .length_min = h.length_min,
-          .length_max = h.length_max,
-          .taper = h.taper,
-          .foreshortening = h.foreshortening,
-          .seed = seed};
-}
-
-// What is seen of the parts that are flagged.
-ViewProbe make_probe(const Occluder& occluder, const Camera& camera, std::vector<bool> parts) {
-  const double back = 2 * occluder.diagonal();
-  return
-      [&occluder, &camera, back, parts = std::move(parts)](Vec2 paper) -> std::optional<ViewHit> {
-        ViewRay ray = camera.ray(paper);
-        double far = 2 * back;
-        if (camera.perspective()) {
-          far += glm::length(camera.eye() - camera.center());
-        } else {
-          ray.origin -= back * ray.direction;
-        }
-        const auto hit = occluder.first_hit(ray.origin, ray.direction, 0, far);
-        if (!hit || !parts[static_cast<std::size_t>(hit->where.part)]) return std::nullopt;
-        return ViewHit{hit->where.part, {hit->where.face, hit->bary}};
-      };
 }
 
 // The strokes of the parts that are flagged.
@@ -185,14 +135,13 @@ StrokeResult hatch(std::vector<const Surface*> surfaces, std::vector<bool> parts
     if (!parts[i]) surfaces[i] = detail::empty_surface().get();
   }
   context.begin_stage("field");
-  const ViewProbe probe = make_probe(occluder, camera, std::move(parts));
+  const ViewProbe probe = view_probe(occluder, camera, std::move(parts));
   const HatchScene scene{surfaces, camera, probe, context};
   const Field field =
       options.field ? options.field(scene) : make_field(surfaces, camera, style, context);
   const Tone tone = options.tone ? options.tone(scene) : make_tone(camera, style, cue);
   if (!options.field) undirected.look(scene, field, tone, style);
-  return trace_strokes(surfaces, camera, field, tone, probe, hatch_options(style, options.seed),
-                       context);
+  return trace_strokes(surfaces, camera, field, tone, probe, style.hatch, options.seed, context);
 }
 
 StrokeResult hatch_all(const std::vector<const Surface*>& surfaces, const Occluder& occluder,
@@ -217,7 +166,7 @@ StrokeResult hatch_all(const std::vector<const Surface*>& surfaces, const Occlud
 std::vector<Curve3> features_of(const std::vector<const ProxyMesh*>& proxies, const Camera& camera,
                                 const detail::Looks& looks, Diagnostics& diagnostics,
                                 const RunContext& context) {
-  FeatureOptions options{.intersections = false, .smooth = false, .seams = false};
+  FeatureOptions options{.intersections = false, .smooth = false};
   for (const Style* style : looks.styles()) {
     options.intersections |= style->feature.intersections;
     options.smooth |= style->feature.smooth;

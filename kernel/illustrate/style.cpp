@@ -85,7 +85,7 @@ Style wireframe() {
             .intersection = 0.3,
             .hidden = 0.3};
   s.feature.smooth = false;
-  s.halo = {.gap = 0.6, .lines = "features", .hidden = true};
+  s.halo = {.gap = 0.6, .lines = HaloStyle::Lines::Features, .hidden = true};
   s.depth.near = 1.3;
   s.depth.far = 0.4;
   return s;
@@ -108,12 +108,6 @@ constexpr std::array kBuiltin{
     Builtin{"wireframe", "all feature lines, hidden ones too: haloes and widths alone tell depth",
             wireframe},
 };
-
-void check_order(const char* low_key, double low, const char* high_key, double high) {
-  if (low <= high) return;
-  throw UsageError(fmt::format("style key '{}' is {}, more than '{}', which is {}", low_key, low,
-                               high_key, high));
-}
 
 }  // namespace
 
@@ -138,26 +132,27 @@ Style builtin_style(std::string_view name) {
       nearest(name, names), fmt::join(names, ", ")));
 }
 
-void set_style_key(Style& style, std::string_view key, std::string_view value) {
-  detail::set_value(style, detail::find_key(key), value);
+void set_style_key(Style& style, std::string_view key, std::string_view text) {
+  const detail::StyleRow& row = detail::find_row(key);
+  const auto value = parse_value(row, text);
+  if (!value) {
+    throw UsageError(
+        fmt::format("style key '{}' takes {}, not '{}'", row.name, takes_text(row), text));
+  }
+  row.set(style, *value);
 }
 
-void check_style(const Style& s) {
-  Style copy = s;
-  for (const detail::StyleKey& key : detail::style_table()) {
-    detail::set_value(copy, key, detail::value_text(s, key));
-  }
-  check_order("hatch.spacing_min", s.hatch.spacing_min, "hatch.spacing_max", s.hatch.spacing_max);
-  check_order("hatch.width_min", s.hatch.width_min, "hatch.width_max", s.hatch.width_max);
-  check_order("hatch.length_min", s.hatch.length_min, "hatch.length_max", s.hatch.length_max);
+void check_style(const Style& style) {
+  const auto fault = options::first_fault(detail::style_rows(), style);
+  if (fault) throw UsageError("style key " + *fault);
 }
 
-std::vector<StyleKeyInfo> style_keys(const Style& style) {
-  std::vector<StyleKeyInfo> out;
-  for (const detail::StyleKey& key : detail::style_table()) {
-    out.push_back({key.name, key.meaning, detail::takes(key), detail::value_text(style, key)});
+std::vector<StyleKey> style_keys(const Style& style) {
+  std::vector<StyleKey> keys;
+  for (const detail::StyleRow& row : detail::style_rows()) {
+    keys.push_back({row, value_text(row, row.get(style))});
   }
-  return out;
+  return keys;
 }
 
 }  // namespace burin

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <utility>
 
 namespace burin {
 namespace {
@@ -38,13 +39,26 @@ std::string to_text(const Json& value) {
   return list;
 }
 
-Json to_json(const Style& style, const detail::StyleKey& key) {
-  const std::string text = detail::value_text(style, key);
-  if (std::holds_alternative<detail::VectorKey>(key.kind)) return Json::parse("[" + text + "]");
-  if (std::holds_alternative<detail::NumberKey>(key.kind) || text == "true" || text == "false") {
+Json to_json(const OptionValue& value, const Option& option) {
+  const std::string text = value_text(option, value);
+  if (std::holds_alternative<Vec3>(value)) return Json::parse("[" + text + "]");
+  if (std::holds_alternative<double>(value) || text == "true" || text == "false") {
     return Json::parse(text);
   }
   return text;
+}
+
+/// "hatch.taper" as its group and the name in it.
+std::pair<std::string, std::string> parted(const std::string& key) {
+  const std::size_t dot = key.find('.');
+  return {key.substr(0, dot), key.substr(dot + 1)};
+}
+
+/// Whether keys of styles begin so.
+bool is_group(const std::string& name) {
+  return std::ranges::any_of(detail::style_rows(), [&](const detail::StyleRow& row) {
+    return row.name.starts_with(name + ".");
+  });
 }
 
 Json parse(std::string_view text, const std::string& source) {
@@ -72,6 +86,7 @@ class Reader {
       if (group.empty() && key == "name") {
         at(group, key, [&, &v = value] { name(v); });
       } else if (value.is_object() && group.empty()) {
+        if (!is_group(key)) at(group, key, [&, &k = key] { detail::find_row(k); });
         object(value, key);
       } else {
         at(group, key, [&, &v = value] { set_style_key(style_, full, to_text(v)); });
@@ -124,11 +139,34 @@ Style parse_style(std::string_view json, const std::string& source) {
 std::string style_to_json(const Style& style) {
   Json json;
   json["name"] = style.name;
-  for (const detail::StyleKey& key : detail::style_table()) {
-    const std::size_t dot = key.name.find('.');
-    json[key.name.substr(0, dot)][key.name.substr(dot + 1)] = to_json(style, key);
+  for (const detail::StyleRow& row : detail::style_rows()) {
+    const auto [group, name] = parted(row.name);
+    json[group][name] = to_json(row.get(style), row);
   }
   return json.dump(2) + "\n";
+}
+
+std::string style_schema() {
+  Json bases = Json::array(), properties;
+  for (const StyleInfo& style : builtin_styles()) bases.push_back(style.name);
+  properties["base"] = {{"description", "the built-in style whose values hold for all other keys"},
+                        {"enum", std::move(bases)}};
+  properties["name"] = {{"type", "string"}};
+  for (const detail::StyleRow& row : detail::style_rows()) {
+    const auto [group, name] = parted(row.name);
+    const Json value = Json::parse(value_schema(row));
+    Json& members = properties[group];
+    members["type"] = "object";
+    members["additionalProperties"] = false;
+    members["properties"][name] = value;
+    properties[row.name] = value;  // dotted keys and groups may be mixed
+  }
+  const Json schema{{"$schema", "https://json-schema.org/draft/2020-12/schema"},
+                    {"title", "Style of Burin"},
+                    {"type", "object"},
+                    {"properties", std::move(properties)},
+                    {"additionalProperties", false}};
+  return schema.dump(2) + "\n";
 }
 
 }  // namespace burin

@@ -58,7 +58,7 @@ void count_row(const HatchScene& hatched, const Field& field, const Tone& tone, 
 
 void Undirected::look(const HatchScene& hatched, const Field& field, const Tone& tone,
                       const Style& style) {
-  const std::string& name = style.hatch.field;
+  const std::string& name = style.hatch.field.name;
   if (field::find(name).missing.empty()) return;
   const Box2 box = seen_box(hatched);
   if (box.empty() || box.size().x <= 0 || box.size().y <= 0) return;

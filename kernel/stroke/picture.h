@@ -23,6 +23,7 @@ struct Picture {
   const Tone& tone;
   const ViewProbe& probe;
   const HatchOptions& options;
+  std::uint64_t seed = 1;
   /// Model mm within which two places along one viewing ray are the same surface.
   double same_place = 0;
 

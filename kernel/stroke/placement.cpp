@@ -55,7 +55,7 @@ class Placement {
         out_(out),
         family_(family),
         tracer_(picture, out.grid, family),
-        rng_(picture.options.seed, static_cast<std::uint64_t>(region.part),
+        rng_(picture.seed, static_cast<std::uint64_t>(region.part),
              2 * static_cast<std::uint64_t>(region.region) + static_cast<std::uint64_t>(family)),
         most_(kMostInk * (1 + region.box.size().x) * (1 + region.box.size().y) /
               picture.options.spacing_min) {}

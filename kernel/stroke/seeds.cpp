@@ -156,7 +156,7 @@ Coverage cover_picture(const Picture& picture, const ViewRaster& raster,
     // ray takes to find out.
     const double tried = shown > most ? most * std::max(most / shown, 1.0 / 16) : shown;
     CoverRequest request;
-    request.seed = o.seed;
+    request.seed = picture.seed;
     request.part = static_cast<std::int32_t>(part);
     request.count =
         static_cast<std::size_t>(kCandidates * tried / (o.spacing_max * o.spacing_max)) + 64;

@@ -19,13 +19,9 @@ using namespace detail;
 // Paper mm of strokes in one drawing: some 2 GB of memory. An A0 sheet in full tone has half.
 constexpr double kLongest = 1.6e6;
 
-void check(const HatchOptions& o) {
-  const bool sane = o.spacing_min > 0 && o.spacing_max >= o.spacing_min && o.width_min > 0 &&
-                    o.width_max >= o.width_min && o.length_min >= 0 && o.length_max > o.length_min;
-  if (!sane) {
-    throw UsageError(
-        "hatch options contradict each other: spacing, width and length each need 0 < min <= max");
-  }
+void check(const HatchOptions& hatch) {
+  const auto fault = options::first_fault(hatch_option_rows(), hatch);
+  if (fault) throw UsageError("hatch option " + *fault);
 }
 
 // Model mm within which two hits along a viewing ray are one surface: what single precision of the
@@ -149,9 +145,9 @@ Curve3 to_curve(const TracedStroke& stroke, const Picture& picture, std::vector<
 
 StrokeResult trace_strokes(std::span<const Surface* const> surfaces, const Camera& camera,
                            const Field& field, const Tone& tone, const ViewProbe& probe,
-                           const HatchOptions& options, RunContext& context) {
+                           const HatchOptions& options, std::uint64_t seed, RunContext& context) {
   check(options);
-  const Picture picture{surfaces, camera, field, tone, probe, options, same_place(surfaces)};
+  const Picture picture{surfaces, camera, field, tone, probe, options, seed, same_place(surfaces)};
   context.begin_stage("cover");
   const ViewRaster raster = make_raster(picture, context);
   check_work(picture, raster);

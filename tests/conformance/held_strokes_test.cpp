@@ -1,6 +1,7 @@
 /// Strokes that run along planes, or upright on the sheet, do so on every form: as they are drawn.
 
 #include <burin/field/field.h>
+#include <burin/illustrate/view_probe.h>
 #include <burin/stroke/stroke.h>
 #include <burin/visibility/occluder.h>
 
@@ -30,14 +31,7 @@ struct Hatched {
   std::vector<Curve3> strokes(const Field& field) {
     const std::vector<const ProxyMesh*> proxies{&surface->proxy()};
     const Occluder occluder(proxies, context);
-    const double far = 4 * occluder.diagonal() + 1e3 * camera.perspective() * occluder.diagonal();
-    const ViewProbe probe = [&](Vec2 p) -> std::optional<ViewHit> {
-      ViewRay r = camera.ray(p);
-      if (!camera.perspective()) r.origin -= 2 * occluder.diagonal() * r.direction;
-      const auto hit = occluder.first_hit(r.origin, r.direction, 0, far);
-      if (!hit) return std::nullopt;
-      return ViewHit{hit->where.part, {hit->where.face, hit->bary}};
-    };
+    const ViewProbe probe = view_probe(occluder, camera);
     const HatchOptions options{.spacing_min = 1.2,
                                .spacing_max = 2.4,
                                .width_max = 0.5,
@@ -46,7 +40,7 @@ struct Hatched {
                                .length_max = 300};
     return trace_strokes(
                std::vector<const Surface*>{surface.get()}, camera, field,
-               [](Vec3, Vec3) { return 0.6; }, probe, options, context)
+               [](Vec3, Vec3) { return 0.6; }, probe, options, 1, context)
         .strokes;
   }
 

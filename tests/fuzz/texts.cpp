@@ -8,38 +8,10 @@
 #include "targets.h"
 
 #include <cstdlib>
-#include <map>
 #include <sstream>
 #include <vector>
 
 namespace burin::fuzz {
-namespace {
-
-void set(DrawRequest& request, const std::string& name, const std::string& value) {
-  static const std::map<std::string, std::string DrawRequest::*> fields{
-      {"view", &DrawRequest::view},
-      {"up", &DrawRequest::up},
-      {"perspective", &DrawRequest::perspective},
-      {"paper", &DrawRequest::paper},
-      {"scale", &DrawRequest::scale},
-      {"center", &DrawRequest::center},
-      {"margin", &DrawRequest::margin},
-      {"light", &DrawRequest::light},
-      {"hidden", &DrawRequest::hidden},
-      {"tolerance", &DrawRequest::tolerance},
-      {"seed", &DrawRequest::seed},
-      {"threads", &DrawRequest::threads}};
-  const auto field = fields.find(name);
-  if (field != fields.end()) {
-    request.*field->second = value;
-  } else if (name == "set") {
-    request.set.push_back(value);
-  } else if (name != "style") {  // that may name a file
-    set_read_option(request.read, name, value);
-  }
-}
-
-}  // namespace
 
 void implicit(std::string_view text) {
   const Expression f = parse_implicit(text, "fuzz");
@@ -72,7 +44,9 @@ void options(std::string_view text) {
   for (std::string line; std::getline(lines, line);) {
     const std::size_t equals = line.find('=');
     if (equals == std::string::npos) continue;
-    set(request, line.substr(0, equals), line.substr(equals + 1));
+    const std::string name = line.substr(0, equals);
+    if (name == "style") continue;  // that may name a file
+    request.options[find_option(name).option.name].push_back(line.substr(equals + 1));
   }
   make_plan(request, Spelling::Options);
 }

@@ -1,5 +1,6 @@
 """Drawing: options, styles, fields and tones, and what comes out."""
 
+import importlib.util
 import inspect
 import json
 import subprocess
@@ -118,7 +119,7 @@ class Options(unittest.TestCase):
 
     def test_wrong_types(self):
         scene = mesh_scene()
-        bad = [{"scale": True}, {"scale": [1]}, {"view": 3}, {"light": "abc".split}, {"hidden": None}]
+        bad = [{"scale": True}, {"scale": [1]}, {"view": 3}, {"light": "abc".split}, {"hidden": 3}]
         bad += [{"set": ["line.outer=1"]}, {"style": 3}, {"field": 3}, {"tone": "dark"}, {"progress": 1}, {"cancel": 1}]
         for keywords in bad:
             with self.subTest(keywords), self.assertRaises(TypeError):
@@ -220,7 +221,42 @@ class Styles(unittest.TestCase):
         self.assertEqual(style["line.outer"], 0.5)
         self.assertIs(style["hatch.enabled"], True)
         self.assertEqual(style["hatch.direction"], [0, 0, 1])
-        self.assertEqual(set(burin.style_keys()[0]), {"key", "meaning", "takes", "value"})
+        width = burin.style_keys()[0]
+        self.assertEqual((width["key"], width["kind"], width["low"], width["high"], width["unit"], width["value"]),
+                         ("line.outer", "number", 0.01, 10, "mm", "0.5"))
+        rows = {row["key"]: row for row in burin.style_keys()}
+        self.assertEqual(rows["hatch.plane"]["words"], ["differ", "direction"])
+        self.assertEqual(rows["svg.flatten"]["words"], ["none", "polylines"])
+        self.assertEqual(rows["tone.light"]["kind"], "direction")
+
+    @unittest.skipUnless(importlib.util.find_spec("jsonschema"), "python3-jsonschema is not installed")
+    def test_schema_of_style_files(self):
+        import jsonschema
+
+        told = subprocess.run([COMMAND, "options", "--style-schema"], check=True, capture_output=True, text=True)
+        schema = json.loads(told.stdout)
+        jsonschema.Draft202012Validator.check_schema(schema)
+        check = jsonschema.Draft202012Validator(schema)
+        for name in burin.styles():
+            shown = subprocess.run([COMMAND, "styles", "--show", name], check=True, capture_output=True, text=True)
+            self.assertEqual(list(check.iter_errors(json.loads(shown.stdout))), [])
+        mixed = {"base": "engraving", "line.outer": 0.5, "hatch": {"direction": [1, 0, 0], "field": "fixed"}}
+        self.assertEqual(list(check.iter_errors(mixed)), [])
+        wrong = ({"line.outer": 99}, {"hatch": {"field": "circle"}}, {"base": "mine"}, {"lines": {}}, {"hatch": {"tapr": 1}})
+        for style in wrong:
+            self.assertTrue(list(check.iter_errors(style)), style)
+            with self.assertRaises(burin.UsageError):
+                burin.style(style)
+
+    def test_catalogues(self):
+        told = burin.catalogues()
+        command = subprocess.run([COMMAND, "options", "--json"], check=True, capture_output=True, text=True)
+        self.assertEqual(told, json.loads(command.stdout))
+        options = {row["name"]: row for row in told["options"]}
+        self.assertEqual(set(options) | {"field", "tone", "progress", "cancel"}, set(inspect.signature(burin.draw).parameters) - {"source"})
+        self.assertEqual(options["hidden"]["words"], ["none", "dashed"])
+        self.assertEqual(options["style"]["choices"], list(burin.styles()))
+        self.assertEqual(told["formats"], burin.formats())
 
     def test_mapping_is_a_style_file(self):
         mapping = {"base": "engraving", "line.outer": np.float64(0.5), "hatch": {"enabled": False}}

@@ -4,7 +4,6 @@ import ast
 import importlib.util
 import inspect
 import re
-import textwrap
 import unittest
 from pathlib import Path
 
@@ -45,8 +44,7 @@ def arguments(function):
 def real_arguments(function, case):
     """The same, from the function itself, or from the docstring that pybind11 made."""
     if inspect.isfunction(function):
-        source = ast.parse(textwrap.dedent(inspect.getsource(function))).body[0]
-        return arguments(source)
+        return arguments(ast.parse(f"def f{inspect.signature(function)}: ...").body[0])
     match = SIGNATURE.match(function.__doc__ or "")
     case.assertTrue(match, function)
     # Types that Python cannot parse, and those of C++, are of no interest.

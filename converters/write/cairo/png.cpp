@@ -86,7 +86,8 @@ Surface painted(const std::vector<Shape>& shapes, const std::vector<std::uint32_
 class PngFile {
  public:
   PngFile(std::ostream& out, const Grid& grid, const Drawing& drawing, const PngOptions& options)
-      : transparent_(options.transparent), row_(static_cast<std::size_t>(grid.width) * 2) {
+      : transparent_(options.background == PngOptions::Background::Transparent),
+        row_(static_cast<std::size_t>(grid.width) * 2) {
     png_ = png_create_write_struct(PNG_LIBPNG_VER_STRING, nullptr, fail, nullptr);
     info_ = png_ ? png_create_info_struct(png_) : nullptr;
     if (!info_) throw std::bad_alloc();

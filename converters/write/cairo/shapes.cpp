@@ -70,7 +70,7 @@ void trace(cairo_t* pen, const Shape& shape) {
 
 void paint_traced(cairo_t* pen, const Shape& shape, const WriteOptions& options) {
   if (shape.ink.filled) return cairo_fill(pen);
-  const std::array<double, 2> dashes{options.svg.dash, options.svg.gap};
+  const std::array<double, 2> dashes{options.svg.dashes.dash, options.svg.dashes.gap};
   cairo_set_dash(pen, dashes.data(), shape.dashed ? 2 : 0, 0);
   cairo_set_line_width(pen, shape.ink.width);
   cairo_stroke(pen);

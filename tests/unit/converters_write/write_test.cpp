@@ -125,7 +125,7 @@ TEST(WriteDrawing, PngHasItsSizeAndResolution) {
   const std::size_t physical = png.find("pHYs");
   ASSERT_NE(physical, std::string::npos);
   EXPECT_EQ(number_at(png, physical + 4), 10000);
-  options.png.transparent = true;
+  options.png.background = PngOptions::Background::Transparent;
   EXPECT_EQ(written(ruler(), Format::Png, options)[25], 4);  // grey and alpha
 }
 

@@ -196,7 +196,7 @@ TEST(SvgWriter, HiddenLinesAreDashedInTheirOwnLayer) {
   Drawing drawing = test::sample_drawing();
   drawing.layers.erase(drawing.layers.begin() + 1);
   drawing.layers[1].paths[0].visible = false;  // the circle, in the layer of contours
-  const auto doc = parsed(svg_text(drawing, {.dash = 1.5, .gap = 0.75}));
+  const auto doc = parsed(svg_text(drawing, {.dashes = {1.5, 0.75}}));
   const auto first = doc.child("svg").child("g");
   EXPECT_EQ(attribute(first, "inkscape:label"), "hidden");
   EXPECT_EQ(attribute(first, "stroke-dasharray"), "1.5 0.75");
@@ -206,7 +206,7 @@ TEST(SvgWriter, HiddenLinesAreDashedInTheirOwnLayer) {
 
 TEST(SvgWriter, FlattenGivesPlainPolylines) {
   const Drawing drawing = test::sample_drawing();
-  const std::string text = svg_text(drawing, {.flatten_polylines = true});
+  const std::string text = svg_text(drawing, {.flatten = true});
   const auto doc = parsed(text);
   EXPECT_TRUE(doc.select_nodes("//path").empty());
   const auto lines = doc.select_nodes("//polyline");

@@ -92,7 +92,7 @@ TEST(Source, SmoothEdgesAndSeamsAreCurvesOfTheirEdge) {
 }
 
 TEST(Source, LeftOutUnlessAskedFor) {
-  const Seen s(split_cylinder(), {.direction = {1, 0.2, 0.3}}, {});
+  const Seen s(split_cylinder(), {.direction = {1, 0.2, 0.3}}, {.smooth = false});
   EXPECT_TRUE(s.of(LineClass::Smooth).empty());
   EXPECT_TRUE(s.of(LineClass::Seam).empty());
 }

@@ -23,7 +23,8 @@ Field make(const field::FieldKind& kind, const Surface& surface) {
   const Camera camera =
       Camera::fit([&](const Mat3&) { return surface.proxy().mesh.bounds(); }, view);
   const std::vector<const Surface*> surfaces{&surface};
-  return kind.make({.surfaces = surfaces, .camera = camera, .context = context});
+  const field::FieldOptions usual;
+  return kind.make({.surfaces = surfaces, .camera = camera, .options = usual, .context = context});
 }
 
 /// The share of places that have a cross, whose arms are unit tangents.

@@ -24,8 +24,8 @@ Drawing wall_behind_post() {
   const Camera camera = Camera::fit([&](const Mat3& axes) { return scene.bounds(axes); },
                                     {.direction = v.direction, .up = v.up, .paper = {80, 80}});
   Style style = builtin_style("engraving");
-  style.hatch.field = "fixed";
-  style.hatch.direction = {1, 0, 0};
+  style.hatch.field.name = "fixed";
+  style.hatch.field.direction = {1, 0, 0};
   style.hatch.cross_from = 2;
   RunContext context;
   return illustrate(scene, camera, style, {}, context);

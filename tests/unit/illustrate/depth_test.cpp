@@ -246,7 +246,7 @@ TEST(Isophotes, StrokesKeepTheirAngleInEveryForm) {
   for (const auto& [name, scene] : tori()) {
     const Camera camera = camera_for(scene, {0.5, -0.4, 1});
     Style style = builtin_style("engraving");
-    style.hatch.field = "isophote";
+    style.hatch.field.name = "isophote";
     style.hatch.cross_from = 2;
     const Drawing d = draw(scene, camera, style);
     const double radius[2] = {16, 26}, z[2] = {0, -30};

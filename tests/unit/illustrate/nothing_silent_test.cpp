@@ -33,8 +33,8 @@ Drawing draw(const Scene& scene, const Style& style, const ViewOptions& view = {
 
 Style engraving(const char* field, Vec3 direction = {0, 0, 1}) {
   Style style = builtin_style("engraving");
-  style.hatch.field = field;
-  style.hatch.direction = direction;
+  style.hatch.field.name = field;
+  style.hatch.field.direction = direction;
   return style;
 }
 
@@ -79,7 +79,7 @@ TEST(NothingSilent, AWordThatNoKeyTakesIsAnError) {
   EXPECT_THROW(check_style(style), UsageError);
   EXPECT_THROW(draw(box(), style), UsageError);
   style = builtin_style("engraving");
-  style.hatch.cylinder = "spirals";
+  style.hatch.field.faces.cylinder = static_cast<field::FacePolicy::Ruled>(2);
   EXPECT_THROW(draw(box(), style), UsageError);
   style = builtin_style("engraving");
   style.line.outer = -1;

@@ -31,10 +31,10 @@ TEST(Style, EveryMemberHasOneKey) {
   // Doubles, switches, words and vectors of Style, counted by hand: a new member needs a key.
   const auto keys = style_keys(Style());
   std::set<std::string> names;
-  for (const StyleKeyInfo& key : keys) {
-    names.insert(key.key);
+  for (const StyleKey& key : keys) {
+    names.insert(key.name);
     EXPECT_FALSE(key.meaning.empty());
-    EXPECT_FALSE(key.takes.empty());
+    EXPECT_FALSE(takes_text(key).empty());
     EXPECT_FALSE(key.value.empty());
   }
   EXPECT_EQ(names.size(), keys.size());
@@ -45,7 +45,7 @@ TEST(Style, KeysTakeTheirOwnValues) {
   for (const StyleInfo& info : builtin_styles()) {
     const Style style = builtin_style(info.name);
     Style copy;
-    for (const StyleKeyInfo& key : style_keys(style)) set_style_key(copy, key.key, key.value);
+    for (const StyleKey& key : style_keys(style)) set_style_key(copy, key.name, key.value);
     copy.name = style.name;
     EXPECT_EQ(style_to_json(copy), style_to_json(style));
     EXPECT_NO_THROW(check_style(style));
@@ -59,7 +59,7 @@ TEST(Style, SetsMembersByType) {
   set_style_key(s, "hatch.enabled", "false");
   EXPECT_FALSE(s.hatch.enabled);
   set_style_key(s, "hatch.field", "fixed");
-  EXPECT_EQ(s.hatch.field, "fixed");
+  EXPECT_EQ(s.hatch.field.name, "fixed");
   set_style_key(s, "tone.light", " 1, -2.5,3e-1");
   EXPECT_EQ(s.tone.light, Vec3(1, -2.5, 0.3));
   set_style_key(s, "svg.flatten", "polylines");
@@ -106,7 +106,7 @@ TEST(Style, MinimaStayBelowMaxima) {
 /// Every key of a style with its value.
 std::map<std::string, std::string> values_of(const Style& style) {
   std::map<std::string, std::string> out;
-  for (const StyleKeyInfo& key : style_keys(style)) out[key.key] = key.value;
+  for (const StyleKey& key : style_keys(style)) out[key.name] = key.value;
   return out;
 }
 
@@ -114,28 +114,6 @@ TEST(Style, IsTechnicalByDefault) {
   EXPECT_EQ(Style().name, "technical");
   EXPECT_EQ(values_of(Style()), values_of(builtin_style(Style().name)));
   EXPECT_EQ(values_of(parse_style("{}", "empty.json")), values_of(Style()));
-}
-
-TEST(Style, HatchesAndLightsAsTheirRoomsDoByDefault) {
-  const auto style = Style().hatch;
-  const HatchOptions hatch;
-  EXPECT_EQ(style.spacing_min, hatch.spacing_min);
-  EXPECT_EQ(style.spacing_max, hatch.spacing_max);
-  EXPECT_EQ(style.width_min, hatch.width_min);
-  EXPECT_EQ(style.width_max, hatch.width_max);
-  EXPECT_EQ(style.tone_min, hatch.tone_min);
-  EXPECT_EQ(style.cross_from, hatch.cross_from);
-  EXPECT_EQ(style.length_min, hatch.length_min);
-  EXPECT_EQ(style.length_max, hatch.length_max);
-  EXPECT_EQ(style.taper, hatch.taper);
-  EXPECT_EQ(style.foreshortening, hatch.foreshortening);
-  const auto tone = Style().tone;
-  const tone::LambertOptions light;
-  EXPECT_EQ(tone.light, light.light);
-  EXPECT_EQ(tone.ambient, light.ambient);
-  EXPECT_EQ(tone.diffuse, light.diffuse);
-  EXPECT_EQ(tone.highlight, light.highlight);
-  EXPECT_EQ(tone.rim, light.rim);
 }
 
 TEST(Style, PresetsDiffer) {
@@ -159,8 +137,8 @@ TEST(StyleFile, ReadsGroupsDotsBaseAndComments) {
   EXPECT_EQ(s.line.outer, 0.5);
   EXPECT_EQ(s.line.contour, builtin_style("engraving").line.contour);
   EXPECT_EQ(s.hatch.spacing_min, 0.4);
-  EXPECT_EQ(s.hatch.field, "fixed");
-  EXPECT_EQ(s.hatch.direction, Vec3(1, 0, 0));
+  EXPECT_EQ(s.hatch.field.name, "fixed");
+  EXPECT_EQ(s.hatch.field.direction, Vec3(1, 0, 0));
   EXPECT_TRUE(s.svg.flatten);
   EXPECT_FALSE(s.json.points3);
   EXPECT_EQ(parse_style(R"({"name": "x"})", "f").name, "x");
@@ -196,6 +174,7 @@ TEST(StyleFile, ErrorsNameFileAndLine) {
   };
   EXPECT_TRUE(
       message("{\n \"line\": {\n  \"outr\": 1}}").starts_with("my.json:3: unknown style key"));
+  EXPECT_TRUE(message("{\n\"lines\": {}}").starts_with("my.json:2: unknown style key 'lines'"));
   EXPECT_TRUE(message("{\"hatch\": 3}").starts_with("my.json:1: unknown style key 'hatch'"));
   EXPECT_TRUE(message("{\"line\": {\"outer\": {\"a\": 1}}}").starts_with("my.json:1: style key"));
   EXPECT_TRUE(message("{\n\n\"base\": \"engravin\"}").starts_with("my.json:3: unknown style"));

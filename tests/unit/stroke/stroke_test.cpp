@@ -2,6 +2,7 @@
 #include <burin/base/parallel.h>
 #include <burin/base/rng.h>
 #include <burin/forms/mesh/mesh_form.h>
+#include <burin/illustrate/view_probe.h>
 #include <burin/stroke/stroke.h>
 #include <burin/visibility/occluder.h>
 
@@ -29,17 +30,11 @@ struct Stage {
     camera =
         Camera::fit([&](const Mat3& axes) { return form.bounds(axes); },
                     {.direction = v.direction, .up = v.up, .scale = scale, .paper = {100, 100}});
-    const double back = 2 * occluder->diagonal();
-    probe = [this, back](Vec2 p) -> std::optional<ViewHit> {
-      const ViewRay r = camera.ray(p);
-      const auto hit = occluder->first_hit(r.origin - back * r.direction, r.direction, 0, 2 * back);
-      if (!hit) return std::nullopt;
-      return ViewHit{hit->where.part, {hit->where.face, hit->bary}};
-    };
+    probe = view_probe(*occluder, camera);
   }
   StrokeResult strokes(const Field& field, double tone, const HatchOptions& options) {
     return trace_strokes(
-        surfaces, camera, field, [tone](Vec3, Vec3) { return tone; }, probe, options, context);
+        surfaces, camera, field, [tone](Vec3, Vec3) { return tone; }, probe, options, 1, context);
   }
 
   RunContext context;

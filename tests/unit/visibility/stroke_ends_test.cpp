@@ -7,6 +7,7 @@
 #include <burin/forms/implicit/implicit_form.h>
 #include <burin/forms/mesh/mesh_form.h>
 #include <burin/forms/parametric/parametric_form.h>
+#include <burin/illustrate/view_probe.h>
 #include <burin/stroke/stroke.h>
 #include <burin/visibility/visible_spans.h>
 
@@ -127,14 +128,7 @@ struct Scene {
   }
 
   std::vector<Curve3> strokes(Vec3 along) {
-    const double back = 4 * occluder->diagonal();
-    const ViewProbe probe = [&](Vec2 p) -> std::optional<ViewHit> {
-      ViewRay r = camera.ray(p);
-      if (!camera.perspective()) r.origin -= back * r.direction;
-      const auto hit = occluder->first_hit(r.origin, r.direction, 0, 1e9);
-      if (!hit) return std::nullopt;
-      return ViewHit{hit->where.part, {hit->where.face, hit->bary}};
-    };
+    const ViewProbe probe = view_probe(*occluder, camera);
     const HatchOptions options{.spacing_min = 0.7,
                                .spacing_max = 1.4,
                                .width_max = 0.5,
@@ -143,7 +137,7 @@ struct Scene {
                                .length_max = 300};
     return trace_strokes(
                surfaces, camera, field::fixed(along), [](Vec3, Vec3) { return 0.5; }, probe,
-               options, context)
+               options, 1, context)
         .strokes;
   }
 

@@ -95,15 +95,14 @@ class StylePanel(Panel):
             return {}
 
     def _editor(self, row, value, tip):
-        key, takes = row["key"], row["takes"]
-        if takes == "true or false":
+        key, kind = row["key"], row["kind"]
+        if kind == "flag" and row["words"] == ["false", "true"]:
             return widgets.check(value == "true", "", tip, lambda on: self._set(key, "true" if on else "false"), key)
-        low, to, high = takes.partition(" to ")
-        if to:
-            return widgets.number(float(value), tip, lambda v: self._set(key, f"{v:.6g}"), key, float(low),
-                                  float(high), 3, _step(float(value)))
-        if ", " in takes:
-            return widgets.choice(takes.split(", "), value, tip, lambda v: self._set(key, v), key)
+        if kind == "number":
+            return widgets.number(float(value), tip, lambda v: self._set(key, f"{v:.6g}"), key, row["low"],
+                                  row["high"], 3, _step(float(value)))
+        if kind in ("flag", "word"):
+            return widgets.choice(row["words"], value, tip, lambda v: self._set(key, v), key)
         line = QtGui.QLineEdit(value)
         line.setObjectName(key)
         line.setToolTip(tip)

@@ -7,6 +7,7 @@
 #include <burin/converters/file_info.h>
 #include <burin/converters/volume_reader.h>
 #include <burin/forms/implicit/implicit_form.h>
+#include <burin/options/request.h>
 #include <burin/surface/scene.h>
 
 #include <filesystem>
@@ -43,6 +44,12 @@ struct ReadOptions {
   };
   std::vector<Given> given = {};
 };
+
+/// The options about reading, each with the way to its member.
+const std::vector<RequestRow<ReadOptions>>& read_option_rows();
+
+/// What a request asks of reading. Throws UsageError that names the option.
+ReadOptions make_read_options(const Request& request, Spelling spelling);
 
 /// Throws MissingFile or InputError for the first path that is no file that can be opened.
 void check_inputs(const std::vector<std::string>& paths);

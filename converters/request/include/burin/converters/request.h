@@ -6,62 +6,22 @@
 #include <burin/converters/read.h>
 #include <burin/illustrate/illustrate.h>
 #include <burin/illustrate/style.h>
+#include <burin/options/request.h>
 
 #include <string>
 #include <vector>
 
 namespace burin {
 
-/// Long options about reading, as they were typed; empty = absent.
-struct ReadRequest {
-  std::string bounds;
-  /// Of functions: auto, nets or delaunay.
-  std::string mesher = {};
-  /// OpenSCAD's -D NAME=VALUE.
-  std::vector<std::string> define = {};
-  std::string openscad_timeout = {};
-  /// FreeCAD documents.
-  std::vector<std::string> object = {};
-  std::string recompute = {};
-  std::string freecad_timeout = {};
-  /// Volumes.
-  std::string iso;
-  std::string inside;
-  std::string volume_degree;
-  std::string smooth;
-  std::string specks;
-  std::string interpolate;
-  std::string raw;
-  std::string raw_skip;
-  /// "true" or "false".
-  std::string heal = {};
-};
-
-/// Long options of `burin draw`, as they were typed; empty = absent.
+/// What a user asks of a drawing.
 struct DrawRequest {
-  std::string view = "iso";
-  std::string up;
-  std::string perspective;
-  std::string paper = "A4";
-  std::string scale;
-  std::string center;
-  std::string margin = "10";
-  std::string style = "technical";
-  /// The text of a style file; goes before `style`.
+  /// By the names of `all_options`; others are not looked at.
+  Request options;
+  /// The text of a style file; goes before the option "style".
   std::string style_text;
-  std::vector<std::string> set;
-  std::string light;
-  std::string hidden = "none";
-  std::string tolerance;
-  std::string seed = "1";
-  std::string threads;
-  /// "true" or "false".
-  std::string verify = {};
-  ReadRequest read;
-};
 
-/// How errors name an option: "--crease-angle" or "crease_angle".
-enum class Spelling { Options, Keywords };
+  bool has(const std::string& name) const { return options.count(name) > 0; }
+};
 
 /// Everything but the inputs and outputs themselves.
 struct DrawPlan {
@@ -72,6 +32,8 @@ struct DrawPlan {
   ReadOptions read;
   /// Worker threads; 0 = all.
   int threads = 0;
+  /// What the ids of an SVG begin with.
+  std::string id_prefix;
   /// Options that were given and have no effect on a drawing without strokes, and those that have
   /// none where every part is a mesh; as messages call them.
   std::vector<std::string> about_strokes = {}, about_exact = {};
@@ -86,14 +48,16 @@ Camera make_camera(const Scene& scene, const DrawPlan& plan);
 /// Draws it, with a diagnostic "option.unused" for each choice of the plan that changes nothing of
 /// this drawing. Throws as `illustrate`.
 Drawing draw(const Scene& scene, const Camera& camera, const DrawPlan& plan, RunContext& context);
-ReadOptions make_read_options(const ReadRequest& request, Spelling spelling);
-
 /// The style of a name or file, with no changes. Throws UsageError, InputError.
 Style load_style(const std::string& name);
 
-/// Sets an option about reading by its name without dashes ("bounds"). Throws UsageError that names
-/// the nearest of these and of `others`.
-void set_read_option(ReadRequest& request, const std::string& name, const std::string& value,
-                     const std::vector<std::string>& others = {});
+/// The options of a drawing and of its run but those about reading, in the order in which they
+/// apply.
+std::vector<RequestOption> draw_options();
+/// Those and the ones about reading, in the order of their headings: all that `make_plan` looks at.
+std::vector<RequestOption> all_options();
+/// The one of that name. Throws UsageError that names the nearest of these and of `others`.
+const RequestOption& find_option(const std::string& name,
+                                 const std::vector<std::string>& others = {});
 
 }  // namespace burin

@@ -25,24 +25,11 @@ std::optional<Format> format_named(std::string_view name);
 std::vector<std::string> format_names();
 /// "svg", "pdf" ...
 std::string_view name_of(Format format);
-/// For messages: ".svg, .pdf, .eps, .png, .dxf or .json".
-std::string format_list();
-
-struct PngOptions {
-  /// Pixels per inch; also written into the file, so that pictures are shown in their true size.
-  double dpi = 300;
-  /// White paper, or ink alone.
-  bool transparent = false;
-};
-
-struct DxfOptions {
-  /// Smooth curves of constant width as SPLINE instead of LWPOLYLINE.
-  bool splines = false;
-};
+/// For messages: ".svg, .pdf, .eps, .png, .dxf or .json", or with something else before each.
+std::string format_list(std::string_view before = ".");
 
 /// What the formats leave open.
 struct WriteOptions {
-  /// Curves, flattening and dashes. `fit_tolerance`, `dash` and `gap` hold for all formats.
   SvgOptions svg;
   JsonOptions json;
   PngOptions png;

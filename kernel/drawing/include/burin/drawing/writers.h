@@ -3,32 +3,11 @@
 
 #include <burin/base/run_context.h>
 #include <burin/drawing/drawing.h>
+#include <burin/drawing/format_options.h>
 
 #include <iosfwd>
-#include <string>
 
 namespace burin {
-
-struct SvgOptions {
-  /// Plain polylines of constant width instead of fitted curves and outlined strokes: for plotters
-  /// and lasers.
-  bool flatten_polylines = false;
-  /// Largest distance in paper mm between a fitted cubic Bezier and the polyline it stands for.
-  double fit_tolerance = 0.02;
-  /// Dash and gap of hidden lines in paper mm.
-  double dash = 2.0;
-  double gap = 1.0;
-  /// One element per layer and pen, for programs that are slow where there are many, and more only
-  /// where one would be too long for Qt; says nothing of sources.
-  bool merge = false;
-  /// What every id begins with, so that several drawings can stand in one page.
-  std::string id_prefix = {};
-};
-
-struct JsonOptions {
-  /// Model coordinates beside the paper coordinates.
-  bool points3 = true;
-};
 
 /// Writes the drawing as SVG in true millimetres: one group per layer, inside it one group per
 /// part. Paths of constant width are stroked, strokes whose width varies are filled outlines (class

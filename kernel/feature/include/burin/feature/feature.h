@@ -5,24 +5,13 @@
 #include <burin/base/diagnostics.h>
 #include <burin/base/run_context.h>
 #include <burin/camera/camera.h>
+#include <burin/feature/options.h>
 #include <burin/mesh/proxy_mesh.h>
 
 #include <span>
 #include <vector>
 
 namespace burin {
-
-struct FeatureOptions {
-  bool contours = true;
-  bool creases = true;
-  bool boundaries = true;
-  /// Curves in which parts, or components of one part, pass through each other.
-  bool intersections = true;
-  /// Of proxies that know the edges of their input: those over which the surface goes on smoothly,
-  /// and those where a face meets itself.
-  bool smooth = false;
-  bool seams = false;
-};
 
 /// All feature lines of one proxy per part, hidden ones too, chained into long paths; a chain ends
 /// where its kind, its source, or which of its sides face the viewer changes, and at vertices where

@@ -13,14 +13,11 @@ struct FieldRequest {
   /// One a part; they outlive the field.
   const std::vector<const Surface*>& surfaces;
   const Camera& camera;
-  /// The direction of the style, in model space: what it means depends on the field.
-  Vec3 direction{0, 0, 1};
+  const FieldOptions& options;
   /// To the light, in model space.
   Vec3 light{0, 0, 1};
   /// As AngleOptions::flat, in 1/model mm.
   double flat = 0;
-  double alignment = 1;
-  FacePolicy policy{};
   const RunContext& context;
 };
 

@@ -3,6 +3,7 @@
 
 #include <burin/base/run_context.h>
 #include <burin/camera/camera.h>
+#include <burin/field/options.h>
 #include <burin/surface/surface.h>
 
 #include <functional>
@@ -90,26 +91,6 @@ Field isophote(Vec3 light, const AngleOptions& options);
 /// The same cross as `isophote`, its families exchanged: family 1 runs where that angle changes
 /// most, into the contours.
 Field steepest(const Camera& camera, const AngleOptions& options);
-
-/// What strokes follow on the faces of exact forms whose kind is known. Meshes have no such faces.
-struct FacePolicy {
-  enum class Plane {
-    Differ,     // one direction a face along its outline, chosen so that neighbours over a crease
-                // differ and smooth neighbours agree
-    Direction,  // the tangent part of `fallback`
-  };
-  enum class Ruled { Circles, Rulings };
-  enum class Sphere {
-    Axis,  // circles of latitude about `fallback`
-    View,  // ... about `view`
-  };
-  Plane plane = Plane::Differ;
-  /// Which of the two is family 1.
-  Ruled cylinder = Ruled::Circles;
-  Ruled cone = Ruled::Circles;
-  /// Spheres whose neighbours give them no direction: a ball, not the corner between fillets.
-  Sphere sphere = Sphere::Axis;
-};
 
 struct SmoothedOptions {
   /// Weight of the confident directions against smoothness, relative; larger follows curvature more

@@ -45,14 +45,6 @@ bool parse_list(std::string_view rest, std::span<double> out) {
 
 }  // namespace
 
-std::optional<double> number_option(const std::string& option, const std::string& text, double low,
-                                    double high, const char* what) {
-  if (text.empty()) return {};
-  const auto x = parse<double>(text);
-  if (!x || !(*x >= low && *x <= high)) refuse(option, what, text);
-  return x;
-}
-
 std::uint64_t whole_option(const std::string& option, const std::string& text, std::uint64_t low,
                            std::uint64_t high, const char* what) {
   const auto n = parse<std::uint64_t>(text);
@@ -60,29 +52,11 @@ std::uint64_t whole_option(const std::string& option, const std::string& text, s
   return *n;
 }
 
-Vec3 direction_option(const std::string& option, const std::string& text) {
-  constexpr const char* kWhat = "a direction X,Y,Z other than 0,0,0";
-  double v[3];
-  if (!parse_list(text, v) || (v[0] == 0 && v[1] == 0 && v[2] == 0)) refuse(option, kWhat, text);
-  return {v[0], v[1], v[2]};
-}
-
 std::optional<Vec3> point_option(const std::string& option, const std::string& text) {
   if (text.empty()) return {};
   double v[3];
   if (!parse_list(text, v)) refuse(option, "a point X,Y,Z", text);
   return Vec3(v[0], v[1], v[2]);
-}
-
-std::size_t word_option(const std::string& option, const std::string& text,
-                        const std::vector<std::string>& words) {
-  const auto it = std::find(words.begin(), words.end(), text);
-  if (it == words.end()) {
-    const std::string all =
-        fmt::format("{} or {}", fmt::join(words.begin(), words.end() - 1, ", "), words.back());
-    refuse(option, all.c_str(), text);
-  }
-  return static_cast<std::size_t>(it - words.begin());
 }
 
 std::optional<Box3> box_option(const std::string& option, const std::string& text) {
@@ -118,9 +92,11 @@ std::optional<Margin> margin_option(const std::string& option, const std::string
   if (text.empty()) return {};
   if (text.find(',') == std::string::npos) {
     const double most = 0.5 * (std::min(sheet.x, sheet.y) - kLeast);
+    const auto all = parse<double>(text);
+    if (all && *all >= 0 && *all <= most) return Margin(*all);
     const std::string range =
         fmt::format("0 to {} mm on this paper, or four of them, TOP,RIGHT,BOTTOM,LEFT", most);
-    return Margin(*number_option(option, text, 0, most, range.c_str()));
+    refuse(option, range.c_str(), text);
   }
   double v[4];
   const bool sane = parse_list(text, v) &&

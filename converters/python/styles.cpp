@@ -65,7 +65,7 @@ Style style_of(const py::object& value) {
 
 void set_style(DrawRequest& request, const py::object& style) {
   if (!is_mapping(style)) {
-    request.style = path_text(style);
+    request.options["style"] = {path_text(style)};
     return;
   }
   const py::object dumps = py::module_::import("json").attr("dumps");
@@ -97,18 +97,16 @@ void add_styles(py::module_& module) {
   module.def(
       "style_keys",
       [] {
+        const py::object loads = py::module_::import("json").attr("loads");
         py::list out;
-        for (const StyleKeyInfo& k : style_keys(builtin_style("technical"))) {
-          py::dict d;
-          d["key"] = k.key;
-          d["meaning"] = k.meaning;
-          d["takes"] = k.takes;
-          d["value"] = k.value;
-          out.append(d);
+        for (const StyleKey& k : style_keys(builtin_style("technical"))) {
+          out.append(loads(to_json(k, {{"key", k.name}, {"value", k.value}})));
         }
         return out;
       },
-      "Each key of a style: \"key\", \"meaning\", \"takes\", \"value\" (in technical).");
+      "Each key of a style: \"key\", \"meaning\", \"kind\" (number, flag, word or direction), what "
+      "it takes (\"low\", \"high\", \"unit\"; \"words\"; \"takes\" for people), \"value\" (in "
+      "technical).");
   module.def(
       "formats", [] { return format_names(); },
       "Suffixes that `Drawing.save` writes, e.g. \"svg\".");

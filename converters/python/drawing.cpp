@@ -53,10 +53,10 @@ std::string text_of(const py::handle& value) {
 WriteOptions options_of(const PyDrawing& drawing, const py::kwargs& options) {
   Style style = drawing.style;
   std::vector<std::string> keys, names;
-  for (const StyleKeyInfo& info : style_keys(style)) {
-    if (!is_about_files(info.key)) continue;
-    keys.push_back(info.key);
-    names.push_back(info.key);
+  for (const StyleKey& info : style_keys(style)) {
+    if (!is_about_files(info.name)) continue;
+    keys.push_back(info.name);
+    names.push_back(info.name);
     std::replace(names.back().begin(), names.back().end(), '.', '_');
   }
   std::string id_prefix = drawing.id_prefix;

@@ -15,23 +15,12 @@
 
 namespace burin {
 
-/// A number in [low, high]; nothing where the text is empty. Throws UsageError.
-std::optional<double> number_option(const std::string& option, const std::string& text, double low,
-                                    double high, const char* what);
-
 /// A whole number in [low, high]. Throws UsageError.
 std::uint64_t whole_option(const std::string& option, const std::string& text, std::uint64_t low,
                            std::uint64_t high, const char* what);
 
-/// A direction X,Y,Z, any but zero. Throws UsageError.
-Vec3 direction_option(const std::string& option, const std::string& text);
-
 /// A point X,Y,Z; nothing where the text is empty. Throws UsageError.
 std::optional<Vec3> point_option(const std::string& option, const std::string& text);
-
-/// The number of the word in a list. Throws UsageError.
-std::size_t word_option(const std::string& option, const std::string& text,
-                        const std::vector<std::string>& words);
 
 /// A box x0,y0,z0,x1,y1,z1 with each minimum below its maximum; nothing where the text is empty.
 /// Throws UsageError.

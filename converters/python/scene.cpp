@@ -46,9 +46,9 @@ Owner read(const py::args& paths, const py::kwargs& keywords) {
   std::vector<std::string> names;
   for (const py::handle path : paths) names.push_back(path_text(path));
   if (names.empty()) throw UsageError("no input; name model files");
-  const py::object progress = pop("progress"), cancel = pop("cancel"), bounds = pop("bounds");
+  const py::object progress = pop("progress"), cancel = pop("cancel");
   const auto flag = cancel_flag(cancel);
-  const ReadOptions read = read_options(bounds, keywords, {"bounds", "progress", "cancel"});
+  const ReadOptions read = read_options(keywords, {"progress", "cancel"});
   auto owner = std::make_shared<PyScene>();
   run(progress, flag, [&](RunContext& context) {
     check_inputs(names);
@@ -64,7 +64,7 @@ void add_read(py::class_<PyScene, Owner>& scene) {
   options.disable_function_signatures();
   scene.def_static(
       "read", read,
-      "read(*paths: object, bounds: object = None, progress: object = None, "
+      "read(*paths: object, progress: object = None, "
       "cancel: burin.Cancel = None, **options) -> burin.Scene\n\n"
       "Files, by their formats, as parts in order. `options` are the long options of the command "
       "line that concern reading, with underscores. Throws InputError.\n");

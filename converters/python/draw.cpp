@@ -1,0 +1,131 @@
+#include <burin/base/error.h>
+#include <burin/base/parallel.h>
+#include <burin/converters/catalogues.h>
+#include <burin/converters/read.h>
+#include <burin/converters/request.h>
+
+#include "drawing.h"
+#include "fields.h"
+#include "module.h"
+#include "read.h"
+#include "run.h"
+#include "scene.h"
+#include "text.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <optional>
+#include <string>
+#include <utility>
+
+namespace burin::python {
+namespace {
+
+/// What `draw` was given beside options.
+struct Calls {
+  py::object field = py::none(), tone = py::none(), progress = py::none(), cancel = py::none();
+
+  /// Null where it is none of these.
+  py::object* find(const std::string& name) {
+    if (name == "field") return &field;
+    if (name == "tone") return &tone;
+    if (name == "progress") return &progress;
+    return name == "cancel" ? &cancel : nullptr;
+  }
+};
+const std::vector<std::string> kCalls = {"field", "tone", "progress", "cancel"};
+
+bool is_about_reading(const std::string& name) {
+  return std::ranges::any_of(read_option_rows(),
+                             [&](const auto& row) { return row.name() == name; });
+}
+
+/// What is to be drawn: a scene, or files to be read in the run.
+struct Source {
+  std::optional<Scene> scene;
+  std::vector<PartLook> looks;
+  std::vector<std::string> paths;
+
+  explicit Source(const py::object& value) {
+    if (py::isinstance<PyScene>(value)) {
+      const auto& given = value.cast<const PyScene&>();
+      scene = given.scene;
+      looks = given.looks;
+    } else {
+      paths = path_list(value);
+      if (paths.empty()) throw UsageError("no input; name model files, or give a scene");
+    }
+  }
+
+  Scene get(const ReadOptions& options, RunContext& context) {
+    if (scene) return std::move(*scene);
+    check_inputs(paths);
+    return read_scene(paths, options, context);
+  }
+};
+
+DrawingOwner draw(const py::object& source, const py::kwargs& keywords) {
+  Source from(source);
+  Calls calls;
+  DrawRequest request;
+  for (const auto& [key, value] : keywords) {
+    const auto name = key.cast<std::string>();
+    if (py::object* call = calls.find(name)) {
+      *call = py::reinterpret_borrow<py::object>(value);
+      continue;
+    }
+    if (from.scene && !value.is_none() && is_about_reading(name)) {
+      throw UsageError(
+          "arguments about reading (bounds ...) go to Scene.read, not to the scene's draw");
+    }
+    add_keyword(request, find_option(name, kCalls), value);
+  }
+  const auto& [field, tone, progress, cancel] = calls;
+  DrawPlan plan = make_plan(request, Spelling::Keywords);
+  plan.illustrate.field = python_field(field);
+  plan.illustrate.tone = python_tone(tone);
+  if (!field.is_none()) plan.about_strokes.emplace_back("argument field");
+  if (!tone.is_none()) plan.about_strokes.emplace_back("argument tone");
+  if (from.scene) plan.illustrate.looks = from.looks;
+  const auto flag = cancel_flag(cancel);
+  auto result = std::make_shared<PyDrawing>();
+  result->style = plan.style;
+  result->id_prefix = plan.id_prefix;
+  run(progress, flag, [&](RunContext& context) {
+    const ThreadLimit limit(plan.threads);
+    const Scene scene = from.get(plan.read, context);
+    const Camera camera = make_camera(scene, plan);
+    result->drawing = burin::draw(scene, camera, plan, context);
+  });
+  return result;
+}
+
+py::list info(const py::args& paths, const py::kwargs& options) {
+  std::vector<std::string> names;
+  for (const py::handle path : paths) names.push_back(path_text(path));
+  if (names.empty()) throw UsageError("no input; name model files");
+  const ReadOptions read = read_options(options);
+  std::vector<FileInfo> files;
+  run(py::none(), nullptr, [&](RunContext& context) {
+    check_inputs(names);
+    context.begin_stage("read");
+    for (const std::string& name : names) files.push_back(inspect_file(name, read, context));
+    context.end_stage();
+  });
+  return py::module_::import("json").attr("loads")(to_json(files))["files"];
+}
+
+}  // namespace
+
+void add_draw(py::module_& module) {
+  module.def("draw", draw, py::arg("source"),
+             "What burin.draw calls; that one tells its arguments.");
+  module.def(
+      "catalogues", [] { return py::module_::import("json").attr("loads")(catalogues_json()); },
+      "All that can be chosen, as `burin options --json` tells it: \"options\" (of draw), "
+      "\"style_keys\", \"styles\", \"formats\".");
+  module.def("info", info, "What `burin info --json` tells, one entry a file. Throws InputError.");
+}
+
+}  // namespace burin::python

@@ -1,0 +1,108 @@
+#include "read.h"
+
+#include <burin/base/error.h>
+#include <burin/base/nearest.h>
+
+#include "style_text.h"
+#include "text.h"
+
+#include <fmt/format.h>
+
+#include <string_view>
+#include <utility>
+
+namespace burin::python {
+namespace {
+
+/// A value as OpenSCAD writes it.
+std::string literal(const std::string& name, const py::handle& value) {
+  if (py::isinstance<py::str>(value)) {
+    std::string text = "\"";
+    for (const char c : value.cast<std::string>()) {
+      if (c == '"' || c == '\\') text += '\\';
+      text += c;
+    }
+    return text + "\"";
+  }
+  const std::string text = value_text(name.c_str(), value);
+  return py::isinstance<py::iterable>(value) ? "[" + text + "]" : text;
+}
+
+/// What one keyword means on the command line: an option for each entry of a mapping
+/// (define={"teeth": 12}) or of a list of texts.
+std::vector<std::string> texts(const std::string& name, const py::handle& value) {
+  std::vector<std::string> out;
+  if (is_mapping(value)) {
+    for (const py::handle item : value.attr("items")()) {
+      const auto pair = item.cast<py::tuple>();
+      out.push_back(pair[0].cast<std::string>() + "=" + literal(name, pair[1]));
+    }
+    return out;
+  }
+  const bool list = py::isinstance<py::list>(value) || py::isinstance<py::tuple>(value);
+  if (list && py::len(value) > 0 && py::isinstance<py::str>(value[py::int_(0)])) {
+    for (const py::handle item : value) out.push_back(item.cast<std::string>());
+    return out;
+  }
+  return {value_text(name.c_str(), value)};
+}
+
+std::string word(const std::string& name, const py::handle& value) {
+  if (py::isinstance<py::str>(value)) return value.cast<std::string>();
+  throw py::type_error(
+      fmt::format("argument {} takes a word, not {}", name, std::string(py::repr(value))));
+}
+
+/// One value, as text.
+std::string text_of(const RequestOption& about, const py::handle& value) {
+  const std::string& name = about.option.name;
+  const std::string_view kind = kind_of(about.option);
+  const auto may_be = [&](const char* type) {
+    return about.python.find(type) != std::string::npos;
+  };
+  if (kind == "flag") return value_text(name.c_str(), value);
+  if (kind == "number" || kind == "whole") return number_text(name.c_str(), value);
+  if (kind == "direction") return list_text(name.c_str(), value);
+  if (may_be("float | Sequence")) return value_text(name.c_str(), value);
+  if (may_be("Sequence")) return list_text(name.c_str(), value, name == "paper" ? "x" : ",");
+  if (may_be("float")) return number_text(name.c_str(), value);
+  return word(name, value);
+}
+
+const RequestOption& find_read_option(const std::string& name,
+                                      const std::vector<std::string>& others) {
+  std::vector<std::string> names = others;
+  for (const auto& row : read_option_rows()) {
+    if (row.name() == name) return row.about;
+    names.push_back(row.name());
+  }
+  throw UsageError(
+      fmt::format("unknown argument '{}'; the nearest is '{}'", name, nearest(name, names)));
+}
+
+}  // namespace
+
+void add_keyword(DrawRequest& request, const RequestOption& option, const py::handle& value) {
+  if (value.is_none()) return;
+  const std::string& name = option.option.name;
+  if (name == "style") return set_style(request, py::reinterpret_borrow<py::object>(value));
+  std::vector<std::string> given;
+  if (name == "set") {
+    given = assignments(py::reinterpret_borrow<py::object>(value));
+  } else if (option.many) {
+    given = texts(name, value);
+  } else {
+    given = {text_of(option, value)};
+  }
+  if (!given.empty() && !given.back().empty()) request.options[name] = std::move(given);
+}
+
+ReadOptions read_options(const py::kwargs& keywords, const std::vector<std::string>& others) {
+  DrawRequest request;
+  for (const auto& [key, value] : keywords) {
+    add_keyword(request, find_read_option(key.cast<std::string>(), others), value);
+  }
+  return make_read_options(request.options, Spelling::Keywords);
+}
+
+}  // namespace burin::python

@@ -1,0 +1,267 @@
+#include "read_options.h"
+
+#include <burin/base/error.h>
+#include <burin/converters/openscad_reader.h>
+#include <burin/converters/values.h>
+
+#include <algorithm>
+#include <limits>
+
+namespace burin {
+namespace detail {
+namespace {
+
+constexpr const char* kFiles = "Files";
+constexpr const char* kLook = "The look";
+constexpr const char* kData = "Functions and volumes";
+constexpr double kWeek = 604'800;  // seconds
+constexpr std::uint64_t kMostBytes = std::uint64_t{1} << 50;
+
+using Set = std::function<void(ReadOptions&, const Asked&)>;
+
+template <class M>
+Set number_to(M member) {
+  return [member](ReadOptions& o, const Asked& a) { member(o) = std::get<double>(a.value); };
+}
+
+std::vector<ReadRow> file_rows() {
+  return {
+      {{{.option =
+             {.name = "define",
+              .meaning =
+                  "define a variable of OpenSCAD files; repeatable; a text keeps its quotes: -D "
+                  "'label=\"A\"'",
+              .takes = FreeText{}},
+         .group = kFiles,
+         .label = "NAME=VALUE",
+         .many = true,
+         .letter = 'D',
+         .python = "Mapping[str, Any] | Sequence[str]"},
+        [](ReadOptions& o, const Asked& a) {
+          check_openscad_defines(a.texts);
+          o.defines = a.texts;
+        }},
+       kOpenscadFiles,
+       "OpenSCAD files"},
+      {{{.option = {.name = "openscad_timeout",
+                    .meaning = "end OpenSCAD after so long (default 300)",
+                    .takes = NumberRange{0.001, kWeek, "s"},
+                    .phrase = "seconds over 0"},
+         .group = kFiles,
+         .label = "SECONDS"},
+        number_to([](ReadOptions& o) -> double& { return o.openscad_timeout; })},
+       kOpenscadFiles,
+       "OpenSCAD files"},
+      {{{.option =
+             {.name = "object",
+              .meaning =
+                  "draw this object of FreeCAD documents, hidden or not; repeatable (default: "
+                  "all that are visible)",
+              .takes = FreeText{}},
+         .group = kFiles,
+         .label = "NAME|LABEL",
+         .many = true,
+         .python = "str | Sequence[str]"},
+        [](ReadOptions& o, const Asked& a) { o.objects = a.texts; }},
+       kFreecadFiles,
+       "FreeCAD documents"},
+      {{{.option = {.name = "recompute",
+                    .meaning = "let FreeCAD recompute the document first (the file stays as it is)",
+                    .takes = Switch{}},
+         .group = kFiles},
+        [](ReadOptions& o, const Asked& a) { o.recompute = std::get<bool>(a.value); }},
+       kFreecadFiles,
+       "FreeCAD documents"},
+      {{{.option = {.name = "freecad_timeout",
+                    .meaning = "end FreeCAD after so long (default 300)",
+                    .takes = NumberRange{0.001, kWeek, "s"},
+                    .phrase = "seconds over 0"},
+         .group = kFiles,
+         .label = "SECONDS"},
+        number_to([](ReadOptions& o) -> double& { return o.freecad_timeout; })},
+       kFreecadFiles,
+       "FreeCAD documents that are recomputed"},
+      {{{.option =
+             {.name = "heal",
+              .meaning =
+                  "draw facets of meshes as the round surfaces that they stand for (default for "
+                  "OpenSCAD files)",
+              .takes = Switch{}},
+         .group = kLook,
+         .negated = "draw facets as they are"},
+        [](ReadOptions& o, const Asked& a) { o.heal = std::get<bool>(a.value); }},
+       kMeshes | kOpenscadFiles,
+       "meshes and OpenSCAD files"},
+  };
+}
+
+std::vector<ReadRow> level_rows() {
+  constexpr double kMost = std::numeric_limits<double>::max();
+  return {
+      {{{.option = {.name = "bounds",
+                    .meaning =
+                        "domain x0,y0,z0,x1,y1,z1 of functions and volumes, in model mm (default: "
+                        "their own bounds)",
+                    .takes = FreeText{}},
+         .group = kData,
+         .label = "X0,..,Z1",
+         .python = "Sequence[float]"},
+        [](ReadOptions& o, const Asked& a) { o.bounds = box_option(a.spelled, a.text()); }},
+       kFunctions | kVolumes | kSplines,
+       "functions, volumes and trivariate splines"},
+      {{{.option = {.name = "mesher",
+                    .meaning =
+                        "triangles of functions: even and fast, or graded by curvature (default "
+                        "auto); lines are exact with either",
+                    .takes = WordList{{"auto", "nets", "delaunay"}}},
+         .group = kData,
+         .label = "auto|nets|delaunay"},
+        [](ReadOptions& o, const Asked& a) {
+          o.mesher = static_cast<Mesher>(std::get<std::uint64_t>(a.value));
+          o.volume.mesher = o.mesher;
+        }},
+       kFunctions | kVolumes,
+       "functions and volumes"},
+      {{{.option =
+             {.name = "iso",
+              .meaning =
+                  "the surface of a volume is where its data takes this value; burin info tells "
+                  "the range (no default; trivariate splines: 0)",
+              .takes = NumberRange{-kMost, kMost},
+              .phrase = "a number"},
+         .group = kData,
+         .label = "LEVEL"},
+        [](ReadOptions& o, const Asked& a) { o.volume.level = std::get<double>(a.value); }},
+       kVolumes | kSplines,
+       "volumes and trivariate splines"},
+      {{{.option = {.name = "inside",
+                    .meaning = "values that are inside (default above; trivariate splines: below)",
+                    .takes = WordList{{"above", "below"}}},
+         .group = kData,
+         .label = "above|below"},
+        [](ReadOptions& o, const Asked& a) {
+          o.volume.inside_above = std::get<std::uint64_t>(a.value) == 0;
+        }},
+       kVolumes | kSplines,
+       "volumes and trivariate splines"},
+  };
+}
+
+std::vector<ReadRow> volume_rows() {
+  return {
+      {{{.option =
+             {.name = "smooth",
+              .meaning =
+                  "standard deviation of a Gaussian that a volume is smoothed with (default 0)",
+              .takes = NumberRange{0, 100, "samples"},
+              .phrase = "a standard deviation of 0 to 100 samples"},
+         .group = kData,
+         .label = "SAMPLES"},
+        number_to([](ReadOptions& o) -> double& { return o.volume.smoothing; })},
+       kVolumes,
+       "volumes"},
+      {{{.option =
+             {.name = "specks",
+              .meaning =
+                  "components of a volume smaller than this share of the largest one are left "
+                  "out (default 0.02)",
+              .takes = NumberRange{0, 0.99},
+              .phrase = "a share from 0 to 0.99 of the largest component's size"},
+         .group = kData,
+         .label = "SHARE"},
+        number_to([](ReadOptions& o) -> double& { return o.volume.smallest_part; })},
+       kVolumes,
+       "volumes"},
+      {{{.option = {.name = "volume_degree",
+                    .meaning = "degree of the spline of a volume (default 3)",
+                    .takes = WholeRange{2, 3},
+                    .phrase = "2 or 3"},
+         .group = kData,
+         .label = "2|3"},
+        [](ReadOptions& o, const Asked& a) {
+          o.volume.degree = static_cast<int>(std::get<std::uint64_t>(a.value));
+        }},
+       kVolumes,
+       "volumes"},
+      {{{.option = {.name = "interpolate",
+                    .meaning =
+                        "take the values of the samples exactly; without it they are the spline's "
+                        "coefficients, a little smoother",
+                    .takes = Switch{}},
+         .group = kData},
+        [](ReadOptions& o, const Asked& a) { o.volume.interpolate = std::get<bool>(a.value); }},
+       kVolumes,
+       "volumes"},
+      {{{.option = {.name = "raw",
+                    .meaning =
+                        "what a raw file holds: NXxNYxNZ[:TYPE[:DX,DY,DZ]], TYPE u8 i8 u16 .. f64, "
+                        "u16be .. for big-endian (default u8:1,1,1)",
+                    .takes = FreeText{}},
+         .group = kData,
+         .label = "NXxNYxNZ[..]"},
+        [](ReadOptions& o, const Asked& a) { o.volume.raw = parse_raw_layout(a.text()); }},
+       kVolumes,
+       "files of raw samples, whose format nothing else tells"},
+      {{{.option = {.name = "raw_skip",
+                    .meaning = "bytes before the first sample of a raw file (default 0)",
+                    .takes = WholeRange{0, kMostBytes},
+                    .phrase = "a number of bytes"},
+         .group = kData,
+         .label = "BYTES"},
+        [](ReadOptions& o, const Asked& a) {
+          if (!o.volume.raw) {
+            const bool command = a.spelled.starts_with("--");
+            throw UsageError(a.spelled + " goes with " + (command ? "--raw" : "raw"));
+          }
+          o.volume.raw->skip = static_cast<std::int64_t>(std::get<std::uint64_t>(a.value));
+        }},
+       kVolumes,
+       "files of raw samples"},
+  };
+}
+
+const std::vector<ReadRow>& read_rows() {
+  static const std::vector<ReadRow> all = [] {
+    std::vector<ReadRow> rows;
+    for (const auto& group : {file_rows(), level_rows(), volume_rows()}) {
+      rows.insert(rows.end(), group.begin(), group.end());
+    }
+    return rows;
+  }();
+  return all;
+}
+
+}  // namespace
+
+const ReadRow* find_read_row(std::string_view name) {
+  const auto found =
+      std::ranges::find_if(read_rows(), [&](const ReadRow& r) { return r.row.name() == name; });
+  return found == read_rows().end() ? nullptr : &*found;
+}
+
+}  // namespace detail
+
+const std::vector<RequestRow<ReadOptions>>& read_option_rows() {
+  static const std::vector<RequestRow<ReadOptions>> rows = [] {
+    std::vector<RequestRow<ReadOptions>> out;
+    for (const detail::ReadRow& row : detail::read_rows()) out.push_back(row.row);
+    return out;
+  }();
+  return rows;
+}
+
+ReadOptions make_read_options(const Request& request, Spelling spelling) {
+  ReadOptions read;
+  apply(read_option_rows(), request, spelling, read);
+  for (const auto& row : read_option_rows()) {
+    const auto given = request.find(row.name());
+    if (given == request.end()) continue;
+    // The switch that turns it off is an option of its own.
+    const bool off = spelling == Spelling::Options && !row.about.negated.empty() &&
+                     given->second.back() == "false";
+    read.given.push_back({row.name(), called(off ? "no_" + row.name() : row.name(), spelling)});
+  }
+  return read;
+}
+
+}  // namespace burin

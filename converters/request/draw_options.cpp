@@ -1,0 +1,286 @@
+#include "draw_options.h"
+
+#include <burin/base/ascii.h>
+#include <burin/base/error.h>
+#include <burin/base/nearest.h>
+#include <burin/camera/standards.h>
+#include <burin/converters/values.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+
+namespace burin {
+namespace detail {
+namespace {
+
+constexpr double kLarge = 1e12;  // past any sheet, scale or tolerance that means something
+constexpr const char* kDirectionPhrase = "a direction X,Y,Z other than 0,0,0";
+constexpr const char* kLook = "The look";
+constexpr const char* kSheet = "The sheet and the view";
+constexpr const char* kRun = "The run";
+constexpr const char* kFiles = "Files";
+
+/// Errors have no line: the text is made by a program.
+Style style_of_text(const std::string& text) {
+  try {
+    return parse_style(text, "style");
+  } catch (const UsageError& e) {
+    const std::string message = e.what();
+    const std::size_t place = message.find(": ");
+    throw UsageError(place == std::string::npos ? message : message.substr(place + 2));
+  }
+}
+
+void set_keys(Draft& draft, const Asked& asked) {
+  for (const std::string& assignment : asked.texts) {
+    const std::size_t equals = assignment.find('=');
+    if (equals == std::string::npos) {
+      throw UsageError(fmt::format("option --set takes KEY=VALUE, not '{}'", assignment));
+    }
+    set_style_key(draft.plan.style, assignment.substr(0, equals), assignment.substr(equals + 1));
+  }
+}
+
+void set_paper(Draft& draft, const Asked& asked) {
+  draft.plan.sheet.fits = equal_but_for_case(asked.text(), "fit");
+  if (!draft.plan.sheet.fits) draft.plan.view.paper = Paper::named(asked.text());
+}
+
+void set_margin(Draft& draft, const Asked& asked) {
+  SheetOptions& sheet = draft.plan.sheet;
+  const Paper& paper = draft.plan.view.paper;
+  const Vec2 room = sheet.fits ? Vec2(kLargestSheet) : Vec2(paper.width, paper.height);
+  sheet.margin = margin_option(asked.spelled, asked.text(), room).value_or(sheet.margin);
+}
+
+std::vector<std::string> style_names() {
+  std::vector<std::string> names;
+  for (const StyleInfo& style : builtin_styles()) names.push_back(style.name);
+  return names;
+}
+
+std::vector<std::string> view_names() {
+  std::vector<std::string> names;
+  for (const StandardView& view : standard_views()) names.emplace_back(view.name);
+  return names;
+}
+
+std::vector<std::string> paper_names() {
+  std::vector<std::string> names;
+  for (const StandardPaper& paper : standard_papers()) names.emplace_back(paper.name);
+  names.emplace_back("fit");
+  return names;
+}
+
+std::vector<RequestRow<Draft>> look_rows() {
+  return {
+      {{.option = {.name = "style",
+                   .meaning = fmt::format("{}, or a style file (default technical)",
+                                          fmt::join(style_names(), ", ")),
+                   .takes = FreeText{}},
+        .group = kLook,
+        .label = "NAME|FILE",
+        .fallback = "technical",
+        .choices = style_names(),
+        .python = "str | PathLike[str] | Mapping[str, Any]"},
+       [](Draft& d, const Asked& a) {
+         d.named = d.style_text.empty() ? load_style(a.text()) : style_of_text(d.style_text);
+         d.plan.style = d.named;
+       }},
+      {{.option = {.name = "light",
+                   .meaning = "direction to the light: right, up, towards the viewer (default: "
+                              "upper left front)",
+                   .takes = Direction{},
+                   .phrase = kDirectionPhrase},
+        .group = kLook,
+        .label = "X,Y,Z"},
+       [](Draft& d, const Asked& a) { d.plan.style.tone.light = std::get<Vec3>(a.value); }},
+      {{.option = {.name = "set",
+                   .meaning = "change one key of the style; repeatable; see burin styles --keys",
+                   .takes = FreeText{}},
+        .group = kLook,
+        .label = "KEY=VALUE",
+        .many = true,
+        .python = "Mapping[str, Any]"},
+       set_keys},
+      {{.option = {.name = "hidden",
+                   .meaning = "leave hidden lines out or draw them dashed (default none)",
+                   .takes = WordList{{"none", "dashed"}}},
+        .group = kLook,
+        .label = "none|dashed",
+        .fallback = "none"},
+       [](Draft& d, const Asked& a) {
+         d.plan.illustrate.hidden =
+             std::get<std::uint64_t>(a.value) == 0 ? HiddenLines::None : HiddenLines::Dashed;
+       }},
+      {{.option = {.name = "tolerance",
+                   .meaning =
+                       "chord tolerance of any tessellation, in model mm (default: less than "
+                       "0.05 mm on the sheet)",
+                   .takes = NumberRange{1 / kLarge, kLarge, "mm"},
+                   .phrase = "a number of mm over 0"},
+        .group = kLook,
+        .label = "MM"},
+       [](Draft& d, const Asked& a) { d.plan.illustrate.tolerance = std::get<double>(a.value); }},
+  };
+}
+
+std::vector<RequestRow<Draft>> view_rows() {
+  return {
+      {{.option = {.name = "view",
+                   .meaning = fmt::format("{}, or the direction from the model to the viewer "
+                                          "(default iso)",
+                                          fmt::join(view_names(), " ")),
+                   .takes = FreeText{}},
+        .group = kSheet,
+        .label = "NAME|X,Y,Z",
+        .fallback = "iso",
+        .choices = view_names(),
+        .python = "str | Sequence[float]"},
+       [](Draft& d, const Asked& a) {
+         const NamedView named = named_view(a.text());
+         d.plan.view.direction = named.direction;
+         d.plan.view.up = named.up;
+       }},
+      {{.option = {.name = "up",
+                   .meaning = "up on the sheet (default 0,0,1; for top and bottom 0,1,0)",
+                   .takes = Direction{},
+                   .phrase = kDirectionPhrase},
+        .group = kSheet,
+        .label = "X,Y,Z"},
+       [](Draft& d, const Asked& a) { d.plan.view.up = std::get<Vec3>(a.value); }},
+      {{.option = {.name = "perspective",
+                   .meaning = "vertical field of view in degrees (default: orthographic)",
+                   .takes = NumberRange{1, 120, "degrees"},
+                   .phrase = "1 to 120 degrees"},
+        .group = kSheet,
+        .label = "DEG"},
+       [](Draft& d, const Asked& a) { d.plan.view.perspective = std::get<double>(a.value); }},
+  };
+}
+
+std::vector<RequestRow<Draft>> sheet_rows() {
+  return {
+      {{.option = {.name = "paper",
+                   .meaning = "A0..A6, B0..B6, letter, legal, tabloid (A4p is portrait), mm, say "
+                              "200x150, or fit: the drawing and its margin, at --scale or 1 "
+                              "(default A4)",
+                   .takes = FreeText{}},
+        .group = kSheet,
+        .label = "NAME|WxH",
+        .fallback = "A4",
+        .choices = paper_names(),
+        .python = "str | Sequence[float]"},
+       set_paper},
+      {{.option = {.name = "scale",
+                   .meaning = "paper mm for a model mm, also as 1:2 (default: fit to the sheet)",
+                   .takes = FreeText{}},
+        .group = kSheet,
+        .label = "S|A:B",
+        .python = "float | str"},
+       [](Draft& d, const Asked& a) {
+         d.plan.view.scale = scale_option(a.spelled, a.text(), 1 / kLarge, kLarge);
+       }},
+      {{.option = {.name = "center",
+                   .meaning = "the model point in the middle of the sheet (default: the middle of "
+                              "the drawing)",
+                   .takes = FreeText{}},
+        .group = kSheet,
+        .label = "X,Y,Z",
+        .python = "Sequence[float]"},
+       [](Draft& d, const Asked& a) { d.plan.view.center = point_option(a.spelled, a.text()); }},
+      {{.option = {.name = "margin",
+                   .meaning = "empty border of a fitted sheet; one number, or top, right, bottom, "
+                              "left (default 10)",
+                   .takes = FreeText{}},
+        .group = kSheet,
+        .label = "MM|T,R,B,L",
+        .fallback = "10",
+        .python = "float | Sequence[float]"},
+       set_margin},
+  };
+}
+
+std::vector<RequestRow<Draft>> run_rows() {
+  return {
+      {{.option = {.name = "seed",
+                   .meaning = "random seed (default 1)",
+                   .takes = WholeRange{0, std::numeric_limits<std::uint64_t>::max()},
+                   .phrase = "a whole number from 0"},
+        .group = kRun,
+        .label = "N",
+        .fallback = "1"},
+       [](Draft& d, const Asked& a) { d.plan.illustrate.seed = std::get<std::uint64_t>(a.value); }},
+      {{.option = {.name = "threads",
+                   .meaning = "worker threads (default: all); the drawing is the same for any "
+                              "number",
+                   .takes = WholeRange{1, 4096}},
+        .group = kRun,
+        .label = "N"},
+       [](Draft& d, const Asked& a) {
+         d.plan.threads = static_cast<int>(std::get<std::uint64_t>(a.value));
+       }},
+      {{.option = {.name = "verify",
+                   .meaning = "test every visible and hidden line of the drawing by rays against a "
+                              "finer tessellation of its own; say what they contradict, where, and "
+                              "how much in all",
+                   .takes = Switch{}},
+        .group = kRun},
+       [](Draft& d, const Asked& a) { d.plan.illustrate.verify = std::get<bool>(a.value); }},
+      {{.option = {.name = "id_prefix",
+                   .meaning =
+                       "what all ids of an SVG begin with, so that several stand in one page",
+                   .takes = FreeText{}},
+        .group = kFiles,
+        .label = "TEXT"},
+       [](Draft& d, const Asked& a) { d.plan.id_prefix = id_prefix_option(a.spelled, a.text()); }},
+  };
+}
+
+}  // namespace
+
+const std::vector<RequestRow<Draft>>& draw_rows() {
+  static const std::vector<RequestRow<Draft>> all = [] {
+    std::vector<RequestRow<Draft>> rows;
+    for (const auto& group : {look_rows(), view_rows(), sheet_rows(), run_rows()}) {
+      rows.insert(rows.end(), group.begin(), group.end());
+    }
+    return rows;
+  }();
+  return all;
+}
+
+}  // namespace detail
+
+std::vector<RequestOption> draw_options() {
+  std::vector<RequestOption> options;
+  for (const auto& row : detail::draw_rows()) options.push_back(row.about);
+  return options;
+}
+
+std::vector<RequestOption> all_options() {
+  std::vector<RequestOption> options = draw_options();
+  for (const auto& row : read_option_rows()) options.push_back(row.about);
+  // Under their headings, each as it came.
+  const std::vector<std::string> headings = {"Files", "The look", "The sheet and the view",
+                                             "Functions and volumes", "The run"};
+  std::ranges::stable_sort(options, {}, [&](const RequestOption& option) {
+    return std::ranges::find(headings, option.group) - headings.begin();
+  });
+  return options;
+}
+
+const RequestOption& find_option(const std::string& name, const std::vector<std::string>& others) {
+  static const std::vector<RequestOption> options = all_options();
+  std::vector<std::string> names = others;
+  for (const RequestOption& option : options) {
+    if (option.option.name == name) return option;
+    names.push_back(option.option.name);
+  }
+  throw UsageError(
+      fmt::format("unknown argument '{}'; the nearest is '{}'", name, nearest(name, names)));
+}
+
+}  // namespace burin

@@ -1,0 +1,21 @@
+#pragma once
+// What each option of a drawing does to the plan; internal to the room.
+
+#include <burin/converters/request.h>
+
+#include <string>
+#include <vector>
+
+namespace burin::detail {
+
+/// A plan while options are applied, one after the other.
+struct Draft {
+  DrawPlan plan{};
+  /// The style as its name or file has it.
+  Style named{};
+  std::string style_text;
+};
+
+const std::vector<RequestRow<Draft>>& draw_rows();
+
+}  // namespace burin::detail

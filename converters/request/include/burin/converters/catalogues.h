@@ -1,0 +1,13 @@
+#pragma once
+/// All that a user can choose from, as data for programs.
+
+#include <string>
+
+namespace burin {
+
+/// One JSON object: "options" (as `request_to_json`, in the order of `all_options`), "style_keys"
+/// (as `to_json` with "value", that of the style technical), "styles" ({"name", "meaning"}),
+/// "formats" (suffixes).
+std::string catalogues_json();
+
+}  // namespace burin

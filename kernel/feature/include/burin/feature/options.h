@@ -1,0 +1,29 @@
+#pragma once
+/// What a user chooses of feature lines.
+
+#include <burin/options/row.h>
+
+#include <vector>
+
+namespace burin {
+
+struct FeatureOptions {
+  bool contours = true;
+  bool creases = true;
+  bool boundaries = true;
+  /// Curves in which parts, or components of one part, pass through each other.
+  bool intersections = true;
+  /// Of proxies that know the edges of their input: those over which the surface goes on smoothly,
+  /// and those where a face meets itself.
+  bool smooth = true;
+  bool seams = false;
+  /// Degrees between neighbouring triangles from which an edge is sharp: forms that have no edges
+  /// of their own take it (RealiseOptions), `extract_features` does not look at it.
+  double crease_angle = 30;
+
+  bool operator==(const FeatureOptions&) const = default;
+};
+/// Names without a group: "contours" ...
+const std::vector<OptionRow<FeatureOptions>>& feature_option_rows();
+
+}  // namespace burin

@@ -1,0 +1,50 @@
+#pragma once
+/// What a user chooses of directions.
+
+#include <burin/base/vec.h>
+#include <burin/options/row.h>
+
+#include <string>
+#include <vector>
+
+namespace burin::field {
+
+/// What strokes follow on the faces of exact forms whose kind is known. Meshes have no such faces.
+struct FacePolicy {
+  enum class Plane {
+    Differ,     // one direction a face along its outline, chosen so that neighbours over a crease
+                // differ and smooth neighbours agree
+    Direction,  // the tangent part of `FieldOptions::direction`
+  };
+  enum class Ruled { Circles, Rulings };
+  enum class Sphere {
+    Axis,  // circles of latitude about `FieldOptions::direction`
+    View,  // ... about the line of view
+  };
+  Plane plane = Plane::Differ;
+  /// Which of the two is family 1.
+  Ruled cylinder = Ruled::Circles;
+  Ruled cone = Ruled::Circles;
+  /// Spheres whose neighbours give them no direction: a ball, not the corner between fillets.
+  Sphere sphere = Sphere::Axis;
+
+  bool operator==(const FacePolicy&) const = default;
+};
+
+struct FieldOptions {
+  /// The name of a row of `catalogue()`.
+  std::string name = "smoothed";
+  /// In model space: what it means depends on the field; also what is followed where a surface has
+  /// no direction of its own.
+  Vec3 direction{0, 0, 1};
+  /// How closely the smoothed field keeps to the curvature.
+  double alignment = 1;
+  FacePolicy faces{};
+
+  bool operator==(const FieldOptions&) const = default;
+};
+
+/// Names without a group: "field", "direction" ...
+const std::vector<OptionRow<FieldOptions>>& field_option_rows();
+
+}  // namespace burin::field

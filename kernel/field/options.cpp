@@ -1,0 +1,50 @@
+#include <burin/field/catalogue.h>
+#include <burin/field/options.h>
+
+namespace burin::field {
+namespace {
+
+std::vector<std::string> names() {
+  std::vector<std::string> names;
+  for (const FieldKind& kind : catalogue()) names.emplace_back(kind.name);
+  return names;
+}
+
+std::vector<OptionRow<FacePolicy>> face_rows() {
+  using options::word;
+  return {
+      word("plane", &FacePolicy::plane, {"differ", "direction"},
+           "strokes on plane faces of CAD parts: neighbours differ, or all follow hatch.direction"),
+      word("cylinder", &FacePolicy::cylinder, {"circles", "rulings"},
+           "the first strokes on cylinders of CAD parts go round or along"),
+      word("cone", &FacePolicy::cone, {"circles", "rulings"},
+           "the first strokes on cones of CAD parts go round or along"),
+      word("sphere", &FacePolicy::sphere, {"axis", "view"},
+           "balls of CAD parts: circles about hatch.direction or about the line of view"),
+  };
+}
+
+std::vector<OptionRow<FieldOptions>> rows() {
+  std::vector<OptionRow<FieldOptions>> rows = {
+      options::word("field", &FieldOptions::name, names(),
+                    "what strokes follow: the smoothed or raw principal directions, lines of "
+                    "constant angle to the view or the light, or across them, parameter lines, "
+                    "planes across hatch.direction, up on the sheet, or one direction"),
+      options::direction(
+          "direction", &FieldOptions::direction,
+          "the fixed direction, in model space, also where a surface has none of its own"),
+      options::number("alignment", &FieldOptions::alignment, {0, 100},
+                      "how closely the smoothed field keeps to the curvature"),
+  };
+  options::append(rows, "", &FieldOptions::faces, face_rows());
+  return rows;
+}
+
+}  // namespace
+
+const std::vector<OptionRow<FieldOptions>>& field_option_rows() {
+  static const std::vector<OptionRow<FieldOptions>> all = rows();
+  return all;
+}
+
+}  // namespace burin::field

@@ -1,0 +1,36 @@
+#pragma once
+/// What a user chooses of strokes.
+
+#include <burin/options/row.h>
+
+#include <vector>
+
+namespace burin {
+
+/// The pen and the hatching; lengths in paper mm, tones as ink coverage (1 - reflectance).
+struct HatchOptions {
+  /// Distance of neighbouring strokes of a family where the tone is darkest and where it is
+  /// lightest.
+  double spacing_min = 0.9;
+  double spacing_max = 1.6;
+  double width_min = 0.08;
+  double width_max = 0.22;
+  /// No ink where the tone asks for less than this.
+  double tone_min = 0.35;
+  /// The second family crosses the first where the tone asks for more than this; over 1 = never.
+  double cross_from = 1.1;
+  /// A stroke shorter than this is not drawn; one longer than about this ends (a third more or
+  /// less, by chance).
+  double length_min = 2.5;
+  double length_max = 2000;
+  /// Length over which a stroke's end thins out.
+  double taper = 2.5;
+  /// 0: equal spacing on paper whatever the slant of the surface; 1: equal spacing on the surface.
+  double foreshortening = 0;
+
+  bool operator==(const HatchOptions&) const = default;
+};
+/// Names without a group: "spacing_min" ...
+const std::vector<OptionRow<HatchOptions>>& hatch_option_rows();
+
+}  // namespace burin

@@ -1,0 +1,30 @@
+#include <burin/stroke/options.h>
+
+namespace burin {
+
+const std::vector<OptionRow<HatchOptions>>& hatch_option_rows() {
+  using options::number;
+  static const std::vector<OptionRow<HatchOptions>> rows = {
+      number("spacing_min", &HatchOptions::spacing_min, {0.05, 50, "mm"},
+             "distance of strokes where the tone is darkest, in mm", "spacing_max"),
+      number("spacing_max", &HatchOptions::spacing_max, {0.05, 50, "mm"},
+             "distance of strokes where the tone is lightest, in mm"),
+      number("width_min", &HatchOptions::width_min, {0.01, 10, "mm"}, "thinnest stroke, in mm",
+             "width_max"),
+      number("width_max", &HatchOptions::width_max, {0.01, 10, "mm"}, "widest stroke, in mm"),
+      number("tone_min", &HatchOptions::tone_min, {0, 1},
+             "share of ink below which the paper stays white"),
+      number("cross_from", &HatchOptions::cross_from, {0, 2},
+             "share of ink from which a second family crosses the first; over 1 = never"),
+      number("length_min", &HatchOptions::length_min, {0, 1000, "mm"}, "shortest stroke, in mm",
+             "length_max"),
+      number("length_max", &HatchOptions::length_max, {0.1, 100000, "mm"}, "longest stroke, in mm"),
+      number("taper", &HatchOptions::taper, {0, 1000, "mm"},
+             "length over which the end of a stroke thins out, in mm"),
+      number("foreshortening", &HatchOptions::foreshortening, {0, 1},
+             "0 spaces strokes evenly on the paper, 1 on the surface"),
+  };
+  return rows;
+}
+
+}  // namespace burin
