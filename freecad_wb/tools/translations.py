@@ -52,7 +52,7 @@ def offered():
     told = offers.kept()
     yield from (group for group in told["groups"] if group not in told["formats"])
     yield from map(offers.title, told["views"])
-    yield from ("none", "dashed")
+    yield from told["options"]["hidden"]["words"]
     yield from told["styles"].values()
 
 

@@ -1,4 +1,4 @@
-"""What the kernel offers: names of formats, styles, views, sheets. Menus, properties and FreeCAD's start know them without
+"""What the kernel offers: options, names of formats, styles, views, sheets. Menus, properties and FreeCAD's start know them without
 loading the kernel, from a file that its own module told (tools/offers.py; a test compares them)."""
 
 import functools
@@ -8,9 +8,16 @@ import os
 PATH = os.path.join(os.path.dirname(__file__), "resources", "offers.json")
 
 
+# Options of a drawing whose words, range or default the workbench takes over.
+_OPTIONS = ("hidden", "perspective", "style")
+
+
 def asked(burin):
     """What a kernel offers, of its module."""
+    options = {row["name"]: row for row in burin.catalogues()["options"]}
     return {
+        "options": {name: {k: options[name][k] for k in ("words", "low", "high", "default") if k in options[name]}
+                    for name in _OPTIONS},
         "formats": burin.formats(),
         "styles": burin.styles(),  # with what they are for
         "views": {name: [_rounded(direction), _rounded(up)] for name, (direction, up) in burin.views().items()},

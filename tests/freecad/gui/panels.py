@@ -135,6 +135,47 @@ class Editing(support.Case):
         support.drawn()
         self.assertEqual((self.obj.Style, dict(self.obj.StyleKeys)), ("technical", {}))
 
+    def test_each_key_has_the_field_that_its_row_asks_for(self):
+        from freecad.burin_wb import kernel
+
+        Gui.runCommand("Burin_Style")
+        burin = kernel.module()
+        rows = [row for row in burin.style_keys() if row["key"].split(".")[0] not in burin.formats()]
+        self.assertEqual(set(support.panel().editors), {row["key"] for row in rows})
+        tree = support.panel().tree
+        self.assertLessEqual(tree.columnWidth(0) + tree.columnWidth(1), tree.viewport().width(), "fields are cut off")
+        values = burin.style(self.obj.Style)
+        for row in rows:
+            editor, value = support.panel().editors[row["key"]], values[row["key"]]
+            with self.subTest(row["key"]):
+                self.assertIn(row["meaning"], editor.toolTip())
+                if row["kind"] == "number":
+                    self.assertEqual((editor.minimum(), editor.maximum()), (row["low"], row["high"]))
+                    self.assertEqual(editor.suffix().strip().replace("°", "degrees"), row["unit"])
+                    self.assertAlmostEqual(editor.value(), value)
+                elif row["kind"] == "flag":
+                    self.assertIs(editor.isChecked(), value)
+                elif row["kind"] == "word":
+                    self.assertEqual([editor.itemData(k) for k in range(editor.count())], row["words"])
+                    self.assertEqual(editor.currentData(), value)
+                else:
+                    self.assertEqual([float(x) for x in editor.text().split(",")], list(value))
+        support.panel().reject()
+
+    def test_words_and_ranges_are_the_kernels(self):
+        from freecad.burin_wb import kernel
+
+        options = {row["name"]: row for row in kernel.module().catalogues()["options"]}
+        self.open()
+        hidden = child(QtGui.QComboBox, "hidden")
+        self.assertEqual([hidden.itemData(k).lower() for k in range(hidden.count())], options["hidden"]["words"])
+        angle = child(QtGui.QWidget, "angle")
+        self.assertEqual((angle.property("minimum"), angle.property("maximum")),
+                         (options["perspective"]["low"], options["perspective"]["high"]))
+        style = child(QtGui.QComboBox, "style")
+        self.assertEqual([style.itemData(k) for k in range(style.count())], list(kernel.module().styles()))
+        support.panel().reject()
+
     def test_a_value_that_is_the_style_s_own_is_no_change(self):
         Gui.runCommand("Burin_Style")
         box = child(QtGui.QDoubleSpinBox, "line.outer")

@@ -2,6 +2,10 @@
 
 from collections import namedtuple
 
+from ..offers import kept
+
+_OPTIONS = kept()["options"]
+
 # kind: the App::Property type; value: the default, for enumerations the list (first = default).
 Row = namedtuple("Row", "name kind group value text")
 
@@ -18,18 +22,18 @@ ILLUSTRATION = (
     Row("Projection", "App::PropertyEnumeration", "View", ["Orthographic", "Perspective"],
         "Parallel, or with vanishing points"),
     Row("FieldOfView", "App::PropertyAngle", "View", 35.0,
-        "Perspective: vertical field of view (1 to 170 degrees)"),
+        "Perspective: vertical field of view ({low:g} to {high:g} degrees)".format(**_OPTIONS["perspective"])),
     Row("Width", "App::PropertyLength", "Sheet", 180.0, "Width of the drawing on paper"),
     Row("Height", "App::PropertyLength", "Sheet", 130.0, "Height of the drawing on paper"),
     Row("Margin", "App::PropertyLength", "Sheet", 2.0, "Kept free on each side"),
     Row("FitScale", "App::PropertyBool", "Sheet", True,
         "Scale so that the drawing fills the sheet; otherwise Scale holds"),
     Row("Scale", "App::PropertyFloat", "Sheet", 1.0, "Millimetres of paper for a millimetre of the model"),
-    Row("Style", "App::PropertyString", "Style", "technical", "A built-in style, or the path of a style file"),
+    Row("Style", "App::PropertyString", "Style", _OPTIONS["style"]["default"], "A built-in style, or the path of a style file"),
     Row("StyleKeys", "App::PropertyMap", "Style", {}, "Keys of the style that differ, such as line.outer = 0.5"),
     Row("Light", "App::PropertyVector", "Style", (-0.5, 0.65, 0.6),
         "From the model to the light: right, up, to the viewer"),
-    Row("HiddenLines", "App::PropertyEnumeration", "Style", ["None", "Dashed"],
+    Row("HiddenLines", "App::PropertyEnumeration", "Style", [word.capitalize() for word in _OPTIONS["hidden"]["words"]],
         "Hidden feature lines: left out or dashed"),
     Row("Seed", "App::PropertyInteger", "Style", 1, "Seed of all that is left to chance"),
     Row("Tolerance", "App::PropertyLength", "Style", 0.0,

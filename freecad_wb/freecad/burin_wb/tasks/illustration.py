@@ -6,7 +6,7 @@ from PySide import QtCore, QtGui
 from ..features.eye import set_view, standard, standards
 from ..features.looks import FLAGS, flags_of, style_of, with_flag, with_style
 from ..features.sources import survey
-from ..offers import title
+from ..offers import kept, title
 from ..text import tr
 from ..view.camera import camera_of
 from . import widgets
@@ -36,8 +36,10 @@ class IllustrationPanel(Panel):
         self.projection = widgets.choice(
             ["Orthographic", "Perspective"], self.obj.Projection, tr("Parallel, or with vanishing points"),
             self._project, "projection", [tr("Parallel"), tr("Perspective")])
-        self.angle = widgets.quantity(self.obj.FieldOfView.Value, "deg", tr("Vertical field of view, 1 to 170 degrees"),
-                                      lambda v: self.change("FieldOfView", v), "angle", 1.0, 170.0)
+        low, high = (kept()["options"]["perspective"][end] for end in ("low", "high"))
+        self.angle = widgets.quantity(self.obj.FieldOfView.Value, "deg",
+                                      tr("Vertical field of view, {0:g} to {1:g} degrees").format(low, high),
+                                      lambda v: self.change("FieldOfView", v), "angle", low, high)
         self.angle.setEnabled(self.obj.Projection == "Perspective")
         row = QtGui.QHBoxLayout()
         row.addWidget(self.projection)

@@ -17,10 +17,10 @@ def keys():
     return [row for row in burin.style_keys() if row["key"].partition(".")[0] not in burin.formats()]
 
 
-def text_of(value):
-    """A value as the property StyleKeys keeps it."""
+def text_of(value, words=("false", "true")):
+    """A value as the property StyleKeys keeps it. `words`: what a flag's values are called."""
     if isinstance(value, bool):
-        return "true" if value else "false"
+        return words[value]
     if isinstance(value, (list, tuple)):
         return ",".join(f"{v:g}" for v in value)
     return f"{value:g}" if isinstance(value, float) else str(value)
@@ -62,7 +62,9 @@ class StylePanel(Panel):
         self.tree.setHeaderLabels([tr("Key"), tr("Value")])
         self.tree.setMinimumHeight(260)
         self.tree.setIndentation(12)
-        self.tree.setColumnWidth(0, 120)
+        self.tree.header().setStretchLastSection(False)
+        self.tree.header().setSectionResizeMode(1, QtGui.QHeaderView.Stretch)
+        self.tree.setColumnWidth(0, 104)
         self.column.addWidget(self.tree, 1)
         self._fill_keys()
 
@@ -70,9 +72,10 @@ class StylePanel(Panel):
         """All keys with an editor each. Throws errors.KernelMissing."""
         self.tree.clear()
         self.editors, self.items, heads = {}, {}, {}
-        self.values = self._values_of_base()
+        rows = keys()
+        self.values = self._values_of_base(rows)
         changed = dict(self.obj.StyleKeys)
-        for row in keys():
+        for row in rows:
             head, _, name = row["key"].partition(".")
             if head not in heads:
                 heads[head] = QtGui.QTreeWidgetItem(self.tree, [tr(head)])
@@ -87,21 +90,23 @@ class StylePanel(Panel):
             self.editors[row["key"]], self.items[row["key"]] = editor, item
             self._mark(row["key"])
 
-    def _values_of_base(self):
+    def _values_of_base(self, rows):
         try:
-            return {k: text_of(v) for k, v in kernel.module().style(self.obj.Style).items()}
+            values = kernel.module().style(self.obj.Style)
+            return {row["key"]: text_of(values[row["key"]], row.get("words")) for row in rows}
         except kernel.module().Error as error:
             QtCore.QTimer.singleShot(0, lambda text=str(error): self.message.setText(text))
             return {}
 
     def _editor(self, row, value, tip):
         key, kind = row["key"], row["kind"]
-        if kind == "flag" and row["words"] == ["false", "true"]:
-            return widgets.check(value == "true", "", tip, lambda on: self._set(key, "true" if on else "false"), key)
+        if kind == "flag":
+            off, on = row["words"]
+            return widgets.check(value == on, "", tip, lambda checked: self._set(key, on if checked else off), key)
         if kind == "number":
             return widgets.number(float(value), tip, lambda v: self._set(key, f"{v:.6g}"), key, row["low"],
-                                  row["high"], 3, _step(float(value)))
-        if kind in ("flag", "word"):
+                                  row["high"], 3, _step(float(value)), row["unit"])
+        if kind == "word":
             return widgets.choice(row["words"], value, tip, lambda v: self._set(key, v), key)
         line = QtGui.QLineEdit(value)
         line.setObjectName(key)

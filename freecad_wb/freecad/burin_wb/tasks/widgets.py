@@ -38,8 +38,10 @@ def quantity(value, unit, tip, changed, name, least=0.0, most=1e6):
     return still(box)
 
 
-def number(value, tip, changed, name, least, most, decimals=3, step=0.1):
+def number(value, tip, changed, name, least, most, decimals=3, step=0.1, unit=""):
     box = QtGui.QDoubleSpinBox()
+    if unit:
+        box.setSuffix("°" if unit == "degrees" else " " + unit)
     box.setObjectName(name)
     box.setDecimals(decimals)
     box.setRange(least, most)

@@ -232,8 +232,8 @@
       <translation>Wert</translation>
     </message>
     <message>
-      <source>Vertical field of view, 1 to 170 degrees</source>
-      <translation>Senkrechter Bildwinkel, 1 bis 170 Grad</translation>
+      <source>Vertical field of view, {0:g} to {1:g} degrees</source>
+      <translation>Senkrechter Bildwinkel, {0:g} bis {1:g} Grad</translation>
     </message>
     <message>
       <source>View</source>
