@@ -41,7 +41,7 @@ std::vector<ReadRow> file_rows() {
           check_openscad_defines(a.texts);
           o.defines = a.texts;
         }},
-       kOpenscadFiles,
+       OpenscadFiles,
        "OpenSCAD files"},
       {{{.option = {.name = "openscad_timeout",
                     .meaning = "end OpenSCAD after so long (default 300)",
@@ -50,7 +50,7 @@ std::vector<ReadRow> file_rows() {
          .group = kFiles,
          .label = "SECONDS"},
         number_to([](ReadOptions& o) -> double& { return o.openscad_timeout; })},
-       kOpenscadFiles,
+       OpenscadFiles,
        "OpenSCAD files"},
       {{{.option =
              {.name = "object",
@@ -63,14 +63,14 @@ std::vector<ReadRow> file_rows() {
          .many = true,
          .python = "str | Sequence[str]"},
         [](ReadOptions& o, const Asked& a) { o.objects = a.texts; }},
-       kFreecadFiles,
+       FreecadFiles,
        "FreeCAD documents"},
       {{{.option = {.name = "recompute",
                     .meaning = "let FreeCAD recompute the document first (the file stays as it is)",
                     .takes = Switch{}},
          .group = kFiles},
         [](ReadOptions& o, const Asked& a) { o.recompute = std::get<bool>(a.value); }},
-       kFreecadFiles,
+       FreecadFiles,
        "FreeCAD documents"},
       {{{.option = {.name = "freecad_timeout",
                     .meaning = "end FreeCAD after so long (default 300)",
@@ -79,7 +79,7 @@ std::vector<ReadRow> file_rows() {
          .group = kFiles,
          .label = "SECONDS"},
         number_to([](ReadOptions& o) -> double& { return o.freecad_timeout; })},
-       kFreecadFiles,
+       FreecadFiles,
        "FreeCAD documents that are recomputed"},
       {{{.option =
              {.name = "heal",
@@ -90,7 +90,7 @@ std::vector<ReadRow> file_rows() {
          .group = kLook,
          .negated = "draw facets as they are"},
         [](ReadOptions& o, const Asked& a) { o.heal = std::get<bool>(a.value); }},
-       kMeshes | kOpenscadFiles,
+       Meshes | OpenscadFiles,
        "meshes and OpenSCAD files"},
   };
 }
@@ -107,7 +107,7 @@ std::vector<ReadRow> level_rows() {
          .label = "X0,..,Z1",
          .python = "Sequence[float]"},
         [](ReadOptions& o, const Asked& a) { o.bounds = box_option(a.spelled, a.text()); }},
-       kFunctions | kVolumes | kSplines,
+       Functions | Volumes | Splines,
        "functions, volumes and trivariate splines"},
       {{{.option = {.name = "mesher",
                     .meaning =
@@ -120,7 +120,7 @@ std::vector<ReadRow> level_rows() {
           o.mesher = static_cast<Mesher>(std::get<std::uint64_t>(a.value));
           o.volume.mesher = o.mesher;
         }},
-       kFunctions | kVolumes,
+       Functions | Volumes,
        "functions and volumes"},
       {{{.option =
              {.name = "iso",
@@ -132,7 +132,7 @@ std::vector<ReadRow> level_rows() {
          .group = kData,
          .label = "LEVEL"},
         [](ReadOptions& o, const Asked& a) { o.volume.level = std::get<double>(a.value); }},
-       kVolumes | kSplines,
+       Volumes | Splines,
        "volumes and trivariate splines"},
       {{{.option = {.name = "inside",
                     .meaning = "values that are inside (default above; trivariate splines: below)",
@@ -142,7 +142,7 @@ std::vector<ReadRow> level_rows() {
         [](ReadOptions& o, const Asked& a) {
           o.volume.inside_above = std::get<std::uint64_t>(a.value) == 0;
         }},
-       kVolumes | kSplines,
+       Volumes | Splines,
        "volumes and trivariate splines"},
   };
 }
@@ -158,7 +158,7 @@ std::vector<ReadRow> volume_rows() {
          .group = kData,
          .label = "SAMPLES"},
         number_to([](ReadOptions& o) -> double& { return o.volume.smoothing; })},
-       kVolumes,
+       Volumes,
        "volumes"},
       {{{.option =
              {.name = "specks",
@@ -170,7 +170,7 @@ std::vector<ReadRow> volume_rows() {
          .group = kData,
          .label = "SHARE"},
         number_to([](ReadOptions& o) -> double& { return o.volume.smallest_part; })},
-       kVolumes,
+       Volumes,
        "volumes"},
       {{{.option = {.name = "volume_degree",
                     .meaning = "degree of the spline of a volume (default 3)",
@@ -181,7 +181,7 @@ std::vector<ReadRow> volume_rows() {
         [](ReadOptions& o, const Asked& a) {
           o.volume.degree = static_cast<int>(std::get<std::uint64_t>(a.value));
         }},
-       kVolumes,
+       Volumes,
        "volumes"},
       {{{.option = {.name = "interpolate",
                     .meaning =
@@ -190,7 +190,7 @@ std::vector<ReadRow> volume_rows() {
                     .takes = Switch{}},
          .group = kData},
         [](ReadOptions& o, const Asked& a) { o.volume.interpolate = std::get<bool>(a.value); }},
-       kVolumes,
+       Volumes,
        "volumes"},
       {{{.option = {.name = "raw",
                     .meaning =
@@ -200,7 +200,7 @@ std::vector<ReadRow> volume_rows() {
          .group = kData,
          .label = "NXxNYxNZ[..]"},
         [](ReadOptions& o, const Asked& a) { o.volume.raw = parse_raw_layout(a.text()); }},
-       kVolumes,
+       Volumes,
        "files of raw samples, whose format nothing else tells"},
       {{{.option = {.name = "raw_skip",
                     .meaning = "bytes before the first sample of a raw file (default 0)",
@@ -215,7 +215,7 @@ std::vector<ReadRow> volume_rows() {
           }
           o.volume.raw->skip = static_cast<std::int64_t>(std::get<std::uint64_t>(a.value));
         }},
-       kVolumes,
+       Volumes,
        "files of raw samples"},
   };
 }

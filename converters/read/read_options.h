@@ -9,13 +9,13 @@ namespace burin::detail {
 
 /// Families of formats, as bits.
 enum Family : unsigned {
-  kMeshes = 1,
-  kCadFiles = 2,
-  kSplines = 4,
-  kFunctions = 8,
-  kOpenscadFiles = 16,
-  kFreecadFiles = 32,
-  kVolumes = 64,
+  Meshes = 1,
+  CadFiles = 2,
+  Splines = 4,
+  Functions = 8,
+  OpenscadFiles = 16,
+  FreecadFiles = 32,
+  Volumes = 64,
 };
 
 /// A row with who looks at it: `families` are those that do, `purpose` says so in a sentence.

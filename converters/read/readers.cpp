@@ -28,7 +28,7 @@ constexpr Reader kMesh{
       return scene;
     },
     [](const Path& path, const ReadOptions&, RunContext& c) { return inspect_mesh(path, c); },
-    kMeshes};
+    Meshes};
 
 constexpr Reader kCad{
     "STEP, IGES, BREP",
@@ -36,7 +36,7 @@ constexpr Reader kCad{
     is_cad_suffix,
     [](const Path& path, const ReadOptions&, RunContext& c) { return read_cad(path, c); },
     [](const Path& path, const ReadOptions&, RunContext& c) { return inspect_cad(path, c); },
-    kCadFiles};
+    CadFiles};
 
 IritReadOptions irit_options(const ReadOptions& o) {
   return {o.volume.level.value_or(0), o.volume.inside_above.value_or(false), o.bounds};
@@ -51,7 +51,7 @@ constexpr Reader kIrit{"ITD, IRT, BEZ, BBP",
                        [](const Path& path, const ReadOptions& o, RunContext& c) {
                          return inspect_irit(path, c, irit_options(o));
                        },
-                       kSplines};
+                       Splines};
 
 constexpr Reader kImplicit{"IMPLICIT",
                            nullptr,
@@ -62,7 +62,7 @@ constexpr Reader kImplicit{"IMPLICIT",
                            [](const Path& path, const ReadOptions& o, RunContext& c) {
                              return inspect_implicit(path, {o.bounds, {o.mesher}}, c);
                            },
-                           kFunctions};
+                           Functions};
 
 OpenscadOptions openscad_options(const ReadOptions& o) { return {o.defines, o.openscad_timeout}; }
 
@@ -77,7 +77,7 @@ constexpr Reader kOpenscad{"OpenSCAD",
                            [](const Path& path, const ReadOptions& o, RunContext& c) {
                              return inspect_openscad(path, openscad_options(o), c);
                            },
-                           kOpenscadFiles};
+                           OpenscadFiles};
 
 FcstdOptions fcstd_options(const ReadOptions& o) {
   return {o.objects, o.recompute, o.freecad_timeout};
@@ -92,7 +92,7 @@ constexpr Reader kFcstd{"FreeCAD",
                         [](const Path& path, const ReadOptions& o, RunContext& c) {
                           return inspect_fcstd(path, fcstd_options(o), c);
                         },
-                        kFreecadFiles};
+                        FreecadFiles};
 
 constexpr Reader kVolume{"NRRD, MHA, MHD, INR, NII, VTI, RAW",
                          is_volume_content,
@@ -103,7 +103,7 @@ constexpr Reader kVolume{"NRRD, MHA, MHD, INR, NII, VTI, RAW",
                          [](const Path& path, const ReadOptions& o, RunContext& c) {
                            return inspect_volume(path, o.volume, o.bounds, c);
                          },
-                         kVolumes};
+                         Volumes};
 
 constexpr std::array kReaders{kCad, kIrit, kImplicit, kOpenscad, kFcstd, kVolume, kMesh};
 

@@ -23,7 +23,7 @@ bool met(std::string_view name, const ReadOptions& options, const std::string& p
     const std::string suffix = std::filesystem::path(path).extension().string();
     return suffix == ".raw" || &reader_of(path, without) != &reader;
   }
-  if (reader.family != kSplines) return true;
+  if (reader.family != Splines) return true;
   // Files of spline patches may have trivariate ones among them.
   return std::any_of(scene.parts.begin(), scene.parts.end(), [&](const Part& part) {
     return part.source == path && dynamic_cast<const ImplicitForm*>(part.form.get()) != nullptr;

@@ -1,13 +1,12 @@
 #pragma once
 /// Runs the real command, as a user does.
 
+#include <burin_test/folder.h>
 #include <fcntl.h>
 #include <spawn.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
-
-#include <burin_test/folder.h>
 
 #include <chrono>
 #include <csignal>

@@ -1,8 +1,7 @@
 #pragma once
 /// Folders and files for one test that go with it.
 
-#include <stdlib.h>
-
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -23,7 +22,8 @@ class Folder {
  public:
   Folder() {
     std::string name = (std::filesystem::temp_directory_path() / "burin-test-XXXXXX").string();
-    if (::mkdtemp(name.data()) == nullptr) throw std::runtime_error("no folder can be made: " + name);
+    if (::mkdtemp(name.data()) == nullptr)
+      throw std::runtime_error("no folder can be made: " + name);
     path_ = name;
   }
   ~Folder() {

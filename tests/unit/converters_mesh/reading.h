@@ -4,8 +4,8 @@
 #include <burin/base/error.h>
 #include <burin/converters/mesh_reader.h>
 
-#include <burin_test/mesh_checks.h>
 #include <burin_test/folder.h>
+#include <burin_test/mesh_checks.h>
 #include <burin_test/mesh_files.h>
 #include <burin_test/shapes.h>
 #include <gtest/gtest.h>

@@ -85,8 +85,8 @@ void apply(const std::vector<RequestRow<T>>& rows, const Request& request, Spell
   }
 }
 
-/// As `to_json` of an option, with "group", "label", "default", "choices", "many", "letter", "negated" and
-/// "python".
+/// As `to_json` of an option, with "group", "label", "default", "choices", "many", "letter",
+/// "negated" and "python".
 std::string request_to_json(const RequestOption& option);
 
 }  // namespace burin

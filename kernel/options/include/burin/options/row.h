@@ -26,33 +26,35 @@ struct OptionRow : Option {
 namespace options {
 
 template <class T>
-OptionRow<T> number(std::string name, double T::*member, NumberRange range, std::string meaning,
-                    std::string at_most = {}) {
-  return {{std::move(name), std::move(meaning), std::move(range)},
+OptionRow<T> number(const std::string& name, double T::*member, const NumberRange& range,
+                    const std::string& meaning, const std::string& at_most = {}) {
+  return {{name, meaning, range},
           [member](const T& s) { return OptionValue(s.*member); },
           [member](T& s, const OptionValue& v) { s.*member = std::get<double>(v); },
-          std::move(at_most)};
+          at_most};
 }
 
 template <class T>
-OptionRow<T> flag(std::string name, bool T::*member, std::string meaning, Switch words = {}) {
-  return {{std::move(name), std::move(meaning), std::move(words)},
+OptionRow<T> flag(const std::string& name, bool T::*member, const std::string& meaning,
+                  const Switch& words = {}) {
+  return {{name, meaning, words},
           [member](const T& s) { return OptionValue(s.*member); },
           [member](T& s, const OptionValue& v) { s.*member = std::get<bool>(v); }};
 }
 
 template <class T>
-OptionRow<T> direction(std::string name, Vec3 T::*member, std::string meaning) {
-  return {{std::move(name), std::move(meaning), Direction{}},
+OptionRow<T> direction(const std::string& name, Vec3 T::*member, const std::string& meaning) {
+  return {{name, meaning, Direction{}},
           [member](const T& s) { return OptionValue(s.*member); },
           [member](T& s, const OptionValue& v) { s.*member = std::get<Vec3>(v); }};
 }
 
 /// `words` name the values of the enumeration from 0 on.
 template <class T, class E>
-requires std::is_enum_v<E> OptionRow<T> word(std::string name, E T::*member,
-                                             std::vector<std::string> words, std::string meaning) {
-  return {{std::move(name), std::move(meaning), WordList{std::move(words)}},
+requires std::is_enum_v<E> OptionRow<T> word(const std::string& name, E T::*member,
+                                             const std::vector<std::string>& words,
+                                             const std::string& meaning) {
+  return {{name, meaning, WordList{words}},
           [member](const T& s) { return OptionValue(static_cast<std::uint64_t>(s.*member)); },
           [member](T& s, const OptionValue& v) {
             s.*member = static_cast<E>(std::get<std::uint64_t>(v));
@@ -62,9 +64,9 @@ requires std::is_enum_v<E> OptionRow<T> word(std::string name, E T::*member,
 /// The word itself is kept: names of rows of a catalogue. One that is none of them is told by
 /// `first_fault`.
 template <class T>
-OptionRow<T> word(std::string name, std::string T::*member, std::vector<std::string> words,
-                  std::string meaning) {
-  return {{std::move(name), std::move(meaning), WordList{words}},
+OptionRow<T> word(const std::string& name, std::string T::*member,
+                  const std::vector<std::string>& words, const std::string& meaning) {
+  return {{name, meaning, WordList{words}},
           [member, words](const T& s) {
             const auto at = std::find(words.begin(), words.end(), s.*member);
             return at == words.end() ? OptionValue(s.*member)
