@@ -112,7 +112,7 @@ std::string style_to_json(const Style& style);
 
 /// Sets one dotted key from text: a number, "true" or "false", a word of a list, or a vector
 /// "x,y,z". Throws UsageError that names the nearest known key, or what the key takes.
-void set_style_key(Style& style, std::string_view key, std::string_view value);
+void set_style_key(Style& style, std::string_view key, std::string_view text);
 
 /// Tests what is not known of a style that no text made: that each member is something that its key
 /// takes; and what no single key can: that each "_min" is at most its "_max". Throws UsageError.
