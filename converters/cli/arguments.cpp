@@ -108,16 +108,6 @@ void add_request(CLI::App& app, const RequestOption& option, Request& request) {
   }
 }
 
-void add_requests(CLI::App& app, const std::vector<RequestOption>& options, Request& request) {
-  for (const RequestOption& option : options) add_request(app, option, request);
-}
-
-std::vector<RequestOption> reading() {
-  std::vector<RequestOption> options;
-  for (const auto& row : read_option_rows()) options.push_back(row.about);
-  return options;
-}
-
 void add_chatter(CLI::App& app, Chatter& chatter) {
   app.add_flag("--quiet,-q", chatter.quiet, "print nothing but errors")->group(kRun);
   app.add_flag("--verbose,-v", chatter.verbose, "print the time of each stage")->group(kRun);
@@ -141,7 +131,7 @@ CLI::App* add_draw(CLI::App& app, DrawArguments& a, Chatter& chatter) {
       ->group(kFiles);
   list(*draw, "-o,--output", a.outputs, "FILE", kFiles, output_help("drawing"));
   text(*draw, "--format", a.format, "FORMAT", kFiles, format_help());
-  add_requests(*draw, all_options(), a.request.options);
+  for (const RequestOption& option : all_options()) add_request(*draw, option, a.request.options);
   add_chatter(*draw, chatter);
   draw->footer(
       "\nExamples:\n"
@@ -160,11 +150,11 @@ CLI::App* add_convert(CLI::App& app, ConvertArguments& a, Chatter& chatter) {
        "drawing file (.json) of burin draw or of another program");
   list(*convert, "-o,--output", a.outputs, "FILE", kFiles, output_help("file"));
   text(*convert, "--format", a.format, "FORMAT", kFiles, format_help());
-  add_request(*convert, find_option("id_prefix"), a.options);
+  add_request(*convert, find_option(all_options(), "id_prefix"), a.options);
   list(*convert, "--set", a.set, "KEY=VALUE", kLook,
        "change a key of a format (svg. png. dxf. json. line.dash\n"
        "line.gap); repeatable; see burin styles --keys");
-  add_request(*convert, find_option("threads"), a.options);
+  add_request(*convert, find_option(all_options(), "threads"), a.options);
   add_chatter(*convert, chatter);
   convert->footer(
       "\nExamples:\n"
@@ -178,7 +168,7 @@ CLI::App* add_info(CLI::App& app, InfoArguments& a) {
   CLI::App* info =
       app.add_subcommand("info", "tell what model files hold, and what is wrong with them");
   info->add_option("INPUT", a.inputs, "model files")->type_name("")->group(kFiles);
-  for (const RequestOption& option : reading()) {
+  for (const RequestOption& option : described(read_option_rows())) {
     // How facets are drawn is nothing that a file holds.
     if (option.group != kLook) add_request(*info, option, a.read);
   }

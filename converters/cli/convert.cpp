@@ -16,12 +16,8 @@ namespace {
 Style make_style(const std::vector<std::string>& assignments) {
   Style style = builtin_style("technical");
   for (const std::string& text : assignments) {
-    const std::size_t equals = text.find('=');
-    if (equals == std::string::npos) {
-      throw UsageError(fmt::format("option --set takes KEY=VALUE, not '{}'", text));
-    }
-    const std::string key = text.substr(0, equals);
-    set_style_key(style, key, text.substr(equals + 1));
+    const auto [key, value] = parted_assignment(text);
+    set_style_key(style, key, value);
     if (is_about_files(key)) continue;
     throw UsageError(
         fmt::format("style key '{}' shapes a drawing, not its file; give it to burin draw (convert "
@@ -35,7 +31,8 @@ Style make_style(const std::vector<std::string>& assignments) {
 /// That of an option that was given; else `absent`.
 template <class T>
 T asked(const ConvertArguments& a, const std::string& name, T absent) {
-  const auto value = asked_value(find_option(name), a.options, spelled(name, Spelling::Options));
+  const auto value =
+      asked_value(find_option(all_options(), name), a.options, spelled(name, Spelling::Options));
   return value ? std::get<T>(*value) : absent;
 }
 

@@ -23,9 +23,8 @@ bool is_file(const std::string& name) {
 
 std::vector<std::string> sources_of(const DrawArguments& a) {
   std::vector<std::string> sources = a.inputs;
-  const auto style = a.request.options.find("style");
-  if (style == a.request.options.end()) return sources;
-  if (is_file(style->second.back())) sources.push_back(style->second.back());
+  const std::vector<std::string>& style = given_texts(a.request.options, "style");
+  if (!style.empty() && is_file(style.back())) sources.push_back(style.back());
   return sources;
 }
 
@@ -44,11 +43,8 @@ void note_unwritten(const DrawArguments& arguments, const std::vector<Output>& o
     plan.notes.add(Severity::Warning, "option.unused", 1,
                    fmt::format("{} has no effect: no output is .{}", what, name_of(format)));
   };
-  const auto set = arguments.request.options.find("set");
-  const std::vector<std::string> none;
-  for (const std::string& assignment :
-       set == arguments.request.options.end() ? none : set->second) {
-    const std::string key = assignment.substr(0, assignment.find('='));
+  for (const std::string& assignment : given_texts(arguments.request.options, "set")) {
+    const std::string key = parted_assignment(assignment).first;
     const auto format = only_format_of(key);
     if (format && !written(*format)) note("style key " + key, *format);
   }

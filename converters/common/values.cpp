@@ -1,6 +1,7 @@
 #include <burin/base/ascii.h>
 #include <burin/base/error.h>
 #include <burin/converters/values.h>
+#include <burin/options/request.h>
 
 #include <fmt/format.h>
 
@@ -38,24 +39,19 @@ bool parse_list(std::string_view rest, std::span<double> out) {
   return true;
 }
 
-[[noreturn]] void refuse(const std::string& option, const char* what, const std::string& text) {
-  const char* kind = option.starts_with("--") ? "option" : "argument";
-  throw UsageError(fmt::format("{} {} takes {}, not '{}'", kind, option, what, text));
-}
-
 }  // namespace
 
 std::uint64_t whole_option(const std::string& option, const std::string& text, std::uint64_t low,
                            std::uint64_t high, const char* what) {
   const auto n = parse<std::uint64_t>(text);
-  if (!n || *n < low || *n > high) refuse(option, what, text);
+  if (!n || *n < low || *n > high) refuse_value(option, what, text);
   return *n;
 }
 
 std::optional<Vec3> point_option(const std::string& option, const std::string& text) {
   if (text.empty()) return {};
   double v[3];
-  if (!parse_list(text, v)) refuse(option, "a point X,Y,Z", text);
+  if (!parse_list(text, v)) refuse_value(option, "a point X,Y,Z", text);
   return Vec3(v[0], v[1], v[2]);
 }
 
@@ -63,10 +59,10 @@ std::optional<Box3> box_option(const std::string& option, const std::string& tex
   constexpr const char* kWhat = "a box x0,y0,z0,x1,y1,z1 with each minimum below its maximum";
   if (text.empty()) return {};
   double v[6];
-  if (!parse_list(text, v)) refuse(option, kWhat, text);
+  if (!parse_list(text, v)) refuse_value(option, kWhat, text);
   const Box3 box{{v[0], v[1], v[2]}, {v[3], v[4], v[5]}};
   for (int i = 0; i < 3; ++i) {
-    if (!(box.min[i] < box.max[i])) refuse(option, kWhat, text);
+    if (!(box.min[i] < box.max[i])) refuse_value(option, kWhat, text);
   }
   return box;
 }
@@ -82,7 +78,7 @@ std::optional<double> scale_option(const std::string& option, const std::string&
     x = x && y ? std::optional(*x / *y) : std::nullopt;
   }
   if (!x || !(*x >= low && *x <= high))
-    refuse(option, "a number over 0, or a ratio like 1:2", text);
+    refuse_value(option, "a number over 0, or a ratio like 1:2", text);
   return x;
 }
 
@@ -96,7 +92,7 @@ std::optional<Margin> margin_option(const std::string& option, const std::string
     if (all && *all >= 0 && *all <= most) return Margin(*all);
     const std::string range =
         fmt::format("0 to {} mm on this paper, or four of them, TOP,RIGHT,BOTTOM,LEFT", most);
-    refuse(option, range.c_str(), text);
+    refuse_value(option, range, text);
   }
   double v[4];
   const bool sane = parse_list(text, v) &&
@@ -106,7 +102,7 @@ std::optional<Margin> margin_option(const std::string& option, const std::string
     const std::string what =
         fmt::format("mm, one number or four, TOP,RIGHT,BOTTOM,LEFT, that leave {} mm of {} x {} mm",
                     kLeast, sheet.x, sheet.y);
-    refuse(option, what.c_str(), text);
+    refuse_value(option, what, text);
   }
   return Margin(v[0], v[1], v[2], v[3]);
 }
@@ -116,7 +112,7 @@ std::string id_prefix_option(const std::string& option, const std::string& text)
   const auto is_later = [&](char c) { return is_first(c) || is_digit(c) || c == '-' || c == '.'; };
   if (!text.empty() &&
       !(is_first(text.front()) && std::all_of(text.begin(), text.end(), is_later))) {
-    refuse(option, "a letter and then letters, digits, - _ and dots", text);
+    refuse_value(option, "a letter and then letters, digits, - _ and dots", text);
   }
   return text;
 }

@@ -79,7 +79,7 @@ DrawingOwner draw(const py::object& source, const py::kwargs& keywords) {
       throw UsageError(
           "arguments about reading (bounds ...) go to Scene.read, not to the scene's draw");
     }
-    add_keyword(request, find_option(name, kCalls), value);
+    add_keyword(request, find_option(all_options(), name, kCalls), value);
   }
   const auto& [field, tone, progress, cancel] = calls;
   DrawPlan plan = make_plan(request, Spelling::Keywords);

@@ -1,8 +1,5 @@
 #include "read.h"
 
-#include <burin/base/error.h>
-#include <burin/base/nearest.h>
-
 #include "style_text.h"
 #include "text.h"
 
@@ -69,17 +66,6 @@ std::string text_of(const RequestOption& about, const py::handle& value) {
   return word(name, value);
 }
 
-const RequestOption& find_read_option(const std::string& name,
-                                      const std::vector<std::string>& others) {
-  std::vector<std::string> names = others;
-  for (const auto& row : read_option_rows()) {
-    if (row.name() == name) return row.about;
-    names.push_back(row.name());
-  }
-  throw UsageError(
-      fmt::format("unknown argument '{}'; the nearest is '{}'", name, nearest(name, names)));
-}
-
 }  // namespace
 
 void add_keyword(DrawRequest& request, const RequestOption& option, const py::handle& value) {
@@ -99,8 +85,9 @@ void add_keyword(DrawRequest& request, const RequestOption& option, const py::ha
 
 ReadOptions read_options(const py::kwargs& keywords, const std::vector<std::string>& others) {
   DrawRequest request;
+  const std::vector<RequestOption> options = described(read_option_rows());
   for (const auto& [key, value] : keywords) {
-    add_keyword(request, find_read_option(key.cast<std::string>(), others), value);
+    add_keyword(request, find_option(options, key.cast<std::string>(), others), value);
   }
   return make_read_options(request.options, Spelling::Keywords);
 }

@@ -254,11 +254,11 @@ ReadOptions make_read_options(const Request& request, Spelling spelling) {
   ReadOptions read;
   apply(read_option_rows(), request, spelling, read);
   for (const auto& row : read_option_rows()) {
-    const auto given = request.find(row.name());
-    if (given == request.end()) continue;
+    const std::vector<std::string>& given = given_texts(request, row.name());
+    if (given.empty()) continue;
     // The switch that turns it off is an option of its own.
-    const bool off = spelling == Spelling::Options && !row.about.negated.empty() &&
-                     given->second.back() == "false";
+    const bool off =
+        spelling == Spelling::Options && !row.about.negated.empty() && given.back() == "false";
     read.given.push_back({row.name(), called(off ? "no_" + row.name() : row.name(), spelling)});
   }
   return read;

@@ -2,7 +2,6 @@
 
 #include <burin/base/ascii.h>
 #include <burin/base/error.h>
-#include <burin/base/nearest.h>
 #include <burin/camera/standards.h>
 #include <burin/converters/values.h>
 
@@ -35,11 +34,8 @@ Style style_of_text(const std::string& text) {
 
 void set_keys(Draft& draft, const Asked& asked) {
   for (const std::string& assignment : asked.texts) {
-    const std::size_t equals = assignment.find('=');
-    if (equals == std::string::npos) {
-      throw UsageError(fmt::format("option --set takes KEY=VALUE, not '{}'", assignment));
-    }
-    set_style_key(draft.plan.style, assignment.substr(0, equals), assignment.substr(equals + 1));
+    const auto [key, value] = parted_assignment(assignment);
+    set_style_key(draft.plan.style, key, value);
   }
 }
 
@@ -254,15 +250,12 @@ const std::vector<RequestRow<Draft>>& draw_rows() {
 
 }  // namespace detail
 
-std::vector<RequestOption> draw_options() {
-  std::vector<RequestOption> options;
-  for (const auto& row : detail::draw_rows()) options.push_back(row.about);
-  return options;
-}
+namespace {
 
-std::vector<RequestOption> all_options() {
-  std::vector<RequestOption> options = draw_options();
-  for (const auto& row : read_option_rows()) options.push_back(row.about);
+std::vector<RequestOption> by_headings() {
+  std::vector<RequestOption> options = described(detail::draw_rows());
+  const std::vector<RequestOption> reading = described(read_option_rows());
+  options.insert(options.end(), reading.begin(), reading.end());
   // Under their headings, each as it came.
   const std::vector<std::string> headings = {"Files", "The look", "The sheet and the view",
                                              "Functions and volumes", "The run"};
@@ -272,15 +265,17 @@ std::vector<RequestOption> all_options() {
   return options;
 }
 
-const RequestOption& find_option(const std::string& name, const std::vector<std::string>& others) {
-  static const std::vector<RequestOption> options = all_options();
-  std::vector<std::string> names = others;
-  for (const RequestOption& option : options) {
-    if (option.option.name == name) return option;
-    names.push_back(option.option.name);
-  }
-  throw UsageError(
-      fmt::format("unknown argument '{}'; the nearest is '{}'", name, nearest(name, names)));
+}  // namespace
+
+const std::vector<RequestOption>& all_options() {
+  static const std::vector<RequestOption> options = by_headings();
+  return options;
+}
+
+std::pair<std::string, std::string> parted_assignment(const std::string& text) {
+  const std::size_t equals = text.find('=');
+  if (equals == std::string::npos) refuse_value("--set", "KEY=VALUE", text);
+  return {text.substr(0, equals), text.substr(equals + 1)};
 }
 
 }  // namespace burin

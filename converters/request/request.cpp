@@ -12,18 +12,13 @@
 namespace burin {
 namespace {
 
-std::vector<std::string> texts_of(const Request& request, const std::string& name) {
-  const auto found = request.find(name);
-  return found == request.end() ? std::vector<std::string>{} : found->second;
-}
-
 /// What the plan asks for that some drawings or styles have no use for.
 void note_unused(const DrawRequest& r, Spelling spelling, const Style& named, DrawPlan& plan) {
   if (r.has("light") && plan.style.tone.light != named.tone.light) {
     plan.about_strokes.push_back(called("light", spelling));
   }
-  for (const std::string& assignment : texts_of(r.options, "set")) {
-    const std::string key = assignment.substr(0, assignment.find('='));
+  for (const std::string& assignment : given_texts(r.options, "set")) {
+    const std::string key = parted_assignment(assignment).first;
     if (key != "hatch.enabled" && (key.starts_with("hatch.") || key.starts_with("tone."))) {
       plan.about_strokes.push_back("style key " + key);
     }

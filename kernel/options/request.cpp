@@ -1,4 +1,5 @@
 #include <burin/base/error.h>
+#include <burin/base/nearest.h>
 #include <burin/options/request.h>
 
 #include <fmt/format.h>
@@ -18,9 +19,32 @@ std::string called(const std::string& name, Spelling spelling) {
   return (spelling == Spelling::Options ? "option " : "argument ") + spelled(name, spelling);
 }
 
+const std::vector<std::string>& given_texts(const Request& request, const std::string& name) {
+  static const std::vector<std::string> none;
+  const auto given = request.find(name);
+  return given == request.end() ? none : given->second;
+}
+
+void refuse_value(const std::string& spelled, std::string_view takes, std::string_view text) {
+  throw UsageError(fmt::format("{} {} takes {}, not '{}'",
+                               spelled.starts_with("--") ? "option" : "argument", spelled, takes,
+                               text));
+}
+
+const RequestOption& find_option(const std::vector<RequestOption>& options, const std::string& name,
+                                 const std::vector<std::string>& others) {
+  std::vector<std::string> names = others;
+  for (const RequestOption& option : options) {
+    if (option.option.name == name) return option;
+    names.push_back(option.option.name);
+  }
+  throw UsageError(
+      fmt::format("unknown argument '{}'; the nearest is '{}'", name, nearest(name, names)));
+}
+
 std::vector<std::string> asked_texts(const RequestOption& option, const Request& request) {
-  const auto given = request.find(option.option.name);
-  if (given != request.end()) return given->second;
+  const std::vector<std::string>& given = given_texts(request, option.option.name);
+  if (!given.empty()) return given;
   if (option.fallback.empty()) return {};
   return {option.fallback};
 }
@@ -30,11 +54,7 @@ std::optional<OptionValue> asked_value(const RequestOption& option, const Reques
   const std::vector<std::string> texts = asked_texts(option, request);
   if (texts.empty()) return std::nullopt;
   auto value = parse_value(option.option, texts.back());
-  if (!value) {
-    throw UsageError(fmt::format("{} {} takes {}, not '{}'",
-                                 spelled.starts_with("--") ? "option" : "argument", spelled,
-                                 takes_text(option.option), texts.back()));
-  }
+  if (!value) refuse_value(spelled, takes_text(option.option), texts.back());
   return value;
 }
 

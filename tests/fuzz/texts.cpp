@@ -46,7 +46,8 @@ void options(std::string_view text) {
     if (equals == std::string::npos) continue;
     const std::string name = line.substr(0, equals);
     if (name == "style") continue;  // that may name a file
-    request.options[find_option(name).option.name].push_back(line.substr(equals + 1));
+    request.options[find_option(all_options(), name).option.name].push_back(
+        line.substr(equals + 1));
   }
   make_plan(request, Spelling::Options);
 }

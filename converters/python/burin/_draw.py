@@ -38,8 +38,7 @@ def _default(option):
         return text
 
 
-def keywords():
-    """Each keyword of `draw`: (name, type as text, default, meaning)."""
+def _keywords():
     for option in catalogues()["options"]:
         default = _default(option)
         kind = option["python"] or _TYPES[option["kind"]]
@@ -48,9 +47,8 @@ def keywords():
         yield name, kind + " | None", None, meaning
 
 
-def manual():
-    """The docstring of `draw`."""
-    return _ABOUT + "\n".join(f"{name}: {meaning}" for name, _, _, meaning in keywords()) + "\n"
+# Each keyword of `draw`: (name, type as text, default, meaning).
+KEYWORDS = tuple(_keywords())
 
 
 def draw(source, **keywords):
@@ -58,11 +56,11 @@ def draw(source, **keywords):
 
 
 draw.__module__ = "burin"
-draw.__doc__ = manual()
+draw.__doc__ = _ABOUT + "\n".join(f"{name}: {meaning}" for name, _, _, meaning in KEYWORDS) + "\n"
 draw.__signature__ = inspect.Signature(
     [inspect.Parameter("source", inspect.Parameter.POSITIONAL_OR_KEYWORD)]
     + [
         inspect.Parameter(name, inspect.Parameter.KEYWORD_ONLY, default=default)
-        for name, _, default, _ in keywords()
+        for name, _, default, _ in KEYWORDS
     ]
 )

@@ -9,6 +9,7 @@
 #include <burin/options/request.h>
 
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace burin {
@@ -20,7 +21,7 @@ struct DrawRequest {
   /// The text of a style file; goes before the option "style".
   std::string style_text;
 
-  bool has(const std::string& name) const { return options.count(name) > 0; }
+  bool has(const std::string& name) const { return !given_texts(options, name).empty(); }
 };
 
 /// Everything but the inputs and outputs themselves.
@@ -51,13 +52,10 @@ Drawing draw(const Scene& scene, const Camera& camera, const DrawPlan& plan, Run
 /// The style of a name or file, with no changes. Throws UsageError, InputError.
 Style load_style(const std::string& name);
 
-/// The options of a drawing and of its run but those about reading, in the order in which they
-/// apply.
-std::vector<RequestOption> draw_options();
-/// Those and the ones about reading, in the order of their headings: all that `make_plan` looks at.
-std::vector<RequestOption> all_options();
-/// The one of that name. Throws UsageError that names the nearest of these and of `others`.
-const RequestOption& find_option(const std::string& name,
-                                 const std::vector<std::string>& others = {});
+/// All that `make_plan` looks at, in the order of their headings.
+const std::vector<RequestOption>& all_options();
+
+/// The key and the value of "KEY=VALUE", as --set takes it. Throws UsageError.
+std::pair<std::string, std::string> parted_assignment(const std::string& text);
 
 }  // namespace burin

@@ -57,12 +57,19 @@ struct RequestRow {
 /// Values by the names of their options, with underscores; no empty lists.
 using Request = std::map<std::string, std::vector<std::string>>;
 
+/// What was given for an option; empty where nothing was.
+const std::vector<std::string>& given_texts(const Request& request, const std::string& name);
+
 /// How errors name an option: "--crease-angle" or "crease_angle".
 enum class Spelling { Options, Keywords };
 
 std::string spelled(std::string name, Spelling spelling);
 /// "option --crease-angle", "argument crease_angle".
 std::string called(const std::string& name, Spelling spelling);
+
+/// Throws UsageError: "option --width takes 1 to 10, not '11'"; a keyword is an argument.
+[[noreturn]] void refuse_value(const std::string& spelled, std::string_view takes,
+                               std::string_view text);
 
 /// What was given for an option, else what holds without; nothing where that is nothing. Throws
 /// UsageError that names the option and says what it takes.
@@ -84,6 +91,18 @@ void apply(const std::vector<RequestRow<T>>& rows, const Request& request, Spell
     if (value) row.set(to, {texts, *value, name});
   }
 }
+
+/// What rows say of their options.
+template <class T>
+std::vector<RequestOption> described(const std::vector<RequestRow<T>>& rows) {
+  std::vector<RequestOption> options;
+  for (const RequestRow<T>& row : rows) options.push_back(row.about);
+  return options;
+}
+
+/// The option of that name. Throws UsageError that names the nearest of these and of `others`.
+const RequestOption& find_option(const std::vector<RequestOption>& options, const std::string& name,
+                                 const std::vector<std::string>& others = {});
 
 /// As `to_json` of an option, with "group", "label", "default", "choices", "many", "letter",
 /// "negated" and "python".
