@@ -1,6 +1,5 @@
 #include <burin/base/error.h>
 #include <burin/converters/request.h>
-#include <burin/forms/mesh/mesh_form.h>
 
 #include "draw_options.h"
 
@@ -23,7 +22,6 @@ void note_unused(const DrawRequest& r, Spelling spelling, const Style& named, Dr
       plan.about_strokes.push_back("style key " + key);
     }
   }
-  if (r.has("tolerance")) plan.about_exact.push_back(called("tolerance", spelling));
   const auto note = [&](const std::string& text) {
     plan.notes.add(Severity::Warning, "option.unused", 1, text);
   };
@@ -46,28 +44,18 @@ bool has_strokes(const DrawPlan& plan) {
                      [](const PartLook& look) { return look.style && look.style->hatch.enabled; });
 }
 
-bool all_facets(const Scene& scene) {
-  return std::all_of(scene.parts.begin(), scene.parts.end(), [](const Part& part) {
-    return dynamic_cast<const MeshForm*>(part.form.get()) != nullptr;
-  });
-}
-
 }  // namespace
 
 Drawing draw(const Scene& scene, const Camera& camera, const DrawPlan& plan, RunContext& context) {
   Drawing drawing = illustrate(scene, camera, plan.style, plan.illustrate, context);
   drawing.diagnostics.append(plan.notes);
-  const auto unused = [&](const std::vector<std::string>& choices, const std::string& why) {
-    for (const std::string& choice : choices) {
-      drawing.diagnostics.add(Severity::Warning, "option.unused", 1,
-                              fmt::format("{} has no effect: {}", choice, why));
-    }
-  };
-  if (!has_strokes(plan)) {
-    unused(plan.about_strokes,
-           fmt::format("style '{}' draws no strokes (hatch.enabled=true does)", plan.style.name));
+  if (has_strokes(plan)) return drawing;
+  for (const std::string& choice : plan.about_strokes) {
+    drawing.diagnostics.add(Severity::Warning, "option.unused", 1,
+                            fmt::format("{} has no effect: style '{}' draws no strokes "
+                                        "(hatch.enabled=true does)",
+                                        choice, plan.style.name));
   }
-  if (all_facets(scene)) unused(plan.about_exact, "all parts are meshes, drawn as they are");
   return drawing;
 }
 

@@ -92,10 +92,8 @@ void follow_surface(const Facing& facing, const std::vector<Chord>& chords, Curv
   for (std::size_t i = 0; i < chords.size(); ++i) {
     const std::size_t j = curve.next(i);
     const Vec3 &p = curve.points[i], &q = curve.points[j];
-    const auto face = static_cast<std::uint32_t>(curve.faces[i]);
-    const auto over = [&](double t) {
-      return facing.on_face(face, glm::mix(chords[i].in, chords[i].out, t));
-    };
+    const RoundedFacet facet = facing.over(static_cast<std::uint32_t>(curve.faces[i]));
+    const auto over = [&](double t) { return facet.at(glm::mix(chords[i].in, chords[i].out, t)); };
     const double bulge =
         glm::distance(over(0.5), glm::mix(p, q, 0.5)) * facing.camera().scale_at(p);
     const auto pieces = static_cast<std::size_t>(

@@ -39,8 +39,8 @@ class Facing {
   ZeroCrossing crossing(HalfEdge h) const;
   /// Triangles with corners of both signs, ascending.
   std::vector<std::uint32_t> mixed_faces(const RunContext& context) const;
-  /// The point of the smooth surface over a place of a triangle; on an edge that of `crossing`.
-  Vec3 on_face(std::uint32_t face, Vec3 bary) const { return surface_.on_face(face, bary); }
+  /// The smooth surface over a triangle; on an edge it passes through `crossing`.
+  RoundedFacet over(std::uint32_t face) const { return surface_.facet(face); }
   /// Unit normal on `h` (in its triangle) at a share of it.
   Vec3 normal(HalfEdge h, double share) const;
 

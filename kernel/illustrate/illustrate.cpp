@@ -55,7 +55,7 @@ void tell_magnified(const Camera& camera, const Surfaces& surfaces, double toler
   const double on_paper = tolerance * camera.scale(), coarser = on_paper / kSheetTolerance;
   constexpr double kRounding = 1e-9;
   if (coarser <= 1 + kRounding) return;
-  // Meshes are drawn as they are.
+  // The facets of meshes are as they are; what rounds them is no finer than this.
   if (std::all_of(surfaces.begin(), surfaces.end(),
                   [](const auto& s) { return s->proxy().tolerance == 0; })) {
     return;
@@ -300,6 +300,7 @@ VerifyOptions verify_options(const Scene& scene, const Camera& camera, const Sty
     verify.parts.push_back(!looks.drawn(i)        ? Standing::Absent
                            : looks.transparent(i) ? Standing::Transparent
                                                   : Standing::Solid);
+    verify.crease_angles.push_back(looks.style(i).feature.crease_angle);
   }
   return verify;
 }

@@ -63,7 +63,7 @@ const char* to_string(Finding finding) {
 }
 
 FineSurfaces fine_surfaces(const Scene& scene, double tolerance, const std::vector<bool>& parts,
-                           RunContext& context) {
+                           const std::vector<double>& crease_angles, RunContext& context) {
   FineSurfaces surfaces;
   for (std::size_t i = 0; i < scene.parts.size(); ++i) {
     surfaces.push_back(nullptr);
@@ -71,6 +71,7 @@ FineSurfaces fine_surfaces(const Scene& scene, double tolerance, const std::vect
     RealiseOptions options;
     options.tolerance = tolerance;
     options.curvature = false;
+    if (i < crease_angles.size()) options.crease_angle = crease_angles[i];
     for (int t = 0; t < kTries && !surfaces.back(); ++t, options.tolerance *= kCoarser) {
       try {
         surfaces.back() = scene.parts[i].form->realise(options, context);

@@ -141,7 +141,7 @@ class Court {
       wanted.push_back(!flagged(options, i, Standing::Absent));
     }
     const double fine = kFiner * std::min(options.tolerance, own);
-    const FineSurfaces all = fine_surfaces(scene, fine, wanted, context);
+    const FineSurfaces all = fine_surfaces(scene, fine, wanted, options.crease_angles, context);
     const double paper = camera.scale() * std::max(options.tolerance, own);
     const RefereeOptions how{.radius = 2 * paper, .slack = paper + kFiner * kSheetTolerance};
     FineSurfaces solid = all;

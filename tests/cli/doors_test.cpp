@@ -140,7 +140,6 @@ TEST_F(Doors, OptionsWithoutEffectAreTold) {
     expect_warning("draw @/box.off " + option,
                    "option " + (name == "-D" ? "--define" : name) + " has no effect on ");
   }
-  expect_warning("draw @/box.off --tolerance 0.1", "all parts are meshes");
   const std::string outline = "draw @/box.off --style outline ";
   expect_warning(outline + "--light 1,0,0", "option --light has no effect");
   expect_warning(outline + "--set hatch.taper=1", "style key hatch.taper has no effect");

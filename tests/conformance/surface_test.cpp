@@ -28,6 +28,21 @@ class SurfaceContract : public testing::TestWithParam<FormCase> {
     return 1e-13 * size_ + 1e-15 * (glm::length(b.min) + glm::length(b.max));
   }
   double near() const { return surface_->proxy().tolerance + rounding(); }
+  /// The box of a mesh is that of its vertices, beyond which coarse facets bulge by up to 0.12 of
+  /// an edge.
+  double most_rounding() {
+    if (!GetParam().name.starts_with("Mesh")) return 0;
+    const auto facets = form_->realise({.tolerance = 1e30, .curvature = false}, context_);
+    const TriMesh& mesh = facets->proxy().mesh;
+    double longest = 0;
+    for (const Triangle& t : mesh.triangles) {
+      for (std::size_t k = 0; k < 3; ++k) {
+        longest =
+            std::max(longest, glm::distance(mesh.positions[t[k]], mesh.positions[t[(k + 1) % 3]]));
+      }
+    }
+    return 0.12 * longest;
+  }
   Vec3 proxy_position(const SurfacePoint& p) const {
     const ProxyPoint at = surface_->to_proxy(p);
     return surface_->proxy().position(at.face, at.bary);
@@ -48,7 +63,7 @@ class SurfaceContract : public testing::TestWithParam<FormCase> {
 TEST_P(SurfaceContract, BoundsHoldTheProxy) {
   for (const Mat3& axes : {Mat3(1), Mat3(0, 1, 0, 0, 0, 1, 1, 0, 0)}) {
     const Box3 b = form_->bounds(axes);
-    const double slack = near();
+    const double slack = near() + most_rounding();
     for (const Vec3& p : surface_->proxy().mesh.positions) {
       const Vec3 q = axes * p;
       for (int i = 0; i < 3; ++i) {

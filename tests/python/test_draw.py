@@ -187,7 +187,6 @@ class NothingSilent(unittest.TestCase):
             ({"tone": lambda p, n: n[:, 0], **outline}, "argument tone has no effect: style 'outline' draws no strokes"),
             ({"light": (1, 0, 0), **outline}, "argument light has no effect"),
             ({"set": {"hatch": {"taper": 1}}, **outline}, "style key hatch.taper has no effect"),
-            ({"tolerance": 0.1, **outline}, "argument tolerance has no effect: all parts are meshes"),
             ({"scale": 1000, **outline}, "what runs off it is cut"),
         ]
         for keywords, message in cases:
@@ -295,7 +294,7 @@ class Result(unittest.TestCase):
     def test_head(self):
         d = self.drawing
         self.assertEqual((d.paper, d.seed, d.style), ((210, 148), 3, "engraving"))
-        self.assertEqual(d.stats["triangles"], 12 * 0 + len(sphere()[1]))
+        self.assertGreaterEqual(d.stats["triangles"], len(sphere()[1]))
         self.assertEqual(d.parts[0]["id"], 0)
         self.assertEqual(d.diagnostics, [])
 

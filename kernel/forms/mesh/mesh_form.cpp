@@ -4,8 +4,37 @@
 #include <burin/mesh/reorder.h>
 
 #include "mesh_surface.h"
+#include "round_facets.h"
 
 namespace burin {
+
+namespace {
+
+/// Triangles that rounding may add: what a sheet full of them could show, some 0.2 mm wide each.
+constexpr std::size_t kMostPieces = 1'500'000;
+
+/// Of the tolerance. Contours run where triangles turn away, which is off by more than their chords
+/// are: with the whole of it twice the length of lines is contradicted by rays.
+constexpr double kShare = 0.5;
+
+void tell_cut_short(Diagnostics& diagnostics) {
+  diagnostics.add(Severity::Warning, "mesh.rounded_coarsely", 1,
+                  "the facets of a mesh stay coarser than the sheet could show: rounding them "
+                  "takes too many triangles; draw a part of the model, or give a finer mesh");
+}
+
+/// The curvature of a mesh at places of it.
+std::vector<Curvature> curvature_at(const MeshSurface& surface,
+                                    const std::vector<ProxyPoint>& places) {
+  std::vector<Curvature> out(places.size());
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    const Frame f = surface.frame(surface.lift(places[i]));
+    out[i] = {f.k1, f.k2, f.d1, f.d2, f.confidence};
+  }
+  return out;
+}
+
+}  // namespace
 
 Box3 MeshForm::bounds(const Mat3& axes) const {
   // GLM stores columns: the rows of `axes` are the columns of its transpose, so v * axes^T = axes
@@ -25,13 +54,18 @@ std::shared_ptr<const Surface> MeshForm::realise(const RealiseOptions& options,
   reorder_for_cache(mesh);
   const ProxyOptions proxy_options{.crease_angle = options.crease_angle};
   ProxyMesh proxy = build_proxy(std::move(mesh), proxy_options, context);
+  auto rounded = round_facets(proxy, kShare * options.tolerance, kMostPieces, context);
+  if (rounded && rounded->cut_short && options.diagnostics) tell_cut_short(*options.diagnostics);
   std::vector<Curvature> curvature;
   if (options.curvature) {
     context.begin_stage("curvature");
     curvature = estimate_curvature(proxy, {}, context);
+    if (rounded) {
+      curvature = curvature_at(MeshSurface(std::move(proxy), curvature), rounded->wedge_origin);
+    }
   }
   context.end_stage();
-  return make_mesh_surface(std::move(proxy), curvature);
+  return make_mesh_surface(rounded ? std::move(rounded->proxy) : std::move(proxy), curvature);
 }
 
 std::shared_ptr<const Surface> make_mesh_surface(ProxyMesh proxy,

@@ -47,7 +47,7 @@ MeshSurface::MeshSurface(ProxyMesh proxy, const std::vector<Curvature>& curvatur
 
 Vec3 MeshSurface::drawn_position(const SurfacePoint& point) const {
   std::call_once(rounding_, [this] { rounded_.emplace(proxy_); });
-  return rounded_->on_face(static_cast<std::uint32_t>(point.chart), point.coords);
+  return rounded_->facet(static_cast<std::uint32_t>(point.chart)).at(point.coords);
 }
 
 Frame MeshSurface::frame(const SurfacePoint& point) const {

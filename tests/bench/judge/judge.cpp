@@ -84,8 +84,8 @@ int run(const std::vector<std::string>& args) {
   const Scene scene = read_cad(args[first], context);
   const nlohmann::json drawing = read_json(args[first + 1]);
   const Camera camera = read_camera(drawing);
-  const Referee referee(fine_surfaces(scene, kTessellation / camera.scale(), {}, context), camera,
-                        {}, context);
+  const Referee referee(fine_surfaces(scene, kTessellation / camera.scale(), {}, {}, context),
+                        camera, {}, context);
   // Seams, and edges that only divide one surface, are no lines of the shape. Each side may take
   // some of them for lines; neither has to draw what the other takes for one.
   const std::vector<Polyline> ours = drawing_lines(drawing, "seam");

@@ -3,14 +3,19 @@
 #include <burin_test/shapes.h>
 #include <gtest/gtest.h>
 
+#include <limits>
+
 namespace burin {
 namespace {
 
 using test::kPi;
 
+// The facets as they are: none is divided.
 std::shared_ptr<const Surface> realise(TriMesh mesh, bool curvature = false) {
   RunContext context;
-  return MeshForm(std::move(mesh)).realise({.curvature = curvature}, context);
+  return MeshForm(std::move(mesh))
+      .realise({.tolerance = std::numeric_limits<double>::infinity(), .curvature = curvature},
+               context);
 }
 
 /// The square [0,n]^2 in the plane z = 0.

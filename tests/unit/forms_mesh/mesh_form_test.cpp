@@ -4,6 +4,9 @@
 #include <burin_test/shapes.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+
 namespace burin {
 namespace {
 
@@ -41,6 +44,84 @@ TEST(MeshForm, ACancelledRunThrows) {
   RunContext context;
   context.cancel();
   EXPECT_THROW(MeshForm(test::torus(3, 1, 40, 20)).realise({}, context), Cancelled);
+}
+
+// How far the middles of the edges and triangles of a proxy lie from where a function says that
+// they should.
+template <class Off>
+double farthest(const ProxyMesh& proxy, Off off) {
+  double most = 0;
+  for (std::uint32_t f = 0; f < proxy.mesh.triangles.size(); ++f) {
+    for (const Vec3 bary :
+         {Vec3(1.0 / 3), Vec3(0.5, 0.5, 0), Vec3(0, 0.5, 0.5), Vec3(0.5, 0, 0.5)}) {
+      most = std::max(most, std::abs(off(proxy.position(f, bary))));
+    }
+  }
+  return most;
+}
+
+TEST(MeshForm, CoarseFacetsFollowTheSurfaceThatTheyStandFor) {
+  RunContext context;
+  const MeshForm ball(test::ellipsoid({20, 20, 20}, 32, 16));
+  const auto off = [](Vec3 p) { return glm::length(p) - 20; };
+  const auto coarse = ball.realise({.tolerance = 1}, context);
+  EXPECT_EQ(coarse->proxy().mesh.triangles.size(), ball.mesh().triangles.size());
+  const double facets = farthest(coarse->proxy(), off);
+  EXPECT_GT(facets, 0.15);
+  std::size_t triangles = ball.mesh().triangles.size();
+  for (const double tolerance : {0.1, 0.05, 0.02}) {
+    const auto fine = ball.realise({.tolerance = tolerance}, context);
+    const ProxyMesh& proxy = fine->proxy();
+    EXPECT_GT(proxy.mesh.triangles.size(), triangles);
+    triangles = proxy.mesh.triangles.size();
+    // The patches themselves lie up to 0.03 mm off.
+    EXPECT_LT(farthest(proxy, off), 1.5 * tolerance + 0.03) << tolerance;
+    EXPECT_TRUE(proxy.closed(0));
+    EXPECT_EQ(proxy.region_count, 1);
+    for (std::size_t w = 0; w < proxy.wedge_normal.size(); ++w) {
+      const Vec3 radial = glm::normalize(proxy.wedge_position(static_cast<std::uint32_t>(w)));
+      EXPECT_GT(glm::dot(proxy.wedge_normal[w], radial), 0.999);
+    }
+    for (const Frame& f : fine->wedge_frames(context)) EXPECT_NEAR(f.k1, 1.0 / 20, 0.01);
+  }
+}
+
+TEST(MeshForm, RoundedFacetsKeepCreasesRegionsAndFlatFaces) {
+  RunContext context;
+  const MeshForm can(test::cylinder(10, 30, 24));
+  const auto coarse = can.realise({.tolerance = 1}, context);
+  const auto fine = can.realise({.tolerance = 0.01}, context);
+  const ProxyMesh &a = coarse->proxy(), &b = fine->proxy();
+  EXPECT_GT(b.mesh.triangles.size(), a.mesh.triangles.size());
+  EXPECT_EQ(b.region_count, 3);
+  EXPECT_EQ(b.region_count, a.region_count);
+  EXPECT_LT(farthest(b,
+                     [](Vec3 p) {
+                       const double r = glm::length(Vec2(p.x, p.y));
+                       return r > 9.5 ? r - 10 : 0;
+                     }),
+            0.02);
+  double rims = 0;
+  for (HalfEdge h = 0; h < static_cast<HalfEdge>(b.edge_kind.size()); ++h) {
+    if (!b.is_crease(h)) continue;
+    EXPECT_EQ(b.edge_kind[static_cast<std::size_t>(h)], EdgeKind::ConvexCrease);
+    rims += glm::distance(b.mesh.positions[origin(b.mesh, h)],
+                          b.mesh.positions[origin(b.mesh, next_in_face(h))]);
+  }
+  EXPECT_NEAR(rims, 2 * 2 * 2 * test::kPi * 10, 0.1);  // two rims, seen from both sides
+  const MeshForm block(test::box({0, 0, 0}, {1, 2, 3}));
+  EXPECT_EQ(block.realise({.tolerance = 1e-6}, context)->proxy().mesh.triangles.size(), 12U);
+}
+
+TEST(MeshForm, SaysWhereRoundingIsCutShort) {
+  RunContext context;
+  Diagnostics diagnostics;
+  const MeshForm ball(test::ellipsoid({20, 20, 20}, 8, 6));
+  ball.realise({.tolerance = 1e-3, .crease_angle = 90, .diagnostics = &diagnostics}, context);
+  EXPECT_TRUE(diagnostics.entries().empty());
+  ball.realise({.tolerance = 1e-9, .crease_angle = 90, .diagnostics = &diagnostics}, context);
+  ASSERT_EQ(diagnostics.entries().size(), 1U);
+  EXPECT_EQ(diagnostics.entries()[0].code, "mesh.rounded_coarsely");
 }
 
 }  // namespace

@@ -200,6 +200,19 @@ TEST(Verify, TheRoundOutlineOfACoarseBallHolds) {
   }
 }
 
+// Whose edges are all creases, so that it is drawn, and judged, as flat facets.
+TEST(Verify, TheFacetsOfACoarseBallHold) {
+  Scene scene;
+  scene.parts.push_back(
+      {"ball", "ball", std::make_shared<MeshForm>(test::ellipsoid({10, 10, 10}, 24, 12))});
+  const Camera camera = camera_of(scene, "iso");
+  Style style = builtin_style("outline");
+  style.feature.crease_angle = 5;
+  const Drawing drawing = drawn(scene, camera, style);
+  EXPECT_GT(drawing.stats.verify->spans, 100);
+  EXPECT_EQ(drawing.stats.verify->count, 0) << drawing.stats.verify->contradicted;
+}
+
 TEST(Verify, TellsWhereTheOuterOutlineIsMissing) {
   const Scene scene = box_and_ball();
   for (const std::optional<double> perspective : {std::optional<double>(), {40.0}}) {

@@ -35,9 +35,9 @@ struct DrawPlan {
   int threads = 0;
   /// What the ids of an SVG begin with.
   std::string id_prefix;
-  /// Options that were given and have no effect on a drawing without strokes, and those that have
-  /// none where every part is a mesh; as messages call them.
-  std::vector<std::string> about_strokes = {}, about_exact = {};
+  /// Options that were given and have no effect on a drawing without strokes, as messages call
+  /// them.
+  std::vector<std::string> about_strokes = {};
   /// Options that were given and have no effect on any drawing.
   Diagnostics notes = {};
 };

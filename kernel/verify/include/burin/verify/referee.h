@@ -18,11 +18,12 @@ namespace burin {
 
 using FineSurfaces = std::vector<std::shared_ptr<const Surface>>;
 
-/// Every part at `tolerance` (chord, model mm), without cuts along any view's contours; meshes are
-/// their own triangles. A part that cannot be tessellated so finely is taken at up to eight times
-/// that, else null. `parts`: one flag a part, which ones; empty = all.
+/// Every part at `tolerance` (chord, model mm), without cuts along any view's contours. A part that
+/// cannot be tessellated so finely is taken at up to eight times that, else null. `parts`: one flag
+/// a part, which ones; empty = all. `crease_angles`: degrees, one a part, from which edges of
+/// meshes are sharp; as RealiseOptions has it for parts beyond the end.
 FineSurfaces fine_surfaces(const Scene& scene, double tolerance, const std::vector<bool>& parts,
-                           RunContext& context);
+                           const std::vector<double>& crease_angles, RunContext& context);
 
 /// What the drawing says of a point of a line, and what speaks against it.
 enum class Finding : std::uint8_t {

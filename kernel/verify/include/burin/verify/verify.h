@@ -24,6 +24,8 @@ struct VerifyOptions {
   double tolerance = 0.05;
   /// One a part, in order; parts beyond its end are solid.
   std::vector<Standing> parts{};
+  /// Degrees from which edges of a mesh were sharp, one a part; empty: as RealiseOptions has it.
+  std::vector<double> crease_angles{};
   /// Whether the outer outline is drawn whole, so that its loose ends are defects.
   bool outline = true;
 };

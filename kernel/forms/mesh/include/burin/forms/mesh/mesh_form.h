@@ -11,14 +11,16 @@
 
 namespace burin {
 
-/// A part given by triangles: charts are triangles, coordinates barycentric, the proxy is the mesh
-/// itself.
+/// A part given by triangles. Its surface is that of its proxy: charts are triangles, coordinates
+/// barycentric. The proxy is the mesh itself where its facets lie within half the tolerance of the
+/// smooth surface that they stand for (RoundedMesh); coarser ones are divided until they do.
 class MeshForm final : public Form {
  public:
   /// Takes a manifold, oriented mesh, as `repair` returns it.
   explicit MeshForm(TriMesh mesh) : mesh_(std::move(mesh)) {}
 
   const TriMesh& mesh() const { return mesh_; }
+  /// Of the vertices: coarse facets, when rounded, bulge beyond it by up to 0.12 of an edge.
   Box3 bounds(const Mat3& axes) const override;
   std::shared_ptr<const Surface> realise(const RealiseOptions& options,
                                          RunContext& context) const override;

@@ -1,0 +1,360 @@
+#include "round_facets.h"
+
+#include <burin/base/parallel.h>
+#include <burin/mesh/rounded_mesh.h>
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <numeric>
+#include <unordered_map>
+#include <utility>
+
+namespace burin {
+
+namespace {
+
+/// Halvings of one edge: a bulge falls to a quarter with each, and RoundedMesh allows none of more
+/// than a seventh of the edge.
+constexpr int kMostPasses = 6;
+constexpr std::size_t kGrain = 4096;
+/// Radians between a patch's normal and that which is linear over the facet: up to the first they
+/// are alike, from the second on not.
+constexpr double kAlike = 0.035, kUnlike = 0.087;
+
+constexpr std::size_t next(std::size_t k) { return (k + 1) % 3; }
+constexpr std::size_t prev(std::size_t k) { return (k + 2) % 3; }
+
+/// A piece of a facet.
+struct Piece {
+  Triangle corners;
+  std::uint32_t facet;
+  std::array<Vec3, 3> bary;
+  bool settled = false;  // all edges are fine enough
+};
+
+Piece whole(const ProxyMesh& coarse, std::uint32_t facet) {
+  return {coarse.mesh.triangles[facet], facet, {Vec3(1, 0, 0), Vec3(0, 1, 0), Vec3(0, 0, 1)}};
+}
+
+/// Model mm by which the surface may leave the longest edge of a facet: an upper bound, cheaply.
+double most_bulge(const ProxyMesh& proxy, std::uint32_t f) {
+  const Triangle& w = proxy.wedges[f];
+  double most = 0;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const std::uint32_t a = w[k], b = w[next(k)];
+    const Vec3 edge = proxy.wedge_position(b) - proxy.wedge_position(a);
+    // A crease may turn in the plane of the facet.
+    if (proxy.is_crease(static_cast<HalfEdge>(3 * f + k))) return glm::length(edge);
+    most = std::max(most, std::abs(glm::dot(proxy.wedge_normal[a], edge)) +
+                              std::abs(glm::dot(proxy.wedge_normal[b], edge)));
+  }
+  return most / 4;  // t (1-t) of the lifts
+}
+
+class Divider {
+ public:
+  /// Of the facets that may be too coarse; an edge of one that is, is that of two of them.
+  Divider(const ProxyMesh& coarse, double tolerance, const RunContext& context)
+      : coarse_(coarse), surface_(coarse), tolerance_(tolerance), context_(context) {
+    for (std::uint32_t f = 0; f < coarse.mesh.triangles.size(); ++f) {
+      if (most_bulge(coarse, f) <= tolerance) continue;
+      pieces_.push_back(whole(coarse, f));
+    }
+    first_pieces_ = pieces_.size();
+  }
+
+  /// Whether anything was divided, and whether it stopped before all was fine enough.
+  bool run(std::size_t most, bool& cut_short) {
+    bool any = false;
+    for (int pass = 0;; ++pass) {
+      const std::vector<std::uint8_t> marks = mark();
+      std::size_t more = 0;
+      for (const std::uint8_t m : marks) more += static_cast<std::size_t>(std::popcount(m));
+      if (more == 0) return any;
+      if (pass == kMostPasses || pieces_.size() + more > first_pieces_ + most) {
+        cut_short = true;
+        return any;
+      }
+      divide(marks, more);
+      any = true;
+    }
+  }
+
+  /// In the order of their facets.
+  const std::vector<Piece>& pieces() const { return pieces_; }
+  /// Those of the mesh, and the ones that were made.
+  std::vector<Vec3> positions() const {
+    std::vector<Vec3> out = coarse_.mesh.positions;
+    out.insert(out.end(), made_.begin(), made_.end());
+    return out;
+  }
+  RoundedFacet facet(std::uint32_t face) const { return surface_.facet(face); }
+
+ private:
+  /// The surface at a share of the k-th edge of a piece; the same bits for both its triangles.
+  Vec3 at(const RoundedFacet& facet, const Piece& piece, std::size_t k, double share) const {
+    std::size_t i = k, j = next(k);
+    if (piece.corners[i] > piece.corners[j]) {
+      std::swap(i, j);
+      share = 1 - share;
+    }
+    const Vec3 bary = (1 - share) * piece.bary[i] + share * piece.bary[j];
+    for (std::size_t side = 0; side < 3; ++side) {
+      const auto off = static_cast<int>(side);
+      if (piece.bary[i][off] != 0 || piece.bary[j][off] != 0) continue;
+      // From the lower vertex on, as `on_edge` counts.
+      const Triangle& whole = coarse_.mesh.triangles[piece.facet];
+      const std::size_t high = whole[next(side)] < whole[prev(side)] ? prev(side) : next(side);
+      return facet.on_edge(next(side), bary[static_cast<int>(high)]);
+    }
+    return facet.at(bary);
+  }
+
+  const Vec3& position(std::uint32_t vertex) const {
+    const std::vector<Vec3>& given = coarse_.mesh.positions;
+    return vertex < given.size() ? given[vertex] : made_[vertex - given.size()];
+  }
+
+  bool bulges(const RoundedFacet& facet, const Piece& piece, std::size_t k) const {
+    std::uint32_t a = piece.corners[k], b = piece.corners[next(k)];
+    if (a > b) std::swap(a, b);
+    const Vec3 &p = position(a), &q = position(b);
+    // An S lies on its chord in the middle.
+    for (const double share : {0.25, 0.5, 0.75}) {
+      const bool turned = piece.corners[k] != a;
+      const Vec3 off = at(facet, piece, k, turned ? 1 - share : share) - glm::mix(p, q, share);
+      if (glm::dot(off, off) > tolerance_ * tolerance_) return true;
+    }
+    return false;
+  }
+
+  std::vector<std::uint8_t> mark() {
+    std::vector<std::uint8_t> marks(pieces_.size(), 0);
+    parallel_for(
+        pieces_.size(), kGrain,
+        [&](std::size_t begin, std::size_t end) {
+          std::optional<RoundedFacet> facet;  // the pieces of one follow each other
+          for (std::size_t i = begin; i < end; ++i) {
+            Piece& piece = pieces_[i];
+            if (piece.settled) continue;
+            if (!facet || facet->face() != piece.facet) facet = surface_.facet(piece.facet);
+            for (std::size_t k = 0; k < 3; ++k) {
+              if (bulges(*facet, piece, k)) marks[i] |= static_cast<std::uint8_t>(1U << k);
+            }
+            piece.settled = marks[i] == 0;
+          }
+        },
+        &context_);
+    return marks;
+  }
+
+  std::uint32_t middle(const Piece& piece, std::size_t k) {
+    const auto [low, high] = std::minmax(piece.corners[k], piece.corners[next(k)]);
+    const auto [entry, added] = middles_.try_emplace(
+        static_cast<std::uint64_t>(low) << 32U | high,
+        static_cast<std::uint32_t>(coarse_.mesh.positions.size() + made_.size()));
+    if (added) made_.push_back(at(surface_.facet(piece.facet), piece, k, 0.5));
+    return entry->second;
+  }
+
+  void divide(const std::vector<std::uint8_t>& marks, std::size_t more) {
+    std::vector<Piece> out;
+    out.reserve(pieces_.size() + more);
+    middles_.clear();
+    for (std::size_t i = 0; i < pieces_.size(); ++i) {
+      if (i % kGrain == 0) context_.check();
+      divide(pieces_[i], marks[i], out);
+    }
+    pieces_ = std::move(out);
+  }
+
+  void divide(const Piece& piece, std::uint8_t marks, std::vector<Piece>& out) {
+    if (marks == 0) {
+      out.push_back(piece);
+      return;
+    }
+    // Corners 0 to 2 and the middles of the edges after them, 3 to 5.
+    std::array<std::uint32_t, 6> vertex{};
+    std::array<Vec3, 6> bary{};
+    for (std::size_t k = 0; k < 3; ++k) {
+      vertex[k] = piece.corners[k], bary[k] = piece.bary[k];
+      if (!(marks >> k & 1U)) continue;
+      vertex[3 + k] = middle(piece, k);
+      bary[3 + k] = 0.5 * (piece.bary[k] + piece.bary[next(k)]);
+    }
+    const auto add = [&](std::size_t a, std::size_t b, std::size_t c) {
+      out.push_back({{vertex[a], vertex[b], vertex[c]}, piece.facet, {bary[a], bary[b], bary[c]}});
+    };
+    if (marks == 7) {
+      for (std::size_t k = 0; k < 3; ++k) add(k, 3 + k, 3 + prev(k));
+      add(3, 4, 5);
+    } else if (std::popcount(marks) == 1) {
+      const auto k = static_cast<std::size_t>(std::countr_zero(marks));
+      add(k, 3 + k, prev(k));
+      add(3 + k, next(k), prev(k));
+    } else {
+      // The edge that stays whole, and the corner across from it.
+      const auto whole = static_cast<std::size_t>(std::countr_one(marks));
+      const std::size_t a = whole, b = next(whole), tip = prev(whole);
+      const std::size_t right = 3 + b, left = 3 + tip;
+      add(right, tip, left);
+      const double from_a = glm::distance(position(vertex[a]), position(vertex[right]));
+      const double from_b = glm::distance(position(vertex[b]), position(vertex[left]));
+      if (from_a <= from_b) {
+        add(a, b, right);
+        add(a, right, left);
+      } else {
+        add(a, b, left);
+        add(b, right, left);
+      }
+    }
+  }
+
+  const ProxyMesh& coarse_;
+  RoundedMesh surface_;
+  double tolerance_;
+  const RunContext& context_;
+  std::size_t first_pieces_ = 0;  // pieces before anything was divided
+  std::vector<Vec3> made_;
+  std::vector<Piece> pieces_;
+  std::unordered_map<std::uint64_t, std::uint32_t> middles_;
+};
+
+/// Whether the k-th edge of a piece lies on a crease of the facets.
+bool on_crease(const ProxyMesh& coarse, const Piece& piece, std::size_t k) {
+  for (std::size_t side = 0; side < 3; ++side) {
+    const auto off = static_cast<int>(side);
+    if (piece.bary[k][off] == 0 && piece.bary[next(k)][off] == 0) {
+      return coarse.is_crease(static_cast<HalfEdge>(3 * piece.facet + next(side)));
+    }
+  }
+  return false;
+}
+
+/// For each wedge of the facets whether one around it was divided.
+std::vector<std::uint8_t> touched(const ProxyMesh& coarse, const std::vector<Piece>& pieces) {
+  std::vector<std::uint8_t> out(coarse.wedge_vertex.size(), 0);
+  for (std::size_t i = 1; i < pieces.size(); ++i) {
+    if (pieces[i].facet != pieces[i - 1].facet) continue;
+    for (const std::uint32_t w : coarse.wedges[pieces[i].facet]) out[w] = 1;
+  }
+  return out;
+}
+
+/// The triangles of the new mesh: facets, and the pieces of those that were divided.
+class Layout {
+ public:
+  Layout(const ProxyMesh& coarse, const std::vector<Piece>& pieces)
+      : coarse_(coarse), pieces_(pieces), first_(coarse.mesh.triangles.size() + 1, 1) {
+    first_[0] = 0;
+    for (std::size_t i = 1; i < pieces.size(); ++i) {
+      if (pieces[i].facet == pieces[i - 1].facet) ++first_[pieces[i].facet + 1];
+    }
+    std::partial_sum(first_.begin(), first_.end(), first_.begin());
+  }
+
+  std::size_t size() const { return first_.back(); }
+  /// Calls `work(number of the triangle, Piece)` for all of them, in order.
+  template <class Work>
+  void each(const Work& work) const {
+    each(0, coarse_.mesh.triangles.size(), work);
+  }
+  /// The same from many threads.
+  template <class Work>
+  void each(const RunContext& context, const Work& work) const {
+    parallel_for(
+        coarse_.mesh.triangles.size(), kGrain,
+        [&](std::size_t begin, std::size_t end) { each(begin, end, work); }, &context);
+  }
+
+ private:
+  template <class Work>
+  void each(std::size_t begin, std::size_t end, const Work& work) const {
+    auto piece = std::ranges::lower_bound(pieces_, begin, {}, &Piece::facet);
+    for (std::size_t f = begin; f < end; ++f) {
+      std::size_t i = first_[f];
+      if (piece == pieces_.end() || piece->facet != f) {
+        work(i, whole(coarse_, static_cast<std::uint32_t>(f)));
+      }
+      for (; piece != pieces_.end() && piece->facet == f; ++piece) work(i++, *piece);
+    }
+  }
+
+  const ProxyMesh& coarse_;
+  const std::vector<Piece>& pieces_;
+  std::vector<std::uint32_t> first_;
+};
+
+/// Normals where facets were divided: those of the surface's own patches, so that contours run
+/// where its triangles turn away, but linear over the facet where that is nearly the same: strips
+/// of fillets then bend across alone. As they were where facets stay.
+class Normals {
+ public:
+  Normals(const ProxyMesh& coarse, const Divider& divider)
+      : coarse_(coarse), divider_(divider), moved_(touched(coarse, divider.pieces())) {}
+
+  Vec3 at(const Piece& piece, std::size_t corner) const {
+    const Vec3& bary = piece.bary[corner];
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::uint32_t w = coarse_.wedges[piece.facet][k];
+      if (bary[static_cast<int>(k)] == 1 && !moved_[w]) return coarse_.wedge_normal[w];
+    }
+    const Vec3 flat = coarse_.mesh.normal(piece.facet);
+    Vec3 own = normalize_or(divider_.facet(piece.facet).normal_at(bary), flat);
+    if (glm::dot(own, flat) <= 0) own = flat;  // folded over
+    const Vec3 smooth = coarse_.normal(piece.facet, bary);
+    const double angle = std::acos(std::min(glm::dot(smooth, own), 1.0));
+    const double share = std::clamp((angle - kAlike) / (kUnlike - kAlike), 0.0, 1.0);
+    return normalize_or(glm::mix(smooth, own, share), own);
+  }
+
+ private:
+  const ProxyMesh& coarse_;
+  const Divider& divider_;
+  std::vector<std::uint8_t> moved_;
+};
+
+ProxyDraft draft_of(const ProxyMesh& coarse, const Divider& divider, const Layout& layout,
+                    const RunContext& context) {
+  ProxyDraft draft;
+  draft.mesh.positions = divider.positions();
+  draft.mesh.triangles.resize(layout.size());
+  draft.corner_normal.resize(3 * layout.size());
+  draft.sharp.resize(3 * layout.size());
+  const Normals normals(coarse, divider);
+  layout.each(context, [&](std::size_t i, const Piece& piece) {
+    draft.mesh.triangles[i] = piece.corners;
+    for (std::size_t k = 0; k < 3; ++k) {
+      draft.corner_normal[3 * i + k] = normals.at(piece, k);
+      draft.sharp[3 * i + k] = on_crease(coarse, piece, k);
+    }
+  });
+  return draft;
+}
+
+}  // namespace
+
+std::optional<RoundedFacets> round_facets(const ProxyMesh& coarse, double tolerance,
+                                          std::size_t most, const RunContext& context) {
+  const std::size_t faces = coarse.mesh.triangles.size();
+  std::uint32_t first = 0;
+  while (first < faces && most_bulge(coarse, first) <= tolerance) ++first;
+  if (first == faces) return std::nullopt;
+  RoundedFacets out;
+  Divider divider(coarse, tolerance, context);
+  if (!divider.run(most, out.cut_short)) return std::nullopt;
+  const Layout layout(coarse, divider.pieces());
+  out.proxy = assemble_proxy(draft_of(coarse, divider, layout, context), context);
+  out.proxy.on_contour.clear();  // it was cut for no view
+  out.wedge_origin.resize(out.proxy.wedge_vertex.size());
+  layout.each([&](std::size_t i, const Piece& piece) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      out.wedge_origin[out.proxy.wedges[i][k]] = {piece.facet, piece.bary[k]};
+    }
+  });
+  return out;
+}
+
+}  // namespace burin
