@@ -36,6 +36,7 @@ constexpr double kLabel = 10;
 struct Builder {
   const ProxyMesh& proxy;
   const std::vector<Frame>& frames;
+  bool exact;
   const FlatPatches& flats;
   const SmoothedOptions& options;
   const WedgeGraph& graph;
@@ -48,9 +49,8 @@ struct Builder {
   Constraints result = {};
 
   std::size_t size() const { return frames.size(); }
-  bool exact() const { return !proxy.source_face.empty(); }
   // The directions of these are known for certain, however small the face is.
-  bool is_certain(std::size_t w) const { return exact() && has_exact_lines(frames[w]); }
+  bool is_certain(std::size_t w) const { return exact && has_exact_lines(frames[w]); }
   template <class Body>
   void for_wedges(const Body& body) {
     parallel_for(
@@ -191,11 +191,11 @@ struct Builder {
 
 }  // namespace
 
-Constraints find_constraints(const ProxyMesh& proxy, const std::vector<Frame>& frames,
+Constraints find_constraints(const ProxyMesh& proxy, const std::vector<Frame>& frames, bool exact,
                              const FlatPatches& flats, const WedgeGraph& graph,
                              const Hierarchy<Vec2>& hierarchy, const SmoothedOptions& options,
                              const RunContext& context) {
-  Builder b{proxy, frames, flats, options, graph, hierarchy, context};
+  Builder b{proxy, frames, exact, flats, options, graph, hierarchy, context};
   b.result.mass.assign(b.size(), 0);
   b.result.line_mass.assign(b.size(), 0);
   b.result.certain.assign(b.size(), 0);

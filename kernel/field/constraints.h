@@ -27,7 +27,8 @@ struct Constraints {
   std::vector<std::uint8_t> certain;
 };
 
-Constraints find_constraints(const ProxyMesh& proxy, const std::vector<Frame>& frames,
+/// `exact`: as the surface says of its frames.
+Constraints find_constraints(const ProxyMesh& proxy, const std::vector<Frame>& frames, bool exact,
                              const FlatPatches& flats, const WedgeGraph& graph,
                              const Hierarchy<Vec2>& hierarchy, const SmoothedOptions& options,
                              const RunContext& context);

@@ -58,7 +58,6 @@ Vec2 with_exact_lines(Vec2 cross, const Frame& frame, const TangentBasis& basis)
 
 struct SmoothedField::Part {
   const Surface* surface = nullptr;
-  // Whether the form knows its faces; then its frames are exact.
   bool exact = false;
   BallAxes balls;
   FlatPatches flats;
@@ -68,7 +67,7 @@ struct SmoothedField::Part {
 
   Part(const Surface& s, const SmoothedOptions& options, const RunContext& context) : surface(&s) {
     const ProxyMesh& proxy = s.proxy();
-    exact = !proxy.source_face.empty();
+    exact = s.exact();
     std::vector<Frame> frames;
     if (exact) {
       const std::vector<FaceKind> kinds = find_face_kinds(s, context);
@@ -84,7 +83,7 @@ struct SmoothedField::Part {
     WedgeGraph graph = build_wedge_graph(proxy, skipped, context);
     const Hierarchy<Vec2> hierarchy(graph.crosses, context);
     const Constraints wanted =
-        find_constraints(proxy, frames, flats, graph, hierarchy, options, context);
+        find_constraints(proxy, frames, exact, flats, graph, hierarchy, options, context);
     frames = {};
     const std::vector<Vec2> crosses = minimise(hierarchy, wanted.mass, wanted.pull, context);
     line = choose_family(proxy, graph, crosses, wanted, exact ? &flats : nullptr, context);

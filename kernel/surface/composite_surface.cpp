@@ -73,24 +73,35 @@ class CompositeSurface final : public Surface {
   }
 
   MarchStep march(const SurfacePoint& from, Vec3 tangent, double length) const override {
-    MarchStep step = piece(from).march(inner(from), tangent, length);
-    step.end = outer(step.end, number(from));
+    const std::size_t i = piece_of(from.triangle);
+    MarchStep step = pieces_[i]->march(inner(from, i), tangent, length);
+    step.end.triangle += first_face_[i];
     return step;
   }
-  Frame frame(const SurfacePoint& point) const override { return piece(point).frame(inner(point)); }
+  Frame frame(const SurfacePoint& point) const override {
+    const std::size_t i = piece_of(point.triangle);
+    return pieces_[i]->frame(inner(point, i));
+  }
+  /// Loose faces beside exact ones are freeform faces of them.
+  bool exact() const override {
+    return std::ranges::any_of(pieces_, [](const auto& piece) { return piece->exact(); });
+  }
   const ProxyMesh& proxy() const override { return proxy_; }
   ProxyPoint to_proxy(const SurfacePoint& point) const override {
-    ProxyPoint p = piece(point).to_proxy(inner(point));
-    p.face += first_face_[number(point)];
+    const std::size_t i = piece_of(point.triangle);
+    ProxyPoint p = pieces_[i]->to_proxy(inner(point, i));
+    p.face += first_face_[i];
     return p;
   }
   SurfacePoint lift(const ProxyPoint& point) const override {
-    const auto next = std::upper_bound(first_face_.begin(), first_face_.end(), point.face);
-    const auto i = static_cast<std::size_t>(next - first_face_.begin() - 1);
-    return outer(pieces_[i]->lift({point.face - first_face_[i], point.bary}), i);
+    const std::size_t i = piece_of(point.face);
+    SurfacePoint p = pieces_[i]->lift({point.face - first_face_[i], point.bary});
+    p.triangle += first_face_[i];
+    return p;
   }
   Vec3 drawn_position(const SurfacePoint& point) const override {
-    return piece(point).drawn_position(inner(point));
+    const std::size_t i = piece_of(point.triangle);
+    return pieces_[i]->drawn_position(inner(point, i));
   }
   std::vector<Frame> wedge_frames(const RunContext& context) const override {
     std::vector<Frame> all;
@@ -99,16 +110,12 @@ class CompositeSurface final : public Surface {
   }
 
  private:
-  std::size_t number(const SurfacePoint& p) const {
-    return static_cast<std::size_t>(p.chart) % pieces_.size();
+  std::size_t piece_of(std::uint32_t triangle) const {
+    const auto next = std::upper_bound(first_face_.begin(), first_face_.end(), triangle);
+    return static_cast<std::size_t>(next - first_face_.begin() - 1);
   }
-  const Surface& piece(const SurfacePoint& p) const { return *pieces_[number(p)]; }
-  SurfacePoint inner(SurfacePoint p) const {
-    p.chart /= static_cast<std::int32_t>(pieces_.size());
-    return p;
-  }
-  SurfacePoint outer(SurfacePoint p, std::size_t i) const {
-    p.chart = p.chart * static_cast<std::int32_t>(pieces_.size()) + static_cast<std::int32_t>(i);
+  SurfacePoint inner(SurfacePoint p, std::size_t i) const {
+    p.triangle -= first_face_[i];
     return p;
   }
 

@@ -3,12 +3,12 @@
 namespace burin::healed {
 
 Frame HealedSurface::frame(const SurfacePoint& point) const {
-  const Patch* patch = patch_at(point.chart);
+  const Patch* patch = patch_at(point.triangle);
   return patch ? patch->frame(point.position) : mesh_->frame(point);
 }
 
 Vec3 HealedSurface::drawn_position(const SurfacePoint& point) const {
-  const Patch* patch = patch_at(point.chart);
+  const Patch* patch = patch_at(point.triangle);
   return patch ? patch->project(point.position) : mesh_->drawn_position(point);
 }
 
@@ -16,7 +16,7 @@ std::vector<Frame> HealedSurface::wedge_frames(const RunContext& context) const 
   std::vector<Frame> frames = mesh_->wedge_frames(context);
   const ProxyMesh& p = proxy();
   for (std::size_t t = 0; t < p.wedges.size(); ++t) {
-    const Patch* patch = patch_at(static_cast<std::int32_t>(t));
+    const Patch* patch = patch_at(static_cast<std::uint32_t>(t));
     if (!patch) continue;
     for (const std::uint32_t w : p.wedges[t]) {
       const Vec3 normal = frames[w].normal;

@@ -22,6 +22,7 @@ class HealedSurface final : public Surface {
     return mesh_->march(from, tangent, length);
   }
   Frame frame(const SurfacePoint& point) const override;
+  bool exact() const override { return true; }
   const ProxyMesh& proxy() const override { return mesh_->proxy(); }
   ProxyPoint to_proxy(const SurfacePoint& point) const override { return mesh_->to_proxy(point); }
   SurfacePoint lift(const ProxyPoint& point) const override { return mesh_->lift(point); }
@@ -29,8 +30,8 @@ class HealedSurface final : public Surface {
   std::vector<Frame> wedge_frames(const RunContext& context) const override;
 
  private:
-  const Patch* patch_at(std::int32_t triangle) const {
-    const std::int32_t p = patch_[static_cast<std::size_t>(triangle)];
+  const Patch* patch_at(std::uint32_t triangle) const {
+    const std::int32_t p = patch_[triangle];
     return p < 0 ? nullptr : &round_->patches[static_cast<std::size_t>(p)];
   }
 

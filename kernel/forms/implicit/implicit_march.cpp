@@ -114,9 +114,9 @@ bool ImplicitSurface::stays(const ImplicitFunction& piece, std::uint32_t face, V
 MarchStep ImplicitSurface::march(const SurfacePoint& from, Vec3 tangent, double length) const {
   MarchStep step;
   step.end = from;
-  const ImplicitFunction* f = &function_at(from.chart);
+  const ImplicitFunction* f = &function_at(from.triangle);
   // Whether it is one piece, which is smooth everywhere, or the whole function near here.
-  bool one_piece = side_[static_cast<std::size_t>(from.chart)] != nullptr;
+  bool one_piece = side_[from.triangle] != nullptr;
   State at;
   at.position = from.position;
   at.set(known_hessian(*f, at.position));
@@ -128,10 +128,10 @@ MarchStep ImplicitSurface::march(const SurfacePoint& from, Vec3 tangent, double 
     return step;
   }
   at.tangent = glm::normalize(flat);
-  std::uint32_t face = static_cast<std::uint32_t>(from.chart);
+  std::uint32_t face = from.triangle;
   const auto finish = [&](MarchStop stop, std::optional<ProxyPoint> known = {}) {
     const ProxyPoint place = known ? *known : walk(face, at.position).place;
-    step.end = {static_cast<std::int32_t>(place.face), place.bary, at.position};
+    step.end = {0, place.bary, at.position, place.face};
     step.direction = at.tangent;
     step.stop = stop;
     return step;
@@ -192,7 +192,7 @@ MarchStep ImplicitSurface::march(const SurfacePoint& from, Vec3 tangent, double 
       // Beyond what the function of the last triangle holds for.
       return finish(MarchStop::NotConverged);
     } else if (!way.by_crease) {
-      f = &function_at(static_cast<std::int32_t>(way.place.face));
+      f = &function_at(way.place.face);
       one_piece = false;
     }
     at = next;

@@ -75,10 +75,9 @@ void ImplicitSurface::find_locals() {
   }
 }
 
-const ImplicitFunction& ImplicitSurface::function_at(std::int32_t face) const {
-  const auto f = static_cast<std::size_t>(face);
-  if (side_[f]) return *side_[f];
-  return local_of_[f] < 0 ? *function_ : *locals_[static_cast<std::size_t>(local_of_[f])];
+const ImplicitFunction& ImplicitSurface::function_at(std::uint32_t face) const {
+  if (side_[face]) return *side_[face];
+  return local_of_[face] < 0 ? *function_ : *locals_[static_cast<std::size_t>(local_of_[face])];
 }
 
 // f.hessian(p), or what that was a moment ago: tracers ask for the frame where a step ended and
@@ -105,16 +104,15 @@ Gradient2 ImplicitSurface::known_hessian(const ImplicitFunction& f, Vec3 p) cons
 
 SurfacePoint ImplicitSurface::lift(const ProxyPoint& point) const {
   const Vec3 p = proxy_.position(point.face, point.bary);
-  const auto face = static_cast<std::int32_t>(point.face);
   // Where Newton does not get there (a jump of the function) the triangle is all there is.
   const double reach = 2 * proxy_.tolerance + accuracy_;
-  return {face, point.bary, onto_surface(function_at(face), p, reach, accuracy_).value_or(p)};
+  return {0, point.bary, onto_surface(function_at(point.face), p, reach, accuracy_).value_or(p),
+          point.face};
 }
 
 Frame ImplicitSurface::frame(const SurfacePoint& point) const {
-  const auto face = static_cast<std::uint32_t>(point.chart);
-  return implicit_frame(known_hessian(function_at(point.chart), point.position), point.position,
-                        proxy_.mesh.normal(face), size_);
+  return implicit_frame(known_hessian(function_at(point.triangle), point.position), point.position,
+                        proxy_.mesh.normal(point.triangle), size_);
 }
 
 std::vector<Frame> ImplicitSurface::wedge_frames(const RunContext& context) const {

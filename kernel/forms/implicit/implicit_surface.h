@@ -10,8 +10,7 @@
 
 namespace burin {
 
-/// Charts of SurfacePoint are triangles of the proxy next to the point, coords its place in them;
-/// positions lie on f = 0.
+/// Positions lie on f = 0, coords are the place in the triangle next to them.
 class ImplicitSurface final : public Surface {
  public:
   /// `side`: for each triangle that touches a crease the piece it belongs to, else nullptr.
@@ -22,7 +21,7 @@ class ImplicitSurface final : public Surface {
   Frame frame(const SurfacePoint& point) const override;
   const ProxyMesh& proxy() const override { return proxy_; }
   ProxyPoint to_proxy(const SurfacePoint& point) const override {
-    return {static_cast<std::uint32_t>(point.chart), point.coords};
+    return {point.triangle, point.coords};
   }
   SurfacePoint lift(const ProxyPoint& point) const override;
   std::vector<Frame> wedge_frames(const RunContext& context) const override;
@@ -37,7 +36,7 @@ class ImplicitSurface final : public Surface {
   };
   struct State;
 
-  const ImplicitFunction& function_at(std::int32_t face) const;
+  const ImplicitFunction& function_at(std::uint32_t face) const;
   void find_locals();
   Gradient2 known_hessian(const ImplicitFunction& f, Vec3 p) const;
   Walk walk(std::uint32_t face, Vec3 p) const;

@@ -105,7 +105,7 @@ MarchStep MeshSurface::march(const SurfacePoint& from, Vec3 tangent, double leng
   const TriMesh& mesh = proxy_.mesh;
   MarchStep step;
   step.end = from;
-  HalfEdge first = 3 * from.chart;
+  HalfEdge first = static_cast<HalfEdge>(3 * from.triangle);
   // The end in the triangle of half-edge `h`, whose corners are those of the layout in cyclic
   // order.
   const auto finish = [&](HalfEdge h, const Layout& tri, Vec2 p, Vec2 d, MarchStop stop) {

@@ -47,11 +47,11 @@ MeshSurface::MeshSurface(ProxyMesh proxy, const std::vector<Curvature>& curvatur
 
 Vec3 MeshSurface::drawn_position(const SurfacePoint& point) const {
   std::call_once(rounding_, [this] { rounded_.emplace(proxy_); });
-  return rounded_->facet(static_cast<std::uint32_t>(point.chart)).at(point.coords);
+  return rounded_->facet(point.triangle).at(point.coords);
 }
 
 Frame MeshSurface::frame(const SurfacePoint& point) const {
-  const auto face = static_cast<std::uint32_t>(point.chart);
+  const std::uint32_t face = point.triangle;
   const Vec3 b = point.coords;
   Frame f;
   f.position = point.position;

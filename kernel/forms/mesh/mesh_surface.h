@@ -20,7 +20,7 @@ struct WedgeTensor {
   double confidence = 0;
 };
 
-/// A proxy mesh that is itself the form: charts are its triangles.
+/// A proxy mesh that is itself the form.
 class MeshSurface final : public Surface {
  public:
   /// `curvature` has one entry a wedge, or none where no curvature was asked for.
@@ -30,11 +30,10 @@ class MeshSurface final : public Surface {
   Frame frame(const SurfacePoint& point) const override;
   const ProxyMesh& proxy() const override { return proxy_; }
   ProxyPoint to_proxy(const SurfacePoint& point) const override {
-    return {static_cast<std::uint32_t>(point.chart), point.coords};
+    return {point.triangle, point.coords};
   }
   SurfacePoint lift(const ProxyPoint& point) const override {
-    return {static_cast<std::int32_t>(point.face), point.bary,
-            proxy_.position(point.face, point.bary)};
+    return {0, point.bary, proxy_.position(point.face, point.bary), point.face};
   }
   std::vector<Frame> wedge_frames(const RunContext& context) const override;
   Vec3 drawn_position(const SurfacePoint& point) const override;

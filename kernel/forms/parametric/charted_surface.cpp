@@ -51,6 +51,7 @@ class ChartedSurface final : public Surface {
     return detail::March(atlas_, triangles_, lines_, length).run(from, tangent);
   }
   Frame frame(const SurfacePoint& point) const override;
+  bool exact() const override { return true; }
   const ProxyMesh& proxy() const override { return proxy_; }
   ProxyPoint to_proxy(const SurfacePoint& point) const override;
   SurfacePoint lift(const ProxyPoint& point) const override;
@@ -80,8 +81,7 @@ Frame ChartedSurface::frame(const SurfacePoint& point) const {
   Vec3 normal = atlas_.normal(point.chart, uv, d);
   // The tip of a cone has none: that of the triangle stands in.
   if (normal == Vec3(0)) {
-    const auto triangle = static_cast<std::uint32_t>(point.coords.z);
-    normal = normalize_or(proxy_.mesh.normal(triangle), Vec3(0, 0, 1));
+    normal = normalize_or(proxy_.mesh.normal(point.triangle), Vec3(0, 0, 1));
   }
   Frame f = chart_frame(d, normal, atlas_.atlas->chart(point.chart).kind(), atlas_.size);
   f.position = point.position;
@@ -90,7 +90,7 @@ Frame ChartedSurface::frame(const SurfacePoint& point) const {
 
 ProxyPoint ChartedSurface::to_proxy(const SurfacePoint& point) const {
   Vec2 uv(point.coords.x, point.coords.y);
-  const std::uint32_t triangle = triangles_.locate(static_cast<std::uint32_t>(point.coords.z), uv);
+  const std::uint32_t triangle = triangles_.locate(point.triangle, uv);
   const Vec3 b = triangles_.bary(triangle, uv);
   // Between a chord and the edge that it stands for.
   if (std::min({b.x, b.y, b.z}) < 0) return {triangle, nearest_side(triangle, point.position)};
@@ -120,7 +120,7 @@ Vec3 ChartedSurface::nearest_side(std::uint32_t triangle, Vec3 p) const {
 SurfacePoint ChartedSurface::lift(const ProxyPoint& point) const {
   const std::int32_t face = mesh_.face[point.face];
   const Vec2 uv = triangles_.uv(point.face, point.bary);
-  return {face, Vec3(uv, static_cast<double>(point.face)), atlas_.position(face, uv)};
+  return {face, Vec3(uv, 0), atlas_.position(face, uv), point.face};
 }
 
 std::vector<ChartedSurface::WedgeCorner> ChartedSurface::wedge_corners() const {

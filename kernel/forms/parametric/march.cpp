@@ -22,7 +22,7 @@ constexpr int kMaxHandOvers = 8;
 
 MarchStep March::run(const SurfacePoint& from, Vec3 tangent) {
   Vec2 uv(from.coords.x, from.coords.y);
-  triangle_ = triangles_.locate(static_cast<std::uint32_t>(from.coords.z), uv);
+  triangle_ = triangles_.locate(from.triangle, uv);
   MarchStep none;
   none.end = from;
   if (!start(uv, tangent)) {
@@ -74,7 +74,8 @@ MarchStep March::run(const SurfacePoint& from, Vec3 tangent) {
 MarchStep March::result(MarchStop stop) const {
   MarchStep step;
   step.end.chart = triangles_.face(triangle_);
-  step.end.coords = Vec3(state_.uv, static_cast<double>(triangle_));
+  step.end.coords = Vec3(state_.uv, 0);
+  step.end.triangle = triangle_;
   step.end.position = state_.s.p;
   step.direction = state_.direction();
   step.length = std::min(gone_, length_);

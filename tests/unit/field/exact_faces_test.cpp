@@ -23,14 +23,13 @@ class Framed final : public Surface {
 
   MarchStep march(const SurfacePoint&, Vec3, double) const override { return {}; }
   Frame frame(const SurfacePoint& p) const override {
-    return frames_(proxy_.source_face[static_cast<std::size_t>(p.chart)], p.position);
+    return frames_(proxy_.source_face[p.triangle], p.position);
   }
+  bool exact() const override { return true; }
   const ProxyMesh& proxy() const override { return proxy_; }
-  ProxyPoint to_proxy(const SurfacePoint& p) const override {
-    return {static_cast<std::uint32_t>(p.chart), p.coords};
-  }
+  ProxyPoint to_proxy(const SurfacePoint& p) const override { return {p.triangle, p.coords}; }
   SurfacePoint lift(const ProxyPoint& p) const override {
-    return {static_cast<std::int32_t>(p.face), p.bary, proxy_.position(p.face, p.bary)};
+    return {0, p.bary, proxy_.position(p.face, p.bary), p.face};
   }
 
  private:

@@ -172,7 +172,7 @@ TEST(SmoothedField, FlatFacesHaveOneDirectionAlongTheirEdges) {
       const Vec3 n = p.frame.normal;
       const Vec3 along = std::abs(n.z) > 0.5 ? x : Vec3(0, 0, 1);
       EXPECT_LT(cross_angle(*s.at(p), along, n), 1e-9);
-      EXPECT_GE(s.field->flat_patches(0)[static_cast<std::size_t>(p.point.chart)], 0);
+      EXPECT_GE(s.field->flat_patches(0)[p.point.triangle], 0);
     }
   }
 }
@@ -183,10 +183,10 @@ TEST(SmoothedField, FlatFacesGoOverIntoFilletsCalmly) {
   for (const Probe& p : test::probes(*s.surface)) {
     EXPECT_LT(cross_angle(*s.at(p), {0, 1, 0}, p.frame.normal), 0.1);
     EXPECT_LT(std::abs(s.at(p)->y), 0.1) << "family 1 crosses the bend, on the flat parts too";
-    ++(s.field->flat_patches(0)[static_cast<std::size_t>(p.point.chart)] >= 0 ? flat : curved);
+    ++(s.field->flat_patches(0)[p.point.triangle] >= 0 ? flat : curved);
   }
   EXPECT_EQ(flat, 16);
-  EXPECT_EQ(curved, 48);
+  EXPECT_GE(curved, 48);  // coarse facets are divided
 }
 
 // The foot of a hood: a square with rounded corners, half as large on top. The two smooth sides of
@@ -215,7 +215,7 @@ TEST(SmoothedField, ATurnedPartFollowsItsCircles) {
     const auto d = s.at(p);
     ASSERT_TRUE(d);
     const Vec3 around = glm::cross(Vec3(0, 0, 1), p.point.position);
-    const bool flat = s.field->flat_patches(0)[static_cast<std::size_t>(p.point.chart)] >= 0;
+    const bool flat = s.field->flat_patches(0)[p.point.triangle] >= 0;
     EXPECT_LT(cross_angle(*d, around, p.frame.normal), flat ? 0.1 : 3);
     tops += flat;
   }

@@ -146,8 +146,9 @@ TEST(CurvedBorder, PathsThatGrazeTheCurveEnd) {
         const double a = 0.0628 * i;
         const Vec3 touch(std::cos(a), std::sin(a), 0), along(-touch.y, touch.x, 0);
         const Vec3 begin = (1 + off) * touch - 0.9 * along;
-        const SurfacePoint from = s->lift(
-            s->to_proxy({1, Vec3(begin.x + 10, begin.y - 5, n + n + 1.0 * (i % 5)), Vec3(0)}));
+        const auto hint = static_cast<std::uint32_t>(n + n + i % 5);
+        const SurfacePoint from =
+            s->lift(s->to_proxy({1, Vec3(begin.x + 10, begin.y - 5, 0), Vec3(0), hint}));
         if (from.chart != 1 || glm::distance(from.position, begin) > 1e-6) continue;
         const MarchStep m = s->march(from, along, 1.8);
         ASSERT_TRUE(m.stop == MarchStop::Completed || m.stop == MarchStop::Boundary);

@@ -137,7 +137,7 @@ TEST(ChartedMarch, PlanesAreCrossedInOneStepWhateverTheirSize) {
   for (const double size : {1e-3, 1.0, 1e4}) {
     const auto s = grid_surface(test::plane_chart(Vec2(0), Vec2(size, 2 * size)), 20, 30);
     SurfacePoint p{0, Vec3(0.11 * size, 0.13 * size, 0), Vec3(0)};
-    p.coords.z = s->to_proxy(p).face;
+    p.triangle = s->to_proxy(p).face;
     const Vec3 t = glm::normalize(Vec3(1, 1.7, 0.4));
     const Vec3 flat = glm::normalize(Vec3(1, 1.7, 0));
     const MarchStep m = s->march(p, t, 0.7 * size);

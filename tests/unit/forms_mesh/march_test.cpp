@@ -137,7 +137,7 @@ TEST(March, ClosedLoopsAroundACylinderComeBack) {
       const MarchStep step = s->march(start, across, 10 * perimeter);
       ASSERT_EQ(step.stop, MarchStop::Completed) << n;
       EXPECT_LT(glm::distance(step.end.position, start.position), 1e-9 * perimeter) << n;
-      if (step.end.chart == start.chart) {
+      if (step.end.triangle == start.triangle) {
         EXPECT_LT(glm::distance(step.direction, across), 1e-9) << n;
       }
     }

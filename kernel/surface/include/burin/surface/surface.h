@@ -15,13 +15,16 @@
 
 namespace burin {
 
-/// A point on a surface: which chart (mesh: triangle; B-rep: face), coordinates in it (mesh:
-/// barycentric; B-rep: u, v and the number of a triangle of the proxy at or next to the point) and
-/// the position in model mm.
+/// A point on a surface.
 struct SurfacePoint {
+  /// The face of an atlas (B-rep, splines); 0 where a form has no charts.
   std::int32_t chart = -1;
+  /// (u, v, 0) in the chart; barycentric in the triangle where there are no charts.
   Vec3 coords{0};
+  /// Model mm.
   Vec3 position{0};
+  /// Of the proxy, at the point or next to it.
+  std::uint32_t triangle = 0;
 };
 
 /// The kind of surface of a CAD face, as far as strokes treat kinds differently.
@@ -110,6 +113,9 @@ class Surface {
   /// proxy.
   virtual ProxyPoint to_proxy(const SurfacePoint& point) const = 0;
   virtual SurfacePoint lift(const ProxyPoint& point) const = 0;
+  /// Whether frames come from the equations of faces that the proxy names (`source_face`); else
+  /// they are estimates, or nothing is known of faces.
+  virtual bool exact() const { return false; }
   /// Where ink at a surface point is drawn: the point itself for exact forms; for a mesh the smooth
   /// surface that its facets stand for, so that strokes meet the contours.
   virtual Vec3 drawn_position(const SurfacePoint& point) const { return point.position; }
