@@ -60,12 +60,16 @@ std::shared_ptr<const Surface> MeshForm::realise(const RealiseOptions& options,
   if (options.curvature) {
     context.begin_stage("curvature");
     curvature = estimate_curvature(proxy, {}, context);
-    if (rounded) {
-      curvature = curvature_at(MeshSurface(std::move(proxy), curvature), rounded->wedge_origin);
-    }
+  }
+  if (!rounded) {
+    context.end_stage();
+    return make_mesh_surface(std::move(proxy), curvature);
+  }
+  if (options.curvature) {
+    curvature = curvature_at(MeshSurface(std::move(proxy), curvature), rounded->wedge_origin);
   }
   context.end_stage();
-  return make_mesh_surface(rounded ? std::move(rounded->proxy) : std::move(proxy), curvature);
+  return make_mesh_surface(std::move(rounded->proxy), curvature);
 }
 
 std::shared_ptr<const Surface> make_mesh_surface(ProxyMesh proxy,

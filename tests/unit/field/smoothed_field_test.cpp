@@ -186,7 +186,7 @@ TEST(SmoothedField, FlatFacesGoOverIntoFilletsCalmly) {
     ++(s.field->flat_patches(0)[p.point.triangle] >= 0 ? flat : curved);
   }
   EXPECT_EQ(flat, 16);
-  EXPECT_GE(curved, 48);  // coarse facets are divided
+  EXPECT_EQ(curved, 48);
 }
 
 // The foot of a hood: a square with rounded corners, half as large on top. The two smooth sides of
