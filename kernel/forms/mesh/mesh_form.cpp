@@ -69,7 +69,7 @@ std::shared_ptr<const Surface> MeshForm::realise(const RealiseOptions& options,
     curvature = curvature_at(MeshSurface(std::move(proxy), curvature), rounded->wedge_origin);
   }
   context.end_stage();
-  return make_mesh_surface(std::move(rounded->proxy), curvature);
+  return std::make_shared<MeshSurface>(std::move(rounded->proxy), curvature, true);
 }
 
 std::shared_ptr<const Surface> make_mesh_surface(ProxyMesh proxy,

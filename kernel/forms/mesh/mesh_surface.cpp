@@ -36,8 +36,8 @@ void set_tensor(Frame& frame, const TangentBasis& basis, const WedgeTensor& t) {
 
 }  // namespace
 
-MeshSurface::MeshSurface(ProxyMesh proxy, const std::vector<Curvature>& curvature)
-    : proxy_(std::move(proxy)), tensors_(curvature.size()) {
+MeshSurface::MeshSurface(ProxyMesh proxy, const std::vector<Curvature>& curvature, bool fine)
+    : proxy_(std::move(proxy)), fine_(fine), tensors_(curvature.size()) {
   parallel_for(curvature.size(), kGrain, [&](std::size_t begin, std::size_t end) {
     for (std::size_t w = begin; w < end; ++w) {
       tensors_[w] = to_tensor(curvature[w], proxy_.wedge_normal[w]);
@@ -46,6 +46,7 @@ MeshSurface::MeshSurface(ProxyMesh proxy, const std::vector<Curvature>& curvatur
 }
 
 Vec3 MeshSurface::drawn_position(const SurfacePoint& point) const {
+  if (fine_) return point.position;
   std::call_once(rounding_, [this] { rounded_.emplace(proxy_); });
   return rounded_->facet(point.triangle).at(point.coords);
 }

@@ -23,8 +23,9 @@ struct WedgeTensor {
 /// A proxy mesh that is itself the form.
 class MeshSurface final : public Surface {
  public:
-  /// `curvature` has one entry a wedge, or none where no curvature was asked for.
-  MeshSurface(ProxyMesh proxy, const std::vector<Curvature>& curvature);
+  /// `curvature` has one entry a wedge, or none where no curvature was asked for. `fine`: the
+  /// triangles lie as near to the surface that they stand for as the drawing can show.
+  MeshSurface(ProxyMesh proxy, const std::vector<Curvature>& curvature, bool fine = false);
 
   MarchStep march(const SurfacePoint& from, Vec3 tangent, double length) const override;
   Frame frame(const SurfacePoint& point) const override;
@@ -40,6 +41,7 @@ class MeshSurface final : public Surface {
 
  private:
   ProxyMesh proxy_;
+  bool fine_;
   // Made when the first stroke is drawn: outlines do without.
   mutable std::once_flag rounding_;
   mutable std::optional<RoundedMesh> rounded_;

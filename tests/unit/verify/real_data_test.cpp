@@ -167,7 +167,7 @@ std::string name_of(const testing::TestParamInfo<Case>& info) {
 
 INSTANTIATE_TEST_SUITE_P(All, Samples,
                          testing::Values(Case{"bracket.off", "outline", HiddenLines::Dashed},
-                                         Case{"bracket.off", "engraving", HiddenLines::None, 4.1},
+                                         Case{"bracket.off", "engraving", HiddenLines::None, 3.6},
                                          Case{"horn.itd", "engraving"}, Case{"propeller.step"},
                                          Case{"blob.off"},
                                          Case{"gear.ply", "outline", HiddenLines::None, 1.4},
