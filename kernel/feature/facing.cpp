@@ -99,7 +99,7 @@ ZeroCrossing Facing::crossing(HalfEdge h) const {
     t = 1;
     out.position = q;
   } else {
-    out.position = surface_.facet(face_of(h)).on_edge(static_cast<std::size_t>(h % 3), t);
+    out.position = surface_.on_edge(h, t);
   }
   out.share = swapped ? 1 - t : t;
   return out;

@@ -25,6 +25,14 @@ constexpr double kSharp = 0.25, kAlong = 0.9;
 /// both ends. A straight edge of a fillet whose normals lean at one end, to a corner, is not.
 constexpr double kLong = 6;
 
+/// The point over a share of an edge, from the lower vertex on; lifts at its start and its end.
+Vec3 over_edge(const TriMesh& mesh, HalfEdge h, const Vec3& ahead, const Vec3& back, double t) {
+  const std::uint32_t a = origin(mesh, h), b = origin(mesh, next_in_face(h));
+  const Vec3 &p = mesh.positions[std::min(a, b)], &q = mesh.positions[std::max(a, b)];
+  const Vec3 &low = a < b ? ahead : back, &high = a < b ? back : ahead;
+  return p + t * (q - p) + t * (1 - t) * ((1 - t) * low + t * high);
+}
+
 }  // namespace
 
 RoundedMesh::RoundedMesh(const ProxyMesh& proxy)
@@ -90,12 +98,12 @@ RoundedFacet RoundedMesh::facet(std::uint32_t face) const {
   return out;
 }
 
+Vec3 RoundedMesh::on_edge(HalfEdge h, double t) const {
+  return over_edge(proxy_->mesh, h, control_lift(h, true), control_lift(h, false), t);
+}
+
 Vec3 RoundedFacet::on_edge(std::size_t k, double t) const {
-  const TriMesh& mesh = proxy_->mesh;
-  const std::uint32_t a = mesh.triangles[face_][k], b = mesh.triangles[face_][(k + 1) % 3];
-  const Vec3 &p = mesh.positions[std::min(a, b)], &q = mesh.positions[std::max(a, b)];
-  const Vec3 &low = a < b ? ahead_[k] : back_[k], &high = a < b ? back_[k] : ahead_[k];
-  return p + t * (q - p) + t * (1 - t) * ((1 - t) * low + t * high);
+  return over_edge(proxy_->mesh, static_cast<HalfEdge>(3 * face_ + k), ahead_[k], back_[k], t);
 }
 
 Vec3 RoundedFacet::at(Vec3 bary) const {

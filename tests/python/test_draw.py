@@ -295,6 +295,8 @@ class Result(unittest.TestCase):
         d = self.drawing
         self.assertEqual((d.paper, d.seed, d.style), ((210, 148), 3, "engraving"))
         self.assertGreaterEqual(d.stats["triangles"], len(sphere()[1]))
+        as_given = burin.draw(mesh_scene(sphere), style="outline", tolerance=1000)
+        self.assertEqual(as_given.stats["triangles"], len(sphere()[1]))
         self.assertEqual(d.parts[0]["id"], 0)
         self.assertEqual(d.diagnostics, [])
 

@@ -53,27 +53,45 @@ double most_bulge(const ProxyMesh& proxy, std::uint32_t f) {
   return most / 4;  // t (1-t) of the lifts
 }
 
+/// The facets that may be too coarse; an edge of one that is, is that of two of them.
+std::vector<Piece> coarse_facets(const ProxyMesh& coarse, double tolerance) {
+  std::vector<Piece> found;
+  for (std::uint32_t f = 0; f < coarse.mesh.triangles.size(); ++f) {
+    if (most_bulge(coarse, f) > tolerance) found.push_back(whole(coarse, f));
+  }
+  return found;
+}
+
+/// The edge of the facet, by its first corner, on which an edge of a piece lies; nothing inside.
+std::optional<std::size_t> facet_edge(const Piece& piece, std::size_t k) {
+  for (std::size_t side = 0; side < 3; ++side) {
+    const auto off = static_cast<int>(side);
+    if (piece.bary[k][off] == 0 && piece.bary[next(k)][off] == 0) return next(side);
+  }
+  return std::nullopt;
+}
+
 class Divider {
  public:
-  /// Of the facets that may be too coarse; an edge of one that is, is that of two of them.
-  Divider(const ProxyMesh& coarse, double tolerance, const RunContext& context)
-      : coarse_(coarse), surface_(coarse), tolerance_(tolerance), context_(context) {
-    for (std::uint32_t f = 0; f < coarse.mesh.triangles.size(); ++f) {
-      if (most_bulge(coarse, f) <= tolerance) continue;
-      pieces_.push_back(whole(coarse, f));
-    }
-    first_pieces_ = pieces_.size();
-  }
+  Divider(const ProxyMesh& coarse, std::vector<Piece> facets, double tolerance,
+          const RunContext& context)
+      : coarse_(coarse),
+        surface_(coarse),
+        tolerance_(tolerance),
+        context_(context),
+        pieces_(std::move(facets)) {}
 
-  /// Whether anything was divided, and whether it stopped before all was fine enough.
+  /// Whether anything was divided, and whether it stopped before all was fine enough. At most
+  /// `most` pieces are made.
   bool run(std::size_t most, bool& cut_short) {
+    const std::size_t limit = pieces_.size() + most;
     bool any = false;
     for (int pass = 0;; ++pass) {
       const std::vector<std::uint8_t> marks = mark();
       std::size_t more = 0;
       for (const std::uint8_t m : marks) more += static_cast<std::size_t>(std::popcount(m));
       if (more == 0) return any;
-      if (pass == kMostPasses || pieces_.size() + more > first_pieces_ + most) {
+      if (pass == kMostPasses || pieces_.size() + more > limit) {
         cut_short = true;
         return any;
       }
@@ -93,23 +111,18 @@ class Divider {
   RoundedFacet facet(std::uint32_t face) const { return surface_.facet(face); }
 
  private:
-  /// The surface at a share of the k-th edge of a piece; the same bits for both its triangles.
+  /// The surface at a share of the k-th edge of a piece, from the lower vertex on; the same bits
+  /// for both its triangles.
   Vec3 at(const RoundedFacet& facet, const Piece& piece, std::size_t k, double share) const {
     std::size_t i = k, j = next(k);
-    if (piece.corners[i] > piece.corners[j]) {
-      std::swap(i, j);
-      share = 1 - share;
-    }
+    if (piece.corners[i] > piece.corners[j]) std::swap(i, j);
     const Vec3 bary = (1 - share) * piece.bary[i] + share * piece.bary[j];
-    for (std::size_t side = 0; side < 3; ++side) {
-      const auto off = static_cast<int>(side);
-      if (piece.bary[i][off] != 0 || piece.bary[j][off] != 0) continue;
-      // From the lower vertex on, as `on_edge` counts.
-      const Triangle& whole = coarse_.mesh.triangles[piece.facet];
-      const std::size_t high = whole[next(side)] < whole[prev(side)] ? prev(side) : next(side);
-      return facet.on_edge(next(side), bary[static_cast<int>(high)]);
-    }
-    return facet.at(bary);
+    const auto edge = facet_edge(piece, k);
+    if (!edge) return facet.at(bary);
+    // From the lower vertex on, as `on_edge` counts.
+    const Triangle& corners = coarse_.mesh.triangles[piece.facet];
+    const std::size_t high = corners[*edge] < corners[next(*edge)] ? next(*edge) : *edge;
+    return facet.on_edge(*edge, bary[static_cast<int>(high)]);
   }
 
   const Vec3& position(std::uint32_t vertex) const {
@@ -118,13 +131,11 @@ class Divider {
   }
 
   bool bulges(const RoundedFacet& facet, const Piece& piece, std::size_t k) const {
-    std::uint32_t a = piece.corners[k], b = piece.corners[next(k)];
-    if (a > b) std::swap(a, b);
-    const Vec3 &p = position(a), &q = position(b);
+    const auto [low, high] = std::minmax(piece.corners[k], piece.corners[next(k)]);
+    const Vec3 &p = position(low), &q = position(high);
     // An S lies on its chord in the middle.
     for (const double share : {0.25, 0.5, 0.75}) {
-      const bool turned = piece.corners[k] != a;
-      const Vec3 off = at(facet, piece, k, turned ? 1 - share : share) - glm::mix(p, q, share);
+      const Vec3 off = at(facet, piece, k, share) - glm::mix(p, q, share);
       if (glm::dot(off, off) > tolerance_ * tolerance_) return true;
     }
     return false;
@@ -216,21 +227,15 @@ class Divider {
   RoundedMesh surface_;
   double tolerance_;
   const RunContext& context_;
-  std::size_t first_pieces_ = 0;  // pieces before anything was divided
-  std::vector<Vec3> made_;
   std::vector<Piece> pieces_;
+  std::vector<Vec3> made_;
   std::unordered_map<std::uint64_t, std::uint32_t> middles_;
 };
 
 /// Whether the k-th edge of a piece lies on a crease of the facets.
 bool on_crease(const ProxyMesh& coarse, const Piece& piece, std::size_t k) {
-  for (std::size_t side = 0; side < 3; ++side) {
-    const auto off = static_cast<int>(side);
-    if (piece.bary[k][off] == 0 && piece.bary[next(k)][off] == 0) {
-      return coarse.is_crease(static_cast<HalfEdge>(3 * piece.facet + next(side)));
-    }
-  }
-  return false;
+  const auto edge = facet_edge(piece, k);
+  return edge && coarse.is_crease(static_cast<HalfEdge>(3 * piece.facet + *edge));
 }
 
 /// For each wedge of the facets whether one around it was divided.
@@ -295,22 +300,39 @@ class Normals {
   Normals(const ProxyMesh& coarse, const Divider& divider)
       : coarse_(coarse), divider_(divider), moved_(touched(coarse, divider.pieces())) {}
 
-  Vec3 at(const Piece& piece, std::size_t corner) const {
-    const Vec3& bary = piece.bary[corner];
+  std::array<Vec3, 3> of(const Piece& piece) const {
+    std::array<Vec3, 3> out;
+    std::optional<RoundedFacet> facet;
     for (std::size_t k = 0; k < 3; ++k) {
-      const std::uint32_t w = coarse_.wedges[piece.facet][k];
-      if (bary[static_cast<int>(k)] == 1 && !moved_[w]) return coarse_.wedge_normal[w];
+      if (const Vec3* normal = kept(piece.facet, piece.bary[k])) {
+        out[k] = *normal;
+        continue;
+      }
+      if (!facet) facet = divider_.facet(piece.facet);
+      out[k] = moved(*facet, piece.bary[k]);
     }
-    const Vec3 flat = coarse_.mesh.normal(piece.facet);
-    Vec3 own = normalize_or(divider_.facet(piece.facet).normal_at(bary), flat);
+    return out;
+  }
+
+ private:
+  /// That of a corner of a facet with no divided one around it, else null.
+  const Vec3* kept(std::uint32_t facet, Vec3 bary) const {
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::uint32_t w = coarse_.wedges[facet][k];
+      if (bary[static_cast<int>(k)] == 1 && !moved_[w]) return &coarse_.wedge_normal[w];
+    }
+    return nullptr;
+  }
+  Vec3 moved(const RoundedFacet& facet, Vec3 bary) const {
+    const Vec3 flat = coarse_.mesh.normal(facet.face());
+    Vec3 own = normalize_or(facet.normal_at(bary), flat);
     if (glm::dot(own, flat) <= 0) own = flat;  // folded over
-    const Vec3 smooth = coarse_.normal(piece.facet, bary);
+    const Vec3 smooth = coarse_.normal(facet.face(), bary);
     const double angle = std::acos(std::min(glm::dot(smooth, own), 1.0));
     const double share = std::clamp((angle - kAlike) / (kUnlike - kAlike), 0.0, 1.0);
     return normalize_or(glm::mix(smooth, own, share), own);
   }
 
- private:
   const ProxyMesh& coarse_;
   const Divider& divider_;
   std::vector<std::uint8_t> moved_;
@@ -326,8 +348,9 @@ ProxyDraft draft_of(const ProxyMesh& coarse, const Divider& divider, const Layou
   const Normals normals(coarse, divider);
   layout.each(context, [&](std::size_t i, const Piece& piece) {
     draft.mesh.triangles[i] = piece.corners;
+    const std::array<Vec3, 3> normal = normals.of(piece);
     for (std::size_t k = 0; k < 3; ++k) {
-      draft.corner_normal[3 * i + k] = normals.at(piece, k);
+      draft.corner_normal[3 * i + k] = normal[k];
       draft.sharp[3 * i + k] = on_crease(coarse, piece, k);
     }
   });
@@ -338,12 +361,10 @@ ProxyDraft draft_of(const ProxyMesh& coarse, const Divider& divider, const Layou
 
 std::optional<RoundedFacets> round_facets(const ProxyMesh& coarse, double tolerance,
                                           std::size_t most, const RunContext& context) {
-  const std::size_t faces = coarse.mesh.triangles.size();
-  std::uint32_t first = 0;
-  while (first < faces && most_bulge(coarse, first) <= tolerance) ++first;
-  if (first == faces) return std::nullopt;
+  std::vector<Piece> facets = coarse_facets(coarse, tolerance);
+  if (facets.empty()) return std::nullopt;
   RoundedFacets out;
-  Divider divider(coarse, tolerance, context);
+  Divider divider(coarse, std::move(facets), tolerance, context);
   if (!divider.run(most, out.cut_short)) return std::nullopt;
   const Layout layout(coarse, divider.pieces());
   out.proxy = assemble_proxy(draft_of(coarse, divider, layout, context), context);

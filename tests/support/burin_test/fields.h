@@ -3,26 +3,17 @@
 
 #include <burin/base/rng.h>
 #include <burin/field/smoothed_field.h>
-#include <burin/forms/mesh/mesh_form.h>
 
 #include <burin_test/exact.h>
+#include <burin_test/facets.h>
 #include <burin_test/shapes.h>
 
 #include <cmath>
-#include <limits>
 #include <memory>
 #include <optional>
 #include <vector>
 
 namespace burin::test {
-
-/// The facets as they are: none is divided.
-inline std::shared_ptr<const Surface> realised(TriMesh mesh, bool curvature = true) {
-  RunContext context;
-  return MeshForm(std::move(mesh))
-      .realise({.tolerance = std::numeric_limits<double>::infinity(), .curvature = curvature},
-               context);
-}
 
 /// What a stroke tracer asks at a point: the arm of a family, or, on the way, the one that goes on.
 struct Asked {

@@ -1,21 +1,14 @@
-#include <burin/forms/mesh/mesh_form.h>
-
+#include <burin_test/facets.h>
 #include <burin_test/shapes.h>
 #include <gtest/gtest.h>
-
-#include <limits>
 
 namespace burin {
 namespace {
 
 using test::kPi;
 
-// The facets as they are: none is divided.
 std::shared_ptr<const Surface> realise(TriMesh mesh, bool curvature = false) {
-  RunContext context;
-  return MeshForm(std::move(mesh))
-      .realise({.tolerance = std::numeric_limits<double>::infinity(), .curvature = curvature},
-               context);
+  return test::realised(std::move(mesh), curvature);
 }
 
 /// The square [0,n]^2 in the plane z = 0.

@@ -184,6 +184,7 @@ TEST(Haloes, HiddenLinesInFullAreInterruptedByNearerOnes) {
 }
 
 TEST(DepthCues, WidthsAreLinearInDepth) {
+  constexpr double kTolerance = 0.01;  // coarse facets are rounded by it
   const Scene scene = scene_of(
       {std::make_shared<MeshForm>(test::torus(20, 8, 64, 32)), box({-30, -4, -60}, {30, 4, -40})});
   for (const auto& perspective : {std::optional<double>(), std::optional<double>(35)}) {
@@ -191,7 +192,7 @@ TEST(DepthCues, WidthsAreLinearInDepth) {
     double front = -1e9, back = 1e9;
     for (const Part& part : scene.parts) {
       RunContext context;
-      const auto s = part.form->realise({}, context);
+      const auto s = part.form->realise({.tolerance = kTolerance}, context);
       for (const Vec3& p : s->proxy().mesh.positions) {
         front = std::max(front, camera.depth(p));
         back = std::min(back, camera.depth(p));
@@ -202,13 +203,14 @@ TEST(DepthCues, WidthsAreLinearInDepth) {
     style.depth.near = 1.5;
     style.depth.far = 0.25;
     int points = 0;
-    for (const Layer& layer : draw(scene, camera, style).layers) {
+    RunContext context;
+    const Drawing drawing = illustrate(scene, camera, style, {.tolerance = kTolerance}, context);
+    for (const Layer& layer : drawing.layers) {
       for (const Path& p : layer.paths) {
         ASSERT_EQ(p.width.size(), p.points.size());
         for (std::size_t i = 0; i < p.points.size(); ++i, ++points) {
           const double t = (front - camera.depth(p.points3[i])) / (front - back);
-          // The drawing's own torus was made to another tolerance.
-          EXPECT_NEAR(p.width[i], 0.4 * (1.5 + t * (0.25 - 1.5)), 1e-4);
+          EXPECT_NEAR(p.width[i], 0.4 * (1.5 + t * (0.25 - 1.5)), 1e-9);
         }
       }
     }

@@ -34,13 +34,15 @@ class RoundedFacet {
 /// Curved point-normal triangles over a proxy mesh: one cubic patch per triangle, tangent at each
 /// wedge to the wedge's normal, without gaps between triangles. A crease leaves its vertices along
 /// both sides' tangent planes: straight where faces are flat, round on the rim of a cylinder. Holds
-/// a reference: the proxy must outlive it. Cost: one pass over the edges to build, 0.2 us per
-/// facet, some ns per point of it. @cite Vlachos2001
+/// a reference: the proxy must outlive it. Cost: one pass over the edges to build; the lifts are
+/// found once per RoundedFacet, whatever the number of its points. @cite Vlachos2001
 class RoundedMesh {
  public:
   explicit RoundedMesh(const ProxyMesh& proxy);
 
   RoundedFacet facet(std::uint32_t face) const;
+  /// As RoundedFacet::on_edge, for one point.
+  Vec3 on_edge(HalfEdge h, double t) const;
 
  private:
   Vec3 control_lift(HalfEdge h, bool at_origin) const;

@@ -8,8 +8,8 @@
 
 namespace burin {
 
-/// An atlas with its triangles as a surface. Positions, normals and curvature
-/// are those of S(u,v); the triangles only tell where a face ends and what is next to it. `march`
+/// An atlas with its triangles as a surface. Positions, normals and curvature are those of S(u,v);
+/// the triangles only tell where a face ends and what is next to it. `march`
 /// follows the geodesic of S in (u,v) by adaptive steps of the fourth order, error below 1e-9 of
 /// the size, crosses smooth edges and seams at the exact place on the edge with the direction
 /// carried over, and stops at sharp edges and boundaries. `realised` meshes have gone through
