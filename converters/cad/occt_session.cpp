@@ -10,7 +10,7 @@
 #include <Message_Messenger.hxx>
 #include <Message_Printer.hxx>
 #include <OSD.hxx>
-#include <OSD_Exception.hxx>
+#include <OSD_Signal.hxx>
 #include <STEPControl_Controller.hxx>
 #include <Standard_ErrorHandler.hxx>
 #include <Standard_Failure.hxx>
@@ -123,7 +123,7 @@ void OcctSession::guarded(const std::string& file, const std::function<void()>& 
   try {
     OCC_CATCH_SIGNALS
     body();
-  } catch (const OSD_Exception&) {
+  } catch (const OSD_Signal&) {
     throw InputError(kCrashed, file);
   } catch (const Standard_OutOfMemory&) {
     throw std::bad_alloc();

@@ -1,5 +1,6 @@
 #include <burin/base/error.h>
 
+#include "absurd_numbers.h"
 #include "cad_file.h"
 #include "collect.h"
 #include "entity_numbers.h"
@@ -12,7 +13,6 @@
 #include <Interface_CheckIterator.hxx>
 #include <STEPCAFControl_Reader.hxx>
 #include <StepData_StepModel.hxx>
-#include <StepGeom_CartesianPoint.hxx>
 #include <TCollection_HAsciiString.hxx>
 #include <TDocStd_Document.hxx>
 #include <Transfer_TransientProcess.hxx>
@@ -21,7 +21,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstdlib>
 #include <istream>
 #include <streambuf>
@@ -152,24 +151,6 @@ void add_failures(STEPCAFControl_Reader& reader, Diagnostics& diagnostics) {
                       "entities could not be translated");
 }
 
-// Model mm beyond which a coordinate is taken for rubbish: OCCT's algorithms take time in
-// proportion to it where curves are periodic.
-constexpr double kFarthest = 1e12;
-
-void refuse_absurd_points(STEPCAFControl_Reader& reader, const Source& source) {
-  const Handle(StepData_StepModel) model = reader.ChangeReader().StepModel();
-  for (int i = 1; i <= model->NbEntities(); ++i) {
-    const auto point = Handle(StepGeom_CartesianPoint)::DownCast(model->Value(i));
-    if (point.IsNull()) continue;
-    for (int k = 1; k <= point->NbCoordinates(); ++k) {
-      const double x = point->CoordinatesValue(k);
-      if (std::abs(x) <= kFarthest) continue;
-      source.fail(fmt::format("has a point with the coordinate {:g} (#{}); export the model again",
-                              x, model->IdentLabel(point)));
-    }
-  }
-}
-
 }  // namespace
 
 CadFile read_step(const Source& source, const OcctSession& session, RunContext& context) {
@@ -184,7 +165,7 @@ CadFile read_step(const Source& source, const OcctSession& session, RunContext& 
 
   CadFile file;
   parse(reader, source, session, file.diagnostics, context);
-  refuse_absurd_points(reader, source);
+  refuse_absurd_numbers(*reader.ChangeReader().StepModel(), source);
   file.schema = schema_of(reader);
   file.format = protocol_of(file.schema);
   Handle(TDocStd_Document) document = new TDocStd_Document("BinXCAF");

@@ -14,9 +14,6 @@
 namespace burin::cli {
 namespace {
 
-constexpr std::array<std::string_view, 10> kStages{"read",    "build", "curvature", "field",
-                                                   "cover",   "trace", "features",  "visibility",
-                                                   "compose", "write"};
 constexpr int kBarWidth = 30;
 
 /// One write, past stdio: lines of different threads do not mix.
@@ -87,20 +84,19 @@ void Console::verification(const Verification& v) {
 void Console::stages(const RunContext& context, double total) {
   if (!verbose_ || quiet_) return;
   clear();
-  std::vector<StageTime> lines;
-  for (const std::string_view name : kStages) lines.push_back({std::string(name), 0});
-  for (const StageTime& stage : context.stages()) {
-    const auto it = std::find_if(lines.begin(), lines.end(),
-                                 [&](const StageTime& l) { return l.name == stage.name; });
-    if (it == lines.end()) {
-      lines.push_back(stage);
-    } else {
-      it->seconds += stage.seconds;
-    }
+  const std::vector<std::string>& names = run_stage_names();
+  std::vector<double> seconds(names.size(), 0);
+  // Programs read these lines: the stage that an option adds is there with the option alone.
+  constexpr double kNever = -1;
+  seconds[static_cast<std::size_t>(RunStage::Verify)] = kNever;
+  for (const StageTime& s : context.stages()) {
+    seconds[static_cast<std::size_t>(s.stage)] = s.seconds;
   }
   std::string text;
-  for (const StageTime& l : lines)
-    text += fmt::format("burin: stage {} {:.4f}\n", l.name, l.seconds);
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    if (seconds[i] == kNever) continue;
+    text += fmt::format("burin: stage {} {:.4f}\n", names[i], seconds[i]);
+  }
   say(text + fmt::format("burin: total {:.4f}\n", total));
 }
 

@@ -31,8 +31,7 @@ class Console {
   void diagnostics(const Diagnostics& diagnostics);
   /// One line, `burin: verify: ...`: how much of the drawing rays contradict.
   void verification(const Verification& verification);
-  /// The lines of --verbose: all stages of a drawing in their order, then any others, then the
-  /// total.
+  /// The lines of --verbose: the stages in their order, then the total.
   void stages(const RunContext& context, double total);
 
  private:

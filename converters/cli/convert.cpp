@@ -50,7 +50,7 @@ void run_convert(const ConvertArguments& arguments, RunContext& context, Console
   std::vector<Output> outputs =
       make_outputs(arguments.outputs, arguments.format, {arguments.input});
   for (const Output& output : outputs) output.probe();
-  context.begin_stage("read");
+  context.begin_stage(RunStage::Read);
   const Drawing drawing = read_drawing(arguments.input, context);
   context.end_stage();
   WriteOptions options = write_options(style);

@@ -35,22 +35,21 @@ void check_format(const Output& output, const Paper& paper, const WriteOptions& 
 /// Keys that were set for a format that is not written.
 void note_unwritten(const DrawArguments& arguments, const std::vector<Output>& outputs,
                     DrawPlan& plan) {
-  const auto written = [&](Format format) {
+  const auto written = [&](const Format& format) {
     return std::any_of(outputs.begin(), outputs.end(),
-                       [&](const Output& o) { return o.format() == format; });
+                       [&](const Output& o) { return &o.format() == &format; });
   };
-  const auto note = [&](const std::string& what, Format format) {
+  const auto note = [&](const std::string& what, const Format& format) {
     plan.notes.add(Severity::Warning, "option.unused", 1,
-                   fmt::format("{} has no effect: no output is .{}", what, name_of(format)));
+                   fmt::format("{} has no effect: no output is .{}", what, format.name));
   };
   for (const std::string& assignment : given_texts(arguments.request.options, "set")) {
     const std::string key = parted_assignment(assignment).first;
-    const auto format = only_format_of(key);
+    const Format* format = only_format_of(key);
     if (format && !written(*format)) note("style key " + key, *format);
   }
-  if (!plan.id_prefix.empty() && !written(Format::Svg)) {
-    note("option --id-prefix", Format::Svg);
-  }
+  const Format& svg = *format_named("svg");
+  if (!plan.id_prefix.empty() && !written(svg)) note("option --id-prefix", svg);
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include <burin/base/out_of_memory.h>
 #include <burin/base/run_context.h>
 #include <burin/base/version.h>
+#include <burin/converters/messages.h>
 
 #include "arguments.h"
 #include "console.h"
@@ -25,10 +26,7 @@ namespace {
 
 constexpr int kDone = 0, kFailed = 1, kUsage = 2, kBadInput = 3, kNoOutput = 4, kStopped = 5;
 
-std::string located(const std::string& file, std::int64_t line, const std::string& what) {
-  if (file.empty()) return what;
-  return line > 0 ? fmt::format("{}:{}: {}", file, line, what) : fmt::format("{}: {}", file, what);
-}
+std::string said(const std::exception& e) { return at_door(e.what(), Spelling::Options); }
 
 /// Says what went wrong, in one line; to be called where an exception was caught. `input` is the
 /// file that errors without one of their own are about.
@@ -39,22 +37,22 @@ int report(const std::string& input) {
     if (signals::may_say_cancelled()) print_error("cancelled");
     return kStopped;
   } catch (const UsageError& e) {
-    print_error(e.what());
+    print_error(said(e));
     return kUsage;
   } catch (const InputError& e) {
-    print_error(located(e.file().empty() ? input : e.file(), e.line(), e.what()));
+    print_error(located(e.file().empty() ? input : e.file(), e.line(), said(e)));
     return kBadInput;
   } catch (const GeometryError& e) {
-    print_error(located(input, 0, e.what()));
+    print_error(located(input, 0, said(e)));
     return kBadInput;
   } catch (const OutputError& e) {
-    print_error(located(e.file(), 0, e.what()));
+    print_error(located(e.file(), 0, said(e)));
     return kNoOutput;
   } catch (const std::exception& e) {
     print_error(located(input, 0,
                         is_out_of_memory(e) ? "out of memory; draw a smaller model, or fewer at "
                                               "once"
-                                            : e.what()));
+                                            : said(e)));
     return kFailed;
   }
 }

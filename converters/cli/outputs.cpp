@@ -15,7 +15,7 @@ std::vector<Output> make_outputs(std::vector<std::string> names, const std::stri
 
 void write_outputs(std::vector<Output>& outputs, const Drawing& drawing, WriteOptions options,
                    RunContext& context) {
-  context.begin_stage("write");
+  context.begin_stage(RunStage::Write);
   for (std::size_t i = 0; i < outputs.size(); ++i) {
     const auto done = static_cast<double>(i), all = static_cast<double>(outputs.size());
     options.progress = [&](double share) { context.progress((done + share) / all); };

@@ -205,7 +205,7 @@ class Maker {
     if (hidden != objects.end()) {
       throw InputError(
           fmt::format("all of its shapes are hidden; show them in FreeCAD, or choose some: "
-                      "--object {}",
+                      "`object {}`",
                       in_quotes(hidden->label)),
           file);
     }

@@ -2,7 +2,7 @@
 
 #include <burin/base/error.h>
 
-#include "child.h"
+#include "subprocess.h"
 #include "text.h"
 
 #include <fmt/format.h>
@@ -66,7 +66,7 @@ std::vector<std::string> programs() {
   if (error == ENOENT) {
     throw InputError(
         "FreeCAD is needed to recompute and freecadcmd is not on PATH; install the package "
-        "freecad, name the command in BURIN_FREECAD, or draw without --recompute");
+        "freecad, name the command in BURIN_FREECAD, or draw without `recompute`");
   }
   throw InputError(fmt::format("freecadcmd cannot be run: {}", std::strerror(error)));
 }
@@ -93,7 +93,7 @@ Path recompute(const Path& document, double timeout, const TemporaryFolder& fold
   std::ofstream(script) << fmt::format(
       fmt::runtime(kScript), hex(std::filesystem::absolute(document).string()), hex(copy.string()));
   std::string reason, last;
-  ChildRun run;
+  SubprocessRun run;
   run.folder = folder.path().string();
   run.timeout = timeout;
   run.line = [&](const std::string& line) {
@@ -109,22 +109,22 @@ Path recompute(const Path& document, double timeout, const TemporaryFolder& fold
     }
   };
   const std::vector<std::string> names = programs();
-  ChildEnd end;
+  SubprocessEnd end;
   for (const std::string& name : names) {
     run.arguments = {name, script.string()};
-    end = run_child(run, context);
+    end = run_subprocess(run, context);
     if (end.start_error != ENOENT) break;
   }
   if (end.start_error != 0) fail_to_start(names.front(), names.size(), end.start_error);
   const std::string file = document.string();
   if (end.timed_out) {
     throw InputError(fmt::format("FreeCAD was not done after {:g} s and was ended; give it longer "
-                                 "with --freecad-timeout, or draw without --recompute",
+                                 "with `freecad_timeout`, or draw without `recompute`",
                                  timeout),
                      file);
   }
   if (end.signal != 0) {
-    throw InputError(fmt::format("FreeCAD crashed (signal {}, {}); draw without --recompute",
+    throw InputError(fmt::format("FreeCAD crashed (signal {}, {}); draw without `recompute`",
                                  end.signal, ::strsignal(end.signal)),
                      file);
   }

@@ -158,7 +158,7 @@ void FcWalk::visit(const FcDocument& document, std::int32_t number, const Place&
   }
   if (++visits_ > kMostVisits) {
     throw InputError(
-        "its groups and links ask for absurdly many objects; choose some with --object",
+        "its groups and links ask for absurdly many objects; choose some with `object`",
         root_.path().string());
   }
   path_.push_back(&object);

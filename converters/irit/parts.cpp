@@ -4,7 +4,7 @@
 #include <burin/forms/implicit/implicit_form.h>
 #include <burin/forms/mesh/mesh_form.h>
 #include <burin/forms/parametric/parametric_form.h>
-#include <burin/mesh/repair.h>
+#include <burin/repair/repair.h>
 
 #include "color.h"
 #include "leftovers.h"

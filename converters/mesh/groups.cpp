@@ -1,7 +1,7 @@
 #include "groups.h"
 
 #include <burin/base/disjoint_sets.h>
-#include <burin/mesh/weld.h>
+#include <burin/repair/weld.h>
 
 #include <algorithm>
 

@@ -1,13 +1,13 @@
 #include <burin/converters/mesh_reader.h>
-#include <burin/forms/healed/healed_form.h>
 #include <burin/forms/mesh/mesh_form.h>
+#include <burin/forms/recognised/recognised_form.h>
 
 #include <fmt/format.h>
 
 namespace burin {
 namespace {
 
-std::string told(const HealedFaces& n) {
+std::string told(const RecognisedFaces& n) {
   std::string text;
   const auto add = [&](std::int64_t count, const char* one, const char* many) {
     if (count == 0) return;
@@ -27,7 +27,7 @@ void heal_parts(Scene& scene, const RunContext& context) {
   for (Part& part : scene.parts) {
     const auto* form = dynamic_cast<const MeshForm*>(part.form.get());
     if (!form) continue;
-    auto healed = std::make_shared<HealedForm>(form->mesh(), context);
+    auto healed = std::make_shared<RecognisedForm>(form->mesh(), context);
     if (healed->too_coarse()) {
       scene.diagnostics.add(Severity::Warning, "mesh.too_coarse_to_heal", 1,
                             fmt::format("{}: so far from the origin its coordinates have too few "
@@ -36,7 +36,7 @@ void heal_parts(Scene& scene, const RunContext& context) {
                                         part.name));
       continue;
     }
-    const HealedFaces faces = healed->faces();
+    const RecognisedFaces faces = healed->faces();
     if (faces.total() == 0) continue;
     scene.diagnostics.add(Severity::Info, "mesh.healed", faces.total(),
                           fmt::format("{}: facets are drawn as the round surfaces that they stand "

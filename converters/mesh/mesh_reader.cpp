@@ -1,6 +1,6 @@
 #include <burin/converters/mesh_reader.h>
 #include <burin/forms/mesh/mesh_form.h>
-#include <burin/mesh/repair.h>
+#include <burin/repair/repair.h>
 
 #include "formats.h"
 #include "text.h"

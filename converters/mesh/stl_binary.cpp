@@ -1,5 +1,5 @@
 #include <burin/base/parallel.h>
-#include <burin/mesh/weld.h>
+#include <burin/repair/weld.h>
 
 #include "formats.h"
 

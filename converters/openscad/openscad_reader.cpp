@@ -3,9 +3,9 @@
 #include <burin/converters/mesh_reader.h>
 #include <burin/converters/openscad_reader.h>
 
-#include "child.h"
 #include "messages.h"
 #include "source.h"
+#include "subprocess.h"
 #include "text.h"
 
 #include <fmt/format.h>
@@ -57,14 +57,14 @@ Program find_program(RunContext& context) {
     program.name = std::filesystem::absolute(program.name).string();
   }
   bool exports = false;
-  detail::ChildRun run;
+  detail::SubprocessRun run;
   run.arguments = {program.name, "--help"};
   run.timeout = kPatience;
   run.line = [&](const std::string& line) {
     exports = exports || line.find("binstl") != std::string::npos;
     program.has_backend = program.has_backend || line.find("--backend") != std::string::npos;
   };
-  const detail::ChildEnd end = detail::run_child(run, context);
+  const detail::SubprocessEnd end = detail::run_subprocess(run, context);
   if (end.start_error != 0) fail_to_start(program, end.start_error);
   if (!exports) {
     throw InputError(fmt::format(
@@ -85,10 +85,10 @@ class Verdict {
         lines_(lines),
         messages_(messages) {}
 
-  void check(const detail::ChildEnd& end, double timeout, std::size_t bytes) const {
+  void check(const detail::SubprocessEnd& end, double timeout, std::size_t bytes) const {
     if (end.timed_out) {
       throw InputError(fmt::format("OpenSCAD was not done after {:g} s and was ended; give it "
-                                   "longer with --openscad-timeout, or lower $fn with -D",
+                                   "longer with `openscad_timeout`, or lower $fn with `define`",
                                    timeout),
                        file_);
     }
@@ -184,7 +184,7 @@ Diagnostics run_openscad(const Path& path, const OpenscadOptions& options,
     }
   }
   const Program program = find_program(context);
-  detail::ChildRun run;
+  detail::SubprocessRun run;
   // Binary STL: single precision, 20 times finer than the six digits of the text formats.
   run.arguments = {program.name, "-o", fmt::format("/dev/fd/{}", detail::kChildFile),
                    "--export-format", "binstl"};
@@ -199,7 +199,7 @@ Diagnostics run_openscad(const Path& path, const OpenscadOptions& options,
   run.timeout = options.timeout;
   detail::Messages messages;
   run.line = [&](const std::string& line) { messages.add(line); };
-  const detail::ChildEnd end = detail::run_child(run, context);
+  const detail::SubprocessEnd end = detail::run_subprocess(run, context);
   if (end.start_error != 0) fail_to_start(program, end.start_error);
   Verdict(path, lines, messages).check(end, options.timeout, mesh.size());
   check_mesh(mesh, path);

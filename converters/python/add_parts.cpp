@@ -7,7 +7,7 @@
 #include <burin/forms/implicit/implicit_form.h>
 #include <burin/forms/implicit/volume_function.h>
 #include <burin/forms/mesh/mesh_form.h>
-#include <burin/mesh/repair.h>
+#include <burin/repair/repair.h>
 
 #include "arrays.h"
 #include "function.h"

@@ -1,6 +1,7 @@
 #include <burin/base/error.h>
 #include <burin/base/parallel.h>
 #include <burin/converters/catalogues.h>
+#include <burin/converters/messages.h>
 #include <burin/converters/read.h>
 #include <burin/converters/request.h>
 
@@ -44,14 +45,14 @@ bool is_about_reading(const std::string& name) {
 /// What is to be drawn: a scene, or files to be read in the run.
 struct Source {
   std::optional<Scene> scene;
-  std::vector<PartLook> looks;
+  std::vector<PartStyle> part_styles;
   std::vector<std::string> paths;
 
   explicit Source(const py::object& value) {
     if (py::isinstance<PyScene>(value)) {
       const auto& given = value.cast<const PyScene&>();
       scene = given.scene;
-      looks = given.looks;
+      part_styles = given.part_styles;
     } else {
       paths = path_list(value);
       if (paths.empty()) throw UsageError("no input; name model files, or give a scene");
@@ -87,7 +88,7 @@ DrawingOwner draw(const py::object& source, const py::kwargs& keywords) {
   plan.illustrate.tone = python_tone(tone);
   if (!field.is_none()) plan.about_strokes.emplace_back("argument field");
   if (!tone.is_none()) plan.about_strokes.emplace_back("argument tone");
-  if (from.scene) plan.illustrate.looks = from.looks;
+  if (from.scene) plan.illustrate.part_styles = from.part_styles;
   const auto flag = cancel_flag(cancel);
   auto result = std::make_shared<PyDrawing>();
   result->style = plan.style;
@@ -109,8 +110,11 @@ py::list info(const py::args& paths, const py::kwargs& options) {
   std::vector<FileInfo> files;
   run(py::none(), nullptr, [&](RunContext& context) {
     check_inputs(names);
-    context.begin_stage("read");
-    for (const std::string& name : names) files.push_back(inspect_file(name, read, context));
+    context.begin_stage(RunStage::Read);
+    for (const std::string& name : names) {
+      files.push_back(inspect_file(name, read, context));
+      files.back().diagnostics = at_door(files.back().diagnostics, Spelling::Keywords);
+    }
     context.end_stage();
   });
   return py::module_::import("json").attr("loads")(to_json(files))["files"];

@@ -107,7 +107,7 @@ DrawingOwner made(const std::function<Drawing(const RunContext&)>& read) {
   // What files do not say is as in `burin convert`.
   drawing->style = builtin_style("technical");
   run(py::none(), nullptr, [&](RunContext& context) {
-    context.begin_stage("read");
+    context.begin_stage(RunStage::Read);
     drawing->drawing = read(context);
     context.end_stage();
   });

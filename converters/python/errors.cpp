@@ -1,6 +1,7 @@
 #include <burin/base/error.h>
 #include <burin/base/missing_file.h>
 #include <burin/base/out_of_memory.h>
+#include <burin/converters/messages.h>
 
 #include "module.h"
 
@@ -29,10 +30,7 @@ PyObject* make(py::module_& module, const char* name, const char* doc, const py:
   return type;
 }
 
-std::string located(const std::string& file, std::int64_t line, const std::string& what) {
-  if (file.empty()) return what;
-  return line > 0 ? fmt::format("{}:{}: {}", file, line, what) : fmt::format("{}: {}", file, what);
-}
+std::string said(const std::exception& e) { return at_door(e.what(), Spelling::Keywords); }
 
 /// Sets a Python error that has the place as attributes.
 void set(PyObject* type, const std::string& message, const std::string& file, std::int64_t line) {
@@ -49,19 +47,19 @@ void translate(std::exception_ptr pointer) {
   try {
     if (pointer) std::rethrow_exception(pointer);
   } catch (const Cancelled& e) {
-    PyErr_SetString(g_errors.cancelled, e.what());
+    PyErr_SetString(g_errors.cancelled, said(e).c_str());
   } catch (const UsageError& e) {
-    PyErr_SetString(g_errors.usage, e.what());
+    PyErr_SetString(g_errors.usage, said(e).c_str());
   } catch (const MissingFile& e) {
-    set(g_errors.missing, located(e.file(), e.line(), e.what()), e.file(), e.line());
+    set(g_errors.missing, located(e.file(), e.line(), said(e)), e.file(), e.line());
   } catch (const InputError& e) {
-    set(g_errors.input, located(e.file(), e.line(), e.what()), e.file(), e.line());
+    set(g_errors.input, located(e.file(), e.line(), said(e)), e.file(), e.line());
   } catch (const GeometryError& e) {
-    PyErr_SetString(g_errors.geometry, e.what());
+    PyErr_SetString(g_errors.geometry, said(e).c_str());
   } catch (const OutputError& e) {
-    set(g_errors.output, located(e.file(), 0, e.what()), e.file(), 0);
+    set(g_errors.output, located(e.file(), 0, said(e)), e.file(), 0);
   } catch (const Error& e) {
-    PyErr_SetString(g_errors.error, e.what());
+    PyErr_SetString(g_errors.error, said(e).c_str());
   } catch (const std::exception& e) {
     if (!is_out_of_memory(e)) throw;
     PyErr_SetString(PyExc_MemoryError, "out of memory; draw a smaller model, or fewer at once");

@@ -1,6 +1,7 @@
 #include "scene.h"
 
 #include <burin/base/error.h>
+#include <burin/converters/messages.h>
 #include <burin/converters/read.h>
 #include <burin/converters/request.h>
 
@@ -33,7 +34,7 @@ PyPart append(const Owner& owner, Part part, const PartNames& names) {
   for (const py::handle name : names.assembly) part.assembly.push_back(name.cast<std::string>());
   part.source = names.source;
   owner->scene.parts.push_back(std::move(part));
-  owner->looks.resize(owner->scene.parts.size());
+  owner->part_styles.resize(owner->scene.parts.size());
   return {owner, owner->scene.parts.size() - 1};
 }
 
@@ -53,7 +54,7 @@ Owner read(const py::args& paths, const py::kwargs& keywords) {
   run(progress, flag, [&](RunContext& context) {
     check_inputs(names);
     owner->scene = read_scene(names, read, context);
-    owner->looks.resize(owner->scene.parts.size());
+    owner->part_styles.resize(owner->scene.parts.size());
   });
   return owner;
 }
@@ -82,7 +83,7 @@ void property(py::class_<PyPart>& c, const char* name, T Part::*member, const ch
       [member](const PyPart& p, const T& value) { p.part().*member = value; }, doc);
 }
 
-void look(py::class_<PyPart>& c, const char* name, bool PartLook::*member, const char* doc) {
+void look(py::class_<PyPart>& c, const char* name, bool PartStyle::*member, const char* doc) {
   c.def_property(
       name, [member](const PyPart& p) { return p.look().*member; },
       [member](const PyPart& p, bool value) { p.look().*member = value; }, doc);
@@ -100,9 +101,9 @@ void add_part(py::module_& module) {
   property(part, "color", &Part::color, "\"#rrggbb\", or empty where it has none.");
   property(part, "assembly", &Part::assembly,
            "Names from the top of an assembly down to what contains the part.");
-  look(part, "drawn", &PartLook::drawn, "False: as if the part were not there.");
-  look(part, "hatched", &PartLook::hatched, "False: lines alone, without strokes.");
-  look(part, "transparent", &PartLook::transparent,
+  look(part, "drawn", &PartStyle::drawn, "False: as if the part were not there.");
+  look(part, "hatched", &PartStyle::hatched, "False: lines alone, without strokes.");
+  look(part, "transparent", &PartStyle::transparent,
        "Its lines are drawn, without strokes, and it hides itself but no other part.");
   part.def_property(
       "style", [](const PyPart& p) { return style_dict(p.look().style); },
@@ -240,7 +241,10 @@ void add_scene(py::module_& module) {
           "bounds", [](const PyScene& self) { return box_array(self.scene.bounds()); },
           "(2, 3) in mm: least and greatest coordinates.")
       .def_property_readonly(
-          "diagnostics", [](const PyScene& self) { return to_list(self.scene.diagnostics); },
+          "diagnostics",
+          [](const PyScene& self) {
+            return to_list(at_door(self.scene.diagnostics, Spelling::Keywords));
+          },
           "What the readers mended or left out.")
       .def("__len__", [](const PyScene& self) { return self.scene.parts.size(); })
       .def("__repr__", repr);

@@ -16,7 +16,7 @@ namespace py = pybind11;
 struct PyScene {
   Scene scene;
   /// One per part.
-  std::vector<PartLook> looks;
+  std::vector<PartStyle> part_styles;
 };
 
 /// One part of a scene, which it keeps.
@@ -25,7 +25,7 @@ struct PyPart {
   std::size_t index = 0;
 
   Part& part() const { return owner->scene.parts[index]; }
-  PartLook& look() const { return owner->looks[index]; }
+  PartStyle& look() const { return owner->part_styles[index]; }
 };
 
 /// Diagnostics as a list.

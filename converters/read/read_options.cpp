@@ -209,10 +209,7 @@ std::vector<ReadRow> volume_rows() {
          .group = kData,
          .label = "BYTES"},
         [](ReadOptions& o, const Asked& a) {
-          if (!o.volume.raw) {
-            const bool command = a.spelled.starts_with("--");
-            throw UsageError(a.spelled + " goes with " + (command ? "--raw" : "raw"));
-          }
+          if (!o.volume.raw) throw UsageError(a.spelled + " goes with `raw`");
           o.volume.raw->skip = static_cast<std::int64_t>(std::get<std::uint64_t>(a.value));
         }},
        Volumes,

@@ -32,7 +32,7 @@ void check_inputs(const std::vector<std::string>& paths) {
 
 Scene read_scene(const std::vector<std::string>& paths, const ReadOptions& options,
                  RunContext& context) {
-  context.begin_stage("read");
+  context.begin_stage(RunStage::Read);
   Scene scene;
   std::vector<const detail::Reader*> readers;
   for (std::size_t i = 0; i < paths.size(); ++i) {

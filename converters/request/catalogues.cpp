@@ -1,3 +1,4 @@
+#include <burin/base/run_stage.h>
 #include <burin/converters/catalogues.h>
 #include <burin/converters/request.h>
 #include <burin/converters/write.h>
@@ -19,6 +20,7 @@ std::string catalogues_json() {
     all["styles"].push_back({{"name", style.name}, {"meaning", style.description}});
   }
   all["formats"] = format_names();
+  all["stages"] = run_stage_names();
   return all.dump(1) + "\n";
 }
 

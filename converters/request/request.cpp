@@ -1,5 +1,8 @@
 #include <burin/base/error.h>
+#include <burin/converters/messages.h>
 #include <burin/converters/request.h>
+#include <burin/field/catalogue.h>
+#include <burin/tone/catalogue.h>
 
 #include "draw_options.h"
 
@@ -25,6 +28,12 @@ void note_unused(const DrawRequest& r, Spelling spelling, const Style& named, Dr
   const auto note = [&](const std::string& text) {
     plan.notes.add(Severity::Warning, "option.unused", 1, text);
   };
+  const std::string& law = plan.style.tone.law;
+  if (r.has("light") && !tone::find(law).uses_light &&
+      !field::find(plan.style.hatch.field.name).uses_light) {
+    note(fmt::format("{} has no effect: tone.law {} does not look at it", called("light", spelling),
+                     law));
+  }
   if (plan.illustrate.hidden == HiddenLines::Dashed && plan.style.halo.hidden) {
     note(fmt::format("{} has no effect: style '{}' draws hidden lines in full (halo.hidden)",
                      called("hidden", spelling), plan.style.name));
@@ -40,8 +49,8 @@ void note_unused(const DrawRequest& r, Spelling spelling, const Style& named, Dr
 
 bool has_strokes(const DrawPlan& plan) {
   return plan.style.hatch.enabled ||
-         std::any_of(plan.illustrate.looks.begin(), plan.illustrate.looks.end(),
-                     [](const PartLook& look) { return look.style && look.style->hatch.enabled; });
+         std::any_of(plan.illustrate.part_styles.begin(), plan.illustrate.part_styles.end(),
+                     [](const PartStyle& look) { return look.style && look.style->hatch.enabled; });
 }
 
 }  // namespace
@@ -49,6 +58,7 @@ bool has_strokes(const DrawPlan& plan) {
 Drawing draw(const Scene& scene, const Camera& camera, const DrawPlan& plan, RunContext& context) {
   Drawing drawing = illustrate(scene, camera, plan.style, plan.illustrate, context);
   drawing.diagnostics.append(plan.notes);
+  drawing.diagnostics = at_door(drawing.diagnostics, plan.spelling);
   if (has_strokes(plan)) return drawing;
   for (const std::string& choice : plan.about_strokes) {
     drawing.diagnostics.add(Severity::Warning, "option.unused", 1,
@@ -67,6 +77,7 @@ Camera make_camera(const Scene& scene, const DrawPlan& plan) {
 DrawPlan make_plan(const DrawRequest& request, Spelling spelling) {
   detail::Draft draft{.style_text = request.style_text};
   apply(detail::draw_rows(), request.options, spelling, draft);
+  draft.plan.spelling = spelling;
   check_style(draft.plan.style);
   draft.plan.read = make_read_options(request.options, spelling);
   note_unused(request, spelling, draft.named, draft.plan);

@@ -29,13 +29,13 @@ void check_level(const VolumeInfo& info, const std::optional<double>& level,
   }
   if (!level) {
     throw InputError(fmt::format("has values of {}; give the level of the surface to draw, e.g. "
-                                 "--iso {:.6g}",
+                                 "`iso {:.6g}`",
                                  values, info.level),
                      file);
   }
   if (!(*level > info.min && *level < info.max)) {
     throw InputError(fmt::format("the level {:.6g} is outside the values of the data, {}; try "
-                                 "--iso {:.6g}",
+                                 "`iso {:.6g}`",
                                  *level, values, info.level),
                      file);
   }

@@ -59,8 +59,8 @@ std::string advice(int error) {
   throw OutputError(advice(error), name == "-" ? "standard output" : name);
 }
 
-Format format_of(const std::string& output, const std::string& format) {
-  std::optional<Format> asked;
+const Format& format_of(const std::string& output, const std::string& format) {
+  const Format* asked = nullptr;
   if (!format.empty()) {
     asked = format_named(format);
     if (!asked)
@@ -71,7 +71,7 @@ Format format_of(const std::string& output, const std::string& format) {
     throw UsageError("output to - (standard output) needs --format: " + format_list());
   }
   const std::string suffix = fs::path(output).extension().string();
-  const auto named = suffix.empty() ? std::nullopt : format_named(suffix.substr(1));
+  const Format* named = suffix.empty() ? nullptr : format_named(suffix.substr(1));
   if (named) return *named;
   if (asked) return *asked;
   throw UsageError(fmt::format("{}: {} does not name a format that burin writes; use {}", output,
@@ -103,8 +103,8 @@ fs::path resolved(const std::string& name) {
 
 void set_output_guard(const OutputGuard& guard) { g_guard = guard; }
 
-Output::Output(std::string name, Format format)
-    : name_(std::move(name)), format_(format), target_(resolved(name_)) {
+Output::Output(std::string name, const Format& format)
+    : name_(std::move(name)), format_(&format), target_(resolved(name_)) {
   static std::atomic<int> count{0};
   aside_ = (target_.parent_path() / fmt::format(".burin-{}-{}.part", ::getpid(), ++count)).string();
 }
@@ -199,7 +199,7 @@ std::vector<Output> plan_outputs(const std::vector<std::string>& names, const st
   std::vector<Output> outputs;
   for (const std::string& name : names) {
     if (name.empty()) throw UsageError("option --output takes a file name, not ''");
-    const Format chosen = format_of(name, format);
+    const Format& chosen = format_of(name, format);
     for (const std::string& source : sources) {
       if (name != "-" && same_file(name, source)) {
         throw UsageError(fmt::format("{}: is also an input; give the output another name", name));

@@ -17,9 +17,6 @@ from freecad.burin_wb import offers  # noqa: E402
 
 ADDON = ROOT / "freecad" / "burin_wb"
 FOLDER = ADDON / "resources" / "translations"
-# Stages of a run, as the kernel tells them.
-STAGES = ("read", "check", "build", "curvature", "features", "visibility", "field", "trace", "cover", "compose",
-          "write", "verify")
 
 
 def literal(node):
@@ -48,8 +45,9 @@ def words_of(tree):
 
 
 def offered():
-    """Words of the kernel that panels show: groups of style keys, standard views, what styles are for."""
+    """Words of the kernel that panels show: stages of a run, groups of style keys, standard views, what styles are for."""
     told = offers.kept()
+    yield from (*told["stages"], "check")  # the last one is the add-on's own (job.py)
     yield from (group for group in told["groups"] if group not in told["formats"])
     yield from map(offers.title, told["views"])
     yield from told["options"]["hidden"]["words"]
@@ -57,7 +55,7 @@ def offered():
 
 
 def words():
-    found = {("Burin", word): None for word in (*STAGES, *offered())}
+    found = {("Burin", word): None for word in offered()}
     for path in sorted(ADDON.rglob("*.py")):
         for pair in words_of(ast.parse(path.read_text(encoding="utf-8"))):
             found[pair] = None

@@ -11,13 +11,13 @@ void RunContext::check() const {
   if (cancelled()) throw Cancelled();
 }
 
-void RunContext::begin_stage(const std::string& name) {
+void RunContext::begin_stage(RunStage stage) {
   end_stage();
   check();
   const auto it = std::find_if(stages_.begin(), stages_.end(),
-                               [&](const StageTime& s) { return s.name == name; });
+                               [&](const StageTime& s) { return s.stage == stage; });
   current_ = static_cast<int>(it - stages_.begin());
-  if (it == stages_.end()) stages_.push_back({name, 0});
+  if (it == stages_.end()) stages_.push_back({stage, 0});
   stage_start_ = Clock::now();
   last_report_ = {};
   progress(0);
@@ -35,7 +35,8 @@ void RunContext::progress(double share) {
   const auto now = Clock::now();
   if (now - last_report_ < std::chrono::milliseconds(20)) return;
   last_report_ = now;
-  callback_(stages_[static_cast<std::size_t>(current_)].name, std::clamp(share, 0.0, 1.0));
+  callback_(to_string(stages_[static_cast<std::size_t>(current_)].stage),
+            std::clamp(share, 0.0, 1.0));
 }
 
 }  // namespace burin

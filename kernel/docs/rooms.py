@@ -41,6 +41,7 @@ def room(target):
         return "converters/" + name
     if name == "python":
         return "converters/python"
+    name = name.replace("forms_implicit_", "forms_implicit/")
     return re.sub("^(forms|convert)_", lambda m: m[1].replace("convert", "converters") + "/", name)
 
 

@@ -1,6 +1,6 @@
 #include "edge_chains.h"
 
-#include <burin/base/parallel.h>
+#include <burin/base/parallel_filter.h>
 
 #include <algorithm>
 #include <array>
@@ -22,22 +22,11 @@ bool is_wanted(const ProxyMesh& proxy, std::size_t h, const FeatureOptions& opti
 /// One half-edge for each edge that is wanted, ascending.
 std::vector<HalfEdge> feature_edges(const ProxyMesh& proxy, const FeatureOptions& options,
                                     const RunContext& context) {
-  const std::size_t n = proxy.edge_kind.size();
-  std::vector<std::vector<HalfEdge>> found((n + kEdgeGrain - 1) / kEdgeGrain);
-  parallel_for(
-      n, kEdgeGrain,
-      [&](std::size_t begin, std::size_t end) {
-        std::vector<HalfEdge>& out = found[begin / kEdgeGrain];
-        for (std::size_t h = begin; h < end; ++h) {
-          const HalfEdge o = proxy.topology.opposite[h];
-          if (o != kNoHalfEdge && static_cast<HalfEdge>(h) > o) continue;
-          if (is_wanted(proxy, h, options)) out.push_back(static_cast<HalfEdge>(h));
-        }
-      },
-      &context);
-  std::vector<HalfEdge> all;
-  for (const auto& part : found) all.insert(all.end(), part.begin(), part.end());
-  return all;
+  const auto wanted = [&](HalfEdge h) {
+    const HalfEdge o = proxy.topology.opposite[static_cast<std::size_t>(h)];
+    return (o == kNoHalfEdge || h <= o) && is_wanted(proxy, static_cast<std::size_t>(h), options);
+  };
+  return parallel_filter<HalfEdge>(proxy.edge_kind.size(), kEdgeGrain, wanted, context);
 }
 
 class Chainer {

@@ -5,8 +5,8 @@
 #include "edge_chains.h"
 #include "edge_lines.h"
 #include "facing.h"
+#include "fairing.h"
 #include "intersections.h"
-#include "rounding.h"
 #include "tidy.h"
 
 #include <iterator>
@@ -50,11 +50,11 @@ std::vector<Curve3> extract_features(std::span<const ProxyMesh* const> proxies,
       if (line.source.edge >= 0 && !proxy.source_edge.empty()) {
         // The points of a model edge lie on a smooth curve, a chord error apart from its chords.
         constexpr double kUnknown = std::numeric_limits<double>::infinity();
-        round_off(line, camera, proxy.tolerance > 0 ? proxy.tolerance : kUnknown);
+        fair(line, camera, proxy.tolerance > 0 ? proxy.tolerance : kUnknown);
       }
       if (line.kind != LineClass::Contour || line.source.edge >= 0) continue;
       // Those of a cut proxy are samples of the exact line, near enough to one another.
-      if (proxy.on_contour.empty()) round_off(line, camera);
+      if (proxy.on_contour.empty()) fair(line, camera);
       if (!proxy.source_face.empty()) {
         line.source.face = main_face(source_faces(line, proxy, camera));
       }

@@ -1,6 +1,7 @@
 #include "facing.h"
 
 #include <burin/base/parallel.h>
+#include <burin/base/parallel_filter.h>
 
 #include "paper_limits.h"
 
@@ -66,21 +67,11 @@ void Facing::turn_flat_walls_away(const FacingFunction& facing, const RunContext
 
 std::vector<std::uint32_t> Facing::mixed_faces(const RunContext& context) const {
   const std::vector<Triangle>& wedges = proxy_->wedges;
-  std::vector<std::vector<std::uint32_t>> found((wedges.size() + kFaceGrain - 1) / kFaceGrain);
-  parallel_for(
-      wedges.size(), kFaceGrain,
-      [&](std::size_t begin, std::size_t end) {
-        for (std::size_t f = begin; f < end; ++f) {
-          const bool a = front(wedges[f][0]);
-          if (a != front(wedges[f][1]) || a != front(wedges[f][2])) {
-            found[begin / kFaceGrain].push_back(static_cast<std::uint32_t>(f));
-          }
-        }
-      },
-      &context);
-  std::vector<std::uint32_t> all;
-  for (const auto& part : found) all.insert(all.end(), part.begin(), part.end());
-  return all;
+  const auto mixed = [&](std::uint32_t f) {
+    const bool a = front(wedges[f][0]);
+    return a != front(wedges[f][1]) || a != front(wedges[f][2]);
+  };
+  return parallel_filter<std::uint32_t>(wedges.size(), kFaceGrain, mixed, context);
 }
 
 ZeroCrossing Facing::crossing(HalfEdge h) const {

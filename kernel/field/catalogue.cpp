@@ -1,11 +1,7 @@
-#include <burin/base/error.h>
+#include <burin/base/catalogue.h>
 #include <burin/field/catalogue.h>
 
-#include <fmt/format.h>
-
-#include <algorithm>
 #include <array>
-#include <string>
 
 namespace burin::field {
 namespace {
@@ -30,7 +26,7 @@ constexpr std::array kKinds{
     FieldKind{"isophote", "lines of constant angle to the view", true, "",
               [](const FieldRequest& r) { return isophote(r.camera, angle(r)); }},
     FieldKind{"isophote-light", "lines of constant angle to the light", true, "",
-              [](const FieldRequest& r) { return isophote(r.light, angle(r)); }},
+              [](const FieldRequest& r) { return isophote(r.light, angle(r)); }, true},
     FieldKind{"steepest", "across the lines of constant angle to the view", true, "",
               [](const FieldRequest& r) { return steepest(r.camera, angle(r)); }},
     FieldKind{"isoparametric", "parameter lines", false,
@@ -51,14 +47,6 @@ constexpr std::array kKinds{
 
 std::span<const FieldKind> catalogue() { return kKinds; }
 
-const FieldKind& find(std::string_view name) {
-  const auto found = std::ranges::find(kKinds, name, &FieldKind::name);
-  if (found != kKinds.end()) return *found;
-  std::string names;
-  for (const FieldKind& kind : kKinds) {
-    names += (names.empty() ? "" : ", ") + std::string(kind.name);
-  }
-  throw UsageError(fmt::format("unknown hatch.field '{}'; there are {}", name, names));
-}
+const FieldKind& find(std::string_view name) { return find_row(catalogue(), name, "hatch.field"); }
 
 }  // namespace burin::field

@@ -1,14 +1,9 @@
+#include <burin/base/catalogue.h>
 #include <burin/field/catalogue.h>
 #include <burin/field/options.h>
 
 namespace burin::field {
 namespace {
-
-std::vector<std::string> names() {
-  std::vector<std::string> names;
-  for (const FieldKind& kind : catalogue()) names.emplace_back(kind.name);
-  return names;
-}
 
 std::vector<OptionRow<FacePolicy>> face_rows() {
   using options::word;
@@ -26,7 +21,7 @@ std::vector<OptionRow<FacePolicy>> face_rows() {
 
 std::vector<OptionRow<FieldOptions>> rows() {
   std::vector<OptionRow<FieldOptions>> rows = {
-      options::word("field", &FieldOptions::name, names(),
+      options::word("field", &FieldOptions::name, names_of(catalogue()),
                     "what strokes follow: the smoothed or raw principal directions, lines of "
                     "constant angle to the view or the light, or across them, parameter lines, "
                     "planes across hatch.direction, up on the sheet, or one direction"),

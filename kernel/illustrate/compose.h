@@ -11,7 +11,7 @@
 #include <burin/visibility/visible_spans.h>
 
 #include "depth_cue.h"
-#include "looks.h"
+#include "part_styles.h"
 
 #include <span>
 #include <vector>
@@ -30,7 +30,7 @@ struct LinesToDraw {
 struct Composition {
   std::span<const ProxyMesh* const> proxies;
   const Camera& camera;
-  const Looks& looks;
+  const PartStyles& part_styles;
   /// The drawing's: haloes are one for all parts.
   const Style& style;
   HiddenLines hidden = HiddenLines::None;
@@ -40,7 +40,7 @@ struct Composition {
   bool shows_hidden() const { return hidden != HiddenLines::None || style.halo.hidden; }
   /// That of the curve's part.
   const Style& style_of(const Curve3& curve) const {
-    return looks.style(static_cast<std::size_t>(curve.source.part));
+    return part_styles.style(static_cast<std::size_t>(curve.source.part));
   }
   bool draws(const Curve3& feature) const;
   /// Paper mm, before depth.

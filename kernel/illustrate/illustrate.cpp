@@ -4,13 +4,13 @@
 #include <burin/illustrate/illustrate.h>
 #include <burin/illustrate/view_probe.h>
 #include <burin/stroke/stroke.h>
-#include <burin/tone/tone.h>
+#include <burin/tone/catalogue.h>
 #include <burin/verify/verify.h>
 #include <burin/visibility/occluder.h>
 
 #include "compose.h"
-#include "looks.h"
 #include "on_sheet.h"
+#include "part_styles.h"
 #include "sight.h"
 #include "undirected.h"
 
@@ -63,11 +63,11 @@ void tell_magnified(const Camera& camera, const Surfaces& surfaces, double toler
   diagnostics.add(Severity::Warning, "sheet.magnified", 1,
                   fmt::format("the drawing is {:.0f} times as large as the sheet: curved surfaces "
                               "are made to {:.2g} mm of paper; cut the detail out of the model, or "
-                              "give --tolerance, for finer ones",
+                              "give `tolerance`, for finer ones",
                               coarser * kMostSheets, on_paper));
 }
 
-Surfaces realise(const Scene& scene, const Camera& camera, const detail::Looks& looks,
+Surfaces realise(const Scene& scene, const Camera& camera, const detail::PartStyles& part_styles,
                  const IllustrateOptions& options, Diagnostics& diagnostics, RunContext& context) {
   RealiseOptions realise;
   realise.tolerance = chord_tolerance(scene, camera, options);
@@ -78,13 +78,14 @@ Surfaces realise(const Scene& scene, const Camera& camera, const detail::Looks& 
   std::size_t drawn = 0;
   std::exception_ptr first;
   for (std::size_t i = 0; i < scene.parts.size(); ++i) {
-    if (!looks.drawn(i)) {
+    if (!part_styles.drawn(i)) {
       surfaces.push_back(detail::empty_surface());
       continue;
     }
-    const Style& style = looks.style(i);
+    const Style& style = part_styles.style(i);
     realise.crease_angle = style.feature.crease_angle;
-    realise.curvature = looks.hatched(i) && field::find(style.hatch.field.name).needs_curvature;
+    realise.curvature =
+        part_styles.hatched(i) && field::find(style.hatch.field.name).needs_curvature;
     try {
       surfaces.push_back(scene.parts[i].form->realise(realise, context));
       ++drawn;
@@ -102,24 +103,19 @@ Surfaces realise(const Scene& scene, const Camera& camera, const detail::Looks& 
   return surfaces;
 }
 
-// A direction given as right, up and to the viewer in model space.
-Vec3 from_sheet(const Camera& camera, Vec3 v) {
-  return camera.right() * v.x + camera.up() * v.y + camera.direction() * v.z;
-}
-
 Field make_field(const std::vector<const Surface*>& surfaces, const Camera& camera,
                  const Style& style, const RunContext& context) {
   return field::find(style.hatch.field.name)
       .make({.surfaces = surfaces,
              .camera = camera,
              .options = style.hatch.field,
-             .light = from_sheet(camera, style.tone.light),
+             .light = tone::to_light(camera, style.tone),
              .flat = camera.scale() / kFlatRadius,
              .context = context});
 }
 
 Tone make_tone(const Camera& camera, const Style& style, const detail::DepthCue& cue) {
-  Tone light = tone::lambert(camera, style.tone);
+  Tone light = tone::make(camera, style.tone);
   if (!cue.pales()) return light;
   return [light, &cue](Vec3 position, Vec3 normal) {
     return 1 - (1 - light(position, normal)) * cue.ink(position);
@@ -134,7 +130,7 @@ StrokeResult hatch(std::vector<const Surface*> surfaces, std::vector<bool> parts
   for (std::size_t i = 0; i < surfaces.size(); ++i) {
     if (!parts[i]) surfaces[i] = detail::empty_surface().get();
   }
-  context.begin_stage("field");
+  context.begin_stage(RunStage::Field);
   const ViewProbe probe = view_probe(occluder, camera, std::move(parts));
   const HatchScene scene{surfaces, camera, probe, context};
   const Field field =
@@ -145,15 +141,15 @@ StrokeResult hatch(std::vector<const Surface*> surfaces, std::vector<bool> parts
 }
 
 StrokeResult hatch_all(const std::vector<const Surface*>& surfaces, const Occluder& occluder,
-                       const Camera& camera, const detail::Looks& looks,
+                       const Camera& camera, const detail::PartStyles& part_styles,
                        const detail::DepthCue& cue, const IllustrateOptions& options,
                        detail::Undirected& undirected, RunContext& context) {
   StrokeResult all;
-  for (std::size_t k = 0; k < looks.styles().size(); ++k) {
-    std::vector<bool> parts = looks.hatched_by(k);
+  for (std::size_t k = 0; k < part_styles.styles().size(); ++k) {
+    std::vector<bool> parts = part_styles.hatched_by(k);
     if (std::find(parts.begin(), parts.end(), true) == parts.end()) continue;
-    StrokeResult one = hatch(surfaces, std::move(parts), occluder, camera, *looks.styles()[k], cue,
-                             options, undirected, context);
+    StrokeResult one = hatch(surfaces, std::move(parts), occluder, camera, *part_styles.styles()[k],
+                             cue, options, undirected, context);
     all.strokes.insert(all.strokes.end(), std::make_move_iterator(one.strokes.begin()),
                        std::make_move_iterator(one.strokes.end()));
     all.coverage_points += one.coverage_points;
@@ -164,10 +160,10 @@ StrokeResult hatch_all(const std::vector<const Surface*>& surfaces, const Occlud
 
 // Feature lines of all parts; drawn or not: contours and boundaries cut the visibility of others.
 std::vector<Curve3> features_of(const std::vector<const ProxyMesh*>& proxies, const Camera& camera,
-                                const detail::Looks& looks, Diagnostics& diagnostics,
+                                const detail::PartStyles& part_styles, Diagnostics& diagnostics,
                                 const RunContext& context) {
   FeatureOptions options{.intersections = false, .smooth = false};
-  for (const Style* style : looks.styles()) {
+  for (const Style* style : part_styles.styles()) {
     options.intersections |= style->feature.intersections;
     options.smooth |= style->feature.smooth;
     options.seams |= style->feature.seams;
@@ -243,10 +239,10 @@ void name_own_field(Drawing& drawing) {
 
 // The drawing; `found` gets its lines as compose gives them.
 Drawing draw(const Scene& scene, const Camera& camera, const Style& style,
-             const detail::Looks& looks, const IllustrateOptions& options, std::vector<Path>* found,
-             RunContext& context) {
+             const detail::PartStyles& part_styles, const IllustrateOptions& options,
+             std::vector<Path>* found, RunContext& context) {
   Diagnostics realised;
-  const Surfaces owned = realise(scene, camera, looks, options, realised, context);
+  const Surfaces owned = realise(scene, camera, part_styles, options, realised, context);
   std::vector<const Surface*> surfaces;
   std::vector<const ProxyMesh*> proxies;
   for (const auto& s : owned) {
@@ -255,52 +251,54 @@ Drawing draw(const Scene& scene, const Camera& camera, const Style& style,
   }
   Drawing drawing = describe(scene, proxies, camera, style, options.seed);
   drawing.diagnostics.append(realised);
-  context.begin_stage("build");
-  const detail::Sight sight(proxies, camera, looks, context);
+  context.begin_stage(RunStage::Build);
+  const detail::Sight sight(proxies, camera, part_styles, context);
 
   const detail::DepthCue cue(proxies, camera, style);
   detail::Undirected undirected(scene);
   const StrokeResult strokes =
-      hatch_all(surfaces, sight.solid(), camera, looks, cue, options, undirected, context);
+      hatch_all(surfaces, sight.solid(), camera, part_styles, cue, options, undirected, context);
   undirected.tell(drawing.diagnostics);
   drawing.stats.coverage_points = strokes.coverage_points;
   drawing.stats.coverage_delta = strokes.coverage_delta;
 
-  context.begin_stage("features");
+  context.begin_stage(RunStage::Features);
   const std::vector<Curve3> features =
-      features_of(proxies, camera, looks, drawing.diagnostics, context);
+      features_of(proxies, camera, part_styles, drawing.diagnostics, context);
 
-  context.begin_stage("visibility");
+  context.begin_stage(RunStage::Visibility);
   const detail::Seen seen = sight.classify(features, strokes.strokes, context);
   tell_bounds(strokes, seen, drawing.diagnostics);
 
-  context.begin_stage("compose");
+  context.begin_stage(RunStage::Compose);
   detail::compose({features, seen.features, strokes.strokes, seen.strokes},
-                  {proxies, camera, looks, style, options.hidden, cue}, drawing, context, found);
+                  {proxies, camera, part_styles, style, options.hidden, cue}, drawing, context,
+                  found);
   if (options.field) name_own_field(drawing);
   context.end_stage();
   return drawing;
 }
 
 // Whether the lines that the outer outline is made of are drawn, and drawn whole.
-bool draws_outline(const detail::Looks& looks, const Style& style) {
+bool draws_outline(const detail::PartStyles& part_styles, const Style& style) {
   if (style.halo.gap > 0) return false;
-  for (std::size_t i = 0; i < looks.size(); ++i) {
-    const auto& drawn = looks.style(i).feature;
+  for (std::size_t i = 0; i < part_styles.size(); ++i) {
+    const auto& drawn = part_styles.style(i).feature;
     if (!drawn.contours || !drawn.creases || !drawn.boundaries) return false;
   }
   return true;
 }
 
 VerifyOptions verify_options(const Scene& scene, const Camera& camera, const Style& style,
-                             const detail::Looks& looks, const IllustrateOptions& options) {
+                             const detail::PartStyles& part_styles,
+                             const IllustrateOptions& options) {
   VerifyOptions verify{.tolerance = chord_tolerance(scene, camera, options),
-                       .outline = draws_outline(looks, style)};
-  for (std::size_t i = 0; i < looks.size(); ++i) {
-    verify.parts.push_back(!looks.drawn(i)        ? Standing::Absent
-                           : looks.transparent(i) ? Standing::Transparent
-                                                  : Standing::Solid);
-    verify.crease_angles.push_back(looks.style(i).feature.crease_angle);
+                       .outline = draws_outline(part_styles, style)};
+  for (std::size_t i = 0; i < part_styles.size(); ++i) {
+    verify.parts.push_back(!part_styles.drawn(i)        ? Standing::Absent
+                           : part_styles.transparent(i) ? Standing::Transparent
+                                                        : Standing::Solid);
+    verify.crease_angles.push_back(part_styles.style(i).feature.crease_angle);
   }
   return verify;
 }
@@ -310,18 +308,18 @@ VerifyOptions verify_options(const Scene& scene, const Camera& camera, const Sty
 Drawing illustrate(const Scene& scene, const Camera& camera, const Style& style,
                    const IllustrateOptions& options, RunContext& context) {
   if (scene.parts.empty()) throw GeometryError("nothing to draw: the input has no parts");
-  const detail::Looks looks(scene.parts.size(), style, options);
-  for (const Style* one : looks.styles()) check_style(*one);
+  const detail::PartStyles part_styles(scene.parts.size(), style, options);
+  for (const Style* one : part_styles.styles()) check_style(*one);
   std::vector<Path> found;
   // Its surfaces are gone before finer ones are made.
   Drawing drawing =
-      draw(scene, camera, style, looks, options, options.verify ? &found : nullptr, context);
+      draw(scene, camera, style, part_styles, options, options.verify ? &found : nullptr, context);
   if (options.verify) {
-    drawing.stats.verify =
-        verify(drawing, found, scene, camera, verify_options(scene, camera, style, looks, options),
-               drawing.diagnostics, context);
+    drawing.stats.verify = verify(drawing, found, scene, camera,
+                                  verify_options(scene, camera, style, part_styles, options),
+                                  drawing.diagnostics, context);
   }
-  detail::settle_on_sheet(looks, style.sheet.clip, drawing);
+  detail::settle_on_sheet(part_styles, style.sheet.clip, drawing);
   return drawing;
 }
 

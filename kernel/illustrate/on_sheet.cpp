@@ -26,11 +26,11 @@ bool draws_anything(const Style& s) {
          f.intersections;
 }
 
-std::string why_empty(const Looks& looks) {
+std::string why_empty(const PartStyles& part_styles) {
   bool any_part = false, any_line = false;
-  for (std::size_t i = 0; i < looks.size(); ++i) {
-    any_part = any_part || looks.drawn(i);
-    any_line = any_line || (looks.drawn(i) && draws_anything(looks.style(i)));
+  for (std::size_t i = 0; i < part_styles.size(); ++i) {
+    any_part = any_part || part_styles.drawn(i);
+    any_line = any_line || (part_styles.drawn(i) && draws_anything(part_styles.style(i)));
   }
   if (!any_part) return "every part is left out";
   if (!any_line)
@@ -75,12 +75,12 @@ void clip_to(const Box2& sheet, Drawing& drawing) {
 
 }  // namespace
 
-void settle_on_sheet(const Looks& looks, bool clip, Drawing& drawing) {
+void settle_on_sheet(const PartStyles& part_styles, bool clip, Drawing& drawing) {
   const Box2 ink = bounds(drawing);
   const auto warn = [&](const char* code, const std::string& message) {
     drawing.diagnostics.add(Severity::Warning, code, 1, message);
   };
-  if (ink.empty()) return warn("drawing.empty", "nothing is drawn: " + why_empty(looks));
+  if (ink.empty()) return warn("drawing.empty", "nothing is drawn: " + why_empty(part_styles));
   const Vec2 size(drawing.paper_width, drawing.paper_height);
   const Box2 sheet{Vec2(-kEdge), size + kEdge};
   const Vec2 extent = ink.size();

@@ -3,12 +3,12 @@
 
 #include <burin/drawing/drawing.h>
 
-#include "looks.h"
+#include "part_styles.h"
 
 namespace burin::detail {
 
 /// Cuts what runs off the sheet at its edge (with `clip`), and tells of a drawing that is empty,
 /// off the sheet, cut, or no larger than a dot.
-void settle_on_sheet(const Looks& looks, bool clip, Drawing& drawing);
+void settle_on_sheet(const PartStyles& part_styles, bool clip, Drawing& drawing);
 
 }  // namespace burin::detail

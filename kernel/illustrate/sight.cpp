@@ -6,10 +6,10 @@ namespace burin::detail {
 namespace {
 
 std::vector<const ProxyMesh*> solid_ones(std::span<const ProxyMesh* const> proxies,
-                                         const Looks& looks) {
+                                         const PartStyles& part_styles) {
   std::vector<const ProxyMesh*> solid(proxies.begin(), proxies.end());
   for (std::size_t i = 0; i < solid.size(); ++i) {
-    if (looks.transparent(i)) solid[i] = &empty_surface()->proxy();
+    if (part_styles.transparent(i)) solid[i] = &empty_surface()->proxy();
   }
   return solid;
 }
@@ -34,18 +34,18 @@ Picked pick(std::span<const Curve3> curves, Rule&& rule) {
 
 }  // namespace
 
-Sight::Sight(std::span<const ProxyMesh* const> proxies, const Camera& camera, const Looks& looks,
-             const RunContext& context)
+Sight::Sight(std::span<const ProxyMesh* const> proxies, const Camera& camera,
+             const PartStyles& part_styles, const RunContext& context)
     : proxies_(proxies),
       camera_(camera),
-      looks_(looks),
-      solid_proxies_(solid_ones(proxies, looks)),
+      part_styles_(part_styles),
+      solid_proxies_(solid_ones(proxies, part_styles)),
       solid_(solid_proxies_, context) {}
 
 Seen Sight::classify(std::span<const Curve3> features, std::span<const Curve3> strokes,
                      const RunContext& context) const {
   Seen seen;
-  if (!looks_.any_transparent()) {
+  if (!part_styles_.any_transparent()) {
     const VisibilityMap map(solid_, solid_proxies_, camera_, features, context);
     seen.features = map.classify(features, {.classify_outer = true}, context);
     seen.strokes = map.classify(strokes, {}, context);
@@ -53,7 +53,7 @@ Seen Sight::classify(std::span<const Curve3> features, std::span<const Curve3> s
     return seen;
   }
   seen.features.resize(features.size());
-  const auto is_solid = [&](const Curve3& c) { return !looks_.transparent(part_of(c)); };
+  const auto is_solid = [&](const Curve3& c) { return !part_styles_.transparent(part_of(c)); };
   {
     const Picked solid = pick(features, is_solid);
     const VisibilityMap map(solid_, solid_proxies_, camera_, solid.curves, context);
@@ -62,8 +62,8 @@ Seen Sight::classify(std::span<const Curve3> features, std::span<const Curve3> s
     seen.strokes = map.classify(strokes, {}, context);
     seen.merged_cuts = map.merged_cuts();
   }
-  for (std::size_t part = 0; part < looks_.size(); ++part) {
-    if (!looks_.transparent(part) || !looks_.drawn(part)) continue;
+  for (std::size_t part = 0; part < part_styles_.size(); ++part) {
+    if (!part_styles_.transparent(part) || !part_styles_.drawn(part)) continue;
     std::vector<const ProxyMesh*> proxies = solid_proxies_;
     proxies[part] = proxies_[part];
     const Occluder occluder(proxies, context);

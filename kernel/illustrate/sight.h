@@ -6,7 +6,7 @@
 #include <burin/visibility/occluder.h>
 #include <burin/visibility/visible_spans.h>
 
-#include "looks.h"
+#include "part_styles.h"
 
 #include <span>
 #include <vector>
@@ -23,8 +23,8 @@ struct Seen {
 /// All arguments must outlive it.
 class Sight {
  public:
-  Sight(std::span<const ProxyMesh* const> proxies, const Camera& camera, const Looks& looks,
-        const RunContext& context);
+  Sight(std::span<const ProxyMesh* const> proxies, const Camera& camera,
+        const PartStyles& part_styles, const RunContext& context);
 
   /// The parts that hide others.
   const Occluder& solid() const { return solid_; }
@@ -36,7 +36,7 @@ class Sight {
  private:
   std::span<const ProxyMesh* const> proxies_;
   const Camera& camera_;
-  const Looks& looks_;
+  const PartStyles& part_styles_;
   std::vector<const ProxyMesh*> solid_proxies_;
   Occluder solid_;
 };

@@ -76,7 +76,7 @@ std::vector<StyleRow> all_rows() {
   append(rows, "hatch.", &Style::hatch, hatch_option_rows());
   append(rows, "halo.", &Style::halo, halo_rows());
   append(rows, "depth.", &Style::depth, depth_rows());
-  append(rows, "tone.", &Style::tone, tone::lambert_option_rows());
+  append(rows, "tone.", &Style::tone, tone::tone_option_rows());
   append(rows, "sheet.", &Style::sheet, sheet_rows());
   append(rows, "svg.", &Style::svg, svg_option_rows());
   append(rows, "json.", &Style::json, json_option_rows());
@@ -98,9 +98,8 @@ const StyleRow& find_row(std::string_view name) {
     if (row.name == name) return row;
     names.push_back(row.name);
   }
-  throw UsageError(
-      fmt::format("unknown style key '{}'; the nearest is '{}' (all: burin styles --keys)", name,
-                  nearest(name, names)));
+  throw UsageError(fmt::format("unknown style key '{}'; the nearest is '{}' (all: `style_keys`)",
+                               name, nearest(name, names)));
 }
 
 }  // namespace burin::detail

@@ -1,4 +1,5 @@
 #include <burin/base/parallel.h>
+#include <burin/base/parallel_filter.h>
 
 #include "build_steps.h"
 #include "flood.h"
@@ -48,21 +49,11 @@ std::vector<Vec3> face_normals(const TriMesh& mesh, const RunContext& context) {
 
 void mend_sliver_normals(const TriMesh& mesh, const Topology& topology, std::vector<Vec3>& normals,
                          const RunContext& context) {
-  const std::size_t chunks = (normals.size() + kFaceGrain - 1) / kFaceGrain;
-  std::vector<std::vector<std::uint32_t>> found(chunks);
-  parallel_for(
-      normals.size(), kFaceGrain,
-      [&](std::size_t begin, std::size_t end) {
-        for (std::size_t f = begin; f < end; ++f) {
-          const double squared = longest_edge(mesh, f).squared;
-          if (2 * mesh.area(static_cast<std::uint32_t>(f)) <= kSliverHeight * squared) {
-            found[begin / kFaceGrain].push_back(static_cast<std::uint32_t>(f));
-          }
-        }
-      },
-      &context);
-  std::vector<std::uint32_t> slivers;
-  for (const auto& part : found) slivers.insert(slivers.end(), part.begin(), part.end());
+  const auto is_sliver = [&](std::uint32_t f) {
+    return 2 * mesh.area(f) <= kSliverHeight * longest_edge(mesh, f).squared;
+  };
+  std::vector<std::uint32_t> slivers =
+      parallel_filter<std::uint32_t>(normals.size(), kFaceGrain, is_sliver, context);
   std::vector<std::uint8_t> unknown(slivers.empty() ? 0 : normals.size(), 0);
   for (const std::uint32_t f : slivers) unknown[f] = 1;
   // Slivers often lie side by side: each pass hands normals one further. What stays unknown keeps

@@ -1,4 +1,4 @@
-#include <burin/base/parallel.h>
+#include <burin/base/parallel_filter.h>
 
 #include "build_steps.h"
 
@@ -85,23 +85,12 @@ class Groups {
 
 /// Creases and boundaries, each edge once, in ascending order.
 std::vector<HalfEdge> sharp_edges(const ProxyMesh& proxy, const RunContext& context) {
-  const std::size_t halfedges = proxy.edge_kind.size(), grain = 3 * kFaceGrain;
-  std::vector<std::vector<HalfEdge>> found((halfedges + grain - 1) / grain);
-  parallel_for(
-      halfedges, grain,
-      [&](std::size_t begin, std::size_t end) {
-        for (std::size_t i = begin; i < end; ++i) {
-          const auto h = static_cast<HalfEdge>(i);
-          if (proxy.edge_kind[i] == EdgeKind::Boundary ||
-              (proxy.is_crease(h) && h < proxy.topology.opposite[i])) {
-            found[begin / grain].push_back(h);
-          }
-        }
-      },
-      &context);
-  std::vector<HalfEdge> result;
-  for (const auto& part : found) result.insert(result.end(), part.begin(), part.end());
-  return result;
+  const auto sharp = [&](HalfEdge h) {
+    const auto i = static_cast<std::size_t>(h);
+    return proxy.edge_kind[i] == EdgeKind::Boundary ||
+           (proxy.is_crease(h) && h < proxy.topology.opposite[i]);
+  };
+  return parallel_filter<HalfEdge>(proxy.edge_kind.size(), 3 * kFaceGrain, sharp, context);
 }
 
 /// The angle between the triangles of `h`, positive at a convex edge.

@@ -19,6 +19,34 @@ std::string called(const std::string& name, Spelling spelling) {
   return (spelling == Spelling::Options ? "option " : "argument ") + spelled(name, spelling);
 }
 
+std::string spelled_message(std::string_view message, const std::vector<RequestOption>& options,
+                            Spelling spelling) {
+  constexpr char kMark = '`';
+  std::string out;
+  while (true) {
+    const std::size_t from = message.find(kMark);
+    const std::size_t to = from == message.npos ? from : message.find(kMark, from + 1);
+    if (to == message.npos) return out.append(message);
+    const std::string_view choice = message.substr(from + 1, to - from - 1);
+    const std::size_t blank = choice.find(' ');
+    const std::string_view name = choice.substr(0, blank);
+    const bool known = std::any_of(options.begin(), options.end(),
+                                   [&](const RequestOption& o) { return o.option.name == name; });
+    if (!known) {
+      // The second accent may be the first of another pair.
+      out += message.substr(0, to);
+      message.remove_prefix(to);
+      continue;
+    }
+    out.append(message.substr(0, from)).append(spelled(std::string(name), spelling));
+    if (blank != choice.npos) {
+      out += spelling == Spelling::Options ? ' ' : '=';
+      out += choice.substr(blank + 1);
+    }
+    message.remove_prefix(to + 1);
+  }
+}
+
 const std::vector<std::string>& given_texts(const Request& request, const std::string& name) {
   static const std::vector<std::string> none;
   const auto given = request.find(name);

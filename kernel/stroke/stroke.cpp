@@ -148,12 +148,12 @@ StrokeResult trace_strokes(std::span<const Surface* const> surfaces, const Camer
                            const HatchOptions& options, std::uint64_t seed, RunContext& context) {
   check(options);
   const Picture picture{surfaces, camera, field, tone, probe, options, seed, same_place(surfaces)};
-  context.begin_stage("cover");
+  context.begin_stage(RunStage::Cover);
   const ViewRaster raster = make_raster(picture, context);
   check_work(picture, raster);
   const Coverage coverage = cover_picture(picture, raster, context);
 
-  context.begin_stage("trace");
+  context.begin_stage(RunStage::Trace);
   const std::vector<Family> families =
       place_families(picture, raster, coverage.seeds, options.cross_from <= 1 ? 2 : 1, context,
                      [&](double share) { context.progress(0.8 * share); });

@@ -1,20 +1,40 @@
+#include <burin/base/catalogue.h>
+#include <burin/tone/catalogue.h>
 #include <burin/tone/options.h>
 
-namespace burin::tone {
+#include <string>
 
-const std::vector<OptionRow<LambertOptions>>& lambert_option_rows() {
+namespace burin::tone {
+namespace {
+
+std::vector<OptionRow<ToneOptions>> rows() {
   using options::number;
-  static const std::vector<OptionRow<LambertOptions>> rows = {
-      options::direction("light", &LambertOptions::light,
+  std::string meaning;
+  for (const Law& law : catalogue()) {
+    meaning += (meaning.empty() ? "what makes a place light: " : "; ") + std::string(law.meaning);
+  }
+  return {
+      options::word("law", &ToneOptions::law, names_of(catalogue()), meaning),
+      options::direction("light", &ToneOptions::light,
                          "direction from the model to the light: right, up, towards the viewer"),
-      number("ambient", &LambertOptions::ambient, {0, 1}, "lightness in full shade"),
-      number("diffuse", &LambertOptions::diffuse, {0, 2}, "lightness that full light adds"),
-      number("highlight", &LambertOptions::highlight, {0, 2},
+      number("ambient", &ToneOptions::ambient, {0, 1}, "lightness in full shade"),
+      number("diffuse", &ToneOptions::diffuse, {0, 2}, "lightness that full light adds"),
+      number("specular", &ToneOptions::specular, {0, 2},
+             "lightness that the mirrored light adds (tone.law phong)"),
+      number("shininess", &ToneOptions::shininess, {1, 1000},
+             "how narrow the mirrored light is (tone.law phong)"),
+      number("highlight", &ToneOptions::highlight, {0, 2},
              "lightness from which the paper stays white"),
-      number("rim", &LambertOptions::rim, {0, 1},
+      number("rim", &ToneOptions::rim, {0, 1},
              "darkness added where the surface turns away from the viewer"),
   };
-  return rows;
+}
+
+}  // namespace
+
+const std::vector<OptionRow<ToneOptions>>& tone_option_rows() {
+  static const std::vector<OptionRow<ToneOptions>> all = rows();
+  return all;
 }
 
 }  // namespace burin::tone

@@ -1,3 +1,4 @@
+#include <burin/base/nearest_along.h>
 #include <burin/verify/near_lines.h>
 
 #include <algorithm>
@@ -11,9 +12,7 @@ std::int64_t key(std::int64_t x, std::int64_t y) { return x * 1'000'003 + y; }
 
 double to_segment(Vec2 p, Vec2 a, Vec2 b) {
   const Vec2 e = b - a;
-  const double l2 = glm::dot(e, e);
-  const double t = l2 > 0 ? std::clamp(glm::dot(p - a, e) / l2, 0.0, 1.0) : 0;
-  return glm::distance(p, a + t * e);
+  return glm::distance(p, a + nearest_along(a, e, p) * e);
 }
 
 }  // namespace

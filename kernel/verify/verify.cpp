@@ -212,7 +212,7 @@ Verification verify(const Drawing& drawing, std::span<const Path> lines, const S
                     const Camera& camera, const VerifyOptions& options, Diagnostics& diagnostics,
                     RunContext& context) {
   const Court court(scene, camera, options, diagnostics, context);
-  context.begin_stage("verify");
+  context.begin_stage(RunStage::Verify);
   Verification out;
   const auto add = [&](const std::vector<Contradiction>& found) {
     for (const Contradiction& c : found) {

@@ -1,3 +1,4 @@
+#include <burin/base/nearest_along.h>
 #include <burin/base/parallel.h>
 #include <burin/visibility/halo.h>
 
@@ -166,11 +167,7 @@ double picture_depth(const PictureSegment& s, double share) {
   return depth_at(s, to_space(s, share));
 }
 
-double nearest_share(const PictureSegment& s, Vec2 p) {
-  const Vec2 d = s.b - s.a;
-  const double dd = glm::dot(d, d);
-  return dd > 0 ? std::clamp(glm::dot(p - s.a, d) / dd, 0.0, 1.0) : 0;
-}
+double nearest_share(const PictureSegment& s, Vec2 p) { return nearest_along(s.a, s.b - s.a, p); }
 
 class Haloes {
  public:

@@ -46,7 +46,7 @@ Drawing draw(const char* model, RunContext& run) {
   const Field field =
       field::find(choice.name)
           .make({.surfaces = surfaces, .camera = eye, .options = choice, .context = run});
-  const std::vector<Curve3> strokes = trace_strokes(surfaces, eye, field, tone::lambert(eye, {}),
+  const std::vector<Curve3> strokes = trace_strokes(surfaces, eye, field, tone::make(eye, {}),
                                                     view_probe(occluder, eye), {}, 1, run)
                                           .strokes;
   const std::vector<Curve3> features = extract_features(proxies, eye, {}, sheet.diagnostics, run);

@@ -26,7 +26,7 @@ void cut(benchmark::State& state, const test::Charted& shape) {
     state.PauseTiming();
     ChartMesh mesh = shape.mesh;
     state.ResumeTiming();
-    cut_along_contours(mesh, shape.atlas, camera, {}, context);
+    cut_along_contours(mesh, AtlasSampler(shape.atlas), camera, {}, context);
     triangles = mesh.triangles.size();
   }
   state.counters["before"] = static_cast<double>(shape.mesh.triangles.size());

@@ -1,6 +1,6 @@
 // Reading and repair of a torus of a million triangles in each format.
 #include <burin/converters/mesh_reader.h>
-#include <burin/mesh/repair.h>
+#include <burin/repair/repair.h>
 
 #include <benchmark/benchmark.h>
 #include <burin_test/folder.h>

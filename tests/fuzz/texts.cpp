@@ -32,9 +32,9 @@ void style(std::string_view text) {
 void drawing(std::string_view text) {
   const RunContext context;
   const Drawing drawing = parse_drawing(text, "fuzz", context);
-  for (const Format format : {Format::Json, Format::Svg, Format::Eps, Format::Dxf}) {
+  for (const char* format : {"json", "svg", "eps", "dxf"}) {
     std::ostringstream out;
-    write_drawing(drawing, format, {}, out, context);
+    write_drawing(drawing, *format_named(format), {}, out, context);
   }
 }
 

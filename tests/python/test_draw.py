@@ -188,6 +188,7 @@ class NothingSilent(unittest.TestCase):
             ({"light": (1, 0, 0), **outline}, "argument light has no effect"),
             ({"set": {"hatch": {"taper": 1}}, **outline}, "style key hatch.taper has no effect"),
             ({"scale": 1000, **outline}, "what runs off it is cut"),
+            ({"light": (1, 0, 0), "set": {"tone.law": "facing"}}, "argument light has no effect: tone.law facing"),
         ]
         for keywords, message in cases:
             with self.subTest(message):

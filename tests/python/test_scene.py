@@ -30,6 +30,20 @@ class Files(unittest.TestCase):
             scene = burin.Scene.read(path, bounds=[-6, -6, -6, 6, 6, 0])
         np.testing.assert_allclose(scene.bounds(), [[-5, -5, -5], [5, 5, 0]], atol=0.05)
 
+    def test_messages_name_arguments_not_options_of_the_command(self):
+        with tempfile.TemporaryDirectory() as folder:
+            path = Path(folder, "half.implicit")
+            path.write_text("z")
+            with self.assertRaisesRegex(burin.InputError, "give its domain by bounds=x0,y0,z0,x1,y1,z1$"):
+                burin.Scene.read(path)
+            box = [-6, -6, -6, 6, 6, 6]
+            clipped = "can be given by bounds$"
+            self.assertRegex(burin.draw(path, style="outline", bounds=box).diagnostics[0].message, clipped)
+            [told] = burin.info(path, bounds=box)
+            self.assertRegex(told["diagnostics"][0]["message"], clipped)
+        with self.assertRaisesRegex(burin.UsageError, r"all: burin\.style_keys\(\)\)$"):
+            burin.draw(SAMPLES / "bracket.off", set={"line.outr": 1})
+
     def test_a_missing_file_is_a_file_not_found_error(self):
         for call in (burin.Scene.read, burin.draw, burin.info, burin.Drawing.load):
             with self.assertRaises(FileNotFoundError) as caught:

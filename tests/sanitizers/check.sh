@@ -10,7 +10,7 @@ for word in "$@"; do
   esac
 done
 # The short form: rooms whose tests reach much code for the time that they take.
-short_asan=(base options mesh_repair converters_mesh converters_irit stroke)
+short_asan=(base options repair converters_mesh converters_irit stroke)
 short_tsan=(base stroke illustrate)
 # Minutes under ThreadSanitizer.
 long_tsan='^illustrate\.(NothingSilent|Placement)\.'

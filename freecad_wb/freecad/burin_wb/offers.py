@@ -14,11 +14,13 @@ _OPTIONS = ("hidden", "perspective", "style")
 
 def asked(burin):
     """What a kernel offers, of its module."""
-    options = {row["name"]: row for row in burin.catalogues()["options"]}
+    catalogues = burin.catalogues()
+    options = {row["name"]: row for row in catalogues["options"]}
     return {
         "options": {name: {k: options[name][k] for k in ("words", "low", "high", "default") if k in options[name]}
                     for name in _OPTIONS},
         "formats": burin.formats(),
+        "stages": catalogues["stages"],  # of a run, as progress names them
         "styles": burin.styles(),  # with what they are for
         "views": {name: [_rounded(direction), _rounded(up)] for name, (direction, up) in burin.views().items()},
         "papers": {name: list(size) for name, size in burin.papers().items()},  # width and height in mm

@@ -2,13 +2,11 @@
 #include "mesher.h"
 #include "model_parts.h"
 #include "occt_vec.h"
+#include "wild_pcurve.h"
 
 #include <BRepLib.hxx>
 #include <BRep_Builder.hxx>
 #include <BRep_Tool.hxx>
-#include <Geom2d_BSplineCurve.hxx>
-#include <Geom2d_BezierCurve.hxx>
-#include <Geom2d_TrimmedCurve.hxx>
 #include <Geom_BSplineSurface.hxx>
 #include <Geom_BezierSurface.hxx>
 #include <Geom_RectangularTrimmedSurface.hxx>
@@ -29,44 +27,43 @@ namespace {
 
 TopoDS_Face forward(const TopoDS_Face& f) { return TopoDS::Face(f.Oriented(TopAbs_FORWARD)); }
 
-/// Whether no pole of a spline is without numbers, or so far from where the others are that it was
-/// changed; of any other curve true.
-bool has_sound_poles(const Handle(Geom2d_Curve) & curve) {
-  constexpr double kFarthest = 1e7;  // times the usual distance from the origin, or 1
-  Handle(Geom2d_Curve) basis = curve;
-  if (const auto trimmed = Handle(Geom2d_TrimmedCurve)::DownCast(curve)) {
-    basis = trimmed->BasisCurve();
-  }
-  const TColgp_Array1OfPnt2d* poles = nullptr;
-  if (const auto spline = Handle(Geom2d_BSplineCurve)::DownCast(basis)) {
-    poles = &spline->Poles();
-  } else if (const auto bezier = Handle(Geom2d_BezierCurve)::DownCast(basis)) {
-    poles = &bezier->Poles();
-  }
-  if (!poles) return true;
-  std::vector<double> far;
-  for (int i = poles->Lower(); i <= poles->Upper(); ++i) {
-    far.push_back(std::abs((*poles)(i).X()) + std::abs((*poles)(i).Y()));
-    if (!std::isfinite(far.back())) return false;
-  }
-  std::ranges::sort(far);
-  return far.back() <= kFarthest * std::max(1.0, far[far.size() / 2]);
+/// Whether the curve is that of the edge; what throws is not.
+bool is_sound(const EdgeInFace& use, double size) {
+  bool sound = has_sound_poles(use.curve);
+  const std::string failure = contained([&] {
+    if (sound && !use.surface.IsNull()) sound = !leaves_edge(use, size);
+  });
+  return sound && failure.empty();
 }
 
-Pcurve pcurve_of(const TopoDS_Edge& use, const TopoDS_Face& face, const ModelEdge& edge) {
-  return contained_or(Pcurve(), [&] {
-    double first = 0, last = 0;
-    Handle(Geom2d_Curve) c = BRep_Tool::CurveOnSurface(use, face, first, last);
-    if (!c.IsNull() && !has_sound_poles(c)) {
-      BRep_Builder().UpdateEdge(use, Handle(Geom2d_Curve)(), face, BRep_Tool::Tolerance(use));
-      c.Nullify();
-    }
-    if (c.IsNull()) {
-      ShapeFix_Edge().FixAddPCurve(use, face, BRep_Tool::IsClosed(use, face), 0.0);
-      c = BRep_Tool::CurveOnSurface(use, face, first, last);
-    }
-    return Pcurve(c, first, last, edge.first, edge.last);
-  });
+void forget_curve(const TopoDS_Edge& use, const TopoDS_Face& face) {
+  BRep_Builder().UpdateEdge(use, Handle(Geom2d_Curve)(), face, BRep_Tool::Tolerance(use));
+}
+
+/// A face as its edges see it: turned forward, and the surface where it is.
+struct Front {
+  TopoDS_Face face;
+  Handle(Geom_Surface) surface;
+};
+
+EdgeInFace curve_in(const TopoDS_Edge& use, const Front& front, const ModelEdge& edge) {
+  EdgeInFace found{{}, 0, 0, front.surface, edge.curve, edge.first, edge.last};
+  found.curve = BRep_Tool::CurveOnSurface(use, front.face, found.first, found.last);
+  return found;
+}
+
+/// The curve of an edge in a face, made anew from the edge in space where it is missing or led
+/// astray.
+EdgeInFace mended_curve(const TopoDS_Edge& use, const Front& front, const ModelEdge& edge,
+                        double size) {
+  EdgeInFace given = curve_in(use, front, edge);
+  // Without a surface OCCT would follow a null pointer.
+  if (front.surface.IsNull()) return given;
+  if (!given.curve.IsNull() && is_sound(given, size)) return given;
+  const bool seam = BRep_Tool::IsClosed(use, front.face);
+  if (!given.curve.IsNull()) forget_curve(use, front.face);
+  ShapeFix_Edge().FixAddPCurve(use, front.face, seam, 0.0);
+  return curve_in(use, front, edge);
 }
 
 std::int32_t number(const TopTools_IndexedMapOfShape& map, const TopoDS_Shape& s) {
@@ -149,29 +146,39 @@ bool has_numbers(Handle(Geom_Surface) surface) {
   return true;
 }
 
+/// Adds the use of an edge by the face that comes next.
+void add_coedge(ModelParts& parts, ModelFace& f, const Front& front, const TopoDS_Edge& use,
+                std::int32_t edge) {
+  ModelCoedge c;
+  c.use = use;
+  c.edge = edge;
+  c.face = static_cast<std::int32_t>(parts.faces.size());
+  c.reversed = use.Orientation() == TopAbs_REVERSED;
+  c.internal = use.Orientation() == TopAbs_INTERNAL || use.Orientation() == TopAbs_EXTERNAL;
+  ModelEdge& e = parts.edges[static_cast<std::size_t>(edge)];
+  contained([&] {
+    const EdgeInFace found = mended_curve(use, front, e, parts.size);
+    c.curve = Pcurve(found.curve, found.first, found.last, e.first, e.last);
+    if (c.curve.known() && !front.surface.IsNull()) f.meshable &= !leaves_surface(found);
+  });
+  e.coedges.push_back(static_cast<std::int32_t>(parts.coedges.size()));
+  parts.coedges.push_back(std::move(c));
+}
+
 void add_face(ModelParts& parts, const TopoDS_Face& face, const TopoDS_Face& original,
               const TopTools_IndexedMapOfShape& edges, const ChartMaker& make_chart) {
   ModelFace f;
   f.face = face;
   f.first_coedge = static_cast<std::int32_t>(parts.coedges.size());
   f.reversed = face.Orientation() == TopAbs_REVERSED;
-  const TopoDS_Face front = forward(face);
-  for (TopExp_Explorer it(front, TopAbs_EDGE); it.More(); it.Next()) {
-    ModelCoedge c;
-    c.use = TopoDS::Edge(it.Current());
-    c.edge = number(edges, c.use);
-    c.face = static_cast<std::int32_t>(parts.faces.size());
-    c.reversed = c.use.Orientation() == TopAbs_REVERSED;
-    c.internal = c.use.Orientation() == TopAbs_INTERNAL || c.use.Orientation() == TopAbs_EXTERNAL;
-    ModelEdge& e = parts.edges[static_cast<std::size_t>(c.edge)];
-    c.curve = pcurve_of(c.use, front, e);
-    e.coedges.push_back(static_cast<std::int32_t>(parts.coedges.size()));
-    parts.coedges.push_back(std::move(c));
-  }
   const Handle(Geom_Surface) surface =
       contained_or(Handle(Geom_Surface)(), [&] { return BRep_Tool::Surface(face); });
+  const Front front{forward(face), surface};
+  for (TopExp_Explorer it(front.face, TopAbs_EDGE); it.More(); it.Next()) {
+    add_coedge(parts, f, front, TopoDS::Edge(it.Current()), number(edges, it.Current()));
+  }
+  f.meshable = f.meshable && !surface.IsNull() && has_numbers(surface);
   if (!surface.IsNull()) {
-    f.meshable = has_numbers(surface);
     f.chart = contained_or(std::shared_ptr<const Chart>(), [&] {
       return make_chart(
           surface, used_box(parts, static_cast<std::size_t>(f.first_coedge), parts.coedges.size()));
@@ -180,6 +187,19 @@ void add_face(ModelParts& parts, const TopoDS_Face& face, const TopoDS_Face& ori
   if (f.chart && !works(parts, *f.chart, static_cast<std::size_t>(f.first_coedge))) f.chart.reset();
   if (!f.chart) f.given = triangles_on(original, static_cast<std::int32_t>(parts.faces.size()));
   parts.faces.push_back(std::move(f));
+}
+
+/// The diagonal of a box about vertices and the middles of edges; infinite or no number where one
+/// of them is.
+double size_of(const ModelParts& parts) {
+  Box3 box;
+  for (const Vec3& p : parts.vertices) box.add(p);
+  for (const ModelEdge& e : parts.edges) {
+    contained([&] {
+      if (!e.curve.IsNull()) box.add(to_vec(e.curve->Value(0.5 * (e.first + e.last))));
+    });
+  }
+  return box.empty() ? 0 : box.diagonal();
 }
 
 void collect_bodies(ModelParts& parts, const TopTools_IndexedMapOfShape& faces) {
@@ -209,6 +229,7 @@ void collect_parts(ModelParts& parts, const TopoDS_Shape& original, const ChartM
   for (int i = 1; i <= edges.Extent(); ++i) {
     parts.edges.push_back(make_edge(TopoDS::Edge(edges(i)), vertices));
   }
+  parts.size = size_of(parts);
   for (int i = 1; i <= faces.Extent(); ++i) {
     add_face(parts, TopoDS::Face(faces(i)), TopoDS::Face(originals(i)), edges, make_chart);
   }

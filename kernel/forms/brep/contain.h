@@ -1,10 +1,13 @@
 #pragma once
 /// What OCCT throws ends here. Its exceptions are Standard_Failure and, from the standard library,
-/// std::exception. Signals (division by zero, bad addresses inside OCCT) are not caught: OCCT could
-/// turn them into exceptions only by handlers for the whole process.
+/// std::exception. While a caller has OCCT's handlers for signals set, as those who read files
+/// have, a bad address inside OCCT becomes an OSD_Signal here and is passed on: what OCCT holds may
+/// be broken. The jump out of the handler passes over destructors, so it has to be a short one.
 
 #include <burin/base/error.h>
 
+#include <OSD_Signal.hxx>
+#include <Standard_ErrorHandler.hxx>
 #include <Standard_Failure.hxx>
 
 #include <exception>
@@ -18,8 +21,11 @@ namespace burin {
 template <class Work>
 std::string contained(Work&& work) {
   try {
+    OCC_CATCH_SIGNALS
     work();
     return {};
+  } catch (const OSD_Signal&) {
+    throw;
   } catch (const Standard_Failure& failure) {
     const char* message = failure.GetMessageString();
     return message && *message ? message : failure.DynamicType()->Name();

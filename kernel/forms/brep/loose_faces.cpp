@@ -4,7 +4,7 @@
 #include <burin/forms/mesh/mesh_form.h>
 #include <burin/mesh/curvature.h>
 #include <burin/mesh/proxy_mesh.h>
-#include <burin/mesh/repair.h>
+#include <burin/repair/repair.h>
 
 #include <map>
 #include <utility>

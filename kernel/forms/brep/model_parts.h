@@ -24,7 +24,8 @@ struct ModelFace {
   /// Its coedges, from `first_coedge` to that of the next face.
   std::int32_t first_coedge = 0;
   bool reversed = false;
-  /// Of poles that are no numbers OCCT's mesher makes nodes without end.
+  /// Without a surface OCCT's mesher follows a null pointer; of poles that are no numbers, and of
+  /// edges far beyond the surface, it makes nodes without end.
   bool meshable = true;
   /// The triangles that the shape came with where it has no surface, or no chart that works; turned
   /// like the forward face.
@@ -60,6 +61,8 @@ struct ModelParts {
   /// Faces of each solid, and of each shell outside solids.
   std::vector<std::vector<std::int32_t>> bodies;
   std::vector<ModelEdgeClass> edge_class;
+  /// Roughly, from vertices and edges: what is near and far before there are triangles.
+  double size = 0;
 };
 
 /// Faces, edges and their curves of a shape; mends what costs little: missing curves of edges in

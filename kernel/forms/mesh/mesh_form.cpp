@@ -57,7 +57,7 @@ Box3 MeshForm::bounds(const Mat3& axes) const {
 
 std::shared_ptr<const Surface> MeshForm::realise(const RealiseOptions& options,
                                                  RunContext& context) const {
-  context.begin_stage("build");
+  context.begin_stage(RunStage::Build);
   TriMesh mesh = mesh_;
   reorder_for_cache(mesh);
   const ProxyOptions proxy_options{.crease_angle = options.crease_angle};
@@ -66,7 +66,7 @@ std::shared_ptr<const Surface> MeshForm::realise(const RealiseOptions& options,
   if (rounded && rounded->cut_short && options.diagnostics) tell_cut_short(*options.diagnostics);
   std::vector<Curvature> curvature;
   if (options.curvature) {
-    context.begin_stage("curvature");
+    context.begin_stage(RunStage::Curvature);
     curvature = estimate_curvature(proxy, {}, context);
   }
   if (!rounded) {

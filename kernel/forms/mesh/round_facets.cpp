@@ -2,6 +2,7 @@
 
 #include <burin/base/parallel.h>
 #include <burin/mesh/rounded_mesh.h>
+#include <burin/work_mesh/division.h>
 
 #include <algorithm>
 #include <array>
@@ -24,7 +25,6 @@ constexpr std::size_t kGrain = 4096;
 constexpr double kAlike = 0.035, kUnlike = 0.087;
 
 constexpr std::size_t next(std::size_t k) { return (k + 1) % 3; }
-constexpr std::size_t prev(std::size_t k) { return (k + 2) % 3; }
 
 /// A piece of a facet.
 struct Piece {
@@ -186,40 +186,17 @@ class Divider {
       out.push_back(piece);
       return;
     }
-    // Corners 0 to 2 and the middles of the edges after them, 3 to 5.
     std::array<std::uint32_t, 6> vertex{};
-    std::array<Vec3, 6> bary{};
+    std::array<Vec3, 6> bary{}, points{};
     for (std::size_t k = 0; k < 3; ++k) {
-      vertex[k] = piece.corners[k], bary[k] = piece.bary[k];
+      vertex[k] = piece.corners[k], bary[k] = piece.bary[k], points[k] = position(vertex[k]);
       if (!(marks >> k & 1U)) continue;
       vertex[3 + k] = middle(piece, k);
       bary[3 + k] = 0.5 * (piece.bary[k] + piece.bary[next(k)]);
+      points[3 + k] = position(vertex[3 + k]);
     }
-    const auto add = [&](std::size_t a, std::size_t b, std::size_t c) {
+    for (const auto& [a, b, c] : burin::divide(marks, points)) {
       out.push_back({{vertex[a], vertex[b], vertex[c]}, piece.facet, {bary[a], bary[b], bary[c]}});
-    };
-    if (marks == 7) {
-      for (std::size_t k = 0; k < 3; ++k) add(k, 3 + k, 3 + prev(k));
-      add(3, 4, 5);
-    } else if (std::popcount(marks) == 1) {
-      const auto k = static_cast<std::size_t>(std::countr_zero(marks));
-      add(k, 3 + k, prev(k));
-      add(3 + k, next(k), prev(k));
-    } else {
-      // The edge that stays whole, and the corner across from it.
-      const auto whole = static_cast<std::size_t>(std::countr_one(marks));
-      const std::size_t a = whole, b = next(whole), tip = prev(whole);
-      const std::size_t right = 3 + b, left = 3 + tip;
-      add(right, tip, left);
-      const double from_a = glm::distance(position(vertex[a]), position(vertex[right]));
-      const double from_b = glm::distance(position(vertex[b]), position(vertex[left]));
-      if (from_a <= from_b) {
-        add(a, b, right);
-        add(a, right, left);
-      } else {
-        add(a, b, left);
-        add(b, right, left);
-      }
     }
   }
 

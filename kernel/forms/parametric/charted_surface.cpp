@@ -1,5 +1,7 @@
 #include <burin/base/parallel.h>
 #include <burin/forms/parametric/charted_surface.h>
+#include <burin/mesh/nearest_side.h>
+#include <burin/work_mesh/proxy_draft.h>
 
 #include "locate.h"
 #include "march.h"
@@ -14,32 +16,12 @@ namespace {
 
 constexpr std::size_t kGrain = 2048;
 
-ProxyMesh build(const ChartMesh& mesh, const RunContext& context) {
-  ProxyDraft draft;
-  draft.mesh = {mesh.positions, mesh.triangles};
-  draft.corner_normal = mesh.normal;
-  draft.corner_on_contour = mesh.on_contour;
-  draft.source_face = mesh.face;
-  draft.tolerance = mesh.tolerance;
-  const std::size_t count = mesh.border.size();
-  draft.sharp.assign(count, 0);
-  draft.seam.assign(count, 0);
-  draft.source_edge.assign(count, -1);
-  for (std::size_t h = 0; h < count; ++h) {
-    if (mesh.border[h] < 0) continue;
-    draft.sharp[h] = mesh.border_class(h) == ModelEdgeClass::Sharp;
-    draft.seam[h] = mesh.border_class(h) == ModelEdgeClass::Seam;
-    draft.source_edge[h] = mesh.borders[static_cast<std::size_t>(mesh.border[h])].edge;
-  }
-  return assemble_proxy(std::move(draft), context);
-}
-
 class ChartedSurface final : public Surface {
  public:
   ChartedSurface(PlacedAtlas atlas, ChartMesh mesh, const RunContext& context)
       : atlas_(std::move(atlas)),
         mesh_(std::move(mesh)),
-        proxy_(build(mesh_, context)),
+        proxy_(assemble_proxy(proxy_draft(mesh_), context)),
         triangles_(atlas_, mesh_, proxy_.topology.opposite, context),
         lines_(*atlas_.atlas) {
     // The proxy has them now.
@@ -66,7 +48,6 @@ class ChartedSurface final : public Surface {
   std::vector<WedgeCorner> wedge_corners() const;
   Frame corner_frame(HalfEdge corner) const;
   /// Barycentric coordinates of the point of a triangle's sides that is nearest to p.
-  Vec3 nearest_side(std::uint32_t triangle, Vec3 p) const;
 
   PlacedAtlas atlas_;
   ChartMesh mesh_;
@@ -93,28 +74,10 @@ ProxyPoint ChartedSurface::to_proxy(const SurfacePoint& point) const {
   const std::uint32_t triangle = triangles_.locate(point.triangle, uv);
   const Vec3 b = triangles_.bary(triangle, uv);
   // Between a chord and the edge that it stands for.
-  if (std::min({b.x, b.y, b.z}) < 0) return {triangle, nearest_side(triangle, point.position)};
-  return {triangle, b / (b.x + b.y + b.z)};
-}
-
-Vec3 ChartedSurface::nearest_side(std::uint32_t triangle, Vec3 p) const {
-  const Triangle& t = mesh_.triangles[triangle];
-  Vec3 best(1, 0, 0);
-  double least = std::numeric_limits<double>::infinity();
-  for (int k = 0; k < 3; ++k) {
-    const int n = (k + 1) % 3;
-    const Vec3 a = mesh_.positions[t[static_cast<std::size_t>(k)]];
-    const Vec3 e = mesh_.positions[t[static_cast<std::size_t>(n)]] - a;
-    const double l2 = glm::dot(e, e);
-    const double s = l2 > 0 ? std::clamp(glm::dot(p - a, e) / l2, 0.0, 1.0) : 0;
-    const double d = glm::distance(p, a + s * e);
-    if (d >= least) continue;
-    least = d;
-    best = Vec3(0);
-    best[k] = 1 - s;
-    best[n] = s;
+  if (std::min({b.x, b.y, b.z}) < 0) {
+    return {triangle, nearest_side(proxy_.mesh, triangle, point.position)};
   }
-  return best;
+  return {triangle, b / (b.x + b.y + b.z)};
 }
 
 SurfacePoint ChartedSurface::lift(const ProxyPoint& point) const {

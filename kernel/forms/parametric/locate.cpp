@@ -10,6 +10,8 @@ namespace {
 // A partial derivative whose effect over a triangle is below this share of the other's is none.
 constexpr double kCollapsed = 1e-6;
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
+// Rounding of a place in (u,v) and of what is computed from it, as a share of its coordinates.
+constexpr double kNoise = 1000 * std::numeric_limits<double>::epsilon();
 }  // namespace
 
 UvTriangles::UvTriangles(const PlacedAtlas& atlas, const ChartMesh& mesh,
@@ -162,9 +164,20 @@ double UvTriangles::to_side(std::uint32_t triangle, Vec2 uv, Vec2 velocity) cons
   return way;
 }
 
+bool UvTriangles::lies_on_flat(std::uint32_t triangle, Vec2 p) const {
+  const auto h = static_cast<HalfEdge>(3 * triangle);
+  const Vec2 o = corner(h), a = corner(h + 1) - o, b = corner(h + 2) - o;
+  const Vec2 along = glm::length(a) > glm::length(b) ? a : b;
+  const Vec2 low = glm::min(o, o + glm::min(a, b)), high = glm::max(o, o + glm::max(a, b));
+  const double noise = kNoise * std::max(glm::length(low), glm::length(high));
+  const double beside = std::max(std::abs(cross2(a, b)), std::abs(cross2(along, p - o)));
+  return beside <= noise * glm::length(along) &&
+         glm::distance(p, glm::clamp(p, low, high)) <= noise;
+}
+
 std::uint32_t UvTriangles::locate(std::uint32_t triangle, Vec2& target) const {
   const Vec3 b = bary(triangle, target);
-  if (std::min({b.x, b.y, b.z}) >= 0) return triangle;
+  if (std::min({b.x, b.y, b.z}) >= 0 || lies_on_flat(triangle, target)) return triangle;
   Vec2 from = uv(triangle, Vec3(1.0 / 3));
   WalkGuard guard;
   while (guard.go_on(triangle, target)) {

@@ -125,6 +125,9 @@ class UvTriangles {
   const ChartMesh::Border& border(HalfEdge h) const {
     return mesh_.borders[static_cast<std::size_t>(mesh_.border[static_cast<std::size_t>(h)])];
   }
+  /// Whether a triangle has no area in (u,v) but for rounding, which then decides where a point of
+  /// it seems to lie, and the point is on it.
+  bool lies_on_flat(std::uint32_t triangle, Vec2 p) const;
   Vec2 to_branch(std::uint32_t triangle, Vec2 uv, Vec2 near) const;
   void find_poles();
   void find_bulges(const RunContext& context);

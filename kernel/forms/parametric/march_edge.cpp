@@ -1,5 +1,7 @@
 // How a march comes to an edge of the model, and what it does there.
 
+#include <burin/base/bracketed_zero.h>
+
 #include "march.h"
 
 #include <algorithm>
@@ -8,7 +10,6 @@
 namespace burin::detail {
 namespace {
 
-constexpr int kMaxIterations = 60;
 constexpr int kMaxRefinements = 3;
 // Crossings without progress after which a march is led along the edge, and after which it gives
 // up.
@@ -51,22 +52,9 @@ double March::meet(const Crossing& crossing, const PathState& to, double length)
     }
     if (!found) return 0;
   }
-  // Regula falsi, halving the value that stays (Illinois).
-  for (int i = 0; i < kMaxIterations && high - low > 1e-15 * length; ++i) {
-    const double x = std::clamp(low + (high - low) * f_low / (f_low - f_high), low, high);
-    const double fx = f(x);
-    if (std::abs(fx) < 1e-4 * noise) return x;
-    if (fx > 0) {
-      low = x;
-      f_low = fx;
-      f_high *= 0.5;
-    } else {
-      high = x;
-      f_high = fx;
-      f_low *= 0.5;
-    }
-  }
-  return 0.5 * (low + high);
+  const double span = high - low;
+  return low + span * bracketed_zero([&](double share) { return f(low + share * span); }, f_low,
+                                     f_high, {1e-15 * length / span, 1e-4 * noise});
 }
 
 // The state on the curve: the path itself, not the cubic.

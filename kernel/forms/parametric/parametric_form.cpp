@@ -1,8 +1,10 @@
 #include <burin/base/error.h>
+#include <burin/contour_cut/contour_cut.h>
+#include <burin/forms/parametric/atlas_sampler.h>
 #include <burin/forms/parametric/charted_surface.h>
-#include <burin/forms/parametric/contour_cut.h>
 #include <burin/forms/parametric/parametric_form.h>
 #include <burin/forms/parametric/refine.h>
+#include <burin/forms/parametric/wedge_normals.h>
 
 #include "tessellate.h"
 
@@ -20,7 +22,7 @@ ParametricForm::~ParametricForm() = default;
 std::shared_ptr<const Surface> ParametricForm::realise(const RealiseOptions& options,
                                                        RunContext& context) const {
   if (patches_.empty()) throw GeometryError("a parametric form without patches");
-  context.begin_stage("build");
+  context.begin_stage(RunStage::Build);
   context.check();
   const detail::PatchComplex complex = detail::weld(patches_, weld_, context);
   if (complex.contradictions > 0 && options.diagnostics) {
@@ -37,7 +39,8 @@ std::shared_ptr<const Surface> ParametricForm::realise(const RealiseOptions& opt
   }
   const PlacedAtlas atlas{complex.atlas, {}, complex.size};
   set_wedge_normals(mesh, atlas, context);
-  const bool found = !options.view || cut_along_contours(mesh, atlas, *options.view, {}, context);
+  const bool found =
+      !options.view || cut_along_contours(mesh, AtlasSampler(atlas), *options.view, {}, context);
   if (!found && options.diagnostics) add_contours_bounded(*options.diagnostics);
   auto surface = make_charted_surface(atlas, std::move(mesh), context);
   context.end_stage();

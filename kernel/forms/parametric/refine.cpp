@@ -1,8 +1,9 @@
 #include <burin/base/parallel.h>
 #include <burin/forms/parametric/refine.h>
+#include <burin/work_mesh/division.h>
+#include <burin/work_mesh/half_edges.h>
 
 #include "break_lines.h"
-#include "half_edges.h"
 #include "unfold.h"
 
 #include <fmt/format.h>
@@ -31,7 +32,6 @@ constexpr double kLeastArea = 16;
 constexpr double kFewest = 100'000, kMost = 600'000;
 
 std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
-std::size_t next(std::size_t h) { return h % 3 == 2 ? h - 2 : h + 1; }
 
 /// How far S is off: in full, and with deviations along the triangle or edge counted less, by
 /// which is split.
@@ -250,7 +250,7 @@ class Refiner {
     return {m_.triangles[h / 3][h % 3], m_.uv[h], raw_.pole[h], m_.border[h], known_[h], error_[h]};
   }
 
-  /// The new vertex on half-edge h, as the corner that the second half starts at.
+  /// The new vertex on half-edge h, as a corner.
   Corner middle(std::size_t h) {
     const std::size_t owner = opposite_[h] >= 0 ? std::min(h, at(opposite_[h])) : h;
     std::uint32_t& v = made_[owner];
@@ -323,65 +323,42 @@ class Refiner {
     const std::int32_t face = m_.face[f];
     const int count = split_[h] + split_[h + 1] + split_[h + 2];
     if (count == 0) return emit(face, &centre_[f], {corner(h), corner(h + 1), corner(h + 2)});
-    if (count == 3) return split_in_four(face, h);
-    // Turned so that the marked edge is the first, or the one not marked the last.
-    std::size_t a = h;
-    while (!(split_[a] && (count == 1 || split_[next(a)]))) a = next(a);
-    const std::size_t b = next(a), c = next(b);
-    if (count == 1) {
-      const Corner m = half(a);
-      emit(face, nullptr, {first_, m_inner(m), corner(c)});
-      emit(face, nullptr, {m, corner(b), m_inner(corner(c))});
-    } else {
-      split_in_three(face, a, b, c);
+    std::array<Corner, 6> c{};
+    std::array<std::array<std::int32_t, 2>, 3> borders{};
+    std::array<Vec3, 6> points{};
+    std::uint8_t marks = 0;
+    // Of two marked edges the one that the other follows is first: new vertices are numbered so.
+    const std::size_t first = count == 2 && !split_[h + 1] ? 2 : 0;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const std::size_t k = (first + i) % 3;
+      c[k] = corner(h + k);
+      if (!split_[h + k]) continue;
+      marks |= static_cast<std::uint8_t>(1U << k);
+      c[3 + k] = middle(h + k);
+      borders[k] = halves(h + k);
+    }
+    for (std::size_t k = 0; k < 6; ++k) {
+      if (k < 3 || split_[h + k - 3]) points[k] = m_.positions[c[k].vertex];
+    }
+    for (const Division::Piece& piece : divide(marks, points)) {
+      std::array<Corner, 3> corners;
+      for (std::size_t k = 0; k < 3; ++k) {
+        corners[k] = leaving(c, borders, piece[k], piece[(k + 1) % 3]);
+      }
+      emit(face, nullptr, corners);
     }
   }
 
-  /// Corner without its half-edge: a new edge starts there.
-  static Corner m_inner(Corner c) {
-    c.border = -1;
-    c.known = 0;
-    return c;
-  }
-
-  /// Splits half-edge h: `first_` starts the first half, the result the second.
-  Corner half(std::size_t h) {
-    Corner m = middle(h);
-    first_ = corner(h);
-    first_.known = 0;
-    const auto b = halves(h);
-    first_.border = b[0];
-    m.border = b[1];
-    return m;
-  }
-
-  void split_in_four(std::int32_t face, std::size_t h) {
-    const Corner m0 = half(h), a = first_;
-    const Corner m1 = half(h + 1), b = first_;
-    const Corner m2 = half(h + 2), c = first_;
-    emit(face, nullptr, {a, m_inner(m0), m2});
-    emit(face, nullptr, {b, m_inner(m1), m0});
-    emit(face, nullptr, {c, m_inner(m2), m1});
-    emit(face, nullptr, {m_inner(m0), m_inner(m1), m_inner(m2)});
-  }
-
-  /// Edges a and b split: the triangle at their common corner, and the rest by its shorter
-  /// diagonal.
-  void split_in_three(std::int32_t face, std::size_t ha, std::size_t hb, std::size_t hc) {
-    const Corner ma = half(ha), a = first_;
-    const Corner mb = half(hb), b = first_;
-    const Corner c = corner(hc);
-    emit(face, nullptr, {b, m_inner(mb), ma});
-    const auto far = [&](const Corner& p, const Corner& q) {
-      return glm::length(m_.positions[p.vertex] - m_.positions[q.vertex]);
-    };
-    if (far(a, mb) <= far(ma, c)) {
-      emit(face, nullptr, {a, m_inner(ma), m_inner(mb)});
-      emit(face, nullptr, {m_inner(a), mb, c});
-    } else {
-      emit(face, nullptr, {a, m_inner(ma), c});
-      emit(face, nullptr, {m_inner(ma), mb, m_inner(c)});
-    }
+  /// Corner p of a divided triangle, with the edge to q that leaves it there.
+  static Corner leaving(const std::array<Corner, 6>& corners,
+                        const std::array<std::array<std::int32_t, 2>, 3>& borders, std::uint8_t p,
+                        std::uint8_t q) {
+    Corner out = corners[p];
+    if (p < 3 && q == (p + 1) % 3) return out;  // a side that stayed whole
+    const int side = side_of(p, q);
+    out.border = side < 0 ? -1 : borders[at(side)][p < 3 ? 0 : 1];
+    out.known = 0;
+    return out;
   }
 
   RawMesh& raw_;
@@ -397,7 +374,6 @@ class Refiner {
   std::vector<Off> error_, centre_;
   std::vector<std::uint8_t> centre_known_;
   std::vector<std::uint32_t> made_;  // vertex in the middle of an edge; 0: none yet
-  Corner first_{};
   ChartMesh out_;
   std::vector<std::uint8_t> out_pole_, out_known_;
   std::vector<std::uint8_t> out_centre_known_;
@@ -421,7 +397,7 @@ void add_triangles_bounded(Diagnostics& diagnostics, std::size_t triangles, doub
   diagnostics.add(Severity::Warning, "surface.triangles_bounded", 1,
                   fmt::format("{} triangles are the most that this part gets on this sheet: they "
                               "are up to {:.3g} mm off the surface, not {:.3g}; a larger "
-                              "--tolerance asks for fewer, a larger sheet allows more",
+                              "`tolerance` asks for fewer, a larger sheet allows more",
                               triangles, distance, tolerance));
 }
 

@@ -2,8 +2,7 @@
 
 #include <burin/base/parallel.h>
 #include <burin/forms/parametric/refine.h>
-
-#include "half_edges.h"
+#include <burin/work_mesh/half_edges.h>
 
 #include <algorithm>
 #include <cmath>

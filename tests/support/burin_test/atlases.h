@@ -2,8 +2,10 @@
 /// Atlases of analytic faces with their triangles, as tests and benchmarks of exact forms want
 /// them.
 
-#include <burin/forms/parametric/contour_cut.h>
+#include <burin/contour_cut/contour_cut.h>
+#include <burin/forms/parametric/atlas_sampler.h>
 #include <burin/forms/parametric/nurbs.h>
+#include <burin/forms/parametric/wedge_normals.h>
 
 #include <burin_test/charts.h>
 

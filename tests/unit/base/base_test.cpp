@@ -67,17 +67,17 @@ TEST(Rng, IsUniformByChiSquare) {
 TEST(RunContext, CountsStagesAndCancels) {
   std::vector<std::string> reports;
   RunContext context([&](const std::string& stage, double) { reports.push_back(stage); });
-  context.begin_stage("read");
-  context.begin_stage("build");
-  context.begin_stage("read");
+  context.begin_stage(RunStage::Read);
+  context.begin_stage(RunStage::Build);
+  context.begin_stage(RunStage::Read);
   context.end_stage();
   ASSERT_EQ(context.stages().size(), 2u);
-  EXPECT_EQ(context.stages()[0].name, "read");
+  EXPECT_EQ(context.stages()[0].stage, RunStage::Read);
   EXPECT_EQ(reports, (std::vector<std::string>{"read", "build", "read"}));
   EXPECT_NO_THROW(context.check());
   context.cancel();
   EXPECT_THROW(context.check(), Cancelled);
-  EXPECT_THROW(context.begin_stage("late"), Cancelled);
+  EXPECT_THROW(context.begin_stage(RunStage::Write), Cancelled);
 }
 
 TEST(Parallel, RangesDependOnGrainAloneAndCoverAll) {

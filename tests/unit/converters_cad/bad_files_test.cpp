@@ -3,6 +3,7 @@
 
 #include "cad_files.h"
 
+#include <BRepBuilderAPI_NurbsConvert.hxx>
 #include <BRepTools.hxx>
 #include <burin_test/shapes.h>
 #include <fmt/format.h>
@@ -124,6 +125,25 @@ TEST_F(BadFiles, WhatStandsBeforeACutIsRead) {
   EXPECT_EQ(test::count_of(scene.diagnostics, "step.truncated"), 1);
 }
 
+TEST_F(BadFiles, AbsurdKnotsAreRefused) {
+  // Splines, whose weights make them entities of another kind than those without.
+  CadDocument document;
+  document.part(BRepBuilderAPI_NurbsConvert(test::solid_sphere(2)).Shape(), "ball");
+  document.part(BRepBuilderAPI_NurbsConvert(test::solid_box(3, 4, 5)).Shape(), "box");
+  const std::string text = test::slurp(document.step(folder_ / "splines.step"));
+  ASSERT_EQ(read(folder_ / "splines.step").parts.size(), 2u);
+  // Of each list of knots, which stands before their kind: no reference to an entity.
+  const std::regex last_knot(R"([(,]\s*([0-9.E+-]+)(?=\)\s*,\s*\.[A-Z_]+\.\s*\)))");
+  int tried = 0;
+  for (std::sregex_iterator it(text.begin(), text.end(), last_knot), end; it != end; ++it) {
+    std::string changed = text;
+    changed.replace(static_cast<std::size_t>(it->position(1)), it->str(1).size(), "1.E308");
+    expect_error(folder_.write("knot.step", changed), "with the knot");
+    ++tried;
+  }
+  EXPECT_GT(tried, 6);
+}
+
 TEST_F(BadFiles, AnEdgeThatIsMadeOfItselfIsRefused) {
   // OCCT follows it until the stack ends.
   std::string text = test::slurp(box_step());
@@ -227,7 +247,7 @@ TEST_F(BadFiles, CancelStopsAReadingUnderWay) {
     if (share > 0.35) running->cancel();
   });
   running = &context;
-  context.begin_stage("read");
+  context.begin_stage(RunStage::Read);
   EXPECT_THROW(read_cad(file, context), Cancelled);
   EXPECT_GT(reached, 0.35);
   EXPECT_LT(reached, 1);

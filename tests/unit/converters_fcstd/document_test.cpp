@@ -143,7 +143,7 @@ TEST_F(FcstdTest, NothingToDrawIsToldInOneLine) {
                  ".features\" class=\"Illustration\"/>"));
   EXPECT_TRUE(holds(error_of(d.bytes()), "Burin illustrations only"));
   d.add_shape("Box", located_box(kUnit, {}), text_property("Label", "Lid") + hidden());
-  EXPECT_TRUE(holds(error_of(d.bytes()), "--object 'Lid'"));
+  EXPECT_TRUE(holds(error_of(d.bytes()), "`object 'Lid'`"));
 }
 
 TEST_F(FcstdTest, WhatIsNoDocumentIsRefused) {

@@ -1,7 +1,7 @@
 // Models that others made, good and broken: each is read as the list of them says, or refused in
 // one clear line.
 #include <burin/forms/mesh/mesh_form.h>
-#include <burin/mesh/repair.h>
+#include <burin/repair/repair.h>
 
 #include "reading.h"
 

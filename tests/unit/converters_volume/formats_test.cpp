@@ -235,7 +235,7 @@ TEST(Raw, IsReadAsItIsTold) {
     EXPECT_TRUE(v.diagnostics.empty());
     expect_error({{"a.vol", "123456" + bytes}}, 0, "truncated", options);
   }
-  expect_error({{"a.raw", "1234"}}, 0, "--raw");
+  expect_error({{"a.raw", "1234"}}, 0, "`raw NXxNYxNZ");
 }
 
 TEST(Samples, ThatAreNoNumbersAreOutside) {

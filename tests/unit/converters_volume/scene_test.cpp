@@ -93,7 +93,7 @@ TEST(VolumeScene, LevelsAreChecked) {
       EXPECT_EQ(e.file(), path);
     }
   };
-  refused({}, "give the level of the surface to draw, e.g. --iso ");
+  refused({}, "give the level of the surface to draw, e.g. `iso ");
   refused(101, "the level 101 is outside the values of the data, -99.1858 to 91.3397");
   refused(-500, "is outside the values");
 }

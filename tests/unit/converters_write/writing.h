@@ -13,10 +13,10 @@
 
 namespace burin::test {
 
-inline std::string written(const Drawing& drawing, Format format,
+inline std::string written(const Drawing& drawing, std::string_view format,
                            const WriteOptions& options = {}) {
   std::ostringstream out;
-  write_drawing(drawing, format, options, out, RunContext());
+  write_drawing(drawing, *format_named(format), options, out, RunContext());
   return out.str();
 }
 

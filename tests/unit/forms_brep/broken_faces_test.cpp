@@ -12,9 +12,11 @@
 #include <BRep_Builder.hxx>
 #include <BRep_Tool.hxx>
 #include <Geom2d_BSplineCurve.hxx>
+#include <Geom2d_BezierCurve.hxx>
 #include <Geom2d_Line.hxx>
 #include <GeomAPI_PointsToBSplineSurface.hxx>
 #include <Geom_BSplineSurface.hxx>
+#include <Geom_BezierSurface.hxx>
 #include <Poly_Triangulation.hxx>
 #include <TColStd_Array1OfInteger.hxx>
 #include <TColStd_Array1OfReal.hxx>
@@ -359,6 +361,62 @@ TEST(BrokenFaces, ACurveInTheFaceWithAWildPoleIsMadeAnew) {
   EXPECT_NEAR(test::area(*mesh), 6 * std::numbers::pi, 0.02);
 }
 
+/// A square Bezier patch of degree 5, in the plane z = 0 but for its middle, and one of its sides.
+struct Patch {
+  TopoDS_Face face = BRepBuilderAPI_MakeFace(surface(), 1e-7).Face();
+  TopoDS_Edge side = TopoDS::Edge(TopExp_Explorer(face, TopAbs_EDGE).Current());
+
+  static Handle(Geom_BezierSurface) surface() {
+    TColgp_Array2OfPnt poles(1, 6, 1, 6);
+    for (int i = 1; i <= 6; ++i) {
+      for (int k = 1; k <= 6; ++k)
+        poles(i, k) = gp_Pnt(i, k, (i - 1) * (6 - i) * (k - 1) * (6 - k));
+    }
+    return new Geom_BezierSurface(poles);
+  }
+
+  /// Moves the last pole of the curve of the side in (u,v).
+  void lead_astray(gp_Pnt2d to) const {
+    double first = 0, last = 0;
+    const Handle(Geom2d_Curve) line = BRep_Tool::CurveOnSurface(side, face, first, last);
+    TColgp_Array1OfPnt2d poles(1, 6);
+    for (int i = 1; i <= 6; ++i) poles(i) = line->Value(first + (last - first) * (i - 1) / 5);
+    poles(6) = to;
+    BRep_Builder().UpdateEdge(side, new Geom2d_BezierCurve(poles), face, 1e-7);
+    BRep_Builder().Range(side, face, 0, 1);
+  }
+};
+
+double patch_area() {
+  RunContext context;
+  return test::area(*make_brep_model(Patch().face)->tessellate(0.01, context, nullptr));
+}
+
+TEST(BrokenFaces, ACurveInTheFaceThatLeavesTheSurfaceIsMadeAnew) {
+  for (const double u : {-2.0, 3.0, 425.0}) {
+    SCOPED_TRACE(u);
+    const Patch patch;
+    patch.lead_astray({u, 0});
+    RunContext context;
+    Diagnostics diagnostics;
+    const auto mesh = make_brep_model(patch.face)->tessellate(0.01, context, &diagnostics);
+    EXPECT_TRUE(diagnostics.entries().empty());
+    EXPECT_NEAR(test::area(*mesh), patch_area(), 1e-6 * patch_area());
+  }
+}
+
+TEST(BrokenFaces, AnEdgeFarBeyondItsSurfaceIsNotMeshed) {
+  // With no curve in space to go back to.
+  const Patch patch;
+  patch.lead_astray({425, 0});
+  BRep_Builder().UpdateEdge(patch.side, Handle(Geom_Curve)(), 1e-7);
+  RunContext context;
+  const auto model = make_brep_model(compound({test::box_shape(1, 2, 3), patch.face}));
+  const auto mesh = model->tessellate(0.01, context, nullptr);
+  EXPECT_NEAR(test::area(*mesh), 22, 1e-9);
+  EXPECT_LT(mesh->loose.triangles.size(), 100'000u);
+}
+
 TEST(BrokenFaces, ATornSeamIsNoWayRound) {
   // The sides of the seam lie a thousandth apart in (u,v), not the period.
   const Cylinder cylinder;
@@ -411,6 +469,23 @@ TEST(BrokenFaces, TrianglesWithoutASurfaceAreDrawn) {
     EXPECT_EQ(drawing.parts.at(0).faces, alone ? 1 : 7);
     EXPECT_GT(ink(drawing), 0);
   }
+}
+
+TEST(BrokenFaces, AFaceOfEdgesAloneIsLeftOutAndNamed) {
+  BRepBuilderAPI_MakePolygon edges(gp_Pnt(0, 0, 5), gp_Pnt(1, 0, 5), gp_Pnt(1, 1, 5), true);
+  BRep_Builder builder;
+  TopoDS_Face face;
+  builder.MakeFace(face);
+  builder.Add(face, edges.Wire());
+  const ModelPtr model = make_brep_model(compound({test::box_shape(1, 2, 3), face}));
+  Diagnostics diagnostics;
+  RunContext context;
+  const auto mesh = model->tessellate(0.01, context, &diagnostics);
+  EXPECT_NEAR(test::area(*mesh), 22, 1e-9);
+  EXPECT_TRUE(mesh->loose.empty());
+  ASSERT_EQ(diagnostics.entries().size(), 1u);
+  EXPECT_EQ(diagnostics.entries()[0].code, "brep.face_not_meshed");
+  EXPECT_TRUE(diagnostics.entries()[0].message.ends_with(": face 6"));
 }
 
 TEST(BrokenFaces, APartThatCannotBeDrawnLeavesTheOthers) {

@@ -3,7 +3,11 @@
 #include <burin_test/charts.h>
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
+#include <memory>
+#include <utility>
+#include <vector>
 
 namespace burin {
 namespace {
@@ -33,6 +37,37 @@ TEST(ChartedMarch, GreatCirclesOfASphereCrossTheSeamAndClose) {
       EXPECT_LT(glm::distance(m.direction, way), 1e-7);
     }
   }
+}
+
+/// A rectangle of a plane; its second triangle has three corners on one line, but for rounding.
+std::shared_ptr<const Surface> surface_with_a_flat_triangle() {
+  const auto plane = test::plane_chart(Vec2(0), Vec2(9));
+  PlacedAtlas atlas{std::make_shared<test::PlainAtlas>(std::vector{plane}), {}, 1};
+  const Vec2 a(7.1, 7.83), b(7.7, 7.97), on_line = a + 0.37 * (b - a);
+  const std::array<Vec2, 5> corners{
+      a, b, {on_line.x, std::nextafter(on_line.y, 0.0)}, {7, 9}, {8, 7}};
+  ChartMesh m;
+  m.triangles = {{0, 1, 3}, {1, 0, 2}, {2, 0, 4}, {1, 2, 4}};
+  for (const Vec2& c : corners) m.positions.push_back({c, 0});
+  for (const Triangle& t : m.triangles) {
+    for (const std::uint32_t v : t) m.uv.push_back(corners[v]);
+  }
+  m.face.assign(m.triangles.size(), 0);
+  m.border.assign(m.uv.size(), -1);
+  m.normal.assign(m.uv.size(), Vec3(0, 0, 1));
+  m.on_contour.assign(m.uv.size(), 0);
+  return make_charted_surface(std::move(atlas), std::move(m), RunContext());
+}
+
+TEST(ChartedSurface, APlaceOnATriangleWithoutAreaIsFoundInIt) {
+  const auto s = surface_with_a_flat_triangle();
+  for (int i = 1; i < 20; ++i) {
+    for (int k = 1; i + k < 20; ++k) {
+      EXPECT_EQ(s->to_proxy(s->lift({1, Vec3(i, k, 20 - i - k) / 20.0})).face, 1u);
+    }
+  }
+  // And one that is not on it where it is.
+  EXPECT_EQ(s->to_proxy({0, Vec3(7.2, 8.3, 0), Vec3(7.2, 8.3, 0), 1}).face, 0u);
 }
 
 TEST(ChartedMarch, AShortStepIsExactTo1e9OfTheSize) {

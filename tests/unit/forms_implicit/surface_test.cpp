@@ -250,7 +250,7 @@ TEST(ImplicitErrors, FunctionsWithoutASurfaceSayWhy) {
   refused(implicit::round(sphere(3)), Box3{Vec3(-4), Vec3(4)}, "no slope");
   refused(sphere(1), Box3{Vec3(-1e7), Vec3(1e7)}, "in steps of 1.5");
   refused(implicit::sqrt(-square(x) - 1.0), cube, "not a number");
-  refused(plane(0, 0, 1, 0), {}, "--bounds");
+  refused(plane(0, 0, 1, 0), {}, "`bounds x0,");
   refused(sphere(1), Box3{Vec3(1), Vec3(-1)}, "empty, endless or reaches");
   refused(sphere(1), Box3{Vec3(-1e300), Vec3(1e300)}, "empty, endless or reaches");
 }

@@ -37,7 +37,7 @@ TEST(MeshForm, NamesItsStages) {
   RunContext context;
   MeshForm(test::torus(3, 1, 40, 20)).realise({}, context);
   ASSERT_FALSE(context.stages().empty());
-  EXPECT_EQ(context.stages().front().name, "build");
+  EXPECT_EQ(context.stages().front().stage, RunStage::Build);
 }
 
 TEST(MeshForm, ACancelledRunThrows) {

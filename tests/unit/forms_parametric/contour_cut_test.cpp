@@ -3,6 +3,7 @@
 #include <burin/base/parallel.h>
 #include <burin/camera/facing.h>
 #include <burin/feature/feature.h>
+#include <burin/work_mesh/proxy_draft.h>
 
 #include <burin_test/atlases.h>
 #include <gtest/gtest.h>
@@ -27,26 +28,6 @@ Camera camera_for(const ChartMesh& mesh, const ViewOptions& view) {
       view);
 }
 
-/// As make_charted_surface does.
-ProxyMesh proxy_of(const ChartMesh& mesh, const RunContext& context) {
-  ProxyDraft draft;
-  draft.mesh = {mesh.positions, mesh.triangles};
-  draft.corner_normal = mesh.normal;
-  draft.corner_on_contour = mesh.on_contour;
-  draft.source_face = mesh.face;
-  draft.tolerance = mesh.tolerance;
-  draft.sharp.assign(mesh.border.size(), 0);
-  draft.seam.assign(mesh.border.size(), 0);
-  draft.source_edge.assign(mesh.border.size(), -1);
-  for (std::size_t h = 0; h < mesh.border.size(); ++h) {
-    if (mesh.border[h] < 0) continue;
-    draft.sharp[h] = mesh.border_class(h) == ModelEdgeClass::Sharp;
-    draft.seam[h] = mesh.border_class(h) == ModelEdgeClass::Seam;
-    draft.source_edge[h] = mesh.borders[static_cast<std::size_t>(mesh.border[h])].edge;
-  }
-  return assemble_proxy(std::move(draft), context);
-}
-
 double area_of(const ChartMesh& mesh) {
   double area = 0;
   const TriMesh m{mesh.positions, mesh.triangles};
@@ -69,8 +50,8 @@ struct Cut {
         triangles_before(charted.mesh.triangles.size()),
         area_before(area_of(charted.mesh)),
         camera(camera_for(charted.mesh, view)) {
-    cut_along_contours(charted.mesh, charted.atlas, camera, options, context);
-    proxy = proxy_of(charted.mesh, context);
+    cut_along_contours(charted.mesh, AtlasSampler(charted.atlas), camera, options, context);
+    proxy = assemble_proxy(proxy_draft(charted.mesh), context);
     const ProxyMesh* pointer = &proxy;
     Diagnostics diagnostics;
     for (Curve3& c : extract_features({&pointer, 1}, camera, {}, diagnostics, context)) {
@@ -551,8 +532,8 @@ TEST(ContourCut, NothingToCutLeavesTheMeshAsItWas) {
   const auto graph = [](Vec2 p) { return Vec3(p, 0.1 * std::sin(p.x)); };
   Charted c = test::charted_graph(3, 6, graph);
   const ChartMesh before = c.mesh;
-  cut_along_contours(c.mesh, c.atlas, camera_for(c.mesh, {.direction = {0, 0, 1}, .up = {0, 1, 0}}),
-                     {}, context);
+  cut_along_contours(c.mesh, AtlasSampler(c.atlas),
+                     camera_for(c.mesh, {.direction = {0, 0, 1}, .up = {0, 1, 0}}), {}, context);
   EXPECT_EQ(c.mesh.triangles, before.triangles);
   EXPECT_EQ(c.mesh.positions, before.positions);
   EXPECT_EQ(c.mesh.on_contour, before.on_contour);

@@ -88,10 +88,10 @@ TEST(NothingSilent, AWordThatNoKeyTakesIsAnError) {
 
 TEST(NothingSilent, AnEmptyDrawingSaysWhy) {
   Style style = builtin_style("outline");
-  EXPECT_NE(
-      said(draw(box(), style, {.paper = {100, 80}}, {.looks = {{.drawn = false}}}), "drawing.empty")
-          .find("every part is left out"),
-      std::string::npos);
+  EXPECT_NE(said(draw(box(), style, {.paper = {100, 80}}, {.part_styles = {{.drawn = false}}}),
+                 "drawing.empty")
+                .find("every part is left out"),
+            std::string::npos);
   style.feature = {false, false, false, false, false, false, 30};
   EXPECT_NE(said(draw(box(), style), "drawing.empty").find("neither feature lines"),
             std::string::npos);

@@ -45,7 +45,7 @@ std::vector<float> target_tone(const Scene& scene, const Camera& camera, const S
     proxies.push_back(&surfaces.back()->proxy());
   }
   const Occluder occluder(proxies, context);
-  const Tone tone = tone::lambert(camera, style.tone);
+  const Tone tone = tone::make(camera, style.tone);
   std::vector<float> out(static_cast<std::size_t>(nx * ny), -1);
   const double back = 2 * occluder.diagonal();
   for (int y = 0; y < ny; ++y) {

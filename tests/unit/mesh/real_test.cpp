@@ -1,6 +1,6 @@
 #include <burin/converters/mesh_reader.h>
 #include <burin/mesh/curvature.h>
-#include <burin/mesh/repair.h>
+#include <burin/repair/repair.h>
 
 #include <burin_test/exact.h>
 #include <burin_test/shapes.h>

@@ -159,5 +159,22 @@ TEST(Requests, ErrorsNameTheOptionAsTheDoorSpellsIt) {
   EXPECT_EQ(message(Spelling::Keywords), "argument thick_line takes 0 to 10, not '11'");
 }
 
+TEST(Messages, NameOptionsAsTheDoorDoes) {
+  std::vector<RequestOption> options(2);
+  options[0].option.name = "raw_skip";
+  options[1].option.name = "iso";
+  const auto at = [&](const std::string& message, Spelling spelling) {
+    return spelled_message(message, options, spelling);
+  };
+  const std::string said = "give `iso 0.5 mm`, or `raw_skip`";
+  EXPECT_EQ(at(said, Spelling::Options), "give --iso 0.5 mm, or --raw-skip");
+  EXPECT_EQ(at(said, Spelling::Keywords), "give iso=0.5 mm, or raw_skip");
+  // Words of a file are nobody's options.
+  for (const std::string other : {"", "`", "``", "no `part` here", "a`b", "`part`s `"}) {
+    EXPECT_EQ(at(other, Spelling::Options), other);
+  }
+  EXPECT_EQ(at("a`b needs `iso`", Spelling::Options), "a`b needs --iso");
+}
+
 }  // namespace
 }  // namespace burin

@@ -1,7 +1,7 @@
 // Real models: no gaps, no specks, and agreement with dense rays that know nothing of cuts.
 
 #include <burin/converters/mesh_reader.h>
-#include <burin/mesh/repair.h>
+#include <burin/repair/repair.h>
 
 #include <burin_test/view.h>
 #include <gtest/gtest.h>

@@ -35,6 +35,8 @@ struct DrawPlan {
   int threads = 0;
   /// What the ids of an SVG begin with.
   std::string id_prefix;
+  /// How the drawing's diagnostics name options.
+  Spelling spelling = Spelling::Options;
   /// Options that were given and have no effect on a drawing without strokes, as messages call
   /// them.
   std::vector<std::string> about_strokes = {};

@@ -24,7 +24,7 @@ void set_output_guard(const OutputGuard& guard);
 /// aside and renamed.
 class Output {
  public:
-  Output(std::string name, Format format);
+  Output(std::string name, const Format& format);
   ~Output();
   Output(Output&& other) noexcept;
   Output(const Output&) = delete;
@@ -32,7 +32,7 @@ class Output {
   Output& operator=(Output&&) = delete;
 
   const std::string& name() const { return name_; }
-  Format format() const { return format_; }
+  const Format& format() const { return *format_; }
   bool is_stdout() const { return name_ == "-"; }
 
   /// Throws OutputError where the file could not be written later, as far as can be known now.
@@ -49,7 +49,7 @@ class Output {
   void discard();
 
   std::string name_;
-  Format format_;
+  const Format* format_;
   std::filesystem::path target_;
   std::string aside_;
   bool written_aside_ = false;

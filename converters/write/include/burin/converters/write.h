@@ -10,21 +10,31 @@
 #include <filesystem>
 #include <functional>
 #include <iosfwd>
-#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 namespace burin {
 
-enum class Format { Svg, Pdf, Eps, Png, Dxf, Json };
+struct WriteOptions;
 
-/// The format of a suffix or name in any case ("svg", "SVG"); nothing where there is none.
-std::optional<Format> format_named(std::string_view name);
+/// What drawings are written as: one row of the catalogue.
+struct Format {
+  /// The suffix without its dot.
+  std::string_view name;
+  /// Keys of a style, or how they begin, that concern this format alone.
+  std::vector<std::string_view> keys;
+  void (*write)(const Drawing&, const WriteOptions&, std::ostream&, const RunContext&) = nullptr;
+  /// Whether it holds a sheet of that many mm; null: of any size. Throws UsageError.
+  void (*check_sheet)(double width, double height, const WriteOptions&) = nullptr;
+};
+
+/// All formats.
+const std::vector<Format>& formats();
+/// The format of a suffix or name in any case ("svg", "SVG"); null where there is none.
+const Format* format_named(std::string_view name);
 /// The suffixes without their dots.
 std::vector<std::string> format_names();
-/// "svg", "pdf" ...
-std::string_view name_of(Format format);
 /// For messages: ".svg, .pdf, .eps, .png, .dxf or .json", or with something else before each.
 std::string format_list(std::string_view before = ".");
 
@@ -40,9 +50,9 @@ struct WriteOptions {
 /// What a style says about files.
 WriteOptions write_options(const Style& style);
 
-/// The one format that a key of a style concerns ("png.dpi"); nothing where it concerns several, or
-/// no file.
-std::optional<Format> only_format_of(std::string_view key);
+/// The one format that a key of a style concerns ("png.dpi"); null where it concerns several, or no
+/// file.
+const Format* only_format_of(std::string_view key);
 
 /// Whether a key of a style says something about files alone, so that it may be changed when the
 /// drawing is done: those that `write_options` looks at.
@@ -50,13 +60,13 @@ bool is_about_files(std::string_view key);
 
 /// What `write_drawing` tests first, for programs that want to know before a long run: whether the
 /// format holds a sheet of that many mm. Throws UsageError, one sentence that says what to do.
-void check_sheet(double width, double height, Format format, const WriteOptions& options);
+void check_sheet(double width, double height, const Format& format, const WriteOptions& options);
 
 /// Writes the drawing, in every format in true millimetres and the same bytes for the same drawing,
 /// for any number of threads (the date in a PDF is that of SOURCE_DATE_EPOCH, else there is none).
 /// Does not test the stream for errors. Throws Cancelled; UsageError as `check_sheet`; Error where
 /// libburin_cairo, which writes PDF and PNG, cannot be loaded.
-void write_drawing(const Drawing& drawing, Format format, const WriteOptions& options,
+void write_drawing(const Drawing& drawing, const Format& format, const WriteOptions& options,
                    std::ostream& out, const RunContext& context);
 
 /// Writes a file that appears whole or not at all, in the format of its suffix. Throws UsageError

@@ -1,6 +1,8 @@
 #pragma once
 /// Progress and cancellation of one run, passed to everything that may take longer than 0.1 s.
 
+#include <burin/base/run_stage.h>
+
 #include <atomic>
 #include <chrono>
 #include <functional>
@@ -9,9 +11,9 @@
 
 namespace burin {
 
-/// Seconds that one named stage took.
+/// Seconds that one stage took.
 struct StageTime {
-  std::string name;
+  RunStage stage = RunStage::Read;
   double seconds = 0;
 };
 
@@ -20,8 +22,8 @@ struct StageTime {
 /// thread that runs.
 class RunContext {
  public:
-  /// Called with the stage's name and the share done in [0,1], at most every 20 ms, from the
-  /// running thread.
+  /// Called with the stage's name (`run_stage_names`) and the share done in [0,1], at most every 20
+  /// ms, from the running thread.
   using ProgressCallback = std::function<void(const std::string& stage, double share)>;
 
   explicit RunContext(ProgressCallback callback = {});
@@ -34,8 +36,8 @@ class RunContext {
   /// Throws Cancelled once `cancel` was called. Cheap enough for inner loops of a microsecond.
   void check() const;
 
-  /// Ends the stage under way and begins the next; a name that comes again adds to its time.
-  void begin_stage(const std::string& name);
+  /// Ends the stage under way and begins the next; one that comes again adds to its time.
+  void begin_stage(RunStage stage);
   void end_stage();
   /// Reports the share of the present stage that is done.
   void progress(double share);

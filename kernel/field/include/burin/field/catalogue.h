@@ -30,6 +30,8 @@ struct FieldKind {
   /// Why a surface may have no direction over more than single places; empty: it always has.
   std::string_view missing;
   Field (*make)(const FieldRequest&);
+  /// Whether it looks at `FieldRequest::light`.
+  bool uses_light = false;
 };
 
 /// All fields, the usual one first.

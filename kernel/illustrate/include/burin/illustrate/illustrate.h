@@ -21,7 +21,7 @@ namespace burin {
 enum class HiddenLines { None, Dashed };
 
 /// How one part is drawn where that differs from the others.
-struct PartLook {
+struct PartStyle {
   /// False: as if the part were not there.
   bool drawn = true;
   bool hatched = true;
@@ -48,7 +48,7 @@ struct IllustrateOptions {
   /// Chord tolerance in model mm of any tessellation; absent = 0.05 paper mm.
   std::optional<double> tolerance{};
   /// One per part, in order; parts beyond its end look as all do.
-  std::vector<PartLook> looks{};
+  std::vector<PartStyle> part_styles{};
   /// Instead of the style's: called once for each style that has strokes, in the thread that runs;
   /// what they return is called from many threads. Paths of strokes call such a field "own".
   std::function<Field(const HatchScene&)> field{};

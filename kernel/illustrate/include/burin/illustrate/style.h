@@ -78,7 +78,7 @@ struct Style {
   LineOptions line{};
   FeatureOptions feature{};
   HatchStyle hatch{};
-  tone::LambertOptions tone{};
+  tone::ToneOptions tone{};
   HaloStyle halo{};
   DepthOptions depth{};
   SheetStyle sheet{};

@@ -1,29 +1,35 @@
 #pragma once
-/// What a user chooses of light.
+/// What a user chooses of light and shade.
 
 #include <burin/base/vec.h>
 #include <burin/options/row.h>
 
+#include <string>
 #include <vector>
 
 namespace burin::tone {
 
-struct LambertOptions {
+struct ToneOptions {
+  /// The name of a row of `catalogue()`.
+  std::string law = "lambert";
   /// From the model to the light in view space: x right, y up, z to the viewer; any length but
   /// zero.
   Vec3 light{-0.5, 0.65, 0.6};
   /// Reflectance in full shade and gain of the lit part.
   double ambient = 0.35;
   double diffuse = 0.82;
+  /// The law "phong": gain of the mirrored light, and how narrow it is (its exponent).
+  double specular = 0.5;
+  double shininess = 20;
   /// What is this light, or lighter, is white paper; tones below are stretched to meet it.
   double highlight = 0.7;
   /// Darkness added where the surface turns away from the viewer, as engravers round a form; 0 =
   /// none.
   double rim = 0.05;
 
-  bool operator==(const LambertOptions&) const = default;
+  bool operator==(const ToneOptions&) const = default;
 };
 /// Names without a group: "light", "ambient" ...
-const std::vector<OptionRow<LambertOptions>>& lambert_option_rows();
+const std::vector<OptionRow<ToneOptions>>& tone_option_rows();
 
 }  // namespace burin::tone

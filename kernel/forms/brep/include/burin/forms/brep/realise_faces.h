@@ -1,10 +1,12 @@
 #pragma once
 /// Faces with their triangles become a surface, whichever of them are broken.
 
+#include <burin/contour_cut/contour_cut.h>
 #include <burin/forms/brep/loose_triangles.h>
 #include <burin/forms/parametric/atlas.h>
+#include <burin/forms/parametric/atlas_sampler.h>
 #include <burin/forms/parametric/charted_surface.h>
-#include <burin/forms/parametric/contour_cut.h>
+#include <burin/forms/parametric/wedge_normals.h>
 #include <burin/surface/scene.h>
 
 #include <functional>
@@ -21,7 +23,7 @@ struct FaceStages {
   std::function<bool(ChartMesh&, const PlacedAtlas&, const Camera&, const RunContext&)> cut =
       [](ChartMesh& mesh, const PlacedAtlas& atlas, const Camera& camera,
          const RunContext& context) {
-        return cut_along_contours(mesh, atlas, camera, {}, context);
+        return cut_along_contours(mesh, AtlasSampler(atlas), camera, {}, context);
       };
   std::function<std::shared_ptr<const Surface>(PlacedAtlas, ChartMesh, const RunContext&)> join =
       make_charted_surface;

@@ -1,14 +1,11 @@
 #pragma once
-/// Charts that meet along edges, and triangles over them: what trimmed faces and patches have in
-/// common.
+/// Charts that meet along edges: what trimmed faces and patches have in common.
 
 #include <burin/forms/parametric/chart.h>
-#include <burin/mesh/tri_mesh.h>
+#include <burin/work_mesh/chart_mesh.h>
 
-#include <array>
 #include <cstdint>
 #include <memory>
-#include <vector>
 
 namespace burin {
 
@@ -46,44 +43,6 @@ struct PlacedAtlas {
   }
   Vec3 normal(std::int32_t face, Vec2 uv, const SurfaceDerivatives& d) const {
     return chart_normal(d, reversed(face), uv, atlas->chart(face).domain().center());
-  }
-};
-
-/// What a model edge is. Seams are edges where a face meets itself, or that divide one surface:
-/// curvature goes on over them (`bends_alike`), as between the halves of a cylinder.
-enum class ModelEdgeClass : std::uint8_t { Sharp, Smooth, Seam, Boundary };
-
-/// Half-edge numbering as in Topology: h = 3 * triangle + corner.
-struct ChartMesh {
-  /// Model mm, in place; vertices on model edges are shared by the faces that meet there.
-  std::vector<Vec3> positions;
-  /// Counter-clockwise seen from outside.
-  std::vector<Triangle> triangles;
-  /// For each triangle its face of the atlas.
-  std::vector<std::int32_t> face;
-  /// For each half-edge, at its origin: the parameters in its triangle's face (in a periodic face
-  /// those of one triangle lie side by side, not a period apart), and the unit normal of its wedge:
-  /// across smooth edges the mean of both faces. Zero normal = none (the tip of a cone).
-  std::vector<Vec2> uv;
-  std::vector<Vec3> normal;
-  /// For each half-edge: nonzero where g is zero for the view (see cut_along_contours).
-  std::vector<std::uint8_t> on_contour;
-  /// For each half-edge its entry in `borders`, -1 inside faces.
-  std::vector<std::int32_t> border;
-  struct Border {
-    std::int32_t edge = -1;    // model edge
-    std::int32_t coedge = -1;  // -1: no curve known; straight in (u,v)
-    double t0 = 0, t1 = 0;     // the edge's parameter at origin and target of the half-edge
-  };
-  std::vector<Border> borders;
-  /// For each model edge.
-  std::vector<ModelEdgeClass> edge_class;
-  /// Largest distance in model mm between the triangles and the surface.
-  double tolerance = 0;
-
-  ModelEdgeClass border_class(std::size_t half_edge) const {
-    return edge_class[static_cast<std::size_t>(
-        borders[static_cast<std::size_t>(border[half_edge])].edge)];
   }
 };
 

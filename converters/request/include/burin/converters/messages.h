@@ -1,0 +1,21 @@
+#pragma once
+/// What the kernel and the readers say, with the user's choices as the user knows them: they write
+/// `bounds` in grave accents, the command says --bounds, the Python module says bounds.
+
+#include <burin/base/diagnostics.h>
+#include <burin/options/request.h>
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+namespace burin {
+
+/// The message with each option of `all_options`, and `style_keys`, as this door spells it.
+std::string at_door(std::string_view message, Spelling spelling);
+Diagnostics at_door(const Diagnostics& diagnostics, Spelling spelling);
+
+/// "FILE:LINE: WHAT", without what is not known (an empty name, line 0).
+std::string located(const std::string& file, std::int64_t line, const std::string& what);
+
+}  // namespace burin

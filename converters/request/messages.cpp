@@ -1,0 +1,33 @@
+#include <burin/converters/messages.h>
+#include <burin/converters/request.h>
+
+#include <fmt/format.h>
+
+namespace burin {
+
+std::string at_door(std::string_view message, Spelling spelling) {
+  std::string out = spelled_message(message, all_options(), spelling);
+  // No option of a drawing: what lists the keys.
+  constexpr std::string_view kKeys = "`style_keys`";
+  const std::size_t at = out.find(kKeys);
+  if (at != out.npos) {
+    out.replace(at, kKeys.size(),
+                spelling == Spelling::Options ? "burin styles --keys" : "burin.style_keys()");
+  }
+  return out;
+}
+
+std::string located(const std::string& file, std::int64_t line, const std::string& what) {
+  if (file.empty()) return what;
+  return line > 0 ? fmt::format("{}:{}: {}", file, line, what) : fmt::format("{}: {}", file, what);
+}
+
+Diagnostics at_door(const Diagnostics& diagnostics, Spelling spelling) {
+  Diagnostics out;
+  for (const Diagnostic& d : diagnostics.entries()) {
+    out.add(d.severity, d.code, d.count, at_door(d.message, spelling));
+  }
+  return out;
+}
+
+}  // namespace burin

@@ -1,0 +1,193 @@
+#include <burin/base/error.h>
+#include <burin/forms/implicit/implicit_form.h>
+
+#include "../function/project.h"
+#include "../function/shape_operator.h"
+#include "../mesher/delaunay/delaunay_mesher.h"
+#include "../mesher/draft.h"
+#include "../mesher/mesher.h"
+#include "implicit_surface.h"
+#include "view_cut.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <optional>
+
+namespace burin {
+namespace {
+
+// Paper mm that chords of contours may be off.
+constexpr double kContourChord = 0.005;
+// Nanoseconds of one core.
+constexpr double kContourBudget = 4e9;
+
+// The farthest point of the surface in a direction, from the vertex that lies farthest: Newton for
+// the place where the normal is the direction.
+double support(const Survey& s, Vec3 start, Vec3 direction) {
+  constexpr int kSteps = 6;
+  const ImplicitFunction& f = s.function->piece_function(start);
+  Vec3 p = start;
+  for (int i = 0; i < kSteps; ++i) {
+    const Gradient2 g = f.hessian(p);
+    const Frame frame = implicit_frame(g, p, Vec3(0), 1e6 * s.mesh.size);
+    const double up = glm::dot(frame.normal, direction);
+    Vec3 step(0);
+    for (const auto& [k, d] : {std::pair(frame.k1, frame.d1), std::pair(frame.k2, frame.d2)}) {
+      if (k * up > 0) step += glm::dot(d, direction) / (k * up) * d;
+    }
+    if (!(glm::length(step) <= s.mesh.step)) return glm::dot(start, direction);
+    const auto q = onto_surface(f, p + step, 2 * s.mesh.step, s.mesh.accuracy);
+    if (!q) return glm::dot(start, direction);
+    p = *q;
+  }
+  const bool real = std::abs(s.function->value(p)) <=
+                        1e-9 * s.mesh.size * glm::length(s.function->gradient(p).gradient) &&
+                    glm::distance(p, start) <= 2 * s.mesh.step;
+  return real ? std::max(glm::dot(p, direction), glm::dot(start, direction))
+              : glm::dot(start, direction);
+}
+
+// As fine as wanted, or else as fine as it can be had.
+ExactMesh affordable_mesh(const Survey& s, double step, MeshCounts& counts,
+                          Diagnostics& diagnostics, const RunContext& context) {
+  constexpr double kCoarser = 1.7;
+  for (double at = step;; at *= kCoarser) {
+    const bool coarse = at >= s.mesh.step;
+    std::optional<ExactMesh> mesh;
+    counts = {};
+    try {
+      mesh = coarse && at > step ? s.mesh : mesh_surface(s, at, counts, context);
+    } catch (const TooMuchWork&) {
+      if (coarse) mesh = s.mesh;
+    }
+    if (!mesh) continue;
+    if (mesh->step > step) {
+      diagnostics.add(
+          Severity::Warning, "implicit.budget", 1,
+          fmt::format("the function takes so long that the triangles that hide lines are {:.3g} mm "
+                      "long instead of {:.3g} mm",
+                      mesh->step, step));
+    }
+    return std::move(*mesh);
+  }
+}
+
+}  // namespace
+
+struct ImplicitForm::Impl {
+  Survey survey;
+  ImplicitProxyOptions options;
+
+  ExactMesh mesh(double tolerance, MeshCounts& counts, Diagnostics& diagnostics,
+                 RunContext& context) const;
+};
+
+ExactMesh ImplicitForm::Impl::mesh(double tolerance, MeshCounts& counts, Diagnostics& diagnostics,
+                                   RunContext& context) const {
+  Diagnostics of_nets;
+  const double step = choose_step(survey, tolerance, options.max_triangles, of_nets);
+  bool graded = options.mesher == Mesher::Delaunay;
+  if (options.mesher == Mesher::Auto && !of_nets.empty()) {
+    // More would take longer than the drawing.
+    constexpr double kQuick = 0.25;
+    graded = 2 * delaunay_outlook(survey, tolerance, context).vertices <=
+             kQuick * static_cast<double>(options.max_triangles);
+  }
+  if (graded) {
+    try {
+      auto made =
+          mesh_delaunay(survey, tolerance, options.max_triangles, counts, diagnostics, context);
+      if (made) return std::move(*made);
+    } catch (const TooMuchWork&) {
+    }
+    counts = {};
+  }
+  diagnostics.append(of_nets);
+  return affordable_mesh(survey, step, counts, diagnostics, context);
+}
+
+ImplicitForm::ImplicitForm(std::shared_ptr<const ImplicitFunction> function,
+                           std::optional<Box3> domain, const RunContext& context,
+                           double smallest_part, const ImplicitProxyOptions& proxy) {
+  if (!(smallest_part >= 0 && smallest_part < 1)) {
+    throw UsageError("the smallest part is a share from 0 to below 1 of the largest one");
+  }
+  const std::shared_ptr<const ImplicitFunction> shared = std::move(function);
+  const Box3 own = shared->bounds();
+  auto impl = std::make_unique<Impl>();
+  impl->options = proxy;
+  if (!domain) {
+    for (int a = 0; a < 3; ++a) {
+      if (!std::isfinite(own.min[a]) || !std::isfinite(own.max[a])) {
+        throw GeometryError(
+            "the function has no bounds of its own; give its domain by `bounds "
+            "x0,y0,z0,x1,y1,z1`");
+      }
+      if (!(own.min[a] < own.max[a])) {
+        throw GeometryError(
+            "the function is nowhere negative: there is no surface; check the formula, and whether "
+            "solids that are to be cut meet");
+      }
+    }
+  }
+  impl->survey = survey(shared, domain.value_or(own), domain.has_value(), smallest_part, context);
+  impl_ = std::move(impl);
+}
+
+ImplicitForm::~ImplicitForm() = default;
+
+Box3 ImplicitForm::bounds(const Mat3& axes) const {
+  const Survey& s = impl_->survey;
+  Box3 box;
+  for (int a = 0; a < 3; ++a) {
+    const Vec3 row(axes[0][a], axes[1][a], axes[2][a]);
+    Vec3 low = s.mesh.positions.front(), high = low;
+    for (const Triangle& t : s.mesh.triangles) {
+      for (const std::uint32_t v : t) {
+        const Vec3& p = s.mesh.positions[v];
+        if (glm::dot(p, row) < glm::dot(low, row)) low = p;
+        if (glm::dot(p, row) > glm::dot(high, row)) high = p;
+      }
+    }
+    const double length = glm::length(row);
+    box.min[a] = -support(s, low, -row / length) * length;
+    box.max[a] = support(s, high, row / length) * length;
+  }
+  return box;
+}
+
+std::shared_ptr<const Surface> ImplicitForm::realise(const RealiseOptions& options,
+                                                     RunContext& context) const {
+  context.begin_stage(RunStage::Build);
+  const Survey& s = impl_->survey;
+  Diagnostics diagnostics = s.diagnostics;
+  MeshCounts counts;
+  ExactMesh mesh = impl_->mesh(options.tolerance, counts, diagnostics, context);
+  if (counts.strays > 0) {
+    diagnostics.add(Severity::Warning, "implicit.not_on_surface",
+                    static_cast<std::int64_t>(counts.strays),
+                    "places where the function jumps or has no slope: the surface is not exact "
+                    "there");
+  }
+  if (counts.specks > 0) {
+    diagnostics.add(Severity::Info, "implicit.specks", static_cast<std::int64_t>(counts.specks),
+                    fmt::format("components smaller than {:.3g} mm were left out", s.smallest));
+  }
+  if (options.view) {
+    try {
+      mesh.budget = WorkBudget(kContourBudget);
+      cut_for_view(mesh, *s.function, *options.view, kContourChord, context);
+    } catch (const TooMuchWork&) {
+      diagnostics.add(Severity::Warning, "implicit.budget", 1,
+                      "the contours are too many to be found exactly: they follow the triangles");
+    }
+  }
+  ProxyMesh proxy = assemble_proxy(make_draft(mesh, *s.function, context), context);
+  if (options.diagnostics) options.diagnostics->append(diagnostics);
+  context.end_stage();
+  return std::make_shared<ImplicitSurface>(s.function, std::move(proxy), std::move(mesh.side),
+                                           mesh.step, mesh.size);
+}
+
+}  // namespace burin

@@ -1,0 +1,42 @@
+#pragma once
+// Flat facets of a mesh and which of them meet; internal to the room.
+
+#include <burin/base/run_context.h>
+#include <burin/mesh/topology.h>
+#include <burin/mesh/tri_mesh.h>
+
+#include <cstdint>
+#include <vector>
+
+namespace burin::recognised {
+
+struct FacetLink {
+  std::int32_t facet = -1;
+  /// Length of the common edges in mm.
+  double length = 0;
+};
+
+/// Triangles that lie in one plane and hang together: normal . x = offset.
+struct Facet {
+  Vec3 normal{0};
+  double offset = 0;
+  double area = 0;
+  Vec3 center{0};
+  std::vector<std::uint32_t> triangles;
+  /// Each once, ascending.
+  std::vector<std::uint32_t> vertices;
+  std::vector<FacetLink> links;
+};
+
+struct Facets {
+  std::vector<Facet> list;
+  /// For each triangle its facet.
+  std::vector<std::int32_t> of;
+  /// How far, in mm, coordinates may be off: a few units of the last digit that meshes are written
+  /// with.
+  double noise = 0;
+};
+
+Facets find_facets(const TriMesh& mesh, const Topology& topology, const RunContext& context);
+
+}  // namespace burin::recognised

@@ -1,0 +1,48 @@
+#pragma once
+/// Meshes whose facets stand for round surfaces; the round surfaces are drawn.
+
+#include <burin/mesh/tri_mesh.h>
+#include <burin/surface/scene.h>
+
+#include <cstdint>
+#include <memory>
+
+namespace burin {
+
+/// How many round faces were recognised, each connected piece once.
+struct RecognisedFaces {
+  std::int64_t cylinders = 0, cones = 0, spheres = 0, tori = 0;
+  /// Other surfaces of revolution.
+  std::int64_t revolved = 0;
+  std::int64_t total() const { return cylinders + cones + spheres + tori + revolved; }
+};
+
+/// A part given by triangles of which runs of flat facets lie around an axis at equal angles, nine
+/// or more to a turn: cylinders and cones, and where such bands follow one another smoothly
+/// spheres, tori and other surfaces of revolution. The vertices of the mesh lie on the surface that
+/// is meant: it goes through them, has its own normals and curvature, and meets its neighbours in
+/// circles and curves instead of polygons. All else stays what MeshForm makes of it. No point moves
+/// farther than a few times the sagitta of the facets it lies in; polyhedra of eight or fewer sides
+/// a turn are left alone (kernel/docs/openscad.md). Charts are triangles of the refined mesh.
+class RecognisedForm final : public Form {
+ public:
+  /// Takes a manifold, oriented mesh, as `repair` returns it, and recognises. Cost: 2 s per million
+  /// triangles.
+  RecognisedForm(TriMesh mesh, const RunContext& context);
+  ~RecognisedForm() override;
+
+  const TriMesh& mesh() const;
+  RecognisedFaces faces() const;
+  /// Whether the coordinates have too few digits left, as far from the origin, to tell round from
+  /// flat: then nothing is healed.
+  bool too_coarse() const;
+  Box3 bounds(const Mat3& axes) const override;
+  std::shared_ptr<const Surface> realise(const RealiseOptions& options,
+                                         RunContext& context) const override;
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace burin

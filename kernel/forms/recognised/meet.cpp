@@ -1,0 +1,94 @@
+#include "meet.h"
+
+#include <Eigen/Dense>
+
+#include <algorithm>
+#include <cmath>
+
+namespace burin::recognised {
+namespace {
+
+// A point moves by the sagitta where surfaces meet at right angles, by more where they do not.
+constexpr double kReach = 4;
+constexpr int kSteps = 12;
+// Surfaces that meet at less than this (sine) do not hold a point along their common normal.
+constexpr double kTransversal = 0.03;
+
+}  // namespace
+
+double Meeting::distance(SurfaceRef ref, Vec3 p, Vec3& normal) const {
+  if (ref < 0) {
+    const Facet& f = facets_.list[static_cast<std::size_t>(~ref)];
+    normal = f.normal;
+    return glm::dot(f.normal, p) - f.offset;
+  }
+  const Patch& patch = round_.patches[static_cast<std::size_t>(ref)];
+  normal = patch.normal_at(p);
+  return glm::dot(p - patch.project(p), normal);
+}
+
+Vec3 Meeting::normal(SurfaceRef ref, Vec3 p) const {
+  return ref < 0 ? facets_.list[static_cast<std::size_t>(~ref)].normal
+                 : round_.patches[static_cast<std::size_t>(ref)].normal_at(p);
+}
+
+double Meeting::sagitta(SurfaceRef ref) const {
+  return ref < 0 ? 0 : round_.patches[static_cast<std::size_t>(ref)].sagitta;
+}
+
+bool Meeting::between(const std::vector<SurfaceRef>& refs, Vec3& p) const {
+  constexpr double kAlike = 0.9;  // the cosine between normals of surfaces that go over smoothly
+  Vec3 sum(0);
+  const Vec3 first = normal(refs.front(), p);
+  for (const SurfaceRef r : refs) {
+    if (glm::dot(normal(r, p), first) < kAlike) return false;
+    Vec3 n;
+    const double d = distance(r, p, n);
+    if (!(std::abs(d) <= 2 * sagitta(r) + 10 * facets_.noise) && r >= 0) return false;
+    sum += p - d * n;
+  }
+  p = sum / static_cast<double>(refs.size());
+  return true;
+}
+
+bool Meeting::operator()(const std::vector<SurfaceRef>& refs, Vec3& p) const {
+  double sagittas = 0;
+  for (const SurfaceRef r : refs) sagittas = std::max(sagittas, sagitta(r));
+  if (refs.size() == 1 && refs.front() >= 0) {
+    const Vec3 q = round_.patches[static_cast<std::size_t>(refs.front())].project(p);
+    if (!(glm::length(q - p) <= kReach * sagittas + 10 * facets_.noise)) return false;
+    p = q;
+    return true;
+  }
+  const double close = 2 * facets_.noise + 1e-3 * sagittas;
+  Vec3 q = p;
+  Eigen::MatrixXd m(refs.size(), 3);
+  Eigen::VectorXd b(refs.size());
+  for (int step = 0; step < kSteps; ++step) {
+    for (std::size_t i = 0; i < refs.size(); ++i) {
+      Vec3 n;
+      const auto row = static_cast<Eigen::Index>(i);
+      b(row) = -distance(refs[i], q, n);
+      m.row(row) << n.x, n.y, n.z;
+    }
+    const double worst = b.cwiseAbs().maxCoeff();
+    // Once near, one more step squares the rest.
+    const bool last = worst <= 1e-6 * close;
+    if (!last || worst > 0) {
+      Eigen::JacobiSVD<Eigen::MatrixXd> svd(m, Eigen::ComputeThinU | Eigen::ComputeThinV);
+      svd.setThreshold(kTransversal);
+      const Eigen::Vector3d d = svd.solve(b);
+      q += Vec3(d(0), d(1), d(2));
+    }
+    if (!(glm::length(q - p) <= kReach * sagittas + 10 * facets_.noise)) return false;
+    if (last) break;
+  }
+  for (const SurfaceRef r : refs) {
+    Vec3 n;
+    if (!(std::abs(distance(r, q, n)) <= close)) return between(refs, p);
+  }
+  p = q;
+  return true;
+}
+
+}  // namespace burin::recognised

@@ -1,0 +1,97 @@
+#include <burin/forms/mesh/mesh_form.h>
+#include <burin/forms/recognised/recognised_form.h>
+#include <burin/mesh/curvature.h>
+
+#include "exact_faces.h"
+#include "recognised_surface.h"
+
+#include <algorithm>
+#include <mutex>
+
+namespace burin {
+
+struct RecognisedForm::Impl {
+  explicit Impl(TriMesh mesh) : form(std::move(mesh)) {}
+
+  MeshForm form;
+  recognised::Facets facets;
+  std::shared_ptr<const recognised::Recognised> round;
+  RecognisedFaces faces;
+  bool too_coarse = false;
+  // The points that the box is taken of: made when it is asked for.
+  std::once_flag once;
+  std::vector<Vec3> outermost;
+};
+
+RecognisedForm::RecognisedForm(TriMesh mesh, const RunContext& context)
+    : impl_(std::make_unique<Impl>(std::move(mesh))) {
+  const TriMesh& m = impl_->form.mesh();
+  const Topology topology = build_topology(m, context);
+  impl_->facets = recognised::find_facets(m, topology, context);
+  // Of the size: the sagitta of 48 facets around a cylinder of a quarter of it is 30 times as much.
+  constexpr double kMostNoise = 2e-5;
+  impl_->too_coarse = impl_->facets.noise > kMostNoise * m.bounds().diagonal();
+  if (impl_->too_coarse) return;
+  impl_->round = std::make_shared<const recognised::Recognised>(recognised::join_profiles(
+      m, impl_->facets, recognised::find_bands(m, impl_->facets, context), context));
+  impl_->faces = recognised::count_faces(m, topology, impl_->facets, *impl_->round);
+}
+RecognisedForm::~RecognisedForm() = default;
+
+const TriMesh& RecognisedForm::mesh() const { return impl_->form.mesh(); }
+RecognisedFaces RecognisedForm::faces() const { return impl_->faces; }
+
+bool RecognisedForm::too_coarse() const { return impl_->too_coarse; }
+
+Box3 RecognisedForm::bounds(const Mat3& axes) const {
+  Box3 box = impl_->form.bounds(axes);
+  if (impl_->faces.total() == 0) return box;
+  std::call_once(impl_->once, [&] {
+    constexpr double kChord = 2e-4;  // of the size
+    const RunContext context;
+    recognised::Faces faces =
+        recognised::find_faces(build_proxy(mesh(), {}, context), impl_->facets, *impl_->round);
+    const std::size_t old = mesh().positions.size();
+    recognised::refine(faces.mesh, *impl_->round, impl_->facets,
+                       kChord * mesh().bounds().diagonal(), context);
+    const auto& all = faces.mesh.mesh.positions;
+    impl_->outermost.assign(all.begin() + static_cast<std::ptrdiff_t>(old), all.end());
+  });
+  const Mat3 rows = glm::transpose(axes);
+  for (const Vec3& p : impl_->outermost) {
+    box.add(Vec3(glm::dot(rows[0], p), glm::dot(rows[1], p), glm::dot(rows[2], p)));
+  }
+  return box;
+}
+
+std::shared_ptr<const Surface> RecognisedForm::realise(const RealiseOptions& options,
+                                                       RunContext& context) const {
+  if (impl_->faces.total() == 0) return impl_->form.realise(options, context);
+  context.begin_stage(RunStage::Build);
+  const ProxyOptions proxy_options{.crease_angle = options.crease_angle};
+  const ProxyMesh input = build_proxy(mesh(), proxy_options, context);
+  recognised::Faces faces = recognised::find_faces(input, impl_->facets, *impl_->round);
+  recognised::FacetMesh refined = faces.mesh;
+  recognised::refine(refined, *impl_->round, impl_->facets, options.tolerance, context);
+  recognised::ExactFaces exact(refined, faces, impl_->facets, *impl_->round, options.tolerance,
+                               context);
+  // Where some facets stand for nothing that is known, contours are those of a mesh everywhere: one
+  // part has one kind of contours.
+  const bool cut = options.view && exact.exact();
+  if (cut && !exact.cut(*options.view, context) && options.diagnostics) {
+    add_contours_bounded(*options.diagnostics);
+  }
+  std::vector<std::int32_t> patch = exact.patches();
+  ProxyMesh proxy = std::move(exact).proxy(context);
+  std::vector<Curvature> curvature;
+  const bool all_round = std::find(patch.begin(), patch.end(), -1) == patch.end();
+  if (options.curvature && !all_round) {
+    context.begin_stage(RunStage::Curvature);
+    curvature = estimate_curvature(proxy, {}, context);
+  }
+  context.end_stage();
+  return std::make_shared<recognised::RecognisedSurface>(
+      make_mesh_surface(std::move(proxy), curvature), impl_->round, std::move(patch));
+}
+
+}  // namespace burin

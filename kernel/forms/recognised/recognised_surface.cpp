@@ -1,0 +1,31 @@
+#include "recognised_surface.h"
+
+namespace burin::recognised {
+
+Frame RecognisedSurface::frame(const SurfacePoint& point) const {
+  const Patch* patch = patch_at(point.triangle);
+  return patch ? patch->frame(point.position) : mesh_->frame(point);
+}
+
+Vec3 RecognisedSurface::drawn_position(const SurfacePoint& point) const {
+  const Patch* patch = patch_at(point.triangle);
+  return patch ? patch->project(point.position) : mesh_->drawn_position(point);
+}
+
+std::vector<Frame> RecognisedSurface::wedge_frames(const RunContext& context) const {
+  std::vector<Frame> frames = mesh_->wedge_frames(context);
+  const ProxyMesh& p = proxy();
+  for (std::size_t t = 0; t < p.wedges.size(); ++t) {
+    const Patch* patch = patch_at(static_cast<std::uint32_t>(t));
+    if (!patch) continue;
+    for (const std::uint32_t w : p.wedges[t]) {
+      const Vec3 normal = frames[w].normal;
+      frames[w] = patch->frame(frames[w].position);
+      // A wedge on a smooth edge has one normal for both sides.
+      frames[w].normal = normal;
+    }
+  }
+  return frames;
+}
+
+}  // namespace burin::recognised

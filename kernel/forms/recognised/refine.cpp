@@ -1,0 +1,276 @@
+#include "refine.h"
+
+#include <burin/work_mesh/division.h>
+
+#include "meet.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <set>
+#include <utility>
+
+namespace burin::recognised {
+namespace {
+
+constexpr double kLargestTurn = 0.21;  // 12 degrees between the normals at both ends of an edge
+constexpr int kRounds = 8;
+constexpr std::size_t kMostTriangles = 20'000'000;
+// How often what turned over is taken back.
+constexpr int kPasses = 4;
+
+using Pair = std::pair<std::uint32_t, std::uint32_t>;
+Pair ordered(std::uint32_t a, std::uint32_t b) { return a < b ? Pair{a, b} : Pair{b, a}; }
+
+/// An edge once, with one half-edge of each side.
+struct Edge {
+  Pair ends;
+  HalfEdge one = kNoHalfEdge, other = kNoHalfEdge;
+  bool split = false;
+  Vec3 middle{0};
+  std::uint32_t vertex = 0;
+};
+
+class Refiner {
+ public:
+  Refiner(FacetMesh& mesh, const Recognised& round, const Facets& facets, double tolerance,
+          const RunContext& context)
+      : m_(mesh),
+        round_(round),
+        facets_(facets),
+        meet_(round, facets),
+        tolerance_(tolerance),
+        context_(context) {}
+
+  void run() {
+    move_corners();
+    for (int i = 0; i < kRounds && m_.mesh.triangles.size() < kMostTriangles; ++i) {
+      if (!split_once()) break;
+    }
+  }
+
+ private:
+  SurfaceRef ref_of(std::uint32_t t) const { return m_.patch[t] >= 0 ? m_.patch[t] : ~m_.facet[t]; }
+  std::int32_t chain_of(SurfaceRef r) const {
+    return r < 0 ? -1 : round_.patches[static_cast<std::size_t>(r)].chain;
+  }
+  /// Adds a surface; those of a smooth chain are one.
+  void add(std::vector<SurfaceRef>& refs, SurfaceRef r) const {
+    for (SurfaceRef& known : refs) {
+      if (known == r) return;
+      if (chain_of(r) >= 0 && chain_of(known) == chain_of(r)) {
+        known = std::min(known, r);
+        return;
+      }
+    }
+    refs.push_back(r);
+  }
+
+  /// Whether a triangle faces as its surface does; those as thin as the noise always do.
+  bool upright(std::uint32_t t, const Vec3 (&p)[3]) const {
+    const Vec3 n = glm::cross(p[1] - p[0], p[2] - p[0]);
+    const SurfaceRef r = ref_of(t);
+    const Vec3 middle = (p[0] + p[1] + p[2]) / 3.0;
+    const double longest =
+        std::sqrt(std::max({glm::dot(p[1] - p[0], p[1] - p[0]), glm::dot(p[2] - p[1], p[2] - p[1]),
+                            glm::dot(p[0] - p[2], p[0] - p[2])}));
+    return glm::dot(n, meet_.normal(r, middle)) > -facets_.noise * longest;
+  }
+
+  void move_corners() {
+    std::vector<std::vector<SurfaceRef>> refs(m_.mesh.positions.size());
+    for (std::uint32_t t = 0; t < m_.mesh.triangles.size(); ++t) {
+      for (const std::uint32_t v : m_.mesh.triangles[t]) add(refs[v], ref_of(t));
+    }
+    const std::vector<Vec3> before = m_.mesh.positions;
+    for (std::size_t v = 0; v < refs.size(); ++v) {
+      if (v % 1024 == 0) context_.check();
+      const bool round =
+          std::any_of(refs[v].begin(), refs[v].end(), [](SurfaceRef r) { return r >= 0; });
+      if (round && refs[v].size() > 1) meet_(refs[v], m_.mesh.positions[v]);
+    }
+    for (int pass = 0; pass < kPasses; ++pass) {
+      bool again = false;
+      for (std::uint32_t t = 0; t < m_.mesh.triangles.size(); ++t) {
+        const Triangle& tri = m_.mesh.triangles[t];
+        auto& p = m_.mesh.positions;
+        if (p[tri[0]] == before[tri[0]] && p[tri[1]] == before[tri[1]] &&
+            p[tri[2]] == before[tri[2]]) {
+          continue;
+        }
+        if (upright(t, {p[tri[0]], p[tri[1]], p[tri[2]]})) continue;
+        for (const std::uint32_t v : tri) p[v] = before[v];
+        again = true;
+      }
+      if (!again) break;
+    }
+  }
+
+  std::vector<Edge> find_edges() const {
+    std::vector<Edge> edges;
+    const auto& triangles = m_.mesh.triangles;
+    std::vector<std::pair<Pair, HalfEdge>> all;
+    all.reserve(3 * triangles.size());
+    for (std::size_t t = 0; t < triangles.size(); ++t) {
+      for (std::size_t k = 0; k < 3; ++k) {
+        all.push_back({ordered(triangles[t][k], triangles[t][(k + 1) % 3]),
+                       static_cast<HalfEdge>(3 * t + k)});
+      }
+    }
+    std::sort(all.begin(), all.end());
+    // Solids that only touch along an edge have vertices of their own: two half-edges at the most.
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      Edge e;
+      e.ends = all[i].first;
+      e.one = all[i].second;
+      if (i + 1 < all.size() && all[i + 1].first == e.ends) e.other = all[++i].second;
+      edges.push_back(e);
+    }
+    return edges;
+  }
+
+  /// Whether the middle of an edge is off its surfaces; it is put there.
+  void look_at(Edge& e) const {
+    std::vector<SurfaceRef> refs;
+    add(refs, ref_of(face_of(e.one)));
+    if (e.other != kNoHalfEdge) add(refs, ref_of(face_of(e.other)));
+    SurfaceRef round = -1;
+    for (const SurfaceRef r : refs) round = std::max(round, r);
+    if (round < 0) return;
+    const Vec3 a = m_.mesh.positions[e.ends.first], b = m_.mesh.positions[e.ends.second];
+    const Vec3 chord = 0.5 * (a + b);
+    e.middle = chord;
+    if (!meet_(refs, e.middle)) return;
+    const double off = glm::length(e.middle - chord);
+    if (off <= 4 * facets_.noise && off <= tolerance_) return;
+    e.split = off > tolerance_ ||
+              glm::dot(meet_.normal(round, a), meet_.normal(round, b)) < std::cos(kLargestTurn);
+  }
+
+  bool split_once() {
+    std::vector<Edge> edges = find_edges();
+    std::size_t count = 0;
+    for (Edge& e : edges) {
+      if (++count % 1024 == 0) context_.check();
+      if (!frozen_.contains(e.ends)) look_at(e);
+    }
+    edge_of_.assign(3 * m_.mesh.triangles.size(), -1);
+    for (std::size_t i = 0; i < edges.size(); ++i) {
+      edge_of_[static_cast<std::size_t>(edges[i].one)] = static_cast<std::int32_t>(i);
+      if (edges[i].other >= 0) {
+        edge_of_[static_cast<std::size_t>(edges[i].other)] = static_cast<std::int32_t>(i);
+      }
+    }
+    take_back(edges);
+    bool any = false;
+    for (Edge& e : edges) {
+      if (!e.split) continue;
+      any = true;
+      e.vertex = static_cast<std::uint32_t>(m_.mesh.positions.size());
+      m_.mesh.positions.push_back(e.middle);
+    }
+    if (any) rebuild(edges);
+    return any;
+  }
+
+  /// Edges at triangles that would turn over stay as they are.
+  void take_back(std::vector<Edge>& edges) {
+    for (int pass = 0; pass < kPasses; ++pass) {
+      bool again = false;
+      for (std::uint32_t t = 0; t < m_.mesh.triangles.size(); ++t) {
+        if (pieces_upright(t, edges)) continue;
+        for (std::size_t k = 0; k < 3; ++k) {
+          Edge& e = edges[static_cast<std::size_t>(edge_of_[3 * std::size_t{t} + k])];
+          if (!e.split) continue;
+          e.split = false;
+          frozen_.insert(e.ends);
+          again = true;
+        }
+      }
+      if (!again) break;
+    }
+  }
+
+  /// The corners of a triangle and the middles of its sides; the pieces that it falls into.
+  Division pieces(std::uint32_t t, const std::vector<Edge>& edges, std::array<Vec3, 6>& p) const {
+    std::uint8_t marks = 0;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Edge& e = edges[static_cast<std::size_t>(edge_of_[3 * std::size_t{t} + k])];
+      p[k] = m_.mesh.positions[m_.mesh.triangles[t][k]];
+      p[k + 3] = e.middle;
+      if (e.split) marks |= static_cast<std::uint8_t>(1U << k);
+    }
+    return divide(marks, p);
+  }
+
+  bool pieces_upright(std::uint32_t t, const std::vector<Edge>& edges) const {
+    std::array<Vec3, 6> p;
+    const Division division = pieces(t, edges, p);
+    return division.count == 1 || std::ranges::all_of(division, [&](const Division::Piece& piece) {
+             return upright(t, {p[piece[0]], p[piece[1]], p[piece[2]]});
+           });
+  }
+
+  void rebuild(const std::vector<Edge>& edges) {
+    FacetMesh out;
+    out.mesh.positions = std::move(m_.mesh.positions);
+    m_.mesh.positions = out.mesh.positions;
+    for (std::uint32_t t = 0; t < m_.mesh.triangles.size(); ++t) {
+      if (t % 4096 == 0) context_.check();
+      std::array<Vec3, 6> p;
+      std::array<std::uint32_t, 6> vertex{};
+      std::array<Vec3, 6> normal{};
+      for (std::size_t k = 0; k < 3; ++k) {
+        const std::size_t h = 3 * std::size_t{t} + k, next = 3 * std::size_t{t} + (k + 1) % 3;
+        vertex[k] = m_.mesh.triangles[t][k];
+        vertex[k + 3] = edges[static_cast<std::size_t>(edge_of_[h])].vertex;
+        normal[k] = m_.normal[h];
+        const Vec3 sum = m_.normal[h] + m_.normal[next];
+        normal[k + 3] = glm::length(sum) > 0 ? glm::normalize(sum) : m_.normal[h];
+      }
+      for (const Division::Piece& piece : pieces(t, edges, p)) {
+        std::int32_t record[3];
+        Vec3 normals[3];
+        Triangle tri{};
+        for (std::size_t k = 0; k < 3; ++k) {
+          tri[k] = vertex[piece[k]];
+          normals[k] = normal[piece[k]];
+          const int side = side_of(piece[k], piece[(k + 1) % 3]);
+          record[k] = side < 0 ? -1 : m_.edge[3 * std::size_t{t} + static_cast<std::size_t>(side)];
+        }
+        out.add(tri, t, record, normals, m_);
+      }
+    }
+    m_ = std::move(out);
+  }
+
+  FacetMesh& m_;
+  const Recognised& round_;
+  const Facets& facets_;
+  Meeting meet_;
+  double tolerance_;
+  const RunContext& context_;
+  std::set<Pair> frozen_;
+  std::vector<std::int32_t> edge_of_;
+};
+
+}  // namespace
+
+void FacetMesh::add(Triangle t, std::size_t like, const std::int32_t (&edges)[3],
+                    const Vec3 (&normals)[3], const FacetMesh& from) {
+  mesh.triangles.push_back(t);
+  patch.push_back(from.patch[like]);
+  facet.push_back(from.facet[like]);
+  face.push_back(from.face[like]);
+  for (std::size_t k = 0; k < 3; ++k) {
+    edge.push_back(edges[k]);
+    normal.push_back(normals[k]);
+  }
+}
+
+void refine(FacetMesh& mesh, const Recognised& round, const Facets& facets, double tolerance,
+            const RunContext& context) {
+  Refiner(mesh, round, facets, tolerance, context).run();
+}
+
+}  // namespace burin::recognised

@@ -1,0 +1,112 @@
+#include <burin/base/parallel.h>
+#include <burin/work_mesh/chart_mesh.h>
+
+#include <algorithm>
+#include <utility>
+
+namespace burin {
+
+namespace {
+
+constexpr std::size_t kVertexGrain = 256;
+
+/// The corners at each vertex, ascending.
+struct Corners {
+  std::vector<std::uint32_t> offsets;
+  std::vector<HalfEdge> corners;
+
+  explicit Corners(const ChartMesh& mesh) : offsets(mesh.positions.size() + 2, 0) {
+    for (const Triangle& t : mesh.triangles) {
+      for (const std::uint32_t v : t) ++offsets[v + 2];
+    }
+    for (std::size_t v = 2; v < offsets.size(); ++v) offsets[v] += offsets[v - 1];
+    corners.resize(3 * mesh.triangles.size());
+    HalfEdge h = 0;
+    for (const Triangle& t : mesh.triangles) {
+      for (const std::uint32_t v : t) corners[offsets[v + 1]++] = h++;
+    }
+    offsets.pop_back();
+  }
+};
+
+class WedgeNormals {
+ public:
+  WedgeNormals(ChartMesh& mesh, const FaceNormal& of_face, const std::vector<HalfEdge>& opposite)
+      : mesh_(mesh), of_face_(of_face), opposite_(opposite) {}
+
+  /// Gives the wedge of `start` its normal and returns its corners.
+  const std::vector<HalfEdge>& set(HalfEdge start) {
+    collect(start);
+    std::ranges::sort(wedge_, {}, [&](HalfEdge h) { return std::pair(face(h), h); });
+    Vec3 sum(0), first(0);
+    std::size_t faces = 0;
+    for (auto from = wedge_.begin(); from != wedge_.end();) {
+      const auto to =
+          std::find_if(from, wedge_.end(), [&](HalfEdge h) { return face(h) != face(*from); });
+      const Vec3 n = of_face_({from, to});
+      if (n != Vec3(0) && faces++ == 0) first = n;
+      sum += n;
+      from = to;
+    }
+    const Vec3 normal = faces > 1 ? normalize_or(sum, first) : first;
+    for (const HalfEdge h : wedge_) {
+      mesh_.normal[static_cast<std::size_t>(h)] = normal;
+      mesh_.on_contour[static_cast<std::size_t>(h)] = normal == Vec3(0);
+    }
+    return wedge_;
+  }
+
+ private:
+  std::int32_t face(HalfEdge h) const { return mesh_.face[face_of(h)]; }
+
+  HalfEdge over(HalfEdge h) const {
+    const HalfEdge o = opposite_[static_cast<std::size_t>(h)];
+    return sharp_edge(mesh_, o, static_cast<std::size_t>(h)) ? kNoHalfEdge : o;
+  }
+
+  void collect(HalfEdge start) {
+    wedge_.clear();
+    HalfEdge h = start;
+    do {
+      wedge_.push_back(h);
+      h = over(prev_in_face(h));
+    } while (h != kNoHalfEdge && h != start);
+    if (h == start) return;
+    for (h = over(start); h != kNoHalfEdge; h = over(h)) {
+      h = next_in_face(h);
+      wedge_.push_back(h);
+    }
+  }
+
+  ChartMesh& mesh_;
+  const FaceNormal& of_face_;
+  const std::vector<HalfEdge>& opposite_;
+  std::vector<HalfEdge> wedge_;
+};
+
+}  // namespace
+
+void set_corner_normals(ChartMesh& mesh, const FaceNormal& of_face, const RunContext& context) {
+  const std::size_t n = 3 * mesh.triangles.size();
+  mesh.normal.assign(n, Vec3(0));
+  mesh.on_contour.assign(n, 0);
+  const std::vector<HalfEdge> opposite = chart_mesh_opposites(mesh);
+  const Corners corners(mesh);
+  std::vector<std::uint8_t> done(n, 0);
+  parallel_for(
+      mesh.positions.size(), kVertexGrain,
+      [&](std::size_t begin, std::size_t end) {
+        WedgeNormals normals(mesh, of_face, opposite);
+        for (std::size_t v = begin; v < end; ++v) {
+          for (std::uint32_t i = corners.offsets[v]; i < corners.offsets[v + 1]; ++i) {
+            if (done[static_cast<std::size_t>(corners.corners[i])]) continue;
+            for (const HalfEdge h : normals.set(corners.corners[i])) {
+              done[static_cast<std::size_t>(h)] = 1;
+            }
+          }
+        }
+      },
+      &context);
+}
+
+}  // namespace burin

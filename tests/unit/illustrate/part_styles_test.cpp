@@ -1,0 +1,129 @@
+#include <burin/drawing/writers.h>
+#include <burin/forms/mesh/mesh_form.h>
+#include <burin/illustrate/illustrate.h>
+
+#include "burin_test/shapes.h"
+
+#include <gtest/gtest.h>
+
+#include <memory>
+#include <sstream>
+
+namespace burin {
+namespace {
+
+// A small ball (part 1) behind a wall (part 0), seen from the front, and a ball beside (part 2).
+Scene wall_and_balls() {
+  Scene scene;
+  const auto add = [&](const char* name, TriMesh mesh, Vec3 by) {
+    for (Vec3& p : mesh.positions) p += by;
+    scene.parts.push_back({name, name, std::make_shared<MeshForm>(std::move(mesh))});
+  };
+  add("wall", test::box({-20, -2, -20}, {20, 2, 20}), {0, -20, 0});
+  add("ball", test::ellipsoid({10, 10, 10}, 96, 48), {0, 0, 0});
+  add("other", test::ellipsoid({12, 12, 12}, 96, 48), {40, 0, 0});
+  return scene;
+}
+
+Drawing draw(const Scene& scene, std::vector<PartStyle> part_styles,
+             const char* style = "technical") {
+  RunContext context;
+  const NamedView v = named_view("front");
+  const Camera camera = Camera::fit([&](const Mat3& axes) { return scene.bounds(axes); },
+                                    {.direction = v.direction, .up = v.up, .paper = {150, 100}});
+  return illustrate(scene, camera, builtin_style(style), {.part_styles = std::move(part_styles)},
+                    context);
+}
+
+struct Ink {
+  double lines = 0, strokes = 0;
+};
+Ink ink_of(const Drawing& drawing, int part) {
+  Ink ink;
+  for (const Layer& layer : drawing.layers) {
+    for (const Path& path : layer.paths) {
+      if (path.source.part != part || !path.visible) continue;
+      double& sum = path.kind == LineClass::Stroke ? ink.strokes : ink.lines;
+      for (std::size_t i = 1; i < path.points.size(); ++i) {
+        sum += glm::length(path.points[i] - path.points[i - 1]);
+      }
+      if (path.closed) sum += glm::length(path.points.front() - path.points.back());
+    }
+  }
+  return ink;
+}
+
+std::string json(const Drawing& drawing) {
+  RunContext context;
+  std::ostringstream out;
+  write_json(drawing, {}, out, context);
+  return out.str();
+}
+
+TEST(PartStyles, OfTheUsualKindChangeNothing) {
+  const Scene scene = wall_and_balls();
+  EXPECT_EQ(json(draw(scene, {})), json(draw(scene, {{}, {}, {}})));
+}
+
+TEST(PartStyles, WhatIsNotDrawnHidesNothingAndKeepsTheNumbersOfTheOthers) {
+  const Scene scene = wall_and_balls();
+  const Drawing all = draw(scene, {});
+  EXPECT_EQ(ink_of(all, 1).lines, 0);
+  const Drawing without = draw(scene, {{.drawn = false}});
+  EXPECT_EQ(ink_of(without, 0).lines, 0);
+  EXPECT_GT(ink_of(without, 1).strokes, 0);
+  ASSERT_EQ(without.parts.size(), 3u);
+  EXPECT_EQ(without.parts[2].name, "other");
+  // The ball's outline, a circle of radius 10.
+  EXPECT_NEAR(ink_of(without, 1).lines, 2 * 3.14159265 * 10 * without.view.scale,
+              0.02 * 63 * without.view.scale);
+}
+
+TEST(PartStyles, ATransparentPartShowsItsLinesAndWhatIsBehind) {
+  const Scene scene = wall_and_balls();
+  const Drawing all = draw(scene, {});
+  const Drawing clear = draw(scene, {{.transparent = true}});
+  EXPECT_NEAR(ink_of(clear, 0).lines, ink_of(all, 0).lines, 1e-6);
+  EXPECT_EQ(ink_of(clear, 0).strokes, 0);
+  const Drawing without = draw(scene, {{.drawn = false}});
+  EXPECT_NEAR(ink_of(clear, 1).lines, ink_of(without, 1).lines, 1e-6);
+  EXPECT_GT(ink_of(clear, 1).strokes, 0);
+}
+
+TEST(PartStyles, ATransparentPartIsHiddenBySolidOnes) {
+  const Scene scene = wall_and_balls();
+  const Drawing drawing = draw(scene, {{}, {.transparent = true}});
+  EXPECT_EQ(ink_of(drawing, 1).lines, 0);
+}
+
+TEST(PartStyles, WhatIsNotHatchedKeepsItsLines) {
+  const Scene scene = wall_and_balls();
+  const Drawing all = draw(scene, {});
+  const Drawing bare = draw(scene, {{}, {}, {.hatched = false}});
+  EXPECT_GT(ink_of(all, 2).strokes, 0);
+  EXPECT_EQ(ink_of(bare, 2).strokes, 0);
+  EXPECT_EQ(ink_of(bare, 2).lines, ink_of(all, 2).lines);
+}
+
+TEST(PartStyles, APartMayHaveAStyleOfItsOwn) {
+  const Scene scene = wall_and_balls();
+  Style thick = builtin_style("outline");
+  thick.line.outer = 1.5;
+  PartStyle look;
+  look.style = thick;
+  const Drawing drawing = draw(scene, {{}, {}, look});
+  EXPECT_EQ(ink_of(drawing, 2).strokes, 0);
+  bool seen = false;
+  for (const Layer& layer : drawing.layers) {
+    if (layer.name != "outline") continue;
+    for (const Path& path : layer.paths) {
+      ASSERT_EQ(path.width.size(), 1u);
+      EXPECT_EQ(path.width[0], path.source.part == 2 ? 1.5 : builtin_style("technical").line.outer);
+      seen |= path.source.part == 2;
+    }
+  }
+  EXPECT_TRUE(seen);
+}
+
+}  // namespace
+}  // namespace burin
