@@ -99,6 +99,18 @@ class Saving(Case):
         support.drawn()
 
 
+    def test_who_is_told_of_the_end_finds_no_run(self):
+        """However late the thread of the runs goes on after it: the panel would say "drawing" for good."""
+        told = []
+        scheduler().ended.connect(lambda key, error: told.append(scheduler().running(self.obj)))
+        self.obj.Width = 120
+        self.document.recompute()
+        with scheduler()._lock:  # the thread stands still wherever it needs this
+            support.until(lambda: told, 3)
+        support.drawn()
+        self.assertEqual(told, [False])
+
+
 class Exporting(Case):
     def test_an_export_waits_for_the_run(self):
         from freecad.burin_wb import export

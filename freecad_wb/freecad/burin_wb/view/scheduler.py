@@ -108,9 +108,7 @@ class Scheduler(QtCore.QObject):
         if writing.go_on():
             return True
         with self._lock:
-            self._drop(key)  # what is under way is of before
-            if self._current is not None and self._current.key == key:
-                self._current.replaced = True
+            self._replace(key)  # what is under way is of before
         self._writing[key] = writing
         self._slices.start()
         self._timer.start()
@@ -149,14 +147,12 @@ class Scheduler(QtCore.QObject):
         inputs = job.exact_fingerprint()
         result = self._kept.get(inputs)
         with self._lock:
-            run = self._current
-            if run is not None and run.key == key and run.inputs == inputs and not run.cancelled and run.obj is obj:
-                self._waiting = [r for r in self._waiting if r.key != key]
-                run.finish, run.asked = finish, _asked(obj)
-                return
-            self._drop(key)
-            if self._current is not None and self._current.key == key:
-                self._current.replaced = True
+            for run in self._begun(key):
+                if run.inputs == inputs and not run.cancelled and not run.replaced and run.obj is obj:
+                    self._waiting = [r for r in self._waiting if r.key != key]
+                    run.finish, run.asked = finish, _asked(obj)
+                    return
+            self._replace(key)
             if result is None:
                 self._waiting.append(_Run(obj, job, inputs, finish))
         if result is not None:
@@ -187,14 +183,14 @@ class Scheduler(QtCore.QObject):
     def running(self, obj=None):
         """Whether a run is under way or waiting, of an object or of any."""
         with self._lock:
-            runs = [r for r in [self._current, *self._waiting] if r and not r.cancelled]
+            runs = [r for r in self._begun() + self._waiting if not r.cancelled]
         runs += self._writing.values()
         return any(obj is None or r.key == _key(obj) for r in runs)
 
     def busy(self, obj=None):
         """As running, and also while a run that was cancelled comes to its end or has still to be told."""
         with self._lock:
-            runs = [r for r in [self._current, *self._waiting] if r] + [r for r, _, _ in list(self._ended_runs)]
+            runs = self._begun() + self._waiting
         runs += self._writing.values()
         return any(obj is None or r.obj is obj for r in runs)
 
@@ -205,7 +201,7 @@ class Scheduler(QtCore.QObject):
         with self._lock:
             unborn = [r for r in self._waiting if r.key == key]
             self._drop(key)
-            begun = self._current is not None and self._current.key == key
+            begun = self._begun(key)
         if (unborn or writing) and not begun:  # else the end of what has begun is told
             error = Stopped(tr("cancelled"))
             if tell and unborn:
@@ -218,24 +214,35 @@ class Scheduler(QtCore.QObject):
         """Ends all runs of a document that is closed."""
         self._writing = {key: w for key, w in self._writing.items() if key[0] != name}
         with self._lock:
-            runs = [r for r in [self._current, *self._waiting] if r and r.key[0] == name]
+            runs = [r for r in self._begun() + self._waiting if r.key[0] == name]
             for run in runs:
                 run.replaced = True  # there is nobody to tell
                 self._drop(run.key)
         for key in {run.key for run in runs}:
             self.ended.emit(key, Stopped(tr("cancelled")))
 
+    def _begun(self, key=None):
+        """With the lock held: the runs, of an illustration or of all, that have begun and whose end is not told yet."""
+        runs = [run for run, _, _ in self._ended_runs] + ([self._current] if self._current else [])
+        return [run for run in runs if key is None or run.key == key]
+
     def _drop(self, key):
         """With the lock held."""
         self._waiting = [r for r in self._waiting if r.key != key]
-        run = self._current
-        if run is not None and run.key == key and not run.cancelled:
+        for run in self._begun(key):
+            if not run.cancelled and run is self._current:
+                self._worker.cancel()
             run.cancelled = True
-            self._worker.cancel()
+
+    def _replace(self, key):
+        """With the lock held: what is under way will have nothing to tell."""
+        self._drop(key)
+        for run in self._begun(key):
+            run.replaced = True
 
     def cancel_all(self):
         with self._lock:
-            runs = [r for r in [self._current, *self._waiting] if r]
+            runs = self._begun() + self._waiting
         runs += self._writing.values()
         for run in {r.key: r for r in runs}.values():
             if _lives(run.obj):
@@ -252,7 +259,6 @@ class Scheduler(QtCore.QObject):
         while True:
             with self._lock:
                 while not self._waiting:
-                    self._current = None
                     self._lock.wait()
                 self._current = run = self._waiting.pop(0)
             result = error = None
@@ -263,7 +269,9 @@ class Scheduler(QtCore.QObject):
                 error = Stopped(tr("cancelled"))
             except Exception as failure:
                 error = failure
-            self._ended_runs.append((run, result, error))
+            with self._lock:  # at once: who is told of the end is not to find it under way
+                self._current = None
+                self._ended_runs.append((run, result, error))
             self._came_back.emit()
 
     @staticmethod
@@ -284,7 +292,9 @@ class Scheduler(QtCore.QObject):
     def _collect(self):
         """In the GUI's thread."""
         while self._ended_runs:
-            self._finish(*self._ended_runs.popleft())
+            with self._lock:
+                over = self._ended_runs.popleft()
+            self._finish(*over)
 
     def _finish(self, run, result, error):
         unchanged = result is not None and result.drawing is None
