@@ -142,6 +142,11 @@ double Camera::scale_at(Vec3 p) const {
   return perspective() ? scale_ * eye_distance_ / (eye_distance_ - depth(p)) : scale_;
 }
 
+double Camera::area_scale(Vec3 p) const {
+  const double s = scale_at(p);
+  return perspective() ? s * s * distance_to_viewer(p) / (eye_distance_ - depth(p)) : s * s;
+}
+
 Vec2 Camera::velocity(Vec3 p, Vec3 t) const {
   const Vec2 flat(glm::dot(t, right_), glm::dot(t, up_));
   if (!perspective()) return scale_ * flat;

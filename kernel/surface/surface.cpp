@@ -1,10 +1,10 @@
 #include <burin/base/parallel.h>
 #include <burin/base/rng.h>
+#include <burin/surface/candidates.h>
 #include <burin/surface/scene.h>
 #include <burin/surface/surface.h>
 
 #include <algorithm>
-#include <cmath>
 #include <optional>
 
 namespace burin {
@@ -13,8 +13,6 @@ namespace {
 // Random numbers that one candidate uses: the triangle, two coordinates in it, the test against the
 // weight.
 constexpr std::uint64_t kDraws = 4;
-// Candidates a point at the most, so that a weight that is zero everywhere ends.
-constexpr std::size_t kMaxCandidates = 200;
 
 std::vector<double> cumulative_areas(const TriMesh& mesh, const CoverRequest& request) {
   std::vector<double> sums(mesh.triangles.size());
@@ -28,8 +26,6 @@ std::vector<double> cumulative_areas(const TriMesh& mesh, const CoverRequest& re
   return sums;
 }
 
-constexpr std::size_t kGrain = 1024;
-
 // The candidate number `i`, uniform by area; nothing where the weight rejects it.
 std::optional<ProxyPoint> candidate(const ProxyMesh& p, const std::vector<double>& sums,
                                     const Rng& rng, const CoverRequest& request, std::size_t i) {
@@ -37,10 +33,8 @@ std::optional<ProxyPoint> candidate(const ProxyMesh& p, const std::vector<double
   const auto it = std::upper_bound(sums.begin(), sums.end(), at);
   const auto face = static_cast<std::uint32_t>(
       std::min<std::ptrdiff_t>(it - sums.begin(), static_cast<std::ptrdiff_t>(sums.size()) - 1));
-  // Uniform in the triangle: the square root undoes the narrowing towards one corner. @cite
-  // Osada2002
-  const double r = std::sqrt(rng.uniform(kDraws * i + 1)), s = rng.uniform(kDraws * i + 2);
-  const ProxyPoint place{face, Vec3(1 - r, r * (1 - s), r * s)};
+  const ProxyPoint place{face,
+                         uniform_bary(rng.uniform(kDraws * i + 1), rng.uniform(kDraws * i + 2))};
   if (request.weight) {
     const double keep = request.weight(p.position(face, place.bary), p.normal(face, place.bary));
     if (rng.uniform(kDraws * i + 3) >= keep) return std::nullopt;
@@ -54,30 +48,14 @@ std::vector<SurfacePoint> Surface::cover(const CoverRequest& request,
                                          const RunContext& context) const {
   const ProxyMesh& p = proxy();
   const std::vector<double> sums = cumulative_areas(p.mesh, request);
-  std::vector<SurfacePoint> points;
-  if (sums.empty() || !(sums.back() > 0)) return points;
+  if (sums.empty() || !(sums.back() > 0)) return {};
   const Rng rng(request.seed, static_cast<std::uint64_t>(request.part));
-  points.reserve(request.count);
-  // Candidates are tried in blocks on all cores; those kept are taken in the order of the
-  // candidates, so that no result depends on the blocks.
-  const std::size_t limit = kMaxCandidates * request.count;
-  std::vector<std::optional<ProxyPoint>> kept;
-  for (std::size_t first = 0; first < limit && points.size() < request.count;) {
-    const std::size_t block =
-        std::min(limit - first, std::max<std::size_t>(kGrain, request.count - points.size()));
-    kept.assign(block, std::nullopt);
-    parallel_for(
-        block, kGrain,
-        [&](std::size_t begin, std::size_t end) {
-          for (std::size_t k = begin; k < end; ++k)
-            kept[k] = candidate(p, sums, rng, request, first + k);
-        },
-        &context);
-    for (std::size_t k = 0; k < block && points.size() < request.count; ++k) {
-      if (kept[k]) points.push_back(lift(*kept[k]));
-    }
-    first += block;
-  }
+  const auto places = keep_candidates<ProxyPoint>(
+      request.count, kMaxCandidates * request.count, context,
+      [&](std::size_t i) { return candidate(p, sums, rng, request, i); });
+  std::vector<SurfacePoint> points;
+  points.reserve(places.size());
+  for (const ProxyPoint& place : places) points.push_back(lift(place));
   return points;
 }
 

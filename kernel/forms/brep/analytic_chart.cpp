@@ -22,6 +22,7 @@ class PlaneChart final : public Chart {
   }
   ParameterBox domain() const override { return domain_; }
   FaceKind kind() const override { return FaceKind::Plane; }
+  double largest_area() const override { return glm::length(glm::cross(a_.x, a_.y)); }
 
  private:
   ChartAxes a_;
@@ -69,6 +70,10 @@ class ConicChart final : public Chart {
   ParameterBox domain() const override { return domain_; }
   Vec2 period() const override { return {kTurn, 0}; }
   FaceKind kind() const override { return slope_ == 0 ? FaceKind::Cylinder : FaceKind::Cone; }
+  double largest_area() const override {
+    return std::max(std::abs(radius_ + domain_.min.y * slope_),
+                    std::abs(radius_ + domain_.max.y * slope_));
+  }
 
  private:
   ChartAxes a_;
@@ -109,6 +114,9 @@ class RoundSurfaceChart final : public Chart {
   }
   Vec2 period() const override { return {kTurn, sphere() ? 0 : kTurn}; }
   FaceKind kind() const override { return sphere() ? FaceKind::Sphere : FaceKind::Torus; }
+  double largest_area() const override {
+    return (std::abs(round.major) + std::abs(round.minor)) * std::abs(round.minor);
+  }
   bool sphere() const { return round.major == 0; }
 
   const RoundShape round;

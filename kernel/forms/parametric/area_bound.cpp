@@ -217,11 +217,21 @@ AreaBound sampled_bound(const Chart& chart, const RunContext& context) {
 
 }  // namespace
 
+std::optional<AreaBound> proved_area_bound(const Chart& chart, const RunContext& context,
+                                           double tolerance) {
+  if (const NurbsData* data = nurbs_data(chart)) {
+    const NurbsSpans spans(*data);
+    return BoundSearch(spans, context).run(tolerance);
+  }
+  const double largest = chart.largest_area();
+  if (!(largest > 0)) return std::nullopt;
+  // A billionth for rounding.
+  return AreaBound{.value = largest * (1 + 1e-9), .proved = true, .attained = largest};
+}
+
 AreaBound area_bound(const Chart& chart, const RunContext& context, double tolerance) {
-  const NurbsData* data = nurbs_data(chart);
-  if (!data) return sampled_bound(chart, context);
-  const NurbsSpans spans(*data);
-  return BoundSearch(spans, context).run(tolerance);
+  const auto proved = proved_area_bound(chart, context, tolerance);
+  return proved ? *proved : sampled_bound(chart, context);
 }
 
 }  // namespace burin

@@ -3,11 +3,13 @@
 #include <burin/mesh/nearest_side.h>
 #include <burin/work_mesh/proxy_draft.h>
 
+#include "cover_charts.h"
 #include "locate.h"
 #include "march.h"
 
 #include <algorithm>
-#include <limits>
+#include <mutex>
+#include <optional>
 #include <tuple>
 #include <utility>
 
@@ -29,6 +31,11 @@ class ChartedSurface final : public Surface {
     mesh_.on_contour = {};
   }
 
+  std::vector<SurfacePoint> cover(const CoverRequest& request,
+                                  const RunContext& context) const override {
+    std::call_once(bounded_, [&] { cover_.emplace(atlas_, mesh_, triangles_, context); });
+    return cover_->points(request, context);
+  }
   MarchStep march(const SurfacePoint& from, Vec3 tangent, double length) const override {
     return detail::March(atlas_, triangles_, lines_, length).run(from, tangent);
   }
@@ -47,13 +54,15 @@ class ChartedSurface final : public Surface {
   };
   std::vector<WedgeCorner> wedge_corners() const;
   Frame corner_frame(HalfEdge corner) const;
-  /// Barycentric coordinates of the point of a triangle's sides that is nearest to p.
 
   PlacedAtlas atlas_;
   ChartMesh mesh_;
   ProxyMesh proxy_;
   detail::UvTriangles triangles_;
   detail::BreakLines lines_;
+  // Made when it is first asked for: a drawing without strokes needs no bounds.
+  mutable std::once_flag bounded_;
+  mutable std::optional<detail::ChartsCover> cover_;
 };
 
 Frame ChartedSurface::frame(const SurfacePoint& point) const {

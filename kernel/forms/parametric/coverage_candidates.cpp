@@ -9,15 +9,12 @@
 namespace burin {
 namespace {
 
-/// Area on paper over area at a right angle to the ray, at a point.
 double picture_scale2(const Camera& camera, Vec3 p) {
-  const double s = camera.scale_at(p);
-  if (!camera.perspective()) return s * s;
-  const double along = glm::dot(camera.eye() - p, camera.direction());
-  if (!(along > 0)) {
+  const double scale = camera.area_scale(p);
+  if (!(scale > 0) || !std::isfinite(scale)) {
     throw GeometryError("the viewer stands inside a surface's control points: move it away");
   }
-  return s * s * camera.distance_to_viewer(p) / along;
+  return scale;
 }
 
 /// Points whose hull holds the surface: control points, or (nearly) a lattice of its points.

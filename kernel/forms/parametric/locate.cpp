@@ -1,5 +1,7 @@
 #include "locate.h"
 
+#include <burin/surface/candidates.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -108,6 +110,35 @@ Vec3 UvTriangles::bary(std::uint32_t triangle, Vec2 uv) const {
   result[(k + 1) % 3] = s * (1 - x);
   result[(k + 2) % 3] = s * x;
   return result;
+}
+
+UvTriangles::Strip UvTriangles::strip(std::uint32_t triangle) const {
+  const int k = (pole_[triangle] - 1) % 4, i = (pole_[triangle] - 1) / 4, j = 1 - i;
+  const auto h = static_cast<HalfEdge>(3 * triangle);
+  const Vec2 p = corner(h + k), a = corner(h + (k + 1) % 3), b = corner(h + (k + 2) % 3);
+  return {std::abs(b[i] - a[i]), a[j] - p[j], b[j] - p[j]};
+}
+
+double UvTriangles::draw_area(std::uint32_t triangle) const {
+  if (pole_[triangle] != 0) {
+    const Strip s = strip(triangle);
+    return s.width * s.tallest();
+  }
+  const auto h = static_cast<HalfEdge>(3 * triangle);
+  return 0.5 * std::abs(cross2(corner(h + 1) - corner(h), corner(h + 2) - corner(h)));
+}
+
+UvDraw UvTriangles::draw(std::uint32_t triangle, double a, double b) const {
+  if (pole_[triangle] == 0) return {uniform_bary(a, b)};
+  const Strip s = strip(triangle);
+  const int k = (pole_[triangle] - 1) % 4;
+  UvDraw at;
+  at.bary[k] = 1 - b;
+  at.bary[(k + 1) % 3] = b * (1 - a);
+  at.bary[(k + 2) % 3] = b * a;
+  const double tallest = s.tallest();
+  at.keep = tallest > 0 ? std::abs((1 - a) * s.first + a * s.second) / tallest : 0;
+  return at;
 }
 
 bool UvTriangles::meets_pole(std::uint32_t triangle, Vec2 from, Vec2 to, double& share) const {

@@ -5,6 +5,8 @@
 #include <burin/forms/parametric/atlas.h>
 #include <burin/mesh/topology.h>
 
+#include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <vector>
 
@@ -21,6 +23,13 @@ struct BorderPlace {
   double share = 0;  // along the chord, in [0,1]
   double t = 0;      // the edge's parameter
   Vec2 uv{0};        // on the curve, in the branch of the half-edge's triangle
+};
+
+/// A place of a triangle drawn from two random numbers; one in `keep` of them makes it uniform in
+/// (u,v).
+struct UvDraw {
+  Vec3 bary{1, 0, 0};
+  double keep = 1;
 };
 
 /// Tells a walk from triangle to triangle that goes round for ever, as one over a broken
@@ -59,6 +68,10 @@ class UvTriangles {
   Vec2 uv(std::uint32_t triangle, Vec3 bary) const;
   /// Not clamped.
   Vec3 bary(std::uint32_t triangle, Vec2 uv) const;
+  /// A place from two uniform numbers, and the area of (u,v) that it is drawn from: that of the
+  /// triangle, or a rectangle around its strip, of which `keep` leaves the strip.
+  UvDraw draw(std::uint32_t triangle, double a, double b) const;
+  double draw_area(std::uint32_t triangle) const;
   /// The triangle of the same face at a point, walking from `triangle`; at borders the last one
   /// before them. Takes `target` to the branch of that triangle.
   std::uint32_t locate(std::uint32_t triangle, Vec2& target) const;
@@ -121,6 +134,12 @@ class UvTriangles {
     Vec2 a, b;
   };
   Side side(HalfEdge h) const;
+  /// The strip of a triangle at a pole: its width, and its signed heights on both sides.
+  struct Strip {
+    double width = 0, first = 0, second = 0;
+    double tallest() const { return std::max(std::abs(first), std::abs(second)); }
+  };
+  Strip strip(std::uint32_t triangle) const;
   Vec2 corner(HalfEdge h) const { return mesh_.uv[static_cast<std::size_t>(h)]; }
   const ChartMesh::Border& border(HalfEdge h) const {
     return mesh_.borders[static_cast<std::size_t>(mesh_.border[static_cast<std::size_t>(h)])];

@@ -76,6 +76,29 @@ TEST(BrepModel, KindsAndDerivativesOfCharts) {
   }
 }
 
+// What Algorithm 1 holds candidates against.
+TEST(BrepModel, ChartsOfKnownKindKnowTheirLargestArea) {
+  for (const TopoDS_Shape& shape :
+       {cylinder_shape(2, 5), BRepPrimAPI_MakeCone(3, 1, 4).Shape(),
+        BRepPrimAPI_MakeCone(0, 2, 4).Shape(), BRepPrimAPI_MakeSphere(3).Shape(),
+        BRepPrimAPI_MakeTorus(3, 1).Shape(), box_shape(1, 2, 3)}) {
+    const ModelPtr model = make_brep_model(shape);
+    const Chart& chart = model->chart(0);
+    const ParameterBox box = chart.domain();
+    constexpr int kSide = 100;
+    double largest = 0;
+    for (int i = 0; i <= kSide; ++i) {
+      for (int j = 0; j <= kSide; ++j) {
+        const SurfaceDerivatives d =
+            chart.derivatives(box.min + box.size() * (Vec2(i, j) / double{kSide}));
+        largest = std::max(largest, glm::length(glm::cross(d.u, d.v)));
+      }
+    }
+    EXPECT_NEAR(chart.largest_area(), largest, 1e-12 * largest);
+  }
+  EXPECT_EQ(make_brep_model(dome())->chart(0).largest_area(), 0);  // the symbolic bound is its own
+}
+
 TEST(BrepModel, BoundsOfRoundShapesAreExactAlongAnyAxes) {
   const Mat3 axes = skew_axes();
   const ModelPtr ball = make_brep_model(BRepPrimAPI_MakeSphere(3).Shape());

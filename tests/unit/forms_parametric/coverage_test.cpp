@@ -5,6 +5,7 @@
 
 #include <burin_test/horn.h>
 #include <burin_test/nurbs_shapes.h>
+#include <burin_test/uniformity.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -121,34 +122,6 @@ TEST(AreaBound, ScalesAndMoves) {
   }
 }
 
-/// Chi-square of the counts over equal cells, as a deviation from its mean in standard deviations.
-double chi_square(const std::vector<Vec2>& shares, int side) {
-  std::vector<double> count(static_cast<std::size_t>(side * side), 0.0);
-  for (const Vec2& s : shares) {
-    const int i = std::min(side - 1, static_cast<int>(s.x * side));
-    const int j = std::min(side - 1, static_cast<int>(s.y * side));
-    ++count[static_cast<std::size_t>(i * side + j)];
-  }
-  const double expected = static_cast<double>(shares.size()) / (side * side);
-  double chi2 = 0;
-  for (const double c : count) chi2 += (c - expected) * (c - expected) / expected;
-  const double freedom = side * side - 1;
-  return (chi2 - freedom) / std::sqrt(2 * freedom);
-}
-
-double turns(double y, double x) {
-  const double a = std::atan2(y, x) / (2 * kPi);
-  return a < 0 ? a + 1 : a;
-}
-
-/// Shares of the area of a torus about z before its two angles: cells of equal size are of equal
-/// area.
-Vec2 torus_shares(Vec3 p, double major, double minor) {
-  const double ring = std::hypot(p.x, p.y);
-  const double angle = 2 * kPi * turns(p.z, ring - major);
-  return {turns(p.y, p.x), (major * angle + minor * std::sin(angle)) / (2 * kPi * major)};
-}
-
 CoverageOptions options_of(std::size_t count, std::uint64_t seed) {
   CoverageOptions o;
   o.count = count;
@@ -164,8 +137,8 @@ TEST(Coverage, IsUniformByAreaOnATorus) {
     const Coverage c = cover_chart(*chart, options_of(100'000, seed), context);
     ASSERT_EQ(c.points.size(), 100'000u);
     std::vector<Vec2> shares;
-    for (const CoveragePoint& p : c.points) shares.push_back(torus_shares(p.position, 3, 2));
-    EXPECT_LT(std::abs(chi_square(shares, 20)), 3.5);
+    for (const CoveragePoint& p : c.points) shares.push_back(test::torus_shares(p.position, 3, 2));
+    EXPECT_LT(std::abs(test::chi_square(shares, 20)), 3.5);
     // The expected number of candidates: the bound over the mean of R.
     const double mean = 4 * kPi * kPi * 3 * 2 / 16;
     EXPECT_NEAR(static_cast<double>(c.candidates) / 100'000, c.bound.value / mean, 0.02);
@@ -175,9 +148,9 @@ TEST(Coverage, IsUniformByAreaOnATorus) {
   o.norm = CoverageNorm::Parameters;
   std::vector<Vec2> shares;
   for (const CoveragePoint& p : cover_chart(*chart, o, context).points) {
-    shares.push_back(torus_shares(p.position, 3, 2));
+    shares.push_back(test::torus_shares(p.position, 3, 2));
   }
-  EXPECT_GT(chi_square(shares, 20), 100);
+  EXPECT_GT(test::chi_square(shares, 20), 100);
 }
 
 TEST(Coverage, IsUniformInParameters) {
@@ -191,7 +164,7 @@ TEST(Coverage, IsUniformInParameters) {
   for (const CoveragePoint& p : c.points) {
     shares.push_back((p.uv - chart->domain().min) / chart->domain().size());
   }
-  EXPECT_LT(std::abs(chi_square(shares, 16)), 3.5);
+  EXPECT_LT(std::abs(test::chi_square(shares, 16)), 3.5);
 }
 
 Camera camera_of(Vec3 direction, std::optional<double> perspective, double radius) {
@@ -227,10 +200,10 @@ TEST(Coverage, IsUniformInThePicture) {
     for (const CoveragePoint& p : cover_chart(*chart, o, context).points) {
       if (glm::dot(p.normal, camera.to_viewer(p.position)) < 0) continue;
       const Vec2 q = (camera.to_paper(p.position) - camera.offset()) / edge;
-      shares.emplace_back(glm::dot(q, q), turns(q.y, q.x));
+      shares.emplace_back(glm::dot(q, q), test::turns(q.y, q.x));
     }
     EXPECT_GT(shares.size(), 20'000u);
-    EXPECT_LT(std::abs(chi_square(shares, 14)), 3.5) << perspective;
+    EXPECT_LT(std::abs(test::chi_square(shares, 14)), 3.5) << perspective;
   }
   CoverageOptions o = options_of(10, 1);
   o.norm = CoverageNorm::Picture;
@@ -246,10 +219,11 @@ TEST(Coverage, FollowsADensity) {
   o.density = [](const CoveragePoint& p) { return p.normal.z * p.normal.z; };
   std::vector<Vec2> shares;
   for (const CoveragePoint& p : cover_chart(*chart, o, context).points) {
-    shares.emplace_back(0.5 + 0.5 * std::pow(p.position.z, 3), turns(p.position.y, p.position.x));
+    shares.emplace_back(0.5 + 0.5 * std::pow(p.position.z, 3),
+                        test::turns(p.position.y, p.position.x));
   }
   ASSERT_EQ(shares.size(), 60'000u);
-  EXPECT_LT(std::abs(chi_square(shares, 14)), 3.5);
+  EXPECT_LT(std::abs(test::chi_square(shares, 14)), 3.5);
   o.density = [](const CoveragePoint&) { return 0.0; };
   o.count = 10;
   EXPECT_TRUE(cover_chart(*chart, o, context).points.empty());

@@ -81,6 +81,9 @@ class Camera {
   double distance_to_viewer(Vec3 p) const;
   /// Paper mm per model mm at `p` for lengths at a right angle to the view.
   double scale_at(Vec3 p) const;
+  /// Area on paper over area at a right angle to the ray at `p`, in paper mm2 a model mm2; not
+  /// positive or not finite where `p` is beside or behind the viewer.
+  double area_scale(Vec3 p) const;
   /// The derivative of `to_paper` at `p` along `t`.
   Vec2 velocity(Vec3 p, Vec3 t) const;
   /// The viewing ray through a point of the paper. Orthographic: the origin lies in the plane

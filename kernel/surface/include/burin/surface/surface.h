@@ -95,8 +95,9 @@ class Surface {
   Surface& operator=(const Surface&) = delete;
   virtual ~Surface() = default;
 
-  /// Operation 1. The default, which every form uses, draws points on the proxy by area and lifts
-  /// them by `lift`.
+  /// Operation 1. The default draws points on the proxy by area and lifts them by `lift`; forms
+  /// made of charts draw them in (u,v), by Algorithm 1 of the paper. A larger `count` gives the
+  /// same points first.
   virtual std::vector<SurfacePoint> cover(const CoverRequest& request,
                                           const RunContext& context) const;
   /// Operation 2. Goes `length` model mm from `from` in the direction of `tangent` (need not be
@@ -105,8 +106,8 @@ class Surface {
   virtual MarchStep march(const SurfacePoint& from, Vec3 tangent, double length) const = 0;
   /// Local geometry. Curvature is present where the surface was realised with it.
   virtual Frame frame(const SurfacePoint& point) const = 0;
-  /// The triangles that stand for the surface: they hide what is behind them, and `cover` draws its
-  /// points on them. `ProxyMesh::tolerance` is how far they may lie from the surface.
+  /// The triangles that stand for the surface: they hide what is behind them.
+  /// `ProxyMesh::tolerance` is how far they may lie from the surface.
   virtual const ProxyMesh& proxy() const = 0;
 
   /// Where on the proxy a point lies, and the point of the surface at (nearest to) a place of the

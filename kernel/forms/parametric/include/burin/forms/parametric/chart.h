@@ -37,6 +37,8 @@ class Chart {
   /// Length of the period in u and in v; 0 where the direction is not periodic.
   virtual Vec2 period() const { return Vec2(0); }
   virtual FaceKind kind() const { return FaceKind::Freeform; }
+  /// The largest |Su x Sv| over the domain, where a formula gives it; else 0.
+  virtual double largest_area() const { return 0; }
   /// Parameters inside the domain at which fewer than `order` derivatives of S are continuous
   /// (knots of high multiplicity), ascending: `direction` 0 = u, 1 = v. Derivatives there are those
   /// of the upper side.

@@ -1,6 +1,6 @@
 #pragma once
-/// Algorithm 1: points spread over S(u,v) by rejection against a bound of |Su x Sv|. For programs,
-/// tests and benchmarks: drawings take their points from `Surface::cover`.
+/// Algorithm 1: points spread over S(u,v) by rejection against a bound of |Su x Sv|. Drawings take
+/// theirs from `Surface::cover`, which holds trimmed faces against the same bounds.
 /// @cite Elber1998
 
 #include <burin/base/run_context.h>
@@ -9,6 +9,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <vector>
 
 namespace burin {
@@ -26,9 +27,13 @@ struct AreaBound {
 /// NURBS: R^2 as a Bezier field a span (rational: numerator and denominator apart), its products
 /// and derivatives taken symbolically; the square root of the largest coefficient is a true bound,
 /// and the spans that it comes from are subdivided until value <= (1 + tolerance) * attained. An
-/// infinite tolerance gives the largest coefficient as it is. Other charts: 64 x 64 samples, the
-/// best of them climbed, and a twentieth more. Cost: 10 us per bicubic span.
+/// infinite tolerance gives the largest coefficient as it is. Charts that know their
+/// `largest_area`: that. Others: 64 x 64 samples, the best of them climbed, and a twentieth more.
+/// Cost: 10 us per bicubic span.
 AreaBound area_bound(const Chart& chart, const RunContext& context, double tolerance = 0.05);
+/// The same, or nothing where it would come from samples.
+std::optional<AreaBound> proved_area_bound(const Chart& chart, const RunContext& context,
+                                           double tolerance = 0.05);
 
 /// In which measure points are uniform.
 enum class CoverageNorm : std::uint8_t {

@@ -1,0 +1,56 @@
+#pragma once
+/// What every coverage by rejection shares: candidates are tried in order until enough are kept.
+
+#include <burin/base/parallel.h>
+#include <burin/base/vec.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+namespace burin {
+
+/// Candidates a point at the most, so that a weight that is zero everywhere ends.
+inline constexpr std::size_t kMaxCandidates = 200;
+
+/// A point uniform in a triangle, from two uniform numbers: the square root undoes the narrowing
+/// towards one corner. @cite Osada2002
+inline Vec3 uniform_bary(double a, double b) {
+  const double r = std::sqrt(a);
+  return {1 - r, r * (1 - b), r * b};
+}
+
+/// The first `count` of the candidates 0, 1, ... that are kept; fewer where `limit` candidates hold
+/// no more. `candidate(i)` gives an optional and is a pure function of i, called from many threads:
+/// blocks are tried on all cores, those kept are taken in order, and no result depends on the
+/// blocks.
+template <class T, class Candidate>
+std::vector<T> keep_candidates(std::size_t count, std::size_t limit, const RunContext& context,
+                               const Candidate& candidate) {
+  constexpr std::size_t kGrain = 1024;
+  constexpr std::size_t kMostAtOnce = std::size_t{1} << 18;
+  std::vector<T> points;
+  points.reserve(std::min(count, limit));
+  std::vector<std::optional<T>> kept;
+  std::size_t block = std::max(kGrain, count);
+  for (std::size_t first = 0; first < limit && points.size() < count; first += kept.size()) {
+    kept.assign(std::min({limit - first, block, kMostAtOnce}), std::nullopt);
+    parallel_for(
+        kept.size(), kGrain,
+        [&](std::size_t begin, std::size_t end) {
+          for (std::size_t k = begin; k < end; ++k) kept[k] = candidate(first + k);
+        },
+        &context);
+    for (std::size_t k = 0; k < kept.size() && points.size() < count; ++k) {
+      if (kept[k]) points.push_back(*kept[k]);
+    }
+    // As many as should do, by the share kept so far.
+    const std::size_t tried = first + kept.size(), missing = count - points.size();
+    block = std::max(kGrain, missing + missing * tried / std::max<std::size_t>(points.size(), 1));
+  }
+  return points;
+}
+
+}  // namespace burin
