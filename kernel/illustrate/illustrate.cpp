@@ -154,6 +154,7 @@ StrokeResult hatch_all(const std::vector<const Surface*>& surfaces, const Occlud
                        std::make_move_iterator(one.strokes.end()));
     all.coverage_points += one.coverage_points;
     all.coverage_delta = std::max(all.coverage_delta, one.coverage_delta);
+    all.thinned_parts += one.thinned_parts;
   }
   return all;
 }

@@ -1,10 +1,21 @@
+#include <burin/base/catalogue.h>
 #include <burin/stroke/options.h>
 
-namespace burin {
+#include "placing.h"
 
-const std::vector<OptionRow<HatchOptions>>& hatch_option_rows() {
+#include <string>
+
+namespace burin {
+namespace {
+
+std::vector<OptionRow<HatchOptions>> rows() {
   using options::number;
-  static const std::vector<OptionRow<HatchOptions>> rows = {
+  std::string meaning;
+  for (const detail::Placing& placing : detail::placings()) {
+    meaning += (meaning.empty() ? "how strokes are placed: " : "; ") + std::string(placing.meaning);
+  }
+  return {
+      options::word("placing", &HatchOptions::placing, names_of(detail::placings()), meaning),
       number("spacing_min", &HatchOptions::spacing_min, {0.05, 50, "mm"},
              "distance of strokes where the tone is darkest, in mm", "spacing_max"),
       number("spacing_max", &HatchOptions::spacing_max, {0.05, 50, "mm"},
@@ -19,12 +30,20 @@ const std::vector<OptionRow<HatchOptions>>& hatch_option_rows() {
       number("length_min", &HatchOptions::length_min, {0, 1000, "mm"}, "shortest stroke, in mm",
              "length_max"),
       number("length_max", &HatchOptions::length_max, {0.1, 100000, "mm"}, "longest stroke, in mm"),
+      number("length", &HatchOptions::length, {0.1, 1000, "mm"},
+             "about how long strokes on points are, in mm (hatch.placing points, discs)"),
       number("taper", &HatchOptions::taper, {0, 1000, "mm"},
              "length over which the end of a stroke thins out, in mm"),
       number("foreshortening", &HatchOptions::foreshortening, {0, 1},
              "0 spaces strokes evenly on the paper, 1 on the surface"),
   };
-  return rows;
+}
+
+}  // namespace
+
+const std::vector<OptionRow<HatchOptions>>& hatch_option_rows() {
+  static const std::vector<OptionRow<HatchOptions>> all = rows();
+  return all;
 }
 
 }  // namespace burin

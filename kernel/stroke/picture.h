@@ -26,11 +26,13 @@ struct Picture {
   std::uint64_t seed = 1;
   /// Model mm within which two places along one viewing ray are the same surface.
   double same_place = 0;
+  /// Strokes stand on points and lie over each other as chance has it.
+  bool by_chance = false;
 
   /// Where strokes are laid: the sheet, and so much beside it that the strokes at its edge have
   /// neighbours on both sides.
   Box2 sheet() const {
-    const Vec2 beside(2 * options.spacing_max);
+    const Vec2 beside(std::max(2 * options.spacing_max, by_chance ? options.length : 0));
     return {-beside, Vec2(camera.paper().width, camera.paper().height) + beside};
   }
   bool on_sheet(Vec2 paper) const { return sheet().contains(paper); }
@@ -79,6 +81,18 @@ struct Picture {
   double share(double darkness, int family) const {
     const Coverage2 c = share(darkness);
     return family == 1 ? c.first : c.second;
+  }
+
+  /// The sum of the areas of strokes a mm^2 that cover a share `ink` of it. Where chance lays one
+  /// over another the last bit of white is never covered. @cite Stoyan1995
+  double laid(double ink) const {
+    constexpr double kMost = 0.96;
+    return by_chance ? -std::log1p(-std::min(ink, kMost)) : ink;
+  }
+
+  /// The width of a stroke that no neighbour tells how wide to be.
+  double free_width(double ink) const {
+    return options.width_min + (options.width_max - options.width_min) * ink;
   }
 
   /// Distance between neighbours of a family that is to cover a share `ink` of the paper: the same

@@ -2,8 +2,6 @@
 
 #include <burin/base/parallel.h>
 
-#include "sample_grid.h"
-
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -13,10 +11,6 @@ namespace {
 
 // Candidates for each seed that fits: enough that few gaps are left to the strokes' own neighbours.
 constexpr double kCandidates = 4;
-
-// Sheets of a part over each other that seeds are tried for, counted in areas of the picture: a
-// porous part has some ten, the triangles of a damaged file thousands.
-constexpr double kMostSheets = 16;
 
 bool wants_ink(const Picture& picture, const RasterCell& cell) {
   return cell.part >= 0 && picture.share(cell.darkness, 1) >= picture.options.tone_min;
@@ -32,10 +26,6 @@ std::vector<double> dark_area(const Picture& picture, const ViewRaster& raster) 
   return area;
 }
 
-Box2 box_of(const ViewRaster& raster) {
-  return {raster.origin, raster.origin + raster.pitch * Vec2(raster.nx, raster.ny)};
-}
-
 Box2 box_of(const Camera& camera, Vec3 a, Vec3 b, Vec3 c) {
   Box2 box;
   for (const Vec3& corner : {a, b, c}) box.add(camera.to_paper(corner));
@@ -49,47 +39,14 @@ bool runs_off(const Surface& surface, const Camera& camera, const Box2& box) {
       positions, [&](Vec3 position) { return !box.contains(camera.to_paper(position)); });
 }
 
-// Paper mm^2 that the triangles of a surface turned to the viewer would cover of `box`, seen or
-// not: the measure that points of a view-uniform coverage are spread over. A triangle that reaches
-// out of the box counts for no more than the box that both share.
-double projected_area(const Surface& surface, const Camera& camera, const Box2& box) {
-  const TriMesh& mesh = surface.proxy().mesh;
-  double sum = 0;
-  for (const Triangle& t : mesh.triangles) {
-    const Vec2 a = camera.to_paper(mesh.positions[t[0]]), b = camera.to_paper(mesh.positions[t[1]]);
-    const Vec2 c = camera.to_paper(mesh.positions[t[2]]);
-    const Vec2 shared = glm::min(glm::max(glm::max(a, b), c), box.max) -
-                        glm::max(glm::min(glm::min(a, b), c), box.min);
-    if (shared.x < 0 || shared.y < 0) continue;
-    sum += std::min(std::max(0.0, 0.5 * cross2(b - a, c - a)), shared.x * shared.y);
-  }
-  return sum;
-}
-
-double measure_delta(const Picture& picture, const ViewRaster& raster, const SampleGrid& grid,
-                     double near, double reach, const RunContext& context) {
-  std::vector<double> row(static_cast<std::size_t>(raster.ny), 0);
-  parallel_for(
-      row.size(), 8,
-      [&](std::size_t begin, std::size_t end) {
-        for (std::size_t y = begin; y < end; ++y) {
-          for (std::int32_t x = 0; x < raster.nx; ++x) {
-            const RasterCell& cell = raster.at(x, static_cast<std::int32_t>(y));
-            if (!wants_ink(picture, cell)) continue;
-            GridSample s;
-            s.paper = raster.center(x, static_cast<std::int32_t>(y));
-            s.depth = cell.depth;
-            s.part = cell.part;
-            s.region = cell.region;
-            // Nearly every cell has a seed close by: the far ones are looked for where it has not.
-            double distance = grid.nearest(s, near).distance;
-            if (distance >= near) distance = grid.nearest(s, reach).distance;
-            row[y] = std::max(row[y], distance);
-          }
-        }
-      },
-      &context);
-  return row.empty() ? 0 : *std::max_element(row.begin(), row.end());
+GridSample cell_sample(const ViewRaster& raster, std::int32_t x, std::int32_t y) {
+  const RasterCell& cell = raster.at(x, y);
+  GridSample s;
+  s.paper = raster.center(x, y);
+  s.depth = cell.depth;
+  s.part = cell.part;
+  s.region = cell.region;
+  return s;
 }
 
 // Seeds for what the coverage left white of parts that run off the sheet: the little of them that
@@ -102,11 +59,7 @@ void fill_white(const Picture& picture, const ViewRaster& raster, const std::vec
     for (std::int32_t x = 0; x < raster.nx; x += stride) {
       const RasterCell& cell = raster.at(x, y);
       if (!wants_ink(picture, cell) || !off[static_cast<std::size_t>(cell.part)]) continue;
-      GridSample s;
-      s.paper = raster.center(x, y);
-      s.depth = cell.depth;
-      s.part = cell.part;
-      s.region = cell.region;
+      const GridSample s = cell_sample(raster, x, y);
       if (grid.nearest(s, reach).distance < reach) continue;
       const auto hit = picture.probe(s.paper);
       if (!hit || hit->part != cell.part) continue;
@@ -137,6 +90,79 @@ void surest_first(const Picture& picture, std::vector<Seed>& seeds) {
 
 }  // namespace
 
+Box2 box_of(const ViewRaster& raster) {
+  return {raster.origin, raster.origin + raster.pitch * Vec2(raster.nx, raster.ny)};
+}
+
+double projected_area(const Surface& surface, const Camera& camera, const Box2& box) {
+  const TriMesh& mesh = surface.proxy().mesh;
+  double sum = 0;
+  for (const Triangle& t : mesh.triangles) {
+    const Vec2 a = camera.to_paper(mesh.positions[t[0]]), b = camera.to_paper(mesh.positions[t[1]]);
+    const Vec2 c = camera.to_paper(mesh.positions[t[2]]);
+    const Vec2 shared = glm::min(glm::max(glm::max(a, b), c), box.max) -
+                        glm::max(glm::min(glm::min(a, b), c), box.min);
+    if (shared.x < 0 || shared.y < 0) continue;
+    sum += std::min(std::max(0.0, 0.5 * cross2(b - a, c - a)), shared.x * shared.y);
+  }
+  return sum;
+}
+
+double measure_delta(const Picture& picture, const ViewRaster& raster, const SampleGrid& grid,
+                     double near, double reach, const RunContext& context) {
+  std::vector<double> row(static_cast<std::size_t>(raster.ny), 0);
+  parallel_for(
+      row.size(), 8,
+      [&](std::size_t begin, std::size_t end) {
+        for (std::size_t y = begin; y < end; ++y) {
+          for (std::int32_t x = 0; x < raster.nx; ++x) {
+            const RasterCell& cell = raster.at(x, static_cast<std::int32_t>(y));
+            if (!wants_ink(picture, cell)) continue;
+            const GridSample s = cell_sample(raster, x, static_cast<std::int32_t>(y));
+            // Nearly every cell has a seed close by: the far ones are looked for where it has not.
+            double distance = grid.nearest(s, near).distance;
+            if (distance >= near) distance = grid.nearest(s, reach).distance;
+            row[y] = std::max(row[y], distance);
+          }
+        }
+      },
+      &context);
+  return row.empty() ? 0 : *std::max_element(row.begin(), row.end());
+}
+
+bool is_two_sided(const Surface& surface) {
+  const auto& closed = surface.proxy().topology.component_closed;
+  return std::find(closed.begin(), closed.end(), 0) != closed.end();
+}
+
+CoverRequest request_of(const Picture& picture, std::int32_t part, const Box2& box) {
+  const Camera& camera = picture.camera;
+  CoverRequest request;
+  request.seed = picture.seed;
+  request.part = part;
+  if (runs_off(picture.surface(part), camera, box)) {
+    request.among = [&camera, box](Vec3 a, Vec3 b, Vec3 c) {
+      return box_of(camera, a, b, c).overlaps(box);
+    };
+  }
+  return request;
+}
+
+PointOnPaper on_paper(const Picture& picture, std::int32_t part, const SurfacePoint& point) {
+  const Camera& camera = picture.camera;
+  const ProxyMesh& proxy = picture.surface(part).proxy();
+  const ProxyPoint place = picture.surface(part).to_proxy(point);
+  GridSample s;
+  s.paper = camera.to_paper(point.position);
+  s.depth = camera.depth(point.position);
+  s.part = part;
+  s.region = proxy.face_region[place.face];
+  const double cosine =
+      glm::dot(proxy.normal(place.face, place.bary), camera.to_viewer(point.position));
+  s.slope = Picture::slope(std::abs(cosine), camera.scale_at(point.position));
+  return {s, place.face};
+}
+
 Coverage cover_picture(const Picture& picture, const ViewRaster& raster,
                        const RunContext& context) {
   const Camera& camera = picture.camera;
@@ -155,15 +181,10 @@ Coverage cover_picture(const Picture& picture, const ViewRaster& raster,
     // The deeper sheets lie over each other, the fewer places of them are seen, and the longer a
     // ray takes to find out.
     const double tried = shown > most ? most * std::max(most / shown, 1.0 / 16) : shown;
-    CoverRequest request;
-    request.seed = picture.seed;
-    request.part = static_cast<std::int32_t>(part);
+    CoverRequest request = request_of(picture, static_cast<std::int32_t>(part), box);
     request.count =
         static_cast<std::size_t>(kCandidates * tried / (o.spacing_max * o.spacing_max)) + 64;
-    const bool two_sided = [&] {
-      const auto& closed = surface.proxy().topology.component_closed;
-      return std::find(closed.begin(), closed.end(), 0) != closed.end();
-    }();
+    const bool two_sided = is_two_sided(surface);
     request.weight = [&](Vec3 position, Vec3 normal) {
       if (!box.contains(camera.to_paper(position))) return 0.0;
       const double cosine = glm::dot(normal, camera.to_viewer(position));
@@ -173,22 +194,11 @@ Coverage cover_picture(const Picture& picture, const ViewRaster& raster,
         return 0.0;
       return facing;
     };
-    off[part] = runs_off(surface, camera, box);
-    if (off[part]) {
-      request.among = [&](Vec3 a, Vec3 b, Vec3 c) { return box_of(camera, a, b, c).overlaps(box); };
-    }
+    off[part] = static_cast<bool>(request.among);
     for (const SurfacePoint& p : surface.cover(request, context)) {
-      const ProxyPoint place = surface.to_proxy(p);
-      GridSample s;
-      s.paper = camera.to_paper(p.position);
-      s.depth = camera.depth(p.position);
-      s.part = static_cast<std::int32_t>(part);
-      s.region = surface.proxy().face_region[place.face];
-      const Vec3 n = surface.proxy().normal(place.face, place.bary);
-      const double cosine = glm::dot(n, camera.to_viewer(p.position));
-      s.slope = Picture::slope(std::abs(cosine), camera.scale_at(p.position));
+      const auto [s, face] = on_paper(picture, request.part, p);
       if (grid.nearest(s, o.spacing_max).distance < o.spacing_max) continue;
-      if (!picture.seen(s.part, place.face, s.paper, s.depth)) continue;
+      if (!picture.seen(s.part, face, s.paper, s.depth)) continue;
       grid.insert(s);
       out.seeds.push_back({s.part, p});
     }

@@ -1,8 +1,9 @@
 #pragma once
-// The coverage that the strokes start from: points uniform in the picture, thinned on paper,
-// measured.
+// The coverage that strokes at even distances start from: points uniform in the picture, thinned on
+// paper, measured; and what every coverage of the picture needs.
 
 #include "picture.h"
+#include "sample_grid.h"
 #include "view_raster.h"
 
 #include <vector>
@@ -12,6 +13,8 @@ namespace burin::detail {
 struct Seed {
   std::int32_t part = -1;
   SurfacePoint point;
+  /// Whose strokes start here, where each family has its own.
+  int family = 1;
 };
 
 struct Coverage {
@@ -22,6 +25,36 @@ struct Coverage {
   /// Parts for which fewer candidates were tried than their area asks for.
   std::int64_t thinned_parts = 0;
 };
+
+/// Sheets of a part over each other that seeds are tried for, counted in areas of the picture: a
+/// porous part has some ten, the triangles of a damaged file thousands.
+constexpr double kMostSheets = 16;
+
+Box2 box_of(const ViewRaster& raster);
+
+/// Paper mm^2 that the triangles of a surface turned to the viewer would cover of `box`, seen or
+/// not: the measure that points of a view-uniform coverage are spread over. A triangle that reaches
+/// out of the box counts for no more than the box that both share.
+double projected_area(const Surface& surface, const Camera& camera, const Box2& box);
+
+/// Whether both sides of a surface can be seen: it has a border somewhere.
+bool is_two_sided(const Surface& surface);
+
+/// What a coverage of one part asks of its surface but for count and weight: of a part that runs
+/// off `box` only what reaches into it.
+CoverRequest request_of(const Picture& picture, std::int32_t part, const Box2& box);
+
+/// A surface point as the grid of samples keeps it, and its triangle.
+struct PointOnPaper {
+  GridSample sample;
+  std::uint32_t face = 0;
+};
+PointOnPaper on_paper(const Picture& picture, std::int32_t part, const SurfacePoint& point);
+
+/// The covering radius of the points of a grid over what wants ink, looked for within `near` first,
+/// then within `reach`, which is the answer where there is none.
+double measure_delta(const Picture& picture, const ViewRaster& raster, const SampleGrid& grid,
+                     double near, double reach, const RunContext& context);
 
 Coverage cover_picture(const Picture& picture, const ViewRaster& raster, const RunContext& context);
 

@@ -1,8 +1,7 @@
 #include <burin/base/error.h>
 #include <burin/stroke/stroke.h>
 
-#include "placement.h"
-#include "seeds.h"
+#include "placing.h"
 #include "view_raster.h"
 #include "widths.h"
 
@@ -18,6 +17,7 @@ using namespace detail;
 
 // Paper mm of strokes in one drawing: some 2 GB of memory. An A0 sheet in full tone has half.
 constexpr double kLongest = 1.6e6;
+constexpr double kMm = 1000;  // in a metre
 
 void check(const HatchOptions& hatch) {
   const auto fault = options::first_fault(hatch_option_rows(), hatch);
@@ -36,12 +36,15 @@ double same_place(std::span<const Surface* const> surfaces) {
   return 1e-4 * box.diagonal() + 2 * tolerance;
 }
 
-// What the tone asks for: the area that strokes of both families cover, in paper mm2, and their
-// length, that area over the distance of neighbours, in mm.
+// Strokes on points in one drawing: some 1 GB.
+constexpr double kMostStrokes = 4e5;
+
+// What the tone asks for: the area that strokes of both families cover, in paper mm2, their length
+// in mm, and how many stand on points.
 struct Work {
-  double area = 0, length = 0;
+  double area = 0, length = 0, strokes = 0;
 };
-Work work_of(const Picture& picture, const ViewRaster& raster) {
+Work work_of(const Picture& picture, const Placing& placing, const ViewRaster& raster) {
   const double cell_area = raster.pitch * raster.pitch;
   Work work;
   for (const RasterCell& cell : raster.cells) {
@@ -50,17 +53,33 @@ Work work_of(const Picture& picture, const ViewRaster& raster) {
       const double ink = picture.share(cell.darkness, family);
       if (!(ink >= picture.options.tone_min && ink > 0)) continue;
       work.area += cell_area;
-      work.length += cell_area / picture.spacing(ink);
+      const Placing::Load load = placing.load(picture, ink);
+      work.length += cell_area * load.length;
+      work.strokes += cell_area * load.strokes;
     }
   }
   return work;
 }
 
+// Refuses more strokes on points than memory should be asked for.
+void check_points(const Picture& picture, const Work& work) {
+  const double over = std::max(work.strokes / kMostStrokes, work.length / kLongest);
+  if (over <= 1) return;
+  const Paper& paper = picture.camera.paper();
+  throw UsageError(fmt::format(
+      "the tone of this style asks for {:.0f} strokes on points, {:.0f} m long in all, on the "
+      "sheet "
+      "of {:g} x {:g} mm, {:.0f} of them and {:.0f} m are the most: take wider strokes "
+      "(hatch.width_min, hatch.width_max){}, a lighter tone or a smaller sheet",
+      work.strokes, work.length / kMm, paper.width, paper.height, kMostStrokes, kLongest / kMm,
+      work.strokes > kMostStrokes ? ", longer ones (hatch.length)" : ""));
+}
+
 // Refuses more strokes than memory should be asked for, before any is placed.
-void check_work(const Picture& picture, const ViewRaster& raster) {
-  const Work work = work_of(picture, raster);
+void check_work(const Picture& picture, const Placing& placing, const ViewRaster& raster) {
+  const Work work = work_of(picture, placing, raster);
+  if (placing.by_chance) return check_points(picture, work);
   if (work.length <= kLongest) return;
-  constexpr double kMm = 1000;  // in a metre
   // Neighbours that are nowhere nearer than this keep the limit; rounded up to two digits.
   const double spacing = 1.1 * work.area / kLongest;
   const Paper& paper = picture.camera.paper();
@@ -147,16 +166,18 @@ StrokeResult trace_strokes(std::span<const Surface* const> surfaces, const Camer
                            const Field& field, const Tone& tone, const ViewProbe& probe,
                            const HatchOptions& options, std::uint64_t seed, RunContext& context) {
   check(options);
-  const Picture picture{surfaces, camera, field, tone, probe, options, seed, same_place(surfaces)};
+  const Placing& placing = find_placing(options.placing);
+  const Picture picture{
+      surfaces, camera, field, tone, probe, options, seed, same_place(surfaces), placing.by_chance};
   context.begin_stage(RunStage::Cover);
   const ViewRaster raster = make_raster(picture, context);
-  check_work(picture, raster);
-  const Coverage coverage = cover_picture(picture, raster, context);
+  check_work(picture, placing, raster);
+  const Coverage coverage = placing.cover(picture, raster, context);
 
   context.begin_stage(RunStage::Trace);
   const std::vector<Family> families =
-      place_families(picture, raster, coverage.seeds, options.cross_from <= 1 ? 2 : 1, context,
-                     [&](double share) { context.progress(0.8 * share); });
+      placing.place(picture, raster, coverage.seeds, options.cross_from <= 1 ? 2 : 1, context,
+                    [&](double share) { context.progress(0.8 * share); });
   Widths widths = solve_widths(picture, raster, families, context);
 
   StrokeResult result;

@@ -5,8 +5,9 @@
 namespace burin::detail {
 namespace {
 
-constexpr double kStep = 0.4;      // paper mm between samples
-constexpr double kProbeEvery = 2;  // samples between two tests of visibility
+constexpr double kStep = 0.4;        // paper mm between samples
+constexpr double kLeastStep = 0.05;  // ... that the last one is not shorter than
+constexpr double kProbeEvery = 2;    // samples between two tests of visibility
 constexpr double kHiddenTail =
     1.2;  // paper mm that a stroke goes on unseen, to be cut exactly later
 constexpr double kHiddenReach = 15;  // paper mm: behind less a stroke comes out as the same line
@@ -193,7 +194,8 @@ StrokeEnd Tracer::advance(std::int32_t part, const StrokeSample& seed, std::opti
   for (int i = 0; i < kMaxSamples; ++i) {
     const double scale = camera.scale_at(at.point.position);
     const double speed = glm::length(camera.velocity(at.point.position, at.tangent)) / scale;
-    const double length = kStep / (scale * std::max(speed, kMinRun));
+    const double pace = std::min(kStep, reach - travelled);
+    const double length = pace / (scale * std::max(speed, kMinRun));
     // Second order: half a step, the direction there, the whole step along it.
     Vec3 tangent = at.tangent;
     const MarchStep half = surface.march(at.point, tangent, 0.5 * length);
@@ -263,7 +265,7 @@ StrokeEnd Tracer::advance(std::int32_t part, const StrokeSample& seed, std::opti
     out.push_back(next);
     if (ends) return StrokeEnd::Edge;
     travelled += ds;
-    if (travelled > reach) return StrokeEnd::Length;
+    if (travelled > reach - kLeastStep) return StrokeEnd::Length;
     at = next;
   }
   return StrokeEnd::Length;

@@ -102,7 +102,7 @@ class WidthSolver {
         const double dark = raster_.cells[i].darkness;
         const double ink =
             f == 1 ? picture_.share(dark).second : 1 - (1 - dark) / std::max(0.05, 1.0 - second[i]);
-        target[i] = mask_[i] * static_cast<float>(std::clamp(ink, 0.0, 1.0));
+        target[i] = mask_[i] * static_cast<float>(picture_.laid(std::clamp(ink, 0.0, 1.0)));
       }
       blur(target);
       Plane ink;
@@ -152,6 +152,10 @@ class WidthSolver {
     for (std::size_t i = 0; i < w.size(); ++i) {
       const StrokeSample& s = stroke.samples[i];
       const double ink = picture_.share(s.darkness, static_cast<int>(f) + 1);
+      if (picture_.by_chance) {
+        w[i] = picture_.free_width(ink);
+        continue;
+      }
       const auto sides = families_[f].grid.sides(
           grid_sample(s, stroke.part, static_cast<std::int32_t>(id)), picture_.spacing(ink));
       w[i] = limit(ink * 0.5 * (sides.left + sides.right));

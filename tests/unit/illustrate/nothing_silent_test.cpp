@@ -74,6 +74,21 @@ TEST(NothingSilent, StrokesThatCanBeDrawnAreNoMatter) {
   EXPECT_EQ(said(draw(box(), light), "strokes.no_direction"), "");
 }
 
+TEST(NothingSilent, StrokesThatBeginAtFewerPlacesAreTold) {
+  TriMesh sheets;
+  for (int i = 0; i < 400; ++i) {
+    const auto v = static_cast<std::uint32_t>(sheets.positions.size());
+    const double y = 0.01 * i;
+    sheets.positions.insert(sheets.positions.end(),
+                            {{0, y, 0}, {60, y, 0}, {60, y, 40}, {0, y, 40}});
+    sheets.triangles.push_back({v, v + 1, v + 2});
+    sheets.triangles.push_back({v, v + 2, v + 3});
+  }
+  const Drawing d = draw(scene_of({std::move(sheets)}), builtin_style("engraving"),
+                         {.direction = {0, -1, 0}, .paper = {100, 80}});
+  EXPECT_NE(said(d, "stroke.many_sheets"), "");
+}
+
 TEST(NothingSilent, AWordThatNoKeyTakesIsAnError) {
   Style style = engraving("principle");
   EXPECT_THROW(check_style(style), UsageError);

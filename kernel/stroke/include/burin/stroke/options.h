@@ -3,12 +3,15 @@
 
 #include <burin/options/row.h>
 
+#include <string>
 #include <vector>
 
 namespace burin {
 
 /// The pen and the hatching; lengths in paper mm, tones as ink coverage (1 - reflectance).
 struct HatchOptions {
+  /// How strokes are placed: the name of a row of kernel/stroke/placing.cpp.
+  std::string placing = "even";
   /// Distance of neighbouring strokes of a family where the tone is darkest and where it is
   /// lightest.
   double spacing_min = 0.9;
@@ -23,6 +26,9 @@ struct HatchOptions {
   /// less, by chance).
   double length_min = 2.5;
   double length_max = 2000;
+  /// About how long the stroke on a point is (a third more or less, by chance), where strokes stand
+  /// on points.
+  double length = 4;
   /// Length over which a stroke's end thins out.
   double taper = 2.5;
   /// 0: equal spacing on paper whatever the slant of the surface; 1: equal spacing on the surface.

@@ -1,0 +1,33 @@
+#include "placing.h"
+
+#include <burin/base/catalogue.h>
+
+#include "placement.h"
+#include "points.h"
+
+#include <array>
+
+namespace burin::detail {
+namespace {
+
+Placing::Load even_load(const Picture& picture, double ink) {
+  return {.length = 1 / picture.spacing(ink)};
+}
+
+constexpr std::array kPlacings{
+    Placing{"even", "long lines at even distances", cover_picture, place_families, even_load},
+    Placing{"points", "a short stroke on each of many independent random points", cover_points,
+            place_on_points, points_load, true},
+    Placing{"discs", "the same, on points that keep clear of each other", cover_discs,
+            place_on_points, points_load, true},
+};
+
+}  // namespace
+
+std::span<const Placing> placings() { return kPlacings; }
+
+const Placing& find_placing(std::string_view name) {
+  return find_row(placings(), name, "hatch.placing");
+}
+
+}  // namespace burin::detail

@@ -1,0 +1,263 @@
+#include "points.h"
+
+#include <burin/base/parallel.h>
+#include <burin/base/rng.h>
+
+#include "sample_grid.h"
+#include "tracer.h"
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <optional>
+#include <thread>
+
+namespace burin::detail {
+namespace {
+
+// Seen points that are tried for each disc: more add few.
+constexpr double kDarts = 4;
+// Tried so often, discs of diameter d fill a plane with about so many points in d^2.
+constexpr double kPacking = 0.52;
+// Times that more points are asked for, twice as many each, where too few of a part are seen.
+constexpr int kRounds = 4;
+// Points that are asked for beyond what a part needs on average, so that one round mostly does.
+constexpr double kSpare = 1.1;
+
+// Points that a surface is asked for at a time: some 300 MB.
+constexpr double kMostAsked = 4e6;
+
+double mean_length(const HatchOptions& o) { return o.length - std::min(o.taper, 0.4 * o.length); }
+
+// Points a paper mm2 for strokes that are to cover a share `ink` of it.
+double density(const Picture& picture, double ink) {
+  const HatchOptions& o = picture.options;
+  if (!(ink >= o.tone_min && ink > 0)) return 0;
+  return picture.laid(ink) / (picture.free_width(ink) * mean_length(o));
+}
+
+// What a part shows: paper mm2, the points that its strokes of one family ask for, and how many a
+// mm2 are the most.
+struct Shown {
+  double area = 0, points = 0, densest = 0;
+};
+
+std::vector<Shown> shown_by_part(const Picture& picture, const ViewRaster& raster, int family) {
+  std::vector<Shown> shown(picture.surfaces.size());
+  const double cell = raster.pitch * raster.pitch;
+  for (const RasterCell& c : raster.cells) {
+    if (c.part < 0) continue;
+    Shown& s = shown[static_cast<std::size_t>(c.part)];
+    s.area += cell;
+    const double many = density(picture, picture.share(c.darkness, family));
+    s.points += cell * many;
+    s.densest = std::max(s.densest, many);
+  }
+  return shown;
+}
+
+// The largest area on paper that a model mm2 of a part has.
+double largest_scale(const Surface& surface, const Camera& camera) {
+  const auto& positions = surface.proxy().mesh.positions;
+  if (!camera.perspective()) return camera.area_scale(positions.front());
+  double most = 0;
+  for (const Vec3& p : positions) most = std::max(most, camera.area_scale(p));
+  return most;
+}
+
+// A triangle of a closed part that faces away is never seen.
+void skip_what_turns_away(const Camera& camera, CoverRequest& request) {
+  request.among = [&camera, all = request.among](Vec3 a, Vec3 b, Vec3 c) {
+    return glm::dot(glm::cross(b - a, c - a), camera.to_viewer(a)) > 0 && (!all || all(a, b, c));
+  };
+}
+
+// Points of one family, part by part.
+class PointCover {
+ public:
+  PointCover(const Picture& picture, const ViewRaster& raster, bool discs, int family,
+             SampleGrid& grid, Coverage& out, const RunContext& context)
+      : picture_(picture),
+        raster_(raster),
+        discs_(discs),
+        family_(family),
+        grid_(grid),
+        out_(out),
+        context_(context) {}
+
+  void run() {
+    const std::vector<Shown> shown = shown_by_part(picture_, raster_, family_);
+    for (std::size_t part = 0; part < shown.size(); ++part) {
+      if (shown[part].points > 0) cover(static_cast<std::int32_t>(part), shown[part]);
+    }
+  }
+
+ private:
+  // Asks the surface for so many points that enough of them are seen.
+  void cover(std::int32_t part, const Shown& shown) {
+    const Surface& surface = picture_.surface(part);
+    const Box2 box = box_of(raster_);
+    const double sheets = projected_area(surface, picture_.camera, box) / shown.area;
+    const double most = std::max(1.0, kMostSheets * box.size().x * box.size().y / shown.area);
+    const auto wanted =
+        static_cast<std::size_t>(std::ceil((discs_ ? kDarts : 1) * std::max(1.0, shown.points)));
+    CoverRequest request = request_of(picture_, part, box);
+    request.seed += static_cast<std::uint64_t>(family_ - 1);
+    request.weight = weight(surface, box, shown.densest);
+    if (!is_two_sided(surface)) skip_what_turns_away(picture_.camera, request);
+    request.count = static_cast<std::size_t>(std::min(
+        kMostAsked, kSpare * static_cast<double>(wanted) * std::clamp(sheets, 1.0, most)));
+    std::size_t seen = 0, begin = 0;
+    for (int round = 0; round < kRounds && seen < wanted; ++round) {
+      const std::vector<SurfacePoint> points = surface.cover(request, context_);
+      take(part, points, begin, wanted, seen);
+      if (points.size() < request.count) break;  // there are no more
+      if (2 * static_cast<double>(request.count) > kMostAsked) break;
+      // The same points come first again.
+      begin = points.size();
+      request.count *= 2;
+    }
+    // One in ten is what the tone can spare.
+    if (10 * seen < 9 * wanted && wanted > kFew) ++out_.thinned_parts;
+  }
+
+  // A cell of the raster may have missed what is a little darker: it gets no more than that cell.
+  std::function<double(Vec3, Vec3)> weight(const Surface& surface, const Box2& box,
+                                           double densest) const {
+    const double largest = largest_scale(surface, picture_.camera);
+    const bool two_sided = is_two_sided(surface);
+    return [this, box, densest, largest, two_sided](Vec3 position, Vec3 normal) {
+      const Camera& camera = picture_.camera;
+      if (!box.contains(camera.to_paper(position))) return 0.0;
+      const double cosine = glm::dot(normal, camera.to_viewer(position));
+      const double facing = two_sided ? std::abs(cosine) : std::max(0.0, cosine);
+      if (facing <= 0) return 0.0;
+      const double ink =
+          picture_.share(picture_.darkness(position, cosine < 0 ? -normal : normal), family_);
+      return facing * camera.area_scale(position) / largest *
+             std::min(1.0, density(picture_, ink) / densest);
+    };
+  }
+
+  // From `begin` on, until `wanted` points have been seen.
+  void take(std::int32_t part, const std::vector<SurfacePoint>& points, std::size_t begin,
+            std::size_t wanted, std::size_t& seen) {
+    constexpr std::size_t kGrain = 128;
+    if (begin >= points.size()) return;
+    std::vector<GridSample> samples(points.size() - begin);
+    std::vector<std::uint8_t> visible(samples.size());
+    parallel_for(
+        samples.size(), kGrain,
+        [&](std::size_t first, std::size_t last) {
+          for (std::size_t i = first; i < last; ++i) {
+            const PointOnPaper at = on_paper(picture_, part, points[begin + i]);
+            samples[i] = at.sample;
+            visible[i] = picture_.seen(part, at.face, at.sample.paper, at.sample.depth) ? 1 : 0;
+          }
+        },
+        &context_);
+    for (std::size_t i = 0; i < samples.size() && seen < wanted; ++i) {
+      if (!visible[i]) continue;
+      ++seen;
+      const SurfacePoint& point = points[begin + i];
+      if (discs_ && taken(part, point, samples[i])) continue;
+      grid_.insert(samples[i]);
+      out_.seeds.push_back({part, point, family_});
+    }
+  }
+
+  bool taken(std::int32_t part, const SurfacePoint& point, const GridSample& sample) const {
+    const Vec3 normal = picture_.surface(part).frame(point).normal;
+    const bool away = glm::dot(normal, picture_.camera.to_viewer(point.position)) < 0;
+    const double ink =
+        picture_.share(picture_.darkness(point.position, away ? -normal : normal), family_);
+    const double many = density(picture_, ink);
+    if (!(many > 0)) return true;
+    const double diameter = std::sqrt(kPacking / many);
+    return grid_.nearest(sample, diameter).distance < diameter;
+  }
+
+  static constexpr std::size_t kFew = 16;
+
+  const Picture& picture_;
+  const ViewRaster& raster_;
+  bool discs_;
+  int family_;
+  SampleGrid& grid_;
+  Coverage& out_;
+  const RunContext& context_;
+};
+
+Coverage cover(const Picture& picture, const ViewRaster& raster, bool discs,
+               const RunContext& context) {
+  // As far apart as points are where the tone is lightest.
+  const double apart = std::clamp(1 / std::sqrt(density(picture, picture.options.tone_min)),
+                                  picture.options.width_min, picture.options.spacing_max);
+  const auto grid = [&] {
+    return SampleGrid(raster.origin, raster.pitch * Vec2(raster.nx, raster.ny), apart);
+  };
+  Coverage out;
+  SampleGrid first = grid();
+  PointCover(picture, raster, discs, 1, first, out, context).run();
+  out.delta = measure_delta(picture, raster, first, apart, 4 * apart, context);
+  if (picture.options.cross_from <= 1) {
+    SampleGrid second = grid();
+    PointCover(picture, raster, discs, 2, second, out, context).run();
+  }
+  return out;
+}
+
+}  // namespace
+
+Coverage cover_points(const Picture& picture, const ViewRaster& raster, const RunContext& context) {
+  return cover(picture, raster, false, context);
+}
+
+Coverage cover_discs(const Picture& picture, const ViewRaster& raster, const RunContext& context) {
+  return cover(picture, raster, true, context);
+}
+
+std::vector<Family> place_on_points(const Picture& picture, const ViewRaster& /*raster*/,
+                                    const std::vector<Seed>& seeds, int families,
+                                    const RunContext& context,
+                                    const std::function<void(double)>& progress) {
+  constexpr std::size_t kGrain = 32;
+  const SampleGrid nobody({0, 0}, {0, 0}, 1);
+  std::vector<std::optional<TracedStroke>> strokes(seeds.size());
+  std::atomic<std::size_t> done{0};
+  const auto caller = std::this_thread::get_id();
+  parallel_for(
+      seeds.size(), kGrain,
+      [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) {
+          const Seed& seed = seeds[i];
+          const Tracer tracer(picture, nobody, seed.family);
+          StrokeSample at;
+          if (!tracer.seed(seed.part, seed.point, Vec3(0), at)) continue;
+          // Equal strokes would look ruled.
+          const Rng rng(picture.seed, static_cast<std::uint64_t>(seed.part),
+                        static_cast<std::uint64_t>(seed.family));
+          const double reach = picture.options.length * (1.0 / 3 + rng.uniform(i) / 3);
+          TracedStroke stroke = tracer.trace(seed.part, at, reach);
+          if (stroke.samples.size() > 1) strokes[i] = std::move(stroke);
+        }
+        const std::size_t sum = done += end - begin;
+        if (std::this_thread::get_id() == caller) {
+          progress(static_cast<double>(sum) / static_cast<double>(seeds.size()));
+        }
+      },
+      &context);
+  std::vector<Family> out(static_cast<std::size_t>(families), Family{{}, nobody});
+  for (auto& stroke : strokes) {
+    if (!stroke) continue;
+    out[static_cast<std::size_t>(stroke->family - 1)].strokes.push_back(std::move(*stroke));
+  }
+  return out;
+}
+
+Placing::Load points_load(const Picture& picture, double ink) {
+  const double points = density(picture, ink);
+  return {.length = points * picture.options.length, .strokes = points};
+}
+
+}  // namespace burin::detail
