@@ -62,6 +62,22 @@ Style engraving() {
   return s;
 }
 
+/// Full tone by many short, thin strokes, laid as a hand lays them.
+Style pencil() {
+  Style s = engraving();
+  s.line.outer = 0.35;
+  s.line.crease = 0.2;
+  s.line.smooth = 0.13;
+  s.hatch.placing = "discs";
+  s.hatch.length = 5;
+  s.hatch.taper = 2;
+  s.hatch.width_min = 0.09;
+  s.hatch.width_max = 0.2;
+  s.hatch.tone_min = 0.02;
+  s.hatch.cross_from = 0.45;
+  return s;
+}
+
 /// Light strokes; lines behind others stand clear of them, and what is far is thin.
 Style haloed() {
   Style s = technical();
@@ -103,6 +119,8 @@ constexpr std::array kBuiltin{
             technical},
     Builtin{"engraving", "full tone: swelling strokes along the form, crossed where it is dark",
             engraving},
+    Builtin{"pencil", "full tone: many short, thin strokes along the form, as a hand lays them",
+            pencil},
     Builtin{"haloed", "light strokes; lines behind others stand clear of them, far lines are thin",
             haloed},
     Builtin{"wireframe", "all feature lines, hidden ones too: haloes and widths alone tell depth",

@@ -51,7 +51,7 @@ class Convert : public CliTest {
 };
 
 TEST_F(Convert, GivesTheSameBytesForOurOwnFiles) {
-  for (const char* style : {"outline", "technical", "engraving", "haloed", "wireframe"}) {
+  for (const char* style : {"outline", "technical", "engraving", "pencil", "haloed", "wireframe"}) {
     ASSERT_EQ(
         run(fmt::format("draw @/box.off -o @/a.json --hidden dashed --quiet --style {}", style)),
         0);

@@ -324,6 +324,10 @@
       <translation>Richtungsfeld</translation>
     </message>
     <message>
+      <source>full tone: many short, thin strokes along the form, as a hand lays them</source>
+      <translation>voller Ton: viele kurze, dünne Striche entlang der Form, wie von Hand gesetzt</translation>
+    </message>
+    <message>
       <source>full tone: swelling strokes along the form, crossed where it is dark</source>
       <translation>voller Ton: schwellende Striche entlang der Form, gekreuzt, wo es dunkel ist</translation>
     </message>

@@ -90,7 +90,7 @@ struct Style {
   bool operator==(const Style&) const = default;
 };
 
-/// Names and one-line descriptions of the built-in styles: outline, technical, engraving,
+/// Names and one-line descriptions of the built-in styles: outline, technical, engraving, pencil,
 /// haloed, wireframe.
 struct StyleInfo {
   std::string name;
