@@ -103,8 +103,9 @@ class Saving(Case):
         """However late the thread of the runs goes on after it: the panel would say "drawing" for good."""
         told = []
         scheduler().ended.connect(lambda key, error: told.append(scheduler().running(self.obj)))
-        self.obj.Width = 120
+        self.obj.Width = 137  # as no other test draws it: what was drawn once is kept
         self.document.recompute()
+        self.assertTrue(support.until(lambda: scheduler()._current is not None, 20))
         with scheduler()._lock:  # the thread stands still wherever it needs this
             support.until(lambda: told, 3)
         support.drawn()
