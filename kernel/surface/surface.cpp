@@ -14,25 +14,21 @@ namespace {
 // weight.
 constexpr std::uint64_t kDraws = 4;
 
-std::vector<double> cumulative_areas(const TriMesh& mesh, const CoverRequest& request) {
-  std::vector<double> sums(mesh.triangles.size());
-  double total = 0;
+WeightedDraw by_area(const TriMesh& mesh, const CoverRequest& request) {
+  std::vector<double> areas(mesh.triangles.size());
   for (std::uint32_t f = 0; f < mesh.triangles.size(); ++f) {
     const auto& [a, b, c] = mesh.triangles[f];
     const bool counts =
         !request.among || request.among(mesh.positions[a], mesh.positions[b], mesh.positions[c]);
-    sums[f] = total += counts ? mesh.area(f) : 0;
+    areas[f] = counts ? mesh.area(f) : 0;
   }
-  return sums;
+  return WeightedDraw(std::move(areas));
 }
 
 // The candidate number `i`, uniform by area; nothing where the weight rejects it.
-std::optional<ProxyPoint> candidate(const ProxyMesh& p, const std::vector<double>& sums,
+std::optional<ProxyPoint> candidate(const ProxyMesh& p, const WeightedDraw& triangles,
                                     const Rng& rng, const CoverRequest& request, std::size_t i) {
-  const double at = rng.uniform(kDraws * i) * sums.back();
-  const auto it = std::upper_bound(sums.begin(), sums.end(), at);
-  const auto face = static_cast<std::uint32_t>(
-      std::min<std::ptrdiff_t>(it - sums.begin(), static_cast<std::ptrdiff_t>(sums.size()) - 1));
+  const std::uint32_t face = triangles(rng.uniform(kDraws * i));
   const ProxyPoint place{face,
                          uniform_bary(rng.uniform(kDraws * i + 1), rng.uniform(kDraws * i + 2))};
   if (request.weight) {
@@ -47,12 +43,12 @@ std::optional<ProxyPoint> candidate(const ProxyMesh& p, const std::vector<double
 std::vector<SurfacePoint> Surface::cover(const CoverRequest& request,
                                          const RunContext& context) const {
   const ProxyMesh& p = proxy();
-  const std::vector<double> sums = cumulative_areas(p.mesh, request);
-  if (sums.empty() || !(sums.back() > 0)) return {};
+  const WeightedDraw triangles = by_area(p.mesh, request);
+  if (!(triangles.total() > 0)) return {};
   const Rng rng(request.seed, static_cast<std::uint64_t>(request.part));
   const auto places = keep_candidates<ProxyPoint>(
       request.count, kMaxCandidates * request.count, context,
-      [&](std::size_t i) { return candidate(p, sums, rng, request, i); });
+      [&](std::size_t i) { return candidate(p, triangles, rng, request, i); });
   std::vector<SurfacePoint> points;
   points.reserve(places.size());
   for (const ProxyPoint& place : places) points.push_back(lift(place));

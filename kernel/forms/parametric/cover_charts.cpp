@@ -14,14 +14,14 @@ namespace {
 // Random numbers that one candidate uses: the triangle, two coordinates in it, the test.
 constexpr std::uint64_t kDraws = 4;
 // Candidates a point from which a face is covered by the areas of its triangles instead.
-constexpr double kMostWaste = 8;
+constexpr double kMostWaste = 4;
 
 }  // namespace
 
 // What the candidates of one request are drawn from.
 struct ChartsCover::Draw {
   Rng rng;
-  std::vector<double> sums;  // of the weights of the triangles
+  WeightedDraw triangles;
 };
 
 ChartsCover::ChartsCover(const PlacedAtlas& atlas, const ChartMesh& mesh,
@@ -63,11 +63,7 @@ double ChartsCover::weight(std::uint32_t triangle) const {
 
 std::optional<SurfacePoint> ChartsCover::candidate(const Draw& draw, const CoverRequest& request,
                                                    std::size_t i) const {
-  const auto& sums = draw.sums;
-  const double at = draw.rng.uniform(kDraws * i) * sums.back();
-  const auto it = std::upper_bound(sums.begin(), sums.end(), at);
-  const auto triangle = static_cast<std::uint32_t>(
-      std::min<std::ptrdiff_t>(it - sums.begin(), static_cast<std::ptrdiff_t>(sums.size()) - 1));
+  const std::uint32_t triangle = draw.triangles(draw.rng.uniform(kDraws * i));
   const std::int32_t face = mesh_.face[triangle];
   const double a = draw.rng.uniform(kDraws * i + 1), b = draw.rng.uniform(kDraws * i + 2);
   const double bound = bound_[static_cast<std::size_t>(face)];
@@ -86,18 +82,19 @@ std::optional<SurfacePoint> ChartsCover::candidate(const Draw& draw, const Cover
 
 std::vector<SurfacePoint> ChartsCover::points(const CoverRequest& request,
                                               const RunContext& context) const {
-  Draw draw{Rng(request.seed, static_cast<std::uint64_t>(request.part)), {}};
-  draw.sums.resize(mesh_.triangles.size());
-  double total = 0, in_space = 0;
+  std::vector<double> weights(mesh_.triangles.size());
+  double in_space = 0;
   for (std::uint32_t t = 0; t < mesh_.triangles.size(); ++t) {
     const auto& [a, b, c] = mesh_.triangles[t];
     const bool counts =
         !request.among || request.among(mesh_.positions[a], mesh_.positions[b], mesh_.positions[c]);
-    draw.sums[t] = total += counts ? weight(t) : 0;
+    weights[t] = counts ? weight(t) : 0;
     in_space += counts ? area(t) : 0;
   }
-  if (!(total > 0) || !(in_space > 0)) return {};
-  const double waste = std::clamp(total / in_space, 1.0, kMostWaste);
+  const Draw draw{Rng(request.seed, static_cast<std::uint64_t>(request.part)),
+                  WeightedDraw(std::move(weights))};
+  if (!(draw.triangles.total() > 0) || !(in_space > 0)) return {};
+  const double waste = std::clamp(draw.triangles.total() / in_space, 1.0, kMostWaste);
   const auto limit =
       static_cast<std::size_t>(waste * static_cast<double>(kMaxCandidates * request.count));
   return keep_candidates<SurfacePoint>(request.count, limit, context,

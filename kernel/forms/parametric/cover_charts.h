@@ -14,7 +14,7 @@ namespace burin::detail {
 /// Points uniform by area: a triangle is drawn by its size in (u,v) times the bound of |Su x Sv|
 /// over its face, a place in it uniform in (u,v), and kept where a random number times the bound is
 /// below |Su x Sv| there. So trimmed faces need no search for what is inside. Faces whose bound is
-/// not proved, or so far above the mean that nearly all candidates would be thrown away, draw their
+/// not proved, or so far above the mean that most candidates would be thrown away, draw their
 /// triangles by area instead. @cite Elber1998
 class ChartsCover {
  public:

@@ -7,7 +7,9 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace burin {
@@ -22,6 +24,39 @@ inline Vec3 uniform_bary(double a, double b) {
   return {1 - r, r * (1 - b), r * b};
 }
 
+/// Draws one of many by its weight, in constant time: a table tells where to begin to look.
+class WeightedDraw {
+ public:
+  /// The weights are not negative.
+  explicit WeightedDraw(std::vector<double> weights) : sums_(std::move(weights)) {
+    double total = 0;
+    for (double& s : sums_) s = total += s;
+    begin_.reserve(sums_.size());
+    const double step = total / static_cast<double>(std::max<std::size_t>(sums_.size(), 1));
+    std::uint32_t at = 0;
+    for (std::size_t i = 0; i < sums_.size(); ++i) {
+      while (at + 1 < sums_.size() && sums_[at] <= static_cast<double>(i) * step) ++at;
+      begin_.push_back(at);
+    }
+  }
+
+  double total() const { return sums_.empty() ? 0 : sums_.back(); }
+
+  /// The one that a uniform number in [0,1) falls on; `total` is greater than 0.
+  std::uint32_t operator()(double uniform) const {
+    const double at = uniform * sums_.back();
+    const auto n = static_cast<double>(sums_.size());
+    auto i = begin_[std::min(static_cast<std::size_t>(uniform * n), sums_.size() - 1)];
+    while (i > 0 && sums_[i - 1] > at) --i;  // the table's own rounding
+    while (i + 1 < sums_.size() && sums_[i] <= at) ++i;
+    return i;
+  }
+
+ private:
+  std::vector<double> sums_;
+  std::vector<std::uint32_t> begin_;
+};
+
 /// The first `count` of the candidates 0, 1, ... that are kept; fewer where `limit` candidates hold
 /// no more. `candidate(i)` gives an optional and is a pure function of i, called from many threads:
 /// blocks are tried on all cores, those kept are taken in order, and no result depends on the
@@ -30,7 +65,7 @@ template <class T, class Candidate>
 std::vector<T> keep_candidates(std::size_t count, std::size_t limit, const RunContext& context,
                                const Candidate& candidate) {
   constexpr std::size_t kGrain = 1024;
-  constexpr std::size_t kMostAtOnce = std::size_t{1} << 18;
+  constexpr std::size_t kMostAtOnce = std::size_t{1} << 16;
   std::vector<T> points;
   points.reserve(std::min(count, limit));
   std::vector<std::optional<T>> kept;
