@@ -28,11 +28,12 @@ struct Hatched {
     surface = form.realise({.tolerance = 0.05 / camera.scale(), .view = &camera}, context);
   }
 
-  std::vector<Curve3> strokes(const Field& field) {
+  std::vector<Curve3> strokes(const Field& field, const char* placing = "even") {
     const std::vector<const ProxyMesh*> proxies{&surface->proxy()};
     const Occluder occluder(proxies, context);
     const ViewProbe probe = view_probe(occluder, camera);
-    const HatchOptions options{.spacing_min = 1.2,
+    const HatchOptions options{.placing = placing,
+                               .spacing_min = 1.2,
                                .spacing_max = 2.4,
                                .width_max = 0.5,
                                .tone_min = 0.05,
@@ -59,12 +60,12 @@ bool across(const Curve3& c, Vec3 gradient) {
 
 class HeldStrokes : public testing::TestWithParam<FormCase> {};
 
-TEST_P(HeldStrokes, OfPlanesStayInTheirPlane) {
-  Hatched hatched(*GetParam().make(), {});
+/// How far strokes are off the planes that they keep to, in mm of paper.
+double off_planes(Hatched& hatched, const char* placing) {
   const Vec3 normal = glm::normalize(Vec3(1, 0.4, 1.7));
   double worst = 0;
   std::size_t held = 0;
-  const auto strokes = hatched.strokes(field::planes(normal));
+  const auto strokes = hatched.strokes(field::planes(normal), placing);
   for (const Curve3& c : strokes) {
     if (across(c, normal)) continue;
     ++held;
@@ -77,7 +78,33 @@ TEST_P(HeldStrokes, OfPlanesStayInTheirPlane) {
   }
   EXPECT_GE(held, 10U);
   EXPECT_GE(static_cast<double>(held), 0.9 * static_cast<double>(strokes.size()));
-  EXPECT_LT(worst, 0.02) << "mm of paper off the plane";
+  return worst;
+}
+
+TEST_P(HeldStrokes, OfPlanesStayInTheirPlane) {
+  Hatched hatched(*GetParam().make(), {});
+  EXPECT_LT(off_planes(hatched, "even"), 0.02);
+}
+
+TEST_P(HeldStrokes, OnPointsDoSo) {
+  Hatched hatched(*GetParam().make(), {});
+  EXPECT_LT(off_planes(hatched, "points"), 0.02);
+  EXPECT_LT(off_planes(hatched, "discs"), 0.02);
+}
+
+// ... and are as long as asked for, but where the surface bends away within a step.
+TEST_P(HeldStrokes, OnPointsAreShort) {
+  Hatched hatched(*GetParam().make(), {});
+  const auto strokes = hatched.strokes(field::fixed({0.3, 0.2, 1}), "discs");
+  EXPECT_GE(strokes.size(), 100U);
+  for (const Curve3& c : strokes) {
+    double length = 0;
+    for (std::size_t i = 1; i < c.points.size(); ++i) {
+      length += glm::distance(hatched.camera.to_paper(c.points[i]),
+                              hatched.camera.to_paper(c.points[i - 1]));
+    }
+    EXPECT_LE(length, 1.1 * 4.0 / 3 * HatchOptions().length);
+  }
 }
 
 TEST_P(HeldStrokes, UprightOnTheSheetAreUpright) {
