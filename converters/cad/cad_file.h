@@ -3,7 +3,7 @@
 
 #include <burin/base/diagnostics.h>
 #include <burin/base/run_context.h>
-#include <burin/forms/parametric/chart.h>
+#include <burin/forms/charted/chart.h>
 
 #include "source.h"
 

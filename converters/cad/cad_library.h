@@ -4,7 +4,7 @@
 #include <burin/base/run_context.h>
 #include <burin/converters/cad_reader.h>
 #include <burin/converters/file_info.h>
-#include <burin/forms/parametric/chart.h>
+#include <burin/forms/charted/chart.h>
 #include <burin/surface/scene.h>
 
 #include <filesystem>

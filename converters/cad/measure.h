@@ -2,7 +2,7 @@
 
 #include <burin/converters/file_info.h>
 #include <burin/forms/brep/occt/brep_model.h>
-#include <burin/forms/parametric/chart.h>
+#include <burin/forms/charted/chart.h>
 
 namespace burin {
 

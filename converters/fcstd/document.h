@@ -2,7 +2,7 @@
 // A FreeCAD document as it stands in its archive; internal to the room.
 
 #include <burin/base/run_context.h>
-#include <burin/forms/parametric/chart.h>
+#include <burin/forms/charted/chart.h>
 
 #include "package.h"
 #include "source.h"

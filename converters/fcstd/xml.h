@@ -1,7 +1,7 @@
 #pragma once
 // XML of FreeCAD's; internal to the room. Numbers are converted free of the locale.
 
-#include <burin/forms/parametric/chart.h>
+#include <burin/forms/charted/chart.h>
 
 #include "source.h"
 

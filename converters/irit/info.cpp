@@ -1,6 +1,6 @@
 #include <burin/converters/irit_reader.h>
 #include <burin/forms/implicit/implicit_form.h>
-#include <burin/forms/parametric/parametric_form.h>
+#include <burin/forms/patches/parametric_form.h>
 
 #include "reader.h"
 #include "triangles_info.h"

@@ -3,7 +3,7 @@
 #include <burin/base/error.h>
 #include <burin/forms/implicit/implicit_form.h>
 #include <burin/forms/mesh/mesh_form.h>
-#include <burin/forms/parametric/parametric_form.h>
+#include <burin/forms/patches/parametric_form.h>
 #include <burin/repair/repair.h>
 
 #include "color.h"

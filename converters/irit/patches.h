@@ -1,7 +1,7 @@
 #pragma once
 /// Bezier patches of Geomview and plain patch lists.
 
-#include <burin/forms/parametric/nurbs.h>
+#include <burin/forms/charted/nurbs.h>
 
 #include "source.h"
 

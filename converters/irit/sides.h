@@ -2,7 +2,7 @@
 /// Which patches lie side by side.
 
 #include <burin/base/disjoint_sets.h>
-#include <burin/forms/parametric/chart.h>
+#include <burin/forms/charted/chart.h>
 
 #include <memory>
 #include <vector>

@@ -1,7 +1,7 @@
 #pragma once
 /// Bezier patches in homogeneous coordinates.
 
-#include <burin/forms/parametric/nurbs.h>
+#include <burin/forms/charted/nurbs.h>
 
 #include <vector>
 

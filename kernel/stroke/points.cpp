@@ -105,8 +105,8 @@ class PointCover {
     request.seed += static_cast<std::uint64_t>(family_ - 1);
     request.weight = weight(surface, box, shown.densest);
     if (!is_two_sided(surface)) skip_what_turns_away(picture_.camera, request);
-    request.count = static_cast<std::size_t>(std::min(
-        kMostAsked, kSpare * static_cast<double>(wanted) * std::clamp(sheets, 1.0, most)));
+    request.count = static_cast<std::size_t>(
+        std::min(kMostAsked, kSpare * static_cast<double>(wanted) * std::clamp(sheets, 1.0, most)));
     std::size_t seen = 0, begin = 0;
     for (int round = 0; round < kRounds && seen < wanted; ++round) {
       const std::vector<SurfacePoint> points = surface.cover(request, context_);

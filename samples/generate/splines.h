@@ -1,7 +1,7 @@
 #pragma once
 /// Spline models: surfaces that sweep circles, and the files they are written to.
 
-#include <burin/forms/parametric/nurbs.h>
+#include <burin/forms/charted/nurbs.h>
 
 #include <filesystem>
 #include <string>

@@ -1,8 +1,8 @@
 // Parametric forms. Budgets a core: second-order evaluations of a bicubic B-spline 10 M/s along a
 // stroke, 5 M/s at random places; 10,000 points of Algorithm 1 on the horn in 10 ms.
 
-#include <burin/forms/parametric/coverage.h>
-#include <burin/forms/parametric/nurbs.h>
+#include <burin/forms/charted/coverage.h>
+#include <burin/forms/charted/nurbs.h>
 
 #include <benchmark/benchmark.h>
 #include <burin_test/horn.h>

@@ -1,7 +1,7 @@
 // Exact forms: what a stroke asks of a charted surface, and the time to make one. Budgets: a march
 // of a stroke's step 1 us, a frame 0.2 us, the teapot's triangles with cuts 0.1 s on one core.
 
-#include <burin/forms/parametric/parametric_form.h>
+#include <burin/forms/patches/parametric_form.h>
 
 #include <benchmark/benchmark.h>
 #include <burin_test/charts.h>

@@ -1,11 +1,11 @@
 #pragma once
 /// The forms that the conformance suite runs over. A new form adds its lines to `form_cases`.
 
+#include <burin/forms/charted/nurbs.h>
 #include <burin/forms/implicit/expression.h>
 #include <burin/forms/implicit/implicit_form.h>
 #include <burin/forms/mesh/mesh_form.h>
-#include <burin/forms/parametric/nurbs.h>
-#include <burin/forms/parametric/parametric_form.h>
+#include <burin/forms/patches/parametric_form.h>
 
 #include <BRepPrimAPI_MakeTorus.hxx>
 #include <burin_test/brep_shapes.h>

@@ -1,7 +1,7 @@
 #pragma once
 /// Planes, cylinders, cones, spheres and tori in OCCT's parametrisation, in closed form.
 
-#include <burin/forms/parametric/chart.h>
+#include <burin/forms/charted/chart.h>
 
 #include <memory>
 

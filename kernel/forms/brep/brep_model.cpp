@@ -1,5 +1,5 @@
 #include <burin/base/error.h>
-#include <burin/forms/parametric/refine.h>
+#include <burin/forms/charted/refine.h>
 
 #include "analytic_chart.h"
 #include "chart_mesh_builder.h"

@@ -1,7 +1,7 @@
 #pragma once
 /// A ChartMesh from the triangulations that OCCT's mesher left on the faces.
 
-#include <burin/forms/parametric/raw_mesh.h>
+#include <burin/forms/charted/raw_mesh.h>
 
 #include "model_parts.h"
 

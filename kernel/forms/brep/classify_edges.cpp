@@ -1,5 +1,5 @@
 #include <burin/base/parallel.h>
-#include <burin/forms/parametric/continuity.h>
+#include <burin/forms/charted/continuity.h>
 
 #include "contain.h"
 #include "model_parts.h"

@@ -2,7 +2,7 @@
 /// Faces that cannot be drawn from their charts: triangles of their own, joined to nothing.
 
 #include <burin/forms/brep/loose_triangles.h>
-#include <burin/forms/parametric/atlas.h>
+#include <burin/forms/charted/atlas.h>
 #include <burin/surface/scene.h>
 
 #include <memory>

@@ -1,7 +1,7 @@
 #pragma once
 /// Triangles of a shape whose edges may have three faces, made manifold.
 
-#include <burin/forms/parametric/refine.h>
+#include <burin/forms/charted/refine.h>
 
 #include <vector>
 

@@ -1,5 +1,5 @@
 #include <burin/base/error.h>
-#include <burin/forms/parametric/nurbs.h>
+#include <burin/forms/charted/nurbs.h>
 
 #include "occt_vec.h"
 #include "surface_chart.h"

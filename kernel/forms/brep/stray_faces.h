@@ -1,7 +1,7 @@
 #pragma once
 /// Faces whose edges do not lie on them: what an exporter or a damaged file has torn apart.
 
-#include <burin/forms/parametric/raw_mesh.h>
+#include <burin/forms/charted/raw_mesh.h>
 
 #include <cstdint>
 #include <vector>

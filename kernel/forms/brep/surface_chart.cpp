@@ -1,7 +1,7 @@
 #include "surface_chart.h"
 
 #include <burin/base/error.h>
-#include <burin/forms/parametric/nurbs.h>
+#include <burin/forms/charted/nurbs.h>
 
 #include "analytic_chart.h"
 #include "occt_vec.h"

@@ -1,7 +1,7 @@
 #pragma once
 /// Charts of OCCT's surfaces.
 
-#include <burin/forms/parametric/chart.h>
+#include <burin/forms/charted/chart.h>
 
 #include <Geom_Surface.hxx>
 

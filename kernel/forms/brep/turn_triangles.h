@@ -1,7 +1,7 @@
 #pragma once
 /// Triangles the other way round.
 
-#include <burin/forms/parametric/atlas.h>
+#include <burin/forms/charted/atlas.h>
 
 #include <span>
 #include <vector>

@@ -3,9 +3,9 @@
 /// them.
 
 #include <burin/contour_cut/contour_cut.h>
-#include <burin/forms/parametric/atlas_sampler.h>
-#include <burin/forms/parametric/nurbs.h>
-#include <burin/forms/parametric/wedge_normals.h>
+#include <burin/forms/charted/atlas_sampler.h>
+#include <burin/forms/charted/nurbs.h>
+#include <burin/forms/charted/wedge_normals.h>
 
 #include <burin_test/charts.h>
 

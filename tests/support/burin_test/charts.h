@@ -1,8 +1,8 @@
 #pragma once
 /// Analytic charts, and charted surfaces of one face over a plain grid.
 
-#include <burin/forms/parametric/charted_surface.h>
-#include <burin/forms/parametric/nurbs.h>
+#include <burin/forms/charted/charted_surface.h>
+#include <burin/forms/charted/nurbs.h>
 
 #include <burin_test/shapes.h>
 

@@ -1,7 +1,7 @@
 #pragma once
 /// The horn: a circular cross section that sweeps a helix while its radius grows.
 
-#include <burin/forms/parametric/nurbs.h>
+#include <burin/forms/charted/nurbs.h>
 
 #include <cmath>
 #include <numbers>

@@ -2,7 +2,7 @@
 /// NURBS surfaces whose truth is known: revolutions as rational quadratics, and random ones.
 
 #include <burin/base/rng.h>
-#include <burin/forms/parametric/nurbs.h>
+#include <burin/forms/charted/nurbs.h>
 
 #include <cmath>
 #include <numbers>

@@ -4,7 +4,7 @@
 #include <burin/base/error.h>
 #include <burin/converters/irit_reader.h>
 #include <burin/converters/irit_tree.h>
-#include <burin/forms/parametric/parametric_form.h>
+#include <burin/forms/patches/parametric_form.h>
 
 #include <burin_test/folder.h>
 #include <fmt/format.h>

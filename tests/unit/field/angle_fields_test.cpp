@@ -1,6 +1,6 @@
 #include <burin/field/field.h>
-#include <burin/forms/parametric/nurbs.h>
-#include <burin/forms/parametric/parametric_form.h>
+#include <burin/forms/charted/nurbs.h>
+#include <burin/forms/patches/parametric_form.h>
 
 #include <burin_test/fields.h>
 #include <burin_test/nurbs_shapes.h>

@@ -1,7 +1,7 @@
 // Splines whose parametrisation breaks at knots of full multiplicity, where the surface is smooth.
 
-#include <burin/forms/parametric/parametric_form.h>
-#include <burin/forms/parametric/refine.h>
+#include <burin/forms/charted/refine.h>
+#include <burin/forms/patches/parametric_form.h>
 
 #include <burin_test/nurbs_shapes.h>
 #include <gtest/gtest.h>

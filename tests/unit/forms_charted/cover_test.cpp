@@ -1,6 +1,6 @@
 // Algorithm 1 over faces that are trimmed, welded and placed.
-#include <burin/forms/parametric/coverage.h>
-#include <burin/forms/parametric/parametric_form.h>
+#include <burin/forms/charted/coverage.h>
+#include <burin/forms/patches/parametric_form.h>
 
 #include <burin_test/charts.h>
 #include <burin_test/nurbs_shapes.h>

@@ -1,7 +1,7 @@
 // The same shape as a mesh and as NURBS draws the same.
 
 #include <burin/forms/mesh/mesh_form.h>
-#include <burin/forms/parametric/parametric_form.h>
+#include <burin/forms/patches/parametric_form.h>
 #include <burin/illustrate/illustrate.h>
 
 #include <burin_test/charts.h>

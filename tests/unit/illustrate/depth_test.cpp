@@ -1,10 +1,10 @@
 // Haloes and depth cues, drawn of all forms.
 #include <burin/drawing/writers.h>
+#include <burin/forms/charted/nurbs.h>
 #include <burin/forms/implicit/expression.h>
 #include <burin/forms/implicit/implicit_form.h>
 #include <burin/forms/mesh/mesh_form.h>
-#include <burin/forms/parametric/nurbs.h>
-#include <burin/forms/parametric/parametric_form.h>
+#include <burin/forms/patches/parametric_form.h>
 #include <burin/illustrate/illustrate.h>
 
 #include <burin_test/nurbs_shapes.h>

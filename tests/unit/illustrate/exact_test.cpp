@@ -1,6 +1,6 @@
 // Drawings of exact forms: what each path says of the faces that it runs over.
 
-#include <burin/forms/parametric/parametric_form.h>
+#include <burin/forms/patches/parametric_form.h>
 #include <burin/illustrate/illustrate.h>
 
 #include "burin_test/charts.h"

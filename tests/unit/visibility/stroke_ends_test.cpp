@@ -6,7 +6,7 @@
 #include <burin/forms/implicit/expression.h>
 #include <burin/forms/implicit/implicit_form.h>
 #include <burin/forms/mesh/mesh_form.h>
-#include <burin/forms/parametric/parametric_form.h>
+#include <burin/forms/patches/parametric_form.h>
 #include <burin/illustrate/view_probe.h>
 #include <burin/stroke/stroke.h>
 #include <burin/visibility/visible_spans.h>

@@ -3,7 +3,7 @@
 
 #include <burin/base/run_context.h>
 #include <burin/converters/file_info.h>
-#include <burin/forms/parametric/chart.h>
+#include <burin/forms/charted/chart.h>
 #include <burin/surface/scene.h>
 
 #include <filesystem>

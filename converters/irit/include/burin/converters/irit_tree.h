@@ -2,8 +2,8 @@
 /// What an IRIT data file holds, as it stands there.
 
 #include <burin/base/run_context.h>
+#include <burin/forms/charted/nurbs.h>
 #include <burin/forms/implicit/volume_function.h>
-#include <burin/forms/parametric/nurbs.h>
 
 #include <cstdint>
 #include <filesystem>

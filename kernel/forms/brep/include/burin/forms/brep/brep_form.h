@@ -1,7 +1,7 @@
 #pragma once
 /// Trimmed faces and solids of a CAD part as a form (OCCT behind it).
 
-#include <burin/forms/parametric/chart.h>
+#include <burin/forms/charted/chart.h>
 #include <burin/surface/scene.h>
 
 #include <cstdint>

@@ -3,10 +3,10 @@
 
 #include <burin/contour_cut/contour_cut.h>
 #include <burin/forms/brep/loose_triangles.h>
-#include <burin/forms/parametric/atlas.h>
-#include <burin/forms/parametric/atlas_sampler.h>
-#include <burin/forms/parametric/charted_surface.h>
-#include <burin/forms/parametric/wedge_normals.h>
+#include <burin/forms/charted/atlas.h>
+#include <burin/forms/charted/atlas_sampler.h>
+#include <burin/forms/charted/charted_surface.h>
+#include <burin/forms/charted/wedge_normals.h>
 #include <burin/surface/scene.h>
 
 #include <functional>

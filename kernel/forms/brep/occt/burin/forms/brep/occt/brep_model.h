@@ -6,7 +6,7 @@
 #include <burin/base/run_context.h>
 #include <burin/forms/brep/brep_form.h>
 #include <burin/forms/brep/loose_triangles.h>
-#include <burin/forms/parametric/atlas.h>
+#include <burin/forms/charted/atlas.h>
 
 #include <Geom_Surface.hxx>
 #include <TopoDS_Shape.hxx>
