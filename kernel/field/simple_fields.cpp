@@ -60,6 +60,15 @@ Field screen_vertical(const Camera& camera) {
                        [camera, unit](Vec3 p) { return unit * camera.to_paper(p).x; });
 }
 
+Field silhouette(const Camera& camera) {
+  // What stands still along them is the distance to the viewer.
+  return contour_lines(
+      "silhouette", [camera](Vec3 p) { return camera.to_viewer(p); },
+      [camera](Vec3 p) {
+        return camera.perspective() ? -camera.distance_to_viewer(p) : camera.depth(p);
+      });
+}
+
 Field isoparametric() {
   return {"isoparametric", [](const FieldQuery& q) -> std::optional<Cross> {
             const double du = glm::length(q.frame.du), dv = glm::length(q.frame.dv);

@@ -90,6 +90,9 @@ struct Picture {
     return by_chance ? -std::log1p(-std::min(ink, kMost)) : ink;
   }
 
+  /// The share that such a sum covers.
+  double covered(double laid) const { return by_chance ? -std::expm1(-laid) : std::min(1.0, laid); }
+
   /// The width of a stroke that no neighbour tells how wide to be.
   double free_width(double ink) const {
     return options.width_min + (options.width_max - options.width_min) * ink;

@@ -36,8 +36,8 @@ double density(const Picture& picture, double ink) {
   return picture.laid(ink) / (picture.free_width(ink) * mean_length(o));
 }
 
-// What a part shows: paper mm2, the points that its strokes of one family ask for, and how many a
-// mm2 are the most.
+// What a part shows: paper mm2, the points that its strokes of one family ask for, and the most
+// that a mm2 of its surface gets, in points a paper mm2 seen square on.
 struct Shown {
   double area = 0, points = 0, densest = 0;
 };
@@ -51,7 +51,7 @@ std::vector<Shown> shown_by_part(const Picture& picture, const ViewRaster& raste
     s.area += cell;
     const double many = density(picture, picture.share(c.darkness, family));
     s.points += cell * many;
-    s.densest = std::max(s.densest, many);
+    s.densest = std::max(s.densest, many * c.facing);
   }
   return shown;
 }
@@ -111,7 +111,7 @@ class PointCover {
     for (int round = 0; round < kRounds && seen < wanted; ++round) {
       const std::vector<SurfacePoint> points = surface.cover(request, context_);
       take(part, points, begin, wanted, seen);
-      if (points.size() < request.count) break;  // there are no more
+      if (points.size() == begin) break;  // there are no more
       if (2 * static_cast<double>(request.count) > kMostAsked) break;
       // The same points come first again.
       begin = points.size();
@@ -121,7 +121,6 @@ class PointCover {
     if (10 * seen < 9 * wanted && wanted > kFew) ++out_.thinned_parts;
   }
 
-  // A cell of the raster may have missed what is a little darker: it gets no more than that cell.
   std::function<double(Vec3, Vec3)> weight(const Surface& surface, const Box2& box,
                                            double densest) const {
     const double largest = largest_scale(surface, picture_.camera);
@@ -134,8 +133,8 @@ class PointCover {
       if (facing <= 0) return 0.0;
       const double ink =
           picture_.share(picture_.darkness(position, cosine < 0 ? -normal : normal), family_);
-      return facing * camera.area_scale(position) / largest *
-             std::min(1.0, density(picture_, ink) / densest);
+      const double wanted = facing * density(picture_, ink) / (kMissed * densest);
+      return camera.area_scale(position) / largest * std::min(1.0, wanted);
     };
   }
 
@@ -178,6 +177,8 @@ class PointCover {
   }
 
   static constexpr std::size_t kFew = 16;
+  // What is darker than every cell of the raster, but by less than this, gets what it asks for.
+  static constexpr double kMissed = 1.1;
 
   const Picture& picture_;
   const ViewRaster& raster_;

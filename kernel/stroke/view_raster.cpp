@@ -42,10 +42,11 @@ ViewRaster make_raster(const Picture& picture, const RunContext& context) {
             const ProxyMesh& proxy = picture.surface(hit->part).proxy();
             const Vec3 p = proxy.position(hit->point.face, hit->point.bary);
             Vec3 n = proxy.normal(hit->point.face, hit->point.bary);
-            if (glm::dot(n, picture.camera.to_viewer(p)) < 0) n = -n;
-            raster.cells[y * nx + x] = {hit->part, proxy.face_region[hit->point.face],
-                                        picture.camera.depth(p),
-                                        static_cast<float>(picture.darkness(p, n))};
+            const double cosine = glm::dot(n, picture.camera.to_viewer(p));
+            if (cosine < 0) n = -n;
+            raster.cells[y * nx + x] = {
+                hit->part, proxy.face_region[hit->point.face], picture.camera.depth(p),
+                static_cast<float>(picture.darkness(p, n)), static_cast<float>(std::abs(cosine))};
           }
         }
       },

@@ -16,6 +16,7 @@ struct RasterCell {
   std::int32_t region = -1;
   double depth = 0;
   float darkness = 0;
+  float facing = 0;  // cosine between the normal turned to the viewer and the view
 };
 
 struct ViewRaster {

@@ -111,7 +111,7 @@ class WidthSolver {
         ink = deposit(f);
         correct(f, target, ink);
       }
-      if (f == 1) second = normalised(deposit(f));
+      if (f == 1) second = covered(deposit(f));
     }
     return std::move(widths_);
   }
@@ -119,9 +119,11 @@ class WidthSolver {
  private:
   void blur(Plane& p) const { box_blur(p, raster_.nx, raster_.ny, radius_); }
 
-  Plane normalised(Plane p) const {
+  // The share of the paper that is covered, of what was laid.
+  Plane covered(Plane p) const {
     for (std::size_t i = 0; i < p.size(); ++i) {
-      p[i] = blurred_mask_[i] > 0 ? std::min(1.0f, p[i] / blurred_mask_[i]) : 0.0f;
+      p[i] = blurred_mask_[i] > 0 ? static_cast<float>(picture_.covered(p[i] / blurred_mask_[i]))
+                                  : 0.0f;
     }
     return p;
   }

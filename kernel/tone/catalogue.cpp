@@ -37,6 +37,14 @@ Tone facing(const Camera& camera, const ToneOptions& options) {
   };
 }
 
+/// @cite Elber1998
+Tone silhouette(const Camera& camera, const ToneOptions& options) {
+  return [camera, decay = options.decay](Vec3 position, Vec3 normal) {
+    const double facing = std::abs(glm::dot(normal, camera.to_viewer(position)));
+    return 1 - std::pow(std::max(0.0, 1 - facing), decay);
+  };
+}
+
 Tone constant(const Camera& /*camera*/, const ToneOptions& options) {
   return [lightness = options.ambient](Vec3 /*position*/, Vec3 /*normal*/) { return lightness; };
 }
@@ -45,6 +53,7 @@ constexpr std::array kLaws{
     Law{"lambert", "the angle to the light, as on matt surfaces", true, lambert},
     Law{"phong", "the same, and the light mirrored, as on polished surfaces", true, phong},
     Law{"facing", "the angle to the viewer", false, facing},
+    Law{"silhouette", "only where the surface turns away is it dark", false, silhouette},
     Law{"constant", "nothing: tone.ambient everywhere", false, constant},
 };
 

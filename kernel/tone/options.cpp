@@ -23,6 +23,8 @@ std::vector<OptionRow<ToneOptions>> rows() {
              "lightness that the mirrored light adds (tone.law phong)"),
       number("shininess", &ToneOptions::shininess, {1, 1000},
              "how narrow the mirrored light is (tone.law phong)"),
+      number("decay", &ToneOptions::decay, {0.1, 100},
+             "how fast the dark falls off from the silhouettes (tone.law silhouette)"),
       number("highlight", &ToneOptions::highlight, {0, 2},
              "lightness from which the paper stays white"),
       number("rim", &ToneOptions::rim, {0, 1},

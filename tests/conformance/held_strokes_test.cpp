@@ -107,6 +107,33 @@ TEST_P(HeldStrokes, OnPointsAreShort) {
   }
 }
 
+TEST_P(HeldStrokes, AlongTheSilhouettesKeepTheirDistanceToTheViewer) {
+  for (const auto& perspective : {std::optional<double>(), std::optional<double>(45)}) {
+    Hatched hatched(*GetParam().make(), perspective);
+    const Camera& camera = hatched.camera;
+    const auto distance = [&](Vec3 p) {
+      return perspective ? -camera.distance_to_viewer(p) : camera.depth(p);
+    };
+    double worst = 0;
+    std::size_t held = 0;
+    const auto strokes = hatched.strokes(field::silhouette(camera));
+    for (const Curve3& c : strokes) {
+      const Vec3 middle = c.points[c.points.size() / 2];
+      if (across(c, camera.to_viewer(middle))) continue;
+      ++held;
+      double low = 1e300, high = -1e300;
+      for (const Vec3& p : c.points) {
+        low = std::min(low, distance(p));
+        high = std::max(high, distance(p));
+      }
+      worst = std::max(worst, camera.scale_at(middle) * (high - low));
+    }
+    EXPECT_GE(held, 10U);
+    EXPECT_GE(static_cast<double>(held), 0.9 * static_cast<double>(strokes.size()));
+    EXPECT_LT(worst, 0.02) << "mm of paper, " << perspective.value_or(0);
+  }
+}
+
 TEST_P(HeldStrokes, UprightOnTheSheetAreUpright) {
   for (const auto& perspective : {std::optional<double>(), std::optional<double>(45)}) {
     Hatched hatched(*GetParam().make(), perspective);

@@ -206,6 +206,26 @@ TEST(ScreenVerticalField, IsUprightOnTheSheet) {
   }
 }
 
+TEST(SilhouetteField, IsAcrossTheNormalAndTheLineOfSight) {
+  const auto s = test::realised(test::ellipsoid({1, 2, 3}, 60, 40), false);
+  for (const auto& perspective : {std::optional<double>(), std::optional<double>(60)}) {
+    const Camera camera = camera_of(*s, {1, -1, 2}, perspective);
+    const Field field = field::silhouette(camera);
+    int asked = 0;
+    for (const Probe& p : test::probes(*s, 3)) {
+      const auto along = test::direction(field, p.query()), to = test::direction(field, p.query(2));
+      if (!along) continue;
+      ++asked;
+      const Vec3 view = camera.to_viewer(p.point.position);
+      EXPECT_NEAR(std::abs(glm::dot(*along, glm::normalize(glm::cross(p.frame.normal, view)))), 1,
+                  1e-12);
+      // The other way is that of the line of sight on the surface.
+      EXPECT_NEAR(std::abs(glm::dot(*to, glm::normalize(reject(view, p.frame.normal)))), 1, 1e-12);
+    }
+    EXPECT_GT(asked, 200);
+  }
+}
+
 TEST(IsoparametricField, RunsAlongParametersOrNotAtAll) {
   const auto s = exact(test::torus_nurbs(3, 1));
   const Field field = field::isoparametric();

@@ -60,8 +60,8 @@ TEST(NothingSilent, StrokesWithoutADirectionAreTold) {
 
 TEST(NothingSilent, StrokesThatCanBeDrawnAreNoMatter) {
   const Scene torus = scene_of({test::torus(20, 8, 64, 32)});
-  for (const char* field :
-       {"smoothed", "principal", "isophote", "isophote-light", "steepest", "screen-vertical"}) {
+  for (const char* field : {"smoothed", "principal", "isophote", "isophote-light", "steepest",
+                            "silhouette", "screen-vertical"}) {
     const Drawing d = draw(torus, engraving(field));
     EXPECT_TRUE(d.diagnostics.empty()) << field << ": " << d.diagnostics.entries().front().message;
   }

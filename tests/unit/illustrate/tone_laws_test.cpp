@@ -95,6 +95,15 @@ TEST(ToneLaws, ConstantIsTheAmbientLight) {
   EXPECT_NEAR(at("constant", {-1, 2, 0.1}), 0.2, 1e-12);
 }
 
+TEST(ToneLaws, SilhouetteFallsOffFromWhereTheSurfaceTurnsAway) {
+  EXPECT_NEAR(at("silhouette", {1, 0, 0}), 0, 1e-12);
+  EXPECT_NEAR(at("silhouette", {4, 0, 3}), 1 - std::pow(0.4, 3), 1e-12);
+  EXPECT_NEAR(at("silhouette", {0, 0, 1}), 1, 1e-12);
+  tone::ToneOptions o = options("silhouette");
+  o.decay = 1;
+  EXPECT_NEAR(tone::make(camera(), o)({}, glm::normalize(Vec3(3, 0, 4))), 0.8, 1e-12);
+}
+
 TEST(ToneLaws, RimAndHighlightAreOfEveryLaw) {
   tone::ToneOptions o = options("constant");
   o.highlight = 0.5;

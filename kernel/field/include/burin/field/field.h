@@ -68,6 +68,10 @@ Field planes(Vec3 normal);
 /// sight and up cut the surface (in perspective they turn about the eye), family 2 at a right
 /// angle. Nothing where the surface is parallel to them, within half a degree. @cite Elber1998
 Field screen_vertical(const Camera& camera);
+/// Family 1 runs at a right angle to the normal and to the line of sight, as silhouettes do: along
+/// the curves of equal distance to the viewer. Family 2 runs at a right angle, to and from the
+/// silhouettes. Nothing where the surface is seen square on, within half a degree. @cite Elber1998
+Field silhouette(const Camera& camera);
 /// The parameter lines of the chart: family 1 along u, family 2 along v, which need not be at a
 /// right angle. Nothing on forms without parameters (meshes, implicit ones) and at poles.
 Field isoparametric();

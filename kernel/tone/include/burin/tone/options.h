@@ -21,6 +21,8 @@ struct ToneOptions {
   /// The law "phong": gain of the mirrored light, and how narrow it is (its exponent).
   double specular = 0.5;
   double shininess = 20;
+  /// The law "silhouette": how fast the dark falls off from the silhouettes (an exponent).
+  double decay = 3;
   /// What is this light, or lighter, is white paper; tones below are stretched to meet it.
   double highlight = 0.7;
   /// Darkness added where the surface turns away from the viewer, as engravers round a form; 0 =
