@@ -47,13 +47,13 @@ struct Stage {
   ViewProbe probe;
 };
 
-constexpr HatchOptions kOneFamily{.spacing_min = 0.8,
-                                  .spacing_max = 1.6,
-                                  .width_min = 0.1,
-                                  .width_max = 0.5,
-                                  .tone_min = 0.05,
-                                  .cross_from = 2,
-                                  .length_max = 300};
+const HatchOptions kOneFamily{.spacing_min = 0.8,
+                              .spacing_max = 1.6,
+                              .width_min = 0.1,
+                              .width_max = 0.5,
+                              .tone_min = 0.05,
+                              .cross_from = 2,
+                              .length_max = 300};
 
 TEST(Strokes, AreEvenlySpacedAndAsWideAsTheToneAsksOnAPlane) {
   // The front of a box of 60 x 40 mm, hatched upright with 30 % of ink.
