@@ -8,8 +8,8 @@
 #include "march.h"
 
 #include <algorithm>
+#include <memory>
 #include <mutex>
-#include <optional>
 #include <tuple>
 #include <utility>
 
@@ -33,8 +33,7 @@ class ChartedSurface final : public Surface {
 
   std::vector<SurfacePoint> cover(const CoverRequest& request,
                                   const RunContext& context) const override {
-    std::call_once(bounded_, [&] { cover_.emplace(atlas_, mesh_, triangles_, context); });
-    return cover_->points(request, context);
+    return charts_cover(context)->points(request, context);
   }
   MarchStep march(const SurfacePoint& from, Vec3 tangent, double length) const override {
     return detail::March(atlas_, triangles_, lines_, length).run(from, tangent);
@@ -60,10 +59,25 @@ class ChartedSurface final : public Surface {
   ProxyMesh proxy_;
   detail::UvTriangles triangles_;
   detail::BreakLines lines_;
+  std::shared_ptr<const detail::ChartsCover> charts_cover(const RunContext& context) const;
+
   // Made when it is first asked for: a drawing without strokes needs no bounds.
-  mutable std::once_flag bounded_;
-  mutable std::optional<detail::ChartsCover> cover_;
+  mutable std::mutex cover_mutex_;
+  mutable std::shared_ptr<const detail::ChartsCover> cover_;
 };
+
+std::shared_ptr<const detail::ChartsCover> ChartedSurface::charts_cover(
+    const RunContext& context) const {
+  {
+    const std::lock_guard lock(cover_mutex_);
+    if (cover_) return cover_;
+  }
+  // Not under the lock: while its loops wait, this thread may take a task that comes here, too.
+  auto made = std::make_shared<const detail::ChartsCover>(atlas_, mesh_, triangles_, context);
+  const std::lock_guard lock(cover_mutex_);
+  if (!cover_) cover_ = std::move(made);
+  return cover_;
+}
 
 Frame ChartedSurface::frame(const SurfacePoint& point) const {
   const Vec2 uv(point.coords.x, point.coords.y);

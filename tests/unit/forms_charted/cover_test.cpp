@@ -1,4 +1,5 @@
 // Algorithm 1 over faces that are trimmed, welded and placed.
+#include <burin/base/parallel.h>
 #include <burin/forms/charted/coverage.h>
 #include <burin/forms/patches/parametric_form.h>
 
@@ -93,6 +94,20 @@ TEST(CoverOfCharts, GivesTheSamePointsFirstWhereMoreAreAskedFor) {
   const auto few = cover(*surface, 100, 7), many = cover(*surface, 5000, 7);
   ASSERT_EQ(few.size(), 100U);
   for (std::size_t i = 0; i < few.size(); ++i) EXPECT_EQ(few[i].position, many[i].position);
+}
+
+// Loops of one cover may run tasks that ask for another.
+TEST(CoverOfCharts, MayBeAskedForByManyThreadsAtOnce) {
+  const auto surface = surface_of({make_nurbs_chart(test::torus_nurbs(3, 2))});
+  constexpr std::size_t kTasks = 16;
+  std::vector<std::vector<SurfacePoint>> found(kTasks);
+  parallel_for(kTasks, 1, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) found[i] = cover(*surface, 5000, 7);
+  });
+  for (const auto& points : found) {
+    ASSERT_EQ(points.size(), 5000U);
+    EXPECT_EQ(points.back().position, found.front().back().position);
+  }
 }
 
 // Functions have no bound that is proved: their triangles are drawn by area.
