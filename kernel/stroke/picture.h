@@ -58,9 +58,10 @@ struct Picture {
     return camera.depth(nearer) - depth <= same_place;
   }
 
-  /// Ink asked for in [0,1] at a point with its normal turned to the viewer.
-  double darkness(Vec3 position, Vec3 normal) const {
-    return std::clamp(1 - tone(position, normal), 0.0, 1.0);
+  /// Ink asked for in [0,1] at a point; `cosine` is that between its normal and the viewer, to whom
+  /// the tone sees it turned.
+  double darkness(Vec3 position, Vec3 normal, double cosine) const {
+    return std::clamp(1 - tone(position, cosine < 0 ? -normal : normal), 0.0, 1.0);
   }
 
   /// Model mm of depth that a surface seen under a cosine of `facing` may change by a paper mm;

@@ -3,13 +3,13 @@
 #include <burin/base/parallel.h>
 #include <burin/base/rng.h>
 
+#include "shared_progress.h"
+
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 #include <functional>
 #include <map>
 #include <optional>
-#include <thread>
 #include <utility>
 
 namespace burin::detail {
@@ -279,13 +279,8 @@ std::vector<Family> place_families(const Picture& picture, const ViewRaster& ras
                            [&](const Task& t) { return regions[t.region].seeds.size(); });
   const SampleGrid none({0, 0}, {0, 0}, 1);
   std::vector<Family> placed(tasks.size(), Family{{}, none});
-  std::atomic<std::size_t> done{0};
-  const auto caller = std::this_thread::get_id();
-  const double all = static_cast<double>(seeds.size()) * families;
-  const auto report = [&](std::size_t count) {
-    const std::size_t sum = done += count;
-    if (std::this_thread::get_id() == caller) progress(static_cast<double>(sum) / all);
-  };
+  SharedProgress done(static_cast<double>(seeds.size()) * families, progress);
+  const auto report = [&](std::size_t count) { done.add(count); };
   parallel_for(
       tasks.size(), 1,
       [&](std::size_t begin, std::size_t end) {

@@ -2,7 +2,6 @@
 
 #include <burin/base/catalogue.h>
 
-#include "placement.h"
 #include "points.h"
 
 #include <array>

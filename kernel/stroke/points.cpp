@@ -4,13 +4,13 @@
 #include <burin/base/rng.h>
 
 #include "sample_grid.h"
+#include "shared_progress.h"
 #include "tracer.h"
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
+#include <limits>
 #include <optional>
-#include <thread>
 
 namespace burin::detail {
 namespace {
@@ -124,18 +124,16 @@ class PointCover {
   std::function<double(Vec3, Vec3)> weight(const Surface& surface, const Box2& box,
                                            double densest) const {
     const double largest = largest_scale(surface, picture_.camera);
-    const bool two_sided = is_two_sided(surface);
-    return [this, box, densest, largest, two_sided](Vec3 position, Vec3 normal) {
-      const Camera& camera = picture_.camera;
-      if (!box.contains(camera.to_paper(position))) return 0.0;
-      const double cosine = glm::dot(normal, camera.to_viewer(position));
-      const double facing = two_sided ? std::abs(cosine) : std::max(0.0, cosine);
-      if (facing <= 0) return 0.0;
-      const double ink =
-          picture_.share(picture_.darkness(position, cosine < 0 ? -normal : normal), family_);
-      const double wanted = facing * density(picture_, ink) / (kMissed * densest);
-      return camera.area_scale(position) / largest * std::min(1.0, wanted);
-    };
+    return weight_in_picture(
+        picture_, surface, box, [=, this](Vec3 position, double darkness, double facing) {
+          const double wanted = facing * asked(darkness) / (kMissed * densest);
+          return picture_.camera.area_scale(position) / largest * std::min(1.0, wanted);
+        });
+  }
+
+  // Points a paper mm2.
+  double asked(double darkness) const {
+    return density(picture_, picture_.share(darkness, family_));
   }
 
   // From `begin` on, until `wanted` points have been seen.
@@ -145,6 +143,7 @@ class PointCover {
     if (begin >= points.size()) return;
     std::vector<GridSample> samples(points.size() - begin);
     std::vector<std::uint8_t> visible(samples.size());
+    std::vector<double> keeps(discs_ ? samples.size() : 0);  // distance to all others
     parallel_for(
         samples.size(), kGrain,
         [&](std::size_t first, std::size_t last) {
@@ -152,28 +151,29 @@ class PointCover {
             const PointOnPaper at = on_paper(picture_, part, points[begin + i]);
             samples[i] = at.sample;
             visible[i] = picture_.seen(part, at.face, at.sample.paper, at.sample.depth) ? 1 : 0;
+            if (discs_ && visible[i]) keeps[i] = diameter(part, points[begin + i]);
           }
         },
         &context_);
     for (std::size_t i = 0; i < samples.size() && seen < wanted; ++i) {
       if (!visible[i]) continue;
       ++seen;
-      const SurfacePoint& point = points[begin + i];
-      if (discs_ && taken(part, point, samples[i])) continue;
+      if (discs_ && taken(samples[i], keeps[i])) continue;
       grid_.insert(samples[i]);
-      out_.seeds.push_back({part, point, family_});
+      out_.seeds.push_back({part, points[begin + i], family_});
     }
   }
 
-  bool taken(std::int32_t part, const SurfacePoint& point, const GridSample& sample) const {
+  bool taken(const GridSample& sample, double diameter) const {
+    return !std::isfinite(diameter) || grid_.nearest(sample, diameter).distance < diameter;
+  }
+
+  // Of a disc; infinite where no ink is asked for.
+  double diameter(std::int32_t part, const SurfacePoint& point) const {
     const Vec3 normal = picture_.surface(part).frame(point).normal;
-    const bool away = glm::dot(normal, picture_.camera.to_viewer(point.position)) < 0;
-    const double ink =
-        picture_.share(picture_.darkness(point.position, away ? -normal : normal), family_);
-    const double many = density(picture_, ink);
-    if (!(many > 0)) return true;
-    const double diameter = std::sqrt(kPacking / many);
-    return grid_.nearest(sample, diameter).distance < diameter;
+    const double cosine = glm::dot(normal, picture_.camera.to_viewer(point.position));
+    const double many = asked(picture_.darkness(point.position, normal, cosine));
+    return many > 0 ? std::sqrt(kPacking / many) : std::numeric_limits<double>::infinity();
   }
 
   static constexpr std::size_t kFew = 16;
@@ -225,8 +225,7 @@ std::vector<Family> place_on_points(const Picture& picture, const ViewRaster& /*
   constexpr std::size_t kGrain = 32;
   const SampleGrid nobody({0, 0}, {0, 0}, 1);
   std::vector<std::optional<TracedStroke>> strokes(seeds.size());
-  std::atomic<std::size_t> done{0};
-  const auto caller = std::this_thread::get_id();
+  SharedProgress done(static_cast<double>(seeds.size()), progress);
   parallel_for(
       seeds.size(), kGrain,
       [&](std::size_t begin, std::size_t end) {
@@ -242,10 +241,7 @@ std::vector<Family> place_on_points(const Picture& picture, const ViewRaster& /*
           TracedStroke stroke = tracer.trace(seed.part, at, reach);
           if (stroke.samples.size() > 1) strokes[i] = std::move(stroke);
         }
-        const std::size_t sum = done += end - begin;
-        if (std::this_thread::get_id() == caller) {
-          progress(static_cast<double>(sum) / static_cast<double>(seeds.size()));
-        }
+        done.add(end - begin);
       },
       &context);
   std::vector<Family> out(static_cast<std::size_t>(families), Family{{}, nobody});

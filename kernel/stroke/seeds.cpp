@@ -184,16 +184,10 @@ Coverage cover_picture(const Picture& picture, const ViewRaster& raster,
     CoverRequest request = request_of(picture, static_cast<std::int32_t>(part), box);
     request.count =
         static_cast<std::size_t>(kCandidates * tried / (o.spacing_max * o.spacing_max)) + 64;
-    const bool two_sided = is_two_sided(surface);
-    request.weight = [&](Vec3 position, Vec3 normal) {
-      if (!box.contains(camera.to_paper(position))) return 0.0;
-      const double cosine = glm::dot(normal, camera.to_viewer(position));
-      const double facing = two_sided ? std::abs(cosine) : std::max(0.0, cosine);
-      if (facing <= 0) return 0.0;
-      if (picture.share(picture.darkness(position, cosine < 0 ? -normal : normal), 1) < o.tone_min)
-        return 0.0;
-      return facing;
-    };
+    request.weight = weight_in_picture(
+        picture, surface, box, [&](Vec3 /*position*/, double darkness, double facing) {
+          return picture.share(darkness, 1) < o.tone_min ? 0.0 : facing;
+        });
     off[part] = static_cast<bool>(request.among);
     for (const SurfacePoint& p : surface.cover(request, context)) {
       const auto [s, face] = on_paper(picture, request.part, p);

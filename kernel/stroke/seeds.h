@@ -44,6 +44,20 @@ bool is_two_sided(const Surface& surface);
 /// off `box` only what reaches into it.
 CoverRequest request_of(const Picture& picture, std::int32_t part, const Box2& box);
 
+/// The weight of a coverage that is uniform in the picture, of what can be seen of a surface within
+/// `box`: `share(position, darkness, facing)`, with the ink asked for and the cosine to the viewer.
+template <class Share>
+std::function<double(Vec3, Vec3)> weight_in_picture(const Picture& picture, const Surface& surface,
+                                                    const Box2& box, const Share& share) {
+  return [&picture, box, two_sided = is_two_sided(surface), share](Vec3 position, Vec3 normal) {
+    const Camera& camera = picture.camera;
+    if (!box.contains(camera.to_paper(position))) return 0.0;
+    const double cosine = glm::dot(normal, camera.to_viewer(position));
+    const double facing = two_sided ? std::abs(cosine) : std::max(0.0, cosine);
+    return facing > 0 ? share(position, picture.darkness(position, normal, cosine), facing) : 0.0;
+  };
+}
+
 /// A surface point as the grid of samples keeps it, and its triangle.
 struct PointOnPaper {
   GridSample sample;

@@ -82,7 +82,7 @@ bool Tracer::fill(std::int32_t part, const SurfacePoint& point, Vec3 previous,
   out.slope = Picture::slope(out.facing, camera.scale_at(point.position));
   out.face = place.face;
   out.region = surface.proxy().face_region[place.face];
-  out.darkness = picture_.darkness(point.position, cosine < 0 ? -frame.normal : frame.normal);
+  out.darkness = picture_.darkness(point.position, frame.normal, cosine);
   out.visible = cosine > 0 || !surface.proxy().closed(place.face);
   return true;
 }

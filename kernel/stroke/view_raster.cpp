@@ -41,12 +41,12 @@ ViewRaster make_raster(const Picture& picture, const RunContext& context) {
             if (!hit) continue;
             const ProxyMesh& proxy = picture.surface(hit->part).proxy();
             const Vec3 p = proxy.position(hit->point.face, hit->point.bary);
-            Vec3 n = proxy.normal(hit->point.face, hit->point.bary);
+            const Vec3 n = proxy.normal(hit->point.face, hit->point.bary);
             const double cosine = glm::dot(n, picture.camera.to_viewer(p));
-            if (cosine < 0) n = -n;
-            raster.cells[y * nx + x] = {
-                hit->part, proxy.face_region[hit->point.face], picture.camera.depth(p),
-                static_cast<float>(picture.darkness(p, n)), static_cast<float>(std::abs(cosine))};
+            raster.cells[y * nx + x] = {hit->part, proxy.face_region[hit->point.face],
+                                        picture.camera.depth(p),
+                                        static_cast<float>(picture.darkness(p, n, cosine)),
+                                        static_cast<float>(std::abs(cosine))};
           }
         }
       },

@@ -14,17 +14,6 @@ namespace {
 // weight.
 constexpr std::uint64_t kDraws = 4;
 
-WeightedDraw by_area(const TriMesh& mesh, const CoverRequest& request) {
-  std::vector<double> areas(mesh.triangles.size());
-  for (std::uint32_t f = 0; f < mesh.triangles.size(); ++f) {
-    const auto& [a, b, c] = mesh.triangles[f];
-    const bool counts =
-        !request.among || request.among(mesh.positions[a], mesh.positions[b], mesh.positions[c]);
-    areas[f] = counts ? mesh.area(f) : 0;
-  }
-  return WeightedDraw(std::move(areas));
-}
-
 // The candidate number `i`, uniform by area; nothing where the weight rejects it.
 std::optional<ProxyPoint> candidate(const ProxyMesh& p, const WeightedDraw& triangles,
                                     const Rng& rng, const CoverRequest& request, std::size_t i) {
@@ -43,7 +32,8 @@ std::optional<ProxyPoint> candidate(const ProxyMesh& p, const WeightedDraw& tria
 std::vector<SurfacePoint> Surface::cover(const CoverRequest& request,
                                          const RunContext& context) const {
   const ProxyMesh& p = proxy();
-  const WeightedDraw triangles = by_area(p.mesh, request);
+  const WeightedDraw triangles =
+      weigh_triangles(p.mesh, request, [&](std::uint32_t f) { return p.mesh.area(f); });
   if (!(triangles.total() > 0)) return {};
   const Rng rng(request.seed, static_cast<std::uint64_t>(request.part));
   const auto places = keep_candidates<ProxyPoint>(

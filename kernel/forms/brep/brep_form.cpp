@@ -22,7 +22,7 @@ Box3 BrepForm::bounds(const Mat3& axes) const {
 std::shared_ptr<const Surface> BrepForm::realise(const RealiseOptions& options,
                                                  RunContext& context) const {
   context.begin_stage(RunStage::Build);
-  const double scale = std::cbrt(std::abs(glm::determinant(placement_.linear)));
+  const double scale = placement_.scale();
   if (!(scale > 0)) throw GeometryError("the placement of a part has no extent");
   const std::shared_ptr<const BrepTriangles> mesh =
       model_->tessellate(options.tolerance / scale, context, options.diagnostics);

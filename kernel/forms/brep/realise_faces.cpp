@@ -58,7 +58,7 @@ std::shared_ptr<const Surface> realise_faces(const PlacedAtlas& atlas, const Cha
                                              const LooseTriangles& loose,
                                              const RealiseOptions& options,
                                              const RunContext& context, const FaceStages& stages) {
-  const double scale = std::cbrt(std::abs(glm::determinant(atlas.placement.linear)));
+  const double scale = atlas.placement.scale();
   LooseTriangles parted;
   SurfacePtr joined;
   bool found = true;

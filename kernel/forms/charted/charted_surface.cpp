@@ -53,14 +53,13 @@ class ChartedSurface final : public Surface {
   };
   std::vector<WedgeCorner> wedge_corners() const;
   Frame corner_frame(HalfEdge corner) const;
+  std::shared_ptr<const detail::ChartsCover> charts_cover(const RunContext& context) const;
 
   PlacedAtlas atlas_;
   ChartMesh mesh_;
   ProxyMesh proxy_;
   detail::UvTriangles triangles_;
   detail::BreakLines lines_;
-  std::shared_ptr<const detail::ChartsCover> charts_cover(const RunContext& context) const;
-
   // Made when it is first asked for: a drawing without strokes needs no bounds.
   mutable std::mutex cover_mutex_;
   mutable std::shared_ptr<const detail::ChartsCover> cover_;
@@ -73,7 +72,7 @@ std::shared_ptr<const detail::ChartsCover> ChartedSurface::charts_cover(
     if (cover_) return cover_;
   }
   // Not under the lock: while its loops wait, this thread may take a task that comes here, too.
-  auto made = std::make_shared<const detail::ChartsCover>(atlas_, mesh_, triangles_, context);
+  auto made = std::make_shared<const detail::ChartsCover>(atlas_, proxy_.mesh, triangles_, context);
   const std::lock_guard lock(cover_mutex_);
   if (!cover_) cover_ = std::move(made);
   return cover_;

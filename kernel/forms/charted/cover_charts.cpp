@@ -24,17 +24,17 @@ struct ChartsCover::Draw {
   WeightedDraw triangles;
 };
 
-ChartsCover::ChartsCover(const PlacedAtlas& atlas, const ChartMesh& mesh,
+ChartsCover::ChartsCover(const PlacedAtlas& atlas, const TriMesh& mesh,
                          const UvTriangles& triangles, const RunContext& context)
     : atlas_(atlas), mesh_(mesh), triangles_(triangles), bound_(atlas.atlas->face_count(), 0) {
   const std::size_t faces = bound_.size();
   std::vector<double> in_space(faces, 0), in_parameters(faces, 0);
   for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
-    const auto f = static_cast<std::size_t>(mesh.face[t]);
-    in_space[f] += area(t);
+    const auto f = static_cast<std::size_t>(triangles.face(t));
+    in_space[f] += mesh.area(t);
     in_parameters[f] += triangles.draw_area(t);
   }
-  const double scale2 = std::pow(std::abs(glm::determinant(atlas.placement.linear)), 2.0 / 3);
+  const double scale = atlas.placement.scale();
   parallel_for(
       faces, 1,
       [&](std::size_t begin, std::size_t end) {
@@ -43,28 +43,22 @@ ChartsCover::ChartsCover(const PlacedAtlas& atlas, const ChartMesh& mesh,
           const auto bound =
               proved_area_bound(atlas_.atlas->chart(static_cast<std::int32_t>(f)), context);
           if (!bound || !(bound->value > 0) || !std::isfinite(bound->value)) continue;
-          const double value = bound->value * scale2;
+          const double value = bound->value * scale * scale;
           if (value * in_parameters[f] <= kMostWaste * in_space[f]) bound_[f] = value;
         }
       },
       &context);
 }
 
-double ChartsCover::area(std::uint32_t triangle) const {
-  const auto& [a, b, c] = mesh_.triangles[triangle];
-  const auto& p = mesh_.positions;
-  return 0.5 * glm::length(glm::cross(p[b] - p[a], p[c] - p[a]));
-}
-
 double ChartsCover::weight(std::uint32_t triangle) const {
-  const double bound = bound_[static_cast<std::size_t>(mesh_.face[triangle])];
-  return bound > 0 ? bound * triangles_.draw_area(triangle) : area(triangle);
+  const double bound = bound_[static_cast<std::size_t>(triangles_.face(triangle))];
+  return bound > 0 ? bound * triangles_.draw_area(triangle) : mesh_.area(triangle);
 }
 
 std::optional<SurfacePoint> ChartsCover::candidate(const Draw& draw, const CoverRequest& request,
                                                    std::size_t i) const {
   const std::uint32_t triangle = draw.triangles(draw.rng.uniform(kDraws * i));
-  const std::int32_t face = mesh_.face[triangle];
+  const std::int32_t face = triangles_.face(triangle);
   const double a = draw.rng.uniform(kDraws * i + 1), b = draw.rng.uniform(kDraws * i + 2);
   const double bound = bound_[static_cast<std::size_t>(face)];
   const UvDraw place = bound > 0 ? triangles_.draw(triangle, a, b) : UvDraw{uniform_bary(a, b)};
@@ -82,17 +76,12 @@ std::optional<SurfacePoint> ChartsCover::candidate(const Draw& draw, const Cover
 
 std::vector<SurfacePoint> ChartsCover::points(const CoverRequest& request,
                                               const RunContext& context) const {
-  std::vector<double> weights(mesh_.triangles.size());
   double in_space = 0;
-  for (std::uint32_t t = 0; t < mesh_.triangles.size(); ++t) {
-    const auto& [a, b, c] = mesh_.triangles[t];
-    const bool counts =
-        !request.among || request.among(mesh_.positions[a], mesh_.positions[b], mesh_.positions[c]);
-    weights[t] = counts ? weight(t) : 0;
-    in_space += counts ? area(t) : 0;
-  }
   const Draw draw{Rng(request.seed, static_cast<std::uint64_t>(request.part)),
-                  WeightedDraw(std::move(weights))};
+                  weigh_triangles(mesh_, request, [&](std::uint32_t t) {
+                    in_space += mesh_.area(t);
+                    return weight(t);
+                  })};
   if (!(draw.triangles.total() > 0) || !(in_space > 0)) return {};
   const double waste = std::clamp(draw.triangles.total() / in_space, 1.0, kMostWaste);
   const auto limit =

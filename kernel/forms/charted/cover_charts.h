@@ -19,7 +19,7 @@ namespace burin::detail {
 class ChartsCover {
  public:
   /// All must outlive this. Cost: 10 us a bicubic span, once.
-  ChartsCover(const PlacedAtlas& atlas, const ChartMesh& mesh, const UvTriangles& triangles,
+  ChartsCover(const PlacedAtlas& atlas, const TriMesh& mesh, const UvTriangles& triangles,
               const RunContext& context);
 
   /// As Surface::cover. Cost: 0.2 us a candidate.
@@ -32,11 +32,10 @@ class ChartsCover {
   struct Draw;
   std::optional<SurfacePoint> candidate(const Draw& draw, const CoverRequest& request,
                                         std::size_t i) const;
-  double area(std::uint32_t triangle) const;
   double weight(std::uint32_t triangle) const;
 
   const PlacedAtlas& atlas_;
-  const ChartMesh& mesh_;
+  const TriMesh& mesh_;
   const UvTriangles& triangles_;
   // A face: a bound of |Su x Sv| in place; 0 = its triangles are drawn by area.
   std::vector<double> bound_;

@@ -39,7 +39,7 @@ Candidates::Candidates(const Chart& chart, const CoverageOptions& options)
       box_(chart.domain()),
       rng_(options.seed, static_cast<std::uint64_t>(options.part),
            static_cast<std::uint64_t>(options.face)),
-      scale2_(std::pow(std::abs(glm::determinant(options.placement.linear)), 2.0 / 3)) {
+      scale2_(options.placement.scale() * options.placement.scale()) {
   if (options.norm != CoverageNorm::Picture) return;
   if (!options.camera) throw GeometryError("coverage uniform in the picture needs a camera");
   picture_scale2_ = picture_bound();

@@ -57,6 +57,19 @@ inline TriMesh ellipsoid(Vec3 half, std::uint32_t nu, std::uint32_t nv) {
   return m;
 }
 
+/// Rectangles of 60 x 40 mm along x and z, 0.01 mm apart along y: a crowd as damaged files are.
+inline TriMesh stacked_sheets(int count) {
+  TriMesh mesh;
+  for (int i = 0; i < count; ++i) {
+    const auto v = static_cast<std::uint32_t>(mesh.positions.size());
+    const double y = 0.01 * i;
+    mesh.positions.insert(mesh.positions.end(), {{0, y, 0}, {60, y, 0}, {60, y, 40}, {0, y, 40}});
+    mesh.triangles.push_back({v, v + 1, v + 2});
+    mesh.triangles.push_back({v, v + 2, v + 3});
+  }
+  return mesh;
+}
+
 /// Axis-aligned box.
 inline TriMesh box(Vec3 min, Vec3 max) {
   TriMesh m;

@@ -75,16 +75,7 @@ TEST(NothingSilent, StrokesThatCanBeDrawnAreNoMatter) {
 }
 
 TEST(NothingSilent, StrokesThatBeginAtFewerPlacesAreTold) {
-  TriMesh sheets;
-  for (int i = 0; i < 400; ++i) {
-    const auto v = static_cast<std::uint32_t>(sheets.positions.size());
-    const double y = 0.01 * i;
-    sheets.positions.insert(sheets.positions.end(),
-                            {{0, y, 0}, {60, y, 0}, {60, y, 40}, {0, y, 40}});
-    sheets.triangles.push_back({v, v + 1, v + 2});
-    sheets.triangles.push_back({v, v + 2, v + 3});
-  }
-  const Drawing d = draw(scene_of({std::move(sheets)}), builtin_style("engraving"),
+  const Drawing d = draw(scene_of({test::stacked_sheets(400)}), builtin_style("engraving"),
                          {.direction = {0, -1, 0}, .paper = {100, 80}});
   EXPECT_NE(said(d, "stroke.many_sheets"), "");
 }

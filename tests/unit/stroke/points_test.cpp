@@ -1,19 +1,16 @@
 // Strokes that stand on the points of a coverage, as in the paper.
 #include <burin/base/error.h>
 #include <burin/base/parallel.h>
-#include <burin/forms/mesh/mesh_form.h>
-#include <burin/illustrate/view_probe.h>
 #include <burin/stroke/stroke.h>
-#include <burin/visibility/occluder.h>
 
 #include "burin_test/shapes.h"
+#include "burin_test/stroke_stage.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 #include <memory>
-#include <mutex>
 #include <string>
 
 namespace burin {
@@ -44,38 +41,9 @@ class Noted final : public Surface {
 
 constexpr double kLength = 3;
 
-struct Stage {
-  explicit Stage(TriMesh mesh, const char* view = "front", bool perspective = false)
-      : form(std::move(mesh)) {
-    surface = std::make_unique<Noted>(form.realise({}, context));
-    proxies = {&surface->proxy()};
-    surfaces = {surface.get()};
-    occluder = std::make_unique<Occluder>(proxies, context);
-    const NamedView v = named_view(view);
-    ViewOptions options{.direction = v.direction, .up = v.up, .paper = {100, 100}};
-    if (perspective) {
-      options.perspective = 50;
-    } else {
-      options.scale = 1;
-    }
-    camera = Camera::fit([&](const Mat3& axes) { return form.bounds(axes); }, options);
-    probe = view_probe(*occluder, camera);
-  }
-  StrokeResult strokes(const Field& field, double tone, const HatchOptions& options,
-                       std::uint64_t seed = 1) {
-    return trace_strokes(
-        surfaces, camera, field, [tone](Vec3, Vec3) { return tone; }, probe, options, seed,
-        context);
-  }
-
-  RunContext context;
-  MeshForm form;
-  std::unique_ptr<Noted> surface;
-  std::vector<const ProxyMesh*> proxies;
-  std::vector<const Surface*> surfaces;
-  std::unique_ptr<Occluder> occluder;
-  Camera camera = Camera::fit([](const Mat3&) { return Box3{Vec3(0), Vec3(1)}; }, {});
-  ViewProbe probe;
+struct Stage : test::StrokeStage {
+  explicit Stage(TriMesh mesh, const char* view = "front")
+      : StrokeStage(std::move(mesh), view, 1) {}
 };
 
 HatchOptions options_of(const std::string& placing) {
@@ -93,7 +61,10 @@ TriMesh plate() { return test::box({0, 0, 0}, {60, 5, 40}); }
 class OnPoints : public ::testing::TestWithParam<const char*> {};
 
 TEST_P(OnPoints, EachStrokeIsCentredOnAPointOfTheCoverage) {
-  Stage stage(plate());
+  std::shared_ptr<const Noted> noted;
+  test::StrokeStage stage(plate(), "front", 1, {}, [&](auto surface) {
+    return noted = std::make_shared<const Noted>(std::move(surface));
+  });
   const StrokeResult r = stage.strokes(field::fixed({0, 0, 1}), 0.7, options_of(GetParam()));
   ASSERT_GT(r.strokes.size(), 300U);
   EXPECT_EQ(r.coverage_points, static_cast<std::int64_t>(r.strokes.size()));
@@ -105,7 +76,7 @@ TEST_P(OnPoints, EachStrokeIsCentredOnAPointOfTheCoverage) {
     if (low < 1e-9 || high > 40 - 1e-9) continue;
     ++whole;
     const Vec3 centre = 0.5 * (c.points.front() + c.points.back());
-    EXPECT_TRUE(std::ranges::any_of(stage.surface->covered, [&](const SurfacePoint& p) {
+    EXPECT_TRUE(std::ranges::any_of(noted->covered, [&](const SurfacePoint& p) {
       return glm::distance(p.position, centre) < 1e-9;
     }));
     EXPECT_GE(high - low, 2.0 / 3 * kLength - 1e-9);
@@ -140,7 +111,7 @@ TEST_P(OnPoints, ArePlacedAsDenselyWhereverPerspectivePutsThem) {
     for (auto& v : t) v += first;
     mesh.triangles.push_back(t);
   }
-  Stage stage(std::move(mesh), "front", true);
+  test::StrokeStage stage(std::move(mesh), "front", {}, 50);
   const StrokeResult r = stage.strokes(field::fixed({0, 0, 1}), 0.7, options_of(GetParam()));
   const auto area = [&](double x0, double x1, double y) {
     const Vec2 a = stage.camera.to_paper({x0, y, 0}), b = stage.camera.to_paper({x1, y, 40});

@@ -1,51 +1,22 @@
 #include <burin/base/error.h>
 #include <burin/base/parallel.h>
 #include <burin/base/rng.h>
-#include <burin/forms/mesh/mesh_form.h>
-#include <burin/illustrate/view_probe.h>
 #include <burin/stroke/stroke.h>
-#include <burin/visibility/occluder.h>
 
 #include "burin_test/shapes.h"
+#include "burin_test/stroke_stage.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
-#include <memory>
 #include <string>
 
 namespace burin {
 namespace {
 
-// One part seen through a camera, with everything that strokes need.
-struct Stage {
-  Stage(TriMesh mesh, const char* view, double scale) : form(std::move(mesh)) {
-    surface = form.realise({}, context);
-    proxies = {&surface->proxy()};
-    surfaces = {surface.get()};
-    occluder = std::make_unique<Occluder>(proxies, context);
-    const NamedView v = named_view(view);
-    camera =
-        Camera::fit([&](const Mat3& axes) { return form.bounds(axes); },
-                    {.direction = v.direction, .up = v.up, .scale = scale, .paper = {100, 100}});
-    probe = view_probe(*occluder, camera);
-  }
-  StrokeResult strokes(const Field& field, double tone, const HatchOptions& options) {
-    return trace_strokes(
-        surfaces, camera, field, [tone](Vec3, Vec3) { return tone; }, probe, options, 1, context);
-  }
-
-  RunContext context;
-  MeshForm form;
-  std::shared_ptr<const Surface> surface;
-  std::vector<const ProxyMesh*> proxies;
-  std::vector<const Surface*> surfaces;
-  std::unique_ptr<Occluder> occluder;
-  Camera camera = Camera::fit([](const Mat3&) { return Box3{Vec3(0), Vec3(1)}; }, {});
-  ViewProbe probe;
-};
+using Stage = test::StrokeStage;
 
 const HatchOptions kOneFamily{.spacing_min = 0.8,
                               .spacing_max = 1.6,
@@ -91,15 +62,7 @@ TEST(Strokes, AreEvenlySpacedAndAsWideAsTheToneAsksOnAPlane) {
 // A damaged file is a crowd of sheets over each other: candidates for seeds are as many as the
 // picture can use, and the caller can tell.
 TEST(Strokes, TryABoundedNumberOfPlacesWhereManySheetsLieOverEachOther) {
-  TriMesh mesh;
-  for (int i = 0; i < 400; ++i) {
-    const auto v = static_cast<std::uint32_t>(mesh.positions.size());
-    const double y = 0.01 * i;
-    mesh.positions.insert(mesh.positions.end(), {{0, y, 0}, {60, y, 0}, {60, y, 40}, {0, y, 40}});
-    mesh.triangles.push_back({v, v + 1, v + 2});
-    mesh.triangles.push_back({v, v + 2, v + 3});
-  }
-  Stage stage(std::move(mesh), "front", 1);
+  Stage stage(test::stacked_sheets(400), "front", 1);
   const StrokeResult r = stage.strokes(field::fixed({0, 0, 1}), 0.7, kOneFamily);
   EXPECT_EQ(r.thinned_parts, 1);
   EXPECT_GT(r.strokes.size(), 30U);

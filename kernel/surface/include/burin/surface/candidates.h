@@ -3,6 +3,7 @@
 
 #include <burin/base/parallel.h>
 #include <burin/base/vec.h>
+#include <burin/surface/surface.h>
 
 #include <algorithm>
 #include <cmath>
@@ -56,6 +57,21 @@ class WeightedDraw {
   std::vector<double> sums_;
   std::vector<std::uint32_t> begin_;
 };
+
+/// The triangles of a mesh that may hold points of a coverage, by `weight(triangle)`, which is
+/// asked for no others.
+template <class Weight>
+WeightedDraw weigh_triangles(const TriMesh& mesh, const CoverRequest& request,
+                             const Weight& weight) {
+  std::vector<double> weights(mesh.triangles.size());
+  for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
+    const auto& [a, b, c] = mesh.triangles[t];
+    const bool counts =
+        !request.among || request.among(mesh.positions[a], mesh.positions[b], mesh.positions[c]);
+    weights[t] = counts ? weight(t) : 0;
+  }
+  return WeightedDraw(std::move(weights));
+}
 
 /// The first `count` of the candidates 0, 1, ... that are kept; fewer where `limit` candidates hold
 /// no more. `candidate(i)` gives an optional and is a pure function of i, called from many threads:

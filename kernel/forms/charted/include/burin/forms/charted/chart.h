@@ -4,6 +4,7 @@
 #include <burin/base/vec.h>
 #include <burin/surface/surface.h>
 
+#include <cmath>
 #include <vector>
 
 namespace burin {
@@ -57,6 +58,7 @@ struct Placement {
   Vec3 point(Vec3 p) const { return linear * p + offset; }
   Vec3 vector(Vec3 v) const { return linear * v; }
   bool mirrors() const { return glm::determinant(linear) < 0; }
+  double scale() const { return std::cbrt(std::abs(glm::determinant(linear))); }
   bool moves() const { return linear != Mat3(1) || offset != Vec3(0); }
   SurfaceDerivatives operator()(const SurfaceDerivatives& d) const {
     return {point(d.p), linear * d.u, linear * d.v, linear * d.uu, linear * d.uv, linear * d.vv};
