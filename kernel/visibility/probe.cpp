@@ -15,8 +15,10 @@ namespace {
 constexpr double kOnPlane = 4;
 // Triangles around a point on a fold that are the fold: over so many edges in any direction, which
 // is two rings of vertices, or straight toward the viewer, where triangles are narrow across the
-// line of sight.
-constexpr int kFoldSteps = 4, kFoldWalk = 8;
+// line of sight. From a contour along a row of cuts it takes some twenty such; so far only to a
+// triangle whose plane all but holds the point, or what truly lies before it would pass for its fold.
+constexpr int kFoldSteps = 4, kFoldWalk = 8, kFoldLongWalk = 24;
+constexpr double kAllButOnPlane = 5;  // in what the proxies do not tell apart
 // Edges of both triangles within which a fold can lie in front of its own contour: its polygons and
 // its contour, which runs where interpolated normals turn away, differ by about an edge along the
 // line of sight.
@@ -27,7 +29,7 @@ constexpr double kGrazing = 0.3;
 
 // A fold that a point may lie on: a contour with the outside of the surface before it, or a
 // stroke's point whose polygon faces away though its surface does not; a boundary seen flat.
-enum class Fold { None, Contour, Boundary };
+enum class Fold { None, Contour, Stroke, Boundary };
 
 // What a hit is judged by.
 struct Origin {
@@ -83,15 +85,16 @@ bool near_on_surface(const ProxyMesh& proxy, std::uint32_t from, std::uint32_t t
 }
 
 // Whether a walk over smooth edges from the point, straight as the viewer sees it, comes to
-// triangle `to` within kFoldWalk; at first toward the viewer or away from it.
-bool walk_reaches(const ProxyMesh& proxy, const Origin& o, double direction, std::uint32_t to) {
+// triangle `to` within so many steps; at first toward the viewer or away from it.
+bool walk_reaches(const ProxyMesh& proxy, const Origin& o, double direction, std::uint32_t to,
+                  int steps) {
   const TriMesh& mesh = proxy.mesh;
   const auto side = [&](std::uint32_t v) {
     return glm::dot(o.across, mesh.positions[v] - o.point);
   };
   auto face = static_cast<std::uint32_t>(o.face);
   HalfEdge from = kNoHalfEdge;
-  for (int step = 0; step < kFoldWalk; ++step) {
+  for (int step = 0; step < steps; ++step) {
     HalfEdge out = kNoHalfEdge;
     double farthest = -std::numeric_limits<double>::infinity();
     for (HalfEdge h = static_cast<HalfEdge>(3 * face), end = h + 3; h < end; ++h) {
@@ -112,15 +115,17 @@ bool walk_reaches(const ProxyMesh& proxy, const Origin& o, double direction, std
   return false;
 }
 
-// Whether a hit belongs to the fold that the point lies on.
-bool on_same_fold(const ProxyMesh& proxy, const Origin& o, const Hit& hit) {
+// Whether a hit belongs to the fold that the point lies on. `told`: as clearance() has it.
+bool on_same_fold(const ProxyMesh& proxy, const Origin& o, const Hit& hit, double told) {
   const auto own = static_cast<std::uint32_t>(o.face);
   const double reach =
       kFoldReach * (longest_edge(proxy.mesh, own) + longest_edge(proxy.mesh, hit.where.face));
   if (hit.distance > reach) return false;
+  const int steps =
+      o.fold == Fold::Contour && told <= kAllButOnPlane ? kFoldLongWalk : kFoldWalk;
   return near_on_surface(proxy, own, hit.where.face) ||
-         walk_reaches(proxy, o, +1, hit.where.face) ||
-         (o.fold == Fold::Boundary && walk_reaches(proxy, o, -1, hit.where.face));
+         walk_reaches(proxy, o, +1, hit.where.face, steps) ||
+         (o.fold == Fold::Boundary && walk_reaches(proxy, o, -1, hit.where.face, steps));
 }
 
 // How far the plane of a hit passes the point, in what the proxies do not tell apart there: no more
@@ -136,7 +141,7 @@ double clearance(const Origin& o, const Hit& hit) {
           : o.probe->chord_error(hit.where.part, static_cast<std::int32_t>(hit.where.face));
   const double told = distance / (o.on_plane + o.error + error);
   if (told <= 1) return told;
-  return !own_part || o.fold == Fold::None || !on_same_fold(proxy, o, hit) ? told : 0;
+  return !own_part || o.fold == Fold::None || !on_same_fold(proxy, o, hit, told) ? told : 0;
 }
 
 // `normal` is the curve's; `back`: an open sheet is seen from behind.
@@ -153,7 +158,7 @@ Fold fold_at(const Curve3& curve, const ProxyMesh* proxy, std::int32_t face, Vec
       return std::abs(glm::dot(normal, view)) < kGrazing ? Fold::Boundary : Fold::None;
     case LineClass::Stroke:
     case LineClass::Pattern:
-      return glm::dot(back ? -polygon : polygon, view) < 0 ? Fold::Contour : Fold::None;
+      return glm::dot(back ? -polygon : polygon, view) < 0 ? Fold::Stroke : Fold::None;
     default:
       return Fold::None;
   }

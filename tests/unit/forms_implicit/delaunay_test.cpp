@@ -214,6 +214,14 @@ TEST(ImplicitDelaunay, WithoutEndItGivesUpAndNetsAreUsed) {
   for (const HalfEdge o : m.proxy().topology.opposite) ASSERT_NE(o, kNoHalfEdge);
 }
 
+TEST(ImplicitDelaunay, CreasesOverEachOtherEndInNets) {
+  // Two cubes that touch along an edge.
+  const Expression cube = box(10, 10, 10);
+  const Meshed m = refine(unite(cube, translate(cube, {10, 10, 0})), 0.01);
+  EXPECT_TRUE(has(m.diagnostics, "implicit.delaunay_failed"));
+  for (const HalfEdge o : m.proxy().topology.opposite) ASSERT_NE(o, kNoHalfEdge);
+}
+
 TEST(ImplicitDelaunay, NotANumberIsOutside) {
   // A ball of which all with x > 0.5 is not defined.
   const Expression x = Expression::x();

@@ -185,6 +185,64 @@ TEST(ImplicitMesh, InnerHollowsAreFound) {
   expect_sound(m);
 }
 
+// How far the middles of the triangles lie off the surface, in model mm.
+double farthest_middle(const Made& m) {
+  double most = 0;
+  const TriMesh& mesh = m.proxy().mesh;
+  for (const Triangle& t : mesh.triangles) {
+    const Gradient1 g = m.function->gradient(
+        (mesh.positions[t[0]] + mesh.positions[t[1]] + mesh.positions[t[2]]) / 3.0);
+    most = std::max(most, std::abs(g.value) / glm::length(g.gradient));
+  }
+  return most;
+}
+
+TEST(ImplicitMesh, ThinWedgesKeepTheirEdges) {
+  // A trough cut into a post: its rim runs out at an angle of 8 degrees where the two are tangent
+  // to each other. And what a slanted box leaves of another.
+  const Expression post = cylinder(20, 30), bar = rotate(cylinder(20.4, 60), {90, 0, 0});
+  const Expression slanted = rotate(box(60, 60, 30.01), {5, 3, 0});
+  for (const double tolerance : {0.012, 0.01, 0.008, 0.003}) {
+    for (const double up : {18.0, 10.0}) {
+      const Made m = make(subtract(post, translate(bar, {0, 0, up})), tolerance);
+      expect_sound(m);
+      EXPECT_LT(farthest_middle(m), 0.08) << tolerance << " " << up;
+    }
+    const Made m = make(subtract(box(30, 30, 30), slanted), tolerance);
+    expect_sound(m);
+    EXPECT_LT(farthest_middle(m), 0.12) << tolerance;
+  }
+}
+
+TEST(ImplicitMesh, WhatIsThinAlongItsOutermostFacesIsSeen) {
+  // Ribs of 0.3 mm and less along the edges of the box.
+  const Expression sheet = intersect(gyroid(20, 2.5), box(36, 36, 36));
+  for (const double tolerance : {0.02, 0.013, 0.01}) {
+    const Made m = make(sheet, tolerance);
+    expect_sound(m);
+    EXPECT_LT(farthest_middle(m), 0.04) << tolerance;
+    EXPECT_FALSE(has(m.diagnostics, "implicit.thin"));
+  }
+}
+
+TEST(ImplicitMesh, WallsThinnerThanTheirTrianglesAreTold) {
+  // A crescent, at most 0.3 mm thick.
+  const Expression ball = sphere(10);
+  EXPECT_TRUE(
+      has(make(subtract(ball, translate(ball, {0.3, 0, 0})), 0.02).diagnostics, "implicit.thin"));
+  EXPECT_FALSE(
+      has(make(subtract(ball, translate(ball, {4, 0, 0})), 0.02).diagnostics, "implicit.thin"));
+}
+
+TEST(ImplicitMesh, LensesThinnerThanAStepOfTheLookAreFound) {
+  // Steps of 0.16 mm; the lens is 0.1 mm thick, the plate 0.05.
+  const Made lens = make(intersect(sphere(10), translate(sphere(10), {19.9, 0, 0})), 0.001);
+  expect_sound(lens);
+  EXPECT_EQ(euler(lens.proxy()), 2);
+  EXPECT_NEAR(lens.proxy().mesh.bounds().size().y, 2 * std::sqrt(100 - 9.95 * 9.95), 0.01);
+  EXPECT_EQ(euler(make(box(20, 20, 0.05)).proxy()), 2);
+}
+
 TEST(ImplicitMesh, ScaleAndPlaceDoNotMatter) {
   const Expression shape = subtract(box(2, 2, 2), sphere(1.2));
   const Made a = make(shape, 0.005);

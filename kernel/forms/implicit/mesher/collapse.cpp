@@ -12,6 +12,8 @@ namespace {
 
 // Share of the limit below which two points of one crease become one.
 constexpr double kSamePlace = 0.2;
+// Steps that the points of a triangle that lies face down may be drawn together.
+constexpr double kFold = 1;
 // Cosine that a triangle's plane may turn away from the surface's normal.
 constexpr double kMostTilted = 0.4;
 // Least height of a triangle made by a collapse, as a share of its longest side.
@@ -36,12 +38,16 @@ class Collapser {
   void run(double limit) {
     using Candidate = std::tuple<double, std::uint32_t, std::uint32_t>;
     std::vector<Candidate> candidates;
-    for (const Triangle& t : mesh_.triangles) {
+    for (std::size_t f = 0; f < mesh_.triangles.size(); ++f) {
+      const Triangle& t = mesh_.triangles[f];
+      const bool fold = folded(f, 2);
       for (std::size_t k = 0; k < 3; ++k) {
         for (const auto& [u, v] :
              {std::pair(t[k], t[(k + 1) % 3]), std::pair(t[(k + 1) % 3], t[k])}) {
-          const double d = glm::distance(mesh_.positions[u], mesh_.positions[v]);
-          if (d < limit * mesh_.step_at(u) * allowed(u, v)) candidates.emplace_back(d, u, v);
+          const double d = glm::distance(mesh_.positions[u], mesh_.positions[v]),
+                       share = allowed(u, v);
+          const double far = fold && share > 0 ? kFold : limit * share;
+          if (d < far * mesh_.step_at(u)) candidates.emplace_back(d, u, v);
         }
       }
     }
@@ -51,11 +57,28 @@ class Collapser {
       if (++n % 4096 == 0) context_.check();
       if (!gone_.contains(u) && !gone_.contains(v)) collapse(u, v);
     }
+    take_out_pockets();
     compact();
   }
 
  private:
   bool on_line(std::uint32_t v) const { return mesh_.on_crease(v) || mesh_.zero[v]; }
+
+  // Whether a triangle with so many points on creases lies face down: the points of a crease go
+  // back and forth.
+  bool folded(std::size_t t, int points) const {
+    const Triangle& tri = mesh_.triangles[t];
+    int on = 0;
+    Vec3 normal(0);
+    for (std::size_t k = 0; k < 3; ++k) {
+      on += mesh_.on_crease(tri[k]);
+      normal += mesh_.corner_normal(t, k);
+    }
+    if (on < points) return false;
+    const Vec3 a = mesh_.positions[tri[0]];
+    return glm::dot(glm::cross(mesh_.positions[tri[1]] - a, mesh_.positions[tri[2]] - a), normal) <
+           0;
+  }
 
   // Share of the limit up to which u may be drawn to v: 0 = never.
   double allowed(std::uint32_t u, std::uint32_t v) const {
@@ -145,6 +168,50 @@ class Collapser {
     changed_[v] = std::move(now);
     for (const std::uint32_t w : common) changed_[w] = without_dead(around(w));
     gone_.emplace(u, true);
+  }
+
+  // A crease's vertex whose only three triangles lie on one side of the crease, one of them face
+  // down: flips have left it so. The triangle of its neighbours takes their place; slivers are
+  // flipped afterwards.
+  void take_out_pockets() {
+    for (std::uint32_t t = 0; t < dead_.size(); ++t) {
+      if (dead_[t] || !folded(t, 1)) continue;
+      for (const std::uint32_t v : Triangle(mesh_.triangles[t])) {
+        if (mesh_.on_crease(v) && take_out_pocket(v)) break;
+      }
+    }
+  }
+
+  bool take_out_pocket(std::uint32_t v) {
+    const std::vector<std::uint32_t> fan = around(v);
+    if (fan.size() != 3) return false;
+    // The sides opposite to v, one after the other.
+    std::array<std::array<std::uint32_t, 2>, 3> opposite;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const Triangle& tri = mesh_.triangles[fan[i]];
+      const auto k = static_cast<std::size_t>(std::ranges::find(tri, v) - tri.begin());
+      opposite[i] = {tri[(k + 1) % 3], tri[(k + 2) % 3]};
+    }
+    if (opposite[1][0] != opposite[0][1]) std::swap(opposite[1], opposite[2]);
+    if (opposite[1][0] != opposite[0][1] || opposite[2][0] != opposite[1][1] ||
+        opposite[0][0] != opposite[2][1]) {
+      return false;
+    }
+    const Triangle whole{opposite[0][0], opposite[1][0], opposite[2][0]};
+    for (const std::uint32_t w : whole) {
+      if (around(w).size() <= 4) return false;
+    }
+    mesh_.triangles[fan[0]] = whole;
+    dead_[fan[1]] = dead_[fan[2]] = 1;
+    for (const std::uint32_t w : whole) {
+      std::vector<std::uint32_t> now = around(w);
+      std::erase_if(now, [&](std::uint32_t t) { return dead_[t] != 0 || t == fan[0]; });
+      now.push_back(fan[0]);
+      changed_[w] = std::move(now);
+    }
+    changed_[v].clear();
+    gone_.emplace(v, true);
+    return true;
   }
 
   void compact() {

@@ -14,9 +14,10 @@ namespace {
 
 // Pieces whose normals differ by less (cosine of 2 degrees) meet smoothly: fillets.
 constexpr double kSmooth = 0.99939;
-// Edge lengths that a point on a crease may lie away from the edge that it cuts: far where the edge
-// passes behind a thin wedge.
-constexpr double kReach = 3;
+// Edge lengths that a point on a crease may lie away from the edge that it cuts; where the edge
+// passes behind a thin wedge, so far as its two faces take to meet, and half as far again (two
+// degrees take 28).
+constexpr double kReach = 3, kFarthest = 28, kSlack = 1.5;
 // Nanoseconds a triangle for what sorts out slivers.
 constexpr double kSorting = 2000;
 
@@ -101,7 +102,7 @@ class CreaseCutter {
   std::optional<Meeting> crossing(std::uint32_t u, std::uint32_t v) const {
     constexpr int kChanges = 8;
     const Vec3 a = mesh_.positions[u], b = mesh_.positions[v];
-    const double reach = kReach * std::max(glm::distance(a, b), mesh_.step);
+    const double length = std::max(glm::distance(a, b), mesh_.step);
     double from = 0;
     std::uint64_t name = mesh_.pieces[u];
     Vec3 at = a;
@@ -114,7 +115,12 @@ class CreaseCutter {
       }
       const Vec3 p = low > 0 ? a + low * (b - a) : at, q = high < 1 ? a + high * (b - a) : b;
       const ImplicitFunction &i = f_.piece_function(p), &j = f_.piece_function(q);
-      if (auto c = find_crease(mesh_, f_, i, j, 0.5 * (p + q), reach)) {
+      const Vec3 between = 0.5 * (p + q);
+      const double sine = glm::length(glm::cross(side(i, p).normal, side(j, q).normal));
+      const double reach = length * std::clamp(kSlack / std::max(sine, 1e-9), kReach, kFarthest);
+      auto c = find_crease(mesh_, f_, i, j, between, reach);
+      if (c && (glm::distance(c->position, between) <= kReach * length ||
+                same_side(between, c->position))) {
         // Another change behind it: the edge passes by a corner.
         const ImplicitFunction& k = f_.piece_function(b);
         if (!mesh_.on_crease(v) && &k != &i && &k != &j) {
@@ -129,13 +135,31 @@ class CreaseCutter {
     return std::nullopt;
   }
 
+  // Whether all between a and b, a point of the surface, is inside or all outside: one wedge.
+  bool same_side(Vec3 a, Vec3 b) const {
+    constexpr int kPlaces = 8;
+    const bool inside = f_.value(a) < 0;
+    for (int i = 1; i < kPlaces; ++i) {
+      if ((f_.value(glm::mix(a, b, static_cast<double>(i) / kPlaces)) < 0) != inside) return false;
+    }
+    return true;
+  }
+
+  // The length of the longest side of a triangle of points.
+  static double spread(const std::array<Vec3, 3>& p) {
+    return std::max(
+        {glm::distance(p[0], p[1]), glm::distance(p[1], p[2]), glm::distance(p[2], p[0])});
+  }
+
   // The vertex inside a triangle whose three corners lie on three sides.
   std::uint32_t corner(std::size_t t, const EdgePoints& points) {
     const Triangle tri = mesh_.triangles[t];
     Vec3 middle(0);
     CreaseVertex all;
+    std::array<Vec3, 3> around;
     for (std::size_t k = 0; k < 3; ++k) {
       const std::uint32_t p = points.find(tri[k], tri[(k + 1) % 3]);
+      around[k] = mesh_.positions[p];
       middle += mesh_.positions[p] / 3.0;
       for (const auto& s : sides(p)) {
         const bool known =
@@ -145,7 +169,7 @@ class CreaseCutter {
     }
     const ImplicitFunction* f[3];
     for (std::size_t k = 0; k < 3; ++k) f[k] = &f_.piece_function(mesh_.positions[tri[k]]);
-    const double reach = 2 * kReach * mesh_.step;
+    const double reach = 2 * std::max(kReach * mesh_.step, spread(around));
     if (const auto c = find_corner(mesh_, f_, *f[0], *f[1], *f[2], middle, reach)) {
       return mesh_.add_crease_vertex(c->position, c->sides);
     }
@@ -173,8 +197,10 @@ class CreaseCutter {
       if (shared || pieces.size() != 3) continue;
       const Vec3 middle =
           (mesh_.positions[tri[0]] + mesh_.positions[tri[1]] + mesh_.positions[tri[2]]) / 3.0;
-      const auto c =
-          find_corner(mesh_, f_, *pieces[0], *pieces[1], *pieces[2], middle, kReach * mesh_.step);
+      const double reach = std::max(
+          kReach * mesh_.step,
+          spread({mesh_.positions[tri[0]], mesh_.positions[tri[1]], mesh_.positions[tri[2]]}));
+      const auto c = find_corner(mesh_, f_, *pieces[0], *pieces[1], *pieces[2], middle, reach);
       if (!c) continue;
       const std::uint32_t v = mesh_.add_crease_vertex(c->position, c->sides);
       mesh_.triangles[t] = {tri[0], tri[1], v};

@@ -15,7 +15,17 @@ constexpr double kSharp = 0.99985;  // cosine of 1 degree between the normals of
 constexpr double kMargin = 1.5;
 
 double deviation(const ExactMesh& mesh, const ImplicitFunction& f, const RunContext& context) {
-  std::vector<double> most((mesh.triangles.size() + kGrain - 1) / kGrain, 0);
+  double most = 0;
+  for (const double d : deviations(mesh, f, context)) most = std::max(most, d);
+  // Poles and the like: no triangle is farther off than its own size.
+  return std::min(kMargin * most, mesh.step);
+}
+
+}  // namespace
+
+std::vector<double> deviations(const ExactMesh& mesh, const ImplicitFunction& f,
+                               const RunContext& context) {
+  std::vector<double> out(mesh.triangles.size(), 0);
   parallel_for(
       mesh.triangles.size(), kGrain,
       [&](std::size_t begin, std::size_t end) {
@@ -46,17 +56,12 @@ double deviation(const ExactMesh& mesh, const ImplicitFunction& f, const RunCont
           }
           const double d =
               std::max(std::abs(g[i].value), std::abs(v[i])) / glm::length(g[i].gradient);
-          if (std::isfinite(d)) most[begin / kGrain] = std::max(most[begin / kGrain], d);
+          if (std::isfinite(d)) out[begin + i] = d;
         }
       },
       &context);
-  double d = 0;
-  for (const double m : most) d = std::max(d, m);
-  // Poles and the like: no triangle is farther off than its own size.
-  return std::min(kMargin * d, mesh.step);
+  return out;
 }
-
-}  // namespace
 
 std::vector<std::uint8_t> sharp_halves(const ExactMesh& mesh, std::span<const Vec3> corner_normal) {
   std::vector<std::uint8_t> sharp(3 * mesh.triangles.size(), 0);

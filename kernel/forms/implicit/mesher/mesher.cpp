@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <optional>
 
 namespace burin {
 namespace {
@@ -17,8 +18,10 @@ namespace {
 // Steps of the first look along the longest side of the domain: everything larger than two of them
 // is found.
 constexpr double kSurveySteps = 128, kFewestSteps = 32;
-// Nanoseconds of one core that a look and a mesh may take.
-constexpr double kLookBudget = 4e9, kMeshBudget = 6e9;
+// Where nothing is found: plates and lenses are thinner at times, and empty space costs little.
+constexpr double kMostSteps = 1024;
+// Nanoseconds of one core that a look may take.
+constexpr double kLookBudget = 4e9;
 // Vertices of a look: a surface that has more is noise, or finer than a drawing can show.
 constexpr std::size_t kMaxVertices = 1'500'000;
 constexpr double kCoarsest = 64, kFinest = 1000;  // steps along the surface's longest side
@@ -91,6 +94,11 @@ bool any_within(const std::vector<Vec3>& points, const Box3& domain) {
   });
 }
 
+class NoSurface : public GeometryError {
+ public:
+  using GeometryError::GeometryError;
+};
+
 [[noreturn]] void no_surface(const ImplicitFunction& f, const Grid& grid, const Box3& domain) {
   const double middle = f.value(domain.center());
   if (!grid.any_outside()) all_inside(domain);
@@ -100,7 +108,7 @@ bool any_within(const std::vector<Vec3>& points, const Box3& domain) {
         "negative numbers",
         shown(domain)));
   }
-  throw GeometryError(
+  throw NoSurface(
       fmt::format("the function is nowhere negative in {}, looked at in steps of {:.3g} mm: there "
                   "is no surface; check the formula, its sign and `bounds`",
                   shown(domain), grid.layout().step));
@@ -185,6 +193,20 @@ Survey look(std::shared_ptr<const ImplicitFunction> function, Box3 at, bool give
   return s;
 }
 
+// By more and more steps, as far as that is affordable.
+template <class Look>
+std::optional<Survey> found_by_more(const Look& look_in) {
+  for (double steps = 2 * kSurveySteps; steps <= kMostSteps; steps *= 2) {
+    try {
+      return look_in(steps);
+    } catch (const NoSurface&) {
+    } catch (const TooMuchWork&) {
+      break;
+    }
+  }
+  return std::nullopt;
+}
+
 }  // namespace
 
 Survey survey(const std::shared_ptr<const ImplicitFunction>& function, const Box3& domain,
@@ -196,10 +218,12 @@ Survey survey(const std::shared_ptr<const ImplicitFunction>& function, const Box
         "the domain {} is empty, endless or reaches farther than {:g} mm from the origin",
         shown(at), kFarthest));
   }
-  // A function of many operations is looked at in fewer places.
-  for (double steps = kSurveySteps;; steps /= 2) {
+  const auto look_in = [&](double steps) {
+    return look(function, at, given, smallest, steps, context);
+  };
+  for (double steps = kSurveySteps; steps >= kFewestSteps; steps /= 2) {
     try {
-      Survey s = look(function, at, given, smallest, steps, context);
+      Survey s = look_in(steps);
       if (steps < kSurveySteps) {
         s.diagnostics.add(
             Severity::Warning, "implicit.budget", 1,
@@ -208,19 +232,23 @@ Survey survey(const std::shared_ptr<const ImplicitFunction>& function, const Box
                         longest(at) / steps));
       }
       return s;
+    } catch (const NoSurface&) {
+      if (steps >= kSurveySteps) {
+        if (auto s = found_by_more(look_in)) return std::move(*s);
+      }
+      throw;
     } catch (const TooMuchWork&) {
-      if (steps > kFewestSteps) continue;
+      // A function of many operations is looked at in fewer places.
     }
-    throw GeometryError(
-        fmt::format("the surface is finer than {:.3g} mm or fills all of its domain, or the "
-                    "function takes too long: give a smaller domain by `bounds` or simplify it",
-                    2 * longest(at) / kSurveySteps));
   }
+  throw GeometryError(
+      fmt::format("the surface is finer than {:.3g} mm or fills all of its domain, or the "
+                  "function takes too long: give a smaller domain by `bounds` or simplify it",
+                  2 * longest(at) / kSurveySteps));
 }
 
-ExactMesh mesh_surface(const Survey& survey, double step, MeshCounts& counts,
+ExactMesh mesh_surface(const Survey& survey, double step, WorkBudget budget, MeshCounts& counts,
                        const RunContext& context) {
-  WorkBudget budget(kMeshBudget);
   const Grid grid(*survey.function, make_layout(survey.box, step), budget, context);
   return mesh_grid(*survey.function, grid, longest(survey.box), survey.smallest, budget, counts,
                    context);

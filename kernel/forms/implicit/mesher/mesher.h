@@ -39,8 +39,9 @@ struct MeshCounts {
   std::size_t specks = 0;  // components left out
 };
 
-/// Triangles of edge length about `step`, creases cut.
-ExactMesh mesh_surface(const Survey& survey, double step, MeshCounts& counts,
+/// Triangles of edge length about `step`, creases cut. The mesh has what is left of the budget.
+/// Throws TooMuchWork where that does not do.
+ExactMesh mesh_surface(const Survey& survey, double step, WorkBudget budget, MeshCounts& counts,
                        const RunContext& context);
 
 /// The step for chords within `tolerance` model mm, bounded by the size of the surface and by the

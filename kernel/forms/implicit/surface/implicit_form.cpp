@@ -20,7 +20,7 @@ namespace {
 // Paper mm that chords of contours may be off.
 constexpr double kContourChord = 0.005;
 // Nanoseconds of one core.
-constexpr double kContourBudget = 4e9;
+constexpr double kMeshBudget = 6e9, kContourBudget = 4e9;
 
 // The farthest point of the surface in a direction, from the vertex that lies farthest: Newton for
 // the place where the normal is the direction.
@@ -57,7 +57,8 @@ ExactMesh affordable_mesh(const Survey& s, double step, MeshCounts& counts,
     std::optional<ExactMesh> mesh;
     counts = {};
     try {
-      mesh = coarse && at > step ? s.mesh : mesh_surface(s, at, counts, context);
+      mesh = coarse && at > step ? s.mesh
+                                 : mesh_surface(s, at, WorkBudget(kMeshBudget), counts, context);
     } catch (const TooMuchWork&) {
       if (coarse) mesh = s.mesh;
     }
@@ -73,6 +74,25 @@ ExactMesh affordable_mesh(const Survey& s, double step, MeshCounts& counts,
   }
 }
 
+// Triangles off the surface: what is thinner than a step, and was not seen whole.
+struct Misses {
+  std::int64_t triangles = 0;
+  double farthest = 0, sum = 0;  // model mm
+};
+
+Misses find_misses(const ExactMesh& mesh, const ImplicitFunction& f, const RunContext& context) {
+  constexpr double kOff = 0.15;  // steps: a chord of a bend as narrow as a step
+  Misses m;
+  if (!f.has_pieces()) return m;
+  for (const double d : deviations(mesh, f, context)) {
+    if (d <= kOff * mesh.step) continue;
+    ++m.triangles;
+    m.farthest = std::max(m.farthest, d);
+    m.sum += d;
+  }
+  return m;
+}
+
 }  // namespace
 
 struct ImplicitForm::Impl {
@@ -81,7 +101,46 @@ struct ImplicitForm::Impl {
 
   ExactMesh mesh(double tolerance, MeshCounts& counts, Diagnostics& diagnostics,
                  RunContext& context) const;
+
+ private:
+  ExactMesh nets(double step, MeshCounts& counts, Diagnostics& diagnostics,
+                 const RunContext& context) const;
 };
+
+// Whether a wedge shows in a grid depends on where the grid's planes lie: where it does not, grids
+// of other steps are tried.
+ExactMesh ImplicitForm::Impl::nets(double step, MeshCounts& counts, Diagnostics& diagnostics,
+                                   const RunContext& context) const {
+  ExactMesh best = affordable_mesh(survey, step, counts, diagnostics, context);
+  Misses misses = find_misses(best, *survey.function, context);
+  WorkBudget budget = best.budget;
+  const double first = best.step, triangles = static_cast<double>(best.triangles.size());
+  for (const double times : {0.9, 0.8, 1.2}) {
+    if (misses.triangles == 0) break;
+    if (triangles > times * times * static_cast<double>(options.max_triangles)) continue;
+    MeshCounts own;
+    try {
+      ExactMesh other = mesh_surface(survey, times * first, budget, own, context);
+      budget = other.budget;
+      const Misses left = find_misses(other, *survey.function, context);
+      if (left.sum >= misses.sum) continue;
+      best = std::move(other);
+      misses = left;
+      counts = own;
+    } catch (const TooMuchWork&) {
+      break;
+    }
+  }
+  if (misses.triangles > 0) {
+    diagnostics.add(
+        Severity::Warning, "implicit.thin", misses.triangles,
+        fmt::format("triangles beside wedges and ribs that are thinner than a triangle lie up to "
+                    "{:.2g} mm off the surface: lines there may be off by as much; --mesher "
+                    "delaunay may find them",
+                    misses.farthest));
+  }
+  return best;
+}
 
 ExactMesh ImplicitForm::Impl::mesh(double tolerance, MeshCounts& counts, Diagnostics& diagnostics,
                                    RunContext& context) const {
@@ -104,7 +163,7 @@ ExactMesh ImplicitForm::Impl::mesh(double tolerance, MeshCounts& counts, Diagnos
     counts = {};
   }
   diagnostics.append(of_nets);
-  return affordable_mesh(survey, step, counts, diagnostics, context);
+  return nets(step, counts, diagnostics, context);
 }
 
 ImplicitForm::ImplicitForm(std::shared_ptr<const ImplicitFunction> function,

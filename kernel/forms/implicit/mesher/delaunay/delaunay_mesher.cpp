@@ -69,6 +69,19 @@ std::vector<std::uint32_t> morton_order(const std::vector<Vec3>& points) {
   return order;
 }
 
+// The places of a chain, each once; empty where no curve comes of it. Mesh_3 does not test what it
+// is given: a curve of one place, as at a corner that two vertices found, ends in a crash.
+std::vector<Vec3> curve_of(const ExactMesh& mesh, const std::vector<std::uint32_t>& chain) {
+  std::vector<Vec3> curve;
+  for (const std::uint32_t v : chain) {
+    if (curve.empty() || curve.back() != mesh.positions[v]) curve.push_back(mesh.positions[v]);
+  }
+  const bool closed = curve.front() == curve.back();
+  constexpr std::size_t kLine = 2, kLoop = 4;  // a loop begins and ends at the same place
+  if (curve.size() < (closed ? kLoop : kLine)) curve.clear();
+  return curve;
+}
+
 // Vertices of the coarse mesh, no two nearer than the radius there; some of each component.
 class SeedChooser {
  public:
@@ -316,9 +329,9 @@ std::optional<ExactMesh> mesh_delaunay(const Survey& survey, double tolerance,
   input.box = {survey.box.min - margin, survey.box.max + margin};
   input.seeds = SeedChooser(coarse, sizing).choose(*survey.function);
   for (const auto& chain : chains) {
-    std::vector<Vec3> curve;
-    for (const std::uint32_t v : chain) curve.push_back(coarse.positions[v]);
-    input.curves.push_back(std::move(curve));
+    if (auto curve = curve_of(coarse, chain); !curve.empty()) {
+      input.curves.push_back(std::move(curve));
+    }
   }
   for (std::uint32_t v = 0; v < coarse.positions.size(); ++v) {
     if (is_tip(coarse, v)) input.corners.push_back(coarse.positions[v]);

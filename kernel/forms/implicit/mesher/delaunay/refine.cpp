@@ -247,9 +247,7 @@ bool is_manifold(const RefinedMesh& mesh) {
   return !mesh.triangles.empty();
 }
 
-}  // namespace
-
-RefinedMesh refine_surface(const RefineInput& input, RefineField& field) {
+RefinedMesh refine(const RefineInput& input, RefineField& field) {
   constexpr double kLeastAngle = 25;  // degrees; above 30 refinement need not end
   CGAL::get_default_random() = CGAL::Random(0);
   Domain domain(&field, input.box);
@@ -272,6 +270,16 @@ RefinedMesh refine_surface(const RefineInput& input, RefineField& field) {
     complex.clear_manifold_info();
   }
   return mesh;
+}
+
+}  // namespace
+
+RefinedMesh refine_surface(const RefineInput& input, RefineField& field) {
+  try {
+    return refine(input, field);
+  } catch (const CGAL::Failure_exception&) {
+    throw std::runtime_error("creases lie over each other");
+  }
 }
 
 }  // namespace burin

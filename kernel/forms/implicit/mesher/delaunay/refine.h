@@ -57,7 +57,9 @@ struct RefinedMesh {
   bool manifold = false;
 };
 
-/// Sequential and the same on every run. Cost: 30 to 60 us per triangle. @cite Boissonnat2005
+/// Sequential and the same on every run. Throws std::runtime_error where points are not finite and
+/// where curves meet elsewhere than at their ends. Cost: 30 to 60 us per triangle. @cite
+/// Boissonnat2005
 /// @cite Cheng2007
 RefinedMesh refine_surface(const RefineInput& input, RefineField& field);
 
