@@ -1,6 +1,7 @@
 // The sheet, the ids and the links of a drawing, and what is told of options that change nothing.
 #include "models.h"
 
+#include <burin_test/sanitized.h>
 #include <nlohmann/json.hpp>
 #include <pugixml.hpp>
 #include <sys/resource.h>
@@ -183,6 +184,7 @@ TEST_F(Doors, ASheetThatWantsTooManyStrokesIsRefusedBeforehand) {
 }
 
 TEST_F(Doors, ASheetOfTenMetresTakesLittleMemory) {
+  if (test::kSanitized) GTEST_SKIP() << "sanitizers take addresses of their own";
   for (const auto& [style, status] : {std::pair("outline", 0), std::pair("engraving", 2)}) {
     const std::string script = folder_.write(
         "limited.sh", fmt::format("ulimit -v 1500000\nexec {} draw {} -o {}/m.svg --style {} "
@@ -194,6 +196,7 @@ TEST_F(Doors, ASheetOfTenMetresTakesLittleMemory) {
 }
 
 TEST_F(Doors, MemoryThatRunsOutIsToldInOneLine) {
+  if (test::kSanitized) GTEST_SKIP() << "sanitizers take addresses of their own";
   // Little more than the program itself takes: who runs out first differs from machine to machine.
   int told = 0;
   for (const unsigned megabytes : {110U, 140U, 180U, 230U, 290U}) {

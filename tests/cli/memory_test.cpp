@@ -1,16 +1,11 @@
 // What a drawing may cost is bounded by its sheet and its input: peak memory of whole runs.
 #include "models.h"
 
+#include <burin_test/sanitized.h>
 #include <nlohmann/json.hpp>
 
 #include <cmath>
 #include <filesystem>
-
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-#define BURIN_SANITIZED 1
-#else
-#define BURIN_SANITIZED 0
-#endif
 
 namespace burin {
 namespace {
@@ -62,7 +57,7 @@ class Memory : public test::CliTest {
   }
   void SetUp() override {
     CliTest::SetUp();
-    if (BURIN_SANITIZED) GTEST_SKIP() << "sanitizers take memory of their own";
+    if (test::kSanitized) GTEST_SKIP() << "sanitizers take memory of their own";
   }
 };
 
