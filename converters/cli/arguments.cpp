@@ -10,6 +10,7 @@
 #include <CLI/Formatter.hpp>
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <sstream>
 #include <type_traits>
 
@@ -118,15 +119,18 @@ void add_chatter(CLI::App& app, Chatter& chatter) {
   app.add_flag("--no-progress", chatter.no_progress, "show none")->group(kRun);
 }
 
+constexpr const char* kModels =
+    "model files, each one or more parts of the scene:\nSTEP, IGES, BREP, STL, OBJ, OFF, PLY, "
+    "3MF,\n"
+    "IRIT (.itd, .irt), Geomview patches (.bez, .bbp),\n"
+    "functions (.implicit), volumes (.nrrd .nhdr .mha .mhd\n"
+    ".inr .nii .nii.gz .vti, .raw with --raw),\n"
+    "OpenSCAD (.scad, .csg), FreeCAD (.FCStd)";
+
 CLI::App* add_draw(CLI::App& app, DrawArguments& a, Chatter& chatter) {
   CLI::App* draw = app.add_subcommand("draw", "draw models as one sheet of line art");
   draw->add_option("INPUT", a.inputs,
-                   "model files, each one or more parts of the scene:\nSTEP, IGES, BREP, STL, OBJ, "
-                   "OFF, PLY, 3MF,\n"
-                   "IRIT (.itd, .irt), Geomview patches (.bez, .bbp),\n"
-                   "functions (.implicit), volumes (.nrrd .nhdr .mha .mhd\n"
-                   ".inr .nii .nii.gz .vti, .raw with --raw),\n"
-                   "OpenSCAD (.scad, .csg), FreeCAD (.FCStd)")
+                   std::string(kModels) + "\nor one illustration file (.burin.json)")
       ->type_name("")
       ->group(kFiles);
   list(*draw, "-o,--output", a.outputs, "FILE", kFiles, output_help("drawing"));
@@ -142,6 +146,25 @@ CLI::App* add_draw(CLI::App& app, DrawArguments& a, Chatter& chatter) {
       "Exit status: 0 drawn; 2 usage; 3 bad input; 4 output cannot be written; 5 cancelled; 1 "
       "else.");
   return draw;
+}
+
+CLI::App* add_illustrate(CLI::App& app, DrawArguments& a) {
+  CLI::App* illustrate =
+      app.add_subcommand("illustrate", "write a first illustration file, to be edited and drawn");
+  illustrate->add_option("INPUT", a.inputs, kModels)->type_name("")->group(kFiles);
+  list(*illustrate, "-o,--output", a.outputs, "FILE", kFiles,
+       "illustration file to write, NAME.burin.json; - is standard\noutput. One that exists stays");
+  const std::vector<std::string> runs = {"threads", "verify", "id_prefix", "part"};
+  for (const RequestOption& option : all_options()) {
+    if (std::ranges::find(runs, option.option.name) == runs.end()) {
+      add_request(*illustrate, option, a.request.options);
+    }
+  }
+  illustrate->footer(
+      "\nExamples:\n"
+      "  burin illustrate pump.step base.stl -o pump.burin.json --style engraving --ghost cover\n"
+      "  burin draw pump.burin.json -o pump.svg");
+  return illustrate;
 }
 
 CLI::App* add_convert(CLI::App& app, ConvertArguments& a, Chatter& chatter) {
@@ -189,6 +212,8 @@ CLI::App* add_options(CLI::App& app, OptionsArguments& a) {
   options->add_flag("--json", a.json, "print JSON, for programs");
   options->add_flag("--style-schema", a.style_schema,
                     "print the JSON Schema of style files, for editors");
+  options->add_flag("--illustration-schema", a.illustration_schema,
+                    "print that of illustration files");
   return options;
 }
 
@@ -248,6 +273,7 @@ Arguments parse_arguments(int argc, const char* const* argv) {
       "Example: burin draw bracket.stl -o bracket.svg --style engraving");
   app.set_version_flag("--version,-V", std::string("burin ") + version(), "print the version");
   CLI::App* draw = add_draw(app, a.draw, a.chatter);
+  CLI::App* illustrate = add_illustrate(app, a.illustrate);
   CLI::App* convert = add_convert(app, a.convert, a.chatter);
   CLI::App* info = add_info(app, a.info);
   CLI::App* styles = add_styles(app, a.styles);
@@ -255,7 +281,8 @@ Arguments parse_arguments(int argc, const char* const* argv) {
   CLI::App* plugins = app.add_subcommand(
       "plugins", "list the plug-ins that are loaded: none, this version cannot load any");
   app.allow_extras();
-  for (CLI::App* sub : {draw, convert, info, styles, options, plugins}) sub->allow_extras();
+  for (CLI::App* sub : {draw, illustrate, convert, info, styles, options, plugins})
+    sub->allow_extras();
 
   try {
     app.parse(argc, argv);
@@ -275,12 +302,13 @@ Arguments parse_arguments(int argc, const char* const* argv) {
   const CLI::App* chosen = app.get_subcommands().front();
   refuse_extras(*chosen, "burin " + chosen->get_name());
   refuse_extras(app, "burin");
-  a.verb = chosen == draw      ? Verb::Draw
-           : chosen == convert ? Verb::Convert
-           : chosen == info    ? Verb::Info
-           : chosen == styles  ? Verb::Styles
-           : chosen == options ? Verb::Options
-                               : Verb::Plugins;
+  a.verb = chosen == draw         ? Verb::Draw
+           : chosen == illustrate ? Verb::Illustrate
+           : chosen == convert    ? Verb::Convert
+           : chosen == info       ? Verb::Info
+           : chosen == styles     ? Verb::Styles
+           : chosen == options    ? Verb::Options
+                                  : Verb::Plugins;
   return a;
 }
 

@@ -34,6 +34,7 @@ struct StylesArguments {
 struct OptionsArguments {
   bool json = false;
   bool style_schema = false;
+  bool illustration_schema = false;
 };
 
 struct InfoArguments {
@@ -51,13 +52,13 @@ struct Chatter {
   bool no_progress = false;
 };
 
-enum class Verb { Help, Draw, Convert, Info, Styles, Options, Plugins };
+enum class Verb { Help, Draw, Illustrate, Convert, Info, Styles, Options, Plugins };
 
 struct Arguments {
   Verb verb = Verb::Help;
   /// Help: the whole text to print.
   std::string help;
-  DrawArguments draw;
+  DrawArguments draw, illustrate;
   ConvertArguments convert;
   StylesArguments styles;
   InfoArguments info;

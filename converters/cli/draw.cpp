@@ -2,6 +2,7 @@
 
 #include <burin/base/error.h>
 #include <burin/base/parallel.h>
+#include <burin/converters/illustration.h>
 #include <burin/converters/read.h>
 
 #include "outputs.h"
@@ -11,6 +12,8 @@
 #include <algorithm>
 #include <array>
 #include <filesystem>
+#include <fstream>
+#include <optional>
 #include <string_view>
 
 namespace burin::cli {
@@ -21,11 +24,37 @@ bool is_file(const std::string& name) {
   return std::filesystem::is_regular_file(name, error);
 }
 
-std::vector<std::string> sources_of(const DrawArguments& a) {
+/// The illustration that is to be drawn; nothing where models are.
+std::optional<Illustration> illustration_of(const std::vector<std::string>& inputs) {
+  const auto found =
+      std::ranges::find_if(inputs, [](const std::string& input) { return is_illustration(input); });
+  if (found == inputs.end()) return std::nullopt;
+  if (inputs.size() > 1) {
+    throw UsageError(fmt::format(
+        "'{}' is an illustration file, which is drawn alone: name the others in its \"parts\"",
+        *found));
+  }
+  return read_illustration(*found);
+}
+
+std::vector<std::string> sources_of(const DrawArguments& a,
+                                    const std::optional<Illustration>& illustration) {
   std::vector<std::string> sources = a.inputs;
+  if (illustration) {
+    for (const IllustrationInput& input : illustration->inputs) {
+      if (!input.file.empty()) sources.push_back(input.file);
+    }
+  }
   const std::vector<std::string>& style = given_texts(a.request.options, "style");
   if (!style.empty() && is_file(style.back())) sources.push_back(style.back());
   return sources;
+}
+
+/// Each part of an illustration has options of its own.
+void refuse_reading(const DrawPlan& plan) {
+  if (plan.read.given.empty()) return;
+  throw UsageError(plan.read.given.front().spelled +
+                   " is about reading: in an illustration it belongs to a part, {\"file\": ...}");
 }
 
 void check_format(const Output& output, const Paper& paper, const WriteOptions& options) {
@@ -54,6 +83,32 @@ void note_unwritten(const DrawArguments& arguments, const std::vector<Output>& o
 
 }  // namespace
 
+std::string run_illustrate(const DrawArguments& arguments) {
+  if (arguments.inputs.empty()) {
+    throw UsageError("no input; name model files: burin illustrate INPUT... -o NAME.burin.json");
+  }
+  if (arguments.outputs.size() != 1) {
+    throw UsageError("name one output: burin illustrate INPUT... -o NAME.burin.json");
+  }
+  const std::string& name = arguments.outputs.front();
+  make_plan(arguments.request, Spelling::Options);  // refuses what a drawing would
+  check_inputs(arguments.inputs);
+  if (name == "-") return first_illustration(arguments.inputs, arguments.request, {});
+  if (!is_illustration(name)) {
+    throw UsageError(fmt::format("'{}': illustration files end in .json, best .burin.json", name));
+  }
+  const std::filesystem::path path(name);
+  std::error_code error;
+  if (std::filesystem::exists(path, error)) {
+    throw OutputError("is there already and may have been edited; remove it or name another", name);
+  }
+  std::ofstream out(path, std::ios::binary);
+  out << first_illustration(arguments.inputs, arguments.request, path.parent_path());
+  out.close();
+  if (!out) throw OutputError("cannot be written; check the folder and its space", name);
+  return {};
+}
+
 void run_draw(const DrawArguments& arguments, RunContext& context, Console& console) {
   if (arguments.inputs.empty()) {
     throw UsageError("no input; name model files: burin draw INPUT... -o OUT");
@@ -61,20 +116,26 @@ void run_draw(const DrawArguments& arguments, RunContext& context, Console& cons
   if (arguments.outputs.empty()) {
     throw UsageError("no output; name one: burin draw INPUT... -o OUT.svg");
   }
-  DrawPlan plan = make_plan(arguments.request, Spelling::Options);
+  const std::optional<Illustration> illustration = illustration_of(arguments.inputs);
+  const DrawRequest request =
+      illustration ? merged(illustration->request, arguments.request) : arguments.request;
+  DrawPlan plan = make_plan(request, Spelling::Options);
+  if (illustration) refuse_reading(plan);
   WriteOptions options = write_options(plan.style);
   options.svg.id_prefix = plan.id_prefix;
   std::vector<Output> outputs =
-      make_outputs(arguments.outputs, arguments.format, sources_of(arguments));
+      make_outputs(arguments.outputs, arguments.format, sources_of(arguments, illustration));
   note_unwritten(arguments, outputs, plan);
-  check_inputs(arguments.inputs);
+  if (!illustration) check_inputs(arguments.inputs);
   for (const Output& output : outputs) {
     if (!plan.sheet.fits) check_format(output, plan.view.paper, options);
     output.probe();
   }
 
   const ThreadLimit limit(plan.threads);
-  const Scene scene = read_scene(arguments.inputs, plan.read, context);
+  const Scene scene = illustration ? read_scene(*illustration, context)
+                                   : read_scene(arguments.inputs, plan.read, context);
+  select_parts(scene, plan);
   const Camera camera = make_camera(scene, plan);
   for (const Output& output : outputs) check_format(output, camera.paper(), options);
   const Drawing drawing = draw(scene, camera, plan, context);

@@ -73,6 +73,9 @@ int run(const Arguments& arguments, RunContext& context, Console& console) {
     case Verb::Draw:
       run_draw(arguments.draw, context, console);
       break;
+    case Verb::Illustrate:
+      print(run_illustrate(arguments.illustrate));
+      break;
     case Verb::Convert:
       run_convert(arguments.convert, context, console);
       break;

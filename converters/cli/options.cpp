@@ -1,6 +1,7 @@
 #include "options.h"
 
 #include <burin/converters/catalogues.h>
+#include <burin/converters/illustration.h>
 #include <burin/illustrate/style.h>
 
 #include <fmt/format.h>
@@ -23,6 +24,7 @@ std::string list() {
 
 std::string run_options(const OptionsArguments& arguments) {
   if (arguments.style_schema) return style_schema();
+  if (arguments.illustration_schema) return illustration_schema();
   return arguments.json ? catalogues_json() : list();
 }
 

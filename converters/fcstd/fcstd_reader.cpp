@@ -144,8 +144,7 @@ class Maker {
   }
 
   void add_brep(const FcUse& use, Shape& shape) {
-    const Placement place =
-        use.own ? detail::after(use.placement, shape.brep->own()) : use.placement;
+    const Placement place = use.own ? after(use.placement, shape.brep->own()) : use.placement;
     if (!is_similar(place.linear)) {
       return broken(use, "its link scales it unevenly, which is not drawn; scale the shape itself");
     }
@@ -159,8 +158,7 @@ class Maker {
   }
 
   void add_mesh(const FcUse& use, PolygonSoup soup) {
-    const Placement place =
-        use.own ? detail::after(use.placement, use.shape->placement) : use.placement;
+    const Placement place = use.own ? after(use.placement, use.shape->placement) : use.placement;
     for (Vec3& p : soup.positions) p = place.point(p);
     if (place.mirrors()) {
       for (std::size_t i = 0; i + 2 < soup.indices.size(); i += 3) {

@@ -76,8 +76,4 @@ Placement placement(const pugi::xml_node& node) {
       {number(node, "Q0", 0), number(node, "Q1", 0), number(node, "Q2", 0), number(node, "Q3", 1)});
 }
 
-Placement after(const Placement& a, const Placement& b) {
-  return {a.linear * b.linear, a.point(b.offset)};
-}
-
 }  // namespace burin::detail

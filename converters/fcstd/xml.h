@@ -38,7 +38,5 @@ double number(const pugi::xml_node& node, const char* attribute, double fallback
 /// `quaternion` is x, y, z, w of any length; 0 is no rotation.
 Placement make_placement(Vec3 offset, std::array<double, 4> quaternion);
 Placement placement(const pugi::xml_node& node);
-/// `a` after `b`.
-Placement after(const Placement& a, const Placement& b);
 
 }  // namespace burin::detail

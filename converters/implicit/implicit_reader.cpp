@@ -17,16 +17,24 @@ bool is_implicit_suffix(const std::filesystem::path& path) {
 Scene read_implicit(const std::filesystem::path& path, const ImplicitReadOptions& options,
                     const RunContext& context) {
   const Source source(path, context);
-  const Expression expression = parse_implicit(source.bytes(), source.file());
+  Scene scene = read_implicit_text(source.bytes(), source.file(), options, context);
+  scene.parts.front().name = path.stem().string();
+  scene.parts.front().source = path.string();
+  return scene;
+}
+
+Scene read_implicit_text(std::string_view text, const std::string& file,
+                         const ImplicitReadOptions& options, const RunContext& context) {
+  const Expression expression = parse_implicit(text, file);
   Scene scene;
   try {
     auto form = std::make_shared<ImplicitForm>(make_function(expression), options.bounds, context,
                                                0, options.proxy);
-    scene.parts.push_back({path.stem().string(), path.string(), std::move(form)});
+    scene.parts.push_back({"function", file, std::move(form)});
   } catch (const GeometryError& e) {
-    throw InputError(e.what(), source.file());
+    throw InputError(e.what(), file);
   } catch (const UsageError& e) {
-    throw InputError(e.what(), source.file());
+    throw InputError(e.what(), file);
   }
   return scene;
 }

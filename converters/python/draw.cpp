@@ -1,6 +1,7 @@
 #include <burin/base/error.h>
 #include <burin/base/parallel.h>
 #include <burin/converters/catalogues.h>
+#include <burin/converters/illustration.h>
 #include <burin/converters/messages.h>
 #include <burin/converters/read.h>
 #include <burin/converters/request.h>
@@ -47,20 +48,28 @@ struct Source {
   std::optional<Scene> scene;
   std::vector<PartStyle> part_styles;
   std::vector<std::string> paths;
+  std::optional<Illustration> illustration;
 
   explicit Source(const py::object& value) {
     if (py::isinstance<PyScene>(value)) {
       const auto& given = value.cast<const PyScene&>();
       scene = given.scene;
       part_styles = given.part_styles;
+    } else if (is_mapping(value)) {
+      const auto text = py::module_::import("json").attr("dumps")(value).cast<std::string>();
+      illustration = parse_illustration(text, "illustration");
     } else {
       paths = path_list(value);
       if (paths.empty()) throw UsageError("no input; name model files, or give a scene");
+      if (paths.size() == 1 && is_illustration(paths.front())) {
+        illustration = read_illustration(paths.front());
+      }
     }
   }
 
   Scene get(const ReadOptions& options, RunContext& context) {
     if (scene) return std::move(*scene);
+    if (illustration) return read_scene(*illustration, context);
     check_inputs(paths);
     return read_scene(paths, options, context);
   }
@@ -76,12 +85,19 @@ DrawingOwner draw(const py::object& source, const py::kwargs& keywords) {
       *call = py::reinterpret_borrow<py::object>(value);
       continue;
     }
-    if (from.scene && !value.is_none() && is_about_reading(name)) {
-      throw UsageError(
-          "arguments about reading (bounds ...) go to Scene.read, not to the scene's draw");
+    if (!value.is_none() && is_about_reading(name)) {
+      if (from.scene) {
+        throw UsageError(
+            "arguments about reading (bounds ...) go to Scene.read, not to the scene's draw");
+      }
+      if (from.illustration) {
+        throw UsageError(
+            "arguments about reading (bounds ...) belong to a part of the illustration");
+      }
     }
     add_keyword(request, find_option(all_options(), name, kCalls), value);
   }
+  if (from.illustration) request = merged(from.illustration->request, request);
   const auto& [field, tone, progress, cancel] = calls;
   DrawPlan plan = make_plan(request, Spelling::Keywords);
   plan.illustrate.field = python_field(field);
@@ -96,6 +112,7 @@ DrawingOwner draw(const py::object& source, const py::kwargs& keywords) {
   run(progress, flag, [&](RunContext& context) {
     const ThreadLimit limit(plan.threads);
     const Scene scene = from.get(plan.read, context);
+    select_parts(scene, plan);
     const Camera camera = make_camera(scene, plan);
     result->drawing = burin::draw(scene, camera, plan, context);
   });
@@ -129,6 +146,8 @@ void add_draw(py::module_& module) {
       "catalogues", [] { return py::module_::import("json").attr("loads")(catalogues_json()); },
       "All that can be chosen, as `burin options --json` tells it: \"options\" (of draw), "
       "\"style_keys\", \"styles\", \"formats\".");
+  module.def("illustration_schema", illustration_schema,
+             "The JSON Schema of illustration files, as text.");
   module.def("info", info, "What `burin info --json` tells, one entry a file. Throws InputError.");
 }
 

@@ -25,6 +25,12 @@ std::string literal(const std::string& name, const py::handle& value) {
   return py::isinstance<py::iterable>(value) ? "[" + text + "]" : text;
 }
 
+std::string word(const std::string& name, const py::handle& value) {
+  if (py::isinstance<py::str>(value)) return value.cast<std::string>();
+  throw py::type_error(
+      fmt::format("argument {} takes a word, not {}", name, std::string(py::repr(value))));
+}
+
 /// What one keyword means on the command line: an option for each entry of a mapping
 /// (define={"teeth": 12}) or of a list of texts.
 std::vector<std::string> texts(const std::string& name, const py::handle& value) {
@@ -32,7 +38,8 @@ std::vector<std::string> texts(const std::string& name, const py::handle& value)
   if (is_mapping(value)) {
     for (const py::handle item : value.attr("items")()) {
       const auto pair = item.cast<py::tuple>();
-      out.push_back(pair[0].cast<std::string>() + "=" + literal(name, pair[1]));
+      const auto key = pair[0].cast<std::string>();
+      out.push_back(key + "=" + (name == "define" ? literal(name, pair[1]) : word(name, pair[1])));
     }
     return out;
   }
@@ -42,12 +49,6 @@ std::vector<std::string> texts(const std::string& name, const py::handle& value)
     return out;
   }
   return {value_text(name.c_str(), value)};
-}
-
-std::string word(const std::string& name, const py::handle& value) {
-  if (py::isinstance<py::str>(value)) return value.cast<std::string>();
-  throw py::type_error(
-      fmt::format("argument {} takes a word, not {}", name, std::string(py::repr(value))));
 }
 
 /// One value, as text.

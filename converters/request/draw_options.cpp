@@ -17,12 +17,14 @@ namespace {
 constexpr double kLarge = 1e12;  // past any sheet, scale or tolerance that means something
 constexpr const char* kDirectionPhrase = "a direction X,Y,Z other than 0,0,0";
 constexpr const char* kLook = "The look";
+constexpr const char* kParts = "Parts";
 constexpr const char* kSheet = "The sheet and the view";
 constexpr const char* kRun = "The run";
 constexpr const char* kFiles = "Files";
 
-/// Errors have no line: the text is made by a program.
-Style style_of_text(const std::string& text) {
+/// Errors of a text that a program made have no line.
+Style style_of_text(const std::string& text, const std::string& source) {
+  if (!source.empty()) return parse_style(text, source);
   try {
     return parse_style(text, "style");
   } catch (const UsageError& e) {
@@ -36,6 +38,17 @@ void set_keys(Draft& draft, const Asked& asked) {
   for (const std::string& assignment : asked.texts) {
     const auto [key, value] = parted_assignment(assignment);
     set_style_key(draft.plan.style, key, value);
+  }
+}
+
+void set_looks(Draft& draft, const Asked& asked) {
+  for (const std::string& text : asked.texts) {
+    const std::size_t equals = text.rfind('=');  // selectors may have one: @color=#ff0000
+    if (equals == std::string::npos || equals == 0 || equals + 1 == text.size()) {
+      refuse_value(asked.spelled, "NAME=STYLE", text);
+    }
+    draft.plan.looks.push_back(
+        {{.select = {text.substr(0, equals)}, .style = text.substr(equals + 1)}});
   }
 }
 
@@ -82,7 +95,8 @@ std::vector<RequestRow<Draft>> look_rows() {
         .choices = style_names(),
         .python = "str | PathLike[str] | Mapping[str, Any]"},
        [](Draft& d, const Asked& a) {
-         d.named = d.style_text.empty() ? load_style(a.text()) : style_of_text(d.style_text);
+         d.named = d.style_text.empty() ? load_style(a.text())
+                                        : style_of_text(d.style_text, d.style_source);
          d.plan.style = d.named;
        }},
       {{.option = {.name = "light",
@@ -120,6 +134,53 @@ std::vector<RequestRow<Draft>> look_rows() {
         .group = kLook,
         .label = "MM"},
        [](Draft& d, const Asked& a) { d.plan.illustrate.tolerance = std::get<double>(a.value); }},
+  };
+}
+
+/// Adds a look of the parts that each text names.
+void add_looks(Draft& draft, const Asked& asked, Look look) {
+  for (const std::string& selector : asked.texts) {
+    look.select = {selector};
+    draft.plan.looks.push_back({look});
+  }
+}
+
+std::vector<RequestRow<Draft>> part_rows() {
+  constexpr const char* kPython = "str | Sequence[str]";
+  return {
+      {{.option = {.name = "part",
+                   .meaning = "draw only the parts of this name or path (* and ? are wild); "
+                              "repeatable",
+                   .takes = FreeText{}},
+        .group = kParts,
+        .label = "NAME",
+        .many = true,
+        .python = kPython},
+       [](Draft& d, const Asked& a) { d.plan.only = a.texts; }},
+      {{.option = {.name = "hide",
+                   .meaning = "leave these parts out; repeatable",
+                   .takes = FreeText{}},
+        .group = kParts,
+        .label = "NAME",
+        .many = true,
+        .python = kPython},
+       [](Draft& d, const Asked& a) { add_looks(d, a, {.drawn = false}); }},
+      {{.option = {.name = "ghost",
+                   .meaning = "draw the lines of these parts as if they were of glass; repeatable",
+                   .takes = FreeText{}},
+        .group = kParts,
+        .label = "NAME",
+        .many = true,
+        .python = kPython},
+       [](Draft& d, const Asked& a) { add_looks(d, a, {.transparent = true}); }},
+      {{.option = {.name = "look",
+                   .meaning = "draw these parts in another style, a name or a file; repeatable",
+                   .takes = FreeText{}},
+        .group = kParts,
+        .label = "NAME=STYLE",
+        .many = true,
+        .python = "Mapping[str, str] | Sequence[str]"},
+       set_looks},
   };
 }
 
@@ -240,7 +301,7 @@ std::vector<RequestRow<Draft>> run_rows() {
 const std::vector<RequestRow<Draft>>& draw_rows() {
   static const std::vector<RequestRow<Draft>> all = [] {
     std::vector<RequestRow<Draft>> rows;
-    for (const auto& group : {look_rows(), view_rows(), sheet_rows(), run_rows()}) {
+    for (const auto& group : {look_rows(), part_rows(), view_rows(), sheet_rows(), run_rows()}) {
       rows.insert(rows.end(), group.begin(), group.end());
     }
     return rows;
@@ -257,8 +318,8 @@ std::vector<RequestOption> by_headings() {
   const std::vector<RequestOption> reading = described(read_option_rows());
   options.insert(options.end(), reading.begin(), reading.end());
   // Under their headings, each as it came.
-  const std::vector<std::string> headings = {"Files", "The look", "The sheet and the view",
-                                             "Functions and volumes", "The run"};
+  const std::vector<std::string> headings = {
+      "Files", "The look", "Parts", "The sheet and the view", "Functions and volumes", "The run"};
   std::ranges::stable_sort(options, {}, [&](const RequestOption& option) {
     return std::ranges::find(headings, option.group) - headings.begin();
   });

@@ -13,7 +13,7 @@ struct Draft {
   DrawPlan plan{};
   /// The style as its name or file has it.
   Style named{};
-  std::string style_text;
+  std::string style_text, style_source;
 };
 
 const std::vector<RequestRow<Draft>>& draw_rows();

@@ -1,3 +1,4 @@
+#include <burin/assembly/select.h>
 #include <burin/base/error.h>
 #include <burin/converters/messages.h>
 #include <burin/converters/request.h>
@@ -9,6 +10,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <optional>
 #include <utility>
 
 namespace burin {
@@ -47,6 +49,35 @@ void note_unused(const DrawRequest& r, Spelling spelling, const Style& named, Dr
   }
 }
 
+/// The style of a look; nothing where it has none. What it says of files is ignored.
+std::optional<Style> style_of(const Look& look, const detail::Draft& draft) {
+  if (!look.style_text.empty()) {
+    return parse_style(look.style_text, look.style_source, draft.plan.style);
+  }
+  if (look.style.empty()) return std::nullopt;
+  try {
+    return load_style(look.style);
+  } catch (const UsageError& e) {
+    throw UsageError(look.place + e.what());
+  }
+}
+
+/// Lights are those of the scene: whatever style a part has, they shine on it.
+void light_by(const std::vector<tone::Light>& lights, DrawPlan& plan) {
+  const auto set = [&](tone::ToneOptions& tone) {
+    tone.lights = lights;
+    for (const tone::Light& light : lights) {
+      if (light.kind != tone::Light::Kind::From) continue;
+      tone.light = light.place;  // what directions of strokes look at
+      break;
+    }
+  };
+  set(plan.style.tone);
+  for (DrawPlan::PlannedLook& look : plan.looks) {
+    if (look.style) set(look.style->tone);
+  }
+}
+
 bool has_strokes(const DrawPlan& plan) {
   return plan.style.hatch.enabled ||
          std::any_of(plan.illustrate.part_styles.begin(), plan.illustrate.part_styles.end(),
@@ -57,6 +88,7 @@ bool has_strokes(const DrawPlan& plan) {
 
 Drawing draw(const Scene& scene, const Camera& camera, const DrawPlan& plan, RunContext& context) {
   Drawing drawing = illustrate(scene, camera, plan.style, plan.illustrate, context);
+  drawing.title = plan.title;
   drawing.diagnostics.append(plan.notes);
   drawing.diagnostics = at_door(drawing.diagnostics, plan.spelling);
   if (has_strokes(plan)) return drawing;
@@ -69,16 +101,63 @@ Drawing draw(const Scene& scene, const Camera& camera, const DrawPlan& plan, Run
   return drawing;
 }
 
+void select_parts(const Scene& scene, DrawPlan& plan) {
+  std::vector<PartStyle>& styles = plan.illustrate.part_styles;
+  styles.resize(std::max(styles.size(), scene.parts.size()));
+  if (!plan.only.empty()) {
+    std::vector<bool> meant(scene.parts.size(), false);
+    for (const std::string& selector : plan.only) {
+      for (const std::size_t part : select(scene, selector)) meant[part] = true;
+    }
+    for (std::size_t i = 0; i < meant.size(); ++i) {
+      if (!meant[i]) styles[i].drawn = false;
+    }
+  }
+  for (const auto& [look, style] : plan.looks) {
+    for (const std::string& selector : look.select) {
+      try {
+        for (const std::size_t part : select(scene, selector)) {
+          PartStyle& one = styles[part];
+          one.drawn = look.drawn.value_or(one.drawn);
+          one.hatched = look.hatched.value_or(one.hatched);
+          one.transparent = look.transparent.value_or(one.transparent);
+          if (style) one.style = style;
+        }
+      } catch (const UsageError& e) {
+        throw UsageError(look.place + e.what());
+      }
+    }
+  }
+  const auto is_drawn = [](const PartStyle& style) { return style.drawn; };
+  const bool chosen = !plan.only.empty() || !plan.looks.empty();
+  if (chosen && std::ranges::none_of(styles, is_drawn)) {
+    throw UsageError("all parts are left out; nothing is left to draw");
+  }
+}
+
 Camera make_camera(const Scene& scene, const DrawPlan& plan) {
-  const auto extent = [&](const Mat3& axes) { return scene.bounds(axes); };
+  const std::vector<PartStyle>& styles = plan.illustrate.part_styles;
+  const auto extent = [&](const Mat3& axes) {
+    Box3 box;
+    for (std::size_t i = 0; i < scene.parts.size(); ++i) {
+      if (i < styles.size() && !styles[i].drawn) continue;
+      box.add(scene.parts[i].form->bounds(axes));
+    }
+    return box.empty() ? scene.bounds(axes) : box;
+  };
   return Camera::fit(extent, settle(extent, plan.view, plan.sheet));
 }
 
 DrawPlan make_plan(const DrawRequest& request, Spelling spelling) {
-  detail::Draft draft{.style_text = request.style_text};
+  detail::Draft draft{.style_text = request.style_text, .style_source = request.style_source};
+  draft.plan.title = request.title;
+  for (const Look& look : request.looks) draft.plan.looks.push_back({look});
   apply(detail::draw_rows(), request.options, spelling, draft);
   draft.plan.spelling = spelling;
   check_style(draft.plan.style);
+  for (DrawPlan::PlannedLook& planned : draft.plan.looks)
+    planned.style = style_of(planned.look, draft);
+  if (!request.lights.empty() && !request.has("light")) light_by(request.lights, draft.plan);
   draft.plan.read = make_read_options(request.options, spelling);
   note_unused(request, spelling, draft.named, draft.plan);
   return std::move(draft.plan);

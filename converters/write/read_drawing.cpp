@@ -225,6 +225,7 @@ void read_head(const JsonPlace& root, Drawing& drawing) {
   root.required("version", check_version);
   root.required("paper", [&](const JsonPlace& paper) { read_paper(paper, drawing); });
   root.optional("seed", [&](const JsonPlace& seed) { seed.set(drawing.seed); });
+  root.optional("title", [&](const JsonPlace& title) { title.set(drawing.title); });
   root.optional("style", [&](const JsonPlace& style) { style.set(drawing.style); });
   root.optional("view", [&](const JsonPlace& view) { read_view(view, drawing.view); });
   root.optional("parts", [&](const JsonPlace& parts) {

@@ -123,6 +123,19 @@ Camera Camera::fit(const ExtentFn& extent, const ViewOptions& options) {
   return c;
 }
 
+Camera Camera::inside(const Placement& placement) const {
+  const double by = placement.scale();
+  const Mat3 back = glm::transpose(placement.linear) / by;  // turns only
+  Camera camera = *this;
+  camera.right_ = back * right_;
+  camera.up_ = back * up_;
+  camera.direction_ = back * direction_;
+  camera.center_ = back * (center_ - placement.offset) / by;
+  camera.scale_ *= by;
+  camera.eye_distance_ /= by;
+  return camera;
+}
+
 Vec2 Camera::to_paper(Vec3 p) const {
   const Vec3 q = p - center_;
   double s = scale_;

@@ -114,6 +114,10 @@ void append_head(Buffer& out, const Drawing& d) {
       "\"seed\": {}, \"style\": ",
       version(), d.seed);
   append_json(out, d.style);
+  if (!d.title.empty()) {
+    append(out, ", \"title\": ");
+    append_json(out, d.title);
+  }
   append(out, ",\n  \"paper\": {\"width\": ");
   append_exact(out, d.paper_width);
   append(out, ", \"height\": ");

@@ -1,5 +1,6 @@
 #include <burin/base/error.h>
 #include <burin/illustrate/style.h>
+#include <burin/options/json_lines.h>
 
 #include "style_table.h"
 
@@ -14,21 +15,6 @@ namespace burin {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-std::int64_t line_at(std::string_view text, std::size_t position) {
-  return 1 + std::count(text.begin(),
-                        text.begin() + static_cast<std::ptrdiff_t>(std::min(position, text.size())),
-                        '\n');
-}
-
-/// The line of a key, as a reader of the file would look for it: the group's name, then the
-/// member's.
-std::int64_t line_of(std::string_view text, std::string_view group, std::string_view member) {
-  std::size_t at = group.empty() ? 0 : text.find(fmt::format("\"{}\"", group));
-  if (at == std::string_view::npos) at = 0;
-  at = text.find(fmt::format("\"{}\"", member), at);
-  return at == std::string_view::npos ? 1 : line_at(text, at);
-}
 
 /// A value as the text that `set_style_key` takes.
 std::string to_text(const Json& value) {
@@ -77,7 +63,7 @@ Json parse(std::string_view text, const std::string& source) {
 class Reader {
  public:
   Reader(Style& style, std::string_view text, const std::string& source)
-      : style_(style), text_(text), source_(source) {}
+      : style_(style), lines_(text), source_(source) {}
 
   void object(const Json& json, const std::string& group) {
     for (const auto& [key, value] : json.items()) {
@@ -110,20 +96,25 @@ class Reader {
     try {
       read();
     } catch (const UsageError& e) {
-      throw UsageError(fmt::format("{}:{}: {}", source_, line_of(text_, group, key), e.what()));
+      const std::string path = (group.empty() ? "/" : "/" + group + "/") + key;
+      throw UsageError(fmt::format("{}:{}: {}", source_, lines_.line(path), e.what()));
     }
   }
 
   Style& style_;
-  std::string_view text_;
+  JsonLines lines_;
   const std::string& source_;
 };
 
 }  // namespace
 
 Style parse_style(std::string_view json, const std::string& source) {
+  return parse_style(json, source, builtin_style("technical"));
+}
+
+Style parse_style(std::string_view json, const std::string& source, const Style& start) {
   const Json parsed = parse(json, source);
-  Style style = builtin_style("technical");
+  Style style = start;
   Reader reader(style, json, source);
   reader.base(parsed);
   style.name = std::filesystem::path(source).stem().string();

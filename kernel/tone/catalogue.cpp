@@ -4,29 +4,84 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <vector>
 
 namespace burin::tone {
 namespace {
 
-Vec3 unit_to_light(const Camera& camera, const ToneOptions& options) {
-  return normalize_or(to_light(camera, options), camera.direction());
+/// What shines on a place: a light in model space.
+struct Lamp {
+  bool at = false;
+  Vec3 place;  // a unit vector to the light, or where it is
+  double strength;
+
+  Vec3 towards(Vec3 position) const { return at ? normalize_or(place - position, Vec3(0)) : place; }
+};
+
+/// The lights of the scene, or the one of the style.
+struct Lighting {
+  double ambient = 0;
+  std::vector<Lamp> lamps;
+};
+
+Vec3 in_model(const Camera& camera, Vec3 view) {
+  return camera.right() * view.x + camera.up() * view.y + camera.direction() * view.z;
+}
+
+Lighting lighting(const Camera& camera, const ToneOptions& options) {
+  const auto from = [&](Vec3 view, double strength) {
+    return Lamp{false, normalize_or(in_model(camera, view), camera.direction()), strength};
+  };
+  if (options.lights.empty()) return {options.ambient, {from(options.light, options.diffuse)}};
+  Lighting all;
+  for (const Light& light : options.lights) {
+    switch (light.kind) {
+      case Light::Kind::Ambient:
+        all.ambient += light.strength;
+        break;
+      case Light::Kind::From:
+        all.lamps.push_back(from(light.place, light.strength));
+        break;
+      case Light::Kind::At:
+        all.lamps.push_back({true, light.place, light.strength});
+        break;
+    }
+  }
+  return all;
+}
+
+/// The share of all lamps' light that one sends.
+double share(const Lighting& all, const Lamp& lamp) {
+  double sum = 0;
+  for (const Lamp& each : all.lamps) sum += each.strength;
+  return sum > 0 ? lamp.strength / sum : 0;
 }
 
 Tone lambert(const Camera& camera, const ToneOptions& options) {
-  return [options, light = unit_to_light(camera, options)](Vec3 /*position*/, Vec3 normal) {
-    return options.ambient + options.diffuse * std::max(0.0, glm::dot(normal, light));
+  return [all = lighting(camera, options)](Vec3 position, Vec3 normal) {
+    double light = all.ambient;
+    for (const Lamp& lamp : all.lamps) {
+      light += lamp.strength * std::max(0.0, glm::dot(normal, lamp.towards(position)));
+    }
+    return light;
   };
 }
 
-/// @cite Phong1975
+/// Of several lights each adds its share of `specular`. @cite Phong1975
 Tone phong(const Camera& camera, const ToneOptions& options) {
-  return [camera, options, light = unit_to_light(camera, options), matt = lambert(camera, options)](
+  return [camera, options, all = lighting(camera, options), matt = lambert(camera, options)](
              Vec3 position, Vec3 normal) {
-    const double lit = glm::dot(normal, light);
-    if (lit <= 0) return matt(position, normal);
-    const double mirrored = glm::dot(2 * lit * normal - light, camera.to_viewer(position));
-    return matt(position, normal) +
-           options.specular * std::pow(std::max(0.0, mirrored), options.shininess);
+    double light = matt(position, normal);
+    const Vec3 to_viewer = camera.to_viewer(position);
+    for (const Lamp& lamp : all.lamps) {
+      const Vec3 towards = lamp.towards(position);
+      const double lit = glm::dot(normal, towards);
+      if (lit <= 0) continue;
+      const double mirrored = glm::dot(2 * lit * normal - towards, to_viewer);
+      light += share(all, lamp) * options.specular *
+               std::pow(std::max(0.0, mirrored), options.shininess);
+    }
+    return light;
   };
 }
 
@@ -60,8 +115,7 @@ constexpr std::array kLaws{
 }  // namespace
 
 Vec3 to_light(const Camera& camera, const ToneOptions& options) {
-  const Vec3 v = options.light;
-  return camera.right() * v.x + camera.up() * v.y + camera.direction() * v.z;
+  return in_model(camera, options.light);
 }
 
 std::span<const Law> catalogue() { return kLaws; }

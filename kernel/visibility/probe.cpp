@@ -16,7 +16,8 @@ constexpr double kOnPlane = 4;
 // Triangles around a point on a fold that are the fold: over so many edges in any direction, which
 // is two rings of vertices, or straight toward the viewer, where triangles are narrow across the
 // line of sight. From a contour along a row of cuts it takes some twenty such; so far only to a
-// triangle whose plane all but holds the point, or what truly lies before it would pass for its fold.
+// triangle whose plane all but holds the point, or what truly lies before it would pass for its
+// fold.
 constexpr int kFoldSteps = 4, kFoldWalk = 8, kFoldLongWalk = 24;
 constexpr double kAllButOnPlane = 5;  // in what the proxies do not tell apart
 // Edges of both triangles within which a fold can lie in front of its own contour: its polygons and
@@ -121,8 +122,7 @@ bool on_same_fold(const ProxyMesh& proxy, const Origin& o, const Hit& hit, doubl
   const double reach =
       kFoldReach * (longest_edge(proxy.mesh, own) + longest_edge(proxy.mesh, hit.where.face));
   if (hit.distance > reach) return false;
-  const int steps =
-      o.fold == Fold::Contour && told <= kAllButOnPlane ? kFoldLongWalk : kFoldWalk;
+  const int steps = o.fold == Fold::Contour && told <= kAllButOnPlane ? kFoldLongWalk : kFoldWalk;
   return near_on_surface(proxy, own, hit.where.face) ||
          walk_reaches(proxy, o, +1, hit.where.face, steps) ||
          (o.fold == Fold::Boundary && walk_reaches(proxy, o, -1, hit.where.face, steps));

@@ -6,6 +6,7 @@
 #include <burin/forms/implicit/implicit_form.h>
 #include <burin/forms/mesh/mesh_form.h>
 #include <burin/forms/patches/parametric_form.h>
+#include <burin/surface/placed_form.h>
 
 #include <BRepPrimAPI_MakeTorus.hxx>
 #include <burin_test/brep_shapes.h>
@@ -53,6 +54,12 @@ inline Expression implicit_blend() {
   const Expression c = implicit::cylinder(1, 6);
   return implicit::smooth_unite(implicit::smooth_unite(c, implicit::rotate(c, {90, 0, 0}), 0.5),
                                 implicit::rotate(c, {0, 90, 0}), 0.5);
+}
+
+/// Turned by 37 degrees about z, half as large, away from the origin.
+inline Placement elsewhere() {
+  const Mat3 turn(0.8, 0.6, 0, -0.6, 0.8, 0, 0, 0, 1);
+  return {turn * 0.5, {-4, 9, 2}};
 }
 
 inline std::vector<FormCase> form_cases() {
@@ -123,6 +130,16 @@ inline std::vector<FormCase> form_cases() {
          return brep_form(filleted_box_shape(0.5), p);
        },
        true, 20, true},
+      {"MeshPlaced", [] { return placed(mesh_form(torus(3, 1, 60, 30)), elsewhere()); }},
+      {"PlacedNurbs",
+       [] { return placed(parametric_form({make_nurbs_chart(torus_nurbs(3, 1))}), elsewhere()); }},
+      {"PlacedImplicit",
+       [] {
+         const Expression f = implicit::subtract(implicit::box(2, 2, 2), implicit::sphere(1.2));
+         return placed(implicit_form(f), elsewhere());
+       }},
+      {"PlacedBrep", [] { return placed(brep_form(filleted_box_shape(0.25)), elsewhere()); }, true,
+       20, true},
   };
 }
 

@@ -24,6 +24,7 @@ const std::map<std::string, Target>& targets() {
         {"fcstd-document", [](auto bytes) { member(bytes, "Document.xml", ".FCStd"); }},
         {"implicit", burin::fuzz::implicit},
         {"style", burin::fuzz::style},
+        {"illustration", burin::fuzz::illustration},
         {"drawing", burin::fuzz::drawing},
         {"options", burin::fuzz::options}};
     for (const char* format : {"stl", "obj", "off", "ply", "3mf", "itd", "bez", "nrrd", "mha",

@@ -95,6 +95,13 @@ def own(target):
         "vti": [vti()],
         "style": ['{"name": "a", "line": {"outer": 0.5}, "hatch": {"enabled": true, "field": "fixed", '
                   '"direction": [0, 1, 0]}}', '{"based_on": "engraving", "feature": {"crease_angle": 40}}'],
+        "illustration": [
+            '{"burin": "illustration", "version": 1, "title": "a", "parts": [{"file": "a.step", "name": "b", "place": '
+            '{"translate": [0, 0, 1], "rotate": [0, 90, 0], "scale": 2}}, {"function": "torus(20, 8)", "bounds": '
+            '[0, 0, 0, 1, 1, 1]}], "view": {"from": "iso", "up": [0, 0, 1], "perspective": 30, "scale": "1:2"}, "paper": '
+            '{"size": "A4", "margin": [1, 2, 3, 4]}, "lights": [{"ambient": 0.2}, {"at": [1, 2, 3], "strength": 0.3}], '
+            '"style": {"base": "engraving", "hatch": {"taper": 1}}, "looks": [{"select": ["a", "@color=#000000"], "drawn": '
+            'false, "style": "outline"}]}'],
         "drawing": [
             '{"format": "burin-drawing", "version": 1, "paper": {"width": 20, "height": 10}, "layers": [{"name": '
             '"outline", "paths": [{"kind": "contour", "width": [0.2, 0.5], "points": [[1, 1], [9, 2.5]]}, '

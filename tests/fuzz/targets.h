@@ -17,6 +17,8 @@ void member(std::string_view bytes, const std::string& name, const std::string& 
 void implicit(std::string_view text);
 /// A style file; one that is read is written, and reads back as the same.
 void style(std::string_view text);
+/// An illustration file, and what it asks; its models are not read.
+void illustration(std::string_view text);
 /// A drawing file; one that is read is written in every format of text.
 void drawing(std::string_view text);
 /// Options as the command line and Python pass them on: NAME=VALUE, a line each.

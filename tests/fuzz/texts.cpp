@@ -1,4 +1,5 @@
 #include <burin/base/run_context.h>
+#include <burin/converters/illustration.h>
 #include <burin/converters/implicit_reader.h>
 #include <burin/converters/read_drawing.h>
 #include <burin/converters/request.h>
@@ -27,6 +28,11 @@ void implicit(std::string_view text) {
 void style(std::string_view text) {
   const std::string once = style_to_json(parse_style(text, "fuzz"));
   if (style_to_json(parse_style(once, "again")) != once) std::abort();
+}
+
+void illustration(std::string_view text) {
+  const Illustration illustration = parse_illustration(text, "fuzz");
+  make_plan(illustration.request, Spelling::Keywords);
 }
 
 void drawing(std::string_view text) {

@@ -23,6 +23,8 @@
 #include <algorithm>
 #include <chrono>
 #include <deque>
+#include <mutex>
+#include <thread>
 #include <utility>
 
 namespace burin {
@@ -49,7 +51,7 @@ struct BrepModel::Impl {
   ShapeBounds bounds;
   double size = 0;
   // OCCT keeps triangulations in the shape: one mesher at a time.
-  std::timed_mutex mutex;
+  std::mutex mutex;
   bool outward = false;
   std::deque<Tessellation> kept;
 
@@ -198,7 +200,10 @@ const Tessellation& BrepModel::Impl::tessellate(double tolerance, const Atlas& a
 std::shared_ptr<const BrepTriangles> BrepModel::tessellate(double tolerance, RunContext& context,
                                                            Diagnostics* diagnostics) const {
   std::unique_lock lock(impl_->mutex, std::defer_lock);
-  while (!lock.try_lock_for(std::chrono::milliseconds(20))) context.check();
+  while (!lock.try_lock()) {  // no wait with a limit: ThreadSanitizer of clang 14 does not know it
+    context.check();
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  }
   const Tessellation& t = impl_->tessellate(tolerance, *this, context);
   if (t.mesh->triangles.empty() && t.mesh->loose.empty()) {
     throw GeometryError("none of the faces could be turned into triangles; repair the shape");

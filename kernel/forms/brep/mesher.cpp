@@ -56,7 +56,11 @@ void run_mesher(const TopoDS_Shape& shape, double deflection, double min_size,
   p.Deflection = deflection;
   p.MinSize = min_size;
   p.Angle = kAngle;
+#ifdef BURIN_THREAD_SANITIZER
+  p.InParallel = false;  // it does not see what orders OCCT's own tasks
+#else
   p.InParallel = true;
+#endif
   p.ControlSurfaceDeflection = false;  // see refine.h
   contained([&] {
     const Handle(Indicator) indicator = new Indicator(context);

@@ -75,7 +75,7 @@ Candidates::Result Candidates::draw(std::uint64_t i, double bound, Stream stream
   r.kept = true;
   r.point.position = options_.placement.point(d.p);
   r.point.normal =
-      chart_normal(options_.placement(d), options_.reversed != options_.placement.mirrors(),
+      chart_normal(placed(options_.placement, d), options_.reversed != options_.placement.mirrors(),
                    r.point.uv, box_.center());
   if (!options_.density) return r;
   const double density = options_.density(r.point);

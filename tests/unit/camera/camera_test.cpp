@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -28,6 +29,28 @@ std::vector<Vec3> cube(double side, Vec3 at = Vec3(0)) {
 ViewOptions view(std::string_view name) {
   const NamedView v = named_view(name);
   return {.direction = v.direction, .up = v.up};
+}
+
+TEST(Camera, InsideAPlacementItShowsTheSame) {
+  const Mat3 turn(0.6, 0.8, 0, -0.8, 0.6, 0, 0, 0, 1);
+  const Placement place{turn * 2.5, {3, -8, 5}};
+  for (const auto& perspective : {std::optional<double>(), std::optional<double>(40)}) {
+    ViewOptions options = view("iso");
+    options.perspective = perspective;
+    const Camera camera = Camera::fit(extent_of(cube(50)), options);
+    const Camera inside = camera.inside(place);
+    for (const Vec3& p : cube(12, {-4, 1, 2})) {
+      const Vec3 q = place.point(p);
+      EXPECT_LT(glm::distance(inside.to_paper(p), camera.to_paper(q)), 1e-9);
+      EXPECT_LT(glm::distance(turn * inside.to_viewer(p), camera.to_viewer(q)), 1e-12);
+      EXPECT_NEAR(inside.scale_at(p), 2.5 * camera.scale_at(q), 1e-9);
+      const Vec2 v = inside.velocity(p, {1, 2, 3});
+      EXPECT_LT(glm::distance(v, camera.velocity(q, place.vector({1, 2, 3}))), 1e-9);
+    }
+    const ViewRay ray = inside.ray({100, 80}), same = camera.ray({100, 80});
+    EXPECT_LT(glm::length(glm::cross(place.point(ray.origin) - same.origin, same.direction)), 1e-9);
+    EXPECT_LT(glm::distance(turn * ray.direction, same.direction), 1e-12);
+  }
 }
 
 TEST(Paper, KnowsIsoSheetsPortraitLetterAndSizes) {

@@ -57,6 +57,33 @@ TEST(ToneCatalogue, EachRowHasANameOfItsOwnAndStaysWithinPaperAndInk) {
   EXPECT_THROW(tone::make(camera(), {.law = "lambertian"}), UsageError);
 }
 
+TEST(Lights, OfASceneStandInForThatOfTheStyle) {
+  for (const char* law : {"lambert", "phong"}) {
+    tone::ToneOptions one = options(law), same = one;
+    same.lights = {{tone::Light::Kind::Ambient, {}, one.ambient},
+                   {tone::Light::Kind::From, one.light, one.diffuse}};
+    same.ambient = same.diffuse = 0;
+    same.light = {-1, 0, 0};
+    for (const Vec3 n : {Vec3(0, 0, 1), Vec3(0.6, 0, 0.8), Vec3(-0.6, 0, 0.8), Vec3(0, 0.8, 0.6)}) {
+      EXPECT_NEAR(tone::make(camera(), one)({}, n), tone::make(camera(), same)({}, n), 1e-12)
+          << law;
+    }
+  }
+}
+
+TEST(Lights, AddUpAndThoseOfAPlaceShineFromIt) {
+  tone::ToneOptions o = options("lambert");
+  o.lights = {{tone::Light::Kind::Ambient, {}, 0.1},
+              {tone::Light::Kind::From, {0, 0, 2}, 0.4},
+              {tone::Light::Kind::At, {0, 0, 5}, 0.3}};
+  const Tone tone = tone::make(camera(), o);
+  EXPECT_NEAR(tone({0, 0, 0}, {0, 0, 1}), 0.8, 1e-12);
+  // From (3, 0, 1) the lamp stands in direction (-3, 0, 4) / 5.
+  EXPECT_NEAR(tone({3, 0, 1}, {0, 0, 1}), 0.1 + 0.4 + 0.3 * 0.8, 1e-12);
+  // In the place of the lamp itself there is no direction to it.
+  EXPECT_NEAR(tone({0, 0, 5}, {0, 0, 1}), 0.5, 1e-12);
+}
+
 TEST(ToneCatalogue, RowsThatLookAtTheLightAreThoseThatItChanges) {
   for (const tone::Law& law : tone::catalogue()) {
     SCOPED_TRACE(law.name);

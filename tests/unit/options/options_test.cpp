@@ -1,5 +1,6 @@
 // Descriptions of choices: what they take, what they say of themselves, how structs carry them.
 #include <burin/base/error.h>
+#include <burin/options/json_lines.h>
 #include <burin/options/request.h>
 #include <burin/options/row.h>
 
@@ -174,6 +175,30 @@ TEST(Messages, NameOptionsAsTheDoorDoes) {
     EXPECT_EQ(at(other, Spelling::Options), other);
   }
   EXPECT_EQ(at("a`b needs `iso`", Spelling::Options), "a`b needs --iso");
+}
+
+TEST(JsonLines, AreThoseOfMembersAndElements) {
+  const JsonLines lines(
+      "{\n"
+      "  \"parts\": [ // two\n"
+      "    {\"file\": \"a\"},\n"
+      "    {\n"
+      "      \"file\": \"b\"}],\n"
+      "\n"
+      "  \"parts2\": [1,\n"
+      "   \"x\"],\n"
+      "  \"view\": {\"from\": \"iso\"}}");
+  EXPECT_EQ(lines.line("/parts"), 2);
+  EXPECT_EQ(lines.line("/parts/0"), 3);
+  EXPECT_EQ(lines.line("/parts/0/file"), 3);
+  EXPECT_EQ(lines.line("/parts/1"), 4);
+  EXPECT_EQ(lines.line("/parts/1/file"), 5);
+  EXPECT_EQ(lines.line("/parts2"), 7);
+  EXPECT_EQ(lines.line("/parts2/1"), 8);
+  EXPECT_EQ(lines.line("/view/from"), 9);
+  EXPECT_EQ(lines.line("/parts/1/place/scale"), 4);  // of what holds it
+  EXPECT_EQ(lines.line("/nothing"), 1);
+  EXPECT_EQ(JsonLines("{\"a\": ").line("/a"), 1);
 }
 
 }  // namespace

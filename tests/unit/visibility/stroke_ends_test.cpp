@@ -199,8 +199,8 @@ std::shared_ptr<const Form> implicit_form(const Expression& f) {
 std::shared_ptr<const Chart> moved(const std::shared_ptr<const Chart>& chart, Placement by) {
   const ParameterBox box = chart->domain();
   const Vec2 period = chart->period();
-  return test::chart_of([=](Vec2 uv) { return by(chart->derivatives(uv)); }, box.min, box.max,
-                        period);
+  return test::chart_of([=](Vec2 uv) { return placed(by, chart->derivatives(uv)); }, box.min,
+                        box.max, period);
 }
 
 TriMesh moved(TriMesh m, Placement by) {

@@ -135,8 +135,8 @@ ExactMesh ImplicitForm::Impl::nets(double step, MeshCounts& counts, Diagnostics&
     diagnostics.add(
         Severity::Warning, "implicit.thin", misses.triangles,
         fmt::format("triangles beside wedges and ribs that are thinner than a triangle lie up to "
-                    "{:.2g} mm off the surface: lines there may be off by as much; --mesher "
-                    "delaunay may find them",
+                    "{:.2g} mm off the surface: lines there may be off by as much; `mesher "
+                    "delaunay` may find them",
                     misses.farthest));
   }
   return best;

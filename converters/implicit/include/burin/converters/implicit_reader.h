@@ -34,6 +34,10 @@ struct ImplicitReadOptions {
 Scene read_implicit(const std::filesystem::path& path, const ImplicitReadOptions& options,
                     const RunContext& context);
 
+/// The same of a text; its part is called "function". `file` names it in errors.
+Scene read_implicit_text(std::string_view text, const std::string& file,
+                         const ImplicitReadOptions& options, const RunContext& context);
+
 /// Reads and measures triangles within a ten-thousandth of the size; faces are smooth regions.
 FileInfo inspect_implicit(const std::filesystem::path& path, const ImplicitReadOptions& options,
                           RunContext& context);

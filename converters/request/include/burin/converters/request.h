@@ -8,11 +8,26 @@
 #include <burin/illustrate/style.h>
 #include <burin/options/request.h>
 
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
 namespace burin {
+
+/// How the parts that selectors name are drawn, where that differs from the others.
+struct Look {
+  /// Selectors (burin/assembly/select.h); a part that one of them names is meant.
+  std::vector<std::string> select = {};
+  /// Absent: as before.
+  std::optional<bool> drawn = {}, hatched = {}, transparent = {};
+  /// A name or a file; or the text of a style file, which starts from the drawing's own style.
+  std::string style = {}, style_text = {};
+  /// Whom errors of `style_text` name.
+  std::string style_source = {};
+  /// What errors begin with: "FILE:LINE: ", or empty.
+  std::string place = {};
+};
 
 /// What a user asks of a drawing.
 struct DrawRequest {
@@ -20,6 +35,14 @@ struct DrawRequest {
   Request options;
   /// The text of a style file; goes before the option "style".
   std::string style_text;
+  /// Whom errors of that text name, with the line; empty: a program made it.
+  std::string style_source = {};
+  /// In this order; what a later one says holds.
+  std::vector<Look> looks = {};
+  /// Instead of the style's light; empty: that.
+  std::vector<tone::Light> lights = {};
+  /// What the drawing is called; empty: by its parts.
+  std::string title = {};
 
   bool has(const std::string& name) const { return !given_texts(options, name).empty(); }
 };
@@ -31,6 +54,14 @@ struct DrawPlan {
   SheetOptions sheet;
   IllustrateOptions illustrate;
   ReadOptions read;
+  /// What `select_parts` makes of the options about parts: a look, or those that alone are drawn.
+  struct PlannedLook {
+    Look look;
+    std::optional<Style> style = {};
+  };
+  std::vector<PlannedLook> looks = {};
+  std::vector<std::string> only = {};
+  std::string title;
   /// Worker threads; 0 = all.
   int threads = 0;
   /// What the ids of an SVG begin with.
@@ -46,7 +77,10 @@ struct DrawPlan {
 
 /// Throws UsageError that names the option; InputError for a style file that cannot be read.
 DrawPlan make_plan(const DrawRequest& request, Spelling spelling);
-/// The camera that a plan asks for, of what was read. Throws UsageError, GeometryError.
+/// Turns what a plan says of parts by name into `illustrate.part_styles`, over what is there.
+/// Throws UsageError where a selector names nothing, or nothing is left to draw.
+void select_parts(const Scene& scene, DrawPlan& plan);
+/// The camera that a plan asks for, of the parts that are drawn. Throws UsageError, GeometryError.
 Camera make_camera(const Scene& scene, const DrawPlan& plan);
 /// Draws it, with a diagnostic "option.unused" for each choice of the plan that changes nothing of
 /// this drawing. Throws as `illustrate`.

@@ -2,6 +2,7 @@
 /// The view: every map between model millimetres and paper millimetres.
 
 #include <burin/base/box.h>
+#include <burin/base/placement.h>
 #include <burin/base/vec.h>
 #include <burin/camera/paper.h>
 
@@ -54,6 +55,10 @@ class Camera {
   /// A camera that shows the model in the middle of the sheet. Throws GeometryError where the
   /// extent is empty or not finite. A model that is a single point gets scale 1.
   static Camera fit(const ExtentFn& extent, const ViewOptions& options);
+
+  /// The same picture of what `placement` takes to the scene: shows a point p where this camera
+  /// shows `placement.point(p)`. The placement mirrors nothing.
+  Camera inside(const Placement& placement) const;
 
   bool perspective() const { return eye_distance_ > 0; }
   const Paper& paper() const { return paper_; }

@@ -119,6 +119,8 @@ struct Drawing {
   double paper_width = 297;
   double paper_height = 210;
   std::uint64_t seed = 1;
+  /// What it is called; empty: by its parts.
+  std::string title = {};
   std::string style;
   DrawingView view;
   std::vector<DrawingPart> parts;

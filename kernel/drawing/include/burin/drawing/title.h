@@ -10,8 +10,9 @@
 
 namespace burin {
 
-/// The name of its part, "NAME and 3 more", or "drawing".
+/// Its own title, the name of its part, "NAME and 3 more", or "drawing".
 inline std::string title_of(const Drawing& drawing) {
+  if (!drawing.title.empty()) return drawing.title;
   std::string name;
   for (const DrawingPart& part : drawing.parts) {
     if (name.empty()) name = part.name;

@@ -106,6 +106,8 @@ Style builtin_style(std::string_view name);
 /// file. Comments are allowed. `source` names it in errors. Throws InputError on broken JSON (with
 /// its line), UsageError ("FILE:LINE: ...") on unknown keys or values out of range.
 Style parse_style(std::string_view json, const std::string& source);
+/// The same, with what neither the text nor its "base" sets from `start`.
+Style parse_style(std::string_view json, const std::string& source, const Style& start);
 
 /// The style as JSON that `parse_style` reads back to the same style.
 std::string style_to_json(const Style& style);

@@ -9,6 +9,21 @@
 
 namespace burin::tone {
 
+/// A light of a scene, in the place of `ToneOptions::light`, `ambient` and `diffuse`.
+struct Light {
+  enum class Kind {
+    Ambient,  // from everywhere
+    From,     // `place`: from the model to the light in view space, as ToneOptions::light
+    At,       // `place`: where the light is, in model mm
+  };
+  Kind kind = Kind::From;
+  Vec3 place{0, 0, 1};
+  /// What it adds to the reflectance of a surface that faces it.
+  double strength = 1;
+
+  bool operator==(const Light&) const = default;
+};
+
 struct ToneOptions {
   /// The name of a row of `catalogue()`.
   std::string law = "lambert";
@@ -28,6 +43,9 @@ struct ToneOptions {
   /// Darkness added where the surface turns away from the viewer, as engravers round a form; 0 =
   /// none.
   double rim = 0.05;
+  /// Those of the scene; empty: `light` with `ambient` and `diffuse`. No option row: styles have no
+  /// lights.
+  std::vector<Light> lights = {};
 
   bool operator==(const ToneOptions&) const = default;
 };

@@ -39,7 +39,7 @@ struct PlacedAtlas {
   }
   SurfaceDerivatives derivatives(std::int32_t face, Vec2 uv) const {
     const SurfaceDerivatives d = atlas->chart(face).derivatives(uv);
-    return placement.moves() ? placement(d) : d;
+    return placement.moves() ? placed(placement, d) : d;
   }
   Vec3 normal(std::int32_t face, Vec2 uv, const SurfaceDerivatives& d) const {
     return chart_normal(d, reversed(face), uv, atlas->chart(face).domain().center());

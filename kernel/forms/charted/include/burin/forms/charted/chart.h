@@ -1,10 +1,10 @@
 #pragma once
 /// One parametric surface S(u,v) and its local geometry.
 
+#include <burin/base/placement.h>
 #include <burin/base/vec.h>
 #include <burin/surface/surface.h>
 
-#include <cmath>
 #include <vector>
 
 namespace burin {
@@ -49,21 +49,11 @@ class Chart {
   }
 };
 
-/// Where a shape stands in the scene: p -> linear * p + offset, model mm. `linear` is a rotation or
-/// a mirror image, times one scale for all directions.
-struct Placement {
-  Mat3 linear{1};
-  Vec3 offset{0};
-
-  Vec3 point(Vec3 p) const { return linear * p + offset; }
-  Vec3 vector(Vec3 v) const { return linear * v; }
-  bool mirrors() const { return glm::determinant(linear) < 0; }
-  double scale() const { return std::cbrt(std::abs(glm::determinant(linear))); }
-  bool moves() const { return linear != Mat3(1) || offset != Vec3(0); }
-  SurfaceDerivatives operator()(const SurfaceDerivatives& d) const {
-    return {point(d.p), linear * d.u, linear * d.v, linear * d.uu, linear * d.uv, linear * d.vv};
-  }
-};
+/// The derivatives of the placed surface.
+inline SurfaceDerivatives placed(const Placement& by, const SurfaceDerivatives& d) {
+  return {by.point(d.p),   by.vector(d.u),  by.vector(d.v),
+          by.vector(d.uu), by.vector(d.uv), by.vector(d.vv)};
+}
 
 /// The unit normal Su x Sv (turned round where `reversed`). Where a partial vanishes (poles,
 /// collapsed sides), both do, or they are parallel: its limit by second derivatives, at the tip of

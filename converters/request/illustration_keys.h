@@ -1,0 +1,30 @@
+#pragma once
+// What the keys of illustration files are: reading and the schema are made from them; internal to
+// the room.
+
+#include <burin/options/request.h>
+
+#include <string>
+#include <vector>
+
+namespace burin::detail {
+
+/// A key of an illustration that is an option of a drawing: "view.from" is "view".
+struct IllustrationKey {
+  std::string path;
+  std::string option;
+};
+
+const std::vector<IllustrationKey>& illustration_keys();
+
+/// The option of a drawing or of reading of that name.
+const RequestOption& option_named(const std::string& name);
+
+/// Members of an input beside options about reading, of a look, of a light.
+inline const std::vector<std::string> kInputKeys = {"file", "function", "name", "place"};
+inline const std::vector<std::string> kPlaceKeys = {"translate", "rotate", "scale"};
+inline const std::vector<std::string> kLookKeys = {"select", "style", "drawn", "hatched",
+                                                   "transparent"};
+inline const std::vector<std::string> kLightKeys = {"ambient", "from", "at", "strength"};
+
+}  // namespace burin::detail

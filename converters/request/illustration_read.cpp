@@ -1,0 +1,514 @@
+#include <burin/base/error.h>
+#include <burin/base/missing_file.h>
+#include <burin/base/nearest.h>
+#include <burin/converters/illustration.h>
+#include <burin/converters/read.h>
+#include <burin/options/json_lines.h>
+
+#include "draw_options.h"
+#include "illustration_keys.h"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <iterator>
+#include <limits>
+#include <utility>
+
+namespace burin {
+namespace {
+
+using Json = nlohmann::ordered_json;
+namespace fs = std::filesystem;
+
+constexpr std::size_t kMostBytes = std::size_t{1} << 24;
+constexpr std::size_t kMostInputs = 100'000;
+constexpr int kMostExtended = 16;
+constexpr double kDegree = 3.14159265358979323846 / 180;
+
+/// A value of JSON as options take it: lists with commas.
+std::string text_of(const Json& value) {
+  if (value.is_string()) return value.get<std::string>();
+  if (!value.is_array()) return value.dump();
+  std::string list;
+  for (const Json& element : value) list += (list.empty() ? "" : ",") + text_of(element);
+  return list;
+}
+
+/// Turns about x, then y, then z, in degrees, as OpenSCAD has it.
+Mat3 turned(Vec3 degrees) {
+  const Vec3 c = glm::cos(degrees * kDegree), s = glm::sin(degrees * kDegree);
+  const Mat3 x(Vec3(1, 0, 0), Vec3(0, c.x, s.x), Vec3(0, -s.x, c.x));
+  const Mat3 y(Vec3(c.y, 0, -s.y), Vec3(0, 1, 0), Vec3(s.y, 0, c.y));
+  const Mat3 z(Vec3(c.z, s.z, 0), Vec3(-s.z, c.z, 0), Vec3(0, 0, 1));
+  return z * y * x;
+}
+
+/// One file, read into an illustration that may hold what it extends.
+class Reader {
+ public:
+  Reader(std::string_view text, std::string source, int extended, Illustration& out)
+      : text_(text),
+        source_(std::move(source)),
+        folder_(fs::path(source_).parent_path()),
+        lines_(text),
+        extended_(extended),
+        out_(out) {}
+
+  void read() {
+    const Json json = parse();
+    check_kind(json);
+    if (json.contains("extends")) extend(json["extends"]);
+    const std::vector<std::string> known = known_members();
+    for (const auto& [key, value] : json.items()) {
+      const std::string path = "/" + key;
+      if (std::ranges::find(known, key) == known.end()) unknown(path, key, known);
+      member(key, value, path);
+    }
+  }
+
+ private:
+  [[noreturn]] void fail(const std::string& path, const std::string& what) const {
+    throw UsageError(fmt::format("{}{}", place(path), what));
+  }
+  std::string place(const std::string& path) const {
+    return fmt::format("{}:{}: ", source_, lines_.line(path));
+  }
+  [[noreturn]] void unknown(const std::string& path, const std::string& key,
+                            const std::vector<std::string>& known) const {
+    fail(path, fmt::format("unknown key '{}'; did you mean '{}'?", key, nearest(key, known)));
+  }
+
+  Json parse() const {
+    try {
+      Json json = Json::parse(text_, nullptr, true, true);
+      if (json.is_object()) return json;
+    } catch (const Json::parse_error& e) {
+      throw InputError("not valid JSON here; mend the illustration file", source_,
+                       line_at(text_, e.byte > 0 ? e.byte - 1 : 0));
+    }
+    throw InputError("an illustration file is one JSON object, {\"burin\": \"illustration\", ...}",
+                     source_, 1);
+  }
+
+  void check_kind(const Json& json) const {
+    if (json.contains("format")) {
+      throw InputError(
+          "is a drawing, which is drawn already; burin convert writes it in other "
+          "formats",
+          source_);
+    }
+    if (!json.contains("burin") || json["burin"] != "illustration") {
+      throw InputError("is no illustration file: its first key is \"burin\": \"illustration\"",
+                       source_);
+    }
+    if (json.contains("version") && json["version"] != 1) {
+      fail("/version", "this Burin reads version 1 of illustration files");
+    }
+  }
+
+  static std::vector<std::string> known_members() {
+    std::vector<std::string> names = {"burin", "version", "$schema", "extends", "parts", "style",
+                                      "looks", "lights",  "title",   "view",    "paper"};
+    for (const detail::IllustrationKey& key : detail::illustration_keys()) {
+      if (key.path.find('.') == std::string::npos) names.push_back(key.path);
+    }
+    return names;
+  }
+
+  void extend(const Json& value) {
+    const std::string file = found_path(text(value, "/extends"));
+    if (extended_ >= kMostExtended) {
+      fail("/extends", "\"extends\" makes a chain of more than 16 files, or a ring of them");
+    }
+    std::string house;
+    try {
+      house = bytes_of(file);
+    } catch (const InputError& e) {
+      fail("/extends", fmt::format("'{}' {}", file, e.what()));
+    }
+    Reader(house, file, extended_ + 1, out_).read();
+  }
+
+  void member(const std::string& key, const Json& value, const std::string& path) {
+    if (key == "parts") return parts(value, path);
+    if (key == "style") return style(value, path);
+    if (key == "looks") return looks(value, path);
+    if (key == "lights") return lights(value, path);
+    if (key == "title") {
+      out_.request.title = text(value, path);
+    } else if (key == "view" || (key == "paper" && value.is_object())) {
+      options_of(key, value, path);
+    } else if (key == "paper") {
+      set_option("paper", value, path, "paper");
+    } else if (key != "burin" && key != "version" && key != "$schema" && key != "extends") {
+      set_option(key, value, path, key);
+    }
+  }
+
+  /// Members of a group, "view" or "paper".
+  void options_of(const std::string& group, const Json& value, const std::string& path) {
+    std::vector<std::string> known;
+    for (const detail::IllustrationKey& key : detail::illustration_keys()) {
+      if (key.path.starts_with(group + ".")) known.push_back(key.path.substr(group.size() + 1));
+    }
+    check_object(value, path, known);
+    for (const detail::IllustrationKey& key : detail::illustration_keys()) {
+      if (!key.path.starts_with(group + ".")) continue;
+      const std::string name = key.path.substr(group.size() + 1);
+      if (value.contains(name)) set_option(key.option, value[name], path + "/" + name, key.path);
+    }
+  }
+
+  /// Sets an option of the drawing, once its row takes the value.
+  void set_option(const std::string& option, const Json& value, const std::string& path,
+                  const std::string& key) {
+    const bool size = option == "paper" && value.is_array() && value.size() == 2;
+    const std::string given =
+        size ? fmt::format("{}x{}", text_of(value[0]), text_of(value[1])) : text_of(value);
+    check(detail::draw_rows(), option, {given}, path, key);
+    out_.request.options[option] = {given};
+  }
+
+  /// Asks the row of an option; its errors name the key and the line.
+  template <class T>
+  void check(const std::vector<RequestRow<T>>& rows, const std::string& option,
+             const std::vector<std::string>& given, const std::string& path,
+             const std::string& key) const {
+    const auto row = std::ranges::find(rows, option, &RequestRow<T>::name);
+    try {
+      T scratch{};
+      apply(std::vector<RequestRow<T>>{*row}, {{option, given}}, Spelling::Keywords, scratch);
+    } catch (const UsageError& e) {
+      std::string what = e.what();
+      const std::string called = "argument " + option + " ";
+      if (what.starts_with(called))
+        what = fmt::format("\"{}\" {}", key, what.substr(called.size()));
+      fail(path, what);
+    }
+  }
+
+  void parts(const Json& value, const std::string& path) {
+    check_array(value, path);
+    if (value.size() > kMostInputs) fail(path, "more than 100,000 parts");
+    out_.inputs.clear();
+    for (std::size_t i = 0; i < value.size(); ++i) {
+      input(value[i], fmt::format("{}/{}", path, i));
+    }
+  }
+
+  void input(const Json& value, const std::string& path) {
+    std::vector<std::string> known = detail::kInputKeys;
+    for (const auto& row : read_option_rows()) known.push_back(row.name());
+    check_object(value, path, known);
+    IllustrationInput one;
+    one.source = source_;
+    one.line = lines_.line(path);
+    if (value.contains("file") == value.contains("function")) {
+      fail(path, "a part has either \"file\" or \"function\"");
+    }
+    if (value.contains("file")) {
+      one.file = found_path(text(value["file"], path + "/file"));
+    } else {
+      one.function = text(value["function"], path + "/function");
+    }
+    if (value.contains("name")) one.name = text(value["name"], path + "/name");
+    if (value.contains("place")) one.place = placement(value["place"], path + "/place");
+    for (const auto& row : read_option_rows()) {
+      const std::string& name = row.name();
+      if (!value.contains(name)) continue;
+      const std::vector<std::string> given = texts(row.about, value[name]);
+      check(read_option_rows(), name, given, path + "/" + name, name);
+      if (!given.empty()) one.read[name] = given;
+    }
+    out_.inputs.push_back(std::move(one));
+  }
+
+  /// Of an option that may be given several times: each of a list, NAME=VALUE of an object.
+  static std::vector<std::string> texts(const RequestOption& option, const Json& value) {
+    if (!option.many) return {text_of(value)};
+    std::vector<std::string> given;
+    if (value.is_object()) {
+      for (const auto& [name, v] : value.items()) {
+        given.push_back(name + "=" + v.dump());
+      }
+    } else if (value.is_array()) {
+      for (const Json& v : value) given.push_back(text_of(v));
+    } else {
+      given.push_back(text_of(value));
+    }
+    return given;
+  }
+
+  Placement placement(const Json& value, const std::string& path) const {
+    check_object(value, path, detail::kPlaceKeys);
+    Placement place;
+    if (value.contains("rotate")) place.linear = turned(vector(value["rotate"], path + "/rotate"));
+    if (value.contains("scale")) {
+      const double scale = number(value["scale"], path + "/scale");
+      if (!(scale >= 1e-9 && scale <= 1e9)) fail(path + "/scale", "\"scale\" takes 1e-9 to 1e9");
+      place.linear *= scale;
+    }
+    if (value.contains("translate")) {
+      place.offset = vector(value["translate"], path + "/translate");
+    }
+    return place;
+  }
+
+  /// A name or a file, or the members of a style file.
+  void style(const Json& value, const std::string& path) {
+    DrawRequest& r = out_.request;
+    r.style_text.clear();
+    r.style_source.clear();
+    r.options.erase("style");
+    if (value.is_object()) {
+      Json named = value;
+      if (value.contains("base") && !value.contains("name")) named["name"] = value["base"];
+      r.style_text = text_at_lines(named, path);
+      r.style_source = source_;
+      parse_style(r.style_text, source_);  // errors now, not once the models are read
+    } else {
+      r.options["style"] = {style_named(value, path)};
+    }
+  }
+
+  /// Built-in ones by name; files as they are found from here.
+  std::string style_named(const Json& value, const std::string& path) const {
+    std::string name = text(value, path);
+    const auto builtin = builtin_styles();
+    if (std::ranges::find(builtin, name, &StyleInfo::name) != builtin.end()) return name;
+    if (name.find('/') != std::string::npos || name.ends_with(".json")) name = found_path(name);
+    try {
+      load_style(name);
+    } catch (const MissingFile&) {
+      fail(path, fmt::format("there is no style file '{}'", name));
+    } catch (const UsageError& e) {
+      fail(path, e.what());
+    }
+    return name;
+  }
+
+  void looks(const Json& value, const std::string& path) {
+    check_array(value, path);
+    for (std::size_t i = 0; i < value.size(); ++i) look(value[i], fmt::format("{}/{}", path, i));
+  }
+
+  void look(const Json& value, const std::string& path) {
+    check_object(value, path, detail::kLookKeys);
+    Look look;
+    look.place = place(path);
+    if (!value.contains("select")) fail(path, "a look has \"select\", the parts that it is for");
+    const Json& select = value["select"];
+    const Json list = select.is_array() ? select : Json::array({select});
+    for (const Json& selector : list) look.select.push_back(text(selector, path + "/select"));
+    const auto flag = [&](const char* name, std::optional<bool>& to) {
+      if (!value.contains(name)) return;
+      if (!value[name].is_boolean()) {
+        fail(fmt::format("{}/{}", path, name), fmt::format("\"{}\" takes true or false", name));
+      }
+      to = value[name].get<bool>();
+    };
+    flag("drawn", look.drawn);
+    flag("hatched", look.hatched);
+    flag("transparent", look.transparent);
+    if (value.contains("style")) {
+      const std::string at = path + "/style";
+      if (value["style"].is_object()) {
+        look.style_text = text_at_lines(value["style"], at);
+        look.style_source = source_;
+        parse_style(look.style_text, source_);
+      } else {
+        look.style = style_named(value["style"], at);
+      }
+    }
+    out_.request.looks.push_back(std::move(look));
+  }
+
+  void lights(const Json& value, const std::string& path) {
+    check_array(value, path);
+    out_.request.lights.clear();
+    for (std::size_t i = 0; i < value.size(); ++i) {
+      out_.request.lights.push_back(light(value[i], fmt::format("{}/{}", path, i)));
+    }
+  }
+
+  tone::Light light(const Json& value, const std::string& path) const {
+    check_object(value, path, detail::kLightKeys);
+    const auto has = [&](const char* name) { return value.contains(name); };
+    if (static_cast<int>(has("ambient")) + has("from") + has("at") != 1) {
+      fail(path, "a light has one of \"ambient\", \"from\" and \"at\"");
+    }
+    tone::Light light;
+    if (has("ambient")) {
+      light.kind = tone::Light::Kind::Ambient;
+      light.strength = strength(value["ambient"], path + "/ambient");
+      if (has("strength")) fail(path + "/strength", "that of an ambient light is its number");
+      return light;
+    }
+    const char* name = has("from") ? "from" : "at";
+    const std::string at = fmt::format("{}/{}", path, name);
+    light.kind = has("from") ? tone::Light::Kind::From : tone::Light::Kind::At;
+    light.place = vector(value[name], at);
+    if (has("from") && light.place == Vec3(0)) fail(at, "\"from\" takes a direction but 0,0,0");
+    if (has("strength")) light.strength = strength(value["strength"], path + "/strength");
+    return light;
+  }
+
+  double strength(const Json& value, const std::string& path) const {
+    const double s = number(value, path);
+    if (!(s >= 0 && s <= 10)) fail(path, "a light takes a strength of 0 to 10");
+    return s;
+  }
+
+  /// An object with only known members.
+  void check_object(const Json& value, const std::string& path,
+                    const std::vector<std::string>& known) const {
+    if (!value.is_object()) fail(path, named(path) + " takes an object, {...}");
+    for (const auto& [key, ignored] : value.items()) {
+      if (std::ranges::find(known, key) == known.end()) unknown(path + "/" + key, key, known);
+    }
+  }
+  void check_array(const Json& value, const std::string& path) const {
+    if (!value.is_array()) fail(path, named(path) + " takes a list, [...]");
+  }
+  std::string text(const Json& value, const std::string& path) const {
+    if (!value.is_string() || value.get<std::string>().empty())
+      fail(path, named(path) + " takes text");
+    return value.get<std::string>();
+  }
+  double number(const Json& value, const std::string& path) const {
+    if (!value.is_number() || !std::isfinite(value.get<double>())) {
+      fail(path, named(path) + " takes a number");
+    }
+    return value.get<double>();
+  }
+  Vec3 vector(const Json& value, const std::string& path) const {
+    if (!value.is_array() || value.size() != 3) fail(path, named(path) + " takes [x, y, z]");
+    Vec3 v;
+    for (int k = 0; k < 3; ++k) v[k] = number(value[static_cast<std::size_t>(k)], path);
+    return v;
+  }
+  /// "/parts/0/place" as people say it.
+  static std::string named(const std::string& path) {
+    std::string name = path.substr(path.rfind('/') + 1);
+    if (!name.empty() && std::ranges::all_of(name, [](char c) { return c >= '0' && c <= '9'; })) {
+      const std::string list = path.substr(0, path.rfind('/'));
+      return "each of \"" + list.substr(list.rfind('/') + 1) + "\"";
+    }
+    return "\"" + name + "\"";
+  }
+
+  /// The text of an object whose members stand in the lines that they have in the file, so that
+  /// whoever reads it names these.
+  std::string text_at_lines(const Json& object, const std::string& path) const {
+    std::string out;
+    std::int64_t line = 1;
+    write_at_lines(object, path, out, line);
+    return out;
+  }
+  void write_at_lines(const Json& value, const std::string& path, std::string& out,
+                      std::int64_t& line) const {
+    if (!value.is_object()) {
+      out += value.dump();
+      return;
+    }
+    out += '{';
+    bool first = true;
+    for (const auto& [key, v] : value.items()) {
+      if (!first) out += ',';
+      first = false;
+      const std::string at = path + "/" + key;
+      for (const std::int64_t to = lines_.line(at); line < to; ++line) out += '\n';
+      out += Json(key).dump() + ":";
+      write_at_lines(v, at, out, line);
+    }
+    out += '}';
+  }
+
+  std::string found_path(const std::string& name) const {
+    const fs::path path(name);
+    return path.is_absolute() || folder_.empty() ? name : (folder_ / path).string();
+  }
+
+ public:
+  /// Throws InputError.
+  static std::string bytes_of(const std::string& file) {
+    check_inputs({file});
+    std::ifstream in(file, std::ios::binary);
+    std::string text;
+    std::vector<char> block(1 << 16);
+    while (in.read(block.data(), static_cast<std::streamsize>(block.size())), in.gcount() > 0) {
+      text.append(block.data(), static_cast<std::size_t>(in.gcount()));
+      if (text.size() > kMostBytes) {
+        throw InputError("is larger than 16 MB, which no illustration file is", file);
+      }
+    }
+    return text;
+  }
+
+ private:
+  std::string_view text_;
+  std::string source_;
+  fs::path folder_;
+  JsonLines lines_;
+  int extended_;
+  Illustration& out_;
+};
+
+}  // namespace
+
+namespace detail {
+
+const std::vector<IllustrationKey>& illustration_keys() {
+  static const std::vector<IllustrationKey> keys = {
+      {"view.from", "view"},      {"view.up", "up"},         {"view.perspective", "perspective"},
+      {"view.scale", "scale"},    {"view.center", "center"}, {"paper.size", "paper"},
+      {"paper.margin", "margin"}, {"hidden", "hidden"},      {"tolerance", "tolerance"},
+      {"seed", "seed"},
+  };
+  return keys;
+}
+
+const RequestOption& option_named(const std::string& name) {
+  return find_option(all_options(), name);
+}
+
+}  // namespace detail
+
+bool is_illustration(const fs::path& path) { return path.extension() == ".json"; }
+
+Illustration parse_illustration(std::string_view json, const std::string& source) {
+  Illustration illustration;
+  Reader(json, source, 0, illustration).read();
+  if (illustration.inputs.empty()) {
+    throw UsageError(source +
+                     ": has no parts; name models: \"parts\": [{\"file\": \"part.step\"}]");
+  }
+  return illustration;
+}
+
+Illustration read_illustration(const fs::path& path) {
+  return parse_illustration(Reader::bytes_of(path.string()), path.string());
+}
+
+DrawRequest merged(const DrawRequest& file, const DrawRequest& door) {
+  DrawRequest all = file;
+  for (const auto& [name, texts] : door.options) {
+    std::vector<std::string>& to = all.options[name];
+    if (!find_option(all_options(), name).many) to.clear();
+    to.insert(to.end(), texts.begin(), texts.end());
+  }
+  if (door.has("style") || !door.style_text.empty()) {
+    all.style_text = door.style_text;
+    all.style_source = door.style_source;
+  }
+  all.looks.insert(all.looks.end(), door.looks.begin(), door.looks.end());
+  if (!door.lights.empty()) all.lights = door.lights;
+  if (!door.title.empty()) all.title = door.title;
+  return all;
+}
+
+}  // namespace burin

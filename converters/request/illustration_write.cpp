@@ -1,0 +1,200 @@
+#include <burin/converters/illustration.h>
+
+#include "illustration_keys.h"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+
+namespace burin {
+namespace {
+
+using Json = nlohmann::ordered_json;
+namespace fs = std::filesystem;
+
+/// A text as JSON has the values of an option.
+Json value_of(const RequestOption& option, const std::string& text) {
+  const std::string_view kind = kind_of(option.option);
+  if (kind == "number" || kind == "whole" || kind == "flag" ||
+      option.python.find("float") != std::string::npos) {
+    const Json value = Json::parse(text, nullptr, false);
+    if (!value.is_discarded()) return value;
+  }
+  if (kind == "direction") {
+    const Json value = Json::parse("[" + text + "]", nullptr, false);
+    if (!value.is_discarded()) return value;
+  }
+  return text;
+}
+
+std::string seen_from(const fs::path& folder, const std::string& file) {
+  std::error_code error;
+  const fs::path relative = fs::relative(file, folder.empty() ? fs::path(".") : folder, error);
+  return error || relative.empty() ? file : relative.string();
+}
+
+Json schema_of(const std::string& option) {
+  return Json::parse(value_schema(detail::option_named(option).option));
+}
+
+/// What free text may be written as: numbers and lists too.
+Json loosened(Json value) {
+  if (value.value("type", "") != "string") return value;
+  value["type"] = {"string", "number", "array"};
+  return value;
+}
+
+Json object_of(Json properties) {
+  return {
+      {"type", "object"}, {"additionalProperties", false}, {"properties", std::move(properties)}};
+}
+
+Json list_of(Json items) { return {{"type", "array"}, {"items", std::move(items)}}; }
+
+Json vector_of(const char* what) {
+  return {{"description", what},
+          {"type", "array"},
+          {"items", {{"type", "number"}}},
+          {"minItems", 3},
+          {"maxItems", 3}};
+}
+
+Json text(const char* what) { return {{"description", what}, {"type", "string"}}; }
+Json flag(const char* what) { return {{"description", what}, {"type", "boolean"}}; }
+
+Json input_schema() {
+  Json members;
+  members["file"] = text("a model file, seen from the folder of this one");
+  members["function"] = text("instead of a file: the text of an implicit function");
+  members["name"] = text("what the part is called, or the assembly that its parts make");
+  members["place"] =
+      object_of({{"translate", vector_of("model mm")},
+                 {"rotate", vector_of("degrees about x, then y, then z; before it is moved")},
+                 {"scale", {{"type", "number"}, {"minimum", 1e-9}, {"maximum", 1e9}}}});
+  for (const auto& row : read_option_rows()) {
+    Json value = loosened(schema_of(row.name()));
+    if (row.about.many) value["type"] = {"string", "array", "object"};
+    members[row.name()] = std::move(value);
+  }
+  return object_of(std::move(members));
+}
+
+Json look_schema(const Json& style) {
+  Json select = text(
+      "a part or an assembly: its name, its path, @color=#rrggbb, @index=N or "
+      "@file=NAME; * and ? are wild");
+  Json look = object_of({{"select", {{"anyOf", {select, list_of(select)}}}},
+                         {"style", style},
+                         {"drawn", flag("false: as if the part were not there")},
+                         {"hatched", flag("false: without strokes")},
+                         {"transparent", flag("true: of glass; it hides itself alone")}});
+  look["required"] = {"select"};
+  return look;
+}
+
+Json light_schema() {
+  const Json strength = {{"type", "number"}, {"minimum", 0}, {"maximum", 10}};
+  return object_of({{"ambient", strength},
+                    {"from", vector_of("to the light: right, up, towards the viewer")},
+                    {"at", vector_of("where the light is, in model mm")},
+                    {"strength", strength}});
+}
+
+}  // namespace
+
+std::string first_illustration(const std::vector<std::string>& inputs, const DrawRequest& request,
+                               const fs::path& folder) {
+  Json json{{"burin", "illustration"}, {"version", 1}, {"parts", Json::array()}};
+  Request reading;
+  for (const auto& row : read_option_rows()) {
+    const auto& texts = given_texts(request.options, row.name());
+    if (!texts.empty()) reading[row.name()] = texts;
+  }
+  for (const std::string& input : inputs) {
+    Json part{{"file", seen_from(folder, input)}};
+    for (const auto& [name, texts] : reading) {
+      const RequestOption& option = detail::option_named(name);
+      part[name] = option.many ? Json(texts) : value_of(option, texts.back());
+    }
+    json["parts"].push_back(std::move(part));
+  }
+  for (const detail::IllustrationKey& key : detail::illustration_keys()) {
+    const RequestOption& option = detail::option_named(key.option);
+    const std::vector<std::string> texts = asked_texts(option, request.options);
+    if (texts.empty()) continue;
+    const std::size_t dot = key.path.find('.');
+    Json& to = dot == std::string::npos ? json[key.path]
+                                        : json[key.path.substr(0, dot)][key.path.substr(dot + 1)];
+    to = value_of(option, texts.back());
+  }
+  const std::vector<std::string> styles =
+      asked_texts(detail::option_named("style"), request.options);
+  std::vector<std::string> changes = given_texts(request.options, "set");
+  for (const std::string& light : given_texts(request.options, "light")) {
+    changes.push_back("tone.light=" + light);
+  }
+  if (changes.empty()) {
+    json["style"] = styles.back();
+  } else {
+    json["style"]["base"] = styles.back();
+    const std::vector<StyleKey> keys = style_keys(builtin_style("technical"));
+    for (const std::string& change : changes) {
+      const auto [name, value] = parted_assignment(change);
+      const auto key = std::ranges::find(keys, name, &StyleKey::name);
+      json["style"][name] = value_of({.option = *key, .group = {}}, value);
+    }
+  }
+  json["looks"] = Json::array();
+  const auto add = [&](const char* option, const char* key, bool value) {
+    for (const std::string& selector : given_texts(request.options, option)) {
+      json["looks"].push_back({{"select", selector}, {key, value}});
+    }
+  };
+  add("hide", "drawn", false);
+  add("ghost", "transparent", true);
+  for (const std::string& look : given_texts(request.options, "look")) {
+    const std::size_t equals = look.rfind('=');
+    json["looks"].push_back(
+        {{"select", look.substr(0, equals)}, {"style", look.substr(equals + 1)}});
+  }
+  return json.dump(2) + "\n";
+}
+
+std::string illustration_schema() {
+  Json named = text("a built-in style, or a style file seen from the folder of this one");
+  const Json style = {{"anyOf", {named, {{"$ref", "#/$defs/style"}}}}};
+  Json members;
+  members["burin"] = {{"const", "illustration"}};
+  members["version"] = {{"const", 1}};
+  members["$schema"] = {{"type", "string"}};
+  members["extends"] = text("an illustration file whose keys hold where this one has none");
+  members["title"] = text("what the drawing is called (default: by its parts)");
+  members["parts"] = list_of(input_schema());
+  members["style"] = style;
+  members["looks"] = list_of(look_schema(style));
+  members["lights"] = list_of(light_schema());
+  for (const detail::IllustrationKey& key : detail::illustration_keys()) {
+    const std::size_t dot = key.path.find('.');
+    Json value = loosened(schema_of(key.option));
+    if (dot == std::string::npos) {
+      members[key.path] = std::move(value);
+      continue;
+    }
+    Json& group = members[key.path.substr(0, dot)];
+    if (group.is_null()) group = object_of(Json::object());
+    group["properties"][key.path.substr(dot + 1)] = std::move(value);
+  }
+  members["paper"] = {{"anyOf", {members["paper"], loosened(schema_of("paper"))}}};
+  Json style_file = Json::parse(style_schema());
+  style_file.erase("$schema");
+  const Json schema{{"$schema", "https://json-schema.org/draft/2020-12/schema"},
+                    {"title", "Illustration of Burin"},
+                    {"type", "object"},
+                    {"required", {"burin"}},
+                    {"properties", std::move(members)},
+                    {"additionalProperties", false},
+                    {"$defs", {{"style", std::move(style_file)}}}};
+  return schema.dump(2) + "\n";
+}
+
+}  // namespace burin

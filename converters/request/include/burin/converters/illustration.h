@@ -1,0 +1,64 @@
+#pragma once
+/// Illustration files (NAME.burin.json): which parts are drawn, where they stand, how they look, by
+/// what light, from where, on what paper. A model is never changed by one;
+/// kernel/docs/illustration.md explains the keys.
+
+#include <burin/base/placement.h>
+#include <burin/converters/request.h>
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace burin {
+
+/// One input of an illustration: a file or a formula, with what is asked of its reading.
+struct IllustrationInput {
+  /// As it is found from here; empty for a formula.
+  std::string file;
+  /// The text of an `.implicit` file.
+  std::string function;
+  /// What its part is called, or where its parts stand in the assembly; empty: as the file says.
+  std::string name;
+  Placement place;
+  /// Options about reading, by name.
+  Request read;
+  /// For errors: the illustration file and the line.
+  std::string source;
+  std::int64_t line = 0;
+};
+
+struct Illustration {
+  std::vector<IllustrationInput> inputs;
+  /// All else, as a door would ask it.
+  DrawRequest request;
+};
+
+/// Whether a file is an illustration: by its suffix `.json`. Drawing files have it too, and are
+/// refused by `read_illustration`.
+bool is_illustration(const std::filesystem::path& path);
+
+/// Reads an illustration and what it extends. Files that it names are looked for from its folder.
+/// Throws InputError on broken JSON, UsageError ("FILE:LINE: ...") on unknown keys and values that
+/// a key does not take.
+Illustration read_illustration(const std::filesystem::path& path);
+/// The same from text; `source` names it in errors, its folder is where files are looked for.
+Illustration parse_illustration(std::string_view json, const std::string& source);
+
+/// The parts of its inputs, placed. Inputs that are equal but for place and name are read once.
+/// Stage "read". Throws InputError.
+Scene read_scene(const Illustration& illustration, RunContext& context);
+
+/// What a door asks, over what an illustration does: options that are given replace those of the
+/// file, of those that may be given several times they follow them.
+DrawRequest merged(const DrawRequest& file, const DrawRequest& door);
+
+/// A first file to edit, of these inputs and of what was asked; with paths as seen from `folder`.
+std::string first_illustration(const std::vector<std::string>& inputs, const DrawRequest& request,
+                               const std::filesystem::path& folder);
+
+/// The JSON Schema (draft 2020-12) of illustration files.
+std::string illustration_schema();
+
+}  // namespace burin

@@ -1,0 +1,27 @@
+#pragma once
+/// Parts of an assembly by name.
+
+#include <burin/surface/scene.h>
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace burin {
+
+/// The names from the top of the assembly down to the part, with slashes: "pump/cover/bolt".
+std::string path_of(const Part& part);
+
+/// The parts that a selector names, ascending.
+///
+/// A selector is a name or names with slashes between them, at any depth of the assembly, from its
+/// top where it begins with a slash; they lead to a part, or to an assembly, whose parts are all
+/// meant. In a name * is any text and ? any letter; ** stands for any number of names.
+/// @color=#88c0ff selects by colour, @index=3 by number, from 0, as `burin info` and
+/// drawing files count, @file=lid.stl those of a file.
+///
+/// Throws UsageError that names the nearest names where it selects nothing.
+std::vector<std::size_t> select(const Scene& scene, std::string_view selector);
+
+}  // namespace burin

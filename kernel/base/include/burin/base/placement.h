@@ -1,0 +1,28 @@
+#pragma once
+/// Where a shape stands.
+
+#include <burin/base/vec.h>
+
+#include <cmath>
+
+namespace burin {
+
+/// Where a shape stands in the scene: p -> linear * p + offset, model mm. `linear` is a rotation or
+/// a mirror image, times one scale for all directions.
+struct Placement {
+  Mat3 linear{1};
+  Vec3 offset{0};
+
+  Vec3 point(Vec3 p) const { return linear * p + offset; }
+  Vec3 vector(Vec3 v) const { return linear * v; }
+  bool mirrors() const { return glm::determinant(linear) < 0; }
+  double scale() const { return std::cbrt(std::abs(glm::determinant(linear))); }
+  bool moves() const { return linear != Mat3(1) || offset != Vec3(0); }
+};
+
+/// First `b`, then `a`.
+inline Placement after(const Placement& a, const Placement& b) {
+  return {a.linear * b.linear, a.point(b.offset)};
+}
+
+}  // namespace burin

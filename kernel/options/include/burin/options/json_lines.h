@@ -1,0 +1,27 @@
+#pragma once
+/// Where the members of a JSON file stand, so that errors name the line.
+
+#include <cstdint>
+#include <map>
+#include <string>
+#include <string_view>
+
+namespace burin {
+
+/// The line of every member and element of a JSON text, comments allowed; nothing where it is no
+/// JSON.
+class JsonLines {
+ public:
+  explicit JsonLines(std::string_view text);
+
+  /// From 1, by a path such as "/parts/0/file": its own, else that of what holds it.
+  std::int64_t line(std::string_view path) const;
+
+ private:
+  std::map<std::string, std::int64_t, std::less<>> lines_;
+};
+
+/// The line of a place in a text, from 1.
+std::int64_t line_at(std::string_view text, std::size_t position);
+
+}  // namespace burin

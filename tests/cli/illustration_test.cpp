@@ -1,0 +1,246 @@
+// Illustration files, and parts chosen on the command line.
+#include "models.h"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <filesystem>
+#include <set>
+
+namespace burin {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::json;
+
+class Illustrations : public test::CliTest {
+ protected:
+  /// Writes an illustration of these members and draws it with these options.
+  int draw(const std::string& members, const std::string& options = "") {
+    folder_.write("a.burin.json", "{\"burin\": \"illustration\"" + members + "}");
+    return run("draw @/a.burin.json -o @/a.json " + options);
+  }
+  Json drawing() { return Json::parse(test::slurp(folder_ / "a.json")); }
+
+  const std::string box_part_ = R"(, "parts": [{"file": "box.off"}])";
+};
+
+TEST_F(Illustrations, DrawWhatTheSameOptionsDraw) {
+  ASSERT_EQ(run("draw @/box.off -o @/b.svg --style engraving --set hatch.taper=1 --view 1,2,3 "
+                "--paper 150x100 --margin 5,6,7,8 --seed 9 --hidden dashed --light 1,0,1"),
+            0)
+      << err_;
+  folder_.write("a.burin.json", R"({
+    "burin": "illustration", "version": 1,  // with a comment
+    "parts": [{"file": "box.off"}],
+    "view": {"from": [1, 2, 3]}, "paper": {"size": [150, 100], "margin": [5, 6, 7, 8]},
+    "hidden": "dashed", "seed": 9,
+    "style": {"base": "engraving", "hatch.taper": 1, "tone": {"light": [1, 0, 1]}}})");
+  ASSERT_EQ(run("draw @/a.burin.json -o @/a.svg"), 0) << err_;
+  EXPECT_EQ(test::slurp(folder_ / "a.svg"), test::slurp(folder_ / "b.svg"));
+  // What the command line says holds.
+  ASSERT_EQ(run("draw @/a.burin.json -o @/a.json --view top --style outline --hidden none"), 0);
+  const Json top = drawing();
+  EXPECT_EQ(top["view"]["direction"], Json({0.0, 0.0, 1.0}));
+  EXPECT_EQ(top["style"], "outline");
+  EXPECT_EQ(top["seed"], 9);
+}
+
+TEST_F(Illustrations, PlaceAndNameTheirParts) {
+  ASSERT_EQ(draw(R"x(, "title": "Two boxes & a ball", "parts": [
+    {"file": "box.off", "name": "low"},
+    {"file": "box.off", "name": "high", "place": {"translate": [0, 0, 100], "rotate": [0, 0, 90], "scale": 2}},
+    {"function": "sphere(7)", "name": "ball", "place": {"translate": [-60, 0, 0]}}],
+    "view": {"from": "front", "scale": 1}, "paper": "A3", "style": "outline")x"),
+            0)
+      << err_;
+  const Json d = drawing();
+  EXPECT_EQ(d["title"], "Two boxes & a ball");
+  ASSERT_EQ(d["parts"].size(), 3U);
+  EXPECT_EQ(d["parts"][0]["name"], "low");
+  EXPECT_EQ(d["parts"][1]["name"], "high");
+  EXPECT_EQ(d["parts"][2]["name"], "ball");
+  // Boxes of 40 x 30 x 20 from the origin; the second turned about z, doubled and lifted: it spans
+  // -60 to 0 by 100 to 140; the ball -67 to -53 by -7 to 7. In all -67 to 40 by -7 to 140.
+  double low_x = 1e9, high_x = -1e9, low_y = 1e9, high_y = -1e9;
+  for (const Json& layer : d["layers"]) {
+    for (const Json& path : layer["paths"]) {
+      for (const Json& p : path["points"]) {
+        low_x = std::min(low_x, p[0].get<double>()), high_x = std::max(high_x, p[0].get<double>());
+        low_y = std::min(low_y, p[1].get<double>()), high_y = std::max(high_y, p[1].get<double>());
+      }
+    }
+  }
+  EXPECT_NEAR(high_x - low_x, 107, 0.1);
+  EXPECT_NEAR(high_y - low_y, 147, 0.1);
+  ASSERT_EQ(run("draw @/a.burin.json -o @/a.svg"), 0);
+  EXPECT_NE(test::slurp(folder_ / "a.svg").find("<title>Two boxes &amp; a ball</title>"),
+            std::string::npos);
+  ASSERT_EQ(run("convert @/a.json -o @/b.json"), 0) << err_;
+  EXPECT_EQ(Json::parse(test::slurp(folder_ / "b.json"))["title"], "Two boxes & a ball");
+}
+
+TEST_F(Illustrations, LooksAreForThePartsThatTheyName) {
+  const std::string parts = R"(, "style": "outline", "parts": [
+    {"file": "box.off", "name": "near"},
+    {"file": "box.off", "name": "far", "place": {"translate": [0, 100, 0]}}])";
+  const auto strokes = [&](int part) {
+    std::size_t count = 0;
+    const Json d = drawing();
+    for (const Json& layer : d["layers"]) {
+      if (!layer["name"].get<std::string>().starts_with("stroke")) continue;
+      for (const Json& path : layer["paths"]) count += path["part"] == part;
+    }
+    return count;
+  };
+  ASSERT_EQ(draw(parts), 0) << err_;
+  EXPECT_EQ(strokes(0) + strokes(1), 0U);
+  ASSERT_EQ(draw(parts + R"(, "looks": [{"select": "far", "style": "engraving"}])"), 0) << err_;
+  EXPECT_EQ(strokes(0), 0U);
+  EXPECT_GT(strokes(1), 20U);
+  // Without "base" the changes are to the drawing's own style; a later look holds.
+  ASSERT_EQ(
+      draw(parts + R"(, "looks": [{"select": ["near", "far"], "style": {"hatch.enabled": true}},
+                                        {"select": "near", "hatched": false}])"),
+      0)
+      << err_;
+  EXPECT_EQ(strokes(0), 0U);
+  EXPECT_GT(strokes(1), 20U);
+  ASSERT_EQ(draw(parts, "--look far=engraving"), 0) << err_;
+  EXPECT_GT(strokes(1), 20U);
+}
+
+TEST_F(Illustrations, PartsAreChosenOnTheCommandLine) {
+  const auto parts_drawn = [&] {
+    std::set<int> parts;
+    const Json d = drawing();
+    for (const Json& layer : d["layers"]) {
+      for (const Json& path : layer["paths"]) parts.insert(path["part"].get<int>());
+    }
+    return parts;
+  };
+  folder_.write("lid.off", test::box_off());
+  const std::string both = "draw @/box.off @/lid.off -o @/a.json --style outline ";
+  ASSERT_EQ(run(both + "--hide lid"), 0) << err_;
+  EXPECT_EQ(parts_drawn(), (std::set<int>{0}));
+  ASSERT_EQ(run(both + "--part lid"), 0) << err_;
+  EXPECT_EQ(parts_drawn(), (std::set<int>{1}));
+  EXPECT_EQ(run(both + "--hide lit"), 2);
+  expect_error("no part is named 'lit'; names of parts and assemblies: 'lid', 'box'");
+  EXPECT_EQ(run(both + "--hide *"), 2);
+  expect_error("nothing is left to draw");
+  EXPECT_EQ(run(both + "--look lid"), 2);
+  expect_error("option --look takes NAME=STYLE, not 'lid'");
+  EXPECT_EQ(run(both + "--look lid=engravng"), 2);
+  expect_error("the nearest is 'engraving'");
+  // The sheet shows what is drawn: a part that is left out takes no room.
+  folder_.write("far.off", test::off_text(test::box({500, 0, 0}, {540, 30, 20})));
+  ASSERT_EQ(run("draw @/box.off @/far.off -o @/a.json --hide far"), 0) << err_;
+  const double scale = drawing()["view"]["scale"];
+  ASSERT_EQ(run("draw @/box.off -o @/a.json"), 0) << err_;
+  EXPECT_EQ(drawing()["view"]["scale"], scale);
+}
+
+TEST_F(Illustrations, HouseFilesHoldWhereAFileHasNothing) {
+  fs::create_directory(folder_ / "house");
+  folder_.write("house/style.json", R"({"base": "engraving", "line.outer": 0.9})");
+  folder_.write("house/house.burin.json",
+                R"({"burin": "illustration", "view": {"from": "top"}, "paper": "A5",
+                    "style": "style.json"})");
+  ASSERT_EQ(draw(box_part_ + R"(, "extends": "house/house.burin.json", "paper": "A6")"), 0) << err_;
+  const Json d = drawing();
+  EXPECT_EQ(d["style"], "style");
+  EXPECT_EQ(d["view"]["direction"], Json({0.0, 0.0, 1.0}));
+  EXPECT_EQ(d["paper"]["width"], 148);
+  // An error there names that file.
+  folder_.write("house/house.burin.json", "{\"burin\": \"illustration\",\n \"vew\": 1}");
+  EXPECT_EQ(run("draw @/a.burin.json -o @/a.json"), 2);
+  expect_error("house/house.burin.json:2: unknown key 'vew'; did you mean 'view'?");
+}
+
+TEST_F(Illustrations, ErrorsNameFileLineAndTheNearestKey) {
+  struct Wrong {
+    std::string members, said;
+    int status;
+  };
+  const std::string b = box_part_;
+  const std::vector<Wrong> all = {
+      {",\n\"parts\": [{\"fil\": \"box.off\"}]", ":2: unknown key 'fil'; did you mean 'file'?", 2},
+      {", \"parts\": [\n{\"file\": \"none.off\"}]", ":2: ", 3},
+      {", \"parts\": []", "has no parts", 2},
+      {", \"parts\": {}", "\"parts\" takes a list", 2},
+      {", \"parts\": [{\"file\": \"box.off\", \"function\": \"x\"}]", "either \"file\" or", 2},
+      {", \"parts\": [{\"function\": \"spere(3)\"}]", "'spere'", 3},
+      {", \"parts\": [{\"file\": \"box.off\",\n \"iso\": \"much\"}]", ":2: \"iso\" takes a number",
+       2},
+      {b + ",\n\n\"style\": {\"base\": \"outline\",\n\"line.outr\": 1}", ":4: unknown style key",
+       2},
+      {b + ",\n\"style\": \"outlin\"", ":2: unknown style 'outlin'; the nearest is 'outline'", 2},
+      {b + ",\n\"style\": \"no.json\"", ":2: there is no style file", 2},
+      {b + ", \"view\": {\n\"from\": \"isso\"}", ":2: unknown view 'isso'", 2},
+      {b + ", \"view\": {\n\"perspective\": 200}", ":2: \"view.perspective\" takes 1 to 120", 2},
+      {b + ", \"view\": {\n\"form\": 1}", ":2: unknown key 'form'; did you mean 'from'?", 2},
+      {b + ", \"view\": 3", "\"view\" takes an object", 2},
+      {b + ",\n\"paper\": [0, 3]", ":2: ", 2},
+      {b + ", \"looks\": [\n{\"select\": \"bax\"}]", ":2: no part is named 'bax'", 2},
+      {b + ", \"looks\": [{\"select\": \"box\",\n\"drawn\": 1}]",
+       ":2: \"drawn\" takes true or false", 2},
+      {b + ", \"looks\": [{\"drawn\": true}]", "a look has \"select\"", 2},
+      {b + ", \"lights\": [{\"from\": [0, 0, 0]}]", "takes a direction but 0,0,0", 2},
+      {b + ", \"lights\": [{\"ambient\": -1}]", "a strength of 0 to 10", 2},
+      {b + ", \"extends\": \"a.burin.json\"", "a chain of more than 16 files, or a ring", 2},
+      {b + ", \"version\": 2", "reads version 1", 2},
+      {b + ", \"title\": 5", "\"title\" takes text", 2},
+      {", \"parts\": [{\"file\": \"box.off\", \"place\": {\"scale\": 0}}]", "\"scale\" takes", 2},
+      {", \"parts\": [{\"file\": \"box.off\", \"place\": {\"rotate\": [1, 2]}}]", "takes [x, y, z]",
+       2},
+      {",\n,", "not valid JSON here; mend the illustration file", 3},
+  };
+  for (const Wrong& wrong : all) {
+    SCOPED_TRACE(wrong.members);
+    EXPECT_EQ(draw(wrong.members), wrong.status) << err_;
+    expect_error(wrong.said);
+    expect_error("a.burin.json");
+    EXPECT_FALSE(fs::exists(folder_ / "a.json"));
+  }
+  folder_.write("list.json", "[1]");
+  EXPECT_EQ(run("draw @/list.json -o @/a.svg"), 3);
+  expect_error("one JSON object");
+  ASSERT_EQ(run("draw @/box.off -o @/drawn.json -q"), 0);
+  EXPECT_EQ(run("draw @/drawn.json -o @/a.svg"), 3);
+  expect_error("is a drawing, which is drawn already");
+  ASSERT_EQ(draw(b), 0);
+  EXPECT_EQ(run("draw @/a.burin.json @/box.off -o @/a.svg"), 2);
+  expect_error("is drawn alone");
+  EXPECT_EQ(run("draw @/a.burin.json -o @/a.svg --iso 3"), 2);
+  expect_error("option --iso is about reading");
+  EXPECT_EQ(run("draw @/a.burin.json -o @/box.off --format svg"), 2);
+  expect_error("box.off");
+}
+
+TEST_F(Illustrations, AFirstFileIsWrittenThatDrawsTheSame) {
+  const std::string options =
+      " --style engraving --set hatch.taper=1 --view 1,2,3 --scale 1:2 "
+      "--light 1,0,1 --hidden dashed --margin 5";
+  ASSERT_EQ(run("draw @/box.off -o @/b.svg" + options), 0) << err_;
+  fs::create_directory(folder_ / "deep");
+  ASSERT_EQ(run("illustrate @/box.off -o @/deep/a.burin.json" + options), 0) << err_;
+  EXPECT_EQ(Json::parse(test::slurp(folder_ / "deep/a.burin.json"))["parts"][0]["file"],
+            "../box.off");
+  ASSERT_EQ(run("draw @/deep/a.burin.json -o @/a.svg"), 0) << err_;
+  EXPECT_EQ(test::slurp(folder_ / "a.svg"), test::slurp(folder_ / "b.svg"));
+  // What was edited stays.
+  EXPECT_EQ(run("illustrate @/box.off -o @/deep/a.burin.json"), 4);
+  expect_error("is there already");
+  EXPECT_EQ(run("illustrate @/box.off -o @/a.svg"), 2);
+  expect_error("end in .json");
+  EXPECT_EQ(run("illustrate -o @/c.burin.json"), 2);
+  EXPECT_EQ(run("illustrate @/none.off -o @/c.burin.json"), 3);
+  ASSERT_EQ(run("illustrate @/box.off --hide lid --look box=outline -o -"), 0) << err_;
+  EXPECT_EQ(
+      Json::parse(out_)["looks"],
+      Json::parse(R"([{"select": "lid", "drawn": false}, {"select": "box", "style": "outline"}])"));
+}
+
+}  // namespace
+}  // namespace burin

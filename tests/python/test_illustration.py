@@ -1,0 +1,88 @@
+"""Illustrations as files and as dicts, their schema, and parts by name."""
+
+import importlib.util
+import json
+import subprocess
+import tempfile
+import unittest
+from pathlib import Path
+
+import burin
+from support import COMMAND, SAMPLES
+
+TWO = {
+    "burin": "illustration",
+    "title": "A stand on a ring",
+    "parts": [
+        {"file": str(SAMPLES / "bracket.off"), "name": "stand"},
+        {"function": "torus(60, 6)", "name": "ring", "place": {"translate": [0, 0, -20], "rotate": [0, 90, 0]}},
+    ],
+    "view": {"from": "iso"},
+    "paper": {"size": "A5", "margin": [5, 6, 7, 8]},
+    "lights": [{"ambient": 0.2}, {"from": [-0.5, 0.65, 0.6], "strength": 0.7}, {"at": [0, 0, 300], "strength": 0.2}],
+    "style": {"base": "engraving", "hatch.spacing_min": 0.6},
+    "looks": [{"select": "ring", "style": "outline", "transparent": False}],
+}
+
+
+class Illustrations(unittest.TestCase):
+    def test_a_dict_draws_as_its_file_does(self):
+        with tempfile.TemporaryDirectory() as folder:
+            file, theirs, ours = (Path(folder, name) for name in ("two.burin.json", "a.svg", "b.svg"))
+            file.write_text(json.dumps(TWO))
+            subprocess.run([COMMAND, "draw", file, "-o", theirs, "-q"], check=True)
+            drawing = burin.draw(TWO)
+            drawing.save(ours)
+            self.assertEqual(theirs.read_bytes(), ours.read_bytes())
+            burin.draw(file).save(ours)
+            self.assertEqual(theirs.read_bytes(), ours.read_bytes())
+            self.assertEqual([part["name"] for part in drawing.parts], ["stand", "ring"])
+
+    def test_keywords_hold_over_the_illustration(self):
+        drawing = burin.draw(TWO, paper="A6", hide="ring", style="outline")
+        self.assertEqual(drawing.paper, (148, 105))
+        self.assertEqual({path.part for layer in drawing.layers for path in layer.paths}, {0})
+
+    def test_errors(self):
+        with self.assertRaisesRegex(burin.UsageError, "unknown key 'loks'; did you mean 'looks'"):
+            burin.draw({**TWO, "loks": []})
+        with self.assertRaisesRegex(burin.UsageError, "no part is named 'rong'.*'ring'"):
+            burin.draw(TWO, hide="rong")
+        with self.assertRaisesRegex(burin.UsageError, "belong to a part"):
+            burin.draw(TWO, iso=3)
+
+    def test_parts_of_scenes_by_name(self):
+        scene = burin.Scene.read(SAMPLES / "bracket.off", SAMPLES / "knot.ply")
+        drawing = burin.draw(scene, part=["knot"], look={"knot": "outline"})
+        self.assertEqual({path.part for layer in drawing.layers for path in layer.paths}, {1})
+        self.assertFalse([layer for layer in drawing.layers if layer.name == "stroke" and layer.paths])
+
+    @unittest.skipUnless(importlib.util.find_spec("jsonschema"), "python3-jsonschema is not installed")
+    def test_schema(self):
+        import jsonschema
+
+        schema = json.loads(burin.illustration_schema())
+        told = subprocess.run([COMMAND, "options", "--illustration-schema"], check=True, capture_output=True, text=True)
+        self.assertEqual(schema, json.loads(told.stdout))
+        jsonschema.Draft202012Validator.check_schema(schema)
+        check = jsonschema.Draft202012Validator(schema)
+        self.assertTrue(check.is_valid(TWO))
+        for wrong in (
+            {"lok": []},
+            {"view": {"form": "iso"}},
+            {"looks": [{"drawn": True}]},
+            {"style": {"line.outr": 1}},
+            {"parts": [{"fil": "a"}]},
+            {"lights": [{"ambient": -1}]},
+            {"hidden": "dotted"},
+        ):
+            self.assertFalse(check.is_valid({**TWO, **wrong}), wrong)
+        first = subprocess.run(
+            [COMMAND, "illustrate", SAMPLES / "bracket.off", "-o", "-", "--set", "hatch.taper=1"],
+            check=True, capture_output=True, text=True,
+        )
+        self.assertTrue(check.is_valid(json.loads(first.stdout)), list(check.iter_errors(json.loads(first.stdout))))
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,98 @@
+/// Selectors: parts of an assembly by name, path and attribute.
+
+#include <burin/assembly/select.h>
+#include <burin/base/error.h>
+
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+namespace burin {
+namespace {
+
+Scene scene() {
+  Scene s;
+  const auto add = [&](std::string name, std::vector<std::string> assembly, std::string file,
+                       std::string color) {
+    Part part;
+    part.name = std::move(name);
+    part.assembly = std::move(assembly);
+    part.source = std::move(file);
+    part.color = std::move(color);
+    s.parts.push_back(std::move(part));
+  };
+  add("body", {"pump"}, "models/pump.step", "#88C0FF");    // 0
+  add("bolt", {"pump", "cover"}, "models/pump.step", "");  // 1
+  add("bolt", {"pump", "foot"}, "models/pump.step", "");   // 2
+  add("M6 bolt", {"pump", "foot"}, "models/pump.step", "");
+  add("lid", {}, "lid.stl", "#88c0ff");  // 4
+  return s;
+}
+
+using Parts = std::vector<std::size_t>;
+
+TEST(Select, ANameIsThatOfPartsAndOfAssembliesAtAnyDepth) {
+  const Scene s = scene();
+  EXPECT_EQ(select(s, "bolt"), (Parts{1, 2}));
+  EXPECT_EQ(select(s, "*bolt"), (Parts{1, 2, 3}));
+  EXPECT_EQ(select(s, "b?lt"), (Parts{1, 2}));
+  EXPECT_EQ(select(s, "foot"), (Parts{2, 3}));
+  EXPECT_EQ(select(s, "pump"), (Parts{0, 1, 2, 3}));
+  EXPECT_EQ(select(s, "*"), (Parts{0, 1, 2, 3, 4}));
+}
+
+TEST(Select, APathLeadsFromAnyDepthOrWithASlashFromTheTop) {
+  const Scene s = scene();
+  EXPECT_EQ(select(s, "foot/bolt"), (Parts{2}));
+  EXPECT_EQ(select(s, "pump/*/bolt"), (Parts{1, 2}));
+  EXPECT_EQ(select(s, "/pump/foot"), (Parts{2, 3}));
+  EXPECT_EQ(select(s, "/pump/**/*bolt"), (Parts{1, 2, 3}));
+  EXPECT_EQ(select(s, "/lid"), (Parts{4}));
+  EXPECT_THROW(select(s, "/bolt"), UsageError);
+  EXPECT_THROW(select(s, "pump/bolt"), UsageError);
+}
+
+TEST(Select, AttributesAreColourNumberAndFile) {
+  const Scene s = scene();
+  EXPECT_EQ(select(s, "@color=#88c0ff"), (Parts{0, 4}));
+  EXPECT_EQ(select(s, "@index=3"), (Parts{3}));
+  EXPECT_EQ(select(s, "@file=pump.*"), (Parts{0, 1, 2, 3}));
+  EXPECT_EQ(select(s, "@file=lid.stl"), (Parts{4}));
+  EXPECT_THROW(select(s, "@index=5"), UsageError);
+  EXPECT_THROW(select(s, "@weight=5"), UsageError);
+}
+
+TEST(Select, NothingFoundNamesTheNearest) {
+  const Scene s = scene();
+  const auto message = [&](const char* selector) -> std::string {
+    try {
+      select(s, selector);
+    } catch (const UsageError& e) {
+      return e.what();
+    }
+    return {};
+  };
+  EXPECT_EQ(message("bolts"),
+            "no part is named 'bolts'; names of parts and assemblies: 'bolt', "
+            "'body', 'foot', 'M6 bolt', 'cover' and 2 more");
+  EXPECT_NE(message("pump/foot/bolts").find("'pump/foot/bolt'"), std::string::npos);
+  EXPECT_NE(message("").find("not empty"), std::string::npos);
+}
+
+// A pattern of many stars against a long name is the classic that takes exponential time.
+TEST(Select, ManyStarsEndAtOnce) {
+  Scene s;
+  Part part;
+  part.name = std::string(2000, 'a');
+  s.parts.push_back(part);
+  std::string pattern;
+  for (int i = 0; i < 200; ++i) pattern += "a*";
+  EXPECT_THROW(select(s, pattern + "b"), UsageError);
+  std::string deep;
+  for (int i = 0; i < 200; ++i) deep += "**/";
+  EXPECT_EQ(select(s, deep + "a*"), (Parts{0}));
+}
+
+}  // namespace
+}  // namespace burin
