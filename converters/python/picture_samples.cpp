@@ -34,7 +34,7 @@ PictureSamples::PictureSamples(const HatchScene& scene) : scene_(&scene), camera
             const Vec2 centre =
                 pitch_ * Vec2(static_cast<double>(x) + 0.5, static_cast<double>(y) + 0.5);
             const auto hit = scene.probe(centre);
-            if (!hit) continue;
+            if (!hit || !hit->hatched) continue;
             const ProxyMesh& proxy = scene.surfaces[static_cast<std::size_t>(hit->part)]->proxy();
             const Vec3 p = proxy.position(hit->point.face, hit->point.bary);
             Vec3 n = proxy.normal(hit->point.face, hit->point.bary);
@@ -58,9 +58,7 @@ bool PictureSamples::seen(Vec3 position) const {
   const auto hit = scene_->probe(camera_->to_paper(position));
   // Beside the triangles, though not beside the surface: at the very outline.
   if (!hit) return true;
-  const ProxyMesh& proxy = scene_->surfaces[static_cast<std::size_t>(hit->part)]->proxy();
-  const Vec3 nearer = proxy.position(hit->point.face, hit->point.bary);
-  return camera_->depth(nearer) - camera_->depth(position) <= pitch_ / camera_->scale_at(position);
+  return camera_->depth(hit->position) - camera_->depth(position) <= pitch_ / camera_->scale_at(position);
 }
 
 void PictureSamples::add_slivers() {

@@ -87,7 +87,7 @@ Json look_schema(const Json& style) {
                          {"style", style},
                          {"drawn", flag("false: as if the part were not there")},
                          {"hatched", flag("false: without strokes")},
-                         {"transparent", flag("true: of glass; it hides itself alone")}});
+                         {"transparent", flag("true: of glass; it hides itself alone, and keeps its strokes")}});
   look["required"] = {"select"};
   return look;
 }
@@ -145,13 +145,12 @@ std::string first_illustration(const std::vector<std::string>& inputs, const Dra
     }
   }
   json["looks"] = Json::array();
-  const auto add = [&](const char* option, const char* key, bool value) {
-    for (const std::string& selector : given_texts(request.options, option)) {
-      json["looks"].push_back({{"select", selector}, {key, value}});
-    }
-  };
-  add("hide", "drawn", false);
-  add("ghost", "transparent", true);
+  for (const std::string& selector : given_texts(request.options, "hide")) {
+    json["looks"].push_back({{"select", selector}, {"drawn", false}});
+  }
+  for (const std::string& selector : given_texts(request.options, "ghost")) {
+    json["looks"].push_back({{"select", selector}, {"hatched", false}, {"transparent", true}});
+  }
   for (const std::string& look : given_texts(request.options, "look")) {
     const std::size_t equals = look.rfind('=');
     json["looks"].push_back(

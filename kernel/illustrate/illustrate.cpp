@@ -140,7 +140,16 @@ StrokeResult hatch(std::vector<const Surface*> surfaces, std::vector<bool> parts
   return trace_strokes(surfaces, camera, field, tone, probe, style.hatch, options.seed, context);
 }
 
-StrokeResult hatch_all(const std::vector<const Surface*>& surfaces, const Occluder& occluder,
+void append(StrokeResult& all, StrokeResult one) {
+  all.strokes.insert(all.strokes.end(), std::make_move_iterator(one.strokes.begin()),
+                     std::make_move_iterator(one.strokes.end()));
+  all.coverage_points += one.coverage_points;
+  all.coverage_delta = std::max(all.coverage_delta, one.coverage_delta);
+  all.thinned_parts += one.thinned_parts;
+}
+
+// Of the solid parts a style at a time; then of the transparent ones, each as it is seen alone.
+StrokeResult hatch_all(const std::vector<const Surface*>& surfaces, const detail::Sight& sight,
                        const Camera& camera, const detail::PartStyles& part_styles,
                        const detail::DepthCue& cue, const IllustrateOptions& options,
                        detail::Undirected& undirected, RunContext& context) {
@@ -148,13 +157,16 @@ StrokeResult hatch_all(const std::vector<const Surface*>& surfaces, const Occlud
   for (std::size_t k = 0; k < part_styles.styles().size(); ++k) {
     std::vector<bool> parts = part_styles.hatched_by(k);
     if (std::find(parts.begin(), parts.end(), true) == parts.end()) continue;
-    StrokeResult one = hatch(surfaces, std::move(parts), occluder, camera, *part_styles.styles()[k],
-                             cue, options, undirected, context);
-    all.strokes.insert(all.strokes.end(), std::make_move_iterator(one.strokes.begin()),
-                       std::make_move_iterator(one.strokes.end()));
-    all.coverage_points += one.coverage_points;
-    all.coverage_delta = std::max(all.coverage_delta, one.coverage_delta);
-    all.thinned_parts += one.thinned_parts;
+    append(all, hatch(surfaces, std::move(parts), sight.solid(), camera, *part_styles.styles()[k],
+                      cue, options, undirected, context));
+  }
+  for (std::size_t part = 0; part < part_styles.size(); ++part) {
+    if (!part_styles.transparent(part) || !part_styles.hatched(part)) continue;
+    std::vector<bool> alone(part_styles.size(), false);
+    alone[part] = true;
+    const Occluder before = sight.before(part, context);
+    append(all, hatch(surfaces, std::move(alone), before, camera, part_styles.style(part), cue,
+                      options, undirected, context));
   }
   return all;
 }
@@ -258,7 +270,7 @@ Drawing draw(const Scene& scene, const Camera& camera, const Style& style,
   const detail::DepthCue cue(proxies, camera, style);
   detail::Undirected undirected(scene);
   const StrokeResult strokes =
-      hatch_all(surfaces, sight.solid(), camera, part_styles, cue, options, undirected, context);
+      hatch_all(surfaces, sight, camera, part_styles, cue, options, undirected, context);
   undirected.tell(drawing.diagnostics);
   drawing.stats.coverage_points = strokes.coverage_points;
   drawing.stats.coverage_delta = strokes.coverage_delta;

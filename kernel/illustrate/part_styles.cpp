@@ -44,7 +44,7 @@ PartStyles::PartStyles(std::size_t parts, const Style& style, const IllustrateOp
     one.hatched = look.hatched;
   }
   for (One& one : parts_) {
-    one.hatched = one.hatched && one.drawn && !one.transparent && styles_[one.style]->hatch.enabled;
+    one.hatched = one.hatched && one.drawn && styles_[one.style]->hatch.enabled;
   }
 }
 
@@ -56,7 +56,9 @@ bool PartStyles::any_transparent() const {
 std::vector<bool> PartStyles::hatched_by(std::size_t style) const {
   std::vector<bool> flags;
   flags.reserve(parts_.size());
-  for (const One& one : parts_) flags.push_back(one.hatched && one.style == style);
+  for (const One& one : parts_) {
+    flags.push_back(one.hatched && !one.transparent && one.style == style);
+  }
   return flags;
 }
 

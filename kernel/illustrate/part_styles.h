@@ -22,7 +22,7 @@ class PartStyles {
 
   /// Styles that differ, in the order of the parts that bring them; the first is the drawing's.
   const std::vector<const Style*>& styles() const { return styles_; }
-  /// The parts whose strokes follow a style: one flag a part.
+  /// The solid parts whose strokes follow a style: one flag a part.
   std::vector<bool> hatched_by(std::size_t style) const;
 
  private:

@@ -42,6 +42,16 @@ Sight::Sight(std::span<const ProxyMesh* const> proxies, const Camera& camera,
       solid_proxies_(solid_ones(proxies, part_styles)),
       solid_(solid_proxies_, context) {}
 
+std::vector<const ProxyMesh*> Sight::proxies_before(std::size_t part) const {
+  std::vector<const ProxyMesh*> proxies = solid_proxies_;
+  proxies[part] = proxies_[part];
+  return proxies;
+}
+
+Occluder Sight::before(std::size_t part, const RunContext& context) const {
+  return {proxies_before(part), context};
+}
+
 Seen Sight::classify(std::span<const Curve3> features, std::span<const Curve3> strokes,
                      const RunContext& context) const {
   Seen seen;
@@ -53,19 +63,23 @@ Seen Sight::classify(std::span<const Curve3> features, std::span<const Curve3> s
     return seen;
   }
   seen.features.resize(features.size());
+  seen.strokes.resize(strokes.size());
   const auto is_solid = [&](const Curve3& c) { return !part_styles_.transparent(part_of(c)); };
   {
     const Picked solid = pick(features, is_solid);
     const VisibilityMap map(solid_, solid_proxies_, camera_, solid.curves, context);
     const auto spans = map.classify(solid.curves, {.classify_outer = true}, context);
     for (std::size_t i = 0; i < spans.size(); ++i) seen.features[solid.from[i]] = spans[i];
-    seen.strokes = map.classify(strokes, {}, context);
+    const Picked own = pick(strokes, is_solid);
+    const auto stroke_spans = map.classify(own.curves, {}, context);
+    for (std::size_t i = 0; i < stroke_spans.size(); ++i) {
+      seen.strokes[own.from[i]] = stroke_spans[i];
+    }
     seen.merged_cuts = map.merged_cuts();
   }
   for (std::size_t part = 0; part < part_styles_.size(); ++part) {
     if (!part_styles_.transparent(part) || !part_styles_.drawn(part)) continue;
-    std::vector<const ProxyMesh*> proxies = solid_proxies_;
-    proxies[part] = proxies_[part];
+    const std::vector<const ProxyMesh*> proxies = proxies_before(part);
     const Occluder occluder(proxies, context);
     // All that cuts here; only the answers for the part itself are kept.
     const Picked cutting =
@@ -75,6 +89,11 @@ Seen Sight::classify(std::span<const Curve3> features, std::span<const Curve3> s
     seen.merged_cuts = std::max(seen.merged_cuts, map.merged_cuts());
     for (std::size_t i = 0; i < spans.size(); ++i) {
       if (part_of(cutting.curves[i]) == part) seen.features[cutting.from[i]] = spans[i];
+    }
+    const Picked own = pick(strokes, [&](const Curve3& c) { return part_of(c) == part; });
+    const auto stroke_spans = map.classify(own.curves, {}, context);
+    for (std::size_t i = 0; i < stroke_spans.size(); ++i) {
+      seen.strokes[own.from[i]] = stroke_spans[i];
     }
   }
   return seen;

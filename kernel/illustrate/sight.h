@@ -28,12 +28,15 @@ class Sight {
 
   /// The parts that hide others.
   const Occluder& solid() const { return solid_; }
-  /// Strokes are those of solid parts. A transparent part is hidden by the solid ones and by
-  /// itself, one tree of rays a part.
+  /// What stands before a transparent part: the solid ones and itself.
+  Occluder before(std::size_t part, const RunContext& context) const;
+  /// One tree of rays a transparent part, one after the other.
   Seen classify(std::span<const Curve3> features, std::span<const Curve3> strokes,
                 const RunContext& context) const;
 
  private:
+  std::vector<const ProxyMesh*> proxies_before(std::size_t part) const;
+
   std::span<const ProxyMesh* const> proxies_;
   const Camera& camera_;
   const PartStyles& part_styles_;

@@ -40,7 +40,7 @@ void count_row(const HatchScene& hatched, const Field& field, const Tone& tone, 
   for (int x = 0; x < kSide; ++x) {
     const Vec2 share((x + 0.5) / kSide, (static_cast<double>(row) + 0.5) / kSide);
     const auto hit = hatched.probe(box.min + share * box.size());
-    if (!hit) continue;
+    if (!hit || !hit->hatched) continue;
     const auto part = static_cast<std::size_t>(hit->part);
     const Surface& surface = *hatched.surfaces[part];
     const SurfacePoint point = surface.lift(hit->point);

@@ -18,8 +18,10 @@ ViewProbe view_probe(const Occluder& occluder, const Camera& camera, std::vector
         const auto hit = occluder.first_hit(ray.origin, ray.direction, 0, far);
         if (!hit) return std::nullopt;
         const auto part = static_cast<std::size_t>(hit->where.part);
-        if (!parts.empty() && !parts[part]) return std::nullopt;
-        return ViewHit{hit->where.part, {hit->where.face, hit->bary}};
+        return ViewHit{.part = hit->where.part,
+                       .point = {hit->where.face, hit->bary},
+                       .position = ray.origin + hit->distance * ray.direction,
+                       .hatched = parts.empty() || parts[part]};
       };
 }
 

@@ -38,7 +38,7 @@ ViewRaster make_raster(const Picture& picture, const RunContext& context) {
           for (std::size_t x = 0; x < nx; ++x) {
             const auto hit = picture.probe(
                 raster.center(static_cast<std::int32_t>(x), static_cast<std::int32_t>(y)));
-            if (!hit) continue;
+            if (!hit || !hit->hatched) continue;
             const ProxyMesh& proxy = picture.surface(hit->part).proxy();
             const Vec3 p = proxy.position(hit->point.face, hit->point.bary);
             const Vec3 n = proxy.normal(hit->point.face, hit->point.bary);

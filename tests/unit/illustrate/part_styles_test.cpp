@@ -79,12 +79,15 @@ TEST(PartStyles, WhatIsNotDrawnHidesNothingAndKeepsTheNumbersOfTheOthers) {
               0.02 * 63 * without.view.scale);
 }
 
-TEST(PartStyles, ATransparentPartShowsItsLinesAndWhatIsBehind) {
+TEST(PartStyles, ATransparentPartShowsItsLinesItsStrokesAndWhatIsBehind) {
   const Scene scene = wall_and_balls();
   const Drawing all = draw(scene, {});
   const Drawing clear = draw(scene, {{.transparent = true}});
   EXPECT_NEAR(ink_of(clear, 0).lines, ink_of(all, 0).lines, 1e-6);
-  EXPECT_EQ(ink_of(clear, 0).strokes, 0);
+  EXPECT_NEAR(ink_of(clear, 0).strokes, ink_of(all, 0).strokes, 0.1 * ink_of(all, 0).strokes);
+  const Drawing ghost = draw(scene, {{.hatched = false, .transparent = true}});
+  EXPECT_EQ(ink_of(ghost, 0).strokes, 0);
+  EXPECT_NEAR(ink_of(ghost, 0).lines, ink_of(all, 0).lines, 1e-6);
   const Drawing without = draw(scene, {{.drawn = false}});
   EXPECT_NEAR(ink_of(clear, 1).lines, ink_of(without, 1).lines, 1e-6);
   EXPECT_GT(ink_of(clear, 1).strokes, 0);
@@ -94,6 +97,17 @@ TEST(PartStyles, ATransparentPartIsHiddenBySolidOnes) {
   const Scene scene = wall_and_balls();
   const Drawing drawing = draw(scene, {{}, {.transparent = true}});
   EXPECT_EQ(ink_of(drawing, 1).lines, 0);
+}
+
+// Strokes behind a part of another style would be traced for nothing, and would take part in the
+// widths of those that are seen.
+TEST(PartStyles, NoStrokesArePlacedBehindPartsOfAnotherStyle) {
+  Scene scene = wall_and_balls();
+  scene.parts.pop_back();  // the ball beside the wall: the other one is behind it
+  PartStyle bare;
+  bare.style = builtin_style("outline");
+  EXPECT_GT(draw(scene, {{.drawn = false}}).stats.coverage_points, 10);
+  EXPECT_EQ(draw(scene, {bare}).stats.coverage_points, 0);
 }
 
 TEST(PartStyles, WhatIsNotHatchedKeepsItsLines) {

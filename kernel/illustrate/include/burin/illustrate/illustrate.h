@@ -25,7 +25,8 @@ struct PartStyle {
   /// False: as if the part were not there.
   bool drawn = true;
   bool hatched = true;
-  /// Its lines are drawn, without strokes, and it hides itself but no other part.
+  /// As of glass: it hides itself but no other part. Its strokes are placed as those of others.
+  /// @cite Elber1998
   bool transparent = false;
   /// Instead of the drawing's; what it says of files is ignored.
   std::optional<Style> style{};

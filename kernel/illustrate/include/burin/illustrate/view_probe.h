@@ -9,8 +9,8 @@
 
 namespace burin {
 
-/// Says what the viewer sees of the parts that are flagged, one flag a part; none = all. Occluder
-/// and camera must outlive it.
+/// Says what the viewer sees; strokes are placed on the parts that are flagged, one flag a part;
+/// none = all. Occluder and camera must outlive it.
 ViewProbe view_probe(const Occluder& occluder, const Camera& camera, std::vector<bool> parts = {});
 
 }  // namespace burin

@@ -21,6 +21,11 @@ namespace burin {
 struct ViewHit {
   std::int32_t part = -1;
   ProxyPoint point;
+  /// Model mm.
+  Vec3 position{0};
+  /// Whether strokes of this part are placed; of another one, which only hides what is behind it,
+  /// no surface is known.
+  bool hatched = true;
 };
 using ViewProbe = std::function<std::optional<ViewHit>(Vec2 paper)>;
 
