@@ -95,6 +95,17 @@ void append_polyline(Groups& out, const Item& item, const std::vector<Vec3>& poi
   }
 }
 
+/// A dot is a ring without a hole: two half circles of a quarter of its width, drawn half as wide.
+void append_dot(Groups& out, const Item& item, std::uint64_t handle) {
+  constexpr int kClosed = 1;
+  const Path& path = *item.path;
+  const double width = mean_width(path);
+  const Vec2 middle = 0.5 * (path.points.front() + path.points.back()), side(0.25 * width, 0);
+  append_entity(out, "LWPOLYLINE", "AcDbPolyline", item, handle);
+  out.whole(90, 2).whole(70, kClosed).real(43, 0.5 * width);
+  for (const Vec2 p : {middle - side, middle + side}) out.point(10, p).real(42, 1);
+}
+
 /// A chain of cubics as one B-spline: its control points are theirs, knots at joints are threefold.
 void append_spline(Groups& out, const Item& item, const std::vector<CubicBezier>& chain,
                    std::uint64_t handle) {
@@ -125,6 +136,10 @@ void append_path(Groups& out, const Item& item, const WriteOptions& options, std
   });
   if (curved) {
     append_spline(out, item, chain, handle);
+    return append_source(out, path);
+  }
+  if (is_dot(path)) {
+    append_dot(out, item, handle);
     return append_source(out, path);
   }
   const std::vector<Vec3> points = thinned(path, true_width, tolerance);

@@ -13,6 +13,7 @@ constexpr double kWidestRoundCap = 0.15;      // paper mm
 /// Whether a path is drawn as a filled outline: where its width varies, and strokes so wide that
 /// the round cap of a stroked line would show beyond the crease that they end at.
 bool is_outlined(const Path& p) {
+  if (is_dot(p)) return false;
   return has_varying_width(p) ||
          (p.kind == LineClass::Stroke && !p.closed && mean_width(p) > kWidestRoundCap);
 }
@@ -76,6 +77,16 @@ std::vector<InkLayer> ink_layers(const Drawing& drawing) {
     layers.insert(layers.begin() + static_cast<std::ptrdiff_t>(hidden_at), std::move(hidden));
   }
   return layers;
+}
+
+bool is_dot(const Path& path) {
+  if (path.closed || path.kind != LineClass::Stroke) return false;
+  const double most = 0.5 * mean_width(path);
+  double length = 0;
+  for (std::size_t i = 1; i < path.points.size() && length < most; ++i) {
+    length += glm::distance(path.points[i - 1], path.points[i]);
+  }
+  return length < most;
 }
 
 bool wants_area(const Path& path) { return (path.visible || path.in_full) && is_outlined(path); }

@@ -1,6 +1,7 @@
 #include "compose.h"
 
 #include <burin/drawing/bezier.h>
+#include <burin/drawing/ink.h>
 #include <burin/feature/source_faces.h>
 
 #include "haloes.h"
@@ -154,6 +155,7 @@ void compose_strokes(const LinesToDraw& lines, const std::vector<Gaps>& gaps,
       cue_widths(how.cue, path);
       name_faces(visible, proxy_of(how.proxies, curve), how.camera, path);
       simplify_path(path);
+      if (is_dot(path)) path.width.resize(1);
       layers[curve.family == 2 ? 1 : 0].paths.push_back(std::move(path));
     }
   }

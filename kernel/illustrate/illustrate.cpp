@@ -84,8 +84,8 @@ Surfaces realise(const Scene& scene, const Camera& camera, const detail::PartSty
     }
     const Style& style = part_styles.style(i);
     realise.crease_angle = style.feature.crease_angle;
-    realise.curvature =
-        part_styles.hatched(i) && field::find(style.hatch.field.name).needs_curvature;
+    realise.curvature = part_styles.hatched(i) && follows_field(style.hatch) &&
+                        field::find(style.hatch.field.name).needs_curvature;
     try {
       surfaces.push_back(scene.parts[i].form->realise(realise, context));
       ++drawn;
@@ -105,6 +105,9 @@ Surfaces realise(const Scene& scene, const Camera& camera, const detail::PartSty
 
 Field make_field(const std::vector<const Surface*>& surfaces, const Camera& camera,
                  const Style& style, const RunContext& context) {
+  if (!follows_field(style.hatch)) {
+    return {"none", [](const FieldQuery&) { return std::optional<Cross>(); }};
+  }
   return field::find(style.hatch.field.name)
       .make({.surfaces = surfaces,
              .camera = camera,
@@ -136,7 +139,7 @@ StrokeResult hatch(std::vector<const Surface*> surfaces, std::vector<bool> parts
   const Field field =
       options.field ? options.field(scene) : make_field(surfaces, camera, style, context);
   const Tone tone = options.tone ? options.tone(scene) : make_tone(camera, style, cue);
-  if (!options.field) undirected.look(scene, field, tone, style);
+  if (!options.field && follows_field(style.hatch)) undirected.look(scene, field, tone, style);
   return trace_strokes(surfaces, camera, field, tone, probe, style.hatch, options.seed, context);
 }
 

@@ -78,6 +78,86 @@ Style pencil() {
   return s;
 }
 
+/// Full tone by dots, as patents and naturalists have it.
+Style stipple() {
+  Style s = engraving();
+  s.line.outer = 0.35;
+  s.line.crease = 0.2;
+  s.hatch.placing = "dots";
+  s.hatch.spacing_min = 0.3;
+  s.hatch.width_min = 0.16;
+  s.hatch.width_max = 0.4;
+  s.hatch.tone_min = 0.02;
+  s.hatch.length_min = 0;
+  s.tone.ambient = 0.3;
+  s.tone.diffuse = 0.66;
+  return s;
+}
+
+/// Few, broad strokes that swell from nothing to almost black; no second family.
+Style woodcut() {
+  Style s = engraving();
+  s.line.outer = 0.8;
+  s.line.contour = 0.5;
+  s.line.crease = 0.4;
+  s.line.boundary = 0.5;
+  s.line.intersection = 0.4;
+  s.hatch.spacing_min = 1.1;
+  s.hatch.spacing_max = 1.3;
+  s.hatch.width_min = 0.09;
+  s.hatch.width_max = 1;
+  s.hatch.tone_min = 0.06;
+  s.hatch.cross_from = 1.1;
+  s.hatch.taper = 3;
+  s.hatch.length_min = 4;
+  s.tone.ambient = 0.08;
+  s.tone.diffuse = 0.9;
+  s.tone.highlight = 0.75;
+  return s;
+}
+
+/// As patent offices ask for it: black lines of two widths, a little shading in lines that stay
+/// apart when they are copied at two thirds.
+Style patent() {
+  Style s = technical();
+  s.line = {.outer = 0.5,
+            .contour = 0.35,
+            .crease = 0.35,
+            .boundary = 0.35,
+            .smooth = 0.25,
+            .intersection = 0.35,
+            .hidden = 0.25};
+  s.hatch.spacing_min = 1.2;
+  s.hatch.spacing_max = 2;
+  s.hatch.width_min = 0.18;
+  s.hatch.width_max = 0.25;
+  s.hatch.tone_min = 0.3;
+  s.hatch.taper = 0;
+  s.hatch.length_min = 3;
+  return s;
+}
+
+/// One pen: all lines are as wide, the tone is the distance between them.
+Style plotter() {
+  constexpr double kPen = 0.3;
+  Style s = engraving();
+  s.line = {.outer = kPen,
+            .contour = kPen,
+            .crease = kPen,
+            .boundary = kPen,
+            .smooth = kPen,
+            .intersection = kPen,
+            .hidden = kPen};
+  s.hatch.width_min = s.hatch.width_max = kPen;
+  s.hatch.spacing_min = 0.6;
+  s.hatch.spacing_max = 2.4;
+  s.hatch.tone_min = 0.08;
+  s.hatch.cross_from = 0.3;
+  s.hatch.taper = 0;
+  s.svg.flatten = true;
+  return s;
+}
+
 /// Light strokes; lines behind others stand clear of them, and what is far is thin.
 Style haloed() {
   Style s = technical();
@@ -121,6 +201,13 @@ constexpr std::array kBuiltin{
             engraving},
     Builtin{"pencil", "full tone: many short, thin strokes along the form, as a hand lays them",
             pencil},
+    Builtin{"stipple", "full tone by dots, small where it is light, dense where it is dark",
+            stipple},
+    Builtin{"woodcut", "bold: few broad strokes that swell from white to almost black", woodcut},
+    Builtin{"patent", "lines of two widths, shaded sparsely, that bear copying and scaling down",
+            patent},
+    Builtin{"plotter", "one pen: lines of one width as plain polylines, closer where it is dark",
+            plotter},
     Builtin{"haloed", "light strokes; lines behind others stand clear of them, far lines are thin",
             haloed},
     Builtin{"wireframe", "all feature lines, hidden ones too: haloes and widths alone tell depth",

@@ -15,6 +15,9 @@ struct Coverage2 {
   double second = 0;
 };
 
+/// Of a dot of that diameter, in paper mm2.
+inline double dot_area(double width) { return 0.25 * 3.14159265358979324 * width * width; }
+
 /// The arguments of trace_strokes and the small functions of them.
 struct Picture {
   std::span<const Surface* const> surfaces;
@@ -26,13 +29,18 @@ struct Picture {
   std::uint64_t seed = 1;
   /// Model mm within which two places along one viewing ray are the same surface.
   double same_place = 0;
-  /// Strokes stand on points and lie over each other as chance has it.
-  bool by_chance = false;
+  /// How strokes stand: each keeps its distance from the next; on points, where they lie over each
+  /// other as chance has it; as dots on points that keep clear of each other.
+  enum class Standing { Apart, Points, Dots };
+  Standing standing = Standing::Apart;
+
+  bool by_chance() const { return standing != Standing::Apart; }
+  bool dots() const { return standing == Standing::Dots; }
 
   /// Where strokes are laid: the sheet, and so much beside it that the strokes at its edge have
   /// neighbours on both sides.
   Box2 sheet() const {
-    const Vec2 beside(std::max(2 * options.spacing_max, by_chance ? options.length : 0));
+    const Vec2 beside(std::max(2 * options.spacing_max, by_chance() ? options.length : 0));
     return {-beside, Vec2(camera.paper().width, camera.paper().height) + beside};
   }
   bool on_sheet(Vec2 paper) const { return sheet().contains(paper); }
@@ -90,11 +98,20 @@ struct Picture {
   /// over another the last bit of white is never covered. @cite Stoyan1995
   double laid(double ink) const {
     constexpr double kMost = 0.96;
-    return by_chance ? -std::log1p(-std::min(ink, kMost)) : ink;
+    if (!by_chance()) return ink;
+    const double bare = -std::log1p(-std::min(ink, kMost));
+    return dots() ? (std::sqrt(1 + 4 * kClear * bare) - 1) / (2 * kClear) : bare;
   }
 
   /// The share that such a sum covers.
-  double covered(double laid) const { return by_chance ? -std::expm1(-laid) : std::min(1.0, laid); }
+  double covered(double laid) const {
+    if (!by_chance()) return std::min(1.0, laid);
+    return -std::expm1(-laid * (dots() ? 1 + kClear * laid : 1));
+  }
+
+  /// Dots of diameter w on points that keep clear of each other leave exp(-a - kClear a^2) of the
+  /// paper white, a being the sum of their areas: measured for a from 0.2 to 1.8 within 0.01.
+  static constexpr double kClear = 0.65;
 
   /// The width of a stroke that no neighbour tells how wide to be.
   double free_width(double ink) const {

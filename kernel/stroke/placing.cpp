@@ -16,9 +16,11 @@ Placing::Load even_load(const Picture& picture, double ink) {
 constexpr std::array kPlacings{
     Placing{"even", "long lines at even distances", cover_picture, place_families, even_load},
     Placing{"points", "a short stroke on each of many independent random points", cover_points,
-            place_on_points, points_load, true},
+            place_on_points, points_load, Picture::Standing::Points},
     Placing{"discs", "the same, on points that keep clear of each other", cover_discs,
-            place_on_points, points_load, true},
+            place_on_points, points_load, Picture::Standing::Points},
+    Placing{"dots", "a dot on each of points that keep clear of each other", cover_discs, place_dots,
+            dots_load, Picture::Standing::Dots},
 };
 
 }  // namespace
@@ -30,3 +32,11 @@ const Placing& find_placing(std::string_view name) {
 }
 
 }  // namespace burin::detail
+
+namespace burin {
+
+bool follows_field(const HatchOptions& options) {
+  return detail::find_placing(options.placing).standing != detail::Picture::Standing::Dots;
+}
+
+}  // namespace burin

@@ -30,8 +30,7 @@ struct Placing {
     double strokes = 0;  // how many; 0 where they are long
   };
   Load (*load)(const Picture&, double ink);
-  /// Strokes lie over each other as chance has it; else each keeps its distance.
-  bool by_chance = false;
+  Picture::Standing standing = Picture::Standing::Apart;
 };
 
 /// All of them, the usual one first.

@@ -29,11 +29,42 @@ constexpr double kMostAsked = 4e6;
 
 double mean_length(const HatchOptions& o) { return o.length - std::min(o.taper, 0.4 * o.length); }
 
-// Points a paper mm2 for strokes that are to cover a share `ink` of it.
+// Paper mm: the length of a dot, which only says that it is a line.
+constexpr double kDot = 0.02;
+
+// Points a paper mm2 for strokes that are to cover a share `ink` of it. Dots that would come too
+// near each other grow instead.
 double density(const Picture& picture, double ink) {
   const HatchOptions& o = picture.options;
   if (!(ink >= o.tone_min && ink > 0)) return 0;
-  return picture.laid(ink) / (picture.free_width(ink) * mean_length(o));
+  const double width = picture.free_width(ink);
+  if (!picture.dots()) return picture.laid(ink) / (width * mean_length(o));
+  return std::min(picture.laid(ink) / dot_area(width), kPacking / (o.spacing_min * o.spacing_min));
+}
+
+// The dot at a seed; nothing where the surface turns away.
+std::optional<TracedStroke> dot_at(const Picture& picture, const Seed& seed) {
+  const Surface& surface = picture.surface(seed.part);
+  const auto sample = [&](const SurfacePoint& point, StrokeSample& out) {
+    const Frame frame = surface.frame(point);
+    out.tangent = any_orthogonal(frame.normal);
+    return look_at(picture, seed.part, point, frame, out);
+  };
+  StrokeSample a, b;
+  if (!sample(seed.point, a)) return std::nullopt;
+  const double length = kDot / picture.camera.scale_at(seed.point.position);
+  // At an edge it goes the other way.
+  for (const double sign : {1.0, -1.0}) {
+    const MarchStep step = surface.march(seed.point, sign * a.tangent, length);
+    if (step.stop != MarchStop::Completed) continue;
+    sample(step.end, b);
+    TracedStroke dot;
+    dot.part = seed.part;
+    dot.samples = {a, b};
+    dot.begin_reason = dot.end_reason = StrokeEnd::Edge;  // no taper
+    return dot;
+  }
+  return std::nullopt;
 }
 
 // What a part shows: paper mm2, the points that its strokes of one family ask for, and the most
@@ -208,6 +239,29 @@ Coverage cover(const Picture& picture, const ViewRaster& raster, bool discs,
   return out;
 }
 
+// The strokes that `make` gives for the seeds by number, by family, in their order.
+template <class Make>
+std::vector<Family> on_each(const std::vector<Seed>& seeds, int families, const RunContext& context,
+                            const std::function<void(double)>& progress, const Make& make) {
+  constexpr std::size_t kGrain = 32;
+  std::vector<std::optional<TracedStroke>> strokes(seeds.size());
+  SharedProgress done(static_cast<double>(seeds.size()), progress);
+  parallel_for(
+      seeds.size(), kGrain,
+      [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) strokes[i] = make(i);
+        done.add(end - begin);
+      },
+      &context);
+  std::vector<Family> out(static_cast<std::size_t>(families),
+                          Family{{}, SampleGrid({0, 0}, {0, 0}, 1)});
+  for (auto& stroke : strokes) {
+    if (!stroke) continue;
+    out[static_cast<std::size_t>(stroke->family - 1)].strokes.push_back(std::move(*stroke));
+  }
+  return out;
+}
+
 }  // namespace
 
 Coverage cover_points(const Picture& picture, const ViewRaster& raster, const RunContext& context) {
@@ -222,34 +276,33 @@ std::vector<Family> place_on_points(const Picture& picture, const ViewRaster& /*
                                     const std::vector<Seed>& seeds, int families,
                                     const RunContext& context,
                                     const std::function<void(double)>& progress) {
-  constexpr std::size_t kGrain = 32;
   const SampleGrid nobody({0, 0}, {0, 0}, 1);
-  std::vector<std::optional<TracedStroke>> strokes(seeds.size());
-  SharedProgress done(static_cast<double>(seeds.size()), progress);
-  parallel_for(
-      seeds.size(), kGrain,
-      [&](std::size_t begin, std::size_t end) {
-        for (std::size_t i = begin; i < end; ++i) {
-          const Seed& seed = seeds[i];
-          const Tracer tracer(picture, nobody, seed.family);
-          StrokeSample at;
-          if (!tracer.seed(seed.part, seed.point, Vec3(0), at)) continue;
-          // Equal strokes would look ruled.
-          const Rng rng(picture.seed, static_cast<std::uint64_t>(seed.part),
-                        static_cast<std::uint64_t>(seed.family));
-          const double reach = picture.options.length * (1.0 / 3 + rng.uniform(i) / 3);
-          TracedStroke stroke = tracer.trace(seed.part, at, reach);
-          if (stroke.samples.size() > 1) strokes[i] = std::move(stroke);
-        }
-        done.add(end - begin);
-      },
-      &context);
-  std::vector<Family> out(static_cast<std::size_t>(families), Family{{}, nobody});
-  for (auto& stroke : strokes) {
-    if (!stroke) continue;
-    out[static_cast<std::size_t>(stroke->family - 1)].strokes.push_back(std::move(*stroke));
-  }
-  return out;
+  const auto stroke = [&](std::size_t i) -> std::optional<TracedStroke> {
+    const Seed& seed = seeds[i];
+    const Tracer tracer(picture, nobody, seed.family);
+    StrokeSample at;
+    if (!tracer.seed(seed.part, seed.point, Vec3(0), at)) return std::nullopt;
+    // Equal strokes would look ruled.
+    const Rng rng(picture.seed, static_cast<std::uint64_t>(seed.part),
+                  static_cast<std::uint64_t>(seed.family));
+    const double reach = picture.options.length * (1.0 / 3 + rng.uniform(i) / 3);
+    TracedStroke traced = tracer.trace(seed.part, at, reach);
+    return traced.samples.size() > 1 ? std::optional(std::move(traced)) : std::nullopt;
+  };
+  return on_each(seeds, families, context, progress, stroke);
+}
+
+std::vector<Family> place_dots(const Picture& picture, const ViewRaster& /*raster*/,
+                               const std::vector<Seed>& seeds, int families,
+                               const RunContext& context,
+                               const std::function<void(double)>& progress) {
+  return on_each(seeds, families, context, progress,
+                 [&](std::size_t i) { return dot_at(picture, seeds[i]); });
+}
+
+Placing::Load dots_load(const Picture& picture, double ink) {
+  const double points = density(picture, ink);
+  return {.length = points * kDot, .strokes = points};
 }
 
 Placing::Load points_load(const Picture& picture, double ink) {

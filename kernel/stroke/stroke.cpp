@@ -78,7 +78,7 @@ void check_points(const Picture& picture, const Work& work) {
 // Refuses more strokes than memory should be asked for, before any is placed.
 void check_work(const Picture& picture, const Placing& placing, const ViewRaster& raster) {
   const Work work = work_of(picture, placing, raster);
-  if (placing.by_chance) return check_points(picture, work);
+  if (picture.by_chance()) return check_points(picture, work);
   if (work.length <= kLongest) return;
   // Neighbours that are nowhere nearer than this keep the limit; rounded up to two digits.
   const double spacing = 1.1 * work.area / kLongest;
@@ -167,8 +167,10 @@ StrokeResult trace_strokes(std::span<const Surface* const> surfaces, const Camer
                            const HatchOptions& options, std::uint64_t seed, RunContext& context) {
   check(options);
   const Placing& placing = find_placing(options.placing);
+  HatchOptions own = options;
+  if (!follows_field(options)) own.cross_from = 2;  // dots do not cross
   const Picture picture{
-      surfaces, camera, field, tone, probe, options, seed, same_place(surfaces), placing.by_chance};
+      surfaces, camera, field, tone, probe, own, seed, same_place(surfaces), placing.standing};
   context.begin_stage(RunStage::Cover);
   const ViewRaster raster = make_raster(picture, context);
   check_work(picture, placing, raster);
@@ -176,7 +178,7 @@ StrokeResult trace_strokes(std::span<const Surface* const> surfaces, const Camer
 
   context.begin_stage(RunStage::Trace);
   const std::vector<Family> families =
-      placing.place(picture, raster, coverage.seeds, options.cross_from <= 1 ? 2 : 1, context,
+      placing.place(picture, raster, coverage.seeds, own.cross_from <= 1 ? 2 : 1, context,
                     [&](double share) { context.progress(0.8 * share); });
   Widths widths = solve_widths(picture, raster, families, context);
 

@@ -42,6 +42,25 @@ double TracedStroke::length() const {
   return sum;
 }
 
+bool look_at(const Picture& picture, std::int32_t part, const SurfacePoint& point,
+             const Frame& frame, StrokeSample& out) {
+  const Surface& surface = picture.surface(part);
+  const Camera& camera = picture.camera;
+  const ProxyPoint place = surface.to_proxy(point);
+  out.point = point;
+  out.normal = frame.normal;
+  out.paper = camera.to_paper(point.position);
+  out.depth = camera.depth(point.position);
+  const double cosine = glm::dot(frame.normal, camera.to_viewer(point.position));
+  out.facing = std::abs(cosine);
+  out.slope = Picture::slope(out.facing, camera.scale_at(point.position));
+  out.face = place.face;
+  out.region = surface.proxy().face_region[place.face];
+  out.darkness = picture.darkness(point.position, frame.normal, cosine);
+  out.visible = cosine > 0 || !surface.proxy().closed(place.face);
+  return out.visible && out.facing > kMinFacing && picture.on_sheet(out.paper);
+}
+
 GridSample grid_sample(const StrokeSample& s, std::int32_t part, std::int32_t stroke) {
   return {s.paper, s.direction, 0.6 * kStep, s.depth, s.slope, part, s.region, stroke};
 }
@@ -59,31 +78,17 @@ double Tracer::spacing(const StrokeSample& s) const {
 
 bool Tracer::fill(std::int32_t part, const SurfacePoint& point, Vec3 previous,
                   StrokeSample& out) const {
-  const Surface& surface = picture_.surface(part);
-  const Frame frame = surface.frame(point);
+  const Frame frame = picture_.surface(part).frame(point);
   const auto cross = picture_.field.cross({part, point, frame});
   if (!cross) return false;
   const Vec3 own = arm_of(*cross, family_);
   const Vec3 direction = previous == Vec3(0) ? own : arm_along(*cross, previous);
   out.own = std::abs(glm::dot(own, direction)) > kOwnArm;
-  const Camera& camera = picture_.camera;
-  const ProxyPoint place = surface.to_proxy(point);
-  out.point = point;
-  out.normal = frame.normal;
   out.tangent = direction;
-  out.paper = camera.to_paper(point.position);
-  const Vec2 v = camera.velocity(point.position, out.tangent);
+  const Vec2 v = picture_.camera.velocity(point.position, out.tangent);
   const double speed = glm::length(v);
   out.direction = speed > 0 ? v / speed : Vec2(1, 0);
-  out.depth = camera.depth(point.position);
-  const Vec3 to_viewer = camera.to_viewer(point.position);
-  const double cosine = glm::dot(frame.normal, to_viewer);
-  out.facing = std::abs(cosine);
-  out.slope = Picture::slope(out.facing, camera.scale_at(point.position));
-  out.face = place.face;
-  out.region = surface.proxy().face_region[place.face];
-  out.darkness = picture_.darkness(point.position, frame.normal, cosine);
-  out.visible = cosine > 0 || !surface.proxy().closed(place.face);
+  look_at(picture_, part, point, frame, out);
   return true;
 }
 

@@ -41,6 +41,11 @@ struct TracedStroke {
   double length() const;  // on paper
 };
 
+/// Fills in what a surface point says of itself; no tangent and no direction. False where it turns
+/// away or lies off the sheet.
+bool look_at(const Picture& picture, std::int32_t part, const SurfacePoint& point,
+             const Frame& frame, StrokeSample& out);
+
 GridSample grid_sample(const StrokeSample& s, std::int32_t part, std::int32_t stroke);
 
 class Tracer {

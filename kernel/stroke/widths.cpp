@@ -154,7 +154,7 @@ class WidthSolver {
     for (std::size_t i = 0; i < w.size(); ++i) {
       const StrokeSample& s = stroke.samples[i];
       const double ink = picture_.share(s.darkness, static_cast<int>(f) + 1);
-      if (picture_.by_chance) {
+      if (picture_.by_chance()) {
         w[i] = picture_.free_width(ink);
         continue;
       }
@@ -228,6 +228,7 @@ class WidthSolver {
     const auto& strokes = families_[f].strokes;
     for (std::size_t id = 0; id < strokes.size(); ++id) {
       const auto& samples = strokes[id].samples;
+      if (picture_.dots()) splat(plane, samples[0].paper, dot_area(widths_[f][id][0]));
       for (std::size_t i = 1; i < samples.size(); ++i) {
         if (!samples[i].visible || !samples[i - 1].visible) continue;
         const double w = 0.5 * (widths_[f][id][i] * taper_[f][id][i] +
@@ -275,7 +276,9 @@ class WidthSolver {
             want += weight * target[cell];
             have += weight * ink[cell];
           });
-          if (have > 0) w[i] *= std::clamp(want / have, 0.5, 2.0);
+          if (have <= 0) continue;
+          const double by = std::clamp(want / have, 0.5, 2.0);
+          w[i] *= picture_.dots() ? std::sqrt(by) : by;  // the area of a dot goes with its square
         }
         smooth(strokes[id], w);
         const std::vector<double>& guess = guess_[f][id];

@@ -1,6 +1,7 @@
 // burin convert, and its files read again by other programs.
 #include "models.h"
 
+#include <burin/illustrate/style.h>
 #include <burin_test/pictures.h>
 #include <nlohmann/json.hpp>
 
@@ -51,7 +52,8 @@ class Convert : public CliTest {
 };
 
 TEST_F(Convert, GivesTheSameBytesForOurOwnFiles) {
-  for (const char* style : {"outline", "technical", "engraving", "pencil", "haloed", "wireframe"}) {
+  for (const StyleInfo& info : builtin_styles()) {
+    const std::string& style = info.name;
     ASSERT_EQ(
         run(fmt::format("draw @/box.off -o @/a.json --hidden dashed --quiet --style {}", style)),
         0);

@@ -186,6 +186,25 @@ TEST(WriteDrawing, DxfStrokesHaveAWidthAtEachVertex) {
             std::string::npos);
 }
 
+// A stroke shorter than half its width is a dot: round in every format.
+TEST(WriteDrawing, DotsAreRound) {
+  Drawing d = ruler();
+  Path dot;
+  dot.kind = LineClass::Stroke;
+  dot.points = {{10, 10}, {10.02, 10}};
+  dot.width = {0.4};
+  d.layers[0].paths = {dot};
+  EXPECT_NE(written(d, "dxf").find("AcDbPolyline\n90\n2\n70\n1\n43\n0.2\n10\n9.91\n20\n10.0\n42\n1.0\n"
+                                   "10\n10.11\n20\n10.0\n42\n1.0\n"),
+            std::string::npos)
+      << written(d, "dxf");
+  const std::string svg = written(d, "svg");
+  EXPECT_NE(svg.find("stroke-width=\"0.4\""), std::string::npos) << svg;
+  EXPECT_NE(svg.find("stroke-linecap=\"round\""), std::string::npos) << svg;
+  d.layers[0].paths[0].points[1] = {10.3, 10};
+  EXPECT_EQ(written(d, "svg").find("stroke-width=\"0.4\""), std::string::npos);
+}
+
 TEST(WriteDrawing, DxfSplinesOnlyWhereAskedFor) {
   const Drawing drawing = test::sample_drawing();
   WriteOptions options;

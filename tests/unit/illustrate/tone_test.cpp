@@ -106,7 +106,7 @@ Scene scene_of(TriMesh mesh) {
 
 void expect_tone(const Scene& scene, const char* view, const char* placing = "even",
                  double most = 0.05) {
-  Style style = builtin_style("engraving");
+  Style style = builtin_style(placing == std::string_view("dots") ? "stipple" : "engraving");
   style.hatch.placing = placing;
   const ToneReport report = measure(scene, view, style);
   ASSERT_GT(report.cells, 2000u);
@@ -147,6 +147,25 @@ TEST(Tone, InkOfStrokesOnDiscsOfATorusIsWhatTheLightAsks) {
 
 TEST(Tone, InkOfStrokesOnDiscsOfASphereIsWhatTheLightAsks) {
   expect_tone(scene_of(test::ellipsoid({20, 20, 20}, 160, 80)), "front", "discs");
+}
+
+// Every built-in style that carries tone.
+TEST(Tone, OfEachStyleIsWhatTheLightAsks) {
+  const Scene scene = scene_of(test::torus(30, 12, 160, 80));
+  for (const char* name : {"engraving", "pencil", "stipple", "woodcut", "plotter"}) {
+    const ToneReport report = measure(scene, "iso", builtin_style(name));
+    EXPECT_GT(report.cells, 1000u) << name;
+    EXPECT_LE(report.mean_error, 0.05) << name;
+    ::testing::Test::RecordProperty(name, std::to_string(report.mean_error));
+  }
+}
+
+TEST(Tone, InkOfDotsOnATorusIsWhatTheLightAsks) {
+  expect_tone(scene_of(test::torus(30, 12, 160, 80)), "iso", "dots");
+}
+
+TEST(Tone, InkOfDotsOnASphereIsWhatTheLightAsks) {
+  expect_tone(scene_of(test::ellipsoid({20, 20, 20}, 160, 80)), "front", "dots");
 }
 
 }  // namespace

@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <optional>
 #include <string>
 
 namespace burin {
@@ -202,6 +203,68 @@ TEST(OnDiscs, NoTwoAreNearerThanTheToneAsks) {
   EXPECT_GE(nearest_neighbour(stage.strokes(field, 0.9, options)), 0.9 * diameter);
   options.placing = "points";
   EXPECT_LT(nearest_neighbour(stage.strokes(field, 0.9, options)), 0.3 * diameter);
+}
+
+HatchOptions dots() {
+  HatchOptions o = options_of("dots");
+  o.spacing_min = 0.4;
+  o.width_min = 0.2;
+  o.width_max = 0.4;
+  o.length_min = 0;
+  return o;
+}
+
+TEST(Dots, NoTwoAreNearerThanTheSpacingAndTheyStandEverywhere) {
+  Stage stage(plate());
+  const auto nowhere = Field{"none", [](const FieldQuery&) { return std::optional<Cross>(); }};
+  for (const double tone : {0.9, 0.5, 0.1}) {
+    const StrokeResult r = stage.strokes(nowhere, tone, dots());
+    EXPECT_GE(nearest_neighbour(r), 0.4 - 0.03) << tone;  // a dot is 0.02 long
+    // On each square of 5 mm of the plate of 60 x 40 some.
+    std::vector<int> count(12 * 8, 0);
+    for (const Curve3& c : r.strokes) {
+      ASSERT_EQ(c.points.size(), 2u);
+      EXPECT_LT(glm::distance(c.points[0], c.points[1]), 0.025);
+      EXPECT_EQ(c.widths[0], c.widths[1]);
+      EXPECT_GE(c.widths[0], 0.2);
+      EXPECT_LE(c.widths[0], 0.4);
+      const auto x = static_cast<std::size_t>(std::clamp(c.points[0].x / 5, 0.0, 11.0));
+      const auto z = static_cast<std::size_t>(std::clamp(c.points[0].z / 5, 0.0, 7.0));
+      ++count[12 * z + x];
+    }
+    EXPECT_GT(*std::ranges::min_element(count), 10) << tone;
+  }
+}
+
+// Of the largest dots at the least distance pi / 4 of what such points pack is covered, and less
+// where they overlap: a tone that asks for more gets that.
+TEST(Dots, AreAsManyAsTheToneAsks) {
+  Stage stage(plate());
+  const auto nowhere = Field{"none", [](const FieldQuery&) { return std::optional<Cross>(); }};
+  for (const double ink : {0.05, 0.2, 0.4}) {
+    const StrokeResult r = stage.strokes(nowhere, 1 - ink, dots());
+    double area = 0;
+    for (const Curve3& c : r.strokes) area += 0.25 * 3.14159265 * c.widths[0] * c.widths[0];
+    const double a = area / (60 * 40);  // overlaps count twice: see Picture::kClear
+    EXPECT_NEAR(1 - std::exp(-a - 0.65 * a * a), ink, 0.1 * ink) << ink;
+  }
+}
+
+TEST(Dots, TheSameForAnyNumberOfThreads) {
+  Stage stage(plate());
+  const auto nowhere = Field{"none", [](const FieldQuery&) { return std::optional<Cross>(); }};
+  std::vector<StrokeResult> results;
+  for (const int threads : {1, 2, 3}) {
+    const ThreadLimit limit(threads);
+    results.push_back(stage.strokes(nowhere, 0.6, dots()));
+  }
+  for (const StrokeResult& r : results) {
+    ASSERT_EQ(r.strokes.size(), results[0].strokes.size());
+    for (std::size_t i = 0; i < r.strokes.size(); ++i) {
+      ASSERT_EQ(r.strokes[i].points, results[0].strokes[i].points);
+      ASSERT_EQ(r.strokes[i].widths, results[0].strokes[i].widths);
+    }
+  }
 }
 
 TEST(Placings, AnUnknownOneNamesThoseThereAre) {

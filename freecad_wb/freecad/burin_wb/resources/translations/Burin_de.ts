@@ -264,6 +264,10 @@
       <translation>wie die anderen</translation>
     </message>
     <message>
+      <source>bold: few broad strokes that swell from white to almost black</source>
+      <translation>kräftig: wenige breite Striche, die von Weiß bis fast Schwarz anschwellen</translation>
+    </message>
+    <message>
       <source>build</source>
       <translation>Aufbau</translation>
     </message>
@@ -324,6 +328,10 @@
       <translation>Richtungsfeld</translation>
     </message>
     <message>
+      <source>full tone by dots, small where it is light, dense where it is dark</source>
+      <translation>voller Ton aus Punkten, klein im Licht, dicht im Schatten</translation>
+    </message>
+    <message>
       <source>full tone: many short, thin strokes along the form, as a hand lays them</source>
       <translation>voller Ton: viele kurze, dünne Striche entlang der Form, wie von Hand gesetzt</translation>
     </message>
@@ -360,6 +368,10 @@
       <translation>Linien</translation>
     </message>
     <message>
+      <source>lines of two widths, shaded sparsely, that bear copying and scaling down</source>
+      <translation>Linien in zwei Breiten, sparsam schattiert, die Kopieren und Verkleinern vertragen</translation>
+    </message>
+    <message>
       <source>none</source>
       <translation>keine</translation>
     </message>
@@ -374,6 +386,10 @@
     <message>
       <source>off</source>
       <translation>aus</translation>
+    </message>
+    <message>
+      <source>one pen: lines of one width as plain polylines, closer where it is dark</source>
+      <translation>ein Stift: Linien einer Breite als einfache Linienzüge, dichter im Dunkeln</translation>
     </message>
     <message>
       <source>plain</source>

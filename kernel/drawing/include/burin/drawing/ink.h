@@ -40,6 +40,10 @@ struct Ink {
   std::vector<std::vector<CubicBezier>> chains;
 };
 
+/// Whether a path is a dot: a stroke no longer than half its width. It is painted as a line with
+/// round ends.
+bool is_dot(const Path& path);
+
 /// Whether a path is painted as an area, as far as its widths tell: `ink_of` decides.
 bool wants_area(const Path& path);
 

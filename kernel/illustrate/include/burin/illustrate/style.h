@@ -91,7 +91,7 @@ struct Style {
 };
 
 /// Names and one-line descriptions of the built-in styles: outline, technical, engraving, pencil,
-/// haloed, wireframe.
+/// stipple, woodcut, patent, plotter, haloed, wireframe.
 struct StyleInfo {
   std::string name;
   std::string description;
