@@ -58,7 +58,8 @@ bool PictureSamples::seen(Vec3 position) const {
   const auto hit = scene_->probe(camera_->to_paper(position));
   // Beside the triangles, though not beside the surface: at the very outline.
   if (!hit) return true;
-  return camera_->depth(hit->position) - camera_->depth(position) <= pitch_ / camera_->scale_at(position);
+  return camera_->depth(hit->position) - camera_->depth(position) <=
+         pitch_ / camera_->scale_at(position);
 }
 
 void PictureSamples::add_slivers() {

@@ -166,7 +166,8 @@ std::vector<RequestRow<Draft>> part_rows() {
         .python = kPython},
        [](Draft& d, const Asked& a) { add_looks(d, a, {.drawn = false}); }},
       {{.option = {.name = "ghost",
-                   .meaning = "draw only the lines of these parts, and what is behind them; repeatable",
+                   .meaning =
+                       "draw only the lines of these parts, and what is behind them; repeatable",
                    .takes = FreeText{}},
         .group = kParts,
         .label = "NAME",

@@ -83,11 +83,12 @@ Json look_schema(const Json& style) {
   Json select = text(
       "a part or an assembly: its name, its path, @color=#rrggbb, @index=N or "
       "@file=NAME; * and ? are wild");
-  Json look = object_of({{"select", {{"anyOf", {select, list_of(select)}}}},
-                         {"style", style},
-                         {"drawn", flag("false: as if the part were not there")},
-                         {"hatched", flag("false: without strokes")},
-                         {"transparent", flag("true: of glass; it hides itself alone, and keeps its strokes")}});
+  Json look = object_of(
+      {{"select", {{"anyOf", {select, list_of(select)}}}},
+       {"style", style},
+       {"drawn", flag("false: as if the part were not there")},
+       {"hatched", flag("false: without strokes")},
+       {"transparent", flag("true: of glass; it hides itself alone, and keeps its strokes")}});
   look["required"] = {"select"};
   return look;
 }

@@ -44,6 +44,10 @@ constexpr std::array kKinds{
     FieldKind{"fixed", "hatch.direction", false,
               "the surface is at a right angle to the direction there",
               [](const FieldRequest& r) { return fixed(r.options.direction); }},
+    FieldKind{"fixed-auto", "a direction that each part's surface nowhere stands on", false, "",
+              [](const FieldRequest& r) {
+                return fixed_auto(r.surfaces, r.options.direction, r.context);
+              }},
 };
 
 }  // namespace

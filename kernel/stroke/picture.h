@@ -62,9 +62,9 @@ struct Picture {
     const auto hit = probe(paper);
     // Beside the occluder's polygon, though not beside the true surface: at the very outline.
     if (!hit || (hit->part == part && hit->point.face == face)) return true;
-    const Vec3 nearer =
-        hit->hatched ? surface(hit->part).proxy().position(hit->point.face, hit->point.bary)
-                     : hit->position;
+    const Vec3 nearer = hit->hatched
+                            ? surface(hit->part).proxy().position(hit->point.face, hit->point.bary)
+                            : hit->position;
     return camera.depth(nearer) - depth <= same_place;
   }
 

@@ -19,8 +19,8 @@ constexpr std::array kPlacings{
             place_on_points, points_load, Picture::Standing::Points},
     Placing{"discs", "the same, on points that keep clear of each other", cover_discs,
             place_on_points, points_load, Picture::Standing::Points},
-    Placing{"dots", "a dot on each of points that keep clear of each other", cover_discs, place_dots,
-            dots_load, Picture::Standing::Dots},
+    Placing{"dots", "a dot on each of points that keep clear of each other", cover_discs,
+            place_dots, dots_load, Picture::Standing::Dots},
 };
 
 }  // namespace

@@ -1,7 +1,8 @@
 // burin convert, and its files read again by other programs.
+#include <burin/illustrate/style.h>
+
 #include "models.h"
 
-#include <burin/illustrate/style.h>
 #include <burin_test/pictures.h>
 #include <nlohmann/json.hpp>
 

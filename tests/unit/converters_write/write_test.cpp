@@ -194,9 +194,10 @@ TEST(WriteDrawing, DotsAreRound) {
   dot.points = {{10, 10}, {10.02, 10}};
   dot.width = {0.4};
   d.layers[0].paths = {dot};
-  EXPECT_NE(written(d, "dxf").find("AcDbPolyline\n90\n2\n70\n1\n43\n0.2\n10\n9.91\n20\n10.0\n42\n1.0\n"
-                                   "10\n10.11\n20\n10.0\n42\n1.0\n"),
-            std::string::npos)
+  EXPECT_NE(
+      written(d, "dxf").find("AcDbPolyline\n90\n2\n70\n1\n43\n0.2\n10\n9.91\n20\n10.0\n42\n1.0\n"
+                             "10\n10.11\n20\n10.0\n42\n1.0\n"),
+      std::string::npos)
       << written(d, "dxf");
   const std::string svg = written(d, "svg");
   EXPECT_NE(svg.find("stroke-width=\"0.4\""), std::string::npos) << svg;
