@@ -9,12 +9,19 @@
 
 #include <map>
 #include <tuple>
+#include <vector>
 
 namespace burin {
 namespace {
 
 /// What an input says before it is placed and named.
 using Key = std::tuple<std::string, std::string, Request>;
+
+/// What was read, a placer a part.
+struct Known {
+  Scene scene;
+  std::vector<Placer> placers;
+};
 
 Scene read_one(const IllustrationInput& input, RunContext& context) {
   const ReadOptions options = make_read_options(input.read, Spelling::Keywords);
@@ -49,19 +56,22 @@ void name_parts(Scene& scene, const std::string& name) {
 
 Scene read_scene(const Illustration& illustration, RunContext& context) {
   Scene all;
-  std::map<Key, Scene> known;
+  std::map<Key, Known> known;
   for (const IllustrationInput& input : illustration.inputs) {
     const Key key{input.file, input.function, input.read};
     auto found = known.find(key);
     if (found == known.end()) {
-      found = known.emplace(key, read_one(input, context)).first;
-      all.diagnostics.append(found->second.diagnostics);
+      found = known.emplace(key, Known{read_one(input, context), {}}).first;
+      for (const Part& part : found->second.scene.parts) {
+        found->second.placers.emplace_back(part.form);
+      }
+      all.diagnostics.append(found->second.scene.diagnostics);
     }
-    Scene one = found->second;
+    Scene one = found->second.scene;
     name_parts(one, input.name);
-    for (Part& part : one.parts) {
-      part.form = placed(part.form, input.place);
-      all.parts.push_back(std::move(part));
+    for (std::size_t i = 0; i < one.parts.size(); ++i) {
+      one.parts[i].form = found->second.placers[i].at(input.place);
+      all.parts.push_back(std::move(one.parts[i]));
     }
   }
   return all;

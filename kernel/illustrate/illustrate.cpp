@@ -167,6 +167,7 @@ StrokeResult hatch_all(const std::vector<const Surface*>& surfaces, const detail
     if (!part_styles.transparent(part) || !part_styles.hatched(part)) continue;
     std::vector<bool> alone(part_styles.size(), false);
     alone[part] = true;
+    context.begin_stage(RunStage::Build);
     const Occluder before = sight.before(part, context);
     append(all, hatch(surfaces, std::move(alone), before, camera, part_styles.style(part), cue,
                       options, undirected, context));

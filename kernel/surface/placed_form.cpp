@@ -1,8 +1,10 @@
 #include <burin/base/error.h>
 #include <burin/surface/placed_form.h>
 
+#include <mutex>
 #include <optional>
 #include <utility>
+#include <vector>
 
 namespace burin {
 namespace {
@@ -105,13 +107,82 @@ class PlacedSurface final : public Surface {
   ProxyMesh proxy_;
 };
 
+}  // namespace
+
+/// A form and the surfaces of it that live.
+class Instances {
+ public:
+  explicit Instances(std::shared_ptr<const Form> form) : form_(std::move(form)) {}
+
+  const std::shared_ptr<const Form>& form() const { return form_; }
+
+  std::shared_ptr<const Surface> realise(const RealiseOptions& options, RunContext& context) {
+    if (options.view && options.view->perspective()) return form_->realise(options, context);
+    if (const auto known = find(options)) return known;
+    Diagnostics said;
+    RealiseOptions asked = options;
+    if (options.diagnostics) asked.diagnostics = &said;
+    auto surface = form_->realise(asked, context);
+    if (options.diagnostics) options.diagnostics->append(said);
+    const std::lock_guard lock(mutex_);
+    std::erase_if(made_, [](const Made& made) { return made.surface.expired(); });
+    made_.push_back({key_of(options), surface, std::move(said)});
+    return surface;
+  }
+
+ private:
+  /// What a surface depends on, of the view all but where it looks from.
+  struct Key {
+    double tolerance, crease_angle;
+    bool curvature, told, seen;
+    Vec3 right, up;
+    double scale;
+    bool operator==(const Key&) const = default;
+  };
+  struct Made {
+    Key key;
+    std::weak_ptr<const Surface> surface;
+    Diagnostics said;
+  };
+
+  static Key key_of(const RealiseOptions& o) {
+    const bool seen = o.view != nullptr;
+    return {o.tolerance,
+            o.crease_angle,
+            o.curvature,
+            o.diagnostics != nullptr,
+            seen,
+            seen ? o.view->right() : Vec3(0),
+            seen ? o.view->up() : Vec3(0),
+            seen ? o.view->scale() : 0};
+  }
+
+  std::shared_ptr<const Surface> find(const RealiseOptions& options) {
+    const Key key = key_of(options);
+    const std::lock_guard lock(mutex_);
+    for (const Made& made : made_) {
+      if (made.key != key) continue;
+      auto surface = made.surface.lock();
+      if (surface && options.diagnostics) options.diagnostics->append(made.said);
+      if (surface) return surface;
+    }
+    return nullptr;
+  }
+
+  std::shared_ptr<const Form> form_;
+  std::mutex mutex_;
+  std::vector<Made> made_;
+};
+
+namespace {
+
 class PlacedForm final : public Form {
  public:
-  PlacedForm(std::shared_ptr<const Form> form, const Placement& placement)
-      : form_(std::move(form)), place_(placement) {}
+  PlacedForm(std::shared_ptr<Instances> instances, const Placement& placement)
+      : instances_(std::move(instances)), place_(placement) {}
 
   Box3 bounds(const Mat3& axes) const override {
-    Box3 box = form_->bounds(axes * place_.to.linear);
+    Box3 box = instances_->form()->bounds(axes * place_.to.linear);
     const Vec3 by = axes * place_.to.offset;
     box.min += by, box.max += by;
     return box;
@@ -126,11 +197,11 @@ class PlacedForm final : public Form {
       view = options.view->inside(place_.to);
       inner.view = &*view;
     }
-    return std::make_shared<PlacedSurface>(form_->realise(inner, context), place_);
+    return std::make_shared<PlacedSurface>(instances_->realise(inner, context), place_);
   }
 
  private:
-  std::shared_ptr<const Form> form_;
+  std::shared_ptr<Instances> instances_;
   Place place_;
 };
 
@@ -150,10 +221,17 @@ bool turns(const Placement& placement) {
 
 }  // namespace
 
-std::shared_ptr<const Form> placed(std::shared_ptr<const Form> form, const Placement& placement) {
-  if (!placement.moves()) return form;
+Placer::Placer(std::shared_ptr<const Form> form)
+    : instances_(std::make_shared<Instances>(std::move(form))) {}
+
+std::shared_ptr<const Form> Placer::at(const Placement& placement) const {
+  if (!placement.moves()) return instances_->form();
   if (!turns(placement)) throw UsageError("a placement turns, scales by one factor and moves");
-  return std::make_shared<PlacedForm>(std::move(form), placement);
+  return std::make_shared<PlacedForm>(instances_, placement);
+}
+
+std::shared_ptr<const Form> placed(std::shared_ptr<const Form> form, const Placement& placement) {
+  return Placer(std::move(form)).at(placement);
 }
 
 }  // namespace burin

@@ -123,11 +123,12 @@ std::span<const Law> catalogue() { return kLaws; }
 const Law& find(std::string_view name) { return find_row(catalogue(), name, "tone.law"); }
 
 Tone make(const Camera& camera, const ToneOptions& options) {
-  return [camera, rim = options.rim, highlight = options.highlight,
+  return [camera, rim = options.rim, highlight = options.highlight, ink = options.ink,
           law = find(options.law).make(camera, options)](Vec3 position, Vec3 normal) {
     const double facing = std::clamp(glm::dot(normal, camera.to_viewer(position)), 0.0, 1.0);
     const double reflectance = law(position, normal) - rim * std::pow(1 - facing, 3);
-    return std::clamp(reflectance / highlight, 0.0, 1.0);
+    const double light = std::clamp(reflectance / highlight, 0.0, 1.0);
+    return ink == ToneOptions::Ink::Shade ? light : 1 - light;
   };
 }
 

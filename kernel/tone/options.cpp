@@ -29,6 +29,8 @@ std::vector<OptionRow<ToneOptions>> rows() {
              "lightness from which the paper stays white"),
       number("rim", &ToneOptions::rim, {0, 1},
              "darkness added where the surface turns away from the viewer"),
+      options::word("ink", &ToneOptions::ink, {"shade", "light"},
+                    "what ink stands for: shade, or light, as on dark paper"),
   };
 }
 

@@ -87,6 +87,58 @@ TEST(PlacedForm, DrawsAsTheMovedMeshDoes) {
   }
 }
 
+/// A torus that counts how often it is realised.
+class Counted final : public Form {
+ public:
+  Box3 bounds(const Mat3& axes) const override { return form_->bounds(axes); }
+  std::shared_ptr<const Surface> realise(const RealiseOptions& options,
+                                         RunContext& context) const override {
+    ++times;
+    options.diagnostics->add(Severity::Warning, "torus", 1, "is one");
+    return form_->realise(options, context);
+  }
+  mutable int times = 0;
+
+ private:
+  std::shared_ptr<const Form> form_ = torus();
+};
+
+TEST(PlacedForm, CopiesThatAreOnlyMovedAreRealisedOnce) {
+  const auto form = std::make_shared<Counted>();
+  const Placer placer(form);
+  const Placement here = away();
+  Placement there = here, turned = here;
+  there.offset += Vec3(100, 0, 0);
+  turned.linear = Mat3(0, 1, 0, -1, 0, 0, 0, 0, 1) * turned.linear;
+  RunContext context;
+  Diagnostics said;
+  const auto extent = [&](const Mat3& axes) { return form->bounds(axes); };
+  const Camera flat = Camera::fit(extent, {}), close = Camera::fit(extent, {.perspective = 40});
+  RealiseOptions options;
+  options.view = &flat;
+  options.diagnostics = &said;
+  {
+    const auto a = placer.at(here)->realise(options, context);
+    const auto b = placer.at(there)->realise(options, context);
+    EXPECT_EQ(form->times, 1);
+    ASSERT_EQ(said.entries().size(), 2U) << "each says what is to be said of it";
+    const Vec3 p = a->proxy().mesh.positions[7], q = b->proxy().mesh.positions[7];
+    EXPECT_LT(glm::distance(p + Vec3(100, 0, 0), q), 1e-9);
+    const auto c = placer.at(turned)->realise(options, context);
+    EXPECT_EQ(form->times, 2) << "a turned copy shows other contours";
+    options.tolerance *= 2;
+    const auto d = placer.at(there)->realise(options, context);
+    EXPECT_EQ(form->times, 3);
+    options.view = &close;
+    const auto e = placer.at(here)->realise(options, context);
+    const auto f = placer.at(there)->realise(options, context);
+    EXPECT_EQ(form->times, 5) << "in perspective each shows contours of its own";
+  }
+  options.view = &flat;
+  (void)placer.at(here)->realise(options, context);
+  EXPECT_EQ(form->times, 6) << "nothing is kept of surfaces that are gone";
+}
+
 TEST(PlacedForm, WhatIsNoPlacementIsRefused) {
   const auto form = torus();
   EXPECT_EQ(placed(form, {}), form);

@@ -71,6 +71,17 @@ TEST(Lights, OfASceneStandInForThatOfTheStyle) {
   }
 }
 
+TEST(ToneInk, MayStandForLight) {
+  for (const tone::Law& law : tone::catalogue()) {
+    tone::ToneOptions shade = options(std::string(law.name)), light = shade;
+    light.ink = tone::ToneOptions::Ink::Light;
+    for (const Vec3 n : {Vec3(0, 0, 1), Vec3(0.6, 0, 0.8), Vec3(-0.8, 0, 0.6)}) {
+      EXPECT_NEAR(tone::make(camera(), shade)({}, n) + tone::make(camera(), light)({}, n), 1, 1e-12)
+          << law.name;
+    }
+  }
+}
+
 TEST(Lights, AddUpAndThoseOfAPlaceShineFromIt) {
   tone::ToneOptions o = options("lambert");
   o.lights = {{tone::Light::Kind::Ambient, {}, 0.1},

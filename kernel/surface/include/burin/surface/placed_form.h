@@ -8,10 +8,26 @@
 
 namespace burin {
 
-/// `form` turned, scaled and moved: points, normals, curvatures (divided by the scale), parameters
-/// and triangles are its own, placed. The same form where the placement moves nothing. Forms may be
-/// placed many times; each surface that they make holds a copy of its triangles. Throws UsageError
-/// where the placement is no rotation times a scale over 0, within 1e-9.
+class Instances;
+
+/// One form, placed any number of times. In an orthographic view placed forms that differ by their
+/// offsets alone are realised once, as long as one of their surfaces lives; each has its own copy
+/// of the triangles. Safe from many threads.
+class Placer {
+ public:
+  explicit Placer(std::shared_ptr<const Form> form);
+
+  /// The form turned, scaled and moved: points, normals, curvatures (divided by the scale),
+  /// parameters and triangles are its own, placed. The form itself where the placement moves
+  /// nothing. Throws UsageError where the placement is no rotation times a scale over 0, within
+  /// 1e-9.
+  std::shared_ptr<const Form> at(const Placement& placement) const;
+
+ private:
+  std::shared_ptr<Instances> instances_;
+};
+
+/// A form placed once.
 std::shared_ptr<const Form> placed(std::shared_ptr<const Form> form, const Placement& placement);
 
 }  // namespace burin

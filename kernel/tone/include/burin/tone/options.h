@@ -43,6 +43,10 @@ struct ToneOptions {
   /// Darkness added where the surface turns away from the viewer, as engravers round a form; 0 =
   /// none.
   double rim = 0.05;
+  /// What ink stands for. Light: wide lines where it is lit, as a scraper has them on black.
+  /// @cite Elber1998
+  enum class Ink { Shade, Light };
+  Ink ink = Ink::Shade;
   /// Those of the scene; empty: `light` with `ambient` and `diffuse`. No option row: styles have no
   /// lights.
   std::vector<Light> lights = {};
