@@ -17,11 +17,11 @@ Json value_of(const RequestOption& option, const std::string& text) {
   const std::string_view kind = kind_of(option.option);
   if (kind == "number" || kind == "whole" || kind == "flag" ||
       option.python.find("float") != std::string::npos) {
-    const Json value = Json::parse(text, nullptr, false);
+    Json value = Json::parse(text, nullptr, false);
     if (!value.is_discarded()) return value;
   }
   if (kind == "direction") {
-    const Json value = Json::parse("[" + text + "]", nullptr, false);
+    Json value = Json::parse("[" + text + "]", nullptr, false);
     if (!value.is_discarded()) return value;
   }
   return text;

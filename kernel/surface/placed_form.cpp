@@ -118,7 +118,7 @@ class Instances {
 
   std::shared_ptr<const Surface> realise(const RealiseOptions& options, RunContext& context) {
     if (options.view && options.view->perspective()) return form_->realise(options, context);
-    if (const auto known = find(options)) return known;
+    if (auto known = find(options)) return known;
     Diagnostics said;
     RealiseOptions asked = options;
     if (options.diagnostics) asked.diagnostics = &said;
