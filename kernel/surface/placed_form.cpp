@@ -117,6 +117,7 @@ class Instances {
   const std::shared_ptr<const Form>& form() const { return form_; }
 
   std::shared_ptr<const Surface> realise(const RealiseOptions& options, RunContext& context) {
+    context.check();
     if (options.view && options.view->perspective()) return form_->realise(options, context);
     if (auto known = find(options)) return known;
     Diagnostics said;
