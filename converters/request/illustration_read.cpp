@@ -89,6 +89,9 @@ class Reader {
     } catch (const Json::parse_error& e) {
       throw InputError("not valid JSON here; mend the illustration file", source_,
                        line_at(text_, e.byte > 0 ? e.byte - 1 : 0));
+    } catch (const Json::out_of_range&) {
+      throw InputError("a number is too large here; mend the illustration file", source_,
+                       lines_.last());
     }
     throw InputError("an illustration file is one JSON object, {\"burin\": \"illustration\", ...}",
                      source_, 1);

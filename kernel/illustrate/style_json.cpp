@@ -54,6 +54,9 @@ Json parse(std::string_view text, const std::string& source) {
   } catch (const Json::parse_error& e) {
     const std::int64_t line = line_at(text, e.byte > 0 ? e.byte - 1 : 0);
     throw InputError("not valid JSON here; mend the style file", source, line);
+  } catch (const Json::out_of_range&) {
+    throw InputError("a number is too large here; mend the style file", source,
+                     JsonLines(text).last());
   }
   throw InputError("a style file is one JSON object, {\"base\": ..., \"line.outer\": ...}", source,
                    1);

@@ -90,6 +90,7 @@ JsonLines::JsonLines(std::string_view text) {
   const Json read = Json::parse(Counting(text.data(), &line),
                                 Counting(text.data() + text.size(), &line), hear, false, true);
   if (read.is_discarded()) lines_.clear();
+  last_ = line;
 }
 
 std::int64_t JsonLines::line(std::string_view path) const {

@@ -194,6 +194,7 @@ TEST_F(Illustrations, ErrorsNameFileLineAndTheNearestKey) {
       {", \"parts\": [{\"file\": \"box.off\", \"place\": {\"scale\": 0}}]", "\"scale\" takes", 2},
       {", \"parts\": [{\"file\": \"box.off\", \"place\": {\"rotate\": [1, 2]}}]", "takes [x, y, z]",
        2},
+      {b + ",\n\"seed\": 1e999", ":2: a number is too large here", 3},
       {",\n,", "not valid JSON here; mend the illustration file", 3},
   };
   for (const Wrong& wrong : all) {

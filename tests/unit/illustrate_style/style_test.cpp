@@ -195,5 +195,15 @@ TEST(Nearest, CountsEdits) {
   EXPECT_EQ(nearest("x", {}), "");
 }
 
+TEST(StyleFiles, ANumberThatIsTooLargeIsNamedWithItsLine) {
+  try {
+    parse_style("{\"name\": \"a\",\n\"line.outer\": 1e999}", "mine.json");
+    FAIL() << "it was read";
+  } catch (const InputError& e) {
+    EXPECT_EQ(e.line(), 2);
+    EXPECT_NE(std::string(e.what()).find("too large"), std::string::npos) << e.what();
+  }
+}
+
 }  // namespace
 }  // namespace burin

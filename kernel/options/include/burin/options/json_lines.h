@@ -16,8 +16,11 @@ class JsonLines {
 
   /// From 1, by a path such as "/parts/0/file": its own, else that of what holds it.
   std::int64_t line(std::string_view path) const;
+  /// The line where reading ended: the last, or that of what could not be read.
+  std::int64_t last() const { return last_; }
 
  private:
+  std::int64_t last_ = 1;
   std::map<std::string, std::int64_t, std::less<>> lines_;
 };
 
