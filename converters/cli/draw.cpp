@@ -12,7 +12,6 @@
 #include <algorithm>
 #include <array>
 #include <filesystem>
-#include <fstream>
 #include <optional>
 #include <string_view>
 
@@ -82,32 +81,6 @@ void note_unwritten(const DrawArguments& arguments, const std::vector<Output>& o
 }
 
 }  // namespace
-
-std::string run_illustrate(const DrawArguments& arguments) {
-  if (arguments.inputs.empty()) {
-    throw UsageError("no input; name model files: burin illustrate INPUT... -o NAME.burin.json");
-  }
-  if (arguments.outputs.size() != 1) {
-    throw UsageError("name one output: burin illustrate INPUT... -o NAME.burin.json");
-  }
-  const std::string& name = arguments.outputs.front();
-  make_plan(arguments.request, Spelling::Options);  // refuses what a drawing would
-  check_inputs(arguments.inputs);
-  if (name == "-") return first_illustration(arguments.inputs, arguments.request, {});
-  if (!is_illustration(name)) {
-    throw UsageError(fmt::format("'{}': illustration files end in .json, best .burin.json", name));
-  }
-  const std::filesystem::path path(name);
-  std::error_code error;
-  if (std::filesystem::exists(path, error)) {
-    throw OutputError("is there already and may have been edited; remove it or name another", name);
-  }
-  std::ofstream out(path, std::ios::binary);
-  out << first_illustration(arguments.inputs, arguments.request, path.parent_path());
-  out.close();
-  if (!out) throw OutputError("cannot be written; check the folder and its space", name);
-  return {};
-}
 
 void run_draw(const DrawArguments& arguments, RunContext& context, Console& console) {
   if (arguments.inputs.empty()) {

@@ -10,6 +10,7 @@
 #include "console.h"
 #include "convert.h"
 #include "draw.h"
+#include "illustrate.h"
 #include "info.h"
 #include "options.h"
 #include "signals.h"
@@ -74,7 +75,7 @@ int run(const Arguments& arguments, RunContext& context, Console& console) {
       run_draw(arguments.draw, context, console);
       break;
     case Verb::Illustrate:
-      print(run_illustrate(arguments.illustrate));
+      run_illustrate(arguments.illustrate);
       break;
     case Verb::Convert:
       run_convert(arguments.convert, context, console);

@@ -40,17 +40,9 @@ Placement rigid(const py::object& value) {
     for (int column = 0; column < 3; ++column) place.linear[column][row] = at(row, column);
     place.offset[row] = at(row, 3);
   }
-  const Mat3 unit = glm::transpose(place.linear) * place.linear;
-  double off = 0;
-  for (int column = 0; column < 3; ++column) {
-    for (int row = 0; row < 3; ++row) {
-      const double expected = row == column ? 1 : 0;
-      off = std::max(off, std::abs(unit[column][row] - expected));
-    }
-  }
   const bool finite = std::isfinite(place.offset.x + place.offset.y + place.offset.z);
   const bool last = at(3, 0) == 0 && at(3, 1) == 0 && at(3, 2) == 0 && at(3, 3) == 1;
-  if (!(off <= kRigid) || !finite || !last) {
+  if (!(off_rotation(place.linear) <= kRigid) || !finite || !last) {
     throw UsageError(fmt::format("{}; this one scales, shears or is not finite", kWhat));
   }
   return place;

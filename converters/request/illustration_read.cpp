@@ -27,7 +27,6 @@ namespace fs = std::filesystem;
 constexpr std::size_t kMostBytes = std::size_t{1} << 24;
 constexpr std::size_t kMostInputs = 100'000;
 constexpr int kMostExtended = 16;
-constexpr double kDegree = 3.14159265358979323846 / 180;
 
 /// A value of JSON as options take it: lists with commas.
 std::string text_of(const Json& value) {
@@ -36,15 +35,6 @@ std::string text_of(const Json& value) {
   std::string list;
   for (const Json& element : value) list += (list.empty() ? "" : ",") + text_of(element);
   return list;
-}
-
-/// Turns about x, then y, then z, in degrees, as OpenSCAD has it.
-Mat3 turned(Vec3 degrees) {
-  const Vec3 c = glm::cos(degrees * kDegree), s = glm::sin(degrees * kDegree);
-  const Mat3 x(Vec3(1, 0, 0), Vec3(0, c.x, s.x), Vec3(0, -s.x, c.x));
-  const Mat3 y(Vec3(c.y, 0, -s.y), Vec3(0, 1, 0), Vec3(s.y, 0, c.y));
-  const Mat3 z(Vec3(c.z, s.z, 0), Vec3(-s.z, c.z, 0), Vec3(0, 0, 1));
-  return z * y * x;
 }
 
 /// One file, read into an illustration that may hold what it extends.
@@ -62,11 +52,11 @@ class Reader {
     const Json json = parse();
     check_kind(json);
     if (json.contains("extends")) extend(json["extends"]);
-    const std::vector<std::string> known = known_members();
     for (const auto& [key, value] : json.items()) {
       const std::string path = "/" + key;
-      if (std::ranges::find(known, key) == known.end()) unknown(path, key, known);
-      member(key, value, path);
+      const auto member = std::ranges::find(members(), key, &Member::name);
+      if (member == members().end()) unknown(path, key, names_of_members());
+      if (member->take) (this->*member->take)(value, path);
     }
   }
 
@@ -83,18 +73,9 @@ class Reader {
   }
 
   Json parse() const {
-    try {
-      Json json = Json::parse(text_, nullptr, true, true);
-      if (json.is_object()) return json;
-    } catch (const Json::parse_error& e) {
-      throw InputError("not valid JSON here; mend the illustration file", source_,
-                       line_at(text_, e.byte > 0 ? e.byte - 1 : 0));
-    } catch (const Json::out_of_range&) {
-      throw InputError("a number is too large here; mend the illustration file", source_,
-                       lines_.last());
-    }
-    throw InputError("an illustration file is one JSON object, {\"burin\": \"illustration\", ...}",
-                     source_, 1);
+    return parse_json_object<Json>(
+        text_, source_, "illustration file",
+        "an illustration file is one JSON object, {\"burin\": \"illustration\", ...}");
   }
 
   void check_kind(const Json& json) const {
@@ -113,12 +94,31 @@ class Reader {
     }
   }
 
-  static std::vector<std::string> known_members() {
-    std::vector<std::string> names = {"burin", "version", "$schema", "extends", "parts", "style",
-                                      "looks", "lights",  "title",   "view",    "paper"};
-    for (const detail::IllustrationKey& key : detail::illustration_keys()) {
-      if (key.path.find('.') == std::string::npos) names.push_back(key.path);
-    }
+  /// A key of the file and what reads it; null: read before all others, or by nobody.
+  struct Member {
+    std::string name;
+    void (Reader::*take)(const Json& value, const std::string& path);
+  };
+
+  static const std::vector<Member>& members() {
+    static const std::vector<Member> all = [] {
+      std::vector<Member> rows = {
+          {"burin", nullptr},        {"version", nullptr},        {"$schema", nullptr},
+          {"extends", nullptr},      {"parts", &Reader::parts},   {"style", &Reader::style},
+          {"looks", &Reader::looks}, {"lights", &Reader::lights}, {"title", &Reader::title},
+          {"view", &Reader::group},  {"paper", &Reader::paper}};
+      for (const detail::IllustrationKey& key : detail::illustration_keys()) {
+        const bool grouped = key.path.find('.') != std::string::npos;
+        if (!grouped) rows.push_back({key.path, &Reader::option});
+      }
+      return rows;
+    }();
+    return all;
+  }
+
+  static std::vector<std::string> names_of_members() {
+    std::vector<std::string> names;
+    for (const Member& member : members()) names.push_back(member.name);
     return names;
   }
 
@@ -136,32 +136,30 @@ class Reader {
     Reader(house, file, extended_ + 1, out_).read();
   }
 
-  void member(const std::string& key, const Json& value, const std::string& path) {
-    if (key == "parts") return parts(value, path);
-    if (key == "style") return style(value, path);
-    if (key == "looks") return looks(value, path);
-    if (key == "lights") return lights(value, path);
-    if (key == "title") {
-      out_.request.title = text(value, path);
-    } else if (key == "view" || (key == "paper" && value.is_object())) {
-      options_of(key, value, path);
-    } else if (key == "paper") {
-      set_option("paper", value, path, "paper");
-    } else if (key != "burin" && key != "version" && key != "$schema" && key != "extends") {
-      set_option(key, value, path, key);
-    }
+  void title(const Json& value, const std::string& path) { out_.request.title = text(value, path); }
+
+  void paper(const Json& value, const std::string& path) {
+    if (value.is_object()) return group(value, path);
+    set_option("paper", value, path, "paper");
+  }
+
+  /// A key that is an option of the same name.
+  void option(const Json& value, const std::string& path) {
+    const std::string name = path.substr(1);
+    set_option(name, value, path, name);
   }
 
   /// Members of a group, "view" or "paper".
-  void options_of(const std::string& group, const Json& value, const std::string& path) {
+  void group(const Json& value, const std::string& path) {
+    const std::string prefix = path.substr(1) + ".";
     std::vector<std::string> known;
     for (const detail::IllustrationKey& key : detail::illustration_keys()) {
-      if (key.path.starts_with(group + ".")) known.push_back(key.path.substr(group.size() + 1));
+      if (key.path.starts_with(prefix)) known.push_back(key.path.substr(prefix.size()));
     }
     check_object(value, path, known);
     for (const detail::IllustrationKey& key : detail::illustration_keys()) {
-      if (!key.path.starts_with(group + ".")) continue;
-      const std::string name = key.path.substr(group.size() + 1);
+      if (!key.path.starts_with(prefix)) continue;
+      const std::string name = key.path.substr(prefix.size());
       if (value.contains(name)) set_option(key.option, value[name], path + "/" + name, key.path);
     }
   }
@@ -249,7 +247,8 @@ class Reader {
   Placement placement(const Json& value, const std::string& path) const {
     check_object(value, path, detail::kPlaceKeys);
     Placement place;
-    if (value.contains("rotate")) place.linear = turned(vector(value["rotate"], path + "/rotate"));
+    if (value.contains("rotate"))
+      place.linear = rotation(vector(value["rotate"], path + "/rotate"));
     if (value.contains("scale")) {
       const double scale = number(value["scale"], path + "/scale");
       if (!(scale >= 1e-9 && scale <= 1e9)) fail(path + "/scale", "\"scale\" takes 1e-9 to 1e9");
@@ -272,7 +271,7 @@ class Reader {
       if (value.contains("base") && !value.contains("name")) named["name"] = value["base"];
       r.style_text = text_at_lines(named, path);
       r.style_source = source_;
-      parse_style(r.style_text, source_);  // errors now, not once the models are read
+      parse_style(r.style_text, source_);  // also where another file's style stands instead of it
     } else {
       r.options["style"] = {style_named(value, path)};
     }

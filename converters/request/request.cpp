@@ -136,14 +136,8 @@ void select_parts(const Scene& scene, DrawPlan& plan) {
 }
 
 Camera make_camera(const Scene& scene, const DrawPlan& plan) {
-  const std::vector<PartStyle>& styles = plan.illustrate.part_styles;
   const auto extent = [&](const Mat3& axes) {
-    Box3 box;
-    for (std::size_t i = 0; i < scene.parts.size(); ++i) {
-      if (i < styles.size() && !styles[i].drawn) continue;
-      box.add(scene.parts[i].form->bounds(axes));
-    }
-    return box.empty() ? scene.bounds(axes) : box;
+    return drawn_bounds(scene, plan.illustrate.part_styles, axes);
   };
   return Camera::fit(extent, settle(extent, plan.view, plan.sheet));
 }

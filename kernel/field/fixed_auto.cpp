@@ -2,9 +2,8 @@
 #include <burin/field/field.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <limits>
+#include <numbers>
 
 namespace burin::field {
 namespace {
@@ -15,9 +14,6 @@ constexpr int kSide = 64;
 constexpr int kTried = 1500;
 // Halvings of the step by which the best one is made better: to a hundredth of a degree.
 constexpr int kHalvings = 9;
-// How much worse a normal near to the direction is than one far from it: an exponent.
-constexpr double kSharp = 24;
-constexpr double kPi = 3.14159265358979323846;
 
 // A normal that stands for all of its cell, and the area that has it.
 struct Weighed {
@@ -58,13 +54,19 @@ std::vector<Weighed> gauss_map(const ProxyMesh& proxy) {
   return cells;
 }
 
+// To the power of 24: how much worse a normal near to the direction is than one far from it.
+double sharp(double cosine) {
+  const double square = cosine * cosine, fourth = square * square, eighth = fourth * fourth;
+  return eighth * eighth * eighth;
+}
+
 // How much of the surface, and how nearly, has the direction for its normal; of directions that are
 // as good the usual one is the best.
 double cost(const std::vector<Weighed>& map, Vec3 direction, Vec3 usual) {
   constexpr double kPreference = 1e-9;
   double sum = 0;
   for (const Weighed& w : map) {
-    sum += w.area * std::pow(std::abs(glm::dot(w.normal, direction)), kSharp);
+    sum += w.area * sharp(glm::dot(w.normal, direction));
   }
   return sum + kPreference * (1 - std::abs(glm::dot(direction, usual)));
 }
@@ -79,19 +81,19 @@ Vec3 outside(const std::vector<Weighed>& map, Vec3 usual) {
     best = d;
     return true;
   };
-  const double golden = kPi * (3 - std::sqrt(5.0));
+  const double golden = std::numbers::pi * (3 - std::sqrt(5.0));
   for (int i = 0; i < kTried; ++i) {
     const double z = (i + 0.5) / kTried, r = std::sqrt(1 - z * z), a = golden * i;
     consider({r * std::cos(a), r * std::sin(a), z});
   }
-  double step = 4 * kPi / 180;
+  double step = glm::radians(4.0);
   for (int halving = 0; halving < kHalvings; step *= 0.5, ++halving) {
     constexpr int kMost = 8;  // steps of one size
     for (int k = 0; k < kMost; ++k) {
       const Vec3 x = any_orthogonal(best), y = glm::cross(best, x), from = best;
       bool better = false;
       for (int way = 0; way < 8; ++way) {
-        const double a = kPi / 4 * way;
+        const double a = std::numbers::pi / 4 * way;
         better |= consider(glm::normalize(from + step * (std::cos(a) * x + std::sin(a) * y)));
       }
       if (!better) break;

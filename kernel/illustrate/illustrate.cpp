@@ -44,7 +44,7 @@ constexpr double kMostSheets = 5;
 double chord_tolerance(const Scene& scene, const Camera& camera, const IllustrateOptions& options) {
   if (options.tolerance) return *options.tolerance;
   const Paper& paper = camera.paper();
-  const double sheets = camera.scale() * scene.bounds(Mat3(1)).diagonal() /
+  const double sheets = camera.scale() * drawn_bounds(scene, options.part_styles).diagonal() /
                         glm::length(Vec2(paper.width, paper.height));
   return std::max(1.0, sheets / kMostSheets) * kSheetTolerance / camera.scale();
 }
@@ -321,6 +321,15 @@ VerifyOptions verify_options(const Scene& scene, const Camera& camera, const Sty
 }
 
 }  // namespace
+
+Box3 drawn_bounds(const Scene& scene, std::span<const PartStyle> part_styles, const Mat3& axes) {
+  Box3 box;
+  for (std::size_t i = 0; i < scene.parts.size(); ++i) {
+    if (i < part_styles.size() && !part_styles[i].drawn) continue;
+    box.add(scene.parts[i].form->bounds(axes));
+  }
+  return box.empty() ? scene.bounds(axes) : box;
+}
 
 Drawing illustrate(const Scene& scene, const Camera& camera, const Style& style,
                    const IllustrateOptions& options, RunContext& context) {

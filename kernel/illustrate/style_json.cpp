@@ -48,18 +48,9 @@ bool is_group(const std::string& name) {
 }
 
 Json parse(std::string_view text, const std::string& source) {
-  try {
-    Json json = Json::parse(text, nullptr, true, true);
-    if (json.is_object()) return json;
-  } catch (const Json::parse_error& e) {
-    const std::int64_t line = line_at(text, e.byte > 0 ? e.byte - 1 : 0);
-    throw InputError("not valid JSON here; mend the style file", source, line);
-  } catch (const Json::out_of_range&) {
-    throw InputError("a number is too large here; mend the style file", source,
-                     JsonLines(text).last());
-  }
-  throw InputError("a style file is one JSON object, {\"base\": ..., \"line.outer\": ...}", source,
-                   1);
+  return parse_json_object<Json>(
+      text, source, "style file",
+      "a style file is one JSON object, {\"base\": ..., \"line.outer\": ...}");
 }
 
 /// Reads a style's members into `style`, naming file and line in errors.

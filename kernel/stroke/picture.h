@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace burin::detail {
 
@@ -16,7 +17,7 @@ struct Coverage2 {
 };
 
 /// Of a dot of that diameter, in paper mm2.
-inline double dot_area(double width) { return 0.25 * 3.14159265358979324 * width * width; }
+inline double dot_area(double width) { return 0.25 * std::numbers::pi * width * width; }
 
 /// The arguments of trace_strokes and the small functions of them.
 struct Picture {

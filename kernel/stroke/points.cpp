@@ -48,10 +48,11 @@ std::optional<TracedStroke> dot_at(const Picture& picture, const Seed& seed) {
   const auto sample = [&](const SurfacePoint& point, StrokeSample& out) {
     const Frame frame = surface.frame(point);
     out.tangent = any_orthogonal(frame.normal);
-    return look_at(picture, seed.part, point, frame, out);
+    look_at(picture, seed.part, point, frame, out);
   };
   StrokeSample a, b;
-  if (!sample(seed.point, a)) return std::nullopt;
+  sample(seed.point, a);
+  if (!may_begin(picture, a)) return std::nullopt;
   const double length = kDot / picture.camera.scale_at(seed.point.position);
   // At an edge it goes the other way.
   for (const double sign : {1.0, -1.0}) {

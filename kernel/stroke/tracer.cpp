@@ -42,7 +42,7 @@ double TracedStroke::length() const {
   return sum;
 }
 
-bool look_at(const Picture& picture, std::int32_t part, const SurfacePoint& point,
+void look_at(const Picture& picture, std::int32_t part, const SurfacePoint& point,
              const Frame& frame, StrokeSample& out) {
   const Surface& surface = picture.surface(part);
   const Camera& camera = picture.camera;
@@ -58,7 +58,10 @@ bool look_at(const Picture& picture, std::int32_t part, const SurfacePoint& poin
   out.region = surface.proxy().face_region[place.face];
   out.darkness = picture.darkness(point.position, frame.normal, cosine);
   out.visible = cosine > 0 || !surface.proxy().closed(place.face);
-  return out.visible && out.facing > kMinFacing && picture.on_sheet(out.paper);
+}
+
+bool may_begin(const Picture& picture, const StrokeSample& at) {
+  return at.visible && at.facing > kMinFacing && picture.on_sheet(at.paper);
 }
 
 GridSample grid_sample(const StrokeSample& s, std::int32_t part, std::int32_t stroke) {
@@ -94,8 +97,7 @@ bool Tracer::fill(std::int32_t part, const SurfacePoint& point, Vec3 previous,
 
 bool Tracer::seed(std::int32_t part, const SurfacePoint& point, Vec3 toward,
                   StrokeSample& out) const {
-  return fill(part, point, toward, out) && out.visible && out.facing > kMinFacing &&
-         picture_.on_sheet(out.paper);
+  return fill(part, point, toward, out) && may_begin(picture_, out);
 }
 
 std::optional<Vec2> Tracer::direction(std::int32_t part, const SurfacePoint& point,

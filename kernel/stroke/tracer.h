@@ -41,10 +41,13 @@ struct TracedStroke {
   double length() const;  // on paper
 };
 
-/// Fills in what a surface point says of itself; no tangent and no direction. False where it turns
-/// away or lies off the sheet.
-bool look_at(const Picture& picture, std::int32_t part, const SurfacePoint& point,
+/// Fills in what a surface point says of itself; no tangent and no direction.
+void look_at(const Picture& picture, std::int32_t part, const SurfacePoint& point,
              const Frame& frame, StrokeSample& out);
+
+/// Whether a stroke may begin there: it faces the viewer and lies on the sheet. Whether something
+/// hides it is not asked: that takes a ray.
+bool may_begin(const Picture& picture, const StrokeSample& at);
 
 GridSample grid_sample(const StrokeSample& s, std::int32_t part, std::int32_t stroke);
 

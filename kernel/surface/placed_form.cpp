@@ -211,13 +211,7 @@ bool turns(const Placement& placement) {
   constexpr double kOff = 1e-9;
   const double scale = placement.scale();
   if (!(scale > 0) || placement.mirrors()) return false;
-  const Mat3 unit = glm::transpose(placement.linear) * placement.linear / (scale * scale);
-  for (int i = 0; i < 3; ++i) {
-    for (int j = 0; j < 3; ++j) {
-      if (!(std::abs(unit[i][j] - (i == j ? 1 : 0)) <= kOff)) return false;
-    }
-  }
-  return true;
+  return off_rotation(placement.linear / scale) <= kOff;
 }
 
 }  // namespace

@@ -14,6 +14,7 @@ struct Lamp {
   bool at = false;
   Vec3 place;  // a unit vector to the light, or where it is
   double strength;
+  double share = 1;  // of the strength of all lamps
 
   Vec3 towards(Vec3 position) const { return at ? normalize_or(place - position, Vec3(0)) : place; }
 };
@@ -47,14 +48,10 @@ Lighting lighting(const Camera& camera, const ToneOptions& options) {
         break;
     }
   }
-  return all;
-}
-
-/// The share of all lamps' light that one sends.
-double share(const Lighting& all, const Lamp& lamp) {
   double sum = 0;
-  for (const Lamp& each : all.lamps) sum += each.strength;
-  return sum > 0 ? lamp.strength / sum : 0;
+  for (const Lamp& lamp : all.lamps) sum += lamp.strength;
+  for (Lamp& lamp : all.lamps) lamp.share = sum > 0 ? lamp.strength / sum : 0;
+  return all;
 }
 
 Tone lambert(const Camera& camera, const ToneOptions& options) {
@@ -78,8 +75,7 @@ Tone phong(const Camera& camera, const ToneOptions& options) {
       const double lit = glm::dot(normal, towards);
       if (lit <= 0) continue;
       const double mirrored = glm::dot(2 * lit * normal - towards, to_viewer);
-      light += share(all, lamp) * options.specular *
-               std::pow(std::max(0.0, mirrored), options.shininess);
+      light += lamp.share * options.specular * std::pow(std::max(0.0, mirrored), options.shininess);
     }
     return light;
   };

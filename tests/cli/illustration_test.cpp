@@ -139,6 +139,18 @@ TEST_F(Illustrations, PartsAreChosenOnTheCommandLine) {
   const double scale = drawing()["view"]["scale"];
   ASSERT_EQ(run("draw @/box.off -o @/a.json"), 0) << err_;
   EXPECT_EQ(drawing()["view"]["scale"], scale);
+  // Nor does it make the drawing of the others coarser, as if they were a detail of it.
+  folder_.write("ball.off", test::off_text(test::ellipsoid(Vec3(10), 24, 12)));
+  folder_.write("away.off", test::off_text(test::box({90000, 0, 0}, {90040, 30, 20})));
+  ASSERT_EQ(run("draw @/ball.off @/away.off -o @/a.svg --style outline --hide away"), 0) << err_;
+  EXPECT_EQ(err_.find("times as large as the sheet"), std::string::npos) << err_;
+  ASSERT_EQ(run("draw @/ball.off -o @/b.svg --style outline"), 0) << err_;
+  const auto outline = [&](const char* name) {
+    const std::string svg = test::slurp(folder_ / name);
+    const std::size_t at = svg.find("<path");
+    return svg.substr(svg.find(" d=", at), 200);
+  };
+  EXPECT_EQ(outline("a.svg"), outline("b.svg"));
 }
 
 TEST_F(Illustrations, HouseFilesHoldWhereAFileHasNothing) {

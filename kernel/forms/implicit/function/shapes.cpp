@@ -1,6 +1,7 @@
 // The vocabulary of solids.
 
 #include <burin/base/error.h>
+#include <burin/base/placement.h>
 
 #include "node.h"
 
@@ -68,19 +69,6 @@ Expression length(const Expression& a, const Expression& b) { return sqrt(square
 
 Expression axis_distance() { return length(Expression::x(), Expression::y()); }
 Expression max0(const Expression& a) { return max(a, 0.0); }
-
-Mat3 rotation(Vec3 degrees) {
-  // Whole quarter turns are exact.
-  const auto sine = [](double d) {
-    const double r = std::fmod(std::fmod(d, 360) + 360, 360);
-    return r == 0 || r == 180 ? 0 : r == 90 ? 1 : r == 270 ? -1 : std::sin(r * kPi / 180);
-  };
-  const Vec3 s(sine(degrees.x), sine(degrees.y), sine(degrees.z));
-  const Vec3 c(sine(degrees.x + 90), sine(degrees.y + 90), sine(degrees.z + 90));
-  const Mat3 x(1, 0, 0, 0, c.x, s.x, 0, -s.x, c.x), y(c.y, 0, -s.y, 0, 1, 0, s.y, 0, c.y),
-      z(c.z, s.z, 0, -s.z, c.z, 0, 0, 0, 1);
-  return z * y * x;
-}
 
 }  // namespace
 

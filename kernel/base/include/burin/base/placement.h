@@ -25,4 +25,11 @@ inline Placement after(const Placement& a, const Placement& b) {
   return {a.linear * b.linear, a.point(b.offset)};
 }
 
+/// Turns about x, then y, then z, as OpenSCAD has it; whole quarter turns are exact.
+Mat3 rotation(Vec3 degrees);
+
+/// How far a matrix is from one that turns or mirrors and does no more: the largest entry by which
+/// its transpose times itself differs from the identity. Infinite where it is no number.
+double off_rotation(const Mat3& m);
+
 }  // namespace burin

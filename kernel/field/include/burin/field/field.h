@@ -59,7 +59,7 @@ namespace field {
 Field fixed(Vec3 direction);
 /// The same with a direction for each part (one a surface) that is as far as can be from all of its
 /// normals and their opposites, most by area: outside its Gauss map, where there is an outside. Of
-/// directions that are as good the nearest to `usual`. Cost: some 20 ms a part. @cite Elber1998
+/// directions that are as good the nearest to `usual`. Cost: 5 to 15 ms a part. @cite Elber1998
 Field fixed_auto(const std::vector<const Surface*>& surfaces, Vec3 usual,
                  const RunContext& context);
 /// The principal directions: family 1 across the larger |curvature| bends most (d1 or d2 by |k|),

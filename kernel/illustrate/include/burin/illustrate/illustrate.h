@@ -59,6 +59,11 @@ struct IllustrateOptions {
   bool verify = false;
 };
 
+/// The bounds of the parts that are drawn, in axes as those of `Form::bounds`; of all where none
+/// is. `part_styles`: as in IllustrateOptions.
+Box3 drawn_bounds(const Scene& scene, std::span<const PartStyle> part_styles,
+                  const Mat3& axes = Mat3(1));
+
 /// Draws `scene` as `camera` sees it. Stages timed on `context`: build curvature field cover trace
 /// features visibility compose verify. Diagnostics tell of parts whose strokes have no direction to
 /// follow, of a drawing that is empty, off the sheet, cut at its edge or no larger than a dot.

@@ -1,6 +1,8 @@
 #pragma once
 /// Where the members of a JSON file stand, so that errors name the line.
 
+#include <burin/base/error.h>
+
 #include <cstdint>
 #include <map>
 #include <string>
@@ -26,5 +28,24 @@ class JsonLines {
 
 /// The line of a place in a text, from 1.
 std::int64_t line_at(std::string_view text, std::size_t position);
+
+/// The object that a JSON file of the user's holds, comments allowed; `Json` is nlohmann's. `what`:
+/// "style file"; `begins` says what it is, where it is something else. Throws InputError that names
+/// `source` and the line.
+template <class Json>
+Json parse_json_object(std::string_view text, const std::string& source, const std::string& what,
+                       const std::string& begins) {
+  try {
+    Json json = Json::parse(text, nullptr, true, true);
+    if (json.is_object()) return json;
+  } catch (const typename Json::parse_error& e) {
+    throw InputError("not valid JSON here; mend the " + what, source,
+                     line_at(text, e.byte > 0 ? e.byte - 1 : 0));
+  } catch (const typename Json::out_of_range&) {
+    throw InputError("a number is too large here; mend the " + what, source,
+                     JsonLines(text).last());
+  }
+  throw InputError(begins, source, 1);
+}
 
 }  // namespace burin

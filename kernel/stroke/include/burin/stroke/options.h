@@ -36,6 +36,7 @@ struct HatchOptions {
 
   bool operator==(const HatchOptions&) const = default;
 };
+
 /// Whether strokes have a direction: dots have none, and ask no field. Throws UsageError where no
 /// way to place strokes has that name.
 bool follows_field(const HatchOptions& options);
