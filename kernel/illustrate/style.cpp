@@ -56,7 +56,7 @@ Style engraving() {
   s.hatch.width_min = 0.07;
   s.hatch.width_max = 0.42;
   s.hatch.tone_min = 0.06;
-  s.hatch.cross_from = 0.55;
+  s.hatch.cross_from = 0.42;
   s.tone.ambient = 0.22;
   s.tone.diffuse = 0.72;
   return s;

@@ -27,6 +27,9 @@ std::vector<OptionRow<HatchOptions>> rows() {
              "share of ink below which the paper stays white"),
       number("cross_from", &HatchOptions::cross_from, {0, 2},
              "share of ink from which a second family crosses the first; over 1 = never"),
+      number("cross_angle", &HatchOptions::cross_angle, {30, 90, "degrees"},
+             "angle on the surface between the two families, in degrees; 90 follows the field's "
+             "own second direction"),
       number("length_min", &HatchOptions::length_min, {0, 1000, "mm"}, "shortest stroke, in mm",
              "length_max"),
       number("length_max", &HatchOptions::length_max, {0.1, 100000, "mm"}, "longest stroke, in mm"),

@@ -84,10 +84,13 @@ struct Picture {
   }
 
   Coverage2 share(double darkness) const {
-    constexpr double kRamp = 0.25;  // of tone, over which the second family fades in
-    const double t = std::clamp((darkness - options.cross_from) / kRamp, 0.0, 1.0);
-    const double even = 1 - std::sqrt(1 - std::min(darkness, 0.98));
-    const double second = options.cross_from > 1 ? 0 : even * t * t * (3 - 2 * t);
+    // Each line of the second family grows out of nothing at a place of its own.
+    constexpr double kFull = 0.9;  // ink at which it has as much as the first
+    constexpr double kMost = 0.5;
+    if (options.cross_from > 1) return {darkness, 0};
+    const double span = std::max(kFull - options.cross_from, 0.1);
+    const double t = std::clamp((darkness - options.cross_from) / span, 0.0, 1.0);
+    const double second = kMost * t * std::sqrt(t);
     return {1 - (1 - darkness) / (1 - second), second};
   }
   double share(double darkness, int family) const {
@@ -119,9 +122,21 @@ struct Picture {
     return options.width_min + (options.width_max - options.width_min) * ink;
   }
 
-  /// Distance between neighbours of a family that is to cover a share `ink` of the paper: the same
-  /// wherever the thinnest line can carry the tone, so that width alone shades and the rhythm of
-  /// the lines stays calm; wider where it is lighter.
+  /// Whether the width of lines carries the tone; else their distance does.
+  bool swells() const {
+    constexpr double kLeast = 1.5;
+    return options.width_max > kLeast * options.width_min;
+  }
+
+  /// Distance between neighbours of a family that is to cover a share `ink` of the paper: always
+  /// the same where lines swell; wider where it is lighter with a pen of one width.
+  double line_spacing(double ink) const {
+    if (swells()) return options.spacing_min;
+    if (ink <= 0) return options.spacing_max;
+    return std::clamp(options.width_min / ink, options.spacing_min, options.spacing_max);
+  }
+
+  /// The mean distance of lines, those counted that fade out into the light.
   double spacing(double ink) const {
     constexpr double kThin =
         1.25;  // of the thinnest pen: what a line of the widest grid has left to thin out

@@ -1,41 +1,39 @@
 #include "placement.h"
 
 #include <burin/base/parallel.h>
-#include <burin/base/rng.h>
 
+#include "level_lines.h"
 #include "shared_progress.h"
+#include "wave_anchors.h"
+#include "wave_density.h"
 
 #include <algorithm>
 #include <cmath>
 #include <functional>
 #include <map>
 #include <optional>
+#include <queue>
 #include <utility>
 
 namespace burin::detail {
 namespace {
 
-// Shares of the spacing that a new stroke keeps from all others: a neighbour set beside a stroke
-// meets it to within rounding and the bend of the surface; a point of the coverage is anywhere.
-constexpr double kBeside = 0.92;
-constexpr double kAnywhere = 0.98;
-// Between two strokes that run apart a third one fits once their gap has grown to this many
-// spacings; it keeps half the gap, less rounding.
-constexpr double kGap = 1.5;
-constexpr double kInGap = 0.47 * kGap;
-// Share of the spacing that a place beside a stroke may be off: a fraction of what is left to
-// chance anyway.
-constexpr double kNearEnough = 0.02;
+// Paper mm along which lines may take the room that others leave, before one ends: more where the
+// field is known than where it is an estimate that turns this way and that.
+// A pen of one width shades by beginning and ending lines.
+constexpr double kLongExact = 60, kLongEstimated = 40, kLongOnePen = 4;
+// Shares of the gap: a seed nearer than this to an accepted line is that line, where strokes run as
+// the field has it, and where they run along their level lines.
+constexpr double kTaken = 0.55, kSame = 0.3;
+// Where a stroke begins: this near its level line where it can be, and no farther off than that.
+constexpr double kOnLine = 0.02, kNearLine = 0.3;
+constexpr int kNewton = 4;
 // A stroke from edge to edge may be shorter than the style's shortest, down to this share of the
 // spacing: narrow faces would stay white.
 constexpr double kNarrow = 1.0;
 
-// A smooth region of a part that is to be hatched.
-struct Region {
-  std::int32_t part = -1, region = -1;
-  std::vector<const Seed*> seeds;
-  Box2 box;  // where it is seen
-};
+// Steps of the progress: of a family, and of each of the four stages before its lines are traced.
+constexpr std::size_t kSteps = 1000, kStage = 150;
 
 void insert_visible(SampleGrid& grid, const TracedStroke& stroke, std::int32_t id) {
   for (const StrokeSample& s : stroke.samples) {
@@ -43,270 +41,369 @@ void insert_visible(SampleGrid& grid, const TracedStroke& stroke, std::int32_t i
   }
 }
 
-// Strokes keep their distance only where they are on one sheet. A region so folded, or a surface so
-// broken, that no two places of it count as one sheet could be filled without end: no more than as
-// many layers of the densest strokes are laid.
-constexpr double kMostInk = 8;
-
-class Placement {
+// How lines end on the way into the light: every second one first, then every second of the others,
+// by the ink at which the thinnest pen is too wide for all.
+class Fading {
  public:
-  Placement(const Picture& picture, Family& out, int family, const Region& region)
-      : picture_(picture),
-        out_(out),
-        family_(family),
-        tracer_(picture, out.grid, family),
-        rng_(picture.seed, static_cast<std::uint64_t>(region.part),
-             2 * static_cast<std::uint64_t>(region.region) + static_cast<std::uint64_t>(family)),
-        most_(kMostInk * (1 + region.box.size().x) * (1 + region.box.size().y) /
-              picture.options.spacing_min) {}
+  Fading(const Picture& picture, int family) : Fading(picture.options, family, picture.swells()) {}
+  Fading(const HatchOptions& o, int family, bool swells)
+      : least_(family == 1 ? o.tone_min : kFirstOfSecond),
+        // As many halvings as the style's widest gap has room for.
+        classes_(
+            family == 1 && swells
+                ? std::clamp(
+                      static_cast<int>(std::lround(std::log2(o.spacing_max / o.spacing_min))), 0, 2)
+                : 0),
+        full_(o.width_min / o.spacing_min) {}
 
-  // A stroke through a point, if it keeps `share` of the spacing from all others and is long
-  // enough.
-  void start(std::int32_t part, const SurfacePoint& point, double share) {
-    if (drawn_ > most_) return;
-    StrokeSample seed;
-    if (!tracer_.seed(part, point, Vec3(0), seed) || !tracer_.free(part, seed, share)) return;
-    if (!picture_.seen(part, seed.face, seed.paper, seed.depth)) return;
-    TracedStroke stroke = tracer_.trace(part, seed, reach());
-    if (family_ == 1 && narrow(stroke)) {
-      // Across a narrow strip the strokes would be a fringe: go along it.
-      StrokeSample along;
-      if (tracer_.seed(part, point, glm::cross(seed.normal, seed.tangent), along)) {
-        TracedStroke other = tracer_.trace(part, along, reach());
-        if (other.length() > 2 * stroke.length()) stroke = std::move(other);
-      }
-    }
-    if (acceptable(stroke)) add(std::move(stroke));
-  }
+  // How a line of some number fades: it has all of its ink where `full` is asked for, and ends at
+  // `least`.
+  struct Range {
+    double least = 0, full = 0;
 
-  // Candidates on both sides of each stroke placed since, until there are no more.
-  void fill_beside(const RunContext& context) {
-    for (; done_ < out_.strokes.size(); ++done_) {
-      context.check();
-      for (const double side : {1.0, -1.0}) {
-        for (const SurfacePoint& at : widest_first(done_, side)) {
-          start(out_.strokes[done_].part, at, kBeside);
-        }
-      }
+    double weight(double ink) const {
+      if (!(full > least)) return 1;
+      const double t = std::clamp((ink - least) / (full - least), 0.0, 1.0);
+      return t * t * (3 - 2 * t);
     }
-  }
-
-  // A stroke in the middle of every gap that is too wide for the tone and too narrow for
-  // `fill_beside`.
-  void fill_gaps(const RunContext& context) {
-    for (std::size_t stroke = 0; stroke < out_.strokes.size(); ++stroke) {
-      context.check();
-      const std::size_t count = out_.strokes[stroke].samples.size();
-      for (std::size_t i = 1; i + 1 < count; i += 3) {
-        const StrokeSample s = out_.strokes[stroke].samples[i];
-        if (!s.visible) continue;
-        const double d = tracer_.spacing(s);
-        const auto gap = out_.grid.sides(
-            grid_sample(s, out_.strokes[stroke].part, static_cast<std::int32_t>(stroke)), 2.2 * d);
-        for (const double side : {1.0, -1.0}) {
-          const double width = side > 0 ? gap.left : gap.right;
-          if (width > kGap * d && width < 2.1 * d) {
-            const auto at = offset(out_.strokes[stroke].part, s, side, 0.5 * width);
-            if (at) start(out_.strokes[stroke].part, *at, kInGap);
-          }
-        }
-      }
+  };
+  Range range(std::int64_t number) const {
+    double full = full_;
+    for (int c = 0; c < classes_; ++c, full *= 0.5) {
+      const std::int64_t step = std::int64_t{2} << c;
+      if (number % step == 0) continue;
+      const double by = full * (1 + kSpread * dice(number));
+      return {std::max(least_, kEnds * by), std::max(least_, kBegins * by)};
     }
+    return {least_, least_};
   }
 
  private:
-  // Half the longest stroke, drawn anew for each by a third either way: ends of equal strokes would
-  // line up to a white band.
-  double reach() const {
-    const double dice = rng_.uniform(out_.strokes.size());
-    return 0.5 * picture_.options.length_max * (2.0 / 3 + 2.0 / 3 * dice);
+  static constexpr double kFirstOfSecond = 0.03;  // ink: a second family shows as from there
+  static constexpr double kEnds = 0.8, kBegins = 1.35;
+  static constexpr double kSpread = 0.2;  // so that tips do not line up
+
+  // In [-1, 1], far apart for neighbours: the bits of the number the other way round.
+  static double dice(std::int64_t number) {
+    auto k = static_cast<std::uint32_t>(number);
+    double sum = 0, bit = 1;
+    for (; k != 0 && bit > 1e-6; k >>= 1, bit *= 0.5) sum += (k & 1u) ? bit : 0;
+    return sum - 1;
   }
 
-  bool narrow(const TracedStroke& s) const {
-    return s.begin_reason == StrokeEnd::Edge && s.end_reason == StrokeEnd::Edge &&
-           s.length() < 1.2 * picture_.options.length_min;
+  double least_;
+  int classes_;
+  double full_;
+};
+
+// A piece of a level line that is to be drawn.
+struct Piece {
+  LevelLine line;
+  std::int32_t part = -1, region = -1;
+  bool turned = false;  // it runs across the field's own lines
+  Fading::Range fading;
+  double length = 0;
+};
+
+// The pieces of a line in which there is enough ink, in their order.
+std::vector<Piece> inked(const Picture& picture, const ViewRaster& raster, int family,
+                         const Fading& fading, const RasterCell& cell, bool turned,
+                         LevelLine line) {
+  const Fading::Range range = fading.range(line.number);
+  const std::size_t n = line.points.size();
+  std::vector<bool> ink(n);
+  std::size_t dark = 0;
+  for (std::size_t i = 0; i < n; ++i) {
+    const RasterCell& at = raster.nearest(line.points[i]);
+    ink[i] = at.part >= 0 && picture.share(at.darkness, family) >= range.least;
+    dark += ink[i];
+  }
+  std::vector<Piece> out;
+  const auto add = [&](LevelLine l) {
+    const double length = l.length();
+    out.push_back({std::move(l), cell.part, cell.region, turned, range, length});
+  };
+  if (dark == n) {
+    add(std::move(line));
+    return out;
+  }
+  // A closed line is opened where there is no ink.
+  std::size_t start = 0;
+  if (line.closed) start = static_cast<std::size_t>(std::ranges::find(ink, false) - ink.begin());
+  for (std::size_t i = 0; i < n;) {
+    if (!ink[(start + i) % n]) {
+      ++i;
+      continue;
+    }
+    LevelLine run;
+    run.node = line.node;
+    run.number = line.number;
+    run.begin_inside = line.begin_inside && start + i == 0;
+    for (; i < n && ink[(start + i) % n]; ++i) {
+      run.points.push_back(line.points[(start + i) % n]);
+      run.gaps.push_back(line.gaps[(start + i) % n]);
+    }
+    run.end_inside = line.end_inside && start + i == n;
+    if (run.points.size() > 1) add(std::move(run));
+  }
+  return out;
+}
+
+// The strokes of one smooth region.
+class Placement {
+ public:
+  Placement(const Picture& picture, int family, const Box2& box)
+      : picture_(picture),
+        family_(family),
+        tracer_(picture, family),
+        out_{{}, SampleGrid(box.min, box.size(), picture.options.spacing_max)} {}
+
+  Family place(std::vector<Piece> pieces, const RunContext& context) {
+    // Long lines first; what one of them leaves of its piece comes back.
+    const auto shorter = [&](std::size_t a, std::size_t b) {
+      return pieces[a].length != pieces[b].length ? pieces[a].length < pieces[b].length : a > b;
+    };
+    std::priority_queue<std::size_t, std::vector<std::size_t>, decltype(shorter)> queue(shorter);
+    for (std::size_t i = 0; i < pieces.size(); ++i) queue.push(i);
+    for (std::size_t taken = 0; !queue.empty(); ++taken) {
+      if (taken % 32 == 0) context.check();
+      const std::size_t i = queue.top();
+      queue.pop();
+      for (Piece& rest : draw(pieces[i])) {
+        pieces.push_back(std::move(rest));
+        queue.push(pieces.size() - 1);
+      }
+    }
+    return std::move(out_);
   }
 
-  bool acceptable(const TracedStroke& s) const {
+ private:
+  // Draws a piece, or as much of it as one stroke follows; what is left.
+  std::vector<Piece> draw(const Piece& piece) {
+    const LevelLine& line = piece.line;
+    const std::size_t middle = line.points.size() / 2;
+    StrokeSample seed;
+    if (!find_seed(piece, middle, seed)) return left_of(piece, middle, middle);
+    const double gap = line.gaps[middle];
+    const bool known = picture_.surface(piece.part).exact() || !seed.bent;
+    const double taken = (known ? kTaken : kSame) * gap;
+    if (out_.grid.nearest(grid_sample(seed, piece.part, -1), taken).distance < taken) {
+      return {};
+    }
+    TracedStroke stroke = tracer_.trace(piece.part, seed,
+                                        {.reach = 0.5 * picture_.options.length_max,
+                                         .least_ink = piece.fading.least,
+                                         .line = &line,
+                                         .point = middle,
+                                         .neighbours = &out_.grid,
+                                         .apart = kTaken * gap});
+    std::vector<Piece> left;
+    if (!stroke.closed) {
+      left = left_of(piece, nearest(line, 0, middle, stroke.samples.front().paper),
+                     nearest(line, middle, line.points.size() - 1, stroke.samples.back().paper));
+    }
+    if (!acceptable(stroke, gap)) return left;
+    for (StrokeSample& s : stroke.samples) {
+      s.weight = piece.fading.weight(picture_.share(s.darkness, family_));
+    }
+    insert_visible(out_.grid, stroke, static_cast<std::int32_t>(out_.strokes.size()));
+    out_.strokes.push_back(std::move(stroke));
+    return left;
+  }
+
+  bool find_seed(const Piece& piece, std::size_t middle, StrokeSample& seed) const {
+    const std::vector<Vec2>& p = piece.line.points;
+    const auto hit = picture_.probe(p[middle]);
+    if (!hit || hit->part != piece.part) return false;
+    const Surface& surface = picture_.surface(piece.part);
+    if (surface.proxy().face_region[hit->point.face] != piece.region) return false;
+    const Vec2 along = p[std::min(middle + 1, p.size() - 1)] - p[middle > 0 ? middle - 1 : 0];
+    // The point lies off the line as far as the triangles lie off the surface.
+    SurfacePoint point = surface.lift(hit->point);
+    for (int i = 0; i < kNewton; ++i) {
+      const Vec2 off = p[middle] - picture_.camera.to_paper(point.position);
+      if (glm::length(off) < kOnLine * piece.line.gaps[middle]) break;
+      const auto moved = moved_on_paper(surface, point, off);
+      if (!moved) break;
+      point = *moved;
+    }
+    return tracer_.seed_along(piece.part, point, piece.turned, along, seed) &&
+           glm::distance(seed.paper, p[middle]) < kNearLine * piece.line.gaps[middle] &&
+           picture_.seen(piece.part, seed.face, seed.paper, seed.depth);
+  }
+
+  // A surface point moved so that it shows about that far from where it was.
+  std::optional<SurfacePoint> moved_on_paper(const Surface& surface, const SurfacePoint& point,
+                                             Vec2 by) const {
+    const Vec3 normal = surface.frame(point).normal, u = any_orthogonal(normal),
+               v = glm::cross(normal, u);
+    const Camera& camera = picture_.camera;
+    const Vec2 a = camera.velocity(point.position, u), b = camera.velocity(point.position, v);
+    const double area = cross2(a, b), scale = camera.scale_at(point.position);
+    constexpr double kLeastFacing = 0.02;
+    if (std::abs(area) < kLeastFacing * scale * scale) return std::nullopt;
+    const Vec3 step = cross2(by, b) / area * u + cross2(a, by) / area * v;
+    const MarchStep there = surface.march(point, step, glm::length(step));
+    return there.stop == MarchStop::Completed ? std::optional(there.end) : std::nullopt;
+  }
+
+  // The point of a line, of those from `first` to `last`, that is nearest to a place.
+  static std::size_t nearest(const LevelLine& line, std::size_t first, std::size_t last,
+                             Vec2 paper) {
+    std::size_t best = first;
+    for (std::size_t i = first; i <= last; ++i) {
+      if (glm::distance(line.points[i], paper) < glm::distance(line.points[best], paper)) best = i;
+    }
+    return best;
+  }
+
+  bool acceptable(const TracedStroke& s, double gap) const {
     const double length = s.length();
     if (s.samples.size() < 3) return false;
     if (length >= picture_.options.length_min) return true;
-    const auto bounded = [](StrokeEnd e) { return e == StrokeEnd::Edge || e == StrokeEnd::Away; };
-    return bounded(s.begin_reason) && bounded(s.end_reason) &&
-           length >= kNarrow * picture_.options.spacing_max;
-  }
-
-  void add(TracedStroke stroke) {
-    insert_visible(out_.grid, stroke, static_cast<std::int32_t>(out_.strokes.size()));
-    drawn_ += stroke.length();
-    out_.strokes.push_back(std::move(stroke));
-  }
-
-  // The places beside every second visible sample, from where the lines of the field run widest
-  // apart to where they run closest: a neighbour set at the widest place keeps no more than the
-  // spacing everywhere, and ends where it comes too close. Set elsewhere, it would leave gaps of up
-  // to twice the spacing.
-  std::vector<SurfacePoint> widest_first(std::size_t stroke, double side) const {
-    const TracedStroke& line = out_.strokes[stroke];
-    struct Place {
-      double width;
-      std::size_t order;
-      SurfacePoint point;
+    const auto bounded = [](StrokeEnd e) {
+      return e == StrokeEnd::Edge || e == StrokeEnd::Away || e == StrokeEnd::Hidden;
     };
-    std::vector<Place> places;
-    double log_width = 0;  // of the strip between this line of the field and a close one
-    for (std::size_t i = 0; i < line.samples.size(); i += 2) {
-      const StrokeSample& s = line.samples[i];
-      if (!s.visible) continue;
-      const double d = tracer_.spacing(s);
-      const auto at = offset(line.part, s, side, d);
-      if (!at) continue;
-      if (const auto there = tracer_.direction(line.part, *at, s.tangent)) {
-        const double step = i > 1 ? glm::length(s.paper - line.samples[i - 2].paper) : 0;
-        log_width += step * side * cross2(s.direction, *there) / d;
-      }
-      places.push_back({-log_width, i, *at});
-    }
-    std::sort(places.begin(), places.end(), [](const Place& a, const Place& b) {
-      return std::pair(a.width, a.order) < std::pair(b.width, b.order);
-    });
-    std::vector<SurfacePoint> points;
-    points.reserve(places.size());
-    for (const Place& p : places) points.push_back(p.point);
-    return points;
+    return bounded(s.begin_reason) && bounded(s.end_reason) &&
+           length >= std::min(gap, kNarrow * picture_.options.spacing_min);
   }
 
-  // The surface point `d` paper mm across a sample to the left (side = 1) or right (-1).
-  std::optional<SurfacePoint> offset(std::int32_t part, const StrokeSample& s, double side,
-                                     double d) const {
-    if (s.facing < 0.1) return std::nullopt;
-    const Surface& surface = picture_.surface(part);
-    Vec3 across = glm::cross(s.normal, s.tangent);
-    double speed = cross2(s.direction, picture_.camera.velocity(s.point.position, across));
-    if (speed < 0) {
-      across = -across;
-      speed = -speed;
-    }
-    if (speed < 0.1 * picture_.camera.scale_at(s.point.position)) return std::nullopt;
-    double length = d / speed;
-    MarchStep step = surface.march(s.point, side * across, length);
-    if (step.stop != MarchStop::Completed) return std::nullopt;
-    const double reached =
-        side * cross2(s.direction, picture_.camera.to_paper(step.end.position) - s.paper);
-    if (reached < 0.5 * d) return std::nullopt;  // bent away from the viewer
-    if (std::abs(reached - d) < kNearEnough * d) return step.end;
-    length *= d / reached;
-    step = surface.march(s.point, side * across, length);
-    if (step.stop != MarchStop::Completed) return std::nullopt;
-    return step.end;
+  // What is left of a piece before one of its points and after another.
+  static std::vector<Piece> left_of(const Piece& piece, std::size_t before, std::size_t after) {
+    constexpr double kLeast = 2;  // gaps
+    std::vector<Piece> out;
+    const auto rest = [&](std::size_t a, std::size_t b) {
+      if (b < a + 4) return;
+      const auto cut = [&](const auto& from) {
+        return std::decay_t<decltype(from)>(from.begin() + static_cast<std::ptrdiff_t>(a),
+                                            from.begin() + static_cast<std::ptrdiff_t>(b));
+      };
+      Piece r{{}, piece.part, piece.region, piece.turned, piece.fading};
+      r.line.points = cut(piece.line.points);
+      r.line.gaps = cut(piece.line.gaps);
+      r.line.node = piece.line.node;
+      r.line.number = piece.line.number;
+      r.line.begin_inside = a > 0 || piece.line.begin_inside;
+      r.line.end_inside = b < piece.line.points.size() || piece.line.end_inside;
+      r.length = r.line.length();
+      if (r.length > kLeast * r.line.gaps.front()) out.push_back(std::move(r));
+    };
+    rest(0, before);
+    rest(after + 1, piece.line.points.size());
+    return out;
   }
 
   const Picture& picture_;
-  Family& out_;
   int family_;
   Tracer tracer_;
-  Rng rng_;
-  std::size_t done_ = 0;
-  // Paper mm of strokes so far, and at the most.
-  double drawn_ = 0, most_ = 0;
+  Family out_;
 };
 
-// The seeds of each region that has any, in their order; regions by part and number.
-std::vector<Region> regions_of(const Picture& picture, const ViewRaster& raster,
-                               const std::vector<Seed>& seeds) {
+// The pieces of one region and the box that it takes.
+struct Region {
+  std::vector<Piece> pieces;
+  Box2 box;
+};
+
+std::vector<Region> regions_of(const Picture& picture, const ViewRaster& raster, int family,
+                               const RunContext& context, SharedProgress& done) {
+  WaveGraph graph = wave_graph(picture, raster, family, context);
+  done.add(kStage);
+  const bool exact = std::ranges::all_of(picture.surfaces, &Surface::exact);
+  const double length = !picture.swells() ? kLongOnePen : exact ? kLongExact : kLongEstimated;
+  make_integrable(raster, graph, picture.options.spacing_min, length, context);
+  done.add(kStage);
+  const WavePhase phase =
+      solve_phase(graph, wave_anchors(picture, raster, graph, family, context), context);
+  done.add(kStage);
+  const Fading fading(picture, family);
   std::map<std::pair<std::int32_t, std::int32_t>, Region> found;
-  for (const Seed& seed : seeds) {
-    const Surface& surface = picture.surface(seed.part);
-    const std::int32_t region = surface.proxy().face_region[surface.to_proxy(seed.point).face];
-    Region& r = found[{seed.part, region}];
-    r.part = seed.part;
-    r.region = region;
-    r.seeds.push_back(&seed);
-  }
-  for (std::int32_t y = 0; y < raster.ny; ++y) {
-    for (std::int32_t x = 0; x < raster.nx; ++x) {
-      const RasterCell& cell = raster.at(x, y);
-      if (cell.part < 0) continue;
-      const auto it = found.find({cell.part, cell.region});
-      if (it != found.end()) it->second.box.add(raster.center(x, y));
+  for (LevelLine& line : level_lines(raster, graph, phase, context)) {
+    const RasterCell& cell = raster.cells[graph.nodes[line.node].cell];
+    const bool turned = graph.turned[line.node];
+    Region& region = found[{cell.part, cell.region}];
+    for (Piece& piece : inked(picture, raster, family, fading, cell, turned, std::move(line))) {
+      for (const Vec2& p : piece.line.points) region.box.add(p);
+      region.pieces.push_back(std::move(piece));
     }
   }
-  std::vector<Region> regions;
+  done.add(kStage);
+  std::vector<Region> out;
   for (auto& [key, region] : found) {
-    if (region.box.empty()) {  // seen between the cells of the raster only
-      for (const Seed* seed : region.seeds) {
-        region.box.add(picture.camera.to_paper(seed->point.position));
-      }
-    }
-    regions.push_back(std::move(region));
+    if (!region.pieces.empty()) out.push_back(std::move(region));
   }
-  return regions;
+  return out;
 }
 
-Family place_region(const Picture& picture, const Region& region, int family,
-                    const RunContext& context, const std::function<void(std::size_t)>& done) {
-  constexpr std::size_t kReportEvery = 16;  // seeds
-  Family out{{}, SampleGrid(region.box.min, region.box.size(), picture.options.spacing_max)};
-  Placement placement(picture, out, family, region);
-  for (std::size_t i = 0; i < region.seeds.size(); ++i) {
-    if (i % kReportEvery == 0) {
-      context.check();
-      done(std::min(kReportEvery, region.seeds.size() - i));
+// The field with its second family turned off the first by an angle on the surface, always the same
+// way round as seen from outside.
+Field crossed(const Field& field, double degrees) {
+  if (degrees >= 90) return field;
+  const double angle = glm::radians(degrees);
+  return {field.name,
+          [cross = field.cross, c = std::cos(angle),
+           s = std::sin(angle)](const FieldQuery& query) -> std::optional<Cross> {
+            std::optional<Cross> out = cross(query);
+            if (out) out->second = c * out->first + s * glm::cross(query.frame.normal, out->first);
+            return out;
+          }};
+}
+
+Family place_family(const Picture& picture, const ViewRaster& raster, int family,
+                    const RunContext& context, SharedProgress& done) {
+  std::vector<Region> regions = regions_of(picture, raster, family, context, done);
+  // The longest first: none is left over when the other cores have nothing more to do.
+  std::vector<std::size_t> order(regions.size());
+  for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
+  std::ranges::stable_sort(order, std::greater(),
+                           [&](std::size_t i) { return regions[i].pieces.size(); });
+  std::vector<std::optional<Family>> placed(regions.size());
+  double pieces = 0;
+  for (const Region& r : regions) pieces += static_cast<double>(r.pieces.size());
+  parallel_for(
+      order.size(), 1,
+      [&](std::size_t begin, std::size_t end) {
+        for (std::size_t k = begin; k < end; ++k) {
+          Region& region = regions[order[k]];
+          const auto count = static_cast<double>(region.pieces.size());
+          placed[order[k]] =
+              Placement(picture, family, region.box).place(std::move(region.pieces), context);
+          done.add(static_cast<std::size_t>((kSteps - 4 * kStage) * count / pieces));
+        }
+      },
+      &context);
+  Family out{{},
+             SampleGrid(raster.origin, raster.pitch * Vec2(raster.nx, raster.ny),
+                        picture.options.spacing_max)};
+  for (std::optional<Family>& one : placed) {
+    for (TracedStroke& stroke : one->strokes) {
+      insert_visible(out.grid, stroke, static_cast<std::int32_t>(out.strokes.size()));
+      out.strokes.push_back(std::move(stroke));
     }
-    placement.start(region.part, region.seeds[i]->point, kAnywhere);
-    placement.fill_beside(context);
   }
-  placement.fill_gaps(context);
   return out;
 }
 
 }  // namespace
 
 std::vector<Family> place_families(const Picture& picture, const ViewRaster& raster,
-                                   const std::vector<Seed>& seeds, int families,
+                                   const std::vector<Seed>& /*seeds*/, int families,
                                    const RunContext& context,
                                    const std::function<void(double)>& progress) {
-  const std::vector<Region> regions = regions_of(picture, raster, seeds);
-  struct Task {
-    std::size_t family, region;
+  std::vector<Family> out(static_cast<std::size_t>(families),
+                          Family{{}, SampleGrid({0, 0}, {0, 0}, 1)});
+  SharedProgress done(static_cast<double>(families * kSteps), progress);
+  const Field second = crossed(picture.field, picture.options.cross_angle);
+  const Picture crossing{picture.surfaces, picture.camera,  second,       picture.tone,
+                         picture.probe,    picture.options, picture.seed, picture.same_place};
+  const auto place = [&](int family) {
+    out[static_cast<std::size_t>(family - 1)] =
+        place_family(family == 1 ? picture : crossing, raster, family, context, done);
   };
-  std::vector<Task> tasks;
-  for (std::size_t f = 0; f < static_cast<std::size_t>(families); ++f) {
-    for (std::size_t r = 0; r < regions.size(); ++r) tasks.push_back({f, r});
-  }
-  // The longest first: none is left over when the other cores have nothing more to do.
-  std::ranges::stable_sort(tasks, std::greater(),
-                           [&](const Task& t) { return regions[t.region].seeds.size(); });
-  const SampleGrid none({0, 0}, {0, 0}, 1);
-  std::vector<Family> placed(tasks.size(), Family{{}, none});
-  SharedProgress done(static_cast<double>(seeds.size()) * families, progress);
-  const auto report = [&](std::size_t count) { done.add(count); };
-  parallel_for(
-      tasks.size(), 1,
-      [&](std::size_t begin, std::size_t end) {
-        for (std::size_t t = begin; t < end; ++t) {
-          placed[t] = place_region(picture, regions[tasks[t].region],
-                                   static_cast<int>(tasks[t].family) + 1, context, report);
-        }
-      },
-      &context);
-  // One family each again, in the order of the regions, with a grid of all of its strokes.
-  std::vector<std::size_t> order(tasks.size());
-  for (std::size_t t = 0; t < tasks.size(); ++t) {
-    order[tasks[t].family * regions.size() + tasks[t].region] = t;
-  }
-  std::vector<Family> out;
-  for (std::size_t f = 0; f < static_cast<std::size_t>(families); ++f) {
-    out.push_back({{},
-                   SampleGrid(raster.origin, raster.pitch * Vec2(raster.nx, raster.ny),
-                              picture.options.spacing_max)});
-    for (std::size_t r = 0; r < regions.size(); ++r) {
-      for (TracedStroke& stroke : placed[order[f * regions.size() + r]].strokes) {
-        const auto id = static_cast<std::int32_t>(out[f].strokes.size());
-        insert_visible(out[f].grid, stroke, id);
-        out[f].strokes.push_back(std::move(stroke));
-      }
-    }
+  if (families == 1) {
+    place(1);
+  } else {
+    parallel_invoke([&] { place(1); }, [&] { place(2); });
   }
   return out;
 }

@@ -1,5 +1,5 @@
 #pragma once
-// Evenly spaced strokes of one family: from the coverage, then beside each stroke that was placed.
+// Strokes at even distances: along the level lines of a phase.
 
 #include "picture.h"
 #include "sample_grid.h"
@@ -16,11 +16,11 @@ struct Family {
   SampleGrid grid;
 };
 
-/// The strokes of `families` families (1 or 2), one entry each. Strokes of different parts or
-/// smooth regions never meet (see same_sheet), nor do those of different families: each region of
-/// each family is placed by itself, at the same time where cores are free, in the order of its
-/// seeds. `progress` is called with the share of the seeds that is done, from the calling thread.
-/// @cite Jobard1997
+/// The strokes of `families` families (1 or 2), one entry each: a phase is solved over all cells of
+/// the picture for each family, then the lines of each smooth region are traced by themselves,
+/// at the same time where cores are free. `progress` is called with the share that is done, from
+/// the calling thread.
+/// @cite Knoeppel2015
 std::vector<Family> place_families(const Picture& picture, const ViewRaster& raster,
                                    const std::vector<Seed>& seeds, int families,
                                    const RunContext& context,

@@ -14,7 +14,7 @@ Placing::Load even_load(const Picture& picture, double ink) {
 }
 
 constexpr std::array kPlacings{
-    Placing{"even", "long lines at even distances", cover_picture, place_families, even_load},
+    Placing{"even", "long lines at even distances", cover_cells, place_families, even_load},
     Placing{"points", "a short stroke on each of many independent random points", cover_points,
             place_on_points, points_load, Picture::Standing::Points},
     Placing{"discs", "the same, on points that keep clear of each other", cover_discs,

@@ -237,6 +237,7 @@ Coverage cover(const Picture& picture, const ViewRaster& raster, bool discs,
     SampleGrid second = grid();
     PointCover(picture, raster, discs, 2, second, out, context).run();
   }
+  out.points = static_cast<std::int64_t>(out.seeds.size());
   return out;
 }
 
@@ -277,17 +278,17 @@ std::vector<Family> place_on_points(const Picture& picture, const ViewRaster& /*
                                     const std::vector<Seed>& seeds, int families,
                                     const RunContext& context,
                                     const std::function<void(double)>& progress) {
-  const SampleGrid nobody({0, 0}, {0, 0}, 1);
   const auto stroke = [&](std::size_t i) -> std::optional<TracedStroke> {
     const Seed& seed = seeds[i];
-    const Tracer tracer(picture, nobody, seed.family);
+    const Tracer tracer(picture, seed.family);
     StrokeSample at;
     if (!tracer.seed(seed.part, seed.point, Vec3(0), at)) return std::nullopt;
     // Equal strokes would look ruled.
     const Rng rng(picture.seed, static_cast<std::uint64_t>(seed.part),
                   static_cast<std::uint64_t>(seed.family));
     const double reach = picture.options.length * (1.0 / 3 + rng.uniform(i) / 3);
-    TracedStroke traced = tracer.trace(seed.part, at, reach);
+    TracedStroke traced =
+        tracer.trace(seed.part, at, {.reach = reach, .least_ink = picture.options.tone_min});
     return traced.samples.size() > 1 ? std::optional(std::move(traced)) : std::nullopt;
   };
   return on_each(seeds, families, context, progress, stroke);

@@ -78,7 +78,9 @@ SampleGrid::Sides SampleGrid::sides(const GridSample& at, double radius) const {
     // Neighbours beside the place, not before or behind it.
     if (std::abs(along) > 0.7 * std::abs(across)) return;
     double& side = across > 0 ? out.left : out.right;
-    if (std::abs(across) < side && same_sheet(at, s)) side = std::abs(across);
+    if (!(std::abs(across) < side && same_sheet(at, s))) return;
+    side = std::abs(across);
+    (across > 0 ? out.left_weight : out.right_weight) = s.weight;
   });
   return out;
 }

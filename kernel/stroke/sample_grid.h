@@ -18,6 +18,8 @@ struct GridSample {
   std::int32_t part = -1;
   std::int32_t region = -1;
   std::int32_t stroke = -1;
+  /// How much of its share of the ink the line still carries on its way into the light, in [0, 1].
+  double weight = 1;
 };
 
 class SampleGrid {
@@ -37,9 +39,11 @@ class SampleGrid {
   Near nearest(const GridSample& at, double radius, double run_up = 1) const;
 
   /// The nearest distances on the left and on the right of `at` (looking along its direction), each
-  /// `radius` where there is no neighbour; samples of its own stroke do not count.
+  /// `radius` where there is no neighbour, and the neighbours' weights; samples of its own stroke
+  /// do not count.
   struct Sides {
     double left, right;
+    double left_weight = 1, right_weight = 1;
   };
   Sides sides(const GridSample& at, double radius) const;
 

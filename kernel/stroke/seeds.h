@@ -1,6 +1,6 @@
 #pragma once
-// The coverage that strokes at even distances start from: points uniform in the picture, thinned on
-// paper, measured; and what every coverage of the picture needs.
+// What every coverage of the picture needs, and the coverage by its cells that lines at even
+// distances come from.
 
 #include "picture.h"
 #include "sample_grid.h"
@@ -19,6 +19,8 @@ struct Seed {
 
 struct Coverage {
   std::vector<Seed> seeds;
+  /// How many points it has, seeds or cells.
+  std::int64_t points = 0;
   /// Paper mm: no seen place that wants ink is farther from its nearest seed than this (Definition
   /// 1 of the paper, measured at the cells of the raster).
   double delta = 0;
@@ -70,6 +72,8 @@ PointOnPaper on_paper(const Picture& picture, std::int32_t part, const SurfacePo
 double measure_delta(const Picture& picture, const ViewRaster& raster, const SampleGrid& grid,
                      double near, double reach, const RunContext& context);
 
-Coverage cover_picture(const Picture& picture, const ViewRaster& raster, const RunContext& context);
+/// The point of the surface at each cell that wants ink: no seeds, the phase of lines is found at
+/// all of them at once.
+Coverage cover_cells(const Picture& picture, const ViewRaster& raster, const RunContext& context);
 
 }  // namespace burin::detail

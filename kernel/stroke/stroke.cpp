@@ -177,18 +177,18 @@ StrokeResult trace_strokes(std::span<const Surface* const> surfaces, const Camer
   const Coverage coverage = placing.cover(picture, raster, context);
 
   context.begin_stage(RunStage::Trace);
-  const std::vector<Family> families =
+  const std::vector<Family> placed =
       placing.place(picture, raster, coverage.seeds, own.cross_from <= 1 ? 2 : 1, context,
                     [&](double share) { context.progress(0.8 * share); });
-  Widths widths = solve_widths(picture, raster, families, context);
+  Widths widths = solve_widths(picture, raster, placed, context);
 
   StrokeResult result;
-  result.coverage_points = static_cast<std::int64_t>(coverage.seeds.size());
+  result.coverage_points = coverage.points;
   result.coverage_delta = coverage.delta;
   result.thinned_parts = coverage.thinned_parts;
-  for (std::size_t f = 0; f < families.size(); ++f) {
-    for (std::size_t s = 0; s < families[f].strokes.size(); ++s) {
-      result.strokes.push_back(to_curve(families[f].strokes[s], picture, std::move(widths[f][s])));
+  for (std::size_t f = 0; f < placed.size(); ++f) {
+    for (std::size_t s = 0; s < placed[f].strokes.size(); ++s) {
+      result.strokes.push_back(to_curve(placed[f].strokes[s], picture, std::move(widths[f][s])));
     }
   }
   context.end_stage();

@@ -1,6 +1,7 @@
 #include "tracer.h"
 
 #include <cmath>
+#include <numbers>
 
 namespace burin::detail {
 namespace {
@@ -14,22 +15,24 @@ constexpr double kHiddenReach = 15;  // paper mm: behind less a stroke comes out
 constexpr double kMinFacing = 0.02;  // cosine: the surface is seen edge-on and turns away
 constexpr double kMinRun = 0.12;     // share of its length that a step must keep on paper
 constexpr double kMaxTurn = 0.7;     // cosine of the turn in one step that still is a smooth stroke
-constexpr double kTestShare =
-    0.55;                         // of the spacing: a stroke ends nearer than that to a neighbour
-constexpr double kRunUp = 2.5;    // how much closer to a stroke that crosses its way
-constexpr double kOwnArm = 0.7;   // cosine up to which a direction is that of the family
-constexpr double kForeign = 1.2;  // paper mm that a stroke may run along another family's arm
+constexpr double kOwnArm = 0.7;      // cosine up to which a direction is that of the family
+constexpr double kForeign = 1.2;     // paper mm that a stroke may run along another family's arm
 constexpr double kAlongLevel = 0.5;  // sine of the angle to a level line up to which it is one
 constexpr double kMostOff = 0.25;    // of a step that a stroke may be off its level line
 constexpr double kLeastOff = 1e-4;   // ... that it is left off
 constexpr int kMaxSamples = 20000;   // a bound where length_max is set absurdly high
 
-// Where the surface turns away its lines draw together on paper and run into the outline; ended at
-// the full distance they would all stop at one line short of it.
-double crowding(double facing) {
-  constexpr double kSlanted = 0.5;  // cosine from which lines may draw together
-  constexpr double kLeast = 0.35;
-  return kLeast + (1 - kLeast) * std::min(1.0, facing / kSlanted);
+// A stroke on a form whose field is exact turns off the field by no more than this to keep to its
+// level line; on a face of which everybody knows how lines run, only where it would be lost.
+constexpr double kMostTurn = 6 * std::numbers::pi / 180;
+constexpr double kFree = 0.2;       // gaps that it may be off there
+constexpr double kTurnOver = 0.8;   // paper mm over which it would be back
+constexpr double kMostDrift = 0.5;  // gaps that it may be off its level line
+constexpr double kUnguided = 1.5;   // paper mm that a stroke is seen beyond its level line
+
+bool ruled(FaceKind kind) {
+  return kind == FaceKind::Plane || kind == FaceKind::Cylinder || kind == FaceKind::Cone ||
+         kind == FaceKind::Torus;
 }
 
 }  // namespace
@@ -49,6 +52,8 @@ void look_at(const Picture& picture, std::int32_t part, const SurfacePoint& poin
   const ProxyPoint place = surface.to_proxy(point);
   out.point = point;
   out.normal = frame.normal;
+  out.kind = frame.kind;
+  out.bent = frame.k1 != 0 || frame.k2 != 0;
   out.paper = camera.to_paper(point.position);
   out.depth = camera.depth(point.position);
   const double cosine = glm::dot(frame.normal, camera.to_viewer(point.position));
@@ -57,7 +62,8 @@ void look_at(const Picture& picture, std::int32_t part, const SurfacePoint& poin
   out.face = place.face;
   out.region = surface.proxy().face_region[place.face];
   out.darkness = picture.darkness(point.position, frame.normal, cosine);
-  out.visible = cosine > 0 || !surface.proxy().closed(place.face);
+  out.front = cosine > 0;
+  out.visible = out.front || !surface.proxy().closed(place.face);
 }
 
 bool may_begin(const Picture& picture, const StrokeSample& at) {
@@ -65,18 +71,7 @@ bool may_begin(const Picture& picture, const StrokeSample& at) {
 }
 
 GridSample grid_sample(const StrokeSample& s, std::int32_t part, std::int32_t stroke) {
-  return {s.paper, s.direction, 0.6 * kStep, s.depth, s.slope, part, s.region, stroke};
-}
-
-double Tracer::spacing(const StrokeSample& s) const {
-  const double d = picture_.spacing(picture_.share(s.darkness, family_));
-  if (picture_.options.foreshortening <= 0) return d;
-  // How much a step across the stroke is shortened by the slant of the surface.
-  const Vec3 across = glm::cross(s.normal, s.tangent);
-  const double kept = glm::length(picture_.camera.velocity(s.point.position, across)) /
-                      picture_.camera.scale_at(s.point.position);
-  const double f = picture_.options.foreshortening;
-  return d * (1 - f + f * std::max(kept, 0.2));  // never denser than five times
+  return {s.paper, s.direction, 0.6 * kStep, s.depth, s.slope, part, s.region, stroke, s.weight};
 }
 
 bool Tracer::fill(std::int32_t part, const SurfacePoint& point, Vec3 previous,
@@ -100,21 +95,15 @@ bool Tracer::seed(std::int32_t part, const SurfacePoint& point, Vec3 toward,
   return fill(part, point, toward, out) && may_begin(picture_, out);
 }
 
-std::optional<Vec2> Tracer::direction(std::int32_t part, const SurfacePoint& point,
-                                      Vec3 previous) const {
-  const Frame frame = picture_.surface(part).frame(point);
-  const auto cross = picture_.field.cross({part, point, frame});
-  if (!cross) return std::nullopt;
-  const Vec2 v = picture_.camera.velocity(point.position, arm_along(*cross, previous));
-  const double speed = glm::length(v);
-  return speed > 0 ? std::optional(v / speed) : std::nullopt;
-}
-
-bool Tracer::free(std::int32_t part, const StrokeSample& s, double share) const {
-  const double ink = picture_.share(s.darkness, family_);
-  if (ink < picture_.options.tone_min) return false;
-  const double d = share * spacing(s);
-  return grid_.nearest(grid_sample(s, part, -1), d).distance >= d;
+bool Tracer::seed_along(std::int32_t part, const SurfacePoint& point, bool across, Vec2 paper,
+                        StrokeSample& out) const {
+  if (!seed(part, point, Vec3(0), out)) return false;
+  if (across && !seed(part, point, glm::cross(out.normal, out.tangent), out)) return false;
+  if (glm::dot(out.direction, paper) < 0) {
+    out.direction = -out.direction;
+    out.tangent = -out.tangent;
+  }
+  return true;
 }
 
 // What a stroke from a seed keeps: the field's level, where it runs along a level line.
@@ -173,10 +162,34 @@ void Tracer::aim(std::int32_t part, const SurfacePoint& from, Vec3 tangent, doub
   step = best;
 }
 
+// The direction in which a stroke goes on that keeps to its level line: as the field has it, turned
+// a little, where the field is exact or the surface flat; else along the line.
+Vec3 Tracer::steer(std::int32_t part, const StrokeSample& at, Vec3 tangent,
+                   const Guide::Heading& heading) const {
+  const Camera& camera = picture_.camera;
+  const Vec3 left = glm::cross(at.normal, tangent);
+  const Vec2 t = camera.velocity(at.point.position, tangent),
+             b = camera.velocity(at.point.position, left);
+  const double area = cross2(t, b);
+  if (picture_.surface(part).exact() || !at.bent) {
+    const double free = ruled(at.kind) || !at.bent ? kFree * heading.gap : 0;
+    const double off = heading.off - std::clamp(heading.off, -free, free);
+    const double turn = std::clamp(-off / kTurnOver, -kMostTurn, kMostTurn);
+    return std::cos(turn) * tangent + (area < 0 ? -1.0 : 1.0) * std::sin(turn) * left;
+  }
+  const double scale = camera.scale_at(at.point.position);
+  if (std::abs(area) < kMinFacing * scale * scale) return tangent;
+  // tangent and left in the shares that show as the direction ahead
+  const Vec3 along =
+      cross2(heading.ahead, b) / area * tangent + cross2(t, heading.ahead) / area * left;
+  return normalize_or(along, tangent);
+}
+
 // A stroke that went on unseen and did not come out again ends behind what hides it.
-StrokeEnd Tracer::extend(std::int32_t part, const StrokeSample& seed, std::optional<double> level,
-                         double sign, double reach, std::vector<StrokeSample>& out) const {
-  const StrokeEnd end = advance(part, seed, level, sign, reach, out);
+StrokeEnd Tracer::extend(std::int32_t part, const StrokeSample& seed, const StrokeWay& way,
+                         std::optional<double> level, double sign,
+                         std::vector<StrokeSample>& out) const {
+  const StrokeEnd end = advance(part, seed, way, level, sign, out);
   // The last sample of a stroke whose surface turns away is not visible for that reason.
   std::size_t seen = out.size() - (end == StrokeEnd::Away ? 1 : 0);
   while (seen > 0 && !out[seen - 1].visible) --seen;
@@ -190,10 +203,15 @@ StrokeEnd Tracer::extend(std::int32_t part, const StrokeSample& seed, std::optio
   return end;
 }
 
-StrokeEnd Tracer::advance(std::int32_t part, const StrokeSample& seed, std::optional<double> level,
-                          double sign, double reach, std::vector<StrokeSample>& out) const {
+StrokeEnd Tracer::advance(std::int32_t part, const StrokeSample& seed, const StrokeWay& way,
+                          std::optional<double> level, double sign,
+                          std::vector<StrokeSample>& out) const {
   const Surface& surface = picture_.surface(part);
   const Camera& camera = picture_.camera;
+  std::optional<Guide> guide;
+  if (way.line) guide.emplace(*way.line, way.point, sign > 0 ? 1 : -1);
+  double unguided = 0;
+  bool unseen_once = false;
   StrokeSample at = seed;
   at.tangent *= sign;
   double travelled = 0, unseen = 0, foreign = 0;
@@ -201,7 +219,7 @@ StrokeEnd Tracer::advance(std::int32_t part, const StrokeSample& seed, std::opti
   for (int i = 0; i < kMaxSamples; ++i) {
     const double scale = camera.scale_at(at.point.position);
     const double speed = glm::length(camera.velocity(at.point.position, at.tangent)) / scale;
-    const double pace = std::min(kStep, reach - travelled);
+    const double pace = std::min(kStep, way.reach - travelled);
     const double length = pace / (scale * std::max(speed, kMinRun));
     // Second order: half a step, the direction there, the whole step along it.
     Vec3 tangent = at.tangent;
@@ -211,6 +229,13 @@ StrokeEnd Tracer::advance(std::int32_t part, const StrokeSample& seed, std::opti
       if (const auto cross = picture_.field.cross({part, half.end, frame})) {
         tangent = transport(arm_along(*cross, half.direction), frame.normal, at.normal);
       }
+    }
+    Guide::Heading heading;
+    if (guide) heading = guide->at(at.paper);
+    const bool guided = guide && !heading.past;
+    if (guided && !level) {
+      if (std::abs(heading.off) > kMostDrift * heading.gap) return StrokeEnd::Crowded;
+      tangent = steer(part, at, tangent, heading);
     }
     MarchStep step = surface.march(at.point, tangent, length);
     if (level && step.stop == MarchStop::Completed && !keep_level(part, *level, length, step)) {
@@ -225,11 +250,17 @@ StrokeEnd Tracer::advance(std::int32_t part, const StrokeSample& seed, std::opti
     StrokeSample next;
     const bool ends = step.stop != MarchStop::Completed;
     if (!fill(part, step.end, step.direction, next)) return StrokeEnd::Singular;
-    if (ends) next.tangent = normalize_or(step.direction, at.tangent);
+    if (ends || (guided && !level && !surface.exact() && at.bent)) {
+      next.tangent = normalize_or(step.direction, at.tangent);
+      const Vec2 v = camera.velocity(next.point.position, next.tangent);
+      const double n = glm::length(v);
+      if (n > 0) next.direction = v / n;
+    }
     if (glm::dot(next.tangent, step.direction) < kMaxTurn * glm::length(step.direction)) {
       return StrokeEnd::Singular;
     }
-    if (!next.visible || next.facing < kMinFacing) {
+    // Of an open sheet the other side comes into sight behind the fold.
+    if (!next.visible || next.facing < kMinFacing || next.front != at.front) {
       out.push_back(next);
       return StrokeEnd::Away;
     }
@@ -254,13 +285,23 @@ StrokeEnd Tracer::advance(std::int32_t part, const StrokeSample& seed, std::opti
                    : unseen + std::max(ds, 0.1 * kStep);
     }
     next.visible = unseen == 0;
+    unseen_once |= !next.visible;
     if (unseen > kHiddenReach) return StrokeEnd::Hidden;
+    if (guide) {
+      if (heading.past && heading.inside) return StrokeEnd::Crowded;
+      unguided = heading.past ? unguided + ds : 0;
+      if (unguided > 0 && next.visible) {
+        // Its line went on, as far as is known, beside a border that the cells show as stairs.
+        const bool known = surface.exact() || !next.bent;
+        if (unguided > kUnguided && (!known || unseen_once)) return StrokeEnd::Crowded;
+        if (way.neighbours &&
+            way.neighbours->nearest(grid_sample(next, part, -1), way.apart).distance < way.apart) {
+          return StrokeEnd::Crowded;
+        }
+      }
+    }
     if (next.visible) {
-      if (picture_.share(next.darkness, family_) < picture_.options.tone_min)
-        return StrokeEnd::Light;
-      const double d = kTestShare * crowding(next.facing) * spacing(next);
-      const SampleGrid::Near near = grid_.nearest(grid_sample(next, part, -1), d, kRunUp);
-      if (near.distance < d) return near.crossing ? StrokeEnd::Met : StrokeEnd::Crowded;
+      if (picture_.share(next.darkness, family_) < way.least_ink) return StrokeEnd::Light;
       const Vec2 gap = next.paper - seed.paper;
       if (travelled > 4 * kStep && next.region == seed.region &&
           std::abs(next.depth - seed.depth) < kStep * seed.slope) {
@@ -272,24 +313,25 @@ StrokeEnd Tracer::advance(std::int32_t part, const StrokeSample& seed, std::opti
     out.push_back(next);
     if (ends) return StrokeEnd::Edge;
     travelled += ds;
-    if (travelled > reach - kLeastStep) return StrokeEnd::Length;
+    if (travelled > way.reach - kLeastStep) return StrokeEnd::Length;
     at = next;
   }
   return StrokeEnd::Length;
 }
 
-TracedStroke Tracer::trace(std::int32_t part, const StrokeSample& seed, double reach) const {
+TracedStroke Tracer::trace(std::int32_t part, const StrokeSample& seed,
+                           const StrokeWay& way) const {
   TracedStroke stroke;
   stroke.part = part;
   stroke.family = family_;
   stroke.level = level_kept(part, seed);
   std::vector<StrokeSample> forward, backward;
-  stroke.end_reason = extend(part, seed, stroke.level, 1, reach, forward);
+  stroke.end_reason = extend(part, seed, way, stroke.level, 1, forward);
   if (stroke.end_reason == StrokeEnd::Closed) {
     stroke.closed = true;
     stroke.begin_reason = StrokeEnd::Closed;
   } else {
-    stroke.begin_reason = extend(part, seed, stroke.level, -1, reach, backward);
+    stroke.begin_reason = extend(part, seed, way, stroke.level, -1, backward);
     if (stroke.begin_reason == StrokeEnd::Closed) stroke.begin_reason = StrokeEnd::Crowded;
   }
   for (auto it = backward.rbegin(); it != backward.rend(); ++it) {

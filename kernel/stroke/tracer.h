@@ -1,6 +1,7 @@
 #pragma once
 // One streamline of the field through one point, in steps of paper millimetres.
 
+#include "guide.h"
 #include "picture.h"
 #include "sample_grid.h"
 
@@ -9,7 +10,8 @@
 namespace burin::detail {
 
 /// Why a stroke ends; decides how its end is shaped. Edge: a crease or boundary; Away: the surface
-/// turns away from the viewer; Crowded: a neighbour comes too close; Met: a stroke crosses its way.
+/// turns away from the viewer; Crowded: its neighbours need no line between them any more; Met: the
+/// strokes of another family cross its way.
 enum class StrokeEnd { Edge, Away, Hidden, Light, Crowded, Met, Singular, Length, Closed };
 
 /// One place of a stroke under way.
@@ -23,8 +25,12 @@ struct StrokeSample {
   double slope = 0;   // model mm of depth a paper mm
   double facing = 0;  // cosine between the normal turned to the viewer and the view
   double darkness = 0;
+  double weight = 1;       // as in GridSample
   std::uint32_t face = 0;  // of the proxy
+  FaceKind kind = FaceKind::Freeform;
+  bool bent = true;  // curvature is known and not zero
   std::int32_t region = -1;
+  bool front = true;  // its outside faces the viewer
   bool visible = true;
   bool own = true;  // the stroke runs along the arm that the field gives its family here
 };
@@ -51,30 +57,36 @@ bool may_begin(const Picture& picture, const StrokeSample& at);
 
 GridSample grid_sample(const StrokeSample& s, std::int32_t part, std::int32_t stroke);
 
+/// How far a stroke goes both ways from its seed.
+struct StrokeWay {
+  double reach = 0;      // paper mm either way
+  double least_ink = 0;  // of its family: it ends where less is asked for
+  /// The level line that it is drawn for, and the number of the point of it at the seed; none: it
+  /// follows the field alone.
+  const LevelLine* line = nullptr;
+  std::size_t point = 0;
+  /// The strokes so far: beyond its level line it does not come nearer to them than `apart` paper
+  /// mm.
+  const SampleGrid* neighbours = nullptr;
+  double apart = 0;
+};
+
 class Tracer {
  public:
-  /// `neighbours`: the family's strokes so far.
-  Tracer(const Picture& picture, const SampleGrid& neighbours, int family)
-      : picture_(picture), grid_(neighbours), family_(family) {}
+  Tracer(const Picture& picture, int family) : picture_(picture), family_(family) {}
 
   /// The sample at a surface point; false where the field is singular or the point turned away.
   /// Whether something hides it is not asked: that takes a ray. The direction is the family's own,
   /// or the arm of the field nearest to `toward` (model space) where that is not zero.
   bool seed(std::int32_t part, const SurfacePoint& point, Vec3 toward, StrokeSample& out) const;
 
-  /// The unit direction on paper that a stroke coming in along `previous` (model space) has at a
-  /// surface point.
-  std::optional<Vec2> direction(std::int32_t part, const SurfacePoint& point, Vec3 previous) const;
+  /// The sample of the family's own arm, or of the one across it, turned to run along a direction
+  /// on paper.
+  bool seed_along(std::int32_t part, const SurfacePoint& point, bool across, Vec2 paper,
+                  StrokeSample& out) const;
 
-  /// The whole stroke through a seed, both ways, each at most `reach` paper mm.
-  TracedStroke trace(std::int32_t part, const StrokeSample& seed, double reach) const;
-
-  /// The distance that neighbours of this family keep at a place.
-  double spacing(const StrokeSample& s) const;
-
-  /// Whether a new stroke of this family may begin here: dark enough, and no neighbour nearer than
-  /// `share` of the spacing.
-  bool free(std::int32_t part, const StrokeSample& s, double share) const;
+  /// The whole stroke through a seed.
+  TracedStroke trace(std::int32_t part, const StrokeSample& seed, const StrokeWay& way) const;
 
  private:
   bool fill(std::int32_t part, const SurfacePoint& point, Vec3 previous, StrokeSample& out) const;
@@ -82,14 +94,14 @@ class Tracer {
   bool keep_level(std::int32_t part, double level, double length, MarchStep& step) const;
   void aim(std::int32_t part, const SurfacePoint& from, Vec3 tangent, double level, double length,
            MarchStep& step) const;
-  StrokeEnd extend(std::int32_t part, const StrokeSample& seed, std::optional<double> level,
-                   double sign, double reach, std::vector<StrokeSample>& out) const;
-
-  StrokeEnd advance(std::int32_t part, const StrokeSample& seed, std::optional<double> level,
-                    double sign, double reach, std::vector<StrokeSample>& out) const;
+  Vec3 steer(std::int32_t part, const StrokeSample& at, Vec3 tangent,
+             const Guide::Heading& heading) const;
+  StrokeEnd extend(std::int32_t part, const StrokeSample& seed, const StrokeWay& way,
+                   std::optional<double> level, double sign, std::vector<StrokeSample>& out) const;
+  StrokeEnd advance(std::int32_t part, const StrokeSample& seed, const StrokeWay& way,
+                    std::optional<double> level, double sign, std::vector<StrokeSample>& out) const;
 
   const Picture& picture_;
-  const SampleGrid& grid_;
   int family_;
 };
 

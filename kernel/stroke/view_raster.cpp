@@ -8,8 +8,9 @@
 namespace burin::detail {
 namespace {
 
-// Cells that the grid may have, some 200 MB: on sheets over 2 square metres they are wider.
-constexpr double kMostCells = 8e6;
+// Cells that the grid may have: on sheets over 0.3 square metres they are wider. A cell takes some
+// 500 bytes while both families are placed.
+constexpr double kMostCells = 2e6;
 
 Box2 projected_bounds(const Picture& picture) {
   Box2 box;
@@ -43,10 +44,14 @@ ViewRaster make_raster(const Picture& picture, const RunContext& context) {
             const Vec3 p = proxy.position(hit->point.face, hit->point.bary);
             const Vec3 n = proxy.normal(hit->point.face, hit->point.bary);
             const double cosine = glm::dot(n, picture.camera.to_viewer(p));
-            raster.cells[y * nx + x] = {hit->part, proxy.face_region[hit->point.face],
+            raster.cells[y * nx + x] = {hit->part,
+                                        proxy.face_region[hit->point.face],
                                         picture.camera.depth(p),
                                         static_cast<float>(picture.darkness(p, n, cosine)),
-                                        static_cast<float>(std::abs(cosine))};
+                                        static_cast<float>(std::abs(cosine)),
+                                        hit->point.face,
+                                        static_cast<float>(hit->point.bary.y),
+                                        static_cast<float>(hit->point.bary.z)};
           }
         }
       },

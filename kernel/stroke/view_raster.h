@@ -6,6 +6,7 @@
 
 #include "picture.h"
 
+#include <algorithm>
 #include <cstdint>
 #include <vector>
 
@@ -17,16 +18,30 @@ struct RasterCell {
   double depth = 0;
   float darkness = 0;
   float facing = 0;  // cosine between the normal turned to the viewer and the view
+  // Of the proxy: the triangle, and the barycentric coordinates of its second and third corner.
+  std::uint32_t face = 0;
+  float second = 0, third = 0;
+
+  ProxyPoint place() const { return {face, {1.0 - second - third, second, third}}; }
 };
 
 struct ViewRaster {
   Vec2 origin{0};      // paper mm, lower left corner
-  double pitch = 0.5;  // paper mm; wider on very large sheets
+  double pitch = 0.4;  // paper mm; wider on large sheets
   std::int32_t nx = 0, ny = 0;
   std::vector<RasterCell> cells;
 
   Vec2 center(std::int32_t x, std::int32_t y) const {
     return origin + pitch * Vec2(x + 0.5, y + 0.5);
+  }
+  bool contains(Vec2 paper) const {
+    const Vec2 q = (paper - origin) / pitch;
+    return q.x >= 0 && q.y >= 0 && q.x < nx && q.y < ny;
+  }
+  const RasterCell& nearest(Vec2 paper) const {
+    const Vec2 q = (paper - origin) / pitch;
+    return at(std::clamp(static_cast<std::int32_t>(q.x), 0, nx - 1),
+              std::clamp(static_cast<std::int32_t>(q.y), 0, ny - 1));
   }
   const RasterCell& at(std::int32_t x, std::int32_t y) const {
     return cells[static_cast<std::size_t>(y) * static_cast<std::size_t>(nx) +
@@ -34,7 +49,7 @@ struct ViewRaster {
   }
 };
 
-/// Probes the sheet where the scene projects. Cost: one ray a cell, about 250,000 on A4, 8 million
+/// Probes the sheet where the scene projects. Cost: one ray a cell, about 390,000 on A4, 2 million
 /// at most.
 ViewRaster make_raster(const Picture& picture, const RunContext& context);
 

@@ -14,6 +14,12 @@ constexpr int kRounds = 4;     // of correction
 // A width may leave its first guess by this factor: a stroke that is left alone in a fading tone
 // must not swell to a leaf to make up for its neighbours.
 constexpr double kMostCorrection = 1.6;
+// ... less where its neighbours tell how wide it is to be.
+constexpr double kMostBeside = 1.15;
+constexpr double kAlone = 1.6;      // widest gaps: a neighbour further off is none
+constexpr double kThinnest = 0.02;  // paper mm
+constexpr double kFaded = 0.3;      // weight under which a line needs no taper
+constexpr double kBlunt = 0.3;      // paper mm over which a stroke thins out between its neighbours
 constexpr double kMetTaper =
     0.5;  // paper mm over which a stroke thins out that runs up to another one
 constexpr double kSmoothing = 1.2;  // paper mm over which widths are evened out along a stroke
@@ -158,16 +164,32 @@ class WidthSolver {
         w[i] = picture_.free_width(ink);
         continue;
       }
-      const auto sides = families_[f].grid.sides(
-          grid_sample(s, stroke.part, static_cast<std::int32_t>(id)), picture_.spacing(ink));
-      w[i] = limit(ink * 0.5 * (sides.left + sides.right));
+      // Half of the gaps on both sides are its own to ink; where it has no neighbour on one side,
+      // as much as on the other.
+      const double most = kAlone * picture_.options.spacing_max;
+      SampleGrid::Sides gap =
+          families_[f].grid.sides(grid_sample(s, stroke.part, static_cast<std::int32_t>(id)), most);
+      if (gap.left >= most) gap.left = gap.right;
+      if (gap.right >= most) gap.right = gap.left;
+      if (gap.left >= most) gap.left = gap.right = picture_.options.spacing_min;
+      // A line that fades out leaves its room to the next ones.
+      const double room = 0.5 * gap.left * (1 + s.weight - gap.left_weight) +
+                          0.5 * gap.right * (1 + s.weight - gap.right_weight);
+      w[i] = limit(ink * room, f, s.weight);
     }
     smooth(stroke, w);
     return w;
   }
 
-  double limit(double w) const {
-    return std::clamp(w, picture_.options.width_min, picture_.options.width_max);
+  // The second family, and a line that fades out, are as thin as can be printed.
+  double limit(double w, std::size_t family, double weight) const {
+    const HatchOptions& o = picture_.options;
+    const double thinnest = std::min(kThinnest, o.width_min);
+    const bool swells = !picture_.by_chance() && o.width_min < o.width_max;
+    const double least = !swells       ? o.width_min
+                         : family == 1 ? thinnest
+                                       : thinnest + weight * (o.width_min - thinnest);
+    return std::clamp(w, least, o.width_max);
   }
 
   // Ends that stop at an edge are cut there; all others thin out.
@@ -176,10 +198,12 @@ class WidthSolver {
     std::vector<double> t(n, 1.0);
     if (stroke.closed) return t;
     const double longest = std::min(picture_.options.taper, 0.4 * stroke.length());
-    const auto length = [&](StrokeEnd e) {
+    const auto length = [&](StrokeEnd e, const StrokeSample& last) {
       switch (e) {
-        case StrokeEnd::Light:
         case StrokeEnd::Crowded:
+          return std::min(longest, kBlunt);
+        case StrokeEnd::Light:
+          return last.weight < kFaded ? std::min(longest, kBlunt) : longest;
         case StrokeEnd::Singular:
         case StrokeEnd::Length:
           return longest;
@@ -200,8 +224,8 @@ class WidthSolver {
         }
       }
     };
-    apply(true, length(stroke.begin_reason));
-    apply(false, length(stroke.end_reason));
+    apply(true, length(stroke.begin_reason, stroke.samples.front()));
+    apply(false, length(stroke.end_reason, stroke.samples.back()));
     return t;
   }
 
@@ -282,8 +306,10 @@ class WidthSolver {
         }
         smooth(strokes[id], w);
         const std::vector<double>& guess = guess_[f][id];
+        const double most = picture_.by_chance() ? kMostCorrection : kMostBeside;
         for (std::size_t i = 0; i < w.size(); ++i) {
-          w[i] = limit(std::clamp(w[i], guess[i] / kMostCorrection, guess[i] * kMostCorrection));
+          w[i] = limit(std::clamp(w[i], guess[i] / most, guess[i] * most), f,
+                       strokes[id].samples[i].weight);
         }
       }
     });

@@ -38,9 +38,12 @@ struct StrokeStage {
   }
   StrokeResult strokes(const Field& field, double tone, const HatchOptions& options,
                        std::uint64_t seed = 1) {
-    return trace_strokes(
-        surfaces, camera, field, [tone](Vec3, Vec3) { return tone; }, probe, options, seed,
-        context);
+    return strokes(
+        field, [tone](Vec3, Vec3) { return tone; }, options, seed);
+  }
+  StrokeResult strokes(const Field& field, const Tone& tone, const HatchOptions& options,
+                       std::uint64_t seed = 1) {
+    return trace_strokes(surfaces, camera, field, tone, probe, options, seed, context);
   }
 
   RunContext context;

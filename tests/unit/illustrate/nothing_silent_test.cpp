@@ -75,7 +75,7 @@ TEST(NothingSilent, StrokesThatCanBeDrawnAreNoMatter) {
 }
 
 TEST(NothingSilent, StrokesThatBeginAtFewerPlacesAreTold) {
-  const Drawing d = draw(scene_of({test::stacked_sheets(400)}), builtin_style("engraving"),
+  const Drawing d = draw(scene_of({test::stacked_sheets(400)}), builtin_style("pencil"),
                          {.direction = {0, -1, 0}, .paper = {100, 80}});
   EXPECT_NE(said(d, "stroke.many_sheets"), "");
 }

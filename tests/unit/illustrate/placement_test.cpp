@@ -135,7 +135,8 @@ void draws_the_same(Make&& make) {
     SCOPED_TRACE(place.name);
     const Ink there = ink_of(draw(make(place), place, "technical"));
     EXPECT_NEAR(there.features, at_home.features, 0.01 * at_home.features);
-    EXPECT_NEAR(there.strokes, at_home.strokes, 0.03 * at_home.strokes);
+    // Which half of the lines fades out in the light is chance.
+    EXPECT_NEAR(there.strokes, at_home.strokes, 0.06 * at_home.strokes);
     EXPECT_LT(gap(there, at_home), 0.1);
     EXPECT_LT(gap(at_home, there), 0.1);
   }

@@ -59,15 +59,13 @@ TEST(Strokes, AreEvenlySpacedAndAsWideAsTheToneAsksOnAPlane) {
   }
 }
 
-// A damaged file is a crowd of sheets over each other: candidates for seeds are as many as the
-// picture can use, and the caller can tell.
-TEST(Strokes, TryABoundedNumberOfPlacesWhereManySheetsLieOverEachOther) {
+// A damaged file is a crowd of sheets over each other: what is seen of them is hatched once.
+TEST(Strokes, FollowWhatIsSeenOfManySheetsOverEachOther) {
   Stage stage(test::stacked_sheets(400), "front", 1);
   const StrokeResult r = stage.strokes(field::fixed({0, 0, 1}), 0.7, kOneFamily);
-  EXPECT_EQ(r.thinned_parts, 1);
+  EXPECT_EQ(r.thinned_parts, 0);
   EXPECT_GT(r.strokes.size(), 30U);
-  Stage one(test::box({0, 0, 0}, {60, 5, 40}), "front", 1);
-  EXPECT_EQ(one.strokes(field::fixed({0, 0, 1}), 0.7, kOneFamily).thinned_parts, 0);
+  EXPECT_LT(r.strokes.size(), 400U);
 }
 
 TEST(Strokes, CircleAroundATurnedPart) {
@@ -76,9 +74,10 @@ TEST(Strokes, CircleAroundATurnedPart) {
   int around = 0;
   for (const Curve3& c : r.strokes) {
     const double z = c.points[0].z;
+    // The facets only estimate the field: a line leaves it by less than the way to the next one.
     bool level = true;
     for (const Vec3& p : c.points) {
-      level = level && std::abs(p.z - z) < 0.02;
+      level = level && std::abs(p.z - z) < 0.5 * 0.8;
       EXPECT_LE(std::hypot(p.x, p.y), 20 + 0.03);  // fairing goes round the corners of facets
     }
     around += level;
@@ -124,14 +123,75 @@ TEST(Strokes, EndOnFacesSeenSquareOnFromAnyDirection) {
   }
 }
 
+// What the phase is for: neighbours at even distances, which no line ends between, the first ones
+// half a distance from the edges that they run along.
+TEST(Strokes, KeepARhythmOnATurnedPartSeenFromAbove) {
+  constexpr double kRadius = 20, kHeight = 40;
+  Stage stage(test::cylinder(kRadius, kHeight, 128), "0,-1,0.5", 1);
+  const StrokeResult r = stage.strokes(field::planes({0, 0, 1}), 0.6, kOneFamily);
+  std::vector<double> heights;
+  for (const Curve3& c : r.strokes) {
+    const Vec3 middle = c.points[c.points.size() / 2];
+    if (std::hypot(middle.x, middle.y) < 0.9 * kRadius) continue;  // on the upper face
+    if (glm::distance(c.points.front(), c.points.back()) < 1.9 * kRadius) {
+      ADD_FAILURE() << "a stroke ends inside, at the height of " << middle.z;
+    }
+    heights.push_back(middle.z);
+  }
+  std::sort(heights.begin(), heights.end());
+  // Seen at the slant of 0.5 heights shrink on paper.
+  const double gap = 0.8 * std::sqrt(1.25);
+  ASSERT_GT(heights.size(), 35U);
+  EXPECT_NEAR(heights.front(), 0.5 * gap, 0.15 * gap);
+  EXPECT_NEAR(kHeight - heights.back(), 0.5 * gap, 0.15 * gap);
+  for (std::size_t i = 1; i < heights.size(); ++i) {
+    EXPECT_NEAR(heights[i] - heights[i - 1], gap, 0.15 * gap) << "at " << heights[i];
+  }
+}
+
+TEST(Strokes, CrossAtTheAngleThatIsAskedFor) {
+  Stage stage(test::box({0, 0, 0}, {60, 5, 40}), "front", 1);
+  HatchOptions options = kOneFamily;
+  options.cross_from = 0.3;
+  for (const double angle : {40.0, 60.0, 90.0}) {
+    options.cross_angle = angle;
+    const StrokeResult r = stage.strokes(field::fixed({0, 0, 1}), 0.3, options);
+    int second = 0;
+    for (const Curve3& c : r.strokes) {
+      const Vec3 along = glm::normalize(c.points.back() - c.points.front());
+      const double turned = glm::degrees(std::acos(std::min(1.0, std::abs(along.z))));
+      EXPECT_NEAR(turned, c.family == 1 ? 0 : angle, 0.1);
+      second += c.family == 2;
+    }
+    EXPECT_GT(second, 30);
+  }
+}
+
+// Into the light every second line fades out before the others, and those take its ink.
+TEST(Strokes, FadeOutOneAfterTheOther) {
+  Stage stage(test::box({0, 0, 0}, {60, 5, 40}), "front", 1);
+  const Tone lighter = [](Vec3 position, Vec3) { return 0.65 + 0.35 * position.z / 40; };
+  const StrokeResult r = stage.strokes(field::fixed({0, 0, 1}), lighter, kOneFamily);
+  std::vector<double> ends;
+  for (const Curve3& c : r.strokes) {
+    ends.push_back(std::max(c.points.front().z, c.points.back().z));
+    EXPECT_NEAR(std::min(c.points.front().z, c.points.back().z), 0, 1e-9);
+  }
+  std::sort(ends.begin(), ends.end());
+  ASSERT_GT(ends.size(), 70U);
+  // The thinnest pen, 0.1 mm, covers 0.125 at 0.8 mm; ink is 0.05, the least, at 34.3 mm.
+  const double half = ends[ends.size() / 4], rest = ends[3 * ends.size() / 4];
+  EXPECT_GT(half, 22);
+  EXPECT_LT(half, 30);
+  EXPECT_NEAR(rest, 34.3, 1);
+}
+
 TEST(Strokes, CoverageIsMeasured) {
   Stage stage(test::box({0, 0, 0}, {60, 5, 40}), "front", 1);
   const StrokeResult r = stage.strokes(field::fixed({0, 0, 1}), 0.6, kOneFamily);
-  // A Poisson-disk set of radius d covers its plane with about 0.6 / d^2 points each; its covering
-  // radius lies between d / sqrt(3) (hexagonal) and, for a set that is not quite maximal, a few d.
-  EXPECT_GT(r.coverage_points, static_cast<std::int64_t>(0.4 * 60 * 40 / (1.6 * 1.6)));
-  EXPECT_GT(r.coverage_delta, 1.6 / std::sqrt(3.0));
-  EXPECT_LT(r.coverage_delta, 3 * 1.6);
+  // A point at each cell of the picture: squares of 0.4 mm.
+  EXPECT_NEAR(static_cast<double>(r.coverage_points), 60 * 40 / 0.16, 0.02 * 60 * 40 / 0.16);
+  EXPECT_NEAR(r.coverage_delta, 0.4 / std::sqrt(2.0), 1e-9);
 }
 
 TEST(Strokes, AreTheSameForAnyNumberOfThreads) {

@@ -96,9 +96,25 @@ struct Truth {
     }
     return false;
   }
+  // Whether something hides all of the surface within a distance, too: strokes cross the border of
+  // what is seen at any angle.
+  bool well_hidden(Vec3 p, Vec3 normal, Vec3 view, double within) const {
+    constexpr int kAround = 12;
+    const auto at = [&](Vec3 q) {
+      const auto h = hidden(q, normal, view);
+      return h && *h;
+    };
+    if (!at(p)) return false;
+    const Vec3 u = any_orthogonal(normal), v = glm::cross(normal, u);
+    for (int i = 0; i < kAround; ++i) {
+      const double a = 2 * test::kPi * i / kAround;
+      if (!at(p + within * (std::cos(a) * u + std::sin(a) * v))) return false;
+    }
+    return true;
+  }
 };
 
-// The longest stretch, in paper mm, that is shown though something hides it.
+// The longest stretch, in paper mm, that is shown though something hides it and what is around it.
 struct Wrong {
   double shown = 0, strokes = 0;
 };
@@ -156,6 +172,7 @@ struct Scene {
   void measure(const Curve3& curve, const std::vector<Span>& spans, const Truth& truth,
                Wrong& wrong) const {
     constexpr double kEvery = 0.01;  // paper mm between samples
+    constexpr double kBorder = 0.1;  // model mm that two proxies, each 0.05 off, may be off
     for (const Span& s : spans) {
       if (!s.visible) continue;
       const Curve3 piece = slice(curve, s.begin, s.end);
@@ -168,8 +185,8 @@ struct Scene {
           const Vec3 p = glm::mix(a, b, (k + 0.5) / n);
           const Vec3 normal = glm::normalize(
               glm::mix(piece.normals[i], piece.normals[piece.next(i)], (k + 0.5) / n));
-          const auto hidden = truth.hidden(p, normal, camera.to_viewer(p));
-          run = hidden && *hidden ? run + length / n : 0;
+          const bool hidden = truth.well_hidden(p, normal, camera.to_viewer(p), kBorder);
+          run = hidden ? run + length / n : 0;
           wrong.shown = std::max(wrong.shown, run);
         }
       }

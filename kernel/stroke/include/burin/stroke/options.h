@@ -13,7 +13,8 @@ struct HatchOptions {
   /// How strokes are placed: the name of a row of kernel/stroke/placing.cpp.
   std::string placing = "even";
   /// Distance of neighbouring strokes of a family where the tone is darkest and where it is
-  /// lightest.
+  /// lightest: strokes that swell keep the first and fade out one after the other towards the
+  /// second.
   double spacing_min = 0.9;
   double spacing_max = 1.6;
   double width_min = 0.08;
@@ -22,8 +23,9 @@ struct HatchOptions {
   double tone_min = 0.35;
   /// The second family crosses the first where the tone asks for more than this; over 1 = never.
   double cross_from = 1.1;
-  /// A stroke shorter than this is not drawn; one longer than about this ends (a third more or
-  /// less, by chance).
+  /// Degrees on the surface between the families; 90: the second one is the field's own.
+  double cross_angle = 60;
+  /// A stroke shorter than this is not drawn, but from edge to edge; one longer than this is cut.
   double length_min = 2.5;
   double length_max = 2000;
   /// About how long the stroke on a point is (a third more or less, by chance), where strokes stand

@@ -44,7 +44,7 @@ struct StrokeResult {
 /// at a point of the paper; chance follows `seed`. Stages "cover" and "trace" are timed on
 /// `context`. Throws UsageError for options that contradict each other and where the strokes would
 /// be longer than 1.6 km, Cancelled. Cost: kernel/docs/performance.md.
-/// @cite Jobard1997, Elber1998
+/// @cite Elber1998, Knoeppel2015
 StrokeResult trace_strokes(std::span<const Surface* const> surfaces, const Camera& camera,
                            const Field& field, const Tone& tone, const ViewProbe& probe,
                            const HatchOptions& options, std::uint64_t seed, RunContext& context);

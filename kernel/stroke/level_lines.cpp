@@ -1,0 +1,253 @@
+#include "level_lines.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+namespace burin::detail {
+namespace {
+
+constexpr double kTurn = 2 * std::numbers::pi;
+constexpr double kLeastLength = 2;  // gaps: of a line that ends inside at both ends
+constexpr int kPasses = 4;          // of smoothing
+
+// The whole turns between two phases, each at least as large as the first + 1: (low, high].
+struct Turns {
+  std::int64_t first = 0, count = 0;
+};
+Turns turns_between(double a, double b) {
+  const double low = std::min(a, b), high = std::max(a, b);
+  const auto under = static_cast<std::int64_t>(std::floor(low / kTurn));
+  return {under + 1, static_cast<std::int64_t>(std::floor(high / kTurn)) - under};
+}
+
+// A corner of a triangle as seen from its first one: phase = sign * own phase + whole turns.
+struct Corner {
+  std::uint32_t node = 0;
+  double phase = 0;
+  double sign = 1;
+};
+
+class Marcher {
+ public:
+  Marcher(const ViewRaster& raster, const WaveGraph& graph, const WavePhase& phase,
+          const RunContext& context)
+      : raster_(raster), graph_(graph), phase_(phase), context_(context) {
+    unwrap();
+    offset_.reserve(graph.links.size() + 1);
+    offset_.push_back(0);
+    for (std::size_t l = 0; l < graph.links.size(); ++l) {
+      const double a = phase.at[graph.links[l].a];
+      offset_.push_back(offset_.back() +
+                        static_cast<std::uint32_t>(turns_between(a, a + phase.advance[l]).count));
+    }
+    next_.assign(offset_.back(), {kNone, kNone});
+    inside_.assign(graph.links.size(), false);
+  }
+
+  std::vector<LevelLine> lines() {
+    for (std::int32_t y = 0; y + 1 < raster_.ny; ++y) {
+      if (y % 64 == 0) context_.check();
+      for (std::int32_t x = 0; x + 1 < raster_.nx; ++x) cross_quad(x, y);
+    }
+    std::vector<LevelLine> out;
+    std::vector<bool> used(next_.size(), false);
+    link_of_.resize(next_.size());
+    for (std::uint32_t l = 0; l < graph_.links.size(); ++l) {
+      for (std::uint32_t c = offset_[l]; c < offset_[l + 1]; ++c) link_of_[c] = l;
+    }
+    const auto take = [&](std::uint32_t start, bool closed) {
+      LevelLine line = chain(start, closed, used);
+      if (line.points.size() < 2) return;
+      smooth(line);
+      const double gap = line.gaps[line.gaps.size() / 2];
+      if (line.begin_inside && line.end_inside && line.length() < kLeastLength * gap) return;
+      out.push_back(std::move(line));
+    };
+    for (std::uint32_t c = 0; c < next_.size(); ++c) {
+      const bool end = (next_[c][0] == kNone) != (next_[c][1] == kNone);
+      if (end && !used[c]) take(c, false);
+    }
+    for (std::uint32_t c = 0; c < next_.size(); ++c) {
+      if (!used[c] && next_[c][0] != kNone) take(c, true);
+    }
+    return out;
+  }
+
+ private:
+  // Whole turns of each node on its way through the tree of its component.
+  void unwrap() {
+    whole_.assign(graph_.nodes.size(), 0);
+    for (const std::uint32_t i : graph_.order) {
+      const std::int32_t l = graph_.parent_link[i];
+      if (l == kNone) continue;
+      const WaveLink& link = graph_.links[static_cast<std::size_t>(l)];
+      const bool forth = link.b == i;
+      const std::uint32_t from = forth ? link.a : link.b;
+      const double by = phase_.advance[static_cast<std::size_t>(l)] * (forth ? 1 : -1);
+      const double there =
+          phase_.at[from] + kTurn * static_cast<double>(whole_[from]) + by - phase_.at[i];
+      whole_[i] = static_cast<std::int64_t>(std::llround(there / kTurn));
+    }
+  }
+
+  std::size_t cell(std::int32_t x, std::int32_t y) const {
+    return static_cast<std::size_t>(y) * static_cast<std::size_t>(raster_.nx) +
+           static_cast<std::size_t>(x);
+  }
+  Vec2 paper(std::uint32_t node) const {
+    const std::uint32_t i = graph_.nodes[node].cell;
+    const auto nx = static_cast<std::uint32_t>(raster_.nx);
+    return raster_.center(static_cast<std::int32_t>(i % nx), static_cast<std::int32_t>(i / nx));
+  }
+
+  void cross_quad(std::int32_t x, std::int32_t y) {
+    const std::size_t low = cell(x, y);
+    const std::int32_t diagonal = graph_.diagonal[low];
+    if (diagonal == kNone) return;
+    const std::int32_t bottom = graph_.right[low], left = graph_.up[low],
+                       top = graph_.right[cell(x, y + 1)], right = graph_.up[cell(x + 1, y)];
+    const bool rising =
+        graph_.nodes[graph_.links[static_cast<std::size_t>(diagonal)].a].cell == low;
+    if (rising) {
+      cross_triangle(bottom, right, diagonal);
+      cross_triangle(left, top, diagonal);
+    } else {
+      cross_triangle(bottom, left, diagonal);
+      cross_triangle(right, top, diagonal);
+    }
+  }
+
+  // The corner at the other end of a link.
+  Corner across(const Corner& from, std::int32_t number) const {
+    const WaveLink& l = graph_.links[static_cast<std::size_t>(number)];
+    const double by = phase_.advance[static_cast<std::size_t>(number)];
+    const bool forth = l.a == from.node;
+    // Against a flip the phase grows both ways.
+    const double own = forth || l.flips ? by : -by;
+    return {forth ? l.b : l.a, from.phase + from.sign * own, l.flips ? -from.sign : from.sign};
+  }
+
+  // The crossing of a link at a phase that a corner at one of its ends counts in its way.
+  std::int32_t crossing(std::int32_t number, const Corner& end, const Corner& other,
+                        std::int64_t turn) const {
+    const auto l = static_cast<std::size_t>(number);
+    const Corner& a = graph_.links[l].a == end.node ? end : other;
+    const double own = phase_.at[a.node];
+    const auto whole = std::llround((a.phase - a.sign * own) / kTurn);
+    const std::int64_t level = (a.sign > 0 ? 1 : -1) * (turn - whole);
+    const Turns t = turns_between(own, own + phase_.advance[l]);
+    if (level < t.first || level >= t.first + t.count) return kNone;
+    return static_cast<std::int32_t>(offset_[l] + static_cast<std::uint32_t>(level - t.first));
+  }
+
+  void cross_triangle(std::int32_t ab, std::int32_t bc, std::int32_t ac) {
+    if (ab == kNone || bc == kNone || ac == kNone) return;
+    const WaveLink& first = graph_.links[static_cast<std::size_t>(ab)];
+    const WaveLink& last = graph_.links[static_cast<std::size_t>(ac)];
+    const std::uint32_t shared = first.a == last.a || first.a == last.b ? first.a : first.b;
+    const Corner a{shared, phase_.at[shared], 1};
+    const Corner b = across(a, ab), c = across(a, ac), again = across(b, bc);
+    if (again.sign != c.sign || std::abs(again.phase - c.phase) > 0.5 * kTurn) {
+      for (const std::int32_t l : {ab, bc, ac}) inside_[static_cast<std::size_t>(l)] = true;
+      return;
+    }
+    struct Side {
+      std::int32_t link;
+      const Corner *from, *to;
+    };
+    const std::array<Side, 3> sides{Side{ab, &a, &b}, Side{bc, &b, &c}, Side{ac, &a, &c}};
+    const auto [low, high] = std::minmax({a.phase, b.phase, c.phase});
+    const Turns t = turns_between(low, high);
+    for (std::int64_t turn = t.first; turn < t.first + t.count; ++turn) {
+      const double level = kTurn * static_cast<double>(turn);
+      std::array<std::int32_t, 2> ends{kNone, kNone};
+      int found = 0;
+      for (const Side& s : sides) {
+        if ((s.from->phase < level) == (s.to->phase < level) || found == 2) continue;
+        ends[static_cast<std::size_t>(found++)] = crossing(s.link, *s.from, *s.to, turn);
+      }
+      if (found < 2 || ends[0] == kNone || ends[1] == kNone) continue;
+      join(ends[0], ends[1]);
+      join(ends[1], ends[0]);
+    }
+  }
+
+  void join(std::int32_t from, std::int32_t to) {
+    auto& n = next_[static_cast<std::size_t>(from)];
+    (n[0] == kNone ? n[0] : n[1]) = to;
+  }
+
+  LevelLine chain(std::uint32_t start, bool closed, std::vector<bool>& used) const {
+    LevelLine line;
+    line.closed = closed;
+    std::vector<std::uint32_t> crossings;
+    std::int32_t at = static_cast<std::int32_t>(start);
+    while (at != kNone && !used[static_cast<std::size_t>(at)]) {
+      const auto c = static_cast<std::size_t>(at);
+      used[c] = true;
+      crossings.push_back(static_cast<std::uint32_t>(c));
+      const std::int32_t ahead = next_[c][0], behind = next_[c][1];
+      at = ahead != kNone && !used[static_cast<std::size_t>(ahead)] ? ahead : behind;
+    }
+    for (std::size_t i = 0; i < crossings.size(); ++i) {
+      const std::uint32_t c = crossings[i];
+      const std::uint32_t l = link_of_[c];
+      const WaveLink& link = graph_.links[l];
+      const double own = phase_.at[link.a], by = phase_.advance[l];
+      const std::int64_t level = turns_between(own, own + by).first + (c - offset_[l]);
+      const double t = std::clamp((kTurn * static_cast<double>(level) - own) / by, 0.0, 1.0);
+      line.points.push_back(paper(link.a) + t * link.step);
+      line.gaps.push_back(static_cast<float>(1 / glm::length(graph_.nodes[link.a].wave)));
+      if (i == crossings.size() / 2) {
+        line.node = link.a;
+        line.number = level + whole_[link.a];
+      }
+    }
+    if (!closed && !crossings.empty()) {
+      line.begin_inside = inside_[link_of_[crossings.front()]];
+      line.end_inside = inside_[link_of_[crossings.back()]];
+    }
+    return line;
+  }
+
+  static void smooth(LevelLine& line) {
+    std::vector<Vec2>& p = line.points;
+    const std::size_t n = p.size();
+    if (n < 3) return;
+    std::vector<Vec2> moved(n);
+    for (int pass = 0; pass < kPasses; ++pass) {
+      for (std::size_t i = 0; i < n; ++i) {
+        const bool fixed = !line.closed && (i == 0 || i + 1 == n);
+        moved[i] = fixed ? p[i] : 0.25 * p[(i + n - 1) % n] + 0.5 * p[i] + 0.25 * p[(i + 1) % n];
+      }
+      p.swap(moved);
+    }
+  }
+
+  const ViewRaster& raster_;
+  const WaveGraph& graph_;
+  const WavePhase& phase_;
+  const RunContext& context_;
+  std::vector<std::int64_t> whole_;
+  std::vector<std::uint32_t> offset_, link_of_;  // crossings of each link; link of each crossing
+  std::vector<std::array<std::int32_t, 2>> next_;
+  std::vector<bool> inside_;  // links of triangles around which the phase winds
+};
+
+}  // namespace
+
+double LevelLine::length() const {
+  double sum = 0;
+  for (std::size_t i = 1; i < points.size(); ++i) sum += glm::distance(points[i - 1], points[i]);
+  if (closed && points.size() > 1) sum += glm::distance(points.back(), points.front());
+  return sum;
+}
+
+std::vector<LevelLine> level_lines(const ViewRaster& raster, const WaveGraph& graph,
+                                   const WavePhase& phase, const RunContext& context) {
+  return Marcher(raster, graph, phase, context).lines();
+}
+
+}  // namespace burin::detail

@@ -1,0 +1,254 @@
+#include "wave_density.h"
+
+#include <burin/base/parallel.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace burin::detail {
+namespace {
+
+// Bounds of what a wave may be scaled by: gaps stay within 0.56 and 1.43 of the style's.
+const double kLeast = std::log(0.7);
+const double kMost = std::log(1.8);
+constexpr double kPenalty = 100;  // of a node out of bounds, in masses
+constexpr int kRounds = 4;        // of penalties
+constexpr int kSteps = 500;       // of conjugate gradients, in all rounds
+constexpr double kSmall = 5e-3;   // of the residual at which they are done
+constexpr std::size_t kRange = 8192;
+
+// A square of four nodes, two cells wide: how much the waves around it miss being a gradient,
+// `miss` + `by` . h, h being the logarithms of the scales at its corners.
+struct Square {
+  std::array<std::uint32_t, 4> at{};
+  std::array<float, 4> by{};
+  float miss = 0;
+};
+
+// Only every second cell of every second row takes part: h is smooth.
+class Density {
+ public:
+  Density(const ViewRaster& raster, const WaveGraph& graph, double spacing, double length,
+          const RunContext& context)
+      : raster_(raster), graph_(graph), context_(context) {
+    coarse_.assign(graph.nodes.size(), kNone);
+    for (std::int32_t y = 0; y + 2 < raster.ny; y += 2) {
+      for (std::int32_t x = 0; x + 2 < raster.nx; x += 2) add_square(x, y, spacing * length);
+    }
+    first_.assign(count_ + 1, 0);
+    for (const Square& s : squares_) {
+      for (const std::uint32_t i : s.at) ++first_[i + 1];
+    }
+    for (std::size_t i = 0; i < count_; ++i) first_[i + 1] += first_[i];
+    around_.resize(first_[count_]);
+    std::vector<std::uint32_t> next(first_.begin(), first_.end() - 1);
+    for (std::uint32_t s = 0; s < squares_.size(); ++s) {
+      for (std::uint32_t c = 0; c < 4; ++c) around_[next[squares_[s].at[c]]++] = 4 * s + c;
+    }
+    mass_.assign(count_, 1.0);
+    pull_.assign(count_, 0.0);
+    h_.assign(count_, 0.0);
+    missed_.resize(squares_.size());
+  }
+
+  // The logarithms of the scales of all nodes.
+  std::vector<double> solve() {
+    int left = kSteps;
+    for (int round = 0; round < kRounds && left > 0; ++round) {
+      left = descend(left);
+      bool bounded = true;
+      for (std::size_t i = 0; i < count_; ++i) {
+        const double bound = std::clamp(h_[i], kLeast, kMost);
+        if (h_[i] == bound && mass_[i] == 1) continue;
+        if (mass_[i] == 1) bounded = false;
+        mass_[i] = 1 + kPenalty;
+        pull_[i] = kPenalty * bound;
+      }
+      if (bounded) break;
+    }
+    return spread();
+  }
+
+ private:
+  std::size_t cell(std::int32_t x, std::int32_t y) const {
+    return static_cast<std::size_t>(y) * static_cast<std::size_t>(raster_.nx) +
+           static_cast<std::size_t>(x);
+  }
+
+  // Whether two cells that are two apart are one sheet with the one between them.
+  bool joined(const std::vector<std::int32_t>& links, std::size_t a, std::size_t b) const {
+    return links[a] != kNone && links[b] != kNone;
+  }
+
+  void add_square(std::int32_t x, std::int32_t y, double weight) {
+    const std::array cells{cell(x, y), cell(x + 2, y), cell(x + 2, y + 2), cell(x, y + 2)};
+    const std::size_t right = cell(x + 1, y), up = cell(x, y + 1), top = cell(x + 1, y + 2),
+                      side = cell(x + 2, y + 1);
+    if (!joined(graph_.right, cells[0], right) || !joined(graph_.right, cells[3], top) ||
+        !joined(graph_.up, cells[0], up) || !joined(graph_.up, cells[1], side)) {
+      return;
+    }
+    // Half the sum of the steps to and from each corner.
+    const double p = raster_.pitch;
+    const std::array<Vec2, 4> steps{Vec2(p, -p), Vec2(p, p), Vec2(-p, p), Vec2(-p, -p)};
+    std::array<double, 4> round{};
+    std::array<Vec2, 4> wave;
+    double sum = 0;
+    for (std::size_t c = 0; c < 4; ++c) {
+      wave[c] = graph_.nodes[static_cast<std::size_t>(graph_.node[cells[c]])].wave;
+      if (c > 0 && glm::dot(wave[c], wave[c - 1]) < 0) wave[c] = -wave[c];
+      round[c] = glm::dot(wave[c], steps[c]);
+      sum += round[c];
+    }
+    if (glm::dot(wave[3], wave[0]) < 0) return;  // a singularity of the field
+    const double scale = weight / (4 * p * p);
+    Square s;
+    for (std::size_t c = 0; c < 4; ++c) {
+      std::int32_t& number = coarse_[static_cast<std::size_t>(graph_.node[cells[c]])];
+      if (number == kNone) number = static_cast<std::int32_t>(count_++);
+      s.at[c] = static_cast<std::uint32_t>(number);
+      s.by[c] = static_cast<float>(scale * (round[c] - 0.25 * sum));
+    }
+    s.miss = static_cast<float>(scale * sum);
+    squares_.push_back(s);
+  }
+
+  // The left side of the normal equations.
+  void apply(const std::vector<double>& x, std::vector<double>& out) {
+    parallel_for(
+        squares_.size(), kRange,
+        [&](std::size_t begin, std::size_t end) {
+          for (std::size_t s = begin; s < end; ++s) {
+            const Square& q = squares_[s];
+            double sum = 0;
+            for (std::size_t c = 0; c < 4; ++c) sum += q.by[c] * x[q.at[c]];
+            missed_[s] = sum;
+          }
+        },
+        &context_);
+    gather([&](std::size_t i, double sum) { out[i] = sum + mass_[i] * x[i]; });
+  }
+
+  // Calls `take(node, sum)` with what the squares around each node miss, weighed.
+  template <class Take>
+  void gather(const Take& take) {
+    parallel_for(count_, kRange, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i) {
+        double sum = 0;
+        for (std::uint32_t k = first_[i]; k < first_[i + 1]; ++k) {
+          sum += squares_[around_[k] / 4].by[around_[k] % 4] * missed_[around_[k] / 4];
+        }
+        take(i, sum);
+      }
+    });
+  }
+
+  // A sum of the nodes' terms, the same for any number of threads.
+  template <class Term>
+  double sum(const Term& term) {
+    partial_.assign((count_ + kRange - 1) / kRange, 0.0);
+    parallel_for(count_, kRange, [&](std::size_t begin, std::size_t end) {
+      double s = 0;
+      for (std::size_t i = begin; i < end; ++i) s += term(i);
+      partial_[begin / kRange] = s;
+    });
+    double all = 0;
+    for (const double s : partial_) all += s;
+    return all;
+  }
+
+  // Conjugate gradients with the diagonal as preconditioner; how many steps are left.
+  int descend(int steps) {
+    std::vector<double> r(count_), z(count_), d(count_), image(count_), scale(count_);
+    apply(h_, image);
+    for (std::size_t s = 0; s < squares_.size(); ++s) missed_[s] = squares_[s].miss;
+    gather([&](std::size_t i, double miss) { r[i] = pull_[i] - miss - image[i]; });
+    for (std::size_t i = 0; i < count_; ++i) {
+      double diagonal = mass_[i];
+      for (std::uint32_t k = first_[i]; k < first_[i + 1]; ++k) {
+        const double by = squares_[around_[k] / 4].by[around_[k] % 4];
+        diagonal += by * by;
+      }
+      scale[i] = 1 / diagonal;
+      z[i] = scale[i] * r[i];
+    }
+    d = z;
+    double energy = sum([&](std::size_t i) { return r[i] * z[i]; });
+    if (first_energy_ == 0) first_energy_ = energy;
+    while (steps > 0 && energy > kSmall * kSmall * first_energy_) {
+      --steps;
+      apply(d, image);
+      const double curvature = sum([&](std::size_t i) { return d[i] * image[i]; });
+      if (!(curvature > 0)) break;
+      const double by = energy / curvature;
+      parallel_for(count_, kRange, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) {
+          h_[i] += by * d[i];
+          r[i] -= by * image[i];
+          z[i] = scale[i] * r[i];
+        }
+      });
+      const double before = energy;
+      energy = sum([&](std::size_t i) { return r[i] * z[i]; });
+      const double kept = energy / before;
+      parallel_for(count_, kRange, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) d[i] = z[i] + kept * d[i];
+      });
+    }
+    return steps;
+  }
+
+  // From every second cell to all: the mean of what is known around, ring by ring.
+  std::vector<double> spread() const {
+    const std::size_t n = graph_.nodes.size();
+    std::vector<double> value(n, 0);
+    std::vector<bool> known(n, false);
+    for (std::size_t i = 0; i < n; ++i) {
+      if (coarse_[i] == kNone) continue;
+      value[i] = std::clamp(h_[static_cast<std::size_t>(coarse_[i])], kLeast, kMost);
+      known[i] = true;
+    }
+    constexpr int kRings = 4;
+    std::vector<double> sum(n), weight(n);
+    for (int ring = 0; ring < kRings; ++ring) {
+      std::fill(sum.begin(), sum.end(), 0.0);
+      std::fill(weight.begin(), weight.end(), 0.0);
+      const auto give = [&](std::uint32_t from, std::uint32_t to, double w) {
+        if (!known[from] || known[to]) return;
+        sum[to] += w * value[from];
+        weight[to] += w;
+      };
+      for (const WaveLink& l : graph_.links) {
+        give(l.a, l.b, l.weight);
+        give(l.b, l.a, l.weight);
+      }
+      for (std::size_t i = 0; i < n; ++i) {
+        if (weight[i] == 0) continue;
+        value[i] = sum[i] / weight[i];
+        known[i] = true;
+      }
+    }
+    return value;
+  }
+
+  const ViewRaster& raster_;
+  const WaveGraph& graph_;
+  const RunContext& context_;
+  std::vector<std::int32_t> coarse_;
+  std::size_t count_ = 0;
+  std::vector<Square> squares_;
+  std::vector<std::uint32_t> first_, around_;
+  std::vector<double> mass_, pull_, h_, missed_, partial_;
+  double first_energy_ = 0;
+};
+
+}  // namespace
+
+void make_integrable(const ViewRaster& raster, WaveGraph& graph, double spacing, double length,
+                     const RunContext& context) {
+  const std::vector<double> h = Density(raster, graph, spacing, length, context).solve();
+  for (std::size_t i = 0; i < h.size(); ++i) graph.nodes[i].wave *= std::exp(h[i]);
+}
+
+}  // namespace burin::detail

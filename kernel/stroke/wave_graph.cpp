@@ -1,0 +1,319 @@
+#include "wave_graph.h"
+
+#include <burin/base/parallel.h>
+
+#include "sample_grid.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+
+namespace burin::detail {
+namespace {
+
+constexpr double kLeastFacing = 0.03;  // cosine: seen more edge-on, a cell has no node
+constexpr double kLeastGap = 0.12;     // of its true length that a gap across the lines keeps
+constexpr double kSameLine = 0.6;   // cosine of the turn from cell to cell up to which lines go on
+constexpr double kDiagonal = 0.25;  // weight of a diagonal link
+// Lines may draw together towards contours: where the surface is slanted by more than kSlanted.
+constexpr double kSlanted = 0.5;
+constexpr double kDrawnTogether = 0.35;
+
+// What the links need to know of a cell.
+struct Look {
+  Vec3 normal{0}, tangent{0};
+  Vec2 wave{0};
+};
+
+// How far apart lines are to run at a place that is seen under a cosine of `facing`.
+double gap_at(const Picture& picture, const RasterCell& cell, int family, double across) {
+  const HatchOptions& o = picture.options;
+  const double even = kDrawnTogether + (1 - kDrawnTogether) * std::min(1.0, cell.facing / kSlanted);
+  constexpr double kDensest = 0.2;  // never denser than five times
+  const double kept = std::max(across, kDensest);
+  constexpr double kSecond = 1.12;  // else it would beat with the first
+  return (family == 2 ? kSecond : 1.0) *
+         picture.line_spacing(picture.share(cell.darkness, family)) * even *
+         (1 - o.foreshortening + o.foreshortening * kept);
+}
+
+std::optional<Look> look(const Picture& picture, const RasterCell& cell, int family, bool turned) {
+  if (!has_node(cell)) return std::nullopt;
+  const Surface& surface = picture.surface(cell.part);
+  const Camera& camera = picture.camera;
+  const SurfacePoint point = surface.lift(cell.place());
+  const Frame frame = surface.frame(point);
+  const auto cross = picture.field.cross({cell.part, point, frame});
+  if (!cross) return std::nullopt;
+  Look out{frame.normal, arm_of(*cross, family), Vec2(0)};
+  if (turned) out.tangent = arm_along(*cross, glm::cross(frame.normal, out.tangent));
+  const Vec2 along = camera.velocity(point.position, out.tangent);
+  const Vec2 across = camera.velocity(point.position, glm::cross(out.normal, out.tangent));
+  const double speed = glm::length(along), scale = camera.scale_at(point.position);
+  if (!(speed > 1e-6 * scale)) return std::nullopt;  // a line that runs to the viewer
+  // One mm across the lines on the surface shows as so many on paper.
+  const double gap = std::abs(cross2(along, across)) / speed / scale;
+  const double turns = std::max(1.0, kLeastGap / std::max(gap, 1e-6)) /
+                       gap_at(picture, cell, family, glm::length(across) / scale);
+  const Vec2 unit = Vec2(-along.y, along.x) / speed;
+  out.wave = turns * unit;
+  return std::isfinite(turns) ? std::optional(out) : std::nullopt;
+}
+
+class Builder {
+ public:
+  Builder(const Picture& picture, const ViewRaster& raster, int family, const RunContext& context)
+      : picture_(picture), raster_(raster), family_(family), context_(context) {}
+
+  WaveGraph build() {
+    make_nodes();
+    make_links();
+    orient();
+    if (turn_narrow()) {
+      make_links();
+      orient();
+    }
+    return std::move(graph_);
+  }
+
+ private:
+  std::size_t index(std::int32_t x, std::int32_t y) const {
+    return static_cast<std::size_t>(y) * static_cast<std::size_t>(raster_.nx) +
+           static_cast<std::size_t>(x);
+  }
+
+  // Whether a cell lies in the narrow strip along a contour in which the surface turns away: what
+  // lines would do there would decide what they do elsewhere. Strokes run through it by themselves.
+  bool at_contour(std::size_t i) const {
+    constexpr float kEdgeOn = 0.1F;     // cosine
+    constexpr std::int32_t kWidth = 3;  // cells
+    const RasterCell& cell = raster_.cells[i];
+    if (cell.part < 0 || cell.facing > kEdgeOn) return false;
+    const auto x = static_cast<std::int32_t>(i % static_cast<std::size_t>(raster_.nx)),
+               y = static_cast<std::int32_t>(i / static_cast<std::size_t>(raster_.nx));
+    bool border = false, turned = false;
+    for (std::int32_t dy = -kWidth; dy <= kWidth; dy += kWidth) {
+      for (std::int32_t dx = -kWidth; dx <= kWidth; dx += kWidth) {
+        const std::int32_t bx = x + dx, by = y + dy;
+        if (bx < 0 || by < 0 || bx >= raster_.nx || by >= raster_.ny) continue;
+        const RasterCell& other = raster_.at(bx, by);
+        const bool same = other.part == cell.part && other.region == cell.region;
+        (same ? turned : border) |= !same || other.facing > kEdgeOn;
+      }
+    }
+    return border && turned;
+  }
+
+  void make_nodes() {
+    const std::size_t count = raster_.cells.size();
+    std::vector<std::optional<Look>> looks(count);
+    constexpr std::size_t kGrain = 512;
+    parallel_for(
+        count, kGrain,
+        [&](std::size_t begin, std::size_t end) {
+          for (std::size_t i = begin; i < end; ++i) {
+            if (!at_contour(i)) looks[i] = look(picture_, raster_.cells[i], family_, false);
+          }
+        },
+        &context_);
+    graph_.node.assign(count, kNone);
+    for (std::size_t i = 0; i < count; ++i) {
+      if (!looks[i]) continue;
+      graph_.node[i] = static_cast<std::int32_t>(graph_.nodes.size());
+      graph_.nodes.push_back({static_cast<std::uint32_t>(i), looks[i]->wave});
+      looks_.push_back(*looks[i]);
+    }
+  }
+
+  // The sheet at a node, as strokes have it.
+  GridSample sheet(std::uint32_t node) const {
+    const std::uint32_t i = graph_.nodes[node].cell;
+    const RasterCell& cell = raster_.cells[i];
+    const auto nx = static_cast<std::uint32_t>(raster_.nx);
+    GridSample s;
+    s.paper = raster_.center(static_cast<std::int32_t>(i % nx), static_cast<std::int32_t>(i / nx));
+    s.depth = cell.depth;
+    s.slope = Picture::slope(cell.facing, picture_.camera.scale());
+    s.part = cell.part;
+    s.region = cell.region;
+    return s;
+  }
+
+  bool one_line(std::uint32_t a, std::uint32_t b) const {
+    if (!same_sheet(sheet(a), sheet(b))) return false;
+    const Vec3 there = transport(looks_[b].tangent, looks_[b].normal, looks_[a].normal);
+    if (std::abs(glm::dot(there, looks_[a].tangent)) < kSameLine) return false;
+    return std::abs(glm::dot(looks_[a].wave, looks_[b].wave)) >=
+           0.5 * glm::length(looks_[a].wave) * glm::length(looks_[b].wave);
+  }
+
+  std::int32_t link(std::size_t a, std::size_t b, double weight) {
+    const std::int32_t na = graph_.node[a], nb = graph_.node[b];
+    if (na == kNone || nb == kNone) return kNone;
+    const auto i = static_cast<std::uint32_t>(na), j = static_cast<std::uint32_t>(nb);
+    if (!one_line(i, j)) return kNone;
+    // Where the surface turns away a line may end more cheaply than elsewhere.
+    constexpr double kTurned = 0.25;
+    const double edge = std::min(raster_.cells[a].facing, raster_.cells[b].facing) / kTurned;
+    const double sure = std::clamp(edge * edge * edge, 0.003, 1.0);
+    graph_.links.push_back({i, j, sheet(j).paper - sheet(i).paper, weight * sure, false});
+    return static_cast<std::int32_t>(graph_.links.size()) - 1;
+  }
+
+  void make_links() {
+    const std::size_t count = raster_.cells.size();
+    graph_.links.clear();
+    graph_.right.assign(count, kNone);
+    graph_.up.assign(count, kNone);
+    graph_.diagonal.assign(count, kNone);
+    for (std::int32_t y = 0; y < raster_.ny; ++y) {
+      context_.check();
+      for (std::int32_t x = 0; x < raster_.nx; ++x) {
+        const std::size_t i = index(x, y);
+        if (x + 1 < raster_.nx) graph_.right[i] = link(i, i + 1, 1);
+        if (y + 1 < raster_.ny) graph_.up[i] = link(i, index(x, y + 1), 1);
+        if (x + 1 < raster_.nx && y + 1 < raster_.ny) graph_.diagonal[i] = diagonal(x, y);
+      }
+    }
+  }
+
+  // Alternating; where a corner is missing the one that closes a triangle.
+  std::int32_t diagonal(std::int32_t x, std::int32_t y) {
+    const std::size_t low = index(x, y), right = index(x + 1, y), up = index(x, y + 1),
+                      far = index(x + 1, y + 1);
+    const auto has = [&](std::size_t i) { return graph_.node[i] != kNone; };
+    const bool rising = has(low) && has(far);
+    const bool falling = has(right) && has(up);
+    if (rising && (!falling || (x + y) % 2 == 0)) {
+      const std::int32_t l = link(low, far, kDiagonal);
+      if (l != kNone || !falling) return l;
+    }
+    if (falling) {
+      const std::int32_t l = link(right, up, kDiagonal);
+      if (l != kNone) return l;
+    }
+    return rising && falling && (x + y) % 2 != 0 ? link(low, far, kDiagonal) : kNone;
+  }
+
+  // Gives the waves signs along a tree through each component, breadth first.
+  void orient() {
+    const std::size_t n = graph_.nodes.size();
+    std::vector<std::uint32_t> first(n + 1, 0), around(2 * graph_.links.size());
+    for (const WaveLink& l : graph_.links) {
+      ++first[l.a + 1];
+      ++first[l.b + 1];
+    }
+    for (std::size_t i = 0; i < n; ++i) first[i + 1] += first[i];
+    std::vector<std::uint32_t> next(first.begin(), first.end() - 1);
+    for (std::uint32_t l = 0; l < graph_.links.size(); ++l) {
+      around[next[graph_.links[l].a]++] = l;
+      around[next[graph_.links[l].b]++] = l;
+    }
+    constexpr std::size_t kCheckEvery = 65536;
+    constexpr std::uint32_t kUnseen = 0xffffffffu;
+    graph_.order.clear();
+    graph_.components = 0;
+    graph_.component.assign(n, kUnseen);
+    graph_.parent_link.assign(n, kNone);
+    graph_.order.reserve(n);
+    for (std::uint32_t root = 0; root < n; ++root) {
+      if (graph_.component[root] != kUnseen) continue;
+      graph_.component[root] = graph_.components;
+      graph_.order.push_back(root);
+      for (std::size_t head = graph_.order.size() - 1; head < graph_.order.size(); ++head) {
+        const std::uint32_t i = graph_.order[head];
+        if (head % kCheckEvery == 0) context_.check();
+        for (std::uint32_t k = first[i]; k < first[i + 1]; ++k) {
+          const WaveLink& l = graph_.links[around[k]];
+          const std::uint32_t j = l.a == i ? l.b : l.a;
+          if (graph_.component[j] != kUnseen) continue;
+          graph_.component[j] = graph_.components;
+          graph_.parent_link[j] = static_cast<std::int32_t>(around[k]);
+          if (glm::dot(graph_.nodes[i].wave, graph_.nodes[j].wave) < 0) {
+            graph_.nodes[j].wave = -graph_.nodes[j].wave;
+          }
+          graph_.order.push_back(j);
+        }
+      }
+      ++graph_.components;
+    }
+    for (WaveLink& l : graph_.links) {
+      l.flips = glm::dot(graph_.nodes[l.a].wave, graph_.nodes[l.b].wave) < 0;
+    }
+  }
+
+  // How far a region goes on from a cell, both ways along a direction on paper, in mm.
+  double chord(std::uint32_t node, Vec2 direction, double most) const {
+    const std::uint32_t at = graph_.nodes[node].cell;
+    const RasterCell& own = raster_.cells[at];
+    const Vec2 from = sheet(node).paper;
+    double sum = 0;
+    for (const double way : {1.0, -1.0}) {
+      for (double s = raster_.pitch; s < most; s += raster_.pitch) {
+        const Vec2 p = from + way * s * direction;
+        if (!raster_.contains(p)) break;
+        const RasterCell& cell = raster_.nearest(p);
+        if (cell.part != own.part || cell.region != own.region) break;
+        sum += raster_.pitch;
+      }
+    }
+    return sum + raster_.pitch;
+  }
+
+  // Across a strip that is narrower than strokes are long they would be a fringe: they go along it.
+  // Whether there is one.
+  bool turn_narrow() {
+    constexpr std::size_t kAsked = 32;  // nodes a component
+    constexpr double kNarrow = 1.2;     // shortest strokes
+    constexpr double kSlim = 2;         // times as long as wide
+    graph_.turned.assign(graph_.nodes.size(), false);
+    if (family_ != 1) return false;
+    const double narrow = kNarrow * picture_.options.length_min;
+    bool any = false;
+    for (std::size_t begin = 0; begin < graph_.order.size();) {
+      const std::uint32_t component = graph_.component[graph_.order[begin]];
+      std::size_t end = begin;
+      while (end < graph_.order.size() && graph_.component[graph_.order[end]] == component) ++end;
+      const std::size_t stride = std::max<std::size_t>(1, (end - begin) / kAsked);
+      double along = 0, across = 0, asked = 0;
+      for (std::size_t k = begin; k < end; k += stride, ++asked) {
+        const std::uint32_t i = graph_.order[k];
+        const Vec2 wave = glm::normalize(graph_.nodes[i].wave);
+        along += chord(i, {-wave.y, wave.x}, 3 * narrow);
+        across += chord(i, wave, 3 * narrow);
+      }
+      if (along < narrow * asked && across > kSlim * along) {
+        any = true;
+        for (std::size_t k = begin; k < end; ++k) {
+          const std::uint32_t i = graph_.order[k];
+          const auto turned = look(picture_, raster_.cells[graph_.nodes[i].cell], family_, true);
+          if (!turned) continue;
+          graph_.turned[i] = true;
+          looks_[i] = *turned;
+          graph_.nodes[i].wave = turned->wave;
+        }
+      }
+      begin = end;
+    }
+    return any;
+  }
+
+  const Picture& picture_;
+  const ViewRaster& raster_;
+  int family_;
+  const RunContext& context_;
+  WaveGraph graph_;
+  std::vector<Look> looks_;
+};
+
+}  // namespace
+
+bool has_node(const RasterCell& cell) { return cell.part >= 0 && cell.facing >= kLeastFacing; }
+
+WaveGraph wave_graph(const Picture& picture, const ViewRaster& raster, int family,
+                     const RunContext& context) {
+  return Builder(picture, raster, family, context).build();
+}
+
+}  // namespace burin::detail
