@@ -28,10 +28,6 @@ constexpr double kTaken = 0.55, kSame = 0.3;
 // Where a stroke begins: this near its level line where it can be, and no farther off than that.
 constexpr double kOnLine = 0.02, kNearLine = 0.3;
 constexpr int kNewton = 4;
-// A stroke from edge to edge may be shorter than the style's shortest, down to this share of the
-// spacing: narrow faces would stay white.
-constexpr double kNarrow = 1.0;
-
 // Steps of the progress: of a family, and of each of the four stages before its lines are traced.
 constexpr std::size_t kSteps = 1000, kStage = 150;
 
@@ -45,16 +41,14 @@ void insert_visible(SampleGrid& grid, const TracedStroke& stroke, std::int32_t i
 // by the ink at which the thinnest pen is too wide for all.
 class Fading {
  public:
-  Fading(const Picture& picture, int family) : Fading(picture.options, family, picture.swells()) {}
-  Fading(const HatchOptions& o, int family, bool swells)
-      : least_(family == 1 ? o.tone_min : kFirstOfSecond),
-        // As many halvings as the style's widest gap has room for.
-        classes_(
-            family == 1 && swells
-                ? std::clamp(
-                      static_cast<int>(std::lround(std::log2(o.spacing_max / o.spacing_min))), 0, 2)
-                : 0),
-        full_(o.width_min / o.spacing_min) {}
+  Fading(const Picture& picture, int family) {
+    const HatchOptions& o = picture.options;
+    least_ = family == 1 ? o.tone_min : kFirstOfSecond;
+    full_ = o.width_min / o.spacing_min;
+    // As many halvings as the style's widest gap has room for.
+    const auto room = std::lround(std::log2(o.spacing_max / o.spacing_min));
+    if (family == 1 && picture.swells()) classes_ = std::clamp(static_cast<int>(room), 0, 2);
+  }
 
   // How a line of some number fades: it has all of its ink where `full` is asked for, and ends at
   // `least`.
@@ -72,7 +66,7 @@ class Fading {
     for (int c = 0; c < classes_; ++c, full *= 0.5) {
       const std::int64_t step = std::int64_t{2} << c;
       if (number % step == 0) continue;
-      const double by = full * (1 + kSpread * dice(number));
+      const double by = full * (1 + kSpread * dice(number >> (c + 1)));
       return {std::max(least_, kEnds * by), std::max(least_, kBegins * by)};
     }
     return {least_, least_};
@@ -91,9 +85,8 @@ class Fading {
     return sum - 1;
   }
 
-  double least_;
-  int classes_;
-  double full_;
+  double least_ = 0, full_ = 0;
+  int classes_ = 0;
 };
 
 // A piece of a level line that is to be drawn.
@@ -187,7 +180,7 @@ class Placement {
     const double gap = line.gaps[middle];
     const bool known = picture_.surface(piece.part).exact() || !seed.bent;
     const double taken = (known ? kTaken : kSame) * gap;
-    if (out_.grid.nearest(grid_sample(seed, piece.part, -1), taken).distance < taken) {
+    if (out_.grid.nearest(grid_sample(seed, piece.part, -1), taken) < taken) {
       return {};
     }
     TracedStroke stroke = tracer_.trace(piece.part, seed,
@@ -257,6 +250,8 @@ class Placement {
     return best;
   }
 
+  // From edge to edge a stroke may be shorter than the style's shortest, down to the spacing:
+  // narrow faces would stay white.
   bool acceptable(const TracedStroke& s, double gap) const {
     const double length = s.length();
     if (s.samples.size() < 3) return false;
@@ -265,7 +260,7 @@ class Placement {
       return e == StrokeEnd::Edge || e == StrokeEnd::Away || e == StrokeEnd::Hidden;
     };
     return bounded(s.begin_reason) && bounded(s.end_reason) &&
-           length >= std::min(gap, kNarrow * picture_.options.spacing_min);
+           length >= std::min(gap, picture_.options.spacing_min);
   }
 
   // What is left of a piece before one of its points and after another.

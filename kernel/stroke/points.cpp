@@ -197,7 +197,7 @@ class PointCover {
   }
 
   bool taken(const GridSample& sample, double diameter) const {
-    return !std::isfinite(diameter) || grid_.nearest(sample, diameter).distance < diameter;
+    return !std::isfinite(diameter) || grid_.nearest(sample, diameter) < diameter;
   }
 
   // Of a disc; infinite where no ink is asked for.

@@ -50,21 +50,16 @@ void SampleGrid::visit(const GridSample& at, double radius, const Visit& f) cons
   }
 }
 
-SampleGrid::Near SampleGrid::nearest(const GridSample& at, double radius, double run_up) const {
-  constexpr double kAcross =
-      0.6;  // cosine of the angle from which two lines cross rather than run together
-  Near best{radius};
+double SampleGrid::nearest(const GridSample& at, double radius) const {
+  double best = radius;
   visit(at, radius, [&](const GridSample& s) {
     const Vec2 d = at.paper - s.paper;
     const double d2 = glm::dot(d, d);
-    if (d2 >= best.distance * best.distance + s.pace * s.pace) return;
+    if (d2 >= best * best + s.pace * s.pace) return;
     const double along = std::abs(glm::dot(d, s.direction));
     const double across = std::abs(cross2(s.direction, d));
-    double distance = along < s.pace ? across : std::sqrt(d2);
-    const bool crossing =
-        at.direction != Vec2(0) && std::abs(glm::dot(at.direction, s.direction)) < kAcross;
-    if (crossing) distance *= run_up;
-    if (distance < best.distance && same_sheet(at, s)) best = {distance, crossing};
+    const double distance = along < s.pace ? across : std::sqrt(d2);
+    if (distance < best && same_sheet(at, s)) best = distance;
   });
   return best;
 }

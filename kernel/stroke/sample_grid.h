@@ -29,14 +29,9 @@ class SampleGrid {
 
   void insert(const GridSample& sample);
 
-  /// The sample of the same sheet that is nearest to `at` below `radius` paper mm, measured across
-  /// the sample's own direction. One that runs across the direction of `at` counts as farther than
-  /// it is: a stroke may run up to it.
-  struct Near {
-    double distance;        // `radius` where there is none
-    bool crossing = false;  // it runs across
-  };
-  Near nearest(const GridSample& at, double radius, double run_up = 1) const;
+  /// How far the nearest sample of the same sheet is from `at`, measured across the sample's own
+  /// direction; `radius` paper mm where there is none nearer.
+  double nearest(const GridSample& at, double radius) const;
 
   /// The nearest distances on the left and on the right of `at` (looking along its direction), each
   /// `radius` where there is no neighbour, and the neighbours' weights; samples of its own stroke

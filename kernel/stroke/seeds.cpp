@@ -70,8 +70,8 @@ double measure_delta(const Picture& picture, const ViewRaster& raster, const Sam
             if (!wants_ink(picture, cell)) continue;
             const GridSample s = cell_sample(raster, x, static_cast<std::int32_t>(y));
             // Nearly every cell has a seed close by: the far ones are looked for where it has not.
-            double distance = grid.nearest(s, near).distance;
-            if (distance >= near) distance = grid.nearest(s, reach).distance;
+            double distance = grid.nearest(s, near);
+            if (distance >= near) distance = grid.nearest(s, reach);
             row[y] = std::max(row[y], distance);
           }
         }

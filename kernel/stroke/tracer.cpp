@@ -295,7 +295,7 @@ StrokeEnd Tracer::advance(std::int32_t part, const StrokeSample& seed, const Str
         const bool known = surface.exact() || !next.bent;
         if (unguided > kUnguided && (!known || unseen_once)) return StrokeEnd::Crowded;
         if (way.neighbours &&
-            way.neighbours->nearest(grid_sample(next, part, -1), way.apart).distance < way.apart) {
+            way.neighbours->nearest(grid_sample(next, part, -1), way.apart) < way.apart) {
           return StrokeEnd::Crowded;
         }
       }
