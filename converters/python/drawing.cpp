@@ -175,6 +175,7 @@ py::dict stats(const PyDrawing& self) {
   d["strokes"] = s.strokes;
   d["coverage_points"] = s.coverage_points;
   d["coverage_delta"] = s.coverage_delta;
+  if (s.tone_gamma) d["tone_gamma"] = *s.tone_gamma;
   if (s.verify) d["verify"] = verification(*s.verify);
   return d;
 }
@@ -344,7 +345,8 @@ void add_drawing(py::module_& module) {
       .def_property_readonly(
           "seed", [](const PyDrawing& self) { return self.drawing.seed; }, "The random seed.")
       .def_property_readonly("stats", stats,
-                             "triangles, strokes, coverage_points, coverage_delta (mm of paper).")
+                             "triangles, strokes, coverage_points, coverage_delta (mm of paper); tone_gamma, "
+                             "where the style balances its ink.")
       .def(
           "arrays", [](const PyDrawing& self) { return flat_arrays(self.drawing); },
           "All paths as few arrays: \"points\" (N, 2) and \"points3\" (N, 3) in mm, \"width\" (N,) "

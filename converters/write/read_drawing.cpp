@@ -245,6 +245,8 @@ void read_head(const JsonPlace& root, Drawing& drawing) {
     value("strokes", drawing.stats.strokes);
     value("coverage_points", drawing.stats.coverage_points);
     value("coverage_delta", drawing.stats.coverage_delta);
+    stats.optional("tone_gamma",
+                   [&](const JsonPlace& at) { at.set(drawing.stats.tone_gamma.emplace()); });
     stats.optional("verify",
                    [&](const JsonPlace& at) { drawing.stats.verify = read_verification(at); });
   });

@@ -173,6 +173,10 @@ void append_tail(Buffer& out, const Drawing& d, std::size_t left_out) {
                  "\"coverage_delta\": ",
                  d.stats.triangles, d.stats.strokes, d.stats.coverage_points);
   append_exact(out, d.stats.coverage_delta);
+  if (d.stats.tone_gamma) {
+    append(out, ", \"tone_gamma\": ");
+    append_exact(out, *d.stats.tone_gamma);
+  }
   if (d.stats.verify) append_verification(out, *d.stats.verify);
   append(out, "}\n}\n");
 }

@@ -17,7 +17,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <exception>
+#include <functional>
 #include <iterator>
 #include <memory>
 #include <set>
@@ -117,14 +119,6 @@ Field make_field(const std::vector<const Surface*>& surfaces, const Camera& came
              .context = context});
 }
 
-Tone make_tone(const Camera& camera, const Style& style, const detail::DepthCue& cue) {
-  Tone light = tone::make(camera, style.tone);
-  if (!cue.pales()) return light;
-  return [light, &cue](Vec3 position, Vec3 normal) {
-    return 1 - (1 - light(position, normal)) * cue.ink(position);
-  };
-}
-
 // The strokes of the parts that are flagged.
 StrokeResult hatch(std::vector<const Surface*> surfaces, std::vector<bool> parts,
                    const Occluder& occluder, const Camera& camera, const Style& style,
@@ -138,17 +132,44 @@ StrokeResult hatch(std::vector<const Surface*> surfaces, std::vector<bool> parts
   const HatchScene scene{surfaces, camera, probe, context};
   const Field field =
       options.field ? options.field(scene) : make_field(surfaces, camera, style, context);
-  const Tone tone = options.tone ? options.tone(scene) : make_tone(camera, style, cue);
-  if (!options.field && follows_field(style.hatch)) undirected.look(scene, field, tone, style);
-  return trace_strokes(surfaces, camera, field, tone, probe, style.hatch, options.seed, context);
+  const Tone tone = options.tone ? options.tone(scene) : tone::make(camera, style.tone);
+  // A tone of one's own is taken as it is; of light the median means nothing.
+  const bool shade = !options.tone && style.tone.ink == tone::ToneOptions::Ink::Shade;
+  std::function<double(Vec3)> fade;
+  if (!options.tone && cue.pales()) fade = [&](Vec3 position) { return cue.ink(position); };
+  StrokeResult result =
+      trace_strokes(surfaces, camera, field, tone, probe, style.hatch, options.seed, context,
+                    shade ? style.tone : tone::ToneOptions{}, fade);
+  if (!options.field && follows_field(style.hatch)) {
+    const Tone toned = [&](Vec3 position, Vec3 normal) {
+      const double ink = std::pow(1 - tone(position, normal), result.tone_gamma);
+      return 1 - (fade ? fade(position) : 1.0) * ink;
+    };
+    undirected.look(scene, field, toned, style);
+  }
+  return result;
 }
 
-void append(StrokeResult& all, StrokeResult one) {
+// `most`: the coverage points of the largest so far.
+void append(StrokeResult& all, StrokeResult one, std::int64_t& most) {
   all.strokes.insert(all.strokes.end(), std::make_move_iterator(one.strokes.begin()),
                      std::make_move_iterator(one.strokes.end()));
+  if (one.coverage_points > most) {
+    most = one.coverage_points;
+    all.tone_gamma = one.tone_gamma;
+  }
   all.coverage_points += one.coverage_points;
   all.coverage_delta = std::max(all.coverage_delta, one.coverage_delta);
   all.thinned_parts += one.thinned_parts;
+}
+
+// Whether any strokes are to have their ink brought to a median.
+bool balances(const detail::PartStyles& part_styles) {
+  for (std::size_t i = 0; i < part_styles.size(); ++i) {
+    const tone::ToneOptions& tone = part_styles.style(i).tone;
+    if (part_styles.hatched(i) && (tone.median_min > 0 || tone.median_max < 1)) return true;
+  }
+  return false;
 }
 
 // Of the solid parts a style at a time; then of the transparent ones, each as it is seen alone.
@@ -157,11 +178,14 @@ StrokeResult hatch_all(const std::vector<const Surface*>& surfaces, const detail
                        const detail::DepthCue& cue, const IllustrateOptions& options,
                        detail::Undirected& undirected, RunContext& context) {
   StrokeResult all;
+  std::int64_t most = 0;
   for (std::size_t k = 0; k < part_styles.styles().size(); ++k) {
     std::vector<bool> parts = part_styles.hatched_by(k);
     if (std::find(parts.begin(), parts.end(), true) == parts.end()) continue;
-    append(all, hatch(surfaces, std::move(parts), sight.solid(), camera, *part_styles.styles()[k],
-                      cue, options, undirected, context));
+    append(all,
+           hatch(surfaces, std::move(parts), sight.solid(), camera, *part_styles.styles()[k], cue,
+                 options, undirected, context),
+           most);
   }
   for (std::size_t part = 0; part < part_styles.size(); ++part) {
     if (!part_styles.transparent(part) || !part_styles.hatched(part)) continue;
@@ -169,8 +193,10 @@ StrokeResult hatch_all(const std::vector<const Surface*>& surfaces, const detail
     alone[part] = true;
     context.begin_stage(RunStage::Build);
     const Occluder before = sight.before(part, context);
-    append(all, hatch(surfaces, std::move(alone), before, camera, part_styles.style(part), cue,
-                      options, undirected, context));
+    append(all,
+           hatch(surfaces, std::move(alone), before, camera, part_styles.style(part), cue, options,
+                 undirected, context),
+           most);
   }
   return all;
 }
@@ -278,6 +304,7 @@ Drawing draw(const Scene& scene, const Camera& camera, const Style& style,
   undirected.tell(drawing.diagnostics);
   drawing.stats.coverage_points = strokes.coverage_points;
   drawing.stats.coverage_delta = strokes.coverage_delta;
+  if (balances(part_styles)) drawing.stats.tone_gamma = strokes.tone_gamma;
 
   context.begin_stage(RunStage::Features);
   const std::vector<Curve3> features =

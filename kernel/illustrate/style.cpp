@@ -56,9 +56,16 @@ Style engraving() {
   s.hatch.width_min = 0.07;
   s.hatch.width_max = 0.42;
   s.hatch.tone_min = 0.06;
-  s.hatch.cross_from = 0.42;
-  s.tone.ambient = 0.22;
-  s.tone.diffuse = 0.72;
+  s.hatch.cross_from = 0.44;
+  s.tone.ambient = 0.34;
+  s.tone.diffuse = 0.62;
+  s.tone.reflected = 0.14;
+  s.tone.highlight = 0.92;
+  s.tone.rim = 0.05;
+  s.tone.median_min = 0.28;
+  s.tone.median_max = 0.4;
+  s.tone.contrast = 0.12;
+  s.tone.gradient = 0.08;
   return s;
 }
 
@@ -113,6 +120,12 @@ Style woodcut() {
   s.tone.ambient = 0.08;
   s.tone.diffuse = 0.9;
   s.tone.highlight = 0.75;
+  s.tone.reflected = 0;
+  s.tone.median_min = 0;
+  s.tone.median_max = 1;
+  s.tone.contrast = 0;
+  s.tone.gradient = 0;
+  s.tone.rim = 0.15;
   return s;
 }
 

@@ -8,7 +8,7 @@
 
 namespace burin::detail {
 
-/// Looks, before strokes are placed, where ink is wanted and the field says nothing.
+/// Looks where ink is wanted and the field says nothing.
 class Undirected {
  public:
   /// `scene` must outlive it.

@@ -1,4 +1,5 @@
 #include <burin/base/parallel.h>
+#include <burin/base/smoothstep.h>
 #include <burin/mesh/curvature.h>
 
 #include "build_steps.h"
@@ -26,11 +27,6 @@ constexpr double kUmbilic = 0.05, kAnisotropic = 0.15;
 constexpr double kFlat = 0.02, kCurved = 0.06;
 /// Wedges, of all, that may remain unresolved without another level of passes.
 constexpr double kRest = 0.005;
-
-double smoothstep(double low, double high, double x) {
-  const double t = std::clamp((x - low) / (high - low), 0.0, 1.0);
-  return t * t * (3 - 2 * t);
-}
 
 double largest(const Tensor& t) { return std::abs(t.mean) + t.deviation(); }
 

@@ -1,4 +1,5 @@
 #include <burin/base/parallel.h>
+#include <burin/base/smoothstep.h>
 
 #include "build_steps.h"
 #include "patches.h"
@@ -10,11 +11,6 @@
 namespace burin {
 
 namespace {
-
-double smoothstep(double low, double high, double x) {
-  const double t = std::clamp((x - low) / (high - low), 0.0, 1.0);
-  return t * t * (3 - 2 * t);
-}
 
 /// Radians between neighbours that curve so gently that curvature may be extrapolated: 10 degrees.
 constexpr double kGentle = 0.17;

@@ -4,8 +4,11 @@
 #include <burin/base/box.h>
 #include <burin/stroke/stroke.h>
 
+#include "tone_balance.h"
+
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <numbers>
 
 namespace burin::detail {
@@ -19,6 +22,12 @@ struct Coverage2 {
 /// Of a dot of that diameter, in paper mm2.
 inline double dot_area(double width) { return 0.25 * std::numbers::pi * width * width; }
 
+/// Whether everybody knows how lines run on such a face.
+inline bool ruled(FaceKind kind) {
+  return kind == FaceKind::Plane || kind == FaceKind::Cylinder || kind == FaceKind::Cone ||
+         kind == FaceKind::Torus;
+}
+
 /// The arguments of trace_strokes and the small functions of them.
 struct Picture {
   std::span<const Surface* const> surfaces;
@@ -30,6 +39,11 @@ struct Picture {
   std::uint64_t seed = 1;
   /// Model mm within which two places along one viewing ray are the same surface.
   double same_place = 0;
+  /// What the tone of the whole picture changes of that of each place; none while the raster is
+  /// made that it is found on.
+  const ToneBalance* balance = nullptr;
+  /// The share of its ink that a place keeps after that; likewise. Null: all of it.
+  const std::function<double(Vec3)>* fade = nullptr;
   /// How strokes stand: each keeps its distance from the next; on points, where they lie over each
   /// other as chance has it; as dots on points that keep clear of each other.
   enum class Standing { Apart, Points, Dots };
@@ -69,10 +83,18 @@ struct Picture {
     return camera.depth(nearer) - depth <= same_place;
   }
 
-  /// Ink asked for in [0,1] at a point; `cosine` is that between its normal and the viewer, to whom
-  /// the tone sees it turned.
-  double darkness(Vec3 position, Vec3 normal, double cosine) const {
-    return std::clamp(1 - tone(position, cosine < 0 ? -normal : normal), 0.0, 1.0);
+  /// Ink asked for in [0,1] at a point of a smooth region; `cosine` is that between its normal and
+  /// the viewer, to whom the tone sees it turned.
+  double darkness(std::int32_t part, std::int32_t region, Vec3 position, Vec3 normal,
+                  double cosine) const {
+    const double asked = std::clamp(1 - tone(position, cosine < 0 ? -normal : normal), 0.0, 1.0);
+    return toned(asked, part, region, position);
+  }
+
+  /// What the whole picture makes of the ink that the tone of a place asks for.
+  double toned(double asked, std::int32_t part, std::int32_t region, Vec3 position) const {
+    const double ink = balance ? balance->ink(asked, part, region, camera.depth(position)) : asked;
+    return fade ? ink * (*fade)(position) : ink;
   }
 
   /// Model mm of depth that a surface seen under a cosine of `facing` may change by a paper mm;

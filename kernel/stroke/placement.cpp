@@ -1,6 +1,7 @@
 #include "placement.h"
 
 #include <burin/base/parallel.h>
+#include <burin/base/smoothstep.h>
 
 #include "level_lines.h"
 #include "shared_progress.h"
@@ -55,11 +56,7 @@ class Fading {
   struct Range {
     double least = 0, full = 0;
 
-    double weight(double ink) const {
-      if (!(full > least)) return 1;
-      const double t = std::clamp((ink - least) / (full - least), 0.0, 1.0);
-      return t * t * (3 - 2 * t);
-    }
+    double weight(double ink) const { return full > least ? smoothstep(least, full, ink) : 1; }
   };
   Range range(std::int64_t number) const {
     double full = full_;

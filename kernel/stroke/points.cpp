@@ -135,7 +135,7 @@ class PointCover {
         static_cast<std::size_t>(std::ceil((discs_ ? kDarts : 1) * std::max(1.0, shown.points)));
     CoverRequest request = request_of(picture_, part, box);
     request.seed += static_cast<std::uint64_t>(family_ - 1);
-    request.weight = weight(surface, box, shown.densest);
+    request.weight = weight(part, shown.densest);
     if (!is_two_sided(surface)) skip_what_turns_away(picture_.camera, request);
     request.count = static_cast<std::size_t>(
         std::min(kMostAsked, kSpare * static_cast<double>(wanted) * std::clamp(sheets, 1.0, most)));
@@ -153,11 +153,10 @@ class PointCover {
     if (10 * seen < 9 * wanted && wanted > kFew) ++out_.thinned_parts;
   }
 
-  std::function<double(Vec3, Vec3)> weight(const Surface& surface, const Box2& box,
-                                           double densest) const {
-    const double largest = largest_scale(surface, picture_.camera);
+  std::function<double(Vec3, Vec3)> weight(std::int32_t part, double densest) const {
+    const double largest = largest_scale(picture_.surface(part), picture_.camera);
     return weight_in_picture(
-        picture_, surface, box, [=, this](Vec3 position, double darkness, double facing) {
+        picture_, raster_, part, [=, this](Vec3 position, double darkness, double facing) {
           const double wanted = facing * asked(darkness) / (kMissed * densest);
           return picture_.camera.area_scale(position) / largest * std::min(1.0, wanted);
         });
@@ -202,9 +201,12 @@ class PointCover {
 
   // Of a disc; infinite where no ink is asked for.
   double diameter(std::int32_t part, const SurfacePoint& point) const {
-    const Vec3 normal = picture_.surface(part).frame(point).normal;
+    const Surface& surface = picture_.surface(part);
+    const Vec3 normal = surface.frame(point).normal;
     const double cosine = glm::dot(normal, picture_.camera.to_viewer(point.position));
-    const double many = asked(picture_.darkness(point.position, normal, cosine));
+    const double many =
+        asked(picture_.darkness(part, surface.proxy().face_region[surface.to_proxy(point).face],
+                                point.position, normal, cosine));
     return many > 0 ? std::sqrt(kPacking / many) : std::numeric_limits<double>::infinity();
   }
 

@@ -49,14 +49,22 @@ CoverRequest request_of(const Picture& picture, std::int32_t part, const Box2& b
 /// The weight of a coverage that is uniform in the picture, of what can be seen of a surface within
 /// `box`: `share(position, darkness, facing)`, with the ink asked for and the cosine to the viewer.
 template <class Share>
-std::function<double(Vec3, Vec3)> weight_in_picture(const Picture& picture, const Surface& surface,
-                                                    const Box2& box, const Share& share) {
-  return [&picture, box, two_sided = is_two_sided(surface), share](Vec3 position, Vec3 normal) {
+std::function<double(Vec3, Vec3)> weight_in_picture(const Picture& picture,
+                                                    const ViewRaster& raster, std::int32_t part,
+                                                    const Share& share) {
+  const bool two_sided = is_two_sided(picture.surface(part));
+  return [&picture, &raster, box = box_of(raster), part, two_sided, share](Vec3 position,
+                                                                           Vec3 normal) {
     const Camera& camera = picture.camera;
-    if (!box.contains(camera.to_paper(position))) return 0.0;
+    const Vec2 paper = camera.to_paper(position);
+    if (!box.contains(paper)) return 0.0;
     const double cosine = glm::dot(normal, camera.to_viewer(position));
     const double facing = two_sided ? std::abs(cosine) : std::max(0.0, cosine);
-    return facing > 0 ? share(position, picture.darkness(position, normal, cosine), facing) : 0.0;
+    if (facing <= 0) return 0.0;
+    // What is not seen at its place gets no stroke: any region of the part will do.
+    const RasterCell& cell = raster.nearest(paper);
+    const std::int32_t region = cell.part == part ? cell.region : 0;
+    return share(position, picture.darkness(part, region, position, normal, cosine), facing);
   };
 }
 

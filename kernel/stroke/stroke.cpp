@@ -160,19 +160,43 @@ Curve3 to_curve(const TracedStroke& stroke, const Picture& picture, std::vector<
   return c;
 }
 
+// Gives the cells, which have what the tone of each place asks for, what the whole picture makes of
+// it.
+void tone_cells(const Picture& picture, ViewRaster& raster) {
+  for (RasterCell& c : raster.cells) {
+    if (c.part < 0) continue;
+    const ProxyPoint at = c.place();
+    const Vec3 position = picture.surface(c.part).proxy().position(at.face, at.bary);
+    c.darkness = static_cast<float>(picture.toned(c.darkness, c.part, c.region, position));
+  }
+}
+
 }  // namespace
 
 StrokeResult trace_strokes(std::span<const Surface* const> surfaces, const Camera& camera,
                            const Field& field, const Tone& tone, const ViewProbe& probe,
-                           const HatchOptions& options, std::uint64_t seed, RunContext& context) {
+                           const HatchOptions& options, std::uint64_t seed, RunContext& context,
+                           const tone::ToneOptions& balance,
+                           const std::function<double(Vec3)>& fade) {
   check(options);
   const Placing& placing = find_placing(options.placing);
   HatchOptions own = options;
   if (!follows_field(options)) own.cross_from = 2;  // dots do not cross
-  const Picture picture{
-      surfaces, camera, field, tone, probe, own, seed, same_place(surfaces), placing.standing};
+  Picture picture{.surfaces = surfaces,
+                  .camera = camera,
+                  .field = field,
+                  .tone = tone,
+                  .probe = probe,
+                  .options = own,
+                  .seed = seed,
+                  .same_place = same_place(surfaces),
+                  .standing = placing.standing};
   context.begin_stage(RunStage::Cover);
-  const ViewRaster raster = make_raster(picture, context);
+  ViewRaster raster = make_raster(picture, context);
+  const ToneBalance balanced(picture, raster, balance);
+  if (balanced.active()) picture.balance = &balanced;
+  if (fade) picture.fade = &fade;
+  if (picture.balance || picture.fade) tone_cells(picture, raster);
   check_work(picture, placing, raster);
   const Coverage coverage = placing.cover(picture, raster, context);
 
@@ -186,6 +210,7 @@ StrokeResult trace_strokes(std::span<const Surface* const> surfaces, const Camer
   result.coverage_points = coverage.points;
   result.coverage_delta = coverage.delta;
   result.thinned_parts = coverage.thinned_parts;
+  result.tone_gamma = balanced.gamma();
   for (std::size_t f = 0; f < placed.size(); ++f) {
     for (std::size_t s = 0; s < placed[f].strokes.size(); ++s) {
       result.strokes.push_back(to_curve(placed[f].strokes[s], picture, std::move(widths[f][s])));

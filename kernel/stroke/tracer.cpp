@@ -30,11 +30,6 @@ constexpr double kTurnOver = 0.8;   // paper mm over which it would be back
 constexpr double kMostDrift = 0.5;  // gaps that it may be off its level line
 constexpr double kUnguided = 1.5;   // paper mm that a stroke is seen beyond its level line
 
-bool ruled(FaceKind kind) {
-  return kind == FaceKind::Plane || kind == FaceKind::Cylinder || kind == FaceKind::Cone ||
-         kind == FaceKind::Torus;
-}
-
 }  // namespace
 
 double TracedStroke::length() const {
@@ -61,7 +56,7 @@ void look_at(const Picture& picture, std::int32_t part, const SurfacePoint& poin
   out.slope = Picture::slope(out.facing, camera.scale_at(point.position));
   out.face = place.face;
   out.region = surface.proxy().face_region[place.face];
-  out.darkness = picture.darkness(point.position, frame.normal, cosine);
+  out.darkness = picture.darkness(part, out.region, point.position, frame.normal, cosine);
   out.front = cosine > 0;
   out.visible = out.front || !surface.proxy().closed(place.face);
 }

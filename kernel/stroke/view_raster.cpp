@@ -44,10 +44,12 @@ ViewRaster make_raster(const Picture& picture, const RunContext& context) {
             const Vec3 p = proxy.position(hit->point.face, hit->point.bary);
             const Vec3 n = proxy.normal(hit->point.face, hit->point.bary);
             const double cosine = glm::dot(n, picture.camera.to_viewer(p));
+            const std::int32_t region = proxy.face_region[hit->point.face];
+            const double ink = picture.darkness(hit->part, region, p, n, cosine);
             raster.cells[y * nx + x] = {hit->part,
-                                        proxy.face_region[hit->point.face],
+                                        region,
                                         picture.camera.depth(p),
-                                        static_cast<float>(picture.darkness(p, n, cosine)),
+                                        static_cast<float>(ink),
                                         static_cast<float>(std::abs(cosine)),
                                         hit->point.face,
                                         static_cast<float>(hit->point.bary.y),

@@ -9,9 +9,8 @@
 namespace burin::detail {
 namespace {
 
-// Bounds of what a wave may be scaled by: gaps stay within 0.56 and 1.43 of the style's.
+// Of what a wave may be scaled by: gaps are at most 1.43 times the style's.
 const double kLeast = std::log(0.7);
-const double kMost = std::log(1.8);
 constexpr double kPenalty = 100;  // of a node out of bounds, in masses
 constexpr int kRounds = 4;        // of penalties
 constexpr int kSteps = 500;       // of conjugate gradients, in all rounds
@@ -59,7 +58,7 @@ class Density {
       left = descend(left);
       bool bounded = true;
       for (std::size_t i = 0; i < count_; ++i) {
-        const double bound = std::clamp(h_[i], kLeast, kMost);
+        const double bound = std::clamp(h_[i], kLeast, most_[i]);
         if (h_[i] == bound && mass_[i] == 1) continue;
         if (mass_[i] == 1) bounded = false;
         mass_[i] = 1 + kPenalty;
@@ -106,7 +105,11 @@ class Density {
     Square s;
     for (std::size_t c = 0; c < 4; ++c) {
       std::int32_t& number = coarse_[static_cast<std::size_t>(graph_.node[cells[c]])];
-      if (number == kNone) number = static_cast<std::int32_t>(count_++);
+      if (number == kNone) {
+        number = static_cast<std::int32_t>(count_++);
+        most_.push_back(
+            std::log(graph_.nodes[static_cast<std::size_t>(graph_.node[cells[c]])].densest));
+      }
       s.at[c] = static_cast<std::uint32_t>(number);
       s.by[c] = static_cast<float>(scale * (round[c] - 0.25 * sum));
     }
@@ -206,7 +209,8 @@ class Density {
     std::vector<bool> known(n, false);
     for (std::size_t i = 0; i < n; ++i) {
       if (coarse_[i] == kNone) continue;
-      value[i] = std::clamp(h_[static_cast<std::size_t>(coarse_[i])], kLeast, kMost);
+      const auto c = static_cast<std::size_t>(coarse_[i]);
+      value[i] = std::clamp(h_[c], kLeast, most_[c]);
       known[i] = true;
     }
     constexpr int kRings = 4;
@@ -239,7 +243,7 @@ class Density {
   std::size_t count_ = 0;
   std::vector<Square> squares_;
   std::vector<std::uint32_t> first_, around_;
-  std::vector<double> mass_, pull_, h_, missed_, partial_;
+  std::vector<double> mass_, pull_, h_, missed_, partial_, most_;
   double first_energy_ = 0;
 };
 

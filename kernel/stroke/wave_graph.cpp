@@ -20,18 +20,23 @@ constexpr double kDiagonal = 0.25;  // weight of a diagonal link
 constexpr double kSlanted = 0.5;
 constexpr double kDrawnTogether = 0.35;
 
+// Lines end rather than become denser than this; on a face of which everybody knows how lines run,
+// a line that ends shows more than many that meet at a contour.
+constexpr double kDensest = 1.8, kDensestRuled = 4;
+
 // What the links need to know of a cell.
 struct Look {
   Vec3 normal{0}, tangent{0};
   Vec2 wave{0};
+  double densest = kDensest;
 };
 
 // How far apart lines are to run at a place that is seen under a cosine of `facing`.
 double gap_at(const Picture& picture, const RasterCell& cell, int family, double across) {
   const HatchOptions& o = picture.options;
   const double even = kDrawnTogether + (1 - kDrawnTogether) * std::min(1.0, cell.facing / kSlanted);
-  constexpr double kDensest = 0.2;  // never denser than five times
-  const double kept = std::max(across, kDensest);
+  constexpr double kLeastKept = 0.2;  // never denser than five times
+  const double kept = std::max(across, kLeastKept);
   constexpr double kSecond = 1.12;  // else it would beat with the first
   return (family == 2 ? kSecond : 1.0) *
          picture.line_spacing(picture.share(cell.darkness, family)) * even *
@@ -58,6 +63,7 @@ std::optional<Look> look(const Picture& picture, const RasterCell& cell, int fam
                        gap_at(picture, cell, family, glm::length(across) / scale);
   const Vec2 unit = Vec2(-along.y, along.x) / speed;
   out.wave = turns * unit;
+  if (ruled(frame.kind)) out.densest = kDensestRuled;
   return std::isfinite(turns) ? std::optional(out) : std::nullopt;
 }
 
@@ -121,7 +127,7 @@ class Builder {
     for (std::size_t i = 0; i < count; ++i) {
       if (!looks[i]) continue;
       graph_.node[i] = static_cast<std::int32_t>(graph_.nodes.size());
-      graph_.nodes.push_back({static_cast<std::uint32_t>(i), looks[i]->wave});
+      graph_.nodes.push_back({static_cast<std::uint32_t>(i), looks[i]->wave, looks[i]->densest});
       looks_.push_back(*looks[i]);
     }
   }

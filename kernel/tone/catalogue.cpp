@@ -1,4 +1,5 @@
 #include <burin/base/catalogue.h>
+#include <burin/base/smoothstep.h>
 #include <burin/tone/catalogue.h>
 
 #include <algorithm>
@@ -22,6 +23,8 @@ struct Lamp {
 /// The lights of the scene, or the one of the style.
 struct Lighting {
   double ambient = 0;
+  double reflected = 0;
+  Vec3 view{0, 0, 1};
   std::vector<Lamp> lamps;
 };
 
@@ -33,8 +36,12 @@ Lighting lighting(const Camera& camera, const ToneOptions& options) {
   const auto from = [&](Vec3 view, double strength) {
     return Lamp{false, normalize_or(in_model(camera, view), camera.direction()), strength};
   };
-  if (options.lights.empty()) return {options.ambient, {from(options.light, options.diffuse)}};
-  Lighting all;
+  Lighting all{options.ambient, options.reflected, camera.direction(), {}};
+  if (options.lights.empty()) {
+    all.lamps.push_back(from(options.light, options.diffuse));
+    return all;
+  }
+  all.ambient = 0;
   for (const Light& light : options.lights) {
     switch (light.kind) {
       case Light::Kind::Ambient:
@@ -54,11 +61,20 @@ Lighting lighting(const Camera& camera, const ToneOptions& options) {
   return all;
 }
 
+// Each lamp is thrown back by what stands on its other side in the picture: from its direction
+// turned half a turn about that of the view, and only where the lamp itself does not reach.
 Tone lambert(const Camera& camera, const ToneOptions& options) {
   return [all = lighting(camera, options)](Vec3 position, Vec3 normal) {
+    constexpr double kDusk = 0.3;  // cosine to the lamp up to which its light is seen thrown back
     double light = all.ambient;
     for (const Lamp& lamp : all.lamps) {
-      light += lamp.strength * std::max(0.0, glm::dot(normal, lamp.towards(position)));
+      const Vec3 towards = lamp.towards(position);
+      const double lit = glm::dot(normal, towards);
+      light += lamp.strength * std::max(0.0, lit);
+      if (all.reflected <= 0 || lit >= kDusk) continue;
+      const Vec3 back = 2 * glm::dot(towards, all.view) * all.view - towards;
+      light += lamp.share * all.reflected * std::max(0.0, glm::dot(normal, back)) *
+               (1 - smoothstep(-kDusk, kDusk, lit));
     }
     return light;
   };
@@ -122,8 +138,11 @@ Tone make(const Camera& camera, const ToneOptions& options) {
   return [camera, rim = options.rim, highlight = options.highlight, ink = options.ink,
           law = find(options.law).make(camera, options)](Vec3 position, Vec3 normal) {
     const double facing = std::clamp(glm::dot(normal, camera.to_viewer(position)), 0.0, 1.0);
-    const double reflectance = law(position, normal) - rim * std::pow(1 - facing, 3);
-    const double light = std::clamp(reflectance / highlight, 0.0, 1.0);
+    constexpr double kInked = 0.15;  // ink from which the rim has all of its own
+    double light = law(position, normal) / highlight;
+    const double share = std::clamp((1 - light) / kInked, 0.0, 1.0);
+    light -= share * rim / highlight * std::pow(1 - facing, 3);
+    light = std::clamp(light, 0.0, 1.0);
     return ink == ToneOptions::Ink::Shade ? light : 1 - light;
   };
 }

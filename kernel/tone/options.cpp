@@ -19,6 +19,8 @@ std::vector<OptionRow<ToneOptions>> rows() {
                          "direction from the model to the light: right, up, towards the viewer"),
       number("ambient", &ToneOptions::ambient, {0, 1}, "lightness in full shade"),
       number("diffuse", &ToneOptions::diffuse, {0, 2}, "lightness that full light adds"),
+      number("reflected", &ToneOptions::reflected, {0, 1},
+             "lightness that light thrown back from behind adds in the shade"),
       number("specular", &ToneOptions::specular, {0, 2},
              "lightness that the mirrored light adds (tone.law phong)"),
       number("shininess", &ToneOptions::shininess, {1, 1000},
@@ -31,6 +33,17 @@ std::vector<OptionRow<ToneOptions>> rows() {
              "darkness added where the surface turns away from the viewer"),
       options::word("ink", &ToneOptions::ink, {"shade", "light"},
                     "what ink stands for: shade, or light, as on dark paper"),
+      number(
+          "median_min", &ToneOptions::median_min, {0, 1},
+          "least ink that half of the picture is to have; one exponent of all ink brings it there",
+          "median_max"),
+      number("median_max", &ToneOptions::median_max, {0, 1},
+             "most ink that half of the picture is to have"),
+      number(
+          "contrast", &ToneOptions::contrast, {0, 0.5},
+          "ink by which planes differ from the faces that they meet, where 0.08 is enough for it"),
+      number("gradient", &ToneOptions::gradient, {0, 0.5},
+             "ink by which a slanted plane is darker at its near end than at its far one"),
   };
 }
 

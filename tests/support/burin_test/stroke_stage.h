@@ -42,8 +42,8 @@ struct StrokeStage {
         field, [tone](Vec3, Vec3) { return tone; }, options, seed);
   }
   StrokeResult strokes(const Field& field, const Tone& tone, const HatchOptions& options,
-                       std::uint64_t seed = 1) {
-    return trace_strokes(surfaces, camera, field, tone, probe, options, seed, context);
+                       std::uint64_t seed = 1, const tone::ToneOptions& balance = {}) {
+    return trace_strokes(surfaces, camera, field, tone, probe, options, seed, context, balance);
   }
 
   RunContext context;

@@ -28,6 +28,7 @@ Drawing full_drawing() {
   Path none;
   none.points = {{1, 2}};
   d.layers.push_back({"odd \n\t\"\\", {none}});
+  d.stats.tone_gamma = 0.75;
   d.stats.verify.emplace();
   d.stats.verify->spans = 12;
   d.stats.verify->length = 345.6;
@@ -72,6 +73,7 @@ TEST(ReadDrawing, KeepsEveryField) {
   EXPECT_EQ(b.layers[0].paths[3].points.size(), 200u);
   EXPECT_EQ(b.diagnostics.entries()[0].count, 3);
   EXPECT_EQ(b.stats.coverage_delta, 0.8);
+  EXPECT_EQ(b.stats.tone_gamma, 0.75);
 }
 
 TEST(ReadDrawing, OtherProgramsMayLeaveOutAndAdd) {

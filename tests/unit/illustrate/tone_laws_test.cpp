@@ -57,6 +57,29 @@ TEST(ToneCatalogue, EachRowHasANameOfItsOwnAndStaysWithinPaperAndInk) {
   EXPECT_THROW(tone::make(camera(), {.law = "lambertian"}), UsageError);
 }
 
+TEST(Lambert, LightThrownBackLightensTheShadeOnTheOtherSide) {
+  tone::ToneOptions o = options("lambert");
+  const Tone without = tone::make(camera(), o);
+  o.reflected = 0.2;
+  const Tone with = tone::make(camera(), o);
+  // The light comes from (3, 0, 4) / 5, and back from (-3, 0, 4) / 5.
+  const Vec3 shade(-0.96, 0, 0.28), lit(0.6, 0, 0.8), below(0, 0, -1);
+  EXPECT_NEAR(with({}, shade) - without({}, shade), 0.2 * (0.96 * 0.6 + 0.28 * 0.8), 1e-9);
+  EXPECT_EQ(with({}, lit), without({}, lit));
+  EXPECT_EQ(with({}, below), without({}, below));
+}
+
+TEST(Rim, DarkensInkAndNeverBeginsIt) {
+  tone::ToneOptions o = options("constant");
+  o.rim = 0.4;
+  const Vec3 edge(1, 0, 0);
+  o.ambient = 1;
+  EXPECT_EQ(tone::make(camera(), o)({}, edge), 1);
+  o.ambient = 0.7;
+  EXPECT_NEAR(tone::make(camera(), o)({}, edge), 0.3, 1e-9);
+  EXPECT_NEAR(tone::make(camera(), o)({}, {0, 0, 1}), 0.7, 1e-9);
+}
+
 TEST(Lights, OfASceneStandInForThatOfTheStyle) {
   for (const char* law : {"lambert", "phong"}) {
     tone::ToneOptions one = options(law), same = one;

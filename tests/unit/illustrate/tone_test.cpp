@@ -10,6 +10,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <memory>
@@ -34,9 +35,10 @@ Camera camera_for(const Scene& scene, const char* view) {
                      {.direction = v.direction, .up = v.up, .paper = {120, 90}});
 }
 
-// The darkness that the style asks for in each coarse cell, -1 where there is paper only.
-std::vector<float> target_tone(const Scene& scene, const Camera& camera, const Style& style, int nx,
-                               int ny) {
+// The darkness that the style asks for in each coarse cell, with the exponent that the drawing
+// states; -1 where there is paper only.
+std::vector<float> target_tone(const Scene& scene, const Camera& camera, const Style& style,
+                               double gamma, int nx, int ny) {
   RunContext context;
   std::vector<std::shared_ptr<const Surface>> surfaces;
   std::vector<const ProxyMesh*> proxies;
@@ -57,8 +59,8 @@ std::vector<float> target_tone(const Scene& scene, const Camera& camera, const S
       const ProxyMesh& proxy = *proxies[static_cast<std::size_t>(hit->where.part)];
       Vec3 n = proxy.normal(hit->where.face, hit->bary);
       if (glm::dot(n, camera.direction()) < 0) n = -n;
-      out[static_cast<std::size_t>(y * nx + x)] =
-          static_cast<float>(1 - tone(proxy.position(hit->where.face, hit->bary), n));
+      out[static_cast<std::size_t>(y * nx + x)] = static_cast<float>(
+          std::pow(1 - tone(proxy.position(hit->where.face, hit->bary), n), gamma));
     }
   }
   return out;
@@ -77,7 +79,8 @@ ToneReport measure(const Scene& scene, const char* view, const Style& style) {
   }
   const int nx = strokes.nx() / kCoarse, ny = strokes.ny() / kCoarse;
   const std::vector<float> ink = strokes.shares(kCoarse), near_line = features.shares(kCoarse);
-  const std::vector<float> target = target_tone(scene, camera, style, nx, ny);
+  const std::vector<float> target =
+      target_tone(scene, camera, style, drawing.stats.tone_gamma.value_or(1), nx, ny);
   std::vector<std::uint8_t> mask(target.size());
   for (std::size_t i = 0; i < mask.size(); ++i) mask[i] = target[i] >= 0;
   const std::vector<float> have = test::disc_mean(ink, mask, nx, ny, kBlur);
@@ -147,6 +150,26 @@ TEST(Tone, InkOfStrokesOnDiscsOfATorusIsWhatTheLightAsks) {
 
 TEST(Tone, InkOfStrokesOnDiscsOfASphereIsWhatTheLightAsks) {
   expect_tone(scene_of(test::ellipsoid({20, 20, 20}, 160, 80)), "front", "discs");
+}
+
+TEST(Tone, AnEngravingHasAsMuchInkOnALightPartAsOnADarkOne) {
+  const Style style = builtin_style("engraving");
+  for (const char* view : {"front", "iso", "0,-1,-1", "-1,1,0.2"}) {
+    const Scene scene = scene_of(test::torus(30, 12, 160, 80));
+    const Camera camera = camera_for(scene, view);
+    RunContext context;
+    const double gamma = *illustrate(scene, camera, style, {}, context).stats.tone_gamma;
+    std::vector<float> asked = target_tone(scene, camera, style, gamma, 240, 180);
+    std::erase_if(asked, [](float ink) { return ink < 0; });
+    const auto middle = asked.begin() + static_cast<std::ptrdiff_t>(asked.size() / 2);
+    std::nth_element(asked.begin(), middle, asked.end());
+    EXPECT_GE(*middle, 0.28 - 0.01) << view;
+    EXPECT_LE(*middle, 0.40 + 0.01) << view;
+  }
+  RunContext context;
+  const Scene scene = scene_of(test::torus(30, 12, 40, 20));
+  EXPECT_FALSE(illustrate(scene, camera_for(scene, "iso"), builtin_style("technical"), {}, context)
+                   .stats.tone_gamma);
 }
 
 // Every built-in style that carries tone.

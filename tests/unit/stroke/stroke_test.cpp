@@ -10,6 +10,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <string>
 
@@ -184,6 +185,79 @@ TEST(Strokes, FadeOutOneAfterTheOther) {
   EXPECT_GT(half, 22);
   EXPECT_LT(half, 30);
   EXPECT_NEAR(rest, 34.3, 1);
+}
+
+// The ink of the three sides of a cube, seen along its diagonal: what strokes cover of each.
+std::array<double, 3> ink_of_sides(const tone::ToneOptions& balance, std::array<double, 3> asked,
+                                   double* gamma = nullptr) {
+  Stage stage(test::box({0, 0, 0}, {40, 40, 40}), "1,1,1", 1);
+  const Tone tone = [&](Vec3, Vec3 n) {
+    return 1 - (n.x > 0.5 ? asked[0] : n.y > 0.5 ? asked[1] : asked[2]);
+  };
+  const StrokeResult r = stage.strokes(field::smoothed(stage.surfaces, {}, stage.context), tone,
+                                       kOneFamily, 1, balance);
+  if (gamma) *gamma = r.tone_gamma;
+  std::array<double, 3> area{};
+  for (const Curve3& c : r.strokes) {
+    const Vec3 n = c.normals[c.normals.size() / 2];
+    for (std::size_t i = 1; i < c.points.size(); ++i) {
+      const double length =
+          glm::distance(stage.camera.to_paper(c.points[i]), stage.camera.to_paper(c.points[i - 1]));
+      area[n.x > 0.5 ? 0 : n.y > 0.5 ? 1 : 2] += length * 0.5 * (c.widths[i] + c.widths[i - 1]);
+    }
+  }
+  for (double& a : area) a /= 40 * 40 / std::sqrt(3.0);
+  return area;
+}
+
+TEST(ToneBalance, OneExponentBringsTheMedianIntoItsRange) {
+  double gamma = 0;
+  // The median is that of the side of 0.2: ln 0.3 / ln 0.2.
+  const auto lifted = ink_of_sides({.median_min = 0.3, .median_max = 0.4}, {0.2, 0.1, 0.5}, &gamma);
+  EXPECT_NEAR(gamma, std::log(0.3) / std::log(0.2), 1e-6);
+  EXPECT_NEAR(lifted[0], 0.3, 0.02);
+  EXPECT_NEAR(lifted[2], std::pow(0.5, gamma), 0.02);
+  ink_of_sides({.median_min = 0.1, .median_max = 0.4}, {0.2, 0.1, 0.5}, &gamma);
+  EXPECT_EQ(gamma, 1);
+  ink_of_sides({.median_min = 0.9, .median_max = 1}, {0.2, 0.1, 0.5}, &gamma);
+  EXPECT_EQ(gamma, 0.5);
+}
+
+TEST(ToneBalance, PlanesThatMeetStandApart) {
+  const auto alike = ink_of_sides({}, {0.4, 0.42, 0.25});
+  EXPECT_LT(std::abs(alike[0] - alike[1]), 0.04);
+  // 0.08 more for the one in shade, 0.02 less for the other.
+  const auto apart = ink_of_sides({.contrast = 0.12}, {0.4, 0.42, 0.25});
+  EXPECT_NEAR(apart[1], 0.5, 0.02);
+  EXPECT_NEAR(apart[0], 0.38, 0.02);
+  EXPECT_NEAR(apart[2], 0.25, 0.02);
+  // White sides stay white, and what stands apart as it is.
+  const auto light = ink_of_sides({.contrast = 0.12}, {0.04, 0.02, 0.4});
+  EXPECT_NEAR(light[2], 0.4, 0.02);
+  EXPECT_EQ(light[0], 0);
+  EXPECT_EQ(light[1], 0);
+}
+
+TEST(ToneBalance, SlantedPlanesAreDarkerWhereTheyAreNear) {
+  Stage stage(test::box({0, 0, 0}, {40, 40, 40}), "1,1,1", 1);
+  const StrokeResult r = stage.strokes(field::fixed({0, 0, 1}), [](Vec3, Vec3) { return 0.6; },
+                                       kOneFamily, 1, {.gradient = 0.1});
+  // Of upright strokes on the side x = 40, whose nearest corner is y = z = 40: the mean ink about a
+  // place. The ink is 0.4 and up to 0.05 more or less.
+  const auto ink = [&](Vec3 place) {
+    double sum = 0, count = 0;
+    for (const Curve3& c : r.strokes) {
+      for (std::size_t i = 0; i < c.points.size(); ++i) {
+        if (c.normals[i].x < 0.5 || glm::distance(c.points[i], place) > 5) continue;
+        sum += c.widths[i] / kOneFamily.spacing_min;
+        count += 1;
+      }
+    }
+    return sum / count;
+  };
+  EXPECT_NEAR(ink({40, 20, 20}), 0.4, 0.02);
+  EXPECT_NEAR(ink({40, 33, 33}), 0.4 + 0.1 * 13 / 40, 0.015);
+  EXPECT_NEAR(ink({40, 7, 7}), 0.4 - 0.1 * 13 / 40, 0.015);
 }
 
 TEST(Strokes, CoverageIsMeasured) {

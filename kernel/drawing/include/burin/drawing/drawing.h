@@ -111,6 +111,9 @@ struct DrawingStats {
   std::int64_t coverage_points = 0;
   /// Covering radius of the coverage in paper mm, measured. @cite Elber1998 (Definition 1)
   double coverage_delta = 0;
+  /// The exponent of all ink that brought its median where the style wants it; present where it
+  /// wants that. Of several styles that of the most coverage points.
+  std::optional<double> tone_gamma = {};
   /// Present where the drawing was tested.
   std::optional<Verification> verify = {};
 };

@@ -38,15 +38,21 @@ struct StrokeResult {
   /// Number of parts that have so many layers of surface over each other that fewer seeds were
   /// tried than their area needs.
   std::int64_t thinned_parts = 0;
+  /// The exponent of all ink that brought its median where the balance wants it.
+  double tone_gamma = 1;
 };
 
 /// Places and traces the strokes of all parts and finds their widths. `probe` says what is visible
-/// at a point of the paper; chance follows `seed`. Stages "cover" and "trace" are timed on
-/// `context`. Throws UsageError for options that contradict each other and where the strokes would
-/// be longer than 1.6 km, Cancelled. Cost: kernel/docs/performance.md.
+/// at a point of the paper; chance follows `seed`; `balance` says by its
+/// median, contrast and gradient how the ink of the whole picture is changed; of that each
+/// place keeps the share `fade`, if given. Stages "cover" and
+/// "trace" are timed on `context`. Throws UsageError for options that contradict each other and
+/// where the strokes would be longer than 1.6 km, Cancelled. Cost: kernel/docs/performance.md.
 /// @cite Elber1998, Knoeppel2015
 StrokeResult trace_strokes(std::span<const Surface* const> surfaces, const Camera& camera,
                            const Field& field, const Tone& tone, const ViewProbe& probe,
-                           const HatchOptions& options, std::uint64_t seed, RunContext& context);
+                           const HatchOptions& options, std::uint64_t seed, RunContext& context,
+                           const tone::ToneOptions& balance = {},
+                           const std::function<double(Vec3)>& fade = {});
 
 }  // namespace burin

@@ -33,6 +33,9 @@ struct ToneOptions {
   /// Reflectance in full shade and gain of the lit part.
   double ambient = 0.35;
   double diffuse = 0.82;
+  /// Gain of the light that comes back from behind: shade is lightest where it faces away from the
+  /// light in the picture.
+  double reflected = 0;
   /// The law "phong": gain of the mirrored light, and how narrow it is (its exponent).
   double specular = 0.5;
   double shininess = 20;
@@ -41,12 +44,21 @@ struct ToneOptions {
   /// What is this light, or lighter, is white paper; tones below are stretched to meet it.
   double highlight = 0.7;
   /// Darkness added where the surface turns away from the viewer, as engravers round a form; 0 =
-  /// none.
+  /// none. Paper that is white without it stays white.
   double rim = 0.05;
   /// What ink stands for. Light: wide lines where it is lit, as a scraper has them on black.
   /// @cite Elber1998
   enum class Ink { Shade, Light };
   Ink ink = Ink::Shade;
+  /// Of the whole picture. The ink of which half of it has more: where the light gives less than
+  /// the first or more than the second, one exponent of all ink from 0.5 to 1.5 brings it there.
+  double median_min = 0;
+  double median_max = 1;
+  /// Ink by which planes differ at least from the faces that they meet at an edge, as far as 0.08
+  /// of theirs brings them.
+  double contrast = 0;
+  /// Ink by which a slanted plane is darker where it is nearest than where it is farthest.
+  double gradient = 0;
   /// Those of the scene; empty: `light` with `ambient` and `diffuse`. No option row: styles have no
   /// lights.
   std::vector<Light> lights = {};
