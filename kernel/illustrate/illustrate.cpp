@@ -119,6 +119,12 @@ Field make_field(const std::vector<const Surface*>& surfaces, const Camera& came
              .context = context});
 }
 
+// Whether the ink of the whole picture is balanced: it is light and shade that need it. A tone that
+// a program brings, or that asks for the same ink in any light, is taken as it is.
+bool balances(const tone::ToneOptions& tone) {
+  return tone.ink == tone::ToneOptions::Ink::Shade && tone::find(tone.law).uses_light;
+}
+
 // The strokes of the parts that are flagged.
 StrokeResult hatch(std::vector<const Surface*> surfaces, std::vector<bool> parts,
                    const Occluder& occluder, const Camera& camera, const Style& style,
@@ -133,13 +139,12 @@ StrokeResult hatch(std::vector<const Surface*> surfaces, std::vector<bool> parts
   const Field field =
       options.field ? options.field(scene) : make_field(surfaces, camera, style, context);
   const Tone tone = options.tone ? options.tone(scene) : tone::make(camera, style.tone);
-  // A tone of one's own is taken as it is; of light the median means nothing.
-  const bool shade = !options.tone && style.tone.ink == tone::ToneOptions::Ink::Shade;
+  const bool balanced = !options.tone && balances(style.tone);
   std::function<double(Vec3)> fade;
   if (!options.tone && cue.pales()) fade = [&](Vec3 position) { return cue.ink(position); };
   StrokeResult result =
       trace_strokes(surfaces, camera, field, tone, probe, style.hatch, options.seed, context,
-                    shade ? style.tone : tone::ToneOptions{}, fade);
+                    balanced ? style.tone : tone::ToneOptions{}, fade);
   if (!options.field && follows_field(style.hatch)) {
     const Tone toned = [&](Vec3 position, Vec3 normal) {
       const double ink = std::pow(1 - tone(position, normal), result.tone_gamma);
@@ -164,10 +169,11 @@ void append(StrokeResult& all, StrokeResult one, std::int64_t& most) {
 }
 
 // Whether any strokes are to have their ink brought to a median.
-bool balances(const detail::PartStyles& part_styles) {
+bool states_gamma(const detail::PartStyles& part_styles) {
   for (std::size_t i = 0; i < part_styles.size(); ++i) {
     const tone::ToneOptions& tone = part_styles.style(i).tone;
-    if (part_styles.hatched(i) && (tone.median_min > 0 || tone.median_max < 1)) return true;
+    const bool wanted = tone.median_min > 0 || tone.median_max < 1;
+    if (part_styles.hatched(i) && balances(tone) && wanted) return true;
   }
   return false;
 }
@@ -304,7 +310,7 @@ Drawing draw(const Scene& scene, const Camera& camera, const Style& style,
   undirected.tell(drawing.diagnostics);
   drawing.stats.coverage_points = strokes.coverage_points;
   drawing.stats.coverage_delta = strokes.coverage_delta;
-  if (balances(part_styles)) drawing.stats.tone_gamma = strokes.tone_gamma;
+  if (states_gamma(part_styles)) drawing.stats.tone_gamma = strokes.tone_gamma;
 
   context.begin_stage(RunStage::Features);
   const std::vector<Curve3> features =

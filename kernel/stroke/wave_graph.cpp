@@ -20,15 +20,11 @@ constexpr double kDiagonal = 0.25;  // weight of a diagonal link
 constexpr double kSlanted = 0.5;
 constexpr double kDrawnTogether = 0.35;
 
-// Lines end rather than become denser than this; on a face of which everybody knows how lines run,
-// a line that ends shows more than many that meet at a contour.
-constexpr double kDensest = 1.8, kDensestRuled = 4;
-
 // What the links need to know of a cell.
 struct Look {
   Vec3 normal{0}, tangent{0};
   Vec2 wave{0};
-  double densest = kDensest;
+  bool ruled = false;
 };
 
 // How far apart lines are to run at a place that is seen under a cosine of `facing`.
@@ -63,7 +59,7 @@ std::optional<Look> look(const Picture& picture, const RasterCell& cell, int fam
                        gap_at(picture, cell, family, glm::length(across) / scale);
   const Vec2 unit = Vec2(-along.y, along.x) / speed;
   out.wave = turns * unit;
-  if (ruled(frame.kind)) out.densest = kDensestRuled;
+  out.ruled = ruled(frame.kind);
   return std::isfinite(turns) ? std::optional(out) : std::nullopt;
 }
 
@@ -127,7 +123,7 @@ class Builder {
     for (std::size_t i = 0; i < count; ++i) {
       if (!looks[i]) continue;
       graph_.node[i] = static_cast<std::int32_t>(graph_.nodes.size());
-      graph_.nodes.push_back({static_cast<std::uint32_t>(i), looks[i]->wave, looks[i]->densest});
+      graph_.nodes.push_back({static_cast<std::uint32_t>(i), looks[i]->wave, looks[i]->ruled});
       looks_.push_back(*looks[i]);
     }
   }

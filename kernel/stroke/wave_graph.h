@@ -16,8 +16,7 @@ struct WaveNode {
   std::uint32_t cell = 0;  // of the raster
   /// Turns a paper mm that the phase is to make, across the lines; its sign is one of two.
   Vec2 wave{0};
-  /// How many times as dense the lines may become where they draw together, before some end.
-  double densest = 1;
+  bool ruled = false;  // everybody knows how lines run on its face
 };
 
 /// Where it `flips` the wave of b runs against that of a: the field cannot be given signs there.
