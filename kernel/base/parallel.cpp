@@ -22,10 +22,16 @@ void parallel_for(std::size_t n, std::size_t grain,
   };
   if (chunks == 1) return range(0);
   detail::TaskOrder order;
-  tbb::parallel_for(std::size_t{0}, chunks, [&](std::size_t chunk) {
-    [[maybe_unused]] const detail::TaskOrder::Task task(order);
-    range(chunk);
-  });
+  // By itself: where a loop beside this one throws, TBB would end this one too, without a word to
+  // who called it and believes that all ranges are done.
+  tbb::task_group_context alone(tbb::task_group_context::isolated);
+  tbb::parallel_for(
+      std::size_t{0}, chunks,
+      [&](std::size_t chunk) {
+        [[maybe_unused]] const detail::TaskOrder::Task task(order);
+        range(chunk);
+      },
+      alone);
 }
 
 void parallel_invoke(const std::function<void()>& a, const std::function<void()>& b) {
@@ -36,7 +42,8 @@ void parallel_invoke(const std::function<void()>& a, const std::function<void()>
       body();
     };
   };
-  tbb::parallel_invoke(task_of(a), task_of(b));
+  tbb::task_group_context alone(tbb::task_group_context::isolated);
+  tbb::parallel_invoke(task_of(a), task_of(b), alone);
 }
 
 struct ThreadLimit::Impl {

@@ -7,8 +7,11 @@
 
 #include <gtest/gtest.h>
 
+#include <atomic>
+#include <chrono>
 #include <cmath>
 #include <set>
+#include <thread>
 #include <vector>
 
 namespace burin {
@@ -101,6 +104,30 @@ TEST(Parallel, PassesExceptionsAndCancellation) {
                    1, 1, [&](std::size_t, std::size_t) { ++calls; }, &context),
                Cancelled);
   EXPECT_EQ(calls, 0);
+}
+
+TEST(Parallel, ALoopBesideOneThatThrowsEndsWhole) {
+  for (int repeat = 0; repeat < 20; ++repeat) {
+    std::atomic<bool> begun{false};
+    std::atomic<std::size_t> ranges{0};
+    std::size_t told = 0;  // when the loop came back as if it were done
+    const auto throws = [&] {
+      for (int i = 0; i < 1000 && !begun; ++i) {
+        std::this_thread::sleep_for(std::chrono::microseconds(100));
+      }
+      throw UsageError("x");
+    };
+    const auto counts = [&] {
+      parallel_for(200, 1, [&](std::size_t, std::size_t) {
+        begun = true;
+        std::this_thread::sleep_for(std::chrono::microseconds(20));
+        ++ranges;
+      });
+      told = ranges;
+    };
+    EXPECT_THROW(parallel_invoke(throws, counts), UsageError);
+    EXPECT_TRUE(told == 0 || told == 200) << told;
+  }
 }
 
 TEST(Curve3, CountsSegments) {
