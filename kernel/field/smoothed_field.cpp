@@ -183,7 +183,7 @@ const std::vector<std::int32_t>& SmoothedField::flat_patches(std::int32_t part) 
 Field smoothed(const std::vector<const Surface*>& surfaces, const SmoothedOptions& options,
                const RunContext& context) {
   auto built = std::make_shared<const SmoothedField>(surfaces, options, context);
-  return {"smoothed", [built](const FieldQuery& q) { return built->cross(q); }};
+  return {"smoothed", [built](const FieldQuery& q) { return built->cross(q); }, true};
 }
 
 }  // namespace burin::field

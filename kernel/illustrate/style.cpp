@@ -53,10 +53,10 @@ Style engraving() {
   s.feature.smooth = false;
   s.hatch.spacing_min = 0.55;
   s.hatch.spacing_max = 1.1;
-  s.hatch.width_min = 0.07;
+  s.hatch.width_min = 0.05;
   s.hatch.width_max = 0.42;
   s.hatch.tone_min = 0.06;
-  s.hatch.cross_from = 0.44;
+  s.hatch.cross_from = 0.68;
   s.tone.ambient = 0.34;
   s.tone.diffuse = 0.62;
   s.tone.reflected = 0.14;

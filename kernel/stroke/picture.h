@@ -49,6 +49,12 @@ struct Picture {
   enum class Standing { Apart, Points, Dots };
   Standing standing = Standing::Apart;
 
+  /// The same picture with lines that follow another field, which has to live as long.
+  Picture following(const Field& other) const {
+    return {surfaces, camera,     other,   tone, probe,   options,
+            seed,     same_place, balance, fade, standing};
+  }
+
   bool by_chance() const { return standing != Standing::Apart; }
   bool dots() const { return standing == Standing::Dots; }
 

@@ -4,9 +4,11 @@
 #include <burin/base/smoothstep.h>
 
 #include "level_lines.h"
+#include "narrow_faces.h"
 #include "shared_progress.h"
 #include "wave_anchors.h"
 #include "wave_density.h"
+#include "wave_pairs.h"
 
 #include <algorithm>
 #include <cmath>
@@ -90,15 +92,13 @@ class Fading {
 struct Piece {
   LevelLine line;
   std::int32_t part = -1, region = -1;
-  bool turned = false;  // it runs across the field's own lines
   Fading::Range fading;
   double length = 0;
 };
 
 // The pieces of a line in which there is enough ink, in their order.
 std::vector<Piece> inked(const Picture& picture, const ViewRaster& raster, int family,
-                         const Fading& fading, const RasterCell& cell, bool turned,
-                         LevelLine line) {
+                         const Fading& fading, const RasterCell& cell, LevelLine line) {
   const Fading::Range range = fading.range(line.number);
   const std::size_t n = line.points.size();
   std::vector<bool> ink(n);
@@ -111,7 +111,7 @@ std::vector<Piece> inked(const Picture& picture, const ViewRaster& raster, int f
   std::vector<Piece> out;
   const auto add = [&](LevelLine l) {
     const double length = l.length();
-    out.push_back({std::move(l), cell.part, cell.region, turned, range, length});
+    out.push_back({std::move(l), cell.part, cell.region, range, length});
   };
   if (dark == n) {
     add(std::move(line));
@@ -185,8 +185,7 @@ class Placement {
                                          .least_ink = piece.fading.least,
                                          .line = &line,
                                          .point = middle,
-                                         .neighbours = &out_.grid,
-                                         .apart = kTaken * gap});
+                                         .neighbours = &out_.grid});
     std::vector<Piece> left;
     if (!stroke.closed) {
       left = left_of(piece, nearest(line, 0, middle, stroke.samples.front().paper),
@@ -217,7 +216,7 @@ class Placement {
       if (!moved) break;
       point = *moved;
     }
-    return tracer_.seed_along(piece.part, point, piece.turned, along, seed) &&
+    return tracer_.seed_along(piece.part, point, along, seed) &&
            glm::distance(seed.paper, p[middle]) < kNearLine * piece.line.gaps[middle] &&
            picture_.seen(piece.part, seed.face, seed.paper, seed.depth);
   }
@@ -270,7 +269,7 @@ class Placement {
         return std::decay_t<decltype(from)>(from.begin() + static_cast<std::ptrdiff_t>(a),
                                             from.begin() + static_cast<std::ptrdiff_t>(b));
       };
-      Piece r{{}, piece.part, piece.region, piece.turned, piece.fading};
+      Piece r{{}, piece.part, piece.region, piece.fading};
       r.line.points = cut(piece.line.points);
       r.line.gaps = cut(piece.line.gaps);
       r.line.node = piece.line.node;
@@ -297,24 +296,22 @@ struct Region {
   Box2 box;
 };
 
-std::vector<Region> regions_of(const Picture& picture, const ViewRaster& raster, int family,
-                               const RunContext& context, SharedProgress& done) {
-  WaveGraph graph = wave_graph(picture, raster, family, context);
-  done.add(kStage);
+std::vector<Region> regions_of(const Picture& picture, const ViewRaster& raster, WaveGraph graph,
+                               int family, const RunContext& context, SharedProgress& done) {
   const bool exact = std::ranges::all_of(picture.surfaces, &Surface::exact);
   const double length = !picture.swells() ? kLongOnePen : exact ? kLongExact : kLongEstimated;
   make_integrable(raster, graph, picture.options.spacing_min, length, context);
   done.add(kStage);
-  const WavePhase phase =
-      solve_phase(graph, wave_anchors(picture, raster, graph, family, context), context);
+  const std::vector<WaveAnchor> anchors = wave_anchors(picture, raster, graph, family, context);
+  WavePhase phase = solve_phase(graph, anchors, context);
+  if (picture.swells()) cancel_pairs(raster, graph, anchors, phase, context);
   done.add(kStage);
   const Fading fading(picture, family);
   std::map<std::pair<std::int32_t, std::int32_t>, Region> found;
   for (LevelLine& line : level_lines(raster, graph, phase, context)) {
     const RasterCell& cell = raster.cells[graph.nodes[line.node].cell];
-    const bool turned = graph.turned[line.node];
     Region& region = found[{cell.part, cell.region}];
-    for (Piece& piece : inked(picture, raster, family, fading, cell, turned, std::move(line))) {
+    for (Piece& piece : inked(picture, raster, family, fading, cell, std::move(line))) {
       for (const Vec2& p : piece.line.points) region.box.add(p);
       region.pieces.push_back(std::move(piece));
     }
@@ -332,18 +329,22 @@ std::vector<Region> regions_of(const Picture& picture, const ViewRaster& raster,
 Field crossed(const Field& field, double degrees) {
   if (degrees >= 90) return field;
   const double angle = glm::radians(degrees);
-  return {field.name,
-          [cross = field.cross, c = std::cos(angle),
-           s = std::sin(angle)](const FieldQuery& query) -> std::optional<Cross> {
-            std::optional<Cross> out = cross(query);
-            if (out) out->second = c * out->first + s * glm::cross(query.frame.normal, out->first);
-            return out;
-          }};
+  Field out = field;
+  out.cross = [cross = field.cross, c = std::cos(angle),
+               s = std::sin(angle)](const FieldQuery& query) -> std::optional<Cross> {
+    std::optional<Cross> found = cross(query);
+    if (found) {
+      found->second = c * found->first + s * glm::cross(query.frame.normal, found->first);
+    }
+    return found;
+  };
+  return out;
 }
 
-Family place_family(const Picture& picture, const ViewRaster& raster, int family,
+Family place_family(const Picture& picture, const ViewRaster& raster, WaveGraph graph, int family,
                     const RunContext& context, SharedProgress& done) {
-  std::vector<Region> regions = regions_of(picture, raster, family, context, done);
+  std::vector<Region> regions =
+      regions_of(picture, raster, std::move(graph), family, context, done);
   // The longest first: none is left over when the other cores have nothing more to do.
   std::vector<std::size_t> order(regions.size());
   for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
@@ -385,12 +386,23 @@ std::vector<Family> place_families(const Picture& picture, const ViewRaster& ras
   std::vector<Family> out(static_cast<std::size_t>(families),
                           Family{{}, SampleGrid({0, 0}, {0, 0}, 1)});
   SharedProgress done(static_cast<double>(families * kSteps), progress);
-  const Field second = crossed(picture.field, picture.options.cross_angle);
-  const Picture crossing{picture.surfaces, picture.camera,  second,       picture.tone,
-                         picture.probe,    picture.options, picture.seed, picture.same_place};
+  // Narrow faces are found on the graph of the field as it is.
+  WaveGraph graph = wave_graph(picture, raster, 1, context);
+  FaceSet narrow;
+  if (picture.field.free) narrow = narrow_faces(picture, raster, graph);
+  const bool turns = !narrow.empty();
+  const Field field = turns ? turned(picture, std::move(narrow)) : picture.field;
+  const Picture first = picture.following(field);
+  if (turns) graph = wave_graph(first, raster, 1, context);
+  done.add(kStage);
+  const Field cross = crossed(field, picture.options.cross_angle);
+  const Picture second = picture.following(cross);
   const auto place = [&](int family) {
-    out[static_cast<std::size_t>(family - 1)] =
-        place_family(family == 1 ? picture : crossing, raster, family, context, done);
+    const Picture& own = family == 1 ? first : second;
+    if (family == 2) done.add(kStage);
+    out[static_cast<std::size_t>(family - 1)] = place_family(
+        own, raster, family == 1 ? std::move(graph) : wave_graph(own, raster, 2, context), family,
+        context, done);
   };
   if (families == 1) {
     place(1);

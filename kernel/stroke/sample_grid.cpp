@@ -51,8 +51,12 @@ void SampleGrid::visit(const GridSample& at, double radius, const Visit& f) cons
 }
 
 double SampleGrid::nearest(const GridSample& at, double radius) const {
+  // Where families meet, lines run up to those of the other one.
+  constexpr double kSameWay = 0.7;  // cosine
+  const bool line = at.direction != Vec2(0);
   double best = radius;
   visit(at, radius, [&](const GridSample& s) {
+    if (line && s.pace > 0 && std::abs(glm::dot(at.direction, s.direction)) < kSameWay) return;
     const Vec2 d = at.paper - s.paper;
     const double d2 = glm::dot(d, d);
     if (d2 >= best * best + s.pace * s.pace) return;

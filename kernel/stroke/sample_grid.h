@@ -30,7 +30,8 @@ class SampleGrid {
   void insert(const GridSample& sample);
 
   /// How far the nearest sample of the same sheet is from `at`, measured across the sample's own
-  /// direction; `radius` paper mm where there is none nearer.
+  /// direction; `radius` paper mm where there is none nearer. If both have directions, only samples
+  /// count whose lines run about the same way.
   double nearest(const GridSample& at, double radius) const;
 
   /// The nearest distances on the left and on the right of `at` (looking along its direction), each

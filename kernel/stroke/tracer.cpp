@@ -29,6 +29,9 @@ constexpr double kFree = 0.2;       // gaps that it may be off there
 constexpr double kTurnOver = 0.8;   // paper mm over which it would be back
 constexpr double kMostDrift = 0.5;  // gaps that it may be off its level line
 constexpr double kUnguided = 1.5;   // paper mm that a stroke is seen beyond its level line
+// Gaps that it keeps from its neighbours there, and where an exact surface turns away.
+constexpr double kApart = 0.55, kTurningApart = 0.25;
+constexpr double kTurning = 0.35;  // cosine
 
 }  // namespace
 
@@ -90,10 +93,17 @@ bool Tracer::seed(std::int32_t part, const SurfacePoint& point, Vec3 toward,
   return fill(part, point, toward, out) && may_begin(picture_, out);
 }
 
-bool Tracer::seed_along(std::int32_t part, const SurfacePoint& point, bool across, Vec2 paper,
+bool Tracer::seed_along(std::int32_t part, const SurfacePoint& point, Vec2 paper,
                         StrokeSample& out) const {
   if (!seed(part, point, Vec3(0), out)) return false;
-  if (across && !seed(part, point, glm::cross(out.normal, out.tangent), out)) return false;
+  const auto agrees = [&](const StrokeSample& s) {
+    return std::abs(glm::dot(s.direction, glm::normalize(paper)));
+  };
+  if (StrokeSample other; agrees(out) < kOwnArm &&
+                          seed(part, point, glm::cross(out.normal, out.tangent), other) &&
+                          agrees(other) > kOwnArm) {
+    out = other;
+  }
   if (glm::dot(out.direction, paper) < 0) {
     out.direction = -out.direction;
     out.tangent = -out.tangent;
@@ -198,6 +208,32 @@ StrokeEnd Tracer::extend(std::int32_t part, const StrokeSample& seed, const Stro
   return end;
 }
 
+// Goes straight on from a stroke's last sample to the seam where the families change names, found
+// by bisection: the lines of the other side begin there.
+void Tracer::end_at_seam(std::int32_t part, const StrokeSample& last,
+                         std::vector<StrokeSample>& out) const {
+  constexpr int kHalvings = 6;
+  const Surface& surface = picture_.surface(part);
+  const Camera& camera = picture_.camera;
+  const double scale = camera.scale_at(last.point.position);
+  const double speed = glm::length(camera.velocity(last.point.position, last.tangent)) / scale;
+  const double length = kStep / (scale * std::max(speed, kMinRun));
+  std::optional<StrokeSample> end;
+  double low = 0, high = 1;
+  for (int i = 0; i < kHalvings; ++i) {
+    const double middle = 0.5 * (low + high);
+    const MarchStep step = surface.march(last.point, last.tangent, middle * length);
+    StrokeSample next;
+    const bool own =
+        step.stop == MarchStop::Completed && fill(part, step.end, step.direction, next) && next.own;
+    (own ? low : high) = middle;
+    if (!own) continue;
+    next.visible = last.visible;
+    end = next;
+  }
+  if (end && glm::distance(end->paper, last.paper) > kLeastStep) out.push_back(*end);
+}
+
 StrokeEnd Tracer::advance(std::int32_t part, const StrokeSample& seed, const StrokeWay& way,
                           std::optional<double> level, double sign,
                           std::vector<StrokeSample>& out) const {
@@ -209,6 +245,7 @@ StrokeEnd Tracer::advance(std::int32_t part, const StrokeSample& seed, const Str
   bool unseen_once = false;
   StrokeSample at = seed;
   at.tangent *= sign;
+  const StrokeSample start = at;
   double travelled = 0, unseen = 0, foreign = 0;
   std::size_t last_own = 0;
   for (int i = 0; i < kMaxSamples; ++i) {
@@ -266,12 +303,11 @@ StrokeEnd Tracer::advance(std::int32_t part, const StrokeSample& seed, const Str
     const double ds = glm::length(next.paper - at.paper);
     // The families change names along seams of the field. A stroke that ran on there would cross
     // the other side's strokes' way and leave stubs of them.
-    foreign = seed.own && !next.own ? foreign + ds : 0;
+    foreign = next.own ? 0 : foreign + ds;
     if (foreign == 0) last_own = out.size() + 1;
     if (foreign > kForeign) {
-      // One sample past the seam, where the other side's strokes end too: no white line between
-      // them.
-      out.resize(std::min(out.size(), last_own + 1));
+      out.resize(std::min(out.size(), last_own));
+      end_at_seam(part, out.empty() ? start : out.back(), out);
       return StrokeEnd::Met;
     }
     if (unseen > 0 || i % static_cast<int>(kProbeEvery) == 0) {
@@ -289,8 +325,11 @@ StrokeEnd Tracer::advance(std::int32_t part, const StrokeSample& seed, const Str
         // Its line went on, as far as is known, beside a border that the cells show as stairs.
         const bool known = surface.exact() || !next.bent;
         if (unguided > kUnguided && (!known || unseen_once)) return StrokeEnd::Crowded;
-        if (way.neighbours &&
-            way.neighbours->nearest(grid_sample(next, part, -1), way.apart) < way.apart) {
+        // Lines draw together up to where the surface turns away, and nowhere else.
+        const double apart = known && next.facing < kTurning
+                                 ? kTurningApart * heading.gap
+                                 : kApart * std::max(heading.gap, picture_.options.spacing_min);
+        if (way.neighbours && way.neighbours->nearest(grid_sample(next, part, -1), apart) < apart) {
           return StrokeEnd::Crowded;
         }
       }

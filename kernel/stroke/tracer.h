@@ -65,10 +65,8 @@ struct StrokeWay {
   /// follows the field alone.
   const LevelLine* line = nullptr;
   std::size_t point = 0;
-  /// The strokes so far: beyond its level line it does not come nearer to them than `apart` paper
-  /// mm.
+  /// The strokes so far: beyond its level line it does not run into them.
   const SampleGrid* neighbours = nullptr;
-  double apart = 0;
 };
 
 class Tracer {
@@ -80,9 +78,9 @@ class Tracer {
   /// or the arm of the field nearest to `toward` (model space) where that is not zero.
   bool seed(std::int32_t part, const SurfacePoint& point, Vec3 toward, StrokeSample& out) const;
 
-  /// The sample of the family's own arm, or of the one across it, turned to run along a direction
-  /// on paper.
-  bool seed_along(std::int32_t part, const SurfacePoint& point, bool across, Vec2 paper,
+  /// The sample of the family's own arm, or, beside a seam of the families, of the other one that
+  /// runs along a direction on paper, turned to run that way.
+  bool seed_along(std::int32_t part, const SurfacePoint& point, Vec2 paper,
                   StrokeSample& out) const;
 
   /// The whole stroke through a seed.
@@ -96,6 +94,8 @@ class Tracer {
            MarchStep& step) const;
   Vec3 steer(std::int32_t part, const StrokeSample& at, Vec3 tangent,
              const Guide::Heading& heading) const;
+  void end_at_seam(std::int32_t part, const StrokeSample& last,
+                   std::vector<StrokeSample>& out) const;
   StrokeEnd extend(std::int32_t part, const StrokeSample& seed, const StrokeWay& way,
                    std::optional<double> level, double sign, std::vector<StrokeSample>& out) const;
   StrokeEnd advance(std::int32_t part, const StrokeSample& seed, const StrokeWay& way,

@@ -38,11 +38,14 @@ struct ViewRaster {
     const Vec2 q = (paper - origin) / pitch;
     return q.x >= 0 && q.y >= 0 && q.x < nx && q.y < ny;
   }
-  const RasterCell& nearest(Vec2 paper) const {
+  /// Of the cell that a place lies in, or is nearest to.
+  std::size_t index(Vec2 paper) const {
     const Vec2 q = (paper - origin) / pitch;
-    return at(std::clamp(static_cast<std::int32_t>(q.x), 0, nx - 1),
-              std::clamp(static_cast<std::int32_t>(q.y), 0, ny - 1));
+    const auto x = std::clamp(static_cast<std::int32_t>(q.x), 0, nx - 1);
+    const auto y = std::clamp(static_cast<std::int32_t>(q.y), 0, ny - 1);
+    return static_cast<std::size_t>(y) * static_cast<std::size_t>(nx) + static_cast<std::size_t>(x);
   }
+  const RasterCell& nearest(Vec2 paper) const { return cells[index(paper)]; }
   const RasterCell& at(std::int32_t x, std::int32_t y) const {
     return cells[static_cast<std::size_t>(y) * static_cast<std::size_t>(nx) +
                  static_cast<std::size_t>(x)];

@@ -2,6 +2,8 @@
 
 #include <burin/base/parallel.h>
 
+#include "conjugate_gradients.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -52,6 +54,7 @@ class Density {
     pull_.assign(count_, 0.0);
     h_.assign(count_, 0.0);
     missed_.resize(squares_.size());
+    gradients_ = {count_, kSmall, context};
   }
 
   // The logarithms of the scales of all nodes.
@@ -154,59 +157,23 @@ class Density {
     });
   }
 
-  // A sum of the nodes' terms, the same for any number of threads.
-  template <class Term>
-  double sum(const Term& term) {
-    partial_.assign((count_ + kRange - 1) / kRange, 0.0);
-    parallel_for(count_, kRange, [&](std::size_t begin, std::size_t end) {
-      double s = 0;
-      for (std::size_t i = begin; i < end; ++i) s += term(i);
-      partial_[begin / kRange] = s;
-    });
-    double all = 0;
-    for (const double s : partial_) all += s;
-    return all;
-  }
-
-  // Conjugate gradients with the diagonal as preconditioner; how many steps are left.
+  // How many steps are left.
   int descend(int steps) {
-    std::vector<double> r(count_), z(count_), d(count_), image(count_), scale(count_);
+    std::vector<double> r(count_), diagonal(count_), image(count_);
     apply(h_, image);
     for (std::size_t s = 0; s < squares_.size(); ++s) missed_[s] = squares_[s].miss;
     gather([&](std::size_t i, double miss) { r[i] = pull_[i] - miss - image[i]; });
     for (std::size_t i = 0; i < count_; ++i) {
-      double diagonal = mass_[i];
+      diagonal[i] = mass_[i];
       for (std::uint32_t k = first_[i]; k < first_[i + 1]; ++k) {
         const double by = squares_[around_[k] / 4].by[around_[k] % 4];
-        diagonal += by * by;
+        diagonal[i] += by * by;
       }
-      scale[i] = 1 / diagonal;
-      z[i] = scale[i] * r[i];
     }
-    d = z;
-    double energy = sum([&](std::size_t i) { return r[i] * z[i]; });
-    if (first_energy_ == 0) first_energy_ = energy;
-    while (steps > 0 && energy > kSmall * kSmall * first_energy_) {
-      --steps;
-      apply(d, image);
-      const double curvature = sum([&](std::size_t i) { return d[i] * image[i]; });
-      if (!(curvature > 0)) break;
-      const double by = energy / curvature;
-      parallel_for(count_, kRange, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t i = begin; i < end; ++i) {
-          h_[i] += by * d[i];
-          r[i] -= by * image[i];
-          z[i] = scale[i] * r[i];
-        }
-      });
-      const double before = energy;
-      energy = sum([&](std::size_t i) { return r[i] * z[i]; });
-      const double kept = energy / before;
-      parallel_for(count_, kRange, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t i = begin; i < end; ++i) d[i] = z[i] + kept * d[i];
-      });
-    }
-    return steps;
+    const auto matrix = [&](const std::vector<double>& x, std::vector<double>& out) {
+      apply(x, out);
+    };
+    return gradients_.solve(matrix, diagonal, r, h_, steps);
   }
 
   // From every second cell to all: the mean of what is known around, ring by ring.
@@ -250,8 +217,8 @@ class Density {
   std::size_t count_ = 0;
   std::vector<Square> squares_;
   std::vector<std::uint32_t> first_, around_;
-  std::vector<double> mass_, pull_, h_, missed_, partial_, most_;
-  double first_energy_ = 0;
+  std::vector<double> mass_, pull_, h_, missed_, most_;
+  ConjugateGradients gradients_{0, kSmall, context_};
 };
 
 }  // namespace

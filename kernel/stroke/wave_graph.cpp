@@ -39,7 +39,7 @@ double gap_at(const Picture& picture, const RasterCell& cell, int family, double
          (1 - o.foreshortening + o.foreshortening * kept);
 }
 
-std::optional<Look> look(const Picture& picture, const RasterCell& cell, int family, bool turned) {
+std::optional<Look> look(const Picture& picture, const RasterCell& cell, int family) {
   if (!has_node(cell)) return std::nullopt;
   const Surface& surface = picture.surface(cell.part);
   const Camera& camera = picture.camera;
@@ -48,7 +48,6 @@ std::optional<Look> look(const Picture& picture, const RasterCell& cell, int fam
   const auto cross = picture.field.cross({cell.part, point, frame});
   if (!cross) return std::nullopt;
   Look out{frame.normal, arm_of(*cross, family), Vec2(0)};
-  if (turned) out.tangent = arm_along(*cross, glm::cross(frame.normal, out.tangent));
   const Vec2 along = camera.velocity(point.position, out.tangent);
   const Vec2 across = camera.velocity(point.position, glm::cross(out.normal, out.tangent));
   const double speed = glm::length(along), scale = camera.scale_at(point.position);
@@ -72,10 +71,6 @@ class Builder {
     make_nodes();
     make_links();
     orient();
-    if (turn_narrow()) {
-      make_links();
-      orient();
-    }
     return std::move(graph_);
   }
 
@@ -115,7 +110,7 @@ class Builder {
         count, kGrain,
         [&](std::size_t begin, std::size_t end) {
           for (std::size_t i = begin; i < end; ++i) {
-            if (!at_contour(i)) looks[i] = look(picture_, raster_.cells[i], family_, false);
+            if (!at_contour(i)) looks[i] = look(picture_, raster_.cells[i], family_);
           }
         },
         &context_);
@@ -243,62 +238,6 @@ class Builder {
     for (WaveLink& l : graph_.links) {
       l.flips = glm::dot(graph_.nodes[l.a].wave, graph_.nodes[l.b].wave) < 0;
     }
-  }
-
-  // How far a region goes on from a cell, both ways along a direction on paper, in mm.
-  double chord(std::uint32_t node, Vec2 direction, double most) const {
-    const std::uint32_t at = graph_.nodes[node].cell;
-    const RasterCell& own = raster_.cells[at];
-    const Vec2 from = sheet(node).paper;
-    double sum = 0;
-    for (const double way : {1.0, -1.0}) {
-      for (double s = raster_.pitch; s < most; s += raster_.pitch) {
-        const Vec2 p = from + way * s * direction;
-        if (!raster_.contains(p)) break;
-        const RasterCell& cell = raster_.nearest(p);
-        if (cell.part != own.part || cell.region != own.region) break;
-        sum += raster_.pitch;
-      }
-    }
-    return sum + raster_.pitch;
-  }
-
-  // Across a strip that is narrower than strokes are long they would be a fringe: they go along it.
-  // Whether there is one.
-  bool turn_narrow() {
-    constexpr std::size_t kAsked = 32;  // nodes a component
-    constexpr double kNarrow = 1.2;     // shortest strokes
-    constexpr double kSlim = 2;         // times as long as wide
-    graph_.turned.assign(graph_.nodes.size(), false);
-    if (family_ != 1) return false;
-    const double narrow = kNarrow * picture_.options.length_min;
-    bool any = false;
-    for (std::size_t begin = 0; begin < graph_.order.size();) {
-      const std::uint32_t component = graph_.component[graph_.order[begin]];
-      std::size_t end = begin;
-      while (end < graph_.order.size() && graph_.component[graph_.order[end]] == component) ++end;
-      const std::size_t stride = std::max<std::size_t>(1, (end - begin) / kAsked);
-      double along = 0, across = 0, asked = 0;
-      for (std::size_t k = begin; k < end; k += stride, ++asked) {
-        const std::uint32_t i = graph_.order[k];
-        const Vec2 wave = glm::normalize(graph_.nodes[i].wave);
-        along += chord(i, {-wave.y, wave.x}, 3 * narrow);
-        across += chord(i, wave, 3 * narrow);
-      }
-      if (along < narrow * asked && across > kSlim * along) {
-        any = true;
-        for (std::size_t k = begin; k < end; ++k) {
-          const std::uint32_t i = graph_.order[k];
-          const auto turned = look(picture_, raster_.cells[graph_.nodes[i].cell], family_, true);
-          if (!turned) continue;
-          graph_.turned[i] = true;
-          looks_[i] = *turned;
-          graph_.nodes[i].wave = turned->wave;
-        }
-      }
-      begin = end;
-    }
-    return any;
   }
 
   const Picture& picture_;

@@ -39,8 +39,6 @@ struct WaveGraph {
   std::vector<std::int32_t> parent_link;
   std::vector<std::uint32_t> component;  // of each node
   std::uint32_t components = 0;
-  /// Of each node: whether its lines run across the field's own, along a narrow strip.
-  std::vector<bool> turned;
 };
 
 /// Whether a cell faces the viewer enough for a node.

@@ -37,11 +37,6 @@ struct Level {
   std::size_t size() const { return pull.size(); }
 };
 
-double turn_along(const WaveGraph& graph, const WaveLink& l) {
-  const Vec2 there = l.flips ? -graph.nodes[l.b].wave : graph.nodes[l.b].wave;
-  return kPi * glm::dot(graph.nodes[l.a].wave + there, l.step);
-}
-
 Level finest(const WaveGraph& graph, const std::vector<WaveAnchor>& anchors) {
   Level level;
   const std::size_t n = graph.nodes.size();
@@ -154,6 +149,11 @@ void sweep(const Level& level, std::vector<Vec2>& psi, int sweeps, const RunCont
 }
 
 }  // namespace
+
+double turn_along(const WaveGraph& graph, const WaveLink& l) {
+  const Vec2 there = l.flips ? -graph.nodes[l.b].wave : graph.nodes[l.b].wave;
+  return kPi * glm::dot(graph.nodes[l.a].wave + there, l.step);
+}
 
 WavePhase solve_phase(const WaveGraph& graph, const std::vector<WaveAnchor>& anchors,
                       const RunContext& context) {

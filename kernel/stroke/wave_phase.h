@@ -16,6 +16,9 @@ struct WavePhase {
   std::vector<double> advance;  // along each link from a to b, radians; many turns are allowed
 };
 
+/// Radians that the phase is to grow by along a link.
+double turn_along(const WaveGraph& graph, const WaveLink& link);
+
 /// Unit numbers psi at the nodes that are nearly carried into each other along the links,
 /// psi_b = e^(i omega) psi_a, and nearly what the anchors say: by local sweeps from the coarsest of
 /// ever coarser graphs to the finest. The same for any number of threads. Cost: linear, some 50

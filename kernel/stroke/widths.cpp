@@ -18,10 +18,10 @@ constexpr double kMostCorrection = 1.6;
 constexpr double kMostBeside = 1.15;
 constexpr double kAlone = 1.6;      // widest gaps: a neighbour further off is none
 constexpr double kThinnest = 0.02;  // paper mm
+// Of the room that a line has, at the most: lines that draw together stay lines.
+constexpr double kFullest = 0.75;
 constexpr double kFaded = 0.3;      // weight under which a line needs no taper
 constexpr double kBlunt = 0.3;      // paper mm over which a stroke thins out between its neighbours
-constexpr double kMetTaper =
-    0.5;  // paper mm over which a stroke thins out that runs up to another one
 constexpr double kSmoothing = 1.2;  // paper mm over which widths are evened out along a stroke
 
 using Plane = std::vector<float>;
@@ -137,16 +137,18 @@ class WidthSolver {
 
   void first_guess() {
     widths_.resize(families_.size());
+    most_.resize(families_.size());
     taper_.resize(families_.size());
     for (std::size_t f = 0; f < families_.size(); ++f) {
       const auto& strokes = families_[f].strokes;
       widths_[f].resize(strokes.size());
+      most_[f].resize(strokes.size());
       taper_[f].resize(strokes.size());
       parallel_for(
           strokes.size(), 16,
           [&](std::size_t begin, std::size_t end) {
             for (std::size_t s = begin; s < end; ++s) {
-              widths_[f][s] = guess(f, s);
+              widths_[f][s] = guess(f, s, most_[f][s]);
               taper_[f][s] = taper(strokes[s]);
             }
           },
@@ -155,9 +157,11 @@ class WidthSolver {
     guess_ = widths_;
   }
 
-  std::vector<double> guess(std::size_t f, std::size_t id) const {
+  // Sets what no width may exceed, too.
+  std::vector<double> guess(std::size_t f, std::size_t id, std::vector<double>& most_of) const {
     const TracedStroke& stroke = families_[f].strokes[id];
     std::vector<double> w(stroke.samples.size());
+    most_of.assign(w.size(), picture_.options.width_max);
     for (std::size_t i = 0; i < w.size(); ++i) {
       const StrokeSample& s = stroke.samples[i];
       const double ink = picture_.share(s.darkness, static_cast<int>(f) + 1);
@@ -176,9 +180,11 @@ class WidthSolver {
       // A line that fades out leaves its room to the next ones.
       const double room = 0.5 * gap.left * (1 + s.weight - gap.left_weight) +
                           0.5 * gap.right * (1 + s.weight - gap.right_weight);
+      most_of[i] = limit(std::max(kFullest, ink) * room, f, s.weight);
       w[i] = limit(ink * room, f, s.weight);
     }
     smooth(stroke, w);
+    for (std::size_t i = 0; i < w.size(); ++i) w[i] = std::min(w[i], most_of[i]);
     return w;
   }
 
@@ -193,7 +199,7 @@ class WidthSolver {
     return std::clamp(w, least, o.width_max);
   }
 
-  // Ends that stop at an edge are cut there; all others thin out.
+  // Ends that stop at an edge or at the seam of families are cut there; all others thin out.
   std::vector<double> taper(const TracedStroke& stroke) const {
     const std::size_t n = stroke.samples.size();
     std::vector<double> t(n, 1.0);
@@ -208,8 +214,6 @@ class WidthSolver {
         case StrokeEnd::Singular:
         case StrokeEnd::Length:
           return longest;
-        case StrokeEnd::Met:
-          return std::min(longest, kMetTaper);
         default:
           return 0.0;
       }
@@ -311,6 +315,7 @@ class WidthSolver {
         for (std::size_t i = 0; i < w.size(); ++i) {
           w[i] = limit(std::clamp(w[i], guess[i] / most, guess[i] * most), f,
                        strokes[id].samples[i].weight);
+          w[i] = std::min(w[i], most_[f][id][i]);
         }
       }
     });
@@ -322,7 +327,7 @@ class WidthSolver {
   const RunContext& context_;
   std::int32_t radius_;
   Plane mask_, blurred_mask_;
-  Widths widths_, guess_, taper_;
+  Widths widths_, guess_, most_, taper_;
 
  public:
   const Widths& tapers() const { return taper_; }

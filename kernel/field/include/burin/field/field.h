@@ -51,6 +51,9 @@ Vec3 arm_along(const Cross& cross, Vec3 previous);
 struct Field {
   std::string name;
   std::function<std::optional<Cross>(const FieldQuery&)> cross;
+  /// Whether its families may change names where that serves the drawing: nobody asked for one of
+  /// them.
+  bool free = false;
 };
 
 namespace field {
