@@ -339,6 +339,14 @@ class Views(support.Case):
         array.PlacementList = [FreeCAD.Placement(), turned((1, 0, 0), 45, 0, 0, 80)]
         self.document.recompute()
         nested = outer.Placement * inner.Placement * self.box.Placement
+        mirror = self.document.addObject("App::Link", "Mirror")
+        mirror.LinkedObject = self.box
+        mirror.ScaleVector = V(1, 1, -1)
+        mirror.Placement = turned((1, 0, 0), 40)
+        self.document.recompute()
+        self.run_view("Burin_ViewFromFace", (mirror, "Face6"))  # whose normals point inwards
+        away = sheet_of(self.obj).direction - mirror.Placement.Rotation.multVec(V(0, 0, -1))
+        self.assertLess(away.Length, 1e-6)
         for top, sub, placement in ((outer, "Inner.Box.Face6", nested),
                                     (self.box, "Face6", nested),  # as scripts may select it
                                     (link, "Inner.Box.Face6", link.Placement * inner.Placement * self.box.Placement),
