@@ -14,8 +14,8 @@ from PySide import QtCore, QtGui  # noqa: E402
 V = FreeCAD.Vector
 
 # Some seconds of work for a box and a ball.
-LONG = {"Width": 1500, "Height": 1500, "Style": "engraving",
-        "StyleKeys": {"hatch.spacing_min": "0.15", "hatch.spacing_max": "0.2"}}
+LONG = {"Width": 900, "Height": 900, "Style": "engraving",
+        "StyleKeys": {"hatch.spacing_min": "0.3", "hatch.spacing_max": "0.4"}}
 
 
 def scheduler():
