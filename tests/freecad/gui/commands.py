@@ -1,8 +1,10 @@
 """Each command on a real document: what it does, undo, redo, save, reopen, export."""
 
+import json
 import math
 import os
 import sys
+import threading
 import unittest.mock
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
@@ -219,22 +221,62 @@ class New(support.Case):
         self.assertGreater(obj.ViewObject.Proxy._ink.getNumChildren(), 0)
 
     def test_the_ink_is_made_once_for_each_drawing(self):
-        from freecad.burin_wb.features.sheet import Sheet
+        from freecad.burin_wb.view import ink
 
         name, path = self.illustrate(*self.box_and_ball()).Name, str(support.OUT / "once.FCStd")
         self.document.saveAs(path)
         FreeCAD.closeDocument(self.document.Name)
-        read, init = [], Sheet.__init__
-        Sheet.__init__ = lambda sheet, path: (read.append(path), init(sheet, path))[1]
-        try:
+        read, threads, true = [], set(), ink.read
+
+        def note(path):
+            read.append(path)
+            threads.add(threading.current_thread())
+            return true(path)
+
+        with unittest.mock.patch.object(ink, "read", note):
             self.document = FreeCAD.openDocument(path)
             again = self.document.getObject(name)
-            again.ViewObject.InkColor = again.ViewObject.InkColor
-            self.assertEqual(read, [again.Drawing], "what each property tells on opening made the ink again")
             again.ViewObject.InkColor = (0.2, 0.3, 0.4)
-            self.assertEqual(len(read), 2)
-        finally:
-            Sheet.__init__ = init
+            support.drawn()
+            again.ViewObject.Plane = "Before the model"
+            again.ViewObject.Paper = True
+            support.drawn()
+            self.assertEqual(read, [again.Drawing], "what each property tells made the ink again")
+            self.assertNotIn(threading.main_thread(), threads, "the GUI waits for it")
+
+    def test_the_kernel_and_python_read_the_same_ink(self):
+        import numpy
+
+        from freecad.burin_wb.features.sheet import Sheet
+        from freecad.burin_wb.view import ink
+
+        obj = self.illustrate(*self.box_and_ball())
+        obj.Style, obj.HiddenLines = "engraving", "Dashed"
+        self.document.recompute()
+        support.drawn()
+        drawing = sheet_of(obj).data
+        drawing["layers"][0]["paths"][3]["closed"] = True
+        file = str(support.OUT / "closed.json")
+        with open(file, "w", encoding="utf-8") as out:
+            json.dump(drawing, out)
+        sheet = Sheet(file)
+        paths = [path for _, path in sheet.paths()]
+        with unittest.mock.patch.object(ink, "MOST_POINTS", 500):
+            stand, found = ink.read(file)
+            self.assertEqual(stand.direction, sheet.direction)
+            others = ink.pens(sheet, paths)
+        self.assertGreater(len(found), 5)
+        self.assertEqual({pen.visible for pen in found}, {True, False})
+        self.assertEqual(sum(len(pen.points) for pen in found), sum(len(p["points"]) + p["closed"] for p in paths))
+        for a, b in zip(found, others, strict=True):
+            self.assertEqual((a.width, a.visible, a.counts), (b.width, b.visible, b.counts))
+            numpy.testing.assert_allclose(a.points, b.points, atol=1e-4)
+        path = next(p for p in paths if p["closed"])
+        self.assertGreater(len(path["points"]), 1)
+        ring = ink.pens(sheet, [path])[0]
+        self.assertEqual(tuple(ring.points[0]), tuple(ring.points[-1]))
+        place = sheet.place(path["points"][1])
+        self.assertLess((V(*map(float, ring.points[1])) - place).Length, 1e-4)
 
     def test_saved_and_opened_again_shows_the_kept_drawing_without_the_kernel(self):
         obj = self.illustrate(*self.box_and_ball())
@@ -244,6 +286,7 @@ class New(support.Case):
         FreeCAD.closeDocument(self.document.Name)
         self.document = FreeCAD.openDocument(path)
         again = self.document.getObject(name)
+        support.drawn()
         self.assertEqual(open(again.Drawing).read(), before)
         self.assertGreater(again.ViewObject.Proxy._ink.getNumChildren(), 0)
         again.touch()
@@ -265,6 +308,7 @@ class New(support.Case):
                     less.writestr(entry, full.read(entry))
         self.document = FreeCAD.openDocument(bare)
         proxy = self.document.getObject(name).ViewObject.Proxy
+        support.drawn()
         self.assertGreater(proxy._ink.getNumChildren(), 0)
 
 

@@ -13,7 +13,7 @@ from ..features.properties import ILLUSTRATION, READ_ONLY
 from ..features.sources import filled, is_ready, survey
 from ..text import tr
 from ..worker import Worker
-from . import status
+from . import reading, status
 from .documents import Documents
 
 # Seconds of the GUI's thread that writing shapes may take at a time.
@@ -363,10 +363,11 @@ def settle(obj):
 
 
 def wait(obj=None, seconds=60.0):
-    """For scripts: lets the GUI live until the runs of an illustration (or all) have ended. Whether they have."""
+    """For scripts: lets the GUI live until the runs of an illustration (or all) have ended and the 3-D view shows what they
+    drew. Whether they have."""
     clock, loop = QtCore.QElapsedTimer(), QtCore.QEventLoop()
     clock.start()
-    while scheduler is not None and scheduler.busy(obj):
+    while scheduler is not None and (scheduler.busy(obj) or reading.busy(obj)):
         if clock.elapsed() > 1000 * seconds:
             return False
         QtCore.QTimer.singleShot(10, loop.quit)
