@@ -70,6 +70,12 @@ class Workbench(support.Case):
         self.select(obj)
         self.assertIn("Burin_PlaceOnPage", commands.context())
 
+    def test_what_the_first_panel_needs_is_loaded_before(self):
+        from freecad.burin_wb import kernel
+
+        self.assertTrue(support.until(lambda: "burin" in sys.modules, 10), "the first click loads the kernel")
+        self.assertIs(kernel.offered(), kernel.offered())
+
     def test_help_opens(self):
         Gui.runCommand("Burin_Help")
         window = Gui.getMainWindow().findChild(QtGui.QDialog, "BurinHelp")
