@@ -517,6 +517,22 @@ class Pages(support.Case):
         self.assertIn("freecad.burin_wb.export", FreeCAD.getExportType("svg"))
 
 
+    def test_an_illustration_file_by_command(self):
+        from freecad.burin_wb import commands, kernel
+
+        self.assertIn("Burin_ExportFile", commands.menu())
+        self.select(self.obj)
+        self.assertIn("Burin_ExportFile", commands.context())
+        undos = self.document.UndoCount
+        path = str(support.OUT / "by-command")
+        with unittest.mock.patch.object(QtGui.QFileDialog, "getSaveFileName", lambda *_: (path, "")):
+            Gui.runCommand("Burin_ExportFile")
+        kept, other = (sheet_of(self.obj).data, json.loads(kernel.module().draw(path + ".burin.json").to_bytes("json")))
+        lines = lambda data: [len(layer["paths"]) for layer in data["layers"]]  # noqa: E731
+        self.assertEqual(lines(kept), lines(other))
+        self.assertEqual((self.document.UndoCount, "Touched" in self.obj.State), (undos, False))
+
+
 class Colors(support.Case):
     def paint(self, view, color):
         material = view.ShapeMaterial
