@@ -31,9 +31,11 @@ class BurinWorkbench(Gui.Workbench):
 
             base.ask_for_kernel()
             return
+        from freecad.burin_wb import tasks
         from freecad.burin_wb.view import scheduler
 
         scheduler.install().warm()
+        tasks.warm()
 
     def ContextMenu(self, recipient):
         from freecad.burin_wb import commands

@@ -1,5 +1,6 @@
 """The way to the kernel: the Python module `burin`, in this process or in a worker process."""
 
+import functools
 import importlib.util
 import os
 import sys
@@ -54,9 +55,15 @@ def module():
     return load(folders())
 
 
+@functools.lru_cache(maxsize=None)
+def _asked(burin):
+    """Once a module: panels are opened often, and it takes 5 ms."""
+    return offers.asked(burin)
+
+
 def offered():
     """What the kernel offers: the one that is there; without one, that which the add-on was made with."""
     try:
-        return offers.asked(module()) if found() else offers.kept()
+        return _asked(module()) if found() else offers.kept()
     except KernelMissing:
         return offers.kept()

@@ -93,7 +93,8 @@ def steps(path):
         one = next(o for o in again.Objects if features.is_illustration(o))
         support.settle(500)
         with support.Heartbeat() as beats["open"]:  # what the add-on does of it, not FreeCAD's own reading
-            one.ViewObject.Proxy._show()
+            one.ViewObject.Proxy._shown = ""
+            one.ViewObject.Proxy._renew()
             one.touch()
             one.recompute()
             support.drawn()

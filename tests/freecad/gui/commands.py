@@ -1,8 +1,10 @@
 """Each command on a real document: what it does, undo, redo, save, reopen, export."""
 
+import json
 import math
 import os
 import sys
+import threading
 import unittest.mock
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
@@ -67,6 +69,12 @@ class Workbench(support.Case):
         obj = self.illustrate(box, ball)
         self.select(obj)
         self.assertIn("Burin_PlaceOnPage", commands.context())
+
+    def test_what_the_first_panel_needs_is_loaded_before(self):
+        from freecad.burin_wb import kernel
+
+        self.assertTrue(support.until(lambda: "burin" in sys.modules, 10), "the first click loads the kernel")
+        self.assertIs(kernel.offered(), kernel.offered())
 
     def test_help_opens(self):
         Gui.runCommand("Burin_Help")
@@ -219,22 +227,62 @@ class New(support.Case):
         self.assertGreater(obj.ViewObject.Proxy._ink.getNumChildren(), 0)
 
     def test_the_ink_is_made_once_for_each_drawing(self):
-        from freecad.burin_wb.features.sheet import Sheet
+        from freecad.burin_wb.view import ink
 
         name, path = self.illustrate(*self.box_and_ball()).Name, str(support.OUT / "once.FCStd")
         self.document.saveAs(path)
         FreeCAD.closeDocument(self.document.Name)
-        read, init = [], Sheet.__init__
-        Sheet.__init__ = lambda sheet, path: (read.append(path), init(sheet, path))[1]
-        try:
+        read, threads, true = [], set(), ink.read
+
+        def note(path):
+            read.append(path)
+            threads.add(threading.current_thread())
+            return true(path)
+
+        with unittest.mock.patch.object(ink, "read", note):
             self.document = FreeCAD.openDocument(path)
             again = self.document.getObject(name)
-            again.ViewObject.InkColor = again.ViewObject.InkColor
-            self.assertEqual(read, [again.Drawing], "what each property tells on opening made the ink again")
             again.ViewObject.InkColor = (0.2, 0.3, 0.4)
-            self.assertEqual(len(read), 2)
-        finally:
-            Sheet.__init__ = init
+            support.drawn()
+            again.ViewObject.Plane = "Before the model"
+            again.ViewObject.Paper = True
+            support.drawn()
+            self.assertEqual(read, [again.Drawing], "what each property tells made the ink again")
+            self.assertNotIn(threading.main_thread(), threads, "the GUI waits for it")
+
+    def test_the_kernel_and_python_read_the_same_ink(self):
+        import numpy
+
+        from freecad.burin_wb.features.sheet import Sheet
+        from freecad.burin_wb.view import ink
+
+        obj = self.illustrate(*self.box_and_ball())
+        obj.Style, obj.HiddenLines = "engraving", "Dashed"
+        self.document.recompute()
+        support.drawn()
+        drawing = sheet_of(obj).data
+        drawing["layers"][0]["paths"][3]["closed"] = True
+        file = str(support.OUT / "closed.json")
+        with open(file, "w", encoding="utf-8") as out:
+            json.dump(drawing, out)
+        sheet = Sheet(file)
+        paths = [path for _, path in sheet.paths()]
+        with unittest.mock.patch.object(ink, "MOST_POINTS", 500):
+            stand, found = ink.read(file)
+            self.assertEqual(stand.direction, sheet.direction)
+            others = ink.pens(sheet, paths)
+        self.assertGreater(len(found), 5)
+        self.assertEqual({pen.visible for pen in found}, {True, False})
+        self.assertEqual(sum(len(pen.points) for pen in found), sum(len(p["points"]) + p["closed"] for p in paths))
+        for a, b in zip(found, others, strict=True):
+            self.assertEqual((a.width, a.visible, a.counts), (b.width, b.visible, b.counts))
+            numpy.testing.assert_allclose(a.points, b.points, atol=1e-4)
+        path = next(p for p in paths if p["closed"])
+        self.assertGreater(len(path["points"]), 1)
+        ring = ink.pens(sheet, [path])[0]
+        self.assertEqual(tuple(ring.points[0]), tuple(ring.points[-1]))
+        place = sheet.place(path["points"][1])
+        self.assertLess((V(*map(float, ring.points[1])) - place).Length, 1e-4)
 
     def test_saved_and_opened_again_shows_the_kept_drawing_without_the_kernel(self):
         obj = self.illustrate(*self.box_and_ball())
@@ -244,6 +292,7 @@ class New(support.Case):
         FreeCAD.closeDocument(self.document.Name)
         self.document = FreeCAD.openDocument(path)
         again = self.document.getObject(name)
+        support.drawn()
         self.assertEqual(open(again.Drawing).read(), before)
         self.assertGreater(again.ViewObject.Proxy._ink.getNumChildren(), 0)
         again.touch()
@@ -265,6 +314,7 @@ class New(support.Case):
                     less.writestr(entry, full.read(entry))
         self.document = FreeCAD.openDocument(bare)
         proxy = self.document.getObject(name).ViewObject.Proxy
+        support.drawn()
         self.assertGreater(proxy._ink.getNumChildren(), 0)
 
 
@@ -339,6 +389,14 @@ class Views(support.Case):
         array.PlacementList = [FreeCAD.Placement(), turned((1, 0, 0), 45, 0, 0, 80)]
         self.document.recompute()
         nested = outer.Placement * inner.Placement * self.box.Placement
+        mirror = self.document.addObject("App::Link", "Mirror")
+        mirror.LinkedObject = self.box
+        mirror.ScaleVector = V(1, 1, -1)
+        mirror.Placement = turned((1, 0, 0), 40)
+        self.document.recompute()
+        self.run_view("Burin_ViewFromFace", (mirror, "Face6"))  # whose normals point inwards
+        away = sheet_of(self.obj).direction - mirror.Placement.Rotation.multVec(V(0, 0, -1))
+        self.assertLess(away.Length, 1e-6)
         for top, sub, placement in ((outer, "Inner.Box.Face6", nested),
                                     (self.box, "Face6", nested),  # as scripts may select it
                                     (link, "Inner.Box.Face6", link.Placement * inner.Placement * self.box.Placement),
@@ -457,6 +515,22 @@ class Pages(support.Case):
         export.export([self.obj], path)
         self.assertIn('width="180mm"', open(path).read()[:2000])
         self.assertIn("freecad.burin_wb.export", FreeCAD.getExportType("svg"))
+
+
+    def test_an_illustration_file_by_command(self):
+        from freecad.burin_wb import commands, kernel
+
+        self.assertIn("Burin_ExportFile", commands.menu())
+        self.select(self.obj)
+        self.assertIn("Burin_ExportFile", commands.context())
+        undos = self.document.UndoCount
+        path = str(support.OUT / "by-command")
+        with unittest.mock.patch.object(QtGui.QFileDialog, "getSaveFileName", lambda *_: (path, "")):
+            Gui.runCommand("Burin_ExportFile")
+        kept, other = (sheet_of(self.obj).data, json.loads(kernel.module().draw(path + ".burin.json").to_bytes("json")))
+        lines = lambda data: [len(layer["paths"]) for layer in data["layers"]]  # noqa: E731
+        self.assertEqual(lines(kept), lines(other))
+        self.assertEqual((self.document.UndoCount, "Touched" in self.obj.State), (undos, False))
 
 
 class Colors(support.Case):

@@ -14,8 +14,8 @@ from PySide import QtCore, QtGui  # noqa: E402
 V = FreeCAD.Vector
 
 # Some seconds of work for a box and a ball.
-LONG = {"Width": 1500, "Height": 1500, "Style": "engraving",
-        "StyleKeys": {"hatch.spacing_min": "0.15", "hatch.spacing_max": "0.2"}}
+LONG = {"Width": 900, "Height": 900, "Style": "engraving",
+        "StyleKeys": {"hatch.spacing_min": "0.3", "hatch.spacing_max": "0.4"}}
 
 
 def scheduler():
@@ -332,6 +332,23 @@ class Slices(Case):
         self.assertEqual(self.obj.Message, "")
         self.assertEqual(len(json.loads(read(self.obj.Drawing))["parts"]), 12)
         self.assertNotIn("Touched", self.obj.State)
+
+    def test_what_is_written_has_its_digest(self):
+        """Those of all parts at once would hold the window."""
+        from freecad.burin_wb.features.sources import collect
+
+        patch, solids = self.many(12)
+        with patch:
+            self.obj.Sources = [(s, ("",)) for s in solids]
+            self.obj.recompute()
+            key, writing = next(iter(scheduler()._writing.items()))
+            self.assertEqual(len(writing.pieces), 12, "the click itself writes")
+            while not writing.go_on():
+                pass
+            parts, _ = collect(self.obj.Sources)
+            self.assertNotIn(None, [part.brep.digest for part in parts])
+            support.drawn()
+        self.assertEqual(self.obj.Message, "")
 
     def test_stopped_meanwhile_and_begun_again(self):
         patch, solids = self.many(12)

@@ -204,6 +204,8 @@ class Worker(Case):
             try:
                 obj.Seed = 2
                 self.redraw(obj)
+                self.assertEqual(obj.Message, "")
+                self.assertEqual(json.loads(content(obj.Drawing))["seed"], 2)
                 obj.Seed = 1
                 self.redraw(obj)
             finally:

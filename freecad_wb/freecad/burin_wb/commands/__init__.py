@@ -29,7 +29,10 @@ def toolbar():
 
 
 def menu():
-    return [*toolbar(), "Separator", "Burin_Help"]
+    """As the toolbar, with what is asked for seldom."""
+    rows = toolbar()
+    rows.insert(rows.index("Burin_Export") + 1, "Burin_ExportFile")
+    return [*rows, "Separator", "Burin_Help"]
 
 
 def context():
@@ -39,5 +42,5 @@ def context():
         return []
     if not any(is_illustration(o) for o in chosen):
         return ["Burin_NewIllustration", "Burin_Look"]
-    return ["Burin_Edit", "Burin_View", "Burin_Style", "Burin_PlaceOnPage", "Burin_Export", "Burin_SelectSource",
-            "Burin_ShowLines"]
+    return ["Burin_Edit", "Burin_View", "Burin_Style", "Burin_PlaceOnPage", "Burin_Export", "Burin_ExportFile",
+            "Burin_SelectSource", "Burin_ShowLines"]

@@ -4,7 +4,7 @@ import FreeCADGui as Gui
 from PySide import QtGui
 
 from .. import export as exporter
-from .. import kernel
+from .. import illustration_file, kernel
 from ..errors import Refused
 from ..text import tr
 from .base import Command, selected_illustrations
@@ -34,4 +34,30 @@ class Export(Command):
             raise Refused(str(error))
 
 
-COMMANDS = [Export()]
+class ExportFile(Command):
+    name = "Burin_ExportFile"
+    text = "Export illustration file..."
+    tip = "Writes an illustration file and the models of its parts: the command burin draws them without FreeCAD"
+    icon = "burin_export_file.svg"
+    transaction = False
+    needs_kernel = True
+
+    def possible(self):
+        return len(selected_illustrations()) == 1
+
+    def run(self, document):
+        chosen = selected_illustrations()
+        if len(chosen) != 1:
+            raise Refused(tr("select one illustration"))
+        suffix = illustration_file.SUFFIX
+        name, _ = QtGui.QFileDialog.getSaveFileName(Gui.getMainWindow(), self.text, "",
+                                                    tr("Illustration files") + f" (*{suffix})")
+        if not name:
+            return
+        try:
+            illustration_file.write(chosen[0], name if name.endswith(suffix) else name + suffix)
+        except OSError as error:
+            raise Refused(str(error))
+
+
+COMMANDS = [Export(), ExportFile()]

@@ -40,9 +40,9 @@ class ViewFromFace(Command):
         chosen = next(_selected_faces(), None)
         if chosen is None:
             raise Refused(tr("select a face too"))
-        face = face_of(*chosen)
+        eye = of_face(*face_of(*chosen))
         for obj in selected_illustrations():
-            set_view(obj, of_face(face))
+            set_view(obj, eye)
         document.recompute()
 
 

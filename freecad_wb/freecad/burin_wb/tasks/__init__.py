@@ -1,13 +1,20 @@
 """Panels beside the tree. A panel works in the transaction that is open when it is shown."""
 
 import FreeCADGui as Gui
+from PySide import QtCore
 
 from ..tell import tell
 from ..text import tr
+from . import widgets
 from .illustration import IllustrationPanel
 
 # The panel that is open.
 shown = None
+
+
+def warm():
+    """Loads a moment later what the first panel takes long for."""
+    QtCore.QTimer.singleShot(200, widgets.warm)
 
 
 def show(panel):

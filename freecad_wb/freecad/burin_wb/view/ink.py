@@ -1,77 +1,141 @@
 """Drawings as Coin nodes: the ink on the plane of its view, in model coordinates."""
 
+import collections
+
+import FreeCAD
 from pivy import coin
+
+from .. import kernel
+from ..features.sheet import Sheet
 
 LIT = (0.95, 0.35, 0.05)
 
+# Pixels of a line that is a millimetre wide on paper.
+DOTS_PER_MM = 2.5
 
-def width_of(path):
-    widths = path["width"]
-    return sum(widths) / len(widths) if widths else 0.1
+# Points of a node: what the GUI's thread puts into the 3-D view in one go.
+MOST_POINTS = 20_000
+
+# Where the sheet stands in the model, by FreeCAD's vectors; as `features.sheet.Sheet` has it.
+Stand = collections.namedtuple("Stand", "center right up direction scale offset")
+
+# Lines of one width. width: in pixels; points: (n, 3), on the plane through the view's centre; counts: points of each line.
+Pen = collections.namedtuple("Pen", "width visible points counts")
 
 
-def ink_node(sheet, paths, lift, color, extra=0.0, dots_per_mm=2.5):
-    """A Coin node with some paths; one line set a width class. `lift`: model mm to the viewer; `extra`: pixels more."""
-    groups = {}
-    for path in paths:
-        style = max(1, round(width_of(path) * dots_per_mm) + extra), path["visible"]
-        groups.setdefault(style, []).append(path)
-    root = coin.SoSeparator()
+def read(path):
+    """Stand and pens of a drawing file. For threads beside the GUI: the kernel reads without holding the interpreter,
+    which Python's own reading of JSON does for as long as it takes. Throws OSError, ValueError, KeyError or the kernel's errors."""
+    if not kernel.found():
+        sheet = Sheet(path)
+        return stand_of(sheet), pens(sheet, [p for _, p in sheet.paths()])
+    drawing = kernel.module().Drawing.load(path)
+    view, lines = drawing.view, drawing.arrays()
+    stand = Stand(*(FreeCAD.Vector(*v) for v in (view.center, view.right, view.up, view.direction)), view.scale,
+                  tuple(view.offset))
+    return stand, _pens(stand, *(lines[name] for name in ("first", "points", "width", "visible", "closed")))
+
+
+def stand_of(sheet):
+    return Stand(*(getattr(sheet, name) for name in Stand._fields))
+
+
+def pens(sheet, paths):
+    """Pens of some paths of a sheet."""
+    import numpy
+
+    def joined(name):
+        return [number for path in paths for number in path[name]]
+
+    counts = [len(path["points"]) for path in paths]
+    # A line of one width may tell it once.
+    widths = [w for path, count in zip(paths, counts)
+              for w in (path["width"] if len(path["width"]) == count else [_mean(path["width"])] * count)]
+    return _pens(stand_of(sheet), numpy.concatenate(([0], numpy.cumsum(counts, dtype=int))), numpy.array(joined("points")),
+                 numpy.array(widths), numpy.array([path["visible"] for path in paths]),
+                 numpy.array([path["closed"] for path in paths]))
+
+
+def _mean(numbers):
+    return sum(numbers) / len(numbers) if numbers else 0.1
+
+
+def _pens(stand, first, points, width, visible, closed):
+    """`first`: numbers of the first points of the paths, and that of all points."""
+    import numpy
+
+    first, visible, closed = first.astype(int), visible.astype(bool), closed.astype(bool)
+    count = numpy.diff(first)
+    if not len(count):
+        return []
+    wide = numpy.maximum(1, numpy.rint(numpy.add.reduceat(width, first[:-1]) / count * DOTS_PER_MM)).astype(int)
+    places_ = places(stand, points).astype(numpy.float32)
+    found = []
+    for kind in numpy.unique(2 * wide + visible):
+        chosen = numpy.flatnonzero(2 * wide + visible == kind)
+        total = count[chosen] + closed[chosen]
+        for some in numpy.split(chosen, numpy.flatnonzero(numpy.diff(numpy.cumsum(total) // MOST_POINTS)) + 1):
+            total = count[some] + closed[some]
+            ends = numpy.cumsum(total)
+            at = numpy.arange(ends[-1]) + numpy.repeat(first[some] - (ends - total), total)
+            at[ends[closed[some]] - 1] = first[some][closed[some]]  # a closed line ends where it began
+            found.append(Pen(int(kind) // 2, bool(kind % 2), places_[at], total.tolist()))
+    return found
+
+
+def lines_node(pen, extra=0.0):
+    """The lines of a pen. `extra`: pixels more."""
+    part = coin.SoSeparator()
+    style = coin.SoDrawStyle()
+    style.lineWidth = pen.width + extra
+    if not pen.visible:
+        style.linePattern = 0x0F0F
+    part.addChild(style)
+    coordinates = coin.SoCoordinate3()
+    coordinates.point.setValues(0, len(pen.points), pen.points)
+    lines = coin.SoLineSet()
+    lines.numVertices.setValues(0, len(pen.counts), pen.counts)
+    part.addChild(coordinates)
+    part.addChild(lines)
+    return part
+
+
+def colored(color):
+    """What comes before lines and sheets: a colour that no light changes."""
+    root = coin.SoGroup()
     light = coin.SoLightModel()
     light.model = coin.SoLightModel.BASE_COLOR
     root.addChild(light)
     base = coin.SoBaseColor()
     base.rgb = color
     root.addChild(base)
-    for (pixels, visible), some in sorted(groups.items()):
-        root.addChild(_lines(sheet, some, lift, pixels, visible))
     return root
 
 
-def _lines(sheet, paths, lift, pixels, visible):
-    part = coin.SoSeparator()
-    style = coin.SoDrawStyle()
-    style.lineWidth = pixels
-    if not visible:
-        style.linePattern = 0x0F0F
-    part.addChild(style)
-    flat, counts = [], []
-    for path in paths:
-        run = path["points"] + (path["points"][:1] if path["closed"] else [])
-        flat.extend(run)
-        counts.append(len(run))
-    coordinates = coin.SoCoordinate3()
-    points = places(sheet, flat, lift)
-    coordinates.point.setValues(0, len(points), points)
-    lines = coin.SoLineSet()
-    lines.numVertices.setValues(0, len(counts), counts)
-    part.addChild(coordinates)
-    part.addChild(lines)
-    return part
+def lifted(stand, lift):
+    """Moves what follows from the plane through the view's centre, `lift` mm of the model to the viewer."""
+    move = coin.SoTranslation()
+    move.translation = tuple(stand.direction * lift)
+    return move
 
 
-def places(sheet, points, lift):
+def places(stand, points):
     """As Sheet.place, of many points at once: (n, 3)."""
     import numpy
 
-    flat = (numpy.asarray(points, dtype=float).reshape(-1, 2) - sheet.offset[:2]) / sheet.scale
-    frame = numpy.array([tuple(sheet.right), tuple(sheet.up)])
-    return flat @ frame + tuple(sheet.center + sheet.direction * lift)
+    flat = (numpy.asarray(points, dtype=float).reshape(-1, 2) - stand.offset[:2]) / stand.scale
+    frame = numpy.array([tuple(stand.right), tuple(stand.up)])
+    return flat @ frame + tuple(stand.center)
 
 
-def paper_node(sheet, size, lift):
-    """A white sheet, seen from both sides."""
+def paper_node(stand, size):
+    """A white sheet, seen from both sides, a hair behind the ink."""
     width, height = size
-    corners = places(sheet, [(0, 0), (width, 0), (width, height), (0, height)], lift)
     root = coin.SoSeparator()
-    light = coin.SoLightModel()
-    light.model = coin.SoLightModel.BASE_COLOR
-    root.addChild(light)
-    base = coin.SoBaseColor()
-    base.rgb = (1, 1, 1)
-    root.addChild(base)
+    root.addChild(colored((1, 1, 1)))
+    root.addChild(lifted(stand, -0.1 / stand.scale))
     coordinates = coin.SoCoordinate3()
-    coordinates.point.setValues(0, 4, corners)
+    coordinates.point.setValues(0, 4, places(stand, [(0, 0), (width, 0), (width, height), (0, height)]))
     face = coin.SoFaceSet()
     face.numVertices.setValues(0, 1, [4])
     root.addChild(coordinates)

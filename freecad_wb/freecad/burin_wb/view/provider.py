@@ -7,10 +7,9 @@ from pivy import coin
 from PySide import QtCore, QtGui
 
 from .. import hooks
-from ..features.sheet import Sheet
 from ..tell import ERROR, tell
 from ..text import tr
-from . import ink
+from . import ink, reading
 
 _ICON = os.path.join(os.path.dirname(os.path.dirname(__file__)), "resources", "icons", "burin_illustration.svg")
 
@@ -22,14 +21,17 @@ class IllustrationView:
     def attach(self, view):
         self.Object = view.Object
         self.View = view
-        self._shown = None
+        self._shown, self._stand = "", None  # the file of the drawing that is shown, and where its sheet stands in the model
+        self._reading = None  # what is to be shown next
         _ensure(view)
-        self._root, self._ink, self._lit = coin.SoSeparator(), coin.SoSeparator(), coin.SoSeparator()
-        self._root.addChild(self._ink)
-        self._root.addChild(self._lit)
+        self._root, sheet, self._paper, self._ink, self._lit = (coin.SoSeparator() for _ in range(5))
+        self._pose = coin.SoGroup()
+        for parent, node in ((self._root, sheet), (sheet, self._pose), (sheet, self._paper), (sheet, self._ink),
+                             (self._root, self._lit)):
+            parent.addChild(node)
         view.addDisplayMode(self._root, "Ink")
         self._watch = None
-        self._show()
+        self._renew()
 
     def getDisplayModes(self, view):
         return ["Ink"]
@@ -45,47 +47,62 @@ class IllustrationView:
 
     def updateData(self, obj, name):
         if name == "Drawing" and hasattr(self, "_root"):
-            self._show()
+            self._renew()
 
     def onChanged(self, view, name):
         if name in ("Plane", "InkColor", "Paper") and hasattr(self, "_root"):
-            self._show()
+            self._place()
 
     def lift(self, sheet):
         """Model mm from the view's centre to the plane of the ink, to the viewer."""
         return plane(self.Object, sheet, getattr(self.View, "Plane", BEHIND) != BEHIND)
 
-    def _show(self):
-        """Puts the kept drawing behind the model, where it hides nothing, or before it."""
-        color = tuple(getattr(self.View, "InkColor", DARK))[:3]
-        paper = getattr(self.View, "Paper", False)
-        size = (self.Object.Width.Value, self.Object.Height.Value) if paper else None
-        # Opening a document and undo tell each property once more, and every drawing has a file name of its own.
-        wanted = getattr(self.Object, "Drawing", ""), getattr(self.View, "Plane", BEHIND), color, size
-        if wanted == self._shown:
-            return
-        self._shown = None
-        self._dim()
-        self._ink.removeAllChildren()
-        sheet = self._sheet()
-        if sheet is None:
-            return
-        lift = self.lift(sheet)
-        if paper:
-            self._ink.addChild(ink.paper_node(sheet, size, lift - 0.1 / sheet.scale))
-        self._ink.addChild(ink.ink_node(sheet, (p for _, p in sheet.paths()), lift, color))
-        self._shown = wanted
-
-    def _sheet(self):
-        """The kept drawing; nothing where there is none that can be read."""
+    def _renew(self):
+        """Reads the kept drawing beside the GUI; what is shown stays until then."""
         path = getattr(self.Object, "Drawing", "")
-        if not path or not os.path.exists(path):
-            return None
+        if path and not os.path.exists(path):
+            path = ""
+        # Opening a document and undo tell each property once more, and every drawing has a file name of its own.
+        if path == (self._reading.path if self._reading is not None else self._shown):
+            return
+        if self._reading is not None:
+            reading.drop(self._reading)
+        self._reading = reading.start(self.Object, path, self._read) if path else None
+        if not path:
+            self._show("", None, [])
+
+    def _read(self, which, stand, nodes, error):
+        if which is not self._reading:
+            return
+        self._reading = None
         try:
-            return Sheet(path)
-        except (OSError, ValueError, KeyError) as error:
-            tell(f"{self.Object.Label}: the kept drawing cannot be read ({error}); recompute the illustration", ERROR)
-            return None
+            if error is None:
+                self._show(which.path, stand, nodes)
+                return
+            self._show("", None, [])
+            if self.Object.Drawing == which.path and os.path.exists(which.path):
+                tell(f"{self.Object.Label}: the kept drawing cannot be read ({error}); recompute the illustration", ERROR)
+        except (NameError, ReferenceError, RuntimeError):  # the document was closed meanwhile
+            pass
+
+    def _show(self, path, stand, nodes):
+        self._shown, self._stand = path, stand
+        self._ink.removeAllChildren()
+        for node in nodes:
+            self._ink.addChild(node)
+        self._place()
+
+    def _place(self):
+        """Puts the drawing behind the model, where it hides nothing, or before it."""
+        self._dim()
+        self._pose.removeAllChildren()
+        self._paper.removeAllChildren()
+        if self._stand is None:
+            return
+        self._pose.addChild(ink.lifted(self._stand, self.lift(self._stand)))
+        self._pose.addChild(ink.colored(tuple(getattr(self.View, "InkColor", DARK))[:3]))
+        if getattr(self.View, "Paper", False):
+            self._paper.addChild(ink.paper_node(self._stand, (self.Object.Width.Value, self.Object.Height.Value)))
 
     def light(self, sheet, paths):
         """Shows some lines in colour, until the selection changes."""
@@ -94,8 +111,14 @@ class IllustrationView:
         if not paths:
             return
         # Before the model, which would hide them, and on the ink itself, a hair before it.
+        pens = ink.pens(sheet, paths)
         for lift in (plane(self.Object, sheet, True), self.lift(sheet) + 0.05 / sheet.scale):
-            self._lit.addChild(ink.ink_node(sheet, paths, lift, ink.LIT, extra=2))
+            lit = coin.SoSeparator()
+            lit.addChild(ink.lifted(sheet, lift))
+            lit.addChild(ink.colored(ink.LIT))
+            for pen in pens:
+                lit.addChild(ink.lines_node(pen, extra=2))
+            self._lit.addChild(lit)
         self._watch = _Watch(self)
         Gui.Selection.addObserver(self._watch)
 

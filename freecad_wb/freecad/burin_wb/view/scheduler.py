@@ -7,13 +7,14 @@ import time
 import FreeCAD
 from PySide import QtCore
 
+from .. import kernel
 from ..errors import Failed, Stopped
 from ..features import illustration
 from ..features.properties import ILLUSTRATION, READ_ONLY
 from ..features.sources import filled, is_ready, survey
 from ..text import tr
 from ..worker import Worker
-from . import status
+from . import reading, status
 from .documents import Documents
 
 # Seconds of the GUI's thread that writing shapes may take at a time.
@@ -46,7 +47,8 @@ class _Writing:
         """Writes for a while, one shape at least; whether all are written."""
         end = time.monotonic() + SLICE
         while self.pieces:
-            filled(self.pieces.popleft())
+            part = filled(self.pieces.popleft())
+            part.brep.exact()  # here too, else those of all parts come in one go
             if time.monotonic() > end:
                 break
         return not self.pieces
@@ -99,13 +101,14 @@ class Scheduler(QtCore.QObject):
     # --- shapes, before a run ---
 
     def ready(self, obj):
-        """As features.illustration.ready: writes shapes for SLICE seconds; the rest comes between other events."""
+        """As features.illustration.ready: what is to be written comes between other events, SLICE seconds at a time; none in the
+        click itself, which shows a panel too."""
         key = _key(obj)
         self._writing.pop(key, None)
         if key in self._ready:
             return True
         writing = _Writing(obj)
-        if writing.go_on():
+        if not writing.pieces:
             return True
         with self._lock:
             self._replace(key)  # what is under way is of before
@@ -173,6 +176,7 @@ class Scheduler(QtCore.QObject):
         def start():
             import numpy  # noqa: F401  loaded here it does not stop the GUI
 
+            kernel.offered()  # so does the kernel, which panels ask
             try:
                 self._worker.start()
             except (Failed, Stopped):
@@ -363,10 +367,11 @@ def settle(obj):
 
 
 def wait(obj=None, seconds=60.0):
-    """For scripts: lets the GUI live until the runs of an illustration (or all) have ended. Whether they have."""
+    """For scripts: lets the GUI live until the runs of an illustration (or all) have ended and the 3-D view shows what they
+    drew. Whether they have."""
     clock, loop = QtCore.QElapsedTimer(), QtCore.QEventLoop()
     clock.start()
-    while scheduler is not None and scheduler.busy(obj):
+    while scheduler is not None and (scheduler.busy(obj) or reading.busy(obj)):
         if clock.elapsed() > 1000 * seconds:
             return False
         QtCore.QTimer.singleShot(10, loop.quit)

@@ -76,6 +76,10 @@
       <translation>Wie verdeckte Linien gezeichnet werden</translation>
     </message>
     <message>
+      <source>Illustration files</source>
+      <translation>Illustrationsdateien</translation>
+    </message>
+    <message>
       <source>Isometric</source>
       <translation>Isometrisch</translation>
     </message>
@@ -579,6 +583,17 @@
     <message>
       <source>Writes the illustration as a file: for print, for the web, for drawing programs</source>
       <translation>Schreibt die Illustration als Datei: für den Druck, für das Web, für Zeichenprogramme</translation>
+    </message>
+  </context>
+  <context>
+    <name>Burin_ExportFile</name>
+    <message>
+      <source>Export illustration file...</source>
+      <translation>Illustrationsdatei exportieren …</translation>
+    </message>
+    <message>
+      <source>Writes an illustration file and the models of its parts: the command burin draws them without FreeCAD</source>
+      <translation>Schreibt eine Illustrationsdatei und die Modelle ihrer Teile: der Befehl burin zeichnet sie ohne FreeCAD</translation>
     </message>
   </context>
   <context>

@@ -1,0 +1,168 @@
+"""Illustrations of documents as illustration files, which the command `burin draw` and the Python module draw:
+`from freecad.burin_wb import illustration_file; illustration_file.write(obj, "pump.burin.json")`. Works without a GUI."""
+
+import json
+import os
+import re
+import tempfile
+
+import FreeCAD
+import Part
+
+from . import kernel
+from .errors import Refused
+from .features.illustration import make_job
+from .features.styles import is_file
+from .job import shortened
+from .tell import NOTE, tell
+
+SUFFIX = ".burin.json"
+
+
+def write(obj, path):
+    """Writes the illustration, and its parts as models into a folder beside: NAME.burin.json, NAME.models. Says what was left
+    out. Throws Refused, OSError or errors.KernelMissing."""
+    if not path.endswith(SUFFIX):
+        raise Refused(f"{path}: illustration files end with {SUFFIX}; give it such a name")
+    job = make_job(obj)
+    burin = kernel.module()
+    folder = os.path.basename(path)[: -len(SUFFIX)] + ".models"
+    models = _Models(os.path.join(os.path.dirname(path), folder))
+    names = _names(job.parts)
+    parts = []
+    for part, name in zip(job.parts, names):
+        file, place = models.of(part, name)
+        parts.append({"file": f"{folder}/{file}", "name": name, **({"place": place} if place else {})})
+    try:
+        style = _style(burin, job.options["style"], job.options["set"])
+        looks = [look for look in (_look(burin, part, name) for part, name in zip(job.parts, names)) if look]
+    except burin.Error as error:  # a word that no style has
+        raise Refused(str(error)) from error
+    style["tone.light"] = list(job.options["light"])
+    data = {"burin": "illustration", "version": 1, "title": obj.Label, "parts": parts, "view": _view(job.options),
+            "paper": {"size": list(job.options["paper"]), "margin": job.options["margin"]}, "style": style}
+    if looks:
+        data["looks"] = looks
+    data["hidden"], data["seed"] = job.options["hidden"], job.options["seed"]
+    if job.options["tolerance"]:
+        data["tolerance"] = job.options["tolerance"]
+    models.write()
+    _write(path, (_text(data) + "\n").encode())
+    tell(f"{obj.Label}: written to {path}" + ("; " + shortened(job.notes) if job.notes else ""), NOTE)
+
+
+def _text(data):
+    """JSON to be read and edited: lists of numbers in one line."""
+    return re.sub(r"\[\n([^][{}]*)\]", lambda match: "[" + " ".join(match.group(1).split()) + "]",
+                  json.dumps(data, indent=2, ensure_ascii=False))
+
+
+def _view(options):
+    view = {"from": list(options["view"]), "up": list(options["up"])}
+    if options["perspective"]:
+        view["perspective"] = options["perspective"]
+    if options["scale"]:
+        view["scale"] = options["scale"]
+    return view
+
+
+def _style(burin, name, keys):
+    """A built-in style with the keys that differ; of a style file all keys, so that the file need not be there."""
+    values = burin.style({**burin.style(name), **keys})
+    return values if is_file(name) else {"base": name, **{key: values[key] for key in keys}}
+
+
+def _look(burin, part, name):
+    look = {key: getattr(part, key) for key, usual in (("drawn", True), ("hatched", True), ("transparent", False))
+            if getattr(part, key) != usual}
+    if part.style:
+        look["style"] = burin.style(part.style) if is_file(part.style) else part.style
+    return {"select": "/" + name, **look} if look else None
+
+
+def _names(parts):
+    """A name for each part that no other has, and that is no pattern of selectors."""
+    taken, names = set(), []
+    for part in parts:
+        plain = re.sub(r"[/*?]", "-", part.name).lstrip("@").strip() or "part"
+        name, number = plain, 1
+        while name in taken:
+            number += 1
+            name = f"{plain} {number}"
+        taken.add(name)
+        names.append(name)
+    return names
+
+
+class _Models:
+    """The models of parts: one for all parts that are alike but for their place."""
+
+    def __init__(self, folder):
+        self._folder = folder
+        self._files = {}  # name of a file -> what it holds
+        self._known = {}  # BREP text, by its place in memory -> name of its file
+
+    def of(self, part, name):
+        """A part's file, and where it is to be placed."""
+        if part.brep is None:
+            return self._add(name, ".off", _off(part.vertices, part.triangles)), None
+        place = _place(part.placement) if part.placement else None
+        if part.placement and place is None:
+            return self._add(name, ".brep", _moved(part)), None
+        if id(part.brep) not in self._known:
+            self._known[id(part.brep)] = self._add(name, ".brep", bytes(part.brep))
+        return self._known[id(part.brep)], place
+
+    def _add(self, name, suffix, data):
+        file = f"{len(self._files) + 1}-{re.sub('[^A-Za-z0-9_-]+', '_', name)}{suffix}"
+        self._files[file] = data
+        return file
+
+    def write(self):
+        if not os.path.isdir(self._folder):
+            os.mkdir(self._folder)
+        for file, data in self._files.items():
+            _write(os.path.join(self._folder, file), data)
+
+
+def _place(numbers):
+    """A rigid motion, 16 numbers row by row, as illustration files have it; nothing where it mirrors: that is no place."""
+    matrix = FreeCAD.Matrix(*numbers)
+    if matrix.determinant() < 0:
+        return None
+    placement = FreeCAD.Placement(matrix)
+    about_z, about_y, about_x = placement.Rotation.toEuler()
+    place = {}
+    if any(abs(a) > 1e-12 for a in (about_x, about_y, about_z)):
+        place["rotate"] = [about_x, about_y, about_z]
+    if placement.Base.Length > 0:
+        place["translate"] = list(placement.Base)
+    return place
+
+
+def _moved(part):
+    shape = Part.Shape()
+    shape.importBrepFromString(bytes(part.brep).decode())
+    return shape.transformGeometry(FreeCAD.Matrix(*part.placement)).exportBrepToString().encode()
+
+
+def _off(vertices, triangles):
+    rows = [f"OFF\n{len(vertices)} {len(triangles)} 0"]
+    rows += ["%r %r %r" % tuple(v) for v in vertices.tolist()]
+    rows += ["3 %d %d %d" % tuple(t) for t in triangles.tolist()]
+    return ("\n".join(rows) + "\n").encode()
+
+
+def _write(path, data):
+    """Aside first: what is there is whole at any time."""
+    handle, aside = tempfile.mkstemp(prefix=".burin-", dir=os.path.dirname(path) or ".")
+    try:
+        with os.fdopen(handle, "wb") as out:
+            out.write(data)
+        mask = os.umask(0)
+        os.umask(mask)
+        os.chmod(aside, 0o666 & ~mask)
+        os.replace(aside, path)
+    except BaseException:
+        os.unlink(aside)
+        raise
