@@ -12,9 +12,29 @@ constexpr double kBeside = 0.2;
 // Paper mm between two places that are looked at, and how many at least and at most.
 constexpr double kSpacing = 2;
 constexpr int kFewest = 3, kMost = 7;
+// Paper mm between two lines from which the strip between them is looked at, and of a line: its
+// ends at others would come off it as crumbs.
+constexpr double kStrip = 0.02, kStripLength = 0.3;
 
-bool beside_paper(const Probe& probe, const Curve3& curve, const Track& track, const Piece& piece) {
+// Whether there is paper from `p` to `p + side`. Where another line that is seen lies between, a
+// sheet may end there: a strip narrower than `side` is no paper, though there is paper beyond it.
+bool paper_to(const Probe& probe, const Cutters* seen, Vec2 p, Vec2 side, Crossings& crossings) {
+  if (probe.paper_covered(p + side)) return false;
+  if (!seen) return true;
+  crossings.clear();
+  seen->cross({.a = p, .b = p + side}, CutRule::AnyDepth, crossings);
+  const double least = kStrip / glm::length(side);
+  double nearest = 1;
+  for (const double at : crossings.cuts) {
+    if (at > least) nearest = std::min(nearest, at);
+  }
+  return nearest == 1 || !probe.paper_covered(p + 0.5 * nearest * side);
+}
+
+bool beside_paper(const Probe& probe, const Cutters& seen, const Curve3& curve, const Track& track,
+                  const Piece& piece, Crossings& crossings) {
   const int count = std::clamp(static_cast<int>(piece.length() / kSpacing), kFewest, kMost) | 1;
+  const Cutters* lines = piece.length() >= kStripLength ? &seen : nullptr;
   int open = 0;
   for (int i = 0; i < count; ++i) {
     const double at = piece.from + piece.length() * (i + 0.5) / count;
@@ -29,14 +49,16 @@ bool beside_paper(const Probe& probe, const Curve3& curve, const Track& track, c
     const double error =
         probe.chord_error(curve.source.part, face) * probe.camera().scale_at(curve.points[segment]);
     const Vec2 side = (kBeside + 2 * error) * Vec2(-d.y, d.x);
-    if (!probe.paper_covered(p + side) || !probe.paper_covered(p - side)) ++open;
+    const auto paper = [&](Vec2 to) { return paper_to(probe, lines, p, to, crossings); };
+    if (paper(side) || paper(-side)) ++open;
   }
   return 2 * open > count;
 }
 
 // Marks the stretch `piece`, short parts of which take their neighbours' answer.
-void mark(const Probe& probe, const Curve3& curve, const Track& track, const Piece& piece,
-          const std::vector<double>& cuts, double minimum, std::vector<Piece>& out) {
+void mark(const Probe& probe, const Cutters& seen, const Curve3& curve, const Track& track,
+          const Piece& piece, const std::vector<double>& cuts, double minimum, Crossings& crossings,
+          std::vector<Piece>& out) {
   std::vector<Piece> parts;
   Piece rest = piece;
   for (const double cut : cuts) {
@@ -49,7 +71,7 @@ void mark(const Probe& probe, const Curve3& curve, const Track& track, const Pie
   }
   parts.push_back(rest);
   for (Piece& part : parts) {
-    part.outer = beside_paper(probe, curve, track, part);
+    part.outer = beside_paper(probe, seen, curve, track, part, crossings);
     if (!out.empty() && out.back().visible && out.back().outer == part.outer &&
         out.back().to == part.from) {
       out.back().end = part.end;
@@ -62,8 +84,8 @@ void mark(const Probe& probe, const Curve3& curve, const Track& track, const Pie
 
 }  // namespace
 
-std::vector<Piece> find_outer(const Probe& probe, const Cutters& cutters, const Curve3& curve,
-                              const Track& track, std::int32_t number,
+std::vector<Piece> find_outer(const Probe& probe, const Cutters& cutters, const Cutters& seen,
+                              const Curve3& curve, const Track& track, std::int32_t number,
                               const std::vector<Piece>& pieces, double minimum, double same_cut,
                               Scratch& scratch) {
   const auto n = static_cast<double>(track.segment_count());
@@ -89,7 +111,7 @@ std::vector<Piece> find_outer(const Probe& probe, const Cutters& cutters, const 
     }
     inside.assign(std::upper_bound(scratch.cuts.begin(), scratch.cuts.end(), piece.begin),
                   std::lower_bound(scratch.cuts.begin(), scratch.cuts.end(), piece.end));
-    mark(probe, curve, track, piece, inside, minimum, out);
+    mark(probe, seen, curve, track, piece, inside, minimum, scratch.crossings, out);
   }
   return out;
 }

@@ -283,6 +283,17 @@ TEST(VisibleSpans, CutsTheOutlineWhereAFarPartBegins) {
   EXPECT_NEAR(outer_length(view) / view.camera.scale(), 12, 1e-9);
 }
 
+// A sheet that stands out by less than what is looked at beside a line is no paper.
+TEST(VisibleSpans, TakesNoLineForTheOutlineThatANarrowStripLiesBeside) {
+  const View narrow({test::box({-1, -1, 0}, {1, 1, 1}), test::box({-1, -1, -2}, {1.001, 1, -1})},
+                    {.direction = {0, 0, 1}, .up = {0, 1, 0}}, {.classify_outer = true});
+  const double strip = 0.001 * narrow.camera.scale();
+  ASSERT_GT(strip, 0.05);
+  ASSERT_LT(strip, 0.15);
+  // The right side is that of the far box alone; of the others both lie on each other.
+  EXPECT_NEAR(outer_length(narrow) / narrow.camera.scale(), 8.002, 1e-3);
+}
+
 // --- smooth surfaces
 // -------------------------------------------------------------------------------------------
 
