@@ -170,16 +170,17 @@ std::string name_of(const testing::TestParamInfo<Case>& info) {
   return name;
 }
 
-INSTANTIATE_TEST_SUITE_P(
-    All, Samples,
-    testing::Values(Case{"bracket.off", "outline", HiddenLines::Dashed},
-                    Case{"bracket.off", "engraving", HiddenLines::None, 3.6},
-                    Case{"horn.itd", "engraving"}, Case{"propeller.step"}, Case{"blob.off"},
-                    Case{"carafe.scad"}, Case{"gear.ply", "outline", HiddenLines::None, 1.4},
-                    Case{"gyroid_block.implicit", "outline", HiddenLines::None, 1},
-                    Case{"horn.itd"}, Case{"knot.ply", "haloed"}, Case{"pedestal.step"},
-                    Case{"spindle.stl"}, Case{"teapot.itd"}),
-    name_of);
+INSTANTIATE_TEST_SUITE_P(All, Samples,
+                         testing::Values(Case{"bracket.off", "outline", HiddenLines::Dashed},
+                                         Case{"bracket.off", "engraving", HiddenLines::None, 3.6},
+                                         Case{"horn.itd", "engraving"}, Case{"propeller.step"},
+                                         Case{"blob.off"}, Case{"carafe.scad"},
+                                         Case{"coupling.step"}, Case{"gear.ply"},
+                                         Case{"gyroid_block.implicit"}, Case{"horn.itd"},
+                                         Case{"knot.ply", "haloed"}, Case{"pedestal.step"},
+                                         Case{"spindle.stl"}, Case{"spring.stl"},
+                                         Case{"teapot.itd"}),
+                         name_of);
 INSTANTIATE_TEST_SUITE_P(
     All, RealParts,
     testing::Values(Case{"nurbs/geomview/octant.bez"}, Case{"nurbs/geomview/torus.bez"},
