@@ -122,6 +122,8 @@ bool on_same_fold(const ProxyMesh& proxy, const Origin& o, const Hit& hit, doubl
   const double reach =
       kFoldReach * (longest_edge(proxy.mesh, own) + longest_edge(proxy.mesh, hit.where.face));
   if (hit.distance > reach) return false;
+  // Of a rim the fold is exact but for the chord errors: what passes farther off is its other side.
+  if (o.fold == Fold::Boundary && told > kAllButOnPlane) return false;
   const int steps = o.fold == Fold::Contour && told <= kAllButOnPlane ? kFoldLongWalk : kFoldWalk;
   return near_on_surface(proxy, own, hit.where.face) ||
          walk_reaches(proxy, o, +1, hit.where.face, steps) ||
