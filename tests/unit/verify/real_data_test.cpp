@@ -192,6 +192,7 @@ INSTANTIATE_TEST_SUITE_P(
                     Case{"step/gmsh/wing_fuselage.step"}, Case{"step/occt/screw.step"},
                     Case{"nurbs/occt/CrankArm.brep"},
                     Case{"step/kicad/BatteryHolder_Keystone_1058_1x2032.step"},
+                    Case{"mesh/trimesh/ballA.off", "outline", HiddenLines::None, 2},
                     Case{"step/gmsh/wrenchnut.stp"}, Case{"step/gmsh/component8.step"},
                     Case{"nurbs/occt/Pump_Nut.brep"}, Case{"step/gmsh/Kurbelwelle.stp"},
                     Case{"step/gmsh/Angled.step"}, Case{"step/gmsh/as1-tu-203.stp"},
