@@ -344,9 +344,10 @@ void add_drawing(py::module_& module) {
           "style", [](const PyDrawing& self) { return self.drawing.style; }, "Name of the style.")
       .def_property_readonly(
           "seed", [](const PyDrawing& self) { return self.drawing.seed; }, "The random seed.")
-      .def_property_readonly("stats", stats,
-                             "triangles, strokes, coverage_points, coverage_delta (mm of paper); tone_gamma, "
-                             "where the style balances its ink.")
+      .def_property_readonly(
+          "stats", stats,
+          "triangles, strokes, coverage_points, coverage_delta (mm of paper); tone_gamma, "
+          "where the style balances its ink.")
       .def(
           "arrays", [](const PyDrawing& self) { return flat_arrays(self.drawing); },
           "All paths as few arrays: \"points\" (N, 2) and \"points3\" (N, 3) in mm, \"width\" (N,) "
