@@ -226,6 +226,22 @@ std::vector<std::string> known_options(const CLI::App& app) {
   return names;
 }
 
+/// `--view=` is an option without its value: for the next word CLI11 would take another option.
+void refuse_empty_values(const CLI::App& app, int argc, const char* const* argv) {
+  std::vector<std::string> names;
+  for (const CLI::App* sub : app.get_subcommands({})) {
+    const std::vector<std::string> more = known_options(*sub);
+    names.insert(names.end(), more.begin(), more.end());
+  }
+  for (int i = 1; i < argc; ++i) {
+    const std::string word = argv[i];
+    if (word == "--") return;  // names of files follow
+    if (!word.starts_with('-') || word.find('=') != word.size() - 1) continue;
+    const std::string name = word.substr(0, word.size() - 1);
+    if (std::ranges::find(names, name) != names.end()) refuse_empty(name, "");
+  }
+}
+
 /// Throws for the first word that no option or argument took.
 void refuse_extras(const CLI::App& app, const std::string& command) {
   for (const std::string& word : app.remaining()) {
@@ -284,6 +300,7 @@ Arguments parse_arguments(int argc, const char* const* argv) {
   for (CLI::App* sub : {draw, illustrate, convert, info, styles, options, plugins})
     sub->allow_extras();
 
+  refuse_empty_values(app, argc, argv);
   try {
     app.parse(argc, argv);
   } catch (const CLI::CallForHelp&) {

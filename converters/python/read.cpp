@@ -1,10 +1,13 @@
 #include "read.h"
 
+#include <burin/base/error.h>
+
 #include "style_text.h"
 #include "text.h"
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <string_view>
 #include <utility>
 
@@ -81,7 +84,10 @@ void add_keyword(DrawRequest& request, const RequestOption& option, const py::ha
   } else {
     given = {text_of(option, value)};
   }
-  if (!given.empty() && !given.back().empty()) request.options[name] = std::move(given);
+  if (std::ranges::any_of(given, &std::string::empty)) {
+    throw UsageError(fmt::format("argument {} has an empty value", name));
+  }
+  if (!given.empty()) request.options[name] = std::move(given);
 }
 
 ReadOptions read_options(const py::kwargs& keywords, const std::vector<std::string>& others) {

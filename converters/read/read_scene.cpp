@@ -19,7 +19,9 @@ void check_inputs(const std::vector<std::string>& paths) {
     struct stat info {};
     if (::stat(path.c_str(), &info) != 0) {
       if (errno == ENOENT || errno == ENOTDIR) {
-        throw MissingFile("there is no such file; check the path", path);
+        throw MissingFile(path.empty() ? "the name of a model file is empty"
+                                       : "there is no such file; check the path",
+                          path);
       }
       throw InputError(std::string("cannot be opened: ") + std::strerror(errno), path);
     }

@@ -1,4 +1,5 @@
 #include <burin/base/parallel.h>
+#include <burin/verify/near_lines.h>
 #include <burin/verify/referee.h>
 #include <burin/verify/verify.h>
 
@@ -19,6 +20,9 @@ constexpr int kFewest = 4;  // the same in places
 // themselves are not.
 constexpr double kFiner = 0.25;
 constexpr double kSheetTolerance = 0.05;  // paper mm
+// Paper mm within which a line that is drawn stands for one that is left out: what tessellations do
+// not tell apart, a fraction of any pen's width.
+constexpr double kSameLine = kSheetTolerance;
 // Lines a step of progress, and a task.
 constexpr std::size_t kAtOnce = 1024, kGrain = 8;
 constexpr std::size_t kListed = 100, kNamed = 20;
@@ -52,7 +56,26 @@ std::vector<Place> places_of(const Path& path, const Camera& camera, double& len
   return places;
 }
 
-Tested test_line(const Path& path, const Camera& camera, const Referee& referee) {
+bool is_feature(const Path& path) {
+  return path.kind != LineClass::Stroke && path.kind != LineClass::Pattern;
+}
+
+// The lines of the shape that are drawn. Left out is none that runs along one of them: the sheet
+// shows the same with it and without, whichever of both lies in front.
+NearLines drawn_features(std::span<const Path> lines, const Camera& camera) {
+  std::vector<Polyline> drawn;
+  for (const Path& path : lines) {
+    if (!path.visible || !is_feature(path)) continue;
+    Polyline line;
+    for (const Vec3 p : path.points3) line.push_back(camera.to_paper(p));
+    if (path.closed && !line.empty()) line.push_back(line.front());
+    drawn.push_back(std::move(line));
+  }
+  return {drawn, kSameLine};
+}
+
+Tested test_line(const Path& path, const Camera& camera, const Referee& referee,
+                 const NearLines& drawn) {
   Tested tested;
   const std::vector<Place> places = places_of(path, camera, tested.length);
   if (tested.length < kShortest || !std::isfinite(tested.length)) return {};
@@ -76,7 +99,8 @@ Tested test_line(const Path& path, const Camera& camera, const Referee& referee)
   };
   for (std::size_t i = 0; i < places.size(); ++i) {
     const Finding finding = referee.test(places[i].model, path.visible, fold);
-    if (finding == Finding::Holds) {
+    const bool shown = finding == Finding::Open && is_feature(path) && drawn.near(places[i].paper);
+    if (finding == Finding::Holds || shown) {
       close(i);
     } else {
       ++run;
@@ -183,6 +207,7 @@ class Court {
 std::vector<Tested> test_lines(std::span<const Path> lines, const Camera& camera,
                                const Court& court, RunContext& context) {
   std::vector<Tested> tested(lines.size());
+  const NearLines drawn = drawn_features(lines, camera);
   for (std::size_t from = 0; from < lines.size(); from += kAtOnce) {
     context.progress(static_cast<double>(from) / static_cast<double>(lines.size()));
     parallel_for(
@@ -190,7 +215,7 @@ std::vector<Tested> test_lines(std::span<const Path> lines, const Camera& camera
         [&](std::size_t begin, std::size_t end) {
           for (std::size_t i = from + begin; i < from + end; ++i) {
             const Referee* referee = court.of(lines[i].source.part);
-            if (referee) tested[i] = test_line(lines[i], camera, *referee);
+            if (referee) tested[i] = test_line(lines[i], camera, *referee, drawn);
           }
         },
         &context);

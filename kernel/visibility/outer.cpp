@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 namespace burin {
 namespace {
@@ -12,12 +13,38 @@ constexpr double kBeside = 0.2;
 // Paper mm between two places that are looked at, and how many at least and at most.
 constexpr double kSpacing = 2;
 constexpr int kFewest = 3, kMost = 7;
+// Paper mm between two lines from which the strip between them is looked at, and of a line: its
+// ends at others would come off it as crumbs.
+constexpr double kStrip = 0.02, kStripLength = 0.3;
+// Where the outline begins without a line: paper mm between places, and the shortest stretch.
+constexpr double kFineSpacing = 0.25, kShortestStretch = 1.0;
+constexpr int kMostFine = 1024, kBisections = 14;
 
-bool beside_paper(const Probe& probe, const Curve3& curve, const Track& track, const Piece& piece) {
-  const int count = std::clamp(static_cast<int>(piece.length() / kSpacing), kFewest, kMost) | 1;
-  int open = 0;
-  for (int i = 0; i < count; ++i) {
-    const double at = piece.from + piece.length() * (i + 0.5) / count;
+// Whether there is paper from `p` to `p + side`. Where another line that is seen lies between, a
+// sheet may end there: a strip narrower than `side` is no paper, though there is paper beyond it.
+bool paper_to(const Probe& probe, const Cutters* seen, Vec2 p, Vec2 side, Crossings& crossings) {
+  if (probe.paper_covered(p + side)) return false;
+  if (!seen) return true;
+  crossings.clear();
+  seen->cross({.a = p, .b = p + side}, CutRule::AnyDepth, crossings);
+  const double least = kStrip / glm::length(side);
+  double nearest = 1;
+  for (const double at : crossings.cuts) {
+    if (at > least) nearest = std::min(nearest, at);
+  }
+  return nearest == 1 || !probe.paper_covered(p + 0.5 * nearest * side);
+}
+
+/// Whether there is paper beside places of one curve.
+struct Beside {
+  const Probe& probe;
+  const Cutters& seen;
+  const Curve3& curve;
+  const Track& track;
+  Crossings& crossings;
+
+  /// `at`: paper mm from the start; `strips`: whether they are looked at.
+  bool paper(double at, bool strips) const {
     const double parameter = track.parameter_at(at);
     const std::size_t n = track.segment_count();
     const auto segment = std::min(static_cast<std::size_t>(parameter), 2 * n - 1) % n;
@@ -29,18 +56,65 @@ bool beside_paper(const Probe& probe, const Curve3& curve, const Track& track, c
     const double error =
         probe.chord_error(curve.source.part, face) * probe.camera().scale_at(curve.points[segment]);
     const Vec2 side = (kBeside + 2 * error) * Vec2(-d.y, d.x);
-    if (!probe.paper_covered(p + side) || !probe.paper_covered(p - side)) ++open;
+    const Cutters* lines = strips ? &seen : nullptr;
+    return paper_to(probe, lines, p, side, crossings) ||
+           paper_to(probe, lines, p, -side, crossings);
   }
-  return 2 * open > count;
+};
+
+// Adds the part with its answer, that of most places; where they disagree for long enough on both
+// sides, no line was known at which the outline begins: it is looked for.
+void add_part(const Beside& beside, Piece part, std::vector<Piece>& out) {
+  const bool strips = part.length() >= kStripLength;
+  const auto place = [&](int i, int count) {
+    return part.from + part.length() * (i + 0.5) / count;
+  };
+  const int count = std::clamp(static_cast<int>(part.length() / kSpacing), kFewest, kMost) | 1;
+  int open = 0;
+  for (int i = 0; i < count; ++i) open += beside.paper(place(i, count), strips) ? 1 : 0;
+  part.outer = 2 * open > count;
+  if (open == 0 || open == count || part.length() < 2 * kShortestStretch) {
+    out.push_back(part);
+    return;
+  }
+  const int fine = std::min(static_cast<int>(part.length() / kFineSpacing), kMostFine);
+  std::vector<char> answers;
+  for (int i = 0; i < fine; ++i) answers.push_back(beside.paper(place(i, fine), strips) ? 1 : 0);
+  // At the most one change: an end of the outline. More are noise, and the most decide.
+  const auto change = std::ranges::adjacent_find(answers, std::not_equal_to());
+  const auto again = change == answers.end()
+                         ? answers.end()
+                         : std::adjacent_find(change + 1, answers.end(), std::not_equal_to());
+  if (change == answers.end() || again != answers.end()) {
+    out.push_back(part);
+    return;
+  }
+  const auto before = static_cast<int>(change - answers.begin());
+  double from = place(before, fine), to = place(before + 1, fine);
+  if (from - part.from < kShortestStretch || part.to - to < kShortestStretch) {
+    out.push_back(part);
+    return;
+  }
+  for (int i = 0; i < kBisections; ++i) {
+    const double middle = 0.5 * (from + to);
+    (beside.paper(middle, strips) == (*change != 0) ? from : to) = middle;
+  }
+  Piece first = part;
+  first.outer = *change != 0;
+  part.outer = !first.outer;
+  first.to = part.from = 0.5 * (from + to);
+  first.end = part.begin = beside.track.parameter_at(first.to);
+  out.push_back(first);
+  out.push_back(part);
 }
 
 // Marks the stretch `piece`, short parts of which take their neighbours' answer.
-void mark(const Probe& probe, const Curve3& curve, const Track& track, const Piece& piece,
-          const std::vector<double>& cuts, double minimum, std::vector<Piece>& out) {
+void mark(const Beside& beside, const Piece& piece, const std::vector<double>& cuts, double minimum,
+          std::vector<Piece>& out) {
   std::vector<Piece> parts;
   Piece rest = piece;
   for (const double cut : cuts) {
-    const double at = track.length_at(cut);
+    const double at = beside.track.length_at(cut);
     if (at - rest.from < minimum || piece.to - at < minimum) continue;
     Piece part = rest;
     part.end = rest.begin = cut;
@@ -48,8 +122,9 @@ void mark(const Probe& probe, const Curve3& curve, const Track& track, const Pie
     parts.push_back(part);
   }
   parts.push_back(rest);
-  for (Piece& part : parts) {
-    part.outer = beside_paper(probe, curve, track, part);
+  std::vector<Piece> answered;
+  for (const Piece& part : parts) add_part(beside, part, answered);
+  for (const Piece& part : answered) {
     if (!out.empty() && out.back().visible && out.back().outer == part.outer &&
         out.back().to == part.from) {
       out.back().end = part.end;
@@ -62,8 +137,8 @@ void mark(const Probe& probe, const Curve3& curve, const Track& track, const Pie
 
 }  // namespace
 
-std::vector<Piece> find_outer(const Probe& probe, const Cutters& cutters, const Curve3& curve,
-                              const Track& track, std::int32_t number,
+std::vector<Piece> find_outer(const Probe& probe, const Cutters& cutters, const Cutters& seen,
+                              const Curve3& curve, const Track& track, std::int32_t number,
                               const std::vector<Piece>& pieces, double minimum, double same_cut,
                               Scratch& scratch) {
   const auto n = static_cast<double>(track.segment_count());
@@ -82,6 +157,7 @@ std::vector<Piece> find_outer(const Probe& probe, const Cutters& cutters, const 
   std::sort(scratch.cuts.begin(), scratch.cuts.end());
   std::vector<Piece> out;
   std::vector<double> inside;
+  const Beside beside{probe, seen, curve, track, scratch.crossings};
   for (const Piece& piece : pieces) {
     if (!piece.visible) {
       out.push_back(piece);
@@ -89,7 +165,7 @@ std::vector<Piece> find_outer(const Probe& probe, const Cutters& cutters, const 
     }
     inside.assign(std::upper_bound(scratch.cuts.begin(), scratch.cuts.end(), piece.begin),
                   std::lower_bound(scratch.cuts.begin(), scratch.cuts.end(), piece.end));
-    mark(probe, curve, track, piece, inside, minimum, out);
+    mark(beside, piece, inside, minimum, out);
   }
   return out;
 }

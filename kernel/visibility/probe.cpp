@@ -17,8 +17,9 @@ constexpr double kOnPlane = 4;
 // is two rings of vertices, or straight toward the viewer, where triangles are narrow across the
 // line of sight. From a contour along a row of cuts it takes some twenty such; so far only to a
 // triangle whose plane all but holds the point, or what truly lies before it would pass for its
-// fold.
-constexpr int kFoldSteps = 4, kFoldWalk = 8, kFoldLongWalk = 24;
+// fold. Farthest while the surface's own normals face the viewer: to rise before its contour it
+// would have to turn away first.
+constexpr int kFoldSteps = 4, kFoldWalk = 8, kFoldLongWalk = 24, kFoldLongest = 64;
 constexpr double kAllButOnPlane = 5;  // in what the proxies do not tell apart
 // Edges of both triangles within which a fold can lie in front of its own contour: its polygons and
 // its contour, which runs where interpolated normals turn away, differ by about an edge along the
@@ -86,9 +87,10 @@ bool near_on_surface(const ProxyMesh& proxy, std::uint32_t from, std::uint32_t t
 }
 
 // Whether a walk over smooth edges from the point, straight as the viewer sees it, comes to
-// triangle `to` within so many steps; at first toward the viewer or away from it.
+// triangle `to` within so many steps; at first toward the viewer or away from it. `facing`: only
+// over what faces the viewer by its normals.
 bool walk_reaches(const ProxyMesh& proxy, const Origin& o, double direction, std::uint32_t to,
-                  int steps) {
+                  int steps, bool facing = false) {
   const TriMesh& mesh = proxy.mesh;
   const auto side = [&](std::uint32_t v) {
     return glm::dot(o.across, mesh.positions[v] - o.point);
@@ -97,17 +99,24 @@ bool walk_reaches(const ProxyMesh& proxy, const Origin& o, double direction, std
   HalfEdge from = kNoHalfEdge;
   for (int step = 0; step < steps; ++step) {
     HalfEdge out = kNoHalfEdge;
-    double farthest = -std::numeric_limits<double>::infinity();
+    double farthest = -std::numeric_limits<double>::infinity(), share = 0;
     for (HalfEdge h = static_cast<HalfEdge>(3 * face), end = h + 3; h < end; ++h) {
       const std::uint32_t a = origin(mesh, h), b = origin(mesh, next_in_face(h));
       const double u = side(a), v = side(b);
       if (h == from || (u < 0) == (v < 0)) continue;
       const Vec3 p = mesh.positions[a] + (u / (u - v)) * (mesh.positions[b] - mesh.positions[a]);
       const double along = direction * glm::dot(p - o.point, o.view);
-      if (along > farthest) farthest = along, out = h;
+      if (along > farthest) farthest = along, share = u / (u - v), out = h;
     }
     if (out == kNoHalfEdge || proxy.edge_kind[static_cast<std::size_t>(out)] != EdgeKind::Smooth) {
       return false;
+    }
+    if (facing) {
+      Vec3 bary(0);
+      bary[static_cast<int>(out % 3)] = 1 - share;
+      bary[static_cast<int>(next_in_face(out) % 3)] = share;
+      const Vec3 n = proxy.normal(face, bary);
+      if (glm::dot(n, o.view) < 0) return false;
     }
     from = proxy.topology.opposite[static_cast<std::size_t>(out)];
     face = face_of(from);
@@ -122,9 +131,13 @@ bool on_same_fold(const ProxyMesh& proxy, const Origin& o, const Hit& hit, doubl
   const double reach =
       kFoldReach * (longest_edge(proxy.mesh, own) + longest_edge(proxy.mesh, hit.where.face));
   if (hit.distance > reach) return false;
+  // Of a rim the fold is exact but for the chord errors: what passes farther off is its other side.
+  if (o.fold == Fold::Boundary && told > kAllButOnPlane) return false;
   const int steps = o.fold == Fold::Contour && told <= kAllButOnPlane ? kFoldLongWalk : kFoldWalk;
   return near_on_surface(proxy, own, hit.where.face) ||
          walk_reaches(proxy, o, +1, hit.where.face, steps) ||
+         (o.fold == Fold::Contour &&
+          walk_reaches(proxy, o, +1, hit.where.face, kFoldLongest, true)) ||
          (o.fold == Fold::Boundary && walk_reaches(proxy, o, -1, hit.where.face, steps));
 }
 

@@ -143,8 +143,8 @@ struct VisibilityMap::Impl {
                            Scratch& scratch) const {
     pieces = settle(std::move(pieces), track, options.minimum_length);
     if (options.classify_outer && curve.occluding) {
-      pieces = find_outer(probe, *every, curve, track, number, pieces, options.minimum_length,
-                          same_cut, scratch);
+      pieces = find_outer(probe, *every, *visible, curve, track, number, pieces,
+                          options.minimum_length, same_cut, scratch);
     }
     return to_spans(pieces, static_cast<double>(track.segment_count()));
   }

@@ -69,6 +69,17 @@ TEST_F(CliErrors, EmptyValuesAreNoDefaults) {
     EXPECT_EQ(command.wait(), 2);
     EXPECT_EQ(command.std_err, "burin: error: option " + option + " has an empty value\n");
   }
+  // With the sign of equality nothing follows: the next word is another option.
+  for (const std::string option :
+       {"--view", "--iso", "--part", "--set", "--style", "--output", "--verify"}) {
+    test::Command command(folder_, {"draw", box_, option + "=", "-o", folder_ / "a.svg"});
+    EXPECT_EQ(command.wait(), 2);
+    EXPECT_EQ(command.std_err, "burin: error: option " + option + " has an empty value\n");
+  }
+  expect_failure("draw @/box.off --nosuch= -o @/a.svg", 2, "unknown option --nosuch");
+  test::Command nameless(folder_, {"draw", "", "-o", folder_ / "a.svg"});
+  EXPECT_EQ(nameless.wait(), 3);
+  EXPECT_EQ(nameless.std_err, "burin: error: the name of a model file is empty\n");
 }
 
 TEST_F(CliErrors, UsageOfOutputs) {

@@ -112,6 +112,10 @@ class Options(unittest.TestCase):
             ({"set": {"hatch.spacing_min": 5}}, "more than 'hatch.spacing_max'"),
             ({"tolerence": 1}, "unknown argument 'tolerence'; the nearest is 'tolerance'"),
             ({"bounds": (0, 0, 0, 1, 1, 1)}, "Scene.read"),
+            ({"view": ""}, "argument view has an empty value"),
+            ({"scale": ""}, "argument scale has an empty value"),
+            ({"up": ()}, "argument up has an empty value"),
+            ({"hide": [""]}, "argument hide has an empty value"),
         ]
         for keywords, message in bad:
             with self.subTest(keywords), self.assertRaisesRegex(burin.UsageError, message):

@@ -111,6 +111,19 @@ TEST(Verify, TellsALineThatIsTakenForHiddenInTheOpen) {
   EXPECT_EQ(judge({line({-20, 0, -10}, {-20, 0, 10}, false)}).result.count, 1);
 }
 
+// The sheet shows the same with it and without: which of both is in front, 0.001 mm apart, rays do
+// not know.
+TEST(Verify, ALineThatIsLeftOutBesideOneThatIsDrawnIsNotMissing) {
+  const auto beside = [&](double paper_mm, bool drawn) {
+    const double x = -10 + paper_mm / scale();
+    return judge({line({-10, 0, -10}, {-10, 0, 10}, drawn), line({x, 0, -9}, {x, 0, 9}, false)})
+        .result.count;
+  };
+  EXPECT_EQ(beside(0.03, true), 0);
+  EXPECT_EQ(beside(0.1, true), 1);
+  EXPECT_EQ(beside(0.03, false), 2);
+}
+
 // A plate 0.14 mm thick on the sheet: its far lower edges lie 0.1 mm beside the upper ones on paper
 // and 0.24 mm behind the upper face, which is not their own.
 TEST(Verify, AnEdgeRightBehindAThinWallIsHidden) {

@@ -283,6 +283,45 @@ TEST(VisibleSpans, CutsTheOutlineWhereAFarPartBegins) {
   EXPECT_NEAR(outer_length(view) / view.camera.scale(), 12, 1e-9);
 }
 
+// A sheet that stands out by less than what is looked at beside a line is no paper.
+TEST(VisibleSpans, TakesNoLineForTheOutlineThatANarrowStripLiesBeside) {
+  const View narrow({test::box({-1, -1, 0}, {1, 1, 1}), test::box({-1, -1, -2}, {1.001, 1, -1})},
+                    {.direction = {0, 0, 1}, .up = {0, 1, 0}}, {.classify_outer = true});
+  const double strip = 0.001 * narrow.camera.scale();
+  ASSERT_GT(strip, 0.05);
+  ASSERT_LT(strip, 0.15);
+  // The right side is that of the far box alone; of the others both lie on each other.
+  EXPECT_NEAR(outer_length(narrow) / narrow.camera.scale(), 8.002, 1e-3);
+}
+
+// Behind its fold the far rim of an open tube is hidden at once. Triangles as long as the tube are
+// few around the fold, and those before the rim passed for its own.
+TEST(VisibleSpans, HidesTheRimOfATubeRightBehindItsFold) {
+  for (const std::uint32_t sides : {120U, 300U}) {
+    const TriMesh tube = test::grid(sides, 2, true, false, [&](std::uint32_t i, std::uint32_t j) {
+      const double a = 2 * test::kPi * i / sides;
+      return Vec3(std::cos(a), std::sin(a), 3 * (j - 0.5));
+    });
+    const View view({tube}, {.direction = {-0.4, -1, 0.55}});
+    const Vec3 v = view.camera.direction();
+    double behind = 0, before = 0;
+    for (std::size_t c = 0; c < view.features.size(); ++c) {
+      for (const Span& s : view.spans[c]) {
+        if (!s.visible || view.features[c].kind != LineClass::Boundary) continue;
+        const Curve3 part = slice(view.features[c], s.begin, s.end);
+        for (std::size_t i = 0; i < part.segment_count(); ++i) {
+          const Vec3 a = part.points[i], b = part.points[part.next(i)], middle = 0.5 * (a + b);
+          if (middle.z > 0) continue;
+          const double length = glm::distance(view.camera.to_paper(a), view.camera.to_paper(b));
+          (glm::dot(Vec3(middle.x, middle.y, 0), v) < 0 ? behind : before) += length;
+        }
+      }
+    }
+    EXPECT_GT(before, 60) << sides;
+    EXPECT_LT(behind, 0.4) << sides;
+  }
+}
+
 // --- smooth surfaces
 // -------------------------------------------------------------------------------------------
 
