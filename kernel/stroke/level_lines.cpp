@@ -58,6 +58,7 @@ class Marcher {
       for (std::uint32_t c = offset_[l]; c < offset_[l + 1]; ++c) link_of_[c] = l;
     }
     const auto take = [&](std::uint32_t start, bool closed) {
+      context_.check();
       LevelLine line = chain(start, closed, used);
       if (line.points.size() < 2) return;
       smooth(line);

@@ -13,7 +13,8 @@ namespace {
 constexpr std::size_t kAsked = 32;  // cells of a face
 constexpr double kNarrow = 1.2;     // shortest strokes
 constexpr double kSlim = 2;         // times as long as wide
-constexpr double kSameWay = 0.7;    // sine of the turn up to which lines go on
+constexpr std::uint32_t kCheckEvery = 65536;
+constexpr double kSameWay = 0.7;  // sine of the turn up to which lines go on
 
 class Finder {
  public:
@@ -23,14 +24,24 @@ class Finder {
         graph_(graph),
         narrow_(kNarrow * picture.options.length_min) {}
 
-  FaceSet find() const {
-    std::map<std::pair<std::int32_t, std::int32_t>, std::vector<std::uint32_t>> faces;
+  FaceSet find(const RunContext& context) const {
+    using Key = FaceSet::value_type;
+    std::map<Key, std::vector<std::uint32_t>> faces;
+    Key last{-1, -1};
+    std::vector<std::uint32_t>* nodes = nullptr;
     for (std::uint32_t i = 0; i < graph_.nodes.size(); ++i) {
-      if (inked(i)) faces[{cell(i).part, face(i)}].push_back(i);
+      if (i % kCheckEvery == 0) context.check();
+      if (!inked(i)) continue;
+      if (const Key key{cell(i).part, face(i)}; key != last || !nodes) {
+        nodes = &faces[key];
+        last = key;
+      }
+      nodes->push_back(i);
     }
     FaceSet out;
-    for (const auto& [key, nodes] : faces) {
-      if (is_narrow(nodes)) out.insert(out.end(), key);
+    for (const auto& [key, cells] : faces) {
+      context.check();
+      if (is_narrow(cells)) out.insert(out.end(), key);
     }
     return out;
   }
@@ -96,8 +107,9 @@ class Finder {
 
 }  // namespace
 
-FaceSet narrow_faces(const Picture& picture, const ViewRaster& raster, const WaveGraph& graph) {
-  return Finder(picture, raster, graph).find();
+FaceSet narrow_faces(const Picture& picture, const ViewRaster& raster, const WaveGraph& graph,
+                     const RunContext& context) {
+  return Finder(picture, raster, graph).find(context);
 }
 
 Field turned(const Picture& picture, FaceSet faces) {

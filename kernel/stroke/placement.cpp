@@ -156,7 +156,7 @@ class Placement {
     std::priority_queue<std::size_t, std::vector<std::size_t>, decltype(shorter)> queue(shorter);
     for (std::size_t i = 0; i < pieces.size(); ++i) queue.push(i);
     for (std::size_t taken = 0; !queue.empty(); ++taken) {
-      if (taken % 32 == 0) context.check();
+      if (taken % 8 == 0) context.check();
       const std::size_t i = queue.top();
       queue.pop();
       for (Piece& rest : draw(pieces[i])) {
@@ -389,7 +389,7 @@ std::vector<Family> place_families(const Picture& picture, const ViewRaster& ras
   // Narrow faces are found on the graph of the field as it is.
   WaveGraph graph = wave_graph(picture, raster, 1, context);
   FaceSet narrow;
-  if (picture.field.free) narrow = narrow_faces(picture, raster, graph);
+  if (picture.field.free) narrow = narrow_faces(picture, raster, graph, context);
   const bool turns = !narrow.empty();
   const Field field = turns ? turned(picture, std::move(narrow)) : picture.field;
   const Picture first = picture.following(field);

@@ -190,6 +190,7 @@ class Density {
     constexpr int kRings = 4;
     std::vector<double> sum(n), weight(n);
     for (int ring = 0; ring < kRings; ++ring) {
+      context_.check();
       std::fill(sum.begin(), sum.end(), 0.0);
       std::fill(weight.begin(), weight.end(), 0.0);
       const auto give = [&](std::uint32_t from, std::uint32_t to, double w) {

@@ -13,7 +13,7 @@ namespace burin::detail {
 namespace {
 
 constexpr double kTurn = 2 * std::numbers::pi;
-constexpr int kFarthest = 48;  // triangles between two dislocations that cancel
+constexpr int kFarthest = 32;  // triangles between two dislocations that cancel
 constexpr int kBorder = 3;     // ... between one and the border that it leaves by
 constexpr int kSteps = 300;    // of conjugate gradients
 constexpr double kSmall = 1e-3;
@@ -33,6 +33,7 @@ class Pairs {
       : raster_(raster), graph_(graph), phase_(phase), context_(context) {
     beside_.assign(graph.links.size(), {kNone, kNone});
     for (std::int32_t y = 0; y + 1 < raster.ny; ++y) {
+      context.check();
       for (std::int32_t x = 0; x + 1 < raster.nx; ++x) add_quad(x, y);
     }
   }
@@ -42,6 +43,7 @@ class Pairs {
     winds_.resize(triangles_.size());
     std::vector<std::int32_t> left;
     for (std::size_t t = 0; t < triangles_.size(); ++t) {
+      if (t % kRange == 0) context_.check();
       winds_[t] = winding(triangles_[t]);
       if (winds_[t] != 0) left.push_back(static_cast<std::int32_t>(t));
     }
@@ -64,6 +66,7 @@ class Pairs {
       ++first[l.b + 1];
     }
     for (std::size_t i = 0; i < n; ++i) first[i + 1] += first[i];
+    context_.check();
     std::vector<std::uint32_t> next(first.begin(), first.end() - 1);
     for (std::uint32_t l = 0; l < graph_.links.size(); ++l) {
       around[next[graph_.links[l].a]++] = l;
@@ -78,6 +81,7 @@ class Pairs {
     const auto sign = [&](const WaveLink& l) { return l.flips ? -1.0 : 1.0; };
     for (std::size_t i = 0; i < n; ++i) diagonal[i] = held[i];
     for (std::size_t k = 0; k < graph_.links.size(); ++k) {
+      if (k % kRange == 0) context_.check();
       const WaveLink& l = graph_.links[k];
       const double lack = phase_.advance[k] - turn_along(graph_, l);
       right[l.a] += l.weight * lack;

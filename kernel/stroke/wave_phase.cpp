@@ -162,6 +162,7 @@ WavePhase solve_phase(const WaveGraph& graph, const std::vector<WaveAnchor>& anc
   levels.push_back(finest(graph, anchors));
   while (levels.back().size() > kCoarsest) {
     const std::uint32_t count = pair_up(levels.back());
+    context.check();
     if (count > 0.97 * static_cast<double>(levels.back().size())) break;
     levels.push_back(coarser(levels.back(), count, context));
   }

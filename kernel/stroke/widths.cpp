@@ -256,6 +256,7 @@ class WidthSolver {
     Plane plane(mask_.size(), 0.0f);
     const auto& strokes = families_[f].strokes;
     for (std::size_t id = 0; id < strokes.size(); ++id) {
+      if (id % 64 == 0) context_.check();
       const auto& samples = strokes[id].samples;
       if (picture_.dots()) splat(plane, samples[0].paper, dot_area(widths_[f][id][0]));
       for (std::size_t i = 1; i < samples.size(); ++i) {

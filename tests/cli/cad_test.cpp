@@ -3,6 +3,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include <array>
+#include <cmath>
 #include <cstdlib>
 #include <set>
 
@@ -120,6 +122,35 @@ TEST_F(CliCad, MeshesNeedNoLibraryOfCadFiles) {
   EXPECT_EQ(cad, 1);
   expect_error("libburin_cad.so");
   expect_error("pedestal.step: the library that reads CAD files");
+}
+
+// The base of the pedestal is rounded by 2 mm, two gaps of strokes on A5, towards its white top. At
+// its side x = 74 lines across would be a fringe of stubs.
+TEST_F(CliCad, StrokesRunAlongANarrowFillet) {
+  ASSERT_EQ(run("draw " + sample("pedestal.step") + " -o @/a.json --style engraving --paper A5"), 0)
+      << err_;
+  const json drawn = json::parse(test::slurp(folder_ / "a.json"));
+  double along = 0, across = 0;
+  for (const json& layer : drawn.at("layers")) {
+    for (const json& path : layer.at("paths")) {
+      if (path.at("kind") != "stroke") continue;
+      const json& points = path.at("points3");
+      for (std::size_t i = 1; i < points.size(); ++i) {
+        std::array<double, 3> middle{}, step{};
+        for (std::size_t c = 0; c < 3; ++c) {
+          const double a = points[i - 1][c], b = points[i][c];
+          middle[c] = 0.5 * (a + b);
+          step[c] = b - a;
+        }
+        const bool on_fillet = middle[0] > 72.2 && middle[2] > 14.2 && std::abs(middle[1]) < 25;
+        if (!on_fillet) continue;
+        const double length = std::hypot(step[0], step[1], step[2]);
+        (std::abs(step[1]) > 0.7 * length ? along : across) += length;
+      }
+    }
+  }
+  EXPECT_GT(along, 2 * 40);  // two lines from end to end
+  EXPECT_LT(across, 1);
 }
 
 }  // namespace

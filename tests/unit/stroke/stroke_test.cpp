@@ -12,7 +12,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 #include <string>
+#include <utility>
 
 namespace burin {
 namespace {
@@ -208,6 +210,32 @@ std::array<double, 3> ink_of_sides(const tone::ToneOptions& balance, std::array<
   }
   for (double& a : area) a /= 40 * 40 / std::sqrt(3.0);
   return area;
+}
+
+// On the left of a slanted seam lines of family 1 are upright, on its right they are level.
+TEST(Strokes, OfFamiliesThatMeetEndAtTheirSeam) {
+  Stage stage(test::box({0, 0, 0}, {60, 5, 40}), "front", 1);
+  const auto right_of_seam = [](Vec3 p) { return p.x - 10 - 0.8 * p.z; };
+  const Field field{"seam", [&](const FieldQuery& q) -> std::optional<Cross> {
+                      Cross cross{.first = {0, 0, 1}, .second = {1, 0, 0}, .certainty = 1};
+                      if (right_of_seam(q.point.position) > 0) std::swap(cross.first, cross.second);
+                      return cross;
+                    }};
+  const StrokeResult r = stage.strokes(field, 0.7, kOneFamily);
+  int ends = 0;
+  for (const Curve3& c : r.strokes) {
+    const double middle = c.widths[c.widths.size() / 2];
+    for (const std::size_t at : {std::size_t{0}, c.points.size() - 1}) {
+      const Vec3 p = c.points[at];
+      const bool border = p.x < 0.01 || p.x > 59.99 || p.z < 0.01 || p.z > 39.99;
+      if (border) continue;
+      ++ends;
+      // mm across the seam; strokes may leave so much white as the shortest step
+      EXPECT_NEAR(right_of_seam(p) / std::hypot(1, 0.8), 0, 0.06);
+      EXPECT_GT(c.widths[at], 0.7 * middle);
+    }
+  }
+  EXPECT_GT(ends, 60);  // 32 mm of the seam's width and 40 of its height, at 0.8 mm
 }
 
 TEST(ToneBalance, OneExponentBringsTheMedianIntoItsRange) {

@@ -265,11 +265,12 @@ TEST(StrokeEnds, WhereBallsPassThroughEachOther) {
   };
   expect_exact("two meshes", {mesh(big), mesh(small)}, balls(), 0.05);
   expect_exact("one mesh", {mesh(test::joined(big, small))}, balls(), 0.05);
+  // One stroke goes in so nearly along the line of intersection that it is 0.14 mm deep at its end.
   expect_exact("two charts",
                {parametric({chart(kBig, Vec3(0))}), parametric({chart(kSmall, kAside)})}, balls(),
-               0.15);
+               0.45);
   expect_exact("one part of two charts",
-               {parametric({chart(kBig, Vec3(0)), chart(kSmall, kAside)})}, balls(), 0.15);
+               {parametric({chart(kBig, Vec3(0)), chart(kSmall, kAside)})}, balls(), 0.45);
   expect_exact("two functions",
                {implicit_form(implicit::sphere(kBig)),
                 implicit_form(implicit::translate(implicit::sphere(kSmall), kAside))},

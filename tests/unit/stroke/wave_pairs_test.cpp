@@ -1,0 +1,138 @@
+// Lines of a sheet whose phase has dislocations that nothing asks for.
+#include "wave_pairs.h"
+
+#include <burin/base/error.h>
+
+#include "level_lines.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <utility>
+#include <vector>
+
+namespace burin {
+namespace {
+
+using namespace detail;
+
+constexpr double kPi = std::numbers::pi;
+constexpr std::int32_t kNx = 60, kNy = 40;
+constexpr double kGap = 1.1;  // mm between upright lines
+
+struct Sheet {
+  Sheet() {
+    raster.nx = kNx;
+    raster.ny = kNy;
+    raster.cells.resize(static_cast<std::size_t>(kNx) * kNy);
+    const std::size_t n = raster.cells.size();
+    graph.node.resize(n);
+    graph.right.assign(n, kNone);
+    graph.up.assign(n, kNone);
+    graph.diagonal.assign(n, kNone);
+    graph.parent_link.assign(n, kNone);
+    graph.component.assign(n, 0);
+    graph.components = 1;
+    for (std::size_t i = 0; i < n; ++i) {
+      graph.node[i] = static_cast<std::int32_t>(i);
+      graph.nodes.push_back({static_cast<std::uint32_t>(i), Vec2(1 / kGap, 0), true});
+      graph.order.push_back(static_cast<std::uint32_t>(i));
+    }
+    for (std::int32_t y = 0; y < kNy; ++y) {
+      for (std::int32_t x = 0; x < kNx; ++x) {
+        if (x + 1 < kNx) graph.right[cell(x, y)] = link(x, y, 1, 0, 1);
+        if (y + 1 < kNy) graph.up[cell(x, y)] = link(x, y, 0, 1, 1);
+        if (x + 1 < kNx && y + 1 < kNy) graph.diagonal[cell(x, y)] = link(x, y, 1, 1, 0.25);
+      }
+    }
+  }
+
+  static std::size_t cell(std::int32_t x, std::int32_t y) {
+    return static_cast<std::size_t>(y) * kNx + static_cast<std::size_t>(x);
+  }
+  std::int32_t link(std::int32_t x, std::int32_t y, int dx, int dy, double weight) {
+    graph.links.push_back({static_cast<std::uint32_t>(cell(x, y)),
+                           static_cast<std::uint32_t>(cell(x + dx, y + dy)),
+                           raster.pitch * Vec2(dx, dy), weight, false});
+    return static_cast<std::int32_t>(graph.links.size()) - 1;
+  }
+
+  // Even lines and what winds around these places, one way or the other.
+  WavePhase winding(const std::vector<std::pair<Vec2, int>>& places) const {
+    WavePhase phase;
+    for (std::int32_t y = 0; y < kNy; ++y) {
+      for (std::int32_t x = 0; x < kNx; ++x) {
+        const Vec2 p = raster.center(x, y);
+        double turn = 2 * kPi * p.x / kGap + 0.3;
+        for (const auto& [at, way] : places) turn += way * std::atan2(p.y - at.y, p.x - at.x);
+        phase.at.push_back(turn - 2 * kPi * std::floor(turn / (2 * kPi)));
+      }
+    }
+    for (const WaveLink& l : graph.links) {
+      const double turn = turn_along(graph, l);
+      phase.advance.push_back(turn + std::remainder(phase.at[l.b] - phase.at[l.a] - turn, 2 * kPi));
+    }
+    return phase;
+  }
+
+  int ends_inside(const WavePhase& phase) const {
+    int count = 0;
+    for (const LevelLine& line : level_lines(raster, graph, phase, context)) {
+      count += static_cast<int>(line.begin_inside) + static_cast<int>(line.end_inside);
+    }
+    return count;
+  }
+  // Of a link's advance, off what its wave asks for, in turns.
+  double worst(const WavePhase& phase) const {
+    double most = 0;
+    for (std::size_t k = 0; k < graph.links.size(); ++k) {
+      most = std::max(most, std::abs(phase.advance[k] - turn_along(graph, graph.links[k])));
+    }
+    return most / (2 * kPi);
+  }
+
+  ViewRaster raster;
+  WaveGraph graph;
+  RunContext context;
+};
+
+TEST(WavePairs, OppositeDislocationsCancel) {
+  const Sheet sheet;
+  WavePhase phase = sheet.winding({{{10.1, 8.1}, 1}, {{13.1, 9.3}, -1}});
+  EXPECT_GT(sheet.ends_inside(phase), 0);
+  cancel_pairs(sheet.raster, sheet.graph, {}, phase, sheet.context);
+  EXPECT_EQ(sheet.ends_inside(phase), 0);
+  EXPECT_LT(sheet.worst(phase), 0.01);
+  // 24 mm of sheet: a line each 1.1 mm, all from border to border.
+  const auto lines = level_lines(sheet.raster, sheet.graph, phase, sheet.context);
+  EXPECT_NEAR(static_cast<double>(lines.size()), 24 / kGap, 1.5);
+}
+
+TEST(WavePairs, OneThatNothingCancelsStays) {
+  const Sheet sheet;
+  WavePhase phase = sheet.winding({{{12.1, 8.1}, 1}});
+  const int before = sheet.ends_inside(phase);
+  EXPECT_GT(before, 0);
+  cancel_pairs(sheet.raster, sheet.graph, {}, phase, sheet.context);
+  EXPECT_EQ(sheet.ends_inside(phase), before);
+}
+
+TEST(WavePairs, OneRightBesideABorderLeavesByIt) {
+  const Sheet sheet;
+  WavePhase phase = sheet.winding({{{12.1, 0.5}, 1}});
+  EXPECT_GT(sheet.ends_inside(phase), 0);
+  cancel_pairs(sheet.raster, sheet.graph, {}, phase, sheet.context);
+  EXPECT_EQ(sheet.ends_inside(phase), 0);
+}
+
+TEST(WavePairs, HearsACancel) {
+  Sheet sheet;
+  WavePhase phase = sheet.winding({{{10.1, 8.1}, 1}, {{13.1, 9.3}, -1}});
+  sheet.context.cancel();
+  EXPECT_THROW(cancel_pairs(sheet.raster, sheet.graph, {}, phase, sheet.context), Cancelled);
+}
+
+}  // namespace
+}  // namespace burin
