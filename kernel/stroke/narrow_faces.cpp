@@ -59,23 +59,22 @@ class Finder {
 
   bool is_narrow(const std::vector<std::uint32_t>& nodes) const {
     const std::size_t stride = std::max<std::size_t>(1, nodes.size() / kAsked);
-    double along = 0, across = 0, drawn = 0, asked = 0;
+    double along = 0, across = 0, asked = 0;
     for (std::size_t k = 0; k < nodes.size(); k += stride, ++asked) {
       const std::uint32_t own = nodes[k];
       const Vec2 wave = glm::normalize(graph_.nodes[own].wave), line(-wave.y, wave.x);
       const auto on_face = [&](std::uint32_t i) {
-        return cell(i).part == cell(own).part && face(i) == face(own);
+        return cell(i).part == cell(own).part && face(i) == face(own) && inked(i);
       };
       const auto goes_on = [&](std::uint32_t i) {
         const Vec2 there = graph_.nodes[i].wave;
         return graph_.component[i] == graph_.component[own] && inked(i) &&
                std::abs(glm::dot(there, line)) < kSameWay * glm::length(there);
       };
-      along += chord(own, line, on_face);
+      along += chord(own, line, goes_on);
       across += chord(own, wave, on_face);
-      drawn += chord(own, line, goes_on);
     }
-    return along < narrow_ * asked && drawn < narrow_ * asked && across > kSlim * along;
+    return along < narrow_ * asked && across > kSlim * along;
   }
 
   // Paper mm from a node both ways along a direction as far as the nodes there fulfil a condition.

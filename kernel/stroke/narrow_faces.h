@@ -1,5 +1,6 @@
 #pragma once
-// Faces so narrow that lines across them would be a fringe.
+// Faces that are so narrow, or have ink in so narrow a strip, that lines across it would be a
+// fringe.
 
 #include "wave_graph.h"
 
@@ -12,9 +13,9 @@ namespace burin::detail {
 /// Faces of the model by part and number; for a mesh its smooth regions.
 using FaceSet = std::set<std::pair<std::int32_t, std::int32_t>>;
 
-/// Those that are narrower along the lines of family 1 than the shortest stroke is long, at least
-/// twice as long across them, and on which those lines do not go on beyond the face in ink. Of each
-/// face 32 cells are asked.
+/// Those on which the ink, and what goes on from it beyond the face, is narrower along the lines of
+/// family 1 than the shortest stroke is long, and at least twice as long across them. Of each face
+/// 32 cells are asked.
 FaceSet narrow_faces(const Picture& picture, const ViewRaster& raster, const WaveGraph& graph,
                      const RunContext& context);
 

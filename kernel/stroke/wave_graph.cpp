@@ -41,6 +41,8 @@ double gap_at(const Picture& picture, const RasterCell& cell, int family, double
 
 std::optional<Look> look(const Picture& picture, const RasterCell& cell, int family) {
   if (!has_node(cell)) return std::nullopt;
+  // The second family is nowhere but where it has ink.
+  if (family == 2 && !(picture.share(cell.darkness, family) > 0)) return std::nullopt;
   const Surface& surface = picture.surface(cell.part);
   const Camera& camera = picture.camera;
   const SurfacePoint point = surface.lift(cell.place());

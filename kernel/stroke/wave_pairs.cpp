@@ -15,7 +15,7 @@ namespace {
 constexpr double kTurn = 2 * std::numbers::pi;
 constexpr int kFarthest = 32;  // triangles between two dislocations that cancel
 constexpr int kBorder = 3;     // ... between one and the border that it leaves by
-constexpr int kSteps = 300;    // of conjugate gradients
+constexpr int kSteps = 120;    // of conjugate gradients
 constexpr double kSmall = 1e-3;
 constexpr std::size_t kRange = 8192;
 
@@ -60,26 +60,26 @@ class Pairs {
   // Moves all phases so that each link's advance is as near to its wave's as the others allow.
   void even_out(const std::vector<WaveAnchor>& anchors) {
     const std::size_t n = graph_.nodes.size();
-    std::vector<std::uint32_t> first(n + 1, 0), around(2 * graph_.links.size());
+    std::vector<std::uint32_t> first(n + 1, 0);
     for (const WaveLink& l : graph_.links) {
       ++first[l.a + 1];
       ++first[l.b + 1];
     }
     for (std::size_t i = 0; i < n; ++i) first[i + 1] += first[i];
     context_.check();
-    std::vector<std::uint32_t> next(first.begin(), first.end() - 1);
-    for (std::uint32_t l = 0; l < graph_.links.size(); ++l) {
-      around[next[graph_.links[l].a]++] = l;
-      around[next[graph_.links[l].b]++] = l;
-    }
-    std::vector<double> held(n, 0), diagonal(n, 0), right(n, 0), x(n, 0);
+    std::vector<double> diagonal(n, 0), right(n, 0), x(n, 0);
     for (const WaveAnchor& a : anchors) {
-      held[a.node] += 1;
+      diagonal[a.node] += 1;
       right[a.node] -= std::remainder(phase_.at[a.node] - a.phase, kTurn);
     }
     // A link misses by its lack + sign x_b - x_a.
-    const auto sign = [&](const WaveLink& l) { return l.flips ? -1.0 : 1.0; };
-    for (std::size_t i = 0; i < n; ++i) diagonal[i] = held[i];
+    const auto sign = [](const WaveLink& l) { return l.flips ? -1.0 : 1.0; };
+    struct Coupling {
+      std::uint32_t to = 0;
+      float by = 0;
+    };
+    std::vector<Coupling> couplings(first[n]);
+    std::vector<std::uint32_t> next(first.begin(), first.end() - 1);
     for (std::size_t k = 0; k < graph_.links.size(); ++k) {
       if (k % kRange == 0) context_.check();
       const WaveLink& l = graph_.links[k];
@@ -88,14 +88,16 @@ class Pairs {
       right[l.b] -= sign(l) * l.weight * lack;
       diagonal[l.a] += l.weight;
       diagonal[l.b] += l.weight;
+      const auto by = static_cast<float>(sign(l) * l.weight);
+      couplings[next[l.a]++] = {l.b, by};
+      couplings[next[l.b]++] = {l.a, by};
     }
     const auto apply = [&](const std::vector<double>& in, std::vector<double>& out) {
       parallel_for(n, kRange, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
           double sum = diagonal[i] * in[i];
           for (std::uint32_t k = first[i]; k < first[i + 1]; ++k) {
-            const WaveLink& l = graph_.links[around[k]];
-            sum -= sign(l) * l.weight * in[l.a == i ? l.b : l.a];
+            sum -= couplings[k].by * in[couplings[k].to];
           }
           out[i] = sum;
         }
