@@ -98,9 +98,7 @@ class Marcher {
            static_cast<std::size_t>(x);
   }
   Vec2 paper(std::uint32_t node) const {
-    const std::uint32_t i = graph_.nodes[node].cell;
-    const auto nx = static_cast<std::uint32_t>(raster_.nx);
-    return raster_.center(static_cast<std::int32_t>(i % nx), static_cast<std::int32_t>(i / nx));
+    return raster_.center(std::size_t{graph_.nodes[node].cell});
   }
 
   void cross_quad(std::int32_t x, std::int32_t y) {

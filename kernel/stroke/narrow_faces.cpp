@@ -80,10 +80,7 @@ class Finder {
   // Paper mm from a node both ways along a direction as far as the nodes there fulfil a condition.
   template <class Condition>
   double chord(std::uint32_t node, Vec2 direction, const Condition& holds) const {
-    const std::uint32_t at = graph_.nodes[node].cell;
-    const auto nx = static_cast<std::uint32_t>(raster_.nx);
-    const Vec2 from =
-        raster_.center(static_cast<std::int32_t>(at % nx), static_cast<std::int32_t>(at / nx));
+    const Vec2 from = raster_.center(std::size_t{graph_.nodes[node].cell});
     constexpr double kFar = 3;  // times what is narrow: no need to know more
     double sum = raster_.pitch;
     for (const double way : {1.0, -1.0}) {

@@ -33,6 +33,13 @@ constexpr double kUnguided = 1.5;   // paper mm that a stroke is seen beyond its
 constexpr double kApart = 0.55, kTurningApart = 0.25;
 constexpr double kTurning = 0.35;  // cosine
 
+// Model mm along a stroke that show as so many on paper.
+double length_of(const Camera& camera, const StrokeSample& at, double paper) {
+  const double scale = camera.scale_at(at.point.position);
+  const double speed = glm::length(camera.velocity(at.point.position, at.tangent)) / scale;
+  return paper / (scale * std::max(speed, kMinRun));
+}
+
 }  // namespace
 
 double TracedStroke::length() const {
@@ -214,10 +221,7 @@ void Tracer::end_at_seam(std::int32_t part, const StrokeSample& last,
                          std::vector<StrokeSample>& out) const {
   constexpr int kHalvings = 6;
   const Surface& surface = picture_.surface(part);
-  const Camera& camera = picture_.camera;
-  const double scale = camera.scale_at(last.point.position);
-  const double speed = glm::length(camera.velocity(last.point.position, last.tangent)) / scale;
-  const double length = kStep / (scale * std::max(speed, kMinRun));
+  const double length = length_of(picture_.camera, last, kStep);
   std::optional<StrokeSample> end;
   double low = 0, high = 1;
   for (int i = 0; i < kHalvings; ++i) {
@@ -249,10 +253,7 @@ StrokeEnd Tracer::advance(std::int32_t part, const StrokeSample& seed, const Str
   double travelled = 0, unseen = 0, foreign = 0;
   std::size_t last_own = 0;
   for (int i = 0; i < kMaxSamples; ++i) {
-    const double scale = camera.scale_at(at.point.position);
-    const double speed = glm::length(camera.velocity(at.point.position, at.tangent)) / scale;
-    const double pace = std::min(kStep, way.reach - travelled);
-    const double length = pace / (scale * std::max(speed, kMinRun));
+    const double length = length_of(camera, at, std::min(kStep, way.reach - travelled));
     // Second order: half a step, the direction there, the whole step along it.
     Vec3 tangent = at.tangent;
     const MarchStep half = surface.march(at.point, tangent, 0.5 * length);

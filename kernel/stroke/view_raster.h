@@ -34,6 +34,11 @@ struct ViewRaster {
   Vec2 center(std::int32_t x, std::int32_t y) const {
     return origin + pitch * Vec2(x + 0.5, y + 0.5);
   }
+  /// Of the cell with that number.
+  Vec2 center(std::size_t cell) const {
+    const auto wide = static_cast<std::size_t>(nx);
+    return center(static_cast<std::int32_t>(cell % wide), static_cast<std::int32_t>(cell / wide));
+  }
   bool contains(Vec2 paper) const {
     const Vec2 q = (paper - origin) / pitch;
     return q.x >= 0 && q.y >= 0 && q.x < nx && q.y < ny;

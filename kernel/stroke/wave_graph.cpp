@@ -127,11 +127,10 @@ class Builder {
 
   // The sheet at a node, as strokes have it.
   GridSample sheet(std::uint32_t node) const {
-    const std::uint32_t i = graph_.nodes[node].cell;
+    const std::size_t i = graph_.nodes[node].cell;
     const RasterCell& cell = raster_.cells[i];
-    const auto nx = static_cast<std::uint32_t>(raster_.nx);
     GridSample s;
-    s.paper = raster_.center(static_cast<std::int32_t>(i % nx), static_cast<std::int32_t>(i / nx));
+    s.paper = raster_.center(i);
     s.depth = cell.depth;
     s.slope = Picture::slope(cell.facing, picture_.camera.scale());
     s.part = cell.part;

@@ -81,6 +81,14 @@ def selected_illustrations():
     return all_of_them if len(all_of_them) == 1 else []
 
 
+def one_illustration():
+    """The one illustration that a command is for; refuses any other number."""
+    chosen = selected_illustrations()
+    if len(chosen) != 1:
+        raise Refused(tr("select one illustration"))
+    return chosen[0]
+
+
 class Group:
     """Several commands behind one button with an arrow."""
 

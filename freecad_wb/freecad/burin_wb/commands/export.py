@@ -7,7 +7,7 @@ from .. import export as exporter
 from .. import illustration_file, kernel
 from ..errors import Refused
 from ..text import tr
-from .base import Command, selected_illustrations
+from .base import Command, one_illustration, selected_illustrations
 
 
 class Export(Command):
@@ -21,15 +21,13 @@ class Export(Command):
         return len(selected_illustrations()) == 1
 
     def run(self, document):
-        chosen = selected_illustrations()
-        if len(chosen) != 1:
-            raise Refused(tr("select one illustration"))
+        illustration = one_illustration()
         filters = ";;".join(f"{suffix.upper()} (*.{suffix})" for suffix in kernel.offered()["formats"])
         name, _ = QtGui.QFileDialog.getSaveFileName(Gui.getMainWindow(), self.text, "", filters)
         if not name:
             return
         try:
-            exporter.export(chosen, name)
+            exporter.export([illustration], name)
         except Exception as error:  # errors of the kernel and of files, each in one line
             raise Refused(str(error))
 
@@ -46,16 +44,14 @@ class ExportFile(Command):
         return len(selected_illustrations()) == 1
 
     def run(self, document):
-        chosen = selected_illustrations()
-        if len(chosen) != 1:
-            raise Refused(tr("select one illustration"))
+        illustration = one_illustration()
         suffix = illustration_file.SUFFIX
         name, _ = QtGui.QFileDialog.getSaveFileName(Gui.getMainWindow(), self.text, "",
                                                     tr("Illustration files") + f" (*{suffix})")
         if not name:
             return
         try:
-            illustration_file.write(chosen[0], name if name.endswith(suffix) else name + suffix)
+            illustration_file.write(illustration, name if name.endswith(suffix) else name + suffix)
         except OSError as error:
             raise Refused(str(error))
 

@@ -1,10 +1,8 @@
 """The style of an illustration, and the panel that edits everything of it."""
 
-from ..errors import Refused
 from ..tasks import edit, show
 from ..tasks.style import StylePanel
-from ..text import tr
-from .base import Command, selected_illustrations
+from .base import Command, one_illustration, selected_illustrations
 
 
 class Style(Command):
@@ -19,11 +17,9 @@ class Style(Command):
         return len(selected_illustrations()) == 1
 
     def run(self, document):
-        chosen = selected_illustrations()
-        if len(chosen) != 1:
-            raise Refused(tr("select one illustration"))
+        illustration = one_illustration()
         document.openTransaction(self.text)
-        show(StylePanel(chosen[0]))
+        show(StylePanel(illustration))
 
 
 class Edit(Command):
@@ -37,10 +33,8 @@ class Edit(Command):
         return len(selected_illustrations()) == 1
 
     def run(self, document):
-        chosen = selected_illustrations()
-        if len(chosen) != 1:
-            raise Refused(tr("select one illustration"))
-        edit(chosen[0])
+        illustration = one_illustration()
+        edit(illustration)
 
 
 COMMANDS = [Style(), Edit()]
