@@ -19,8 +19,6 @@ constexpr double kSimplify = 0.005;
 // stubs stand at outlines.
 constexpr double kShortestRest = 0.3;
 
-bool same_ink(const Span& a, const Span& b) { return a.visible == b.visible && a.outer == b.outer; }
-
 Path to_path(const Curve3& curve, const Camera& camera) {
   Path path;
   path.kind = curve.kind;
@@ -244,22 +242,6 @@ bool Composition::draws(const Curve3& feature) const {
     default:
       return drawn.creases;
   }
-}
-
-std::vector<Span> merged(const std::vector<Span>& spans, bool closed, double count) {
-  std::vector<Span> out;
-  for (const Span& s : spans) {
-    if (!out.empty() && same_ink(out.back(), s)) {
-      out.back().end = s.end;
-    } else {
-      out.push_back(s);
-    }
-  }
-  if (closed && out.size() > 1 && same_ink(out.front(), out.back())) {
-    out.back().end = count + out.front().end;
-    out.erase(out.begin());
-  }
-  return out;
 }
 
 void compose(const LinesToDraw& lines, const Composition& how, Drawing& drawing,

@@ -47,10 +47,6 @@ struct Composition {
   double feature_width(const Curve3& feature, const Span& span) const;
 };
 
-/// Neighbouring spans of one kind made one; on a closed curve of `count` segments the last may take
-/// in the first and run past the end.
-std::vector<Span> merged(const std::vector<Span>& spans, bool closed, double count);
-
 /// Appends the layers: strokes, one per family, then feature lines, thin ones first. `found`, if
 /// any, gets what is drawn with all its points, and what is left out as hidden: kind, source,
 /// visible, closed and points3 of it.

@@ -7,6 +7,7 @@
 #include <burin/tone/catalogue.h>
 #include <burin/verify/verify.h>
 #include <burin/visibility/occluder.h>
+#include <burin/visibility/outline_gaps.h>
 
 #include "compose.h"
 #include "on_sheet.h"
@@ -286,6 +287,15 @@ void name_own_field(Drawing& drawing) {
   }
 }
 
+// Whether the lines that the outer outline is made of are drawn.
+bool draws_outline(const detail::PartStyles& part_styles) {
+  for (std::size_t i = 0; i < part_styles.size(); ++i) {
+    const auto& drawn = part_styles.style(i).feature;
+    if (!drawn.contours || !drawn.creases || !drawn.boundaries) return false;
+  }
+  return true;
+}
+
 // The drawing; `found` gets its lines as compose gives them.
 Drawing draw(const Scene& scene, const Camera& camera, const Style& style,
              const detail::PartStyles& part_styles, const IllustrateOptions& options,
@@ -313,11 +323,12 @@ Drawing draw(const Scene& scene, const Camera& camera, const Style& style,
   if (states_gamma(part_styles)) drawing.stats.tone_gamma = strokes.tone_gamma;
 
   context.begin_stage(RunStage::Features);
-  const std::vector<Curve3> features =
+  std::vector<Curve3> features =
       features_of(proxies, camera, part_styles, drawing.diagnostics, context);
 
   context.begin_stage(RunStage::Visibility);
-  const detail::Seen seen = sight.classify(features, strokes.strokes, context);
+  detail::Seen seen = sight.classify(features, strokes.strokes, context);
+  if (draws_outline(part_styles)) sight.close_outline(features, seen, context);
   tell_bounds(strokes, seen, drawing.diagnostics);
 
   context.begin_stage(RunStage::Compose);
@@ -329,21 +340,11 @@ Drawing draw(const Scene& scene, const Camera& camera, const Style& style,
   return drawing;
 }
 
-// Whether the lines that the outer outline is made of are drawn, and drawn whole.
-bool draws_outline(const detail::PartStyles& part_styles, const Style& style) {
-  if (style.halo.gap > 0) return false;
-  for (std::size_t i = 0; i < part_styles.size(); ++i) {
-    const auto& drawn = part_styles.style(i).feature;
-    if (!drawn.contours || !drawn.creases || !drawn.boundaries) return false;
-  }
-  return true;
-}
-
 VerifyOptions verify_options(const Scene& scene, const Camera& camera, const Style& style,
                              const detail::PartStyles& part_styles,
                              const IllustrateOptions& options) {
   VerifyOptions verify{.tolerance = chord_tolerance(scene, camera, options),
-                       .outline = draws_outline(part_styles, style)};
+                       .outline = style.halo.gap <= 0 && draws_outline(part_styles)};
   for (std::size_t i = 0; i < part_styles.size(); ++i) {
     verify.parts.push_back(!part_styles.drawn(i)        ? Standing::Absent
                            : part_styles.transparent(i) ? Standing::Transparent

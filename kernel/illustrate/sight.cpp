@@ -1,5 +1,7 @@
 #include "sight.h"
 
+#include <burin/visibility/outline_gaps.h>
+
 #include <algorithm>
 
 namespace burin::detail {
@@ -97,6 +99,17 @@ Seen Sight::classify(std::span<const Curve3> features, std::span<const Curve3> s
     }
   }
   return seen;
+}
+
+void Sight::close_outline(std::vector<Curve3>& features, Seen& seen,
+                          const RunContext& context) const {
+  if (part_styles_.any_transparent()) return;
+  for (Curve3& gap :
+       outline_gaps(solid_, solid_proxies_, camera_, features, seen.features, context)) {
+    const auto count = static_cast<double>(gap.segment_count());
+    seen.features.push_back({{.begin = 0, .end = count, .visible = true, .outer = true}});
+    features.push_back(std::move(gap));
+  }
 }
 
 }  // namespace burin::detail

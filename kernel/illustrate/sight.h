@@ -33,6 +33,9 @@ class Sight {
   /// One tree of rays a transparent part, one after the other.
   Seen classify(std::span<const Curve3> features, std::span<const Curve3> strokes,
                 const RunContext& context) const;
+  /// Appends what is missing of the outer outline (`outline_gaps`); of parts that can be looked
+  /// through nothing, whose outlines end behind others.
+  void close_outline(std::vector<Curve3>& features, Seen& seen, const RunContext& context) const;
 
  private:
   std::vector<const ProxyMesh*> proxies_before(std::size_t part) const;

@@ -16,6 +16,10 @@ namespace {
 /// triangle by degrees.
 constexpr double kSliverHeight = 1e-5;
 
+/// Degrees over the crease angle that are still smooth: a circle of twelve facets bends by 30.00
+/// degrees, which single precision files round to either side.
+constexpr double kSlack = 0.1;
+
 struct LongestEdge {
   int corner;
   double squared;
@@ -75,9 +79,17 @@ void mend_sliver_normals(const TriMesh& mesh, const Topology& topology, std::vec
   }
 }
 
+EdgeKind crease_kind(const ProxyMesh& proxy, const std::vector<Vec3>& normals, HalfEdge h) {
+  const HalfEdge o = proxy.topology.opposite[static_cast<std::size_t>(h)];
+  const Vec3 along =
+      proxy.mesh.positions[origin(proxy.mesh, o)] - proxy.mesh.positions[origin(proxy.mesh, h)];
+  const Vec3 turn = glm::cross(normals[face_of(h)], normals[face_of(o)]);
+  return glm::dot(turn, along) >= 0 ? EdgeKind::ConvexCrease : EdgeKind::ConcaveCrease;
+}
+
 void classify_edges(ProxyMesh& proxy, const std::vector<Vec3>& normals, double crease_angle,
                     const RunContext& context) {
-  const double limit = std::cos(crease_angle * std::numbers::pi / 180);
+  const double limit = std::cos((crease_angle + kSlack) * std::numbers::pi / 180);
   const std::vector<HalfEdge>& opposite = proxy.topology.opposite;
   proxy.edge_kind.resize(opposite.size());
   const auto kind = [&](std::size_t h) {
@@ -85,10 +97,7 @@ void classify_edges(ProxyMesh& proxy, const std::vector<Vec3>& normals, double c
     const Vec3& a = normals[h / 3];
     const Vec3& b = normals[face_of(opposite[h])];
     if (glm::dot(a, b) >= limit) return EdgeKind::Smooth;
-    const Vec3 along = proxy.mesh.positions[origin(proxy.mesh, opposite[h])] -
-                       proxy.mesh.positions[origin(proxy.mesh, static_cast<HalfEdge>(h))];
-    return glm::dot(glm::cross(a, b), along) >= 0 ? EdgeKind::ConvexCrease
-                                                  : EdgeKind::ConcaveCrease;
+    return crease_kind(proxy, normals, static_cast<HalfEdge>(h));
   };
   parallel_for(
       opposite.size(), 3 * kFaceGrain,

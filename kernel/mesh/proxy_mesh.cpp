@@ -32,7 +32,9 @@ ProxyMesh build_proxy(TriMesh mesh, const ProxyOptions& options, const RunContex
                   });
   mend_sliver_normals(proxy.mesh, proxy.topology, normals, context);
   classify_edges(proxy, normals, options.crease_angle, context);
-  prune_noise(proxy, normals, options.crease_angle * std::numbers::pi / 180, context);
+  const double crease_angle = options.crease_angle * std::numbers::pi / 180;
+  sharpen_lone_bends(proxy, normals, crease_angle, context);
+  prune_noise(proxy, normals, crease_angle, context);
   // Floods are serial: they run beside the rest, which does not need them.
   parallel_invoke(
       [&] {

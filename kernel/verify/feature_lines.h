@@ -2,7 +2,7 @@
 // The lines of a drawing that are no strokes, as polylines; internal to the module.
 
 #include <burin/drawing/drawing.h>
-#include <burin/verify/near_lines.h>
+#include <burin/visibility/near_lines.h>
 
 namespace burin {
 

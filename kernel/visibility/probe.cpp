@@ -236,12 +236,25 @@ bool Probe::hidden_by(const Curve3& curve, std::size_t segment, double t, double
                                [o, clear](const Hit& hit) { return clearance(*o, hit) > clear; });
 }
 
-bool Probe::paper_covered(Vec2 paper) const {
+ViewRay Probe::ray_from_afar(Vec2 paper) const {
   ViewRay ray = camera_.ray(paper);
   if (!camera_.perspective()) {
     ray.origin -= ray.direction * (2 * occluder_.diagonal() + occluder_.resolution());
   }
+  return ray;
+}
+
+bool Probe::paper_covered(Vec2 paper) const {
+  const ViewRay ray = ray_from_afar(paper);
   return occluder_.occluded(ray.origin, ray.direction, 0, std::numeric_limits<double>::infinity());
+}
+
+std::optional<Probe::Seen> Probe::seen_at(Vec2 paper) const {
+  const ViewRay ray = ray_from_afar(paper);
+  const auto hit =
+      occluder_.first_hit(ray.origin, ray.direction, 0, std::numeric_limits<double>::infinity());
+  if (!hit) return std::nullopt;
+  return Seen{hit->where, ray.origin + hit->distance * ray.direction};
 }
 
 }  // namespace burin

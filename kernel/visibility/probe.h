@@ -7,6 +7,7 @@
 #include <burin/mesh/proxy_mesh.h>
 #include <burin/visibility/occluder.h>
 
+#include <optional>
 #include <span>
 
 namespace burin {
@@ -37,6 +38,12 @@ class Probe {
   bool hidden_by(const Curve3& curve, std::size_t segment, double t, double clear) const;
   /// Whether any surface lies on the line of sight through a point of the paper.
   bool paper_covered(Vec2 paper) const;
+  /// The foremost surface on that line of sight, and where it is in the model.
+  struct Seen {
+    FaceRef where;
+    Vec3 position;
+  };
+  std::optional<Seen> seen_at(Vec2 paper) const;
   /// Model mm between the triangles at `face` of `part` and the surface they stand for; 0 where
   /// unknown.
   double chord_error(std::int32_t part, std::int32_t face) const;
@@ -47,6 +54,7 @@ class Probe {
   const ProxyMesh* proxy(std::int32_t part) const;
 
  private:
+  ViewRay ray_from_afar(Vec2 paper) const;
   double own_error(const Curve3& curve, std::int32_t face, Vec3 p) const;
 
   const Occluder& occluder_;

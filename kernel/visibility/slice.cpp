@@ -6,6 +6,8 @@
 namespace burin {
 namespace {
 
+bool same_ink(const Span& a, const Span& b) { return a.visible == b.visible && a.outer == b.outer; }
+
 struct Place {
   std::size_t segment;
   double t;
@@ -90,6 +92,22 @@ Curve3 slice(const Curve3& curve, double begin, double end) {
   }
   slicer.point(i, i == to.segment ? to.t : 1);
   return slicer.take();
+}
+
+std::vector<Span> merged(const std::vector<Span>& spans, bool closed, double count) {
+  std::vector<Span> out;
+  for (const Span& s : spans) {
+    if (!out.empty() && same_ink(out.back(), s)) {
+      out.back().end = s.end;
+    } else {
+      out.push_back(s);
+    }
+  }
+  if (closed && out.size() > 1 && same_ink(out.front(), out.back())) {
+    out.back().end = count + out.front().end;
+    out.erase(out.begin());
+  }
+  return out;
 }
 
 }  // namespace burin

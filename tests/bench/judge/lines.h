@@ -2,7 +2,7 @@
 /// Lines on paper from a drawing file or from another program.
 
 #include <burin/camera/camera.h>
-#include <burin/verify/near_lines.h>
+#include <burin/visibility/near_lines.h>
 
 #include <nlohmann/json.hpp>
 

@@ -5,7 +5,10 @@
 #include <burin_test/irregular.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <numbers>
 #include <set>
+#include <vector>
 
 namespace burin {
 namespace {
@@ -185,6 +188,91 @@ TEST(ProxyMesh, SmallPitsOfAPlateAreCreases) {
   const ProxyMesh proxy = proxy_of(m);
   EXPECT_EQ(count_edges(proxy, EdgeKind::ConvexCrease), 4);
   EXPECT_EQ(count_edges(proxy, EdgeKind::ConcaveCrease), 4);
+}
+
+/// A prism of height 10 over the outline, whose caps are fans around their middle.
+TriMesh prism(const std::vector<Vec2>& outline) {
+  TriMesh m;
+  const auto n = static_cast<std::uint32_t>(outline.size());
+  Vec2 middle(0);
+  for (const Vec2& p : outline) middle += p / static_cast<double>(n);
+  for (const double z : {0.0, 10.0}) {
+    for (const Vec2& p : outline) m.positions.emplace_back(p, z);
+    m.positions.emplace_back(middle, z);
+  }
+  for (std::uint32_t i = 0; i < n; ++i) {
+    const std::uint32_t j = (i + 1) % n;
+    m.triangles.push_back({i, j, j + n + 1});
+    m.triangles.push_back({i, j + n + 1, i + n + 1});
+    m.triangles.push_back({n, j, i});
+    m.triangles.push_back({2 * n + 1, i + n + 1, j + n + 1});
+  }
+  return m;
+}
+
+/// The upright creases among `count` upright edges, counted from the outline's first point.
+std::vector<bool> upright_creases(const std::vector<Vec2>& outline) {
+  const ProxyMesh proxy = proxy_of(prism(outline));
+  std::vector<bool> sharp(outline.size(), false);
+  for (std::size_t h = 0; h < proxy.edge_kind.size(); ++h) {
+    const std::uint32_t a = origin(proxy.mesh, static_cast<HalfEdge>(h));
+    const std::uint32_t b = origin(proxy.mesh, next_in_face(static_cast<HalfEdge>(h)));
+    if (a + outline.size() + 1 == b && proxy.is_crease(static_cast<HalfEdge>(h))) sharp[a] = true;
+  }
+  return sharp;
+}
+
+/// From `start`, steps of a length at a heading in degrees.
+std::vector<Vec2> walked(const std::vector<Vec2>& steps) {
+  std::vector<Vec2> out{{0, 0}};
+  for (const Vec2& s : steps) {
+    const double a = s.y * std::numbers::pi / 180;
+    out.push_back(out.back() + s.x * Vec2(std::cos(a), std::sin(a)));
+  }
+  return out;
+}
+
+TEST(ProxyMesh, ALoneBendBetweenFlatFacesIsACrease) {
+  // A wall that bends by 20 degrees, and back at right angles.
+  EXPECT_EQ(upright_creases({{0, 0}, {10, 0}, {19, 3.3}, {19, 12}, {0, 12}}),
+            std::vector<bool>({true, true, true, true, true}));
+  // By 12 degrees: what may be round.
+  EXPECT_FALSE(upright_creases({{0, 0}, {10, 0}, {20, 2.1}, {20, 12}, {0, 12}})[1]);
+}
+
+TEST(ProxyMesh, TheEdgesOfAChamferAreCreases) {
+  // 10 mm, 1 mm turned by 25 degrees, 10 mm turned by 50.
+  std::vector<Vec2> outline = walked({{10, 0}, {1, 25}, {10, 50}});
+  outline.emplace_back(0, outline.back().y);
+  EXPECT_EQ(upright_creases(outline), std::vector<bool>({true, true, true, true, true}));
+  // As wide as the faces beside it: a part of something round.
+  outline = walked({{10, 0}, {10, 25}, {10, 50}});
+  outline.emplace_back(-10, outline.back().y);
+  EXPECT_FALSE(upright_creases(outline)[1]);
+  EXPECT_FALSE(upright_creases(outline)[2]);
+}
+
+TEST(ProxyMesh, WhatIsRoundHasNoCreases) {
+  // A fillet of 60 degrees in three chords between two walls.
+  std::vector<Vec2> outline = walked({{10, 0}, {1, 10}, {1, 30}, {1, 50}, {10, 60}});
+  outline.emplace_back(0, outline.back().y);
+  const std::vector<bool> fillet = upright_creases(outline);
+  for (std::size_t i = 1; i < 5; ++i) EXPECT_FALSE(fillet[i]) << i;
+  // Corners of 18 sided circles, without points where the walls touch them.
+  outline = walked({{10, 0}, {1, 20}, {1, 40}, {1, 60}, {10, 80}});
+  outline.emplace_back(0, outline.back().y);
+  const std::vector<bool> hull = upright_creases(outline);
+  for (std::size_t i = 1; i < 5; ++i) EXPECT_FALSE(hull[i]) << i;
+  // A circle of twelve, in single precision: all bends are of 30.00 degrees.
+  for (const double radius : {0.1, 1.0 / 3, 7.0, 123.4}) {
+    outline.clear();
+    for (int i = 0; i < 12; ++i) {
+      const double a = i * std::numbers::pi / 6;
+      outline.emplace_back(static_cast<float>(5 + radius * std::cos(a)),
+                           static_cast<float>(radius * std::sin(a)));
+    }
+    EXPECT_EQ(upright_creases(outline), std::vector<bool>(12, false)) << radius;
+  }
 }
 
 TEST(Topology, RefusesWhatIsNotManifold) {

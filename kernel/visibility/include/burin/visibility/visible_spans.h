@@ -63,6 +63,10 @@ class VisibilityMap {
   std::unique_ptr<Impl> impl_;
 };
 
+/// Neighbouring spans of one kind made one; on a closed curve of `count` segments the last may take
+/// in the first and run past the end.
+std::vector<Span> merged(const std::vector<Span>& spans, bool closed, double count);
+
 /// The part of `curve` between two parameters as a curve of its own: per-point arrays are
 /// interpolated at both ends. On a closed curve `end` may exceed segment_count() and wraps.
 Curve3 slice(const Curve3& curve, double begin, double end);

@@ -1,5 +1,5 @@
 #include <burin/base/nearest_along.h>
-#include <burin/verify/near_lines.h>
+#include <burin/visibility/near_lines.h>
 
 #include <algorithm>
 #include <cmath>
@@ -54,9 +54,14 @@ void NearLines::visit(Vec2 p, const F& each) const {
 }
 
 double NearLines::distance(Vec2 p) const {
+  return distance(p, [](std::size_t, std::size_t) { return true; });
+}
+
+double NearLines::distance(Vec2 p,
+                           const std::function<bool(std::size_t, std::size_t)>& counts) const {
   double least = std::numeric_limits<double>::infinity();
-  visit(p, [&](const Segment&, double d) {
-    least = std::min(least, d);
+  visit(p, [&](const Segment& s, double d) {
+    if (d < least && counts(s.line, s.index)) least = d;
     return false;
   });
   return least;
@@ -70,6 +75,31 @@ bool NearLines::near(Vec2 p, const std::function<bool(std::size_t, std::size_t)>
   bool found = false;
   visit(p, [&](const Segment& s, double) { return found = counts(s.line, s.index); });
   return found;
+}
+
+std::vector<double> lengths_along(const Polyline& line) {
+  std::vector<double> at{0};
+  for (std::size_t i = 1; i < line.size(); ++i) {
+    at.push_back(at.back() + glm::distance(line[i - 1], line[i]));
+  }
+  return at;
+}
+
+std::vector<LineEnd> free_ends(std::span<const Polyline> lines, const NearLines& grid,
+                               std::span<const std::size_t> asked, double away) {
+  std::vector<LineEnd> out;
+  for (const std::size_t own : asked) {
+    const std::vector<double> at = lengths_along(lines[own]);
+    for (const bool last : {false, true}) {
+      const Vec2 end = last ? lines[own].back() : lines[own].front();
+      const bool goes_on = grid.near(end, [&](std::size_t other, std::size_t segment) {
+        if (other != own) return true;
+        return last ? at.back() - at[segment + 1] >= away : at[segment] >= away;
+      });
+      if (!goes_on) out.push_back({own, last});
+    }
+  }
+  return out;
 }
 
 }  // namespace burin

@@ -1,0 +1,163 @@
+#include <burin/base/parallel_filter.h>
+
+#include "build_steps.h"
+#include "flood.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+namespace burin {
+
+namespace {
+
+/// Of the crease angle: bends below it are never edges.
+constexpr double kLeast = 0.5;
+/// Radians up to which two triangles are one flat face.
+constexpr double kFlat = 0.01;
+/// Of a bend: up to the first, bends on the far side of the face are nothing beside it; from the
+/// second on it belongs to something rounder, as the first bend of a fillet does (half the next).
+constexpr double kNothing = 0.1, kRounder = 1.2;
+/// A chamfer is this many times narrower than the faces beside it.
+constexpr double kNarrow = 3;
+/// Of a face's width: an edge this near to the line of another is the same bend.
+constexpr double kSameLine = 0.05;
+/// Cosine: bends that cross each other by more do not make one round face together.
+constexpr double kAcross = 0.7;
+
+class Bends {
+ public:
+  Bends(const ProxyMesh& proxy, const std::vector<Vec3>& normals, double least)
+      : proxy_(proxy), normals_(normals), least_(least) {}
+
+  /// Whether the edge bends enough, between faces of more than one triangle.
+  bool is_candidate(HalfEdge h) const {
+    if (kind(h) != EdgeKind::Smooth || h > opposite(h)) return false;
+    return bend(h) >= least_ && in_flat_face(face_of(h)) && in_flat_face(face_of(opposite(h)));
+  }
+
+  void find_faces() {
+    flood(
+        proxy_.topology.opposite, [&](HalfEdge h) { return is_flat(h); }, face_);
+    // The half-edges around each face.
+    const auto border = [&](HalfEdge h) {
+      return opposite(h) == kNoHalfEdge || face(h) != face(opposite(h));
+    };
+    const auto count = static_cast<HalfEdge>(proxy_.edge_kind.size());
+    first_.assign(static_cast<std::size_t>(*std::ranges::max_element(face_)) + 2, 0);
+    for (HalfEdge h = 0; h < count; ++h) {
+      if (border(h)) ++first_[face(h) + 1];
+    }
+    for (std::size_t f = 1; f < first_.size(); ++f) first_[f] += first_[f - 1];
+    around_.resize(first_.back());
+    std::vector<std::uint32_t> next(first_.begin(), first_.end() - 1);
+    for (HalfEdge h = 0; h < count; ++h) {
+      if (border(h)) around_[next[face(h)]++] = h;
+    }
+  }
+
+  /// Whether the edge is one that a draughtsman draws: nothing else bends on both of its faces, or
+  /// it is one of the two edges of a chamfer between wider faces.
+  bool is_edge(HalfEdge h) const {
+    const HalfEdge o = opposite(h);
+    const bool here = alone(h), there = alone(o);
+    if (here && there) return true;
+    return (there && is_chamfer(h, width(o))) || (here && is_chamfer(o, width(h)));
+  }
+
+ private:
+  HalfEdge opposite(HalfEdge h) const {
+    return proxy_.topology.opposite[static_cast<std::size_t>(h)];
+  }
+  EdgeKind kind(HalfEdge h) const { return proxy_.edge_kind[static_cast<std::size_t>(h)]; }
+  std::size_t face(HalfEdge h) const { return static_cast<std::size_t>(face_[face_of(h)]); }
+  Vec3 from(HalfEdge h) const { return proxy_.mesh.positions[origin(proxy_.mesh, h)]; }
+  Vec3 to(HalfEdge h) const { return from(next_in_face(h)); }
+  std::span<const HalfEdge> around(HalfEdge h) const {
+    return std::span(around_).subspan(first_[face(h)], first_[face(h) + 1] - first_[face(h)]);
+  }
+
+  /// Radians; 0 at a boundary.
+  double bend(HalfEdge h) const {
+    const HalfEdge o = opposite(h);
+    if (o == kNoHalfEdge) return 0;
+    const Vec3 &a = normals_[face_of(h)], &b = normals_[face_of(o)];
+    return std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b));
+  }
+  bool is_flat(HalfEdge h) const { return kind(h) == EdgeKind::Smooth && bend(h) < kFlat; }
+  bool in_flat_face(std::uint32_t f) const {
+    const auto h = static_cast<HalfEdge>(3 * f);
+    return is_flat(h) || is_flat(h + 1) || is_flat(h + 2);
+  }
+
+  double length(HalfEdge h) const { return glm::distance(from(h), to(h)); }
+  double distance(HalfEdge line, Vec3 p) const {
+    return glm::length(glm::cross(to(line) - from(line), p - from(line))) / length(line);
+  }
+  /// Of the face of `h`, at a right angle to it, in model mm.
+  double width(HalfEdge h) const {
+    double most = 0;
+    for (const HalfEdge e : around(h)) most = std::max(most, distance(h, from(e)));
+    return most;
+  }
+  /// Calls `each(edge)` for the other bends of the face of `h` that count beside it, until it says
+  /// false; whether it never did.
+  template <class Each>
+  bool others(HalfEdge h, const Each& each) const {
+    const double near = kSameLine * width(h), least = kNothing * bend(h);
+    return std::ranges::all_of(around(h), [&](HalfEdge e) {
+      if (kind(e) != EdgeKind::Smooth || bend(e) <= least) return true;
+      const double along = glm::dot(to(e) - from(e), to(h) - from(h));
+      if (std::abs(along) < kAcross * length(e) * length(h)) return true;
+      const bool same = distance(h, from(e)) <= near && distance(h, to(e)) <= near;
+      return same || each(e);
+    });
+  }
+  bool alone(HalfEdge h) const {
+    return others(h, [](HalfEdge) { return false; });
+  }
+  /// Whether the face of `h` is a chamfer beside one of width `beside`: what else bends there is no
+  /// rounder, and leads to another face that is wider, and on which nothing else bends.
+  bool is_chamfer(HalfEdge h, double beside) const {
+    const double own = width(h);
+    if (beside < kNarrow * own) return false;
+    return others(h, [&](HalfEdge e) {
+      const HalfEdge o = opposite(e);
+      return bend(e) <= kRounder * bend(h) && face(o) != face(opposite(h)) && alone(o) &&
+             width(o) >= kNarrow * own;
+    });
+  }
+
+  const ProxyMesh& proxy_;
+  const std::vector<Vec3>& normals_;
+  double least_;
+  std::vector<std::int32_t> face_;    // of each triangle the flat face
+  std::vector<std::uint32_t> first_;  // of each face its half-edges in around_
+  std::vector<HalfEdge> around_;
+};
+
+}  // namespace
+
+void sharpen_lone_bends(ProxyMesh& proxy, const std::vector<Vec3>& normals, double crease_angle,
+                        const RunContext& context) {
+  Bends bends(proxy, normals, kLeast * crease_angle);
+  const std::vector<HalfEdge> candidates = parallel_filter<HalfEdge>(
+      proxy.edge_kind.size(), 3 * kFaceGrain, [&](HalfEdge h) { return bends.is_candidate(h); },
+      context);
+  if (candidates.empty()) return;
+  bends.find_faces();
+  std::vector<HalfEdge> edges;
+  for (std::size_t i = 0; i < candidates.size(); ++i) {
+    if (i % kFaceGrain == 0) context.check();
+    if (bends.is_edge(candidates[i])) edges.push_back(candidates[i]);
+  }
+  for (const HalfEdge h : edges) {
+    const auto i = static_cast<std::size_t>(h);
+    const EdgeKind kind = crease_kind(proxy, normals, h);
+    proxy.edge_kind[i] = kind;
+    proxy.edge_kind[static_cast<std::size_t>(proxy.topology.opposite[i])] = kind;
+  }
+}
+
+}  // namespace burin
