@@ -106,9 +106,10 @@ void run_draw(const DrawArguments& arguments, RunContext& context, Console& cons
   }
 
   const ThreadLimit limit(plan.threads);
-  const Scene scene = illustration ? read_scene(*illustration, context)
-                                   : read_scene(arguments.inputs, plan.read, context);
+  Scene scene = illustration ? read_scene(*illustration, context)
+                             : read_scene(arguments.inputs, plan.read, context);
   select_parts(scene, plan);
+  cut_parts(scene, plan);
   const Camera camera = make_camera(scene, plan);
   for (const Output& output : outputs) check_format(output, camera.paper(), options);
   const Drawing drawing = draw(scene, camera, plan, context);

@@ -55,6 +55,37 @@ std::optional<Vec3> point_option(const std::string& option, const std::string& t
   return Vec3(v[0], v[1], v[2]);
 }
 
+CutText cut_option(const std::string& option, const std::string& text) {
+  const auto refuse = [&] {
+    refuse_value(option, "an axis x, y or z, one with a sign, or X,Y,Z; and =MM", text);
+  };
+  CutText cut;
+  const std::size_t equals = text.find('=');
+  std::string_view axis = std::string_view(text).substr(0, equals);
+  if (equals != std::string::npos) {
+    cut.offset = parse<double>(std::string_view(text).substr(equals + 1));
+    if (!cut.offset || !std::isfinite(*cut.offset)) refuse();
+  }
+  if (axis.find(',') != std::string_view::npos) {
+    double v[3];
+    if (!parse_list(axis, v)) refuse();
+    const double length = glm::length(Vec3(v[0], v[1], v[2]));
+    if (!(length > 0)) refuse();
+    cut.axis = Vec3(v[0], v[1], v[2]) / length;
+    cut.side = 1;
+    return cut;
+  }
+  if (axis.starts_with('+') || axis.starts_with('-')) {
+    cut.side = axis.front() == '+' ? 1 : -1;
+    axis.remove_prefix(1);
+  }
+  const std::size_t which = axis.size() == 1 ? std::string_view("xyz").find(axis) : axis.npos;
+  if (which == std::string_view::npos) refuse();
+  cut.axis = Vec3(0);
+  cut.axis[static_cast<int>(which)] = 1;
+  return cut;
+}
+
 std::optional<Box3> box_option(const std::string& option, const std::string& text) {
   constexpr const char* kWhat = "a box x0,y0,z0,x1,y1,z1 with each minimum below its maximum";
   if (text.empty()) return {};

@@ -111,8 +111,9 @@ DrawingOwner draw(const py::object& source, const py::kwargs& keywords) {
   result->id_prefix = plan.id_prefix;
   run(progress, flag, [&](RunContext& context) {
     const ThreadLimit limit(plan.threads);
-    const Scene scene = from.get(plan.read, context);
+    Scene scene = from.get(plan.read, context);
     select_parts(scene, plan);
+    cut_parts(scene, plan);
     const Camera camera = make_camera(scene, plan);
     result->drawing = burin::draw(scene, camera, plan, context);
   });

@@ -52,6 +52,13 @@ void set_looks(Draft& draft, const Asked& asked) {
   }
 }
 
+void set_sections(Draft& draft, const Asked& asked) {
+  for (const std::string& text : asked.texts) {
+    const CutText cut = cut_option(asked.spelled, text);
+    draft.plan.sections.push_back({.axis = cut.axis, .side = cut.side, .offset = cut.offset});
+  }
+}
+
 void set_paper(Draft& draft, const Asked& asked) {
   draft.plan.sheet.fits = equal_but_for_case(asked.text(), "fit");
   if (!draft.plan.sheet.fits) draft.plan.view.paper = Paper::named(asked.text());
@@ -182,6 +189,26 @@ std::vector<RequestRow<Draft>> part_rows() {
         .many = true,
         .python = "Mapping[str, str] | Sequence[str]"},
        set_looks},
+      {{.option = {.name = "section",
+                   .meaning =
+                       "cut the parts open by a plane across x, y, z or a direction, at a "
+                       "coordinate in mm (default the middle); the half towards the viewer goes, "
+                       "+y and -y say which; repeatable",
+                   .takes = FreeText{}},
+        .group = kParts,
+        .label = "AXIS[=MM]",
+        .many = true,
+        .python = kPython},
+       set_sections},
+      {{.option = {.name = "section_exclude",
+                   .meaning = "parts that sections leave whole, such as bolts and shafts; "
+                              "repeatable",
+                   .takes = FreeText{}},
+        .group = kParts,
+        .label = "NAME",
+        .many = true,
+        .python = kPython},
+       [](Draft& d, const Asked& a) { d.plan.uncut = a.texts; }},
   };
 }
 

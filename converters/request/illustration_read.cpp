@@ -106,7 +106,7 @@ class Reader {
           {"burin", nullptr},        {"version", nullptr},        {"$schema", nullptr},
           {"extends", nullptr},      {"parts", &Reader::parts},   {"style", &Reader::style},
           {"looks", &Reader::looks}, {"lights", &Reader::lights}, {"title", &Reader::title},
-          {"view", &Reader::group},  {"paper", &Reader::paper}};
+          {"view", &Reader::group},  {"paper", &Reader::paper},   {"section", &Reader::sections}};
       for (const detail::IllustrationKey& key : detail::illustration_keys()) {
         const bool grouped = key.path.find('.') != std::string::npos;
         if (!grouped) rows.push_back({key.path, &Reader::option});
@@ -329,6 +329,55 @@ class Reader {
     out_.request.looks.push_back(std::move(look));
   }
 
+  void sections(const Json& value, const std::string& path) {
+    const Json list = value.is_array() ? value : Json::array({value});
+    out_.request.sections.clear();
+    for (std::size_t i = 0; i < list.size(); ++i) {
+      section(list[i], value.is_array() ? fmt::format("{}/{}", path, i) : path);
+    }
+  }
+
+  /// As the option has it, or a plane and what stays whole.
+  void section(const Json& value, const std::string& path) {
+    Section section;
+    if (value.is_object()) {
+      check_object(value, path, detail::kSectionKeys);
+      if (!value.contains("plane")) fail(path, "a section has \"plane\"");
+      const Json& plane = value["plane"];
+      const std::string at = path + "/plane";
+      if (plane.is_object()) {
+        check_object(plane, at, detail::kPlaneKeys);
+        if (!plane.contains("normal")) fail(at, "a plane has \"normal\", towards what goes");
+        section.axis = vector(plane["normal"], at + "/normal");
+        if (section.axis == Vec3(0)) fail(at + "/normal", "\"normal\" takes a direction but 0,0,0");
+        section.axis = glm::normalize(section.axis);
+        section.side = 1;
+        if (plane.contains("offset")) section.offset = number(plane["offset"], at + "/offset");
+      } else {
+        section = section_of_text(plane, at);
+      }
+      if (value.contains("exclude")) {
+        const Json& exclude = value["exclude"];
+        const Json selectors = exclude.is_array() ? exclude : Json::array({exclude});
+        for (const Json& selector : selectors) {
+          section.exclude.push_back(text(selector, path + "/exclude"));
+        }
+      }
+    } else {
+      section = section_of_text(value, path);
+    }
+    section.place = place(path);
+    out_.request.sections.push_back(std::move(section));
+  }
+
+  Section section_of_text(const Json& value, const std::string& path) const {
+    const std::string given = text(value, path);
+    check(detail::draw_rows(), "section", {given}, path, "section");
+    detail::Draft draft;
+    apply(detail::draw_rows(), {{"section", {given}}}, Spelling::Keywords, draft);
+    return draft.plan.sections.front();
+  }
+
   void lights(const Json& value, const std::string& path) {
     check_array(value, path);
     out_.request.lights.clear();
@@ -509,6 +558,7 @@ DrawRequest merged(const DrawRequest& file, const DrawRequest& door) {
   }
   all.looks.insert(all.looks.end(), door.looks.begin(), door.looks.end());
   if (!door.lights.empty()) all.lights = door.lights;
+  all.sections.insert(all.sections.end(), door.sections.begin(), door.sections.end());
   if (!door.title.empty()) all.title = door.title;
   return all;
 }

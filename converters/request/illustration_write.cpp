@@ -93,6 +93,21 @@ Json look_schema(const Json& style) {
   return look;
 }
 
+Json section_schema() {
+  const Json plane_text =
+      text("x, y, z with a sign for the side that goes, or X,Y,Z; =OFFSET in mm");
+  Json plane = object_of(
+      {{"normal", vector_of("towards what is taken away")}, {"offset", {{"type", "number"}}}});
+  plane["required"] = {"normal"};
+  Json section = object_of({{"plane", {{"anyOf", {plane_text, plane}}}},
+                            {"exclude",
+                             {{"anyOf",
+                               {text("a selector of parts that stay whole"),
+                                list_of(text("a selector of parts that stay whole"))}}}}});
+  section["required"] = {"plane"};
+  return {{"anyOf", {plane_text, section}}};
+}
+
 Json light_schema() {
   const Json strength = {{"type", "number"}, {"minimum", 0}, {"maximum", 10}};
   return object_of({{"ambient", strength},
@@ -145,6 +160,12 @@ std::string first_illustration(const std::vector<std::string>& inputs, const Dra
       json["style"][name] = value_of({.option = *key, .group = {}}, value);
     }
   }
+  const std::vector<std::string>& uncut = given_texts(request.options, "section_exclude");
+  for (const std::string& section : given_texts(request.options, "section")) {
+    Json one{{"plane", section}};
+    if (!uncut.empty()) one["exclude"] = uncut;
+    json["section"].push_back(std::move(one));
+  }
   json["looks"] = Json::array();
   for (const std::string& selector : given_texts(request.options, "hide")) {
     json["looks"].push_back({{"select", selector}, {"drawn", false}});
@@ -173,6 +194,7 @@ std::string illustration_schema() {
   members["style"] = style;
   members["looks"] = list_of(look_schema(style));
   members["lights"] = list_of(light_schema());
+  members["section"] = {{"anyOf", {section_schema(), list_of(section_schema())}}};
   for (const detail::IllustrationKey& key : detail::illustration_keys()) {
     const std::size_t dot = key.path.find('.');
     Json value = loosened(schema_of(key.option));

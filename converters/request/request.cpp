@@ -3,6 +3,7 @@
 #include <burin/converters/messages.h>
 #include <burin/converters/request.h>
 #include <burin/field/catalogue.h>
+#include <burin/section/section.h>
 #include <burin/tone/catalogue.h>
 
 #include "draw_options.h"
@@ -135,6 +136,59 @@ void select_parts(const Scene& scene, DrawPlan& plan) {
   }
 }
 
+namespace {
+
+/// The parts that stay whole.
+std::vector<bool> uncut_parts(const Scene& scene, const Section& section, const DrawPlan& plan) {
+  std::vector<bool> uncut(scene.parts.size(), false);
+  for (const std::string& selector : plan.uncut) {
+    for (const std::size_t part : select(scene, selector)) uncut[part] = true;
+  }
+  try {
+    for (const std::string& selector : section.exclude) {
+      for (const std::size_t part : select(scene, selector)) uncut[part] = true;
+    }
+  } catch (const UsageError& e) {
+    throw UsageError(section.place + e.what());
+  }
+  return uncut;
+}
+
+}  // namespace
+
+void cut_parts(Scene& scene, const DrawPlan& plan) {
+  constexpr std::size_t kMostSections = 16;
+  if (plan.sections.size() > kMostSections) {
+    throw UsageError("more than 16 sections; each takes something away");
+  }
+  const auto& styles = plan.illustrate.part_styles;
+  for (std::size_t i = 0; i < plan.sections.size(); ++i) {
+    const Section& section = plan.sections[i];
+    Mat3 across(0);  // its first row is the axis
+    for (int k = 0; k < 3; ++k) across[k][0] = section.axis[k];
+    const Box3 box = drawn_bounds(scene, styles, across);
+    const double offset = section.offset.value_or(box.center().x);
+    const double to_viewer = glm::dot(section.axis, plan.view.direction);
+    const int side = section.side != 0 ? section.side : to_viewer >= 0 ? 1 : -1;
+    const auto says = fmt::format("{}the section at {:.6g} mm, of a model from {:.6g} to {:.6g} mm",
+                                  section.place, offset, box.min.x, box.max.x);
+    const bool above = offset >= box.max.x, below = offset <= box.min.x;
+    if (side > 0 ? below : above) throw UsageError(says + ", takes all of it away");
+    if (side > 0 ? above : below) {
+      scene.diagnostics.add(Severity::Warning, "section.missed", 1, says + ", cuts nothing");
+      continue;
+    }
+    const std::vector<bool> uncut = uncut_parts(scene, section, plan);
+    const CutPlane plane{.normal = static_cast<double>(side) * section.axis,
+                         .offset = side * offset};
+    for (std::size_t part = 0; part < scene.parts.size(); ++part) {
+      Part& one = scene.parts[part];
+      if (uncut[part]) continue;
+      one.form = cut_form(one.form, plane, static_cast<std::int32_t>(i), one.name);
+    }
+  }
+}
+
 Camera make_camera(const Scene& scene, const DrawPlan& plan) {
   const auto extent = [&](const Mat3& axes) {
     return drawn_bounds(scene, plan.illustrate.part_styles, axes);
@@ -146,6 +200,7 @@ DrawPlan make_plan(const DrawRequest& request, Spelling spelling) {
   detail::Draft draft{.style_text = request.style_text, .style_source = request.style_source};
   draft.plan.title = request.title;
   for (const Look& look : request.looks) draft.plan.looks.push_back({look});
+  draft.plan.sections = request.sections;
   apply(detail::draw_rows(), request.options, spelling, draft);
   draft.plan.spelling = spelling;
   check_style(draft.plan.style);

@@ -199,8 +199,18 @@ class LineMaker {
       out.look.kind = chain_.seam ? LineClass::Seam : LineClass::Smooth;
       return out;
     }
-    return crease_look(s.left_front, s.right_front,
-                       chain_.kind == EdgeKind::ConvexCrease || doubtful(s), closed_mesh_);
+    LookAndHidden out =
+        crease_look(s.left_front, s.right_front,
+                    chain_.kind == EdgeKind::ConvexCrease || doubtful(s), closed_mesh_);
+    if (out.look.kind == LineClass::Crease && at_cut(s)) out.look.kind = LineClass::Section;
+    return out;
+  }
+
+  /// Whether one of its sides closes a cut.
+  bool at_cut(const Step& step) const {
+    const ProxyMesh& proxy = facing_.proxy();
+    const HalfEdge o = proxy.topology.opposite[static_cast<std::size_t>(step.half_edge)];
+    return proxy.is_cut(face_of(step.half_edge)) || (o != kNoHalfEdge && proxy.is_cut(face_of(o)));
   }
 
   /// A hollow that may be none.

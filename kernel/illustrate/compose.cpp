@@ -166,15 +166,16 @@ void compose_strokes(const LinesToDraw& lines, const std::vector<Gaps>& gaps,
 void compose_features(const LinesToDraw& lines, const std::vector<Gaps>& gaps,
                       const Composition& how, Drawing& drawing, std::vector<Path>* found) {
   std::vector<Layer> layers;
-  for (const char* name : {"hidden", "behind", "seam", "smooth", "intersection", "crease",
-                           "boundary", "contour", "outline"}) {
+  for (const char* name : {"hidden", "behind", "pattern", "seam", "smooth", "intersection",
+                           "crease", "section", "boundary", "contour", "outline"}) {
     layers.push_back({name, {}});
   }
   for (std::size_t i = 0; i < lines.features.size(); ++i) {
     const Curve3& curve = lines.features[i];
     if (!how.draws(curve)) continue;
     for (const Span& span : drawn_spans(curve, lines.feature_spans[i], gaps[i])) {
-      if (!span.visible && !how.shows_hidden()) {
+      const bool hatching = curve.kind == LineClass::Pattern;  // hidden it says nothing
+      if (!span.visible && (hatching || !how.shows_hidden())) {
         if (found) keep(to_path(piece(curve, span), how.camera), false, found);
         continue;
       }
@@ -220,7 +221,10 @@ double Composition::feature_width(const Curve3& feature, const Span& span) const
       return line.intersection;
     case LineClass::Smooth:
     case LineClass::Seam:
+    case LineClass::Pattern:
       return line.smooth;
+    case LineClass::Section:
+      return line.contour;
     default:
       return line.crease;
   }
@@ -239,6 +243,9 @@ bool Composition::draws(const Curve3& feature) const {
       return drawn.smooth;
     case LineClass::Seam:
       return drawn.seams;
+    case LineClass::Section:
+    case LineClass::Pattern:
+      return true;
     default:
       return drawn.creases;
   }

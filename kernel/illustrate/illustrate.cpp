@@ -3,7 +3,9 @@
 #include <burin/field/catalogue.h>
 #include <burin/illustrate/illustrate.h>
 #include <burin/illustrate/view_probe.h>
+#include <burin/section/hatch_cuts.h>
 #include <burin/stroke/stroke.h>
+#include <burin/surface/empty_surface.h>
 #include <burin/tone/catalogue.h>
 #include <burin/verify/verify.h>
 #include <burin/visibility/occluder.h>
@@ -82,7 +84,7 @@ Surfaces realise(const Scene& scene, const Camera& camera, const detail::PartSty
   std::exception_ptr first;
   for (std::size_t i = 0; i < scene.parts.size(); ++i) {
     if (!part_styles.drawn(i)) {
-      surfaces.push_back(detail::empty_surface());
+      surfaces.push_back(empty_surface());
       continue;
     }
     const Style& style = part_styles.style(i);
@@ -96,7 +98,7 @@ Surfaces realise(const Scene& scene, const Camera& camera, const detail::PartSty
       if (!first) first = std::current_exception();
       diagnostics.add(Severity::Error, "part.not_drawn", 1,
                       fmt::format("{}: the part was left out: {}", scene.parts[i].name, e.what()));
-      surfaces.push_back(detail::empty_surface());
+      surfaces.push_back(empty_surface());
     }
   }
   if (drawn == 0 && first) std::rethrow_exception(first);
@@ -132,7 +134,7 @@ StrokeResult hatch(std::vector<const Surface*> surfaces, std::vector<bool> parts
                    const detail::DepthCue& cue, const IllustrateOptions& options,
                    detail::Undirected& undirected, RunContext& context) {
   for (std::size_t i = 0; i < surfaces.size(); ++i) {
-    if (!parts[i]) surfaces[i] = detail::empty_surface().get();
+    if (!parts[i]) surfaces[i] = empty_surface().get();
   }
   context.begin_stage(RunStage::Field);
   const ViewProbe probe = view_probe(occluder, camera, std::move(parts));
@@ -325,6 +327,7 @@ Drawing draw(const Scene& scene, const Camera& camera, const Style& style,
   context.begin_stage(RunStage::Features);
   std::vector<Curve3> features =
       features_of(proxies, camera, part_styles, drawing.diagnostics, context);
+  for (Curve3& line : hatch_cuts(proxies, camera, context)) features.push_back(std::move(line));
 
   context.begin_stage(RunStage::Visibility);
   detail::Seen seen = sight.classify(features, strokes.strokes, context);

@@ -3,27 +3,6 @@
 #include <algorithm>
 
 namespace burin::detail {
-namespace {
-
-class EmptySurface final : public Surface {
- public:
-  std::vector<SurfacePoint> cover(const CoverRequest&, const RunContext&) const override {
-    return {};
-  }
-  MarchStep march(const SurfacePoint& from, Vec3, double) const override {
-    return {.end = from, .stop = MarchStop::Boundary};
-  }
-  Frame frame(const SurfacePoint&) const override { return {}; }
-  const ProxyMesh& proxy() const override { return proxy_; }
-  ProxyPoint to_proxy(const SurfacePoint&) const override { return {}; }
-  SurfacePoint lift(const ProxyPoint&) const override { return {}; }
-
- private:
-  ProxyMesh proxy_;
-};
-
-}  // namespace
-
 PartStyles::PartStyles(std::size_t parts, const Style& style, const IllustrateOptions& options)
     : parts_(parts), styles_{&style} {
   std::vector<std::string> texts{style_to_json(style)};
@@ -60,11 +39,6 @@ std::vector<bool> PartStyles::hatched_by(std::size_t style) const {
     flags.push_back(one.hatched && !one.transparent && one.style == style);
   }
   return flags;
-}
-
-std::shared_ptr<const Surface> empty_surface() {
-  static const auto surface = std::make_shared<const EmptySurface>();
-  return surface;
 }
 
 }  // namespace burin::detail

@@ -34,7 +34,4 @@ class PartStyles {
   std::vector<const Style*> styles_;
 };
 
-/// A surface without a point: stands for a part that is not there, so that numbers of parts hold.
-std::shared_ptr<const Surface> empty_surface();
-
 }  // namespace burin::detail

@@ -1,5 +1,6 @@
 #include "sight.h"
 
+#include <burin/surface/empty_surface.h>
 #include <burin/visibility/outline_gaps.h>
 
 #include <algorithm>

@@ -18,7 +18,7 @@ constexpr double kSliverHeight = 1e-5;
 
 /// Degrees over the crease angle that are still smooth: a circle of twelve facets bends by 30.00
 /// degrees, which single precision files round to either side.
-constexpr double kSlack = 0.1;
+constexpr double kSlack = 0.006;
 
 struct LongestEdge {
   int corner;

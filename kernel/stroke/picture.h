@@ -90,9 +90,10 @@ struct Picture {
   }
 
   /// Ink asked for in [0,1] at a point of a smooth region; `cosine` is that between its normal and
-  /// the viewer, to whom the tone sees it turned.
+  /// the viewer, to whom the tone sees it turned. None where a section was closed: that is hatched.
   double darkness(std::int32_t part, std::int32_t region, Vec3 position, Vec3 normal,
                   double cosine) const {
+    if (surface(part).proxy().is_cut_region(region)) return 0;
     const double asked = std::clamp(1 - tone(position, cosine < 0 ? -normal : normal), 0.0, 1.0);
     return toned(asked, part, region, position);
   }

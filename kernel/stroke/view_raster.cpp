@@ -41,6 +41,7 @@ ViewRaster make_raster(const Picture& picture, const RunContext& context) {
                 raster.center(static_cast<std::int32_t>(x), static_cast<std::int32_t>(y)));
             if (!hit || !hit->hatched) continue;
             const ProxyMesh& proxy = picture.surface(hit->part).proxy();
+            if (proxy.is_cut(hit->point.face)) continue;  // hatched as a cut
             const Vec3 p = proxy.position(hit->point.face, hit->point.bary);
             const Vec3 n = proxy.normal(hit->point.face, hit->point.bary);
             const double cosine = glm::dot(n, picture.camera.to_viewer(p));

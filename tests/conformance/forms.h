@@ -6,6 +6,7 @@
 #include <burin/forms/implicit/implicit_form.h>
 #include <burin/forms/mesh/mesh_form.h>
 #include <burin/forms/patches/parametric_form.h>
+#include <burin/section/section.h>
 #include <burin/surface/placed_form.h>
 
 #include <BRepPrimAPI_MakeTorus.hxx>
@@ -61,6 +62,9 @@ inline Placement elsewhere() {
   const Mat3 turn(0.8, 0.6, 0, -0.6, 0.8, 0, 0, 0, 1);
   return {turn * 0.5, {-4, 9, 2}};
 }
+
+/// A plane across no axis.
+inline CutPlane slanted(double offset) { return {glm::normalize(Vec3(1, 2, 3)), offset}; }
 
 inline std::vector<FormCase> form_cases() {
   return {
@@ -140,6 +144,19 @@ inline std::vector<FormCase> form_cases() {
        }},
       {"PlacedBrep", [] { return placed(brep_form(filleted_box_shape(0.25)), elsewhere()); }, true,
        20, true},
+      {"MeshCut", [] { return cut_form(mesh_form(torus(3, 1, 60, 30)), slanted(0.4), 0, ""); }},
+      {"CutNurbs",
+       [] {
+         return cut_form(parametric_form({make_nurbs_chart(torus_nurbs(3, 1))}), slanted(0.4), 0,
+                         "");
+       }},
+      {"CutImplicit",
+       [] {
+         const Expression f = implicit::subtract(implicit::box(2, 2, 2), implicit::sphere(1.2));
+         return cut_form(implicit_form(f), slanted(0.1), 0, "");
+       }},
+      {"CutBrep", [] { return cut_form(brep_form(filleted_box_shape(0.25)), slanted(0.6), 0, ""); },
+       true, 20, true},
   };
 }
 

@@ -1,6 +1,7 @@
 #include "round_facets.h"
 
 #include <burin/base/parallel.h>
+#include <burin/mesh/facet_piece.h>
 #include <burin/mesh/rounded_mesh.h>
 #include <burin/work_mesh/division.h>
 
@@ -62,15 +63,6 @@ std::vector<Piece> coarse_facets(const ProxyMesh& coarse, double tolerance) {
   return found;
 }
 
-/// The edge of the facet, by its first corner, on which an edge of a piece lies; nothing inside.
-std::optional<std::size_t> facet_edge(const Piece& piece, std::size_t k) {
-  for (std::size_t side = 0; side < 3; ++side) {
-    const auto off = static_cast<int>(side);
-    if (piece.bary[k][off] == 0 && piece.bary[next(k)][off] == 0) return next(side);
-  }
-  return std::nullopt;
-}
-
 class Divider {
  public:
   Divider(const ProxyMesh& coarse, std::vector<Piece> facets, double tolerance,
@@ -117,7 +109,7 @@ class Divider {
     std::size_t i = k, j = next(k);
     if (piece.corners[i] > piece.corners[j]) std::swap(i, j);
     const Vec3 bary = (1 - share) * piece.bary[i] + share * piece.bary[j];
-    const auto edge = facet_edge(piece, k);
+    const auto edge = facet_edge(piece.bary, k);
     if (!edge) return facet.at(bary);
     // From the lower vertex on, as `on_edge` counts.
     const Triangle& corners = coarse_.mesh.triangles[piece.facet];
@@ -211,7 +203,7 @@ class Divider {
 
 /// Whether the k-th edge of a piece lies on a crease of the facets.
 bool on_crease(const ProxyMesh& coarse, const Piece& piece, std::size_t k) {
-  const auto edge = facet_edge(piece, k);
+  const auto edge = facet_edge(piece.bary, k);
   return edge && coarse.is_crease(static_cast<HalfEdge>(3 * piece.facet + *edge));
 }
 

@@ -22,6 +22,15 @@ std::uint64_t whole_option(const std::string& option, const std::string& text, s
 /// A point X,Y,Z; nothing where the text is empty. Throws UsageError.
 std::optional<Vec3> point_option(const std::string& option, const std::string& text);
 
+/// A plane across an axis, "AXIS[=MM]".
+struct CutText {
+  Vec3 axis{0, 0, 1};  // unit
+  /// Of which side the sign, or the direction X,Y,Z, speaks; 0: of none.
+  int side = 0;
+  std::optional<double> offset = {};
+};
+CutText cut_option(const std::string& option, const std::string& text);
+
 /// A box x0,y0,z0,x1,y1,z1 with each minimum below its maximum; nothing where the text is empty.
 /// Throws UsageError.
 std::optional<Box3> box_option(const std::string& option, const std::string& text);

@@ -29,6 +29,19 @@ struct Look {
   std::string place = {};
 };
 
+/// A plane by which parts are cut open.
+struct Section {
+  Vec3 axis{0, 0, 1};  // unit
+  /// Which side is taken away: 1 where the axis points, -1 the other; 0 that of the viewer.
+  int side = 0;
+  /// Model mm along the axis; absent: the middle of what is drawn.
+  std::optional<double> offset = {};
+  /// Selectors of parts that stay whole.
+  std::vector<std::string> exclude = {};
+  /// What errors begin with: "FILE:LINE: ", or empty.
+  std::string place = {};
+};
+
 /// What a user asks of a drawing.
 struct DrawRequest {
   /// By the names of `all_options`; others are not looked at.
@@ -41,6 +54,8 @@ struct DrawRequest {
   std::vector<Look> looks = {};
   /// Instead of the style's light; empty: that.
   std::vector<tone::Light> lights = {};
+  /// Before those that options ask for.
+  std::vector<Section> sections = {};
   /// What the drawing is called; empty: by its parts.
   std::string title = {};
 
@@ -61,6 +76,9 @@ struct DrawPlan {
   };
   std::vector<PlannedLook> looks = {};
   std::vector<std::string> only = {};
+  std::vector<Section> sections = {};
+  /// Of all sections.
+  std::vector<std::string> uncut = {};
   std::string title;
   /// Worker threads; 0 = all.
   int threads = 0;
@@ -80,6 +98,9 @@ DrawPlan make_plan(const DrawRequest& request, Spelling spelling);
 /// Turns what a plan says of parts by name into `illustrate.part_styles`, over what is there.
 /// Throws UsageError where a selector names nothing, or nothing is left to draw.
 void select_parts(const Scene& scene, DrawPlan& plan);
+/// Cuts the parts by the sections of a plan, once `select_parts` knows which are drawn; tells of
+/// planes that cut nothing. Throws UsageError where a selector names nothing, or nothing is left.
+void cut_parts(Scene& scene, const DrawPlan& plan);
 /// The camera that a plan asks for, of the parts that are drawn. Throws UsageError, GeometryError.
 Camera make_camera(const Scene& scene, const DrawPlan& plan);
 /// Draws it, with a diagnostic "option.unused" for each choice of the plan that changes nothing of

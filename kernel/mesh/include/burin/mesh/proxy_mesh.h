@@ -51,7 +51,14 @@ struct ProxyMesh {
   /// For each wedge nonzero where g (FacingFunction) is exactly zero in the view that the proxy was
   /// cut for, or where the surface has no normal (the tip of a cone): contours pass through it.
   std::vector<std::uint8_t> on_contour;
+  /// For each smooth region the plane of the section that it closes, -1 of the surface itself; empty
+  /// where nothing was cut.
+  std::vector<std::int32_t> cut_plane;
 
+  bool is_cut_region(std::int32_t region) const {
+    return !cut_plane.empty() && cut_plane[static_cast<std::size_t>(region)] >= 0;
+  }
+  bool is_cut(std::uint32_t face) const { return is_cut_region(face_region[face]); }
   /// The face of the input of a triangle: the smooth region where the mesh is its own source.
   std::int32_t face_source(std::uint32_t face) const {
     return source_face.empty() ? face_region[face] : source_face[face];

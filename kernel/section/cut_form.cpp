@@ -1,0 +1,88 @@
+#include <burin/section/section.h>
+#include <burin/surface/empty_surface.h>
+
+#include "cut_surface.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+namespace burin {
+namespace {
+
+/// What is left of a box beyond a plane, as the corners of a polyhedron.
+std::vector<Vec3> cut_box(const Box3& box, const CutPlane& plane) {
+  std::array<Vec3, 8> corners{};
+  for (std::size_t i = 0; i < 8; ++i) {
+    corners[i] = {i & 1U ? box.max.x : box.min.x, i & 2U ? box.max.y : box.min.y,
+                  i & 4U ? box.max.z : box.min.z};
+  }
+  const auto beyond = [&](std::size_t i) {
+    return glm::dot(plane.normal, corners[i]) - plane.offset;
+  };
+  std::vector<Vec3> left;
+  for (std::size_t i = 0; i < 8; ++i) {
+    const double a = beyond(i);
+    if (a <= 0) left.push_back(corners[i]);
+    for (const std::size_t axis : {1U, 2U, 4U}) {
+      const std::size_t j = i | axis;
+      if (j == i) continue;
+      const double b = beyond(j);
+      if ((a > 0) != (b > 0)) left.push_back(glm::mix(corners[i], corners[j], a / (a - b)));
+    }
+  }
+  return left;
+}
+
+class CutForm final : public Form {
+ public:
+  CutForm(std::shared_ptr<const Form> form, const CutPlane& plane, std::int32_t number,
+          std::string name)
+      : form_(std::move(form)), plane_(plane), number_(number), name_(std::move(name)) {}
+
+  /// As tight as the box that the form has along its own axes.
+  Box3 bounds(const Mat3& axes) const override {
+    const std::vector<Vec3> left = cut_box(form_->bounds(Mat3(1)), plane_);
+    const Box3 whole = form_->bounds(axes);
+    if (left.empty()) return {};
+    Box3 box;
+    for (const Vec3& p : left) box.add(axes * p);
+    return {glm::max(box.min, whole.min), glm::min(box.max, whole.max)};
+  }
+
+  std::shared_ptr<const Surface> realise(const RealiseOptions& options,
+                                         RunContext& context) const override {
+    auto whole = form_->realise(options, context);
+    context.begin_stage(RunStage::Build);
+    detail::CutProxy cut = detail::cut_proxy(whole->proxy(), plane_, number_, context);
+    context.end_stage();
+    if (cut.whole) return whole;
+    if (cut.gone) return empty_surface();
+    if (cut.open && options.diagnostics) {
+      options.diagnostics->add(
+          Severity::Warning, "section.open", 1,
+          fmt::format("{}: its surface has holes where it is cut, so that the cut is not closed",
+                      name_));
+    }
+    return std::make_shared<detail::CutSurface>(std::move(whole), std::move(cut), plane_);
+  }
+
+ private:
+  std::shared_ptr<const Form> form_;
+  CutPlane plane_;
+  std::int32_t number_;
+  std::string name_;
+};
+
+}  // namespace
+
+std::shared_ptr<const Form> cut_form(std::shared_ptr<const Form> form, const CutPlane& plane,
+                                     std::int32_t number, std::string name) {
+  return std::make_shared<CutForm>(std::move(form), plane, number, std::move(name));
+}
+
+}  // namespace burin

@@ -1,0 +1,46 @@
+#pragma once
+/// A surface that ends at a plane, closed there by a flat face; internal to the room.
+
+#include <burin/surface/surface.h>
+
+#include "cut_proxy.h"
+
+#include <memory>
+#include <vector>
+
+namespace burin::detail {
+
+class CutSurface final : public Surface {
+ public:
+  CutSurface(std::shared_ptr<const Surface> whole, CutProxy cut, const CutPlane& plane);
+
+  MarchStep march(const SurfacePoint& from, Vec3 tangent, double length) const override;
+  Frame frame(const SurfacePoint& point) const override;
+  const ProxyMesh& proxy() const override { return proxy_; }
+  ProxyPoint to_proxy(const SurfacePoint& point) const override;
+  SurfacePoint lift(const ProxyPoint& point) const override;
+  bool exact() const override { return whole_->exact(); }
+  Vec3 drawn_position(const SurfacePoint& point) const override;
+
+ private:
+  bool closes(std::uint32_t triangle) const { return pieces_[triangle].facet == kNoFacet; }
+  double beyond(Vec3 p) const { return glm::dot(plane_.normal, p) - plane_.offset; }
+  /// A point of this surface as the whole one has it.
+  SurfacePoint inner(SurfacePoint point) const;
+  /// The piece of a facet that holds a place of it, or is the nearest; the least barycentric
+  /// coordinate there, minus infinity where the facet is gone.
+  double locate(std::uint32_t facet, Vec3 bary, ProxyPoint& out) const;
+  /// Whether the end of a march lies on this surface; then it becomes a point of it.
+  bool adopt(SurfacePoint& end) const;
+  /// As far as the plane, or `length`, which does not lead over it and back.
+  MarchStep march_to_plane(const SurfacePoint& from, Vec3 tangent, double length) const;
+  MarchStep march_flat(const SurfacePoint& from, Vec3 tangent, double length) const;
+
+  std::shared_ptr<const Surface> whole_;
+  ProxyMesh proxy_;
+  std::vector<FacetPiece> pieces_;
+  std::vector<std::uint32_t> first_;  // of each facet of the whole, its pieces
+  CutPlane plane_;
+};
+
+}  // namespace burin::detail

@@ -1,0 +1,315 @@
+/// Forms cut open by planes: closed again, with the area that the plane runs through, and with the
+/// surface of the form everywhere else.
+
+#include <burin/forms/mesh/mesh_form.h>
+#include <burin/forms/patches/parametric_form.h>
+#include <burin/illustrate/illustrate.h>
+#include <burin/section/hatch_cuts.h>
+#include <burin/section/section.h>
+
+#include <burin_test/charts.h>
+#include <burin_test/irregular.h>
+#include <burin_test/shapes.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numbers>
+#include <random>
+#include <set>
+
+namespace burin {
+namespace {
+
+constexpr double kPi = std::numbers::pi;
+
+std::shared_ptr<const Form> mesh(TriMesh m) { return std::make_shared<MeshForm>(std::move(m)); }
+
+std::shared_ptr<const Surface> realised(const std::shared_ptr<const Form>& form,
+                                        Diagnostics* diagnostics = nullptr,
+                                        double tolerance = 0.01) {
+  RunContext context;
+  return form->realise({.tolerance = tolerance, .diagnostics = diagnostics}, context);
+}
+
+bool closed(const ProxyMesh& proxy) {
+  return std::ranges::all_of(proxy.topology.component_closed, [](auto c) { return c != 0; });
+}
+
+double cut_area(const ProxyMesh& proxy, std::int32_t number = 0) {
+  double area = 0;
+  if (proxy.cut_plane.empty()) return 0;
+  for (std::uint32_t f = 0; f < proxy.mesh.triangles.size(); ++f) {
+    const auto region = static_cast<std::size_t>(proxy.face_region[f]);
+    if (proxy.cut_plane[region] == number) area += proxy.mesh.area(f);
+  }
+  return area;
+}
+
+double volume(const TriMesh& m) {
+  double six = 0;
+  for (const Triangle& t : m.triangles) {
+    six += glm::dot(m.positions[t[0]], glm::cross(m.positions[t[1]], m.positions[t[2]]));
+  }
+  return six / 6;
+}
+
+TEST(Section, ABoxKeepsItsHalf) {
+  const auto cut = cut_form(mesh(test::box({0, 0, 0}, {2, 3, 4})), {{1, 0, 0}, 0.5}, 7, "box");
+  const auto surface = realised(cut);
+  const ProxyMesh& proxy = surface->proxy();
+  EXPECT_TRUE(closed(proxy));
+  EXPECT_NEAR(cut_area(proxy, 7), 12, 1e-12);
+  EXPECT_NEAR(volume(proxy.mesh), 6, 1e-12);
+  for (std::uint32_t f = 0; f < proxy.mesh.triangles.size(); ++f) {
+    if (proxy.is_cut(f)) {
+      EXPECT_LT(glm::distance(proxy.mesh.normal(f), Vec3(1, 0, 0)), 1e-12);
+    }
+  }
+  const Box3 box = cut->bounds(Mat3(1));
+  EXPECT_EQ(box.max, Vec3(0.5, 3, 4));
+  EXPECT_EQ(box.min, Vec3(0));
+}
+
+TEST(Section, AreasOfATorusAreThoseOfTheFormulas) {
+  const auto torus = mesh(test::torus(10, 4, 400, 200));
+  EXPECT_NEAR(cut_area(realised(cut_form(torus, {{0, 1, 0}, 0}, 0, ""))->proxy()), 2 * kPi * 16,
+              0.1);
+  EXPECT_NEAR(cut_area(realised(cut_form(torus, {{0, 0, 1}, 0}, 0, ""))->proxy()),
+              kPi * (14 * 14 - 6 * 6), 0.5);
+}
+
+TEST(Section, ExactFormsAreCutTooAndKeepTheirEquations) {
+  const auto torus = std::make_shared<ParametricForm>(std::vector{test::torus_chart(10, 4)});
+  const auto surface = realised(cut_form(torus, {{0, 1, 0}, 2}, 0, "torus"));
+  EXPECT_TRUE(closed(surface->proxy()));
+  EXPECT_TRUE(surface->exact());
+  const auto& proxy = surface->proxy();
+  for (std::uint32_t f = 0; f < proxy.mesh.triangles.size(); f += 17) {
+    if (proxy.is_cut(f)) continue;
+    const SurfacePoint p = surface->lift({f, Vec3(1.0 / 3)});
+    const double ring = std::hypot(p.position.x, p.position.y) - 10;
+    EXPECT_NEAR(std::hypot(ring, p.position.z), 4, 1e-9);
+    EXPECT_EQ(p.triangle, f);
+    const ProxyPoint back = surface->to_proxy(p);
+    EXPECT_LT(glm::distance(proxy.position(back.face, back.bary), p.position), 0.02);
+  }
+}
+
+// Planes through vertices, along edges and in faces: the loops close all the same.
+TEST(Section, LoopsCloseWhereverThePlaneLies) {
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> any(-1, 1);
+  const TriMesh meshes[] = {test::box({-1, -1, -1}, {1, 1, 1}), test::torus(3, 1, 24, 12),
+                            test::irregular_ellipsoid({3, 2, 1}, 400), test::cylinder(2, 4, 12)};
+  for (const TriMesh& coarse : meshes) {
+    const auto form = mesh(coarse);
+    const auto whole_surface = realised(form);
+    const TriMesh& m = whole_surface->proxy().mesh;  // with its facets rounded
+    for (int i = 0; i < 75; ++i) {
+      const auto vertex = [&] { return m.positions[random() % m.positions.size()]; };
+      Vec3 n(any(random), any(random), any(random));
+      if (i % 3 == 1) n = glm::cross(vertex() - vertex(), vertex() - vertex());  // three vertices
+      if (i % 3 == 2) n = m.normal(static_cast<std::uint32_t>(random() % m.triangles.size()));
+      if (glm::length(n) < 1e-9) continue;
+      n = glm::normalize(n);
+      const double offset = glm::dot(n, vertex());
+      Diagnostics said;
+      const auto one = realised(cut_form(form, {n, offset}, 0, ""), &said);
+      const auto other = realised(cut_form(form, {-n, -offset}, 0, ""), &said);
+      for (const Diagnostic& d : said.entries()) {
+        EXPECT_NE(d.code, "section.open")
+            << i << ": " << n.x << "," << n.y << "," << n.z << " = " << offset;
+      }
+      EXPECT_TRUE(one->proxy().mesh.triangles.empty() || closed(one->proxy()));
+      EXPECT_TRUE(other->proxy().mesh.triangles.empty() || closed(other->proxy()));
+      const double whole = volume(m);
+      EXPECT_NEAR(volume(one->proxy().mesh) + volume(other->proxy().mesh), whole, 1e-4 * whole);
+    }
+  }
+}
+
+TEST(Section, TwoPlanesLeaveAQuarterOfTheirOwn) {
+  auto form = cut_form(mesh(test::box({0, 0, 0}, {2, 2, 2})), {{1, 0, 0}, 1}, 0, "");
+  form = cut_form(form, {{0, 1, 0}, 0.5}, 1, "");
+  const auto surface = realised(form);
+  EXPECT_TRUE(closed(surface->proxy()));
+  EXPECT_NEAR(volume(surface->proxy().mesh), 1, 1e-12);
+  EXPECT_NEAR(cut_area(surface->proxy(), 0), 1, 1e-12);
+  EXPECT_NEAR(cut_area(surface->proxy(), 1), 2, 1e-12);
+}
+
+TEST(Section, HollowsStayHollow) {
+  TriMesh inner = test::box({1, 1, 1}, {3, 3, 3});
+  for (Triangle& t : inner.triangles) std::swap(t[1], t[2]);
+  const auto form = mesh(test::joined(test::box({0, 0, 0}, {4, 4, 4}), inner));
+  const auto surface = realised(cut_form(form, {{0, 0, 1}, 2}, 0, ""));
+  EXPECT_TRUE(closed(surface->proxy()));
+  EXPECT_NEAR(cut_area(surface->proxy()), 12, 1e-12);
+}
+
+TEST(Section, OpenFormsAreCutOpenAndItIsSaid) {
+  TriMesh sheet = test::box({0, 0, 0}, {1, 1, 1});
+  sheet.triangles.erase(sheet.triangles.begin());
+  Diagnostics said;
+  const Vec3 n = glm::normalize(Vec3(1, 1, 1));
+  const auto surface = realised(cut_form(mesh(sheet), {n, 0.3 * std::sqrt(3.0)}, 0, "lid"), &said);
+  EXPECT_FALSE(surface->proxy().mesh.triangles.empty());
+  const auto surface2 =
+      realised(cut_form(mesh(sheet), {-n, -0.3 * std::sqrt(3.0)}, 0, "lid"), &said);
+  ASSERT_FALSE(said.entries().empty());
+  EXPECT_EQ(said.entries()[0].code, "section.open");
+  EXPECT_NE(said.entries()[0].message.find("lid"), std::string::npos);
+  EXPECT_EQ(cut_area(surface2->proxy()), 0);
+}
+
+TEST(Section, PlanesThatMissLeaveAllOrNothing) {
+  const auto box = mesh(test::box({0, 0, 0}, {1, 1, 1}));
+  EXPECT_EQ(realised(cut_form(box, {{0, 0, 1}, 2}, 0, ""))->proxy().mesh.triangles.size(), 12U);
+  EXPECT_TRUE(realised(cut_form(box, {{0, 0, 1}, -1}, 0, ""))->proxy().mesh.triangles.empty());
+  // In a face it takes nothing away and closes nothing.
+  const auto touched = realised(cut_form(box, {{0, 0, 1}, 1}, 0, ""));
+  EXPECT_TRUE(touched->proxy().cut_plane.empty());
+}
+
+TEST(Section, MarchesEndAtThePlane) {
+  const auto ball = mesh(test::ellipsoid(Vec3(5), 120, 60));
+  const Vec3 n(0, 0, 1);
+  const auto surface = realised(cut_form(ball, {n, 2}, 0, ""));
+  const auto& proxy = surface->proxy();
+  int tried = 0, ended = 0;
+  for (std::uint32_t f = 0; f < proxy.mesh.triangles.size(); f += 31) {
+    const SurfacePoint p = surface->lift({f, Vec3(1.0 / 3)});
+    const MarchStep up = surface->march(p, proxy.is_cut(f) ? Vec3(1, 0, 0) : n, 30);
+    ++tried;
+    EXPECT_LE(glm::dot(n, up.end.position), 2 + 1e-9);
+    ASSERT_LT(up.end.triangle, proxy.mesh.triangles.size());
+    if (proxy.is_cut(f)) {
+      EXPECT_EQ(up.stop, MarchStop::Crease);
+      EXPECT_NEAR(std::hypot(up.end.position.x, up.end.position.y), std::sqrt(21.0), 0.02);
+      EXPECT_NEAR(up.end.position.z, 2, 1e-12);
+    } else {
+      ended += up.stop == MarchStop::Crease && up.end.position.z > 1.99 ? 1 : 0;
+    }
+    if (proxy.is_cut(f) || p.position.z > 1.9) continue;  // its end may be nearer
+    const MarchStep down = surface->march(p, Vec3(0.3, 1, 0), 0.01);
+    EXPECT_EQ(down.stop, MarchStop::Completed);
+    EXPECT_NEAR(down.length, 0.01, 1e-12);
+  }
+  EXPECT_GT(tried, 100);
+  EXPECT_GT(ended, tried / 2);
+}
+
+// Hatching is all the ink of a cut: strokes of any placing stay off it.
+TEST(Section, StrokesStayOffTheCut) {
+  RunContext context;
+  Scene scene;
+  scene.parts.push_back(
+      {"ball", "", cut_form(mesh(test::ellipsoid(Vec3(5), 120, 60)), {{0, -1, 0}, 0}, 0, "ball")});
+  const Camera camera = Camera::fit([&](const Mat3& axes) { return scene.bounds(axes); },
+                                    {.direction = {0.5, -1, 0.5}});
+  for (const char* style : {"engraving", "stipple"}) {
+    const Drawing drawing = illustrate(scene, camera, builtin_style(style), {}, context);
+    std::size_t strokes = 0, hatching = 0;
+    for (const Layer& layer : drawing.layers) {
+      for (const Path& path : layer.paths) {
+        if (path.kind == LineClass::Pattern) ++hatching;
+        if (path.kind != LineClass::Stroke) continue;
+        ++strokes;
+        // In the middle of the cut, which is seen: what is there would lie on it.
+        for (const Vec3& p : path.points3) {
+          EXPECT_FALSE(std::abs(p.y) < 1e-6 && std::hypot(p.x, p.z) < 4.9) << style;
+        }
+      }
+    }
+    EXPECT_GT(strokes, 20U) << style;
+    EXPECT_GT(hatching, 10U) << style;
+  }
+}
+
+/// The lines over cut areas of these parts, by part.
+std::map<std::int32_t, std::vector<Curve3>> hatched(
+    const std::vector<std::shared_ptr<const Form>>& forms, const Camera& camera) {
+  std::vector<std::shared_ptr<const Surface>> surfaces;
+  std::vector<const ProxyMesh*> proxies;
+  for (const auto& form : forms) {
+    surfaces.push_back(realised(form));
+    proxies.push_back(&surfaces.back()->proxy());
+  }
+  std::map<std::int32_t, std::vector<Curve3>> out;
+  for (Curve3& line : hatch_cuts(proxies, camera, RunContext())) {
+    out[line.source.part].push_back(std::move(line));
+  }
+  return out;
+}
+
+Camera from_front(double scale) {
+  return Camera::fit(
+      [](const Mat3&) {
+        return Box3{{-20, -20, -20}, {20, 20, 20}};
+      },
+      {.direction = {0, -1, 0}, .up = {0, 0, 1}, .scale = scale});
+}
+
+double angle_of(const Curve3& line) {
+  const Vec3 e = line.points[1] - line.points[0];
+  return std::remainder(std::atan2(e.z, e.x) * 180 / kPi - 90, 180.0) + 90;
+}
+
+TEST(HatchedCuts, KeepTheirDistanceAndTheirAngle) {
+  const CutPlane plane{{0, -1, 0}, 0};
+  const auto lines =
+      hatched({cut_form(mesh(test::box({0, -5, 0}, {20, 5, 20})), plane, 0, "")}, from_front(1))[0];
+  // 0.12 times the root of 400 mm2.
+  ASSERT_GT(lines.size(), 5U);
+  double length = 0;
+  std::set<long> across;
+  for (const Curve3& line : lines) {
+    EXPECT_EQ(line.kind, LineClass::Pattern);
+    EXPECT_NEAR(angle_of(line), 45, 1e-9);
+    for (const Vec3& p : line.points) {
+      EXPECT_NEAR(p.y, 0, 1e-12);
+      EXPECT_GT(std::min(p.x, p.z), -1e-9);
+      EXPECT_LT(std::max(p.x, p.z), 20 + 1e-9);
+    }
+    length += glm::distance(line.points[0], line.points[1]);
+    const double at = (line.points[0].z - line.points[0].x) / std::sqrt(2.0) / 2.4;
+    EXPECT_NEAR(at, std::round(at), 1e-9);
+    across.insert(std::lround(at));
+  }
+  EXPECT_EQ(across.size(), lines.size());
+  EXPECT_NEAR(length * 2.4, 400, 12);  // each stands for a strip
+}
+
+TEST(HatchedCuts, OfPartsThatTouchDiffer) {
+  const CutPlane plane{{0, -1, 0}, 0};
+  const auto box = [&](double x0, double x1) {
+    return cut_form(mesh(test::box({x0, -5, 0}, {x1, 5, 10})), plane, 0, "");
+  };
+  auto lines = hatched({box(0, 5), box(5, 10), box(10, 15), box(17, 20)}, from_front(2));
+  ASSERT_EQ(lines.size(), 4U);
+  EXPECT_NEAR(angle_of(lines[0][0]), 45, 1e-9);
+  EXPECT_NEAR(angle_of(lines[1][0]), 135, 1e-9);
+  EXPECT_NEAR(angle_of(lines[2][0]), 45, 1e-9);
+  EXPECT_NEAR(angle_of(lines[3][0]), 45, 1e-9);
+}
+
+TEST(HatchedCuts, AreNotParallelToTheOutline) {
+  // A square on its corner has its sides along 45 and 135 degrees.
+  const double s = std::sqrt(0.5);
+  TriMesh m = test::mapped(test::box({-5, -5, -5}, {5, 5, 5}),
+                           [&](Vec3 p) { return Vec3(s * (p.x - p.z), p.y, s * (p.x + p.z)); });
+  const auto square = hatched({cut_form(mesh(m), {{0, -1, 0}, 0}, 0, "")}, from_front(1))[0];
+  ASSERT_FALSE(square.empty());
+  // Half of it lies along either: no more than half is allowed.
+  EXPECT_NEAR(angle_of(square[0]), 45, 1e-9);
+  m = test::mapped(test::box({-9, -5, -2}, {9, 5, 2}),
+                   [&](Vec3 p) { return Vec3(s * (p.x - p.z), p.y, s * (p.x + p.z)); });
+  const auto bar = hatched({cut_form(mesh(m), {{0, -1, 0}, 0}, 0, "")}, from_front(1))[0];
+  ASSERT_FALSE(bar.empty());
+  EXPECT_NEAR(angle_of(bar[0]), 135, 1e-9);
+}
+
+}  // namespace
+}  // namespace burin
