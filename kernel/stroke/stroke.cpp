@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 
@@ -176,12 +177,14 @@ void tone_cells(const Picture& picture, ViewRaster& raster) {
 StrokeResult trace_strokes(std::span<const Surface* const> surfaces, const Camera& camera,
                            const Field& field, const Tone& tone, const ViewProbe& probe,
                            const HatchOptions& options, std::uint64_t seed, RunContext& context,
-                           const tone::ToneOptions& balance,
-                           const std::function<double(Vec3)>& fade) {
+                           const InkOptions& ink) {
   check(options);
   const Placing& placing = find_placing(options.placing);
   HatchOptions own = options;
   if (!follows_field(options)) own.cross_from = 2;  // dots do not cross
+  if (!ink.exponents.empty()) {
+    own.tone_min = Picture::shared(own.tone_min, *std::ranges::min_element(ink.exponents));
+  }
   Picture picture{.surfaces = surfaces,
                   .camera = camera,
                   .field = field,
@@ -193,10 +196,10 @@ StrokeResult trace_strokes(std::span<const Surface* const> surfaces, const Camer
                   .standing = placing.standing};
   context.begin_stage(RunStage::Cover);
   ViewRaster raster = make_raster(picture, context);
-  const ToneBalance balanced(picture, raster, balance);
+  const ToneBalance balanced(picture, raster, ink.balance);
   if (balanced.active()) picture.balance = &balanced;
-  if (fade) picture.fade = &fade;
-  if (picture.balance || picture.fade) tone_cells(picture, raster);
+  picture.shaping = &ink;
+  if (picture.balance || ink.fade || !ink.exponents.empty()) tone_cells(picture, raster);
   check_work(picture, placing, raster);
   const Coverage coverage = placing.cover(picture, raster, context);
 
