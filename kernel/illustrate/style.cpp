@@ -392,6 +392,9 @@ void check_style(const Style& style) {
   }
   const auto fault = options::first_fault(detail::all_rows_of(style), style);
   if (fault) throw UsageError("style key " + *fault);
+  for (std::size_t number = 1; number <= stroke_kind_count(style); ++number) {
+    check_laws(hatch_of(style, number), detail::kind_group(number));
+  }
 }
 
 std::vector<StyleKey> style_keys(const Style& style) {

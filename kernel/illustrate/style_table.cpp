@@ -147,6 +147,8 @@ std::optional<KindKey> kind_key(std::string_view key) {
   return KindKey{static_cast<std::size_t>(number.front() - '0'), std::string(rest.substr(dot + 1))};
 }
 
+std::string kind_group(std::size_t number) { return number == 1 ? "hatch." : kind_prefix(number); }
+
 const KindRow& find_kind_row(const std::string& name, std::size_t number) {
   std::vector<std::string> names{"kind"};
   for (const KindRow& row : kind_rows()) {

@@ -38,6 +38,9 @@ std::optional<KindKey> kind_key(std::string_view key);
 const StyleRow& find_row(std::string_view name);
 const KindRow& find_kind_row(const std::string& name, std::size_t number);
 
+/// What keys of a stroke kind begin with: "hatch.", "strokes.2.".
+std::string kind_group(std::size_t number);
+
 /// What a stroke kind is that a style gets beside what it has.
 StrokeKind next_kind(const Style& style);
 

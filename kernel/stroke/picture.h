@@ -4,6 +4,7 @@
 #include <burin/base/box.h>
 #include <burin/stroke/stroke.h>
 
+#include "laws.h"
 #include "tone_balance.h"
 
 #include <algorithm>
@@ -44,6 +45,8 @@ struct Picture {
   const ToneBalance* balance = nullptr;
   /// What becomes of it after that; likewise.
   const InkOptions* shaping = nullptr;
+  /// What the user's formulas make of ink and strokes; likewise.
+  const Laws* laws = nullptr;
   /// How strokes stand: each keeps its distance from the next; on points, where they lie over each
   /// other as chance has it; as dots on points that keep clear of each other.
   enum class Standing { Apart, Points, Dots };
@@ -51,8 +54,8 @@ struct Picture {
 
   /// The same picture with lines that follow another field, which has to live as long.
   Picture following(const Field& other) const {
-    return {surfaces, camera,     other,   tone,    probe,   options,
-            seed,     same_place, balance, shaping, standing};
+    return {surfaces, camera,     other,   tone,    probe, options,
+            seed,     same_place, balance, shaping, laws,  standing};
   }
 
   bool by_chance() const { return standing != Standing::Apart; }
@@ -95,6 +98,20 @@ struct Picture {
                   double cosine) const {
     const double asked = std::clamp(1 - tone(position, cosine < 0 ? -normal : normal), 0.0, 1.0);
     return toned(asked, part, region, position);
+  }
+
+  /// The same where the point of the surface is known: laws may look at it.
+  double darkness(std::int32_t part, std::int32_t region, const SurfacePoint& point,
+                  const Frame& frame, double cosine) const {
+    const double ink = darkness(part, region, point.position, frame.normal, cosine);
+    if (laws == nullptr || !laws->shape_picture()) return ink;
+    return laws->inked({part, point, frame, std::abs(cosine), ink}, surface(part), field);
+  }
+  /// By what factor strokes stand closer there.
+  double denser(std::int32_t part, const SurfacePoint& point, const Frame& frame) const {
+    if (laws == nullptr || laws->density.plain()) return 1;
+    const double cosine = glm::dot(frame.normal, camera.to_viewer(point.position));
+    return laws->denser({part, point, frame, std::abs(cosine)}, surface(part), field);
   }
 
   /// What the whole picture makes of the ink that the tone of a place asks for.

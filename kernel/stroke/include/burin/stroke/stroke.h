@@ -13,6 +13,7 @@
 #include <functional>
 #include <optional>
 #include <span>
+#include <string>
 #include <vector>
 
 namespace burin {
@@ -40,6 +41,8 @@ struct InkOptions {
   std::vector<double> exponents{};
   /// With exponents: no strokes where the ink of all kinds together is less.
   double tone_min = 0;
+  /// What the keys of these strokes begin with, for errors.
+  std::string keys = "hatch.";
 };
 
 struct StrokeResult {
@@ -51,6 +54,8 @@ struct StrokeResult {
   /// Number of parts that have so many layers of surface over each other that fewer seeds were
   /// tried than their area needs.
   std::int64_t thinned_parts = 0;
+  /// Parts without u and v that laws of these strokes look at.
+  std::vector<std::int32_t> unmapped{};
   /// The exponent of all ink that brought its median where the balance wants it.
   double tone_gamma = 1;
 };
