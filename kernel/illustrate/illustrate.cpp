@@ -33,56 +33,45 @@ namespace {
 // Paper mm that a tessellation chosen from the sheet may be off.
 constexpr double kSheetTolerance = 0.05;
 
-// Paper mm of radius from which a surface is flat for strokes that keep an
-// angle: over a hand's width the angle changes by some three degrees.
+// Paper mm of radius from which a surface is flat for strokes that keep an angle: over a hand's
+// width the angle changes by some three degrees.
 constexpr double kFlatRadius = 2000;
 
 using Surfaces = std::vector<std::shared_ptr<const Surface>>;
 
-// Diagonals of the sheet that a drawing may be large before its surfaces are
-// made no finer: what is beyond the sheet is made too.
+// Diagonals of the sheet that a drawing may be large before its surfaces are made no finer: what is
+// beyond the sheet is made too.
 constexpr double kMostSheets = 5;
 
 // Model mm.
-double chord_tolerance(const Scene &scene, const Camera &camera,
-                       const IllustrateOptions &options) {
-  if (options.tolerance)
-    return *options.tolerance;
-  const Paper &paper = camera.paper();
-  const double sheets = camera.scale() *
-                        drawn_bounds(scene, options.part_styles).diagonal() /
+double chord_tolerance(const Scene& scene, const Camera& camera, const IllustrateOptions& options) {
+  if (options.tolerance) return *options.tolerance;
+  const Paper& paper = camera.paper();
+  const double sheets = camera.scale() * drawn_bounds(scene, options.part_styles).diagonal() /
                         glm::length(Vec2(paper.width, paper.height));
   return std::max(1.0, sheets / kMostSheets) * kSheetTolerance / camera.scale();
 }
 
-// A word where a magnified drawing of curved surfaces is coarser than the sheet
-// could show.
-void tell_magnified(const Camera &camera, const Surfaces &surfaces,
-                    double tolerance, Diagnostics &diagnostics) {
-  const double on_paper = tolerance * camera.scale(),
-               coarser = on_paper / kSheetTolerance;
+// A word where a magnified drawing of curved surfaces is coarser than the sheet could show.
+void tell_magnified(const Camera& camera, const Surfaces& surfaces, double tolerance,
+                    Diagnostics& diagnostics) {
+  const double on_paper = tolerance * camera.scale(), coarser = on_paper / kSheetTolerance;
   constexpr double kRounding = 1e-9;
-  if (coarser <= 1 + kRounding)
-    return;
-  // The facets of meshes are as they are; what rounds them is no finer than
-  // this.
+  if (coarser <= 1 + kRounding) return;
+  // The facets of meshes are as they are; what rounds them is no finer than this.
   if (std::all_of(surfaces.begin(), surfaces.end(),
-                  [](const auto &s) { return s->proxy().tolerance == 0; })) {
+                  [](const auto& s) { return s->proxy().tolerance == 0; })) {
     return;
   }
-  diagnostics.add(
-      Severity::Warning, "sheet.magnified", 1,
-      fmt::format(
-          "the drawing is {:.0f} times as large as the sheet: curved surfaces "
-          "are made to {:.2g} mm of paper; cut the detail out of the model, or "
-          "give `tolerance`, for finer ones",
-          coarser * kMostSheets, on_paper));
+  diagnostics.add(Severity::Warning, "sheet.magnified", 1,
+                  fmt::format("the drawing is {:.0f} times as large as the sheet: curved surfaces "
+                              "are made to {:.2g} mm of paper; cut the detail out of the model, or "
+                              "give `tolerance`, for finer ones",
+                              coarser * kMostSheets, on_paper));
 }
 
-Surfaces realise(const Scene &scene, const Camera &camera,
-                 const detail::PartStyles &part_styles,
-                 const IllustrateOptions &options, Diagnostics &diagnostics,
-                 RunContext &context) {
+Surfaces realise(const Scene& scene, const Camera& camera, const detail::PartStyles& part_styles,
+                 const IllustrateOptions& options, Diagnostics& diagnostics, RunContext& context) {
   RealiseOptions realise;
   realise.tolerance = chord_tolerance(scene, camera, options);
   realise.view = &camera;
@@ -96,38 +85,33 @@ Surfaces realise(const Scene &scene, const Camera &camera,
       surfaces.push_back(detail::empty_surface());
       continue;
     }
-    const Style &style = part_styles.style(i);
+    const Style& style = part_styles.style(i);
     realise.crease_angle = style.feature.crease_angle;
-    realise.curvature =
-        std::ranges::any_of(part_styles.strokes(), [&](const auto &strokes) {
-          return strokes.parts[i] && follows_field(*strokes.hatch) &&
-                 field::find(strokes.hatch->field.name).needs_curvature;
-        });
+    realise.curvature = std::ranges::any_of(part_styles.strokes(), [&](const auto& strokes) {
+      return strokes.parts[i] && follows_field(*strokes.hatch) &&
+             field::find(strokes.hatch->field.name).needs_curvature;
+    });
     try {
       surfaces.push_back(scene.parts[i].form->realise(realise, context));
       ++drawn;
-    } catch (const GeometryError &e) {
-      if (!first)
-        first = std::current_exception();
+    } catch (const GeometryError& e) {
+      if (!first) first = std::current_exception();
       diagnostics.add(Severity::Error, "part.not_drawn", 1,
-                      fmt::format("{}: the part was left out: {}",
-                                  scene.parts[i].name, e.what()));
+                      fmt::format("{}: the part was left out: {}", scene.parts[i].name, e.what()));
       surfaces.push_back(detail::empty_surface());
     }
   }
-  if (drawn == 0 && first)
-    std::rethrow_exception(first);
+  if (drawn == 0 && first) std::rethrow_exception(first);
   if (!options.tolerance) {
     tell_magnified(camera, surfaces, realise.tolerance, diagnostics);
   }
   return surfaces;
 }
 
-Field make_field(const std::vector<const Surface *> &surfaces,
-                 const Camera &camera, const detail::StrokeSet &strokes,
-                 const RunContext &context) {
+Field make_field(const std::vector<const Surface*>& surfaces, const Camera& camera,
+                 const detail::StrokeSet& strokes, const RunContext& context) {
   if (!follows_field(*strokes.hatch)) {
-    return {"none", [](const FieldQuery &) { return std::optional<Cross>(); }};
+    return {"none", [](const FieldQuery&) { return std::optional<Cross>(); }};
   }
   return field::find(strokes.hatch->field.name)
       .make({.surfaces = surfaces,
@@ -138,57 +122,56 @@ Field make_field(const std::vector<const Surface *> &surfaces,
              .context = context});
 }
 
-// Whether the ink of the whole picture is balanced: it is light and shade that
-// need it. A tone that a program brings, or that asks for the same ink in any
-// light, is taken as it is.
-bool balances(const tone::ToneOptions &tone) {
-  return tone.ink == tone::ToneOptions::Ink::Shade &&
-         tone::find(tone.law).uses_light;
+// Whether the ink of the whole picture is balanced: it is light and shade that need it. A tone that
+// a program brings, or that asks for the same ink in any light, is taken as it is.
+bool balances(const tone::ToneOptions& tone) {
+  return tone.ink == tone::ToneOptions::Ink::Shade && tone::find(tone.law).uses_light;
 }
 
-// A stream of chance for each kind of strokes: points of two would lie on each
-// other.
+// A stream of chance for each kind of strokes: points of two would lie on each other.
 std::uint64_t seed_of(std::uint64_t seed, int number) {
   constexpr std::uint64_t kApart = 0x9E3779B97F4A7C15;
   return seed ^ (static_cast<std::uint64_t>(number - 1) * kApart);
 }
 
+// What stands before the lights of a scene: the solid parts.
+tone::Blocked blocked_by(const Occluder& solid, double tolerance) {
+  // A triangle does not hide the smooth surface that it stands for.
+  const double off = std::max(4 * solid.resolution(), 2 * tolerance), far = 2 * solid.diagonal();
+  return [&solid, off, far](Vec3 position, Vec3 normal, Vec3 towards, double distance) {
+    return solid.occluded(position + off * normal, towards, 0, std::min(far, distance));
+  };
+}
+
 // The strokes of one kind on the parts that are flagged.
-StrokeResult hatch(std::vector<const Surface *> surfaces,
-                   std::vector<bool> parts, const Occluder &occluder,
-                   const Camera &camera, const detail::StrokeSet &strokes,
-                   const detail::DepthCue &cue,
-                   const IllustrateOptions &options,
-                   detail::Undirected &undirected, RunContext &context) {
+StrokeResult hatch(std::vector<const Surface*> surfaces, std::vector<bool> parts,
+                   const Occluder& occluder, const Camera& camera, const detail::StrokeSet& strokes,
+                   const Occluder& solid, const detail::DepthCue& cue,
+                   const IllustrateOptions& options, detail::Undirected& undirected,
+                   RunContext& context) {
+  double tolerance = 0;
+  for (const Surface* s : surfaces) tolerance = std::max(tolerance, s->proxy().tolerance);
   for (std::size_t i = 0; i < surfaces.size(); ++i) {
-    if (!parts[i])
-      surfaces[i] = detail::empty_surface().get();
+    if (!parts[i]) surfaces[i] = detail::empty_surface().get();
   }
   context.begin_stage(RunStage::Field);
   const ViewProbe probe = view_probe(occluder, camera, std::move(parts));
   const HatchScene scene{surfaces, camera, probe, context};
-  const Field field = options.field
-                          ? options.field(scene)
-                          : make_field(surfaces, camera, strokes, context);
-  const Tone tone =
-      options.tone ? options.tone(scene) : tone::make(camera, *strokes.tone);
-  InkOptions ink{
-      .exponents = strokes.exponents,
-      .tone_min = strokes.hatch->tone_min,
-      .keys = detail::kind_group(static_cast<std::size_t>(strokes.number))};
-  if (!options.tone && balances(*strokes.tone))
-    ink.balance = *strokes.tone;
-  if (!options.tone && cue.pales())
-    ink.fade = [&](Vec3 position) { return cue.ink(position); };
-  StrokeResult result =
-      trace_strokes(surfaces, camera, field, tone, probe, *strokes.hatch,
-                    seed_of(options.seed, strokes.number), context, ink);
-  for (Curve3 &stroke : result.strokes)
-    stroke.stroke_kind = strokes.number;
+  const Field field =
+      options.field ? options.field(scene) : make_field(surfaces, camera, strokes, context);
+  const Tone tone = options.tone ? options.tone(scene)
+                                 : tone::make(camera, *strokes.tone, blocked_by(solid, tolerance));
+  InkOptions ink{.exponents = strokes.exponents,
+                 .tone_min = strokes.hatch->tone_min,
+                 .keys = detail::kind_group(static_cast<std::size_t>(strokes.number))};
+  if (!options.tone && balances(*strokes.tone)) ink.balance = *strokes.tone;
+  if (!options.tone && cue.pales()) ink.fade = [&](Vec3 position) { return cue.ink(position); };
+  StrokeResult result = trace_strokes(surfaces, camera, field, tone, probe, *strokes.hatch,
+                                      seed_of(options.seed, strokes.number), context, ink);
+  for (Curve3& stroke : result.strokes) stroke.stroke_kind = strokes.number;
   if (!options.field && follows_field(*strokes.hatch)) {
     const Tone toned = [&](Vec3 position, Vec3 normal) {
-      const double asked =
-          std::pow(1 - tone(position, normal), result.tone_gamma);
+      const double asked = std::pow(1 - tone(position, normal), result.tone_gamma);
       return 1 - (ink.fade ? ink.fade(position) : 1.0) * asked;
     };
     undirected.look(scene, field, toned, *strokes.hatch);
@@ -197,9 +180,8 @@ StrokeResult hatch(std::vector<const Surface *> surfaces,
 }
 
 // `most`: the coverage points of the largest so far.
-void append(StrokeResult &all, StrokeResult one, std::int64_t &most) {
-  all.strokes.insert(all.strokes.end(),
-                     std::make_move_iterator(one.strokes.begin()),
+void append(StrokeResult& all, StrokeResult one, std::int64_t& most) {
+  all.strokes.insert(all.strokes.end(), std::make_move_iterator(one.strokes.begin()),
                      std::make_move_iterator(one.strokes.end()));
   if (one.coverage_points > most) {
     most = one.coverage_points;
@@ -208,54 +190,46 @@ void append(StrokeResult &all, StrokeResult one, std::int64_t &most) {
   all.coverage_points += one.coverage_points;
   all.coverage_delta = std::max(all.coverage_delta, one.coverage_delta);
   all.thinned_parts += one.thinned_parts;
-  all.unmapped.insert(all.unmapped.end(), one.unmapped.begin(),
-                      one.unmapped.end());
+  all.unmapped.insert(all.unmapped.end(), one.unmapped.begin(), one.unmapped.end());
 }
 
 // Whether any strokes are to have their ink brought to a median.
-bool states_gamma(const detail::PartStyles &part_styles) {
-  return std::ranges::any_of(
-      part_styles.strokes(), [](const detail::StrokeSet &strokes) {
-        const tone::ToneOptions &tone = *strokes.tone;
-        return balances(tone) && (tone.median_min > 0 || tone.median_max < 1);
-      });
+bool states_gamma(const detail::PartStyles& part_styles) {
+  return std::ranges::any_of(part_styles.strokes(), [](const detail::StrokeSet& strokes) {
+    const tone::ToneOptions& tone = *strokes.tone;
+    return balances(tone) && (tone.median_min > 0 || tone.median_max < 1);
+  });
 }
 
-// Of the solid parts a kind of strokes at a time; then of the transparent ones,
-// each as it is seen alone.
-StrokeResult hatch_all(const std::vector<const Surface *> &surfaces,
-                       const detail::Sight &sight, const Camera &camera,
-                       const detail::PartStyles &part_styles,
-                       const detail::DepthCue &cue,
-                       const IllustrateOptions &options,
-                       detail::Undirected &undirected, RunContext &context) {
+// Of the solid parts a kind of strokes at a time; then of the transparent ones, each as it is seen
+// alone.
+StrokeResult hatch_all(const std::vector<const Surface*>& surfaces, const detail::Sight& sight,
+                       const Camera& camera, const detail::PartStyles& part_styles,
+                       const detail::DepthCue& cue, const IllustrateOptions& options,
+                       detail::Undirected& undirected, RunContext& context) {
   StrokeResult all;
   std::int64_t most = 0;
-  for (const detail::StrokeSet &strokes : part_styles.strokes()) {
+  for (const detail::StrokeSet& strokes : part_styles.strokes()) {
     std::vector<bool> parts = strokes.parts;
     for (std::size_t i = 0; i < parts.size(); ++i) {
-      if (part_styles.transparent(i))
-        parts[i] = false;
+      if (part_styles.transparent(i)) parts[i] = false;
     }
-    if (std::find(parts.begin(), parts.end(), true) == parts.end())
-      continue;
+    if (std::find(parts.begin(), parts.end(), true) == parts.end()) continue;
     append(all,
-           hatch(surfaces, std::move(parts), sight.solid(), camera, strokes,
-                 cue, options, undirected, context),
+           hatch(surfaces, std::move(parts), sight.solid(), camera, strokes, sight.solid(), cue,
+                 options, undirected, context),
            most);
   }
   for (std::size_t part = 0; part < part_styles.size(); ++part) {
-    if (!part_styles.transparent(part) || !part_styles.hatched(part))
-      continue;
+    if (!part_styles.transparent(part) || !part_styles.hatched(part)) continue;
     std::vector<bool> alone(part_styles.size(), false);
     alone[part] = true;
     context.begin_stage(RunStage::Build);
     const Occluder before = sight.before(part, context);
-    for (const detail::StrokeSet &strokes : part_styles.strokes()) {
-      if (!strokes.parts[part])
-        continue;
+    for (const detail::StrokeSet& strokes : part_styles.strokes()) {
+      if (!strokes.parts[part]) continue;
       append(all,
-             hatch(surfaces, alone, before, camera, strokes, cue, options,
+             hatch(surfaces, alone, before, camera, strokes, sight.solid(), cue, options,
                    undirected, context),
              most);
     }
@@ -263,15 +237,12 @@ StrokeResult hatch_all(const std::vector<const Surface *> &surfaces,
   return all;
 }
 
-// Feature lines of all parts; drawn or not: contours and boundaries cut the
-// visibility of others.
-std::vector<Curve3> features_of(const std::vector<const ProxyMesh *> &proxies,
-                                const Camera &camera,
-                                const detail::PartStyles &part_styles,
-                                Diagnostics &diagnostics,
-                                const RunContext &context) {
+// Feature lines of all parts; drawn or not: contours and boundaries cut the visibility of others.
+std::vector<Curve3> features_of(const std::vector<const ProxyMesh*>& proxies, const Camera& camera,
+                                const detail::PartStyles& part_styles, Diagnostics& diagnostics,
+                                const RunContext& context) {
   FeatureOptions options{.intersections = false, .smooth = false};
-  for (const Style *style : part_styles.styles()) {
+  for (const Style* style : part_styles.styles()) {
     options.intersections |= style->feature.intersections;
     options.smooth |= style->feature.smooth;
     options.seams |= style->feature.seams;
@@ -279,7 +250,7 @@ std::vector<Curve3> features_of(const std::vector<const ProxyMesh *> &proxies,
   return extract_features(proxies, camera, options, diagnostics, context);
 }
 
-DrawingView describe(const Camera &camera) {
+DrawingView describe(const Camera& camera) {
   DrawingView view;
   view.projection = camera.perspective() ? "perspective" : "orthographic";
   view.direction = camera.direction();
@@ -295,16 +266,14 @@ DrawingView describe(const Camera &camera) {
   return view;
 }
 
-std::int64_t face_count(const ProxyMesh &proxy) {
-  if (proxy.source_face.empty())
-    return proxy.region_count;
+std::int64_t face_count(const ProxyMesh& proxy) {
+  if (proxy.source_face.empty()) return proxy.region_count;
   return static_cast<std::int64_t>(
       std::set(proxy.source_face.begin(), proxy.source_face.end()).size());
 }
 
-Drawing describe(const Scene &scene,
-                 const std::vector<const ProxyMesh *> &proxies,
-                 const Camera &camera, const Style &style, std::uint64_t seed) {
+Drawing describe(const Scene& scene, const std::vector<const ProxyMesh*>& proxies,
+                 const Camera& camera, const Style& style, std::uint64_t seed) {
   Drawing drawing;
   drawing.paper_width = camera.paper().width;
   drawing.paper_height = camera.paper().height;
@@ -313,79 +282,64 @@ Drawing describe(const Scene &scene,
   drawing.view = describe(camera);
   drawing.diagnostics = scene.diagnostics;
   for (std::size_t i = 0; i < scene.parts.size(); ++i) {
-    const auto triangles =
-        static_cast<std::int64_t>(proxies[i]->mesh.triangles.size());
-    const Part &part = scene.parts[i];
-    drawing.parts.push_back({static_cast<std::int32_t>(i), part.name,
-                             part.source, triangles, face_count(*proxies[i]),
-                             part.assembly, part.color});
+    const auto triangles = static_cast<std::int64_t>(proxies[i]->mesh.triangles.size());
+    const Part& part = scene.parts[i];
+    drawing.parts.push_back({static_cast<std::int32_t>(i), part.name, part.source, triangles,
+                             face_count(*proxies[i]), part.assembly, part.color});
     drawing.stats.triangles += triangles;
   }
   return drawing;
 }
 
 /// What was done with less care so that the work stays bounded.
-void tell_bounds(const StrokeResult &strokes, const detail::Seen &seen,
-                 Diagnostics &diagnostics) {
+void tell_bounds(const StrokeResult& strokes, const detail::Seen& seen, Diagnostics& diagnostics) {
   if (strokes.thinned_parts > 0) {
-    diagnostics.add(
-        Severity::Warning, "stroke.many_sheets", strokes.thinned_parts,
-        "parts lie in so many sheets over each other that strokes were begun "
-        "at fewer "
-        "places; some areas may be white, and the file may be damaged");
+    diagnostics.add(Severity::Warning, "stroke.many_sheets", strokes.thinned_parts,
+                    "parts lie in so many sheets over each other that strokes were begun at fewer "
+                    "places; some areas may be white, and the file may be damaged");
   }
   if (seen.merged_cuts > 0) {
-    diagnostics.add(Severity::Warning, "visibility.crowded", 1,
-                    fmt::format("the lines cross each other so often that what "
-                                "is hidden was decided for {:.2g} "
-                                "mm at a time; the file may be damaged, or "
-                                "show more than one sheet can hold",
-                                seen.merged_cuts));
+    diagnostics.add(
+        Severity::Warning, "visibility.crowded", 1,
+        fmt::format(
+            "the lines cross each other so often that what is hidden was decided for {:.2g} "
+            "mm at a time; the file may be damaged, or show more than one sheet can hold",
+            seen.merged_cuts));
   }
 }
 
 // Parts on which laws of u and v say nothing.
-void tell_unmapped(const Scene &scene, std::vector<std::int32_t> parts,
-                   Diagnostics &diagnostics) {
+void tell_unmapped(const Scene& scene, std::vector<std::int32_t> parts, Diagnostics& diagnostics) {
   std::ranges::sort(parts);
   parts.erase(std::unique(parts.begin(), parts.end()), parts.end());
-  if (parts.empty())
-    return;
-  const std::string &first =
-      scene.parts[static_cast<std::size_t>(parts.front())].name;
+  if (parts.empty()) return;
+  const std::string& first = scene.parts[static_cast<std::size_t>(parts.front())].name;
   diagnostics.add(
-      Severity::Warning, "strokes.no_parameters",
-      static_cast<std::int64_t>(parts.size()),
-      fmt::format("{}{} has no u and v; laws of strokes that look at them "
-                  "(hatch.ink_law "
-                  "to hatch.presence_law) change nothing there",
-                  first.empty() ? fmt::format("part {}", parts.front())
-                                : fmt::format("'{}'", first),
-                  parts.size() > 1
-                      ? fmt::format(" (and {} more)", parts.size() - 1)
-                      : ""));
+      Severity::Warning, "strokes.no_parameters", static_cast<std::int64_t>(parts.size()),
+      fmt::format(
+          "{}{} has no u and v; laws of strokes that look at them (hatch.ink_law "
+          "to hatch.presence_law) change nothing there",
+          first.empty() ? fmt::format("part {}", parts.front()) : fmt::format("'{}'", first),
+          parts.size() > 1 ? fmt::format(" (and {} more)", parts.size() - 1) : ""));
 }
 
-void name_own_field(Drawing &drawing) {
-  for (Layer &layer : drawing.layers) {
-    for (Path &path : layer.paths) {
-      if (path.kind == LineClass::Stroke)
-        path.field = "own";
+void name_own_field(Drawing& drawing) {
+  for (Layer& layer : drawing.layers) {
+    for (Path& path : layer.paths) {
+      if (path.kind == LineClass::Stroke) path.field = "own";
     }
   }
 }
 
 // The drawing; `found` gets its lines as compose gives them.
-Drawing draw(const Scene &scene, const Camera &camera, const Style &style,
-             const detail::PartStyles &part_styles,
-             const IllustrateOptions &options, std::vector<Path> *found,
-             RunContext &context) {
+Drawing draw(const Scene& scene, const Camera& camera, const Style& style,
+             const detail::PartStyles& part_styles, const IllustrateOptions& options,
+             std::vector<Path>* found, RunContext& context) {
   Diagnostics realised;
-  const Surfaces owned =
-      realise(scene, camera, part_styles, options, realised, context);
-  std::vector<const Surface *> surfaces;
-  std::vector<const ProxyMesh *> proxies;
-  for (const auto &s : owned) {
+  const Surfaces owned = realise(scene, camera, part_styles, options, realised, context);
+  std::vector<const Surface*> surfaces;
+  std::vector<const ProxyMesh*> proxies;
+  for (const auto& s : owned) {
     surfaces.push_back(s.get());
     proxies.push_back(&s->proxy());
   }
@@ -396,13 +350,12 @@ Drawing draw(const Scene &scene, const Camera &camera, const Style &style,
 
   const detail::DepthCue cue(proxies, camera, style);
   detail::Undirected undirected(scene);
-  const StrokeResult strokes = hatch_all(surfaces, sight, camera, part_styles,
-                                         cue, options, undirected, context);
+  const StrokeResult strokes =
+      hatch_all(surfaces, sight, camera, part_styles, cue, options, undirected, context);
   undirected.tell(drawing.diagnostics);
   drawing.stats.coverage_points = strokes.coverage_points;
   drawing.stats.coverage_delta = strokes.coverage_delta;
-  if (states_gamma(part_styles))
-    drawing.stats.tone_gamma = strokes.tone_gamma;
+  if (states_gamma(part_styles)) drawing.stats.tone_gamma = strokes.tone_gamma;
 
   context.begin_stage(RunStage::Features);
   const std::vector<Curve3> features =
@@ -415,31 +368,26 @@ Drawing draw(const Scene &scene, const Camera &camera, const Style &style,
 
   context.begin_stage(RunStage::Compose);
   detail::compose({features, seen.features, strokes.strokes, seen.strokes},
-                  {proxies, camera, part_styles, style, options.hidden, cue},
-                  drawing, context, found);
-  if (options.field)
-    name_own_field(drawing);
+                  {proxies, camera, part_styles, style, options.hidden, cue}, drawing, context,
+                  found);
+  if (options.field) name_own_field(drawing);
   context.end_stage();
   return drawing;
 }
 
-// Whether the lines that the outer outline is made of are drawn, and drawn
-// whole.
-bool draws_outline(const detail::PartStyles &part_styles, const Style &style) {
-  if (style.halo.gap > 0)
-    return false;
+// Whether the lines that the outer outline is made of are drawn, and drawn whole.
+bool draws_outline(const detail::PartStyles& part_styles, const Style& style) {
+  if (style.halo.gap > 0) return false;
   for (std::size_t i = 0; i < part_styles.size(); ++i) {
-    const auto &drawn = part_styles.style(i).feature;
-    if (!drawn.contours || !drawn.creases || !drawn.boundaries)
-      return false;
+    const auto& drawn = part_styles.style(i).feature;
+    if (!drawn.contours || !drawn.creases || !drawn.boundaries) return false;
   }
   return true;
 }
 
-VerifyOptions verify_options(const Scene &scene, const Camera &camera,
-                             const Style &style,
-                             const detail::PartStyles &part_styles,
-                             const IllustrateOptions &options) {
+VerifyOptions verify_options(const Scene& scene, const Camera& camera, const Style& style,
+                             const detail::PartStyles& part_styles,
+                             const IllustrateOptions& options) {
   VerifyOptions verify{.tolerance = chord_tolerance(scene, camera, options),
                        .outline = draws_outline(part_styles, style)};
   for (std::size_t i = 0; i < part_styles.size(); ++i) {
@@ -451,38 +399,33 @@ VerifyOptions verify_options(const Scene &scene, const Camera &camera,
   return verify;
 }
 
-} // namespace
+}  // namespace
 
-Box3 drawn_bounds(const Scene &scene, std::span<const PartStyle> part_styles,
-                  const Mat3 &axes) {
+Box3 drawn_bounds(const Scene& scene, std::span<const PartStyle> part_styles, const Mat3& axes) {
   Box3 box;
   for (std::size_t i = 0; i < scene.parts.size(); ++i) {
-    if (i < part_styles.size() && !part_styles[i].drawn)
-      continue;
+    if (i < part_styles.size() && !part_styles[i].drawn) continue;
     box.add(scene.parts[i].form->bounds(axes));
   }
   return box.empty() ? scene.bounds(axes) : box;
 }
 
-Drawing illustrate(const Scene &scene, const Camera &camera, const Style &style,
-                   const IllustrateOptions &options, RunContext &context) {
-  if (scene.parts.empty())
-    throw GeometryError("nothing to draw: the input has no parts");
+Drawing illustrate(const Scene& scene, const Camera& camera, const Style& style,
+                   const IllustrateOptions& options, RunContext& context) {
+  if (scene.parts.empty()) throw GeometryError("nothing to draw: the input has no parts");
   const detail::PartStyles part_styles(scene, style, options);
-  for (const Style *one : part_styles.styles())
-    check_style(*one);
+  for (const Style* one : part_styles.styles()) check_style(*one);
   std::vector<Path> found;
   // Its surfaces are gone before finer ones are made.
-  Drawing drawing = draw(scene, camera, style, part_styles, options,
-                         options.verify ? &found : nullptr, context);
+  Drawing drawing =
+      draw(scene, camera, style, part_styles, options, options.verify ? &found : nullptr, context);
   if (options.verify) {
-    drawing.stats.verify =
-        verify(drawing, found, scene, camera,
-               verify_options(scene, camera, style, part_styles, options),
-               drawing.diagnostics, context);
+    drawing.stats.verify = verify(drawing, found, scene, camera,
+                                  verify_options(scene, camera, style, part_styles, options),
+                                  drawing.diagnostics, context);
   }
   detail::settle_on_sheet(part_styles, style.sheet.clip, drawing);
   return drawing;
 }
 
-} // namespace burin
+}  // namespace burin
