@@ -13,7 +13,8 @@
 namespace burin::detail {
 namespace {
 
-enum Variable { X, Y, Z, Nx, Ny, Nz, U, V, Facing, Lean, Ink, Random, Along, kVariables };
+enum Variable { X, Y, Z, Nx, Ny, Nz, U, V, Facing, Lean, Ink, Random, Along };
+constexpr std::size_t kVariables = Along + 1;
 constexpr std::array<std::string_view, kVariables> kNames{
     "x", "y", "z", "nx", "ny", "nz", "u", "v", "facing", "lean", "ink", "random", "t"};
 // Of a place; of a stroke too; of a place along a stroke.
