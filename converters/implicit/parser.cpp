@@ -1,10 +1,10 @@
-// Recursive descent: sum -> product -> signed -> power -> atom.
+// What a .implicit file says, by the grammar of formulas.
 
 #include <burin/base/error.h>
 #include <burin/base/nearest.h>
 #include <burin/converters/implicit_reader.h>
+#include <burin/expression/grammar.h>
 
-#include "lexer.h"
 #include "vocabulary.h"
 
 #include <fmt/format.h>
@@ -15,31 +15,21 @@
 namespace burin {
 namespace {
 
-using implicit_text::fail;
-using implicit_text::Place;
-using implicit_text::Token;
-using implicit_text::TokenKind;
+using expression::fail;
+using expression::in_quotes;
+using expression::kShownName;
+using expression::Place;
+using expression::shown;
+using expression::Token;
+using expression::TokenKind;
 using implicit_text::Word;
 
-constexpr int kMaxNesting = 200;
 constexpr std::size_t kMaxText = 1 << 20;
 constexpr std::size_t kMaxArguments = 10'000;
-constexpr std::size_t kShownName = 40;  // letters of a word that an error repeats
 
-std::string in_quotes(std::string_view text) {
-  return fmt::format("'{}{}'", text.substr(0, kShownName), text.size() > kShownName ? "..." : "");
-}
-
-std::string shown(const Token& t) {
-  return t.kind == TokenKind::End ? "the end of the file" : in_quotes(t.text);
-}
-
-class Parser {
+class Parser : public expression::Grammar<Parser, Expression> {
  public:
-  Parser(std::string_view text, const std::string& file) : file_(file), lexer_(text, file) {
-    token_ = lexer_.next();
-    ahead_ = lexer_.next();
-  }
+  Parser(std::string_view text, const std::string& file) : Grammar(text, file) {}
 
   Expression file() {
     for (;;) {
@@ -61,22 +51,7 @@ class Parser {
   }
 
  private:
-  bool is(std::string_view sign) const {
-    return token_.kind == TokenKind::Sign && token_.text == sign;
-  }
-  Token take() {
-    const Token t = token_;
-    token_ = ahead_;
-    if (token_.kind != TokenKind::End) ahead_ = lexer_.next();
-    return t;
-  }
-  void expect(std::string_view sign, const std::string& where) {
-    if (!is(sign)) {
-      fail(file_, token_.place,
-           fmt::format("'{}' expected {}, not {}", sign, where, shown(token_)));
-    }
-    take();
-  }
+  friend Grammar;
 
   void definition() {
     const Token name = take();
@@ -95,59 +70,24 @@ class Parser {
     names_.emplace(text, value);
   }
 
-  Expression sum() {
-    const Nesting nesting(*this);
-    Expression value = product();
-    while (is("+") || is("-")) {
-      const Token sign = take();
-      const Expression right = product();
-      value = at(sign.place, [&] { return sign.text == "+" ? value + right : value - right; });
+  static Expression number(double value) { return value; }
+  static Expression negated(const Expression& a) { return -a; }
+  static Expression joined(char sign, const Expression& a, const Expression& b) {
+    switch (sign) {
+      case '+':
+        return a + b;
+      case '-':
+        return a - b;
+      case '*':
+        return a * b;
+      case '/':
+        return a / b;
+      default:
+        return implicit::pow(a, b);
     }
-    return value;
   }
 
-  Expression product() {
-    Expression value = signed_value();
-    while (is("*") || is("/")) {
-      const Token sign = take();
-      const Expression right = signed_value();
-      value = at(sign.place, [&] { return sign.text == "*" ? value * right : value / right; });
-    }
-    return value;
-  }
-
-  // -x^2 is -(x^2), 2^-3 is allowed, 2^3^2 is 2^(3^2).
-  Expression signed_value() {
-    const Nesting nesting(*this);
-    if (is("+")) {
-      take();
-      return signed_value();
-    }
-    if (is("-")) {
-      take();
-      return -signed_value();
-    }
-    Expression base = atom();
-    if (!is("^")) return base;
-    const Token sign = take();
-    const Expression exponent = signed_value();
-    return at(sign.place, [&] { return implicit::pow(base, exponent); });
-  }
-
-  Expression atom() {
-    if (token_.kind == TokenKind::Number) return take().number;
-    if (is("(")) {
-      take();
-      Expression inner = sum();
-      expect(")", "here");
-      return inner;
-    }
-    if (token_.kind != TokenKind::Name) {
-      fail(file_, token_.place,
-           fmt::format("a number, a name or '(' expected, not {}", shown(token_)));
-    }
-    const Token name = take();
-    if (is("(")) return call(name);
+  Expression named(const Token& name) {
     if (name.text == "x") return Expression::x();
     if (name.text == "y") return Expression::y();
     if (name.text == "z") return Expression::z();
@@ -161,7 +101,7 @@ class Parser {
     unknown(name, false);
   }
 
-  Expression call(const Token& name) {
+  Expression called(const Token& name) {
     const Word* word = implicit_text::find_word(name.text);
     if (!word) {
       if (names_.contains(std::string(name.text)) || name.text == "x" || name.text == "y" ||
@@ -182,7 +122,7 @@ class Parser {
         if (word->any || index < word->formulas) {
           formulas.push_back(value);
         } else if (index < word->count) {
-          numbers.push_back(number(value, place, *word));
+          numbers.push_back(constant(value, place, *word));
         } else {
           fail(file_, place, fmt::format("too many arguments; write {}", word->usage));
         }
@@ -198,7 +138,7 @@ class Parser {
     return at(name.place, [&] { return word->make(formulas, numbers); });
   }
 
-  double number(const Expression& value, Place place, const Word& word) {
+  double constant(const Expression& value, Place place, const Word& word) {
     const Box3 nowhere{Vec3(0), Vec3(0)};
     if (!is_constant(value)) {
       fail(file_, place, fmt::format("a number expected, without x, y and z: {}", word.usage));
@@ -214,16 +154,6 @@ class Parser {
     return e.depth() == 0 && !variable;
   }
 
-  // Errors of the vocabulary get their place.
-  template <class Make>
-  Expression at(Place place, const Make& make) {
-    try {
-      return make();
-    } catch (const UsageError& e) {
-      fail(file_, place, e.what());
-    }
-  }
-
   [[noreturn]] void unknown(const Token& name, bool function) {
     std::vector<std::string> known = implicit_text::word_names();
     if (!function) {
@@ -235,28 +165,7 @@ class Parser {
                      in_quotes(name.text), nearest(name.text.substr(0, kShownName), known)));
   }
 
-  // Counts how deep the descent is: the stack has an end.
-  class Nesting {
-   public:
-    explicit Nesting(Parser& p) : parser_(p) {
-      if (++parser_.nesting_ > 2 * kMaxNesting) {
-        fail(parser_.file_, parser_.token_.place,
-             fmt::format("nested more than {} deep; give parts names of their own", kMaxNesting));
-      }
-    }
-    ~Nesting() { --parser_.nesting_; }
-    Nesting(const Nesting&) = delete;
-    Nesting& operator=(const Nesting&) = delete;
-
-   private:
-    Parser& parser_;
-  };
-
-  const std::string& file_;
-  implicit_text::Lexer lexer_;
-  Token token_, ahead_;
   std::map<std::string, Expression> names_;
-  int nesting_ = 0;
 };
 
 }  // namespace

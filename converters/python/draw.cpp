@@ -146,7 +146,8 @@ void add_draw(py::module_& module) {
   module.def(
       "catalogues", [] { return py::module_::import("json").attr("loads")(catalogues_json()); },
       "All that can be chosen, as `burin options --json` tells it: \"options\" (of draw), "
-      "\"style_keys\", \"styles\", \"formats\".");
+      "\"style_keys\", \"styles\", \"stroke_kinds\", "
+      "\"formats\".");
   module.def("illustration_schema", illustration_schema,
              "The JSON Schema of illustration files, as text.");
   module.def("info", info, "What `burin info --json` tells, one entry a file. Throws InputError.");

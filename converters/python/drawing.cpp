@@ -222,6 +222,9 @@ void add_path(py::module_& module) {
           "family", [](const PyPath& p) { return p.path().family; },
           "Strokes: 1 or 2, the family in the field, else 0.")
       .def_property_readonly(
+          "stroke_kind", [](const PyPath& p) { return p.path().stroke_kind; },
+          "Strokes: which of the style's kinds of strokes, from 1.")
+      .def_property_readonly(
           "points",
           [](const PyPath& p) {
             const auto& v = p.path().points;
@@ -353,8 +356,9 @@ void add_drawing(py::module_& module) {
           "All paths as few arrays: \"points\" (N, 2) and \"points3\" (N, 3) in mm, \"width\" (N,) "
           "in "
           "mm; and a path: \"first\" (P + 1,) index of its first point, \"layer\", \"kind\", "
-          "\"part\", \"face\", \"edge\", \"family\", \"visible\", \"closed\" (P,); \"kinds\" and "
-          "\"layers\" are lists of names.")
+          "\"part\", \"face\", \"edge\", \"family\", \"stroke_kind\", \"visible\", \"closed\" "
+          "(P,); "
+          "\"kinds\" and \"layers\" are lists of names.")
       .def(
           "save", save, py::arg("path"),
           "Writes a file whole or not at all; the suffix names the format. `options`: the format's "

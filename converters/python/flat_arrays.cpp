@@ -20,7 +20,7 @@ constexpr std::array kKinds{LineClass::Contour,    LineClass::Boundary, LineClas
 /// A number a path.
 struct Columns {
   std::vector<std::int64_t> first{0};
-  std::vector<std::int32_t> layer, kind, part, face, edge, family;
+  std::vector<std::int32_t> layer, kind, part, face, edge, family, stroke_kind;
   std::vector<bool> visible, closed;
 };
 
@@ -78,6 +78,7 @@ py::dict flat_arrays(const Drawing& drawing) {
       c.face.push_back(path.source.face);
       c.edge.push_back(path.source.edge);
       c.family.push_back(path.family);
+      c.stroke_kind.push_back(path.stroke_kind);
       c.visible.push_back(path.visible);
       c.closed.push_back(path.closed);
     }
@@ -94,6 +95,7 @@ py::dict flat_arrays(const Drawing& drawing) {
   out["face"] = column(std::move(c.face));
   out["edge"] = column(std::move(c.edge));
   out["family"] = column(std::move(c.family));
+  out["stroke_kind"] = column(std::move(c.stroke_kind));
   out["visible"] = flags(c.visible);
   out["closed"] = flags(c.closed);
   py::list kinds, layers;

@@ -96,17 +96,20 @@ void add_styles(py::module_& module) {
       "of paper. Takes what `style` of `draw` takes, and gives what it takes.");
   module.def(
       "style_keys",
-      [] {
+      [](const py::object& style) {
         const py::object loads = py::module_::import("json").attr("loads");
         py::list out;
-        for (const StyleKey& k : style_keys(builtin_style("technical"))) {
+        for (const StyleKey& k : style_keys(style_of(style))) {
           out.append(loads(to_json(k, {{"key", k.name}, {"value", k.value}})));
         }
         return out;
       },
-      "Each key of a style: \"key\", \"meaning\", \"kind\" (number, flag, word or direction), what "
-      "it takes (\"low\", \"high\", \"unit\"; \"words\"; \"takes\" for people), \"value\" (in "
-      "technical).");
+      py::arg("style") = "technical",
+      "Each key of a style: \"key\", \"meaning\", \"kind\" (number, flag, word, direction or "
+      "text), "
+      "what it takes (\"low\", \"high\", \"unit\"; \"words\"; \"takes\" for people), \"value\"; "
+      "keys "
+      "of kinds of strokes after the first among them.");
   module.def(
       "formats", [] { return format_names(); },
       "Suffixes that `Drawing.save` writes, e.g. \"svg\".");

@@ -19,6 +19,9 @@ std::string catalogues_json() {
   for (const StyleInfo& style : builtin_styles()) {
     all["styles"].push_back({{"name", style.name}, {"meaning", style.description}});
   }
+  for (const StyleInfo& kind : stroke_kinds()) {
+    all["stroke_kinds"].push_back({{"name", kind.name}, {"meaning", kind.description}});
+  }
   all["formats"] = format_names();
   all["stages"] = run_stage_names();
   return all.dump(1) + "\n";

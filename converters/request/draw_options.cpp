@@ -35,10 +35,12 @@ Style style_of_text(const std::string& text, const std::string& source) {
 }
 
 void set_keys(Draft& draft, const Asked& asked) {
+  std::vector<std::pair<std::string, std::string>> assignments;
   for (const std::string& assignment : asked.texts) {
-    const auto [key, value] = parted_assignment(assignment);
-    set_style_key(draft.plan.style, key, value);
+    assignments.push_back(parted_assignment(assignment));
   }
+  std::ranges::stable_sort(assignments, {}, [](const auto& a) { return setting_rank(a.first); });
+  for (const auto& [key, value] : assignments) set_style_key(draft.plan.style, key, value);
 }
 
 void set_looks(Draft& draft, const Asked& asked) {
@@ -113,7 +115,10 @@ std::vector<RequestRow<Draft>> look_rows() {
                    .phrase = kDirectionPhrase},
         .group = kLook,
         .label = "X,Y,Z"},
-       [](Draft& d, const Asked& a) { d.plan.style.tone.light = std::get<Vec3>(a.value); }},
+       [](Draft& d, const Asked& a) {
+         for_each_tone(d.plan.style,
+                       [&](tone::ToneOptions& t) { t.light = std::get<Vec3>(a.value); });
+       }},
       {{.option = {.name = "set",
                    .meaning = "change one key of the style; repeatable; see burin styles --keys",
                    .takes = FreeText{}},

@@ -27,6 +27,19 @@ Json value_of(const RequestOption& option, const std::string& text) {
   return text;
 }
 
+/// The value of a style key as JSON has it.
+Json style_value(const std::string& key, const std::string& text) {
+  Style style;
+  // A key of a later kind of strokes is one of a style that has so many.
+  while (setting_rank(key) > 0 && stroke_kind_count(style) < kMostStrokeKinds) {
+    style.strokes.emplace_back();
+  }
+  for (const StyleKey& known : style_keys(style)) {
+    if (known.name == key) return value_of({.option = known, .group = {}}, text);
+  }
+  return text;  // "strokes.2.kind"
+}
+
 std::string seen_from(const fs::path& folder, const std::string& file) {
   std::error_code error;
   const fs::path relative = fs::relative(file, folder.empty() ? fs::path(".") : folder, error);
@@ -153,11 +166,9 @@ std::string first_illustration(const std::vector<std::string>& inputs, const Dra
     json["style"] = styles.back();
   } else {
     json["style"]["base"] = styles.back();
-    const std::vector<StyleKey> keys = style_keys(builtin_style("technical"));
     for (const std::string& change : changes) {
       const auto [name, value] = parted_assignment(change);
-      const auto key = std::ranges::find(keys, name, &StyleKey::name);
-      json["style"][name] = value_of({.option = *key, .group = {}}, value);
+      json["style"][name] = style_value(name, value);
     }
   }
   const std::vector<std::string>& uncut = given_texts(request.options, "section_exclude");

@@ -17,6 +17,17 @@
 namespace burin {
 namespace {
 
+/// Whether the law or the field of any strokes does.
+bool looks_at_light(const Style& style) {
+  for (std::size_t number = 1; number <= stroke_kind_count(style); ++number) {
+    if (tone::find(tone_of(style, number).law).uses_light ||
+        field::find(hatch_of(style, number).field.name).uses_light) {
+      return true;
+    }
+  }
+  return false;
+}
+
 /// What the plan asks for that some drawings or styles have no use for.
 void note_unused(const DrawRequest& r, Spelling spelling, const Style& named, DrawPlan& plan) {
   if (r.has("light") && plan.style.tone.light != named.tone.light) {
@@ -24,18 +35,17 @@ void note_unused(const DrawRequest& r, Spelling spelling, const Style& named, Dr
   }
   for (const std::string& assignment : given_texts(r.options, "set")) {
     const std::string key = parted_assignment(assignment).first;
-    if (key != "hatch.enabled" && (key.starts_with("hatch.") || key.starts_with("tone."))) {
+    if (key != "hatch.enabled" &&
+        (key.starts_with("hatch.") || key.starts_with("tone.") || key.starts_with("strokes."))) {
       plan.about_strokes.push_back("style key " + key);
     }
   }
   const auto note = [&](const std::string& text) {
     plan.notes.add(Severity::Warning, "option.unused", 1, text);
   };
-  const std::string& law = plan.style.tone.law;
-  if (r.has("light") && !tone::find(law).uses_light &&
-      !field::find(plan.style.hatch.field.name).uses_light) {
+  if (r.has("light") && !looks_at_light(plan.style)) {
     note(fmt::format("{} has no effect: tone.law {} does not look at it", called("light", spelling),
-                     law));
+                     plan.style.tone.law));
   }
   if (plan.illustrate.hidden == HiddenLines::Dashed && plan.style.halo.hidden) {
     note(fmt::format("{} has no effect: style '{}' draws hidden lines in full (halo.hidden)",
@@ -73,16 +83,16 @@ void light_by(const std::vector<tone::Light>& lights, DrawPlan& plan) {
       break;
     }
   };
-  set(plan.style.tone);
+  for_each_tone(plan.style, set);
   for (DrawPlan::PlannedLook& look : plan.looks) {
-    if (look.style) set(look.style->tone);
+    if (look.style) for_each_tone(*look.style, set);
   }
 }
 
-bool has_strokes(const DrawPlan& plan) {
-  return plan.style.hatch.enabled ||
+bool any_strokes(const DrawPlan& plan) {
+  return has_strokes(plan.style) ||
          std::any_of(plan.illustrate.part_styles.begin(), plan.illustrate.part_styles.end(),
-                     [](const PartStyle& look) { return look.style && look.style->hatch.enabled; });
+                     [](const PartStyle& look) { return look.style && has_strokes(*look.style); });
 }
 
 }  // namespace
@@ -92,7 +102,7 @@ Drawing draw(const Scene& scene, const Camera& camera, const DrawPlan& plan, Run
   drawing.title = plan.title;
   drawing.diagnostics.append(plan.notes);
   drawing.diagnostics = at_door(drawing.diagnostics, plan.spelling);
-  if (has_strokes(plan)) return drawing;
+  if (any_strokes(plan)) return drawing;
   for (const std::string& choice : plan.about_strokes) {
     drawing.diagnostics.add(Severity::Warning, "option.unused", 1,
                             fmt::format("{} has no effect: style '{}' draws no strokes "

@@ -105,6 +105,7 @@ Path read_path(const JsonPlace& place) {
   value("closed", p.closed);
   value("field", p.field);
   value("family", p.family);
+  value("stroke_kind", p.stroke_kind);
   return p;
 }
 

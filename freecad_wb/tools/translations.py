@@ -49,6 +49,7 @@ def offered():
     told = offers.kept()
     yield from (*told["stages"], "check")  # the last one is the add-on's own (job.py)
     yield from (group for group in told["groups"] if group not in told["formats"])
+    yield "strokes"  # kinds of strokes after the first
     yield from map(offers.title, told["views"])
     yield from told["options"]["hidden"]["words"]
     yield from told["styles"].values()

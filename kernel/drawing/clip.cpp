@@ -146,6 +146,7 @@ Path without_points(const Path& path) {
   head.source = path.source;
   head.field = path.field;
   head.family = path.family;
+  head.stroke_kind = path.stroke_kind;
   return head;
 }
 

@@ -193,6 +193,9 @@ void append_path(Buffer& out, const Path& p, bool points3, int decimals3) {
     append(out, ", \"field\": ");
     append_json(out, p.field);
     fmt::format_to(fmt::appender(out), ", \"family\": {}", p.family);
+    if (p.stroke_kind > 1) {
+      fmt::format_to(fmt::appender(out), ", \"stroke_kind\": {}", p.stroke_kind);
+    }
   }
   for (std::size_t i = 0; i < p.faces.size(); ++i) {
     fmt::format_to(fmt::appender(out), "{}[{},{}]{}", i == 0 ? ", \"faces\": [" : ",",

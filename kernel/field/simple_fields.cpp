@@ -39,7 +39,8 @@ Field fixed(Vec3 direction) {
   return {"fixed", [unit](const FieldQuery& q) -> std::optional<Cross> {
             const auto t = tangent_part(unit, q.frame.normal);
             if (!t) return std::nullopt;
-            return Cross{*t, glm::cross(q.frame.normal, *t), q.frame.confidence};
+            return Cross{*t, glm::cross(q.frame.normal, *t), q.frame.confidence, std::nullopt,
+                         glm::length(reject(unit, q.frame.normal))};
           }};
 }
 

@@ -6,6 +6,8 @@
 
 #include "haloes.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <utility>
 
@@ -25,6 +27,7 @@ Path to_path(const Curve3& curve, const Camera& camera) {
   path.source = curve.source;
   path.closed = curve.closed;
   path.family = curve.family;
+  path.stroke_kind = curve.stroke_kind;
   path.points3 = curve.points;
   path.points.reserve(curve.points.size());
   for (const Vec3& p : curve.points) path.points.push_back(camera.to_paper(p));
@@ -132,9 +135,17 @@ void keep(const Path& path, bool visible, std::vector<Path>* found) {
   line.points3 = path.points3;
 }
 
+// Of one kind of strokes and one of its families.
+std::string stroke_layer(int kind, int family) {
+  return fmt::format("stroke-{}", family) + (kind > 1 ? fmt::format("-kind-{}", kind) : "");
+}
+
 void compose_strokes(const LinesToDraw& lines, const std::vector<Gaps>& gaps,
                      const Composition& how, Drawing& drawing, std::vector<Path>* found) {
-  Layer layers[2] = {{"stroke-1", {}}, {"stroke-2", {}}};
+  std::vector<Layer> layers;
+  for (int kind = 1; kind <= static_cast<int>(kMostStrokeKinds); ++kind) {
+    for (const int family : {1, 2}) layers.push_back({stroke_layer(kind, family), {}});
+  }
   for (std::size_t i = 0; i < lines.strokes.size(); ++i) {
     const Curve3& curve = lines.strokes[i];
     const auto count = static_cast<double>(curve.segment_count());
@@ -146,15 +157,15 @@ void compose_strokes(const LinesToDraw& lines, const std::vector<Gaps>& gaps,
       const bool whole = span.begin <= 0 && span.end >= count;
       const Curve3 visible = piece(curve, span);
       Path path = to_path(visible, how.camera);
-      if (!whole && paper_length(path) < kShortestRest * how.style_of(curve).hatch.length_min)
-        continue;
+      if (!whole && paper_length(path) < kShortestRest * how.hatch_of(curve).length_min) continue;
       keep(path, true, found);
-      path.field = how.style_of(curve).hatch.field.name;
+      path.field = how.hatch_of(curve).field.name;
       cue_widths(how.cue, path);
       name_faces(visible, proxy_of(how.proxies, curve), how.camera, path);
       simplify_path(path);
       if (is_dot(path)) path.width.resize(1);
-      layers[curve.family == 2 ? 1 : 0].paths.push_back(std::move(path));
+      const int layer = 2 * (curve.stroke_kind - 1) + (curve.family == 2 ? 1 : 0);
+      layers[static_cast<std::size_t>(layer)].paths.push_back(std::move(path));
     }
   }
   for (Layer& layer : layers) {

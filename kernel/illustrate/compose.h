@@ -42,14 +42,18 @@ struct Composition {
   const Style& style_of(const Curve3& curve) const {
     return part_styles.style(static_cast<std::size_t>(curve.source.part));
   }
+  /// Of a stroke.
+  const HatchStyle& hatch_of(const Curve3& stroke) const {
+    return burin::hatch_of(style_of(stroke), static_cast<std::size_t>(stroke.stroke_kind));
+  }
   bool draws(const Curve3& feature) const;
   /// Paper mm, before depth.
   double feature_width(const Curve3& feature, const Span& span) const;
 };
 
-/// Appends the layers: strokes, one per family, then feature lines, thin ones first. `found`, if
-/// any, gets what is drawn with all its points, and what is left out as hidden: kind, source,
-/// visible, closed and points3 of it.
+/// Appends the layers: strokes, one per kind and family, then feature lines, thin ones first.
+/// `found`, if any, gets what is drawn with all its points, and what is left out as hidden: kind,
+/// source, visible, closed and points3 of it.
 void compose(const LinesToDraw& lines, const Composition& how, Drawing& drawing,
              const RunContext& context, std::vector<Path>* found = nullptr);
 

@@ -15,6 +15,7 @@
 #include "on_sheet.h"
 #include "part_styles.h"
 #include "sight.h"
+#include "style_table.h"
 #include "undirected.h"
 
 #include <fmt/format.h>
@@ -89,8 +90,10 @@ Surfaces realise(const Scene& scene, const Camera& camera, const detail::PartSty
     }
     const Style& style = part_styles.style(i);
     realise.crease_angle = style.feature.crease_angle;
-    realise.curvature = part_styles.hatched(i) && follows_field(style.hatch) &&
-                        field::find(style.hatch.field.name).needs_curvature;
+    realise.curvature = std::ranges::any_of(part_styles.strokes(), [&](const auto& strokes) {
+      return strokes.parts[i] && follows_field(*strokes.hatch) &&
+             field::find(strokes.hatch->field.name).needs_curvature;
+    });
     try {
       surfaces.push_back(scene.parts[i].form->realise(realise, context));
       ++drawn;
@@ -109,15 +112,15 @@ Surfaces realise(const Scene& scene, const Camera& camera, const detail::PartSty
 }
 
 Field make_field(const std::vector<const Surface*>& surfaces, const Camera& camera,
-                 const Style& style, const RunContext& context) {
-  if (!follows_field(style.hatch)) {
+                 const detail::StrokeSet& strokes, const RunContext& context) {
+  if (!follows_field(*strokes.hatch)) {
     return {"none", [](const FieldQuery&) { return std::optional<Cross>(); }};
   }
-  return field::find(style.hatch.field.name)
+  return field::find(strokes.hatch->field.name)
       .make({.surfaces = surfaces,
              .camera = camera,
-             .options = style.hatch.field,
-             .light = tone::to_light(camera, style.tone),
+             .options = strokes.hatch->field,
+             .light = tone::to_light(camera, *strokes.tone),
              .flat = camera.scale() / kFlatRadius,
              .context = context});
 }
@@ -128,11 +131,29 @@ bool balances(const tone::ToneOptions& tone) {
   return tone.ink == tone::ToneOptions::Ink::Shade && tone::find(tone.law).uses_light;
 }
 
-// The strokes of the parts that are flagged.
+// A stream of chance for each kind of strokes: points of two would lie on each other.
+std::uint64_t seed_of(std::uint64_t seed, int number) {
+  constexpr std::uint64_t kApart = 0x9E3779B97F4A7C15;
+  return seed ^ (static_cast<std::uint64_t>(number - 1) * kApart);
+}
+
+// What stands before the lights of a scene: the solid parts.
+tone::Blocked blocked_by(const Occluder& solid, double tolerance) {
+  // A triangle does not hide the smooth surface that it stands for.
+  const double off = std::max(4 * solid.resolution(), 2 * tolerance), far = 2 * solid.diagonal();
+  return [&solid, off, far](Vec3 position, Vec3 normal, Vec3 towards, double distance) {
+    return solid.occluded(position + off * normal, towards, 0, std::min(far, distance));
+  };
+}
+
+// The strokes of one kind on the parts that are flagged.
 StrokeResult hatch(std::vector<const Surface*> surfaces, std::vector<bool> parts,
-                   const Occluder& occluder, const Camera& camera, const Style& style,
-                   const detail::DepthCue& cue, const IllustrateOptions& options,
-                   detail::Undirected& undirected, RunContext& context) {
+                   const Occluder& occluder, const Camera& camera, const detail::StrokeSet& strokes,
+                   const Occluder& solid, const detail::DepthCue& cue,
+                   const IllustrateOptions& options, detail::Undirected& undirected,
+                   RunContext& context) {
+  double tolerance = 0;
+  for (const Surface* s : surfaces) tolerance = std::max(tolerance, s->proxy().tolerance);
   for (std::size_t i = 0; i < surfaces.size(); ++i) {
     if (!parts[i]) surfaces[i] = empty_surface().get();
   }
@@ -140,20 +161,23 @@ StrokeResult hatch(std::vector<const Surface*> surfaces, std::vector<bool> parts
   const ViewProbe probe = view_probe(occluder, camera, std::move(parts));
   const HatchScene scene{surfaces, camera, probe, context};
   const Field field =
-      options.field ? options.field(scene) : make_field(surfaces, camera, style, context);
-  const Tone tone = options.tone ? options.tone(scene) : tone::make(camera, style.tone);
-  const bool balanced = !options.tone && balances(style.tone);
-  std::function<double(Vec3)> fade;
-  if (!options.tone && cue.pales()) fade = [&](Vec3 position) { return cue.ink(position); };
-  StrokeResult result =
-      trace_strokes(surfaces, camera, field, tone, probe, style.hatch, options.seed, context,
-                    balanced ? style.tone : tone::ToneOptions{}, fade);
-  if (!options.field && follows_field(style.hatch)) {
+      options.field ? options.field(scene) : make_field(surfaces, camera, strokes, context);
+  const Tone tone = options.tone ? options.tone(scene)
+                                 : tone::make(camera, *strokes.tone, blocked_by(solid, tolerance));
+  InkOptions ink{.exponents = strokes.exponents,
+                 .tone_min = strokes.hatch->tone_min,
+                 .keys = detail::kind_group(static_cast<std::size_t>(strokes.number))};
+  if (!options.tone && balances(*strokes.tone)) ink.balance = *strokes.tone;
+  if (!options.tone && cue.pales()) ink.fade = [&](Vec3 position) { return cue.ink(position); };
+  StrokeResult result = trace_strokes(surfaces, camera, field, tone, probe, *strokes.hatch,
+                                      seed_of(options.seed, strokes.number), context, ink);
+  for (Curve3& stroke : result.strokes) stroke.stroke_kind = strokes.number;
+  if (!options.field && follows_field(*strokes.hatch)) {
     const Tone toned = [&](Vec3 position, Vec3 normal) {
-      const double ink = std::pow(1 - tone(position, normal), result.tone_gamma);
-      return 1 - (fade ? fade(position) : 1.0) * ink;
+      const double asked = std::pow(1 - tone(position, normal), result.tone_gamma);
+      return 1 - (ink.fade ? ink.fade(position) : 1.0) * asked;
     };
-    undirected.look(scene, field, toned, style);
+    undirected.look(scene, field, toned, *strokes.hatch);
   }
   return result;
 }
@@ -169,30 +193,33 @@ void append(StrokeResult& all, StrokeResult one, std::int64_t& most) {
   all.coverage_points += one.coverage_points;
   all.coverage_delta = std::max(all.coverage_delta, one.coverage_delta);
   all.thinned_parts += one.thinned_parts;
+  all.unmapped.insert(all.unmapped.end(), one.unmapped.begin(), one.unmapped.end());
 }
 
 // Whether any strokes are to have their ink brought to a median.
 bool states_gamma(const detail::PartStyles& part_styles) {
-  for (std::size_t i = 0; i < part_styles.size(); ++i) {
-    const tone::ToneOptions& tone = part_styles.style(i).tone;
-    const bool wanted = tone.median_min > 0 || tone.median_max < 1;
-    if (part_styles.hatched(i) && balances(tone) && wanted) return true;
-  }
-  return false;
+  return std::ranges::any_of(part_styles.strokes(), [](const detail::StrokeSet& strokes) {
+    const tone::ToneOptions& tone = *strokes.tone;
+    return balances(tone) && (tone.median_min > 0 || tone.median_max < 1);
+  });
 }
 
-// Of the solid parts a style at a time; then of the transparent ones, each as it is seen alone.
+// Of the solid parts a kind of strokes at a time; then of the transparent ones, each as it is seen
+// alone.
 StrokeResult hatch_all(const std::vector<const Surface*>& surfaces, const detail::Sight& sight,
                        const Camera& camera, const detail::PartStyles& part_styles,
                        const detail::DepthCue& cue, const IllustrateOptions& options,
                        detail::Undirected& undirected, RunContext& context) {
   StrokeResult all;
   std::int64_t most = 0;
-  for (std::size_t k = 0; k < part_styles.styles().size(); ++k) {
-    std::vector<bool> parts = part_styles.hatched_by(k);
+  for (const detail::StrokeSet& strokes : part_styles.strokes()) {
+    std::vector<bool> parts = strokes.parts;
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+      if (part_styles.transparent(i)) parts[i] = false;
+    }
     if (std::find(parts.begin(), parts.end(), true) == parts.end()) continue;
     append(all,
-           hatch(surfaces, std::move(parts), sight.solid(), camera, *part_styles.styles()[k], cue,
+           hatch(surfaces, std::move(parts), sight.solid(), camera, strokes, sight.solid(), cue,
                  options, undirected, context),
            most);
   }
@@ -202,10 +229,13 @@ StrokeResult hatch_all(const std::vector<const Surface*>& surfaces, const detail
     alone[part] = true;
     context.begin_stage(RunStage::Build);
     const Occluder before = sight.before(part, context);
-    append(all,
-           hatch(surfaces, std::move(alone), before, camera, part_styles.style(part), cue, options,
-                 undirected, context),
-           most);
+    for (const detail::StrokeSet& strokes : part_styles.strokes()) {
+      if (!strokes.parts[part]) continue;
+      append(all,
+             hatch(surfaces, alone, before, camera, strokes, sight.solid(), cue, options,
+                   undirected, context),
+             most);
+    }
   }
   return all;
 }
@@ -281,6 +311,21 @@ void tell_bounds(const StrokeResult& strokes, const detail::Seen& seen, Diagnost
   }
 }
 
+// Parts on which laws of u and v say nothing.
+void tell_unmapped(const Scene& scene, std::vector<std::int32_t> parts, Diagnostics& diagnostics) {
+  std::ranges::sort(parts);
+  parts.erase(std::unique(parts.begin(), parts.end()), parts.end());
+  if (parts.empty()) return;
+  const std::string& first = scene.parts[static_cast<std::size_t>(parts.front())].name;
+  diagnostics.add(
+      Severity::Warning, "strokes.no_parameters", static_cast<std::int64_t>(parts.size()),
+      fmt::format(
+          "{}{} has no u and v; laws of strokes that look at them (hatch.ink_law "
+          "to hatch.presence_law) change nothing there",
+          first.empty() ? fmt::format("part {}", parts.front()) : fmt::format("'{}'", first),
+          parts.size() > 1 ? fmt::format(" (and {} more)", parts.size() - 1) : ""));
+}
+
 void name_own_field(Drawing& drawing) {
   for (Layer& layer : drawing.layers) {
     for (Path& path : layer.paths) {
@@ -333,6 +378,7 @@ Drawing draw(const Scene& scene, const Camera& camera, const Style& style,
   detail::Seen seen = sight.classify(features, strokes.strokes, context);
   if (draws_outline(part_styles)) sight.close_outline(features, seen, context);
   tell_bounds(strokes, seen, drawing.diagnostics);
+  tell_unmapped(scene, strokes.unmapped, drawing.diagnostics);
 
   context.begin_stage(RunStage::Compose);
   detail::compose({features, seen.features, strokes.strokes, seen.strokes},
@@ -371,7 +417,7 @@ Box3 drawn_bounds(const Scene& scene, std::span<const PartStyle> part_styles, co
 Drawing illustrate(const Scene& scene, const Camera& camera, const Style& style,
                    const IllustrateOptions& options, RunContext& context) {
   if (scene.parts.empty()) throw GeometryError("nothing to draw: the input has no parts");
-  const detail::PartStyles part_styles(scene.parts.size(), style, options);
+  const detail::PartStyles part_styles(scene, style, options);
   for (const Style* one : part_styles.styles()) check_style(*one);
   std::vector<Path> found;
   // Its surfaces are gone before finer ones are made.

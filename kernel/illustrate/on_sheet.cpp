@@ -22,7 +22,7 @@ constexpr double kEdge = 0.01;
 
 bool draws_anything(const Style& s) {
   const auto& f = s.feature;
-  return s.hatch.enabled || f.contours || f.creases || f.boundaries || f.smooth || f.seams ||
+  return has_strokes(s) || f.contours || f.creases || f.boundaries || f.smooth || f.seams ||
          f.intersections;
 }
 

@@ -1,10 +1,56 @@
 #include "part_styles.h"
 
+#include <burin/assembly/select.h>
+#include <burin/base/error.h>
+
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <span>
+#include <string_view>
+#include <utility>
 
 namespace burin::detail {
-PartStyles::PartStyles(std::size_t parts, const Style& style, const IllustrateOptions& options)
-    : parts_(parts), styles_{&style} {
+namespace {
+
+// The parts that any of the selectors, with ";" between them, names.
+std::vector<bool> selected(const Scene& scene, std::string_view selectors) {
+  std::vector<bool> flags(scene.parts.size(), selectors == HatchStyle().select);
+  if (selectors == HatchStyle().select) return flags;
+  for (std::size_t begin = 0; begin <= selectors.size();) {
+    const std::size_t end = std::min(selectors.find(';', begin), selectors.size());
+    try {
+      for (const std::size_t part : select(scene, selectors.substr(begin, end - begin))) {
+        flags[part] = true;
+      }
+    } catch (const UsageError& e) {
+      throw UsageError(fmt::format("strokes (hatch.select): {}", e.what()));
+    }
+    begin = end + 1;
+  }
+  return flags;
+}
+
+// `one_tone`: all have the same, whatever their options say.
+void share_tone(std::span<const StrokeSet> all, bool one_tone, StrokeSet& set) {
+  set.exponents.assign(set.parts.size(), 1);
+  for (std::size_t i = 0; i < set.parts.size(); ++i) {
+    if (!set.parts[i]) continue;
+    double sum = 0;
+    for (const StrokeSet& other : all) {
+      if (other.parts[i] && (one_tone || *other.tone == *set.tone)) sum += other.hatch->share;
+    }
+    set.exponents[i] = set.hatch->share / sum;
+  }
+  const bool alone = std::ranges::all_of(set.exponents, [](double e) { return e == 1; });
+  if (alone) set.exponents.clear();
+}
+
+}  // namespace
+
+PartStyles::PartStyles(const Scene& scene, const Style& style, const IllustrateOptions& options)
+    : parts_(scene.parts.size()), styles_{&style} {
+  const std::size_t parts = parts_.size();
   std::vector<std::string> texts{style_to_json(style)};
   for (std::size_t i = 0; i < std::min(parts, options.part_styles.size()); ++i) {
     const PartStyle& look = options.part_styles[i];
@@ -23,22 +69,39 @@ PartStyles::PartStyles(std::size_t parts, const Style& style, const IllustrateOp
     one.hatched = look.hatched;
   }
   for (One& one : parts_) {
-    one.hatched = one.hatched && one.drawn && styles_[one.style]->hatch.enabled;
+    one.hatched = one.hatched && one.drawn && has_strokes(*styles_[one.style]);
   }
+  find_strokes(scene, static_cast<bool>(options.tone));
+}
+
+void PartStyles::find_strokes(const Scene& scene, bool one_tone) {
+  for (std::size_t k = 0; k < styles_.size(); ++k) {
+    const std::size_t first = strokes_.size();
+    for (std::size_t number = 1; number <= stroke_kind_count(*styles_[k]); ++number) {
+      const HatchStyle& hatch = hatch_of(*styles_[k], number);
+      if (!hatch.enabled) continue;
+      StrokeSet set{&hatch, &tone_of(*styles_[k], number), static_cast<int>(number),
+                    selected(scene, hatch.select)};
+      for (std::size_t i = 0; i < parts_.size(); ++i) {
+        if (!parts_[i].hatched || parts_[i].style != k) set.parts[i] = false;
+      }
+      strokes_.push_back(std::move(set));
+    }
+    const auto sets = std::span(strokes_).subspan(first);
+    for (StrokeSet& set : sets) share_tone(sets, one_tone, set);
+  }
+  for (std::size_t i = 0; i < parts_.size(); ++i) {
+    parts_[i].hatched = std::any_of(strokes_.begin(), strokes_.end(),
+                                    [&](const StrokeSet& set) { return set.parts[i]; });
+  }
+  std::erase_if(strokes_, [](const StrokeSet& set) {
+    return std::find(set.parts.begin(), set.parts.end(), true) == set.parts.end();
+  });
 }
 
 bool PartStyles::any_transparent() const {
   return std::any_of(parts_.begin(), parts_.end(),
                      [](const One& one) { return one.transparent && one.drawn; });
-}
-
-std::vector<bool> PartStyles::hatched_by(std::size_t style) const {
-  std::vector<bool> flags;
-  flags.reserve(parts_.size());
-  for (const One& one : parts_) {
-    flags.push_back(one.hatched && !one.transparent && one.style == style);
-  }
-  return flags;
 }
 
 }  // namespace burin::detail

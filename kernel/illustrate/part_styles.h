@@ -8,10 +8,24 @@
 
 namespace burin::detail {
 
-/// The looks of all parts of a scene. Options and style must outlive it.
+/// One kind of strokes of a style and the parts that it stands on.
+struct StrokeSet {
+  const HatchStyle* hatch;
+  const tone::ToneOptions* tone;
+  /// From 1.
+  int number = 1;
+  /// Likewise one a part.
+  std::vector<bool> parts{};
+  /// What share of the bare paper the strokes leave: (1 - ink)^exponent, so that all kinds which
+  /// share the tone of a part give it together; empty: 1.
+  std::vector<double> exponents{};
+};
+
+/// The looks of all parts of a scene. Scene, options and style must outlive it.
 class PartStyles {
  public:
-  PartStyles(std::size_t parts, const Style& style, const IllustrateOptions& options);
+  /// Throws UsageError where strokes are to stand on parts that there are not.
+  PartStyles(const Scene& scene, const Style& style, const IllustrateOptions& options);
 
   std::size_t size() const { return parts_.size(); }
   const Style& style(std::size_t part) const { return *styles_[parts_[part].style]; }
@@ -22,16 +36,19 @@ class PartStyles {
 
   /// Styles that differ, in the order of the parts that bring them; the first is the drawing's.
   const std::vector<const Style*>& styles() const { return styles_; }
-  /// The solid parts whose strokes follow a style: one flag a part.
-  std::vector<bool> hatched_by(std::size_t style) const;
+  /// All strokes that stand on any part, a style after the other.
+  const std::vector<StrokeSet>& strokes() const { return strokes_; }
 
  private:
   struct One {
     bool drawn = true, hatched = true, transparent = false;
     std::size_t style = 0;
   };
+  void find_strokes(const Scene& scene, bool one_tone);
+
   std::vector<One> parts_;
   std::vector<const Style*> styles_;
+  std::vector<StrokeSet> strokes_;
 };
 
 }  // namespace burin::detail

@@ -6,10 +6,32 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
+#include <utility>
 
 namespace burin {
 namespace {
+
+/// Dots that no neighbour comes too near.
+void dotted(HatchStyle& hatch) {
+  hatch.placing = "dots";
+  hatch.spacing_min = 0.3;
+  hatch.width_min = 0.16;
+  hatch.width_max = 0.4;
+  hatch.tone_min = 0.02;
+  hatch.length_min = 0;
+}
+
+/// Short, thin strokes.
+void pencilled(HatchStyle& hatch) {
+  hatch.placing = "discs";
+  hatch.length = 5;
+  hatch.taper = 2;
+  hatch.width_min = 0.09;
+  hatch.width_max = 0.2;
+  hatch.tone_min = 0.02;
+}
 
 /// Features, and light hatching where the light does not reach: what a style is by default.
 Style technical() { return {}; }
@@ -75,12 +97,7 @@ Style pencil() {
   s.line.outer = 0.35;
   s.line.crease = 0.2;
   s.line.smooth = 0.13;
-  s.hatch.placing = "discs";
-  s.hatch.length = 5;
-  s.hatch.taper = 2;
-  s.hatch.width_min = 0.09;
-  s.hatch.width_max = 0.2;
-  s.hatch.tone_min = 0.02;
+  pencilled(s.hatch);
   s.hatch.cross_from = 0.45;
   return s;
 }
@@ -90,12 +107,7 @@ Style stipple() {
   Style s = engraving();
   s.line.outer = 0.35;
   s.line.crease = 0.2;
-  s.hatch.placing = "dots";
-  s.hatch.spacing_min = 0.3;
-  s.hatch.width_min = 0.16;
-  s.hatch.width_max = 0.4;
-  s.hatch.tone_min = 0.02;
-  s.hatch.length_min = 0;
+  dotted(s.hatch);
   s.tone.ambient = 0.3;
   s.tone.diffuse = 0.66;
   return s;
@@ -200,6 +212,33 @@ Style wireframe() {
   return s;
 }
 
+struct Kind {
+  std::string_view name, meaning;
+  void (*make)(StrokeKind&);
+};
+
+constexpr std::array kKinds{
+    Kind{"hatching", "long lines at even distances",
+         [](StrokeKind& k) {
+           k.hatch.placing = "even";
+           k.hatch.cross_from = 2;
+         }},
+    Kind{"pencil", "short, thin strokes on points that keep clear of each other",
+         [](StrokeKind& k) {
+           pencilled(k.hatch);
+           k.hatch.cross_from = 2;
+         }},
+    Kind{"dots", "dots on points that keep clear of each other",
+         [](StrokeKind& k) { dotted(k.hatch); }},
+    Kind{"silhouette", "short strokes along the silhouettes, dense beside them",
+         [](StrokeKind& k) {
+           pencilled(k.hatch);
+           k.hatch.cross_from = 2;
+           k.hatch.field.name = "silhouette";
+           k.tone.law = "silhouette";
+         }},
+};
+
 struct Builtin {
   std::string_view name, meaning;
   Style (*make)();
@@ -250,24 +289,117 @@ Style builtin_style(std::string_view name) {
       nearest(name, names), fmt::join(names, ", ")));
 }
 
-void set_style_key(Style& style, std::string_view key, std::string_view text) {
-  const detail::StyleRow& row = detail::find_row(key);
+std::vector<StyleInfo> stroke_kinds() {
+  std::vector<StyleInfo> kinds;
+  for (const Kind& k : kKinds) kinds.push_back({std::string(k.name), std::string(k.meaning)});
+  return kinds;
+}
+
+std::size_t stroke_kind_count(const Style& style) { return 1 + style.strokes.size(); }
+
+const HatchStyle& hatch_of(const Style& style, std::size_t number) {
+  return number == 1 ? style.hatch : style.strokes.at(number - 2).hatch;
+}
+
+const tone::ToneOptions& tone_of(const Style& style, std::size_t number) {
+  return number == 1 ? style.tone : style.strokes.at(number - 2).tone;
+}
+
+bool has_strokes(const Style& style) {
+  return style.hatch.enabled || std::any_of(style.strokes.begin(), style.strokes.end(),
+                                            [](const StrokeKind& k) { return k.hatch.enabled; });
+}
+
+namespace detail {
+
+StrokeKind next_kind(const Style& style) {
+  if (stroke_kind_count(style) >= kMostStrokeKinds) {
+    throw UsageError(fmt::format("a style has at most {} kinds of strokes", kMostStrokeKinds));
+  }
+  StrokeKind kind{style.hatch, style.tone};
+  kind.hatch.enabled = true;
+  kind.hatch.select = HatchStyle().select;
+  kind.hatch.share = HatchStyle().share;
+  return kind;
+}
+
+void become(std::string_view kind, StrokeKind& strokes) {
+  std::vector<std::string> names;
+  for (const Kind& k : kKinds) {
+    if (k.name == kind) return k.make(strokes);
+    names.emplace_back(k.name);
+  }
+  throw UsageError(fmt::format("unknown kind of strokes '{}'; the nearest is '{}' (all: {})", kind,
+                               nearest(kind, names), fmt::join(names, ", ")));
+}
+
+}  // namespace detail
+
+namespace {
+
+template <class S>
+void set_row(const OptionRow<S>& row, const std::string& name, std::string_view text, S& to) {
   const auto value = parse_value(row, text);
   if (!value) {
-    throw UsageError(
-        fmt::format("style key '{}' takes {}, not '{}'", row.name, takes_text(row), text));
+    throw UsageError(fmt::format("style key '{}' takes {}, not '{}'", name, takes_text(row), text));
   }
-  row.set(style, *value);
+  row.set(to, *value);
+}
+
+// The kind whose number is one more than that of the last is made.
+void set_kind_key(Style& style, const detail::KindKey& key, std::string_view text) {
+  StrokeKind kind = key.number == 1                          ? StrokeKind{style.hatch, style.tone}
+                    : key.number <= stroke_kind_count(style) ? style.strokes[key.number - 2]
+                                                             : detail::next_kind(style);
+  if (key.number > stroke_kind_count(style) + 1) {
+    throw UsageError(
+        fmt::format("style key 'strokes.{}.{}': the style has {} kinds of strokes; "
+                    "the next is number {}",
+                    key.number, key.name, stroke_kind_count(style), stroke_kind_count(style) + 1));
+  }
+  if (key.name == "kind") {
+    detail::become(text, kind);
+  } else {
+    set_row(detail::find_kind_row(key.name, key.number),
+            fmt::format("strokes.{}.{}", key.number, key.name), text, kind);
+  }
+  if (key.number == 1) {
+    style.hatch = std::move(kind.hatch);
+    style.tone = std::move(kind.tone);
+  } else if (key.number <= stroke_kind_count(style)) {
+    style.strokes[key.number - 2] = std::move(kind);
+  } else {
+    style.strokes.push_back(std::move(kind));
+  }
+}
+
+}  // namespace
+
+void set_style_key(Style& style, std::string_view key, std::string_view text) {
+  if (const auto kind = detail::kind_key(key)) return set_kind_key(style, *kind, text);
+  const detail::StyleRow& row = detail::find_row(key);
+  set_row(row, row.name, text, style);
+}
+
+int setting_rank(std::string_view key) {
+  if (!key.starts_with("strokes.")) return 0;
+  return key.ends_with(".kind") ? 1 : 2;
 }
 
 void check_style(const Style& style) {
-  const auto fault = options::first_fault(detail::style_rows(), style);
+  if (stroke_kind_count(style) > kMostStrokeKinds) {
+    throw UsageError(fmt::format("a style has at most {} kinds of strokes", kMostStrokeKinds));
+  }
+  const auto fault = options::first_fault(detail::all_rows_of(style), style);
   if (fault) throw UsageError("style key " + *fault);
+  for (std::size_t number = 1; number <= stroke_kind_count(style); ++number) {
+    check_laws(hatch_of(style, number), detail::kind_group(number));
+  }
 }
 
 std::vector<StyleKey> style_keys(const Style& style) {
   std::vector<StyleKey> keys;
-  for (const detail::StyleRow& row : detail::style_rows()) {
+  for (const detail::StyleRow& row : detail::all_rows_of(style)) {
     keys.push_back({row, value_text(row, row.get(style))});
   }
   return keys;

@@ -59,10 +59,11 @@ class Reader {
   Reader(Style& style, std::string_view text, const std::string& source)
       : style_(style), lines_(text), source_(source) {}
 
+  /// All members but those about stroke kinds.
   void object(const Json& json, const std::string& group) {
     for (const auto& [key, value] : json.items()) {
       const std::string full = group.empty() ? key : group + "." + key;
-      if (group.empty() && key == "base") continue;
+      if (group.empty() && (key == "base" || key == "strokes" || setting_rank(key) > 0)) continue;
       if (group.empty() && key == "name") {
         at(group, key, [&, &v = value] { name(v); });
       } else if (value.is_object() && group.empty()) {
@@ -74,12 +75,55 @@ class Reader {
     }
   }
 
+  /// The list "strokes", then keys like "strokes.2.taper". What a kind does not say it has from the
+  /// members before.
+  void strokes(const Json& json) {
+    if (json.contains("strokes")) list(json["strokes"]);
+    for (const int rank : {1, 2}) {
+      for (const auto& [key, value] : json.items()) {
+        if (setting_rank(key) != rank) continue;
+        at("", key, [&, &k = key, &v = value] { set_style_key(style_, k, to_text(v)); });
+      }
+    }
+  }
+
   void base(const Json& json) {
     if (!json.contains("base")) return;
     at("", "base", [&] { style_ = builtin_style(to_text(json["base"])); });
   }
 
  private:
+  void list(const Json& json) {
+    at("", "strokes", [&] {
+      if (!json.is_array()) throw UsageError("style key 'strokes' takes a list of stroke kinds");
+      style_.strokes.clear();
+    });
+    for (std::size_t i = 0; i < json.size(); ++i) {
+      const std::string group = fmt::format("strokes/{}", i);
+      at("strokes", std::to_string(i), [&] {
+        if (!json[i].is_object())
+          throw UsageError("a stroke kind is an object, {\"placing\": ...}");
+        if (i > 0) style_.strokes.push_back(detail::next_kind(style_));
+      });
+      const auto set = [&](const std::string& path, const std::string& key, const Json& value) {
+        at(group, path, [&] {
+          set_style_key(style_, fmt::format("strokes.{}.{}", i + 1, key), to_text(value));
+        });
+      };
+      if (json[i].contains("kind")) set("kind", "kind", json[i]["kind"]);
+      for (const auto& [key, value] : json[i].items()) {
+        if (key == "kind") continue;
+        if (key == "tone" && value.is_object()) {
+          for (const auto& [name, of_tone] : value.items()) {
+            set("tone/" + name, "tone." + name, of_tone);
+          }
+        } else {
+          set(key, key, value);
+        }
+      }
+    }
+  }
+
   void name(const Json& value) {
     if (!value.is_string()) throw UsageError("style key 'name' takes text");
     style_.name = value.get<std::string>();
@@ -113,6 +157,7 @@ Style parse_style(std::string_view json, const std::string& source, const Style&
   reader.base(parsed);
   style.name = std::filesystem::path(source).stem().string();
   reader.object(parsed, "");
+  reader.strokes(parsed);
   try {
     check_style(style);
   } catch (const UsageError& e) {
@@ -128,8 +173,41 @@ std::string style_to_json(const Style& style) {
     const auto [group, name] = parted(row.name);
     json[group][name] = to_json(row.get(style), row);
   }
+  if (!style.strokes.empty()) json["strokes"] = {Json::object()};  // the first is above
+  for (const StrokeKind& kind : style.strokes) {
+    Json& members = json["strokes"].emplace_back();
+    for (const detail::KindRow& row : detail::kind_rows()) {
+      members[row.name] = to_json(row.get(kind), row);
+    }
+  }
   return json.dump(2) + "\n";
 }
+
+namespace {
+
+Json kinds_schema() {
+  Json kinds = Json::array(), members, tone;
+  for (const StyleInfo& kind : stroke_kinds()) kinds.push_back(kind.name);
+  members["kind"] = {{"description", "what these strokes are where no other key says it"},
+                     {"enum", std::move(kinds)}};
+  for (const detail::KindRow& row : detail::kind_rows()) {
+    const Json value = Json::parse(value_schema(row));
+    members[row.name] = value;
+    if (row.name.starts_with("tone.")) tone[row.name.substr(row.name.find('.') + 1)] = value;
+  }
+  members["tone"] = {
+      {"type", "object"}, {"additionalProperties", false}, {"properties", std::move(tone)}};
+  return {
+      {"description",
+       "kinds of strokes, drawn over each other in this order; the first changes hatch and "
+       "tone, the others begin as these are"},
+      {"type", "array"},
+      {"maxItems", kMostStrokeKinds},
+      {"items",
+       {{"type", "object"}, {"additionalProperties", false}, {"properties", std::move(members)}}}};
+}
+
+}  // namespace
 
 std::string style_schema() {
   Json bases = Json::array(), properties;
@@ -146,6 +224,8 @@ std::string style_schema() {
     members["properties"][name] = value;
     properties[row.name] = value;  // dotted keys and groups may be mixed
   }
+  properties["strokes"] = kinds_schema();
+  properties["tone"]["description"] = "the light of the first kind of strokes";
   const Json schema{{"$schema", "https://json-schema.org/draft/2020-12/schema"},
                     {"title", "Style of Burin"},
                     {"type", "object"},

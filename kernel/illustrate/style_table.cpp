@@ -33,6 +33,13 @@ std::vector<OptionRow<HatchStyle>> hatch_rows() {
   std::vector<OptionRow<HatchStyle>> rows = {
       flag("enabled", &HatchStyle::enabled, "draw strokes that carry the tone")};
   append(rows, "", &HatchStyle::field, field::field_option_rows());
+  rows.push_back(options::text("select", &HatchStyle::select,
+                               "parts that have these strokes: selectors as of looks, with ; "
+                               "between them; * = all",
+                               "selectors"));
+  rows.push_back(
+      number("share", &HatchStyle::share, {0.01, 100},
+             "how much of the ink these strokes carry where strokes of several kinds share it"));
   return rows;
 }
 
@@ -65,6 +72,26 @@ std::vector<OptionRow<SheetStyle>> sheet_rows() {
                "way")};
 }
 
+std::vector<KindRow> make_kind_rows() {
+  std::vector<KindRow> rows;
+  append(rows, "", &StrokeKind::hatch, hatch_rows());
+  append(rows, "", &StrokeKind::hatch, hatch_option_rows());
+  append(rows, "tone.", &StrokeKind::tone, tone::tone_option_rows());
+  return rows;
+}
+
+std::string kind_prefix(std::size_t number) { return fmt::format("strokes.{}.", number); }
+
+// Of a stroke kind after the first as one of the style that has it.
+StyleRow lifted(const KindRow& row, std::size_t number) {
+  const std::size_t at = number - 2;
+  StyleRow out{{kind_prefix(number) + row.name, row.meaning, row.takes, row.phrase},
+               [at, get = row.get](const Style& s) { return get(s.strokes.at(at)); },
+               [at, set = row.set](Style& s, const OptionValue& v) { set(s.strokes.at(at), v); }};
+  if (!row.at_most.empty()) out.at_most = kind_prefix(number) + row.at_most;
+  return out;
+}
+
 std::vector<StyleRow> all_rows() {
   std::vector<StyleRow> rows;
   append(rows, "line.", &Style::line, line_rows());
@@ -90,6 +117,47 @@ std::vector<StyleRow> all_rows() {
 const std::vector<StyleRow>& style_rows() {
   static const std::vector<StyleRow> rows = all_rows();
   return rows;
+}
+
+const std::vector<KindRow>& kind_rows() {
+  static const std::vector<KindRow> rows = make_kind_rows();
+  return rows;
+}
+
+std::vector<StyleRow> all_rows_of(const Style& style) {
+  std::vector<StyleRow> rows = style_rows();
+  for (std::size_t number = 2; number <= stroke_kind_count(style); ++number) {
+    for (const KindRow& row : kind_rows()) rows.push_back(lifted(row, number));
+  }
+  return rows;
+}
+
+std::optional<KindKey> kind_key(std::string_view key) {
+  constexpr std::string_view kGroup = "strokes.";
+  if (!key.starts_with(kGroup)) return std::nullopt;
+  const std::string_view rest = key.substr(kGroup.size());
+  const std::size_t dot = rest.find('.');
+  const std::string_view number = rest.substr(0, dot);
+  if (dot == std::string_view::npos || number.size() != 1 || number < "1" || number > "9") {
+    throw UsageError(
+        fmt::format("unknown style key '{}'; keys of stroke kinds are strokes.1.placing to "
+                    "strokes.{}.placing, and so on",
+                    key, kMostStrokeKinds));
+  }
+  return KindKey{static_cast<std::size_t>(number.front() - '0'), std::string(rest.substr(dot + 1))};
+}
+
+std::string kind_group(std::size_t number) { return number == 1 ? "hatch." : kind_prefix(number); }
+
+const KindRow& find_kind_row(const std::string& name, std::size_t number) {
+  std::vector<std::string> names{"kind"};
+  for (const KindRow& row : kind_rows()) {
+    if (row.name == name) return row;
+    names.push_back(row.name);
+  }
+  const std::string prefix = kind_prefix(number);
+  throw UsageError(fmt::format("unknown style key '{}{}'; the nearest is '{}{}'", prefix, name,
+                               prefix, nearest(name, names)));
 }
 
 const StyleRow& find_row(std::string_view name) {

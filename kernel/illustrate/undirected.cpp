@@ -57,15 +57,15 @@ void count_row(const HatchScene& hatched, const Field& field, const Tone& tone, 
 }  // namespace
 
 void Undirected::look(const HatchScene& hatched, const Field& field, const Tone& tone,
-                      const Style& style) {
-  const std::string& name = style.hatch.field.name;
+                      const HatchStyle& hatch) {
+  const std::string& name = hatch.field.name;
   if (field::find(name).missing.empty()) return;
   const Box2 box = seen_box(hatched);
   if (box.empty() || box.size().x <= 0 || box.size().y <= 0) return;
   std::vector<std::vector<Count>> rows(kSide, std::vector<Count>(hatched.surfaces.size()));
   const auto body = [&](std::size_t begin, std::size_t end) {
     for (std::size_t y = begin; y < end; ++y) {
-      count_row(hatched, field, tone, style.hatch.tone_min, box, y, rows[y]);
+      count_row(hatched, field, tone, hatch.tone_min, box, y, rows[y]);
     }
   };
   parallel_for(rows.size(), 4, body, &hatched.context);
@@ -83,7 +83,8 @@ void Undirected::look(const HatchScene& hatched, const Field& field, const Tone&
       found.some.push_back(part);
     }
   }
-  if (!found.none.empty() || !found.some.empty()) found_.push_back(std::move(found));
+  const bool told = std::ranges::find(found_, found) != found_.end();
+  if (!told && (!found.none.empty() || !found.some.empty())) found_.push_back(std::move(found));
 }
 
 std::string Undirected::names(const std::vector<std::size_t>& parts) const {

@@ -14,9 +14,10 @@ class Undirected {
   /// `scene` must outlive it.
   explicit Undirected(const Scene& scene) : scene_(scene) {}
 
-  /// Asks the field where the parts of a style are seen and want ink: at most some ten thousand
+  /// Asks the field where parts with such strokes are seen and want ink: at most some ten thousand
   /// places of the picture.
-  void look(const HatchScene& hatched, const Field& field, const Tone& tone, const Style& style);
+  void look(const HatchScene& hatched, const Field& field, const Tone& tone,
+            const HatchStyle& hatch);
   /// One diagnostic "strokes.no_direction" for each field that left something out.
   void tell(Diagnostics& diagnostics) const;
 
@@ -25,6 +26,8 @@ class Undirected {
     std::string field;
     /// Parts without any direction, and those with few; their numbers in the scene.
     std::vector<std::size_t> none, some;
+
+    bool operator==(const Found&) const = default;
   };
   std::string names(const std::vector<std::size_t>& parts) const;
 

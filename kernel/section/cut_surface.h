@@ -6,6 +6,7 @@
 #include "cut_proxy.h"
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace burin::detail {
@@ -20,6 +21,10 @@ class CutSurface final : public Surface {
   ProxyPoint to_proxy(const SurfacePoint& point) const override;
   SurfacePoint lift(const ProxyPoint& point) const override;
   bool exact() const override { return whole_->exact(); }
+  std::optional<Vec2> parameters(const SurfacePoint& point) const override {
+    if (closes(point.triangle)) return std::nullopt;
+    return whole_->parameters(inner(point));
+  }
   Vec3 drawn_position(const SurfacePoint& point) const override;
 
  private:

@@ -8,6 +8,8 @@
 namespace burin {
 namespace {
 
+constexpr const char* kFormula = "a formula";
+
 std::vector<OptionRow<HatchOptions>> rows() {
   using options::number;
   std::string meaning;
@@ -35,6 +37,16 @@ std::vector<OptionRow<HatchOptions>> rows() {
       number("length_max", &HatchOptions::length_max, {0.1, 100000, "mm"}, "longest stroke, in mm"),
       number("length", &HatchOptions::length, {0.1, 1000, "mm"},
              "about how long strokes on points are, in mm (hatch.placing points, discs)"),
+      options::text("ink_law", &HatchOptions::ink_law,
+                    "what strokes cover of the paper, of the ink that the tone asks for", kFormula),
+      options::text("density_law", &HatchOptions::density_law,
+                    "factor of how close strokes stand; none where it is 0 or less", kFormula),
+      options::text("width_law", &HatchOptions::width_law, "factor of the width of strokes",
+                    kFormula),
+      options::text("length_law", &HatchOptions::length_law,
+                    "factor of the length of strokes on points", kFormula),
+      options::text("presence_law", &HatchOptions::presence_law,
+                    "the chance of each stroke to be drawn, from 0 to 1", kFormula),
       number("taper", &HatchOptions::taper, {0, 1000, "mm"},
              "length over which the end of a stroke thins out, in mm"),
       number("foreshortening", &HatchOptions::foreshortening, {0, 1},

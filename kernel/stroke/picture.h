@@ -4,6 +4,7 @@
 #include <burin/base/box.h>
 #include <burin/stroke/stroke.h>
 
+#include "laws.h"
 #include "tone_balance.h"
 
 #include <algorithm>
@@ -42,8 +43,10 @@ struct Picture {
   /// What the tone of the whole picture changes of that of each place; none while the raster is
   /// made that it is found on.
   const ToneBalance* balance = nullptr;
-  /// The share of its ink that a place keeps after that; likewise. Null: all of it.
-  const std::function<double(Vec3)>* fade = nullptr;
+  /// What becomes of it after that; likewise.
+  const InkOptions* shaping = nullptr;
+  /// What the user's formulas make of ink and strokes; likewise.
+  const Laws* laws = nullptr;
   /// How strokes stand: each keeps its distance from the next; on points, where they lie over each
   /// other as chance has it; as dots on points that keep clear of each other.
   enum class Standing { Apart, Points, Dots };
@@ -51,8 +54,8 @@ struct Picture {
 
   /// The same picture with lines that follow another field, which has to live as long.
   Picture following(const Field& other) const {
-    return {surfaces, camera,     other,   tone, probe,   options,
-            seed,     same_place, balance, fade, standing};
+    return {surfaces, camera,     other,   tone,    probe, options,
+            seed,     same_place, balance, shaping, laws,  standing};
   }
 
   bool by_chance() const { return standing != Standing::Apart; }
@@ -98,11 +101,34 @@ struct Picture {
     return toned(asked, part, region, position);
   }
 
+  /// The same where the point of the surface is known: laws may look at it.
+  double darkness(std::int32_t part, std::int32_t region, const SurfacePoint& point,
+                  const Frame& frame, double cosine) const {
+    const double ink = darkness(part, region, point.position, frame.normal, cosine);
+    if (laws == nullptr || !laws->shape_picture()) return ink;
+    return laws->inked({part, point, frame, std::abs(cosine), ink}, surface(part), field);
+  }
+  /// By what factor strokes stand closer there.
+  double denser(std::int32_t part, const SurfacePoint& point, const Frame& frame) const {
+    if (laws == nullptr || laws->density.plain()) return 1;
+    const double cosine = glm::dot(frame.normal, camera.to_viewer(point.position));
+    return laws->denser({part, point, frame, std::abs(cosine)}, surface(part), field);
+  }
+
   /// What the whole picture makes of the ink that the tone of a place asks for.
   double toned(double asked, std::int32_t part, std::int32_t region, Vec3 position) const {
-    const double ink = balance ? balance->ink(asked, part, region, camera.depth(position)) : asked;
-    return fade ? ink * (*fade)(position) : ink;
+    double wanted = balance ? balance->ink(asked, part, region, camera.depth(position)) : asked;
+    if (shaping == nullptr) return wanted;
+    if (shaping->fade) wanted *= shaping->fade(position);
+    if (shaping->exponents.empty()) return wanted;
+    const double exponent = shaping->exponents[static_cast<std::size_t>(part)];
+    if (exponent == 1) return wanted;
+    // Paper that the tone leaves white stays so, however little of its ink these strokes have.
+    return wanted < shaping->tone_min ? 0 : shared(wanted, exponent);
   }
+
+  /// The part of some ink that strokes of an exponent of InkOptions have.
+  static double shared(double ink, double exponent) { return 1 - std::pow(1 - ink, exponent); }
 
   /// Model mm of depth that a surface seen under a cosine of `facing` may change by a paper mm;
   /// `scale` in paper mm a model mm.

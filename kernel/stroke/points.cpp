@@ -42,6 +42,11 @@ double density(const Picture& picture, double ink) {
   return std::min(picture.laid(ink) / dot_area(width), kPacking / (o.spacing_min * o.spacing_min));
 }
 
+bool inked(const Picture& picture, const Seed& seed, const StrokeSample& at) {
+  const double ink = picture.share(at.darkness, seed.family);
+  return ink > 0 && ink >= picture.options.tone_min;
+}
+
 // The dot at a seed; nothing where the surface turns away.
 std::optional<TracedStroke> dot_at(const Picture& picture, const Seed& seed) {
   const Surface& surface = picture.surface(seed.part);
@@ -53,6 +58,7 @@ std::optional<TracedStroke> dot_at(const Picture& picture, const Seed& seed) {
   StrokeSample a, b;
   sample(seed.point, a);
   if (!may_begin(picture, a)) return std::nullopt;
+  if (picture.laws->shape_picture() && !inked(picture, seed, a)) return std::nullopt;
   const double length = kDot / picture.camera.scale_at(seed.point.position);
   // At an edge it goes the other way.
   for (const double sign : {1.0, -1.0}) {
@@ -81,7 +87,7 @@ std::vector<Shown> shown_by_part(const Picture& picture, const ViewRaster& raste
     if (c.part < 0) continue;
     Shown& s = shown[static_cast<std::size_t>(c.part)];
     s.area += cell;
-    const double many = density(picture, picture.share(c.darkness, family));
+    const double many = c.denser * density(picture, picture.share(c.darkness, family));
     s.points += cell * many;
     s.densest = std::max(s.densest, many * c.facing);
   }
@@ -156,8 +162,9 @@ class PointCover {
   std::function<double(Vec3, Vec3)> weight(std::int32_t part, double densest) const {
     const double largest = largest_scale(picture_.surface(part), picture_.camera);
     return weight_in_picture(
-        picture_, raster_, part, [=, this](Vec3 position, double darkness, double facing) {
-          const double wanted = facing * asked(darkness) / (kMissed * densest);
+        picture_, raster_, part,
+        [=, this](Vec3 position, double darkness, double facing, double denser) {
+          const double wanted = facing * denser * asked(darkness) / (kMissed * densest);
           return picture_.camera.area_scale(position) / largest * std::min(1.0, wanted);
         });
   }
@@ -202,11 +209,12 @@ class PointCover {
   // Of a disc; infinite where no ink is asked for.
   double diameter(std::int32_t part, const SurfacePoint& point) const {
     const Surface& surface = picture_.surface(part);
-    const Vec3 normal = surface.frame(point).normal;
-    const double cosine = glm::dot(normal, picture_.camera.to_viewer(point.position));
+    const Frame frame = surface.frame(point);
+    const double cosine = glm::dot(frame.normal, picture_.camera.to_viewer(point.position));
     const double many =
+        picture_.denser(part, point, frame) *
         asked(picture_.darkness(part, surface.proxy().face_region[surface.to_proxy(point).face],
-                                point.position, normal, cosine));
+                                point, frame, cosine));
     return many > 0 ? std::sqrt(kPacking / many) : std::numeric_limits<double>::infinity();
   }
 
@@ -266,6 +274,17 @@ std::vector<Family> on_each(const std::vector<Seed>& seeds, int families, const 
   return out;
 }
 
+// What the law of length makes of a stroke.
+double longer(const Picture& picture, const Seed& seed, const StrokeSample& at, std::size_t i) {
+  constexpr double kMost = 10;
+  const Surface& surface = picture.surface(seed.part);
+  const double random = Laws::random(picture.seed, seed.part, seed.family, kLengthLaw, i);
+  const Frame frame = surface.frame(seed.point);
+  const LawPlace place{
+      seed.part, seed.point, frame, at.facing, picture.share(at.darkness, seed.family), random};
+  return std::clamp(picture.laws->length.at(place, surface, picture.field, 1), 0.0, kMost);
+}
+
 }  // namespace
 
 Coverage cover_points(const Picture& picture, const ViewRaster& raster, const RunContext& context) {
@@ -285,10 +304,13 @@ std::vector<Family> place_on_points(const Picture& picture, const ViewRaster& /*
     const Tracer tracer(picture, seed.family);
     StrokeSample at;
     if (!tracer.seed(seed.part, seed.point, Vec3(0), at)) return std::nullopt;
+    // The weight of the coverage knows of laws to within a cell of the raster.
+    if (picture.laws->shape_picture() && !inked(picture, seed, at)) return std::nullopt;
     // Equal strokes would look ruled.
     const Rng rng(picture.seed, static_cast<std::uint64_t>(seed.part),
                   static_cast<std::uint64_t>(seed.family));
-    const double reach = picture.options.length * (1.0 / 3 + rng.uniform(i) / 3);
+    double reach = picture.options.length * (1.0 / 3 + rng.uniform(i) / 3);
+    if (!picture.laws->length.plain()) reach *= longer(picture, seed, at, i);
     TracedStroke traced =
         tracer.trace(seed.part, at, {.reach = reach, .least_ink = picture.options.tone_min});
     return traced.samples.size() > 1 ? std::optional(std::move(traced)) : std::nullopt;

@@ -47,7 +47,8 @@ bool is_two_sided(const Surface& surface);
 CoverRequest request_of(const Picture& picture, std::int32_t part, const Box2& box);
 
 /// The weight of a coverage that is uniform in the picture, of what can be seen of a surface within
-/// `box`: `share(position, darkness, facing)`, with the ink asked for and the cosine to the viewer.
+/// `box`: `share(position, darkness, facing, denser)`, with the ink asked for, the cosine to the
+/// viewer and what a law of density says.
 template <class Share>
 std::function<double(Vec3, Vec3)> weight_in_picture(const Picture& picture,
                                                     const ViewRaster& raster, std::int32_t part,
@@ -64,7 +65,11 @@ std::function<double(Vec3, Vec3)> weight_in_picture(const Picture& picture,
     // What is not seen at its place gets no stroke: any region of the part will do.
     const RasterCell& cell = raster.nearest(paper);
     const std::int32_t region = cell.part == part ? cell.region : 0;
-    return share(position, picture.darkness(part, region, position, normal, cosine), facing);
+    const bool cells =
+        picture.laws != nullptr && picture.laws->shape_picture() && cell.part == part;
+    const double darkness =
+        cells ? cell.darkness : picture.darkness(part, region, position, normal, cosine);
+    return share(position, darkness, facing, cells ? cell.denser : 1.0);
   };
 }
 

@@ -1,4 +1,5 @@
 #include <burin/base/error.h>
+#include <burin/base/parallel.h>
 #include <burin/stroke/stroke.h>
 
 #include "placing.h"
@@ -7,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 
@@ -54,8 +56,8 @@ Work work_of(const Picture& picture, const Placing& placing, const ViewRaster& r
       if (!(ink >= picture.options.tone_min && ink > 0)) continue;
       work.area += cell_area;
       const Placing::Load load = placing.load(picture, ink);
-      work.length += cell_area * load.length;
-      work.strokes += cell_area * load.strokes;
+      work.length += cell_area * cell.denser * load.length;
+      work.strokes += cell_area * cell.denser * load.strokes;
     }
   }
   return work;
@@ -161,13 +163,101 @@ Curve3 to_curve(const TracedStroke& stroke, const Picture& picture, std::vector<
 }
 
 // Gives the cells, which have what the tone of each place asks for, what the whole picture makes of
-// it.
-void tone_cells(const Picture& picture, ViewRaster& raster) {
-  for (RasterCell& c : raster.cells) {
-    if (c.part < 0) continue;
+// it, and laws of that.
+void tone_cells(const Picture& picture, ViewRaster& raster, const RunContext& context) {
+  const auto cell = [&](RasterCell& c) {
+    const Surface& surface = picture.surface(c.part);
     const ProxyPoint at = c.place();
-    const Vec3 position = picture.surface(c.part).proxy().position(at.face, at.bary);
-    c.darkness = static_cast<float>(picture.toned(c.darkness, c.part, c.region, position));
+    const Vec3 position = surface.proxy().position(at.face, at.bary);
+    double ink = picture.toned(c.darkness, c.part, c.region, position);
+    if (picture.laws->shape_picture()) {
+      const SurfacePoint point = surface.lift(at);
+      const Frame frame = surface.frame(point);
+      const LawPlace place{c.part, point, frame, c.facing, ink};
+      ink = picture.laws->inked(place, surface, picture.field);
+      c.denser = static_cast<float>(picture.laws->denser(place, surface, picture.field));
+    }
+    c.darkness = static_cast<float>(ink);
+  };
+  constexpr std::size_t kGrain = 4096;
+  parallel_for(
+      raster.cells.size(), kGrain,
+      [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) {
+          if (raster.cells[i].part >= 0) cell(raster.cells[i]);
+        }
+      },
+      &context);
+}
+
+// Parts that have no u and v where their first triangle is.
+std::vector<std::int32_t> without_parameters(std::span<const Surface* const> surfaces) {
+  std::vector<std::int32_t> parts;
+  for (std::size_t i = 0; i < surfaces.size(); ++i) {
+    if (surfaces[i]->proxy().mesh.triangles.empty()) continue;
+    if (!surfaces[i]->parameters(surfaces[i]->lift({}))) {
+      parts.push_back(static_cast<std::int32_t>(i));
+    }
+  }
+  return parts;
+}
+
+// What the law of width makes of the widths of a stroke, which is the one of that number.
+void apply_width_law(const TracedStroke& stroke, std::size_t number, const Picture& picture,
+                     std::vector<double>& widths) {
+  constexpr double kMost = 10;
+  const Surface& surface = picture.surface(stroke.part);
+  const double random = Laws::random(picture.seed, stroke.part, stroke.family, kWidthLaw, number);
+  const double whole = stroke.length();
+  double along = 0;
+  for (std::size_t i = 0; i < widths.size(); ++i) {
+    const StrokeSample& s = stroke.samples[i];
+    if (i > 0) along += glm::length(s.paper - stroke.samples[i - 1].paper);
+    const Frame frame = surface.frame(s.point);
+    const LawPlace place{stroke.part,
+                         s.point,
+                         frame,
+                         s.facing,
+                         picture.share(s.darkness, stroke.family),
+                         random,
+                         whole > 0 ? std::min(1.0, along / whole) : 0};
+    widths[i] *= std::clamp(picture.laws->width.at(place, surface, picture.field, 1), 0.0, kMost);
+  }
+}
+
+// Whether the law of presence lets a stroke be drawn, by its middle.
+bool present(const TracedStroke& stroke, std::size_t number, const Picture& picture) {
+  const Surface& surface = picture.surface(stroke.part);
+  const StrokeSample& s = stroke.samples[stroke.samples.size() / 2];
+  const auto dice = [&](std::uint64_t law) {
+    return Laws::random(picture.seed, stroke.part, stroke.family, law, number);
+  };
+  constexpr std::uint64_t kOfFormula = 4;  // what `random` is in it
+  const Frame frame = surface.frame(s.point);
+  const LawPlace place{
+      stroke.part,     s.point, frame, s.facing, picture.share(s.darkness, stroke.family),
+      dice(kOfFormula)};
+  return dice(kPresenceLaw) < picture.laws->presence.at(place, surface, picture.field, 1);
+}
+
+// The strokes as curves, by their laws.
+void take_strokes(const Picture& picture, const std::vector<Family>& placed, Widths widths,
+                  const RunContext& context, std::vector<Curve3>& out) {
+  const Laws& laws = *picture.laws;
+  for (std::size_t f = 0; f < placed.size(); ++f) {
+    const std::vector<TracedStroke>& strokes = placed[f].strokes;
+    std::vector<std::uint8_t> drawn(strokes.size(), 1);
+    const auto apply = [&](std::size_t begin, std::size_t end) {
+      for (std::size_t s = begin; s < end; ++s) {
+        if (!laws.width.plain()) apply_width_law(strokes[s], s, picture, widths[f][s]);
+        drawn[s] = laws.presence.plain() || present(strokes[s], s, picture);
+      }
+    };
+    constexpr std::size_t kGrain = 64;
+    parallel_for(strokes.size(), kGrain, apply, &context);
+    for (std::size_t s = 0; s < strokes.size(); ++s) {
+      if (drawn[s]) out.push_back(to_curve(strokes[s], picture, std::move(widths[f][s])));
+    }
   }
 }
 
@@ -176,12 +266,15 @@ void tone_cells(const Picture& picture, ViewRaster& raster) {
 StrokeResult trace_strokes(std::span<const Surface* const> surfaces, const Camera& camera,
                            const Field& field, const Tone& tone, const ViewProbe& probe,
                            const HatchOptions& options, std::uint64_t seed, RunContext& context,
-                           const tone::ToneOptions& balance,
-                           const std::function<double(Vec3)>& fade) {
+                           const InkOptions& ink) {
   check(options);
   const Placing& placing = find_placing(options.placing);
+  const Laws laws(options, ink.keys);
   HatchOptions own = options;
   if (!follows_field(options)) own.cross_from = 2;  // dots do not cross
+  if (!ink.exponents.empty()) {
+    own.tone_min = Picture::shared(own.tone_min, *std::ranges::min_element(ink.exponents));
+  }
   Picture picture{.surfaces = surfaces,
                   .camera = camera,
                   .field = field,
@@ -193,10 +286,13 @@ StrokeResult trace_strokes(std::span<const Surface* const> surfaces, const Camer
                   .standing = placing.standing};
   context.begin_stage(RunStage::Cover);
   ViewRaster raster = make_raster(picture, context);
-  const ToneBalance balanced(picture, raster, balance);
+  const ToneBalance balanced(picture, raster, ink.balance);
   if (balanced.active()) picture.balance = &balanced;
-  if (fade) picture.fade = &fade;
-  if (picture.balance || picture.fade) tone_cells(picture, raster);
+  picture.shaping = &ink;
+  picture.laws = &laws;
+  if (picture.balance || ink.fade || !ink.exponents.empty() || laws.shape_picture()) {
+    tone_cells(picture, raster, context);
+  }
   check_work(picture, placing, raster);
   const Coverage coverage = placing.cover(picture, raster, context);
 
@@ -211,11 +307,8 @@ StrokeResult trace_strokes(std::span<const Surface* const> surfaces, const Camer
   result.coverage_delta = coverage.delta;
   result.thinned_parts = coverage.thinned_parts;
   result.tone_gamma = balanced.gamma();
-  for (std::size_t f = 0; f < placed.size(); ++f) {
-    for (std::size_t s = 0; s < placed[f].strokes.size(); ++s) {
-      result.strokes.push_back(to_curve(placed[f].strokes[s], picture, std::move(widths[f][s])));
-    }
-  }
+  if (laws.need_parameters()) result.unmapped = without_parameters(surfaces);
+  take_strokes(picture, placed, std::move(widths), context, result.strokes);
   context.end_stage();
   return result;
 }

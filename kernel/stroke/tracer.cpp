@@ -66,7 +66,7 @@ void look_at(const Picture& picture, std::int32_t part, const SurfacePoint& poin
   out.slope = Picture::slope(out.facing, camera.scale_at(point.position));
   out.face = place.face;
   out.region = surface.proxy().face_region[place.face];
-  out.darkness = picture.darkness(part, out.region, point.position, frame.normal, cosine);
+  out.darkness = picture.darkness(part, out.region, point, frame, cosine);
   out.front = cosine > 0;
   out.visible = out.front || !surface.proxy().closed(place.face);
 }

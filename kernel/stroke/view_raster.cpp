@@ -52,6 +52,7 @@ ViewRaster make_raster(const Picture& picture, const RunContext& context) {
                                         picture.camera.depth(p),
                                         static_cast<float>(ink),
                                         static_cast<float>(std::abs(cosine)),
+                                        1,
                                         hit->point.face,
                                         static_cast<float>(hit->point.bary.y),
                                         static_cast<float>(hit->point.bary.z)};

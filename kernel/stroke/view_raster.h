@@ -18,6 +18,7 @@ struct RasterCell {
   double depth = 0;
   float darkness = 0;
   float facing = 0;  // cosine between the normal turned to the viewer and the view
+  float denser = 1;  // by what factor strokes stand closer
   // Of the proxy: the triangle, and the barycentric coordinates of its second and third corner.
   std::uint32_t face = 0;
   float second = 0, third = 0;

@@ -57,7 +57,7 @@ std::optional<Look> look(const Picture& picture, const RasterCell& cell, int fam
   // One mm across the lines on the surface shows as so many on paper.
   const double gap = std::abs(cross2(along, across)) / speed / scale;
   const double turns = std::max(1.0, kLeastGap / std::max(gap, 1e-6)) /
-                       gap_at(picture, cell, family, glm::length(across) / scale);
+                       gap_at(picture, cell, family, glm::length(across) / scale) * cell.denser;
   const Vec2 unit = Vec2(-along.y, along.x) / speed;
   out.wave = turns * unit;
   out.ruled = ruled(frame.kind);

@@ -82,6 +82,10 @@ class CompositeSurface final : public Surface {
     const std::size_t i = piece_of(point.triangle);
     return pieces_[i]->frame(inner(point, i));
   }
+  std::optional<Vec2> parameters(const SurfacePoint& point) const override {
+    const std::size_t i = piece_of(point.triangle);
+    return pieces_[i]->parameters(inner(point, i));
+  }
   /// Loose faces beside exact ones are freeform faces of them.
   bool exact() const override {
     return std::ranges::any_of(pieces_, [](const auto& piece) { return piece->exact(); });

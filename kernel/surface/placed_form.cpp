@@ -78,6 +78,9 @@ class PlacedSurface final : public Surface {
     lifted.position = place_.to.point(lifted.position);
     return lifted;
   }
+  std::optional<Vec2> parameters(const SurfacePoint& point) const override {
+    return surface_->parameters(inside(point));
+  }
   bool exact() const override { return surface_->exact(); }
   Vec3 drawn_position(const SurfacePoint& point) const override {
     return place_.to.point(surface_->drawn_position(inside(point)));

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
+#include <numbers>
 #include <vector>
 
 namespace burin::tone {
@@ -18,6 +20,9 @@ struct Lamp {
   double share = 1;  // of the strength of all lamps
 
   Vec3 towards(Vec3 position) const { return at ? normalize_or(place - position, Vec3(0)) : place; }
+  double distance(Vec3 position) const {
+    return at ? glm::distance(place, position) : std::numeric_limits<double>::infinity();
+  }
 };
 
 /// The lights of the scene, or the one of the style.
@@ -61,16 +66,53 @@ Lighting lighting(const Camera& camera, const ToneOptions& options) {
   return all;
 }
 
+/// The share of a lamp's light that comes to a place.
+class Shadows {
+ public:
+  Shadows(const ToneOptions& options, const Blocked& blocked)
+      : depth_(blocked ? options.shadow : 0),
+        spread_(std::tan(0.5 * options.shadow_width * std::numbers::pi / 180)),
+        blocked_(blocked) {}
+
+  /// `lit`: the cosine to the lamp, over 0.
+  double share(const Lamp& lamp, Vec3 position, Vec3 normal, double lit) const {
+    // Where light only grazes there is little to be missed, and the triangles that stand for a
+    // round surface would throw shadows on each other.
+    constexpr double kGrazing = 0.02, kSquare = 0.2;
+    const double depth = depth_ * smoothstep(kGrazing, kSquare, lit);
+    if (depth <= 0) return 1;
+    const Vec3 towards = lamp.towards(position);
+    const double distance = lamp.distance(position);
+    if (spread_ <= 0) return blocked_(position, normal, towards, distance) ? 1 - depth : 1;
+    // Places of the lamp's disc on a spiral, each for the same area of it. @cite Vogel1979
+    constexpr int kRays = 16;
+    constexpr double kGolden = 2.399963229728653;  // radians
+    const Vec3 a = any_orthogonal(towards), b = glm::cross(towards, a);
+    int hidden = 0;
+    for (int i = 0; i < kRays; ++i) {
+      const double r = spread_ * std::sqrt((i + 0.5) / kRays), angle = kGolden * i;
+      const Vec3 ray = glm::normalize(towards + r * (std::cos(angle) * a + std::sin(angle) * b));
+      hidden += blocked_(position, normal, ray, distance);
+    }
+    return 1 - depth * hidden / kRays;
+  }
+
+ private:
+  double depth_, spread_;
+  Blocked blocked_;
+};
+
 // Each lamp is thrown back by what stands on its other side in the picture: from its direction
 // turned half a turn about that of the view, and only where the lamp itself does not reach.
-Tone lambert(const Camera& camera, const ToneOptions& options) {
-  return [all = lighting(camera, options)](Vec3 position, Vec3 normal) {
+Tone lambert(const Camera& camera, const ToneOptions& options, const Blocked& blocked) {
+  return [all = lighting(camera, options), shadows = Shadows(options, blocked)](Vec3 position,
+                                                                                Vec3 normal) {
     constexpr double kDusk = 0.3;  // cosine to the lamp up to which its light is seen thrown back
     double light = all.ambient;
     for (const Lamp& lamp : all.lamps) {
       const Vec3 towards = lamp.towards(position);
       const double lit = glm::dot(normal, towards);
-      light += lamp.strength * std::max(0.0, lit);
+      if (lit > 0) light += lamp.strength * lit * shadows.share(lamp, position, normal, lit);
       if (all.reflected <= 0 || lit >= kDusk) continue;
       const Vec3 back = 2 * glm::dot(towards, all.view) * all.view - towards;
       light += lamp.share * all.reflected * std::max(0.0, glm::dot(normal, back)) *
@@ -81,9 +123,9 @@ Tone lambert(const Camera& camera, const ToneOptions& options) {
 }
 
 /// Of several lights each adds its share of `specular`. @cite Phong1975
-Tone phong(const Camera& camera, const ToneOptions& options) {
-  return [camera, options, all = lighting(camera, options), matt = lambert(camera, options)](
-             Vec3 position, Vec3 normal) {
+Tone phong(const Camera& camera, const ToneOptions& options, const Blocked& blocked) {
+  return [camera, options, all = lighting(camera, options), shadows = Shadows(options, blocked),
+          matt = lambert(camera, options, blocked)](Vec3 position, Vec3 normal) {
     double light = matt(position, normal);
     const Vec3 to_viewer = camera.to_viewer(position);
     for (const Lamp& lamp : all.lamps) {
@@ -91,13 +133,15 @@ Tone phong(const Camera& camera, const ToneOptions& options) {
       const double lit = glm::dot(normal, towards);
       if (lit <= 0) continue;
       const double mirrored = glm::dot(2 * lit * normal - towards, to_viewer);
-      light += lamp.share * options.specular * std::pow(std::max(0.0, mirrored), options.shininess);
+      if (mirrored <= 0) continue;
+      light += lamp.share * options.specular * std::pow(mirrored, options.shininess) *
+               shadows.share(lamp, position, normal, lit);
     }
     return light;
   };
 }
 
-Tone facing(const Camera& camera, const ToneOptions& options) {
+Tone facing(const Camera& camera, const ToneOptions& options, const Blocked& /*blocked*/) {
   return [camera, options](Vec3 position, Vec3 normal) {
     return options.ambient +
            options.diffuse * std::max(0.0, glm::dot(normal, camera.to_viewer(position)));
@@ -105,14 +149,14 @@ Tone facing(const Camera& camera, const ToneOptions& options) {
 }
 
 /// @cite Elber1998
-Tone silhouette(const Camera& camera, const ToneOptions& options) {
+Tone silhouette(const Camera& camera, const ToneOptions& options, const Blocked& /*blocked*/) {
   return [camera, decay = options.decay](Vec3 position, Vec3 normal) {
     const double facing = std::abs(glm::dot(normal, camera.to_viewer(position)));
     return 1 - std::pow(std::max(0.0, 1 - facing), decay);
   };
 }
 
-Tone constant(const Camera& /*camera*/, const ToneOptions& options) {
+Tone constant(const Camera& /*camera*/, const ToneOptions& options, const Blocked& /*blocked*/) {
   return [lightness = options.ambient](Vec3 /*position*/, Vec3 /*normal*/) { return lightness; };
 }
 
@@ -134,9 +178,9 @@ std::span<const Law> catalogue() { return kLaws; }
 
 const Law& find(std::string_view name) { return find_row(catalogue(), name, "tone.law"); }
 
-Tone make(const Camera& camera, const ToneOptions& options) {
+Tone make(const Camera& camera, const ToneOptions& options, const Blocked& blocked) {
   return [camera, rim = options.rim, highlight = options.highlight, ink = options.ink,
-          law = find(options.law).make(camera, options)](Vec3 position, Vec3 normal) {
+          law = find(options.law).make(camera, options, blocked)](Vec3 position, Vec3 normal) {
     const double facing = std::clamp(glm::dot(normal, camera.to_viewer(position)), 0.0, 1.0);
     constexpr double kInked = 0.15;  // ink from which the rim has all of its own
     double light = law(position, normal) / highlight;

@@ -27,6 +27,11 @@ std::vector<OptionRow<ToneOptions>> rows() {
              "how narrow the mirrored light is (tone.law phong)"),
       number("decay", &ToneOptions::decay, {0.1, 100},
              "how fast the dark falls off from the silhouettes (tone.law silhouette)"),
+      number("shadow", &ToneOptions::shadow, {0, 1},
+             "how much of a light is missing in the shadow that something casts (tone.law lambert, "
+             "phong); 0 = no shadows"),
+      number("shadow_width", &ToneOptions::shadow_width, {0, 90, "degrees"},
+             "how wide a light is, in degrees: 0 casts shadows with sharp borders"),
       number("highlight", &ToneOptions::highlight, {0, 2},
              "lightness from which the paper stays white"),
       number("rim", &ToneOptions::rim, {0, 1},

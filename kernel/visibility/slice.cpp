@@ -32,6 +32,7 @@ class Slicer {
     out_.occluding = curve.occluding;
     out_.crease_sign = curve.crease_sign;
     out_.family = curve.family;
+    out_.stroke_kind = curve.stroke_kind;
   }
 
   void point(std::size_t segment, double t) {

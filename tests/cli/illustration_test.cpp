@@ -110,6 +110,36 @@ TEST_F(Illustrations, LooksAreForThePartsThatTheyName) {
   EXPECT_GT(strokes(1), 20U);
 }
 
+TEST_F(Illustrations, KindsOfStrokesAreSaidByListAndByKey) {
+  ASSERT_EQ(draw(R"x(, "parts": [
+    {"function": "sphere(7)", "name": "ball"},
+    {"function": "sphere(7)", "name": "other", "place": {"translate": [20, 0, 0]}}],
+    "paper": [120, 80], "style": {"base": "engraving", "strokes": [
+      {"width_law": "0.5"}, {"kind": "dots", "select": "other"}]})x"),
+            0)
+      << err_;
+  std::set<int> dotted;
+  const Json d = drawing();
+  for (const Json& layer : d["layers"]) {
+    for (const Json& path : layer["paths"]) {
+      if (path.value("stroke_kind", 1) == 2) dotted.insert(path["part"].get<int>());
+    }
+  }
+  EXPECT_EQ(dotted, std::set<int>{1});
+  ASSERT_EQ(draw(R"x(, "parts": [{"file": "box.off"}], "style": {
+    "strokes": [{}, {"plcing": "dots"}]})x"),
+            2);
+  EXPECT_NE(err_.find("strokes.2.placing"), std::string::npos) << err_;
+  // A first file of single keys draws what they draw.
+  const std::string keys =
+      " --set strokes.2.width_max=0.5 --set strokes.2.kind=dots --set strokes.2.select=box "
+      "--set hatch.width_law=0.5+t";
+  ASSERT_EQ(run("illustrate @/box.off -o @/first.burin.json" + keys), 0) << err_;
+  ASSERT_EQ(run("draw @/first.burin.json -o @/a.svg"), 0) << err_;
+  ASSERT_EQ(run("draw @/box.off -o @/b.svg" + keys), 0) << err_;
+  EXPECT_EQ(test::slurp(folder_ / "a.svg"), test::slurp(folder_ / "b.svg"));
+}
+
 TEST_F(Illustrations, PartsAreChosenOnTheCommandLine) {
   const auto parts_drawn = [&] {
     std::set<int> parts;

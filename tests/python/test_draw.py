@@ -233,6 +233,25 @@ class Styles(unittest.TestCase):
         self.assertEqual(rows["svg.flatten"]["words"], ["none", "polylines"])
         self.assertEqual(rows["tone.light"]["kind"], "direction")
 
+    def test_kinds_of_strokes(self):
+        kinds = {row["name"] for row in burin.catalogues()["stroke_kinds"]}
+        self.assertLessEqual({"hatching", "pencil", "dots", "silhouette"}, kinds)
+        style = burin.style({"base": "engraving", "strokes": [{"taper": 1}, {"kind": "dots"}]})
+        self.assertEqual((style["hatch.taper"], style["strokes"][1]["placing"]), (1, "dots"))
+        self.assertEqual(burin.style(style), style)
+        rows = {row["key"]: row for row in burin.style_keys(style)}
+        self.assertEqual(rows["strokes.2.placing"]["value"], "dots")
+        self.assertNotIn("strokes.2.placing", {row["key"] for row in burin.style_keys()})
+        # the order of a mapping does not matter: the kind goes first
+        drawing = burin.draw(mesh_scene(sphere), paper="A6", style="engraving",
+                             set={"strokes.2.width_max": 0.7, "strokes.2.kind": "dots", "hatch.taper": 1})
+        self.assertEqual({path.stroke_kind for layer in drawing.layers for path in layer.paths if path.kind == "stroke"},
+                         {1, 2})
+        self.assertIn("stroke-1-kind-2", [layer.name for layer in drawing.layers])
+        self.assertEqual(set(drawing.arrays()["stroke_kind"]), {1, 2})
+        with self.assertRaisesRegex(burin.UsageError, "'dots'"):
+            burin.draw(mesh_scene(), set={"strokes.2.kind": "dot"})
+
     @unittest.skipUnless(importlib.util.find_spec("jsonschema"), "python3-jsonschema is not installed")
     def test_schema_of_style_files(self):
         import jsonschema
@@ -372,7 +391,7 @@ class Result(unittest.TestCase):
     def test_flat_is_fast(self):
         # Not a time: how many Python objects are made does not depend on the number of paths.
         arrays = self.drawing.arrays()
-        self.assertEqual(len(arrays), 14)
+        self.assertEqual(len(arrays), 15)
 
 
 class FieldAndTone(unittest.TestCase):

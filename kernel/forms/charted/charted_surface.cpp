@@ -39,6 +39,10 @@ class ChartedSurface final : public Surface {
     return detail::March(atlas_, triangles_, lines_, length).run(from, tangent);
   }
   Frame frame(const SurfacePoint& point) const override;
+  std::optional<Vec2> parameters(const SurfacePoint& point) const override {
+    const ParameterBox domain = atlas_.atlas->chart(point.chart).domain();
+    return (Vec2(point.coords) - domain.min) / domain.size();
+  }
   bool exact() const override { return true; }
   const ProxyMesh& proxy() const override { return proxy_; }
   ProxyPoint to_proxy(const SurfacePoint& point) const override;

@@ -158,8 +158,32 @@ class Editing(support.Case):
                 elif row["kind"] == "word":
                     self.assertEqual([editor.itemData(k) for k in range(editor.count())], row["words"])
                     self.assertEqual(editor.currentData(), value)
-                else:
+                elif row["kind"] == "direction":
                     self.assertEqual([float(x) for x in editor.text().split(",")], list(value))
+                else:
+                    self.assertEqual(editor.text(), value)
+        support.panel().reject()
+
+    def test_strokes_of_another_kind_are_added_and_changed(self):
+        from freecad.burin_wb import kernel
+
+        Gui.runCommand("Burin_Style")
+        kinds = child(QtGui.QComboBox, "add-strokes")
+        self.assertEqual([kinds.itemData(k) for k in range(1, kinds.count())],
+                         [row["name"] for row in kernel.module().catalogues()["stroke_kinds"]])
+        kinds.setCurrentIndex(kinds.findData("dots"))
+        self.drawn()
+        self.assertEqual(dict(self.obj.StyleKeys), {"strokes.2.kind": "dots"})
+        self.assertEqual(child(QtGui.QComboBox, "strokes.2.placing").currentData(), "dots")
+        child(QtGui.QDoubleSpinBox, "strokes.2.width_max").setValue(0.7)
+        self.drawn()
+        self.assertEqual(dict(self.obj.StyleKeys), {"strokes.2.kind": "dots", "strokes.2.width_max": "0.7"})
+        self.assertEqual({p.get("stroke_kind") for _, p in self._paths() if p["kind"] == "stroke"}, {None, 2})
+        support.screenshot("style-kinds")
+        child(QtGui.QPushButton, "reset").click()
+        self.drawn()
+        self.assertEqual(dict(self.obj.StyleKeys), {})
+        self.assertNotIn("strokes.2.placing", support.panel().editors)
         support.panel().reject()
 
     def test_words_and_ranges_are_the_kernels(self):

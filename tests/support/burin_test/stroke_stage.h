@@ -43,7 +43,8 @@ struct StrokeStage {
   }
   StrokeResult strokes(const Field& field, const Tone& tone, const HatchOptions& options,
                        std::uint64_t seed = 1, const tone::ToneOptions& balance = {}) {
-    return trace_strokes(surfaces, camera, field, tone, probe, options, seed, context, balance);
+    return trace_strokes(surfaces, camera, field, tone, probe, options, seed, context,
+                         {.balance = balance});
   }
 
   RunContext context;

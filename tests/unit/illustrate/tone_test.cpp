@@ -183,6 +183,18 @@ TEST(Tone, OfEachStyleIsWhatTheLightAsks) {
   }
 }
 
+TEST(Tone, InkOfTwoKindsOfStrokesTogetherIsWhatTheLightAsks) {
+  Style style = builtin_style("engraving");
+  set_style_key(style, "strokes.2.kind", "dots");
+  for (const char* share : {"0.5", "1"}) {
+    set_style_key(style, "strokes.2.share", share);
+    const ToneReport report = measure(scene_of(test::torus(30, 12, 160, 80)), "iso", style);
+    EXPECT_GT(report.cells, 2000u);
+    EXPECT_LE(report.mean_error, 0.05) << share;
+    ::testing::Test::RecordProperty(share, std::to_string(report.mean_error));
+  }
+}
+
 TEST(Tone, InkOfDotsOnATorusIsWhatTheLightAsks) {
   expect_tone(scene_of(test::torus(30, 12, 160, 80)), "iso", "dots");
 }

@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <functional>
 #include <map>
 #include <set>
@@ -38,7 +39,7 @@ TEST(Style, EveryMemberHasOneKey) {
     EXPECT_FALSE(key.value.empty());
   }
   EXPECT_EQ(names.size(), keys.size());
-  EXPECT_EQ(keys.size(), 9u + 7u + 21u + 6u + 15u + 3u + 1u + 2u + 1u + 1u);
+  EXPECT_EQ(keys.size(), 9u + 7u + 28u + 6u + 17u + 3u + 1u + 2u + 1u + 1u);
 }
 
 TEST(Style, KeysTakeTheirOwnValues) {
@@ -183,6 +184,85 @@ TEST(StyleFile, ErrorsNameFileAndLine) {
   EXPECT_TRUE(message("{\"name\": 3}").starts_with("my.json:1: style key 'name'"));
   EXPECT_TRUE(
       message("{\"hatch.width_min\": 5}").starts_with("my.json: style key 'hatch.width_min'"));
+}
+
+TEST(StyleFile, ReadsKindsOfStrokes) {
+  const Style s = parse_style(R"({
+    "base": "engraving", "strokes": [
+      {"field": "isoparametric", "tone": {"ambient": 0.2}},
+      {"kind": "dots", "select": "a;b", "share": 2},
+      {"field": "principal", "tone.law": "silhouette"}],
+    "strokes.2.width_max": 0.5, "hatch.taper": 1.5, "strokes.4.kind": "pencil"
+  })",
+                              "kinds.json");
+  EXPECT_EQ(s.hatch.field.name, "isoparametric");
+  EXPECT_EQ(s.tone.ambient, 0.2);
+  ASSERT_EQ(stroke_kind_count(s), 4u);
+  const HatchStyle& dots = hatch_of(s, 2);
+  EXPECT_EQ(dots.placing, "dots");
+  EXPECT_EQ(dots.select, "a;b");
+  EXPECT_EQ(dots.share, 2);
+  EXPECT_EQ(dots.width_max, 0.5);
+  EXPECT_EQ(dots.taper, 1.5);  // from the first
+  EXPECT_EQ(tone_of(s, 2), s.tone);
+  const HatchStyle& third = hatch_of(s, 3);
+  EXPECT_EQ(third.placing, "even");  // of the first, not of the one before
+  EXPECT_EQ(third.select, "*");
+  EXPECT_EQ(third.field.name, "principal");
+  EXPECT_EQ(tone_of(s, 3).law, "silhouette");
+  EXPECT_EQ(hatch_of(s, 4).placing, "discs");
+  const Style back = parse_style(style_to_json(s), "back.json");
+  EXPECT_TRUE(back == s);
+}
+
+TEST(Style, KeysOfTheNextKindMakeIt) {
+  Style s = builtin_style("outline");
+  set_style_key(s, "strokes.2.placing", "dots");
+  ASSERT_EQ(stroke_kind_count(s), 2u);
+  EXPECT_FALSE(hatch_of(s, 1).enabled);
+  EXPECT_TRUE(hatch_of(s, 2).enabled);
+  EXPECT_TRUE(has_strokes(s));
+  set_style_key(s, "strokes.1.taper", "7");
+  EXPECT_EQ(s.hatch.taper, 7);
+  const auto keys = style_keys(s);
+  const auto key = std::ranges::find(keys, "strokes.2.placing", &StyleKey::name);
+  ASSERT_NE(key, keys.end());
+  EXPECT_EQ(key->value, "dots");
+  EXPECT_EQ(
+      parse_style(R"({"base": "outline", "strokes": [{}, {"placing": "dots"}]})", "f").strokes, [] {
+        Style other = builtin_style("outline");
+        set_style_key(other, "strokes.2.placing", "dots");
+        return other.strokes;
+      }());
+}
+
+TEST(Style, RefusesKindsOfStrokesInOneLine) {
+  const auto set = [](const char* key, const char* value) {
+    return usage_message([&] {
+      Style s;
+      set_style_key(s, key, value);
+    });
+  };
+  EXPECT_TRUE(contains(set("strokes.3.placing", "dots"), "the next is number 2"));
+  EXPECT_TRUE(contains(set("strokes.2.plcing", "dots"), "'strokes.2.placing'"));
+  EXPECT_TRUE(contains(set("strokes.2.width_max", "11"), "'strokes.2.width_max' takes 0.01 to 10"));
+  EXPECT_TRUE(contains(set("strokes.2.kind", "dot"), "'dots'"));
+  EXPECT_TRUE(contains(set("strokes.0.kind", "dots"), "strokes.1.placing"));
+  EXPECT_TRUE(contains(set("strokes.12.kind", "dots"), "strokes.1.placing"));
+  EXPECT_TRUE(contains(set("strokes.2", "dots"), "strokes.1.placing"));
+  Style s;
+  set_style_key(s, "strokes.2.width_min", "5");
+  EXPECT_TRUE(contains(usage_message([&] { check_style(s); }),
+                       "'strokes.2.width_min' (5) is more than 'strokes.2.width_max'"));
+  const auto message = [](const char* text) {
+    return usage_message([&] { parse_style(text, "my.json"); });
+  };
+  EXPECT_TRUE(message("{\n\"strokes\": 3}").starts_with("my.json:2: style key 'strokes' takes"));
+  EXPECT_TRUE(message("{\"strokes\": [\n{},\n4]}").starts_with("my.json:3: a stroke kind is"));
+  EXPECT_TRUE(message("{\"strokes\": [\n{\n\"tone\": {\"lw\": 1}}]}")
+                  .starts_with("my.json:3: unknown style key 'strokes.1.tone.lw'"));
+  EXPECT_TRUE(message("{\"strokes\": [{},{},{},{},{},{},{},{},{},{}]}")
+                  .starts_with("my.json:1: a style has at most 9"));
 }
 
 TEST(Nearest, CountsEdits) {

@@ -11,10 +11,20 @@ from . import widgets
 from .panel import Panel
 
 
-def keys():
-    """Rows of the keys that change what is drawn, not how a format writes it."""
+def keys(style="technical"):
+    """Rows of the keys that change what is drawn, not how a format writes it; those of a style's kinds of strokes too.
+    Throws burin.Error where there is no such style."""
     burin = kernel.module()
-    return [row for row in burin.style_keys() if row["key"].partition(".")[0] not in burin.formats()]
+    return [row for row in burin.style_keys(style) if row["key"].partition(".")[0] not in burin.formats()]
+
+
+def parted(key):
+    """The heading and the name of a key: "strokes.2", "taper"."""
+    head, _, name = key.partition(".")
+    if head != "strokes":
+        return head, name
+    number, _, name = name.partition(".")
+    return f"{head}.{number}", name
 
 
 def text_of(value, words=("false", "true")):
@@ -56,6 +66,12 @@ class StylePanel(Panel):
         self.filter.setClearButtonEnabled(True)
         self.filter.textChanged.connect(lambda words: self._filter(words))
         self.column.addWidget(self.filter)
+        kinds = {row["name"]: row["meaning"] for row in kernel.module().catalogues()["stroke_kinds"]}
+        self.kinds = widgets.choice(["", *kinds], "", tr("Draws strokes of another kind over those that there are"),
+                                    self._add_strokes, "add-strokes", [tr("Add strokes…"), *kinds])
+        for k, meaning in enumerate(kinds.values()):
+            self.kinds.setItemData(k + 1, meaning, QtCore.Qt.ToolTipRole)
+        self.column.addWidget(self.kinds)
         self.tree = QtGui.QTreeWidget()
         self.tree.setObjectName("keys")
         self.tree.setColumnCount(2)
@@ -72,14 +88,14 @@ class StylePanel(Panel):
         """All keys with an editor each. Throws errors.KernelMissing."""
         self.tree.clear()
         self.editors, self.items, heads = {}, {}, {}
-        rows = keys()
-        self.values = self._values_of_base(rows)
         changed = dict(self.obj.StyleKeys)
+        rows = self._rows(changed)
         for row in rows:
-            head, _, name = row["key"].partition(".")
+            head, name = parted(row["key"])
             if head not in heads:
-                heads[head] = QtGui.QTreeWidgetItem(self.tree, [tr(head)])
-                heads[head].setExpanded(head in ("line", "hatch"))
+                group, _, number = head.partition(".")
+                heads[head] = QtGui.QTreeWidgetItem(self.tree, [f"{tr(group)} {number}".strip()])
+                heads[head].setExpanded(group in ("line", "hatch", "strokes"))
                 heads[head].setFirstColumnSpanned(True)
             item = QtGui.QTreeWidgetItem(heads[head], [name.replace("_", " ")])
             tip = f"{row['key']}: {row['meaning']} ({row['takes']})"
@@ -90,13 +106,29 @@ class StylePanel(Panel):
             self.editors[row["key"]], self.items[row["key"]] = editor, item
             self._mark(row["key"])
 
-    def _values_of_base(self, rows):
+    def _rows(self, changed):
+        """The keys of the style with its kinds of strokes and those that were added; `values` gets what they have
+        without the changes."""
+        burin = kernel.module()
+        added = {key: value for key, value in changed.items() if key.startswith("strokes.") and key.endswith(".kind")}
         try:
-            values = kernel.module().style(self.obj.Style)
-            return {row["key"]: text_of(values[row["key"]], row.get("words")) for row in rows}
-        except kernel.module().Error as error:
+            values = burin.style(self.obj.Style)
+            rows = keys({**values, **added})
+        except burin.Error as error:
             QtCore.QTimer.singleShot(0, lambda text=str(error): self.message.setText(text))
-            return {}
+            self.values = {}
+            return keys()
+        self.values = {row["key"]: text_of(values[row["key"]], row.get("words")) if row["key"] in values else row["value"]
+                       for row in rows}
+        return rows
+
+    def _add_strokes(self, kind):
+        if not kind:
+            return
+        numbers = {parted(key)[0] for key in self.editors if key.startswith("strokes.")}
+        self.change("StyleKeys", {**dict(self.obj.StyleKeys), f"strokes.{len(numbers) + 2}.kind": kind})
+        self.kinds.setCurrentIndex(0)
+        self._fill_keys()
 
     def _editor(self, row, value, tip):
         key, kind = row["key"], row["kind"]

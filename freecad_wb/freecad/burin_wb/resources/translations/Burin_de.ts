@@ -12,6 +12,10 @@
       <translation>Ein eingebauter Stil oder eine Stildatei</translation>
     </message>
     <message>
+      <source>Add strokes…</source>
+      <translation>Striche hinzufügen …</translation>
+    </message>
+    <message>
       <source>Back</source>
       <translation>Hinten</translation>
     </message>
@@ -34,6 +38,10 @@
     <message>
       <source>Dimetric</source>
       <translation>Dimetrisch</translation>
+    </message>
+    <message>
+      <source>Draws strokes of another kind over those that there are</source>
+      <translation>Zeichnet Striche einer anderen Art über die vorhandenen</translation>
     </message>
     <message>
       <source>Draws the illustration as the 3-D view shows the model now, in perspective too</source>
@@ -438,6 +446,10 @@
     <message>
       <source>stopping</source>
       <translation>wird angehalten</translation>
+    </message>
+    <message>
+      <source>strokes</source>
+      <translation>Striche</translation>
     </message>
     <message>
       <source>the selection has no visible shape</source>

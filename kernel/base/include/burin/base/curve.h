@@ -65,6 +65,8 @@ struct Curve3 {
   int crease_sign = 0;
   /// Strokes: 1 or 2, the family of the direction field.
   int family = 0;
+  /// Strokes: which kind of strokes of the style, from 1.
+  int stroke_kind = 1;
 
   std::size_t segment_count() const { return closed ? points.size() : points.size() - 1; }
   std::size_t next(std::size_t i) const { return i + 1 == points.size() ? 0 : i + 1; }

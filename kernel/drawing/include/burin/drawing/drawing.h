@@ -37,6 +37,8 @@ struct Path {
   /// Strokes: the direction field and the family (1 or 2) in it.
   std::string field;
   int family = 0;
+  /// Strokes: which kind of strokes of the style, from 1.
+  int stroke_kind = 1;
 };
 
 /// What a piece of a path, or a path made of several, begins as: an open path without points or

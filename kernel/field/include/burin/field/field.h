@@ -39,6 +39,9 @@ struct Cross {
   /// Where one of the families runs along the level lines of a function: that function, by which
   /// strokes are held on their lines.
   std::optional<Level> level{};
+  /// Sine of the angle between the normal and the direction that the field is the tangent part of;
+  /// 1 where it is of none.
+  double lean = 1;
 };
 
 /// The arm of a family, 1 or 2.

@@ -31,9 +31,23 @@ struct LineOptions {
 /// The strokes that carry the tone, and what they follow.
 struct HatchStyle : HatchOptions {
   bool enabled = true;
+  /// Selectors of the parts that have these strokes (burin/assembly/select.h), with ";" between
+  /// them; "*": all.
+  std::string select = "*";
+  /// How much of the ink these strokes carry where other strokes of the same tone lie over them,
+  /// relative to theirs: 1 - (1 - ink)^(share / sum of shares), so that all together give the tone.
+  double share = 1;
   field::FieldOptions field{};
 
   bool operator==(const HatchStyle&) const = default;
+};
+
+/// Strokes over those of `Style::hatch`, with a tone of their own.
+struct StrokeKind {
+  HatchStyle hatch{};
+  tone::ToneOptions tone{};
+
+  bool operator==(const StrokeKind&) const = default;
 };
 
 struct HaloStyle {
@@ -79,6 +93,9 @@ struct Style {
   FeatureOptions feature{};
   HatchStyle hatch{};
   tone::ToneOptions tone{};
+  /// Drawn over `hatch`, the first kind of strokes, in this order; at most `kMostStrokeKinds` with
+  /// it. Keys: "strokes.2.spacing_min", "strokes.2.tone.law" and so on, from 2.
+  std::vector<StrokeKind> strokes{};
   HaloStyle halo{};
   DepthOptions depth{};
   SheetStyle sheet{};
@@ -90,6 +107,22 @@ struct Style {
   bool operator==(const Style&) const = default;
 };
 
+/// Kinds of strokes that a style may have: one digit in the names of their keys.
+constexpr std::size_t kMostStrokeKinds = 9;
+
+/// A kind of strokes of a style by number, from 1: that is `hatch` with `tone`.
+std::size_t stroke_kind_count(const Style& style);
+const HatchStyle& hatch_of(const Style& style, std::size_t number);
+const tone::ToneOptions& tone_of(const Style& style, std::size_t number);
+/// Calls a function with the tone of each kind, to change it.
+template <class F>
+void for_each_tone(Style& style, F&& change) {
+  change(style.tone);
+  for (StrokeKind& kind : style.strokes) change(kind.tone);
+}
+/// Whether any kind is drawn.
+bool has_strokes(const Style& style);
+
 /// Names and one-line descriptions of the built-in styles: outline, technical, engraving, pencil,
 /// stipple, woodcut, patent, plotter, haloed, wireframe.
 struct StyleInfo {
@@ -98,13 +131,18 @@ struct StyleInfo {
 };
 std::vector<StyleInfo> builtin_styles();
 
+/// The kinds of strokes that an entry of "strokes" may begin as ("kind"), each with what it is.
+std::vector<StyleInfo> stroke_kinds();
+
 /// A built-in style by name. Throws UsageError that names the nearest one and lists all.
 Style builtin_style(std::string_view name);
 
 /// Reads a style from JSON text: {"base": "engraving", "line.outer": 0.5, "hatch": {"spacing_min":
 /// 0.4}}. What it does not set comes from "base" (technical); without "name" it has that of the
-/// file. Comments are allowed. `source` names it in errors. Throws InputError on broken JSON (with
-/// its line), UsageError ("FILE:LINE: ...") on unknown keys or values out of range.
+/// file. "strokes" is a list of stroke kinds, the first of which changes "hatch"; the others begin
+/// as "hatch" and "tone" are, for all parts, and as their "kind" is. Comments are allowed. `source`
+/// names it in errors. Throws InputError on broken JSON (with its line), UsageError ("FILE:LINE:
+/// ...") on unknown keys or values out of range.
 Style parse_style(std::string_view json, const std::string& source);
 /// The same, with what neither the text nor its "base" sets from `start`.
 Style parse_style(std::string_view json, const std::string& source, const Style& start);
@@ -113,17 +151,24 @@ Style parse_style(std::string_view json, const std::string& source, const Style&
 std::string style_to_json(const Style& style);
 
 /// Sets one dotted key from text: a number, "true" or "false", a word of a list, or a vector
-/// "x,y,z". Throws UsageError that names the nearest known key, or what the key takes.
+/// "x,y,z". A key of the stroke kind after the last, "strokes.2.placing", makes that;
+/// "strokes.2.kind" changes it to a row of `stroke_kinds`. Throws UsageError that names the nearest
+/// known key, or what the key takes.
 void set_style_key(Style& style, std::string_view key, std::string_view text);
 
 /// Tests what is not known of a style that no text made: that each member is something that its key
 /// takes; and what no single key can: that each "_min" is at most its "_max". Throws UsageError.
 void check_style(const Style& style);
 
+/// Sorts keys as they are to be set one after the other: kinds of strokes begin as `hatch` is once
+/// it has all its values. 0 before 1 before 2.
+int setting_rank(std::string_view key);
+
 /// A key with what it means and takes, and its value in a style as text.
 struct StyleKey : Option {
   std::string value;
 };
+/// All keys, those of the stroke kinds that the style has among them.
 std::vector<StyleKey> style_keys(const Style& style);
 
 /// The JSON Schema (draft 2020-12) of style files, for editors and programs.

@@ -77,6 +77,15 @@ OptionRow<T> word(const std::string& name, std::string T::*member,
           }};
 }
 
+/// Free text; `phrase` says what it takes.
+template <class T>
+OptionRow<T> text(const std::string& name, std::string T::*member, const std::string& meaning,
+                  const std::string& phrase) {
+  return {{name, meaning, FreeText{}, phrase},
+          [member](const T& s) { return OptionValue(s.*member); },
+          [member](T& s, const OptionValue& v) { s.*member = std::get<std::string>(v); }};
+}
+
 /// Appends the rows of a member (or of a base of it), each name after `group`.
 template <class S, class M, class T>
 requires std::derived_from<M, T>

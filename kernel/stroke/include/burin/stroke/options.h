@@ -31,6 +31,16 @@ struct HatchOptions {
   /// About how long the stroke on a point is (a third more or less, by chance), where strokes stand
   /// on points.
   double length = 4;
+  /// Formulas (burin/expression/formula.h) over x y z (model mm), nx ny nz (the normal), u v (0 to
+  /// 1 over the chart), facing (cosine to the viewer), lean (sine of the angle between the
+  /// direction of the field and the normal), ink. What strokes cover of the paper, by what the tone
+  /// asks for:
+  std::string ink_law = "ink";
+  /// ... and by what factor they stand closer, none where it is 0 or less;
+  std::string density_law = "1";
+  /// ... which also know `random`, of the stroke in [0,1), and t, along it from 0 to 1: factors of
+  /// widths; of lengths of strokes on points and the chance that a stroke is drawn (no t).
+  std::string width_law = "1", length_law = "1", presence_law = "1";
   /// Length over which a stroke's end thins out.
   double taper = 2.5;
   /// 0: equal spacing on paper whatever the slant of the surface; 1: equal spacing on the surface.
@@ -42,6 +52,9 @@ struct HatchOptions {
 /// Whether strokes have a direction: dots have none, and ask no field. Throws UsageError where no
 /// way to place strokes has that name.
 bool follows_field(const HatchOptions& options);
+
+/// Throws UsageError where a law is no formula; `group` is what its key begins with ("hatch.").
+void check_laws(const HatchOptions& options, const std::string& group);
 
 /// Names without a group: "spacing_min" ...
 const std::vector<OptionRow<HatchOptions>>& hatch_option_rows();

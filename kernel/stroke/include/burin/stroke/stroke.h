@@ -13,6 +13,7 @@
 #include <functional>
 #include <optional>
 #include <span>
+#include <string>
 #include <vector>
 
 namespace burin {
@@ -29,6 +30,21 @@ struct ViewHit {
 };
 using ViewProbe = std::function<std::optional<ViewHit>(Vec2 paper)>;
 
+/// What is made of the ink that the tone asks for.
+struct InkOptions {
+  /// Its median, contrast and gradient say how the ink of the whole picture is changed.
+  tone::ToneOptions balance{};
+  /// Of that each place keeps this share; empty: all of it.
+  std::function<double(Vec3)> fade{};
+  /// One a part: of the paper that the ink leaves bare, these strokes leave its power; empty: 1.
+  /// Strokes of several kinds whose exponents add up to 1 have the tone together.
+  std::vector<double> exponents{};
+  /// With exponents: no strokes where the ink of all kinds together is less.
+  double tone_min = 0;
+  /// What the keys of these strokes begin with, for errors.
+  std::string keys = "hatch.";
+};
+
 struct StrokeResult {
   /// Kind Stroke, with widths, normals, faces, family; not yet cut by visibility.
   std::vector<Curve3> strokes;
@@ -38,21 +54,20 @@ struct StrokeResult {
   /// Number of parts that have so many layers of surface over each other that fewer seeds were
   /// tried than their area needs.
   std::int64_t thinned_parts = 0;
+  /// Parts without u and v that laws of these strokes look at.
+  std::vector<std::int32_t> unmapped{};
   /// The exponent of all ink that brought its median where the balance wants it.
   double tone_gamma = 1;
 };
 
 /// Places and traces the strokes of all parts and finds their widths. `probe` says what is visible
-/// at a point of the paper; chance follows `seed`; `balance` says by its
-/// median, contrast and gradient how the ink of the whole picture is changed; of that each
-/// place keeps the share `fade`, if given. Stages "cover" and
+/// at a point of the paper; chance follows `seed`. Stages "cover" and
 /// "trace" are timed on `context`. Throws UsageError for options that contradict each other and
 /// where the strokes would be longer than 1.6 km, Cancelled. Cost: kernel/docs/performance.md.
 /// @cite Elber1998, Knoeppel2015
 StrokeResult trace_strokes(std::span<const Surface* const> surfaces, const Camera& camera,
                            const Field& field, const Tone& tone, const ViewProbe& probe,
                            const HatchOptions& options, std::uint64_t seed, RunContext& context,
-                           const tone::ToneOptions& balance = {},
-                           const std::function<double(Vec3)>& fade = {});
+                           const InkOptions& ink = {});
 
 }  // namespace burin

@@ -10,6 +10,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -114,6 +115,10 @@ class Surface {
   /// proxy.
   virtual ProxyPoint to_proxy(const SurfacePoint& point) const = 0;
   virtual SurfacePoint lift(const ProxyPoint& point) const = 0;
+  /// u and v of a point, from 0 to 1 over its chart; nothing where the form has no parameters.
+  virtual std::optional<Vec2> parameters(const SurfacePoint& /*point*/) const {
+    return std::nullopt;
+  }
   /// Whether frames come from the equations of faces that the proxy names (`source_face`); else
   /// they are estimates, or nothing is known of faces.
   virtual bool exact() const { return false; }

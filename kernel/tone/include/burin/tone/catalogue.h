@@ -14,8 +14,8 @@ struct Law {
   std::string_view meaning;
   /// Whether it looks at `ToneOptions::light`.
   bool uses_light = false;
-  /// The reflectance before rim and highlight; it may leave [0,1].
-  Tone (*make)(const Camera& camera, const ToneOptions& options);
+  /// The reflectance before rim and highlight; it may leave [0,1]. `blocked` may be empty.
+  Tone (*make)(const Camera& camera, const ToneOptions& options, const Blocked& blocked);
 };
 
 /// From the model to the light in model space, as long as it was given.

@@ -41,6 +41,11 @@ struct ToneOptions {
   double shininess = 20;
   /// The law "silhouette": how fast the dark falls off from the silhouettes (an exponent).
   double decay = 3;
+  /// How much of a light is missing where something stands between it and the surface, and the
+  /// degrees about its direction that the light itself is wide: shadows of the laws "lambert" and
+  /// "phong".
+  double shadow = 0;
+  double shadow_width = 0;
   /// What is this light, or lighter, is white paper; tones below are stretched to meet it.
   double highlight = 0.7;
   /// Darkness added where the surface turns away from the viewer, as engravers round a form; 0 =

@@ -15,9 +15,15 @@ using Tone = std::function<double(Vec3 position, Vec3 normal)>;
 
 namespace tone {
 
+/// Whether something stands between a point of a surface with its normal and a light: in a unit
+/// direction, `distance` model mm away (infinite: of a light that is far). From many threads.
+using Blocked = std::function<bool(Vec3 position, Vec3 normal, Vec3 towards, double distance)>;
+
 /// By the law of the options, darker at the rim; what is as light as their highlight is white.
-/// Costs some ten nanoseconds a place. Throws UsageError where there is no such law.
-Tone make(const Camera& camera, const ToneOptions& options);
+/// Costs some ten nanoseconds a place. Shadows, where the options want them, are those of
+/// `blocked`, which is asked once a light and place, for wide lights 16 times. Throws UsageError
+/// where there is no such law.
+Tone make(const Camera& camera, const ToneOptions& options, const Blocked& blocked = {});
 
 }  // namespace tone
 }  // namespace burin

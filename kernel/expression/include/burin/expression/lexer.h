@@ -1,11 +1,11 @@
 #pragma once
-// Words, numbers and signs of a .implicit text, with their places.
+/// Words, numbers and signs of a formula, with their places.
 
 #include <cstdint>
 #include <string>
 #include <string_view>
 
-namespace burin::implicit_text {
+namespace burin::expression {
 
 struct Place {
   std::int64_t line = 1, column = 1;
@@ -39,4 +39,4 @@ class Lexer {
   Place place_;
 };
 
-}  // namespace burin::implicit_text
+}  // namespace burin::expression

@@ -1,15 +1,13 @@
-#include "lexer.h"
-
+#include <burin/base/ascii.h>
 #include <burin/base/error.h>
-
-#include "text.h"
+#include <burin/expression/lexer.h>
 
 #include <fmt/format.h>
 
 #include <charconv>
 #include <cmath>
 
-namespace burin::implicit_text {
+namespace burin::expression {
 namespace {
 
 bool begins_name(char c) { return is_letter(c) || c == '_'; }
@@ -80,4 +78,4 @@ Token Lexer::next() {
   return token;
 }
 
-}  // namespace burin::implicit_text
+}  // namespace burin::expression

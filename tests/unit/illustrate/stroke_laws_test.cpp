@@ -1,0 +1,291 @@
+// Laws of strokes that are formulas: each against what the formula says.
+#include <burin/base/error.h>
+#include <burin/forms/charted/nurbs.h>
+#include <burin/forms/mesh/mesh_form.h>
+#include <burin/forms/patches/parametric_form.h>
+#include <burin/illustrate/illustrate.h>
+
+#include "burin_test/horn.h"
+#include "burin_test/ink.h"
+#include "burin_test/shapes.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <string>
+
+namespace burin {
+namespace {
+
+Scene ball() {
+  Scene scene;
+  scene.parts.push_back(
+      {"ball", "ball", std::make_shared<MeshForm>(test::ellipsoid({10, 10, 10}, 96, 48))});
+  return scene;
+}
+
+// Even ink by strokes along z.
+Style style_of(const char* placing) {
+  Style style = builtin_style("engraving");
+  style.hatch.placing = placing;
+  style.hatch.cross_from = 2;
+  style.hatch.field.name = "fixed";
+  style.tone = {.law = "constant", .ambient = 0.7, .highlight = 1, .rim = 0};
+  style.hatch.tone_min = 0.02;
+  style.hatch.length_min = 0.5;
+  style.hatch.taper = 0;
+  style.hatch.width_max = 0.4;
+  return style;
+}
+
+Drawing draw(const Scene& scene, const Style& style, const char* view = "front",
+             std::uint64_t seed = 1) {
+  RunContext context;
+  const NamedView v = named_view(view);
+  const Camera camera = Camera::fit([&](const Mat3& axes) { return scene.bounds(axes); },
+                                    {.direction = v.direction, .up = v.up, .paper = {90, 90}});
+  return illustrate(scene, camera, style, {.seed = seed}, context);
+}
+
+std::vector<Path> strokes_of(const Drawing& drawing) {
+  std::vector<Path> strokes;
+  for (const Layer& layer : drawing.layers) {
+    for (const Path& path : layer.paths) {
+      if (path.kind == LineClass::Stroke) strokes.push_back(path);
+    }
+  }
+  return strokes;
+}
+
+double length_of(const Path& path) {
+  double sum = 0;
+  for (std::size_t i = 1; i < path.points.size(); ++i) {
+    sum += glm::length(path.points[i] - path.points[i - 1]);
+  }
+  return sum;
+}
+
+TEST(StrokeLaws, AMaskKeepsStrokesWhereItIsPositive) {
+  for (const char* placing : {"even", "points", "discs", "dots"}) {
+    SCOPED_TRACE(placing);
+    Style style = style_of(placing);
+    const std::size_t whole = strokes_of(draw(ball(), style)).size();
+    for (const char* key : {"hatch.density_law", "hatch.ink_law"}) {
+      Style masked = style;
+      set_style_key(masked, key, key[6] == 'd' ? "step(x - 2)" : "ink * step(x - 2)");
+      const Drawing drawing = draw(ball(), masked);
+      const auto strokes = strokes_of(drawing);
+      EXPECT_GT(strokes.size(), whole / 5);
+      EXPECT_LT(strokes.size(), whole / 2);
+      for (const Path& path : strokes) {
+        // A step of the tracer, 0.4 mm of paper, is as exact as an end is.
+        for (const Vec3& p : path.points3) EXPECT_GT(p.x, 2 - 0.5 / drawing.view.scale);
+      }
+    }
+  }
+}
+
+// Mean ink in the middle of the ball.
+double ink_of(const Drawing& drawing) {
+  test::Sheet sheet(90, 90, 0.05);
+  for (const Path& path : strokes_of(drawing)) sheet.paint(path);
+  const std::vector<float> shares = sheet.shares(20);  // 1 mm
+  const int nx = sheet.nx() / 20;
+  double sum = 0;
+  int count = 0;
+  for (int y = 35; y < 55; ++y) {
+    for (int x = 35; x < 55; ++x, ++count) sum += shares[static_cast<std::size_t>(y * nx + x)];
+  }
+  return sum / count;
+}
+
+TEST(StrokeLaws, TheInkIsWhatItsLawSays) {
+  for (const char* placing : {"even", "discs", "dots"}) {
+    Style style = style_of(placing);
+    if (placing == std::string("dots")) style.hatch.spacing_min = 0.3;
+    for (const double ink : {0.2, 0.45}) {
+      SCOPED_TRACE(placing + std::to_string(ink));
+      Style lawful = style, plain = style;
+      set_style_key(lawful, "hatch.ink_law", std::to_string(ink));
+      plain.tone.ambient = 1 - ink;
+      const double have = ink_of(draw(ball(), lawful));
+      EXPECT_NEAR(have, ink_of(draw(ball(), plain)), 0.01);  // as where the light asks for it
+      EXPECT_NEAR(have, ink, 0.06);
+    }
+  }
+}
+
+TEST(StrokeLaws, DensitySetsStrokesCloserAndLeavesTheTone) {
+  Style style = style_of("even");
+  const Drawing plain = draw(ball(), style);
+  style.hatch.density_law = "1.6";
+  const Drawing close = draw(ball(), style);
+  const auto lines = [](const Drawing& d) {
+    double length = 0;
+    for (const Path& path : strokes_of(d)) length += length_of(path);
+    return length;
+  };
+  EXPECT_NEAR(lines(close) / lines(plain), 1.6, 0.15);
+  EXPECT_NEAR(ink_of(close), ink_of(plain), 0.04);
+}
+
+TEST(StrokeLaws, WidthsAreMultiplied) {
+  for (const char* placing : {"even", "points", "dots"}) {
+    SCOPED_TRACE(placing);
+    Style style = style_of(placing);
+    const auto plain = strokes_of(draw(ball(), style));
+    style.hatch.width_law = "0.5";
+    const auto half = strokes_of(draw(ball(), style));
+    ASSERT_EQ(half.size(), plain.size());
+    for (std::size_t i = 0; i < half.size(); ++i) {
+      EXPECT_NEAR(half[i].width.front(), 0.5 * plain[i].width.front(), 0.006);
+    }
+  }
+  // Along the stroke: it grows from nothing to all.
+  Style style = style_of("points");
+  style.hatch.width_law = "t";
+  int grown = 0;
+  for (const Path& path : strokes_of(draw(ball(), style))) {
+    if (path.width.size() < 2 || length_of(path) < 2.5) continue;
+    grown += path.width.front() < 0.02 && path.width.back() > 0.05;
+  }
+  EXPECT_GT(grown, 100);
+}
+
+// Elber's figure 5: the less of the direction lies in the surface, the shorter the stroke.
+TEST(StrokeLaws, LengthsFollowTheAngleBetweenDirectionAndNormal) {
+  Style style = style_of("points");
+  style.hatch.length = 3;
+  style.hatch.length_law = "lean";
+  style.hatch.length_min = 0;
+  int near_pole = 0;
+  double sum[2] = {0, 0};
+  int count[2] = {0, 0};
+  // From above: the direction z stands on the middle of the picture.
+  for (const Path& path : strokes_of(draw(ball(), style, "top"))) {
+    const Vec3 p = path.points3[path.points3.size() / 2];
+    const double lean = std::hypot(p.x, p.y) / 10;
+    if (lean > 0.9) continue;  // cut at the outline
+    // 4/3 of the length at the most, and a last step.
+    EXPECT_LE(length_of(path), 4.0 / 3 * 3 * (lean + 0.08) + 0.1);
+    near_pole += lean < 0.2;
+    const int bin = lean < 0.45 ? 0 : 1;
+    sum[bin] += length_of(path) / std::max(lean, 0.1);
+    ++count[bin];
+  }
+  EXPECT_GT(near_pole, 5);
+  EXPECT_NEAR(sum[0] / count[0], 3, 0.35);
+  EXPECT_NEAR(sum[1] / count[1], 3, 0.35);
+}
+
+TEST(StrokeLaws, PresenceIsAChanceThatFollowsTheSeed) {
+  for (const char* placing : {"even", "points", "dots"}) {
+    SCOPED_TRACE(placing);
+    Style style = style_of(placing);
+    const auto all = static_cast<double>(strokes_of(draw(ball(), style)).size());
+    style.hatch.presence_law = "0.3";
+    const auto some = strokes_of(draw(ball(), style));
+    // Four standard deviations.
+    EXPECT_NEAR(static_cast<double>(some.size()), 0.3 * all, 4 * std::sqrt(0.21 * all));
+    const auto again = strokes_of(draw(ball(), style));
+    ASSERT_EQ(some.size(), again.size());
+    EXPECT_EQ(some.front().points3, again.front().points3);
+    style.hatch.presence_law = "0";
+    EXPECT_TRUE(strokes_of(draw(ball(), style)).empty());
+  }
+}
+
+TEST(StrokeLaws, ARandomWidthIsUniformAndOneAStroke) {
+  Style style = style_of("points");
+  const auto plain = strokes_of(draw(ball(), style));
+  style.hatch.width_law = "random";
+  const auto random = strokes_of(draw(ball(), style));
+  ASSERT_EQ(plain.size(), random.size());
+  double sum = 0, squares = 0;
+  for (std::size_t i = 0; i < plain.size(); ++i) {
+    const double by = random[i].width.front() / plain[i].width.front();
+    sum += by;
+    squares += by * by;
+  }
+  const auto n = static_cast<double>(plain.size());
+  EXPECT_NEAR(sum / n, 1.0 / 2, 4 * std::sqrt(1 / (12 * n)));
+  EXPECT_NEAR(squares / n, 1.0 / 3, 4 * std::sqrt(4 / (45 * n)));
+}
+
+TEST(StrokeLaws, KnowUAndVOfPatches) {
+  Scene scene;
+  scene.parts.push_back({"horn", "horn",
+                         std::make_shared<ParametricForm>(std::vector<std::shared_ptr<const Chart>>{
+                             make_nurbs_chart(test::horn_nurbs())})});
+  Style style = style_of("points");
+  style.hatch.density_law = "0.5 - v";
+  const Drawing drawing = draw(scene, style, "iso");
+  const auto strokes = strokes_of(drawing);
+  ASSERT_GT(strokes.size(), 50u);
+  for (const Path& path : strokes) {
+    for (const Vec3& p : path.points3) {
+      double nearest = std::numeric_limits<double>::infinity(), at = 0;
+      for (double t = 0; t <= 1; t += 0.002) {
+        const test::HornSection s = test::horn_section({}, t);
+        const double off = std::abs(glm::distance(p, s.center) - s.radius) +
+                           std::abs(glm::dot(p - s.center, glm::cross(s.normal, s.binormal)));
+        if (off < nearest) {
+          nearest = off;
+          at = t;
+        }
+      }
+      EXPECT_LT(at, 0.5 + 0.01);
+    }
+  }
+  EXPECT_TRUE(drawing.diagnostics.entries().empty());
+}
+
+TEST(StrokeLaws, APartWithoutUAndVSaysSo) {
+  Style style = style_of("even");
+  const auto plain = strokes_of(draw(ball(), style));
+  style.hatch.width_law = "u";
+  const Drawing drawing = draw(ball(), style);
+  int told = 0;
+  for (const auto& entry : drawing.diagnostics.entries()) {
+    told +=
+        entry.code == "strokes.no_parameters" && entry.message.find("'ball'") != std::string::npos;
+  }
+  EXPECT_EQ(told, 1);
+  EXPECT_EQ(strokes_of(drawing).size(), plain.size());
+}
+
+TEST(StrokeLaws, ThatAreNoneAreRefusedByTheirKeyInOneLine) {
+  const auto refused = [](const char* key, const std::string& law) {
+    Style style = style_of("points");
+    try {
+      set_style_key(style, key, law);
+      draw(ball(), style);
+    } catch (const UsageError& e) {
+      EXPECT_EQ(std::string(e.what()).find('\n'), std::string::npos);
+      return std::string(e.what());
+    }
+    return std::string("it was drawn");
+  };
+  const auto expect = [&](const char* key, const std::string& law, const char* part) {
+    const std::string told = refused(key, law);
+    EXPECT_NE(told.find(key), std::string::npos) << told;
+    EXPECT_NE(told.find(part), std::string::npos) << told;
+  };
+  for (const char* name : {"ink", "density", "width", "length", "presence"}) {
+    const std::string key = std::string("hatch.") + name + "_law";
+    expect(key.c_str(), "", "expected");
+    expect(key.c_str(), "1 +", "column 4");
+    expect(key.c_str(), "sqrt(-1)", "no finite number");
+    expect(key.c_str(), "1 / 0", "no finite number");
+    expect(key.c_str(), std::string(5000, '1'), "longer");
+  }
+  expect("hatch.density_law", "random", "unknown name 'random'");
+  expect("hatch.length_law", "t", "unknown name 't'");
+  expect("strokes.2.width_law", "t +", "column 4");
+  expect("strokes.2.width_law", "log(-1)", "no finite number");
+}
+
+}  // namespace
+}  // namespace burin
