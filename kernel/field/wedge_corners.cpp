@@ -1,20 +1,17 @@
 #include "wedge_corners.h"
 
+#include <array>
+
 namespace burin::field {
 
-WedgeCorners::WedgeCorners(const ProxyMesh& proxy) {
-  first.assign(proxy.wedge_vertex.size() + 1, 0);
-  for (const Triangle& t : proxy.wedges) {
-    for (const std::uint32_t w : t) ++first[w + 1];
-  }
-  for (std::size_t w = 1; w < first.size(); ++w) first[w] += first[w - 1];
-  corner.resize(3 * proxy.wedges.size());
-  std::vector<std::uint32_t> next(first.begin(), first.end() - 1);
-  for (std::size_t f = 0; f < proxy.wedges.size(); ++f) {
-    for (std::size_t k = 0; k < 3; ++k) {
-      corner[next[proxy.wedges[f][k]]++] = static_cast<HalfEdge>(3 * f + k);
-    }
-  }
+Groups<HalfEdge> wedge_corners(const ProxyMesh& proxy) {
+  return grouped(
+      proxy.wedge_vertex.size(), proxy.wedges.size(),
+      [&](std::size_t f) { return proxy.wedges[f]; },
+      [](std::size_t f) {
+        const auto h = static_cast<HalfEdge>(3 * f);
+        return std::array{h, h + 1, h + 2};
+      });
 }
 
 }  // namespace burin::field
