@@ -1,8 +1,7 @@
 #include "exact_faces.h"
 
 #include <burin/base/parallel.h>
-
-#include "wedge_corners.h"
+#include <burin/mesh/corners.h>
 
 #include <algorithm>
 #include <array>
@@ -150,7 +149,7 @@ BallAxes find_balls(const ProxyMesh& proxy, const std::vector<FaceKind>& kinds,
 std::vector<Frame> curved_frames(const Surface& surface, const FlatPatches& flats,
                                  const RunContext& context) {
   const ProxyMesh& proxy = surface.proxy();
-  const auto corners = wedge_corners(proxy);
+  const auto corners = corners_at(proxy.wedges, proxy.wedge_vertex.size());
   std::vector<Frame> frames(proxy.wedge_vertex.size());
   parallel_for(
       frames.size(), kGrain,

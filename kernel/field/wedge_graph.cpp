@@ -1,8 +1,7 @@
 #include "wedge_graph.h"
 
 #include <burin/base/parallel.h>
-
-#include "wedge_corners.h"
+#include <burin/mesh/corners.h>
 
 #include <span>
 
@@ -70,9 +69,9 @@ WedgeGraph build_wedge_graph(const ProxyMesh& proxy, const std::vector<std::uint
                              const RunContext& context) {
   const std::size_t n = proxy.wedge_vertex.size();
   WedgeGraph g;
-  Groups<HalfEdge> corners;
+  Corners corners;
   std::vector<double> share;
-  parallel_invoke([&] { corners = wedge_corners(proxy); },
+  parallel_invoke([&] { corners = corners_at(proxy.wedges, n); },
                   [&] { share = edge_shares(proxy, skipped, context); });
   g.axis.resize(n);
   g.area.assign(n, 0);

@@ -1,9 +1,8 @@
-#include <burin/base/groups.h>
 #include <burin/base/parallel.h>
+#include <burin/mesh/corners.h>
 #include <burin/work_mesh/chart_mesh.h>
 
 #include <algorithm>
-#include <array>
 #include <utility>
 
 namespace burin {
@@ -11,17 +10,6 @@ namespace burin {
 namespace {
 
 constexpr std::size_t kVertexGrain = 256;
-
-/// The corners at each vertex, ascending.
-Groups<HalfEdge> corners_at_vertices(const ChartMesh& mesh) {
-  return grouped(
-      mesh.positions.size(), mesh.triangles.size(),
-      [&](std::size_t t) { return mesh.triangles[t]; },
-      [](std::size_t t) {
-        const auto h = static_cast<HalfEdge>(3 * t);
-        return std::array{h, h + 1, h + 2};
-      });
-}
 
 class WedgeNormals {
  public:
@@ -85,7 +73,7 @@ void set_corner_normals(ChartMesh& mesh, const FaceNormal& of_face, const RunCon
   mesh.normal.assign(n, Vec3(0));
   mesh.on_contour.assign(n, 0);
   const std::vector<HalfEdge> opposite = chart_mesh_opposites(mesh);
-  const auto corners = corners_at_vertices(mesh);
+  const auto corners = corners_at(mesh.triangles, mesh.positions.size());
   std::vector<std::uint8_t> done(n, 0);
   parallel_for(
       mesh.positions.size(), kVertexGrain,
