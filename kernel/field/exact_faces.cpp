@@ -1,8 +1,7 @@
 #include "exact_faces.h"
 
 #include <burin/base/parallel.h>
-
-#include "wedge_corners.h"
+#include <burin/mesh/corners.h>
 
 #include <algorithm>
 #include <array>
@@ -150,7 +149,7 @@ BallAxes find_balls(const ProxyMesh& proxy, const std::vector<FaceKind>& kinds,
 std::vector<Frame> curved_frames(const Surface& surface, const FlatPatches& flats,
                                  const RunContext& context) {
   const ProxyMesh& proxy = surface.proxy();
-  const WedgeCorners corners(proxy);
+  const auto corners = corners_at(proxy.wedges, proxy.wedge_vertex.size());
   std::vector<Frame> frames(proxy.wedge_vertex.size());
   parallel_for(
       frames.size(), kGrain,
@@ -160,7 +159,7 @@ std::vector<Frame> curved_frames(const Surface& surface, const FlatPatches& flat
           best.position = proxy.wedge_position(static_cast<std::uint32_t>(w));
           best.normal = proxy.wedge_normal[w];
           std::int32_t last = -1;
-          for (const HalfEdge h : corners.of(w)) {
+          for (const HalfEdge h : corners[w]) {
             const std::uint32_t f = face_of(h);
             if (flats.face_patch[f] >= 0 || proxy.source_face[f] == last) continue;
             last = proxy.source_face[f];

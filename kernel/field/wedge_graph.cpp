@@ -1,10 +1,9 @@
 #include "wedge_graph.h"
 
 #include <burin/base/parallel.h>
+#include <burin/mesh/corners.h>
 
-#include "wedge_corners.h"
-
-#include <optional>
+#include <span>
 
 namespace burin::field {
 namespace {
@@ -40,7 +39,7 @@ std::vector<double> edge_shares(const ProxyMesh& proxy, const std::vector<std::u
 // Calls `link(neighbour, weight)` for the links of the wedge with the given corners.
 template <class Link>
 void for_links(const ProxyMesh& proxy, const std::vector<double>& share,
-               const std::vector<std::uint8_t>& skipped, const HalfEdge* begin, const HalfEdge* end,
+               const std::vector<std::uint8_t>& skipped, std::span<const HalfEdge> corners,
                const Link& link) {
   const auto partner = [&](HalfEdge h) {
     const auto i = static_cast<std::size_t>(h);
@@ -48,9 +47,9 @@ void for_links(const ProxyMesh& proxy, const std::vector<double>& share,
     const HalfEdge o = proxy.topology.opposite[i];
     return skipped[face_of(o)] ? kNoHalfEdge : o;
   };
-  for (const HalfEdge* c = begin; c != end; ++c) {
-    if (skipped[face_of(*c)]) continue;
-    const HalfEdge out = *c, in = prev_in_face(*c), beside = partner(out);
+  for (const HalfEdge out : corners) {
+    if (skipped[face_of(out)]) continue;
+    const HalfEdge in = prev_in_face(out), beside = partner(out);
     const double beyond = beside == kNoHalfEdge ? 0 : share[static_cast<std::size_t>(beside)];
     link(wedge_at(proxy, next_in_face(out)), share[static_cast<std::size_t>(out)] + beyond);
     // The edge that comes in goes out of a neighbouring corner, unless it is the last one of a fan.
@@ -70,11 +69,10 @@ WedgeGraph build_wedge_graph(const ProxyMesh& proxy, const std::vector<std::uint
                              const RunContext& context) {
   const std::size_t n = proxy.wedge_vertex.size();
   WedgeGraph g;
-  std::optional<WedgeCorners> found;
+  Corners corners;
   std::vector<double> share;
-  parallel_invoke([&] { found.emplace(proxy); },
+  parallel_invoke([&] { corners = corners_at(proxy.wedges, n); },
                   [&] { share = edge_shares(proxy, skipped, context); });
-  const WedgeCorners& corners = *found;
   g.axis.resize(n);
   g.area.assign(n, 0);
   g.region.assign(n, 0);
@@ -82,15 +80,14 @@ WedgeGraph build_wedge_graph(const ProxyMesh& proxy, const std::vector<std::uint
   s.first.assign(n + 1, 0);
   s.stiffness.assign(n, 0);
   const auto links = [&](std::size_t w, const auto& link) {
-    for_links(proxy, share, skipped, corners.corner.data() + corners.first[w],
-              corners.corner.data() + corners.first[w + 1], link);
+    for_links(proxy, share, skipped, corners[w], link);
   };
   const auto prepare = [&](std::size_t begin, std::size_t end) {
     for (std::size_t w = begin; w < end; ++w) {
       g.axis[w] = any_orthogonal(proxy.wedge_normal[w]);
       links(w, [&](std::uint32_t, double) { ++s.first[w + 1]; });
-      for (std::uint32_t c = corners.first[w]; c < corners.first[w + 1]; ++c) {
-        const std::uint32_t f = face_of(corners.corner[c]);
+      for (const HalfEdge corner : corners[w]) {
+        const std::uint32_t f = face_of(corner);
         g.region[w] = proxy.face_region[f];
         if (!skipped[f]) g.area[w] += proxy.mesh.area(f) / 3;
       }

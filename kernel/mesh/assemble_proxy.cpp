@@ -76,7 +76,7 @@ struct WedgeSum {
   }
 };
 
-void mean_normals(ProxyMesh& proxy, const ProxyDraft& draft, const VertexCorners& corners,
+void mean_normals(ProxyMesh& proxy, const ProxyDraft& draft, const Corners& corners,
                   const RunContext& context) {
   proxy.wedge_normal.resize(proxy.wedge_vertex.size());
   proxy.on_contour.assign(proxy.wedge_vertex.size(), 0);
@@ -85,7 +85,7 @@ void mean_normals(ProxyMesh& proxy, const ProxyDraft& draft, const VertexCorners
       [&](std::size_t begin, std::size_t end) {
         for (std::size_t w = begin; w < end; ++w) {
           WedgeSum sum;
-          for (const HalfEdge h : corners.of(proxy.wedge_vertex[w])) {
+          for (const HalfEdge h : corners[proxy.wedge_vertex[w]]) {
             if (wedge_of(proxy, h) == w) sum.add(proxy.mesh, draft, h);
           }
           proxy.wedge_normal[w] = sum.normal();
@@ -101,7 +101,7 @@ ProxyMesh assemble_proxy(ProxyDraft draft, const RunContext& context) {
   ProxyMesh proxy;
   proxy.mesh = std::move(draft.mesh);
   proxy.topology.opposite = find_opposites(proxy.mesh, context);
-  const VertexCorners corners = vertex_corners(proxy.mesh);
+  const Corners corners = corners_at(proxy.mesh.triangles, proxy.mesh.positions.size());
   find_edge_kinds(proxy, draft, context);
   // Floods are serial: they run beside the rest, which does not need them.
   parallel_invoke(

@@ -1,9 +1,8 @@
 #pragma once
 /// The steps of build_proxy, each of which fills some arrays of the ProxyMesh from those before it.
 
+#include <burin/mesh/corners.h>
 #include <burin/mesh/proxy_mesh.h>
-
-#include "corners.h"
 
 namespace burin {
 
@@ -51,13 +50,13 @@ void find_regions(ProxyMesh& proxy);
 
 /// Fills wedges and wedge_vertex from edge_kind. The wedges of a vertex have consecutive indices,
 /// in the order of the vertices; where no vertex has two they are the vertices.
-void find_wedges(ProxyMesh& proxy, const VertexCorners& corners, const RunContext& context);
+void find_wedges(ProxyMesh& proxy, const Corners& corners, const RunContext& context);
 
 /// Fills wedge_normal.
-void find_wedge_normals(ProxyMesh& proxy, const VertexCorners& corners,
+void find_wedge_normals(ProxyMesh& proxy, const Corners& corners,
                         const std::vector<Vec3>& face_normals, const RunContext& context);
 
 /// Fills wedge_sagitta from the wedge normals.
-void find_sagitta(ProxyMesh& proxy, const VertexCorners& corners, const RunContext& context);
+void find_sagitta(ProxyMesh& proxy, const Corners& corners, const RunContext& context);
 
 }  // namespace burin

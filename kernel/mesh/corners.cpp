@@ -1,24 +1,16 @@
-#include "corners.h"
+#include <burin/mesh/corners.h>
+
+#include <array>
 
 namespace burin {
 
-VertexCorners vertex_corners(const TriMesh& mesh) {
-  VertexCorners result;
-  result.offsets.assign(mesh.positions.size() + 2, 0);
-  for (const Triangle& t : mesh.triangles) {
-    for (const std::uint32_t v : t) ++result.offsets[v + 2];
-  }
-  for (std::size_t v = 2; v < result.offsets.size(); ++v) {
-    result.offsets[v] += result.offsets[v - 1];
-  }
-  // offsets[v + 1] is where vertex v writes next; at the end it is where v + 1 begins.
-  result.corners.resize(3 * mesh.triangles.size());
-  HalfEdge h = 0;
-  for (const Triangle& t : mesh.triangles) {
-    for (const std::uint32_t v : t) result.corners[result.offsets[v + 1]++] = h++;
-  }
-  result.offsets.pop_back();
-  return result;
+Corners corners_at(const std::vector<Triangle>& triangles, std::size_t count) {
+  return grouped(
+      count, triangles.size(), [&](std::size_t t) { return triangles[t]; },
+      [](std::size_t t) {
+        const auto h = static_cast<HalfEdge>(3 * t);
+        return std::array{h, h + 1, h + 2};
+      });
 }
 
 }  // namespace burin

@@ -162,7 +162,7 @@ Curvature principal(const Tensor& t, const TangentFrame& frame, double confidenc
 
 std::vector<Curvature> estimate_curvature(const ProxyMesh& proxy, const CurvatureOptions& options,
                                           const RunContext& context) {
-  const VertexCorners corners = vertex_corners(proxy.mesh);
+  const Corners corners = corners_at(proxy.mesh.triangles, proxy.mesh.positions.size());
   const WedgeLinks links = wedge_links(proxy, corners, context);
   AdaptiveSmoothing smoothing(proxy, links, wedge_tensors(proxy, corners, context), context);
   if (options.smoothing < 0) {

@@ -118,7 +118,7 @@ std::unique_ptr<CornerTensor[]> corner_tensors(const ProxyMesh& proxy, const Run
 
 }  // namespace
 
-std::vector<Tensor> wedge_tensors(const ProxyMesh& proxy, const VertexCorners& corners,
+std::vector<Tensor> wedge_tensors(const ProxyMesh& proxy, const Corners& corners,
                                   const RunContext& context) {
   const auto at_corner = corner_tensors(proxy, context);
   std::vector<Tensor> result(proxy.wedge_vertex.size());
@@ -127,13 +127,13 @@ std::vector<Tensor> wedge_tensors(const ProxyMesh& proxy, const VertexCorners& c
       proxy.mesh.positions.size(), kFaceGrain,
       [&](std::size_t begin, std::size_t end) {
         for (std::size_t v = begin; v < end; ++v) {
-          for (const HalfEdge h : corners.of(v)) {
+          for (const HalfEdge h : corners[v]) {
             const std::uint32_t w = wedge_of(proxy, h);
             const CornerTensor& c = at_corner[static_cast<std::size_t>(h)];
             result[w] += Tensor{c.mean, c.dx, c.dy};
             weight[w] += c.area;
           }
-          for (const HalfEdge h : corners.of(v)) {
+          for (const HalfEdge h : corners[v]) {
             const std::uint32_t w = wedge_of(proxy, h);
             if (weight[w] > 0) result[w] = (1 / weight[w]) * result[w];
             weight[w] = 0;

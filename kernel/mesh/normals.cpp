@@ -162,7 +162,7 @@ class WedgeNormal {
 
 }  // namespace
 
-void find_wedge_normals(ProxyMesh& proxy, const VertexCorners& corners,
+void find_wedge_normals(ProxyMesh& proxy, const Corners& corners,
                         const std::vector<Vec3>& face_normals, const RunContext& context) {
   const PlanarPatches patches = find_patches(proxy, face_normals, context);
   proxy.wedge_normal.resize(proxy.wedge_vertex.size());
@@ -172,7 +172,7 @@ void find_wedge_normals(ProxyMesh& proxy, const VertexCorners& corners,
         WedgeNormal wedge_normal(proxy, face_normals, patches);
         std::vector<HalfEdge> sorted;
         for (std::size_t v = begin; v < end; ++v) {
-          const auto all = corners.of(v);
+          const auto all = corners[v];
           sorted.assign(all.begin(), all.end());
           const auto wedge = [&](HalfEdge h) { return wedge_of(proxy, h); };
           if (!std::ranges::is_sorted(sorted, {}, wedge)) {
@@ -190,7 +190,7 @@ void find_wedge_normals(ProxyMesh& proxy, const VertexCorners& corners,
       &context);
 }
 
-void find_sagitta(ProxyMesh& proxy, const VertexCorners& corners, const RunContext& context) {
+void find_sagitta(ProxyMesh& proxy, const Corners& corners, const RunContext& context) {
   std::vector<float> of_face(proxy.mesh.triangles.size());
   parallel_for(
       of_face.size(), kFaceGrain,
@@ -213,7 +213,7 @@ void find_sagitta(ProxyMesh& proxy, const VertexCorners& corners, const RunConte
       proxy.mesh.positions.size(), kFaceGrain,
       [&](std::size_t begin, std::size_t end) {
         for (std::size_t v = begin; v < end; ++v) {
-          for (const HalfEdge h : corners.of(v)) {
+          for (const HalfEdge h : corners[v]) {
             float& sagitta = proxy.wedge_sagitta[wedge_of(proxy, h)];
             sagitta = std::max(sagitta, of_face[face_of(h)]);
           }

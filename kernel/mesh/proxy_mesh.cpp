@@ -23,12 +23,12 @@ Vec3 ProxyMesh::normal(std::uint32_t face, Vec3 bary) const {
 ProxyMesh build_proxy(TriMesh mesh, const ProxyOptions& options, const RunContext& context) {
   ProxyMesh proxy;
   proxy.mesh = std::move(mesh);
-  VertexCorners corners;
+  Corners corners;
   std::vector<Vec3> normals;
   parallel_invoke([&] { proxy.topology.opposite = find_opposites(proxy.mesh, context); },
                   [&] {
                     normals = face_normals(proxy.mesh, context);
-                    corners = vertex_corners(proxy.mesh);
+                    corners = corners_at(proxy.mesh.triangles, proxy.mesh.positions.size());
                   });
   mend_sliver_normals(proxy.mesh, proxy.topology, normals, context);
   classify_edges(proxy, normals, options.crease_angle, context);

@@ -21,10 +21,10 @@ constexpr double kRough = 1.0 / 6, kOneSided = 0.5;
 /// of form come in coplanar triangles, noise leaves none.
 constexpr double kFlatShare = 0.15, kFlat = 0.01;
 
-/// Groups of vertices joined by creases.
-class Groups {
+/// CreaseGroups of vertices joined by creases.
+class CreaseGroups {
  public:
-  explicit Groups(std::size_t vertices) : parent_(vertices), group_(vertices) {
+  explicit CreaseGroups(std::size_t vertices) : parent_(vertices), group_(vertices) {
     std::iota(parent_.begin(), parent_.end(), 0u);
   }
 
@@ -106,7 +106,7 @@ double bend_at(const ProxyMesh& proxy, const std::vector<Vec3>& normals, HalfEdg
 
 /// Tells small groups how the smooth edges at their vertices bend.
 void measure_bends(const ProxyMesh& proxy, const std::vector<Vec3>& normals,
-                   const std::vector<std::uint8_t>& small, Groups& groups) {
+                   const std::vector<std::uint8_t>& small, CreaseGroups& groups) {
   for (std::size_t i = 0; i < proxy.edge_kind.size(); ++i) {
     const auto h = static_cast<HalfEdge>(i);
     if (proxy.edge_kind[i] != EdgeKind::Smooth || h > proxy.topology.opposite[i]) continue;
@@ -131,7 +131,7 @@ void prune_noise(ProxyMesh& proxy, const std::vector<Vec3>& normals, double crea
     }
   };
   if (std::ranges::none_of(edges, [&](HalfEdge h) { return proxy.is_crease(h); })) return;
-  Groups groups(proxy.mesh.positions.size());
+  CreaseGroups groups(proxy.mesh.positions.size());
   each(true, [&](HalfEdge, std::uint32_t a, std::uint32_t b) { groups.join(a, b); });
   each(false, [&](HalfEdge, std::uint32_t a, std::uint32_t b) {
     groups.touch_boundary(a);

@@ -41,8 +41,7 @@ std::vector<Value> smooth(std::vector<Value> values, const WedgeLinks& links, in
 
 }  // namespace
 
-WedgeLinks wedge_links(const ProxyMesh& proxy, const VertexCorners& corners,
-                       const RunContext& context) {
+WedgeLinks wedge_links(const ProxyMesh& proxy, const Corners& corners, const RunContext& context) {
   const std::size_t wedges = proxy.wedge_vertex.size(), vertices = proxy.mesh.positions.size();
   WedgeLinks result;
   result.offsets.assign(wedges + 1, 0);
@@ -55,7 +54,7 @@ WedgeLinks wedge_links(const ProxyMesh& proxy, const VertexCorners& corners,
       vertices, kFaceGrain,
       [&](std::size_t begin, std::size_t end) {
         for (std::size_t v = begin; v < end; ++v) {
-          for (const HalfEdge h : corners.of(v)) {
+          for (const HalfEdge h : corners[v]) {
             result.offsets[wedge_of(proxy, h) + 1] += last_before_edge(h) ? 2 : 1;
           }
         }
@@ -71,14 +70,14 @@ WedgeLinks wedge_links(const ProxyMesh& proxy, const VertexCorners& corners,
         for (std::size_t v = begin; v < end; ++v) {
           filled.clear();
           std::uint32_t base = 0xffffffffu;
-          for (const HalfEdge h : corners.of(v)) base = std::min(base, wedge_of(proxy, h));
+          for (const HalfEdge h : corners[v]) base = std::min(base, wedge_of(proxy, h));
           const auto add = [&](std::uint32_t w, std::uint32_t to) {
             if (filled.size() <= w - base) filled.resize(w - base + 1, 0);
             const TangentFrame here = tangent_frame(proxy.wedge_normal[w]);
             const TangentFrame there = tangent_frame(proxy.wedge_normal[to]);
             result.links[result.offsets[w] + filled[w - base]++] = {to, double_turn(there, here)};
           };
-          for (const HalfEdge h : corners.of(v)) {
+          for (const HalfEdge h : corners[v]) {
             const std::uint32_t w = wedge_of(proxy, h);
             add(w, wedge_of(proxy, next_in_face(h)));
             if (last_before_edge(h)) add(w, wedge_of(proxy, prev_in_face(h)));

@@ -1,9 +1,9 @@
 #pragma once
 /// Averages of tensors over neighbouring wedges.
 
+#include <burin/mesh/corners.h>
 #include <burin/mesh/proxy_mesh.h>
 
-#include "corners.h"
 #include "tensor.h"
 
 #include <cstdint>
@@ -25,8 +25,7 @@ struct WedgeLinks {
   std::unique_ptr<WedgeLink[]> links;
 };
 
-WedgeLinks wedge_links(const ProxyMesh& proxy, const VertexCorners& corners,
-                       const RunContext& context);
+WedgeLinks wedge_links(const ProxyMesh& proxy, const Corners& corners, const RunContext& context);
 
 /// The mean of each wedge and its neighbours, `passes` times.
 std::vector<Tensor> smoothed(std::vector<Tensor> tensors, const WedgeLinks& links, int passes,

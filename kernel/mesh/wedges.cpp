@@ -38,7 +38,7 @@ void mark_wedge(ProxyMesh& proxy, HalfEdge start, std::uint32_t wedge) {
 
 }  // namespace
 
-void find_wedges(ProxyMesh& proxy, const VertexCorners& corners, const RunContext& context) {
+void find_wedges(ProxyMesh& proxy, const Corners& corners, const RunContext& context) {
   const std::size_t vertices = proxy.mesh.positions.size();
   proxy.wedges.assign(proxy.mesh.triangles.size(), {kUnset, kUnset, kUnset});
   std::vector<std::uint32_t> first(vertices + 1, 0);
@@ -47,7 +47,7 @@ void find_wedges(ProxyMesh& proxy, const VertexCorners& corners, const RunContex
       [&](std::size_t begin, std::size_t end) {
         for (std::size_t v = begin; v < end; ++v) {
           std::uint32_t count = 0;
-          for (const HalfEdge h : corners.of(v)) {
+          for (const HalfEdge h : corners[v]) {
             if (wedge_slot(proxy, h) == kUnset) mark_wedge(proxy, h, count++);
           }
           first[v + 1] = count;

@@ -47,10 +47,7 @@ class Marcher {
   }
 
   std::vector<LevelLine> lines() {
-    for (std::int32_t y = 0; y + 1 < raster_.ny; ++y) {
-      if (y % 64 == 0) context_.check();
-      for (std::int32_t x = 0; x + 1 < raster_.nx; ++x) cross_quad(x, y);
-    }
+    for_each_triangle(raster_, graph_, context_, [&](const WaveTriangle& t) { cross(t); });
     std::vector<LevelLine> out;
     std::vector<bool> used(next_.size(), false);
     link_of_.resize(next_.size());
@@ -93,29 +90,8 @@ class Marcher {
     }
   }
 
-  std::size_t cell(std::int32_t x, std::int32_t y) const {
-    return static_cast<std::size_t>(y) * static_cast<std::size_t>(raster_.nx) +
-           static_cast<std::size_t>(x);
-  }
   Vec2 paper(std::uint32_t node) const {
     return raster_.center(std::size_t{graph_.nodes[node].cell});
-  }
-
-  void cross_quad(std::int32_t x, std::int32_t y) {
-    const std::size_t low = cell(x, y);
-    const std::int32_t diagonal = graph_.diagonal[low];
-    if (diagonal == kNone) return;
-    const std::int32_t bottom = graph_.right[low], left = graph_.up[low],
-                       top = graph_.right[cell(x, y + 1)], right = graph_.up[cell(x + 1, y)];
-    const bool rising =
-        graph_.nodes[graph_.links[static_cast<std::size_t>(diagonal)].a].cell == low;
-    if (rising) {
-      cross_triangle(bottom, right, diagonal);
-      cross_triangle(left, top, diagonal);
-    } else {
-      cross_triangle(bottom, left, diagonal);
-      cross_triangle(right, top, diagonal);
-    }
   }
 
   // The corner at the other end of a link.
@@ -141,8 +117,8 @@ class Marcher {
     return static_cast<std::int32_t>(offset_[l] + static_cast<std::uint32_t>(level - t.first));
   }
 
-  void cross_triangle(std::int32_t ab, std::int32_t bc, std::int32_t ac) {
-    if (ab == kNone || bc == kNone || ac == kNone) return;
+  void cross(const WaveTriangle& triangle) {
+    const std::int32_t ab = triangle[0].link, bc = triangle[1].link, ac = triangle[2].link;
     const WaveLink& first = graph_.links[static_cast<std::size_t>(ab)];
     const WaveLink& last = graph_.links[static_cast<std::size_t>(ac)];
     const std::uint32_t shared = first.a == last.a || first.a == last.b ? first.a : first.b;

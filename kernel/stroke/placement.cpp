@@ -379,8 +379,7 @@ Family place_family(const Picture& picture, const ViewRaster& raster, WaveGraph 
 
 }  // namespace
 
-std::vector<Family> place_families(const Picture& picture, const ViewRaster& raster,
-                                   const std::vector<Seed>& /*seeds*/, int families,
+std::vector<Family> place_families(const Picture& picture, const ViewRaster& raster, int families,
                                    const RunContext& context,
                                    const std::function<void(double)>& progress) {
   std::vector<Family> out(static_cast<std::size_t>(families),

@@ -3,7 +3,6 @@
 
 #include "picture.h"
 #include "sample_grid.h"
-#include "seeds.h"
 #include "tracer.h"
 #include "view_raster.h"
 
@@ -21,8 +20,7 @@ struct Family {
 /// at the same time where cores are free. `progress` is called with the share that is done, from
 /// the calling thread.
 /// @cite Knoeppel2015
-std::vector<Family> place_families(const Picture& picture, const ViewRaster& raster,
-                                   const std::vector<Seed>& seeds, int families,
+std::vector<Family> place_families(const Picture& picture, const ViewRaster& raster, int families,
                                    const RunContext& context,
                                    const std::function<void(double)>& progress);
 

@@ -49,13 +49,13 @@ struct ViewRaster {
     const Vec2 q = (paper - origin) / pitch;
     const auto x = std::clamp(static_cast<std::int32_t>(q.x), 0, nx - 1);
     const auto y = std::clamp(static_cast<std::int32_t>(q.y), 0, ny - 1);
+    return index(x, y);
+  }
+  std::size_t index(std::int32_t x, std::int32_t y) const {
     return static_cast<std::size_t>(y) * static_cast<std::size_t>(nx) + static_cast<std::size_t>(x);
   }
   const RasterCell& nearest(Vec2 paper) const { return cells[index(paper)]; }
-  const RasterCell& at(std::int32_t x, std::int32_t y) const {
-    return cells[static_cast<std::size_t>(y) * static_cast<std::size_t>(nx) +
-                 static_cast<std::size_t>(x)];
-  }
+  const RasterCell& at(std::int32_t x, std::int32_t y) const { return cells[index(x, y)]; }
 };
 
 /// Probes the sheet where the scene projects. Cost: one ray a cell, about 390,000 on A4, 2 million

@@ -43,7 +43,7 @@ class Anchors {
       const RasterCell& beyond = raster_.at(bx, by);
       if (same(cell, beyond)) continue;
       // What hides the border is no border.
-      if (beyond.part >= 0 && !same(cell, beyond) &&
+      if (beyond.part >= 0 &&
           beyond.depth > cell.depth + Picture::slope(cell.facing, picture_.camera.scale())) {
         continue;
       }

@@ -40,16 +40,12 @@ class Density {
     for (std::int32_t y = 0; y + 2 < raster.ny; y += 2) {
       for (std::int32_t x = 0; x + 2 < raster.nx; x += 2) add_square(x, y, spacing * length);
     }
-    first_.assign(count_ + 1, 0);
-    for (const Square& s : squares_) {
-      for (const std::uint32_t i : s.at) ++first_[i + 1];
-    }
-    for (std::size_t i = 0; i < count_; ++i) first_[i + 1] += first_[i];
-    around_.resize(first_[count_]);
-    std::vector<std::uint32_t> next(first_.begin(), first_.end() - 1);
-    for (std::uint32_t s = 0; s < squares_.size(); ++s) {
-      for (std::uint32_t c = 0; c < 4; ++c) around_[next[squares_[s].at[c]]++] = 4 * s + c;
-    }
+    around_ = grouped(
+        count_, squares_.size(), [&](std::size_t s) { return squares_[s].at; },
+        [](std::size_t s) {
+          const auto corner = static_cast<std::uint32_t>(4 * s);
+          return std::array{corner, corner + 1, corner + 2, corner + 3};
+        });
     mass_.assign(count_, 1.0);
     pull_.assign(count_, 0.0);
     h_.assign(count_, 0.0);
@@ -76,20 +72,16 @@ class Density {
   }
 
  private:
-  std::size_t cell(std::int32_t x, std::int32_t y) const {
-    return static_cast<std::size_t>(y) * static_cast<std::size_t>(raster_.nx) +
-           static_cast<std::size_t>(x);
-  }
-
   // Whether two cells that are two apart are one sheet with the one between them.
   bool joined(const std::vector<std::int32_t>& links, std::size_t a, std::size_t b) const {
     return links[a] != kNone && links[b] != kNone;
   }
 
   void add_square(std::int32_t x, std::int32_t y, double weight) {
-    const std::array cells{cell(x, y), cell(x + 2, y), cell(x + 2, y + 2), cell(x, y + 2)};
-    const std::size_t right = cell(x + 1, y), up = cell(x, y + 1), top = cell(x + 1, y + 2),
-                      side = cell(x + 2, y + 1);
+    const std::array cells{raster_.index(x, y), raster_.index(x + 2, y),
+                           raster_.index(x + 2, y + 2), raster_.index(x, y + 2)};
+    const std::size_t right = raster_.index(x + 1, y), up = raster_.index(x, y + 1),
+                      top = raster_.index(x + 1, y + 2), side = raster_.index(x + 2, y + 1);
     if (!joined(graph_.right, cells[0], right) || !joined(graph_.right, cells[3], top) ||
         !joined(graph_.up, cells[0], up) || !joined(graph_.up, cells[1], side)) {
       return;
@@ -149,8 +141,8 @@ class Density {
     parallel_for(count_, kRange, [&](std::size_t begin, std::size_t end) {
       for (std::size_t i = begin; i < end; ++i) {
         double sum = 0;
-        for (std::uint32_t k = first_[i]; k < first_[i + 1]; ++k) {
-          sum += squares_[around_[k] / 4].by[around_[k] % 4] * missed_[around_[k] / 4];
+        for (const std::uint32_t k : around_[i]) {
+          sum += squares_[k / 4].by[k % 4] * missed_[k / 4];
         }
         take(i, sum);
       }
@@ -165,8 +157,8 @@ class Density {
     gather([&](std::size_t i, double miss) { r[i] = pull_[i] - miss - image[i]; });
     for (std::size_t i = 0; i < count_; ++i) {
       diagonal[i] = mass_[i];
-      for (std::uint32_t k = first_[i]; k < first_[i + 1]; ++k) {
-        const double by = squares_[around_[k] / 4].by[around_[k] % 4];
+      for (const std::uint32_t k : around_[i]) {
+        const double by = squares_[k / 4].by[k % 4];
         diagonal[i] += by * by;
       }
     }
@@ -217,7 +209,7 @@ class Density {
   std::vector<std::int32_t> coarse_;
   std::size_t count_ = 0;
   std::vector<Square> squares_;
-  std::vector<std::uint32_t> first_, around_;
+  Groups<std::uint32_t> around_;  // the corners of squares at each number: 4 * square + corner
   std::vector<double> mass_, pull_, h_, missed_, most_;
   ConjugateGradients gradients_{0, kSmall, context_};
 };

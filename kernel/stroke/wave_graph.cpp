@@ -77,11 +77,6 @@ class Builder {
   }
 
  private:
-  std::size_t index(std::int32_t x, std::int32_t y) const {
-    return static_cast<std::size_t>(y) * static_cast<std::size_t>(raster_.nx) +
-           static_cast<std::size_t>(x);
-  }
-
   // Whether a cell lies in the narrow strip along a contour in which the surface turns away: what
   // lines would do there would decide what they do elsewhere. Strokes run through it by themselves.
   bool at_contour(std::size_t i) const {
@@ -168,9 +163,9 @@ class Builder {
     for (std::int32_t y = 0; y < raster_.ny; ++y) {
       context_.check();
       for (std::int32_t x = 0; x < raster_.nx; ++x) {
-        const std::size_t i = index(x, y);
+        const std::size_t i = raster_.index(x, y);
         if (x + 1 < raster_.nx) graph_.right[i] = link(i, i + 1, 1);
-        if (y + 1 < raster_.ny) graph_.up[i] = link(i, index(x, y + 1), 1);
+        if (y + 1 < raster_.ny) graph_.up[i] = link(i, raster_.index(x, y + 1), 1);
         if (x + 1 < raster_.nx && y + 1 < raster_.ny) graph_.diagonal[i] = diagonal(x, y);
       }
     }
@@ -178,8 +173,8 @@ class Builder {
 
   // Alternating; where a corner is missing the one that closes a triangle.
   std::int32_t diagonal(std::int32_t x, std::int32_t y) {
-    const std::size_t low = index(x, y), right = index(x + 1, y), up = index(x, y + 1),
-                      far = index(x + 1, y + 1);
+    const std::size_t low = raster_.index(x, y), right = raster_.index(x + 1, y),
+                      up = raster_.index(x, y + 1), far = raster_.index(x + 1, y + 1);
     const auto has = [&](std::size_t i) { return graph_.node[i] != kNone; };
     const bool rising = has(low) && has(far);
     const bool falling = has(right) && has(up);
@@ -197,17 +192,9 @@ class Builder {
   // Gives the waves signs along a tree through each component, breadth first.
   void orient() {
     const std::size_t n = graph_.nodes.size();
-    std::vector<std::uint32_t> first(n + 1, 0), around(2 * graph_.links.size());
-    for (const WaveLink& l : graph_.links) {
-      ++first[l.a + 1];
-      ++first[l.b + 1];
-    }
-    for (std::size_t i = 0; i < n; ++i) first[i + 1] += first[i];
-    std::vector<std::uint32_t> next(first.begin(), first.end() - 1);
-    for (std::uint32_t l = 0; l < graph_.links.size(); ++l) {
-      around[next[graph_.links[l].a]++] = l;
-      around[next[graph_.links[l].b]++] = l;
-    }
+    const auto around = at_nodes(graph_, [](std::size_t l) {
+      return std::array{static_cast<std::uint32_t>(l), static_cast<std::uint32_t>(l)};
+    });
     constexpr std::size_t kCheckEvery = 65536;
     constexpr std::uint32_t kUnseen = 0xffffffffu;
     graph_.order.clear();
@@ -222,12 +209,12 @@ class Builder {
       for (std::size_t head = graph_.order.size() - 1; head < graph_.order.size(); ++head) {
         const std::uint32_t i = graph_.order[head];
         if (head % kCheckEvery == 0) context_.check();
-        for (std::uint32_t k = first[i]; k < first[i + 1]; ++k) {
-          const WaveLink& l = graph_.links[around[k]];
+        for (const std::uint32_t number : around[i]) {
+          const WaveLink& l = graph_.links[number];
           const std::uint32_t j = l.a == i ? l.b : l.a;
           if (graph_.component[j] != kUnseen) continue;
           graph_.component[j] = graph_.components;
-          graph_.parent_link[j] = static_cast<std::int32_t>(around[k]);
+          graph_.parent_link[j] = static_cast<std::int32_t>(number);
           if (glm::dot(graph_.nodes[i].wave, graph_.nodes[j].wave) < 0) {
             graph_.nodes[j].wave = -graph_.nodes[j].wave;
           }

@@ -19,23 +19,13 @@ constexpr int kSteps = 120;    // of conjugate gradients
 constexpr double kSmall = 1e-3;
 constexpr std::size_t kRange = 8192;
 
-// A link as a triangle goes round, counterclockwise: with it or against it.
-struct Side {
-  std::int32_t link = kNone;
-  int way = 1;
-};
-using Triangle = std::array<Side, 3>;
-
 class Pairs {
  public:
   Pairs(const ViewRaster& raster, const WaveGraph& graph, WavePhase& phase,
         const RunContext& context)
-      : raster_(raster), graph_(graph), phase_(phase), context_(context) {
+      : graph_(graph), phase_(phase), context_(context) {
     beside_.assign(graph.links.size(), {kNone, kNone});
-    for (std::int32_t y = 0; y + 1 < raster.ny; ++y) {
-      context.check();
-      for (std::int32_t x = 0; x + 1 < raster.nx; ++x) add_quad(x, y);
-    }
+    for_each_triangle(raster, graph, context, [&](const WaveTriangle& t) { add(t); });
   }
 
   // Cancels what can be, the nearest first.
@@ -60,12 +50,6 @@ class Pairs {
   // Moves all phases so that each link's advance is as near to its wave's as the others allow.
   void even_out(const std::vector<WaveAnchor>& anchors) {
     const std::size_t n = graph_.nodes.size();
-    std::vector<std::uint32_t> first(n + 1, 0);
-    for (const WaveLink& l : graph_.links) {
-      ++first[l.a + 1];
-      ++first[l.b + 1];
-    }
-    for (std::size_t i = 0; i < n; ++i) first[i + 1] += first[i];
     context_.check();
     std::vector<double> diagonal(n, 0), right(n, 0), x(n, 0);
     for (const WaveAnchor& a : anchors) {
@@ -78,8 +62,6 @@ class Pairs {
       std::uint32_t to = 0;
       float by = 0;
     };
-    std::vector<Coupling> couplings(first[n]);
-    std::vector<std::uint32_t> next(first.begin(), first.end() - 1);
     for (std::size_t k = 0; k < graph_.links.size(); ++k) {
       if (k % kRange == 0) context_.check();
       const WaveLink& l = graph_.links[k];
@@ -88,17 +70,18 @@ class Pairs {
       right[l.b] -= sign(l) * l.weight * lack;
       diagonal[l.a] += l.weight;
       diagonal[l.b] += l.weight;
-      const auto by = static_cast<float>(sign(l) * l.weight);
-      couplings[next[l.a]++] = {l.b, by};
-      couplings[next[l.b]++] = {l.a, by};
     }
+    context_.check();
+    const auto couplings = at_nodes(graph_, [&](std::size_t k) {
+      const WaveLink& l = graph_.links[k];
+      const auto by = static_cast<float>(sign(l) * l.weight);
+      return std::array{Coupling{l.b, by}, Coupling{l.a, by}};
+    });
     const auto apply = [&](const std::vector<double>& in, std::vector<double>& out) {
       parallel_for(n, kRange, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
           double sum = diagonal[i] * in[i];
-          for (std::uint32_t k = first[i]; k < first[i + 1]; ++k) {
-            sum -= couplings[k].by * in[couplings[k].to];
-          }
+          for (const Coupling& c : couplings[i]) sum -= c.by * in[c.to];
           out[i] = sum;
         }
       });
@@ -116,41 +99,22 @@ class Pairs {
 
  private:
   static std::size_t index(std::int32_t i) { return static_cast<std::size_t>(i); }
-  std::size_t cell(std::int32_t x, std::int32_t y) const {
-    return index(y) * index(raster_.nx) + index(x);
-  }
-
-  void add_quad(std::int32_t x, std::int32_t y) {
-    const std::size_t low = cell(x, y);
-    const std::int32_t diagonal = graph_.diagonal[low];
-    if (diagonal == kNone) return;
-    const std::int32_t bottom = graph_.right[low], left = graph_.up[low],
-                       top = graph_.right[cell(x, y + 1)], right = graph_.up[cell(x + 1, y)];
-    if (graph_.nodes[graph_.links[index(diagonal)].a].cell == low) {
-      add({Side{bottom, 1}, Side{right, 1}, Side{diagonal, -1}});
-      add({Side{diagonal, 1}, Side{top, -1}, Side{left, -1}});
-    } else {
-      add({Side{bottom, 1}, Side{diagonal, 1}, Side{left, -1}});
-      add({Side{right, 1}, Side{top, -1}, Side{diagonal, -1}});
-    }
-  }
-
   // Those at a half singularity of the field are no dislocations, and nothing passes them.
-  void add(const Triangle& triangle) {
-    for (const Side& s : triangle) {
-      if (s.link == kNone || graph_.links[index(s.link)].flips) return;
+  void add(const WaveTriangle& triangle) {
+    for (const TriangleSide& s : triangle) {
+      if (graph_.links[index(s.link)].flips) return;
     }
     const auto number = static_cast<std::int32_t>(triangles_.size());
     triangles_.push_back(triangle);
-    for (const Side& s : triangle) {
+    for (const TriangleSide& s : triangle) {
       auto& b = beside_[index(s.link)];
       (b[0] == kNone ? b[0] : b[1]) = number;
     }
   }
 
-  int winding(const Triangle& triangle) const {
+  int winding(const WaveTriangle& triangle) const {
     double sum = 0;
-    for (const Side& s : triangle) sum += s.way * phase_.advance[index(s.link)];
+    for (const TriangleSide& s : triangle) sum += s.way * phase_.advance[index(s.link)];
     return static_cast<int>(std::lround(sum / kTurn));
   }
 
@@ -163,7 +127,7 @@ class Pairs {
     for (int far = 0; far < reach && found == kNone && out == kNone; ++far) {
       std::vector<std::int32_t> next;
       for (const std::int32_t t : ring) {
-        for (const Side& s : triangles_[index(t)]) {
+        for (const TriangleSide& s : triangles_[index(t)]) {
           const auto& b = beside_[index(s.link)];
           const std::int32_t other = b[0] == t ? b[1] : b[0];
           if (other == kNone) {
@@ -191,7 +155,7 @@ class Pairs {
       }
       for (std::int32_t t = found; t != start; t = from_[index(t)]) {
         const std::int32_t before = from_[index(t)];
-        for (const Side& s : triangles_[index(before)]) {
+        for (const TriangleSide& s : triangles_[index(before)]) {
           const auto& b = beside_[index(s.link)];
           if (b[0] == t || b[1] == t) pass(s.link, before, -own);
         }
@@ -203,16 +167,15 @@ class Pairs {
 
   // Changes a link so that the phase winds around that triangle beside it by so much more.
   void pass(std::int32_t link, std::int32_t triangle, int by) {
-    for (const Side& s : triangles_[index(triangle)]) {
+    for (const TriangleSide& s : triangles_[index(triangle)]) {
       if (s.link == link) phase_.advance[index(link)] += s.way * by * kTurn;
     }
   }
 
-  const ViewRaster& raster_;
   const WaveGraph& graph_;
   WavePhase& phase_;
   const RunContext& context_;
-  std::vector<Triangle> triangles_;
+  std::vector<WaveTriangle> triangles_;
   std::vector<std::array<std::int32_t, 2>> beside_;  // triangles on both sides of a link
   std::vector<int> winds_;
   std::vector<std::int32_t> from_;

@@ -3,6 +3,7 @@
 #include <burin/base/parallel.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -40,19 +41,13 @@ struct Level {
 Level finest(const WaveGraph& graph, const std::vector<WaveAnchor>& anchors) {
   Level level;
   const std::size_t n = graph.nodes.size();
-  level.first.assign(n + 1, 0);
-  for (const WaveLink& l : graph.links) {
-    ++level.first[l.a + 1];
-    ++level.first[l.b + 1];
-  }
-  for (std::size_t i = 0; i < n; ++i) level.first[i + 1] += level.first[i];
-  level.says.resize(level.first[n]);
-  std::vector<std::uint32_t> next(level.first.begin(), level.first.end() - 1);
-  for (const WaveLink& l : graph.links) {
+  auto says = at_nodes(graph, [&](std::size_t k) {
+    const WaveLink& l = graph.links[k];
     const Vec2 back = l.weight * unit(-turn_along(graph, l));
-    level.says[next[l.a]++] = {l.b, l.flips, back};
-    level.says[next[l.b]++] = {l.a, l.flips, l.flips ? back : conjugate(back)};
-  }
+    return std::array{Say{l.b, l.flips, back}, Say{l.a, l.flips, l.flips ? back : conjugate(back)}};
+  });
+  level.first = std::move(says.first);
+  level.says = std::move(says.list);
   level.pull.assign(n, Vec2(0));
   for (const WaveAnchor& a : anchors) level.pull[a.node] += unit(a.phase);
   return level;

@@ -281,9 +281,7 @@ class WidthSolver {
       for (std::int32_t dx = 0; dx < 2; ++dx) {
         const std::int32_t cx = std::clamp(x + dx, 0, raster_.nx - 1),
                            cy = std::clamp(y + dy, 0, raster_.ny - 1);
-        f(static_cast<std::size_t>(cy) * static_cast<std::size_t>(raster_.nx) +
-              static_cast<std::size_t>(cx),
-          (dx ? t.x : 1 - t.x) * (dy ? t.y : 1 - t.y));
+        f(raster_.index(cx, cy), (dx ? t.x : 1 - t.x) * (dy ? t.y : 1 - t.y));
       }
     }
   }

@@ -1,5 +1,7 @@
+#include <burin/base/groups.h>
 #include <burin/work_mesh/chart_mesh.h>
 
+#include <array>
 #include <cstddef>
 #include <utility>
 
@@ -24,34 +26,24 @@ bool fit(const ChartMesh& mesh, std::size_t h, std::size_t o, bool one_model_edg
 
 /// The half-edges at each vertex, every edge at that end where fewer edges meet, so that no fan is
 /// searched as a whole.
-struct Buckets {
-  std::vector<std::uint32_t> offsets;
-  std::vector<std::uint32_t> half_edges;
-
-  explicit Buckets(const ChartMesh& mesh) : offsets(mesh.positions.size() + 2, 0) {
-    const std::size_t n = 3 * mesh.triangles.size();
-    std::vector<std::uint32_t> degree(mesh.positions.size(), 0);
-    for (std::size_t h = 0; h < n; ++h) ++degree[origin_of(mesh, h)];
-    const auto home = [&](std::size_t h) {
-      const std::uint32_t a = origin_of(mesh, h), b = target_of(mesh, h);
-      return degree[a] < degree[b] || (degree[a] == degree[b] && a < b) ? a : b;
-    };
-    for (std::size_t h = 0; h < n; ++h) ++offsets[home(h) + 2];
-    for (std::size_t v = 2; v < offsets.size(); ++v) offsets[v] += offsets[v - 1];
-    half_edges.resize(n);
-    for (std::size_t h = 0; h < n; ++h) {
-      half_edges[offsets[home(h) + 1]++] = static_cast<std::uint32_t>(h);
-    }
-    offsets.pop_back();
-  }
-};
+Groups<std::uint32_t> edges_at_vertices(const ChartMesh& mesh) {
+  const std::size_t n = 3 * mesh.triangles.size();
+  std::vector<std::uint32_t> degree(mesh.positions.size(), 0);
+  for (std::size_t h = 0; h < n; ++h) ++degree[origin_of(mesh, h)];
+  const auto home = [&](std::size_t h) {
+    const std::uint32_t a = origin_of(mesh, h), b = target_of(mesh, h);
+    return std::array{degree[a] < degree[b] || (degree[a] == degree[b] && a < b) ? a : b};
+  };
+  return grouped(mesh.positions.size(), n, home,
+                 [](std::size_t h) { return std::array{static_cast<std::uint32_t>(h)}; });
+}
 
 }  // namespace
 
 std::vector<HalfEdge> chart_mesh_opposites(const ChartMesh& mesh) {
   constexpr HalfEdge kAmbiguous = -2;
   std::vector<HalfEdge> opposite(3 * mesh.triangles.size(), kNoHalfEdge);
-  const Buckets buckets(mesh);
+  const auto edges = edges_at_vertices(mesh);
   const auto opposed = [&](std::size_t h, std::size_t o) {
     return origin_of(mesh, h) == target_of(mesh, o) && target_of(mesh, h) == origin_of(mesh, o) &&
            h / 3 != o / 3;
@@ -60,11 +52,12 @@ std::vector<HalfEdge> chart_mesh_opposites(const ChartMesh& mesh) {
   for (const bool one_model_edge : {true, false}) {
     const std::vector<HalfEdge> known = opposite;
     for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
-      for (std::uint32_t i = buckets.offsets[v]; i < buckets.offsets[v + 1]; ++i) {
-        const std::size_t h = buckets.half_edges[i];
+      const auto here = edges[v];
+      for (std::size_t i = 0; i < here.size(); ++i) {
+        const std::size_t h = here[i];
         if (known[h] != kNoHalfEdge) continue;
-        for (std::uint32_t j = i + 1; j < buckets.offsets[v + 1]; ++j) {
-          const std::size_t o = buckets.half_edges[j];
+        for (std::size_t j = i + 1; j < here.size(); ++j) {
+          const std::size_t o = here[j];
           if (known[o] != kNoHalfEdge || !opposed(h, o) || !fit(mesh, h, o, one_model_edge)) {
             continue;
           }

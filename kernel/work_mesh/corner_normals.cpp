@@ -1,4 +1,5 @@
 #include <burin/base/parallel.h>
+#include <burin/mesh/corners.h>
 #include <burin/work_mesh/chart_mesh.h>
 
 #include <algorithm>
@@ -9,25 +10,6 @@ namespace burin {
 namespace {
 
 constexpr std::size_t kVertexGrain = 256;
-
-/// The corners at each vertex, ascending.
-struct Corners {
-  std::vector<std::uint32_t> offsets;
-  std::vector<HalfEdge> corners;
-
-  explicit Corners(const ChartMesh& mesh) : offsets(mesh.positions.size() + 2, 0) {
-    for (const Triangle& t : mesh.triangles) {
-      for (const std::uint32_t v : t) ++offsets[v + 2];
-    }
-    for (std::size_t v = 2; v < offsets.size(); ++v) offsets[v] += offsets[v - 1];
-    corners.resize(3 * mesh.triangles.size());
-    HalfEdge h = 0;
-    for (const Triangle& t : mesh.triangles) {
-      for (const std::uint32_t v : t) corners[offsets[v + 1]++] = h++;
-    }
-    offsets.pop_back();
-  }
-};
 
 class WedgeNormals {
  public:
@@ -91,16 +73,16 @@ void set_corner_normals(ChartMesh& mesh, const FaceNormal& of_face, const RunCon
   mesh.normal.assign(n, Vec3(0));
   mesh.on_contour.assign(n, 0);
   const std::vector<HalfEdge> opposite = chart_mesh_opposites(mesh);
-  const Corners corners(mesh);
+  const auto corners = corners_at(mesh.triangles, mesh.positions.size());
   std::vector<std::uint8_t> done(n, 0);
   parallel_for(
       mesh.positions.size(), kVertexGrain,
       [&](std::size_t begin, std::size_t end) {
         WedgeNormals normals(mesh, of_face, opposite);
         for (std::size_t v = begin; v < end; ++v) {
-          for (std::uint32_t i = corners.offsets[v]; i < corners.offsets[v + 1]; ++i) {
-            if (done[static_cast<std::size_t>(corners.corners[i])]) continue;
-            for (const HalfEdge h : normals.set(corners.corners[i])) {
+          for (const HalfEdge corner : corners[v]) {
+            if (done[static_cast<std::size_t>(corner)]) continue;
+            for (const HalfEdge h : normals.set(corner)) {
               done[static_cast<std::size_t>(h)] = 1;
             }
           }

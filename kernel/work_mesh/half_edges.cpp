@@ -1,6 +1,8 @@
+#include <burin/base/groups.h>
 #include <burin/work_mesh/half_edges.h>
 
 #include <algorithm>
+#include <array>
 
 namespace burin {
 
@@ -13,18 +15,16 @@ std::vector<HalfEdge> pair_half_edges(const std::vector<Triangle>& triangles,
   };
   const auto from = [&](std::size_t h) { return triangles[h / 3][h % 3]; };
   const auto to = [&](std::size_t h) { return triangles[h / 3][(h + 1) % 3]; };
-  // Half-edges by the lower of their ends (a counting sort), there by the higher.
-  std::vector<std::uint32_t> start(vertex_count + 2, 0);
-  for (std::size_t h = 0; h < n; ++h) ++start[std::min(from(h), to(h)) + 2];
-  for (std::size_t v = 2; v < start.size(); ++v) start[v] += start[v - 1];
-  std::vector<End> ends(n);
-  for (std::size_t h = 0; h < n; ++h) {
-    const std::uint32_t low = std::min(from(h), to(h)), high = std::max(from(h), to(h));
-    ends[start[low + 1]++] = {high, static_cast<HalfEdge>(h)};
-  }
+  // Half-edges by the lower of their ends and there by the higher.
+  auto ends = grouped(
+      vertex_count, n, [&](std::size_t h) { return std::array{std::min(from(h), to(h))}; },
+      [&](std::size_t h) {
+        return std::array{End{std::max(from(h), to(h)), static_cast<HalfEdge>(h)}};
+      });
   std::vector<HalfEdge> opposite(n, kNoHalfEdge);
   for (std::size_t v = 0; v < vertex_count; ++v) {
-    const auto begin = ends.begin() + start[v], end = ends.begin() + start[v + 1];
+    const auto begin = ends.list.begin() + ends.first[v],
+               end = ends.list.begin() + ends.first[v + 1];
     std::sort(begin, end, [](const End& a, const End& b) {
       return a.high != b.high ? a.high < b.high : a.h < b.h;
     });

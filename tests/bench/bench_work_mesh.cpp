@@ -3,6 +3,7 @@
 // middle. No surface is evaluated in either.
 
 #include <burin/base/run_context.h>
+#include <burin/mesh/corners.h>
 
 #include "../../kernel/contour_cut/cut_mesh.h"
 #include "../../kernel/mesh/openmesh_glm.h"
@@ -102,6 +103,76 @@ void work_mesh_openmesh(benchmark::State& state) {
   }
 }
 BENCHMARK(work_mesh_openmesh)->Arg(10000)->Arg(100000)->Arg(500000)->Unit(benchmark::kMillisecond);
+
+// What every walk around vertices costs: the quadric that normals and curvature are fitted by, and
+// the angle of each edge that creases are told by, ours (a flat array of opposites, corners dealt
+// to vertices) beside OpenMesh's circulators, over a mesh that is there. Single thread.
+
+struct Rings {
+  TriMesh mesh;
+  std::vector<Vec3> normals;  // of triangles
+};
+
+Rings rings(std::int64_t triangles) {
+  test::Charted shape = torus(triangles);
+  Rings out{{std::move(shape.mesh.positions), std::move(shape.mesh.triangles)}, {}};
+  for (std::uint32_t f = 0; f < out.mesh.triangles.size(); ++f) {
+    out.normals.push_back(out.mesh.normal(f));
+  }
+  return out;
+}
+
+/// The moments of a neighbour's offset, as a least-squares fit adds them up.
+void add(glm::dmat3& moments, Vec3 offset) { moments += glm::outerProduct(offset, offset); }
+
+void one_rings_own(benchmark::State& state) {
+  const Rings r = rings(state.range(0));
+  const Topology topology = build_topology(r.mesh, RunContext());
+  const auto corners = corners_at(r.mesh.triangles, r.mesh.positions.size());
+  for (auto _ : state) {
+    double sum = 0;
+    for (std::uint32_t v = 0; v < r.mesh.positions.size(); ++v) {
+      glm::dmat3 moments(0);
+      for (const HalfEdge h : corners[v]) {
+        add(moments, r.mesh.positions[origin(r.mesh, next_in_face(h))] - r.mesh.positions[v]);
+      }
+      sum += moments[0][0] + moments[1][2];
+    }
+    for (std::size_t h = 0; h < topology.opposite.size(); ++h) {
+      sum += glm::dot(r.normals[h / 3], r.normals[face_of(topology.opposite[h])]);
+    }
+    benchmark::DoNotOptimize(sum);
+  }
+}
+BENCHMARK(one_rings_own)->Arg(10000)->Arg(100000)->Arg(1000000)->Unit(benchmark::kMillisecond);
+
+void one_rings_openmesh(benchmark::State& state) {
+  const Rings r = rings(state.range(0));
+  OpenMeshTriMesh mesh;
+  mesh.reserve(r.mesh.positions.size(), 3 * r.mesh.triangles.size() / 2, r.mesh.triangles.size());
+  for (const Vec3& p : r.mesh.positions) mesh.add_vertex(p);
+  for (const Triangle& t : r.mesh.triangles) {
+    const auto at = [&](std::size_t k) { return OpenMesh::VertexHandle(static_cast<int>(t[k])); };
+    mesh.add_face(at(0), at(1), at(2));
+  }
+  for (auto _ : state) {
+    double sum = 0;
+    for (const auto v : mesh.vertices()) {
+      glm::dmat3 moments(0);
+      for (auto n = mesh.cvv_iter(v); n.is_valid(); ++n) {
+        add(moments, mesh.point(*n) - mesh.point(v));
+      }
+      sum += moments[0][0] + moments[1][2];
+    }
+    for (const auto h : mesh.halfedges()) {
+      const auto a = mesh.face_handle(h), b = mesh.opposite_face_handle(h);
+      sum += glm::dot(r.normals[static_cast<std::size_t>(a.idx())],
+                      r.normals[static_cast<std::size_t>(b.idx())]);
+    }
+    benchmark::DoNotOptimize(sum);
+  }
+}
+BENCHMARK(one_rings_openmesh)->Arg(10000)->Arg(100000)->Arg(1000000)->Unit(benchmark::kMillisecond);
 
 }  // namespace
 }  // namespace burin

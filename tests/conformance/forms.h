@@ -7,6 +7,7 @@
 #include <burin/forms/mesh/mesh_form.h>
 #include <burin/forms/patches/parametric_form.h>
 #include <burin/section/section.h>
+#include <burin/forms/recognised/recognised_form.h>
 #include <burin/surface/placed_form.h>
 
 #include <BRepPrimAPI_MakeTorus.hxx>
@@ -16,6 +17,7 @@
 #include <burin_test/irregular.h>
 #include <burin_test/nurbs_shapes.h>
 #include <burin_test/shapes.h>
+#include <burin_test/turned.h>
 
 #include <functional>
 #include <memory>
@@ -33,10 +35,19 @@ struct FormCase {
   double normal_tolerance = 20;
   /// Curvature jumps over smooth edges, where it is that of either face.
   bool curvature_jumps = false;
+  /// mm that a point may lie beside its place of the proxy, over the tolerance: a long triangle of
+  /// a cone or a ball is narrower at one end, which its share of (u,v) is not.
+  double slip = 0;
+  /// How far normals of two faces may differ where they meet smoothly.
+  double joint = 1e-9;
 };
 
 inline std::shared_ptr<const Form> mesh_form(TriMesh mesh) {
   return std::make_shared<MeshForm>(std::move(mesh));
+}
+
+inline std::shared_ptr<const Form> recognised_form(TriMesh mesh) {
+  return std::make_shared<RecognisedForm>(std::move(mesh), RunContext{});
 }
 
 inline std::shared_ptr<const Form> parametric_form(
@@ -134,6 +145,17 @@ inline std::vector<FormCase> form_cases() {
          return brep_form(filleted_box_shape(0.5), p);
        },
        true, 20, true},
+      {"RecognisedCylinder",
+       [] {
+         return recognised_form(turned({{2, 0}, {2, 5}}, 24));
+       }},
+      {"RecognisedCones",
+       [] {
+         return recognised_form(turned({{2, 0}, {2, 2}, {1, 4}, {1, 5}}, 30));
+       },
+       true, 20, false, 0.05},
+      {"RecognisedBall", [] { return recognised_form(turned(sphere_profile(2, 32), 32)); }, true,
+       20, false, 0.002, 1e-7},
       {"MeshPlaced", [] { return placed(mesh_form(torus(3, 1, 60, 30)), elsewhere()); }},
       {"PlacedNurbs",
        [] { return placed(parametric_form({make_nurbs_chart(torus_nurbs(3, 1))}), elsewhere()); }},

@@ -27,7 +27,7 @@ class SurfaceContract : public testing::TestWithParam<FormCase> {
     const Box3 b = surface_->proxy().mesh.bounds();
     return 1e-13 * size_ + 1e-15 * (glm::length(b.min) + glm::length(b.max));
   }
-  double near() const { return surface_->proxy().tolerance + rounding(); }
+  double near() const { return surface_->proxy().tolerance + GetParam().slip + rounding(); }
   /// The box of a mesh is that of its vertices, beyond which coarse facets bulge by up to 0.12 of
   /// an edge.
   double most_rounding() {
@@ -169,7 +169,7 @@ TEST_P(SurfaceContract, WedgeFramesAreTheFramesAtTheWedges) {
       const Frame& w = frames[proxy.wedges[f][static_cast<std::size_t>(k)]];
       const Frame at = surface_->frame(surface_->lift({f, bary}));
       EXPECT_LE(glm::distance(w.position, at.position), near());
-      EXPECT_LT(glm::distance(w.normal, at.normal), 1e-9);
+      EXPECT_LT(glm::distance(w.normal, at.normal), GetParam().joint);
       if (GetParam().curvature_jumps) continue;
       EXPECT_NEAR(w.k1, at.k1, 1e-9 * (std::abs(w.k1) + std::abs(w.k2)) + 1e-12 / size_);
       if (!w.umbilic && w.k1 - w.k2 > 1e-6 * std::abs(w.k1)) {

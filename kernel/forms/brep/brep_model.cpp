@@ -1,7 +1,7 @@
 #include <burin/base/error.h>
+#include <burin/forms/charted/analytic_chart.h>
 #include <burin/forms/charted/refine.h>
 
-#include "analytic_chart.h"
 #include "chart_mesh_builder.h"
 #include "contain.h"
 #include "fill_wires.h"

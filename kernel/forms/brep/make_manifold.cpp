@@ -1,6 +1,7 @@
 #include "make_manifold.h"
 
 #include <burin/base/disjoint_sets.h>
+#include <burin/base/groups.h>
 
 #include <algorithm>
 #include <array>
@@ -40,16 +41,15 @@ class Manifold {
     return b < 0 ? -1 : mesh_.borders[index(b)].edge;
   }
 
-  /// Half-edges by the lower of their ends, in order (a counting sort).
+  /// Half-edges by the lower of their ends, in order.
   void bucket() {
-    start_.assign(mesh_.positions.size() + 1, 0);
-    const auto halves = static_cast<Half>(opposite_.size());
-    const auto low = [&](Half h) { return std::min(from(h), to(h)); };
-    for (Half h = 0; h < halves; ++h) ++start_[low(h) + 1];
-    for (std::size_t v = 1; v < start_.size(); ++v) start_[v] += start_[v - 1];
-    sorted_.resize(opposite_.size());
-    std::vector<std::uint32_t> at(start_.begin(), start_.end() - 1);
-    for (Half h = 0; h < halves; ++h) sorted_[at[low(h)]++] = h;
+    sorted_ = grouped(
+        mesh_.positions.size(), opposite_.size(),
+        [&](std::size_t i) {
+          const auto h = static_cast<Half>(i);
+          return std::array{std::min(from(h), to(h))};
+        },
+        [](std::size_t i) { return std::array{static_cast<Half>(i)}; });
   }
 
   /// Finds the opposite of each half-edge; false where an edge has more triangles than two, or two
@@ -59,8 +59,9 @@ class Manifold {
     std::ranges::fill(opposite_, kNone);
     double_.clear();
     bool manifold = true;
-    for (std::size_t v = 0; v + 1 < start_.size(); ++v) {
-      const auto begin = sorted_.begin() + start_[v], end = sorted_.begin() + start_[v + 1];
+    for (std::size_t v = 0; v < sorted_.size(); ++v) {
+      const auto begin = sorted_.list.begin() + sorted_.first[v],
+                 end = sorted_.list.begin() + sorted_.first[v + 1];
       const auto high = [&](Half h) { return std::max(from(h), to(h)); };
       std::sort(begin, end,
                 [&](Half a, Half b) { return high(a) != high(b) ? high(a) < high(b) : a < b; });
@@ -152,8 +153,8 @@ class Manifold {
 
   ChartMesh& mesh_;
   const std::vector<std::int32_t>& body_;
-  std::vector<Half> opposite_, sorted_, double_;
-  std::vector<std::uint32_t> start_;
+  std::vector<Half> opposite_, double_;
+  Groups<Half> sorted_;
 };
 
 }  // namespace

@@ -1,9 +1,9 @@
 #include "surface_chart.h"
 
 #include <burin/base/error.h>
+#include <burin/forms/charted/analytic_chart.h>
 #include <burin/forms/charted/nurbs.h>
 
-#include "analytic_chart.h"
 #include "occt_vec.h"
 
 #include <Geom_BSplineSurface.hxx>

@@ -1,7 +1,6 @@
 #include <burin/base/parallel.h>
 #include <burin/forms/charted/charted_surface.h>
 #include <burin/mesh/nearest_side.h>
-#include <burin/work_mesh/proxy_draft.h>
 
 #include "cover_charts.h"
 #include "locate.h"
@@ -23,7 +22,7 @@ class ChartedSurface final : public Surface {
   ChartedSurface(PlacedAtlas atlas, ChartMesh mesh, const RunContext& context)
       : atlas_(std::move(atlas)),
         mesh_(std::move(mesh)),
-        proxy_(assemble_proxy(proxy_draft(mesh_), context)),
+        proxy_(assemble_proxy(proxy_draft(mesh_, *atlas_.atlas), context)),
         triangles_(atlas_, mesh_, proxy_.topology.opposite, context),
         lines_(*atlas_.atlas) {
     // The proxy has them now.
@@ -167,6 +166,13 @@ std::vector<Frame> ChartedSurface::wedge_frames(const RunContext& context) const
 }
 
 }  // namespace
+
+ProxyDraft proxy_draft(const ChartMesh& mesh, const Atlas& atlas) {
+  ProxyDraft draft = proxy_draft(mesh);
+  for (std::int32_t& face : draft.source_face) face = atlas.source_face(face);
+  for (std::int32_t& edge : draft.source_edge) edge = edge < 0 ? -1 : atlas.source_edge(edge);
+  return draft;
+}
 
 std::shared_ptr<const Surface> make_charted_surface(PlacedAtlas atlas, ChartMesh realised,
                                                     const RunContext& context) {

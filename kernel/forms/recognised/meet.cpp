@@ -23,8 +23,10 @@ double Meeting::distance(SurfaceRef ref, Vec3 p, Vec3& normal) const {
     return glm::dot(f.normal, p) - f.offset;
   }
   const Patch& patch = round_.patches[static_cast<std::size_t>(ref)];
-  normal = patch.normal_at(p);
-  return glm::dot(p - patch.project(p), normal);
+  const Vec2 rh = patch.axis.profile(p);
+  const Patch::Foot foot = patch.foot(rh);
+  normal = foot.normal.x * patch.axis.outward(p) + foot.normal.y * patch.axis.direction;
+  return glm::dot(rh - foot.point, foot.normal);
 }
 
 Vec3 Meeting::normal(SurfaceRef ref, Vec3 p) const {
@@ -36,7 +38,7 @@ double Meeting::sagitta(SurfaceRef ref) const {
   return ref < 0 ? 0 : round_.patches[static_cast<std::size_t>(ref)].sagitta;
 }
 
-bool Meeting::between(const std::vector<SurfaceRef>& refs, Vec3& p) const {
+bool Meeting::between(std::span<const SurfaceRef> refs, Vec3& p) const {
   constexpr double kAlike = 0.9;  // the cosine between normals of surfaces that go over smoothly
   Vec3 sum(0);
   const Vec3 first = normal(refs.front(), p);
@@ -51,7 +53,36 @@ bool Meeting::between(const std::vector<SurfaceRef>& refs, Vec3& p) const {
   return true;
 }
 
-bool Meeting::operator()(const std::vector<SurfaceRef>& refs, Vec3& p) const {
+Vec3 Meeting::step_to_both(std::span<const SurfaceRef> refs, Vec3 p, double& worst) const {
+  Vec3 m(0), n(0);
+  const double a = -distance(refs.front(), p, m);
+  const double b = refs.size() > 1 ? -distance(refs.back(), p, n) : 0;
+  worst = std::max(std::abs(a), std::abs(b));
+  if (refs.size() == 1) return a * m;
+  const double c = glm::dot(m, n), alike = std::abs(c), sign = c < 0 ? -1 : 1;
+  if (1 - alike <= kTransversal * kTransversal * (1 + alike)) {
+    return (a + sign * b) / (2 * (1 + alike)) * (m + sign * n);
+  }
+  return ((a - c * b) * m + (b - c * a) * n) / (1 - c * c);
+}
+
+Vec3 Meeting::step_to_all(std::span<const SurfaceRef> refs, Vec3 p, double& worst) const {
+  Eigen::MatrixXd m(refs.size(), 3);
+  Eigen::VectorXd b(refs.size());
+  for (std::size_t i = 0; i < refs.size(); ++i) {
+    Vec3 n;
+    const auto row = static_cast<Eigen::Index>(i);
+    b(row) = -distance(refs[i], p, n);
+    m.row(row) << n.x, n.y, n.z;
+  }
+  worst = b.cwiseAbs().maxCoeff();
+  Eigen::JacobiSVD<Eigen::MatrixXd> svd(m, Eigen::ComputeThinU | Eigen::ComputeThinV);
+  svd.setThreshold(kTransversal);
+  const Eigen::Vector3d d = svd.solve(b);
+  return {d(0), d(1), d(2)};
+}
+
+bool Meeting::operator()(std::span<const SurfaceRef> refs, Vec3& p) const {
   double sagittas = 0;
   for (const SurfaceRef r : refs) sagittas = std::max(sagittas, sagitta(r));
   if (refs.size() == 1 && refs.front() >= 0) {
@@ -62,24 +93,12 @@ bool Meeting::operator()(const std::vector<SurfaceRef>& refs, Vec3& p) const {
   }
   const double close = 2 * facets_.noise + 1e-3 * sagittas;
   Vec3 q = p;
-  Eigen::MatrixXd m(refs.size(), 3);
-  Eigen::VectorXd b(refs.size());
   for (int step = 0; step < kSteps; ++step) {
-    for (std::size_t i = 0; i < refs.size(); ++i) {
-      Vec3 n;
-      const auto row = static_cast<Eigen::Index>(i);
-      b(row) = -distance(refs[i], q, n);
-      m.row(row) << n.x, n.y, n.z;
-    }
-    const double worst = b.cwiseAbs().maxCoeff();
+    double worst = 0;
+    const Vec3 d = refs.size() > 2 ? step_to_all(refs, q, worst) : step_to_both(refs, q, worst);
     // Once near, one more step squares the rest.
     const bool last = worst <= 1e-6 * close;
-    if (!last || worst > 0) {
-      Eigen::JacobiSVD<Eigen::MatrixXd> svd(m, Eigen::ComputeThinU | Eigen::ComputeThinV);
-      svd.setThreshold(kTransversal);
-      const Eigen::Vector3d d = svd.solve(b);
-      q += Vec3(d(0), d(1), d(2));
-    }
+    if (!last || worst > 0) q += d;
     if (!(glm::length(q - p) <= kReach * sagittas + 10 * facets_.noise)) return false;
     if (last) break;
   }

@@ -3,7 +3,7 @@
 
 #include "recognise.h"
 
-#include <vector>
+#include <span>
 
 namespace burin::recognised {
 
@@ -16,15 +16,19 @@ class Meeting {
 
   /// The point on all surfaces of `refs` near `p`; returns false, and leaves `p`, where there is
   /// none nearer than a few sagittas.
-  bool operator()(const std::vector<SurfaceRef>& refs, Vec3& p) const;
+  bool operator()(std::span<const SurfaceRef> refs, Vec3& p) const;
   Vec3 normal(SurfaceRef ref, Vec3 p) const;
   /// Largest distance between facets and surface; 0 for planes.
   double sagitta(SurfaceRef ref) const;
 
  private:
   double distance(SurfaceRef ref, Vec3 p, Vec3& normal) const;
+  /// The shortest step that takes `p` onto all surfaces, to first order; `worst` is the largest
+  /// distance from one. For one or two in closed form.
+  Vec3 step_to_both(std::span<const SurfaceRef> refs, Vec3 p, double& worst) const;
+  Vec3 step_to_all(std::span<const SurfaceRef> refs, Vec3 p, double& worst) const;
   /// Where surfaces go over into one another but do not quite touch: between them.
-  bool between(const std::vector<SurfaceRef>& refs, Vec3& p) const;
+  bool between(std::span<const SurfaceRef> refs, Vec3& p) const;
 
   const Recognised& round_;
   const Facets& facets_;

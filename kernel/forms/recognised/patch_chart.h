@@ -1,7 +1,7 @@
 #pragma once
-// A surface of revolution over parameters; internal to the room.
+// A surface of revolution as a chart; internal to the room.
 
-#include <burin/contour_cut/sampler.h>
+#include <burin/forms/charted/chart.h>
 
 #include "revolution.h"
 
@@ -10,7 +10,7 @@ namespace burin::recognised {
 /// Part of a patch over (u,v): the angle around the axis and the place along the profile; or, where
 /// it lies across the axis, the distances from it along two directions (a cap: angles say nothing
 /// at a pole).
-class PatchChart {
+class PatchChart final : public Chart {
  public:
   /// `cap`: 1 where the surface faces along the axis, -1 against it, 0 for angles. Nearer to the
   /// axis than `pole` mm, angles say nothing.
@@ -19,26 +19,39 @@ class PatchChart {
   /// Which chart suits a patch at a place.
   static int cap_at(const Patch& patch, Vec3 p);
 
+  const Patch& patch() const { return patch_; }
+  /// Whether the outward normal is -(Su x Sv).
+  bool reversed() const { return cap_ != 0 ? cap_ < 0 : circle() && patch_.radius < 0; }
   Vec2 parameters(Vec3 p) const;
-  SurfaceSample sample(Vec2 uv) const;
-  /// Lengths of the periods; 0 = none.
-  Vec2 period() const;
   /// Whether all u are one point there.
   bool at_pole(Vec3 p) const;
+  /// Makes the domain hold a place, and a little beside it; before anybody else knows of the chart.
+  void extend_to(Vec2 uv);
+
+  Vec3 position(Vec2 uv) const override { return derivatives(uv).p; }
+  SurfaceDerivatives derivatives(Vec2 uv) const override;
+  ParameterBox domain() const override;
+  Vec2 period() const override;
+  FaceKind kind() const override { return patch_.kind; }
+  double largest_area() const override;
 
  private:
-  SurfaceSample around(Vec2 uv) const;
-  SurfaceSample across(Vec2 uv) const;
-  /// The profile at its parameter, and its derivative.
-  Patch::Foot profile(double v, Vec2& derivative) const;
+  /// The profile (r, h) at its parameter, with its derivatives.
+  struct Profile {
+    Vec2 p{0}, d{0}, dd{0};
+  };
+  Profile profile(double v) const;
   /// The parameter of the profile at a distance from the axis, on the side of the cap.
   double at_radius(double r) const;
+  SurfaceDerivatives around(Vec2 uv) const;
+  SurfaceDerivatives across(Vec2 uv) const;
   bool circle() const { return patch_.profile == Patch::Profile::Circle; }
 
-  const Patch& patch_;
+  Patch patch_;
   int cap_;
   double pole_;
   Vec3 e1_, e2_;
+  Vec2 low_{1e300}, high_{-1e300};
 };
 
 }  // namespace burin::recognised

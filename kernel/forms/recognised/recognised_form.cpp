@@ -1,20 +1,59 @@
+#include <burin/contour_cut/contour_cut.h>
+#include <burin/forms/charted/atlas_sampler.h>
+#include <burin/forms/charted/charted_surface.h>
 #include <burin/forms/mesh/mesh_form.h>
 #include <burin/forms/recognised/recognised_form.h>
 #include <burin/mesh/curvature.h>
 
-#include "exact_faces.h"
+#include "facet_atlas.h"
 #include "recognised_surface.h"
 
-#include <algorithm>
 #include <mutex>
 
 namespace burin {
+
+namespace {
+
+/// Every triangle lies on a chart.
+std::shared_ptr<const Surface> charted(recognised::FacetAtlas made, const RealiseOptions& options,
+                                       const RunContext& context) {
+  Box3 box;
+  for (const Vec3& p : made.mesh.positions) box.add(p);
+  const PlacedAtlas atlas{made.atlas, {}, box.diagonal()};
+  const bool found = !options.view ||
+                     cut_along_contours(made.mesh, AtlasSampler(atlas), *options.view, {}, context);
+  if (!found && options.diagnostics) add_contours_bounded(*options.diagnostics);
+  return make_charted_surface(atlas, std::move(made.mesh), context);
+}
+
+/// Some facets stand for nothing that is known: the triangles are the surface, and contours are
+/// those of a mesh everywhere, so that one part has one kind of contours.
+std::shared_ptr<const Surface> partly_charted(recognised::FacetAtlas made,
+                                              std::shared_ptr<const recognised::Recognised> round,
+                                              const RealiseOptions& options, RunContext& context) {
+  std::vector<std::int32_t> patch;
+  for (const std::int32_t f : made.mesh.face) {
+    patch.push_back(made.patch[static_cast<std::size_t>(f)]);
+  }
+  ProxyMesh proxy = assemble_proxy(proxy_draft(made.mesh, *made.atlas), context);
+  made = {};
+  proxy.on_contour.clear();
+  std::vector<Curvature> curvature;
+  if (options.curvature) {
+    context.begin_stage(RunStage::Curvature);
+    curvature = estimate_curvature(proxy, {}, context);
+  }
+  return std::make_shared<recognised::RecognisedSurface>(
+      make_mesh_surface(std::move(proxy), curvature), std::move(round), std::move(patch));
+}
+
+}  // namespace
 
 struct RecognisedForm::Impl {
   explicit Impl(TriMesh mesh) : form(std::move(mesh)) {}
 
   MeshForm form;
-  recognised::Facets facets;
+  std::shared_ptr<const recognised::Facets> facets;
   std::shared_ptr<const recognised::Recognised> round;
   RecognisedFaces faces;
   bool too_coarse = false;
@@ -27,14 +66,15 @@ RecognisedForm::RecognisedForm(TriMesh mesh, const RunContext& context)
     : impl_(std::make_unique<Impl>(std::move(mesh))) {
   const TriMesh& m = impl_->form.mesh();
   const Topology topology = build_topology(m, context);
-  impl_->facets = recognised::find_facets(m, topology, context);
+  impl_->facets =
+      std::make_shared<const recognised::Facets>(recognised::find_facets(m, topology, context));
   // Of the size: the sagitta of 48 facets around a cylinder of a quarter of it is 30 times as much.
   constexpr double kMostNoise = 2e-5;
-  impl_->too_coarse = impl_->facets.noise > kMostNoise * m.bounds().diagonal();
+  impl_->too_coarse = impl_->facets->noise > kMostNoise * m.bounds().diagonal();
   if (impl_->too_coarse) return;
   impl_->round = std::make_shared<const recognised::Recognised>(recognised::join_profiles(
-      m, impl_->facets, recognised::find_bands(m, impl_->facets, context), context));
-  impl_->faces = recognised::count_faces(m, topology, impl_->facets, *impl_->round);
+      m, *impl_->facets, recognised::find_bands(m, *impl_->facets, context), context));
+  impl_->faces = recognised::count_faces(m, topology, *impl_->facets, *impl_->round);
 }
 RecognisedForm::~RecognisedForm() = default;
 
@@ -50,9 +90,9 @@ Box3 RecognisedForm::bounds(const Mat3& axes) const {
     constexpr double kChord = 2e-4;  // of the size
     const RunContext context;
     recognised::Faces faces =
-        recognised::find_faces(build_proxy(mesh(), {}, context), impl_->facets, *impl_->round);
+        recognised::find_faces(build_proxy(mesh(), {}, context), *impl_->facets, *impl_->round);
     const std::size_t old = mesh().positions.size();
-    recognised::refine(faces.mesh, *impl_->round, impl_->facets,
+    recognised::refine(faces.mesh, *impl_->round, *impl_->facets,
                        kChord * mesh().bounds().diagonal(), context);
     const auto& all = faces.mesh.mesh.positions;
     impl_->outermost.assign(all.begin() + static_cast<std::ptrdiff_t>(old), all.end());
@@ -70,28 +110,17 @@ std::shared_ptr<const Surface> RecognisedForm::realise(const RealiseOptions& opt
   context.begin_stage(RunStage::Build);
   const ProxyOptions proxy_options{.crease_angle = options.crease_angle};
   const ProxyMesh input = build_proxy(mesh(), proxy_options, context);
-  recognised::Faces faces = recognised::find_faces(input, impl_->facets, *impl_->round);
+  recognised::Faces faces = recognised::find_faces(input, *impl_->facets, *impl_->round);
   recognised::FacetMesh refined = faces.mesh;
-  recognised::refine(refined, *impl_->round, impl_->facets, options.tolerance, context);
-  recognised::ExactFaces exact(refined, faces, impl_->facets, *impl_->round, options.tolerance,
-                               context);
-  // Where some facets stand for nothing that is known, contours are those of a mesh everywhere: one
-  // part has one kind of contours.
-  const bool cut = options.view && exact.exact();
-  if (cut && !exact.cut(*options.view, context) && options.diagnostics) {
-    add_contours_bounded(*options.diagnostics);
-  }
-  std::vector<std::int32_t> patch = exact.patches();
-  ProxyMesh proxy = std::move(exact).proxy(context);
-  std::vector<Curvature> curvature;
-  const bool all_round = std::find(patch.begin(), patch.end(), -1) == patch.end();
-  if (options.curvature && !all_round) {
-    context.begin_stage(RunStage::Curvature);
-    curvature = estimate_curvature(proxy, {}, context);
-  }
+  recognised::refine(refined, *impl_->round, *impl_->facets, options.tolerance, context);
+  recognised::FacetAtlas made = recognised::make_facet_atlas(
+      refined, faces, impl_->facets, impl_->round, options.tolerance, context);
+  refined = {};
+  faces = {};
+  auto surface = made.exact ? charted(std::move(made), options, context)
+                            : partly_charted(std::move(made), impl_->round, options, context);
   context.end_stage();
-  return std::make_shared<recognised::RecognisedSurface>(
-      make_mesh_surface(std::move(proxy), curvature), impl_->round, std::move(patch));
+  return surface;
 }
 
 }  // namespace burin

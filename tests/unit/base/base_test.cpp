@@ -1,5 +1,6 @@
 #include <burin/base/curve.h>
 #include <burin/base/error.h>
+#include <burin/base/groups.h>
 #include <burin/base/parallel.h>
 #include <burin/base/rng.h>
 #include <burin/base/run_context.h>
@@ -7,6 +8,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <atomic>
 #include <chrono>
 #include <cmath>
@@ -128,6 +130,24 @@ TEST(Parallel, ALoopBesideOneThatThrowsEndsWhole) {
     EXPECT_THROW(parallel_invoke(throws, counts), UsageError);
     EXPECT_TRUE(told == 0 || told == 200) << told;
   }
+}
+
+TEST(Groups, HoldItemsInTheirOrderOnceForEachKey) {
+  // Edges of two triangles over the vertices 0 to 3; vertex 4 has none.
+  const std::vector<std::array<std::uint32_t, 2>> edges{{2, 0}, {0, 1}, {1, 2}, {2, 3}, {3, 0}};
+  const auto at = grouped(
+      5, edges.size(), [&](std::size_t e) { return edges[e]; },
+      [](std::size_t e) {
+        return std::array{10 * static_cast<int>(e), 10 * static_cast<int>(e) + 1};
+      });
+  ASSERT_EQ(at.size(), 5u);
+  const auto list = [&](std::size_t g) { return std::vector<int>(at[g].begin(), at[g].end()); };
+  EXPECT_EQ(list(0), (std::vector{1, 10, 41}));
+  EXPECT_EQ(list(1), (std::vector{11, 20}));
+  EXPECT_EQ(list(2), (std::vector{0, 21, 30}));
+  EXPECT_EQ(list(3), (std::vector{31, 40}));
+  EXPECT_TRUE(at[4].empty());
+  EXPECT_EQ(Groups<int>{}.size(), 0u);
 }
 
 TEST(Curve3, CountsSegments) {

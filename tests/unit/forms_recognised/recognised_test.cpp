@@ -92,6 +92,31 @@ TEST(Recognised, CylindersAreRound) {
   }
 }
 
+// Walks on the triangles would be off by their sagitta, 0.08 mm, and turn at every edge.
+TEST(Recognised, MarchesFollowTheRoundSurface) {
+  const RecognisedForm form(turned({{10, 0}, {10, 30}}, 24), RunContext());
+  const auto surface = realise(form);
+  std::size_t walked = 0;
+  for (std::uint32_t t = 0; t < surface->proxy().mesh.triangles.size(); t += 7) {
+    const SurfacePoint from = surface->lift({t, {0.2, 0.3, 0.5}});
+    const Frame f = surface->frame(from);
+    if (f.kind != FaceKind::Cylinder || from.position.z < 8 || from.position.z > 22) continue;
+    // A helix that rises by 5 mm while it turns by 2 radians.
+    const double turn = 2, rise = 5, length = std::hypot(10 * turn, rise);
+    const Vec3 around = glm::cross(Vec3(0, 0, 1), f.normal);
+    const MarchStep step = surface->march(from, 10 * turn * around + rise * Vec3(0, 0, 1), length);
+    ASSERT_EQ(step.stop, MarchStop::Completed);
+    const Vec3 p = from.position;
+    const Vec3 end(p.x * std::cos(turn) - p.y * std::sin(turn),
+                   p.x * std::sin(turn) + p.y * std::cos(turn), p.z + rise);
+    EXPECT_LT(glm::distance(step.end.position, end), 1e-5);
+    EXPECT_NEAR(std::hypot(p.x, p.y), 10, 1e-5);
+    EXPECT_GT(glm::length(f.du), 0);
+    ++walked;
+  }
+  EXPECT_GT(walked, 3U);
+}
+
 TEST(Recognised, ASurfaceOfNineSidesIsSmooth) {
   const RecognisedForm form(turned({{10, 0}, {10, 30}}, 9), RunContext());
   EXPECT_EQ(realise(form)->proxy().region_count, 3);

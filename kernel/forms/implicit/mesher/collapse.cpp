@@ -1,5 +1,7 @@
 // Slivers beside lines, collapsed.
 
+#include <burin/base/groups.h>
+
 #include "exact_mesh.h"
 
 #include <array>
@@ -23,16 +25,13 @@ class Collapser {
  public:
   Collapser(ExactMesh& mesh, const ImplicitFunction& f, const RunContext& context)
       : mesh_(mesh), f_(f), context_(context), dead_(mesh.triangles.size(), 0) {
-    first_.assign(mesh.positions.size() + 1, 0);
-    for (const Triangle& t : mesh.triangles) {
-      for (const std::uint32_t v : t) ++first_[v + 1];
-    }
-    for (std::size_t v = 0; v + 1 < first_.size(); ++v) first_[v + 1] += first_[v];
-    list_.resize(first_.back());
-    std::vector<std::uint32_t> next(first_.begin(), first_.end() - 1);
-    for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
-      for (const std::uint32_t v : mesh.triangles[t]) list_[next[v]++] = t;
-    }
+    around_ = grouped(
+        mesh.positions.size(), mesh.triangles.size(),
+        [&](std::size_t t) { return mesh.triangles[t]; },
+        [](std::size_t t) {
+          const auto face = static_cast<std::uint32_t>(t);
+          return std::array{face, face, face};
+        });
   }
 
   void run(double limit) {
@@ -98,7 +97,8 @@ class Collapser {
 
   std::vector<std::uint32_t> around(std::uint32_t v) const {
     if (const auto it = changed_.find(v); it != changed_.end()) return it->second;
-    return {list_.begin() + first_[v], list_.begin() + first_[v + 1]};
+    const auto list = around_[v];
+    return {list.begin(), list.end()};
   }
 
   static bool has(const Triangle& t, std::uint32_t v) {
@@ -230,7 +230,7 @@ class Collapser {
   const RunContext& context_;
   std::vector<std::uint8_t> dead_;
   // Triangles around each vertex as they were, and as they are now where that has changed.
-  std::vector<std::uint32_t> first_, list_;
+  Groups<std::uint32_t> around_;  // triangles at the vertices, as they came
   std::unordered_map<std::uint32_t, std::vector<std::uint32_t>> changed_;
   std::unordered_map<std::uint32_t, bool> gone_;
 };

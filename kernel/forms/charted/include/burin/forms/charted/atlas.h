@@ -3,6 +3,7 @@
 
 #include <burin/forms/charted/chart.h>
 #include <burin/work_mesh/chart_mesh.h>
+#include <burin/work_mesh/proxy_draft.h>
 
 #include <cstdint>
 #include <memory>
@@ -25,6 +26,9 @@ class Atlas {
   /// The point of a coedge at the edge's parameter t, in (u,v) of the coedge's face. Coedges of one
   /// edge share t: they meet in space within the tolerance of the part.
   virtual Vec2 on_coedge(std::int32_t coedge, double t) const = 0;
+  /// What the drawing calls a face and a model edge: the indices of the input, -1 = nothing.
+  virtual std::int32_t source_face(std::int32_t face) const { return face; }
+  virtual std::int32_t source_edge(std::int32_t edge) const { return edge; }
 };
 
 /// An atlas at its place in the scene; `size` is its diagonal in model mm.
@@ -45,5 +49,8 @@ struct PlacedAtlas {
     return chart_normal(d, reversed(face), uv, atlas->chart(face).domain().center());
   }
 };
+
+/// What `assemble_proxy` wants to know of the triangles of an atlas, by the names of the drawing.
+ProxyDraft proxy_draft(const ChartMesh& mesh, const Atlas& atlas);
 
 }  // namespace burin

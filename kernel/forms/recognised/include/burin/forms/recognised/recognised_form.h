@@ -21,9 +21,11 @@ struct RecognisedFaces {
 /// or more to a turn: cylinders and cones, and where such bands follow one another smoothly
 /// spheres, tori and other surfaces of revolution. The vertices of the mesh lie on the surface that
 /// is meant: it goes through them, has its own normals and curvature, and meets its neighbours in
-/// circles and curves instead of polygons. All else stays what MeshForm makes of it. No point moves
+/// circles and curves instead of polygons. Where all facets stand for such
+/// surfaces or planes it is made of their charts, as CAD faces are; a part with others stays on its
+/// triangles, and those are what MeshForm makes of them. No point moves
 /// farther than a few times the sagitta of the facets it lies in; polyhedra of eight or fewer sides
-/// a turn are left alone (kernel/docs/openscad.md). Charts are triangles of the refined mesh.
+/// a turn are left alone (kernel/docs/openscad.md).
 class RecognisedForm final : public Form {
  public:
   /// Takes a manifold, oriented mesh, as `repair` returns it, and recognises. Cost: 2 s per million
@@ -34,7 +36,7 @@ class RecognisedForm final : public Form {
   const TriMesh& mesh() const;
   RecognisedFaces faces() const;
   /// Whether the coordinates have too few digits left, as far from the origin, to tell round from
-  /// flat: then nothing is healed.
+  /// flat: then nothing is recognised.
   bool too_coarse() const;
   Box3 bounds(const Mat3& axes) const override;
   std::shared_ptr<const Surface> realise(const RealiseOptions& options,

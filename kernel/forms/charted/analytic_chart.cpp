@@ -1,4 +1,4 @@
-#include "analytic_chart.h"
+#include <burin/forms/charted/analytic_chart.h>
 
 #include <algorithm>
 #include <cmath>
