@@ -18,8 +18,10 @@ constexpr double kParallel = 15, kMostParallel = 0.5;
 constexpr double kClosest = 0.7, kWidest = 3.5, kOfRoot = 0.12;
 /// Lines over one area at the most; wider apart beyond.
 constexpr double kMostLines = 5000;
-/// Of an area's size: areas so near touch; pieces of one line so near are one.
-constexpr double kTouching = 1e-4, kJoined = 1e-9;
+/// Paper mm: areas so near are neighbours, as a bolt and the hole around it.
+constexpr double kNeighbour = 1;
+/// Of an area's size: pieces of one line so near are one.
+constexpr double kJoined = 1e-9;
 /// Pairs of segments that are looked at for two areas; beyond, boxes that overlap touch.
 constexpr std::size_t kMostPairs = 4'000'000;
 
@@ -82,10 +84,10 @@ std::vector<Area> areas_of(const ProxyMesh& proxy, std::int32_t part) {
   return out;
 }
 
-bool touch(const Area& a, const Area& b) {
+/// `near`: model mm.
+bool neighbours(const Area& a, const Area& b, double near) {
   constexpr double kSamePlane = 1e-9;
   if (glm::dot(a.normal, b.normal) < 1 - kSamePlane) return false;
-  const double near = kTouching * std::max(a.box.diagonal(), b.box.diagonal());
   if (std::abs(a.offset - b.offset) > near) return false;
   Box2 wide = a.box;
   wide.min -= Vec2(near), wide.max += Vec2(near);
@@ -112,11 +114,17 @@ double parallel_share(const Area& area, double angle) {
   return all > 0 ? parallel / all : 0;
 }
 
-void choose_angles(std::vector<Area>& areas) {
+double scale_of(const Area& area, const Camera& camera) {
+  const Vec2 middle = area.box.center();
+  return camera.scale_at(middle.x * area.u + middle.y * area.v + area.offset * area.normal);
+}
+
+void choose_angles(std::vector<Area>& areas, const Camera& camera) {
   for (std::size_t i = 0; i < areas.size(); ++i) {
+    const double near = kNeighbour / scale_of(areas[i], camera);
     const auto taken = [&](double angle) {
       for (std::size_t j = 0; j < i; ++j) {
-        if (areas[j].angle == angle && touch(areas[i], areas[j])) return true;
+        if (areas[j].angle == angle && neighbours(areas[i], areas[j], near)) return true;
       }
       return false;
     };
@@ -154,8 +162,7 @@ Run over_triangle(const std::array<Vec2, 3>& triangle, Vec2 along, Vec2 across, 
 }
 
 void hatch(const Area& area, const Camera& camera, std::vector<Curve3>& out) {
-  const double scale = camera.scale_at(area.box.center().x * area.u + area.box.center().y * area.v +
-                                       area.offset * area.normal);
+  const double scale = scale_of(area, camera);
   const double on_paper = std::clamp(kOfRoot * std::sqrt(area.size) * scale, kClosest, kWidest);
   const double angle = area.angle * std::numbers::pi / 180;
   const Vec2 along(std::cos(angle), std::sin(angle)), across(-along.y, along.x);
@@ -208,7 +215,7 @@ std::vector<Curve3> hatch_cuts(std::span<const ProxyMesh* const> proxies, const 
       areas.push_back(std::move(area));
     }
   }
-  choose_angles(areas);
+  choose_angles(areas, camera);
   std::vector<Curve3> out;
   for (const Area& area : areas) {
     context.check();

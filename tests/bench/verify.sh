@@ -2,7 +2,7 @@
 # tests/bench/verify.sh BURIN FILE...: draws each file with --verify, three views in two styles (BURIN_VERIFY_STYLES,
 # BURIN_VERIFY_VIEWS change them), and prints a row each: file, view, style, spans and mm tested, mm and places that rays
 # contradict, loose ends of the outer outline, seconds of processor and MB at the peak. BURIN_VERIFY_LIMIT: seconds a
-# drawing may take (120). The places themselves follow, one a line, indented.
+# drawing may take (120). BURIN_VERIFY_OPTIONS: further options of the drawing, say --section y. The places themselves follow, one a line, indented.
 set -uo pipefail
 burin=$1; shift
 limit=${BURIN_VERIFY_LIMIT:-120}
@@ -12,7 +12,7 @@ for file in "$@"; do
   for view in ${BURIN_VERIFY_VIEWS:-iso 0.3,-1,0.45 -0.4,-1,0.55}; do
     for style in ${BURIN_VERIFY_STYLES:-outline engraving}; do
       /usr/bin/time -f '%U %S %M' -o "$scratch/time" timeout "$limit" "$burin" draw "$file" --view="$view" --style "$style" \
-        --verify --no-progress -o "$scratch/d.json" 2>"$scratch/log"
+        ${BURIN_VERIFY_OPTIONS:-} --verify --no-progress -o "$scratch/d.json" 2>"$scratch/log"
       status=$?
       name=$(basename "$file")
       if ((status != 0)); then

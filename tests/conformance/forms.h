@@ -6,8 +6,8 @@
 #include <burin/forms/implicit/implicit_form.h>
 #include <burin/forms/mesh/mesh_form.h>
 #include <burin/forms/patches/parametric_form.h>
-#include <burin/section/section.h>
 #include <burin/forms/recognised/recognised_form.h>
+#include <burin/section/section.h>
 #include <burin/surface/placed_form.h>
 
 #include <BRepPrimAPI_MakeTorus.hxx>

@@ -13,11 +13,11 @@ namespace burin {
 
 /// Straight parallel lines over the triangles that close cuts (`ProxyMesh::cut_plane`), of kind
 /// Pattern, one part beside the other. By the rules of technical drawings: 45 degrees to the
-/// horizontal of the plane, for parts whose cut areas touch one another 135, 30, 120, 60, 150,
-/// skipping an angle within 15 degrees of which more than half of the area's outline runs; the
-/// distance is 0.12 times the square root of the area on paper, 0.7 to 3.5 mm. All areas of a part
-/// in one plane share a lattice that is fixed in the model, so that two views agree.
-/// Cost: the triangles times the lines over each. @cite ISO128
+/// horizontal of the plane, for parts whose cut areas are neighbours (within 1 mm on paper) 135,
+/// 30, 120, 60, 150, skipping an angle within 15 degrees of which more than half of the area's
+/// outline runs; the distance is 0.12 times the square root of the area on paper, 0.7 to 3.5 mm.
+/// All areas of a part in one plane share a lattice that is fixed in the model, so that two views
+/// agree. Cost: the triangles times the lines over each. @cite ISO128
 std::vector<Curve3> hatch_cuts(std::span<const ProxyMesh* const> proxies, const Camera& camera,
                                const RunContext& context);
 
