@@ -27,7 +27,7 @@ std::uint64_t key(std::uint32_t a, std::uint32_t b) {
 class Cutter {
  public:
   Cutter(const ProxyMesh& whole, const CutPlane& plane, const RunContext& context)
-      : whole_(whole), plane_(plane), context_(context) {
+      : whole_(whole), context_(context) {
     Box3 box;
     for (const Vec3& p : whole.mesh.positions) box.add(p);
     on_plane_ = kOnPlane * box.diagonal();
@@ -122,7 +122,6 @@ class Cutter {
   }
 
   const ProxyMesh& whole_;
-  const CutPlane& plane_;
   const RunContext& context_;
   double on_plane_ = 0;
   std::vector<double> height_;  // mm beyond the plane

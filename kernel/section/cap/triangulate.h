@@ -23,8 +23,8 @@ struct Triangulated {
 
 /// The places around which the edges wind a positive number of times, as a constrained Delaunay
 /// triangulation (CGAL). Each point must have as many edges that leave as come. Points at the same
-/// place become the first of them. Cost: n log n; where edges cross each other once more for each face
-/// that they make. @cite CGAL
+/// place become the first of them. Cost: n log n; where edges cross each other once more for each
+/// face that they make. @cite CGAL
 Triangulated triangulate(std::span<const Vec2> points, std::span<const DirectedEdge> edges);
 
 }  // namespace burin::detail

@@ -51,8 +51,8 @@ struct ProxyMesh {
   /// For each wedge nonzero where g (FacingFunction) is exactly zero in the view that the proxy was
   /// cut for, or where the surface has no normal (the tip of a cone): contours pass through it.
   std::vector<std::uint8_t> on_contour;
-  /// For each smooth region the plane of the section that it closes, -1 of the surface itself; empty
-  /// where nothing was cut.
+  /// For each smooth region the plane of the section that it closes, -1 of the surface itself;
+  /// empty where nothing was cut.
   std::vector<std::int32_t> cut_plane;
 
   bool is_cut_region(std::int32_t region) const {
