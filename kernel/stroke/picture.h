@@ -106,6 +106,7 @@ struct Picture {
                   const Frame& frame, double cosine) const {
     const double ink = darkness(part, region, point.position, frame.normal, cosine);
     if (laws == nullptr || !laws->shape_picture()) return ink;
+    if (surface(part).proxy().is_cut_region(region)) return 0;
     return laws->inked({part, point, frame, std::abs(cosine), ink}, surface(part), field);
   }
   /// By what factor strokes stand closer there.

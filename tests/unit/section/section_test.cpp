@@ -18,6 +18,7 @@
 #include <numbers>
 #include <random>
 #include <set>
+#include <string_view>
 
 namespace burin {
 namespace {
@@ -209,8 +210,10 @@ TEST(Section, StrokesStayOffTheCut) {
       {"ball", "", cut_form(mesh(test::ellipsoid(Vec3(5), 120, 60)), {{0, -1, 0}, 0}, 0, "ball")});
   const Camera camera = Camera::fit([&](const Mat3& axes) { return scene.bounds(axes); },
                                     {.direction = {0.5, -1, 0.5}});
-  for (const char* style : {"engraving", "stipple"}) {
-    const Drawing drawing = illustrate(scene, camera, builtin_style(style), {}, context);
+  for (const char* style : {"engraving", "stipple", "stipple by a law"}) {
+    Style own = builtin_style(std::string_view(style).starts_with("stipple") ? "stipple" : style);
+    if (std::string_view(style).ends_with("law")) set_style_key(own, "hatch.ink_law", "0.5");
+    const Drawing drawing = illustrate(scene, camera, own, {}, context);
     std::size_t strokes = 0, hatching = 0;
     for (const Layer& layer : drawing.layers) {
       for (const Path& path : layer.paths) {
