@@ -56,8 +56,7 @@ void set_looks(Draft& draft, const Asked& asked) {
 
 void set_sections(Draft& draft, const Asked& asked) {
   for (const std::string& text : asked.texts) {
-    const CutText cut = cut_option(asked.spelled, text);
-    draft.plan.sections.push_back({.axis = cut.axis, .side = cut.side, .offset = cut.offset});
+    draft.plan.sections.push_back({.plane = cut_option(asked.spelled, text)});
   }
 }
 

@@ -348,13 +348,15 @@ class Reader {
       if (plane.is_object()) {
         check_object(plane, at, detail::kPlaneKeys);
         if (!plane.contains("normal")) fail(at, "a plane has \"normal\", towards what goes");
-        section.axis = vector(plane["normal"], at + "/normal");
-        if (section.axis == Vec3(0)) fail(at + "/normal", "\"normal\" takes a direction but 0,0,0");
-        section.axis = glm::normalize(section.axis);
-        section.side = 1;
-        if (plane.contains("offset")) section.offset = number(plane["offset"], at + "/offset");
+        section.plane.axis = vector(plane["normal"], at + "/normal");
+        if (section.plane.axis == Vec3(0))
+          fail(at + "/normal", "\"normal\" takes a direction but 0,0,0");
+        section.plane.axis = glm::normalize(section.plane.axis);
+        section.plane.side = 1;
+        if (plane.contains("offset"))
+          section.plane.offset = number(plane["offset"], at + "/offset");
       } else {
-        section = section_of_text(plane, at);
+        section.plane = plane_of_text(plane, at);
       }
       if (value.contains("exclude")) {
         const Json& exclude = value["exclude"];
@@ -364,18 +366,16 @@ class Reader {
         }
       }
     } else {
-      section = section_of_text(value, path);
+      section.plane = plane_of_text(value, path);
     }
     section.place = place(path);
     out_.request.sections.push_back(std::move(section));
   }
 
-  Section section_of_text(const Json& value, const std::string& path) const {
+  CutText plane_of_text(const Json& value, const std::string& path) const {
     const std::string given = text(value, path);
     check(detail::draw_rows(), "section", {given}, path, "section");
-    detail::Draft draft;
-    apply(detail::draw_rows(), {{"section", {given}}}, Spelling::Keywords, draft);
-    return draft.plan.sections.front();
+    return cut_option("section", given);
   }
 
   void lights(const Json& value, const std::string& path) {

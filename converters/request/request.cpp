@@ -175,11 +175,11 @@ void cut_parts(Scene& scene, const DrawPlan& plan) {
   for (std::size_t i = 0; i < plan.sections.size(); ++i) {
     const Section& section = plan.sections[i];
     Mat3 across(0);  // its first row is the axis
-    for (int k = 0; k < 3; ++k) across[k][0] = section.axis[k];
+    for (int k = 0; k < 3; ++k) across[k][0] = section.plane.axis[k];
     const Box3 box = drawn_bounds(scene, styles, across);
-    const double offset = section.offset.value_or(box.center().x);
-    const double to_viewer = glm::dot(section.axis, plan.view.direction);
-    const int side = section.side != 0 ? section.side : to_viewer >= 0 ? 1 : -1;
+    const double offset = section.plane.offset.value_or(box.center().x);
+    const double to_viewer = glm::dot(section.plane.axis, plan.view.direction);
+    const int side = section.plane.side != 0 ? section.plane.side : to_viewer >= 0 ? 1 : -1;
     const auto says = fmt::format("{}the section at {:.6g} mm, of a model from {:.6g} to {:.6g} mm",
                                   section.place, offset, box.min.x, box.max.x);
     const bool above = offset >= box.max.x, below = offset <= box.min.x;
@@ -189,7 +189,7 @@ void cut_parts(Scene& scene, const DrawPlan& plan) {
       continue;
     }
     const std::vector<bool> uncut = uncut_parts(scene, section, plan);
-    const CutPlane plane{.normal = static_cast<double>(side) * section.axis,
+    const CutPlane plane{.normal = static_cast<double>(side) * section.plane.axis,
                          .offset = side * offset};
     for (std::size_t part = 0; part < scene.parts.size(); ++part) {
       Part& one = scene.parts[part];

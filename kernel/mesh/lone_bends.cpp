@@ -1,9 +1,11 @@
+#include <burin/base/groups.h>
 #include <burin/base/parallel_filter.h>
 
 #include "build_steps.h"
 #include "flood.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <vector>
@@ -38,23 +40,17 @@ class Bends {
   }
 
   void find_faces() {
-    flood(
+    const std::int32_t faces = flood(
         proxy_.topology.opposite, [&](HalfEdge h) { return is_flat(h); }, face_);
-    // The half-edges around each face.
-    const auto border = [&](HalfEdge h) {
-      return opposite(h) == kNoHalfEdge || face(h) != face(opposite(h));
-    };
-    const auto count = static_cast<HalfEdge>(proxy_.edge_kind.size());
-    first_.assign(static_cast<std::size_t>(*std::ranges::max_element(face_)) + 2, 0);
-    for (HalfEdge h = 0; h < count; ++h) {
-      if (border(h)) ++first_[face(h) + 1];
+    const auto all = static_cast<HalfEdge>(proxy_.edge_kind.size());
+    std::vector<HalfEdge> borders;
+    for (HalfEdge h = 0; h < all; ++h) {
+      if (opposite(h) == kNoHalfEdge || face(h) != face(opposite(h))) borders.push_back(h);
     }
-    for (std::size_t f = 1; f < first_.size(); ++f) first_[f] += first_[f - 1];
-    around_.resize(first_.back());
-    std::vector<std::uint32_t> next(first_.begin(), first_.end() - 1);
-    for (HalfEdge h = 0; h < count; ++h) {
-      if (border(h)) around_[next[face(h)]++] = h;
-    }
+    around_ = grouped(
+        static_cast<std::size_t>(faces), borders.size(),
+        [&](std::size_t i) { return std::array{static_cast<std::uint32_t>(face(borders[i]))}; },
+        [&](std::size_t i) { return std::array{borders[i]}; });
   }
 
   /// Whether the edge is one that a draughtsman draws: nothing else bends on both of its faces, or
@@ -74,9 +70,7 @@ class Bends {
   std::size_t face(HalfEdge h) const { return static_cast<std::size_t>(face_[face_of(h)]); }
   Vec3 from(HalfEdge h) const { return proxy_.mesh.positions[origin(proxy_.mesh, h)]; }
   Vec3 to(HalfEdge h) const { return from(next_in_face(h)); }
-  std::span<const HalfEdge> around(HalfEdge h) const {
-    return std::span(around_).subspan(first_[face(h)], first_[face(h) + 1] - first_[face(h)]);
-  }
+  std::span<const HalfEdge> around(HalfEdge h) const { return around_[face(h)]; }
 
   /// Radians; 0 at a boundary.
   double bend(HalfEdge h) const {
@@ -132,9 +126,8 @@ class Bends {
   const ProxyMesh& proxy_;
   const std::vector<Vec3>& normals_;
   double least_;
-  std::vector<std::int32_t> face_;    // of each triangle the flat face
-  std::vector<std::uint32_t> first_;  // of each face its half-edges in around_
-  std::vector<HalfEdge> around_;
+  std::vector<std::int32_t> face_;  // of each triangle the flat face
+  Groups<HalfEdge> around_;         // of each face its half-edges towards others
 };
 
 }  // namespace

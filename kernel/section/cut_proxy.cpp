@@ -1,6 +1,7 @@
 #include "cut_proxy.h"
 
 #include <burin/base/box.h>
+#include <burin/mesh/compact.h>
 #include <burin/mesh/facet_piece.h>
 
 #include "cap/triangulate.h"
@@ -210,22 +211,6 @@ bool close(Cutter& cutter, const CutPlane& plane) {
   return true;
 }
 
-/// Leaves out vertices that no triangle has.
-void compact(TriMesh& mesh) {
-  std::vector<std::uint32_t> to(mesh.positions.size(), kNoFacet);
-  std::vector<Vec3> used;
-  for (Triangle& t : mesh.triangles) {
-    for (std::uint32_t& vertex : t) {
-      if (to[vertex] == kNoFacet) {
-        to[vertex] = static_cast<std::uint32_t>(used.size());
-        used.push_back(mesh.positions[vertex]);
-      }
-      vertex = to[vertex];
-    }
-  }
-  mesh.positions = std::move(used);
-}
-
 /// Copies what is known of the facets to their pieces.
 class Draft {
  public:
@@ -311,7 +296,7 @@ CutProxy cut_proxy(const ProxyMesh& whole, const CutPlane& plane, std::int32_t n
   cutter.run();
   out.open = !close(cutter, plane);
   TriMesh mesh{std::move(cutter.positions), std::move(cutter.triangles)};
-  compact(mesh);
+  compact(mesh.positions, mesh.triangles);
   out.pieces = std::move(cutter.pieces);
   out.proxy = assemble_proxy(Draft(whole, out.pieces).make(std::move(mesh), plane.normal), context);
   if (whole.on_contour.empty()) out.proxy.on_contour.clear();

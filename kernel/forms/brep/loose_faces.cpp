@@ -2,6 +2,7 @@
 
 #include <burin/base/error.h>
 #include <burin/forms/mesh/mesh_form.h>
+#include <burin/mesh/compact.h>
 #include <burin/mesh/curvature.h>
 #include <burin/mesh/proxy_mesh.h>
 #include <burin/repair/repair.h>
@@ -42,22 +43,6 @@ LooseTriangles mended(const LooseTriangles& loose, const RunContext& context) {
     }
   }
   return out;
-}
-
-/// Drops vertices without a triangle.
-void compact(ChartMesh& mesh) {
-  std::vector<std::uint32_t> number(mesh.positions.size(), kNone);
-  std::vector<Vec3> used;
-  for (Triangle& t : mesh.triangles) {
-    for (std::uint32_t& v : t) {
-      if (number[v] == kNone) {
-        number[v] = static_cast<std::uint32_t>(used.size());
-        used.push_back(mesh.positions[v]);
-      }
-      v = number[v];
-    }
-  }
-  mesh.positions = std::move(used);
 }
 
 /// The entries of half-edges, three a triangle.
@@ -109,7 +94,7 @@ LooseTriangles take_loose(ChartMesh& mesh, std::span<const std::uint8_t> loose,
   cut_to(mesh.on_contour, 3 * kept);
   cut_to(mesh.border, 3 * kept);
   if (corners) cut_to(*corners, 3 * kept);
-  compact(mesh);
+  compact(mesh.positions, mesh.triangles);
   return out;
 }
 

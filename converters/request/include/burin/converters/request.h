@@ -4,6 +4,7 @@
 
 #include <burin/camera/sheet.h>
 #include <burin/converters/read.h>
+#include <burin/converters/values.h>
 #include <burin/illustrate/illustrate.h>
 #include <burin/illustrate/style.h>
 #include <burin/options/request.h>
@@ -31,11 +32,9 @@ struct Look {
 
 /// A plane by which parts are cut open.
 struct Section {
-  Vec3 axis{0, 0, 1};  // unit
-  /// Which side is taken away: 1 where the axis points, -1 the other; 0 that of the viewer.
-  int side = 0;
-  /// Model mm along the axis; absent: the middle of what is drawn.
-  std::optional<double> offset = {};
+  /// Which side 0 takes away is that of the viewer; absent, the offset is the middle of what is
+  /// drawn.
+  CutText plane = {};
   /// Selectors of parts that stay whole.
   std::vector<std::string> exclude = {};
   /// What errors begin with: "FILE:LINE: ", or empty.
