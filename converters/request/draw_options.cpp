@@ -5,9 +5,12 @@
 #include <burin/camera/standards.h>
 #include <burin/converters/values.h>
 
+#include "named_files.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <limits>
 
 namespace burin {
@@ -24,9 +27,15 @@ constexpr const char* kFiles = "Files";
 
 /// Errors of a text that a program made have no line.
 Style style_of_text(const std::string& text, const std::string& source) {
-  if (!source.empty()) return parse_style(text, source);
+  if (!source.empty()) {
+    Style style = parse_style(text, source);
+    find_named_files(style, std::filesystem::path(source).parent_path());
+    return style;
+  }
   try {
-    return parse_style(text, "style");
+    Style style = parse_style(text, "style");
+    find_named_files(style, {});
+    return style;
   } catch (const UsageError& e) {
     const std::string message = e.what();
     const std::size_t place = message.find(": ");
@@ -41,6 +50,7 @@ void set_keys(Draft& draft, const Asked& asked) {
   }
   std::ranges::stable_sort(assignments, {}, [](const auto& a) { return setting_rank(a.first); });
   for (const auto& [key, value] : assignments) set_style_key(draft.plan.style, key, value);
+  find_named_files(draft.plan.style, {});
 }
 
 void set_looks(Draft& draft, const Asked& asked) {

@@ -2,6 +2,8 @@
 #include <burin/base/missing_file.h>
 #include <burin/converters/request.h>
 
+#include "named_files.h"
+
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
@@ -24,7 +26,9 @@ Style load_style(const std::string& name) {
   std::ifstream in(name, std::ios::binary);
   const std::string text{std::istreambuf_iterator<char>(in), {}};
   if (!in.good() && !in.eof()) throw InputError("the style file cannot be read", name);
-  return parse_style(text, name);
+  Style style = parse_style(text, name);
+  detail::find_named_files(style, std::filesystem::path(name).parent_path());
+  return style;
 }
 
 }  // namespace burin

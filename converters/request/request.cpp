@@ -7,10 +7,12 @@
 #include <burin/tone/catalogue.h>
 
 #include "draw_options.h"
+#include "named_files.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <optional>
 #include <utility>
 
@@ -63,7 +65,9 @@ void note_unused(const DrawRequest& r, Spelling spelling, const Style& named, Dr
 /// The style of a look; nothing where it has none. What it says of files is ignored.
 std::optional<Style> style_of(const Look& look, const detail::Draft& draft) {
   if (!look.style_text.empty()) {
-    return parse_style(look.style_text, look.style_source, draft.plan.style);
+    Style style = parse_style(look.style_text, look.style_source, draft.plan.style);
+    detail::find_named_files(style, std::filesystem::path(look.style_source).parent_path());
+    return style;
   }
   if (look.style.empty()) return std::nullopt;
   try {
@@ -216,6 +220,10 @@ DrawPlan make_plan(const DrawRequest& request, Spelling spelling) {
   check_style(draft.plan.style);
   for (DrawPlan::PlannedLook& planned : draft.plan.looks)
     planned.style = style_of(planned.look, draft);
+  detail::read_images(draft.plan.style, draft.plan.illustrate.images);
+  for (const DrawPlan::PlannedLook& planned : draft.plan.looks) {
+    if (planned.style) detail::read_images(*planned.style, draft.plan.illustrate.images);
+  }
   if (!request.lights.empty() && !request.has("light")) light_by(request.lights, draft.plan);
   draft.plan.read = make_read_options(request.options, spelling);
   note_unused(request, spelling, draft.named, draft.plan);

@@ -1,5 +1,6 @@
 #include "eps.h"
 
+#include <burin/drawing/color.h>
 #include <burin/drawing/near_sheet.h>
 #include <burin/drawing/ordered_text.h>
 #include <burin/drawing/text.h>
@@ -32,6 +33,18 @@ std::string plain(std::string_view text) {
 
 std::string head(const Drawing& drawing) {
   const double w = drawing.paper_width * kPointsPerMm, h = drawing.paper_height * kPointsPerMm;
+  const auto color = [](const std::string& text) {
+    const Rgb rgb = rgb_of(text).value_or(Rgb{});
+    return fmt::format("{:.4f} {:.4f} {:.4f} setrgbcolor", rgb[0] / 255.0, rgb[1] / 255.0,
+                       rgb[2] / 255.0);
+  };
+  const Drawing usual;
+  const bool painted = drawing.paper_color != usual.paper_color;
+  const std::string ink =
+      drawing.ink_color == usual.ink_color ? "0 setgray" : color(drawing.ink_color);
+  const std::string paper =
+      painted ? fmt::format("{} 0 0 {:.5f} {:.5f} rectfill\n", color(drawing.paper_color), w, h)
+              : "";
   return fmt::format(
       "%!PS-Adobe-3.0 EPSF-3.0\n%%Creator: {}\n%%Title: {}\n%%BoundingBox: 0 0 {} {}\n"
       "%%HiResBoundingBox: 0 0 {:.5f} {:.5f}\n%%DocumentData: Clean7Bit\n%%LanguageLevel: 2\n"
@@ -39,9 +52,9 @@ std::string head(const Drawing& drawing) {
       "/burin 12 dict def burin begin\n/m{{moveto}}bind def/l{{rlineto}}bind def\n"
       "/c{{rcurveto}}bind def/h{{closepath}}bind def\n/f{{fill}}bind def/s{{stroke}}bind def\n"
       "/w{{setlinewidth}}bind def end\n%%EndProlog\n%%Page: 1 1\nsave burin begin\n"
-      "0 0 {:.5f} {:.5f} rectclip\n{:.12f} dup scale\n0 setgray 1 setlinecap 1 setlinejoin\n",
-      creator(), plain(title_of(drawing)), std::ceil(w), std::ceil(h), w, h, w, h,
-      kPointsPerMm / kUnitsPerMm);
+      "0 0 {:.5f} {:.5f} rectclip\n{}{:.12f} dup scale\n{} 1 setlinecap 1 setlinejoin\n",
+      creator(), plain(title_of(drawing)), std::ceil(w), std::ceil(h), w, h, w, h, paper,
+      kPointsPerMm / kUnitsPerMm, ink);
 }
 
 /// Steps between places on the grid of micrometres.

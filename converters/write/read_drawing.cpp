@@ -2,6 +2,7 @@
 #include <burin/base/error.h>
 #include <burin/base/nearest.h>
 #include <burin/converters/read_drawing.h>
+#include <burin/drawing/color.h>
 
 #include "json_place.h"
 #include "source.h"
@@ -209,6 +210,14 @@ void read_paper(const JsonPlace& place, Drawing& drawing) {
   place.optional("unit", [](const JsonPlace& unit) {
     if (unit.value() != "mm") unit.fail("takes \"mm\"");
   });
+  const auto color = [&](const char* key, std::string& out) {
+    place.optional(key, [&](const JsonPlace& at) {
+      at.set(out);
+      if (!rgb_of(out)) at.fail("takes a colour #rrggbb");
+    });
+  };
+  color("ink_color", drawing.ink_color);
+  color("color", drawing.paper_color);
 }
 
 void check_version(const JsonPlace& place) {

@@ -122,7 +122,15 @@ void append_head(Buffer& out, const Drawing& d) {
   append_exact(out, d.paper_width);
   append(out, ", \"height\": ");
   append_exact(out, d.paper_height);
-  append(out, ", \"unit\": \"mm\"},\n");
+  append(out, ", \"unit\": \"mm\"");
+  const Drawing plain;
+  if (d.ink_color != plain.ink_color || d.paper_color != plain.paper_color) {
+    append(out, ", \"ink_color\": ");
+    append_json(out, d.ink_color);
+    append(out, ", \"color\": ");
+    append_json(out, d.paper_color);
+  }
+  append(out, "},\n");
   append_view(out, d.view);
   append_list(out, "parts", d.parts, append_part);
   append(out, "  \"layers\": [");

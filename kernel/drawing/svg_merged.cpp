@@ -102,13 +102,13 @@ Pens by_pen(std::span<const Path* const> paths, const SvgOptions& options,
   return pens;
 }
 
-std::string pen_tag(double width) {
+std::string pen_tag(double width, std::string_view ink) {
   Buffer out;
   append(out, "<path");
   if (width > 0) {
     append_pen(out, width);
   } else {
-    append(out, " fill=\"#000\" stroke=\"none\"");
+    append(out, fmt::format(" fill=\"{}\" stroke=\"none\"", ink));
   }
   append(out, " d=\"");
   return fmt::to_string(out);
@@ -116,16 +116,16 @@ std::string pen_tag(double width) {
 
 /// Paths of one pen, parted before they have too many elements; several of them in a group, for
 /// programs that are slow where an element has many others beside it.
-void append_pen_items(double width, std::vector<Item>& of_pen, std::string& before,
-                      std::vector<Item>& items) {
+void append_pen_items(double width, std::vector<Item>& of_pen, std::string_view ink,
+                      std::string& before, std::vector<Item>& items) {
   std::size_t all = 0, here = 0;
   for (const Item& item : of_pen) all += item.elements;
   const bool several = all > kMostElements;
   if (several) before += "<g>\n";
-  before += pen_tag(width);
+  before += pen_tag(width, ink);
   for (Item& item : of_pen) {
     if (here + item.elements > kMostElements && here > 0) {
-      before += "\"/>\n" + pen_tag(width);
+      before += "\"/>\n" + pen_tag(width, ink);
       here = 0;
     }
     here += item.elements;
@@ -172,10 +172,10 @@ void write_merged_svg(const Drawing& drawing, const SvgOptions& options, std::os
   const std::vector<InkLayer> layers = ink_layers(drawing);
   std::string before = svg_head(drawing, ink_box(drawing, layers));
   for (const InkLayer& layer : layers) {
-    before += svg_layer_tag(layer, ids.make(layer.name), options);
+    before += svg_layer_tag(layer, ids.make(layer.name), svg_ink(drawing), options);
     const JoinedPaths lines = lines_of(layer);
     for (auto& [width, of_pen] : by_pen(lines.paths, options, context)) {
-      append_pen_items(width, of_pen, before, items);
+      append_pen_items(width, of_pen, svg_ink(drawing), before, items);
     }
     before += "</g>\n";
   }

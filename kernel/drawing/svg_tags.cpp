@@ -44,15 +44,28 @@ std::string svg_head(const Drawing& drawing, std::string_view more) {
   append_xml(out,
              fmt::format("burin {}, style {}, seed {}", version(), drawing.style, drawing.seed));
   append(out, "</desc>\n");
+  if (drawing.paper_color != Drawing().paper_color) {
+    append(out, "<rect class=\"paper\" width=\"");
+    append_fixed(out, w, 3);
+    append(out, "\" height=\"");
+    append_fixed(out, h, 3);
+    append(out, fmt::format("\" fill=\"{}\"/>\n", drawing.paper_color));
+  }
   return fmt::to_string(out);
 }
 
-std::string svg_layer_tag(const InkLayer& layer, const std::string& id, const SvgOptions& options) {
+std::string svg_ink(const Drawing& drawing) {
+  return drawing.ink_color == Drawing().ink_color ? "#000" : drawing.ink_color;
+}
+
+std::string svg_layer_tag(const InkLayer& layer, const std::string& id, std::string_view ink,
+                          const SvgOptions& options) {
   Buffer out;
   append(out, fmt::format("<g id=\"{}\" inkscape:groupmode=\"layer\" inkscape:label=\"", id));
   append_xml(out, layer.name);
-  append(out,
-         "\" fill=\"none\" stroke=\"#000\" stroke-linecap=\"round\" stroke-linejoin=\"round\"");
+  append(out, fmt::format("\" fill=\"none\" stroke=\"{}\" stroke-linecap=\"round\" "
+                          "stroke-linejoin=\"round\"",
+                          ink));
   if (layer.is_hidden()) {
     append(out, " stroke-dasharray=\"");
     append_fixed(out, options.dashes.dash, 3);

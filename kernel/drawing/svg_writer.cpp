@@ -26,14 +26,17 @@ bool mostly_areas(std::span<const Path* const> paths, const SvgOptions& options)
   return 2 * areas > std::ssize(paths);
 }
 
-void append_paint(Buffer& out, bool filled) {
-  append(out, filled ? " fill=\"#000\" stroke=\"none\"" : " fill=\"none\" stroke=\"#000\"");
+void append_paint(Buffer& out, bool filled, std::string_view ink) {
+  const char* const paint =
+      filled ? " fill=\"{}\" stroke=\"none\"" : " fill=\"none\" stroke=\"{}\"";
+  append(out, fmt::format(fmt::runtime(paint), ink));
 }
 
 /// What a path has to say of its pen inside a group. Each line tells its width: programs that
 /// import SVG for its shapes (OpenSCAD) do not inherit it.
-void append_own_pen(Buffer& out, bool filled, double width, bool group_filled) {
-  if (filled != group_filled) append_paint(out, filled);
+void append_own_pen(Buffer& out, bool filled, double width, bool group_filled,
+                    std::string_view ink) {
+  if (filled != group_filled) append_paint(out, filled, ink);
   if (!filled) append_pen(out, width);
 }
 
@@ -49,13 +52,14 @@ struct Item {
 /// All paths in order; the last item has none, only the closing tags.
 class Items {
  public:
-  Items(const Drawing& drawing, const SvgOptions& options) : drawing_(drawing), options_(options) {
+  Items(const Drawing& drawing, const SvgOptions& options)
+      : drawing_(drawing), options_(options), ink_(svg_ink(drawing)) {
     name_parts();
     SvgIds ids(options.id_prefix);
     before_ = svg_head(drawing);
     for (const InkLayer& layer : ink_layers(drawing)) {
       const std::string id = ids.make(layer.name);
-      before_ += svg_layer_tag(layer, id, options);
+      before_ += svg_layer_tag(layer, id, ink_, options);
       // Without the prefix, which each id gets once.
       const std::string stem = id.substr(options.id_prefix.size());
       for (const auto& [part, paths] : layer.parts) {
@@ -67,6 +71,7 @@ class Items {
   }
 
   const std::vector<Item>& all() const { return items_; }
+  std::string_view ink() const { return ink_; }
 
  private:
   /// A part of the drawing that has a name.
@@ -96,7 +101,7 @@ class Items {
     Buffer out;
     append(out, fmt::format("<g id=\"{}\" data-part=\"{}\"", id, part));
     // Lines are what the layer says.
-    if (filled) append_paint(out, true);
+    if (filled) append_paint(out, true, ink_);
     append(out, "><title>");
     if (const auto it = named_.find(part); it != named_.end()) {
       append_xml(out, it->second.name);
@@ -128,6 +133,7 @@ class Items {
 
   const Drawing& drawing_;
   const SvgOptions& options_;
+  std::string ink_;
   std::string before_;
   std::vector<Item> items_;
   std::list<std::deque<Path>> kept_;
@@ -159,7 +165,8 @@ void append_source(Buffer& out, const Item& item) {
   if (!edges.empty()) fmt::format_to(fmt::appender(out), " data-edges=\"{}\"", edges);
 }
 
-void append_polyline(Buffer& out, SvgPen& pen, const Item& item, double tolerance) {
+void append_polyline(Buffer& out, SvgPen& pen, const Item& item, std::string_view ink,
+                     double tolerance) {
   const Path& p = *item.path;
   std::vector<Vec2> all = p.points;
   if (p.closed) all.push_back(all.front());
@@ -167,20 +174,21 @@ void append_polyline(Buffer& out, SvgPen& pen, const Item& item, double toleranc
   for (const std::size_t i : simplify(all, tolerance)) kept.push_back(all[i]);
   append(out, "<polyline");
   append_source(out, item);
-  append_own_pen(out, false, mean_width(p), item.group_filled);
+  append_own_pen(out, false, mean_width(p), item.group_filled, ink);
   append(out, " points=\"");
   pen.points(kept);
   append(out, "\"/>\n");
 }
 
-void append_path(Buffer& out, const Item& item, double paper_height, const SvgOptions& options) {
+void append_path(Buffer& out, const Item& item, double paper_height, std::string_view color,
+                 const SvgOptions& options) {
   SvgPen pen(out, paper_height);
   const Path& p = *item.path;
-  if (options.flatten) return append_polyline(out, pen, item, options.fit_tolerance);
+  if (options.flatten) return append_polyline(out, pen, item, color, options.fit_tolerance);
   const Ink ink = ink_of(p, curve_tolerance(options));
   append(out, "<path");
   append_source(out, item);
-  append_own_pen(out, ink.filled, ink.width, item.group_filled);
+  append_own_pen(out, ink.filled, ink.width, item.group_filled, color);
   append(out, " d=\"");
   for (const auto& chain : ink.chains) pen.chain(chain, ink.filled || p.closed);
   if (ink.chains.front().empty()) pen.dot(p.points.front());
@@ -198,7 +206,7 @@ void write_svg(const Drawing& drawing, const SvgOptions& options, std::ostream& 
       items.size(), [&](std::size_t i) { return items[i].path ? items[i].path->points.size() : 0; },
       [&](std::size_t i, Buffer& buffer) {
         append(buffer, items[i].before);
-        if (items[i].path) append_path(buffer, items[i], drawing.paper_height, options);
+        if (items[i].path) append_path(buffer, items[i], drawing.paper_height, made.ink(), options);
       },
       out, context);
 }

@@ -82,8 +82,9 @@ using Value = std::uint16_t;
 
 class Parser : public Grammar<Parser, Value> {
  public:
-  Parser(std::string_view text, std::span<const std::string_view> variables)
-      : Grammar(text, kNowhere), variables_(variables) {}
+  Parser(std::string_view text, std::span<const std::string_view> variables,
+         std::span<const std::string_view> outside)
+      : Grammar(text, kNowhere), variables_(variables), outside_(outside) {}
 
   std::vector<Step> steps() {
     sum();
@@ -120,10 +121,24 @@ class Parser : public Grammar<Parser, Value> {
         fmt::format("unknown name {}; there are {}", in_quotes(name.text), fmt::join(known, ", ")));
   }
   Value called(const Token& name) {
+    const auto own = std::ranges::find(outside_, name.text);
+    if (own != outside_.end()) {
+      take();  // (
+      const std::string usage = fmt::format("{}(a, b)", name.text);
+      const Value a = sum();
+      expect(",", fmt::format("in {}", usage));
+      const Value b = sum();
+      expect(")", fmt::format("at the end of {}", usage));
+      return add({.op = Step::Op::Outside,
+                  .a = a,
+                  .b = b,
+                  .c = static_cast<Value>(own - outside_.begin())});
+    }
     const Function* f = find(name.text);
     if (f == nullptr) {
       std::vector<std::string> known;
       for (const Function& one : kFunctions) known.emplace_back(one.name);
+      known.insert(known.end(), outside_.begin(), outside_.end());
       fail(file_, name.place,
            fmt::format("unknown function {}; the nearest is '{}'", in_quotes(name.text),
                        nearest(name.text.substr(0, kShownName), known)));
@@ -152,7 +167,7 @@ class Parser : public Grammar<Parser, Value> {
   }
 
   static inline const std::string kNowhere;
-  std::span<const std::string_view> variables_;
+  std::span<const std::string_view> variables_, outside_;
   std::vector<Step> steps_;
 };
 
@@ -166,18 +181,19 @@ std::string shown(const Token& token) {
   return token.kind == TokenKind::End ? "the end of the file" : in_quotes(token.text);
 }
 
-Formula::Formula(std::string_view text, std::span<const std::string_view> variables) {
+Formula::Formula(std::string_view text, std::span<const std::string_view> variables,
+                 std::span<const std::string_view> outside) {
   if (text.size() > kMaxText) {
     throw UsageError(fmt::format("the formula is longer than {} characters", kMaxText));
   }
   try {
-    steps_ = Parser(text, variables).steps();
+    steps_ = Parser(text, variables, outside).steps();
   } catch (const InputError& e) {
     throw UsageError(e.what());
   }
 }
 
-double Formula::operator()(std::span<const double> values) const {
+double Formula::operator()(std::span<const double> values, const Outside& outside) const {
   std::array<double, kMaxSteps> of;  // NOLINT: each is written before it is read
   for (std::size_t i = 0; i < steps_.size(); ++i) {
     const Step& s = steps_[i];
@@ -209,6 +225,9 @@ double Formula::operator()(std::span<const double> values) const {
       case Step::Op::Call:
         of[i] = s.call(of[s.a], of[s.b], of[s.c]);
         break;
+      case Step::Op::Outside:
+        of[i] = outside(s.c, of[s.a], of[s.b]);
+        break;
     }
   }
   return of[steps_.size() - 1];
@@ -217,6 +236,10 @@ double Formula::operator()(std::span<const double> values) const {
 bool Formula::uses(std::size_t variable) const {
   return std::ranges::any_of(
       steps_, [&](const Step& s) { return s.op == Step::Op::Variable && s.a == variable; });
+}
+
+bool Formula::calls_outside() const {
+  return std::ranges::any_of(steps_, [](const Step& s) { return s.op == Step::Op::Outside; });
 }
 
 bool Formula::is(double value) const {

@@ -112,17 +112,28 @@ Surfaces realise(const Scene& scene, const Camera& camera, const detail::PartSty
 }
 
 Field make_field(const std::vector<const Surface*>& surfaces, const Camera& camera,
-                 const detail::StrokeSet& strokes, const RunContext& context) {
+                 const detail::StrokeSet& strokes, const std::shared_ptr<const Image>& image,
+                 const RunContext& context) {
   if (!follows_field(*strokes.hatch)) {
     return {"none", [](const FieldQuery&) { return std::optional<Cross>(); }};
   }
-  return field::find(strokes.hatch->field.name)
-      .make({.surfaces = surfaces,
-             .camera = camera,
-             .options = strokes.hatch->field,
-             .light = tone::to_light(camera, *strokes.tone),
-             .flat = camera.scale() / kFlatRadius,
-             .context = context});
+  const field::FieldKind& kind = field::find(strokes.hatch->field.name);
+  if (stands_on_levels(*strokes.hatch) && !kind.has_levels) {
+    std::vector<std::string_view> with;
+    for (const field::FieldKind& other : field::catalogue()) {
+      if (other.has_levels) with.push_back(other.name);
+    }
+    throw UsageError(
+        fmt::format("hatch.placing levels asks for a hatch.field that has levels ({}); {} has none",
+                    fmt::join(with, ", "), kind.name));
+  }
+  return kind.make({.surfaces = surfaces,
+                    .camera = camera,
+                    .options = strokes.hatch->field,
+                    .light = tone::to_light(camera, *strokes.tone),
+                    .flat = camera.scale() / kFlatRadius,
+                    .context = context,
+                    .image = image});
 }
 
 // Whether the ink of the whole picture is balanced: it is light and shade that need it. A tone that
@@ -146,6 +157,12 @@ tone::Blocked blocked_by(const Occluder& solid, double tolerance) {
   };
 }
 
+// The picture of some strokes; null where they name none, or one that was not read.
+std::shared_ptr<const Image> image_of(const HatchStyle& hatch, const IllustrateOptions& options) {
+  const auto found = options.images.find(hatch.image);
+  return found == options.images.end() ? nullptr : found->second;
+}
+
 // The strokes of one kind on the parts that are flagged.
 StrokeResult hatch(std::vector<const Surface*> surfaces, std::vector<bool> parts,
                    const Occluder& occluder, const Camera& camera, const detail::StrokeSet& strokes,
@@ -160,19 +177,22 @@ StrokeResult hatch(std::vector<const Surface*> surfaces, std::vector<bool> parts
   context.begin_stage(RunStage::Field);
   const ViewProbe probe = view_probe(occluder, camera, std::move(parts));
   const HatchScene scene{surfaces, camera, probe, context};
+  const std::shared_ptr<const Image> image = image_of(*strokes.hatch, options);
   const Field field =
-      options.field ? options.field(scene) : make_field(surfaces, camera, strokes, context);
+      options.field ? options.field(scene) : make_field(surfaces, camera, strokes, image, context);
   const Tone tone = options.tone ? options.tone(scene)
                                  : tone::make(camera, *strokes.tone, blocked_by(solid, tolerance));
   InkOptions ink{.exponents = strokes.exponents,
                  .tone_min = strokes.hatch->tone_min,
+                 .image = image,
                  .keys = detail::kind_group(static_cast<std::size_t>(strokes.number))};
   if (!options.tone && balances(*strokes.tone)) ink.balance = *strokes.tone;
   if (!options.tone && cue.pales()) ink.fade = [&](Vec3 position) { return cue.ink(position); };
   StrokeResult result = trace_strokes(surfaces, camera, field, tone, probe, *strokes.hatch,
                                       seed_of(options.seed, strokes.number), context, ink);
   for (Curve3& stroke : result.strokes) stroke.stroke_kind = strokes.number;
-  if (!options.field && follows_field(*strokes.hatch)) {
+  // Where there is no level there is no line of it to be missed.
+  if (!options.field && follows_field(*strokes.hatch) && !stands_on_levels(*strokes.hatch)) {
     const Tone toned = [&](Vec3 position, Vec3 normal) {
       const double asked = std::pow(1 - tone(position, normal), result.tone_gamma);
       return 1 - (ink.fade ? ink.fade(position) : 1.0) * asked;
@@ -280,6 +300,8 @@ Drawing describe(const Scene& scene, const std::vector<const ProxyMesh*>& proxie
   Drawing drawing;
   drawing.paper_width = camera.paper().width;
   drawing.paper_height = camera.paper().height;
+  drawing.ink_color = style.sheet.ink;
+  drawing.paper_color = style.sheet.paper;
   drawing.seed = seed;
   drawing.style = style.name;
   drawing.view = describe(camera);
@@ -324,6 +346,33 @@ void tell_unmapped(const Scene& scene, std::vector<std::int32_t> parts, Diagnost
           "to hatch.presence_law) change nothing there",
           first.empty() ? fmt::format("part {}", parts.front()) : fmt::format("'{}'", first),
           parts.size() > 1 ? fmt::format(" (and {} more)", parts.size() - 1) : ""));
+}
+
+// Choices of strokes that nothing of the drawing looks at, each once.
+void tell_unused(const detail::PartStyles& part_styles, const IllustrateOptions& options,
+                 Diagnostics& diagnostics) {
+  std::set<std::string> told;
+  for (const detail::StrokeSet& strokes : part_styles.strokes()) {
+    const HatchStyle& hatch = *strokes.hatch;
+    const std::string group = detail::kind_group(static_cast<std::size_t>(strokes.number));
+    if (!takes_motif(hatch)) {
+      const char* const why = "{}{} has no effect: it is for strokes on points ({}placing points, "
+                              "discs), not {}";
+      const auto tell = [&](const char* key) {
+        told.insert(fmt::format(fmt::runtime(why), group, key, group, hatch.placing));
+      };
+      if (hatch.length_law != HatchOptions().length_law) tell("length_law");
+      if (hatch.has_motif()) tell("motif");
+    }
+    const tone::ToneOptions& tone = *strokes.tone;
+    if (!options.tone && tone.shadow > 0 && !tone::find(tone.law).uses_light) {
+      told.insert(fmt::format("{0}tone.shadow has no effect: {0}tone.law {1} looks at no light",
+                              strokes.number == 1 ? "" : group, tone.law));
+    }
+  }
+  for (const std::string& text : told) {
+    diagnostics.add(Severity::Warning, "option.unused", 1, text);
+  }
 }
 
 void name_own_field(Drawing& drawing) {
@@ -379,6 +428,7 @@ Drawing draw(const Scene& scene, const Camera& camera, const Style& style,
   if (draws_outline(part_styles)) sight.close_outline(features, seen, context);
   tell_bounds(strokes, seen, drawing.diagnostics);
   tell_unmapped(scene, strokes.unmapped, drawing.diagnostics);
+  tell_unused(part_styles, options, drawing.diagnostics);
 
   context.begin_stage(RunStage::Compose);
   detail::compose({features, seen.features, strokes.strokes, seen.strokes},

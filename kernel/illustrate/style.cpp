@@ -1,5 +1,6 @@
 #include <burin/base/error.h>
 #include <burin/base/nearest.h>
+#include <burin/drawing/color.h>
 #include <burin/illustrate/style.h>
 
 #include "style_table.h"
@@ -141,6 +142,62 @@ Style woodcut() {
   return s;
 }
 
+/// White lines scraped out of black: ink stands for light.
+Style scratchboard() {
+  Style s = engraving();
+  s.line.outer = 0.3;
+  s.hatch.spacing_min = 0.6;
+  s.hatch.spacing_max = 1.6;
+  s.hatch.width_max = 0.5;
+  s.hatch.tone_min = 0.06;
+  s.hatch.cross_from = 0.75;
+  s.tone.ink = tone::ToneOptions::Ink::Light;
+  s.tone.ambient = 0.04;
+  s.tone.diffuse = 0.85;
+  s.tone.highlight = 1;
+  s.tone.reflected = 0.1;
+  s.tone.rim = 0;
+  s.sheet.ink = "#ffffff";
+  s.sheet.paper = "#000000";
+  return s;
+}
+
+/// Lines at whole steps of height, as maps have them.
+Style contour_map() {
+  Style s = outline();
+  s.line.outer = 0.4;
+  s.line.contour = 0.25;
+  s.line.boundary = 0.25;
+  s.hatch.enabled = true;
+  s.hatch.field.name = "planes";
+  s.hatch.field.direction = {0, 0, 1};
+  s.hatch.placing = "levels";
+  s.hatch.spacing_min = s.hatch.spacing_max = 1.6;
+  s.hatch.width_min = s.hatch.width_max = 0.13;
+  s.hatch.taper = 0;
+  s.hatch.tone_min = 0;
+  s.hatch.cross_from = 2;
+  s.tone = {.law = "constant", .ambient = 0.89, .highlight = 1, .rim = 0};
+  return s;
+}
+
+/// White lines on blue, as plans were copied; what lies in shade is hatched.
+Style blueprint() {
+  Style s = technical();
+  s.line = {.outer = 0.5,
+            .contour = 0.3,
+            .crease = 0.25,
+            .boundary = 0.3,
+            .smooth = 0.13,
+            .intersection = 0.25,
+            .hidden = 0.18};
+  s.hatch.width_min = 0.1;
+  s.hatch.width_max = 0.2;
+  s.sheet.ink = "#ffffff";
+  s.sheet.paper = "#1c4480";
+  return s;
+}
+
 /// As patent offices ask for it: black lines of two widths, a little shading in lines that stay
 /// apart when they are copied at two thirds.
 Style patent() {
@@ -256,6 +313,11 @@ constexpr std::array kBuiltin{
     Builtin{"stipple", "full tone by dots, small where it is light, dense where it is dark",
             stipple},
     Builtin{"woodcut", "bold: few broad strokes that swell from white to almost black", woodcut},
+    Builtin{"scratchboard", "white on black: strokes carry the light, as a scraper lays them",
+            scratchboard},
+    Builtin{"contour-map", "lines of equal height over the whole form, like a map's", contour_map},
+    Builtin{"blueprint", "white lines on blue, light hatching where the part lies in shade",
+            blueprint},
     Builtin{"patent", "lines of two widths, shaded sparsely, that bear copying and scaling down",
             patent},
     Builtin{"plotter", "one pen: lines of one width as plain polylines, closer where it is dark",
@@ -392,8 +454,14 @@ void check_style(const Style& style) {
   }
   const auto fault = options::first_fault(detail::all_rows_of(style), style);
   if (fault) throw UsageError("style key " + *fault);
+  for (const auto& [key, color] :
+       {std::pair{"ink", style.sheet.ink}, {"paper", style.sheet.paper}}) {
+    if (rgb_of(color)) continue;
+    throw UsageError(
+        fmt::format("style key 'sheet.{}' takes a colour #rrggbb, not '{}'", key, color));
+  }
   for (std::size_t number = 1; number <= stroke_kind_count(style); ++number) {
-    check_laws(hatch_of(style, number), detail::kind_group(number));
+    check_texts(hatch_of(style, number), detail::kind_group(number));
   }
 }
 

@@ -66,10 +66,15 @@ std::vector<OptionRow<DepthOptions>> depth_rows() {
   };
 }
 
+constexpr const char* kColor = "a colour #rrggbb";
+
 std::vector<OptionRow<SheetStyle>> sheet_rows() {
   return {flag("clip", &SheetStyle::clip,
                "cut what runs off the sheet at its edge; strokes end a few mm beyond it either "
-               "way")};
+               "way"),
+          options::text("ink", &SheetStyle::ink, "colour of all lines", kColor),
+          options::text("paper", &SheetStyle::paper,
+                        "colour of the sheet; white is not painted (nor is any in DXF)", kColor)};
 }
 
 std::vector<KindRow> make_kind_rows() {

@@ -3,12 +3,15 @@
 #include <burin/base/error.h>
 #include <burin/base/rng.h>
 
+#include "motif.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <span>
+#include <utility>
 
 namespace burin::detail {
 namespace {
@@ -17,12 +20,13 @@ enum Variable { X, Y, Z, Nx, Ny, Nz, U, V, Facing, Lean, Ink, Random, Along };
 constexpr std::size_t kVariables = Along + 1;
 constexpr std::array<std::string_view, kVariables> kNames{
     "x", "y", "z", "nx", "ny", "nz", "u", "v", "facing", "lean", "ink", "random", "t"};
+constexpr std::array<std::string_view, 1> kOutside{"image"};
 // Of a place; of a stroke too; of a place along a stroke.
 constexpr std::size_t kOfPlace = Random, kOfStroke = Along, kOfSample = kVariables;
 
 expression::Formula compiled(const std::string& text, const std::string& key, std::size_t known) {
   try {
-    return {text, std::span(kNames).first(known)};
+    return {text, std::span(kNames).first(known), kOutside};
   } catch (const UsageError& e) {
     throw UsageError(fmt::format("style key '{}': {}", key, e.what()));
   }
@@ -33,8 +37,16 @@ const HatchOptions kPlain{};
 }  // namespace
 
 Law::Law(const std::string& text, const std::string& plain, const std::string& key,
-         std::size_t known)
-    : key_(key), plain_(text == plain), formula_(compiled(text, key, known)) {}
+         std::size_t known, std::shared_ptr<const Image> image)
+    : key_(key), plain_(text == plain), formula_(compiled(text, key, known)) {
+  if (image) {
+    image_ = [image = std::move(image)](std::size_t, double u, double v) {
+      return image->at(u, v);
+    };
+  }
+}
+
+bool Law::needs_image() const { return formula_.calls_outside(); }
 
 bool Law::needs_parameters() const { return formula_.uses(U) || formula_.uses(V); }
 
@@ -60,7 +72,7 @@ double Law::at(const LawPlace& place, const Surface& surface, const Field& field
   values[Ink] = place.ink;
   values[Random] = place.random;
   values[Along] = place.along;
-  const double value = formula_(values);
+  const double value = formula_(values, image_);
   if (!std::isfinite(value)) {
     throw UsageError(
         fmt::format("style key '{}': the formula gives no finite number in places (it divides by "
@@ -71,12 +83,21 @@ double Law::at(const LawPlace& place, const Surface& surface, const Field& field
   return value;
 }
 
-Laws::Laws(const HatchOptions& options, const std::string& group)
-    : ink(options.ink_law, kPlain.ink_law, group + "ink_law", kOfPlace),
-      density(options.density_law, kPlain.density_law, group + "density_law", kOfPlace),
-      width(options.width_law, kPlain.width_law, group + "width_law", kOfSample),
-      length(options.length_law, kPlain.length_law, group + "length_law", kOfStroke),
-      presence(options.presence_law, kPlain.presence_law, group + "presence_law", kOfStroke) {}
+Laws::Laws(const HatchOptions& options, const std::string& group,
+           const std::shared_ptr<const Image>& image)
+    : ink(options.ink_law, kPlain.ink_law, group + "ink_law", kOfPlace, image),
+      density(options.density_law, kPlain.density_law, group + "density_law", kOfPlace, image),
+      width(options.width_law, kPlain.width_law, group + "width_law", kOfSample, image),
+      length(options.length_law, kPlain.length_law, group + "length_law", kOfStroke, image),
+      presence(options.presence_law, kPlain.presence_law, group + "presence_law", kOfStroke,
+               image) {
+  if (options.has_image()) return;
+  for (const Law* law : {&ink, &density, &width, &length, &presence}) {
+    if (!law->needs_image()) continue;
+    throw UsageError(fmt::format(
+        "style key '{}': image(u, v) asks for a picture; name one by {}image", law->key(), group));
+  }
+}
 
 bool Laws::need_parameters() const {
   const std::array all{&ink, &density, &width, &length, &presence};
@@ -107,8 +128,9 @@ double Laws::random(std::uint64_t seed, std::int32_t part, int family, std::uint
 
 namespace burin {
 
-void check_laws(const HatchOptions& options, const std::string& group) {
-  const detail::Laws compiled(options, group);
+void check_texts(const HatchOptions& options, const std::string& group) {
+  const detail::Laws compiled(options, group, nullptr);
+  if (options.has_motif()) detail::motif_of(options, group, 1);
 }
 
 }  // namespace burin

@@ -6,6 +6,7 @@
 #include <burin/stroke/stroke.h>
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 
@@ -29,13 +30,17 @@ struct LawPlace {
 /// One formula.
 class Law {
  public:
-  /// `plain`: the text that changes nothing; `known`: how many of the variables it may look at.
+  /// `plain`: the text that changes nothing; `known`: how many of the variables it may look at;
+  /// `image`: what image(u, v) is.
   /// Throws UsageError that begins with the key.
-  Law(const std::string& text, const std::string& plain, const std::string& key, std::size_t known);
+  Law(const std::string& text, const std::string& plain, const std::string& key, std::size_t known,
+      std::shared_ptr<const Image> image);
 
   /// Whether it changes nothing.
   bool plain() const { return plain_; }
   bool needs_parameters() const;
+  bool needs_image() const;
+  const std::string& key() const { return key_; }
 
   /// Its value; `otherwise` where it needs u and v and the surface has none. Throws UsageError
   /// where it is no finite number.
@@ -46,6 +51,7 @@ class Law {
   std::string key_;
   bool plain_ = false;
   expression::Formula formula_;
+  expression::Formula::Outside image_;
 };
 
 /// The laws that each have random numbers of their own.
@@ -53,8 +59,10 @@ constexpr std::uint64_t kWidthLaw = 1, kLengthLaw = 2, kPresenceLaw = 3;
 
 /// The laws of one kind of strokes.
 struct Laws {
-  /// `group`: what keys begin with. Throws UsageError that names the key.
-  Laws(const HatchOptions& options, const std::string& group);
+  /// `group`: what keys begin with; `image`: the picture of the options, where it was read. Throws
+  /// UsageError that names the key.
+  Laws(const HatchOptions& options, const std::string& group,
+       const std::shared_ptr<const Image>& image);
 
   Law ink, density, width, length, presence;
 

@@ -37,6 +37,11 @@ std::vector<OptionRow<HatchOptions>> rows() {
       number("length_max", &HatchOptions::length_max, {0.1, 100000, "mm"}, "longest stroke, in mm"),
       number("length", &HatchOptions::length, {0.1, 1000, "mm"},
              "about how long strokes on points are, in mm (hatch.placing points, discs)"),
+      number(
+          "level_step", &HatchOptions::level_step, {0, 1e6},
+          "between lines at whole steps of height, depth, side or cosine (hatch.placing levels; "
+          "fields planes, silhouette, screen-vertical in model mm; isophotes); 0 = a round number "
+          "of about hatch.spacing_min on paper"),
       options::text("ink_law", &HatchOptions::ink_law,
                     "what strokes cover of the paper, of the ink that the tone asks for", kFormula),
       options::text("density_law", &HatchOptions::density_law,
@@ -47,6 +52,14 @@ std::vector<OptionRow<HatchOptions>> rows() {
                     "factor of the length of strokes on points", kFormula),
       options::text("presence_law", &HatchOptions::presence_law,
                     "the chance of each stroke to be drawn, from 0 to 1", kFormula),
+      options::text("motif", &HatchOptions::motif,
+                    "what stands on each point in the place of a stroke, hatch.length large along "
+                    "its longer side (hatch.placing points, discs)",
+                    "path data of SVG (M0 0L1 1), the name of an .svg file, or none"),
+      options::text("image", &HatchOptions::image,
+                    "a picture that laws know as image(u, v), from 0 black to 1 white, and that "
+                    "hatch.field texture-image runs across the gradient of",
+                    "the name of a .png file, or none"),
       number("taper", &HatchOptions::taper, {0, 1000, "mm"},
              "length over which the end of a stroke thins out, in mm"),
       number("foreshortening", &HatchOptions::foreshortening, {0, 1},

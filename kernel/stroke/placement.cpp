@@ -4,6 +4,7 @@
 #include <burin/base/smoothstep.h>
 
 #include "level_lines.h"
+#include "level_phase.h"
 #include "narrow_faces.h"
 #include "shared_progress.h"
 #include "wave_anchors.h"
@@ -50,7 +51,8 @@ class Fading {
     full_ = o.width_min / o.spacing_min;
     // As many halvings as the style's widest gap has room for.
     const auto room = std::lround(std::log2(o.spacing_max / o.spacing_min));
-    if (family == 1 && picture.swells()) classes_ = std::clamp(static_cast<int>(room), 0, 2);
+    if (family == 1 && picture.swells() && !(picture.level_step > 0))
+      classes_ = std::clamp(static_cast<int>(room), 0, 2);
   }
 
   // How a line of some number fades: it has all of its ink where `full` is asked for, and ends at
@@ -298,14 +300,20 @@ struct Region {
 
 std::vector<Region> regions_of(const Picture& picture, const ViewRaster& raster, WaveGraph graph,
                                int family, const RunContext& context, SharedProgress& done) {
-  const bool exact = std::ranges::all_of(picture.surfaces, &Surface::exact);
-  const double length = !picture.swells() ? kLongOnePen : exact ? kLongExact : kLongEstimated;
-  make_integrable(raster, graph, picture.options.spacing_min, length, context);
-  done.add(kStage);
-  const std::vector<WaveAnchor> anchors = wave_anchors(picture, raster, graph, family, context);
-  WavePhase phase = solve_phase(graph, anchors, context);
-  if (picture.swells()) cancel_pairs(raster, graph, anchors, phase, context);
-  done.add(kStage);
+  WavePhase phase;
+  if (picture.level_step > 0) {
+    phase = level_phase(picture, raster, graph, context);
+    done.add(2 * kStage);
+  } else {
+    const bool exact = std::ranges::all_of(picture.surfaces, &Surface::exact);
+    const double length = !picture.swells() ? kLongOnePen : exact ? kLongExact : kLongEstimated;
+    make_integrable(raster, graph, picture.options.spacing_min, length, context);
+    done.add(kStage);
+    const std::vector<WaveAnchor> anchors = wave_anchors(picture, raster, graph, family, context);
+    phase = solve_phase(graph, anchors, context);
+    if (picture.swells()) cancel_pairs(raster, graph, anchors, phase, context);
+    done.add(kStage);
+  }
   const Fading fading(picture, family);
   std::map<std::pair<std::int32_t, std::int32_t>, Region> found;
   for (LevelLine& line : level_lines(raster, graph, phase, context)) {

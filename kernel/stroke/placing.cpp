@@ -2,6 +2,7 @@
 
 #include <burin/base/catalogue.h>
 
+#include "level_phase.h"
 #include "points.h"
 
 #include <array>
@@ -21,14 +22,29 @@ std::vector<Family> place_lines(const Picture& picture, const ViewRaster& raster
   return place_families(picture, raster, families, context, progress);
 }
 
+// Lines of all steps of a level, whatever the tone wants of them.
+std::vector<Family> place_levels(const Picture& picture, const ViewRaster& raster,
+                                 const std::vector<Seed>& /*seeds*/, int /*families*/,
+                                 const RunContext& context,
+                                 const std::function<void(double)>& progress) {
+  Picture stepped = picture.following(picture.field);
+  stepped.level_step = level_step(picture, raster, context);
+  if (stepped.level_step > 0) return place_families(stepped, raster, 1, context, progress);
+  std::vector<Family> none;
+  none.push_back({{}, SampleGrid({0, 0}, {0, 0}, 1)});
+  return none;
+}
+
 constexpr std::array kPlacings{
     Placing{"even", "long lines at even distances", cover_cells, place_lines, even_load},
     Placing{"points", "a short stroke on each of many independent random points", cover_points,
             place_on_points, points_load, Picture::Standing::Points},
     Placing{"discs", "the same, on points that keep clear of each other", cover_discs,
-            place_on_points, points_load, Picture::Standing::Points},
+            place_on_points, points_load, Picture::Standing::Discs},
     Placing{"dots", "a dot on each of points that keep clear of each other", cover_discs,
             place_dots, dots_load, Picture::Standing::Dots},
+    Placing{"levels", "a line wherever what the field keeps is a whole number of hatch.level_step",
+            cover_cells, place_levels, even_load, Picture::Standing::Levels},
 };
 
 }  // namespace
@@ -45,6 +61,16 @@ namespace burin {
 
 bool follows_field(const HatchOptions& options) {
   return detail::find_placing(options.placing).standing != detail::Picture::Standing::Dots;
+}
+
+bool stands_on_levels(const HatchOptions& options) {
+  return detail::find_placing(options.placing).standing == detail::Picture::Standing::Levels;
+}
+
+bool takes_motif(const HatchOptions& options) {
+  using enum detail::Picture::Standing;
+  const auto standing = detail::find_placing(options.placing).standing;
+  return standing == Points || standing == Discs;
 }
 
 }  // namespace burin

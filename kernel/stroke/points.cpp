@@ -3,6 +3,7 @@
 #include <burin/base/parallel.h>
 #include <burin/base/rng.h>
 
+#include "motif_strokes.h"
 #include "sample_grid.h"
 #include "shared_progress.h"
 #include "tracer.h"
@@ -27,19 +28,29 @@ constexpr double kSpare = 1.1;
 // Points that a surface is asked for at a time: some 300 MB.
 constexpr double kMostAsked = 4e6;
 
-double mean_length(const HatchOptions& o) { return o.length - std::min(o.taper, 0.4 * o.length); }
+// Paper mm of what stands on a point, on average.
+double mean_length(const Picture& picture) {
+  const HatchOptions& o = picture.options;
+  if (picture.motif) return o.length * picture.motif->length;
+  return o.length - std::min(o.taper, 0.4 * o.length);
+}
 
 // Paper mm: the length of a dot, which only says that it is a line.
 constexpr double kDot = 0.02;
 
 // Points a paper mm2 for strokes that are to cover a share `ink` of it. Dots that would come too
-// near each other grow instead.
+// near each other grow instead; motifs have wider lines, as wide as their own size apart.
 double density(const Picture& picture, double ink) {
   const HatchOptions& o = picture.options;
   if (!(ink >= o.tone_min && ink > 0)) return 0;
   const double width = picture.free_width(ink);
-  if (!picture.dots()) return picture.laid(ink) / (width * mean_length(o));
-  return std::min(picture.laid(ink) / dot_area(width), kPacking / (o.spacing_min * o.spacing_min));
+  const auto clear = [](double apart) { return kPacking / (apart * apart); };
+  if (picture.dots()) {
+    return std::min(picture.laid(ink) / dot_area(width), clear(o.spacing_min));
+  }
+  const double many = picture.laid(ink) / (width * mean_length(picture));
+  const bool motifs_clear = picture.motif && picture.standing == Picture::Standing::Discs;
+  return motifs_clear ? std::min(many, clear(std::max(o.length, o.spacing_min))) : many;
 }
 
 bool inked(const Picture& picture, const Seed& seed, const StrokeSample& at) {
@@ -251,25 +262,26 @@ Coverage cover(const Picture& picture, const ViewRaster& raster, bool discs,
   return out;
 }
 
-// The strokes that `make` gives for the seeds by number, by family, in their order.
+// The strokes that `make` gives for each of the seeds by number, by family, in their order.
 template <class Make>
 std::vector<Family> on_each(const std::vector<Seed>& seeds, int families, const RunContext& context,
                             const std::function<void(double)>& progress, const Make& make) {
   constexpr std::size_t kGrain = 32;
-  std::vector<std::optional<TracedStroke>> strokes(seeds.size());
+  std::vector<std::vector<TracedStroke>> strokes(seeds.size());
   SharedProgress done(static_cast<double>(seeds.size()), progress);
   parallel_for(
       seeds.size(), kGrain,
       [&](std::size_t begin, std::size_t end) {
-        for (std::size_t i = begin; i < end; ++i) strokes[i] = make(i);
+        for (std::size_t i = begin; i < end; ++i) make(i, strokes[i]);
         done.add(end - begin);
       },
       &context);
   std::vector<Family> out(static_cast<std::size_t>(families),
                           Family{{}, SampleGrid({0, 0}, {0, 0}, 1)});
-  for (auto& stroke : strokes) {
-    if (!stroke) continue;
-    out[static_cast<std::size_t>(stroke->family - 1)].strokes.push_back(std::move(*stroke));
+  for (std::vector<TracedStroke>& of_seed : strokes) {
+    for (TracedStroke& stroke : of_seed) {
+      out[static_cast<std::size_t>(stroke.family - 1)].strokes.push_back(std::move(stroke));
+    }
   }
   return out;
 }
@@ -299,21 +311,25 @@ std::vector<Family> place_on_points(const Picture& picture, const ViewRaster& /*
                                     const std::vector<Seed>& seeds, int families,
                                     const RunContext& context,
                                     const std::function<void(double)>& progress) {
-  const auto stroke = [&](std::size_t i) -> std::optional<TracedStroke> {
+  const auto stroke = [&](std::size_t i, std::vector<TracedStroke>& out) {
     const Seed& seed = seeds[i];
     const Tracer tracer(picture, seed.family);
     StrokeSample at;
-    if (!tracer.seed(seed.part, seed.point, Vec3(0), at)) return std::nullopt;
+    if (!tracer.seed(seed.part, seed.point, Vec3(0), at)) return;
     // The weight of the coverage knows of laws to within a cell of the raster.
-    if (picture.laws->shape_picture() && !inked(picture, seed, at)) return std::nullopt;
+    if (picture.laws->shape_picture() && !inked(picture, seed, at)) return;
+    const double law = picture.laws->length.plain() ? 1 : longer(picture, seed, at, i);
+    if (picture.motif) {
+      out = motif_strokes(picture, seed.part, seed.family, at, picture.options.length * law, i);
+      return;
+    }
     // Equal strokes would look ruled.
     const Rng rng(picture.seed, static_cast<std::uint64_t>(seed.part),
                   static_cast<std::uint64_t>(seed.family));
-    double reach = picture.options.length * (1.0 / 3 + rng.uniform(i) / 3);
-    if (!picture.laws->length.plain()) reach *= longer(picture, seed, at, i);
+    const double reach = law * picture.options.length * (1.0 / 3 + rng.uniform(i) / 3);
     TracedStroke traced =
         tracer.trace(seed.part, at, {.reach = reach, .least_ink = picture.options.tone_min});
-    return traced.samples.size() > 1 ? std::optional(std::move(traced)) : std::nullopt;
+    if (traced.samples.size() > 1) out.push_back(std::move(traced));
   };
   return on_each(seeds, families, context, progress, stroke);
 }
@@ -323,7 +339,9 @@ std::vector<Family> place_dots(const Picture& picture, const ViewRaster& /*raste
                                const RunContext& context,
                                const std::function<void(double)>& progress) {
   return on_each(seeds, families, context, progress,
-                 [&](std::size_t i) { return dot_at(picture, seeds[i]); });
+                 [&](std::size_t i, std::vector<TracedStroke>& out) {
+                   if (auto dot = dot_at(picture, seeds[i])) out.push_back(std::move(*dot));
+                 });
 }
 
 Placing::Load dots_load(const Picture& picture, double ink) {
@@ -332,8 +350,16 @@ Placing::Load dots_load(const Picture& picture, double ink) {
 }
 
 Placing::Load points_load(const Picture& picture, double ink) {
-  const double points = density(picture, ink);
-  return {.length = points * picture.options.length, .strokes = points};
+  const double points = density(picture, ink), length = picture.options.length;
+  if (!picture.motif) return {.length = points * length, .strokes = points};
+  // A motif of many samples weighs as much as the strokes that have as many.
+  constexpr double kSamples = 10;
+  double samples = picture.motif->length * length / kStep;
+  for (const Motif::Line& line : picture.motif->lines) {
+    samples += static_cast<double>(line.points.size());
+  }
+  return {.length = points * length * picture.motif->length,
+          .strokes = points * std::max(1.0, samples / kSamples)};
 }
 
 }  // namespace burin::detail

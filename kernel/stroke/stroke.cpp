@@ -157,7 +157,7 @@ Curve3 to_curve(const TracedStroke& stroke, const Picture& picture, std::vector<
     c.faces.push_back(static_cast<std::int32_t>(s.face));
   }
   if (!c.closed) c.faces.pop_back();
-  fair(c.points, c.closed);
+  if (!stroke.whole) fair(c.points, c.closed);  // motifs have their corners
   restore_level(stroke, surface, picture, c.points);
   return c;
 }
@@ -202,7 +202,7 @@ std::vector<std::int32_t> without_parameters(std::span<const Surface* const> sur
   return parts;
 }
 
-// What the law of width makes of the widths of a stroke, which is the one of that number.
+// What the law of width makes of the widths of a stroke; `number` tells its chance.
 void apply_width_law(const TracedStroke& stroke, std::size_t number, const Picture& picture,
                      std::vector<double>& widths) {
   constexpr double kMost = 10;
@@ -225,10 +225,11 @@ void apply_width_law(const TracedStroke& stroke, std::size_t number, const Pictu
   }
 }
 
-// Whether the law of presence lets a stroke be drawn, by its middle.
+// Whether the law of presence lets a stroke, or the motif that it is of, be drawn, by its middle.
 bool present(const TracedStroke& stroke, std::size_t number, const Picture& picture) {
   const Surface& surface = picture.surface(stroke.part);
-  const StrokeSample& s = stroke.samples[stroke.samples.size() / 2];
+  const StrokeSample& s =
+      stroke.whole ? stroke.whole->middle : stroke.samples[stroke.samples.size() / 2];
   const auto dice = [&](std::uint64_t law) {
     return Laws::random(picture.seed, stroke.part, stroke.family, law, number);
   };
@@ -249,8 +250,9 @@ void take_strokes(const Picture& picture, const std::vector<Family>& placed, Wid
     std::vector<std::uint8_t> drawn(strokes.size(), 1);
     const auto apply = [&](std::size_t begin, std::size_t end) {
       for (std::size_t s = begin; s < end; ++s) {
-        if (!laws.width.plain()) apply_width_law(strokes[s], s, picture, widths[f][s]);
-        drawn[s] = laws.presence.plain() || present(strokes[s], s, picture);
+        const std::size_t number = strokes[s].whole ? strokes[s].whole->number : s;
+        if (!laws.width.plain()) apply_width_law(strokes[s], number, picture, widths[f][s]);
+        drawn[s] = laws.presence.plain() || present(strokes[s], number, picture);
       }
     };
     constexpr std::size_t kGrain = 64;
@@ -269,9 +271,21 @@ StrokeResult trace_strokes(std::span<const Surface* const> surfaces, const Camer
                            const InkOptions& ink) {
   check(options);
   const Placing& placing = find_placing(options.placing);
-  const Laws laws(options, ink.keys);
+  if (options.has_image() && !ink.image) {
+    throw UsageError(
+        fmt::format("style key '{}image': no picture '{}' was read", ink.keys, options.image));
+  }
+  const Laws laws(options, ink.keys, ink.image);
   HatchOptions own = options;
   if (!follows_field(options)) own.cross_from = 2;  // dots do not cross
+  if (placing.standing == Picture::Standing::Levels) own.cross_from = 2;
+  std::optional<Motif> motif;
+  if (options.has_motif() && takes_motif(options)) {
+    // Paper mm that lines may be off a motif's curves.
+    constexpr double kTolerance = 0.01;
+    motif = motif_of(options, ink.keys, kTolerance / options.length);
+    own.cross_from = 2;
+  }
   if (!ink.exponents.empty()) {
     own.tone_min = Picture::shared(own.tone_min, *std::ranges::min_element(ink.exponents));
   }
@@ -283,7 +297,8 @@ StrokeResult trace_strokes(std::span<const Surface* const> surfaces, const Camer
                   .options = own,
                   .seed = seed,
                   .same_place = same_place(surfaces),
-                  .standing = placing.standing};
+                  .standing = placing.standing,
+                  .motif = motif ? &*motif : nullptr};
   context.begin_stage(RunStage::Cover);
   ViewRaster raster = make_raster(picture, context);
   const ToneBalance balanced(picture, raster, ink.balance);

@@ -6,7 +6,6 @@
 namespace burin::detail {
 namespace {
 
-constexpr double kStep = 0.4;        // paper mm between samples
 constexpr double kLeastStep = 0.05;  // ... that the last one is not shorter than
 constexpr double kProbeEvery = 2;    // samples between two tests of visibility
 constexpr double kHiddenTail =
@@ -124,7 +123,8 @@ std::optional<double> Tracer::level_kept(std::int32_t part, const StrokeSample& 
   if (!level) return std::nullopt;
   const double climb = std::abs(glm::dot(seed.tangent, level->gradient));
   if (climb > kAlongLevel * glm::length(level->gradient)) return std::nullopt;
-  return level->value;
+  if (!(picture_.level_step > 0)) return level->value;
+  return picture_.level_step * std::round(level->value / picture_.level_step);
 }
 
 // Brings the end of a step of some length back to the level that its stroke keeps, by Newton's

@@ -9,6 +9,9 @@
 
 namespace burin::detail {
 
+/// Paper mm between the samples of a stroke.
+constexpr double kStep = 0.4;
+
 /// Why a stroke ends; decides how its end is shaped. Edge: a crease or boundary; Away: the surface
 /// turns away from the viewer; Crowded: its neighbours need no line between them any more; Met: the
 /// strokes of another family cross its way.
@@ -43,6 +46,12 @@ struct TracedStroke {
   bool closed = false;
   int family = 1;
   std::optional<double> level;  // what the stroke keeps, if it runs along a level line of the field
+  /// Of a motif, which may be of several strokes: its number among the seeds, and its middle.
+  struct Whole {
+    std::size_t number = 0;
+    StrokeSample middle;
+  };
+  std::optional<Whole> whole;
 
   double length() const;  // on paper
 };

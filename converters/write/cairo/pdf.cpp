@@ -1,4 +1,5 @@
 #include <burin/base/error.h>
+#include <burin/drawing/color.h>
 #include <burin/drawing/near_sheet.h>
 #include <burin/drawing/title.h>
 
@@ -93,6 +94,15 @@ void write_pdf(const Drawing& drawing, const WriteOptions& options, std::ostream
   std::vector<Shape> shapes = shapes_of(sheet.layers());
   {
     const Pen pen = pen_on(surface.get(), h, kPointsPerMm, 0);
+    const auto use = [&](const std::string& color) {
+      const Rgb rgb = rgb_of(color).value_or(Rgb{});
+      cairo_set_source_rgb(pen.get(), rgb[0] / 255.0, rgb[1] / 255.0, rgb[2] / 255.0);
+    };
+    if (drawing.paper_color != Drawing().paper_color) {
+      use(drawing.paper_color);
+      cairo_paint(pen.get());
+    }
+    if (drawing.ink_color != Drawing().ink_color) use(drawing.ink_color);
     for (std::size_t begin = 0; begin < shapes.size(); begin += kAtOnce) {
       const auto some = std::span(shapes).subspan(begin, std::min(kAtOnce, shapes.size() - begin));
       fit_ink(some, options.svg.fit_tolerance, context);

@@ -1,5 +1,6 @@
 #include <burin/base/error.h>
 #include <burin/base/parallel.h>
+#include <burin/drawing/color.h>
 #include <burin/drawing/near_sheet.h>
 #include <burin/drawing/title.h>
 
@@ -87,6 +88,8 @@ class PngFile {
  public:
   PngFile(std::ostream& out, const Grid& grid, const Drawing& drawing, const PngOptions& options)
       : transparent_(options.background == PngOptions::Background::Transparent),
+        plain_(drawing.ink_color == Drawing().ink_color &&
+               (transparent_ || drawing.paper_color == Drawing().paper_color)),
         row_(static_cast<std::size_t>(grid.width) * 2) {
     png_ = png_create_write_struct(PNG_LIBPNG_VER_STRING, nullptr, fail, nullptr);
     info_ = png_ ? png_create_info_struct(png_) : nullptr;
@@ -94,8 +97,11 @@ class PngFile {
     png_set_write_fn(png_, &out, write, [](png_structp) {});
     png_set_IHDR(png_, info_, static_cast<png_uint_32>(grid.width),
                  static_cast<png_uint_32>(grid.height), 8,
-                 transparent_ ? PNG_COLOR_TYPE_GRAY_ALPHA : PNG_COLOR_TYPE_GRAY, PNG_INTERLACE_NONE,
-                 PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
+                 !plain_        ? PNG_COLOR_TYPE_PALETTE
+                 : transparent_ ? PNG_COLOR_TYPE_GRAY_ALPHA
+                                : PNG_COLOR_TYPE_GRAY,
+                 PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
+    if (!plain_) set_palette(drawing);
     const auto per_metre = static_cast<png_uint_32>(std::lround(1000 * grid.scale));
     png_set_pHYs(png_, info_, per_metre, per_metre, PNG_RESOLUTION_METER);
     // Line art on empty paper: most bytes repeat, and filters only slow that down.
@@ -120,7 +126,9 @@ class PngFile {
       const unsigned char* ink = data + static_cast<std::ptrdiff_t>(y) * stride;
       for (int x = 0; x < width; ++x) {
         const auto at = static_cast<std::size_t>(x);
-        if (transparent_) {
+        if (!plain_) {
+          row_[at] = ink[x];
+        } else if (transparent_) {
           row_[2 * at] = 0;
           row_[2 * at + 1] = ink[x];
         } else {
@@ -133,6 +141,24 @@ class PngFile {
   void finish() { png_write_end(png_, nullptr); }
 
  private:
+  // A colour for each share of ink, from the paper's to that of the ink.
+  void set_palette(const Drawing& drawing) {
+    const Rgb ink = rgb_of(drawing.ink_color).value_or(Rgb{}),
+              paper = rgb_of(drawing.paper_color).value_or(Rgb{});
+    constexpr int kShares = 256;
+    std::array<png_color, kShares> colors{};
+    std::array<png_byte, kShares> opaque{};
+    for (std::size_t i = 0; i < colors.size(); ++i) {
+      const auto mixed = [&](std::size_t c) {
+        const double share = transparent_ ? 1 : static_cast<double>(i) / (kShares - 1);
+        return static_cast<png_byte>(std::lround(paper[c] + share * (ink[c] - paper[c])));
+      };
+      colors[i] = {mixed(0), mixed(1), mixed(2)};
+      opaque[i] = static_cast<png_byte>(i);
+    }
+    png_set_PLTE(png_, info_, colors.data(), kShares);
+    if (transparent_) png_set_tRNS(png_, info_, opaque.data(), kShares, nullptr);
+  }
   static png_text text(const char* key, std::string& value) {
     png_text t{};
     t.compression = PNG_ITXT_COMPRESSION_NONE;
@@ -151,7 +177,7 @@ class PngFile {
 
   png_structp png_ = nullptr;
   png_infop info_ = nullptr;
-  bool transparent_;
+  bool transparent_, plain_;
   std::vector<unsigned char> row_;
 };
 

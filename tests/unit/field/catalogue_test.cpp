@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <memory>
 #include <set>
 #include <string>
 
@@ -26,7 +27,12 @@ Field make(const field::FieldKind& kind, const Surface& surface) {
       Camera::fit([&](const Mat3&) { return surface.proxy().mesh.bounds(); }, view);
   const std::vector<const Surface*> surfaces{&surface};
   const field::FieldOptions usual;
-  return kind.make({.surfaces = surfaces, .camera = camera, .options = usual, .context = context});
+  const auto image = std::make_shared<const Image>(Image{2, 1, {0, 1}});
+  return kind.make({.surfaces = surfaces,
+                    .camera = camera,
+                    .options = usual,
+                    .context = context,
+                    .image = image});
 }
 
 /// The share of places that have a cross, whose arms are unit tangents.

@@ -380,6 +380,10 @@
       <translation>Linien</translation>
     </message>
     <message>
+      <source>lines of equal height over the whole form, like a map's</source>
+      <translation>Linien gleicher Höhe über die ganze Form wie auf einer Landkarte</translation>
+    </message>
+    <message>
       <source>lines of two widths, shaded sparsely, that bear copying and scaling down</source>
       <translation>Linien in zwei Breiten, sparsam schattiert, die Kopieren und Verkleinern vertragen</translation>
     </message>
@@ -482,6 +486,14 @@
     <message>
       <source>visibility</source>
       <translation>Sichtbarkeit</translation>
+    </message>
+    <message>
+      <source>white lines on blue, light hatching where the part lies in shade</source>
+      <translation>weiße Linien auf Blau, leichte Schraffur, wo das Teil im Schatten liegt</translation>
+    </message>
+    <message>
+      <source>white on black: strokes carry the light, as a scraper lays them</source>
+      <translation>weiß auf schwarz: Striche tragen das Licht, wie ein Schabmesser sie zieht</translation>
     </message>
     <message>
       <source>write</source>

@@ -123,6 +123,8 @@ struct DrawingStats {
 struct Drawing {
   double paper_width = 297;
   double paper_height = 210;
+  /// "#rrggbb": of all lines, and of the sheet; white paper is not painted.
+  std::string ink_color = "#000000", paper_color = "#ffffff";
   std::uint64_t seed = 1;
   /// What it is called; empty: by its parts.
   std::string title = {};

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -16,17 +17,24 @@ namespace burin::expression {
 /// Immutable.
 class Formula {
  public:
-  /// Throws UsageError, "column 5: ...", where the text is none, is longer than 4,000 characters or
-  /// has more than 250 operations.
-  Formula(std::string_view text, std::span<const std::string_view> variables);
+  /// A function of two numbers that the caller brings, by its place in the list of their names.
+  using Outside = std::function<double(std::size_t, double, double)>;
 
-  /// Its value where the variables have these, in their order; may be no finite number. Costs some
-  /// nanoseconds an operation; from many threads.
-  double operator()(std::span<const double> values) const;
+  /// `outside`: names of functions of the caller. Throws UsageError, "column 5: ...", where the
+  /// text is none, is longer than 4,000 characters or has more than 250 operations.
+  Formula(std::string_view text, std::span<const std::string_view> variables,
+          std::span<const std::string_view> outside = {});
+
+  /// Its value where the variables have these, in their order; may be no finite number. `outside`
+  /// is there where the formula may call it. Costs some nanoseconds an operation; from many
+  /// threads.
+  double operator()(std::span<const double> values, const Outside& outside = {}) const;
   /// Whether a variable, by its place in the list, stands in it.
   bool uses(std::size_t variable) const;
   /// Whether it is this number whatever the variables are.
   bool is(double value) const;
+  /// Whether it calls any function of the caller's.
+  bool calls_outside() const;
 
   struct Step {
     enum class Op : std::uint8_t {
@@ -38,11 +46,13 @@ class Formula {
       Multiply,
       Divide,
       Power,
-      Call
+      Call,
+      Outside
     };
     Op op = Op::Number;
     double number = 0;
-    std::uint16_t a = 0, b = 0, c = 0;  // steps before; of Variable `a`, its place in the list
+    std::uint16_t a = 0, b = 0,
+                  c = 0;  // steps before; of Variable `a`, of Outside `c`: place in the list
     double (*call)(double, double, double) = nullptr;
   };
 

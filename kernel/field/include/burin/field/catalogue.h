@@ -19,6 +19,8 @@ struct FieldRequest {
   /// As AngleOptions::flat, in 1/model mm.
   double flat = 0;
   const RunContext& context;
+  /// The picture of the strokes, where they have one.
+  std::shared_ptr<const Image> image{};
 };
 
 struct FieldKind {
@@ -32,6 +34,8 @@ struct FieldKind {
   Field (*make)(const FieldRequest&);
   /// Whether it looks at `FieldRequest::light`.
   bool uses_light = false;
+  /// Whether its crosses have levels.
+  bool has_levels = false;
 };
 
 /// All fields, the usual one first.

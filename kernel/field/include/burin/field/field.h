@@ -1,6 +1,7 @@
 #pragma once
 /// Direction fields: which way a stroke goes at a point.
 
+#include <burin/base/image.h>
 #include <burin/base/run_context.h>
 #include <burin/camera/camera.h>
 #include <burin/field/options.h>
@@ -86,6 +87,19 @@ Field silhouette(const Camera& camera);
 /// The parameter lines of the chart: family 1 along u, family 2 along v, which need not be at a
 /// right angle. Nothing on forms without parameters (meshes, implicit ones) and at poles.
 Field isoparametric();
+
+/// Family 1 runs across the gradient of a picture that lies over the surface by its u and v,
+/// blurred as by a Gaussian of a standard deviation of `blur` of its sides; family 2 along it.
+/// Nothing where the surface has no u and v, or the picture is even. Throws UsageError where there
+/// is no picture.
+/// @cite Elber1998
+Field texture_image(const std::vector<const Surface*>& surfaces,
+                    const std::shared_ptr<const Image>& image, double blur);
+/// Family 1 runs where u and v change as two formulas (burin/expression/formula.h) over u v x y z
+/// say, family 2 at a right angle. Nothing where the surface has no u and v, or both are 0 or no
+/// numbers. Throws UsageError where a text is no formula. @cite Elber1998
+Field texture_vector(const std::vector<const Surface*>& surfaces, const std::string& along_u,
+                     const std::string& along_v);
 
 struct AngleOptions {
   /// What flat places follow: the tangent part of this direction, or of an axis where it is nearly

@@ -39,6 +39,10 @@ struct FieldOptions {
   Vec3 direction{0, 0, 1};
   /// How closely the smoothed field keeps to the curvature.
   double alignment = 1;
+  /// The field "texture-image": share of its sides by which the picture is blurred before.
+  double image_blur = 0.01;
+  /// The field "texture-vector": formulas over u v x y z.
+  std::string along_u = "1", along_v = "0";
   FacePolicy faces{};
 
   bool operator==(const FieldOptions&) const = default;

@@ -1,6 +1,7 @@
 #pragma once
 /// From a scene to a drawing: the only place that knows the order of the stages.
 
+#include <burin/base/image.h>
 #include <burin/base/run_context.h>
 #include <burin/camera/camera.h>
 #include <burin/drawing/drawing.h>
@@ -12,8 +13,11 @@
 
 #include <cstdint>
 #include <functional>
+#include <map>
+#include <memory>
 #include <optional>
 #include <span>
+#include <string>
 #include <vector>
 
 namespace burin {
@@ -43,6 +47,9 @@ struct HatchScene {
   const RunContext& context;
 };
 
+/// Pictures by the names that styles have for them.
+using Images = std::map<std::string, std::shared_ptr<const Image>>;
+
 struct IllustrateOptions {
   HiddenLines hidden = HiddenLines::None;
   std::uint64_t seed = 1;
@@ -54,6 +61,8 @@ struct IllustrateOptions {
   /// what they return is called from many threads. Paths of strokes call such a field "own".
   std::function<Field(const HatchScene&)> field{};
   std::function<Tone(const HatchScene&)> tone{};
+  /// What `hatch.image` of styles names; a name that is not among them is a UsageError.
+  Images images{};
   /// Whether the drawing is tested against rays once it is finished: `Drawing::stats.verify`, and
   /// diagnostics. It draws the same.
   bool verify = false;

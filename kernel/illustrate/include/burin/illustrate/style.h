@@ -79,6 +79,8 @@ struct DepthOptions {
 struct SheetStyle {
   /// What runs off the sheet is cut at its edge.
   bool clip = true;
+  /// "#rrggbb" of all lines and of the paper; DXF has none.
+  std::string ink = "#000000", paper = "#ffffff";
 
   bool operator==(const SheetStyle&) const = default;
 };
@@ -114,6 +116,12 @@ constexpr std::size_t kMostStrokeKinds = 9;
 std::size_t stroke_kind_count(const Style& style);
 const HatchStyle& hatch_of(const Style& style, std::size_t number);
 const tone::ToneOptions& tone_of(const Style& style, std::size_t number);
+/// Calls a function with each kind, to change it.
+template <class F>
+void for_each_hatch(Style& style, F&& change) {
+  change(style.hatch);
+  for (StrokeKind& kind : style.strokes) change(kind.hatch);
+}
 /// Calls a function with the tone of each kind, to change it.
 template <class F>
 void for_each_tone(Style& style, F&& change) {
@@ -124,7 +132,7 @@ void for_each_tone(Style& style, F&& change) {
 bool has_strokes(const Style& style);
 
 /// Names and one-line descriptions of the built-in styles: outline, technical, engraving, pencil,
-/// stipple, woodcut, patent, plotter, haloed, wireframe.
+/// stipple, woodcut, scratchboard, contour-map, blueprint, patent, plotter, haloed, wireframe.
 struct StyleInfo {
   std::string name;
   std::string description;

@@ -31,20 +31,31 @@ struct HatchOptions {
   /// About how long the stroke on a point is (a third more or less, by chance), where strokes stand
   /// on points.
   double length = 4;
-  /// Formulas (burin/expression/formula.h) over x y z (model mm), nx ny nz (the normal), u v (0 to
-  /// 1 over the chart), facing (cosine to the viewer), lean (sine of the angle between the
-  /// direction of the field and the normal), ink. What strokes cover of the paper, by what the tone
-  /// asks for:
+  /// Of what the field keeps, between lines that stand along levels of it (model mm; of isophotes
+  /// a cosine); 0: a round number by which they are about `spacing_min` apart.
+  double level_step = 0;
+  /// Formulas (burin/expression/formula.h), which may call image(u, v), over x y z (model mm), nx
+  /// ny nz (the normal), u v (0 to 1 over the chart), facing (cosine to the viewer), lean (sine of
+  /// the angle between the direction of the field and the normal), ink. What strokes cover of the
+  /// paper, by what the tone asks for:
   std::string ink_law = "ink";
   /// ... and by what factor they stand closer, none where it is 0 or less;
   std::string density_law = "1";
   /// ... which also know `random`, of the stroke in [0,1), and t, along it from 0 to 1: factors of
   /// widths; of lengths of strokes on points and the chance that a stroke is drawn (no t).
   std::string width_law = "1", length_law = "1", presence_law = "1";
+  /// What stands on points in the place of strokes: path data of SVG (burin/drawing/path_data.h),
+  /// `length` large along its longer side; "none": strokes.
+  std::string motif = "none";
+  /// The name of a picture that laws know as image(u, v), and fields by its gradient; "none".
+  std::string image = "none";
   /// Length over which a stroke's end thins out.
   double taper = 2.5;
   /// 0: equal spacing on paper whatever the slant of the surface; 1: equal spacing on the surface.
   double foreshortening = 0;
+
+  bool has_motif() const { return motif != "none"; }
+  bool has_image() const { return image != "none"; }
 
   bool operator==(const HatchOptions&) const = default;
 };
@@ -53,8 +64,17 @@ struct HatchOptions {
 /// way to place strokes has that name.
 bool follows_field(const HatchOptions& options);
 
-/// Throws UsageError where a law is no formula; `group` is what its key begins with ("hatch.").
-void check_laws(const HatchOptions& options, const std::string& group);
+/// Whether strokes stand along levels of their field, which then has to have some. Throws as
+/// `follows_field`.
+bool stands_on_levels(const HatchOptions& options);
+
+/// Whether motifs, and lengths of single strokes, mean something: strokes stand on points. Throws
+/// as `follows_field`.
+bool takes_motif(const HatchOptions& options);
+
+/// Throws UsageError where a law is no formula, or a motif no path; `group` is what the key begins
+/// with ("hatch.").
+void check_texts(const HatchOptions& options, const std::string& group);
 
 /// Names without a group: "spacing_min" ...
 const std::vector<OptionRow<HatchOptions>>& hatch_option_rows();

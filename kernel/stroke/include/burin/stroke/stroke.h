@@ -2,6 +2,7 @@
 /// Strokes: evenly spaced lines of a direction field whose widths and spacing carry the tone.
 
 #include <burin/base/curve.h>
+#include <burin/base/image.h>
 #include <burin/base/run_context.h>
 #include <burin/camera/camera.h>
 #include <burin/field/field.h>
@@ -11,6 +12,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -41,6 +43,8 @@ struct InkOptions {
   std::vector<double> exponents{};
   /// With exponents: no strokes where the ink of all kinds together is less.
   double tone_min = 0;
+  /// What laws call image(u, v); null: nothing.
+  std::shared_ptr<const Image> image{};
   /// What the keys of these strokes begin with, for errors.
   std::string keys = "hatch.";
 };

@@ -1,0 +1,37 @@
+#include "named_files.h"
+
+#include <burin/converters/pictures.h>
+
+#include <algorithm>
+#include <cctype>
+#include <string>
+
+namespace burin::detail {
+namespace {
+
+bool is_svg(const std::string& text) {
+  std::string end = text.substr(text.size() - std::min<std::size_t>(text.size(), 4));
+  std::ranges::transform(end, end.begin(), [](unsigned char c) { return std::tolower(c); });
+  return end == ".svg";
+}
+
+}  // namespace
+
+void find_named_files(Style& style, const std::filesystem::path& folder) {
+  for_each_hatch(style, [&](HatchStyle& hatch) {
+    if (is_svg(hatch.motif)) hatch.motif = read_svg_lines(folder / hatch.motif);
+    if (hatch.has_image()) {
+      hatch.image = std::filesystem::absolute(folder / hatch.image).lexically_normal().string();
+    }
+  });
+}
+
+void read_images(const Style& style, Images& images) {
+  for (std::size_t number = 1; number <= stroke_kind_count(style); ++number) {
+    const HatchStyle& hatch = hatch_of(style, number);
+    if (!hatch.enabled || !hatch.has_image() || images.contains(hatch.image)) continue;
+    images[hatch.image] = std::make_shared<const Image>(read_png(hatch.image));
+  }
+}
+
+}  // namespace burin::detail
