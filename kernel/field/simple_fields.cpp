@@ -1,6 +1,7 @@
 #include <burin/field/field.h>
 
 #include <cmath>
+#include <utility>
 
 namespace burin::field {
 namespace {
@@ -68,6 +69,16 @@ Field silhouette(const Camera& camera) {
       [camera](Vec3 p) {
         return camera.perspective() ? -camera.distance_to_viewer(p) : camera.depth(p);
       });
+}
+
+Field silhouette_across(const Camera& camera) {
+  return {"silhouette-across", [along = silhouette(camera).cross](const FieldQuery& q) {
+            std::optional<Cross> cross = along(q);
+            if (!cross) return cross;
+            std::swap(cross->first, cross->second);
+            cross->level.reset();  // it is kept along the silhouettes
+            return cross;
+          }};
 }
 
 Field isoparametric() {

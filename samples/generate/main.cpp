@@ -53,12 +53,25 @@ void save(const std::vector<burin::samples::SplineObject>& objects,
 void write_splines(const std::filesystem::path& folder) {
   save(burin::samples::horn(), folder / "horn.itd");
   save(burin::samples::spline_teapot(), folder / "teapot.itd");
+  save(burin::samples::two_discs(), folder / "two_discs.itd");
+  save(burin::samples::aeroplane(), folder / "aeroplane.itd");
+  save(burin::samples::star(), folder / "star.itd");
+  save(burin::samples::tableware(), folder / "tableware.itd");
+  std::filesystem::create_directories(folder / "chess");
+  for (const auto& [name, objects] : burin::samples::chess_pieces()) {
+    save(objects, folder / "chess" / (name + ".itd"));
+  }
+  burin::samples::write_chess(folder / "chess.burin.json");
 }
 
 void write_volumes(const std::filesystem::path& folder) {
-  const std::filesystem::path path = folder / "tube_joints.nrrd";
-  burin::samples::write_nrrd(burin::samples::tube_joints(), path);
-  fmt::print("{:<28} {:>9} bytes\n", path.filename().string(), std::filesystem::file_size(path));
+  const auto save = [](const burin::samples::SampleVolume& volume,
+                       const std::filesystem::path& path) {
+    burin::samples::write_nrrd(volume, path);
+    fmt::print("{:<28} {:>9} bytes\n", path.filename().string(), std::filesystem::file_size(path));
+  };
+  save(burin::samples::tube_joints(), folder / "tube_joints.nrrd");
+  save(burin::samples::head(), folder / "head.nrrd");
 }
 
 void write_large(const std::filesystem::path& folder) {

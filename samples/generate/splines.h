@@ -5,6 +5,7 @@
 
 #include <filesystem>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace burin::samples {
@@ -37,5 +38,23 @@ NurbsData horn_wall();
 std::vector<SplineObject> horn();
 /// Body, lid, spout and handle, each a closed body of one patch.
 std::vector<SplineObject> spline_teapot();
+
+// Figures of Elber's paper, by models of our own.
+
+/// Two discs of one size side by side: a patch whose sides are quarters of the circle, and rings
+/// about a point off the middle (figure 4).
+std::vector<SplineObject> two_discs();
+/// Lofted fuselage of two parts, wings with tips, tail, engines (figure 5).
+std::vector<SplineObject> aeroplane();
+/// One closed patch, alike under a sixth of a turn (figure 12).
+std::vector<SplineObject> star();
+/// A round table, a glass, a plate and a bottle (figure 8).
+std::vector<SplineObject> tableware();
+/// A file each: the six pieces, standing on z = 0, and the board of 64 squares and a frame (figures
+/// 6 and 15).
+std::vector<std::pair<std::string, std::vector<SplineObject>>> chess_pieces();
+/// The illustration of all 32 on the board; the files of `chess_pieces` are looked for in `chess`
+/// beside it.
+void write_chess(const std::filesystem::path& path);
 
 }  // namespace burin::samples

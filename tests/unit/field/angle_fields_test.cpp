@@ -240,5 +240,22 @@ TEST(IsoparametricField, RunsAlongParametersOrNotAtAll) {
   EXPECT_FALSE(field.cross(test::probes(*mesh).front().query().query));
 }
 
+TEST(SilhouetteAcross, IsTheTangentPartOfTheLineOfSight) {
+  const auto s = exact(test::sphere_nurbs(2));
+  const Camera camera = camera_of(*s, {1, 2, 3});
+  const Field across = field::silhouette_across(camera), along = field::silhouette(camera);
+  int count = 0;
+  for (const Probe& p : test::probes(*s)) {
+    const auto d = test::direction(across, p.query());
+    if (!d) continue;
+    ++count;
+    const Vec3 view = camera.to_viewer(p.point.position), n = p.frame.normal;
+    const Vec3 tangent = glm::normalize(view - glm::dot(view, n) * n);
+    EXPECT_NEAR(std::abs(glm::dot(*d, tangent)), 1, 1e-9);
+    EXPECT_NEAR(glm::dot(*d, *test::direction(along, p.query())), 0, 1e-9);
+  }
+  EXPECT_GT(count, 100);
+}
+
 }  // namespace
 }  // namespace burin

@@ -84,6 +84,8 @@ Field screen_vertical(const Camera& camera);
 /// the curves of equal distance to the viewer. Family 2 runs at a right angle, to and from the
 /// silhouettes. Nothing where the surface is seen square on, within half a degree. @cite Elber1998
 Field silhouette(const Camera& camera);
+/// The same with its families exchanged: family 1 runs to and from the silhouettes.
+Field silhouette_across(const Camera& camera);
 /// The parameter lines of the chart: family 1 along u, family 2 along v, which need not be at a
 /// right angle. Nothing on forms without parameters (meshes, implicit ones) and at poles.
 Field isoparametric();
