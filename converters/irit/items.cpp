@@ -17,11 +17,10 @@ struct NumberKind {
 constexpr NumberKind kNumberKinds[] = {
     {"NUMBER", 1}, {"POINT", 3}, {"VECTOR", 3}, {"PLANE", 4}, {"MATRIX", 16}};
 
-constexpr std::string_view kUnread[] = {"TRIMSRF",  "TRISRF",     "MODEL",     "MULTIVAR",
-                                        "INSTANCE", "POLYSTRIP",  "TRIMMODEL", "VMODEL",
-                                        "TRIMCRV",  "TRIMCRVSEG", "CTLPT"};
-constexpr std::string_view kOther[] = {"SURFACE",   "CURVE",  "POLYGON", "POLYLINE",
-                                       "POINTLIST", "STRING", "OBJECT",  "TRIVAR"};
+constexpr std::string_view kUnread[] = {"TRIMSRF",   "TRISRF", "MODEL",   "MULTIVAR",   "INSTANCE",
+                                        "TRIMMODEL", "VMODEL", "TRIMCRV", "TRIMCRVSEG", "CTLPT"};
+constexpr std::string_view kOther[] = {"SURFACE", "CURVE",  "POLYGON", "POLYLINE", "POINTLIST",
+                                       "STRING",  "OBJECT", "TRIVAR",  "POLYSTRIP"};
 
 IritNumbers read_numbers(Lexer& in, const NumberKind& kind) {
   IritNumbers numbers{std::string(kind.keyword), {}};
@@ -92,6 +91,7 @@ IritItem read_item(Lexer& in, const Token& keyword) {
   if (word == "TRIVAR") return read_trivariate(in, keyword);
   if (word == "POLYGON") return read_polygon(in, IritPolygon::Kind::Polygon);
   if (word == "POLYLINE") return read_polygon(in, IritPolygon::Kind::Polyline);
+  if (word == "POLYSTRIP") return read_polygon(in, IritPolygon::Kind::Strip);
   if (word == "POINTLIST") return read_polygon(in, IritPolygon::Kind::PointList);
   if (word == "STRING") {
     std::string text = plain(in.next().text);

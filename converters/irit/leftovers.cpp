@@ -14,11 +14,10 @@ struct Words {
   std::string_view keyword, words;
 };
 constexpr Words kWords[] = {
-    {"TRIMSRF", "trimmed surface"},    {"MODEL", "model of trimmed surfaces"},
-    {"VMODEL", "volumetric model"},    {"TRIMMODEL", "model of trimmed surfaces"},
-    {"TRIVAR", "trivariate volume"},   {"MULTIVAR", "multivariate function"},
-    {"TRISRF", "triangular patch"},    {"INSTANCE", "instance of another object"},
-    {"POLYSTRIP", "strip of polygons"}};
+    {"TRIMSRF", "trimmed surface"},  {"MODEL", "model of trimmed surfaces"},
+    {"VMODEL", "volumetric model"},  {"TRIMMODEL", "model of trimmed surfaces"},
+    {"TRIVAR", "trivariate volume"}, {"MULTIVAR", "multivariate function"},
+    {"TRISRF", "triangular patch"},  {"INSTANCE", "instance of another object"}};
 
 std::string in_words(const std::string& what) {
   // "TRIVAR of points E3" is named by its first word.

@@ -40,6 +40,17 @@ struct OrderedPart {
 
 bool is_yes(const std::string* value) { return value != nullptr && *value != "0"; }
 
+/// The triangles of a strip, all turned the same way.
+void add_strip(const std::vector<Vec3>& points, PolygonSoup& soup) {
+  const auto first = static_cast<std::uint32_t>(soup.positions.size());
+  soup.positions.insert(soup.positions.end(), points.begin(), points.end());
+  for (std::uint32_t i = 0; i + 2 < points.size(); ++i) {
+    const std::uint32_t a = first + i, odd = i % 2;
+    for (const std::uint32_t corner : {a + odd, a + 1 - odd, a + 2}) soup.indices.push_back(corner);
+    soup.offsets.push_back(soup.indices.size());
+  }
+}
+
 class PartMaker {
  public:
   PartMaker(const Source& source, const std::filesystem::path& path, const IritReadOptions& options)
@@ -94,13 +105,16 @@ void PartMaker::polygons(const IritObject& object, const Leaf& leaf, const Aroun
   PolygonSoup soup;
   for (const IritItem& item : object.items) {
     const auto* polygon = std::get_if<IritPolygon>(&item);
-    if (polygon == nullptr || polygon->kind != IritPolygon::Kind::Polygon) continue;
-    if (polygon->points.size() < 3) continue;
-    for (const Vec3& p : polygon->points) {
-      soup.indices.push_back(static_cast<std::uint32_t>(soup.positions.size()));
-      soup.positions.push_back(p);
+    if (polygon == nullptr || polygon->points.size() < 3) continue;
+    if (polygon->kind == IritPolygon::Kind::Strip) {
+      add_strip(polygon->points, soup);
+    } else if (polygon->kind == IritPolygon::Kind::Polygon) {
+      for (const Vec3& p : polygon->points) {
+        soup.indices.push_back(static_cast<std::uint32_t>(soup.positions.size()));
+        soup.positions.push_back(p);
+      }
+      soup.offsets.push_back(soup.indices.size());
     }
-    soup.offsets.push_back(soup.indices.size());
   }
   if (soup.polygon_count() == 0) return;
   Around outer = around;

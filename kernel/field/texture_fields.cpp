@@ -110,6 +110,16 @@ Image blurred(Image image, double share) {
   return image;
 }
 
+constexpr std::array<std::string_view, 5> kNames{"u", "v", "x", "y", "z"};
+
+expression::Formula compiled(const std::string& text, const std::string& key) {
+  try {
+    return {text, kNames};
+  } catch (const UsageError& e) {
+    throw UsageError("style key '" + key + "': " + e.what());
+  }
+}
+
 std::optional<Cross> cross_along(const FieldQuery& q, Vec3 along) {
   const double size = glm::length(along);
   if (!(size > 0) || !std::isfinite(size)) return std::nullopt;
@@ -118,6 +128,11 @@ std::optional<Cross> cross_along(const FieldQuery& q, Vec3 along) {
 }
 
 }  // namespace
+
+void check_texts(const FieldOptions& options, const std::string& group) {
+  compiled(options.along_u, group + "along_u");
+  compiled(options.along_v, group + "along_v");
+}
 
 Field texture_image(const std::vector<const Surface*>& surfaces,
                     const std::shared_ptr<const Image>& image, double blur) {
@@ -142,17 +157,9 @@ Field texture_image(const std::vector<const Surface*>& surfaces,
 
 Field texture_vector(const std::vector<const Surface*>& surfaces, const std::string& along_u,
                      const std::string& along_v) {
-  constexpr std::array<std::string_view, 5> kNames{"u", "v", "x", "y", "z"};
-  const auto compiled = [&](const std::string& text, const char* key) {
-    try {
-      return expression::Formula(text, kNames);
-    } catch (const UsageError& e) {
-      throw UsageError(std::string("style key 'hatch.") + key + "': " + e.what());
-    }
-  };
   return {"texture-vector",
-          [frames = TextureFrames(surfaces), a = compiled(along_u, "along_u"),
-           b = compiled(along_v, "along_v")](const FieldQuery& q) -> std::optional<Cross> {
+          [frames = TextureFrames(surfaces), a = compiled(along_u, "hatch.along_u"),
+           b = compiled(along_v, "hatch.along_v")](const FieldQuery& q) -> std::optional<Cross> {
             const auto c = frames.at(q);
             if (!c) return std::nullopt;
             const Vec3 p = q.point.position;

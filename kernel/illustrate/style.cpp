@@ -462,6 +462,7 @@ void check_style(const Style& style) {
   }
   for (std::size_t number = 1; number <= stroke_kind_count(style); ++number) {
     check_texts(hatch_of(style, number), detail::kind_group(number));
+    field::check_texts(hatch_of(style, number).field, detail::kind_group(number));
   }
 }
 

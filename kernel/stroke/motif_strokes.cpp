@@ -66,7 +66,7 @@ Place last_on(const MotifWalk& walk, Place on, Vec2 off) {
     if (auto sample = walk.at(middle);
         sample && glm::distance(sample->point.position, on.sample->point.position) <=
                       walk.apart(on.motif, middle)) {
-      on = {middle, std::move(sample)};
+      on = {middle, sample};
     } else {
       off = middle;
     }

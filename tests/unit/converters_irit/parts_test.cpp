@@ -54,6 +54,18 @@ TEST(IritParts, SidesThatFitMakeOnePart) {
   EXPECT_TRUE(whole.parts[0].assembly.empty());
 }
 
+TEST(IritParts, AStripIsTheTrianglesOfItsPoints) {
+  // Round a tetrahedron: its four faces, which close.
+  const Scene scene = test::scene_of(object(
+      "TET", "[POLYSTRIP 6 [0 0 0] [1 0 0] [0 1 0] [0 0 1] [[NORMAL 1 0 0] 0 0 0] [1 0 0]]\n"));
+  ASSERT_EQ(names(scene), std::vector<std::string>{"TET"});
+  RunContext context;
+  const auto surface = scene.parts[0].form->realise({}, context);
+  EXPECT_EQ(surface->proxy().mesh.triangles.size(), 4u);
+  EXPECT_EQ(surface->proxy().topology.component_closed.size(), 1u);
+  EXPECT_TRUE(surface->proxy().topology.component_closed[0]);
+}
+
 TEST(IritParts, Colours) {
   const Scene scene =
       test::scene_of(object("[COLOR 4] A", square({0, 0, 0})) +

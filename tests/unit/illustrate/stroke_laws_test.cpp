@@ -11,6 +11,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <memory>
@@ -310,6 +311,50 @@ TEST(StrokeLaws, ThatAreNoneAreRefusedByTheirKeyInOneLine) {
   expect("hatch.length_law", "t", "unknown name 't'");
   expect("strokes.2.width_law", "t +", "column 4");
   expect("strokes.2.width_law", "log(-1)", "no finite number");
+}
+
+TEST(StrokeLaws, KnowAPictureByItsLightness) {
+  Scene scene;
+  const NurbsData sheet =
+      bezier_patch(1, 1, {{-20, 0, -20}, {-20, 0, 20}, {20, 0, -20}, {20, 0, 20}});
+  scene.parts.push_back({"sheet", "sheet",
+                         std::make_shared<ParametricForm>(
+                             std::vector<std::shared_ptr<const Chart>>{make_nurbs_chart(sheet)})});
+  // Black where u is under a half; u runs along x.
+  std::vector<float> pixels(100, 1.0f);
+  std::fill(pixels.begin(), pixels.begin() + 50, 0.0f);
+  RunContext context;
+  const NamedView v = named_view("front");
+  const Camera camera = Camera::fit([&](const Mat3& axes) { return scene.bounds(axes); },
+                                    {.direction = v.direction, .up = v.up, .paper = {90, 90}});
+  Style style = style_of("discs");
+  style.hatch.length = 1;
+  style.hatch.length_min = 0;
+  style.hatch.image = "halves";
+  style.hatch.ink_law = "0.5 * (1 - image(u, v))";
+  IllustrateOptions options;
+  try {
+    illustrate(scene, camera, style, options, context);
+    FAIL() << "the picture was not there";
+  } catch (const UsageError& e) {
+    EXPECT_EQ(std::string(e.what()), "style key 'hatch.image': no picture 'halves' was read");
+  }
+  options.images["halves"] = std::make_shared<const Image>(Image{100, 1, pixels});
+  const auto strokes = strokes_of(illustrate(scene, camera, style, options, context));
+  ASSERT_GT(strokes.size(), 100U);
+  for (const Path& path : strokes) {
+    // Over half a pixel it fades, at the right border too, where it begins anew.
+    const double x = 0.5 * (path.points3.front().x + path.points3.back().x);
+    EXPECT_TRUE(x < 0.3 || x > 19.7) << x;
+  }
+  style.hatch.image = "none";
+  try {
+    illustrate(scene, camera, style, options, context);
+    FAIL() << "it was drawn";
+  } catch (const UsageError& e) {
+    EXPECT_EQ(std::string(e.what()),
+              "style key 'hatch.ink_law': image(u, v) asks for a picture; name one by hatch.image");
+  }
 }
 
 }  // namespace

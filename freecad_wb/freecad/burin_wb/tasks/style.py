@@ -71,7 +71,14 @@ class StylePanel(Panel):
                                     self._add_strokes, "add-strokes", [tr("Add strokes…"), *kinds])
         for k, meaning in enumerate(kinds.values()):
             self.kinds.setItemData(k + 1, meaning, QtCore.Qt.ToolTipRole)
-        self.column.addWidget(self.kinds)
+        added = QtGui.QHBoxLayout()
+        added.addWidget(self.kinds, 1)
+        self.less = QtGui.QPushButton(tr("Take back"))
+        self.less.setObjectName("remove-strokes")
+        self.less.setToolTip(tr("Takes back the strokes that were added last, with all changes of them"))
+        self.less.clicked.connect(lambda *_: self._remove_strokes())
+        added.addWidget(self.less)
+        self.column.addLayout(added)
         self.tree = QtGui.QTreeWidget()
         self.tree.setObjectName("keys")
         self.tree.setColumnCount(2)
@@ -84,8 +91,18 @@ class StylePanel(Panel):
         self.column.addWidget(self.tree, 1)
         self._fill_keys()
 
+    def _added(self):
+        """The headings of the kinds of strokes that the style itself has not, in their order."""
+        return sorted(parted(key)[0] for key in dict(self.obj.StyleKeys) if key.startswith("strokes.") and key.endswith(".kind"))
+
+    def _remove_strokes(self):
+        last = self._added()[-1]
+        self.change("StyleKeys", {key: value for key, value in dict(self.obj.StyleKeys).items() if parted(key)[0] != last})
+        self._fill_keys()
+
     def _fill_keys(self):
         """All keys with an editor each. Throws errors.KernelMissing."""
+        self.less.setEnabled(bool(self._added()))
         self.tree.clear()
         self.editors, self.items, heads = {}, {}, {}
         changed = dict(self.obj.StyleKeys)

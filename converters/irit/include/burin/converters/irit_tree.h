@@ -47,7 +47,8 @@ struct IritTrivariate {
 };
 
 struct IritPolygon {
-  enum class Kind : std::uint8_t { Polygon, Polyline, PointList };
+  /// Of a strip any three points that follow each other are a triangle.
+  enum class Kind : std::uint8_t { Polygon, Polyline, PointList, Strip };
   Kind kind = Kind::Polygon;
   std::vector<Vec3> points;
   IritAttributes attributes;

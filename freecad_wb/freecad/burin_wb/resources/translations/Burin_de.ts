@@ -212,8 +212,16 @@
       <translation>Stil des oben gewählten Objekts</translation>
     </message>
     <message>
+      <source>Take back</source>
+      <translation>Zurücknehmen</translation>
+    </message>
+    <message>
       <source>Takes back all changes: the values of the style itself</source>
       <translation>Nimmt alle Änderungen zurück: die Werte des Stils selbst</translation>
+    </message>
+    <message>
+      <source>Takes back the strokes that were added last, with all changes of them</source>
+      <translation>Nimmt die zuletzt hinzugefügten Striche mit all ihren Änderungen zurück</translation>
     </message>
     <message>
       <source>The drawing as it is now</source>

@@ -48,6 +48,9 @@ struct FieldOptions {
   bool operator==(const FieldOptions&) const = default;
 };
 
+/// Throws UsageError where a text is no formula; `group` is what its key begins with ("hatch.").
+void check_texts(const FieldOptions& options, const std::string& group);
+
 /// Names without a group: "field", "direction" ...
 const std::vector<OptionRow<FieldOptions>>& field_option_rows();
 
