@@ -217,7 +217,7 @@ void read_paper(const JsonPlace& place, Drawing& drawing) {
     });
   };
   color("ink_color", drawing.ink_color);
-  color("color", drawing.paper_color);
+  color("sheet_color", drawing.paper_color);
 }
 
 void check_version(const JsonPlace& place) {

@@ -127,7 +127,7 @@ void append_head(Buffer& out, const Drawing& d) {
   if (d.ink_color != plain.ink_color || d.paper_color != plain.paper_color) {
     append(out, ", \"ink_color\": ");
     append_json(out, d.ink_color);
-    append(out, ", \"color\": ");
+    append(out, ", \"sheet_color\": ");
     append_json(out, d.paper_color);
   }
   append(out, "},\n");

@@ -26,35 +26,34 @@ TEST(Colors, OfSvgAreThoseOfAllItsPathsOverASheet) {
   for (const bool merge : {false, true}) {
     WriteOptions options;
     options.svg.merge = merge;
-    const std::string svg = written(blue(), ".svg", options);
-    EXPECT_NE(
-        svg.find("<rect class=\"paper\" width=\"200.000\" height=\"150.000\" fill=\"#123456\"/>"),
-        std::string::npos)
+    const std::string svg = written(blue(), "svg", options);
+    EXPECT_NE(svg.find("<rect class=\"paper\" width=\"200\" height=\"150\" fill=\"#123456\"/>"),
+              std::string::npos)
         << svg;
     EXPECT_NE(svg.find("stroke=\"#ffeecc\""), std::string::npos);
     EXPECT_EQ(svg.find("#000"), std::string::npos);
   }
-  const std::string plain = written(parsed(least()), ".svg");
+  const std::string plain = written(parsed(least()), "svg");
   EXPECT_EQ(plain.find("<rect"), std::string::npos);
   EXPECT_NE(plain.find("stroke=\"#000\""), std::string::npos);
 }
 
 TEST(Colors, OfDrawingFilesComeBack) {
-  const std::string json = written(blue(), ".json");
+  const std::string json = written(blue(), "json");
   const Drawing back = parsed(json);
   EXPECT_EQ(back.ink_color, "#ffeecc");
   EXPECT_EQ(back.paper_color, "#123456");
-  EXPECT_EQ(written(parsed(least()), ".json").find("color"), std::string::npos);
+  EXPECT_EQ(written(parsed(least()), "json").find("color"), std::string::npos);
   std::string bad = json;
   bad.replace(bad.find("#123456"), 7, "#12345g");
   EXPECT_NE(refusal(bad).find("takes a colour #rrggbb"), std::string::npos);
 }
 
 TEST(Colors, OfEpsAreSetOnce) {
-  const std::string eps = written(blue(), ".eps");
+  const std::string eps = written(blue(), "eps");
   EXPECT_NE(eps.find("0.0706 0.2039 0.3373 setrgbcolor 0 0 "), std::string::npos);
   EXPECT_NE(eps.find("1.0000 0.9333 0.8000 setrgbcolor 1 setlinecap"), std::string::npos);
-  EXPECT_NE(written(parsed(least()), ".eps").find("0 setgray 1 setlinecap"), std::string::npos);
+  EXPECT_NE(written(parsed(least()), "eps").find("0 setgray 1 setlinecap"), std::string::npos);
 }
 
 struct Pixels {
@@ -76,7 +75,7 @@ TEST(Colors, OfPngAreThoseOfThePaperAndOfTheInk) {
     WriteOptions options;
     options.png.dpi = 60;
     if (transparent) options.png.background = PngOptions::Background::Transparent;
-    const Pixels p = pixels_of(written(blue(), ".png", options));
+    const Pixels p = pixels_of(written(blue(), "png", options));
     // The line runs from the lower left corner to (100, 50) of 200 x 150 mm.
     const auto at = [&](double x, double y) {
       const auto column = static_cast<std::size_t>(x / 200 * p.image.width),

@@ -128,17 +128,14 @@ TEST(StrokeLaws, OnDiscsStrokesOfAnyLengthLayTheInkThatIsAskedFor) {
                          std::make_shared<ParametricForm>(
                              std::vector<std::shared_ptr<const Chart>>{make_nurbs_chart(sheet)})});
   for (const double length : {2.0, 6.0}) {
-    for (const double widest : {0.2, 0.4}) {
-      for (const double ink : {0.2, 0.45, 0.7}) {
-        SCOPED_TRACE(std::to_string(length) + " " + std::to_string(widest));
-        Style style = style_of("discs");
-        style.hatch.length = length;
-        style.hatch.length_min = 0;
-        style.hatch.taper = 0.4;
-        style.hatch.width_max = widest;
-        style.tone.ambient = 1 - ink;
-        EXPECT_NEAR(ink_of(draw(scene, style)), ink, 0.02);
-      }
+    for (const double ink : {0.2, 0.45, 0.7}) {
+      SCOPED_TRACE(std::to_string(length) + " " + std::to_string(ink));
+      Style style = style_of("discs");
+      style.hatch.length = length;
+      style.hatch.length_min = 0;
+      style.hatch.taper = 0.4;
+      style.tone.ambient = 1 - ink;
+      EXPECT_NEAR(ink_of(draw(scene, style)), ink, 0.02);
     }
   }
 }

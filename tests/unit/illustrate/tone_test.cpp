@@ -175,7 +175,8 @@ TEST(Tone, AnEngravingHasAsMuchInkOnALightPartAsOnADarkOne) {
 // Every built-in style that carries tone.
 TEST(Tone, OfEachStyleIsWhatTheLightAsks) {
   const Scene scene = scene_of(test::torus(30, 12, 160, 80));
-  for (const char* name : {"engraving", "pencil", "stipple", "woodcut", "plotter"}) {
+  for (const char* name :
+       {"engraving", "pencil", "stipple", "woodcut", "plotter", "scratchboard"}) {
     const ToneReport report = measure(scene, "iso", builtin_style(name));
     EXPECT_GT(report.cells, 1000u) << name;
     EXPECT_LE(report.mean_error, 0.05) << name;
