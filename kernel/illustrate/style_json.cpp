@@ -173,7 +173,8 @@ std::string style_to_json(const Style& style) {
     const auto [group, name] = parted(row.name);
     json[group][name] = to_json(row.get(style), row);
   }
-  if (!style.strokes.empty()) json["strokes"] = Json::array({Json::object()});  // the first is above
+  if (!style.strokes.empty())
+    json["strokes"] = Json::array({Json::object()});  // the first is above
   for (const StrokeKind& kind : style.strokes) {
     Json& members = json["strokes"].emplace_back();
     for (const detail::KindRow& row : detail::kind_rows()) {
