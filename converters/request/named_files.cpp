@@ -1,19 +1,14 @@
 #include "named_files.h"
 
+#include <burin/base/ascii.h>
 #include <burin/converters/pictures.h>
 
-#include <algorithm>
-#include <cctype>
 #include <string>
 
 namespace burin::detail {
 namespace {
 
-bool is_svg(const std::string& text) {
-  std::string end = text.substr(text.size() - std::min<std::size_t>(text.size(), 4));
-  std::ranges::transform(end, end.begin(), [](unsigned char c) { return std::tolower(c); });
-  return end == ".svg";
-}
+bool is_svg(const std::string& text) { return lowered(text).ends_with(".svg"); }
 
 }  // namespace
 

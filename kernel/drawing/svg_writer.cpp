@@ -27,9 +27,8 @@ bool mostly_areas(std::span<const Path* const> paths, const SvgOptions& options)
 }
 
 void append_paint(Buffer& out, bool filled, std::string_view ink) {
-  const char* const paint =
-      filled ? " fill=\"{}\" stroke=\"none\"" : " fill=\"none\" stroke=\"{}\"";
-  append(out, fmt::format(fmt::runtime(paint), ink));
+  append(out, filled ? fmt::format(" fill=\"{}\" stroke=\"none\"", ink)
+                     : fmt::format(" fill=\"none\" stroke=\"{}\"", ink));
 }
 
 /// What a path has to say of its pen inside a group. Each line tells its width: programs that

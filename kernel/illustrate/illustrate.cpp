@@ -356,11 +356,11 @@ void tell_unused(const detail::PartStyles& part_styles, const IllustrateOptions&
     const HatchStyle& hatch = *strokes.hatch;
     const std::string group = detail::kind_group(static_cast<std::size_t>(strokes.number));
     if (!takes_motif(hatch)) {
-      const char* const why =
-          "{}{} has no effect: it is for strokes on points ({}placing points, "
-          "discs), not {}";
       const auto tell = [&](const char* key) {
-        told.insert(fmt::format(fmt::runtime(why), group, key, group, hatch.placing));
+        told.insert(
+            fmt::format("{0}{1} has no effect: it is for strokes on points ({0}placing points, "
+                        "discs), not {2}",
+                        group, key, hatch.placing));
       };
       if (hatch.length_law != HatchOptions().length_law) tell("length_law");
       if (hatch.has_motif()) tell("motif");

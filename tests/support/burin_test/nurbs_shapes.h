@@ -10,6 +10,11 @@
 
 namespace burin::test {
 
+/// A sheet of 40 mm in the plane y = 0, which the front view sees square on; u along x, v along z.
+inline NurbsData front_sheet() {
+  return bezier_patch(1, 1, {{-20, 0, -20}, {-20, 0, 20}, {20, 0, -20}, {20, 0, 20}});
+}
+
 /// A rational quadratic curve of quarter circles: points in the plane, weights, knots 0 0 0 1 1 2 2
 /// ...
 struct ArcCurve {

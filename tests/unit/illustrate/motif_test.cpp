@@ -88,14 +88,11 @@ TEST(Motifs, ACircleOnABallIsOneAsFarFromItsMiddleAsItsRadius) {
 }
 
 TEST(Motifs, LieAlongTheFieldAndHaveTheSizeThatTheLawOfLengthSays) {
-  // A sheet of 40 mm in the plane y = 0, which the front view sees square on.
-  const NurbsData sheet =
-      bezier_patch(1, 1, {{-20, 0, -20}, {-20, 0, 20}, {20, 0, -20}, {20, 0, 20}});
   Style style = style_of("M3 3h7");
   style.hatch.field.direction = {1, 0, 1};
   style.hatch.length_law = "0.5 + step(z)";
   style.hatch.tone_min = 0.01;
-  const Drawing drawing = draw(exact(sheet), style);
+  const Drawing drawing = draw(exact(test::front_sheet()), style);
   const auto strokes = strokes_of(drawing);
   ASSERT_GT(strokes.size(), 50);
   int large = 0;
@@ -117,12 +114,10 @@ TEST(Motifs, LieAlongTheFieldAndHaveTheSizeThatTheLawOfLengthSays) {
 
 TEST(Motifs, StandUprightAsTheyAreDrawn) {
   // An L: of its three corners the one with the right angle is at the lower left.
-  const NurbsData sheet =
-      bezier_patch(1, 1, {{-20, 0, -20}, {-20, 0, 20}, {20, 0, -20}, {20, 0, 20}});
   Style style = style_of("M0 0V10H10");
   style.hatch.field.direction = {1, 0, 0};
   int seen = 0;
-  for (const Path& path : strokes_of(draw(exact(sheet), style))) {
+  for (const Path& path : strokes_of(draw(exact(test::front_sheet()), style))) {
     const Vec3 corner = path.points3[path.points3.size() / 2];
     if (std::max(std::abs(corner.x), std::abs(corner.z)) > 16) continue;  // cut at the border
     ASSERT_EQ(path.points.size(), 3);

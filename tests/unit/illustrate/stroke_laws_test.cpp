@@ -7,6 +7,7 @@
 
 #include "burin_test/horn.h"
 #include "burin_test/ink.h"
+#include "burin_test/nurbs_shapes.h"
 #include "burin_test/shapes.h"
 
 #include <gtest/gtest.h>
@@ -118,15 +119,18 @@ TEST(StrokeLaws, TheInkIsWhatItsLawSays) {
   }
 }
 
+Scene sheet_scene() {
+  Scene scene;
+  scene.parts.push_back({"sheet", "sheet",
+                         std::make_shared<ParametricForm>(std::vector<std::shared_ptr<const Chart>>{
+                             make_nurbs_chart(test::front_sheet())})});
+  return scene;
+}
+
 // On a plane strokes have one length; short and wide ones reach little beyond their discs, long and
 // thin ones lie over many.
 TEST(StrokeLaws, OnDiscsStrokesOfAnyLengthLayTheInkThatIsAskedFor) {
-  Scene scene;
-  const NurbsData sheet =
-      bezier_patch(1, 1, {{-20, 0, -20}, {-20, 0, 20}, {20, 0, -20}, {20, 0, 20}});
-  scene.parts.push_back({"sheet", "sheet",
-                         std::make_shared<ParametricForm>(
-                             std::vector<std::shared_ptr<const Chart>>{make_nurbs_chart(sheet)})});
+  const Scene scene = sheet_scene();
   for (const double length : {2.0, 6.0}) {
     for (const double ink : {0.2, 0.45, 0.7}) {
       SCOPED_TRACE(std::to_string(length) + " " + std::to_string(ink));
@@ -311,12 +315,7 @@ TEST(StrokeLaws, ThatAreNoneAreRefusedByTheirKeyInOneLine) {
 }
 
 TEST(StrokeLaws, KnowAPictureByItsLightness) {
-  Scene scene;
-  const NurbsData sheet =
-      bezier_patch(1, 1, {{-20, 0, -20}, {-20, 0, 20}, {20, 0, -20}, {20, 0, 20}});
-  scene.parts.push_back({"sheet", "sheet",
-                         std::make_shared<ParametricForm>(
-                             std::vector<std::shared_ptr<const Chart>>{make_nurbs_chart(sheet)})});
+  const Scene scene = sheet_scene();
   // Black where u is under a half; u runs along x.
   std::vector<float> pixels(100, 1.0f);
   std::fill(pixels.begin(), pixels.begin() + 50, 0.0f);
