@@ -86,6 +86,7 @@ std::vector<PolygonSoup> split_groups(GroupedFaces faces, Diagnostics& diagnosti
     soups[0].positions = std::move(faces.positions);
     soups[0].indices = std::move(faces.indices);
     soups[0].offsets = std::move(faces.offsets);
+    soups[0].texture = std::move(faces.texture);
     return soups;
   }
   // For each position the soup that took it last and its place there.
@@ -104,6 +105,7 @@ std::vector<PolygonSoup> split_groups(GroupedFaces faces, Diagnostics& diagnosti
           soup.positions.push_back(faces.positions[v]);
         }
         soup.indices.push_back(place[v]);
+        if (!faces.texture.empty()) soup.texture.push_back(faces.texture[c]);
       }
       soup.offsets.push_back(soup.indices.size());
     }

@@ -18,6 +18,8 @@ struct GroupedFaces {
   std::vector<Vec3> positions;
   std::vector<std::uint32_t> indices;
   std::vector<std::size_t> offsets{0};
+  /// As that of PolygonSoup.
+  std::vector<glm::vec2> texture;
   /// For each face an index into `names`, or kNoGroup.
   std::vector<std::uint32_t> group;
   std::vector<std::string> names;

@@ -27,7 +27,7 @@ void heal_parts(Scene& scene, const RunContext& context) {
   for (Part& part : scene.parts) {
     const auto* form = dynamic_cast<const MeshForm*>(part.form.get());
     if (!form) continue;
-    auto healed = std::make_shared<RecognisedForm>(form->mesh(), context);
+    auto healed = std::make_shared<RecognisedForm>(form->mesh(), context, form->texture());
     if (healed->too_coarse()) {
       scene.diagnostics.add(Severity::Warning, "mesh.too_coarse_to_heal", 1,
                             fmt::format("{}: so far from the origin its coordinates have too few "

@@ -4,6 +4,7 @@
 
 #include "formats.h"
 #include "text.h"
+#include "texture.h"
 
 #include <fmt/format.h>
 
@@ -28,6 +29,14 @@ MeshFile read_as(MeshFormat format, const Source& source) {
       return read_3mf(source);
   }
   source.fail("is of an unknown format");
+}
+
+void tell_partly_textured(const PolygonSoup& soup, Diagnostics& diagnostics) {
+  const std::int64_t without = polygons_without_texture(soup);
+  if (without == 0) return;
+  diagnostics.add(Severity::Info, "mesh.partly_textured", without,
+                  "faces have no texture coordinates though others of their part have them; laws "
+                  "of u and v change nothing there");
 }
 
 /// The entries of one part's repair, with the part's name where there are several.
@@ -60,8 +69,11 @@ Scene repair_parts(MeshFile file, const std::filesystem::path& path, const RunCo
     const std::string name = soup.name.empty() ? clean_name(path.stem().string()) : soup.name;
     Diagnostics diagnostics;
     try {
+      auto texture = texture_of(soup, context);
+      tell_partly_textured(soup, diagnostics);
       TriMesh mesh = repair(std::move(soup), {}, diagnostics, context);
-      scene.parts.push_back({name, path.string(), std::make_shared<MeshForm>(std::move(mesh))});
+      scene.parts.push_back(
+          {name, path.string(), std::make_shared<MeshForm>(std::move(mesh), std::move(texture))});
     } catch (const GeometryError& e) {
       if (first_failure.empty()) first_failure = e.what();
       diagnostics.add(Severity::Error, "mesh.empty_part", 1,

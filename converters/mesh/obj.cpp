@@ -1,10 +1,12 @@
 #include "formats.h"
 #include "groups.h"
 #include "text.h"
+#include "texture.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <charconv>
 #include <limits>
 #include <unordered_map>
 
@@ -13,6 +15,7 @@ namespace burin {
 namespace {
 
 constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
+constexpr std::uint32_t kOutside = kNone - 1;  // refers to nothing that can be
 
 class ObjReader {
  public:
@@ -22,19 +25,24 @@ class ObjReader {
  private:
   void statement();
   void vertex();
+  void texture_point();
   void face();
   void corner();
+  std::uint32_t texture_index(const char*& p) const;
   void named(std::unordered_map<std::string, std::uint32_t>& table, std::uint32_t& current);
   void other(std::string_view keyword, const char* where);
   void skip_blanks();
   void next_line();
   void finish_indices() const;
+  std::vector<glm::vec2> finish_texture(Diagnostics& diagnostics) const;
 
   const Source& source_;
   TextCursor text_;
   std::vector<Vec3> positions_;
   std::vector<std::uint32_t> corners_;
   std::vector<std::size_t> offsets_{0};
+  std::vector<glm::vec2> texture_points_;
+  std::vector<std::uint32_t> corner_textures_;  // of each corner, or kNone
   std::vector<std::uint32_t> object_of_face_, group_of_face_;
   std::unordered_map<std::string, std::uint32_t> objects_, groups_;
   std::uint32_t object_ = kNone, group_ = kNone;
@@ -72,6 +80,33 @@ void ObjReader::vertex() {
   positions_.push_back(p);
 }
 
+void ObjReader::texture_point() {
+  glm::vec2 uv(0);
+  skip_blanks();
+  uv.x = static_cast<float>(text_.number("a texture coordinate"));
+  skip_blanks();
+  // The second is 0 where the texture is a line.
+  if (!text_.at_line_end() && text_.peek() != '#') {
+    uv.y = static_cast<float>(text_.number("a texture coordinate"));
+  }
+  texture_points_.push_back(uv);
+}
+
+// The index after the first slash of a corner, at which `p` is; what is none is kNone. Texture is
+// not worth refusing a model.
+std::uint32_t ObjReader::texture_index(const char*& p) const {
+  const char* end = text_.where() + text_.left();
+  if (p == end || *p != '/') return kNone;
+  std::int64_t value = 0;
+  const char* digits = ++p;
+  const auto [stop, error] = std::from_chars(digits, end, value);
+  p = stop;
+  if (error != std::errc() || value == 0) return kNone;
+  const auto count = static_cast<std::int64_t>(texture_points_.size());
+  if (value < 0) value = count + 1 + value;
+  return value < 1 || value >= kNone ? kOutside : static_cast<std::uint32_t>(value - 1);
+}
+
 void ObjReader::corner() {
   const char* begin = text_.where();
   const char* p = begin;
@@ -97,7 +132,8 @@ void ObjReader::corner() {
     largest_index_at_ = begin;
   }
   corners_.push_back(static_cast<std::uint32_t>(value - 1));
-  if (*p == '/') {  // texture and normal: not used
+  corner_textures_.push_back(texture_index(p));
+  if (*p == '/') {  // the normal: not used
     while (*p != '\\' && !is_blank(*p) && !is_line_end(*p) && p != begin + text_.left()) ++p;
   }
   text_.skip(static_cast<std::size_t>(p - begin));
@@ -108,6 +144,7 @@ void ObjReader::face() {
   for (skip_blanks(); !text_.at_line_end() && text_.peek() != '#'; skip_blanks()) corner();
   if (corners_.size() - begin < 3) {
     corners_.resize(begin);
+    corner_textures_.resize(begin);
     ++short_faces_;
     return;
   }
@@ -124,8 +161,8 @@ void ObjReader::named(std::unordered_map<std::string, std::uint32_t>& table,
 
 void ObjReader::other(std::string_view keyword, const char* where) {
   static constexpr std::string_view kHarmless[] = {
-      "vt",     "vn", "vp",  "s",     "l",        "p",        "mtllib",     "usemtl",    "usemap",
-      "maplib", "mg", "lod", "bevel", "c_interp", "d_interp", "shadow_obj", "trace_obj", "vc"};
+      "vn",     "vp", "s",   "l",     "p",        "mtllib",   "usemtl",     "usemap",    "maplib",
+       "mg", "lod", "bevel", "c_interp", "d_interp", "shadow_obj", "trace_obj", "vc"};
   static constexpr std::string_view kFreeForm[] = {
       "curv", "curv2", "surf", "cstype", "deg", "bmat", "step",  "parm",
       "trim", "hole",  "scrv", "sp",     "end", "con",  "ctech", "stech"};
@@ -141,6 +178,7 @@ void ObjReader::statement() {
   const char* where = text_.where();
   const std::string_view keyword = text_.token();
   if (keyword == "v") return vertex();
+  if (keyword == "vt") return texture_point();
   if (keyword == "f" || keyword == "fo") return face();
   if (keyword == "o") return named(objects_, object_);
   if (keyword == "g") return named(groups_, group_);
@@ -155,6 +193,27 @@ void ObjReader::finish_indices() const {
                     "or damaged, export it again",
                     largest_index_, positions_.size()));
   }
+}
+
+std::vector<glm::vec2> ObjReader::finish_texture(Diagnostics& diagnostics) const {
+  if (texture_points_.empty()) return {};
+  std::vector<glm::vec2> texture;
+  texture.reserve(corner_textures_.size());
+  std::int64_t beyond = 0, known = 0;
+  for (const std::uint32_t i : corner_textures_) {
+    const bool found = i < texture_points_.size();
+    known += found;
+    beyond += !found && i != kNone;
+    texture.push_back(found ? texture_points_[i] : glm::vec2(kNoTexture));
+  }
+  if (beyond > 0) {
+    diagnostics.add(Severity::Warning, "obj.bad_texture", beyond,
+                    fmt::format("corners refer to texture coordinates that the file does not hold "
+                                "(it has {}); they are drawn without",
+                                texture_points_.size()));
+  }
+  if (known == 0) texture.clear();
+  return texture;
 }
 
 MeshFile ObjReader::read() {
@@ -197,6 +256,7 @@ MeshFile ObjReader::read() {
   faces.positions = std::move(positions_);
   faces.indices = std::move(corners_);
   faces.offsets = std::move(offsets_);
+  faces.texture = finish_texture(file.diagnostics);
   faces.group = by_object ? std::move(object_of_face_) : std::move(group_of_face_);
   faces.names.resize(table.size());
   for (const auto& [name, index] : table) faces.names[index] = name;

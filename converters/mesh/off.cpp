@@ -1,6 +1,7 @@
 #include "binary.h"
 #include "formats.h"
 #include "text.h"
+#include "texture.h"
 
 #include <fmt/format.h>
 
@@ -15,6 +16,7 @@ namespace {
 /// What the word before the counts says about the vertices.
 struct OffHeader {
   bool extras = false;       // colours, normals or texture coordinates follow the coordinates
+  bool textured = false;     // the last two of them are texture coordinates
   bool homogeneous = false;  // a fourth coordinate divides the others
   bool binary = false;
 };
@@ -30,6 +32,7 @@ class OffReader {
   void skip_edge_count();
   bool vertices_fill_lines() const;
   void vertices();
+  glm::vec2 last_two_of_line();
   void faces();
   void finish(const char* format);
   void read_binary();
@@ -42,6 +45,7 @@ class OffReader {
   std::int64_t short_faces_ = 0;
   MeshFile file_;
   PolygonSoup soup_;
+  std::vector<glm::vec2> vertex_texture_;
 };
 
 void OffReader::header() {
@@ -55,7 +59,8 @@ void OffReader::header() {
     if (found) p += word.size();
     return found;
   };
-  header_.extras = skip("ST");
+  header_.textured = skip("ST");
+  header_.extras = header_.textured;
   header_.extras |= skip("C");
   header_.extras |= skip("N");
   header_.homogeneous = skip("4");
@@ -115,6 +120,14 @@ bool OffReader::vertices_fill_lines() const {
          vertex_count_ + face_count_;
 }
 
+glm::vec2 OffReader::last_two_of_line() {
+  glm::vec2 uv(kNoTexture);
+  for (text_.skip_blanks(); !text_.at_line_end() && text_.peek() != '#'; text_.skip_blanks()) {
+    uv = {uv.y, static_cast<float>(text_.number("a texture coordinate"))};
+  }
+  return uv;
+}
+
 void OffReader::vertices() {
   const bool by_line = vertices_fill_lines();
   soup_.positions.reserve(vertex_count_);
@@ -130,6 +143,7 @@ void OffReader::vertices() {
       p /= text_.number("a coordinate");
     }
     soup_.positions.push_back(p);
+    if (header_.textured) vertex_texture_.push_back(last_two_of_line());
     if (by_line) text_.next_line();
   }
 }
@@ -173,6 +187,9 @@ void OffReader::finish(const char* format) {
   if (short_faces_ > 0) {
     file_.diagnostics.add(Severity::Warning, "off.short_faces", short_faces_,
                           "faces of fewer than three corners were left out");
+  }
+  if (!vertex_texture_.empty()) {
+    for (const std::uint32_t v : soup_.indices) soup_.texture.push_back(vertex_texture_[v]);
   }
   file_.objects.push_back(std::move(soup_));
 }

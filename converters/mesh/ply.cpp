@@ -2,10 +2,12 @@
 #include "formats.h"
 #include "ply_header.h"
 #include "text.h"
+#include "texture.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <optional>
@@ -20,6 +22,21 @@ std::string too_many(const PlyElement& e) {
       "the PLY claims {} elements '{}', more than the bytes that follow hold; it is "
       "truncated or damaged, export it again",
       e.count, e.name);
+}
+
+constexpr int kAxisU = 3;
+
+/// Of a property of vertices: 0 to 2 for x, y, z; kAxisU and the next for u and v; else -1.
+int axis(std::string_view name) {
+  static constexpr std::array<std::array<std::string_view, 2>, 5> kTexture{
+      {{"s", "t"}, {"u", "v"}, {"texture_u", "texture_v"}, {"texture_s", "texture_t"},
+       {"texcoord_u", "texcoord_v"}}};
+  if (name.size() == 1 && name[0] >= 'x' && name[0] <= 'z') return name[0] - 'x';
+  for (const auto& [u, v] : kTexture) {
+    if (name == u) return kAxisU;
+    if (name == v) return kAxisU + 1;
+  }
+  return -1;
 }
 
 /// The numbers of a text, one after the other.
@@ -121,6 +138,8 @@ class PlyReader {
   void faces(const PlyElement& e, bool strips);
   void skip(const PlyProperty& p);
   void index_list(const PlyProperty& p);
+  void texture_list(const PlyProperty& p);
+  void take_corner(std::int64_t vertex, std::size_t place);
   void end_face();
   void end_strip();
 
@@ -130,7 +149,10 @@ class PlyReader {
   PolygonSoup soup_;
   std::size_t vertex_count_ = 0;
   std::vector<std::int64_t> list_;
+  // u and v of each vertex; of the corners of the face at hand, where the file has a list of them.
+  std::vector<glm::vec2> vertex_texture_, face_texture_;
   std::int64_t short_faces_ = 0;
+  bool any_texture_ = false;
 };
 
 template <class Values>
@@ -141,11 +163,9 @@ void PlyReader<Values>::skip(const PlyProperty& p) {
 
 template <class Values>
 void PlyReader<Values>::vertices(const PlyElement& e) {
-  std::vector<int> axis_of;  // for each property the axis it is the coordinate of, or -1
-  for (const PlyProperty& p : e.properties) {
-    const bool axis = !p.is_list && p.name.size() == 1 && p.name[0] >= 'x' && p.name[0] <= 'z';
-    axis_of.push_back(axis ? p.name[0] - 'x' : -1);
-  }
+  // For each property the axis it is the coordinate of, 3 and 4 those of the texture, or -1.
+  std::vector<int> axis_of;
+  for (const PlyProperty& p : e.properties) axis_of.push_back(p.is_list ? -1 : axis(p.name));
   for (const int k : {0, 1, 2}) {
     if (std::ranges::count(axis_of, k) != 1) {
       values_.fail("the vertices of the PLY have no coordinates x, y and z; export it again");
@@ -155,17 +175,26 @@ void PlyReader<Values>::vertices(const PlyElement& e) {
     values_.fail("more than 4,294,967,294 vertices; split the model");
   }
   soup_.positions.reserve(e.count);
+  const bool textured = std::ranges::count(axis_of, kAxisU) == 1 &&
+                        std::ranges::count(axis_of, kAxisU + 1) == 1;
   for (std::size_t i = 0; i < e.count; ++i) {
     source_.context().check();
     Vec3 position;
+    glm::vec2 uv(0);
     for (std::size_t k = 0; k < axis_of.size(); ++k) {
       if (axis_of[k] < 0) {
         skip(e.properties[k]);
+        continue;
+      }
+      const double value = values_.value(e.properties[k].type);
+      if (axis_of[k] < kAxisU) {
+        position[axis_of[k]] = value;
       } else {
-        position[axis_of[k]] = values_.value(e.properties[k].type);
+        uv[axis_of[k] - kAxisU] = static_cast<float>(value);
       }
     }
     soup_.positions.push_back(position);
+    if (textured) vertex_texture_.push_back(uv);
   }
 }
 
@@ -185,6 +214,30 @@ void PlyReader<Values>::index_list(const PlyProperty& p) {
   }
 }
 
+// u and v of the corners of a face, in turn.
+template <class Values>
+void PlyReader<Values>::texture_list(const PlyProperty& p) {
+  const std::size_t n = values_.list_length(p.count_type, p.type);
+  face_texture_.assign((n + 1) / 2, glm::vec2(kNoTexture));
+  for (std::size_t i = 0; i < n; ++i) {
+    face_texture_[i / 2][static_cast<glm::length_t>(i % 2)] =
+        static_cast<float>(values_.value(p.type));
+  }
+}
+
+template <class Values>
+void PlyReader<Values>::take_corner(std::int64_t vertex, std::size_t place) {
+  soup_.indices.push_back(static_cast<std::uint32_t>(vertex));
+  glm::vec2 uv(kNoTexture);
+  if (face_texture_.size() == list_.size()) {
+    uv = face_texture_[place];
+  } else if (!vertex_texture_.empty()) {
+    uv = vertex_texture_[static_cast<std::size_t>(vertex)];
+  }
+  soup_.texture.push_back(uv);
+  any_texture_ = any_texture_ || !std::isnan(uv.x);
+}
+
 template <class Values>
 void PlyReader<Values>::end_face() {
   if (std::ranges::find(list_, -1) != list_.end()) {
@@ -194,7 +247,7 @@ void PlyReader<Values>::end_face() {
     ++short_faces_;
     return;
   }
-  for (const std::int64_t v : list_) soup_.indices.push_back(static_cast<std::uint32_t>(v));
+  for (std::size_t i = 0; i < list_.size(); ++i) take_corner(list_[i], i);
   soup_.offsets.push_back(soup_.indices.size());
 }
 
@@ -208,7 +261,7 @@ void PlyReader<Values>::end_strip() {
     const bool odd = (i - begin) % 2 == 1;
     const std::size_t a = i - 2, b = i - 1;
     for (const std::size_t k : {odd ? b : a, odd ? a : b, i}) {
-      soup_.indices.push_back(static_cast<std::uint32_t>(list_[k]));
+      take_corner(list_[k], k);
     }
     soup_.offsets.push_back(soup_.indices.size());
   }
@@ -216,6 +269,8 @@ void PlyReader<Values>::end_strip() {
 
 template <class Values>
 void PlyReader<Values>::faces(const PlyElement& e, bool strips) {
+  const auto texture = std::ranges::find_if(
+      e.properties, [](const PlyProperty& p) { return p.is_list && p.name == "texcoord"; });
   const auto indices = std::ranges::find_if(e.properties, [](const PlyProperty& p) {
     return p.is_list && (p.name == "vertex_indices" || p.name == "vertex_index");
   });
@@ -226,9 +281,12 @@ void PlyReader<Values>::faces(const PlyElement& e, bool strips) {
   for (std::size_t i = 0; i < e.count; ++i) {
     source_.context().check();
     list_.clear();
+    face_texture_.clear();
     for (const PlyProperty& p : e.properties) {
       if (&p == &*indices) {
         index_list(p);
+      } else if (texture != e.properties.end() && &p == &*texture) {
+        texture_list(p);
       } else {
         skip(p);
       }
@@ -270,6 +328,7 @@ MeshFile PlyReader<Values>::read() {
     file.diagnostics.add(Severity::Warning, "ply.short_faces", short_faces_,
                          "faces of fewer than three corners were left out");
   }
+  if (!any_texture_) soup_.texture = {};
   file.objects.push_back(std::move(soup_));
   return file;
 }

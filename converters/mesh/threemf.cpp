@@ -68,6 +68,7 @@ void ThreeMfReader::emit(const ThreeMfObject& object, const ThreeMfTransform& tr
   if (transform.mirrors()) {  // keep the triangles counter-clockwise
     for (std::size_t i = 0; i + 2 < soup.indices.size(); i += 3) {
       std::swap(soup.indices[i + 1], soup.indices[i + 2]);
+      if (!soup.texture.empty()) std::swap(soup.texture[i + 1], soup.texture[i + 2]);
     }
   }
   file_.objects.push_back(std::move(soup));

@@ -1,12 +1,14 @@
 #include "threemf_model.h"
 
 #include "text.h"
+#include "texture.h"
 
 #include <fmt/format.h>
 #include <pugixml.hpp>
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 #include <cstring>
 #include <limits>
 
@@ -36,6 +38,11 @@ std::string_view attribute(const pugi::xml_node& node, std::string_view name) {
   return {};
 }
 
+/// Which group of properties, and which of it, where triangles say nothing of their own.
+struct Materials {
+  std::string_view group, index;
+};
+
 class ModelParser {
  public:
   ModelParser(std::string text, const std::string& name, const Source& source);
@@ -51,13 +58,16 @@ class ModelParser {
   std::uint32_t index(const pugi::xml_node& node, const char* name, std::size_t count) const;
   ThreeMfTransform transform(const pugi::xml_node& node) const;
   ThreeMfUse use(const pugi::xml_node& node) const;
-  PolygonSoup mesh(const pugi::xml_node& node) const;
+  PolygonSoup mesh(const pugi::xml_node& node, const Materials& of_object) const;
+  void texture_groups(const pugi::xml_node& resources);
+  glm::vec2 texture_at(std::string_view group, std::string_view index) const;
   ThreeMfObject object(const pugi::xml_node& node) const;
 
   std::string text_;
   const std::string& name_;
   const Source& source_;
   pugi::xml_document document_;
+  std::map<std::string, std::vector<glm::vec2>, std::less<>> texture_groups_;
 };
 
 ModelParser::ModelParser(std::string text, const std::string& name, const Source& source)
@@ -141,8 +151,33 @@ ThreeMfUse ModelParser::use(const pugi::xml_node& node) const {
           transform(node)};
 }
 
-PolygonSoup ModelParser::mesh(const pugi::xml_node& node) const {
+void ModelParser::texture_groups(const pugi::xml_node& resources) {
+  for (const pugi::xml_node& group : resources) {
+    if (!is(group, "texture2dgroup")) continue;
+    std::vector<glm::vec2>& points = texture_groups_[std::string(attribute(group, "id"))];
+    for (const pugi::xml_node& p : group) {
+      if (!is(p, "tex2coord")) continue;
+      points.emplace_back(static_cast<float>(number(p, "u")), static_cast<float>(number(p, "v")));
+    }
+  }
+}
+
+// Groups of colours and materials have no u and v, and neither has an index that is none: what is
+// only looked up there is not worth refusing a model.
+glm::vec2 ModelParser::texture_at(std::string_view group, std::string_view index) const {
+  const auto found = texture_groups_.find(group);
+  std::uint32_t i = 0;
+  const bool read =
+      std::from_chars(index.data(), index.data() + index.size(), i).ec == std::errc();
+  if (found == texture_groups_.end() || !read || i >= found->second.size()) {
+    return glm::vec2(kNoTexture);
+  }
+  return found->second[i];
+}
+
+PolygonSoup ModelParser::mesh(const pugi::xml_node& node, const Materials& of_object) const {
   PolygonSoup soup;
+  bool textured = false;
   for (const pugi::xml_node& v : child(node, "vertices")) {
     if (!is(v, "vertex")) continue;
     source_.context().check();
@@ -155,14 +190,26 @@ PolygonSoup ModelParser::mesh(const pugi::xml_node& node) const {
       soup.indices.push_back(index(t, corner, soup.positions.size()));
     }
     soup.offsets.push_back(soup.indices.size());
+    if (texture_groups_.empty()) continue;
+    const std::string_view pid = attribute(t, "pid"), p1 = attribute(t, "p1");
+    const std::string_view group = pid.empty() ? of_object.group : pid;
+    for (const char* of_corner : {"p1", "p2", "p3"}) {
+      std::string_view at = attribute(t, of_corner);
+      if (at.empty()) at = p1.empty() ? of_object.index : p1;
+      soup.texture.push_back(texture_at(group, at));
+      textured = textured || !std::isnan(soup.texture.back().x);
+    }
   }
+  if (!textured) soup.texture = {};
   return soup;
 }
 
 ThreeMfObject ModelParser::object(const pugi::xml_node& node) const {
   ThreeMfObject out;
   out.name = attribute(node, "name");
-  if (const pugi::xml_node m = child(node, "mesh")) out.mesh = mesh(m);
+  if (const pugi::xml_node m = child(node, "mesh")) {
+    out.mesh = mesh(m, {attribute(node, "pid"), attribute(node, "pindex")});
+  }
   for (const pugi::xml_node& c : child(node, "components")) {
     if (is(c, "component")) out.components.push_back(use(c));
   }
@@ -174,6 +221,7 @@ ThreeMfModel ModelParser::model() {
   if (!root) fail(0, "the XML has no element 'model'; export it again");
   ThreeMfModel out;
   out.unit = unit(root);
+  texture_groups(child(root, "resources"));
   for (const pugi::xml_node& o : child(root, "resources")) {
     if (!is(o, "object")) continue;
     const std::string id(attribute(o, "id"));

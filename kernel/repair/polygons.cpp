@@ -1,5 +1,6 @@
 #include <burin/base/error.h>
 #include <burin/base/parallel.h>
+#include <burin/repair/polygons.h>
 
 #include "exact_orientation.h"
 #include "stages.h"
@@ -216,19 +217,6 @@ void check_soup(const PolygonSoup& soup, const RunContext& context) {
 
 }  // namespace
 
-bool triangulate_polygon(std::span<const Vec3> positions, std::span<const std::uint32_t> corners,
-                         std::span<Triangle> out, const RunContext& context) {
-  if (corners.size() == 3) {
-    out[0] = {corners[0], corners[1], corners[2]};
-    return true;
-  }
-  if (corners.size() == 4) {
-    triangulate_quad(positions, corners, out);
-    return true;
-  }
-  return EarClipper(positions, corners).run(out, context);
-}
-
 TriMesh triangulate(PolygonSoup soup, Diagnostics& diagnostics, const RunContext& context) {
   check_soup(soup, context);
   TriMesh mesh;
@@ -255,3 +243,20 @@ TriMesh triangulate(PolygonSoup soup, Diagnostics& diagnostics, const RunContext
 }
 
 }  // namespace burin::repair_stages
+
+namespace burin {
+
+bool triangulate_polygon(std::span<const Vec3> positions, std::span<const std::uint32_t> corners,
+                         std::span<Triangle> out, const RunContext& context) {
+  if (corners.size() == 3) {
+    out[0] = {corners[0], corners[1], corners[2]};
+    return true;
+  }
+  if (corners.size() == 4) {
+    repair_stages::triangulate_quad(positions, corners, out);
+    return true;
+  }
+  return repair_stages::EarClipper(positions, corners).run(out, context);
+}
+
+}  // namespace burin

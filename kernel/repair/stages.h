@@ -17,11 +17,6 @@ inline constexpr std::uint32_t kNone = 0xffffffffu;
 /// along diagonals inside them. Throws GeometryError where a corner is no position.
 TriMesh triangulate(PolygonSoup soup, Diagnostics& diagnostics, const RunContext& context);
 
-/// Cuts one polygon of n >= 3 corners into the n-2 triangles `out`; false where it crosses itself
-/// (the triangles are then the least bad). Cost: O(n) convex, O(n r) with r reflex corners.
-bool triangulate_polygon(std::span<const Vec3> positions, std::span<const std::uint32_t> corners,
-                         std::span<Triangle> out, const RunContext& context);
-
 /// For each vertex the corners (3 * triangle + k) that lie at it.
 struct CornersOfVertex {
   std::vector<std::uint32_t> start;  // one more than there are vertices

@@ -190,14 +190,21 @@ void tone_cells(const Picture& picture, ViewRaster& raster, const RunContext& co
       &context);
 }
 
-// Parts that have no u and v where their first triangle is.
+// Whether some place of a surface has u and v: those of a mesh may be told for a part of it.
+bool has_parameters(const Surface& surface) {
+  const Vec3 middle(1.0 / 3);
+  for (std::uint32_t t = 0; t < surface.proxy().mesh.triangles.size(); ++t) {
+    if (surface.parameters(surface.lift({t, middle}))) return true;
+  }
+  return false;
+}
+
+// Parts without any u and v.
 std::vector<std::int32_t> without_parameters(std::span<const Surface* const> surfaces) {
   std::vector<std::int32_t> parts;
   for (std::size_t i = 0; i < surfaces.size(); ++i) {
     if (surfaces[i]->proxy().mesh.triangles.empty()) continue;
-    if (!surfaces[i]->parameters(surfaces[i]->lift({}))) {
-      parts.push_back(static_cast<std::int32_t>(i));
-    }
+    if (!has_parameters(*surfaces[i])) parts.push_back(static_cast<std::int32_t>(i));
   }
   return parts;
 }

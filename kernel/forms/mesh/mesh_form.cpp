@@ -57,6 +57,11 @@ Box3 MeshForm::bounds(const Mat3& axes) const {
 
 std::shared_ptr<const Surface> MeshForm::realise(const RealiseOptions& options,
                                                  RunContext& context) const {
+  return textured(realise_mesh(options, context), texture_);
+}
+
+std::shared_ptr<const Surface> MeshForm::realise_mesh(const RealiseOptions& options,
+                                                      RunContext& context) const {
   context.begin_stage(RunStage::Build);
   TriMesh mesh = mesh_;
   reorder_for_cache(mesh);

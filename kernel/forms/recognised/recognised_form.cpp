@@ -50,7 +50,8 @@ std::shared_ptr<const Surface> partly_charted(recognised::FacetAtlas made,
 }  // namespace
 
 struct RecognisedForm::Impl {
-  explicit Impl(TriMesh mesh) : form(std::move(mesh)) {}
+  Impl(TriMesh mesh, std::shared_ptr<const TextureMap> texture)
+      : form(std::move(mesh), std::move(texture)) {}
 
   MeshForm form;
   std::shared_ptr<const recognised::Facets> facets;
@@ -62,8 +63,9 @@ struct RecognisedForm::Impl {
   std::vector<Vec3> outermost;
 };
 
-RecognisedForm::RecognisedForm(TriMesh mesh, const RunContext& context)
-    : impl_(std::make_unique<Impl>(std::move(mesh))) {
+RecognisedForm::RecognisedForm(TriMesh mesh, const RunContext& context,
+                               std::shared_ptr<const TextureMap> texture)
+    : impl_(std::make_unique<Impl>(std::move(mesh), std::move(texture))) {
   const TriMesh& m = impl_->form.mesh();
   const Topology topology = build_topology(m, context);
   impl_->facets =
@@ -120,7 +122,7 @@ std::shared_ptr<const Surface> RecognisedForm::realise(const RealiseOptions& opt
   auto surface = made.exact ? charted(std::move(made), options, context)
                             : partly_charted(std::move(made), impl_->round, options, context);
   context.end_stage();
-  return surface;
+  return textured(std::move(surface), impl_->form.texture());
 }
 
 }  // namespace burin

@@ -4,6 +4,8 @@
 #include <burin/base/box.h>
 #include <burin/base/vec.h>
 
+#include <glm/vec2.hpp>
+
 #include <array>
 #include <cstdint>
 #include <string>
@@ -33,6 +35,9 @@ struct PolygonSoup {
   std::vector<Vec3> positions;
   std::vector<std::uint32_t> indices;
   std::vector<std::size_t> offsets{0};
+  /// u and v of each of `indices`, not a number where a corner has none; empty where the file has
+  /// none at all.
+  std::vector<glm::vec2> texture = {};
 
   std::size_t polygon_count() const { return offsets.size() - 1; }
 };

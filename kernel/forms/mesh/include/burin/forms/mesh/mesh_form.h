@@ -1,12 +1,14 @@
 #pragma once
 /// Triangle meshes as a surface form.
 
+#include <burin/forms/mesh/texture_map.h>
 #include <burin/mesh/curvature.h>
 #include <burin/mesh/proxy_mesh.h>
 #include <burin/mesh/tri_mesh.h>
 #include <burin/surface/scene.h>
 
 #include <memory>
+#include <utility>
 #include <vector>
 
 namespace burin {
@@ -16,17 +18,23 @@ namespace burin {
 /// smooth surface that they stand for (RoundedMesh); coarser ones are divided until they do.
 class MeshForm final : public Form {
  public:
-  /// Takes a manifold, oriented mesh, as `repair` returns it.
-  explicit MeshForm(TriMesh mesh) : mesh_(std::move(mesh)) {}
+  /// Takes a manifold, oriented mesh, as `repair` returns it, and u and v where there are any.
+  explicit MeshForm(TriMesh mesh, std::shared_ptr<const TextureMap> texture = nullptr)
+      : mesh_(std::move(mesh)), texture_(std::move(texture)) {}
 
   const TriMesh& mesh() const { return mesh_; }
+  const std::shared_ptr<const TextureMap>& texture() const { return texture_; }
   /// Of the vertices: coarse facets, when rounded, bulge beyond it by up to 0.12 of an edge.
   Box3 bounds(const Mat3& axes) const override;
   std::shared_ptr<const Surface> realise(const RealiseOptions& options,
                                          RunContext& context) const override;
 
  private:
+  std::shared_ptr<const Surface> realise_mesh(const RealiseOptions& options,
+                                              RunContext& context) const;
+
   TriMesh mesh_;
+  std::shared_ptr<const TextureMap> texture_;
 };
 
 /// The surface that a proxy mesh is by itself: what MeshForm realises, for forms that make their

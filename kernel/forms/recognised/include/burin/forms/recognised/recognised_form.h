@@ -1,6 +1,7 @@
 #pragma once
 /// Meshes whose facets stand for round surfaces; the round surfaces are drawn.
 
+#include <burin/forms/mesh/texture_map.h>
 #include <burin/mesh/tri_mesh.h>
 #include <burin/surface/scene.h>
 
@@ -28,9 +29,10 @@ struct RecognisedFaces {
 /// a turn are left alone (kernel/docs/openscad.md).
 class RecognisedForm final : public Form {
  public:
-  /// Takes a manifold, oriented mesh, as `repair` returns it, and recognises. Cost: 2 s per million
-  /// triangles.
-  RecognisedForm(TriMesh mesh, const RunContext& context);
+  /// Takes a manifold, oriented mesh, as `repair` returns it, and recognises; u and v of `texture`
+  /// come before those of the surfaces that are found. Cost: 2 s per million triangles.
+  RecognisedForm(TriMesh mesh, const RunContext& context,
+                 std::shared_ptr<const TextureMap> texture = nullptr);
   ~RecognisedForm() override;
 
   const TriMesh& mesh() const;
