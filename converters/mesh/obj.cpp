@@ -81,13 +81,11 @@ void ObjReader::vertex() {
 }
 
 void ObjReader::texture_point() {
-  glm::vec2 uv(0);
-  skip_blanks();
-  uv.x = static_cast<float>(text_.number("a texture coordinate"));
-  skip_blanks();
-  // The second is 0 where the texture is a line.
-  if (!text_.at_line_end() && text_.peek() != '#') {
-    uv.y = static_cast<float>(text_.number("a texture coordinate"));
+  glm::vec2 uv(kNoTexture, 0);  // the second is 0 where the texture is a line
+  for (int i = 0; i < 2; ++i) {
+    skip_blanks();
+    if (text_.at_line_end() || text_.peek() == '#') break;
+    uv[i] = texture_coordinate(text_.token());
   }
   texture_points_.push_back(uv);
 }
@@ -132,10 +130,10 @@ void ObjReader::corner() {
     largest_index_at_ = begin;
   }
   corners_.push_back(static_cast<std::uint32_t>(value - 1));
+  const bool more = *p == '/';
   corner_textures_.push_back(texture_index(p));
-  if (*p == '/') {  // the normal: not used
-    while (*p != '\\' && !is_blank(*p) && !is_line_end(*p) && p != begin + text_.left()) ++p;
-  }
+  // The normal is not used.
+  while (more && *p != '\\' && !is_blank(*p) && !is_line_end(*p) && p != begin + text_.left()) ++p;
   text_.skip(static_cast<std::size_t>(p - begin));
 }
 
@@ -161,8 +159,8 @@ void ObjReader::named(std::unordered_map<std::string, std::uint32_t>& table,
 
 void ObjReader::other(std::string_view keyword, const char* where) {
   static constexpr std::string_view kHarmless[] = {
-      "vn",     "vp", "s",   "l",     "p",        "mtllib",   "usemtl",     "usemap",    "maplib",
-       "mg", "lod", "bevel", "c_interp", "d_interp", "shadow_obj", "trace_obj", "vc"};
+      "vn", "vp",  "s",     "l",        "p",        "mtllib",     "usemtl",    "usemap", "maplib",
+      "mg", "lod", "bevel", "c_interp", "d_interp", "shadow_obj", "trace_obj", "vc"};
   static constexpr std::string_view kFreeForm[] = {
       "curv", "curv2", "surf", "cstype", "deg", "bmat", "step",  "parm",
       "trim", "hole",  "scrv", "sp",     "end", "con",  "ctech", "stech"};

@@ -123,7 +123,7 @@ bool OffReader::vertices_fill_lines() const {
 glm::vec2 OffReader::last_two_of_line() {
   glm::vec2 uv(kNoTexture);
   for (text_.skip_blanks(); !text_.at_line_end() && text_.peek() != '#'; text_.skip_blanks()) {
-    uv = {uv.y, static_cast<float>(text_.number("a texture coordinate"))};
+    uv = {uv.y, texture_coordinate(text_.token())};
   }
   return uv;
 }

@@ -29,7 +29,10 @@ constexpr int kAxisU = 3;
 /// Of a property of vertices: 0 to 2 for x, y, z; kAxisU and the next for u and v; else -1.
 int axis(std::string_view name) {
   static constexpr std::array<std::array<std::string_view, 2>, 5> kTexture{
-      {{"s", "t"}, {"u", "v"}, {"texture_u", "texture_v"}, {"texture_s", "texture_t"},
+      {{"s", "t"},
+       {"u", "v"},
+       {"texture_u", "texture_v"},
+       {"texture_s", "texture_t"},
        {"texcoord_u", "texcoord_v"}}};
   if (name.size() == 1 && name[0] >= 'x' && name[0] <= 'z') return name[0] - 'x';
   for (const auto& [u, v] : kTexture) {
@@ -175,8 +178,8 @@ void PlyReader<Values>::vertices(const PlyElement& e) {
     values_.fail("more than 4,294,967,294 vertices; split the model");
   }
   soup_.positions.reserve(e.count);
-  const bool textured = std::ranges::count(axis_of, kAxisU) == 1 &&
-                        std::ranges::count(axis_of, kAxisU + 1) == 1;
+  const bool textured =
+      std::ranges::count(axis_of, kAxisU) == 1 && std::ranges::count(axis_of, kAxisU + 1) == 1;
   for (std::size_t i = 0; i < e.count; ++i) {
     source_.context().check();
     Vec3 position;

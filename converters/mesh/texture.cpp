@@ -2,6 +2,8 @@
 
 #include <burin/repair/polygons.h>
 
+#include "text.h"
+
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -9,6 +11,11 @@
 #include <utility>
 
 namespace burin {
+
+float texture_coordinate(std::string_view word) {
+  double value = 0;
+  return parse_double(word, value) ? static_cast<float>(value) : kNoTexture;
+}
 
 std::shared_ptr<const TextureMap> texture_of(const PolygonSoup& soup, const RunContext& context) {
   if (soup.texture.empty()) return nullptr;
@@ -44,8 +51,8 @@ std::int64_t polygons_without_texture(const PolygonSoup& soup) {
   if (soup.texture.empty()) return 0;
   std::int64_t count = 0;
   for (std::size_t f = 0; f < soup.polygon_count(); ++f) {
-    const auto corners = std::span(soup.texture)
-                             .subspan(soup.offsets[f], soup.offsets[f + 1] - soup.offsets[f]);
+    const auto corners =
+        std::span(soup.texture).subspan(soup.offsets[f], soup.offsets[f + 1] - soup.offsets[f]);
     count += std::ranges::any_of(
         corners, [](glm::vec2 uv) { return !std::isfinite(uv.x) || !std::isfinite(uv.y); });
   }

@@ -167,8 +167,7 @@ void ModelParser::texture_groups(const pugi::xml_node& resources) {
 glm::vec2 ModelParser::texture_at(std::string_view group, std::string_view index) const {
   const auto found = texture_groups_.find(group);
   std::uint32_t i = 0;
-  const bool read =
-      std::from_chars(index.data(), index.data() + index.size(), i).ec == std::errc();
+  const bool read = std::from_chars(index.data(), index.data() + index.size(), i).ec == std::errc();
   if (found == texture_groups_.end() || !read || i >= found->second.size()) {
     return glm::vec2(kNoTexture);
   }

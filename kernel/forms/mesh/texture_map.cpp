@@ -84,8 +84,8 @@ std::optional<Vec2> TextureMap::at(Vec3 position) const {
   std::call_once(impl_->once, [&] { impl_->nearest.emplace(mesh); });
   const auto found = impl_->nearest->at(position);
   const Triangle& t = mesh.triangles[found.triangle];
-  const Vec3 bary = barycentric(mesh.positions[t[0]], mesh.positions[t[1]], mesh.positions[t[2]],
-                                found.position);
+  const Vec3 bary =
+      barycentric(mesh.positions[t[0]], mesh.positions[t[1]], mesh.positions[t[2]], found.position);
   Vec2 uv(0);
   for (std::size_t k = 0; k < 3; ++k) {
     uv += bary[static_cast<glm::length_t>(k)] *

@@ -9,7 +9,9 @@
 #include <burin_test/mesh_files.h>
 #include <burin_test/shapes.h>
 #include <gtest/gtest.h>
+#include <zip.h>
 
+#include <map>
 #include <string>
 
 namespace burin::test {
@@ -56,6 +58,20 @@ inline void expect_mesh(const MeshFile& file, const TriMesh& mesh) {
 /// A box whose coordinates no float holds.
 inline TriMesh precise_box() {
   return box({0.1, 1.0 / 3, -1e-7}, {1.1, 2.0 / 3, 123456.789012345});
+}
+
+/// The bytes of a zip archive with these members.
+inline std::string zipped(const std::map<std::string, std::string>& members) {
+  const TempFile file("archive.zip", "");
+  int error = 0;
+  zip_t* archive = zip_open(file.path().c_str(), ZIP_CREATE | ZIP_TRUNCATE, &error);
+  for (const auto& [name, bytes] : members) {
+    zip_file_add(archive, name.c_str(), zip_source_buffer(archive, bytes.data(), bytes.size(), 0),
+                 0);
+  }
+  zip_close(archive);
+  std::ifstream in(file.path(), std::ios::binary);
+  return {std::istreambuf_iterator<char>(in), {}};
 }
 
 }  // namespace burin::test

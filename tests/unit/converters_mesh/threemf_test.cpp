@@ -1,11 +1,11 @@
 #include "reading.h"
 
-#include <zip.h>
-
 #include <map>
 
 namespace burin {
 namespace {
+
+using test::zipped;
 
 constexpr const char* kRelationships =
     "<?xml version=\"1.0\"?><Relationships "
@@ -13,20 +13,6 @@ constexpr const char* kRelationships =
     "Id=\"r0\" "
     "Target=\"/3D/here.model\" "
     "Type=\"http://schemas.microsoft.com/3dmanufacturing/2013/01/3dmodel\"/></Relationships>";
-
-/// The bytes of a zip archive with these members.
-std::string zipped(const std::map<std::string, std::string>& members) {
-  const test::TempFile file("archive.zip", "");
-  int error = 0;
-  zip_t* archive = zip_open(file.path().c_str(), ZIP_CREATE | ZIP_TRUNCATE, &error);
-  for (const auto& [name, bytes] : members) {
-    zip_file_add(archive, name.c_str(), zip_source_buffer(archive, bytes.data(), bytes.size(), 0),
-                 0);
-  }
-  zip_close(archive);
-  std::ifstream in(file.path(), std::ios::binary);
-  return {std::istreambuf_iterator<char>(in), {}};
-}
 
 std::string archive(const std::string& model) {
   return zipped({{"[Content_Types].xml", "<Types/>"},

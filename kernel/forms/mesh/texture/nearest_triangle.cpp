@@ -3,7 +3,6 @@
 #include <CGAL/AABB_traits.h>
 #include <CGAL/AABB_tree.h>
 #include <CGAL/Simple_cartesian.h>
-
 #include <boost/iterator/counting_iterator.hpp>
 
 namespace burin::detail {
@@ -21,7 +20,7 @@ struct Primitive {
   using Shared_data = const TriMesh*;
 
   Primitive() = default;
-  Primitive(Id number, Shared_data) : number_(number) {}
+  Primitive(boost::counting_iterator<Id> number, Shared_data) : number_(*number) {}
   static Shared_data construct_shared_data(const TriMesh* mesh) { return mesh; }
 
   Id id() const { return number_; }
