@@ -133,7 +133,9 @@ void ObjReader::corner() {
   const bool more = *p == '/';
   corner_textures_.push_back(texture_index(p));
   // The normal is not used.
-  while (more && *p != '\\' && !is_blank(*p) && !is_line_end(*p) && p != begin + text_.left()) ++p;
+  while (more && *p != '\\' && *p != '#' && !is_blank(*p) && !is_line_end(*p) &&
+         p != begin + text_.left())
+    ++p;
   text_.skip(static_cast<std::size_t>(p - begin));
 }
 
