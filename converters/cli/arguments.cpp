@@ -127,8 +127,10 @@ constexpr const char* kModels =
     ".inr .nii .nii.gz .vti, .raw with --raw),\n"
     "OpenSCAD (.scad, .csg), FreeCAD (.FCStd)";
 
-CLI::App* add_draw(CLI::App& app, DrawArguments& a, Chatter& chatter) {
-  CLI::App* draw = app.add_subcommand("draw", "draw models as one sheet of line art");
+/// `draw` and `watch`: all but the end of their help.
+CLI::App* add_drawing(CLI::App& app, const char* name, const char* does, DrawArguments& a,
+                      Chatter& chatter) {
+  CLI::App* draw = app.add_subcommand(name, does);
   draw->add_option("INPUT", a.inputs,
                    std::string(kModels) + "\nor one illustration file (.burin.json)")
       ->type_name("")
@@ -137,6 +139,11 @@ CLI::App* add_draw(CLI::App& app, DrawArguments& a, Chatter& chatter) {
   text(*draw, "--format", a.format, "FORMAT", kFiles, format_help());
   for (const RequestOption& option : all_options()) add_request(*draw, option, a.request.options);
   add_chatter(*draw, chatter);
+  return draw;
+}
+
+CLI::App* add_draw(CLI::App& app, DrawArguments& a, Chatter& chatter) {
+  CLI::App* draw = add_drawing(app, "draw", "draw models as one sheet of line art", a, chatter);
   draw->footer(
       "\nExamples:\n"
       "  burin draw bracket.stl -o bracket.svg\n"
@@ -146,6 +153,19 @@ CLI::App* add_draw(CLI::App& app, DrawArguments& a, Chatter& chatter) {
       "Exit status: 0 drawn; 2 usage; 3 bad input; 4 output cannot be written; 5 cancelled; 1 "
       "else.");
   return draw;
+}
+
+CLI::App* add_watch(CLI::App& app, DrawArguments& a, Chatter& chatter) {
+  CLI::App* watch = add_drawing(
+      app, "watch", "draw, and draw again whenever a file that was read changes", a, chatter);
+  watch->footer(
+      "\nWatched are the models, the style file, the illustration file, and what these name.\n"
+      "Ctrl-C ends it.\n\n"
+      "Examples:\n"
+      "  burin watch pump.burin.json -o pump.svg\n"
+      "  burin watch bracket.scad -o bracket.svg --style mine.json\n\n"
+      "Exit status: 5 ended by Ctrl-C; else that of burin draw.");
+  return watch;
 }
 
 CLI::App* add_illustrate(CLI::App& app, DrawArguments& a) {
@@ -289,6 +309,7 @@ Arguments parse_arguments(int argc, const char* const* argv) {
       "Example: burin draw bracket.stl -o bracket.svg --style engraving");
   app.set_version_flag("--version,-V", std::string("burin ") + version(), "print the version");
   CLI::App* draw = add_draw(app, a.draw, a.chatter);
+  CLI::App* watch = add_watch(app, a.draw, a.chatter);
   CLI::App* illustrate = add_illustrate(app, a.illustrate);
   CLI::App* convert = add_convert(app, a.convert, a.chatter);
   CLI::App* info = add_info(app, a.info);
@@ -297,7 +318,7 @@ Arguments parse_arguments(int argc, const char* const* argv) {
   CLI::App* plugins = app.add_subcommand(
       "plugins", "list the plug-ins that are loaded: none, this version cannot load any");
   app.allow_extras();
-  for (CLI::App* sub : {draw, illustrate, convert, info, styles, options, plugins})
+  for (CLI::App* sub : {draw, watch, illustrate, convert, info, styles, options, plugins})
     sub->allow_extras();
 
   refuse_empty_values(app, argc, argv);
@@ -319,7 +340,9 @@ Arguments parse_arguments(int argc, const char* const* argv) {
   const CLI::App* chosen = app.get_subcommands().front();
   refuse_extras(*chosen, "burin " + chosen->get_name());
   refuse_extras(app, "burin");
+  if (chosen == watch) a.draw.command = "watch";
   a.verb = chosen == draw         ? Verb::Draw
+           : chosen == watch      ? Verb::Watch
            : chosen == illustrate ? Verb::Illustrate
            : chosen == convert    ? Verb::Convert
            : chosen == info       ? Verb::Info

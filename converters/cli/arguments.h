@@ -15,6 +15,8 @@ struct DrawArguments {
   std::vector<std::string> inputs;
   std::vector<std::string> outputs;
   std::string format;
+  /// How the command is called, for messages.
+  std::string command = "draw";
 };
 
 struct ConvertArguments {
@@ -52,12 +54,13 @@ struct Chatter {
   bool no_progress = false;
 };
 
-enum class Verb { Help, Draw, Illustrate, Convert, Info, Styles, Options, Plugins };
+enum class Verb { Help, Draw, Watch, Illustrate, Convert, Info, Styles, Options, Plugins };
 
 struct Arguments {
   Verb verb = Verb::Help;
   /// Help: the whole text to print.
   std::string help;
+  /// `draw`: of `burin watch` too.
   DrawArguments draw, illustrate;
   ConvertArguments convert;
   StylesArguments styles;

@@ -81,6 +81,14 @@ void Console::verification(const Verification& v) {
                   v.contradicted, v.length, 100 * v.share(), v.count, v.loose_ends, v.spans));
 }
 
+void Console::watching(bool drawn, double seconds, std::size_t files) {
+  if (quiet_) return;
+  clear();
+  say(fmt::format("burin: {}; watching {} {}\n",
+                  drawn ? fmt::format("drawn in {:.2f} s", seconds) : "not drawn", files,
+                  files == 1 ? "file" : "files"));
+}
+
 void Console::stages(const RunContext& context, double total) {
   if (!verbose_ || quiet_) return;
   clear();

@@ -31,6 +31,9 @@ class Console {
   void diagnostics(const Diagnostics& diagnostics);
   /// One line, `burin: verify: ...`: how much of the drawing rays contradict.
   void verification(const Verification& verification);
+  /// One line after each drawing of `burin watch`, with what it took; `files`: how many are
+  /// watched.
+  void watching(bool drawn, double seconds, std::size_t files);
   /// The lines of --verbose: the stages in their order, then the total.
   void stages(const RunContext& context, double total);
 

@@ -1,6 +1,7 @@
 #include "draw.h"
 
 #include <burin/base/error.h>
+#include <burin/base/input_files.h>
 #include <burin/base/parallel.h>
 #include <burin/converters/illustration.h>
 #include <burin/converters/read.h>
@@ -36,16 +37,19 @@ std::optional<Illustration> illustration_of(const std::vector<std::string>& inpu
   return read_illustration(*found);
 }
 
+/// `read`: what was opened for the plan, such as style files and pictures.
 std::vector<std::string> sources_of(const DrawArguments& a,
-                                    const std::optional<Illustration>& illustration) {
+                                    const std::optional<Illustration>& illustration,
+                                    const InputFiles& read) {
   std::vector<std::string> sources = a.inputs;
   if (illustration) {
     for (const IllustrationInput& input : illustration->inputs) {
       if (!input.file.empty()) sources.push_back(input.file);
     }
   }
-  const std::vector<std::string>& style = given_texts(a.request.options, "style");
-  if (!style.empty() && is_file(style.back())) sources.push_back(style.back());
+  for (const auto& [name, stamp] : read.stamps()) {
+    if (is_file(name)) sources.push_back(name);
+  }
   return sources;
 }
 
@@ -84,11 +88,14 @@ void note_unwritten(const DrawArguments& arguments, const std::vector<Output>& o
 
 void run_draw(const DrawArguments& arguments, RunContext& context, Console& console) {
   if (arguments.inputs.empty()) {
-    throw UsageError("no input; name model files: burin draw INPUT... -o OUT");
+    throw UsageError(
+        fmt::format("no input; name model files: burin {} INPUT... -o OUT", arguments.command));
   }
   if (arguments.outputs.empty()) {
-    throw UsageError("no output; name one: burin draw INPUT... -o OUT.svg");
+    throw UsageError(
+        fmt::format("no output; name one: burin {} INPUT... -o OUT.svg", arguments.command));
   }
+  const InputFiles read;
   const std::optional<Illustration> illustration = illustration_of(arguments.inputs);
   const DrawRequest request =
       illustration ? merged(illustration->request, arguments.request) : arguments.request;
@@ -97,7 +104,7 @@ void run_draw(const DrawArguments& arguments, RunContext& context, Console& cons
   WriteOptions options = write_options(plan.style);
   options.svg.id_prefix = plan.id_prefix;
   std::vector<Output> outputs =
-      make_outputs(arguments.outputs, arguments.format, sources_of(arguments, illustration));
+      make_outputs(arguments.outputs, arguments.format, sources_of(arguments, illustration, read));
   note_unwritten(arguments, outputs, plan);
   if (!illustration) check_inputs(arguments.inputs);
   for (const Output& output : outputs) {

@@ -1,10 +1,8 @@
 /// The command `burin`.
 
 #include <burin/base/error.h>
-#include <burin/base/out_of_memory.h>
 #include <burin/base/run_context.h>
 #include <burin/base/version.h>
-#include <burin/converters/messages.h>
 
 #include "arguments.h"
 #include "console.h"
@@ -13,8 +11,10 @@
 #include "illustrate.h"
 #include "info.h"
 #include "options.h"
+#include "report.h"
 #include "signals.h"
 #include "styles.h"
+#include "watch.h"
 
 #include <fmt/format.h>
 
@@ -24,39 +24,6 @@
 
 namespace burin::cli {
 namespace {
-
-constexpr int kDone = 0, kFailed = 1, kUsage = 2, kBadInput = 3, kNoOutput = 4, kStopped = 5;
-
-std::string said(const std::exception& e) { return at_door(e.what(), Spelling::Options); }
-
-/// Says what went wrong, in one line; to be called where an exception was caught. `input` is the
-/// file that errors without one of their own are about.
-int report(const std::string& input) {
-  try {
-    throw;
-  } catch (const Cancelled&) {
-    if (signals::may_say_cancelled()) print_error("cancelled");
-    return kStopped;
-  } catch (const UsageError& e) {
-    print_error(said(e));
-    return kUsage;
-  } catch (const InputError& e) {
-    print_error(located(e.file().empty() ? input : e.file(), e.line(), said(e)));
-    return kBadInput;
-  } catch (const GeometryError& e) {
-    print_error(located(input, 0, said(e)));
-    return kBadInput;
-  } catch (const OutputError& e) {
-    print_error(located(e.file(), 0, said(e)));
-    return kNoOutput;
-  } catch (const std::exception& e) {
-    print_error(located(input, 0,
-                        is_out_of_memory(e) ? "out of memory; draw a smaller model, or fewer at "
-                                              "once"
-                                            : said(e)));
-    return kFailed;
-  }
-}
 
 void print(const std::string& text) { std::fwrite(text.data(), 1, text.size(), stdout); }
 
@@ -73,6 +40,9 @@ int run(const Arguments& arguments, RunContext& context, Console& console) {
       break;
     case Verb::Draw:
       run_draw(arguments.draw, context, console);
+      break;
+    case Verb::Watch:
+      run_watch(arguments.draw, context, console);
       break;
     case Verb::Illustrate:
       run_illustrate(arguments.illustrate);

@@ -22,6 +22,7 @@ constexpr int kCancelledStatus = 5;
 std::atomic<RunContext*> g_context{nullptr};
 std::atomic<int> g_count{0};
 std::atomic<bool> g_finished{false};
+std::atomic<bool> g_late{false};
 std::atomic<bool> g_said{false};
 std::atomic<bool> g_bar{false};
 std::array<std::atomic<const char*>, 64> g_files{};
@@ -40,7 +41,9 @@ void write_all(std::string_view text) {
 
 extern "C" void on_signal(int signal) {
   const int saved = errno;
-  if (!g_finished) {
+  if (g_finished) {
+    g_late = true;
+  } else {
     if (g_count++ == 0) {
       if (RunContext* context = g_context) context->cancel();
       const itimerspec once{{0, 0}, {0, kPatience}};
@@ -93,6 +96,16 @@ Handlers::Handlers(RunContext& context) {
 Handlers::~Handlers() { g_context = nullptr; }
 
 void finish() { g_finished = true; }
+
+Turn::Turn(RunContext& context) : before_(g_context.exchange(&context)) {
+  if (g_count > 0) context.cancel();
+}
+
+Turn::~Turn() {
+  g_context = before_;
+  g_finished = false;
+  if (before_ != nullptr && (g_late || g_count > 0)) before_->cancel();
+}
 
 bool may_say_cancelled() { return !g_said.exchange(true); }
 

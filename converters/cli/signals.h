@@ -20,6 +20,19 @@ class Handlers {
 /// From now on signals do nothing: the output is complete.
 void finish();
 
+/// One of several runs of a process: as long as it lives signals cancel `context`, those too that
+/// came before; then, or where they came after `finish`, the context that they cancelled before.
+class Turn {
+ public:
+  explicit Turn(RunContext& context);
+  ~Turn();
+  Turn(const Turn&) = delete;
+  Turn& operator=(const Turn&) = delete;
+
+ private:
+  RunContext* before_;
+};
+
 /// Whether this is the first to say that the run was cancelled.
 bool may_say_cancelled();
 

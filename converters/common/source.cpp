@@ -1,5 +1,6 @@
 #include "source.h"
 
+#include <burin/base/input_files.h>
 #include <burin/base/missing_file.h>
 
 #include <fcntl.h>
@@ -45,6 +46,7 @@ std::size_t half_of_memory() {
 
 Source::Source(const std::filesystem::path& path, const RunContext& context)
     : file_(path.string()), context_(context) {
+  InputFiles::opens(path);
   const Descriptor in(path.c_str());
   if (in.get() < 0) {
     const int error = errno;

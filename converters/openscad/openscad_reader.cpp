@@ -4,6 +4,7 @@
 #include <burin/converters/openscad_reader.h>
 
 #include "messages.h"
+#include "named_files.h"
 #include "source.h"
 #include "subprocess.h"
 #include "text.h"
@@ -176,6 +177,7 @@ Diagnostics run_openscad(const Path& path, const OpenscadOptions& options,
   {
     const Source source(path, context);  // refuses what is missing, a folder, unreadable or empty
     const std::string_view bytes = source.bytes();
+    detail::tell_named_files(bytes, path.parent_path());
     lines = source.line_of(bytes.data() + bytes.find_last_not_of(" \t\r\n") + 1);
     for (const std::string& name : unused_defines(bytes, options.defines)) {
       unused.add(Severity::Warning, "openscad.unused_define", 1,

@@ -1,4 +1,5 @@
 #include <burin/base/error.h>
+#include <burin/base/input_files.h>
 #include <burin/base/missing_file.h>
 #include <burin/converters/pictures.h>
 
@@ -46,6 +47,7 @@ struct Reader {
 }  // namespace
 
 Image read_png(const std::filesystem::path& path) {
+  InputFiles::opens(path);
   std::string name = path.string();
   std::error_code error;
   if (!std::filesystem::is_regular_file(path, error)) {

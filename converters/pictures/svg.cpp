@@ -1,4 +1,5 @@
 #include <burin/base/error.h>
+#include <burin/base/input_files.h>
 #include <burin/base/missing_file.h>
 #include <burin/converters/pictures.h>
 #include <burin/drawing/path_data.h>
@@ -216,6 +217,7 @@ class SvgLines {
 }  // namespace
 
 std::string read_svg_lines(const std::filesystem::path& path) {
+  InputFiles::opens(path);
   const std::string name = path.string();
   std::error_code error;
   if (!std::filesystem::is_regular_file(path, error)) {

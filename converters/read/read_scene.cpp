@@ -1,4 +1,5 @@
 #include <burin/base/error.h>
+#include <burin/base/input_files.h>
 #include <burin/base/missing_file.h>
 #include <burin/converters/read.h>
 
@@ -16,6 +17,7 @@ namespace burin {
 
 void check_inputs(const std::vector<std::string>& paths) {
   for (const std::string& path : paths) {
+    InputFiles::opens(path);
     struct stat info {};
     if (::stat(path.c_str(), &info) != 0) {
       if (errno == ENOENT || errno == ENOTDIR) {

@@ -1,4 +1,5 @@
 #include <burin/base/error.h>
+#include <burin/base/input_files.h>
 #include <burin/base/missing_file.h>
 #include <burin/converters/request.h>
 
@@ -17,6 +18,7 @@ Style load_style(const std::string& name) {
                   [&](const StyleInfo& s) { return s.name == name; })) {
     return builtin_style(name);
   }
+  InputFiles::opens(name);
   std::error_code error;
   if (!std::filesystem::is_regular_file(name, error)) {
     const bool path = name.find('/') != std::string::npos || name.ends_with(".json");

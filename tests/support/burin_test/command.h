@@ -41,7 +41,9 @@ class Command {
   Command& operator=(const Command&) = delete;
   ~Command() { wait(); }
 
-  void signal(int number) const { ::kill(pid_, number); }
+  void signal(int number) const {
+    if (pid_ > 0) ::kill(pid_, number);  // 0 would be this program and all beside it
+  }
 
   /// The exit status, or 1000 + the signal that ended it.
   int wait() {

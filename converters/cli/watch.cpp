@@ -1,0 +1,131 @@
+#include "watch.h"
+
+#include <burin/base/error.h>
+#include <burin/base/input_files.h>
+#include <burin/base/missing_file.h>
+
+#include "draw.h"
+#include "report.h"
+#include "signals.h"
+
+#include <poll.h>
+
+#include <algorithm>
+#include <chrono>
+#include <filesystem>
+
+namespace burin::cli {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+using std::chrono::milliseconds;
+
+/// How often files are looked at; where there are many, so that it takes a tenth of the time.
+constexpr milliseconds kOften{50};
+constexpr int kShare = 10;
+/// So long no file has changed any more before it is drawn: who saves writes more than once.
+constexpr milliseconds kCalm{100};
+/// So long a file may be gone: editors write another one and rename it.
+constexpr milliseconds kGone{1000};
+
+/// A signal ends it early.
+void sleep_for(milliseconds time, const RunContext& context) {
+  ::poll(nullptr, 0, static_cast<int>(time.count()));
+  context.check();
+}
+
+InputFiles::Stamps looked_at(const InputFiles::Stamps& files) {
+  InputFiles::Stamps now;
+  for (const auto& [name, stamp] : files) now[name] = stamp_of(name);
+  return now;
+}
+
+bool any_gone(const InputFiles::Stamps& before, const InputFiles::Stamps& now) {
+  return std::ranges::any_of(
+      before, [&](const auto& one) { return one.second.there && !now.at(one.first).there; });
+}
+
+/// Waits until files are others than they were, and have been so for a while. Throws Cancelled.
+void wait_for_change(const InputFiles::Stamps& files, const RunContext& context) {
+  InputFiles::Stamps last = files;
+  Clock::time_point since = Clock::now();
+  for (;;) {
+    const Clock::time_point start = Clock::now();
+    InputFiles::Stamps now = looked_at(files);
+    const Clock::time_point end = Clock::now();
+    if (now != last) {
+      last = std::move(now);
+      since = end;
+    } else if (last != files && end - since >= (any_gone(files, last) ? kGone : kCalm)) {
+      return;
+    }
+    sleep_for(std::max(kOften, std::chrono::ceil<milliseconds>(kShare * (end - start))), context);
+  }
+}
+
+bool same_file(const std::string& a, const std::string& b) {
+  std::error_code error;
+  return std::filesystem::equivalent(a, b, error);
+}
+
+/// What is drawn is no reason to draw.
+void leave_out(const std::vector<std::string>& outputs, InputFiles::Stamps& files) {
+  std::erase_if(files, [&](const auto& one) {
+    return std::ranges::any_of(
+        outputs, [&](const std::string& output) { return same_file(one.first, output); });
+  });
+}
+
+std::string only_input(const DrawArguments& arguments) {
+  return arguments.inputs.size() == 1 ? arguments.inputs.front() : "";
+}
+
+/// Draws once. Returns whether it was drawn; tells what went wrong.
+bool try_draw(const DrawArguments& arguments, bool first, RunContext& context, Console& console) {
+  const signals::Turn turn(context);
+  try {
+    run_draw(arguments, context, console);
+    return true;
+  } catch (const Cancelled&) {
+    throw;
+  } catch (const UsageError&) {
+    if (first) throw;
+    console.clear();
+    report(only_input(arguments));
+  } catch (const MissingFile&) {
+    if (first) throw;
+    console.clear();
+    report(only_input(arguments));
+  } catch (...) {
+    console.clear();
+    report(only_input(arguments));
+  }
+  return false;
+}
+
+}  // namespace
+
+void run_watch(const DrawArguments& arguments, RunContext& context, Console& console) {
+  if (std::ranges::find(arguments.outputs, "-") != arguments.outputs.end()) {
+    throw UsageError("burin watch replaces files; name one instead of - (standard output)");
+  }
+  InputFiles::Stamps files;
+  for (bool first = true;; first = false) {
+    const Clock::time_point start = Clock::now();
+    const InputFiles read;
+    // One a drawing: it has times of its own.
+    RunContext run([&](const std::string& stage, double share) { console.progress(stage, share); });
+    const bool drawn = try_draw(arguments, first, run, console);
+    const double seconds = std::chrono::duration<double>(Clock::now() - start).count();
+    // Where it ended early, the files that would have come after count as they were.
+    InputFiles::Stamps now = read.stamps();
+    if (!drawn) now.merge(files);
+    files = std::move(now);
+    leave_out(arguments.outputs, files);
+    if (drawn) console.stages(run, seconds);
+    console.watching(drawn, seconds, files.size());
+    wait_for_change(files, context);
+  }
+}
+
+}  // namespace burin::cli
