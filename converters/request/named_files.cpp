@@ -1,20 +1,13 @@
 #include "named_files.h"
 
-#include <burin/base/ascii.h>
 #include <burin/converters/pictures.h>
 
 #include <string>
 
 namespace burin::detail {
-namespace {
-
-bool is_svg(const std::string& text) { return lowered(text).ends_with(".svg"); }
-
-}  // namespace
-
 void find_named_files(Style& style, const std::filesystem::path& folder) {
   for_each_hatch(style, [&](HatchStyle& hatch) {
-    if (is_svg(hatch.motif)) hatch.motif = read_svg_lines(folder / hatch.motif);
+    if (hatch.motif_is_file()) hatch.motif = read_svg_lines(folder / hatch.motif);
     if (hatch.has_image()) {
       hatch.image = std::filesystem::absolute(folder / hatch.image).lexically_normal().string();
     }

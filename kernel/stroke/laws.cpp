@@ -130,7 +130,7 @@ namespace burin {
 
 void check_texts(const HatchOptions& options, const std::string& group) {
   const detail::Laws compiled(options, group, nullptr);
-  if (options.has_motif()) detail::motif_of(options, group, 1);
+  if (options.has_motif() && !options.motif_is_file()) detail::motif_of(options, group, 1);
 }
 
 }  // namespace burin

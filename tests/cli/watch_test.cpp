@@ -110,9 +110,10 @@ TEST_F(Watch, AFaultyFileIsToldAndWatchingGoesOn) {
 }
 
 TEST_F(Watch, SeesStylesAndMotifs) {
-  const std::string style = folder_.write("mine.json", R"({"base": "pencil", "hatch.length": 5})");
+  const std::string style = folder_.write(
+      "mine.json", R"({"base": "pencil", "hatch.length": 5, "hatch.motif": "star.svg"})");
   const std::string motif = folder_.write("star.svg", R"(<svg><path d="M0 0L10 10"/></svg>)");
-  const std::string rest = "--style " + style + " --set hatch.motif=" + motif;
+  const std::string rest = "--style " + style;
   watch(words_of(box_ + " -o " + (folder_ / "out.svg") + " " + rest));
   ASSERT_TRUE(said("watching 3 files", 1));
   const std::string first = out();
@@ -120,7 +121,7 @@ TEST_F(Watch, SeesStylesAndMotifs) {
   ASSERT_TRUE(drawn(2));
   const std::string second = out();
   EXPECT_NE(second, first);
-  folder_.write("mine.json", R"({"base": "pencil", "hatch.length": 3})");
+  folder_.write("mine.json", R"({"base": "pencil", "hatch.length": 3, "hatch.motif": "star.svg"})");
   ASSERT_TRUE(drawn(3));
   EXPECT_NE(out(), second);
   EXPECT_EQ(out(), fresh(box_ + " " + rest));

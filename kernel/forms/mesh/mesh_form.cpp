@@ -20,8 +20,8 @@ constexpr double kShare = 0.5;
 
 void tell_cut_short(Diagnostics& diagnostics) {
   diagnostics.add(Severity::Warning, "mesh.rounded_coarsely", 1,
-                  "the facets of a mesh stay coarser than the sheet could show: rounding them "
-                  "takes too many triangles; draw a part of the model, or give a finer mesh");
+                  "facets of a mesh stay coarser than the sheet could show: an edge is halved at "
+                  "most six times, and at most 1.5 million triangles are added; give a finer mesh");
 }
 
 /// The curvature of a mesh at places of it.

@@ -1,6 +1,7 @@
 #pragma once
 /// What a user chooses of strokes.
 
+#include <burin/base/ascii.h>
 #include <burin/options/row.h>
 
 #include <string>
@@ -55,6 +56,8 @@ struct HatchOptions {
   double foreshortening = 0;
 
   bool has_motif() const { return motif != "none"; }
+  /// Whether `motif` names an SVG file: whoever reads styles puts its path data in its place.
+  bool motif_is_file() const { return lowered(motif).ends_with(".svg"); }
   bool has_image() const { return image != "none"; }
 
   bool operator==(const HatchOptions&) const = default;
