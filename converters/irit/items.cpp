@@ -17,16 +17,30 @@ struct NumberKind {
 constexpr NumberKind kNumberKinds[] = {
     {"NUMBER", 1}, {"POINT", 3}, {"VECTOR", 3}, {"PLANE", 4}, {"MATRIX", 16}};
 
-constexpr std::string_view kUnread[] = {"TRIMSRF",   "TRISRF", "MODEL",   "MULTIVAR",   "INSTANCE",
-                                        "TRIMMODEL", "VMODEL", "TRIMCRV", "TRIMCRVSEG", "CTLPT"};
-constexpr std::string_view kOther[] = {"SURFACE", "CURVE",  "POLYGON", "POLYLINE", "POINTLIST",
-                                       "STRING",  "OBJECT", "TRIVAR",  "POLYSTRIP"};
+constexpr std::string_view kUnread[] = {"TRIMSRF", "TRISRF",  "MODEL",      "MULTIVAR", "TRIMMODEL",
+                                        "VMODEL",  "TRIMCRV", "TRIMCRVSEG", "CTLPT"};
+constexpr std::string_view kOther[] = {"SURFACE", "CURVE",  "POLYGON", "POLYLINE",  "POINTLIST",
+                                       "STRING",  "OBJECT", "TRIVAR",  "POLYSTRIP", "INSTANCE"};
 
 IritNumbers read_numbers(Lexer& in, const NumberKind& kind) {
   IritNumbers numbers{std::string(kind.keyword), {}};
   for (int i = 0; i < kind.count; ++i) numbers.values.push_back(in.number("a number"));
   in.close("the ] after the numbers");
   return numbers;
+}
+
+IritInstance read_instance(Lexer& in, const Token& keyword) {
+  IritInstance instance;
+  instance.line = in.line_of(keyword.where);
+  instance.column = in.column_of(keyword.where);
+  const Token name = in.next();
+  if (name.kind != Token::Kind::Word && name.kind != Token::Kind::Quoted) {
+    in.expected(name, "the name of an object");
+  }
+  instance.of = plain(name.text);
+  for (double& x : instance.matrix) x = in.number("a number of the matrix");
+  in.close("the ] after the matrix");
+  return instance;
 }
 
 IritPolygon read_polygon(Lexer& in, IritPolygon::Kind kind) {
@@ -89,6 +103,7 @@ IritItem read_item(Lexer& in, const Token& keyword) {
   if (word == "SURFACE") return read_surface(in, keyword);
   if (word == "CURVE") return read_curve(in, keyword);
   if (word == "TRIVAR") return read_trivariate(in, keyword);
+  if (word == "INSTANCE") return read_instance(in, keyword);
   if (word == "POLYGON") return read_polygon(in, IritPolygon::Kind::Polygon);
   if (word == "POLYLINE") return read_polygon(in, IritPolygon::Kind::Polyline);
   if (word == "POLYSTRIP") return read_polygon(in, IritPolygon::Kind::Strip);

@@ -7,8 +7,10 @@
 namespace burin::irit {
 namespace {
 
-const char* const kUnread = "irit.unread";
-const char* const kNoSurface = "irit.no_surface";
+constexpr const char* kUnread = "irit.unread";
+constexpr const char* kNoSurface = "irit.no_surface";
+constexpr const char* kNoOriginal = "irit.no_original";
+constexpr const char* kInvisible = "irit.invisible";
 
 struct Words {
   std::string_view keyword, words;
@@ -17,7 +19,19 @@ constexpr Words kWords[] = {
     {"TRIMSRF", "trimmed surface"},  {"MODEL", "model of trimmed surfaces"},
     {"VMODEL", "volumetric model"},  {"TRIMMODEL", "model of trimmed surfaces"},
     {"TRIVAR", "trivariate volume"}, {"MULTIVAR", "multivariate function"},
-    {"TRISRF", "triangular patch"},  {"INSTANCE", "instance of another object"}};
+    {"TRISRF", "triangular patch"}};
+
+struct Why {
+  std::string_view code, words;
+  Severity severity;
+};
+constexpr Why kWhy[] = {
+    {kUnread, "is not yet read and was left out", Severity::Warning},
+    {kNoOriginal, "was left out: the file has no object of that name", Severity::Warning},
+    {kNoSurface, "is no surface and was left out", Severity::Info},
+    {kInvisible, "were left out", Severity::Info}};
+
+const Why& why_of(std::string_view code) { return *std::ranges::find(kWhy, code, &Why::code); }
 
 std::string in_words(const std::string& what) {
   // "TRIVAR of points E3" is named by its first word.
@@ -35,11 +49,14 @@ void Leftovers::count(const std::string& code, const std::string& what, std::int
 }
 
 void Leftovers::add(const IritItem& item, std::int64_t object_line) {
+  // Names come from the file: a damaged one must not make a list of thousands.
+  constexpr std::size_t kMaxKinds = 50;
+  const bool many = kinds_.size() >= kMaxKinds;
   if (const auto* unread = std::get_if<IritUnread>(&item)) {
-    // Names come from the file: a damaged one must not make a list of thousands.
-    constexpr std::size_t kMaxKinds = 50;
-    count(kUnread, kinds_.size() < kMaxKinds ? in_words(unread->what) : "other blocks",
-          unread->line);
+    count(kUnread, many ? "other blocks" : in_words(unread->what), unread->line);
+  } else if (const auto* instance = std::get_if<IritInstance>(&item)) {
+    count(kNoOriginal, many ? "other INSTANCE" : fmt::format("INSTANCE of {}", instance->of),
+          instance->line);
   } else if (std::holds_alternative<IritCurve>(item)) {
     count(kNoSurface, "CURVE", object_line);
   } else if (const auto* polygon = std::get_if<IritPolygon>(&item)) {
@@ -49,17 +66,14 @@ void Leftovers::add(const IritItem& item, std::int64_t object_line) {
 }
 
 void Leftovers::add_invisible(std::int64_t line) {
-  count("irit.invisible", "objects marked invisible", line);
+  count(kInvisible, "objects marked invisible", line);
 }
 
 void Leftovers::tell(Diagnostics& diagnostics) const {
   for (const Kind& kind : kinds_) {
-    const bool unread = kind.code == kUnread;
-    const std::string why = unread                    ? "is not yet read and was left out"
-                            : kind.code == kNoSurface ? "is no surface and was left out"
-                                                      : "were left out";
-    diagnostics.add(unread ? Severity::Warning : Severity::Info, kind.code, kind.count,
-                    fmt::format("{} {}; the first on line {}", kind.what, why, kind.line));
+    const Why& why = why_of(kind.code);
+    diagnostics.add(why.severity, kind.code, kind.count,
+                    fmt::format("{} {}; the first on line {}", kind.what, why.words, kind.line));
   }
 }
 

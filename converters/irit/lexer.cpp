@@ -21,10 +21,14 @@ std::int64_t lines_between(const char* from, const char* to) {
 
 }  // namespace
 
-void fail_at(const Source& source, const char* where, const std::string& what) {
+std::int64_t column_of(const Source& source, const char* where) {
   const char* line = where;
   while (line > source.bytes().data() && !is_line_end(line[-1])) --line;
-  source.fail_at_line(where, fmt::format("column {}: {}", where - line + 1, what));
+  return where - line + 1;
+}
+
+void fail_at(const Source& source, const char* where, const std::string& what) {
+  source.fail_at_line(where, fmt::format("column {}: {}", column_of(source, where), what));
 }
 
 Lexer::Lexer(const Source& source)

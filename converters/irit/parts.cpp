@@ -7,6 +7,7 @@
 #include <burin/repair/repair.h>
 
 #include "color.h"
+#include "instances.h"
 #include "leftovers.h"
 #include "sides.h"
 #include "text.h"
@@ -254,6 +255,7 @@ Scene PartMaker::make(IritObject root) {
 
 Scene make_parts(IritObject root, const Source& source, const std::filesystem::path& path,
                  const IritReadOptions& options) {
+  resolve_instances(root, source);
   return PartMaker(source, path, options).make(std::move(root));
 }
 

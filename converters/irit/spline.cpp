@@ -38,8 +38,6 @@ Basis basis_of(const Token& token) {
 
 /// Orders beyond this are no designs; the work of one evaluation is their product.
 constexpr std::int64_t kMaxOrder = 32;
-/// As for meshes: squares of squares of coordinates stay finite.
-constexpr double kLargestCoordinate = 1e60;
 
 class SplineReader {
  public:

@@ -1,5 +1,7 @@
 #include "split.h"
 
+#include "lexer.h"
+
 #include <algorithm>
 #include <cmath>
 #include <iterator>
@@ -9,9 +11,6 @@ namespace burin::irit {
 namespace {
 
 using Vec4 = glm::dvec4;
-
-/// As for meshes: squares of squares of coordinates stay finite.
-constexpr double kLargestCoordinate = 1e60;
 
 /// Splits in the middle, by de Casteljau's construction, along u or v.
 std::pair<HomogeneousPatch, HomogeneousPatch> halves(const HomogeneousPatch& patch, bool along_u) {

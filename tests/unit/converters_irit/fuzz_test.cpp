@@ -58,7 +58,9 @@ const std::string kData =
     "0]]]\n"
     "[OBJECT D [CURVE BEZIER 2 E2 [0 0] [1 1]]] [OBJECT E [TRIMSRF [x [y] z] q]]\n"
     "[OBJECT F [NUMBER 3]] [OBJECT G [MATRIX 1 0 0 0 0 1 0 0 0 0 1 0 0 0 0 1]]\n"
-    "[OBJECT H [SURFACE BEZIER 2 2 E3 [0 0 9] [1 0 9] [0 1 9] [1 1 9]]]]\n";
+    "[OBJECT H [SURFACE BEZIER 2 2 E3 [0 0 9] [1 0 9] [0 1 9] [1 1 9]]]\n"
+    "[OBJECT I [INSTANCE A 1 0 0 0 0 1 0 0 0 0 1 0.1 0 3 0 1]] [OBJECT J [INSTANCE I 2 0 0 0 0 1 0 "
+    "0 0 0 1 0 0 0 0 1]]]\n";
 
 TEST(IritFuzz, Data) { fuzz(kData, "a.itd", 5000, 1); }
 

@@ -33,10 +33,11 @@ struct IritReadOptions {
 /// objects of the same list that have no names, or whose sides fit together: a vase in four named
 /// patches is one vase. Enclosing lists that have names become Part::assembly; RGB and COLOR become
 /// Part::color. Polygons become mesh parts, trivariates of points with one coordinate the surface
-/// where they take `level` (ImplicitForm; parameters are mm). What is no surface (curves,
-/// polylines, points) or not yet read (trimmed surfaces, models, other trivariates, multivariates,
-/// triangular patches, instances) is left out and named in the diagnostics ("irit.no_surface",
-/// "irit.unread"), with its first line.
+/// where they take `level` (ImplicitForm; parameters are mm). An INSTANCE is its original at
+/// another place ("irit.no_original": the file has none). What is no surface (curves, polylines,
+/// points) or not yet read (trimmed surfaces, models, other trivariates, multivariates, triangular
+/// patches) is left out and named in the diagnostics ("irit.no_surface", "irit.unread"), with its
+/// first line.
 ///
 /// Geomview patches and patch lists: all patches are one part, named by the file. A patch list is
 /// what the teapot of Newell is passed on as: bicubic patches over shared points. Either the

@@ -5,6 +5,7 @@
 #include <burin/forms/charted/nurbs.h>
 #include <burin/forms/implicit/volume_function.h>
 
+#include <array>
 #include <cstdint>
 #include <filesystem>
 #include <string>
@@ -61,14 +62,22 @@ struct IritNumbers {
   std::vector<double> values;
 };
 
-/// Something that is not yet read: "TRIMSRF", "SURFACE GREGORY".
+/// INSTANCE: the first object of that name, in whatever list, at another place: each point is a row
+/// to the left of the matrix (rows one after another).
+struct IritInstance {
+  std::string of;
+  std::array<double, 16> matrix{};
+  std::int64_t line = 0, column = 0;
+};
+
+/// Something that is not yet read: "MULTIVAR", "SURFACE GREGORY".
 struct IritUnread {
   std::string what;
   std::int64_t line = 0;
 };
 
 using IritItem = std::variant<IritSurface, IritCurve, IritTrivariate, IritPolygon, IritNumbers,
-                              std::string, IritUnread>;
+                              IritInstance, std::string, IritUnread>;
 
 /// [OBJECT attributes name ...]: a leaf with items, or a list of objects. No name: empty.
 struct IritObject {
