@@ -1,7 +1,5 @@
 #include "tracer.h"
 
-#include <burin/base/smoothstep.h>
-
 #include <cmath>
 #include <numbers>
 
@@ -25,10 +23,7 @@ constexpr int kMaxSamples = 20000;   // a bound where length_max is set absurdly
 
 // A stroke on a form whose field is exact turns off the field by no more than this to keep to its
 // level line; on a face of which everybody knows how lines run, only where it would be lost.
-// By more where it is about to be lost: a line that breaks off and begins again beside itself
-// leaves a chip of white.
-constexpr double kMostTurn = 6 * std::numbers::pi / 180, kRescue = 25 * std::numbers::pi / 180;
-constexpr double kLosing = 0.25;    // gaps off from which it begins to be lost
+constexpr double kMostTurn = 6 * std::numbers::pi / 180;
 constexpr double kFree = 0.2;       // gaps that it may be off there
 constexpr double kTurnOver = 0.8;   // paper mm over which it would be back
 constexpr double kMostDrift = 0.5;  // gaps that it may be off its level line
@@ -191,10 +186,7 @@ Vec3 Tracer::steer(std::int32_t part, const StrokeSample& at, Vec3 tangent,
   if (picture_.surface(part).exact() || !at.bent) {
     const double free = ruled(at.kind) || !at.bent ? kFree * heading.gap : 0;
     const double off = heading.off - std::clamp(heading.off, -free, free);
-    const double most = kMostTurn + (kRescue - kMostTurn) * smoothstep(kLosing * heading.gap,
-                                                                       kMostDrift * heading.gap,
-                                                                       std::abs(heading.off));
-    const double turn = std::clamp(-off / kTurnOver, -most, most);
+    const double turn = std::clamp(-off / kTurnOver, -kMostTurn, kMostTurn);
     return std::cos(turn) * tangent + (area < 0 ? -1.0 : 1.0) * std::sin(turn) * left;
   }
   const double scale = camera.scale_at(at.point.position);
