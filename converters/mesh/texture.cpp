@@ -1,5 +1,6 @@
 #include "texture.h"
 
+#include <burin/converters/mesh_reader.h>
 #include <burin/repair/polygons.h>
 
 #include "text.h"

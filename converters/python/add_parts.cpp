@@ -3,6 +3,7 @@
 #include <burin/base/error.h>
 #include <burin/converters/cad_reader.h>
 #include <burin/converters/implicit_reader.h>
+#include <burin/converters/mesh_reader.h>
 #include <burin/converters/values.h>
 #include <burin/forms/implicit/implicit_form.h>
 #include <burin/forms/implicit/volume_function.h>
@@ -175,14 +176,35 @@ bool is_valid(const PyBrep& brep) {
   return valid;
 }
 
-Part mesh_part(const py::object& vertices, const py::object& triangles, const std::string& name,
-               Diagnostics& diagnostics) {
+namespace {
+
+// u and v of the vertices become those of the corners.
+void add_texture(const py::object& texture, PolygonSoup& soup) {
+  if (texture.is_none()) return;
+  const Doubles uv = matrix(texture, "texture", 2);
+  const auto rows = static_cast<std::size_t>(uv.shape(0));
+  if (rows != soup.positions.size()) {
+    throw UsageError(fmt::format("argument texture takes u and v of each of {} vertices, not {}",
+                                 soup.positions.size(), rows));
+  }
+  const auto at = uv.unchecked<2>();
+  for (const std::uint32_t v : soup.indices) {
+    soup.texture.emplace_back(static_cast<float>(at(v, 0)), static_cast<float>(at(v, 1)));
+  }
+}
+
+}  // namespace
+
+Part mesh_part(const py::object& vertices, const py::object& triangles, const py::object& texture,
+               const std::string& name, Diagnostics& diagnostics) {
   PolygonSoup soup = soup_of(vertices, triangles);
+  add_texture(texture, soup);
   soup.name = name;
   Part part;
   run(py::none(), nullptr, [&](RunContext& context) {
+    auto uv = texture_of(soup, context);
     TriMesh mesh = repair(std::move(soup), {}, diagnostics, context);
-    part.form = std::make_shared<MeshForm>(std::move(mesh));
+    part.form = std::make_shared<MeshForm>(std::move(mesh), std::move(uv));
   });
   return part;
 }

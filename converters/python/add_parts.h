@@ -33,8 +33,8 @@ PyBrep read_brep(const py::object& brep);
 bool is_valid(const PyBrep& brep);
 /// `brep`: a PyBrep, or text.
 Part brep_part(const py::object& brep, const py::object& placement);
-Part mesh_part(const py::object& vertices, const py::object& triangles, const std::string& name,
-               Diagnostics& diagnostics);
+Part mesh_part(const py::object& vertices, const py::object& triangles, const py::object& texture,
+               const std::string& name, Diagnostics& diagnostics);
 /// `samples` along the longest side of the bounds that stand for the function; 0 = the function
 /// itself is called for every point.
 Part function_part(const PythonFunctions& functions, const py::object& bounds,

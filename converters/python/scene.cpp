@@ -189,16 +189,18 @@ void add_scene(py::module_& module) {
           "add_mesh",
           [](const Owner& self, const py::object& vertices, const py::object& triangles,
              const std::string& name, const std::string& color, const py::object& assembly,
-             const std::string& source) {
+             const std::string& source, const py::object& texture) {
             Diagnostics found;
-            Part part = mesh_part(vertices, triangles, name, found);
+            Part part = mesh_part(vertices, triangles, texture, name, found);
             self->scene.diagnostics.append(found);
             return append(self, std::move(part), {name, color, assembly, source});
           },
           py::arg("vertices"), py::arg("triangles"), py::arg("name") = "", py::kw_only(),
           py::arg("color") = "", py::arg("assembly") = py::tuple(), py::arg("source") = "",
+          py::arg("texture") = py::none(),
           "`vertices` (n, 3) in mm, `triangles` (m, 3) of any integer type, counter-clockwise seen "
-          "from outside; repaired as files are, which `diagnostics` tells.")
+          "from outside; repaired as files are, which `diagnostics` tells. `texture` (n, 2): u and "
+          "v of the vertices, for laws and pictures.")
       .def(
           "add_function",
           [](const Owner& self, const py::object& values, const py::object& bounds,

@@ -35,6 +35,38 @@ class Verified(unittest.TestCase):
         self.assertNotIn("verify", burin.draw(scene, style="outline").stats)
 
 
+class Textures(unittest.TestCase):
+    """u and v of a mesh."""
+
+    def test_laws_know_them(self):
+        vertices, triangles = sphere()
+        keys = {"hatch.ink_law": "ink*step(u)"}
+
+        def draw(texture):
+            scene = burin.Scene()
+            scene.add_mesh(vertices, triangles, "ball", texture=texture)
+            return burin.draw(scene, style="engraving", set=keys)
+
+        def codes(drawing):
+            return [d["code"] for d in drawing.diagnostics]
+
+        without, textured = draw(None), draw(vertices[:, [0, 2]])
+        self.assertIn("strokes.no_parameters", codes(without))
+        self.assertNotIn("strokes.no_parameters", codes(textured))
+        self.assertLess(textured.stats["strokes"], without.stats["strokes"])
+        strokes = [path for layer in textured.layers for path in layer.paths if path.kind == "stroke"]
+        self.assertGreater(len(strokes), 20)
+        for path in strokes:
+            self.assertGreater(path.points3[:, 0].mean(), -0.5)
+
+    def test_bad_ones_are_told(self):
+        scene = burin.Scene()
+        with self.assertRaisesRegex(burin.UsageError, "texture takes u and v of each of 8 vertices, not 3"):
+            scene.add_mesh(*cube(), texture=np.zeros((3, 2)))
+        with self.assertRaisesRegex(burin.UsageError, "texture"):
+            scene.add_mesh(*cube(), texture=np.full((8, 2), np.nan))
+
+
 class SameAsCommand(unittest.TestCase):
     """The same options give the same bytes."""
 

@@ -3,10 +3,12 @@
 
 #include <burin/base/diagnostics.h>
 #include <burin/base/run_context.h>
+#include <burin/forms/mesh/texture_map.h>
 #include <burin/mesh/tri_mesh.h>
 #include <burin/surface/scene.h>
 
 #include <filesystem>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -28,6 +30,9 @@ bool is_mesh_suffix(const std::filesystem::path& path);
 /// ones). Never allocates more than the bytes of the file can hold. Cost: 0.1 s per million
 /// triangles of binary STL.
 MeshFile read_mesh_file(const std::filesystem::path& path, const RunContext& context);
+
+/// u and v of a soup, or nothing where it has none. To be taken before `repair`.
+std::shared_ptr<const TextureMap> texture_of(const PolygonSoup& soup, const RunContext& context);
 
 /// Repairs each object of a file into a part of its own, named by the file where it has no name. A
 /// part of which no triangle is left becomes a diagnostic; throws InputError where that happens to
