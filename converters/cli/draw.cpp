@@ -1,7 +1,6 @@
 #include "draw.h"
 
 #include <burin/base/error.h>
-#include <burin/base/input_files.h>
 #include <burin/base/parallel.h>
 #include <burin/converters/illustration.h>
 #include <burin/converters/read.h>
@@ -60,6 +59,19 @@ void refuse_reading(const DrawPlan& plan) {
                    " is about reading: in an illustration it belongs to a part, {\"file\": ...}");
 }
 
+Scene read_models(const DrawArguments& arguments, const DrawPlan& plan, RunContext& context,
+                  KeptScene* kept) {
+  if (kept && kept->scene) {
+    // Heard of before they are looked at: a change in between is not lost.
+    for (const auto& [name, stamp] : kept->files) InputFiles::opens(name);
+    if (!changed(kept->files)) return *kept->scene;
+  }
+  const InputFiles read;
+  Scene scene = read_scene(arguments.inputs, plan.read, context);
+  if (kept) *kept = {read.stamps(), scene};
+  return scene;
+}
+
 void check_format(const Output& output, const Paper& paper, const WriteOptions& options) {
   check_sheet(paper.width, paper.height, output.format(), options);
 }
@@ -86,7 +98,8 @@ void note_unwritten(const DrawArguments& arguments, const std::vector<Output>& o
 
 }  // namespace
 
-void run_draw(const DrawArguments& arguments, RunContext& context, Console& console) {
+void run_draw(const DrawArguments& arguments, RunContext& context, Console& console,
+              KeptScene* kept) {
   if (arguments.inputs.empty()) {
     throw UsageError(
         fmt::format("no input; name model files: burin {} INPUT... -o OUT", arguments.command));
@@ -114,7 +127,7 @@ void run_draw(const DrawArguments& arguments, RunContext& context, Console& cons
 
   const ThreadLimit limit(plan.threads);
   Scene scene = illustration ? read_scene(*illustration, context)
-                             : read_scene(arguments.inputs, plan.read, context);
+                             : read_models(arguments, plan, context, kept);
   select_parts(scene, plan);
   cut_parts(scene, plan);
   const Camera camera = make_camera(scene, plan);

@@ -1,14 +1,27 @@
 #pragma once
 /// `burin draw`.
 
+#include <burin/base/input_files.h>
 #include <burin/base/run_context.h>
+#include <burin/surface/scene.h>
 
 #include "arguments.h"
 #include "console.h"
 
+#include <optional>
+
 namespace burin::cli {
 
-/// Reads, draws and writes; prints the drawing's diagnostics. Throws the kernel's errors.
-void run_draw(const DrawArguments& arguments, RunContext& context, Console& console);
+/// What was read of models, and the files that it came from as they were then.
+struct KeptScene {
+  InputFiles::Stamps files;
+  std::optional<Scene> scene;
+};
+
+/// Reads, draws and writes; prints the drawing's diagnostics. Throws the kernel's errors. `kept`:
+/// of a run with the same arguments before this one, used where its files are as they were, else
+/// made anew; illustrations are always read.
+void run_draw(const DrawArguments& arguments, RunContext& context, Console& console,
+              KeptScene* kept = nullptr);
 
 }  // namespace burin::cli

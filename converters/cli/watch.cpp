@@ -81,10 +81,11 @@ std::string only_input(const DrawArguments& arguments) {
 }
 
 /// Draws once. Returns whether it was drawn; tells what went wrong.
-bool try_draw(const DrawArguments& arguments, bool first, RunContext& context, Console& console) {
+bool try_draw(const DrawArguments& arguments, bool first, RunContext& context, Console& console,
+              KeptScene& kept) {
   const signals::Turn turn(context);
   try {
-    run_draw(arguments, context, console);
+    run_draw(arguments, context, console, &kept);
     return true;
   } catch (const Cancelled&) {
     throw;
@@ -110,12 +111,13 @@ void run_watch(const DrawArguments& arguments, RunContext& context, Console& con
     throw UsageError("burin watch replaces files; name one instead of - (standard output)");
   }
   InputFiles::Stamps files;
+  KeptScene kept;
   for (bool first = true;; first = false) {
     const Clock::time_point start = Clock::now();
     const InputFiles read;
     // One a drawing: it has times of its own.
     RunContext run([&](const std::string& stage, double share) { console.progress(stage, share); });
-    const bool drawn = try_draw(arguments, first, run, console);
+    const bool drawn = try_draw(arguments, first, run, console, kept);
     const double seconds = std::chrono::duration<double>(Clock::now() - start).count();
     // Where it ended early, the files that would have come after count as they were.
     InputFiles::Stamps now = read.stamps();

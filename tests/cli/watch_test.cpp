@@ -128,6 +128,27 @@ TEST_F(Watch, SeesStylesAndMotifs) {
   expect_clean_end();
 }
 
+TEST_F(Watch, ReadsModelsAgainOnlyWhereTheyChanged) {
+  const std::string style = folder_.write("mine.json", R"({"base": "pencil", "hatch.length": 5})");
+  const std::string rest = " -v --style " + style;
+  watch(words_of(box_ + " -o " + (folder_ / "out.svg") + rest));
+  ASSERT_TRUE(drawn(1));
+  EXPECT_EQ(count("stage read"), 1);
+  folder_.write("mine.json", R"({"base": "pencil", "hatch.length": 3})");
+  ASSERT_TRUE(drawn(2));
+  EXPECT_EQ(count("stage read"), 1);
+  EXPECT_EQ(out(), fresh(box_ + rest));
+  folder_.write("box.off", cube(15));
+  ASSERT_TRUE(drawn(3));
+  EXPECT_EQ(count("stage read"), 2);
+  EXPECT_EQ(out(), fresh(box_ + rest));
+  folder_.write("mine.json", R"({"base": "pencil", "hatch.length": 4})");
+  ASSERT_TRUE(drawn(4));
+  EXPECT_EQ(count("stage read"), 2);
+  EXPECT_EQ(out(), fresh(box_ + rest));
+  expect_clean_end();
+}
+
 TEST_F(Watch, SeesIllustrationsAndWhatTheyExtend) {
   const std::string house =
       folder_.write("house.burin.json", R"({"burin": "illustration", "style": "outline"})");
