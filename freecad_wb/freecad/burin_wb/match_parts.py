@@ -1,0 +1,130 @@
+"""Which objects of a document the parts of an illustration file are: by names, and of equal ones by place."""
+
+import os
+from dataclasses import dataclass
+from typing import Any, List, Optional
+
+from .features import is_illustration
+from .features.shown import is_shown
+from .features.sources import from_the_top, is_aid, survey
+from .part_names import plain, unnumbered
+
+# How far two placements may be from each other, in mm and as entries of a rotation, and still be the same.
+SAME = 1e-6
+_IDENTITY = [float(row == column) for row in range(4) for column in range(4)]
+
+
+@dataclass
+class Candidate:
+    """An object that a part of a file may be: a leaf, or an assembly with all that it shows."""
+
+    top: Any
+    sub: str
+    label: str
+    name: str  # internal
+    pieces: List[Any]
+    used: bool = False
+
+    @property
+    def path(self):
+        return self.top.Name + ("." + self.sub.rstrip(".") if self.sub else "")
+
+    def matrix(self):
+        return list(self.top.getSubObject(self.sub, retType=4).A)
+
+    def is_shown(self):
+        return is_shown(self.top.getSubObject(self.sub, retType=1) if self.sub else self.top)
+
+
+@dataclass
+class Match:
+    """A part of a file and the object that it is; nothing where the document has none."""
+
+    part: Any  # as burin.illustration tells it
+    name: str
+    found: Optional[Candidate] = None
+
+    def selectable(self):
+        """Pairs of what selectors know of a part and its path in the document; this is nothing where it is absent."""
+        told = {"source": self.part["file"]}
+        if self.found is None:
+            return [({"name": self.name, **told}, None)]
+        pieces = [p.part for p in self.found.pieces]
+        if len(pieces) == 1:
+            return [({"name": self.name, "color": pieces[0].color, **told}, pieces[0].source)]
+        depth = len(self.found.sub.split(".")) if self.found.sub else 1
+        return [({"name": p.name, "color": p.color, "assembly": [self.name, *p.assembly[depth:]], **told}, p.source)
+                for p in pieces]
+
+
+def match(document, parts):
+    """A Match for each part of a file, in order, and what there is to say of places."""
+    candidates, notes = _candidates(document), []
+    by_name = {}
+    for candidate in candidates:
+        for name in {plain(candidate.label), candidate.name, candidate.path}:
+            by_name.setdefault(name, []).append(candidate)
+    matches = [Match(part, _name_of(part)) for part in parts]
+    # Names as they stand first, so that none of them goes to a part that `distinct` has numbered.
+    for known_as in (lambda name: name, unnumbered):
+        for one in matches:
+            if one.found is None:
+                free = [c for c in by_name.get(known_as(one.name), ()) if not c.used]
+                if free:
+                    one.found = min(free, key=lambda c: (not _is_at(c, one.part), not c.is_shown()))
+                    one.found.used = True
+    for one in matches:
+        if one.found is not None and _is_moved(one):
+            notes.append(f"{one.name}: stands where the document has it, the file has another place")
+    return matches, notes
+
+
+def _name_of(part):
+    """What a part is called; without a name its file is, as FreeCAD names what it imports."""
+    return plain(part["name"] or os.path.basename(part["file"]).split(".")[0])
+
+
+def _candidates(document):
+    """Every object that can be drawn, shown or hidden, and what links show of others."""
+    found = {}
+    for obj in document.Objects:
+        if is_illustration(obj) or is_aid(obj):
+            continue
+        if not (obj.isDerivedFrom("App::GeoFeature") or obj.isDerivedFrom("App::Link") or obj.isDerivedFrom("App::LinkGroup")):
+            continue
+        top, sub = from_the_top(obj)
+        pieces, _ = survey([(top, (sub,))])
+        if pieces:
+            found.setdefault((top.Name, sub), Candidate(top, sub, obj.Label, obj.Name, pieces))
+        for piece in pieces:
+            found.setdefault((piece.top.Name, piece.sub),
+                             Candidate(piece.top, piece.sub, piece.part.name, piece.part.source, [piece]))
+    return list(found.values())
+
+
+def _numbers(part):
+    return [number for row in part["place"] for number in row]
+
+
+def _same(one, other):
+    return all(abs(a - b) <= SAME * max(1.0, abs(a)) for a, b in zip(one, other))
+
+
+def _is_at(candidate, part):
+    return _same(candidate.matrix(), _numbers(part))
+
+
+def _is_moved(one):
+    """Whether the file places a part elsewhere. Models other than BREP may have the place in them, as meshes have, so only
+    places that are said count there."""
+    if _is_at(one.found, one.part):
+        return False
+    return one.part["file"].endswith(".brep") and _is_rigid_shape(one.found) or not _same(_numbers(one.part), _IDENTITY)
+
+
+def _is_rigid_shape(candidate):
+    if len(candidate.pieces) != 1 or candidate.pieces[0].shape is None:
+        return False
+    a = candidate.matrix()
+    rows = a[0:3], a[4:7], a[8:11]
+    return all(_same([sum(x * y for x, y in zip(rows[i], rows[k]))], [float(i == k)]) for i in range(3) for k in range(3))
