@@ -69,9 +69,10 @@ def _view(options):
 
 
 def _style(burin, name, keys):
-    """A built-in style with the keys that differ; of a style file all keys, so that the file need not be there."""
+    """A built-in style with the keys that differ; of a style file all keys, so that the file need not be there. Keys of
+    added strokes stay text."""
     values = burin.style({**burin.style(name), **keys})
-    return values if is_file(name) else {"base": name, **{key: values[key] for key in keys}}
+    return values if is_file(name) else {"base": name, **{key: values.get(key, text) for key, text in keys.items()}}
 
 
 def _look(burin, part, name):

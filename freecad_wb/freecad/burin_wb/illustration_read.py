@@ -121,7 +121,6 @@ def _style(burin, told, notes):
         keys = {}
     else:
         name, keys = _nearest(burin, style)
-        keys.pop("tone.light", None)
     keys.update(_lights(burin, told, notes))
     return {"Style": name, "StyleKeys": keys, "Light": FreeCAD.Vector(*told["light"])}
 
@@ -131,13 +130,25 @@ def _keys(burin, style):
 
 
 def _nearest(burin, style):
-    """A built-in style and the keys, as text, by which `style` differs from it."""
-    wanted, found = _keys(burin, style), []
-    for name in burin.styles():
-        known = _keys(burin, name)
-        if known.keys() <= wanted.keys():
-            found.append((name, {key: value for key, value in wanted.items() if known.get(key) != value}))
-    return min(found, key=lambda one: (len(one[1]), one[0] != style["name"]))
+    """A built-in style and the keys, as text, by which `style` differs from it, but for the light."""
+    wanted = _keys(burin, style)
+    start, keys = _closest(burin, wanted, [{"base": name, "tone.light": wanted["tone.light"]} for name in burin.styles()])
+    kinds = [row["name"] for row in burin.catalogues()["stroke_kinds"]]
+    for head in sorted({".".join(key.split(".")[:2]) for key in keys if key.startswith("strokes.")}):
+        if head + ".enabled" not in _keys(burin, start):
+            start, keys = _closest(burin, wanted, [{**start, head + ".kind": kind} for kind in kinds])
+    keys.update({key: value for key, value in start.items() if key.endswith(".kind")})
+    return start["base"], keys
+
+
+def _closest(burin, wanted, starts):
+    """Of mappings as style files have them the one that needs the fewest further keys, and these."""
+    found = []
+    for start in starts:
+        known = _keys(burin, start)
+        if known.keys() <= wanted.keys():  # strokes that the style has not cannot be taken away
+            found.append((start, {key: value for key, value in wanted.items() if known.get(key) != value}))
+    return min(found, key=lambda one: len(one[1]))
 
 
 def _lights(burin, told, notes):
