@@ -5,7 +5,7 @@ import os
 
 import FreeCAD
 
-from . import kernel
+from . import kernel, preferences
 from .errors import Refused
 from .features import make_illustration
 from .features.looks import with_flag, with_style
@@ -41,7 +41,7 @@ def read(document, path):
         setattr(obj, name, value)
     if told["title"]:
         obj.Label = told["title"]
-    tell(f"{obj.Label}: made from {path}" + ("; " + shortened(notes) if notes else ""), *(() if notes else (NOTE,)))
+    tell(f"{obj.Label}: made from {path}" + "".join("; " + note for note in notes), *(() if notes else (NOTE,)))
     return obj
 
 
@@ -107,9 +107,9 @@ def _sheet(told, notes):
     if told["seed"] > MOST_SEED:
         notes.append(f"seed: {MOST_SEED} at most here, which is taken")
     if size == "fit":
-        notes.append("paper.size: no sheet fits itself to the drawing here; width and height are those of new illustrations")
-    else:
-        values["Width"], values["Height"] = size
+        size = preferences.sheet()
+        notes.append("paper.size: no sheet fits itself to the drawing here, {:g} x {:g} mm of new illustrations are taken".format(*size))
+    values["Width"], values["Height"] = size
     return values
 
 
@@ -174,19 +174,21 @@ def _lights(burin, told, notes):
 def _looks(burin, looks, matches, notes):
     """Paths of objects to words."""
     selectable = [pair for one in matches for pair in one.selectable()]
-    words = {}
+    words, said = {}, []
     for look in looks:
-        style = _style_of_look(burin, look, notes)
-        for path in _selected(burin, look["select"], selectable, notes):
+        style = _style_of_look(burin, look, said)
+        for path in _selected(burin, look["select"], selectable, said):
             text = words.get(path, "")
             for key, (flag, at) in _FLAGS.items():
                 if look[key] is not None:
                     text = with_flag(text, flag, look[key] is at)
             words[path] = with_style(text, style) if style else text
+    if said:
+        notes.append(shortened(said))
     return {path: text for path, text in words.items() if text}
 
 
-def _style_of_look(burin, look, notes):
+def _style_of_look(burin, look, said):
     style = look["style"]
     if style is None:
         return ""
@@ -194,19 +196,19 @@ def _style_of_look(burin, look, notes):
         return style if style in burin.styles() else os.path.abspath(style)
     name, keys = _nearest(burin, style)
     if keys:
-        notes.append(f"look of {', '.join(look['select'])}: its own style has no name, so it is left out; save it as a style file "
-                     "and name that")
+        said.append(f"look of {', '.join(look['select'])}: its own style has no name, so it is left out; save it as a style file "
+                    "and name that")
     return "" if keys else name
 
 
-def _selected(burin, selectors, selectable, notes):
+def _selected(burin, selectors, selectable, said):
     """Paths of the objects that any of the selectors names."""
     found = {}
     for selector in selectors:
         try:
             numbers = burin.select([part for part, _ in selectable], selector)
         except burin.UsageError as error:
-            notes.append(f"look: {error}")
+            said.append(f"look: {error}")
             continue
         found.update({selectable[number][1]: None for number in numbers if selectable[number][1]})
     return list(found)

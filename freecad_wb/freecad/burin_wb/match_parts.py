@@ -1,12 +1,13 @@
 """Which objects of a document the parts of an illustration file are: by names, and of equal ones by place."""
 
 import os
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Any, List, Optional
 
 from .features import is_illustration
 from .features.shown import is_shown
 from .features.sources import from_the_top, is_aid, survey
+from .job import shortened
 from .part_names import plain, unnumbered
 
 # How far two placements may be from each other, in mm and as entries of a rotation, and still be the same.
@@ -43,6 +44,14 @@ class Match:
     part: Any  # as burin.illustration tells it
     name: str
     found: Optional[Candidate] = None
+    tied: List[Candidate] = field(default_factory=list)  # what might have been taken as well
+
+    def take(self, free):
+        """The one at the place that the file says before others, what is shown before what is hidden."""
+        rank = {id(c): (not _is_at(c, self.part), not c.is_shown()) for c in free}
+        self.found = min(free, key=lambda c: rank[id(c)])
+        self.found.used = True
+        self.tied = [c for c in free if rank[id(c)] == rank[id(self.found)] and c is not self.found]
 
     def selectable(self):
         """Pairs of what selectors know of a part and its path in the document; this is nothing where it is absent."""
@@ -59,9 +68,8 @@ class Match:
 
 def match(document, parts):
     """A Match for each part of a file, in order, and what there is to say of places."""
-    candidates, notes = _candidates(document), []
     by_name = {}
-    for candidate in candidates:
+    for candidate in _candidates(document):
         for name in {plain(candidate.label), candidate.name, candidate.path}:
             by_name.setdefault(name, []).append(candidate)
     matches = [Match(part, _name_of(part)) for part in parts]
@@ -71,12 +79,20 @@ def match(document, parts):
             if one.found is None:
                 free = [c for c in by_name.get(known_as(one.name), ()) if not c.used]
                 if free:
-                    one.found = min(free, key=lambda c: (not _is_at(c, one.part), not c.is_shown()))
-                    one.found.used = True
-    for one in matches:
-        if one.found is not None and _is_moved(one):
-            notes.append(f"{one.name}: stands where the document has it, the file has another place")
-    return matches, notes
+                    one.take(free)
+    return matches, _notes(matches)
+
+
+def _notes(matches):
+    found = [one for one in matches if one.found is not None]
+    moved = [one.name for one in found if _is_moved(one)]
+    tied = [f"{one.name} ({one.found.path})" for one in found if any(not c.used for c in one.tied)]
+    notes = []
+    if moved:
+        notes.append(f"stand where the document has them, for which the file has other places: {shortened(moved, ', ')}")
+    if tied:
+        notes.append(f"names that several objects have, of which the first was taken: {shortened(tied, ', ')}")
+    return notes
 
 
 def _name_of(part):
