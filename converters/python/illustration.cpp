@@ -8,6 +8,7 @@
 #include "style_text.h"
 #include "text.h"
 
+#include <fmt/format.h>
 #include <pybind11/stl.h>
 
 #include <optional>
@@ -123,21 +124,32 @@ py::dict illustration(const py::object& source) {
   return out;
 }
 
+/// Text of a mapping; empty where it has no such key.
+std::string text_at(const py::handle& mapping, const char* key) {
+  const py::object value = mapping.attr("get")(key, "");
+  if (py::isinstance<py::str>(value)) return value.cast<std::string>();
+  throw py::type_error(
+      fmt::format("argument parts: \"{}\" is text, not {}", key, std::string(py::repr(value))));
+}
+
+Part part_named(const py::handle& mapping) {
+  if (!is_mapping(mapping)) {
+    throw py::type_error(
+        fmt::format("argument parts takes mappings, not {}", std::string(py::repr(mapping))));
+  }
+  Part part;
+  part.name = text_at(mapping, "name");
+  part.color = text_at(mapping, "color");
+  part.source = text_at(mapping, "source");
+  for (const py::handle name : mapping.attr("get")("assembly", py::tuple())) {
+    part.assembly.push_back(py::str(name).cast<std::string>());
+  }
+  return part;
+}
+
 std::vector<std::size_t> selected(const py::iterable& parts, const std::string& selector) {
   Scene names;
-  for (const py::handle part : parts) {
-    const auto said = [&](const char* key) {
-      return part.attr("get")(key, "").cast<std::string>();
-    };
-    Part one;
-    one.name = said("name");
-    one.color = said("color");
-    one.source = said("source");
-    for (const py::handle name : part.attr("get")("assembly", py::tuple())) {
-      one.assembly.push_back(name.cast<std::string>());
-    }
-    names.parts.push_back(std::move(one));
-  }
+  for (const py::handle part : parts) names.parts.push_back(part_named(part));
   return select(names, selector);
 }
 

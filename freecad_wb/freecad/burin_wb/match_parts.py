@@ -73,11 +73,12 @@ def match(document, parts):
         for name in {plain(candidate.label), candidate.name, candidate.path}:
             by_name.setdefault(name, []).append(candidate)
     matches = [Match(part, _name_of(part)) for part in parts]
-    # Names as they stand first, so that none of them goes to a part that `distinct` has numbered.
-    for known_as in (lambda name: name, unnumbered):
+    # Names as they stand first, so that none of them goes to a part that `distinct` has numbered; then what FreeCAD names
+    # that imports the file of the part.
+    for known_as in (lambda one: one.name, lambda one: unnumbered(one.name), lambda one: _name_of_file(one.part)):
         for one in matches:
             if one.found is None:
-                free = [c for c in by_name.get(known_as(one.name), ()) if not c.used]
+                free = [c for c in by_name.get(known_as(one), ()) if not c.used]
                 if free:
                     one.take(free)
     return matches, _notes(matches)
@@ -96,8 +97,12 @@ def _notes(matches):
 
 
 def _name_of(part):
-    """What a part is called; without a name its file is, as FreeCAD names what it imports."""
-    return plain(part["name"] or os.path.basename(part["file"]).split(".")[0])
+    return plain(part["name"]) if part["name"] else _name_of_file(part)
+
+
+def _name_of_file(part):
+    """As FreeCAD names what it imports."""
+    return plain(os.path.basename(part["file"]).split(".")[0])
 
 
 def _candidates(document):

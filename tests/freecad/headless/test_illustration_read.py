@@ -123,9 +123,24 @@ class IllustrationRead(Case):
                         looks=[{"select": "cover", "drawn": False}, {"select": "Base", "hatched": False}])
         self.assertEqual([o.Name for o, _ in obj.Sources], ["Base"])
         self.assertEqual(dict(obj.Looks), {"Base": "not hatched"})
+        self.assertEqual((obj.Width.Value, obj.Height.Value, obj.Margin.Value), (297, 210, 10), "as burin draw takes them")
         self.assertRegex(self.said[0], r"the document lacks 'cover' \(cover.step\), 'ring' \(a function\): import and label")
         with self.assertRaisesRegex(Refused, r"no object of the file's parts, which are 'lid' \(lid.step\); import these"):
             self.read(parts=[{"file": "lid.step"}])
+
+    def test_models_that_were_imported_into_another_document(self):
+        block = self.solid(Part.makeBox(40, 30, 20), "Block")
+        block.Label = "A/block"
+        obj = self.illustration(block, self.box(), Style="outline", Looks={"Block": "not hatched"})
+        illustration_file.write(obj, self.path)
+        other = App.newDocument("Other")
+        models = os.path.join(self.folder, "pump.models")
+        for file in sorted(os.listdir(models)):
+            Part.insert(os.path.join(models, file), other.Name)
+        made = illustration_file.read(other, self.path)
+        job, again = make_job(obj), make_job(made)
+        self.assertEqual([(part.brep, part.hatched) for part in job.parts], [(part.brep, part.hatched) for part in again.parts])
+        self.assertEqual(self.settings(made), self.settings(obj))
 
     def test_of_equal_names_the_first_is_taken_and_told(self):
         block = self.solid(Part.makeBox(40, 30, 20), "Block")
