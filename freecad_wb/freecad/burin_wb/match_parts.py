@@ -1,6 +1,7 @@
 """Which objects of a document the parts of an illustration file are: by names, and of equal ones by place."""
 
 import os
+import re
 from dataclasses import dataclass, field
 from typing import Any, List, Optional
 
@@ -75,7 +76,8 @@ def match(document, parts):
     matches = [Match(part, _name_of(part)) for part in parts]
     # Names as they stand first, so that none of them goes to a part that `distinct` has numbered; then what FreeCAD names
     # that imports the file of the part.
-    for known_as in (lambda one: one.name, lambda one: unnumbered(one.name), lambda one: _name_of_file(one.part)):
+    for known_as in (lambda one: one.name, lambda one: unnumbered(one.name), lambda one: _name_of_file(one.part),
+                     lambda one: _internal(_name_of_file(one.part))):
         for one in matches:
             if one.found is None:
                 free = [c for c in by_name.get(known_as(one), ()) if not c.used]
@@ -88,7 +90,10 @@ def _notes(matches):
     found = [one for one in matches if one.found is not None]
     moved = [one.name for one in found if _is_moved(one)]
     tied = [f"{one.name} ({one.found.path})" for one in found if any(not c.used for c in one.tied)]
+    read = sorted({option for one in found for option in one.part["read"]})
     notes = []
+    if read:
+        notes.append(f"options about reading have no effect on objects that are there: {', '.join(read)}")
     if moved:
         notes.append(f"stand where the document has them, for which the file has other places: {shortened(moved, ', ')}")
     if tied:
@@ -101,8 +106,14 @@ def _name_of(part):
 
 
 def _name_of_file(part):
-    """As FreeCAD names what it imports."""
+    """The label that FreeCAD gives to what it imports, of most formats."""
     return plain(os.path.basename(part["file"]).split(".")[0])
+
+
+def _internal(label):
+    """The internal name that FreeCAD makes of a label, byte by byte; BREP files have no other."""
+    name = re.sub(r"[^A-Za-z0-9_]", "_", label.encode().decode("latin-1"))
+    return "_" + name[1:] if name[0].isdigit() else name
 
 
 def _candidates(document):
