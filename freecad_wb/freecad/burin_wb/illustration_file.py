@@ -1,5 +1,6 @@
 """Illustrations of documents as illustration files, which the command `burin draw` and the Python module draw:
-`from freecad.burin_wb import illustration_file; illustration_file.write(obj, "pump.burin.json")`; `illustration_file.read(document, path)` is the way back. Works without a GUI."""
+`from freecad.burin_wb import illustration_file; illustration_file.write(obj, "pump.burin.json")`;
+`illustration_file.read(document, path)` is the way back. Works without a GUI."""
 
 import json
 import os

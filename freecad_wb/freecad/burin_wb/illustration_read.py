@@ -26,7 +26,7 @@ def read(document, path):
     burin = kernel.module()
     try:
         told = burin.illustration(path)
-        matches, notes = match(document, told["parts"])
+        matches, notes = match(burin, document, told["parts"])
         _refuse_none(path, matches)
         notes += _missing(matches)
         values = {**_view(told, notes), **_sheet(told, notes), **_style(burin, told, notes),
@@ -108,7 +108,8 @@ def _sheet(told, notes):
         notes.append(f"seed: {MOST_SEED} at most here, which is taken")
     if size == "fit":
         size = preferences.sheet()
-        notes.append("paper.size: no sheet fits itself to the drawing here, {:g} x {:g} mm of new illustrations are taken".format(*size))
+        notes.append("paper.size: no sheet fits itself to the drawing here, {:g} x {:g} mm of new illustrations are taken"
+                     .format(*size))
     values["Width"], values["Height"] = size
     return values
 

@@ -67,7 +67,7 @@ class Match:
                 for p in pieces]
 
 
-def match(document, parts):
+def match(burin, document, parts):
     """A Match for each part of a file, in order, and what there is to say of places."""
     by_name = {}
     for candidate in _candidates(document):
@@ -83,10 +83,27 @@ def match(document, parts):
                 free = [c for c in by_name.get(known_as(one), ()) if not c.used]
                 if free:
                     one.take(free)
-    return matches, _notes(matches)
+    for one in matches:
+        if one.found is None and not one.part["name"]:
+            one.name = _top_of_file(burin, one.part["file"]) or one.name
+            free = [c for c in by_name.get(plain(one.name), ()) if not c.used]
+            if free:
+                one.take(free)
+    return matches, _notes(matches, by_name)
 
 
-def _notes(matches):
+def _top_of_file(burin, file):
+    """What FreeCAD calls the assembly that it imports a file as; empty where there is no such file, or not one assembly."""
+    if not os.path.isfile(file):
+        return ""
+    try:
+        tops = {(part["assembly"] or [part["name"]])[0] for part in burin.info(file)[0]["parts"]}
+    except burin.Error:  # only its name was wanted: that the part is absent is told
+        return ""
+    return tops.pop() if len(tops) == 1 else ""
+
+
+def _notes(matches, by_name):
     found = [one for one in matches if one.found is not None]
     moved = [one.name for one in found if _is_moved(one)]
     tied = [f"{one.name} ({one.found.path})" for one in found if any(not c.used for c in one.tied)]
@@ -96,6 +113,11 @@ def _notes(matches):
         notes.append(f"options about reading have no effect on objects that are there: {', '.join(read)}")
     if moved:
         notes.append(f"stand where the document has them, for which the file has other places: {shortened(moved, ', ')}")
+    numbered = [one.name for one in found if not one.part["name"] and any(
+        not c.used for c in by_name.get(plain(one.found.label) + "001", ()))]
+    if numbered:
+        notes.append("objects of the same name with a number may be of the file too and were not taken (put them into a part of that "
+                     f"name): {shortened(numbered, ', ')}")
     if tied:
         notes.append(f"names that several objects have, of which the first was taken: {shortened(tied, ', ')}")
     return notes

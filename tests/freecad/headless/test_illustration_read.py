@@ -142,6 +142,26 @@ class IllustrationRead(Case):
         self.assertEqual([(part.brep, part.hatched) for part in job.parts], [(part.brep, part.hatched) for part in again.parts])
         self.assertEqual(self.settings(made), self.settings(obj))
 
+    def test_an_assembly_is_known_by_its_name_in_the_file(self):
+        step = os.path.join(os.environ["BURIN_SOURCE_DIR"], "samples", "coupling.step")
+        part = self.doc.addObject("App::Part", "Imported")
+        part.Label = "flange coupling"
+        hub = self.box(name="Hub")
+        hub.Label = "driven hub"
+        part.addObject(hub)
+        part.addObject(self.box(name="Shaft"))
+        self.doc.recompute()
+        obj = self.read(parts=[{"file": step}], looks=[{"select": "/flange coupling/driven hub", "transparent": True}])
+        self.assertEqual([(o.Name, subs) for o, subs in obj.Sources], [("Imported", ("",))])
+        self.assertEqual(dict(obj.Looks), {"Imported.Hub": "transparent"})
+        self.assertNotIn(";", self.said[-1])
+
+    def test_objects_that_an_import_numbered_are_told(self):
+        for label in ("coupling", "coupling001"):
+            self.box(name="Box").Label = label
+        self.read(parts=[{"file": "coupling.step"}])
+        self.assertRegex(self.said[-1], r"may be of the file too and were not taken .*: coupling$")
+
     def test_of_equal_names_the_first_is_taken_and_told(self):
         block = self.solid(Part.makeBox(40, 30, 20), "Block")
         part = self.doc.addObject("App::Part", "Part")
