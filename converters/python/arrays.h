@@ -30,7 +30,7 @@ py::array view(const double* data, std::vector<py::ssize_t> shape, const py::han
 py::array to_array(Vec2 v);
 py::array to_array(Vec3 v);
 
-/// (n, columns) doubles, finite. Throws UsageError that names the argument and its shape.
+/// (n, columns) doubles. Throws UsageError that names the argument and its shape.
 Doubles matrix(const py::object& value, const char* name, py::ssize_t columns);
 
 /// Points (n, 3) as vectors.

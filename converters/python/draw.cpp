@@ -8,6 +8,7 @@
 
 #include "drawing.h"
 #include "fields.h"
+#include "illustration.h"
 #include "module.h"
 #include "read.h"
 #include "run.h"
@@ -56,13 +57,12 @@ struct Source {
       scene = given.scene;
       part_styles = given.part_styles;
     } else if (is_mapping(value)) {
-      const auto text = py::module_::import("json").attr("dumps")(value).cast<std::string>();
-      illustration = parse_illustration(text, "illustration");
+      illustration = illustration_of(value);
     } else {
       paths = path_list(value);
       if (paths.empty()) throw UsageError("no input; name model files, or give a scene");
       if (paths.size() == 1 && is_illustration(paths.front())) {
-        illustration = read_illustration(paths.front());
+        illustration = illustration_of(py::str(paths.front()));
       }
     }
   }
@@ -148,8 +148,6 @@ void add_draw(py::module_& module) {
       "All that can be chosen, as `burin options --json` tells it: \"options\" (of draw), "
       "\"style_keys\", \"styles\", \"stroke_kinds\", "
       "\"formats\".");
-  module.def("illustration_schema", illustration_schema,
-             "The JSON Schema of illustration files, as text.");
   module.def("info", info, "What `burin info --json` tells, one entry a file. Throws InputError.");
 }
 

@@ -11,5 +11,6 @@ PYBIND11_MODULE(_burin, module) {
   add_scene(module);
   add_drawing(module);
   add_draw(module);
+  add_illustration(module);
   add_styles(module);
 }

@@ -48,7 +48,7 @@ class Textures(unittest.TestCase):
             return burin.draw(scene, style="engraving", set=keys)
 
         def codes(drawing):
-            return [d["code"] for d in drawing.diagnostics]
+            return [d.code for d in drawing.diagnostics]
 
         without, textured = draw(None), draw(vertices[:, [0, 2]])
         self.assertIn("strokes.no_parameters", codes(without))
@@ -63,8 +63,8 @@ class Textures(unittest.TestCase):
         scene = burin.Scene()
         with self.assertRaisesRegex(burin.UsageError, "texture takes u and v of each of 8 vertices, not 3"):
             scene.add_mesh(*cube(), texture=np.zeros((3, 2)))
-        with self.assertRaisesRegex(burin.UsageError, "texture"):
-            scene.add_mesh(*cube(), texture=np.full((8, 2), np.nan))
+        with self.assertRaisesRegex(burin.UsageError, "argument texture"):
+            scene.add_mesh(*cube(), texture=np.zeros((8, 3)))
 
 
 class SameAsCommand(unittest.TestCase):

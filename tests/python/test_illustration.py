@@ -38,6 +38,49 @@ class Illustrations(unittest.TestCase):
             self.assertEqual(theirs.read_bytes(), ours.read_bytes())
             self.assertEqual([part["name"] for part in drawing.parts], ["stand", "ring"])
 
+    def test_what_an_illustration_says(self):
+        said = burin.illustration({**TWO, "section": "y", "tolerance": 0.1})
+        self.assertEqual((said["title"], said["paper"]), ("A stand on a ring", {"size": (210, 148), "margin": (5, 6, 7, 8)}))
+        stand, ring = said["parts"]
+        self.assertEqual((stand["file"], stand["name"], stand["function"]), (str(SAMPLES / "bracket.off"), "stand", ""))
+        self.assertEqual((ring["file"], ring["function"]), ("", "torus(60, 6)"))
+        self.assertEqual(stand["place"], [[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]])
+        self.assertEqual(ring["place"], [[0, 0, 1, 0], [0, 1, 0, 0], [-1, 0, 0, -20], [0, 0, 0, 1]], "z to x: about y by 90 degrees")
+        self.assertEqual(said["view"], {"from": [1, -1, 1], "up": [0, 0, 1], "perspective": None, "scale": None, "center": None})
+        self.assertEqual(said["lights"], [{"ambient": 0.2}, {"from": [-0.5, 0.65, 0.6], "strength": 0.7}, {"at": [0, 0, 300], "strength": 0.2}])
+        self.assertEqual((said["style"]["name"], said["style"]["hatch.spacing_min"]), ("engraving", 0.6))
+        self.assertEqual(said["looks"], [{"select": ["ring"], "drawn": None, "hatched": None, "transparent": False, "style": "outline"}])
+        self.assertEqual((said["hidden"], said["tolerance"], said["seed"], said["sections"]), ("none", 0.1, 1, 1))
+        self.assertEqual(burin.illustration({**TWO, "style": "patent"})["style"], "patent")
+
+    def test_a_file_is_read_with_what_it_extends_and_without_its_models(self):
+        with tempfile.TemporaryDirectory() as folder:
+            Path(folder, "house.burin.json").write_text('{"burin": "illustration", "paper": "fit", "hidden": "dashed"}')
+            file = Path(folder, "a.burin.json")
+            file.write_text('{"burin": "illustration", "extends": "house.burin.json",\n "parts": [{"file": "gone.step", "heal": true}]}')
+            said = burin.illustration(file)
+            self.assertEqual((said["paper"]["size"], said["hidden"]), ("fit", "dashed"))
+            self.assertEqual((said["parts"][0]["file"], said["parts"][0]["read"]), (str(Path(folder, "gone.step")), ["heal"]))
+            file.write_text('{"burin": "illustration",\n "prts": []}')
+            with self.assertRaisesRegex(burin.UsageError, "a.burin.json:2: unknown key 'prts'; did you mean 'parts'"):
+                burin.illustration(file)
+            with self.assertRaisesRegex(burin.InputError, "no such file"):
+                burin.illustration(Path(folder, "none.burin.json"))
+
+    def test_select(self):
+        parts = [{"name": "bolt", "assembly": ["pump"]}, {"name": "cover", "color": "#88c0ff"}, {"name": "bolt 2", "source": "in/a.step"}]
+        self.assertEqual(burin.select(parts, "pump/*bolt*"), [0])
+        self.assertEqual(burin.select(parts, "bolt*"), [0, 2])
+        self.assertEqual(burin.select(parts, "@color=#88C0FF"), [1])
+        self.assertEqual(burin.select(parts, "@file=a.step"), [2])
+        self.assertEqual(burin.select(burin.draw(TWO).parts, "ring"), [1])
+        with self.assertRaisesRegex(burin.UsageError, "no part is named 'nut'"):
+            burin.select(parts, "nut")
+        with self.assertRaises(TypeError):
+            burin.select(["bolt"], "bolt")
+        with self.assertRaisesRegex(TypeError, "\"name\" is text, not 3"):
+            burin.select([{"name": 3}], "bolt")
+
     def test_keywords_hold_over_the_illustration(self):
         drawing = burin.draw(TWO, paper="A6", hide="ring", style="outline")
         self.assertEqual(drawing.paper, (148, 105))

@@ -1,5 +1,6 @@
 """Illustrations of documents as illustration files, which the command `burin draw` and the Python module draw:
-`from freecad.burin_wb import illustration_file; illustration_file.write(obj, "pump.burin.json")`. Works without a GUI."""
+`from freecad.burin_wb import illustration_file; illustration_file.write(obj, "pump.burin.json")`;
+`illustration_file.read(document, path)` is the way back. Works without a GUI."""
 
 import json
 import os
@@ -13,7 +14,9 @@ from . import kernel
 from .errors import Refused
 from .features.illustration import make_job
 from .features.styles import is_file
+from .illustration_read import read  # noqa: F401  the way back
 from .job import shortened
+from .part_names import distinct
 from .tell import NOTE, tell
 
 SUFFIX = ".burin.json"
@@ -28,7 +31,7 @@ def write(obj, path):
     burin = kernel.module()
     folder = os.path.basename(path)[: -len(SUFFIX)] + ".models"
     models = _Models(os.path.join(os.path.dirname(path), folder))
-    names = _names(job.parts)
+    names = distinct(part.name for part in job.parts)
     parts = []
     for part, name in zip(job.parts, names):
         file, place = models.of(part, name)
@@ -67,9 +70,10 @@ def _view(options):
 
 
 def _style(burin, name, keys):
-    """A built-in style with the keys that differ; of a style file all keys, so that the file need not be there."""
+    """A built-in style with the keys that differ; of a style file all keys, so that the file need not be there. Keys of
+    added strokes stay text."""
     values = burin.style({**burin.style(name), **keys})
-    return values if is_file(name) else {"base": name, **{key: values[key] for key in keys}}
+    return values if is_file(name) else {"base": name, **{key: values.get(key, text) for key, text in keys.items()}}
 
 
 def _look(burin, part, name):
@@ -78,20 +82,6 @@ def _look(burin, part, name):
     if part.style:
         look["style"] = burin.style(part.style) if is_file(part.style) else part.style
     return {"select": "/" + name, **look} if look else None
-
-
-def _names(parts):
-    """A name for each part that no other has, and that is no pattern of selectors."""
-    taken, names = set(), []
-    for part in parts:
-        plain = re.sub(r"[/*?]", "-", part.name).lstrip("@").strip() or "part"
-        name, number = plain, 1
-        while name in taken:
-            number += 1
-            name = f"{plain} {number}"
-        taken.add(name)
-        names.append(name)
-    return names
 
 
 class _Models:

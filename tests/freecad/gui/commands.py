@@ -532,6 +532,49 @@ class Pages(support.Case):
         self.assertEqual(lines(kept), lines(other))
         self.assertEqual((self.document.UndoCount, "Touched" in self.obj.State), (undos, False))
 
+    def new_from(self, path):
+        """Runs the command with that choice of a file; names of the objects that it made, and steps that can be undone."""
+        before, undos = {o.Name for o in self.document.Objects}, self.document.UndoCount
+        with unittest.mock.patch.object(QtGui.QFileDialog, "getOpenFileName", lambda *_: (path, "")):
+            Gui.runCommand("Burin_NewFromFile")
+        support.drawn()
+        return [o for o in self.document.Objects if o.Name not in before], self.document.UndoCount - undos
+
+    def test_a_new_illustration_from_a_file_by_command(self):
+        from freecad.burin_wb import commands, illustration_file
+
+        self.assertIn("Burin_NewFromFile", commands.menu())
+        self.assertTrue(Gui.Command.get("Burin_NewFromFile").isActive())
+        self.assertEqual(self.new_from(""), ([], 0), "nothing was chosen")
+        path = str(support.OUT / "from-file.burin.json")
+        self.obj.ViewDirection, self.obj.StyleKeys, self.obj.Looks = V(2, -1, 1), {"line.outer": "0.9"}, {"Ball": "not hatched"}
+        self.document.recompute()
+        support.drawn()
+        illustration_file.write(self.obj, path)
+        (made,), steps = self.new_from(path)
+        self.assertEqual((steps, made.Message, [o.Name for o in Gui.Selection.getSelection()]), (1, "", [made.Name]))
+        for name in ("Style", "StyleKeys", "Looks", "ViewDirection", "Width", "Height", "Margin", "Light"):
+            self.assertEqual(getattr(made, name), getattr(self.obj, name), name)
+        kept, drawn = sheet_of(self.obj).data, sheet_of(made).data
+        self.assertEqual(kept["layers"], drawn["layers"])
+        name = made.Name
+        self.document.undo()
+        self.assertIsNone(self.document.getObject(name))
+        self.document.redo()
+        self.assertEqual(sheet_of(self.document.getObject(name)).data["layers"], kept["layers"])
+
+    def test_a_file_that_cannot_be_taken_leaves_the_document(self):
+        path = str(support.OUT / "broken.burin.json")
+        for text, words in (("{", "not valid JSON"), (json.dumps({"burin": "illustration", "parts": [{"file": "none.step"}]}),
+                                                      "no object of the file's parts")):
+            with open(path, "w") as file:
+                file.write(text)
+            said = []
+            with unittest.mock.patch("freecad.burin_wb.commands.base.tell", said.append):  # the status bar shortens what is long
+                self.assertEqual(self.new_from(path), ([], 0))
+            self.assertEqual(len(said), 1)
+            self.assertIn(words, said[0])
+
 
 class Colors(support.Case):
     def paint(self, view, color):

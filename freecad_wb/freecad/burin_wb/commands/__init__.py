@@ -31,6 +31,7 @@ def toolbar():
 def menu():
     """As the toolbar, with what is asked for seldom."""
     rows = toolbar()
+    rows.insert(rows.index("Burin_NewIllustration") + 1, "Burin_NewFromFile")
     rows.insert(rows.index("Burin_Export") + 1, "Burin_ExportFile")
     return [*rows, "Separator", "Burin_Help"]
 

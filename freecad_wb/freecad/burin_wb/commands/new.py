@@ -1,9 +1,10 @@
-"""New illustration of the selection, or of all that is shown."""
+"""New illustration of the selection, of all that is shown, or as a file says."""
 
 import FreeCAD
 import FreeCADGui as Gui
+from PySide import QtGui
 
-from .. import preferences
+from .. import illustration_file, preferences
 from ..errors import Refused
 from ..features import is_illustration, make_illustration, visible
 from ..features.eye import set_view
@@ -61,4 +62,25 @@ def selected_sources():
     return sources
 
 
-COMMANDS = [NewIllustration()]
+class NewFromFile(Command):
+    name = "Burin_NewFromFile"
+    text = "New illustration from file..."
+    tip = "Draws the objects that an illustration file names, with its looks, view, sheet, style and light"
+    icon = "burin_new_file.svg"
+    needs_kernel = True
+
+    def possible(self):
+        return any(may_be_drawn(o) for o in FreeCAD.ActiveDocument.Objects)
+
+    def run(self, document):
+        name, _ = QtGui.QFileDialog.getOpenFileName(Gui.getMainWindow(), self.text, "",
+                                                    tr("Illustration files") + f" (*{illustration_file.SUFFIX} *.json)")
+        if not name:
+            return
+        obj = illustration_file.read(document, name)
+        document.recompute([obj])
+        Gui.Selection.clearSelection()
+        Gui.Selection.addSelection(obj)
+
+
+COMMANDS = [NewIllustration(), NewFromFile()]

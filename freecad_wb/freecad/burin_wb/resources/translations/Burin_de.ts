@@ -684,6 +684,17 @@
     </message>
   </context>
   <context>
+    <name>Burin_NewFromFile</name>
+    <message>
+      <source>Draws the objects that an illustration file names, with its looks, view, sheet, style and light</source>
+      <translation>Zeichnet die Objekte, die eine Illustrationsdatei nennt, mit deren Aussehen, Ansicht, Blatt, Stil und Licht</translation>
+    </message>
+    <message>
+      <source>New illustration from file...</source>
+      <translation>Neue Illustration aus Datei …</translation>
+    </message>
+  </context>
+  <context>
     <name>Burin_NewIllustration</name>
     <message>
       <source>Draws the selected parts, bodies, meshes or assemblies (nothing selected: all that are shown) as the 3-D view shows them</source>

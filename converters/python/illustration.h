@@ -1,0 +1,15 @@
+#pragma once
+/// Illustrations as Python has them: a file, or a mapping as it holds.
+
+#include <burin/converters/illustration.h>
+
+#include <pybind11/pybind11.h>
+
+namespace burin::python {
+
+namespace py = pybind11;
+
+/// Of a mapping or a path. Throws UsageError, InputError.
+Illustration illustration_of(const py::object& source);
+
+}  // namespace burin::python
