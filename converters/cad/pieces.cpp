@@ -32,15 +32,6 @@ Placement placement_of(const TopLoc_Location& location) {
   return p;
 }
 
-TopoDS_Shape sewn(const std::vector<TopoDS_Shape>& faces) {
-  Bnd_Box box;
-  for (const TopoDS_Shape& face : faces) BRepBndLib::Add(face, box);
-  BRepBuilderAPI_Sewing sewing(kSewing * (box.IsVoid() ? 1.0 : std::sqrt(box.SquareExtent())));
-  for (const TopoDS_Shape& face : faces) sewing.Add(face);
-  sewing.Perform();
-  return sewing.SewedShape();
-}
-
 std::vector<TopoDS_Shape> all(const TopoDS_Shape& shape, TopAbs_ShapeEnum kind,
                               TopAbs_ShapeEnum outside) {
   std::vector<TopoDS_Shape> found;
@@ -63,6 +54,15 @@ TopoDS_Compound take_bare(std::vector<TopoDS_Shape>& faces) {
 }
 
 }  // namespace
+
+TopoDS_Shape sewn(const std::vector<TopoDS_Shape>& faces) {
+  Bnd_Box box;
+  for (const TopoDS_Shape& face : faces) BRepBndLib::Add(face, box);
+  BRepBuilderAPI_Sewing sewing(kSewing * (box.IsVoid() ? 1.0 : std::sqrt(box.SquareExtent())));
+  for (const TopoDS_Shape& face : faces) sewing.Add(face);
+  sewing.Perform();
+  return sewing.SewedShape();
+}
 
 std::vector<TopoDS_Shape> split_shape(const TopoDS_Shape& shape) {
   std::vector<TopoDS_Shape> pieces = all(shape, TopAbs_SOLID, TopAbs_SHAPE);
