@@ -16,7 +16,7 @@ double integral(const TopoDS_Shape& shape, bool volume) {
     if (volume) {
       BRepGProp::VolumeProperties(shape, properties);
     } else {
-      BRepGProp::SurfaceProperties(shape, properties);
+      BRepGProp::SurfaceProperties(shape, properties, 1e-7);
     }
     const double mass = properties.Mass();
     return std::isfinite(mass) ? mass : 0;

@@ -56,13 +56,29 @@ const std::string kData =
     "[1 0 0] [0 1 0] [-1 -1 0] [1 0 1] [0 1 1] [-1 -1 1]]]\n"
     "[OBJECT C [POLYGON [PLANE 0 0 1 0] 3 [0 0 0] [1 0 0] [0 1 0]] [POLYGON 3 [1 0 0] [1 1 0] [0 1 "
     "0]]]\n"
-    "[OBJECT D [CURVE BEZIER 2 E2 [0 0] [1 1]]] [OBJECT E [TRIMSRF [x [y] z] q]]\n"
+    "[OBJECT D [CURVE BEZIER 2 E2 [0 0] [1 1]]] [OBJECT E [TRISRF [x [y] z] q]]\n"
     "[OBJECT F [NUMBER 3]] [OBJECT G [MATRIX 1 0 0 0 0 1 0 0 0 0 1 0 0 0 0 1]]\n"
     "[OBJECT H [SURFACE BEZIER 2 2 E3 [0 0 9] [1 0 9] [0 1 9] [1 1 9]]]\n"
     "[OBJECT I [INSTANCE A 1 0 0 0 0 1 0 0 0 0 1 0.1 0 3 0 1]] [OBJECT J [INSTANCE I 2 0 0 0 0 1 0 "
     "0 0 0 1 0 0 0 0 1]]]\n";
 
 TEST(IritFuzz, Data) { fuzz(kData, "a.itd", 5000, 1); }
+
+TEST(IritFuzz, TrimmedSurfaces) {
+  fuzz(
+      "[OBJECT A [TRIMSRF [SURFACE BSPLINE 3 2 3 2 E3 [KV 0 0 0 1 1 1] [KV 0 0 1 1]\n"
+      "[0 0 0] [1 0 0] [2 1 0] [0 0 1] [1 0 1] [2 1 1]]\n"
+      "[TRIMCRV [TRIMCRVSEG [CURVE BSPLINE 5 2 E2 [KV 0 0 1 2 3 4 4] [0 0] [1 0] [1 1] [0 1] [0 "
+      "0]]]]\n"
+      "[TRIMCRV [TRIMCRVSEG [CURVE BSPLINE 4 3 P2 [KVP 0 1 2 3 4 5 6 7 8] [1 .2 .2] [1 .8 .2] [1 "
+      ".8 "
+      ".8] [1 .2 .8]]]]\n"
+      "[TRIMCRV [TRIMCRVSEG [CURVE BEZIER 2 E2 [.4 .4] [.6 .4]]] [TRIMCRVSEG [CURVE BEZIER 3 E2 "
+      "[.6 "
+      ".4] [.7 .7] [.4 .4]] [CURVE BEZIER 2 E3 [0 0 0] [1 1 1]]]]]]\n"
+      "[OBJECT B [INSTANCE A 1 0 0 0 0 1 0 0 0 0 1 0 0 3 0 1]]\n",
+      "a.itd", 1500, 5);
+}
 
 TEST(IritFuzz, Geomview) {
   fuzz("#x\nBEZ214\n1 0 0 1  0 1 0 0  -1 0 0 1\n1 0 2 1  0 1 0 0  -1 0 2 1\n", "a.bez", 2000, 2);
