@@ -16,7 +16,7 @@ using test::expect_error;
 constexpr double kArea = 1e-6;
 
 PartInfo info_of(const std::string& bytes, std::size_t part = 0, std::size_t parts = 1) {
-  const TempFile file("a.itd", bytes);
+  const test::TempFile file("a.itd", bytes);
   RunContext context;
   const FileInfo info = inspect_irit(file.path(), context);
   EXPECT_EQ(info.parts.size(), parts);
