@@ -9,6 +9,9 @@
 namespace burin {
 namespace {
 
+/// Without it OCCT takes a fixed number of samples: rational splines come out up to 2e-3 off.
+constexpr double kAreaError = 1e-7;
+
 /// Volume, or area, of the model itself.
 double integral(const TopoDS_Shape& shape, bool volume) {
   try {
@@ -16,7 +19,7 @@ double integral(const TopoDS_Shape& shape, bool volume) {
     if (volume) {
       BRepGProp::VolumeProperties(shape, properties);
     } else {
-      BRepGProp::SurfaceProperties(shape, properties, 1e-7);
+      BRepGProp::SurfaceProperties(shape, properties, kAreaError);
     }
     const double mass = properties.Mass();
     return std::isfinite(mass) ? mass : 0;
