@@ -187,8 +187,10 @@ std::optional<Leaf> PartMaker::leaf(IritObject& object, const Around& around) {
     source_.context().check();
     if (auto* surface = std::get_if<IritSurface>(&item)) leaf.patches.push_back(chart(*surface));
     if (auto* trimmed = std::get_if<IritTrimmed>(&item)) {
-      check_surface(trimmed->data.surface, trimmed->data.place.line);
-      leaf.trimmed.push_back(std::move(trimmed->data));
+      for (TrimmedSurface& face : trimmed->faces) {
+        check_surface(face.surface, face.place.line);
+        leaf.trimmed.push_back(std::move(face));
+      }
     }
     leftovers_.add(item, object.line);
   }

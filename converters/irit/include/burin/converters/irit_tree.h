@@ -41,9 +41,10 @@ struct IritCurve {
   IritAttributes attributes;
 };
 
-/// TRIMSRF: a surface and its trimming loops, each curve in the parameters of the surface.
+/// TRIMSRF, a surface and its trimming loops, or MODEL, several whose loops share their borders;
+/// each curve in the parameters of its surface.
 struct IritTrimmed {
-  TrimmedSurface data;
+  std::vector<TrimmedSurface> faces;
   IritAttributes attributes;
 };
 
