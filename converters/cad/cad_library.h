@@ -25,7 +25,7 @@ struct CadLibrary {
   std::shared_ptr<const BrepShape> (*read_shape)(const std::string& bytes, BrepBytes kind,
                                                  RunContext& context);
   std::shared_ptr<const BrepShape> (*trimmed_faces)(const std::vector<TrimmedSurface>& surfaces,
-                                                    const std::string& file,
+                                                    double weld, const std::string& file,
                                                     const RunContext& context);
 };
 

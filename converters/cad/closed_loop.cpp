@@ -15,7 +15,7 @@ namespace {
 
 /// A knot where a curve turns by more (radians) ends an edge: a polygon along a smooth curve is
 /// one.
-constexpr double kCorner = 0.1;
+constexpr double kCorner = 0.3;
 
 using Curve = Handle(Geom2d_BSplineCurve);
 

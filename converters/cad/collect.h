@@ -18,8 +18,8 @@ namespace burin {
 /// outside shells sew into. None where there is no face.
 std::vector<TopoDS_Shape> split_shape(const TopoDS_Shape& shape);
 
-/// The faces with borders that fit made one edge.
-TopoDS_Shape sewn(const std::vector<TopoDS_Shape>& faces);
+/// The faces with borders that fit, within a share of their size, made one edge.
+TopoDS_Shape sewn(const std::vector<TopoDS_Shape>& faces, double share);
 
 /// Wires, and edges and points outside of them, that belong to no face.
 std::int64_t count_loose(const TopoDS_Shape& shape);

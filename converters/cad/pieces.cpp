@@ -55,10 +55,10 @@ TopoDS_Compound take_bare(std::vector<TopoDS_Shape>& faces) {
 
 }  // namespace
 
-TopoDS_Shape sewn(const std::vector<TopoDS_Shape>& faces) {
+TopoDS_Shape sewn(const std::vector<TopoDS_Shape>& faces, double share) {
   Bnd_Box box;
   for (const TopoDS_Shape& face : faces) BRepBndLib::Add(face, box);
-  BRepBuilderAPI_Sewing sewing(kSewing * (box.IsVoid() ? 1.0 : std::sqrt(box.SquareExtent())));
+  BRepBuilderAPI_Sewing sewing(share * (box.IsVoid() ? 1.0 : std::sqrt(box.SquareExtent())));
   for (const TopoDS_Shape& face : faces) sewing.Add(face);
   sewing.Perform();
   return sewing.SewedShape();
@@ -71,7 +71,7 @@ std::vector<TopoDS_Shape> split_shape(const TopoDS_Shape& shape) {
   if (TopoDS_Compound bare = take_bare(faces); !bare.IsNull()) pieces.push_back(bare);
   if (faces.size() == 1) pieces.push_back(faces.front());
   if (faces.size() < 2) return pieces;
-  const TopoDS_Shape joined = sewn(faces);
+  const TopoDS_Shape joined = sewn(faces, kSewing);
   for (TopoDS_Shape& shell : all(joined, TopAbs_SHELL, TopAbs_SOLID)) pieces.push_back(shell);
   for (TopoDS_Shape& face : all(joined, TopAbs_FACE, TopAbs_SHELL)) pieces.push_back(face);
   return pieces;

@@ -120,7 +120,7 @@ std::shared_ptr<const BrepShape> read_text_in_memory(const std::string& brep, Ru
 }
 
 std::shared_ptr<const BrepShape> trimmed_faces_in_memory(
-    const std::vector<TrimmedSurface>& surfaces, const std::string& file,
+    const std::vector<TrimmedSurface>& surfaces, double weld, const std::string& file,
     const RunContext& context) {
   const OcctSession session(OcctSession::Of::Shapes);
   std::shared_ptr<const BrepShape> shape;
@@ -131,7 +131,7 @@ std::shared_ptr<const BrepShape> trimmed_faces_in_memory(
       context.check();
       for (const TopoDS_Face& face : maker.faces_of(surface)) faces.push_back(face);
     }
-    const TopoDS_Shape joined = sewn(faces);
+    const TopoDS_Shape joined = sewn(faces, weld);
     context.check();
     shape = std::make_shared<ShapeInMemory>(make_brep_model(joined), Placement{});
   });

@@ -15,7 +15,7 @@ std::shared_ptr<const BrepShape> read_text_in_memory(const std::string& brep, Ru
 
 /// As `make_trimmed_faces`.
 std::shared_ptr<const BrepShape> trimmed_faces_in_memory(
-    const std::vector<TrimmedSurface>& surfaces, const std::string& file,
+    const std::vector<TrimmedSurface>& surfaces, double weld, const std::string& file,
     const RunContext& context);
 
 }  // namespace burin

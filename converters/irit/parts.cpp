@@ -20,6 +20,10 @@
 namespace burin::irit {
 namespace {
 
+/// Shares of the size within which borders of faces are one edge. Each surface of a model has a
+/// polygon of its own for a border: they run apart by the sagittas of their chords.
+constexpr double kFaceWeld = 1e-5, kModelWeld = 1e-3;
+
 /// What the lists around an object hand down to it.
 struct Around {
   std::vector<std::string> names;  // of the lists that have one
@@ -33,6 +37,7 @@ struct Leaf {
   std::size_t order = 0;
   Patches patches;
   std::vector<TrimmedSurface> trimmed;
+  double weld = kFaceWeld;
 };
 
 struct OrderedPart {
@@ -68,8 +73,8 @@ class PartMaker {
   void join(const std::vector<Leaf>& leaves, const Around& around, bool named_list);
   std::shared_ptr<const Chart> chart(IritSurface& surface) const;
   void check_surface(const NurbsData& data, std::int64_t line) const;
-  std::shared_ptr<const BrepShape> faces(std::vector<TrimmedSurface> trimmed,
-                                         const Patches& whole) const;
+  std::shared_ptr<const BrepShape> faces(std::vector<TrimmedSurface> trimmed, const Patches& whole,
+                                         double weld) const;
   std::string file_name() const { return clean_name(path_.stem().string()); }
   /// The name of the innermost list that has one, taken off the list of names.
   std::string take_name(Around& around) const;
@@ -96,10 +101,10 @@ void PartMaker::check_surface(const NurbsData& data, std::int64_t line) const {
 
 /// Patches beside trimmed ones are faces as they are.
 std::shared_ptr<const BrepShape> PartMaker::faces(std::vector<TrimmedSurface> trimmed,
-                                                  const Patches& whole) const {
+                                                  const Patches& whole, double weld) const {
   for (const auto& patch : whole) trimmed.push_back({*nurbs_data(*patch), {}, {}});
   try {
-    return make_trimmed_faces(trimmed, source_.file(), source_.context());
+    return make_trimmed_faces(trimmed, weld, source_.file(), source_.context());
   } catch (const GeometryError& e) {
     throw InputError(e.what(), source_.file(), trimmed.front().place.line);
   }
@@ -182,11 +187,12 @@ void PartMaker::trivariates(IritObject& object, const Leaf& leaf, const Around& 
 
 /// The object's own items; none where nothing of it makes a part of patches.
 std::optional<Leaf> PartMaker::leaf(IritObject& object, const Around& around) {
-  Leaf leaf{object.name, around.color, order_++, {}, {}};
+  Leaf leaf{object.name, around.color, order_++, {}, {}, kFaceWeld};
   for (IritItem& item : object.items) {
     source_.context().check();
     if (auto* surface = std::get_if<IritSurface>(&item)) leaf.patches.push_back(chart(*surface));
     if (auto* trimmed = std::get_if<IritTrimmed>(&item)) {
+      if (trimmed->model) leaf.weld = kModelWeld;
       for (TrimmedSurface& face : trimmed->faces) {
         check_surface(face.surface, face.place.line);
         leaf.trimmed.push_back(std::move(face));
@@ -217,6 +223,7 @@ void PartMaker::join(const std::vector<Leaf>& leaves, const Around& around, bool
     if (sets.find(i) != i) continue;
     Patches all;
     std::vector<TrimmedSurface> trimmed;
+    double weld = kFaceWeld;
     std::string name, color = leaves[i].color;
     std::size_t members = 0;
     for (std::uint32_t k = i; k < leaves.size(); ++k) {
@@ -224,6 +231,7 @@ void PartMaker::join(const std::vector<Leaf>& leaves, const Around& around, bool
       ++members;
       all.insert(all.end(), patches[k].begin(), patches[k].end());
       trimmed.insert(trimmed.end(), leaves[k].trimmed.begin(), leaves[k].trimmed.end());
+      weld = std::max(weld, leaves[k].weld);
       if (name.empty()) name = leaves[k].name;
       if (leaves[k].color != color) color.clear();
     }
@@ -234,7 +242,7 @@ void PartMaker::join(const std::vector<Leaf>& leaves, const Around& around, bool
     if (trimmed.empty()) {
       made.part.form = std::make_shared<ParametricForm>(std::move(all), kWeld);
     } else {
-      made.shape = faces(std::move(trimmed), all);
+      made.shape = faces(std::move(trimmed), all, weld);
       made.part.form = made.shape->form({});
     }
     parts_.push_back(std::move(made));

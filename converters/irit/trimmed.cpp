@@ -231,6 +231,7 @@ void TrimmedReader::resolve(const ModelLoop& loop) {
 
 bool TrimmedReader::read_model() {
   trimmed.attributes = read_attributes(in_, true);
+  trimmed.model = true;
   const std::int64_t surfaces = in_.count("a number of surfaces");
   const Token at = in_.peek();
   const std::int64_t segments = whole_number("a number of segments");

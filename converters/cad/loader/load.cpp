@@ -54,9 +54,9 @@ std::shared_ptr<const BrepShape> read_brep_shape(const std::string& bytes, BrepB
 }
 
 std::shared_ptr<const BrepShape> make_trimmed_faces(const std::vector<TrimmedSurface>& surfaces,
-                                                    const std::string& file,
+                                                    double weld, const std::string& file,
                                                     const RunContext& context) {
-  return library().trimmed_faces(surfaces, file, context);
+  return library().trimmed_faces(surfaces, weld, file, context);
 }
 
 }  // namespace burin

@@ -43,14 +43,14 @@ struct TrimmedSurface {
 /// and how far curves may run out of the domain: text files print six digits.
 inline constexpr double kTrimGap = 1e-4;
 
-/// The faces of all surfaces as one shape, those whose borders fit sewn together (1e-5 of the
-/// size). Loops may turn either way and lie in each other as deep as they like; each outer one
-/// makes a face. Surfaces and trimming curves stay exact; borders in space lie within 1e-7 of the
-/// size. Throws InputError with `file` and the place for loops that do not close, leave the domain,
-/// enclose nothing or cross each other, and for surfaces that OCCT cannot hold (degrees over 25,
-/// knots that tear the surface).
+/// The faces of all surfaces as one shape, those whose borders fit within `weld`, a share of the
+/// size, sewn together. Loops may turn either way and lie in each other as deep as they like; each
+/// outer one makes a face. Surfaces and trimming curves stay exact; borders in space lie within
+/// 1e-7 of the size. Throws InputError with `file` and the place for loops that do not close, leave
+/// the domain, enclose nothing or cross each other, and for surfaces that OCCT cannot hold (degrees
+/// over 25, knots that tear the surface).
 std::shared_ptr<const BrepShape> make_trimmed_faces(const std::vector<TrimmedSurface>& surfaces,
-                                                    const std::string& file,
+                                                    double weld, const std::string& file,
                                                     const RunContext& context);
 
 }  // namespace burin

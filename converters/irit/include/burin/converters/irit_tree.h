@@ -45,6 +45,7 @@ struct IritCurve {
 /// each curve in the parameters of its surface.
 struct IritTrimmed {
   std::vector<TrimmedSurface> faces;
+  bool model = false;
   IritAttributes attributes;
 };
 
