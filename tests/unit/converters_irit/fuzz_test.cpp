@@ -99,6 +99,18 @@ TEST(IritFuzz, TrimmedSurfaces) {
       "a.itd", 600, 5);
 }
 
+TEST(IritFuzz, Models) {
+  fuzz(
+      "[OBJECT A [MODEL 2 3\n[MDLTSRF 1 [SURFACE BEZIER 2 2 E3 [0 0 0] [1 0 0] [0 1 0] [1 1 0]]\n"
+      "[MDLLOOP 1 2 3]]\n[MDLTSRF 1 [SURFACE BEZIER 2 2 E3 [1 0 0] [2 0 1] [1 1 0] [2 1 1]]\n"
+      "[MDLLOOP -1 -3 -2]]\n[MDLTSEG 3 1 2 [CURVE BEZIER 2 E2 [0 0] [1 0]] [CURVE BEZIER 2 E2 [0 "
+      "0] "
+      "[1 0]]]\n[MDLTSEG 3 1 2 [CURVE BEZIER 3 E2 [1 0] [1 1] [.5 1]] [CURVE BEZIER 2 E2 [1 0] [1 "
+      "1]]]\n[MDLTSEG 7 1 2 [CURVE BEZIER 2 P2 [1 .5 1] [1 0 0]] [CURVE BEZIER 2 E2 [1 1] [0 0]] "
+      "[CURVE BEZIER 2 E3 [0 0 0] [1 1 1]]]\n]]\n",
+      "a.itd", 600, 6);
+}
+
 TEST(IritFuzz, Geomview) {
   fuzz("#x\nBEZ214\n1 0 0 1  0 1 0 0  -1 0 0 1\n1 0 2 1  0 1 0 0  -1 0 2 1\n", "a.bez", 2000, 2);
 }

@@ -36,7 +36,7 @@ struct IritReadOptions {
 /// Part::color. Polygons become mesh parts, trivariates of points with one coordinate the surface
 /// where they take `level` (ImplicitForm; parameters are mm). An INSTANCE is its original at
 /// another place ("irit.no_original": the file has none). What is no surface (curves, polylines,
-/// points) or not yet read (models, other trivariates, multivariates, triangular
+/// points) or not yet read (other trivariates, multivariates, triangular
 /// patches) is left out and named in the diagnostics ("irit.no_surface", "irit.unread"), with its
 /// first line.
 ///
