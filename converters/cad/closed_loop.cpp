@@ -109,7 +109,7 @@ void LoopCloser::cut(const Curve& curve, LoopCurves& out) const {
 }
 
 void LoopCloser::sample(ClosedLoop& loop) const {
-  constexpr int kPerSpan = 64;
+  constexpr int kPerSpan = 32;
   for (const Curve& curve : loop.curves) {
     const int samples = curve->Degree() == 1 ? 2 : kPerSpan;
     for (int k = curve->FirstUKnotIndex(); k < curve->LastUKnotIndex(); ++k) {

@@ -62,10 +62,12 @@ bool Nesting::lies_in(const ClosedLoop& inner, const ClosedLoop& outer) const {
   const double near = 1e-3 * glm::distance(outer.min, outer.max);
   constexpr std::size_t kTests = 64;
   const std::size_t step = std::max<std::size_t>(1, inner.polygon.size() / kTests);
-  std::size_t in = 0, out = 0;
+  std::size_t in = 0, out = 0, tests = 0, all_in = 0;
   for (std::size_t i = 0; i < inner.polygon.size(); i += step) {
     const Vec2 p = inner.polygon[i];
     const bool inside = within(outer.polygon, p);
+    ++tests;
+    all_in += inside ? 1 : 0;
     // Only where it counts: the distance costs more.
     if (((inside ? in : out) > 0) || distance_to(outer.polygon, p) < near) continue;
     ++(inside ? in : out);
@@ -76,7 +78,8 @@ bool Nesting::lies_in(const ClosedLoop& inner, const ClosedLoop& outer) const {
                         "trimmed surface again",
                         outer.place.line));
   }
-  return in > 0;
+  // All along each other: most points decide.
+  return in + out > 0 ? in > 0 : 2 * all_in > tests;
 }
 
 std::vector<TrimRegion> Nesting::regions() {

@@ -46,10 +46,10 @@ std::string wall() {
 }
 
 /// The circle on a cap, and the side of the wall that it goes along.
-std::string border(int on_cap, int v) {
+std::string border(int on_cap, int v, double radius) {
   std::string text = fmt::format("[MDLTSEG 7 {} 2\n[CURVE BSPLINE 9 3 P2 ", on_cap) + kKnots;
-  text += nine([](double w, double x, double y) {
-    return fmt::format(" [{} {} {}]", w, 0.5 * w + 0.25 * x, 0.5 * w + 0.25 * y);
+  text += nine([radius](double w, double x, double y) {
+    return fmt::format(" [{} {} {}]", w, 0.5 * w + 0.25 * radius * x, 0.5 * w + 0.25 * radius * y);
   });
   return text + fmt::format(
                     "]\n[CURVE BSPLINE 5 2 E2 [KV 0 0 1 2 3 4 4] [0 {0}] [1 {0}] [2 {0}] [3 "
@@ -58,11 +58,11 @@ std::string border(int on_cap, int v) {
 }
 
 /// A cylinder of radius 1 and height 1: floor, wall, lid, borders 1 and 2, the seam 3.
-std::string cylinder(const std::string& wall_loop = "1 3 -2 -3",
-                     const std::string& lid_loop = "2") {
+std::string cylinder(const std::string& wall_loop = "1 3 -2 -3", const std::string& lid_loop = "2",
+                     double radius = 1) {
   return "[OBJECT CAN [MODEL 3 3\n[MDLTSRF 1 " + cap(0) + " [MDLLOOP -1]]\n[MDLTSRF 1 " + wall() +
          "\n[MDLLOOP " + wall_loop + "]]\n[MDLTSRF 1 " + cap(1) + "\n[MDLLOOP " + lid_loop +
-         "]]\n" + border(1, 0) + border(3, 1) +
+         "]]\n" + border(1, 0, radius) + border(3, 1, radius) +
          "[MDLTSEG 3 2 2 [CURVE BEZIER 2 E2 [4 0] [4 1]] [CURVE BEZIER 2 E2 [0 0] [0 1]]]\n]]\n";
 }
 
@@ -74,6 +74,12 @@ TEST(IritModel, FacesShareTheirBorders) {
   EXPECT_EQ(info.boundary_edges, 0);
   EXPECT_NEAR(info.area / (4 * pi), 1, 1e-6);
   EXPECT_NEAR(info.volume / pi, 1, 1e-6);
+}
+
+TEST(IritModel, BordersThatRunApartAreOneEdge) {
+  // Circles on floor and lid within a thousandth of the size of the wall's ends, and beyond.
+  EXPECT_EQ(info_of(cylinder("1 3 -2 -3", "2", 0.9985)).boundary_edges, 0);
+  EXPECT_EQ(info_of(cylinder("1 3 -2 -3", "2", 0.99)).boundary_edges, 4);
 }
 
 TEST(IritModel, InstancesMove) {

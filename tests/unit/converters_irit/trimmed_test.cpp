@@ -180,6 +180,38 @@ TEST(IritTrimmed, FacesOfOneObjectShareTheirBorders) {
   EXPECT_EQ(list.edges, 6);
 }
 
+TEST(IritTrimmed, BordersThatNearlyFitAreOneEdge) {
+  // The second square begins so much beside the end of the first.
+  const auto edges = [](double gap) {
+    const std::string other =
+        fmt::format("[SURFACE BEZIER 2 2 E3 [{0} 0 0] [20 0 5] [{0} 10 0] [20 10 5]]", 10 + gap);
+    return info_of(object("S", trimmed(kSquare, "") + trimmed(other, ""))).edges;
+  };
+  EXPECT_EQ(edges(0), 7);
+  EXPECT_EQ(edges(1e-4), 7);
+  EXPECT_EQ(edges(1e-2), 8);
+}
+
+TEST(IritTrimmed, HolesThatLieClose) {
+  // 900 holes, and 50 rings as wide as what lies between them.
+  std::string holes = polygon({{0, 0}, {1, 0}, {1, 1}, {0, 1}}), rings;
+  for (int i = 0; i < 900; ++i) {
+    holes += circle((i / 30 + 0.5) / 30, (i % 30 + 0.5) / 30, 0.012);
+  }
+  double area = 0;
+  for (int i = 0; i < 100; ++i) {
+    const double r = 0.49 - 5e-4 * i;
+    rings += circle(0.5, 0.5, r);
+    area += (i % 2 == 0 ? 100 : -100) * pi * r * r;
+  }
+  const PartInfo plate = info_of(object("P", trimmed(kSquare, holes)));
+  EXPECT_EQ(plate.edges, 904);
+  EXPECT_NEAR(plate.area, 100 - 900 * pi * 0.0144, 100 * kArea);
+  const PartInfo ringed = info_of(object("R", trimmed(kSquare, rings)));
+  EXPECT_EQ(ringed.faces, 50);
+  EXPECT_NEAR(ringed.area / area, 1, 1e-5);
+}
+
 TEST(IritTrimmed, CurvesThatTurnAndThatNearlyMeet) {
   // The second runs against the loop; ends lie as far apart as six digits leave them.
   const std::string loops = loop(line({0.1, 0.1}, {0.9, 0.1}) + line({0.9, 0.5}, {0.900001, 0.1}) +
