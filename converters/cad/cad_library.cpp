@@ -99,8 +99,9 @@ FileInfo inspect(const std::filesystem::path& path, RunContext& context) {
   return info;
 }
 
-constexpr CadLibrary kLibrary{BURIN_CAD_VERSION, read, inspect, read_text_in_memory,
-                              read_shape_in_memory};
+constexpr CadLibrary kLibrary{
+    BURIN_CAD_VERSION,      read, inspect, read_text_in_memory, read_shape_in_memory,
+    trimmed_faces_in_memory};
 
 }  // namespace
 }  // namespace burin

@@ -4,12 +4,14 @@
 #include <burin/base/run_context.h>
 #include <burin/converters/cad_reader.h>
 #include <burin/converters/file_info.h>
+#include <burin/converters/trimmed_faces.h>
 #include <burin/forms/charted/chart.h>
 #include <burin/surface/scene.h>
 
 #include <filesystem>
 #include <memory>
 #include <string>
+#include <vector>
 
 namespace burin {
 
@@ -22,6 +24,9 @@ struct CadLibrary {
   std::shared_ptr<const BrepShape> (*read_text)(const std::string& brep, RunContext& context);
   std::shared_ptr<const BrepShape> (*read_shape)(const std::string& bytes, BrepBytes kind,
                                                  RunContext& context);
+  std::shared_ptr<const BrepShape> (*trimmed_faces)(const std::vector<TrimmedSurface>& surfaces,
+                                                    double weld, const std::string& file,
+                                                    const RunContext& context);
 };
 
 inline constexpr const char* kCadLibraryDoor = "burin_cad_library";

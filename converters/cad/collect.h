@@ -18,6 +18,9 @@ namespace burin {
 /// outside shells sew into. None where there is no face.
 std::vector<TopoDS_Shape> split_shape(const TopoDS_Shape& shape);
 
+/// The faces with borders that fit, within a share of their size, made one edge.
+TopoDS_Shape sewn(const std::vector<TopoDS_Shape>& faces, double share);
+
 /// Wires, and edges and points outside of them, that belong to no face.
 std::int64_t count_loose(const TopoDS_Shape& shape);
 /// Says that so many of those, and members with nothing at all, were left out beside parts.

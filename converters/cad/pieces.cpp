@@ -32,15 +32,6 @@ Placement placement_of(const TopLoc_Location& location) {
   return p;
 }
 
-TopoDS_Shape sewn(const std::vector<TopoDS_Shape>& faces) {
-  Bnd_Box box;
-  for (const TopoDS_Shape& face : faces) BRepBndLib::Add(face, box);
-  BRepBuilderAPI_Sewing sewing(kSewing * (box.IsVoid() ? 1.0 : std::sqrt(box.SquareExtent())));
-  for (const TopoDS_Shape& face : faces) sewing.Add(face);
-  sewing.Perform();
-  return sewing.SewedShape();
-}
-
 std::vector<TopoDS_Shape> all(const TopoDS_Shape& shape, TopAbs_ShapeEnum kind,
                               TopAbs_ShapeEnum outside) {
   std::vector<TopoDS_Shape> found;
@@ -64,6 +55,15 @@ TopoDS_Compound take_bare(std::vector<TopoDS_Shape>& faces) {
 
 }  // namespace
 
+TopoDS_Shape sewn(const std::vector<TopoDS_Shape>& faces, double share) {
+  Bnd_Box box;
+  for (const TopoDS_Shape& face : faces) BRepBndLib::Add(face, box);
+  BRepBuilderAPI_Sewing sewing(share * (box.IsVoid() ? 1.0 : std::sqrt(box.SquareExtent())));
+  for (const TopoDS_Shape& face : faces) sewing.Add(face);
+  sewing.Perform();
+  return sewing.SewedShape();
+}
+
 std::vector<TopoDS_Shape> split_shape(const TopoDS_Shape& shape) {
   std::vector<TopoDS_Shape> pieces = all(shape, TopAbs_SOLID, TopAbs_SHAPE);
   for (TopoDS_Shape& shell : all(shape, TopAbs_SHELL, TopAbs_SOLID)) pieces.push_back(shell);
@@ -71,7 +71,7 @@ std::vector<TopoDS_Shape> split_shape(const TopoDS_Shape& shape) {
   if (TopoDS_Compound bare = take_bare(faces); !bare.IsNull()) pieces.push_back(bare);
   if (faces.size() == 1) pieces.push_back(faces.front());
   if (faces.size() < 2) return pieces;
-  const TopoDS_Shape joined = sewn(faces);
+  const TopoDS_Shape joined = sewn(faces, kSewing);
   for (TopoDS_Shape& shell : all(joined, TopAbs_SHELL, TopAbs_SOLID)) pieces.push_back(shell);
   for (TopoDS_Shape& face : all(joined, TopAbs_FACE, TopAbs_SHELL)) pieces.push_back(face);
   return pieces;

@@ -7,6 +7,7 @@
 #include "collect.h"
 #include "measure.h"
 #include "occt_session.h"
+#include "trimmed_face.h"
 
 #include <BRepCheck_Analyzer.hxx>
 #include <BRepTools.hxx>
@@ -114,6 +115,25 @@ std::shared_ptr<const BrepShape> read_text_in_memory(const std::string& brep, Ru
   session.guarded({}, [&] {
     shape = std::make_shared<ShapeInMemory>(brep_from_text(brep), Placement{});
     context.check();
+  });
+  return shape;
+}
+
+std::shared_ptr<const BrepShape> trimmed_faces_in_memory(
+    const std::vector<TrimmedSurface>& surfaces, double weld, const std::string& file,
+    const RunContext& context) {
+  const OcctSession session(OcctSession::Of::Shapes);
+  std::shared_ptr<const BrepShape> shape;
+  session.guarded(file, [&] {
+    const FaceMaker maker{file, context};
+    std::vector<TopoDS_Shape> faces;
+    for (const TrimmedSurface& surface : surfaces) {
+      context.check();
+      for (const TopoDS_Face& face : maker.faces_of(surface)) faces.push_back(face);
+    }
+    const TopoDS_Shape joined = sewn(faces, weld);
+    context.check();
+    shape = std::make_shared<ShapeInMemory>(make_brep_model(joined), Placement{});
   });
   return shape;
 }

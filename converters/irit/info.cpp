@@ -23,8 +23,16 @@ const char* format_name(irit::Kind kind) {
   return "patch list";
 }
 
-PartInfo inspect_part(const Part& part, Diagnostics& diagnostics, RunContext& context) {
+PartInfo inspect_part(const Part& part, const BrepShape* shape, Diagnostics& diagnostics,
+                      RunContext& context) {
   PartInfo info{part.name, part.assembly, part.color};
+  if (shape != nullptr) {
+    info = shape->measure({});
+    info.name = part.name;
+    info.assembly = part.assembly;
+    info.color = part.color;
+    return info;
+  }
   constexpr double kChord = 1e-4;  // of the size
   RealiseOptions options;
   options.tolerance = kChord * part.form->bounds(Mat3(1)).diagonal();
@@ -63,10 +71,11 @@ FileInfo inspect_irit(const std::filesystem::path& path, RunContext& context,
   FileInfo info;
   info.file = path.string();
   info.format = format_name(irit::kind_of(Source(path, context), path));
-  const Scene scene = read_irit(path, context, options);
-  info.diagnostics = scene.diagnostics;
-  for (const Part& part : scene.parts) {
-    info.parts.push_back(inspect_part(part, info.diagnostics, context));
+  const irit::Parts read = irit::read_parts(path, context, options);
+  info.diagnostics = read.scene.diagnostics;
+  for (std::size_t i = 0; i < read.scene.parts.size(); ++i) {
+    info.parts.push_back(
+        inspect_part(read.scene.parts[i], read.shapes[i].get(), info.diagnostics, context));
   }
   return info;
 }

@@ -30,6 +30,16 @@ bool has_instance(const IritObject& object) {
 
 std::size_t points_of(const IritItem& item) {
   if (const auto* surface = std::get_if<IritSurface>(&item)) return surface->data.points.size();
+  if (const auto* trimmed = std::get_if<IritTrimmed>(&item)) {
+    std::size_t all = 0;
+    for (const TrimmedSurface& face : trimmed->faces) {
+      all += face.surface.points.size();
+      for (const TrimLoop& loop : face.loops) {
+        for (const TrimCurve& curve : loop.curves) all += curve.points.size();
+      }
+    }
+    return all;
+  }
   if (const auto* curve = std::get_if<IritCurve>(&item)) return curve->points.size();
   if (const auto* polygon = std::get_if<IritPolygon>(&item)) return polygon->points.size();
   return 0;

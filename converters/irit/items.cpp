@@ -17,10 +17,11 @@ struct NumberKind {
 constexpr NumberKind kNumberKinds[] = {
     {"NUMBER", 1}, {"POINT", 3}, {"VECTOR", 3}, {"PLANE", 4}, {"MATRIX", 16}};
 
-constexpr std::string_view kUnread[] = {"TRIMSRF", "TRISRF",  "MODEL",      "MULTIVAR", "TRIMMODEL",
-                                        "VMODEL",  "TRIMCRV", "TRIMCRVSEG", "CTLPT"};
-constexpr std::string_view kOther[] = {"SURFACE", "CURVE",  "POLYGON", "POLYLINE",  "POINTLIST",
-                                       "STRING",  "OBJECT", "TRIVAR",  "POLYSTRIP", "INSTANCE"};
+constexpr std::string_view kUnread[] = {"TRISRF",  "MULTIVAR",   "TRIMMODEL", "VMODEL",
+                                        "TRIMCRV", "TRIMCRVSEG", "CTLPT"};
+constexpr std::string_view kOther[] = {"SURFACE",   "CURVE",    "POLYGON", "POLYLINE",
+                                       "POINTLIST", "STRING",   "OBJECT",  "TRIVAR",
+                                       "POLYSTRIP", "INSTANCE", "TRIMSRF", "MODEL"};
 
 IritNumbers read_numbers(Lexer& in, const NumberKind& kind) {
   IritNumbers numbers{std::string(kind.keyword), {}};
@@ -102,6 +103,7 @@ IritItem read_item(Lexer& in, const Token& keyword) {
   const std::string word = raised(keyword.text);
   if (word == "SURFACE") return read_surface(in, keyword);
   if (word == "CURVE") return read_curve(in, keyword);
+  if (word == "TRIMSRF" || word == "MODEL") return read_trimmed(in, keyword);
   if (word == "TRIVAR") return read_trivariate(in, keyword);
   if (word == "INSTANCE") return read_instance(in, keyword);
   if (word == "POLYGON") return read_polygon(in, IritPolygon::Kind::Polygon);

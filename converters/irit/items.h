@@ -17,6 +17,8 @@ IritAttributes read_attributes(Lexer& in, bool until_item = false);
 /// SURFACE and CURVE.
 IritItem read_surface(Lexer& in, const Token& keyword);
 IritItem read_curve(Lexer& in, const Token& keyword);
+/// TRIMSRF and MODEL.
+IritItem read_trimmed(Lexer& in, const Token& keyword);
 /// TRIVAR.
 IritItem read_trivariate(Lexer& in, const Token& keyword);
 

@@ -20,6 +20,10 @@
 namespace burin::irit {
 namespace {
 
+/// Shares of the size within which borders of faces are one edge. Each surface of a model has a
+/// polygon of its own for a border: they run apart by the sagittas of their chords.
+constexpr double kFaceWeld = 1e-5, kModelWeld = 1e-3;
+
 /// What the lists around an object hand down to it.
 struct Around {
   std::vector<std::string> names;  // of the lists that have one
@@ -32,11 +36,14 @@ struct Leaf {
   std::string color;
   std::size_t order = 0;
   Patches patches;
+  std::vector<TrimmedSurface> trimmed;
+  double weld = kFaceWeld;
 };
 
 struct OrderedPart {
   std::size_t order = 0;
   Part part;
+  std::shared_ptr<const BrepShape> shape = {};
 };
 
 bool is_yes(const std::string* value) { return value != nullptr && *value != "0"; }
@@ -56,7 +63,7 @@ class PartMaker {
  public:
   PartMaker(const Source& source, const std::filesystem::path& path, const IritReadOptions& options)
       : source_(source), path_(path), options_(options) {}
-  Scene make(IritObject root);
+  Parts make(IritObject root);
 
  private:
   void list(IritObject& object, const Around& around);
@@ -65,6 +72,9 @@ class PartMaker {
   void trivariates(IritObject& object, const Leaf& leaf, const Around& around);
   void join(const std::vector<Leaf>& leaves, const Around& around, bool named_list);
   std::shared_ptr<const Chart> chart(IritSurface& surface) const;
+  void check_surface(const NurbsData& data, std::int64_t line) const;
+  std::shared_ptr<const BrepShape> faces(std::vector<TrimmedSurface> trimmed, const Patches& whole,
+                                         double weld) const;
   std::string file_name() const { return clean_name(path_.stem().string()); }
   /// The name of the innermost list that has one, taken off the list of names.
   std::string take_name(Around& around) const;
@@ -78,16 +88,30 @@ class PartMaker {
   Diagnostics diagnostics_;
 };
 
-std::shared_ptr<const Chart> PartMaker::chart(IritSurface& surface) const {
+void PartMaker::check_surface(const NurbsData& data, std::int64_t line) const {
   // Charts hold each span by itself: a few kilobytes of a file could ask for gigabytes.
   constexpr double kMostCoefficients = 2e7;
   const auto coefficients = [](int count, int degree) { return (count - degree) * (degree + 1.0); };
-  if (coefficients(surface.data.count_u, surface.data.degree_u) *
-          coefficients(surface.data.count_v, surface.data.degree_v) >
+  if (coefficients(data.count_u, data.degree_u) * coefficients(data.count_v, data.degree_v) >
       kMostCoefficients) {
     throw InputError("this surface is too large to be drawn; split it or lower its order",
-                     source_.file(), surface.line);
+                     source_.file(), line);
   }
+}
+
+/// Patches beside trimmed ones are faces as they are.
+std::shared_ptr<const BrepShape> PartMaker::faces(std::vector<TrimmedSurface> trimmed,
+                                                  const Patches& whole, double weld) const {
+  for (const auto& patch : whole) trimmed.push_back({*nurbs_data(*patch), {}, {}});
+  try {
+    return make_trimmed_faces(trimmed, weld, source_.file(), source_.context());
+  } catch (const GeometryError& e) {
+    throw InputError(e.what(), source_.file(), trimmed.front().place.line);
+  }
+}
+
+std::shared_ptr<const Chart> PartMaker::chart(IritSurface& surface) const {
+  check_surface(surface.data, surface.line);
   try {
     return make_nurbs_chart(std::move(surface.data));
   } catch (const GeometryError& e) {
@@ -163,15 +187,22 @@ void PartMaker::trivariates(IritObject& object, const Leaf& leaf, const Around& 
 
 /// The object's own items; none where nothing of it makes a part of patches.
 std::optional<Leaf> PartMaker::leaf(IritObject& object, const Around& around) {
-  Leaf leaf{object.name, around.color, order_++, {}};
+  Leaf leaf{object.name, around.color, order_++, {}, {}, kFaceWeld};
   for (IritItem& item : object.items) {
     source_.context().check();
     if (auto* surface = std::get_if<IritSurface>(&item)) leaf.patches.push_back(chart(*surface));
+    if (auto* trimmed = std::get_if<IritTrimmed>(&item)) {
+      if (trimmed->model) leaf.weld = kModelWeld;
+      for (TrimmedSurface& face : trimmed->faces) {
+        check_surface(face.surface, face.place.line);
+        leaf.trimmed.push_back(std::move(face));
+      }
+    }
     leftovers_.add(item, object.line);
   }
   polygons(object, leaf, around);
   trivariates(object, leaf, around);
-  if (leaf.patches.empty()) return std::nullopt;
+  if (leaf.patches.empty() && leaf.trimmed.empty()) return std::nullopt;
   return leaf;
 }
 
@@ -191,22 +222,30 @@ void PartMaker::join(const std::vector<Leaf>& leaves, const Around& around, bool
   for (std::uint32_t i = 0; i < leaves.size(); ++i) {
     if (sets.find(i) != i) continue;
     Patches all;
+    std::vector<TrimmedSurface> trimmed;
+    double weld = kFaceWeld;
     std::string name, color = leaves[i].color;
     std::size_t members = 0;
     for (std::uint32_t k = i; k < leaves.size(); ++k) {
       if (sets.find(k) != i) continue;
       ++members;
       all.insert(all.end(), patches[k].begin(), patches[k].end());
+      trimmed.insert(trimmed.end(), leaves[k].trimmed.begin(), leaves[k].trimmed.end());
+      weld = std::max(weld, leaves[k].weld);
       if (name.empty()) name = leaves[k].name;
       if (leaves[k].color != color) color.clear();
     }
     Around outer = around;
     const bool whole_list = named_list && members > 1 && members == leaves.size();
     if (name.empty() || whole_list) name = take_name(outer);
-    parts_.push_back(
-        {leaves[i].order,
-         {name, path_.string(), std::make_shared<ParametricForm>(std::move(all), kWeld),
-          outer.names, color}});
+    OrderedPart made{leaves[i].order, {name, path_.string(), nullptr, outer.names, color}};
+    if (trimmed.empty()) {
+      made.part.form = std::make_shared<ParametricForm>(std::move(all), kWeld);
+    } else {
+      made.shape = faces(std::move(trimmed), all, weld);
+      made.part.form = made.shape->form({});
+    }
+    parts_.push_back(std::move(made));
   }
 }
 
@@ -238,28 +277,31 @@ void PartMaker::list(IritObject& object, const Around& around) {
   join(leaves, around, !object.name.empty());
 }
 
-Scene PartMaker::make(IritObject root) {
+Parts PartMaker::make(IritObject root) {
   list(root, {});
   if (parts_.empty()) {
     throw InputError(leftovers_.nothing_else(), source_.file(), leftovers_.first_line());
   }
   std::ranges::stable_sort(parts_, {}, &OrderedPart::order);
-  Scene scene;
-  for (OrderedPart& p : parts_) scene.parts.push_back(std::move(p.part));
-  scene.diagnostics = std::move(diagnostics_);
-  leftovers_.tell(scene.diagnostics);
-  return scene;
+  Parts made;
+  for (OrderedPart& p : parts_) {
+    made.scene.parts.push_back(std::move(p.part));
+    made.shapes.push_back(std::move(p.shape));
+  }
+  made.scene.diagnostics = std::move(diagnostics_);
+  leftovers_.tell(made.scene.diagnostics);
+  return made;
 }
 
 }  // namespace
 
-Scene make_parts(IritObject root, const Source& source, const std::filesystem::path& path,
+Parts make_parts(IritObject root, const Source& source, const std::filesystem::path& path,
                  const IritReadOptions& options) {
   resolve_instances(root, source);
   return PartMaker(source, path, options).make(std::move(root));
 }
 
-Scene make_part(std::vector<NurbsData> patches, const Source& source,
+Parts make_part(std::vector<NurbsData> patches, const Source& source,
                 const std::filesystem::path& path) {
   if (patches.empty()) source.fail("holds no patch; export it again");
   IritObject root;

@@ -64,6 +64,20 @@ Kind kind_of(const Source& source, const std::filesystem::path& path) {
       "patch list; is it another format?");
 }
 
+Parts read_parts(const std::filesystem::path& path, const RunContext& context,
+                 const IritReadOptions& options) {
+  const Source source(path, context);
+  switch (kind_of(source, path)) {
+    case Kind::Geomview:
+      return make_part(read_geomview(source), source, path);
+    case Kind::List:
+      return make_part(read_patch_list(source), source, path);
+    case Kind::Data:
+      break;
+  }
+  return make_parts(parse_tree(source), source, path, options);
+}
+
 }  // namespace irit
 
 bool is_irit_suffix(const std::filesystem::path& path) {
@@ -79,16 +93,7 @@ bool is_irit_content(std::string_view head) {
 
 Scene read_irit(const std::filesystem::path& path, const RunContext& context,
                 const IritReadOptions& options) {
-  const Source source(path, context);
-  switch (irit::kind_of(source, path)) {
-    case irit::Kind::Geomview:
-      return irit::make_part(irit::read_geomview(source), source, path);
-    case irit::Kind::List:
-      return irit::make_part(irit::read_patch_list(source), source, path);
-    case irit::Kind::Data:
-      break;
-  }
-  return irit::make_parts(irit::parse_tree(source), source, path, options);
+  return irit::read_parts(path, context, options).scene;
 }
 
 }  // namespace burin

@@ -1,4 +1,5 @@
 #pragma once
+#include "parts.h"
 #include "source.h"
 
 #include <filesystem>
@@ -10,5 +11,8 @@ enum class Kind { Data, Geomview, List };
 /// By content; the suffix decides for IRIT data that holds no object. Throws InputError where it is
 /// none of these.
 Kind kind_of(const Source& source, const std::filesystem::path& path);
+
+Parts read_parts(const std::filesystem::path& path, const RunContext& context,
+                 const IritReadOptions& options);
 
 }  // namespace burin::irit

@@ -51,6 +51,8 @@ void transform(IritItem& item, const Matrix& matrix) {
   const Transform moved(matrix);
   if (auto* surface = std::get_if<IritSurface>(&item)) {
     moved(surface->data.points, surface->data.weights);
+  } else if (auto* trimmed = std::get_if<IritTrimmed>(&item)) {
+    for (TrimmedSurface& face : trimmed->faces) moved(face.surface.points, face.surface.weights);
   } else if (auto* curve = std::get_if<IritCurve>(&item)) {
     moved(curve->points, curve->weights);
   } else if (auto* polygon = std::get_if<IritPolygon>(&item)) {

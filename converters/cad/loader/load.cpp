@@ -1,4 +1,5 @@
 #include <burin/converters/cad_reader.h>
+#include <burin/converters/trimmed_faces.h>
 
 #include "../cad_format.h"
 #include "../cad_library.h"
@@ -50,6 +51,12 @@ Part read_brep_text(const std::string& brep, const Placement& placement, RunCont
 std::shared_ptr<const BrepShape> read_brep_shape(const std::string& bytes, BrepBytes kind,
                                                  RunContext& context) {
   return library().read_shape(bytes, kind, context);
+}
+
+std::shared_ptr<const BrepShape> make_trimmed_faces(const std::vector<TrimmedSurface>& surfaces,
+                                                    double weld, const std::string& file,
+                                                    const RunContext& context) {
+  return library().trimmed_faces(surfaces, weld, file, context);
 }
 
 }  // namespace burin

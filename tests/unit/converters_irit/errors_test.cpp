@@ -13,7 +13,7 @@ TEST(IritErrors, Brackets) {
   expect_error("[OBJECT A\n  [SURFACE BEZIER 2 2 E3 " + kPoints + "]]\n]\n", 3, "do not balance");
   expect_error("[OBJECT A\n  [SURFACE BEZIER 2 2 E3 [0 0 0] [1 0 0]", 2, "cannot fit");
   expect_error("[OBJECT [COLOR 4", 1, "the file ends");
-  expect_error("[OBJECT A [TRIMSRF [x] [y\n", 1, "column 19: the block");
+  expect_error("[OBJECT A [TRISRF [x] [y\n", 1, "column 18: the block");
 }
 
 TEST(IritErrors, Counts) {
@@ -89,9 +89,9 @@ TEST(IritErrors, DeepNestingNeitherHangsNorOverflows) {
 
 TEST(IritErrors, NothingToDraw) {
   expect_error(
-      "[OBJECT A [TRIMSRF x]\n]\n[OBJECT B [TRIVAR BEZIER 2 2 2 E3 [0 0 0] [1 0 0] "
+      "[OBJECT A [TRISRF x]\n]\n[OBJECT B [TRIVAR BEZIER 2 2 2 E3 [0 0 0] [1 0 0] "
       "[0 1 0] [1 1 0] [0 0 1] [1 0 1] [0 1 1] [1 1 1]]]",
-      1, "1 TRIMSRF (trimmed surface), 1 TRIVAR of points E3 (trivariate volume)");
+      1, "1 TRISRF (triangular patch), 1 TRIVAR of points E3 (trivariate volume)");
   expect_error("\n[OBJECT A [CURVE BEZIER 2 E3 [0 0 0] [1 0 0]]]", 2, "no surface, only 1 CURVE");
   expect_error("[OBJECT A]", 0, "holds no surface");
   expect_error("some text", 0, "neither IRIT data");

@@ -94,8 +94,8 @@ TEST(IritParts, PolygonsBecomeMeshes) {
 
 TEST(IritParts, WhatIsLeftOutIsTold) {
   const Scene scene = test::scene_of(object("A", square({0, 0, 0})) +
-                                     object("T", "[TRIMSRF " + square({0, 0, 0}) + "[TRIMCRV]]") +
-                                     object("U", "[TRIMSRF " + square({0, 0, 0}) + "]") +
+                                     object("T", "[TRISRF " + square({0, 0, 0}) + "[TRIMCRV]]") +
+                                     object("U", "[TRISRF " + square({0, 0, 0}) + "]") +
                                      object("C", "[CURVE BEZIER 2 E3 [0 0 0] [1 0 0]]") +
                                      object("[INVISIBLE 1] I", square({0, 0, 9})));
   EXPECT_EQ(names(scene), std::vector<std::string>{"A"});
@@ -106,7 +106,7 @@ TEST(IritParts, WhatIsLeftOutIsTold) {
   };
   EXPECT_EQ(find("irit.unread").count, 2);
   EXPECT_EQ(find("irit.unread").severity, Severity::Warning);
-  EXPECT_NE(find("irit.unread").message.find("TRIMSRF (trimmed surface)"), std::string::npos);
+  EXPECT_NE(find("irit.unread").message.find("TRISRF (triangular patch)"), std::string::npos);
   EXPECT_NE(find("irit.unread").message.find("line 5"), std::string::npos);
   EXPECT_EQ(find("irit.no_surface").count, 1);
   EXPECT_EQ(find("irit.invisible").count, 1);

@@ -27,7 +27,8 @@ struct IritReadOptions {
   std::optional<Box3> bounds = {};
 };
 
-/// Reads exact parts (ParametricForm). The files know no unit: coordinates are taken as mm.
+/// Reads exact parts (ParametricForm; BrepForm of objects with trimmed surfaces). The files know no
+/// unit: coordinates are taken as mm.
 ///
 /// IRIT data: one part a named object. Surfaces of one object are one part, and so are those of
 /// objects of the same list that have no names, or whose sides fit together: a vase in four named
@@ -35,7 +36,7 @@ struct IritReadOptions {
 /// Part::color. Polygons become mesh parts, trivariates of points with one coordinate the surface
 /// where they take `level` (ImplicitForm; parameters are mm). An INSTANCE is its original at
 /// another place ("irit.no_original": the file has none). What is no surface (curves, polylines,
-/// points) or not yet read (trimmed surfaces, models, other trivariates, multivariates, triangular
+/// points) or not yet read (other trivariates, multivariates, triangular
 /// patches) is left out and named in the diagnostics ("irit.no_surface", "irit.unread"), with its
 /// first line.
 ///
@@ -53,7 +54,8 @@ Scene read_irit(const std::filesystem::path& path, const RunContext& context,
                 const IritReadOptions& options = {});
 
 /// Reads and measures: faces are patches, edges their borders (each once); area, volume and open
-/// edges are those of triangles within a ten-thousandth of the size.
+/// edges are those of triangles within a ten-thousandth of the size. Of trimmed surfaces all are
+/// those of the exact faces.
 FileInfo inspect_irit(const std::filesystem::path& path, RunContext& context,
                       const IritReadOptions& options = {});
 

@@ -2,6 +2,7 @@
 /// What an IRIT data file holds, as it stands there.
 
 #include <burin/base/run_context.h>
+#include <burin/converters/trimmed_faces.h>
 #include <burin/forms/charted/nurbs.h>
 #include <burin/forms/implicit/volume_function.h>
 
@@ -37,6 +38,14 @@ struct IritCurve {
   std::vector<Vec3> points;
   std::vector<double> weights;
   bool periodic = false;
+  IritAttributes attributes;
+};
+
+/// TRIMSRF, a surface and its trimming loops, or MODEL, several whose loops share their borders;
+/// each curve in the parameters of its surface.
+struct IritTrimmed {
+  std::vector<TrimmedSurface> faces;
+  bool model = false;
   IritAttributes attributes;
 };
 
@@ -76,8 +85,8 @@ struct IritUnread {
   std::int64_t line = 0;
 };
 
-using IritItem = std::variant<IritSurface, IritCurve, IritTrivariate, IritPolygon, IritNumbers,
-                              IritInstance, std::string, IritUnread>;
+using IritItem = std::variant<IritSurface, IritCurve, IritTrimmed, IritTrivariate, IritPolygon,
+                              IritNumbers, IritInstance, std::string, IritUnread>;
 
 /// [OBJECT attributes name ...]: a leaf with items, or a list of objects. No name: empty.
 struct IritObject {
