@@ -195,8 +195,10 @@ TEST(IritTrimmed, BordersThatNearlyFitAreOneEdge) {
 TEST(IritTrimmed, HolesThatLieClose) {
   // 900 holes, and 50 rings as wide as what lies between them.
   std::string holes = polygon({{0, 0}, {1, 0}, {1, 1}, {0, 1}}), rings;
-  for (int i = 0; i < 900; ++i) {
-    holes += circle((i / 30 + 0.5) / 30, (i % 30 + 0.5) / 30, 0.012);
+  for (int row = 0; row < 30; ++row) {
+    for (int column = 0; column < 30; ++column) {
+      holes += circle((row + 0.5) / 30, (column + 0.5) / 30, 0.012);
+    }
   }
   double area = 0;
   for (int i = 0; i < 100; ++i) {

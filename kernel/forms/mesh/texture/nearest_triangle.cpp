@@ -17,10 +17,10 @@ struct Primitive {
   using Id = std::uint32_t;
   using Point = Kernel::Point_3;
   using Datum = Kernel::Triangle_3;
-  using Shared_data = const TriMesh*;
+  using Shared_data = const TriMesh*;  // NOLINT(readability-identifier-naming): CGAL's name
 
   Primitive() = default;
-  Primitive(boost::counting_iterator<Id> number, Shared_data) : number_(*number) {}
+  Primitive(const boost::counting_iterator<Id>& number, Shared_data) : number_(*number) {}
   static Shared_data construct_shared_data(const TriMesh* mesh) { return mesh; }
 
   Id id() const { return number_; }
