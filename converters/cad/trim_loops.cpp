@@ -115,11 +115,6 @@ std::vector<TrimRegion> Nesting::regions() {
 
 }  // namespace
 
-void fail_at(const std::string& file, TextPlace place, const std::string& what) {
-  throw InputError(place.column > 0 ? fmt::format("column {}: {}", place.column, what) : what, file,
-                   place.line);
-}
-
 std::vector<TrimRegion> trim_regions(const TrimmedSurface& trimmed, const std::string& file,
                                      const RunContext& context) {
   if (trimmed.loops.size() > kMostLoops) {

@@ -20,8 +20,6 @@ struct TrimRegion {
   std::vector<LoopCurves> holes;
 };
 
-[[noreturn]] void fail_at(const std::string& file, TextPlace place, const std::string& what);
-
 /// What lies within an odd number of the surface's loops, of which there is one at least.
 std::vector<TrimRegion> trim_regions(const TrimmedSurface& trimmed, const std::string& file,
                                      const RunContext& context);

@@ -15,10 +15,8 @@
 namespace burin {
 namespace {
 
-using expression::fail;
 using expression::in_quotes;
 using expression::kShownName;
-using expression::Place;
 using expression::shown;
 using expression::Token;
 using expression::TokenKind;
@@ -34,7 +32,7 @@ class Parser : public expression::Grammar<Parser, Expression> {
   Expression file() {
     for (;;) {
       if (token_.kind == TokenKind::End) {
-        fail(file_, token_.place, "no function; end the file with the expression to be drawn");
+        fail_at(file_, token_.place, "no function; end the file with the expression to be drawn");
       }
       if (token_.kind == TokenKind::Name && ahead_.kind == TokenKind::Sign && ahead_.text == "=") {
         definition();
@@ -43,8 +41,8 @@ class Parser : public expression::Grammar<Parser, Expression> {
       Expression result = sum();
       if (is(";")) take();
       if (token_.kind != TokenKind::End) {
-        fail(file_, token_.place,
-             fmt::format("{} after the last expression; the file ends with it", shown(token_)));
+        fail_at(file_, token_.place,
+                fmt::format("{} after the last expression; the file ends with it", shown(token_)));
       }
       return result;
     }
@@ -58,11 +56,11 @@ class Parser : public expression::Grammar<Parser, Expression> {
     const std::string text(name.text);
     if (text == "x" || text == "y" || text == "z" || text == "pi" ||
         implicit_text::find_word(text) != nullptr) {
-      fail(file_, name.place,
-           fmt::format("{} has a meaning already; take another name", in_quotes(text)));
+      fail_at(file_, name.place,
+              fmt::format("{} has a meaning already; take another name", in_quotes(text)));
     }
     if (names_.contains(text)) {
-      fail(file_, name.place, fmt::format("{} is defined twice", in_quotes(text)));
+      fail_at(file_, name.place, fmt::format("{} is defined twice", in_quotes(text)));
     }
     take();  // =
     const Expression value = sum();
@@ -95,8 +93,8 @@ class Parser : public expression::Grammar<Parser, Expression> {
     const auto it = names_.find(std::string(name.text));
     if (it != names_.end()) return it->second;
     if (const Word* word = implicit_text::find_word(name.text)) {
-      fail(file_, name.place,
-           fmt::format("{} is a function; write {}", in_quotes(name.text), word->usage));
+      fail_at(file_, name.place,
+              fmt::format("{} is a function; write {}", in_quotes(name.text), word->usage));
     }
     unknown(name, false);
   }
@@ -106,8 +104,8 @@ class Parser : public expression::Grammar<Parser, Expression> {
     if (!word) {
       if (names_.contains(std::string(name.text)) || name.text == "x" || name.text == "y" ||
           name.text == "z" || name.text == "pi") {
-        fail(file_, name.place,
-             fmt::format("{} is no function; it takes no (", in_quotes(name.text)));
+        fail_at(file_, name.place,
+                fmt::format("{} is no function; it takes no (", in_quotes(name.text)));
       }
       unknown(name, true);
     }
@@ -116,7 +114,7 @@ class Parser : public expression::Grammar<Parser, Expression> {
     std::vector<double> numbers;
     if (!is(")")) {
       for (;;) {
-        const Place place = token_.place;
+        const TextPlace place = token_.place;
         const Expression value = sum();
         const std::size_t index = formulas.size() + numbers.size();
         if (word->any || index < word->formulas) {
@@ -124,27 +122,27 @@ class Parser : public expression::Grammar<Parser, Expression> {
         } else if (index < word->count) {
           numbers.push_back(constant(value, place, *word));
         } else {
-          fail(file_, place, fmt::format("too many arguments; write {}", word->usage));
+          fail_at(file_, place, fmt::format("too many arguments; write {}", word->usage));
         }
-        if (index > kMaxArguments) fail(file_, place, "more than 10,000 arguments");
+        if (index > kMaxArguments) fail_at(file_, place, "more than 10,000 arguments");
         if (!is(",")) break;
         take();
       }
     }
     if (formulas.size() + numbers.size() < word->count && is(")")) {
-      fail(file_, name.place, fmt::format("too few arguments; write {}", word->usage));
+      fail_at(file_, name.place, fmt::format("too few arguments; write {}", word->usage));
     }
     expect(")", fmt::format("at the end of {}", word->usage));
     return at(name.place, [&] { return word->make(formulas, numbers); });
   }
 
-  double constant(const Expression& value, Place place, const Word& word) {
+  double constant(const Expression& value, TextPlace place, const Word& word) {
     const Box3 nowhere{Vec3(0), Vec3(0)};
     if (!is_constant(value)) {
-      fail(file_, place, fmt::format("a number expected, without x, y and z: {}", word.usage));
+      fail_at(file_, place, fmt::format("a number expected, without x, y and z: {}", word.usage));
     }
     const double v = make_function(value)->range(nowhere).min;
-    if (!(v > -1e300 && v < 1e300)) fail(file_, place, "this number is not finite");
+    if (!(v > -1e300 && v < 1e300)) fail_at(file_, place, "this number is not finite");
     return v;
   }
   // Constants fold, so that formulas without variables have no operations.
@@ -160,9 +158,9 @@ class Parser : public expression::Grammar<Parser, Expression> {
       known = {"x", "y", "z", "pi"};
       for (const auto& [text, value] : names_) known.push_back(text);
     }
-    fail(file_, name.place,
-         fmt::format("unknown {} {}; the nearest is '{}'", function ? "function" : "name",
-                     in_quotes(name.text), nearest(name.text.substr(0, kShownName), known)));
+    fail_at(file_, name.place,
+            fmt::format("unknown {} {}; the nearest is '{}'", function ? "function" : "name",
+                        in_quotes(name.text), nearest(name.text.substr(0, kShownName), known)));
   }
 
   std::map<std::string, Expression> names_;

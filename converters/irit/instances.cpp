@@ -67,7 +67,9 @@ class Resolver {
   void add_names(const IritObject& object);
   void add(IritObject& object, const IritInstance& instance);
   void count(const IritObject& object, const IritInstance& instance);
-  [[noreturn]] void fail(const IritInstance& instance, const std::string& what) const;
+  [[noreturn]] void fail(const IritInstance& instance, const std::string& what) const {
+    fail_at(source_.file(), instance.place, what);
+  }
 
   const Source& source_;
   std::unordered_map<std::string, const IritObject*> named_;
@@ -79,11 +81,6 @@ class Resolver {
 void Resolver::add_names(const IritObject& object) {
   if (!object.name.empty()) named_.try_emplace(object.name, &object);
   for (const IritObject& child : object.objects) add_names(child);
-}
-
-void Resolver::fail(const IritInstance& instance, const std::string& what) const {
-  throw InputError(fmt::format("column {}: {}", instance.column, what), source_.file(),
-                   instance.line);
 }
 
 /// Each object counts as a point: lists of nothing multiply, too.

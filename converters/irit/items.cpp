@@ -32,8 +32,7 @@ IritNumbers read_numbers(Lexer& in, const NumberKind& kind) {
 
 IritInstance read_instance(Lexer& in, const Token& keyword) {
   IritInstance instance;
-  instance.line = in.line_of(keyword.where);
-  instance.column = in.column_of(keyword.where);
+  instance.place = in.place_of(keyword.where);
   const Token name = in.next();
   if (name.kind != Token::Kind::Word && name.kind != Token::Kind::Quoted) {
     in.expected(name, "the name of an object");

@@ -56,7 +56,7 @@ void Leftovers::add(const IritItem& item, std::int64_t object_line) {
     count(kUnread, many ? "other blocks" : in_words(unread->what), unread->line);
   } else if (const auto* instance = std::get_if<IritInstance>(&item)) {
     count(kNoOriginal, many ? "other INSTANCE" : fmt::format("INSTANCE of {}", instance->of),
-          instance->line);
+          instance->place.line);
   } else if (std::holds_alternative<IritCurve>(item)) {
     count(kNoSurface, "CURVE", object_line);
   } else if (const auto* polygon = std::get_if<IritPolygon>(&item)) {

@@ -19,16 +19,17 @@ std::int64_t lines_between(const char* from, const char* to) {
   return lines;
 }
 
-}  // namespace
-
+/// Counted from 1.
 std::int64_t column_of(const Source& source, const char* where) {
   const char* line = where;
   while (line > source.bytes().data() && !is_line_end(line[-1])) --line;
   return where - line + 1;
 }
 
+}  // namespace
+
 void fail_at(const Source& source, const char* where, const std::string& what) {
-  source.fail_at_line(where, fmt::format("column {}: {}", column_of(source, where), what));
+  fail_at(source.file(), TextPlace{source.line_of(where), column_of(source, where)}, what);
 }
 
 Lexer::Lexer(const Source& source)
@@ -128,6 +129,10 @@ std::int64_t Lexer::count(const char* what) {
     expected(token, what);
   }
   return value;
+}
+
+TextPlace Lexer::place_of(const char* where) {
+  return {line_of(where), column_of(*source_, where)};
 }
 
 std::int64_t Lexer::line_of(const char* where) {

@@ -1,6 +1,8 @@
 #pragma once
 /// Brackets, words and quoted strings of IRIT data.
 
+#include <burin/base/text_place.h>
+
 #include "source.h"
 
 #include <cstdint>
@@ -12,8 +14,6 @@ namespace burin::irit {
 /// As for meshes: squares of squares of coordinates stay finite.
 inline constexpr double kLargestCoordinate = 1e60;
 
-/// Counted from 1.
-std::int64_t column_of(const Source& source, const char* where);
 /// Throws InputError with the line and the column of `where`.
 [[noreturn]] void fail_at(const Source& source, const char* where, const std::string& what);
 
@@ -47,8 +47,8 @@ class Lexer {
   const char* where() const { return p_; }
   /// The number of the line that `where` lies in; cheap where calls go forward.
   std::int64_t line_of(const char* where);
-  /// Its column, from 1.
-  std::int64_t column_of(const char* where) const { return irit::column_of(*source_, where); }
+  /// Its line and column.
+  TextPlace place_of(const char* where);
   const Source& source() const { return *source_; }
   [[noreturn]] void fail(const Token& at, const std::string& what) const;
   /// What was found instead of `what`.

@@ -57,9 +57,7 @@ class TrimmedReader {
 
  private:
   Token block(std::string_view keyword, const char* what);
-  TextPlace place(const Token& token) {
-    return {in_.line_of(token.where), in_.column_of(token.where)};
-  }
+  TextPlace place(const Token& token) { return in_.place_of(token.where); }
   std::int64_t whole_number(const char* what);
   bool surface(const Token& keyword);
   bool loop();
@@ -191,13 +189,10 @@ bool TrimmedReader::model_segment() {
 
 /// Of a segment between two sides of one surface the turned use has the second curve.
 const TrimCurve& TrimmedReader::curve_of(const ModelLoop& loop, std::int64_t number) const {
-  const auto fail = [&](const std::string& what) {
-    throw InputError(fmt::format("column {}: {}", loop.place.column, what), in_.source().file(),
-                     loop.place.line);
-  };
   if (number == 0 || static_cast<std::uint64_t>(std::abs(number)) > segments_.size()) {
-    fail(fmt::format("this loop names segment {}, the model has 1 to {}; export it again", number,
-                     segments_.size()));
+    fail_at(in_.source().file(), loop.place,
+            fmt::format("this loop names segment {}, the model has 1 to {}; export it again",
+                        number, segments_.size()));
   }
   const ModelSegment& segment = segments_[static_cast<std::size_t>(std::abs(number) - 1)];
   const auto face = static_cast<std::int64_t>(loop.face + 1);
@@ -206,9 +201,10 @@ const TrimCurve& TrimmedReader::curve_of(const ModelLoop& loop, std::int64_t num
   for (const int side : {first, 1 - first}) {
     if (has(side)) return *segment.curve[side];
   }
-  fail(fmt::format("this loop names segment {}, which has no curve on surface {}; export it again",
-                   number, face));
-  std::abort();
+  fail_at(
+      in_.source().file(), loop.place,
+      fmt::format("this loop names segment {}, which has no curve on surface {}; export it again",
+                  number, face));
 }
 
 void TrimmedReader::resolve(const ModelLoop& loop) {
@@ -219,11 +215,9 @@ void TrimmedReader::resolve(const ModelLoop& loop) {
     const TrimCurve& curve = curve_of(loop, number);
     points_ += curve.points.size();
     if (points_ > kMostPoints) {
-      throw InputError(
-          fmt::format(
-              "column {}: the loops up to this one have more than {} points; split the model",
-              loop.place.column, kMostPoints),
-          in_.source().file(), loop.place.line);
+      fail_at(in_.source().file(), loop.place,
+              fmt::format("the loops up to this one have more than {} points; split the model",
+                          kMostPoints));
     }
     out.curves.push_back(number > 0 ? curve : turned(curve));
   }

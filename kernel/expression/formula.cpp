@@ -89,7 +89,7 @@ class Parser : public Grammar<Parser, Value> {
   std::vector<Step> steps() {
     sum();
     if (token_.kind != TokenKind::End) {
-      fail(file_, token_.place, fmt::format("{} after the formula", shown(token_)));
+      fail_at(file_, token_.place, fmt::format("{} after the formula", shown(token_)));
     }
     return std::move(steps_);
   }
@@ -111,12 +111,12 @@ class Parser : public Grammar<Parser, Value> {
       return add({.op = Step::Op::Variable, .a = static_cast<Value>(it - variables_.begin())});
     }
     if (const Function* f = find(name.text)) {
-      fail(file_, name.place,
-           fmt::format("{} is a function; write {}", in_quotes(name.text), f->usage));
+      fail_at(file_, name.place,
+              fmt::format("{} is a function; write {}", in_quotes(name.text), f->usage));
     }
     std::vector<std::string> known(variables_.begin(), variables_.end());
     known.emplace_back("pi");
-    fail(
+    fail_at(
         file_, name.place,
         fmt::format("unknown name {}; there are {}", in_quotes(name.text), fmt::join(known, ", ")));
   }
@@ -139,9 +139,9 @@ class Parser : public Grammar<Parser, Value> {
       std::vector<std::string> known;
       for (const Function& one : kFunctions) known.emplace_back(one.name);
       known.insert(known.end(), outside_.begin(), outside_.end());
-      fail(file_, name.place,
-           fmt::format("unknown function {}; the nearest is '{}'", in_quotes(name.text),
-                       nearest(name.text.substr(0, kShownName), known)));
+      fail_at(file_, name.place,
+              fmt::format("unknown function {}; the nearest is '{}'", in_quotes(name.text),
+                          nearest(name.text.substr(0, kShownName), known)));
     }
     take();  // (
     std::array<Value, 3> of{};
@@ -160,7 +160,7 @@ class Parser : public Grammar<Parser, Value> {
   }
   Value add(const Step& step) {
     if (steps_.size() == kMaxSteps) {
-      fail(file_, token_.place, fmt::format("more than {} operations", kMaxSteps));
+      fail_at(file_, token_.place, fmt::format("more than {} operations", kMaxSteps));
     }
     steps_.push_back(step);
     return static_cast<Value>(steps_.size() - 1);

@@ -20,10 +20,6 @@ std::string shown(char c) {
 
 }  // namespace
 
-void fail(const std::string& file, Place place, const std::string& what) {
-  throw InputError(fmt::format("column {}: {}", place.column, what), file, place.line);
-}
-
 void Lexer::skip_blanks() {
   for (; at_ < text_.size(); ++at_) {
     const char c = text_[at_];
@@ -46,7 +42,7 @@ Token Lexer::number(Token token) {
   const char* begin = text_.data() + at_;
   const auto [end, error] = std::from_chars(begin, text_.data() + text_.size(), token.number);
   if (error != std::errc{} || !std::isfinite(token.number)) {
-    fail(file_, token.place, "this number is out of range");
+    fail_at(file_, token.place, "this number is out of range");
   }
   token.kind = TokenKind::Number;
   token.text = {begin, static_cast<std::size_t>(end - begin)};
@@ -71,7 +67,7 @@ Token Lexer::next() {
     token.kind = TokenKind::Sign;
     token.text = text_.substr(at_, 1);
   } else {
-    fail(file_, place_, fmt::format("{} has no meaning here", shown(c)));
+    fail_at(file_, place_, fmt::format("{} has no meaning here", shown(c)));
   }
   at_ += token.text.size();
   place_.column += static_cast<std::int64_t>(token.text.size());

@@ -2,20 +2,15 @@
 /// Spline patches with trimming curves in their parameters, made into exact faces.
 
 #include <burin/base/run_context.h>
+#include <burin/base/text_place.h>
 #include <burin/converters/cad_reader.h>
 #include <burin/forms/charted/nurbs.h>
 
-#include <cstdint>
 #include <memory>
 #include <string>
 #include <vector>
 
 namespace burin {
-
-/// A place in a text, for messages; counted from 1, 0: none.
-struct TextPlace {
-  std::int64_t line = 0, column = 0;
-};
 
 /// A B-spline curve in the parameters (u, v) of a surface; knots, points and weights as in
 /// NurbsData.

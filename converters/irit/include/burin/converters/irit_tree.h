@@ -2,6 +2,7 @@
 /// What an IRIT data file holds, as it stands there.
 
 #include <burin/base/run_context.h>
+#include <burin/base/text_place.h>
 #include <burin/converters/trimmed_faces.h>
 #include <burin/forms/charted/nurbs.h>
 #include <burin/forms/implicit/volume_function.h>
@@ -76,7 +77,7 @@ struct IritNumbers {
 struct IritInstance {
   std::string of;
   std::array<double, 16> matrix{};
-  std::int64_t line = 0, column = 0;
+  TextPlace place;
 };
 
 /// Something that is not yet read: "MULTIVAR", "SURFACE GREGORY".

@@ -38,8 +38,8 @@ class Grammar {
   }
   void expect(std::string_view sign, const std::string& where) {
     if (!is(sign)) {
-      fail(file_, token_.place,
-           "'" + std::string(sign) + "' expected " + where + ", not " + shown(token_));
+      fail_at(file_, token_.place,
+              "'" + std::string(sign) + "' expected " + where + ", not " + shown(token_));
     }
     take();
   }
@@ -57,11 +57,11 @@ class Grammar {
 
   // Errors of what is made get their place.
   template <class Make>
-  Value at(Place place, const Make& make) {
+  Value at(TextPlace place, const Make& make) {
     try {
       return make();
     } catch (const UsageError& e) {
-      fail(file_, place, e.what());
+      fail_at(file_, place, e.what());
     }
   }
 
@@ -110,7 +110,7 @@ class Grammar {
       return inner;
     }
     if (token_.kind != TokenKind::Name) {
-      fail(file_, token_.place, "a number, a name or '(' expected, not " + shown(token_));
+      fail_at(file_, token_.place, "a number, a name or '(' expected, not " + shown(token_));
     }
     const Token name = take();
     return is("(") ? self().called(name) : self().named(name);
@@ -121,9 +121,9 @@ class Grammar {
    public:
     explicit Nesting(Grammar& grammar) : grammar_(grammar) {
       if (++grammar_.nesting_ > 2 * kMaxNesting) {
-        fail(grammar_.file_, grammar_.token_.place,
-             "nested more than " + std::to_string(kMaxNesting) +
-                 " deep; give parts names of their own");
+        fail_at(grammar_.file_, grammar_.token_.place,
+                "nested more than " + std::to_string(kMaxNesting) +
+                    " deep; give parts names of their own");
       }
     }
     ~Nesting() { --grammar_.nesting_; }

@@ -1,15 +1,12 @@
 #pragma once
 /// Words, numbers and signs of a formula, with their places.
 
-#include <cstdint>
+#include <burin/base/text_place.h>
+
 #include <string>
 #include <string_view>
 
 namespace burin::expression {
-
-struct Place {
-  std::int64_t line = 1, column = 1;
-};
 
 enum class TokenKind { Number, Name, Sign, End };
 
@@ -17,11 +14,8 @@ struct Token {
   TokenKind kind = TokenKind::End;
   std::string_view text;
   double number = 0;
-  Place place;
+  TextPlace place;
 };
-
-// Throws InputError at `place`: "column N: what".
-[[noreturn]] void fail(const std::string& file, Place place, const std::string& what);
 
 class Lexer {
  public:
@@ -36,7 +30,7 @@ class Lexer {
   std::string_view text_;
   const std::string& file_;
   std::size_t at_ = 0;
-  Place place_;
+  TextPlace place_{1, 1};
 };
 
 }  // namespace burin::expression
