@@ -53,7 +53,10 @@ MeshFile read_mesh_file(const std::filesystem::path& path, const RunContext& con
   try {
     const Source source(path, context);
     MeshFile file = read_as(detect_format(source, path), source);
-    for (PolygonSoup& soup : file.objects) soup.name = clean_name(soup.name);
+    for (PolygonSoup& soup : file.objects) {
+      soup.name = clean_name(soup.name);
+      drop_empty_texture(soup);
+    }
     return file;
   } catch (const std::bad_alloc&) {
     throw InputError("does not fit into the memory of this machine", path.string());

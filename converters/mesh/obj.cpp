@@ -199,10 +199,9 @@ std::vector<glm::vec2> ObjReader::finish_texture(Diagnostics& diagnostics) const
   if (texture_points_.empty()) return {};
   std::vector<glm::vec2> texture;
   texture.reserve(corner_textures_.size());
-  std::int64_t beyond = 0, known = 0;
+  std::int64_t beyond = 0;
   for (const std::uint32_t i : corner_textures_) {
     const bool found = i < texture_points_.size();
-    known += found;
     beyond += !found && i != kNone;
     texture.push_back(found ? texture_points_[i] : glm::vec2(kNoTexture));
   }
@@ -212,7 +211,6 @@ std::vector<glm::vec2> ObjReader::finish_texture(Diagnostics& diagnostics) const
                                 "(it has {}); they are drawn without",
                                 texture_points_.size()));
   }
-  if (known == 0) texture.clear();
   return texture;
 }
 

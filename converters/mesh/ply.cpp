@@ -42,6 +42,21 @@ int axis(std::string_view name) {
   return -1;
 }
 
+bool is_texture_list(const PlyProperty& p) { return p.is_list && p.name == "texcoord"; }
+
+/// Whether each of an element has one u and one v.
+bool has_uv(const PlyElement& e) {
+  const auto count = [&](int wanted) {
+    return std::ranges::count_if(
+        e.properties, [&](const PlyProperty& p) { return !p.is_list && axis(p.name) == wanted; });
+  };
+  return count(kAxisU) == 1 && count(kAxisU + 1) == 1;
+}
+
+bool has_texture(const PlyElement& e) {
+  return has_uv(e) || std::ranges::any_of(e.properties, is_texture_list);
+}
+
 /// The numbers of a text, one after the other.
 class AsciiValues {
  public:
@@ -133,7 +148,10 @@ template <class Values>
 class PlyReader {
  public:
   PlyReader(const Source& source, const PlyHeader& header, Values values)
-      : source_(source), header_(header), values_(values) {}
+      : source_(source),
+        header_(header),
+        values_(values),
+        textured_(std::ranges::any_of(header.elements, has_texture)) {}
   MeshFile read();
 
  private:
@@ -155,7 +173,7 @@ class PlyReader {
   // u and v of each vertex; of the corners of the face at hand, where the file has a list of them.
   std::vector<glm::vec2> vertex_texture_, face_texture_;
   std::int64_t short_faces_ = 0;
-  bool any_texture_ = false;
+  const bool textured_;  // some element tells u and v
 };
 
 template <class Values>
@@ -178,8 +196,7 @@ void PlyReader<Values>::vertices(const PlyElement& e) {
     values_.fail("more than 4,294,967,294 vertices; split the model");
   }
   soup_.positions.reserve(e.count);
-  const bool textured =
-      std::ranges::count(axis_of, kAxisU) == 1 && std::ranges::count(axis_of, kAxisU + 1) == 1;
+  const bool textured = has_uv(e);
   for (std::size_t i = 0; i < e.count; ++i) {
     source_.context().check();
     Vec3 position;
@@ -231,6 +248,7 @@ void PlyReader<Values>::texture_list(const PlyProperty& p) {
 template <class Values>
 void PlyReader<Values>::take_corner(std::int64_t vertex, std::size_t place) {
   soup_.indices.push_back(static_cast<std::uint32_t>(vertex));
+  if (!textured_) return;
   glm::vec2 uv(kNoTexture);
   if (face_texture_.size() == list_.size()) {
     uv = face_texture_[place];
@@ -238,7 +256,6 @@ void PlyReader<Values>::take_corner(std::int64_t vertex, std::size_t place) {
     uv = vertex_texture_[static_cast<std::size_t>(vertex)];
   }
   soup_.texture.push_back(uv);
-  any_texture_ = any_texture_ || !std::isnan(uv.x);
 }
 
 template <class Values>
@@ -272,8 +289,7 @@ void PlyReader<Values>::end_strip() {
 
 template <class Values>
 void PlyReader<Values>::faces(const PlyElement& e, bool strips) {
-  const auto texture = std::ranges::find_if(
-      e.properties, [](const PlyProperty& p) { return p.is_list && p.name == "texcoord"; });
+  const auto texture = std::ranges::find_if(e.properties, is_texture_list);
   const auto indices = std::ranges::find_if(e.properties, [](const PlyProperty& p) {
     return p.is_list && (p.name == "vertex_indices" || p.name == "vertex_index");
   });
@@ -331,7 +347,6 @@ MeshFile PlyReader<Values>::read() {
     file.diagnostics.add(Severity::Warning, "ply.short_faces", short_faces_,
                          "faces of fewer than three corners were left out");
   }
-  if (!any_texture_) soup_.texture = {};
   file.objects.push_back(std::move(soup_));
   return file;
 }

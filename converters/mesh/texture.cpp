@@ -12,6 +12,11 @@
 #include <utility>
 
 namespace burin {
+namespace {
+
+bool is_known(glm::vec2 uv) { return std::isfinite(uv.x) && std::isfinite(uv.y); }
+
+}  // namespace
 
 float texture_coordinate(std::string_view word) {
   double value = 0;
@@ -48,14 +53,17 @@ std::shared_ptr<const TextureMap> texture_of(const PolygonSoup& soup, const RunC
   return std::make_shared<const TextureMap>(std::move(mesh), std::move(corners));
 }
 
+void drop_empty_texture(PolygonSoup& soup) {
+  if (std::ranges::none_of(soup.texture, is_known)) soup.texture = {};
+}
+
 std::int64_t polygons_without_texture(const PolygonSoup& soup) {
   if (soup.texture.empty()) return 0;
   std::int64_t count = 0;
   for (std::size_t f = 0; f < soup.polygon_count(); ++f) {
     const auto corners =
         std::span(soup.texture).subspan(soup.offsets[f], soup.offsets[f + 1] - soup.offsets[f]);
-    count += std::ranges::any_of(
-        corners, [](glm::vec2 uv) { return !std::isfinite(uv.x) || !std::isfinite(uv.y); });
+    count += !std::ranges::all_of(corners, is_known);
   }
   return count;
 }

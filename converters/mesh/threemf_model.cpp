@@ -8,7 +8,6 @@
 
 #include <algorithm>
 #include <charconv>
-#include <cmath>
 #include <cstring>
 #include <limits>
 
@@ -157,7 +156,8 @@ void ModelParser::texture_groups(const pugi::xml_node& resources) {
     std::vector<glm::vec2>& points = texture_groups_[std::string(attribute(group, "id"))];
     for (const pugi::xml_node& p : group) {
       if (!is(p, "tex2coord")) continue;
-      points.emplace_back(static_cast<float>(number(p, "u")), static_cast<float>(number(p, "v")));
+      points.emplace_back(texture_coordinate(attribute(p, "u")),
+                          texture_coordinate(attribute(p, "v")));
     }
   }
 }
@@ -176,7 +176,6 @@ glm::vec2 ModelParser::texture_at(std::string_view group, std::string_view index
 
 PolygonSoup ModelParser::mesh(const pugi::xml_node& node, const Materials& of_object) const {
   PolygonSoup soup;
-  bool textured = false;
   for (const pugi::xml_node& v : child(node, "vertices")) {
     if (!is(v, "vertex")) continue;
     source_.context().check();
@@ -196,10 +195,8 @@ PolygonSoup ModelParser::mesh(const pugi::xml_node& node, const Materials& of_ob
       std::string_view at = attribute(t, of_corner);
       if (at.empty()) at = p1.empty() ? of_object.index : p1;
       soup.texture.push_back(texture_at(group, at));
-      textured = textured || !std::isnan(soup.texture.back().x);
     }
   }
-  if (!textured) soup.texture = {};
   return soup;
 }
 

@@ -62,6 +62,13 @@ TEST(Texture, ThatIsDamagedIsNoneAndTold) {
   EXPECT_FALSE(s->parameters({.position = {1, 1.5, 0}}));
 }
 
+TEST(Texture, ThatOneObjectHasIsNotMissedByOthers) {
+  const Scene scene = test::read_scene(
+      "o a\n" + kSquare + "vt 0 0\nvt 1 0\nvt 1 1\nf 1/1 2/2 3/3\no b\nf 1 3 4\n", "a.obj");
+  ASSERT_EQ(scene.parts.size(), 2u);
+  EXPECT_EQ(test::count_of(scene.diagnostics, "mesh.partly_textured"), 0);
+}
+
 TEST(Texture, OfPlyIsThatOfVerticesOrOfCorners) {
   const std::string vertices =
       "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\n"
@@ -90,18 +97,20 @@ TEST(Texture, OfOffIsTheEndOfTheLine) {
       texture("COFF\n3 1 3\n0 0 0 1 0 0\n1 0 0 1 0 0\n1 1 0 9 9 9\n3 0 1 2\n", "a.off").empty());
 }
 
+std::string threemf_model(const std::string& triangles, const std::string& object = "") {
+  return "<model xmlns:m=\"m\"><resources><m:texture2dgroup id=\"5\" texid=\"6\">"
+         "<m:tex2coord u=\"0\" v=\"1\"/><m:tex2coord u=\"0.5\" v=\"0.25\"/>"
+         "<m:tex2coord u=\"1\" v=\"0\"/></m:texture2dgroup><basematerials id=\"7\"/>"
+         "<object id=\"1\"" +
+         object +
+         "><mesh><vertices><vertex x=\"0\" y=\"0\" z=\"0\"/><vertex x=\"1\" y=\"0\" z=\"0\"/>"
+         "<vertex x=\"1\" y=\"1\" z=\"0\"/></vertices><triangles>" +
+         triangles + "</triangles></mesh></object></resources><build><item objectid=\"1\" " +
+         "transform=\"1 0 0 0 -1 0 0 0 1 0 0 0\"/></build></model>";
+}
+
 std::string threemf(const std::string& triangles, const std::string& object = "") {
-  return test::zipped(
-      {{"3D/here.model",
-        "<model xmlns:m=\"m\"><resources><m:texture2dgroup id=\"5\" texid=\"6\">"
-        "<m:tex2coord u=\"0\" v=\"1\"/><m:tex2coord u=\"0.5\" v=\"0.25\"/>"
-        "<m:tex2coord u=\"1\" v=\"0\"/></m:texture2dgroup><basematerials id=\"7\"/><object "
-        "id=\"1\"" +
-            object +
-            "><mesh><vertices><vertex x=\"0\" y=\"0\" z=\"0\"/><vertex x=\"1\" y=\"0\" z=\"0\"/>"
-            "<vertex x=\"1\" y=\"1\" z=\"0\"/></vertices><triangles>" +
-            triangles + "</triangles></mesh></object></resources><build><item objectid=\"1\" " +
-            "transform=\"1 0 0 0 -1 0 0 0 1 0 0 0\"/></build></model>"}});
+  return test::zipped({{"3D/here.model", threemf_model(triangles, object)}});
 }
 
 TEST(Texture, OfThreeMfIsThatOfItsGroup) {
@@ -114,6 +123,10 @@ TEST(Texture, OfThreeMfIsThatOfItsGroup) {
             (Points(3, {1, 0})));
   EXPECT_TRUE(texture(threemf(corners + " pid=\"7\" p1=\"0\"/>"), "a.3mf").empty());
   EXPECT_TRUE(texture(threemf(corners + " pid=\"5\" p1=\"9\"/>"), "a.3mf").empty());
+  // Texture that cannot be read is none; the model is drawn.
+  std::string bad = threemf_model(corners + " pid=\"5\" p1=\"1\"/>");
+  bad.replace(bad.find("u=\"0.5\""), 7, "u=\"wide\"");
+  EXPECT_TRUE(texture(test::zipped({{"3D/here.model", bad}}), "a.3mf").empty());
 }
 
 // A tube of 24 sides with u around and v up, some of its polygons quads.
