@@ -203,6 +203,12 @@ class PlacedForm final : public Form {
     }
     return std::make_shared<PlacedSurface>(instances_->realise(inner, context), place_);
   }
+  bool looks_at_view() const override { return instances_->form()->looks_at_view(); }
+  bool same_as(const Form& other) const override {
+    const auto* placed = dynamic_cast<const PlacedForm*>(&other);
+    return placed && placed->place_.to == place_.to &&
+           placed->instances_->form()->same_as(*instances_->form());
+  }
 
  private:
   std::shared_ptr<Instances> instances_;
