@@ -19,24 +19,39 @@
 
 namespace burin::detail {
 
-/// What a set of strokes is made of, seen from where: all that it depends on.
-struct HatchRequest {
-  std::shared_ptr<const Occluders> occluders;
+/// Where a set of strokes stands, whatever the tone is.
+struct HatchPlace {
+  std::shared_ptr<const Occluders> occluders{};
   /// The parts that have these strokes.
-  std::vector<bool> parts;
+  std::vector<bool> parts{};
   /// A part that is seen alone, through which others can be seen.
-  std::optional<std::size_t> alone;
+  std::optional<std::size_t> alone{};
   Camera camera;
+  field::FieldOptions field{};
+  bool follows_field = true;
+  /// What directions look at that follow the light.
+  std::optional<Vec3> light{};
+  HatchOptions lines{};  // see remembered_by
+  std::uint64_t seed = 1;
+  std::shared_ptr<const Image> image{};
+
+  bool operator==(const HatchPlace&) const = default;
+};
+
+/// The strokes as a whole: all that they depend on.
+struct HatchRequest {
+  HatchPlace place;
   HatchStyle hatch;
   tone::ToneOptions tone;
   int number = 1;
   std::vector<double> exponents;
   DepthOptions depth;
-  std::uint64_t seed = 1;
-  std::shared_ptr<const Image> image;
 
   bool operator==(const HatchRequest&) const = default;
 };
+
+/// What is made for a place, for as long as strokes stand there.
+class HatchGround;
 
 /// The strokes of one request, and where they would have had no direction.
 struct Hatching {
@@ -50,14 +65,15 @@ class HatchedParts {
   using Hatchings = std::vector<std::shared_ptr<const Hatching>>;
 
   /// Of the solid parts a kind of strokes at a time; then of the transparent ones, each as it is
-  /// seen alone.
+  /// seen alone. `keeps`: for another drawing.
   Hatchings hatch(const std::shared_ptr<const Occluders>& occluders, const Camera& camera,
                   const PartStyles& part_styles, const DepthCue& cue, const DepthOptions& depth,
-                  const IllustrateOptions& options, RunContext& context);
+                  const IllustrateOptions& options, bool keeps, RunContext& context);
 
  private:
   struct Made {
     HatchRequest request;
+    std::shared_ptr<HatchGround> ground;
     std::shared_ptr<const Hatching> hatching;
   };
   std::vector<Made> made_;

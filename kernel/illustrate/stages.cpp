@@ -114,7 +114,7 @@ std::shared_ptr<Stages::Lines> Stages::lines_of(const View& view, RunContext& co
 
 Drawing Stages::draw_lines(const Scene& scene, const Camera& camera, const Style& style,
                            const PartStyles& part_styles, const IllustrateOptions& options,
-                           std::vector<Path>* found, RunContext& context) {
+                           std::vector<Path>* found, bool keeps, RunContext& context) {
   Diagnostics said;
   const Surfaces surfaces = realised_.realise(scene, camera, part_styles, options, said, context);
   context.begin_stage(RunStage::Build);
@@ -128,7 +128,7 @@ Drawing Stages::draw_lines(const Scene& scene, const Camera& camera, const Style
 
   const DepthCue cue(proxies, camera, style);
   const HatchedParts::Hatchings hatchings =
-      hatched_.hatch(trees, camera, part_styles, cue, style.depth, options, context);
+      hatched_.hatch(trees, camera, part_styles, cue, style.depth, options, keeps, context);
   Undirected undirected(scene);
   for (const auto& one : hatchings) {
     if (one->undirected) undirected.add(*one->undirected);
@@ -170,7 +170,7 @@ Drawing Stages::draw(const Scene& scene, const Camera& camera, const Style& styl
   for (const Style* one : part_styles.styles()) check_style(*one);
   std::vector<Path> found;
   Drawing drawing = draw_lines(scene, camera, style, part_styles, options,
-                               options.verify ? &found : nullptr, context);
+                               options.verify ? &found : nullptr, keeps, context);
   if (!keeps) *this = {};
   if (options.verify) {
     drawing.stats.verify = verify(drawing, found, scene, camera,

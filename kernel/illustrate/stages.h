@@ -56,7 +56,7 @@ class Stages {
   /// `found`, if any, gets its lines as compose gives them.
   Drawing draw_lines(const Scene& scene, const Camera& camera, const Style& style,
                      const PartStyles& part_styles, const IllustrateOptions& options,
-                     std::vector<Path>* found, RunContext& context);
+                     std::vector<Path>* found, bool keeps, RunContext& context);
   std::shared_ptr<Lines> lines_of(const View& view, RunContext& context);
 
   RealisedParts realised_;
