@@ -37,7 +37,6 @@ class Panel:
         self._pause.setInterval(PAUSE)
         self._pause.timeout.connect(lambda: self.draw())
         self.preview = Preview(obj)
-        self.preview.setToolTip(tr("The drawing as it is now"))
         self.column.addWidget(self.preview)
         self._add_progress()
         self.fill()
@@ -175,6 +174,7 @@ class Panel:
         if self.over:
             return
         self.over = True
+        self.preview.close_large()
         self._escape.stop()
         self._watch.stop()
         for signal, slot in ((self.runs.progressed, self._progressed), (self.runs.ended, self._ended),
