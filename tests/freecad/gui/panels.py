@@ -96,6 +96,19 @@ class Editing(support.Case):
         support.settle(50)
         self.assertFalse(large.isVisible())
 
+    def test_what_is_quick_to_draw_is_drawn_while_the_wheel_turns(self):
+        self.open()
+        width = child(QtGui.QWidget, "width")
+        width.setProperty("rawValue", 150.0)
+        self.drawn()
+        before = runs()
+        for k in range(40):
+            width.setProperty("rawValue", 150.0 - k)
+            support.settle(30)  # never as long as the pause
+        self.assertGreater(runs(), before + 2)
+        self.drawn()
+        self.assertIn('width="111mm"', open(self.obj.Picture).read()[:2000])
+
     def test_cancel_takes_all_back(self):
         before, undos = open(self.obj.Picture).read(), self.document.UndoCount
         self.open()

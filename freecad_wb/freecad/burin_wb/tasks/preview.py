@@ -126,6 +126,7 @@ class Preview(Picture):
         """Opens the large preview, or brings it to the front."""
         if self.large is None:
             self.large = LargePreview(self._obj, self.window())
+            self.large.move(self.mapToGlobal(QtCore.QPoint(self.width() + 60, 0)))
         self.large.show()
         self.large.raise_()
         self.large.renew()
