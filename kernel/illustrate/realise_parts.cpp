@@ -53,10 +53,9 @@ RealisedParts::Made RealisedParts::made(std::optional<Made> kept,
                                         const RealiseOptions& options, RunContext& context) {
   const bool looks = form->looks_at_view() && options.view != nullptr;
   const auto same = [&](const Made& one) {
-    // What is flat facets at one tolerance is so at any coarser one.
     const bool as_fine =
         one.tolerance == options.tolerance ||
-        (!looks && one.surface->proxy().tolerance == 0 && one.tolerance < options.tolerance);
+        (!looks && one.tolerance < options.tolerance && one.surface->holds_for_coarser());
     return as_fine && one.crease_angle == options.crease_angle &&
            one.curvature == options.curvature && looks == one.view.has_value() &&
            (!looks || *one.view == *options.view) && form->same_as(*one.form);

@@ -31,6 +31,7 @@ class Finder {
     std::vector<std::uint32_t>* nodes = nullptr;
     for (std::uint32_t i = 0; i < graph_.nodes.size(); ++i) {
       if (i % kCheckEvery == 0) context.check();
+      if (!inked(i)) continue;
       if (const Key key{cell(i).part, face(i)}; key != last || !nodes) {
         nodes = &faces[key];
         last = key;
@@ -52,6 +53,9 @@ class Finder {
   std::int32_t face(std::uint32_t node) const {
     return picture_.surface(cell(node).part).proxy().face_source(cell(node).face);
   }
+  bool inked(std::uint32_t node) const {
+    return picture_.share(cell(node).darkness, 1) >= picture_.options.tone_min;
+  }
 
   bool is_narrow(const std::vector<std::uint32_t>& nodes) const {
     const std::size_t stride = std::max<std::size_t>(1, nodes.size() / kAsked);
@@ -60,11 +64,11 @@ class Finder {
       const std::uint32_t own = nodes[k];
       const Vec2 wave = glm::normalize(graph_.nodes[own].wave), line(-wave.y, wave.x);
       const auto on_face = [&](std::uint32_t i) {
-        return cell(i).part == cell(own).part && face(i) == face(own);
+        return cell(i).part == cell(own).part && face(i) == face(own) && inked(i);
       };
       const auto goes_on = [&](std::uint32_t i) {
         const Vec2 there = graph_.nodes[i].wave;
-        return graph_.component[i] == graph_.component[own] &&
+        return graph_.component[i] == graph_.component[own] && inked(i) &&
                std::abs(glm::dot(there, line)) < kSameWay * glm::length(there);
       };
       along += chord(own, line, goes_on);

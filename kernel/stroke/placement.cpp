@@ -287,19 +287,27 @@ std::vector<Family> place_families(const Picture& picture, const ViewRaster& ras
   std::vector<Family> out(static_cast<std::size_t>(families),
                           Family{{}, SampleGrid({0, 0}, {0, 0}, 1)});
   SharedProgress done(static_cast<double>(families * kSteps), progress);
-  const bool remembers = picture.memory && stands_in_any_light(picture);
-  FirstLines made;
-  FirstLines& own = remembers && picture.memory->first ? *picture.memory->first : made;
-  std::optional<WaveGraph> graph;  // of the first family, where its lines are not known
-  if (&own == &made) {
-    // Narrow faces are found on the graph of the field as it is.
-    graph = wave_graph(picture, raster, 1, context);
-    if (picture.field.free) own.narrow = narrow_faces(picture, raster, *graph, context);
-  }
-  const bool turns = !own.narrow.empty();
-  const Field field = turns ? turned(picture, own.narrow) : picture.field;
+  Remembered mine;
+  Remembered& memory = picture.memory && stands_in_any_light(picture) ? *picture.memory : mine;
+  // Narrow faces are found on the graph of the field as it is.
+  if (!memory.graph) memory.graph = wave_graph(picture, raster, 1, context);
+  FaceSet narrow;
+  if (picture.field.free) narrow = narrow_faces(picture, raster, *memory.graph, context);
+  const bool turns = !narrow.empty(), known = memory.first && memory.first->narrow == narrow;
+  const Field field = turns ? turned(picture, narrow) : picture.field;
   const Picture first = picture.following(field);
-  if (turns && graph) graph = wave_graph(first, raster, 1, context);
+  std::optional<WaveGraph> graph;  // where the lines of the first family are not known
+  if (!known) {
+    memory.first.reset();
+    if (turns) {
+      graph = wave_graph(first, raster, 1, context);
+    } else if (&memory == &mine) {
+      graph = std::move(memory.graph);
+    } else {
+      graph = *memory.graph;
+    }
+  }
+  FirstLines made{std::move(narrow), {}};
   done.add(kStage);
   const Field cross = crossed(field, picture.options.cross_angle);
   const Picture second = picture.following(cross);
@@ -312,18 +320,19 @@ std::vector<Family> place_families(const Picture& picture, const ViewRaster& ras
       return;
     }
     if (graph) {
-      own.lines = cell_lines(first, raster, *std::move(graph), 1, context, done);
+      made.lines = cell_lines(first, raster, *std::move(graph), 1, context, done);
     } else {
       done.add(3 * kStage);
     }
-    out[0] = place_family(first, raster, own.lines, 1, context, done);
+    out[0] =
+        place_family(first, raster, known ? memory.first->lines : made.lines, 1, context, done);
   };
   if (families == 1) {
     place(1);
   } else {
     parallel_invoke([&] { place(1); }, [&] { place(2); });
   }
-  if (remembers && &own == &made) picture.memory->first = std::move(made);
+  if (!known) memory.first = std::move(made);
   return out;
 }
 

@@ -6,6 +6,7 @@
 #include "level_lines.h"
 #include "narrow_faces.h"
 #include "view_raster.h"
+#include "wave_graph.h"
 
 #include <cstdint>
 #include <optional>
@@ -19,9 +20,10 @@ struct CellLine {
   std::uint32_t cell = 0;
 };
 
-/// Of the first family, whose lines stand where they do in any light.
+/// Of the first family, whose lines stand where they do in any light that has the same narrow
+/// faces.
 struct FirstLines {
-  /// Narrow faces, along which strokes run instead of across.
+  /// Faces along which strokes run instead of across.
   FaceSet narrow;
   std::vector<CellLine> lines;
 };
@@ -29,6 +31,8 @@ struct FirstLines {
 struct Remembered {
   /// No cell has a darkness.
   std::optional<ViewRaster> raster;
+  /// Of the first family in the field as it is.
+  std::optional<WaveGraph> graph;
   std::optional<FirstLines> first;
 };
 

@@ -82,6 +82,7 @@ class PlacedSurface final : public Surface {
     return surface_->parameters(inside(point));
   }
   bool exact() const override { return surface_->exact(); }
+  bool holds_for_coarser() const override { return surface_->holds_for_coarser(); }
   Vec3 drawn_position(const SurfacePoint& point) const override {
     return place_.to.point(surface_->drawn_position(inside(point)));
   }

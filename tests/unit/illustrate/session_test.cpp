@@ -65,7 +65,7 @@ class SessionTest : public ::testing::Test {
 
   Camera camera() const {
     return Camera::fit([&](const Mat3& a) { return scene.bounds(a); },
-                       {.direction = direction, .scale = 2, .paper = {200, 140}});
+                       {.direction = direction, .scale = paper_scale, .paper = {200, 140}});
   }
 
   // The session's drawing, which has to be that of a fresh run.
@@ -86,6 +86,7 @@ class SessionTest : public ::testing::Test {
   Scene scene;
   std::shared_ptr<Counting> ball, ring;
   Vec3 direction{1, -2, 1};
+  double paper_scale = 2;
   Style style = builtin_style("engraving");
   IllustrateOptions options;
   Session session;
@@ -135,6 +136,21 @@ TEST_F(SessionTest, MakesAnewWhatAChangeAsksFor) {
   EXPECT_EQ(realised(ring), 1) << "an exact form is cut along the contours of each view";
   style.feature.crease_angle = 50;
   EXPECT_EQ(realised(ball), 1);
+}
+
+TEST_F(SessionTest, FacetsThatAreFineEnoughStayInASmallerDrawing) {
+  const auto fine =
+      std::make_shared<Counting>(std::make_shared<MeshForm>(test::ellipsoid({10, 10, 10}, 96, 48)));
+  scene.parts[1].form = fine;
+  EXPECT_EQ(realised(fine), 1);
+  paper_scale = 1.5;
+  EXPECT_EQ(realised(fine), 0);
+  draw();
+  paper_scale = 20;  // here they are rounded
+  EXPECT_EQ(realised(fine), 1);
+  paper_scale = 1.5;
+  EXPECT_EQ(realised(fine), 1);
+  draw();
 }
 
 TEST_F(SessionTest, TakesAFormThatIsPlacedOrCutTheSameWayAgain) {
