@@ -46,6 +46,9 @@ std::vector<Border> find_borders(const ProxyMesh& proxy, const WedgeGraph& graph
 // A label of a flat part holds over this share of its extent from a border on: the weight of a
 // border is its length over that distance, as for triangles.
 constexpr double kReach = 0.25;
+// So much more a change of names counts on a face whose lines everybody knows: it is to come beside
+// it, on a fillet, not in the middle of a cylinder.
+constexpr double kRuled = 20;
 // Where nothing else decides, the first arm stays.
 constexpr double kStay = 1e-6;
 
@@ -85,11 +88,35 @@ void add_flats(const std::vector<Border>& borders, const FlatPatches& flats, Lin
   mass.resize(n + patches, kStay);
 }
 
+// Nonzero for the links along the edges of triangles of cylinders, cones and tori; none where there
+// are no such faces.
+std::vector<std::uint8_t> ruled_links(const ProxyMesh& proxy, const Links<Vec2>& links,
+                                      const std::vector<FaceKind>& kinds) {
+  std::vector<std::uint8_t> ruled;
+  const auto mark = [&](std::uint32_t from, std::uint32_t to) {
+    for (std::uint32_t k = links.first[from]; k < links.first[from + 1]; ++k) {
+      if (links.neighbour[k] == to) ruled[k] = 1;
+    }
+  };
+  for (std::size_t f = 0; f < kinds.size(); ++f) {
+    const FaceKind kind = kinds[f];
+    if (kind != FaceKind::Cylinder && kind != FaceKind::Cone && kind != FaceKind::Torus) continue;
+    ruled.resize(links.neighbour.size(), 0);
+    const Triangle& w = proxy.wedges[f];
+    for (std::size_t k = 0; k < 3; ++k) {
+      mark(w[k], w[(k + 1) % 3]);
+      mark(w[(k + 1) % 3], w[k]);
+    }
+  }
+  return ruled;
+}
+
 }  // namespace
 
 std::vector<Vec2> choose_family(const ProxyMesh& proxy, const WedgeGraph& graph,
                                 const std::vector<Vec2>& crosses, const Constraints& targets,
-                                FlatPatches* flats, const RunContext& context) {
+                                const std::vector<FaceKind>& kinds, FlatPatches* flats,
+                                const RunContext& context) {
   const Links<Vec2>& links = graph.crosses;
   const std::size_t n = links.size();
   std::vector<Vec2> line(n, Vec2(1, 0));
@@ -113,12 +140,14 @@ std::vector<Vec2> choose_family(const ProxyMesh& proxy, const WedgeGraph& graph,
   signs.stiffness.assign(n, 0);
   std::vector<double> pull(n, 0);
   signs.coupling.resize(links.coupling.size());
+  const std::vector<std::uint8_t> ruled = ruled_links(proxy, links, kinds);
   for_wedges([&](std::size_t w) {
     for (std::uint32_t k = links.first[w]; k < links.first[w + 1]; ++k) {
       const std::uint32_t j = links.neighbour[k];
       const Vec2 r = wedge_turn(proxy, graph, j, static_cast<std::uint32_t>(w));
       const double agree = glm::dot(line[w], complex_mul(complex_square(r), line[j]));
-      signs.coupling[k] = agree * glm::length(links.coupling[k]);
+      const double weight = ruled.empty() || ruled[k] == 0 ? 1 : kRuled;
+      signs.coupling[k] = weight * agree * glm::length(links.coupling[k]);
       signs.stiffness[w] += std::abs(signs.coupling[k]);
     }
     pull[w] = glm::dot(targets.line_pull[w], line[w]);

@@ -1,5 +1,7 @@
 #include "narrow_faces.h"
 
+#include <burin/base/disjoint_sets.h>
+
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -16,12 +18,62 @@ constexpr double kSlim = 2;         // times as long as wide
 constexpr std::uint32_t kCheckEvery = 65536;
 constexpr double kSameWay = 0.7;  // sine of the turn up to which lines go on
 
+// Faces that seams alone divide: lines on one are lines on the other.
+class WholeFaces {
+ public:
+  explicit WholeFaces(const Picture& picture) {
+    for (const Surface* surface : picture.surfaces) parts_.push_back(of(surface->proxy()));
+  }
+
+  // One face for all of its pieces.
+  std::int32_t whole(std::int32_t part, std::int32_t face) const {
+    const auto& faces = parts_[static_cast<std::size_t>(part)];
+    return faces.empty() ? face : faces[static_cast<std::size_t>(face)];
+  }
+  std::vector<std::int32_t> pieces(std::int32_t part, std::int32_t whole) const {
+    const auto& faces = parts_[static_cast<std::size_t>(part)];
+    if (faces.empty()) return {whole};
+    std::vector<std::int32_t> out;
+    for (std::size_t f = 0; f < faces.size(); ++f) {
+      if (faces[f] == whole) out.push_back(static_cast<std::int32_t>(f));
+    }
+    return out;
+  }
+
+ private:
+  // Of each face the first of its pieces; none where no seam divides any.
+  static std::vector<std::int32_t> of(const ProxyMesh& proxy) {
+    if (proxy.seam.empty() || proxy.source_face.empty()) return {};
+    const auto count = static_cast<std::size_t>(*std::ranges::max_element(proxy.source_face)) + 1;
+    DisjointSets sets(count);
+    bool any = false;
+    for (std::size_t h = 0; h < proxy.seam.size(); ++h) {
+      const HalfEdge other = proxy.topology.opposite[h];
+      if (proxy.seam[h] == 0 || other == kNoHalfEdge) continue;
+      const auto a = static_cast<std::uint32_t>(proxy.source_face[h / 3]),
+                 b = static_cast<std::uint32_t>(proxy.source_face[face_of(other)]);
+      if (a == b) continue;
+      sets.join(a, b);
+      any = true;
+    }
+    if (!any) return {};
+    std::vector<std::int32_t> out;
+    for (std::uint32_t f = 0; f < count; ++f) {
+      out.push_back(static_cast<std::int32_t>(sets.find(f)));
+    }
+    return out;
+  }
+
+  std::vector<std::vector<std::int32_t>> parts_;
+};
+
 class Finder {
  public:
   Finder(const Picture& picture, const ViewRaster& raster, const WaveGraph& graph)
       : picture_(picture),
         raster_(raster),
         graph_(graph),
+        faces_(picture),
         narrow_(kNarrow * picture.options.length_min) {}
 
   FaceSet find(const RunContext& context) const {
@@ -41,7 +93,10 @@ class Finder {
     FaceSet out;
     for (const auto& [key, cells] : faces) {
       context.check();
-      if (is_narrow(cells)) out.insert(out.end(), key);
+      if (!is_narrow(cells)) continue;
+      for (const std::int32_t piece : faces_.pieces(key.first, key.second)) {
+        out.insert({key.first, piece});
+      }
     }
     return out;
   }
@@ -51,7 +106,8 @@ class Finder {
     return raster_.cells[graph_.nodes[node].cell];
   }
   std::int32_t face(std::uint32_t node) const {
-    return picture_.surface(cell(node).part).proxy().face_source(cell(node).face);
+    const RasterCell& c = cell(node);
+    return faces_.whole(c.part, picture_.surface(c.part).proxy().face_source(c.face));
   }
   bool inked(std::uint32_t node) const {
     return picture_.share(cell(node).darkness, 1) >= picture_.options.tone_min;
@@ -98,6 +154,7 @@ class Finder {
   const Picture& picture_;
   const ViewRaster& raster_;
   const WaveGraph& graph_;
+  WholeFaces faces_;
   double narrow_;
 };
 

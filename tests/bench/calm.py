@@ -8,7 +8,7 @@ Each file is drawn as an engraving on A5 from the usual view. Where strokes carr
   streak  is the root mean square of the ink blurred over 0.45 mm less the ink blurred over 1.8 mm (standard deviations; of that
           the part that varies over 0.9 mm, for edges of highlights are no streaks),
   ends    is the number of stroke ends a cm2 where the mean ink is over 0.2.
-Even hatching of 0.55 mm has a streak of about 0.002. --sheet writes a contact sheet of all drawings of the last build.
+Even hatching of 0.55 mm has a streak of about 0.002. --sheet writes contact sheets of all drawings of the last build, 24 on each: OUT-1.png ...
 Needs numpy and ImageMagick.
 """
 import json
@@ -22,6 +22,7 @@ import numpy as np
 
 SUFFIXES = ".stl .obj .off .ply .3mf .step .stp .iges .igs .brep .bez .bbp .itd .scad .implicit".split()
 DPI = 254
+PER_SHEET = 24
 PIXEL = 25.4 / DPI
 
 
@@ -145,8 +146,12 @@ def main():
                 done = subprocess.run([builds[-1], "draw", str(file), "--style", "engraving", "--paper", "A5", *options, "-o", png,
                                        "--quiet", "--set", "png.dpi=130"], capture_output=True)
                 if done.returncode == 0:
-                    shown += ["-label", file.name, png]
-            subprocess.run(["montage", *shown, "-tile", "6x", "-geometry", "700x+4+4", sheet], check=True)
+                    shown.append(["-label", file.name, png])
+            out = pathlib.Path(sheet)
+            for k in range(0, len(shown), PER_SHEET):
+                words = [word for one in shown[k:k + PER_SHEET] for word in one]
+                name = out.with_stem(f"{out.stem}-{k // PER_SHEET + 1}")
+                subprocess.run(["montage", *words, "-tile", "6x", "-geometry", "500x+4+4", str(name)], check=True)
 
 
 main()
