@@ -1,11 +1,15 @@
 #include "family.h"
 
 #include <burin/base/parallel.h>
+#include <burin/mesh/whole_faces.h>
 
 #include "islands.h"
 #include "multigrid.h"
 
+#include <algorithm>
 #include <array>
+#include <cmath>
+#include <map>
 #include <utility>
 
 namespace burin::field {
@@ -46,9 +50,6 @@ std::vector<Border> find_borders(const ProxyMesh& proxy, const WedgeGraph& graph
 // A label of a flat part holds over this share of its extent from a border on: the weight of a
 // border is its length over that distance, as for triangles.
 constexpr double kReach = 0.25;
-// So much more a change of names counts on a face whose lines everybody knows: it is to come beside
-// it, on a fillet, not in the middle of a cylinder.
-constexpr double kRuled = 20;
 // Where nothing else decides, the first arm stays.
 constexpr double kStay = 1e-6;
 
@@ -88,27 +89,67 @@ void add_flats(const std::vector<Border>& borders, const FlatPatches& flats, Lin
   mass.resize(n + patches, kStay);
 }
 
-// Nonzero for the links along the edges of triangles of cylinders, cones and tori; none where there
-// are no such faces.
-std::vector<std::uint8_t> ruled_links(const ProxyMesh& proxy, const Links<Vec2>& links,
-                                      const std::vector<FaceKind>& kinds) {
-  std::vector<std::uint8_t> ruled;
-  const auto mark = [&](std::uint32_t from, std::uint32_t to) {
-    for (std::uint32_t k = links.first[from]; k < links.first[from + 1]; ++k) {
-      if (links.neighbour[k] == to) ruled[k] = 1;
-    }
-  };
-  for (std::size_t f = 0; f < kinds.size(); ++f) {
-    const FaceKind kind = kinds[f];
-    if (kind != FaceKind::Cylinder && kind != FaceKind::Cone && kind != FaceKind::Torus) continue;
-    ruled.resize(links.neighbour.size(), 0);
-    const Triangle& w = proxy.wedges[f];
-    for (std::size_t k = 0; k < 3; ++k) {
-      mark(w[k], w[(k + 1) % 3]);
-      mark(w[(k + 1) % 3], w[k]);
-    }
+bool is_ruled(FaceKind kind) {
+  return kind == FaceKind::Cylinder || kind == FaceKind::Cone || kind == FaceKind::Torus;
+}
+
+// The curved faces of which everybody knows how lines run, smallest first: their triangles.
+std::vector<std::vector<std::uint32_t>> ruled_faces(const ProxyMesh& proxy,
+                                                    const std::vector<FaceKind>& kinds) {
+  const std::vector<std::int32_t> whole = whole_faces(proxy);
+  std::map<std::int32_t, std::vector<std::uint32_t>> found;
+  for (std::uint32_t f = 0; f < kinds.size(); ++f) {
+    if (!is_ruled(kinds[f])) continue;
+    const std::int32_t face = proxy.source_face[f];
+    found[whole.empty() ? face : whole[static_cast<std::size_t>(face)]].push_back(f);
   }
-  return ruled;
+  std::vector<std::vector<std::uint32_t>> faces;
+  for (auto& [face, triangles] : found) faces.push_back(std::move(triangles));
+  std::ranges::stable_sort(faces, {}, [&](const auto& triangles) {
+    double area = 0;
+    for (const std::uint32_t f : triangles) area += proxy.mesh.area(f);
+    return area;
+  });
+  return faces;
+}
+
+// Families that change names in the middle of a cylinder, cone or torus do so beside it: all of the
+// face takes the names that most of it has. A wedge between two such faces goes with the larger.
+void settle_ruled_faces(const ProxyMesh& proxy, const WedgeGraph& graph,
+                        const std::vector<FaceKind>& kinds, const Links<double>& signs,
+                        std::vector<double>& sign, const RunContext& context) {
+  std::vector<signed char> same(graph.axis.size(),
+                                0);  // as the first wedge of the face; 0: not met
+  for (const std::vector<std::uint32_t>& triangles : ruled_faces(proxy, kinds)) {
+    context.check();
+    std::vector<std::uint32_t> wedges;
+    for (const std::uint32_t f : triangles) {
+      for (std::size_t k = 0; k < 3; ++k) wedges.push_back(proxy.wedges[f][k]);
+    }
+    std::ranges::sort(wedges);
+    wedges.erase(std::unique(wedges.begin(), wedges.end()), wedges.end());
+    const auto of_face = [&](std::uint32_t w) { return std::ranges::binary_search(wedges, w); };
+    for (const std::uint32_t start : wedges) {
+      if (same[start] != 0) continue;
+      std::vector<std::uint32_t> met{start};
+      same[start] = 1;
+      double names = 0, all = 0;
+      for (std::size_t i = 0; i < met.size(); ++i) {
+        const std::uint32_t w = met[i];
+        names += (sign[w] < 0 ? -1 : 1) * same[w] * graph.area[w];
+        all += graph.area[w];
+        for (std::uint32_t k = signs.first[w]; k < signs.first[w + 1]; ++k) {
+          const std::uint32_t j = signs.neighbour[k];
+          if (j >= same.size() || same[j] != 0 || signs.coupling[k] == 0 || !of_face(j)) continue;
+          same[j] = static_cast<signed char>(signs.coupling[k] < 0 ? -same[w] : same[w]);
+          met.push_back(j);
+        }
+      }
+      if (std::abs(names) == all) continue;
+      for (const std::uint32_t w : met) sign[w] = names < 0 ? -same[w] : same[w];
+    }
+    for (const std::uint32_t w : wedges) same[w] = 0;
+  }
 }
 
 }  // namespace
@@ -140,14 +181,12 @@ std::vector<Vec2> choose_family(const ProxyMesh& proxy, const WedgeGraph& graph,
   signs.stiffness.assign(n, 0);
   std::vector<double> pull(n, 0);
   signs.coupling.resize(links.coupling.size());
-  const std::vector<std::uint8_t> ruled = ruled_links(proxy, links, kinds);
   for_wedges([&](std::size_t w) {
     for (std::uint32_t k = links.first[w]; k < links.first[w + 1]; ++k) {
       const std::uint32_t j = links.neighbour[k];
       const Vec2 r = wedge_turn(proxy, graph, j, static_cast<std::uint32_t>(w));
       const double agree = glm::dot(line[w], complex_mul(complex_square(r), line[j]));
-      const double weight = ruled.empty() || ruled[k] == 0 ? 1 : kRuled;
-      signs.coupling[k] = weight * agree * glm::length(links.coupling[k]);
+      signs.coupling[k] = agree * glm::length(links.coupling[k]);
       signs.stiffness[w] += std::abs(signs.coupling[k]);
     }
     pull[w] = glm::dot(targets.line_pull[w], line[w]);
@@ -157,6 +196,7 @@ std::vector<Vec2> choose_family(const ProxyMesh& proxy, const WedgeGraph& graph,
   std::vector<double> sign =
       minimise(Hierarchy<double>(signs, context), std::move(mass), pull, context);
   join_islands(signs, pull, sign);
+  settle_ruled_faces(proxy, graph, kinds, signs, sign, context);
   for_wedges([&](std::size_t w) {
     if (sign[w] < 0) line[w] = -line[w];
   });

@@ -1,6 +1,6 @@
 #include "narrow_faces.h"
 
-#include <burin/base/disjoint_sets.h>
+#include <burin/mesh/whole_faces.h>
 
 #include <algorithm>
 #include <cmath>
@@ -22,7 +22,7 @@ constexpr double kSameWay = 0.7;  // sine of the turn up to which lines go on
 class WholeFaces {
  public:
   explicit WholeFaces(const Picture& picture) {
-    for (const Surface* surface : picture.surfaces) parts_.push_back(of(surface->proxy()));
+    for (const Surface* surface : picture.surfaces) parts_.push_back(whole_faces(surface->proxy()));
   }
 
   // One face for all of its pieces.
@@ -41,29 +41,6 @@ class WholeFaces {
   }
 
  private:
-  // Of each face the first of its pieces; none where no seam divides any.
-  static std::vector<std::int32_t> of(const ProxyMesh& proxy) {
-    if (proxy.seam.empty() || proxy.source_face.empty()) return {};
-    const auto count = static_cast<std::size_t>(*std::ranges::max_element(proxy.source_face)) + 1;
-    DisjointSets sets(count);
-    bool any = false;
-    for (std::size_t h = 0; h < proxy.seam.size(); ++h) {
-      const HalfEdge other = proxy.topology.opposite[h];
-      if (proxy.seam[h] == 0 || other == kNoHalfEdge) continue;
-      const auto a = static_cast<std::uint32_t>(proxy.source_face[h / 3]),
-                 b = static_cast<std::uint32_t>(proxy.source_face[face_of(other)]);
-      if (a == b) continue;
-      sets.join(a, b);
-      any = true;
-    }
-    if (!any) return {};
-    std::vector<std::int32_t> out;
-    for (std::uint32_t f = 0; f < count; ++f) {
-      out.push_back(static_cast<std::int32_t>(sets.find(f)));
-    }
-    return out;
-  }
-
   std::vector<std::vector<std::int32_t>> parts_;
 };
 
