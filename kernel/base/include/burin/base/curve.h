@@ -12,7 +12,7 @@
 namespace burin {
 
 /// What a line is; the names are those of the drawing file's `kind`. Burin itself makes contours,
-/// boundaries, creases, smooth edges, seams, intersections and strokes. The drawing file has names
+/// boundaries, creases, smooth edges, seams, intersections, strokes, and trails of exploded views. The drawing file has names
 /// for more, which other programs may write and `burin convert` passes on: sections, ridges,
 /// valleys, suggestive contours and patterns.
 enum class LineClass {
@@ -27,7 +27,8 @@ enum class LineClass {
   Valley,
   Suggestive,
   Stroke,
-  Pattern
+  Pattern,
+  Trail
 };
 
 /// The name of a kind in the drawing file, e.g. "contour".
