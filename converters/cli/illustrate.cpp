@@ -2,6 +2,7 @@
 
 #include <burin/base/error.h>
 #include <burin/converters/illustration.h>
+#include <burin/converters/messages.h>
 #include <burin/converters/output.h>
 #include <burin/converters/read.h>
 
@@ -13,7 +14,7 @@
 
 namespace burin::cli {
 
-void run_illustrate(const DrawArguments& arguments) {
+void run_illustrate(const DrawArguments& arguments, RunContext& context, Console& console) {
   if (arguments.inputs.empty()) {
     throw UsageError("no input; name model files: burin illustrate INPUT... -o NAME.burin.json");
   }
@@ -21,7 +22,7 @@ void run_illustrate(const DrawArguments& arguments) {
     throw UsageError("name one output: burin illustrate INPUT... -o NAME.burin.json");
   }
   const std::string& name = arguments.outputs.front();
-  make_plan(arguments.request, Spelling::Options);  // refuses what a drawing would
+  DrawPlan plan = make_plan(arguments.request, Spelling::Options);  // refuses what a drawing would
   check_inputs(arguments.inputs);
   Output output(name, *format_named("json"));
   if (!output.is_stdout()) {
@@ -37,7 +38,14 @@ void run_illustrate(const DrawArguments& arguments) {
   }
   const auto folder =
       output.is_stdout() ? std::filesystem::path() : std::filesystem::path(name).parent_path();
-  const std::string text = first_illustration(arguments.inputs, arguments.request, folder);
+  std::vector<Explode::Step> steps;
+  if (plan.explode.wanted) {
+    Scene scene = read_scene(arguments.inputs, plan.read, context);
+    select_parts(scene, plan);
+    steps = explode_steps(scene, plan, context);
+    console.diagnostics(at_door(scene.diagnostics, Spelling::Options));
+  }
+  const std::string text = first_illustration(arguments.inputs, arguments.request, folder, steps);
   output.write([&](std::ostream& out) { out << text; });
   output.commit();
 }

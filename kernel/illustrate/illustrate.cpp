@@ -423,6 +423,7 @@ Drawing draw(const Scene& scene, const Camera& camera, const Style& style,
   std::vector<Curve3> features =
       features_of(proxies, camera, part_styles, drawing.diagnostics, context);
   for (Curve3& line : hatch_cuts(proxies, camera, context)) features.push_back(std::move(line));
+  features.insert(features.end(), options.trails.begin(), options.trails.end());
 
   context.begin_stage(RunStage::Visibility);
   detail::Seen seen = sight.classify(features, strokes.strokes, context);

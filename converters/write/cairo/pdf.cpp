@@ -91,7 +91,7 @@ void write_pdf(const Drawing& drawing, const WriteOptions& options, std::ostream
   cairo_pdf_surface_restrict_to_version(surface.get(), CAIRO_PDF_VERSION_1_5);
   set_metadata(surface.get(), drawing);
   const NearSheet sheet(drawing);
-  std::vector<Shape> shapes = shapes_of(sheet.layers());
+  std::vector<Shape> shapes = shapes_of(sheet.layers(), options.svg.dashes);
   {
     const Pen pen = pen_on(surface.get(), h, kPointsPerMm, 0);
     const auto use = [&](const std::string& color) {

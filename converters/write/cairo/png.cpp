@@ -187,7 +187,7 @@ void write_png(const Drawing& drawing, const WriteOptions& options, std::ostream
                const RunContext& context) {
   const Grid grid(drawing, options.png.dpi);
   const NearSheet sheet(drawing);
-  std::vector<Shape> shapes = shapes_of(sheet.layers());
+  std::vector<Shape> shapes = shapes_of(sheet.layers(), options.svg.dashes);
   fit_ink(shapes, options.svg.fit_tolerance, context);
   const auto chosen = by_band(shapes, grid, drawing.paper_height);
   PngFile file(out, grid, drawing, options.png);

@@ -25,12 +25,13 @@ using Pen = std::unique_ptr<cairo_t, PenDeleter>;
 /// A path with its ink.
 struct Shape {
   const Path* path = nullptr;
-  bool dashed = false;
+  /// Lengths of ink and gaps in turn, mm.
+  std::vector<double> dashes;
   Ink ink;
 };
 
 /// The paths of the layers in the order of painting, their ink still to be fitted.
-std::vector<Shape> shapes_of(const std::vector<InkLayer>& layers);
+std::vector<Shape> shapes_of(const std::vector<InkLayer>& layers, const DashOptions& options);
 
 /// Fits the ink of some shapes, all cores. Throws Cancelled.
 void fit_ink(std::span<Shape> shapes, double tolerance, const RunContext& context);
