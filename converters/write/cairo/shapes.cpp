@@ -3,7 +3,6 @@
 #include <burin/base/error.h>
 #include <burin/base/parallel.h>
 
-#include <array>
 #include <new>
 #include <string>
 
@@ -68,7 +67,7 @@ void trace(cairo_t* pen, const Shape& shape) {
   }
 }
 
-void paint_traced(cairo_t* pen, const Shape& shape, const WriteOptions& options) {
+void paint_traced(cairo_t* pen, const Shape& shape) {
   if (shape.ink.filled) return cairo_fill(pen);
   cairo_set_dash(pen, shape.dashes.data(), static_cast<int>(shape.dashes.size()), 0);
   cairo_set_line_width(pen, shape.ink.width);

@@ -43,7 +43,7 @@ Pen pen_on(cairo_surface_t* surface, double paper_height, double scale, double t
 /// Adds a shape to the pen's path.
 void trace(cairo_t* pen, const Shape& shape);
 /// Paints the pen's path, of shapes of the same pen as `shape`.
-void paint_traced(cairo_t* pen, const Shape& shape, const WriteOptions& options);
+void paint_traced(cairo_t* pen, const Shape& shape);
 bool same_pen(const Shape& a, const Shape& b);
 
 /// Throws Error where cairo failed.

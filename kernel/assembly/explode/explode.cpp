@@ -11,6 +11,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 #include <utility>
 
@@ -42,17 +43,18 @@ class Opening {
       for (const Node& node : removal.nodes) enter(node);
     }
     enter(level.base);
-    const std::vector<double> by = detail::travels(level, s_, ways_, crowded_);
+    const std::vector<detail::Travel> ways = detail::travels(level, s_, ways_, crowded_);
     std::vector<ExplodeStep> steps;
-    for (std::size_t i = 0; i < by.size(); ++i) {
+    for (std::size_t i = 0; i < ways.size(); ++i) {
       const detail::Removal& removal = level.removals[i];
-      ExplodeStep step{{}, s_.along(removal.direction), by[i]};
+      ExplodeStep step{{}, s_.along(removal.direction), ways[i].by};
       for (const Node& node : removal.nodes) {
         step.parts.insert(step.parts.end(), node.parts.begin(), node.parts.end());
       }
       std::ranges::sort(step.parts);
       steps.push_back(std::move(step));
     }
+    follow(level, ways, steps);
     std::ranges::move(within, std::back_inserter(steps));
     return steps;
   }
@@ -60,6 +62,29 @@ class Opening {
   std::int64_t crowded() const { return crowded_; }
 
  private:
+  /// What is off goes on with what it came off; equal ways are one step, without a trail.
+  static void follow(const detail::Level& level, const std::vector<detail::Travel>& ways,
+                     std::vector<ExplodeStep>& steps) {
+    const std::size_t first = steps.size();
+    for (std::size_t i = 0; i < ways.size(); ++i) {
+      for (std::size_t n = 0; n < ways[i].follow.size(); ++n) {
+        const double by = glm::length(ways[i].follow[n]);
+        if (by == 0) continue;
+        const Vec3 along = ways[i].follow[n] / by;
+        constexpr double kSame = 1e-9;
+        auto step = std::find_if(steps.begin() + static_cast<std::ptrdiff_t>(first), steps.end(),
+                                 [&](const ExplodeStep& s) {
+                                   return glm::distance(s.along, along) < kSame &&
+                                          std::abs(s.by - by) < kSame * by;
+                                 });
+        if (step == steps.end()) step = steps.insert(step, {{}, along, by, false});
+        const std::vector<std::size_t>& parts = level.removals[i].nodes[n].parts;
+        step->parts.insert(step->parts.end(), parts.begin(), parts.end());
+        std::ranges::sort(step->parts);
+      }
+    }
+  }
+
   const detail::Situation& s_;
   Explosion& out_;
   detail::Ways ways_;

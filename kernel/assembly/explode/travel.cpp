@@ -16,7 +16,8 @@ Box3 moved(Box3 box, Vec3 by) {
 /// One part among those that leave, or that are still there, seen along a direction.
 struct Standing {
   std::size_t part = 0;
-  /// As it stands, and over all places that it takes on its own after the level has come apart.
+  /// Where it is while others leave, and over all places that it takes once the level has come
+  /// apart; of what leaves both without its way along the direction.
   Box3 rest, later;
   std::size_t direction = static_cast<std::size_t>(-1);
 };
@@ -28,6 +29,7 @@ class OneLevel {
     directions_.resize(s.shapes.boxes.size(), static_cast<std::size_t>(-1));
     Box3 box;
     inner_ = level.base.parts;
+    left_.resize(s.shapes.boxes.size(), 0);
     for (const std::size_t part : level.base.parts) box.add(s.shapes.boxes[part]);
     for (const Removal& removal : level.removals) {
       for (const Node& node : removal.nodes) {
@@ -37,13 +39,19 @@ class OneLevel {
     gap_ = 0.5 * s.options.gap * (box.diagonal() + s.shapes.diagonal);
   }
 
-  double travel(const Removal& removal, std::int64_t& crowded) {
+  Travel travel(const Removal& removal, std::int64_t& crowded) {
     std::vector<std::size_t> parts;
     for (const Node& node : removal.nodes) {
       parts.insert(parts.end(), node.parts.begin(), node.parts.end());
     }
     const std::size_t d = removal.direction;
-    const std::vector<Standing> leaving = standing(parts, d), there = standing(inner_, d);
+    Travel travel;
+    for (const Node& node : removal.nodes) {
+      travel.follow.push_back(follow(node, s_.along(d)));
+      for (const std::size_t part : node.parts) moves_[part] = travel.follow.back();
+    }
+    const std::vector<Standing> leaving = standing(parts, d, true),
+                                there = standing(inner_, d, false);
     double by = gap_;
     for (const Standing& a : leaving) {
       for (const Standing& b : there) by = std::max(by, past(a, b, d));
@@ -55,13 +63,15 @@ class OneLevel {
         break;
       }
     }
-    const Vec3 move = by * s_.along(d);
+    ++removed_;
     for (const std::size_t part : parts) {
-      moves_[part] = move;
+      moves_[part] += by * s_.along(d);
       directions_[part] = d;
+      left_[part] = removed_;
       inner_.push_back(part);
     }
-    return by;
+    travel.by = by;
+    return travel;
   }
 
   void finish() {
@@ -74,14 +84,34 @@ class OneLevel {
   }
 
  private:
-  std::vector<Standing> standing(const std::vector<std::size_t>& parts, std::size_t d) const {
+  /// The way of what a node comes off, the one of the parts that it touches that leaves next, as
+  /// far as it is not the node's own.
+  Vec3 follow(const Node& node, Vec3 along) const {
+    std::size_t next = 0, parent = 0;
+    for (const std::size_t part : node.parts) {
+      for (const std::size_t other : s_.neighbours[part]) {
+        if (left_[other] > next) next = left_[other], parent = other;
+      }
+    }
+    if (next == 0) return Vec3(0);
+    const Vec3 across = reject(moves_[parent], along);
+    constexpr double kSame = 1e-6;
+    return glm::length(across) > kSame * s_.shapes.diagonal ? across : Vec3(0);
+  }
+
+  std::vector<Standing> standing(const std::vector<std::size_t>& parts, std::size_t d,
+                                 bool leaving) const {
     const AxisView& view = s_.view(d);
     std::vector<Standing> all;
     for (const std::size_t part : parts) {
-      Standing one{part, view.boxes[part], {}, directions_[part]};
+      Standing one{part, {}, {}, directions_[part]};
+      const Box3& box = view.boxes[part];
       for (const Vec3& place : ways_[part]) {
-        one.later.add(moved(one.rest, in_rows(view.rows, place + moves_[part])));
+        one.rest.add(moved(box, in_rows(view.rows, place)));
+        one.later.add(moved(box, in_rows(view.rows, place + moves_[part])));
       }
+      // What is still there has not come apart yet where others pass it.
+      if (!leaving) one.rest = box;
       all.push_back(one);
     }
     return all;
@@ -95,7 +125,7 @@ class OneLevel {
   double past(const Standing& a, const Standing& b, std::size_t d) const {
     const double eps = fit(a, b), from = s_.reach(d, a.later).x;
     double by = 0;
-    if (overlap_across(a.later, b.rest, eps) || s_.touch(a.part, b.part)) {
+    if (overlap_across(a.rest, b.rest, eps) || s_.touch(a.part, b.part)) {
       by = s_.reach(d, b.rest).y - from + gap_;
     }
     if (b.direction == d && overlap_across(a.later, b.later, eps)) {
@@ -111,8 +141,9 @@ class OneLevel {
     for (const Standing& a : leaving) {
       const Vec2 one = s_.reach(d, a.later);
       for (const Standing& b : there) {
-        for (const Box3& box : {b.rest, b.later}) {
-          if (!overlap_across(a.later, box, fit(a, b))) continue;
+        for (const bool rest : {true, false}) {
+          const Box3& box = rest ? b.rest : b.later;
+          if (!overlap_across(rest ? a.rest : a.later, box, fit(a, b))) continue;
           const Vec2 other = s_.reach(d, box);
           const double rounding = 1e-9 * s_.shapes.diagonal;
           if (one.x + by < other.y + gap_ - rounding && one.y + by > other.x - gap_ + rounding) {
@@ -129,21 +160,24 @@ class OneLevel {
   std::vector<Vec3> moves_;
   std::vector<std::size_t> directions_;
   std::vector<std::size_t> inner_;
+  /// For each part that left, the number of its removal from the inside out; 0 of the base.
+  std::vector<std::size_t> left_;
+  std::size_t removed_ = 0;
   double gap_ = 0;
 };
 
 }  // namespace
 
-std::vector<double> travels(const Level& level, const Situation& situation, Ways& ways,
+std::vector<Travel> travels(const Level& level, const Situation& situation, Ways& ways,
                             std::int64_t& crowded) {
   OneLevel one(level, situation, ways);
-  std::vector<double> by(level.removals.size());
+  std::vector<Travel> travels(level.removals.size());
   for (std::size_t i = level.removals.size(); i-- > 0;) {
     situation.context.check();
-    by[i] = one.travel(level.removals[i], crowded);
+    travels[i] = one.travel(level.removals[i], crowded);
   }
   one.finish();
-  return by;
+  return travels;
 }
 
 }  // namespace burin::detail
