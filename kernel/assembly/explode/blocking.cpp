@@ -71,24 +71,40 @@ class OfPart {
     const Box3& box = view_.boxes[part_];
     const Rng rng(1, part_);
     std::vector<Interval> ray;
-    for (std::uint64_t i = 0; i < kGrid * kGrid; ++i) {
-      const Vec2 cell(static_cast<double>(i % kGrid) + rng.uniform(2 * i),
-                      static_cast<double>(i / kGrid) + rng.uniform(2 * i + 1));
+    constexpr std::uint64_t kAcross = kGrid + 2;
+    for (std::uint64_t i = 0; i < kAcross * kAcross; ++i) {
+      const Vec2 cell(static_cast<double>(i % kAcross) - 1 + rng.uniform(2 * i),
+                      static_cast<double>(i / kAcross) - 1 + rng.uniform(2 * i + 1));
       const Vec2 at =
           Vec2(box.min) + cell / static_cast<double>(kGrid) * (Vec2(box.max) - Vec2(box.min));
       rays_.cast(at, ray);
-      if (!of(ray, part_)) continue;
+      const bool hits = of(ray, part_) != nullptr;
       for (const Interval& other : ray) {
         if (other.part == part_) continue;
+        enter(other);
+        if (!hits) continue;
         look(at, ray, part_, other.part);
         look(at, ray, other.part, part_);
       }
     }
     std::ranges::sort(found_);
+    std::ranges::sort(column_, {}, &Column::part);
     return std::move(found_);
   }
 
+  std::vector<Column> column() { return std::move(column_); }
+
  private:
+  void enter(const Interval& other) {
+    const auto known = std::ranges::find(column_, other.part, &Column::part);
+    if (known == column_.end()) {
+      column_.push_back({other.part, other.from, other.to});
+    } else {
+      known->from = std::min(known->from, other.from);
+      known->to = std::max(known->to, other.to);
+    }
+  }
+
   void look(Vec2 at, const std::vector<Interval>& ray, std::uint32_t a, std::uint32_t b) {
     const double eps = fit_of(shapes_, a, b, fit_);
     if (!stands_before(ray, a, b, eps)) return;
@@ -109,12 +125,14 @@ class OfPart {
   std::optional<double> fit_;
   std::vector<Interval> around_;
   std::vector<std::pair<std::uint32_t, std::uint32_t>> found_;
+  std::vector<Column> column_;
 };
 
 AxisView view_along(Vec3 axis, const Shapes& shapes, const RunContext& context) {
   AxisView view;
   view.rows = rows_along(axis, shapes.frame);
   view.boxes.resize(shapes.boxes.size());
+  view.columns.resize(shapes.boxes.size());
   parallel_for(
       shapes.parts.size(), 1,
       [&](std::size_t begin, std::size_t end) {
@@ -136,6 +154,12 @@ void gather(const std::vector<Pairs>& each, AxisView& view) {
 
 }  // namespace
 
+const Column* AxisView::column(std::size_t of, std::size_t part) const {
+  const auto& all = columns[of];
+  const auto found = std::ranges::lower_bound(all, part, {}, &Column::part);
+  return found == all.end() || found->part != part ? nullptr : &*found;
+}
+
 double fit_of(const Shapes& shapes, std::size_t a, std::size_t b, std::optional<double> fit) {
   const double chords = shapes.proxies[a]->tolerance + shapes.proxies[b]->tolerance;
   // What rounding may add where faces lie on each other.
@@ -153,8 +177,9 @@ AxisView look_along(Vec3 axis, const Shapes& shapes, const Occluder& occluder,
       shapes.parts.size(), 1,
       [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
-          each[i] =
-              OfPart(static_cast<std::uint32_t>(shapes.parts[i]), view, shapes, rays, fit).find();
+          OfPart one(static_cast<std::uint32_t>(shapes.parts[i]), view, shapes, rays, fit);
+          each[i] = one.find();
+          view.columns[shapes.parts[i]] = one.column();
         }
       },
       &context);
@@ -189,6 +214,13 @@ AxisView boxes_along(Vec3 axis, const Shapes& shapes, std::optional<double> fit,
       },
       &context);
   gather(each, view);
+  for (const auto& [a, b] : view.ahead) {
+    view.columns[a].push_back({b, view.boxes[b].min.z, view.boxes[b].max.z});
+    view.columns[b].push_back({a, view.boxes[a].min.z, view.boxes[a].max.z});
+  }
+  for (std::vector<Column>& columns : view.columns) {
+    std::ranges::sort(columns, {}, &Column::part);
+  }
   return view;
 }
 

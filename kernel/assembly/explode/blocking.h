@@ -13,6 +13,12 @@
 
 namespace burin::detail {
 
+/// What lies in the column over and under a part's box: another part, from where to where.
+struct Column {
+  std::uint32_t part = 0;
+  double from = 0, to = 0;
+};
+
 /// Of one axis: its frame, the boxes of all parts in it, and who is ahead of whom.
 struct AxisView {
   Mat3 rows{1};
@@ -20,7 +26,13 @@ struct AxisView {
   /// (a, b), ascending: b stands in a's way along the axis, and a in b's way back.
   std::vector<std::pair<std::uint32_t, std::uint32_t>> ahead;
 
+  /// For each part the others in its column, ascending; the column is a sixteenth wider than the
+  /// box all round, so that what touches it from the side lies in it.
+  std::vector<std::vector<Column>> columns;
+
   Vec3 axis() const { return rows[2]; }
+  /// Null where the part does not lie in the column.
+  const Column* column(std::size_t of, std::size_t part) const;
 };
 
 /// How far two parts may lie in each other, model mm.

@@ -155,16 +155,16 @@ std::vector<Contact> find_contacts(const Shapes& shapes, const Occluder& occlude
   return all;
 }
 
-std::vector<std::vector<std::size_t>> neighbours_of(const std::vector<Contact>& contacts,
-                                                    std::size_t count) {
-  std::vector<std::vector<std::size_t>> neighbours(count);
+std::vector<std::vector<Neighbour>> neighbours_of(const std::vector<Contact>& contacts,
+                                                  std::size_t count) {
+  std::vector<std::map<std::size_t, double>> areas(count);
   for (const Contact& contact : contacts) {
-    neighbours[contact.part].push_back(contact.other);
-    neighbours[contact.other].push_back(contact.part);
+    areas[contact.part][contact.other] += contact.area;
+    areas[contact.other][contact.part] += contact.area;
   }
-  for (auto& one : neighbours) {
-    std::ranges::sort(one);
-    one.erase(std::unique(one.begin(), one.end()), one.end());
+  std::vector<std::vector<Neighbour>> neighbours(count);
+  for (std::size_t i = 0; i < count; ++i) {
+    for (const auto& [part, area] : areas[i]) neighbours[i].push_back({part, area});
   }
   return neighbours;
 }

@@ -28,8 +28,14 @@ struct Contact {
 std::vector<Contact> find_contacts(const Shapes& shapes, const Occluder& occluder,
                                    const RunContext& context);
 
+/// A part that touches another, on how much area.
+struct Neighbour {
+  std::size_t part = 0;
+  double area = 0;
+};
+
 /// For each part the parts that touch it, ascending.
-std::vector<std::vector<std::size_t>> neighbours_of(const std::vector<Contact>& contacts,
-                                                    std::size_t count);
+std::vector<std::vector<Neighbour>> neighbours_of(const std::vector<Contact>& contacts,
+                                                  std::size_t count);
 
 }  // namespace burin::detail

@@ -97,7 +97,7 @@ struct ExplodeModel::Impl {
   detail::Shapes shapes;
   std::unique_ptr<Occluder> occluder;
   std::vector<detail::Contact> contacts;
-  std::vector<std::vector<std::size_t>> neighbours;
+  std::vector<std::vector<detail::Neighbour>> neighbours;
 
   std::vector<Vec3> axes(const ExplodeOptions& options, Diagnostics& diagnostics) const {
     if (options.along) return {glm::normalize(*options.along)};

@@ -103,18 +103,13 @@ class Taking {
                                          const std::vector<std::size_t>& except) const {
     const AxisView& view = s_.view(d);
     std::pair<double, std::size_t> way(0, kNone);
-    for (const std::size_t other : s_.shapes.parts) {
-      const std::size_t node = of_part_[other];
-      if (node == kNone || std::ranges::find(except, node) != except.end()) continue;
-      const double end = s_.reach(d, view.boxes[other]).y;
-      for (const std::size_t part : parts) {
-        const double by = end - s_.reach(d, view.boxes[part]).x;
-        if (by <= way.first) continue;
-        if (overlap_across(view.boxes[part], view.boxes[other],
-                           fit_of(s_.shapes, part, other, s_.options.fit)) ||
-            s_.touch(part, other)) {
-          way = {by, node};
-        }
+    for (const std::size_t part : parts) {
+      const double from = s_.reach(d, view.boxes[part]).x;
+      for (const Column& other : view.columns[part]) {
+        const std::size_t node = of_part_[other.part];
+        const double by = s_.reach(d, other).y - from;
+        if (node == kNone || by <= way.first) continue;
+        if (std::ranges::find(except, node) == except.end()) way = {by, node};
       }
     }
     return way;
@@ -131,8 +126,8 @@ class Taking {
 
   bool touches(const std::vector<std::size_t>& parts, const std::vector<std::size_t>& own) const {
     return std::ranges::any_of(parts, [&](std::size_t part) {
-      return std::ranges::any_of(s_.neighbours[part], [&](std::size_t other) {
-        const std::size_t node = of_part_[other];
+      return std::ranges::any_of(s_.neighbours[part], [&](const Neighbour& other) {
+        const std::size_t node = of_part_[other.part];
         return node != kNone && std::ranges::find(own, node) == own.end();
       });
     });
@@ -366,10 +361,6 @@ class Taking {
 };
 
 }  // namespace
-
-bool Situation::touch(std::size_t a, std::size_t b) const {
-  return std::ranges::binary_search(neighbours[a], b);
-}
 
 bool overlap_across(const Box3& a, const Box3& b, double eps) {
   for (int k = 0; k < 2; ++k) {

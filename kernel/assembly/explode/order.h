@@ -5,6 +5,7 @@
 #include <burin/explode/explode.h>
 
 #include "blocking.h"
+#include "contacts.h"
 #include "shapes.h"
 
 #include <vector>
@@ -15,7 +16,7 @@ namespace burin::detail {
 struct Situation {
   const Shapes& shapes;
   const std::vector<AxisView>& views;
-  const std::vector<std::vector<std::size_t>>& neighbours;
+  const std::vector<std::vector<Neighbour>>& neighbours;
   const ExplodeOptions& options;
   const RunContext& context;
 
@@ -31,7 +32,9 @@ struct Situation {
   Vec2 reach(std::size_t direction, const Box3& box) const {
     return direction % 2 == 0 ? Vec2(box.min.z, box.max.z) : Vec2(-box.max.z, -box.min.z);
   }
-  bool touch(std::size_t a, std::size_t b) const;
+  Vec2 reach(std::size_t direction, const Column& column) const {
+    return direction % 2 == 0 ? Vec2(column.from, column.to) : Vec2(-column.to, -column.from);
+  }
 };
 
 /// What moves as one on a level of the assembly: a part, or several.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 namespace burin::detail {
 namespace {
@@ -29,7 +30,8 @@ class OneLevel {
     directions_.resize(s.shapes.boxes.size(), static_cast<std::size_t>(-1));
     Box3 box;
     inner_ = level.base.parts;
-    left_.resize(s.shapes.boxes.size(), 0);
+    is_inner_.resize(s.shapes.boxes.size());
+    for (const std::size_t part : inner_) is_inner_[part] = true;
     for (const std::size_t part : level.base.parts) box.add(s.shapes.boxes[part]);
     for (const Removal& removal : level.removals) {
       for (const Node& node : removal.nodes) {
@@ -63,11 +65,10 @@ class OneLevel {
         break;
       }
     }
-    ++removed_;
     for (const std::size_t part : parts) {
       moves_[part] += by * s_.along(d);
       directions_[part] = d;
-      left_[part] = removed_;
+      is_inner_[part] = true;
       inner_.push_back(part);
     }
     travel.by = by;
@@ -84,17 +85,23 @@ class OneLevel {
   }
 
  private:
-  /// The way of what a node comes off, the one of the parts that it touches that leaves next, as
-  /// far as it is not the node's own.
+  /// The way of what a node comes off, the one of the parts there that it touches most, as far as
+  /// it is not the node's own.
   Vec3 follow(const Node& node, Vec3 along) const {
-    std::size_t next = 0, parent = 0;
+    std::map<std::size_t, double> areas;
     for (const std::size_t part : node.parts) {
-      for (const std::size_t other : s_.neighbours[part]) {
-        if (left_[other] > next) next = left_[other], parent = other;
+      for (const Neighbour& other : s_.neighbours[part]) {
+        if (is_inner_[other.part]) areas[other.part] += other.area;
       }
     }
-    if (next == 0) return Vec3(0);
-    const Vec3 across = reject(moves_[parent], along);
+    double most = 0;
+    Vec3 across(0);
+    constexpr double kMore = 1 + 1e-3;  // of two alike the first
+    for (const auto& [part, area] : areas) {
+      if (area <= kMore * most) continue;
+      most = area;
+      across = reject(moves_[part], along);
+    }
     constexpr double kSame = 1e-6;
     return glm::length(across) > kSame * s_.shapes.diagonal ? across : Vec3(0);
   }
@@ -121,14 +128,29 @@ class OneLevel {
     return fit_of(s_.shapes, a.part, b.part, s_.options.fit);
   }
 
-  /// The way past a part in whose column, or at whose side, another stands.
+  /// Whether both stand before each other as they did together, but for ways along a direction, and
+  /// neither comes apart itself: then what rays saw of the one in the other's column holds.
+  bool as_seen(const Standing& a, const Standing& b, std::size_t d) const {
+    if (ways_[a.part].size() > 1 || ways_[b.part].size() > 1) return false;
+    constexpr double kSame = 1e-9;
+    return glm::length(reject(moves_[a.part] - moves_[b.part], s_.along(d))) <=
+           kSame * s_.shapes.diagonal;
+  }
+
+  /// The way past a part in whose column another stands.
   double past(const Standing& a, const Standing& b, std::size_t d) const {
-    const double eps = fit(a, b), from = s_.reach(d, a.later).x;
+    const double from = s_.reach(d, a.later).x;
+    const Column* column = s_.view(d).column(a.part, b.part);
     double by = 0;
-    if (overlap_across(a.rest, b.rest, eps) || s_.touch(a.part, b.part)) {
-      by = s_.reach(d, b.rest).y - from + gap_;
+    if (ways_[a.part].size() > 1) {
+      if (overlap_across(a.rest, b.rest, fit(a, b))) by = s_.reach(d, b.rest).y - from + gap_;
+    } else if (column) {
+      by = s_.reach(d, *column).y - from + gap_;
     }
-    if (b.direction == d && overlap_across(a.later, b.later, eps)) {
+    if (as_seen(a, b, d)) {
+      const double on = glm::dot(moves_[b.part], s_.along(d));
+      if (column && on > 0) by = std::max(by, s_.reach(d, *column).y + on - from + gap_);
+    } else if (b.direction == d && overlap_across(a.later, b.later, fit(a, b))) {
       by = std::max(by, s_.reach(d, b.later).y - from + gap_);
     }
     return by;
@@ -139,20 +161,22 @@ class OneLevel {
              std::size_t d, double& by) const {
     const double before = by;
     for (const Standing& a : leaving) {
-      const Vec2 one = s_.reach(d, a.later);
       for (const Standing& b : there) {
-        for (const bool rest : {true, false}) {
-          const Box3& box = rest ? b.rest : b.later;
-          if (!overlap_across(rest ? a.rest : a.later, box, fit(a, b))) continue;
-          const Vec2 other = s_.reach(d, box);
-          const double rounding = 1e-9 * s_.shapes.diagonal;
-          if (one.x + by < other.y + gap_ - rounding && one.y + by > other.x - gap_ + rounding) {
-            by = other.y + gap_ - one.x;
-          }
-        }
+        if (ways_[a.part].size() > 1) clear(a.rest, b.rest, a, b, d, by);
+        if (!as_seen(a, b, d)) clear(a.later, b.later, a, b, d, by);
       }
     }
     return by > before;
+  }
+
+  void clear(const Box3& one, const Box3& other, const Standing& a, const Standing& b,
+             std::size_t d, double& by) const {
+    if (!overlap_across(one, other, fit(a, b))) return;
+    const Vec2 own = s_.reach(d, one), box = s_.reach(d, other);
+    const double rounding = 1e-9 * s_.shapes.diagonal;
+    if (own.x + by < box.y + gap_ - rounding && own.y + by > box.x - gap_ + rounding) {
+      by = box.y + gap_ - own.x;
+    }
   }
 
   const Situation& s_;
@@ -160,9 +184,7 @@ class OneLevel {
   std::vector<Vec3> moves_;
   std::vector<std::size_t> directions_;
   std::vector<std::size_t> inner_;
-  /// For each part that left, the number of its removal from the inside out; 0 of the base.
-  std::vector<std::size_t> left_;
-  std::size_t removed_ = 0;
+  std::vector<bool> is_inner_;
   double gap_ = 0;
 };
 
