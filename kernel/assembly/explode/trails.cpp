@@ -20,6 +20,10 @@ constexpr double kSameLine = 2e-3;
 struct Trail {
   Vec3 from{0}, bend{0}, to{0};
   std::size_t part = 0;
+  /// Which step it is of, what moved, and whether it lies on an axis of round faces.
+  std::size_t step = 0;
+  std::vector<std::size_t> group = {};
+  bool on_axis = false;
 
   bool straight() const { return bend == to; }
 };
@@ -35,18 +39,44 @@ class Maker {
 
   std::vector<Trail> all() {
     std::vector<Trail> trails;
-    for (const ExplodeStep& step : steps_) {
+    for (std::size_t i = 0; i < steps_.size(); ++i) {
+      const ExplodeStep& step = steps_[i];
       if (step.trail) {
-        for (const auto& group : groups(step)) {
-          if (const auto trail = best(step, group)) trails.push_back(*trail);
+        for (auto& group : groups(step)) {
+          auto trail = best(step, group);
+          if (!trail) continue;
+          trail->step = i;
+          trail->group = std::move(group);
+          trails.push_back(std::move(*trail));
         }
       }
       for (const std::size_t part : step.parts) before_[part] += factor_ * step.by * step.along;
     }
-    return trails;
+    std::vector<Trail> shown;
+    for (const Trail& trail : trails) {
+      if (!is_shown_by_others(trail, trails)) shown.push_back(trail);
+    }
+    return shown;
   }
 
  private:
+  /// A lid needs no line through its middle where those of its screws run through its holes.
+  bool is_shown_by_others(const Trail& trail, const std::vector<Trail>& all) const {
+    if (trail.on_axis) return false;
+    const Vec3 along = steps_[trail.step].along;
+    return std::ranges::any_of(contacts_, [&](const Contact& c) {
+      if (!c.round || !same_axis(c.axis, along)) return false;
+      const bool own = std::ranges::binary_search(trail.group, c.part),
+                 other = std::ranges::binary_search(trail.group, c.other);
+      if (own == other) return false;
+      const std::size_t partner = own ? c.other : c.part;
+      return std::ranges::any_of(all, [&](const Trail& one) {
+        return one.on_axis && same_axis(steps_[one.step].along, along) &&
+               std::ranges::binary_search(one.group, partner);
+      });
+    });
+  }
+
   bool together(std::size_t a, std::size_t b) const {
     return glm::distance(before_[a], before_[b]) <= kSamePlace * shapes_.diagonal;
   }
@@ -100,7 +130,8 @@ class Maker {
       if (own == other || !together(c.part, c.other)) continue;
       const std::size_t a = own ? c.part : c.other, b = own ? c.other : c.part;
       if (moves(step, b)) continue;
-      const Trail trail = way(step, middle(c, step.along), a, b);
+      Trail trail = way(step, middle(c, step.along), a, b);
+      trail.on_axis = c.round && same_axis(c.axis, step.along);
       const double unit = kSamePlace * shapes_.diagonal;
       const auto rounded = [&](double mm) { return std::round(mm / unit); };
       const double length = glm::dot(trail.to - trail.from, trail.to - trail.from) > 0
@@ -108,8 +139,7 @@ class Maker {
                                 : 0;
       if (length <= unit) continue;
       const std::tuple rank(rounded(glm::distance(trail.bend, trail.to)), -rounded(length),
-                            !(c.round && same_axis(c.axis, step.along)),
-                            rounded(shapes_.boxes[c.part].diagonal()), -c.area);
+                            !trail.on_axis, rounded(shapes_.boxes[c.part].diagonal()), -c.area);
       if (!best || rank < least) best = trail, least = rank;
     }
     return best;

@@ -1,0 +1,66 @@
+/// Assemblies of files: samples, and models from outside the project where they are there.
+
+#include <burin/converters/read.h>
+#include <burin/explode/explode.h>
+
+#include <burin_test/exploded.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <string>
+
+namespace burin {
+namespace {
+
+struct Case {
+  const char* file;
+  /// Sets of parts that stay together, and parts that do not move at all.
+  std::size_t interlocked = 0;
+};
+
+class RealAssemblies : public testing::TestWithParam<Case> {};
+
+TEST_P(RealAssemblies, ComeApart) {
+  const std::filesystem::path sample =
+      std::filesystem::path(BURIN_SOURCE_DIR) / "samples" / GetParam().file;
+  const auto path = std::filesystem::exists(sample) ? sample : test::data(GetParam().file);
+  if (!std::filesystem::exists(path)) GTEST_SKIP() << "no " << path;
+  RunContext context;
+  Diagnostics told;
+  const Scene scene = read_scene({path.string()}, {}, context);
+  const ExplodeModel model(scene, std::vector<bool>(scene.parts.size(), true), context);
+  const Explosion explosion = model.find({}, told, context);
+  EXPECT_EQ(explosion.interlocked.size(), GetParam().interlocked)
+      << (told.empty() ? "" : told.entries().front().message);
+  std::size_t held = 0;
+  for (const auto& set : explosion.interlocked) held += set.size() - 1;
+  EXPECT_GT(explosion.steps.size(), 0U);
+  test::expect_takes_apart(scene, explosion.steps);
+  // All but the base and what it holds has moved.
+  std::size_t still = 0;
+  for (const Vec3& move : moves_of(explosion.steps, scene.parts.size(), 1)) {
+    if (move == Vec3(0)) ++still;
+  }
+  EXPECT_LE(still, 1 + held);
+  EXPECT_GT(model.trails(explosion.steps, 1).size(), 0U);
+}
+
+INSTANTIATE_TEST_SUITE_P(Files, RealAssemblies,
+                         testing::Values(Case{"coupling.step"}, Case{"gear_pump.step"},
+                                         Case{"step/pythonocc/as1-oc-214.stp"},
+                                         Case{"step/gmsh/as1-tu-203.stp"},
+                                         Case{"step/freecad/as1-ac-214.stp"},
+                                         Case{"step/gmsh/wrenchnut.stp"},
+                                         Case{"step/kicad/RJ45_Amphenol_RJHSE538X.step"},
+                                         Case{"step/kicad/Transformer_CHK_EI48-10VA_2xSec.step"},
+                                         Case{"step/prusa/fan-shroud.stp"}),
+                         [](const auto& one) {
+                           std::string name = std::filesystem::path(one.param.file).stem().string();
+                           for (char& c : name) {
+                             if (!std::isalnum(static_cast<unsigned char>(c))) c = '_';
+                           }
+                           return name;
+                         });
+
+}  // namespace
+}  // namespace burin
