@@ -44,6 +44,20 @@ class Rays {
     });
   }
 
+  /// Whether a part lies on both sides of a place, along either direction across the axis.
+  bool between(Vec3 place, std::uint32_t part) const {
+    const Vec3 from = place.x * view_.rows[0] + place.y * view_.rows[1] + place.z * view_.rows[2];
+    const auto meets = [&](Vec3 along) {
+      return occluder_.occluded_by(from, along, 0, 2 * all_.diagonal(), [&](const Hit& hit) {
+        return static_cast<std::uint32_t>(hit.where.part) == part;
+      });
+    };
+    for (int k = 0; k < 2; ++k) {
+      if (meets(view_.rows[k]) && meets(-view_.rows[k])) return true;
+    }
+    return false;
+  }
+
  private:
   const AxisView& view_;
   const Occluder& occluder_;
@@ -87,6 +101,7 @@ class OfPart {
         look(at, ray, other.part, part_);
       }
     }
+    for (Column& other : column_) enclose(other);
     std::ranges::sort(found_);
     std::ranges::sort(column_, {}, &Column::part);
     return std::move(found_);
@@ -95,6 +110,24 @@ class OfPart {
   std::vector<Column> column() { return std::move(column_); }
 
  private:
+  /// What stands between walls of another part, as in a box or a channel, leaves it past their rim.
+  void enclose(Column& other) const {
+    constexpr int kSteps = 32;
+    const Box3 &own = view_.boxes[part_], &box = view_.boxes[other.part];
+    const auto rim = [&](double from, double to) {
+      double last = from;
+      for (int i = 1; i <= kSteps; ++i) {
+        const double at = glm::mix(from, to, (i - 0.5) / kSteps);
+        if (!rays_.between({Vec2(own.center()), at}, other.part)) break;
+        last = glm::mix(from, to, static_cast<double>(i) / kSteps);
+      }
+      return last;
+    };
+    const double middle = own.center().z;
+    if (box.max.z > middle) other.to = std::max(other.to, rim(middle, box.max.z));
+    if (box.min.z < middle) other.from = std::min(other.from, rim(middle, box.min.z));
+  }
+
   void enter(const Interval& other) {
     const auto known = std::ranges::find(column_, other.part, &Column::part);
     if (known == column_.end()) {
@@ -192,7 +225,7 @@ AxisView boxes_along(Vec3 axis, const Shapes& shapes, std::optional<double> fit,
   AxisView view = view_along(axis, shapes, context);
   std::vector<std::size_t> order = shapes.parts;
   std::ranges::stable_sort(order, {}, [&](std::size_t p) { return view.boxes[p].min.x; });
-  std::vector<Pairs> each(order.size());
+  std::vector<Pairs> each(order.size()), beside(order.size());
   parallel_for(
       order.size(), 64,
       [&](std::size_t begin, std::size_t end) {
@@ -200,13 +233,17 @@ AxisView boxes_along(Vec3 axis, const Shapes& shapes, std::optional<double> fit,
           const Box3& one = view.boxes[order[i]];
           for (std::size_t j = i + 1; j < order.size(); ++j) {
             const Box3& other = view.boxes[order[j]];
-            if (other.min.x >= one.max.x) break;
+            const Vec2 beyond = Vec2(one.size()) / static_cast<double>(kGrid);
+            if (other.min.x >= one.max.x + beyond.x) break;
             const double eps = fit_of(shapes, order[i], order[j], fit);
             const Vec2 shared =
                 glm::min(Vec2(one.max), Vec2(other.max)) - glm::max(Vec2(one.min), Vec2(other.min));
+            const Vec2 wider = glm::min(beyond, Vec2(other.size()) / static_cast<double>(kGrid));
+            if (shared.x <= -wider.x || shared.y <= -wider.y) continue;
+            auto a = static_cast<std::uint32_t>(order[i]), b = static_cast<std::uint32_t>(order[j]);
+            beside[i].emplace_back(a, b);
             if (shared.x <= eps || shared.y <= eps) continue;
             const double by = other.center().z - one.center().z;
-            auto a = static_cast<std::uint32_t>(order[i]), b = static_cast<std::uint32_t>(order[j]);
             if (by < 0 || (by == 0 && b < a)) std::swap(a, b);
             each[i].emplace_back(a, b);
           }
@@ -214,9 +251,11 @@ AxisView boxes_along(Vec3 axis, const Shapes& shapes, std::optional<double> fit,
       },
       &context);
   gather(each, view);
-  for (const auto& [a, b] : view.ahead) {
-    view.columns[a].push_back({b, view.boxes[b].min.z, view.boxes[b].max.z});
-    view.columns[b].push_back({a, view.boxes[a].min.z, view.boxes[a].max.z});
+  for (const Pairs& pairs : beside) {
+    for (const auto& [a, b] : pairs) {
+      view.columns[a].push_back({b, view.boxes[b].min.z, view.boxes[b].max.z});
+      view.columns[b].push_back({a, view.boxes[a].min.z, view.boxes[a].max.z});
+    }
   }
   for (std::vector<Column>& columns : view.columns) {
     std::ranges::sort(columns, {}, &Column::part);

@@ -159,9 +159,13 @@ class Taking {
             std::size_t d, double way) const {
     const Vec3 away = middle(parts) - middle(nodes_[base_].parts);
     const Vec3 along = in_rows(s_.shapes.frame, s_.along(d));
+    // Axes of contacts are as good as what is known of them: they have to be worth it.
+    constexpr std::size_t kOwnAxes = 3;
+    constexpr double kWorth = 0.02;  // of the assembly's diagonal
+    const double detour = d / 2 < kOwnAxes ? 0 : kWorth * s_.shapes.diagonal;
     return {parts.size(),
             !touches(parts, own),
-            stepped(way),
+            stepped(way + detour),
             stepped(-glm::dot(away, along)),
             s_.shapes.paths[parts.front()],
             parts.front(),
