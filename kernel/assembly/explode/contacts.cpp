@@ -11,7 +11,7 @@
 namespace burin::detail {
 namespace {
 
-constexpr std::size_t kPoints = 512;
+constexpr std::size_t kPoints = 1024;
 constexpr std::size_t kLarge = 4;  // points in a triangle
 constexpr double kNear = 0.01;     // of the smaller part's diagonal
 constexpr double kFacing = 0.8;    // cosine between faces that touch
@@ -45,7 +45,7 @@ std::vector<Sample> samples_of(const TriMesh& mesh, double area) {
       }
     }
     for (std::size_t k = 0; k < count; ++k) {
-      const auto n = static_cast<double>(k) + 0.5;
+      const auto n = static_cast<double>(next + k) + 0.5;  // no two triangles alike
       double u = std::fmod(n / kG, 1.0), v = std::fmod(n / (kG * kG), 1.0);
       if (u + v > 1) u = 1 - u, v = 1 - v;
       samples.push_back({f, {1 - u - v, u, v}, area / static_cast<double>(kPoints)});

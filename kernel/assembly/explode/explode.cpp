@@ -141,7 +141,8 @@ struct ExplodeModel::Impl {
       diagnostics.add(Severity::Warning, "explode.interlocked",
                       static_cast<std::int64_t>(set.size()),
                       fmt::format("{} hold each other in every direction and stay together; where "
-                                  "they are a press fit or a thread, say by how many mm (fit)",
+                                  "they are a press fit or a thread, an illustration file can say "
+                                  "by how many mm: \"explode\": {{\"fit\": 0.5}}",
                                   names(set)));
     }
     if (crowded > 0) {

@@ -60,7 +60,7 @@ std::vector<std::string> selectors_of(const Scene& scene, const std::vector<std:
 class ExplodeModel {
  public:
   /// `drawn`: one a part; others are as if they were not there. Parts that cannot be realised are
-  /// left out without a word: drawing them says it. Cost: the tessellation of all parts, and 512
+  /// left out without a word: drawing them says it. Cost: the tessellation of all parts, and 1024
   /// rays a part. Throws Cancelled.
   ExplodeModel(const Scene& scene, const std::vector<bool>& drawn, RunContext& context);
   ~ExplodeModel();
