@@ -235,22 +235,8 @@ TEST(Explode, AMovedAssemblyGivesTheSameStepsMoved) {
   }
 }
 
-/// A plate with `count` columns of a bush, a washer and a bolt.
-Scene many(int count) {
-  Scene scene;
-  const int row = static_cast<int>(std::ceil(std::sqrt(count)));
-  test::add_part(scene, "plate", test::box({-20, -20, -10}, {40.0 * row, 40.0 * row, 0}));
-  for (int i = 0; i < count; ++i) {
-    const Vec3 at(40.0 * (i % row), 40.0 * (i / row), 0);
-    test::add_part(scene, "bush", test::ring(5, 14, 0, 12 + i % 5, at));
-    test::add_part(scene, "washer", test::ring(5, 10, 12 + i % 5, 14 + i % 5, at));
-    test::add_part(scene, "bolt", test::bolt(5, 9, 0, 14 + i % 5, 22 + i % 5, at));
-  }
-  return scene;
-}
-
 TEST(Explode, AHundredPartsComeApart) {
-  const Scene scene = many(33);
+  const Scene scene = test::stacks(33);
   ASSERT_EQ(scene.parts.size(), 100U);
   const Explosion e = explode(scene);
   EXPECT_TRUE(e.interlocked.empty());
@@ -261,7 +247,7 @@ TEST(Explode, AHundredPartsComeApart) {
 }
 
 TEST(Explode, IsTheSameForAnyNumberOfThreads) {
-  const Scene scene = many(12);
+  const Scene scene = test::stacks(12);
   const Explosion all = explode(scene);
   const ThreadLimit limit(1);
   const Explosion one = explode(scene);
