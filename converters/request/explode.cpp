@@ -76,7 +76,7 @@ std::vector<ExplodeStep> steps_of_file(Scene& scene, const Explode& explode,
 
 std::vector<ExplodeStep> steps_of(Scene& scene, const Explode& explode,
                                   const std::vector<bool>& drawn, const ExplodeModel& model,
-                                  const RunContext& context) {
+                                  RunContext& context) {
   if (!explode.steps.empty()) return steps_of_file(scene, explode, drawn);
   ExplodeOptions options{.along = explode.along, .one_way = explode.one_way, .fit = explode.fit};
   if (!explode.base.empty()) {
@@ -86,7 +86,10 @@ std::vector<ExplodeStep> steps_of(Scene& scene, const Explode& explode,
       throw UsageError(explode.place + e.what());
     }
   }
-  return model.find(options, scene.diagnostics, context).steps;
+  context.begin_stage(RunStage::Build);
+  std::vector<ExplodeStep> steps = model.find(options, scene.diagnostics, context).steps;
+  context.end_stage();
+  return steps;
 }
 
 /// Moves parts; copies of one shape stay that.

@@ -86,8 +86,8 @@ class Illustrations(unittest.TestCase):
         self.assertTrue(burin.illustration(apart)["explode"])
         self.assertFalse(burin.illustration(TWO)["explode"])
         together, drawn = burin.draw(TWO, style="outline"), burin.draw(apart, style="outline")
-        self.assertLess(drawn.view["scale"], together.view["scale"], "it needs more of the sheet")
-        self.assertEqual(burin.draw(apart, style="outline", explode="none").view, together.view)
+        self.assertLess(drawn.view.scale, together.view.scale, "it needs more of the sheet")
+        self.assertEqual(burin.draw(apart, style="outline", explode="none").view.scale, together.view.scale)
         for way in ("auto", "z", [0, 0, 1]):
             drawing = burin.draw(SAMPLES / "gear_pump.step", style="outline", explode=way)
             self.assertIn("trail", [layer.name for layer in drawing.layers])

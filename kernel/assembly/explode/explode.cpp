@@ -168,9 +168,11 @@ struct ExplodeModel::Impl {
 ExplodeModel::ExplodeModel(const Scene& scene, const std::vector<bool>& drawn, RunContext& context)
     : impl_(std::make_unique<Impl>()) {
   impl_->shapes = detail::make_shapes(scene, drawn, context);
+  context.begin_stage(RunStage::Build);
   impl_->occluder = std::make_unique<Occluder>(impl_->shapes.proxies, context);
   impl_->contacts = detail::find_contacts(impl_->shapes, *impl_->occluder, context);
   impl_->neighbours = detail::neighbours_of(impl_->contacts, scene.parts.size());
+  context.end_stage();
 }
 
 ExplodeModel::~ExplodeModel() = default;

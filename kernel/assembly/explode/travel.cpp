@@ -60,6 +60,7 @@ class OneLevel {
     }
     int tries = 0;
     while (raise(leaving, there, d, by)) {
+      s_.context.check();
       if (++tries >= kMostTries) {
         ++crowded;
         break;
