@@ -9,7 +9,9 @@
 namespace burin::detail {
 namespace {
 
-constexpr std::uint64_t kGrid = 16;  // rays across the box of a part
+// Rays across the box of a part, and where there are many parts, which are small in the picture.
+constexpr std::uint64_t kGrid = 16, kCoarseGrid = 8;
+constexpr std::size_t kMany = 500;
 constexpr double kFit = 0.01;
 
 /// Where one part lies on a ray.
@@ -85,12 +87,13 @@ class OfPart {
     const Box3& box = view_.boxes[part_];
     const Rng rng(1, part_);
     std::vector<Interval> ray;
-    constexpr std::uint64_t kAcross = kGrid + 2;
-    for (std::uint64_t i = 0; i < kAcross * kAcross; ++i) {
-      const Vec2 cell(static_cast<double>(i % kAcross) - 1 + rng.uniform(2 * i),
-                      static_cast<double>(i / kAcross) - 1 + rng.uniform(2 * i + 1));
+    const std::uint64_t grid = shapes_.parts.size() > kMany ? kCoarseGrid : kGrid;
+    const std::uint64_t across = grid + 2;
+    for (std::uint64_t i = 0; i < across * across; ++i) {
+      const Vec2 cell(static_cast<double>(i % across) - 1 + rng.uniform(2 * i),
+                      static_cast<double>(i / across) - 1 + rng.uniform(2 * i + 1));
       const Vec2 at =
-          Vec2(box.min) + cell / static_cast<double>(kGrid) * (Vec2(box.max) - Vec2(box.min));
+          Vec2(box.min) + cell / static_cast<double>(grid) * (Vec2(box.max) - Vec2(box.min));
       rays_.cast(at, ray);
       const bool hits = of(ray, part_) != nullptr;
       for (const Interval& other : ray) {

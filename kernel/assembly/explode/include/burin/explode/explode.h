@@ -73,7 +73,8 @@ class ExplodeModel {
   /// Diagnostics "explode.interlocked" name what stays together, "explode.boxes" tells of more than
   /// 2,000 parts, whose boxes block each other by their middles instead of rays,
   /// "explode.directions" of contact axes that were not tried, "explode.alone" of fewer than two
-  /// parts. Cost: 256 rays a part and axis, at most 12 axes.
+  /// parts. Cost: 324 rays a part and axis and some to be sure,
+  /// at most 12 axes.
   /// @cite Li2008
   Explosion find(const ExplodeOptions& options, Diagnostics& diagnostics,
                  const RunContext& context) const;
