@@ -90,8 +90,9 @@ class OfPart {
     const std::uint64_t grid = shapes_.parts.size() > kMany ? kCoarseGrid : kGrid;
     const std::uint64_t across = grid + 2;
     for (std::uint64_t i = 0; i < across * across; ++i) {
-      const Vec2 cell(static_cast<double>(i % across) - 1 + rng.uniform(2 * i),
-                      static_cast<double>(i / across) - 1 + rng.uniform(2 * i + 1));
+      const std::uint64_t column = i % across, row = i / across;
+      const Vec2 cell(static_cast<double>(column) - 1 + rng.uniform(2 * i),
+                      static_cast<double>(row) - 1 + rng.uniform(2 * i + 1));
       const Vec2 at =
           Vec2(box.min) + cell / static_cast<double>(grid) * (Vec2(box.max) - Vec2(box.min));
       rays_.cast(at, ray);

@@ -46,7 +46,8 @@ inline Scene stacks(int count) {
   const int row = static_cast<int>(std::ceil(std::sqrt(count)));
   add_part(scene, "plate", box({-20, -20, -10}, {40.0 * row, 40.0 * row, 0}));
   for (int i = 0; i < count; ++i) {
-    const Vec3 at(40.0 * (i % row), 40.0 * (i / row), 0);
+    const int line = i / row;
+    const Vec3 at(40.0 * (i % row), 40.0 * line, 0);
     add_part(scene, "bush", ring(5, 14, 0, 12 + i % 5, at));
     add_part(scene, "washer", ring(5, 10, 12 + i % 5, 14 + i % 5, at));
     add_part(scene, "bolt", bolt(5, 9, 0, 14 + i % 5, 22 + i % 5, at));

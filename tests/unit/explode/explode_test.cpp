@@ -263,7 +263,8 @@ TEST(Explode, ManyPartsAreTakenApartByTheirBoxes) {
   Scene scene;
   test::add_part(scene, "plate", test::box({-5, -5, -10}, {505, 505, 0}));
   for (int i = 0; i < 2050; ++i) {
-    const Vec3 at(10.0 * (i % 50), 10.0 * (i / 50), 0);
+    const int line = i / 50;
+    const Vec3 at(10.0 * (i % 50), 10.0 * line, 0);
     test::add_part(scene, "cube", test::box(at, at + Vec3(6)));
   }
   Diagnostics told;

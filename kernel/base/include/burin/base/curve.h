@@ -12,9 +12,9 @@
 namespace burin {
 
 /// What a line is; the names are those of the drawing file's `kind`. Burin itself makes contours,
-/// boundaries, creases, smooth edges, seams, intersections, strokes, and trails of exploded views. The drawing file has names
-/// for more, which other programs may write and `burin convert` passes on: sections, ridges,
-/// valleys, suggestive contours and patterns.
+/// boundaries, creases, smooth edges, seams, intersections, sections, patterns, strokes and trails
+/// of exploded views. The drawing file has names for more, which other programs may write and
+/// `burin convert` passes on: ridges, valleys and suggestive contours.
 enum class LineClass {
   Contour,
   Boundary,
