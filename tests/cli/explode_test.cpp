@@ -70,6 +70,7 @@ TEST_F(Exploded, ShowTheWayWithALine) {
   EXPECT_EQ(layer(drawing(), "trail"), nullptr);
   ASSERT_EQ(run(apart + "--set line.trail=0.3 --verify"), 0) << err_;
   EXPECT_EQ(layer(drawing(), "trail")->at("paths")[0].at("width")[0], 0.3);
+  EXPECT_EQ(drawing().at("stats").at("verify").at("contradicted"), 0);
   // Together again.
   ASSERT_EQ(run(apart + "--explode-factor 0"), 0) << err_;
   EXPECT_NEAR(top_of(drawing(), 1), 16, 1e-6);
