@@ -2,6 +2,7 @@
 
 #include <burin/converters/read.h>
 #include <burin/explode/explode.h>
+#include <burin/surface/placed_form.h>
 
 #include <burin_test/exploded.h>
 #include <gtest/gtest.h>
@@ -43,6 +44,29 @@ TEST_P(RealAssemblies, ComeApart) {
   }
   EXPECT_LE(still, 1 + held);
   EXPECT_TRUE(held > 0 || !model.trails(explosion.steps, 1).empty());
+}
+
+// Steps are those of the assembly, however it stands.
+TEST(SampleAssemblies, GiveTheSameStepsTurnedScaledAndMoved) {
+  const Placement place{0.04 * test::tilted(), {30, -4, 1.7}};
+  for (const char* file : {"coupling.step", "gear_pump.step"}) {
+    RunContext context;
+    Diagnostics told;
+    const auto path = std::filesystem::path(BURIN_SOURCE_DIR) / "samples" / file;
+    Scene scene = read_scene({path.string()}, {}, context);
+    const std::vector<bool> all(scene.parts.size(), true);
+    const auto a = ExplodeModel(scene, all, context).find({}, told, context).steps;
+    for (Part& part : scene.parts) part.form = placed(part.form, place);
+    const auto b = ExplodeModel(scene, all, context).find({}, told, context).steps;
+    ASSERT_EQ(a.size(), b.size()) << file;
+    for (std::size_t i = 0; i < a.size(); ++i) {
+      EXPECT_EQ(a[i].parts, b[i].parts) << file << " step " << i;
+      // Rays over a fillet meet it at other places.
+      EXPECT_NEAR(0.04 * a[i].by, b[i].by, 0.05 * b[i].by) << file << " step " << i;
+      EXPECT_LT(glm::distance(place.linear * a[i].along / 0.04, b[i].along), 1e-3)
+          << file << " step " << i;
+    }
+  }
 }
 
 INSTANTIATE_TEST_SUITE_P(Files, RealAssemblies,
