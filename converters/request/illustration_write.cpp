@@ -57,6 +57,17 @@ std::string seen_from(const fs::path& folder, const std::string& file) {
   return error || relative.empty() ? file : relative.string();
 }
 
+Json explode_json(const DrawRequest& request, const std::vector<Explode::Step>& steps) {
+  Json explode;
+  explode["steps"] = Json::array();
+  for (const Explode::Step& step : steps) explode["steps"].push_back(step_json(step));
+  const std::vector<std::string>& factor = given_texts(request.options, "explode_factor");
+  if (!factor.empty()) {
+    explode["factor"] = value_of(detail::option_named("explode_factor"), factor.back());
+  }
+  return explode;
+}
+
 Json schema_of(const std::string& option) {
   return Json::parse(value_schema(detail::option_named(option).option));
 }
@@ -215,16 +226,7 @@ std::string first_illustration(const std::vector<std::string>& inputs, const Dra
     if (!uncut.empty()) one["exclude"] = uncut;
     json["section"].push_back(std::move(one));
   }
-  if (!steps.empty()) {
-    json["explode"]["steps"] = Json::array();
-    for (const Explode::Step& step : steps) {
-      json["explode"]["steps"].push_back(step_json(step));
-    }
-    const std::vector<std::string>& factor = given_texts(request.options, "explode_factor");
-    if (!factor.empty()) {
-      json["explode"]["factor"] = value_of(detail::option_named("explode_factor"), factor.back());
-    }
-  }
+  if (!steps.empty()) json["explode"] = explode_json(request, steps);
   json["looks"] = Json::array();
   for (const std::string& selector : given_texts(request.options, "hide")) {
     json["looks"].push_back({{"select", selector}, {"drawn", false}});
@@ -237,6 +239,15 @@ std::string first_illustration(const std::vector<std::string>& inputs, const Dra
     json["looks"].push_back(
         {{"select", look.substr(0, equals)}, {"style", look.substr(equals + 1)}});
   }
+  return json.dump(2) + "\n";
+}
+
+std::string exploded_illustration(const std::string& house, const DrawRequest& request,
+                                  const fs::path& folder, const std::vector<Explode::Step>& steps) {
+  const Json json{{"burin", "illustration"},
+                  {"version", 1},
+                  {"extends", seen_from(folder, house)},
+                  {"explode", explode_json(request, steps)}};
   return json.dump(2) + "\n";
 }
 

@@ -116,6 +116,23 @@ TEST_F(Exploded, AreWrittenForTheAuthorToEdit) {
   EXPECT_NEAR(from_file, top_of(drawing(), 1), 1e-3);
 }
 
+// Where an illustration says which parts there are, another one extends it.
+TEST_F(Exploded, ExtendAnIllustration) {
+  ASSERT_EQ(draw(R"("hidden": "none")"), 0) << err_;
+  ASSERT_EQ(run("illustrate @/a.burin.json -o @/b.burin.json --explode auto"), 0) << err_;
+  const Json json = Json::parse(test::slurp(folder_ / "b.burin.json"));
+  EXPECT_EQ(json["extends"], "a.burin.json");
+  EXPECT_EQ(json["explode"]["steps"].size(), 1U);
+  ASSERT_EQ(run("draw @/b.burin.json -o @/a.json"), 0) << err_;
+  EXPECT_GT(top_of(drawing(), 1), 26);
+  EXPECT_EQ(run("illustrate @/a.burin.json -o @/c.burin.json"), 2);
+  expect_error("is an illustration file already");
+  EXPECT_EQ(run("illustrate @/a.burin.json @/box.off -o @/c.burin.json --explode auto"), 2);
+  expect_error("is an illustration file already");
+  EXPECT_EQ(run("illustrate @/a.burin.json -o @/c.burin.json --explode auto --seed 2"), 2);
+  expect_error("option --seed is for a first file");
+}
+
 TEST_F(Exploded, FollowTheStepsOfTheFile) {
   const std::string steps =
       R"("explode": {"steps": [{"move": "bolt", "along": [0, 0, 2], "by": 40}], "factor": 0.5})";

@@ -60,6 +60,11 @@ std::string first_illustration(const std::vector<std::string>& inputs, const Dra
                                const std::filesystem::path& folder,
                                const std::vector<Explode::Step>& steps = {});
 
+/// A file that extends an illustration, `house`, by the steps of an exploded view.
+std::string exploded_illustration(const std::string& house, const DrawRequest& request,
+                                  const std::filesystem::path& folder,
+                                  const std::vector<Explode::Step>& steps);
+
 /// The JSON Schema (draft 2020-12) of illustration files.
 std::string illustration_schema();
 
