@@ -183,6 +183,7 @@ CLI::App* add_illustrate(CLI::App& app, DrawArguments& a) {
   illustrate->footer(
       "\nExamples:\n"
       "  burin illustrate pump.step base.stl -o pump.burin.json --style engraving --ghost cover\n"
+      "  burin illustrate pump.burin.json --explode auto -o apart.burin.json\n"
       "  burin draw pump.burin.json -o pump.svg");
   return illustrate;
 }

@@ -131,8 +131,7 @@ void run_draw(const DrawArguments& arguments, RunContext& context, Console& cons
   const ThreadLimit limit(plan.threads);
   Scene scene = illustration ? read_scene(*illustration, context)
                              : read_models(arguments, plan, context, kept);
-  select_parts(scene, plan);
-  cut_parts(scene, plan);
+  arrange_parts(scene, plan, context);
   const Camera camera = make_camera(scene, plan);
   for (const Output& output : outputs) check_format(output, camera.paper(), options);
   const Drawing drawing = draw(scene, camera, plan, context, kept ? &kept->session : nullptr);

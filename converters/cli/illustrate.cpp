@@ -2,18 +2,63 @@
 
 #include <burin/base/error.h>
 #include <burin/converters/illustration.h>
+#include <burin/converters/messages.h>
 #include <burin/converters/output.h>
 #include <burin/converters/read.h>
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <ostream>
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace burin::cli {
+namespace {
 
-void run_illustrate(const DrawArguments& arguments) {
+/// Whether an illustration is to be extended by its exploded view. Throws UsageError where it is an
+/// input for anything else.
+bool extends_another(const DrawArguments& arguments, const DrawPlan& plan) {
+  const auto found = std::ranges::find_if(
+      arguments.inputs, [](const std::string& input) { return is_illustration(input); });
+  if (found == arguments.inputs.end()) return false;
+  if (arguments.inputs.size() > 1 || !plan.explode.wanted) {
+    throw UsageError(
+        fmt::format("'{}' is an illustration file already; alone and with --explode auto, one that "
+                    "extends it by the steps of an exploded view is written",
+                    *found));
+  }
+  for (const auto& [name, texts] : arguments.request.options) {
+    if (name == "explode" || name == "explode_factor") continue;
+    throw UsageError(called(name, Spelling::Options) +
+                     " is for a first file; in one that extends an illustration it is a key to be "
+                     "written by hand");
+  }
+  return true;
+}
+
+/// The steps by which a scene comes apart; what is to be said of them is said.
+std::vector<Explode::Step> steps_of(Scene scene, DrawPlan& plan, RunContext& context,
+                                    Console& console) {
+  select_parts(scene, plan);
+  std::vector<Explode::Step> steps = explode_steps(scene, plan, context);
+  console.diagnostics(at_door(scene.diagnostics, Spelling::Options));
+  return steps;
+}
+
+std::string extended(const DrawArguments& arguments, const std::filesystem::path& folder,
+                     RunContext& context, Console& console) {
+  const Illustration house = read_illustration(arguments.inputs.front());
+  DrawPlan plan = make_plan(merged(house.request, arguments.request), Spelling::Options);
+  return exploded_illustration(arguments.inputs.front(), arguments.request, folder,
+                               steps_of(read_scene(house, context), plan, context, console));
+}
+
+}  // namespace
+
+void run_illustrate(const DrawArguments& arguments, RunContext& context, Console& console) {
   if (arguments.inputs.empty()) {
     throw UsageError("no input; name model files: burin illustrate INPUT... -o NAME.burin.json");
   }
@@ -21,7 +66,8 @@ void run_illustrate(const DrawArguments& arguments) {
     throw UsageError("name one output: burin illustrate INPUT... -o NAME.burin.json");
   }
   const std::string& name = arguments.outputs.front();
-  make_plan(arguments.request, Spelling::Options);  // refuses what a drawing would
+  DrawPlan plan = make_plan(arguments.request, Spelling::Options);  // refuses what a drawing would
+  const bool extends = extends_another(arguments, plan);
   check_inputs(arguments.inputs);
   Output output(name, *format_named("json"));
   if (!output.is_stdout()) {
@@ -37,7 +83,16 @@ void run_illustrate(const DrawArguments& arguments) {
   }
   const auto folder =
       output.is_stdout() ? std::filesystem::path() : std::filesystem::path(name).parent_path();
-  const std::string text = first_illustration(arguments.inputs, arguments.request, folder);
+  std::string text;
+  if (extends) {
+    text = extended(arguments, folder, context, console);
+  } else {
+    std::vector<Explode::Step> steps;
+    if (plan.explode.wanted) {
+      steps = steps_of(read_scene(arguments.inputs, plan.read, context), plan, context, console);
+    }
+    text = first_illustration(arguments.inputs, arguments.request, folder, steps);
+  }
   output.write([&](std::ostream& out) { out << text; });
   output.commit();
 }

@@ -136,8 +136,7 @@ DrawingOwner draw(const py::object& source, const py::kwargs& keywords) {
   run(progress, flag, [&](RunContext& context) {
     const ThreadLimit limit(plan.threads);
     Scene scene = from.get(plan.read, context);
-    select_parts(scene, plan);
-    cut_parts(scene, plan);
+    arrange_parts(scene, plan, context);
     const Camera camera = make_camera(scene, plan);
     result->drawing =
         burin::draw(scene, camera, plan, context, session ? &session->session : nullptr);

@@ -5,6 +5,7 @@
 #include <burin/camera/standards.h>
 #include <burin/converters/values.h>
 
+#include "explode_option.h"
 #include "named_files.h"
 
 #include <fmt/format.h>
@@ -223,6 +224,23 @@ std::vector<RequestRow<Draft>> part_rows() {
         .many = true,
         .python = kPython},
        [](Draft& d, const Asked& a) { d.plan.uncut = a.texts; }},
+      {{.option = {.name = "explode",
+                   .meaning = "take the assembly apart: auto, or along one axis alone, x, y, z or "
+                              "a direction, +y and -y one way; none: as if not asked for",
+                   .takes = FreeText{}},
+        .group = kParts,
+        .label = "auto|AXIS",
+        .choices = {"auto", "x", "y", "z", "none"},
+        .python = "str | Sequence[float]"},
+       [](Draft& d, const Asked& a) { set_explode(d.plan.explode, a.spelled, a.text()); }},
+      {{.option = {.name = "explode_factor",
+                   .meaning =
+                       "how far parts have come on their ways, from 0, together, to 1, apart "
+                       "(default 1)",
+                   .takes = NumberRange{0, 10}},
+        .group = kParts,
+        .label = "F"},
+       [](Draft& d, const Asked& a) { d.plan.explode.factor = std::get<double>(a.value); }},
   };
 }
 

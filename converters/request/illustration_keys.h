@@ -20,13 +20,16 @@ const std::vector<IllustrationKey>& illustration_keys();
 /// The option of a drawing or of reading of that name.
 const RequestOption& option_named(const std::string& name);
 
-/// Members of an input beside options about reading, of a look, of a section, of a light.
+/// Members of an input beside options about reading, of a look, of a section, of an exploded view
+/// and its steps, of a light.
 inline const std::vector<std::string> kInputKeys = {"file", "function", "name", "place"};
 inline const std::vector<std::string> kPlaceKeys = {"translate", "rotate", "scale"};
 inline const std::vector<std::string> kLookKeys = {"select", "style", "drawn", "hatched",
                                                    "transparent"};
 inline const std::vector<std::string> kSectionKeys = {"plane", "exclude"};
 inline const std::vector<std::string> kPlaneKeys = {"normal", "offset"};
+inline const std::vector<std::string> kExplodeKeys = {"steps", "along", "base", "fit", "factor"};
+inline const std::vector<std::string> kStepKeys = {"move", "along", "by", "trail"};
 inline const std::vector<std::string> kLightKeys = {"ambient", "from", "at", "strength"};
 
 }  // namespace burin::detail

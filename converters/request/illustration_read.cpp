@@ -6,6 +6,7 @@
 #include <burin/options/json_lines.h>
 
 #include "draw_options.h"
+#include "explode_option.h"
 #include "illustration_keys.h"
 
 #include <fmt/format.h>
@@ -103,10 +104,11 @@ class Reader {
   static const std::vector<Member>& members() {
     static const std::vector<Member> all = [] {
       std::vector<Member> rows = {
-          {"burin", nullptr},        {"version", nullptr},        {"$schema", nullptr},
-          {"extends", nullptr},      {"parts", &Reader::parts},   {"style", &Reader::style},
-          {"looks", &Reader::looks}, {"lights", &Reader::lights}, {"title", &Reader::title},
-          {"view", &Reader::group},  {"paper", &Reader::paper},   {"section", &Reader::sections}};
+          {"burin", nullptr},           {"version", nullptr},        {"$schema", nullptr},
+          {"extends", nullptr},         {"parts", &Reader::parts},   {"style", &Reader::style},
+          {"looks", &Reader::looks},    {"lights", &Reader::lights}, {"title", &Reader::title},
+          {"view", &Reader::group},     {"paper", &Reader::paper},   {"section", &Reader::sections},
+          {"explode", &Reader::explode}};
       for (const detail::IllustrationKey& key : detail::illustration_keys()) {
         const bool grouped = key.path.find('.') != std::string::npos;
         if (!grouped) rows.push_back({key.path, &Reader::option});
@@ -378,6 +380,89 @@ class Reader {
     return cut_option("section", given);
   }
 
+  /// As the option has it, or what it is made of.
+  void explode(const Json& value, const std::string& path) {
+    Explode& explode = out_.request.explode;
+    explode = {.wanted = true, .place = place(path)};
+    if (!value.is_object()) return set_way(explode, value, path, "explode");
+    check_object(value, path, detail::kExplodeKeys);
+    if (value.contains("steps")) {
+      for (const char* other : {"along", "base", "fit"}) {
+        if (value.contains(other)) {
+          fail(fmt::format("{}/{}", path, other),
+               fmt::format("\"{}\" is for steps that are found; here \"steps\" are given", other));
+        }
+      }
+      const Json& steps = value["steps"];
+      check_array(steps, path + "/steps");
+      if (steps.empty()) fail(path + "/steps", "\"steps\" has none; without it they are found");
+      for (std::size_t i = 0; i < steps.size(); ++i) {
+        explode.steps.push_back(step(steps[i], fmt::format("{}/steps/{}", path, i)));
+      }
+    }
+    if (value.contains("along")) set_way(explode, value["along"], path + "/along", "along");
+    if (value.contains("base")) {
+      explode.base = text(value["base"], path + "/base");
+      explode.place = place(path + "/base");
+    }
+    if (value.contains("fit")) {
+      explode.fit = within(value["fit"], path + "/fit", 0, 1e6, "mm from 0");
+    }
+    if (value.contains("factor")) {
+      explode.factor = within(value["factor"], path + "/factor", 0, 10, "0 to 10");
+    }
+  }
+
+  void set_way(Explode& explode, const Json& value, const std::string& path,
+               const std::string& key) const {
+    const bool list = value.is_array() && value.size() == 3;
+    const std::string given = list ? text_of(value) : text(value, path);
+    check(detail::draw_rows(), "explode", {given}, path, key);
+    detail::set_explode(explode, key, given);
+  }
+
+  double within(const Json& value, const std::string& path, double least, double most,
+                const char* takes) const {
+    const double given = number(value, path);
+    if (!(given >= least && given <= most)) {
+      fail(path, fmt::format("{} takes {}, not {}", named(path), takes, value.dump()));
+    }
+    return given;
+  }
+
+  Explode::Step step(const Json& value, const std::string& path) const {
+    check_object(value, path, detail::kStepKeys);
+    for (const char* key : {"move", "along", "by"}) {
+      if (!value.contains(key)) {
+        fail(path,
+             fmt::format("a step has \"move\", \"along\" and \"by\"; \"{}\" is missing", key));
+      }
+    }
+    Explode::Step step;
+    step.place = place(path);
+    const Json& move = value["move"];
+    const Json selectors = move.is_array() ? move : Json::array({move});
+    if (selectors.empty()) fail(path + "/move", "\"move\" names no parts");
+    for (const Json& selector : selectors) step.move.push_back(text(selector, path + "/move"));
+    const Vec3 along = vector(value["along"], path + "/along");
+    const double length = glm::length(along);
+    if (!(length > 0 && length < 1e300)) {
+      fail(path + "/along", "\"along\" takes a direction but 0,0,0");
+    }
+    step.along = along / length;
+    step.by = number(value["by"], path + "/by");
+    if (!(step.by > 0 && step.by <= 1e12)) {
+      fail(path + "/by", fmt::format("\"by\" takes mm over 0, not {}: a step moves parts, and "
+                                     "\"along\" says which way",
+                                     value["by"].dump()));
+    }
+    if (value.contains("trail")) {
+      if (!value["trail"].is_boolean()) fail(path + "/trail", "\"trail\" takes true or false");
+      step.trail = value["trail"].get<bool>();
+    }
+    return step;
+  }
+
   void lights(const Json& value, const std::string& path) {
     check_array(value, path);
     out_.request.lights.clear();
@@ -559,6 +644,7 @@ DrawRequest merged(const DrawRequest& file, const DrawRequest& door) {
   all.looks.insert(all.looks.end(), door.looks.begin(), door.looks.end());
   if (!door.lights.empty()) all.lights = door.lights;
   all.sections.insert(all.sections.end(), door.sections.begin(), door.sections.end());
+  if (door.explode.wanted) all.explode = door.explode;
   if (!door.title.empty()) all.title = door.title;
   return all;
 }

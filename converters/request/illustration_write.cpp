@@ -2,9 +2,11 @@
 
 #include "illustration_keys.h"
 
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <cstdlib>
 
 namespace burin {
 namespace {
@@ -40,10 +42,30 @@ Json style_value(const std::string& key, const std::string& text) {
   return text;  // "strokes.2.kind"
 }
 
+/// To six digits: no picture shows more, and an author reads them.
+double rounded(double value) { return std::strtod(fmt::format("{:.6g}", value).c_str(), nullptr); }
+
+Json step_json(const Explode::Step& step) {
+  Json along = Json::array();
+  for (int k = 0; k < 3; ++k) along.push_back(rounded(step.along[k]) + 0.0);
+  return {{"move", step.move}, {"along", along}, {"by", rounded(step.by)}, {"trail", step.trail}};
+}
+
 std::string seen_from(const fs::path& folder, const std::string& file) {
   std::error_code error;
   const fs::path relative = fs::relative(file, folder.empty() ? fs::path(".") : folder, error);
   return error || relative.empty() ? file : relative.string();
+}
+
+Json explode_json(const DrawRequest& request, const std::vector<Explode::Step>& steps) {
+  Json explode;
+  explode["steps"] = Json::array();
+  for (const Explode::Step& step : steps) explode["steps"].push_back(step_json(step));
+  const std::vector<std::string>& factor = given_texts(request.options, "explode_factor");
+  if (!factor.empty()) {
+    explode["factor"] = value_of(detail::option_named("explode_factor"), factor.back());
+  }
+  return explode;
 }
 
 Json schema_of(const std::string& option) {
@@ -121,6 +143,33 @@ Json section_schema() {
   return {{"anyOf", {plane_text, section}}};
 }
 
+Json explode_schema() {
+  const Json way = text("auto, none, x, y or z, one with a sign, or X,Y,Z");
+  const Json ways = {{"anyOf", {way, vector_of("one way alone")}}};
+  const Json selector = text("what moves: a part or an assembly, as in looks");
+  Json step = object_of({{"move", {{"anyOf", {selector, list_of(selector)}}}},
+                         {"along", vector_of("the way, in model axes")},
+                         {"by",
+                          {{"description", "model mm"},
+                           {"type", "number"},
+                           {"exclusiveMinimum", 0},
+                           {"maximum", 1e12}}},
+                         {"trail", flag("false: no line shows the way")}});
+  step["required"] = {"move", "along", "by"};
+  Json steps = list_of(step);
+  steps["minItems"] = 1;
+  const Json whole = object_of({{"steps", steps},
+                                {"along", ways},
+                                {"base", text("the part that stays where steps are found")},
+                                {"fit",
+                                 {{"description", "model mm that parts may lie in each other"},
+                                  {"type", "number"},
+                                  {"minimum", 0},
+                                  {"maximum", 1e6}}},
+                                {"factor", {{"type", "number"}, {"minimum", 0}, {"maximum", 10}}}});
+  return {{"anyOf", {ways, whole}}};
+}
+
 Json light_schema() {
   const Json strength = {{"type", "number"}, {"minimum", 0}, {"maximum", 10}};
   return object_of({{"ambient", strength},
@@ -132,7 +181,7 @@ Json light_schema() {
 }  // namespace
 
 std::string first_illustration(const std::vector<std::string>& inputs, const DrawRequest& request,
-                               const fs::path& folder) {
+                               const fs::path& folder, const std::vector<Explode::Step>& steps) {
   Json json{{"burin", "illustration"}, {"version", 1}, {"parts", Json::array()}};
   Request reading;
   for (const auto& row : read_option_rows()) {
@@ -177,6 +226,7 @@ std::string first_illustration(const std::vector<std::string>& inputs, const Dra
     if (!uncut.empty()) one["exclude"] = uncut;
     json["section"].push_back(std::move(one));
   }
+  if (!steps.empty()) json["explode"] = explode_json(request, steps);
   json["looks"] = Json::array();
   for (const std::string& selector : given_texts(request.options, "hide")) {
     json["looks"].push_back({{"select", selector}, {"drawn", false}});
@@ -189,6 +239,15 @@ std::string first_illustration(const std::vector<std::string>& inputs, const Dra
     json["looks"].push_back(
         {{"select", look.substr(0, equals)}, {"style", look.substr(equals + 1)}});
   }
+  return json.dump(2) + "\n";
+}
+
+std::string exploded_illustration(const std::string& house, const DrawRequest& request,
+                                  const fs::path& folder, const std::vector<Explode::Step>& steps) {
+  const Json json{{"burin", "illustration"},
+                  {"version", 1},
+                  {"extends", seen_from(folder, house)},
+                  {"explode", explode_json(request, steps)}};
   return json.dump(2) + "\n";
 }
 
@@ -205,6 +264,7 @@ std::string illustration_schema() {
   members["style"] = style;
   members["looks"] = list_of(look_schema(style));
   members["lights"] = list_of(light_schema());
+  members["explode"] = explode_schema();
   members["section"] = {{"anyOf", {section_schema(), list_of(section_schema())}}};
   for (const detail::IllustrationKey& key : detail::illustration_keys()) {
     const std::size_t dot = key.path.find('.');

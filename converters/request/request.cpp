@@ -53,6 +53,9 @@ void note_unused(const DrawRequest& r, Spelling spelling, const Style& named, Dr
     note(fmt::format("{} has no effect: style '{}' draws hidden lines in full (halo.hidden)",
                      called("hidden", spelling), plan.style.name));
   }
+  if (r.has("explode_factor") && !plan.explode.wanted) {
+    note(called("explode_factor", spelling) + " has no effect: nothing comes apart");
+  }
   if (r.has("up")) {
     constexpr double kAlong = 1e-6;  // radians, as Camera has it
     const Vec3 up = glm::normalize(plan.view.up), to = glm::normalize(plan.view.direction);
@@ -218,6 +221,7 @@ DrawPlan make_plan(const DrawRequest& request, Spelling spelling) {
   draft.plan.title = request.title;
   for (const Look& look : request.looks) draft.plan.looks.push_back({look});
   draft.plan.sections = request.sections;
+  draft.plan.explode = request.explode;
   apply(detail::draw_rows(), request.options, spelling, draft);
   draft.plan.spelling = spelling;
   check_style(draft.plan.style);

@@ -83,7 +83,8 @@ void append_polyline(Groups& out, const Item& item, const std::vector<Vec3>& poi
   append_entity(out, "LWPOLYLINE", "AcDbPolyline", item, handle);
   const bool closed = item.path->closed && points.size() > 2;
   out.whole(90, static_cast<std::int64_t>(points.size()));
-  out.whole(70, (closed ? kClosed : 0) + (item.layer->dashed ? kDashesGoOn : 0));
+  out.whole(70,
+            (closed ? kClosed : 0) + (item.layer->linetype != dxf::kContinuous ? kDashesGoOn : 0));
   const bool widths = has_true_width(*item.path);
   const bool varies = has_varying_width(*item.path);
   if (!varies) out.real(43, widths ? 2 * points[0].z : 0);
@@ -171,13 +172,18 @@ int common_weight(const InkLayer& layer) {
   return best;
 }
 
+std::string_view linetype_of(const InkLayer& layer) {
+  if (layer.name == kHiddenLayer) return dxf::kDashed;
+  return layer.name == kTrailLayer ? dxf::kDashDot : dxf::kContinuous;
+}
+
 dxf::Frame frame_of(const Drawing& drawing, const std::vector<Item>& items,
                     const SvgOptions& options) {
   dxf::Frame frame;
   frame.sheet = {drawing.paper_width, drawing.paper_height};
   frame.high = frame.sheet;
-  frame.dash = options.dashes.dash;
-  frame.gap = options.dashes.gap;
+  frame.dashes = InkLayer{std::string(kHiddenLayer), {}}.dashes(options.dashes);
+  frame.dash_dots = InkLayer{std::string(kTrailLayer), {}}.dashes(options.dashes);
   bool first = true;
   for (const Item& item : items) {
     for (const Vec2& p : item.path->points) {
@@ -202,7 +208,7 @@ void write_dxf(const Drawing& drawing, const WriteOptions& options, std::ostream
   rows.reserve(layers.size());  // items point to them
   std::vector<Item> items;
   for (const InkLayer& layer : layers) {
-    rows.push_back({dxf::symbol_name(layer.name, rows), layer.is_hidden(), common_weight(layer)});
+    rows.push_back({dxf::symbol_name(layer.name, rows), linetype_of(layer), common_weight(layer)});
     for (const auto& [part, paths] : layer.parts) {
       for (const Path* path : paths) items.push_back({path, &rows.back()});
     }

@@ -6,6 +6,7 @@
 #include "dxf_groups.h"
 
 #include <algorithm>
+#include <numeric>
 
 namespace burin::dxf {
 namespace {
@@ -70,7 +71,7 @@ void append_vport(Groups& out, const Frame& f) {
 }
 
 void append_linetypes(Groups& out, const Frame& f) {
-  begin_table(out, "LTYPE", Fixed::LtypeTable, 4);
+  begin_table(out, "LTYPE", Fixed::LtypeTable, 5);
   const auto plain = [&](Fixed handle, std::string_view name, std::string_view description) {
     row(out, "LTYPE", handle, Fixed::LtypeTable, "AcDbLinetypeTableRecord");
     out.text(2, name).whole(70, 0).text(3, description).whole(72, 65).whole(73, 0).real(40, 0);
@@ -78,10 +79,18 @@ void append_linetypes(Groups& out, const Frame& f) {
   plain(Fixed::ByBlock, "ByBlock", "");
   plain(Fixed::ByLayer, "ByLayer", "");
   plain(Fixed::Continuous, kContinuous, "Solid line");
-  row(out, "LTYPE", Fixed::Dashed, Fixed::LtypeTable, "AcDbLinetypeTableRecord");
-  out.text(2, kDashed).whole(70, 0).text(3, "ISO 128 dashed __ __ __").whole(72, 65);
-  out.whole(73, 2).real(40, f.dash + f.gap);
-  out.real(49, f.dash).whole(74, 0).real(49, -f.gap).whole(74, 0);
+  const auto broken = [&](Fixed handle, std::string_view name, std::string_view description,
+                          const std::vector<double>& lengths) {
+    row(out, "LTYPE", handle, Fixed::LtypeTable, "AcDbLinetypeTableRecord");
+    out.text(2, name).whole(70, 0).text(3, description).whole(72, 65);
+    out.whole(73, static_cast<std::int64_t>(lengths.size()));
+    out.real(40, std::accumulate(lengths.begin(), lengths.end(), 0.0));
+    for (std::size_t i = 0; i < lengths.size(); ++i) {
+      out.real(49, i % 2 == 0 ? lengths[i] : -lengths[i]).whole(74, 0);
+    }
+  };
+  broken(Fixed::Dashed, kDashed, "ISO 128 dashed __ __ __", f.dashes);
+  broken(Fixed::DashDot, kDashDot, "ISO 128 dash dot __ . __ . __", f.dash_dots);
   end_table(out);
 }
 
@@ -91,10 +100,10 @@ void append_layers(Groups& out, const std::vector<LayerRow>& layers) {
   const auto one = [&](std::uint64_t handle, const LayerRow& layer) {
     row(out, "LAYER", handle, Fixed::LayerTable, "AcDbLayerTableRecord");
     out.text(2, layer.name).whole(70, 0).whole(62, kBlack);
-    out.text(6, layer.dashed ? kDashed : kContinuous).whole(370, layer.weight);
+    out.text(6, layer.linetype).whole(370, layer.weight);
     out.handle(390, Fixed::Placeholder);
   };
-  one(static_cast<std::uint64_t>(Fixed::LayerZero), {"0", false, 25});
+  one(static_cast<std::uint64_t>(Fixed::LayerZero), {"0", kContinuous, 25});
   auto handle = static_cast<std::uint64_t>(Fixed::FirstLayer);
   for (const LayerRow& layer : layers) one(handle++, layer);
   end_table(out);

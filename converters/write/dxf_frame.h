@@ -5,6 +5,8 @@
 #include <burin/drawing/drawing.h>
 #include <burin/drawing/text.h>
 
+#include "dxf_groups.h"
+
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -14,7 +16,7 @@ namespace burin::dxf {
 /// A layer of the file.
 struct LayerRow {
   std::string name;
-  bool dashed = false;
+  std::string_view linetype = kContinuous;
   /// The line weight that most of its paths have, in 1/100 mm.
   int weight = 25;
 };
@@ -26,7 +28,7 @@ std::string symbol_name(std::string_view name, const std::vector<LayerRow>& take
 /// Sizes that the head tells of.
 struct Frame {
   Vec2 sheet{0}, low{0}, high{0};
-  double dash = 2, gap = 1;
+  std::vector<double> dashes, dash_dots;
   std::uint64_t next_handle = 0;
 };
 

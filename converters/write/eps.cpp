@@ -6,6 +6,8 @@
 #include <burin/drawing/text.h>
 #include <burin/drawing/title.h>
 
+#include <fmt/ranges.h>
+
 #include <cmath>
 #include <ostream>
 #include <string>
@@ -114,10 +116,9 @@ std::vector<Item> items_of(const std::vector<InkLayer>& layers, std::string befo
   std::vector<Item> items;
   for (const InkLayer& layer : layers) {
     before += fmt::format("% layer {}\n", plain(layer.name));
-    before += layer.is_hidden()
-                  ? fmt::format("[{} {}] 0 setdash\n", options.dashes.dash * kUnitsPerMm,
-                                options.dashes.gap * kUnitsPerMm)
-                  : "[] 0 setdash\n";
+    std::vector<double> dashes = layer.dashes(options.dashes);
+    for (double& length : dashes) length *= kUnitsPerMm;
+    before += fmt::format("[{}] 0 setdash\n", fmt::join(dashes, " "));
     for (const auto& [part, paths] : layer.parts) {
       for (const Path* path : paths) {
         items.push_back({std::move(before), path});

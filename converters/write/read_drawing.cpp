@@ -28,7 +28,7 @@ LineClass kind_named(const JsonPlace& place) {
   std::string name;
   place.set(name);
   std::vector<std::string> known;
-  for (int i = 0; i <= static_cast<int>(LineClass::Pattern); ++i) {
+  for (int i = 0; i <= static_cast<int>(LineClass::Trail); ++i) {
     const auto kind = static_cast<LineClass>(i);
     if (name == to_string(kind)) return kind;
     known.emplace_back(to_string(kind));

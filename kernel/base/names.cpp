@@ -30,6 +30,8 @@ const char* to_string(LineClass kind) {
       return "stroke";
     case LineClass::Pattern:
       return "pattern";
+    case LineClass::Trail:
+      return "trail";
   }
   return "unknown";
 }

@@ -17,7 +17,7 @@ from xml.sax.saxutils import escape
 HERE = pathlib.Path(__file__).resolve().parent
 # Parts of a room that are targets of their own, because a library's headers are theirs alone.
 PARTS = ("_exact", "_refine", "_occt")
-LIBRARIES = {"OpenMeshCore": "OpenMesh", "embree": "Embree", "CGAL": "CGAL", "Eigen3::Eigen": "Eigen", "TBB::tbb": "TBB",
+LIBRARIES = {"OpenMeshCore": "OpenMesh", "embree": "Embree", "CGAL": "CGAL", "Eigen3::Eigen": "Eigen", "Boost::headers": "Boost", "TBB::tbb": "TBB",
              "glm::glm": "GLM", "nlohmann_json::nlohmann_json": "JSON", "pugixml::pugixml": "pugixml", "ZLIB::ZLIB": "zlib",
              "libzip.so": "libzip", "PkgConfig::CAIRO": "cairo", "CLI11::CLI11": "CLI11", "pybind11::module": "pybind11"}
 OUTSIDE = ("samples", "cad_samples", "bench", "judge", "fuzz")  # no rooms: they are built from them

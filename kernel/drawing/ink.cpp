@@ -55,6 +55,13 @@ std::vector<std::vector<CubicBezier>> outline_of(const Path& p, double tolerance
 
 }  // namespace
 
+std::vector<double> InkLayer::dashes(const DashOptions& options) const {
+  if (name == kHiddenLayer) return {options.dash, options.gap};
+  constexpr double kDot = 0.01;  // paper mm: its round caps make it a dot
+  if (name == kTrailLayer) return {2 * options.dash, options.gap, kDot, options.gap};
+  return {};
+}
+
 std::vector<InkLayer> ink_layers(const Drawing& drawing) {
   std::vector<InkLayer> layers;
   InkLayer hidden{std::string(kHiddenLayer), {}};

@@ -66,13 +66,12 @@ std::string svg_layer_tag(const InkLayer& layer, const std::string& id, std::str
   append(out, fmt::format("\" fill=\"none\" stroke=\"{}\" stroke-linecap=\"round\" "
                           "stroke-linejoin=\"round\"",
                           ink));
-  if (layer.is_hidden()) {
-    append(out, " stroke-dasharray=\"");
-    append_fixed(out, options.dashes.dash, 3);
-    out.push_back(' ');
-    append_fixed(out, options.dashes.gap, 3);
-    out.push_back('"');
+  const std::vector<double> dashes = layer.dashes(options.dashes);
+  for (std::size_t i = 0; i < dashes.size(); ++i) {
+    append(out, i == 0 ? " stroke-dasharray=\"" : " ");
+    append_fixed(out, dashes[i], 3);
   }
+  if (!dashes.empty()) out.push_back('"');
   append(out, ">\n");
   return fmt::to_string(out);
 }

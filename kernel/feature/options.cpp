@@ -14,6 +14,8 @@ const std::vector<OptionRow<FeatureOptions>>& feature_option_rows() {
            "draw the edges of CAD parts where a face meets itself"),
       flag("intersections", &FeatureOptions::intersections,
            "draw the lines where parts pass through each other"),
+      flag("trails", &FeatureOptions::trails,
+           "draw the lines on which parts of exploded views have come"),
       options::number("crease_angle", &FeatureOptions::crease_angle, {0, 180, "degrees"},
                       "degrees between neighbouring triangles from which an edge is sharp"),
   };

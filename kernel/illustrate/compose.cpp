@@ -177,7 +177,7 @@ void compose_strokes(const LinesToDraw& lines, const std::vector<Gaps>& gaps,
 void compose_features(const LinesToDraw& lines, const std::vector<Gaps>& gaps,
                       const Composition& how, Drawing& drawing, std::vector<Path>* found) {
   std::vector<Layer> layers;
-  for (const char* name : {"hidden", "behind", "pattern", "seam", "smooth", "intersection",
+  for (const char* name : {"hidden", "behind", "trail", "pattern", "seam", "smooth", "intersection",
                            "crease", "section", "boundary", "contour", "outline"}) {
     layers.push_back({name, {}});
   }
@@ -185,8 +185,9 @@ void compose_features(const LinesToDraw& lines, const std::vector<Gaps>& gaps,
     const Curve3& curve = lines.features[i];
     if (!how.draws(curve)) continue;
     for (const Span& span : drawn_spans(curve, lines.feature_spans[i], gaps[i])) {
-      const bool hatching = curve.kind == LineClass::Pattern;  // hidden it says nothing
-      if (!span.visible && (hatching || !how.shows_hidden())) {
+      // Hidden they say nothing.
+      const bool shown_alone = curve.kind == LineClass::Pattern || curve.kind == LineClass::Trail;
+      if (!span.visible && (shown_alone || !how.shows_hidden())) {
         if (found) keep(to_path(piece(curve, span), how.camera), false, found);
         continue;
       }
@@ -236,6 +237,8 @@ double Composition::feature_width(const Curve3& feature, const Span& span) const
       return line.smooth;
     case LineClass::Section:
       return line.contour;
+    case LineClass::Trail:
+      return line.trail;
     default:
       return line.crease;
   }
@@ -257,6 +260,8 @@ bool Composition::draws(const Curve3& feature) const {
     case LineClass::Section:
     case LineClass::Pattern:
       return true;
+    case LineClass::Trail:
+      return drawn.trails;
     default:
       return drawn.creases;
   }

@@ -9,7 +9,13 @@ namespace {
 // Cosine between normal and view down to which a stroke's surface has a slope: strokes end there.
 constexpr double kMostSlanted = 0.02;
 
+// Paper mm of white beside the lines of exploded views where a style has no haloes: over strokes
+// they would be lost.
+constexpr double kTrailGap = 0.3;
+
 bool casts(const Style& style, const Curve3& curve) {
+  if (curve.kind == LineClass::Trail) return true;
+  if (style.halo.gap <= 0) return false;
   if (curve.kind == LineClass::Stroke) return style.halo.lines == HaloStyle::Lines::All;
   return style.halo.lines != HaloStyle::Lines::Occluding || curve.occluding ||
          curve.kind == LineClass::Boundary;
@@ -69,13 +75,18 @@ Haloes find_haloes(const LinesToDraw& lines, const Composition& how, const RunCo
   Haloes out;
   out.features.resize(lines.features.size());
   out.strokes.resize(lines.strokes.size());
-  const double gap = how.style.halo.gap;
-  if (gap <= 0) return out;
+  const bool trails = std::ranges::any_of(lines.features, [&](const Curve3& curve) {
+    return curve.kind == LineClass::Trail && how.draws(curve);
+  });
+  if (how.style.halo.gap <= 0 && !trails) return out;
+  const double gap = how.style.halo.gap > 0 ? how.style.halo.gap : kTrailGap;
   std::vector<HaloLine> all;
   for (std::size_t i = 0; i < lines.features.size(); ++i) {
     const bool drawn = how.draws(lines.features[i]);
     all.push_back(drawn ? feature_line(lines.features[i], lines.feature_spans[i], how)
                         : HaloLine{});
+    // Trails alone leave the lines of the shape whole.
+    all.back().interrupted = how.style.halo.gap > 0;
   }
   for (std::size_t i = 0; i < lines.strokes.size(); ++i) {
     all.push_back(stroke_line(lines.strokes[i], lines.stroke_spans[i], how));

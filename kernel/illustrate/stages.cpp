@@ -106,6 +106,7 @@ std::shared_ptr<Stages::Lines> Stages::lines_of(const View& view, RunContext& co
     for (Curve3& line : hatch_cuts(proxies, view.camera, context)) {
       features.push_back(std::move(line));
     }
+    features.insert(features.end(), view.trails.begin(), view.trails.end());
     return std::make_shared<Lines>(
         Lines{Sight(view.occluders, view.camera, std::move(features), view.closes_outline),
               std::move(said)});
@@ -140,8 +141,9 @@ Drawing Stages::draw_lines(const Scene& scene, const Camera& camera, const Style
   if (states_gamma(part_styles)) drawing.stats.tone_gamma = told.tone_gamma;
 
   context.begin_stage(RunStage::Features);
-  const std::shared_ptr<Lines> features =
-      lines_of({trees, camera, feature_options(part_styles), draws_outline(part_styles)}, context);
+  const std::shared_ptr<Lines> features = lines_of(
+      {trees, camera, feature_options(part_styles), draws_outline(part_styles), options.trails},
+      context);
   drawing.diagnostics.append(features->said);
 
   context.begin_stage(RunStage::Visibility);

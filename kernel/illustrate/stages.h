@@ -41,6 +41,7 @@ class Stages {
     Camera camera;
     FeatureOptions features;
     bool closes_outline = false;
+    std::vector<Curve3> trails;
     bool operator==(const View&) const = default;
   };
   struct Lines {

@@ -26,6 +26,8 @@ std::vector<OptionRow<LineOptions>> line_rows() {
       number("intersection", &LineOptions::intersection, width,
              "width of lines where parts pass through each other, in mm"),
       number("hidden", &LineOptions::hidden, width, "width of hidden lines, in mm"),
+      number("trail", &LineOptions::trail, width,
+             "width of the lines on which parts of exploded views have come, in mm"),
   };
 }
 

@@ -211,6 +211,9 @@ class PlacedForm final : public Form {
            placed->instances_->form()->same_as(*instances_->form());
   }
 
+  const std::shared_ptr<Instances>& instances() const { return instances_; }
+  const Placement& placement() const { return place_.to; }
+
  private:
   std::shared_ptr<Instances> instances_;
   Place place_;
@@ -226,13 +229,19 @@ bool turns(const Placement& placement) {
 
 }  // namespace
 
-Placer::Placer(std::shared_ptr<const Form> form)
-    : instances_(std::make_shared<Instances>(std::move(form))) {}
+Placer::Placer(std::shared_ptr<const Form> form) : form_(std::move(form)) {
+  if (const auto* already = dynamic_cast<const PlacedForm*>(form_.get())) {
+    instances_ = already->instances();
+    before_ = already->placement();
+  } else {
+    instances_ = std::make_shared<Instances>(form_);
+  }
+}
 
 std::shared_ptr<const Form> Placer::at(const Placement& placement) const {
-  if (!placement.moves()) return instances_->form();
+  if (!placement.moves()) return form_;
   if (!turns(placement)) throw UsageError("a placement turns, scales by one factor and moves");
-  return std::make_shared<PlacedForm>(instances_, placement);
+  return std::make_shared<PlacedForm>(instances_, after(placement, before_));
 }
 
 std::shared_ptr<const Form> placed(std::shared_ptr<const Form> form, const Placement& placement) {

@@ -100,7 +100,9 @@ Tested test_line(const Path& path, const Camera& camera, const Referee& referee,
   for (std::size_t i = 0; i < places.size(); ++i) {
     const Finding finding = referee.test(places[i].model, path.visible, fold);
     const bool shown = finding == Finding::Open && is_feature(path) && drawn.near(places[i].paper);
-    if (finding == Finding::Holds || shown) {
+    // Trails of exploded views lie on nothing.
+    const bool on_nothing = finding == Finding::Adrift && path.kind == LineClass::Trail;
+    if (finding == Finding::Holds || shown || on_nothing) {
       close(i);
     } else {
       ++run;

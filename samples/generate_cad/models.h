@@ -35,5 +35,8 @@ struct Assembly {
 
 /// A flange coupling: two hubs, two shafts with keys, six bolts with nuts and washers.
 Assembly coupling();
+/// A gear pump: body, gasket, cover, two shafts with gears and keys, dowels, six screws with
+/// washers.
+Assembly pump();
 
 }  // namespace burin::samples

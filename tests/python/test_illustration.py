@@ -81,6 +81,21 @@ class Illustrations(unittest.TestCase):
         with self.assertRaisesRegex(TypeError, "\"name\" is text, not 3"):
             burin.select([{"name": 3}], "bolt")
 
+    def test_exploded_views(self):
+        apart = {**TWO, "explode": {"steps": [{"move": "ring", "along": [0, 0, -1], "by": 80}]}}
+        self.assertTrue(burin.illustration(apart)["explode"])
+        self.assertFalse(burin.illustration(TWO)["explode"])
+        together, drawn = burin.draw(TWO, style="outline"), burin.draw(apart, style="outline")
+        self.assertLess(drawn.view.scale, together.view.scale, "it needs more of the sheet")
+        self.assertEqual(burin.draw(apart, style="outline", explode="none").view.scale, together.view.scale)
+        for way in ("auto", "z", [0, 0, 1]):
+            drawing = burin.draw(SAMPLES / "gear_pump.step", style="outline", explode=way)
+            self.assertIn("trail", [layer.name for layer in drawing.layers])
+        with self.assertRaisesRegex(burin.UsageError, "argument explode takes auto, none"):
+            burin.draw(SAMPLES / "bracket.off", explode="w")
+        with self.assertRaisesRegex(burin.UsageError, "argument explode_factor takes 0 to 10"):
+            burin.draw(SAMPLES / "bracket.off", explode_factor=11)
+
     def test_keywords_hold_over_the_illustration(self):
         drawing = burin.draw(TWO, paper="A6", hide="ring", style="outline")
         self.assertEqual(drawing.paper, (148, 105))

@@ -65,8 +65,7 @@ void set_metadata(cairo_surface_t* surface, const Drawing& drawing) {
 }
 
 /// Paints shapes, up to `together` neighbours of one pen as one path, and drops their ink.
-void paint_all(cairo_t* pen, std::span<Shape> shapes, std::size_t together,
-               const WriteOptions& options) {
+void paint_all(cairo_t* pen, std::span<Shape> shapes, std::size_t together) {
   std::size_t traced = 0;
   for (std::size_t i = 0; i < shapes.size(); ++i) {
     trace(pen, shapes[i]);
@@ -74,7 +73,7 @@ void paint_all(cairo_t* pen, std::span<Shape> shapes, std::size_t together,
     ++traced;
     const bool last = i + 1 == shapes.size() || !same_pen(shapes[i], shapes[i + 1]);
     if (!last && traced < together) continue;
-    paint_traced(pen, shapes[i], options);
+    paint_traced(pen, shapes[i]);
     traced = 0;
   }
 }
@@ -91,7 +90,7 @@ void write_pdf(const Drawing& drawing, const WriteOptions& options, std::ostream
   cairo_pdf_surface_restrict_to_version(surface.get(), CAIRO_PDF_VERSION_1_5);
   set_metadata(surface.get(), drawing);
   const NearSheet sheet(drawing);
-  std::vector<Shape> shapes = shapes_of(sheet.layers());
+  std::vector<Shape> shapes = shapes_of(sheet.layers(), options.svg.dashes);
   {
     const Pen pen = pen_on(surface.get(), h, kPointsPerMm, 0);
     const auto use = [&](const std::string& color) {
@@ -106,7 +105,7 @@ void write_pdf(const Drawing& drawing, const WriteOptions& options, std::ostream
     for (std::size_t begin = 0; begin < shapes.size(); begin += kAtOnce) {
       const auto some = std::span(shapes).subspan(begin, std::min(kAtOnce, shapes.size() - begin));
       fit_ink(some, options.svg.fit_tolerance, context);
-      paint_all(pen.get(), some, shapes.size() > kMany ? kTogether : 1, options);
+      paint_all(pen.get(), some, shapes.size() > kMany ? kTogether : 1);
       context.check();
       if (options.progress) {
         options.progress(0.8 * static_cast<double>(begin) / static_cast<double>(shapes.size()));

@@ -64,8 +64,7 @@ std::vector<std::vector<std::uint32_t>> by_band(const std::vector<Shape>& shapes
 
 /// The ink of one band, 0 to 255 a pixel.
 Surface painted(const std::vector<Shape>& shapes, const std::vector<std::uint32_t>& chosen,
-                const Grid& grid, int band, const Drawing& drawing, const WriteOptions& options,
-                const RunContext& context) {
+                const Grid& grid, int band, const Drawing& drawing, const RunContext& context) {
   constexpr std::size_t kBetweenPolls = 256;
   const int top = band * grid.rows;
   Surface surface(cairo_image_surface_create(CAIRO_FORMAT_A8, grid.width,
@@ -76,7 +75,7 @@ Surface painted(const std::vector<Shape>& shapes, const std::vector<std::uint32_
   for (std::size_t k = 0; k < chosen.size(); ++k) {
     if (k % kBetweenPolls == 0) context.check();
     trace(pen.get(), shapes[chosen[k]]);
-    paint_traced(pen.get(), shapes[chosen[k]], options);
+    paint_traced(pen.get(), shapes[chosen[k]]);
   }
   check(cairo_status(pen.get()));
   cairo_surface_flush(surface.get());
@@ -187,7 +186,7 @@ void write_png(const Drawing& drawing, const WriteOptions& options, std::ostream
                const RunContext& context) {
   const Grid grid(drawing, options.png.dpi);
   const NearSheet sheet(drawing);
-  std::vector<Shape> shapes = shapes_of(sheet.layers());
+  std::vector<Shape> shapes = shapes_of(sheet.layers(), options.svg.dashes);
   fit_ink(shapes, options.svg.fit_tolerance, context);
   const auto chosen = by_band(shapes, grid, drawing.paper_height);
   PngFile file(out, grid, drawing, options.png);
@@ -198,8 +197,8 @@ void write_png(const Drawing& drawing, const WriteOptions& options, std::ostream
         bands.size(), 1,
         [&](std::size_t k, std::size_t) {
           const int band = begin + static_cast<int>(k);
-          bands[k] = painted(shapes, chosen[static_cast<std::size_t>(band)], grid, band, drawing,
-                             options, context);
+          bands[k] =
+              painted(shapes, chosen[static_cast<std::size_t>(band)], grid, band, drawing, context);
         },
         &context);
     for (const Surface& band : bands) {

@@ -3,7 +3,6 @@
 #include <burin/base/error.h>
 #include <burin/base/parallel.h>
 
-#include <array>
 #include <new>
 #include <string>
 
@@ -15,11 +14,11 @@ constexpr double kStraight = 0.0005;  // paper mm
 
 }  // namespace
 
-std::vector<Shape> shapes_of(const std::vector<InkLayer>& layers) {
+std::vector<Shape> shapes_of(const std::vector<InkLayer>& layers, const DashOptions& options) {
   std::vector<Shape> shapes;
   for (const InkLayer& layer : layers) {
     for (const auto& [part, paths] : layer.parts) {
-      for (const Path* path : paths) shapes.push_back({path, layer.is_hidden(), {}});
+      for (const Path* path : paths) shapes.push_back({path, layer.dashes(options), {}});
     }
   }
   return shapes;
@@ -68,17 +67,16 @@ void trace(cairo_t* pen, const Shape& shape) {
   }
 }
 
-void paint_traced(cairo_t* pen, const Shape& shape, const WriteOptions& options) {
+void paint_traced(cairo_t* pen, const Shape& shape) {
   if (shape.ink.filled) return cairo_fill(pen);
-  const std::array<double, 2> dashes{options.svg.dashes.dash, options.svg.dashes.gap};
-  cairo_set_dash(pen, dashes.data(), shape.dashed ? 2 : 0, 0);
+  cairo_set_dash(pen, shape.dashes.data(), static_cast<int>(shape.dashes.size()), 0);
   cairo_set_line_width(pen, shape.ink.width);
   cairo_stroke(pen);
 }
 
 bool same_pen(const Shape& a, const Shape& b) {
   if (a.ink.filled || b.ink.filled) return a.ink.filled && b.ink.filled;
-  return a.ink.width == b.ink.width && a.dashed == b.dashed;
+  return a.ink.width == b.ink.width && a.dashes == b.dashes;
 }
 
 void check(cairo_status_t status) {

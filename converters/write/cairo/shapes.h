@@ -25,12 +25,13 @@ using Pen = std::unique_ptr<cairo_t, PenDeleter>;
 /// A path with its ink.
 struct Shape {
   const Path* path = nullptr;
-  bool dashed = false;
+  /// Lengths of ink and gaps in turn, mm.
+  std::vector<double> dashes;
   Ink ink;
 };
 
 /// The paths of the layers in the order of painting, their ink still to be fitted.
-std::vector<Shape> shapes_of(const std::vector<InkLayer>& layers);
+std::vector<Shape> shapes_of(const std::vector<InkLayer>& layers, const DashOptions& options);
 
 /// Fits the ink of some shapes, all cores. Throws Cancelled.
 void fit_ink(std::span<Shape> shapes, double tolerance, const RunContext& context);
@@ -42,7 +43,7 @@ Pen pen_on(cairo_surface_t* surface, double paper_height, double scale, double t
 /// Adds a shape to the pen's path.
 void trace(cairo_t* pen, const Shape& shape);
 /// Paints the pen's path, of shapes of the same pen as `shape`.
-void paint_traced(cairo_t* pen, const Shape& shape, const WriteOptions& options);
+void paint_traced(cairo_t* pen, const Shape& shape);
 bool same_pen(const Shape& a, const Shape& b);
 
 /// Throws Error where cairo failed.

@@ -36,6 +36,8 @@ def read(document, path):
         raise Refused(text if path in text else f"{path}: {text}") from error
     if told["sections"]:
         notes.append("section: parts are not cut open here")
+    if told["explode"]:
+        notes.append("explode: parts stay where they are")
     obj = make_illustration(document, _sources(matches))
     for name, value in values.items():
         setattr(obj, name, value)

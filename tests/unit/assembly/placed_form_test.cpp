@@ -139,6 +139,23 @@ TEST(PlacedForm, CopiesThatAreOnlyMovedAreRealisedOnce) {
   EXPECT_EQ(form->times, 6) << "nothing is kept of surfaces that are gone";
 }
 
+// As the parts of an exploded view are.
+TEST(PlacedForm, WhatIsPlacedAlreadyIsMovedOnNotWrapped) {
+  const auto form = std::make_shared<Counted>();
+  const auto here = Placer(form).at(away());
+  const Placement by{Mat3(1), {5, 6, 7}};
+  const auto there = placed(here, by);
+  EXPECT_EQ(placed(here, {}), here);
+  RunContext context;
+  Diagnostics said;
+  RealiseOptions options;
+  options.diagnostics = &said;
+  const auto a = here->realise(options, context), b = there->realise(options, context);
+  EXPECT_EQ(form->times, 1) << "both are copies of one form";
+  const Vec3 p = a->proxy().mesh.positions[11], q = b->proxy().mesh.positions[11];
+  EXPECT_LT(glm::distance(by.point(p), q), 1e-9);
+}
+
 TEST(PlacedForm, WhatIsNoPlacementIsRefused) {
   const auto form = torus();
   EXPECT_EQ(placed(form, {}), form);

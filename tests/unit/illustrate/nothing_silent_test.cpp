@@ -100,7 +100,7 @@ TEST(NothingSilent, AnEmptyDrawingSaysWhy) {
                  "drawing.empty")
                 .find("every part is left out"),
             std::string::npos);
-  style.feature = {false, false, false, false, false, false, 30};
+  style.feature = {false, false, false, false, false, false, false, 30};
   EXPECT_NE(said(draw(box(), style), "drawing.empty").find("neither feature lines"),
             std::string::npos);
 }

@@ -55,8 +55,15 @@ Scene read_scene(const Illustration& illustration, RunContext& context);
 DrawRequest merged(const DrawRequest& file, const DrawRequest& door);
 
 /// A first file to edit, of these inputs and of what was asked; with paths as seen from `folder`.
+/// `steps`: of an exploded view.
 std::string first_illustration(const std::vector<std::string>& inputs, const DrawRequest& request,
-                               const std::filesystem::path& folder);
+                               const std::filesystem::path& folder,
+                               const std::vector<Explode::Step>& steps = {});
+
+/// A file that extends an illustration, `house`, by the steps of an exploded view.
+std::string exploded_illustration(const std::string& house, const DrawRequest& request,
+                                  const std::filesystem::path& folder,
+                                  const std::vector<Explode::Step>& steps);
 
 /// The JSON Schema (draft 2020-12) of illustration files.
 std::string illustration_schema();

@@ -42,6 +42,32 @@ struct Section {
   std::string place = {};
 };
 
+/// How the parts of an assembly come apart (burin/explode/explode.h).
+struct Explode {
+  /// Parts that move together; the way is a unit vector.
+  struct Step {
+    std::vector<std::string> move = {};
+    Vec3 along{0, 0, 1};
+    double by = 0;
+    bool trail = true;
+    /// What errors begin with: "FILE:LINE: ", or empty.
+    std::string place = {};
+  };
+  /// Whether anything comes apart at all.
+  bool wanted = false;
+  /// What moves, in this order; empty: it is found out.
+  std::vector<Step> steps = {};
+  /// Where it is found out: the way, its sign where both may be; the part that stays; how far parts
+  /// may lie in each other, model mm.
+  std::optional<Vec3> along = {};
+  bool one_way = false;
+  std::string base = {};
+  std::optional<double> fit = {};
+  /// 0 is together, 1 apart.
+  double factor = 1;
+  std::string place = {};
+};
+
 /// What a user asks of a drawing.
 struct DrawRequest {
   /// By the names of `all_options`; others are not looked at.
@@ -56,6 +82,8 @@ struct DrawRequest {
   std::vector<tone::Light> lights = {};
   /// Before those that options ask for.
   std::vector<Section> sections = {};
+  /// Before the option of that name.
+  Explode explode = {};
   /// What the drawing is called; empty: by its parts.
   std::string title = {};
 
@@ -79,6 +107,7 @@ struct DrawPlan {
   std::vector<Section> sections = {};
   /// Of all sections.
   std::vector<std::string> uncut = {};
+  Explode explode = {};
   std::string title;
   /// Worker threads; 0 = all.
   int threads = 0;
@@ -101,6 +130,13 @@ void select_parts(const Scene& scene, DrawPlan& plan);
 /// Cuts the parts by the sections of a plan, once `select_parts` knows which are drawn; tells of
 /// planes that cut nothing. Throws UsageError where a selector names nothing, or nothing is left.
 void cut_parts(Scene& scene, const DrawPlan& plan);
+/// The steps by which a plan takes a scene apart, once `select_parts` knows which parts are drawn:
+/// its own, or those that are found, as selectors that name the parts. Diagnostics go to `scene`.
+/// Throws UsageError where a selector names nothing.
+std::vector<Explode::Step> explode_steps(Scene& scene, const DrawPlan& plan, RunContext& context);
+/// All that a plan does to parts: `select_parts`, steps found, `cut_parts`, parts moved by the
+/// steps, with trails. Throws as they do.
+void arrange_parts(Scene& scene, DrawPlan& plan, RunContext& context);
 /// The camera that a plan asks for, of the parts that are drawn. Throws UsageError, GeometryError.
 Camera make_camera(const Scene& scene, const DrawPlan& plan);
 /// Draws it, with a diagnostic "option.unused" for each choice of the plan that changes nothing of

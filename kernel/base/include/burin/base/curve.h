@@ -12,9 +12,9 @@
 namespace burin {
 
 /// What a line is; the names are those of the drawing file's `kind`. Burin itself makes contours,
-/// boundaries, creases, smooth edges, seams, intersections and strokes. The drawing file has names
-/// for more, which other programs may write and `burin convert` passes on: sections, ridges,
-/// valleys, suggestive contours and patterns.
+/// boundaries, creases, smooth edges, seams, intersections, sections, patterns, strokes and trails
+/// of exploded views. The drawing file has names for more, which other programs may write and
+/// `burin convert` passes on: ridges, valleys and suggestive contours.
 enum class LineClass {
   Contour,
   Boundary,
@@ -27,7 +27,8 @@ enum class LineClass {
   Valley,
   Suggestive,
   Stroke,
-  Pattern
+  Pattern,
+  Trail
 };
 
 /// The name of a kind in the drawing file, e.g. "contour".
@@ -70,6 +71,8 @@ struct Curve3 {
 
   std::size_t segment_count() const { return closed ? points.size() : points.size() - 1; }
   std::size_t next(std::size_t i) const { return i + 1 == points.size() ? 0 : i + 1; }
+
+  bool operator==(const Curve3&) const = default;
 };
 
 }  // namespace burin

@@ -4,6 +4,7 @@
 
 #include <burin/drawing/bezier.h>
 #include <burin/drawing/drawing.h>
+#include <burin/drawing/format_options.h>
 
 #include <cstdint>
 #include <map>
@@ -16,6 +17,9 @@ namespace burin {
 /// The layer of all paths that are not visible, but for those that are drawn in full.
 inline constexpr std::string_view kHiddenLayer = "hidden";
 
+/// The layer of the lines on which parts of exploded views have come.
+inline constexpr std::string_view kTrailLayer = "trail";
+
 /// The layer of the border between the drawing and empty paper.
 inline constexpr std::string_view kOutlineLayer = "outline";
 
@@ -24,8 +28,9 @@ struct InkLayer {
   std::string name;
   std::map<std::int32_t, std::vector<const Path*>> parts;
 
-  /// Whether its lines are dashed.
-  bool is_hidden() const { return name == kHiddenLayer; }
+  /// Lengths of ink and gaps in turn, paper mm; empty: its lines are not interrupted. Hidden lines
+  /// are dashed; trails have a dot between dashes twice as long.
+  std::vector<double> dashes(const DashOptions& options) const;
 };
 
 /// The layers in the order of painting. Hidden paths are gathered in the layer "hidden", which

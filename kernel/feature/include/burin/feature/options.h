@@ -17,6 +17,8 @@ struct FeatureOptions {
   /// and those where a face meets itself.
   bool smooth = true;
   bool seams = false;
+  /// The lines on which parts of exploded views have come: `extract_features` does not look at it.
+  bool trails = true;
   /// Degrees between neighbouring triangles from which an edge is sharp: forms that have no edges
   /// of their own take it (RealiseOptions), `extract_features` does not look at it.
   double crease_angle = 30;

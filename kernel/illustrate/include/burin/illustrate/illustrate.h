@@ -63,6 +63,9 @@ struct IllustrateOptions {
   std::function<Tone(const HatchScene&)> tone{};
   /// What `hatch.image` of styles names; a name that is not among them is a UsageError.
   Images images{};
+  /// Lines beside those of the shape, in model mm and with the part whose style they have: those of
+  /// kind Trail that show where parts of an exploded view belong.
+  std::vector<Curve3> trails{};
   /// Whether the drawing is tested against rays once it is finished: `Drawing::stats.verify`, and
   /// diagnostics. It draws the same.
   bool verify = false;

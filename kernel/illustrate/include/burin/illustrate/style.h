@@ -15,7 +15,7 @@
 namespace burin {
 
 /// Line widths after ISO 128: the outer outline, inner contours, creases, boundaries, smooth edges
-/// and seams, intersections, hidden lines.
+/// and seams, intersections, hidden lines, trails of exploded views.
 struct LineOptions {
   double outer = 0.5;
   double contour = 0.3;
@@ -24,6 +24,7 @@ struct LineOptions {
   double smooth = 0.13;
   double intersection = 0.25;
   double hidden = 0.18;
+  double trail = 0.18;
 
   bool operator==(const LineOptions&) const = default;
 };

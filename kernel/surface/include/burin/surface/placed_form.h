@@ -20,11 +20,14 @@ class Placer {
   /// The form turned, scaled and moved: points, normals, curvatures (divided by the scale),
   /// parameters and triangles are its own, placed. The form itself where the placement moves
   /// nothing. Throws UsageError where the placement is no rotation times a scale over 0, within
-  /// 1e-9.
+  /// 1e-9. A form that is placed already is moved on from there, not wrapped again.
   std::shared_ptr<const Form> at(const Placement& placement) const;
 
  private:
   std::shared_ptr<Instances> instances_;
+  /// What it was given, and where that stands.
+  std::shared_ptr<const Form> form_;
+  Placement before_;
 };
 
 /// A form placed once.

@@ -1,0 +1,130 @@
+#include <burin/assembly/select.h>
+#include <burin/base/error.h>
+#include <burin/converters/request.h>
+#include <burin/explode/explode.h>
+#include <burin/surface/placed_form.h>
+
+#include "explode_option.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <memory>
+#include <utility>
+
+namespace burin {
+namespace detail {
+
+void set_explode(Explode& explode, const std::string& spelled, const std::string& text) {
+  explode.wanted = text != "none";
+  explode.steps.clear();
+  explode.along.reset();
+  explode.one_way = false;
+  if (text == "none" || text == "auto") return;
+  const auto refuse = [&] {
+    refuse_value(spelled, "auto, none, an axis x, y or z, one with a sign, or X,Y,Z", text);
+  };
+  if (text.find('=') != std::string::npos) refuse();
+  try {
+    const CutText axis = cut_option(spelled, text);
+    explode.along = axis.side < 0 ? -axis.axis : axis.axis;
+    explode.one_way = axis.side != 0;
+  } catch (const UsageError&) {
+    refuse();
+  }
+}
+
+}  // namespace detail
+
+namespace {
+
+std::vector<bool> drawn_parts(const Scene& scene, const DrawPlan& plan) {
+  std::vector<bool> drawn(scene.parts.size(), true);
+  for (std::size_t i = 0; i < drawn.size() && i < plan.illustrate.part_styles.size(); ++i) {
+    drawn[i] = plan.illustrate.part_styles[i].drawn;
+  }
+  return drawn;
+}
+
+/// The steps of a file; tells of those that nothing is seen of.
+std::vector<ExplodeStep> steps_of_file(Scene& scene, const Explode& explode,
+                                       const std::vector<bool>& drawn) {
+  std::vector<ExplodeStep> steps;
+  for (const Explode::Step& text : explode.steps) {
+    ExplodeStep step{{}, text.along, text.by, text.trail};
+    try {
+      for (const std::string& selector : text.move) {
+        for (const std::size_t part : select(scene, selector)) step.parts.push_back(part);
+      }
+    } catch (const UsageError& e) {
+      throw UsageError(text.place + e.what());
+    }
+    std::ranges::sort(step.parts);
+    step.parts.erase(std::unique(step.parts.begin(), step.parts.end()), step.parts.end());
+    const auto seen = std::ranges::count_if(step.parts, [&](std::size_t p) { return drawn[p]; });
+    if (seen == 0 || seen == std::ranges::count(drawn, true)) {
+      scene.diagnostics.add(
+          Severity::Warning, "explode.nothing", 1,
+          fmt::format("{}a step moves {}, which changes nothing", text.place,
+                      seen == 0 ? "no part that is drawn" : "all parts that are drawn"));
+    }
+    steps.push_back(std::move(step));
+  }
+  return steps;
+}
+
+std::vector<ExplodeStep> steps_of(Scene& scene, const Explode& explode,
+                                  const std::vector<bool>& drawn, const ExplodeModel& model,
+                                  RunContext& context) {
+  if (!explode.steps.empty()) return steps_of_file(scene, explode, drawn);
+  ExplodeOptions options{.along = explode.along, .one_way = explode.one_way, .fit = explode.fit};
+  if (!explode.base.empty()) {
+    try {
+      options.base = select(scene, explode.base).front();
+    } catch (const UsageError& e) {
+      throw UsageError(explode.place + e.what());
+    }
+  }
+  context.begin_stage(RunStage::Build);
+  std::vector<ExplodeStep> steps = model.find(options, scene.diagnostics, context).steps;
+  context.end_stage();
+  return steps;
+}
+
+/// Moves parts; copies of one shape stay that.
+void move_parts(Scene& scene, const std::vector<Vec3>& moves) {
+  std::map<const Form*, Placer> placers;
+  for (std::size_t i = 0; i < scene.parts.size(); ++i) {
+    if (moves[i] == Vec3(0)) continue;
+    std::shared_ptr<const Form>& form = scene.parts[i].form;
+    const auto placer = placers.try_emplace(form.get(), form).first;
+    form = placer->second.at({Mat3(1), moves[i]});
+  }
+}
+
+}  // namespace
+
+std::vector<Explode::Step> explode_steps(Scene& scene, const DrawPlan& plan, RunContext& context) {
+  if (!plan.explode.steps.empty()) return plan.explode.steps;
+  const std::vector<bool> drawn = drawn_parts(scene, plan);
+  const ExplodeModel model(scene, drawn, context);
+  std::vector<Explode::Step> steps;
+  for (const ExplodeStep& step : steps_of(scene, plan.explode, drawn, model, context)) {
+    steps.push_back({selectors_of(scene, step.parts), step.along, step.by, step.trail});
+  }
+  return steps;
+}
+
+void arrange_parts(Scene& scene, DrawPlan& plan, RunContext& context) {
+  select_parts(scene, plan);
+  if (!plan.explode.wanted) return cut_parts(scene, plan);
+  const std::vector<bool> drawn = drawn_parts(scene, plan);
+  const ExplodeModel model(scene, drawn, context);
+  const std::vector<ExplodeStep> steps = steps_of(scene, plan.explode, drawn, model, context);
+  cut_parts(scene, plan);  // where they belong: a section does not go through what has come apart
+  move_parts(scene, moves_of(steps, scene.parts.size(), plan.explode.factor));
+  plan.illustrate.trails = model.trails(steps, plan.explode.factor);
+}
+
+}  // namespace burin

@@ -1,0 +1,14 @@
+#pragma once
+// What exploded views take as text; internal to the room.
+
+#include <burin/converters/request.h>
+
+#include <string>
+
+namespace burin::detail {
+
+/// "auto", "none", an axis x, y or z with or without a sign, or X,Y,Z. Steps that were given are
+/// gone. Throws UsageError.
+void set_explode(Explode& explode, const std::string& spelled, const std::string& text);
+
+}  // namespace burin::detail
