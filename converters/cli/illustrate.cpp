@@ -12,8 +12,17 @@
 #include <string>
 
 namespace burin::cli {
+namespace {
 
-void run_illustrate(const DrawArguments& arguments) {
+ItemNumbers numbers_of_models(const std::vector<std::string>& inputs, const DrawPlan& plan,
+                              RunContext& context) {
+  Scene scene = read_scene(inputs, plan.read, context);
+  return numbers_of(find_items(scene, {}, scene.diagnostics, context), {});
+}
+
+}  // namespace
+
+void run_illustrate(const DrawArguments& arguments, RunContext& context) {
   if (arguments.inputs.empty()) {
     throw UsageError("no input; name model files: burin illustrate INPUT... -o NAME.burin.json");
   }
@@ -21,7 +30,7 @@ void run_illustrate(const DrawArguments& arguments) {
     throw UsageError("name one output: burin illustrate INPUT... -o NAME.burin.json");
   }
   const std::string& name = arguments.outputs.front();
-  make_plan(arguments.request, Spelling::Options);  // refuses what a drawing would
+  const DrawPlan plan = make_plan(arguments.request, Spelling::Options);  // refuses as a drawing
   check_inputs(arguments.inputs);
   Output output(name, *format_named("json"));
   if (!output.is_stdout()) {
@@ -37,7 +46,11 @@ void run_illustrate(const DrawArguments& arguments) {
   }
   const auto folder =
       output.is_stdout() ? std::filesystem::path() : std::filesystem::path(name).parent_path();
-  const std::string text = first_illustration(arguments.inputs, arguments.request, folder);
+  DrawRequest request = arguments.request;
+  if (plan.callouts || plan.parts_list || !plan.parts_list_files.empty()) {
+    request.items = numbers_of_models(arguments.inputs, plan, context);
+  }
+  const std::string text = first_illustration(arguments.inputs, request, folder);
   output.write([&](std::ostream& out) { out << text; });
   output.commit();
 }

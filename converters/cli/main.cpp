@@ -45,7 +45,7 @@ int run(const Arguments& arguments, RunContext& context, Console& console) {
       run_watch(arguments.draw, context, console);
       break;
     case Verb::Illustrate:
-      run_illustrate(arguments.illustrate);
+      run_illustrate(arguments.illustrate, context);
       break;
     case Verb::Convert:
       run_convert(arguments.convert, context, console);

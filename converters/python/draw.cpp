@@ -113,9 +113,11 @@ DrawingOwner draw(const py::object& source, const py::kwargs& keywords) {
     const ThreadLimit limit(plan.threads);
     Scene scene = from.get(plan.read, context);
     select_parts(scene, plan);
+    number_parts(scene, plan, context);
     cut_parts(scene, plan);
     const Camera camera = make_camera(scene, plan);
     result->drawing = burin::draw(scene, camera, plan, context);
+    write_parts_lists(result->drawing, plan);
   });
   return result;
 }

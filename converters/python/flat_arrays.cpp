@@ -15,7 +15,8 @@ namespace {
 constexpr std::array kKinds{LineClass::Contour,    LineClass::Boundary, LineClass::Crease,
                             LineClass::Smooth,     LineClass::Seam,     LineClass::Intersection,
                             LineClass::Section,    LineClass::Ridge,    LineClass::Valley,
-                            LineClass::Suggestive, LineClass::Stroke,   LineClass::Pattern};
+                            LineClass::Suggestive, LineClass::Stroke,   LineClass::Pattern,
+                            LineClass::Leader,     LineClass::Frame};
 
 /// A number a path.
 struct Columns {

@@ -203,16 +203,33 @@ void cut_parts(Scene& scene, const DrawPlan& plan) {
   }
 }
 
+namespace {
+
+/// The margin with the room that callouts and the parts list need. A sheet that fits is as large as
+/// the drawing: there it is what an A4 sheet would need.
+SheetOptions sheet_with_room(const DrawPlan& plan) {
+  SheetOptions sheet = plan.sheet;
+  if (!plan.illustrate.annotations) return sheet;
+  const Margin m =
+      annotation_margin(*plan.illustrate.annotations, plan.style.callout, plan.view.paper);
+  // A perspective view knows one margin.
+  sheet.margin = plan.view.perspective ? Margin(std::max({m.top, m.right, m.bottom, m.left})) : m;
+  return sheet;
+}
+
+}  // namespace
+
 Camera make_camera(const Scene& scene, const DrawPlan& plan) {
   const auto extent = [&](const Mat3& axes) {
     return drawn_bounds(scene, plan.illustrate.part_styles, axes);
   };
-  return Camera::fit(extent, settle(extent, plan.view, plan.sheet));
+  return Camera::fit(extent, settle(extent, plan.view, sheet_with_room(plan)));
 }
 
 DrawPlan make_plan(const DrawRequest& request, Spelling spelling) {
   detail::Draft draft{.style_text = request.style_text, .style_source = request.style_source};
   draft.plan.title = request.title;
+  draft.plan.numbers = request.items;
   for (const Look& look : request.looks) draft.plan.looks.push_back({look});
   draft.plan.sections = request.sections;
   apply(detail::draw_rows(), request.options, spelling, draft);

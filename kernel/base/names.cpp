@@ -30,6 +30,10 @@ const char* to_string(LineClass kind) {
       return "stroke";
     case LineClass::Pattern:
       return "pattern";
+    case LineClass::Leader:
+      return "leader";
+    case LineClass::Frame:
+      return "frame";
   }
   return "unknown";
 }

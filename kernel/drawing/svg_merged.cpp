@@ -177,6 +177,9 @@ void write_merged_svg(const Drawing& drawing, const SvgOptions& options, std::os
     for (auto& [width, of_pen] : by_pen(lines.paths, options, context)) {
       append_pen_items(width, of_pen, svg_ink(drawing), before, items);
     }
+    for (const Text* text : layer.texts) {
+      before += svg_text(*text, drawing.paper_height, svg_ink(drawing), options);
+    }
     before += "</g>\n";
   }
   items.push_back({before + "</svg>\n", {}, false, {}, 0, 0});

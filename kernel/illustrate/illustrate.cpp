@@ -393,10 +393,57 @@ bool draws_outline(const detail::PartStyles& part_styles) {
   return true;
 }
 
-// The drawing; `found` gets its lines as compose gives them.
+// Which parts are seen where, what can be looked through apart.
+struct Labels {
+  LabelMap seen, glass;
+};
+
+// Where a drawing has ink, on its sheet.
+Box2 ink_on_sheet(const Drawing& drawing) {
+  Box2 box;
+  for (const Layer& layer : drawing.layers) {
+    for (const Path& path : layer.paths) {
+      for (const Vec2& p : path.points) box.add(p);
+    }
+  }
+  if (box.empty()) return box;
+  constexpr double kAround = 1;  // paper mm
+  return {glm::max(box.min - kAround, Vec2(0)),
+          glm::min(box.max + kAround, Vec2(drawing.paper_width, drawing.paper_height))};
+}
+
+Labels label(const Drawing& drawing, const std::vector<const ProxyMesh*>& proxies,
+             const Camera& camera, const detail::PartStyles& part_styles,
+             const detail::Sight& sight, const RunContext& context) {
+  const Box2 box = ink_on_sheet(drawing);
+  if (box.empty() || box.min.x >= box.max.x || box.min.y >= box.max.y) return {};
+  const auto map = [&](const Occluder& occluder) {
+    const ViewProbe probe = view_probe(occluder, camera);
+    return make_label_map(
+        box,
+        [&](Vec2 at) {
+          const auto hit = probe(at);
+          return hit ? hit->part : -1;
+        },
+        context);
+  };
+  Labels labels{map(sight.solid()), {}};
+  bool any_glass = false;
+  for (std::size_t i = 0; i < part_styles.size(); ++i) {
+    any_glass |= part_styles.drawn(i) && part_styles.transparent(i);
+  }
+  if (!any_glass) return labels;
+  labels.glass = map(Occluder(proxies, context));
+  for (std::int32_t& part : labels.glass.parts) {
+    if (part >= 0 && !part_styles.transparent(static_cast<std::size_t>(part))) part = -1;
+  }
+  return labels;
+}
+
+// The drawing; `found` gets its lines as compose gives them, `labels` which parts are seen where.
 Drawing draw(const Scene& scene, const Camera& camera, const Style& style,
              const detail::PartStyles& part_styles, const IllustrateOptions& options,
-             std::vector<Path>* found, RunContext& context) {
+             std::vector<Path>* found, Labels& labels, RunContext& context) {
   Diagnostics realised;
   const Surfaces owned = realise(scene, camera, part_styles, options, realised, context);
   std::vector<const Surface*> surfaces;
@@ -436,6 +483,9 @@ Drawing draw(const Scene& scene, const Camera& camera, const Style& style,
                   {proxies, camera, part_styles, style, options.hidden, cue}, drawing, context,
                   found);
   if (options.field) name_own_field(drawing);
+  if (options.annotations) {
+    labels = label(drawing, proxies, camera, part_styles, sight, context);
+  }
   context.end_stage();
   return drawing;
 }
@@ -472,14 +522,18 @@ Drawing illustrate(const Scene& scene, const Camera& camera, const Style& style,
   for (const Style* one : part_styles.styles()) check_style(*one);
   std::vector<Path> found;
   // Its surfaces are gone before finer ones are made.
-  Drawing drawing =
-      draw(scene, camera, style, part_styles, options, options.verify ? &found : nullptr, context);
+  Labels labels;
+  Drawing drawing = draw(scene, camera, style, part_styles, options,
+                         options.verify ? &found : nullptr, labels, context);
   if (options.verify) {
     drawing.stats.verify = verify(drawing, found, scene, camera,
                                   verify_options(scene, camera, style, part_styles, options),
                                   drawing.diagnostics, context);
   }
   detail::settle_on_sheet(part_styles, style.sheet.clip, drawing);
+  if (options.annotations) {
+    annotate(drawing, labels.seen, labels.glass, *options.annotations, style.callout, context);
+  }
   return drawing;
 }
 

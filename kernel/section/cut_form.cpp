@@ -71,6 +71,10 @@ class CutForm final : public Form {
     return std::make_shared<detail::CutSurface>(std::move(whole), std::move(cut), plane_);
   }
 
+  /// Cut open it is still what it was.
+  Definition definition() const override { return form_->definition(); }
+  ShapeMeasure measure(RunContext& context) const override { return form_->measure(context); }
+
  private:
   std::shared_ptr<const Form> form_;
   CutPlane plane_;

@@ -204,6 +204,15 @@ class PlacedForm final : public Form {
     return std::make_shared<PlacedSurface>(instances_->realise(inner, context), place_);
   }
 
+  Definition definition() const override {
+    Definition of = instances_->form()->definition();
+    of.scale *= place_.scale;
+    return of;
+  }
+  ShapeMeasure measure(RunContext& context) const override {
+    return instances_->form()->measure(context).scaled(place_.scale, false);
+  }
+
  private:
   std::shared_ptr<Instances> instances_;
   Place place_;

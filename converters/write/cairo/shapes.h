@@ -22,11 +22,12 @@ struct PenDeleter {
 };
 using Pen = std::unique_ptr<cairo_t, PenDeleter>;
 
-/// A path with its ink.
+/// A path, or a text, with its ink.
 struct Shape {
   const Path* path = nullptr;
   bool dashed = false;
   Ink ink;
+  const Text* text = nullptr;
 };
 
 /// The paths of the layers in the order of painting, their ink still to be fitted.

@@ -14,7 +14,8 @@ namespace burin {
 /// What a line is; the names are those of the drawing file's `kind`. Burin itself makes contours,
 /// boundaries, creases, smooth edges, seams, intersections and strokes. The drawing file has names
 /// for more, which other programs may write and `burin convert` passes on: sections, ridges,
-/// valleys, suggestive contours and patterns.
+/// valleys, suggestive contours and patterns. Leaders (with their dots and arrows) and frames (of
+/// numbers and tables) are laid out over a drawing and lie on no surface.
 enum class LineClass {
   Contour,
   Boundary,
@@ -27,8 +28,11 @@ enum class LineClass {
   Valley,
   Suggestive,
   Stroke,
-  Pattern
+  Pattern,
+  Leader,
+  Frame
 };
+inline constexpr LineClass kLastLineClass = LineClass::Frame;
 
 /// The name of a kind in the drawing file, e.g. "contour".
 const char* to_string(LineClass kind);

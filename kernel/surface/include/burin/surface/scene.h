@@ -5,6 +5,7 @@
 #include <burin/base/diagnostics.h>
 #include <burin/base/run_context.h>
 #include <burin/camera/camera.h>
+#include <burin/surface/shape_measure.h>
 #include <burin/surface/surface.h>
 
 #include <memory>
@@ -43,6 +44,13 @@ class Form {
   /// on `context`.
   virtual std::shared_ptr<const Surface> realise(const RealiseOptions& options,
                                                  RunContext& context) const = 0;
+
+  /// What the form is an instance of; by itself, where nothing else is known.
+  virtual Definition definition() const { return {.shape = this}; }
+  /// What tells its shape from others, wherever it stands. The default realises the form to a
+  /// thousandth of its size and measures the triangles; forms that know better do better. Throws as
+  /// `realise`. Cost: that of `realise`.
+  virtual ShapeMeasure measure(RunContext& context) const;
 };
 
 struct Part {
@@ -54,6 +62,8 @@ struct Part {
   std::vector<std::string> assembly = {};
   /// "#rrggbb" where the input gives the part one colour, else empty.
   std::string color = {};
+  /// The name of what this is an instance of, where the input has one beside that of the instance.
+  std::string definition = {};
 };
 
 /// Parts in the order of the input, with what the readers mended or left out.

@@ -1,0 +1,278 @@
+#include <burin/annotate/annotate.h>
+#include <burin/annotate/place.h>
+#include <burin/drawing/font.h>
+
+#include "list_on_sheet.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <optional>
+#include <string>
+#include <utility>
+
+namespace burin {
+namespace {
+
+constexpr double kLeastDisc = 0.8;  // paper mm of radius for a dot
+constexpr std::size_t kMostNamed = 5;
+
+struct Anchor {
+  const DrawingItem* item = nullptr;
+  std::int32_t part = -1;
+  Vec2 at{0};
+  bool dot = true;
+};
+
+double length_of(const Path& path) {
+  double length = 0;
+  for (std::size_t i = 1; i < path.points.size(); ++i) {
+    length += glm::distance(path.points[i - 1], path.points[i]);
+  }
+  return length;
+}
+
+/// The middle of the longest visible line of a part that lies on what is seen of it.
+std::optional<std::pair<double, Vec2>> longest_line(const Drawing& drawing, std::int32_t part,
+                                                    const LabelMap& map) {
+  std::optional<std::pair<double, Vec2>> best;
+  for (const Layer& layer : drawing.layers) {
+    for (const Path& path : layer.paths) {
+      if (path.source.part != part || !path.visible || path.kind == LineClass::Stroke) continue;
+      const double length = length_of(path);
+      if (path.points.size() < 2 || (best && length <= best->first)) continue;
+      double left = 0.5 * length;
+      for (std::size_t i = 1; i < path.points.size(); ++i) {
+        const double step = glm::distance(path.points[i - 1], path.points[i]);
+        if (step < left || step == 0) {
+          left -= step;
+          continue;
+        }
+        const Vec2 at = glm::mix(path.points[i - 1], path.points[i], left / step);
+        if (map.shows(part, at)) best = {length, at};
+        break;
+      }
+    }
+  }
+  return best;
+}
+
+std::vector<Anchor> find_anchors(const Drawing& drawing, const LabelMap& seen,
+                                 const LabelMap& glass, const std::vector<DrawingItem>& items,
+                                 std::vector<const DrawingItem*>& not_shown) {
+  std::int32_t last = -1;
+  for (const DrawingItem& item : items) {
+    for (const std::int32_t part : item.parts) last = std::max(last, part);
+  }
+  const auto count = static_cast<std::size_t>(last + 1);
+  const std::vector<Pole> solid = find_poles(seen, count), clear = find_poles(glass, count);
+  std::vector<Anchor> anchors;
+  for (const DrawingItem& item : items) {
+    Pole pole;
+    const LabelMap* map = &seen;
+    for (const std::int32_t part : item.parts) {
+      const auto i = static_cast<std::size_t>(part);
+      if (solid[i].radius > pole.radius) pole = solid[i], map = &seen;
+      if (clear[i].radius > pole.radius) pole = clear[i], map = &glass;
+    }
+    if (pole.radius <= 0) {
+      not_shown.push_back(&item);
+      continue;
+    }
+    Anchor anchor{&item, pole.part, pole.at, pole.radius > kLeastDisc};
+    if (!anchor.dot) {
+      const auto line = longest_line(drawing, pole.part, *map);
+      if (line) anchor.at = line->second;
+    }
+    anchors.push_back(anchor);
+  }
+  return anchors;
+}
+
+Path leader(Vec2 from, Vec2 to, double width, const Anchor& anchor) {
+  Path path;
+  path.kind = LineClass::Leader;
+  path.source.part = anchor.part;
+  path.points = {from, to};
+  path.width = {width};
+  path.item = anchor.item->number;
+  return path;
+}
+
+/// Leader, its dot or arrow, the circle and the number.
+void draw_callout(const Anchor& anchor, Vec2 place, const CalloutSizes& sizes,
+                  const CalloutOptions& style, Layer& layer) {
+  const double radius = 0.5 * sizes.diameter, distance = glm::distance(anchor.at, place);
+  if (distance > radius) {
+    const Vec2 way = (place - anchor.at) / distance;
+    layer.paths.push_back(leader(anchor.at, place - radius * way, style.line, anchor));
+    if (anchor.dot) {
+      layer.paths.push_back(leader(anchor.at, anchor.at, std::max(0.9, 5 * style.line), anchor));
+    } else {
+      const double width = std::max(0.8, 4 * style.line);
+      const double head = std::min(3 * width, distance - radius);
+      Path arrow = leader(anchor.at + head * way, anchor.at, width, anchor);
+      arrow.width = {width, 0};
+      layer.paths.push_back(std::move(arrow));
+    }
+  }
+  if (style.circle) {
+    constexpr int kCorners = 48;
+    Path circle = leader(place, place, style.line, anchor);
+    circle.kind = LineClass::Frame;
+    circle.closed = true;
+    circle.points.clear();
+    for (int i = 0; i < kCorners; ++i) {
+      const double a = 2 * std::numbers::pi * i / kCorners;
+      circle.points.push_back(place + radius * Vec2(std::cos(a), std::sin(a)));
+    }
+    layer.paths.push_back(std::move(circle));
+  }
+  layer.texts.push_back({place - Vec2(0, 0.5 * style.height), style.height, TextAnchor::Middle,
+                         std::to_string(anchor.item->number), "callout", anchor.item->number});
+}
+
+Box2 ink_box(const Drawing& drawing) {
+  Box2 box;
+  for (const Layer& layer : drawing.layers) {
+    for (const Path& path : layer.paths) {
+      for (const Vec2& p : path.points) box.add(p);
+    }
+  }
+  return box;
+}
+
+int largest_number(const std::vector<DrawingItem>& items) {
+  int largest = 1;
+  for (const DrawingItem& item : items) largest = std::max(largest, item.number);
+  return largest;
+}
+
+std::string names_of(const std::vector<const DrawingItem*>& items) {
+  std::string names;
+  for (std::size_t i = 0; i < std::min(items.size(), kMostNamed); ++i) {
+    names += fmt::format("{}{} '{}'", i > 0 ? ", " : "", items[i]->number, items[i]->name);
+  }
+  if (items.size() > kMostNamed) names += fmt::format(" and {} more", items.size() - kMostNamed);
+  return names;
+}
+
+void add_callouts(Drawing& drawing, const LabelMap& seen, const LabelMap& glass, const Box2& frame,
+                  const Annotations& annotations, const CalloutOptions& style,
+                  const RunContext& context) {
+  std::vector<const DrawingItem*> not_shown;
+  const std::vector<Anchor> anchors =
+      find_anchors(drawing, seen, glass, annotations.items, not_shown);
+  if (!not_shown.empty()) {
+    drawing.diagnostics.add(
+        Severity::Warning, "callouts.not_shown", std::ssize(not_shown),
+        "items that are not seen in this view have no callout: " + names_of(not_shown));
+  }
+  if (anchors.empty()) return;
+  const CalloutSizes sizes(style, largest_number(annotations.items));
+  std::vector<Vec2> points;
+  for (const Anchor& anchor : anchors) points.push_back(anchor.at);
+  const CalloutPlaces places =
+      place_callouts(points, ink_box(drawing), frame, sizes, style.layout, context);
+  if (places.lacking > 1) {
+    drawing.diagnostics.add(
+        Severity::Warning, "callouts.crowded", std::ssize(anchors),
+        fmt::format("{} callouts have no room on a sheet of {:g} x {:g} mm and stand over each "
+                    "other: they need one of {:.0f} x {:.0f} mm, or a smaller callout.height",
+                    anchors.size(), drawing.paper_width, drawing.paper_height,
+                    std::ceil(drawing.paper_width * places.lacking),
+                    std::ceil(drawing.paper_height * places.lacking)));
+  }
+  Layer layer{"callouts", {}};
+  for (std::size_t i = 0; i < anchors.size(); ++i) {
+    draw_callout(anchors[i], places.at[i], sizes, style, layer);
+  }
+  drawing.layers.push_back(std::move(layer));
+}
+
+void add_list(Drawing& drawing, const std::optional<detail::ListPlan>& plan,
+              const Annotations& annotations, const CalloutOptions& style) {
+  if (!plan) {
+    drawing.diagnostics.add(
+        Severity::Warning, "parts_list.no_room", 1,
+        fmt::format("a parts list of {} rows has no room beside the drawing on a sheet of {:g} x "
+                    "{:g} mm: give a larger `paper`, a smaller callout.list_height, or write it as "
+                    "a file",
+                    annotations.items.size(), drawing.paper_width, drawing.paper_height));
+    return;
+  }
+  std::size_t missing = 0;
+  const DrawingItem* first = nullptr;
+  for (const DrawingItem& item : annotations.items) {
+    const std::size_t of_name = missing_glyphs(item.name);
+    if (of_name > 0 && !first) first = &item;
+    missing += of_name;
+  }
+  if (missing > 0) {
+    drawing.diagnostics.add(
+        Severity::Warning, "text.no_glyph", static_cast<std::int64_t>(missing),
+        fmt::format("characters that the font of drawings has not stand as boxes, but in SVG, HTML "
+                    "and DXF; the first in '{}'",
+                    first->name));
+  }
+  drawing.layers.push_back(detail::list_layer(annotations, style, *plan));
+}
+
+/// What the parts list leaves of the frame.
+Box2 rest_of(const Box2& frame, const std::optional<detail::ListPlan>& plan) {
+  return plan ? plan->rest : frame;
+}
+
+std::optional<detail::ListPlan> list_plan(const Annotations& annotations,
+                                          const CalloutOptions& style, const Box2& frame) {
+  if (!annotations.parts_list) return std::nullopt;
+  return detail::plan_list(annotations, style, frame);
+}
+
+}  // namespace
+
+Margin annotation_margin(const Annotations& annotations, const CalloutOptions& style,
+                         const Paper& paper) {
+  const Box2 frame = detail::frame_of(paper, annotations.margin);
+  const Box2 rest = rest_of(frame, list_plan(annotations, style, frame));
+  Margin m(paper.height - rest.max.y, paper.width - rest.max.x, rest.min.y, rest.min.x);
+  if (!annotations.callouts || annotations.items.empty()) return m;
+  const CalloutSizes sizes(style, largest_number(annotations.items));
+  const double border = sizes.diameter + sizes.gap;
+  const CalloutRoom room = callout_room(rest, rest, sizes);
+  const std::size_t n = annotations.items.size();
+  using Layout = CalloutOptions::Layout;
+  const bool rows = style.layout != Layout::Columns || n > 2 * room.column;
+  const bool columns = style.layout != Layout::Rows || n > 2 * room.row;
+  if (columns) m.left += border, m.right += border;
+  if (rows) m.top += border, m.bottom += border;
+  // Whatever is left for the drawing, something is: that it does not fit is told later.
+  const double least = 0.1 * std::min(paper.width, paper.height);
+  const auto shrink = [&](double& a, double& b, double side) {
+    const double most = side - least;
+    if (a + b <= most) return;
+    const double f = std::max(most, 0.0) / (a + b);
+    a *= f, b *= f;
+  };
+  shrink(m.left, m.right, paper.width);
+  shrink(m.top, m.bottom, paper.height);
+  return m;
+}
+
+void annotate(Drawing& drawing, const LabelMap& seen, const LabelMap& glass,
+              const Annotations& annotations, const CalloutOptions& style,
+              const RunContext& context) {
+  drawing.items = annotations.items;
+  drawing.areas = find_areas(seen);
+  const Paper paper{drawing.paper_width, drawing.paper_height};
+  const Box2 frame = detail::frame_of(paper, annotations.margin);
+  const auto plan = list_plan(annotations, style, frame);
+  if (annotations.callouts) {
+    add_callouts(drawing, seen, glass, rest_of(frame, plan), annotations, style, context);
+  }
+  if (annotations.parts_list) add_list(drawing, plan, annotations, style);
+}
+
+}  // namespace burin
