@@ -17,6 +17,7 @@ namespace burin {
 namespace {
 
 constexpr double kLeastDisc = 0.8;  // paper mm of radius for a dot
+constexpr double kAsWell = 0.75;    // of the radius of the largest disc
 constexpr std::size_t kMostNamed = 5;
 
 struct Anchor {
@@ -61,6 +62,7 @@ std::optional<std::pair<double, Vec2>> longest_line(const Drawing& drawing, std:
 
 std::vector<Anchor> find_anchors(const Drawing& drawing, const LabelMap& seen,
                                  const LabelMap& glass, const std::vector<DrawingItem>& items,
+                                 Vec2 middle, CalloutOptions::Layout layout,
                                  std::vector<const DrawingItem*>& not_shown) {
   std::int32_t last = -1;
   for (const DrawingItem& item : items) {
@@ -70,16 +72,30 @@ std::vector<Anchor> find_anchors(const Drawing& drawing, const LabelMap& seen,
   const std::vector<Pole> solid = find_poles(seen, count), clear = find_poles(glass, count);
   std::vector<Anchor> anchors;
   for (const DrawingItem& item : items) {
-    Pole pole;
-    const LabelMap* map = &seen;
+    double largest = 0;
     for (const std::int32_t part : item.parts) {
       const auto i = static_cast<std::size_t>(part);
-      if (solid[i].radius > pole.radius) pole = solid[i], map = &seen;
-      if (clear[i].radius > pole.radius) pole = clear[i], map = &glass;
+      largest = std::max({largest, solid[i].radius, clear[i].radius});
     }
-    if (pole.radius <= 0) {
+    if (largest <= 0) {
       not_shown.push_back(&item);
       continue;
+    }
+    // Of those that are seen about as well, the outermost: its leader passes over the fewest.
+    Pole pole;
+    const LabelMap* map = &seen;
+    double farthest = -1;
+    const auto look = [&](const Pole& one, const LabelMap& in) {
+      if (one.radius < kAsWell * largest) return;
+      const Vec2 off = glm::abs(one.at - middle);
+      const double out = layout == CalloutOptions::Layout::Columns ? off.x
+                         : layout == CalloutOptions::Layout::Rows  ? off.y
+                                                                   : std::max(off.x, off.y);
+      if (out > farthest) farthest = out, pole = one, map = &in;
+    };
+    for (const std::int32_t part : item.parts) {
+      look(solid[static_cast<std::size_t>(part)], seen);
+      look(clear[static_cast<std::size_t>(part)], glass);
     }
     Anchor anchor{&item, pole.part, pole.at, pole.radius > kLeastDisc};
     if (!anchor.dot) {
@@ -162,9 +178,10 @@ std::string names_of(const std::vector<const DrawingItem*>& items) {
 void add_callouts(Drawing& drawing, const LabelMap& seen, const LabelMap& glass, const Box2& frame,
                   const Annotations& annotations, const CalloutOptions& style,
                   const RunContext& context) {
+  const Box2 ink = ink_box(drawing);
   std::vector<const DrawingItem*> not_shown;
   const std::vector<Anchor> anchors =
-      find_anchors(drawing, seen, glass, annotations.items, not_shown);
+      find_anchors(drawing, seen, glass, annotations.items, ink.center(), style.layout, not_shown);
   if (!not_shown.empty()) {
     drawing.diagnostics.add(
         Severity::Warning, "callouts.not_shown", std::ssize(not_shown),
@@ -174,8 +191,7 @@ void add_callouts(Drawing& drawing, const LabelMap& seen, const LabelMap& glass,
   const CalloutSizes sizes(style, largest_number(annotations.items));
   std::vector<Vec2> points;
   for (const Anchor& anchor : anchors) points.push_back(anchor.at);
-  const CalloutPlaces places =
-      place_callouts(points, ink_box(drawing), frame, sizes, style.layout, context);
+  const CalloutPlaces places = place_callouts(points, ink, frame, sizes, style.layout, context);
   if (places.lacking > 1) {
     drawing.diagnostics.add(
         Severity::Warning, "callouts.crowded", std::ssize(anchors),

@@ -120,7 +120,7 @@ std::vector<Vec2> straightened(std::vector<Vec2> ring, double pixel) {
   }
   middles.push_back(middles.front());
   std::vector<Vec2> out;
-  for (const std::size_t i : simplify(std::span<const Vec2>(middles), 0.6 * pixel)) {
+  for (const std::size_t i : simplify(std::span<const Vec2>(middles), 0.36 * pixel)) {
     out.push_back(middles[i]);
   }
   out.pop_back();

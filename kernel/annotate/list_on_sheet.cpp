@@ -14,7 +14,9 @@ constexpr const char* kName = "Name";
 constexpr double kWidestName = 24;  // heights of letters
 constexpr double kApart = 5;        // paper mm between the list and the drawing
 constexpr std::size_t kMostBlocks = 12;
-constexpr double kLeast = 0.3;  // share of the frame that the drawing keeps
+constexpr double kRounding = 1e-6;  // paper mm
+constexpr double kTallest = 0.6;    // share of the frame that one block takes before there are two
+constexpr double kLeast = 0.3;      // share of the frame that the drawing keeps
 
 Path line(Vec2 a, Vec2 b, double width) {
   Path path;
@@ -45,13 +47,15 @@ std::optional<ListPlan> plan_list(const Annotations& annotations, const CalloutO
   const std::size_t n = std::max<std::size_t>(annotations.items.size(), 1);
   const Vec2 size = frame.size();
   std::optional<ListPlan> best;
-  double most = 0;
+  double most = 0, most_height = 0;
   for (std::size_t blocks = 1; blocks <= std::min(kMostBlocks, n); ++blocks) {
     plan.blocks = blocks;
     plan.rows = (n + blocks - 1) / blocks;
     const Vec2 list(static_cast<double>(blocks) * plan.block(),
                     static_cast<double>(plan.rows + 1) * plan.row);
     if (list.x > size.x || list.y > size.y) continue;
+    // More blocks only where fewer are too tall: a table is read downwards.
+    if (best && most_height <= kTallest * size.y) break;
     plan.box = {{frame.max.x - list.x, frame.min.y}, {frame.max.x, frame.min.y + list.y}};
     for (const bool beside : {true, false}) {
       plan.rest = frame;
@@ -61,6 +65,7 @@ std::optional<ListPlan> plan_list(const Annotations& annotations, const CalloutO
       if (rest.x < kLeast * size.x || rest.y < kLeast * size.y) continue;
       if (rest.x * rest.y <= most) continue;
       most = rest.x * rest.y;
+      most_height = list.y;
       best = plan;
     }
   }
@@ -92,7 +97,7 @@ Layer list_layer(const Annotations& annotations, const CalloutOptions& style,
       const double y = bottom + static_cast<double>(i + 1) * plan.row;
       write(std::to_string(item.number), x1 - inset, y, TextAnchor::End, item.number);
       write(std::to_string(item.quantity()), x2 - inset, y, TextAnchor::End, item.number);
-      const std::string name = fitted_text(item.name, h, plan.name - 2 * inset);
+      const std::string name = fitted_text(item.name, h, plan.name - 2 * inset + kRounding);
       write(name, x2 + inset, y, TextAnchor::Start, item.number);
       layer.paths.push_back(line({left, y}, {right, y}, i == 0 ? thick : style.line));
     }

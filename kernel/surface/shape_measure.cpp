@@ -13,6 +13,11 @@ namespace {
 /// Share of a form's size that the triangles may be off by which it is measured.
 constexpr double kMeasured = 1e-3;
 
+/// Below it, shapes are their own mirror images but for rounding.
+constexpr double kHanded = 1e-6;
+/// Share of the size from which on the way between two middles has a direction.
+constexpr double kApart = 1e-5;
+
 bool alike(double a, double b, double allowed) { return std::abs(a - b) <= allowed; }
 
 }  // namespace
@@ -25,14 +30,15 @@ bool Definition::same(const Definition& other) const {
 
 bool ShapeMeasure::same(const ShapeMeasure& other, double relative) const {
   if (faces != other.faces || edges != other.edges) return false;
+  const bool sure = std::min(std::abs(handedness), std::abs(other.handedness)) > kHanded;
+  if (sure && (handedness > 0) != (other.handedness > 0)) return false;
   const double size = std::max(area, other.area);
   const double spread = std::max(moments.z, other.moments.z);
   return alike(area, other.area, relative * size) &&
          alike(volume, other.volume, relative * std::pow(size, 1.5)) &&
          alike(moments.x, other.moments.x, relative * spread) &&
          alike(moments.y, other.moments.y, relative * spread) &&
-         alike(moments.z, other.moments.z, relative * spread) &&
-         alike(handedness, other.handedness, relative);
+         alike(moments.z, other.moments.z, relative * spread);
 }
 
 ShapeMeasure ShapeMeasure::scaled(double scale, bool mirrored) const {
@@ -58,9 +64,10 @@ ShapeMeasure shape_measure(double area, Vec3 area_middle, const Mat3& second_mom
   m.moments = {axes(0), axes(1), axes(2)};
   const double trace = axes.sum();
   if (volume == 0 || !(area > 0) || !(trace > 0)) return m;
-  const double length = std::sqrt(trace / area);
+  const Vec3 way = area_middle - volume_middle;
+  if (glm::length(way) < kApart * std::sqrt(trace / area)) return m;
   const Mat3 unit = second_moments / trace;
-  const Vec3 v = (area_middle - volume_middle) / length;
+  const Vec3 v = glm::normalize(way);
   m.handedness = glm::determinant(Mat3(v, unit * v, unit * (unit * v)));
   return m;
 }

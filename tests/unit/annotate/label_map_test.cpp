@@ -50,10 +50,10 @@ TEST(Poles, AreTheMiddlesOfTheLargestDiscs) {
   });
   const auto poles = find_poles(map, 3);
   ASSERT_EQ(poles.size(), 3U);
-  // Of all discs below the hole the largest touches the hole and the rim: radius (50 - 0) ... on
-  // the line through both middles: from y = 10 to y = 35.
+  // The largest disc touches the hole and the rim on the line through both middles, from y = 10 to
+  // y = 35; beside that line others are hardly smaller.
   EXPECT_NEAR(poles[0].radius, 12.5, 0.8);
-  EXPECT_NEAR(glm::distance(poles[0].at, Vec2(30, 22.5)), 0, 1.5);
+  EXPECT_NEAR(glm::distance(poles[0].at, Vec2(30, 22.5)), 0, 3);
   EXPECT_NEAR(poles[1].radius, 0.5, 0.3);
   EXPECT_EQ(map.at(poles[1].at), 1);
   EXPECT_EQ(poles[2].radius, 0);

@@ -36,7 +36,7 @@ LabelMap make_label_map(const Box2& box, const std::function<std::int32_t(Vec2)>
                         const RunContext& context);
 
 /// Where a part is seen most: the middle of the largest disc in its area (its pole of
-/// inaccessibility), within half a pixel, and the radius of that disc.
+/// inaccessibility), and the radius of that disc within half a pixel.
 struct Pole {
   std::int32_t part = -1;
   Vec2 at{0};

@@ -27,8 +27,9 @@ struct ShapeMeasure {
   double area = 0, volume = 0;
   /// Second moments of the surface about its own middle along its own axes, ascending, mm4.
   Vec3 moments{0};
-  /// Opposite for mirror images, 0 where the shape is its own: det(v, Mv, MMv) of the way v from
-  /// the middle of the body to that of its surface, and the moments M; without a unit.
+  /// Of opposite sign for mirror images, 0 where the shape is its own: det(v, Mv, MMv) of the
+  /// direction v from the middle of the body to that of its surface, and the moments M over their
+  /// trace. 0 too where both middles are one, or the shape is open: then mirror images are alike.
   double handedness = 0;
   std::int64_t faces = 0, edges = 0;
 
