@@ -49,6 +49,13 @@ void note_unused(const DrawRequest& r, Spelling spelling, const Style& named, Dr
     note(fmt::format("{} has no effect: tone.law {} does not look at it", called("light", spelling),
                      plan.style.tone.law));
   }
+  const bool lists = plan.callouts || plan.parts_list;
+  for (const std::string& assignment : given_texts(r.options, "set")) {
+    const std::string key = parted_assignment(assignment).first;
+    if (key.starts_with("callout.") && !lists) {
+      note(fmt::format("style key {} has no effect without {}", key, called("callouts", spelling)));
+    }
+  }
   if (plan.illustrate.hidden == HiddenLines::Dashed && plan.style.halo.hidden) {
     note(fmt::format("{} has no effect: style '{}' draws hidden lines in full (halo.hidden)",
                      called("hidden", spelling), plan.style.name));

@@ -6,6 +6,7 @@
 
 #include "html_page.h"
 
+#include <filesystem>
 #include <map>
 #include <optional>
 #include <ostream>
@@ -42,7 +43,9 @@ void append_row(Buffer& out, const DrawingItem& item) {
   if (rgb_of(item.color)) {
     append(out, fmt::format("<i style=\"background:{}\"></i>", escaped(item.color)));
   }
-  append(out, escaped(item.name) + "</td><td>" + escaped(item.source) + "</td></tr>\n");
+  const std::string file = std::filesystem::path(item.source).filename().string();
+  append(out, escaped(item.name) + "</td><td title=\"" + escaped(item.source) + "\">" +
+                  escaped(file) + "</td></tr>\n");
 }
 
 /// The element alone, without what a file of its own begins with.

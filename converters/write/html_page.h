@@ -40,7 +40,6 @@ svg g.part { pointer-events: none }
 svg.plain g.part { pointer-events: visiblePainted }
 svg.plain g.part.marked:not([fill]) { stroke: var(--mark) }
 svg.plain g.part.marked[fill] { fill: var(--mark) }
-svg .callout { pointer-events: bounding-box }
 svg .callout path, svg .callout text, svg .row text { pointer-events: all }
 svg .callout.marked path { stroke: var(--mark) }
 svg .callout.marked text, svg .row.marked text { fill: var(--mark) }

@@ -60,6 +60,32 @@ std::optional<std::pair<double, Vec2>> longest_line(const Drawing& drawing, std:
   return best;
 }
 
+/// Lines that a dot should not lie on.
+std::vector<std::vector<Vec2>> lines_of(const Drawing& drawing) {
+  std::vector<std::vector<Vec2>> lines;
+  for (const Layer& layer : drawing.layers) {
+    for (const Path& path : layer.paths) {
+      if (!path.visible || path.kind == LineClass::Stroke || path.kind == LineClass::Pattern) {
+        continue;
+      }
+      lines.push_back(path.points);
+      if (path.closed && !path.points.empty()) lines.back().push_back(path.points.front());
+    }
+  }
+  return lines;
+}
+
+/// Clear of lines where there is room for a dot, else as far from other parts as can be.
+std::vector<Pole> poles_of(const LabelMap& map, std::size_t count,
+                           std::span<const std::vector<Vec2>> lines) {
+  std::vector<Pole> poles = find_poles(map, count, lines);
+  const std::vector<Pole> plain = find_poles(map, count);
+  for (std::size_t i = 0; i < poles.size(); ++i) {
+    if (poles[i].radius <= kLeastDisc) poles[i] = plain[i];
+  }
+  return poles;
+}
+
 std::vector<Anchor> find_anchors(const Drawing& drawing, const LabelMap& seen,
                                  const LabelMap& glass, const std::vector<DrawingItem>& items,
                                  Vec2 middle, CalloutOptions::Layout layout,
@@ -69,7 +95,9 @@ std::vector<Anchor> find_anchors(const Drawing& drawing, const LabelMap& seen,
     for (const std::int32_t part : item.parts) last = std::max(last, part);
   }
   const auto count = static_cast<std::size_t>(last + 1);
-  const std::vector<Pole> solid = find_poles(seen, count), clear = find_poles(glass, count);
+  const std::vector<std::vector<Vec2>> lines = lines_of(drawing);
+  const std::vector<Pole> solid = poles_of(seen, count, lines),
+                          clear = poles_of(glass, count, lines);
   std::vector<Anchor> anchors;
   for (const DrawingItem& item : items) {
     double largest = 0;
@@ -125,7 +153,7 @@ void draw_callout(const Anchor& anchor, Vec2 place, const CalloutSizes& sizes,
     const Vec2 way = (place - anchor.at) / distance;
     layer.paths.push_back(leader(anchor.at, place - radius * way, style.line, anchor));
     if (anchor.dot) {
-      layer.paths.push_back(leader(anchor.at, anchor.at, std::max(0.9, 5 * style.line), anchor));
+      layer.paths.push_back(leader(anchor.at, anchor.at, std::max(1.1, 6 * style.line), anchor));
     } else {
       const double width = std::max(0.8, 4 * style.line);
       const double head = std::min(3 * width, distance - radius);
@@ -192,18 +220,27 @@ void add_callouts(Drawing& drawing, const LabelMap& seen, const LabelMap& glass,
   std::vector<Vec2> points;
   for (const Anchor& anchor : anchors) points.push_back(anchor.at);
   const CalloutPlaces places = place_callouts(points, ink, frame, sizes, style.layout, context);
+  CalloutSizes drawn = sizes;
+  CalloutOptions how = style;
+  // Where neighbours would touch, numbers become smaller: all are there and can be read.
+  constexpr double kBetween = 1.08;
+  if (const double most = places.pitch / kBetween; most < sizes.diameter) {
+    how.height *= most / sizes.diameter;
+    drawn.diameter = most;
+  }
   if (places.lacking > 1) {
     drawing.diagnostics.add(
         Severity::Warning, "callouts.crowded", std::ssize(anchors),
-        fmt::format("{} callouts have no room on a sheet of {:g} x {:g} mm and stand over each "
-                    "other: they need one of {:.0f} x {:.0f} mm, or a smaller callout.height",
-                    anchors.size(), drawing.paper_width, drawing.paper_height,
+        fmt::format("{} callouts have no room on a sheet of {:g} x {:g} mm: their numbers stand "
+                    "closer than they should, {:.2g} mm high; they need one of {:.0f} x {:.0f} mm, "
+                    "or a smaller callout.height",
+                    anchors.size(), drawing.paper_width, drawing.paper_height, how.height,
                     std::ceil(drawing.paper_width * places.lacking),
                     std::ceil(drawing.paper_height * places.lacking)));
   }
   Layer layer{"callouts", {}};
   for (std::size_t i = 0; i < anchors.size(); ++i) {
-    draw_callout(anchors[i], places.at[i], sizes, style, layer);
+    draw_callout(anchors[i], places.at[i], drawn, how, layer);
   }
   drawing.layers.push_back(std::move(layer));
 }

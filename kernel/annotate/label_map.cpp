@@ -60,8 +60,30 @@ bool is_border(const LabelMap& map, std::size_t x, std::size_t y) {
          map.parts[i + map.width] != own;
 }
 
-/// Squared pixels from each pixel to the nearest border one.
-std::vector<double> border_distances(const LabelMap& map) {
+/// Calls `one` with the indices of pixels along a line, a step of half a pixel each.
+template <class F>
+void for_each_pixel(const LabelMap& map, const std::vector<Vec2>& line, const F& one) {
+  for (std::size_t i = 1; i < line.size(); ++i) {
+    const Vec2 a = (line[i - 1] - map.origin) / map.pixel, b = (line[i] - map.origin) / map.pixel;
+    const double length = glm::distance(a, b);
+    if (!(length < 1e6)) continue;
+    const int steps = static_cast<int>(std::ceil(2 * length)) + 1;
+    for (int k = 0; k <= steps; ++k) {
+      const Vec2 p = glm::mix(a, b, static_cast<double>(k) / steps);
+      if (!(p.x >= 0 && p.y >= 0)) continue;
+      const auto x = static_cast<std::size_t>(p.x), y = static_cast<std::size_t>(p.y);
+      if (x < map.width && y < map.height) one(x, y);
+    }
+  }
+}
+
+/// Squared pixels from each pixel to the nearest that is a border or has a line.
+std::vector<double> border_distances(const LabelMap& map,
+                                     std::span<const std::vector<Vec2>> lines) {
+  std::vector<char> inked(map.parts.size(), 0);
+  for (const std::vector<Vec2>& line : lines) {
+    for_each_pixel(map, line, [&](std::size_t x, std::size_t y) { inked[y * map.width + x] = 1; });
+  }
   const double far = 4 * (static_cast<double>(map.width * map.width) +
                           static_cast<double>(map.height * map.height));
   std::vector<double> all(map.parts.size(), far), line;
@@ -69,7 +91,7 @@ std::vector<double> border_distances(const LabelMap& map) {
   for (std::size_t y = 0; y < map.height; ++y) {
     line.assign(map.width, far);
     for (std::size_t x = 0; x < map.width; ++x) {
-      if (is_border(map, x, y)) line[x] = 0;
+      if (inked[y * map.width + x] != 0 || is_border(map, x, y)) line[x] = 0;
     }
     envelope.pass(line);
     std::ranges::copy(line, all.begin() + static_cast<std::ptrdiff_t>(y * map.width));
@@ -117,6 +139,16 @@ std::vector<Vec2> straightened(std::vector<Vec2> ring, double pixel) {
   std::vector<Vec2> middles;
   for (std::size_t i = 0; i < ring.size(); ++i) {
     middles.push_back(0.5 * (ring[i] + ring[(i + 1) % ring.size()]));
+  }
+  // On other slanted lines steps of one and two follow each other: smoothed, they are straight
+  // enough; corners are cut by less than half a pixel.
+  constexpr int kSmoothed = 2;
+  const std::size_t n = middles.size();
+  for (int round = 0; round < kSmoothed; ++round) {
+    const std::vector<Vec2> from = middles;
+    for (std::size_t i = 0; i < n; ++i) {
+      middles[i] = 0.25 * from[(i + n - 1) % n] + 0.5 * from[i] + 0.25 * from[(i + 1) % n];
+    }
   }
   middles.push_back(middles.front());
   std::vector<Vec2> out;
@@ -170,11 +202,12 @@ LabelMap make_label_map(const Box2& box, const std::function<std::int32_t(Vec2)>
   return map;
 }
 
-std::vector<Pole> find_poles(const LabelMap& map, std::size_t count) {
+std::vector<Pole> find_poles(const LabelMap& map, std::size_t count,
+                             std::span<const std::vector<Vec2>> lines) {
   std::vector<Pole> poles(count);
   for (std::size_t i = 0; i < count; ++i) poles[i].part = static_cast<std::int32_t>(i);
   if (map.parts.empty()) return poles;
-  const std::vector<double> distances = border_distances(map);
+  const std::vector<double> distances = border_distances(map, lines);
   for (std::size_t y = 0; y < map.height; ++y) {
     for (std::size_t x = 0; x < map.width; ++x) {
       const std::int32_t part = map.parts[y * map.width + x];

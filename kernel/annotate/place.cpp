@@ -242,7 +242,7 @@ bool any_crossing(std::span<const Vec2> anchors, std::span<const Vec2> at) {
 
 CalloutSizes::CalloutSizes(const CalloutOptions& options, int largest_number) {
   const double width = text_width(std::to_string(largest_number), options.height);
-  diameter = options.circle ? std::max(2 * options.height, width + 0.8 * options.height)
+  diameter = options.circle ? std::max(2 * options.height, width + 0.3 * options.height)
                             : std::max(1.3 * options.height, width + 0.3 * options.height);
   pitch = 1.4 * diameter;
   gap = std::max(4.0, options.height);
@@ -317,6 +317,7 @@ CalloutPlaces place_callouts(std::span<const Vec2> anchors, const Box2& drawing,
     share = Share{};
     share->counts[kLeft] = anchors.size();
   }
+  places.pitch = used.pitch;
   Sides sides = sides_of(drawing, frame, used, share->corners);
   deal(anchors, *share, used.pitch, sides);
   constexpr int kRounds = 12;

@@ -1,5 +1,6 @@
 #include <burin/base/box.h>
 #include <burin/base/parallel.h>
+#include <burin/drawing/font.h>
 #include <burin/drawing/join.h>
 #include <burin/drawing/ordered_text.h>
 
@@ -146,6 +147,7 @@ void append_subpath(Buffer& out, const Item& item, double paper_height) {
 std::string ink_box(const Drawing& drawing, const std::vector<InkLayer>& layers) {
   Box2 box;
   for (const InkLayer& layer : layers) {
+    for (const Text* text : layer.texts) box.add(text_box(*text));
     for (const auto& [part, paths] : layer.parts) {
       for (const Path* path : paths) {
         const double reach = path->width.empty()

@@ -97,7 +97,7 @@ std::string svg_text(const Text& text, double paper_height, std::string_view ink
     return fmt::to_string(out);
   }
   append(out, "<text class=\"");
-  append_xml(out, text.role.empty() ? "text" : text.role);
+  append_xml(out, text.role.empty() ? "text" : text.role + "-text");
   append(out, "\" x=\"");
   append_fixed(out, text.at.x, 3);
   append(out, "\" y=\"");

@@ -31,6 +31,8 @@ struct CalloutPlaces {
   std::size_t swaps = 0;
   /// How much larger the sheet must be for all to have their pitch; 1 where they have.
   double lacking = 1;
+  /// Least distance of neighbours that they have: the pitch, or less where that has no room.
+  double pitch = 0;
 };
 
 /// Puts a number for each anchor on a rectangle about the drawing, inside `frame`: columns first,
