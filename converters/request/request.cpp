@@ -212,15 +212,36 @@ void cut_parts(Scene& scene, const DrawPlan& plan) {
 
 namespace {
 
-/// The margin with the room that callouts and the parts list need. A sheet that fits is as large as
-/// the drawing: there it is what an A4 sheet would need.
-SheetOptions sheet_with_room(const DrawPlan& plan) {
+/// A perspective view knows one margin.
+Margin margin_of(const Margin& m, const DrawPlan& plan) {
+  return plan.view.perspective ? Margin(std::max({m.top, m.right, m.bottom, m.left})) : m;
+}
+
+/// The margin with the room that callouts and the parts list need.
+SheetOptions sheet_with_room(const Camera::ExtentFn& extent, const DrawPlan& plan) {
   SheetOptions sheet = plan.sheet;
   if (!plan.illustrate.annotations) return sheet;
-  const Margin m =
-      annotation_margin(*plan.illustrate.annotations, plan.style.callout, plan.view.paper);
-  // A perspective view knows one margin.
-  sheet.margin = plan.view.perspective ? Margin(std::max({m.top, m.right, m.bottom, m.left})) : m;
+  const Annotations& over = *plan.illustrate.annotations;
+  const CalloutOptions& style = plan.style.callout;
+  if (!sheet.fits) {
+    sheet.margin = margin_of(annotation_margin(over, style, plan.view.paper), plan);
+    return sheet;
+  }
+  // A sheet that fits grows until they have room; what has none then is told by the drawing.
+  constexpr int kMostSteps = 200;
+  constexpr double kStep = 5;  // paper mm
+  for (int step = 0; step < kMostSteps; ++step) {
+    const Paper paper = settle(extent, plan.view, sheet).paper;
+    if (annotations_fit(over, style, paper, sheet.margin)) break;
+    const Margin needed = annotation_margin(over, style, paper);
+    Margin& m = sheet.margin;
+    const Margin more(std::max(m.top, needed.top), std::max(m.right, needed.right),
+                      std::max(m.bottom, needed.bottom), std::max(m.left, needed.left));
+    const bool grows =
+        more.top > m.top || more.right > m.right || more.bottom > m.bottom || more.left > m.left;
+    m = grows ? more : Margin(m.top + kStep, m.right + kStep, m.bottom + kStep, m.left + kStep);
+    m = margin_of(m, plan);
+  }
   return sheet;
 }
 
@@ -230,7 +251,7 @@ Camera make_camera(const Scene& scene, const DrawPlan& plan) {
   const auto extent = [&](const Mat3& axes) {
     return drawn_bounds(scene, plan.illustrate.part_styles, axes);
   };
-  return Camera::fit(extent, settle(extent, plan.view, sheet_with_room(plan)));
+  return Camera::fit(extent, settle(extent, plan.view, sheet_with_room(extent, plan)));
 }
 
 DrawPlan make_plan(const DrawRequest& request, Spelling spelling) {

@@ -314,6 +314,23 @@ Margin annotation_margin(const Annotations& annotations, const CalloutOptions& s
   return m;
 }
 
+bool annotations_fit(const Annotations& annotations, const CalloutOptions& style,
+                     const Paper& paper, const Margin& border) {
+  const Box2 frame = detail::frame_of(paper, annotations.margin);
+  const auto plan = list_plan(annotations, style, frame);
+  if (annotations.parts_list && !plan) return false;
+  const Margin needed = annotation_margin(annotations, style, paper);
+  constexpr double kRounding = 1e-9;
+  if (needed.left > border.left + kRounding || needed.right > border.right + kRounding ||
+      needed.top > border.top + kRounding || needed.bottom > border.bottom + kRounding) {
+    return false;
+  }
+  if (!annotations.callouts || annotations.items.empty()) return true;
+  return callouts_fit(annotations.items.size(), detail::frame_of(paper, border),
+                      rest_of(frame, plan), CalloutSizes(style, largest_number(annotations.items)),
+                      style.layout);
+}
+
 void annotate(Drawing& drawing, const LabelMap& seen, const LabelMap& glass,
               const Annotations& annotations, const CalloutOptions& style,
               const RunContext& context) {

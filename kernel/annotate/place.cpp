@@ -296,6 +296,11 @@ CalloutRoom callout_room(const Box2& drawing, const Box2& frame, const CalloutSi
   return {plain[kLeft].room(sizes.pitch), plain[kTop].room(sizes.pitch)};
 }
 
+bool callouts_fit(std::size_t count, const Box2& drawing, const Box2& frame,
+                  const CalloutSizes& sizes, CalloutOptions::Layout layout) {
+  return share_of(count, drawing, frame, sizes, layout).has_value();
+}
+
 CalloutPlaces place_callouts(std::span<const Vec2> anchors, const Box2& drawing, const Box2& frame,
                              const CalloutSizes& sizes, CalloutOptions::Layout layout,
                              const RunContext& context) {

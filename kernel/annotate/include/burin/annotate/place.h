@@ -52,6 +52,10 @@ struct CalloutRoom {
 };
 CalloutRoom callout_room(const Box2& drawing, const Box2& frame, const CalloutSizes& sizes);
 
+/// Whether all of them have their pitch.
+bool callouts_fit(std::size_t count, const Box2& drawing, const Box2& frame,
+                  const CalloutSizes& sizes, CalloutOptions::Layout layout);
+
 /// Whether two stretches cross or touch.
 bool segments_cross(Vec2 a, Vec2 b, Vec2 c, Vec2 d);
 
