@@ -335,7 +335,9 @@ void annotate(Drawing& drawing, const LabelMap& seen, const LabelMap& glass,
               const Annotations& annotations, const CalloutOptions& style,
               const RunContext& context) {
   drawing.items = annotations.items;
-  drawing.areas = find_areas(seen);
+  // What is seen through a part lies over its own area.
+  drawing.areas = find_areas(glass);
+  for (Area& area : find_areas(seen)) drawing.areas.push_back(std::move(area));
   const Paper paper{drawing.paper_width, drawing.paper_height};
   const Box2 frame = detail::frame_of(paper, annotations.margin);
   const auto plan = list_plan(annotations, style, frame);

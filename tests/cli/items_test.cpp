@@ -208,7 +208,7 @@ TEST_F(Items, LeaveRoomAndAreTheSameForAnyNumberOfThreads) {
 TEST_F(Items, MakeASheetThatFitsAsLargeAsTheyNeed) {
   write_illustration();
   for (const char* more : {"", " --perspective 30"}) {
-    ASSERT_EQ(run(std::string("draw @/a.burin.json -o @/a.json --paper fit --scale 1:10 --callouts "
+    ASSERT_EQ(run(std::string("draw @/a.burin.json -o @/a.json --paper fit --scale 1:3 --callouts "
                               "--parts-list sheet --ghost plate") +
                   more),
               0)
@@ -317,7 +317,7 @@ document.body.innerHTML = "<pre>" + out.join("|") + "</pre>";
   const std::size_t at = dom.find("<pre>");
   ASSERT_NE(at, std::string::npos) << dom;
   const std::string said = dom.substr(at + 5, dom.find("</pre>") - at - 5);
-  EXPECT_EQ(said, "3|3|3|2|2|3|marked|2|2|1||2|search|cube");
+  EXPECT_EQ(said, "3|4|3|2|2|3|marked|2|2|1||2|search|cube");
 }
 
 }  // namespace

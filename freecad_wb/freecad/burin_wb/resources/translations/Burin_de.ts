@@ -292,6 +292,10 @@
       <translation>Aufbau</translation>
     </message>
     <message>
+      <source>callout</source>
+      <translation>Positionsnummern</translation>
+    </message>
+    <message>
       <source>cancelled</source>
       <translation>abgebrochen</translation>
     </message>
