@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numbers>
 #include <optional>
 #include <string>
@@ -35,27 +36,44 @@ double length_of(const Path& path) {
   return length;
 }
 
-/// The middle of the longest visible line of a part that lies on what is seen of it.
-std::optional<std::pair<double, Vec2>> longest_line(const Drawing& drawing, std::int32_t part,
-                                                    const LabelMap& map) {
-  std::optional<std::pair<double, Vec2>> best;
+using Lines = std::map<std::int32_t, std::vector<const Path*>>;
+
+/// The visible lines of each part, without strokes.
+Lines lines_by_part(const Drawing& drawing) {
+  Lines lines;
   for (const Layer& layer : drawing.layers) {
     for (const Path& path : layer.paths) {
-      if (path.source.part != part || !path.visible || path.kind == LineClass::Stroke) continue;
-      const double length = length_of(path);
-      if (path.points.size() < 2 || (best && length <= best->first)) continue;
-      double left = 0.5 * length;
-      for (std::size_t i = 1; i < path.points.size(); ++i) {
-        const double step = glm::distance(path.points[i - 1], path.points[i]);
-        if (step < left || step == 0) {
-          left -= step;
-          continue;
-        }
-        const Vec2 at = glm::mix(path.points[i - 1], path.points[i], left / step);
-        if (map.shows(part, at)) best = {length, at};
-        break;
-      }
+      const bool line = path.visible && path.kind != LineClass::Stroke && path.points.size() > 1;
+      if (line) lines[path.source.part].push_back(&path);
     }
+  }
+  return lines;
+}
+
+/// The point half-way along a path.
+Vec2 middle_of(const Path& path) {
+  double left = 0.5 * length_of(path);
+  for (std::size_t i = 1; i < path.points.size(); ++i) {
+    const double step = glm::distance(path.points[i - 1], path.points[i]);
+    if (step >= left && step > 0) return glm::mix(path.points[i - 1], path.points[i], left / step);
+    left -= step;
+  }
+  return path.points.back();
+}
+
+/// The middle of the longest visible line of a part that lies on what is seen of it.
+std::optional<Vec2> longest_line(const Lines& lines, std::int32_t part, const LabelMap& map) {
+  const auto of_part = lines.find(part);
+  if (of_part == lines.end()) return std::nullopt;
+  std::optional<Vec2> best;
+  double longest = -1;
+  for (const Path* path : of_part->second) {
+    const double length = length_of(*path);
+    if (length <= longest) continue;
+    const Vec2 at = middle_of(*path);
+    if (!map.shows(part, at)) continue;
+    longest = length;
+    best = at;
   }
   return best;
 }
@@ -98,6 +116,7 @@ std::vector<Anchor> find_anchors(const Drawing& drawing, const LabelMap& seen,
   const std::vector<std::vector<Vec2>> lines = lines_of(drawing);
   const std::vector<Pole> solid = poles_of(seen, count, lines),
                           clear = poles_of(glass, count, lines);
+  const Lines by_part = lines_by_part(drawing);
   std::vector<Anchor> anchors;
   for (const DrawingItem& item : items) {
     double largest = 0;
@@ -127,8 +146,8 @@ std::vector<Anchor> find_anchors(const Drawing& drawing, const LabelMap& seen,
     }
     Anchor anchor{&item, pole.part, pole.at, pole.radius > kLeastDisc};
     if (!anchor.dot) {
-      const auto line = longest_line(drawing, pole.part, *map);
-      if (line) anchor.at = line->second;
+      const auto line = longest_line(by_part, pole.part, *map);
+      if (line) anchor.at = *line;
     }
     anchors.push_back(anchor);
   }
@@ -220,6 +239,12 @@ void add_callouts(Drawing& drawing, const LabelMap& seen, const LabelMap& glass,
   std::vector<Vec2> points;
   for (const Anchor& anchor : anchors) points.push_back(anchor.at);
   const CalloutPlaces places = place_callouts(points, ink, frame, sizes, style.layout, context);
+  if (places.unfinished) {
+    drawing.diagnostics.add(Severity::Warning, "callouts.many", std::ssize(anchors),
+                            fmt::format("{} callouts are too many to keep all leaders from "
+                                        "crossing: number fewer parts",
+                                        anchors.size()));
+  }
   CalloutSizes drawn = sizes;
   CalloutOptions how = style;
   // Where neighbours would touch, numbers become smaller: all are there and can be read.

@@ -126,17 +126,21 @@ std::vector<Place> all_places(const Sides& sides) {
   return places;
 }
 
+/// Pairs that are looked at, of all passes: about a second. A hundred numbers take 5e5.
+constexpr std::size_t kMostPairs = 30'000'000;
+
 /// Changes places of pairs while that shortens their leaders. Ends: the sum falls each time by more
-/// than rounding; the bound is there for numbers that are none.
-std::size_t swap_pairs(std::span<const Vec2> anchors, Sides& sides, const RunContext& context) {
+/// than rounding; `left` counts down, and what is not done at 0 stays.
+std::size_t swap_pairs(std::span<const Vec2> anchors, Sides& sides, std::size_t& left,
+                       const RunContext& context) {
   constexpr double kShorter = 1e-9;  // paper mm
   const std::vector<Place> places = all_places(sides);
-  const std::size_t most = 100 * places.size() + 1000;
   std::size_t swaps = 0;
-  for (bool changed = true; changed && swaps < most;) {
+  for (bool changed = true; changed && left > 0;) {
     changed = false;
-    context.check();
-    for (std::size_t i = 0; i < places.size(); ++i) {
+    for (std::size_t i = 0; i < places.size() && left > 0; ++i) {
+      context.check();
+      left -= std::min(left, places.size() - i);
       for (std::size_t k = i + 1; k < places.size(); ++k) {
         std::size_t& a = sides[places[i].side].labels[places[i].index];
         std::size_t& b = sides[places[k].side].labels[places[k].index];
@@ -183,6 +187,9 @@ std::size_t conflicts(std::span<const Vec2> anchors, std::span<const Vec2> at, s
   }
   return n;
 }
+
+/// More numbers are not looked at one by one.
+constexpr std::size_t kMostCleared = 1000;
 
 std::vector<Vec2> places_of(std::size_t count, const Sides& sides) {
   std::vector<Vec2> at(count);
@@ -326,15 +333,17 @@ CalloutPlaces place_callouts(std::span<const Vec2> anchors, const Box2& drawing,
   Sides sides = sides_of(drawing, frame, used, share->corners);
   deal(anchors, *share, used.pitch, sides);
   constexpr int kRounds = 12;
-  places.swaps = swap_pairs(anchors, sides, context);
+  std::size_t left = kMostPairs;
+  places.swaps = swap_pairs(anchors, sides, left, context);
   for (int round = 0; round < kRounds; ++round) {
-    const Sides before = sides;
     slide(anchors, used.pitch, sides);
-    const std::size_t swaps = swap_pairs(anchors, sides, context);
+    const std::size_t swaps = swap_pairs(anchors, sides, left, context);
     places.swaps += swaps;
     if (swaps == 0) break;
   }
   places.at = places_of(anchors.size(), sides);
+  places.unfinished = left == 0;
+  if (anchors.size() > kMostCleared) return places;
   Sides cleared = sides;
   clear_anchors(anchors, used, used.pitch, cleared, context);
   std::vector<Vec2> at = places_of(anchors.size(), cleared);

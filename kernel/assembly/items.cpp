@@ -148,15 +148,15 @@ std::vector<Item> find_items(const Scene& scene, const ItemNumbers& kept, Diagno
                              RunContext& context) {
   std::vector<Item> items;
   std::map<std::string, int> number_of, same;
+  std::set<std::string> taken;
   for (const auto& [number, name] : kept) number_of.try_emplace(name, number);
   int next = kept.empty() ? 1 : kept.rbegin()->first + 1;
   for (Kind& kind : Kinds(scene, diagnostics, context).find()) {
     Item item;
     item.name = name_of(scene, kind);
     const std::string plain = item.name;
-    std::set<std::string> taken;
-    for (const Item& other : items) taken.insert(other.name);
-    while (taken.contains(item.name)) item.name = fmt::format("{} ({})", plain, ++same[plain] + 1);
+    while (!taken.insert(item.name).second)
+      item.name = fmt::format("{} ({})", plain, ++same[plain] + 1);
     const auto known = number_of.find(item.name);
     item.number = known != number_of.end() ? known->second : next++;
     item.color = common(kind.parts, [&](std::size_t i) { return scene.parts[i].color; });

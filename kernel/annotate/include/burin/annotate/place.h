@@ -33,6 +33,8 @@ struct CalloutPlaces {
   double lacking = 1;
   /// Least distance of neighbours that they have: the pitch, or less where that has no room.
   double pitch = 0;
+  /// There were so many that leaders may cross.
+  bool unfinished = false;
 };
 
 /// Puts a number for each anchor on a rectangle about the drawing, inside `frame`: columns first,
