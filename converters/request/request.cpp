@@ -224,7 +224,7 @@ SheetOptions sheet_with_room(const Camera::ExtentFn& extent, const DrawPlan& pla
   const Annotations& over = *plan.illustrate.annotations;
   const CalloutOptions& style = plan.style.callout;
   if (!sheet.fits) {
-    sheet.margin = margin_of(annotation_margin(over, style, plan.view.paper), plan);
+    sheet.margin = annotation_margin(over, style, plan.view.paper);
     return sheet;
   }
   // A sheet that fits grows until they have room; what has none then is told by the drawing.
@@ -251,7 +251,16 @@ Camera make_camera(const Scene& scene, const DrawPlan& plan) {
   const auto extent = [&](const Mat3& axes) {
     return drawn_bounds(scene, plan.illustrate.part_styles, axes);
   };
-  return Camera::fit(extent, settle(extent, plan.view, sheet_with_room(extent, plan)));
+  if (!plan.illustrate.annotations || !plan.view.perspective || plan.sheet.fits) {
+    return Camera::fit(extent, settle(extent, plan.view, sheet_with_room(extent, plan)));
+  }
+  // A perspective view knows one margin: it is fitted to what is left of the sheet.
+  ViewOptions view = settle(extent, plan.view, plan.sheet);
+  const Paper sheet = view.paper;
+  const Margin m = annotation_margin(*plan.illustrate.annotations, plan.style.callout, sheet);
+  view.paper = {sheet.width - m.left - m.right, sheet.height - m.bottom - m.top};
+  view.margin = 0;
+  return Camera::fit(extent, view).on_sheet(sheet, {m.left, m.bottom});
 }
 
 DrawPlan make_plan(const DrawRequest& request, Spelling spelling) {

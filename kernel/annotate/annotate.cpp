@@ -256,9 +256,9 @@ void add_callouts(Drawing& drawing, const LabelMap& seen, const LabelMap& glass,
   if (places.lacking > 1) {
     drawing.diagnostics.add(
         Severity::Warning, "callouts.crowded", std::ssize(anchors),
-        fmt::format("{} callouts have no room on a sheet of {:g} x {:g} mm: their numbers stand "
-                    "closer than they should, {:.2g} mm high; they need one of {:.0f} x {:.0f} mm, "
-                    "or a smaller callout.height",
+        fmt::format("{} callouts have no room on a sheet of {:g} x {:g} mm: their numbers, {:.2g} "
+                    "mm high, stand closer than they should or over the drawing; they need one of "
+                    "{:.0f} x {:.0f} mm, or a smaller callout.height",
                     anchors.size(), drawing.paper_width, drawing.paper_height, how.height,
                     std::ceil(drawing.paper_width * places.lacking),
                     std::ceil(drawing.paper_height * places.lacking)));

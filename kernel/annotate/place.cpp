@@ -56,8 +56,21 @@ struct Share {
   std::array<std::size_t, 4> counts{};
 };
 
-std::optional<Share> share_of(std::size_t n, const Box2& drawing, const Box2& frame,
-                              const CalloutSizes& sizes, CalloutOptions::Layout layout) {
+/// Whether the numbers of a share stand beside the drawing, not over it.
+bool stands_clear(const Share& share, const Box2& drawing, const Box2& frame,
+                  const CalloutSizes& sizes) {
+  constexpr double kRounding = 1e-6;  // paper mm
+  const double r = 0.5 * sizes.diameter - kRounding;
+  const Sides sides = sides_of(drawing, frame, sizes, share.corners);
+  const auto& c = share.counts;
+  return (c[kLeft] == 0 || sides[kLeft].across + r <= drawing.min.x) &&
+         (c[kRight] == 0 || sides[kRight].across - r >= drawing.max.x) &&
+         (c[kBottom] == 0 || sides[kBottom].across + r <= drawing.min.y) &&
+         (c[kTop] == 0 || sides[kTop].across - r >= drawing.max.y);
+}
+
+std::optional<Share> any_share(std::size_t n, const Box2& drawing, const Box2& frame,
+                               const CalloutSizes& sizes, CalloutOptions::Layout layout) {
   using Layout = CalloutOptions::Layout;
   const auto halves = [](std::size_t m) { return std::pair(m - m / 2, m / 2); };
   Share share;
@@ -86,6 +99,14 @@ std::optional<Share> share_of(std::size_t n, const Box2& drawing, const Box2& fr
   }
   std::tie(c[kTop], c[kBottom]) = halves(rows);
   std::tie(c[kLeft], c[kRight]) = halves(n - rows);
+  return share;
+}
+
+/// The share that leaves the drawing clear; nothing where there is none.
+std::optional<Share> share_of(std::size_t n, const Box2& drawing, const Box2& frame,
+                              const CalloutSizes& sizes, CalloutOptions::Layout layout) {
+  std::optional<Share> share = any_share(n, drawing, frame, sizes, layout);
+  if (share && !stands_clear(*share, drawing, frame, sizes)) share.reset();
   return share;
 }
 
@@ -320,10 +341,10 @@ CalloutPlaces place_callouts(std::span<const Vec2> anchors, const Box2& drawing,
     const auto scaled = [&](const Box2& b) { return Box2{b.min * f, b.max * f}; };
     if (share_of(anchors.size(), scaled(drawing), scaled(frame), sizes, layout)) places.lacking = f;
   }
-  // All are there, though closer.
+  // All are there, though closer, or over the drawing.
   for (int step = 0; !share && step < 400; ++step) {
-    used.pitch *= 0.97;
-    share = share_of(anchors.size(), drawing, frame, used, layout);
+    share = any_share(anchors.size(), drawing, frame, used, layout);
+    if (!share) used.pitch *= 0.97;
   }
   if (!share) {
     share = Share{};

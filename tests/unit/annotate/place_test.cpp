@@ -129,6 +129,16 @@ TEST(Callouts, ThatDoNotFitTellTheSheetThatHoldsThem) {
   EXPECT_EQ(crossings(anchors, large.at), 0U);
 }
 
+TEST(Callouts, ThatWouldStandOverTheDrawingTellHowLargeASheetKeepsItClear) {
+  const CalloutSizes sizes(CalloutOptions{}, 9);
+  const Box2 full{{12, 12}, {285, 198}};
+  const std::vector<Vec2> anchors{{100, 100}, {200, 100}};
+  const auto layout = CalloutOptions::Layout::Columns;
+  const auto places = place_callouts(anchors, full, kFrame, sizes, layout, RunContext());
+  EXPECT_EQ(places.at.size(), 2U);
+  EXPECT_GT(places.lacking, 1);
+}
+
 TEST(Callouts, OfOneAnchorOrOfEqualOnesHavePlaces) {
   const CalloutSizes sizes(CalloutOptions{}, 9);
   const auto layout = CalloutOptions::Layout::Around;
