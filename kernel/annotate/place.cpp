@@ -63,10 +63,11 @@ bool stands_clear(const Share& share, const Box2& drawing, const Box2& frame,
   const double r = 0.5 * sizes.diameter - kRounding;
   const Sides sides = sides_of(drawing, frame, sizes, share.corners);
   const auto& c = share.counts;
-  return (c[kLeft] == 0 || sides[kLeft].across + r <= drawing.min.x) &&
-         (c[kRight] == 0 || sides[kRight].across - r >= drawing.max.x) &&
-         (c[kBottom] == 0 || sides[kBottom].across + r <= drawing.min.y) &&
-         (c[kTop] == 0 || sides[kTop].across - r >= drawing.max.y);
+  const bool columns = c[kLeft] + c[kRight] > 0, rows = c[kBottom] + c[kTop] > 0;
+  return (!columns || (sides[kLeft].across + r <= drawing.min.x &&
+                       sides[kRight].across - r >= drawing.max.x)) &&
+         (!rows ||
+          (sides[kBottom].across + r <= drawing.min.y && sides[kTop].across - r >= drawing.max.y));
 }
 
 std::optional<Share> any_share(std::size_t n, const Box2& drawing, const Box2& frame,
@@ -108,6 +109,26 @@ std::optional<Share> share_of(std::size_t n, const Box2& drawing, const Box2& fr
   std::optional<Share> share = any_share(n, drawing, frame, sizes, layout);
   if (share && !stands_clear(*share, drawing, frame, sizes)) share.reset();
   return share;
+}
+
+/// Where all numbers stand on two opposite sides, those go to each whose anchors are nearer to it,
+/// as far as both have room.
+void lean(std::span<const Vec2> anchors, const Box2& drawing, double pitch, const Sides& sides,
+          Share& share) {
+  auto& c = share.counts;
+  const std::size_t n = anchors.size();
+  const auto part = [&](std::size_t first, std::size_t second, const auto& nearer) {
+    const std::size_t room = std::min(n, sides[first].room(pitch));
+    const auto count = static_cast<std::size_t>(std::ranges::count_if(anchors, nearer));
+    c[first] = std::clamp(count, n - room, room);
+    c[second] = n - c[first];
+  };
+  const Vec2 middle = drawing.center();
+  if (c[kLeft] + c[kRight] == n && n <= 2 * sides[kLeft].room(pitch)) {
+    part(kLeft, kRight, [&](Vec2 p) { return p.x < middle.x; });
+  } else if (c[kTop] + c[kBottom] == n && n <= 2 * sides[kTop].room(pitch)) {
+    part(kTop, kBottom, [&](Vec2 p) { return p.y > middle.y; });
+  }
 }
 
 /// Deals the anchors to the sides: those farthest up, down, left, then the rest; each side by
@@ -352,6 +373,7 @@ CalloutPlaces place_callouts(std::span<const Vec2> anchors, const Box2& drawing,
   }
   places.pitch = used.pitch;
   Sides sides = sides_of(drawing, frame, used, share->corners);
+  lean(anchors, drawing, used.pitch, sides, *share);
   deal(anchors, *share, used.pitch, sides);
   constexpr int kRounds = 12;
   std::size_t left = kMostPairs;
