@@ -68,7 +68,10 @@ Scene read_models(const DrawArguments& arguments, const DrawPlan& plan, RunConte
   }
   const InputFiles read;
   Scene scene = read_scene(arguments.inputs, plan.read, context);
-  if (kept) *kept = {read.stamps(), scene};
+  if (kept) {
+    kept->files = read.stamps();
+    kept->scene = scene;
+  }
   return scene;
 }
 
@@ -155,7 +158,7 @@ void run_draw(const DrawArguments& arguments, RunContext& context, Console& cons
   cut_parts(scene, plan);
   const Camera camera = make_camera(scene, plan);
   for (const Output& output : outputs) check_format(output, camera.paper(), options);
-  const Drawing drawing = draw(scene, camera, plan, context);
+  const Drawing drawing = draw(scene, camera, plan, context, kept ? &kept->session : nullptr);
 
   write_parts_lists(drawing, plan);
   write_outputs(outputs, drawing, options, context);

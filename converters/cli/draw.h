@@ -3,6 +3,7 @@
 
 #include <burin/base/input_files.h>
 #include <burin/base/run_context.h>
+#include <burin/illustrate/session.h>
 #include <burin/surface/scene.h>
 
 #include "arguments.h"
@@ -12,10 +13,12 @@
 
 namespace burin::cli {
 
-/// What was read of models, and the files that it came from as they were then.
+/// What was read of models, the files that it came from as they were then, and what the last
+/// drawing of it was made of.
 struct KeptScene {
   InputFiles::Stamps files;
   std::optional<Scene> scene;
+  Session session{};
 };
 
 /// Reads, draws and writes; prints the drawing's diagnostics. Throws the kernel's errors. `kept`:

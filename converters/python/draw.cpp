@@ -18,6 +18,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <mutex>
 #include <optional>
 #include <string>
 #include <utility>
@@ -27,21 +28,38 @@ namespace {
 
 /// What `draw` was given beside options.
 struct Calls {
-  py::object field = py::none(), tone = py::none(), progress = py::none(), cancel = py::none();
+  py::object field = py::none(), tone = py::none(), progress = py::none(), cancel = py::none(),
+             session = py::none();
 
   /// Null where it is none of these.
   py::object* find(const std::string& name) {
     if (name == "field") return &field;
     if (name == "tone") return &tone;
     if (name == "progress") return &progress;
+    if (name == "session") return &session;
     return name == "cancel" ? &cancel : nullptr;
   }
 };
-const std::vector<std::string> kCalls = {"field", "tone", "progress", "cancel"};
+const std::vector<std::string> kCalls = {"field", "tone", "progress", "cancel", "session"};
 
 bool is_about_reading(const std::string& name) {
   return std::ranges::any_of(read_option_rows(),
                              [&](const auto& row) { return row.name() == name; });
+}
+
+/// What Python calls `Session`.
+struct PySession {
+  Session session;
+  std::mutex busy;
+};
+
+/// Null for None.
+PySession* session_of(const py::object& value) {
+  if (value.is_none()) return nullptr;
+  if (!py::isinstance<PySession>(value)) {
+    throw py::type_error("argument session takes a Session");
+  }
+  return value.cast<PySession*>();
 }
 
 /// What is to be drawn: a scene, or files to be read in the run.
@@ -98,7 +116,8 @@ DrawingOwner draw(const py::object& source, const py::kwargs& keywords) {
     add_keyword(request, find_option(all_options(), name, kCalls), value);
   }
   if (from.illustration) request = merged(from.illustration->request, request);
-  const auto& [field, tone, progress, cancel] = calls;
+  const auto& [field, tone, progress, cancel, kept] = calls;
+  PySession* const session = session_of(kept);
   DrawPlan plan = make_plan(request, Spelling::Keywords);
   plan.illustrate.field = python_field(field);
   plan.illustrate.tone = python_tone(tone);
@@ -109,6 +128,11 @@ DrawingOwner draw(const py::object& source, const py::kwargs& keywords) {
   auto result = std::make_shared<PyDrawing>();
   result->style = plan.style;
   result->id_prefix = plan.id_prefix;
+  std::unique_lock<std::mutex> busy;
+  if (session) {
+    busy = std::unique_lock(session->busy, std::try_to_lock);
+    if (!busy) throw UsageError("the session is drawing already; one drawing at a time");
+  }
   run(progress, flag, [&](RunContext& context) {
     const ThreadLimit limit(plan.threads);
     Scene scene = from.get(plan.read, context);
@@ -116,7 +140,8 @@ DrawingOwner draw(const py::object& source, const py::kwargs& keywords) {
     number_parts(scene, plan, context);
     cut_parts(scene, plan);
     const Camera camera = make_camera(scene, plan);
-    result->drawing = burin::draw(scene, camera, plan, context);
+    result->drawing =
+        burin::draw(scene, camera, plan, context, session ? &session->session : nullptr);
     write_parts_lists(result->drawing, plan);
   });
   return result;
@@ -143,6 +168,11 @@ py::list info(const py::args& paths, const py::kwargs& options) {
 }  // namespace
 
 void add_draw(py::module_& module) {
+  py::class_<PySession> session(
+      module, "Session",
+      "Keeps what drawings of the same scene may use again: `draw(scene, session=session)` makes "
+      "anew what light, style or view change, and draws the same. One drawing at a time.");
+  of_package(session).def(py::init<>());
   module.def("draw", draw, py::arg("source"),
              "What burin.draw calls; that one tells its arguments.");
   module.def(

@@ -108,8 +108,11 @@ bool any_strokes(const DrawPlan& plan) {
 
 }  // namespace
 
-Drawing draw(const Scene& scene, const Camera& camera, const DrawPlan& plan, RunContext& context) {
-  Drawing drawing = illustrate(scene, camera, plan.style, plan.illustrate, context);
+Drawing draw(const Scene& scene, const Camera& camera, const DrawPlan& plan, RunContext& context,
+             Session* session) {
+  Drawing drawing = session
+                        ? session->draw(scene, camera, plan.style, plan.illustrate, context)
+                        : illustrate(scene, camera, plan.style, plan.illustrate, context);
   drawing.title = plan.title;
   drawing.diagnostics.append(plan.notes);
   drawing.diagnostics = at_door(drawing.diagnostics, plan.spelling);

@@ -1,11 +1,15 @@
 #include "family.h"
 
 #include <burin/base/parallel.h>
+#include <burin/mesh/whole_faces.h>
 
 #include "islands.h"
 #include "multigrid.h"
 
+#include <algorithm>
 #include <array>
+#include <cmath>
+#include <map>
 #include <utility>
 
 namespace burin::field {
@@ -85,11 +89,75 @@ void add_flats(const std::vector<Border>& borders, const FlatPatches& flats, Lin
   mass.resize(n + patches, kStay);
 }
 
+bool is_ruled(FaceKind kind) {
+  return kind == FaceKind::Cylinder || kind == FaceKind::Cone || kind == FaceKind::Torus;
+}
+
+// The curved faces of which everybody knows how lines run, smallest first: their triangles.
+std::vector<std::vector<std::uint32_t>> ruled_faces(const ProxyMesh& proxy,
+                                                    const std::vector<FaceKind>& kinds) {
+  const std::vector<std::int32_t> whole = whole_faces(proxy);
+  std::map<std::int32_t, std::vector<std::uint32_t>> found;
+  for (std::uint32_t f = 0; f < kinds.size(); ++f) {
+    if (!is_ruled(kinds[f])) continue;
+    const std::int32_t face = proxy.source_face[f];
+    found[whole.empty() ? face : whole[static_cast<std::size_t>(face)]].push_back(f);
+  }
+  std::vector<std::vector<std::uint32_t>> faces;
+  for (auto& [face, triangles] : found) faces.push_back(std::move(triangles));
+  std::ranges::stable_sort(faces, {}, [&](const auto& triangles) {
+    double area = 0;
+    for (const std::uint32_t f : triangles) area += proxy.mesh.area(f);
+    return area;
+  });
+  return faces;
+}
+
+// Families that change names in the middle of a cylinder, cone or torus do so beside it: all of the
+// face takes the names that most of it has. A wedge between two such faces goes with the larger.
+void settle_ruled_faces(const ProxyMesh& proxy, const WedgeGraph& graph,
+                        const std::vector<FaceKind>& kinds, const Links<double>& signs,
+                        std::vector<double>& sign, const RunContext& context) {
+  std::vector<signed char> same(graph.axis.size(),
+                                0);  // as the first wedge of the face; 0: not met
+  for (const std::vector<std::uint32_t>& triangles : ruled_faces(proxy, kinds)) {
+    context.check();
+    std::vector<std::uint32_t> wedges;
+    for (const std::uint32_t f : triangles) {
+      for (std::size_t k = 0; k < 3; ++k) wedges.push_back(proxy.wedges[f][k]);
+    }
+    std::ranges::sort(wedges);
+    wedges.erase(std::unique(wedges.begin(), wedges.end()), wedges.end());
+    const auto of_face = [&](std::uint32_t w) { return std::ranges::binary_search(wedges, w); };
+    for (const std::uint32_t start : wedges) {
+      if (same[start] != 0) continue;
+      std::vector<std::uint32_t> met{start};
+      same[start] = 1;
+      double names = 0, all = 0;
+      for (std::size_t i = 0; i < met.size(); ++i) {
+        const std::uint32_t w = met[i];
+        names += (sign[w] < 0 ? -1 : 1) * same[w] * graph.area[w];
+        all += graph.area[w];
+        for (std::uint32_t k = signs.first[w]; k < signs.first[w + 1]; ++k) {
+          const std::uint32_t j = signs.neighbour[k];
+          if (j >= same.size() || same[j] != 0 || signs.coupling[k] == 0 || !of_face(j)) continue;
+          same[j] = static_cast<signed char>(signs.coupling[k] < 0 ? -same[w] : same[w]);
+          met.push_back(j);
+        }
+      }
+      if (std::abs(names) == all) continue;
+      for (const std::uint32_t w : met) sign[w] = names < 0 ? -same[w] : same[w];
+    }
+    for (const std::uint32_t w : wedges) same[w] = 0;
+  }
+}
+
 }  // namespace
 
 std::vector<Vec2> choose_family(const ProxyMesh& proxy, const WedgeGraph& graph,
                                 const std::vector<Vec2>& crosses, const Constraints& targets,
-                                FlatPatches* flats, const RunContext& context) {
+                                const std::vector<FaceKind>& kinds, FlatPatches* flats,
+                                const RunContext& context) {
   const Links<Vec2>& links = graph.crosses;
   const std::size_t n = links.size();
   std::vector<Vec2> line(n, Vec2(1, 0));
@@ -128,6 +196,7 @@ std::vector<Vec2> choose_family(const ProxyMesh& proxy, const WedgeGraph& graph,
   std::vector<double> sign =
       minimise(Hierarchy<double>(signs, context), std::move(mass), pull, context);
   join_islands(signs, pull, sign);
+  settle_ruled_faces(proxy, graph, kinds, signs, sign, context);
   for_wedges([&](std::size_t w) {
     if (sign[w] < 0) line[w] = -line[w];
   });

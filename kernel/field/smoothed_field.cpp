@@ -69,8 +69,9 @@ struct SmoothedField::Part {
     const ProxyMesh& proxy = s.proxy();
     exact = s.exact();
     std::vector<Frame> frames;
+    std::vector<FaceKind> kinds;
     if (exact) {
-      const std::vector<FaceKind> kinds = find_face_kinds(s, context);
+      kinds = find_face_kinds(s, context);
       flats = find_plane_faces(s, kinds, options, context);
       balls = find_balls(proxy, kinds, options);
       frames = curved_frames(s, flats, context);
@@ -86,7 +87,7 @@ struct SmoothedField::Part {
         find_constraints(proxy, frames, exact, flats, graph, hierarchy, options, context);
     frames = {};
     const std::vector<Vec2> crosses = minimise(hierarchy, wanted.mass, wanted.pull, context);
-    line = choose_family(proxy, graph, crosses, wanted, exact ? &flats : nullptr, context);
+    line = choose_family(proxy, graph, crosses, wanted, kinds, exact ? &flats : nullptr, context);
     bend_over_cuts(proxy, graph, wanted, line, context);
     if (!exact) {
       match_flat_families(proxy, graph, line, flats);

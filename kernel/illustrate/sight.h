@@ -3,48 +3,55 @@
 
 #include <burin/base/curve.h>
 #include <burin/camera/camera.h>
-#include <burin/visibility/occluder.h>
 #include <burin/visibility/visible_spans.h>
 
-#include "part_styles.h"
+#include "occluders.h"
 
+#include <memory>
 #include <span>
 #include <vector>
 
 namespace burin::detail {
 
-/// Spans of features and of strokes, one list a curve.
-struct Seen {
-  std::vector<std::vector<Span>> features, strokes;
-  /// See VisibilityMap; the largest.
-  double merged_cuts = 0;
-};
+using Spans = std::vector<std::vector<Span>>;
 
-/// All arguments must outlive it.
+/// The feature lines of a view. What is seen of them is found once, where no part can be looked
+/// through; else with each set of strokes, one tree of rays a transparent part after the other.
 class Sight {
  public:
-  Sight(std::span<const ProxyMesh* const> proxies, const Camera& camera,
-        const PartStyles& part_styles, const RunContext& context);
+  /// `features` of all parts, drawn or not: they cut. `closes_outline`: what is missing of the
+  /// outer outline is added to them (`outline_gaps`); of parts that can be looked through nothing,
+  /// whose outlines end behind others.
+  Sight(std::shared_ptr<const Occluders> occluders, const Camera& camera,
+        std::vector<Curve3> features, bool closes_outline)
+      : occluders_(std::move(occluders)),
+        camera_(camera),
+        features_(std::move(features)),
+        closes_outline_(closes_outline) {}
 
-  /// The parts that hide others.
-  const Occluder& solid() const { return solid_; }
-  /// What stands before a transparent part: the solid ones and itself.
-  Occluder before(std::size_t part, const RunContext& context) const;
-  /// One tree of rays a transparent part, one after the other.
-  Seen classify(std::span<const Curve3> features, std::span<const Curve3> strokes,
-                const RunContext& context) const;
-  /// Appends what is missing of the outer outline (`outline_gaps`); of parts that can be looked
-  /// through nothing, whose outlines end behind others.
-  void close_outline(std::vector<Curve3>& features, Seen& seen, const RunContext& context) const;
+  /// The spans of strokes. From then on `features` and `feature_spans` say what they say.
+  Spans classify(std::span<const Curve3> strokes, const RunContext& context);
+
+  std::span<const Curve3> features() const { return closed_.empty() ? features_ : closed_; }
+  const Spans& feature_spans() const { return spans_; }
+  /// See VisibilityMap; the largest.
+  double merged_cuts() const { return merged_cuts_; }
 
  private:
-  std::vector<const ProxyMesh*> proxies_before(std::size_t part) const;
+  void see_features(const RunContext& context);
+  void close_outline(const RunContext& context);
+  Spans classify_transparent(std::span<const Curve3> strokes, const RunContext& context);
 
-  std::span<const ProxyMesh* const> proxies_;
-  const Camera& camera_;
-  const PartStyles& part_styles_;
-  std::vector<const ProxyMesh*> solid_proxies_;
-  Occluder solid_;
+  std::shared_ptr<const Occluders> occluders_;
+  Camera camera_;
+  std::vector<Curve3> features_;
+  bool closes_outline_;
+  /// The features and the gaps that were closed; empty where there are none.
+  std::vector<Curve3> closed_;
+  Spans spans_;
+  double merged_cuts_ = 0;
+  /// Refers to the other members: once it is there this must stay where it is.
+  std::unique_ptr<VisibilityMap> map_;
 };
 
 }  // namespace burin::detail

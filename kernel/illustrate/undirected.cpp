@@ -56,12 +56,12 @@ void count_row(const HatchScene& hatched, const Field& field, const Tone& tone, 
 
 }  // namespace
 
-void Undirected::look(const HatchScene& hatched, const Field& field, const Tone& tone,
-                      const HatchStyle& hatch) {
+std::optional<Undirected::Found> Undirected::look(const HatchScene& hatched, const Field& field,
+                                                  const Tone& tone, const HatchStyle& hatch) {
   const std::string& name = hatch.field.name;
-  if (field::find(name).missing.empty()) return;
+  if (field::find(name).missing.empty()) return std::nullopt;
   const Box2 box = seen_box(hatched);
-  if (box.empty() || box.size().x <= 0 || box.size().y <= 0) return;
+  if (box.empty() || box.size().x <= 0 || box.size().y <= 0) return std::nullopt;
   std::vector<std::vector<Count>> rows(kSide, std::vector<Count>(hatched.surfaces.size()));
   const auto body = [&](std::size_t begin, std::size_t end) {
     for (std::size_t y = begin; y < end; ++y) {
@@ -83,8 +83,12 @@ void Undirected::look(const HatchScene& hatched, const Field& field, const Tone&
       found.some.push_back(part);
     }
   }
-  const bool told = std::ranges::find(found_, found) != found_.end();
-  if (!told && (!found.none.empty() || !found.some.empty())) found_.push_back(std::move(found));
+  if (found.none.empty() && found.some.empty()) return std::nullopt;
+  return found;
+}
+
+void Undirected::add(const Found& found) {
+  if (std::ranges::find(found_, found) == found_.end()) found_.push_back(found);
 }
 
 std::string Undirected::names(const std::vector<std::size_t>& parts) const {

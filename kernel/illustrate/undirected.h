@@ -3,6 +3,7 @@
 
 #include <burin/illustrate/illustrate.h>
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -14,14 +15,7 @@ class Undirected {
   /// `scene` must outlive it.
   explicit Undirected(const Scene& scene) : scene_(scene) {}
 
-  /// Asks the field where parts with such strokes are seen and want ink: at most some ten thousand
-  /// places of the picture.
-  void look(const HatchScene& hatched, const Field& field, const Tone& tone,
-            const HatchStyle& hatch);
-  /// One diagnostic "strokes.no_direction" for each field that left something out.
-  void tell(Diagnostics& diagnostics) const;
-
- private:
+  /// What a field leaves out.
   struct Found {
     std::string field;
     /// Parts without any direction, and those with few; their numbers in the scene.
@@ -29,6 +23,17 @@ class Undirected {
 
     bool operator==(const Found&) const = default;
   };
+
+  /// Asks the field where parts with such strokes are seen and want ink: at most some ten thousand
+  /// places of the picture. Nothing where all is well.
+  static std::optional<Found> look(const HatchScene& hatched, const Field& field, const Tone& tone,
+                                   const HatchStyle& hatch);
+  /// Each once.
+  void add(const Found& found);
+  /// One diagnostic "strokes.no_direction" for each field that left something out.
+  void tell(Diagnostics& diagnostics) const;
+
+ private:
   std::string names(const std::vector<std::size_t>& parts) const;
 
   const Scene& scene_;

@@ -70,6 +70,12 @@ class CutForm final : public Form {
     }
     return std::make_shared<detail::CutSurface>(std::move(whole), std::move(cut), plane_);
   }
+  bool looks_at_view() const override { return form_->looks_at_view(); }
+  bool same_as(const Form& other) const override {
+    const auto* cut = dynamic_cast<const CutForm*>(&other);
+    return cut && cut->plane_ == plane_ && cut->number_ == number_ && cut->name_ == name_ &&
+           cut->form_->same_as(*form_);
+  }
 
   /// Cut open it is still what it was.
   Definition definition() const override { return form_->definition(); }

@@ -21,6 +21,7 @@ class CutSurface final : public Surface {
   ProxyPoint to_proxy(const SurfacePoint& point) const override;
   SurfacePoint lift(const ProxyPoint& point) const override;
   bool exact() const override { return whole_->exact(); }
+  bool holds_for_coarser() const override { return whole_->holds_for_coarser(); }
   std::optional<Vec2> parameters(const SurfacePoint& point) const override {
     if (closes(point.triangle)) return std::nullopt;
     return whole_->parameters(inner(point));

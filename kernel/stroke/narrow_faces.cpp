@@ -1,5 +1,7 @@
 #include "narrow_faces.h"
 
+#include <burin/mesh/whole_faces.h>
+
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -16,12 +18,39 @@ constexpr double kSlim = 2;         // times as long as wide
 constexpr std::uint32_t kCheckEvery = 65536;
 constexpr double kSameWay = 0.7;  // sine of the turn up to which lines go on
 
+// Faces that seams alone divide: lines on one are lines on the other.
+class WholeFaces {
+ public:
+  explicit WholeFaces(const Picture& picture) {
+    for (const Surface* surface : picture.surfaces) parts_.push_back(whole_faces(surface->proxy()));
+  }
+
+  // One face for all of its pieces.
+  std::int32_t whole(std::int32_t part, std::int32_t face) const {
+    const auto& faces = parts_[static_cast<std::size_t>(part)];
+    return faces.empty() ? face : faces[static_cast<std::size_t>(face)];
+  }
+  std::vector<std::int32_t> pieces(std::int32_t part, std::int32_t whole) const {
+    const auto& faces = parts_[static_cast<std::size_t>(part)];
+    if (faces.empty()) return {whole};
+    std::vector<std::int32_t> out;
+    for (std::size_t f = 0; f < faces.size(); ++f) {
+      if (faces[f] == whole) out.push_back(static_cast<std::int32_t>(f));
+    }
+    return out;
+  }
+
+ private:
+  std::vector<std::vector<std::int32_t>> parts_;
+};
+
 class Finder {
  public:
   Finder(const Picture& picture, const ViewRaster& raster, const WaveGraph& graph)
       : picture_(picture),
         raster_(raster),
         graph_(graph),
+        faces_(picture),
         narrow_(kNarrow * picture.options.length_min) {}
 
   FaceSet find(const RunContext& context) const {
@@ -41,7 +70,10 @@ class Finder {
     FaceSet out;
     for (const auto& [key, cells] : faces) {
       context.check();
-      if (is_narrow(cells)) out.insert(out.end(), key);
+      if (!is_narrow(cells)) continue;
+      for (const std::int32_t piece : faces_.pieces(key.first, key.second)) {
+        out.insert({key.first, piece});
+      }
     }
     return out;
   }
@@ -51,7 +83,8 @@ class Finder {
     return raster_.cells[graph_.nodes[node].cell];
   }
   std::int32_t face(std::uint32_t node) const {
-    return picture_.surface(cell(node).part).proxy().face_source(cell(node).face);
+    const RasterCell& c = cell(node);
+    return faces_.whole(c.part, picture_.surface(c.part).proxy().face_source(c.face));
   }
   bool inked(std::uint32_t node) const {
     return picture_.share(cell(node).darkness, 1) >= picture_.options.tone_min;
@@ -98,6 +131,7 @@ class Finder {
   const Picture& picture_;
   const ViewRaster& raster_;
   const WaveGraph& graph_;
+  WholeFaces faces_;
   double narrow_;
 };
 

@@ -21,6 +21,12 @@ struct Coverage2 {
   double second = 0;
 };
 
+/// From how many times its thinnest line on a pen swells.
+constexpr double kLeastSwelling = 1.5;
+inline bool swelling(const HatchOptions& options) {
+  return options.width_max > kLeastSwelling * options.width_min;
+}
+
 /// Of a dot of that diameter, in paper mm2.
 inline double dot_area(double width) { return 0.25 * std::numbers::pi * width * width; }
 
@@ -29,6 +35,8 @@ inline bool ruled(FaceKind kind) {
   return kind == FaceKind::Plane || kind == FaceKind::Cylinder || kind == FaceKind::Cone ||
          kind == FaceKind::Torus;
 }
+
+struct Remembered;
 
 /// The arguments of trace_strokes and the small functions of them.
 struct Picture {
@@ -55,13 +63,15 @@ struct Picture {
   Standing standing = Standing::Apart;
   /// What stands on points in the place of strokes; null: strokes.
   const Motif* motif = nullptr;
+  /// What the same strokes in another light have left, and are left; null: nothing is kept.
+  Remembered* memory = nullptr;
   /// Between lines that stand along levels of the field; 0: none do.
   double level_step = 0;
 
   /// The same picture with lines that follow another field, which has to live as long.
   Picture following(const Field& other) const {
-    return {surfaces,   camera,  other,   tone, probe,    options, seed,
-            same_place, balance, shaping, laws, standing, motif,   level_step};
+    return {surfaces, camera,  other, tone,     probe, options, seed,      same_place,
+            balance,  shaping, laws,  standing, motif, memory,  level_step};
   }
 
   bool by_chance() const { return standing != Standing::Apart && standing != Standing::Levels; }
@@ -199,10 +209,7 @@ struct Picture {
   }
 
   /// Whether the width of lines carries the tone; else their distance does.
-  bool swells() const {
-    constexpr double kLeast = 1.5;
-    return options.width_max > kLeast * options.width_min;
-  }
+  bool swells() const { return swelling(options); }
 
   /// Distance between neighbours of a family that is to cover a share `ink` of the paper: always
   /// the same where lines swell; wider where it is lighter with a pen of one width.

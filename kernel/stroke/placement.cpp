@@ -6,6 +6,8 @@
 #include "level_lines.h"
 #include "level_phase.h"
 #include "narrow_faces.h"
+#include "pieces.h"
+#include "remembered.h"
 #include "shared_progress.h"
 #include "wave_anchors.h"
 #include "wave_density.h"
@@ -39,106 +41,6 @@ void insert_visible(SampleGrid& grid, const TracedStroke& stroke, std::int32_t i
   for (const StrokeSample& s : stroke.samples) {
     if (s.visible) grid.insert(grid_sample(s, stroke.part, id));
   }
-}
-
-// How lines end on the way into the light: every second one first, then every second of the others,
-// by the ink at which the thinnest pen is too wide for all.
-class Fading {
- public:
-  Fading(const Picture& picture, int family) {
-    const HatchOptions& o = picture.options;
-    least_ = family == 1 ? o.tone_min : kFirstOfSecond;
-    full_ = o.width_min / o.spacing_min;
-    // As many halvings as the style's widest gap has room for.
-    const auto room = std::lround(std::log2(o.spacing_max / o.spacing_min));
-    if (family == 1 && picture.swells() && !(picture.level_step > 0))
-      classes_ = std::clamp(static_cast<int>(room), 0, 2);
-  }
-
-  // How a line of some number fades: it has all of its ink where `full` is asked for, and ends at
-  // `least`.
-  struct Range {
-    double least = 0, full = 0;
-
-    double weight(double ink) const { return full > least ? smoothstep(least, full, ink) : 1; }
-  };
-  Range range(std::int64_t number) const {
-    double full = full_;
-    for (int c = 0; c < classes_; ++c, full *= 0.5) {
-      const std::int64_t step = std::int64_t{2} << c;
-      if (number % step == 0) continue;
-      const double by = full * (1 + kSpread * dice(number >> (c + 1)));
-      return {std::max(least_, kEnds * by), std::max(least_, kBegins * by)};
-    }
-    return {least_, least_};
-  }
-
- private:
-  static constexpr double kFirstOfSecond = 0.03;  // ink: a second family shows as from there
-  static constexpr double kEnds = 0.8, kBegins = 1.35;
-  static constexpr double kSpread = 0.2;  // so that tips do not line up
-
-  // In [-1, 1], far apart for neighbours: the bits of the number the other way round.
-  static double dice(std::int64_t number) {
-    auto k = static_cast<std::uint32_t>(number);
-    double sum = 0, bit = 1;
-    for (; k != 0 && bit > 1e-6; k >>= 1, bit *= 0.5) sum += (k & 1u) ? bit : 0;
-    return sum - 1;
-  }
-
-  double least_ = 0, full_ = 0;
-  int classes_ = 0;
-};
-
-// A piece of a level line that is to be drawn.
-struct Piece {
-  LevelLine line;
-  std::int32_t part = -1, region = -1;
-  Fading::Range fading;
-  double length = 0;
-};
-
-// The pieces of a line in which there is enough ink, in their order.
-std::vector<Piece> inked(const Picture& picture, const ViewRaster& raster, int family,
-                         const Fading& fading, const RasterCell& cell, LevelLine line) {
-  const Fading::Range range = fading.range(line.number);
-  const std::size_t n = line.points.size();
-  std::vector<bool> ink(n);
-  std::size_t dark = 0;
-  for (std::size_t i = 0; i < n; ++i) {
-    const RasterCell& at = raster.nearest(line.points[i]);
-    ink[i] = at.part >= 0 && picture.share(at.darkness, family) >= range.least;
-    dark += ink[i];
-  }
-  std::vector<Piece> out;
-  const auto add = [&](LevelLine l) {
-    const double length = l.length();
-    out.push_back({std::move(l), cell.part, cell.region, range, length});
-  };
-  if (dark == n) {
-    add(std::move(line));
-    return out;
-  }
-  // A closed line is opened where there is no ink.
-  std::size_t start = 0;
-  if (line.closed) start = static_cast<std::size_t>(std::ranges::find(ink, false) - ink.begin());
-  for (std::size_t i = 0; i < n;) {
-    if (!ink[(start + i) % n]) {
-      ++i;
-      continue;
-    }
-    LevelLine run;
-    run.node = line.node;
-    run.number = line.number;
-    run.begin_inside = line.begin_inside && start + i == 0;
-    for (; i < n && ink[(start + i) % n]; ++i) {
-      run.points.push_back(line.points[(start + i) % n]);
-      run.gaps.push_back(line.gaps[(start + i) % n]);
-    }
-    run.end_inside = line.end_inside && start + i == n;
-    if (run.points.size() > 1) add(std::move(run));
-  }
-  return out;
 }
 
 // The strokes of one smooth region.
@@ -292,14 +194,10 @@ class Placement {
   Family out_;
 };
 
-// The pieces of one region and the box that it takes.
-struct Region {
-  std::vector<Piece> pieces;
-  Box2 box;
-};
-
-std::vector<Region> regions_of(const Picture& picture, const ViewRaster& raster, WaveGraph graph,
-                               int family, const RunContext& context, SharedProgress& done) {
+// The level lines of a family, whatever ink there is. Four of the stages that are done before lines
+// are traced.
+std::vector<CellLine> cell_lines(const Picture& picture, const ViewRaster& raster, WaveGraph graph,
+                                 int family, const RunContext& context, SharedProgress& done) {
   WavePhase phase;
   if (picture.level_step > 0) {
     phase = level_phase(picture, raster, graph, context);
@@ -314,22 +212,13 @@ std::vector<Region> regions_of(const Picture& picture, const ViewRaster& raster,
     if (picture.swells()) cancel_pairs(raster, graph, anchors, phase, context);
     done.add(kStage);
   }
-  const Fading fading(picture, family);
-  std::map<std::pair<std::int32_t, std::int32_t>, Region> found;
+  std::vector<CellLine> lines;
   for (LevelLine& line : level_lines(raster, graph, phase, context)) {
-    const RasterCell& cell = raster.cells[graph.nodes[line.node].cell];
-    Region& region = found[{cell.part, cell.region}];
-    for (Piece& piece : inked(picture, raster, family, fading, cell, std::move(line))) {
-      for (const Vec2& p : piece.line.points) region.box.add(p);
-      region.pieces.push_back(std::move(piece));
-    }
+    const std::uint32_t cell = graph.nodes[line.node].cell;
+    lines.push_back({std::move(line), cell});
   }
   done.add(kStage);
-  std::vector<Region> out;
-  for (auto& [key, region] : found) {
-    if (!region.pieces.empty()) out.push_back(std::move(region));
-  }
-  return out;
+  return lines;
 }
 
 // The field with its second family turned off the first by an angle on the surface, always the same
@@ -349,10 +238,10 @@ Field crossed(const Field& field, double degrees) {
   return out;
 }
 
-Family place_family(const Picture& picture, const ViewRaster& raster, WaveGraph graph, int family,
-                    const RunContext& context, SharedProgress& done) {
-  std::vector<Region> regions =
-      regions_of(picture, raster, std::move(graph), family, context, done);
+Family place_family(const Picture& picture, const ViewRaster& raster,
+                    const std::vector<CellLine>& lines, int family, const RunContext& context,
+                    SharedProgress& done) {
+  std::vector<Region> regions = regions_of(picture, raster, lines, family);
   // The longest first: none is left over when the other cores have nothing more to do.
   std::vector<std::size_t> order(regions.size());
   for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
@@ -385,6 +274,11 @@ Family place_family(const Picture& picture, const ViewRaster& raster, WaveGraph 
   return out;
 }
 
+// Whether the lines of the first family stand where they do whatever the tone is.
+bool stands_in_any_light(const Picture& picture) {
+  return picture.swells() && picture.laws->density.plain() && !(picture.level_step > 0);
+}
+
 }  // namespace
 
 std::vector<Family> place_families(const Picture& picture, const ViewRaster& raster, int families,
@@ -393,29 +287,52 @@ std::vector<Family> place_families(const Picture& picture, const ViewRaster& ras
   std::vector<Family> out(static_cast<std::size_t>(families),
                           Family{{}, SampleGrid({0, 0}, {0, 0}, 1)});
   SharedProgress done(static_cast<double>(families * kSteps), progress);
+  Remembered mine;
+  Remembered& memory = picture.memory && stands_in_any_light(picture) ? *picture.memory : mine;
   // Narrow faces are found on the graph of the field as it is.
-  WaveGraph graph = wave_graph(picture, raster, 1, context);
+  if (!memory.graph) memory.graph = wave_graph(picture, raster, 1, context);
   FaceSet narrow;
-  if (picture.field.free) narrow = narrow_faces(picture, raster, graph, context);
-  const bool turns = !narrow.empty();
-  const Field field = turns ? turned(picture, std::move(narrow)) : picture.field;
+  if (picture.field.free) narrow = narrow_faces(picture, raster, *memory.graph, context);
+  const bool turns = !narrow.empty(), known = memory.first && memory.first->narrow == narrow;
+  const Field field = turns ? turned(picture, narrow) : picture.field;
   const Picture first = picture.following(field);
-  if (turns) graph = wave_graph(first, raster, 1, context);
+  std::optional<WaveGraph> graph;  // where the lines of the first family are not known
+  if (!known) {
+    memory.first.reset();
+    if (turns) {
+      graph = wave_graph(first, raster, 1, context);
+    } else if (&memory == &mine) {
+      graph = std::move(memory.graph);
+    } else {
+      graph = *memory.graph;
+    }
+  }
+  FirstLines made{std::move(narrow), {}};
   done.add(kStage);
   const Field cross = crossed(field, picture.options.cross_angle);
   const Picture second = picture.following(cross);
   const auto place = [&](int family) {
-    const Picture& own = family == 1 ? first : second;
-    if (family == 2) done.add(kStage);
-    out[static_cast<std::size_t>(family - 1)] = place_family(
-        own, raster, family == 1 ? std::move(graph) : wave_graph(own, raster, 2, context), family,
-        context, done);
+    if (family == 2) {
+      done.add(kStage);
+      const auto lines =
+          cell_lines(second, raster, wave_graph(second, raster, 2, context), 2, context, done);
+      out[1] = place_family(second, raster, lines, 2, context, done);
+      return;
+    }
+    if (graph) {
+      made.lines = cell_lines(first, raster, *std::move(graph), 1, context, done);
+    } else {
+      done.add(3 * kStage);
+    }
+    out[0] =
+        place_family(first, raster, known ? memory.first->lines : made.lines, 1, context, done);
   };
   if (families == 1) {
     place(1);
   } else {
     parallel_invoke([&] { place(1); }, [&] { place(2); });
   }
+  if (!known) memory.first = std::move(made);
   return out;
 }
 

@@ -3,6 +3,7 @@
 #include <burin/stroke/stroke.h>
 
 #include "placing.h"
+#include "remembered.h"
 #include "view_raster.h"
 #include "widths.h"
 
@@ -270,12 +271,38 @@ void take_strokes(const Picture& picture, const std::vector<Family>& placed, Wid
   }
 }
 
+// The raster of the picture without any darkness: that of its memory where there is one.
+ViewRaster seen_cells(const Picture& picture, const RunContext& context) {
+  if (picture.memory == nullptr) return make_raster(picture, context);
+  std::optional<ViewRaster>& kept = picture.memory->raster;
+  if (!kept) kept = make_raster(picture, context);
+  return *kept;
+}
+
 }  // namespace
+
+StrokeMemory::StrokeMemory() : impl_(std::make_unique<Impl>()) {}
+StrokeMemory::~StrokeMemory() = default;
+
+HatchOptions remembered_by(HatchOptions options) {
+  const HatchOptions usual;
+  const bool swells = swelling(options);
+  options.width_min = 1;
+  options.width_max = swells ? 2 * kLeastSwelling : 1;
+  options.taper = usual.taper;
+  options.tone_min = usual.tone_min;
+  options.cross_from = usual.cross_from;
+  options.cross_angle = usual.cross_angle;
+  options.ink_law = usual.ink_law;
+  options.width_law = usual.width_law;
+  options.presence_law = usual.presence_law;
+  return options;
+}
 
 StrokeResult trace_strokes(std::span<const Surface* const> surfaces, const Camera& camera,
                            const Field& field, const Tone& tone, const ViewProbe& probe,
                            const HatchOptions& options, std::uint64_t seed, RunContext& context,
-                           const InkOptions& ink) {
+                           const InkOptions& ink, StrokeMemory* memory) {
   check(options);
   const Placing& placing = find_placing(options.placing);
   if (options.has_image() && !ink.image) {
@@ -305,9 +332,11 @@ StrokeResult trace_strokes(std::span<const Surface* const> surfaces, const Camer
                   .seed = seed,
                   .same_place = same_place(surfaces),
                   .standing = placing.standing,
-                  .motif = motif ? &*motif : nullptr};
+                  .motif = motif ? &*motif : nullptr,
+                  .memory = memory ? &memory->impl() : nullptr};
   context.begin_stage(RunStage::Cover);
-  ViewRaster raster = make_raster(picture, context);
+  ViewRaster raster = seen_cells(picture, context);
+  shade_raster(picture, raster, context);
   const ToneBalance balanced(picture, raster, ink.balance);
   if (balanced.active()) picture.balance = &balanced;
   picture.shaping = &ink;

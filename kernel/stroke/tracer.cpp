@@ -28,6 +28,8 @@ constexpr double kFree = 0.2;       // gaps that it may be off there
 constexpr double kTurnOver = 0.8;   // paper mm over which it would be back
 constexpr double kMostDrift = 0.5;  // gaps that it may be off its level line
 constexpr double kUnguided = 1.5;   // paper mm that a stroke is seen beyond its level line
+// ... and seen beyond one that ends inside the surface: into the wedge that its neighbours leave.
+constexpr double kInto = 1.2;
 // Gaps that it keeps from its neighbours there, and where an exact surface turns away.
 constexpr double kApart = 0.55, kTurningApart = 0.25;
 constexpr double kTurning = 0.35;  // cosine
@@ -320,7 +322,7 @@ StrokeEnd Tracer::advance(std::int32_t part, const StrokeSample& seed, const Str
     unseen_once |= !next.visible;
     if (unseen > kHiddenReach) return StrokeEnd::Hidden;
     if (guide) {
-      if (heading.past && heading.inside) return StrokeEnd::Crowded;
+      if (heading.past && heading.inside && unguided > kInto) return StrokeEnd::Crowded;
       unguided = heading.past ? unguided + ds : 0;
       if (unguided > 0 && next.visible) {
         // Its line went on, as far as is known, beside a border that the cells show as stairs.

@@ -46,11 +46,10 @@ ViewRaster make_raster(const Picture& picture, const RunContext& context) {
             const Vec3 n = proxy.normal(hit->point.face, hit->point.bary);
             const double cosine = glm::dot(n, picture.camera.to_viewer(p));
             const std::int32_t region = proxy.face_region[hit->point.face];
-            const double ink = picture.darkness(hit->part, region, p, n, cosine);
             raster.cells[y * nx + x] = {hit->part,
                                         region,
                                         picture.camera.depth(p),
-                                        static_cast<float>(ink),
+                                        0,
                                         static_cast<float>(std::abs(cosine)),
                                         1,
                                         hit->point.face,
@@ -61,6 +60,25 @@ ViewRaster make_raster(const Picture& picture, const RunContext& context) {
       },
       &context);
   return raster;
+}
+
+void shade_raster(const Picture& picture, ViewRaster& raster, const RunContext& context) {
+  constexpr std::size_t kGrain = 4096;
+  parallel_for(
+      raster.cells.size(), kGrain,
+      [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) {
+          RasterCell& cell = raster.cells[i];
+          if (cell.part < 0) continue;
+          const ProxyMesh& proxy = picture.surface(cell.part).proxy();
+          const ProxyPoint at = cell.place();
+          const Vec3 p = proxy.position(at.face, at.bary), n = proxy.normal(at.face, at.bary);
+          const double cosine = glm::dot(n, picture.camera.to_viewer(p));
+          cell.darkness =
+              static_cast<float>(picture.darkness(cell.part, cell.region, p, n, cosine));
+        }
+      },
+      &context);
 }
 
 }  // namespace burin::detail

@@ -58,8 +58,11 @@ struct ViewRaster {
   const RasterCell& at(std::int32_t x, std::int32_t y) const { return cells[index(x, y)]; }
 };
 
-/// Probes the sheet where the scene projects. Cost: one ray a cell, about 390,000 on A4, 2 million
-/// at most.
+/// Probes the sheet where the scene projects; no cell has a darkness yet. Cost: one ray a cell,
+/// about 390,000 on A4, 2 million at most.
 ViewRaster make_raster(const Picture& picture, const RunContext& context);
+
+/// Gives each cell the darkness that the tone of the picture asks for.
+void shade_raster(const Picture& picture, ViewRaster& raster, const RunContext& context);
 
 }  // namespace burin::detail

@@ -82,6 +82,7 @@ class PlacedSurface final : public Surface {
     return surface_->parameters(inside(point));
   }
   bool exact() const override { return surface_->exact(); }
+  bool holds_for_coarser() const override { return surface_->holds_for_coarser(); }
   Vec3 drawn_position(const SurfacePoint& point) const override {
     return place_.to.point(surface_->drawn_position(inside(point)));
   }
@@ -202,6 +203,12 @@ class PlacedForm final : public Form {
       inner.view = &*view;
     }
     return std::make_shared<PlacedSurface>(instances_->realise(inner, context), place_);
+  }
+  bool looks_at_view() const override { return instances_->form()->looks_at_view(); }
+  bool same_as(const Form& other) const override {
+    const auto* placed = dynamic_cast<const PlacedForm*>(&other);
+    return placed && placed->place_.to == place_.to &&
+           placed->instances_->form()->same_as(*instances_->form());
   }
 
   Definition definition() const override {

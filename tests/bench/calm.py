@@ -1,14 +1,15 @@
 #!/usr/bin/python3
 """How calm the ink of engravings is: a row a file, then the median and the worst, of one or several builds side by side.
 
-usage: calm.py [--sheet OUT.png] BURIN[,BURIN...] FILE|FOLDER... [-- draw options]
+usage: calm.py [--sheet OUT.png] [--worst OUT.png] BURIN[,BURIN...] FILE|FOLDER... [-- draw options]
 
 Each file is drawn as an engraving on A5 from the usual view. Where strokes carry a smooth tone (mean ink over 1.8 mm between 0.08 and
 0.75, 1.65 mm and more from every feature line)
   streak  is the root mean square of the ink blurred over 0.45 mm less the ink blurred over 1.8 mm (standard deviations; of that
           the part that varies over 0.9 mm, for edges of highlights are no streaks),
   ends    is the number of stroke ends a cm2 where the mean ink is over 0.2.
-Even hatching of 0.55 mm has a streak of about 0.002. --sheet writes a contact sheet of all drawings of the last build.
+Even hatching of 0.55 mm has a streak of about 0.002. --sheet writes contact sheets of all drawings of the last build, 24 on each: OUT-1.png ...; --worst one of the places, 24 x 18 mm,
+where each of its drawings is least calm.
 Needs numpy and ImageMagick.
 """
 import json
@@ -22,6 +23,7 @@ import numpy as np
 
 SUFFIXES = ".stl .obj .off .ply .3mf .step .stp .iges .igs .brep .bez .bbp .itd .scad .implicit".split()
 DPI = 254
+PER_SHEET = 24
 PIXEL = 25.4 / DPI
 
 
@@ -102,7 +104,15 @@ def measure(burin, file, options):
         x, y = np.clip((np.array(ends) / PIXEL).astype(int), 0, [width - 1, height - 1]).T
         count = int(dark[y, x].sum())
     cm2 = dark.sum() * PIXEL * PIXEL / 100
-    return (float(np.sqrt((band[smooth] ** 2).mean())), count / cm2 if cm2 > 0 else 0.0), []
+    at = np.unravel_index(int(np.argmax(blur(np.where(smooth, band ** 2, 0.0), 1.5))), band.shape)
+    return (float(np.sqrt((band[smooth] ** 2).mean())), count / cm2 if cm2 > 0 else 0.0, cut_out(ink, *at)), []
+
+
+def cut_out(ink, y, x):
+    """A piece of the drawing round a place, as grey bytes."""
+    high, wide = round(18 / PIXEL), round(24 / PIXEL)
+    y, x = max(0, min(y - high // 2, ink.shape[0] - high)), max(0, min(x - wide // 2, ink.shape[1] - wide))
+    return np.round(255 * (1 - ink[y:y + high, x:x + wide])).astype(np.uint8)
 
 
 def main():
@@ -111,9 +121,11 @@ def main():
     if "--" in words:
         at = words.index("--")
         words, options = words[:at], words[at + 1:]
-    sheet = None
-    if words[:1] == ["--sheet"]:
-        sheet, words = words[1], words[2:]
+    asked = {}
+    while words[:1] in (["--sheet"], ["--worst"]):
+        asked[words[0]] = pathlib.Path(words[1])
+        words = words[2:]
+    sheet = asked.get("--sheet")
     if len(words) < 2:
         sys.exit(__doc__)
     builds = words[0].split(",")
@@ -122,7 +134,7 @@ def main():
         files += sorted(f for f in name.rglob("*") if f.suffix.lower() in SUFFIXES) if name.is_dir() else [name]
     print("| file |" + " streak | ends a cm2 |" * len(builds))
     print("|---|" + "---|---|" * len(builds))
-    rows = []
+    rows, places = [], []
     for file in files:
         cells = []
         for build in builds:
@@ -133,10 +145,19 @@ def main():
         if any(c is None for c in cells):
             continue
         rows.append(cells)
-        print(f"| {file.name} |" + "".join(f" {s:.4f} | {e:.1f} |" for s, e in cells), flush=True)
+        places.append((file.name, cells[-1][2]))
+        print(f"| {file.name} |" + "".join(f" {s:.4f} | {e:.1f} |" for s, e, _ in cells), flush=True)
     for name, of in (("median", statistics.median), ("worst", max)):
         print(f"| **{name}** |" + "".join(f" {of([r[k][0] for r in rows]):.4f} | {of([r[k][1] for r in rows]):.1f} |"
                                           for k in range(len(builds))))
+    if "--worst" in asked:
+        with tempfile.TemporaryDirectory() as folder:
+            words = []
+            for i, (name, place) in enumerate(places):
+                grey = f"{folder}/{i:04d}.pgm"
+                pathlib.Path(grey).write_bytes(b"P5 %d %d 255\n" % (place.shape[1], place.shape[0]) + place.tobytes())
+                words += ["-label", name, grey]
+            subprocess.run(["montage", *words, "-tile", "5x", "-geometry", "+6+6", str(asked["--worst"])], check=True)
     if sheet:
         with tempfile.TemporaryDirectory() as folder:
             shown = []
@@ -145,8 +166,11 @@ def main():
                 done = subprocess.run([builds[-1], "draw", str(file), "--style", "engraving", "--paper", "A5", *options, "-o", png,
                                        "--quiet", "--set", "png.dpi=130"], capture_output=True)
                 if done.returncode == 0:
-                    shown += ["-label", file.name, png]
-            subprocess.run(["montage", *shown, "-tile", "6x", "-geometry", "700x+4+4", sheet], check=True)
+                    shown.append(["-label", file.name, png])
+            for k in range(0, len(shown), PER_SHEET):
+                words = [word for one in shown[k:k + PER_SHEET] for word in one]
+                name = sheet.with_stem(f"{sheet.stem}-{k // PER_SHEET + 1}")
+                subprocess.run(["montage", *words, "-tile", "6x", "-geometry", "500x+4+4", str(name)], check=True)
 
 
 main()

@@ -13,9 +13,10 @@ _CALLS = {
     "tone": ("Callable[[_Array, _Array], _Array]", "gives the wanted darkness"),
     "progress": ("Progress", "is called with the stage and the share of it that is done"),
     "cancel": ("Cancel", "ends the run when it is set"),
+    "session": ("Session", "keeps what the next drawing of the same scene may use again"),
 }
 _ABOUT = """Draws a scene, a file, several files, or an illustration: a file NAME.burin.json or a mapping as it holds.
-Keywords are the long options of `burin draw`, and four more.
+Keywords are the long options of `burin draw`, and five more.
 
 `style` as a mapping is that of a style file ({"base": "engraving", "line.outer": 0.5}); `set` overrides single keys,
 or groups of them ({"hatch": {"taper": 1}}). `paper` is a name, (width, height) in mm or "fit"; `margin` one number or

@@ -10,6 +10,8 @@ import traceback
 from dataclasses import dataclass, field, fields
 from typing import Any, Dict, List, Optional, Tuple
 
+from .kept_scene import KeptScene
+
 # What there is to say of parts and notes may be long; this many are shown.
 SHOWN = 6
 
@@ -136,9 +138,13 @@ class Job:
         return self._hash(lambda brep: (brep.exact() if isinstance(brep, Brep) else essence(brep),),
                           lambda vertices: vertices.tobytes(), repr, lambda place: repr(place).encode())
 
-    def fingerprint(self):
-        """The same also for documents that were stored and read again. Cost: 0.1 s a megabyte of BREP text."""
-        return self._hash(canonical, _rounded, _digits, _place)
+    def fingerprint(self, kept=None):
+        """The same also for documents that were stored and read again. Cost: 0.1 s a megabyte of BREP text that the last
+        job (`kept`) did not have."""
+        if kept is None:
+            return self._hash(canonical, _rounded, _digits, _place)
+        kept.forget_others(self)
+        return self._hash(lambda brep: kept.canonical(brep, canonical), _rounded, _digits, _place)
 
     def _hash(self, of_brep, of_vertices, of_option, of_place):
         said = [(name, of_option(value)) for name, value in sorted(self.options.items())]
@@ -158,24 +164,11 @@ class Job:
                 digest.update(block)
         return digest.hexdigest()
 
-    def draw(self, burin, progress=None, cancel=None):
-        """Runs the kernel here. Returns a burin.Drawing; throws burin.Error."""
-        scene, shapes = burin.Scene(), {}
-        for part in self.parts:
-            common = dict(color=part.color, assembly=part.assembly, source=part.source)
-            if cancel is not None and cancel.cancelled:
-                raise burin.Cancelled("cancelled")
-            if part.brep is not None:
-                if id(part.brep) not in shapes:
-                    shapes[id(part.brep)] = burin.Brep(part.brep)
-                made = scene.add_brep(shapes[id(part.brep)], part.name, placement=part.matrix(), **common)
-            else:
-                made = scene.add_mesh(part.vertices, part.triangles, part.name, **common)
-            for look in ("drawn", "hatched", "transparent", "style"):
-                wanted = getattr(part, look)
-                if wanted != getattr(PartJob, look):
-                    setattr(made, look, wanted)
-        return burin.draw(scene, progress=progress, cancel=cancel, **self.options)
+    def draw(self, burin, progress=None, cancel=None, kept=None):
+        """Runs the kernel here. Returns a burin.Drawing; throws burin.Error. `kept`: what the last job left (KeptScene)."""
+        kept = kept or KeptScene(burin)
+        scene = kept.scene(self, cancel)
+        return burin.draw(scene, session=kept.session, progress=progress, cancel=cancel, **self.options)
 
     def is_drawn(self):
         """Whether the kept drawing is the one of this job."""
@@ -203,25 +196,25 @@ class Job:
                 found.append(part.name)
         return "; faulty shapes (see Part > Check geometry): " + shortened(found, ", ") if found else ""
 
-    def run(self, burin, progress=None, cancel=None):
+    def run(self, burin, progress=None, cancel=None, kept=None):
         """As `draw`, for the document."""
         if self.is_drawn():
             return UNCHANGED
         with concurrent.futures.ThreadPoolExecutor(1) as beside:  # the kernel works without the interpreter
-            fingerprint = beside.submit(self.fingerprint)
-            drawing = self.draw(burin, progress, cancel)
+            fingerprint = beside.submit(self.fingerprint, kept)
+            drawing = self.draw(burin, progress, cancel, kept)
             messages = [*self.notes, *(d.message for d in drawing.diagnostics)]
             return Result(drawing.to_bytes("json", json_points3=False), drawing.to_bytes("svg", svg_merge=True),
                           drawing.view.scale, messages, fingerprint.result())
 
 
-def answer(what, job, burin, progress, cancel):
-    """Does a job here: ("done", result), ("cancelled", nothing) or ("failed", text)."""
+def answer(what, job, burin, progress, cancel, kept=None):
+    """Does a job here: ("done", result), ("cancelled", nothing) or ("failed", text). `kept`: what the last job left."""
     try:
         if what == "check":
             return "done", job.faults(burin, progress, cancel)
         try:
-            return "done", job.run(burin, progress, cancel)
+            return "done", job.run(burin, progress, cancel, kept)
         except (burin.GeometryError, burin.InputError) as error:  # it may be the fault of the shapes
             return "failed", str(error) + job.faults(burin, progress, cancel)
     except burin.Cancelled:

@@ -14,6 +14,7 @@ sys.path.insert(0, os.path.normpath(os.path.join(_here, "../..")))
 
 from freecad.burin_wb.errors import KernelMissing  # noqa: E402
 from freecad.burin_wb.job import answer  # noqa: E402
+from freecad.burin_wb.kept_scene import KeptScene  # noqa: E402
 from freecad.burin_wb.load import load  # noqa: E402
 from freecad.burin_wb.messages import receive, send  # noqa: E402
 
@@ -88,13 +89,13 @@ def serve():
         send(sink, ("unfit", f"it cannot load the drawing kernel ({error.__cause__})"))
         return
     send(sink, ("ready",))
-    jobs = Jobs(source, burin)
+    jobs, kept = Jobs(source, burin), KeptScene(burin)
     while True:
         asked = jobs.next()
         if asked is None:
             return
         what, job, cancel = asked
-        send(sink, answer(what, job, burin, lambda stage, share: send(sink, ("progress", stage, share)), cancel))
+        send(sink, answer(what, job, burin, lambda stage, share: send(sink, ("progress", stage, share)), cancel, kept))
 
 
 if __name__ == "__main__":

@@ -38,6 +38,7 @@ class MeshSurface final : public Surface {
   }
   std::vector<Frame> wedge_frames(const RunContext& context) const override;
   Vec3 drawn_position(const SurfacePoint& point) const override;
+  bool holds_for_coarser() const override { return !fine_; }
 
  private:
   ProxyMesh proxy_;

@@ -39,6 +39,7 @@ class TexturedSurface final : public Surface {
     return texture_->at(point.position);
   }
   bool exact() const override { return surface_->exact(); }
+  bool holds_for_coarser() const override { return surface_->holds_for_coarser(); }
   Vec3 drawn_position(const SurfacePoint& point) const override {
     return surface_->drawn_position(point);
   }

@@ -365,6 +365,26 @@ class Views(support.Case):
         self.assertEqual(sheet_of(self.obj).data["view"]["projection"], "perspective")
         view.setCameraType("Orthographic")
 
+    def test_following_the_camera_draws_whenever_it_rests(self):
+        view = Gui.ActiveDocument.ActiveView
+        self.obj.ViewObject.Follow = True
+        try:
+            for angle in (20, 65):
+                count = runs()
+                view.setCameraOrientation(FreeCAD.Rotation(V(1, 0.2, 0), angle))
+                wanted = view.getCameraOrientation().multVec(V(0, 0, 1))
+                support.until(lambda: (self.obj.ViewDirection - wanted).Length < 1e-6)
+                support.drawn()
+                self.assertLess((sheet_of(self.obj).direction - wanted).Length, 1e-5)
+                self.assertEqual(runs(), count + 1)
+                support.settle(600)
+                self.assertEqual(runs(), count + 1, "drawn again though the camera rests")
+        finally:
+            self.obj.ViewObject.Follow = False
+        view.setCameraOrientation(FreeCAD.Rotation(V(0, 0, 1), 30))
+        support.settle(600)
+        self.assertLess((self.obj.ViewDirection - wanted).Length, 1e-6)
+
     def test_square_onto_a_face(self):
         for face, normal in (("Face1", V(-1, 0, 0)), ("Face6", V(0, 0, 1))):
             self.run_view("Burin_ViewFromFace", (self.box, face))

@@ -74,6 +74,41 @@ class Editing(support.Case):
         support.drawn()
         self.assertEqual(open(self.obj.Picture).read(), picture)
 
+    def test_a_click_on_the_preview_opens_a_large_one_that_shows_each_change(self):
+        self.open()
+        preview = support.panel().preview
+        self.assertIsNone(preview.large)
+        preview.mousePressEvent(None)
+        large = preview.large
+        support.until(lambda: not large.picture.busy())
+        shown = large.picture.shown()
+        self.assertGreater(shown.width(), 2 * preview.width())
+        pick(child(QtGui.QComboBox, "style"), "outline")
+        self.drawn()
+        support.until(lambda: not large.picture.busy())
+        self.assertNotEqual(large.picture.shown(), shown)
+        support.screenshot("large_preview")
+        large.resize(500, 400)
+        support.settle(300)
+        support.until(lambda: not large.picture.busy())
+        self.assertLessEqual(large.picture.shown().width(), 1001)
+        support.panel().reject()
+        support.settle(50)
+        self.assertFalse(large.isVisible())
+
+    def test_what_is_quick_to_draw_is_drawn_while_the_wheel_turns(self):
+        self.open()
+        width = child(QtGui.QWidget, "width")
+        width.setProperty("rawValue", 150.0)
+        self.drawn()
+        before = runs()
+        for k in range(40):
+            width.setProperty("rawValue", 150.0 - k)
+            support.settle(30)  # never as long as the pause
+        self.assertGreater(runs(), before + 2)
+        self.drawn()
+        self.assertIn('width="111mm"', open(self.obj.Picture).read()[:2000])
+
     def test_cancel_takes_all_back(self):
         before, undos = open(self.obj.Picture).read(), self.document.UndoCount
         self.open()

@@ -77,6 +77,28 @@ class Worker(Case):
         finally:
             module._worker = running
 
+    def test_what_the_last_job_left_changes_no_drawing(self):
+        def job(length=20, light=(-0.5, 0.65, 0.6), **look):
+            parts = [PartJob(name, name, shape.exportBrepToString().encode())
+                     for name, shape in (("Box", Part.makeBox(length, 20, 30)), ("Ball", Part.makeSphere(12, V(30, 0, 0))))]
+            for name, value in look.items():
+                setattr(parts[1], name, value)
+            return Job(parts, {"style": "engraving", "paper": (100, 80), "light": light})
+
+        jobs = [job(), job(light=(0.5, 0.65, 0.6)), job(transparent=True), job(drawn=False), job(style="technical"), job(25),
+                job(25, hatched=False), job()]
+        found = set()
+        for one in jobs:
+            fresh = worker.Worker()
+            try:
+                wanted = fresh.draw(one)
+            finally:
+                fresh.stop()
+            got = self.worker.draw(one)
+            self.assertEqual((got.drawing, got.picture, got.fingerprint), (wanted.drawing, wanted.picture, wanted.fingerprint))
+            found.add(got.drawing)
+        self.assertEqual(len(found), len(jobs) - 1)  # the last one is as the first
+
     def test_a_worker_that_died_between_runs_is_started_anew(self):
         obj = self.illustration(self.box())
         process = module._worker._process

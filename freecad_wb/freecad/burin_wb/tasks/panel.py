@@ -1,5 +1,7 @@
 """What the panels share: one transaction, changes drawn a moment later, progress with Cancel."""
 
+import time
+
 import FreeCADGui as Gui
 from PySide import QtCore, QtGui
 
@@ -11,6 +13,10 @@ from .watch import Changes, Escape
 
 # Milliseconds after the last change until it is drawn: as long as one types or turns a wheel.
 PAUSE = 200
+
+# Where the last drawing took no more seconds than this it is drawn while one turns the wheel, as often as it can be.
+LIVE = 0.5
+OFTEN = 40
 WIDTH = 340
 
 
@@ -34,10 +40,9 @@ class Panel:
         self.column.setContentsMargins(4, 4, 4, 4)
         self._pause = QtCore.QTimer(self.form)
         self._pause.setSingleShot(True)
-        self._pause.setInterval(PAUSE)
-        self._pause.timeout.connect(lambda: self.draw())
+        self._pause.timeout.connect(lambda: self._paused())
+        self._began, self._took = 0.0, float("inf")  # when the last run began, and seconds that it took
         self.preview = Preview(obj)
-        self.preview.setToolTip(tr("The drawing as it is now"))
         self.column.addWidget(self.preview)
         self._add_progress()
         self.fill()
@@ -68,11 +73,20 @@ class Panel:
             self.changed()
 
     def changed(self):
-        self._pause.start()
+        live = self._took < LIVE
+        if not live or not self._pause.isActive():
+            self._pause.start(OFTEN if live else PAUSE)
+
+    def _paused(self):
+        if self._took < LIVE and self.alive() and self.runs.running(self.obj) and time.monotonic() - self._began < 2 * LIVE:
+            self._pause.start(OFTEN)  # it would never be seen
+        else:
+            self.draw()
 
     def draw(self):
         """Starts a run where something has changed; a run under way is ended."""
         self._pause.stop()
+        self._began = time.monotonic()
         if self.alive():
             self.obj.touch()
             self.obj.recompute()
@@ -115,6 +129,7 @@ class Panel:
     def _ended(self, key, error):
         if self._concerns(key):
             self._tell_state(error)
+            self._took = time.monotonic() - self._began if error is None else float("inf")
             if error is None:
                 self.preview.renew()
 
@@ -175,6 +190,7 @@ class Panel:
         if self.over:
             return
         self.over = True
+        self.preview.close_large()
         self._escape.stop()
         self._watch.stop()
         for signal, slot in ((self.runs.progressed, self._progressed), (self.runs.ended, self._ended),

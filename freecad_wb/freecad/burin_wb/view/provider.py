@@ -10,6 +10,7 @@ from .. import hooks
 from ..tell import ERROR, tell
 from ..text import tr
 from . import ink, reading
+from .follow import follow
 
 _ICON = os.path.join(os.path.dirname(os.path.dirname(__file__)), "resources", "icons", "burin_illustration.svg")
 
@@ -32,6 +33,7 @@ class IllustrationView:
         view.addDisplayMode(self._root, "Ink")
         self._watch = None
         self._renew()
+        follow(view.Object, view.Follow)
 
     def getDisplayModes(self, view):
         return ["Ink"]
@@ -52,6 +54,8 @@ class IllustrationView:
     def onChanged(self, view, name):
         if name in ("Plane", "InkColor", "Paper") and hasattr(self, "_root"):
             self._place()
+        if name == "Follow" and hasattr(self, "_root"):
+            follow(self.Object, view.Follow)
 
     def lift(self, sheet):
         """Model mm from the view's centre to the plane of the ink, to the viewer."""
@@ -144,6 +148,10 @@ class IllustrationView:
     def setupContextMenu(self, view, menu):
         action = menu.addAction(QtGui.QIcon(_ICON), tr("Edit illustration"))
         action.triggered.connect(lambda: self.doubleClicked(view))
+        action = menu.addAction(tr("Follow the 3-D view"))
+        action.setCheckable(True)
+        action.setChecked(view.Follow)
+        action.toggled.connect(lambda on: setattr(view, "Follow", on))
 
     def claimChildren(self):
         return []
@@ -182,7 +190,8 @@ def _ensure(view):
     for kind, name, text, value in (
             ("App::PropertyEnumeration", "Plane", "Where the ink lies in the 3-D view", [BEHIND, BEFORE]),
             ("App::PropertyColor", "InkColor", "Colour of the ink in the 3-D view", DARK),
-            ("App::PropertyBool", "Paper", "Shows a white sheet under the ink", False)):
+            ("App::PropertyBool", "Paper", "Shows a white sheet under the ink", False),
+            ("App::PropertyBool", "Follow", "Draws as the 3-D view shows the model, whenever its camera rests", False)):
         if name not in have:
             view.addProperty(kind, name, "Ink", text)
             setattr(view, name, value)

@@ -7,6 +7,7 @@
 #include <burin/converters/read.h>
 #include <burin/converters/values.h>
 #include <burin/illustrate/illustrate.h>
+#include <burin/illustrate/session.h>
 #include <burin/illustrate/style.h>
 #include <burin/options/request.h>
 
@@ -118,8 +119,9 @@ void cut_parts(Scene& scene, const DrawPlan& plan);
 /// The camera that a plan asks for, of the parts that are drawn. Throws UsageError, GeometryError.
 Camera make_camera(const Scene& scene, const DrawPlan& plan);
 /// Draws it, with a diagnostic "option.unused" for each choice of the plan that changes nothing of
-/// this drawing. Throws as `illustrate`.
-Drawing draw(const Scene& scene, const Camera& camera, const DrawPlan& plan, RunContext& context);
+/// this drawing. Throws as `illustrate`. `session`: keeps what the next drawing may use again.
+Drawing draw(const Scene& scene, const Camera& camera, const DrawPlan& plan, RunContext& context,
+             Session* session = nullptr);
 /// The style of a name or file, with no changes. Throws UsageError, InputError.
 Style load_style(const std::string& name);
 

@@ -64,6 +64,10 @@
       <translation>Einpassen</translation>
     </message>
     <message>
+      <source>Follow the 3-D view</source>
+      <translation>Der 3-D-Ansicht folgen</translation>
+    </message>
+    <message>
       <source>Front</source>
       <translation>Vorne</translation>
     </message>
@@ -224,8 +228,8 @@
       <translation>Nimmt die zuletzt hinzugefügten Striche mit all ihren Änderungen zurück</translation>
     </message>
     <message>
-      <source>The drawing as it is now</source>
-      <translation>Die Zeichnung, wie sie jetzt ist</translation>
+      <source>The drawing as it is now; a click shows it large</source>
+      <translation>Die Zeichnung, wie sie jetzt ist; ein Klick zeigt sie groß</translation>
     </message>
     <message>
       <source>The drawing kernel is not installed.</source>

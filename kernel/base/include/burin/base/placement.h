@@ -18,6 +18,7 @@ struct Placement {
   bool mirrors() const { return glm::determinant(linear) < 0; }
   double scale() const { return std::cbrt(std::abs(glm::determinant(linear))); }
   bool moves() const { return linear != Mat3(1) || offset != Vec3(0); }
+  bool operator==(const Placement&) const = default;
 };
 
 /// First `b`, then `a`.

@@ -98,6 +98,8 @@ class Camera {
   /// through `center` (step back along -direction before casting).
   ViewRay ray(Vec2 paper) const;
 
+  bool operator==(const Camera&) const = default;
+
  private:
   Paper paper_;
   Vec3 right_{1, 0, 0}, up_{0, 1, 0}, direction_{0, 0, 1}, center_{0};

@@ -14,6 +14,8 @@ struct Paper {
   /// portrait), or "WxH" in mm; in any case. Throws UsageError, naming what is allowed, for
   /// anything else.
   static Paper named(std::string_view name);
+
+  bool operator==(const Paper&) const = default;
 };
 
 }  // namespace burin

@@ -13,6 +13,8 @@ namespace burin {
 struct CutPlane {
   Vec3 normal{0, 0, 1};  // unit
   double offset = 0;
+
+  bool operator==(const CutPlane&) const = default;
 };
 
 /// `form` without what lies beyond the plane. Its surface is that of the form, strokes stop at the

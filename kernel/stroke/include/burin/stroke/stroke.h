@@ -7,6 +7,7 @@
 #include <burin/camera/camera.h>
 #include <burin/field/field.h>
 #include <burin/stroke/options.h>
+#include <burin/stroke/stroke_memory.h>
 #include <burin/surface/surface.h>
 #include <burin/tone/tone.h>
 
@@ -67,11 +68,12 @@ struct StrokeResult {
 /// Places and traces the strokes of all parts and finds their widths. `probe` says what is visible
 /// at a point of the paper; chance follows `seed`. Stages "cover" and
 /// "trace" are timed on `context`. Throws UsageError for options that contradict each other and
-/// where the strokes would be longer than 1.6 km, Cancelled. Cost: kernel/docs/performance.md.
+/// where the strokes would be longer than 1.6 km, Cancelled. `memory`: of the last call with the
+/// same arguments but tone and ink; null: none is kept. Cost: kernel/docs/performance.md.
 /// @cite Elber1998, Knoeppel2015
 StrokeResult trace_strokes(std::span<const Surface* const> surfaces, const Camera& camera,
                            const Field& field, const Tone& tone, const ViewProbe& probe,
                            const HatchOptions& options, std::uint64_t seed, RunContext& context,
-                           const InkOptions& ink = {});
+                           const InkOptions& ink = {}, StrokeMemory* memory = nullptr);
 
 }  // namespace burin

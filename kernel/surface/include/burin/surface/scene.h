@@ -44,6 +44,11 @@ class Form {
   /// on `context`.
   virtual std::shared_ptr<const Surface> realise(const RealiseOptions& options,
                                                  RunContext& context) const = 0;
+  /// Whether `RealiseOptions::view` changes what is realised.
+  virtual bool looks_at_view() const { return true; }
+  /// Whether both are sure to be realised as the same surface: one form, or one that was placed or
+  /// cut the same way twice. False proves nothing.
+  virtual bool same_as(const Form& other) const { return this == &other; }
 
   /// What the form is an instance of; by itself, where nothing else is known.
   virtual Definition definition() const { return {.shape = this}; }

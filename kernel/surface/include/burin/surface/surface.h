@@ -122,6 +122,8 @@ class Surface {
   /// Whether frames come from the equations of faces that the proxy names (`source_face`); else
   /// they are estimates, or nothing is known of faces.
   virtual bool exact() const { return false; }
+  /// Whether any coarser tolerance would have given this surface, too. False proves nothing.
+  virtual bool holds_for_coarser() const { return false; }
   /// Where ink at a surface point is drawn: the point itself for exact forms; for a mesh the smooth
   /// surface that its facets stand for, so that strokes meet the contours.
   virtual Vec3 drawn_position(const SurfacePoint& point) const { return point.position; }

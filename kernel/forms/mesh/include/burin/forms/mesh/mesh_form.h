@@ -30,6 +30,7 @@ class MeshForm final : public Form {
                                          RunContext& context) const override;
   /// Of the triangles as they are, not rounded.
   ShapeMeasure measure(RunContext& context) const override;
+  bool looks_at_view() const override { return false; }
 
  private:
   std::shared_ptr<const Surface> realise_mesh(const RealiseOptions& options,

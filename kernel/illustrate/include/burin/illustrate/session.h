@@ -1,0 +1,41 @@
+#pragma once
+/// Drawings one after the other, each as fast as what has changed allows.
+
+#include <burin/base/run_context.h>
+#include <burin/camera/camera.h>
+#include <burin/drawing/drawing.h>
+#include <burin/illustrate/illustrate.h>
+#include <burin/illustrate/style.h>
+#include <burin/surface/scene.h>
+
+#include <memory>
+
+namespace burin {
+
+namespace detail {
+class Stages;
+}
+
+/// Keeps what the last drawing was made of: realised surfaces, curvature and the tree of rays as
+/// long as forms, tolerance and, for exact forms, the view are the same; feature lines and what is
+/// seen of them as long as the view is, too; strokes of each kind as long as their style, tone and
+/// light are. Widths of lines, haloes and looks are made anew each time. A form is the same where
+/// its pointer is. Draws the same, byte by byte, as `illustrate`. Strokes with a field or a tone of
+/// the caller's own are not kept. Memory: that of one drawing, of two while one replaces the other.
+class Session {
+ public:
+  Session();
+  ~Session();
+  Session(Session&&) noexcept;
+  Session& operator=(Session&&) noexcept;
+
+  /// As `illustrate`. One drawing at a time. A drawing that was cancelled or failed loses nothing
+  /// of what is kept but what it was about to replace.
+  Drawing draw(const Scene& scene, const Camera& camera, const Style& style,
+               const IllustrateOptions& options, RunContext& context);
+
+ private:
+  std::unique_ptr<detail::Stages> stages_;
+};
+
+}  // namespace burin

@@ -1,0 +1,44 @@
+#include "occluders.h"
+
+#include <burin/surface/empty_surface.h>
+
+#include <algorithm>
+#include <utility>
+
+namespace burin::detail {
+namespace {
+
+std::vector<const ProxyMesh*> proxies_of(const Surfaces& surfaces) {
+  std::vector<const ProxyMesh*> proxies;
+  for (const auto& surface : surfaces) proxies.push_back(&surface->proxy());
+  return proxies;
+}
+
+std::vector<const ProxyMesh*> solid_ones(std::vector<const ProxyMesh*> proxies,
+                                         const std::vector<bool>& transparent) {
+  for (std::size_t i = 0; i < proxies.size(); ++i) {
+    if (transparent[i]) proxies[i] = &empty_surface()->proxy();
+  }
+  return proxies;
+}
+
+}  // namespace
+
+Occluders::Occluders(Surfaces surfaces, std::vector<bool> transparent, const RunContext& context)
+    : surfaces_(std::move(surfaces)),
+      transparent_(std::move(transparent)),
+      proxies_(proxies_of(surfaces_)),
+      solid_proxies_(solid_ones(proxies_, transparent_)),
+      solid_(solid_proxies_, context) {}
+
+bool Occluders::any_transparent() const {
+  return std::ranges::find(transparent_, true) != transparent_.end();
+}
+
+std::vector<const ProxyMesh*> Occluders::proxies_before(std::size_t part) const {
+  std::vector<const ProxyMesh*> proxies = solid_proxies_;
+  proxies[part] = proxies_[part];
+  return proxies;
+}
+
+}  // namespace burin::detail

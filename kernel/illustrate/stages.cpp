@@ -1,0 +1,190 @@
+#include "stages.h"
+
+#include <burin/base/error.h>
+#include <burin/feature/feature.h>
+#include <burin/section/hatch_cuts.h>
+#include <burin/tone/catalogue.h>
+#include <burin/verify/verify.h>
+
+#include "compose.h"
+#include "on_sheet.h"
+#include "tell.h"
+
+#include <algorithm>
+#include <span>
+#include <utility>
+
+namespace burin::detail {
+namespace {
+
+// Whether any strokes are to have their ink brought to a median.
+bool states_gamma(const PartStyles& part_styles) {
+  return std::ranges::any_of(part_styles.strokes(), [](const StrokeSet& strokes) {
+    const tone::ToneOptions& tone = *strokes.tone;
+    return balances(tone) && (tone.median_min > 0 || tone.median_max < 1);
+  });
+}
+
+FeatureOptions feature_options(const PartStyles& part_styles) {
+  FeatureOptions options{.intersections = false, .smooth = false};
+  for (const Style* style : part_styles.styles()) {
+    options.intersections |= style->feature.intersections;
+    options.smooth |= style->feature.smooth;
+    options.seams |= style->feature.seams;
+  }
+  return options;
+}
+
+void name_own_field(Drawing& drawing) {
+  for (Layer& layer : drawing.layers) {
+    for (Path& path : layer.paths) {
+      if (path.kind == LineClass::Stroke) path.field = "own";
+    }
+  }
+}
+
+// Whether the lines that the outer outline is made of are drawn.
+bool draws_outline(const PartStyles& part_styles) {
+  for (std::size_t i = 0; i < part_styles.size(); ++i) {
+    const auto& drawn = part_styles.style(i).feature;
+    if (!drawn.contours || !drawn.creases || !drawn.boundaries) return false;
+  }
+  return true;
+}
+
+std::vector<bool> transparent_ones(const PartStyles& part_styles) {
+  std::vector<bool> out;
+  for (std::size_t i = 0; i < part_styles.size(); ++i) {
+    out.push_back(part_styles.transparent(i) && part_styles.drawn(i));
+  }
+  return out;
+}
+
+VerifyOptions verify_options(const Scene& scene, const Camera& camera, const Style& style,
+                             const PartStyles& part_styles, const IllustrateOptions& options) {
+  VerifyOptions verify{.tolerance = chord_tolerance(scene, camera, options),
+                       .outline = style.halo.gap <= 0 && draws_outline(part_styles)};
+  for (std::size_t i = 0; i < part_styles.size(); ++i) {
+    verify.parts.push_back(!part_styles.drawn(i)        ? Standing::Absent
+                           : part_styles.transparent(i) ? Standing::Transparent
+                                                        : Standing::Solid);
+    verify.crease_angles.push_back(part_styles.style(i).feature.crease_angle);
+  }
+  return verify;
+}
+
+// Strokes of all hatchings in a row, with no copy where there is one alone.
+class AllStrokes {
+ public:
+  explicit AllStrokes(const HatchedParts::Hatchings& hatchings) {
+    if (hatchings.size() == 1) {
+      strokes_ = hatchings.front()->strokes.strokes;
+      return;
+    }
+    for (const auto& one : hatchings) {
+      const std::vector<Curve3>& strokes = one->strokes.strokes;
+      joined_.insert(joined_.end(), strokes.begin(), strokes.end());
+    }
+    strokes_ = joined_;
+  }
+
+  std::span<const Curve3> strokes() const { return strokes_; }
+
+ private:
+  std::vector<Curve3> joined_;
+  std::span<const Curve3> strokes_;
+};
+
+}  // namespace
+
+std::shared_ptr<Stages::Lines> Stages::lines_of(const View& view, RunContext& context) {
+  return lines_.get(view, [&] {
+    Diagnostics said;
+    const auto proxies = view.occluders->proxies();
+    std::vector<Curve3> features =
+        extract_features(proxies, view.camera, view.features, said, context);
+    for (Curve3& line : hatch_cuts(proxies, view.camera, context)) {
+      features.push_back(std::move(line));
+    }
+    return std::make_shared<Lines>(
+        Lines{Sight(view.occluders, view.camera, std::move(features), view.closes_outline),
+              std::move(said)});
+  });
+}
+
+Drawing Stages::draw_lines(const Scene& scene, const Camera& camera, const Style& style,
+                           const PartStyles& part_styles, const IllustrateOptions& options,
+                           std::vector<Path>* found, Labels& labels, bool keeps,
+                           RunContext& context) {
+  Diagnostics said;
+  const Surfaces surfaces = realised_.realise(scene, camera, part_styles, options, said, context);
+  context.begin_stage(RunStage::Build);
+  const Solid solid{surfaces, transparent_ones(part_styles)};
+  const std::shared_ptr<const Occluders> trees = occluders_.get(solid, [&] {
+    return std::make_shared<Occluders>(solid.surfaces, solid.transparent, context);
+  });
+  const auto proxies = trees->proxies();
+  Drawing drawing = describe(scene, proxies, camera, style, options.seed);
+  drawing.diagnostics.append(said);
+
+  const DepthCue cue(proxies, camera, style);
+  const HatchedParts::Hatchings hatchings =
+      hatched_.hatch(trees, camera, part_styles, cue, style.depth, options, keeps, context);
+  Undirected undirected(scene);
+  for (const auto& one : hatchings) {
+    if (one->undirected) undirected.add(*one->undirected);
+  }
+  undirected.tell(drawing.diagnostics);
+  StrokeResult told = told_of(hatchings);
+  drawing.stats.coverage_points = told.coverage_points;
+  drawing.stats.coverage_delta = told.coverage_delta;
+  if (states_gamma(part_styles)) drawing.stats.tone_gamma = told.tone_gamma;
+
+  context.begin_stage(RunStage::Features);
+  const std::shared_ptr<Lines> features =
+      lines_of({trees, camera, feature_options(part_styles), draws_outline(part_styles)}, context);
+  drawing.diagnostics.append(features->said);
+
+  context.begin_stage(RunStage::Visibility);
+  const AllStrokes all(hatchings);
+  const std::shared_ptr<Spans> spans = seen_.get({features, hatchings}, [&] {
+    return std::make_shared<Spans>(features->sight.classify(all.strokes(), context));
+  });
+  tell_bounds(told, features->sight.merged_cuts(), drawing.diagnostics);
+  tell_unmapped(scene, std::move(told.unmapped), drawing.diagnostics);
+  tell_unused(part_styles, options, drawing.diagnostics);
+
+  context.begin_stage(RunStage::Compose);
+  const LinesToDraw to_draw{features->sight.features(), features->sight.feature_spans(),
+                            all.strokes(), *spans};
+  compose(to_draw, {proxies, camera, part_styles, style, options.hidden, cue}, drawing, context,
+          found);
+  if (options.field) name_own_field(drawing);
+  if (options.annotations) labels = label(drawing, *trees, camera, context);
+  context.end_stage();
+  return drawing;
+}
+
+Drawing Stages::draw(const Scene& scene, const Camera& camera, const Style& style,
+                     const IllustrateOptions& options, bool keeps, RunContext& context) {
+  if (scene.parts.empty()) throw GeometryError("nothing to draw: the input has no parts");
+  const PartStyles part_styles(scene, style, options);
+  for (const Style* one : part_styles.styles()) check_style(*one);
+  std::vector<Path> found;
+  Labels labels;
+  Drawing drawing = draw_lines(scene, camera, style, part_styles, options,
+                               options.verify ? &found : nullptr, labels, keeps, context);
+  if (!keeps) *this = {};
+  if (options.verify) {
+    drawing.stats.verify = verify(drawing, found, scene, camera,
+                                  verify_options(scene, camera, style, part_styles, options),
+                                  drawing.diagnostics, context);
+  }
+  settle_on_sheet(part_styles, style.sheet.clip, drawing);
+  if (options.annotations) {
+    annotate(drawing, labels.seen, labels.glass, *options.annotations, style.callout, context);
+  }
+  return drawing;
+}
+
+}  // namespace burin::detail

@@ -1,0 +1,71 @@
+#pragma once
+// The order of the stages; internal to the module.
+
+#include <burin/base/diagnostics.h>
+#include <burin/base/run_context.h>
+#include <burin/camera/camera.h>
+#include <burin/drawing/drawing.h>
+#include <burin/feature/options.h>
+#include <burin/illustrate/illustrate.h>
+#include <burin/surface/scene.h>
+
+#include "hatch_parts.h"
+#include "kept.h"
+#include "labels.h"
+#include "occluders.h"
+#include "part_styles.h"
+#include "realise_parts.h"
+#include "sight.h"
+
+#include <memory>
+#include <vector>
+
+namespace burin::detail {
+
+/// What a drawing is made of, a stage after the other, and what of it the last drawing left.
+class Stages {
+ public:
+  /// With the test against rays where it is asked for; `keeps`: for another drawing; else surfaces
+  /// are gone before the test makes finer ones.
+  Drawing draw(const Scene& scene, const Camera& camera, const Style& style,
+               const IllustrateOptions& options, bool keeps, RunContext& context);
+
+ private:
+  struct Solid {
+    Surfaces surfaces;
+    std::vector<bool> transparent;
+    bool operator==(const Solid&) const = default;
+  };
+  /// Of a view; the occluders stand for the surfaces.
+  struct View {
+    std::shared_ptr<const Occluders> occluders;
+    Camera camera;
+    FeatureOptions features;
+    bool closes_outline = false;
+    bool operator==(const View&) const = default;
+  };
+  struct Lines {
+    Sight sight;
+    Diagnostics said;
+  };
+  struct Seen {
+    std::shared_ptr<Lines> lines;
+    HatchedParts::Hatchings strokes;
+    bool operator==(const Seen&) const = default;
+  };
+
+  /// `found`, if any, gets its lines as compose gives them; `labels` which parts are seen where,
+  /// where the drawing is to have annotations.
+  Drawing draw_lines(const Scene& scene, const Camera& camera, const Style& style,
+                     const PartStyles& part_styles, const IllustrateOptions& options,
+                     std::vector<Path>* found, Labels& labels, bool keeps, RunContext& context);
+  std::shared_ptr<Lines> lines_of(const View& view, RunContext& context);
+
+  RealisedParts realised_;
+  Kept<Solid, Occluders> occluders_;
+  HatchedParts hatched_;
+  Kept<View, Lines> lines_;
+  Kept<Seen, Spans> seen_;
+};
+
+}  // namespace burin::detail

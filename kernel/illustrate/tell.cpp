@@ -1,0 +1,119 @@
+#include "tell.h"
+
+#include <burin/tone/catalogue.h>
+
+#include "style_table.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace burin::detail {
+namespace {
+
+DrawingView describe(const Camera& camera) {
+  DrawingView view;
+  view.projection = camera.perspective() ? "perspective" : "orthographic";
+  view.direction = camera.direction();
+  view.right = camera.right();
+  view.up = camera.up();
+  view.scale = camera.scale();
+  view.center = camera.center();
+  view.offset = camera.offset();
+  if (camera.perspective()) {
+    view.eye = camera.eye();
+    view.field_of_view = camera.field_of_view();
+  }
+  return view;
+}
+
+std::int64_t face_count(const ProxyMesh& proxy) {
+  if (proxy.source_face.empty()) return proxy.region_count;
+  return static_cast<std::int64_t>(
+      std::set(proxy.source_face.begin(), proxy.source_face.end()).size());
+}
+
+}  // namespace
+
+Drawing describe(const Scene& scene, std::span<const ProxyMesh* const> proxies,
+                 const Camera& camera, const Style& style, std::uint64_t seed) {
+  Drawing drawing;
+  drawing.paper_width = camera.paper().width;
+  drawing.paper_height = camera.paper().height;
+  drawing.ink_color = style.sheet.ink;
+  drawing.paper_color = style.sheet.paper;
+  drawing.seed = seed;
+  drawing.style = style.name;
+  drawing.view = describe(camera);
+  drawing.diagnostics = scene.diagnostics;
+  for (std::size_t i = 0; i < scene.parts.size(); ++i) {
+    const auto triangles = static_cast<std::int64_t>(proxies[i]->mesh.triangles.size());
+    const Part& part = scene.parts[i];
+    drawing.parts.push_back({static_cast<std::int32_t>(i), part.name, part.source, triangles,
+                             face_count(*proxies[i]), part.assembly, part.color});
+    drawing.stats.triangles += triangles;
+  }
+  return drawing;
+}
+
+void tell_bounds(const StrokeResult& strokes, double merged_cuts, Diagnostics& diagnostics) {
+  if (strokes.thinned_parts > 0) {
+    diagnostics.add(Severity::Warning, "stroke.many_sheets", strokes.thinned_parts,
+                    "parts lie in so many sheets over each other that strokes were begun at fewer "
+                    "places; some areas may be white, and the file may be damaged");
+  }
+  if (merged_cuts > 0) {
+    diagnostics.add(
+        Severity::Warning, "visibility.crowded", 1,
+        fmt::format(
+            "the lines cross each other so often that what is hidden was decided for {:.2g} "
+            "mm at a time; the file may be damaged, or show more than one sheet can hold",
+            merged_cuts));
+  }
+}
+
+void tell_unmapped(const Scene& scene, std::vector<std::int32_t> parts, Diagnostics& diagnostics) {
+  std::ranges::sort(parts);
+  parts.erase(std::unique(parts.begin(), parts.end()), parts.end());
+  if (parts.empty()) return;
+  const std::string& first = scene.parts[static_cast<std::size_t>(parts.front())].name;
+  diagnostics.add(
+      Severity::Warning, "strokes.no_parameters", static_cast<std::int64_t>(parts.size()),
+      fmt::format(
+          "{}{} has no u and v; laws of strokes that look at them (hatch.ink_law "
+          "to hatch.presence_law) change nothing there",
+          first.empty() ? fmt::format("part {}", parts.front()) : fmt::format("'{}'", first),
+          parts.size() > 1 ? fmt::format(" (and {} more)", parts.size() - 1) : ""));
+}
+
+void tell_unused(const PartStyles& part_styles, const IllustrateOptions& options,
+                 Diagnostics& diagnostics) {
+  std::set<std::string> told;
+  for (const StrokeSet& strokes : part_styles.strokes()) {
+    const HatchStyle& hatch = *strokes.hatch;
+    const std::string group = kind_group(static_cast<std::size_t>(strokes.number));
+    if (!takes_motif(hatch)) {
+      const auto tell = [&](const char* key) {
+        told.insert(
+            fmt::format("{0}{1} has no effect: it is for strokes on points ({0}placing points, "
+                        "discs), not {2}",
+                        group, key, hatch.placing));
+      };
+      if (hatch.length_law != HatchOptions().length_law) tell("length_law");
+      if (hatch.has_motif()) tell("motif");
+    }
+    const tone::ToneOptions& tone = *strokes.tone;
+    if (!options.tone && tone.shadow > 0 && !tone::find(tone.law).uses_light) {
+      told.insert(fmt::format("{0}tone.shadow has no effect: {0}tone.law {1} looks at no light",
+                              strokes.number == 1 ? "" : group, tone.law));
+    }
+  }
+  for (const std::string& text : told) {
+    diagnostics.add(Severity::Warning, "option.unused", 1, text);
+  }
+}
+
+}  // namespace burin::detail

@@ -1,0 +1,33 @@
+#pragma once
+// What is told of a drawing besides its lines; internal to the module.
+
+#include <burin/base/diagnostics.h>
+#include <burin/camera/camera.h>
+#include <burin/drawing/drawing.h>
+#include <burin/illustrate/illustrate.h>
+#include <burin/mesh/proxy_mesh.h>
+#include <burin/stroke/stroke.h>
+#include <burin/surface/scene.h>
+
+#include "part_styles.h"
+
+#include <cstdint>
+#include <span>
+
+namespace burin::detail {
+
+/// A drawing without lines: sheet, view, parts and the diagnostics of the scene.
+Drawing describe(const Scene& scene, std::span<const ProxyMesh* const> proxies,
+                 const Camera& camera, const Style& style, std::uint64_t seed);
+
+/// What was done with less care so that the work stays bounded. `merged_cuts`: see VisibilityMap.
+void tell_bounds(const StrokeResult& strokes, double merged_cuts, Diagnostics& diagnostics);
+
+/// Parts on which laws of u and v say nothing.
+void tell_unmapped(const Scene& scene, std::vector<std::int32_t> parts, Diagnostics& diagnostics);
+
+/// Choices of strokes that nothing of the drawing looks at, each once.
+void tell_unused(const PartStyles& part_styles, const IllustrateOptions& options,
+                 Diagnostics& diagnostics);
+
+}  // namespace burin::detail

@@ -1,0 +1,117 @@
+#include "pieces.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <utility>
+
+namespace burin::detail {
+namespace {
+
+// How lines end on the way into the light: every second one first, then every second of the others,
+// by the ink at which the thinnest pen is too wide for all.
+class Fading {
+ public:
+  Fading(const Picture& picture, int family) {
+    const HatchOptions& o = picture.options;
+    least_ = family == 1 ? o.tone_min : kFirstOfSecond;
+    full_ = o.width_min / o.spacing_min;
+    // As many halvings as the style's widest gap has room for.
+    const auto room = std::lround(std::log2(o.spacing_max / o.spacing_min));
+    if (family == 1 && picture.swells() && !(picture.level_step > 0))
+      classes_ = std::clamp(static_cast<int>(room), 0, 2);
+  }
+
+  FadingRange range(std::int64_t number) const {
+    double full = full_;
+    for (int c = 0; c < classes_; ++c, full *= 0.5) {
+      const std::int64_t step = std::int64_t{2} << c;
+      if (number % step == 0) continue;
+      const double by = full * (1 + kSpread * dice(number >> (c + 1)));
+      return {std::max(least_, kEnds * by), std::max(least_, kBegins * by)};
+    }
+    return {least_, least_};
+  }
+
+ private:
+  static constexpr double kFirstOfSecond = 0.03;  // ink: a second family shows as from there
+  static constexpr double kEnds = 0.8, kBegins = 1.35;
+  static constexpr double kSpread = 0.2;  // so that tips do not line up
+
+  // In [-1, 1], far apart for neighbours: the bits of the number the other way round.
+  static double dice(std::int64_t number) {
+    auto k = static_cast<std::uint32_t>(number);
+    double sum = 0, bit = 1;
+    for (; k != 0 && bit > 1e-6; k >>= 1, bit *= 0.5) sum += (k & 1u) ? bit : 0;
+    return sum - 1;
+  }
+
+  double least_ = 0, full_ = 0;
+  int classes_ = 0;
+};
+
+// The pieces of a line in which there is enough ink, in their order.
+std::vector<Piece> inked(const Picture& picture, const ViewRaster& raster, int family,
+                         const Fading& fading, const RasterCell& cell, LevelLine line) {
+  const FadingRange range = fading.range(line.number);
+  const std::size_t n = line.points.size();
+  std::vector<bool> ink(n);
+  std::size_t dark = 0;
+  for (std::size_t i = 0; i < n; ++i) {
+    const RasterCell& at = raster.nearest(line.points[i]);
+    ink[i] = at.part >= 0 && picture.share(at.darkness, family) >= range.least;
+    dark += ink[i];
+  }
+  std::vector<Piece> out;
+  const auto add = [&](LevelLine l) {
+    const double length = l.length();
+    out.push_back({std::move(l), cell.part, cell.region, range, length});
+  };
+  if (dark == n) {
+    add(std::move(line));
+    return out;
+  }
+  // A closed line is opened where there is no ink.
+  std::size_t start = 0;
+  if (line.closed) start = static_cast<std::size_t>(std::ranges::find(ink, false) - ink.begin());
+  for (std::size_t i = 0; i < n;) {
+    if (!ink[(start + i) % n]) {
+      ++i;
+      continue;
+    }
+    LevelLine run;
+    run.node = line.node;
+    run.number = line.number;
+    run.begin_inside = line.begin_inside && start + i == 0;
+    for (; i < n && ink[(start + i) % n]; ++i) {
+      run.points.push_back(line.points[(start + i) % n]);
+      run.gaps.push_back(line.gaps[(start + i) % n]);
+    }
+    run.end_inside = line.end_inside && start + i == n;
+    if (run.points.size() > 1) add(std::move(run));
+  }
+  return out;
+}
+
+}  // namespace
+
+std::vector<Region> regions_of(const Picture& picture, const ViewRaster& raster,
+                               const std::vector<CellLine>& lines, int family) {
+  const Fading fading(picture, family);
+  std::map<std::pair<std::int32_t, std::int32_t>, Region> found;
+  for (const CellLine& one : lines) {
+    const RasterCell& cell = raster.cells[one.cell];
+    Region& region = found[{cell.part, cell.region}];
+    for (Piece& piece : inked(picture, raster, family, fading, cell, one.line)) {
+      for (const Vec2& p : piece.line.points) region.box.add(p);
+      region.pieces.push_back(std::move(piece));
+    }
+  }
+  std::vector<Region> out;
+  for (auto& [key, region] : found) {
+    if (!region.pieces.empty()) out.push_back(std::move(region));
+  }
+  return out;
+}
+
+}  // namespace burin::detail
