@@ -21,6 +21,8 @@ struct CadPart {
   std::string name;
   std::vector<std::string> assembly;
   std::string color;
+  /// The name of the product that it is an instance of; empty where that says nothing.
+  std::string definition = {};
   /// Without location, so that instances are equal; `placement` has it.
   TopoDS_Shape shape;
   Placement placement;

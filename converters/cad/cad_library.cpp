@@ -70,7 +70,8 @@ Scene read(const std::filesystem::path& path, RunContext& context) {
   for_parts(file, session, path.string(), scene.diagnostics, context, [&](CadPart& part) {
     auto form = std::make_shared<BrepForm>(models.of(part.shape).second, part.placement);
     scene.parts.push_back({std::move(part.name), path.string(), std::move(form),
-                           std::move(part.assembly), std::move(part.color)});
+                           std::move(part.assembly), std::move(part.color),
+                           std::move(part.definition)});
   });
   return scene;
 }

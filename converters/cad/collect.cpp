@@ -94,9 +94,12 @@ class Collector {
     const std::int64_t loose = shape.IsNull() ? 0 : count_loose(shape);
     left_out += pieces.empty() && loose == 0 ? 1 : loose;
     const LabelColors colors(colors_, product);
+    std::string definition = raw_name(product);
+    if (says_nothing(definition)) definition.clear();
     for (const TopoDS_Shape& piece : pieces) {
       CadPart part = make_part(piece, place.location, name);
       part.assembly = place.assembly;
+      part.definition = definition;
       part.color = place.instance_color.empty() ? colors.of(piece) : place.instance_color;
       if (part.color.empty()) part.color = place.assembly_color;
       parts.push_back(std::move(part));

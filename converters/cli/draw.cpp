@@ -79,6 +79,26 @@ void check_format(const Output& output, const Paper& paper, const WriteOptions& 
   check_sheet(paper.width, paper.height, output.format(), options);
 }
 
+/// Parts lists that could not be written later, or would take the place of other files.
+void check_lists(const DrawPlan& plan, const std::vector<Output>& outputs,
+                 std::vector<std::string> sources) {
+  for (const Output& output : outputs) {
+    if (!output.is_stdout()) sources.push_back(output.name());
+  }
+  for (const std::string& name : plan.parts_list_files) {
+    std::error_code error;
+    for (const std::string& other : sources) {
+      if (std::filesystem::weakly_canonical(name, error) ==
+          std::filesystem::weakly_canonical(other, error)) {
+        throw UsageError(fmt::format(
+            "{}: the parts list would take the place of another file; name it otherwise", name));
+      }
+    }
+    sources.push_back(name);
+    Output(name, *format_named("json")).probe();
+  }
+}
+
 /// Keys that were set for a format that is not written.
 void note_unwritten(const DrawArguments& arguments, const std::vector<Output>& outputs,
                     DrawPlan& plan) {
@@ -122,6 +142,7 @@ void run_draw(const DrawArguments& arguments, RunContext& context, Console& cons
   std::vector<Output> outputs =
       make_outputs(arguments.outputs, arguments.format, sources_of(arguments, illustration, read));
   note_unwritten(arguments, outputs, plan);
+  check_lists(plan, outputs, sources_of(arguments, illustration, read));
   if (!illustration) check_inputs(arguments.inputs);
   for (const Output& output : outputs) {
     if (!plan.sheet.fits) check_format(output, plan.view.paper, options);
@@ -131,11 +152,13 @@ void run_draw(const DrawArguments& arguments, RunContext& context, Console& cons
   const ThreadLimit limit(plan.threads);
   Scene scene = illustration ? read_scene(*illustration, context)
                              : read_models(arguments, plan, context, kept);
+  for (const Output& output : outputs) plan.items |= output.format().lists_items;
   arrange_parts(scene, plan, context);
   const Camera camera = make_camera(scene, plan);
   for (const Output& output : outputs) check_format(output, camera.paper(), options);
   const Drawing drawing = draw(scene, camera, plan, context, kept ? &kept->session : nullptr);
 
+  write_parts_lists(drawing, plan);
   write_outputs(outputs, drawing, options, context);
   console.diagnostics(drawing.diagnostics);
   if (drawing.stats.verify) console.verification(*drawing.stats.verify);

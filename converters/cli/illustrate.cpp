@@ -56,6 +56,12 @@ std::string extended(const DrawArguments& arguments, const std::filesystem::path
                                steps_of(read_scene(house, context), plan, context, console));
 }
 
+ItemNumbers numbers_of_models(const std::vector<std::string>& inputs, const DrawPlan& plan,
+                              RunContext& context) {
+  Scene scene = read_scene(inputs, plan.read, context);
+  return numbers_of(find_items(scene, {}, scene.diagnostics, context), {});
+}
+
 }  // namespace
 
 void run_illustrate(const DrawArguments& arguments, RunContext& context, Console& console) {
@@ -87,11 +93,15 @@ void run_illustrate(const DrawArguments& arguments, RunContext& context, Console
   if (extends) {
     text = extended(arguments, folder, context, console);
   } else {
+    DrawRequest request = arguments.request;
+    if (plan.callouts || plan.parts_list || !plan.parts_list_files.empty()) {
+      request.items = numbers_of_models(arguments.inputs, plan, context);
+    }
     std::vector<Explode::Step> steps;
     if (plan.explode.wanted) {
       steps = steps_of(read_scene(arguments.inputs, plan.read, context), plan, context, console);
     }
-    text = first_illustration(arguments.inputs, arguments.request, folder, steps);
+    text = first_illustration(arguments.inputs, request, folder, steps);
   }
   output.write([&](std::ostream& out) { out << text; });
   output.commit();

@@ -140,6 +140,7 @@ DrawingOwner draw(const py::object& source, const py::kwargs& keywords) {
     const Camera camera = make_camera(scene, plan);
     result->drawing =
         burin::draw(scene, camera, plan, context, session ? &session->session : nullptr);
+    write_parts_lists(result->drawing, plan);
   });
   return result;
 }

@@ -41,6 +41,21 @@ struct PyView {
   DrawingView view;
 };
 
+py::list texts(const PyLayer& self) {
+  py::list list;
+  for (const Text& text : self.layer().texts) {
+    py::dict d;
+    d["text"] = text.text;
+    d["at"] = py::make_tuple(text.at.x, text.at.y);
+    d["height"] = text.height;
+    d["anchor"] = to_string(text.anchor);
+    d["role"] = text.role;
+    d["item"] = text.item;
+    list.append(d);
+  }
+  return list;
+}
+
 py::ssize_t rows(std::size_t n) { return static_cast<py::ssize_t>(n); }
 
 std::string text_of(const py::handle& value) {
@@ -143,6 +158,21 @@ py::list parts(const PyDrawing& self) {
   return list;
 }
 
+py::list items(const PyDrawing& self) {
+  py::list list;
+  for (const DrawingItem& item : self.drawing.items) {
+    py::dict d;
+    d["number"] = item.number;
+    d["name"] = item.name;
+    d["quantity"] = item.quantity();
+    d["color"] = item.color;
+    d["source"] = item.source;
+    d["parts"] = item.parts;
+    list.append(d);
+  }
+  return list;
+}
+
 py::dict verification(const Verification& v) {
   py::dict d;
   d["spans"] = v.spans;
@@ -222,6 +252,9 @@ void add_path(py::module_& module) {
           "family", [](const PyPath& p) { return p.path().family; },
           "Strokes: 1 or 2, the family in the field, else 0.")
       .def_property_readonly(
+          "item", [](const PyPath& p) { return p.path().item; },
+          "Leaders and frames: the number of their item, else 0.")
+      .def_property_readonly(
           "stroke_kind", [](const PyPath& p) { return p.path().stroke_kind; },
           "Strokes: which of the style's kinds of strokes, from 1.")
       .def_property_readonly(
@@ -267,6 +300,9 @@ void add_layer(py::module_& module) {
             return list;
           },
           "The paths, in the order in which they are drawn.")
+      .def_property_readonly("texts", texts,
+                             "A dict a text over them: text, at (mm of the sheet, on the base "
+                             "line), height (mm of capitals), anchor, role, item.")
       .def("__len__", [](const PyLayer& l) { return l.layer().paths.size(); })
       .def("__repr__", [](const PyLayer& l) {
         return fmt::format("<burin.Layer '{}', {} paths>", l.layer().name, l.layer().paths.size());
@@ -334,6 +370,9 @@ void add_drawing(py::module_& module) {
           "What was mended, degraded or left out.")
       .def_property_readonly("parts", parts,
                              "A dict a part: id, name, source, triangles, faces, assembly, color.")
+      .def_property_readonly("items", items,
+                             "A dict an item, by number, where callouts or a parts list were asked "
+                             "for: number, name, quantity, color, source, parts (their ids).")
       .def_property_readonly(
           "view", [](const PyDrawing& self) { return PyView{self.drawing.view}; },
           "How the sheet was seen.")

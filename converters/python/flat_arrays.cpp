@@ -16,7 +16,7 @@ constexpr std::array kKinds{LineClass::Contour,    LineClass::Boundary, LineClas
                             LineClass::Smooth,     LineClass::Seam,     LineClass::Intersection,
                             LineClass::Section,    LineClass::Ridge,    LineClass::Valley,
                             LineClass::Suggestive, LineClass::Stroke,   LineClass::Pattern,
-                            LineClass::Trail};
+                            LineClass::Trail,      LineClass::Leader,   LineClass::Frame};
 
 /// A number a path.
 struct Columns {

@@ -119,6 +119,11 @@ py::dict illustration(const py::object& source) {
   out["looks"] = list_of_dicts(plan.looks);
   out["sections"] = plan.sections.size();
   out["explode"] = plan.explode.wanted;
+  py::dict items;
+  for (const auto& [number, name] : plan.numbers) items[py::int_(number)] = name;
+  out["items"] = items;
+  out["callouts"] = plan.callouts;
+  out["parts_list"] = plan.parts_list;
   out["hidden"] = plan.illustrate.hidden == HiddenLines::Dashed ? "dashed" : "none";
   out["tolerance"] = plan.illustrate.tolerance;
   out["seed"] = plan.illustrate.seed;
@@ -175,8 +180,9 @@ void add_illustration(py::module_& module) {
       "(\"from\" and \"up\" as directions, \"perspective\" in degrees, \"scale\", \"center\" in "
       "mm); \"paper\" (\"size\" in mm or \"fit\", \"margin\": top, right, bottom, left); "
       "\"lights\" as they stand; \"light\"; \"style\": a name or file, or all its keys; "
-      "\"looks\"; \"sections\", how many; \"explode\", whether; \"hidden\", \"tolerance\" in mm, "
-      "\"seed\". What is not "
+      "\"looks\"; \"sections\", how many; \"explode\", whether; \"items\", number to name; "
+      "\"callouts\" and \"parts_list\" (on the sheet), True or False; \"hidden\", \"tolerance\" in "
+      "mm, \"seed\". What is not "
       "said has the value that `draw` takes, or None. Throws UsageError, InputError.");
   module.def(
       "select", selected, py::arg("parts"), py::arg("selector"),

@@ -244,6 +244,41 @@ std::vector<RequestRow<Draft>> part_rows() {
   };
 }
 
+/// "sheet", or files that end in .csv or .json.
+void set_parts_list(Draft& draft, const Asked& asked) {
+  for (const std::string& text : asked.texts) {
+    const std::string suffix = lowered(std::filesystem::path(text).extension().string());
+    if (text == "sheet") {
+      draft.plan.parts_list = true;
+    } else if (suffix == ".csv" || suffix == ".json") {
+      draft.plan.parts_list_files.push_back(text);
+    } else {
+      refuse_value(asked.spelled, "sheet, FILE.csv or FILE.json", text);
+    }
+  }
+}
+
+std::vector<RequestRow<Draft>> item_rows() {
+  return {
+      {{.option = {.name = "callouts",
+                   .meaning = "a number at each item, with a leader; looks: style keys callout.*",
+                   .takes = Switch{}},
+        .group = kParts,
+        .negated = "draw none, whatever the illustration file says"},
+       [](Draft& d, const Asked& a) { d.plan.callouts = std::get<bool>(a.value); }},
+      {{.option = {.name = "parts_list",
+                   .meaning = "number, name and quantity of each item: on the sheet, or as a file "
+                              "with colour and source; repeatable",
+                   .takes = FreeText{}},
+        .group = kParts,
+        .label = "sheet|FILE.csv|FILE.json",
+        .choices = {"sheet"},
+        .many = true,
+        .python = "str | Sequence[str]"},
+       set_parts_list},
+  };
+}
+
 std::vector<RequestRow<Draft>> view_rows() {
   return {
       {{.option = {.name = "view",
@@ -361,7 +396,8 @@ std::vector<RequestRow<Draft>> run_rows() {
 const std::vector<RequestRow<Draft>>& draw_rows() {
   static const std::vector<RequestRow<Draft>> all = [] {
     std::vector<RequestRow<Draft>> rows;
-    for (const auto& group : {look_rows(), part_rows(), view_rows(), sheet_rows(), run_rows()}) {
+    for (const auto& group :
+         {look_rows(), part_rows(), item_rows(), view_rows(), sheet_rows(), run_rows()}) {
       rows.insert(rows.end(), group.begin(), group.end());
     }
     return rows;

@@ -118,6 +118,7 @@ std::vector<Explode::Step> explode_steps(Scene& scene, const DrawPlan& plan, Run
 
 void arrange_parts(Scene& scene, DrawPlan& plan, RunContext& context) {
   select_parts(scene, plan);
+  number_parts(scene, plan, context);
   if (!plan.explode.wanted) return cut_parts(scene, plan);
   const std::vector<bool> drawn = drawn_parts(scene, plan);
   const ExplodeModel model(scene, drawn, context);

@@ -13,10 +13,12 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <fstream>
 #include <iterator>
 #include <limits>
+#include <map>
 #include <utility>
 
 namespace burin {
@@ -103,12 +105,21 @@ class Reader {
 
   static const std::vector<Member>& members() {
     static const std::vector<Member> all = [] {
-      std::vector<Member> rows = {
-          {"burin", nullptr},           {"version", nullptr},        {"$schema", nullptr},
-          {"extends", nullptr},         {"parts", &Reader::parts},   {"style", &Reader::style},
-          {"looks", &Reader::looks},    {"lights", &Reader::lights}, {"title", &Reader::title},
-          {"view", &Reader::group},     {"paper", &Reader::paper},   {"section", &Reader::sections},
-          {"explode", &Reader::explode}};
+      std::vector<Member> rows = {{"burin", nullptr},
+                                  {"version", nullptr},
+                                  {"$schema", nullptr},
+                                  {"extends", nullptr},
+                                  {"parts", &Reader::parts},
+                                  {"style", &Reader::style},
+                                  {"looks", &Reader::looks},
+                                  {"lights", &Reader::lights},
+                                  {"title", &Reader::title},
+                                  {"items", &Reader::items},
+                                  {"parts_list", &Reader::parts_list},
+                                  {"view", &Reader::group},
+                                  {"paper", &Reader::paper},
+                                  {"section", &Reader::sections},
+                                  {"explode", &Reader::explode}};
       for (const detail::IllustrationKey& key : detail::illustration_keys()) {
         const bool grouped = key.path.find('.') != std::string::npos;
         if (!grouped) rows.push_back({key.path, &Reader::option});
@@ -139,6 +150,35 @@ class Reader {
   }
 
   void title(const Json& value, const std::string& path) { out_.request.title = text(value, path); }
+
+  /// Numbers and the names of what has them.
+  void items(const Json& value, const std::string& path) {
+    if (!value.is_object()) fail(path, "\"items\" takes an object, {\"1\": \"bolt\", ...}");
+    ItemNumbers& numbers = out_.request.items;
+    numbers.clear();
+    std::map<std::string, std::string> known;
+    for (const auto& [key, name] : value.items()) {
+      const std::string at = path + "/" + key;
+      int number = 0;
+      const auto [end, error] = std::from_chars(key.data(), key.data() + key.size(), number);
+      if (error != std::errc() || end != key.data() + key.size() || number < 1 ||
+          number > kLargestItem) {
+        fail(at, fmt::format("an item has a number from 1 to {}, not '{}'", kLargestItem, key));
+      }
+      const std::string called = text(name, at);
+      const auto [first, is_new] = known.try_emplace(called, key);
+      if (!is_new) {
+        fail(at, fmt::format("'{}' has the number {} already", called, first->second));
+      }
+      numbers[number] = called;
+    }
+  }
+
+  void parts_list(const Json& value, const std::string& path) {
+    const std::string given = text(value, path);
+    if (given != "sheet") fail(path, "\"parts_list\" takes \"sheet\"; files are named at the door");
+    out_.request.options["parts_list"] = {given};
+  }
 
   void paper(const Json& value, const std::string& path) {
     if (value.is_object()) return group(value, path);
@@ -603,7 +643,7 @@ const std::vector<IllustrationKey>& illustration_keys() {
       {"view.from", "view"},      {"view.up", "up"},         {"view.perspective", "perspective"},
       {"view.scale", "scale"},    {"view.center", "center"}, {"paper.size", "paper"},
       {"paper.margin", "margin"}, {"hidden", "hidden"},      {"tolerance", "tolerance"},
-      {"seed", "seed"},
+      {"seed", "seed"},           {"callouts", "callouts"},
   };
   return keys;
 }
@@ -646,6 +686,7 @@ DrawRequest merged(const DrawRequest& file, const DrawRequest& door) {
   all.sections.insert(all.sections.end(), door.sections.begin(), door.sections.end());
   if (door.explode.wanted) all.explode = door.explode;
   if (!door.title.empty()) all.title = door.title;
+  if (!door.items.empty()) all.items = door.items;
   return all;
 }
 

@@ -47,6 +47,7 @@ void name_parts(Scene& scene, const std::string& name) {
   if (name.empty()) return;
   if (scene.parts.size() == 1) {
     scene.parts.front().name = name;
+    scene.parts.front().definition.clear();  // its name is this now
     return;
   }
   for (Part& part : scene.parts) part.assembly.insert(part.assembly.begin(), name);

@@ -239,6 +239,10 @@ std::string first_illustration(const std::vector<std::string>& inputs, const Dra
     json["looks"].push_back(
         {{"select", look.substr(0, equals)}, {"style", look.substr(equals + 1)}});
   }
+  if (std::ranges::count(given_texts(request.options, "parts_list"), "sheet") > 0) {
+    json["parts_list"] = "sheet";
+  }
+  for (const auto& [number, name] : request.items) json["items"][std::to_string(number)] = name;
   return json.dump(2) + "\n";
 }
 
@@ -265,6 +269,12 @@ std::string illustration_schema() {
   members["looks"] = list_of(look_schema(style));
   members["lights"] = list_of(light_schema());
   members["explode"] = explode_schema();
+  members["items"] = {
+      {"description", "numbers of items and their names; kept from drawing to drawing"},
+      {"type", "object"},
+      {"propertyNames", {{"pattern", "^[1-9][0-9]{0,4}$"}}},
+      {"additionalProperties", {{"type", "string"}, {"minLength", 1}}}};
+  members["parts_list"] = {{"description", "a parts list on the sheet"}, {"const", "sheet"}};
   members["section"] = {{"anyOf", {section_schema(), list_of(section_schema())}}};
   for (const detail::IllustrationKey& key : detail::illustration_keys()) {
     const std::size_t dot = key.path.find('.');

@@ -1,6 +1,7 @@
 #include "dxf.h"
 
 #include <burin/base/error.h>
+#include <burin/drawing/font.h>
 #include <burin/drawing/ink.h>
 #include <burin/drawing/ordered_text.h>
 
@@ -35,10 +36,11 @@ bool has_true_width(const Path& path) {
          has_varying_width(path);
 }
 
-/// One path and where it belongs.
+/// One path, or text, and where it belongs.
 struct Item {
   const Path* path = nullptr;
   const dxf::LayerRow* layer = nullptr;
+  const Text* text = nullptr;
 };
 
 /// The head of an entity, up to its own data.
@@ -46,7 +48,7 @@ void append_entity(Groups& out, const char* kind, const char* type, const Item& 
                    std::uint64_t handle) {
   out.text(0, kind).handle(5, handle).handle(330, Fixed::ModelSpace).text(100, "AcDbEntity");
   out.text(8, item.layer->name);
-  const int weight = weight_of(*item.path);
+  const int weight = item.path ? weight_of(*item.path) : item.layer->weight;
   if (weight != item.layer->weight) out.whole(370, weight);
   out.text(100, type);
 }
@@ -156,6 +158,36 @@ void append_path(Groups& out, const Item& item, const WriteOptions& options, std
   append_source(out, path);
 }
 
+/// Text as DXF writes it: characters beyond ASCII by their numbers, "%%" and control characters by
+/// what they are not taken for.
+std::string plain_text(std::string_view text) {
+  std::string out;
+  for (const char32_t c : code_points(text)) {
+    const auto coded = [&](char32_t unit) {
+      out += fmt::format("\\U+{:04X}", static_cast<unsigned>(unit));
+    };
+    if (c < 0x20) {
+      out += ' ';
+    } else if (c < 0x7F && c != '%' && c != '\\' && c != '^') {
+      out += static_cast<char>(c);
+    } else if (c < 0x10000) {
+      coded(c);
+    } else {
+      coded(0xD800 + ((c - 0x10000) >> 10));
+      coded(0xDC00 + ((c - 0x10000) & 0x3FF));
+    }
+  }
+  return out;
+}
+
+void append_text(Groups& out, const Item& item, std::uint64_t handle) {
+  const Text& text = *item.text;
+  append_entity(out, "TEXT", "AcDbText", item, handle);
+  out.point(10, Vec3(text.at, 0)).real(40, text.height).text(1, plain_text(text.text));
+  out.whole(72, static_cast<int>(text.anchor)).point(11, Vec3(text.at, 0));
+  out.text(100, "AcDbText");
+}
+
 /// The weight that most paths of a layer have; the thinner one of equals.
 int common_weight(const InkLayer& layer) {
   std::map<int, std::size_t> counts;
@@ -185,12 +217,18 @@ dxf::Frame frame_of(const Drawing& drawing, const std::vector<Item>& items,
   frame.dashes = InkLayer{std::string(kHiddenLayer), {}}.dashes(options.dashes);
   frame.dash_dots = InkLayer{std::string(kTrailLayer), {}}.dashes(options.dashes);
   bool first = true;
+  const auto add = [&](Vec2 p) {
+    frame.low = first ? p : glm::min(frame.low, p);
+    frame.high = first ? p : glm::max(frame.high, p);
+    first = false;
+  };
   for (const Item& item : items) {
-    for (const Vec2& p : item.path->points) {
-      frame.low = first ? p : glm::min(frame.low, p);
-      frame.high = first ? p : glm::max(frame.high, p);
-      first = false;
+    if (item.text) {
+      const Box2 box = text_box(*item.text);
+      add(box.min), add(box.max);
+      continue;
     }
+    for (const Vec2& p : item.path->points) add(p);
   }
   return frame;
 }
@@ -212,6 +250,7 @@ void write_dxf(const Drawing& drawing, const WriteOptions& options, std::ostream
     for (const auto& [part, paths] : layer.parts) {
       for (const Path* path : paths) items.push_back({path, &rows.back()});
     }
+    for (const Text* text : layer.texts) items.push_back({nullptr, &rows.back(), text});
   }
   dxf::Frame frame = frame_of(drawing, items, options.svg);
   const std::uint64_t first = static_cast<std::uint64_t>(Fixed::FirstLayer) + rows.size();
@@ -220,9 +259,10 @@ void write_dxf(const Drawing& drawing, const WriteOptions& options, std::ostream
   dxf::append_head(text, frame, rows);
   write(text, out);
   write_ordered(
-      items.size(), [&](std::size_t i) { return items[i].path->points.size(); },
+      items.size(), [&](std::size_t i) { return items[i].path ? items[i].path->points.size() : 1; },
       [&](std::size_t i, Buffer& buffer) {
         Groups groups(buffer);
+        if (items[i].text) return append_text(groups, items[i], first + i);
         append_path(groups, items[i], options, first + i);
       },
       out, context);

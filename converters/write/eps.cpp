@@ -1,6 +1,7 @@
 #include "eps.h"
 
 #include <burin/drawing/color.h>
+#include <burin/drawing/font.h>
 #include <burin/drawing/near_sheet.h>
 #include <burin/drawing/ordered_text.h>
 #include <burin/drawing/text.h>
@@ -20,10 +21,11 @@ constexpr double kPointsPerMm = 72 / 25.4;
 constexpr double kUnitsPerMm = 1000;
 constexpr double kStraight = 0.0005;  // paper mm; as in the other formats
 
-/// One path with what comes before it.
+/// One path or text with what comes before it.
 struct Item {
   std::string before;
   const Path* path = nullptr;
+  const Text* text = nullptr;
 };
 
 /// Text for a comment: one line of printable ASCII, as DSC asks for.
@@ -92,12 +94,12 @@ class EpsPen {
   Place at_;
 };
 
-void append_path(Buffer& out, const Path& path, double tolerance) {
-  const Ink ink = ink_of(path, tolerance);
+/// `first`: where a line without a curve is a dot; `closed`: its ends are joined.
+void append_ink(Buffer& out, const Ink& ink, Vec2 first, bool closed) {
   EpsPen pen(out);
   for (const auto& chain : ink.chains) {
-    pen.move(chain.empty() ? path.points.front() : chain.front()[0]);
-    if (chain.empty()) pen.line(path.points.front());
+    pen.move(chain.empty() ? first : chain.front()[0]);
+    if (chain.empty()) pen.line(first);
     for (const CubicBezier& c : chain) {
       if (is_straight(c, kStraight)) {
         pen.line(c[3]);
@@ -105,7 +107,7 @@ void append_path(Buffer& out, const Path& path, double tolerance) {
         pen.curve(c);
       }
     }
-    if (!chain.empty() && (ink.filled || path.closed)) append(out, "h\n");
+    if (!chain.empty() && (ink.filled || closed)) append(out, "h\n");
   }
   if (ink.filled) return append(out, "f\n");
   fmt::format_to(fmt::appender(out), "{} w s\n", std::llround(ink.width * kUnitsPerMm));
@@ -125,6 +127,10 @@ std::vector<Item> items_of(const std::vector<InkLayer>& layers, std::string befo
         before.clear();
       }
     }
+    for (const Text* text : layer.texts) {
+      items.push_back({std::move(before), nullptr, text});
+      before.clear();
+    }
   }
   items.push_back({before + "end restore\nshowpage\n%%Trailer\n%%EOF\n", nullptr});
   return items;
@@ -140,7 +146,13 @@ void write_eps(const Drawing& drawing, const WriteOptions& options, std::ostream
       items.size(), [&](std::size_t i) { return items[i].path ? items[i].path->points.size() : 0; },
       [&](std::size_t i, Buffer& buffer) {
         append(buffer, items[i].before);
-        if (items[i].path) append_path(buffer, *items[i].path, options.svg.fit_tolerance);
+        if (const Path* path = items[i].path) {
+          append_ink(buffer, ink_of(*path, options.svg.fit_tolerance), path->points.front(),
+                     path->closed);
+        } else if (items[i].text) {
+          const Ink ink = text_ink(*items[i].text);
+          if (!ink.chains.empty()) append_ink(buffer, ink, Vec2(0), true);
+        }
       },
       out, context);
 }

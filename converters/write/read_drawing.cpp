@@ -28,7 +28,7 @@ LineClass kind_named(const JsonPlace& place) {
   std::string name;
   place.set(name);
   std::vector<std::string> known;
-  for (int i = 0; i <= static_cast<int>(LineClass::Trail); ++i) {
+  for (int i = 0; i <= static_cast<int>(kLastLineClass); ++i) {
     const auto kind = static_cast<LineClass>(i);
     if (name == to_string(kind)) return kind;
     known.emplace_back(to_string(kind));
@@ -104,10 +104,67 @@ Path read_path(const JsonPlace& place) {
   value("face", p.source.face);
   value("edge", p.source.edge);
   value("closed", p.closed);
+  value("item", p.item);
   value("field", p.field);
   value("family", p.family);
   value("stroke_kind", p.stroke_kind);
   return p;
+}
+
+Text read_text(const JsonPlace& place) {
+  place.check_object();
+  Text text;
+  place.required("at", [&](const JsonPlace& at) {
+    at.set(text.at);
+    if (std::max(std::abs(text.at.x), std::abs(text.at.y)) > kFarthest) {
+      at.fail("is more than 1e9 mm from the sheet");
+    }
+  });
+  place.required("text", [&](const JsonPlace& words) { words.set(text.text); });
+  place.optional("height", [&](const JsonPlace& height) {
+    height.set(text.height);
+    if (!(text.height > 0 && text.height <= kLargestSheet)) {
+      height.fail("takes a height over 0 and up to 10000 mm");
+    }
+  });
+  place.optional("anchor", [&](const JsonPlace& anchor) {
+    std::string name;
+    anchor.set(name);
+    for (const TextAnchor a : {TextAnchor::Start, TextAnchor::Middle, TextAnchor::End}) {
+      if (name == to_string(a)) return void(text.anchor = a);
+    }
+    anchor.fail("takes \"start\", \"middle\" or \"end\"");
+  });
+  place.optional("role", [&](const JsonPlace& role) { role.set(text.role); });
+  place.optional("item", [&](const JsonPlace& item) { item.set(text.item); });
+  return text;
+}
+
+DrawingItem read_item(const JsonPlace& place) {
+  place.check_object();
+  DrawingItem item;
+  place.required("number", [&](const JsonPlace& number) { number.set(item.number); });
+  const auto value = [&](const char* key, auto& out) {
+    place.optional(key, [&](const JsonPlace& at) { at.set(out); });
+  };
+  value("name", item.name);
+  value("color", item.color);
+  value("source", item.source);
+  place.optional("parts", [&](const JsonPlace& parts) {
+    parts.each([&](const JsonPlace& part, std::size_t) { part.set(item.parts.emplace_back()); });
+  });
+  return item;
+}
+
+Area read_area(const JsonPlace& place) {
+  place.check_object();
+  Area area;
+  place.required("part", [&](const JsonPlace& part) { part.set(area.part); });
+  place.optional("rings", [&](const JsonPlace& rings) {
+    rings.each(
+        [&](const JsonPlace& ring, std::size_t) { read_points(ring, area.rings.emplace_back()); });
+  });
+  return area;
 }
 
 void read_view(const JsonPlace& place, DrawingView& view) {
@@ -242,6 +299,14 @@ void read_head(const JsonPlace& root, Drawing& drawing) {
     parts.each(
         [&](const JsonPlace& part, std::size_t) { drawing.parts.push_back(read_part(part)); });
   });
+  root.optional("items", [&](const JsonPlace& items) {
+    items.each(
+        [&](const JsonPlace& item, std::size_t) { drawing.items.push_back(read_item(item)); });
+  });
+  root.optional("areas", [&](const JsonPlace& areas) {
+    areas.each(
+        [&](const JsonPlace& area, std::size_t) { drawing.areas.push_back(read_area(area)); });
+  });
   root.optional("diagnostics", [&](const JsonPlace& list) {
     list.each(
         [&](const JsonPlace& d, std::size_t) { drawing.diagnostics.add(read_diagnostic(d)); });
@@ -324,6 +389,10 @@ class LayerTaker {
     place.optional("name", [&](const JsonPlace& name) { name.set(layer.name); });
     place.optional("paths", [](const JsonPlace& paths) { paths.each([](const auto&, auto) {}); });
     layer.paths = std::exchange(paths_, {});
+    place.optional("texts", [&](const JsonPlace& texts) {
+      texts.each(
+          [&](const JsonPlace& text, std::size_t) { layer.texts.push_back(read_text(text)); });
+    });
     layers_.push_back(std::move(layer));
     return true;
   }

@@ -6,6 +6,7 @@
 #include "cairo_loader.h"
 #include "dxf.h"
 #include "eps.h"
+#include "html.h"
 #include "sheet.h"
 
 #include <fmt/format.h>
@@ -74,6 +75,7 @@ const std::vector<Format>& formats() {
        [](const Drawing& d, const Options& o, std::ostream& out, const Run& c) {
          write_json(d, o.json, out, c);
        }},
+      {"html", {}, write_html, nullptr, true},
   };
   return all;
 }

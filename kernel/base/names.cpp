@@ -32,6 +32,10 @@ const char* to_string(LineClass kind) {
       return "pattern";
     case LineClass::Trail:
       return "trail";
+    case LineClass::Leader:
+      return "leader";
+    case LineClass::Frame:
+      return "frame";
   }
   return "unknown";
 }

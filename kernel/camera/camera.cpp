@@ -136,6 +136,13 @@ Camera Camera::inside(const Placement& placement) const {
   return camera;
 }
 
+Camera Camera::on_sheet(const Paper& sheet, Vec2 corner) const {
+  Camera camera = *this;
+  camera.paper_ = sheet;
+  camera.offset_ += corner;
+  return camera;
+}
+
 Vec2 Camera::to_paper(Vec3 p) const {
   const Vec3 q = p - center_;
   double s = scale_;

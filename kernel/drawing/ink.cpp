@@ -78,6 +78,12 @@ std::vector<InkLayer> ink_layers(const Drawing& drawing) {
       const bool to_hidden = (!p.visible && !p.in_full) || layer.name == kHiddenLayer;
       (to_hidden ? hidden : ink).parts[p.source.part].push_back(&p);
     }
+    for (const Text& t : layer.texts) {
+      const bool finite = std::isfinite(t.at.x) && std::isfinite(t.at.y) && std::isfinite(t.height);
+      if (finite && t.height > 0 && !t.text.empty()) {
+        (layer.name == kHiddenLayer ? hidden : ink).texts.push_back(&t);
+      }
+    }
     if (layer.name != kHiddenLayer) layers.push_back(std::move(ink));
   }
   if (hidden_placed || !hidden.parts.empty()) {
@@ -86,8 +92,13 @@ std::vector<InkLayer> ink_layers(const Drawing& drawing) {
   return layers;
 }
 
+const char* to_string(TextAnchor anchor) {
+  return anchor == TextAnchor::Start ? "start" : anchor == TextAnchor::Middle ? "middle" : "end";
+}
+
 bool is_dot(const Path& path) {
-  if (path.closed || path.kind != LineClass::Stroke) return false;
+  const bool may_be = path.kind == LineClass::Stroke || path.kind == LineClass::Leader;
+  if (path.closed || !may_be) return false;
   const double most = 0.5 * mean_width(path);
   double length = 0;
   for (std::size_t i = 1; i < path.points.size() && length < most; ++i) {

@@ -86,6 +86,49 @@ void append_part(Buffer& out, const DrawingPart& part) {
   out.push_back('}');
 }
 
+void append_item(Buffer& out, const DrawingItem& item) {
+  fmt::format_to(fmt::appender(out), "{{\"number\": {}, \"name\": ", item.number);
+  append_json(out, item.name);
+  fmt::format_to(fmt::appender(out), ", \"quantity\": {}, \"color\": ", item.quantity());
+  append_json(out, item.color);
+  append(out, ", \"source\": ");
+  append_json(out, item.source);
+  fmt::format_to(fmt::appender(out), ", \"parts\": [{}]}}", fmt::join(item.parts, ", "));
+}
+
+void append_point(Buffer& out, Vec2 p) {
+  out.push_back('[');
+  append_fixed(out, p.x, kPaperDecimals);
+  out.push_back(',');
+  append_fixed(out, p.y, kPaperDecimals);
+  out.push_back(']');
+}
+
+void append_area(Buffer& out, const Area& area) {
+  fmt::format_to(fmt::appender(out), "{{\"part\": {}, \"rings\": [", area.part);
+  for (std::size_t r = 0; r < area.rings.size(); ++r) {
+    append(out, r == 0 ? "[" : ", [");
+    for (std::size_t i = 0; i < area.rings[r].size(); ++i) {
+      if (i > 0) out.push_back(',');
+      append_point(out, area.rings[r][i]);
+    }
+    out.push_back(']');
+  }
+  append(out, "]}");
+}
+
+void append_text(Buffer& out, const Text& text) {
+  append(out, "{\"at\": ");
+  append_point(out, text.at);
+  append(out, ", \"height\": ");
+  append_fixed(out, text.height, kPaperDecimals);
+  fmt::format_to(fmt::appender(out), ", \"anchor\": \"{}\", \"text\": ", to_string(text.anchor));
+  append_json(out, text.text);
+  append(out, ", \"role\": ");
+  append_json(out, text.role);
+  fmt::format_to(fmt::appender(out), ", \"item\": {}}}", text.item);
+}
+
 void append_diagnostic(Buffer& out, const Diagnostic& d) {
   fmt::format_to(fmt::appender(out), "{{\"severity\": \"{}\", \"code\": ", to_string(d.severity));
   append_json(out, d.code);
@@ -133,6 +176,8 @@ void append_head(Buffer& out, const Drawing& d) {
   append(out, "},\n");
   append_view(out, d.view);
   append_list(out, "parts", d.parts, append_part);
+  if (!d.items.empty()) append_list(out, "items", d.items, append_item);
+  if (!d.areas.empty()) append_list(out, "areas", d.areas, append_area);
   append(out, "  \"layers\": [");
 }
 
@@ -197,6 +242,7 @@ void append_path(Buffer& out, const Path& p, bool points3, int decimals3) {
                  to_string(p.kind), p.visible, p.source.part, p.source.face, p.source.edge,
                  p.closed);
   if (p.in_full) append(out, ", \"in_full\": true");
+  if (p.item != 0) fmt::format_to(fmt::appender(out), ", \"item\": {}", p.item);
   if (p.kind == LineClass::Stroke) {
     append(out, ", \"field\": ");
     append_json(out, p.field);
@@ -271,7 +317,18 @@ void write_json(const Drawing& drawing, const JsonOptions& options, std::ostream
           append_path(buffer, *paths[i], options.points3, decimals3);
         },
         out, context);
-    out << "]}";
+    text.clear();
+    append(text, "]");
+    if (!layer.texts.empty()) {
+      append(text, ", \"texts\": [");
+      for (std::size_t i = 0; i < layer.texts.size(); ++i) {
+        append(text, i == 0 ? "\n      " : ",\n      ");
+        append_text(text, layer.texts[i]);
+      }
+      append(text, "]");
+    }
+    append(text, "}");
+    write(text, out);
   }
   text.clear();
   append_tail(text, drawing, left_out);

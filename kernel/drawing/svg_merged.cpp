@@ -1,5 +1,6 @@
 #include <burin/base/box.h>
 #include <burin/base/parallel.h>
+#include <burin/drawing/font.h>
 #include <burin/drawing/join.h>
 #include <burin/drawing/ordered_text.h>
 
@@ -146,6 +147,7 @@ void append_subpath(Buffer& out, const Item& item, double paper_height) {
 std::string ink_box(const Drawing& drawing, const std::vector<InkLayer>& layers) {
   Box2 box;
   for (const InkLayer& layer : layers) {
+    for (const Text* text : layer.texts) box.add(text_box(*text));
     for (const auto& [part, paths] : layer.parts) {
       for (const Path* path : paths) {
         const double reach = path->width.empty()
@@ -176,6 +178,9 @@ void write_merged_svg(const Drawing& drawing, const SvgOptions& options, std::os
     const JoinedPaths lines = lines_of(layer);
     for (auto& [width, of_pen] : by_pen(lines.paths, options, context)) {
       append_pen_items(width, of_pen, svg_ink(drawing), before, items);
+    }
+    for (const Text* text : layer.texts) {
+      before += svg_text(*text, drawing.paper_height, svg_ink(drawing), options);
     }
     before += "</g>\n";
   }

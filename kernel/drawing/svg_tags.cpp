@@ -2,7 +2,10 @@
 
 #include <burin/base/ascii.h>
 #include <burin/base/version.h>
+#include <burin/drawing/font.h>
 #include <burin/drawing/title.h>
+
+#include "svg_path.h"
 
 #include <algorithm>
 
@@ -73,6 +76,38 @@ std::string svg_layer_tag(const InkLayer& layer, const std::string& id, std::str
   }
   if (!dashes.empty()) out.push_back('"');
   append(out, ">\n");
+  return fmt::to_string(out);
+}
+
+std::string svg_text(const Text& text, double paper_height, std::string_view ink,
+                     const SvgOptions& options) {
+  Buffer out;
+  if (options.flatten) {
+    constexpr double kPen = 0.1;  // of the height, as letters of type B have it
+    SvgPen pen(out, paper_height);
+    for (std::vector<Vec2> line : text_outlines(text, options.fit_tolerance)) {
+      line.push_back(line.front());
+      append(out, "<polyline class=\"text\"");
+      append_pen(out, kPen * text.height);
+      append(out, " points=\"");
+      pen.points(line);
+      append(out, "\"/>\n");
+    }
+    return fmt::to_string(out);
+  }
+  append(out, "<text class=\"");
+  append_xml(out, text.role.empty() ? "text" : text.role + "-text");
+  append(out, "\" x=\"");
+  append_fixed(out, text.at.x, 3);
+  append(out, "\" y=\"");
+  append_fixed(out, paper_height - text.at.y, 3);
+  append(out, "\" font-size=\"");
+  append_fixed(out, font_size(text.height), 3);
+  append(out, fmt::format("\" font-family=\"{}, sans-serif\" text-anchor=\"{}\" fill=\"{}\" "
+                          "stroke=\"none\">",
+                          kFontFamily, to_string(text.anchor), ink));
+  append_xml(out, text.text);
+  append(out, "</text>\n");
   return fmt::to_string(out);
 }
 

@@ -33,6 +33,10 @@ class SvgIds {
   std::set<std::string> taken_;
 };
 
+/// A text as an element of its own; with `flatten` its outlines as polylines.
+std::string svg_text(const Text& text, double paper_height, std::string_view ink,
+                     const SvgOptions& options);
+
 void append_pen(Buffer& out, double width);
 /// Paper mm that fitted curves may be off before their numbers are rounded.
 double curve_tolerance(const SvgOptions& options);

@@ -56,14 +56,27 @@ class Items {
     name_parts();
     SvgIds ids(options.id_prefix);
     before_ = svg_head(drawing);
+    for (const DrawingItem& item : drawing.items) {
+      for (const std::int32_t part : item.parts) items_of_[part] = &item;
+    }
+    add_areas(ids);
     for (const InkLayer& layer : ink_layers(drawing)) {
       const std::string id = ids.make(layer.name);
       before_ += svg_layer_tag(layer, id, ink_, options);
       // Without the prefix, which each id gets once.
       const std::string stem = id.substr(options.id_prefix.size());
+      std::map<int, Annotation> annotations;
+      for (const Text* text : layer.texts) annotations[text->item].texts.push_back(text);
       for (const auto& [part, paths] : layer.parts) {
-        add_part(part, ids.make(stem + "-" + part_name(part)), paths, layer.name == kOutlineLayer);
+        std::vector<const Path*> lines;
+        for (const Path* path : paths) {
+          const bool laid_over = path->item != 0 || path->kind == LineClass::Frame;
+          (laid_over ? annotations[path->item].paths : lines).push_back(path);
+        }
+        if (lines.empty()) continue;
+        add_part(part, ids.make(stem + "-" + part_name(part)), lines, layer.name == kOutlineLayer);
       }
+      for (const auto& [item, annotation] : annotations) add_annotation(item, annotation, ids);
       before_ += "</g>\n";
     }
     items_.push_back({before_ + "</svg>\n"});
@@ -73,6 +86,96 @@ class Items {
   std::string_view ink() const { return ink_; }
 
  private:
+  /// What is laid over the drawing about an item.
+  struct Annotation {
+    std::vector<const Path*> paths;
+    std::vector<const Text*> texts;
+  };
+
+  const DrawingItem* item_numbered(int number) const {
+    const auto found = std::ranges::find(drawing_.items, number, &DrawingItem::number);
+    return found == drawing_.items.end() ? nullptr : &*found;
+  }
+
+  /// A group as catalogues of spare parts know it.
+  void add_annotation(int item, const Annotation& annotation, SvgIds& ids) {
+    const bool callout = std::ranges::any_of(
+        annotation.texts, [](const Text* text) { return text->role == "callout"; });
+    Buffer out;
+    if (item == 0) {
+      append(out, "<g>");
+    } else if (callout) {
+      append(out, fmt::format("<g id=\"{}\" class=\"callout callout_{} hotspot_{}\" "
+                              "data-item=\"{}\">",
+                              ids.make(fmt::format("Hotspot.{}", item)), item, item, item));
+      if (const DrawingItem* named = item_numbered(item)) {
+        append(out, "<title>");
+        append_xml(out, named->name);
+        append(out, "</title>");
+      }
+    } else {
+      append(out, fmt::format("<g class=\"row row_{}\" data-item=\"{}\">", item, item));
+    }
+    before_ += fmt::to_string(out) + "\n";
+    for (const Path* path : annotation.paths) {
+      items_.push_back({std::exchange(before_, {}), path, {}, false});
+    }
+    for (const Text* text : annotation.texts) {
+      before_ += svg_text(*text, drawing_.paper_height, ink_, options_);
+    }
+    before_ += "</g>\n";
+  }
+
+  /// "a/b/c", as selectors have it.
+  std::string path_of(std::int32_t part) const {
+    for (const DrawingPart& known : drawing_.parts) {
+      if (known.id != part) continue;
+      std::string path;
+      for (const std::string& name : known.assembly) path += name + "/";
+      return path + known.name;
+    }
+    return {};
+  }
+
+  /// Silhouettes without ink, below all lines, for pointing and colouring.
+  void add_areas(SvgIds& ids) {
+    if (drawing_.areas.empty()) return;
+    Buffer out;
+    append(out, fmt::format("<g id=\"{}\" fill=\"none\" stroke=\"none\" fill-rule=\"evenodd\" "
+                            "pointer-events=\"all\">\n",
+                            ids.make("areas")));
+    for (const Area& area : drawing_.areas) {
+      append(out, "<path");
+      append_part_class(out, area.part, "area");
+      append(out, " d=\"");
+      SvgPen pen(out, drawing_.paper_height);
+      for (const std::vector<Vec2>& ring : area.rings) {
+        std::vector<CubicBezier> chain;
+        for (std::size_t i = 0; i < ring.size(); ++i) {
+          const Vec2 a = ring[i], b = ring[(i + 1) % ring.size()];
+          chain.push_back({a, glm::mix(a, b, 1.0 / 3), glm::mix(a, b, 2.0 / 3), b});
+        }
+        pen.chain(chain, true);
+      }
+      append(out, "\"><title>");
+      append_xml(out, part_name(area.part));
+      append(out, "</title></path>\n");
+    }
+    append(out, "</g>\n");
+    before_ += fmt::to_string(out);
+  }
+
+  /// Of parts that have a number: class, item and path.
+  void append_part_class(Buffer& out, std::int32_t part, std::string_view kind) const {
+    const auto it = items_of_.find(part);
+    if (it == items_of_.end()) return;
+    const int number = it->second->number;
+    append(out, fmt::format(" class=\"{} {}_{}\" data-item=\"{}\" data-path=\"", kind, kind, number,
+                            number));
+    append_xml(out, path_of(part));
+    out.push_back('"');
+  }
+
   /// A part of the drawing that has a name.
   struct Named {
     std::string name;
@@ -99,6 +202,7 @@ class Items {
   void open_part(std::int32_t part, const std::string& id, bool filled) {
     Buffer out;
     append(out, fmt::format("<g id=\"{}\" data-part=\"{}\"", id, part));
+    append_part_class(out, part, "part");
     // Lines are what the layer says.
     if (filled) append_paint(out, true, ink_);
     append(out, "><title>");
@@ -137,6 +241,7 @@ class Items {
   std::vector<Item> items_;
   std::list<std::deque<Path>> kept_;
   std::map<std::int32_t, Named> named_;
+  std::map<std::int32_t, const DrawingItem*> items_of_;
 };
 
 /// "a b c", each once, without -1.

@@ -81,6 +81,25 @@ void append_exact(Buffer& out, double value) {
   fmt::format_to(fmt::appender(out), "{}", std::isfinite(value) ? value + 0.0 : 0.0);
 }
 
+std::u32string code_points(std::string_view text) {
+  std::u32string out;
+  for_each_character(text, [&](std::string_view c) {
+    const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(c[i]); };
+    char32_t point = c.size() == 1 ? byte(0) : byte(0) & (0x7F >> c.size());
+    for (std::size_t i = 1; i < c.size(); ++i) point = point << 6 | (byte(i) & 0x3F);
+    out.push_back(point);
+  });
+  return out;
+}
+
+std::string utf8_of(char32_t c) {
+  const auto last = [&](int shift) { return static_cast<char>(0x80 | (c >> shift & 0x3F)); };
+  if (c < 0x80) return {static_cast<char>(c)};
+  if (c < 0x800) return {static_cast<char>(0xC0 | c >> 6), last(0)};
+  if (c < 0x10000) return {static_cast<char>(0xE0 | c >> 12), last(6), last(0)};
+  return {static_cast<char>(0xF0 | c >> 18), last(12), last(6), last(0)};
+}
+
 void append_json(Buffer& out, std::string_view text) {
   out.push_back('"');
   for_each_character(text, [&](std::string_view c) {

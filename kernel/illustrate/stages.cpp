@@ -115,7 +115,8 @@ std::shared_ptr<Stages::Lines> Stages::lines_of(const View& view, RunContext& co
 
 Drawing Stages::draw_lines(const Scene& scene, const Camera& camera, const Style& style,
                            const PartStyles& part_styles, const IllustrateOptions& options,
-                           std::vector<Path>* found, bool keeps, RunContext& context) {
+                           std::vector<Path>* found, Labels& labels, bool keeps,
+                           RunContext& context) {
   Diagnostics said;
   const Surfaces surfaces = realised_.realise(scene, camera, part_styles, options, said, context);
   context.begin_stage(RunStage::Build);
@@ -161,6 +162,7 @@ Drawing Stages::draw_lines(const Scene& scene, const Camera& camera, const Style
   compose(to_draw, {proxies, camera, part_styles, style, options.hidden, cue}, drawing, context,
           found);
   if (options.field) name_own_field(drawing);
+  if (options.annotations) labels = label(drawing, *trees, camera, context);
   context.end_stage();
   return drawing;
 }
@@ -171,8 +173,9 @@ Drawing Stages::draw(const Scene& scene, const Camera& camera, const Style& styl
   const PartStyles part_styles(scene, style, options);
   for (const Style* one : part_styles.styles()) check_style(*one);
   std::vector<Path> found;
+  Labels labels;
   Drawing drawing = draw_lines(scene, camera, style, part_styles, options,
-                               options.verify ? &found : nullptr, keeps, context);
+                               options.verify ? &found : nullptr, labels, keeps, context);
   if (!keeps) *this = {};
   if (options.verify) {
     drawing.stats.verify = verify(drawing, found, scene, camera,
@@ -180,6 +183,9 @@ Drawing Stages::draw(const Scene& scene, const Camera& camera, const Style& styl
                                   drawing.diagnostics, context);
   }
   settle_on_sheet(part_styles, style.sheet.clip, drawing);
+  if (options.annotations) {
+    annotate(drawing, labels.seen, labels.glass, *options.annotations, style.callout, context);
+  }
   return drawing;
 }
 

@@ -11,6 +11,7 @@
 
 #include "hatch_parts.h"
 #include "kept.h"
+#include "labels.h"
 #include "occluders.h"
 #include "part_styles.h"
 #include "realise_parts.h"
@@ -54,10 +55,11 @@ class Stages {
     bool operator==(const Seen&) const = default;
   };
 
-  /// `found`, if any, gets its lines as compose gives them.
+  /// `found`, if any, gets its lines as compose gives them; `labels` which parts are seen where,
+  /// where the drawing is to have annotations.
   Drawing draw_lines(const Scene& scene, const Camera& camera, const Style& style,
                      const PartStyles& part_styles, const IllustrateOptions& options,
-                     std::vector<Path>* found, bool keeps, RunContext& context);
+                     std::vector<Path>* found, Labels& labels, bool keeps, RunContext& context);
   std::shared_ptr<Lines> lines_of(const View& view, RunContext& context);
 
   RealisedParts realised_;

@@ -216,6 +216,7 @@ Style patent() {
   s.hatch.tone_min = 0.3;
   s.hatch.taper = 0;
   s.hatch.length_min = 3;
+  s.callout.circle = false;
   return s;
 }
 

@@ -112,6 +112,7 @@ std::vector<StyleRow> all_rows() {
   append(rows, "depth.", &Style::depth, depth_rows());
   append(rows, "tone.", &Style::tone, tone::tone_option_rows());
   append(rows, "sheet.", &Style::sheet, sheet_rows());
+  append(rows, "callout.", &Style::callout, callout_option_rows());
   append(rows, "svg.", &Style::svg, svg_option_rows());
   append(rows, "json.", &Style::json, json_option_rows());
   append(rows, "png.", &Style::png, png_option_rows());

@@ -77,6 +77,10 @@ class CutForm final : public Form {
            cut->form_->same_as(*form_);
   }
 
+  /// Cut open it is still what it was.
+  Definition definition() const override { return form_->definition(); }
+  ShapeMeasure measure(RunContext& context) const override { return form_->measure(context); }
+
  private:
   std::shared_ptr<const Form> form_;
   CutPlane plane_;

@@ -213,6 +213,14 @@ class PlacedForm final : public Form {
 
   const std::shared_ptr<Instances>& instances() const { return instances_; }
   const Placement& placement() const { return place_.to; }
+  Definition definition() const override {
+    Definition of = instances_->form()->definition();
+    of.scale *= place_.scale;
+    return of;
+  }
+  ShapeMeasure measure(RunContext& context) const override {
+    return instances_->form()->measure(context).scaled(place_.scale, false);
+  }
 
  private:
   std::shared_ptr<Instances> instances_;

@@ -86,7 +86,7 @@ TEST_F(Convert, ErrorsAreOneLineAndLeaveNothing) {
   };
   fails("", 2, "no input");
   fails("@/r.json", 2, "no output");
-  fails("@/r.json -o @/r.bmp", 2, ".dxf or .json");
+  fails("@/r.json -o @/r.bmp", 2, ".json or .html");
   fails("@/r.json -o @/r.json", 2, "also an input");
   fails("@/r.json @/box.off -o @/a.svg", 2, "unexpected argument");
   fails("@/r.json -o @/a.svg --set line.outer=1", 2, "burin draw");

@@ -83,8 +83,8 @@ TEST_F(CliErrors, EmptyValuesAreNoDefaults) {
 }
 
 TEST_F(CliErrors, UsageOfOutputs) {
-  expect_failure("draw @/box.off -o @/a.bmp", 2, ".dxf or .json");
-  expect_failure("draw @/box.off -o @/a", 2, ".dxf or .json");
+  expect_failure("draw @/box.off -o @/a.bmp", 2, ".json or .html");
+  expect_failure("draw @/box.off -o @/a", 2, ".json or .html");
   expect_failure("draw @/box.off -o -", 2, "--format");
   expect_failure("draw @/box.off -o @/a --format bmp", 2, "--format");
   expect_failure("draw @/box.off -o @/a.svg -o @/./a.svg", 2, "twice");

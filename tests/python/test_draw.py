@@ -1,5 +1,6 @@
 """Drawing: options, styles, fields and tones, and what comes out."""
 
+import csv
 import importlib.util
 import inspect
 import json
@@ -121,6 +122,37 @@ class SameAsCommand(unittest.TestCase):
             [COMMAND, "info", "--json", SAMPLES / "bracket.off"], check=True, timeout=60, capture_output=True
         )
         self.assertEqual(burin.info(SAMPLES / "bracket.off"), json.loads(said.stdout)["files"])
+
+
+class Items(unittest.TestCase):
+    """What an assembly is made of: kernel/docs/annotate.md."""
+
+    def test_lists_and_callouts(self):
+        with tempfile.TemporaryDirectory() as folder:
+            file = Path(folder, "parts.csv")
+            drawing = burin.draw(SAMPLES / "coupling.step", style="outline", callouts=True,
+                                 parts_list=["sheet", str(file)])
+            with open(file, newline="", encoding="utf-8") as rows:
+                listed = [(int(row["number"]), row["name"], int(row["quantity"])) for row in csv.DictReader(rows)]
+        self.assertEqual(listed, [(i["number"], i["name"], i["quantity"]) for i in drawing.items])
+        self.assertEqual(sum(i["quantity"] for i in drawing.items), len(drawing.parts))
+        self.assertIn((7, "washer 10", 12), listed)
+        layers = {layer.name: layer for layer in drawing.layers}
+        numbers = [int(text["text"]) for text in layers["callouts"].texts]
+        self.assertEqual(sorted(numbers), list(range(1, 9)))
+        self.assertEqual({path.kind for path in layers["callouts"].paths}, {"leader", "frame"})
+        self.assertEqual({path.item for path in layers["callouts"].paths}, set(numbers))
+        again = burin.Drawing.from_json(drawing.to_bytes("json"))
+        self.assertEqual(again.items, drawing.items)
+        self.assertEqual(again.layers[-1].texts[0]["text"], drawing.layers[-1].texts[0]["text"])
+        self.assertTrue(drawing.to_bytes("html").startswith(b"<!DOCTYPE html>"))
+
+    def test_nothing_is_found_where_nothing_asks(self):
+        self.assertEqual(burin.draw(SAMPLES / "coupling.step", style="outline").items, [])
+
+    def test_bad_lists_are_told(self):
+        with self.assertRaisesRegex(burin.UsageError, "argument parts_list takes sheet, FILE.csv or FILE.json"):
+            burin.draw(SAMPLES / "coupling.step", parts_list="parts.txt")
 
 
 class Options(unittest.TestCase):
@@ -308,7 +340,7 @@ class Styles(unittest.TestCase):
         command = subprocess.run([COMMAND, "options", "--json"], check=True, capture_output=True, text=True)
         self.assertEqual(told, json.loads(command.stdout))
         options = {row["name"]: row for row in told["options"]}
-        self.assertEqual(set(options) | {"field", "tone", "progress", "cancel"}, set(inspect.signature(burin.draw).parameters) - {"source"})
+        self.assertEqual(set(options) | {"field", "tone", "progress", "cancel", "session"}, set(inspect.signature(burin.draw).parameters) - {"source"})
         self.assertEqual(options["hidden"]["words"], ["none", "dashed"])
         self.assertEqual(options["style"]["choices"], list(burin.styles()))
         self.assertEqual(told["formats"], burin.formats())

@@ -1,6 +1,7 @@
 #include <burin/base/error.h>
 #include <burin/base/parallel.h>
 #include <burin/drawing/color.h>
+#include <burin/drawing/font.h>
 #include <burin/drawing/near_sheet.h>
 #include <burin/drawing/title.h>
 
@@ -41,13 +42,18 @@ std::vector<std::vector<std::uint32_t>> by_band(const std::vector<Shape>& shapes
                                                 double paper_height) {
   std::vector<std::vector<std::uint32_t>> bands(static_cast<std::size_t>(grid.bands));
   for (std::size_t i = 0; i < shapes.size(); ++i) {
-    const Path& path = *shapes[i].path;
-    double low = path.points[0].y, high = low, width = 0;
-    for (const Vec2& p : path.points) {
-      low = std::min(low, p.y);
-      high = std::max(high, p.y);
+    double low = 0, high = 0, width = 0;
+    if (const Path* path = shapes[i].path) {
+      low = high = path->points[0].y;
+      for (const Vec2& p : path->points) {
+        low = std::min(low, p.y);
+        high = std::max(high, p.y);
+      }
+      for (const double w : path->width) width = std::max(width, w);
+    } else {
+      const Box2 box = text_box(*shapes[i].text);
+      low = box.min.y, high = box.max.y;
     }
-    for (const double w : path.width) width = std::max(width, w);
     const double room = width + 2 / grid.scale + 0.1;  // half of it and the fit, amply
     const auto band = [&](double y) {
       const double at = std::floor((paper_height - y) * grid.scale / grid.rows);

@@ -2,6 +2,7 @@
 
 #include <burin/base/error.h>
 #include <burin/base/parallel.h>
+#include <burin/drawing/font.h>
 
 #include <new>
 #include <string>
@@ -20,6 +21,7 @@ std::vector<Shape> shapes_of(const std::vector<InkLayer>& layers, const DashOpti
     for (const auto& [part, paths] : layer.parts) {
       for (const Path* path : paths) shapes.push_back({path, layer.dashes(options), {}});
     }
+    for (const Text* text : layer.texts) shapes.push_back({nullptr, {}, {}, text});
   }
   return shapes;
 }
@@ -30,7 +32,8 @@ void fit_ink(std::span<Shape> shapes, double tolerance, const RunContext& contex
       shapes.size(), kGrain,
       [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
-          shapes[i].ink = ink_of(*shapes[i].path, tolerance);
+          const Shape& s = shapes[i];
+          shapes[i].ink = s.path ? ink_of(*s.path, tolerance) : text_ink(*s.text);
         }
       },
       &context);

@@ -22,12 +22,13 @@ struct PenDeleter {
 };
 using Pen = std::unique_ptr<cairo_t, PenDeleter>;
 
-/// A path with its ink.
+/// A path, or a text, with its ink.
 struct Shape {
   const Path* path = nullptr;
   /// Lengths of ink and gaps in turn, mm.
   std::vector<double> dashes;
   Ink ink;
+  const Text* text = nullptr;
 };
 
 /// The paths of the layers in the order of painting, their ink still to be fitted.

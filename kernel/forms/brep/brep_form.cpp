@@ -3,6 +3,8 @@
 #include <burin/forms/brep/occt/brep_model.h>
 #include <burin/forms/brep/realise_faces.h>
 
+#include "measure_shape.h"
+
 #include <cmath>
 
 namespace burin {
@@ -30,6 +32,15 @@ std::shared_ptr<const Surface> BrepForm::realise(const RealiseOptions& options,
   auto surface = realise_faces(atlas, *mesh, mesh->loose, options, context);
   context.end_stage();
   return surface;
+}
+
+Definition BrepForm::definition() const {
+  return {model_.get(), placement_.scale(), placement_.mirrors()};
+}
+
+ShapeMeasure BrepForm::measure(RunContext& context) const {
+  context.check();
+  return brep_measure(*model_).scaled(placement_.scale(), placement_.mirrors());
 }
 
 BrepCounts count(const BrepModel& model) { return model.counts(); }

@@ -60,6 +60,10 @@ std::shared_ptr<const Surface> MeshForm::realise(const RealiseOptions& options,
   return textured(realise_mesh(options, context), texture_);
 }
 
+ShapeMeasure MeshForm::measure(RunContext& context) const {
+  return shape_measure(build_proxy(mesh_, {}, context));
+}
+
 std::shared_ptr<const Surface> MeshForm::realise_mesh(const RealiseOptions& options,
                                                       RunContext& context) const {
   context.begin_stage(RunStage::Build);

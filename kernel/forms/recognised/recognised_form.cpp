@@ -85,6 +85,10 @@ RecognisedFaces RecognisedForm::faces() const { return impl_->faces; }
 
 bool RecognisedForm::too_coarse() const { return impl_->too_coarse; }
 
+ShapeMeasure RecognisedForm::measure(RunContext& context) const {
+  return impl_->form.measure(context);
+}
+
 Box3 RecognisedForm::bounds(const Mat3& axes) const {
   Box3 box = impl_->form.bounds(axes);
   if (impl_->faces.total() == 0) return box;

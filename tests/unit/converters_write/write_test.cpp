@@ -35,7 +35,7 @@ TEST(WriteDrawing, FormatsHaveNames) {
   EXPECT_EQ(format_named("PDF")->name, "pdf");
   for (const Format& f : formats()) EXPECT_EQ(format_named(f.name), &f);
   EXPECT_EQ(format_named("bmp"), nullptr);
-  EXPECT_EQ(format_list(), ".svg, .pdf, .eps, .png, .dxf or .json");
+  EXPECT_EQ(format_list(), ".svg, .pdf, .eps, .png, .dxf, .json or .html");
 }
 
 TEST(Formats, KnowWhichKeysOfAStyleConcernThemAlone) {

@@ -2,6 +2,7 @@
 /// What a user asks of a drawing, as text, and what that means to the kernel: one place for the
 /// command line and the Python module, so that both take the same and say the same.
 
+#include <burin/assembly/items.h>
 #include <burin/camera/sheet.h>
 #include <burin/converters/read.h>
 #include <burin/converters/values.h>
@@ -86,6 +87,8 @@ struct DrawRequest {
   Explode explode = {};
   /// What the drawing is called; empty: by its parts.
   std::string title = {};
+  /// Numbers that items have already.
+  ItemNumbers items = {};
 
   bool has(const std::string& name) const { return !given_texts(options, name).empty(); }
 };
@@ -108,6 +111,11 @@ struct DrawPlan {
   /// Of all sections.
   std::vector<std::string> uncut = {};
   Explode explode = {};
+  /// What is laid over the drawing, and the files that a parts list is written to; items are found
+  /// where one of these is asked for, or `items`, which formats do that list them.
+  bool callouts = false, parts_list = false, items = false;
+  std::vector<std::string> parts_list_files = {};
+  ItemNumbers numbers = {};
   std::string title;
   /// Worker threads; 0 = all.
   int threads = 0;
@@ -127,6 +135,13 @@ DrawPlan make_plan(const DrawRequest& request, Spelling spelling);
 /// Turns what a plan says of parts by name into `illustrate.part_styles`, over what is there.
 /// Throws UsageError where a selector names nothing, or nothing is left to draw.
 void select_parts(const Scene& scene, DrawPlan& plan);
+/// Finds and numbers the items of the scene where the plan has a use for them, and fills
+/// `illustrate.annotations` with those that are drawn, once `select_parts` knows which these are.
+/// Tells in the scene's diagnostics of numbers that are kept for parts that are not there. Throws
+/// Cancelled.
+void number_parts(Scene& scene, DrawPlan& plan, RunContext& context);
+/// Writes the files that the plan asks a parts list for. Throws OutputError.
+void write_parts_lists(const Drawing& drawing, const DrawPlan& plan);
 /// Cuts the parts by the sections of a plan, once `select_parts` knows which are drawn; tells of
 /// planes that cut nothing. Throws UsageError where a selector names nothing, or nothing is left.
 void cut_parts(Scene& scene, const DrawPlan& plan);

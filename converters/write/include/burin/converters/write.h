@@ -27,6 +27,8 @@ struct Format {
   void (*write)(const Drawing&, const WriteOptions&, std::ostream&, const RunContext&) = nullptr;
   /// Whether it holds a sheet of that many mm; null: of any size. Throws UsageError.
   void (*check_sheet)(double width, double height, const WriteOptions&) = nullptr;
+  /// Whether it shows the items of a drawing, so that they are worth finding.
+  bool lists_items = false;
 };
 
 /// All formats.
@@ -35,7 +37,8 @@ const std::vector<Format>& formats();
 const Format* format_named(std::string_view name);
 /// The suffixes without their dots.
 std::vector<std::string> format_names();
-/// For messages: ".svg, .pdf, .eps, .png, .dxf or .json", or with something else before each.
+/// For messages: ".svg, .pdf, .eps, .png, .dxf, .json or .html", or with something else before
+/// each.
 std::string format_list(std::string_view before = ".");
 
 /// What the formats leave open.

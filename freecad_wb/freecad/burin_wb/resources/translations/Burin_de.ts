@@ -296,6 +296,10 @@
       <translation>Aufbau</translation>
     </message>
     <message>
+      <source>callout</source>
+      <translation>Positionsnummern</translation>
+    </message>
+    <message>
       <source>cancelled</source>
       <translation>abgebrochen</translation>
     </message>

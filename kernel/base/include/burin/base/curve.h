@@ -14,7 +14,8 @@ namespace burin {
 /// What a line is; the names are those of the drawing file's `kind`. Burin itself makes contours,
 /// boundaries, creases, smooth edges, seams, intersections, sections, patterns, strokes and trails
 /// of exploded views. The drawing file has names for more, which other programs may write and
-/// `burin convert` passes on: ridges, valleys and suggestive contours.
+/// `burin convert` passes on: ridges, valleys and suggestive contours. Leaders (with their dots and
+/// arrows) and frames (of numbers and tables) are laid out over a drawing and lie on no surface.
 enum class LineClass {
   Contour,
   Boundary,
@@ -28,8 +29,11 @@ enum class LineClass {
   Suggestive,
   Stroke,
   Pattern,
-  Trail
+  Trail,
+  Leader,
+  Frame
 };
+inline constexpr LineClass kLastLineClass = LineClass::Frame;
 
 /// The name of a kind in the drawing file, e.g. "contour".
 const char* to_string(LineClass kind);

@@ -60,6 +60,9 @@ class Camera {
   /// shows `placement.point(p)`. The placement mirrors nothing.
   Camera inside(const Placement& placement) const;
 
+  /// The same picture on another sheet, where the bottom left corner of this one lies at `corner`.
+  Camera on_sheet(const Paper& sheet, Vec2 corner) const;
+
   bool perspective() const { return eye_distance_ > 0; }
   const Paper& paper() const { return paper_; }
   Vec3 right() const { return right_; }

@@ -39,16 +39,60 @@ struct Path {
   int family = 0;
   /// Strokes: which kind of strokes of the style, from 1.
   int stroke_kind = 1;
+  /// Leaders and frames: the number of the item that they are about, 0 where they are about none.
+  int item = 0;
 };
 
 /// What a piece of a path, or a path made of several, begins as: an open path without points or
 /// widths that says of itself what `path` says.
 Path without_points(const Path& path);
 
-/// Paths that are drawn together; layers are painted in order.
+/// Which point of a text stands at its place.
+enum class TextAnchor { Start, Middle, End };
+
+/// "start", "middle", "end".
+const char* to_string(TextAnchor anchor);
+
+/// One line of text, left to right, in the engineering font of burin/drawing/font.h.
+struct Text {
+  /// Paper mm: on the base line.
+  Vec2 at{0};
+  /// Paper mm, of capital letters.
+  double height = 3.5;
+  TextAnchor anchor = TextAnchor::Start;
+  /// UTF-8.
+  std::string text;
+  /// What it is: "callout", "parts_list".
+  std::string role = {};
+  /// The number of the item that it is about; 0: none.
+  int item = 0;
+};
+
+/// Paths that are drawn together, and texts over them; layers are painted in order.
 struct Layer {
   std::string name;
   std::vector<Path> paths;
+  std::vector<Text> texts = {};
+};
+
+/// A row of the parts list.
+struct DrawingItem {
+  int number = 0;
+  std::string name;
+  /// Ids of parts that are drawn; as many as there are of it.
+  std::vector<std::int32_t> parts;
+  /// "#rrggbb" where all have one colour, and the file that all come from; else empty.
+  std::string color = {};
+  std::string source = {};
+
+  std::size_t quantity() const { return parts.size(); }
+};
+
+/// Where a part is seen, for pointing at it and colouring it; it has no ink.
+struct Area {
+  std::int32_t part = -1;
+  /// Closed, paper mm; what is inside an odd number of them.
+  std::vector<std::vector<Vec2>> rings;
 };
 
 /// The view, as numbers that a program can project with: to_paper(p) = scale * (dot(p - center,
@@ -131,6 +175,9 @@ struct Drawing {
   std::string style;
   DrawingView view;
   std::vector<DrawingPart> parts;
+  /// By number; only where they were asked for, as are the areas.
+  std::vector<DrawingItem> items = {};
+  std::vector<Area> areas = {};
   std::vector<Layer> layers;
   Diagnostics diagnostics;
   DrawingStats stats;

@@ -27,6 +27,8 @@ inline constexpr std::string_view kOutlineLayer = "outline";
 struct InkLayer {
   std::string name;
   std::map<std::int32_t, std::vector<const Path*>> parts;
+  /// Over the paths; those without letters or a finite place are left out.
+  std::vector<const Text*> texts = {};
 
   /// Lengths of ink and gaps in turn, paper mm; empty: its lines are not interrupted. Hidden lines
   /// are dashed; trails have a dot between dashes twice as long.
@@ -45,8 +47,8 @@ struct Ink {
   std::vector<std::vector<CubicBezier>> chains;
 };
 
-/// Whether a path is a dot: a stroke no longer than half its width. It is painted as a line with
-/// round ends.
+/// Whether a path is a dot: a stroke, or the end of a leader, no longer than half its width. It is
+/// painted as a line with round ends.
 bool is_dot(const Path& path);
 
 /// Whether a path is painted as an area, as far as its widths tell: `ink_of` decides.

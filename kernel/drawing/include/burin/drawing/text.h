@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <cstdint>
+#include <string>
 #include <string_view>
 
 namespace burin {
@@ -24,6 +25,11 @@ void append_fixed(Buffer& out, double value, int decimals);
 
 /// The shortest text that reads back as the same number; "0" where it is not finite.
 void append_exact(Buffer& out, double value);
+
+/// The characters of UTF-8; broken bytes become U+FFFD.
+std::u32string code_points(std::string_view text);
+/// One character as UTF-8.
+std::string utf8_of(char32_t character);
 
 /// A quoted JSON string. Bytes that are no UTF-8 become U+FFFD.
 void append_json(Buffer& out, std::string_view text);

@@ -1,6 +1,7 @@
 #pragma once
 /// From a scene to a drawing: the only place that knows the order of the stages.
 
+#include <burin/annotate/annotate.h>
 #include <burin/base/image.h>
 #include <burin/base/run_context.h>
 #include <burin/camera/camera.h>
@@ -69,6 +70,9 @@ struct IllustrateOptions {
   /// Whether the drawing is tested against rays once it is finished: `Drawing::stats.verify`, and
   /// diagnostics. It draws the same.
   bool verify = false;
+  /// Items of the parts that are drawn, for `Drawing::items` and `areas`, and what of them is laid
+  /// over the drawing.
+  std::optional<Annotations> annotations{};
 };
 
 /// The bounds of the parts that are drawn, in axes as those of `Form::bounds`; of all where none

@@ -1,6 +1,7 @@
 #pragma once
 /// A drawing style as plain data.
 
+#include <burin/annotate/options.h>
 #include <burin/drawing/format_options.h>
 #include <burin/feature/options.h>
 #include <burin/field/options.h>
@@ -102,6 +103,7 @@ struct Style {
   HaloStyle halo{};
   DepthOptions depth{};
   SheetStyle sheet{};
+  CalloutOptions callout{};
   SvgOptions svg{};
   JsonOptions json{};
   PngOptions png{};

@@ -5,6 +5,7 @@
 #include <burin/base/diagnostics.h>
 #include <burin/base/run_context.h>
 #include <burin/camera/camera.h>
+#include <burin/surface/shape_measure.h>
 #include <burin/surface/surface.h>
 
 #include <memory>
@@ -48,6 +49,13 @@ class Form {
   /// Whether both are sure to be realised as the same surface: one form, or one that was placed or
   /// cut the same way twice. False proves nothing.
   virtual bool same_as(const Form& other) const { return this == &other; }
+
+  /// What the form is an instance of; by itself, where nothing else is known.
+  virtual Definition definition() const { return {.shape = this}; }
+  /// What tells its shape from others, wherever it stands. The default realises the form to a
+  /// thousandth of its size and measures the triangles; forms that know better do better. Throws as
+  /// `realise`. Cost: that of `realise`.
+  virtual ShapeMeasure measure(RunContext& context) const;
 };
 
 struct Part {
@@ -59,6 +67,8 @@ struct Part {
   std::vector<std::string> assembly = {};
   /// "#rrggbb" where the input gives the part one colour, else empty.
   std::string color = {};
+  /// The name of what this is an instance of, where the input has one beside that of the instance.
+  std::string definition = {};
 };
 
 /// Parts in the order of the input, with what the readers mended or left out.

@@ -29,6 +29,9 @@ class BrepForm final : public Form {
   /// Throws GeometryError where no face can be realised.
   std::shared_ptr<const Surface> realise(const RealiseOptions& options,
                                          RunContext& context) const override;
+  Definition definition() const override;
+  /// By integration over the exact faces.
+  ShapeMeasure measure(RunContext& context) const override;
 
  private:
   std::shared_ptr<const BrepModel> model_;

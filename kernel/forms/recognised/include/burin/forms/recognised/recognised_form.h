@@ -43,6 +43,8 @@ class RecognisedForm final : public Form {
   Box3 bounds(const Mat3& axes) const override;
   std::shared_ptr<const Surface> realise(const RealiseOptions& options,
                                          RunContext& context) const override;
+  /// Of the triangles.
+  ShapeMeasure measure(RunContext& context) const override;
 
  private:
   struct Impl;

@@ -1,0 +1,69 @@
+#include <burin/converters/output.h>
+#include <burin/converters/request.h>
+#include <burin/drawing/parts_list.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <ostream>
+#include <set>
+
+namespace burin {
+namespace {
+
+/// Numbers that the illustration keeps for names which no part has.
+void tell_holes(const ItemNumbers& kept, const std::vector<Item>& items, Diagnostics& diagnostics) {
+  std::set<int> used;
+  for (const Item& item : items) used.insert(item.number);
+  std::int64_t count = 0;
+  std::string first;
+  for (const auto& [number, name] : kept) {
+    if (used.contains(number)) continue;
+    if (count++ == 0) first = fmt::format("{} '{}'", number, name);
+  }
+  if (count == 0) return;
+  diagnostics.add(
+      Severity::Info, "items.gone", count,
+      fmt::format("numbers are kept for items that are not there; the first: {}", first));
+}
+
+}  // namespace
+
+void number_parts(Scene& scene, DrawPlan& plan, RunContext& context) {
+  const bool wanted =
+      plan.callouts || plan.parts_list || plan.items || !plan.parts_list_files.empty();
+  if (!wanted) return;
+  context.begin_stage(RunStage::Build);
+  const std::vector<Item> items = find_items(scene, plan.numbers, scene.diagnostics, context);
+  context.end_stage();
+  tell_holes(plan.numbers, items, scene.diagnostics);
+  Annotations annotations;
+  annotations.callouts = plan.callouts;
+  annotations.parts_list = plan.parts_list;
+  annotations.margin = plan.sheet.margin;
+  const auto& styles = plan.illustrate.part_styles;
+  for (const Item& item : items) {
+    DrawingItem drawn{item.number, item.name, {}, item.color, item.source};
+    for (const std::size_t part : item.parts) {
+      if (part < styles.size() && !styles[part].drawn) continue;
+      drawn.parts.push_back(static_cast<std::int32_t>(part));
+    }
+    if (!drawn.parts.empty()) annotations.items.push_back(std::move(drawn));
+  }
+  plan.illustrate.annotations = std::move(annotations);
+}
+
+void write_parts_lists(const Drawing& drawing, const DrawPlan& plan) {
+  std::vector<Output> files;
+  for (const std::string& name : plan.parts_list_files) {
+    Output& file = files.emplace_back(name, *format_named("json"));
+    const bool csv = std::filesystem::path(name).extension() != ".json";
+    file.write([&](std::ostream& out) {
+      out << (csv ? parts_list_csv(drawing.items) : parts_list_json(drawing.items));
+    });
+  }
+  for (Output& file : files) file.commit();
+}
+
+}  // namespace burin

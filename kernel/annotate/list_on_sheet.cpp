@@ -1,0 +1,114 @@
+#include "list_on_sheet.h"
+
+#include <burin/drawing/font.h>
+
+#include <algorithm>
+#include <string>
+
+namespace burin::detail {
+namespace {
+
+constexpr const char* kNumber = "No.";
+constexpr const char* kQuantity = "Qty";
+constexpr const char* kName = "Name";
+constexpr double kWidestName = 24;  // heights of letters
+constexpr double kApart = 5;        // paper mm between the list and the drawing
+constexpr std::size_t kMostBlocks = 12;
+constexpr double kRounding = 1e-6;  // paper mm
+constexpr double kTallest = 0.6;    // share of the frame that one block takes before there are two
+constexpr double kLeast = 0.3;      // share of the frame that the drawing keeps
+
+Path line(Vec2 a, Vec2 b, double width) {
+  Path path;
+  path.kind = LineClass::Frame;
+  path.points = {a, b};
+  path.width = {width};
+  return path;
+}
+
+}  // namespace
+
+Box2 frame_of(const Paper& paper, const Margin& m) {
+  return {{m.left, m.bottom}, {paper.width - m.right, paper.height - m.top}};
+}
+
+std::optional<ListPlan> plan_list(const Annotations& annotations, const CalloutOptions& style,
+                                  const Box2& frame) {
+  const double h = style.list_height;
+  const auto width = [&](const std::string& text) { return text_width(text, h) + 1.6 * h; };
+  ListPlan plan;
+  plan.row = 2 * h;
+  plan.number = width(kNumber), plan.quantity = width(kQuantity), plan.name = width(kName);
+  for (const DrawingItem& item : annotations.items) {
+    plan.number = std::max(plan.number, width(std::to_string(item.number)));
+    plan.quantity = std::max(plan.quantity, width(std::to_string(item.quantity())));
+    plan.name = std::max(plan.name, std::min(width(item.name), kWidestName * h));
+  }
+  const std::size_t n = std::max<std::size_t>(annotations.items.size(), 1);
+  const Vec2 size = frame.size();
+  std::optional<ListPlan> best;
+  double most = 0, most_height = 0;
+  for (std::size_t blocks = 1; blocks <= std::min(kMostBlocks, n); ++blocks) {
+    plan.blocks = blocks;
+    plan.rows = (n + blocks - 1) / blocks;
+    const Vec2 list(static_cast<double>(blocks) * plan.block(),
+                    static_cast<double>(plan.rows + 1) * plan.row);
+    if (list.x > size.x || list.y > size.y) continue;
+    // More blocks only where fewer are too tall: a table is read downwards.
+    if (best && most_height <= kTallest * size.y) break;
+    plan.box = {{frame.max.x - list.x, frame.min.y}, {frame.max.x, frame.min.y + list.y}};
+    for (const bool beside : {true, false}) {
+      plan.rest = frame;
+      (beside ? plan.rest.max.x : plan.rest.min.y) =
+          beside ? plan.box.min.x - kApart : plan.box.max.y + kApart;
+      const Vec2 rest = plan.rest.size();
+      if (rest.x < kLeast * size.x || rest.y < kLeast * size.y) continue;
+      if (rest.x * rest.y <= most) continue;
+      most = rest.x * rest.y;
+      most_height = list.y;
+      best = plan;
+    }
+  }
+  return best;
+}
+
+Layer list_layer(const Annotations& annotations, const CalloutOptions& style,
+                 const ListPlan& plan) {
+  Layer layer{"parts_list", {}};
+  const double h = style.list_height, inset = 0.8 * h;
+  const double thick = 2 * style.line;  // the outer frame and below the heading, after ISO 7573
+  const auto write = [&](const std::string& text, double x, double y, TextAnchor anchor, int item) {
+    layer.texts.push_back({{x, y + 0.5 * (plan.row - h)}, h, anchor, text, "parts_list", item});
+  };
+  const auto& items = annotations.items;
+  for (std::size_t block = 0; block < plan.blocks; ++block) {
+    const std::size_t first = block * plan.rows;
+    const std::size_t rows = std::min(plan.rows, items.size() - std::min(first, items.size()));
+    if (rows == 0 && block > 0) continue;
+    const double right = plan.box.max.x - static_cast<double>(block) * plan.block();
+    const double left = right - plan.block(), bottom = plan.box.min.y;
+    const double top = bottom + static_cast<double>(rows + 1) * plan.row;
+    const double x1 = left + plan.number, x2 = x1 + plan.quantity;
+    write(kNumber, x1 - inset, bottom, TextAnchor::End, 0);
+    write(kQuantity, x2 - inset, bottom, TextAnchor::End, 0);
+    write(kName, x2 + inset, bottom, TextAnchor::Start, 0);
+    for (std::size_t i = 0; i < rows; ++i) {
+      const DrawingItem& item = items[first + i];
+      const double y = bottom + static_cast<double>(i + 1) * plan.row;
+      write(std::to_string(item.number), x1 - inset, y, TextAnchor::End, item.number);
+      write(std::to_string(item.quantity()), x2 - inset, y, TextAnchor::End, item.number);
+      const std::string name = fitted_text(item.name, h, plan.name - 2 * inset + kRounding);
+      write(name, x2 + inset, y, TextAnchor::Start, item.number);
+      layer.paths.push_back(line({left, y}, {right, y}, i == 0 ? thick : style.line));
+    }
+    layer.paths.push_back(line({x1, bottom}, {x1, top}, style.line));
+    layer.paths.push_back(line({x2, bottom}, {x2, top}, style.line));
+    Path outer = line({left, bottom}, {right, bottom}, thick);
+    outer.points.insert(outer.points.end(), {{right, top}, {left, top}});
+    outer.closed = true;
+    layer.paths.push_back(std::move(outer));
+  }
+  return layer;
+}
+
+}  // namespace burin::detail

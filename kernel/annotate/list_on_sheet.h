@@ -1,0 +1,34 @@
+#pragma once
+// The parts list on the sheet; internal to the room.
+
+#include <burin/annotate/annotate.h>
+#include <burin/base/box.h>
+
+#include <cstddef>
+#include <optional>
+
+namespace burin::detail {
+
+/// The sheet without a border.
+Box2 frame_of(const Paper& paper, const Margin& margin);
+
+/// Where the list stands and how it is parted: blocks of rows beside each other, from the right.
+struct ListPlan {
+  Box2 box;
+  std::size_t blocks = 1, rows = 1;
+  /// Paper mm of a row, and of the columns of number, quantity and name.
+  double row = 0, number = 0, quantity = 0, name = 0;
+  /// What is left of the frame for the drawing: left of the list, or above it.
+  Box2 rest;
+
+  double block() const { return number + quantity + name; }
+};
+
+/// Nothing where it would take more than 70 % of the frame's width and height.
+std::optional<ListPlan> plan_list(const Annotations& annotations, const CalloutOptions& style,
+                                  const Box2& frame);
+
+/// The layer "parts_list".
+Layer list_layer(const Annotations& annotations, const CalloutOptions& style, const ListPlan& plan);
+
+}  // namespace burin::detail

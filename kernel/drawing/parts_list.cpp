@@ -1,0 +1,48 @@
+#include <burin/drawing/parts_list.h>
+#include <burin/drawing/text.h>
+
+#include <string_view>
+
+namespace burin {
+namespace {
+
+std::string quoted(std::string_view text) {
+  if (text.find_first_of(",\"\r\n") == text.npos) return std::string(text);
+  std::string out = "\"";
+  for (const char c : text) {
+    if (c == '"') out += '"';
+    out += c;
+  }
+  return out + "\"";
+}
+
+}  // namespace
+
+std::string parts_list_csv(std::span<const DrawingItem> items) {
+  std::string out = "number,name,quantity,colour,source\r\n";
+  for (const DrawingItem& item : items) {
+    out += fmt::format("{},{},{},{},{}\r\n", item.number, quoted(item.name), item.quantity(),
+                       quoted(item.color), quoted(item.source));
+  }
+  return out;
+}
+
+std::string parts_list_json(std::span<const DrawingItem> items) {
+  Buffer out;
+  append(out, "{\n  \"items\": [");
+  for (std::size_t i = 0; i < items.size(); ++i) {
+    const DrawingItem& item = items[i];
+    fmt::format_to(fmt::appender(out), "{}\n    {{\"number\": {}, \"name\": ", i > 0 ? "," : "",
+                   item.number);
+    append_json(out, item.name);
+    fmt::format_to(fmt::appender(out), ", \"quantity\": {}, \"colour\": ", item.quantity());
+    append_json(out, item.color);
+    append(out, ", \"source\": ");
+    append_json(out, item.source);
+    append(out, "}");
+  }
+  append(out, items.empty() ? "]\n}\n" : "\n  ]\n}\n");
+  return fmt::to_string(out);
+}
+
+}  // namespace burin

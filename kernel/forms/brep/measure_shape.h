@@ -1,0 +1,12 @@
+#pragma once
+// Internal to the room.
+
+#include <burin/forms/brep/occt/brep_model.h>
+#include <burin/surface/shape_measure.h>
+
+namespace burin {
+
+/// Integrals over the faces of a model. Throws GeometryError where OCCT cannot integrate.
+ShapeMeasure brep_measure(const BrepModel& model);
+
+}  // namespace burin
