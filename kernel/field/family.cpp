@@ -89,6 +89,22 @@ void add_flats(const std::vector<Border>& borders, const FlatPatches& flats, Lin
   mass.resize(n + patches, kStay);
 }
 
+// A border that has next to nothing to say, such as a fillet all round a disc, which agrees with
+// one arm as much as with the other but for chance, leaves its part the first arm: discs alike are
+// drawn alike.
+void keep_first_arms(const std::vector<Border>& borders, std::size_t wedges,
+                     std::vector<double>& sign) {
+  constexpr double kNothing = 0.1;  // of the border's length
+  std::vector<double> sum(sign.size() - wedges, 0), length(sum.size(), 0);
+  for (const Border& b : borders) {
+    sum[b.patch] += (sign[b.wedge] < 0 ? -1 : 1) * b.agreement;
+    length[b.patch] += std::abs(b.agreement);
+  }
+  for (std::size_t p = 0; p < sum.size(); ++p) {
+    if (std::abs(sum[p]) < kNothing * length[p]) sign[wedges + p] = 1;
+  }
+}
+
 bool is_ruled(FaceKind kind) {
   return kind == FaceKind::Cylinder || kind == FaceKind::Cone || kind == FaceKind::Torus;
 }
@@ -192,11 +208,16 @@ std::vector<Vec2> choose_family(const ProxyMesh& proxy, const WedgeGraph& graph,
     pull[w] = glm::dot(targets.line_pull[w], line[w]);
   });
   std::vector<double> mass = targets.line_mass;
-  if (flats) add_flats(find_borders(proxy, graph, line, *flats), *flats, signs, pull, mass);
+  std::vector<Border> borders;
+  if (flats) {
+    borders = find_borders(proxy, graph, line, *flats);
+    add_flats(borders, *flats, signs, pull, mass);
+  }
   std::vector<double> sign =
       minimise(Hierarchy<double>(signs, context), std::move(mass), pull, context);
   join_islands(signs, pull, sign);
   settle_ruled_faces(proxy, graph, kinds, signs, sign, context);
+  if (flats) keep_first_arms(borders, n, sign);
   for_wedges([&](std::size_t w) {
     if (sign[w] < 0) line[w] = -line[w];
   });

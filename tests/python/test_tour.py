@@ -32,11 +32,12 @@ class Tour(unittest.TestCase):
                 Path("base.stl").write_text(stl(*cube(50)))
                 # A BREP, told by its content: the sample of that name takes long on A3.
                 Path("coupling.step").write_text(PLATE)
+                Path("gear_pump.step").write_bytes((SOURCE / "samples/gear_pump.step").read_bytes())
                 exec(compile(tour, "python.md", "exec"), names)
                 made = {path.name for path in Path().iterdir()}
             finally:
                 os.chdir(before)
-        self.assertLessEqual({"bracket.svg", "pump.pdf", "pump.json"}, made)
+        self.assertLessEqual({"bracket.svg", "pump.pdf", "pump.json", "apart.svg"}, made)
         self.assertEqual(len(names["paths"]["points"]), len(names["again"].arrays()["points"]))
 
 

@@ -7,7 +7,7 @@ import sys
 
 from support import App, Case, burin, content, features
 
-STARTS = {"svg": b"<?xml", "pdf": b"%PDF-", "png": b"\x89PNG", "eps": b"%!PS-Adobe", "dxf": b"999", "json": b"{"}
+STARTS = {"svg": b"<?xml", "html": b"<!DOCTYPE html>", "pdf": b"%PDF-", "png": b"\x89PNG", "eps": b"%!PS-Adobe", "dxf": b"999", "json": b"{"}
 
 
 class Export(Case):

@@ -39,7 +39,7 @@ TEST(Style, EveryMemberHasOneKey) {
     EXPECT_FALSE(key.value.empty());
   }
   EXPECT_EQ(names.size(), keys.size());
-  EXPECT_EQ(keys.size(), 9u + 7u + 34u + 6u + 17u + 3u + 3u + 2u + 1u + 5u + 1u);
+  EXPECT_EQ(keys.size(), 10u + 8u + 34u + 6u + 17u + 3u + 3u + 2u + 1u + 5u + 1u);
 }
 
 TEST(Style, KeysTakeTheirOwnValues) {
