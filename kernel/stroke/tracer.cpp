@@ -29,7 +29,7 @@ constexpr double kTurnOver = 0.8;   // paper mm over which it would be back
 constexpr double kMostDrift = 0.5;  // gaps that it may be off its level line
 constexpr double kUnguided = 1.5;   // paper mm that a stroke is seen beyond its level line
 // ... and seen beyond one that ends inside the surface: into the wedge that its neighbours leave.
-constexpr double kInto = 1.2;
+constexpr double kInto = 0.7;
 // Gaps that it keeps from its neighbours there, and where an exact surface turns away.
 constexpr double kApart = 0.55, kTurningApart = 0.25;
 constexpr double kTurning = 0.35;  // cosine
