@@ -28,24 +28,24 @@ struct Side {
   }
 };
 
-enum : std::size_t { kLeft, kRight, kBottom, kTop };
+enum Edge : std::size_t { Left, Right, Bottom, Top };
 using Sides = std::array<Side, 4>;
 
 Sides sides_of(const Box2& drawing, const Box2& frame, const CalloutSizes& sizes, bool corners) {
   const double r = 0.5 * sizes.diameter, off = sizes.gap + r;
   Sides sides;
-  sides[kLeft].across = std::max(drawing.min.x - off, frame.min.x + r);
-  sides[kRight].across = std::min(drawing.max.x + off, frame.max.x - r);
-  sides[kBottom].across = std::max(drawing.min.y - off, frame.min.y + r);
-  sides[kTop].across = std::min(drawing.max.y + off, frame.max.y - r);
-  for (const std::size_t column : {kLeft, kRight}) {
-    sides[column].low = corners ? sides[kBottom].across + sizes.pitch : frame.min.y + r;
-    sides[column].high = corners ? sides[kTop].across - sizes.pitch : frame.max.y - r;
+  sides[Left].across = std::max(drawing.min.x - off, frame.min.x + r);
+  sides[Right].across = std::min(drawing.max.x + off, frame.max.x - r);
+  sides[Bottom].across = std::max(drawing.min.y - off, frame.min.y + r);
+  sides[Top].across = std::min(drawing.max.y + off, frame.max.y - r);
+  for (const std::size_t column : {Left, Right}) {
+    sides[column].low = corners ? sides[Bottom].across + sizes.pitch : frame.min.y + r;
+    sides[column].high = corners ? sides[Top].across - sizes.pitch : frame.max.y - r;
   }
-  for (const std::size_t row : {kBottom, kTop}) {
+  for (const std::size_t row : {Bottom, Top}) {
     sides[row].row = true;
-    sides[row].low = sides[kLeft].across;
-    sides[row].high = sides[kRight].across;
+    sides[row].low = sides[Left].across;
+    sides[row].high = sides[Right].across;
   }
   return sides;
 }
@@ -63,11 +63,11 @@ bool stands_clear(const Share& share, const Box2& drawing, const Box2& frame,
   const double r = 0.5 * sizes.diameter - kRounding;
   const Sides sides = sides_of(drawing, frame, sizes, share.corners);
   const auto& c = share.counts;
-  const bool columns = c[kLeft] + c[kRight] > 0, rows = c[kBottom] + c[kTop] > 0;
-  return (!columns || (sides[kLeft].across + r <= drawing.min.x &&
-                       sides[kRight].across - r >= drawing.max.x)) &&
+  const bool columns = c[Left] + c[Right] > 0, rows = c[Bottom] + c[Top] > 0;
+  return (!columns ||
+          (sides[Left].across + r <= drawing.min.x && sides[Right].across - r >= drawing.max.x)) &&
          (!rows ||
-          (sides[kBottom].across + r <= drawing.min.y && sides[kTop].across - r >= drawing.max.y));
+          (sides[Bottom].across + r <= drawing.min.y && sides[Top].across - r >= drawing.max.y));
 }
 
 std::optional<Share> any_share(std::size_t n, const Box2& drawing, const Box2& frame,
@@ -78,14 +78,14 @@ std::optional<Share> any_share(std::size_t n, const Box2& drawing, const Box2& f
   auto& c = share.counts;
   if (layout == Layout::Columns) {
     const Sides plain = sides_of(drawing, frame, sizes, false);
-    if (n <= 2 * plain[kLeft].room(sizes.pitch)) {
-      std::tie(c[kLeft], c[kRight]) = halves(n);
+    if (n <= 2 * plain[Left].room(sizes.pitch)) {
+      std::tie(c[Left], c[Right]) = halves(n);
       return share;
     }
   }
   share.corners = true;
   const Sides sides = sides_of(drawing, frame, sizes, true);
-  const std::size_t column = sides[kLeft].room(sizes.pitch), row = sides[kTop].room(sizes.pitch);
+  const std::size_t column = sides[Left].room(sizes.pitch), row = sides[Top].room(sizes.pitch);
   if (n > 2 * (column + row)) return std::nullopt;
   std::size_t rows = 0;
   if (layout == Layout::Columns) {
@@ -98,8 +98,8 @@ std::optional<Share> any_share(std::size_t n, const Box2& drawing, const Box2& f
     rows = static_cast<std::size_t>(std::lround(part * static_cast<double>(n)));
     rows = std::clamp(rows, n - std::min(n, 2 * column), std::min(n, 2 * row));
   }
-  std::tie(c[kTop], c[kBottom]) = halves(rows);
-  std::tie(c[kLeft], c[kRight]) = halves(n - rows);
+  std::tie(c[Top], c[Bottom]) = halves(rows);
+  std::tie(c[Left], c[Right]) = halves(n - rows);
   return share;
 }
 
@@ -124,10 +124,10 @@ void lean(std::span<const Vec2> anchors, const Box2& drawing, double pitch, cons
     c[second] = n - c[first];
   };
   const Vec2 middle = drawing.center();
-  if (c[kLeft] + c[kRight] == n && n <= 2 * sides[kLeft].room(pitch)) {
-    part(kLeft, kRight, [&](Vec2 p) { return p.x < middle.x; });
-  } else if (c[kTop] + c[kBottom] == n && n <= 2 * sides[kTop].room(pitch)) {
-    part(kTop, kBottom, [&](Vec2 p) { return p.y > middle.y; });
+  if (c[Left] + c[Right] == n && n <= 2 * sides[Left].room(pitch)) {
+    part(Left, Right, [&](Vec2 p) { return p.x < middle.x; });
+  } else if (c[Top] + c[Bottom] == n && n <= 2 * sides[Top].room(pitch)) {
+    part(Top, Bottom, [&](Vec2 p) { return p.y > middle.y; });
   }
 }
 
@@ -142,10 +142,10 @@ void deal(std::span<const Vec2> anchors, const Share& share, double pitch, Sides
     sides[side].labels.assign(left.begin(), end);
     left.erase(left.begin(), end);
   };
-  take(kTop, [&](std::size_t i) { return -anchors[i].y; });
-  take(kBottom, [&](std::size_t i) { return anchors[i].y; });
-  take(kLeft, [&](std::size_t i) { return anchors[i].x; });
-  take(kRight, [&](std::size_t i) { return anchors[i].x; });
+  take(Top, [&](std::size_t i) { return -anchors[i].y; });
+  take(Bottom, [&](std::size_t i) { return anchors[i].y; });
+  take(Left, [&](std::size_t i) { return anchors[i].x; });
+  take(Right, [&](std::size_t i) { return anchors[i].x; });
   for (Side& side : sides) {
     const auto along = [&](std::size_t i) { return side.row ? anchors[i].x : anchors[i].y; };
     std::ranges::stable_sort(side.labels, {}, along);
@@ -342,7 +342,7 @@ std::vector<double> spread(std::span<const double> wanted, double pitch, double 
 
 CalloutRoom callout_room(const Box2& drawing, const Box2& frame, const CalloutSizes& sizes) {
   const Sides plain = sides_of(drawing, frame, sizes, false);
-  return {plain[kLeft].room(sizes.pitch), plain[kTop].room(sizes.pitch)};
+  return {plain[Left].room(sizes.pitch), plain[Top].room(sizes.pitch)};
 }
 
 bool callouts_fit(std::size_t count, const Box2& drawing, const Box2& frame,
@@ -369,7 +369,7 @@ CalloutPlaces place_callouts(std::span<const Vec2> anchors, const Box2& drawing,
   }
   if (!share) {
     share = Share{};
-    share->counts[kLeft] = anchors.size();
+    share->counts[Left] = anchors.size();
   }
   places.pitch = used.pitch;
   Sides sides = sides_of(drawing, frame, used, share->corners);

@@ -68,11 +68,11 @@ class Kinds {
       if (!first.measure) first.measure = measured(kinds_[k].parts.front());
       if (!shape.measure) shape.measure = measured(index);
       if (!first.measure || !shape.measure || !first.measure->same(*shape.measure)) continue;
-      kinds_[k].shapes.push_back(std::move(shape));
+      kinds_[k].shapes.push_back(shape);
       return kinds_[k].parts.push_back(index);
     }
     of_name.push_back(kinds_.size());
-    kinds_.push_back({key, {std::move(shape)}, {index}});
+    kinds_.push_back({key, {shape}, {index}});
   }
 
   std::optional<ShapeMeasure> measured(std::size_t index) {
@@ -120,7 +120,7 @@ std::string name_of(const Scene& scene, const Kind& kind) {
 
 std::string instance_stem(std::string_view name) {
   std::string_view rest = as_read(name);
-  const std::string whole(rest);
+  std::string whole(rest);
   if (rest.ends_with(')')) {
     const std::string_view inner = rest.substr(0, rest.size() - 1);
     const std::size_t n = digits_at_end(inner);

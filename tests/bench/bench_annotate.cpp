@@ -22,7 +22,7 @@ std::int32_t part_at(Vec2 p) {
   return glm::length(in) < 0.4 ? y * kAcross + x : -1;
 }
 
-void Annotate100(benchmark::State& state) {
+void annotate_100_items(benchmark::State& state) {
   Annotations annotations;
   annotations.callouts = true;
   for (int i = 0; i < kAcross * kAcross; ++i) annotations.items.push_back({i + 1, "part", {i}});
@@ -38,14 +38,14 @@ void Annotate100(benchmark::State& state) {
     benchmark::DoNotOptimize(drawing.layers.size());
   }
 }
-BENCHMARK(Annotate100)->Unit(benchmark::kMillisecond);
+BENCHMARK(annotate_100_items)->Unit(benchmark::kMillisecond);
 
-void LabelMapOfA3(benchmark::State& state) {
+void label_map_of_a3(benchmark::State& state) {
   for (auto _ : state) {
     benchmark::DoNotOptimize(make_label_map({{0, 0}, kSheet}, part_at, RunContext()).parts.data());
   }
 }
-BENCHMARK(LabelMapOfA3)->Unit(benchmark::kMillisecond);
+BENCHMARK(label_map_of_a3)->Unit(benchmark::kMillisecond);
 
 }  // namespace
 }  // namespace burin

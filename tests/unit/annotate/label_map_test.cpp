@@ -72,7 +72,7 @@ TEST(Areas, AreThoseOfTheFigures) {
   ASSERT_EQ(areas[0].rings.size(), 2U) << "the rim and the hole";
   EXPECT_NEAR(area_of(areas[0]), std::acos(-1.0) * (400 - 64), 15);
   ASSERT_EQ(areas[1].rings.size(), 1U);
-  EXPECT_NEAR(area_of(areas[1]), 40 * 50 - 40 * 40 / 2, 25);
+  EXPECT_NEAR(area_of(areas[1]), 40 * 50 - 0.5 * 40 * 40, 25);
   EXPECT_LT(areas[1].rings[0].size(), 40U) << "a slanted side is a line, no stair";
 }
 

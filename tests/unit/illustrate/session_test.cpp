@@ -26,10 +26,10 @@ class Counting final : public Form {
   explicit Counting(std::shared_ptr<const Form> form) : form_(std::move(form)) {}
 
   Box3 bounds(const Mat3& axes) const override { return form_->bounds(axes); }
-  std::shared_ptr<const Surface> realise(const RealiseOptions& options,
+  std::shared_ptr<const Surface> realise(const RealiseOptions& options_,
                                          RunContext& context) const override {
     ++count;
-    return form_->realise(options, context);
+    return form_->realise(options_, context);
   }
   bool looks_at_view() const override { return form_->looks_at_view(); }
 
@@ -53,117 +53,117 @@ class SessionTest : public ::testing::Test {
     TriMesh wall = test::box({-20, -2, -20}, {20, 2, 20});
     for (Vec3& p : wall.positions) p.y -= 25;
     RunContext context;
-    ball = std::make_shared<Counting>(
+    ball_ = std::make_shared<Counting>(
         std::make_shared<MeshForm>(test::ellipsoid({10, 10, 10}, 96, 48)));
-    ring = std::make_shared<Counting>(std::make_shared<ImplicitForm>(
+    ring_ = std::make_shared<Counting>(std::make_shared<ImplicitForm>(
         make_function(implicit::torus(12, 4)), std::nullopt, context));
-    scene.parts.push_back({"wall", "wall", std::make_shared<MeshForm>(std::move(wall))});
-    scene.parts.push_back({"ball", "ball", ball});
-    scene.parts.push_back(
-        {"ring", "ring", placed(ring, {.linear = rotation({30, 0, 0}), .offset = {35, 0, 0}})});
+    scene_.parts.push_back({"wall", "wall", std::make_shared<MeshForm>(std::move(wall))});
+    scene_.parts.push_back({"ball", "ball", ball_});
+    scene_.parts.push_back(
+        {"ring", "ring", placed(ring_, {.linear = rotation({30, 0, 0}), .offset = {35, 0, 0}})});
   }
 
   Camera camera() const {
-    return Camera::fit([&](const Mat3& a) { return scene.bounds(a); },
-                       {.direction = direction, .scale = paper_scale, .paper = {200, 140}});
+    return Camera::fit([&](const Mat3& a) { return scene_.bounds(a); },
+                       {.direction = direction_, .scale = paper_scale_, .paper = {200, 140}});
   }
 
   // The session's drawing, which has to be that of a fresh run.
   std::string draw() {
     RunContext context;
-    const std::string kept = json(session.draw(scene, camera(), style, options, context));
-    EXPECT_EQ(kept, json(illustrate(scene, camera(), style, options, context)));
+    std::string kept = json(session_.draw(scene_, camera(), style_, options_, context));
+    EXPECT_EQ(kept, json(illustrate(scene_, camera(), style_, options_, context)));
     return kept;
   }
   // How often the session realised it in a drawing.
   int realised(const std::shared_ptr<Counting>& form) {
     RunContext context;
     const int before = form->count;
-    session.draw(scene, camera(), style, options, context);
+    session_.draw(scene_, camera(), style_, options_, context);
     return form->count - before;
   }
 
-  Scene scene;
-  std::shared_ptr<Counting> ball, ring;
-  Vec3 direction{1, -2, 1};
-  double paper_scale = 2;
-  Style style = builtin_style("engraving");
-  IllustrateOptions options;
-  Session session;
+  Scene scene_;
+  std::shared_ptr<Counting> ball_, ring_;
+  Vec3 direction_{1, -2, 1};
+  double paper_scale_ = 2;
+  Style style_ = builtin_style("engraving");
+  IllustrateOptions options_;
+  Session session_;
 };
 
 TEST_F(SessionTest, DrawsTheSameBytesWhateverChanges) {
   const std::string first = draw();
-  style.tone.light = {0.8, 0.3, 0.5};
+  style_.tone.light = {0.8, 0.3, 0.5};
   const std::string lit = draw();
   EXPECT_NE(first, lit);
-  style.line.outer = 0.9;
+  style_.line.outer = 0.9;
   style.hatch.width_max *= 0.8;
   draw();
   style.hatch.spacing_min *= 1.3;
   draw();
-  options.part_styles.resize(3);
-  options.part_styles[1].style = builtin_style("technical");
+  options_.part_styles.resize(3);
+  options_.part_styles[1].style = builtin_style("technical");
   draw();
-  options.part_styles[0].transparent = true;
+  options_.part_styles[0].transparent = true;
   draw();
-  options.part_styles[2].drawn = false;
+  options_.part_styles[2].drawn = false;
   draw();
-  options.part_styles[2].drawn = true;
-  options.part_styles[0].transparent = false;
+  options_.part_styles[2].drawn = true;
+  options_.part_styles[0].transparent = false;
   draw();
-  direction = {1, -1, 0.4};
+  direction_ = {1, -1, 0.4};
   draw();
-  options.seed = 5;
+  options_.seed = 5;
   options.hidden = HiddenLines::Dashed;
   style.halo.gap = 0.5;
   draw();
-  options = {};
-  direction = {1, -2, 1};
-  style = builtin_style("engraving");
+  options_ = {};
+  direction_ = {1, -2, 1};
+  style_ = builtin_style("engraving");
   EXPECT_EQ(draw(), first);
 }
 
 TEST_F(SessionTest, MakesAnewWhatAChangeAsksFor) {
-  EXPECT_EQ(realised(ball), 1);
-  EXPECT_EQ(realised(ball), 0);
-  style.tone.light = {0.8, 0.3, 0.5};
-  EXPECT_EQ(realised(ball), 0);
-  EXPECT_EQ(realised(ring), 0);
-  direction = {1, -1, 0.4};
-  EXPECT_EQ(realised(ball), 0) << "facets look at no view";
-  direction = {1, -1, 0.3};
-  EXPECT_EQ(realised(ring), 1) << "an exact form is cut along the contours of each view";
-  style.feature.crease_angle = 50;
-  EXPECT_EQ(realised(ball), 1);
+  EXPECT_EQ(realised(ball_), 1);
+  EXPECT_EQ(realised(ball_), 0);
+  style_.tone.light = {0.8, 0.3, 0.5};
+  EXPECT_EQ(realised(ball_), 0);
+  EXPECT_EQ(realised(ring_), 0);
+  direction_ = {1, -1, 0.4};
+  EXPECT_EQ(realised(ball_), 0) << "facets look at no view";
+  direction_ = {1, -1, 0.3};
+  EXPECT_EQ(realised(ring_), 1) << "an exact form is cut along the contours of each view";
+  style_.feature.crease_angle = 50;
+  EXPECT_EQ(realised(ball_), 1);
 }
 
 TEST_F(SessionTest, FacetsThatAreFineEnoughStayInASmallerDrawing) {
   const auto fine =
       std::make_shared<Counting>(std::make_shared<MeshForm>(test::ellipsoid({10, 10, 10}, 96, 48)));
-  scene.parts[1].form = fine;
+  scene_.parts[1].form = fine;
   EXPECT_EQ(realised(fine), 1);
-  paper_scale = 1.5;
+  paper_scale_ = 1.5;
   EXPECT_EQ(realised(fine), 0);
   draw();
-  paper_scale = 20;  // here they are rounded
+  paper_scale_ = 20;  // here they are rounded
   EXPECT_EQ(realised(fine), 1);
-  paper_scale = 1.5;
+  paper_scale_ = 1.5;
   EXPECT_EQ(realised(fine), 1);
   draw();
 }
 
 TEST_F(SessionTest, TakesAFormThatIsPlacedOrCutTheSameWayAgain) {
   const Placement place{.linear = rotation({0, 0, 40}), .offset = {35, 0, 0}};
-  const Placer placer(ring);
+  const Placer placer(ring_);
   const CutPlane plane{.normal = {0, 1, 0}, .offset = 1};
   const auto put = [&](const Placement& where, const CutPlane& cut) {
-    scene.parts[2].form = cut_form(placer.at(where), cut, 0, "ring");
+    scene_.parts[2].form = cut_form(placer.at(where), cut, 0, "ring");
   };
   put(place, plane);
-  EXPECT_EQ(realised(ring), 1);
+  EXPECT_EQ(realised(ring_), 1);
   put(place, plane);
-  EXPECT_EQ(realised(ring), 0);
+  EXPECT_EQ(realised(ring_), 0);
   draw();
   put(place, {.normal = {0, 1, 0}, .offset = 2});
   draw();
@@ -175,7 +175,7 @@ TEST_F(SessionTest, TakesAFormThatIsPlacedOrCutTheSameWayAgain) {
 
 TEST_F(SessionTest, LosesNothingWhereADrawingIsCancelled) {
   const std::string first = draw();
-  style.tone.light = {0.8, 0.3, 0.5};
+  style_.tone.light = {0.8, 0.3, 0.5};
   for (const char* stage : {"field", "trace", "compose"}) {
     RunContext* running = nullptr;
     RunContext context([&](const std::string& name, double) {
@@ -183,12 +183,12 @@ TEST_F(SessionTest, LosesNothingWhereADrawingIsCancelled) {
     });
     running = &context;
     try {
-      session.draw(scene, camera(), style, options, context);
+      session_.draw(scene_, camera(), style_, options_, context);
     } catch (const Cancelled&) {
     }
-    EXPECT_EQ(realised(ball), 0) << stage;
+    EXPECT_EQ(realised(ball_), 0) << stage;
     draw();
-    style.tone.light.x += 0.1;
+    style_.tone.light.x += 0.1;
   }
 }
 
@@ -196,27 +196,27 @@ TEST_F(SessionTest, TellsTheSameOfWhatItKept) {
   // A surface with a hole, strokes without a direction: words that belong to stages that are kept.
   TriMesh open = test::box({-5, -5, -5}, {5, 5, 5});
   open.triangles.pop_back();
-  scene.parts.push_back(
+  scene_.parts.push_back(
       {"open", "open",
        cut_form(std::make_shared<MeshForm>(open), {.normal = {0, 0, 1}, .offset = 0}, 0, "open")});
   style.hatch.field.name = "principal";
   RunContext context;
   const auto words = [&] {
     std::vector<std::string> out;
-    const Drawing drawing = session.draw(scene, camera(), style, options, context);
+    const Drawing drawing = session_.draw(scene_, camera(), style_, options_, context);
     for (const Diagnostic& d : drawing.diagnostics.entries()) out.push_back(d.code + d.message);
     return out;
   };
   const auto first = words();
   EXPECT_FALSE(first.empty());
   EXPECT_EQ(words(), first);
-  style.line.outer = 0.9;
+  style_.line.outer = 0.9;
   EXPECT_EQ(words(), first);
 }
 
 TEST_F(SessionTest, AToneOfTheCallersOwnIsAskedEachTime) {
   double dark = 0.3;
-  options.tone = [&](const HatchScene&) { return [dark](Vec3, Vec3) { return 1 - dark; }; };
+  options_.tone = [&](const HatchScene&) { return [dark](Vec3, Vec3) { return 1 - dark; }; };
   const std::string light = draw();
   dark = 0.6;
   EXPECT_NE(draw(), light);
