@@ -98,7 +98,7 @@ TEST_F(SessionTest, DrawsTheSameBytesWhateverChanges) {
   const std::string lit = draw();
   EXPECT_NE(first, lit);
   style_.line.outer = 0.9;
-  style.hatch.width_max *= 0.8;
+  style_.hatch.width_max *= 0.8;
   draw();
   style.hatch.spacing_min *= 1.3;
   draw();
@@ -115,7 +115,7 @@ TEST_F(SessionTest, DrawsTheSameBytesWhateverChanges) {
   direction_ = {1, -1, 0.4};
   draw();
   options_.seed = 5;
-  options.hidden = HiddenLines::Dashed;
+  options_.hidden = HiddenLines::Dashed;
   style.halo.gap = 0.5;
   draw();
   options_ = {};
@@ -199,7 +199,7 @@ TEST_F(SessionTest, TellsTheSameOfWhatItKept) {
   scene_.parts.push_back(
       {"open", "open",
        cut_form(std::make_shared<MeshForm>(open), {.normal = {0, 0, 1}, .offset = 0}, 0, "open")});
-  style.hatch.field.name = "principal";
+  style_.hatch.field.name = "principal";
   RunContext context;
   const auto words = [&] {
     std::vector<std::string> out;
