@@ -100,7 +100,7 @@ TEST_F(SessionTest, DrawsTheSameBytesWhateverChanges) {
   style_.line.outer = 0.9;
   style_.hatch.width_max *= 0.8;
   draw();
-  style.hatch.spacing_min *= 1.3;
+  style_.hatch.spacing_min *= 1.3;
   draw();
   options_.part_styles.resize(3);
   options_.part_styles[1].style = builtin_style("technical");
@@ -116,7 +116,7 @@ TEST_F(SessionTest, DrawsTheSameBytesWhateverChanges) {
   draw();
   options_.seed = 5;
   options_.hidden = HiddenLines::Dashed;
-  style.halo.gap = 0.5;
+  style_.halo.gap = 0.5;
   draw();
   options_ = {};
   direction_ = {1, -2, 1};
