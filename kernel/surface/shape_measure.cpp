@@ -114,12 +114,12 @@ ShapeMeasure shape_measure(const ProxyMesh& proxy) {
   return m;
 }
 
-ShapeMeasure Form::measure(RunContext& context) const {
+ShapeMeasure measure_realised(const Form& form, RunContext& context) {
   RealiseOptions options;
-  const double size = bounds(Mat3(1)).diagonal();
+  const double size = form.bounds(Mat3(1)).diagonal();
   options.tolerance = size > 0 ? kMeasured * size : kMeasured;
   options.curvature = false;
-  return shape_measure(realise(options, context)->proxy());
+  return shape_measure(form.realise(options, context)->proxy());
 }
 
 }  // namespace burin

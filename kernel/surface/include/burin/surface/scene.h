@@ -29,6 +29,12 @@ struct RealiseOptions {
   Diagnostics* diagnostics = nullptr;
 };
 
+class Form;
+
+/// What `Form::measure` gives where a form knows no better. Not a member: a class of which each
+/// function stands in a header has no home that two libraries could both claim.
+ShapeMeasure measure_realised(const Form& form, RunContext& context);
+
 /// The plain description of a shape as it was read; cheap to keep, no acceleration structures.
 class Form {
  public:
@@ -55,7 +61,9 @@ class Form {
   /// What tells its shape from others, wherever it stands. The default realises the form to a
   /// thousandth of its size and measures the triangles; forms that know better do better. Throws as
   /// `realise`. Cost: that of `realise`.
-  virtual ShapeMeasure measure(RunContext& context) const;
+  virtual ShapeMeasure measure(RunContext& context) const {
+    return measure_realised(*this, context);
+  }
 };
 
 struct Part {
