@@ -26,10 +26,10 @@ class Counting final : public Form {
   explicit Counting(std::shared_ptr<const Form> form) : form_(std::move(form)) {}
 
   Box3 bounds(const Mat3& axes) const override { return form_->bounds(axes); }
-  std::shared_ptr<const Surface> realise(const RealiseOptions& options_,
+  std::shared_ptr<const Surface> realise(const RealiseOptions& options,
                                          RunContext& context) const override {
     ++count;
-    return form_->realise(options_, context);
+    return form_->realise(options, context);
   }
   bool looks_at_view() const override { return form_->looks_at_view(); }
 
