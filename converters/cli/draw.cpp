@@ -86,13 +86,9 @@ void check_lists(const DrawPlan& plan, const std::vector<Output>& outputs,
     if (!output.is_stdout()) sources.push_back(output.name());
   }
   for (const std::string& name : plan.parts_list_files) {
-    std::error_code error;
-    for (const std::string& other : sources) {
-      if (std::filesystem::weakly_canonical(name, error) ==
-          std::filesystem::weakly_canonical(other, error)) {
-        throw UsageError(fmt::format(
-            "{}: the parts list would take the place of another file; name it otherwise", name));
-      }
+    if (std::ranges::any_of(sources, [&](const auto& other) { return same_file(name, other); })) {
+      throw UsageError(fmt::format(
+          "{}: the parts list would take the place of another file; name it otherwise", name));
     }
     sources.push_back(name);
     Output(name, *format_named("json")).probe();

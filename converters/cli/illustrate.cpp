@@ -56,9 +56,7 @@ std::string extended(const DrawArguments& arguments, const std::filesystem::path
                                steps_of(read_scene(house, context), plan, context, console));
 }
 
-ItemNumbers numbers_of_models(const std::vector<std::string>& inputs, const DrawPlan& plan,
-                              RunContext& context) {
-  Scene scene = read_scene(inputs, plan.read, context);
+ItemNumbers numbers_of_models(Scene scene, RunContext& context) {
   return numbers_of(find_items(scene, {}, scene.diagnostics, context), {});
 }
 
@@ -94,13 +92,14 @@ void run_illustrate(const DrawArguments& arguments, RunContext& context, Console
     text = extended(arguments, folder, context, console);
   } else {
     DrawRequest request = arguments.request;
-    if (plan.callouts || plan.parts_list || !plan.parts_list_files.empty()) {
-      request.items = numbers_of_models(arguments.inputs, plan, context);
+    const bool numbers = plan.callouts || plan.parts_list || !plan.parts_list_files.empty();
+    Scene scene;
+    if (numbers || plan.explode.wanted) {
+      scene = read_scene(arguments.inputs, plan.read, context);
     }
+    if (numbers) request.items = numbers_of_models(scene, context);
     std::vector<Explode::Step> steps;
-    if (plan.explode.wanted) {
-      steps = steps_of(read_scene(arguments.inputs, plan.read, context), plan, context, console);
-    }
+    if (plan.explode.wanted) steps = steps_of(std::move(scene), plan, context, console);
     text = first_illustration(arguments.inputs, request, folder, steps);
   }
   output.write([&](std::ostream& out) { out << text; });

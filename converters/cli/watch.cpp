@@ -3,6 +3,7 @@
 #include <burin/base/error.h>
 #include <burin/base/input_files.h>
 #include <burin/base/missing_file.h>
+#include <burin/converters/output.h>
 
 #include "draw.h"
 #include "report.h"
@@ -12,7 +13,6 @@
 
 #include <algorithm>
 #include <chrono>
-#include <filesystem>
 
 namespace burin::cli {
 namespace {
@@ -61,11 +61,6 @@ void wait_for_change(const InputFiles::Stamps& files, const RunContext& context)
     }
     sleep_for(std::max(kOften, std::chrono::ceil<milliseconds>(kShare * (end - start))), context);
   }
-}
-
-bool same_file(const std::string& a, const std::string& b) {
-  std::error_code error;
-  return std::filesystem::equivalent(a, b, error);
 }
 
 /// What is drawn is no reason to draw.

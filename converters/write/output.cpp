@@ -78,12 +78,6 @@ const Format& format_of(const std::string& output, const std::string& format) {
                                suffix.empty() ? "a name without suffix" : suffix, format_list()));
 }
 
-bool same_file(const std::string& a, const std::string& b) {
-  std::error_code error;
-  if (fs::equivalent(a, b, error)) return true;
-  return fs::weakly_canonical(a, error) == fs::weakly_canonical(b, error);
-}
-
 /// Where a link points to, also where nothing stands there yet: the link stays, the file behind it
 /// is made or replaced.
 fs::path resolved(const std::string& name) {
@@ -100,6 +94,12 @@ fs::path resolved(const std::string& name) {
 }
 
 }  // namespace
+
+bool same_file(const std::string& a, const std::string& b) {
+  std::error_code error;
+  if (fs::equivalent(a, b, error)) return true;
+  return fs::weakly_canonical(a, error) == fs::weakly_canonical(b, error);
+}
 
 void set_output_guard(const OutputGuard& guard) { g_guard = guard; }
 

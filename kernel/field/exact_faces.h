@@ -12,11 +12,13 @@
 
 namespace burin::field {
 
-/// Whether d1 and d2 are the circles and rulings, or the circles, of a face of that kind.
-inline bool has_exact_lines(const Frame& frame) {
-  return !frame.umbilic && (frame.kind == FaceKind::Cylinder || frame.kind == FaceKind::Cone ||
-                            frame.kind == FaceKind::Torus);
+/// The curved faces of which everybody knows how lines run.
+inline bool is_ruled(FaceKind kind) {
+  return kind == FaceKind::Cylinder || kind == FaceKind::Cone || kind == FaceKind::Torus;
 }
+
+/// Whether d1 and d2 are the circles and rulings, or the circles, of a face of that kind.
+inline bool has_exact_lines(const Frame& frame) { return !frame.umbilic && is_ruled(frame.kind); }
 
 /// For each triangle the kind of its face of the input, Plane and Sphere also for faces of other
 /// equations that have that shape; empty where the proxy knows no faces.

@@ -3,6 +3,7 @@
 #include <burin/base/parallel.h>
 #include <burin/mesh/whole_faces.h>
 
+#include "exact_faces.h"
 #include "islands.h"
 #include "multigrid.h"
 
@@ -105,27 +106,27 @@ void keep_first_arms(const std::vector<Border>& borders, std::size_t wedges,
   }
 }
 
-bool is_ruled(FaceKind kind) {
-  return kind == FaceKind::Cylinder || kind == FaceKind::Cone || kind == FaceKind::Torus;
-}
-
 // The curved faces of which everybody knows how lines run, smallest first: their triangles.
 std::vector<std::vector<std::uint32_t>> ruled_faces(const ProxyMesh& proxy,
                                                     const std::vector<FaceKind>& kinds) {
   const std::vector<std::int32_t> whole = whole_faces(proxy);
-  std::map<std::int32_t, std::vector<std::uint32_t>> found;
+  struct Ruled {
+    double area = 0;
+    std::vector<std::uint32_t> triangles;
+  };
+  std::map<std::int32_t, Ruled> found;
   for (std::uint32_t f = 0; f < kinds.size(); ++f) {
     if (!is_ruled(kinds[f])) continue;
     const std::int32_t face = proxy.source_face[f];
-    found[whole.empty() ? face : whole[static_cast<std::size_t>(face)]].push_back(f);
+    Ruled& one = found[whole.empty() ? face : whole[static_cast<std::size_t>(face)]];
+    one.area += proxy.mesh.area(f);
+    one.triangles.push_back(f);
   }
+  std::vector<Ruled> sorted;
+  for (auto& [face, one] : found) sorted.push_back(std::move(one));
+  std::ranges::stable_sort(sorted, {}, &Ruled::area);
   std::vector<std::vector<std::uint32_t>> faces;
-  for (auto& [face, triangles] : found) faces.push_back(std::move(triangles));
-  std::ranges::stable_sort(faces, {}, [&](const auto& triangles) {
-    double area = 0;
-    for (const std::uint32_t f : triangles) area += proxy.mesh.area(f);
-    return area;
-  });
+  for (Ruled& one : sorted) faces.push_back(std::move(one.triangles));
   return faces;
 }
 

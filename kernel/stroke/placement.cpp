@@ -300,6 +300,7 @@ std::vector<Family> place_families(const Picture& picture, const ViewRaster& ras
   if (!known) {
     memory.first.reset();
     if (turns) {
+      if (&memory == &mine) memory.graph.reset();  // not two of them at once
       graph = wave_graph(first, raster, 1, context);
     } else if (&memory == &mine) {
       graph = std::move(memory.graph);

@@ -20,6 +20,9 @@ struct OutputGuard {
 };
 void set_output_guard(const OutputGuard& guard);
 
+/// Whether two names are of one file, by links too, or would be where none is there yet.
+bool same_file(const std::string& a, const std::string& b);
+
 /// One output: "-" is standard output, devices and pipes are written as they are, anything else
 /// aside and renamed.
 class Output {
