@@ -150,9 +150,9 @@ void run_draw(const DrawArguments& arguments, RunContext& context, Console& cons
                              : read_models(arguments, plan, context, kept);
   for (const Output& output : outputs) plan.items |= output.format().lists_items;
   arrange_parts(scene, plan, context);
-  const Camera camera = make_camera(scene, plan);
-  for (const Output& output : outputs) check_format(output, camera.paper(), options);
-  const Drawing drawing = draw(scene, camera, plan, context, kept ? &kept->session : nullptr);
+  const SheetOfViews sheet = plan_sheet(scene, plan);
+  for (const Output& output : outputs) check_format(output, sheet.camera().paper(), options);
+  const Drawing drawing = draw(scene, sheet, plan, context, kept ? &kept->session : nullptr);
 
   write_parts_lists(drawing, plan);
   write_outputs(outputs, drawing, options, context);

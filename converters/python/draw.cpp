@@ -137,9 +137,9 @@ DrawingOwner draw(const py::object& source, const py::kwargs& keywords) {
     const ThreadLimit limit(plan.threads);
     Scene scene = from.get(plan.read, context);
     arrange_parts(scene, plan, context);
-    const Camera camera = make_camera(scene, plan);
+    const SheetOfViews sheet = plan_sheet(scene, plan);
     result->drawing =
-        burin::draw(scene, camera, plan, context, session ? &session->session : nullptr);
+        burin::draw(scene, sheet, plan, context, session ? &session->session : nullptr);
     write_parts_lists(result->drawing, plan);
   });
   return result;

@@ -2,7 +2,6 @@
 
 #include <burin/base/ascii.h>
 #include <burin/base/error.h>
-#include <burin/camera/standards.h>
 #include <burin/converters/values.h>
 
 #include "explode_option.h"
@@ -18,11 +17,8 @@ namespace burin {
 namespace detail {
 namespace {
 
-constexpr double kLarge = 1e12;  // past any sheet, scale or tolerance that means something
-constexpr const char* kDirectionPhrase = "a direction X,Y,Z other than 0,0,0";
 constexpr const char* kLook = "The look";
 constexpr const char* kParts = "Parts";
-constexpr const char* kSheet = "The sheet and the view";
 constexpr const char* kRun = "The run";
 constexpr const char* kFiles = "Files";
 
@@ -71,34 +67,9 @@ void set_sections(Draft& draft, const Asked& asked) {
   }
 }
 
-void set_paper(Draft& draft, const Asked& asked) {
-  draft.plan.sheet.fits = equal_but_for_case(asked.text(), "fit");
-  if (!draft.plan.sheet.fits) draft.plan.view.paper = Paper::named(asked.text());
-}
-
-void set_margin(Draft& draft, const Asked& asked) {
-  SheetOptions& sheet = draft.plan.sheet;
-  const Paper& paper = draft.plan.view.paper;
-  const Vec2 room = sheet.fits ? Vec2(kLargestSheet) : Vec2(paper.width, paper.height);
-  sheet.margin = margin_option(asked.spelled, asked.text(), room).value_or(sheet.margin);
-}
-
 std::vector<std::string> style_names() {
   std::vector<std::string> names;
   for (const StyleInfo& style : builtin_styles()) names.push_back(style.name);
-  return names;
-}
-
-std::vector<std::string> view_names() {
-  std::vector<std::string> names;
-  for (const StandardView& view : standard_views()) names.emplace_back(view.name);
-  return names;
-}
-
-std::vector<std::string> paper_names() {
-  std::vector<std::string> names;
-  for (const StandardPaper& paper : standard_papers()) names.emplace_back(paper.name);
-  names.emplace_back("fit");
   return names;
 }
 
@@ -276,82 +247,6 @@ std::vector<RequestRow<Draft>> item_rows() {
         .many = true,
         .python = "str | Sequence[str]"},
        set_parts_list},
-  };
-}
-
-std::vector<RequestRow<Draft>> view_rows() {
-  return {
-      {{.option = {.name = "view",
-                   .meaning = fmt::format("{}, or the direction from the model to the viewer "
-                                          "(default iso)",
-                                          fmt::join(view_names(), " ")),
-                   .takes = FreeText{}},
-        .group = kSheet,
-        .label = "NAME|X,Y,Z",
-        .fallback = "iso",
-        .choices = view_names(),
-        .python = "str | Sequence[float]"},
-       [](Draft& d, const Asked& a) {
-         const NamedView named = named_view(a.text());
-         d.plan.view.direction = named.direction;
-         d.plan.view.up = named.up;
-       }},
-      {{.option = {.name = "up",
-                   .meaning = "up on the sheet (default 0,0,1; for top and bottom 0,1,0)",
-                   .takes = Direction{},
-                   .phrase = kDirectionPhrase},
-        .group = kSheet,
-        .label = "X,Y,Z"},
-       [](Draft& d, const Asked& a) { d.plan.view.up = std::get<Vec3>(a.value); }},
-      {{.option = {.name = "perspective",
-                   .meaning = "vertical field of view in degrees (default: orthographic)",
-                   .takes = NumberRange{1, 120, "degrees"},
-                   .phrase = "1 to 120 degrees"},
-        .group = kSheet,
-        .label = "DEG"},
-       [](Draft& d, const Asked& a) { d.plan.view.perspective = std::get<double>(a.value); }},
-  };
-}
-
-std::vector<RequestRow<Draft>> sheet_rows() {
-  return {
-      {{.option = {.name = "paper",
-                   .meaning = "A0..A6, B0..B6, letter, legal, tabloid (A4p is portrait), mm, say "
-                              "200x150, or fit: the drawing and its margin, at --scale or 1 "
-                              "(default A4)",
-                   .takes = FreeText{}},
-        .group = kSheet,
-        .label = "NAME|WxH",
-        .fallback = "A4",
-        .choices = paper_names(),
-        .python = "str | Sequence[float]"},
-       set_paper},
-      {{.option = {.name = "scale",
-                   .meaning = "paper mm for a model mm, also as 1:2 (default: fit to the sheet)",
-                   .takes = FreeText{}},
-        .group = kSheet,
-        .label = "S|A:B",
-        .python = "float | str"},
-       [](Draft& d, const Asked& a) {
-         d.plan.view.scale = scale_option(a.spelled, a.text(), 1 / kLarge, kLarge);
-       }},
-      {{.option = {.name = "center",
-                   .meaning = "the model point in the middle of the sheet (default: the middle of "
-                              "the drawing)",
-                   .takes = FreeText{}},
-        .group = kSheet,
-        .label = "X,Y,Z",
-        .python = "Sequence[float]"},
-       [](Draft& d, const Asked& a) { d.plan.view.center = point_option(a.spelled, a.text()); }},
-      {{.option = {.name = "margin",
-                   .meaning = "empty border of a fitted sheet; one number, or top, right, bottom, "
-                              "left (default 10)",
-                   .takes = FreeText{}},
-        .group = kSheet,
-        .label = "MM|T,R,B,L",
-        .fallback = "10",
-        .python = "float | Sequence[float]"},
-       set_margin},
   };
 }
 

@@ -16,6 +16,13 @@ struct Draft {
   std::string style_text, style_source;
 };
 
+/// Past any sheet, scale or tolerance that means something.
+inline constexpr double kLarge = 1e12;
+inline constexpr const char* kDirectionPhrase = "a direction X,Y,Z other than 0,0,0";
+
 const std::vector<RequestRow<Draft>>& draw_rows();
+/// Of them, those about the view and about the sheet.
+std::vector<RequestRow<Draft>> view_rows();
+std::vector<RequestRow<Draft>> sheet_rows();
 
 }  // namespace burin::detail

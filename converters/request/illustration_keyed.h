@@ -95,6 +95,6 @@ using TakeKey = void(const KeyedFile& in, const Json& value, const std::string& 
                      Illustration& out);
 
 TakeKey take_parts, take_style, take_looks, take_lights, take_sections, take_explode, take_title,
-    take_items, take_parts_list;
+    take_items, take_parts_list, take_details;
 
 }  // namespace burin::detail

@@ -21,7 +21,7 @@ const std::vector<IllustrationKey>& illustration_keys();
 const RequestOption& option_named(const std::string& name);
 
 /// Members of an input beside options about reading, of a look, of a section, of an exploded view
-/// and its steps, of a light.
+/// and its steps, of a light, of a detail.
 inline const std::vector<std::string> kInputKeys = {"file", "function", "name", "place"};
 inline const std::vector<std::string> kPlaceKeys = {"translate", "rotate", "scale"};
 inline const std::vector<std::string> kLookKeys = {"select", "style", "drawn", "hatched",
@@ -30,6 +30,7 @@ inline const std::vector<std::string> kSectionKeys = {"plane", "exclude"};
 inline const std::vector<std::string> kPlaneKeys = {"normal", "offset"};
 inline const std::vector<std::string> kExplodeKeys = {"steps", "along", "base", "fit", "factor"};
 inline const std::vector<std::string> kStepKeys = {"move", "along", "by", "trail"};
+inline const std::vector<std::string> kDetailKeys = {"select", "at", "radius", "scale", "letter"};
 inline const std::vector<std::string> kLightKeys = {"ambient", "from", "at", "strength"};
 
 }  // namespace burin::detail

@@ -78,7 +78,8 @@ const std::vector<Member>& members() {
                                 {"view", take_group},
                                 {"paper", take_paper},
                                 {"section", detail::take_sections},
-                                {"explode", detail::take_explode}};
+                                {"explode", detail::take_explode},
+                                {"details", detail::take_details}};
     for (const detail::IllustrationKey& key : detail::illustration_keys()) {
       const bool grouped = key.path.find('.') != std::string::npos;
       if (!grouped) rows.push_back({key.path, take_option});
@@ -165,10 +166,19 @@ namespace detail {
 
 const std::vector<IllustrationKey>& illustration_keys() {
   static const std::vector<IllustrationKey> keys = {
-      {"view.from", "view"},      {"view.up", "up"},         {"view.perspective", "perspective"},
-      {"view.scale", "scale"},    {"view.center", "center"}, {"paper.size", "paper"},
-      {"paper.margin", "margin"}, {"hidden", "hidden"},      {"tolerance", "tolerance"},
-      {"seed", "seed"},           {"callouts", "callouts"},
+      {"view.from", "view"},
+      {"view.up", "up"},
+      {"view.perspective", "perspective"},
+      {"view.scale", "scale"},
+      {"view.center", "center"},
+      {"paper.size", "paper"},
+      {"paper.margin", "margin"},
+      {"hidden", "hidden"},
+      {"tolerance", "tolerance"},
+      {"seed", "seed"},
+      {"callouts", "callouts"},
+      {"views", "views"},
+      {"projection", "projection"},
   };
   return keys;
 }
@@ -209,6 +219,7 @@ DrawRequest merged(const DrawRequest& file, const DrawRequest& door) {
   all.looks.insert(all.looks.end(), door.looks.begin(), door.looks.end());
   if (!door.lights.empty()) all.lights = door.lights;
   all.sections.insert(all.sections.end(), door.sections.begin(), door.sections.end());
+  all.details.insert(all.details.end(), door.details.begin(), door.details.end());
   if (door.explode.wanted) all.explode = door.explode;
   if (!door.title.empty()) all.title = door.title;
   if (!door.items.empty()) all.items = door.items;

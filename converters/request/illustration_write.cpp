@@ -170,6 +170,18 @@ Json explode_schema() {
   return {{"anyOf", {ways, whole}}};
 }
 
+Json detail_schema() {
+  const Json short_form = text("a part or an assembly, or X,Y,Z,R in mm; =A:B behind it");
+  const Json selector = text("what it shows: a part or an assembly, as in looks");
+  const Json whole = object_of(
+      {{"select", {{"anyOf", {selector, list_of(selector)}}}},
+       {"at", vector_of("instead: the point in its middle, model mm")},
+       {"radius", {{"description", "model mm"}, {"type", "number"}, {"exclusiveMinimum", 0}}},
+       {"scale", loosened(schema_of("scale"))},
+       {"letter", text("its letter (default: the next of A, B, C ...)")}});
+  return {{"anyOf", {short_form, whole}}};
+}
+
 Json light_schema() {
   const Json strength = {{"type", "number"}, {"minimum", 0}, {"maximum", 10}};
   return object_of({{"ambient", strength},
@@ -227,6 +239,9 @@ std::string first_illustration(const std::vector<std::string>& inputs, const Dra
     json["section"].push_back(std::move(one));
   }
   if (!steps.empty()) json["explode"] = explode_json(request, steps);
+  for (const std::string& detail : given_texts(request.options, "detail")) {
+    json["details"].push_back(detail);
+  }
   json["looks"] = Json::array();
   for (const std::string& selector : given_texts(request.options, "hide")) {
     json["looks"].push_back({{"select", selector}, {"drawn", false}});
@@ -269,6 +284,7 @@ std::string illustration_schema() {
   members["looks"] = list_of(look_schema(style));
   members["lights"] = list_of(light_schema());
   members["explode"] = explode_schema();
+  members["details"] = list_of(detail_schema());
   members["items"] = {
       {"description", "numbers of items and their names; kept from drawing to drawing"},
       {"type", "object"},

@@ -111,10 +111,9 @@ bool any_strokes(const DrawPlan& plan) {
 
 }  // namespace
 
-Drawing draw(const Scene& scene, const Camera& camera, const DrawPlan& plan, RunContext& context,
-             Session* session) {
-  Drawing drawing = session ? session->draw(scene, camera, plan.style, plan.illustrate, context)
-                            : illustrate(scene, camera, plan.style, plan.illustrate, context);
+Drawing draw(const Scene& scene, const SheetOfViews& sheet, const DrawPlan& plan,
+             RunContext& context, Session* session) {
+  Drawing drawing = illustrate(scene, sheet, plan.style, plan.illustrate, context, session);
   drawing.title = plan.title;
   drawing.diagnostics.append(plan.notes);
   drawing.diagnostics = at_door(drawing.diagnostics, plan.spelling);
@@ -215,59 +214,6 @@ void cut_parts(Scene& scene, const DrawPlan& plan) {
   }
 }
 
-namespace {
-
-/// A perspective view knows one margin.
-Margin margin_of(const Margin& m, const DrawPlan& plan) {
-  return plan.view.perspective ? Margin(std::max({m.top, m.right, m.bottom, m.left})) : m;
-}
-
-/// The margin with the room that callouts and the parts list need.
-SheetOptions sheet_with_room(const Camera::ExtentFn& extent, const DrawPlan& plan) {
-  SheetOptions sheet = plan.sheet;
-  if (!plan.illustrate.annotations) return sheet;
-  const Annotations& over = *plan.illustrate.annotations;
-  const CalloutOptions& style = plan.style.callout;
-  if (!sheet.fits) {
-    sheet.margin = annotation_margin(over, style, plan.view.paper);
-    return sheet;
-  }
-  // A sheet that fits grows until they have room; what has none then is told by the drawing.
-  constexpr int kMostSteps = 200;
-  constexpr double kStep = 5;  // paper mm
-  for (int step = 0; step < kMostSteps; ++step) {
-    const Paper paper = settle(extent, plan.view, sheet).paper;
-    if (annotations_fit(over, style, paper, sheet.margin)) break;
-    const Margin needed = annotation_margin(over, style, paper);
-    Margin& m = sheet.margin;
-    const Margin more(std::max(m.top, needed.top), std::max(m.right, needed.right),
-                      std::max(m.bottom, needed.bottom), std::max(m.left, needed.left));
-    const bool grows =
-        more.top > m.top || more.right > m.right || more.bottom > m.bottom || more.left > m.left;
-    m = grows ? more : Margin(m.top + kStep, m.right + kStep, m.bottom + kStep, m.left + kStep);
-    m = margin_of(m, plan);
-  }
-  return sheet;
-}
-
-}  // namespace
-
-Camera make_camera(const Scene& scene, const DrawPlan& plan) {
-  const auto extent = [&](const Mat3& axes) {
-    return drawn_bounds(scene, plan.illustrate.part_styles, axes);
-  };
-  if (!plan.illustrate.annotations || !plan.view.perspective || plan.sheet.fits) {
-    return Camera::fit(extent, settle(extent, plan.view, sheet_with_room(extent, plan)));
-  }
-  // A perspective view knows one margin: it is fitted to what is left of the sheet.
-  ViewOptions view = settle(extent, plan.view, plan.sheet);
-  const Paper sheet = view.paper;
-  const Margin m = annotation_margin(*plan.illustrate.annotations, plan.style.callout, sheet);
-  view.paper = {sheet.width - m.left - m.right, sheet.height - m.bottom - m.top};
-  view.margin = 0;
-  return Camera::fit(extent, view).on_sheet(sheet, {m.left, m.bottom});
-}
-
 DrawPlan make_plan(const DrawRequest& request, Spelling spelling) {
   detail::Draft draft{.style_text = request.style_text, .style_source = request.style_source};
   draft.plan.title = request.title;
@@ -275,6 +221,7 @@ DrawPlan make_plan(const DrawRequest& request, Spelling spelling) {
   for (const Look& look : request.looks) draft.plan.looks.push_back({look});
   draft.plan.sections = request.sections;
   draft.plan.explode = request.explode;
+  draft.plan.details = request.details;
   apply(detail::draw_rows(), request.options, spelling, draft);
   draft.plan.spelling = spelling;
   check_style(draft.plan.style);

@@ -183,6 +183,19 @@ void read_view(const JsonPlace& place, DrawingView& view) {
   value("field_of_view", view.field_of_view);
 }
 
+SheetView read_sheet_view(const JsonPlace& place) {
+  place.check_object();
+  SheetView view;
+  place.optional("name", [&](const JsonPlace& name) { name.set(view.name); });
+  place.required("view", [&](const JsonPlace& at) { read_view(at, view.view); });
+  place.optional("box", [&](const JsonPlace& box) {
+    std::vector<Vec2> corners;
+    read_points(box, corners);
+    for (const Vec2& corner : corners) view.box.add(corner);
+  });
+  return view;
+}
+
 DrawingPart read_part(const JsonPlace& place) {
   place.check_object();
   DrawingPart part;
@@ -295,6 +308,10 @@ void read_head(const JsonPlace& root, Drawing& drawing) {
   root.optional("title", [&](const JsonPlace& title) { title.set(drawing.title); });
   root.optional("style", [&](const JsonPlace& style) { style.set(drawing.style); });
   root.optional("view", [&](const JsonPlace& view) { read_view(view, drawing.view); });
+  root.optional("views", [&](const JsonPlace& views) {
+    views.each(
+        [&](const JsonPlace& one, std::size_t) { drawing.views.push_back(read_sheet_view(one)); });
+  });
   root.optional("parts", [&](const JsonPlace& parts) {
     parts.each(
         [&](const JsonPlace& part, std::size_t) { drawing.parts.push_back(read_part(part)); });

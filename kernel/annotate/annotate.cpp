@@ -1,7 +1,9 @@
 #include <burin/annotate/annotate.h>
 #include <burin/annotate/place.h>
 #include <burin/drawing/font.h>
+#include <burin/drawing/length.h>
 
+#include "circle.h"
 #include "list_on_sheet.h"
 
 #include <fmt/format.h>
@@ -9,7 +11,6 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <numbers>
 #include <optional>
 #include <string>
 #include <utility>
@@ -27,14 +28,6 @@ struct Anchor {
   Vec2 at{0};
   bool dot = true;
 };
-
-double length_of(const Path& path) {
-  double length = 0;
-  for (std::size_t i = 1; i < path.points.size(); ++i) {
-    length += glm::distance(path.points[i - 1], path.points[i]);
-  }
-  return length;
-}
 
 using Lines = std::map<std::int32_t, std::vector<const Path*>>;
 
@@ -182,15 +175,9 @@ void draw_callout(const Anchor& anchor, Vec2 place, const CalloutSizes& sizes,
     }
   }
   if (style.circle) {
-    constexpr int kCorners = 48;
-    Path circle = leader(place, place, style.line, anchor);
-    circle.kind = LineClass::Frame;
-    circle.closed = true;
-    circle.points.clear();
-    for (int i = 0; i < kCorners; ++i) {
-      const double a = 2 * std::numbers::pi * i / kCorners;
-      circle.points.push_back(place + radius * Vec2(std::cos(a), std::sin(a)));
-    }
+    Path circle = detail::circle(place, radius, style.line);
+    circle.source.part = anchor.part;
+    circle.item = anchor.item->number;
     layer.paths.push_back(std::move(circle));
   }
   layer.texts.push_back({place - Vec2(0, 0.5 * style.height), style.height, TextAnchor::Middle,
@@ -370,6 +357,24 @@ void annotate(Drawing& drawing, const LabelMap& seen, const LabelMap& glass,
     add_callouts(drawing, seen, glass, rest_of(frame, plan), annotations, style, context);
   }
   if (annotations.parts_list) add_list(drawing, plan, annotations, style);
+}
+
+Box2 beside_parts_list(const Annotations& annotations, const CalloutOptions& style,
+                       const Paper& paper) {
+  const Box2 frame = detail::frame_of(paper, annotations.margin);
+  return rest_of(frame, list_plan(annotations, style, frame));
+}
+
+std::optional<Box2> parts_list_box(const Annotations& annotations, const CalloutOptions& style,
+                                   const Paper& paper) {
+  const auto plan = list_plan(annotations, style, detail::frame_of(paper, annotations.margin));
+  return plan ? std::optional(plan->box) : std::nullopt;
+}
+
+void lay_parts_list(Drawing& drawing, const Annotations& annotations, const CalloutOptions& style) {
+  const Paper paper{drawing.paper_width, drawing.paper_height};
+  add_list(drawing, list_plan(annotations, style, detail::frame_of(paper, annotations.margin)),
+           annotations, style);
 }
 
 }  // namespace burin

@@ -143,6 +143,13 @@ Camera Camera::on_sheet(const Paper& sheet, Vec2 corner) const {
   return camera;
 }
 
+Camera Camera::magnified(double factor, Vec2 from, Vec2 to) const {
+  Camera camera = *this;
+  camera.scale_ *= factor;
+  camera.offset_ = factor * (offset_ - from) + to;
+  return camera;
+}
+
 Vec2 Camera::to_paper(Vec3 p) const {
   const Vec3 q = p - center_;
   double s = scale_;

@@ -1,6 +1,7 @@
 #include <burin/drawing/clip.h>
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <optional>
 #include <utility>
@@ -25,6 +26,22 @@ std::optional<std::pair<double, double>> inside(Vec2 a, Vec2 b, const Box2& wind
   return std::pair(t0, t1);
 }
 
+std::optional<std::pair<double, double>> inside(Vec2 a, Vec2 b, const Disc& disc) {
+  const Vec2 way = b - a, off = a - disc.center;
+  const double A = glm::dot(way, way), B = glm::dot(off, way);
+  const double C = glm::dot(off, off) - disc.radius * disc.radius;
+  if (A == 0) return C <= 0 ? std::optional(std::pair(0.0, 1.0)) : std::nullopt;
+  const double root = B * B - A * C;
+  if (!(root >= 0)) return {};
+  const double t0 = std::max(0.0, (-B - std::sqrt(root)) / A);
+  const double t1 = std::min(1.0, (-B + std::sqrt(root)) / A);
+  if (!(t0 <= t1)) return {};
+  return std::pair(t0, t1);
+}
+
+bool contains(const Box2& window, Vec2 p) { return window.contains(p); }
+bool contains(const Disc& disc, Vec2 p) { return glm::distance(p, disc.center) <= disc.radius; }
+
 // The share of a segment of the model that is seen as the share `t` of its picture.
 double share_in_model(Vec3 a, Vec3 b, double t, const DrawingView* view) {
   if (view == nullptr || view->projection != "perspective") return t;
@@ -43,9 +60,10 @@ std::int32_t face_at(const Path& path, std::size_t point) {
   return face;
 }
 
+template <class Window>
 class Cutter {
  public:
-  Cutter(const Path& path, const Box2& window, const DrawingView* view)
+  Cutter(const Path& path, const Window& window, const DrawingView* view)
       : path_(path),
         window_(window),
         view_(view),
@@ -64,7 +82,7 @@ class Cutter {
  private:
   std::size_t outside() const {
     std::size_t i = 0;
-    while (i + 1 < path_.points.size() && window_.contains(path_.points[i])) ++i;
+    while (i + 1 < path_.points.size() && contains(window_, path_.points[i])) ++i;
     return i;
   }
 
@@ -129,7 +147,7 @@ class Cutter {
   }
 
   const Path& path_;
-  const Box2& window_;
+  const Window& window_;
   const DrawingView* view_;
   bool varies_, spatial_;
   bool goes_on_ = false;
@@ -150,14 +168,29 @@ Path without_points(const Path& path) {
   return head;
 }
 
-bool lies_in(const Path& path, const Box2& window) {
-  return std::all_of(path.points.begin(), path.points.end(),
-                     [&](Vec2 p) { return window.contains(p); });
+namespace {
+
+template <class Window>
+bool all_in(const Path& path, const Window& window) {
+  return std::ranges::all_of(path.points, [&](Vec2 p) { return contains(window, p); });
 }
 
-std::vector<Path> clipped(const Path& path, const Box2& window, const DrawingView* view) {
+template <class Window>
+std::vector<Path> cut(const Path& path, const Window& window, const DrawingView* view) {
   if (path.points.size() < 2) return {};
   return Cutter(path, window, view).run();
+}
+
+}  // namespace
+
+bool lies_in(const Path& path, const Box2& window) { return all_in(path, window); }
+bool lies_in(const Path& path, const Disc& disc) { return all_in(path, disc); }
+
+std::vector<Path> clipped(const Path& path, const Box2& window, const DrawingView* view) {
+  return cut(path, window, view);
+}
+std::vector<Path> clipped(const Path& path, const Disc& disc, const DrawingView* view) {
+  return cut(path, disc, view);
 }
 
 }  // namespace burin

@@ -14,9 +14,19 @@ namespace {
 constexpr int kPaperDecimals = 4;
 
 /// Decimals of model mm that hold a millionth of a paper mm.
-int model_decimals(double scale) {
-  if (!(scale > 0) || !std::isfinite(scale)) return 9;
-  return std::clamp(static_cast<int>(std::ceil(std::log10(scale))) + 6, 0, 15);
+int model_decimals(const DrawingView& view) {
+  if (!(view.scale > 0) || !std::isfinite(view.scale)) return 9;
+  const int decimals = std::clamp(static_cast<int>(std::ceil(std::log10(view.scale))) + 6, 0, 15);
+  // Nearer to the viewer than the centre a perspective drawing is larger: one decimal more.
+  return std::min(15, decimals + (view.projection == "perspective" ? 1 : 0));
+}
+
+/// That of the largest view.
+int model_decimals(const Drawing& drawing) {
+  int decimals = model_decimals(drawing.view);
+  for (const SheetView& one : drawing.views)
+    decimals = std::max(decimals, model_decimals(one.view));
+  return decimals;
 }
 
 void append_key(Buffer& out, std::string_view key) {
@@ -40,7 +50,7 @@ void append_member(Buffer& out, std::string_view key, Vec3 v) {
 }
 
 void append_view(Buffer& out, const DrawingView& view) {
-  append(out, "  \"view\": {\"projection\": ");
+  append(out, "{\"projection\": ");
   append_json(out, view.projection);
   append(out, ", ");
   append_member(out, "direction", view.direction);
@@ -61,7 +71,7 @@ void append_view(Buffer& out, const DrawingView& view) {
     append_key(out, "field_of_view");
     append_exact(out, view.field_of_view);
   }
-  append(out, "},\n");
+  append(out, "}");
 }
 
 void append_part(Buffer& out, const DrawingPart& part) {
@@ -102,6 +112,18 @@ void append_point(Buffer& out, Vec2 p) {
   out.push_back(',');
   append_fixed(out, p.y, kPaperDecimals);
   out.push_back(']');
+}
+
+void append_sheet_view(Buffer& out, const SheetView& view) {
+  append(out, "{\"name\": ");
+  append_json(out, view.name);
+  append(out, ", \"box\": [");
+  append_point(out, view.box.min);
+  out.push_back(',');
+  append_point(out, view.box.max);
+  append(out, "], \"view\": ");
+  append_view(out, view.view);
+  out.push_back('}');
 }
 
 void append_area(Buffer& out, const Area& area) {
@@ -174,7 +196,10 @@ void append_head(Buffer& out, const Drawing& d) {
     append_json(out, d.paper_color);
   }
   append(out, "},\n");
+  append(out, "  \"view\": ");
   append_view(out, d.view);
+  append(out, ",\n");
+  if (!d.views.empty()) append_list(out, "views", d.views, append_sheet_view);
   append_list(out, "parts", d.parts, append_part);
   if (!d.items.empty()) append_list(out, "items", d.items, append_item);
   if (!d.areas.empty()) append_list(out, "areas", d.areas, append_area);
@@ -291,9 +316,7 @@ void write(const Buffer& text, std::ostream& out) {
 
 void write_json(const Drawing& drawing, const JsonOptions& options, std::ostream& out,
                 const RunContext& context) {
-  // Nearer to the viewer than the centre a perspective drawing is larger: one decimal more.
-  const int decimals3 = std::min(
-      15, model_decimals(drawing.view.scale) + (drawing.view.projection == "perspective" ? 1 : 0));
+  const int decimals3 = model_decimals(drawing);
   Buffer text;
   append_head(text, drawing);
   write(text, out);

@@ -2,6 +2,7 @@
 
 #include <burin/drawing/bezier.h>
 #include <burin/drawing/ink.h>
+#include <burin/drawing/length.h>
 #include <burin/feature/source_faces.h>
 
 #include "haloes.h"
@@ -33,13 +34,6 @@ Path to_path(const Curve3& curve, const Camera& camera) {
   for (const Vec3& p : curve.points) path.points.push_back(camera.to_paper(p));
   path.width = curve.widths;
   return path;
-}
-
-double paper_length(const Path& path) {
-  double sum = 0;
-  for (std::size_t i = 1; i < path.points.size(); ++i)
-    sum += glm::length(path.points[i] - path.points[i - 1]);
-  return sum;
 }
 
 // Where a path goes on to the next face of the input; features that are edges have one face.
@@ -157,7 +151,7 @@ void compose_strokes(const LinesToDraw& lines, const std::vector<Gaps>& gaps,
       const bool whole = span.begin <= 0 && span.end >= count;
       const Curve3 visible = piece(curve, span);
       Path path = to_path(visible, how.camera);
-      if (!whole && paper_length(path) < kShortestRest * how.hatch_of(curve).length_min) continue;
+      if (!whole && length_of(path) < kShortestRest * how.hatch_of(curve).length_min) continue;
       keep(path, true, found);
       path.field = how.hatch_of(curve).field.name;
       cue_widths(how.cue, path);
@@ -196,7 +190,7 @@ void compose_features(const LinesToDraw& lines, const std::vector<Gaps>& gaps,
       if (path.points.size() < 2) continue;
       // What haloes leave of a line between them, shorter than they are, is a speck.
       const double least = (span.visible ? 1 : 2) * how.style.halo.gap;
-      if (!gaps[i].empty() && paper_length(path) < least) continue;
+      if (!gaps[i].empty() && length_of(path) < least) continue;
       keep(path, span.visible, found);
       path.visible = span.visible;
       path.in_full = !span.visible && how.style.halo.hidden;

@@ -103,5 +103,24 @@ TEST(Join, LinesThatBranchDifferOrStayOpenAreLeft) {
   EXPECT_EQ(count({&a, &b, &c, &branch}), 4u);
 }
 
+TEST(Clip, ADiscCutsAtItsCircle) {
+  const Disc disc{{5, 5}, 4};
+  EXPECT_TRUE(lies_in(line({{3, 5}, {7, 6}}), disc));
+  const std::vector<Path> through = clipped(line({{-10, 5}, {20, 5}}), disc);
+  ASSERT_EQ(through.size(), 1u);
+  EXPECT_LT(glm::distance(through[0].points.front(), Vec2(1, 5)), 1e-12);
+  EXPECT_LT(glm::distance(through[0].points.back(), Vec2(9, 5)), 1e-12);
+  EXPECT_LT(glm::distance(through[0].points3.back(), Vec3(18, 10, 1)), 1e-12);
+  EXPECT_TRUE(clipped(line({{0, 0}, {0, 10}, {10, 10}}), disc).empty());
+  EXPECT_TRUE(clipped(line({{5, 9.001}, {5, 20}}), disc).empty());
+  // A square about it whose corners alone are outside.
+  const std::vector<Path> corners =
+      clipped(line({{2, 2}, {8, 2}, {8, 8}, {2, 8}}, true), {{5, 5}, 3.5});
+  EXPECT_EQ(corners.size(), 4u);
+  for (const Path& piece : corners) {
+    for (const Vec2& p : piece.points) EXPECT_LE(glm::distance(p, Vec2(5, 5)), 3.5 + 1e-9);
+  }
+}
+
 }  // namespace
 }  // namespace burin

@@ -8,6 +8,7 @@
 #include <burin/converters/values.h>
 #include <burin/illustrate/illustrate.h>
 #include <burin/illustrate/session.h>
+#include <burin/illustrate/sheet.h>
 #include <burin/illustrate/style.h>
 #include <burin/options/request.h>
 
@@ -69,6 +70,20 @@ struct Explode {
   std::string place = {};
 };
 
+/// A place of a view that is drawn again at another scale, in a circle.
+struct DetailView {
+  /// Selectors of the parts that it shows; empty: it shows what is round `at`, model mm.
+  std::vector<std::string> select = {};
+  Vec3 at{0};
+  double radius = 0;
+  /// Paper mm a model mm; absent: the largest of ISO 5455 that the sheet has room for.
+  std::optional<double> scale = {};
+  /// Empty: the next of A, B, C ...
+  std::string letter = {};
+  /// What errors begin with: "FILE:LINE: ", or empty.
+  std::string place = {};
+};
+
 /// What a user asks of a drawing.
 struct DrawRequest {
   /// By the names of `all_options`; others are not looked at.
@@ -85,6 +100,8 @@ struct DrawRequest {
   std::vector<Section> sections = {};
   /// Before the option of that name.
   Explode explode = {};
+  /// Before those that options ask for.
+  std::vector<DetailView> details = {};
   /// What the drawing is called; empty: by its parts.
   std::string title = {};
   /// Numbers that items have already.
@@ -111,6 +128,10 @@ struct DrawPlan {
   /// Of all sections.
   std::vector<std::string> uncut = {};
   Explode explode = {};
+  /// Names of several views of one sheet; empty: `view`.
+  std::vector<std::string> views = {};
+  ProjectionMethod projection = ProjectionMethod::FirstAngle;
+  std::vector<DetailView> details = {};
   /// What is laid over the drawing, and the files that a parts list is written to; items are found
   /// where one of these is asked for, or `items`, which formats do that list them.
   bool callouts = false, parts_list = false, items = false;
@@ -152,12 +173,13 @@ std::vector<Explode::Step> explode_steps(Scene& scene, const DrawPlan& plan, Run
 /// All that a plan does to parts: `select_parts`, steps found, `cut_parts`, parts moved by the
 /// steps, with trails. Throws as they do.
 void arrange_parts(Scene& scene, DrawPlan& plan, RunContext& context);
-/// The camera that a plan asks for, of the parts that are drawn. Throws UsageError, GeometryError.
-Camera make_camera(const Scene& scene, const DrawPlan& plan);
+/// The views that a plan asks for of the parts that are drawn, and where they stand on the sheet.
+/// Diagnostics go to `scene`. Throws UsageError, GeometryError.
+SheetOfViews plan_sheet(Scene& scene, const DrawPlan& plan);
 /// Draws it, with a diagnostic "option.unused" for each choice of the plan that changes nothing of
 /// this drawing. Throws as `illustrate`. `session`: keeps what the next drawing may use again.
-Drawing draw(const Scene& scene, const Camera& camera, const DrawPlan& plan, RunContext& context,
-             Session* session = nullptr);
+Drawing draw(const Scene& scene, const SheetOfViews& sheet, const DrawPlan& plan,
+             RunContext& context, Session* session = nullptr);
 /// The style of a name or file, with no changes. Throws UsageError, InputError.
 Style load_style(const std::string& name);
 

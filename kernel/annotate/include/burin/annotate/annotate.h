@@ -8,6 +8,7 @@
 #include <burin/camera/sheet.h>
 #include <burin/drawing/drawing.h>
 
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -34,6 +35,18 @@ Margin annotation_margin(const Annotations& annotations, const CalloutOptions& s
 /// that are as large as they need be.
 bool annotations_fit(const Annotations& annotations, const CalloutOptions& style,
                      const Paper& paper, const Margin& border);
+
+/// What a parts list that the annotations have leaves of the sheet without its margin; all of that
+/// where they have none, or it has no room.
+Box2 beside_parts_list(const Annotations& annotations, const CalloutOptions& style,
+                       const Paper& paper);
+
+/// Where that list stands; nothing where there is none.
+std::optional<Box2> parts_list_box(const Annotations& annotations, const CalloutOptions& style,
+                                   const Paper& paper);
+
+/// Lays the parts list alone over a sheet, with the diagnostics of `annotate` about it.
+void lay_parts_list(Drawing& drawing, const Annotations& annotations, const CalloutOptions& style);
 
 /// Lays callouts (layer "callouts") and the parts list (layer "parts_list") over a drawing that
 /// stands in its sheet. `seen` says which part is seen where, `glass` the same of parts that can be

@@ -63,6 +63,10 @@ class Camera {
   /// The same picture on another sheet, where the bottom left corner of this one lies at `corner`.
   Camera on_sheet(const Paper& sheet, Vec2 corner) const;
 
+  /// The same picture `factor` times as large, where what this one shows at `from` lies at `to`:
+  /// the viewer stands where it stood.
+  Camera magnified(double factor, Vec2 from, Vec2 to) const;
+
   bool perspective() const { return eye_distance_ > 0; }
   const Paper& paper() const { return paper_; }
   Vec3 right() const { return right_; }

@@ -1,5 +1,5 @@
 #pragma once
-/// Paths cut at the sides of a rectangle.
+/// Paths cut at the sides of a rectangle, or at a circle.
 
 #include <burin/base/box.h>
 #include <burin/drawing/drawing.h>
@@ -8,6 +8,14 @@
 
 namespace burin {
 
+/// What a circle bounds, paper mm.
+struct Disc {
+  Vec2 center{0};
+  double radius = 0;
+
+  bool operator==(const Disc&) const = default;
+};
+
 /// Whether all points of a path lie in the rectangle (paper mm).
 bool lies_in(const Path& path, const Box2& window);
 
@@ -15,5 +23,9 @@ bool lies_in(const Path& path, const Box2& window);
 /// points and faces go with them. `view` says how model points lie to those of the paper (absent:
 /// straight in proportion, as in orthographic views). @cite LiangBarsky1984
 std::vector<Path> clipped(const Path& path, const Box2& window, const DrawingView* view = nullptr);
+
+/// The same of a disc.
+bool lies_in(const Path& path, const Disc& disc);
+std::vector<Path> clipped(const Path& path, const Disc& disc, const DrawingView* view = nullptr);
 
 }  // namespace burin

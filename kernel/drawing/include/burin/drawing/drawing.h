@@ -1,6 +1,7 @@
 #pragma once
 /// The result: plain 2-D data in millimetres of paper.
 
+#include <burin/base/box.h>
 #include <burin/base/curve.h>
 #include <burin/base/diagnostics.h>
 #include <burin/base/ids.h>
@@ -62,7 +63,7 @@ struct Text {
   TextAnchor anchor = TextAnchor::Start;
   /// UTF-8.
   std::string text;
-  /// What it is: "callout", "parts_list".
+  /// What it is: "callout", "parts_list", "detail", "step".
   std::string role = {};
   /// The number of the item that it is about; 0: none.
   int item = 0;
@@ -106,6 +107,15 @@ struct DrawingView {
   /// Perspective only: the viewer's place and the vertical field of view in degrees.
   Vec3 eye{0};
   double field_of_view = 0;
+};
+
+/// One of several views on a sheet.
+struct SheetView {
+  /// "front"; of a detail its letter.
+  std::string name;
+  DrawingView view;
+  /// Paper mm: all of its lines lie in it, and none of other views.
+  Box2 box;
 };
 
 struct DrawingPart {
@@ -174,6 +184,8 @@ struct Drawing {
   std::string title = {};
   std::string style;
   DrawingView view;
+  /// Only where the sheet has several; the first is `view`.
+  std::vector<SheetView> views = {};
   std::vector<DrawingPart> parts;
   /// By number; only where they were asked for, as are the areas.
   std::vector<DrawingItem> items = {};

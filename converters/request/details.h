@@ -1,0 +1,39 @@
+#pragma once
+// Places that are drawn again at another scale: what they show, and where; internal to the room.
+
+#include <burin/base/box.h>
+#include <burin/converters/request.h>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace burin::detail {
+
+struct PlannedDetail {
+  /// Model mm.
+  Vec3 at{0};
+  double radius = 0;
+  /// Paper mm a model mm.
+  double scale = 1;
+  std::string letter;
+  std::string place;
+  /// Parts that it is there for.
+  std::vector<std::size_t> parts;
+  /// Paper mm: the middle of what is drawn again.
+  Vec2 center{0};
+};
+
+/// What each detail shows in a view with these axes (rows), at which scale, under which letter.
+/// `shorter_side`: paper mm of the sheet without its margin. Throws UsageError.
+std::vector<PlannedDetail> plan_details(const Scene& scene, const std::vector<DetailView>& details,
+                                        const Mat3& axes, double shorter_side);
+
+/// Gives details their places along the right or the lower side of the frame, whichever leaves
+/// more; returns what is left. `taken`: a box in the lower right corner of the sheet's frame, such
+/// as a parts list, above which they may stand; `frame` is what it leaves. Throws UsageError where
+/// they have no room.
+Box2 place_details(std::vector<PlannedDetail>& details, double caption, const Box2& frame,
+                   const std::optional<Box2>& taken, const Box2& whole);
+
+}  // namespace burin::detail

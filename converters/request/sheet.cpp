@@ -1,0 +1,234 @@
+#include <burin/annotate/details.h>
+#include <burin/base/error.h>
+#include <burin/converters/request.h>
+
+#include "details.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace burin {
+namespace {
+
+/// A perspective view knows one margin.
+Margin margin_of(const Margin& m, const DrawPlan& plan) {
+  return plan.view.perspective ? Margin(std::max({m.top, m.right, m.bottom, m.left})) : m;
+}
+
+/// The margin with the room that callouts and the parts list need.
+SheetOptions sheet_with_room(const Camera::ExtentFn& extent, const DrawPlan& plan) {
+  SheetOptions sheet = plan.sheet;
+  if (!plan.illustrate.annotations) return sheet;
+  const Annotations& over = *plan.illustrate.annotations;
+  const CalloutOptions& style = plan.style.callout;
+  if (!sheet.fits) {
+    sheet.margin = annotation_margin(over, style, plan.view.paper);
+    return sheet;
+  }
+  // A sheet that fits grows until they have room; what has none then is told by the drawing.
+  constexpr int kMostSteps = 200;
+  constexpr double kStep = 5;  // paper mm
+  for (int step = 0; step < kMostSteps; ++step) {
+    const Paper paper = settle(extent, plan.view, sheet).paper;
+    if (annotations_fit(over, style, paper, sheet.margin)) break;
+    const Margin needed = annotation_margin(over, style, paper);
+    Margin& m = sheet.margin;
+    const Margin more(std::max(m.top, needed.top), std::max(m.right, needed.right),
+                      std::max(m.bottom, needed.bottom), std::max(m.left, needed.left));
+    const bool grows =
+        more.top > m.top || more.right > m.right || more.bottom > m.bottom || more.left > m.left;
+    m = grows ? more : Margin(m.top + kStep, m.right + kStep, m.bottom + kStep, m.left + kStep);
+    m = margin_of(m, plan);
+  }
+  return sheet;
+}
+
+/// The camera of a view that has the sheet for itself.
+Camera lone_camera(const Scene& scene, const DrawPlan& plan) {
+  const auto extent = [&](const Mat3& axes) {
+    return drawn_bounds(scene, plan.illustrate.part_styles, axes);
+  };
+  if (!plan.illustrate.annotations || !plan.view.perspective || plan.sheet.fits) {
+    return Camera::fit(extent, settle(extent, plan.view, sheet_with_room(extent, plan)));
+  }
+  // A perspective view knows one margin: it is fitted to what is left of the sheet.
+  ViewOptions view = settle(extent, plan.view, plan.sheet);
+  const Paper sheet = view.paper;
+  const Margin m = annotation_margin(*plan.illustrate.annotations, plan.style.callout, sheet);
+  view.paper = {sheet.width - m.left - m.right, sheet.height - m.bottom - m.top};
+  view.margin = 0;
+  return Camera::fit(extent, view).on_sheet(sheet, {m.left, m.bottom});
+}
+
+/// Paper mm between views, and between a view and the edge of what it may take.
+constexpr double kBetweenViews = 12;
+
+Box2 whole_frame(const DrawPlan& plan) {
+  const Margin& m = plan.sheet.margin;
+  const Paper& paper = plan.view.paper;
+  return {{m.left, m.bottom}, {paper.width - m.right, paper.height - m.top}};
+}
+
+/// Paper mm on each side that callouts about a drawing of that size need.
+Vec2 callout_room_of(const DrawPlan& plan, Vec2 size) {
+  if (!plan.illustrate.annotations || !plan.illustrate.annotations->callouts) return Vec2(0);
+  Annotations callouts = *plan.illustrate.annotations;
+  callouts.parts_list = false;
+  callouts.margin = Margin(0);
+  const Margin m = annotation_margin(callouts, plan.style.callout, {size.x, size.y});
+  return {std::max(m.left, m.right), std::max(m.top, m.bottom)};
+}
+
+Mat3 axes_of(const Camera& camera) {
+  return glm::transpose(Mat3(camera.right(), camera.up(), camera.direction()));
+}
+
+/// Places views of a plan one after the other.
+class SheetPlanner {
+ public:
+  SheetPlanner(Scene& scene, const DrawPlan& plan)
+      : scene_(scene), plan_(plan), frame_(whole_frame(plan)) {
+    if (plan.sheet.fits) {
+      throw UsageError("several views and details stand on a sheet of a size: give `paper` one");
+    }
+    if (plan.illustrate.annotations) {
+      const Annotations& over = *plan.illustrate.annotations;
+      frame_ = beside_parts_list(over, plan.style.callout, plan.view.paper);
+      list_ = parts_list_box(over, plan.style.callout, plan.view.paper);
+    }
+  }
+
+  SheetOfViews run() {
+    const Vec2 free = frame_.size();
+    details_ = detail::plan_details(scene_, plan_.details, axes_of(first_camera()),
+                                    std::min(free.x, free.y));
+    frame_ = detail::place_details(details_, detail_caption(plan_.style.callout), frame_, list_,
+                                   whole_frame(plan_));
+    if (plan_.views.empty()) {
+      place_one();
+    } else {
+      place_grid();
+    }
+    for (const detail::PlannedDetail& detail : details_) add_detail(detail);
+    return std::move(sheet_);
+  }
+
+ private:
+  Camera::ExtentFn extent() const {
+    return [this](const Mat3& axes) {
+      return drawn_bounds(scene_, plan_.illustrate.part_styles, axes);
+    };
+  }
+
+  ViewOptions options_of(const std::string& name) const {
+    ViewOptions view = plan_.view;
+    const NamedView named = view_in_grid(name);
+    view.direction = named.direction;
+    view.up = named.up;
+    return view;
+  }
+
+  /// As the first view looks; its place and scale are settled later.
+  Camera first_camera() const {
+    ViewOptions view = plan_.views.empty() ? plan_.view : options_of(plan_.views.front());
+    view.perspective.reset();
+    view.margin = 0;
+    return Camera::fit(extent(), view);
+  }
+
+  /// A camera whose picture stands in the middle of a box.
+  Camera in_box(ViewOptions view, const Box2& box) const {
+    const Paper sheet = view.paper;
+    view.paper = {box.size().x, box.size().y};
+    view.margin = 0;
+    return Camera::fit(extent(), view).on_sheet(sheet, box.min);
+  }
+
+  void place_one() {
+    const Vec2 room = callout_room_of(plan_, frame_.size());
+    const Box2 inner{frame_.min + room, frame_.max - room};
+    sheet_.views.push_back({"", in_box(plan_.view, inner), frame_, {}, {}, true});
+  }
+
+  void place_grid() {
+    if (plan_.view.perspective) {
+      throw UsageError("several views are orthographic: leave `perspective` out");
+    }
+    // The symbol of the method stands under the views at the left.
+    const Vec2 symbol = projection_symbol_size();
+    sheet_.method = plan_.projection;
+    sheet_.symbol_at = frame_.min;
+    Box2 frame = frame_;
+    frame.min.y += symbol.y + 0.5 * kBetweenViews;
+    std::vector<GridView> views;
+    const std::size_t numbered = view_with_callouts();
+    for (const std::string& name : plan_.views) {
+      const Camera camera = in_box(options_of(name), frame);
+      const Vec3 size = extent()(axes_of(camera)).size();
+      GridView view{name, {size.x, size.y}, Vec2(0)};
+      if (views.size() == numbered) view.room = callout_room_of(plan_, 0.5 * frame.size());
+      views.push_back(std::move(view));
+    }
+    const ViewGrid grid =
+        arrange_views(views, plan_.projection, frame, kBetweenViews, plan_.view.scale);
+    for (std::size_t i = 0; i < views.size(); ++i) {
+      ViewOptions view = options_of(views[i].name);
+      view.scale = grid.scale;
+      sheet_.views.push_back(
+          {views[i].name, in_box(view, grid.boxes[i]), grid.boxes[i], {}, {}, i == numbered});
+    }
+  }
+
+  /// The first pictorial one, which shows most of an assembly; else the first.
+  std::size_t view_with_callouts() const {
+    for (std::size_t i = 0; i < plan_.views.size(); ++i) {
+      const Vec3 d = glm::abs(options_of(plan_.views[i]).direction);
+      if ((d.x > 0) + (d.y > 0) + (d.z > 0) > 1) return i;
+    }
+    return 0;
+  }
+
+  void add_detail(const detail::PlannedDetail& detail) {
+    const Camera& main = sheet_.views.front().camera;
+    const Vec2 from = main.to_paper(detail.at);
+    const double scale = main.scale_at(detail.at);
+    const Camera camera = main.magnified(detail.scale / scale, from, detail.center);
+    const Disc shown{detail.center, detail.radius * detail.scale};
+    if (detail.scale <= scale) {
+      scene_.diagnostics.add(
+          Severity::Warning, "detail.no_larger", 1,
+          fmt::format("{}detail {} is drawn {}, no larger than the view, {}", detail.place,
+                      detail.letter, scale_text(detail.scale), scale_text(scale)));
+    }
+    sheet_.details.push_back({{from, detail.radius * scale}, shown, detail.letter, detail.scale});
+    sheet_.views.push_back({detail.letter,
+                            camera,
+                            {shown.center - shown.radius, shown.center + shown.radius},
+                            shown,
+                            detail.parts});
+  }
+
+  Scene& scene_;
+  const DrawPlan& plan_;
+  Box2 frame_;
+  std::optional<Box2> list_;
+  std::vector<detail::PlannedDetail> details_;
+  SheetOfViews sheet_;
+};
+
+}  // namespace
+
+SheetOfViews plan_sheet(Scene& scene, const DrawPlan& plan) {
+  if (!plan.views.empty() || !plan.details.empty()) return SheetPlanner(scene, plan).run();
+  SheetOfViews sheet;
+  const Camera camera = lone_camera(scene, plan);
+  sheet.views.push_back({"", camera, {Vec2(0), {camera.paper().width, camera.paper().height}}});
+  return sheet;
+}
+
+}  // namespace burin

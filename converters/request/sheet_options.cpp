@@ -1,0 +1,178 @@
+#include <burin/base/ascii.h>
+#include <burin/base/error.h>
+#include <burin/camera/standards.h>
+#include <burin/converters/values.h>
+
+#include "detail_option.h"
+#include "draw_options.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace burin::detail {
+namespace {
+
+constexpr const char* kSheet = "The sheet and the view";
+
+void set_paper(Draft& draft, const Asked& asked) {
+  draft.plan.sheet.fits = equal_but_for_case(asked.text(), "fit");
+  if (!draft.plan.sheet.fits) draft.plan.view.paper = Paper::named(asked.text());
+}
+
+void set_margin(Draft& draft, const Asked& asked) {
+  SheetOptions& sheet = draft.plan.sheet;
+  const Paper& paper = draft.plan.view.paper;
+  const Vec2 room = sheet.fits ? Vec2(kLargestSheet) : Vec2(paper.width, paper.height);
+  sheet.margin = margin_option(asked.spelled, asked.text(), room).value_or(sheet.margin);
+}
+
+std::vector<std::string> view_names() {
+  std::vector<std::string> names;
+  for (const StandardView& view : standard_views()) names.emplace_back(view.name);
+  return names;
+}
+
+std::vector<std::string> paper_names() {
+  std::vector<std::string> names;
+  for (const StandardPaper& paper : standard_papers()) names.emplace_back(paper.name);
+  names.emplace_back("fit");
+  return names;
+}
+
+/// Names of views, parted by commas; by semicolons where directions are among them.
+void set_views(Draft& draft, const Asked& asked) {
+  const std::string& text = asked.text();
+  const char between = text.find(';') == std::string::npos ? ',' : ';';
+  std::vector<std::string>& views = draft.plan.views;
+  views.clear();
+  for (std::size_t at = 0; at <= text.size();) {
+    const std::size_t end = std::min(text.find(between, at), text.size());
+    std::string name = lowered(text.substr(at, end - at));
+    name.erase(0, name.find_first_not_of(' '));
+    name.erase(name.find_last_not_of(' ') + 1);
+    named_view(name);  // throws
+    if (std::ranges::find(views, name) != views.end()) {
+      refuse_value(asked.spelled, "each view once", text);
+    }
+    views.push_back(std::move(name));
+    at = end + 1;
+  }
+  constexpr std::size_t kMostViews = 24;
+  if (views.size() > kMostViews) refuse_value(asked.spelled, "24 views at the most", text);
+}
+
+void set_details(Draft& draft, const Asked& asked) {
+  for (const std::string& text : asked.texts) {
+    draft.plan.details.push_back(detail_option(asked.spelled, text));
+  }
+}
+
+}  // namespace
+
+std::vector<RequestRow<Draft>> view_rows() {
+  return {
+      {{.option = {.name = "view",
+                   .meaning = fmt::format("{}, or the direction from the model to the viewer "
+                                          "(default iso)",
+                                          fmt::join(view_names(), " ")),
+                   .takes = FreeText{}},
+        .group = kSheet,
+        .label = "NAME|X,Y,Z",
+        .fallback = "iso",
+        .choices = view_names(),
+        .python = "str | Sequence[float]"},
+       [](Draft& d, const Asked& a) {
+         const NamedView named = named_view(a.text());
+         d.plan.view.direction = named.direction;
+         d.plan.view.up = named.up;
+       }},
+      {{.option = {.name = "up",
+                   .meaning = "up on the sheet (default 0,0,1; for top and bottom 0,1,0)",
+                   .takes = Direction{},
+                   .phrase = kDirectionPhrase},
+        .group = kSheet,
+        .label = "X,Y,Z"},
+       [](Draft& d, const Asked& a) { d.plan.view.up = std::get<Vec3>(a.value); }},
+      {{.option = {.name = "perspective",
+                   .meaning = "vertical field of view in degrees (default: orthographic)",
+                   .takes = NumberRange{1, 120, "degrees"},
+                   .phrase = "1 to 120 degrees"},
+        .group = kSheet,
+        .label = "DEG"},
+       [](Draft& d, const Asked& a) { d.plan.view.perspective = std::get<double>(a.value); }},
+      {{.option = {.name = "views",
+                   .meaning = "several views on one sheet at one scale, say front,top,left,iso: "
+                              "front, top ... about the front view, others in the corner",
+                   .takes = FreeText{}},
+        .group = kSheet,
+        .label = "NAME,NAME...",
+        .python = "str | Sequence[str]"},
+       set_views},
+      {{.option = {.name = "projection",
+                   .meaning = "where the view from the left stands: first angle, to the right of "
+                              "the front view, or third angle, to its left (default first)",
+                   .takes = WordList{{"first", "third"}}},
+        .group = kSheet,
+        .label = "first|third",
+        .fallback = "first"},
+       [](Draft& d, const Asked& a) {
+         d.plan.projection = std::get<std::uint64_t>(a.value) == 0 ? ProjectionMethod::FirstAngle
+                                                                   : ProjectionMethod::ThirdAngle;
+       }},
+      {{.option = {.name = "detail",
+                   .meaning = "draw a place again beside the view, larger, in a circle: parts by "
+                              "name, or a point and a radius in model mm; at a scale, or as large "
+                              "as the sheet has room; repeatable",
+                   .takes = FreeText{}},
+        .group = kSheet,
+        .label = "NAME|X,Y,Z,R[=A:B]",
+        .many = true,
+        .python = "str | Sequence[str]"},
+       set_details},
+  };
+}
+
+std::vector<RequestRow<Draft>> sheet_rows() {
+  return {
+      {{.option = {.name = "paper",
+                   .meaning = "A0..A6, B0..B6, letter, legal, tabloid (A4p is portrait), mm, say "
+                              "200x150, or fit: the drawing and its margin, at --scale or 1 "
+                              "(default A4)",
+                   .takes = FreeText{}},
+        .group = kSheet,
+        .label = "NAME|WxH",
+        .fallback = "A4",
+        .choices = paper_names(),
+        .python = "str | Sequence[float]"},
+       set_paper},
+      {{.option = {.name = "scale",
+                   .meaning = "paper mm for a model mm, also as 1:2 (default: fit to the sheet)",
+                   .takes = FreeText{}},
+        .group = kSheet,
+        .label = "S|A:B",
+        .python = "float | str"},
+       [](Draft& d, const Asked& a) {
+         d.plan.view.scale = scale_option(a.spelled, a.text(), 1 / kLarge, kLarge);
+       }},
+      {{.option = {.name = "center",
+                   .meaning = "the model point in the middle of the sheet (default: the middle of "
+                              "the drawing)",
+                   .takes = FreeText{}},
+        .group = kSheet,
+        .label = "X,Y,Z",
+        .python = "Sequence[float]"},
+       [](Draft& d, const Asked& a) { d.plan.view.center = point_option(a.spelled, a.text()); }},
+      {{.option = {.name = "margin",
+                   .meaning = "empty border of a fitted sheet; one number, or top, right, bottom, "
+                              "left (default 10)",
+                   .takes = FreeText{}},
+        .group = kSheet,
+        .label = "MM|T,R,B,L",
+        .fallback = "10",
+        .python = "float | Sequence[float]"},
+       set_margin},
+  };
+}
+
+}  // namespace burin::detail

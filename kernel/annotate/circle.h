@@ -1,0 +1,29 @@
+#pragma once
+// Circles of what is laid over a drawing; internal to the room.
+
+#include <burin/drawing/drawing.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace burin::detail {
+
+/// Of kind Frame, within 0.01 mm of paper.
+inline Path circle(Vec2 center, double radius, double width) {
+  constexpr int kLeast = 48, kMost = 720;
+  constexpr double kError = 0.01;
+  const double corners = std::numbers::pi * std::sqrt(std::max(radius, 0.0) / (2 * kError));
+  const int n = std::clamp(static_cast<int>(std::ceil(corners)), kLeast, kMost);
+  Path path;
+  path.kind = LineClass::Frame;
+  path.closed = true;
+  path.width = {width};
+  for (int i = 0; i < n; ++i) {
+    const double a = 2 * std::numbers::pi * i / n;
+    path.points.push_back(center + radius * Vec2(std::cos(a), std::sin(a)));
+  }
+  return path;
+}
+
+}  // namespace burin::detail

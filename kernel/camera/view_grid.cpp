@@ -1,0 +1,153 @@
+#include <burin/base/error.h>
+#include <burin/camera/view_grid.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <string_view>
+#include <utility>
+
+namespace burin {
+namespace {
+
+struct Cell {
+  int column = 0, row = 0;  // row: upwards
+};
+
+/// Beside the front view in third angle; in first angle all but the back view change sides.
+constexpr std::array<std::pair<std::string_view, Cell>, 6> kPrincipal{{
+    {"front", {0, 0}},
+    {"back", {2, 0}},
+    {"left", {-1, 0}},
+    {"right", {1, 0}},
+    {"top", {0, 1}},
+    {"bottom", {0, -1}},
+}};
+constexpr int kPictorialInRow = 3;
+
+std::vector<Cell> cells_of(std::span<const GridView> views, ProjectionMethod method) {
+  const int side = method == ProjectionMethod::ThirdAngle ? 1 : -1;
+  int pictorial = 0;
+  std::vector<Cell> cells;
+  for (const GridView& view : views) {
+    const auto known =
+        std::ranges::find(kPrincipal, view.name, &decltype(kPrincipal)::value_type::first);
+    if (known == kPrincipal.end()) {
+      cells.push_back({1 + pictorial % kPictorialInRow, side * (1 + pictorial / kPictorialInRow)});
+      ++pictorial;
+    } else if (view.name == "back") {
+      cells.push_back(known->second);
+    } else {
+      cells.push_back({side * known->second.column, side * known->second.row});
+    }
+  }
+  return cells;
+}
+
+/// The columns, or the rows, that have a view.
+class Lanes {
+ public:
+  Lanes(std::span<const GridView> views, std::span<const Cell> cells, int Cell::*lane, int axis,
+        double gap)
+      : gap_(gap) {
+    for (std::size_t i = 0; i < views.size(); ++i) {
+      lanes_[cells[i].*lane].push_back({views[i].size[axis], 2 * views[i].room[axis]});
+    }
+  }
+
+  double width(double scale) const {
+    double sum = gap_ * static_cast<double>(lanes_.size() - 1);
+    for (const auto& [lane, views] : lanes_) sum += width_of(views, scale);
+    return sum;
+  }
+
+  /// From where to where each lane goes.
+  std::map<int, std::pair<double, double>> places(double scale, double begin) const {
+    std::map<int, std::pair<double, double>> places;
+    for (const auto& [lane, views] : lanes_) {
+      const double end = begin + width_of(views, scale);
+      places[lane] = {begin, end};
+      begin = end + gap_;
+    }
+    return places;
+  }
+
+ private:
+  /// Model mm, and paper mm beside.
+  using Extents = std::vector<std::pair<double, double>>;
+
+  static double width_of(const Extents& views, double scale) {
+    double width = 0;
+    for (const auto& [size, room] : views) width = std::max(width, size * scale + room);
+    return width;
+  }
+
+  std::map<int, Extents> lanes_;
+  double gap_;
+};
+
+/// The largest scale at which the lanes are no wider than that: their width grows with it.
+double largest_scale(const Lanes& lanes, double most) {
+  if (!(lanes.width(0) < most)) {
+    throw UsageError(
+        "the sheet has no room for so many views: name fewer, or give a larger `paper`");
+  }
+  double low = 0, high = 1;
+  constexpr double kHuge = 1e12;
+  while (lanes.width(high) <= most && high < kHuge) low = high, high *= 2;
+  constexpr int kHalvings = 100;
+  for (int i = 0; i < kHalvings; ++i) {
+    const double middle = 0.5 * (low + high);
+    (lanes.width(middle) <= most ? low : high) = middle;
+  }
+  return low;
+}
+
+}  // namespace
+
+ViewGrid arrange_views(std::span<const GridView> views, ProjectionMethod method, const Box2& frame,
+                       double gap, std::optional<double> scale) {
+  const std::vector<Cell> cells = cells_of(views, method);
+  const Lanes columns(views, cells, &Cell::column, 0, gap), rows(views, cells, &Cell::row, 1, gap);
+  if (std::ranges::all_of(views, [](const GridView& v) { return v.size == Vec2(0); })) {
+    throw GeometryError("nothing to draw: the model has no extent");
+  }
+  ViewGrid grid;
+  grid.scale =
+      scale ? *scale
+            : std::min(largest_scale(columns, frame.size().x), largest_scale(rows, frame.size().y));
+  const Vec2 size(columns.width(grid.scale), rows.width(grid.scale));
+  grid.box = {frame.center() - 0.5 * size, frame.center() + 0.5 * size};
+  const auto x = columns.places(grid.scale, grid.box.min.x);
+  const auto y = rows.places(grid.scale, grid.box.min.y);
+  for (const Cell& cell : cells) {
+    const auto [left, right] = x.at(cell.column);
+    const auto [bottom, top] = y.at(cell.row);
+    grid.boxes.push_back({{left, bottom}, {right, top}});
+  }
+  return grid;
+}
+
+NamedView view_in_grid(std::string_view name) {
+  NamedView view = named_view(name);
+  if (name == "bottom") view.up = -view.up;
+  return view;
+}
+
+double standard_scale(double most) {
+  const double power = std::pow(10.0, std::floor(std::log10(most)));
+  constexpr double kRounding = 1 + 1e-9;
+  for (const double step : {10.0, 5.0, 2.0}) {
+    if (step * power <= most * kRounding) return step * power;
+  }
+  return power;
+}
+
+std::string scale_text(double scale) {
+  return scale >= 1 ? fmt::format("{:.3g}:1", scale) : fmt::format("1:{:.3g}", 1 / scale);
+}
+
+}  // namespace burin

@@ -1,0 +1,50 @@
+#pragma once
+/// Several views of a scene on one sheet, and details of them at another scale.
+
+#include <burin/annotate/details.h>
+#include <burin/illustrate/illustrate.h>
+#include <burin/illustrate/session.h>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace burin {
+
+/// A view that stands on a sheet beside others.
+struct PlacedView {
+  std::string name;
+  /// Its paper is the sheet.
+  Camera camera;
+  /// Paper mm: the part of the sheet that is its own.
+  Box2 box;
+  /// Lines outside are left out: a detail.
+  std::optional<Disc> within = {};
+  /// Parts that a detail is there for: that none of them is seen is told.
+  std::vector<std::size_t> shows = {};
+  /// Whether callouts stand about it, in its box.
+  bool callouts = false;
+};
+
+struct SheetOfViews {
+  /// The first is that of programs that know of one.
+  std::vector<PlacedView> views;
+  /// Circles and letters of those of them that are details.
+  std::vector<DetailMark> details = {};
+  /// The symbol of the method, with its bottom left corner there.
+  std::optional<ProjectionMethod> method = {};
+  Vec2 symbol_at{0};
+
+  /// One view that has the sheet for itself.
+  bool plain() const { return views.size() == 1 && details.empty() && !method; }
+  const Camera& camera() const { return views.front().camera; }
+};
+
+/// Draws each view as `illustrate` does and puts them together; what several of them would tell is
+/// told once. A view that is alone is drawn as `illustrate` draws it. `session`, if any, is used
+/// from view to view and kept for the next sheet. Throws as `illustrate`.
+Drawing illustrate(const Scene& scene, const SheetOfViews& sheet, const Style& style,
+                   const IllustrateOptions& options, RunContext& context,
+                   Session* session = nullptr);
+
+}  // namespace burin

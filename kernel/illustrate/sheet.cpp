@@ -1,0 +1,115 @@
+#include <burin/drawing/views.h>
+#include <burin/illustrate/sheet.h>
+
+#include <algorithm>
+#include <iterator>
+#include <utility>
+
+namespace burin {
+namespace {
+
+/// The room of a box on a sheet as a margin has it.
+Margin margin_about(const Box2& box, const Paper& paper) {
+  return {paper.height - box.max.y, paper.width - box.max.x, box.min.y, box.min.x};
+}
+
+/// What of the options holds for one view of several.
+IllustrateOptions options_of(const PlacedView& view, const IllustrateOptions& all) {
+  IllustrateOptions options = all;
+  if (!options.annotations) return options;
+  if (view.within) {
+    options.annotations.reset();
+    return options;
+  }
+  options.annotations->callouts = all.annotations->callouts && view.callouts;
+  options.annotations->parts_list = false;  // one a sheet
+  options.annotations->margin = margin_about(view.box, view.camera.paper());
+  return options;
+}
+
+/// Leaves out what a detail does not show.
+void keep_within(const Disc& disc, Drawing& drawing) {
+  drawing.stats.strokes = 0;
+  for (Layer& layer : drawing.layers) {
+    std::vector<Path> kept;
+    for (Path& path : layer.paths) {
+      if (lies_in(path, disc)) {
+        kept.push_back(std::move(path));
+        continue;
+      }
+      std::vector<Path> pieces = clipped(path, disc, &drawing.view);
+      std::move(pieces.begin(), pieces.end(), std::back_inserter(kept));
+    }
+    layer.paths = std::move(kept);
+    drawing.stats.strokes += std::ranges::count(layer.paths, LineClass::Stroke, &Path::kind);
+  }
+  std::erase_if(drawing.layers, [](const Layer& layer) { return layer.paths.empty(); });
+}
+
+void tell_not_shown(const PlacedView& view, Drawing& drawing) {
+  if (view.shows.empty()) return;
+  for (const Layer& layer : drawing.layers) {
+    for (const Path& path : layer.paths) {
+      const auto part = static_cast<std::size_t>(path.source.part);
+      if (path.visible && std::ranges::find(view.shows, part) != view.shows.end()) return;
+    }
+  }
+  drawing.diagnostics.add(
+      Severity::Warning, "detail.not_shown", 1,
+      "detail " + view.name + " shows no line of its parts: they are hidden in this view");
+}
+
+Drawing draw_view(const Scene& scene, const PlacedView& view, const Style& style,
+                  const IllustrateOptions& all, RunContext& context, Session& session) {
+  const IllustrateOptions options = options_of(view, all);
+  if (!view.within) return session.draw(scene, view.camera, style, options, context);
+  Style whole = style;
+  whole.sheet.clip = false;  // the circle cuts it
+  Drawing drawing = session.draw(scene, view.camera, whole, options, context);
+  keep_within(*view.within, drawing);
+  tell_not_shown(view, drawing);
+  return drawing;
+}
+
+SheetView described(const PlacedView& view, const Drawing& drawing) {
+  Box2 box = view.box;
+  if (view.within) {
+    const auto& [center, radius] = *view.within;
+    box = {center - radius, center + radius};
+  }
+  return {view.name, drawing.view, box};
+}
+
+}  // namespace
+
+Drawing illustrate(const Scene& scene, const SheetOfViews& sheet, const Style& style,
+                   const IllustrateOptions& options, RunContext& context, Session* session) {
+  if (sheet.plain()) {
+    return session ? session->draw(scene, sheet.camera(), style, options, context)
+                   : illustrate(scene, sheet.camera(), style, options, context);
+  }
+  Session own;
+  Session& kept = session ? *session : own;
+  std::optional<Drawing> all;
+  std::vector<SheetView> views;
+  for (const PlacedView& view : sheet.views) {
+    Drawing one = draw_view(scene, view, style, options, context, kept);
+    views.push_back(described(view, one));
+    if (all) {
+      append_view(*all, std::move(one));
+    } else {
+      all = std::move(one);
+    }
+  }
+  all->views = std::move(views);
+  if (!sheet.details.empty()) lay_details(*all, sheet.details, style.callout);
+  if (sheet.method) {
+    all->layers.push_back(projection_symbol(*sheet.method, sheet.symbol_at, style.callout));
+  }
+  if (options.annotations && options.annotations->parts_list) {
+    lay_parts_list(*all, *options.annotations, style.callout);
+  }
+  return *std::move(all);
+}
+
+}  // namespace burin

@@ -1,0 +1,212 @@
+// Several views on one sheet and details at another scale, from the command line and from
+// illustration files.
+#include "models.h"
+
+#include <nlohmann/json.hpp>
+
+#include <cmath>
+#include <map>
+#include <set>
+
+namespace burin {
+namespace {
+
+using Json = nlohmann::json;
+
+Vec2 vec2(const Json& p) { return {p[0].get<double>(), p[1].get<double>()}; }
+Vec3 vec3(const Json& p) { return {p[0].get<double>(), p[1].get<double>(), p[2].get<double>()}; }
+
+class SheetViews : public test::CliTest {
+ protected:
+  Json drawing() { return Json::parse(test::slurp(folder_ / "a.json")); }
+
+  struct View {
+    std::string name;
+    Box2 box;
+    Json numbers;
+
+    Vec2 project(Vec3 p) const {
+      const Vec3 q = p - vec3(numbers.at("center"));
+      return numbers.at("scale").get<double>() *
+                 Vec2(glm::dot(q, vec3(numbers.at("right"))), glm::dot(q, vec3(numbers.at("up")))) +
+             vec2(numbers.at("offset"));
+    }
+  };
+
+  static std::vector<View> views_of(const Json& drawing) {
+    std::vector<View> views;
+    for (const Json& view : drawing.at("views")) {
+      views.push_back(
+          {view.at("name"), {vec2(view.at("box")[0]), vec2(view.at("box")[1])}, view.at("view")});
+    }
+    return views;
+  }
+
+  /// How many points of lines each view has; each point is where the numbers of its view say.
+  static std::map<std::string, int> points_of(const Json& drawing) {
+    std::map<std::string, int> count;
+    for (const Json& layer : drawing.at("layers")) {
+      for (const Json& path : layer.at("paths")) {
+        if (path.at("kind") == "frame" || path.at("kind") == "leader") continue;
+        for (std::size_t i = 0; i < path.at("points").size(); ++i) {
+          const Vec2 p = vec2(path.at("points")[i]);
+          int found = 0;
+          for (const View& view : views_of(drawing)) {
+            const Box2 wide{view.box.min - 0.02, view.box.max + 0.02};
+            if (!wide.contains(p)) continue;
+            ++found;
+            ++count[view.name];
+            EXPECT_LT(glm::distance(view.project(vec3(path.at("points3")[i])), p), 1e-3)
+                << view.name;
+          }
+          EXPECT_EQ(found, 1) << p.x << ", " << p.y;
+        }
+      }
+    }
+    return count;
+  }
+
+  static const Json* layer(const Json& drawing, const std::string& name) {
+    for (const Json& l : drawing.at("layers")) {
+      if (l.at("name") == name) return &l;
+    }
+    return nullptr;
+  }
+};
+
+TEST_F(SheetViews, StandAboutTheFrontViewAtOneScale) {
+  ASSERT_EQ(run("draw @/box.off --views front,top,left,iso --style outline --verify -o @/a.json"),
+            0)
+      << err_;
+  const Json first = drawing();
+  const std::vector<View> views = views_of(first);
+  ASSERT_EQ(views.size(), 4U);
+  EXPECT_EQ(first.at("view"), first.at("views")[0].at("view"));
+  EXPECT_EQ(first.at("stats").at("verify").at("count"), 0);
+  std::set<double> scales;
+  for (const View& view : views) scales.insert(view.numbers.at("scale").get<double>());
+  EXPECT_EQ(scales.size(), 1U);
+  const auto count = points_of(first);
+  EXPECT_EQ(count.size(), 4U);
+  // A corner of the box has one x in front and top, one y in front and left.
+  const Vec3 corner(40, 30, 20);
+  EXPECT_NEAR(views[0].project(corner).x, views[1].project(corner).x, 1e-9);
+  EXPECT_NEAR(views[0].project(corner).y, views[2].project(corner).y, 1e-9);
+  EXPECT_LT(views[1].project(corner).y, views[0].project(corner).y);
+  EXPECT_GT(views[2].project(corner).x, views[0].project(corner).x);
+  ASSERT_NE(layer(first, "projection"), nullptr);
+
+  ASSERT_EQ(run("draw @/box.off --views front,top,right --projection third --style outline "
+                "-o @/a.json"),
+            0)
+      << err_;
+  const std::vector<View> third = views_of(drawing());
+  EXPECT_GT(third[1].project(corner).y, third[0].project(corner).y);
+  EXPECT_GT(third[2].project(corner).x, third[0].project(corner).x);
+}
+
+TEST_F(SheetViews, OneAloneStandsInTheMiddle) {
+  ASSERT_EQ(run("draw @/box.off --views iso --style outline -o @/a.json"), 0) << err_;
+  const Json one = drawing();
+  EXPECT_EQ(views_of(one).size(), 1U);
+}
+
+TEST_F(SheetViews, ADetailIsTheSamePlaceAtItsScale) {
+  for (const std::string more : {"", " --perspective 30"}) {
+    ASSERT_EQ(run("draw @/box.off --detail 40,0,20,4=20:1 --paper A3 --style outline --verify "
+                  "-o @/a.json" +
+                  more),
+              0)
+        << err_;
+    const Json drawn = drawing();
+    const std::vector<View> views = views_of(drawn);
+    ASSERT_EQ(views.size(), 2U);
+    EXPECT_EQ(views[1].name, "A");
+    EXPECT_NEAR(views[1].box.size().x, 2 * 4 * 20, 1e-6);
+    EXPECT_EQ(drawn.at("stats").at("verify").at("count"), 0);
+    if (!more.empty()) continue;
+    EXPECT_NEAR(views[1].numbers.at("scale").get<double>(), 20, 1e-9);
+    const Vec2 middle = views[1].box.center();
+    EXPECT_LT(glm::distance(views[1].project({40, 0, 20}), middle), 1e-6);
+    const auto count = points_of(drawn);
+    EXPECT_GE(count.at("A"), 6);  // three edges meet there
+    const Json* marks = layer(drawn, "details");
+    ASSERT_NE(marks, nullptr);
+    EXPECT_EQ(marks->at("paths").size(), 2U);
+    std::set<std::string> texts;
+    for (const Json& text : marks->at("texts")) texts.insert(text.at("text").get<std::string>());
+    EXPECT_EQ(texts, (std::set<std::string>{"A", "A (20:1)"}));
+    for (const Json& p : marks->at("paths")[0].at("points")) {
+      EXPECT_NEAR(glm::distance(vec2(p), views[0].project({40, 0, 20})),
+                  4 * views[0].numbers.at("scale").get<double>(), 1e-3);
+    }
+  }
+}
+
+TEST_F(SheetViews, AnIllustrationHasThemAll) {
+  folder_.write("a.burin.json", R"json({"burin": "illustration", "style": "outline",
+    "parts": [{"file": "box.off", "name": "plate"},
+              {"function": "sphere(4)", "name": "ball", "place": {"translate": [20, 15, 24]}},
+              {"function": "sphere(3)", "name": "core", "place": {"translate": [20, 15, 10]}}],
+    "views": ["front", "top", "iso"], "projection": "third", "callouts": true,
+    "paper": {"size": "A3"}, "parts_list": "sheet",
+    "details": [{"select": "ball", "letter": "X"}, "40,0,20,5=5:1", {"select": "core"}]})json");
+  ASSERT_EQ(run("draw @/a.burin.json -o @/a.json -o @/a.svg -o @/a.html"), 0) << err_;
+  EXPECT_NE(err_.find("detail B shows no line of its parts"), std::string::npos) << err_;
+  const Json drawn = drawing();
+  const std::vector<View> views = views_of(drawn);
+  ASSERT_EQ(views.size(), 6U);
+  EXPECT_EQ(views[3].name, "X");
+  EXPECT_EQ(views[4].name, "A");
+  const auto count = points_of(drawn);
+  EXPECT_GT(count.at("X"), 0);
+  // Numbers stand about the pictorial view, on the sheet, and once.
+  const Json* callouts = layer(drawn, "callouts");
+  ASSERT_NE(callouts, nullptr);
+  EXPECT_EQ(callouts->at("texts").size(), 2U);
+  for (const Json& text : callouts->at("texts")) {
+    EXPECT_TRUE(views[2].box.contains(vec2(text.at("at"))));
+  }
+  ASSERT_NE(layer(drawn, "parts_list"), nullptr);
+}
+
+TEST_F(SheetViews, WrittenAsAskedFor) {
+  ASSERT_EQ(run("illustrate @/box.off --views front,iso --projection third --detail box=2:1 "
+                "-o @/b.burin.json"),
+            0)
+      << err_;
+  const Json file = Json::parse(test::slurp(folder_ / "b.burin.json"));
+  EXPECT_EQ(file.at("views"), "front,iso");
+  EXPECT_EQ(file.at("projection"), "third");
+  EXPECT_EQ(file.at("details")[0], "box=2:1");
+  ASSERT_EQ(run("draw @/b.burin.json --paper A2 --style outline -o @/a.json"), 0) << err_;
+  EXPECT_EQ(views_of(drawing()).size(), 3U);
+}
+
+TEST_F(SheetViews, SayWhatTheyCannotDo) {
+  const auto refused = [&](const std::string& options, const std::string& part) {
+    EXPECT_EQ(run("draw @/box.off --style outline -o @/a.json " + options), 2) << options;
+    expect_error(part);
+  };
+  refused("--views front,fornt", "fornt");
+  refused("--views front,front", "each view once");
+  refused("--views front,top --perspective 30", "orthographic");
+  refused("--views front --paper fit", "a sheet of a size");
+  refused("--detail nut", "nut");
+  refused("--detail box=100:1", "no room");
+  refused("--detail 1,2,3,0", "no part is named");
+  refused("--projection fourth", "first or third");
+  folder_.write("c.burin.json", R"json({"burin": "illustration",
+    "parts": [{"file": "box.off"}],
+    "details": [{"at": [0, 0, 0]}]})json");
+  EXPECT_EQ(run("draw @/c.burin.json -o @/a.json"), 2);
+  expect_error("c.burin.json:3: a detail at a point has \"radius\"");
+}
+
+TEST_F(SheetViews, ADetailNoLargerThanTheViewIsTold) {
+  ASSERT_EQ(run("draw @/box.off --style outline --detail 0,0,0,5=1:10 -o @/a.json"), 0);
+  EXPECT_NE(err_.find("no larger than the view"), std::string::npos) << err_;
+}
+
+}  // namespace
+}  // namespace burin
