@@ -20,6 +20,7 @@ namespace {
 constexpr const char* kLook = "The look";
 constexpr const char* kRun = "The run";
 constexpr const char* kFiles = "Files";
+constexpr const char* kParts = "Parts";
 
 /// Lines of help are this long, beside the column of the names.
 constexpr std::size_t kHelpWidth = 60;
@@ -127,12 +128,13 @@ constexpr const char* kModels =
     ".inr .nii .nii.gz .vti, .raw with --raw),\n"
     "OpenSCAD (.scad, .csg), FreeCAD (.FCStd)";
 
+constexpr const char* kOrIllustration = "\nor one illustration file (.burin.json)";
+
 /// `draw` and `watch`: all but the end of their help.
 CLI::App* add_drawing(CLI::App& app, const char* name, const char* does, DrawArguments& a,
                       Chatter& chatter) {
   CLI::App* draw = app.add_subcommand(name, does);
-  draw->add_option("INPUT", a.inputs,
-                   std::string(kModels) + "\nor one illustration file (.burin.json)")
+  draw->add_option("INPUT", a.inputs, std::string(kModels) + kOrIllustration)
       ->type_name("")
       ->group(kFiles);
   list(*draw, "-o,--output", a.outputs, "FILE", kFiles, output_help("drawing"));
@@ -186,6 +188,36 @@ CLI::App* add_illustrate(CLI::App& app, DrawArguments& a) {
       "  burin illustrate pump.burin.json --explode auto -o apart.burin.json\n"
       "  burin draw pump.burin.json -o pump.svg");
   return illustrate;
+}
+
+CLI::App* add_steps(CLI::App& app, StepsArguments& a, Chatter& chatter) {
+  CLI::App* steps =
+      app.add_subcommand("steps", "draw how an assembly is put together, a page a step");
+  DrawArguments& draw = a.draw;
+  draw.command = "steps";
+  steps->add_option("INPUT", draw.inputs, std::string(kModels) + kOrIllustration)
+      ->type_name("")
+      ->group(kFiles);
+  list(*steps, "-o,--output", draw.outputs, "FILE", kFiles,
+       "step book to write: NAME.pdf, a page a step; NAME.html,\n"
+       "one page; NAME.md, and NAME-step-01.svg ... beside it;\nrepeatable");
+  text(*steps, "--items", a.items, "N", kParts,
+       "items that a step adds at the most, several of one count\nonce (default 6)");
+  // What is about one drawing.
+  const std::vector<std::string> others = {"views",          "projection", "detail", "parts_list",
+                                           "explode_factor", "scale",      "center", "verify"};
+  for (const RequestOption& option : all_options()) {
+    if (std::ranges::find(others, option.option.name) == others.end()) {
+      add_request(*steps, option, draw.request.options);
+    }
+  }
+  add_chatter(*steps, chatter);
+  steps->footer(
+      "\nExamples:\n"
+      "  burin steps pump.step -o pump.pdf -o pump.html --style engraving\n"
+      "  burin steps pump.burin.json -o pump.md --callouts\n\n"
+      "Exit status: that of burin draw.");
+  return steps;
 }
 
 CLI::App* add_convert(CLI::App& app, ConvertArguments& a, Chatter& chatter) {
@@ -312,6 +344,7 @@ Arguments parse_arguments(int argc, const char* const* argv) {
   CLI::App* draw = add_draw(app, a.draw, a.chatter);
   CLI::App* watch = add_watch(app, a.draw, a.chatter);
   CLI::App* illustrate = add_illustrate(app, a.illustrate);
+  CLI::App* steps = add_steps(app, a.steps, a.chatter);
   CLI::App* convert = add_convert(app, a.convert, a.chatter);
   CLI::App* info = add_info(app, a.info);
   CLI::App* styles = add_styles(app, a.styles);
@@ -319,7 +352,7 @@ Arguments parse_arguments(int argc, const char* const* argv) {
   CLI::App* plugins = app.add_subcommand(
       "plugins", "list the plug-ins that are loaded: none, this version cannot load any");
   app.allow_extras();
-  for (CLI::App* sub : {draw, watch, illustrate, convert, info, styles, options, plugins})
+  for (CLI::App* sub : {draw, watch, illustrate, steps, convert, info, styles, options, plugins})
     sub->allow_extras();
 
   refuse_empty_values(app, argc, argv);
@@ -345,6 +378,7 @@ Arguments parse_arguments(int argc, const char* const* argv) {
   a.verb = chosen == draw         ? Verb::Draw
            : chosen == watch      ? Verb::Watch
            : chosen == illustrate ? Verb::Illustrate
+           : chosen == steps      ? Verb::Steps
            : chosen == convert    ? Verb::Convert
            : chosen == info       ? Verb::Info
            : chosen == styles     ? Verb::Styles

@@ -19,6 +19,13 @@ struct DrawArguments {
   std::string command = "draw";
 };
 
+struct StepsArguments {
+  /// `outputs` are books; `format` is empty.
+  DrawArguments draw;
+  /// New items a step at the most, as it was typed.
+  std::string items;
+};
+
 struct ConvertArguments {
   std::string input;
   std::vector<std::string> outputs;
@@ -54,7 +61,7 @@ struct Chatter {
   bool no_progress = false;
 };
 
-enum class Verb { Help, Draw, Watch, Illustrate, Convert, Info, Styles, Options, Plugins };
+enum class Verb { Help, Draw, Watch, Illustrate, Steps, Convert, Info, Styles, Options, Plugins };
 
 struct Arguments {
   Verb verb = Verb::Help;
@@ -62,6 +69,7 @@ struct Arguments {
   std::string help;
   /// `draw`: of `burin watch` too.
   DrawArguments draw, illustrate;
+  StepsArguments steps;
   ConvertArguments convert;
   StylesArguments styles;
   InfoArguments info;

@@ -5,59 +5,16 @@
 #include <burin/converters/illustration.h>
 #include <burin/converters/read.h>
 
+#include "inputs.h"
 #include "outputs.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
-#include <filesystem>
 #include <optional>
-#include <string_view>
 
 namespace burin::cli {
 namespace {
-
-bool is_file(const std::string& name) {
-  std::error_code error;
-  return std::filesystem::is_regular_file(name, error);
-}
-
-/// The illustration that is to be drawn; nothing where models are.
-std::optional<Illustration> illustration_of(const std::vector<std::string>& inputs) {
-  const auto found =
-      std::ranges::find_if(inputs, [](const std::string& input) { return is_illustration(input); });
-  if (found == inputs.end()) return std::nullopt;
-  if (inputs.size() > 1) {
-    throw UsageError(fmt::format(
-        "'{}' is an illustration file, which is drawn alone: name the others in its \"parts\"",
-        *found));
-  }
-  return read_illustration(*found);
-}
-
-/// `read`: what was opened for the plan, such as style files and pictures.
-std::vector<std::string> sources_of(const DrawArguments& a,
-                                    const std::optional<Illustration>& illustration,
-                                    const InputFiles& read) {
-  std::vector<std::string> sources = a.inputs;
-  if (illustration) {
-    for (const IllustrationInput& input : illustration->inputs) {
-      if (!input.file.empty()) sources.push_back(input.file);
-    }
-  }
-  for (const auto& [name, stamp] : read.stamps()) {
-    if (is_file(name)) sources.push_back(name);
-  }
-  return sources;
-}
-
-/// Each part of an illustration has options of its own.
-void refuse_reading(const DrawPlan& plan) {
-  if (plan.read.given.empty()) return;
-  throw UsageError(plan.read.given.front().spelled +
-                   " is about reading: in an illustration it belongs to a part, {\"file\": ...}");
-}
 
 Scene read_models(const DrawArguments& arguments, const DrawPlan& plan, RunContext& context,
                   KeptScene* kept) {

@@ -13,6 +13,7 @@
 #include "options.h"
 #include "report.h"
 #include "signals.h"
+#include "steps.h"
 #include "styles.h"
 #include "watch.h"
 
@@ -46,6 +47,9 @@ int run(const Arguments& arguments, RunContext& context, Console& console) {
       break;
     case Verb::Illustrate:
       run_illustrate(arguments.illustrate, context, console);
+      break;
+    case Verb::Steps:
+      run_steps(arguments.steps, context, console);
       break;
     case Verb::Convert:
       run_convert(arguments.convert, context, console);
@@ -82,8 +86,9 @@ int main_of(int argc, const char* const* argv) {
   std::string input;
   try {
     const Arguments arguments = parse_arguments(argc, argv);
-    const auto& inputs =
-        arguments.verb == Verb::Info ? arguments.info.inputs : arguments.draw.inputs;
+    const auto& inputs = arguments.verb == Verb::Info    ? arguments.info.inputs
+                         : arguments.verb == Verb::Steps ? arguments.steps.draw.inputs
+                                                         : arguments.draw.inputs;
     if (inputs.size() == 1) input = inputs.front();
     if (arguments.verb == Verb::Convert) input = arguments.convert.input;
     Console console(arguments.chatter);
@@ -92,7 +97,8 @@ int main_of(int argc, const char* const* argv) {
     const signals::Handlers handlers(context);
     const int status = run(arguments, context, console);
     signals::finish();
-    if (arguments.verb == Verb::Draw || arguments.verb == Verb::Convert) {
+    if (arguments.verb == Verb::Draw || arguments.verb == Verb::Steps ||
+        arguments.verb == Verb::Convert) {
       console.stages(context, std::chrono::duration<double>(Clock::now() - start).count());
     }
     return status;

@@ -39,14 +39,6 @@ void set_explode(Explode& explode, const std::string& spelled, const std::string
 
 namespace {
 
-std::vector<bool> drawn_parts(const Scene& scene, const DrawPlan& plan) {
-  std::vector<bool> drawn(scene.parts.size(), true);
-  for (std::size_t i = 0; i < drawn.size() && i < plan.illustrate.part_styles.size(); ++i) {
-    drawn[i] = plan.illustrate.part_styles[i].drawn;
-  }
-  return drawn;
-}
-
 /// The steps of a file; tells of those that nothing is seen of.
 std::vector<ExplodeStep> steps_of_file(Scene& scene, const Explode& explode,
                                        const std::vector<bool>& drawn) {
@@ -74,6 +66,29 @@ std::vector<ExplodeStep> steps_of_file(Scene& scene, const Explode& explode,
   return steps;
 }
 
+/// Moves parts; copies of one shape stay that.
+void move_parts(Scene& scene, const std::vector<Vec3>& moves) {
+  std::map<const Form*, Placer> placers;
+  for (std::size_t i = 0; i < scene.parts.size(); ++i) {
+    if (moves[i] == Vec3(0)) continue;
+    std::shared_ptr<const Form>& form = scene.parts[i].form;
+    const auto placer = placers.try_emplace(form.get(), form).first;
+    form = placer->second.at({Mat3(1), moves[i]});
+  }
+}
+
+}  // namespace
+
+namespace detail {
+
+std::vector<bool> drawn_parts(const Scene& scene, const DrawPlan& plan) {
+  std::vector<bool> drawn(scene.parts.size(), true);
+  for (std::size_t i = 0; i < drawn.size() && i < plan.illustrate.part_styles.size(); ++i) {
+    drawn[i] = plan.illustrate.part_styles[i].drawn;
+  }
+  return drawn;
+}
+
 std::vector<ExplodeStep> steps_of(Scene& scene, const Explode& explode,
                                   const std::vector<bool>& drawn, const ExplodeModel& model,
                                   RunContext& context) {
@@ -92,18 +107,10 @@ std::vector<ExplodeStep> steps_of(Scene& scene, const Explode& explode,
   return steps;
 }
 
-/// Moves parts; copies of one shape stay that.
-void move_parts(Scene& scene, const std::vector<Vec3>& moves) {
-  std::map<const Form*, Placer> placers;
-  for (std::size_t i = 0; i < scene.parts.size(); ++i) {
-    if (moves[i] == Vec3(0)) continue;
-    std::shared_ptr<const Form>& form = scene.parts[i].form;
-    const auto placer = placers.try_emplace(form.get(), form).first;
-    form = placer->second.at({Mat3(1), moves[i]});
-  }
-}
+}  // namespace detail
 
-}  // namespace
+using detail::drawn_parts;
+using detail::steps_of;
 
 std::vector<Explode::Step> explode_steps(Scene& scene, const DrawPlan& plan, RunContext& context) {
   if (!plan.explode.steps.empty()) return plan.explode.steps;

@@ -1,16 +1,12 @@
 #include "html.h"
 
-#include <burin/drawing/color.h>
-#include <burin/drawing/text.h>
 #include <burin/drawing/title.h>
 
-#include "html_page.h"
+#include "html_parts.h"
 
-#include <filesystem>
 #include <map>
 #include <optional>
 #include <ostream>
-#include <sstream>
 #include <string>
 
 namespace burin {
@@ -31,34 +27,6 @@ std::vector<DrawingItem> items_by_name(const Drawing& drawing) {
   return items;
 }
 
-std::string escaped(const std::string& text) {
-  Buffer out;
-  append_xml(out, text);
-  return fmt::to_string(out);
-}
-
-void append_row(Buffer& out, const DrawingItem& item) {
-  append(out, fmt::format("<tr data-item=\"{}\" tabindex=\"-1\"><td>{}</td><td>{}</td><td>",
-                          item.number, item.number, item.quantity()));
-  if (rgb_of(item.color)) {
-    append(out, fmt::format("<i style=\"background:{}\"></i>", escaped(item.color)));
-  }
-  const std::string file = std::filesystem::path(item.source).filename().string();
-  append(out, escaped(item.name) + "</td><td title=\"" + escaped(item.source) + "\">" +
-                  escaped(file) + "</td></tr>\n");
-}
-
-/// The element alone, without what a file of its own begins with.
-std::string inline_svg(const Drawing& drawing, const WriteOptions& options,
-                       const RunContext& context) {
-  SvgOptions svg = options.svg;
-  svg.merge = svg.flatten = false;  // the page asks elements for their items
-  std::ostringstream out;
-  write_svg(drawing, svg, out, context);
-  const std::string text = std::move(out).str();
-  return text.substr(text.find("<svg"));
-}
-
 }  // namespace
 
 void write_html(const Drawing& drawing, const WriteOptions& options, std::ostream& out,
@@ -69,15 +37,8 @@ void write_html(const Drawing& drawing, const WriteOptions& options, std::ostrea
     listed->items = items_by_name(drawing);
   }
   const Drawing& shown = listed ? *listed : drawing;
-  Buffer head, rows;
-  append(head, html::kHead);
-  append(head, "<title>" + escaped(title_of(shown)) +
-                   "</title>\n<meta name=\"generator\" content=\"" + creator() + "\">\n<style>\n");
-  append(head, html::kStyle);
-  append(head, "</style>\n</head>\n<body>\n<main>\n");
-  for (const DrawingItem& item : shown.items) append_row(rows, item);
-  out << fmt::to_string(head) << inline_svg(shown, options, context) << html::kListHead
-      << fmt::to_string(rows) << html::kListTail << html::kScript << html::kTail;
+  out << html::head(title_of(shown)) << "<main>\n"
+      << html::inline_svg(shown, options.svg, context) << html::list_and_tail(shown.items);
 }
 
 }  // namespace burin

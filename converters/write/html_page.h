@@ -37,9 +37,12 @@ p { margin: 8px 12px; color: #555; font-size: 12px }
 svg [data-item] { cursor: pointer }
 svg .area.marked { fill: var(--fill) }
 svg g.part { pointer-events: none }
-svg.plain g.part { pointer-events: visiblePainted }
-svg.plain g.part.marked:not([fill]) { stroke: var(--mark) }
-svg.plain g.part.marked[fill] { fill: var(--mark) }
+.plain g.part { pointer-events: visiblePainted }
+.plain g.part.marked:not([fill]) { stroke: var(--mark) }
+.plain g.part.marked[fill] { fill: var(--mark) }
+main.book { display: block; overflow: auto; scroll-behavior: smooth }
+main.book h1 { font-size: 22px; margin: 4px 8px 12px }
+main.book svg { height: auto; margin-bottom: 12px }
 svg .callout path, svg .callout text, svg .row text { pointer-events: all }
 svg .callout.marked path { stroke: var(--mark) }
 svg .callout.marked text, svg .row.marked text { fill: var(--mark) }
@@ -47,6 +50,7 @@ svg .callout.marked text, svg .row.marked text { fill: var(--mark) }
 @media print {
   body { display: block; height: auto; background: none }
   main { padding: 0 } main svg { box-shadow: none; height: auto }
+  main.book { overflow: visible } main.book section { break-after: page }
   aside { width: auto; max-width: none; border: 0; display: block } div { overflow: visible }
   input, p { display: none } th { position: static }
   tr.marked, tr:focus { background: none } tr.chosen td:first-child { box-shadow: none }
@@ -75,7 +79,7 @@ inline constexpr const char* kListTail =
 inline constexpr const char* kScript =
     R"("use strict";
 (() => {
-  const svg = document.querySelector("main svg"), search = document.querySelector("input");
+  const svg = document.querySelector("main"), search = document.querySelector("input");
   const rows = [...document.querySelectorAll("tbody tr")];
   const of = new Map();
   for (const e of document.querySelectorAll("[data-item]")) {
@@ -91,11 +95,14 @@ inline constexpr const char* kScript =
     for (const e of of.get(item) || []) e.classList.add("marked");
     shown = item;
   };
-  const choose = item => {
+  const choose = (item, goes) => {
     if (chosen !== null && row(chosen)) row(chosen).classList.remove("chosen");
     chosen = item;
     if (item !== null && row(item)) row(item).classList.add("chosen");
     mark(item);
+    if (!goes || item === null || !svg.classList.contains("book")) return;
+    const first = (of.get(item) || []).find(e => svg.contains(e));
+    if (first) first.closest("section").scrollIntoView({block: "start"});
   };
   const item = event => {
     const e = event.target.closest && event.target.closest("[data-item]");
@@ -111,7 +118,7 @@ inline constexpr const char* kScript =
     if (e.target === search) return;
     const at = item(e);
     if (at === null && !svg.contains(e.target)) return;
-    choose(at === chosen ? null : at);
+    choose(at === chosen ? null : at, !svg.contains(e.target));
     if (chosen !== null && row(chosen)) row(chosen).scrollIntoView({block: "nearest"});
   });
   search.addEventListener("input", () => {
@@ -129,7 +136,7 @@ inline constexpr const char* kScript =
       if (seen[to]) { seen[to].focus(); mark(seen[to].dataset.item); }
     } else if (e.key === "Enter" && (at >= 0 || document.activeElement === search)) {
       const r = at >= 0 ? seen[at] : seen[0];
-      if (r) choose(r.dataset.item === chosen ? null : r.dataset.item);
+      if (r) choose(r.dataset.item === chosen ? null : r.dataset.item, true);
     } else if (e.key === "Escape") {
       search.value = "";
       search.dispatchEvent(new Event("input"));

@@ -59,7 +59,8 @@ const std::vector<Format>& formats() {
       {"pdf",
        {},
        [](const Drawing& d, const Options& o, std::ostream& out, const Run& c) {
-         cairo_library().write_pdf(d, o, out, c);
+         const Drawing* const page = &d;
+         cairo_library().write_pdf({&page, 1}, o, out, c);
        },
        check_pdf},
       {"eps", {}, write_eps},

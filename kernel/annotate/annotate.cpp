@@ -282,7 +282,7 @@ void add_list(Drawing& drawing, const std::optional<detail::ListPlan>& plan,
                     "and DXF; the first in '{}'",
                     first->name));
   }
-  drawing.layers.push_back(detail::list_layer(annotations, style, *plan));
+  drawing.layers.push_back(detail::list_layer(annotations.items, style, *plan));
 }
 
 /// What the parts list leaves of the frame.

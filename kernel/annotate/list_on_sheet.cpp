@@ -1,9 +1,12 @@
 #include "list_on_sheet.h"
 
+#include <burin/annotate/list_pages.h>
 #include <burin/drawing/font.h>
 
 #include <algorithm>
+#include <cmath>
 #include <string>
+#include <utility>
 
 namespace burin::detail {
 namespace {
@@ -32,18 +35,23 @@ Box2 frame_of(const Paper& paper, const Margin& m) {
   return {{m.left, m.bottom}, {paper.width - m.right, paper.height - m.top}};
 }
 
-std::optional<ListPlan> plan_list(const Annotations& annotations, const CalloutOptions& style,
-                                  const Box2& frame) {
+ListPlan columns_of(std::span<const DrawingItem> items, const CalloutOptions& style) {
   const double h = style.list_height;
   const auto width = [&](const std::string& text) { return text_width(text, h) + 1.6 * h; };
   ListPlan plan;
   plan.row = 2 * h;
   plan.number = width(kNumber), plan.quantity = width(kQuantity), plan.name = width(kName);
-  for (const DrawingItem& item : annotations.items) {
+  for (const DrawingItem& item : items) {
     plan.number = std::max(plan.number, width(std::to_string(item.number)));
     plan.quantity = std::max(plan.quantity, width(std::to_string(item.quantity())));
     plan.name = std::max(plan.name, std::min(width(item.name), kWidestName * h));
   }
+  return plan;
+}
+
+std::optional<ListPlan> plan_list(const Annotations& annotations, const CalloutOptions& style,
+                                  const Box2& frame) {
+  ListPlan plan = columns_of(annotations.items, style);
   const std::size_t n = std::max<std::size_t>(annotations.items.size(), 1);
   const Vec2 size = frame.size();
   std::optional<ListPlan> best;
@@ -72,7 +80,7 @@ std::optional<ListPlan> plan_list(const Annotations& annotations, const CalloutO
   return best;
 }
 
-Layer list_layer(const Annotations& annotations, const CalloutOptions& style,
+Layer list_layer(std::span<const DrawingItem> items, const CalloutOptions& style,
                  const ListPlan& plan) {
   Layer layer{"parts_list", {}};
   const double h = style.list_height, inset = 0.8 * h;
@@ -80,26 +88,31 @@ Layer list_layer(const Annotations& annotations, const CalloutOptions& style,
   const auto write = [&](const std::string& text, double x, double y, TextAnchor anchor, int item) {
     layer.texts.push_back({{x, y + 0.5 * (plan.row - h)}, h, anchor, text, "parts_list", item});
   };
-  const auto& items = annotations.items;
   for (std::size_t block = 0; block < plan.blocks; ++block) {
     const std::size_t first = block * plan.rows;
     const std::size_t rows = std::min(plan.rows, items.size() - std::min(first, items.size()));
     if (rows == 0 && block > 0) continue;
     const double right = plan.box.max.x - static_cast<double>(block) * plan.block();
-    const double left = right - plan.block(), bottom = plan.box.min.y;
-    const double top = bottom + static_cast<double>(rows + 1) * plan.row;
+    const double left = right - plan.block(), height = static_cast<double>(rows + 1) * plan.row;
+    const double bottom = plan.downwards ? plan.box.max.y - height : plan.box.min.y;
+    const double top = bottom + height;
     const double x1 = left + plan.number, x2 = x1 + plan.quantity;
-    write(kNumber, x1 - inset, bottom, TextAnchor::End, 0);
-    write(kQuantity, x2 - inset, bottom, TextAnchor::End, 0);
-    write(kName, x2 + inset, bottom, TextAnchor::Start, 0);
+    // The heading is row 0.
+    const auto bottom_of = [&](std::size_t row) {
+      return bottom + static_cast<double>(plan.downwards ? rows - row : row) * plan.row;
+    };
+    write(kNumber, x1 - inset, bottom_of(0), TextAnchor::End, 0);
+    write(kQuantity, x2 - inset, bottom_of(0), TextAnchor::End, 0);
+    write(kName, x2 + inset, bottom_of(0), TextAnchor::Start, 0);
     for (std::size_t i = 0; i < rows; ++i) {
       const DrawingItem& item = items[first + i];
-      const double y = bottom + static_cast<double>(i + 1) * plan.row;
+      const double y = bottom_of(i + 1);
       write(std::to_string(item.number), x1 - inset, y, TextAnchor::End, item.number);
       write(std::to_string(item.quantity()), x2 - inset, y, TextAnchor::End, item.number);
       const std::string name = fitted_text(item.name, h, plan.name - 2 * inset + kRounding);
       write(name, x2 + inset, y, TextAnchor::Start, item.number);
-      layer.paths.push_back(line({left, y}, {right, y}, i == 0 ? thick : style.line));
+      const double between = plan.downwards ? y + plan.row : y;
+      layer.paths.push_back(line({left, between}, {right, between}, i == 0 ? thick : style.line));
     }
     layer.paths.push_back(line({x1, bottom}, {x1, top}, style.line));
     layer.paths.push_back(line({x2, bottom}, {x2, top}, style.line));
@@ -112,3 +125,29 @@ Layer list_layer(const Annotations& annotations, const CalloutOptions& style,
 }
 
 }  // namespace burin::detail
+
+namespace burin {
+
+std::vector<Drawing> list_pages(std::span<const DrawingItem> items, const CalloutOptions& style,
+                                const Paper& paper, const Margin& margin) {
+  const Box2 frame = detail::frame_of(paper, margin);
+  detail::ListPlan plan = detail::columns_of(items, style);
+  plan.downwards = true;
+  plan.name = std::min(plan.name, frame.size().x - plan.number - plan.quantity);
+  const double room = frame.size().y / plan.row - 1;
+  const auto most = static_cast<std::size_t>(std::max(1.0, std::floor(room)));
+  plan.box = {{frame.min.x, frame.min.y}, {frame.min.x + plan.block(), frame.max.y}};
+  std::vector<Drawing> pages;
+  for (std::size_t first = 0; first < items.size(); first += most) {
+    plan.rows = std::min(most, items.size() - first);
+    Drawing page;
+    page.paper_width = paper.width;
+    page.paper_height = paper.height;
+    page.title = "Parts list";
+    page.layers.push_back(detail::list_layer(items.subspan(first, plan.rows), style, plan));
+    pages.push_back(std::move(page));
+  }
+  return pages;
+}
+
+}  // namespace burin

@@ -6,6 +6,7 @@
 
 #include <cstddef>
 #include <optional>
+#include <span>
 
 namespace burin::detail {
 
@@ -20,15 +21,21 @@ struct ListPlan {
   double row = 0, number = 0, quantity = 0, name = 0;
   /// What is left of the frame for the drawing: left of the list, or above it.
   Box2 rest;
+  /// From the top of the box down, as on a sheet of its own.
+  bool downwards = false;
 
   double block() const { return number + quantity + name; }
 };
+
+/// A plan with the widths of columns and the height of rows alone.
+ListPlan columns_of(std::span<const DrawingItem> items, const CalloutOptions& style);
 
 /// Nothing where it would take more than 70 % of the frame's width and height.
 std::optional<ListPlan> plan_list(const Annotations& annotations, const CalloutOptions& style,
                                   const Box2& frame);
 
 /// The layer "parts_list".
-Layer list_layer(const Annotations& annotations, const CalloutOptions& style, const ListPlan& plan);
+Layer list_layer(std::span<const DrawingItem> items, const CalloutOptions& style,
+                 const ListPlan& plan);
 
 }  // namespace burin::detail

@@ -52,11 +52,15 @@ void append_view(Drawing& sheet, Drawing&& view) {
   merge_layers(sheet.layers, view.layers);
   move_all(view.areas, sheet.areas);
   add(sheet.stats, view.stats);
-  for (const Diagnostic& said : view.diagnostics.entries()) {
+  tell_once(view.diagnostics, sheet.diagnostics);
+}
+
+void tell_once(const Diagnostics& from, Diagnostics& to) {
+  for (const Diagnostic& said : from.entries()) {
     const auto same = [&](const Diagnostic& d) {
       return d.code == said.code && d.message == said.message;
     };
-    if (std::ranges::none_of(sheet.diagnostics.entries(), same)) sheet.diagnostics.add(said);
+    if (std::ranges::none_of(to.entries(), same)) to.add(said);
   }
 }
 

@@ -4,6 +4,7 @@
 #include <burin/converters/write.h>
 
 #include <iosfwd>
+#include <span>
 
 namespace burin {
 
@@ -13,7 +14,8 @@ struct CairoLibrary {
   using Writer = void (*)(const Drawing& drawing, const WriteOptions& options, std::ostream& out,
                           const RunContext& context);
   const char* version;
-  Writer write_pdf;
+  void (*write_pdf)(std::span<const Drawing* const> pages, const WriteOptions& options,
+                    std::ostream& out, const RunContext& context);
   Writer write_png;
 };
 

@@ -78,40 +78,63 @@ void paint_all(cairo_t* pen, std::span<Shape> shapes, std::size_t together) {
   }
 }
 
-}  // namespace
+/// The shares of the work that are done when a page begins and ends.
+struct Progress {
+  const WriteOptions& options;
+  double from = 0, to = 1;
 
-void write_pdf(const Drawing& drawing, const WriteOptions& options, std::ostream& out,
-               const RunContext& context) {
-  const double w = drawing.paper_width, h = drawing.paper_height;
-  Sink sink{out, context};
-  const Surface surface(
-      cairo_pdf_surface_create_for_stream(write_bytes, &sink, w * kPointsPerMm, h * kPointsPerMm));
-  check(cairo_surface_status(surface.get()));
-  cairo_pdf_surface_restrict_to_version(surface.get(), CAIRO_PDF_VERSION_1_5);
-  set_metadata(surface.get(), drawing);
+  void tell(double share) const {
+    constexpr double kPainted = 0.8;  // the rest is writing
+    if (options.progress) options.progress(kPainted * (from + share * (to - from)));
+  }
+};
+
+void paint_page(cairo_surface_t* surface, const Drawing& drawing, const WriteOptions& options,
+                const Progress& progress, const RunContext& context) {
   const NearSheet sheet(drawing);
   std::vector<Shape> shapes = shapes_of(sheet.layers(), options.svg.dashes);
-  {
-    const Pen pen = pen_on(surface.get(), h, kPointsPerMm, 0);
-    const auto use = [&](const std::string& color) {
-      const Rgb rgb = rgb_of(color).value_or(Rgb{});
-      cairo_set_source_rgb(pen.get(), rgb[0] / 255.0, rgb[1] / 255.0, rgb[2] / 255.0);
-    };
-    if (drawing.paper_color != Drawing().paper_color) {
-      use(drawing.paper_color);
-      cairo_paint(pen.get());
+  const Pen pen = pen_on(surface, drawing.paper_height, kPointsPerMm, 0);
+  const auto use = [&](const std::string& color) {
+    const Rgb rgb = rgb_of(color).value_or(Rgb{});
+    cairo_set_source_rgb(pen.get(), rgb[0] / 255.0, rgb[1] / 255.0, rgb[2] / 255.0);
+  };
+  if (drawing.paper_color != Drawing().paper_color) {
+    use(drawing.paper_color);
+    cairo_paint(pen.get());
+  }
+  if (drawing.ink_color != Drawing().ink_color) use(drawing.ink_color);
+  for (std::size_t begin = 0; begin < shapes.size(); begin += kAtOnce) {
+    const auto some = std::span(shapes).subspan(begin, std::min(kAtOnce, shapes.size() - begin));
+    fit_ink(some, options.svg.fit_tolerance, context);
+    paint_all(pen.get(), some, shapes.size() > kMany ? kTogether : 1);
+    context.check();
+    progress.tell(static_cast<double>(begin) / static_cast<double>(shapes.size()));
+  }
+  check(cairo_status(pen.get()));
+}
+
+}  // namespace
+
+void write_pdf(std::span<const Drawing* const> pages, const WriteOptions& options,
+               std::ostream& out, const RunContext& context) {
+  const auto points = [](double mm) { return mm * kPointsPerMm; };
+  const Drawing& first = *pages.front();
+  Sink sink{out, context};
+  const Surface surface(cairo_pdf_surface_create_for_stream(
+      write_bytes, &sink, points(first.paper_width), points(first.paper_height)));
+  check(cairo_surface_status(surface.get()));
+  cairo_pdf_surface_restrict_to_version(surface.get(), CAIRO_PDF_VERSION_1_5);
+  set_metadata(surface.get(), first);
+  const auto count = static_cast<double>(pages.size());
+  for (std::size_t i = 0; i < pages.size(); ++i) {
+    if (i > 0) {
+      cairo_surface_show_page(surface.get());
+      cairo_pdf_surface_set_size(surface.get(), points(pages[i]->paper_width),
+                                 points(pages[i]->paper_height));
     }
-    if (drawing.ink_color != Drawing().ink_color) use(drawing.ink_color);
-    for (std::size_t begin = 0; begin < shapes.size(); begin += kAtOnce) {
-      const auto some = std::span(shapes).subspan(begin, std::min(kAtOnce, shapes.size() - begin));
-      fit_ink(some, options.svg.fit_tolerance, context);
-      paint_all(pen.get(), some, shapes.size() > kMany ? kTogether : 1);
-      context.check();
-      if (options.progress) {
-        options.progress(0.8 * static_cast<double>(begin) / static_cast<double>(shapes.size()));
-      }
-    }
-    check(cairo_status(pen.get()));
+    const auto done = static_cast<double>(i);
+    paint_page(surface.get(), *pages[i], options, {options, done / count, (done + 1) / count},
+               context);
   }
   cairo_surface_finish(surface.get());
   context.check();

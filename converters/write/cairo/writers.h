@@ -4,12 +4,13 @@
 #include <burin/converters/write.h>
 
 #include <iosfwd>
+#include <span>
 
 namespace burin {
 
-/// One page of the sheet's size, all ink black, no fonts.
-void write_pdf(const Drawing& drawing, const WriteOptions& options, std::ostream& out,
-               const RunContext& context);
+/// A page a drawing, of its sheet's size, no fonts; what the file is called is what the first is.
+void write_pdf(std::span<const Drawing* const> pages, const WriteOptions& options,
+               std::ostream& out, const RunContext& context);
 
 /// Grey, one byte a pixel (two with a transparent background).
 void write_png(const Drawing& drawing, const WriteOptions& options, std::ostream& out,

@@ -195,10 +195,35 @@ Explosion ExplodeModel::find(const ExplodeOptions& options, Diagnostics& diagnos
   return explosion;
 }
 
-std::vector<Curve3> ExplodeModel::trails(const std::vector<ExplodeStep>& steps,
-                                         double factor) const {
-  return detail::make_trails(steps, factor, impl_->shapes, impl_->contacts);
+std::vector<Curve3> ExplodeModel::trails(const std::vector<ExplodeStep>& steps, double factor,
+                                         const std::vector<bool>& there) const {
+  if (there.empty()) return detail::make_trails(steps, factor, impl_->shapes, impl_->contacts);
+  std::vector<detail::Contact> contacts;
+  for (const detail::Contact& contact : impl_->contacts) {
+    if (there[contact.part] && there[contact.other]) contacts.push_back(contact);
+  }
+  return detail::make_trails(steps, factor, impl_->shapes, contacts);
 }
+
+double ExplodeModel::way_out(const std::vector<std::size_t>& moving,
+                             const std::vector<std::size_t>& standing, Vec3 along) const {
+  const detail::Shapes& shapes = impl_->shapes;
+  const Mat3 rows = detail::rows_along(along, shapes.frame);
+  std::vector<Box3> boxes;
+  for (const std::size_t part : standing) boxes.push_back(shapes.box_along(part, rows));
+  double by = 0;
+  for (const std::size_t part : moving) {
+    const Box3 box = shapes.box_along(part, rows);
+    for (const Box3& other : boxes) {
+      if (!box.empty() && !other.empty() && detail::overlap_across(box, other, 0)) {
+        by = std::max(by, other.max.z - box.min.z);
+      }
+    }
+  }
+  return by;
+}
+
+std::span<const ProxyMesh* const> ExplodeModel::proxies() const { return impl_->shapes.proxies; }
 
 std::vector<Vec3> moves_of(const std::vector<ExplodeStep>& steps, std::size_t count,
                            double factor) {

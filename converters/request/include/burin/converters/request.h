@@ -3,6 +3,7 @@
 /// command line and the Python module, so that both take the same and say the same.
 
 #include <burin/assembly/items.h>
+#include <burin/book/book.h>
 #include <burin/camera/sheet.h>
 #include <burin/converters/read.h>
 #include <burin/converters/values.h>
@@ -180,6 +181,9 @@ SheetOfViews plan_sheet(Scene& scene, const DrawPlan& plan);
 /// this drawing. Throws as `illustrate`. `session`: keeps what the next drawing may use again.
 Drawing draw(const Scene& scene, const SheetOfViews& sheet, const DrawPlan& plan,
              RunContext& context, Session* session = nullptr);
+/// Draws how a scene is put together, by the steps of its plan's exploded view read backwards, or
+/// by those that are found. Throws as `select_parts`, `cut_parts`, `make_book`.
+Book draw_book(Scene& scene, DrawPlan& plan, const BuildOptions& build, RunContext& context);
 /// The style of a name or file, with no changes. Throws UsageError, InputError.
 Style load_style(const std::string& name);
 

@@ -11,4 +11,7 @@ namespace burin {
 /// of the sheet.
 void append_view(Drawing& sheet, Drawing&& view);
 
+/// Adds diagnostics that are not among the others yet.
+void tell_once(const Diagnostics& from, Diagnostics& to);
+
 }  // namespace burin

@@ -4,11 +4,13 @@
 #include <burin/base/curve.h>
 #include <burin/base/diagnostics.h>
 #include <burin/base/run_context.h>
+#include <burin/mesh/proxy_mesh.h>
 #include <burin/surface/scene.h>
 
 #include <cstddef>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -82,7 +84,18 @@ class ExplodeModel {
   /// Lines of kind Trail from the middle of a contact to where it is after all steps: one for what
   /// moved together, one for a stack on one axis. Straight, or with one bend where the other part
   /// has moved another way.
-  std::vector<Curve3> trails(const std::vector<ExplodeStep>& steps, double factor) const;
+  /// `there`: parts that are, one flag each; all of them where it is empty.
+  std::vector<Curve3> trails(const std::vector<ExplodeStep>& steps, double factor,
+                             const std::vector<bool>& there = {}) const;
+
+  /// Model mm that `moving` has to go along a unit vector until its box clears those of `standing`
+  /// which lie in its way; 0 where none does.
+  double way_out(const std::vector<std::size_t>& moving, const std::vector<std::size_t>& standing,
+                 Vec3 along) const;
+
+  /// The triangles of each part, empty where it was not drawn or could not be realised; as long as
+  /// the model is there.
+  std::span<const ProxyMesh* const> proxies() const;
 
  private:
   struct Impl;

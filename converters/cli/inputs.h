@@ -1,0 +1,27 @@
+#pragma once
+// What commands that draw read.
+
+#include <burin/base/input_files.h>
+#include <burin/converters/illustration.h>
+
+#include "arguments.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace burin::cli {
+
+/// The illustration that is to be drawn; nothing where models are.
+std::optional<Illustration> illustration_of(const std::vector<std::string>& inputs);
+
+/// All files that a run reads. `read`: what was opened for the plan, such as style files and
+/// pictures.
+std::vector<std::string> sources_of(const DrawArguments& a,
+                                    const std::optional<Illustration>& illustration,
+                                    const InputFiles& read);
+
+/// Each part of an illustration has options of its own. Throws UsageError.
+void refuse_reading(const DrawPlan& plan);
+
+}  // namespace burin::cli

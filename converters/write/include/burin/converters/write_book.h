@@ -1,0 +1,35 @@
+#pragma once
+/// A step book as files.
+
+#include <burin/base/run_context.h>
+#include <burin/book/book.h>
+#include <burin/converters/output.h>
+#include <burin/converters/write.h>
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace burin {
+
+/// What step books are written as: one row of the catalogue.
+struct BookFormat {
+  /// The suffix without its dot.
+  std::string_view name;
+  std::string_view meaning;
+};
+const std::vector<BookFormat>& book_formats();
+
+/// Tests names before a long run: a suffix of `book_formats`, no name twice, none of `sources`, a
+/// folder that can be written to. Throws UsageError, OutputError.
+void check_book_outputs(const std::vector<std::string>& names,
+                        const std::vector<std::string>& sources);
+
+/// Writes a book under each name: .pdf is one file with a page a step and the parts list at the
+/// end, .html one page that needs nothing else, .md Markdown with the file NAME-step-01.svg and so
+/// on beside it. Gives all files, which `commit` gives their names. Throws as `check_book_outputs`,
+/// `write_drawing`.
+std::vector<Output> write_book(const Book& book, const std::vector<std::string>& names,
+                               const WriteOptions& options, const RunContext& context);
+
+}  // namespace burin

@@ -1,0 +1,51 @@
+#include <burin/annotate/list_pages.h>
+#include <burin/book/book.h>
+#include <burin/drawing/views.h>
+
+#include "page.h"
+
+#include <utility>
+
+namespace burin {
+namespace {
+
+std::vector<bool> drawn_of(const Scene& scene, const IllustrateOptions& options) {
+  std::vector<bool> drawn(scene.parts.size(), true);
+  for (std::size_t i = 0; i < drawn.size() && i < options.part_styles.size(); ++i) {
+    drawn[i] = options.part_styles[i].drawn;
+  }
+  return drawn;
+}
+
+}  // namespace
+
+Book make_book(const Scene& scene, const ExplodeModel& model, const std::vector<ExplodeStep>& steps,
+               const BookOptions& book, const Style& style, const IllustrateOptions& options,
+               RunContext& context) {
+  Book out;
+  if (options.annotations) out.items = options.annotations->items;
+  const std::vector<bool> drawn = drawn_of(scene, options);
+  detail::PageMaker maker{scene, model, book, style, options, drawn, {}, context};
+  maker.item_of.resize(scene.parts.size());
+  std::vector<int> item_of;
+  for (std::size_t i = 0; i < scene.parts.size(); ++i) {
+    item_of.push_back(-1 - static_cast<int>(i));
+  }
+  for (const DrawingItem& item : out.items) {
+    for (const std::int32_t part : item.parts) {
+      item_of[static_cast<std::size_t>(part)] = item.number;
+      maker.item_of[static_cast<std::size_t>(part)] = &item;
+    }
+  }
+  for (const BuildStep& step : build_steps(scene, drawn, steps, item_of, book.build)) {
+    context.check();
+    out.pages.push_back(maker.make(step, out.pages.size() + 1));
+    tell_once(out.pages.back().drawing.diagnostics, out.diagnostics);
+  }
+  CalloutOptions large = style.callout;
+  large.list_height *= 1.4;  // a sheet of its own has room
+  out.lists = list_pages(out.items, large, book.view.paper, book.margin);
+  return out;
+}
+
+}  // namespace burin

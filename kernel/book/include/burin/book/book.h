@@ -1,0 +1,62 @@
+#pragma once
+/// Step books: how a product is put together, a page a step, and what it is made of.
+
+#include <burin/book/build_steps.h>
+#include <burin/camera/sheet.h>
+#include <burin/illustrate/illustrate.h>
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace burin {
+
+/// What a page adds: instances of one item, or sub-assemblies alike.
+struct NewPart {
+  /// 0: a sub-assembly.
+  int item = 0;
+  std::string name;
+  std::size_t quantity = 0;
+};
+
+struct BookPage {
+  /// The name of the sub-assembly that is put together and how many are needed; of the whole:
+  /// empty.
+  std::string title;
+  std::vector<NewPart> added;
+  /// Number of the step, small pictures of what is new, and the step: what is new before its place,
+  /// with a line to it, the rest in light lines.
+  Drawing drawing;
+};
+
+struct Book {
+  std::string title;
+  /// One a step, in order.
+  std::vector<BookPage> pages;
+  /// The parts list.
+  std::vector<DrawingItem> items;
+  /// Sheets with the parts list, for formats of sheets.
+  std::vector<Drawing> lists;
+  Diagnostics diagnostics;
+};
+
+struct BookOptions {
+  /// Direction, up, perspective and paper are looked at.
+  ViewOptions view{};
+  Margin margin{};
+  BuildOptions build{};
+  /// Numbers with leaders at what is new.
+  bool callouts = false;
+};
+
+/// Draws the book of a scene that stands together. `steps` take it apart; `model` is of the same
+/// scene and the parts that are drawn; `options.annotations` has the items of these. A step is
+/// looked at from the asked direction, unless less than 30 % of the silhouette of something new is
+/// seen from there: then from another of eight, and what hides it still becomes a ghost. What one
+/// drawing would tell of the scene is told once. Throws as `illustrate`. Cost: that of the
+/// drawings, one large and some small ones a step.
+Book make_book(const Scene& scene, const ExplodeModel& model, const std::vector<ExplodeStep>& steps,
+               const BookOptions& book, const Style& style, const IllustrateOptions& options,
+               RunContext& context);
+
+}  // namespace burin

@@ -1,0 +1,337 @@
+#include "page.h"
+
+#include <burin/annotate/details.h>
+#include <burin/drawing/font.h>
+#include <burin/drawing/views.h>
+#include <burin/surface/placed_form.h>
+
+#include "show.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <string>
+#include <utility>
+
+namespace burin::detail {
+namespace {
+
+// Paper mm.
+constexpr double kNumber = 12;   // height of the number of a step
+constexpr double kHeading = 5;   // of the name of a sub-assembly
+constexpr double kCount = 4;     // of "4x"
+constexpr double kName = 2.5;    // of names of parts
+constexpr Vec2 kCell{34, 34};    // a small picture and what stands below it
+constexpr double kPicture = 20;  // of the height of a cell
+constexpr double kInset = 1.5;   // between a cell and what is in it
+constexpr double kApart = 6;     // between parts of a page
+constexpr double kThin = 0.18;   // frames, after ISO 128
+constexpr std::size_t kMostRows = 2;
+/// Of the diagonal of a step: free space between what is new and its place.
+constexpr double kGap = 0.06;
+/// What stands already: widths of its lines, of those of the style, and the least, paper mm.
+constexpr double kLight = 0.5, kLeastLine = 0.13;
+
+Style light(Style style) {
+  LineOptions& line = style.line;
+  for (double* width : {&line.outer, &line.contour, &line.crease, &line.boundary, &line.smooth,
+                        &line.intersection}) {
+    *width = std::min(*width, std::max(kLight * *width, kLeastLine));
+  }
+  return style;
+}
+
+/// Things of a page that are alike, with one of them to be shown.
+struct Kind {
+  NewPart about;
+  std::vector<std::size_t> parts;
+};
+
+/// What goes on at a step, where its parts are.
+struct Scenery {
+  Scene scene;
+  std::vector<Vec3> moved;
+  std::vector<Curve3> trails;
+};
+
+class Page {
+ public:
+  Page(const PageMaker& maker, const BuildStep& step) : maker_(maker), step_(step) {}
+
+  BookPage make(std::size_t number) {
+    const Scenery scenery = move_apart();
+    const std::vector<Kind> kinds = kinds_of();
+    const Margin& m = maker_.book.margin;
+    const Paper& paper = maker_.book.view.paper;
+    const Box2 frame{{m.left, m.bottom}, {paper.width - m.right, paper.height - m.top}};
+    const Vec2 head = text_size(number);
+    const Look look =
+        best_look(maker_.model.proxies(), step_, scenery.moved, maker_.book.view, maker_.context);
+    const Grid grid = cells(frame, head.x, kinds.size());
+    Box2 rest = frame;
+    rest.max.y -= std::max(head.y, grid.box.size().y) + kApart;
+    BookPage page;
+    page.title = title();
+    page.drawing = draw_step(scenery, look, rest);
+    write_head(number, frame, page.drawing);
+    draw_cells(kinds, grid, look, page.drawing);
+    for (const Kind& kind : kinds) page.added.push_back(kind.about);
+    page.drawing.title = page.title.empty() ? fmt::format("Step {}", number)
+                                            : fmt::format("Step {}: {}", number, page.title);
+    return page;
+  }
+
+ private:
+  /// Where small pictures stand.
+  struct Grid {
+    Box2 box;
+    std::size_t columns = 0, shown = 0, left_out = 0;
+  };
+
+  /// What is new stands before its place.
+  Scenery move_apart() const {
+    Scenery out{maker_.scene, std::vector<Vec3>(maker_.scene.parts.size(), Vec3(0)), {}};
+    Box3 box;
+    for (const std::size_t part : step_.parts()) {
+      box.add(maker_.scene.parts[part].form->bounds(Mat3(1)));
+    }
+    std::vector<ExplodeStep> steps;
+    std::vector<bool> there(maker_.scene.parts.size(), false);
+    for (const std::size_t part : step_.parts()) there[part] = true;
+    std::map<const Form*, Placer> placers;
+    for (const BuildMove& move : step_.moves) {
+      const double by =
+          maker_.model.way_out(move.parts, step_.standing, move.along) + kGap * box.diagonal();
+      steps.push_back({move.parts, move.along, by, true});
+      for (const std::size_t part : move.parts) {
+        out.moved[part] = by * move.along;
+        std::shared_ptr<const Form>& form = out.scene.parts[part].form;
+        form = placers.try_emplace(form.get(), form).first->second.at({Mat3(1), out.moved[part]});
+      }
+    }
+    out.trails = maker_.model.trails(steps, 1, there);
+    return out;
+  }
+
+  std::string title() const {
+    if (step_.assembly.empty()) return {};
+    return step_.quantity > 1 ? fmt::format("{}, {}x", step_.assembly, step_.quantity)
+                              : step_.assembly;
+  }
+
+  std::vector<Kind> kinds_of() const {
+    std::map<std::vector<int>, std::size_t> known;
+    std::vector<Kind> kinds;
+    const auto add = [&](const std::vector<std::size_t>& parts) {
+      std::vector<int> numbers;
+      for (const std::size_t part : parts) numbers.push_back(number_of(part));
+      std::ranges::sort(numbers);
+      const auto [entry, is_new] = known.try_emplace(std::move(numbers), kinds.size());
+      if (is_new) kinds.push_back({about(parts), parts});
+      ++kinds[entry->second].about.quantity;
+    };
+    for (const BuildMove& move : step_.moves) add(move.parts);
+    if (step_.begins) {
+      for (const std::size_t part : step_.standing) add({part});
+    }
+    return kinds;
+  }
+
+  int number_of(std::size_t part) const {
+    const DrawingItem* item = maker_.item_of[part];
+    return item ? item->number : -1 - static_cast<int>(part);
+  }
+
+  NewPart about(const std::vector<std::size_t>& parts) const {
+    if (parts.size() == 1) {
+      const DrawingItem* item = maker_.item_of[parts.front()];
+      return item ? NewPart{item->number, item->name, 0}
+                  : NewPart{0, maker_.scene.parts[parts.front()].name, 0};
+    }
+    return {0, name_together(maker_.scene, maker_.drawn, parts), 0};
+  }
+
+  Vec2 text_size(std::size_t number) const {
+    Vec2 size(text_width(std::to_string(number), kNumber), kNumber);
+    const std::string name = title();
+    if (!name.empty()) {
+      size.x = std::max(size.x, text_width(name, kHeading));
+      size.y += kHeading + 0.6 * kHeading;
+    }
+    size.x = std::min(size.x, 0.4 * (maker_.book.view.paper.width));
+    return size;
+  }
+
+  Grid cells(const Box2& frame, double beside, std::size_t kinds) const {
+    Grid grid;
+    const double width = frame.size().x - beside - kApart;
+    grid.columns = static_cast<std::size_t>(std::max(1.0, std::floor(width / kCell.x)));
+    const std::size_t room = grid.columns * kMostRows;
+    grid.shown = std::min(kinds, room);
+    grid.left_out = kinds - grid.shown;
+    grid.columns = std::min(grid.columns, grid.shown);
+    if (grid.shown == 0) return {{frame.max, frame.max}, 0, 0, 0};
+    const std::size_t rows = (grid.shown + grid.columns - 1) / grid.columns;
+    const Vec2 size = kCell * Vec2(static_cast<double>(grid.columns), static_cast<double>(rows));
+    grid.box = {{frame.max.x - size.x, frame.max.y - size.y}, frame.max};
+    return grid;
+  }
+
+  ViewOptions view_of(const Look& look, const Box2& box) const {
+    ViewOptions view = maker_.book.view;
+    view.direction = look.direction;
+    view.up = look.up;
+    view.scale.reset();
+    view.center.reset();
+    view.margin = 0;
+    view.paper = {box.size().x, box.size().y};
+    return view;
+  }
+
+  /// Draws parts of a scene in a box of the sheet.
+  Drawing draw_in(const Scene& scene, const IllustrateOptions& options, const ViewOptions& view,
+                  const Box2& box) const {
+    const Camera camera = Camera::fit(
+        [&](const Mat3& axes) { return drawn_bounds(scene, options.part_styles, axes); }, view);
+    return illustrate(scene, camera.on_sheet(maker_.book.view.paper, box.min), maker_.style,
+                      options, maker_.context);
+  }
+
+  /// Options by which these parts alone are drawn.
+  IllustrateOptions alone(const std::vector<std::size_t>& parts) const {
+    IllustrateOptions options = maker_.options;
+    options.annotations.reset();
+    options.part_styles.resize(maker_.scene.parts.size());
+    for (std::size_t i = 0; i < options.part_styles.size(); ++i) {
+      if (std::ranges::find(parts, i) == parts.end()) options.part_styles[i].drawn = false;
+    }
+    return options;
+  }
+
+  Drawing draw_step(const Scenery& scenery, const Look& look, const Box2& box) const {
+    IllustrateOptions options = alone(step_.parts());
+    options.trails = scenery.trails;
+    if (!step_.begins) {
+      for (const std::size_t part : step_.standing) {
+        PartStyle& one = options.part_styles[part];
+        one.hatched = false;
+        one.style = light(one.style.value_or(maker_.style));
+      }
+    }
+    for (const std::size_t part : look.ghosts) {
+      options.part_styles[part].transparent = true;
+      options.part_styles[part].hatched = false;
+    }
+    Annotations& over = options.annotations.emplace();
+    over.items = new_items();
+    over.callouts = maker_.book.callouts;
+    const Paper& paper = maker_.book.view.paper;
+    over.margin = {paper.height - box.max.y, paper.width - box.max.x, box.min.y, box.min.x};
+    const Margin with_numbers = annotation_margin(over, maker_.style.callout, paper);
+    const Box2 inner{{with_numbers.left, with_numbers.bottom},
+                     {paper.width - with_numbers.right, paper.height - with_numbers.top}};
+    return draw_in(scenery.scene, options, view_of(look, inner), inner);
+  }
+
+  /// Items of what is new, with those of their parts that are on the page.
+  std::vector<DrawingItem> new_items() const {
+    std::vector<std::size_t> fresh;
+    for (const BuildMove& move : step_.moves) {
+      fresh.insert(fresh.end(), move.parts.begin(), move.parts.end());
+    }
+    if (step_.begins) fresh.insert(fresh.end(), step_.standing.begin(), step_.standing.end());
+    std::ranges::sort(fresh);
+    std::map<int, DrawingItem> items;
+    for (const std::size_t part : fresh) {
+      const DrawingItem* item = maker_.item_of[part];
+      if (!item) continue;
+      DrawingItem& one = items.try_emplace(item->number, *item).first->second;
+      if (one.parts == item->parts) one.parts.clear();
+      one.parts.push_back(static_cast<std::int32_t>(part));
+    }
+    std::vector<DrawingItem> out;
+    for (auto& [number, item] : items) out.push_back(std::move(item));
+    return out;
+  }
+
+  void write_head(std::size_t number, const Box2& frame, Drawing& drawing) const {
+    Layer layer{"step", {}};
+    const Vec2 at(frame.min.x, frame.max.y - kNumber);
+    layer.texts.push_back({at, kNumber, TextAnchor::Start, std::to_string(number), "step", 0});
+    const std::string name = title();
+    if (!name.empty()) {
+      const double room = 0.4 * maker_.book.view.paper.width;
+      layer.texts.push_back({at - Vec2(0, 1.6 * kHeading), kHeading, TextAnchor::Start,
+                             fitted_text(name, kHeading, room), "step", 0});
+    }
+    drawing.layers.push_back(std::move(layer));
+  }
+
+  void draw_cells(const std::vector<Kind>& kinds, const Grid& grid, const Look& look,
+                  Drawing& page) const {
+    if (grid.shown == 0) return;
+    Layer layer{"step", {}};
+    Path border;
+    border.kind = LineClass::Frame;
+    border.closed = true;
+    border.width = {kThin};
+    border.points = {grid.box.min,
+                     {grid.box.max.x, grid.box.min.y},
+                     grid.box.max,
+                     {grid.box.min.x, grid.box.max.y}};
+    layer.paths.push_back(std::move(border));
+    for (std::size_t i = 0; i < grid.shown; ++i) {
+      const double column = static_cast<double>(i % grid.columns),
+                   row = static_cast<double>(i / grid.columns);
+      const Vec2 top(grid.box.min.x + column * kCell.x, grid.box.max.y - row * kCell.y);
+      draw_cell(kinds[i], top, look, layer, page);
+    }
+    if (grid.left_out > 0) {
+      layer.texts.push_back({{grid.box.max.x, grid.box.min.y - 1.6 * kName},
+                             kName,
+                             TextAnchor::End,
+                             fmt::format("and {} more", grid.left_out),
+                             "step",
+                             0});
+    }
+    Drawing texts;
+    texts.layers.push_back(std::move(layer));
+    append_view(page, std::move(texts));
+  }
+
+  void draw_cell(const Kind& kind, Vec2 top, const Look& look, Layer& layer, Drawing& page) const {
+    const Box2 box{top + Vec2(kInset, -kPicture), top + Vec2(kCell.x - kInset, -kInset)};
+    Drawing small =
+        draw_in(maker_.scene, alone(kind.parts), view_of({look.direction, look.up, {}}, box), box);
+    small.diagnostics = {};  // the step tells it
+    append_view(page, std::move(small));
+    const double y = top.y - kPicture - 0.4 * kCount;
+    const int item = kind.about.item;
+    layer.texts.push_back({{top.x + kInset, y - kCount},
+                           kCount,
+                           TextAnchor::Start,
+                           fmt::format("{}x", kind.about.quantity),
+                           "step",
+                           item});
+    const std::string name =
+        item > 0 ? fmt::format("{} {}", item, kind.about.name) : kind.about.name;
+    layer.texts.push_back({{top.x + kInset, y - kCount - 1.8 * kName},
+                           kName,
+                           TextAnchor::Start,
+                           fitted_text(name, kName, kCell.x - 2 * kInset),
+                           "step",
+                           item});
+  }
+
+  const PageMaker& maker_;
+  const BuildStep& step_;
+};
+
+}  // namespace
+
+BookPage PageMaker::make(const BuildStep& step, std::size_t number) const {
+  return Page(*this, step).make(number);
+}
+
+}  // namespace burin::detail

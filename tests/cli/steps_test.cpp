@@ -1,0 +1,112 @@
+// Step books from the command line.
+#include "models.h"
+
+#include <nlohmann/json.hpp>
+#include <pugixml.hpp>
+
+#include <filesystem>
+#include <regex>
+#include <set>
+
+namespace burin {
+namespace {
+
+namespace fs = std::filesystem;
+
+class Steps : public test::CliTest {
+ protected:
+  std::string pump() const { return std::string(BURIN_SOURCE_DIR) + "/samples/gear_pump.step"; }
+
+  static std::size_t count(const std::string& text, const std::string& what) {
+    std::size_t n = 0;
+    for (std::size_t at = text.find(what); at != std::string::npos; at = text.find(what, at + 1)) ++n;
+    return n;
+  }
+};
+
+TEST_F(Steps, TheGearPumpIsPutTogetherInElevenSteps) {
+  ASSERT_EQ(run("steps " + pump() + " -o @/pump.md -o @/pump.pdf -o @/pump.html --style outline"), 0)
+      << err_;
+  EXPECT_EQ(err_, "");
+  const std::string text = test::slurp(folder_ / "pump.md");
+  EXPECT_TRUE(text.starts_with("# gear pump\n")) << text;
+  EXPECT_EQ(count(text, "\n## Step "), 11U);
+  EXPECT_NE(text.find("## Step 2: idler\n"), std::string::npos);
+  EXPECT_NE(text.find("- 6 x screw M6 (10)\n"), std::string::npos);
+  EXPECT_NE(text.find("| 10 | 6 | screw M6 |"), std::string::npos);
+  // Each picture is there, with what the page lists.
+  for (int step = 1; step <= 11; ++step) {
+    const std::string name = fmt::format("pump-step-{:02}.svg", step);
+    EXPECT_NE(text.find("](" + name + ")"), std::string::npos);
+    pugi::xml_document svg;
+    ASSERT_TRUE(svg.load_file((folder_ / name).c_str())) << name;
+    EXPECT_EQ(std::string(svg.child("svg").child("title").text().get()).rfind(fmt::format("Step {}", step), 0),
+              0U);
+  }
+  const std::string pdf = test::slurp(folder_ / "pump.pdf");
+  EXPECT_TRUE(std::regex_search(pdf, std::regex("/Type /Pages[^>]*/Count 12|/Count 12[^>]*/Type /Pages")))
+      << "11 steps and the parts list";
+  const std::string html = test::slurp(folder_ / "pump.html");
+  EXPECT_EQ(count(html, "<section id=\"step-"), 11U);
+  EXPECT_EQ(count(html, "<tr data-item="), 11U);
+  // Ids are of one element each.
+  std::set<std::string> ids;
+  const std::regex id(" id=\"([^\"]*)\"");
+  for (auto it = std::sregex_iterator(html.begin(), html.end(), id); it != std::sregex_iterator(); ++it) {
+    EXPECT_TRUE(ids.insert((*it)[1]).second) << (*it)[1];
+  }
+}
+
+TEST_F(Steps, SameBytesForAnyNumberOfThreads) {
+  ASSERT_EQ(run("steps " + pump() + " -o @/a.html --style outline --threads 1"), 0) << err_;
+  ASSERT_EQ(run("steps " + pump() + " -o @/b.html --style outline --threads 4"), 0) << err_;
+  EXPECT_EQ(test::slurp(folder_ / "a.html"), test::slurp(folder_ / "b.html"));
+}
+
+TEST_F(Steps, AnIllustrationSaysTheOrderTitleAndWhatIsLeftOut) {
+  folder_.write("small.off", test::off_text(test::box({5, 5, 20}, {10, 10, 30})));
+  folder_.write("a.burin.json", R"json({"burin": "illustration", "style": "outline",
+    "title": "Box | with *lid*", "parts": [
+      {"file": "box.off", "name": "box"},
+      {"file": "small.off", "name": "lid | 1"},
+      {"file": "small.off", "name": "cap", "place": {"translate": [10, 0, 0]}},
+      {"file": "small.off", "name": "jig", "place": {"translate": [20, 0, 0]}}],
+    "looks": [{"select": "jig", "drawn": false}],
+    "explode": {"steps": [{"move": "cap", "along": [0, 0, 1], "by": 40},
+                          {"move": "lid | 1", "along": [0, 0, 1], "by": 20}]}})json");
+  ASSERT_EQ(run("steps @/a.burin.json -o @/a.md --callouts"), 0) << err_;
+  const std::string text = test::slurp(folder_ / "a.md");
+  EXPECT_TRUE(text.starts_with("# Box \\| with \\*lid\\*\n")) << text;
+  EXPECT_EQ(count(text, "\n## Step "), 2U);
+  const std::size_t lid = text.find("lid \\| 1"), cap = text.find("cap");
+  EXPECT_LT(lid, cap);
+  EXPECT_EQ(text.find("jig"), std::string::npos);
+}
+
+TEST_F(Steps, OnePartIsOneStep) {
+  ASSERT_EQ(run("steps @/box.off -o @/a.pdf -o @/a.html"), 0) << err_;
+  EXPECT_NE(err_.find("there is one part"), std::string::npos) << err_;
+  EXPECT_TRUE(fs::exists(folder_ / "a.pdf"));
+}
+
+TEST_F(Steps, SayWhatTheyCannotDo) {
+  const auto refused = [&](const std::string& line, int status, const std::string& part) {
+    EXPECT_EQ(run("steps " + line), status) << line;
+    expect_error(part);
+  };
+  refused("", 2, "no input");
+  refused("@/box.off", 2, "no output");
+  refused("@/box.off -o @/a.svg", 2, ".pdf, .html or .md");
+  refused("@/box.off -o @/a.md -o @/a.md", 2, "another file");
+  refused("@/box.off -o @/a.md --items 0", 2, "--items takes a whole number from 1");
+  refused("@/box.off -o @/a.md --paper fit", 2, "give --paper one");
+  refused("@/box.off -o @/none/a.md", 4, "folder does not exist");
+  refused("@/box.off -o @/a.md --hide box", 2, "nothing is left");
+  refused("@/box.off -o @/a.md --explode-factor 2", 2, "unknown option");
+  for (const auto& entry : fs::directory_iterator(folder_.path())) {
+    EXPECT_EQ(entry.path().filename(), "box.off");
+  }
+}
+
+}  // namespace
+}  // namespace burin
