@@ -411,6 +411,7 @@ class Reader {
       section.plane = plane_of_text(value, path);
     }
     section.place = place(path);
+    section.json = value.dump();
     out_.request.sections.push_back(std::move(section));
   }
 
@@ -423,7 +424,7 @@ class Reader {
   /// As the option has it, or what it is made of.
   void explode(const Json& value, const std::string& path) {
     Explode& explode = out_.request.explode;
-    explode = {.wanted = true, .place = place(path)};
+    explode = {.wanted = true, .json = value.dump(), .place = place(path)};
     if (!value.is_object()) return set_way(explode, value, path, "explode");
     check_object(value, path, detail::kExplodeKeys);
     if (value.contains("steps")) {
@@ -664,6 +665,15 @@ Illustration parse_illustration(std::string_view json, const std::string& source
                      ": has no parts; name models: \"parts\": [{\"file\": \"part.step\"}]");
   }
   return illustration;
+}
+
+DrawRequest parse_settings(std::string_view json, const std::string& source) {
+  Illustration illustration;
+  Reader(json, source, 0, illustration).read();
+  if (!illustration.inputs.empty()) {
+    throw UsageError(source + ": \"parts\" are those of the scene here");
+  }
+  return std::move(illustration.request);
 }
 
 Illustration read_illustration(const fs::path& path) {

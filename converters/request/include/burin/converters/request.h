@@ -39,6 +39,8 @@ struct Section {
   CutText plane = {};
   /// Selectors of parts that stay whole.
   std::vector<std::string> exclude = {};
+  /// The entry of an illustration file; empty: the section was asked for at a door.
+  std::string json = {};
   /// What errors begin with: "FILE:LINE: ", or empty.
   std::string place = {};
 };
@@ -66,6 +68,8 @@ struct Explode {
   std::optional<double> fit = {};
   /// 0 is together, 1 apart.
   double factor = 1;
+  /// The value of an illustration file; empty: it was asked for at a door.
+  std::string json = {};
   std::string place = {};
 };
 
