@@ -3,8 +3,7 @@
 import json
 import os
 
-import Part
-
+from pump import pump
 from support import V, App, Case, burin, content, drawn
 
 from freecad.burin_wb import illustration_file
@@ -16,21 +15,7 @@ from freecad.burin_wb.features.sheet import Sheet
 
 class Apart(Case):
     def stack(self):
-        """A plate with a lid on it and two bolts through both, in an assembly."""
-        part = self.doc.addObject("App::Part", "Pump")
-        shapes = {"Plate": Part.makeBox(60, 40, 10), "Lid": Part.makeBox(60, 40, 6, V(0, 0, 10))}
-        for x in (12, 48):
-            hole = Part.makeCylinder(3.1, 40, V(x, 20, -5))
-            shapes = {name: shape.cut(hole) for name, shape in shapes.items()}
-        for name, shape in shapes.items():
-            part.addObject(self.solid(shape, name))
-        bolt = Part.makeCylinder(3, 20, V(0, 0, -4)).fuse(Part.makeCylinder(6, 4, V(0, 0, 16)))
-        for x in (12, 48):
-            solid = self.solid(bolt, "Bolt")
-            solid.Placement.Base = V(x, 20, 0)
-            part.addObject(solid)
-        self.doc.recompute()
-        return part
+        return pump(self.doc)
 
     def kinds(self, obj):
         return {path["kind"] for _, path in Sheet(obj.Drawing).paths()}
@@ -76,8 +61,8 @@ class Apart(Case):
         self.assertRegex(obj.Message, "^section 1 leaves Gone whole, which is not drawn here; choose again")
 
     def test_an_exploded_view_is_found_and_kept_as_steps(self):
-        pump = self.stack()
-        obj = self.illustration(pump, Style="outline", Explode=True)
+        pump_ = self.stack()
+        obj = self.illustration(pump_, Style="outline", Explode=True)
         self.assertIn("trail", self.kinds(obj))
         steps, said = asking.find_steps(obj)
         self.assertEqual(said, [])
@@ -93,7 +78,7 @@ class Apart(Case):
         self.assertEqual(explosion.steps_of(obj)[0].by, 77.0)
         moves = explosion.moves_of(steps, [part.source for part in make_job(obj).parts], 0.5)
         self.assertEqual([round(move.z, 3) for move in moves], [0, round(steps[1].by / 2, 3), 38.5, 38.5])
-        self.assertEqual({o.Placement.Base.z for o in pump.Group}, {0.0}, "the model stays as it is")
+        self.assertEqual({o.Placement.Base.z for o in pump_.Group}, {0.0}, "the model stays as it is")
 
     @staticmethod
     def trails(svg):
@@ -119,8 +104,8 @@ class Apart(Case):
         self.assertAlmostEqual(Sheet(obj.Drawing).scale, apart, 6)
 
     def test_broken_steps_are_told_once(self):
-        pump = self.stack()
-        obj = self.illustration(pump, Style="outline", Explode=True)
+        pump_ = self.stack()
+        obj = self.illustration(pump_, Style="outline", Explode=True)
         explosion.set_steps(obj, asking.find_steps(obj)[0])
         self.doc.removeObject("Lid")
         self.doc.recompute()
@@ -137,15 +122,14 @@ class Apart(Case):
         self.assertNotIn("trail", self.kinds(obj))
 
     def test_numbers_are_kept_and_cost_no_run(self):
-        pump = self.stack()
-        obj = self.illustration(pump, Style="outline", Callouts=True, PartsList=True)
+        pump_ = self.stack()
+        obj = self.illustration(pump_, Style="outline", Callouts=True, PartsList=True)
         self.assertEqual(dict(obj.ItemNumbers), {"1": "Plate", "2": "Lid", "3": "Bolt"})
         before, inputs = content(obj.Drawing), obj.Inputs
         self.redraw(obj)
         self.assertEqual((content(obj.Drawing), obj.Inputs), (before, inputs), "the numbers that it gave are no change")
         self.assertEqual(inputs.partition(":")[2], make_job(obj).fingerprint())
-        washer = self.solid(Part.makeBox(5, 5, 5, V(80, 0, 0)), "Nose")
-        pump.addObject(washer)
+        pump_.addObject(self.box(5, 5, 5, "Nose"))
         self.doc.removeObject("Lid")
         self.doc.recompute()
         self.assertEqual(dict(obj.ItemNumbers), {"1": "Plate", "2": "Lid", "3": "Bolt", "4": "Nose"})

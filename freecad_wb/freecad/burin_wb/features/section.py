@@ -2,6 +2,9 @@
 of the option --section ("y", "-z=12")."""
 
 import json
+import re
+
+import FreeCAD
 
 from ..errors import Refused
 from .chosen import selectors
@@ -54,3 +57,40 @@ def for_kernel(obj, sources, notes):
                 entry["exclude"] = chosen
         found.append(entry)
     return found
+
+
+_TEXT = re.compile(r"\s*([+-]?)([xyz])\s*(?:=\s*([-+0-9.eE]+))?\s*$")
+_AXES = {"x": (1.0, 0.0, 0.0), "y": (0.0, 1.0, 0.0), "z": (0.0, 0.0, 1.0)}
+
+
+def plane_of(entry, to_viewer, extent):
+    """The normal and offset of an entry that is one plane, as the kernel takes them; nothing where it is something else.
+    `to_viewer`: a vector; `extent(normal)`: from where to where the model is along a normal, in mm."""
+    said = entry.get("plane") if isinstance(entry, dict) else entry
+    if isinstance(said, dict):
+        try:
+            normal = FreeCAD.Vector(*(float(n) for n in said["normal"])).normalize()
+            return normal, float(said["offset"]) if "offset" in said else _middle(extent, normal)
+        except (KeyError, TypeError, ValueError, FreeCAD.Base.FreeCADError):
+            return None
+    found = _TEXT.match(said) if isinstance(said, str) else None
+    if found is None:
+        return None
+    axis = FreeCAD.Vector(*_AXES[found.group(2)])
+    side = {"+": 1, "-": -1}.get(found.group(1)) or (1 if axis.dot(to_viewer) >= 0 else -1)
+    offset = float(found.group(3)) if found.group(3) else _middle(extent, axis)
+    return axis * side, side * offset
+
+
+def _middle(extent, normal):
+    return sum(extent(normal)) / 2
+
+
+def of_face(face):
+    """Normal and offset of a flat face, or of a datum plane's; what lies before it goes. Throws Refused."""
+    surface = face.findPlane()
+    if surface is None:
+        raise Refused("a section needs a flat face or a datum plane; select one")
+    u0, u1, v0, v1 = face.ParameterRange
+    normal = face.normalAt((u0 + u1) / 2, (v0 + v1) / 2)
+    return normal, normal.dot(surface.Position)

@@ -1,0 +1,34 @@
+"""Assemblies explained: cut open, taken apart, numbered."""
+
+from PySide import QtCore
+
+from ..tasks import show
+from ..tasks.items import ItemsPanel
+from .base import Command, one_illustration, selected_illustrations
+
+
+class _Panel(Command):
+    """Opens a panel, which has a transaction of its own."""
+
+    transaction = False
+    needs_kernel = True
+    panel = None
+
+    def possible(self):
+        return len(selected_illustrations()) == 1
+
+    def run(self, document):
+        illustration = one_illustration()
+        document.openTransaction(QtCore.QCoreApplication.translate(self.name, self.text))
+        show(self.panel(illustration))
+
+
+class NumberParts(_Panel):
+    name = "Burin_NumberParts"
+    text = "Number parts"
+    tip = "Numbers the items of an assembly with leaders in the drawing, lists them on the sheet and as a spreadsheet"
+    icon = "burin_items.svg"
+    panel = ItemsPanel
+
+
+COMMANDS = [NumberParts()]
