@@ -1,5 +1,6 @@
 """The panels of assemblies: parts numbered, cut open, taken apart; the 3-D view and the document beside them."""
 
+import json
 import os
 import pathlib
 import sys
@@ -137,6 +138,107 @@ class Items(Case):
         self.document.undo()
         support.drawn()
         self.assertIsNone(self.document.getObject("PartsList"))
+
+
+class Section(Case):
+    def planes(self):
+        return [json.loads(text) for text in self.obj.Sections]
+
+    def is_cut(self):
+        return 'id="section"' in open(self.obj.Picture).read()
+
+    def scene(self):
+        return Gui.ActiveDocument.ActiveView.getSceneGraph().getNumChildren()
+
+    def test_a_plane_is_moved_flipped_and_taken_back(self):
+        nodes = self.scene()
+        panel = self.open("Burin_Section")
+        self.is_narrow_and_told(panel)
+        self.wait()
+        self.assertEqual(self.planes(), [{"plane": {"normal": [1, 0, 0], "offset": 30}}], "across the view, in the middle")
+        self.assertTrue(self.is_cut())
+        self.assertEqual((self.scene(), panel._plane.is_shown()), (nodes + 1, True))
+        panel.axis.setCurrentIndex(panel.axis.findData("y"))
+        self.assertEqual(self.planes(), [{"plane": {"normal": [0, -1, 0], "offset": -20}}])
+        self.assertEqual((panel.list.item(0).text(), panel.slider.value()), ("-y at 20 mm", 500))
+        panel.slider.setValue(250)
+        self.assertEqual(self.planes()[0]["plane"], {"normal": [0, -1, 0], "offset": -10})
+        panel.offset.setProperty("rawValue", 12.5)
+        self.assertEqual(self.planes()[0]["plane"]["offset"], -12.5)
+        panel.form.findChild(QtGui.QPushButton, "flip").click()
+        self.assertEqual(self.planes()[0]["plane"], {"normal": [0, 1, 0], "offset": 12.5})
+        panel.form.findChild(QtGui.QPushButton, "flip").click()
+        self.wait()
+        support.screenshot("section-panel")
+        self.assertEqual(panel.message.text(), "drawn")
+        self.close(panel)
+        self.assertEqual(self.scene(), nodes)
+        self.assertEqual(self.document.UndoCount, self.undos + 1)
+        self.document.undo()
+        support.drawn()
+        self.assertEqual((self.obj.Sections, self.is_cut()), ([], False))
+
+    def test_through_a_face_and_a_datum_plane(self):
+        self.select((self.pump, "Lid.Face6"))  # z = 16
+        panel = self.open("Burin_Section", (self.pump, "Lid.Face6"))
+        panel.form.findChild(QtGui.QPushButton, "delete").click()
+        self.assertEqual(self.planes(), [])
+        panel.form.findChild(QtGui.QPushButton, "face").click()
+        self.assertEqual(len(self.planes()), 1)
+        normal, offset = self.planes()[0]["plane"]["normal"], self.planes()[0]["plane"]["offset"]
+        face = self.document.Lid.Shape.Face6
+        self.assertAlmostEqual(offset, FreeCAD.Vector(*normal).dot(face.CenterOfMass), 6)
+        self.assertGreater(FreeCAD.Vector(*normal).dot(face.normalAt(0, 0)), 0.999)
+        Gui.Selection.clearSelection()
+        panel.form.findChild(QtGui.QPushButton, "face").click()
+        self.assertEqual(panel.message.text(), "select a flat face or a datum plane")
+        self.select((self.pump, "Bolt.Face1"))
+        panel.form.findChild(QtGui.QPushButton, "face").click()
+        self.assertIn("curved", panel.message.text())
+        self.assertEqual(len(self.planes()), 1)
+        panel.reject()
+        self.wait()
+        self.assertEqual(self.obj.Sections, [])
+
+    def test_through_datum_planes(self):
+        datum = self.document.addObject("PartDesign::Plane", "Datum")
+        datum.Placement = FreeCAD.Placement(FreeCAD.Vector(0, 0, 7), FreeCAD.Rotation())
+        self.document.recompute()
+        self.assertEqual(tuple(self.pump.Origin.OriginFeatures[5].Placement.Base), (0, 0, 0))
+        panel = self.open("Burin_Section")
+        for chosen, offset in ((datum, 7), (next(o for o in self.pump.Origin.OriginFeatures if "XY" in o.Name), 0)):
+            self.select(chosen)
+            panel.form.findChild(QtGui.QPushButton, "face").click()
+            plane = self.planes()[-1]["plane"]
+            self.assertAlmostEqual(plane["normal"][2], 1)
+            self.assertAlmostEqual(plane["offset"], offset)
+        panel.reject()
+        self.wait()
+
+    def test_what_stays_whole_and_what_it_does_not_know(self):
+        self.obj.Sections = ["y", '{"kind": "quarter"}']
+        panel = self.open("Burin_Section")
+        self.assertEqual([panel.list.item(k).text() for k in range(2)], ["-y at 20 mm", '{"kind": "quarter"}'])
+        panel.list.setCurrentRow(1)
+        self.assertFalse(panel.offset.isEnabled())
+        panel.form.findChild(QtGui.QPushButton, "delete").click()
+        self.assertEqual(self.obj.Sections, ["y"])
+        panel.form.findChild(QtGui.QPushButton, "exclude").click()
+        self.assertIn("select objects", panel.message.text())
+        self.select((self.pump, "Bolt."), (self.pump, "Bolt001.Face2"))
+        panel.form.findChild(QtGui.QPushButton, "exclude").click()
+        self.assertEqual(self.planes(), [{"plane": "y", "exclude": ["Pump.Bolt", "Pump.Bolt001"]}])
+        panel.slider.setValue(600)
+        self.assertEqual(self.planes(), [{"plane": {"normal": [0, -1, 0], "offset": -24}, "exclude": ["Pump.Bolt", "Pump.Bolt001"]}])
+        self.wait()
+        self.assertEqual(self.obj.Message, "")
+        panel.form.findChild(QtGui.QPushButton, "include").click()
+        self.assertNotIn("exclude", self.planes()[0])
+        panel.slider.setValue(0)
+        panel.form.findChild(QtGui.QPushButton, "flip").click()
+        self.wait()
+        self.assertRegex(panel.message.text(), "takes all of it away")
+        self.close(panel)
 
 
 support.run(__name__)

@@ -4,6 +4,7 @@ from PySide import QtCore
 
 from ..tasks import show
 from ..tasks.items import ItemsPanel
+from ..tasks.section import SectionPanel
 from .base import Command, one_illustration, selected_illustrations
 
 
@@ -23,6 +24,14 @@ class _Panel(Command):
         show(self.panel(illustration))
 
 
+class Section(_Panel):
+    name = "Burin_Section"
+    text = "Section"
+    tip = "Cuts the parts open by planes in the drawing; the model stays as it is"
+    icon = "burin_section.svg"
+    panel = SectionPanel
+
+
 class NumberParts(_Panel):
     name = "Burin_NumberParts"
     text = "Number parts"
@@ -31,4 +40,4 @@ class NumberParts(_Panel):
     panel = ItemsPanel
 
 
-COMMANDS = [NumberParts()]
+COMMANDS = [Section(), NumberParts()]

@@ -7,6 +7,7 @@ import re
 import FreeCAD
 
 from ..errors import Refused
+from . import eye
 from .chosen import selectors
 
 
@@ -86,11 +87,16 @@ def _middle(extent, normal):
     return sum(extent(normal)) / 2
 
 
-def of_face(face):
-    """Normal and offset of a flat face, or of a datum plane's; what lies before it goes. Throws Refused."""
+def of_face(face, solid):
+    """Normal and offset of a flat face of a shape; what lies before it goes. Throws Refused."""
     surface = face.findPlane()
     if surface is None:
-        raise Refused("a section needs a flat face or a datum plane; select one")
-    u0, u1, v0, v1 = face.ParameterRange
-    normal = face.normalAt((u0 + u1) / 2, (v0 + v1) / 2)
+        raise Refused("a section needs a flat face or a datum plane; this one is curved")
+    normal = eye.of_face(face, solid).direction.normalize()
     return normal, normal.dot(surface.Position)
+
+
+def of_placement(placement):
+    """Of a plane that stands so: what lies on its positive side goes."""
+    normal = placement.Rotation.multVec(FreeCAD.Vector(0, 0, 1))
+    return normal, normal.dot(placement.Base)
