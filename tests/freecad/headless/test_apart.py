@@ -3,12 +3,13 @@
 import json
 import os
 
+from assembly_stand_in import exploded_view
 from pump import pump
 from support import V, App, Case, burin, content, drawn
 
 from freecad.burin_wb import illustration_file
 from freecad.burin_wb.errors import Refused
-from freecad.burin_wb.features import asking, explosion, section
+from freecad.burin_wb.features import asking, assembly_view, explosion, section
 from freecad.burin_wb.features.illustration import make_job
 from freecad.burin_wb.features.sheet import Sheet
 
@@ -185,3 +186,18 @@ class Apart(Case):
         self.doc.recompute()
         self.assertEqual(read.Message, "")
         self.assertEqual(drawn(read).diagnostics, [])
+
+    def test_exploded_views_of_the_assembly_workbench(self):
+        pump_ = self.stack()
+        for in_group in (True, False):
+            view = exploded_view(self.doc, pump_, in_group)
+            steps, notes = assembly_view.steps_of(view)
+            self.assertEqual([(step.move, step.along, step.by) for step in steps],
+                             [(["Pump.Bolt", "Pump.Bolt001"], (0, 0, 1), 50), (["Pump.Lid"], (0, 1, 0), 30)])
+            self.assertEqual([note.split(":")[0].rstrip("01") for note in notes], ["Turned", "Round"])
+        self.assertEqual(len(assembly_view.exploded_views(self.doc)), 2)
+        obj = self.illustration(pump_, Style="outline", Explode=True)
+        explosion.set_steps(obj, steps)
+        self.doc.recompute()
+        self.assertEqual(obj.Message, "")
+        self.assertIn("trail", self.kinds(obj))

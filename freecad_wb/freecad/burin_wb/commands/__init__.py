@@ -9,7 +9,7 @@ from . import apart, export, help, look, new, page, select, style, view
 _registered = []
 
 # Rows of the menu and the toolbar; None is a line between them.
-LAYOUT = ("Burin_NewIllustration", "Burin_View", "Burin_Style", "Burin_Look", None, "Burin_Section", "Burin_NumberParts", None, "Burin_PlaceOnPage", "Burin_Export",
+LAYOUT = ("Burin_NewIllustration", "Burin_View", "Burin_Style", "Burin_Look", None, "Burin_Section", "Burin_Explode", "Burin_NumberParts", None, "Burin_PlaceOnPage", "Burin_Export",
           None, "Burin_SelectSource", "Burin_ShowLines")
 
 
@@ -43,5 +43,5 @@ def context():
         return []
     if not any(is_illustration(o) for o in chosen):
         return ["Burin_NewIllustration", "Burin_Look"]
-    return ["Burin_Edit", "Burin_View", "Burin_Style", "Burin_Section", "Burin_NumberParts", "Burin_PlaceOnPage", "Burin_Export", "Burin_ExportFile",
+    return ["Burin_Edit", "Burin_View", "Burin_Style", "Burin_Section", "Burin_Explode", "Burin_NumberParts", "Burin_PlaceOnPage", "Burin_Export", "Burin_ExportFile",
             "Burin_SelectSource", "Burin_ShowLines"]

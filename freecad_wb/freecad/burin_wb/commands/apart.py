@@ -3,6 +3,7 @@
 from PySide import QtCore
 
 from ..tasks import show
+from ..tasks.explode import ExplodePanel
 from ..tasks.items import ItemsPanel
 from ..tasks.section import SectionPanel
 from .base import Command, one_illustration, selected_illustrations
@@ -32,6 +33,25 @@ class Section(_Panel):
     panel = SectionPanel
 
 
+class Explode(_Panel):
+    name = "Burin_Explode"
+    text = "Explode"
+    tip = "Takes the assembly apart in the drawing by steps that are found and can be edited; the model stays as it is"
+    icon = "burin_explode.svg"
+    panel = ExplodePanel
+
+    def run(self, document):
+        illustration = one_illustration()
+        found = bool(illustration.ExplodeSteps)
+        document.openTransaction(QtCore.QCoreApplication.translate(self.name, self.text))
+        illustration.Explode = True
+        panel = show(ExplodePanel(illustration))
+        if found:
+            panel.changed()
+        else:
+            panel.find()
+
+
 class NumberParts(_Panel):
     name = "Burin_NumberParts"
     text = "Number parts"
@@ -40,4 +60,4 @@ class NumberParts(_Panel):
     panel = ItemsPanel
 
 
-COMMANDS = [Section(), NumberParts()]
+COMMANDS = [Section(), Explode(), NumberParts()]

@@ -1,6 +1,5 @@
 """The panel that numbers the parts of an illustration and lists them."""
 
-import FreeCADGui as Gui
 from PySide import QtCore, QtGui
 
 from ..errors import Refused
@@ -9,8 +8,8 @@ from ..features.asking import items_in, items_job
 from ..text import tr
 from ..view import scheduler
 from . import widgets
+from .lights import Lights
 from .panel import Panel
-from .watch import Selected
 
 
 class ItemsPanel(Panel):
@@ -20,7 +19,6 @@ class ItemsPanel(Panel):
 
     def fill(self):
         self.items = []
-        self._marking = False
         self.callouts = widgets.check(self.obj.Callouts, tr("Numbers in the drawing"), tr("A number with a leader at each item"),
                                       lambda on: self.change("Callouts", on), "callouts")
         self.list = widgets.check(self.obj.PartsList, tr("Parts list on the sheet"),
@@ -31,13 +29,12 @@ class ItemsPanel(Panel):
                                    (tr("A row lights up its objects in the 3-D view; objects that are selected there mark their rows"),
                                     tr("Another number; an item that has it gets this one"), tr("How many objects are of this item")), "items")
         self.table.itemChanged.connect(lambda cell: self._edited(cell))
-        self.table.itemSelectionChanged.connect(lambda: self._light())
         self.column.addWidget(self.table, 1)
         widgets.row(self.column,
                     widgets.button(tr("Renumber"), tr("Numbers from 1 in the order of the assembly, without holes"), self._renumber, "renumber"),
                     widgets.button(tr("Spreadsheet"), tr("Writes the list into a spreadsheet of the document, and puts that on the pages that "
                                                          "show the illustration"), self._spreadsheet, "spreadsheet"))
-        self._selected = Selected(lambda: self._mark())
+        self.lights = Lights(self.document, self.table, lambda row: self.items[row]["sources"])
         self.ask()
 
     def ask(self):
@@ -66,7 +63,7 @@ class ItemsPanel(Panel):
         self.ask()
 
     def closing(self):
-        self._selected.stop()
+        self.lights.stop()
 
     def show(self, found):
         self.items = sorted(found, key=lambda item: item["number"])
@@ -77,7 +74,7 @@ class ItemsPanel(Panel):
             self.table.setItem(r, 1, widgets.cell(str(item["number"]), edited=True))
             self.table.setItem(r, 2, widgets.cell(str(item["quantity"])))
         self.table.blockSignals(False)
-        self._mark()
+        self.lights.mark()
 
     # --- numbers ---
 
@@ -85,9 +82,10 @@ class ItemsPanel(Panel):
         old, text = str(self.items[cell.row()]["number"]), cell.text().strip()
         if not text.isdigit() or not 1 <= int(text) <= 99999:
             self.message.setText(tr("an item has a number from 1 to 99999"))
-            self.show(self.items)
+            QtCore.QTimer.singleShot(0, lambda: self.over or self.show(self.items))  # not while the cell tells
         elif text != old:
-            self._use(items.renumbered(items.kept(dict(self.obj.ItemNumbers), self.items), old, str(int(text))))
+            numbers = items.renumbered(items.kept(dict(self.obj.ItemNumbers), self.items), old, str(int(text)))
+            QtCore.QTimer.singleShot(0, lambda: self.over or self._use(numbers))
 
     def _renumber(self):
         self._use(items.in_order(self.items))
@@ -102,48 +100,3 @@ class ItemsPanel(Panel):
         for page in spreadsheet.pages_of(self.obj):
             spreadsheet.place_on_page(page, sheet, len(self.items) + 1)
         self.message.setText(tr("written to {0}").format(sheet.Label))
-
-    # --- rows and the 3-D view ---
-
-    def _light(self):
-        """Selects the objects of the rows that are selected."""
-        if self._marking:
-            return
-        self._marking = True
-        Gui.Selection.clearSelection()
-        for row in sorted({cell.row() for cell in self.table.selectedItems()}):
-            for source in self.items[row]["sources"]:
-                top, _, sub = source.partition(".")
-                Gui.Selection.addSelection(self.document.Name, top, sub + "." if sub else "")
-        QtCore.QTimer.singleShot(0, self._lit)  # the selection tells of itself before
-
-    def _lit(self):
-        self._marking = False
-
-    def _mark(self):
-        """Selects the rows of the objects that are selected."""
-        if self._marking or self.over:
-            return
-        chosen = selected_paths(self.document)
-        rows = [r for r, item in enumerate(self.items) if any(is_chosen(source, chosen) for source in item["sources"])]
-        self._marking = True
-        self.table.clearSelection()
-        model = self.table.selectionModel()
-        for row in rows:
-            model.select(self.table.model().index(row, 0), QtCore.QItemSelectionModel.Select | QtCore.QItemSelectionModel.Rows)
-        self._marking = False
-
-
-def selected_paths(document):
-    """Paths of the objects of a document that are selected: 'Assembly.Body' with the internal names."""
-    paths = []
-    for chosen in Gui.Selection.getSelectionEx(document.Name, 0):
-        for sub in chosen.SubElementNames or ("",):
-            names = sub[: sub.rfind(".") + 1].rstrip(".")
-            paths.append(chosen.ObjectName + ("." + names if names else ""))
-    return paths
-
-
-def is_chosen(source, chosen):
-    """Whether a part is selected, or an assembly that it is in."""
-    return any(f"{source}.".startswith(f"{path}.") for path in chosen)

@@ -11,7 +11,7 @@ from ..features.eye import face_of
 from ..text import tr
 from ..view.cutting_plane import CuttingPlane
 from . import widgets
-from .items import selected_paths
+from .lights import selected_paths
 from .panel import Panel
 
 AXES = {"x": FreeCAD.Vector(1, 0, 0), "y": FreeCAD.Vector(0, 1, 0), "z": FreeCAD.Vector(0, 0, 1)}

@@ -1,8 +1,14 @@
 """Arrows to drag in the 3-D view: one a step of an exploded view, along its way."""
 
 import FreeCAD
-import FreeCADGui as Gui
 from pivy import coin
+from PySide import QtCore
+
+from .overlay import Overlay
+
+# Milliseconds between two looks at what is dragged. Coin's own callbacks reach Python without the interpreter's lock, which
+# FreeCAD's event loop does not hold: they would end FreeCAD.
+OFTEN = 40
 
 COLOR, ACTIVE = (0.95, 0.35, 0.05), (1.0, 0.75, 0.1)
 
@@ -12,66 +18,70 @@ class Arrows:
 
     def __init__(self, document, dragged):
         self._dragged = dragged
-        self._root = coin.SoSeparator()
-        self._view = next(iter(Gui.getDocument(document.Name).mdiViewsOfType("Gui::View3DInventor")), None)
-        if self._view is not None:
-            self._view.getSceneGraph().addChild(self._root)
+        self._overlay = Overlay(document)
         self.arrows = []
+        self._timer = QtCore.QTimer()
+        self._timer.setInterval(OFTEN)
+        self._timer.timeout.connect(lambda: self._look())
 
     def show(self, places, size):
         """Places: (foot, way, mm) of each step, all in mm of the model; `size`: length of an arrow's head."""
         if len(places) != len(self.arrows):
-            self._root.removeAllChildren()
-            self.arrows = [Arrow(self._root, number, self._dragged) for number in range(len(places))]
+            self._overlay.root.removeAllChildren()
+            self.arrows = [Arrow(self._overlay.root) for _ in places]
         for arrow, (foot, way, by) in zip(self.arrows, places):
             arrow.place(foot, way, by, size)
+        if self.arrows:
+            self._timer.start()
+        else:
+            self._timer.stop()
+
+    def _look(self):
+        for number, arrow in enumerate(list(self.arrows)):
+            moved = arrow.moved()
+            if moved is not None:
+                self._dragged(number, *moved)
 
     def remove(self):
+        self._timer.stop()
         self.arrows = []
-        self._root.removeAllChildren()
-        try:
-            if self._view is not None:
-                self._view.getSceneGraph().removeChild(self._root)
-        except (ReferenceError, RuntimeError):  # the view is closed
-            pass
-        self._view = None
+        self._overlay.remove()
 
 
 class Arrow:
-    def __init__(self, root, number, dragged):
-        self._number, self._dragged = number, dragged
-        self._quiet = False
-        self._size = 1.0
+    def __init__(self, root):
+        self._size, self._seen, self._held = 1.0, 0.0, False
         separator, self._pose = coin.SoSeparator(), coin.SoTransform()
         self.dragger = coin.SoTranslate1Dragger()
         for name, color in (("translator", COLOR), ("translatorActive", ACTIVE)):
             self.dragger.setPart(name, _shape(color))
-        self.dragger.addValueChangedCallback(self._changed, None)
-        self.dragger.addFinishCallback(self._finished, None)
         separator.addChild(self._pose)
         separator.addChild(self.dragger)
         root.addChild(separator)
 
     def place(self, foot, way, by, size):
-        self._quiet = True  # it is not the user who drags
+        """Not while the user holds it."""
+        if self.dragger.isActive.getValue():
+            return
         turn = FreeCAD.Rotation(FreeCAD.Vector(1, 0, 0), way)
         self._pose.translation = tuple(foot)
         self._pose.rotation = turn.Q
         self._pose.scaleFactor = (size, size, size)
         self._size = size
         self.dragger.translation = (by / size, 0.0, 0.0)
-        self._quiet = False
+        self._seen = self.distance()
 
     def distance(self):
         """mm along the way."""
         return self.dragger.translation.getValue()[0] * self._size
 
-    def _changed(self, *_):
-        if not self._quiet:
-            self._dragged(self._number, self.distance(), False)
-
-    def _finished(self, *_):
-        self._dragged(self._number, self.distance(), True)
+    def moved(self):
+        """Where it was dragged to since the last look, and whether it was let go; nothing where neither."""
+        held, before, mm = self.dragger.isActive.getValue(), self._held, self.distance()
+        if mm == self._seen and held == before:
+            return None
+        self._seen, self._held = mm, held
+        return mm, not held
 
 
 def _shape(color):

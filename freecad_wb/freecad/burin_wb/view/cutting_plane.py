@@ -1,25 +1,22 @@
 """The plane of a section as the 3-D view shows it while it is chosen."""
 
 import FreeCAD
-import FreeCADGui as Gui
 from pivy import coin
 
 from . import ink
+from .overlay import Overlay
 
 
 class CuttingPlane:
     """Until `remove`."""
 
     def __init__(self, document):
-        self._root = coin.SoSeparator()
+        self._overlay = Overlay(document)
         pick = coin.SoPickStyle()  # what is behind it is chosen through it
         pick.style = coin.SoPickStyle.UNPICKABLE
-        self._root.addChild(pick)
         self._plane = coin.SoSeparator()
-        self._root.addChild(self._plane)
-        self._view = next(iter(Gui.getDocument(document.Name).mdiViewsOfType("Gui::View3DInventor")), None)
-        if self._view is not None:
-            self._view.getSceneGraph().addChild(self._root)
+        self._overlay.root.addChild(pick)
+        self._overlay.root.addChild(self._plane)
 
     def show(self, normal, offset, box):
         """A square across what a box holds; nothing without a normal."""
@@ -51,9 +48,4 @@ class CuttingPlane:
 
     def remove(self):
         self._plane.removeAllChildren()
-        try:
-            if self._view is not None:
-                self._view.getSceneGraph().removeChild(self._root)
-        except (ReferenceError, RuntimeError):  # the view is closed
-            pass
-        self._view = None
+        self._overlay.remove()
