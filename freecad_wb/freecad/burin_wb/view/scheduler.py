@@ -14,7 +14,7 @@ from ..features.properties import ILLUSTRATION, READ_ONLY
 from ..features.sources import filled, is_ready, survey
 from ..text import tr
 from ..worker import Worker
-from . import reading, status
+from . import reading, stale, status
 from .documents import Documents
 
 # Seconds of the GUI's thread that writing shapes may take at a time.
@@ -210,6 +210,11 @@ class Scheduler(QtCore.QObject):
         runs += self._writing.values()
         return any(obj is None or r.obj is obj for r in runs)
 
+    def waiting(self):
+        """How many drawings wait for the one that runs."""
+        with self._lock:
+            return len(self._waiting) + max(len(self._writing) - (self._current is None), 0)
+
     def cancel(self, obj, tell=True):
         """Ends the runs of an object; what it shows stays as it is."""
         key = _key(obj)
@@ -385,6 +390,7 @@ def install():
         scheduler.documents = Documents(scheduler)
         FreeCAD.addDocumentObserver(scheduler.documents)
         status.install(scheduler)
+        stale.install(scheduler)
     return scheduler
 
 
