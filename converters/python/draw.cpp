@@ -1,130 +1,35 @@
+#include <burin/assembly/select.h>
 #include <burin/base/error.h>
 #include <burin/base/parallel.h>
 #include <burin/converters/catalogues.h>
-#include <burin/converters/illustration.h>
 #include <burin/converters/messages.h>
 #include <burin/converters/read.h>
 #include <burin/converters/request.h>
 
+#include "call.h"
 #include "drawing.h"
-#include "fields.h"
-#include "illustration.h"
 #include "module.h"
 #include "read.h"
 #include "run.h"
 #include "scene.h"
 #include "text.h"
 
-#include <fmt/format.h>
+#include <pybind11/stl.h>
 
-#include <algorithm>
 #include <mutex>
-#include <optional>
+#include <set>
 #include <string>
 #include <utility>
+#include <vector>
 
 namespace burin::python {
 namespace {
 
-/// What `draw` was given beside options.
-struct Calls {
-  py::object field = py::none(), tone = py::none(), progress = py::none(), cancel = py::none(),
-             session = py::none();
-
-  /// Null where it is none of these.
-  py::object* find(const std::string& name) {
-    if (name == "field") return &field;
-    if (name == "tone") return &tone;
-    if (name == "progress") return &progress;
-    if (name == "session") return &session;
-    return name == "cancel" ? &cancel : nullptr;
-  }
-};
-const std::vector<std::string> kCalls = {"field", "tone", "progress", "cancel", "session"};
-
-bool is_about_reading(const std::string& name) {
-  return std::ranges::any_of(read_option_rows(),
-                             [&](const auto& row) { return row.name() == name; });
-}
-
-/// What Python calls `Session`.
-struct PySession {
-  Session session;
-  std::mutex busy;
-};
-
-/// Null for None.
-PySession* session_of(const py::object& value) {
-  if (value.is_none()) return nullptr;
-  if (!py::isinstance<PySession>(value)) {
-    throw py::type_error("argument session takes a Session");
-  }
-  return value.cast<PySession*>();
-}
-
-/// What is to be drawn: a scene, or files to be read in the run.
-struct Source {
-  std::optional<Scene> scene;
-  std::vector<PartStyle> part_styles;
-  std::vector<std::string> paths;
-  std::optional<Illustration> illustration;
-
-  explicit Source(const py::object& value) {
-    if (py::isinstance<PyScene>(value)) {
-      const auto& given = value.cast<const PyScene&>();
-      scene = given.scene;
-      part_styles = given.part_styles;
-    } else if (is_mapping(value)) {
-      illustration = illustration_of(value);
-    } else {
-      paths = path_list(value);
-      if (paths.empty()) throw UsageError("no input; name model files, or give a scene");
-      if (paths.size() == 1 && is_illustration(paths.front())) {
-        illustration = illustration_of(py::str(paths.front()));
-      }
-    }
-  }
-
-  Scene get(const ReadOptions& options, RunContext& context) {
-    if (scene) return std::move(*scene);
-    if (illustration) return read_scene(*illustration, context);
-    check_inputs(paths);
-    return read_scene(paths, options, context);
-  }
-};
-
 DrawingOwner draw(const py::object& source, const py::kwargs& keywords) {
-  Source from(source);
-  Calls calls;
-  DrawRequest request;
-  for (const auto& [key, value] : keywords) {
-    const auto name = key.cast<std::string>();
-    if (py::object* call = calls.find(name)) {
-      *call = py::reinterpret_borrow<py::object>(value);
-      continue;
-    }
-    if (!value.is_none() && is_about_reading(name)) {
-      if (from.scene) {
-        throw UsageError(
-            "arguments about reading (bounds ...) go to Scene.read, not to the scene's draw");
-      }
-      if (from.illustration) {
-        throw UsageError(
-            "arguments about reading (bounds ...) belong to a part of the illustration");
-      }
-    }
-    add_keyword(request, find_option(all_options(), name, kCalls), value);
-  }
-  if (from.illustration) request = merged(from.illustration->request, request);
-  const auto& [field, tone, progress, cancel, kept] = calls;
-  PySession* const session = session_of(kept);
-  DrawPlan plan = make_plan(request, Spelling::Keywords);
-  plan.illustrate.field = python_field(field);
-  plan.illustrate.tone = python_tone(tone);
-  if (!field.is_none()) plan.about_strokes.emplace_back("argument field");
-  if (!tone.is_none()) plan.about_strokes.emplace_back("argument tone");
-  if (from.scene) plan.illustrate.part_styles = from.part_styles;
-  const auto flag = cancel_flag(cancel);
+  Call call(source, keywords);
+  DrawPlan& plan = call.plan;
+  PySession* const session = call.with.python_session();
+  const auto flag = cancel_flag(call.with.cancel);
   auto result = std::make_shared<PyDrawing>();
   result->style = plan.style;
   result->id_prefix = plan.id_prefix;
@@ -133,9 +38,9 @@ DrawingOwner draw(const py::object& source, const py::kwargs& keywords) {
     busy = std::unique_lock(session->busy, std::try_to_lock);
     if (!busy) throw UsageError("the session is drawing already; one drawing at a time");
   }
-  run(progress, flag, [&](RunContext& context) {
+  run(call.with.progress, flag, [&](RunContext& context) {
     const ThreadLimit limit(plan.threads);
-    Scene scene = from.get(plan.read, context);
+    Scene scene = call.from.get(plan.read, context);
     arrange_parts(scene, plan, context);
     const SheetOfViews sheet = plan_sheet(scene, plan);
     result->drawing =
@@ -143,6 +48,52 @@ DrawingOwner draw(const py::object& source, const py::kwargs& keywords) {
     write_parts_lists(result->drawing, plan);
   });
   return result;
+}
+
+py::dict step_of(const Scene& scene, const Explode::Step& step) {
+  std::set<std::size_t> parts;
+  for (const std::string& selector : step.move) {
+    for (const std::size_t part : select(scene, selector)) parts.insert(part);
+  }
+  py::dict d;
+  d["move"] = step.move;
+  d["parts"] = std::vector<std::size_t>(parts.begin(), parts.end());
+  d["along"] = py::make_tuple(step.along.x, step.along.y, step.along.z);
+  d["by"] = step.by;
+  d["trail"] = step.trail;
+  return d;
+}
+
+py::dict explode_steps(const py::object& source, const py::kwargs& keywords) {
+  Call call(source, keywords);
+  DrawPlan& plan = call.plan;
+  Scene scene;
+  std::vector<Explode::Step> steps;
+  run(call.with.progress, cancel_flag(call.with.cancel), [&](RunContext& context) {
+    const ThreadLimit limit(plan.threads);
+    scene = call.from.get(plan.read, context);
+    select_parts(scene, plan);
+    steps = burin::explode_steps(scene, plan, context);
+  });
+  py::list list;
+  for (const Explode::Step& step : steps) list.append(step_of(scene, step));
+  py::dict found;
+  found["steps"] = list;
+  found["diagnostics"] = to_list(at_door(scene.diagnostics, Spelling::Keywords));
+  return found;
+}
+
+py::list items(const py::object& source, const py::kwargs& keywords) {
+  Call call(source, keywords);
+  DrawPlan& plan = call.plan;
+  plan.items = true;
+  run(call.with.progress, cancel_flag(call.with.cancel), [&](RunContext& context) {
+    const ThreadLimit limit(plan.threads);
+    Scene scene = call.from.get(plan.read, context);
+    select_parts(scene, plan);
+    number_parts(scene, plan, context);
+  });
+  return to_list(plan.illustrate.annotations->items);
 }
 
 py::list info(const py::args& paths, const py::kwargs& options) {
@@ -173,6 +124,16 @@ void add_draw(py::module_& module) {
   of_package(session).def(py::init<>());
   module.def("draw", draw, py::arg("source"),
              "What burin.draw calls; that one tells its arguments.");
+  module.def(
+      "explode_steps", explode_steps, py::arg("source"),
+      "\"steps\", by which `draw` with the same arguments takes an assembly apart, found or as "
+      "they were given, and \"diagnostics\", what there is to say of them. A step is a dict: "
+      "\"move\" (selectors), \"along\", \"by\" (mm) and \"trail\", as illustrations have it, and "
+      "\"parts\", their numbers. Throws Error.");
+  module.def(
+      "items", items, py::arg("source"),
+      "The items of what `draw` with the same arguments draws, as `Drawing.items` tells them, "
+      "whether it shows them or not. Throws Error.");
   module.def(
       "catalogues", [] { return py::module_::import("json").attr("loads")(catalogues_json()); },
       "All that can be chosen, as `burin options --json` tells it: \"options\" (of draw), "

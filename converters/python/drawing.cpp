@@ -158,21 +158,6 @@ py::list parts(const PyDrawing& self) {
   return list;
 }
 
-py::list items(const PyDrawing& self) {
-  py::list list;
-  for (const DrawingItem& item : self.drawing.items) {
-    py::dict d;
-    d["number"] = item.number;
-    d["name"] = item.name;
-    d["quantity"] = item.quantity();
-    d["color"] = item.color;
-    d["source"] = item.source;
-    d["parts"] = item.parts;
-    list.append(d);
-  }
-  return list;
-}
-
 py::dict verification(const Verification& v) {
   py::dict d;
   d["spans"] = v.spans;
@@ -349,6 +334,37 @@ void add_view(py::module_& module) {
 
 }  // namespace
 
+py::list to_list(const std::vector<DrawingItem>& items) {
+  py::list list;
+  for (const DrawingItem& item : items) {
+    py::dict d;
+    d["number"] = item.number;
+    d["name"] = item.name;
+    d["quantity"] = item.quantity();
+    d["color"] = item.color;
+    d["source"] = item.source;
+    d["parts"] = item.parts;
+    list.append(d);
+  }
+  return list;
+}
+
+namespace {
+
+py::list views(const PyDrawing& self) {
+  py::list list;
+  for (const SheetView& view : self.drawing.views) {
+    py::dict d;
+    d["name"] = view.name;
+    d["view"] = PyView{view.view};
+    d["box"] = py::make_tuple(view.box.min.x, view.box.min.y, view.box.max.x, view.box.max.y);
+    list.append(d);
+  }
+  return list;
+}
+
+}  // namespace
+
 void add_drawing(py::module_& module) {
   add_path(module);
   add_layer(module);
@@ -370,12 +386,16 @@ void add_drawing(py::module_& module) {
           "What was mended, degraded or left out.")
       .def_property_readonly("parts", parts,
                              "A dict a part: id, name, source, triangles, faces, assembly, color.")
-      .def_property_readonly("items", items,
-                             "A dict an item, by number, where callouts or a parts list were asked "
-                             "for: number, name, quantity, color, source, parts (their ids).")
+      .def_property_readonly(
+          "items", [](const PyDrawing& self) { return to_list(self.drawing.items); },
+          "A dict an item, by number, where callouts or a parts list were asked "
+          "for: number, name, quantity, color, source, parts (their ids).")
       .def_property_readonly(
           "view", [](const PyDrawing& self) { return PyView{self.drawing.view}; },
           "How the sheet was seen.")
+      .def_property_readonly("views", views,
+                             "A dict a view, where the sheet has several: name, view, box (left, "
+                             "bottom, right, top in mm).")
       .def_property_readonly(
           "paper",
           [](const PyDrawing& self) {

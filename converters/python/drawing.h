@@ -4,8 +4,11 @@
 #include <burin/drawing/drawing.h>
 #include <burin/illustrate/style.h>
 
+#include <pybind11/pybind11.h>
+
 #include <memory>
 #include <string>
+#include <vector>
 
 namespace burin::python {
 
@@ -17,5 +20,8 @@ struct PyDrawing {
 };
 
 using DrawingOwner = std::shared_ptr<PyDrawing>;
+
+/// A dict an item.
+pybind11::list to_list(const std::vector<DrawingItem>& items);
 
 }  // namespace burin::python

@@ -104,6 +104,11 @@ py::list list_of_dicts(const List& list) {
   return out;
 }
 
+/// JSON as Python has it.
+py::object parsed(const std::string& json) {
+  return py::module_::import("json").attr("loads")(json);
+}
+
 py::dict illustration(const py::object& source) {
   const Illustration file = illustration_of(source);
   const DrawPlan plan = make_plan(file.request, Spelling::Keywords);
@@ -117,8 +122,13 @@ py::dict illustration(const py::object& source) {
   out["light"] = list_of(plan.style.tone.light);
   out["style"] = style_said(named.empty() ? "" : named.back(), plan.style);
   out["looks"] = list_of_dicts(plan.looks);
-  out["sections"] = plan.sections.size();
-  out["explode"] = plan.explode.wanted;
+  out["sections"] = py::list();
+  for (const Section& section : plan.sections) out["sections"].attr("append")(parsed(section.json));
+  out["explode"] = plan.explode.wanted ? parsed(plan.explode.json) : py::none();
+  out["views"] = plan.views;
+  out["projection"] = plan.projection == ProjectionMethod::FirstAngle ? "first" : "third";
+  out["details"] = py::list();
+  for (const DetailView& detail : plan.details) out["details"].attr("append")(parsed(detail.json));
   py::dict items;
   for (const auto& [number, name] : plan.numbers) items[py::int_(number)] = name;
   out["items"] = items;
@@ -167,6 +177,18 @@ Illustration illustration_of(const py::object& source) {
   return parse_illustration(text, "illustration");
 }
 
+DrawRequest settings_of(const py::object& mapping) {
+  if (!is_mapping(mapping)) {
+    throw py::type_error(fmt::format("argument illustration takes a mapping, not {}",
+                                     std::string(py::repr(mapping))));
+  }
+  py::dict whole;
+  whole["burin"] = "illustration";
+  whole.attr("update")(mapping);
+  const auto text = py::module_::import("json").attr("dumps")(whole).cast<std::string>();
+  return parse_settings(text, "illustration");
+}
+
 void add_illustration(py::module_& module) {
   module.def("illustration_schema", illustration_schema,
              "The JSON Schema of illustration files, as text.");
@@ -180,7 +202,8 @@ void add_illustration(py::module_& module) {
       "(\"from\" and \"up\" as directions, \"perspective\" in degrees, \"scale\", \"center\" in "
       "mm); \"paper\" (\"size\" in mm or \"fit\", \"margin\": top, right, bottom, left); "
       "\"lights\" as they stand; \"light\"; \"style\": a name or file, or all its keys; "
-      "\"looks\"; \"sections\", how many; \"explode\", whether; \"items\", number to name; "
+      "\"looks\"; \"sections\", \"explode\" and \"details\" as they stand; \"views\", names, and "
+      "\"projection\"; \"items\", number to name; "
       "\"callouts\" and \"parts_list\" (on the sheet), True or False; \"hidden\", \"tolerance\" in "
       "mm, \"seed\". What is not "
       "said has the value that `draw` takes, or None. Throws UsageError, InputError.");

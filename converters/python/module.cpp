@@ -11,6 +11,7 @@ PYBIND11_MODULE(_burin, module) {
   add_scene(module);
   add_drawing(module);
   add_draw(module);
+  add_book(module);
   add_illustration(module);
   add_styles(module);
 }

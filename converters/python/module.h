@@ -12,6 +12,7 @@ void add_run(py::module_& module);
 void add_scene(py::module_& module);
 void add_drawing(py::module_& module);
 void add_draw(py::module_& module);
+void add_book(py::module_& module);
 void add_illustration(py::module_& module);
 void add_styles(py::module_& module);
 

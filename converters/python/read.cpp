@@ -65,6 +65,7 @@ std::string text_of(const RequestOption& about, const py::handle& value) {
   if (kind == "number" || kind == "whole") return number_text(name.c_str(), value);
   if (kind == "direction") return list_text(name.c_str(), value);
   if (may_be("float | Sequence")) return value_text(name.c_str(), value);
+  if (may_be("Sequence[str]")) return fmt::format("{}", fmt::join(texts(name, value), ","));
   if (may_be("Sequence")) return list_text(name.c_str(), value, name == "paper" ? "x" : ",");
   if (may_be("float")) return number_text(name.c_str(), value);
   return word(name, value);

@@ -6,17 +6,14 @@
 namespace burin::detail {
 namespace {
 
-DetailView detail_of(const KeyedFile& in, const Json& value, const std::string& path) {
+DetailView read_detail(const KeyedFile& in, const Json& value, const std::string& path) {
   DetailView detail;
   if (!value.is_object()) {
     const std::string given = in.text(value, path);
     in.check(draw_rows(), "detail", {given}, path, "details");
-    detail = detail_option("details", given);
-    detail.place = in.place(path);
-    return detail;
+    return detail_option("details", given);
   }
   in.check_object(value, path, kDetailKeys);
-  detail.place = in.place(path);
   if (value.contains("select") == value.contains("at")) {
     in.fail(path, "a detail has \"select\", or \"at\" and \"radius\"");
   }
@@ -36,6 +33,13 @@ DetailView detail_of(const KeyedFile& in, const Json& value, const std::string& 
     detail.scale = scale_option("scale", given, 1 / kLarge, kLarge);
   }
   if (value.contains("letter")) detail.letter = in.text(value["letter"], path + "/letter");
+  return detail;
+}
+
+DetailView detail_of(const KeyedFile& in, const Json& value, const std::string& path) {
+  DetailView detail = read_detail(in, value, path);
+  detail.json = value.dump();
+  detail.place = in.place(path);
   return detail;
 }
 

@@ -64,7 +64,7 @@ std::vector<Explode::Step> given_steps(const KeyedFile& in, const Json& value,
 void take_explode(const KeyedFile& in, const Json& value, const std::string& path,
                   Illustration& out) {
   Explode& explode = out.request.explode;
-  explode = {.wanted = true, .place = in.place(path)};
+  explode = {.wanted = true, .json = value.dump(), .place = in.place(path)};
   if (!value.is_object()) return set_way(in, explode, value, path, "explode");
   in.check_object(value, path, kExplodeKeys);
   if (value.contains("steps")) explode.steps = given_steps(in, value, path);

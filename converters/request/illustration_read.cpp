@@ -201,6 +201,15 @@ Illustration parse_illustration(std::string_view json, const std::string& source
   return illustration;
 }
 
+DrawRequest parse_settings(std::string_view json, const std::string& source) {
+  Illustration illustration;
+  read(json, source, 0, illustration);
+  if (!illustration.inputs.empty()) {
+    throw UsageError(source + ": \"parts\" are those of the scene here");
+  }
+  return std::move(illustration.request);
+}
+
 Illustration read_illustration(const fs::path& path) {
   return parse_illustration(bytes_of(path.string()), path.string());
 }

@@ -26,6 +26,7 @@ CutText plane(const KeyedFile& in, const Json& value, const std::string& path) {
 /// As the option has it, or a plane and what stays whole.
 Section section(const KeyedFile& in, const Json& value, const std::string& path) {
   Section section;
+  section.json = value.dump();
   section.place = in.place(path);
   if (!value.is_object()) {
     section.plane = plane_of_text(in, value, path);

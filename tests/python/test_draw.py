@@ -340,7 +340,7 @@ class Styles(unittest.TestCase):
         command = subprocess.run([COMMAND, "options", "--json"], check=True, capture_output=True, text=True)
         self.assertEqual(told, json.loads(command.stdout))
         options = {row["name"]: row for row in told["options"]}
-        self.assertEqual(set(options) | {"field", "tone", "progress", "cancel", "session"}, set(inspect.signature(burin.draw).parameters) - {"source"})
+        self.assertEqual(set(options) | {"field", "tone", "progress", "cancel", "session", "illustration"}, set(inspect.signature(burin.draw).parameters) - {"source"})
         self.assertEqual(options["hidden"]["words"], ["none", "dashed"])
         self.assertEqual(options["style"]["choices"], list(burin.styles()))
         self.assertEqual(told["formats"], burin.formats())

@@ -50,8 +50,42 @@ class Illustrations(unittest.TestCase):
         self.assertEqual(said["lights"], [{"ambient": 0.2}, {"from": [-0.5, 0.65, 0.6], "strength": 0.7}, {"at": [0, 0, 300], "strength": 0.2}])
         self.assertEqual((said["style"]["name"], said["style"]["hatch.spacing_min"]), ("engraving", 0.6))
         self.assertEqual(said["looks"], [{"select": ["ring"], "drawn": None, "hatched": None, "transparent": False, "style": "outline"}])
-        self.assertEqual((said["hidden"], said["tolerance"], said["seed"], said["sections"]), ("none", 0.1, 1, 1))
+        self.assertEqual((said["hidden"], said["tolerance"], said["seed"], said["sections"]), ("none", 0.1, 1, ["y"]))
         self.assertEqual(burin.illustration({**TWO, "style": "patent"})["style"], "patent")
+
+    def test_what_a_file_says_beside_parts_is_asked_of_a_scene(self):
+        scene = burin.Scene.read(SAMPLES / "gear_pump.step")
+        found = burin.explode_steps(scene)
+        self.assertEqual([d.code for d in found["diagnostics"]], ["explode.directions"])
+        first = found["steps"][0]
+        self.assertEqual([scene.parts[k].name for k in first["parts"]], [f"screw {k}" for k in range(1, 7)])
+        steps = [{key: step[key] for key in ("move", "along", "by", "trail")} for step in found["steps"]]
+        given = {"section": {"plane": "y", "exclude": "*screw*"}, "explode": {"steps": steps, "factor": 0.5}, "items": {"7": "cover"}}
+        drawing = burin.draw(scene, illustration=given, style="outline", callouts=True)
+        self.assertEqual([(i["number"], i["name"]) for i in drawing.items][:2], [(7, "cover"), (8, "body")])
+        file = {"burin": "illustration", "parts": [{"file": str(SAMPLES / "gear_pump.step")}], **given}
+        same = burin.draw(file, style="outline", callouts=True)
+        self.assertEqual(drawing.to_bytes("svg"), same.to_bytes("svg"))
+        over = burin.draw(scene, illustration={**given, "style": "engraving"}, style="outline", callouts=False)
+        self.assertEqual((over.style, over.items), ("outline", []), "keywords hold over it")
+        self.assertEqual(burin.explode_steps(scene, illustration=given)["steps"], found["steps"], "those that were given")
+        self.assertEqual(burin.items(scene, illustration=given), drawing.items)
+        left = burin.items(scene, part="*screw*")
+        self.assertEqual([(i["number"], i["name"], i["quantity"]) for i in left], [(10, "screw M6", 6)], "hiding changes no number")
+
+    def test_settings_that_no_scene_takes(self):
+        scene = burin.Scene.read(SAMPLES / "bracket.off")
+        for given, words in (({"parts": [{"file": "a.off"}]}, "parts"), ({"sektion": "y"}, "section"),
+                             ({"explode": {"steps": [{"move": ["lid"], "along": [0, 0, 1], "by": 3}]}}, "lid")):
+            with self.assertRaisesRegex(burin.UsageError, f"^illustration.*{words}"):
+                burin.draw(scene, illustration=given)
+        with self.assertRaisesRegex(TypeError, "argument illustration takes a mapping"):
+            burin.draw(scene, illustration=["y"])
+        cancel = burin.Cancel()
+        cancel.cancel()
+        for what in (burin.explode_steps, burin.items):
+            with self.assertRaises(burin.Cancelled):
+                what(burin.Scene.read(SAMPLES / "gear_pump.step"), cancel=cancel)
 
     def test_a_file_is_read_with_what_it_extends_and_without_its_models(self):
         with tempfile.TemporaryDirectory() as folder:
@@ -83,8 +117,8 @@ class Illustrations(unittest.TestCase):
 
     def test_exploded_views(self):
         apart = {**TWO, "explode": {"steps": [{"move": "ring", "along": [0, 0, -1], "by": 80}]}}
-        self.assertTrue(burin.illustration(apart)["explode"])
-        self.assertFalse(burin.illustration(TWO)["explode"])
+        self.assertEqual(burin.illustration(apart)["explode"], apart["explode"])
+        self.assertIsNone(burin.illustration(TWO)["explode"])
         together, drawn = burin.draw(TWO, style="outline"), burin.draw(apart, style="outline")
         self.assertLess(drawn.view.scale, together.view.scale, "it needs more of the sheet")
         self.assertEqual(burin.draw(apart, style="outline", explode="none").view.scale, together.view.scale)

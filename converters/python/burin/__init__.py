@@ -8,6 +8,7 @@ from collections.abc import Callable as _Callable
 from typing import Any as _Any
 
 from ._burin import (
+    Book,
     Brep,
     Cancel,
     Cancelled,
@@ -27,12 +28,15 @@ from ._burin import (
     View,
     __version__,
     catalogues,
+    explode_steps,
     formats,
     illustration,
     illustration_schema,
     info,
+    items,
     papers,
     select,
+    steps,
     style,
     style_keys,
     styles,
@@ -43,6 +47,7 @@ from ._draw import draw
 Progress = _Callable[[str, float], _Any]
 
 __all__ = [
+    "Book",
     "Brep",
     "Cancel",
     "Cancelled",
@@ -63,12 +68,15 @@ __all__ = [
     "View",
     "catalogues",
     "draw",
+    "explode_steps",
     "formats",
     "illustration",
     "illustration_schema",
     "info",
+    "items",
     "papers",
     "select",
+    "steps",
     "style",
     "style_keys",
     "styles",

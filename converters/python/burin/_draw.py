@@ -14,15 +14,16 @@ _CALLS = {
     "progress": ("Progress", "is called with the stage and the share of it that is done"),
     "cancel": ("Cancel", "ends the run when it is set"),
     "session": ("Session", "keeps what the next drawing of the same scene may use again"),
+    "illustration": ("Mapping[str, Any]", "what an illustration file says beside parts: section, explode, items, looks ..."),
 }
 _ABOUT = """Draws a scene, a file, several files, or an illustration: a file NAME.burin.json or a mapping as it holds.
-Keywords are the long options of `burin draw`, and five more.
+Keywords are the long options of `burin draw`, and six more.
 
 `style` as a mapping is that of a style file ({"base": "engraving", "line.outer": 0.5}); `set` overrides single keys,
 or groups of them ({"hatch": {"taper": 1}}). `paper` is a name, (width, height) in mm or "fit"; `margin` one number or
 (top, right, bottom, left). `field` and `tone` are called with positions (n, 3) in mm and unit normals (n, 3), from the
 thread that called: `field` gives directions (n, 3), whose tangent parts strokes follow (NaN = none here), `tone` the
-wanted darkness (n,) in [0, 1]. Keywords about reading are for files; for a scene they go to `Scene.read`. The GIL is
+wanted darkness (n,) in [0, 1]. `illustration` takes what options have no room for; options hold over it. Keywords about reading are for files; for a scene they go to `Scene.read`. The GIL is
 released while the kernel works. Throws Error.
 
 """

@@ -5,6 +5,7 @@ import os
 from . import kernel
 from .errors import Refused
 from .features import illustration, is_illustration
+from .features.stale import is_stale
 from .tell import NOTE, tell
 
 
@@ -22,5 +23,7 @@ def export(objects, filename):
     kernel.module().Drawing.load(obj.Drawing).save(filename)
     if obj.Message.endswith(illustration.KEPT):
         tell(f"{obj.Label}: {obj.Message}, and the one written to {filename}")
+    elif is_stale(obj):
+        tell(f"{obj.Label}: is not up to date (it or its model was changed and not recomputed); the drawing before was written to {filename}")
     else:
         tell(f"{obj.Label}: written to {filename}", NOTE)

@@ -6,6 +6,7 @@ import json
 import os
 import re
 import tempfile
+from dataclasses import replace
 
 import FreeCAD
 import Part
@@ -15,7 +16,7 @@ from .errors import Refused
 from .features.illustration import make_job
 from .features.styles import is_file
 from .illustration_read import read  # noqa: F401  the way back
-from .job import shortened
+from .job import plainly, shortened
 from .part_names import distinct
 from .tell import NOTE, tell
 
@@ -46,6 +47,10 @@ def write(obj, path):
             "paper": {"size": list(job.options["paper"]), "margin": job.options["margin"]}, "style": style}
     if looks:
         data["looks"] = looks
+    try:
+        data.update(_apart(burin, job, names))
+    except burin.Error as error:  # a word that names nothing, a plane that is none
+        raise Refused(plainly(error)) from error
     data["hidden"], data["seed"] = job.options["hidden"], job.options["seed"]
     if job.options["tolerance"]:
         data["tolerance"] = job.options["tolerance"]
@@ -55,7 +60,7 @@ def write(obj, path):
 
 
 def _text(data):
-    """JSON to be read and edited: lists of numbers in one line."""
+    """JSON to be read and edited: lists without lists in one line."""
     return re.sub(r"\[\n([^][{}]*)\]", lambda match: "[" + " ".join(match.group(1).split()) + "]",
                   json.dumps(data, indent=2, ensure_ascii=False))
 
@@ -82,6 +87,38 @@ def _look(burin, part, name):
     if part.style:
         look["style"] = burin.style(part.style) if is_file(part.style) else part.style
     return {"select": "/" + name, **look} if look else None
+
+
+def _apart(burin, job, names):
+    """Keys about parts as an assembly: what they name is there under other names."""
+    parts = [{"name": part.name, "assembly": part.assembly, "color": part.color, "source": part.source} for part in job.parts]
+
+    def named(selectors):
+        return ["/" + names[k] for k in sorted({k for one in selectors for k in burin.select(parts, one)})]
+
+    said = job.options.get("illustration", {})
+    data = {}
+    if "section" in said:
+        data["section"] = [{**one, "exclude": named(one["exclude"])} if "exclude" in one and not isinstance(one, str) else one
+                           for one in said["section"]]
+    if "explode" in said:
+        data["explode"] = dict(said["explode"])
+        if "steps" in data["explode"]:
+            data["explode"]["steps"] = [{**step, "move": named(step["move"])} for step in data["explode"]["steps"]]
+    if said.get("items"):
+        data["items"] = _item_names(burin, job, names)
+    data.update({key: job.options[key] for key in ("callouts", "parts_list") if key in job.options})
+    return data
+
+
+def _item_names(burin, job, names):
+    """The kept numbers, by the names that items have where the parts have these names."""
+    there = replace(job, parts=[replace(part, name=name, assembly=[]) for part, name in zip(job.parts, names)],
+                    options={"callouts": True})
+    called = {tuple(item["parts"]): item["name"] for item in there.items(burin)}
+    kept = dict(job.options["illustration"]["items"])
+    kept.update((str(item["number"]), called[tuple(item["parts"])]) for item in job.items(burin) if tuple(item["parts"]) in called)
+    return kept
 
 
 class _Models:

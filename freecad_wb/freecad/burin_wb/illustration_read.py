@@ -7,11 +7,13 @@ import FreeCAD
 
 from . import kernel, preferences
 from .errors import Refused
-from .features import make_illustration
+from .features import make_illustration, section
+from .features.explosion import Step
 from .features.looks import with_flag, with_style
 from .features.sources import survey
 from .job import shortened
 from .match_parts import match
+from .part_names import plain
 from .tell import NOTE, tell
 
 # Flags of looks by the keys of files: the word, and the value at which it is said.
@@ -30,14 +32,10 @@ def read(document, path):
         _refuse_none(path, matches)
         notes += _missing(matches)
         values = {**_view(told, notes), **_sheet(told, notes), **_style(burin, told, notes),
-                  "Looks": _looks(burin, told["looks"], matches, notes)}
+                  "Looks": _looks(burin, told["looks"], matches, notes), **_apart(burin, told, matches, notes)}
     except burin.Error as error:
         text = str(error)
         raise Refused(text if path in text else f"{path}: {text}") from error
-    if told["sections"]:
-        notes.append("section: parts are not cut open here")
-    if told["explode"]:
-        notes.append("explode: parts stay where they are")
     obj = make_illustration(document, _sources(matches))
     for name, value in values.items():
         setattr(obj, name, value)
@@ -191,6 +189,52 @@ def _looks(burin, looks, matches, notes):
     return {path: text for path, text in words.items() if text}
 
 
+def _apart(burin, told, matches, notes):
+    """Sections, the exploded view and numbers; what they select by the paths of objects."""
+    selectable = [pair for one in matches for pair in one.selectable()]
+    said = []
+
+    def paths(selectors, what):
+        return _selected(burin, [selectors] if isinstance(selectors, str) else selectors, selectable, said, what)
+
+    values = {"Callouts": told["callouts"], "PartsList": told["parts_list"], "Explode": told["explode"] is not None,
+              "Sections": [section.text_of(_section(one, paths)) for one in told["sections"]],
+              "ItemNumbers": _item_numbers(told["items"], selectable)}
+    if values["Explode"]:
+        values.update(_explode(told["explode"], paths, notes))
+    if said:
+        notes.append(shortened(said))
+    return values
+
+
+def _section(entry, paths):
+    if isinstance(entry, str) or "exclude" not in entry:
+        return entry
+    left = paths(entry["exclude"], "section")
+    return {**{key: value for key, value in entry.items() if key != "exclude"}, **({"exclude": left} if left else {})}
+
+
+def _explode(entry, paths, notes):
+    if not isinstance(entry, dict):
+        entry = {"along": entry}
+    steps = [Step.of({**step, "move": moved}) for step in entry.get("steps", ()) for moved in [paths(step["move"], "explode")] if moved]
+    along = entry.get("along", "")
+    along = along if isinstance(along, str) else ",".join(f"{number:g}" for number in along)
+    left = [key for key in ("base", "fit") if key in entry]
+    if left:
+        notes.append(f"explode: {' and '.join(left)}: no property here has that; find the steps with burin illustrate and read its file")
+    if "steps" in entry and not steps:
+        notes.append("explode: the document has nothing that its steps move, so nothing comes apart")
+    return {"Explode": bool(steps) or "steps" not in entry, "ExplodeSteps": [step.text() for step in steps], "ExplodeFactor": float(entry.get("factor", 1.0)),
+            "ExplodeAlong": "" if along == "auto" else along}
+
+
+def _item_numbers(items, selectable):
+    """Numbers with the names that the document has."""
+    labels = {plain(part["name"]): part["name"] for part, path in selectable if path}
+    return {str(number): labels.get(name, name) for number, name in items.items()}
+
+
 def _style_of_look(burin, look, said):
     style = look["style"]
     if style is None:
@@ -204,14 +248,14 @@ def _style_of_look(burin, look, said):
     return "" if keys else name
 
 
-def _selected(burin, selectors, selectable, said):
+def _selected(burin, selectors, selectable, said, what="look"):
     """Paths of the objects that any of the selectors names."""
     found = {}
     for selector in selectors:
         try:
             numbers = burin.select([part for part, _ in selectable], selector)
         except burin.UsageError as error:
-            said.append(f"look: {error}")
+            said.append(f"{what}: {error}")
             continue
         found.update({selectable[number][1]: None for number in numbers if selectable[number][1]})
     return list(found)

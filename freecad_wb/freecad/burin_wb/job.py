@@ -7,7 +7,7 @@ import hashlib
 import re
 import time
 import traceback
-from dataclasses import dataclass, field, fields
+from dataclasses import dataclass, field, fields, replace
 from typing import Any, Dict, List, Optional, Tuple
 
 from .kept_scene import KeptScene
@@ -114,6 +114,7 @@ class Result:
     scale: float
     messages: List[str]
     fingerprint: str
+    numbers: Dict[str, str] = field(default_factory=dict)  # of all items, kept ones among them; nothing where none were asked for
 
 
 UNCHANGED = Result(None, None, 0.0, [], "")
@@ -170,6 +171,28 @@ class Job:
         scene = kept.scene(self, cancel)
         return burin.draw(scene, session=kept.session, progress=progress, cancel=cancel, **self.options)
 
+    def with_numbers(self, numbers):
+        """The same job where items have these numbers."""
+        said = {**self.options.get("illustration", {}), "items": numbers}
+        return replace(self, options={**self.options, "illustration": said})
+
+    def _numbers(self, items):
+        """All that are kept, and those of items."""
+        kept = dict(self.options.get("illustration", {}).get("items", {}))
+        kept.update((str(item["number"]), item["name"]) for item in items)
+        return kept
+
+    def steps(self, burin, progress=None, cancel=None, kept=None):
+        """The steps of an exploded view, as burin.explode_steps gives them, and messages."""
+        kept = kept or KeptScene(burin)
+        found = burin.explode_steps(kept.scene(self, cancel), progress=progress, cancel=cancel, **self.options)
+        return found["steps"], [plainly(d.message) for d in found["diagnostics"]]
+
+    def items(self, burin, progress=None, cancel=None, kept=None):
+        """The items, as burin.items gives them."""
+        kept = kept or KeptScene(burin)
+        return burin.items(kept.scene(self, cancel), progress=progress, cancel=cancel, **self.options)
+
     def is_drawn(self):
         """Whether the kept drawing is the one of this job."""
         return bool(self.unless) and self.unless == self.fingerprint()
@@ -203,9 +226,22 @@ class Job:
         with concurrent.futures.ThreadPoolExecutor(1) as beside:  # the kernel works without the interpreter
             fingerprint = beside.submit(self.fingerprint, kept)
             drawing = self.draw(burin, progress, cancel, kept)
-            messages = [*self.notes, *(d.message for d in drawing.diagnostics)]
+            messages = [*self.notes, *(plainly(d.message) for d in drawing.diagnostics)]
+            numbers = self._numbers(drawing.items)
+            if numbers != self._numbers(()):
+                fingerprint.result()
+                fingerprint = beside.submit(self.with_numbers(numbers).fingerprint, kept)
             return Result(drawing.to_bytes("json", json_points3=False), drawing.to_bytes("svg", svg_merge=True),
-                          drawing.view.scale, messages, fingerprint.result())
+                          drawing.view.scale, messages, fingerprint.result(), numbers)
+
+
+def plainly(text):
+    """What the kernel says, without the place in what it was asked by, which is no file."""
+    return str(text).replace("illustration:1: ", "")
+
+
+# What may be asked of a job.
+_WORK = {"draw": Job.run, "steps": Job.steps, "items": Job.items}
 
 
 def answer(what, job, burin, progress, cancel, kept=None):
@@ -214,13 +250,13 @@ def answer(what, job, burin, progress, cancel, kept=None):
         if what == "check":
             return "done", job.faults(burin, progress, cancel)
         try:
-            return "done", job.run(burin, progress, cancel, kept)
+            return "done", _WORK[what](job, burin, progress, cancel, kept)
         except (burin.GeometryError, burin.InputError) as error:  # it may be the fault of the shapes
-            return "failed", str(error) + job.faults(burin, progress, cancel)
+            return "failed", plainly(error) + job.faults(burin, progress, cancel)
     except burin.Cancelled:
         return "cancelled", None
     except burin.Error as error:
-        return "failed", str(error)
+        return "failed", plainly(error)
     except Exception as error:  # a mistake of ours: told, and the worker lives on
         traceback.print_exc()
         return "failed", f"the drawing kernel failed: {error!r}"

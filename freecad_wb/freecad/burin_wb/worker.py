@@ -87,10 +87,14 @@ class Worker:
         return False
 
     def draw(self, job, progress=None, wanted=lambda: True):
-        """Runs a job to its end. Returns a job.Result. `progress(stage, share)` is called from this thread. `wanted()` is
+        """Runs a job to its end. Returns a job.Result."""
+        return self.do("draw", job, progress, wanted)
+
+    def do(self, what, job, progress=None, wanted=lambda: True):
+        """What `job.answer` gives. `progress(stage, share)` is called from this thread. `wanted()` is
         asked as soon as `cancel` is of effect: whether the job was not cancelled before. Throws Failed or Stopped."""
         if not kernel.found():
-            if job.is_drawn():
+            if what == "draw" and job.is_drawn():
                 return UNCHANGED
             raise Failed(HOW_TO_INSTALL)
         with self._lock:
@@ -100,9 +104,9 @@ class Worker:
             if not wanted():
                 raise Stopped()
             if not self.start():
-                return self._draw_here(job, progress)
+                return self._do_here(what, job, progress)
             try:
-                return self._ask("draw", job, progress)
+                return self._ask(what, job, progress)
             except Crashed as crash:
                 raise Failed(str(crash) + self._faults(job, progress)) from crash
         finally:
@@ -145,7 +149,7 @@ class Worker:
                 raise Stopped() from error
             raise Crashed(words) from error
 
-    def _draw_here(self, job, progress):
+    def _do_here(self, what, job, progress):
         try:
             burin = kernel.module()
         except KernelMissing as error:
@@ -154,7 +158,7 @@ class Worker:
         if self._cancelled:
             self._here.cancel()
         try:
-            kind, given = answer("draw", job, burin, progress, self._here)
+            kind, given = answer(what, job, burin, progress, self._here)
         finally:
             self._here = None
         if kind == "cancelled":

@@ -4,6 +4,7 @@ import importlib
 import os
 import subprocess
 import sys
+from unittest import mock
 
 from support import App, Case, burin, content, features
 
@@ -38,6 +39,39 @@ class Export(Case):
 
         export.export([obj], path)
         self.assertTrue(content(path).startswith(b"%PDF-"))
+
+    def test_what_is_not_up_to_date_is_told_and_written(self):
+        from freecad.burin_wb import export
+        from freecad.burin_wb.features.stale import is_stale, redraw_all, stale_in
+
+        box = self.box()
+        obj, other = self.illustration(box), self.illustration(self.solid(box.Shape, "Other"))
+        self.assertEqual(stale_in(self.doc), [])
+        box.Length = 33
+        self.assertEqual(stale_in(self.doc), [obj], "its model waits for a recompute")
+        before, said, path = content(obj.Drawing), [], os.path.join(self.folder, "a.svg")
+        with mock.patch.object(export, "tell", lambda text, *level: said.append((text, level))):
+            export.export([obj], path)
+            export.export([other], path)
+        self.assertRegex(said[0][0], "^Illustration: is not up to date.*the drawing before was written to")
+        self.assertEqual(said[1][1], (export.NOTE,))
+        self.assertEqual(redraw_all(self.doc), [obj, other])
+        self.assertNotEqual(content(obj.Drawing), before)
+        self.assertFalse(is_stale(obj))
+        obj.Sections = ["nowhere"]
+        self.assertTrue(is_stale(obj))
+        self.doc.recompute()
+        self.assertEqual(stale_in(self.doc), [obj], "it could not be drawn")
+        style = os.path.join(self.folder, "mine.json")
+        with open(style, "w") as file:
+            file.write('{"base": "outline"}')
+        other.Style = style
+        self.doc.recompute()
+        before = content(other.Drawing)
+        with open(style, "w") as file:
+            file.write('{"base": "outline", "line.outer": 2}')
+        redraw_all(self.doc)
+        self.assertNotEqual(content(other.Drawing), before)
 
     def test_freecad_knows_the_types(self):
         self.assertEqual(set(STARTS), set(burin().formats()))

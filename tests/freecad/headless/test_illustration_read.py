@@ -207,13 +207,13 @@ class IllustrationRead(Case):
     def test_what_illustrations_of_documents_have_no_property_for_is_told(self):
         self.box()
         obj = self.read(parts=[{"file": "a.brep", "name": "Box", "heal": True}], view={"from": "top", "center": [1, 2, 3]}, seed=5_000_000_000,
-                        paper={"size": "fit", "margin": [1, 2, 3, 4]}, section="y",
+                        paper={"size": "fit", "margin": [1, 2, 3, 4]}, explode={"base": "Box"},
                         lights=[{"ambient": 0.2}, {"from": [0, 0, 1], "strength": 0.7}, {"at": [0, 0, 9]}, {"ambient": 0.9}])
         self.assertEqual((tuple(obj.ViewDirection), tuple(obj.ViewUp)), ((0, 0, 1), (0, 1, 0)))
         self.assertEqual((obj.Width.Value, obj.Height.Value), (180, 130))
         self.assertEqual((obj.Margin.Value, obj.Seed, tuple(obj.Light)), (4, 2**31 - 1, (0, 0, 1)))
         self.assertEqual({k: float(v) for k, v in obj.StyleKeys.items()}, {"tone.ambient": 1, "tone.diffuse": 0.7})
-        for words in ("that are there: heal", "view.center", "seed", "paper.size", "paper.margin", "section", "lights: one from", "1 left out",
+        for words in ("that are there: heal", "view.center", "seed", "paper.size", "paper.margin", "explode: base", "lights: one from", "1 left out",
                       "tone.ambient is 1 at most here, which is taken for 1.1"):
             self.assertIn(words, self.said[0])
 

@@ -275,6 +275,19 @@ class Flat(Case):
         self.doc.recompute()
         self.assertAlmostEqual(dimension.getRawValue(), 24, delta=0.03)
 
+    def test_numbers_ways_and_hatching_are_no_lines_of_the_model(self):
+        block = self.box(40, 30, 20)
+        plain = len(self.flat(block)[2].Source[0].Shape.Edges)
+        obj, _, view = self.flat(block, Callouts=True, PartsList=True)
+        self.assertEqual(len(view.Source[0].Shape.Edges), plain)
+        obj.Sections = ["y"]
+        self.doc.recompute()
+        cut = len(view.Source[0].Shape.Edges)
+        self.assertLess(cut, 3 * plain)
+        view.Source[0].Strokes = True
+        self.doc.recompute()
+        self.assertGreater(len(view.Source[0].Shape.Edges), cut + 5)
+
     def test_it_lies_over_the_drawing(self):
         obj, page, view = self.flat(self.solid(Part.makeBox(40, 30, 20).cut(Part.makeCylinder(5, 50, V(10, 10, -9)))))
         path = os.path.join(self.folder, "page.dxf")

@@ -4,13 +4,14 @@ import FreeCADGui as Gui
 
 from ..features import is_illustration
 from ..view import scheduler
-from . import export, help, look, new, page, select, style, view
+from . import apart, export, help, look, new, page, redraw, select, style, view
 
 _registered = []
 
 # Rows of the menu and the toolbar; None is a line between them.
-LAYOUT = ("Burin_NewIllustration", "Burin_View", "Burin_Style", "Burin_Look", None, "Burin_PlaceOnPage", "Burin_Export",
-          None, "Burin_SelectSource", "Burin_ShowLines")
+LAYOUT = ("Burin_NewIllustration", "Burin_View", "Burin_Style", "Burin_Look", None, "Burin_Section", "Burin_Explode",
+          "Burin_NumberParts", None, "Burin_RedrawAll", None, "Burin_PlaceOnPage", "Burin_LinesForDimensions", "Burin_Export", None,
+          "Burin_SelectSource", "Burin_ShowLines")
 
 
 def register():
@@ -18,7 +19,7 @@ def register():
     if _registered:
         return
     scheduler.install()
-    for module in (new, view, style, look, page, export, select, help):
+    for module in (new, view, style, look, apart, redraw, page, export, select, help):
         for command in module.COMMANDS:
             Gui.addCommand(command.name, command)
             _registered.append(command.name)
@@ -43,5 +44,6 @@ def context():
         return []
     if not any(is_illustration(o) for o in chosen):
         return ["Burin_NewIllustration", "Burin_Look"]
-    return ["Burin_Edit", "Burin_View", "Burin_Style", "Burin_PlaceOnPage", "Burin_Export", "Burin_ExportFile",
+    return ["Burin_Edit", "Burin_View", "Burin_Style", "Burin_Section", "Burin_Explode", "Burin_NumberParts",
+            "Burin_PlaceOnPage", "Burin_LinesForDimensions", "Burin_Export", "Burin_ExportFile",
             "Burin_SelectSource", "Burin_ShowLines"]

@@ -6,7 +6,9 @@ from PySide import QtGui
 from .. import export as exporter
 from .. import illustration_file, kernel
 from ..errors import Refused
+from ..features.stale import is_stale
 from ..text import tr
+from ..view.scheduler import settle
 from .base import Command, one_illustration, selected_illustrations
 
 
@@ -22,6 +24,8 @@ class Export(Command):
 
     def run(self, document):
         illustration = one_illustration()
+        if not is_wanted(illustration):
+            return
         filters = ";;".join(f"{suffix.upper()} (*.{suffix})" for suffix in kernel.offered()["formats"])
         name, _ = QtGui.QFileDialog.getSaveFileName(Gui.getMainWindow(), self.text, "", filters)
         if not name:
@@ -30,6 +34,27 @@ class Export(Command):
             exporter.export([illustration], name)
         except Exception as error:  # errors of the kernel and of files, each in one line
             raise Refused(str(error))
+
+
+REDRAW, AS_IT_IS = QtGui.QMessageBox.Yes, QtGui.QMessageBox.No
+
+
+def is_wanted(illustration):
+    """Asks what to do where a drawing is not up to date; whether to go on."""
+    if not is_stale(illustration):
+        return True
+    box = QtGui.QMessageBox(QtGui.QMessageBox.Question, "Burin", tr("{0} is not up to date.").format(illustration.Label),
+                            REDRAW | AS_IT_IS | QtGui.QMessageBox.Cancel, Gui.getMainWindow())
+    box.setObjectName("BurinStale")
+    box.button(REDRAW).setText(tr("Redraw first"))
+    box.button(AS_IT_IS).setText(tr("Export the drawing before"))
+    chosen = box.exec_() if hasattr(box, "exec_") else box.exec()
+    box.deleteLater()
+    if chosen == REDRAW:
+        illustration.touch()
+        illustration.Document.recompute()
+        settle(illustration)
+    return chosen in (REDRAW, AS_IT_IS)
 
 
 class ExportFile(Command):

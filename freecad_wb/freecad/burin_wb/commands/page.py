@@ -8,10 +8,10 @@ from PySide import QtCore
 
 from .. import preferences
 from ..errors import Refused
-from ..features import place_on_page
+from ..features import make_flat_edges, place_on_page
 from ..text import tr
 from ..view import page_scale
-from .base import Command, selected_illustrations
+from .base import Command, one_illustration, selected_illustrations
 
 TEMPLATE = os.path.join("Mod", "TechDraw", "Templates", "A3_Landscape_blank.svg")
 
@@ -67,4 +67,28 @@ def _when_shown(page):
     QtCore.QTimer.singleShot(100, then)
 
 
-COMMANDS = [PlaceOnPage()]
+class LinesForDimensions(Command):
+    name = "Burin_LinesForDimensions"
+    text = "Lines for dimensions"
+    tip = ("Puts the illustration's lines on the page as edges, over its picture where that is there: TechDraw dimensions on them tell lengths of "
+           "the model")
+    icon = "burin_dimensions.svg"
+
+    def possible(self):
+        return len(selected_illustrations()) == 1
+
+    def run(self, document):
+        illustration = one_illustration()
+        if not illustration.Drawing:
+            raise Refused(tr("{0} is not drawn yet; recompute it").format(illustration.Label))
+        page = page_of(document)
+        view = make_flat_edges(page, illustration)
+        document.recompute()
+        if not view.Source[0].Shape.Edges:
+            raise Refused(tr("{0} has no lines that could be measured").format(illustration.Label))
+        if page.ViewObject is not None:
+            page.ViewObject.show()
+            _when_shown(page)
+
+
+COMMANDS = [PlaceOnPage(), LinesForDimensions()]

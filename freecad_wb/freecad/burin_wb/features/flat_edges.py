@@ -11,6 +11,9 @@ from .sheet_view import add_template, sheet_center
 # Edges stay this near to the drawn lines, in mm of paper: half the finest pen's width is 0.06.
 TOLERANCE = 0.02
 
+# Kinds of paths that are no lines of the model: numbers with their leaders, lists, the ways of an exploded view; and hatching.
+NOTES, STROKES = ("leader", "frame", "trail"), ("stroke", "pattern")
+
 
 class FlatEdges:
     """The Proxy of a Part::FeaturePython: an illustration's lines in the XY plane, in mm of the model as projected,
@@ -31,7 +34,7 @@ class FlatEdges:
         sheet = Sheet(source.Drawing)
         edges = []
         for _, path in sheet.paths():
-            if path["kind"] == "stroke" and not obj.Strokes or not path["visible"] and not obj.Hidden:
+            if path["kind"] in NOTES or path["kind"] in STROKES and not obj.Strokes or not path["visible"] and not obj.Hidden:
                 continue
             edges.extend(edges_of([sheet.flat(p) for p in path["points"]], path["closed"], TOLERANCE / sheet.scale))
         obj.Shape = Part.makeCompound(edges)

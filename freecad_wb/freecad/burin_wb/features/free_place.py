@@ -84,6 +84,8 @@ def extent(view):
 
 
 def _own_extent(view):
+    if view.isDerivedFrom("TechDraw::DrawViewSpreadsheet"):
+        return _spreadsheet_extent(view)
     if view.isDerivedFrom("TechDraw::DrawViewSymbol"):
         return _symbol_extent(view)
     if view.isDerivedFrom("TechDraw::DrawProjGroup"):
@@ -100,6 +102,15 @@ def _own_extent(view):
     if hasattr(view, "Width") and hasattr(view, "Height"):  # pictures, clips
         return view.Width.Value, view.Height.Value
     return None
+
+
+def _spreadsheet_extent(view):
+    """Its symbol says no size; it has a rectangle a cell, in pixels."""
+    cells = re.findall(r'<rect x="([0-9.]+)" y="([0-9.]+)" width="([0-9.]+)" height="([0-9.]+)"', view.Symbol)
+    if not cells:
+        return None
+    x, y, width, height = zip(*([float(n) for n in cell] for cell in cells))
+    return tuple(max(a + b for a, b in zip(at, size)) * view.Scale / preferences.pixels_per_mm() for at, size in ((x, width), (y, height)))
 
 
 def _symbol_extent(view):

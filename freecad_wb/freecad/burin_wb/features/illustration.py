@@ -10,12 +10,19 @@ from ..job import Job, shortened
 from ..tell import ERROR, tell
 from ..worker import Worker
 from . import styles
+from .apart import options_of
 from .properties import ILLUSTRATION, ensure, is_newer
 from .shapes import shapes
 from .sources import collect, from_the_top
 
 
 _worker = Worker()
+
+
+def ask_to_end(what, job):
+    """What a worker process answers to a job ("steps", "items"; see job.answer). Waits; with a window view.scheduler asks beside it.
+    Throws Failed."""
+    return _worker.do(what, job)
 
 
 def run_to_end(obj, job, finish):
@@ -84,7 +91,7 @@ class Illustration:
                     if result.drawing is None:
                         self._take_as_drawn(obj, job, exact)
                     else:
-                        keep(obj, result, exact)
+                        keep(obj, result, keep_numbers(obj, job, result) or exact)
                     return
                 except OSError as failure:
                     error = (f"the drawing cannot be kept in the document ({reason(failure)}); make room on the disk or save "
@@ -185,8 +192,17 @@ def make_job(obj):
         "hidden": obj.HiddenLines.lower(),
         "seed": obj.Seed,
         "tolerance": obj.Tolerance.Value or None,
+        **options_of(obj, [part.source for part in parts], notes),
     }
     return Job(parts, options, notes, styles.contents({style, *(p.style for p in parts)}))
+
+
+def keep_numbers(obj, job, result):
+    """New items have numbers from now on; the fingerprint of what the object asks for then. Nothing where it is as before."""
+    if not result.numbers or result.numbers == dict(obj.ItemNumbers):
+        return None
+    obj.ItemNumbers = result.numbers
+    return job.with_numbers(result.numbers).exact_fingerprint()
 
 
 def keep(obj, result, exact):

@@ -43,10 +43,10 @@ class Sheet:
                 relative.dot(self.up) * self.scale + self.offset[1])
 
     def nearest(self, point, reach):
-        """The visible path nearest to a paper point within `reach` mm; lines of edges before strokes."""
+        """The visible path of a part nearest to a paper point within `reach` mm; lines of edges before strokes."""
         best, found = math.inf, None
         for _, path in self.paths():
-            if not path["visible"]:
+            if not path["visible"] or path["part"] < 0:
                 continue
             distance = distance_to(path, point)
             if distance > reach:

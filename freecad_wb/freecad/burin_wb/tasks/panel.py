@@ -62,6 +62,9 @@ class Panel:
     def refresh(self):
         """The document changed: shows what it holds now."""
 
+    def closing(self):
+        """The panel is about to go: takes back what it shows elsewhere."""
+
     # --- changes ---
 
     def change(self, name, value):
@@ -190,6 +193,7 @@ class Panel:
         if self.over:
             return
         self.over = True
+        self.closing()
         self.preview.close_large()
         self._escape.stop()
         self._watch.stop()

@@ -59,3 +59,28 @@ class Changes:
             self._timer.stop()
             self._timer = None
             FreeCAD.removeDocumentObserver(self)
+
+
+class Selected:
+    """Calls a function once the selection has changed."""
+
+    def __init__(self, slot):
+        self._slot, self._waits = slot, False
+        Gui.Selection.addObserver(self)
+
+    def _changed(self, *_):
+        if not self._waits:
+            self._waits = True
+            QtCore.QTimer.singleShot(0, self._tell)  # not while the selection calls
+
+    addSelection = removeSelection = setSelection = clearSelection = _changed
+
+    def _tell(self):
+        self._waits = False
+        if self._slot is not None:
+            self._slot()
+
+    def stop(self):
+        if self._slot is not None:
+            self._slot = None
+            Gui.Selection.removeObserver(self)

@@ -107,3 +107,46 @@ def group(title, column):
     form.setFieldGrowthPolicy(QtGui.QFormLayout.AllNonFixedFieldsGrow)
     column.addWidget(box)
     return form
+
+
+def button(text, tip, clicked, name):
+    made = QtGui.QPushButton(text)
+    made.setObjectName(name)
+    made.setToolTip(tip)
+    made.setMinimumWidth(40)
+    made.clicked.connect(lambda *_: clicked())
+    return made
+
+
+def row(column, *items):
+    """Widgets side by side; the first takes what is left."""
+    line = QtGui.QHBoxLayout()
+    for k, item in enumerate(items):
+        line.addWidget(item, 0 if k else 1)
+    column.addLayout(line)
+
+
+def table(heads, tips, name):
+    """An empty table whose first column takes what the others leave."""
+    made = QtGui.QTableWidget(0, len(heads))
+    made.setObjectName(name)
+    made.setHorizontalHeaderLabels(heads)
+    for k, tip in enumerate(tips):
+        made.horizontalHeaderItem(k).setToolTip(tip)
+    made.verticalHeader().hide()
+    made.setSelectionBehavior(QtGui.QAbstractItemView.SelectRows)
+    header = made.horizontalHeader()
+    header.setSectionResizeMode(QtGui.QHeaderView.ResizeToContents)
+    header.setSectionResizeMode(0, QtGui.QHeaderView.Stretch)
+    made.setMinimumHeight(140)
+    return made
+
+
+def cell(text, edited=False, tip=""):
+    """An item of a table."""
+    made = QtGui.QTableWidgetItem(text)
+    flags = QtCore.Qt.ItemIsEnabled | QtCore.Qt.ItemIsSelectable
+    made.setFlags(flags | QtCore.Qt.ItemIsEditable if edited else flags)
+    if tip:
+        made.setToolTip(tip)
+    return made

@@ -12,10 +12,13 @@ from ..text import tr
 from . import ink, reading
 from .follow import follow
 
-_ICON = os.path.join(os.path.dirname(os.path.dirname(__file__)), "resources", "icons", "burin_illustration.svg")
+_ICONS = os.path.join(os.path.dirname(os.path.dirname(__file__)), "resources", "icons")
+_ICON, _STALE = os.path.join(_ICONS, "burin_illustration.svg"), os.path.join(_ICONS, "burin_stale.svg")
 
 
 class IllustrationView:
+    is_stale = False  # as the tree shows it
+
     def __init__(self, view):
         view.Proxy = self
 
@@ -45,7 +48,13 @@ class IllustrationView:
         return mode
 
     def getIcon(self):
-        return _ICON
+        return _STALE if self.is_stale else _ICON
+
+    def mark(self, stale):
+        """Shows in the tree whether the drawing is not up to date."""
+        if stale != self.is_stale:
+            self.is_stale = stale
+            self.View.signalChangeIcon()
 
     def updateData(self, obj, name):
         if name == "Drawing" and hasattr(self, "_root"):

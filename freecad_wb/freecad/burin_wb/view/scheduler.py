@@ -14,7 +14,7 @@ from ..features.properties import ILLUSTRATION, READ_ONLY
 from ..features.sources import filled, is_ready, survey
 from ..text import tr
 from ..worker import Worker
-from . import reading, status
+from . import reading, stale, status
 from .documents import Documents
 
 # Seconds of the GUI's thread that writing shapes may take at a time.
@@ -25,7 +25,8 @@ KEPT = 8
 
 
 class _Run:
-    def __init__(self, obj, job, inputs, finish):
+    def __init__(self, obj, job, inputs, finish, what="draw"):
+        self.what = what  # as job.answer knows it; anything else is asked beside the drawings
         self.obj, self.key = obj, (obj.Document.Name, obj.Name)
         self.job, self.inputs, self.finish = job, inputs, finish
         self.stage, self.share = "", 0.0
@@ -152,7 +153,7 @@ class Scheduler(QtCore.QObject):
         with self._lock:
             for run in self._begun(key):
                 if run.inputs == inputs and not run.cancelled and not run.replaced and run.obj is obj:
-                    self._waiting = [r for r in self._waiting if r.key != key]
+                    self._waiting = [r for r in self._waiting if r.key != key or r.what != "draw"]
                     run.finish, run.asked = finish, _asked(obj)
                     return
             self._replace(key)
@@ -162,6 +163,17 @@ class Scheduler(QtCore.QObject):
             finish(result, None)
             self._after(obj, key, None)
             return
+        self._start(key)
+
+    def ask(self, what, obj, job, done):
+        """What the worker answers to a job ("steps", "items"; see job.answer), beside the drawings of the object:
+        `done(answer, error)` is called later in the GUI's thread, but not where the document is closed. Ended as drawings are."""
+        run = _Run(obj, job, "", done, what)
+        with self._lock:
+            self._waiting.append(run)
+        self._start(run.key)
+
+    def _start(self, key):
         with self._lock:
             if self._thread is None:
                 self._thread = threading.Thread(target=self._work, name="burin", daemon=True)
@@ -198,14 +210,23 @@ class Scheduler(QtCore.QObject):
         runs += self._writing.values()
         return any(obj is None or r.obj is obj for r in runs)
 
+    def waiting(self):
+        """How many drawings wait for the one that runs."""
+        with self._lock:
+            return len(self._waiting) + max(len(self._writing) - (self._current is None), 0)
+
     def cancel(self, obj, tell=True):
         """Ends the runs of an object; what it shows stays as it is."""
         key = _key(obj)
         writing = self._writing.pop(key, None)
         with self._lock:
-            unborn = [r for r in self._waiting if r.key == key]
+            waiting = [r for r in self._waiting if r.key == key]
             self._drop(key)
-            begun = self._begun(key)
+            begun = [r for r in self._begun(key) if r.what == "draw"]
+        unborn = [r for r in waiting if r.what == "draw"]
+        for asked in (r for r in waiting if r.what != "draw"):
+            asked.finish(None, Stopped(tr("cancelled")))
+            self.ended.emit(key, Stopped(tr("cancelled")))
         if (unborn or writing) and not begun:  # else the end of what has begun is told
             error = Stopped(tr("cancelled"))
             if tell and unborn:
@@ -230,19 +251,21 @@ class Scheduler(QtCore.QObject):
         runs = [run for run, _, _ in self._ended_runs] + ([self._current] if self._current else [])
         return [run for run in runs if key is None or run.key == key]
 
-    def _drop(self, key):
-        """With the lock held."""
-        self._waiting = [r for r in self._waiting if r.key != key]
+    def _drop(self, key, what=None):
+        """With the lock held: all runs of a key, or those of a kind."""
+        self._waiting = [r for r in self._waiting if r.key != key or what not in (None, r.what)]
         for run in self._begun(key):
+            if what not in (None, run.what):
+                continue
             if not run.cancelled and run is self._current:
                 self._worker.cancel()
             run.cancelled = True
 
     def _replace(self, key):
-        """With the lock held: what is under way will have nothing to tell."""
-        self._drop(key)
+        """With the lock held: the drawing under way will have nothing to tell."""
+        self._drop(key, "draw")
         for run in self._begun(key):
-            run.replaced = True
+            run.replaced |= run.what == "draw"
 
     def cancel_all(self):
         with self._lock:
@@ -267,8 +290,8 @@ class Scheduler(QtCore.QObject):
                 self._current = run = self._waiting.pop(0)
             result = error = None
             try:
-                result = self._worker.draw(run.job, lambda stage, share: self._note(run, stage, share),
-                                           lambda: not run.cancelled)
+                result = self._worker.do(run.what, run.job, lambda stage, share: self._note(run, stage, share),
+                                         lambda: not run.cancelled)
             except Stopped:
                 error = Stopped(tr("cancelled"))
             except Exception as failure:
@@ -301,6 +324,9 @@ class Scheduler(QtCore.QObject):
             self._finish(*over)
 
     def _finish(self, run, result, error):
+        if run.what != "draw":
+            self._answer(run, result, error)
+            return
         unchanged = result is not None and result.drawing is None
         self.count += not unchanged
         if result is not None and not unchanged:
@@ -313,12 +339,21 @@ class Scheduler(QtCore.QObject):
         if obj is not None:
             if run.cancelled:
                 error = Stopped(tr("cancelled"))
+            changed = run.asked != _asked(obj)  # before the result is there: numbers of items are a part of it
             run.finish(None if error else result, error)
-            if error is None and run.asked != _asked(obj):
+            if error is None and changed:
                 # Changed meanwhile and not yet recomputed: it is not up to date.
                 self.ended.emit(run.key, None)
                 return
         self._after(obj, run.key, error)
+
+    def _answer(self, run, result, error):
+        if run.replaced:
+            return
+        if run.cancelled:
+            error = Stopped(tr("cancelled"))
+        run.finish(None if error else result, error)
+        self.ended.emit(run.key, error)
 
     def _after(self, obj, key, error):
         if obj is not None and error is None:
@@ -355,6 +390,7 @@ def install():
         scheduler.documents = Documents(scheduler)
         FreeCAD.addDocumentObserver(scheduler.documents)
         status.install(scheduler)
+        stale.install(scheduler)
     return scheduler
 
 

@@ -45,7 +45,8 @@ class Status(QtGui.QWidget):
         self._show(key, tr(stage) if stage else tr("drawing"), share)
 
     def _show(self, key, stage, share):
-        self.text.setText(f"{_label(key)}: {stage}")
+        more = self._scheduler.waiting()
+        self.text.setText(f"{_label(key)}: {stage}" + (" " + tr("({0} more)").format(more) if more else ""))
         self.bar.setValue(round(100 * share))
 
     def _ended(self, key, error):

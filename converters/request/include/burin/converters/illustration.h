@@ -46,6 +46,10 @@ Illustration read_illustration(const std::filesystem::path& path);
 /// The same from text; `source` names it in errors, its folder is where files are looked for.
 Illustration parse_illustration(std::string_view json, const std::string& source);
 
+/// All that an illustration says but parts, which it must not have: what a program asks of a scene
+/// that it has. Throws as `parse_illustration`.
+DrawRequest parse_settings(std::string_view json, const std::string& source);
+
 /// The parts of its inputs, placed. Inputs that are equal but for place and name are read once.
 /// Stage "read". Throws InputError.
 Scene read_scene(const Illustration& illustration, RunContext& context);

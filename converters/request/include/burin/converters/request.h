@@ -41,6 +41,8 @@ struct Section {
   CutText plane = {};
   /// Selectors of parts that stay whole.
   std::vector<std::string> exclude = {};
+  /// The entry of an illustration file; empty: the section was asked for at a door.
+  std::string json = {};
   /// What errors begin with: "FILE:LINE: ", or empty.
   std::string place = {};
 };
@@ -68,6 +70,8 @@ struct Explode {
   std::optional<double> fit = {};
   /// 0 is together, 1 apart.
   double factor = 1;
+  /// The value of an illustration file; empty: it was asked for at a door.
+  std::string json = {};
   std::string place = {};
 };
 
@@ -81,6 +85,8 @@ struct DetailView {
   std::optional<double> scale = {};
   /// Empty: the next of A, B, C ...
   std::string letter = {};
+  /// The entry of an illustration file; empty: the detail was asked for at a door.
+  std::string json = {};
   /// What errors begin with: "FILE:LINE: ", or empty.
   std::string place = {};
 };

@@ -1,0 +1,25 @@
+"""What an illustration asks of its parts as an assembly: sections, an exploded view, numbers and a list."""
+
+from . import explosion, section
+
+
+def options_of(obj, sources, notes):
+    """Keywords of burin.draw; only those that are asked for, so that drawings without them stay what they are. `sources`:
+    paths of the parts. Throws Refused."""
+    said = {}
+    sections = section.for_kernel(obj, sources, notes)
+    if sections:
+        said["section"] = sections
+    explode = explosion.for_kernel(obj, sources, notes)
+    if explode is not None:
+        said["explode"] = explode
+    options = {}
+    if obj.Callouts:
+        options["callouts"] = True
+    if obj.PartsList:
+        options["parts_list"] = "sheet"
+    if options and dict(obj.ItemNumbers):
+        said["items"] = dict(obj.ItemNumbers)
+    if said:
+        options["illustration"] = said
+    return options

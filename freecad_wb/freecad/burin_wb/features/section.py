@@ -1,0 +1,102 @@
+"""Planes that cut parts open, as the property Sections keeps them: an entry of an illustration file each, as JSON, or the text
+of the option --section ("y", "-z=12")."""
+
+import json
+import re
+
+import FreeCAD
+
+from ..errors import Refused
+from . import eye
+from .chosen import selectors
+
+
+def entry_of(text, number=1):
+    """What an illustration file would say: text, or a mapping. Throws Refused."""
+    text = text.strip()
+    if not text.startswith("{"):
+        return text
+    try:
+        return json.loads(text)
+    except ValueError as error:
+        raise Refused(f"section {number} of the property Sections is no JSON ({error}); choose the plane again") from error
+
+
+def text_of(entry):
+    return entry if isinstance(entry, str) else json.dumps(entry, ensure_ascii=False)
+
+
+def entries_of(obj):
+    """All sections of an illustration. Throws Refused."""
+    return [entry_of(text, number) for number, text in enumerate(obj.Sections, 1) if text.strip()]
+
+
+def plane(normal, offset, exclude=()):
+    """An entry of one plane: `normal` points to what is taken away, `offset` mm from the origin along it; `exclude`:
+    paths or names of objects that stay whole."""
+    entry = {"plane": {"normal": [float(n) for n in normal], "offset": float(offset)}}
+    return {**entry, "exclude": list(exclude)} if exclude else entry
+
+
+def excluded(entry):
+    """Words for what stays whole."""
+    words = entry.get("exclude", []) if isinstance(entry, dict) else []
+    return [words] if isinstance(words, str) else list(words)
+
+
+def for_kernel(obj, sources, notes):
+    """Entries as the kernel takes them: objects by the numbers of their parts."""
+    found = []
+    for number, entry in enumerate(entries_of(obj), 1):
+        words = excluded(entry)
+        if words:
+            chosen, lost = selectors(words, sources)
+            if lost:
+                notes.append(f"section {number} leaves {', '.join(lost)} whole, which is not drawn here; choose again what it leaves whole")
+            entry = {key: value for key, value in entry.items() if key != "exclude"}
+            if chosen:
+                entry["exclude"] = chosen
+        found.append(entry)
+    return found
+
+
+_TEXT = re.compile(r"\s*([+-]?)([xyz])\s*(?:=\s*([-+0-9.eE]+))?\s*$")
+_AXES = {"x": (1.0, 0.0, 0.0), "y": (0.0, 1.0, 0.0), "z": (0.0, 0.0, 1.0)}
+
+
+def plane_of(entry, to_viewer, extent):
+    """The normal and offset of an entry that is one plane, as the kernel takes them; nothing where it is something else.
+    `to_viewer`: a vector; `extent(normal)`: from where to where the model is along a normal, in mm."""
+    said = entry.get("plane") if isinstance(entry, dict) else entry
+    if isinstance(said, dict):
+        try:
+            normal = FreeCAD.Vector(*(float(n) for n in said["normal"])).normalize()
+            return normal, float(said["offset"]) if "offset" in said else _middle(extent, normal)
+        except (KeyError, TypeError, ValueError, FreeCAD.Base.FreeCADError):
+            return None
+    found = _TEXT.match(said) if isinstance(said, str) else None
+    if found is None:
+        return None
+    axis = FreeCAD.Vector(*_AXES[found.group(2)])
+    side = {"+": 1, "-": -1}.get(found.group(1)) or (1 if axis.dot(to_viewer) >= 0 else -1)
+    offset = float(found.group(3)) if found.group(3) else _middle(extent, axis)
+    return axis * side, side * offset
+
+
+def _middle(extent, normal):
+    return sum(extent(normal)) / 2
+
+
+def of_face(face, solid):
+    """Normal and offset of a flat face of a shape; what lies before it goes. Throws Refused."""
+    surface = face.findPlane()
+    if surface is None:
+        raise Refused("a section needs a flat face or a datum plane; this one is curved")
+    normal = eye.of_face(face, solid).direction.normalize()
+    return normal, normal.dot(surface.Position)
+
+
+def of_placement(placement):
+    """Of a plane that stands so: what lies on its positive side goes."""
+    normal = placement.Rotation.multVec(FreeCAD.Vector(0, 0, 1))
+    return normal, normal.dot(placement.Base)

@@ -1,0 +1,203 @@
+"""Sections, exploded views, numbers and lists as properties: what a macro sets is what the kernel is asked for."""
+
+import json
+import os
+
+from assembly_stand_in import exploded_view
+from pump import pump
+from support import V, App, Case, burin, content, drawn
+
+from freecad.burin_wb import illustration_file
+from freecad.burin_wb.errors import Refused
+from freecad.burin_wb.features import asking, assembly_view, explosion, section
+from freecad.burin_wb.features.illustration import make_job
+from freecad.burin_wb.features.sheet import Sheet
+
+
+class Apart(Case):
+    def stack(self):
+        return pump(self.doc)
+
+    def kinds(self, obj):
+        return {path["kind"] for _, path in Sheet(obj.Drawing).paths()}
+
+    def test_nothing_is_asked_for_where_nothing_is_said(self):
+        obj = self.illustration(self.stack(), Style="outline")
+        self.assertTrue({"illustration", "callouts", "parts_list"}.isdisjoint(make_job(obj).options))
+        self.assertEqual(obj.getTypeIdOfProperty("Sections"), "App::PropertyStringList")
+
+    def test_a_section_cuts_all_but_what_it_excludes(self):
+        obj = self.illustration(self.stack(), Style="outline", Sections=["y"])
+        self.assertIn("section", self.kinds(obj))
+        self.assertEqual(make_job(obj).options["illustration"], {"section": ["y"]})
+        cut = {path["part"] for _, path in Sheet(obj.Drawing).paths() if path["kind"] == "section"}
+        self.assertEqual(cut, {0, 1, 2, 3})
+        whole = section.plane(V(0, -1, 0), -20, ["Pump.Bolt", "Bolt001"])
+        obj.Sections = [section.text_of(whole)]
+        self.doc.recompute()
+        self.assertEqual(obj.Message, "")
+        self.assertEqual(make_job(obj).options["illustration"]["section"][0]["exclude"], ["@index=2", "@index=3"])
+        self.assertEqual({path["part"] for _, path in Sheet(obj.Drawing).paths() if path["kind"] == "section"}, {0, 1})
+
+    def test_several_sections_and_what_is_not_known_yet_pass_through(self):
+        obj = self.illustration(self.stack(), Style="outline", Sections=["y", "-x=30"])
+        self.assertEqual(obj.Message, "")
+        obj.Sections = ['{"kind": "quarter", "planes": ["x", "y"], "exclude": "Pump.Lid"}']
+        said = make_job(obj).options["illustration"]["section"][0]
+        self.assertEqual(said, {"kind": "quarter", "planes": ["x", "y"], "exclude": ["@index=1"]})
+
+    def test_broken_sections_are_told_once(self):
+        obj = self.illustration(self.stack(), Style="outline", Sections=["+y=900"])
+        self.assertRegex(obj.Message, "^the section at 900 mm, of a model from 0 to 40 mm, cuts nothing$")
+        before = content(obj.Drawing)
+        for text, words in (("w", '^"section" takes.*; the drawing shown is the one before$'),
+                            ('{"plane": ', "^section 1 of the property Sections is no JSON"),
+                            ("-y=900", "^the section at 900 mm.*takes all of it away; the drawing")):
+            obj.Sections = [text]
+            self.doc.recompute()
+            self.assertRegex(obj.Message, words)
+            self.assertEqual(content(obj.Drawing), before)
+        obj.Sections = [section.text_of(section.plane(V(0, -1, 0), -20, ["Gone"]))]
+        self.doc.recompute()
+        self.assertRegex(obj.Message, "^section 1 leaves Gone whole, which is not drawn here; choose again")
+
+    def test_an_exploded_view_is_found_and_kept_as_steps(self):
+        pump_ = self.stack()
+        obj = self.illustration(pump_, Style="outline", Explode=True)
+        self.assertIn("trail", self.kinds(obj))
+        steps, said = asking.find_steps(obj)
+        self.assertEqual(said, [])
+        self.assertEqual([step.move for step in steps], [["Pump.Bolt", "Pump.Bolt001"], ["Pump.Lid"]])
+        self.assertTrue(all(step.along == (0, 0, 1) and step.by > 4 for step in steps), steps)
+        found = content(obj.Picture)
+        explosion.set_steps(obj, steps)
+        self.doc.recompute()
+        self.assertEqual(len(self.trails(content(obj.Picture))), len(self.trails(found)))
+        steps[0].by, steps[0].trail = 77.0, False
+        explosion.set_steps(obj, steps)
+        self.doc.recompute()
+        self.assertEqual(explosion.steps_of(obj)[0].by, 77.0)
+        moves = explosion.moves_of(steps, [part.source for part in make_job(obj).parts], 0.5)
+        self.assertEqual([round(move.z, 3) for move in moves], [0, round(steps[1].by / 2, 3), 38.5, 38.5])
+        self.assertEqual({o.Placement.Base.z for o in pump_.Group}, {0.0}, "the model stays as it is")
+
+    @staticmethod
+    def trails(svg):
+        return [line for line in svg.split(b"\n") if b"trail" in line]
+
+    def test_steps_along_one_axis_and_together_again(self):
+        obj = self.illustration(self.stack(), Style="outline", Explode=True, ExplodeAlong="+z")
+        steps, _ = asking.find_steps(obj)
+        self.assertEqual({step.along for step in steps}, {(0, 0, 1)})
+        obj.ExplodeAlong = "x"
+        steps, said = asking.find_steps(obj)
+        self.assertEqual(steps, [])
+        self.assertRegex(said[0], "Bolt")
+        obj.ExplodeAlong = "sideways"
+        with self.assertRaisesRegex(Refused, '^Illustration: "along" takes auto, none, an axis'):
+            asking.find_steps(obj)
+        obj.ExplodeAlong = ""
+        obj.ExplodeFactor = 0
+        self.doc.recompute()
+        apart = Sheet(obj.Drawing).scale
+        obj.Explode = False
+        self.doc.recompute()
+        self.assertAlmostEqual(Sheet(obj.Drawing).scale, apart, 6)
+
+    def test_broken_steps_are_told_once(self):
+        pump_ = self.stack()
+        obj = self.illustration(pump_, Style="outline", Explode=True)
+        explosion.set_steps(obj, asking.find_steps(obj)[0])
+        self.doc.removeObject("Lid")
+        self.doc.recompute()
+        self.assertEqual(obj.Message.count("Lid"), 1)
+        self.assertRegex(obj.Message, "step 2 of the exploded view moves Pump.Lid, which is not drawn here; delete the step")
+        self.assertIn("trail", self.kinds(obj), "the others are carried out")
+        for text in ("{", "[]", '{"move": [], "along": [0, 0, 1], "by": 3}', '{"move": ["Lid"], "along": [0, 0, 0], "by": 3}'):
+            obj.ExplodeSteps = [text]
+            self.doc.recompute()
+            self.assertRegex(obj.Message, "^step 1 of the property ExplodeSteps is none", text)
+        obj.ExplodeSteps = [explosion.Step(["Gone"]).text()]
+        self.doc.recompute()
+        self.assertRegex(obj.Message, "moves Gone")
+        self.assertNotIn("trail", self.kinds(obj))
+
+    def test_numbers_are_kept_and_cost_no_run(self):
+        pump_ = self.stack()
+        obj = self.illustration(pump_, Style="outline", Callouts=True, PartsList=True)
+        self.assertEqual(dict(obj.ItemNumbers), {"1": "Plate", "2": "Lid", "3": "Bolt"})
+        before, inputs = content(obj.Drawing), obj.Inputs
+        self.redraw(obj)
+        self.assertEqual((content(obj.Drawing), obj.Inputs), (before, inputs), "the numbers that it gave are no change")
+        self.assertEqual(inputs.partition(":")[2], make_job(obj).fingerprint())
+        pump_.addObject(self.box(5, 5, 5, "Nose"))
+        self.doc.removeObject("Lid")
+        self.doc.recompute()
+        self.assertEqual(dict(obj.ItemNumbers), {"1": "Plate", "2": "Lid", "3": "Bolt", "4": "Nose"})
+        self.assertEqual([(i["number"], i["name"], i["quantity"]) for i in burin().Drawing.load(obj.Drawing).items],
+                         [(1, "Plate", 1), (3, "Bolt", 2), (4, "Nose", 1)])
+        obj.ItemNumbers = {"7": "Bolt"}
+        self.doc.recompute()
+        self.assertEqual(dict(obj.ItemNumbers), {"7": "Bolt", "8": "Plate", "9": "Nose"})
+
+    def test_everything_survives_save_and_restore_without_a_run(self):
+        obj = self.illustration(self.stack(), Style="outline", Explode=True, ExplodeFactor=0.8, Sections=["y"], Callouts=True)
+        explosion.set_steps(obj, asking.find_steps(obj)[0])
+        self.doc.recompute()
+        kept = [obj.Sections, obj.ExplodeSteps, obj.ExplodeFactor, dict(obj.ItemNumbers), obj.Callouts, obj.Explode]
+        before = content(obj.Drawing)
+        obj = self.reopen(obj)
+        self.redraw(obj)
+        self.assertEqual([obj.Sections, obj.ExplodeSteps, obj.ExplodeFactor, dict(obj.ItemNumbers), obj.Callouts, obj.Explode], kept)
+        self.assertEqual(content(obj.Drawing), before)
+
+    def test_illustration_files_carry_it_there_and_back(self):
+        obj = self.illustration(self.stack(), Style="outline", Explode=True, ExplodeFactor=0.75, Callouts=True, PartsList=True,
+                                Sections=["-x=30", section.text_of(section.plane(V(0, -1, 0), -20, ["Pump.Bolt", "Pump.Bolt001"]))])
+        explosion.set_steps(obj, asking.find_steps(obj)[0])
+        self.doc.recompute()
+        obj.ItemNumbers = {"2": "Gone", "5": "Bolt", "6": "Plate", "7": "Lid"}
+        self.doc.recompute()
+        path = os.path.join(self.folder, "pump.burin.json")
+        illustration_file.write(obj, path)
+        with open(path, encoding="utf-8") as file:
+            data = json.load(file)
+        self.assertEqual(data["section"][1]["exclude"], ["/Bolt", "/Bolt001"])
+        self.assertEqual((data["callouts"], data["parts_list"], data["explode"]["factor"]), (True, "sheet", 0.75))
+        self.assertEqual(data["items"], {"2": "Gone", "5": "Bolt", "6": "Plate", "7": "Lid"})
+        kernels = burin().draw(path)
+        self.assertEqual([(i["number"], i["name"]) for i in kernels.items], [(5, "Bolt"), (6, "Plate"), (7, "Lid")])
+        self.assertEqual(len(kernels.arrays()["first"]), len(burin().Drawing.load(obj.Drawing).arrays()["first"]))
+        read = illustration_file.read(self.doc, path)
+        for name in ("Explode", "ExplodeFactor", "Callouts", "PartsList", "Sections"):
+            self.assertEqual(getattr(read, name), getattr(obj, name), name)
+        self.assertEqual(dict(read.ItemNumbers), dict(obj.ItemNumbers))
+        self.assertEqual(make_job(read).fingerprint(), make_job(obj).fingerprint())
+
+    def test_files_of_others_that_name_by_selectors(self):
+        self.stack()
+        path = os.path.join(self.folder, "by-hand.burin.json")
+        with open(path, "w", encoding="utf-8") as file:
+            json.dump({"burin": "illustration", "parts": [{"file": "pump.step", "name": "Pump"}],
+                       "section": {"plane": "y", "exclude": "*olt*"}, "explode": {"along": [0, 0, 1], "fit": 0.1, "factor": 0.5}}, file)
+        read = illustration_file.read(self.doc, path)
+        self.assertEqual(section.entries_of(read), [{"plane": "y", "exclude": ["Pump.Bolt", "Pump.Bolt001"]}])
+        self.assertEqual((read.Explode, read.ExplodeAlong, read.ExplodeSteps, read.ExplodeFactor), (True, "0,0,1", [], 0.5))
+        self.doc.recompute()
+        self.assertEqual(read.Message, "")
+        self.assertEqual(drawn(read).diagnostics, [])
+
+    def test_exploded_views_of_the_assembly_workbench(self):
+        pump_ = self.stack()
+        for in_group in (True, False):
+            view = exploded_view(self.doc, pump_, in_group)
+            steps, notes = assembly_view.steps_of(view)
+            self.assertEqual([(step.move, step.along, step.by) for step in steps],
+                             [(["Pump.Bolt", "Pump.Bolt001"], (0, 0, 1), 50), (["Pump.Lid"], (0, 1, 0), 30)])
+            self.assertEqual([note.split(":")[0].rstrip("01") for note in notes], ["Turned", "Round"])
+        self.assertEqual(len(assembly_view.exploded_views(self.doc)), 2)
+        obj = self.illustration(pump_, Style="outline", Explode=True)
+        explosion.set_steps(obj, steps)
+        self.doc.recompute()
+        self.assertEqual(obj.Message, "")
+        self.assertIn("trail", self.kinds(obj))
