@@ -4,6 +4,7 @@
 #include <burin/drawing/length.h>
 
 #include "circle.h"
+#include "grain.h"
 #include "list_on_sheet.h"
 
 #include <fmt/format.h>
@@ -225,7 +226,10 @@ void add_callouts(Drawing& drawing, const LabelMap& seen, const LabelMap& glass,
   const CalloutSizes sizes(style, largest_number(annotations.items));
   std::vector<Vec2> points;
   for (const Anchor& anchor : anchors) points.push_back(anchor.at);
-  const CalloutPlaces places = place_callouts(points, ink, frame, sizes, style.layout, context);
+  const detail::Grain grain(drawing);
+  const CalloutPlaces places =
+      place_callouts(points, ink, frame, sizes, style.layout, context,
+                     [&](Vec2 from, Vec2 to) { return grain.along(from, to); });
   if (places.unfinished) {
     drawing.diagnostics.add(Severity::Warning, "callouts.many", std::ssize(anchors),
                             fmt::format("{} callouts are too many to keep all leaders from "

@@ -210,11 +210,15 @@ void slide(std::span<const Vec2> anchors, double pitch, Sides& sides) {
   }
 }
 
-/// How many leaders a leader crosses, anchors that it passes over, and circles.
-std::size_t conflicts(std::span<const Vec2> anchors, std::span<const Vec2> at, std::size_t own,
-                      Vec2 place, double radius) {
+/// How many leaders a leader crosses, anchors that it passes over, and circles; less for what of it
+/// runs along strokes.
+double conflicts(std::span<const Vec2> anchors, std::span<const Vec2> at, std::size_t own,
+                 Vec2 place, double radius, const AlongStrokes& along) {
   constexpr double kClear = 1.2;  // paper mm from another's dot
-  std::size_t n = 0;
+  constexpr double kCrossing = 100;
+  // Paper mm that may run along strokes, and what is as bad as an anchor.
+  constexpr double kLittle = 2, kAsBad = 40;
+  double n = 0;
   const Vec2 from = anchors[own], way = place - from;
   const double square = glm::dot(way, way);
   const auto distance = [&](Vec2 p) {
@@ -223,10 +227,11 @@ std::size_t conflicts(std::span<const Vec2> anchors, std::span<const Vec2> at, s
   };
   for (std::size_t i = 0; i < anchors.size(); ++i) {
     if (i == own) continue;
-    if (segments_cross(from, place, anchors[i], at[i])) n += 100;
+    if (segments_cross(from, place, anchors[i], at[i])) n += kCrossing;
     if (distance(anchors[i]) < kClear) ++n;
     if (distance(at[i]) < radius) ++n;
   }
+  if (const double mm = along ? along(from, place) : 0; mm > kLittle) n += mm / kAsBad;
   return n;
 }
 
@@ -242,10 +247,10 @@ std::vector<Vec2> places_of(std::size_t count, const Sides& sides) {
   return at;
 }
 
-/// Moves numbers whose leader passes over an anchor or a circle of another, as far as their
-/// neighbours leave room.
+/// Moves numbers whose leader passes over an anchor or a circle of another, or runs along strokes,
+/// as far as their neighbours leave room.
 void clear_anchors(std::span<const Vec2> anchors, const CalloutSizes& sizes, double pitch,
-                   Sides& sides, const RunContext& context) {
+                   const AlongStrokes& along, Sides& sides, const RunContext& context) {
   constexpr int kRounds = 4, kSteps = 12;
   const double radius = 0.5 * sizes.diameter;
   std::vector<Vec2> at = places_of(anchors.size(), sides);
@@ -256,7 +261,7 @@ void clear_anchors(std::span<const Vec2> anchors, const CalloutSizes& sizes, dou
       for (std::size_t i = 0; i < side.labels.size(); ++i) {
         const std::size_t own = side.labels[i];
         const double was = side.along[i];
-        std::size_t least = conflicts(anchors, at, own, at[own], radius);
+        double least = conflicts(anchors, at, own, at[own], radius, along);
         if (least == 0) continue;
         const double low = i > 0 ? side.along[i - 1] + pitch : side.low;
         const double high = i + 1 < side.along.size() ? side.along[i + 1] - pitch : side.high;
@@ -265,7 +270,7 @@ void clear_anchors(std::span<const Vec2> anchors, const CalloutSizes& sizes, dou
           for (const double way : {-1.0, 1.0}) {
             side.along[i] = was + way * step * pitch / 4;
             if (side.along[i] < low || side.along[i] > high) continue;
-            const std::size_t n = conflicts(anchors, at, own, side.at(i), radius);
+            const double n = conflicts(anchors, at, own, side.at(i), radius, along);
             if (n < least) least = n, best = side.along[i];
           }
         }
@@ -352,7 +357,7 @@ bool callouts_fit(std::size_t count, const Box2& drawing, const Box2& frame,
 
 CalloutPlaces place_callouts(std::span<const Vec2> anchors, const Box2& drawing, const Box2& frame,
                              const CalloutSizes& sizes, CalloutOptions::Layout layout,
-                             const RunContext& context) {
+                             const RunContext& context, const AlongStrokes& along) {
   CalloutPlaces places;
   CalloutSizes used = sizes;
   std::optional<Share> share = share_of(anchors.size(), drawing, frame, used, layout);
@@ -388,7 +393,7 @@ CalloutPlaces place_callouts(std::span<const Vec2> anchors, const Box2& drawing,
   places.unfinished = left == 0;
   if (anchors.size() > kMostCleared) return places;
   Sides cleared = sides;
-  clear_anchors(anchors, used, used.pitch, cleared, context);
+  clear_anchors(anchors, used, used.pitch, along, cleared, context);
   std::vector<Vec2> at = places_of(anchors.size(), cleared);
   if (!any_crossing(anchors, at)) places.at = std::move(at);
   return places;
