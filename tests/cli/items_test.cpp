@@ -2,13 +2,13 @@
 #include <burin/annotate/place.h>
 
 #include "models.h"
+#include "pages.h"
 
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <cctype>
 #include <cmath>
-#include <cstdlib>
 #include <filesystem>
 #include <map>
 #include <set>
@@ -275,9 +275,7 @@ TEST_F(Items, AreLinkedInThePage) {
   std::string page = test::slurp(folder_ / "a.html");
   EXPECT_EQ(page.find("http://"), page.find("http://www.w3.org/")) << "needs no network";
   EXPECT_EQ(page.find("src="), std::string::npos);
-  if (std::system("command -v chromium > /dev/null 2>&1") != 0) {
-    GTEST_SKIP() << "no chromium to open the page in";
-  }
+  if (!test::has_chromium()) GTEST_SKIP() << "no chromium to open the page in";
   const std::string probe = R"page(<script>
 const out = [], q = s => [...document.querySelectorAll(s)];
 const fire = (e, t, o = {}) => e.dispatchEvent(new (t === "click" ? MouseEvent :
@@ -305,18 +303,8 @@ document.activeElement.value = "CU be";
 document.activeElement.dispatchEvent(new Event("input"));
 out.push(q("tbody tr:not([hidden])").map(r => r.cells[2].textContent).join());
 document.body.innerHTML = "<pre>" + out.join("|") + "</pre>";
-</script></body>)page";
-  page.replace(page.find("</body>"), 7, probe);
-  folder_.write("p.html", page);
-  const std::string command =
-      "chromium --headless=new --no-sandbox --disable-gpu --user-data-dir=" +
-      (folder_ / "profile") + " --dump-dom file://" + (folder_ / "p.html") + " > " +
-      (folder_ / "dom") + " 2> " + (folder_ / "said");
-  ASSERT_EQ(std::system(command.c_str()), 0) << test::slurp(folder_ / "said");
-  const std::string dom = test::slurp(folder_ / "dom");
-  const std::size_t at = dom.find("<pre>");
-  ASSERT_NE(at, std::string::npos) << dom;
-  const std::string said = dom.substr(at + 5, dom.find("</pre>") - at - 5);
+</script>)page";
+  const std::string said = test::said_by_page(folder_, page, probe);
   EXPECT_EQ(said, "3|4|3|2|2|3|marked|2|2|1||2|search|cube");
 }
 

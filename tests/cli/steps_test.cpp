@@ -1,5 +1,6 @@
 // Step books from the command line.
 #include "models.h"
+#include "pages.h"
 
 #include <nlohmann/json.hpp>
 #include <pugixml.hpp>
@@ -55,6 +56,25 @@ TEST_F(Steps, TheGearPumpIsPutTogetherInElevenSteps) {
   for (auto it = std::sregex_iterator(html.begin(), html.end(), id); it != std::sregex_iterator(); ++it) {
     EXPECT_TRUE(ids.insert((*it)[1]).second) << (*it)[1];
   }
+}
+
+TEST_F(Steps, ThePageGoesFromTheListToTheFirstStep) {
+  ASSERT_EQ(run("steps " + pump() + " -o @/pump.html --style outline"), 0) << err_;
+  if (!test::has_chromium()) GTEST_SKIP() << "no chromium to open the page in";
+  const std::string probe = R"page(<script>
+const out = [], q = s => [...document.querySelectorAll(s)];
+let went = "";
+Element.prototype.scrollIntoView = function() { if (this.id) went = this.id; };
+const row = n => q('tbody tr[data-item="' + n + '"]')[0];
+row(10).cells[2].dispatchEvent(new MouseEvent("click", {bubbles: true}));
+out.push(went, q("tr.chosen").length, q("section#step-11 .marked").length > 0);
+went = "";
+q("section#step-7 .area[data-item='2']")[0].dispatchEvent(new MouseEvent("click", {bubbles: true}));
+out.push(went, q("tr.chosen")[0].dataset.item);
+document.body.innerHTML = "<pre>" + out.join("|") + "</pre>";
+</script>)page";
+  EXPECT_EQ(test::said_by_page(folder_, test::slurp(folder_ / "pump.html"), probe),
+            "step-11|1|true||2");
 }
 
 TEST_F(Steps, SameBytesForAnyNumberOfThreads) {
