@@ -1,0 +1,46 @@
+#include "illustration_keyed.h"
+
+#include <charconv>
+#include <map>
+
+namespace burin::detail {
+
+void take_title(const KeyedFile& in, const Json& value, const std::string& path,
+                Illustration& out) {
+  out.request.title = in.text(value, path);
+}
+
+/// Numbers and the names of what has them.
+void take_items(const KeyedFile& in, const Json& value, const std::string& path,
+                Illustration& out) {
+  if (!value.is_object()) in.fail(path, "\"items\" takes an object, {\"1\": \"bolt\", ...}");
+  ItemNumbers& numbers = out.request.items;
+  numbers.clear();
+  std::map<std::string, std::string> known;
+  for (const auto& [key, name] : value.items()) {
+    const std::string at = path + "/" + key;
+    int number = 0;
+    const auto [end, error] = std::from_chars(key.data(), key.data() + key.size(), number);
+    if (error != std::errc() || end != key.data() + key.size() || number < 1 ||
+        number > kLargestItem) {
+      in.fail(at, fmt::format("an item has a number from 1 to {}, not '{}'", kLargestItem, key));
+    }
+    const std::string called = in.text(name, at);
+    const auto [first, is_new] = known.try_emplace(called, key);
+    if (!is_new) {
+      in.fail(at, fmt::format("'{}' has the number {} already", called, first->second));
+    }
+    numbers[number] = called;
+  }
+}
+
+void take_parts_list(const KeyedFile& in, const Json& value, const std::string& path,
+                     Illustration& out) {
+  const std::string given = in.text(value, path);
+  if (given != "sheet") {
+    in.fail(path, "\"parts_list\" takes \"sheet\"; files are named at the door");
+  }
+  out.request.options["parts_list"] = {given};
+}
+
+}  // namespace burin::detail

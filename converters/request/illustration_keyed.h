@@ -1,0 +1,100 @@
+#pragma once
+// What each key of an illustration file does, and what they read values with; internal to the room.
+
+#include <burin/base/error.h>
+#include <burin/converters/illustration.h>
+#include <burin/options/json_lines.h>
+
+#include "draw_options.h"
+#include "illustration_keys.h"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace burin::detail {
+
+using Json = nlohmann::ordered_json;
+
+/// A value of JSON as options take it: lists with commas.
+std::string option_text(const Json& value);
+
+/// The file that values stand in: what they may be, and errors that say where they are not that.
+/// Paths are as JSON has them, "/parts/0/file".
+class KeyedFile {
+ public:
+  KeyedFile(std::string_view text, std::string source);
+
+  const std::string& source() const { return source_; }
+  std::int64_t line(const std::string& path) const { return lines_.line(path); }
+  /// "FILE:LINE: ".
+  std::string place(const std::string& path) const;
+  [[noreturn]] void fail(const std::string& path, const std::string& what) const;
+  [[noreturn]] void unknown(const std::string& path, const std::string& key,
+                            const std::vector<std::string>& known) const;
+
+  /// An object with only known members.
+  void check_object(const Json& value, const std::string& path,
+                    const std::vector<std::string>& known) const;
+  void check_array(const Json& value, const std::string& path) const;
+  /// Never empty.
+  std::string text(const Json& value, const std::string& path) const;
+  /// One, or a list of them.
+  std::vector<std::string> text_list(const Json& value, const std::string& path) const;
+  bool flag(const Json& value, const std::string& path) const;
+  double number(const Json& value, const std::string& path) const;
+  /// `takes` is how people say the range.
+  double within(const Json& value, const std::string& path, double least, double most,
+                const char* takes) const;
+  Vec3 vector(const Json& value, const std::string& path) const;
+
+  /// The text of an object whose members stand in the lines that they have in the file, so that
+  /// whoever reads it names these.
+  std::string text_at_lines(const Json& object, const std::string& path) const;
+  /// Of a file that is named from this one.
+  std::string found_path(const std::string& name) const;
+  /// Built-in styles by name; files as they are found from here.
+  std::string style_named(const Json& value, const std::string& path) const;
+
+  /// Asks the row of an option; its errors name the key and the line.
+  template <class T>
+  void check(const std::vector<RequestRow<T>>& rows, const std::string& option,
+             const std::vector<std::string>& given, const std::string& path,
+             const std::string& key) const {
+    const auto row = std::ranges::find(rows, option, &RequestRow<T>::name);
+    try {
+      T scratch{};
+      apply(std::vector<RequestRow<T>>{*row}, {{option, given}}, Spelling::Keywords, scratch);
+    } catch (const UsageError& e) {
+      std::string what = e.what();
+      const std::string called = "argument " + option + " ";
+      if (what.starts_with(called)) {
+        what = fmt::format("\"{}\" {}", key, what.substr(called.size()));
+      }
+      fail(path, what);
+    }
+  }
+
+ private:
+  void write_at_lines(const Json& value, const std::string& path, std::string& out,
+                      std::int64_t& line) const;
+
+  std::string source_;
+  std::filesystem::path folder_;
+  JsonLines lines_;
+};
+
+/// Takes the value of a key into the illustration.
+using TakeKey = void(const KeyedFile& in, const Json& value, const std::string& path,
+                     Illustration& out);
+
+TakeKey take_parts, take_style, take_looks, take_lights, take_sections, take_explode, take_title,
+    take_items, take_parts_list;
+
+}  // namespace burin::detail
