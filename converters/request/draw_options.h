@@ -16,6 +16,11 @@ struct Draft {
   std::string style_text, style_source;
 };
 
+/// The heading of options about parts.
+inline constexpr const char* kParts = "Parts";
+
 const std::vector<RequestRow<Draft>>& draw_rows();
+/// Of them, those about sections.
+std::vector<RequestRow<Draft>> section_rows();
 
 }  // namespace burin::detail
