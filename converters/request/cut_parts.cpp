@@ -9,8 +9,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
+#include <iterator>
 #include <numbers>
+#include <set>
 
 namespace burin {
 namespace {
@@ -171,44 +172,85 @@ std::vector<bool> uncut_parts(const Scene& scene, const Section& section, const 
   return uncut;
 }
 
+/// Where a part lies to a plane.
+enum class Lies { Before, Beyond, Along, Across };
+
+Lies lies(const Form& form, const CutPlane& plane) {
+  constexpr double kLong = 1.5;  // times as long as wide: cut across its length
+  const Vec3 u = any_orthogonal(plane.normal), v = glm::cross(plane.normal, u);
+  Mat3 axes(0);
+  for (int k = 0; k < 3; ++k) axes[k] = {plane.normal[k], u[k], v[k]};
+  const Box3 box = form.bounds(axes);
+  const Vec3 size = box.max - box.min;
+  const double near = 1e-6 * size.x;
+  if (box.max.x <= plane.offset + near) return Lies::Before;
+  if (box.min.x >= plane.offset - near) return Lies::Beyond;
+  return size.x > kLong * std::max(size.y, size.z) ? Lies::Across : Lies::Along;
+}
+
+/// Whether a region leaves a part whole that is not cut along by custom: one of its planes runs
+/// along it. What lies in it goes; what is cut across only, as a shaft by a plane through which it
+/// comes, is cut.
+bool cuts_along(const CutRegion& region, const Form& form) {
+  bool along = false;
+  for (const CutPlane& plane : region) {
+    const Lies where = lies(form, plane);
+    if (where == Lies::Before) return false;
+    along = along || where == Lies::Along;
+  }
+  return along;
+}
+
 /// Those that stay whole by custom, where that leaves something to cut.
 class Custom {
  public:
-  explicit Custom(const Scene& scene, const DrawPlan& plan) : whole_(scene.parts.size(), false) {
+  Custom(const Scene& scene, const DrawPlan& plan)
+      : scene_(scene), plan_(plan), words_(scene.parts.size()), told_(scene.parts.size(), false) {
     bool any_cut = false;
-    for (std::size_t i = 0; i < whole_.size(); ++i) {
-      const auto word = detail::left_whole_by_custom(scene.parts[i]);
-      whole_[i] = word.has_value();
-      if (!is_drawn(plan, i)) continue;
-      if (word) ++words_[*word];
-      any_cut = any_cut || !word;
+    for (std::size_t i = 0; i < words_.size(); ++i) {
+      words_[i] = detail::left_whole_by_custom(scene.parts[i]);
+      any_cut = any_cut || (is_drawn(plan, i) && !words_[i]);
     }
-    if (any_cut) return;
-    whole_.assign(whole_.size(), false);
-    words_.clear();
+    if (!any_cut) words_.assign(words_.size(), std::nullopt);
   }
 
-  const std::vector<bool>& whole() const { return whole_; }
+  /// The parts that these regions leave whole.
+  std::vector<bool> whole(const std::vector<CutRegion>& regions) {
+    std::vector<bool> whole(words_.size(), false);
+    for (std::size_t i = 0; i < whole.size(); ++i) {
+      if (!words_[i]) continue;
+      const Form& form = *scene_.parts[i].form;
+      whole[i] = std::ranges::any_of(
+          regions, [&](const CutRegion& region) { return cuts_along(region, form); });
+      told_[i] = told_[i] || (whole[i] && is_drawn(plan_, i));
+    }
+    return whole;
+  }
 
   void tell(Diagnostics& out) const {
     constexpr std::size_t kMost = 8;
     std::int64_t count = 0;
-    std::vector<std::string> names;
-    for (const auto& [word, number] : words_) {
-      count += number;
-      if (names.size() < kMost) names.push_back(word);
+    std::set<std::string> names;
+    for (std::size_t i = 0; i < words_.size(); ++i) {
+      if (!told_[i]) continue;
+      ++count;
+      names.insert(*words_[i]);
     }
     if (count == 0) return;
+    const bool more = names.size() > kMost;
+    while (names.size() > kMost) names.erase(std::prev(names.end()));
     out.add(Severity::Info, "section.left_whole", count,
-            fmt::format("{} {} whole, as drawings leave them by custom ({}{}); `section_exclude` "
+            fmt::format("{} {} whole, as drawings do not cut along them ({}{}); `section_exclude` "
                         "none cuts them too",
                         count, count == 1 ? "part stays" : "parts stay", fmt::join(names, ", "),
-                        words_.size() > kMost ? ", ..." : ""));
+                        more ? ", ..." : ""));
   }
 
  private:
-  std::vector<bool> whole_;
-  std::map<std::string, std::int64_t> words_;
+  const Scene& scene_;
+  const DrawPlan& plan_;
+  std::vector<std::optional<std::string>> words_;
+  std::vector<bool> told_;
 };
 
 }  // namespace
@@ -219,8 +261,7 @@ void cut_parts(Scene& scene, const DrawPlan& plan) {
     throw UsageError("more than 16 sections; each takes something away");
   }
   if (plan.sections.empty()) return;
-  const Custom custom(scene, plan);
-  bool by_custom = false;
+  Custom custom(scene, plan);
   std::int32_t number = 0;
   for (const Section& section : plan.sections) {
     SectionRegions places(scene, plan, section);
@@ -235,10 +276,7 @@ void cut_parts(Scene& scene, const DrawPlan& plan) {
       continue;
     }
     std::vector<bool> uncut = uncut_parts(scene, section, plan);
-    if (!plan.uncut && !section.exclude) {
-      uncut = custom.whole();
-      by_custom = true;
-    }
+    if (!plan.uncut && !section.exclude) uncut = custom.whole(regions);
     for (const CutRegion& region : regions) {
       for (std::size_t part = 0; part < scene.parts.size(); ++part) {
         Part& one = scene.parts[part];
@@ -247,7 +285,7 @@ void cut_parts(Scene& scene, const DrawPlan& plan) {
       number += static_cast<std::int32_t>(region.size());
     }
   }
-  if (by_custom) custom.tell(scene.diagnostics);
+  custom.tell(scene.diagnostics);
 }
 
 }  // namespace burin

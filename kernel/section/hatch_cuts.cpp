@@ -119,6 +119,41 @@ double scale_of(const Area& area, const Camera& camera) {
   return camera.scale_at(middle.x * area.u + middle.y * area.v + area.offset * area.normal);
 }
 
+Vec3 direction(const Area& area, double degrees) {
+  const double angle = degrees * std::numbers::pi / 180;
+  return std::cos(angle) * area.u + std::sin(angle) * area.v;
+}
+
+/// Whether the lines of two planes of a part would lie on each other if these were folded together
+/// about the line where they meet, each cut lying beyond the other's plane.
+bool folds_onto(const Area& a, double degrees_a, const Area& b, double degrees_b) {
+  const Vec3 fold = glm::cross(a.normal, b.normal);
+  const auto slope = [&](const Area& area, const Area& other, double degrees) {
+    const Vec3 line = direction(area, degrees);
+    return glm::dot(line, fold) * glm::dot(line, reject(other.normal, area.normal));
+  };
+  return slope(a, b, degrees_a) * slope(b, a, degrees_b) > 0;
+}
+
+/// The angles in the order in which they are wanted: as in another plane of the part, then by rule.
+std::vector<double> wanted_angles(const std::vector<Area>& areas, std::size_t i) {
+  constexpr double kParallelPlanes = 1e-6;
+  std::vector<double> wanted;
+  for (std::size_t j = 0; j < i; ++j) {
+    if (areas[j].part != areas[i].part) continue;
+    if (std::abs(glm::dot(areas[j].normal, areas[i].normal)) > 1 - kParallelPlanes) {
+      wanted = {areas[j].angle};
+      break;
+    }
+    for (const double angle : {areas[j].angle, 180 - areas[j].angle}) {
+      if (!wanted.empty() || !folds_onto(areas[j], areas[j].angle, areas[i], angle)) continue;
+      wanted = {angle};
+    }
+  }
+  wanted.insert(wanted.end(), kAngles.begin(), kAngles.end());
+  return wanted;
+}
+
 void choose_angles(std::vector<Area>& areas, const Camera& camera) {
   for (std::size_t i = 0; i < areas.size(); ++i) {
     const double near = kNeighbour / scale_of(areas[i], camera);
@@ -129,14 +164,32 @@ void choose_angles(std::vector<Area>& areas, const Camera& camera) {
       return false;
     };
     const auto bad = [&](double angle) { return parallel_share(areas[i], angle) > kMostParallel; };
+    const std::vector<double> angles = wanted_angles(areas, i);
     const auto best =
-        std::ranges::find_if(kAngles, [&](double angle) { return !taken(angle) && !bad(angle); });
-    const auto any = best != kAngles.end()
+        std::ranges::find_if(angles, [&](double angle) { return !taken(angle) && !bad(angle); });
+    const auto any = best != angles.end()
                          ? best
-                         : std::ranges::find_if(kAngles, [&](double a) { return !taken(a); });
-    areas[i].again = any == kAngles.end();
+                         : std::ranges::find_if(angles, [&](double a) { return !taken(a); });
+    areas[i].again = any == angles.end();
     areas[i].angle = areas[i].again ? kAngles[0] : *any;
   }
+}
+
+/// Nothing is seen of such an area but its outline, which the lines would blacken.
+bool edge_on(const Area& area, const Camera& camera) {
+  constexpr double kSine = 1e-3;
+  const Vec2 middle = area.box.center();
+  const Vec3 p = middle.x * area.u + middle.y * area.v + area.offset * area.normal;
+  return std::abs(glm::dot(area.normal, camera.to_viewer(p))) < kSine;
+}
+
+/// A part has one distance of lines in all its planes: that of its largest area.
+void share_sizes(std::vector<Area>& areas) {
+  std::map<std::int32_t, double> largest;
+  for (const Area& area : areas) {
+    largest[area.part] = std::max(largest[area.part], area.size);
+  }
+  for (Area& area : areas) area.size = largest[area.part];
 }
 
 struct Run {
@@ -216,10 +269,11 @@ std::vector<Curve3> hatch_cuts(std::span<const ProxyMesh* const> proxies, const 
     }
   }
   choose_angles(areas, camera);
+  share_sizes(areas);
   std::vector<Curve3> out;
   for (const Area& area : areas) {
     context.check();
-    hatch(area, camera, out);
+    if (!edge_on(area, camera)) hatch(area, camera, out);
   }
   return out;
 }
