@@ -60,7 +60,7 @@ class CutForm final : public Form {
                                          RunContext& context) const override {
     auto whole = form_->realise(options, context);
     context.begin_stage(RunStage::Build);
-    detail::CutProxy cut = detail::cut_proxy(whole->proxy(), region_, number_, context);
+    detail::CutProxy cut = detail::cut_proxy(*whole, region_, number_, context);
     context.end_stage();
     if (cut.whole) return whole;
     if (cut.gone) return empty_surface();

@@ -110,10 +110,18 @@ std::vector<std::int32_t> cut_planes(const ProxyMesh& whole, const CutProxy& cut
 
 }  // namespace
 
-CutProxy cut_proxy(const ProxyMesh& whole, const CutRegion& region, std::int32_t number,
+CutProxy cut_proxy(const Surface& surface, const CutRegion& region, std::int32_t number,
                    const RunContext& context) {
   CutProxy out;
-  Cutter cutter(whole.mesh, context);
+  const ProxyMesh& whole = surface.proxy();
+  Cutter::Lift lift;
+  if (surface.exact()) {
+    lift = [&](std::uint32_t facet, Vec3 bary) {
+      const Frame frame = surface.frame(surface.lift({facet, bary}));
+      return Cutter::Lifted{frame.position, frame.normal};
+    };
+  }
+  Cutter cutter(whole.mesh, std::move(lift), context);
   for (std::size_t i = 0; i < region.size(); ++i) {
     cutter.cut(region[i], static_cast<std::int32_t>(i), i + 1 == region.size());
   }

@@ -4,6 +4,7 @@
 #include <burin/base/run_context.h>
 #include <burin/mesh/proxy_mesh.h>
 #include <burin/section/section.h>
+#include <burin/surface/surface.h>
 
 #include "cut_piece.h"
 
@@ -24,7 +25,7 @@ struct CutProxy {
 };
 
 /// Regions that close plane i of `region` have the number `number` + i.
-CutProxy cut_proxy(const ProxyMesh& whole, const CutRegion& region, std::int32_t number,
+CutProxy cut_proxy(const Surface& surface, const CutRegion& region, std::int32_t number,
                    const RunContext& context);
 
 }  // namespace burin::detail

@@ -8,6 +8,7 @@
 #include <array>
 #include <cmath>
 #include <iterator>
+#include <limits>
 #include <map>
 #include <utility>
 
@@ -69,8 +70,11 @@ class Cutter::Polygon {
   std::size_t size_ = 0;
 };
 
-Cutter::Cutter(const TriMesh& mesh, const RunContext& context)
-    : positions(mesh.positions), context_(context), on_some_plane_(mesh.positions.size(), 0) {
+Cutter::Cutter(const TriMesh& mesh, Lift lift, const RunContext& context)
+    : positions(mesh.positions),
+      lift_(std::move(lift)),
+      context_(context),
+      on_some_plane_(mesh.positions.size(), 0) {
   Box3 box;
   for (const Vec3& p : positions) box.add(p);
   on_plane_ = kOnPlane * box.diagonal();
@@ -81,6 +85,7 @@ Cutter::Cutter(const TriMesh& mesh, const RunContext& context)
 }
 
 void Cutter::measure(const CutPlane& plane) {
+  plane_ = plane;
   height_.clear();
   height_.reserve(positions.size());
   for (const Vec3& p : positions) height_.push_back(glm::dot(plane.normal, p) - plane.offset);
@@ -158,11 +163,70 @@ Cutter::Corner Cutter::between(const CutTriangle& t, std::size_t k, std::size_t 
   const bool first = t.corners[k] < t.corners[j];
   const std::size_t low = first ? k : j, high = first ? j : k;
   const std::uint32_t a = t.corners[low], b = t.corners[high];
-  const double share = height_[a] / (height_[a] - height_[b]);
-  const auto [entry, is_new] =
-      points_.try_emplace(key(a, b), Between{static_cast<std::uint32_t>(positions.size()), share});
-  if (is_new) positions.push_back(glm::mix(Vec3(positions[a]), Vec3(positions[b]), share));
-  return {entry->second.vertex, glm::mix(t.piece.bary[low], t.piece.bary[high], share)};
+  const auto [entry, is_new] = points_.try_emplace(key(a, b));
+  Between& at = entry->second;
+  if (is_new) {
+    at.vertex = static_cast<std::uint32_t>(positions.size());
+    positions.push_back(find_between(t, low, high, at));
+  }
+  const Vec3 bary = glm::mix(t.piece.bary[low], t.piece.bary[high], at.share);
+  if (!is_new) move_onto_edge(t, bary, at);
+  return {at.vertex, bary};
+}
+
+/// Where the exact surface over an edge meets the plane; where the edge does, if it has none there
+/// or lies in a plane of before.
+Vec3 Cutter::find_between(const CutTriangle& t, std::size_t low, std::size_t high,
+                          Between& out) const {
+  constexpr int kMostSteps = 30;
+  constexpr double kExact = 1e-6;  // of what lies on the plane: rounding
+  const std::uint32_t a = t.corners[low], b = t.corners[high];
+  out.share = height_[a] / (height_[a] - height_[b]);
+  const Vec3 chord = glm::mix(positions[a], positions[b], out.share);
+  const auto on_border = [&](std::uint32_t v) {
+    return v >= on_some_plane_.size() || on_some_plane_[v] != 0;
+  };
+  if (!lift_ || t.piece.facet == kNoFacet || (on_border(a) && on_border(b))) return chord;
+  // False position; it halves what the side that stays says (Illinois). Bracketed, so that it ends.
+  double from = 0, to = 1, at_from = height_[a], at_to = height_[b], share = out.share;
+  for (int i = 0; i < kMostSteps; ++i) {
+    const Lifted p = lift_(t.piece.facet, glm::mix(t.piece.bary[low], t.piece.bary[high], share));
+    const double h = glm::dot(plane_.normal, p.position) - plane_.offset;
+    if (!std::isfinite(h) || glm::distance(p.position, chord) > most_moved(a, b)) break;
+    if (std::abs(h) <= kExact * on_plane_) {
+      out.share = share;
+      out.lifted = p;
+      return p.position - h * plane_.normal;
+    }
+    if ((h > 0) == (at_from > 0)) {
+      from = share, at_from = h, at_to *= 0.5;
+    } else {
+      to = share, at_to = h, at_from *= 0.5;
+    }
+    share = glm::mix(from, to, at_from / (at_from - at_to));
+  }
+  return chord;
+}
+
+double Cutter::most_moved(std::uint32_t a, std::uint32_t b) const {
+  return 0.5 * glm::distance(positions[a], positions[b]);
+}
+
+/// A point on an edge between two faces lies on the first one's surface; as the second one comes,
+/// it moves to where both and the plane meet.
+void Cutter::move_onto_edge(const CutTriangle& t, Vec3 bary, const Between& at) {
+  constexpr double kTangent = 0.05;  // sine: where faces go on into each other none says where
+  if (!lift_ || t.piece.facet == kNoFacet || at.lifted.normal == Vec3(0)) return;
+  const Lifted other = lift_(t.piece.facet, bary);
+  const Vec3 &n1 = at.lifted.normal, &n2 = other.normal;
+  const double det = glm::dot(plane_.normal, glm::cross(n1, n2));
+  if (!(std::abs(det) > kTangent)) return;
+  const Vec3 p = (plane_.offset * glm::cross(n1, n2) +
+                  glm::dot(n1, at.lifted.position) * glm::cross(n2, plane_.normal) +
+                  glm::dot(n2, other.position) * glm::cross(plane_.normal, n1)) /
+                 det;
+  const double apart = glm::distance(at.lifted.position, other.position);
+  if (glm::distance(p, positions[at.vertex]) <= apart / kTangent) positions[at.vertex] = p;
 }
 
 void Cutter::add_polygon(const Polygon& given, const FacetPiece& piece,
@@ -259,7 +323,8 @@ void Cutter::divide_kept_edges() {
         ++k;
         continue;
       }
-      const auto& [vertex, share] = point->second;
+      const std::uint32_t vertex = point->second.vertex;
+      const double share = point->second.share;
       const Vec3 bary = a < b ? glm::mix(t.piece.bary[k], t.piece.bary[j], share)
                               : glm::mix(t.piece.bary[j], t.piece.bary[k], share);
       const auto with = [&](std::size_t corner) {

@@ -9,6 +9,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <span>
 #include <unordered_map>
 #include <vector>
@@ -26,7 +27,15 @@ struct CutTriangle {
 /// In the end the body goes, and its walls, turned over, close what is kept.
 class Cutter {
  public:
-  Cutter(const TriMesh& mesh, const RunContext& context);
+  /// A place of the exact surface and its normal.
+  struct Lifted {
+    Vec3 position{0}, normal{0};
+  };
+  /// That over a place of a facet.
+  using Lift = std::function<Lifted(std::uint32_t facet, Vec3 bary)>;
+
+  /// With `lift`, points between two vertices are where the plane meets the exact surface.
+  Cutter(const TriMesh& mesh, Lift lift, const RunContext& context);
 
   /// The last plane of a region: nothing is cut afterwards.
   void cut(const CutPlane& plane, std::int32_t number, bool last);
@@ -42,10 +51,12 @@ class Cutter {
   std::vector<Vec3> positions;  // of the mesh, and the cut points
 
  private:
-  /// A point between two vertices, by its share of the way from the lower number.
+  /// A point between two vertices, by its share of the way from the lower number, and the place of
+  /// the facet that it was found by on the exact surface; no normal: it has none.
   struct Between {
-    std::uint32_t vertex;
-    double share;
+    std::uint32_t vertex = 0;
+    double share = 0;
+    Lifted lifted = {};
   };
   struct Corner {
     std::uint32_t vertex;
@@ -59,6 +70,9 @@ class Cutter {
   bool lies_in_plane(const CutTriangle& t) const;
   void divide(const CutTriangle& t, std::vector<CutTriangle>* near, std::vector<CutTriangle>* far);
   Corner between(const CutTriangle& t, std::size_t k, std::size_t j);
+  Vec3 find_between(const CutTriangle& t, std::size_t low, std::size_t high, Between& out) const;
+  double most_moved(std::uint32_t a, std::uint32_t b) const;
+  void move_onto_edge(const CutTriangle& t, Vec3 bary, const Between& at);
   void add_polygon(const Polygon& polygon, const FacetPiece& piece,
                    std::vector<CutTriangle>& out) const;
   bool close(const CutPlane& plane, std::int32_t number, std::span<const CutTriangle> near,
@@ -66,7 +80,9 @@ class Cutter {
   void divide_kept_edges();
   void stand_beside(std::span<const CutTriangle> kept, std::vector<CutTriangle>& caps);
 
+  Lift lift_;
   const RunContext& context_;
+  CutPlane plane_;  // that cuts now
   double on_plane_ = 0;
   bool whole_ = false, open_ = false;
   std::vector<CutTriangle> body_, kept_;
