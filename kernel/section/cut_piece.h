@@ -9,6 +9,11 @@
 
 namespace burin::detail {
 
+/// Names a directed edge between two vertices.
+inline std::uint64_t edge_key(std::uint32_t from, std::uint32_t to) {
+  return static_cast<std::uint64_t>(from) << 32U | to;
+}
+
 /// Of a triangle that closes a cut.
 inline constexpr std::uint32_t kNoFacet = std::numeric_limits<std::uint32_t>::max();
 

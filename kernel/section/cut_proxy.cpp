@@ -12,10 +12,6 @@
 namespace burin::detail {
 namespace {
 
-std::uint64_t key(std::uint32_t a, std::uint32_t b) {
-  return static_cast<std::uint64_t>(a) << 32U | b;
-}
-
 /// Copies what is known of the facets to their pieces.
 class Draft {
  public:
@@ -44,7 +40,7 @@ class Draft {
         const Triangle& t = draft.mesh.triangles[i];
         for (std::size_t k = 0; k < 3; ++k) {
           draft.corner_normal[3 * i + k] = region_[static_cast<std::size_t>(piece.plane)].normal;
-          const auto other = closing.find(key(t[(k + 1) % 3], t[k]));
+          const auto other = closing.find(edge_key(t[(k + 1) % 3], t[k]));
           draft.sharp[3 * i + k] = other == closing.end() || other->second != piece.plane;
         }
         continue;
@@ -74,7 +70,7 @@ class Draft {
     for (std::size_t i = 0; i < pieces_.size(); ++i) {
       if (pieces_[i].facet != kNoFacet) continue;
       const Triangle& t = mesh.triangles[i];
-      for (std::size_t k = 0; k < 3; ++k) edges[key(t[k], t[(k + 1) % 3])] = pieces_[i].plane;
+      for (std::size_t k = 0; k < 3; ++k) edges[edge_key(t[k], t[(k + 1) % 3])] = pieces_[i].plane;
     }
     return edges;
   }

@@ -8,7 +8,6 @@
 #include <array>
 #include <cmath>
 #include <iterator>
-#include <limits>
 #include <map>
 #include <utility>
 
@@ -18,10 +17,6 @@ namespace {
 /// Of the diagonal: a vertex so near the plane lies on it. Coordinates of files are rounded to
 /// 1e-7 of themselves.
 constexpr double kOnPlane = 1e-6;
-
-std::uint64_t key(std::uint32_t a, std::uint32_t b) {
-  return static_cast<std::uint64_t>(a) << 32U | b;
-}
 
 Vec3 unit(std::size_t k) {
   Vec3 bary(0);
@@ -155,83 +150,8 @@ void Cutter::divide(const CutTriangle& t, std::vector<CutTriangle>* near,
   if (far) add_polygon(behind, t.piece, *far);
 }
 
-/// Where the edge between two corners meets the plane: the one on it where that is one.
-Cutter::Corner Cutter::between(const CutTriangle& t, std::size_t k, std::size_t j) {
-  const std::size_t far = beyond(t.corners[k]) ? k : j;
-  if (std::abs(height_[t.corners[far]]) <= on_plane_) return {t.corners[far], t.piece.bary[far]};
-  // From the lower vertex on, so that both triangles get the same point.
-  const bool first = t.corners[k] < t.corners[j];
-  const std::size_t low = first ? k : j, high = first ? j : k;
-  const std::uint32_t a = t.corners[low], b = t.corners[high];
-  const auto [entry, is_new] = points_.try_emplace(key(a, b));
-  Between& at = entry->second;
-  if (is_new) {
-    at.vertex = static_cast<std::uint32_t>(positions.size());
-    positions.push_back(find_between(t, low, high, at));
-  }
-  const Vec3 bary = glm::mix(t.piece.bary[low], t.piece.bary[high], at.share);
-  if (!is_new) move_onto_edge(t, bary, at);
-  return {at.vertex, bary};
-}
-
-/// Where the exact surface over an edge meets the plane; where the edge does, if it has none there
-/// or lies in a plane of before.
-Vec3 Cutter::find_between(const CutTriangle& t, std::size_t low, std::size_t high,
-                          Between& out) const {
-  constexpr int kMostSteps = 30;
-  constexpr double kExact = 1e-6;  // of what lies on the plane: rounding
-  const std::uint32_t a = t.corners[low], b = t.corners[high];
-  out.share = height_[a] / (height_[a] - height_[b]);
-  const Vec3 chord = glm::mix(positions[a], positions[b], out.share);
-  const auto on_border = [&](std::uint32_t v) {
-    return v >= on_some_plane_.size() || on_some_plane_[v] != 0;
-  };
-  if (!lift_ || t.piece.facet == kNoFacet || (on_border(a) && on_border(b))) return chord;
-  // False position; it halves what the side that stays says (Illinois). Bracketed, so that it ends.
-  double from = 0, to = 1, at_from = height_[a], at_to = height_[b], share = out.share;
-  for (int i = 0; i < kMostSteps; ++i) {
-    const Lifted p = lift_(t.piece.facet, glm::mix(t.piece.bary[low], t.piece.bary[high], share));
-    const double h = glm::dot(plane_.normal, p.position) - plane_.offset;
-    if (!std::isfinite(h) || glm::distance(p.position, chord) > most_moved(a, b)) break;
-    if (std::abs(h) <= kExact * on_plane_) {
-      out.share = share;
-      out.lifted = p;
-      return p.position - h * plane_.normal;
-    }
-    if ((h > 0) == (at_from > 0)) {
-      from = share, at_from = h, at_to *= 0.5;
-    } else {
-      to = share, at_to = h, at_from *= 0.5;
-    }
-    share = glm::mix(from, to, at_from / (at_from - at_to));
-  }
-  return chord;
-}
-
-double Cutter::most_moved(std::uint32_t a, std::uint32_t b) const {
-  return 0.5 * glm::distance(positions[a], positions[b]);
-}
-
-/// A point on an edge between two faces lies on the first one's surface; as the second one comes,
-/// it moves to where both and the plane meet.
-void Cutter::move_onto_edge(const CutTriangle& t, Vec3 bary, const Between& at) {
-  constexpr double kTangent = 0.05;  // sine: where faces go on into each other none says where
-  if (!lift_ || t.piece.facet == kNoFacet || at.lifted.normal == Vec3(0)) return;
-  const Lifted other = lift_(t.piece.facet, bary);
-  const Vec3 &n1 = at.lifted.normal, &n2 = other.normal;
-  const double det = glm::dot(plane_.normal, glm::cross(n1, n2));
-  if (!(std::abs(det) > kTangent)) return;
-  const Vec3 p = (plane_.offset * glm::cross(n1, n2) +
-                  glm::dot(n1, at.lifted.position) * glm::cross(n2, plane_.normal) +
-                  glm::dot(n2, other.position) * glm::cross(plane_.normal, n1)) /
-                 det;
-  const double apart = glm::distance(at.lifted.position, other.position);
-  if (glm::distance(p, positions[at.vertex]) <= apart / kTangent) positions[at.vertex] = p;
-}
-
-void Cutter::add_polygon(const Polygon& given, const FacetPiece& piece,
+void Cutter::add_polygon(Polygon polygon, const FacetPiece& piece,
                          std::vector<CutTriangle>& out) const {
-  Polygon polygon = given;
   polygon.end();
   const auto add = [&](std::size_t a, std::size_t b, std::size_t c) {
     out.push_back({{polygon[a].vertex, polygon[b].vertex, polygon[c].vertex}, piece});
@@ -262,13 +182,13 @@ bool Cutter::close(const CutPlane& plane, std::int32_t number, std::span<const C
       for (std::size_t k = 0; k < 3; ++k) {
         const std::uint32_t a = t.corners[k], b = t.corners[(k + 1) % 3];
         if (!lies_on_plane(a) || !lies_on_plane(b)) continue;
-        ++count[key(a, b)];
+        ++count[edge_key(a, b)];
         edges.push_back({b, a});
       }
     }
   }
   std::erase_if(edges, [&](const DirectedEdge& e) {
-    const auto other = count.find(key(e[0], e[1]));
+    const auto other = count.find(edge_key(e[0], e[1]));
     if (other == count.end() || other->second == 0) return false;
     --other->second;  // each takes one away: walls may lie on edges of others
     return true;
@@ -318,7 +238,7 @@ void Cutter::divide_kept_edges() {
         ++k;
         continue;
       }
-      const auto point = points_.find(key(std::min(a, b), std::max(a, b)));
+      const auto point = points_.find(edge_key(std::min(a, b), std::max(a, b)));
       if (point == points_.end()) {
         ++k;
         continue;
@@ -344,7 +264,7 @@ void Cutter::divide_kept_edges() {
 void Cutter::stand_beside(std::span<const CutTriangle> kept, std::vector<CutTriangle>& caps) {
   std::unordered_map<std::uint64_t, int> taken;
   const auto ends = [](const CutTriangle& t, std::size_t k) {
-    return key(t.corners[k], t.corners[(k + 1) % 3]);
+    return edge_key(t.corners[k], t.corners[(k + 1) % 3]);
   };
   std::vector<std::uint8_t> of_cap(positions.size(), 0);
   for (const CutTriangle& t : caps) {

@@ -71,10 +71,9 @@ class Cutter {
   void divide(const CutTriangle& t, std::vector<CutTriangle>* near, std::vector<CutTriangle>* far);
   Corner between(const CutTriangle& t, std::size_t k, std::size_t j);
   Vec3 find_between(const CutTriangle& t, std::size_t low, std::size_t high, Between& out) const;
-  double most_moved(std::uint32_t a, std::uint32_t b) const;
+  bool stands_on_surface(const CutTriangle& t) const;
   void move_onto_edge(const CutTriangle& t, Vec3 bary, const Between& at);
-  void add_polygon(const Polygon& polygon, const FacetPiece& piece,
-                   std::vector<CutTriangle>& out) const;
+  void add_polygon(Polygon polygon, const FacetPiece& piece, std::vector<CutTriangle>& out) const;
   bool close(const CutPlane& plane, std::int32_t number, std::span<const CutTriangle> near,
              std::span<const CutTriangle> sheets, std::vector<CutTriangle>& walls);
   void divide_kept_edges();

@@ -92,27 +92,27 @@ std::vector<Interval> clear_of(const Clearance& clear, Vec2 along, Vec2 across, 
 
 }  // namespace
 
-void hatch_lines(const Area& area, double degrees, double wanted, const Clearance& clear,
+void hatch_lines(const Area& area, double degrees, double spacing, const Clearance& clear,
                  std::vector<Curve3>& out) {
   const double angle = degrees * std::numbers::pi / 180;
   const Vec2 along(std::cos(angle), std::sin(angle)), across(-along.y, along.x);
-  const double spacing = std::max(wanted, area.box.diagonal() / kMostLines);
+  const double step = std::max(spacing, area.box.diagonal() / kMostLines);
   std::map<std::int64_t, std::vector<Run>> lines;
   for (std::size_t i = 0; i < area.triangles.size(); ++i) {
     double low = glm::dot(across, area.triangles[i][0]), high = low;
     for (const Vec2& p : area.triangles[i]) {
       low = std::min(low, glm::dot(across, p)), high = std::max(high, glm::dot(across, p));
     }
-    for (auto k = static_cast<std::int64_t>(std::ceil(low / spacing));
-         static_cast<double>(k) * spacing <= high; ++k) {
-      const Run run = over_triangle(area.triangles[i], along, across,
-                                    static_cast<double>(k) * spacing, area.faces[i]);
+    for (auto k = static_cast<std::int64_t>(std::ceil(low / step));
+         static_cast<double>(k) * step <= high; ++k) {
+      const Run run = over_triangle(area.triangles[i], along, across, static_cast<double>(k) * step,
+                                    area.faces[i]);
       if (run.to > run.from) lines[k].push_back(run);
     }
   }
   const double joined = kJoined * area.box.diagonal();
   const auto point = [&](std::int64_t k, double t) {
-    const Vec2 p = t * along + static_cast<double>(k) * spacing * across;
+    const Vec2 p = t * along + static_cast<double>(k) * step * across;
     return p.x * area.u + p.y * area.v + area.offset * area.normal;
   };
   for (auto& [k, runs] : lines) {
@@ -123,7 +123,7 @@ void hatch_lines(const Area& area, double degrees, double wanted, const Clearanc
       while (j < runs.size() && runs[j].from <= to + joined) to = std::max(to, runs[j++].to);
       const std::uint32_t face = runs[i].face;
       for (const auto& [a, b] :
-           clear_of(clear, along, across, static_cast<double>(k) * spacing, {runs[i].from, to})) {
+           clear_of(clear, along, across, static_cast<double>(k) * step, {runs[i].from, to})) {
         Curve3 curve;
         curve.kind = LineClass::Pattern;
         curve.source.part = area.part;
