@@ -24,7 +24,8 @@ std::optional<T> parse(std::string_view text) {
   return value;
 }
 
-/// Exactly as many finite numbers as there is room for, between commas.
+}  // namespace
+
 bool parse_list(std::string_view rest, std::span<double> out) {
   for (std::size_t i = 0; i < out.size(); ++i) {
     const std::size_t comma = i + 1 < out.size() ? rest.find(',') : rest.size();
@@ -38,8 +39,6 @@ bool parse_list(std::string_view rest, std::span<double> out) {
   }
   return true;
 }
-
-}  // namespace
 
 std::uint64_t whole_option(const std::string& option, const std::string& text, std::uint64_t low,
                            std::uint64_t high, const char* what) {

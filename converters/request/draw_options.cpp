@@ -6,6 +6,7 @@
 
 #include "explode_option.h"
 #include "named_files.h"
+#include "section_option.h"
 
 #include <fmt/format.h>
 
@@ -18,7 +19,6 @@ namespace detail {
 namespace {
 
 constexpr const char* kLook = "The look";
-constexpr const char* kParts = "Parts";
 constexpr const char* kRun = "The run";
 constexpr const char* kFiles = "Files";
 
@@ -58,12 +58,6 @@ void set_looks(Draft& draft, const Asked& asked) {
     }
     draft.plan.looks.push_back(
         {{.select = {text.substr(0, equals)}, .style = text.substr(equals + 1)}});
-  }
-}
-
-void set_sections(Draft& draft, const Asked& asked) {
-  for (const std::string& text : asked.texts) {
-    draft.plan.sections.push_back({.plane = cut_option(asked.spelled, text)});
   }
 }
 
@@ -175,26 +169,11 @@ std::vector<RequestRow<Draft>> part_rows() {
         .many = true,
         .python = "Mapping[str, str] | Sequence[str]"},
        set_looks},
-      {{.option = {.name = "section",
-                   .meaning =
-                       "cut the parts open by a plane across x, y, z or a direction, at a "
-                       "coordinate in mm (default the middle); the half towards the viewer goes, "
-                       "+y and -y say which; repeatable",
-                   .takes = FreeText{}},
-        .group = kParts,
-        .label = "AXIS[=MM]",
-        .many = true,
-        .python = kPython},
-       set_sections},
-      {{.option = {.name = "section_exclude",
-                   .meaning = "parts that sections leave whole, such as bolts and shafts; "
-                              "repeatable",
-                   .takes = FreeText{}},
-        .group = kParts,
-        .label = "NAME",
-        .many = true,
-        .python = kPython},
-       [](Draft& d, const Asked& a) { d.plan.uncut = a.texts; }},
+  };
+}
+
+std::vector<RequestRow<Draft>> explode_rows() {
+  return {
       {{.option = {.name = "explode",
                    .meaning = "take the assembly apart: auto, or along one axis alone, x, y, z or "
                               "a direction, +y and -y one way; none: as if not asked for",
@@ -291,8 +270,8 @@ std::vector<RequestRow<Draft>> run_rows() {
 const std::vector<RequestRow<Draft>>& draw_rows() {
   static const std::vector<RequestRow<Draft>> all = [] {
     std::vector<RequestRow<Draft>> rows;
-    for (const auto& group :
-         {look_rows(), part_rows(), item_rows(), view_rows(), sheet_rows(), run_rows()}) {
+    for (const auto& group : {look_rows(), part_rows(), section_rows(), explode_rows(), item_rows(),
+                              view_rows(), sheet_rows(), run_rows()}) {
       rows.insert(rows.end(), group.begin(), group.end());
     }
     return rows;

@@ -19,9 +19,12 @@ struct Draft {
 /// Past any sheet, scale or tolerance that means something.
 inline constexpr double kLarge = 1e12;
 inline constexpr const char* kDirectionPhrase = "a direction X,Y,Z other than 0,0,0";
+/// The heading of options about parts.
+inline constexpr const char* kParts = "Parts";
 
 const std::vector<RequestRow<Draft>>& draw_rows();
-/// Of them, those about the view and about the sheet.
+/// Of them, those about sections, about the view and about the sheet.
+std::vector<RequestRow<Draft>> section_rows();
 std::vector<RequestRow<Draft>> view_rows();
 std::vector<RequestRow<Draft>> sheet_rows();
 

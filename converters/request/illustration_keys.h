@@ -26,7 +26,9 @@ inline const std::vector<std::string> kInputKeys = {"file", "function", "name", 
 inline const std::vector<std::string> kPlaceKeys = {"translate", "rotate", "scale"};
 inline const std::vector<std::string> kLookKeys = {"select", "style", "drawn", "hatched",
                                                    "transparent"};
-inline const std::vector<std::string> kSectionKeys = {"plane", "exclude"};
+inline const std::vector<std::string> kSectionKeys = {"plane", "planes", "steps",
+                                                      "box",   "around", "exclude"};
+inline const std::vector<std::string> kAroundKeys = {"center", "radius"};
 inline const std::vector<std::string> kPlaneKeys = {"normal", "offset"};
 inline const std::vector<std::string> kExplodeKeys = {"steps", "along", "base", "fit", "factor"};
 inline const std::vector<std::string> kStepKeys = {"move", "along", "by", "trail"};

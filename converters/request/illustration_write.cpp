@@ -68,6 +68,33 @@ Json explode_json(const DrawRequest& request, const std::vector<Explode::Step>& 
   return explode;
 }
 
+/// What options about sections ask, as an illustration has it.
+std::vector<Json> sections_json(const DrawRequest& request) {
+  std::vector<Json> sections;
+  for (const std::string& section : given_texts(request.options, "section")) {
+    sections.push_back(Json::object());
+    sections.back()["plane"] = section;
+  }
+  const auto numbers = [&](const char* option) {
+    const std::vector<std::string>& texts = given_texts(request.options, option);
+    return texts.empty() ? Json() : Json::parse("[" + texts.back() + "]");
+  };
+  if (const Json n = numbers("section_box"); !n.is_null()) {
+    sections.push_back(Json::object());
+    sections.back()["box"] = {{n[0], n[1], n[2]}, {n[3], n[4], n[5]}};
+  }
+  if (const Json n = numbers("section_around"); !n.is_null()) {
+    sections.push_back(Json::object());
+    sections.back()["around"] = {{"center", {n[0], n[1], n[2]}}, {"radius", n[3]}};
+  }
+  const std::vector<std::string>& uncut = given_texts(request.options, "section_exclude");
+  for (Json& section : sections) {
+    if (uncut.empty()) continue;
+    section["exclude"] = uncut == std::vector<std::string>{"none"} ? Json::array() : Json(uncut);
+  }
+  return sections;
+}
+
 Json schema_of(const std::string& option) {
   return Json::parse(value_schema(detail::option_named(option).option));
 }
@@ -129,18 +156,43 @@ Json look_schema(const Json& style) {
 }
 
 Json section_schema() {
-  const Json plane_text =
-      text("x, y, z with a sign for the side that goes, or X,Y,Z; =OFFSET in mm");
+  const Json section_text = text(
+      "x, y, z with a sign for the side that goes, or X,Y,Z; =OFFSET in mm; quarter; x,y for what "
+      "lies beyond both; y=2,x=10,y=6 for steps");
   Json plane = object_of(
       {{"normal", vector_of("towards what is taken away")}, {"offset", {{"type", "number"}}}});
   plane["required"] = {"normal"};
-  Json section = object_of({{"plane", {{"anyOf", {plane_text, plane}}}},
-                            {"exclude",
-                             {{"anyOf",
-                               {text("a selector of parts that stay whole"),
-                                list_of(text("a selector of parts that stay whole"))}}}}});
-  section["required"] = {"plane"};
-  return {{"anyOf", {plane_text, section}}};
+  const Json one = {{"anyOf", {text("x, y, z with a sign, or X,Y,Z; =OFFSET in mm"), plane}}};
+  Json planes = list_of(one), steps = list_of(one), box = list_of(vector_of("a corner, model mm"));
+  planes["description"] = "what lies beyond all of them goes";
+  planes["minItems"] = 1;
+  planes["maxItems"] = 64;
+  steps["description"] = "a cut, where it ends, the next cut, and so on";
+  steps["minItems"] = 3;
+  steps["maxItems"] = 64;
+  box["description"] = "what is inside goes";
+  box["minItems"] = 2;
+  box["maxItems"] = 2;
+  Json around = object_of({{"center", vector_of("model mm")},
+                           {"radius", {{"type", "number"}, {"exclusiveMinimum", 0}}}});
+  around["description"] = "what lies before this place and around it goes";
+  around["required"] = {"center", "radius"};
+  const Json selector = text("a selector of parts that stay whole");
+  Json exclude = {{"anyOf", {selector, list_of(selector)}}};
+  exclude["description"] = "without it: those that drawings leave whole by custom";
+  Json section = object_of({{"plane", {{"anyOf", {section_text, plane}}}},
+                            {"planes", planes},
+                            {"steps", steps},
+                            {"box", box},
+                            {"around", around},
+                            {"exclude", exclude}});
+  section["oneOf"] = Json::array();
+  for (const char* kind : {"plane", "planes", "steps", "box", "around"}) {
+    Json required;
+    required["required"] = Json::array({kind});
+    section["oneOf"].push_back(std::move(required));
+  }
+  return {{"anyOf", {section_text, section}}};
 }
 
 Json explode_schema() {
@@ -232,12 +284,7 @@ std::string first_illustration(const std::vector<std::string>& inputs, const Dra
       json["style"][name] = style_value(name, value);
     }
   }
-  const std::vector<std::string>& uncut = given_texts(request.options, "section_exclude");
-  for (const std::string& section : given_texts(request.options, "section")) {
-    Json one{{"plane", section}};
-    if (!uncut.empty()) one["exclude"] = uncut;
-    json["section"].push_back(std::move(one));
-  }
+  for (Json& section : sections_json(request)) json["section"].push_back(std::move(section));
   if (!steps.empty()) json["explode"] = explode_json(request, steps);
   for (const std::string& detail : given_texts(request.options, "detail")) {
     json["details"].push_back(detail);

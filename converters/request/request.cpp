@@ -3,7 +3,6 @@
 #include <burin/converters/messages.h>
 #include <burin/converters/request.h>
 #include <burin/field/catalogue.h>
-#include <burin/section/section.h>
 #include <burin/tone/catalogue.h>
 
 #include "draw_options.h"
@@ -158,59 +157,6 @@ void select_parts(const Scene& scene, DrawPlan& plan) {
   const bool chosen = !plan.only.empty() || !plan.looks.empty();
   if (chosen && std::ranges::none_of(styles, is_drawn)) {
     throw UsageError("all parts are left out; nothing is left to draw");
-  }
-}
-
-namespace {
-
-/// The parts that stay whole.
-std::vector<bool> uncut_parts(const Scene& scene, const Section& section, const DrawPlan& plan) {
-  std::vector<bool> uncut(scene.parts.size(), false);
-  for (const std::string& selector : plan.uncut) {
-    for (const std::size_t part : select(scene, selector)) uncut[part] = true;
-  }
-  try {
-    for (const std::string& selector : section.exclude) {
-      for (const std::size_t part : select(scene, selector)) uncut[part] = true;
-    }
-  } catch (const UsageError& e) {
-    throw UsageError(section.place + e.what());
-  }
-  return uncut;
-}
-
-}  // namespace
-
-void cut_parts(Scene& scene, const DrawPlan& plan) {
-  constexpr std::size_t kMostSections = 16;
-  if (plan.sections.size() > kMostSections) {
-    throw UsageError("more than 16 sections; each takes something away");
-  }
-  const auto& styles = plan.illustrate.part_styles;
-  for (std::size_t i = 0; i < plan.sections.size(); ++i) {
-    const Section& section = plan.sections[i];
-    Mat3 across(0);  // its first row is the axis
-    for (int k = 0; k < 3; ++k) across[k][0] = section.plane.axis[k];
-    const Box3 box = drawn_bounds(scene, styles, across);
-    const double offset = section.plane.offset.value_or(box.center().x);
-    const double to_viewer = glm::dot(section.plane.axis, plan.view.direction);
-    const int side = section.plane.side != 0 ? section.plane.side : to_viewer >= 0 ? 1 : -1;
-    const auto says = fmt::format("{}the section at {:.6g} mm, of a model from {:.6g} to {:.6g} mm",
-                                  section.place, offset, box.min.x, box.max.x);
-    const bool above = offset >= box.max.x, below = offset <= box.min.x;
-    if (side > 0 ? below : above) throw UsageError(says + ", takes all of it away");
-    if (side > 0 ? above : below) {
-      scene.diagnostics.add(Severity::Warning, "section.missed", 1, says + ", cuts nothing");
-      continue;
-    }
-    const std::vector<bool> uncut = uncut_parts(scene, section, plan);
-    const CutPlane plane{.normal = static_cast<double>(side) * section.plane.axis,
-                         .offset = side * offset};
-    for (std::size_t part = 0; part < scene.parts.size(); ++part) {
-      Part& one = scene.parts[part];
-      if (uncut[part]) continue;
-      one.form = cut_form(one.form, plane, static_cast<std::int32_t>(i), one.name);
-    }
   }
 }
 

@@ -14,8 +14,8 @@
 namespace burin {
 namespace {
 
-/// What is left of a box beyond a plane, as the corners of a polyhedron.
-std::vector<Vec3> cut_box(const Box3& box, const CutPlane& plane) {
+/// What is left of a box before a plane, as the corners of a polyhedron.
+void cut_box(const Box3& box, const CutPlane& plane, std::vector<Vec3>& left) {
   std::array<Vec3, 8> corners{};
   for (std::size_t i = 0; i < 8; ++i) {
     corners[i] = {i & 1U ? box.max.x : box.min.x, i & 2U ? box.max.y : box.min.y,
@@ -24,7 +24,6 @@ std::vector<Vec3> cut_box(const Box3& box, const CutPlane& plane) {
   const auto beyond = [&](std::size_t i) {
     return glm::dot(plane.normal, corners[i]) - plane.offset;
   };
-  std::vector<Vec3> left;
   for (std::size_t i = 0; i < 8; ++i) {
     const double a = beyond(i);
     if (a <= 0) left.push_back(corners[i]);
@@ -35,18 +34,21 @@ std::vector<Vec3> cut_box(const Box3& box, const CutPlane& plane) {
       if ((a > 0) != (b > 0)) left.push_back(glm::mix(corners[i], corners[j], a / (a - b)));
     }
   }
-  return left;
 }
 
 class CutForm final : public Form {
  public:
-  CutForm(std::shared_ptr<const Form> form, const CutPlane& plane, std::int32_t number,
-          std::string name)
-      : form_(std::move(form)), plane_(plane), number_(number), name_(std::move(name)) {}
+  CutForm(std::shared_ptr<const Form> form, CutRegion region, std::int32_t number, std::string name)
+      : form_(std::move(form)),
+        region_(std::move(region)),
+        number_(number),
+        name_(std::move(name)) {}
 
   /// As tight as the box that the form has along its own axes.
   Box3 bounds(const Mat3& axes) const override {
-    const std::vector<Vec3> left = cut_box(form_->bounds(Mat3(1)), plane_);
+    // What lies before any of the planes is left.
+    std::vector<Vec3> left;
+    for (const CutPlane& plane : region_) cut_box(form_->bounds(Mat3(1)), plane, left);
     const Box3 whole = form_->bounds(axes);
     if (left.empty()) return {};
     Box3 box;
@@ -58,7 +60,7 @@ class CutForm final : public Form {
                                          RunContext& context) const override {
     auto whole = form_->realise(options, context);
     context.begin_stage(RunStage::Build);
-    detail::CutProxy cut = detail::cut_proxy(whole->proxy(), plane_, number_, context);
+    detail::CutProxy cut = detail::cut_proxy(*whole, region_, number_, context);
     context.end_stage();
     if (cut.whole) return whole;
     if (cut.gone) return empty_surface();
@@ -68,12 +70,12 @@ class CutForm final : public Form {
           fmt::format("{}: its surface has holes where it is cut, so that the cut is not closed",
                       name_));
     }
-    return std::make_shared<detail::CutSurface>(std::move(whole), std::move(cut), plane_);
+    return std::make_shared<detail::CutSurface>(std::move(whole), std::move(cut), region_);
   }
   bool looks_at_view() const override { return form_->looks_at_view(); }
   bool same_as(const Form& other) const override {
     const auto* cut = dynamic_cast<const CutForm*>(&other);
-    return cut && cut->plane_ == plane_ && cut->number_ == number_ && cut->name_ == name_ &&
+    return cut && cut->region_ == region_ && cut->number_ == number_ && cut->name_ == name_ &&
            cut->form_->same_as(*form_);
   }
 
@@ -83,16 +85,21 @@ class CutForm final : public Form {
 
  private:
   std::shared_ptr<const Form> form_;
-  CutPlane plane_;
+  CutRegion region_;
   std::int32_t number_;
   std::string name_;
 };
 
 }  // namespace
 
+std::shared_ptr<const Form> cut_form(std::shared_ptr<const Form> form, CutRegion region,
+                                     std::int32_t number, std::string name) {
+  return std::make_shared<CutForm>(std::move(form), std::move(region), number, std::move(name));
+}
+
 std::shared_ptr<const Form> cut_form(std::shared_ptr<const Form> form, const CutPlane& plane,
                                      std::int32_t number, std::string name) {
-  return std::make_shared<CutForm>(std::move(form), plane, number, std::move(name));
+  return cut_form(std::move(form), CutRegion{plane}, number, std::move(name));
 }
 
 }  // namespace burin

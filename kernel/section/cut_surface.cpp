@@ -8,10 +8,10 @@
 namespace burin::detail {
 namespace {
 
-/// Halvings of a step that goes over the plane.
+/// Halvings of a step that goes over a plane.
 constexpr int kBisections = 26;
-/// A march takes steps of at least this share of it beside the plane: what goes over the plane for
-/// less is not seen.
+/// A march takes steps of at least this share of it beside a cut: what goes into it for less is not
+/// seen.
 constexpr double kFewestSteps = 64;
 /// Barycentric: a place so far beside a piece lies in it.
 constexpr double kBeside = 1e-6;
@@ -37,12 +37,12 @@ Vec3 clamped(Vec3 bary) {
 
 }  // namespace
 
-CutSurface::CutSurface(std::shared_ptr<const Surface> whole, CutProxy cut, const CutPlane& plane)
+CutSurface::CutSurface(std::shared_ptr<const Surface> whole, CutProxy cut, CutRegion region)
     : whole_(std::move(whole)),
       proxy_(std::move(cut.proxy)),
       pieces_(std::move(cut.pieces)),
       first_(whole_->proxy().mesh.triangles.size() + 1, 0),
-      plane_(plane) {
+      region_(std::move(region)) {
   for (const FacetPiece& piece : pieces_) {
     if (piece.facet != kNoFacet) ++first_[piece.facet + 1];
   }
@@ -65,6 +65,14 @@ double CutSurface::locate(std::uint32_t facet, Vec3 bary, ProxyPoint& out) const
   return best;
 }
 
+double CutSurface::beyond(Vec3 p) const {
+  double least = std::numeric_limits<double>::infinity();
+  for (const CutPlane& plane : region_) {
+    least = std::min(least, glm::dot(plane.normal, p) - plane.offset);
+  }
+  return least;
+}
+
 bool CutSurface::adopt(SurfacePoint& end) const {
   if (beyond(end.position) > 0) return false;
   ProxyPoint place;
@@ -77,11 +85,11 @@ bool CutSurface::adopt(SurfacePoint& end) const {
 
 MarchStep CutSurface::march(const SurfacePoint& from, Vec3 tangent, double length) const {
   if (closes(from.triangle)) return march_flat(from, tangent, length);
-  // No step is longer than the way to the plane, so that none goes over it and comes back.
+  // No step is longer than the way to the cut, so that none goes into it and comes back.
   MarchStep all{.end = from, .direction = tangent};
   for (const double least = length / kFewestSteps; all.length < length;) {
     const double way = std::min(length - all.length, std::max(least, -beyond(all.end.position)));
-    const MarchStep step = march_to_plane(all.end, all.direction, way);
+    const MarchStep step = march_to_cut(all.end, all.direction, way);
     all = {.end = step.end,
            .direction = step.direction,
            .length = all.length + step.length,
@@ -91,11 +99,32 @@ MarchStep CutSurface::march(const SurfacePoint& from, Vec3 tangent, double lengt
   return all;
 }
 
-MarchStep CutSurface::march_to_plane(const SurfacePoint& from, Vec3 tangent, double length) const {
+std::optional<double> CutSurface::inside_of_chord(Vec3 from, Vec3 to) const {
+  double enters = 0, leaves = 1;
+  for (const CutPlane& plane : region_) {
+    const double a = glm::dot(plane.normal, from) - plane.offset;
+    const double b = glm::dot(plane.normal, to) - plane.offset;
+    if (a <= 0 && b <= 0) return std::nullopt;
+    if ((a > 0) == (b > 0)) continue;
+    double& end = b > 0 ? enters : leaves;
+    end = b > 0 ? std::max(end, a / (a - b)) : std::min(end, a / (a - b));
+  }
+  if (!(enters < leaves)) return std::nullopt;
+  return 0.5 * (enters + leaves);
+}
+
+MarchStep CutSurface::march_to_cut(const SurfacePoint& from, Vec3 tangent, double length) const {
   const SurfacePoint start = inner(from);
   MarchStep step = whole_->march(start, tangent, length);
-  if (adopt(step.end)) return step;
   double near = 0, far = step.length;
+  if (adopt(step.end)) {
+    // Over a corner of what is gone, from one of its sides to another?
+    const auto share = inside_of_chord(from.position, step.end.position);
+    if (!share) return step;
+    far *= *share;
+    MarchStep middle = whole_->march(start, tangent, far);
+    if (adopt(middle.end)) return step;
+  }
   MarchStep last{.end = from, .direction = step.direction, .length = 0};
   for (int i = 0; i < kBisections; ++i) {
     const double middle = 0.5 * (near + far);
@@ -112,7 +141,8 @@ MarchStep CutSurface::march_to_plane(const SurfacePoint& from, Vec3 tangent, dou
 }
 
 MarchStep CutSurface::march_flat(const SurfacePoint& from, Vec3 tangent, double length) const {
-  MarchStep step{.end = from, .direction = reject(tangent, plane_.normal)};
+  const Vec3 normal = normal_of(from.triangle);
+  MarchStep step{.end = from, .direction = reject(tangent, normal)};
   const double size = glm::length(step.direction);
   if (!(size > 0)) {
     step.stop = MarchStop::Singular;
@@ -129,7 +159,7 @@ MarchStep CutSurface::march_flat(const SurfacePoint& from, Vec3 tangent, double 
       if (h == came) continue;
       const Vec3 &a = mesh.positions[origin(mesh, h)],
                  &b = mesh.positions[origin(mesh, next_in_face(h))];
-      const Vec3 outward = glm::cross(b - a, plane_.normal);
+      const Vec3 outward = glm::cross(b - a, normal);
       const double speed = glm::dot(outward, step.direction);
       if (!(speed > 0)) continue;
       const double until = std::max(0.0, glm::dot(outward, a - step.end.position) / speed);
@@ -139,7 +169,8 @@ MarchStep CutSurface::march_flat(const SurfacePoint& from, Vec3 tangent, double 
     step.length += way;
     const HalfEdge over =
         out == kNoHalfEdge ? kNoHalfEdge : proxy_.topology.opposite[static_cast<std::size_t>(out)];
-    if (out != kNoHalfEdge && (over == kNoHalfEdge || !closes(face_of(over)))) {
+    if (out != kNoHalfEdge && (over == kNoHalfEdge || !closes(face_of(over)) ||
+                               pieces_[face_of(over)].plane != pieces_[from.triangle].plane)) {
       step.stop = over == kNoHalfEdge ? MarchStop::Boundary : MarchStop::Crease;
     }
     if (out == kNoHalfEdge || step.stop != MarchStop::Completed) break;
@@ -156,8 +187,8 @@ Frame CutSurface::frame(const SurfacePoint& point) const {
   if (!closes(point.triangle)) return whole_->frame(inner(point));
   Frame frame;
   frame.position = point.position;
-  frame.normal = plane_.normal;
-  frame.d1 = any_orthogonal(plane_.normal);
+  frame.normal = normal_of(point.triangle);
+  frame.d1 = any_orthogonal(frame.normal);
   frame.d2 = glm::cross(frame.normal, frame.d1);
   frame.kind = FaceKind::Plane;
   return frame;

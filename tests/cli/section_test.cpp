@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <utility>
 
 namespace burin {
 namespace {
@@ -87,6 +88,169 @@ TEST_F(Sections, StandInAFirstIllustration) {
   EXPECT_EQ(file.at("section")[0].at("plane"), "-x=3");
   EXPECT_EQ(file.at("section")[0].at("exclude"), Json({"box"}));
   EXPECT_EQ(run("draw @/a.burin.json -o @/a.svg"), 0) << err_;
+}
+
+/// Model mm that the lines of a layer reach from and to along an axis.
+std::pair<double, double> reach(const Json& drawing, const std::string& layer, std::size_t axis) {
+  std::pair<double, double> out{1e300, -1e300};
+  for (const Json& l : drawing.at("layers")) {
+    if (l.at("name") != layer) continue;
+    for (const Json& path : l.at("paths")) {
+      for (const Json& p : path.at("points3")) {
+        const double x = p.at(axis);
+        out = {std::min(out.first, x), std::max(out.second, x)};
+      }
+    }
+  }
+  return out;
+}
+
+TEST_F(Sections, OfSeveralPlanesTakeAQuarterStepsOrABox) {
+  folder_.write("a.implicit", "box(20, 20, 20)\n");
+  const auto draw = [&](const std::string& section) {
+    EXPECT_EQ(run("draw @/a.implicit --style outline " + section + " -o @/a.json"), 0) << err_;
+    return drawing();
+  };
+  // Towards the viewer is x > 0, y < 0, z > 0.
+  const Json quarter = draw("--section quarter");
+  EXPECT_NEAR(reach(quarter, "pattern", 0).first, 0, 1e-6);
+  EXPECT_NEAR(reach(quarter, "pattern", 0).second, 10, 1e-6);
+  EXPECT_NEAR(reach(quarter, "pattern", 1).first, -10, 1e-6);
+  EXPECT_NEAR(reach(quarter, "pattern", 1).second, 0, 1e-6);
+  EXPECT_EQ(draw("--section x,y").at("layers"), quarter.at("layers"));
+  const Json other = draw("--section x=4,+y=-3");
+  EXPECT_NEAR(reach(other, "pattern", 0).first, 4, 1e-6);
+  // At y = -6 until x = 2, then at y = 5.
+  const Json steps = draw("--section y=-6,x=2,y=5");
+  EXPECT_NEAR(reach(steps, "pattern", 1).first, -6, 1e-6);
+  EXPECT_NEAR(reach(steps, "pattern", 1).second, 5, 1e-6);
+  const Json box = draw("--section-box 0,-11,4,5,-2,11");
+  EXPECT_NEAR(reach(box, "pattern", 0).first, 0, 1e-6);
+  EXPECT_NEAR(reach(box, "section", 0).second, 5, 1e-6);
+  EXPECT_NEAR(reach(box, "pattern", 2).first, 4, 1e-6);
+  // In an orthographic view of its direction the walls of an opening have no lines.
+  const Json around = draw("--section-around 0,0,0,3 --view front");
+  EXPECT_NEAR(reach(around, "pattern", 1).first, 0, 1e-6);
+  EXPECT_NEAR(reach(around, "pattern", 1).second, 0, 1e-6);
+  EXPECT_LT(reach(around, "pattern", 0).second, 3.1);
+}
+
+TEST_F(Sections, OfSeveralPlanesMayMiss) {
+  ASSERT_EQ(run("draw @/box.off --section-box 900,900,900,901,901,901 -o @/a.json"), 0) << err_;
+  EXPECT_NE(err_.find("cuts nothing"), std::string::npos) << err_;
+  ASSERT_EQ(run("draw @/box.off --section x,-y=-1e3 -o @/a.json"), 0) << err_;
+  EXPECT_NE(err_.find("cuts nothing"), std::string::npos) << err_;
+  ASSERT_EQ(run("draw @/box.off --section-box=-900,-900,-900,900,900,900 -o @/a.json"), 2);
+  EXPECT_NE(err_.find("takes all of it away"), std::string::npos) << err_;
+  for (const char* bad :
+       {"--section x,x", "--section y,x,y", "--section y,x=1,y,x=3",
+        "--section y,x=3,y,x=1,y,x=2,y", "--section x,1,2", "--section x,", "--section-box 1,2,3",
+        "--section-box 1,1,1,0,0,0", "--section-around 1,2,3", "--section-around 1,2,3,0",
+        "--section-around 1,2,3,-4"}) {
+    ASSERT_EQ(run(std::string("draw @/box.off ") + bad + " -o @/a.svg"), 2) << bad << err_;
+    EXPECT_EQ(std::ranges::count(err_, '\n'), 1) << bad << err_;
+  }
+}
+
+TEST_F(Sections, OfSeveralPlanesStandInAFile) {
+  folder_.write("a.implicit", "box(20, 20, 20)\n");
+  const auto draw = [&](const std::string& section) {
+    folder_.write("a.burin.json",
+                  "{\"burin\": \"illustration\",\n\"section\": " + section +
+                      ",\n\"parts\": [{\"file\": \"a.implicit\"}], \"style\": \"outline\"}");
+    return run("draw @/a.burin.json -o @/a.json");
+  };
+  const auto same_as = [&](const std::string& section, const std::string& options) {
+    EXPECT_EQ(draw(section), 0) << err_;
+    const Json file = drawing();
+    EXPECT_EQ(run("draw @/a.implicit --style outline " + options + " -o @/a.json"), 0) << err_;
+    EXPECT_EQ(file.at("layers"), drawing().at("layers")) << section;
+  };
+  same_as(R"("x,y")", "--section quarter");
+  same_as(R"({"planes": ["x=3", {"normal": [0, -1, 0], "offset": 2}]})", "--section x=3,-y=-2");
+  same_as(R"({"steps": ["y=-6", "x=2", "y=5"]})", "--section y=-6,x=2,y=5");
+  same_as(R"({"box": [[0, -11, 4], [5, -2, 11]]})", "--section-box 0,-11,4,5,-2,11");
+  same_as(R"({"around": {"center": [0, 1, 0], "radius": 3}})", "--section-around 0,1,0,3");
+  for (const char* bad :
+       {R"({"plane": "x", "box": [[0,0,0],[1,1,1]]})", R"({"planes": []})", R"({"planes": "x"})",
+        R"({"planes": ["x,y"]})", R"({"steps": ["y", "x=1"]})", R"({"steps": ["y", "x", "y"]})",
+        R"({"box": [[0,0,0],[1,1,0]]})", R"({"box": [0,0,0]})",
+        R"({"around": {"center": [0,0,0]}})", R"({"around": {"center": [0,0,0], "radius": 0}})"}) {
+    ASSERT_EQ(draw(bad), 2) << bad;
+    EXPECT_NE(err_.find("a.burin.json:2: "), std::string::npos) << err_;
+    EXPECT_EQ(std::ranges::count(err_, '\n'), 1) << err_;
+  }
+  // And in a first one.
+  ASSERT_EQ(run("illustrate @/a.implicit --section x,y --section-box 0,-11,4,5,-2,11 "
+                "--section-around 0,1,0,3 --section-exclude none -o @/b.burin.json"),
+            0)
+      << err_;
+  const Json file = Json::parse(test::slurp(folder_ / "b.burin.json"));
+  ASSERT_EQ(file.at("section").size(), 3U);
+  EXPECT_EQ(file.at("section")[1].at("box"), Json::parse("[[0, -11, 4], [5, -2, 11]]"));
+  EXPECT_EQ(file.at("section")[2].at("around").at("radius"), 3);
+  EXPECT_EQ(file.at("section")[0].at("exclude"), Json::array());
+  EXPECT_EQ(run("draw @/b.burin.json -o @/a.svg"), 0) << err_;
+}
+
+/// A part of the illustration below.
+std::string part(const std::string& name, const std::string& function) {
+  return "{\"name\": \"" + name + "\", \"function\": \"" + function + "\"}";
+}
+
+TEST_F(Sections, LeaveWholeWhatIsNotCutAlong) {
+  const auto draw = [&](const std::string& name, const std::string& rest = "",
+                        const std::string& options = "") {
+    folder_.write(
+        "a.burin.json",
+        "{\"burin\": \"illustration\", \"section\": \"y\", \"style\": \"outline\", \"parts\": [" +
+            part("plate", "box(30, 30, 6)") + ", " + part(name, "cylinder(3, 20)") + rest + "]}");
+    EXPECT_EQ(run("draw @/a.burin.json " + options + " -o @/a.json"), 0) << err_;
+    const Json d = drawing();
+    bool hatched = false;
+    for (const Json& layer : d.at("layers")) {
+      if (layer.at("name") != "pattern") continue;
+      for (const Json& path : layer.at("paths")) hatched = hatched || path.at("part") == 1;
+    }
+    bool said = false;
+    for (const Json& one : d.at("diagnostics"))
+      said = said || one.at("code") == "section.left_whole";
+    EXPECT_NE(hatched, said) << name;
+    return said;
+  };
+  for (const char* name :
+       {"bolt", "Bolt001", "HexBolt", "M6x20-Screw", "screws", "drive shaft", "DIN 912",
+        "DIN912-M6", "DIN EN ISO 4762 M8x30", "ISO4017", "Sechskantschraube", "Unterlegscheibe",
+        "Passfeder A6", "boulon 3", "dowel 1", "Pin_2"}) {
+    EXPECT_TRUE(draw(name)) << name;
+  }
+  for (const char* name :
+       {"housing", "shaft seal", "ball valve", "screw plate", "monkey", "DIN 4711", "ISO 9001",
+        "Riemenscheibe", "pinion", "keyboard", "washerless"}) {
+    EXPECT_FALSE(draw(name)) << name;
+  }
+  EXPECT_FALSE(draw("bolt", "", "--section-exclude none"));
+  EXPECT_FALSE(draw("bolt", "", "--section-exclude plate"));
+  // Alone it is what is wanted cut.
+  EXPECT_FALSE(draw("bolt", "", "--hide plate"));
+  // What lies beyond goes; what is cut across is cut.
+  folder_.write(
+      "a.burin.json",
+      "{\"burin\": \"illustration\", \"section\": \"x,y\", \"style\": \"outline\", \"parts\": [" +
+          part("plate", "box(30, 30, 6)") + ", " +
+          part("pin", "translate(cylinder(1, 9), 8, -8, 0)") + ", " +
+          part("rod", "translate(rotate(cylinder(2, 20), 0, 90, 0), 0, -8, 0)") + "]}");
+  ASSERT_EQ(run("draw @/a.burin.json -o @/a.json"), 0) << err_;
+  const Json d = drawing();
+  std::size_t pin = 0, cut = 0;
+  for (const Json& layer : d.at("layers")) {
+    for (const Json& path : layer.at("paths")) {
+      pin += path.at("part") == 1 ? 1 : 0;
+      cut += path.at("part") == 2 && layer.at("name") == "pattern" ? 1 : 0;
+    }
+  }
+  EXPECT_EQ(pin, 0U);
+  EXPECT_GT(cut, 0U);
 }
 
 }  // namespace

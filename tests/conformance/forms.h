@@ -77,6 +77,21 @@ inline Placement elsewhere() {
 /// A plane across no axis.
 inline CutPlane slanted(double offset) { return {glm::normalize(Vec3(1, 2, 3)), offset}; }
 
+/// What lies beyond this plane and another across it.
+inline CutRegion quarter(double offset) {
+  return {slanted(offset), {glm::normalize(Vec3(3, 0, -1)), 0.05}};
+}
+
+/// An opening from above, of the size of its depth, around a place.
+inline CutRegion opening(Vec3 center, double size) {
+  CutRegion region{{{0, 0, 1}, center.z}};
+  for (const Vec3 n :
+       {Vec3(0.8, 0.6, 0), Vec3(-0.6, 0.8, 0), Vec3(-0.8, -0.6, 0), Vec3(0.6, -0.8, 0)}) {
+    region.push_back({n, glm::dot(n, center) - size});
+  }
+  return region;
+}
+
 inline std::vector<FormCase> form_cases() {
   return {
       {"MeshTorus", [] { return mesh_form(torus(3, 1, 60, 30)); }},
@@ -178,6 +193,38 @@ inline std::vector<FormCase> form_cases() {
          return cut_form(implicit_form(f), slanted(0.1), 0, "");
        }},
       {"CutBrep", [] { return cut_form(brep_form(filleted_box_shape(0.25)), slanted(0.6), 0, ""); },
+       true, 20, true},
+      {"MeshQuarter", [] { return cut_form(mesh_form(torus(3, 1, 60, 30)), quarter(0.4), 0, ""); }},
+      {"QuarterNurbs",
+       [] {
+         return cut_form(parametric_form({make_nurbs_chart(torus_nurbs(3, 1))}), quarter(0.4), 0,
+                         "");
+       }},
+      {"QuarterImplicit",
+       [] {
+         const Expression f = implicit::subtract(implicit::box(2, 2, 2), implicit::sphere(1.2));
+         return cut_form(implicit_form(f), quarter(0.1), 0, "");
+       }},
+      {"QuarterBrep",
+       [] { return cut_form(brep_form(filleted_box_shape(0.25)), quarter(2), 0, ""); }, true, 20,
+       true},
+      {"MeshOpened",
+       [] {
+         return cut_form(mesh_form(torus(3, 1, 60, 30)), opening({3, 0.1, 0.2}, 0.55), 0, "");
+       }},
+      {"OpenedNurbs",
+       [] {
+         return cut_form(parametric_form({make_nurbs_chart(torus_nurbs(3, 1))}),
+                         opening({3, 0.1, 0.2}, 0.55), 0, "");
+       }},
+      {"OpenedImplicit",
+       [] {
+         return cut_form(implicit_form(implicit::torus(3, 1)), opening({3, 0.1, 0.2}, 0.55), 0, "");
+       }},
+      {"OpenedBrep",
+       [] {
+         return cut_form(brep_form(filleted_box_shape(0.25)), opening({2, 1.5, 1.6}, 0.5), 0, "");
+       },
        true, 20, true},
   };
 }

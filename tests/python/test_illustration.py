@@ -26,6 +26,28 @@ TWO = {
 
 
 class Illustrations(unittest.TestCase):
+    def test_sections_of_all_kinds(self):
+        stand = str(SAMPLES / "bracket.off")
+
+        def cut(asked, **keywords):
+            file = {"burin": "illustration", "parts": [{"file": stand}], "style": "outline", "section": asked}
+            theirs, ours = burin.draw(file), burin.draw(stand, style="outline", **keywords)
+            hatched = [
+                [path.points.tolist() for layer in drawing.layers if layer.name == "pattern" for path in layer.paths]
+                for drawing in (theirs, ours)
+            ]
+            self.assertGreater(len(hatched[0]), 2)
+            self.assertEqual(*hatched)
+
+        low, high = burin.Scene.read(stand).bounds().tolist()
+        middle = [(a + b) / 2 for a, b in zip(low, high)]
+        cut("y", section="y")
+        cut({"planes": ["x", "y"]}, section="x,y")
+        cut({"planes": ["x", "y"]}, section="quarter")
+        cut({"box": [middle, [x + 1 for x in high]]}, section_box=[*middle, *[x + 1 for x in high]])
+        with self.assertRaisesRegex(ValueError, "section_box takes a box"):
+            burin.draw(stand, section_box=[0, 0, 0])
+
     def test_a_dict_draws_as_its_file_does(self):
         with tempfile.TemporaryDirectory() as folder:
             file, theirs, ours = (Path(folder, name) for name in ("two.burin.json", "a.svg", "b.svg"))

@@ -314,5 +314,98 @@ TEST(HatchedCuts, AreNotParallelToTheOutline) {
   EXPECT_NEAR(angle_of(bar[0]), 135, 1e-9);
 }
 
+/// How far from an x the nearest ends of lines lie to its left and to its right.
+std::pair<double, double> nearest_beside(const std::vector<Curve3>& lines, double x) {
+  double left = -1e300, right = 1e300;
+  for (const Curve3& line : lines) {
+    for (const Vec3& p : line.points) {
+      if (p.x < x) left = std::max(left, p.x);
+      if (p.x > x) right = std::min(right, p.x);
+    }
+  }
+  return {x - left, right - x};
+}
+
+TEST(HatchedCuts, AreFilledWhereTheyAreNarrow) {
+  const CutPlane plane{{0, -1, 0}, 0};
+  const auto box = [&](double x0, double x1, double z1) {
+    return cut_form(mesh(test::box({x0, -5, 0}, {x1, 5, z1})), plane, 0, "");
+  };
+  // 0.9 mm wide on paper, then 1.1.
+  auto narrow = hatched({box(0, 0.9, 12)}, from_front(1))[0];
+  EXPECT_NEAR(static_cast<double>(narrow.size()), 9, 1);
+  for (const Curve3& line : narrow) {
+    EXPECT_EQ(line.kind, LineClass::Pattern);
+    EXPECT_NEAR(std::abs(line.points[1].z - line.points[0].z), 12, 1e-9);
+    EXPECT_NEAR(line.points[1].x, line.points[0].x, 1e-9);
+  }
+  const auto wide = hatched({box(0, 1.1, 12)}, from_front(1))[0];
+  ASSERT_FALSE(wide.empty());
+  EXPECT_NEAR(angle_of(wide[0]), 45, 1e-9);
+  // What is narrow here is wide at another scale.
+  EXPECT_NEAR(angle_of(hatched({box(0, 0.9, 12)}, from_front(2))[0][0]), 45, 1e-9);
+  // A part with both keeps its hatching where it is wide.
+  const auto both = hatched({cut_form(mesh(test::joined(test::box({0, -5, 0}, {0.9, 5, 12}),
+                                                        test::box({5, -5, 0}, {15, 5, 12}))),
+                                      plane, 0, "")},
+                            from_front(1))[0];
+  const auto upright = std::ranges::count_if(both, [](const Curve3& line) {
+    return std::abs(line.points[1].x - line.points[0].x) < 1e-9;
+  });
+  EXPECT_NEAR(static_cast<double>(upright), 9, 1);
+  EXPECT_GT(both.size(), 12U);
+  // A round one: its lines fill it.
+  const auto disc = hatched({cut_form(mesh(test::cylinder(0.45, 10, 48)), {{0, 0, 1}, 5}, 0, "")},
+                            Camera::fit(
+                                [](const Mat3&) {
+                                  return Box3{{-20, -20, -20}, {20, 20, 20}};
+                                },
+                                {.direction = {0, 0, 1}, .up = {0, 1, 0}, .scale = 1}))[0];
+  double length = 0;
+  for (const Curve3& line : disc) length += glm::distance(line.points[0], line.points[1]);
+  EXPECT_NEAR(0.1 * length, kPi * 0.45 * 0.45, 0.05);
+}
+
+TEST(HatchedCuts, StayWhiteBetweenNarrowNeighbours) {
+  const CutPlane plane{{0, -1, 0}, 0};
+  const auto box = [&](double x0, double x1) {
+    return cut_form(mesh(test::box({x0, -5, 0}, {x1, 5, 12})), plane, 0, "");
+  };
+  auto lines = hatched({box(0, 0.95), box(0.95, 1.85), box(5, 5.9)}, from_front(1));
+  ASSERT_EQ(lines.size(), 3U);
+  EXPECT_GE(nearest_beside(lines[0], 0.95).first, 0.35 - 1e-9);
+  EXPECT_LE(nearest_beside(lines[0], 0.95).first, 0.46);
+  EXPECT_GE(nearest_beside(lines[1], 0.95).second, 0.35 - 1e-9);
+  EXPECT_LE(nearest_beside(lines[1], 0.95).second, 0.46);
+  EXPECT_LE(nearest_beside(lines[2], 5).second, 0.11);  // nobody beside it
+}
+
+TEST(HatchedCuts, OfTwoPlanesOfAPartFoldOntoEachOther) {
+  const CutRegion region{{{1, 0, 0}, 0}, {{0, -1, 0}, 0}};
+  const Camera iso = Camera::fit(
+      [](const Mat3&) {
+        return Box3{{-20, -20, -20}, {20, 20, 20}};
+      },
+      {.direction = {1, -1, 1}, .up = {0, 0, 1}, .scale = 1});
+  const auto lines =
+      hatched({cut_form(mesh(test::box({-10, -10, 0}, {10, 10, 10})), region, 0, "")}, iso)[0];
+  std::set<int> slopes[2];
+  for (const Curve3& line : lines) {
+    const Vec3 e = line.points[1] - line.points[0];
+    const bool across_x = std::abs(e.x) < 1e-9;
+    // Away from the edge where they meet is -y in the one, +x in the other.
+    slopes[across_x ? 0 : 1].insert((across_x ? -e.y : e.x) * e.z > 0 ? 1 : -1);
+  }
+  ASSERT_EQ(slopes[0].size(), 1U);
+  EXPECT_EQ(slopes[0], slopes[1]);
+  // None in a plane that is seen edge-on.
+  for (const Curve3& line :
+       hatched({cut_form(mesh(test::box({-10, -10, 0}, {10, 10, 10})), region, 0, "")},
+               from_front(1))[0]) {
+    EXPECT_NEAR(line.points[0].y, 0, 1e-9);
+    EXPECT_NEAR(line.points[1].y, 0, 1e-9);
+  }
+}
+
 }  // namespace
 }  // namespace burin

@@ -9,6 +9,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -30,6 +31,9 @@ struct CutText {
   std::optional<double> offset = {};
 };
 CutText cut_option(const std::string& option, const std::string& text);
+
+/// Exactly as many finite numbers as there is room for, between commas; false for other texts.
+bool parse_list(std::string_view text, std::span<double> out);
 
 /// A box x0,y0,z0,x1,y1,z1 with each minimum below its maximum; nothing where the text is empty.
 /// Throws UsageError.

@@ -34,13 +34,22 @@ struct Look {
   std::string place = {};
 };
 
-/// A plane by which parts are cut open.
+/// What is taken away so that parts are cut open.
 struct Section {
-  /// Which side 0 takes away is that of the viewer; absent, the offset is the middle of what is
-  /// drawn.
-  CutText plane = {};
-  /// Selectors of parts that stay whole.
-  std::vector<std::string> exclude = {};
+  /// From the viewer down to the depth of a place, as wide as a circle in the view.
+  struct Around {
+    Vec3 center{0};
+    double radius = 0;  // model mm
+  };
+  /// What lies beyond all of them goes. Which side 0 takes away is that of the viewer; absent, the
+  /// offset is the middle of what is drawn.
+  std::vector<CutText> planes = {};
+  /// Instead, the planes are steps: a cut, where it ends, the next cut, ...
+  bool steps = false;
+  /// Instead of planes.
+  std::optional<Around> around = {};
+  /// Selectors of parts that stay whole; absent: those that drawings leave whole by custom.
+  std::optional<std::vector<std::string>> exclude = {};
   /// The entry of an illustration file; empty: the section was asked for at a door.
   std::string json = {};
   /// What errors begin with: "FILE:LINE: ", or empty.
@@ -132,8 +141,8 @@ struct DrawPlan {
   std::vector<PlannedLook> looks = {};
   std::vector<std::string> only = {};
   std::vector<Section> sections = {};
-  /// Of all sections.
-  std::vector<std::string> uncut = {};
+  /// Of all sections; absent: as each says, or by custom.
+  std::optional<std::vector<std::string>> uncut = {};
   Explode explode = {};
   /// Names of several views of one sheet; empty: `view`.
   std::vector<std::string> views = {};
@@ -171,7 +180,8 @@ void number_parts(Scene& scene, DrawPlan& plan, RunContext& context);
 /// Writes the files that the plan asks a parts list for. Throws OutputError.
 void write_parts_lists(const Drawing& drawing, const DrawPlan& plan);
 /// Cuts the parts by the sections of a plan, once `select_parts` knows which are drawn; tells of
-/// planes that cut nothing. Throws UsageError where a selector names nothing, or nothing is left.
+/// sections that cut nothing and of parts that stay whole by custom. Throws UsageError where a
+/// selector names nothing, or nothing is left.
 void cut_parts(Scene& scene, const DrawPlan& plan);
 /// The steps by which a plan takes a scene apart, once `select_parts` knows which parts are drawn:
 /// its own, or those that are found, as selectors that name the parts. Diagnostics go to `scene`.

@@ -1,0 +1,291 @@
+#include <burin/assembly/select.h>
+#include <burin/base/error.h>
+#include <burin/converters/request.h>
+#include <burin/section/section.h>
+
+#include "left_whole.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <numbers>
+#include <set>
+
+namespace burin {
+namespace {
+
+/// Sides of an opening around a place.
+constexpr int kSides = 24;
+
+/// A plane where it stands, and how far what is drawn reaches along its axis.
+struct StandingPlane {
+  Vec3 axis{0};
+  int side = 1;
+  double offset = 0, low = 0, high = 0;
+
+  CutPlane cut() const { return {static_cast<double>(side) * axis, side * offset}; }
+  bool misses() const { return side > 0 ? offset >= high : offset <= low; }
+  bool takes_all() const { return side > 0 ? offset <= low : offset >= high; }
+};
+
+class SectionRegions {
+ public:
+  SectionRegions(const Scene& scene, const DrawPlan& plan, const Section& section)
+      : scene_(scene), plan_(plan), section_(section) {}
+
+  /// What goes, one after the other; none where the section misses.
+  std::vector<CutRegion> find() {
+    if (section_.around) return around(*section_.around);
+    std::vector<StandingPlane> planes;
+    for (const CutText& text : section_.planes) planes.push_back(standing(text));
+    return section_.steps ? steps(planes) : region(planes);
+  }
+  /// How it misses.
+  const std::string& missed() const { return missed_; }
+
+ private:
+  StandingPlane standing(const CutText& text) const {
+    const double to_viewer = glm::dot(text.axis, plan_.view.direction);
+    StandingPlane plane = along(text.axis);
+    plane.offset = text.offset.value_or(0.5 * (plane.low + plane.high));
+    plane.side = text.side != 0 ? text.side : to_viewer >= 0 ? 1 : -1;
+    return plane;
+  }
+
+  StandingPlane along(Vec3 axis) const {
+    Mat3 across(0);  // its first row is the axis
+    for (int k = 0; k < 3; ++k) across[k][0] = axis[k];
+    const Box3 box = drawn_bounds(scene_, plan_.illustrate.part_styles, across);
+    return {.axis = axis, .low = box.min.x, .high = box.max.x};
+  }
+
+  std::string says(const StandingPlane& plane) const {
+    return fmt::format("{}the section at {:.6g} mm, of a model from {:.6g} to {:.6g} mm",
+                       section_.place, plane.offset, plane.low, plane.high);
+  }
+
+  bool misses(const StandingPlane& plane) {
+    if (plane.misses()) missed_ = says(plane) + ", cuts nothing";
+    return plane.misses();
+  }
+
+  std::vector<CutRegion> region(const std::vector<StandingPlane>& planes) {
+    if (std::ranges::all_of(planes, &StandingPlane::takes_all)) {
+      throw UsageError(says(planes.front()) + ", takes all of it away");
+    }
+    CutRegion region;
+    for (const StandingPlane& plane : planes) {
+      if (misses(plane)) return {};
+      region.push_back(plane.cut());
+    }
+    return {region};
+  }
+
+  /// Each cut from where the one before ends to where it ends itself.
+  std::vector<CutRegion> steps(const std::vector<StandingPlane>& planes) {
+    const std::size_t ends = planes.size() / 2;
+    const auto end = [&](std::size_t i) { return planes[2 * i + 1]; };
+    const bool falls = ends > 1 && end(1).offset < end(0).offset;
+    const auto beside = [&](std::size_t i, bool after) {
+      StandingPlane plane = end(i);
+      plane.side = after != falls ? 1 : -1;
+      return plane.cut();
+    };
+    std::vector<CutRegion> regions;
+    bool all = true;
+    for (std::size_t i = 0; i <= ends; ++i) {
+      const StandingPlane& face = planes[2 * i];
+      all = all && face.takes_all();
+      if (misses(face)) continue;
+      CutRegion region{face.cut()};
+      if (i > 0) region.push_back(beside(i - 1, true));
+      if (i < ends) region.push_back(beside(i, false));
+      regions.push_back(region);
+    }
+    if (all) throw UsageError(says(planes.front()) + ", takes all of it away");
+    return regions;
+  }
+
+  /// From the viewer down to the place.
+  std::vector<CutRegion> around(const Section::Around& around) {
+    const Vec3 to_viewer = glm::normalize(plan_.view.direction);
+    StandingPlane floor = along(to_viewer);
+    floor.offset = glm::dot(to_viewer, around.center);
+    if (misses(floor)) return {};
+    CutRegion region{floor.cut()};
+    const Vec3 u = any_orthogonal(to_viewer), v = glm::cross(to_viewer, u);
+    for (int i = 0; i < kSides; ++i) {
+      const double angle = 2 * std::numbers::pi * i / kSides;
+      const Vec3 inwards = -std::cos(angle) * u - std::sin(angle) * v;
+      region.push_back({inwards, glm::dot(inwards, around.center) - around.radius});
+    }
+    return {region};
+  }
+
+  const Scene& scene_;
+  const DrawPlan& plan_;
+  const Section& section_;
+  std::string missed_;
+};
+
+bool is_drawn(const DrawPlan& plan, std::size_t part) {
+  const auto& styles = plan.illustrate.part_styles;
+  return part >= styles.size() || styles[part].drawn;
+}
+
+/// Whether a box may have something in a region.
+bool reaches_into(const Box3& box, const CutRegion& region) {
+  return std::ranges::all_of(region, [&](const CutPlane& plane) {
+    const Vec3 n = plane.normal;
+    const Vec3 far(n.x > 0 ? box.max.x : box.min.x, n.y > 0 ? box.max.y : box.min.y,
+                   n.z > 0 ? box.max.z : box.min.z);
+    return glm::dot(n, far) > plane.offset;
+  });
+}
+
+bool any_reaches_into(const Scene& scene, const DrawPlan& plan,
+                      const std::vector<CutRegion>& regions) {
+  for (std::size_t i = 0; i < scene.parts.size(); ++i) {
+    if (!is_drawn(plan, i)) continue;
+    const Box3 box = scene.parts[i].form->bounds(Mat3(1));
+    const auto reached = [&](const CutRegion& region) { return reaches_into(box, region); };
+    if (std::ranges::any_of(regions, reached)) return true;
+  }
+  return false;
+}
+
+/// The parts that stay whole because somebody says so.
+std::vector<bool> uncut_parts(const Scene& scene, const Section& section, const DrawPlan& plan) {
+  std::vector<bool> uncut(scene.parts.size(), false);
+  for (const std::string& selector : plan.uncut.value_or(std::vector<std::string>{})) {
+    for (const std::size_t part : select(scene, selector)) uncut[part] = true;
+  }
+  try {
+    for (const std::string& selector : section.exclude.value_or(std::vector<std::string>{})) {
+      for (const std::size_t part : select(scene, selector)) uncut[part] = true;
+    }
+  } catch (const UsageError& e) {
+    throw UsageError(section.place + e.what());
+  }
+  return uncut;
+}
+
+/// Where a part lies to a plane.
+enum class Lies { Before, Beyond, Along, Across };
+
+Lies lies(const Form& form, const CutPlane& plane) {
+  constexpr double kLong = 1.5;  // times as long as wide: cut across its length
+  const Vec3 u = any_orthogonal(plane.normal), v = glm::cross(plane.normal, u);
+  Mat3 axes(0);
+  for (int k = 0; k < 3; ++k) axes[k] = {plane.normal[k], u[k], v[k]};
+  const Box3 box = form.bounds(axes);
+  const Vec3 size = box.max - box.min;
+  const double near = 1e-6 * size.x;
+  if (box.max.x <= plane.offset + near) return Lies::Before;
+  if (box.min.x >= plane.offset - near) return Lies::Beyond;
+  return size.x > kLong * std::max(size.y, size.z) ? Lies::Across : Lies::Along;
+}
+
+/// Whether a region leaves a part whole that is not cut along by custom: one of its planes runs
+/// along it. What lies in it goes; what is cut across only, as a shaft by a plane through which it
+/// comes, is cut.
+bool cuts_along(const CutRegion& region, const Form& form) {
+  bool along = false;
+  for (const CutPlane& plane : region) {
+    const Lies where = lies(form, plane);
+    if (where == Lies::Before) return false;
+    along = along || where == Lies::Along;
+  }
+  return along;
+}
+
+/// Those that stay whole by custom, where that leaves something to cut.
+class Custom {
+ public:
+  Custom(const Scene& scene, const DrawPlan& plan)
+      : scene_(scene), plan_(plan), words_(scene.parts.size()), told_(scene.parts.size(), false) {
+    bool any_cut = false;
+    for (std::size_t i = 0; i < words_.size(); ++i) {
+      words_[i] = detail::left_whole_by_custom(scene.parts[i]);
+      any_cut = any_cut || (is_drawn(plan, i) && !words_[i]);
+    }
+    if (!any_cut) words_.assign(words_.size(), std::nullopt);
+  }
+
+  /// The parts that these regions leave whole.
+  std::vector<bool> whole(const std::vector<CutRegion>& regions) {
+    std::vector<bool> whole(words_.size(), false);
+    for (std::size_t i = 0; i < whole.size(); ++i) {
+      if (!words_[i]) continue;
+      const Form& form = *scene_.parts[i].form;
+      whole[i] = std::ranges::any_of(
+          regions, [&](const CutRegion& region) { return cuts_along(region, form); });
+      told_[i] = told_[i] || (whole[i] && is_drawn(plan_, i));
+    }
+    return whole;
+  }
+
+  void tell(Diagnostics& out) const {
+    constexpr std::size_t kMost = 8;
+    std::int64_t count = 0;
+    std::set<std::string> names;
+    for (std::size_t i = 0; i < words_.size(); ++i) {
+      if (!told_[i]) continue;
+      ++count;
+      names.insert(*words_[i]);
+    }
+    if (count == 0) return;
+    const bool more = names.size() > kMost;
+    while (names.size() > kMost) names.erase(std::prev(names.end()));
+    out.add(Severity::Info, "section.left_whole", count,
+            fmt::format("{} {} whole, as drawings do not cut along them ({}{}); `section_exclude` "
+                        "none cuts them too",
+                        count, count == 1 ? "part stays" : "parts stay", fmt::join(names, ", "),
+                        more ? ", ..." : ""));
+  }
+
+ private:
+  const Scene& scene_;
+  const DrawPlan& plan_;
+  std::vector<std::optional<std::string>> words_;
+  std::vector<bool> told_;
+};
+
+}  // namespace
+
+void cut_parts(Scene& scene, const DrawPlan& plan) {
+  constexpr std::size_t kMostSections = 16;
+  if (plan.sections.size() > kMostSections) {
+    throw UsageError("more than 16 sections; each takes something away");
+  }
+  if (plan.sections.empty()) return;
+  Custom custom(scene, plan);
+  std::int32_t number = 0;
+  for (const Section& section : plan.sections) {
+    SectionRegions places(scene, plan, section);
+    const std::vector<CutRegion> regions = places.find();
+    if (regions.empty()) {
+      scene.diagnostics.add(Severity::Warning, "section.missed", 1, places.missed());
+      continue;
+    }
+    if (!any_reaches_into(scene, plan, regions)) {
+      scene.diagnostics.add(Severity::Warning, "section.missed", 1,
+                            section.place + "the section reaches into no part, cuts nothing");
+      continue;
+    }
+    std::vector<bool> uncut = uncut_parts(scene, section, plan);
+    if (!plan.uncut && !section.exclude) uncut = custom.whole(regions);
+    for (const CutRegion& region : regions) {
+      for (std::size_t part = 0; part < scene.parts.size(); ++part) {
+        Part& one = scene.parts[part];
+        if (!uncut[part]) one.form = cut_form(one.form, region, number, one.name);
+      }
+      number += static_cast<std::int32_t>(region.size());
+    }
+  }
+  custom.tell(scene.diagnostics);
+}
+
+}  // namespace burin
