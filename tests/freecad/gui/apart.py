@@ -14,6 +14,9 @@ from pump import pump  # noqa: E402
 from PySide import QtCore, QtGui  # noqa: E402
 
 
+SAMPLES = pathlib.Path(__file__).resolve().parents[3] / "samples"
+
+
 class Case(support.Case):
     def setUp(self):
         super().setUp()
@@ -296,6 +299,42 @@ class Explode(Case):
         self.assertAlmostEqual(moves["Pump.Lid"].z, self.steps()[1]["by"], 3)  # in the axes of the assembly
         panel.reject()
         self.wait()
+
+    def test_what_links_and_arrays_show_moves_too(self):
+        import ImportGui
+
+        imported = FreeCAD.newDocument("Imported")
+        ImportGui.insert(str(SAMPLES / "gear_pump.step"), imported.Name, merge=False)
+        top = next(o for o in imported.Objects if o.Label == "gear pump")
+        shown = {path: top.ViewObject.getBoundingBox(path).Center for path in ("Solid002.", "LinkGroup.Solid003.", "Link002.0.", "Link002.3.")}
+        self.document = imported
+        Gui.Selection.clearSelection()
+        Gui.Selection.addSelection(imported.Name, top.Name)
+        Gui.runCommand("Burin_NewIllustration")
+        support.panel().change("Style", "outline")
+        self.wait()
+        obj = support.panel().obj
+        support.panel().accept()
+        support.settle()
+        Gui.Selection.clearSelection()
+        Gui.Selection.addSelection(imported.Name, obj.Name)
+        Gui.runCommand("Burin_Explode")
+        self.wait()
+        panel = support.panel()
+        from freecad.burin_wb.features.explosion import moves_of
+
+        self.assertGreater(len(panel.steps), 8)
+        moves = dict(zip(panel.extent.sources, moves_of(panel.steps, panel.extent.sources, 1.0)))
+        for path, before in shown.items():
+            now = top.ViewObject.getBoundingBox(path).Center
+            self.assertLess((now - before - moves[f"{top.Name}.{path[:-1]}"]).Length, 0.01, path)
+        self.assertGreater(moves[f"{top.Name}.Link002.0"].Length, 100)
+        support.screenshot("explode-step")
+        panel.reject()
+        self.wait()
+        for path, before in shown.items():
+            self.assertLess((top.ViewObject.getBoundingBox(path).Center - before).Length, 1e-6, path)
+        self.document = FreeCAD.getDocument("Test")
 
     def test_an_arrow_changes_the_distance(self):
         panel = self.begin()
