@@ -3,6 +3,7 @@
 import json
 import os
 
+import Import
 from assembly_stand_in import exploded_view
 from pump import pump
 from support import V, App, Case, burin, content, drawn
@@ -10,7 +11,8 @@ from support import V, App, Case, burin, content, drawn
 from freecad.burin_wb import illustration_file
 from freecad.burin_wb.errors import Refused
 from freecad.burin_wb.features import asking, assembly_view, explosion, section
-from freecad.burin_wb.features.illustration import make_job
+from freecad.burin_wb.features.chosen import numbers_of
+from freecad.burin_wb.features.illustration import make_illustration, make_job
 from freecad.burin_wb.features.sheet import Sheet
 
 
@@ -201,3 +203,19 @@ class Apart(Case):
         self.doc.recompute()
         self.assertEqual(obj.Message, "")
         self.assertIn("trail", self.kinds(obj))
+
+    def test_link_arrays_are_no_assemblies(self):
+        imported = App.newDocument("Imported")
+        for file in ("gear_pump", "coupling"):
+            Import.insert(os.path.join(os.environ["BURIN_SOURCE_DIR"], "samples", file + ".step"), imported.Name, merge=False)
+            obj = make_illustration(imported, [next(o for o in imported.Objects if o.Label in ("gear pump", "flange coupling") and not o.InList)])
+            steps, _ = asking.find_steps(obj)
+            theirs = burin().explode_steps(os.path.join(os.environ["BURIN_SOURCE_DIR"], "samples", file + ".step"))["steps"]
+            sources = [part.source for part in make_job(obj).parts]
+            ours = [sorted({k for word in step.move for k in numbers_of(word, sources)}) for step in steps]
+            self.assertEqual([len(numbers) for numbers in ours], [len(step["parts"]) for step in theirs], file)
+            self.assertEqual([step.along for step in steps], [tuple(round(a, 6) + 0 for a in step["along"]) for step in theirs])
+            for step, other in zip(steps, theirs):
+                self.assertAlmostEqual(step.by, other["by"], delta=0.03 * other["by"])
+            for o in imported.Objects[::-1]:
+                imported.removeObject(o.Name)

@@ -146,16 +146,15 @@ def _children(obj, leaf):
 
 
 def _labels(top, sub):
-    """Labels from the top of the assembly down to what contains the object."""
+    """Labels from the top of the assembly down to what contains the object. Link arrays are no assemblies: their elements, numbered,
+    stand where the array does."""
     labels, at = [], ""
     if sub:
-        labels.append(top.Label)
-        names = sub.rstrip(".").split(".")
-        for name in names[:-1]:
-            at += name + "."
-            inner = top.getSubObject(at, retType=1)
-            if inner is not None:
-                labels.append(inner.Label)
+        for name in ("", *sub.rstrip(".").split(".")[:-1]):
+            at += name + "." if name else ""
+            inner = top.getSubObject(at, retType=1) if at else top
+            if inner is not None and not getattr(inner, "ElementCount", 0):
+                labels.append(f"{inner.Label} {int(name) + 1}" if name.isdigit() else inner.Label)
     return labels
 
 
