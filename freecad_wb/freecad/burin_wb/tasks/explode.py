@@ -14,7 +14,7 @@ from ..view import scheduler
 from ..view.arrows import Arrows
 from ..view.displaced import Displaced
 from . import widgets
-from .lights import Lights, selected_paths
+from .lights import Lights, label_of, selected_paths
 from .panel import Panel
 
 AXES = {"+x": (1.0, 0.0, 0.0), "-x": (-1.0, 0.0, 0.0), "+y": (0.0, 1.0, 0.0), "-y": (0.0, -1.0, 0.0),
@@ -142,7 +142,7 @@ class ExplodePanel(Panel):
         self.table.blockSignals(True)
         self.table.setRowCount(len(self.steps))
         for row, step in enumerate(self.steps):
-            self.table.setItem(row, 0, widgets.cell(", ".join(self._label(path) for path in step.move), tip="\n".join(step.move[:20])))
+            self.table.setItem(row, 0, widgets.cell(", ".join(label_of(self.document, path) for path in step.move), tip="\n".join(step.move[:20])))
             self.table.setItem(row, 1, widgets.cell(way_text(step.along), edited=True))
             self.table.setItem(row, 2, widgets.cell(f"{step.by:.4g}", edited=True))
             line = widgets.cell("")
@@ -152,12 +152,6 @@ class ExplodePanel(Panel):
         self.table.blockSignals(False)
         self.lights.mark()
         self._show()
-
-    def _label(self, path):
-        top, _, sub = path.partition(".")
-        obj = self.document.getObject(top)
-        inner = obj.getSubObject(sub + ".", retType=1) if obj is not None and sub else obj
-        return inner.Label if inner is not None else path
 
     def _edited(self, cell):
         step, text = self.steps[cell.row()], cell.text().strip()
