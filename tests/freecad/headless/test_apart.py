@@ -10,8 +10,9 @@ from support import V, App, Case, burin, content, drawn
 
 from freecad.burin_wb import illustration_file
 from freecad.burin_wb.errors import Refused
-from freecad.burin_wb.features import asking, assembly_view, explosion, section
+from freecad.burin_wb.features import asking, assembly_view, explosion, items, place_on_page, section, spreadsheet
 from freecad.burin_wb.features.chosen import numbers_of
+from freecad.burin_wb.features.free_place import extent
 from freecad.burin_wb.features.illustration import make_illustration, make_job
 from freecad.burin_wb.features.sheet import Sheet
 
@@ -141,6 +142,38 @@ class Apart(Case):
         obj.ItemNumbers = {"7": "Bolt"}
         self.doc.recompute()
         self.assertEqual(dict(obj.ItemNumbers), {"7": "Bolt", "8": "Plate", "9": "Nose"})
+
+    def test_numbers_change_places_and_begin_anew(self):
+        self.assertEqual(items.renumbered({"1": "a", "2": "b", "7": "gone"}, "1", "2"), {"2": "a", "1": "b", "7": "gone"})
+        self.assertEqual(items.renumbered({"1": "a", "2": "b"}, "1", "9"), {"2": "b", "9": "a"})
+        self.assertEqual(items.renumbered({"1": "a"}, "1", "1"), {"1": "a"})
+        found = [{"number": 3, "name": "b", "parts": [4]}, {"number": 8, "name": "a", "parts": [0, 5]}]
+        self.assertEqual(items.in_order(found), {"1": "a", "2": "b"})
+        self.assertEqual(items.kept({"5": "gone"}, found), {"5": "gone", "3": "b", "8": "a"})
+
+    def test_the_list_as_a_spreadsheet(self):
+        pump_ = self.stack()
+        obj = self.illustration(pump_, Style="outline")
+        page = self.doc.addObject("TechDraw::DrawPage", "Page")
+        drawn_ = place_on_page(page, obj)
+        listed = asking.items_of(obj)
+        sheet = spreadsheet.write(obj, listed)
+        view = spreadsheet.place_on_page(page, sheet, len(listed) + 1)
+        self.assertEqual([sheet.getContents(f"B{row}").lstrip("'") for row in (2, 3, 4)], ["Plate", "Lid", "Bolt"])
+        self.assertEqual([sheet.get(f"C{row}") for row in (2, 3, 4)], [1, 1, 2])
+        width, height = extent(view)
+        self.assertGreater(abs(view.Y.Value - drawn_.Y.Value), height / 2, "beside the drawing")
+        self.assertAlmostEqual(width, 660 / 3.78, 1)
+        self.doc.removeObject("Lid")
+        self.doc.recompute()
+        self.assertIs(spreadsheet.write(obj, asking.items_of(obj)), sheet)
+        self.assertEqual((sheet.getContents("B4"), view.CellEnd), ("", "E3"))
+        self.assertIs(spreadsheet.place_on_page(page, sheet, 3), view)
+        self.assertEqual(spreadsheet.pages_of(obj), [page])
+        name = sheet.Name
+        obj = self.reopen(obj)
+        self.assertEqual(spreadsheet.sheet_of(obj).Name, name)
+        self.assertEqual(spreadsheet.sheet_of(obj).get("B3"), "Bolt")
 
     def test_everything_survives_save_and_restore_without_a_run(self):
         obj = self.illustration(self.stack(), Style="outline", Explode=True, ExplodeFactor=0.8, Sections=["y"], Callouts=True)

@@ -126,8 +126,10 @@ class ExplodePanel(Panel):
                 self.wanted.setChecked(False)
             return
         steps, messages = steps_in(job, answer)
-        self.said.setText("; ".join(messages))
+        self.said.setText("; ".join(messages) if steps or messages else tr("nothing comes apart"))
         self._use(steps)
+        if not steps:
+            self.wanted.setChecked(False)
 
     def _use(self, steps):
         self.steps = steps

@@ -280,8 +280,8 @@
       <translation>Objekt</translation>
     </message>
     <message>
-      <source>Object of the model</source>
-      <translation>Objekt des Modells</translation>
+      <source>Object of the model; a row lights it up in the 3-D view, and is marked where it is selected there</source>
+      <translation>Objekt des Modells; eine Zeile hebt es in der 3D-Ansicht hervor und wird markiert, wo es dort ausgewählt ist</translation>
     </message>
     <message>
       <source>Objects</source>
@@ -706,6 +706,10 @@
     <message>
       <source>not drawn: {0}</source>
       <translation>nicht gezeichnet: {0}</translation>
+    </message>
+    <message>
+      <source>nothing comes apart</source>
+      <translation>nichts lässt sich zerlegen</translation>
     </message>
     <message>
       <source>nothing to draw: show or select the parts, bodies, meshes or assemblies to be drawn first</source>
