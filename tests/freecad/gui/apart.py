@@ -10,6 +10,7 @@ sys.path.append(str(pathlib.Path(__file__).resolve().parents[1] / "headless"))
 import FreeCAD  # noqa: E402
 import FreeCADGui as Gui  # noqa: E402
 import support  # noqa: E402
+from pivy import coin  # noqa: E402
 from pump import pump  # noqa: E402
 from PySide import QtCore, QtGui  # noqa: E402
 
@@ -59,6 +60,14 @@ class Items(Case):
     def rows(self, panel):
         return [tuple(panel.table.item(r, c).text() for c in range(3)) for r in range(panel.table.rowCount())]
 
+    def texts(self):
+        """What is written in the 3-D view."""
+        search = coin.SoSearchAction()
+        search.setType(coin.SoAsciiText.getClassTypeId())
+        search.setInterest(coin.SoSearchAction.ALL)
+        search.apply(self.obj.ViewObject.Proxy._ink)
+        return [path.getTail().string.getValues(0)[0] for path in search.getPaths()]
+
     def test_numbers_are_given_drawn_and_one_undo(self):
         panel = self.open("Burin_NumberParts")
         self.is_narrow_and_told(panel)
@@ -73,6 +82,8 @@ class Items(Case):
         self.close(panel)
         self.assertEqual(dict(self.obj.ItemNumbers), {"1": "Bolt", "2": "Lid", "3": "Plate"})
         self.assertIn('id="callouts"', open(self.obj.Picture).read())
+        self.assertEqual(self.texts()[:3], ["1", "2", "3"])
+        self.assertIn("Bolt", self.texts())
         self.assertEqual(self.obj.Message, "")
         self.assertEqual(self.document.UndoCount, self.undos + 1)
         self.document.undo()

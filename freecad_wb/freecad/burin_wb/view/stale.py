@@ -35,6 +35,8 @@ class Marks:
     def slotRecomputedDocument(self, document):
         self._note(document.Name)
 
+    slotFinishRestoreDocument = slotRecomputedDocument
+
     def slotDeletedDocument(self, document):
         self._changed.discard(document.Name)
 
