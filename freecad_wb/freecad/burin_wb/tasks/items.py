@@ -1,6 +1,6 @@
 """The panel that numbers the parts of an illustration and lists them."""
 
-from PySide import QtCore, QtGui
+from PySide import QtCore
 
 from ..errors import Refused
 from ..features import items, spreadsheet
