@@ -10,7 +10,7 @@ from support import V, App, Case, burin, content, drawn
 
 from freecad.burin_wb import illustration_file
 from freecad.burin_wb.errors import Refused
-from freecad.burin_wb.features import asking, assembly_view, explosion, items, place_on_page, section, spreadsheet
+from freecad.burin_wb.features import asking, assembly_view, explosion, items, place_on_page, section, spreadsheet, visible
 from freecad.burin_wb.features.chosen import numbers_of
 from freecad.burin_wb.features.free_place import extent
 from freecad.burin_wb.features.illustration import make_illustration, make_job
@@ -242,6 +242,8 @@ class Apart(Case):
         for file in ("gear_pump", "coupling"):
             Import.insert(os.path.join(os.environ["BURIN_SOURCE_DIR"], "samples", file + ".step"), imported.Name, merge=False)
             obj = make_illustration(imported, [next(o for o in imported.Objects if o.Label in ("gear pump", "flange coupling") and not o.InList)])
+            # Without a window FreeCAD shows what the arrays link to as well.
+            self.assertEqual([o for o in visible(imported) if o in obj.Sources[0][0].ElementList], [], "what it holds is not drawn twice")
             steps, _ = asking.find_steps(obj)
             theirs = burin().explode_steps(os.path.join(os.environ["BURIN_SOURCE_DIR"], "samples", file + ".step"))["steps"]
             sources = [part.source for part in make_job(obj).parts]
@@ -250,5 +252,15 @@ class Apart(Case):
             self.assertEqual([step.along for step in steps], [tuple(round(a, 6) + 0 for a in step["along"]) for step in theirs])
             for step, other in zip(steps, theirs):
                 self.assertAlmostEqual(step.by, other["by"], delta=0.03 * other["by"])
+            explosion.set_steps(obj, steps)
+            obj.Explode = obj.Callouts = True
+            imported.recompute()
+            path = os.path.join(self.folder, file + ".burin.json")
+            illustration_file.write(obj, path)
+            self.assertEqual([(i["number"], i["name"], i["quantity"]) for i in burin().draw(path, style="outline").items],
+                             [(i["number"], i["name"], i["quantity"]) for i in burin().Drawing.load(obj.Drawing).items])
+            read = illustration_file.read(imported, path)
+            self.assertEqual(read.Sources, obj.Sources)
+            self.assertEqual(make_job(read).fingerprint(), make_job(obj).fingerprint())
             for o in imported.Objects[::-1]:
                 imported.removeObject(o.Name)
