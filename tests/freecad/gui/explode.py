@@ -117,6 +117,29 @@ class Explode(Case):
             self.assertLess((top.ViewObject.getBoundingBox(path).Center - before).Length, 1e-6, path)
         self.document = FreeCAD.getDocument("Test")
 
+    def test_meshes_and_bodies_move_and_go_back(self):
+        import Mesh
+
+        from freecad.burin_wb.view.displaced import Displaced
+
+        part, mesh, body = (self.document.addObject(kind, "Moved") for kind in ("App::Part", "Mesh::Feature", "PartDesign::Body"))
+        mesh.Mesh = Mesh.createBox(10, 20, 30)
+        body.newObject("PartDesign::AdditiveBox", "Inside")
+        part.addObjects([mesh, body])
+        part.Placement = FreeCAD.Placement(FreeCAD.Vector(0, 0, 7), FreeCAD.Rotation(FreeCAD.Vector(0, 0, 1), 90))
+        self.document.recompute()
+        support.settle(100)
+
+        def centers():
+            return [part.ViewObject.getBoundingBox(o.Name + ".").Center for o in (mesh, body)]
+
+        before, moves = centers(), [FreeCAD.Vector(1, 2, 9), FreeCAD.Vector(0, 5, 0)]
+        displaced = Displaced(self.document)
+        displaced.show([f"{part.Name}.{o.Name}" for o in (mesh, body)], moves)
+        self.assertEqual([(now - was - move).Length < 1e-4 for now, was, move in zip(centers(), before, moves)], [True, True])
+        displaced.restore()
+        self.assertEqual([(now - was).Length < 1e-6 for now, was in zip(centers(), before)], [True, True])
+
     def test_an_arrow_changes_the_distance(self):
         panel = self.begin()
         self.assertEqual(len(panel.arrows.arrows), 2)

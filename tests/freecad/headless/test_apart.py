@@ -4,6 +4,7 @@ import json
 import os
 
 import Import
+import Mesh
 from assembly_stand_in import exploded_view
 from pump import pump
 from support import V, App, Case, burin, content, drawn
@@ -12,6 +13,7 @@ from freecad.burin_wb import illustration_file
 from freecad.burin_wb.errors import Refused
 from freecad.burin_wb.features import asking, assembly_view, explosion, items, place_on_page, section, spreadsheet, visible
 from freecad.burin_wb.features.chosen import numbers_of
+from freecad.burin_wb.features.extent import Extent
 from freecad.burin_wb.features.free_place import extent
 from freecad.burin_wb.features.illustration import make_illustration, make_job
 from freecad.burin_wb.features.sheet import Sheet
@@ -174,6 +176,28 @@ class Apart(Case):
         obj = self.reopen(obj)
         self.assertEqual(spreadsheet.sheet_of(obj).Name, name)
         self.assertEqual(spreadsheet.sheet_of(obj).get("B3"), "Bolt")
+
+    def test_how_far_meshes_bodies_and_turned_assemblies_reach(self):
+        part = self.doc.addObject("App::Part", "Part")
+        mesh = self.doc.addObject("Mesh::Feature", "Mesh")
+        mesh.Mesh = Mesh.createBox(10, 20, 30)
+        mesh.Placement.Base = V(100, 0, 0)
+        body = self.doc.addObject("PartDesign::Body", "Body")
+        inside = body.newObject("PartDesign::AdditiveBox", "Inside")
+        inside.Length = inside.Width = inside.Height = 4
+        part.addObjects([mesh, body])
+        part.Placement = App.Placement(V(0, 0, 7), App.Rotation(V(0, 0, 1), 90))
+        self.doc.recompute()
+        extent_ = Extent(self.illustration(part, Style="outline"))
+        self.assertEqual(extent_.sources, ["Part.Mesh", "Part.Body"])
+        box = extent_.boxes["Part.Mesh"]
+        for value, wanted in ((box.XMin, -10), (box.XMax, 10), (box.YMin, 95), (box.YMax, 105), (box.ZMin, -8), (box.ZMax, 22)):
+            self.assertAlmostEqual(value, wanted, 5)
+        low, high = extent_.along(V(0, 1, 0))
+        self.assertAlmostEqual(low, 0, 5)
+        self.assertAlmostEqual(high, 105, 5)
+        self.assertAlmostEqual(extent_.whole({"Part.Body"}).XMin, -4, 5)
+        self.assertFalse(extent_.whole(set()).isValid())
 
     def test_everything_survives_save_and_restore_without_a_run(self):
         obj = self.illustration(self.stack(), Style="outline", Explode=True, ExplodeFactor=0.8, Sections=["y"], Callouts=True)

@@ -1,5 +1,7 @@
 """The panel that takes an assembly apart. Objects are shown on their ways as long as it is open, and stay where they are."""
 
+import collections
+
 import FreeCAD
 from PySide import QtCore, QtGui
 
@@ -144,7 +146,7 @@ class ExplodePanel(Panel):
         self.table.blockSignals(True)
         self.table.setRowCount(len(self.steps))
         for row, step in enumerate(self.steps):
-            self.table.setItem(row, 0, widgets.cell(", ".join(label_of(self.document, path) for path in step.move), tip="\n".join(step.move[:20])))
+            self.table.setItem(row, 0, widgets.cell(self._parts(step), tip="\n".join(step.move[:20])))
             self.table.setItem(row, 1, widgets.cell(way_text(step.along), edited=True))
             self.table.setItem(row, 2, widgets.cell(f"{step.by:.4g}", edited=True))
             line = widgets.cell("")
@@ -154,6 +156,11 @@ class ExplodePanel(Panel):
         self.table.blockSignals(False)
         self.lights.mark()
         self._show()
+
+    def _parts(self, step):
+        """What moves, by its labels: "cover, 6 x nut"."""
+        counts = collections.Counter(label_of(self.document, path) for path in step.move)
+        return ", ".join(label if count == 1 else f"{count} x {label}" for label, count in counts.items())
 
     def _edited(self, cell):
         step, text = self.steps[cell.row()], cell.text().strip()
