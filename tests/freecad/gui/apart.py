@@ -1,6 +1,7 @@
 """The panels of assemblies: parts numbered, and cut open; the 3-D view and the document beside them."""
 
 import json
+import math
 import os
 import sys
 
@@ -50,6 +51,26 @@ class Items(Case):
         self.document.redo()
         support.drawn()
         self.assertIn('id="callouts"', open(self.obj.Picture).read())
+
+    def test_numbers_go_clockwise_around_the_drawing(self):
+        from freecad.burin_wb.features.items import places_of
+        from freecad.burin_wb.features.sheet import Sheet
+
+        panel = self.open("Burin_NumberParts")
+        panel.form.findChild(QtGui.QPushButton, "clockwise").click()
+        self.assertEqual(panel.message.text(), "the drawing has no numbers yet")
+        panel.callouts.setChecked(True)
+        self.wait()
+        panel.form.findChild(QtGui.QPushButton, "clockwise").click()
+        self.wait()
+        places = places_of(Sheet(self.obj.Drawing))
+        self.assertEqual(sorted(places), [1, 2, 3])
+        x, y = (sum(at[k] for at in places.values()) / 3 for k in (0, 1))
+        turns = [math.atan2(places[n][0] - x, places[n][1] - y) % (2 * math.pi) for n in (1, 2, 3)]
+        self.assertEqual(turns, sorted(turns))
+        self.assertEqual(dict(self.obj.ItemNumbers), {row[1]: row[0] for row in self.rows(panel)})
+        panel.reject()
+        self.wait()
 
     def test_cancel_and_wrong_numbers(self):
         panel = self.open("Burin_NumberParts")

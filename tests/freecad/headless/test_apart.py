@@ -151,6 +151,9 @@ class Apart(Case):
         self.assertEqual(items.renumbered({"1": "a"}, "1", "1"), {"1": "a"})
         found = [{"number": 3, "name": "b", "parts": [4]}, {"number": 8, "name": "a", "parts": [0, 5]}]
         self.assertEqual(items.in_order(found), {"1": "a", "2": "b"})
+        found.append({"number": 1, "name": "c", "parts": [6]})
+        self.assertEqual(items.clockwise(found, {8: (-10, 0), 3: (10, 3)}), {"1": "b", "2": "a", "3": "c"})
+        found.pop()
         self.assertEqual(items.kept({"5": "gone"}, found), {"5": "gone", "3": "b", "8": "a"})
 
     def test_the_list_as_a_spreadsheet(self):

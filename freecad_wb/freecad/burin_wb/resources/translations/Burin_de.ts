@@ -80,6 +80,10 @@
       <translation>Eine Linie der Illustration anklicken; Esc beendet</translation>
     </message>
     <message>
+      <source>Clockwise</source>
+      <translation>Im Uhrzeigersinn</translation>
+    </message>
+    <message>
       <source>Color</source>
       <translation>Farbe</translation>
     </message>
@@ -266,6 +270,10 @@
     <message>
       <source>Number parts</source>
       <translation>Teile nummerieren</translation>
+    </message>
+    <message>
+      <source>Numbers from 1 around the drawing, from the top on</source>
+      <translation>Nummern ab 1 um die Zeichnung herum, von oben an</translation>
     </message>
     <message>
       <source>Numbers from 1 in the order of the assembly, without holes</source>
@@ -790,6 +798,10 @@
     <message>
       <source>strokes</source>
       <translation>Striche</translation>
+    </message>
+    <message>
+      <source>the drawing has no numbers yet</source>
+      <translation>die Zeichnung hat noch keine Nummern</translation>
     </message>
     <message>
       <source>the selection has no visible shape</source>
