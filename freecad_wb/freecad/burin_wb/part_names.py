@@ -9,18 +9,19 @@ def plain(label):
 
 
 def distinct(labels):
-    """A name for each label, in order: of labels that are the same the second ends with 2, and so on."""
+    """A name for each label, in order: of labels that are the same the second ends with #2, and so on, as the kernel's readers have it,
+    which knows by that what is one item."""
     taken, names = set(), []
     for label in labels:
         name, number = plain(label), 1
         while name in taken:
             number += 1
-            name = f"{plain(label)} {number}"
+            name = f"{plain(label)} #{number}"
         taken.add(name)
         names.append(name)
     return names
 
 
 def unnumbered(name):
-    """A name without the number that `distinct` may have given it."""
-    return re.sub(r" \d+$", "", name)
+    """A name without the number that `distinct`, now or in former versions, may have given it."""
+    return re.sub(r" #?\d+$", "", name)

@@ -1,60 +1,30 @@
-"""The panels of assemblies: parts numbered, cut open, taken apart; the 3-D view and the document beside them."""
+"""The panels of assemblies: parts numbered, and cut open; the 3-D view and the document beside them."""
 
 import json
+import math
 import os
-import pathlib
 import sys
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
-sys.path.append(str(pathlib.Path(__file__).resolve().parents[1] / "headless"))
 import FreeCAD  # noqa: E402
 import FreeCADGui as Gui  # noqa: E402
 import support  # noqa: E402
-from pump import pump  # noqa: E402
-from PySide import QtCore, QtGui  # noqa: E402
-
-
-class Case(support.Case):
-    def setUp(self):
-        super().setUp()
-        self.pump = pump(self.document)
-        Gui.ActiveDocument.ActiveView.viewIsometric()
-        Gui.ActiveDocument.ActiveView.fitAll()
-        self.obj = self.illustrate(self.pump)
-        self.obj.Style = "outline"
-        self.document.recompute()
-        support.drawn()
-        self.undos = self.document.UndoCount
-
-    def open(self, command, *selection):
-        self.select(*(selection or (self.obj,)))
-        Gui.runCommand(command)
-        support.drawn()
-        self.assertTrue(Gui.Control.activeDialog())
-        return support.panel()
-
-    def wait(self):
-        support.settle(300)
-        support.drawn()
-
-    def close(self, panel):
-        panel.accept()
-        self.wait()
-        self.assertFalse(Gui.Control.activeDialog())
-
-    def chosen(self):
-        return sorted(s.ObjectName + "." + n for s in Gui.Selection.getSelectionEx("", 0) for n in s.SubElementNames or ("",))
-
-    def is_narrow_and_told(self, panel):
-        self.assertLessEqual(panel.form.minimumSizeHint().width(), 330)
-        for kind in (QtGui.QComboBox, QtGui.QAbstractSpinBox, QtGui.QPushButton, QtGui.QCheckBox, QtGui.QSlider):
-            for widget in panel.form.findChildren(kind):
-                self.assertTrue(widget.toolTip(), widget.objectName())
+from assembly_case import Case  # noqa: E402
+from pivy import coin  # noqa: E402
+from PySide import QtGui  # noqa: E402
 
 
 class Items(Case):
     def rows(self, panel):
         return [tuple(panel.table.item(r, c).text() for c in range(3)) for r in range(panel.table.rowCount())]
+
+    def texts(self):
+        """What is written in the 3-D view."""
+        search = coin.SoSearchAction()
+        search.setType(coin.SoAsciiText.getClassTypeId())
+        search.setInterest(coin.SoSearchAction.ALL)
+        search.apply(self.obj.ViewObject.Proxy._ink)
+        return [path.getTail().string.getValues(0)[0] for path in search.getPaths()]
 
     def test_numbers_are_given_drawn_and_one_undo(self):
         panel = self.open("Burin_NumberParts")
@@ -70,6 +40,8 @@ class Items(Case):
         self.close(panel)
         self.assertEqual(dict(self.obj.ItemNumbers), {"1": "Bolt", "2": "Lid", "3": "Plate"})
         self.assertIn('id="callouts"', open(self.obj.Picture).read())
+        self.assertEqual(self.texts()[:3], ["1", "2", "3"])
+        self.assertIn("Bolt", self.texts())
         self.assertEqual(self.obj.Message, "")
         self.assertEqual(self.document.UndoCount, self.undos + 1)
         self.document.undo()
@@ -79,6 +51,26 @@ class Items(Case):
         self.document.redo()
         support.drawn()
         self.assertIn('id="callouts"', open(self.obj.Picture).read())
+
+    def test_numbers_go_clockwise_around_the_drawing(self):
+        from freecad.burin_wb.features.items import places_of
+        from freecad.burin_wb.features.sheet import Sheet
+
+        panel = self.open("Burin_NumberParts")
+        panel.form.findChild(QtGui.QPushButton, "clockwise").click()
+        self.assertEqual(panel.message.text(), "the drawing has no numbers yet")
+        panel.callouts.setChecked(True)
+        self.wait()
+        panel.form.findChild(QtGui.QPushButton, "clockwise").click()
+        self.wait()
+        places = places_of(Sheet(self.obj.Drawing))
+        self.assertEqual(sorted(places), [1, 2, 3])
+        x, y = (sum(at[k] for at in places.values()) / 3 for k in (0, 1))
+        turns = [math.atan2(places[n][0] - x, places[n][1] - y) % (2 * math.pi) for n in (1, 2, 3)]
+        self.assertEqual(turns, sorted(turns))
+        self.assertEqual(dict(self.obj.ItemNumbers), {row[1]: row[0] for row in self.rows(panel)})
+        panel.reject()
+        self.wait()
 
     def test_cancel_and_wrong_numbers(self):
         panel = self.open("Burin_NumberParts")
@@ -241,207 +233,6 @@ class Section(Case):
         self.wait()
         self.assertRegex(panel.message.text(), "takes all of it away")
         self.close(panel)
-
-
-class Explode(Case):
-    def rows(self, panel):
-        return [tuple(panel.table.item(r, c).text() for c in range(3)) for r in range(panel.table.rowCount())]
-
-    def steps(self):
-        return [json.loads(text) for text in self.obj.ExplodeSteps]
-
-    def begin(self):
-        panel = self.open("Burin_Explode")
-        self.wait()
-        return panel
-
-    def scene(self):
-        """What the 3-D view has of its own, and of each object."""
-        graph = Gui.ActiveDocument.ActiveView.getSceneGraph()
-        return [graph.getNumChildren(), *(o.ViewObject.RootNode.getNumChildren() for o in self.pump.Group)]
-
-    def is_apart(self):
-        return 'id="trail"' in open(self.obj.Picture).read()
-
-    def test_steps_are_found_shown_and_one_undo(self):
-        before, places = self.scene(), [o.Placement.Base for o in self.document.Objects if hasattr(o, "Placement")]
-        panel = self.begin()
-        self.is_narrow_and_told(panel)
-        self.assertEqual([row[:2] for row in self.rows(panel)], [("Bolt, Bolt001", "+z"), ("Lid", "+z")])
-        self.assertTrue(self.is_apart())
-        bolts, lid = (step["by"] for step in self.steps())
-        shown = panel.displaced.moves()
-        self.assertEqual(sorted(shown), ["Pump.Bolt", "Pump.Bolt001", "Pump.Lid"])
-        self.assertAlmostEqual(shown["Pump.Bolt"].z, bolts, 3)
-        self.assertAlmostEqual(shown["Pump.Lid"].z, lid, 3)
-        self.assertEqual([o.Placement.Base for o in self.document.Objects if hasattr(o, "Placement")], places)
-        support.screenshot("explode-panel")
-        self.close(panel)
-        self.assertEqual(self.scene(), before, "the 3-D view is as it was")
-        self.assertEqual(self.document.UndoCount, self.undos + 1)
-        self.document.undo()
-        support.drawn()
-        self.assertEqual((self.obj.Explode, self.obj.ExplodeSteps, self.is_apart()), (False, [], False))
-        self.document.redo()
-        support.drawn()
-        self.assertTrue(self.is_apart())
-
-    def test_a_turned_assembly_is_shown_along_the_ways_of_the_model(self):
-        self.pump.Placement = FreeCAD.Placement(FreeCAD.Vector(5, 0, 0), FreeCAD.Rotation(FreeCAD.Vector(1, 0, 0), 90))
-        self.document.recompute()
-        support.drawn()
-        panel = self.begin()
-        self.assertEqual([row[1] for row in self.rows(panel)], ["-y", "-y"])
-        moves = panel.displaced.moves()
-        self.assertAlmostEqual(moves["Pump.Lid"].z, self.steps()[1]["by"], 3)  # in the axes of the assembly
-        panel.reject()
-        self.wait()
-
-    def test_an_arrow_changes_the_distance(self):
-        panel = self.begin()
-        self.assertEqual(len(panel.arrows.arrows), 2)
-        arrow, by = panel.arrows.arrows[1], self.steps()[1]["by"]
-        self.assertAlmostEqual(arrow.distance(), by, 3)
-        arrow.dragger.translation = (arrow.dragger.translation.getValue()[0] * 3, 0, 0)
-        support.settle(100)
-        self.assertAlmostEqual(self.steps()[1]["by"], 3 * by, 3)
-        self.assertAlmostEqual(panel.displaced.moves()["Pump.Lid"].z, 3 * by, 3)
-        self.assertEqual(self.rows(panel)[1][2], f"{3 * by:.4g}")
-        arrow.dragger.translation = (-5, 0, 0)
-        support.settle(100)
-        self.assertEqual(self.steps()[1]["by"], 0.01, "a step moves its parts")
-        self.close(panel)
-        self.assertEqual(self.document.UndoCount, self.undos + 1)
-
-    def test_an_arrow_is_dragged_by_the_mouse(self):
-        panel = self.begin()
-        view = Gui.ActiveDocument.ActiveView
-        view.viewFront()
-        view.fitAll()
-        support.settle(300)
-        arrow, by = panel.arrows.arrows[1], self.steps()[1]["by"]
-        foot, way, _ = panel._place(1, 1.0)
-        glass = self.glass()
-        tip, there = (self.pixel(view, glass, foot + way * mm) for mm in (by, by + 15))
-        mouse = QtCore.QPointF
-        for kind, at, button in ((QtCore.QEvent.MouseMove, tip, QtCore.Qt.NoButton), (QtCore.QEvent.MouseButtonPress, tip, QtCore.Qt.LeftButton),
-                                 *((QtCore.QEvent.MouseMove, (tip[0], tip[1] + (there[1] - tip[1]) * k / 5), QtCore.Qt.NoButton) for k in range(1, 6)),
-                                 (QtCore.QEvent.MouseButtonRelease, there, QtCore.Qt.LeftButton)):
-            held = QtCore.Qt.NoButton if kind == QtCore.QEvent.MouseButtonRelease or at == tip and button == QtCore.Qt.NoButton else QtCore.Qt.LeftButton
-            QtGui.QApplication.sendEvent(glass, QtGui.QMouseEvent(kind, mouse(*at), mouse(glass.mapToGlobal(mouse(*at).toPoint())), button, held,
-                                                                  QtCore.Qt.NoModifier))
-            support.settle(80)
-        self.assertAlmostEqual(self.steps()[1]["by"], by + 15, delta=1.5)
-        self.assertAlmostEqual(arrow.distance(), self.steps()[1]["by"], 2)
-        panel.reject()
-        self.wait()
-
-    @staticmethod
-    def glass():
-        """What the 3-D view is painted on."""
-        inside = [w for window in Gui.getMainWindow().findChildren(QtGui.QMdiSubWindow) if window.isVisible() for w in window.findChildren(QtGui.QWidget)]
-        return next(w for w in inside if w.metaObject().className() == "SIM::Coin3D::Quarter::QuarterWidget").viewport()
-
-    @staticmethod
-    def pixel(view, glass, point):
-        (x, y), (width, height) = view.getPointOnScreen(point), view.getSize()
-        return x * glass.width() / width, (height - y) * glass.height() / height
-
-    def test_steps_are_edited(self):
-        panel = self.begin()
-        panel.table.item(0, 2).setText("60 mm")
-        support.settle()
-        panel.table.item(0, 1).setText("x")
-        support.settle()
-        self.assertEqual((self.steps()[0]["by"], self.steps()[0]["along"]), (60, [1, 0, 0]))
-        self.assertEqual(self.rows(panel)[0][1:], ("+x", "60"))
-        for column, text, words in ((1, "up", "a way is"), (2, "-3", "more than 0 mm"), (2, "far", "more than 0 mm")):
-            panel.table.item(0, column).setText(text)
-            self.assertIn(words, panel.message.text())
-            support.settle()
-        self.assertEqual(self.rows(panel)[0][1:], ("+x", "60"))
-        panel.table.item(1, 3).setCheckState(QtCore.Qt.Unchecked)
-        support.settle()
-        self.assertFalse(self.steps()[1]["trail"])
-        panel.table.selectRow(1)
-        panel.form.findChild(QtGui.QPushButton, "up").click()
-        self.assertEqual([step["move"] for step in self.steps()], [["Pump.Lid"], ["Pump.Bolt", "Pump.Bolt001"]])
-        self.select((self.pump, "Plate.Face1"))
-        support.settle()
-        panel.form.findChild(QtGui.QPushButton, "add").click()
-        self.assertEqual(self.steps()[2]["move"], ["Pump.Plate"])
-        panel.table.selectAll()
-        panel.form.findChild(QtGui.QPushButton, "join").click()
-        self.assertEqual([step["move"] for step in self.steps()], [["Pump.Lid", "Pump.Bolt", "Pump.Bolt001", "Pump.Plate"]])
-        panel.table.selectRow(0)
-        support.settle()
-        self.assertEqual(self.chosen(), ["Pump.Bolt.", "Pump.Bolt001.", "Pump.Lid.", "Pump.Plate."])
-        panel.form.findChild(QtGui.QPushButton, "delete").click()
-        self.assertEqual((self.steps(), panel.wanted.isChecked()), ([], False))
-        panel.reject()
-        self.wait()
-
-    def test_the_slider_is_the_factor(self):
-        panel = self.begin()
-        by = self.steps()[1]["by"]
-        panel.slider.setValue(50)
-        self.wait()
-        self.assertEqual(self.obj.ExplodeFactor, 0.5)
-        self.assertAlmostEqual(panel.displaced.moves()["Pump.Lid"].z, by / 2, 3)
-        self.assertAlmostEqual(panel.arrows.arrows[1].distance(), by / 2, 3)
-        panel.shown.setChecked(False)
-        self.assertEqual((panel.displaced.moves(), panel.arrows.arrows), ({}, []))
-        self.close(panel)
-        self.assertEqual(self.obj.ExplodeFactor, 0.5)
-
-    def test_finding_is_stopped(self):
-        from freecad.burin_wb.view import scheduler
-
-        for x in range(40):  # long enough to be stopped
-            box = self.document.addObject("Part::Box", "Block")
-            box.Placement.Base = FreeCAD.Vector(80 + 11 * x, 0, 0)
-            self.pump.addObject(box)
-        self.document.recompute()
-        support.drawn()
-        undos = self.document.UndoCount
-        self.select(self.obj)
-        Gui.runCommand("Burin_Explode")
-        panel = support.panel()
-        support.settle(20)
-        self.assertTrue(panel.stop.isEnabled())
-        panel.stop.click()
-        self.assertTrue(support.until(lambda: not scheduler.scheduler.busy(self.obj), 5))
-        support.settle()
-        self.assertEqual((panel.said.text(), self.steps(), panel.wanted.isChecked()), ("cancelled", [], False))
-        self.assertTrue(panel.find_button.isEnabled())
-        panel.reject()
-        self.wait()
-        self.assertEqual((self.obj.Explode, self.document.UndoCount), (False, undos))
-
-    def test_closing_the_document_and_undo_end_the_panel(self):
-        before = self.scene()
-        panel = self.begin()
-        self.document.undo()
-        support.settle(100)
-        self.assertTrue(panel.over)
-        self.assertEqual(self.scene(), before)
-        panel = self.begin()
-        FreeCAD.closeDocument(self.document.Name)
-        support.settle(100)
-        self.assertTrue(panel.over)
-        self.document = FreeCAD.newDocument("Test")
-
-    def test_exploded_views_of_the_assembly_workbench_are_taken_over(self):
-        from assembly_stand_in import exploded_view
-
-        exploded_view(self.document, self.pump)
-        panel = self.begin()
-        panel.form.findChild(QtGui.QPushButton, "take-over").click()
-        self.assertEqual([(step["move"], step["along"], step["by"]) for step in self.steps()],
-                         [(["Pump.Bolt", "Pump.Bolt001"], [0, 0, 1], 50), (["Pump.Lid"], [0, 1, 0], 30)])
-        self.assertRegex(panel.said.text(), "^Turned: turns parts.*; Round: moves parts away from a middle.*left out$")
-        panel.reject()
-        self.wait()
 
 
 support.run(__name__)

@@ -268,7 +268,8 @@ class New(support.Case):
         sheet = Sheet(file)
         paths = [path for _, path in sheet.paths()]
         with unittest.mock.patch.object(ink, "MOST_POINTS", 500):
-            stand, found = ink.read(file)
+            stand, found, texts = ink.read(file)
+            self.assertEqual(texts, [])
             self.assertEqual(stand.direction, sheet.direction)
             others = ink.pens(sheet, paths)
         self.assertGreater(len(found), 5)

@@ -51,6 +51,19 @@ class Editing(support.Case):
             support.panel().reject()
             support.settle(50)
 
+    def test_rows_of_objects_and_the_3d_view_light_each_other_up(self):
+        self.open()
+        table = support.panel().table
+        table.selectRow(1)
+        support.settle()
+        self.assertEqual([s.ObjectName for s in Gui.Selection.getSelectionEx()], ["Ball"])
+        Gui.Selection.clearSelection()
+        Gui.Selection.addSelection(self.document.Name, "Box", "Face2")
+        support.settle()
+        self.assertEqual({index.row() for index in table.selectionModel().selectedRows()}, {0})
+        support.panel().reject()
+        support.settle()
+
     def test_changes_are_shown_and_ok_is_one_undo(self):
         before = (self.obj.Width.Value, self.obj.Style, self.obj.HiddenLines, open(self.obj.Picture).read())
         undos = self.document.UndoCount

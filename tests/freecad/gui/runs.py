@@ -310,7 +310,7 @@ class Slices(Case):
     def many(self, count):
         import Part
 
-        from freecad.burin_wb.view import scheduler as module
+        from freecad.burin_wb.view import runs as module
 
         solids = []
         for k in range(count):

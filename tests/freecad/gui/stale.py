@@ -5,7 +5,6 @@ import sys
 import unittest.mock
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
-import FreeCAD  # noqa: E402
 import FreeCADGui as Gui  # noqa: E402
 import support  # noqa: E402
 from PySide import QtCore, QtGui  # noqa: E402

@@ -2,40 +2,20 @@
 references. BURIN_TEST_RENEW=1 renews them."""
 
 import os
-import pathlib
-import shutil
-import subprocess
 import sys
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 import FreeCAD  # noqa: E402
 import FreeCADGui as Gui  # noqa: E402
 import support  # noqa: E402
+from pictures import DOCS, DRAWING, WINDOW, Pictures  # noqa: E402
 from PySide import QtGui  # noqa: E402
 from similarity import similarity  # noqa: E402
 
-DOCS = pathlib.Path(__file__).resolve().parents[3] / "freecad_wb" / "docs"
 sys.path.insert(0, str(DOCS))
 import bearing  # noqa: E402
 
-# Pictures of windows hold text, whose fonts differ between machines; pictures of drawings do not.
-WINDOW, DRAWING = 0.8, 0.9
-
-
-class Tutorial(support.Case):
-    def look(self, picture, least, size=None, colors=48):
-        """Compares a picture with the one in the docs."""
-        small = support.OUT / f"{picture.stem}-small.png"
-        resize = ["-resize", size] if size else []
-        subprocess.run(["convert", str(picture), *resize, "+dither", "-colors", str(colors), "-strip", f"PNG8:{small}"], check=True)
-        reference = DOCS / "images" / f"{picture.stem}.png"
-        if os.environ.get("BURIN_TEST_RENEW"):
-            shutil.copy(small, reference)
-        self.assertLess(reference.stat().st_size, 150_000)
-        value = similarity(small, reference)
-        print(f"{picture.stem}: similarity {value:.3f}")
-        self.assertGreater(value, least, picture.stem)
-
+class Tutorial(Pictures):
     def test_by_hand(self):
         import TechDrawGui
 
@@ -69,14 +49,6 @@ class Tutorial(support.Case):
         pdf = support.OUT / "bearing.pdf"
         TechDrawGui.exportPageAsPdf(page, str(pdf))
         self.look_at_page(pdf, "4-pdf")
-
-    def look_at_page(self, pdf, name):
-        if not shutil.which("pdftoppm"):
-            print("pdftoppm (package poppler-utils) is not installed: the PDF is not looked at")
-            return
-        # At four times the size first: no line is thinner than a pixel to the eye of pdftoppm.
-        subprocess.run(["pdftoppm", "-r", "200", "-png", "-singlefile", str(pdf), str(support.OUT / name)], check=True)
-        self.look(support.OUT / f"{name}.png", DRAWING, "25%", 16)
 
     def test_as_a_script(self):
         pdf = support.OUT / "bearing-script.pdf"

@@ -3,14 +3,19 @@
 import json
 import os
 
+import Import
+import Mesh
 from assembly_stand_in import exploded_view
 from pump import pump
 from support import V, App, Case, burin, content, drawn
 
 from freecad.burin_wb import illustration_file
 from freecad.burin_wb.errors import Refused
-from freecad.burin_wb.features import asking, assembly_view, explosion, section
-from freecad.burin_wb.features.illustration import make_job
+from freecad.burin_wb.features import asking, assembly_view, explosion, items, place_on_page, section, spreadsheet, visible
+from freecad.burin_wb.features.chosen import numbers_of
+from freecad.burin_wb.features.extent import Extent
+from freecad.burin_wb.features.free_place import extent
+from freecad.burin_wb.features.illustration import make_illustration, make_job
 from freecad.burin_wb.features.sheet import Sheet
 
 
@@ -140,6 +145,63 @@ class Apart(Case):
         self.doc.recompute()
         self.assertEqual(dict(obj.ItemNumbers), {"7": "Bolt", "8": "Plate", "9": "Nose"})
 
+    def test_numbers_change_places_and_begin_anew(self):
+        self.assertEqual(items.renumbered({"1": "a", "2": "b", "7": "gone"}, "1", "2"), {"2": "a", "1": "b", "7": "gone"})
+        self.assertEqual(items.renumbered({"1": "a", "2": "b"}, "1", "9"), {"2": "b", "9": "a"})
+        self.assertEqual(items.renumbered({"1": "a"}, "1", "1"), {"1": "a"})
+        found = [{"number": 3, "name": "b", "parts": [4]}, {"number": 8, "name": "a", "parts": [0, 5]}]
+        self.assertEqual(items.in_order(found), {"1": "a", "2": "b"})
+        found.append({"number": 1, "name": "c", "parts": [6]})
+        self.assertEqual(items.clockwise(found, {8: (-10, 0), 3: (10, 3)}), {"1": "b", "2": "a", "3": "c"})
+        found.pop()
+        self.assertEqual(items.kept({"5": "gone"}, found), {"5": "gone", "3": "b", "8": "a"})
+
+    def test_the_list_as_a_spreadsheet(self):
+        pump_ = self.stack()
+        obj = self.illustration(pump_, Style="outline")
+        page = self.doc.addObject("TechDraw::DrawPage", "Page")
+        drawn_ = place_on_page(page, obj)
+        listed = asking.items_of(obj)
+        sheet = spreadsheet.write(obj, listed)
+        view = spreadsheet.place_on_page(page, sheet, len(listed) + 1)
+        self.assertEqual([sheet.getContents(f"B{row}").lstrip("'") for row in (2, 3, 4)], ["Plate", "Lid", "Bolt"])
+        self.assertEqual([sheet.get(f"C{row}") for row in (2, 3, 4)], [1, 1, 2])
+        width, height = extent(view)
+        self.assertGreater(abs(view.Y.Value - drawn_.Y.Value), height / 2, "beside the drawing")
+        self.assertAlmostEqual(width, 660 / 3.78, 1)
+        self.doc.removeObject("Lid")
+        self.doc.recompute()
+        self.assertIs(spreadsheet.write(obj, asking.items_of(obj)), sheet)
+        self.assertEqual((sheet.getContents("B4"), view.CellEnd), ("", "E3"))
+        self.assertIs(spreadsheet.place_on_page(page, sheet, 3), view)
+        self.assertEqual(spreadsheet.pages_of(obj), [page])
+        name = sheet.Name
+        obj = self.reopen(obj)
+        self.assertEqual(spreadsheet.sheet_of(obj).Name, name)
+        self.assertEqual(spreadsheet.sheet_of(obj).get("B3"), "Bolt")
+
+    def test_how_far_meshes_bodies_and_turned_assemblies_reach(self):
+        part = self.doc.addObject("App::Part", "Part")
+        mesh = self.doc.addObject("Mesh::Feature", "Mesh")
+        mesh.Mesh = Mesh.createBox(10, 20, 30)
+        mesh.Placement.Base = V(100, 0, 0)
+        body = self.doc.addObject("PartDesign::Body", "Body")
+        inside = body.newObject("PartDesign::AdditiveBox", "Inside")
+        inside.Length = inside.Width = inside.Height = 4
+        part.addObjects([mesh, body])
+        part.Placement = App.Placement(V(0, 0, 7), App.Rotation(V(0, 0, 1), 90))
+        self.doc.recompute()
+        extent_ = Extent(self.illustration(part, Style="outline"))
+        self.assertEqual(extent_.sources, ["Part.Mesh", "Part.Body"])
+        box = extent_.boxes["Part.Mesh"]
+        for value, wanted in ((box.XMin, -10), (box.XMax, 10), (box.YMin, 95), (box.YMax, 105), (box.ZMin, -8), (box.ZMax, 22)):
+            self.assertAlmostEqual(value, wanted, 5)
+        low, high = extent_.along(V(0, 1, 0))
+        self.assertAlmostEqual(low, 0, 5)
+        self.assertAlmostEqual(high, 105, 5)
+        self.assertAlmostEqual(extent_.whole({"Part.Body"}).XMin, -4, 5)
+        self.assertFalse(extent_.whole(set()).isValid())
+
     def test_everything_survives_save_and_restore_without_a_run(self):
         obj = self.illustration(self.stack(), Style="outline", Explode=True, ExplodeFactor=0.8, Sections=["y"], Callouts=True)
         explosion.set_steps(obj, asking.find_steps(obj)[0])
@@ -201,3 +263,31 @@ class Apart(Case):
         self.doc.recompute()
         self.assertEqual(obj.Message, "")
         self.assertIn("trail", self.kinds(obj))
+
+    def test_link_arrays_are_no_assemblies(self):
+        imported = App.newDocument("Imported")
+        for file in ("gear_pump", "coupling"):
+            Import.insert(os.path.join(os.environ["BURIN_SOURCE_DIR"], "samples", file + ".step"), imported.Name, merge=False)
+            obj = make_illustration(imported, [next(o for o in imported.Objects if o.Label in ("gear pump", "flange coupling") and not o.InList)])
+            # Without a window FreeCAD shows what the arrays link to as well.
+            self.assertEqual([o for o in visible(imported) if o in obj.Sources[0][0].ElementList], [], "what it holds is not drawn twice")
+            steps, _ = asking.find_steps(obj)
+            theirs = burin().explode_steps(os.path.join(os.environ["BURIN_SOURCE_DIR"], "samples", file + ".step"))["steps"]
+            sources = [part.source for part in make_job(obj).parts]
+            ours = [sorted({k for word in step.move for k in numbers_of(word, sources)}) for step in steps]
+            self.assertEqual([len(numbers) for numbers in ours], [len(step["parts"]) for step in theirs], file)
+            self.assertEqual([step.along for step in steps], [tuple(round(a, 6) + 0 for a in step["along"]) for step in theirs])
+            for step, other in zip(steps, theirs):
+                self.assertAlmostEqual(step.by, other["by"], delta=0.03 * other["by"])
+            explosion.set_steps(obj, steps)
+            obj.Explode = obj.Callouts = True
+            imported.recompute()
+            path = os.path.join(self.folder, file + ".burin.json")
+            illustration_file.write(obj, path)
+            self.assertEqual([(i["number"], i["name"], i["quantity"]) for i in burin().draw(path, style="outline").items],
+                             [(i["number"], i["name"], i["quantity"]) for i in burin().Drawing.load(obj.Drawing).items])
+            read = illustration_file.read(imported, path)
+            self.assertEqual(read.Sources, obj.Sources)
+            self.assertEqual(make_job(read).fingerprint(), make_job(obj).fingerprint())
+            for o in imported.Objects[::-1]:
+                imported.removeObject(o.Name)

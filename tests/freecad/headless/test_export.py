@@ -3,7 +3,6 @@
 import importlib
 import os
 import subprocess
-import sys
 from unittest import mock
 
 from support import App, Case, burin, content, features

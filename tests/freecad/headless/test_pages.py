@@ -278,7 +278,8 @@ class Flat(Case):
     def test_numbers_ways_and_hatching_are_no_lines_of_the_model(self):
         block = self.box(40, 30, 20)
         plain = len(self.flat(block)[2].Source[0].Shape.Edges)
-        obj, _, view = self.flat(block, Callouts=True, PartsList=True)
+        obj, page, view = self.flat(block, Callouts=True, PartsList=True)
+        self.assertRegex(page.Views[0].Symbol, '<text [^>]*font-family="osifont"', "Qt takes one family")
         self.assertEqual(len(view.Source[0].Shape.Edges), plain)
         obj.Sections = ["y"]
         self.doc.recompute()

@@ -58,11 +58,19 @@ def is_ready(piece):
 def from_the_top(obj, sub=""):
     """An object inside assemblies as the outermost assembly has it: (assembly, 'Inner.Body.'). Only so placements
     are those of the whole."""
-    inside, part = obj, obj.getParentGeoFeatureGroup()
+    inside, part = obj, _above(obj)
     while part is not None:
-        obj, sub, part = part, inside.Name + "." + sub, part.getParentGeoFeatureGroup()
+        obj, sub, part = part, inside.Name + "." + sub, _above(part)
         inside = obj
     return obj, sub
+
+
+def _above(obj):
+    """The assembly that an object is in: an App::Part, or a group of links, as those of STEP files are; nothing where it is in none."""
+    part = obj.getParentGeoFeatureGroup()
+    if part is not None:
+        return part
+    return next((other for other in obj.InList if other.isDerivedFrom("App::LinkGroup") and obj in other.ElementList), None)
 
 
 def _objects_of(subs):
@@ -146,16 +154,15 @@ def _children(obj, leaf):
 
 
 def _labels(top, sub):
-    """Labels from the top of the assembly down to what contains the object."""
+    """Labels from the top of the assembly down to what contains the object. Link arrays are no assemblies: their elements, numbered,
+    stand where the array does."""
     labels, at = [], ""
     if sub:
-        labels.append(top.Label)
-        names = sub.rstrip(".").split(".")
-        for name in names[:-1]:
-            at += name + "."
-            inner = top.getSubObject(at, retType=1)
-            if inner is not None:
-                labels.append(inner.Label)
+        for name in ("", *sub.rstrip(".").split(".")[:-1]):
+            at += name + "." if name else ""
+            inner = top.getSubObject(at, retType=1) if at else top
+            if inner is not None and not getattr(inner, "ElementCount", 0):
+                labels.append(f"{inner.Label} {int(name) + 1}" if name.isdigit() else inner.Label)
     return labels
 
 
@@ -231,7 +238,7 @@ def visible(document):
     """What a document shows, as sources: its visible objects with faces, each through the outermost assembly."""
     found = []
     for obj in document.Objects:
-        if not is_shown(obj) or obj.getParentGeoFeatureGroup() is not None:
+        if not is_shown(obj) or _above(obj) is not None:
             continue
         if is_aid(obj) or obj.isDerivedFrom("App::DocumentObjectGroup"):
             continue  # a folder: what is in it is looked at by itself

@@ -18,6 +18,8 @@ Window = collections.namedtuple("Window", "left top width height")
 _INK = re.compile(r'data-ink="(\S+) (\S+) (\S+) (\S+)"')
 _SIZE = re.compile(r'width="[^"]*mm" height="[^"]*mm" viewBox="[^"]*"')
 _SCALE = re.compile(r'width="(\d+)" height="\d+" viewBox="\S+ \S+ (\S+) ')
+# Qt takes one family of a text; osifont is TechDraw's own, of the same letters as the kernel's.
+_FONTS, _FONT = 'font-family="osifont, sans-serif"', 'font-family="osifont"'
 _PATH = re.compile(r'<path([^>]*?) d="([^"]*)"/>')
 
 
@@ -48,7 +50,7 @@ def to_symbol(svg, window):
     text, count = _SIZE.subn(head, svg, count=1)
     if count != 1:
         raise ValueError("the SVG text has no size in millimetres")
-    return parted(text)
+    return parted(text.replace(_FONTS, _FONT))
 
 
 def pixels_of(symbol):

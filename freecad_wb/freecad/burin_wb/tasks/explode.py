@@ -1,5 +1,7 @@
 """The panel that takes an assembly apart. Objects are shown on their ways as long as it is open, and stay where they are."""
 
+import collections
+
 import FreeCAD
 from PySide import QtCore, QtGui
 
@@ -14,7 +16,7 @@ from ..view import scheduler
 from ..view.arrows import Arrows
 from ..view.displaced import Displaced
 from . import widgets
-from .lights import Lights, selected_paths
+from .lights import Lights, label_of, selected_paths
 from .panel import Panel
 
 AXES = {"+x": (1.0, 0.0, 0.0), "-x": (-1.0, 0.0, 0.0), "+y": (0.0, 1.0, 0.0), "-y": (0.0, -1.0, 0.0),
@@ -126,8 +128,10 @@ class ExplodePanel(Panel):
                 self.wanted.setChecked(False)
             return
         steps, messages = steps_in(job, answer)
-        self.said.setText("; ".join(messages))
+        self.said.setText("; ".join(messages) if steps or messages else tr("nothing comes apart"))
         self._use(steps)
+        if not steps:
+            self.wanted.setChecked(False)
 
     def _use(self, steps):
         self.steps = steps
@@ -142,7 +146,7 @@ class ExplodePanel(Panel):
         self.table.blockSignals(True)
         self.table.setRowCount(len(self.steps))
         for row, step in enumerate(self.steps):
-            self.table.setItem(row, 0, widgets.cell(", ".join(self._label(path) for path in step.move), tip="\n".join(step.move[:20])))
+            self.table.setItem(row, 0, widgets.cell(self._parts(step), tip="\n".join(step.move[:20])))
             self.table.setItem(row, 1, widgets.cell(way_text(step.along), edited=True))
             self.table.setItem(row, 2, widgets.cell(f"{step.by:.4g}", edited=True))
             line = widgets.cell("")
@@ -153,11 +157,10 @@ class ExplodePanel(Panel):
         self.lights.mark()
         self._show()
 
-    def _label(self, path):
-        top, _, sub = path.partition(".")
-        obj = self.document.getObject(top)
-        inner = obj.getSubObject(sub + ".", retType=1) if obj is not None and sub else obj
-        return inner.Label if inner is not None else path
+    def _parts(self, step):
+        """What moves, by its labels: "cover, 6 x nut"."""
+        counts = collections.Counter(label_of(self.document, path) for path in step.move)
+        return ", ".join(label if count == 1 else f"{count} x {label}" for label, count in counts.items())
 
     def _edited(self, cell):
         step, text = self.steps[cell.row()], cell.text().strip()

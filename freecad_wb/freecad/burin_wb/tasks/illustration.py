@@ -10,6 +10,7 @@ from ..offers import kept, title
 from ..text import tr
 from ..view.camera import camera_of
 from . import widgets
+from .lights import Lights
 from .panel import Panel
 
 
@@ -91,7 +92,7 @@ class IllustrationPanel(Panel):
         self.table = QtGui.QTableWidget(0, 1 + len(FLAGS))
         self.table.setObjectName("objects")
         self.table.setHorizontalHeaderLabels([tr("Object"), tr("off"), tr("plain"), tr("glass")])
-        for k, tip in enumerate((tr("Object of the model"), tr("Not drawn: as if the object were not there"),
+        for k, tip in enumerate((tr("Object of the model; a row lights it up in the 3-D view, and is marked where it is selected there"), tr("Not drawn: as if the object were not there"),
                                  tr("Not hatched: lines alone"),
                                  tr("Transparent: what lies behind is drawn too"))):
             self.table.horizontalHeaderItem(k).setToolTip(tip)
@@ -107,6 +108,7 @@ class IllustrationPanel(Panel):
                                   [tr("as the others"), *names[1:]])
         self.own.setEnabled(False)
         self.table.currentCellChanged.connect(lambda *_: self._chosen())
+        self.lights = Lights(self.document, self.table, lambda row: [self._path(row)])
         form.addRow(tr("Own style"), self.own)
         self.refresh()
 
@@ -128,7 +130,7 @@ class IllustrationPanel(Panel):
     def _fill_row(self, r, path, label):
         name = QtGui.QTableWidgetItem(label)
         name.setData(QtCore.Qt.UserRole, path)
-        name.setFlags(QtCore.Qt.ItemIsEnabled)
+        name.setFlags(QtCore.Qt.ItemIsEnabled | QtCore.Qt.ItemIsSelectable)
         name.setToolTip(path)
         self.table.setItem(r, 0, name)
         flags = flags_of(self.obj.Looks.get(path, ""))
@@ -137,6 +139,9 @@ class IllustrationPanel(Panel):
             item.setFlags(QtCore.Qt.ItemIsEnabled | QtCore.Qt.ItemIsUserCheckable)
             item.setCheckState(QtCore.Qt.Checked if flag in flags else QtCore.Qt.Unchecked)
             self.table.setItem(r, 1 + k, item)
+
+    def closing(self):
+        self.lights.stop()
 
     # --- what widgets do ---
 

@@ -1,10 +1,11 @@
 """The panel that numbers the parts of an illustration and lists them."""
 
-from PySide import QtCore, QtGui
+from PySide import QtCore
 
 from ..errors import Refused
 from ..features import items, spreadsheet
 from ..features.asking import items_in, items_job
+from ..features.sheet import Sheet
 from ..text import tr
 from ..view import scheduler
 from . import widgets
@@ -32,6 +33,7 @@ class ItemsPanel(Panel):
         self.column.addWidget(self.table, 1)
         widgets.row(self.column,
                     widgets.button(tr("Renumber"), tr("Numbers from 1 in the order of the assembly, without holes"), self._renumber, "renumber"),
+                    widgets.button(tr("Clockwise"), tr("Numbers from 1 around the drawing, from the top on"), self._clockwise, "clockwise"),
                     widgets.button(tr("Spreadsheet"), tr("Writes the list into a spreadsheet of the document, and puts that on the pages that "
                                                          "show the illustration"), self._spreadsheet, "spreadsheet"))
         self.lights = Lights(self.document, self.table, lambda row: self.items[row]["sources"])
@@ -89,6 +91,13 @@ class ItemsPanel(Panel):
 
     def _renumber(self):
         self._use(items.in_order(self.items))
+
+    def _clockwise(self):
+        places = items.places_of(Sheet(self.obj.Drawing)) if self.obj.Drawing else {}
+        if not places:
+            self.message.setText(tr("the drawing has no numbers yet"))
+            return
+        self._use(items.clockwise(self.items, places))
 
     def _use(self, numbers):
         number_of = {name: int(number) for number, name in numbers.items()}

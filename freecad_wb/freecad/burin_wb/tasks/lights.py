@@ -66,3 +66,11 @@ def selected_paths(document):
             names = sub[: sub.rfind(".") + 1].rstrip(".")
             paths.append(chosen.ObjectName + ("." + names if names else ""))
     return list(dict.fromkeys(paths))
+
+
+def label_of(document, path):
+    """What the tree calls an object by its path; the path itself where it is gone."""
+    top, _, sub = path.partition(".")
+    obj = document.getObject(top)
+    inner = obj.getSubObject(sub + ".", retType=1) if obj is not None and sub else obj
+    return inner.Label if inner is not None else path

@@ -11,7 +11,7 @@ from ..features.eye import face_of
 from ..text import tr
 from ..view.cutting_plane import CuttingPlane
 from . import widgets
-from .lights import selected_paths
+from .lights import label_of, selected_paths
 from .panel import Panel
 
 AXES = {"x": FreeCAD.Vector(1, 0, 0), "y": FreeCAD.Vector(0, 1, 0), "z": FreeCAD.Vector(0, 0, 1)}
@@ -125,7 +125,7 @@ class SectionPanel(Panel):
             return section.text_of(entry)
         name, sign = axis_of(plane[0])
         where = name or ", ".join(f"{n:.3g}" for n in plane[0])
-        return tr("{0} at {1} mm").format(("-" if sign < 0 else "+") + where if name else where, f"{sign * plane[1]:.6g}")
+        return tr("{0} at {1} mm").format(("-" if sign < 0 else "+") + where if name else where, f"{round(sign * plane[1], 6) + 0.0:.6g}")
 
     def _chosen(self):
         """Shows the entry that is chosen in the fields."""
@@ -135,7 +135,10 @@ class SectionPanel(Panel):
         for field in (self.axis, self.offset, self.slider, self.form.findChild(QtGui.QPushButton, "flip")):
             field.setEnabled(plane is not None)
         self.whole.clear()
-        self.whole.addItems(section.excluded(entry))
+        for path in section.excluded(entry):
+            item = QtGui.QListWidgetItem(label_of(self.document, path), self.whole)
+            item.setData(QtCore.Qt.UserRole, path)
+            item.setToolTip(path)
         self._plane.show(*(plane or (None, 0.0)), self.extent.whole())
         if plane is not None:
             name, sign = axis_of(plane[0])
@@ -210,7 +213,7 @@ class SectionPanel(Panel):
 
     def _include(self):
         entry = self._entry()
-        chosen = {item.text() for item in self.whole.selectedItems()}
+        chosen = {item.data(QtCore.Qt.UserRole) for item in self.whole.selectedItems()}
         if entry is not None:
             self._leave_whole(entry, [word for word in section.excluded(entry) if chosen and word not in chosen])
 

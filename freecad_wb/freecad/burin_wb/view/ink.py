@@ -23,17 +23,29 @@ Stand = collections.namedtuple("Stand", "center right up direction scale offset"
 Pen = collections.namedtuple("Pen", "width visible points counts")
 
 
+# A line of text: place of its base line on the sheet; height of capitals, in mm of paper; start, middle or end.
+Text = collections.namedtuple("Text", "at height anchor text")
+
+# Capitals of Coin's own font, as a share of its size.
+CAPITALS = 0.7
+
+
 def read(path):
-    """Stand and pens of a drawing file. For threads beside the GUI: the kernel reads without holding the interpreter,
+    """Stand, pens and texts of a drawing file. For threads beside the GUI: the kernel reads without holding the interpreter,
     which Python's own reading of JSON does for as long as it takes. Throws OSError, ValueError, KeyError or the kernel's errors."""
     if not kernel.found():
         sheet = Sheet(path)
-        return stand_of(sheet), pens(sheet, [p for _, p in sheet.paths()])
+        return stand_of(sheet), pens(sheet, [p for _, p in sheet.paths()]), _texts(t for layer in sheet.data["layers"] for t in layer.get("texts", ()))
     drawing = kernel.module().Drawing.load(path)
     view, lines = drawing.view, drawing.arrays()
     stand = Stand(*(FreeCAD.Vector(*v) for v in (view.center, view.right, view.up, view.direction)), view.scale,
                   tuple(view.offset))
-    return stand, _pens(stand, *(lines[name] for name in ("first", "points", "width", "visible", "closed")))
+    return (stand, _pens(stand, *(lines[name] for name in ("first", "points", "width", "visible", "closed"))),
+            _texts(t for layer in drawing.layers for t in layer.texts))
+
+
+def _texts(said):
+    return [Text(tuple(t["at"]), t["height"], t["anchor"], t["text"]) for t in said]
 
 
 def stand_of(sheet):
@@ -98,6 +110,22 @@ def lines_node(pen, extra=0.0):
     part.addChild(coordinates)
     part.addChild(lines)
     return part
+
+
+def texts_node(stand, texts):
+    """Texts on the sheet, as Coin writes them."""
+    root = coin.SoSeparator()
+    turn = FreeCAD.Rotation(stand.right, stand.up, stand.direction, "ZXY").Q
+    sides = {"start": coin.SoAsciiText.LEFT, "middle": coin.SoAsciiText.CENTER, "end": coin.SoAsciiText.RIGHT}
+    for text, at in zip(texts, places(stand, [t.at for t in texts])):
+        one, pose, font, letters = coin.SoSeparator(), coin.SoTransform(), coin.SoFont(), coin.SoAsciiText()
+        pose.translation, pose.rotation = tuple(float(x) for x in at), turn
+        font.name, font.size = "sans", text.height / CAPITALS / stand.scale
+        letters.string, letters.justification = text.text, sides[text.anchor]
+        for node in (pose, font, letters):
+            one.addChild(node)
+        root.addChild(one)
+    return root
 
 
 def colored(color):

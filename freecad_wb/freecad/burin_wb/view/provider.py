@@ -52,7 +52,7 @@ class IllustrationView:
 
     def mark(self, stale):
         """Shows in the tree whether the drawing is not up to date."""
-        if stale != self.is_stale:
+        if stale != self.is_stale and hasattr(self, "View"):
             self.is_stale = stale
             self.View.signalChangeIcon()
 

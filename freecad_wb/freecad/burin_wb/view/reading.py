@@ -17,7 +17,7 @@ _clock = None  # one for all: who lets go of a timer in another thread may end F
 class _Reading:
     def __init__(self, obj, path, done):
         self.obj, self.path, self._done = obj, path, done
-        self._given = []  # by the thread: stand and pens, or what went wrong
+        self._given = []  # by the thread: stand, pens and texts, or what went wrong
         self._pens, self._nodes = None, []
         threading.Thread(target=self._read, daemon=True).start()
 
@@ -33,12 +33,14 @@ class _Reading:
             return True
         found, error = self._given[0]
         if error is None:
-            stand, pens = found
+            stand, pens, texts = found
             end = time.monotonic() + SLICE
             while len(self._nodes) < len(pens):
                 if time.monotonic() > end:
                     return True
                 self._nodes.append(ink.lines_node(pens[len(self._nodes)]))
+            if texts:
+                self._nodes.append(ink.texts_node(stand, texts))
         else:
             stand = None
         self._done(self, stand, self._nodes, error)

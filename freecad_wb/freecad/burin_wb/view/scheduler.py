@@ -2,7 +2,6 @@
 
 import collections
 import threading
-import time
 
 import FreeCAD
 from PySide import QtCore
@@ -10,61 +9,14 @@ from PySide import QtCore
 from .. import kernel
 from ..errors import Failed, Stopped
 from ..features import illustration
-from ..features.properties import ILLUSTRATION, READ_ONLY
-from ..features.sources import filled, is_ready, survey
 from ..text import tr
 from ..worker import Worker
 from . import reading, stale, status
 from .documents import Documents
-
-# Seconds of the GUI's thread that writing shapes may take at a time.
-SLICE = 0.03
+from .runs import Run, Writing, asked_of, key_of
 
 # Results that are kept, so that undo and redo show at once what was drawn before.
 KEPT = 8
-
-
-class _Run:
-    def __init__(self, obj, job, inputs, finish, what="draw"):
-        self.what = what  # as job.answer knows it; anything else is asked beside the drawings
-        self.obj, self.key = obj, (obj.Document.Name, obj.Name)
-        self.job, self.inputs, self.finish = job, inputs, finish
-        self.stage, self.share = "", 0.0
-        self.cancelled = False
-        self.replaced = False  # by a newer one: nothing to tell
-        self.asked = _asked(obj)
-
-
-class _Writing:
-    """The shapes of an illustration that are still to be written before its run can begin."""
-
-    def __init__(self, obj):
-        self.obj, self.key = obj, _key(obj)
-        pieces, _ = survey(obj.Sources)
-        self.count = len(pieces)
-        self.pieces = collections.deque(p for p in pieces if p.shape is not None and not is_ready(p))
-
-    def go_on(self):
-        """Writes for a while, one shape at least; whether all are written."""
-        end = time.monotonic() + SLICE
-        while self.pieces:
-            part = filled(self.pieces.popleft())
-            part.brep.exact()  # here too, else those of all parts come in one go
-            if time.monotonic() > end:
-                break
-        return not self.pieces
-
-    def share(self):
-        return 1 - len(self.pieces) / max(self.count, 1)
-
-
-def _key(obj):
-    return obj.Document.Name, obj.Name
-
-
-def _asked(obj):
-    """What the properties ask for, to see whether they still do."""
-    return repr([(row.name, getattr(obj, row.name, None)) for row in ILLUSTRATION if row.name not in READ_ONLY])
 
 
 class Scheduler(QtCore.QObject):
@@ -104,11 +56,11 @@ class Scheduler(QtCore.QObject):
     def ready(self, obj):
         """As features.illustration.ready: what is to be written comes between other events, SLICE seconds at a time; none in the
         click itself, which shows a panel too."""
-        key = _key(obj)
+        key = key_of(obj)
         self._writing.pop(key, None)
         if key in self._ready:
             return True
-        writing = _Writing(obj)
+        writing = Writing(obj)
         if not writing.pieces:
             return True
         with self._lock:
@@ -147,18 +99,18 @@ class Scheduler(QtCore.QObject):
     # --- runs ---
 
     def __call__(self, obj, job, finish):
-        key = _key(obj)
+        key = key_of(obj)
         inputs = job.exact_fingerprint()
         result = self._kept.get(inputs)
         with self._lock:
             for run in self._begun(key):
                 if run.inputs == inputs and not run.cancelled and not run.replaced and run.obj is obj:
                     self._waiting = [r for r in self._waiting if r.key != key or r.what != "draw"]
-                    run.finish, run.asked = finish, _asked(obj)
+                    run.finish, run.asked = finish, asked_of(obj)
                     return
             self._replace(key)
             if result is None:
-                self._waiting.append(_Run(obj, job, inputs, finish))
+                self._waiting.append(Run(obj, job, inputs, finish))
         if result is not None:
             finish(result, None)
             self._after(obj, key, None)
@@ -168,7 +120,7 @@ class Scheduler(QtCore.QObject):
     def ask(self, what, obj, job, done):
         """What the worker answers to a job ("steps", "items"; see job.answer), beside the drawings of the object:
         `done(answer, error)` is called later in the GUI's thread, but not where the document is closed. Ended as drawings are."""
-        run = _Run(obj, job, "", done, what)
+        run = Run(obj, job, "", done, what)
         with self._lock:
             self._waiting.append(run)
         self._start(run.key)
@@ -201,7 +153,7 @@ class Scheduler(QtCore.QObject):
         with self._lock:
             runs = [r for r in self._begun() + self._waiting if not r.cancelled]
         runs += self._writing.values()
-        return any(obj is None or r.key == _key(obj) for r in runs)
+        return any(obj is None or r.key == key_of(obj) for r in runs)
 
     def busy(self, obj=None):
         """As running, and also while a run that was cancelled comes to its end or has still to be told."""
@@ -217,7 +169,7 @@ class Scheduler(QtCore.QObject):
 
     def cancel(self, obj, tell=True):
         """Ends the runs of an object; what it shows stays as it is."""
-        key = _key(obj)
+        key = key_of(obj)
         writing = self._writing.pop(key, None)
         with self._lock:
             waiting = [r for r in self._waiting if r.key == key]
@@ -339,7 +291,7 @@ class Scheduler(QtCore.QObject):
         if obj is not None:
             if run.cancelled:
                 error = Stopped(tr("cancelled"))
-            changed = run.asked != _asked(obj)  # before the result is there: numbers of items are a part of it
+            changed = run.asked != asked_of(obj)  # before the result is there: numbers of items are a part of it
             run.finish(None if error else result, error)
             if error is None and changed:
                 # Changed meanwhile and not yet recomputed: it is not up to date.

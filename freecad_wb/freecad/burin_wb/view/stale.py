@@ -5,6 +5,7 @@ from PySide import QtCore
 
 from ..features import is_illustration
 from ..features.stale import is_stale
+from .provider import IllustrationView
 
 # Milliseconds after the last change of a document until its illustrations are looked at.
 PAUSE = 250
@@ -35,6 +36,8 @@ class Marks:
     def slotRecomputedDocument(self, document):
         self._note(document.Name)
 
+    slotFinishRestoreDocument = slotRecomputedDocument
+
     def slotDeletedDocument(self, document):
         self._changed.discard(document.Name)
 
@@ -49,8 +52,9 @@ class Marks:
         names, self._changed = self._changed, set()
         for name in names & set(FreeCAD.listDocuments()):
             for obj in FreeCAD.getDocument(name).Objects:
-                if is_illustration(obj) and obj.ViewObject is not None:
-                    obj.ViewObject.Proxy.mark(is_stale(obj))
+                provider = getattr(obj.ViewObject, "Proxy", None)
+                if is_illustration(obj) and isinstance(provider, IllustrationView):
+                    provider.mark(is_stale(obj))
 
 
 _marks = None

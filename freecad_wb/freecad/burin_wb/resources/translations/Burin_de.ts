@@ -4,6 +4,14 @@
   <context>
     <name>Burin</name>
     <message>
+      <source>({0} more)</source>
+      <translation>({0} weitere)</translation>
+    </message>
+    <message>
+      <source>+x, -z ..., or x, y, z of a direction of the model</source>
+      <translation>+x, -z ... oder x, y, z einer Richtung des Modells</translation>
+    </message>
+    <message>
       <source>3-D view</source>
       <translation>3D-Ansicht</translation>
     </message>
@@ -12,8 +20,44 @@
       <translation>Ein eingebauter Stil oder eine Stildatei</translation>
     </message>
     <message>
+      <source>A list of the items above the lower right corner</source>
+      <translation>Eine Stückliste über der rechten unteren Ecke</translation>
+    </message>
+    <message>
+      <source>A number with a leader at each item</source>
+      <translation>Eine Nummer mit Hinweislinie an jeder Position</translation>
+    </message>
+    <message>
+      <source>A row lights up its objects in the 3-D view; objects that are selected there mark their rows</source>
+      <translation>Eine Zeile hebt ihre Objekte in der 3D-Ansicht hervor; Objekte, die dort ausgewählt sind, markieren ihre Zeilen</translation>
+    </message>
+    <message>
+      <source>A step of the objects that are selected</source>
+      <translation>Ein Schritt aus den ausgewählten Objekten</translation>
+    </message>
+    <message>
+      <source>Add</source>
+      <translation>Hinzufügen</translation>
+    </message>
+    <message>
       <source>Add strokes…</source>
       <translation>Striche hinzufügen …</translation>
+    </message>
+    <message>
+      <source>Another number; an item that has it gets this one</source>
+      <translation>Eine andere Nummer; eine Position, die sie hat, bekommt diese</translation>
+    </message>
+    <message>
+      <source>Another plane: across the view, through the middle</source>
+      <translation>Noch eine Ebene: quer zur Ansicht, durch die Mitte</translation>
+    </message>
+    <message>
+      <source>Another plane: through the selected flat face or datum plane; what lies before it goes</source>
+      <translation>Noch eine Ebene: durch die ausgewählte ebene Fläche oder Bezugsebene; was davor liegt, fällt weg</translation>
+    </message>
+    <message>
+      <source>At</source>
+      <translation>Bei</translation>
     </message>
     <message>
       <source>Back</source>
@@ -36,6 +80,30 @@
       <translation>Eine Linie der Illustration anklicken; Esc beendet</translation>
     </message>
     <message>
+      <source>Clockwise</source>
+      <translation>Im Uhrzeigersinn</translation>
+    </message>
+    <message>
+      <source>Color</source>
+      <translation>Farbe</translation>
+    </message>
+    <message>
+      <source>Cut</source>
+      <translation>Schneiden</translation>
+    </message>
+    <message>
+      <source>Cuts the objects that are chosen above, or all, again</source>
+      <translation>Schneidet die oben gewählten Objekte oder alle wieder</translation>
+    </message>
+    <message>
+      <source>Delete</source>
+      <translation>Löschen</translation>
+    </message>
+    <message>
+      <source>Deletes the steps that are selected</source>
+      <translation>Löscht die ausgewählten Schritte</translation>
+    </message>
+    <message>
       <source>Dimetric</source>
       <translation>Dimetrisch</translation>
     </message>
@@ -44,8 +112,16 @@
       <translation>Zeichnet Striche einer anderen Art über die vorhandenen</translation>
     </message>
     <message>
+      <source>Draws the assembly taken apart; the model stays as it is</source>
+      <translation>Zeichnet die Baugruppe zerlegt; das Modell bleibt, wie es ist</translation>
+    </message>
+    <message>
       <source>Draws the illustration as the 3-D view shows the model now, in perspective too</source>
       <translation>Zeichnet die Illustration so, wie die 3D-Ansicht das Modell jetzt zeigt, auch in Perspektive</translation>
+    </message>
+    <message>
+      <source>Earlier</source>
+      <translation>Früher</translation>
     </message>
     <message>
       <source>Edit illustration</source>
@@ -56,16 +132,48 @@
       <translation>Beendet den Lauf; gezeigt bleibt die vorige Zeichnung</translation>
     </message>
     <message>
+      <source>Exclude</source>
+      <translation>Ausnehmen</translation>
+    </message>
+    <message>
+      <source>Explode</source>
+      <translation>Zerlegen</translation>
+    </message>
+    <message>
+      <source>Exploded</source>
+      <translation>Zerlegt</translation>
+    </message>
+    <message>
+      <source>Exploded views of the workbench Assembly</source>
+      <translation>Explosionsansichten des Arbeitsbereichs Assembly</translation>
+    </message>
+    <message>
+      <source>Export the drawing before</source>
+      <translation>Bisherige Zeichnung exportieren</translation>
+    </message>
+    <message>
       <source>Filter</source>
       <translation>Filter</translation>
+    </message>
+    <message>
+      <source>Find steps</source>
+      <translation>Schritte finden</translation>
     </message>
     <message>
       <source>Fit</source>
       <translation>Einpassen</translation>
     </message>
     <message>
+      <source>Flip</source>
+      <translation>Umdrehen</translation>
+    </message>
+    <message>
       <source>Follow the 3-D view</source>
       <translation>Der 3-D-Ansicht folgen</translation>
+    </message>
+    <message>
+      <source>From face</source>
+      <translation>Aus Fläche</translation>
     </message>
     <message>
       <source>Front</source>
@@ -84,28 +192,72 @@
       <translation>Verdeckte Linien</translation>
     </message>
     <message>
+      <source>How far parts have come on their ways: together, apart</source>
+      <translation>Wie weit die Teile auf ihren Wegen sind: zusammen, auseinander</translation>
+    </message>
+    <message>
+      <source>How far; the arrows in the 3-D view can be dragged too</source>
+      <translation>Wie weit; auch die Pfeile in der 3D-Ansicht lassen sich ziehen</translation>
+    </message>
+    <message>
       <source>How hidden lines are drawn</source>
       <translation>Wie verdeckte Linien gezeichnet werden</translation>
+    </message>
+    <message>
+      <source>How many objects are of this item</source>
+      <translation>Wie viele Objekte zu dieser Position gehören</translation>
     </message>
     <message>
       <source>Illustration files</source>
       <translation>Illustrationsdateien</translation>
     </message>
     <message>
+      <source>In the 3-D view too</source>
+      <translation>Auch in der 3D-Ansicht</translation>
+    </message>
+    <message>
       <source>Isometric</source>
       <translation>Isometrisch</translation>
+    </message>
+    <message>
+      <source>Join</source>
+      <translation>Verbinden</translation>
     </message>
     <message>
       <source>Key</source>
       <translation>Schlüssel</translation>
     </message>
     <message>
+      <source>Later</source>
+      <translation>Später</translation>
+    </message>
+    <message>
       <source>Left</source>
       <translation>Links</translation>
     </message>
     <message>
+      <source>Looks in which order and how far the parts come out; replaces the steps below. Stop ends it</source>
+      <translation>Sucht, in welcher Reihenfolge und wie weit die Teile herauskommen; ersetzt die Schritte unten. Anhalten beendet es</translation>
+    </message>
+    <message>
+      <source>Makes one step of the rows that are selected</source>
+      <translation>Macht aus den ausgewählten Zeilen einen Schritt</translation>
+    </message>
+    <message>
       <source>Millimetres of paper for a millimetre of the model</source>
       <translation>Millimeter Papier für einen Millimeter des Modells</translation>
+    </message>
+    <message>
+      <source>Moves the plane through the model</source>
+      <translation>Bewegt die Ebene durch das Modell</translation>
+    </message>
+    <message>
+      <source>Name</source>
+      <translation>Name</translation>
+    </message>
+    <message>
+      <source>No.</source>
+      <translation>Pos.</translation>
     </message>
     <message>
       <source>Not drawn: as if the object were not there</source>
@@ -116,16 +268,36 @@
       <translation>Nicht schraffiert: nur Linien</translation>
     </message>
     <message>
+      <source>Number parts</source>
+      <translation>Teile nummerieren</translation>
+    </message>
+    <message>
+      <source>Numbers from 1 around the drawing, from the top on</source>
+      <translation>Nummern ab 1 um die Zeichnung herum, von oben an</translation>
+    </message>
+    <message>
+      <source>Numbers from 1 in the order of the assembly, without holes</source>
+      <translation>Nummern ab 1 in der Reihenfolge der Baugruppe, ohne Lücken</translation>
+    </message>
+    <message>
+      <source>Numbers in the drawing</source>
+      <translation>Nummern in der Zeichnung</translation>
+    </message>
+    <message>
       <source>Object</source>
       <translation>Objekt</translation>
     </message>
     <message>
-      <source>Object of the model</source>
-      <translation>Objekt des Modells</translation>
+      <source>Object of the model; a row lights it up in the 3-D view, and is marked where it is selected there</source>
+      <translation>Objekt des Modells; eine Zeile hebt es in der 3D-Ansicht hervor und wird markiert, wo es dort ausgewählt ist</translation>
     </message>
     <message>
       <source>Objects</source>
       <translation>Objekte</translation>
+    </message>
+    <message>
+      <source>Objects that this plane does not cut, such as bolts and shafts</source>
+      <translation>Objekte, die diese Ebene nicht schneidet, wie Schrauben und Wellen</translation>
     </message>
     <message>
       <source>Open…</source>
@@ -144,8 +316,36 @@
       <translation>Parallel oder mit Fluchtpunkten</translation>
     </message>
     <message>
+      <source>Parts</source>
+      <translation>Teile</translation>
+    </message>
+    <message>
+      <source>Parts list of {0}</source>
+      <translation>Stückliste von {0}</translation>
+    </message>
+    <message>
+      <source>Parts list on the sheet</source>
+      <translation>Stückliste auf dem Blatt</translation>
+    </message>
+    <message>
       <source>Perspective</source>
       <translation>Perspektive</translation>
+    </message>
+    <message>
+      <source>Plane</source>
+      <translation>Ebene</translation>
+    </message>
+    <message>
+      <source>Quantity</source>
+      <translation>Menge</translation>
+    </message>
+    <message>
+      <source>Redraw first</source>
+      <translation>Erst neu zeichnen</translation>
+    </message>
+    <message>
+      <source>Renumber</source>
+      <translation>Neu nummerieren</translation>
     </message>
     <message>
       <source>Reset</source>
@@ -176,6 +376,10 @@
       <translation>Maßstab so, dass die Zeichnung das Blatt füllt</translation>
     </message>
     <message>
+      <source>Section</source>
+      <translation>Schnitt</translation>
+    </message>
+    <message>
       <source>Seed</source>
       <translation>Startzahl</translation>
     </message>
@@ -192,8 +396,24 @@
       <translation>Zeigt Schlüssel, deren Name oder Bedeutung diese Wörter enthält</translation>
     </message>
     <message>
+      <source>Shows the objects on their ways, with an arrow to drag for each step, as long as this panel is open</source>
+      <translation>Zeigt die Objekte auf ihren Wegen, mit einem Pfeil zum Ziehen für jeden Schritt, solange dieses Fenster offen ist</translation>
+    </message>
+    <message>
+      <source>Source</source>
+      <translation>Quelle</translation>
+    </message>
+    <message>
+      <source>Spreadsheet</source>
+      <translation>Tabelle</translation>
+    </message>
+    <message>
       <source>Standard views</source>
       <translation>Standardansichten</translation>
+    </message>
+    <message>
+      <source>Stays whole</source>
+      <translation>Bleibt ganz</translation>
     </message>
     <message>
       <source>Stop</source>
@@ -220,6 +440,10 @@
       <translation>Zurücknehmen</translation>
     </message>
     <message>
+      <source>Take over</source>
+      <translation>Übernehmen</translation>
+    </message>
+    <message>
       <source>Takes back all changes: the values of the style itself</source>
       <translation>Nimmt alle Änderungen zurück: die Werte des Stils selbst</translation>
     </message>
@@ -228,12 +452,36 @@
       <translation>Nimmt die zuletzt hinzugefügten Striche mit all ihren Änderungen zurück</translation>
     </message>
     <message>
+      <source>Takes the moves of the exploded view as steps</source>
+      <translation>Nimmt die Bewegungen der Explosionsansicht als Schritte</translation>
+    </message>
+    <message>
+      <source>Takes the other side away</source>
+      <translation>Nimmt die andere Seite weg</translation>
+    </message>
+    <message>
+      <source>Takes the plane away that is chosen above</source>
+      <translation>Nimmt die oben gewählte Ebene weg</translation>
+    </message>
+    <message>
+      <source>The axis of the model that the plane stands across</source>
+      <translation>Die Achse des Modells, zu der die Ebene quer steht</translation>
+    </message>
+    <message>
       <source>The drawing as it is now; a click shows it large</source>
       <translation>Die Zeichnung, wie sie jetzt ist; ein Klick zeigt sie groß</translation>
     </message>
     <message>
       <source>The drawing kernel is not installed.</source>
       <translation>Der Zeichenkern ist nicht installiert.</translation>
+    </message>
+    <message>
+      <source>The objects that are selected in the 3-D view stay whole</source>
+      <translation>Die in der 3D-Ansicht ausgewählten Objekte bleiben ganz</translation>
+    </message>
+    <message>
+      <source>The planes that cut, one after the other</source>
+      <translation>Die Ebenen, die schneiden, eine nach der anderen</translation>
     </message>
     <message>
       <source>This FreeCAD takes {0} pixels of a symbol for a millimetre; illustrations on pages were made anew for it</source>
@@ -264,6 +512,26 @@
       <translation>Ansicht</translation>
     </message>
     <message>
+      <source>Way</source>
+      <translation>Weg</translation>
+    </message>
+    <message>
+      <source>Ways that are tried where steps are found</source>
+      <translation>Wege, die versucht werden, wo Schritte gesucht werden</translation>
+    </message>
+    <message>
+      <source>What moves together; a row lights up its objects in the 3-D view</source>
+      <translation>Was sich gemeinsam bewegt; eine Zeile hebt ihre Objekte in der 3D-Ansicht hervor</translation>
+    </message>
+    <message>
+      <source>Where it stands along its axis</source>
+      <translation>Wo sie auf ihrer Achse steht</translation>
+    </message>
+    <message>
+      <source>Whether a line shows the way</source>
+      <translation>Ob eine Linie den Weg zeigt</translation>
+    </message>
+    <message>
       <source>Width</source>
       <translation>Breite</translation>
     </message>
@@ -272,8 +540,40 @@
       <translation>Breite der Zeichnung auf dem Papier</translation>
     </message>
     <message>
+      <source>Writes the list into a spreadsheet of the document, and puts that on the pages that show the illustration</source>
+      <translation>Schreibt die Liste in eine Tabelle des Dokuments und legt diese auf die Seiten, die die Illustration zeigen</translation>
+    </message>
+    <message>
+      <source>a step moves its parts by more than 0 mm</source>
+      <translation>ein Schritt bewegt seine Teile um mehr als 0 mm</translation>
+    </message>
+    <message>
+      <source>a way is +x, -x, +y, -y, +z, -z or three numbers such as 1, 0, 1</source>
+      <translation>ein Weg ist +x, -x, +y, -y, +z, -z oder drei Zahlen wie 1, 0, 1</translation>
+    </message>
+    <message>
+      <source>across x</source>
+      <translation>quer zu x</translation>
+    </message>
+    <message>
+      <source>across y</source>
+      <translation>quer zu y</translation>
+    </message>
+    <message>
+      <source>across z</source>
+      <translation>quer zu z</translation>
+    </message>
+    <message>
       <source>all feature lines, hidden ones too: haloes and widths alone tell depth</source>
       <translation>alle Formlinien, auch verdeckte: nur Höfe und Strichbreiten zeigen die Tiefe</translation>
+    </message>
+    <message>
+      <source>all ways</source>
+      <translation>alle Wege</translation>
+    </message>
+    <message>
+      <source>an item has a number from 1 to 99999</source>
+      <translation>eine Position hat eine Nummer von 1 bis 99999</translation>
     </message>
     <message>
       <source>another panel is open; close it first</source>
@@ -404,8 +704,20 @@
       <translation>Linien in zwei Breiten, sparsam schattiert, die Kopieren und Verkleinern vertragen</translation>
     </message>
     <message>
+      <source>mm</source>
+      <translation>mm</translation>
+    </message>
+    <message>
       <source>none</source>
       <translation>keine</translation>
+    </message>
+    <message>
+      <source>not drawn: {0}</source>
+      <translation>nicht gezeichnet: {0}</translation>
+    </message>
+    <message>
+      <source>nothing comes apart</source>
+      <translation>nichts lässt sich zerlegen</translation>
     </message>
     <message>
       <source>nothing to draw: show or select the parts, bodies, meshes or assemblies to be drawn first</source>
@@ -440,6 +752,10 @@
       <translation>wählen Sie auch eine Fläche</translation>
     </message>
     <message>
+      <source>select a flat face or a datum plane</source>
+      <translation>eine ebene Fläche oder eine Bezugsebene auswählen</translation>
+    </message>
+    <message>
       <source>select an illustration</source>
       <translation>wählen Sie eine Illustration</translation>
     </message>
@@ -448,12 +764,24 @@
       <translation>wählen Sie ein Objekt der Illustration (und die Illustration, wo es mehrere gibt)</translation>
     </message>
     <message>
+      <source>select objects in the 3-D view or the tree</source>
+      <translation>Objekte in der 3D-Ansicht oder im Baum auswählen</translation>
+    </message>
+    <message>
+      <source>select objects of the illustration in the 3-D view or the tree</source>
+      <translation>Objekte der Illustration in der 3D-Ansicht oder im Baum auswählen</translation>
+    </message>
+    <message>
       <source>select one illustration</source>
       <translation>wählen Sie eine Illustration</translation>
     </message>
     <message>
       <source>select one illustration that is drawn</source>
       <translation>wählen Sie eine Illustration, die gezeichnet ist</translation>
+    </message>
+    <message>
+      <source>select two rows or more</source>
+      <translation>zwei oder mehr Zeilen auswählen</translation>
     </message>
     <message>
       <source>sheet</source>
@@ -470,6 +798,10 @@
     <message>
       <source>strokes</source>
       <translation>Striche</translation>
+    </message>
+    <message>
+      <source>the drawing has no numbers yet</source>
+      <translation>die Zeichnung hat noch keine Nummern</translation>
     </message>
     <message>
       <source>the selection has no visible shape</source>
@@ -516,12 +848,36 @@
       <translation>Schreiben</translation>
     </message>
     <message>
+      <source>written to {0}</source>
+      <translation>in {0} geschrieben</translation>
+    </message>
+    <message>
+      <source>{0} at {1} mm</source>
+      <translation>{0} bei {1} mm</translation>
+    </message>
+    <message>
       <source>{0} has no drawing that can be read ({1}); recompute it</source>
       <translation>{0} hat keine lesbare Zeichnung ({1}); berechnen Sie sie neu</translation>
     </message>
     <message>
+      <source>{0} has no lines that could be measured</source>
+      <translation>{0} hat keine Linien, die man bemaßen könnte</translation>
+    </message>
+    <message>
+      <source>{0} illustrations drawn anew, {1} as they were</source>
+      <translation>{0} Illustrationen neu gezeichnet, {1} wie zuvor</translation>
+    </message>
+    <message>
       <source>{0} is no longer in the document</source>
       <translation>{0} ist nicht mehr im Dokument</translation>
+    </message>
+    <message>
+      <source>{0} is not drawn yet; recompute it</source>
+      <translation>{0} ist noch nicht gezeichnet; neu berechnen</translation>
+    </message>
+    <message>
+      <source>{0} is not up to date.</source>
+      <translation>{0} ist nicht auf dem neuesten Stand.</translation>
     </message>
     <message>
       <source>{0} lines</source>
@@ -615,6 +971,17 @@
     </message>
   </context>
   <context>
+    <name>Burin_Explode</name>
+    <message>
+      <source>Explode</source>
+      <translation>Zerlegen</translation>
+    </message>
+    <message>
+      <source>Takes the assembly apart in the drawing by steps that are found and can be edited; the model stays as it is</source>
+      <translation>Zerlegt die Baugruppe in der Zeichnung, in Schritten, die gefunden werden und bearbeitet werden können; das Modell bleibt, wie es ist</translation>
+    </message>
+  </context>
+  <context>
     <name>Burin_Export</name>
     <message>
       <source>Export illustration...</source>
@@ -645,6 +1012,17 @@
     <message>
       <source>What the commands do, and the way from a part to a printed page</source>
       <translation>Was die Befehle tun, und der Weg vom Teil zur gedruckten Seite</translation>
+    </message>
+  </context>
+  <context>
+    <name>Burin_LinesForDimensions</name>
+    <message>
+      <source>Lines for dimensions</source>
+      <translation>Linien zum Bemaßen</translation>
+    </message>
+    <message>
+      <source>Puts the illustration's lines on the page as edges, over its picture where that is there: TechDraw dimensions on them tell lengths of the model</source>
+      <translation>Legt die Linien der Illustration als Kanten auf die Seite, über ihr Bild, wo es dort ist: Maße von TechDraw an ihnen nennen Längen des Modells</translation>
     </message>
   </context>
   <context>
@@ -714,6 +1092,17 @@
     </message>
   </context>
   <context>
+    <name>Burin_NumberParts</name>
+    <message>
+      <source>Number parts</source>
+      <translation>Teile nummerieren</translation>
+    </message>
+    <message>
+      <source>Numbers the items of an assembly with leaders in the drawing, lists them on the sheet and as a spreadsheet</source>
+      <translation>Nummeriert die Positionen einer Baugruppe mit Hinweislinien in der Zeichnung, führt sie auf dem Blatt und als Tabelle auf</translation>
+    </message>
+  </context>
+  <context>
     <name>Burin_PlaceOnPage</name>
     <message>
       <source>Place on TechDraw page</source>
@@ -722,6 +1111,28 @@
     <message>
       <source>Puts the illustration on a TechDraw page at its own scale; makes the page where there is none</source>
       <translation>Legt die Illustration in ihrem Maßstab auf eine TechDraw-Seite; legt die Seite an, wo keine ist</translation>
+    </message>
+  </context>
+  <context>
+    <name>Burin_RedrawAll</name>
+    <message>
+      <source>Looks at all illustrations of the document, style files and models too, and draws those that are not up to date; the status bar tells of it and can end it</source>
+      <translation>Sieht alle Illustrationen des Dokuments an, auch Stildateien und Modelle, und zeichnet, was nicht auf dem neuesten Stand ist; die Statusleiste berichtet davon und kann es beenden</translation>
+    </message>
+    <message>
+      <source>Redraw all</source>
+      <translation>Alle neu zeichnen</translation>
+    </message>
+  </context>
+  <context>
+    <name>Burin_Section</name>
+    <message>
+      <source>Cuts the parts open by planes in the drawing; the model stays as it is</source>
+      <translation>Schneidet die Teile in der Zeichnung durch Ebenen auf; das Modell bleibt, wie es ist</translation>
+    </message>
+    <message>
+      <source>Section</source>
+      <translation>Schnitt</translation>
     </message>
   </context>
   <context>

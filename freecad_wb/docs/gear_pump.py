@@ -1,0 +1,74 @@
+"""From a STEP file to an exploded, numbered, engraved picture with its parts list on an A3 page, and a section of the same pump. Told with
+pictures in README.md; run by the tests.
+
+In FreeCAD (with its window), in this folder: exec(open("gear_pump.py").read()); whole("gear_pump.step", "pump.pdf", "section.pdf")"""
+
+import os
+
+import FreeCAD
+
+V = FreeCAD.Vector
+
+
+def assembly(document, file):
+    """The assembly of a STEP file, taken in as one, which FreeCAD's preferences may not have it do by themselves."""
+    import Import
+
+    Import.insert(file, document.Name, merge=False)
+    document.recompute()
+    return next(o for o in document.Objects if o.Label == "gear pump" and not o.InList)
+
+
+def exploded(document, part):
+    """The pump taken apart and numbered, with its list, engraved, 390 x 270 mm on paper."""
+    from freecad.burin_wb.features import asking, explosion, make_illustration
+
+    obj = make_illustration(document, [part], "Exploded")
+    obj.Style = "engraving"
+    obj.Width, obj.Height = 390, 270
+    obj.ViewDirection, obj.ViewUp = V(1, -1.2, 0.8), V(0, 1, 0)
+    steps, _ = asking.find_steps(obj)
+    explosion.set_steps(obj, steps)
+    obj.Explode = obj.Callouts = obj.PartsList = True
+    return obj
+
+
+def cut(document, part):
+    """The pump cut in the middle; shafts, keys and pins stay whole."""
+    from freecad.burin_wb.features import make_illustration, section
+
+    obj = make_illustration(document, [part], "Cut")
+    obj.Style = "engraving"
+    obj.Width, obj.Height = 270, 180
+    obj.ViewDirection = V(0.5, -1, 0.6)
+    whole = ["Solid003", "Solid005", "Solid006", "Link", "Link001"]  # shafts, keys, dowels
+    obj.Sections = [section.text_of(section.plane((0, -1, 0), 0, whole))]
+    return obj
+
+
+def page(document, obj):
+    """An A3 page with an illustration at its own scale."""
+    from bearing import page_with
+
+    return page_with(document, obj)
+
+
+def whole(file, *pdfs):
+    """All of it; returns the pages, of the exploded pump and of the section."""
+    from bearing import wait
+
+    document = FreeCAD.newDocument("GearPump")
+    part = assembly(document, os.path.abspath(file))
+    pages = []
+    for make, pdf in zip((exploded, cut), pdfs):
+        obj = make(document, part)
+        document.recompute()
+        wait()
+        pages.append(page(document, obj))
+        pages[-1].ViewObject.show()  # TechDraw exports pages that have been shown
+        import FreeCADGui
+        import TechDrawGui
+
+        FreeCADGui.updateGui()
+        TechDrawGui.exportPageAsPdf(pages[-1], pdf)
+    return pages

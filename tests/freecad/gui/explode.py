@@ -1,0 +1,290 @@
+"""The panel that takes an assembly apart; the document stays as it is."""
+
+import json
+import os
+import pathlib
+import sys
+
+sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
+import FreeCAD  # noqa: E402
+import FreeCADGui as Gui  # noqa: E402
+import support  # noqa: E402
+from assembly_case import Case  # noqa: E402
+from PySide import QtCore, QtGui  # noqa: E402
+
+SAMPLES = pathlib.Path(__file__).resolve().parents[3] / "samples"
+
+
+class Explode(Case):
+    def rows(self, panel):
+        return [tuple(panel.table.item(r, c).text() for c in range(3)) for r in range(panel.table.rowCount())]
+
+    def steps(self):
+        return [json.loads(text) for text in self.obj.ExplodeSteps]
+
+    def begin(self):
+        panel = self.open("Burin_Explode")
+        self.wait()
+        return panel
+
+    def scene(self):
+        """What the 3-D view has of its own, and of each object."""
+        graph = Gui.ActiveDocument.ActiveView.getSceneGraph()
+        return [graph.getNumChildren(), *(o.ViewObject.RootNode.getNumChildren() for o in self.pump.Group)]
+
+    def is_apart(self):
+        return 'id="trail"' in open(self.obj.Picture).read()
+
+    def test_steps_are_found_shown_and_one_undo(self):
+        before, places = self.scene(), [o.Placement.Base for o in self.document.Objects if hasattr(o, "Placement")]
+        panel = self.begin()
+        self.is_narrow_and_told(panel)
+        self.assertEqual([row[:2] for row in self.rows(panel)], [("Bolt, Bolt001", "+z"), ("Lid", "+z")])
+        self.assertTrue(self.is_apart())
+        bolts, lid = (step["by"] for step in self.steps())
+        shown = panel.displaced.moves()
+        self.assertEqual(sorted(shown), ["Pump.Bolt", "Pump.Bolt001", "Pump.Lid"])
+        self.assertAlmostEqual(shown["Pump.Bolt"].z, bolts, 3)
+        self.assertAlmostEqual(shown["Pump.Lid"].z, lid, 3)
+        self.assertEqual([o.Placement.Base for o in self.document.Objects if hasattr(o, "Placement")], places)
+        support.screenshot("explode-panel")
+        self.close(panel)
+        self.assertEqual(self.scene(), before, "the 3-D view is as it was")
+        self.assertEqual(self.document.UndoCount, self.undos + 1)
+        self.document.undo()
+        support.drawn()
+        self.assertEqual((self.obj.Explode, self.obj.ExplodeSteps, self.is_apart()), (False, [], False))
+        self.document.redo()
+        support.drawn()
+        self.assertTrue(self.is_apart())
+
+    def test_a_turned_assembly_is_shown_along_the_ways_of_the_model(self):
+        self.pump.Placement = FreeCAD.Placement(FreeCAD.Vector(5, 0, 0), FreeCAD.Rotation(FreeCAD.Vector(1, 0, 0), 90))
+        self.document.recompute()
+        support.drawn()
+        panel = self.begin()
+        self.assertEqual([row[1] for row in self.rows(panel)], ["-y", "-y"])
+        moves = panel.displaced.moves()
+        self.assertAlmostEqual(moves["Pump.Lid"].z, self.steps()[1]["by"], 3)  # in the axes of the assembly
+        panel.reject()
+        self.wait()
+
+    def test_what_links_and_arrays_show_moves_too(self):
+        import ImportGui
+
+        from freecad.burin_wb.features import visible
+        from freecad.burin_wb.features.explosion import moves_of
+
+        imported = FreeCAD.newDocument("Imported")
+        ImportGui.insert(str(SAMPLES / "gear_pump.step"), imported.Name, merge=False)
+        top = next(o for o in imported.Objects if o.Label == "gear pump")
+        self.assertEqual(visible(imported), [top], "what it holds is not drawn twice")
+        shown = {path: top.ViewObject.getBoundingBox(path).Center for path in ("Solid002.", "LinkGroup.Solid003.", "Link002.0.", "Link002.3.")}
+        self.document = imported
+        Gui.Selection.clearSelection()
+        Gui.Selection.addSelection(imported.Name, top.Name)
+        Gui.runCommand("Burin_NewIllustration")
+        support.panel().change("Style", "outline")
+        self.wait()
+        obj = support.panel().obj
+        support.panel().accept()
+        support.settle()
+        Gui.Selection.clearSelection()
+        Gui.Selection.addSelection(imported.Name, obj.Name)
+        Gui.runCommand("Burin_Explode")
+        self.wait()
+        panel = support.panel()
+        self.assertGreater(len(panel.steps), 8)
+        moves = dict(zip(panel.extent.sources, moves_of(panel.steps, panel.extent.sources, 1.0)))
+        for path, before in shown.items():
+            now = top.ViewObject.getBoundingBox(path).Center
+            self.assertLess((now - before - moves[f"{top.Name}.{path[:-1]}"]).Length, 0.01, path)
+        self.assertGreater(moves[f"{top.Name}.Link002.0"].Length, 100)
+        support.screenshot("explode-step")
+        with support.Heartbeat() as heart:
+            for k in range(100, 40, -5):
+                panel.slider.setValue(k)
+                support.settle(30)
+            for _ in range(5):
+                dragger = panel.arrows.arrows[0].dragger
+                dragger.translation = (1.05 * dragger.translation.getValue()[0], 0, 0)
+                support.settle(60)
+        self.assertLess(heart.longest, 0.1)
+        self.assertEqual(obj.ExplodeFactor, 0.45)
+        panel.reject()
+        self.wait()
+        for path, before in shown.items():
+            self.assertLess((top.ViewObject.getBoundingBox(path).Center - before).Length, 1e-6, path)
+        self.document = FreeCAD.getDocument("Test")
+
+    def test_meshes_and_bodies_move_and_go_back(self):
+        import Mesh
+
+        from freecad.burin_wb.view.displaced import Displaced
+
+        part, mesh, body = (self.document.addObject(kind, "Moved") for kind in ("App::Part", "Mesh::Feature", "PartDesign::Body"))
+        mesh.Mesh = Mesh.createBox(10, 20, 30)
+        body.newObject("PartDesign::AdditiveBox", "Inside")
+        part.addObjects([mesh, body])
+        part.Placement = FreeCAD.Placement(FreeCAD.Vector(0, 0, 7), FreeCAD.Rotation(FreeCAD.Vector(0, 0, 1), 90))
+        self.document.recompute()
+        support.settle(100)
+
+        def centers():
+            return [part.ViewObject.getBoundingBox(o.Name + ".").Center for o in (mesh, body)]
+
+        before, moves = centers(), [FreeCAD.Vector(1, 2, 9), FreeCAD.Vector(0, 5, 0)]
+        displaced = Displaced(self.document)
+        displaced.show([f"{part.Name}.{o.Name}" for o in (mesh, body)], moves)
+        self.assertEqual([(now - was - move).Length < 1e-4 for now, was, move in zip(centers(), before, moves)], [True, True])
+        displaced.restore()
+        self.assertEqual([(now - was).Length < 1e-6 for now, was in zip(centers(), before)], [True, True])
+
+    def test_an_arrow_changes_the_distance(self):
+        panel = self.begin()
+        self.assertEqual(len(panel.arrows.arrows), 2)
+        arrow, by = panel.arrows.arrows[1], self.steps()[1]["by"]
+        self.assertAlmostEqual(arrow.distance(), by, 3)
+        arrow.dragger.translation = (arrow.dragger.translation.getValue()[0] * 3, 0, 0)
+        support.settle(100)
+        self.assertAlmostEqual(self.steps()[1]["by"], 3 * by, 3)
+        self.assertAlmostEqual(panel.displaced.moves()["Pump.Lid"].z, 3 * by, 3)
+        self.assertEqual(self.rows(panel)[1][2], f"{3 * by:.4g}")
+        arrow.dragger.translation = (-5, 0, 0)
+        support.settle(100)
+        self.assertEqual(self.steps()[1]["by"], 0.01, "a step moves its parts")
+        self.close(panel)
+        self.assertEqual(self.document.UndoCount, self.undos + 1)
+
+    def test_an_arrow_is_dragged_by_the_mouse(self):
+        panel = self.begin()
+        view = Gui.ActiveDocument.ActiveView
+        view.viewFront()
+        view.fitAll()
+        support.settle(300)
+        arrow, by = panel.arrows.arrows[1], self.steps()[1]["by"]
+        foot, way, _ = panel._place(1, 1.0)
+        glass = self.glass()
+        tip, there = (self.pixel(view, glass, foot + way * mm) for mm in (by, by + 15))
+        mouse = QtCore.QPointF
+        for kind, at, button in ((QtCore.QEvent.MouseMove, tip, QtCore.Qt.NoButton), (QtCore.QEvent.MouseButtonPress, tip, QtCore.Qt.LeftButton),
+                                 *((QtCore.QEvent.MouseMove, (tip[0], tip[1] + (there[1] - tip[1]) * k / 5), QtCore.Qt.NoButton) for k in range(1, 6)),
+                                 (QtCore.QEvent.MouseButtonRelease, there, QtCore.Qt.LeftButton)):
+            held = QtCore.Qt.NoButton if kind == QtCore.QEvent.MouseButtonRelease or at == tip and button == QtCore.Qt.NoButton else QtCore.Qt.LeftButton
+            QtGui.QApplication.sendEvent(glass, QtGui.QMouseEvent(kind, mouse(*at), mouse(glass.mapToGlobal(mouse(*at).toPoint())), button, held,
+                                                                  QtCore.Qt.NoModifier))
+            support.settle(80)
+        self.assertAlmostEqual(self.steps()[1]["by"], by + 15, delta=1.5)
+        self.assertAlmostEqual(arrow.distance(), self.steps()[1]["by"], 2)
+        panel.reject()
+        self.wait()
+
+    @staticmethod
+    def glass():
+        """What the 3-D view is painted on."""
+        inside = [w for window in Gui.getMainWindow().findChildren(QtGui.QMdiSubWindow) if window.isVisible() for w in window.findChildren(QtGui.QWidget)]
+        return next(w for w in inside if w.metaObject().className() == "SIM::Coin3D::Quarter::QuarterWidget").viewport()
+
+    @staticmethod
+    def pixel(view, glass, point):
+        (x, y), (width, height) = view.getPointOnScreen(point), view.getSize()
+        return x * glass.width() / width, (height - y) * glass.height() / height
+
+    def test_steps_are_edited(self):
+        panel = self.begin()
+        panel.table.item(0, 2).setText("60 mm")
+        support.settle()
+        panel.table.item(0, 1).setText("x")
+        support.settle()
+        self.assertEqual((self.steps()[0]["by"], self.steps()[0]["along"]), (60, [1, 0, 0]))
+        self.assertEqual(self.rows(panel)[0][1:], ("+x", "60"))
+        for column, text, words in ((1, "up", "a way is"), (2, "-3", "more than 0 mm"), (2, "far", "more than 0 mm")):
+            panel.table.item(0, column).setText(text)
+            self.assertIn(words, panel.message.text())
+            support.settle()
+        self.assertEqual(self.rows(panel)[0][1:], ("+x", "60"))
+        panel.table.item(1, 3).setCheckState(QtCore.Qt.Unchecked)
+        support.settle()
+        self.assertFalse(self.steps()[1]["trail"])
+        panel.table.selectRow(1)
+        panel.form.findChild(QtGui.QPushButton, "up").click()
+        self.assertEqual([step["move"] for step in self.steps()], [["Pump.Lid"], ["Pump.Bolt", "Pump.Bolt001"]])
+        self.select((self.pump, "Plate.Face1"))
+        support.settle()
+        panel.form.findChild(QtGui.QPushButton, "add").click()
+        self.assertEqual(self.steps()[2]["move"], ["Pump.Plate"])
+        panel.table.selectAll()
+        panel.form.findChild(QtGui.QPushButton, "join").click()
+        self.assertEqual([step["move"] for step in self.steps()], [["Pump.Lid", "Pump.Bolt", "Pump.Bolt001", "Pump.Plate"]])
+        panel.table.selectRow(0)
+        support.settle()
+        self.assertEqual(self.chosen(), ["Pump.Bolt.", "Pump.Bolt001.", "Pump.Lid.", "Pump.Plate."])
+        panel.form.findChild(QtGui.QPushButton, "delete").click()
+        self.assertEqual((self.steps(), panel.wanted.isChecked()), ([], False))
+        panel.reject()
+        self.wait()
+
+    def test_the_slider_is_the_factor(self):
+        panel = self.begin()
+        by = self.steps()[1]["by"]
+        panel.slider.setValue(50)
+        self.wait()
+        self.assertEqual(self.obj.ExplodeFactor, 0.5)
+        self.assertAlmostEqual(panel.displaced.moves()["Pump.Lid"].z, by / 2, 3)
+        self.assertAlmostEqual(panel.arrows.arrows[1].distance(), by / 2, 3)
+        panel.shown.setChecked(False)
+        self.assertEqual((panel.displaced.moves(), panel.arrows.arrows), ({}, []))
+        self.close(panel)
+        self.assertEqual(self.obj.ExplodeFactor, 0.5)
+
+    def test_finding_is_stopped(self):
+        from freecad.burin_wb.view import scheduler
+
+        for x in range(40):  # long enough to be stopped
+            box = self.document.addObject("Part::Box", "Block")
+            box.Placement.Base = FreeCAD.Vector(80 + 11 * x, 0, 0)
+            self.pump.addObject(box)
+        self.document.recompute()
+        support.drawn()
+        undos = self.document.UndoCount
+        self.select(self.obj)
+        Gui.runCommand("Burin_Explode")
+        panel = support.panel()
+        support.settle(20)
+        self.assertTrue(panel.stop.isEnabled())
+        panel.stop.click()
+        self.assertTrue(support.until(lambda: not scheduler.scheduler.busy(self.obj), 5))
+        support.settle()
+        self.assertEqual((panel.said.text(), self.steps(), panel.wanted.isChecked()), ("cancelled", [], False))
+        self.assertTrue(panel.find_button.isEnabled())
+        panel.reject()
+        self.wait()
+        self.assertEqual((self.obj.Explode, self.document.UndoCount), (False, undos))
+
+    def test_closing_the_document_and_undo_end_the_panel(self):
+        before = self.scene()
+        panel = self.begin()
+        self.document.undo()
+        support.settle(100)
+        self.assertTrue(panel.over)
+        self.assertEqual(self.scene(), before)
+        panel = self.begin()
+        FreeCAD.closeDocument(self.document.Name)
+        support.settle(100)
+        self.assertTrue(panel.over)
+        self.document = FreeCAD.newDocument("Test")
+
+    def test_exploded_views_of_the_assembly_workbench_are_taken_over(self):
+        from assembly_stand_in import exploded_view
+
+        exploded_view(self.document, self.pump)
+        panel = self.begin()
+        panel.form.findChild(QtGui.QPushButton, "take-over").click()
+        self.assertEqual([(step["move"], step["along"], step["by"]) for step in self.steps()],
+                         [(["Pump.Bolt", "Pump.Bolt001"], [0, 0, 1], 50), (["Pump.Lid"], [0, 1, 0], 30)])
+        self.assertRegex(panel.said.text(), "^Turned: turns parts.*; Round: moves parts away from a middle.*left out$")
+        panel.reject()
+        self.wait()
+
+
+support.run(__name__)
