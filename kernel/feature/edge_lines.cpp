@@ -4,6 +4,7 @@
 #include "paper_limits.h"
 
 #include <array>
+#include <cmath>
 #include <utility>
 
 namespace burin {
@@ -203,7 +204,24 @@ class LineMaker {
         crease_look(s.left_front, s.right_front,
                     chain_.kind == EdgeKind::ConvexCrease || doubtful(s), closed_mesh_);
     if (out.look.kind == LineClass::Crease && at_cut(s)) out.look.kind = LineClass::Section;
+    if (changes_plane(s)) out.look.drawn = false;
     return out;
+  }
+
+  /// Whether a cut goes on in another plane here and one of the two is seen edge-on: drawings show
+  /// a stepped section as if it lay in one plane. @cite ISO128
+  bool changes_plane(const Step& step) const {
+    constexpr double kEdgeOn = 1e-3;  // sine
+    const ProxyMesh& proxy = facing_.proxy();
+    const HalfEdge o = proxy.topology.opposite[static_cast<std::size_t>(step.half_edge)];
+    if (facing_.camera().perspective() || o == kNoHalfEdge) return false;
+    const std::uint32_t f = face_of(step.half_edge), g = face_of(o);
+    if (!proxy.is_cut(f) || !proxy.is_cut(g)) return false;
+    const Vec3 to_viewer = facing_.camera().direction();
+    const auto edge_on = [&](std::uint32_t face) {
+      return std::abs(glm::dot(proxy.mesh.normal(face), to_viewer)) < kEdgeOn;
+    };
+    return edge_on(f) != edge_on(g);
   }
 
   /// Whether one of its sides closes a cut.

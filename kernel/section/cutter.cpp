@@ -9,6 +9,8 @@
 #include <cmath>
 #include <iterator>
 #include <map>
+#include <unordered_map>
+#include <unordered_set>
 #include <utility>
 
 namespace burin::detail {
@@ -24,10 +26,31 @@ Vec3 unit(std::size_t k) {
   return bary;
 }
 
-bool loops_close(const std::vector<DirectedEdge>& edges) {
+/// Drops the edges of what hangs together with a vertex that as many edges do not leave as come.
+/// False where there are any.
+bool keep_closed_loops(std::vector<DirectedEdge>& edges) {
   std::unordered_map<std::uint32_t, int> balance;
   for (const auto& [from, to] : edges) ++balance[from], --balance[to];
-  return std::ranges::all_of(balance, [](const auto& entry) { return entry.second == 0; });
+  if (std::ranges::all_of(balance, [](const auto& entry) { return entry.second == 0; }))
+    return true;
+  std::unordered_map<std::uint32_t, std::uint32_t> joined;
+  const auto root = [&](std::uint32_t v) {
+    std::uint32_t top = v;
+    for (auto at = joined.find(top); at != joined.end(); at = joined.find(top)) top = at->second;
+    for (; v != top; v = std::exchange(joined.at(v), top)) {
+    }
+    return top;
+  };
+  for (const auto& [from, to] : edges) {
+    const std::uint32_t a = root(from), b = root(to);
+    if (a != b) joined[a] = b;
+  }
+  std::unordered_set<std::uint32_t> open;
+  for (const auto& [vertex, count] : balance) {
+    if (count != 0) open.insert(root(vertex));
+  }
+  std::erase_if(edges, [&](const DirectedEdge& e) { return open.contains(root(e[0])); });
+  return false;
 }
 
 /// Two axes of the plane that make a right-handed system with its normal.
@@ -170,7 +193,7 @@ void Cutter::add_polygon(Polygon polygon, const FacetPiece& piece,
 }
 
 /// Finds the walls of what lies beyond the plane, by the loops of what lies before it: its edges on
-/// the plane beside which the other triangle is gone. False where they do not close.
+/// the plane beside which the other triangle is gone. False where some do not close.
 bool Cutter::close(const CutPlane& plane, std::int32_t number, std::span<const CutTriangle> near,
                    std::span<const CutTriangle> sheets, std::vector<CutTriangle>& walls) {
   // In the order of the triangles, so that no hash decides about anything; as the triangle that
@@ -193,8 +216,8 @@ bool Cutter::close(const CutPlane& plane, std::int32_t number, std::span<const C
     --other->second;  // each takes one away: walls may lie on edges of others
     return true;
   });
-  if (edges.empty()) return true;
-  if (!loops_close(edges)) return false;
+  const bool closed = keep_closed_loops(edges);
+  if (edges.empty()) return closed;
   std::map<std::uint32_t, std::uint32_t> index;  // of the vertices that the loops have
   for (const auto& [from, to] : edges) index.try_emplace(from, 0);
   std::vector<std::uint32_t> vertices;
@@ -217,7 +240,7 @@ bool Cutter::close(const CutPlane& plane, std::int32_t number, std::span<const C
     walls.push_back(
         turned_over({{vertices[t[0]], vertices[t[1]], vertices[t[2]]}, {.plane = number}}));
   }
-  return true;
+  return closed;
 }
 
 /// What was kept before has edges in common with what is divided now, on the planes before: they

@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <utility>
 
@@ -124,6 +125,23 @@ TEST_F(Sections, OfSeveralPlanesTakeAQuarterStepsOrABox) {
   const Json steps = draw("--section y=-6,x=2,y=5");
   EXPECT_NEAR(reach(steps, "pattern", 1).first, -6, 1e-6);
   EXPECT_NEAR(reach(steps, "pattern", 1).second, 5, 1e-6);
+  // Seen along the cuts they are as one: no line where one goes over into the other.
+  const auto along = [](const Json& drawing, double x) {
+    std::size_t lines = 0;
+    for (const Json& layer : drawing.at("layers")) {
+      for (const Json& path : layer.at("paths")) {
+        lines += std::ranges::all_of(
+                     path.at("points3"),
+                     [&](const Json& p) { return std::abs(p.at(0).get<double>() - x) < 1e-6; })
+                     ? 1
+                     : 0;
+      }
+    }
+    return lines;
+  };
+  EXPECT_EQ(along(draw("--section y=-6,x=2,y=5 --view front"), 2), 0U);
+  EXPECT_GT(along(draw("--section y=-6,x=2,y=5 --view front"), 10), 0U);
+  EXPECT_GT(along(steps, 2), 0U);
   const Json box = draw("--section-box 0,-11,4,5,-2,11");
   EXPECT_NEAR(reach(box, "pattern", 0).first, 0, 1e-6);
   EXPECT_NEAR(reach(box, "section", 0).second, 5, 1e-6);

@@ -165,6 +165,24 @@ TEST(Section, OpenFormsAreCutOpenAndItIsSaid) {
   EXPECT_EQ(cut_area(surface2->proxy()), 0);
 }
 
+// A hole in one body of a part leaves the others closed.
+TEST(Section, LoopsThatCloseAreClosedBesideOthers) {
+  TriMesh lid = test::box({3, 0, 0}, {4, 1, 1});
+  lid.triangles.erase(lid.triangles.begin());
+  const Vec3 n = glm::normalize(Vec3(0.1, 1, 1));
+  const auto form = mesh(test::joined(test::box({0, 0, 0}, {1, 1, 1}), lid));
+  Diagnostics said;
+  double area = 0;
+  for (const double side : {1.0, -1.0}) {
+    const auto surface = realised(cut_form(form, {side * n, side * 0.75}, 0, "two"), &said);
+    area += cut_area(surface->proxy());
+  }
+  ASSERT_FALSE(said.entries().empty());
+  EXPECT_EQ(said.entries()[0].code, "section.open");
+  const auto alone = realised(cut_form(mesh(test::box({0, 0, 0}, {1, 1, 1})), {n, 0.75}, 0, ""));
+  EXPECT_GE(area, 2 * cut_area(alone->proxy()) - 1e-9);
+}
+
 TEST(Section, PlanesThatMissLeaveAllOrNothing) {
   const auto box = mesh(test::box({0, 0, 0}, {1, 1, 1}));
   EXPECT_EQ(realised(cut_form(box, {{0, 0, 1}, 2}, 0, ""))->proxy().mesh.triangles.size(), 12U);

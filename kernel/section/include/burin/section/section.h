@@ -27,10 +27,10 @@ using CutRegion = std::vector<CutPlane>;
 /// triangles of the proxy that lie in plane i (`ProxyMesh::cut_plane` is `number` + i there) close
 /// what it runs through, so that closed forms stay closed. Loops close by construction: a vertex
 /// within 1e-6 of the form's size of a plane lies on it, and a point between two vertices is
-/// computed once. Where the form is open its loops do not close: then the cut stays open and is
-/// named in a diagnostic (`section.open`). `name` is what diagnostics call the part. Where nothing
-/// is left the surface is empty; forms that were cut may be cut again, by which several regions
-/// go. Cost: each plane looks at the triangles that lie beyond those before it.
+/// computed once. Where the form is open its loops may not close: then these stay open and the form
+/// is named in a diagnostic (`section.open`). `name` is what diagnostics call the part. Where
+/// nothing is left the surface is empty; forms that were cut may be cut again, by which several
+/// regions go. Cost: each plane looks at the triangles that lie beyond those before it.
 std::shared_ptr<const Form> cut_form(std::shared_ptr<const Form> form, CutRegion region,
                                      std::int32_t number, std::string name);
 /// By one plane.
