@@ -152,7 +152,7 @@ class SheetPlanner {
   void place_one() {
     const Vec2 room = callout_room_of(plan_, frame_.size());
     const Box2 inner{frame_.min + room, frame_.max - room};
-    sheet_.views.push_back({"", in_box(plan_.view, inner), frame_, {}, {}, true});
+    sheet_.views.push_back({"", in_box(plan_.view, inner), frame_, {}, 1, {}, true});
   }
 
   void place_grid() {
@@ -180,7 +180,7 @@ class SheetPlanner {
       ViewOptions view = options_of(views[i].name);
       view.scale = grid.scale;
       sheet_.views.push_back(
-          {views[i].name, in_box(view, grid.boxes[i]), grid.boxes[i], {}, {}, i == numbered});
+          {views[i].name, in_box(view, grid.boxes[i]), grid.boxes[i], {}, 1, {}, i == numbered});
     }
   }
 
@@ -210,6 +210,7 @@ class SheetPlanner {
                             camera,
                             {shown.center - shown.radius, shown.center + shown.radius},
                             shown,
+                            detail.scale / scale,
                             detail.parts});
   }
 

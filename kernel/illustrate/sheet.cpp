@@ -16,6 +16,7 @@ Margin margin_about(const Box2& box, const Paper& paper) {
 /// What of the options holds for one view of several.
 IllustrateOptions options_of(const PlacedView& view, const IllustrateOptions& all) {
   IllustrateOptions options = all;
+  options.magnified = view.magnified;
   if (!options.annotations) return options;
   if (view.within) {
     options.annotations.reset();

@@ -103,7 +103,7 @@ std::shared_ptr<Stages::Lines> Stages::lines_of(const View& view, RunContext& co
     const auto proxies = view.occluders->proxies();
     std::vector<Curve3> features =
         extract_features(proxies, view.camera, view.features, said, context);
-    for (Curve3& line : hatch_cuts(proxies, view.camera, context)) {
+    for (Curve3& line : hatch_cuts(proxies, view.camera, context, view.magnified)) {
       features.push_back(std::move(line));
     }
     features.insert(features.end(), view.trails.begin(), view.trails.end());
@@ -142,9 +142,10 @@ Drawing Stages::draw_lines(const Scene& scene, const Camera& camera, const Style
   if (states_gamma(part_styles)) drawing.stats.tone_gamma = told.tone_gamma;
 
   context.begin_stage(RunStage::Features);
-  const std::shared_ptr<Lines> features = lines_of(
-      {trees, camera, feature_options(part_styles), draws_outline(part_styles), options.trails},
-      context);
+  const std::shared_ptr<Lines> features =
+      lines_of({trees, camera, feature_options(part_styles), draws_outline(part_styles),
+                options.trails, options.magnified},
+               context);
   drawing.diagnostics.append(features->said);
 
   context.begin_stage(RunStage::Visibility);

@@ -43,6 +43,7 @@ class Stages {
     FeatureOptions features;
     bool closes_outline = false;
     std::vector<Curve3> trails;
+    double magnified = 1;
     bool operator==(const View&) const = default;
   };
   struct Lines {

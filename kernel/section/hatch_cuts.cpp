@@ -75,9 +75,9 @@ std::vector<double> wanted_angles(const std::vector<Area>& areas, std::size_t i)
   return wanted;
 }
 
-void choose_angles(std::vector<Area>& areas, const Camera& camera) {
+void choose_angles(std::vector<Area>& areas, const Camera& camera, double magnified) {
   for (std::size_t i = 0; i < areas.size(); ++i) {
-    const double near = kNeighbour / scale_of(areas[i], camera);
+    const double near = kNeighbour * magnified / scale_of(areas[i], camera);
     const auto taken = [&](double angle) {
       for (std::size_t j = 0; j < i; ++j) {
         if (areas[j].angle == angle && neighbours(areas[i], areas[j], near)) return true;
@@ -105,10 +105,13 @@ void share_sizes(std::vector<Area>& areas) {
   for (Area& area : areas) area.size = largest[area.part];
 }
 
-double spacing_of(const Area& area, const Camera& camera) {
-  const double scale = scale_of(area, camera);
-  const double on_paper = std::clamp(kOfRoot * std::sqrt(area.size) * scale, kClosest, kWidest);
-  return (area.again ? 1.5 : 1) * on_paper / scale;
+/// Model mm: that of the view which is magnified, halved while it is wide on paper.
+double spacing_of(const Area& area, const Camera& camera, double magnified) {
+  const double scale = scale_of(area, camera), whole = scale / magnified;
+  const double on_paper = std::clamp(kOfRoot * std::sqrt(area.size) * whole, kClosest, kWidest);
+  double spacing = on_paper / whole;
+  while (magnified > 1 && spacing * scale > kWidest) spacing /= 2;
+  return (area.again ? 1.5 : 1) * spacing;
 }
 
 /// The angle of most of an outline, so that long lines fill what is narrow.
@@ -147,7 +150,7 @@ void fill(const std::vector<Area>& narrow, const Camera& camera, std::vector<Cur
 }  // namespace
 
 std::vector<Curve3> hatch_cuts(std::span<const ProxyMesh* const> proxies, const Camera& camera,
-                               const RunContext& context) {
+                               const RunContext& context, double magnified) {
   std::vector<Area> areas, narrow;
   for (std::size_t i = 0; i < proxies.size(); ++i) {
     if (proxies[i]->cut_plane.empty()) continue;
@@ -155,7 +158,7 @@ std::vector<Curve3> hatch_cuts(std::span<const ProxyMesh* const> proxies, const 
       if (!edge_on(area, camera)) areas.push_back(std::move(area));
     }
   }
-  choose_angles(areas, camera);
+  choose_angles(areas, camera, magnified);
   share_sizes(areas);
   std::vector<Curve3> out;
   for (Area& area : areas) {
@@ -163,7 +166,7 @@ std::vector<Curve3> hatch_cuts(std::span<const ProxyMesh* const> proxies, const 
     for (Area& piece : take_narrow(area, kNarrow / scale_of(area, camera))) {
       narrow.push_back(std::move(piece));
     }
-    hatch_lines(area, area.angle, spacing_of(area, camera), {}, out);
+    hatch_lines(area, area.angle, spacing_of(area, camera, magnified), {}, out);
   }
   fill(narrow, camera, out, context);
   return out;

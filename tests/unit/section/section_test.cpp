@@ -251,7 +251,8 @@ TEST(Section, StrokesStayOffTheCut) {
 
 /// The lines over cut areas of these parts, by part.
 std::map<std::int32_t, std::vector<Curve3>> hatched(
-    const std::vector<std::shared_ptr<const Form>>& forms, const Camera& camera) {
+    const std::vector<std::shared_ptr<const Form>>& forms, const Camera& camera,
+    double magnified = 1) {
   std::vector<std::shared_ptr<const Surface>> surfaces;
   std::vector<const ProxyMesh*> proxies;
   for (const auto& form : forms) {
@@ -259,7 +260,7 @@ std::map<std::int32_t, std::vector<Curve3>> hatched(
     proxies.push_back(&surfaces.back()->proxy());
   }
   std::map<std::int32_t, std::vector<Curve3>> out;
-  for (Curve3& line : hatch_cuts(proxies, camera, RunContext())) {
+  for (Curve3& line : hatch_cuts(proxies, camera, RunContext(), magnified)) {
     out[line.source.part].push_back(std::move(line));
   }
   return out;
@@ -276,6 +277,34 @@ Camera from_front(double scale) {
 double angle_of(const Curve3& line) {
   const Vec3 e = line.points[1] - line.points[0];
   return std::remainder(std::atan2(e.z, e.x) * 180 / kPi - 90, 180.0) + 90;
+}
+
+TEST(HatchedCuts, ADetailHasTheLinesOfItsView) {
+  const CutPlane plane{{0, -1, 0}, 0};
+  const std::vector<std::shared_ptr<const Form>> forms{
+      cut_form(mesh(test::box({0, -5, 0}, {20, 5, 20})), plane, 0, ""),
+      cut_form(mesh(test::box({20, -5, 0}, {30, 5, 20})), plane, 0, "")};
+  // Where each line stands across its direction.
+  const auto places = [](const std::vector<Curve3>& lines) {
+    std::set<long> at;
+    for (const Curve3& line : lines) {
+      const Vec3 way = glm::normalize(line.points[1] - line.points[0]);
+      const Vec3 across(-way.z, 0, way.x);
+      at.insert(std::lround(1e6 * std::abs(glm::dot(across, line.points[0]))));
+    }
+    return at;
+  };
+  const auto whole = hatched(forms, from_front(1));
+  for (const double times : {2.0, 5.0, 20.0}) {
+    const auto detail = hatched(forms, from_front(times), times);
+    for (const auto& [part, lines] : whole) {
+      const std::set<long> few = places(lines), many = places(detail.at(part));
+      EXPECT_TRUE(std::ranges::includes(many, few)) << part << ", " << times;
+      EXPECT_NEAR(std::abs(angle_of(lines[0])), std::abs(angle_of(detail.at(part)[0])), 1e-9);
+      // 2.4 mm apart, more than 3.5 mm on paper at 2:1 and above: once or more halved.
+      EXPECT_GE(many.size(), 2 * few.size() - 2);
+    }
+  }
 }
 
 TEST(HatchedCuts, KeepTheirDistanceAndTheirAngle) {

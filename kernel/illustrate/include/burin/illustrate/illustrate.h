@@ -67,6 +67,8 @@ struct IllustrateOptions {
   /// Lines beside those of the shape, in model mm and with the part whose style they have: those of
   /// kind Trail that show where parts of an exploded view belong.
   std::vector<Curve3> trails{};
+  /// How many times as large as the view whose detail it is; cuts are hatched as there.
+  double magnified = 1;
   /// Whether the drawing is tested against rays once it is finished: `Drawing::stats.verify`, and
   /// diagnostics. It draws the same.
   bool verify = false;

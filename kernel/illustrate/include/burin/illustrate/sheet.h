@@ -20,6 +20,8 @@ struct PlacedView {
   Box2 box;
   /// Lines outside are left out: a detail.
   std::optional<Disc> within = {};
+  /// How many times as large as the view whose detail it is.
+  double magnified = 1;
   /// Parts that a detail is there for: that none of them is seen is told.
   std::vector<std::size_t> shows = {};
   /// Whether callouts stand about it, in its box.
