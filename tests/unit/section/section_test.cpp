@@ -446,9 +446,10 @@ TEST(HatchedCuts, OfTwoPlanesOfAPartFoldOntoEachOther) {
   ASSERT_EQ(slopes[0].size(), 1U);
   EXPECT_EQ(slopes[0], slopes[1]);
   // None in a plane that is seen edge-on.
-  for (const Curve3& line :
-       hatched({cut_form(mesh(test::box({-10, -10, 0}, {10, 10, 10})), region, 0, "")},
-               from_front(1))[0]) {
+  const auto from_there = hatched(
+      {cut_form(mesh(test::box({-10, -10, 0}, {10, 10, 10})), region, 0, "")}, from_front(1))[0];
+  EXPECT_FALSE(from_there.empty());
+  for (const Curve3& line : from_there) {
     EXPECT_NEAR(line.points[0].y, 0, 1e-9);
     EXPECT_NEAR(line.points[1].y, 0, 1e-9);
   }
