@@ -212,8 +212,7 @@ def _apart(burin, told, matches, notes):
 def _section(entry, paths):
     if isinstance(entry, str) or "exclude" not in entry:
         return entry
-    left = paths(entry["exclude"], "section")
-    return {**{key: value for key, value in entry.items() if key != "exclude"}, **({"exclude": left} if left else {})}
+    return {**entry, "exclude": paths(entry["exclude"], "section")}
 
 
 def _details(entries, paths, notes):

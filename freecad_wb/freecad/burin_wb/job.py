@@ -247,8 +247,8 @@ class Job:
 
 
 def plainly(text):
-    """What the kernel says, without the place in what it was asked by, which is no file."""
-    return str(text).replace("illustration:1: ", "")
+    """What the kernel says, without the place in what it was asked by, which is no file, and with the words of panels for options."""
+    return str(text).replace("illustration:1: ", "").replace("section_exclude none cuts", "Cut in the panel Section cuts")
 
 
 # What may be asked of a job.

@@ -2,6 +2,7 @@
 
 import json
 import os
+import unittest.mock
 
 from pump import pump
 from support import V, Case, burin, content
@@ -142,7 +143,10 @@ class Details(Case):
     def test_lines_for_dimensions_are_those_of_the_first_view(self):
         obj = self.stack(Views=["front", "iso"], Details=["Pump.Bolt"])
         page = self.doc.addObject("TechDraw::DrawPage", "Page")
-        view = make_flat_edges(page, obj)
+        said = []
+        with unittest.mock.patch("freecad.burin_wb.features.flat_edges.tell", lambda text, *_: said.append(text)):
+            view = make_flat_edges(page, obj)
+        self.assertEqual([text.partition(";")[0] for text in said], ["Illustration: the lines of the first view are there to be measured"])
         self.doc.recompute()
         box = view.Source[0].Shape.BoundBox
         self.assertAlmostEqual(box.XLength, 60, 1)

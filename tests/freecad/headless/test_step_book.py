@@ -4,13 +4,13 @@ import os
 import re
 
 from pump import pump
-from support import App, Case, burin, content
+from support import Case, burin, content
 
 from freecad.burin_wb import step_book
-from freecad.burin_wb.errors import Failed, Refused
+from freecad.burin_wb.errors import Refused
 from freecad.burin_wb.features import asking, explosion
-from freecad.burin_wb.features import illustration as illustrations
-from freecad.burin_wb.worker import Worker
+from freecad.burin_wb.features.illustration import make_job
+from freecad.burin_wb.kept_scene import KeptScene
 
 
 class StepBook(Case):
@@ -77,15 +77,9 @@ class StepBook(Case):
         with self.assertRaisesRegex(Refused, "nothing to draw"):
             step_book.write(obj, self.path("a.pdf"))
 
-    def test_one_part_alone(self):
-        box = self.box()
-        obj = self.illustration(box, Style="outline")
-        try:
-            steps = step_book.write(obj, self.path("a.pdf"))
-        except Refused as why:
-            self.assertRegex(str(why), "^Illustration: ")
-        else:
-            self.assertEqual(steps, 1)
+    def test_one_part_alone_is_one_page(self):
+        obj = self.illustration(self.box(), Style="outline")
+        self.assertEqual(step_book.write(obj, self.path("a.pdf")), 1)
 
     def test_here_without_a_process_it_is_the_same(self):
         obj = self.stack()
@@ -95,6 +89,15 @@ class StepBook(Case):
         step_book.write(obj, self.path("there.html"))
         self.assertEqual(content(self.path("here.html")), content(self.path("there.html")))
 
+    def test_drawings_after_it_are_as_before(self):
+        obj = self.stack(Sections=["y"], Callouts=True)
+        kept = KeptScene(burin())
+        job = make_job(obj)
+        before = job.draw(burin(), kept=kept).to_bytes("json")
+        step_book.job_of(obj, [self.path("a.md")]).write_book(burin(), kept=kept)
+        self.assertIn("Bolt", content(self.path("a.md")).decode())
+        self.assertEqual(job.draw(burin(), kept=kept).to_bytes("json"), before)
+
     def test_cancelled_it_writes_nothing(self):
         obj = self.stack()
         job = step_book.job_of(obj, [self.path("a.pdf")])
@@ -102,5 +105,3 @@ class StepBook(Case):
         with self.assertRaises(burin().Cancelled):
             job.write_book(burin(), lambda stage, share: cancel.cancel(), cancel)
         self.assertEqual(os.listdir(self.folder), [])
-        self.assertTrue(issubclass(Failed, Exception) and isinstance(illustrations._worker, Worker))
-        self.assertIsNotNone(App.getDocument(self.doc.Name))

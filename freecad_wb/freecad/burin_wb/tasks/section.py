@@ -219,9 +219,8 @@ class SectionPanel(Panel):
             self._leave_whole(entry, [word for word in section.excluded(entry) if chosen and word not in chosen])
 
     def _leave_whole(self, entry, words):
-        entry = dict(entry) if isinstance(entry, dict) else {"plane": entry}
-        entry.pop("exclude", None)
-        self._put({**entry, **({"exclude": list(dict.fromkeys(words))} if words else {})})
+        entry = entry if isinstance(entry, dict) else {"plane": entry}
+        self._put({**entry, "exclude": list(dict.fromkeys(words))})
 
 
 def axis_of(normal):
