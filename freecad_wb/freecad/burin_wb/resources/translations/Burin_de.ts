@@ -181,7 +181,7 @@
     </message>
     <message>
       <source>First angle</source>
-      <translation>Projektionsmethode 1</translation>
+      <translation>Methode 1</translation>
     </message>
     <message>
       <source>Fit</source>
@@ -545,7 +545,7 @@
     </message>
     <message>
       <source>Third angle</source>
-      <translation>Projektionsmethode 3</translation>
+      <translation>Methode 3</translation>
     </message>
     <message>
       <source>This FreeCAD takes {0} pixels of a symbol for a millimetre; illustrations on pages were made anew for it</source>
