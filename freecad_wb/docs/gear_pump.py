@@ -1,7 +1,8 @@
-"""From a STEP file to an exploded, numbered, engraved picture with its parts list on an A3 page, and a section of the same pump. Told with
-pictures in README.md; run by the tests.
+"""From a STEP file to an exploded, numbered, engraved picture with its parts list on an A3 page, a section of the same pump, with a detail
+too, and its step book. Told with pictures in README.md; run by the tests.
 
-In FreeCAD (with its window), in this folder: exec(open("gear_pump.py").read()); whole("gear_pump.step", "pump.pdf", "section.pdf")"""
+In FreeCAD (with its window), in this folder: exec(open("gear_pump.py").read())
+pages = whole("gear_pump.step", "pump.pdf", "section.pdf", "detail.pdf"); book(pages[0].Views[0].Illustration, "steps.pdf")"""
 
 import os
 
@@ -46,6 +47,23 @@ def cut(document, part):
     return obj
 
 
+def detailed(document, part):
+    """The section with a dowel again, four times as large as it is, and 9 mm around its middle."""
+    from freecad.burin_wb.features import details
+
+    obj = cut(document, part)
+    obj.Label = "Detailed"
+    details.set_details(obj, [{**details.of_objects([f"{part.Name}.Link001.0"], "4:1"), "radius": 9.0}])
+    return obj
+
+
+def book(obj, file):
+    """How an illustrated assembly is put together, a page a step; how many there are."""
+    from freecad.burin_wb import step_book
+
+    return step_book.write(obj, file)
+
+
 def page(document, obj):
     """An A3 page with an illustration at its own scale."""
     from bearing import page_with
@@ -54,13 +72,13 @@ def page(document, obj):
 
 
 def whole(file, *pdfs):
-    """All of it; returns the pages, of the exploded pump and of the section."""
+    """All of it; returns the pages, of the exploded pump, of the section and of that with a detail."""
     from bearing import wait
 
     document = FreeCAD.newDocument("GearPump")
     part = assembly(document, os.path.abspath(file))
     pages = []
-    for make, pdf in zip((exploded, cut), pdfs):
+    for make, pdf in zip((exploded, cut, detailed), pdfs):
         obj = make(document, part)
         document.recompute()
         wait()

@@ -105,6 +105,9 @@ def _apart(burin, job, names):
         data["explode"] = dict(said["explode"])
         if "steps" in data["explode"]:
             data["explode"]["steps"] = [{**step, "move": named(step["move"])} for step in data["explode"]["steps"]]
+    data.update({key: said[key] for key in ("views", "projection") if key in said})
+    if "details" in said:
+        data["details"] = [{**one, "select": named(one["select"])} if "select" in one else one for one in said["details"]]
     if said.get("items"):
         data["items"] = _item_names(burin, job, names)
     data.update({key: job.options[key] for key in ("callouts", "parts_list") if key in job.options})

@@ -7,7 +7,7 @@ import FreeCAD
 
 from . import kernel, preferences
 from .errors import Refused
-from .features import make_illustration, section
+from .features import details, make_illustration, section
 from .features.explosion import Step
 from .features.looks import with_flag, with_style
 from .features.sources import survey
@@ -199,7 +199,9 @@ def _apart(burin, told, matches, notes):
 
     values = {"Callouts": told["callouts"], "PartsList": told["parts_list"], "Explode": told["explode"] is not None,
               "Sections": [section.text_of(_section(one, paths)) for one in told["sections"]],
-              "ItemNumbers": _item_numbers(told["items"], selectable)}
+              "ItemNumbers": _item_numbers(told["items"], selectable), "Views": told["views"],
+              "ProjectionMethod": next(word for word, kernels in details.METHODS.items() if kernels == told["projection"]),
+              "Details": _details(told["details"], paths, notes)}
     if values["Explode"]:
         values.update(_explode(told["explode"], paths, notes))
     if said:
@@ -210,8 +212,21 @@ def _apart(burin, told, matches, notes):
 def _section(entry, paths):
     if isinstance(entry, str) or "exclude" not in entry:
         return entry
-    left = paths(entry["exclude"], "section")
-    return {**{key: value for key, value in entry.items() if key != "exclude"}, **({"exclude": left} if left else {})}
+    return {**entry, "exclude": paths(entry["exclude"], "section")}
+
+
+def _details(entries, paths, notes):
+    """Texts of the property; details of which the document has nothing are told."""
+    found = []
+    for number, entry in enumerate(entries, 1):
+        entry = details.entry_of(entry if isinstance(entry, str) else details.text_of(entry), number)
+        if "select" in entry:
+            entry["select"] = paths(entry["select"], "detail")
+            if not entry["select"]:
+                notes.append(f"detail {number}: the document has nothing that it shows, so it is left out")
+                continue
+        found.append(details.text_of(entry))
+    return found
 
 
 def _explode(entry, paths, notes):

@@ -133,6 +133,7 @@ class Job:
     notes: List[str] = field(default_factory=list)  # what was left out, and why
     files: Dict[str, str] = field(default_factory=dict)  # style files with the hashes of what they hold
     unless: str = ""  # nothing is drawn where this is the fingerprint
+    book: Tuple[List[str], int] = ([], 0)  # of a step book: files that are written, new items of a step at the most
 
     def exact_fingerprint(self):
         """The same for the same shapes, camera and style while a document is open. Quick."""
@@ -193,6 +194,16 @@ class Job:
         kept = kept or KeptScene(burin)
         return burin.items(kept.scene(self, cancel), progress=progress, cancel=cancel, **self.options)
 
+    def write_book(self, burin, progress=None, cancel=None, kept=None):
+        """Draws a step book and writes its files, all or none: how many steps it has, and messages."""
+        files, new_items = self.book
+        kept = kept or KeptScene(burin)
+        book = burin.steps(kept.scene(self, cancel), new_items=new_items, progress=progress, cancel=cancel, **self.options)
+        if cancel is not None and cancel.cancelled:
+            raise burin.Cancelled("cancelled")
+        book.save(*files)
+        return len(book.pages), [*self.notes, *(plainly(d.message) for d in book.diagnostics)]
+
     def is_drawn(self):
         """Whether the kept drawing is the one of this job."""
         return bool(self.unless) and self.unless == self.fingerprint()
@@ -236,12 +247,12 @@ class Job:
 
 
 def plainly(text):
-    """What the kernel says, without the place in what it was asked by, which is no file."""
-    return str(text).replace("illustration:1: ", "")
+    """What the kernel says, without the place in what it was asked by, which is no file, and with the words of panels for options."""
+    return str(text).replace("illustration:1: ", "").replace("section_exclude none cuts", "Cut in the panel Section cuts")
 
 
 # What may be asked of a job.
-_WORK = {"draw": Job.run, "steps": Job.steps, "items": Job.items}
+_WORK = {"draw": Job.run, "steps": Job.steps, "items": Job.items, "book": Job.write_book}
 
 
 def answer(what, job, burin, progress, cancel, kept=None):

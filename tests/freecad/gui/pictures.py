@@ -28,10 +28,10 @@ class Pictures(support.Case):
         print(f"{picture.stem}: similarity {value:.3f}")
         self.assertGreater(value, least, picture.stem)
 
-    def look_at_page(self, pdf, name):
+    def look_at_page(self, pdf, name, number=1):
         if not shutil.which("pdftoppm"):
             print("pdftoppm (package poppler-utils) is not installed: the PDF is not looked at")
             return
         # At four times the size first: no line is thinner than a pixel to the eye of pdftoppm.
-        subprocess.run(["pdftoppm", "-r", "200", "-png", "-singlefile", str(pdf), str(support.OUT / name)], check=True)
+        subprocess.run(["pdftoppm", "-r", "200", "-png", "-singlefile", "-f", str(number), str(pdf), str(support.OUT / name)], check=True)
         self.look(support.OUT / f"{name}.png", DRAWING, "25%", 16)

@@ -4,6 +4,7 @@ script; its pictures are the references. BURIN_TEST_RENEW=1 renews them."""
 import os
 import pathlib
 import sys
+import unittest.mock
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 import FreeCAD  # noqa: E402
@@ -14,6 +15,9 @@ from PySide import QtGui  # noqa: E402
 
 sys.path.insert(0, str(DOCS))
 import gear_pump  # noqa: E402
+
+from freecad.burin_wb.features import details  # noqa: E402
+from freecad.burin_wb.view import book  # noqa: E402
 
 PUMP = str(pathlib.Path(__file__).resolve().parents[3] / "samples" / "gear_pump.step")
 V = FreeCAD.Vector
@@ -100,13 +104,41 @@ class Tutorial(Pictures):
         panel.accept()
         self.wait()
         self.assertEqual(other.Message, "")
+        self.select(other, (part, "Link001.0."))
+        Gui.runCommand("Burin_Detail")
+        self.wait()
+        panel = support.panel()
+        self.assertEqual(panel.table.item(0, 0).text(), "dowel")
+        for column, text in ((2, "4:1"), (3, "9")):
+            panel.table.item(0, column).setText(text)
+            support.settle()
+        self.wait()
+        self.assertEqual(panel.message.text(), "drawn")
+        panel.accept()
+        self.wait()
+        self.assertEqual(details.entries_of(other), [{"select": [part.Name + ".Link001.0"], "scale": "4:1", "radius": 9.0}])
+        self.write_book(obj, support.OUT / "pump-steps.pdf")
+        self.look_at_page(support.OUT / "pump-steps.pdf", "12-step-book", 6)
+
+    def write_book(self, obj, path):
+        """By the command."""
+        path.unlink(missing_ok=True)
+        with unittest.mock.patch.object(QtGui.QFileDialog, "getSaveFileName", lambda *_: (str(path), "")), \
+                unittest.mock.patch.object(QtGui.QInputDialog, "getInt", lambda *_: (6, True)):
+            self.select(obj)
+            Gui.runCommand("Burin_StepBook")
+        self.assertTrue(support.until(lambda: not book.busy(), 60))
 
     def test_as_a_script(self):
-        pdfs = [str(support.OUT / name) for name in ("pump-script.pdf", "section-script.pdf")]
+        pdfs = [str(support.OUT / name) for name in ("pump-script.pdf", "section-script.pdf", "detail-script.pdf")]
         pages = gear_pump.whole(PUMP, *pdfs)
-        self.assertEqual([page.Views[0].Illustration.Message for page in pages], ["", ""])
+        self.assertEqual([page.Views[0].Illustration.Message for page in pages], ["", "", ""])
         self.look_at_page(pdfs[0], "8-pump")
         self.look_at_page(pdfs[1], "10-section")
+        self.look_at_page(pdfs[2], "11-detail")
+        steps = support.OUT / "steps-script.pdf"
+        self.assertEqual(gear_pump.book(pages[0].Views[0].Illustration, str(steps)), 11)
+        self.look_at_page(steps, "12-step-book", 6)
 
 
 support.run(__name__)

@@ -35,6 +35,10 @@ class Apart(Case):
         obj = self.illustration(self.stack(), Style="outline", Sections=["y"])
         self.assertIn("section", self.kinds(obj))
         self.assertEqual(make_job(obj).options["illustration"], {"section": ["y"]})
+        self.assertEqual(obj.Message, "2 parts stay whole, as drawings do not cut along them (bolt); Cut in the panel Section cuts them too")
+        obj.Sections = ['{"plane": "y", "exclude": []}']
+        self.doc.recompute()
+        self.assertEqual(obj.Message, "")
         cut = {path["part"] for _, path in Sheet(obj.Drawing).paths() if path["kind"] == "section"}
         self.assertEqual(cut, {0, 1, 2, 3})
         whole = section.plane(V(0, -1, 0), -20, ["Pump.Bolt", "Bolt001"])
@@ -45,7 +49,7 @@ class Apart(Case):
         self.assertEqual({path["part"] for _, path in Sheet(obj.Drawing).paths() if path["kind"] == "section"}, {0, 1})
 
     def test_several_sections_and_what_is_not_known_yet_pass_through(self):
-        obj = self.illustration(self.stack(), Style="outline", Sections=["y", "-x=30"])
+        obj = self.illustration(self.stack(), Style="outline", Sections=['{"plane": "y", "exclude": []}', '{"plane": "-x=30", "exclude": []}'])
         self.assertEqual(obj.Message, "")
         obj.Sections = ['{"kind": "quarter", "planes": ["x", "y"], "exclude": "Pump.Lid"}']
         said = make_job(obj).options["illustration"]["section"][0]

@@ -3,6 +3,7 @@
 from PySide import QtCore
 
 from ..tasks import show
+from ..tasks.detail import DetailPanel
 from ..tasks.explode import ExplodePanel
 from ..tasks.items import ItemsPanel
 from ..tasks.section import SectionPanel
@@ -60,4 +61,17 @@ class NumberParts(_Panel):
     panel = ItemsPanel
 
 
-COMMANDS = [Section(), Explode(), NumberParts()]
+class Detail(_Panel):
+    name = "Burin_Detail"
+    text = "Detail"
+    tip = "Draws a place again beside the view, larger, in a circle: of the selected objects, or about a selected face, edge or point"
+    icon = "burin_detail.svg"
+    panel = DetailPanel
+
+    def run(self, document):
+        illustration = one_illustration()
+        document.openTransaction(QtCore.QCoreApplication.translate(self.name, self.text))
+        show(DetailPanel(illustration)).begin()
+
+
+COMMANDS = [Section(), Explode(), Detail(), NumberParts()]

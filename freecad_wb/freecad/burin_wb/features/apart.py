@@ -1,6 +1,7 @@
-"""What an illustration asks of its parts as an assembly: sections, an exploded view, numbers and a list."""
+"""What an illustration asks of its parts as an assembly: sections, an exploded view, numbers and a list; and of its sheet: several
+views, details."""
 
-from . import explosion, section
+from . import details, explosion, section
 
 
 def options_of(obj, sources, notes):
@@ -20,6 +21,9 @@ def options_of(obj, sources, notes):
         options["parts_list"] = "sheet"
     if options and dict(obj.ItemNumbers):
         said["items"] = dict(obj.ItemNumbers)
+    said.update(details.sheet_of(obj, sources, notes))
+    if "views" in said:
+        options["perspective"] = None
     if said:
         options["illustration"] = said
     return options

@@ -4,11 +4,14 @@ from ..errors import Failed, Refused
 from .explosion import taken
 from .illustration import ask_to_end, make_job
 
+# Keys about one sheet.
+SHEET = "views", "projection", "details"
+
 
 def steps_job(obj):
     """What is to be asked for ("steps"): steps that are there are left aside. Throws Refused."""
     job = make_job(obj)
-    said = {key: value for key, value in job.options.get("illustration", {}).items() if key != "section"}
+    said = {key: value for key, value in job.options.get("illustration", {}).items() if key not in ("section", *SHEET)}
     said["explode"] = {"along": obj.ExplodeAlong} if obj.ExplodeAlong.strip() else "auto"
     job.options["illustration"] = said
     return job

@@ -59,6 +59,22 @@ def for_kernel(obj, sources, notes):
     """The key `explode` of an illustration; nothing where nothing comes apart. Steps that move nothing any more are told."""
     if not obj.Explode:
         return None
+    steps = _said(obj, sources, notes)
+    if steps:
+        return {"steps": steps, "factor": obj.ExplodeFactor}
+    if obj.ExplodeSteps:
+        return None  # which was told
+    return {**({"along": obj.ExplodeAlong} if obj.ExplodeAlong.strip() else {}), "factor": obj.ExplodeFactor}
+
+
+def steps_for_kernel(obj, sources, notes):
+    """The key `explode` of a step book: steps that are kept, whether they are drawn or not, else those that are found."""
+    steps = _said(obj, sources, [] if obj.Explode else notes)  # where they are drawn, they have been told
+    return {"steps": steps} if steps else {"along": obj.ExplodeAlong} if obj.ExplodeAlong.strip() else "auto"
+
+
+def _said(obj, sources, notes):
+    """Steps as the kernel takes them."""
     steps = []
     for number, step in enumerate(steps_of(obj), 1):
         chosen, lost = selectors(step.move, sources)
@@ -67,11 +83,7 @@ def for_kernel(obj, sources, notes):
                          "find the steps anew")
         if chosen:
             steps.append({"move": chosen, "along": list(step.along), "by": step.by, "trail": step.trail})
-    if steps:
-        return {"steps": steps, "factor": obj.ExplodeFactor}
-    if obj.ExplodeSteps:
-        return None  # which was told
-    return {**({"along": obj.ExplodeAlong} if obj.ExplodeAlong.strip() else {}), "factor": obj.ExplodeFactor}
+    return steps
 
 
 def taken(found, sources):

@@ -59,6 +59,8 @@ def face_of(obj, sub):
 
 
 def set_view(obj, eye):
+    """One view from there; several are one no more."""
+    obj.Views = []
     obj.ViewDirection, obj.ViewUp = eye.direction, eye.up
     obj.Projection = "Perspective" if eye.angle else "Orthographic"
     if eye.angle:

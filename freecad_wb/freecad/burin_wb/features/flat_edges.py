@@ -3,6 +3,7 @@
 import FreeCAD
 import Part
 
+from ..tell import NOTE, tell
 from .curves import edges_of
 from .properties import FLAT_EDGES, ensure, is_newer
 from .sheet import Sheet
@@ -91,4 +92,7 @@ def make_flat_edges(page, illustration, name="IllustrationLines"):
     view.ScaleType = "Custom"
     page.addView(view)
     flat.Proxy.execute(flat)
+    if illustration.Drawing and Sheet(illustration.Drawing).box is not None:
+        tell(f"{illustration.Label}: the lines of the first view are there to be measured; those of other views and of details, which have other "
+             "scales and places, are left out", NOTE)
     return view

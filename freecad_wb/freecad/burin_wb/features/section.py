@@ -31,11 +31,11 @@ def entries_of(obj):
     return [entry_of(text, number) for number, text in enumerate(obj.Sections, 1) if text.strip()]
 
 
-def plane(normal, offset, exclude=()):
+def plane(normal, offset, exclude=None):
     """An entry of one plane: `normal` points to what is taken away, `offset` mm from the origin along it; `exclude`:
-    paths or names of objects that stay whole."""
+    paths or names of objects that stay whole; None: those that drawings leave whole by custom, such as bolts; an empty list: none."""
     entry = {"plane": {"normal": [float(n) for n in normal], "offset": float(offset)}}
-    return {**entry, "exclude": list(exclude)} if exclude else entry
+    return entry if exclude is None else {**entry, "exclude": list(exclude)}
 
 
 def excluded(entry):
@@ -53,9 +53,7 @@ def for_kernel(obj, sources, notes):
             chosen, lost = selectors(words, sources)
             if lost:
                 notes.append(f"section {number} leaves {', '.join(lost)} whole, which is not drawn here; choose again what it leaves whole")
-            entry = {key: value for key, value in entry.items() if key != "exclude"}
-            if chosen:
-                entry["exclude"] = chosen
+            entry = {**entry, "exclude": chosen}
         found.append(entry)
     return found
 

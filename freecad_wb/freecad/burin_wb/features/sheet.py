@@ -20,12 +20,21 @@ class Sheet:
         self.center = FreeCAD.Vector(*view["center"])
         self.right, self.up = FreeCAD.Vector(*view["right"]), FreeCAD.Vector(*view["up"])
         self.direction = FreeCAD.Vector(*view["direction"])
+        views = self.data.get("views", ())
+        # Left, bottom, right and top of the first view, where the sheet has several; all else there has other numbers.
+        self.box = [a for corner in views[0]["box"] for a in corner] if views else None
 
     def paths(self):
-        """All paths with their layers' names, in the order of painting."""
+        """The paths with their layers' names, in the order of painting; where the sheet has several views those of the first, the
+        one whose places in the model are known."""
         for layer in self.data["layers"]:
             for path in layer["paths"]:
-                yield layer["name"], path
+                if holds(self.box, path["points"][0]):
+                    yield layer["name"], path
+
+    def texts(self):
+        """The texts, of the first view as `paths`."""
+        return [text for layer in self.data["layers"] for text in layer.get("texts", ()) if holds(self.box, text["at"])]
 
     def flat(self, point):
         """A paper point in mm of the model, from the middle of the sheet."""
@@ -75,6 +84,15 @@ class Sheet:
         for _, path in self.paths():
             if path["part"] in parts and (not element or element in elements_of(path)):
                 yield path
+
+
+# mm of paper: files have rounded numbers.
+NEAR = 1e-3
+
+
+def holds(box, point):
+    """Whether a paper point is in the box of a view; everything is where there is none."""
+    return box is None or box[0] - NEAR <= point[0] <= box[2] + NEAR and box[1] - NEAR <= point[1] <= box[3] + NEAR
 
 
 def elements_of(path):

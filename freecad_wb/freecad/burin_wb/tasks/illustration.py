@@ -12,6 +12,7 @@ from ..view.camera import camera_of
 from . import widgets
 from .lights import Lights
 from .panel import Panel
+from .views import Views
 
 
 class IllustrationPanel(Panel):
@@ -46,6 +47,8 @@ class IllustrationPanel(Panel):
         row.addWidget(self.projection)
         row.addWidget(self.angle)
         form.addRow(row)
+        self.views = Views(self)
+        form.addRow(self.views.row)
 
     def _fill_sheet(self):
         form = widgets.group(tr("Sheet"), self.column)
@@ -149,6 +152,7 @@ class IllustrationPanel(Panel):
         if name:
             set_view(self.obj, standard(name))
             self.projection.setCurrentIndex(0)
+            self.views.renew()
             self.changed()
 
     def _camera(self):
@@ -157,6 +161,7 @@ class IllustrationPanel(Panel):
             self.message.setText(tr("show a 3-D view of the model first"))
             return
         set_view(self.obj, eye)
+        self.views.renew()
         self.view.setCurrentIndex(0)
         self.projection.setCurrentIndex(1 if eye.angle else 0)
         self.angle.setProperty("rawValue", self.obj.FieldOfView.Value)

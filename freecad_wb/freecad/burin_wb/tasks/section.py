@@ -6,6 +6,7 @@ from PySide import QtCore, QtGui
 
 from ..errors import Refused
 from ..features import section
+from ..features.details import to_viewer
 from ..features.extent import Extent
 from ..features.eye import face_of
 from ..text import tr
@@ -116,7 +117,7 @@ class SectionPanel(Panel):
         self._chosen()
 
     def _plane_of(self, entry):
-        return section.plane_of(entry, self.obj.ViewDirection, self.extent.along) if entry is not None else None
+        return section.plane_of(entry, to_viewer(self.obj), self.extent.along) if entry is not None else None
 
     def _words(self, entry):
         """What the list says of an entry."""
@@ -161,7 +162,7 @@ class SectionPanel(Panel):
 
     def _add(self):
         """Across the axis that looks most to the viewer, through the middle."""
-        to = self.obj.ViewDirection
+        to = to_viewer(self.obj)
         name = max("xy" if abs(to.z) < 0.99 * to.Length else "z", key=lambda axis: abs(AXES[axis].dot(to)))
         normal = AXES[name] * (1 if AXES[name].dot(to) >= 0 else -1)
         low, high = self.extent.along(normal)
@@ -185,7 +186,7 @@ class SectionPanel(Panel):
         plane = self._plane_of(self._entry())
         if self._quiet or plane is None or not name:
             return
-        normal = AXES[name] * (1 if AXES[name].dot(self.obj.ViewDirection) >= 0 else -1)
+        normal = AXES[name] * (1 if AXES[name].dot(to_viewer(self.obj)) >= 0 else -1)
         self._set(normal, sum(self.extent.along(normal)) / 2)
 
     def _flip(self):
@@ -218,9 +219,8 @@ class SectionPanel(Panel):
             self._leave_whole(entry, [word for word in section.excluded(entry) if chosen and word not in chosen])
 
     def _leave_whole(self, entry, words):
-        entry = dict(entry) if isinstance(entry, dict) else {"plane": entry}
-        entry.pop("exclude", None)
-        self._put({**entry, **({"exclude": list(dict.fromkeys(words))} if words else {})})
+        entry = entry if isinstance(entry, dict) else {"plane": entry}
+        self._put({**entry, "exclude": list(dict.fromkeys(words))})
 
 
 def axis_of(normal):

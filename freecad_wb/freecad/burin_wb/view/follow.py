@@ -56,7 +56,9 @@ def _eye(document):
 
 
 def _sees(obj, eye):
-    """Whether an illustration is drawn from there already."""
+    """Whether an illustration is drawn from there already; several views follow nothing."""
+    if obj.Views:
+        return True
     near = 1e-7
     angle = obj.FieldOfView.Value if obj.Projection == "Perspective" else 0.0
     return ((obj.ViewDirection - eye.direction).Length < near and (obj.ViewUp - eye.up).Length < near

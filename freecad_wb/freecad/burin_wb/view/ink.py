@@ -6,7 +6,7 @@ import FreeCAD
 from pivy import coin
 
 from .. import kernel
-from ..features.sheet import Sheet
+from ..features.sheet import NEAR, Sheet, holds
 
 LIT = (0.95, 0.35, 0.05)
 
@@ -16,8 +16,9 @@ DOTS_PER_MM = 2.5
 # Points of a node: what the GUI's thread puts into the 3-D view in one go.
 MOST_POINTS = 20_000
 
-# Where the sheet stands in the model, by FreeCAD's vectors; as `features.sheet.Sheet` has it.
-Stand = collections.namedtuple("Stand", "center right up direction scale offset")
+# Where the sheet stands in the model, by FreeCAD's vectors; as `features.sheet.Sheet` has it. box: of the first of several views,
+# whose lines alone are shown.
+Stand = collections.namedtuple("Stand", "center right up direction scale offset box")
 
 # Lines of one width. width: in pixels; points: (n, 3), on the plane through the view's centre; counts: points of each line.
 Pen = collections.namedtuple("Pen", "width visible points counts")
@@ -35,13 +36,13 @@ def read(path):
     which Python's own reading of JSON does for as long as it takes. Throws OSError, ValueError, KeyError or the kernel's errors."""
     if not kernel.found():
         sheet = Sheet(path)
-        return stand_of(sheet), pens(sheet, [p for _, p in sheet.paths()]), _texts(t for layer in sheet.data["layers"] for t in layer.get("texts", ()))
+        return stand_of(sheet), pens(sheet, [p for _, p in sheet.paths()]), _texts(sheet.texts())
     drawing = kernel.module().Drawing.load(path)
     view, lines = drawing.view, drawing.arrays()
     stand = Stand(*(FreeCAD.Vector(*v) for v in (view.center, view.right, view.up, view.direction)), view.scale,
-                  tuple(view.offset))
+                  tuple(view.offset), drawing.views[0]["box"] if drawing.views else None)
     return (stand, _pens(stand, *(lines[name] for name in ("first", "points", "width", "visible", "closed"))),
-            _texts(t for layer in drawing.layers for t in layer.texts))
+            _texts(t for layer in drawing.layers for t in layer.texts if holds(stand.box, t["at"])))
 
 
 def _texts(said):
@@ -83,8 +84,9 @@ def _pens(stand, first, points, width, visible, closed):
     wide = numpy.maximum(1, numpy.rint(numpy.add.reduceat(width, first[:-1]) / count * DOTS_PER_MM)).astype(int)
     places_ = places(stand, points).astype(numpy.float32)
     found = []
-    for kind in numpy.unique(2 * wide + visible):
-        chosen = numpy.flatnonzero(2 * wide + visible == kind)
+    shown = holds_all(stand.box, numpy.asarray(points, dtype=float).reshape(-1, 2)[first[:-1]])
+    for kind in numpy.unique((2 * wide + visible)[shown]):
+        chosen = numpy.flatnonzero(shown & (2 * wide + visible == kind))
         total = count[chosen] + closed[chosen]
         for some in numpy.split(chosen, numpy.flatnonzero(numpy.diff(numpy.cumsum(total) // MOST_POINTS)) + 1):
             total = count[some] + closed[some]
@@ -93,6 +95,15 @@ def _pens(stand, first, points, width, visible, closed):
             at[ends[closed[some]] - 1] = first[some][closed[some]]  # a closed line ends where it began
             found.append(Pen(int(kind) // 2, bool(kind % 2), places_[at], total.tolist()))
     return found
+
+
+def holds_all(box, points):
+    """As features.sheet.holds, of many points at once."""
+    import numpy
+
+    if box is None:
+        return numpy.ones(len(points), dtype=bool)
+    return ((points >= numpy.array(box[:2]) - NEAR) & (points <= numpy.array(box[2:]) + NEAR)).all(axis=1)
 
 
 def lines_node(pen, extra=0.0):
@@ -157,13 +168,13 @@ def places(stand, points):
 
 
 def paper_node(stand, size):
-    """A white sheet, seen from both sides, a hair behind the ink."""
-    width, height = size
+    """A white sheet, seen from both sides, a hair behind the ink; of several views the place of the first."""
+    left, bottom, right, top = stand.box or (0, 0, *size)
     root = coin.SoSeparator()
     root.addChild(colored((1, 1, 1)))
     root.addChild(lifted(stand, -0.1 / stand.scale))
     coordinates = coin.SoCoordinate3()
-    coordinates.point.setValues(0, 4, places(stand, [(0, 0), (width, 0), (width, height), (0, height)]))
+    coordinates.point.setValues(0, 4, places(stand, [(left, bottom), (right, bottom), (right, top), (left, top)]))
     face = coin.SoFaceSet()
     face.numVertices.setValues(0, 1, [4])
     root.addChild(coordinates)

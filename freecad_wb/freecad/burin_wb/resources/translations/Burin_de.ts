@@ -20,6 +20,10 @@
       <translation>Ein eingebauter Stil oder eine Stildatei</translation>
     </message>
     <message>
+      <source>A letter of its own; empty: the next one</source>
+      <translation>Ein eigener Buchstabe; leer: der nächste</translation>
+    </message>
+    <message>
       <source>A list of the items above the lower right corner</source>
       <translation>Eine Stückliste über der rechten unteren Ecke</translation>
     </message>
@@ -42,6 +46,14 @@
     <message>
       <source>Add strokes…</source>
       <translation>Striche hinzufügen …</translation>
+    </message>
+    <message>
+      <source>Another detail: about the face, edge or vertex that is selected, or where an object was clicked</source>
+      <translation>Eine weitere Einzelheit: um die ausgewählte Fläche, Kante oder Ecke, oder wo ein Objekt angeklickt wurde</translation>
+    </message>
+    <message>
+      <source>Another detail: the objects that are selected</source>
+      <translation>Eine weitere Einzelheit: die ausgewählten Objekte</translation>
     </message>
     <message>
       <source>Another number; an item that has it gets this one</source>
@@ -100,8 +112,16 @@
       <translation>Löschen</translation>
     </message>
     <message>
+      <source>Deletes the details that are selected above</source>
+      <translation>Löscht die oben ausgewählten Einzelheiten</translation>
+    </message>
+    <message>
       <source>Deletes the steps that are selected</source>
       <translation>Löscht die ausgewählten Schritte</translation>
+    </message>
+    <message>
+      <source>Detail</source>
+      <translation>Einzelheit</translation>
     </message>
     <message>
       <source>Dimetric</source>
@@ -158,6 +178,10 @@
     <message>
       <source>Find steps</source>
       <translation>Schritte finden</translation>
+    </message>
+    <message>
+      <source>First angle</source>
+      <translation>Methode 1</translation>
     </message>
     <message>
       <source>Fit</source>
@@ -236,6 +260,10 @@
       <translation>Links</translation>
     </message>
     <message>
+      <source>Letter</source>
+      <translation>Zeichen</translation>
+    </message>
+    <message>
       <source>Looks in which order and how far the parts come out; replaces the steps below. Stop ends it</source>
       <translation>Sucht, in welcher Reihenfolge und wie weit die Teile herauskommen; ersetzt die Schritte unten. Anhalten beendet es</translation>
     </message>
@@ -254,6 +282,10 @@
     <message>
       <source>Name</source>
       <translation>Name</translation>
+    </message>
+    <message>
+      <source>New items of a step, at the most:</source>
+      <translation>Neue Positionen eines Schritts, höchstens:</translation>
     </message>
     <message>
       <source>No.</source>
@@ -300,12 +332,24 @@
       <translation>Objekte, die diese Ebene nicht schneidet, wie Schrauben und Wellen</translation>
     </message>
     <message>
+      <source>Of the circle, in mm of the model; empty: all of the objects</source>
+      <translation>Des Kreises, in mm des Modells; leer: die Objekte ganz</translation>
+    </message>
+    <message>
+      <source>One view</source>
+      <translation>Eine Ansicht</translation>
+    </message>
+    <message>
       <source>Open…</source>
       <translation>Öffnen</translation>
     </message>
     <message>
       <source>Own style</source>
       <translation>Eigener Stil</translation>
+    </message>
+    <message>
+      <source>Paper to model, such as 5:1; empty: as large as the sheet has room</source>
+      <translation>Papier zu Modell, etwa 5:1; leer: so groß, wie das Blatt Platz hat</translation>
     </message>
     <message>
       <source>Parallel</source>
@@ -332,12 +376,24 @@
       <translation>Perspektive</translation>
     </message>
     <message>
+      <source>Place</source>
+      <translation>Ort</translation>
+    </message>
+    <message>
       <source>Plane</source>
       <translation>Ebene</translation>
     </message>
     <message>
+      <source>Point</source>
+      <translation>Punkt</translation>
+    </message>
+    <message>
       <source>Quantity</source>
       <translation>Menge</translation>
+    </message>
+    <message>
+      <source>Radius</source>
+      <translation>Radius</translation>
     </message>
     <message>
       <source>Redraw first</source>
@@ -386,6 +442,10 @@
     <message>
       <source>Seed of all that is left to chance: another one gives other strokes</source>
       <translation>Startzahl für alles Zufällige: eine andere gibt andere Striche</translation>
+    </message>
+    <message>
+      <source>Several views on the sheet at one scale, front, top ... about the front view, others in the corner; none: the view above</source>
+      <translation>Mehrere Ansichten auf dem Blatt in einem Maßstab, vorn, oben ... um die Vorderansicht, andere in der Ecke; keine: die Ansicht oben</translation>
     </message>
     <message>
       <source>Sheet</source>
@@ -484,6 +544,10 @@
       <translation>Die Ebenen, die schneiden, eine nach der anderen</translation>
     </message>
     <message>
+      <source>Third angle</source>
+      <translation>Methode 3</translation>
+    </message>
+    <message>
       <source>This FreeCAD takes {0} pixels of a symbol for a millimetre; illustrations on pages were made anew for it</source>
       <translation>Dieses FreeCAD nimmt {0} Pixel eines Symbols für einen Millimeter; Illustrationen auf Seiten wurden dafür neu gemacht</translation>
     </message>
@@ -520,12 +584,20 @@
       <translation>Wege, die versucht werden, wo Schritte gesucht werden</translation>
     </message>
     <message>
+      <source>What is drawn again; a row lights up its objects in the 3-D view</source>
+      <translation>Was noch einmal gezeichnet wird; eine Zeile hebt ihre Objekte in der 3D-Ansicht hervor</translation>
+    </message>
+    <message>
       <source>What moves together; a row lights up its objects in the 3-D view</source>
       <translation>Was sich gemeinsam bewegt; eine Zeile hebt ihre Objekte in der 3D-Ansicht hervor</translation>
     </message>
     <message>
       <source>Where it stands along its axis</source>
       <translation>Wo sie auf ihrer Achse steht</translation>
+    </message>
+    <message>
+      <source>Where the view from the left stands: to the right of the front view (first angle), or to its left (third angle)</source>
+      <translation>Wo die Ansicht von links steht: rechts von der Vorderansicht (Projektionsmethode 1) oder links davon (Projektionsmethode 3)</translation>
     </message>
     <message>
       <source>Whether a line shows the way</source>
@@ -542,6 +614,14 @@
     <message>
       <source>Writes the list into a spreadsheet of the document, and puts that on the pages that show the illustration</source>
       <translation>Schreibt die Liste in eine Tabelle des Dokuments und legt diese auf die Seiten, die die Illustration zeigen</translation>
+    </message>
+    <message>
+      <source>a radius is more than 0 mm</source>
+      <translation>ein Radius ist größer als 0 mm</translation>
+    </message>
+    <message>
+      <source>a scale is such as 5:1 or 1:2</source>
+      <translation>ein Maßstab ist etwa 5:1 oder 1:2</translation>
     </message>
     <message>
       <source>a step moves its parts by more than 0 mm</source>
@@ -574,6 +654,10 @@
     <message>
       <source>an item has a number from 1 to 99999</source>
       <translation>eine Position hat eine Nummer von 1 bis 99999</translation>
+    </message>
+    <message>
+      <source>another detail has this letter</source>
+      <translation>eine andere Einzelheit hat diesen Buchstaben</translation>
     </message>
     <message>
       <source>another panel is open; close it first</source>
@@ -752,6 +836,10 @@
       <translation>wählen Sie auch eine Fläche</translation>
     </message>
     <message>
+      <source>select a face, an edge or a vertex, or click an object in the 3-D view</source>
+      <translation>wählen Sie eine Fläche, Kante oder Ecke, oder klicken Sie ein Objekt in der 3D-Ansicht an</translation>
+    </message>
+    <message>
       <source>select a flat face or a datum plane</source>
       <translation>eine ebene Fläche oder eine Bezugsebene auswählen</translation>
     </message>
@@ -883,6 +971,10 @@
       <source>{0} lines</source>
       <translation>{0} Linien</translation>
     </message>
+    <message>
+      <source>{0} views</source>
+      <translation>{0} Ansichten</translation>
+    </message>
   </context>
   <context>
     <name>BurinPreferences</name>
@@ -957,6 +1049,17 @@
     <message>
       <source>Width and height that new illustrations start with</source>
       <translation>Breite und Höhe, mit denen neue Illustrationen beginnen</translation>
+    </message>
+  </context>
+  <context>
+    <name>Burin_Detail</name>
+    <message>
+      <source>Detail</source>
+      <translation>Einzelheit</translation>
+    </message>
+    <message>
+      <source>Draws a place again beside the view, larger, in a circle: of the selected objects, or about a selected face, edge or point</source>
+      <translation>Zeichnet eine Stelle neben der Ansicht noch einmal, größer, in einem Kreis: die ausgewählten Objekte, oder um eine ausgewählte Fläche, Kante oder Ecke</translation>
     </message>
   </context>
   <context>
@@ -1155,6 +1258,17 @@
     <message>
       <source>Show lines of a face or edge</source>
       <translation>Linien einer Fläche oder Kante zeigen</translation>
+    </message>
+  </context>
+  <context>
+    <name>Burin_StepBook</name>
+    <message>
+      <source>Step book...</source>
+      <translation>Montagebuch...</translation>
+    </message>
+    <message>
+      <source>Writes how the assembly is put together, a page a step, by the steps of its exploded view: PDF, a page for the web, or Markdown; the status bar tells of it and can end it</source>
+      <translation>Schreibt, wie die Baugruppe zusammengesetzt wird, eine Seite je Schritt, nach den Schritten ihrer Explosionsansicht: PDF, eine Seite fürs Web oder Markdown; die Statusleiste zeigt es und kann es beenden</translation>
     </message>
   </context>
   <context>
