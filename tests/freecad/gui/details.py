@@ -146,7 +146,10 @@ class Details(Case):
         for x, _, z in points:
             self.assertTrue(-30 < x < 90 and -20 < z < 40, "a line of the first view, or the circle of the detail in it")
         self.assertLess(max(x for x, _, z in points if -4.1 < z < 20.1), 60.1)
-        self.obj.ViewObject.Follow = True
+        said = []
+        with unittest.mock.patch("freecad.burin_wb.view.follow.tell", said.append):
+            self.obj.ViewObject.Follow = True
+        self.assertEqual(said, ["Illustration has several views; it follows the 3-D view as soon as it has one"])
         runs = self.runs().count
         Gui.ActiveDocument.ActiveView.viewTop()
         support.settle(600)

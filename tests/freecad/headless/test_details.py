@@ -108,6 +108,12 @@ class Details(Case):
         obj.Views = ["front", "sideways"]
         self.doc.recompute()
         self.assertRegex(obj.Message, "sideways.*; the drawing shown is the one before$")
+        obj.Views = ["1,-1,2"]
+        self.doc.recompute()
+        self.assertRegex(obj.Message, "^Views has one direction alone, 1,-1,2: make it ViewDirection and leave Views empty")
+        obj.Views = ["1,-1,2", "front"]
+        self.doc.recompute()
+        self.assertEqual((obj.Message.count("several views are parallel"), self.views(obj)), (1, ["1,-1,2", "front"]))
         eye.set_view(obj, eye.standard("top"))
         self.doc.recompute()
         self.assertEqual((list(obj.Views), obj.Message, self.views(obj)), ([], "", []))

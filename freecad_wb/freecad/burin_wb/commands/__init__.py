@@ -9,8 +9,8 @@ from . import apart, book, export, help, look, new, page, redraw, select, style,
 _registered = []
 
 # Rows of the menu and the toolbar; None is a line between them.
-LAYOUT = ("Burin_NewIllustration", "Burin_View", "Burin_Style", "Burin_Look", None, "Burin_Section", "Burin_Explode",
-          "Burin_NumberParts", "Burin_Detail", "Burin_StepBook", None, "Burin_RedrawAll", None, "Burin_PlaceOnPage", "Burin_LinesForDimensions", "Burin_Export", None,
+LAYOUT = ("Burin_NewIllustration", "Burin_View", "Burin_Style", "Burin_Look", None, "Burin_Section", "Burin_Explode", "Burin_NumberParts",
+          "Burin_Detail", "Burin_StepBook", None, "Burin_RedrawAll", None, "Burin_PlaceOnPage", "Burin_LinesForDimensions", "Burin_Export", None,
           "Burin_SelectSource", "Burin_ShowLines")
 
 

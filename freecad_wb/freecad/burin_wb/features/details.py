@@ -147,8 +147,10 @@ def views_of(obj):
 
 
 def sheet_of(obj, sources, notes):
-    """Keys of an illustration about several views and details; only those that are asked for."""
+    """Keys of an illustration about several views and details; only those that are asked for. Throws Refused."""
     said, views = {}, views_of(obj)
+    if len(views) == 1 and "," in views[0]:
+        raise Refused(f"Views has one direction alone, {views[0]}: make it ViewDirection and leave Views empty, or add a view by name")
     if views:
         said["views"] = "; ".join(views) if any("," in name for name in views) else views  # directions have commas
         said["projection"] = METHODS[obj.ProjectionMethod]

@@ -5,6 +5,8 @@ import FreeCADGui as Gui
 from PySide import QtCore
 
 from ..features.eye import set_view
+from ..tell import tell
+from ..text import tr
 from .camera import camera_of
 
 # Milliseconds between two looks at the camera; it rests when two of them see the same.
@@ -71,6 +73,8 @@ _followers = None
 def follow(obj, on):
     """From now on an illustration is drawn as the 3-D view shows the model, whenever its camera rests; or no more."""
     global _followers
+    if on and getattr(obj, "Views", None):
+        tell(tr("{0} has several views; it follows the 3-D view as soon as it has one").format(obj.Label))
     if _followers is None:
         if not on:
             return

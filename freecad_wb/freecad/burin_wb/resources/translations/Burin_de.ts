@@ -952,6 +952,10 @@
       <translation>{0} hat keine Linien, die man bemaßen könnte</translation>
     </message>
     <message>
+      <source>{0} has several views; it follows the 3-D view as soon as it has one</source>
+      <translation>{0} hat mehrere Ansichten; sie folgt der 3D-Ansicht, sobald sie eine hat</translation>
+    </message>
+    <message>
       <source>{0} illustrations drawn anew, {1} as they were</source>
       <translation>{0} Illustrationen neu gezeichnet, {1} wie zuvor</translation>
     </message>
