@@ -7,7 +7,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
 #include <optional>
+#include <set>
+#include <utility>
 
 namespace burin::detail {
 namespace {
@@ -24,8 +27,12 @@ constexpr double kDrawnTogether = 0.35;
 struct Look {
   Vec3 normal{0}, tangent{0};
   Vec2 wave{0};
-  bool ruled = false;
+  FaceKind kind = FaceKind::Freeform;
+  Vec3 around{0};  // of a torus: about its axis where that is the larger circle
 };
+
+// A face of the input.
+using FaceId = std::pair<std::int32_t, std::int32_t>;  // part, face
 
 // How far apart lines are to run at a place that is seen under a cosine of `facing`.
 double gap_at(const Picture& picture, const RasterCell& cell, int family, double across) {
@@ -60,7 +67,8 @@ std::optional<Look> look(const Picture& picture, const RasterCell& cell, int fam
                        gap_at(picture, cell, family, glm::length(across) / scale) * cell.denser;
   const Vec2 unit = Vec2(-along.y, along.x) / speed;
   out.wave = turns * unit;
-  out.ruled = ruled(frame.kind);
+  out.kind = frame.kind;
+  out.around = std::abs(frame.k1) < std::abs(frame.k2) ? frame.d1 : frame.d2;
   return std::isfinite(turns) ? std::optional(out) : std::nullopt;
 }
 
@@ -71,6 +79,7 @@ class Builder {
 
   WaveGraph build() {
     make_nodes();
+    find_fillets();
     make_links();
     orient();
     return std::move(graph_);
@@ -115,7 +124,8 @@ class Builder {
     for (std::size_t i = 0; i < count; ++i) {
       if (!looks[i]) continue;
       graph_.node[i] = static_cast<std::int32_t>(graph_.nodes.size());
-      graph_.nodes.push_back({static_cast<std::uint32_t>(i), looks[i]->wave, looks[i]->ruled});
+      graph_.nodes.push_back(
+          {static_cast<std::uint32_t>(i), looks[i]->wave, ruled(looks[i]->kind)});
       looks_.push_back(*looks[i]);
     }
   }
@@ -133,8 +143,65 @@ class Builder {
     return s;
   }
 
+  FaceId face_of(std::uint32_t node) const {
+    const RasterCell& cell = raster_.cells[graph_.nodes[node].cell];
+    return {cell.part, picture_.surface(cell.part).proxy().face_source(cell.face)};
+  }
+
+  // Calls `take(plane, torus)` for nodes beside each other of a plane and of a torus on one sheet.
+  template <class Take>
+  void for_each_fillet(const Take& take) const {
+    const auto look_at = [&](std::size_t a, std::size_t b) {
+      const std::int32_t i = graph_.node[a], j = graph_.node[b];
+      if (i == kNone || j == kNone) return;
+      auto plane = static_cast<std::uint32_t>(i), torus = static_cast<std::uint32_t>(j);
+      if (looks_[plane].kind != FaceKind::Plane) std::swap(plane, torus);
+      const bool both =
+          looks_[plane].kind == FaceKind::Plane && looks_[torus].kind == FaceKind::Torus;
+      if (both && same_sheet(sheet(plane), sheet(torus))) take(plane, torus);
+    };
+    for (std::int32_t y = 0; y < raster_.ny; ++y) {
+      context_.check();
+      for (std::int32_t x = 0; x < raster_.nx; ++x) {
+        const std::size_t i = raster_.index(x, y);
+        if (x + 1 < raster_.nx) look_at(i, i + 1);
+        if (y + 1 < raster_.ny) look_at(i, raster_.index(x, y + 1));
+      }
+    }
+  }
+
+  // A plane and the fillet around something round on it: lines run straight on the one and about
+  // its axis on the other, along the border here and across it there. One phase for both would bend
+  // those of the plane all around. Where the border that is seen turns little they go on as one.
+  void find_fillets() {
+    std::map<FaceId, std::pair<Mat3, double>> sums;  // of the directions of the border
+    for_each_fillet([&](std::uint32_t, std::uint32_t torus) {
+      auto& [sum, count] = sums.try_emplace(face_of(torus), Mat3(0), 0.0).first->second;
+      sum += glm::outerProduct(looks_[torus].around, looks_[torus].around);
+      count += 1;
+    });
+    // Of an arc of 110 degrees: the share of its directions along the one that most have.
+    constexpr double kOneWay = 0.75;
+    for (const auto& [face, sum] : sums) {
+      const auto& [directions, count] = sum;
+      // Directions in a plane: the larger of two eigenvalues, from the sum of their squares.
+      double squares = 0;
+      for (int k = 0; k < 3; ++k) squares += glm::dot(directions[k], directions[k]);
+      const double share = 0.5 + 0.5 * std::sqrt(std::max(0.0, 2 * squares / (count * count) - 1));
+      if (share < kOneWay) round_.insert(face);
+    }
+  }
+
+  bool part_ways(std::uint32_t a, std::uint32_t b) const {
+    if (round_.empty()) return false;
+    if (looks_[a].kind != FaceKind::Plane) std::swap(a, b);
+    return looks_[a].kind == FaceKind::Plane && looks_[b].kind == FaceKind::Torus &&
+           round_.contains(face_of(b));
+  }
+
   bool one_line(std::uint32_t a, std::uint32_t b) const {
     if (!same_sheet(sheet(a), sheet(b))) return false;
+    if (part_ways(a, b)) return false;
     const Vec3 there = transport(looks_[b].tangent, looks_[b].normal, looks_[a].normal);
     if (std::abs(glm::dot(there, looks_[a].tangent)) < kSameLine) return false;
     return std::abs(glm::dot(looks_[a].wave, looks_[b].wave)) >=
@@ -234,6 +301,7 @@ class Builder {
   const RunContext& context_;
   WaveGraph graph_;
   std::vector<Look> looks_;
+  std::set<FaceId> round_;  // fillets
 };
 
 }  // namespace

@@ -3,9 +3,11 @@
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdlib>
+#include <map>
 #include <set>
 
 namespace burin {
@@ -24,6 +26,47 @@ class CliCad : public test::CliTest {
     return json::parse(test::slurp(folder_ / "a.json"));
   }
 };
+
+TEST_F(CliCad, StrokesOfAPlaneStayStraightAroundABoss) {
+  // From above, beside a fillet about whose axis strokes run.
+  ASSERT_EQ(run("draw " + sample("gear_pump.step") +
+                " --part *cover --view top --style engraving --paper A5 -o @/a.json"),
+            0)
+      << err_;
+  const json drawing = json::parse(test::slurp(folder_ / "a.json"));
+  double top = 0;
+  std::size_t strokes = 0, bent = 0;
+  const auto on_plane = [&](const json& path) {
+    for (const json& p : path.at("points3")) {
+      if (std::abs(p[2].get<double>() - top) > 1e-6) return false;
+    }
+    return true;
+  };
+  // The plane is where the most strokes are.
+  std::map<long, std::size_t> heights;
+  for (const json& layer : drawing.at("layers")) {
+    for (const json& path : layer.at("paths")) {
+      if (path.at("kind") == "stroke")
+        ++heights[std::lround(1e3 * path["points3"][0][2].get<double>())];
+    }
+  }
+  top = 1e-3 * static_cast<double>(std::ranges::max_element(
+                                       heights, {}, &std::pair<const long, std::size_t>::second)
+                                       ->first);
+  for (const json& layer : drawing.at("layers")) {
+    for (const json& path : layer.at("paths")) {
+      if (path.at("kind") != "stroke" || !on_plane(path)) continue;
+      ++strokes;
+      double low = 1e9, high = -1e9;
+      for (const json& p : path.at("points")) {
+        low = std::min(low, p[1].get<double>()), high = std::max(high, p[1].get<double>());
+      }
+      bent += high - low > 0.35;
+    }
+  }
+  EXPECT_GT(strokes, 100U);
+  EXPECT_LE(bent, strokes / 100);
+}
 
 TEST_F(CliCad, InfoTellsOfPartsShapesAndMeasures) {
   ASSERT_EQ(run("info --json " + sample("coupling.step") + " @/box.off"), 0) << err_;
