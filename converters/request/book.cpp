@@ -37,6 +37,10 @@ Book draw_book(Scene& scene, DrawPlan& plan, const BuildOptions& build, RunConte
   Book book = make_book(scene, model, steps, options, plan.style, plan.illustrate, context);
   book.title = plan.title.empty() ? name_of(scene, drawn) : plan.title;
   book.diagnostics.append(plan.notes);
+  if (!plan.views.empty() || !plan.details.empty()) {
+    book.diagnostics.add(Severity::Warning, "option.unused", 1,
+                         "several views and details have no effect on a step book");
+  }
   book.diagnostics = at_door(book.diagnostics, plan.spelling);
   return book;
 }

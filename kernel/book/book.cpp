@@ -4,6 +4,8 @@
 
 #include "page.h"
 
+#include <fmt/format.h>
+
 #include <utility>
 
 namespace burin {
@@ -15,6 +17,16 @@ std::vector<bool> drawn_of(const Scene& scene, const IllustrateOptions& options)
     drawn[i] = options.part_styles[i].drawn;
   }
   return drawn;
+}
+
+/// What is said of numbers says of which step.
+Diagnostics of_page(const Diagnostics& said, std::size_t number) {
+  Diagnostics out;
+  for (Diagnostic d : said.entries()) {
+    if (d.code.starts_with("callouts.")) d.message = fmt::format("step {}: {}", number, d.message);
+    out.add(std::move(d));
+  }
+  return out;
 }
 
 }  // namespace
@@ -40,7 +52,7 @@ Book make_book(const Scene& scene, const ExplodeModel& model, const std::vector<
   for (const BuildStep& step : build_steps(scene, drawn, steps, item_of, book.build)) {
     context.check();
     out.pages.push_back(maker.make(step, out.pages.size() + 1));
-    tell_once(out.pages.back().drawing.diagnostics, out.diagnostics);
+    tell_once(of_page(out.pages.back().drawing.diagnostics, out.pages.size()), out.diagnostics);
   }
   CalloutOptions large = style.callout;
   large.list_height *= 1.4;  // a sheet of its own has room

@@ -10,7 +10,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <map>
+#include <numbers>
 #include <string>
 #include <utility>
 
@@ -22,6 +24,7 @@ constexpr double kNumber = 12;   // height of the number of a step
 constexpr double kHeading = 5;   // of the name of a sub-assembly
 constexpr double kCount = 4;     // of "4x"
 constexpr double kName = 2.5;    // of names of parts
+constexpr double kTurn = 10;     // diameter of the symbol beside the number, and its distance
 constexpr Vec2 kCell{34, 34};    // a small picture and what stands below it
 constexpr double kPicture = 20;  // of the height of a cell
 constexpr double kInset = 1.5;   // between a cell and what is in it
@@ -40,6 +43,29 @@ Style light(Style style) {
     *width = std::min(*width, std::max(kLight * *width, kLeastLine));
   }
   return style;
+}
+
+/// Two arrows round a circle: the product is turned over.
+void add_turn_symbol(Vec2 middle, Layer& layer) {
+  constexpr double kLine = 0.5, kRadius = 0.4 * kTurn, kHead = 2.4, kWide = 1.8;
+  constexpr int kCorners = 24;
+  for (const double from : {0.15, 1.15}) {  // in half turns
+    const auto at = [&](double share) {
+      const double a = std::numbers::pi * (from + 0.7 * share);
+      return middle + kRadius * Vec2(std::cos(a), std::sin(a));
+    };
+    Path arc;
+    arc.kind = LineClass::Frame;
+    arc.width = {kLine};
+    for (int i = 0; i <= kCorners; ++i) arc.points.push_back(at(static_cast<double>(i) / kCorners));
+    const Vec2 way = glm::normalize(arc.points.back() - arc.points[kCorners - 1]);
+    Path head;
+    head.kind = LineClass::Frame;
+    head.points = {arc.points.back(), arc.points.back() + kHead * way};
+    head.width = {kWide, 0};
+    layer.paths.push_back(std::move(arc));
+    layer.paths.push_back(std::move(head));
+  }
 }
 
 /// Things of a page that are alike, with one of them to be shown.
@@ -65,16 +91,18 @@ class Page {
     const Margin& m = maker_.book.margin;
     const Paper& paper = maker_.book.view.paper;
     const Box2 frame{{m.left, m.bottom}, {paper.width - m.right, paper.height - m.top}};
-    const Vec2 head = text_size(number);
+    Vec2 head = text_size(number);
     const Look look =
         best_look(maker_.model.proxies(), step_, scenery.moved, maker_.book.view, maker_.context);
+    if (is_turned(look))
+      head.x = std::max(head.x, text_width(std::to_string(number), kNumber) + 2 * kTurn);
     const Grid grid = cells(frame, head.x, kinds.size());
     Box2 rest = frame;
     rest.max.y -= std::max(head.y, grid.box.size().y) + kApart;
     BookPage page;
     page.title = title();
     page.drawing = draw_step(scenery, look, rest);
-    write_head(number, frame, page.drawing);
+    write_head(number, frame, is_turned(look), page.drawing);
     draw_cells(kinds, grid, look, page.drawing);
     for (const Kind& kind : kinds) page.added.push_back(kind.about);
     page.drawing.title = page.title.empty() ? fmt::format("Step {}", number)
@@ -255,8 +283,18 @@ class Page {
     return out;
   }
 
-  void write_head(std::size_t number, const Box2& frame, Drawing& drawing) const {
+  /// Whether the step is looked at from another side than was asked for.
+  bool is_turned(const Look& look) const {
+    constexpr double kSame = 0.999;  // cosine
+    return glm::dot(look.direction, glm::normalize(maker_.book.view.direction)) < kSame;
+  }
+
+  void write_head(std::size_t number, const Box2& frame, bool turned, Drawing& drawing) const {
     Layer layer{"step", {}};
+    if (turned) {
+      const double beside = text_width(std::to_string(number), kNumber) + kTurn;
+      add_turn_symbol({frame.min.x + beside, frame.max.y - 0.5 * kNumber}, layer);
+    }
     const Vec2 at(frame.min.x, frame.max.y - kNumber);
     layer.texts.push_back({at, kNumber, TextAnchor::Start, std::to_string(number), "step", 0});
     const std::string name = title();

@@ -122,6 +122,12 @@ TEST_F(BookOf, WhatIsHiddenIsLookedAtFromAnotherSide) {
     if (nut) {
       EXPECT_TRUE(seen(page.drawing).contains(3));
     }
+    // Two arrows beside the number say so; the frame about small pictures is there anyway.
+    const auto step = std::ranges::find(page.drawing.layers, "step", &Layer::name);
+    ASSERT_NE(step, page.drawing.layers.end());
+    const auto turned =
+        std::ranges::count_if(step->paths, [](const Path& path) { return path.width.size() == 2; });
+    EXPECT_EQ(turned, page.drawing.view.direction.z < 0 ? 2 : 0);
   }
   EXPECT_TRUE(from_below);
 }
