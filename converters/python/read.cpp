@@ -65,7 +65,12 @@ std::string text_of(const RequestOption& about, const py::handle& value) {
   if (kind == "number" || kind == "whole") return number_text(name.c_str(), value);
   if (kind == "direction") return list_text(name.c_str(), value);
   if (may_be("float | Sequence")) return value_text(name.c_str(), value);
-  if (may_be("Sequence[str]")) return fmt::format("{}", fmt::join(texts(name, value), ","));
+  if (may_be("Sequence[str]")) {
+    const std::vector<std::string> given = texts(name, value);
+    const bool commas = std::ranges::any_of(
+        given, [](const std::string& text) { return text.find(',') != std::string::npos; });
+    return fmt::format("{}", fmt::join(given, commas ? ";" : ","));
+  }
   if (may_be("Sequence")) return list_text(name.c_str(), value, name == "paper" ? "x" : ",");
   if (may_be("float")) return number_text(name.c_str(), value);
   return word(name, value);

@@ -136,7 +136,8 @@ DetailView detail_option(const std::string& spelled, const std::string& text) {
   std::string what = text;
   // Selectors may have the sign: @color=#ff0000.
   const std::size_t equals = text.rfind('=');
-  if (equals != std::string::npos && equals > 0) {
+  const bool attribute = text.front() == '@' && text.find('=') == equals;  // @index=2
+  if (equals != std::string::npos && equals > 0 && !attribute) {
     try {
       detail.scale = scale_option(spelled, text.substr(equals + 1), 1 / kLarge, kLarge);
     } catch (const UsageError&) {

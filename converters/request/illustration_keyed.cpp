@@ -27,9 +27,13 @@ std::string named(const std::string& path) {
 std::string option_text(const Json& value) {
   if (value.is_string()) return value.get<std::string>();
   if (!value.is_array()) return value.dump();
-  std::string list;
-  for (const Json& element : value) list += (list.empty() ? "" : ",") + option_text(element);
-  return list;
+  std::vector<std::string> texts;
+  for (const Json& element : value) texts.push_back(option_text(element));
+  // Names among which are such with commas: views, of which some are directions.
+  const bool names = std::ranges::any_of(value, [](const Json& v) { return v.is_string(); });
+  const bool commas = std::ranges::any_of(
+      texts, [](const std::string& text) { return text.find(',') != std::string::npos; });
+  return fmt::format("{}", fmt::join(texts, names && commas ? ";" : ","));
 }
 
 KeyedFile::KeyedFile(std::string_view text, std::string source)

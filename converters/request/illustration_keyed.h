@@ -22,7 +22,8 @@ namespace burin::detail {
 
 using Json = nlohmann::ordered_json;
 
-/// A value of JSON as options take it: lists with commas.
+/// A value of JSON as options take it: lists with commas, with semicolons where they are of names
+/// with commas.
 std::string option_text(const Json& value);
 
 /// The file that values stand in: what they may be, and errors that say where they are not that.

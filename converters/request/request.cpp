@@ -59,6 +59,16 @@ void note_unused(const DrawRequest& r, Spelling spelling, const Style& named, Dr
     note(fmt::format("{} has no effect: style '{}' draws hidden lines in full (halo.hidden)",
                      called("hidden", spelling), plan.style.name));
   }
+  for (const char* one : {"view", "up", "center"}) {
+    if (r.has(one) && !plan.views.empty()) {
+      note(fmt::format("{} has no effect beside {}", called(one, spelling),
+                       called("views", spelling)));
+    }
+  }
+  if (r.has("projection") && plan.views.empty()) {
+    note(fmt::format("{} has no effect without {}", called("projection", spelling),
+                     called("views", spelling)));
+  }
   if (r.has("explode_factor") && !plan.explode.wanted) {
     note(called("explode_factor", spelling) + " has no effect: nothing comes apart");
   }

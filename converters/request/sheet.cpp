@@ -130,6 +130,7 @@ class SheetPlanner {
     const NamedView named = view_in_grid(name);
     view.direction = named.direction;
     view.up = named.up;
+    view.center.reset();  // each stands in the middle of its box
     return view;
   }
 

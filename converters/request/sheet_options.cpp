@@ -40,10 +40,20 @@ std::vector<std::string> paper_names() {
   return names;
 }
 
-/// Names of views, parted by commas; by semicolons where directions are among them.
+bool is_direction(const std::string& text) {
+  try {
+    return point_option("views", text).has_value();
+  } catch (const UsageError&) {
+    return false;
+  }
+}
+
+/// Names of views, parted by commas; by semicolons where directions are among them. One direction
+/// alone is one view.
 void set_views(Draft& draft, const Asked& asked) {
   const std::string& text = asked.text();
-  const char between = text.find(';') == std::string::npos ? ',' : ';';
+  const bool commas = text.find(';') == std::string::npos && !is_direction(text);
+  const char between = commas ? ',' : ';';
   std::vector<std::string>& views = draft.plan.views;
   views.clear();
   for (std::size_t at = 0; at <= text.size();) {

@@ -48,6 +48,11 @@ void keep_within(const Disc& disc, Drawing& drawing) {
 }
 
 void tell_not_shown(const PlacedView& view, Drawing& drawing) {
+  if (drawing.layers.empty()) {
+    drawing.diagnostics.add(Severity::Warning, "detail.empty", 1,
+                            "detail " + view.name + " is empty: no line of the drawing is there");
+    return;
+  }
   if (view.shows.empty()) return;
   for (const Layer& layer : drawing.layers) {
     for (const Path& path : layer.paths) {

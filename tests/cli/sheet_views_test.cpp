@@ -105,6 +105,21 @@ TEST_F(SheetViews, StandAboutTheFrontViewAtOneScale) {
   EXPECT_GT(third[2].project(corner).x, third[0].project(corner).x);
 }
 
+TEST_F(SheetViews, MayBeDirections) {
+  ASSERT_EQ(run("draw @/box.off --views 1,2,3 --style outline -o @/a.json"), 0) << err_;
+  EXPECT_EQ(views_of(drawing()).size(), 1U);
+  ASSERT_EQ(run("draw @/box.off --views front;1,2,3 --style outline -o @/a.json"), 0) << err_;
+  const auto views = views_of(drawing());
+  ASSERT_EQ(views.size(), 2U);
+  EXPECT_LT(glm::distance(vec3(views[1].numbers.at("direction")), glm::normalize(Vec3(1, 2, 3))),
+            1e-6);
+  folder_.write("d.burin.json", R"json({"burin": "illustration", "style": "outline",
+    "parts": [{"file": "box.off"}], "views": ["front", [1, 2, 3], "0,1,0"],
+    "details": ["@index=0"]})json");
+  ASSERT_EQ(run("draw @/d.burin.json -o @/a.json"), 0) << err_;
+  EXPECT_EQ(views_of(drawing()).size(), 4U);
+}
+
 TEST_F(SheetViews, OneAloneStandsInTheMiddle) {
   ASSERT_EQ(run("draw @/box.off --views iso --style outline -o @/a.json"), 0) << err_;
   const Json one = drawing();
@@ -152,7 +167,7 @@ TEST_F(SheetViews, AnIllustrationHasThemAll) {
     "paper": {"size": "A3"}, "parts_list": "sheet",
     "details": [{"select": "ball", "letter": "X"}, "40,0,20,5=5:1", {"select": "core"}]})json");
   ASSERT_EQ(run("draw @/a.burin.json -o @/a.json -o @/a.svg -o @/a.html"), 0) << err_;
-  EXPECT_NE(err_.find("detail B shows no line of its parts"), std::string::npos) << err_;
+  EXPECT_NE(err_.find("detail B is empty: no line"), std::string::npos) << err_;
   const Json drawn = drawing();
   const std::vector<View> views = views_of(drawn);
   ASSERT_EQ(views.size(), 6U);
@@ -201,6 +216,19 @@ TEST_F(SheetViews, SayWhatTheyCannotDo) {
     "details": [{"at": [0, 0, 0]}]})json");
   EXPECT_EQ(run("draw @/c.burin.json -o @/a.json"), 2);
   expect_error("c.burin.json:3: a detail at a point has \"radius\"");
+}
+
+TEST_F(SheetViews, WhatChangesNothingIsTold) {
+  ASSERT_EQ(run("draw @/box.off --style outline --views front,top --view left --center 1,2,3 "
+                "--detail 500,0,0,2=5:1 -o @/a.json"),
+            0)
+      << err_;
+  EXPECT_NE(err_.find("--view has no effect beside option --views"), std::string::npos) << err_;
+  EXPECT_NE(err_.find("--center has no effect beside option --views"), std::string::npos) << err_;
+  EXPECT_NE(err_.find("detail A is empty"), std::string::npos) << err_;
+  ASSERT_EQ(run("draw @/box.off --style outline --projection third -o @/a.json"), 0);
+  EXPECT_NE(err_.find("--projection has no effect without option --views"), std::string::npos)
+      << err_;
 }
 
 TEST_F(SheetViews, ADetailNoLargerThanTheViewIsTold) {

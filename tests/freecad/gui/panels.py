@@ -4,6 +4,7 @@ import json
 import os
 import sys
 import time
+import unittest.mock
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 import FreeCAD  # noqa: E402
@@ -115,11 +116,18 @@ class Editing(support.Case):
         width.setProperty("rawValue", 150.0)
         self.drawn()
         before = runs()
-        for k in range(40):
-            width.setProperty("rawValue", 150.0 - k)
-            support.settle(30)  # never as long as the pause
-        self.assertGreater(runs(), before + 2)
-        self.drawn()
+        from freecad.burin_wb.tasks import panel
+
+        # What is quick is so on an idle machine; here it may take what it takes.
+        with unittest.mock.patch.object(panel, "LIVE", 60.0):
+            end, k = time.monotonic() + 60, 0
+            while k < 40 or (runs() <= before + 2 and time.monotonic() < end):
+                width.setProperty("rawValue", 150.0 - k % 40)
+                support.settle(30)  # never as long as the pause
+                k += 1
+            self.assertGreater(runs(), before + 2)
+            width.setProperty("rawValue", 111.0)
+            self.drawn()
         self.assertIn('width="111mm"', open(self.obj.Picture).read()[:2000])
 
     def test_cancel_takes_all_back(self):
