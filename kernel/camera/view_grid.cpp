@@ -28,21 +28,36 @@ constexpr std::array<std::pair<std::string_view, Cell>, 6> kPrincipal{{
 }};
 constexpr int kPictorialInRow = 3;
 
+/// The cell of a view that has one beside the front view.
+std::optional<Cell> principal_cell(const GridView& view, int side) {
+  const auto known =
+      std::ranges::find(kPrincipal, view.name, &decltype(kPrincipal)::value_type::first);
+  if (known == kPrincipal.end()) return std::nullopt;
+  const Cell cell = known->second;
+  return view.name == "back" ? cell : Cell{side * cell.column, side * cell.row};
+}
+
 std::vector<Cell> cells_of(std::span<const GridView> views, ProjectionMethod method) {
   const int side = method == ProjectionMethod::ThirdAngle ? 1 : -1;
+  // Pictorial views stand in the corner beside the view from above, or of the row of the front view
+  // where nothing stands there, after all of that row.
+  bool corner = false;
+  int last = 0;
+  for (const GridView& view : views) {
+    const auto cell = principal_cell(view, side);
+    if (!cell) continue;
+    corner |= cell->row == side;
+    last = std::max(last, cell->column);
+  }
+  const Cell first = corner ? Cell{1, side} : Cell{last + 1, 0};
   int pictorial = 0;
   std::vector<Cell> cells;
   for (const GridView& view : views) {
-    const auto known =
-        std::ranges::find(kPrincipal, view.name, &decltype(kPrincipal)::value_type::first);
-    if (known == kPrincipal.end()) {
-      cells.push_back({1 + pictorial % kPictorialInRow, side * (1 + pictorial / kPictorialInRow)});
-      ++pictorial;
-    } else if (view.name == "back") {
-      cells.push_back(known->second);
-    } else {
-      cells.push_back({side * known->second.column, side * known->second.row});
-    }
+    const auto cell = principal_cell(view, side);
+    cells.push_back(cell ? *cell
+                         : Cell{first.column + pictorial % kPictorialInRow,
+                                first.row + side * (pictorial / kPictorialInRow)});
+    if (!cell) ++pictorial;
   }
   return cells;
 }

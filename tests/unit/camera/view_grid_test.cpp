@@ -73,6 +73,14 @@ TEST(ViewGrid, EmptyLanesTakeNoRoom) {
   EXPECT_NEAR(one.scale, std::min(400.0 / 70, 277.0 / 60), 1e-9);
 }
 
+TEST(ViewGrid, WithoutAViewFromAbovePictorialOnesStandBesideTheFront) {
+  for (const auto method : {ProjectionMethod::FirstAngle, ProjectionMethod::ThirdAngle}) {
+    const ViewGrid g = arrange_views(block({"iso", "front", "left"}), method, kFrame, 12, {});
+    EXPECT_DOUBLE_EQ(g.boxes[0].center().y, g.boxes[1].center().y);
+    EXPECT_GT(g.boxes[0].min.x, std::max(g.boxes[1].max.x, g.boxes[2].max.x));
+  }
+}
+
 TEST(ViewGrid, RefusesWhatHasNoRoomOrNoExtent) {
   const Box2 tiny{{0, 0}, {20, 20}};
   EXPECT_THROW(

@@ -18,7 +18,8 @@ enum class ProjectionMethod { FirstAngle, ThirdAngle };
 /// A view of several: its extent, and room about it on each side that does not grow with the scale.
 struct GridView {
   /// "front", "top", ... stand about the front view; any other name is a pictorial view, which
-  /// stands in the corner between top and side.
+  /// stands in the corner between top and side, or in the row of the front view where there is none
+  /// from above.
   std::string name;
   /// Model mm, right and up on the sheet.
   Vec2 size{0};
