@@ -24,6 +24,14 @@ class Views(unittest.TestCase):
             for a, b in zip(kept["box"], view["box"]):
                 self.assertAlmostEqual(a, b, places=3)
 
+    def test_a_session_draws_the_same(self):
+        asked = {"style": "engraving", "views": "front,iso", "detail": ["0,0,0,6=5:1"]}
+        for file in ("bracket.off", "pump_cover.implicit"):
+            scene, session = burin.Scene.read(SAMPLES / file), burin.Session()
+            fresh = burin.draw(scene, **asked).to_bytes("json")
+            for _ in range(2):
+                self.assertEqual(burin.draw(scene, session=session, **asked).to_bytes("json"), fresh, file)
+
     def test_one_alone_has_none(self):
         self.assertEqual(burin.draw(SAMPLES / "bracket.off", style="outline").views, [])
 
