@@ -26,7 +26,8 @@ std::optional<T> parse(std::string_view text) {
 
 }  // namespace
 
-bool parse_list(std::string_view rest, std::span<double> out) {
+bool parse_list(std::string_view text, std::span<double> out) {
+  std::string_view rest = text;
   for (std::size_t i = 0; i < out.size(); ++i) {
     const std::size_t comma = i + 1 < out.size() ? rest.find(',') : rest.size();
     if (comma == std::string_view::npos) return false;

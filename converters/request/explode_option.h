@@ -2,7 +2,6 @@
 // What exploded views take as text; internal to the room.
 
 #include <burin/converters/request.h>
-
 #include <burin/explode/explode.h>
 
 #include <string>

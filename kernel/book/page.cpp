@@ -320,8 +320,8 @@ class Page {
                      {grid.box.min.x, grid.box.max.y}};
     layer.paths.push_back(std::move(border));
     for (std::size_t i = 0; i < grid.shown; ++i) {
-      const double column = static_cast<double>(i % grid.columns),
-                   row = static_cast<double>(i / grid.columns);
+      const std::size_t above = i / grid.columns;
+      const auto column = static_cast<double>(i % grid.columns), row = static_cast<double>(above);
       const Vec2 top(grid.box.min.x + column * kCell.x, grid.box.max.y - row * kCell.y);
       draw_cell(kinds[i], top, look, layer, page);
     }

@@ -64,7 +64,8 @@ class Stage {
     const double far = 4 * occluder_->diagonal();
     int there = 0, first = 0;
     for (int i = 0; i < kRays * kRays; ++i) {
-      const Vec2 share((i % kRays + 0.5) / kRays, (i / kRays + 0.5) / kRays);
+      const int column = i % kRays, row = i / kRays;
+      const Vec2 share((column + 0.5) / kRays, (row + 0.5) / kRays);
       const Vec2 at = box.min + share * box.size();
       const Vec3 from = at.x * right + at.y * above + (depth + 0.5 * far) * direction;
       if (!occluder_->occluded(from, -direction, 0, far,
@@ -98,7 +99,7 @@ Look best_look(std::span<const ProxyMesh* const> proxies, const BuildStep& step,
         return Box3{Vec3(-1), Vec3(1)};
       },
       {.direction = asked.direction, .up = asked.up});
-  const Look first{camera.direction(), camera.up(), {}};
+  Look first{camera.direction(), camera.up(), {}};
   if (step.moves.empty()) return first;
   const Stage stage(proxies, step, moved, context);
   Look best = first;

@@ -20,13 +20,15 @@ class Steps : public test::CliTest {
 
   static std::size_t count(const std::string& text, const std::string& what) {
     std::size_t n = 0;
-    for (std::size_t at = text.find(what); at != std::string::npos; at = text.find(what, at + 1)) ++n;
+    for (std::size_t at = text.find(what); at != std::string::npos; at = text.find(what, at + 1))
+      ++n;
     return n;
   }
 };
 
 TEST_F(Steps, TheGearPumpIsPutTogetherInElevenSteps) {
-  ASSERT_EQ(run("steps " + pump() + " -o @/pump.md -o @/pump.pdf -o @/pump.html --style outline"), 0)
+  ASSERT_EQ(run("steps " + pump() + " -o @/pump.md -o @/pump.pdf -o @/pump.html --style outline"),
+            0)
       << err_;
   EXPECT_EQ(err_, "");
   const std::string text = test::slurp(folder_ / "pump.md");
@@ -41,11 +43,13 @@ TEST_F(Steps, TheGearPumpIsPutTogetherInElevenSteps) {
     EXPECT_NE(text.find("](" + name + ")"), std::string::npos);
     pugi::xml_document svg;
     ASSERT_TRUE(svg.load_file((folder_ / name).c_str())) << name;
-    EXPECT_EQ(std::string(svg.child("svg").child("title").text().get()).rfind(fmt::format("Step {}", step), 0),
+    EXPECT_EQ(std::string(svg.child("svg").child("title").text().get())
+                  .rfind(fmt::format("Step {}", step), 0),
               0U);
   }
   const std::string pdf = test::slurp(folder_ / "pump.pdf");
-  EXPECT_TRUE(std::regex_search(pdf, std::regex("/Type /Pages[^>]*/Count 12|/Count 12[^>]*/Type /Pages")))
+  EXPECT_TRUE(
+      std::regex_search(pdf, std::regex("/Type /Pages[^>]*/Count 12|/Count 12[^>]*/Type /Pages")))
       << "11 steps and the parts list";
   const std::string html = test::slurp(folder_ / "pump.html");
   EXPECT_EQ(count(html, "<section id=\"step-"), 11U);
@@ -53,7 +57,8 @@ TEST_F(Steps, TheGearPumpIsPutTogetherInElevenSteps) {
   // Ids are of one element each.
   std::set<std::string> ids;
   const std::regex id(" id=\"([^\"]*)\"");
-  for (auto it = std::sregex_iterator(html.begin(), html.end(), id); it != std::sregex_iterator(); ++it) {
+  for (auto it = std::sregex_iterator(html.begin(), html.end(), id); it != std::sregex_iterator();
+       ++it) {
     EXPECT_TRUE(ids.insert((*it)[1]).second) << (*it)[1];
   }
 }

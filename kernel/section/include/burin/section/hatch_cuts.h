@@ -18,8 +18,8 @@ namespace burin {
 /// outline runs; the distance is 0.12 times the square root of the area on paper, 0.7 to 3.5 mm.
 /// All areas of a part in one plane share a lattice that is fixed in the model, so that two views
 /// agree. `magnified`: how many times as large as another view of the same parts this one is, a
-/// detail: it has the angles of that view and its lines, and others half-way between them where they
-/// are more than 3.5 mm apart. Cost: the triangles times the lines over each. @cite ISO128
+/// detail: it has the angles of that view and its lines, and others half-way between them where
+/// they are more than 3.5 mm apart. Cost: the triangles times the lines over each. @cite ISO128
 std::vector<Curve3> hatch_cuts(std::span<const ProxyMesh* const> proxies, const Camera& camera,
                                const RunContext& context, double magnified = 1);
 
