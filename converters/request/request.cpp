@@ -59,11 +59,10 @@ void note_unused(const DrawRequest& r, Spelling spelling, const Style& named, Dr
     note(fmt::format("{} has no effect: style '{}' draws hidden lines in full (halo.hidden)",
                      called("hidden", spelling), plan.style.name));
   }
-  for (const char* one : {"view", "up", "center"}) {
-    if (r.has(one) && !plan.views.empty()) {
-      note(fmt::format("{} has no effect beside {}", called(one, spelling),
-                       called("views", spelling)));
-    }
+  // view and up say which half of a section goes.
+  if (r.has("center") && !plan.views.empty()) {
+    note(fmt::format("{} has no effect beside {}", called("center", spelling),
+                     called("views", spelling)));
   }
   if (r.has("projection") && plan.views.empty()) {
     note(fmt::format("{} has no effect without {}", called("projection", spelling),
