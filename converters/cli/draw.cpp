@@ -86,10 +86,7 @@ void run_draw(const DrawArguments& arguments, RunContext& context, Console& cons
   }
   const InputFiles read;
   const std::optional<Illustration> illustration = illustration_of(arguments.inputs);
-  const DrawRequest request =
-      illustration ? merged(illustration->request, arguments.request) : arguments.request;
-  DrawPlan plan = make_plan(request, Spelling::Options);
-  if (illustration) refuse_reading(plan);
+  DrawPlan plan = plan_of(arguments, illustration);
   WriteOptions options = write_options(plan.style);
   options.svg.id_prefix = plan.id_prefix;
   std::vector<Output> outputs =

@@ -15,6 +15,13 @@ bool is_file(const std::string& name) {
   return std::filesystem::is_regular_file(name, error);
 }
 
+/// Each part of an illustration has options of its own.
+void refuse_reading(const DrawPlan& plan) {
+  if (plan.read.given.empty()) return;
+  throw UsageError(plan.read.given.front().spelled +
+                   " is about reading: in an illustration it belongs to a part, {\"file\": ...}");
+}
+
 }  // namespace
 
 std::optional<Illustration> illustration_of(const std::vector<std::string>& inputs) {
@@ -44,10 +51,11 @@ std::vector<std::string> sources_of(const DrawArguments& a,
   return sources;
 }
 
-void refuse_reading(const DrawPlan& plan) {
-  if (plan.read.given.empty()) return;
-  throw UsageError(plan.read.given.front().spelled +
-                   " is about reading: in an illustration it belongs to a part, {\"file\": ...}");
+DrawPlan plan_of(const DrawArguments& arguments, const std::optional<Illustration>& illustration) {
+  if (!illustration) return make_plan(arguments.request, Spelling::Options);
+  DrawPlan plan = make_plan(merged(illustration->request, arguments.request), Spelling::Options);
+  refuse_reading(plan);
+  return plan;
 }
 
 }  // namespace burin::cli

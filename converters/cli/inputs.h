@@ -21,7 +21,7 @@ std::vector<std::string> sources_of(const DrawArguments& a,
                                     const std::optional<Illustration>& illustration,
                                     const InputFiles& read);
 
-/// Each part of an illustration has options of its own. Throws UsageError.
-void refuse_reading(const DrawPlan& plan);
+/// What the words ask, over what the illustration says. Throws UsageError, InputError.
+DrawPlan plan_of(const DrawArguments& arguments, const std::optional<Illustration>& illustration);
 
 }  // namespace burin::cli

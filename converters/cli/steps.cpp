@@ -38,10 +38,7 @@ void run_steps(const StepsArguments& arguments, RunContext& context, Console& co
   const BuildOptions build = build_options(arguments);
   const InputFiles read;
   const std::optional<Illustration> illustration = illustration_of(draw.inputs);
-  const DrawRequest request =
-      illustration ? merged(illustration->request, draw.request) : draw.request;
-  DrawPlan plan = make_plan(request, Spelling::Options);
-  if (illustration) refuse_reading(plan);
+  DrawPlan plan = plan_of(draw, illustration);
   check_book_outputs(draw.outputs, sources_of(draw, illustration, read));
   if (!illustration) check_inputs(draw.inputs);
   WriteOptions options = write_options(plan.style);

@@ -28,7 +28,7 @@ Book draw_book(Scene& scene, DrawPlan& plan, const BuildOptions& build, RunConte
   plan.items = true;
   select_parts(scene, plan);
   number_parts(scene, plan, context);
-  const std::vector<bool> drawn = detail::drawn_parts(scene, plan);
+  const std::vector<bool> drawn = drawn_parts(scene, plan.illustrate.part_styles);
   const ExplodeModel model(scene, drawn, context);
   const std::vector<ExplodeStep> steps =
       detail::steps_of(scene, plan.explode, drawn, model, context);

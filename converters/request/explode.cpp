@@ -2,15 +2,12 @@
 #include <burin/base/error.h>
 #include <burin/converters/request.h>
 #include <burin/explode/explode.h>
-#include <burin/surface/placed_form.h>
 
 #include "explode_option.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <map>
-#include <memory>
 #include <utility>
 
 namespace burin {
@@ -66,28 +63,9 @@ std::vector<ExplodeStep> steps_of_file(Scene& scene, const Explode& explode,
   return steps;
 }
 
-/// Moves parts; copies of one shape stay that.
-void move_parts(Scene& scene, const std::vector<Vec3>& moves) {
-  std::map<const Form*, Placer> placers;
-  for (std::size_t i = 0; i < scene.parts.size(); ++i) {
-    if (moves[i] == Vec3(0)) continue;
-    std::shared_ptr<const Form>& form = scene.parts[i].form;
-    const auto placer = placers.try_emplace(form.get(), form).first;
-    form = placer->second.at({Mat3(1), moves[i]});
-  }
-}
-
 }  // namespace
 
 namespace detail {
-
-std::vector<bool> drawn_parts(const Scene& scene, const DrawPlan& plan) {
-  std::vector<bool> drawn(scene.parts.size(), true);
-  for (std::size_t i = 0; i < drawn.size() && i < plan.illustrate.part_styles.size(); ++i) {
-    drawn[i] = plan.illustrate.part_styles[i].drawn;
-  }
-  return drawn;
-}
 
 std::vector<ExplodeStep> steps_of(Scene& scene, const Explode& explode,
                                   const std::vector<bool>& drawn, const ExplodeModel& model,
@@ -109,12 +87,11 @@ std::vector<ExplodeStep> steps_of(Scene& scene, const Explode& explode,
 
 }  // namespace detail
 
-using detail::drawn_parts;
 using detail::steps_of;
 
 std::vector<Explode::Step> explode_steps(Scene& scene, const DrawPlan& plan, RunContext& context) {
   if (!plan.explode.steps.empty()) return plan.explode.steps;
-  const std::vector<bool> drawn = drawn_parts(scene, plan);
+  const std::vector<bool> drawn = drawn_parts(scene, plan.illustrate.part_styles);
   const ExplodeModel model(scene, drawn, context);
   std::vector<Explode::Step> steps;
   for (const ExplodeStep& step : steps_of(scene, plan.explode, drawn, model, context)) {
@@ -127,7 +104,7 @@ void arrange_parts(Scene& scene, DrawPlan& plan, RunContext& context) {
   select_parts(scene, plan);
   number_parts(scene, plan, context);
   if (!plan.explode.wanted) return cut_parts(scene, plan);
-  const std::vector<bool> drawn = drawn_parts(scene, plan);
+  const std::vector<bool> drawn = drawn_parts(scene, plan.illustrate.part_styles);
   const ExplodeModel model(scene, drawn, context);
   const std::vector<ExplodeStep> steps = steps_of(scene, plan.explode, drawn, model, context);
   cut_parts(scene, plan);  // where they belong: a section does not go through what has come apart

@@ -13,9 +13,6 @@ namespace burin::detail {
 /// gone. Throws UsageError.
 void set_explode(Explode& explode, const std::string& spelled, const std::string& text);
 
-/// Once `select_parts` knows them, one a part.
-std::vector<bool> drawn_parts(const Scene& scene, const DrawPlan& plan);
-
 /// The steps of a file, or those that are found. Throws UsageError where a selector names nothing.
 std::vector<ExplodeStep> steps_of(Scene& scene, const Explode& explode,
                                   const std::vector<bool>& drawn, const ExplodeModel& model,

@@ -68,12 +68,6 @@ Camera lone_camera(const Scene& scene, const DrawPlan& plan) {
 /// Paper mm between views, and between a view and the edge of what it may take.
 constexpr double kBetweenViews = 12;
 
-Box2 whole_frame(const DrawPlan& plan) {
-  const Margin& m = plan.sheet.margin;
-  const Paper& paper = plan.view.paper;
-  return {{m.left, m.bottom}, {paper.width - m.right, paper.height - m.top}};
-}
-
 /// Paper mm on each side that callouts about a drawing of that size need.
 Vec2 callout_room_of(const DrawPlan& plan, Vec2 size) {
   if (!plan.illustrate.annotations || !plan.illustrate.annotations->callouts) return Vec2(0);
@@ -92,7 +86,7 @@ Mat3 axes_of(const Camera& camera) {
 class SheetPlanner {
  public:
   SheetPlanner(Scene& scene, const DrawPlan& plan)
-      : scene_(scene), plan_(plan), frame_(whole_frame(plan)) {
+      : scene_(scene), plan_(plan), frame_(inside(plan.view.paper, plan.sheet.margin)) {
     if (plan.sheet.fits) {
       throw UsageError("several views and details stand on a sheet of a size: give `paper` one");
     }
@@ -108,7 +102,7 @@ class SheetPlanner {
     details_ = detail::plan_details(scene_, plan_.details, axes_of(first_camera()),
                                     std::min(free.x, free.y));
     frame_ = detail::place_details(details_, detail_caption(plan_.style.callout), frame_, list_,
-                                   whole_frame(plan_));
+                                   inside(plan_.view.paper, plan_.sheet.margin));
     if (plan_.views.empty()) {
       place_one();
     } else {

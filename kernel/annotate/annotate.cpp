@@ -3,7 +3,7 @@
 #include <burin/drawing/font.h>
 #include <burin/drawing/length.h>
 
-#include "circle.h"
+#include "frame_path.h"
 #include "grain.h"
 #include "list_on_sheet.h"
 
@@ -304,7 +304,7 @@ std::optional<detail::ListPlan> list_plan(const Annotations& annotations,
 
 Margin annotation_margin(const Annotations& annotations, const CalloutOptions& style,
                          const Paper& paper) {
-  const Box2 frame = detail::frame_of(paper, annotations.margin);
+  const Box2 frame = inside(paper, annotations.margin);
   const Box2 rest = rest_of(frame, list_plan(annotations, style, frame));
   Margin m(paper.height - rest.max.y, paper.width - rest.max.x, rest.min.y, rest.min.x);
   if (!annotations.callouts || annotations.items.empty()) return m;
@@ -332,7 +332,7 @@ Margin annotation_margin(const Annotations& annotations, const CalloutOptions& s
 
 bool annotations_fit(const Annotations& annotations, const CalloutOptions& style,
                      const Paper& paper, const Margin& border) {
-  const Box2 frame = detail::frame_of(paper, annotations.margin);
+  const Box2 frame = inside(paper, annotations.margin);
   const auto plan = list_plan(annotations, style, frame);
   if (annotations.parts_list && !plan) return false;
   const Margin needed = annotation_margin(annotations, style, paper);
@@ -342,9 +342,8 @@ bool annotations_fit(const Annotations& annotations, const CalloutOptions& style
     return false;
   }
   if (!annotations.callouts || annotations.items.empty()) return true;
-  return callouts_fit(annotations.items.size(), detail::frame_of(paper, border),
-                      rest_of(frame, plan), CalloutSizes(style, largest_number(annotations.items)),
-                      style.layout);
+  return callouts_fit(annotations.items.size(), inside(paper, border), rest_of(frame, plan),
+                      CalloutSizes(style, largest_number(annotations.items)), style.layout);
 }
 
 void annotate(Drawing& drawing, const LabelMap& seen, const LabelMap& glass,
@@ -355,7 +354,7 @@ void annotate(Drawing& drawing, const LabelMap& seen, const LabelMap& glass,
   drawing.areas = find_areas(glass);
   for (Area& area : find_areas(seen)) drawing.areas.push_back(std::move(area));
   const Paper paper{drawing.paper_width, drawing.paper_height};
-  const Box2 frame = detail::frame_of(paper, annotations.margin);
+  const Box2 frame = inside(paper, annotations.margin);
   const auto plan = list_plan(annotations, style, frame);
   if (annotations.callouts) {
     add_callouts(drawing, seen, glass, rest_of(frame, plan), annotations, style, context);
@@ -365,20 +364,20 @@ void annotate(Drawing& drawing, const LabelMap& seen, const LabelMap& glass,
 
 Box2 beside_parts_list(const Annotations& annotations, const CalloutOptions& style,
                        const Paper& paper) {
-  const Box2 frame = detail::frame_of(paper, annotations.margin);
+  const Box2 frame = inside(paper, annotations.margin);
   return rest_of(frame, list_plan(annotations, style, frame));
 }
 
 std::optional<Box2> parts_list_box(const Annotations& annotations, const CalloutOptions& style,
                                    const Paper& paper) {
-  const auto plan = list_plan(annotations, style, detail::frame_of(paper, annotations.margin));
+  const auto plan = list_plan(annotations, style, inside(paper, annotations.margin));
   return plan ? std::optional(plan->box) : std::nullopt;
 }
 
 void lay_parts_list(Drawing& drawing, const Annotations& annotations, const CalloutOptions& style) {
   const Paper paper{drawing.paper_width, drawing.paper_height};
-  add_list(drawing, list_plan(annotations, style, detail::frame_of(paper, annotations.margin)),
-           annotations, style);
+  add_list(drawing, list_plan(annotations, style, inside(paper, annotations.margin)), annotations,
+           style);
 }
 
 }  // namespace burin

@@ -2,7 +2,7 @@
 #include <burin/drawing/font.h>
 #include <burin/drawing/length.h>
 
-#include "circle.h"
+#include "frame_path.h"
 
 #include <algorithm>
 #include <cmath>
@@ -15,20 +15,14 @@
 namespace burin {
 namespace {
 
+using detail::line;
+
 constexpr double kAbove = 0.4;  // of the height of letters: between a circle and its letter
 // The symbol, paper mm: the diameters of the truncated cone and its length (1:2 and as long as the
 // larger), its two views this far apart.
 constexpr double kSmall = 4, kLarge = 8, kLength = 8, kApart = 4;
 // Paper mm that centre lines stand out.
 constexpr double kOut = 1.5;
-
-Path line(Vec2 a, Vec2 b, double width) {
-  Path path;
-  path.kind = LineClass::Frame;
-  path.points = {a, b};
-  path.width = {width};
-  return path;
-}
 
 /// Paper mm of ink of a drawing in a box.
 double ink_in(const Drawing& drawing, const Box2& box) {

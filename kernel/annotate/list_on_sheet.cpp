@@ -3,6 +3,8 @@
 #include <burin/annotate/list_pages.h>
 #include <burin/drawing/font.h>
 
+#include "frame_path.h"
+
 #include <algorithm>
 #include <cmath>
 #include <string>
@@ -21,19 +23,7 @@ constexpr double kRounding = 1e-6;  // paper mm
 constexpr double kTallest = 0.6;    // share of the frame that one block takes before there are two
 constexpr double kLeast = 0.3;      // share of the frame that the drawing keeps
 
-Path line(Vec2 a, Vec2 b, double width) {
-  Path path;
-  path.kind = LineClass::Frame;
-  path.points = {a, b};
-  path.width = {width};
-  return path;
-}
-
 }  // namespace
-
-Box2 frame_of(const Paper& paper, const Margin& m) {
-  return {{m.left, m.bottom}, {paper.width - m.right, paper.height - m.top}};
-}
 
 ListPlan columns_of(std::span<const DrawingItem> items, const CalloutOptions& style) {
   const double h = style.list_height;
@@ -130,7 +120,7 @@ namespace burin {
 
 std::vector<Drawing> list_pages(std::span<const DrawingItem> items, const CalloutOptions& style,
                                 const Paper& paper, const Margin& margin) {
-  const Box2 frame = detail::frame_of(paper, margin);
+  const Box2 frame = inside(paper, margin);
   detail::ListPlan plan = detail::columns_of(items, style);
   plan.downwards = true;
   plan.name = std::min(plan.name, frame.size().x - plan.number - plan.quantity);

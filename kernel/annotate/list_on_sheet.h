@@ -10,9 +10,6 @@
 
 namespace burin::detail {
 
-/// The sheet without a border.
-Box2 frame_of(const Paper& paper, const Margin& margin);
-
 /// Where the list stands and how it is parted: blocks of rows beside each other, from the right.
 struct ListPlan {
   Box2 box;

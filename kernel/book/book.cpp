@@ -11,14 +11,6 @@
 namespace burin {
 namespace {
 
-std::vector<bool> drawn_of(const Scene& scene, const IllustrateOptions& options) {
-  std::vector<bool> drawn(scene.parts.size(), true);
-  for (std::size_t i = 0; i < drawn.size() && i < options.part_styles.size(); ++i) {
-    drawn[i] = options.part_styles[i].drawn;
-  }
-  return drawn;
-}
-
 /// What is said of numbers says of which step.
 Diagnostics of_page(const Diagnostics& said, std::size_t number) {
   Diagnostics out;
@@ -36,7 +28,7 @@ Book make_book(const Scene& scene, const ExplodeModel& model, const std::vector<
                RunContext& context) {
   Book out;
   if (options.annotations) out.items = options.annotations->items;
-  const std::vector<bool> drawn = drawn_of(scene, options);
+  const std::vector<bool> drawn = drawn_parts(scene, options.part_styles);
   detail::PageMaker maker{scene, model, book, style, options, drawn, {}, context};
   maker.item_of.resize(scene.parts.size());
   std::vector<int> item_of;

@@ -3,7 +3,6 @@
 #include <burin/annotate/details.h>
 #include <burin/drawing/font.h>
 #include <burin/drawing/views.h>
-#include <burin/surface/placed_form.h>
 
 #include "show.h"
 
@@ -88,9 +87,7 @@ class Page {
   BookPage make(std::size_t number) {
     const Scenery scenery = move_apart();
     const std::vector<Kind> kinds = kinds_of();
-    const Margin& m = maker_.book.margin;
-    const Paper& paper = maker_.book.view.paper;
-    const Box2 frame{{m.left, m.bottom}, {paper.width - m.right, paper.height - m.top}};
+    const Box2 frame = inside(maker_.book.view.paper, maker_.book.margin);
     Vec2 head = text_size(number);
     const Look look =
         best_look(maker_.model.proxies(), step_, scenery.moved, maker_.book.view, maker_.context);
@@ -119,7 +116,7 @@ class Page {
 
   /// What is new stands before its place.
   Scenery move_apart() const {
-    Scenery out{maker_.scene, std::vector<Vec3>(maker_.scene.parts.size(), Vec3(0)), {}};
+    Scenery out{maker_.scene, {}, {}};
     Box3 box;
     for (const std::size_t part : step_.parts()) {
       box.add(maker_.scene.parts[part].form->bounds(Mat3(1)));
@@ -127,17 +124,13 @@ class Page {
     std::vector<ExplodeStep> steps;
     std::vector<bool> there(maker_.scene.parts.size(), false);
     for (const std::size_t part : step_.parts()) there[part] = true;
-    std::map<const Form*, Placer> placers;
     for (const BuildMove& move : step_.moves) {
       const double by =
           maker_.model.way_out(move.parts, step_.standing, move.along) + kGap * box.diagonal();
       steps.push_back({move.parts, move.along, by, true});
-      for (const std::size_t part : move.parts) {
-        out.moved[part] = by * move.along;
-        std::shared_ptr<const Form>& form = out.scene.parts[part].form;
-        form = placers.try_emplace(form.get(), form).first->second.at({Mat3(1), out.moved[part]});
-      }
     }
+    out.moved = moves_of(steps, maker_.scene.parts.size(), 1);
+    move_parts(out.scene, out.moved);
     out.trails = maker_.model.trails(steps, 1, there);
     return out;
   }
@@ -226,13 +219,13 @@ class Page {
                       options, maker_.context);
   }
 
-  /// Options by which these parts alone are drawn.
+  /// Options by which these parts alone, ascending, are drawn.
   IllustrateOptions alone(const std::vector<std::size_t>& parts) const {
     IllustrateOptions options = maker_.options;
     options.annotations.reset();
     options.part_styles.resize(maker_.scene.parts.size());
     for (std::size_t i = 0; i < options.part_styles.size(); ++i) {
-      if (std::ranges::find(parts, i) == parts.end()) options.part_styles[i].drawn = false;
+      if (!std::ranges::binary_search(parts, i)) options.part_styles[i].drawn = false;
     }
     return options;
   }
@@ -255,10 +248,8 @@ class Page {
     over.items = new_items();
     over.callouts = maker_.book.callouts;
     const Paper& paper = maker_.book.view.paper;
-    over.margin = {paper.height - box.max.y, paper.width - box.max.x, box.min.y, box.min.x};
-    const Margin with_numbers = annotation_margin(over, maker_.style.callout, paper);
-    const Box2 inner{{with_numbers.left, with_numbers.bottom},
-                     {paper.width - with_numbers.right, paper.height - with_numbers.top}};
+    over.margin = margin_about(box, paper);
+    const Box2 inner = inside(paper, annotation_margin(over, maker_.style.callout, paper));
     return draw_in(scenery.scene, options, view_of(look, inner), inner);
   }
 

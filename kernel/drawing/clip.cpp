@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <map>
 #include <optional>
 #include <utility>
@@ -192,5 +193,32 @@ std::vector<Path> clipped(const Path& path, const Box2& window, const DrawingVie
 std::vector<Path> clipped(const Path& path, const Disc& disc, const DrawingView* view) {
   return cut(path, disc, view);
 }
+
+namespace {
+
+template <class Window>
+void clip_all(const Window& window, Drawing& drawing) {
+  drawing.stats.strokes = 0;
+  for (Layer& layer : drawing.layers) {
+    std::vector<Path> kept;
+    for (Path& path : layer.paths) {
+      if (lies_in(path, window)) {
+        kept.push_back(std::move(path));
+      } else {
+        std::vector<Path> pieces = clipped(path, window, &drawing.view);
+        kept.insert(kept.end(), std::make_move_iterator(pieces.begin()),
+                    std::make_move_iterator(pieces.end()));
+      }
+    }
+    layer.paths = std::move(kept);
+    for (const Path& path : layer.paths) drawing.stats.strokes += path.kind == LineClass::Stroke;
+  }
+  std::erase_if(drawing.layers, [](const Layer& layer) { return layer.paths.empty(); });
+}
+
+}  // namespace
+
+void clip_to(const Box2& window, Drawing& drawing) { clip_all(window, drawing); }
+void clip_to(const Disc& disc, Drawing& drawing) { clip_all(disc, drawing); }
 
 }  // namespace burin

@@ -24,6 +24,14 @@ Box3 drawn_bounds(const Scene& scene, std::span<const PartStyle> part_styles, co
   return box.empty() ? scene.bounds(axes) : box;
 }
 
+std::vector<bool> drawn_parts(const Scene& scene, std::span<const PartStyle> part_styles) {
+  std::vector<bool> drawn(scene.parts.size(), true);
+  for (std::size_t i = 0; i < drawn.size() && i < part_styles.size(); ++i) {
+    drawn[i] = part_styles[i].drawn;
+  }
+  return drawn;
+}
+
 Drawing illustrate(const Scene& scene, const Camera& camera, const Style& style,
                    const IllustrateOptions& options, RunContext& context) {
   return detail::Stages().draw(scene, camera, style, options, false, context);

@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <string>
 #include <utility>
 
@@ -51,26 +50,6 @@ Box2 bounds(const Drawing& drawing) {
     }
   }
   return box;
-}
-
-// Returns whether anything was cut.
-void clip_to(const Box2& sheet, Drawing& drawing) {
-  drawing.stats.strokes = 0;
-  for (Layer& layer : drawing.layers) {
-    std::vector<Path> kept;
-    for (Path& path : layer.paths) {
-      if (lies_in(path, sheet)) {
-        kept.push_back(std::move(path));
-      } else {
-        std::vector<Path> pieces = clipped(path, sheet, &drawing.view);
-        kept.insert(kept.end(), std::make_move_iterator(pieces.begin()),
-                    std::make_move_iterator(pieces.end()));
-      }
-    }
-    layer.paths = std::move(kept);
-    for (const Path& path : layer.paths) drawing.stats.strokes += path.kind == LineClass::Stroke;
-  }
-  std::erase_if(drawing.layers, [](const Layer& layer) { return layer.paths.empty(); });
 }
 
 }  // namespace

@@ -2,16 +2,10 @@
 #include <burin/illustrate/sheet.h>
 
 #include <algorithm>
-#include <iterator>
 #include <utility>
 
 namespace burin {
 namespace {
-
-/// The room of a box on a sheet as a margin has it.
-Margin margin_about(const Box2& box, const Paper& paper) {
-  return {paper.height - box.max.y, paper.width - box.max.x, box.min.y, box.min.x};
-}
 
 /// What of the options holds for one view of several.
 IllustrateOptions options_of(const PlacedView& view, const IllustrateOptions& all) {
@@ -26,25 +20,6 @@ IllustrateOptions options_of(const PlacedView& view, const IllustrateOptions& al
   options.annotations->parts_list = false;  // one a sheet
   options.annotations->margin = margin_about(view.box, view.camera.paper());
   return options;
-}
-
-/// Leaves out what a detail does not show.
-void keep_within(const Disc& disc, Drawing& drawing) {
-  drawing.stats.strokes = 0;
-  for (Layer& layer : drawing.layers) {
-    std::vector<Path> kept;
-    for (Path& path : layer.paths) {
-      if (lies_in(path, disc)) {
-        kept.push_back(std::move(path));
-        continue;
-      }
-      std::vector<Path> pieces = clipped(path, disc, &drawing.view);
-      std::move(pieces.begin(), pieces.end(), std::back_inserter(kept));
-    }
-    layer.paths = std::move(kept);
-    drawing.stats.strokes += std::ranges::count(layer.paths, LineClass::Stroke, &Path::kind);
-  }
-  std::erase_if(drawing.layers, [](const Layer& layer) { return layer.paths.empty(); });
 }
 
 void tell_not_shown(const PlacedView& view, Drawing& drawing) {
@@ -72,7 +47,7 @@ Drawing draw_view(const Scene& scene, const PlacedView& view, const Style& style
   Style whole = style;
   whole.sheet.clip = false;  // the circle cuts it
   Drawing drawing = session.draw(scene, view.camera, whole, options, context);
-  keep_within(*view.within, drawing);
+  clip_to(*view.within, drawing);
   tell_not_shown(view, drawing);
   return drawing;
 }

@@ -1,6 +1,7 @@
 #include <burin/assembly/select.h>
 #include <burin/base/error.h>
 #include <burin/explode/explode.h>
+#include <burin/surface/placed_form.h>
 #include <burin/visibility/occluder.h>
 
 #include "contacts.h"
@@ -13,6 +14,8 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <map>
+#include <memory>
 #include <utility>
 
 namespace burin {
@@ -232,6 +235,15 @@ std::vector<Vec3> moves_of(const std::vector<ExplodeStep>& steps, std::size_t co
     for (const std::size_t part : step.parts) moves[part] += factor * step.by * step.along;
   }
   return moves;
+}
+
+void move_parts(Scene& scene, const std::vector<Vec3>& moves) {
+  std::map<const Form*, Placer> placers;
+  for (std::size_t i = 0; i < scene.parts.size(); ++i) {
+    if (moves[i] == Vec3(0)) continue;
+    std::shared_ptr<const Form>& form = scene.parts[i].form;
+    form = placers.try_emplace(form.get(), form).first->second.at({Mat3(1), moves[i]});
+  }
 }
 
 std::vector<std::string> selectors_of(const Scene& scene, const std::vector<std::size_t>& parts) {

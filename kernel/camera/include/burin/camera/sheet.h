@@ -17,6 +17,16 @@ struct Margin {
   bool even() const { return top == right && right == bottom && bottom == left; }
 };
 
+/// What a margin leaves of a sheet, paper mm.
+inline Box2 inside(const Paper& paper, const Margin& m) {
+  return {{m.left, m.bottom}, {paper.width - m.right, paper.height - m.top}};
+}
+
+/// The margin that leaves a box of a sheet.
+inline Margin margin_about(const Box2& box, const Paper& paper) {
+  return {paper.height - box.max.y, paper.width - box.max.x, box.min.y, box.min.x};
+}
+
 /// Sides in mm of a sheet that a user may mean; beyond, somebody mistook the unit.
 inline constexpr double kLeastSheet = 5;
 inline constexpr double kLargestSheet = 10000;

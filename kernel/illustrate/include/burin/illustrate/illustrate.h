@@ -82,6 +82,9 @@ struct IllustrateOptions {
 Box3 drawn_bounds(const Scene& scene, std::span<const PartStyle> part_styles,
                   const Mat3& axes = Mat3(1));
 
+/// Which parts are drawn, one a part. `part_styles`: as in IllustrateOptions.
+std::vector<bool> drawn_parts(const Scene& scene, std::span<const PartStyle> part_styles);
+
 /// Draws `scene` as `camera` sees it. Stages timed on `context`: build curvature field cover trace
 /// features visibility compose verify. Diagnostics tell of parts whose strokes have no direction to
 /// follow, of a drawing that is empty, off the sheet, cut at its edge or no larger than a dot.

@@ -53,6 +53,9 @@ struct Explosion {
 /// together, 1 apart.
 std::vector<Vec3> moves_of(const std::vector<ExplodeStep>& steps, std::size_t count, double factor);
 
+/// Moves the parts of a scene by so many model mm, one a part; copies of one shape stay that.
+void move_parts(Scene& scene, const std::vector<Vec3>& moves);
+
 /// Selectors (burin/assembly/select.h) that name these parts and no others: an assembly where all
 /// its parts are meant, else a path, else a number.
 std::vector<std::string> selectors_of(const Scene& scene, const std::vector<std::size_t>& parts);

@@ -1,5 +1,5 @@
 #pragma once
-// Circles of what is laid over a drawing; internal to the room.
+// Lines and circles of what is laid over a drawing, of kind Frame; internal to the room.
 
 #include <burin/drawing/drawing.h>
 
@@ -9,7 +9,15 @@
 
 namespace burin::detail {
 
-/// Of kind Frame, within 0.01 mm of paper.
+inline Path line(Vec2 a, Vec2 b, double width) {
+  Path path;
+  path.kind = LineClass::Frame;
+  path.points = {a, b};
+  path.width = {width};
+  return path;
+}
+
+/// Within 0.01 mm of paper.
 inline Path circle(Vec2 center, double radius, double width) {
   constexpr int kLeast = 48, kMost = 720;
   constexpr double kError = 0.01;
