@@ -1,0 +1,43 @@
+#pragma once
+// The 2-D nodes of a tree, and how they become solids; for converters/openscad alone.
+
+#include <burin/base/diagnostics.h>
+#include <burin/base/run_context.h>
+
+#include "solid.h"
+#include "tree.h"
+
+#include <filesystem>
+#include <span>
+
+namespace burin::csg {
+
+/// What all nodes of one evaluation share.
+struct Evaluation {
+  const Tree& tree;
+  /// Where relative file names begin.
+  std::filesystem::path folder;
+  RunContext& run;
+  /// What a user should know: text without glyphs, an import that is not there.
+  Diagnostics diagnostics;
+};
+
+/// Whether a node is of two dimensions, by itself or (groups, hulls, ...) by its first child that
+/// says so; for every node of the tree, in one pass. What OpenSCAD ignores with a warning (a 2-D
+/// child among solids) is ignored here too and told in the diagnostics of the evaluation.
+enum class Dimension : std::uint8_t { None, Flat, Solid };
+std::vector<Dimension> dimensions(const Tree& tree);
+
+/// square, circle, polygon, text, import of DXF and SVG.
+Region leaf_region(Evaluation& e, std::uint32_t node);
+/// Every 2-D node with 2-D children: union, group, difference, intersection, offset, hull,
+/// minkowski, resize, multmatrix, color, render. `children` in order, those without area are empty.
+Region combine_regions(Evaluation& e, std::uint32_t node, std::span<const Region> children);
+/// linear_extrude and rotate_extrude.
+Solid extruded(Evaluation& e, std::uint32_t node, const Region& region);
+/// projection, cut or not.
+Region projected(Evaluation& e, std::uint32_t node, const Solid& solid);
+/// import of STL, OFF, 3MF, AMF, NEF3 and surface.
+Solid file_solid(Evaluation& e, std::uint32_t node);
+
+}  // namespace burin::csg
