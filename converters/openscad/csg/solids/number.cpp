@@ -1,0 +1,186 @@
+#include "number.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <string>
+
+namespace burin::csg {
+namespace {
+
+constexpr std::size_t kMostBits = 2000;
+
+mpz_class dot(const Exact& a, const Exact& b) {
+  return a.c[0] * b.c[0] + a.c[1] * b.c[1] + a.c[2] * b.c[2] + a.c[3] * b.c[3];
+}
+
+/// Takes the common power of two out: the only common factor that products of doubles are sure to
+/// gather.
+void shorten(Exact& e) {
+  mp_bitcnt_t twos = ~mp_bitcnt_t{0};
+  for (const mpz_class& v : e.c) {
+    if (v != 0) twos = std::min(twos, mpz_scan1(v.get_mpz_t(), 0));
+  }
+  if (twos == 0 || twos == ~mp_bitcnt_t{0}) return;
+  for (mpz_class& v : e.c) mpz_tdiv_q_2exp(v.get_mpz_t(), v.get_mpz_t(), twos);
+}
+
+void turn_positive(Exact& point) {
+  if (point.c[3] < 0) {
+    for (mpz_class& v : point.c) v = -v;
+  }
+  shorten(point);
+}
+
+Exact homogeneous(const std::array<mpq_class, 3>& p) {
+  Exact out;
+  mpz_class& w = out.c[3];
+  w = 1;
+  for (const mpq_class& v : p) mpz_lcm(w.get_mpz_t(), w.get_mpz_t(), v.get_den_mpz_t());
+  for (std::size_t i = 0; i < 3; ++i) out.c[i] = p[i].get_num() * (w / p[i].get_den());
+  return out;
+}
+
+/// GMP cuts off; the next double may be nearer.
+double nearest_double(const mpq_class& v) {
+  const double low = v.get_d(), high = std::nextafter(low, v > 0 ? HUGE_VAL : -HUGE_VAL);
+  return abs(mpq_class(high) - v) < abs(mpq_class(low) - v) ? high : low;
+}
+
+void find_nearest(ExactMatrix& m) {
+  m.identity = true;
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t j = 0; j < 4; ++j) {
+      if (mpz_sizeinbase(m.row[i][j].get_den_mpz_t(), 2) > kMostBits ||
+          mpz_sizeinbase(m.row[i][j].get_num_mpz_t(), 2) > kMostBits) {
+        m.row[i][j] = decimal(m.row[i][j].get_d());
+      }
+      m.nearest.row[i][j] = nearest_double(m.row[i][j]);
+      m.identity = m.identity && m.row[i][j] == (i == j ? 1 : 0);
+    }
+    m.plain[i] = decimal(m.nearest.row[i][3]) == m.row[i][3];
+  }
+}
+
+mpz_class minor(const Exact& p, const Exact& q, const Exact& r, std::size_t i, std::size_t j,
+                std::size_t k) {
+  return p.c[i] * (q.c[j] * r.c[k] - q.c[k] * r.c[j]) -
+         p.c[j] * (q.c[i] * r.c[k] - q.c[k] * r.c[i]) +
+         p.c[k] * (q.c[i] * r.c[j] - q.c[j] * r.c[i]);
+}
+
+}  // namespace
+
+mpq_class decimal(double v) {
+  std::array<char, 40> text{};  // zeros behind the exponent
+  const auto end =
+      std::to_chars(text.data(), text.data() + text.size(), v, std::chars_format::scientific);
+  const std::string_view word(text.data(), static_cast<std::size_t>(end.ptr - text.data()));
+  const std::size_t e = word.find('e'), dot = word.find('.');
+  std::string digits(word.substr(0, e));
+  long power = std::strtol(word.data() + e + 1, nullptr, 10);
+  if (dot != std::string_view::npos) {
+    power -= static_cast<long>(e - dot - 1);
+    digits.erase(dot, 1);
+  }
+  mpz_class scale;
+  mpz_ui_pow_ui(scale.get_mpz_t(), 10, static_cast<unsigned long>(std::abs(power)));
+  mpq_class out{mpz_class(digits)};
+  if (power < 0) {
+    out.get_den() = scale;
+    out.canonicalize();
+  } else {
+    out.get_num() *= scale;
+  }
+  return out;
+}
+
+ExactMatrix exact(const Matrix& m) {
+  ExactMatrix out;
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t j = 0; j < 4; ++j) out.row[i][j] = decimal(m.row[i][j]);
+  }
+  find_nearest(out);
+  return out;
+}
+
+ExactMatrix multiply(const ExactMatrix& a, const ExactMatrix& b) {
+  if (a.identity) return b;
+  if (b.identity) return a;
+  ExactMatrix out;
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t j = 0; j < 4; ++j) {
+      if (j == 3) out.row[i][j] = a.row[i][3];
+      for (std::size_t k = 0; k < 3; ++k) {
+        if (a.row[i][k] != 0 && b.row[k][j] != 0) out.row[i][j] += a.row[i][k] * b.row[k][j];
+      }
+    }
+  }
+  find_nearest(out);
+  return out;
+}
+
+Exact transformed(const ExactMatrix& m, Vec3 p) {
+  std::array<mpq_class, 3> out;
+  for (std::size_t i = 0; i < 3; ++i) {
+    out[i] = m.row[i][3];
+    for (int j = 0; j < 3; ++j) {
+      if (p[j] != 0) out[i] += m.row[i][static_cast<std::size_t>(j)] * decimal(p[j]);
+    }
+  }
+  return homogeneous(out);
+}
+
+Exact exact_point(Vec3 p) { return homogeneous({decimal(p.x), decimal(p.y), decimal(p.z)}); }
+
+Exact plane_through(const Exact& a, const Exact& b, const Exact& c) {
+  Exact out;
+  out.c[0] = minor(a, b, c, 1, 2, 3);
+  out.c[1] = -minor(a, b, c, 0, 2, 3);
+  out.c[2] = minor(a, b, c, 0, 1, 3);
+  out.c[3] = -minor(a, b, c, 0, 1, 2);
+  shorten(out);
+  return out;
+}
+
+Exact meet(const Exact& u, const Exact& v, const Exact& plane) {
+  const mpz_class a = dot(u, plane), b = dot(v, plane);
+  Exact out;
+  for (std::size_t i = 0; i < 4; ++i) out.c[i] = b * u.c[i] - a * v.c[i];
+  turn_positive(out);
+  return out;
+}
+
+Exact meet_planes(const Exact& p, const Exact& q, const Exact& r) {
+  Exact out = plane_through(p, q, r);  // the same four determinants, points and planes being dual
+  turn_positive(out);
+  return out;
+}
+
+int side(const Exact& point, const Exact& plane) { return sgn(dot(point, plane)); }
+
+int compare(const Exact& a, const Exact& b, std::size_t axis) {
+  return sgn(mpz_class(a.c[axis] * b.c[3] - b.c[axis] * a.c[3]));
+}
+
+bool equal_points(const Exact& a, const Exact& b) {
+  return compare(a, b, 0) == 0 && compare(a, b, 1) == 0 && compare(a, b, 2) == 0;
+}
+
+int turn(const Exact& a, const Exact& b, const Exact& c, std::size_t i, std::size_t j) {
+  return sgn(minor(a, b, c, i, j, 3));
+}
+
+Vec3 nearest(const Exact& point) {
+  Vec3 out;
+  mpq_class q;
+  for (std::size_t i = 0; i < 3; ++i) {
+    q.get_num() = point.c[i];
+    q.get_den() = point.c[3];
+    q.canonicalize();
+    out[static_cast<int>(i)] = q.get_d();
+  }
+  return out;
+}
+
+}  // namespace burin::csg

@@ -1,0 +1,60 @@
+#pragma once
+// Solids that are not worked out yet: what is to be united, cut and moved; for csg/solids alone.
+
+#include "../solid.h"
+#include "number.h"
+
+#include <burin/base/box.h>
+#include <burin/base/run_context.h>
+
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <vector>
+
+namespace burin::csg {
+
+using ShapeId = std::uint32_t;
+inline constexpr ShapeId kNothing = ~ShapeId{0};
+
+/// A store of shapes that share their parts. Nothing is cut before `solid` asks for it, and then all
+/// of it in one step for whatever touches.
+class Shapes {
+ public:
+  /// `tangled`: it may cut itself.
+  ShapeId leaf(Solid solid, bool tangled = false);
+  ShapeId united(std::vector<ShapeId> parts);
+  /// The first without the others. Nothing where the first is nothing.
+  ShapeId difference(std::vector<ShapeId> parts);
+  /// Nothing where one of them is.
+  ShapeId intersection(std::vector<ShapeId> parts);
+  ShapeId moved(ShapeId shape, const Matrix& m);
+
+  /// Works a shape out. Throws GeometryError where that cannot be done.
+  Solid solid(ShapeId shape, RunContext& context, const std::function<void(double)>& share);
+  /// All corners of the leaves of a shape of unions alone; of others of what it works out to.
+  std::vector<Vec3> points(ShapeId shape, RunContext& context);
+  /// How many nodes of cuts stand within each other.
+  std::uint32_t depth(ShapeId shape) const { return shape == kNothing ? 0 : shapes_[shape].depth; }
+
+ private:
+  enum class Kind : std::uint8_t { Leaf, Union, Difference, Intersection, Moved };
+  struct Shape {
+    Kind kind = Kind::Leaf;
+    bool tangled = false;
+    /// No cuts below.
+    bool plain = true;
+    std::uint32_t depth = 0;
+    std::uint32_t leaf = 0, matrix = 0;
+    std::vector<ShapeId> parts;
+  };
+  friend class Gather;
+
+  ShapeId add(Kind kind, std::vector<ShapeId> parts);
+
+  std::vector<Shape> shapes_;
+  std::vector<Solid> leaves_;
+  std::vector<Matrix> matrices_;
+};
+
+}  // namespace burin::csg

@@ -1,0 +1,105 @@
+#include "triangulate.h"
+
+#include <burin/base/error.h>
+
+#include <CGAL/Constrained_Delaunay_triangulation_2.h>
+#include <CGAL/Constrained_triangulation_face_base_2.h>
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Triangulation_face_base_with_info_2.h>
+#include <CGAL/Triangulation_vertex_base_with_info_2.h>
+#include <CGAL/gmpxx.h>
+
+#include <algorithm>
+#include <optional>
+
+namespace burin::csg {
+namespace {
+
+using Rounded = CGAL::Exact_predicates_inexact_constructions_kernel;
+using Rational = CGAL::Simple_cartesian<mpq_class>;
+
+template <typename K>
+struct Kinds {
+  using Corner = CGAL::Triangulation_vertex_base_with_info_2<Id, K>;
+  using Face = CGAL::Constrained_triangulation_face_base_2<
+      K, CGAL::Triangulation_face_base_with_info_2<Id, K>>;
+  using Data = CGAL::Triangulation_data_structure_2<Corner, Face>;
+  // Rounding can make edges cross: it is then done again with exact numbers.
+  using Type =
+      CGAL::Constrained_Delaunay_triangulation_2<K, Data,
+                                                 CGAL::No_constraint_intersection_requiring_constructions_tag>;
+};
+
+Rounded::Point_2 place(Rounded, Space& space, Id point, int i, int j) {
+  const Vec3 p = space.at(point);
+  return {p[i], p[j]};
+}
+Rational::Point_2 place(Rational, Space& space, Id point, int i, int j) {
+  const Exact& e = space.exact_point(point);
+  const auto number = [&](int axis) {
+    mpq_class v(e.c[static_cast<std::size_t>(axis)], e.c[3]);
+    v.canonicalize();
+    return v;
+  };
+  return {number(i), number(j)};
+}
+
+template <typename K>
+std::optional<Triangulation> attempt(Space& space, Id plane,
+                                     std::span<const std::array<Id, 2>> edges) {
+  using Cdt = typename Kinds<K>::Type;
+  Cdt cdt;
+  const int axis = space.main_axis(plane), i = (axis + 1) % 3, j = (axis + 2) % 3;
+  std::vector<Id> ids;
+  for (const auto& e : edges) ids.insert(ids.end(), e.begin(), e.end());
+  std::ranges::sort(ids);
+  ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
+  std::vector<std::pair<typename K::Point_2, Id>> points;
+  points.reserve(ids.size());
+  for (const Id id : ids) points.emplace_back(place(K{}, space, id, i, j), id);
+  cdt.insert(points.begin(), points.end());
+  if (cdt.number_of_vertices() != ids.size()) return std::nullopt;
+  std::vector<typename Cdt::Vertex_handle> handle(ids.size());
+  const auto index = [&](Id id) {
+    return static_cast<std::size_t>(std::ranges::lower_bound(ids, id) - ids.begin());
+  };
+  for (auto v = cdt.finite_vertices_begin(); v != cdt.finite_vertices_end(); ++v) {
+    handle[index(v->info())] = v;
+  }
+  try {
+    for (const auto& e : edges) cdt.insert_constraint(handle[index(e[0])], handle[index(e[1])]);
+  } catch (const typename Cdt::Intersection_of_constraints_exception&) {
+    return std::nullopt;
+  }
+  for (const auto& e : edges) {
+    typename Cdt::Face_handle f;
+    int k = 0;
+    if (!cdt.is_edge(handle[index(e[0])], handle[index(e[1])], f, k)) return std::nullopt;
+  }
+  Triangulation out;
+  for (auto f = cdt.finite_faces_begin(); f != cdt.finite_faces_end(); ++f) {
+    f->info() = static_cast<Id>(out.triangles.size());
+    out.triangles.push_back({f->vertex(0)->info(), f->vertex(1)->info(), f->vertex(2)->info()});
+  }
+  for (auto f = cdt.finite_faces_begin(); f != cdt.finite_faces_end(); ++f) {
+    auto& next = out.neighbor.emplace_back();
+    auto& is_edge = out.is_edge.emplace_back();
+    for (std::size_t k = 0; k < 3; ++k) {
+      const auto n = f->neighbor(static_cast<int>(k));
+      next[k] = cdt.is_infinite(n) ? kNone : n->info();
+      is_edge[k] = f->is_constrained(static_cast<int>(k));
+    }
+  }
+  return out;
+}
+
+}  // namespace
+
+Triangulation triangulate(Space& space, Id plane, std::span<const std::array<Id, 2>> edges) {
+  if (auto out = attempt<Rounded>(space, plane, edges)) return std::move(*out);
+  if (auto out = attempt<Rational>(space, plane, edges)) return std::move(*out);
+  throw GeometryError("edges of a facet cross");
+}
+
+}  // namespace burin::csg
