@@ -8,9 +8,13 @@
 #include "tree.h"
 
 #include <filesystem>
+#include <memory>
 #include <span>
+#include <vector>
 
 namespace burin::csg {
+
+class Fonts;
 
 /// What all nodes of one evaluation share.
 struct Evaluation {
@@ -19,7 +23,9 @@ struct Evaluation {
   std::filesystem::path folder;
   RunContext& run;
   /// What a user should know: text without glyphs, an import that is not there.
-  Diagnostics diagnostics;
+  Diagnostics diagnostics = {};
+  /// Those of this machine, once a text asks for one.
+  std::shared_ptr<Fonts> fonts = nullptr;
 };
 
 /// Whether a node is of two dimensions, by itself or (groups, hulls, ...) by its first child that

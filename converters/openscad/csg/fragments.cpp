@@ -52,9 +52,8 @@ int fragments(double r, const Fineness& f) {
   return static_cast<int>(count);
 }
 
-Vec2 corner(int i, int n) {
-  const double degrees = 360.0 * i / n;
-  return {sine(degrees + 90), sine(degrees)};
-}
+Vec2 corner(int i, int n) { return direction(360.0 * i / n); }
+
+Vec2 direction(double degrees) { return {sine(degrees + 90), sine(degrees)}; }
 
 }  // namespace burin::csg

@@ -22,5 +22,7 @@ int fragments(double r, const Fineness& fineness);
 
 /// Corner i of n on the unit circle; exact where sine and cosine are 0, 1/2 or 1.
 Vec2 corner(int i, int n);
+/// The point of the unit circle at an angle; exact at the same angles.
+Vec2 direction(double degrees);
 
 }  // namespace burin::csg

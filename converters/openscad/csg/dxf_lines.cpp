@@ -1,0 +1,111 @@
+#include "dxf_lines.h"
+
+#include "origins.h"
+
+#include <cmath>
+
+namespace burin::csg {
+namespace {
+
+// mm: OpenSCAD's coarse grid.
+constexpr double kCoarse = 0x1p-10;
+
+}  // namespace
+
+std::size_t DxfLines::PlaceHash::operator()(const Place& p) const {
+  return GridPointHash()({p.x, p.y});
+}
+
+std::uint32_t DxfLines::place(Vec2 p) {
+  on_grid(p);
+  Place at{static_cast<std::int64_t>(std::round(p.x / kCoarse)),
+           static_cast<std::int64_t>(std::round(p.y / kCoarse))};
+  if (!numbers_.contains(at)) {
+    // The nearest of the eight places around it that is taken.
+    const Place middle = at;
+    std::int64_t best = 3;
+    for (std::int64_t x = middle.x - 1; x <= middle.x + 1; ++x) {
+      for (std::int64_t y = middle.y - 1; y <= middle.y + 1; ++y) {
+        const std::int64_t distance = std::abs(middle.x - x) + std::abs(middle.y - y);
+        if (distance >= best || !numbers_.contains({x, y})) continue;
+        best = distance;
+        at = {x, y};
+      }
+    }
+  }
+  const auto [found, is_new] = numbers_.try_emplace(at, static_cast<std::uint32_t>(points_.size()));
+  if (is_new) {
+    points_.emplace_back(static_cast<double>(at.x) * kCoarse, static_cast<double>(at.y) * kCoarse);
+    at_.emplace_back();
+    left_at_.push_back(0);
+    begin_.push_back(0);
+  }
+  return found->second;
+}
+
+void DxfLines::add(Vec2 a, Vec2 b) {
+  const auto line = static_cast<std::uint32_t>(lines_.size());
+  const std::uint32_t from = place(a), to = place(b);
+  lines_.push_back({from, to});
+  used_.push_back(false);
+  for (const std::uint32_t p : {from, to}) {
+    at_[p].push_back(line);
+    ++left_at_[p];
+  }
+}
+
+bool DxfLines::loose(std::uint32_t line, int end) const {
+  if (lines_[line][0] == lines_[line][1]) return left_at_[lines_[line][0]] == 2;
+  return left_at_[lines_[line][static_cast<std::size_t>(end)]] == 1;
+}
+
+std::int64_t DxfLines::next_at(std::uint32_t place) {
+  std::vector<std::uint32_t>& lines = at_[place];
+  std::uint32_t& begin = begin_[place];
+  while (begin < lines.size() && used_[lines[begin]]) ++begin;
+  return begin < lines.size() ? lines[begin] : -1;
+}
+
+void DxfLines::follow(std::uint32_t line, int end, std::vector<Outline>& out) {
+  Outline outline;
+  std::vector<std::uint32_t> passed{lines_[line][static_cast<std::size_t>(end)]};
+  for (;;) {
+    used_[line] = true;
+    for (const std::uint32_t p : lines_[line]) --left_at_[p];
+    passed.push_back(lines_[line][static_cast<std::size_t>(1 - end)]);
+    const std::int64_t next = next_at(passed.back());
+    if (next < 0) break;
+    line = static_cast<std::uint32_t>(next);
+    end = lines_[line][0] == passed.back() ? 0 : 1;
+  }
+  // What hung on this chain alone may have a loose end now.
+  for (const std::uint32_t p : passed) {
+    outline.points.push_back(points_[p]);
+    if (left_at_[p] == 1) candidates_.push_back(static_cast<std::uint32_t>(next_at(p)));
+  }
+  if (passed.front() == passed.back()) outline.points.pop_back();
+  outline.arc.assign(outline.points.size(), -1);
+  if (outline.points.size() >= 3) out.push_back(std::move(outline));
+}
+
+std::vector<Outline> DxfLines::outlines() {
+  std::vector<Outline> out;
+  const auto count = static_cast<std::uint32_t>(lines_.size());
+  for (std::uint32_t i = 0; i < count; ++i) {
+    candidates_.push_back(i);
+    while (!candidates_.empty()) {
+      const std::uint32_t line = candidates_.back();
+      candidates_.pop_back();
+      for (const int end : {0, 1}) {
+        if (!used_[line] && loose(line, end)) follow(line, end, out);
+      }
+    }
+  }
+  for (std::uint32_t i = 0; i < count; ++i) {
+    if (!used_[i]) follow(i, 0, out);
+  }
+  candidates_.clear();
+  return out;
+}
+
+}  // namespace burin::csg

@@ -1,0 +1,50 @@
+#include "flat.h"
+
+#include "import_file.h"
+
+namespace burin::csg {
+namespace {
+
+/// None where the children say it.
+Dimension own_dimension(const Node& node) {
+  switch (node.module) {
+    case Module::Cube:
+    case Module::Sphere:
+    case Module::Cylinder:
+    case Module::Polyhedron:
+    case Module::Surface:
+    case Module::LinearExtrude:
+    case Module::RotateExtrude:
+      return Dimension::Solid;
+    case Module::Square:
+    case Module::Circle:
+    case Module::Polygon:
+    case Module::Text:
+    case Module::Offset:
+    case Module::Projection:
+      return Dimension::Flat;
+    case Module::Import: {
+      const std::string suffix = suffix_of(node.text("file"));
+      return suffix == ".dxf" || suffix == ".svg" ? Dimension::Flat : Dimension::Solid;
+    }
+    default:
+      return Dimension::None;
+  }
+}
+
+}  // namespace
+
+std::vector<Dimension> dimensions(const Tree& tree) {
+  std::vector<Dimension> out(tree.nodes.size(), Dimension::None);
+  // Children stand behind their parents.
+  for (auto i = static_cast<std::uint32_t>(tree.nodes.size()); i-- > 0;) {
+    out[i] = own_dimension(tree.nodes[i]);
+    if (out[i] != Dimension::None) continue;
+    for_each_child(tree, i, [&](std::uint32_t child) {
+      if (out[i] == Dimension::None && !tree.nodes[child].background) out[i] = out[child];
+    });
+  }
+  return out;
+}
+
+}  // namespace burin::csg

@@ -1,0 +1,41 @@
+#pragma once
+// Files that a tree names; for converters/openscad alone.
+
+#include <burin/base/missing_file.h>
+
+#include "at_node.h"
+#include "flat.h"
+
+#include <filesystem>
+#include <string>
+#include <utility>
+
+namespace burin::csg {
+
+/// The file of a node's argument "file"; relative ones begin at the folder of the evaluation.
+std::filesystem::path file_of(const Evaluation& e, std::uint32_t node);
+/// Its suffix, lowered, with the dot.
+std::string suffix_of(const std::filesystem::path& path);
+
+/// What `read` returns; where the file is not there nothing, which the diagnostics tell.
+template <typename Read>
+auto if_there(Evaluation& e, std::uint32_t node, Read&& read) -> decltype(read()) {
+  try {
+    return std::forward<Read>(read)();
+  } catch (const MissingFile& missing) {
+    tell(e, node, "openscad.no_file",
+         missing.file() + ": no such file; it is left out, as OpenSCAD does");
+    return {};
+  }
+}
+
+/// Outlines of a DXF file by the node's layer, origin and scale, as OpenSCAD reads them: lines,
+/// light polylines, circles, arcs, ellipses and blocks; what is open is closed. Throws InputError
+/// with the line where the file is no DXF.
+Region import_dxf(Evaluation& e, std::uint32_t node);
+/// The shapes of an SVG file, as OpenSCAD reads them. Throws InputError where it is no XML.
+Region import_svg(Evaluation& e, std::uint32_t node);
+/// The block below a grid of heights, from text or a PNG.
+Solid height_map(Evaluation& e, std::uint32_t node);
+
+}  // namespace burin::csg
