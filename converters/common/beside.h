@@ -1,5 +1,5 @@
 #pragma once
-/// Shared libraries of ours that are loaded when they are needed.
+/// Shared libraries and programs of ours that are loaded or started when they are needed.
 
 #include <string>
 
@@ -16,5 +16,8 @@ void* library_door(const char* file, const char* door, const LibraryWords& words
 
 /// Throws Error where `found`, the library's version, is not this program's.
 void check_library_version(const char* file, const char* found, const LibraryWords& words);
+
+/// The path of a program of ours: `file`, as "burin/NAME", from the folder that libburin is in.
+std::string program_beside(const char* file);
 
 }  // namespace burin

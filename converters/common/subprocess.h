@@ -38,6 +38,8 @@ struct SubprocessRun {
   /// Handed to the child as kChildFile; nullptr = none.
   const MemoryFile* file = nullptr;
   double timeout = 10;
+  /// Its lines tell how far it is: nothing else calls RunContext::progress.
+  bool tells_progress = false;
   /// Each line of its output and of its errors, at most kLongestLine bytes of it.
   std::function<void(const std::string& line)> line;
 };

@@ -41,7 +41,8 @@ class Divider {
       low_[s] = {std::min(a[i_], b[i_]) - e, std::min(a[j_], b[j_]) - e};
       high_[s] = {std::max(a[i_], b[i_]) + e, std::max(a[j_], b[j_]) + e};
     }
-    std::ranges::stable_sort(order, [&](std::uint32_t x, std::uint32_t y) { return low_[x].x < low_[y].x; });
+    std::ranges::stable_sort(
+        order, [&](std::uint32_t x, std::uint32_t y) { return low_[x].x < low_[y].x; });
     for (std::size_t k = 0; k < order.size(); ++k) {
       const std::uint32_t s = order[k];
       for (std::size_t l = k + 1; l < order.size() && low_[order[l]].x <= high_[s].x; ++l) {
@@ -205,11 +206,13 @@ class Pieces {
         const Id n = net_.neighbor[t][k];
         if (n == kNone || region_[n] != kNone) continue;
         const Part* p = part(t, k);
-        fill(n, toggled(covering_[region_[t]], p ? p->facets : std::vector<std::uint32_t>{}), seeds);
+        fill(n, toggled(covering_[region_[t]], p ? p->facets : std::vector<std::uint32_t>{}),
+             seeds);
       }
     }
   }
-  void fill(std::uint32_t seed, std::vector<std::uint32_t> covering, std::vector<std::uint32_t>& seeds) {
+  void fill(std::uint32_t seed, std::vector<std::uint32_t> covering,
+            std::vector<std::uint32_t>& seeds) {
     const auto r = static_cast<Id>(covering_.size());
     covering_.push_back(std::move(covering));
     largest_.push_back(seed);
@@ -248,7 +251,8 @@ class Pieces {
       std::vector<std::uint32_t> open{seed};
       done[seed] = 1;
       // Triangles turn about the main axis, facets about their outside.
-      const bool same = (space_.normal(sheet_.plane)[space_.main_axis(sheet_.plane)] > 0) == facet.along;
+      const bool same =
+          (space_.normal(sheet_.plane)[space_.main_axis(sheet_.plane)] > 0) == facet.along;
       while (!open.empty()) {
         const std::uint32_t t = open.back();
         open.pop_back();

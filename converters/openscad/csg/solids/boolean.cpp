@@ -13,7 +13,9 @@ namespace {
 
 using Kind = Formula::Kind;
 
-Box3 common(const Box3& a, const Box3& b) { return {glm::max(a.min, b.min), glm::min(a.max, b.max)}; }
+Box3 common(const Box3& a, const Box3& b) {
+  return {glm::max(a.min, b.min), glm::min(a.max, b.max)};
+}
 
 /// For every node a box of what it can be, and for every mesh one of where it matters.
 struct Boxes {
@@ -95,7 +97,9 @@ class Combiner {
       }
     }
   }
-  const Facet& facet(std::uint32_t i) const { return meshes_[facets_[i].mesh].facets[facets_[i].facet]; }
+  const Facet& facet(std::uint32_t i) const {
+    return meshes_[facets_[i].mesh].facets[facets_[i].facet];
+  }
 
   void pair() {
     std::vector<char> tangled;
@@ -143,7 +147,8 @@ class Combiner {
   }
 
   void judge(const Work& work, std::vector<Facet>& out) {
-    const Judge judge = [&](const std::array<Id, 3>& triangle, std::span<const std::uint32_t> covering) {
+    const Judge judge = [&](const std::array<Id, 3>& triangle,
+                            std::span<const std::uint32_t> covering) {
       return piece(work, triangle, covering);
     };
     std::array<Id, 3> triangle{};
@@ -265,8 +270,8 @@ class Combiner {
 
 }  // namespace
 
-Mesh combine(Space& space, std::span<const Mesh> meshes, const Formula& formula, RunContext& context,
-             const std::function<void(double)>& share) {
+Mesh combine(Space& space, std::span<const Mesh> meshes, const Formula& formula,
+             RunContext& context, const std::function<void(double)>& share) {
   Mesh out = Combiner(space, meshes, formula, context, share).run();
   straighten(space, out);
   return out;

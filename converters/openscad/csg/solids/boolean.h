@@ -1,9 +1,9 @@
 #pragma once
 // Unions, differences and intersections of many meshes in one step; for csg/solids alone.
 
-#include "mesh.h"
-
 #include <burin/base/run_context.h>
+
+#include "mesh.h"
 
 #include <functional>
 
@@ -23,14 +23,14 @@ struct Formula {
 /// Every facet is cut where it meets facets of other meshes, and of each piece it is asked whether
 /// what lies on its two sides belongs to the result: any number of operands costs one cut each, and
 /// solids may touch in edges and corners. `share` is told what part is done.
-Mesh combine(Space& space, std::span<const Mesh> meshes, const Formula& formula, RunContext& context,
-             const std::function<void(double)>& share);
+Mesh combine(Space& space, std::span<const Mesh> meshes, const Formula& formula,
+             RunContext& context, const std::function<void(double)>& share);
 
 /// Leaves out corners at which edges only go straight on.
 void straighten(Space& space, Mesh& mesh);
 
-/// As triangles in doubles, closed: what rounding makes one point is one. Throws GeometryError where
-/// a mesh is not closed.
+/// As triangles in doubles, closed: what rounding makes one point is one. Throws GeometryError
+/// where a mesh is not closed.
 Solid solid_of(Space& space, const Mesh& mesh);
 
 }  // namespace burin::csg

@@ -48,7 +48,8 @@ class Evaluator {
         out.push_back(out[at->second]);
         continue;
       }
-      const double width = 0.5 / static_cast<double>(nodes.size()), from = 0.5 + width * static_cast<double>(k);
+      const double width = 0.5 / static_cast<double>(nodes.size()),
+                   from = 0.5 + width * static_cast<double>(k);
       out.push_back(shapes_.solid(shape, e_.run, [&](double s) { tell(from + s * width); }));
     }
     return out;
@@ -115,17 +116,19 @@ class Evaluator {
     return out;
   }
   void flat_among_solids(std::uint32_t n) {
-    e_.diagnostics.add(Severity::Warning, "openscad.mixed_dimensions", 1,
-                       fmt::format("line {} of the evaluated tree: a 2-D object among solids is left out",
-                                   e_.tree.line_of(n)));
+    e_.diagnostics.add(
+        Severity::Warning, "openscad.mixed_dimensions", 1,
+        fmt::format("line {} of the evaluated tree: a 2-D object among solids is left out",
+                    e_.tree.line_of(n)));
   }
   std::vector<Region> regions(std::uint32_t n) {
     std::vector<Region> out;
     for (const std::uint32_t c : children(n)) {
       if (dimension_[c] == Dimension::Solid) {
-        e_.diagnostics.add(Severity::Warning, "openscad.mixed_dimensions", 1,
-                           fmt::format("line {} of the evaluated tree: a solid among 2-D objects is left out",
-                                       e_.tree.line_of(c)));
+        e_.diagnostics.add(
+            Severity::Warning, "openscad.mixed_dimensions", 1,
+            fmt::format("line {} of the evaluated tree: a solid among 2-D objects is left out",
+                        e_.tree.line_of(c)));
         continue;
       }
       out.push_back(result_[c].region ? *result_[c].region : Region{});
@@ -152,7 +155,8 @@ class Evaluator {
   Result work_out(std::uint32_t n) {
     if (dimension_[n] == Dimension::Flat) return flat(n);
     Result out{solid_shape(n), nullptr};
-    if (shapes_.depth(out.shape) >= kDeepest) out.shape = leaf(shapes_.solid(out.shape, e_.run, [](double) {}), n);
+    if (shapes_.depth(out.shape) >= kDeepest)
+      out.shape = leaf(shapes_.solid(out.shape, e_.run, [](double) {}), n);
     return out;
   }
 
@@ -221,7 +225,8 @@ class Evaluator {
     for (std::size_t k = 1; k < parts.size(); ++k) {
       const Solid other = shapes_.solid(parts[k], e_.run, [](double) {});
       std::vector<ShapeId> pieces;
-      for (Solid& piece : minkowski_pieces(sum, other, e_.run)) pieces.push_back(shapes_.leaf(std::move(piece)));
+      for (Solid& piece : minkowski_pieces(sum, other, e_.run))
+        pieces.push_back(shapes_.leaf(std::move(piece)));
       const ShapeId whole = shapes_.united(std::move(pieces));
       if (k + 1 == parts.size()) return whole;
       sum = shapes_.solid(whole, e_.run, [](double) {});

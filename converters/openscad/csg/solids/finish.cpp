@@ -99,7 +99,8 @@ void fill(Space& space, const Facet& facet, std::vector<std::array<Id, 3>>& out)
       const std::uint32_t t = open.back();
       open.pop_back();
       for (std::size_t k = 0; k < 3; ++k) {
-        if (net.neighbor[t][k] != kNone) reach(net.neighbor[t][k], parity[t] ^ (net.is_edge[t][k] ? 1 : 0));
+        if (net.neighbor[t][k] != kNone)
+          reach(net.neighbor[t][k], parity[t] ^ (net.is_edge[t][k] ? 1 : 0));
       }
     }
   }
@@ -152,7 +153,8 @@ Solid solid_of(Space& space, const Mesh& mesh) {
   std::map<Vec3, std::uint32_t, decltype(less)> numbers(less);
   const auto number = [&](Id p) {
     const Vec3 at = space.at(p) + Vec3(0.0);  // no negative zeros
-    const auto [found, fresh] = numbers.try_emplace(at, static_cast<std::uint32_t>(out.positions.size()));
+    const auto [found, fresh] =
+        numbers.try_emplace(at, static_cast<std::uint32_t>(out.positions.size()));
     if (fresh) out.positions.push_back(at);
     return found->second;
   };

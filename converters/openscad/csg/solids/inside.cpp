@@ -45,8 +45,8 @@ const Exact& Sample::exact() {
     return exact_;
   }
   // The doubles across the axis, and what the plane says along it.
-  const auto i = static_cast<std::size_t>((axis + 1) % 3), j = static_cast<std::size_t>((axis + 2) % 3),
-             k = static_cast<std::size_t>(axis);
+  const auto i = static_cast<std::size_t>((axis + 1) % 3),
+             j = static_cast<std::size_t>((axis + 2) % 3), k = static_cast<std::size_t>(axis);
   const Exact& p = space_.exact_plane(plane);
   const mpq_class x(at[(axis + 1) % 3]), y(at[(axis + 2) % 3]);
   const mpz_class w = x.get_den() * y.get_den();
@@ -73,8 +73,8 @@ bool Inside::odd(Sample& sample) {
   }
   if (!grid.made) make(grid, sample.axis);
   const auto cell = [&](double v, int c) {
-    return static_cast<std::size_t>(std::clamp((v - grid.low[c]) / grid.step[c], 0.0,
-                                               static_cast<double>(grid.n - 1)));
+    return static_cast<std::size_t>(
+        std::clamp((v - grid.low[c]) / grid.step[c], 0.0, static_cast<double>(grid.n - 1)));
   };
   const std::size_t at = cell(sample.at[(sample.axis + 2) % 3], 1) * grid.n +
                          cell(sample.at[(sample.axis + 1) % 3], 0);
@@ -139,7 +139,8 @@ bool Inside::hits(const Facet& facet, Sample& sample) {
       continue;
     }
     const double turn = (v[i] - u[i]) * (y - u[j]) - (v[j] - u[j]) * (x - u[i]);
-    const double sizes = std::abs(v[i] - u[i]) + std::abs(v[j] - u[j]) + std::abs(y - u[j]) + std::abs(x - u[i]);
+    const double sizes =
+        std::abs(v[i] - u[i]) + std::abs(v[j] - u[j]) + std::abs(y - u[j]) + std::abs(x - u[i]);
     if (std::abs(turn) <= 4 * sizes * (tol + kUlp * sizes)) return hits_exactly(facet, sample);
     if ((turn > 0) == (v[j] > u[j])) odd = !odd;
   }

@@ -24,7 +24,8 @@ class Maker {
     std::iota(order.begin(), order.end(), 0u);
     std::vector<double> areas(order.size());
     for (const std::uint32_t i : order) areas[i] = area(triangles_[i].corner);
-    std::ranges::stable_sort(order, [&](std::uint32_t a, std::uint32_t b) { return areas[a] > areas[b]; });
+    std::ranges::stable_sort(order,
+                             [&](std::uint32_t a, std::uint32_t b) { return areas[a] > areas[b]; });
     for (const std::uint32_t i : order) {
       if (triangles_[i].facet == kNone) grow(i);
     }
@@ -42,7 +43,8 @@ class Maker {
   };
 
   double area(const std::array<Id, 3>& t) const {
-    return glm::length(glm::cross(space_.at(t[1]) - space_.at(t[0]), space_.at(t[2]) - space_.at(t[0])));
+    return glm::length(
+        glm::cross(space_.at(t[1]) - space_.at(t[0]), space_.at(t[2]) - space_.at(t[0])));
   }
 
   void pair() {
@@ -64,9 +66,10 @@ class Maker {
     // Sure where the height is far above the errors.
     const Vec3 a = space_.at(t[0]), u = space_.at(t[1]) - a, v = space_.at(t[2]) - a;
     const double longest = std::max({glm::length(u), glm::length(v), glm::length(u - v)});
-    if (glm::length(glm::cross(u, v)) > 1e-9 * longest * std::max(longest, 1e-3 * space_.size())) return false;
-    const Exact plane = plane_through(space_.exact_point(t[0]), space_.exact_point(t[1]),
-                                      space_.exact_point(t[2]));
+    if (glm::length(glm::cross(u, v)) > 1e-9 * longest * std::max(longest, 1e-3 * space_.size()))
+      return false;
+    const Exact plane =
+        plane_through(space_.exact_point(t[0]), space_.exact_point(t[1]), space_.exact_point(t[2]));
     return plane.c[0] == 0 && plane.c[1] == 0 && plane.c[2] == 0;
   }
 

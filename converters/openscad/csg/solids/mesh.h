@@ -1,10 +1,10 @@
 #pragma once
 // Closed surfaces of plane facets over the points of a Space; for csg/solids alone.
 
+#include <burin/base/box.h>
+
 #include "../solid.h"
 #include "space.h"
-
-#include <burin/base/box.h>
 
 #include <span>
 
@@ -34,8 +34,8 @@ struct Mesh {
   bool tangled = false;
 };
 
-/// The facets of a solid under a matrix: triangles in one plane become one facet. `surfaces` says what
-/// number each row of the solid's surfaces has, or -1. Empty where the matrix flattens it.
+/// The facets of a solid under a matrix: triangles in one plane become one facet. `surfaces` says
+/// what number each row of the solid's surfaces has, or -1. Empty where the matrix flattens it.
 Mesh mesh_of(Space& space, const Solid& solid, Id matrix, bool mirrored,
              std::span<const std::int32_t> surfaces, bool tangled);
 void find_boxes(const Space& space, Mesh& mesh);

@@ -27,8 +27,8 @@ struct ExactMatrix {
   bool identity = true;
 };
 
-/// What the shortest decimal that reads as `v` says: the texts hold decimals, and 0.1 + 0.2 is to be
-/// 0.3. `v` is finite.
+/// What the shortest decimal that reads as `v` says: the texts hold decimals, and 0.1 + 0.2 is to
+/// be 0.3. `v` is finite.
 mpq_class decimal(double v);
 
 ExactMatrix exact(const Matrix& m);

@@ -14,7 +14,8 @@ struct Interval {
 /// The part of a line that lies in a facet, the line being where its plane meets `other`.
 class Section {
  public:
-  Section(Space& space, const Facet& facet, Id other) : space_(space), facet_(facet), other_(other) {}
+  Section(Space& space, const Facet& facet, Id other)
+      : space_(space), facet_(facet), other_(other) {}
 
   /// False where the facet lies on one side.
   bool crosses() {
@@ -51,7 +52,8 @@ class Section {
     }
     for (std::vector<Id>* ends : {&below, &above}) {
       sort(line, *ends);
-      for (std::size_t i = 0; i + 1 < ends->size(); i += 2) out.push_back({(*ends)[i], (*ends)[i + 1]});
+      for (std::size_t i = 0; i + 1 < ends->size(); i += 2)
+        out.push_back({(*ends)[i], (*ends)[i + 1]});
     }
     std::ranges::sort(out, [&](const Interval& x, const Interval& y) {
       const int c = space_.along(line, x.from, y.from);
@@ -79,7 +81,8 @@ class Section {
     sort(line, ends);
     ends.erase(std::unique(ends.begin(), ends.end()), ends.end());
     std::vector<Interval> out;
-    std::size_t at = 0, last = 0;  // of `ends`: where the next interval may begin, where the last ended
+    std::size_t at = 0,
+                last = 0;  // of `ends`: where the next interval may begin, where the last ended
     for (const Interval& i : sorted) {
       const auto place = [&](Id p) {
         return static_cast<std::size_t>(std::ranges::find(ends, p) - ends.begin());

@@ -1,9 +1,9 @@
 #pragma once
 // Where the facets of several meshes meet; for csg/solids alone.
 
-#include "mesh.h"
-
 #include <burin/base/run_context.h>
+
+#include "mesh.h"
 
 #include <utility>
 

@@ -16,7 +16,8 @@ namespace {
 
 using std::numbers::pi;
 
-void add(Solid& solid, std::uint32_t a, std::uint32_t b, std::uint32_t c, std::int32_t surface = -1) {
+void add(Solid& solid, std::uint32_t a, std::uint32_t b, std::uint32_t c,
+         std::int32_t surface = -1) {
   solid.triangles.push_back({a, b, c});
   solid.surface.push_back(surface);
 }

@@ -7,8 +7,8 @@
 
 namespace burin::csg {
 
-/// cube, sphere, cylinder, polyhedron: tessellated as OpenSCAD does, empty where it makes nothing of
-/// them. Throws InputError for a circle of too many corners.
+/// cube, sphere, cylinder, polyhedron: tessellated as OpenSCAD does, empty where it makes nothing
+/// of them. Throws InputError for a circle of too many corners.
 Solid primitive(Evaluation& e, std::uint32_t node);
 
 /// Under a matrix; nothing where it keeps circles from being circles about one axis.

@@ -143,7 +143,8 @@ class Gather {
       if (s.kind == Kind::Moved) {
         at = {s.parts[0], 0, product(at.matrix, s.matrix)};
       } else if (s.kind == Kind::Difference) {
-        for (std::size_t p = 1; p < s.parts.size(); ++p) open_.push_back({s.parts[p], rest, at.matrix});
+        for (std::size_t p = 1; p < s.parts.size(); ++p)
+          open_.push_back({s.parts[p], rest, at.matrix});
         at = {s.parts[0], 0, at.matrix};
       } else {
         open_.push_back({at.shape, first, at.matrix});
@@ -184,7 +185,8 @@ void append(Solid& out, const Solid& more) {
   const auto first = static_cast<std::uint32_t>(out.positions.size());
   const auto surfaces = static_cast<std::int32_t>(out.surfaces.size());
   out.positions.insert(out.positions.end(), more.positions.begin(), more.positions.end());
-  for (const auto& t : more.triangles) out.triangles.push_back({t[0] + first, t[1] + first, t[2] + first});
+  for (const auto& t : more.triangles)
+    out.triangles.push_back({t[0] + first, t[1] + first, t[2] + first});
   for (const std::int32_t s : more.surface) out.surface.push_back(s < 0 ? -1 : s + surfaces);
   out.surfaces.insert(out.surfaces.end(), more.surfaces.begin(), more.surfaces.end());
 }
@@ -295,8 +297,8 @@ Solid Shapes::solid(ShapeId root, RunContext& context, const std::function<void(
         numbers.push_back(turned ? static_cast<std::int32_t>(piece.surfaces.size()) : -1);
         if (turned) piece.surfaces.push_back(*turned);
       }
-      meshes.push_back(mesh_of(space, solid, space.add_matrix(m), m.nearest.determinant() < 0, numbers,
-                               leaf.tangled));
+      meshes.push_back(mesh_of(space, solid, space.add_matrix(m), m.nearest.determinant() < 0,
+                               numbers, leaf.tangled));
     }
     const double width = 1.0 / static_cast<double>(parts.size());
     const Mesh result =

@@ -1,11 +1,11 @@
 #pragma once
 // Solids that are not worked out yet: what is to be united, cut and moved; for csg/solids alone.
 
-#include "../solid.h"
-#include "number.h"
-
 #include <burin/base/box.h>
 #include <burin/base/run_context.h>
+
+#include "../solid.h"
+#include "number.h"
 
 #include <cstdint>
 #include <functional>
@@ -17,8 +17,8 @@ namespace burin::csg {
 using ShapeId = std::uint32_t;
 inline constexpr ShapeId kNothing = ~ShapeId{0};
 
-/// A store of shapes that share their parts. Nothing is cut before `solid` asks for it, and then all
-/// of it in one step for whatever touches.
+/// A store of shapes that share their parts. Nothing is cut before `solid` asks for it, and then
+/// all of it in one step for whatever touches.
 class Shapes {
  public:
   /// `tangled`: it may cut itself.

@@ -49,7 +49,8 @@ std::size_t Space::KeyHash::operator()(const Key& k) const {
   return h;
 }
 
-Space::Space(double size) : size_(std::max(size, 1e-6)), reach_(kReach * size_), cell_(1e-6 * size_) {}
+Space::Space(double size)
+    : size_(std::max(size, 1e-6)), reach_(kReach * size_), cell_(1e-6 * size_) {}
 
 Id Space::add_matrix(ExactMatrix m) {
   matrices_.push_back(std::move(m));
@@ -189,8 +190,9 @@ void Space::fit(Plane& plane) {
   double error = (2 * places * lengths + 8 * kUlp * glm::length(u) * glm::length(v)) / length;
   plane.n = n / length;
   if (!(error < 1e-11)) {
-    plane.exact = std::make_unique<Exact>(csg::plane_through(
-        exact_point(plane.corners[0]), exact_point(plane.corners[1]), exact_point(plane.corners[2])));
+    plane.exact = std::make_unique<Exact>(csg::plane_through(exact_point(plane.corners[0]),
+                                                             exact_point(plane.corners[1]),
+                                                             exact_point(plane.corners[2])));
     mpz_class most = 1;
     for (std::size_t i = 0; i < 3; ++i) {
       if (abs(plane.exact->c[i]) > most) most = abs(plane.exact->c[i]);
@@ -204,7 +206,8 @@ void Space::fit(Plane& plane) {
   plane.d = -glm::dot(plane.n, a.at);
   plane.n_error = error + 4 * kUlp;
   const Vec3 size = glm::abs(a.at);
-  plane.d_error = plane.n_error * (size.x + size.y + size.z) + 2 * a.error + 4 * kUlp * std::abs(plane.d);
+  plane.d_error =
+      plane.n_error * (size.x + size.y + size.z) + 2 * a.error + 4 * kUlp * std::abs(plane.d);
   plane.axis = largest_axis(plane.n);
 }
 
@@ -256,8 +259,7 @@ std::pair<double, double> Space::distance(Id plane, Vec3 at) const {
   const Plane& p = planes_[plane];
   const Vec3 a = glm::abs(at);
   const double sum = a.x + a.y + a.z;
-  return {glm::dot(p.n, at) + p.d,
-          p.n_error * sum + p.d_error + 4 * kUlp * (sum + std::abs(p.d))};
+  return {glm::dot(p.n, at) + p.d, p.n_error * sum + p.d_error + 4 * kUlp * (sum + std::abs(p.d))};
 }
 
 int Space::side(Id point, Id plane) {

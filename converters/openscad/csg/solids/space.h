@@ -14,9 +14,9 @@ namespace burin::csg {
 using Id = std::uint32_t;
 inline constexpr Id kNone = ~Id{0};
 
-/// Decisions are exact: doubles with a bound of their error first, whole numbers where the bound does
-/// not decide. Constructions do not nest: a point is a corner of a leaf, or lies where a line of two
-/// corners or of two planes meets a plane, and planes go through corners of leaves.
+/// Decisions are exact: doubles with a bound of their error first, whole numbers where the bound
+/// does not decide. Constructions do not nest: a point is a corner of a leaf, or lies where a line
+/// of two corners or of two planes meets a plane, and planes go through corners of leaves.
 class Space {
  public:
   /// No coordinate will be larger than `size` mm.

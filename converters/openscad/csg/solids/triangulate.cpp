@@ -22,13 +22,13 @@ using Rational = CGAL::Simple_cartesian<mpq_class>;
 template <typename K>
 struct Kinds {
   using Corner = CGAL::Triangulation_vertex_base_with_info_2<Id, K>;
-  using Face = CGAL::Constrained_triangulation_face_base_2<
-      K, CGAL::Triangulation_face_base_with_info_2<Id, K>>;
+  using Face =
+      CGAL::Constrained_triangulation_face_base_2<K,
+                                                  CGAL::Triangulation_face_base_with_info_2<Id, K>>;
   using Data = CGAL::Triangulation_data_structure_2<Corner, Face>;
   // Rounding can make edges cross: it is then done again with exact numbers.
-  using Type =
-      CGAL::Constrained_Delaunay_triangulation_2<K, Data,
-                                                 CGAL::No_constraint_intersection_requiring_constructions_tag>;
+  using Type = CGAL::Constrained_Delaunay_triangulation_2<
+      K, Data, CGAL::No_constraint_intersection_requiring_constructions_tag>;
 };
 
 Rounded::Point_2 place(Rounded, Space& space, Id point, int i, int j) {

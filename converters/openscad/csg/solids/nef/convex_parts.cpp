@@ -7,7 +7,6 @@
 #include <CGAL/Polyhedron_3.h>
 #include <CGAL/Polyhedron_incremental_builder_3.h>
 #include <CGAL/convex_decomposition_3.h>
-
 #include <fmt/format.h>
 
 // The only unit with Nef polyhedra: it takes long to compile.
@@ -63,7 +62,8 @@ std::vector<std::vector<Vec3>> convex_parts(const Solid& solid) {
       if (v->mark()) out.push_back(corners(nef, v));
     }
   } catch (const std::exception& error) {
-    throw GeometryError(fmt::format("minkowski() of a solid that has no convex parts: {}", error.what()));
+    throw GeometryError(
+        fmt::format("minkowski() of a solid that has no convex parts: {}", error.what()));
   }
   return out;
 }

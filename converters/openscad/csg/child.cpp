@@ -1,0 +1,100 @@
+#include "child.h"
+
+#include "beside.h"
+#include "exchange.h"
+#include "subprocess.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <charconv>
+#include <cstring>
+#include <optional>
+
+namespace burin::csg {
+namespace {
+
+/// What the lines of the process say; see program/main.cpp, which writes them.
+class Listener {
+ public:
+  Listener(RunContext& context, Diagnostics& diagnostics, std::string file)
+      : context_(context), diagnostics_(diagnostics), file_(std::move(file)) {}
+
+  void hear(const std::string& line) {
+    const std::size_t blank = line.find(' ');
+    const std::string word = line.substr(0, blank);
+    const std::string rest = blank == std::string::npos ? "" : line.substr(blank + 1);
+    if (word == "share") {
+      double share = 0;
+      std::from_chars(rest.data(), rest.data() + rest.size(), share);
+      context_.progress(share);
+    } else if (word == "say") {
+      say(rest);
+    } else if (word == "input" || word == "failed") {
+      error_ = word;
+      what_ = rest;
+    }
+  }
+
+  /// Throws what it said of an error.
+  void raise() const {
+    if (error_ == "failed") throw NotEvaluated(what_);
+    if (error_ != "input") return;
+    const std::size_t blank = what_.find(' ');
+    std::int64_t line = 0;
+    std::from_chars(what_.data(), what_.data() + blank, line);
+    throw InputError(what_.substr(blank + 1), file_, line);
+  }
+
+ private:
+  /// "SEVERITY CODE COUNT MESSAGE"
+  void say(const std::string& rest) {
+    const std::size_t a = rest.find(' '), b = rest.find(' ', a + 1), c = rest.find(' ', b + 1);
+    if (c == std::string::npos) return;
+    std::int64_t count = 1;
+    std::from_chars(rest.data() + b + 1, rest.data() + c, count);
+    const Severity severity = rest[0] == 'i'   ? Severity::Info
+                              : rest[0] == 'e' ? Severity::Error
+                                               : Severity::Warning;
+    diagnostics_.add(severity, rest.substr(a + 1, b - a - 1), count, rest.substr(c + 1));
+  }
+
+  RunContext& context_;
+  Diagnostics& diagnostics_;
+  std::string file_, error_, what_;
+};
+
+}  // namespace
+
+std::vector<Solid> evaluate_in_child(const std::string& text, std::span<const std::uint32_t> nodes,
+                                     const ChildOptions& options, RunContext& context,
+                                     Diagnostics& diagnostics) {
+  const detail::MemoryFile file;
+  write_text(file.descriptor(), text);
+  Listener listener(context, diagnostics, options.file);
+  detail::SubprocessRun run;
+  run.arguments = {program_beside(BURIN_CSG_PROGRAM), fmt::format("{}", fmt::join(nodes, ","))};
+  run.folder = options.folder.string();
+  run.file = &file;
+  run.timeout = options.timeout_seconds;
+  run.tells_progress = true;
+  run.line = [&](const std::string& line) { listener.hear(line); };
+  const detail::SubprocessEnd end = run_subprocess(run, context);
+  if (end.start_error != 0) {
+    throw NotEvaluated(fmt::format("the evaluator {} does not start: {}", run.arguments[0],
+                                   std::strerror(end.start_error)));
+  }
+  if (end.timed_out) {
+    throw NotEvaluated(fmt::format("not done after {:g} s", options.timeout_seconds));
+  }
+  listener.raise();
+  if (end.signal != 0) {
+    throw NotEvaluated(fmt::format("the evaluator crashed ({})", ::strsignal(end.signal)));
+  }
+  if (end.status != 0) {
+    throw NotEvaluated(fmt::format("the evaluator ended with status {}", end.status));
+  }
+  return read_solids(file.descriptor());
+}
+
+}  // namespace burin::csg

@@ -1,0 +1,127 @@
+#include "exchange.h"
+
+#include <burin/base/error.h>
+
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+#include <span>
+#include <type_traits>
+
+namespace burin::csg {
+namespace {
+
+constexpr std::uint64_t kMagic = 0x3130'6769'7275'6273;
+
+[[noreturn]] void fail(const char* what) {
+  throw Error(std::string("what the evaluator of trees and its parent share: ") + what);
+}
+
+/// Rows without pointers are written as they lie in memory: both sides are one build.
+template <class T>
+void put(std::string& out, const T& value) {
+  static_assert(std::is_trivially_copyable_v<T>);
+  out.append(reinterpret_cast<const char*>(&value), sizeof value);
+}
+template <class T>
+void put_all(std::string& out, const std::vector<T>& values) {
+  static_assert(std::is_trivially_copyable_v<T>);
+  put(out, static_cast<std::uint64_t>(values.size()));
+  out.append(reinterpret_cast<const char*>(values.data()), values.size() * sizeof(T));
+}
+
+class Taker {
+ public:
+  explicit Taker(std::string_view bytes) : bytes_(bytes) {}
+
+  template <class T>
+  T take() {
+    T value;
+    if (bytes_.size() < sizeof value) fail("it ends too early");
+    std::memcpy(&value, bytes_.data(), sizeof value);
+    bytes_.remove_prefix(sizeof value);
+    return value;
+  }
+  template <class T>
+  std::vector<T> take_all() {
+    const auto n = take<std::uint64_t>();
+    if (n > bytes_.size() / sizeof(T)) fail("it ends too early");
+    std::vector<T> out(n);
+    if (n > 0) std::memcpy(static_cast<void*>(out.data()), bytes_.data(), n * sizeof(T));
+    bytes_.remove_prefix(n * sizeof(T));
+    return out;
+  }
+
+ private:
+  std::string_view bytes_;
+};
+
+}  // namespace
+
+void write_text(int descriptor, const std::string& text) {
+  if (::ftruncate(descriptor, 0) != 0) fail(std::strerror(errno));
+  for (std::size_t at = 0; at < text.size();) {
+    const ssize_t n =
+        ::pwrite(descriptor, text.data() + at, text.size() - at, static_cast<off_t>(at));
+    if (n < 0 && errno == EINTR) continue;
+    if (n <= 0) fail(std::strerror(errno));
+    at += static_cast<std::size_t>(n);
+  }
+}
+
+std::string read_text(int descriptor) {
+  struct stat info {};
+  if (::fstat(descriptor, &info) != 0) fail(std::strerror(errno));
+  std::string text(static_cast<std::size_t>(info.st_size), '\0');
+  for (std::size_t at = 0; at < text.size();) {
+    const ssize_t n =
+        ::pread(descriptor, text.data() + at, text.size() - at, static_cast<off_t>(at));
+    if (n < 0 && errno == EINTR) continue;
+    if (n <= 0) fail("it ends too early");
+    at += static_cast<std::size_t>(n);
+  }
+  return text;
+}
+
+void write_solids(int descriptor, const std::vector<Solid>& solids) {
+  std::string out;
+  put(out, kMagic);
+  put(out, static_cast<std::uint64_t>(solids.size()));
+  for (const Solid& s : solids) {
+    put_all(out, s.positions);
+    put_all(out, s.triangles);
+    put_all(out, s.surface);
+    put_all(out, s.surfaces);
+  }
+  write_text(descriptor, out);
+}
+
+std::vector<Solid> read_solids(int descriptor) {
+  const std::string bytes = read_text(descriptor);
+  Taker in(bytes);
+  if (in.take<std::uint64_t>() != kMagic) fail("it is no result");
+  std::vector<Solid> out;
+  for (auto n = in.take<std::uint64_t>(); n > 0; --n) {
+    Solid s;
+    s.positions = in.take_all<Vec3>();
+    s.triangles = in.take_all<std::array<std::uint32_t, 3>>();
+    s.surface = in.take_all<std::int32_t>();
+    s.surfaces = in.take_all<Turned>();
+    if (s.surface.size() != s.triangles.size()) fail("it does not fit together");
+    for (const auto& t : s.triangles) {
+      for (const std::uint32_t v : t) {
+        if (v >= s.positions.size()) fail("it does not fit together");
+      }
+    }
+    for (const std::int32_t v : s.surface) {
+      if (v < -1 || v >= static_cast<std::int32_t>(s.surfaces.size()))
+        fail("it does not fit together");
+    }
+    out.push_back(std::move(s));
+  }
+  return out;
+}
+
+}  // namespace burin::csg
