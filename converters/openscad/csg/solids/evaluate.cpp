@@ -2,6 +2,7 @@
 
 #include <burin/base/error.h>
 
+#include "../at_node.h"
 #include "hull3.h"
 #include "minkowski.h"
 #include "primitives.h"
@@ -10,6 +11,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <memory>
 #include <string>
 #include <unordered_map>
@@ -52,6 +54,7 @@ class Evaluator {
                    from = 0.5 + width * static_cast<double>(k);
       out.push_back(shapes_.solid(shape, e_.run, [&](double s) { tell(from + s * width); }));
     }
+    say_left_out();
     return out;
   }
 
@@ -110,16 +113,10 @@ class Evaluator {
       if (dimension_[c] != Dimension::Flat) {
         out.push_back(result_[c].shape);
       } else if (result_[c].region && !result_[c].region->empty()) {
-        flat_among_solids(c);
+        csg::tell(e_, c, "openscad.mixed_dimensions", "a 2-D object among solids is left out");
       }
     }
     return out;
-  }
-  void flat_among_solids(std::uint32_t n) {
-    e_.diagnostics.add(
-        Severity::Warning, "openscad.mixed_dimensions", 1,
-        fmt::format("line {} of the evaluated tree: a 2-D object among solids is left out",
-                    e_.tree.line_of(n)));
   }
   std::vector<Region> regions(std::uint32_t n) {
     std::vector<Region> out;
@@ -186,20 +183,42 @@ class Evaluator {
       case Module::Resize:
         return resized(n);
       case Module::Multmatrix:
-        return shapes_.moved(shapes_.united(solids(n)), matrix_of(e_.tree, n));
+        return turned(n);
       default:
         return shapes_.united(solids(n));
     }
   }
 
   /// From a file or a list of points: it may be open, or cut itself.
-  ShapeId leaf(Solid solid, std::uint32_t n) {
-    if (solid.empty()) return kNothing;
-    if (!closed(solid)) {
-      throw GeometryError(fmt::format("line {} of the evaluated tree: {}() is not closed",
-                                      e_.tree.line_of(n), name_of(e_.tree.nodes[n].module)));
+  ShapeId leaf(Solid solid, std::uint32_t n) { return shapes_.leaf(std::move(solid), n); }
+
+  void say_left_out() {
+    auto& list = shapes_.left_out;
+    std::ranges::sort(list);
+    list.erase(std::unique(list.begin(), list.end()), list.end());
+    for (const std::uint32_t n : list) {
+      csg::tell(e_, n, "openscad.open_solid",
+                fmt::format("{}() is not closed: no solid to cut or unite; it is left out",
+                            name_of(e_.tree.nodes[n].module)));
     }
-    return shapes_.leaf(std::move(solid), true);
+  }
+
+  /// A matrix that is none takes what it moves out of the picture.
+  ShapeId turned(std::uint32_t n) {
+    const ShapeId shape = shapes_.united(solids(n));
+    const Node& node = e_.tree.nodes[n];
+    for (const Argument& a : node.arguments) {
+      for (const Value& row : a.value.list) {
+        for (const Value& v : row.list) {
+          if (v.kind != Value::Kind::Number || std::isfinite(v.number)) continue;
+          csg::tell(
+              e_, n, "openscad.not_finite",
+              "a transformation with numbers that are infinite or none; what it moves is left out");
+          return kNothing;
+        }
+      }
+    }
+    return shapes_.moved(shape, matrix_of(e_.tree, n));
   }
 
   ShapeId extrusion(std::uint32_t n) {

@@ -3,6 +3,7 @@
 #include <burin/base/error.h>
 #include <burin/repair/polygons.h>
 
+#include "../at_node.h"
 #include "../fragments.h"
 
 #include <fmt/format.h>
@@ -144,10 +145,8 @@ std::vector<std::uint32_t> corners_of(Evaluation& e, std::uint32_t node, const V
       const auto corner = static_cast<std::uint32_t>(v.number);
       if (out.empty() || out.back() != corner) out.push_back(corner);
     } else {
-      e.diagnostics.add(Severity::Warning, "openscad.polyhedron_point", 1,
-                        fmt::format("line {} of the evaluated tree: a face of polyhedron() names a "
-                                    "point that it does not have; the point is left out",
-                                    e.tree.line_of(node)));
+      tell(e, node, "openscad.polyhedron_point",
+           "a face of polyhedron() names a point that it does not have; the point is left out");
     }
   }
   while (out.size() > 1 && out.front() == out.back()) out.pop_back();
@@ -164,7 +163,9 @@ Solid polyhedron(Evaluation& e, std::uint32_t at) {
     const std::size_t n = std::min<std::size_t>(v.list.size(), 3);
     for (std::size_t i = 0; i < n; ++i) p[static_cast<int>(i)] = v.list[i].number;
     if (n < 2 || !std::isfinite(p.x + p.y + p.z)) {
-      throw InputError("polyhedron() with a point that is none", e.tree.file, e.tree.line_of(at));
+      tell(e, at, "openscad.polyhedron_point",
+           "polyhedron() with a point that is none; it is left out");
+      return {};
     }
     out.positions.push_back(p);
   }
@@ -184,7 +185,7 @@ Solid polyhedron(Evaluation& e, std::uint32_t at) {
 
 Solid primitive(Evaluation& e, std::uint32_t at) {
   const Node& node = e.tree.nodes[at];
-  try {
+  return at_node(e, at, [&] {
     switch (node.module) {
       case Module::Cube:
         return cube(node);
@@ -195,10 +196,7 @@ Solid primitive(Evaluation& e, std::uint32_t at) {
       default:
         return polyhedron(e, at);
     }
-  } catch (const InputError& error) {
-    if (!error.file().empty()) throw;
-    throw InputError(error.what(), e.tree.file, e.tree.line_of(at));
-  }
+  });
 }
 
 bool closed(const Solid& solid) {

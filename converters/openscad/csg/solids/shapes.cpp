@@ -10,11 +10,13 @@
 
 namespace burin::csg {
 
-ShapeId Shapes::leaf(Solid solid, bool tangled) {
+ShapeId Shapes::leaf(Solid solid, std::uint32_t from) {
   if (solid.empty()) return kNothing;
   Shape shape;
   shape.leaf = static_cast<std::uint32_t>(leaves_.size());
-  shape.tangled = tangled;
+  shape.tangled = from != kNothing;
+  shape.open = shape.tangled && !closed(solid);
+  shape.from = from;
   leaves_.push_back(std::move(solid));
   shapes_.push_back(std::move(shape));
   return static_cast<ShapeId>(shapes_.size() - 1);
@@ -67,7 +69,8 @@ class Gather {
 
   struct Standing {
     std::uint32_t leaf = 0, matrix = 0;
-    bool tangled = false;
+    bool tangled = false, open = false;
+    std::uint32_t from = kNothing;
     Box3 box;
   };
   Formula formula;
@@ -159,7 +162,7 @@ class Gather {
   }
 
   void stand(const Shapes::Shape& s, Open o) {
-    Standing standing{s.leaf, o.matrix, s.tangled, {}};
+    Standing standing{s.leaf, o.matrix, s.tangled, s.open, s.from, {}};
     for (const Vec3& p : shapes_.leaves_[s.leaf].positions) {
       const auto q = matrices[o.matrix].nearest * std::array<double, 3>{p.x, p.y, p.z};
       standing.box.add(Vec3(q[0], q[1], q[2]));
@@ -276,7 +279,7 @@ Solid Shapes::solid(ShapeId root, RunContext& context, const std::function<void(
     share(done);
     std::vector<std::uint32_t> standing;
     const Formula formula = excerpt(all.formula, parts[g], standing);
-    if (standing.size() == 1 && !all.leaves[standing[0]].tangled) {
+    if (standing.size() == 1) {
       const auto& leaf = all.leaves[standing[0]];
       append(out, csg::moved(leaves_[leaf.leaf], all.matrices[leaf.matrix].nearest));
       continue;
@@ -289,6 +292,11 @@ Solid Shapes::solid(ShapeId root, RunContext& context, const std::function<void(
     for (const std::uint32_t s : standing) {
       context.check();
       const auto& leaf = all.leaves[s];
+      if (leaf.open) {
+        left_out.push_back(leaf.from);
+        meshes.emplace_back();
+        continue;
+      }
       const Solid& solid = leaves_[leaf.leaf];
       const ExactMatrix& m = all.matrices[leaf.matrix];
       std::vector<std::int32_t> numbers;

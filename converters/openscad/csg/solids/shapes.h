@@ -21,8 +21,9 @@ inline constexpr ShapeId kNothing = ~ShapeId{0};
 /// all of it in one step for whatever touches.
 class Shapes {
  public:
-  /// `tangled`: it may cut itself.
-  ShapeId leaf(Solid solid, bool tangled = false);
+  /// `from`: of a leaf that may be open or cut itself, the node that says so in messages; else
+  /// kNothing.
+  ShapeId leaf(Solid solid, std::uint32_t from = kNothing);
   ShapeId united(std::vector<ShapeId> parts);
   /// The first without the others. Nothing where the first is nothing.
   ShapeId difference(std::vector<ShapeId> parts);
@@ -34,6 +35,8 @@ class Shapes {
   Solid solid(ShapeId shape, RunContext& context, const std::function<void(double)>& share);
   /// All corners of the leaves of a shape of unions alone; of others of what it works out to.
   std::vector<Vec3> points(ShapeId shape, RunContext& context);
+  /// The nodes of open leaves that something was to be cut by or united with: they were left out.
+  std::vector<std::uint32_t> left_out;
   /// How many nodes of cuts stand within each other.
   std::uint32_t depth(ShapeId shape) const { return shape == kNothing ? 0 : shapes_[shape].depth; }
 
@@ -41,7 +44,8 @@ class Shapes {
   enum class Kind : std::uint8_t { Leaf, Union, Difference, Intersection, Moved };
   struct Shape {
     Kind kind = Kind::Leaf;
-    bool tangled = false;
+    bool tangled = false, open = false;
+    std::uint32_t from = kNothing;
     /// No cuts below.
     bool plain = true;
     std::uint32_t depth = 0;

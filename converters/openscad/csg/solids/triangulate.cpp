@@ -96,8 +96,22 @@ std::optional<Triangulation> attempt(Space& space, Id plane,
 
 }  // namespace
 
+namespace {
+
+/// Whether rounding has turned no triangle over. One whose corners are on a line is none of the
+/// edges' making and does no harm.
+bool upright(Space& space, Id plane, const Triangulation& net) {
+  return std::ranges::all_of(net.triangles, [&](const std::array<Id, 3>& t) {
+    return space.turn(plane, t[0], t[1], t[2]) >= 0;
+  });
+}
+
+}  // namespace
+
 Triangulation triangulate(Space& space, Id plane, std::span<const std::array<Id, 2>> edges) {
-  if (auto out = attempt<Rounded>(space, plane, edges)) return std::move(*out);
+  if (auto out = attempt<Rounded>(space, plane, edges); out && upright(space, plane, *out)) {
+    return std::move(*out);
+  }
   if (auto out = attempt<Rational>(space, plane, edges)) return std::move(*out);
   throw GeometryError("edges of a facet cross");
 }
