@@ -193,8 +193,9 @@ Region covered(std::span<const Outline> triangles, std::span<const Arc> arcs) {
 Region minkowski_sum(const Region& a, const Region& b) {
   constexpr double kMostPairs = 4e6;
   if (static_cast<double>(edges_of(a)) * static_cast<double>(edges_of(b)) > kMostPairs) {
-    throw InputError("minkowski() of polygons with more than four million pairs of edges; make "
-                     "them of fewer edges, say by a lower $fn");
+    throw InputError(
+        "minkowski() of polygons with more than four million pairs of edges; make "
+        "them of fewer edges, say by a lower $fn");
   }
   const Paths left = paths_of(a), right = paths_of(b);
   Paths terms;

@@ -33,8 +33,8 @@ bool facet_of(Vec2 a, Vec2 b, const Arc& arc) {
          glm::length(b - a) <= 2 * arc.radius * std::sin(std::min(arc.step, 3.0) / 2) + kSlack;
 }
 
-/// What a polygon for an arc becomes where its edges move by delta: to either side, with its corners
-/// rounded (their ends stay on one circle) or as they are.
+/// What a polygon for an arc becomes where its edges move by delta: to either side, with its
+/// corners rounded (their ends stay on one circle) or as they are.
 std::vector<Arc> moved_arcs(const Region& region, double delta) {
   std::vector<Arc> out;
   for (const Arc& arc : region.arcs) {

@@ -69,8 +69,8 @@ class Cut {
     return {p.x, p.y};
   }
 
-  /// From the edge where the triangle goes down through the plane to the one where it comes up: seen
-  /// from above that has the inside to the left.
+  /// From the edge where the triangle goes down through the plane to the one where it comes up:
+  /// seen from above that has the inside to the left.
   void cross(std::size_t t) {
     const auto& v = solid_.triangles[t];
     std::uint64_t down = 0, up = 0;
@@ -100,8 +100,8 @@ class Cut {
       }
       const auto onward = next_.find(piece.to);
       if (onward == next_.end()) break;
-      const auto open = std::ranges::find_if(
-          onward->second, [&](std::size_t next) { return !pieces_[next].used; });
+      const auto open = std::ranges::find_if(onward->second,
+                                             [&](std::size_t next) { return !pieces_[next].used; });
       if (open == onward->second.end()) break;
       i = *open;
     }
@@ -151,7 +151,8 @@ Region shadow(Evaluation& e, const Solid& solid) {
   for (std::size_t t = 0; t < solid.triangles.size(); ++t) {
     const auto& v = solid.triangles[t];
     Outline o;
-    for (const std::uint32_t i : v) o.points.emplace_back(solid.positions[i].x, solid.positions[i].y);
+    for (const std::uint32_t i : v)
+      o.points.emplace_back(solid.positions[i].x, solid.positions[i].y);
     o.arc.assign(3, -1);
     // Those that look up cover what those that look down do.
     if (doubled_area(o) <= 0) continue;
