@@ -8,8 +8,8 @@
 
 namespace burin::csg {
 
-/// The meshes of all objects, in the file's numbers whatever its unit, as OpenSCAD reads them. Throws
-/// InputError where it is no AMF.
+/// The meshes of all objects, in the file's numbers whatever its unit, as OpenSCAD reads them.
+/// Throws InputError where it is no AMF.
 MeshFile read_amf(const std::filesystem::path& path, const RunContext& context);
 
 }  // namespace burin::csg

@@ -41,7 +41,8 @@ struct Outlines {
 
 Outlines collect(const Region& region) {
   Outlines out;
-  for (const Outline& o : region.outlines) out.points.insert(out.points.end(), o.points.begin(), o.points.end());
+  for (const Outline& o : region.outlines)
+    out.points.insert(out.points.end(), o.points.begin(), o.points.end());
   const std::vector<std::uint32_t> first = first_at_place(out.points);
   std::uint32_t begin = 0;
   for (const Outline& o : region.outlines) {
@@ -77,7 +78,9 @@ Cap cap_of(const Region& region) {
   const HalfEdges edges = half_edges(inside.triangles);
   const auto count = static_cast<std::uint32_t>(inside.triangles.size());
   const auto next = [](std::uint32_t corner) { return corner % 3 == 2 ? corner - 2 : corner + 1; };
-  const auto point_of = [&](std::uint32_t corner) { return inside.triangles[corner / 3][corner % 3]; };
+  const auto point_of = [&](std::uint32_t corner) {
+    return inside.triangles[corner / 3][corner % 3];
+  };
   const auto other_side = [&](std::uint32_t corner) {
     return edges.find(key(point_of(next(corner)), point_of(corner)));
   };

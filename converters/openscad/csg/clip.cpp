@@ -4,6 +4,7 @@
 
 #include "origins.h"
 
+#include <fmt/format.h>
 #include <polyclipping/clipper.hpp>
 
 #include <algorithm>
@@ -46,11 +47,15 @@ Region region_of(const ClipperLib::PolyTree& tree, const Origins& origins) {
   return region;
 }
 
-/// Runs Clipper; what it throws becomes an error of ours.
-void run(ClipperLib::Clipper& clipper, ClipperLib::ClipType type, ClipperLib::PolyTree& out,
+/// Runs Clipper; where nothing has an area, so that it has nothing to begin with, the result is empty.
+template <typename Result>
+void run(ClipperLib::Clipper& clipper, ClipperLib::ClipType type, Result& out,
          ClipperLib::PolyFillType fill) {
-  if (!clipper.Execute(type, out, fill, fill)) {
-    throw InputError("polygons that cannot be clipped; simplify them");
+  try {
+    if (!clipper.Execute(type, out, fill, fill)) out = Result();
+  } catch (const ClipperLib::clipperException& error) {
+    throw InputError(fmt::format("polygons that cannot be clipped ({}); simplify them",
+                                 error.what()));
   }
 }
 
@@ -161,16 +166,9 @@ Region clip(ClipOp op, std::span<const Region> operands) {
   return region;
 }
 
-Region covered(std::span<const Outline> triangles, std::span<const Arc> arcs) {
-  Origins origins;
+Region covered(std::span<const Outline> triangles, const Origins& origins) {
   Paths paths;
   for (const Outline& o : triangles) {
-    for (std::size_t i = 0; i < o.points.size(); ++i) {
-      origins.add_point(o.points[i]);
-      if (o.arc[i] < 0) continue;
-      origins.add_edge(o.points[i], o.points[(i + 1) % o.points.size()],
-                       arcs[static_cast<std::size_t>(o.arc[i])]);
-    }
     Path path = path_of(o);
     if (!ClipperLib::Orientation(path)) ClipperLib::ReversePath(path);
     paths.push_back(std::move(path));
@@ -178,7 +176,7 @@ Region covered(std::span<const Outline> triangles, std::span<const Arc> arcs) {
   ClipperLib::Clipper clipper;
   clipper.AddPaths(paths, ClipperLib::ptSubject, true);
   Paths once;
-  clipper.Execute(ClipperLib::ctUnion, once, ClipperLib::pftNonZero, ClipperLib::pftNonZero);
+  run(clipper, ClipperLib::ctUnion, once, ClipperLib::pftNonZero);
   // Outlines that touch themselves come apart, which OpenSCAD found to be needed for meshes.
   ClipperLib::Clipper again;
   again.StrictlySimple(true);
@@ -193,8 +191,9 @@ Region covered(std::span<const Outline> triangles, std::span<const Arc> arcs) {
 Region minkowski_sum(const Region& a, const Region& b) {
   constexpr double kMostPairs = 4e6;
   if (static_cast<double>(edges_of(a)) * static_cast<double>(edges_of(b)) > kMostPairs) {
-    throw InputError("minkowski() of polygons with more than four million pairs of edges; make "
-                     "them of fewer edges, say by a lower $fn");
+    throw InputError(
+        "minkowski() of polygons with more than four million pairs of edges; make "
+        "them of fewer edges, say by a lower $fn");
   }
   const Paths left = paths_of(a), right = paths_of(b);
   Paths terms;

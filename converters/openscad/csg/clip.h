@@ -14,6 +14,8 @@ namespace burin::csg {
 /// Grid units a mm, as in OpenSCAD: what is nearer together than one becomes the same.
 inline constexpr double kGrid = 65536;
 
+class Origins;
+
 enum class ClipOp { Union, Difference, Intersection };
 
 /// All functions: points of the result that are points of an operand have its coordinates to the
@@ -29,7 +31,7 @@ Region odd_places(const Region& outlines);
 Region clip(ClipOp op, std::span<const Region> operands);
 
 /// What triangles of either orientation cover.
-Region covered(std::span<const Outline> triangles, std::span<const Arc> arcs);
+Region covered(std::span<const Outline> triangles, const Origins& origins);
 
 struct OffsetRule {
   enum class Corner { Round, Sharp, Cut } corner = Corner::Round;

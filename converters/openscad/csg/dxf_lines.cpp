@@ -63,7 +63,7 @@ std::int64_t DxfLines::next_at(std::uint32_t place) {
   std::vector<std::uint32_t>& lines = at_[place];
   std::uint32_t& begin = begin_[place];
   while (begin < lines.size() && used_[lines[begin]]) ++begin;
-  return begin < lines.size() ? lines[begin] : -1;
+  return begin < lines.size() ? static_cast<std::int64_t>(lines[begin]) : -1;
 }
 
 void DxfLines::follow(std::uint32_t line, int end, std::vector<Outline>& out) {

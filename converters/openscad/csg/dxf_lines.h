@@ -16,7 +16,8 @@ namespace burin::csg {
 class DxfLines {
  public:
   void add(Vec2 a, Vec2 b);
-  /// Chains of lines, each line once; first those that begin at a loose end. What is open is closed.
+  /// Chains of lines, each line once; first those that begin at a loose end. What is open is
+  /// closed.
   std::vector<Outline> outlines();
 
  private:

@@ -46,9 +46,7 @@ class Extruder {
  private:
   bool narrow() const { return x_.scale.x == 0 || x_.scale.y == 0; }
   double share(int j) const { return static_cast<double>(j) / slices_; }
-  double height(int j) const {
-    return (x_.center ? -x_.height / 2 : 0) + x_.height * share(j);
-  }
+  double height(int j) const { return (x_.center ? -x_.height / 2 : 0) + x_.height * share(j); }
   Vec2 turned(Vec2 p, int j) const {
     const Vec2 turn = direction(-x_.twist * share(j));
     return {turn.x * p.x - turn.y * p.y, turn.y * p.x + turn.x * p.y};
@@ -152,7 +150,8 @@ Solid linear_extruded(Evaluation& e, std::uint32_t node, const Region& region) {
   x.center = n.truth("center", false);
   const std::vector<double> scale = n.numbers("scale");
   if (scale.size() >= 2) x.scale = glm::max(Vec2(scale[0], scale[1]), Vec2(0));
-  if (!std::isfinite(x.height) || !std::isfinite(x.twist) || !std::isfinite(x.scale.x + x.scale.y)) {
+  if (!std::isfinite(x.height) || !std::isfinite(x.twist) ||
+      !std::isfinite(x.scale.x + x.scale.y)) {
     throw InputError("linear_extrude() with a height, twist or scale that is no finite number");
   }
   if (region.empty() || x.height <= 0) return {};

@@ -70,11 +70,11 @@ Region moved(Evaluation& e, std::uint32_t node, const Region& region) {
     return {};
   }
   const Matrix m = matrix_of(e.tree, node);
-  const Affine affine{{m.row[0][0], m.row[1][0]}, {m.row[0][1], m.row[1][1]}, {m.row[0][3], m.row[1][3]}};
+  const Affine affine{
+      {m.row[0][0], m.row[1][0]}, {m.row[0][1], m.row[1][1]}, {m.row[0][3], m.row[1][3]}};
   if (affine.determinant() == 0) {
     if (!region.empty()) {
-      tell(e, node, "openscad.scaled_to_nothing",
-           "a 2-D object scaled to nothing; it is left out");
+      tell(e, node, "openscad.scaled_to_nothing", "a 2-D object scaled to nothing; it is left out");
     }
     return {};
   }
@@ -96,8 +96,9 @@ Region resized(const Node& node, const Region& region) {
   follow.resize(3, 0);
   const Vec2 now = high - low;
   const int largest = size[1] != 0 && size[1] > size[0] ? 1 : 0;
-  const double common =
-      size[static_cast<std::size_t>(largest)] > 0 ? size[static_cast<std::size_t>(largest)] / now[largest] : 1;
+  const double common = size[static_cast<std::size_t>(largest)] > 0
+                            ? size[static_cast<std::size_t>(largest)] / now[largest]
+                            : 1;
   Vec2 scale(1);
   for (int k = 0; k < 2; ++k) {
     const auto i = static_cast<std::size_t>(k);

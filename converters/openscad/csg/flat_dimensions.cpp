@@ -1,5 +1,4 @@
 #include "flat.h"
-
 #include "import_file.h"
 
 namespace burin::csg {

@@ -122,7 +122,8 @@ Fonts::Found Fonts::open(const std::string& name) {
     return {};
   }
   Found found;
-  if (FT_New_Face(library_, reinterpret_cast<const char*>(file), index, &found.face) != 0) return {};
+  if (FT_New_Face(library_, reinterpret_cast<const char*>(file), index, &found.face) != 0)
+    return {};
   choose_letters(found.face);
   found.replaced = !family.empty() && !has_family(match.p, family);
   return found;

@@ -98,15 +98,17 @@ class Block {
   std::uint32_t top(std::size_t i, std::size_t j) const {
     return static_cast<std::uint32_t>(j * h_.columns + i);
   }
-  void add(std::uint32_t a, std::uint32_t b, std::uint32_t c) { solid_.triangles.push_back({a, b, c}); }
+  void add(std::uint32_t a, std::uint32_t b, std::uint32_t c) {
+    solid_.triangles.push_back({a, b, c});
+  }
 
   /// Four triangles about the mean of its corners.
   void square(std::size_t i, std::size_t j) {
-    const std::array<std::uint32_t, 4> v{top(i, j), top(i + 1, j), top(i + 1, j + 1), top(i, j + 1)};
+    const std::array<std::uint32_t, 4> v{top(i, j), top(i + 1, j), top(i + 1, j + 1),
+                                         top(i, j + 1)};
     double mean = 0;
     for (const std::uint32_t p : v) mean += solid_.positions[p].z / 4;
-    const std::uint32_t m =
-        point(static_cast<double>(i) + 0.5, static_cast<double>(j) + 0.5, mean);
+    const std::uint32_t m = point(static_cast<double>(i) + 0.5, static_cast<double>(j) + 0.5, mean);
     for (std::size_t k = 0; k < 4; ++k) add(v[k], v[(k + 1) % 4], m);
   }
 

@@ -24,10 +24,10 @@ constexpr std::size_t kMostLines = 10'000'000;
 struct Entity {
   std::string kind, layer, name;
   std::vector<double> x, y;
-  double radius = 0;               // 40; ellipses: minor to major axis
-  double start = 0, stop = 0;      // 50, 51, degrees; inserts: rotation
-  double first = 0, second = 0;    // 41, 42: ellipses from and to; inserts: scale
-  int flags = 0;                   // 70
+  double radius = 0;             // 40; ellipses: minor to major axis
+  double start = 0, stop = 0;    // 50, 51, degrees; inserts: rotation
+  double first = 0, second = 0;  // 41, 42: ellipses from and to; inserts: scale
+  int flags = 0;                 // 70
 };
 
 struct Line {
@@ -79,9 +79,9 @@ class DxfReader {
   double number(std::string_view text) {
     double value = 0;
     if (!parse_double(text, value) || !std::isfinite(value)) {
-      tell(e_, node_, "openscad.dxf_number",
-           fmt::format("the DXF file has {} for a number; its entity is left out",
-                       in_quotes(text)));
+      tell(
+          e_, node_, "openscad.dxf_number",
+          fmt::format("the DXF file has {} for a number; its entity is left out", in_quotes(text)));
       broken_ = true;
     }
     return value;
@@ -238,9 +238,9 @@ class DxfReader {
 
   void tell_unsupported() {
     for (const auto& [kind, count] : unsupported_) {
-      e_.diagnostics.add(Severity::Warning, "openscad.dxf_entity", count,
-                         fmt::format("{} entities of a DXF file are left out, as OpenSCAD does",
-                                     in_quotes(kind)));
+      e_.diagnostics.add(
+          Severity::Warning, "openscad.dxf_entity", count,
+          fmt::format("{} entities of a DXF file are left out, as OpenSCAD does", in_quotes(kind)));
     }
   }
 

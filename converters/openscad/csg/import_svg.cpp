@@ -58,14 +58,14 @@ double aligned(std::string_view where, double page, double content) {
 void fit(Page& page, std::string_view rule, Vec2 size, Vec2 box) {
   std::string_view where = "xMidYMid";
   bool meet = true;
-  for (const std::string_view word :
-       {"xMinYMin", "xMidYMin", "xMaxYMin", "xMinYMid", "xMidYMid", "xMaxYMid", "xMinYMax",
-        "xMidYMax", "xMaxYMax", "none"}) {
+  for (const std::string_view word : {"xMinYMin", "xMidYMin", "xMaxYMin", "xMinYMid", "xMidYMid",
+                                      "xMaxYMid", "xMinYMax", "xMidYMax", "xMaxYMax", "none"}) {
     if (rule.find(word) != std::string_view::npos) where = word;
   }
   if (where == "none") return;
   meet = rule.find("slice") == std::string_view::npos;
-  page.scale = Vec2(meet ? std::min(page.scale.x, page.scale.y) : std::max(page.scale.x, page.scale.y));
+  page.scale =
+      Vec2(meet ? std::min(page.scale.x, page.scale.y) : std::max(page.scale.x, page.scale.y));
   page.align = {aligned(where.substr(1, 3), size.x, page.scale.x * box.x),
                 aligned(where.substr(5, 3), size.y, page.scale.y * box.y)};
 }
@@ -73,7 +73,9 @@ void fit(Page& page, std::string_view rule, Vec2 size, Vec2 box) {
 class SvgReader {
  public:
   SvgReader(Evaluation& e, std::uint32_t node, const Source& source)
-      : e_(e), source_(source), dpi_(e.tree.nodes[node].number("dpi", 72)),
+      : e_(e),
+        source_(source),
+        dpi_(e.tree.nodes[node].number("dpi", 72)),
         center_(e.tree.nodes[node].truth("center", false)) {}
 
   Region read() {
@@ -81,8 +83,11 @@ class SvgReader {
     const std::string_view bytes = source_.bytes();
     const pugi::xml_parse_result result = document.load_buffer(bytes.data(), bytes.size());
     if (!result) {
-      source_.fail_at_line(bytes.data() + std::min<std::size_t>(static_cast<std::size_t>(std::max<std::ptrdiff_t>(result.offset, 0)), bytes.size()),
-                           fmt::format("is no readable SVG ({}); export it again", result.description()));
+      source_.fail_at_line(
+          bytes.data() + std::min<std::size_t>(
+                             static_cast<std::size_t>(std::max<std::ptrdiff_t>(result.offset, 0)),
+                             bytes.size()),
+          fmt::format("is no readable SVG ({}); export it again", result.description()));
     }
     walk(document);
     return placed();

@@ -49,9 +49,10 @@ Style style_of(const Node& node) {
   // A part of a circle's corners each: most curves of fonts are short.
   s.pieces = std::max(fragments(s.size, fineness_of(node)) / 8 + 1, 2);
   if (s.pieces > kMostPieces) {
-    throw InputError(fmt::format("text() with {} pieces a curve; set $fn, $fa or $fs to less, say "
-                                 "$fn = 100",
-                                 s.pieces));
+    throw InputError(
+        fmt::format("text() with {} pieces a curve; set $fn, $fa or $fs to less, say "
+                    "$fn = 100",
+                    s.pieces));
   }
   s.text = node.text("text");
   if (s.text.size() > kMostBytes) throw InputError("text() of more than a million bytes");

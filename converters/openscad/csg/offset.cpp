@@ -27,14 +27,16 @@ bool on_circle(Vec2 p, Vec2 middle, double radius) {
   return std::abs(glm::length(p - middle) - radius) <= kSlack;
 }
 
-/// Whether the edge is a facet of the circle: its ends on it, and no longer than a facet.
+/// Whether the edge is a facet of the circle: its ends on it, and hardly longer than a facet. Where
+/// moved edges meet at a small angle, rounding lets their ends slide along the circle.
 bool facet_of(Vec2 a, Vec2 b, const Arc& arc) {
+  constexpr double kSlide = 1.5;
   return on_circle(a, arc.middle, arc.radius) && on_circle(b, arc.middle, arc.radius) &&
-         glm::length(b - a) <= 2 * arc.radius * std::sin(std::min(arc.step, 3.0) / 2) + kSlack;
+         glm::length(b - a) <= kSlide * 2 * arc.radius * std::sin(std::min(arc.step, 2.0) / 2);
 }
 
-/// What a polygon for an arc becomes where its edges move by delta: to either side, with its corners
-/// rounded (their ends stay on one circle) or as they are.
+/// What a polygon for an arc becomes where its edges move by delta: to either side, with its
+/// corners rounded (their ends stay on one circle) or as they are.
 std::vector<Arc> moved_arcs(const Region& region, double delta) {
   std::vector<Arc> out;
   for (const Arc& arc : region.arcs) {
@@ -87,8 +89,7 @@ void tag_moved(Region& moved, const Region& from, double delta, const OffsetRule
   std::vector<Arc> arcs = moved_arcs(from, delta);
   std::optional<Corners> corners;
   if (rule.corner == OffsetRule::Corner::Round && rule.fragments >= kFewestRound) {
-    // Clipper divides each corner evenly into steps of at most about a fragment and a half.
-    corners.emplace(from, std::abs(delta), 3 * M_PI / rule.fragments);
+    corners.emplace(from, std::abs(delta), 2 * M_PI / rule.fragments);
   }
   moved.arcs = arcs;
   for (Outline& o : moved.outlines) {

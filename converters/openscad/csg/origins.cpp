@@ -25,8 +25,8 @@ std::size_t mixed(std::uint64_t a, std::uint64_t b) {
 
 double distance_to_segment(Vec2 p, Vec2 a, Vec2 b) {
   const Vec2 d = b - a;
-  const double t = glm::dot(d, d) > 0 ? std::clamp(glm::dot(p - a, d) / glm::dot(d, d), 0.0, 1.0)
-                                      : 0.0;
+  const double t =
+      glm::dot(d, d) > 0 ? std::clamp(glm::dot(p - a, d) / glm::dot(d, d), 0.0, 1.0) : 0.0;
   return glm::length(p - a - t * d);
 }
 

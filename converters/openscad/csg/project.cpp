@@ -69,8 +69,8 @@ class Cut {
     return {p.x, p.y};
   }
 
-  /// From the edge where the triangle goes down through the plane to the one where it comes up: seen
-  /// from above that has the inside to the left.
+  /// From the edge where the triangle goes down through the plane to the one where it comes up:
+  /// seen from above that has the inside to the left.
   void cross(std::size_t t) {
     const auto& v = solid_.triangles[t];
     std::uint64_t down = 0, up = 0;
@@ -100,10 +100,18 @@ class Cut {
       }
       const auto onward = next_.find(piece.to);
       if (onward == next_.end()) break;
-      const auto open = std::ranges::find_if(
-          onward->second, [&](std::size_t next) { return !pieces_[next].used; });
+      const auto open = std::ranges::find_if(onward->second,
+                                             [&](std::size_t next) { return !pieces_[next].used; });
       if (open == onward->second.end()) break;
       i = *open;
+    }
+    // Where the walk begins may be such a place too.
+    const std::size_t n = outline.points.size();
+    if (n > 3 && surfaces_.back() == surfaces_.front() &&
+        straight(outline, outline.points[0], outline.points[1], surfaces_.front())) {
+      outline.points.erase(outline.points.begin());
+      outline.arc.pop_back();
+      surfaces_.erase(surfaces_.begin());
     }
     tag(outline, region);
     return outline;
@@ -144,31 +152,32 @@ Region cut(Evaluation& e, const Solid& solid) {
   return clip(ClipOp::Union, sides);
 }
 
+/// Level edges of walls about a vertical axis, whichever way these look.
+void add_level_edges(const Solid& solid, std::size_t t, Origins& origins) {
+  const std::int32_t surface = surface_of(solid, t);
+  const auto& v = solid.triangles[t];
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Vec3 &a = solid.positions[v[k]], &b = solid.positions[v[(k + 1) % 3]];
+    origins.add_point(a);
+    if (surface < 0 || std::abs(a.z - b.z) > 1e-9 * glm::length(b - a)) continue;
+    const auto arc = circle_of(solid.surfaces[static_cast<std::size_t>(surface)], a, b);
+    if (arc) origins.add_edge(a, b, *arc);
+  }
+}
+
 Region shadow(Evaluation& e, const Solid& solid) {
   e.run.check();
   std::vector<Outline> triangles;
-  std::vector<Arc> arcs;
+  Origins origins;
   for (std::size_t t = 0; t < solid.triangles.size(); ++t) {
-    const auto& v = solid.triangles[t];
+    add_level_edges(solid, t, origins);
     Outline o;
-    for (const std::uint32_t i : v) o.points.emplace_back(solid.positions[i].x, solid.positions[i].y);
+    for (const std::uint32_t i : solid.triangles[t]) o.points.emplace_back(solid.positions[i]);
     o.arc.assign(3, -1);
     // Those that look up cover what those that look down do.
-    if (doubled_area(o) <= 0) continue;
-    const std::int32_t surface = surface_of(solid, t);
-    for (std::size_t k = 0; k < 3 && surface >= 0; ++k) {
-      const Vec3 &a = solid.positions[v[k]], &b = solid.positions[v[(k + 1) % 3]];
-      if (std::abs(a.z - b.z) > 1e-9 * glm::length(b - a)) continue;
-      const auto arc = circle_of(solid.surfaces[static_cast<std::size_t>(surface)], o.points[k],
-                                 o.points[(k + 1) % 3]);
-      if (!arc) continue;
-      o.arc[k] = static_cast<std::int32_t>(arcs.size());
-      arcs.push_back(*arc);
-    }
-    triangles.push_back(std::move(o));
+    if (doubled_area(o) > 0) triangles.push_back(std::move(o));
   }
-  if (triangles.empty()) return {};
-  return covered(triangles, arcs);
+  return covered(triangles, origins);
 }
 
 }  // namespace

@@ -16,9 +16,7 @@ double spiral_length(double a, double t) {
 
 /// The way of a point that turns by `twist` radians and rises by `height`, at a constant distance r
 /// from the axis.
-double helix_length(double r, double height, double twist) {
-  return std::hypot(r * twist, height);
-}
+double helix_length(double r, double height, double twist) { return std::hypot(r * twist, height); }
 
 /// The same, its distance going from r to scale * r.
 double conical_length(double r, double height, double twist, double scale) {
@@ -35,8 +33,8 @@ double twisted(const Fineness& f, const Extrusion& x, double r) {
   if (f.fn > 0) return std::max(std::ceil(degrees / 360 * f.fn), fewest);
   const double turn = degrees * M_PI / 180;
   const bool conical = x.scale.x == x.scale.y && x.scale.x != 1;
-  const double length = conical ? conical_length(r, x.height, turn, x.scale.x)
-                                : helix_length(r, x.height, turn);
+  const double length =
+      conical ? conical_length(r, x.height, turn, x.scale.x) : helix_length(r, x.height, turn);
   return std::max(std::min(std::ceil(degrees / f.fa), std::ceil(length / f.fs)), fewest);
 }
 

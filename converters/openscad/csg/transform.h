@@ -14,8 +14,8 @@ struct Affine {
   Vec2 operator()(Vec2 p) const { return p.x * x + p.y * y + origin; }
 };
 
-/// Mirrored outlines are turned round. Arcs stay where circles stay circles, which the six digits of
-/// a tree tell within a hundred thousandth.
+/// Mirrored outlines are turned round. Arcs stay where circles stay circles, which the six digits
+/// of a tree tell within a hundred thousandth.
 Region transformed(const Region& region, const Affine& affine);
 
 }  // namespace burin::csg

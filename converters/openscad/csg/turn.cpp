@@ -51,8 +51,8 @@ class Turner {
  private:
   bool on_axis(std::uint32_t p) const { return cap_.points[p].x == 0; }
   Vec3 at(Vec2 p, int j) const {
-    const Vec2 d = whole_ ? Vec2(-1, 1) * corner(j, fragments_)
-                          : direction(angle_ * j / fragments_);
+    const Vec2 d =
+        whole_ ? Vec2(-1, 1) * corner(j, fragments_) : direction(angle_ * j / fragments_);
     return {p.x * d.x, p.x * d.y, p.y};
   }
   std::uint32_t vertex(std::uint32_t p, int j) const {

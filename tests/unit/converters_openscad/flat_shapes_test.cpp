@@ -51,8 +51,9 @@ TEST(FlatShapes, CombinationsCutAndKeepArcs) {
   EXPECT_NEAR(area(region), 400 - polygon_area(64, 5), kExact);
   EXPECT_EQ(tagged_edges(region), 64u);
   EXPECT_LT(farthest_from_arcs(region), kExact);
-  Evaluated half("intersection() { circle($fn = 64, r = 5); multmatrix([[1,0,0,0],[0,1,0,-5],[0,0,"
-                 "1,0],[0,0,0,1]]) { square(size = [10, 10], center = false); } }");
+  Evaluated half(
+      "intersection() { circle($fn = 64, r = 5); multmatrix([[1,0,0,0],[0,1,0,-5],[0,0,"
+      "1,0],[0,0,0,1]]) { square(size = [10, 10], center = false); } }");
   const Region quarter = half.region();
   EXPECT_NEAR(area(quarter), polygon_area(64, 5) / 2, kExact);
   EXPECT_EQ(tagged_edges(quarter), 32u);
@@ -113,8 +114,9 @@ TEST(FlatShapes, HullsAndSumsKeepTheArcsOfTheirCorners) {
   EXPECT_EQ(tagged_edges(hull), 40u);
   EXPECT_EQ(hull.arcs.size(), 2u);
   EXPECT_LT(farthest_from_arcs(hull), kExact);
-  const Region sum = Evaluated("minkowski(convexity = 0) { square(size = [10, 6], center = false); "
-                               "circle($fn = 40, r = 2); }")
+  const Region sum = Evaluated(
+                         "minkowski(convexity = 0) { square(size = [10, 6], center = false); "
+                         "circle($fn = 40, r = 2); }")
                          .region();
   EXPECT_NEAR(area(sum), 60 + 2 * 2 * 16 + polygon_area(40, 2), 1e-3);
   EXPECT_EQ(tagged_edges(sum), 40u);
@@ -144,8 +146,9 @@ TEST(FlatShapes, ShadowAndCutOfAnExtrusion) {
 }
 
 TEST(FlatShapes, AFaceInThePlaneBelongsToTheCut) {
-  Evaluated tree("projection(cut = true, convexity = 0) { linear_extrude(height = 5) { square(size "
-                 "= [3, 2], center = false); } }");
+  Evaluated tree(
+      "projection(cut = true, convexity = 0) { linear_extrude(height = 5) { square(size "
+      "= [3, 2], center = false); } }");
   EXPECT_NEAR(area(tree.region()), 6, kExact);
 }
 

@@ -11,13 +11,13 @@
 #include <map>
 #include <utility>
 
-
 namespace burin::csg::test {
 namespace {
 
 double volume_of(const std::vector<Vec3>& p, const std::vector<std::array<std::uint32_t, 3>>& all) {
   double sum = 0;
-  for (const auto& [a, b, c] : all) sum += glm::dot(p[a] - p[0], glm::cross(p[b] - p[0], p[c] - p[0]));
+  for (const auto& [a, b, c] : all)
+    sum += glm::dot(p[a] - p[0], glm::cross(p[b] - p[0], p[c] - p[0]));
   return sum / 6;
 }
 
@@ -25,7 +25,8 @@ void append(Solid& to, const Solid& more) {
   const auto first = static_cast<std::uint32_t>(to.positions.size());
   const auto row = static_cast<std::int32_t>(to.surfaces.size());
   to.positions.insert(to.positions.end(), more.positions.begin(), more.positions.end());
-  for (const auto& [a, b, c] : more.triangles) to.triangles.push_back({first + a, first + b, first + c});
+  for (const auto& [a, b, c] : more.triangles)
+    to.triangles.push_back({first + a, first + b, first + c});
   for (const std::int32_t s : more.surface) to.surface.push_back(s < 0 ? -1 : row + s);
   to.surfaces.insert(to.surfaces.end(), more.surfaces.begin(), more.surfaces.end());
 }
@@ -163,8 +164,7 @@ double farthest_from_surfaces(const Solid& solid) {
     for (const std::uint32_t v : solid.triangles[t]) {
       const Vec3 p = solid.positions[v] - turned.origin;
       const double up = glm::dot(p, turned.axis);
-      most = std::max(most,
-                      distance_to_profile(turned, {glm::length(p - up * turned.axis), up}));
+      most = std::max(most, distance_to_profile(turned, {glm::length(p - up * turned.axis), up}));
     }
   }
   return most;

@@ -1,11 +1,13 @@
 #pragma once
-// Trees of 2-D shapes and their extrusions, evaluated and measured; what openscad makes of the same.
+// Trees of 2-D shapes and their extrusions, evaluated and measured; what openscad makes of the
+// same.
 
 #include <burin/base/run_context.h>
-#include <burin_test/folder.h>
-#include <burin_test/pictures.h>
 
 #include "flat.h"
+
+#include <burin_test/folder.h>
+#include <burin_test/pictures.h>
 
 #include <filesystem>
 #include <optional>
