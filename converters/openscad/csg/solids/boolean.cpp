@@ -40,7 +40,7 @@ struct Boxes {
     std::vector<Box3> matters(nodes.size());
     matters[0] = of_node[0];
     for (std::size_t n = 0; n < nodes.size(); ++n) {
-      if (nodes[n].kind == Kind::Mesh) relevant[nodes[n].mesh] = matters[n];
+      if (nodes[n].kind == Kind::Mesh) relevant[nodes[n].mesh].add(matters[n]);
       // What is cut off, and what all have in common, lies in this node's own box.
       const Box3 inner = nodes[n].kind == Kind::Union ? matters[n] : common(matters[n], of_node[n]);
       for (const std::uint32_t c : nodes[n].children) matters[c] = inner;

@@ -240,9 +240,9 @@ class Evaluator {
     std::vector<ShapeId> parts = solids(n);
     std::erase(parts, kNothing);
     if (parts.size() < 2) return parts.empty() ? kNothing : parts[0];
-    Solid sum = shapes_.solid(parts[0], e_.run, [](double) {});
+    Solid sum = summand(parts[0], n);
     for (std::size_t k = 1; k < parts.size(); ++k) {
-      const Solid other = shapes_.solid(parts[k], e_.run, [](double) {});
+      const Solid other = summand(parts[k], n);
       std::vector<ShapeId> pieces;
       for (Solid& piece : minkowski_pieces(sum, other, e_.run))
         pieces.push_back(shapes_.leaf(std::move(piece)));
@@ -251,6 +251,14 @@ class Evaluator {
       sum = shapes_.solid(whole, e_.run, [](double) {});
     }
     return kNothing;
+  }
+  Solid summand(ShapeId shape, std::uint32_t n) {
+    Solid out = shapes_.solid(
+        shape, e_.run, [](double) {}, true);
+    if (closed(out)) return out;
+    csg::tell(e_, n, "openscad.open_solid",
+              "minkowski() of a solid that is not closed; it is left out");
+    return {};
   }
 
   /// OpenSCAD's rule: sizes of 0 stay as they are, or follow the largest one asked for.

@@ -173,12 +173,15 @@ int turn(const Exact& a, const Exact& b, const Exact& c, std::size_t i, std::siz
 
 Vec3 nearest(const Exact& point) {
   Vec3 out;
-  mpq_class q;
+  mpz_class scaled;
+  const auto w_bits = static_cast<long>(mpz_sizeinbase(point.c[3].get_mpz_t(), 2));
   for (std::size_t i = 0; i < 3; ++i) {
-    q.get_num() = point.c[i];
-    q.get_den() = point.c[3];
-    q.canonicalize();
-    out[static_cast<int>(i)] = q.get_d();
+    // A quotient of 64 bits, cut off: one unit in the last place of a double at most.
+    const auto bits = static_cast<long>(mpz_sizeinbase(point.c[i].get_mpz_t(), 2));
+    const long shift = std::max(0L, 64 + w_bits - bits);
+    mpz_mul_2exp(scaled.get_mpz_t(), point.c[i].get_mpz_t(), static_cast<mp_bitcnt_t>(shift));
+    scaled /= point.c[3];
+    out[static_cast<int>(i)] = std::ldexp(scaled.get_d(), static_cast<int>(-shift));
   }
   return out;
 }

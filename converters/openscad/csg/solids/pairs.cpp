@@ -3,6 +3,7 @@
 #include <CGAL/box_intersection_d.h>
 
 #include <algorithm>
+#include <limits>
 
 namespace burin::csg {
 namespace {
@@ -32,6 +33,30 @@ class Section {
       sides_[i].second = space_.side(facet_.edges[i].b, other_);
     }
     return true;
+  }
+
+  /// Where the section surely ends, seen along a direction; wider where an edge runs nearly along
+  /// the other plane.
+  std::pair<double, double> range(Vec3 way) const {
+    std::pair<double, double> out{std::numeric_limits<double>::infinity(),
+                                  -std::numeric_limits<double>::infinity()};
+    const auto take = [&](Vec3 p) {
+      const double t = glm::dot(way, p);
+      out = {std::min(out.first, t), std::max(out.second, t)};
+    };
+    for (std::size_t i = 0; i < facet_.edges.size(); ++i) {
+      const auto [sa, sb] = sides_[i];
+      if (sa * sb > 0) continue;
+      const Vec3 a = space_.at(facet_.edges[i].a), b = space_.at(facet_.edges[i].b);
+      const double da = space_.distance(other_, a).first, db = space_.distance(other_, b).first;
+      if (sa * sb < 0 && std::abs(da - db) > 1e-5 * glm::length(b - a)) {
+        take(a + std::clamp(da / (da - db), 0.0, 1.0) * (b - a));
+      } else {
+        if (sa == 0 || sa * sb < 0) take(a);
+        if (sb == 0 || sa * sb < 0) take(b);
+      }
+    }
+    return out;
   }
 
   /// As closed intervals, sorted, apart or touching.
@@ -118,6 +143,13 @@ struct BoxOf {
 void meet_facets(Space& space, const Facet& f, const Facet& g, std::vector<Meeting>& out) {
   Section sf(space, f, g.plane), sg(space, g, f.plane);
   if (!sf.crosses() || !sg.crosses()) return;
+  const Vec3 way = glm::cross(space.normal(f.plane), space.normal(g.plane));
+  if (glm::length(way) > 1e-6) {
+    // Far above what rounding does to the ends: points are made only where the sections come close.
+    const double near = 1e-8 * space.size();
+    const auto u = sf.range(way), v = sg.range(way);
+    if (u.first > v.second + near || v.first > u.second + near) return;
+  }
   const Id line = space.line(f.plane, g.plane);
   const std::vector<Interval> a = sf.intervals(line);
   if (a.empty()) return;

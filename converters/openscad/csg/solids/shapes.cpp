@@ -7,6 +7,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <unordered_map>
 
 namespace burin::csg {
 
@@ -80,6 +82,7 @@ class Gather {
   /// The root is a union, whose children are what may be apart.
   void run(ShapeId root) {
     matrices.push_back(exact(Matrix{}));
+    by_value_[order_of(Matrix{})].push_back(0);
     formula.nodes.push_back({Formula::Kind::Union, 0, {}});
     open_.push_back({root, 0, 0});
     while (!open_.empty()) {
@@ -157,24 +160,43 @@ class Gather {
   }
 
   std::uint32_t product(std::uint32_t outer, std::uint32_t inner) {
-    matrices.push_back(multiply(matrices[outer], exact(shapes_.matrices_[inner])));
-    return static_cast<std::uint32_t>(matrices.size() - 1);
+    ExactMatrix m = multiply(matrices[outer], exact(shapes_.matrices_[inner]));
+    auto& alike = by_value_[order_of(m.nearest)];
+    for (const std::uint32_t k : alike) {
+      if (matrices[k].row == m.row) return k;
+    }
+    alike.push_back(static_cast<std::uint32_t>(matrices.size()));
+    matrices.push_back(std::move(m));
+    return alike.back();
+  }
+  static std::size_t order_of(const Matrix& m) {
+    std::size_t h = 0;
+    for (const auto& row : m.row) {
+      for (const double v : row) h = h * 0x100000001b3 ^ std::hash<double>{}(v);
+    }
+    return h;
   }
 
+  /// A leaf that stands in one place twice is one mesh.
   void stand(const Shapes::Shape& s, Open o) {
+    const auto [at, fresh] =
+        places_.try_emplace({s.leaf, o.matrix}, static_cast<std::uint32_t>(leaves.size()));
+    const auto n = static_cast<std::uint32_t>(formula.nodes.size());
+    formula.nodes.push_back({Formula::Kind::Mesh, at->second, {}});
+    formula.nodes[o.parent].children.push_back(n);
+    if (!fresh) return;
     Standing standing{s.leaf, o.matrix, s.tangled, s.open, s.from, {}};
     for (const Vec3& p : shapes_.leaves_[s.leaf].positions) {
       const auto q = matrices[o.matrix].nearest * std::array<double, 3>{p.x, p.y, p.z};
       standing.box.add(Vec3(q[0], q[1], q[2]));
     }
-    const auto n = static_cast<std::uint32_t>(formula.nodes.size());
-    formula.nodes.push_back({Formula::Kind::Mesh, static_cast<std::uint32_t>(leaves.size()), {}});
-    formula.nodes[o.parent].children.push_back(n);
     leaves.push_back(standing);
   }
 
   const Shapes& shapes_;
   std::vector<Open> open_;
+  std::unordered_map<std::size_t, std::vector<std::uint32_t>> by_value_;
+  std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> places_;
 };
 
 namespace {
@@ -198,6 +220,7 @@ void append(Solid& out, const Solid& more) {
 Formula excerpt(const Formula& whole, std::span<const std::uint32_t> children,
                 std::vector<std::uint32_t>& meshes) {
   Formula out;
+  std::unordered_map<std::uint32_t, std::uint32_t> number;
   out.nodes.push_back({Formula::Kind::Union, 0, {}});
   struct Open {
     std::uint32_t from, parent;
@@ -211,12 +234,21 @@ Formula excerpt(const Formula& whole, std::span<const std::uint32_t> children,
     out.nodes.push_back({node.kind, node.mesh, {}});
     out.nodes[parent].children.push_back(n);
     if (node.kind == Formula::Kind::Mesh) {
-      out.nodes[n].mesh = static_cast<std::uint32_t>(meshes.size());
-      meshes.push_back(node.mesh);
+      const auto [at, fresh] =
+          number.try_emplace(node.mesh, static_cast<std::uint32_t>(meshes.size()));
+      if (fresh) meshes.push_back(node.mesh);
+      out.nodes[n].mesh = at->second;
     }
     for (const std::uint32_t c : node.children) open.push_back({c, n});
   }
   return out;
+}
+
+/// Whether a formula of one mesh is that mesh, which is not so where it is cut by itself.
+bool alone(const Formula& formula) {
+  return std::ranges::none_of(formula.nodes, [](const Formula::Node& n) {
+    return n.kind == Formula::Kind::Difference || n.kind == Formula::Kind::Intersection;
+  });
 }
 
 /// Which children of the root belong together: their boxes overlap.
@@ -258,7 +290,8 @@ void compact(Solid& solid) {
 
 }  // namespace
 
-Solid Shapes::solid(ShapeId root, RunContext& context, const std::function<void(double)>& share) {
+Solid Shapes::solid(ShapeId root, RunContext& context, const std::function<void(double)>& share,
+                    bool clean) {
   if (root == kNothing) return {};
   Gather all(*this);
   all.run(root);
@@ -279,7 +312,7 @@ Solid Shapes::solid(ShapeId root, RunContext& context, const std::function<void(
     share(done);
     std::vector<std::uint32_t> standing;
     const Formula formula = excerpt(all.formula, parts[g], standing);
-    if (standing.size() == 1) {
+    if (standing.size() == 1 && alone(formula) && !(clean && all.leaves[standing[0]].tangled)) {
       const auto& leaf = all.leaves[standing[0]];
       append(out, csg::moved(leaves_[leaf.leaf], all.matrices[leaf.matrix].nearest));
       continue;

@@ -31,8 +31,10 @@ class Shapes {
   ShapeId intersection(std::vector<ShapeId> parts);
   ShapeId moved(ShapeId shape, const Matrix& m);
 
-  /// Works a shape out. Throws GeometryError where that cannot be done.
-  Solid solid(ShapeId shape, RunContext& context, const std::function<void(double)>& share);
+  /// Works a shape out. A single leaf stays as it is, unless it is to be freed of cuts through
+  /// itself and corners in one place (`clean`). Throws GeometryError where that cannot be done.
+  Solid solid(ShapeId shape, RunContext& context, const std::function<void(double)>& share,
+              bool clean = false);
   /// All corners of the leaves of a shape of unions alone; of others of what it works out to.
   std::vector<Vec3> points(ShapeId shape, RunContext& context);
   /// The nodes of open leaves that something was to be cut by or united with: they were left out.
