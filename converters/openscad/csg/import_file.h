@@ -17,15 +17,21 @@ std::filesystem::path file_of(const Evaluation& e, std::uint32_t node);
 /// Its suffix, lowered, with the dot.
 std::string suffix_of(const std::filesystem::path& path);
 
-/// What `read` returns; where the file is not there nothing, which the diagnostics tell.
+/// What `read` returns; where the file is not there (or the name is empty, which leaves a folder)
+/// nothing, which the diagnostics tell.
 template <typename Read>
 auto if_there(Evaluation& e, std::uint32_t node, Read&& read) -> decltype(read()) {
+  const auto missing = [&](const std::string& file) -> decltype(read()) {
+    tell(e, node, "openscad.no_file", file + ": no such file; it is left out, as OpenSCAD does");
+    return {};
+  };
+  if (std::error_code no; std::filesystem::is_directory(file_of(e, node), no)) {
+    return missing(file_of(e, node).string());
+  }
   try {
     return std::forward<Read>(read)();
-  } catch (const MissingFile& missing) {
-    tell(e, node, "openscad.no_file",
-         missing.file() + ": no such file; it is left out, as OpenSCAD does");
-    return {};
+  } catch (const MissingFile& error) {
+    return missing(error.file());
   }
 }
 

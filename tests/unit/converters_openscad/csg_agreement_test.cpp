@@ -53,8 +53,8 @@ const Case kCases[] = {
      "difference() { linear_extrude(5, twist=60, slices=12) square(10, center=true); "
      "translate([0,0,-1]) rotate_extrude($fn=40) translate([3,0]) circle(1); }"},
     {"pattern",
-     "difference() { cube([40,40,4]); for (x=[2:4:38], y=[2:4:38]) translate([x,y,-1]) "
-     "cylinder(h=6,r=1.5,$fn=12); }"},
+     "difference() { cube([5,5,1]); for (x=[1:4], y=[1:4]) translate([x,y,-1]) "
+     "cylinder(h=3,r=0.3,$fn=12); }"},
     {"stack", "for (i=[0:9]) translate([0,0,i*0.3]) rotate(i*9) cube([4,4,0.3], center=true);"},
     {"projected",
      "linear_extrude(2) projection(cut=true) translate([0,0,1]) difference() { sphere(6,$fn=30); "
