@@ -47,15 +47,16 @@ Region region_of(const ClipperLib::PolyTree& tree, const Origins& origins) {
   return region;
 }
 
-/// Runs Clipper; where nothing has an area, so that it has nothing to begin with, the result is empty.
+/// Runs Clipper; where nothing has an area, so that it has nothing to begin with, the result is
+/// empty.
 template <typename Result>
 void run(ClipperLib::Clipper& clipper, ClipperLib::ClipType type, Result& out,
          ClipperLib::PolyFillType fill) {
   try {
     if (!clipper.Execute(type, out, fill, fill)) out = Result();
   } catch (const ClipperLib::clipperException& error) {
-    throw InputError(fmt::format("polygons that cannot be clipped ({}); simplify them",
-                                 error.what()));
+    throw InputError(
+        fmt::format("polygons that cannot be clipped ({}); simplify them", error.what()));
   }
 }
 

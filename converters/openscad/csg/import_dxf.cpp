@@ -39,7 +39,7 @@ class DxfReader {
   DxfReader(Evaluation& e, std::uint32_t node, const Source& source)
       : e_(e), node_(node), cursor_(source), fineness_(fineness_of(e.tree.nodes[node])) {
     const Node& n = e.tree.nodes[node];
-    layer_ = n.text("layer");
+    layer_ = unescaped(n.text("layer"));
     const std::vector<double> origin = n.numbers("origin");
     if (origin.size() >= 2) origin_ = {origin[0], origin[1]};
     // linear_extrude(file = ...) scales by its first number.

@@ -8,12 +8,15 @@
 
 #include <filesystem>
 #include <string>
+#include <string_view>
 #include <utility>
 
 namespace burin::csg {
 
 /// The file of a node's argument "file"; relative ones begin at the folder of the evaluation.
 std::filesystem::path file_of(const Evaluation& e, std::uint32_t node);
+/// A name or layer as it was before OpenSCAD put backslashes before its quotes.
+std::string unescaped(std::string_view text);
 /// Its suffix, lowered, with the dot.
 std::string suffix_of(const std::filesystem::path& path);
 
@@ -21,6 +24,7 @@ std::string suffix_of(const std::filesystem::path& path);
 template <typename Read>
 auto if_there(Evaluation& e, std::uint32_t node, Read&& read) -> decltype(read()) {
   try {
+    if (e.tree.nodes[node].text("file").empty()) throw MissingFile("no file is named", "import()");
     return std::forward<Read>(read)();
   } catch (const MissingFile& missing) {
     tell(e, node, "openscad.no_file",
