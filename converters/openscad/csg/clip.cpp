@@ -104,8 +104,8 @@ void fill_inside(const Paths& a, const Paths& b, Paths& out) {
   }
 }
 
-/// Whether an edge along `d` can be on the rim of a sum where a corner between edges along `before` and
-/// `after` carries it: the corner reaches farthest that way.
+/// Whether an edge along `d` can be on the rim of a sum where a corner between edges along `before`
+/// and `after` carries it: the corner reaches farthest that way.
 bool reaches(Vec2 before, Vec2 after, Vec2 d) {
   constexpr double kSlack = 1e-6;  // radians, about
   const double slack = kSlack * glm::length(d);

@@ -53,10 +53,11 @@ std::uint32_t DxfLines::place(Vec2 p) {
   return found->second;
 }
 
-void DxfLines::add(Vec2 a, Vec2 b) {
+void DxfLines::add(Vec2 a, Vec2 b, std::int32_t arc) {
   const auto line = static_cast<std::uint32_t>(lines_.size());
   const std::uint32_t from = place(a), to = place(b);
   lines_.push_back({from, to});
+  arc_.push_back(arc);
   used_.push_back(false);
   for (const std::uint32_t p : {from, to}) {
     at_[p].push_back(line);
@@ -81,6 +82,7 @@ void DxfLines::follow(std::uint32_t line, int end, bool closed, std::vector<Outl
   std::vector<std::uint32_t> passed{lines_[line][static_cast<std::size_t>(end)]};
   for (;;) {
     used_[line] = true;
+    outline.arc.push_back(arc_[line]);
     for (const std::uint32_t p : lines_[line]) --left_at_[p];
     passed.push_back(lines_[line][static_cast<std::size_t>(1 - end)]);
     const std::int64_t next = next_at(passed.back());
@@ -93,14 +95,20 @@ void DxfLines::follow(std::uint32_t line, int end, bool closed, std::vector<Outl
     outline.points.push_back(points_[p]);
     if (left_at_[p] == 1) candidates_.push(static_cast<std::uint32_t>(next_at(p)));
   }
+  outline.arc.push_back(-1);  // from the last point to the first
   open_ = open_ || !closed;
   // Without loose ends a chain is taken for closed, also where a crossing has ended it elsewhere:
   // then OpenSCAD loses the end that comes first once the chain runs its way.
-  if (closed && !open_ && runs_back(outline.points))
+  const bool meets = passed.front() == passed.back();
+  if (closed && !open_ && runs_back(outline.points)) {
     outline.points.pop_back();
-  else if (closed)
+    outline.arc.pop_back();
+    if (!meets) outline.arc.back() = -1;
+  } else if (closed) {
     outline.points.erase(outline.points.begin());
-  outline.arc.assign(outline.points.size(), -1);
+    if (meets) outline.arc.back() = outline.arc.front();
+    outline.arc.erase(outline.arc.begin());
+  }
   if (outline.points.size() >= 3) out.push_back(std::move(outline));
 }
 

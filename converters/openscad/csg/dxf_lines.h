@@ -17,7 +17,8 @@ namespace burin::csg {
 /// Lines whose ends meet within a thousandth of a millimetre, as OpenSCAD joins them.
 class DxfLines {
  public:
-  void add(Vec2 a, Vec2 b);
+  /// `arc`: the number of the arc that the line stands for, -1 for none.
+  void add(Vec2 a, Vec2 b, std::int32_t arc = -1);
   /// Chains of lines, each line once; first those that begin at a loose end. What is open is
   /// closed.
   std::vector<Outline> outlines();
@@ -46,6 +47,7 @@ class DxfLines {
   /// How many of them are not yet in a chain.
   std::vector<std::uint32_t> left_at_;
   std::vector<std::array<std::uint32_t, 2>> lines_;
+  std::vector<std::int32_t> arc_;
   std::vector<bool> used_;
   /// Some chain began at a loose end.
   bool open_ = false;
