@@ -47,15 +47,16 @@ Region region_of(const ClipperLib::PolyTree& tree, const Origins& origins) {
   return region;
 }
 
-/// Runs Clipper; where nothing has an area, so that it has nothing to begin with, the result is empty.
+/// Runs Clipper; where nothing has an area, so that it has nothing to begin with, the result is
+/// empty.
 template <typename Result>
 void run(ClipperLib::Clipper& clipper, ClipperLib::ClipType type, Result& out,
          ClipperLib::PolyFillType fill) {
   try {
     if (!clipper.Execute(type, out, fill, fill)) out = Result();
   } catch (const ClipperLib::clipperException& error) {
-    throw InputError(fmt::format("polygons that cannot be clipped ({}); simplify them",
-                                 error.what()));
+    throw InputError(
+        fmt::format("polygons that cannot be clipped ({}); simplify them", error.what()));
   }
 }
 
@@ -103,16 +104,29 @@ void fill_inside(const Paths& a, const Paths& b, Paths& out) {
   }
 }
 
-/// Arcs of `a` about the points of `b` that carry them.
+/// Whether an edge along `d` can be on the rim of a sum where a corner between edges along `before`
+/// and `after` carries it: the corner reaches farthest that way.
+bool reaches(Vec2 before, Vec2 after, Vec2 d) {
+  constexpr double kSlack = 1e-6;  // radians, about
+  const double slack = kSlack * glm::length(d);
+  return cross2(before, after) > 0 && cross2(before, d) >= -slack * glm::length(before) &&
+         cross2(d, after) >= -slack * glm::length(after);
+}
+
+/// Arcs of `a` about the corners of `b` that carry them.
 void add_carried(const Region& a, const Region& b, Origins& origins) {
   for (const Outline& carrier : b.outlines) {
-    for (const Vec2& by : carrier.points) {
+    const std::size_t n = carrier.points.size();
+    for (std::size_t j = 0; j < n; ++j) {
+      const Vec2 by = carrier.points[j], before = by - carrier.points[(j + n - 1) % n],
+                 after = carrier.points[(j + 1) % n] - by;
       for (const Outline& o : a.outlines) {
         for (std::size_t i = 0; i < o.points.size(); ++i) {
-          if (o.arc[i] < 0) continue;
+          const Vec2 from = o.points[i], to = o.points[(i + 1) % o.points.size()];
+          if (o.arc[i] < 0 || !reaches(before, after, to - from)) continue;
           Arc arc = a.arcs[static_cast<std::size_t>(o.arc[i])];
           arc.middle += by;
-          origins.add_edge(o.points[i] + by, o.points[(i + 1) % o.points.size()] + by, arc);
+          origins.add_edge(from + by, to + by, arc);
         }
       }
     }

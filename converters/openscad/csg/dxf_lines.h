@@ -7,6 +7,8 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
+#include <queue>
 #include <unordered_map>
 #include <vector>
 
@@ -15,7 +17,8 @@ namespace burin::csg {
 /// Lines whose ends meet within a thousandth of a millimetre, as OpenSCAD joins them.
 class DxfLines {
  public:
-  void add(Vec2 a, Vec2 b);
+  /// `arc`: the number of the arc that the line stands for, -1 for none.
+  void add(Vec2 a, Vec2 b, std::int32_t arc = -1);
   /// Chains of lines, each line once; first those that begin at a loose end. What is open is
   /// closed.
   std::vector<Outline> outlines();
@@ -33,7 +36,7 @@ class DxfLines {
   bool loose(std::uint32_t line, int end) const;
   /// The first line at a place that is in no chain, or -1.
   std::int64_t next_at(std::uint32_t place);
-  void follow(std::uint32_t line, int end, std::vector<Outline>& out);
+  void follow(std::uint32_t line, int end, bool closed, std::vector<Outline>& out);
 
   std::unordered_map<Place, std::uint32_t, PlaceHash> numbers_;
   std::vector<Vec2> points_;
@@ -44,8 +47,12 @@ class DxfLines {
   /// How many of them are not yet in a chain.
   std::vector<std::uint32_t> left_at_;
   std::vector<std::array<std::uint32_t, 2>> lines_;
+  std::vector<std::int32_t> arc_;
   std::vector<bool> used_;
-  std::vector<std::uint32_t> candidates_;
+  /// Some chain began at a loose end.
+  bool open_ = false;
+  /// Lines that may have a loose end, the first of the file on top.
+  std::priority_queue<std::uint32_t, std::vector<std::uint32_t>, std::greater<>> candidates_;
 };
 
 }  // namespace burin::csg

@@ -43,7 +43,10 @@ Region combine_regions(Evaluation& e, std::uint32_t node, std::span<const Region
 Solid extruded(Evaluation& e, std::uint32_t node, const Region& region);
 /// projection, cut or not.
 Region projected(Evaluation& e, std::uint32_t node, const Solid& solid);
-/// import of STL, OFF, 3MF, AMF, NEF3 and surface.
+/// import of STL, OFF, 3MF, AMF, NEF3 and surface: the objects of the file, which OpenSCAD unites;
+/// each closed where the file's faces close, and turned outwards.
+std::vector<Solid> file_solids(Evaluation& e, std::uint32_t node);
+/// The same beside each other in one, for files whose objects do not meet.
 Solid file_solid(Evaluation& e, std::uint32_t node);
 
 }  // namespace burin::csg

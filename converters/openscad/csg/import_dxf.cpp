@@ -32,6 +32,7 @@ struct Entity {
 
 struct Line {
   Vec2 a, b;
+  std::int32_t arc = -1;
 };
 
 class DxfReader {
@@ -39,7 +40,7 @@ class DxfReader {
   DxfReader(Evaluation& e, std::uint32_t node, const Source& source)
       : e_(e), node_(node), cursor_(source), fineness_(fineness_of(e.tree.nodes[node])) {
     const Node& n = e.tree.nodes[node];
-    layer_ = n.text("layer");
+    layer_ = unescaped(n.text("layer"));
     const std::vector<double> origin = n.numbers("origin");
     if (origin.size() >= 2) origin_ = {origin[0], origin[1]};
     // linear_extrude(file = ...) scales by its first number.
@@ -64,6 +65,7 @@ class DxfReader {
     tell_unsupported();
     Region region;
     region.outlines = lines_.outlines();
+    region.arcs = std::move(arcs_);
     return odd_places(region);
   }
 
@@ -182,12 +184,12 @@ class DxfReader {
     }
   }
 
-  void add(Vec2 a, Vec2 b) {
+  void add(Vec2 a, Vec2 b, std::int32_t arc = -1) {
     if (++count_ > kMostLines) cursor_.fail("more than ten million lines in a DXF file");
     if (in_entities_)
-      lines_.add(a, b);
+      lines_.add(a, b, arc);
     else if (!block_.empty())
-      blocks_[block_].push_back({a, b});
+      blocks_[block_].push_back({a, b, arc});
   }
   void polyline() {
     const std::size_t n = std::max(entity_.x.size(), entity_.y.size());
@@ -195,15 +197,22 @@ class DxfReader {
     for (std::size_t i = 1; i < n; ++i) add(point(i - 1), point(i));
     if (entity_.flags & 1) add(point(n - 1), point(0));
   }
+  std::int32_t new_arc(const Arc& arc) {
+    arcs_.push_back(arc);
+    return static_cast<std::int32_t>(arcs_.size()) - 1;
+  }
   void arc(double start, double stop, bool whole) {
     const Vec2 middle = point(0);
     const double r = entity_.radius;
     if (start > stop) stop += 360 * std::ceil((start - stop) / 360);
     int n = fragments(r, fineness_);
     if (!whole) n = static_cast<int>(std::ceil(n * std::min((stop - start) / 360, 100.0)));
+    const double step = (stop - start) / std::max(n, 1);
+    const std::int32_t round =
+        step * kFewestRound <= 360 ? new_arc({middle, r, step * M_PI / 180}) : -1;
     for (int i = 0; i < n; ++i) {
-      add(middle + r * direction(start + (stop - start) * i / n),
-          middle + r * direction(start + (stop - start) * (i + 1) / n));
+      add(middle + r * direction(start + step * i), middle + r * direction(start + step * (i + 1)),
+          round);
     }
   }
   void ellipse() {
@@ -226,14 +235,24 @@ class DxfReader {
   void insert() {
     const auto block = blocks_.find(entity_.name);
     if (block == blocks_.end()) return;
-    const Vec2 turn = direction(entity_.start), to = point(0);
+    const Vec2 turn = direction(entity_.start), origin = point(0);
     const auto placed = [&](Vec2 p) {
       p *= Vec2(entity_.first, entity_.second);
-      return Vec2(turn.x * p.x - turn.y * p.y, turn.y * p.x + turn.x * p.y) * scale_ + to;
+      return Vec2(turn.x * p.x - turn.y * p.y, turn.y * p.x + turn.x * p.y) * scale_ + origin;
     };
     // A copy: a block may insert itself.
     const std::vector<Line> lines = block->second;
-    for (const Line& l : lines) add(placed(l.a), placed(l.b));
+    const double scale = std::abs(entity_.first) * scale_;
+    const bool round = std::abs(entity_.first) == std::abs(entity_.second);
+    std::map<std::int32_t, std::int32_t> moved{{-1, -1}};
+    for (const Line& l : lines) {
+      const auto [to, is_new] = moved.try_emplace(round ? l.arc : -1, -1);
+      if (is_new) {
+        const Arc arc = arcs_[static_cast<std::size_t>(l.arc)];
+        to->second = new_arc({placed(arc.middle), arc.radius * scale, arc.step});
+      }
+      add(placed(l.a), placed(l.b), to->second);
+    }
   }
 
   void tell_unsupported() {
@@ -257,6 +276,7 @@ class DxfReader {
   std::unordered_map<std::string, std::vector<Line>> blocks_;
   std::map<std::string, std::int64_t> unsupported_;
   std::size_t count_ = 0;
+  std::vector<Arc> arcs_;
   DxfLines lines_;
 };
 

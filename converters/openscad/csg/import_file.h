@@ -8,12 +8,15 @@
 
 #include <filesystem>
 #include <string>
+#include <string_view>
 #include <utility>
 
 namespace burin::csg {
 
 /// The file of a node's argument "file"; relative ones begin at the folder of the evaluation.
 std::filesystem::path file_of(const Evaluation& e, std::uint32_t node);
+/// A name or layer as it was before OpenSCAD put backslashes before its quotes.
+std::string unescaped(std::string_view text);
 /// Its suffix, lowered, with the dot.
 std::string suffix_of(const std::filesystem::path& path);
 
@@ -29,6 +32,7 @@ auto if_there(Evaluation& e, std::uint32_t node, Read&& read) -> decltype(read()
     return missing(file_of(e, node).string());
   }
   try {
+    if (e.tree.nodes[node].text("file").empty()) throw MissingFile("no file is named", "import()");
     return std::forward<Read>(read)();
   } catch (const MissingFile& error) {
     return missing(error.file());

@@ -5,22 +5,21 @@
 #include "amf.h"
 #include "import_file.h"
 
-#include <algorithm>
+#include <utility>
+#include <vector>
 
 namespace burin::csg {
 namespace {
 
-/// Objects beside each other in one solid; each closed and turned outwards.
-void append(Solid& solid, const TriMesh& mesh) {
-  const auto first = static_cast<std::uint32_t>(solid.positions.size());
-  solid.positions.insert(solid.positions.end(), mesh.positions.begin(), mesh.positions.end());
-  for (const Triangle& t : mesh.triangles) {
-    solid.triangles.push_back({first + t[0], first + t[1], first + t[2]});
-  }
-  solid.surface.resize(solid.triangles.size(), -1);
+Solid solid_of(TriMesh mesh) {
+  Solid solid;
+  solid.positions = std::move(mesh.positions);
+  solid.triangles = std::move(mesh.triangles);
+  solid.surface.assign(solid.triangles.size(), -1);
+  return solid;
 }
 
-Solid of_file(Evaluation& e, std::uint32_t node) {
+std::vector<Solid> of_file(Evaluation& e, std::uint32_t node) {
   const std::filesystem::path path = file_of(e, node);
   const std::string suffix = suffix_of(path);
   if (suffix == ".nef3") {
@@ -34,25 +33,45 @@ Solid of_file(Evaluation& e, std::uint32_t node) {
   }
   const MeshFile file = suffix == ".amf" ? read_amf(path, e.run) : read_mesh_file(path, e.run);
   e.diagnostics.append(file.diagnostics);
-  Solid solid;
+  std::vector<Solid> solids;
   for (const PolygonSoup& object : file.objects) {
     try {
-      append(solid, repair(object, {}, e.diagnostics, e.run));
+      solids.push_back(solid_of(repair(object, {}, e.diagnostics, e.run)));
     } catch (const GeometryError& error) {
       tell(e, node, "openscad.empty_import", path.string() + ": " + error.what());
     }
   }
-  return solid;
+  return solids;
+}
+
+void append(Solid& to, const Solid& more) {
+  const auto first = static_cast<std::uint32_t>(to.positions.size());
+  to.positions.insert(to.positions.end(), more.positions.begin(), more.positions.end());
+  for (const auto& [a, b, c] : more.triangles) {
+    to.triangles.push_back({first + a, first + b, first + c});
+  }
+  to.surface.resize(to.triangles.size(), -1);
 }
 
 }  // namespace
 
-Solid file_solid(Evaluation& e, std::uint32_t node) {
+std::vector<Solid> file_solids(Evaluation& e, std::uint32_t node) {
   e.run.check();
-  return at_node(e, node, [&] {
-    if (e.tree.nodes[node].module == Module::Surface) return height_map(e, node);
-    return if_there(e, node, [&]() -> Solid { return of_file(e, node); });
+  return at_node(e, node, [&]() -> std::vector<Solid> {
+    if (e.tree.nodes[node].module == Module::Surface) return {height_map(e, node)};
+    return if_there(e, node, [&]() -> std::vector<Solid> { return of_file(e, node); });
   });
+}
+
+Solid file_solid(Evaluation& e, std::uint32_t node) {
+  Solid all;
+  for (Solid& solid : file_solids(e, node)) {
+    if (all.empty())
+      all = std::move(solid);
+    else
+      append(all, solid);
+  }
+  return all;
 }
 
 }  // namespace burin::csg

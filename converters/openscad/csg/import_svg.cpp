@@ -5,6 +5,7 @@
 #include "source.h"
 #include "svg_shapes.h"
 #include "text.h"
+#include "transform.h"
 
 #include <pugixml.hpp>
 
@@ -98,10 +99,10 @@ class SvgReader {
   void walk(const pugi::xml_node& root) {
     struct Open {
       pugi::xml_node node;
-      SvgMatrix matrix;
+      Affine matrix;
     };
     std::vector<Open> open;
-    const auto push = [&](const pugi::xml_node& parent, const SvgMatrix& matrix) {
+    const auto push = [&](const pugi::xml_node& parent, const Affine& matrix) {
       // The last on top of the first, to be taken in their order.
       for (pugi::xml_node c = parent.last_child(); c; c = c.previous_sibling()) {
         if (c.type() == pugi::node_element) open.push_back({c, matrix});
@@ -114,11 +115,11 @@ class SvgReader {
       open.pop_back();
       const std::string_view name = now.node.name();
       if (name == "defs") continue;
-      SvgMatrix matrix = now.matrix;
+      Affine matrix = now.matrix;
       if (name == "svg") {
         page(now.node);
       } else {
-        const SvgMatrix own = matrix * svg_transform(now.node.attribute("transform").value());
+        const Affine own = matrix * svg_transform(now.node.attribute("transform").value());
         shape(now.node, own);
         if (name == "g" || name == "text" || name == "tspan") matrix = own;
       }
@@ -169,42 +170,44 @@ class SvgReader {
     return stroke;
   }
 
-  void shape(const pugi::xml_node& node, const SvgMatrix& matrix) {
+  void shape(const pugi::xml_node& node, const Affine& matrix) {
     const auto value = [&](const char* name) { return svg_number(node.attribute(name).value()); };
     const auto pair = [&](const char* x, const char* y) { return Vec2(value(x), value(y)); };
     const std::string_view name = node.name();
-    std::vector<SvgPath> paths;
+    Region shape;
     if (name == "path") {
-      paths = svg_path(node.attribute("d").value(), stroke_of(node));
+      shape = svg_path(node.attribute("d").value(), stroke_of(node));
     } else if (name == "circle") {
-      paths = {svg_ellipse(pair("cx", "cy"), Vec2(value("r")))};
+      shape = svg_ellipse(pair("cx", "cy"), Vec2(value("r")));
     } else if (name == "ellipse") {
-      paths = {svg_ellipse(pair("cx", "cy"), pair("rx", "ry"))};
+      shape = svg_ellipse(pair("cx", "cy"), pair("rx", "ry"));
     } else if (name == "rect") {
-      paths = rectangle(node, pair("x", "y"), pair("width", "height"), pair("rx", "ry"));
+      shape = rectangle(node, pair("x", "y"), pair("width", "height"), pair("rx", "ry"));
     } else if (name == "line") {
-      paths = stroked({pair("x1", "y1"), pair("x2", "y2")}, stroke_of(node));
+      shape.outlines = stroked({pair("x1", "y1"), pair("x2", "y2")}, stroke_of(node));
     } else if (name == "polygon" || name == "polyline") {
       const std::vector<double> v = svg_numbers(node.attribute("points").value());
-      SvgPath points;
+      std::vector<Vec2> points;
       for (std::size_t i = 0; i + 1 < v.size(); i += 2) points.emplace_back(v[i], v[i + 1]);
       if (name == "polygon")
-        paths = {points};
+        shape.outlines.push_back(straight(std::move(points)));
       else
-        paths = stroked(points, stroke_of(node));
+        shape.outlines = stroked(points, stroke_of(node));
     } else {
       return;
     }
-    for (SvgPath& path : paths) {
-      for (Vec2& p : path) p = matrix(p);
-    }
-    shapes_.push_back(std::move(paths));
+    shapes_.push_back(transformed(shape, matrix));
   }
 
-  static std::vector<SvgPath> rectangle(const pugi::xml_node& node, Vec2 at, Vec2 size, Vec2 r) {
+  static Outline straight(std::vector<Vec2> points) {
+    Outline out{std::move(points), {}};
+    out.arc.assign(out.points.size(), -1);
+    return out;
+  }
+  static Region rectangle(const pugi::xml_node& node, Vec2 at, Vec2 size, Vec2 r) {
     constexpr double kNone = 1e-8;
     if (std::abs(r.x) < kNone && std::abs(r.y) < kNone) {
-      return {{at, at + Vec2(size.x, 0), at + size, at + Vec2(0, size.y)}};
+      return {{straight({at, at + Vec2(size.x, 0), at + size, at + Vec2(0, size.y)})}, {}};
     }
     if (std::abs(r.x) < kNone) r.x = r.y;
     if (std::abs(r.y) < kNone) r.y = r.x;
@@ -221,9 +224,9 @@ class SvgReader {
 
   Region placed() const {
     Vec2 low(std::numeric_limits<double>::infinity()), high = -low;
-    for (const auto& paths : shapes_) {
-      for (const SvgPath& path : paths) {
-        for (const Vec2& p : path) {
+    for (const Region& shape : shapes_) {
+      for (const Outline& o : shape.outlines) {
+        for (const Vec2& p : o.points) {
           low = glm::min(low, page_.scale * p);
           high = glm::max(high, page_.scale * p);
         }
@@ -231,18 +234,11 @@ class SvgReader {
     }
     Vec2 shift(page_.align.x, page_.height - page_.align.y);
     if (center_) shift = Vec2(-0.5, 0.5) * (low + high);
+    const Affine place{{page_.scale.x, 0}, {0, -page_.scale.y}, shift - page_.scale * page_.box};
     std::vector<Region> regions;
-    for (const auto& paths : shapes_) {
-      Region region;
-      for (const SvgPath& path : paths) {
-        if (path.size() < 3) continue;
-        Outline& o = region.outlines.emplace_back();
-        for (const Vec2& p : path) {
-          const Vec2 q = page_.scale * (p * Vec2(1, -1) - page_.box);
-          o.points.push_back(q + shift);
-        }
-        o.arc.assign(o.points.size(), -1);
-      }
+    for (const Region& shape : shapes_) {
+      Region region = transformed(shape, place);
+      std::erase_if(region.outlines, [](const Outline& o) { return o.points.size() < 3; });
       regions.push_back(odd_places(region));
     }
     return clip(ClipOp::Union, regions);
@@ -253,7 +249,7 @@ class SvgReader {
   double dpi_;
   bool center_;
   Page page_;
-  std::vector<std::vector<SvgPath>> shapes_;
+  std::vector<Region> shapes_;
 };
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include "text.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 
@@ -59,7 +60,7 @@ class PathReader {
  public:
   PathReader(std::string_view data, const SvgStroke& stroke) : words_(data), stroke_(stroke) {}
 
-  std::vector<SvgPath> read() {
+  Region read() {
     paths_.emplace_back();
     char command = 0;
     while (!words_.at_end()) {
@@ -77,9 +78,9 @@ class PathReader {
       // More pairs behind a move are lines.
       if (lowered(command) == 'm') command = command == 'm' ? 'l' : 'L';
     }
-    while (!paths_.empty() && paths_.back().empty()) paths_.pop_back();
+    while (!paths_.empty() && paths_.back().points.empty()) paths_.pop_back();
     if (!closed_ && !paths_.empty()) stroke_if_open();
-    return std::move(paths_);
+    return {std::move(paths_), std::move(arcs_)};
   }
 
  private:
@@ -114,16 +115,23 @@ class PathReader {
     return count > 0;
   }
 
-  SvgPath& path() { return paths_.back(); }
-  static bool open(const SvgPath& path) {
+  std::vector<Vec2>& path() { return paths_.back().points; }
+  /// `arc`: what the edge that ends here stands for.
+  void add(Vec2 p, std::int32_t arc = -1) {
+    Outline& outline = paths_.back();
+    if (!outline.arc.empty()) outline.arc.back() = arc;
+    outline.points.push_back(p);
+    outline.arc.push_back(-1);
+  }
+  static bool open(const std::vector<Vec2>& path) {
     constexpr double kGap = 0.1;  // user units; OpenSCAD's
     return glm::length(path.front() - path.back()) > kGap;
   }
   void stroke_if_open() {
     if (!open(path())) return;
-    const SvgPath line = std::move(path());
+    const std::vector<Vec2> line = std::move(path());
     paths_.pop_back();
-    for (SvgPath& p : stroked(line, stroke_)) paths_.push_back(std::move(p));
+    for (Outline& o : stroked(line, stroke_)) paths_.push_back(std::move(o));
   }
   void close() {
     if (!path().empty()) at_ = path().front();
@@ -136,7 +144,7 @@ class PathReader {
       stroke_if_open();
       paths_.emplace_back();
     }
-    path().push_back(to);
+    add(to);
   }
 
   void draw(char command, const std::array<double, 7>& v) {
@@ -148,15 +156,15 @@ class PathReader {
         move(at_ = p(0));
         break;
       case 'l':
-        path().push_back(at_ = p(0));
+        add(at_ = p(0));
         break;
       case 'h':
         at_.x = base.x + v[0];
-        path().push_back(at_);
+        add(at_);
         break;
       case 'v':
         at_.y = base.y + v[0];
-        path().push_back(at_);
+        add(at_);
         break;
       case 'c':
         curve(from, p(0), control_ = p(2), at_ = p(4));
@@ -191,20 +199,20 @@ class PathReader {
   void curve(Vec2 a, Vec2 b, Vec2 c) {
     for (int i = 1; i <= kCurvePieces; ++i) {
       const double t = static_cast<double>(i) / kCurvePieces, s = 1 - t;
-      path().push_back(s * s * a + 2 * s * t * b + t * t * c);
+      add(s * s * a + 2 * s * t * b + t * t * c);
     }
   }
   void curve(Vec2 a, Vec2 b, Vec2 c, Vec2 d) {
     for (int i = 1; i <= kCurvePieces; ++i) {
       const double t = static_cast<double>(i) / kCurvePieces, s = 1 - t;
-      path().push_back(s * s * s * a + 3 * s * s * t * b + 3 * s * t * t * c + t * t * t * d);
+      add(s * s * s * a + 3 * s * s * t * b + 3 * s * t * t * c + t * t * t * d);
     }
   }
 
   /// From `from` to the present point, by the equations F.6.5 of SVG 1.1.
   void arc(Vec2 from, Vec2 r, double turned, bool large, bool sweep) {
     if (!(r.x > 0 && r.y > 0) || from == at_) {
-      path().push_back(at_);
+      add(at_);
       return;
     }
     const Vec2 u = direction(turned), half = 0.5 * (from - at_);
@@ -221,21 +229,27 @@ class PathReader {
     if (way < 0) way += 360;
     if (!sweep) way -= 360;
     const int steps = static_cast<int>(std::abs(way) * 10 / 180 + 4);
+    std::int32_t round = -1;
+    if (r.x == r.y) {
+      round = static_cast<std::int32_t>(arcs_.size());
+      arcs_.push_back({middle, r.x, std::abs(way) * M_PI / 180 / steps});
+    }
     for (int i = 0; i <= steps; ++i) {
-      path().push_back(middle + out(r * direction(degrees(first) + way * i / steps)));
+      add(middle + out(r * direction(degrees(first) + way * i / steps)), i > 0 ? round : -1);
     }
   }
 
   Words words_;
   const SvgStroke& stroke_;
-  std::vector<SvgPath> paths_;
+  std::vector<Outline> paths_;
+  std::vector<Arc> arcs_;
   Vec2 at_{0}, control_{0};
   bool cubic_ = false, square_ = false, closed_ = false;
 };
 
 }  // namespace
 
-std::vector<SvgPath> svg_path(std::string_view data, const SvgStroke& stroke) {
+Region svg_path(std::string_view data, const SvgStroke& stroke) {
   return PathReader(data, stroke).read();
 }
 

@@ -15,38 +15,29 @@ namespace {
 
 bool separates(char c) { return is_blank(c) || is_line_end(c) || c == ','; }
 
-SvgMatrix multiplied(const SvgMatrix& a, const SvgMatrix& b) {
-  const auto& m = a.m;
-  const auto& n = b.m;
-  return {{m[0] * n[0] + m[2] * n[1], m[1] * n[0] + m[3] * n[1], m[0] * n[2] + m[2] * n[3],
-           m[1] * n[2] + m[3] * n[3], m[0] * n[4] + m[2] * n[5] + m[4],
-           m[1] * n[4] + m[3] * n[5] + m[5]}};
-}
-
 /// One word of a transform; those with a wrong count of numbers do nothing.
-SvgMatrix one_transform(std::string_view name, const std::vector<double>& v) {
+Affine one_transform(std::string_view name, const std::vector<double>& v) {
   const std::size_t n = v.size();
-  if (name == "matrix" && n == 6) return {{v[0], v[1], v[2], v[3], v[4], v[5]}};
-  if (name == "translate" && (n == 1 || n == 2)) return {{1, 0, 0, 1, v[0], n > 1 ? v[1] : 0}};
-  if (name == "scale" && (n == 1 || n == 2)) return {{v[0], 0, 0, n > 1 ? v[1] : v[0], 0, 0}};
+  if (name == "matrix" && n == 6) return {{v[0], v[1]}, {v[2], v[3]}, {v[4], v[5]}};
+  if (name == "translate" && (n == 1 || n == 2)) {
+    return {{1, 0}, {0, 1}, {v[0], n > 1 ? v[1] : 0}};
+  }
+  if (name == "scale" && (n == 1 || n == 2)) return {{v[0], 0}, {0, n > 1 ? v[1] : v[0]}, {0, 0}};
   if (name == "rotate" && (n == 1 || n == 3)) {
-    const Vec2 d = direction(v[0]);
-    const SvgMatrix turn{{d.x, d.y, -d.y, d.x, 0, 0}};
-    if (n == 1) return turn;
-    return SvgMatrix{{1, 0, 0, 1, v[1], v[2]}} * turn * SvgMatrix{{1, 0, 0, 1, -v[1], -v[2]}};
+    const Vec2 d = direction(v[0]), about = n == 3 ? Vec2(v[1], v[2]) : Vec2(0);
+    return Affine{{1, 0}, {0, 1}, about} * Affine{d, {-d.y, d.x}, {0, 0}} *
+           Affine{{1, 0}, {0, 1}, -about};
   }
   const double slope = n == 1 ? std::tan(v[0] * M_PI / 180) : 0;
-  if (name == "skewX") return {{1, 0, slope, 1, 0, 0}};
-  if (name == "skewY") return {{1, slope, 0, 1, 0, 0}};
+  if (name == "skewX") return {{1, 0}, {slope, 1}, {0, 0}};
+  if (name == "skewY") return {{1, slope}, {0, 1}, {0, 0}};
   return {};
 }
 
 }  // namespace
 
-SvgMatrix SvgMatrix::operator*(const SvgMatrix& inner) const { return multiplied(*this, inner); }
-
-SvgMatrix svg_transform(std::string_view text) {
-  SvgMatrix out;
+Affine svg_transform(std::string_view text) {
+  Affine out;
   for (std::size_t at = 0; at < text.size();) {
     const std::size_t open = text.find('(', at);
     if (open == std::string_view::npos) break;
@@ -76,7 +67,7 @@ std::vector<double> svg_numbers(std::string_view text) {
   return out;
 }
 
-std::vector<SvgPath> stroked(const SvgPath& path, const SvgStroke& stroke) {
+std::vector<Outline> stroked(const std::vector<Vec2>& path, const SvgStroke& stroke) {
   // OpenSCAD's grid here, in user units.
   constexpr double kUnits = 10000, kFarthest = 1e12;
   ClipperLib::Path line;
@@ -97,23 +88,29 @@ std::vector<SvgPath> stroked(const SvgPath& path, const SvgStroke& stroke) {
   clipper.AddPath(line, join, cap);
   ClipperLib::Paths result;
   clipper.Execute(result, std::min(stroke.width, kFarthest) * kUnits / 2);
-  std::vector<SvgPath> out;
+  std::vector<Outline> out;
   for (const ClipperLib::Path& p : result) {
-    SvgPath& outline = out.emplace_back();
+    Outline& outline = out.emplace_back();
     for (const ClipperLib::IntPoint& q : p) {
-      outline.emplace_back(static_cast<double>(q.X) / kUnits, static_cast<double>(q.Y) / kUnits);
+      outline.points.emplace_back(static_cast<double>(q.X) / kUnits,
+                                  static_cast<double>(q.Y) / kUnits);
     }
+    outline.arc.assign(outline.points.size(), -1);
   }
   return out;
 }
 
-SvgPath svg_ellipse(Vec2 middle, Vec2 radii) {
+Region svg_ellipse(Vec2 middle, Vec2 radii) {
   constexpr int kCorners = 40;
-  SvgPath out;
+  Region out;
+  Outline& outline = out.outlines.emplace_back();
   for (int i = 1; i <= kCorners; ++i) {
     const Vec2 d = corner(i, kCorners);
-    out.push_back(middle + radii * Vec2(d.y, d.x));
+    outline.points.push_back(middle + radii * Vec2(d.y, d.x));
   }
+  const bool round = radii.x == radii.y && radii.x > 0;
+  if (round) out.arcs.push_back({middle, radii.x, 2 * M_PI / kCorners});
+  outline.arc.assign(kCorners, round ? 0 : -1);
   return out;
 }
 

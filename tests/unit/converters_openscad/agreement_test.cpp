@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <string>
 #include <vector>
 
@@ -19,15 +20,8 @@ struct Case {
   bool flat = true;
 };
 
-class Agreement : public ::testing::TestWithParam<Case> {};
-
-TEST_P(Agreement, VolumeIsThatOfOpenScad) {
-  if (!has_program("openscad")) GTEST_SKIP() << "openscad is not installed";
-  const Folder folder;
-  const std::string program = GetParam().program;
-  const std::string file = folder.write(
-      "case.scad", GetParam().flat ? "linear_extrude(1) { " + program + "\n}" : program);
-  const auto tree = tree_of(file);
+void expect_agreement(const Folder& folder, const std::string& program) {
+  const auto tree = tree_of(folder.write("case.scad", program));
   ASSERT_TRUE(tree);
   Evaluated ours(*tree, folder.path());
   const Solid solid = ours.solid();
@@ -35,6 +29,14 @@ TEST_P(Agreement, VolumeIsThatOfOpenScad) {
   const double theirs = openscad_volume(folder.write("case.csg", *tree));
   EXPECT_NEAR(volume(solid), theirs, kAgree * theirs);
   EXPECT_GT(theirs, 0);
+}
+
+class Agreement : public ::testing::TestWithParam<Case> {};
+
+TEST_P(Agreement, VolumeIsThatOfOpenScad) {
+  if (!has_program("openscad")) GTEST_SKIP() << "openscad is not installed";
+  const std::string program = GetParam().program;
+  expect_agreement(Folder(), GetParam().flat ? "linear_extrude(1) { " + program + "\n}" : program);
 }
 
 const Case kCases[] = {
@@ -109,6 +111,83 @@ const Case kCases[] = {
 
 INSTANTIATE_TEST_SUITE_P(Programs, Agreement, ::testing::ValuesIn(kCases),
                          [](const auto& of) { return std::string(of.param.name); });
+
+/// A DXF file of lines, x0 y0 x1 y1 each, and of other entities.
+std::string dxf(const std::vector<std::array<int, 4>>& lines, const std::string& more = {}) {
+  std::string out = "0\nSECTION\n2\nENTITIES\n";
+  for (const auto& [a, b, c, d] : lines) {
+    out += "0\nLINE\n8\n0\n10\n" + std::to_string(a) + "\n20\n" + std::to_string(b) + "\n11\n" +
+           std::to_string(c) + "\n21\n" + std::to_string(d) + "\n";
+  }
+  return out + more + "0\nENDSEC\n0\nEOF\n";
+}
+
+TEST(FileAgreement, DxfLinesThatCrossGoTogetherAsInOpenScad) {
+  if (!has_program("openscad")) GTEST_SKIP() << "openscad is not installed";
+  const Folder folder;
+  folder.write("mesh.dxf", dxf({{50, 140, 0, 140},
+                                {140, 0, 0, 0},
+                                {0, 0, 0, 140},
+                                {50, 140, 0, 0},
+                                {50, 140, 45, 100},
+                                {45, 100, 60, 80},
+                                {0, 0, 45, 100},
+                                {45, 50, 140, 0},
+                                {60, 80, 45, 50},
+                                {45, 50, 0, 0},
+                                {45, 100, 45, 50}}));
+  expect_agreement(folder, "linear_extrude(1) import(\"mesh.dxf\");");
+  folder.write("open.dxf",
+               dxf({{0, 0, 9, 0}, {9, 0, 9, 9}, {9, 9, 0, 0}, {9, 9, 12, 14}, {12, 14, 3, 12}}));
+  expect_agreement(folder, "linear_extrude(1) import(\"open.dxf\");");
+}
+
+TEST(FileAgreement, DxfCurvesAndBlocks) {
+  if (!has_program("openscad")) GTEST_SKIP() << "openscad is not installed";
+  const Folder folder;
+  folder.write(
+      "curves.dxf",
+      dxf({{20, 0, 20, 10}},
+          "0\nARC\n8\na\n10\n20\n20\n5\n40\n5\n50\n90\n51\n270\n"
+          "0\nCIRCLE\n8\na\n10\n40\n20\n5\n40\n7.5\n"
+          "0\nELLIPSE\n8\nb\n10\n6\n20\n25\n11\n4\n21\n3\n40\n0.5\n41\n0\n42\n6.2831853\n"
+          "0\nLWPOLYLINE\n8\nb\n90\n3\n70\n1\n10\n12\n20\n20\n10\n27\n20\n22\n10\n17\n20\n29\n"));
+  const std::string blocks =
+      "0\nSECTION\n2\nBLOCKS\n0\nBLOCK\n2\nb\n0\nLWPOLYLINE\n8\n0\n90\n3\n70\n1\n10\n0\n20\n0\n10\n"
+      "5\n20\n"
+      "0\n10\n1\n20\n4\n0\nENDBLK\n0\nENDSEC\n";
+  folder.write("blocks.dxf",
+               blocks + dxf({}, "0\nINSERT\n8\n0\n2\nb\n10\n3\n20\n4\n41\n2\n42\n1.5\n50\n30\n"));
+  expect_agreement(folder, "linear_extrude(1) import(\"curves.dxf\", $fn = 30);");
+  expect_agreement(
+      folder,
+      "linear_extrude(1) import(\"curves.dxf\", layer = \"b\", scale = 2, origin = [3, 1]);");
+  expect_agreement(folder, "linear_extrude(1) import(\"blocks.dxf\");");
+}
+
+TEST(FileAgreement, SvgShapesPathsAndStrokes) {
+  if (!has_program("openscad")) GTEST_SKIP() << "openscad is not installed";
+  const Folder folder;
+  folder.write("all.svg", R"svg(<?xml version="1.0"?>
+<svg xmlns="http://www.w3.org/2000/svg" width="80mm" height="60mm" viewBox="10 20 400 200" preserveAspectRatio="xMaxYMid slice">
+<g transform="translate(30,40) rotate(10 5 5) scale(1.5)"><rect width="40" height="20" rx="5"/></g>
+<circle cx="200" cy="80" r="30"/><ellipse cx="300" cy="80" rx="40" ry="10" transform="skewX(20)"/>
+<path d="M50,150 c10-20 40-20 50,0 s 40,20 50 0 l0,50 h-100z m10,10 q 5 20 10 0 t 10 0 z"/>
+<path d="M200,200 A 30 20 30 1 1 240 210 L 220 230 Z"/>
+<polyline points="20,30 60,35 80,60" style="stroke-width:6;stroke-linejoin:round;stroke-linecap:butt"/>
+<line x1="320" y1="120" x2="380" y2="200" stroke-width="8" stroke-linecap="round"/>
+<polygon points="300,200 350,220 310,240" transform="matrix(1 0.2 0 1 5 -60)"/></svg>)svg");
+  for (const char* how : {"", ", center = true", ", dpi = 96"}) {
+    expect_agreement(folder, "linear_extrude(1) import(\"all.svg\"" + std::string(how) + ");");
+  }
+}
+
+TEST(FileAgreement, HeightsOfTextAndPictures) {
+  if (!has_program("openscad")) GTEST_SKIP() << "openscad is not installed";
+  const Folder folder;
+  folder.write("h.dat", "1 2 3.5\n# a comment\n-2 4 1\n0 0 2\n");
+  expect_agreement(folder, "surface(\"h.dat\", center = true);");
+}
 
 }  // namespace
 }  // namespace burin::csg::test

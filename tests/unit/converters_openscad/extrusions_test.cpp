@@ -63,7 +63,10 @@ TEST(Extrusions, ARidgeEndsThemClosed) {
     for (const std::string& shape :
          {kPlate, std::string("{ circle($fn = 25, r = 4); }"),
           std::string("{ polygon(points = [[0,0],[9,1],[5,3],[8,7],[2,8]], paths = undef, "
-                      "convexity = 1); }")}) {
+                      "convexity = 1); }"),
+          std::string(
+              "{ difference() { square(size = [2, 2], center = true); square(size = [1, 1], "
+              "center = true); } }")}) {
       const Solid solid = Evaluated(extrude + shape).solid();
       EXPECT_EQ(flaw(solid), "") << scale << shape;
       EXPECT_GT(volume(solid), 0) << scale << shape;

@@ -76,6 +76,27 @@ TEST(Imports, SvgShapesStandUprightInMillimetres) {
   EXPECT_NEAR(glm::length(high - Vec2(30, 45)), 0, 1e-4);
 }
 
+TEST(Imports, CirclesAndArcsOfFilesAreKnown) {
+  const Folder folder;
+  folder.write("round.dxf", dxf("0\nLINE\n8\n0\n10\n5\n20\n0\n11\n5\n21\n10\n"
+                                "0\nARC\n8\n0\n10\n5\n20\n5\n40\n5\n50\n90\n51\n270\n"
+                                "0\nCIRCLE\n8\n0\n10\n30\n20\n4\n40\n9\n"));
+  const Region dxf = Evaluated(import_of("round.dxf"), folder.path()).region();
+  EXPECT_EQ(dxf.arcs.size(), 2u);
+  // Half of 16 pieces, and 29; the grid of the file's points is 2^-10 mm.
+  EXPECT_EQ(tagged_edges(dxf), 8u + 29u);
+  EXPECT_LT(farthest_from_arcs(dxf), 1.0 / 1024);
+  folder.write("round.svg", R"svg(<svg width="100mm" height="50mm" viewBox="0 0 200 100">
+<g transform="rotate(20)"><circle cx="80" cy="0" r="20"/></g>
+<rect x="100" y="20" width="40" height="30" rx="8"/><ellipse cx="170" cy="50" rx="10" ry="4"/></svg>)svg");
+  const Region svg =
+      Evaluated(import_of("round.svg", "center = false, dpi = 72, scale = 1"), folder.path())
+          .region();
+  EXPECT_EQ(svg.arcs.size(), 5u);
+  EXPECT_EQ(tagged_edges(svg), 40u + 4 * 9u);
+  EXPECT_LT(farthest_from_arcs(svg), 1e-9);
+}
+
 TEST(Imports, HeightsOfTextAreABlockAboveALevelBelowTheLowest) {
   const Folder folder;
   folder.write("h.dat", "# heights\n1 2 3\n1 2 3\n\n1 2 3\n");
