@@ -148,6 +148,24 @@ TEST(Trees, HullsAndSums) {
   expect_volume("minkowski(convexity = 0) { " + plate + cube(1, 1, 1) + "}", (121 - 9) * 2);
 }
 
+TEST(Trees, SumsOfHollowSolidsStayHollow) {
+  const auto middle = [](double a) { return moved(-a / 2, -a / 2, -a / 2, cube(a, a, a)); };
+  const std::string hollow = "difference() { " + middle(19) + middle(11) + "}";
+  expect_volume("minkowski(convexity = 0) { " + hollow + middle(1) + "}", 8000 - 1000);
+  // What comes to nothing does not count.
+  const std::string nothing =
+      "intersection() { " + cube(1, 1, 1) + moved(5, 0, 0, cube(1, 1, 1)) + "}";
+  expect_volume("minkowski(convexity = 0) { " + nothing + cube(2, 1, 1) + "}", 2);
+}
+
+TEST(Trees, FlatChildrenOfCutsCountAsNothing) {
+  const std::string flat = "square(size = [1, 1], center = false);";
+  EXPECT_TRUE(work_out("intersection() { " + cube(1, 1, 1) + flat + "}").solid.empty());
+  const Worked w = work_out("difference() { " + cube(1, 1, 1) + flat + "}");
+  EXPECT_NEAR(volume(w.solid), 1, kRelative);
+  EXPECT_TRUE(w.told("openscad.mixed_dimensions"));
+}
+
 TEST(Trees, ResizedAsOpenScadDoes) {
   expect_volume(
       "resize(newsize = [20,0,0], auto = [0,0,0], convexity = 0) { " + cube(10, 2, 2) + "}", 80);

@@ -106,13 +106,12 @@ class Evaluator {
     });
     return out;
   }
-  /// The solids below, in order; an empty group counts as nothing, what is flat is left out.
+  /// The solids below, in order; an empty group counts as nothing, and so does what is flat.
   std::vector<ShapeId> solids(std::uint32_t n) {
     std::vector<ShapeId> out;
     for (const std::uint32_t c : children(n)) {
-      if (dimension_[c] != Dimension::Flat) {
-        out.push_back(result_[c].shape);
-      } else if (result_[c].region && !result_[c].region->empty()) {
+      out.push_back(dimension_[c] == Dimension::Flat ? kNothing : result_[c].shape);
+      if (result_[c].region && !result_[c].region->empty()) {
         csg::tell(e_, c, "openscad.mixed_dimensions", "a 2-D object among solids is left out");
       }
     }
@@ -240,17 +239,26 @@ class Evaluator {
     std::vector<ShapeId> parts = solids(n);
     std::erase(parts, kNothing);
     if (parts.size() < 2) return parts.empty() ? kNothing : parts[0];
-    Solid sum = summand(parts[0], n);
-    for (std::size_t k = 1; k < parts.size(); ++k) {
-      const Solid other = summand(parts[k], n);
+    // Those that come to nothing do not count; what is left of one is that one.
+    ShapeId whole = kNothing;
+    Solid sum;
+    for (const ShapeId part : parts) {
+      Solid other = summand(part, n);
+      if (other.empty()) continue;
+      if (whole == kNothing) {
+        whole = part;
+        sum = std::move(other);
+        continue;
+      }
+      if (sum.empty()) sum = shapes_.solid(whole, e_.run, [](double) {});
       std::vector<ShapeId> pieces;
-      for (Solid& piece : minkowski_pieces(sum, other, e_.run))
+      for (Solid& piece : minkowski_pieces(sum, other, e_.run)) {
         pieces.push_back(shapes_.leaf(std::move(piece)));
-      const ShapeId whole = shapes_.united(std::move(pieces));
-      if (k + 1 == parts.size()) return whole;
-      sum = shapes_.solid(whole, e_.run, [](double) {});
+      }
+      whole = shapes_.united(std::move(pieces));
+      sum = {};
     }
-    return kNothing;
+    return whole;
   }
   Solid summand(ShapeId shape, std::uint32_t n) {
     Solid out = shapes_.solid(

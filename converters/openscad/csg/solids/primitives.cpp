@@ -153,6 +153,23 @@ std::vector<std::uint32_t> corners_of(Evaluation& e, std::uint32_t node, const V
   return out;
 }
 
+/// A quadrangle, which may not be flat, along its shorter diagonal, as OpenSCAD cuts it; false
+/// where it has no such diagonal within.
+bool cut_quad(const std::vector<Vec3>& p, const std::vector<std::uint32_t>& c,
+              std::vector<Triangle>& out) {
+  if (c.size() != 4) return false;
+  const bool turn = glm::distance(p[c[1]], p[c[3]]) < glm::distance(p[c[0]], p[c[2]]);
+  const std::array<std::uint32_t, 4> q =
+      turn ? std::array{c[1], c[2], c[3], c[0]} : std::array{c[0], c[1], c[2], c[3]};
+  const auto normal = [&](std::uint32_t a, std::uint32_t b, std::uint32_t d) {
+    return glm::cross(p[b] - p[a], p[d] - p[a]);
+  };
+  if (!(glm::dot(normal(q[0], q[1], q[2]), normal(q[0], q[2], q[3])) > 0)) return false;
+  out[0] = {q[0], q[1], q[2]};
+  out[1] = {q[0], q[2], q[3]};
+  return true;
+}
+
 Solid polyhedron(Evaluation& e, std::uint32_t at) {
   const Node& node = e.tree.nodes[at];
   Solid out;
@@ -175,7 +192,7 @@ Solid polyhedron(Evaluation& e, std::uint32_t at) {
     if (c.size() < 3) continue;
     std::ranges::reverse(c);  // OpenSCAD's turn clockwise, seen from outside
     cut.resize(c.size() - 2);
-    triangulate_polygon(out.positions, c, cut, e.run);
+    if (!cut_quad(out.positions, c, cut)) triangulate_polygon(out.positions, c, cut, e.run);
     for (const Triangle& t : cut) add(out, t[0], t[1], t[2]);
   }
   return out;
