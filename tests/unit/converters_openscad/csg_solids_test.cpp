@@ -219,6 +219,17 @@ TEST(Trees, PolyhedraThatCutThemselvesAreCutThere) {
                 2 - 2 * 0.125 + 0.125 - 0.25 * 0.25 * 0.25);
 }
 
+TEST(Cuts, OfManyBoxesTurnedOnOneFloorStayCheap) {
+  // All their walls meet the floor of all others: without joining them that is millions of pairs.
+  std::string text;
+  for (int i = 0; i < 40; ++i) text += turned(i * 90.0 / 40, moved(-5, -5, 0, cube(10, 10, 2)));
+  const Worked w = work_out(text);
+  EXPECT_EQ(open_edges(w.solid), 0u);
+  // Nearly the cylinder through the corners; at least the one that touches all sides.
+  EXPECT_GT(volume(w.solid), M_PI * 25 * 2);
+  EXPECT_LT(volume(w.solid), polygon_area(5 * std::sqrt(2.0), 160) * 2);
+}
+
 TEST(Trees, SameTextGivesTheSameBytes) {
   const std::string text = "difference() { " + sphere(5, 30) + cylinder(20, 2, 2, 24) +
                            moved(1, 1, 0, turned(17, cube(9, 9, 9))) + "}";

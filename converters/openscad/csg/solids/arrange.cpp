@@ -1,6 +1,7 @@
 #include "arrange.h"
 
 #include <algorithm>
+#include <map>
 #include <numeric>
 #include <unordered_map>
 
@@ -11,12 +12,17 @@ std::uint64_t undirected(Id a, Id b) {
   return (std::uint64_t{std::min(a, b)} << 32) | std::max(a, b);
 }
 
-/// An edge or a meeting, to be divided where others end on it or cross it.
+/// Part of a line that edges and meetings cover without a gap, to be divided where others end on it
+/// or cross it.
 struct Segment {
   Id a = 0, b = 0, line = 0;
-  /// Of the facet whose edge it is, or kNone.
-  Id facet = kNone;
+  /// Where it is divided: the ends of all that it is made of, and what crosses it.
   std::vector<Id> splits;
+  /// The edges of facets in it.
+  struct Side {
+    Id a = 0, b = 0, facet = 0;
+  };
+  std::vector<Side> sides;
 };
 
 class Divider {
@@ -27,10 +33,15 @@ class Divider {
     j_ = (axis + 2) % 3;
   }
 
-  void add(Id a, Id b, Id line, Id facet) { segments_.push_back({a, b, line, facet, {}}); }
+  /// `facet`: whose edge it is, or kNone.
+  void add(Id a, Id b, Id line, Id facet) {
+    if (space_.along(line, a, b) > 0) std::swap(a, b);
+    by_line_[line].push_back({a, b, facet});
+  }
   void add_point(Id p) { points_.push_back(p); }
 
   std::vector<Segment>& divide() {
+    for (auto& [line, parts] : by_line_) join(line, parts);
     std::vector<std::uint32_t> order(segments_.size());
     std::iota(order.begin(), order.end(), 0u);
     low_.resize(order.size());
@@ -57,6 +68,24 @@ class Divider {
   }
 
  private:
+  /// Many facets meet in one line where walls stand on one floor: what overlaps is one segment.
+  void join(Id line, std::vector<Segment::Side>& parts) {
+    std::ranges::sort(parts, [&](const Segment::Side& x, const Segment::Side& y) {
+      const int c = space_.along(line, x.a, y.a);
+      return c != 0 ? c < 0 : x.facet < y.facet;
+    });
+    for (const Segment::Side& part : parts) {
+      if (segments_.empty() || segments_.back().line != line ||
+          space_.along(line, part.a, segments_.back().b) > 0) {
+        segments_.push_back({part.a, part.b, line, {}, {}});
+      }
+      Segment& s = segments_.back();
+      if (space_.along(line, part.b, s.b) > 0) s.b = part.b;
+      s.splits.insert(s.splits.end(), {part.a, part.b});
+      if (part.facet != kNone) s.sides.push_back(part);
+    }
+  }
+
   bool inner(const Segment& s, Id p) {
     if (p == s.a || p == s.b) return false;
     return space_.along(s.line, s.a, p) * space_.along(s.line, p, s.b) > 0;
@@ -71,7 +100,7 @@ class Divider {
   }
 
   void cross(Segment& s, Segment& t) {
-    if (s.facet != kNone && s.facet == t.facet) return;
+    if (s.line == t.line) return;
     const bool shared = s.a == t.a || s.a == t.b || s.b == t.a || s.b == t.b;
     const int ta = side(s, t.a), tb = side(s, t.b);
     if (ta * tb > 0 || (shared && (ta != 0 || tb != 0))) return;
@@ -119,6 +148,7 @@ class Divider {
   Space& space_;
   Id plane_;
   int i_ = 0, j_ = 1;
+  std::map<Id, std::vector<Segment::Side>> by_line_;
   std::vector<Segment> segments_;
   std::vector<Id> points_;
   std::vector<Vec2> low_, high_;
@@ -160,16 +190,19 @@ class Pieces {
     std::vector<std::array<Id, 2>> edges;
     for (Segment& s : divider.divide()) {
       std::vector<Id>& at = s.splits;
-      at.insert(at.end(), {s.a, s.b});
       std::ranges::sort(at, [&](Id x, Id y) { return space_.along(s.line, x, y) < 0; });
       at.erase(std::unique(at.begin(), at.end()), at.end());
       for (std::size_t k = 0; k + 1 < at.size(); ++k) {
         const auto [part, fresh] = parts_.try_emplace(undirected(at[k], at[k + 1]));
-        if (fresh) {
-          part->second.line = s.line;
-          edges.push_back({at[k], at[k + 1]});
+        if (!fresh) continue;
+        part->second.line = s.line;
+        edges.push_back({at[k], at[k + 1]});
+      }
+      for (const Segment::Side& side : s.sides) {
+        const auto first = std::ranges::find(at, side.a);
+        for (auto k = first; *k != side.b; ++k) {
+          parts_.at(undirected(*k, *(k + 1))).facets.push_back(side.facet);
         }
-        if (s.facet != kNone) part->second.facets.push_back(s.facet);
       }
     }
     net_ = triangulate(space_, sheet_.plane, edges);
