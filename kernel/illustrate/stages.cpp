@@ -136,6 +136,7 @@ Drawing Stages::draw_lines(const Scene& scene, const Camera& camera, const Style
     if (one->undirected) undirected.add(*one->undirected);
   }
   undirected.tell(drawing.diagnostics);
+  tell_failed(hatchings, drawing.diagnostics);
   StrokeResult told = told_of(hatchings);
   drawing.stats.coverage_points = told.coverage_points;
   drawing.stats.coverage_delta = told.coverage_delta;

@@ -1,5 +1,6 @@
 #include "style_table.h"
 
+#include <burin/base/catalogue.h>
 #include <burin/base/error.h>
 #include <burin/base/nearest.h>
 
@@ -123,13 +124,13 @@ std::vector<StyleRow> all_rows() {
 }  // namespace
 
 const std::vector<StyleRow>& style_rows() {
-  static const std::vector<StyleRow> rows = all_rows();
-  return rows;
+  static MadeOfCatalogues<std::vector<StyleRow>> rows;
+  return rows.get(all_rows);
 }
 
 const std::vector<KindRow>& kind_rows() {
-  static const std::vector<KindRow> rows = make_kind_rows();
-  return rows;
+  static MadeOfCatalogues<std::vector<KindRow>> rows;
+  return rows.get(make_kind_rows);
 }
 
 std::vector<StyleRow> all_rows_of(const Style& style) {

@@ -1,6 +1,5 @@
-#include "subprocess.h"
-
 #include <burin/base/error.h>
+#include <burin/base/subprocess.h>
 
 #include <fcntl.h>
 #include <poll.h>
