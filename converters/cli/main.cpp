@@ -2,7 +2,7 @@
 
 #include <burin/base/error.h>
 #include <burin/base/run_context.h>
-#include <burin/plugin/plugins.h>
+#include <burin/converters/load_plugins.h>
 
 #include "arguments.h"
 #include "console.h"
@@ -86,7 +86,7 @@ int main_of(int argc, const char* const* argv) {
   std::string input;
   try {
     // Options and help tell those of plug-ins, too.
-    plugin::load_all(argc > 1 && std::string_view(argv[1]) == "plugins");
+    load_plugins(argc > 1 && std::string_view(argv[1]) == "plugins");
     const Arguments arguments = parse_arguments(argc, argv);
     const auto& inputs = arguments.verb == Verb::Info    ? arguments.info.inputs
                          : arguments.verb == Verb::Steps ? arguments.steps.draw.inputs

@@ -2,6 +2,7 @@
 #include <burin/base/input_files.h>
 #include <burin/base/missing_file.h>
 #include <burin/converters/read.h>
+#include <burin/plugin/sources.h>
 
 #include "readers.h"
 
@@ -17,6 +18,10 @@ namespace burin {
 
 void check_inputs(const std::vector<std::string>& paths) {
   for (const std::string& path : paths) {
+    if (plugin::names_form(path)) {
+      plugin::find_form(path);
+      continue;
+    }
     InputFiles::opens(path);
     struct stat info {};
     if (::stat(path.c_str(), &info) != 0) {

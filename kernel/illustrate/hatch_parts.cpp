@@ -84,10 +84,14 @@ void do_without(const PluginError& failed, const HatchStyle& hatch, HatchRequest
     case PluginError::Row::Law:
       request.tone.law = tone::ToneOptions().law;
       break;
+    case PluginError::Row::StrokeKind:
+      request.hatch.placing = "discs";
+      break;
     default:
-      throw;  // nothing stands in for it
+      throw;  // nothing of strokes
   }
   request.hatch.field = request.place.field;
+  request.place.lines = remembered_by(request.hatch);
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include <burin/base/catalogue.h>
 #include <burin/base/error.h>
 #include <burin/base/nearest.h>
+#include <burin/drawing/brought_formats.h>
 
 #include <fmt/format.h>
 
@@ -118,6 +119,7 @@ std::vector<StyleRow> all_rows() {
   append(rows, "json.", &Style::json, json_option_rows());
   append(rows, "png.", &Style::png, png_option_rows());
   append(rows, "dxf.", &Style::dxf, dxf_option_rows());
+  options::append_declared(rows, &Style::formats, brought_formats());
   return rows;
 }
 

@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <map>
 #include <mutex>
+#include <sstream>
 #include <string_view>
 #include <utility>
 
@@ -24,8 +25,8 @@ struct Loaded {
   std::mutex mutex;
   bool looked = false;
   std::vector<Plugin> found, brought;
-  /// By interface and name, the file that offers it.
-  std::map<std::pair<std::string, std::string>, std::string> taken;
+  /// By what a factory claims, the file that offers it.
+  std::map<std::string, std::string> taken;
 };
 
 Loaded& loaded() {
@@ -38,6 +39,46 @@ void join(const Source& source) {
   const std::string_view id = source.factory->id;
   if (id == BURIN_DIRECTION_1) add_direction(source);
   if (id == BURIN_LAW_1) add_law(source);
+  if (id == BURIN_STROKE_KIND_1) add_marks(source);
+  if (id == BURIN_FORM_1) add_form(source);
+  if (id == BURIN_READER_1) add_reader(source);
+  if (id == BURIN_WRITER_1) add_writer(source);
+}
+
+/// What no other file may offer beside a factory: "form gyroids", "suffix .tiny". Directions and
+/// stroke kinds share the keys of styles.
+std::vector<std::string> claims(const burin_factory& f) {
+  const std::string id = f.id;
+  if (id == BURIN_DIRECTION_1 || id == BURIN_STROKE_KIND_1) return {std::string("hatch ") + f.name};
+  std::vector<std::string> out{id + " " + f.name};
+  if (id == BURIN_WRITER_1) {
+    out.push_back(std::string("writes ") + static_cast<const burin_writer_1*>(f.functions)->suffix);
+  }
+  if (id == BURIN_READER_1) {
+    std::istringstream words(static_cast<const burin_reader_1*>(f.functions)->suffixes);
+    for (std::string word; words >> word;) out.push_back("reads " + word);
+  }
+  return out;
+}
+
+/// Names of Burin's own that only the doors know.
+std::vector<Reserved>& reserved() {
+  static std::vector<Reserved> all;
+  return all;
+}
+
+/// Why a factory cannot have what it claims; empty: it can.
+std::string claimed(const burin_factory& f, const std::string& file, const Loaded& all) {
+  for (const std::string& claim : claims(f)) {
+    const auto taken = all.taken.find(claim);
+    if (taken != all.taken.end() && taken->second != file) {
+      return fmt::format("the name is taken by {}", taken->second);
+    }
+    for (const Reserved& is_reserved : reserved()) {
+      if (is_reserved(claim)) return "the name is taken by Burin's own";
+    }
+  }
+  return {};
 }
 
 Offer offered(const burin_factory& factory, const std::string& file, Loaded& all) {
@@ -47,14 +88,11 @@ Offer offered(const burin_factory& factory, const std::string& file, Loaded& all
     return offer;
   }
   offer.meaning = factory.meaning;
-  const auto taken = all.taken.find({offer.id, offer.name});
-  if (taken != all.taken.end() && taken->second != file) {
-    offer.refused = fmt::format("the name is taken by {}", taken->second);
-    return offer;
-  }
+  offer.refused = claimed(factory, file, all);
+  if (!offer.refused.empty()) return offer;
   try {
     join({&factory, file});
-    all.taken[{offer.id, offer.name}] = file;
+    for (const std::string& claim : claims(factory)) all.taken[claim] = file;
   } catch (const std::exception& e) {
     offer.refused = e.what();
   }
@@ -132,6 +170,8 @@ Plugin load(const std::filesystem::path& file) {
   const std::lock_guard lock(all.mutex);
   return loaded_from(file, all);
 }
+
+void reserve(Reserved is_reserved) { reserved().push_back(std::move(is_reserved)); }
 
 void load_all(bool again) {
   Loaded& all = loaded();

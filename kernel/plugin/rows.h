@@ -26,6 +26,10 @@ struct Source {
 /// Adds the row. Throws UsageError where a name of our own is in the way.
 void add_direction(const Source& source);
 void add_law(const Source& source);
+void add_marks(const Source& source);
+void add_form(const Source& source);
+void add_reader(const Source& source);
+void add_writer(const Source& source);
 
 /// Throws PluginError: "the direction 'spiral' (FILE) WHAT".
 [[noreturn]] void fail(PluginError::Row row, const Source& source, const std::string& what);

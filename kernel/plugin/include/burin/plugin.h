@@ -146,8 +146,9 @@ typedef struct burin_stroke_kind_1 {
   int32_t (*make)(const burin_view* view, const burin_value* values, void** self, burin_error* error);
   void (*destroy)(void* self);
   /** Writes one mark a place: `count`, how many points it has (0: nothing is drawn; at most `most`); and from
-   * 2 * `most` * place on in `points` paper mm along the direction and across it (to the left), as the surface lies
-   * flat, from the place; `begins`, from `most` * place on: 1 where a point begins a new line, else 0. */
+   * 2 * `most` * place on in `points`, as shares of hatch.length from the place: along the direction, which is turned
+   * to run to the right on paper, and to its left; a mark is about 1 large. `begins`, from `most` * place on: 1 where a
+   * point begins a new line, else 0. */
   int32_t (*marks)(const void* self, const burin_places* places, uint32_t* count, double* points,
                    unsigned char* begins, burin_error* error);
 } burin_stroke_kind_1;

@@ -4,7 +4,9 @@
 #include <burin/plugin.h>
 
 #include <filesystem>
+#include <functional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace burin::plugin {
@@ -28,6 +30,11 @@ struct Plugin {
   /// Why nothing of it is used, one sentence; empty: it is.
   std::string refused = {};
 };
+
+/// Whether what a factory would bring is taken by something of our own that this room does not
+/// know: "writes svg", "reads .stl", "burin.form/1 NAME". To be said before `load_all`.
+using Reserved = std::function<bool(std::string_view claim)>;
+void reserve(Reserved is_reserved);
 
 /// Folders that are looked through, in this order: those of BURIN_PLUGIN_PATH (absolute paths with
 /// ":" between them), the user's ($XDG_DATA_HOME or ~/.local/share, burin/plugins), the system's
