@@ -1,5 +1,6 @@
 #include "hatch_parts.h"
 
+#include <burin/base/catalogue.h>
 #include <burin/base/error.h>
 #include <burin/base/plugin_error.h>
 #include <burin/field/catalogue.h>
@@ -74,6 +75,13 @@ HatchPlace place_of(const StrokeSet& strokes, const Camera& camera,
   return place;
 }
 
+// How a user asks for what stands in.
+std::string stand_in(const PluginError& failed, const HatchRequest& request) {
+  if (failed.row() == PluginError::Row::Direction) return "hatch.field=" + request.hatch.field.name;
+  if (failed.row() == PluginError::Row::Law) return "tone.law=" + request.tone.law;
+  return "hatch.placing=" + request.hatch.placing;
+}
+
 // What stands in for a plug-in that failed: what asks of the surfaces no more than it did.
 void do_without(const PluginError& failed, const HatchStyle& hatch, HatchRequest& request) {
   switch (failed.row()) {
@@ -128,12 +136,14 @@ class HatchGround {
     return out;
   }
   Field make_field(const RunContext& context) const;
-  Shown shown() const {
-    return {surfaces_, [probe = probe_](Vec2 paper) -> std::optional<ShownPlace> {
+  Shown shown(const RunContext& context) const {
+    return {surfaces_,
+            [probe = probe_](Vec2 paper) -> std::optional<ShownPlace> {
               const auto hit = probe(paper);
               if (!hit || !hit->hatched) return std::nullopt;
               return ShownPlace{hit->part, hit->point};
-            }};
+            },
+            &context};
   }
 
   HatchPlace place_;
@@ -156,7 +166,7 @@ Field HatchGround::make_field(const RunContext& context) const {
              .flat = place_.camera.scale() / kFlatRadius,
              .context = context,
              .image = place_.image,
-             .shown = shown()});
+             .shown = shown(context)});
 }
 
 Hatching HatchGround::hatch(const HatchRequest& asked, const DepthCue& cue,
@@ -172,7 +182,7 @@ Hatching HatchGround::hatch(const HatchRequest& asked, const DepthCue& cue,
   const Tone tone = options.tone ? options.tone(scene)
                                  : tone::make(camera, asked.tone,
                                               blocked_by(place_.occluders->solid(), tolerance),
-                                              shown());
+                                              shown(context));
   InkOptions ink{.exponents = asked.exponents,
                  .tone_min = asked.hatch.tone_min,
                  .image = place_.image,
@@ -247,16 +257,17 @@ HatchedParts::Hatchings HatchedParts::hatch(const std::shared_ptr<const Occluder
         break;
       } catch (const PluginError& e) {
         // A row of each kind, and those that stand in for them are our own.
-        failed.emplace_back(e.what());
         do_without(e, *strokes.hatch, tried);
+        failed.push_back(fmt::format("{}; the strokes are those of {}", e.what(), stand_in(e, tried)));
       }
     }
     // The ground of what stands in is not that of the request.
     if (!remembers || !hatching->failed.empty()) ground.reset();
     made.push_back({std::move(request), std::move(ground), std::move(hatching)});
   };
-  // Functions of the caller's own cannot be told apart.
-  if (options.field || options.tone) made_.clear();
+  // Functions of the caller's own cannot be told apart, nor what was added by a name that it had.
+  if (options.field || options.tone || growth_ != catalogue_growth()) made_.clear();
+  growth_ = catalogue_growth();
   for (const StrokeSet& strokes : part_styles.strokes()) {
     std::vector<bool> parts = strokes.parts;
     for (std::size_t i = 0; i < parts.size(); ++i) {

@@ -81,6 +81,8 @@ class HatchedParts {
     std::shared_ptr<const Hatching> hatching;
   };
   std::vector<Made> made_;
+  /// Of catalogues, when these were made.
+  std::uint64_t growth_ = 0;
 };
 
 /// What is to be told of all of them; without the strokes themselves.

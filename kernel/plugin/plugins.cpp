@@ -200,4 +200,10 @@ void note(const std::string& language, const Offer& offer) {
   mine->offers.push_back(offer);
 }
 
+void note_refused(const std::string& name, const std::string& why) {
+  Loaded& all = loaded();
+  const std::lock_guard lock(all.mutex);
+  all.brought.push_back({.file = name, .refused = why});
+}
+
 }  // namespace burin::plugin

@@ -322,7 +322,7 @@ StrokeResult trace_strokes(std::span<const Surface* const> surfaces, const Camer
   }
   Marks marks;
   if (const MarkKind* kind = find_mark(options.placing)) {
-    marks = kind->make({camera, options, Shown{surfaces, {}}});
+    marks = kind->make({camera, options, Shown{surfaces, {}, &context}});
     // What a point weighs: a mark in half the ink.
     constexpr double kLeast = 0.1;
     motif = motif_of(marks({.ink = 0.5, .random = 0.5}));

@@ -60,6 +60,9 @@ Plugin load(const std::filesystem::path& file);
 /// Notes what a program brought, for `plugins`.
 void note(const std::string& language, const Offer& offer);
 
+/// Notes what a program brought and could not use: a package, and why.
+void note_refused(const std::string& name, const std::string& why);
+
 /// For tests: what burin-probe reported, as `probe` gives it.
 std::string read_report(const std::string& report);
 

@@ -22,6 +22,8 @@ struct Shown {
   std::span<const Surface* const> surfaces{};
   /// What is seen of them at a point of the paper; empty: nobody knows. From many threads.
   std::function<std::optional<ShownPlace>(Vec2 paper)> at{};
+  /// The run that it is shown in; null: none that can be cancelled.
+  const RunContext* context = nullptr;
 };
 
 /// The box of all proxies in model mm; empty where they have no triangles.
