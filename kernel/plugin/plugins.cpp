@@ -179,7 +179,11 @@ void load_all(bool again) {
   if (all.looked && !again) return;
   all.looked = true;
   all.found.clear();
-  look(again, all);
+  try {
+    look(again, all);
+  } catch (const std::exception& e) {
+    all.found.push_back({.file = "plug-ins", .refused = e.what()});
+  }
 }
 
 std::vector<Plugin> plugins() {

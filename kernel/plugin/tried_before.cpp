@@ -1,5 +1,7 @@
 #include "tried_before.h"
 
+#include <burin/plugin/plugins.h>
+
 #include "search.h"
 
 #include <fmt/format.h>
@@ -102,5 +104,7 @@ void TriedBefore::save() const {
   if (!error) fs::rename(aside, file, error);
   if (error) fs::remove(aside, error);
 }
+
+std::string read_tried(const std::string& text) { return TriedBefore::from_text(text).to_text(); }
 
 }  // namespace burin::plugin

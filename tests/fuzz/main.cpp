@@ -26,7 +26,8 @@ const std::map<std::string, Target>& targets() {
         {"style", burin::fuzz::style},
         {"illustration", burin::fuzz::illustration},
         {"drawing", burin::fuzz::drawing},
-        {"options", burin::fuzz::options}};
+        {"options", burin::fuzz::options},
+        {"plugin", burin::fuzz::plugin}};
     for (const char* format : {"stl", "obj", "off", "ply", "3mf", "itd", "bez", "nrrd", "mha",
                                "inr", "nii", "vti", "FCStd", "step", "iges", "brep"}) {
       all[format] = [suffix = std::string(".") + format](auto bytes) { file(bytes, suffix); };

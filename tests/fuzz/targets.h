@@ -23,5 +23,7 @@ void illustration(std::string_view text);
 void drawing(std::string_view text);
 /// Options as the command line and Python pass them on: NAME=VALUE, a line each.
 void options(std::string_view text);
+/// What burin-probe says of a plug-in, and what the host keeps of that.
+void plugin(std::string_view text);
 
 }  // namespace burin::fuzz

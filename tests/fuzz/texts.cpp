@@ -5,6 +5,7 @@
 #include <burin/converters/request.h>
 #include <burin/converters/write.h>
 #include <burin/illustrate/style.h>
+#include <burin/plugin/plugins.h>
 
 #include "targets.h"
 
@@ -56,6 +57,13 @@ void options(std::string_view text) {
         line.substr(equals + 1));
   }
   make_plan(request, Spelling::Options);
+}
+
+void plugin(std::string_view text) {
+  const std::string fault = plugin::read_report(std::string(text));
+  if (fault.size() > 1000 || fault.find('\n') != std::string::npos) std::abort();
+  const std::string once = plugin::read_tried(std::string(text));
+  if (plugin::read_tried(once) != once) std::abort();
 }
 
 }  // namespace burin::fuzz

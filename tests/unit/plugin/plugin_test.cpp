@@ -2,6 +2,7 @@
 #include <burin/field/catalogue.h>
 #include <burin/illustrate/style.h>
 #include <burin/plugin/plugins.h>
+#include <burin_test/facets.h>
 #include <burin_test/shapes.h>
 #include <gtest/gtest.h>
 

@@ -29,15 +29,17 @@ class MemoryFile {
 };
 
 /// The descriptor under which a child finds its MemoryFile.
-inline constexpr int kChildFile = 3;
+inline constexpr int kSubprocessFile = 3;
 
 struct SubprocessRun {
   /// argv[0] is the program: a path where it holds a slash, else looked up on PATH.
   std::vector<std::string> arguments;
   std::string folder;
-  /// Handed to the child as kChildFile; nullptr = none.
+  /// Handed to the child as kSubprocessFile; nullptr = none.
   const MemoryFile* file = nullptr;
   double timeout = 10;
+  /// Whether it may have three quarters of the machine's memory at the most.
+  bool bounded = true;
   /// Each line of its output and of its errors, at most kLongestLine bytes of it.
   std::function<void(const std::string& line)> line;
 };

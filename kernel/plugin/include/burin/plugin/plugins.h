@@ -66,4 +66,7 @@ void note_refused(const std::string& name, const std::string& why);
 /// For tests: what burin-probe reported, as `probe` gives it.
 std::string read_report(const std::string& report);
 
+/// Likewise: what was tried before as it is read from a text, written again.
+std::string read_tried(const std::string& text);
+
 }  // namespace burin::plugin
