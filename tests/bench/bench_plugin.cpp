@@ -7,6 +7,7 @@
 #include <burin/illustrate/style.h>
 #include <burin/plugin/plugins.h>
 #include <burin_test/facets.h>
+#include <burin_test/irregular.h>
 #include <burin_test/shapes.h>
 
 #include <benchmark/benchmark.h>

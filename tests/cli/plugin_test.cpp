@@ -1,4 +1,6 @@
 // Plug-ins as a user of the command has them: folders of shared libraries.
+#include <burin_test/irregular.h>
+
 #include "models.h"
 
 #include <nlohmann/json.hpp>

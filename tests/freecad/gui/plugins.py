@@ -46,4 +46,4 @@ class Plugins(support.Case):
         return kernel.module().style_keys()
 
 
-support.main()
+support.run(__name__)
