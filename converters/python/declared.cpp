@@ -50,8 +50,9 @@ Takes takes_of(const py::dict& row) {
 DeclaredOption option_of(const std::string& name, const py::object& value) {
   if (!is_word(name, '_')) throw UsageError("its name is not made of a-z, 0-9 and _");
   if (!py::isinstance<py::dict>(value) || !value.contains("default")) {
-    throw UsageError("it takes a dict with \"default\", and \"low\", \"high\", \"unit\", "
-                     "\"words\", \"meaning\" where they apply");
+    throw UsageError(
+        "it takes a dict with \"default\", and \"low\", \"high\", \"unit\", "
+        "\"words\", \"meaning\" where they apply");
   }
   const auto row = value.cast<py::dict>();
   DeclaredOption out;

@@ -19,8 +19,9 @@ std::string_view kept(const std::string& text);
 /// `name` where it is one of a factory: a-z, 0-9 and -. Throws UsageError.
 std::string checked_name(const std::string& name);
 
-/// From {"climb": {"default": 15.0, "low": 0, "high": 90, "unit": "degrees", "meaning": "..."}}: the
-/// type of "default" tells the kind, "words" a list to choose from. Throws UsageError, TypeError.
+/// From {"climb": {"default": 15.0, "low": 0, "high": 90, "unit": "degrees", "meaning": "..."}}:
+/// the type of "default" tells the kind, "words" a list to choose from. Throws UsageError,
+/// TypeError.
 std::vector<DeclaredOption> declared_options(const py::object& options);
 
 /// {"climb": 15.0}; with the GIL.

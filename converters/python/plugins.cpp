@@ -1,5 +1,3 @@
-#include <burin/plugin/plugins.h>
-
 #include <burin/base/error.h>
 #include <burin/base/plugin_error.h>
 #include <burin/converters/read.h>
@@ -7,6 +5,7 @@
 #include <burin/drawing/brought_formats.h>
 #include <burin/field/catalogue.h>
 #include <burin/forms/implicit/implicit_form.h>
+#include <burin/plugin/plugins.h>
 #include <burin/plugin/sources.h>
 #include <burin/tone/catalogue.h>
 
@@ -40,8 +39,7 @@ struct Brought {
   /// The function with the values of its options as keywords. With the GIL.
   py::object with(const std::vector<OptionValue>& values) const {
     if (options.empty()) return *function;
-    return py::module_::import("functools").attr("partial")(*function,
-                                                            **to_dict(options, values));
+    return py::module_::import("functools").attr("partial")(*function, **to_dict(options, values));
   }
 };
 
@@ -91,8 +89,10 @@ struct Ground {
   HatchScene scene;
 
   Ground(const Shown& s, const Camera& c)
-      : shown(s), camera(c), probe(probe_of(shown)), scene{shown.surfaces, camera, probe, *s.context} {
-  }
+      : shown(s),
+        camera(c),
+        probe(probe_of(shown)),
+        scene{shown.surfaces, camera, probe, *s.context} {}
   Ground(const Ground&) = delete;
   Ground& operator=(const Ground&) = delete;
 
@@ -121,7 +121,8 @@ Field field_of(const Brought& b, const field::FieldRequest& r) {
   const auto ground = ground_of(kRow, b.name, r.shown, r.camera);
   return guarded(kRow, b.name, [&] {
     std::function<Field(const HatchScene&)> make;
-    in_python([&] { make = python_field(b.with(values_of(r.options.declared, b.name, b.options))); });
+    in_python(
+        [&] { make = python_field(b.with(values_of(r.options.declared, b.name, b.options))); });
     const Field field = make(ground->scene);
     return Field{std::string(b.name), [ground, field, name = b.name](const FieldQuery& q) {
                    return guarded(kRow, name, [&] { return field.cross(q); });
@@ -134,7 +135,8 @@ Tone tone_of(const Brought& b, const tone::LawRequest& r) {
   const auto ground = ground_of(kRow, b.name, r.shown, r.camera);
   return guarded(kRow, b.name, [&]() -> Tone {
     std::function<Tone(const HatchScene&)> make;
-    in_python([&] { make = python_tone(b.with(values_of(r.options.declared, b.name, b.options))); });
+    in_python(
+        [&] { make = python_tone(b.with(values_of(r.options.declared, b.name, b.options))); });
     return [ground, tone = make(ground->scene), name = b.name](Vec3 position, Vec3 normal) {
       return guarded(kRow, name, [&] { return tone(position, normal); });
     };
@@ -195,12 +197,12 @@ void register_form(const std::string& name, const py::object& function, const st
                    const py::object& options) {
   const Brought b = brought(name, function, meaning, options);
   note(BURIN_FORM_1, b, [&] {
-    plugin::add(plugin::FormKind{
-        .name = b.name,
-        .meaning = b.meaning,
-        .make = [b](const std::vector<OptionValue>& values,
-                    RunContext& context) { return form_of(b, values, context); },
-        .options = b.options});
+    plugin::add(
+        plugin::FormKind{.name = b.name,
+                         .meaning = b.meaning,
+                         .make = [b](const std::vector<OptionValue>& values,
+                                     RunContext& context) { return form_of(b, values, context); },
+                         .options = b.options});
   });
 }
 
@@ -223,15 +225,16 @@ void register_reader(const std::string& name, const std::vector<std::string>& su
   const Brought b = brought(name, function, meaning, options);
   for (const std::string& suffix : suffixes) {
     if (suffix.size() > 1 && suffix[0] == '.' && !is_own_suffix(suffix)) continue;
-    throw UsageError(fmt::format("'{}' is no suffix such as .tiny, or one that Burin reads itself",
-                                 suffix));
+    throw UsageError(
+        fmt::format("'{}' is no suffix such as .tiny, or one that Burin reads itself", suffix));
   }
   const auto read = [b](const std::filesystem::path& path, std::string_view bytes,
                         const std::vector<OptionValue>& values, RunContext& /*context*/) {
     try {
       return guarded(PluginError::Row::Reader, b.name, [&] {
         plugin::ReadMeshes meshes;
-        in_python([&] { meshes = meshes_of(b.with(values)(py::bytes(bytes.data(), bytes.size()))); });
+        in_python(
+            [&] { meshes = meshes_of(b.with(values)(py::bytes(bytes.data(), bytes.size()))); });
         return meshes;
       });
     } catch (const PluginError& e) {
@@ -315,17 +318,19 @@ void add_plugins(py::module_& module) {
                py::arg("options") = py::none(), manual);
   };
   add("register_direction", register_direction,
-      "Makes a function a value of hatch.field: as `field` of `draw`, with its options as keywords.");
+      "Makes a function a value of hatch.field: as `field` of `draw`, with its options as "
+      "keywords.");
   add("register_law", register_law,
       "Makes a function a value of tone.law: as `tone` of `draw`, with its options as keywords.");
   add("register_form", register_form,
       "Makes a function the input \"form:NAME\": it is called with its options and gives (values, "
       "bounds) or (values, bounds, gradients), as `Scene.add_function` takes them.");
-  module.def("register_reader", register_reader, py::arg("name"), py::arg("suffixes"),
-             py::arg("function"), py::arg("meaning") = "", py::arg("options") = py::none(),
-             "Has a function read files of these suffixes ([\".tiny\"]): it gets the bytes, and its "
-             "options as keywords, and gives a list of parts (name, vertices (n, 3), triangles (m, "
-             "3)).");
+  module.def(
+      "register_reader", register_reader, py::arg("name"), py::arg("suffixes"), py::arg("function"),
+      py::arg("meaning") = "", py::arg("options") = py::none(),
+      "Has a function read files of these suffixes ([\".tiny\"]): it gets the bytes, and its "
+      "options as keywords, and gives a list of parts (name, vertices (n, 3), triangles (m, "
+      "3)).");
   module.def("register_writer", register_writer, py::arg("suffix"), py::arg("function"),
              py::arg("meaning") = "", py::arg("options") = py::none(),
              "Has a function write files of this suffix (\"txt\"): it gets the Drawing, and its "
@@ -335,9 +340,7 @@ void add_plugins(py::module_& module) {
              "\"meaning\", \"refused\"), \"refused\" (why, or empty).");
   module.def(
       "_refuse_plugin",
-      [](const std::string& name, const std::string& why) {
-        plugin::note_refused(name, why);
-      },
+      [](const std::string& name, const std::string& why) { plugin::note_refused(name, why); },
       py::arg("name"), py::arg("why"));
 }
 

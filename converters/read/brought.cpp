@@ -20,8 +20,8 @@ using Path = std::filesystem::path;
 Scene read(const plugin::ReaderKind& kind, const Path& path, const ReadOptions& options,
            RunContext& context) {
   const Source source(path, context);
-  plugin::ReadMeshes read = kind.read(path, source.bytes(),
-                                      values_of(options.declared, kind.name, kind.options), context);
+  plugin::ReadMeshes read = kind.read(
+      path, source.bytes(), values_of(options.declared, kind.name, kind.options), context);
   if (read.objects.empty()) {
     throw InputError(fmt::format("the reader '{}' finds no part in it", kind.name), path.string());
   }

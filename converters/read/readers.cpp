@@ -45,67 +45,67 @@ IritReadOptions irit_options(const ReadOptions& o) {
 }
 
 const Reader kIrit{"ITD, IRT, BEZ, BBP",
-                       is_irit_content,
-                       is_irit_suffix,
-                       [](const Path& path, const ReadOptions& o, RunContext& c) {
-                         return read_irit(path, c, irit_options(o));
-                       },
-                       [](const Path& path, const ReadOptions& o, RunContext& c) {
-                         return inspect_irit(path, c, irit_options(o));
-                       },
-                       Splines};
+                   is_irit_content,
+                   is_irit_suffix,
+                   [](const Path& path, const ReadOptions& o, RunContext& c) {
+                     return read_irit(path, c, irit_options(o));
+                   },
+                   [](const Path& path, const ReadOptions& o, RunContext& c) {
+                     return inspect_irit(path, c, irit_options(o));
+                   },
+                   Splines};
 
 const Reader kImplicit{"IMPLICIT",
-                           nullptr,
-                           is_implicit_suffix,
-                           [](const Path& path, const ReadOptions& o, RunContext& c) {
-                             return read_implicit(path, {o.bounds, {o.mesher}}, c);
-                           },
-                           [](const Path& path, const ReadOptions& o, RunContext& c) {
-                             return inspect_implicit(path, {o.bounds, {o.mesher}}, c);
-                           },
-                           Functions};
+                       nullptr,
+                       is_implicit_suffix,
+                       [](const Path& path, const ReadOptions& o, RunContext& c) {
+                         return read_implicit(path, {o.bounds, {o.mesher}}, c);
+                       },
+                       [](const Path& path, const ReadOptions& o, RunContext& c) {
+                         return inspect_implicit(path, {o.bounds, {o.mesher}}, c);
+                       },
+                       Functions};
 
 OpenscadOptions openscad_options(const ReadOptions& o) { return {o.defines, o.openscad_timeout}; }
 
 const Reader kOpenscad{"OpenSCAD",
-                           nullptr,
-                           is_openscad_suffix,
-                           [](const Path& path, const ReadOptions& o, RunContext& c) {
-                             Scene scene = read_openscad(path, openscad_options(o), c);
-                             if (o.heal.value_or(true)) heal_parts(scene, c);
-                             return scene;
-                           },
-                           [](const Path& path, const ReadOptions& o, RunContext& c) {
-                             return inspect_openscad(path, openscad_options(o), c);
-                           },
-                           OpenscadFiles};
+                       nullptr,
+                       is_openscad_suffix,
+                       [](const Path& path, const ReadOptions& o, RunContext& c) {
+                         Scene scene = read_openscad(path, openscad_options(o), c);
+                         if (o.heal.value_or(true)) heal_parts(scene, c);
+                         return scene;
+                       },
+                       [](const Path& path, const ReadOptions& o, RunContext& c) {
+                         return inspect_openscad(path, openscad_options(o), c);
+                       },
+                       OpenscadFiles};
 
 FcstdOptions fcstd_options(const ReadOptions& o) {
   return {o.objects, o.recompute, o.freecad_timeout};
 }
 
 const Reader kFcstd{"FreeCAD",
-                        is_fcstd_content,
-                        is_fcstd_suffix,
-                        [](const Path& path, const ReadOptions& o, RunContext& c) {
-                          return read_fcstd(path, fcstd_options(o), c);
-                        },
-                        [](const Path& path, const ReadOptions& o, RunContext& c) {
-                          return inspect_fcstd(path, fcstd_options(o), c);
-                        },
-                        FreecadFiles};
+                    is_fcstd_content,
+                    is_fcstd_suffix,
+                    [](const Path& path, const ReadOptions& o, RunContext& c) {
+                      return read_fcstd(path, fcstd_options(o), c);
+                    },
+                    [](const Path& path, const ReadOptions& o, RunContext& c) {
+                      return inspect_fcstd(path, fcstd_options(o), c);
+                    },
+                    FreecadFiles};
 
 const Reader kVolume{"NRRD, MHA, MHD, INR, NII, VTI, RAW",
-                         is_volume_content,
-                         is_volume_suffix,
-                         [](const Path& path, const ReadOptions& o, RunContext& c) {
-                           return read_volume_scene(path, o.volume, o.bounds, c);
-                         },
-                         [](const Path& path, const ReadOptions& o, RunContext& c) {
-                           return inspect_volume(path, o.volume, o.bounds, c);
-                         },
-                         Volumes};
+                     is_volume_content,
+                     is_volume_suffix,
+                     [](const Path& path, const ReadOptions& o, RunContext& c) {
+                       return read_volume_scene(path, o.volume, o.bounds, c);
+                     },
+                     [](const Path& path, const ReadOptions& o, RunContext& c) {
+                       return inspect_volume(path, o.volume, o.bounds, c);
+                     },
+                     Volumes};
 
 const std::array kReaders{&kCad, &kIrit, &kImplicit, &kOpenscad, &kFcstd, &kVolume, &kMesh};
 

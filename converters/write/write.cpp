@@ -81,11 +81,12 @@ std::vector<Format> own_formats() {
 }
 
 Format made_of(const BroughtFormat& brought) {
-  return {brought.name,
-          {std::string(brought.name) + "."},
-          [brought](const Drawing& d, const WriteOptions& o, std::ostream& out, const RunContext& c) {
-            brought.write(d, values_of(o.formats, brought.name, brought.options), out, c);
-          }};
+  return {
+      brought.name,
+      {std::string(brought.name) + "."},
+      [brought](const Drawing& d, const WriteOptions& o, std::ostream& out, const RunContext& c) {
+        brought.write(d, values_of(o.formats, brought.name, brought.options), out, c);
+      }};
 }
 
 }  // namespace

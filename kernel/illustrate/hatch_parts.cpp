@@ -179,10 +179,10 @@ Hatching HatchGround::hatch(const HatchRequest& asked, const DepthCue& cue,
   const HatchScene scene{surfaces_, camera, probe_, context};
   const Field own = options.field ? options.field(scene) : Field();
   const Field& field = options.field ? own : field_;
-  const Tone tone = options.tone ? options.tone(scene)
-                                 : tone::make(camera, asked.tone,
-                                              blocked_by(place_.occluders->solid(), tolerance),
-                                              shown(context));
+  const Tone tone =
+      options.tone ? options.tone(scene)
+                   : tone::make(camera, asked.tone,
+                                blocked_by(place_.occluders->solid(), tolerance), shown(context));
   InkOptions ink{.exponents = asked.exponents,
                  .tone_min = asked.hatch.tone_min,
                  .image = place_.image,
@@ -258,7 +258,8 @@ HatchedParts::Hatchings HatchedParts::hatch(const std::shared_ptr<const Occluder
       } catch (const PluginError& e) {
         // A row of each kind, and those that stand in for them are our own.
         do_without(e, *strokes.hatch, tried);
-        failed.push_back(fmt::format("{}; the strokes are those of {}", e.what(), stand_in(e, tried)));
+        failed.push_back(
+            fmt::format("{}; the strokes are those of {}", e.what(), stand_in(e, tried)));
       }
     }
     // The ground of what stands in is not that of the request.

@@ -13,7 +13,8 @@ Takes takes_of(const burin_option& o) {
       return Switch{};
     case BURIN_WORD: {
       WordList list;
-      for (const char* const* word = o.words; *word != nullptr; ++word) list.words.emplace_back(*word);
+      for (const char* const* word = o.words; *word != nullptr; ++word)
+        list.words.emplace_back(*word);
       return list;
     }
     case BURIN_VECTOR:

@@ -37,8 +37,8 @@ class Direction {
     const Frame& f = q.frame;
     const double* const d1 = f.umbilic ? kNone : &f.d1.x;
     const double* const d2 = f.umbilic ? kNone : &f.d2.x;
-    const burin_points at{1,  &q.point.position.x, &f.normal.x, &f.k1,   &f.k2,
-                          d1, d2,                  &f.du.x,     &f.dv.x, &q.part};
+    const burin_points at{
+        1, &q.point.position.x, &f.normal.x, &f.k1, &f.k2, d1, d2, &f.du.x, &f.dv.x, &q.part};
     Vec3 first(0), second(0);
     double certainty = 0.5;
     burin_error error;

@@ -41,8 +41,7 @@ class Made {
   void call(const Call& call) const {
     burin_error error;
     clear(error);
-    check(kRow, source_,
-          self_->call([&](const void* self) { return call(self, &error); }), error);
+    check(kRow, source_, self_->call([&](const void* self) { return call(self, &error); }), error);
   }
   void finite(const double* numbers, std::size_t count) const {
     for (std::size_t i = 0; i < count; ++i) {
@@ -99,7 +98,8 @@ class Function final : public ImplicitFunction {
         return (g[1 + 2 * along].gradient[of] - g[2 + 2 * along].gradient[of]) / (2 * h);
       };
       const auto mixed = [&](int a, int b) {
-        return 0.5 * (slope(a, static_cast<std::size_t>(b)) + slope(b, static_cast<std::size_t>(a)));
+        return 0.5 *
+               (slope(a, static_cast<std::size_t>(b)) + slope(b, static_cast<std::size_t>(a)));
       };
       out[k] = {g[0].value,  g[0].gradient, slope(0, 0), slope(1, 1),
                 slope(2, 2), mixed(0, 1),   mixed(0, 2), mixed(1, 2)};
@@ -180,8 +180,8 @@ std::shared_ptr<const Form> make(const Source& source, const std::vector<OptionV
                                  const RunContext& context) {
   Made made(source, values);
   if (made.functions().values != nullptr) {
-    return std::make_shared<ImplicitForm>(std::make_shared<Function>(std::move(made)),
-                                          std::nullopt, context);
+    return std::make_shared<ImplicitForm>(std::make_shared<Function>(std::move(made)), std::nullopt,
+                                          context);
   }
   const Patch patch(std::move(made));
   const std::function<SurfaceDerivatives(Vec2)> evaluate = patch;
@@ -194,10 +194,8 @@ std::shared_ptr<const Form> make(const Source& source, const std::vector<OptionV
 void add_form(const Source& source) {
   add(FormKind{.name = source.factory->name,
                .meaning = source.factory->meaning,
-               .make =
-                   [source](const std::vector<OptionValue>& values, RunContext& context) {
-                     return make(source, values, context);
-                   },
+               .make = [source](const std::vector<OptionValue>& values,
+                                RunContext& context) { return make(source, values, context); },
                .options = declared(*source.factory)});
 }
 

@@ -16,9 +16,8 @@ class Law {
  public:
   Law(const Source& source, const tone::LawRequest& request) : source_(source) {
     const auto& functions = source_.functions<burin_law_1>();
-    const burin_view view =
-        view_of(request.camera, request.shown, tone::to_light(request.camera, request.options),
-                Vec3(0, 0, 1));
+    const burin_view view = view_of(request.camera, request.shown,
+                                    tone::to_light(request.camera, request.options), Vec3(0, 0, 1));
     const auto options = declared(*source_.factory);
     const Values values(values_of(request.options.declared, source_.factory->name, options));
     burin_error error{};

@@ -57,11 +57,10 @@ class MarkMaker {
 }  // namespace
 
 void add_marks(const Source& source) {
-  add(MarkKind{
-      .name = source.factory->name,
-      .meaning = source.factory->meaning,
-      .make = [source](const MarkRequest& r) -> Marks { return MarkMaker(source, r); },
-      .options = declared(*source.factory)});
+  add(MarkKind{.name = source.factory->name,
+               .meaning = source.factory->meaning,
+               .make = [source](const MarkRequest& r) -> Marks { return MarkMaker(source, r); },
+               .options = declared(*source.factory)});
 }
 
 }  // namespace burin::plugin

@@ -147,8 +147,8 @@ void look(bool again, Loaded& all) {
   std::vector<std::filesystem::path> relative;
   const std::vector<std::filesystem::path> files = candidates(relative);
   for (const std::filesystem::path& folder : relative) {
-    found.push_back({.file = folder.string(),
-                     .refused = "BURIN_PLUGIN_PATH takes absolute paths of folders"});
+    found.push_back(
+        {.file = folder.string(), .refused = "BURIN_PLUGIN_PATH takes absolute paths of folders"});
   }
   if (files.empty()) return;
   TriedBefore tried = TriedBefore::load();

@@ -1,10 +1,10 @@
+#include "probe.h"
+
 #include <burin/base/error.h>
 #include <burin/base/library_folder.h>
 #include <burin/base/run_context.h>
 #include <burin/base/subprocess.h>
 #include <burin/plugin/plugins.h>
-
-#include "probe.h"
 
 #include <fmt/format.h>
 #include <unistd.h>
@@ -40,7 +40,8 @@ void make_runnable(const std::filesystem::path& program) {
   using std::filesystem::perms;
   if (::access(program.c_str(), X_OK) == 0) return;
   std::error_code error;  // then the start says why not
-  std::filesystem::permissions(program, perms::owner_exec, std::filesystem::perm_options::add, error);
+  std::filesystem::permissions(program, perms::owner_exec, std::filesystem::perm_options::add,
+                               error);
 }
 
 }  // namespace

@@ -106,9 +106,9 @@ ReadMeshes read(const Source& source, const std::filesystem::path& path, std::st
   context.check();
   const std::string message = message_of(error), name = source.factory->name;
   if (!scene.fault.empty()) {
-    throw InputError(fmt::format("the reader '{}' of the plug-in {} {}", name, source.file,
-                                 scene.fault),
-                     path.string());
+    throw InputError(
+        fmt::format("the reader '{}' of the plug-in {} {}", name, source.file, scene.fault),
+        path.string());
   }
   if (code != BURIN_OK) {
     throw InputError(message.empty() ? fmt::format("the reader '{}' of the plug-in {} cannot read "
@@ -133,9 +133,8 @@ void add_reader(const Source& source) {
     };
   }
   kind.read = [source](const std::filesystem::path& path, std::string_view bytes,
-                       const std::vector<OptionValue>& values, RunContext& context) {
-    return read(source, path, bytes, values, context);
-  };
+                       const std::vector<OptionValue>& values,
+                       RunContext& context) { return read(source, path, bytes, values, context); };
   kind.options = declared(*source.factory);
   add(std::move(kind));
 }

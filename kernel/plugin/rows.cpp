@@ -34,9 +34,9 @@ void set(double (&to)[3], Vec3 v) {
 
 void fail(PluginError::Row row, const Source& source, const std::string& what) {
   const std::string name = source.factory->name;
-  throw PluginError(row, name,
-                    fmt::format("the {} '{}' of the plug-in {} {}", word_of(row), name,
-                                source.file, what));
+  throw PluginError(
+      row, name,
+      fmt::format("the {} '{}' of the plug-in {} {}", word_of(row), name, source.file, what));
 }
 
 std::string message_of(const burin_error& error) {

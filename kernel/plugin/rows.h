@@ -34,8 +34,7 @@ void add_writer(const Source& source);
 /// Throws PluginError: "the direction 'spiral' (FILE) WHAT".
 [[noreturn]] void fail(PluginError::Row row, const Source& source, const std::string& what);
 /// The same where a function of it gave a code other than BURIN_OK.
-void check(PluginError::Row row, const Source& source, std::int32_t code,
-           const burin_error& error);
+void check(PluginError::Row row, const Source& source, std::int32_t code, const burin_error& error);
 
 /// The message of a plug-in as one line; empty where it wrote none.
 std::string message_of(const burin_error& error);

@@ -78,7 +78,8 @@ std::vector<fs::path> candidates(std::vector<fs::path>& relative) {
   // A folder that is named twice.
   std::vector<fs::path> once;
   for (const fs::path& file : files) {
-    if (once.size() < kMostFiles && std::ranges::find(once, file) == once.end()) once.push_back(file);
+    if (once.size() < kMostFiles && std::ranges::find(once, file) == once.end())
+      once.push_back(file);
   }
   return once;
 }

@@ -7,8 +7,9 @@
 namespace burin::plugin {
 namespace {
 
-constexpr std::array<std::string_view, 6> kKnown{BURIN_DIRECTION_1, BURIN_LAW_1,    BURIN_STROKE_KIND_1,
-                                                 BURIN_FORM_1,      BURIN_READER_1, BURIN_WRITER_1};
+constexpr std::array<std::string_view, 6> kKnown{BURIN_DIRECTION_1,   BURIN_LAW_1,
+                                                 BURIN_STROKE_KIND_1, BURIN_FORM_1,
+                                                 BURIN_READER_1,      BURIN_WRITER_1};
 constexpr double kLargestWhole = 9007199254740992.0;  // 2^53
 
 bool is_text(const char* text) {
@@ -71,7 +72,8 @@ std::string value_fault(const burin_option& o) {
     case BURIN_WHOLE:
       return number_fault(o);
     case BURIN_FLAG:
-      return o.fallback.number == 0 || o.fallback.number == 1 ? "" : "falls back to neither 0 nor 1";
+      return o.fallback.number == 0 || o.fallback.number == 1 ? ""
+                                                              : "falls back to neither 0 nor 1";
     case BURIN_WORD:
       return words_fault(o);
     case BURIN_VECTOR: {
@@ -191,8 +193,8 @@ bool is_option_name(const char* text) { return is_word(text, '_'); }
 std::string fault_of(const burin_plugin_table* table) {
   if (table == nullptr) return "it does not work with plug-ins of version 1";
   if (table->abi != BURIN_PLUGIN_ABI) {
-    return "it is made for version " + std::to_string(table->abi) + " of plug-ins, this is version " +
-           std::to_string(BURIN_PLUGIN_ABI);
+    return "it is made for version " + std::to_string(table->abi) +
+           " of plug-ins, this is version " + std::to_string(BURIN_PLUGIN_ABI);
   }
   if (!is_name(table->name)) return "it has no name made of a-z, 0-9 and -";
   if (!is_sentence(table->version)) return "it has no version";

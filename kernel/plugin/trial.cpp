@@ -61,8 +61,8 @@ struct Places {
     }
   }
   burin_points from(std::size_t i, std::size_t count) const {
-    return {count,          &position[3 * i], &normal[3 * i], &k1[i],         &k2[i],
-            &d1[3 * i],     &d2[3 * i],       &zero[3 * i],   &zero[3 * i],   &part[i]};
+    return {count,      &position[3 * i], &normal[3 * i], &k1[i],       &k2[i],
+            &d1[3 * i], &d2[3 * i],       &zero[3 * i],   &zero[3 * i], &part[i]};
   }
 
  private:
@@ -71,9 +71,16 @@ struct Places {
   }
 };
 
-const burin_view kView{{0.6, -0.6, std::sqrt(0.28)}, {0.7071067811865476, 0.7071067811865476, 0},
+const burin_view kView{{0.6, -0.6, std::sqrt(0.28)},
+                       {0.7071067811865476, 0.7071067811865476, 0},
                        {-0.37416573867739417, 0.37416573867739417, 0.848528137423857},
-                       {0, 0, 0}, 0, 10, {0, 0, 1}, {0, 0, 1}, {-4, -4, -1}, {4, 4, 1}};
+                       {0, 0, 0},
+                       0,
+                       10,
+                       {0, 0, 1},
+                       {0, 0, 1},
+                       {-4, -4, -1},
+                       {4, 4, 1}};
 
 std::vector<burin_value> fallbacks(const burin_factory& f) {
   std::vector<burin_value> values;
@@ -131,8 +138,9 @@ std::string try_direction(const burin_factory& f) {
   for (std::size_t i = 0; i < kPlaces && fault.empty(); ++i) {
     Filled one(3), second(3), sure(1, 0.5);
     const burin_points at = places.from(i, 1);
-    fault = told("directions",
-                 d.directions(made.self, &at, one.data(), second.data(), sure.data(), &error), error);
+    fault =
+        told("directions",
+             d.directions(made.self, &at, one.data(), second.data(), sure.data(), &error), error);
     fault = first({fault, one.fault(), second.fault(), sure.fault()});
     for (std::size_t k = 0; k < 3 && fault.empty(); ++k) {
       if (one[k] != a[3 * i + k] || second[k] != b[3 * i + k]) fault = kOneByOne;
@@ -145,7 +153,8 @@ std::string try_law(const burin_factory& f) {
   const auto& law = *static_cast<const burin_law_1*>(f.functions);
   burin_error error{};
   Made made(law.destroy);
-  std::string fault = told("make", law.make(&kView, fallbacks(f).data(), &made.self, &error), error);
+  std::string fault =
+      told("make", law.make(&kView, fallbacks(f).data(), &made.self, &error), error);
   if (!fault.empty()) return fault;
   made.whole = true;
   const Places places;
@@ -180,8 +189,8 @@ std::string try_marks(const burin_factory& f) {
     ink.push_back(static_cast<double>(i) / kPlaces);
     random.push_back(static_cast<double>((37 * i) % kPlaces) / kPlaces);
   }
-  const burin_places at{kPlaces,          places.position.data(), places.normal.data(),
-                        places.d1.data(), ink.data(),             random.data()};
+  const burin_places at{kPlaces,    places.position.data(), places.normal.data(), places.d1.data(),
+                        ink.data(), random.data()};
   std::vector<std::uint32_t> count(kPlaces + kBeyond, 0);
   std::vector<unsigned char> begins(k.most * kPlaces + kBeyond, 0);
   Filled points(2 * k.most * kPlaces);
@@ -214,7 +223,8 @@ std::string try_function(const burin_form_1& s, const void* self) {
                s.values(self, kPlaces, at.data(), values.data(), gradients.data(), &error), error);
   fault = first({fault, values.fault(), gradients.fault()});
   if (fault.empty()) {
-    fault = told("values", s.values(self, kPlaces, at.data(), alone.data(), nullptr, &error), error);
+    fault =
+        told("values", s.values(self, kPlaces, at.data(), alone.data(), nullptr, &error), error);
     fault = first({fault, alone.fault()});
   }
   for (std::size_t i = 0; i < kPlaces && fault.empty(); ++i) {
@@ -242,9 +252,9 @@ std::string try_patch(const burin_form_1& s, const void* self) {
                             : domain[2] + share * (domain[3] - domain[2]));
   }
   Filled position(3 * kPlaces), du(3 * kPlaces), dv(3 * kPlaces);
-  fault = told(
-      "points",
-      s.points(self, kPlaces, uv.data(), position.data(), du.data(), dv.data(), &error), error);
+  fault = told("points",
+               s.points(self, kPlaces, uv.data(), position.data(), du.data(), dv.data(), &error),
+               error);
   return first({fault, position.fault(), du.fault(), dv.fault()});
 }
 

@@ -22,8 +22,8 @@ class TriedBefore {
   /// `probe`: the identity of burin-probe; what another one said does not hold.
   std::optional<std::string> find(const std::filesystem::path& file, const std::string& identity,
                                   const std::string& probe) const;
-  void set(const std::filesystem::path& file, const std::string& identity,
-           const std::string& probe, const std::string& fault);
+  void set(const std::filesystem::path& file, const std::string& identity, const std::string& probe,
+           const std::string& fault);
 
   /// That of the user; empty where there is none. `save` goes without where it cannot write.
   static TriedBefore load();

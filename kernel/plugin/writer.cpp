@@ -29,10 +29,10 @@ class Flat {
                           static_cast<std::int32_t>(text.anchor)});
       }
     }
-    all_ = {d.paper_width,   d.paper_height,  d.title.c_str(), d.ink_color.c_str(),
-            d.paper_color.c_str(), parts_.size(), parts_.data(), paths_.size(),
-            paths_.data(),   widths_.size(),  points_.data(),  widths_.data(),
-            texts_.size(),   texts_.data()};
+    all_ = {d.paper_width,         d.paper_height, d.title.c_str(), d.ink_color.c_str(),
+            d.paper_color.c_str(), parts_.size(),  parts_.data(),   paths_.size(),
+            paths_.data(),         widths_.size(), points_.data(),  widths_.data(),
+            texts_.size(),         texts_.data()};
   }
   Flat(const Flat&) = delete;
   Flat& operator=(const Flat&) = delete;
@@ -72,8 +72,8 @@ void write(const Source& source, const Drawing& drawing, const std::vector<Optio
   const Values given(values);
   burin_output output{&out, &context};
   burin_error error{};
-  const std::int32_t code = source.functions<burin_writer_1>().write(
-      &flat.get(), given.data(), take_bytes, &output, &error);
+  const std::int32_t code = source.functions<burin_writer_1>().write(&flat.get(), given.data(),
+                                                                     take_bytes, &output, &error);
   context.check();
   if (!out.good()) return;  // who owns the stream says why
   try {
@@ -87,14 +87,12 @@ void write(const Source& source, const Drawing& drawing, const std::vector<Optio
 }  // namespace
 
 void add_writer(const Source& source) {
-  add(BroughtFormat{.name = source.functions<burin_writer_1>().suffix,
-                    .meaning = source.factory->meaning,
-                    .write =
-                        [source](const Drawing& d, const std::vector<OptionValue>& values,
-                                 std::ostream& out, const RunContext& context) {
-                          write(source, d, values, out, context);
-                        },
-                    .options = declared(*source.factory)});
+  add(BroughtFormat{
+      .name = source.functions<burin_writer_1>().suffix,
+      .meaning = source.factory->meaning,
+      .write = [source](const Drawing& d, const std::vector<OptionValue>& values, std::ostream& out,
+                        const RunContext& context) { write(source, d, values, out, context); },
+      .options = declared(*source.factory)});
 }
 
 }  // namespace burin::plugin

@@ -73,8 +73,8 @@ struct Picture {
 
   /// The same picture with lines that follow another field, which has to live as long.
   Picture following(const Field& other) const {
-    return {surfaces, camera,  other, tone,     probe, options, seed,      same_place,
-            balance,  shaping, laws,  standing, motif, marks, memory,     level_step};
+    return {surfaces, camera,  other, tone,     probe, options, seed,   same_place,
+            balance,  shaping, laws,  standing, motif, marks,   memory, level_step};
   }
 
   bool by_chance() const { return standing != Standing::Apart && standing != Standing::Levels; }

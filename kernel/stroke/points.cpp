@@ -300,10 +300,9 @@ double longer(const Picture& picture, const Seed& seed, const StrokeSample& at, 
 // What a kind from elsewhere draws on a seed.
 Motif mark_at(const Picture& picture, const Seed& seed, const StrokeSample& at, std::size_t i) {
   constexpr std::uint64_t kMark = 5;  // of the streams of Laws::random
-  return motif_of((*picture.marks)(
-      {seed.point.position, at.front ? at.normal : -at.normal, at.tangent,
-       picture.share(at.darkness, seed.family),
-       Laws::random(picture.seed, seed.part, seed.family, kMark, i)}));
+  return motif_of((*picture.marks)({seed.point.position, at.front ? at.normal : -at.normal,
+                                    at.tangent, picture.share(at.darkness, seed.family),
+                                    Laws::random(picture.seed, seed.part, seed.family, kMark, i)}));
 }
 
 }  // namespace

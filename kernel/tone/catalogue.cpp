@@ -191,7 +191,8 @@ const Law& find(std::string_view name) { return find_row(catalogue(), name, "ton
 Tone make(const Camera& camera, const ToneOptions& options, const Blocked& blocked,
           const Shown& shown) {
   return [camera, rim = options.rim, highlight = options.highlight, ink = options.ink,
-          law = find(options.law).make({camera, options, blocked, shown})](Vec3 position, Vec3 normal) {
+          law = find(options.law).make({camera, options, blocked, shown})](Vec3 position,
+                                                                           Vec3 normal) {
     const double facing = std::clamp(glm::dot(normal, camera.to_viewer(position)), 0.0, 1.0);
     constexpr double kInked = 0.15;  // ink from which the rim has all of its own
     double light = law(position, normal) / highlight;

@@ -2,76 +2,77 @@
 // burin draw form:gyroids -o gyroids.svg --gyroids-surface diamond --gyroids-period 12
 #include <burin/plugin.h>
 
-#include <array>
 #include <cmath>
-#include <cstdint>
 #include <new>
-#include <utility>
 
 namespace {
 
-constexpr double kTurn = 6.283185307179586;
-constexpr double kSlope = 1.5;  // of these functions where they are 0, on average
+constexpr double kTurn = 6.283185307179586, kSlope = 1.5;  // of these functions at 0, on average
 
 struct Gyroids {
-  double half, scale, wall;
   int surface;
+  double half, scale, wall;
 };
 
-// Of the periodic function: its value and its gradient, in turns.
-std::pair<double, std::array<double, 3>> periodic(int surface, double x, double y, double z) {
-  const double cx = std::cos(x), cy = std::cos(y), cz = std::cos(z);
-  const double sx = std::sin(x), sy = std::sin(y), sz = std::sin(z);
+// A periodic function at angles x y z: its value, and its gradient in g.
+double periodic(int surface, double x, double y, double z, double* g) {
+  const double a = std::cos(x), b = std::cos(y), c = std::cos(z);
+  const double s = std::sin(x), t = std::sin(y), u = std::sin(z);
   if (surface == 0) {  // gyroid
-    return {sx * cy + sy * cz + sz * cx, {cx * cy - sz * sx, cy * cz - sx * sy, cz * cx - sy * sz}};
+    g[0] = a * b - u * s, g[1] = b * c - s * t, g[2] = c * a - t * u;
+    return s * b + t * c + u * a;
   }
-  if (surface == 1) return {cx + cy + cz, {-sx, -sy, -sz}};  // Schwarz P
-  return {sx * sy * sz + sx * cy * cz + cx * sy * cz + cx * cy * sz,  // diamond
-          {cx * sy * sz + cx * cy * cz - sx * sy * cz - sx * cy * sz,
-           sx * cy * sz - sx * sy * cz + cx * cy * cz - cx * sy * sz,
-           sx * sy * cz - sx * cy * sz - cx * sy * sz + cx * cy * cz}};
+  if (surface == 1) {  // Schwarz P
+    g[0] = -s, g[1] = -t, g[2] = -u;
+    return a + b + c;
+  }
+  g[0] = a * t * u + a * b * c - s * t * c - s * b * u;  // diamond
+  g[1] = s * b * u - s * t * c + a * b * c - a * t * u;
+  g[2] = s * t * c - s * b * u - a * t * u + a * b * c;
+  return s * t * u + s * b * c + a * t * c + a * b * u;
 }
 
-std::int32_t make(const burin_value* values, void** self, burin_error*) {
+int32_t make(const burin_value* v, void** self, burin_error*) {
   auto* const g = new (std::nothrow) Gyroids;
   if (!g) return BURIN_NO_MEMORY;
-  *g = {0.5 * values[1].number, kTurn / values[2].number, values[3].number, static_cast<int>(values[0].number)};
+  *g = {static_cast<int>(v[0].number), v[1].number / 2, kTurn / v[2].number, v[3].number};
   *self = g;
   return BURIN_OK;
 }
 
-std::int32_t bounds(const void* self, double low[3], double high[3], burin_error*) {
-  const double half = static_cast<const Gyroids*>(self)->half;
-  for (int i = 0; i < 3; ++i) low[i] = -(high[i] = half);
+int32_t bounds(const void* self, double* low, double* high, burin_error*) {
+  for (int i = 0; i < 3; ++i) low[i] = -(high[i] = static_cast<const Gyroids*>(self)->half);
   return BURIN_OK;
 }
 
-// Negative within half a wall of the surface: the square of the distance, about.
-std::int32_t values(const void* self, std::size_t count, const double* position, double* value, double* gradient,
-                    burin_error*) {
-  const auto& g = *static_cast<const Gyroids*>(self);
-  for (std::size_t i = 0; i < count; ++i) {
-    const double* p = position + 3 * i;
-    const auto [f, slope] = periodic(g.surface, g.scale * p[0], g.scale * p[1], g.scale * p[2]);
-    const double mm = kSlope * g.scale;
-    value[i] = f * f / (mm * mm) - 0.25 * g.wall * g.wall;
-    for (std::size_t k = 0; gradient && k < 3; ++k) gradient[3 * i + k] = 2 * f * g.scale * slope[k] / (mm * mm);
+// Negative within half a wall of the surface: the square of the distance, about, less that.
+int32_t values(const void* self, size_t n, const double* p, double* f, double* g, burin_error*) {
+  const Gyroids& s = *static_cast<const Gyroids*>(self);
+  const double mm = kSlope * s.scale;
+  for (size_t i = 0; i < 3 * n; i += 3) {
+    double slope[3];
+    const double v =
+        periodic(s.surface, s.scale * p[i], s.scale * p[i + 1], s.scale * p[i + 2], slope);
+    f[i / 3] = v * v / (mm * mm) - 0.25 * s.wall * s.wall;
+    for (size_t k = 0; g && k < 3; ++k) g[i + k] = 2 * v * s.scale * slope[k] / (mm * mm);
   }
   return BURIN_OK;
 }
 
+void destroy(void* self) { delete static_cast<Gyroids*>(self); }
+
 const char* const kSurfaces[] = {"gyroid", "schwarz-p", "diamond", nullptr};
 const burin_option kOptions[] = {
-    {"surface", "which surface the walls follow", BURIN_WORD, 0, 0, nullptr, kSurfaces, {0, {}, nullptr}},
+    {"surface", "what the walls follow", BURIN_WORD, 0, 0, nullptr, kSurfaces, {}},
     {"size", "of the cube", BURIN_NUMBER, 1, 1000, "mm", nullptr, {30, {}, nullptr}},
     {"period", "of the surface", BURIN_NUMBER, 1, 1000, "mm", nullptr, {15, {}, nullptr}},
-    {"wall", "thickness of the walls, about", BURIN_NUMBER, 0.1, 100, "mm", nullptr, {2, {}, nullptr}}};
-const burin_form_1 kFunctions = {0,      make,    [](void* self) { delete static_cast<Gyroids*>(self); },
-                                 bounds, values, nullptr, nullptr};
-const burin_factory kFactories[] = {
-    {BURIN_FORM_1, "gyroids", "walls along a periodic surface", 4, kOptions, &kFunctions}};
-const burin_plugin_table kTable = {BURIN_PLUGIN_ABI, "gyroids", "1.0", 1, kFactories};
+    {"wall", "its thickness, about", BURIN_NUMBER, 0.1, 100, "mm", nullptr, {2, {}, nullptr}}};
+const burin_form_1 kForm = {0, make, destroy, bounds, values, nullptr, nullptr};
+const burin_factory kOffers[] = {{BURIN_FORM_1, "gyroids", "periodic walls", 4, kOptions, &kForm}};
+const burin_plugin_table kTable = {BURIN_PLUGIN_ABI, "gyroids", "1.0", 1, kOffers};
 
 }  // namespace
 
-const burin_plugin_table* burin_plugin(std::uint32_t abi) { return abi == BURIN_PLUGIN_ABI ? &kTable : nullptr; }
+const burin_plugin_table* burin_plugin(uint32_t abi) {
+  return abi == BURIN_PLUGIN_ABI ? &kTable : nullptr;
+}

@@ -1,16 +1,16 @@
-// What a direction costs that comes from a plug-in, beside the same one built in: both follow the tangent
-// part of one direction.
+// What a direction costs that comes from a plug-in, beside the same one built in: both follow the
+// tangent part of one direction.
 #include <burin/base/error.h>
 #include <burin/field/catalogue.h>
 #include <burin/forms/mesh/mesh_form.h>
 #include <burin/illustrate/illustrate.h>
 #include <burin/illustrate/style.h>
 #include <burin/plugin/plugins.h>
+
+#include <benchmark/benchmark.h>
 #include <burin_test/facets.h>
 #include <burin_test/irregular.h>
 #include <burin_test/shapes.h>
-
-#include <benchmark/benchmark.h>
 
 #include <memory>
 #include <vector>
@@ -30,8 +30,11 @@ void direction(benchmark::State& state) {
   load();
   const auto surface = test::realised(test::icosphere(1, 64));
   const std::vector<const Surface*> surfaces{surface.get()};
-  const Camera eye =
-      Camera::fit([](const Mat3& axes) { return Box3{axes * Vec3(-1), axes * Vec3(1)}; }, {});
+  const Camera eye = Camera::fit(
+      [](const Mat3& axes) {
+        return Box3{axes * Vec3(-1), axes * Vec3(1)};
+      },
+      {});
   const RunContext context;
   const char* const name = kNames[state.range(0)];
   const field::FieldOptions options{.name = name};
@@ -63,8 +66,11 @@ void drawing(benchmark::State& state) {
   scene.parts.push_back({"ball", "", std::make_shared<MeshForm>(test::icosphere(1, 64))});
   Style style = builtin_style("engraving");
   set_style_key(style, "hatch.field", kNames[state.range(0)]);
-  const Camera eye =
-      Camera::fit([](const Mat3& axes) { return Box3{axes * Vec3(-1), axes * Vec3(1)}; }, {});
+  const Camera eye = Camera::fit(
+      [](const Mat3& axes) {
+        return Box3{axes * Vec3(-1), axes * Vec3(1)};
+      },
+      {});
   state.SetLabel(kNames[state.range(0)]);
   for (auto _ : state) {
     RunContext context;

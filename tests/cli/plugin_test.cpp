@@ -1,8 +1,7 @@
 // Plug-ins as a user of the command has them: folders of shared libraries.
-#include <burin_test/irregular.h>
-
 #include "models.h"
 
+#include <burin_test/irregular.h>
 #include <nlohmann/json.hpp>
 
 #include <cstdlib>
@@ -30,7 +29,9 @@ class Plugins : public test::CliTest {
     }
   }
 
-  static std::string built(const std::string& name) { return std::string(BURIN_PLUGINS) + "/" + name; }
+  static std::string built(const std::string& name) {
+    return std::string(BURIN_PLUGINS) + "/" + name;
+  }
   static void use(const std::string& folder) {
     ::setenv("BURIN_PLUGIN_PATH", built(folder).c_str(), 1);
   }
@@ -47,9 +48,7 @@ class Plugins : public test::CliTest {
     EXPECT_EQ(run("draw @/ball.off -o @/a.json --paper 80x80 --quiet " + options), 0) << err_;
     return json::parse(test::slurp(folder_ / "a.json"));
   }
-  void write_ball() {
-    folder_.write("ball.off", test::off_text(test::icosphere(10, 12)));
-  }
+  void write_ball() { folder_.write("ball.off", test::off_text(test::icosphere(10, 12))); }
   static std::vector<std::string> messages(const json& drawing, const std::string& code) {
     std::vector<std::string> found;
     for (const json& d : drawing["diagnostics"]) {
@@ -149,8 +148,7 @@ TEST_F(Plugins, OptionsAreToldLikeOurOwn) {
   EXPECT_EQ(schema["tone.grain.steps"]["type"], "integer");
   const json words = schema["hatch.field"]["enum"];
   EXPECT_NE(std::find(words.begin(), words.end(), "spiral"), words.end());
-  EXPECT_TRUE(
-      schema["strokes"]["items"]["properties"].contains("spiral.climb"));
+  EXPECT_TRUE(schema["strokes"]["items"]["properties"].contains("spiral.climb"));
   ASSERT_EQ(run("draw --help"), 0);
   for (const char* word : {"--tiny-scale", "--gyroids-period", "--gyroids-surface"}) {
     EXPECT_NE(out_.find(word), std::string::npos) << word;
@@ -213,7 +211,8 @@ TEST_F(Plugins, ReadersReadAndSayTheLineOfAFault) {
 
 TEST_F(Plugins, WritersWriteAndLeaveNothingHalfDone) {
   use("other");
-  ASSERT_EQ(run("draw @/box.off -o @/a.lst -o @/a.json --style outline --quiet --set lst.digits=3"), 0)
+  ASSERT_EQ(run("draw @/box.off -o @/a.lst -o @/a.json --style outline --quiet --set lst.digits=3"),
+            0)
       << err_;
   const std::string list = test::slurp(folder_ / "a.lst");
   std::int64_t paths = 0;

@@ -38,7 +38,9 @@ TEST(Readme, ItsCommandsDoWhatTheySay) {
   EXPECT_GE(all.size(), 10U);
   for (const std::string& command : all) {
     // Some end in a remark, some write what they print to a file.
-    const std::string line = "cd '" + root.string() + "' && export HOME=\"$PWD\" PATH=\"$PWD/bin:$PATH\" && unset XDG_DATA_HOME XDG_CACHE_HOME && {\n" +
+    const std::string line = "cd '" + root.string() +
+                             "' && export HOME=\"$PWD\" PATH=\"$PWD/bin:$PATH\" && unset "
+                             "XDG_DATA_HOME XDG_CACHE_HOME && {\n" +
                              command + "\n} > printed 2> said";
     EXPECT_EQ(std::system(line.c_str()), 0) << command << "\n" << test::slurp(root / "said");
   }

@@ -2,6 +2,7 @@
 #include <burin/field/catalogue.h>
 #include <burin/illustrate/style.h>
 #include <burin/plugin/plugins.h>
+
 #include <burin_test/facets.h>
 #include <burin_test/irregular.h>
 #include <burin_test/shapes.h>
@@ -24,11 +25,13 @@ Camera camera() {
 TEST(PluginReport, IsReadWhateverStandsInIt) {
   EXPECT_EQ(plugin::read_report("burin-probe 1\nok\n"), "");
   EXPECT_EQ(plugin::read_report("burin-probe 1\nfault it is bad\nmore\n"), "it is bad");
-  for (const char* report : {"", "ok", "burin-probe 2\nok", "burin-probe 1\n", "burin-probe 1\nok \n",
-                             "burin-probe 1\nfault \n", "burin-probe 1\nokay\n"}) {
+  for (const char* report :
+       {"", "ok", "burin-probe 2\nok", "burin-probe 1\n", "burin-probe 1\nok \n",
+        "burin-probe 1\nfault \n", "burin-probe 1\nokay\n"}) {
     EXPECT_FALSE(plugin::read_report(report).empty()) << report;
   }
-  const std::string long_one = plugin::read_report("burin-probe 1\nfault " + std::string(9000, 'x'));
+  const std::string long_one =
+      plugin::read_report("burin-probe 1\nfault " + std::string(9000, 'x'));
   EXPECT_LE(long_one.size(), 1000U);
 }
 
@@ -75,8 +78,8 @@ TEST(Plugin, SpiralClimbsByItsAngle) {
     ASSERT_TRUE(cross);
     // The tangent part of what goes round and climbs by tan 30 degrees of the axis.
     const Vec3 round = glm::normalize(glm::cross(Vec3(0, 0, 1), p.position));
-    const Vec3 expected = glm::normalize(
-        reject(round + std::tan(M_PI / 6) * Vec3(0, 0, 1), frame.normal));
+    const Vec3 expected =
+        glm::normalize(reject(round + std::tan(M_PI / 6) * Vec3(0, 0, 1), frame.normal));
     EXPECT_NEAR(std::abs(glm::dot(cross->first, expected)), 1, 1e-6);
     EXPECT_NEAR(glm::dot(cross->first, frame.normal), 0, 1e-12);
     EXPECT_NEAR(glm::dot(cross->first, cross->second), 0, 1e-12);

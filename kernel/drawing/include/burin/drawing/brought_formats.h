@@ -28,7 +28,8 @@ struct BroughtFormat {
 /// All that were added.
 std::span<const BroughtFormat> brought_formats();
 
-/// Adds a format, or puts it in the place of one of its name. Its texts live as long as the program.
+/// Adds a format, or puts it in the place of one of its name. Its texts live as long as the
+/// program.
 void add(BroughtFormat format);
 
 }  // namespace burin

@@ -41,15 +41,16 @@ struct FieldKind {
   bool uses_light = false;
   /// Whether its crosses have levels.
   bool has_levels = false;
-  /// What it lets a user choose beside `FieldOptions`; the values stand in `FieldOptions::declared`.
+  /// What it lets a user choose beside `FieldOptions`; the values stand in
+  /// `FieldOptions::declared`.
   std::vector<DeclaredOption> options{};
 };
 
 /// All fields, the usual one first; those that were added last.
 std::span<const FieldKind> catalogue();
 
-/// Adds a field from elsewhere, or puts it in the place of one of its name that was added. Its texts
-/// live as long as the program. Throws UsageError where a field of our own has the name.
+/// Adds a field from elsewhere, or puts it in the place of one of its name that was added. Its
+/// texts live as long as the program. Throws UsageError where a field of our own has the name.
 void add(FieldKind kind);
 
 /// The field of that name. Throws UsageError that lists them all.

@@ -46,9 +46,9 @@ void append_declared(std::vector<OptionRow<T>>& rows, DeclaredValues T::*member,
       const std::string name(row.name);
       Option option = declared.option;
       option.name = name + "." + option.name;
-      rows.push_back({std::move(option),
-                      [=](const T& s) { return value_of(s.*member, name, declared); },
-                      [=](T& s, const OptionValue& v) { set_value(s.*member, name, declared, v); }});
+      rows.push_back(
+          {std::move(option), [=](const T& s) { return value_of(s.*member, name, declared); },
+           [=](T& s, const OptionValue& v) { set_value(s.*member, name, declared, v); }});
     }
   }
 }

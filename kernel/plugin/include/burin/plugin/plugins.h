@@ -44,7 +44,8 @@ std::vector<std::filesystem::path> search_path();
 /// Loads the plug-ins of the search path, once in a program: each .so in its folders, by name. One
 /// whose file has not been tried before is tried in a process of its own first (burin-probe, up to
 /// 5 s), so that what does not fit, crashes or hangs there is refused and the program goes on.
-/// Without such files: three looks at folders. `again`: what was tried is tried again. Never throws.
+/// Without such files: three looks at folders. `again`: what was tried is tried again. Never
+/// throws.
 void load_all(bool again = false);
 
 /// All that `load_all` found, those that were refused too, then what programs brought.

@@ -1,6 +1,6 @@
 #pragma once
-/// Kinds of strokes from elsewhere: what stands on points in the place of a stroke. Each is a way to
-/// place strokes, too: its name is one of `HatchOptions::placing`.
+/// Kinds of strokes from elsewhere: what stands on points in the place of a stroke. Each is a way
+/// to place strokes, too: its name is one of `HatchOptions::placing`.
 
 #include <burin/camera/camera.h>
 #include <burin/options/declared.h>
