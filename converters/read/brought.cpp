@@ -47,6 +47,8 @@ Scene make(const plugin::FormKind& kind, const Path& path, const ReadOptions& op
     scene.parts.push_back(
         {std::string(kind.name), path.string(),
          kind.make(values_of(options.declared, kind.name, kind.options), context)});
+    // What cannot tell these is of no use for any sheet.
+    scene.parts.front().form->bounds(Mat3(1));
   } catch (const GeometryError& e) {
     throw InputError(e.what(), path.string());
   }

@@ -180,7 +180,9 @@ std::shared_ptr<const Form> make(const Source& source, const std::vector<OptionV
                                  const RunContext& context) {
   Made made(source, values);
   if (made.functions().values != nullptr) {
-    return std::make_shared<ImplicitForm>(std::make_shared<Function>(std::move(made)), std::nullopt,
+    // The box belongs to the form: walls that reach it are closed there.
+    const auto function = std::make_shared<Function>(std::move(made));
+    return std::make_shared<ImplicitForm>(clip(function, function->bounds()), std::nullopt,
                                           context);
   }
   const Patch patch(std::move(made));

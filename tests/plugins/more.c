@@ -62,7 +62,7 @@ static int32_t torus(const void* self, size_t n, const double* uv, double* s, do
   return BURIN_OK;
 }
 
-/* A function that fails outside the places where it is tried: only marches come there. */
+/* A function that may fail where it is asked about a place and its neighbours: curvature is, its trial does not. */
 static int32_t ball_bounds(const void* self, double low[3], double high[3], burin_error* error) {
   int i;
   (void)self;
@@ -71,11 +71,11 @@ static int32_t ball_bounds(const void* self, double low[3], double high[3], buri
   return BURIN_OK;
 }
 static int32_t ball(const void* self, size_t n, const double* p, double* f, double* g, burin_error* error) {
-  static size_t calls = 0;
+  static double neighbours = 0;
   const double most = *(const double*)self;
   size_t i, k;
   (void)error;
-  if (most > 0 && ++calls > (size_t)most) return BURIN_FAILED;
+  if (most > 0 && n == 7 && fabs(p[0] - p[3]) < 1e-3 && ++neighbours > most) return BURIN_FAILED;
   for (i = 0; i < n; ++i) {
     f[i] = -25;
     for (k = 0; k < 3; ++k) f[i] += p[3 * i + k] * p[3 * i + k];
@@ -103,7 +103,7 @@ static int32_t write_list(const burin_drawing* d, const burin_value* values, bur
 
 static const burin_option rays = {"rays", "of a star", BURIN_WHOLE, 2, 16, NULL, NULL, {5, {0, 0, 0}, NULL}};
 static const burin_option tube = {"tube", "radius of the tube", BURIN_NUMBER, 0.1, 9, "mm", NULL, {3, {0, 0, 0}, NULL}};
-static const burin_option calls = {"calls", "until it fails; 0: never", BURIN_WHOLE, 0, 1e6, NULL, NULL, {0, {0, 0, 0}, NULL}};
+static const burin_option most = {"most", "places of curvature until it fails; 0: it does not", BURIN_WHOLE, 0, 1e9, NULL, NULL, {0, {0, 0, 0}, NULL}};
 static const burin_option digits = {"digits", "of widths; 0 writes nothing", BURIN_WHOLE, 0, 9, NULL, NULL, {2, {0, 0, 0}, NULL}};
 static const burin_stroke_kind_1 star_functions = {0, 32, make_nothing, free, stars};
 static const burin_form_1 torus_functions = {0, make_form, free, NULL, NULL, domain, torus};
@@ -112,7 +112,7 @@ static const burin_writer_1 list_functions = {"lst", write_list};
 static const burin_factory factories[] = {
     {BURIN_STROKE_KIND_1, "stars", "a star on each point", 1, &rays, &star_functions},
     {BURIN_FORM_1, "ring", "a torus as S(u,v)", 1, &tube, &torus_functions},
-    {BURIN_FORM_1, "ball", "a ball as a function", 1, &calls, &ball_functions},
+    {BURIN_FORM_1, "ball", "a ball as a function", 1, &most, &ball_functions},
     {BURIN_WRITER_1, "list", "a line a path", 1, &digits, &list_functions}};
 static const burin_plugin_table table = {BURIN_PLUGIN_ABI, "more", "1", 4, factories};
 
