@@ -15,6 +15,7 @@ constexpr auto kRow = PluginError::Row::Direction;
 // As of directions of our own: the sine of the smallest angle to the normal at which a tangent part
 // is worth following.
 constexpr double kSteepest = 0.01;
+constexpr double kHuge = 1e300;
 constexpr double kNone[3] = {0, 0, 0};
 
 class Direction {
@@ -47,24 +48,25 @@ class Direction {
       return directions_(self, &at, &first.x, &second.x, &certainty, &error);
     });
     if (code != BURIN_OK) check(kRow, source_, code, error);
-    if (!std::isfinite(first.x + first.y + first.z + second.x + second.y + second.z + certainty)) {
+    // What is no number is not below any.
+    const double a = glm::dot(first, first), b = glm::dot(second, second);
+    if (!(a + b + std::abs(certainty) < kHuge)) {
       fail(kRow, source_, "gives something that is no number");
     }
-    const auto along = tangent(first, f.normal);
-    if (!along) return std::nullopt;
-    const auto across = tangent(second, f.normal);
-    return Cross{*along, across ? *across : glm::cross(f.normal, *along),
-                 std::clamp(certainty, 0.0, 1.0)};
+    if (!make_tangent(first, a, f.normal)) return std::nullopt;
+    if (!make_tangent(second, b, f.normal)) second = glm::cross(f.normal, first);
+    return Cross{first, second, std::clamp(certainty, 0.0, 1.0)};
   }
 
  private:
-  static std::optional<Vec3> tangent(Vec3 direction, Vec3 normal) {
-    const double size = glm::dot(direction, direction);
-    if (!(size > 0)) return std::nullopt;
-    const Vec3 t = reject(direction, normal);
-    const double part = glm::dot(t, t);
-    if (!(part >= kSteepest * kSteepest * size)) return std::nullopt;
-    return t / std::sqrt(part);
+  /// Leaves the unit part along the surface of a vector, whose square is given.
+  static bool make_tangent(Vec3& v, double square, Vec3 normal) {
+    if (square <= 0) return false;
+    v = reject(v, normal);
+    const double part = glm::dot(v, v);
+    if (part < kSteepest * kSteepest * square) return false;
+    v /= std::sqrt(part);
+    return true;
   }
 
   Source source_;

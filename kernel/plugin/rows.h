@@ -63,7 +63,8 @@ class Self {
   /// Calls a function with it; one thread at a time where the plug-in wants that.
   template <class Call>
   std::int32_t call(const Call& call) const {
-    if (!mutex_) return call(self_);
+    if (mutex_ == nullptr) [[likely]]
+      return call(self_);
     const std::lock_guard lock(*mutex_);
     return call(self_);
   }

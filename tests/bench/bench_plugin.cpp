@@ -1,6 +1,7 @@
 // What a direction costs that comes from a plug-in, beside the same one built in: both follow the
 // tangent part of one direction.
 #include <burin/base/error.h>
+#include <burin/base/parallel.h>
 #include <burin/field/catalogue.h>
 #include <burin/forms/mesh/mesh_form.h>
 #include <burin/illustrate/illustrate.h>
@@ -12,6 +13,7 @@
 #include <burin_test/irregular.h>
 #include <burin_test/shapes.h>
 
+#include <cstdlib>
 #include <memory>
 #include <vector>
 
@@ -59,7 +61,7 @@ void direction(benchmark::State& state) {
 }
 BENCHMARK(direction)->Name("plugin/direction")->DenseRange(0, 1)->Unit(benchmark::kMicrosecond);
 
-/// A whole drawing of a ball in full tone.
+/// A whole drawing of a ball in full tone, by one thread.
 void drawing(benchmark::State& state) {
   load();
   Scene scene;
@@ -72,12 +74,26 @@ void drawing(benchmark::State& state) {
       },
       {});
   state.SetLabel(kNames[state.range(0)]);
+  const ThreadLimit one(1);
   for (auto _ : state) {
     RunContext context;
     benchmark::DoNotOptimize(illustrate(scene, eye, style, {}, context));
   }
 }
-BENCHMARK(drawing)->Name("plugin/drawing")->DenseRange(0, 1)->Unit(benchmark::kMillisecond);
+BENCHMARK(drawing)
+    ->Name("plugin/drawing")
+    ->DenseRange(0, 1)
+    ->Unit(benchmark::kMillisecond)
+    ->MeasureProcessCPUTime();
+
+/// What each start of a program costs where there is no plug-in.
+void none(benchmark::State& state) {
+  ::setenv("XDG_DATA_HOME", "/nowhere", 1);
+  ::unsetenv("BURIN_PLUGIN_PATH");
+  for (auto _ : state) plugin::load_all(true);
+  ::unsetenv("XDG_DATA_HOME");
+}
+BENCHMARK(none)->Name("plugin/none")->Unit(benchmark::kMicrosecond);
 
 }  // namespace
 }  // namespace burin
