@@ -32,6 +32,7 @@ class Direction {
     self_ = std::make_shared<const Self>(self, functions.destroy,
                                          (functions.needs & BURIN_ONE_THREAD) != 0);
     directions_ = functions.directions;
+    if ((functions.needs & BURIN_ONE_THREAD) == 0) raw_ = self;
   }
 
   std::optional<Cross> operator()(const FieldQuery& q) const {
@@ -44,9 +45,11 @@ class Direction {
     double certainty = 0.5;
     burin_error error;
     clear(error);
-    const std::int32_t code = self_->call([&](const void* self) {
-      return directions_(self, &at, &first.x, &second.x, &certainty, &error);
-    });
+    const std::int32_t code =
+        raw_ ? directions_(raw_, &at, &first.x, &second.x, &certainty, &error)
+             : self_->call([&](const void* self) {
+                 return directions_(self, &at, &first.x, &second.x, &certainty, &error);
+               });
     if (code != BURIN_OK) check(kRow, source_, code, error);
     // What is no number is not below any.
     const double a = glm::dot(first, first), b = glm::dot(second, second);
@@ -71,6 +74,8 @@ class Direction {
 
   Source source_;
   std::shared_ptr<const Self> self_;
+  /// The same without the way round; null where threads take turns.
+  const void* raw_ = nullptr;
   decltype(burin_direction_1::directions) directions_ = nullptr;
 };
 
