@@ -189,7 +189,8 @@ std::shared_ptr<const Form> form_of(const Brought& b, const std::vector<OptionVa
           {parts[0], parts.size() == 3 ? parts[2].cast<py::object>() : py::none(), py::none()},
           *box);
     });
-    return std::make_shared<ImplicitForm>(clip(function, function->bounds()), std::nullopt, context);
+    return std::make_shared<ImplicitForm>(clip(function, function->bounds()), std::nullopt,
+                                          context);
   });
 }
 
