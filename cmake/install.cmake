@@ -12,17 +12,16 @@ endfunction()
 set(libraries burin burin_cad burin_cairo)
 set_target_properties(${libraries} PROPERTIES INSTALL_RPATH "$ORIGIN")
 burin_rpath(burin_cli ${CMAKE_INSTALL_BINDIR})
-burin_rpath(burin_csg ${CMAKE_INSTALL_LIBDIR}/burin)
-install(TARGETS burin_csg RUNTIME DESTINATION ${CMAKE_INSTALL_LIBDIR}/burin)
 install(TARGETS burin_cli RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
 install(TARGETS ${libraries}
   LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR} NAMELINK_SKIP)
+install(TARGETS burin_probe RUNTIME DESTINATION ${CMAKE_INSTALL_LIBDIR})
 install(TARGETS burin LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR} NAMELINK_ONLY)
 
 if(TARGET burin_python)
   burin_rpath(burin_python ${BURIN_PYTHON_FOLDER}/burin)
   install(TARGETS burin_python LIBRARY DESTINATION ${BURIN_PYTHON_FOLDER}/burin)
-  install(FILES converters/python/burin/__init__.py converters/python/burin/_draw.py converters/python/burin/py.typed
+  install(FILES converters/python/burin/__init__.py converters/python/burin/_draw.py converters/python/burin/_plugins.py converters/python/burin/py.typed
     ${CMAKE_BINARY_DIR}/python/burin/__init__.pyi
     DESTINATION ${BURIN_PYTHON_FOLDER}/burin)
 endif()

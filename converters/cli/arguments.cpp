@@ -350,7 +350,8 @@ Arguments parse_arguments(int argc, const char* const* argv) {
   CLI::App* styles = add_styles(app, a.styles);
   CLI::App* options = add_options(app, a.options);
   CLI::App* plugins = app.add_subcommand(
-      "plugins", "list the plug-ins that are loaded: none, this version cannot load any");
+      "plugins", "try all plug-ins again and list what they offer, or why they were refused");
+  plugins->add_flag("--json", a.plugins.json, "print JSON, for programs");
   app.allow_extras();
   for (CLI::App* sub : {draw, watch, illustrate, steps, convert, info, styles, options, plugins})
     sub->allow_extras();

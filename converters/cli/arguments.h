@@ -46,6 +46,10 @@ struct OptionsArguments {
   bool illustration_schema = false;
 };
 
+struct PluginsArguments {
+  bool json = false;
+};
+
 struct InfoArguments {
   std::vector<std::string> inputs;
   Request read;
@@ -74,6 +78,7 @@ struct Arguments {
   StylesArguments styles;
   InfoArguments info;
   OptionsArguments options;
+  PluginsArguments plugins;
   Chatter chatter;
 };
 

@@ -2,7 +2,7 @@
 
 #include <burin/base/error.h>
 #include <burin/base/run_context.h>
-#include <burin/base/version.h>
+#include <burin/converters/load_plugins.h>
 
 #include "arguments.h"
 #include "console.h"
@@ -11,17 +11,17 @@
 #include "illustrate.h"
 #include "info.h"
 #include "options.h"
+#include "plugins.h"
 #include "report.h"
 #include "signals.h"
 #include "steps.h"
 #include "styles.h"
 #include "watch.h"
 
-#include <fmt/format.h>
-
 #include <chrono>
 #include <cstdio>
 #include <exception>
+#include <string_view>
 
 namespace burin::cli {
 namespace {
@@ -73,7 +73,7 @@ int run(const Arguments& arguments, RunContext& context, Console& console) {
       print(run_options(arguments.options));
       break;
     case Verb::Plugins:
-      print(fmt::format("no plug-ins are loaded: burin {} cannot load any\n", version()));
+      print(run_plugins(arguments.plugins));
       break;
   }
   check_printed();
@@ -85,6 +85,8 @@ int main_of(int argc, const char* const* argv) {
   const auto start = Clock::now();
   std::string input;
   try {
+    // Options and help tell those of plug-ins, too.
+    load_plugins(argc > 1 && std::string_view(argv[1]) == "plugins");
     const Arguments arguments = parse_arguments(argc, argv);
     const auto& inputs = arguments.verb == Verb::Info    ? arguments.info.inputs
                          : arguments.verb == Verb::Steps ? arguments.steps.draw.inputs

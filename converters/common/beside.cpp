@@ -1,6 +1,7 @@
 #include "beside.h"
 
 #include <burin/base/error.h>
+#include <burin/base/library_folder.h>
 #include <burin/base/version.h>
 
 #include <dlfcn.h>
@@ -14,12 +15,7 @@
 namespace burin {
 namespace {
 
-/// `version` gives an address in libburin.
-std::filesystem::path beside_libburin(const char* file) {
-  Dl_info info{};
-  if (::dladdr(version(), &info) == 0 || info.dli_fname == nullptr) return file;
-  return std::filesystem::path(info.dli_fname).parent_path() / file;
-}
+std::filesystem::path beside_libburin(const char* file) { return library_folder() / file; }
 
 [[noreturn]] void fail(const LibraryWords& words, const std::string& why) {
   throw Error(fmt::format("the library that {} cannot be used: {}; install it beside libburin, {}",
@@ -42,8 +38,6 @@ void* library_door(const char* file, const char* door, const LibraryWords& words
   if (!found) fail(words, path.string() + " is no such library");
   return found;
 }
-
-std::string program_beside(const char* file) { return beside_libburin(file).string(); }
 
 void check_library_version(const char* file, const char* found, const LibraryWords& words) {
   if (std::strcmp(found, version()) == 0) return;

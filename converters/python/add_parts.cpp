@@ -24,36 +24,11 @@
 #include <optional>
 
 namespace burin::python {
-namespace {
 
-// How far the axes of a placement may be from unit length and right angles: programs keep rotations
-// as single-precision numbers or as quaternions that were multiplied many times.
-constexpr double kRigid = 1e-5;
-
-Placement rigid(const py::object& value) {
-  Placement place;
-  if (value.is_none()) return place;
-  constexpr const char* kWhat = "argument placement takes a 4 x 4 matrix of a rigid motion";
-  const Doubles m = matrix(value, "placement", 4);
-  if (m.shape(0) != 4) throw UsageError(fmt::format("{}, not {} rows", kWhat, m.shape(0)));
-  const auto at = m.unchecked<2>();
-  for (int row = 0; row < 3; ++row) {
-    for (int column = 0; column < 3; ++column) place.linear[column][row] = at(row, column);
-    place.offset[row] = at(row, 3);
-  }
-  const bool finite = std::isfinite(place.offset.x + place.offset.y + place.offset.z);
-  const bool last = at(3, 0) == 0 && at(3, 1) == 0 && at(3, 2) == 0 && at(3, 3) == 1;
-  if (!(off_rotation(place.linear) <= kRigid) || !finite || !last) {
-    throw UsageError(fmt::format("{}; this one scales, shears or is not finite", kWhat));
-  }
-  return place;
-}
-
-std::optional<Box3> box(const py::object& bounds) {
+std::optional<Box3> box_of(const py::object& bounds) {
   return box_option("bounds", list_text("bounds", bounds));
 }
 
-/// Corners (m, 3) of any integer type, each one of `n` vertices.
 PolygonSoup soup_of(const py::object& vertices, const py::object& triangles) {
   PolygonSoup soup;
   soup.positions = points(vertices, "vertices");
@@ -86,6 +61,31 @@ PolygonSoup soup_of(const py::object& vertices, const py::object& triangles) {
   soup.offsets.resize(count / 3 + 1);
   for (std::size_t i = 0; i < soup.offsets.size(); ++i) soup.offsets[i] = 3 * i;
   return soup;
+}
+
+namespace {
+
+// How far the axes of a placement may be from unit length and right angles: programs keep rotations
+// as single-precision numbers or as quaternions that were multiplied many times.
+constexpr double kRigid = 1e-5;
+
+Placement rigid(const py::object& value) {
+  Placement place;
+  if (value.is_none()) return place;
+  constexpr const char* kWhat = "argument placement takes a 4 x 4 matrix of a rigid motion";
+  const Doubles m = matrix(value, "placement", 4);
+  if (m.shape(0) != 4) throw UsageError(fmt::format("{}, not {} rows", kWhat, m.shape(0)));
+  const auto at = m.unchecked<2>();
+  for (int row = 0; row < 3; ++row) {
+    for (int column = 0; column < 3; ++column) place.linear[column][row] = at(row, column);
+    place.offset[row] = at(row, 3);
+  }
+  const bool finite = std::isfinite(place.offset.x + place.offset.y + place.offset.z);
+  const bool last = at(3, 0) == 0 && at(3, 1) == 0 && at(3, 2) == 0 && at(3, 3) == 1;
+  if (!(off_rotation(place.linear) <= kRigid) || !finite || !last) {
+    throw UsageError(fmt::format("{}; this one scales, shears or is not finite", kWhat));
+  }
+  return place;
 }
 
 constexpr std::uint64_t kMostSamples = 1024;
@@ -211,7 +211,7 @@ Part mesh_part(const py::object& vertices, const py::object& triangles, const py
 
 Part function_part(const PythonFunctions& functions, const py::object& bounds,
                    const py::object& samples) {
-  const std::optional<Box3> domain = box(bounds);
+  const std::optional<Box3> domain = box_of(bounds);
   if (!domain) throw UsageError("argument bounds takes a box x0,y0,z0,x1,y1,z1");
   const auto n = static_cast<int>(
       whole_option("samples", number_text("samples", samples), 0, kMostSamples, "0 to 1024"));
@@ -226,7 +226,7 @@ Part function_part(const PythonFunctions& functions, const py::object& bounds,
 
 Part implicit_part(const std::string& text, const py::object& bounds) {
   const Expression expression = parse_implicit(text, "text");
-  return implicit(make_function(expression), box(bounds));
+  return implicit(make_function(expression), box_of(bounds));
 }
 
 }  // namespace burin::python

@@ -3,6 +3,7 @@
 /// while the kernel works.
 
 #include <burin/converters/cad_reader.h>
+#include <burin/mesh/tri_mesh.h>
 #include <burin/surface/scene.h>
 
 #include "function.h"
@@ -10,6 +11,7 @@
 #include <pybind11/pybind11.h>
 
 #include <memory>
+#include <optional>
 #include <string>
 
 namespace burin::python {
@@ -28,6 +30,12 @@ struct PartNames {
 struct PyBrep {
   std::shared_ptr<const BrepShape> shape;
 };
+
+/// "x0,y0,z0,x1,y1,z1" or six numbers; nothing for None.
+std::optional<Box3> box_of(const py::object& bounds);
+
+/// Vertices (n, 3), and corners (m, 3) of any integer type, each one of them. Throws UsageError.
+PolygonSoup soup_of(const py::object& vertices, const py::object& triangles);
 
 PyBrep read_brep(const py::object& brep);
 bool is_valid(const PyBrep& brep);

@@ -1,6 +1,7 @@
 #include "module.h"
 
 #include <burin/base/version.h>
+#include <burin/converters/load_plugins.h>
 
 PYBIND11_MODULE(_burin, module) {
   using namespace burin::python;
@@ -14,4 +15,7 @@ PYBIND11_MODULE(_burin, module) {
   add_book(module);
   add_illustration(module);
   add_styles(module);
+  add_plugins(module);
+  // Keywords and their manuals tell the options of plug-ins, too.
+  burin::load_plugins();
 }

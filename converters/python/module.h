@@ -15,6 +15,7 @@ void add_draw(py::module_& module);
 void add_book(py::module_& module);
 void add_illustration(py::module_& module);
 void add_styles(py::module_& module);
+void add_plugins(py::module_& module);
 
 /// Classes and errors say that they are of the package, not of the library in it.
 template <class Class>

@@ -1,8 +1,12 @@
 #include "read_options.h"
 
+#include <burin/base/catalogue.h>
 #include <burin/base/error.h>
 #include <burin/converters/openscad_reader.h>
 #include <burin/converters/values.h>
+#include <burin/plugin/sources.h>
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <limits>
@@ -217,15 +221,58 @@ std::vector<ReadRow> volume_rows() {
   };
 }
 
-const std::vector<ReadRow>& read_rows() {
-  static const std::vector<ReadRow> all = [] {
-    std::vector<ReadRow> rows;
-    for (const auto& group : {file_rows(), level_rows(), volume_rows()}) {
-      rows.insert(rows.end(), group.begin(), group.end());
+/// The word that help writes after a name; switches have none.
+std::string label_of(const Option& option) {
+  if (std::holds_alternative<Switch>(option.takes)) return {};
+  return std::holds_alternative<NumberRange>(option.takes) ||
+                 std::holds_alternative<WholeRange>(option.takes)
+             ? "NUMBER"
+             : "VALUE";
+}
+
+/// "gyroids", "cell-size": "gyroids_cell_size".
+std::string joined_name(std::string_view row, const std::string& option) {
+  std::string name = std::string(row) + "_" + option;
+  std::ranges::replace(name, '-', '_');
+  return name;
+}
+
+/// The options of what plug-ins brought. One whose name is taken keeps its fallback.
+template <class Kind>
+void append_brought(std::span<const Kind> kinds, const char* what, std::vector<ReadRow>& rows) {
+  for (const Kind& kind : kinds) {
+    for (const DeclaredOption& declared : kind.options) {
+      Option option = declared.option;
+      option.name = joined_name(kind.name, option.name);
+      const std::string name = option.name, row(kind.name);
+      const auto same = [&](const ReadRow& r) { return r.row.name() == name; };
+      if (std::ranges::any_of(rows, same)) continue;
+      option.meaning += fmt::format(" (default {})", value_text(option, declared.fallback));
+      const std::string label = label_of(option);
+      rows.push_back({{{.option = std::move(option), .group = kFiles, .label = label},
+                       [declared, row](ReadOptions& o, const Asked& a) {
+                         set_value(o.declared, row, declared, a.value);
+                       }},
+                      Brought,
+                      fmt::format("the {} '{}'", what, row),
+                      row});
     }
-    return rows;
-  }();
-  return all;
+  }
+}
+
+std::vector<ReadRow> make_read_rows() {
+  std::vector<ReadRow> rows;
+  for (const auto& group : {file_rows(), level_rows(), volume_rows()}) {
+    rows.insert(rows.end(), group.begin(), group.end());
+  }
+  append_brought(plugin::readers(), "reader", rows);
+  append_brought(plugin::forms(), "form", rows);
+  return rows;
+}
+
+const std::vector<ReadRow>& read_rows() {
+  static MadeOfCatalogues<std::vector<ReadRow>> all;
+  return all.get(make_read_rows);
 }
 
 }  // namespace
@@ -239,12 +286,12 @@ const ReadRow* find_read_row(std::string_view name) {
 }  // namespace detail
 
 const std::vector<RequestRow<ReadOptions>>& read_option_rows() {
-  static const std::vector<RequestRow<ReadOptions>> rows = [] {
+  static MadeOfCatalogues<std::vector<RequestRow<ReadOptions>>> rows;
+  return rows.get([] {
     std::vector<RequestRow<ReadOptions>> out;
     for (const detail::ReadRow& row : detail::read_rows()) out.push_back(row.row);
     return out;
-  }();
-  return rows;
+  });
 }
 
 ReadOptions make_read_options(const Request& request, Spelling spelling) {

@@ -16,13 +16,16 @@ enum Family : unsigned {
   OpenscadFiles = 16,
   FreecadFiles = 32,
   Volumes = 64,
+  Brought = 128,  // by plug-ins, each with a name of its own
 };
 
 /// A row with who looks at it: `families` are those that do, `purpose` says so in a sentence.
 struct ReadRow {
   RequestRow<ReadOptions> row;
   unsigned families = 0;
-  std::string_view purpose;
+  std::string purpose;
+  /// Of `Brought`: the reader or form that the option belongs to.
+  std::string brought = {};
 };
 
 /// Null where there is none of that name.

@@ -1,7 +1,9 @@
 #include <burin/base/error.h>
 #include <burin/base/input_files.h>
 #include <burin/base/missing_file.h>
+#include <burin/base/plugin_error.h>
 #include <burin/converters/read.h>
+#include <burin/plugin/sources.h>
 
 #include "readers.h"
 
@@ -17,6 +19,10 @@ namespace burin {
 
 void check_inputs(const std::vector<std::string>& paths) {
   for (const std::string& path : paths) {
+    if (plugin::names_form(path)) {
+      plugin::find_form(path);
+      continue;
+    }
     InputFiles::opens(path);
     struct stat info {};
     if (::stat(path.c_str(), &info) != 0) {
@@ -34,6 +40,24 @@ void check_inputs(const std::vector<std::string>& paths) {
   }
 }
 
+namespace {
+
+/// A form of a plug-in that fails is left out where there is something else.
+Scene read_one(const std::string& path, const detail::Reader& reader, const ReadOptions& options,
+               bool may_fail, RunContext& context) {
+  try {
+    return reader.read(path, options, context);
+  } catch (const PluginError& e) {
+    if (!may_fail) throw;
+    Scene none;
+    none.diagnostics.add(Severity::Warning, "plugin.quarantined", 1,
+                         std::string(e.what()) + "; the drawing goes on without it");
+    return none;
+  }
+}
+
+}  // namespace
+
 Scene read_scene(const std::vector<std::string>& paths, const ReadOptions& options,
                  RunContext& context) {
   context.begin_stage(RunStage::Read);
@@ -41,7 +65,7 @@ Scene read_scene(const std::vector<std::string>& paths, const ReadOptions& optio
   std::vector<const detail::Reader*> readers;
   for (std::size_t i = 0; i < paths.size(); ++i) {
     readers.push_back(&detail::reader_of(paths[i], options));
-    Scene one = readers.back()->read(paths[i], options, context);
+    Scene one = read_one(paths[i], *readers.back(), options, paths.size() > 1, context);
     scene.parts.insert(scene.parts.end(), std::make_move_iterator(one.parts.begin()),
                        std::make_move_iterator(one.parts.end()));
     scene.diagnostics.append(one.diagnostics);

@@ -1,5 +1,6 @@
 #include "readers.h"
 
+#include <burin/base/catalogue.h>
 #include <burin/converters/cad_reader.h>
 #include <burin/converters/fcstd_reader.h>
 #include <burin/converters/implicit_reader.h>
@@ -9,6 +10,7 @@
 #include <burin/converters/openscad_reader.h>
 #include <burin/converters/volume_reader.h>
 
+#include <algorithm>
 #include <array>
 #include <fstream>
 #include <string>
@@ -18,7 +20,7 @@ namespace {
 
 using Path = std::filesystem::path;
 
-constexpr Reader kMesh{
+const Reader kMesh{
     "STL, OBJ, OFF, PLY, 3MF",
     nullptr,
     is_mesh_suffix,
@@ -30,7 +32,7 @@ constexpr Reader kMesh{
     [](const Path& path, const ReadOptions&, RunContext& c) { return inspect_mesh(path, c); },
     Meshes};
 
-constexpr Reader kCad{
+const Reader kCad{
     "STEP, IGES, BREP",
     is_cad_content,
     is_cad_suffix,
@@ -42,70 +44,93 @@ IritReadOptions irit_options(const ReadOptions& o) {
   return {o.volume.level.value_or(0), o.volume.inside_above.value_or(false), o.bounds};
 }
 
-constexpr Reader kIrit{"ITD, IRT, BEZ, BBP",
-                       is_irit_content,
-                       is_irit_suffix,
-                       [](const Path& path, const ReadOptions& o, RunContext& c) {
-                         return read_irit(path, c, irit_options(o));
-                       },
-                       [](const Path& path, const ReadOptions& o, RunContext& c) {
-                         return inspect_irit(path, c, irit_options(o));
-                       },
-                       Splines};
+const Reader kIrit{"ITD, IRT, BEZ, BBP",
+                   is_irit_content,
+                   is_irit_suffix,
+                   [](const Path& path, const ReadOptions& o, RunContext& c) {
+                     return read_irit(path, c, irit_options(o));
+                   },
+                   [](const Path& path, const ReadOptions& o, RunContext& c) {
+                     return inspect_irit(path, c, irit_options(o));
+                   },
+                   Splines};
 
-constexpr Reader kImplicit{"IMPLICIT",
-                           nullptr,
-                           is_implicit_suffix,
-                           [](const Path& path, const ReadOptions& o, RunContext& c) {
-                             return read_implicit(path, {o.bounds, {o.mesher}}, c);
-                           },
-                           [](const Path& path, const ReadOptions& o, RunContext& c) {
-                             return inspect_implicit(path, {o.bounds, {o.mesher}}, c);
-                           },
-                           Functions};
+const Reader kImplicit{"IMPLICIT",
+                       nullptr,
+                       is_implicit_suffix,
+                       [](const Path& path, const ReadOptions& o, RunContext& c) {
+                         return read_implicit(path, {o.bounds, {o.mesher}}, c);
+                       },
+                       [](const Path& path, const ReadOptions& o, RunContext& c) {
+                         return inspect_implicit(path, {o.bounds, {o.mesher}}, c);
+                       },
+                       Functions};
 
 OpenscadOptions openscad_options(const ReadOptions& o) { return {o.defines, o.openscad_timeout}; }
 
-constexpr Reader kOpenscad{"OpenSCAD",
-                           nullptr,
-                           is_openscad_suffix,
-                           [](const Path& path, const ReadOptions& o, RunContext& c) {
-                             Scene scene = read_openscad(path, openscad_options(o), c);
-                             if (o.heal.value_or(true)) heal_parts(scene, c);
-                             return scene;
-                           },
-                           [](const Path& path, const ReadOptions& o, RunContext& c) {
-                             return inspect_openscad(path, openscad_options(o), c);
-                           },
-                           OpenscadFiles};
+const Reader kOpenscad{"OpenSCAD",
+                       nullptr,
+                       is_openscad_suffix,
+                       [](const Path& path, const ReadOptions& o, RunContext& c) {
+                         Scene scene = read_openscad(path, openscad_options(o), c);
+                         if (o.heal.value_or(true)) heal_parts(scene, c);
+                         return scene;
+                       },
+                       [](const Path& path, const ReadOptions& o, RunContext& c) {
+                         return inspect_openscad(path, openscad_options(o), c);
+                       },
+                       OpenscadFiles};
 
 FcstdOptions fcstd_options(const ReadOptions& o) {
   return {o.objects, o.recompute, o.freecad_timeout};
 }
 
-constexpr Reader kFcstd{"FreeCAD",
-                        is_fcstd_content,
-                        is_fcstd_suffix,
-                        [](const Path& path, const ReadOptions& o, RunContext& c) {
-                          return read_fcstd(path, fcstd_options(o), c);
-                        },
-                        [](const Path& path, const ReadOptions& o, RunContext& c) {
-                          return inspect_fcstd(path, fcstd_options(o), c);
-                        },
-                        FreecadFiles};
+const Reader kFcstd{"FreeCAD",
+                    is_fcstd_content,
+                    is_fcstd_suffix,
+                    [](const Path& path, const ReadOptions& o, RunContext& c) {
+                      return read_fcstd(path, fcstd_options(o), c);
+                    },
+                    [](const Path& path, const ReadOptions& o, RunContext& c) {
+                      return inspect_fcstd(path, fcstd_options(o), c);
+                    },
+                    FreecadFiles};
 
-constexpr Reader kVolume{"NRRD, MHA, MHD, INR, NII, VTI, RAW",
-                         is_volume_content,
-                         is_volume_suffix,
-                         [](const Path& path, const ReadOptions& o, RunContext& c) {
-                           return read_volume_scene(path, o.volume, o.bounds, c);
-                         },
-                         [](const Path& path, const ReadOptions& o, RunContext& c) {
-                           return inspect_volume(path, o.volume, o.bounds, c);
-                         },
-                         Volumes};
+const Reader kVolume{"NRRD, MHA, MHD, INR, NII, VTI, RAW",
+                     is_volume_content,
+                     is_volume_suffix,
+                     [](const Path& path, const ReadOptions& o, RunContext& c) {
+                       return read_volume_scene(path, o.volume, o.bounds, c);
+                     },
+                     [](const Path& path, const ReadOptions& o, RunContext& c) {
+                       return inspect_volume(path, o.volume, o.bounds, c);
+                     },
+                     Volumes};
 
-constexpr std::array kReaders{kCad, kIrit, kImplicit, kOpenscad, kFcstd, kVolume, kMesh};
+const std::array kReaders{&kCad, &kIrit, &kImplicit, &kOpenscad, &kFcstd, &kVolume, &kMesh};
+
+/// Those of plug-ins.
+struct BroughtReaders {
+  std::vector<Reader> readers, forms;
+};
+
+const BroughtReaders& brought() {
+  static MadeOfCatalogues<BroughtReaders> all;
+  return all.get([] {
+    BroughtReaders out;
+    for (const plugin::ReaderKind& kind : plugin::readers()) {
+      out.readers.push_back(brought_reader(kind));
+    }
+    for (const plugin::FormKind& kind : plugin::forms()) out.forms.push_back(brought_form(kind));
+    return out;
+  });
+}
+
+std::vector<const Reader*> all_readers() {
+  std::vector<const Reader*> all(kReaders.begin(), kReaders.end());
+  for (const Reader& reader : brought().readers) all.push_back(&reader);
+  return all;
+}
 
 /// Empty where the file cannot be read: its reader says why.
 std::string head_of(const std::filesystem::path& path) {
@@ -121,14 +146,29 @@ std::string head_of(const std::filesystem::path& path) {
 }  // namespace
 
 const Reader& reader_of(const std::filesystem::path& path, const ReadOptions& options) {
-  const std::string head = head_of(path);
-  for (const Reader& reader : kReaders) {
-    if (reader.knows_content && reader.knows_content(head)) return reader;
+  if (plugin::names_form(path.string())) {
+    const std::string name(plugin::find_form(path.string()).name);
+    return *std::ranges::find(brought().forms, name, &Reader::brought);
   }
-  for (const Reader& reader : kReaders) {
-    if (reader.knows_suffix(path)) return reader;
+  const std::string head = head_of(path);
+  const std::vector<const Reader*> readers = all_readers();
+  for (const Reader* reader : readers) {
+    if (reader->knows_content && reader->knows_content(head)) return *reader;
+  }
+  for (const Reader* reader : readers) {
+    if (reader->knows_suffix(path)) return *reader;
   }
   return options.volume.raw ? kVolume : kMesh;
 }
 
 }  // namespace burin::detail
+
+namespace burin {
+
+bool is_own_suffix(std::string_view suffix) {
+  const std::filesystem::path path = "x" + std::string(suffix);
+  return std::ranges::any_of(detail::kReaders,
+                             [&](const detail::Reader* r) { return r->knows_suffix(path); });
+}
+
+}  // namespace burin

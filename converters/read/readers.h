@@ -2,10 +2,12 @@
 // The table of readers; internal to the room.
 
 #include <burin/converters/read.h>
+#include <burin/plugin/sources.h>
 
 #include "read_options.h"
 
 #include <filesystem>
+#include <functional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -16,16 +18,25 @@ namespace burin::detail {
 /// One family of formats. A new one is a row in readers.cpp.
 struct Reader {
   /// For messages: "STL, OBJ".
-  const char* formats;
+  std::string formats;
   /// Whether the first bytes of a file (as many as `kHeadBytes`, less where the file is shorter)
   /// can only be this family's; absent = the content never tells.
-  bool (*knows_content)(std::string_view head);
-  bool (*knows_suffix)(const std::filesystem::path& path);
-  Scene (*read)(const std::filesystem::path& path, const ReadOptions& options, RunContext& context);
-  FileInfo (*inspect)(const std::filesystem::path& path, const ReadOptions& options,
-                      RunContext& context);
+  std::function<bool(std::string_view head)> knows_content;
+  std::function<bool(const std::filesystem::path& path)> knows_suffix;
+  std::function<Scene(const std::filesystem::path& path, const ReadOptions& options,
+                      RunContext& context)>
+      read;
+  std::function<FileInfo(const std::filesystem::path& path, const ReadOptions& options,
+                         RunContext& context)>
+      inspect;
   Family family;
+  /// Of `Brought`: its name.
+  std::string brought = {};
 };
+
+/// The readers and the forms that plug-ins brought.
+Reader brought_reader(const plugin::ReaderKind& kind);
+Reader brought_form(const plugin::FormKind& kind);
 
 inline constexpr std::size_t kHeadBytes = 4096;
 

@@ -1,6 +1,7 @@
 #include "draw_options.h"
 
 #include <burin/base/ascii.h>
+#include <burin/base/catalogue.h>
 #include <burin/base/error.h>
 #include <burin/converters/values.h>
 
@@ -299,8 +300,8 @@ std::vector<RequestOption> by_headings() {
 }  // namespace
 
 const std::vector<RequestOption>& all_options() {
-  static const std::vector<RequestOption> options = by_headings();
-  return options;
+  static MadeOfCatalogues<std::vector<RequestOption>> options;
+  return options.get(by_headings);
 }
 
 std::pair<std::string, std::string> parted_assignment(const std::string& text) {

@@ -2,6 +2,7 @@
 
 #include <burin/base/missing_file.h>
 #include <burin/base/nearest.h>
+#include <burin/plugin/sources.h>
 
 #include <cmath>
 #include <filesystem>
@@ -134,6 +135,7 @@ void KeyedFile::write_at_lines(const Json& value, const std::string& path, std::
 
 std::string KeyedFile::found_path(const std::string& name) const {
   const fs::path path(name);
+  if (plugin::names_form(name)) return name;
   return path.is_absolute() || folder_.empty() ? name : (folder_ / path).string();
 }
 

@@ -3,6 +3,7 @@
 #include <burin/converters/messages.h>
 #include <burin/converters/request.h>
 #include <burin/field/catalogue.h>
+#include <burin/plugin/plugins.h>
 #include <burin/tone/catalogue.h>
 
 #include "draw_options.h"
@@ -124,6 +125,12 @@ Drawing draw(const Scene& scene, const SheetOfViews& sheet, const DrawPlan& plan
   Drawing drawing = illustrate(scene, sheet, plan.style, plan.illustrate, context, session);
   drawing.title = plan.title;
   drawing.diagnostics.append(plan.notes);
+  for (const plugin::Plugin& p : plugin::plugins()) {
+    if (p.refused.empty()) continue;
+    drawing.diagnostics.add(
+        Severity::Warning, "plugin.refused", 1,
+        fmt::format("the plug-in {} is left out: {} (burin plugins)", p.file, p.refused));
+  }
   drawing.diagnostics = at_door(drawing.diagnostics, plan.spelling);
   if (any_strokes(plan)) return drawing;
   for (const std::string& choice : plan.about_strokes) {

@@ -1,7 +1,9 @@
 #include <burin/base/ascii.h>
+#include <burin/base/catalogue.h>
 #include <burin/base/error.h>
 #include <burin/converters/output.h>
 #include <burin/converters/write.h>
+#include <burin/drawing/brought_formats.h>
 
 #include "cairo_loader.h"
 #include "dxf.h"
@@ -44,13 +46,11 @@ void check_png(double width, double height, const WriteOptions& options) {
                   std::floor(kMostPixels * kMmPerInch / side)));
 }
 
-}  // namespace
-
 /// A new format is a row here and a source that writes it.
-const std::vector<Format>& formats() {
+std::vector<Format> own_formats() {
   using Options = WriteOptions;
   using Run = RunContext;
-  static const std::vector<Format> all = {
+  return {
       {"svg",
        {"svg.flatten", "svg.merge"},
        [](const Drawing& d, const Options& o, std::ostream& out, const Run& c) {
@@ -76,9 +76,35 @@ const std::vector<Format>& formats() {
        [](const Drawing& d, const Options& o, std::ostream& out, const Run& c) {
          write_json(d, o.json, out, c);
        }},
-      {"html", {}, write_html, nullptr, true},
+      {"html", {}, write_html, {}, true},
   };
-  return all;
+}
+
+Format made_of(const BroughtFormat& brought) {
+  return {
+      brought.name,
+      {std::string(brought.name) + "."},
+      [brought](const Drawing& d, const WriteOptions& o, std::ostream& out, const RunContext& c) {
+        brought.write(d, values_of(o.formats, brought.name, brought.options), out, c);
+      }};
+}
+
+}  // namespace
+
+const std::vector<Format>& formats() {
+  static MadeOfCatalogues<std::vector<Format>> all;
+  return all.get([] {
+    std::vector<Format> rows = own_formats();
+    for (const BroughtFormat& brought : brought_formats()) {
+      if (!is_own_format(brought.name)) rows.push_back(made_of(brought));
+    }
+    return rows;
+  });
+}
+
+bool is_own_format(std::string_view name) {
+  static const std::vector<Format> own = own_formats();
+  return std::ranges::find(own, name, &Format::name) != own.end();
 }
 
 const Format* format_named(std::string_view name) {
@@ -116,6 +142,7 @@ WriteOptions write_options(const Style& style) {
   options.json = style.json;
   options.png = style.png;
   options.dxf = style.dxf;
+  options.formats = style.formats;
   return options;
 }
 

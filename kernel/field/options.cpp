@@ -42,14 +42,15 @@ std::vector<OptionRow<FieldOptions>> rows() {
                     "a formula"),
   };
   options::append(rows, "", &FieldOptions::faces, face_rows());
+  options::append_declared(rows, &FieldOptions::declared, catalogue());
   return rows;
 }
 
 }  // namespace
 
 const std::vector<OptionRow<FieldOptions>>& field_option_rows() {
-  static const std::vector<OptionRow<FieldOptions>> all = rows();
-  return all;
+  static MadeOfCatalogues<std::vector<OptionRow<FieldOptions>>> all;
+  return all.get(rows);
 }
 
 }  // namespace burin::field

@@ -1,6 +1,8 @@
 #include "hatch_parts.h"
 
+#include <burin/base/catalogue.h>
 #include <burin/base/error.h>
+#include <burin/base/plugin_error.h>
 #include <burin/field/catalogue.h>
 #include <burin/illustrate/view_probe.h>
 #include <burin/surface/empty_surface.h>
@@ -12,6 +14,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
+#include <string>
 #include <string_view>
 #include <utility>
 
@@ -71,6 +75,33 @@ HatchPlace place_of(const StrokeSet& strokes, const Camera& camera,
   return place;
 }
 
+// How a user asks for what stands in.
+std::string stand_in(const PluginError& failed, const HatchRequest& request) {
+  if (failed.row() == PluginError::Row::Direction) return "hatch.field=" + request.hatch.field.name;
+  if (failed.row() == PluginError::Row::Law) return "tone.law=" + request.tone.law;
+  return "hatch.placing=" + request.hatch.placing;
+}
+
+// What stands in for a plug-in that failed: what asks of the surfaces no more than it did.
+void do_without(const PluginError& failed, const HatchStyle& hatch, HatchRequest& request) {
+  switch (failed.row()) {
+    case PluginError::Row::Direction:
+      request.place.field.name =
+          field::find(hatch.field.name).needs_curvature ? field::FieldOptions().name : "fixed-auto";
+      break;
+    case PluginError::Row::Law:
+      request.tone.law = tone::ToneOptions().law;
+      break;
+    case PluginError::Row::StrokeKind:
+      request.hatch.placing = "discs";
+      break;
+    default:
+      throw;  // nothing of strokes
+  }
+  request.hatch.field = request.place.field;
+  request.place.lines = remembered_by(request.hatch);
+}
+
 }  // namespace
 
 class HatchGround {
@@ -105,6 +136,15 @@ class HatchGround {
     return out;
   }
   Field make_field(const RunContext& context) const;
+  Shown shown(const RunContext& context) const {
+    return {surfaces_,
+            [probe = probe_](Vec2 paper) -> std::optional<ShownPlace> {
+              const auto hit = probe(paper);
+              if (!hit || !hit->hatched) return std::nullopt;
+              return ShownPlace{hit->part, hit->point};
+            },
+            &context};
+  }
 
   HatchPlace place_;
   std::vector<const Surface*> surfaces_;
@@ -125,7 +165,8 @@ Field HatchGround::make_field(const RunContext& context) const {
              .light = place_.light.value_or(Vec3(0, 0, 1)),
              .flat = place_.camera.scale() / kFlatRadius,
              .context = context,
-             .image = place_.image});
+             .image = place_.image,
+             .shown = shown(context)});
 }
 
 Hatching HatchGround::hatch(const HatchRequest& asked, const DepthCue& cue,
@@ -138,9 +179,10 @@ Hatching HatchGround::hatch(const HatchRequest& asked, const DepthCue& cue,
   const HatchScene scene{surfaces_, camera, probe_, context};
   const Field own = options.field ? options.field(scene) : Field();
   const Field& field = options.field ? own : field_;
-  const Tone tone = options.tone ? options.tone(scene)
-                                 : tone::make(camera, asked.tone,
-                                              blocked_by(place_.occluders->solid(), tolerance));
+  const Tone tone =
+      options.tone ? options.tone(scene)
+                   : tone::make(camera, asked.tone,
+                                blocked_by(place_.occluders->solid(), tolerance), shown(context));
   InkOptions ink{.exponents = asked.exponents,
                  .tone_min = asked.hatch.tone_min,
                  .image = place_.image,
@@ -204,14 +246,29 @@ HatchedParts::Hatchings HatchedParts::hatch(const std::shared_ptr<const Occluder
     }
     // Each of the parts that are seen alone has a tree of rays, which is not to stay.
     const bool remembers = keeps && !alone && !options.field;
-    auto ground = ground_of(request.place);
-    auto hatching =
-        std::make_shared<const Hatching>(ground->hatch(request, cue, options, remembers, context));
-    if (!remembers) ground.reset();
+    std::shared_ptr<HatchGround> ground;
+    auto hatching = std::make_shared<Hatching>();
+    HatchRequest tried = request;
+    for (std::vector<std::string> failed;;) {
+      try {
+        ground = ground_of(tried.place);
+        *hatching = ground->hatch(tried, cue, options, remembers, context);
+        hatching->failed = std::move(failed);
+        break;
+      } catch (const PluginError& e) {
+        // A row of each kind, and those that stand in for them are our own.
+        do_without(e, *strokes.hatch, tried);
+        failed.push_back(
+            fmt::format("{}; the strokes are those of {}", e.what(), stand_in(e, tried)));
+      }
+    }
+    // The ground of what stands in is not that of the request.
+    if (!remembers || !hatching->failed.empty()) ground.reset();
     made.push_back({std::move(request), std::move(ground), std::move(hatching)});
   };
-  // Functions of the caller's own cannot be told apart.
-  if (options.field || options.tone) made_.clear();
+  // Functions of the caller's own cannot be told apart, nor what was added by a name that it had.
+  if (options.field || options.tone || growth_ != catalogue_growth()) made_.clear();
+  growth_ = catalogue_growth();
   for (const StrokeSet& strokes : part_styles.strokes()) {
     std::vector<bool> parts = strokes.parts;
     for (std::size_t i = 0; i < parts.size(); ++i) {
@@ -249,6 +306,16 @@ StrokeResult told_of(std::span<const std::shared_ptr<const Hatching>> hatchings)
     all.unmapped.insert(all.unmapped.end(), one.unmapped.begin(), one.unmapped.end());
   }
   return all;
+}
+
+void tell_failed(const HatchedParts::Hatchings& hatchings, Diagnostics& diagnostics) {
+  std::set<std::string> told;
+  for (const auto& hatching : hatchings) {
+    told.insert(hatching->failed.begin(), hatching->failed.end());
+  }
+  for (const std::string& text : told) {
+    diagnostics.add(Severity::Warning, "plugin.quarantined", 1, text);
+  }
 }
 
 }  // namespace burin::detail

@@ -1,6 +1,7 @@
 #pragma once
 // The strokes of all parts of a drawing; internal to the module.
 
+#include <burin/base/diagnostics.h>
 #include <burin/base/run_context.h>
 #include <burin/camera/camera.h>
 #include <burin/illustrate/illustrate.h>
@@ -15,6 +16,7 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <string>
 #include <vector>
 
 namespace burin::detail {
@@ -57,6 +59,8 @@ class HatchGround;
 struct Hatching {
   StrokeResult strokes;
   std::optional<Undirected::Found> undirected;
+  /// Plug-ins that failed, a sentence each: the strokes are those without them.
+  std::vector<std::string> failed{};
 };
 
 /// All strokes of a drawing, each hatching kept for the next one.
@@ -77,10 +81,15 @@ class HatchedParts {
     std::shared_ptr<const Hatching> hatching;
   };
   std::vector<Made> made_;
+  /// Of catalogues, when these were made.
+  std::uint64_t growth_ = 0;
 };
 
 /// What is to be told of all of them; without the strokes themselves.
 StrokeResult told_of(std::span<const std::shared_ptr<const Hatching>> hatchings);
+
+/// Plug-ins that failed, each once.
+void tell_failed(const HatchedParts::Hatchings& hatchings, Diagnostics& diagnostics);
 
 /// Whether the ink of the whole picture is balanced: it is light and shade that need it. A tone
 /// that a program brings, or that asks for the same ink in any light, is taken as it is.

@@ -1,6 +1,7 @@
 #include "stages.h"
 
 #include <burin/base/error.h>
+#include <burin/base/plugin_error.h>
 #include <burin/feature/feature.h>
 #include <burin/section/hatch_cuts.h>
 #include <burin/tone/catalogue.h>
@@ -95,6 +96,19 @@ class AllStrokes {
   std::span<const Curve3> strokes_;
 };
 
+// Leaves out the parts that a form of a plug-in made which failed; how many.
+std::size_t leave_out(const Scene& scene, const PluginError& failed, IllustrateOptions& options) {
+  if (failed.row() != PluginError::Row::Form) return 0;
+  std::size_t count = 0;
+  options.part_styles.resize(std::max(options.part_styles.size(), scene.parts.size()));
+  for (std::size_t i = 0; i < scene.parts.size(); ++i) {
+    if (scene.parts[i].source != "form:" + failed.name()) continue;
+    count += options.part_styles[i].drawn ? 1 : 0;
+    options.part_styles[i].drawn = false;
+  }
+  return count;
+}
+
 }  // namespace
 
 std::shared_ptr<Stages::Lines> Stages::lines_of(const View& view, RunContext& context) {
@@ -136,6 +150,7 @@ Drawing Stages::draw_lines(const Scene& scene, const Camera& camera, const Style
     if (one->undirected) undirected.add(*one->undirected);
   }
   undirected.tell(drawing.diagnostics);
+  tell_failed(hatchings, drawing.diagnostics);
   StrokeResult told = told_of(hatchings);
   drawing.stats.coverage_points = told.coverage_points;
   drawing.stats.coverage_delta = told.coverage_delta;
@@ -170,6 +185,23 @@ Drawing Stages::draw_lines(const Scene& scene, const Camera& camera, const Style
 
 Drawing Stages::draw(const Scene& scene, const Camera& camera, const Style& style,
                      const IllustrateOptions& options, bool keeps, RunContext& context) {
+  try {
+    return draw_all(scene, camera, style, options, keeps, context);
+  } catch (const PluginError& e) {
+    *this = {};
+    IllustrateOptions without = options;
+    const std::size_t left = leave_out(scene, e, without);
+    if (left == 0 || std::ranges::none_of(without.part_styles, &PartStyle::drawn)) throw;
+    Drawing drawing = draw(scene, camera, style, without, keeps, context);
+    drawing.diagnostics.add(Severity::Warning, "plugin.quarantined",
+                            static_cast<std::int64_t>(left),
+                            std::string(e.what()) + "; the drawing goes on without its parts");
+    return drawing;
+  }
+}
+
+Drawing Stages::draw_all(const Scene& scene, const Camera& camera, const Style& style,
+                         const IllustrateOptions& options, bool keeps, RunContext& context) {
   if (scene.parts.empty()) throw GeometryError("nothing to draw: the input has no parts");
   const PartStyles part_styles(scene, style, options);
   for (const Style* one : part_styles.styles()) check_style(*one);

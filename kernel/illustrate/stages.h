@@ -25,12 +25,15 @@ namespace burin::detail {
 /// What a drawing is made of, a stage after the other, and what of it the last drawing left.
 class Stages {
  public:
-  /// With the test against rays where it is asked for; `keeps`: for another drawing; else surfaces
-  /// are gone before the test makes finer ones.
+  /// Goes on without parts of plug-ins that fail. With the test against rays where it is asked for;
+  /// `keeps`: for another drawing; else surfaces are gone before the test makes finer ones.
   Drawing draw(const Scene& scene, const Camera& camera, const Style& style,
                const IllustrateOptions& options, bool keeps, RunContext& context);
 
  private:
+  Drawing draw_all(const Scene& scene, const Camera& camera, const Style& style,
+                   const IllustrateOptions& options, bool keeps, RunContext& context);
+
   struct Solid {
     Surfaces surfaces;
     std::vector<bool> transparent;

@@ -1,7 +1,9 @@
 #include "style_table.h"
 
+#include <burin/base/catalogue.h>
 #include <burin/base/error.h>
 #include <burin/base/nearest.h>
+#include <burin/drawing/brought_formats.h>
 
 #include <fmt/format.h>
 
@@ -117,19 +119,20 @@ std::vector<StyleRow> all_rows() {
   append(rows, "json.", &Style::json, json_option_rows());
   append(rows, "png.", &Style::png, png_option_rows());
   append(rows, "dxf.", &Style::dxf, dxf_option_rows());
+  options::append_declared(rows, &Style::formats, brought_formats());
   return rows;
 }
 
 }  // namespace
 
 const std::vector<StyleRow>& style_rows() {
-  static const std::vector<StyleRow> rows = all_rows();
-  return rows;
+  static MadeOfCatalogues<std::vector<StyleRow>> rows;
+  return rows.get(all_rows);
 }
 
 const std::vector<KindRow>& kind_rows() {
-  static const std::vector<KindRow> rows = make_kind_rows();
-  return rows;
+  static MadeOfCatalogues<std::vector<KindRow>> rows;
+  return rows.get(make_kind_rows);
 }
 
 std::vector<StyleRow> all_rows_of(const Style& style) {

@@ -48,6 +48,18 @@ Motif make_motif(const std::string& path, double tolerance) {
   return motif;
 }
 
+Motif motif_of(const std::vector<std::vector<Vec2>>& lines) {
+  Motif motif;
+  for (const std::vector<Vec2>& points : lines) {
+    if (points.size() < 2) continue;
+    motif.lines.push_back({points, false});
+    for (std::size_t i = 0; i + 1 < points.size(); ++i) {
+      motif.length += glm::distance(points[i], points[i + 1]);
+    }
+  }
+  return motif;
+}
+
 Motif motif_of(const HatchOptions& options, const std::string& group, double tolerance) {
   try {
     return make_motif(options.motif, tolerance);

@@ -19,6 +19,9 @@ struct Motif {
   double length = 0;  // of all lines
 };
 
+/// Lines of a mark, as a motif: not scaled, not moved.
+Motif motif_of(const std::vector<std::vector<Vec2>>& lines);
+
 /// Reads path data of SVG (burin/drawing/path_data.h). Its lines are within `tolerance`, in units
 /// of the motif, of its curves. Throws UsageError where the text is no path, or a point.
 Motif make_motif(const std::string& path, double tolerance);

@@ -159,13 +159,13 @@ void direct(const Picture& picture, std::int32_t part, bool closed,
 
 }  // namespace
 
-std::vector<TracedStroke> motif_strokes(const Picture& picture, std::int32_t part, int family,
-                                        const StrokeSample& middle, double size,
-                                        std::size_t number) {
+std::vector<TracedStroke> motif_strokes(const Picture& picture, const Motif& motif,
+                                        std::int32_t part, int family, const StrokeSample& middle,
+                                        double size, std::size_t number) {
   std::vector<TracedStroke> out;
   if (!(size > 0)) return out;
   const MotifWalk walk(picture, part, middle, size);
-  for (const Motif::Line& line : picture.motif->lines) {
+  for (const Motif::Line& line : motif.lines) {
     const std::vector<Place> places = places_of(walk, line, kStep / size);
     bool whole = false;
     for (std::vector<StrokeSample>& samples : stretches(walk, places, line.closed, whole)) {

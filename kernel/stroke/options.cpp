@@ -16,7 +16,7 @@ std::vector<OptionRow<HatchOptions>> rows() {
   for (const detail::Placing& placing : detail::placings()) {
     meaning += (meaning.empty() ? "how strokes are placed: " : "; ") + std::string(placing.meaning);
   }
-  return {
+  std::vector<OptionRow<HatchOptions>> rows = {
       options::word("placing", &HatchOptions::placing, names_of(detail::placings()), meaning),
       number("spacing_min", &HatchOptions::spacing_min, {0.05, 50, "mm"},
              "distance of strokes where the tone is darkest, in mm", "spacing_max"),
@@ -65,13 +65,15 @@ std::vector<OptionRow<HatchOptions>> rows() {
       number("foreshortening", &HatchOptions::foreshortening, {0, 1},
              "0 spaces strokes evenly on the paper, 1 on the surface"),
   };
+  options::append_declared(rows, &HatchOptions::declared, mark_kinds());
+  return rows;
 }
 
 }  // namespace
 
 const std::vector<OptionRow<HatchOptions>>& hatch_option_rows() {
-  static const std::vector<OptionRow<HatchOptions>> all = rows();
-  return all;
+  static MadeOfCatalogues<std::vector<OptionRow<HatchOptions>>> all;
+  return all.get(rows);
 }
 
 }  // namespace burin

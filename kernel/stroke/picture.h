@@ -2,6 +2,7 @@
 // What every step of the placement needs to know; internal to the module.
 
 #include <burin/base/box.h>
+#include <burin/stroke/marks.h>
 #include <burin/stroke/stroke.h>
 
 #include "laws.h"
@@ -63,6 +64,8 @@ struct Picture {
   Standing standing = Standing::Apart;
   /// What stands on points in the place of strokes; null: strokes.
   const Motif* motif = nullptr;
+  /// Marks from elsewhere, a motif each; null: `motif` is the same on all points.
+  const Marks* marks = nullptr;
   /// What the same strokes in another light have left, and are left; null: nothing is kept.
   Remembered* memory = nullptr;
   /// Between lines that stand along levels of the field; 0: none do.
@@ -70,8 +73,8 @@ struct Picture {
 
   /// The same picture with lines that follow another field, which has to live as long.
   Picture following(const Field& other) const {
-    return {surfaces, camera,  other, tone,     probe, options, seed,      same_place,
-            balance,  shaping, laws,  standing, motif, memory,  level_step};
+    return {surfaces, camera,  other, tone,     probe, options, seed,   same_place,
+            balance,  shaping, laws,  standing, motif, marks,   memory, level_step};
   }
 
   bool by_chance() const { return standing != Standing::Apart && standing != Standing::Levels; }

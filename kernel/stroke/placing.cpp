@@ -1,11 +1,12 @@
 #include "placing.h"
 
 #include <burin/base/catalogue.h>
+#include <burin/stroke/marks.h>
 
 #include "level_phase.h"
 #include "points.h"
 
-#include <array>
+#include <utility>
 
 namespace burin::detail {
 namespace {
@@ -35,21 +36,34 @@ std::vector<Family> place_levels(const Picture& picture, const ViewRaster& raste
   return none;
 }
 
-constexpr std::array kPlacings{
-    Placing{"even", "long lines at even distances", cover_cells, place_lines, even_load},
-    Placing{"points", "a short stroke on each of many independent random points", cover_points,
-            place_on_points, points_load, Picture::Standing::Points},
-    Placing{"discs", "the same, on points that keep clear of each other", cover_discs,
-            place_on_points, points_load, Picture::Standing::Discs},
-    Placing{"dots", "a dot on each of points that keep clear of each other", cover_discs,
-            place_dots, dots_load, Picture::Standing::Dots},
-    Placing{"levels", "a line wherever what the field keeps is a whole number of hatch.level_step",
-            cover_cells, place_levels, even_load, Picture::Standing::Levels},
-};
+GrowingCatalogue<Placing>& all() {
+  static GrowingCatalogue<Placing> placings({
+      {"even", "long lines at even distances", cover_cells, place_lines, even_load},
+      {"points", "a short stroke on each of many independent random points", cover_points,
+       place_on_points, points_load, Picture::Standing::Points},
+      {"discs", "the same, on points that keep clear of each other", cover_discs, place_on_points,
+       points_load, Picture::Standing::Discs},
+      {"dots", "a dot on each of points that keep clear of each other", cover_discs, place_dots,
+       dots_load, Picture::Standing::Dots},
+      {"levels", "a line wherever what the field keeps is a whole number of hatch.level_step",
+       cover_cells, place_levels, even_load, Picture::Standing::Levels},
+  });
+  return placings;
+}
+
+GrowingCatalogue<MarkKind>& all_marks() {
+  static GrowingCatalogue<MarkKind> kinds({});
+  return kinds;
+}
 
 }  // namespace
 
-std::span<const Placing> placings() { return kPlacings; }
+std::span<const Placing> placings() { return all().rows(); }
+
+const MarkKind* find_mark(std::string_view name) {
+  const auto found = std::ranges::find(mark_kinds(), name, &MarkKind::name);
+  return found == mark_kinds().end() ? nullptr : &*found;
+}
 
 const Placing& find_placing(std::string_view name) {
   return find_row(placings(), name, "hatch.placing");
@@ -58,6 +72,14 @@ const Placing& find_placing(std::string_view name) {
 }  // namespace burin::detail
 
 namespace burin {
+
+std::span<const MarkKind> mark_kinds() { return detail::all_marks().rows(); }
+
+void add(MarkKind kind) {
+  detail::all().add({kind.name, kind.meaning, detail::cover_discs, detail::place_on_points,
+                     detail::points_load, detail::Picture::Standing::Discs});
+  detail::all_marks().add(std::move(kind));
+}
 
 bool follows_field(const HatchOptions& options) {
   return detail::find_placing(options.placing).standing != detail::Picture::Standing::Dots;
@@ -70,7 +92,7 @@ bool stands_on_levels(const HatchOptions& options) {
 bool takes_motif(const HatchOptions& options) {
   using enum detail::Picture::Standing;
   const auto standing = detail::find_placing(options.placing).standing;
-  return standing == Points || standing == Discs;
+  return (standing == Points || standing == Discs) && !detail::find_mark(options.placing);
 }
 
 }  // namespace burin

@@ -1,6 +1,8 @@
 #pragma once
 // Where strokes stand: the ways to place them, one row each.
 
+#include <burin/stroke/marks.h>
+
 #include "picture.h"
 #include "placement.h"
 #include "seeds.h"
@@ -35,6 +37,9 @@ struct Placing {
 
 /// All of them, the usual one first.
 std::span<const Placing> placings();
+
+/// The kind of marks from elsewhere that has the name; null: none.
+const MarkKind* find_mark(std::string_view name);
 
 /// Throws UsageError that lists them all.
 const Placing& find_placing(std::string_view name);

@@ -297,6 +297,14 @@ double longer(const Picture& picture, const Seed& seed, const StrokeSample& at, 
   return std::clamp(picture.laws->length.at(place, surface, picture.field, 1), 0.0, kMost);
 }
 
+// What a kind from elsewhere draws on a seed.
+Motif mark_at(const Picture& picture, const Seed& seed, const StrokeSample& at, std::size_t i) {
+  constexpr std::uint64_t kMark = 5;  // of the streams of Laws::random
+  return motif_of((*picture.marks)({seed.point.position, at.front ? at.normal : -at.normal,
+                                    at.tangent, picture.share(at.darkness, seed.family),
+                                    Laws::random(picture.seed, seed.part, seed.family, kMark, i)}));
+}
+
 }  // namespace
 
 Coverage cover_points(const Picture& picture, const ViewRaster& raster, const RunContext& context) {
@@ -320,7 +328,9 @@ std::vector<Family> place_on_points(const Picture& picture, const ViewRaster& /*
     if (picture.laws->shape_picture() && !inked(picture, seed, at)) return;
     const double law = picture.laws->length.plain() ? 1 : longer(picture, seed, at, i);
     if (picture.motif) {
-      out = motif_strokes(picture, seed.part, seed.family, at, picture.options.length * law, i);
+      const Motif own = picture.marks ? mark_at(picture, seed, at, i) : Motif();
+      out = motif_strokes(picture, picture.marks ? own : *picture.motif, seed.part, seed.family, at,
+                          picture.options.length * law, i);
       return;
     }
     // Equal strokes would look ruled.

@@ -320,6 +320,15 @@ StrokeResult trace_strokes(std::span<const Surface* const> surfaces, const Camer
     motif = motif_of(options, ink.keys, kTolerance / options.length);
     own.cross_from = 2;
   }
+  Marks marks;
+  if (const MarkKind* kind = find_mark(options.placing)) {
+    marks = kind->make({camera, options, Shown{surfaces, {}, &context}});
+    // What a point weighs: a mark in half the ink.
+    constexpr double kLeast = 0.1;
+    motif = motif_of(marks({.ink = 0.5, .random = 0.5}));
+    motif->length = std::max(motif->length, kLeast);
+    own.cross_from = 2;
+  }
   if (!ink.exponents.empty()) {
     own.tone_min = Picture::shared(own.tone_min, *std::ranges::min_element(ink.exponents));
   }
@@ -333,6 +342,7 @@ StrokeResult trace_strokes(std::span<const Surface* const> surfaces, const Camer
                   .same_place = same_place(surfaces),
                   .standing = placing.standing,
                   .motif = motif ? &*motif : nullptr,
+                  .marks = marks ? &marks : nullptr,
                   .memory = memory ? &memory->impl() : nullptr};
   context.begin_stage(RunStage::Cover);
   ViewRaster raster = seen_cells(picture, context);

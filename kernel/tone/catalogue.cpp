@@ -3,10 +3,10 @@
 #include <burin/tone/catalogue.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <utility>
 #include <vector>
 
 namespace burin::tone {
@@ -160,13 +160,21 @@ Tone constant(const Camera& /*camera*/, const ToneOptions& options, const Blocke
   return [lightness = options.ambient](Vec3 /*position*/, Vec3 /*normal*/) { return lightness; };
 }
 
-constexpr std::array kLaws{
-    Law{"lambert", "the angle to the light, as on matt surfaces", true, lambert},
-    Law{"phong", "the same, and the light mirrored, as on polished surfaces", true, phong},
-    Law{"facing", "the angle to the viewer", false, facing},
-    Law{"silhouette", "only where the surface turns away is it dark", false, silhouette},
-    Law{"constant", "nothing: tone.ambient everywhere", false, constant},
-};
+template <Tone (*make)(const Camera&, const ToneOptions&, const Blocked&)>
+Tone made(const LawRequest& r) {
+  return make(r.camera, r.options, r.blocked);
+}
+
+GrowingCatalogue<Law>& all() {
+  static GrowingCatalogue<Law> laws({
+      {"lambert", "the angle to the light, as on matt surfaces", true, made<lambert>},
+      {"phong", "the same, and the light mirrored, as on polished surfaces", true, made<phong>},
+      {"facing", "the angle to the viewer", false, made<facing>},
+      {"silhouette", "only where the surface turns away is it dark", false, made<silhouette>},
+      {"constant", "nothing: tone.ambient everywhere", false, made<constant>},
+  });
+  return laws;
+}
 
 }  // namespace
 
@@ -174,13 +182,17 @@ Vec3 to_light(const Camera& camera, const ToneOptions& options) {
   return in_model(camera, options.light);
 }
 
-std::span<const Law> catalogue() { return kLaws; }
+std::span<const Law> catalogue() { return all().rows(); }
+
+void add(Law law) { all().add(std::move(law)); }
 
 const Law& find(std::string_view name) { return find_row(catalogue(), name, "tone.law"); }
 
-Tone make(const Camera& camera, const ToneOptions& options, const Blocked& blocked) {
+Tone make(const Camera& camera, const ToneOptions& options, const Blocked& blocked,
+          const Shown& shown) {
   return [camera, rim = options.rim, highlight = options.highlight, ink = options.ink,
-          law = find(options.law).make(camera, options, blocked)](Vec3 position, Vec3 normal) {
+          law = find(options.law).make({camera, options, blocked, shown})](Vec3 position,
+                                                                           Vec3 normal) {
     const double facing = std::clamp(glm::dot(normal, camera.to_viewer(position)), 0.0, 1.0);
     constexpr double kInked = 0.15;  // ink from which the rim has all of its own
     double light = law(position, normal) / highlight;

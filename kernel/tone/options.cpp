@@ -13,7 +13,7 @@ std::vector<OptionRow<ToneOptions>> rows() {
   for (const Law& law : catalogue()) {
     meaning += (meaning.empty() ? "what makes a place light: " : "; ") + std::string(law.meaning);
   }
-  return {
+  std::vector<OptionRow<ToneOptions>> rows = {
       options::word("law", &ToneOptions::law, names_of(catalogue()), meaning),
       options::direction("light", &ToneOptions::light,
                          "direction from the model to the light: right, up, towards the viewer"),
@@ -50,13 +50,15 @@ std::vector<OptionRow<ToneOptions>> rows() {
       number("gradient", &ToneOptions::gradient, {0, 0.5},
              "ink by which a slanted plane is darker at its near end than at its far one"),
   };
+  options::append_declared(rows, &ToneOptions::declared, catalogue());
+  return rows;
 }
 
 }  // namespace
 
 const std::vector<OptionRow<ToneOptions>>& tone_option_rows() {
-  static const std::vector<OptionRow<ToneOptions>> all = rows();
-  return all;
+  static MadeOfCatalogues<std::vector<OptionRow<ToneOptions>>> all;
+  return all.get(rows);
 }
 
 }  // namespace burin::tone

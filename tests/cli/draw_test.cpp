@@ -243,7 +243,7 @@ TEST_F(Draw, OtherCommands) {
     EXPECT_NE(out_.find(word), std::string::npos) << word;
   }
   ASSERT_EQ(run("plugins"), 0);
-  EXPECT_EQ(out_, std::string("no plug-ins are loaded: burin ") + version() + " cannot load any\n");
+  EXPECT_TRUE(out_.starts_with("no plug-ins; these folders are looked through")) << out_;
   ASSERT_EQ(run("styles"), 0);
   for (const char* word : {"outline", "technical", "engraving"}) {
     EXPECT_NE(out_.find(word), std::string::npos) << word;

@@ -18,6 +18,9 @@ std::vector<std::string> commands() {
     for (const std::string begin : {"    burin ", "    build/release/bin/burin "}) {
       if (line.starts_with(begin)) found.push_back("burin " + line.substr(begin.size()));
     }
+    for (const std::string begin : {"    mkdir ", "    cc "}) {
+      if (line.starts_with(begin)) found.push_back(line);
+    }
   }
   return found;
 }
@@ -26,6 +29,7 @@ TEST(Readme, ItsCommandsDoWhatTheySay) {
   const test::Folder folder;
   const fs::path root = folder.path();
   fs::create_directory_symlink(std::string(BURIN_SOURCE_DIR) + "/samples", root / "samples");
+  fs::create_directory_symlink(std::string(BURIN_SOURCE_DIR) + "/kernel", root / "kernel");
   fs::create_directory(root / "bin");
   fs::create_symlink(BURIN_COMMAND, root / "bin" / "burin");
   // The reader's own part.
@@ -34,7 +38,9 @@ TEST(Readme, ItsCommandsDoWhatTheySay) {
   EXPECT_GE(all.size(), 10U);
   for (const std::string& command : all) {
     // Some end in a remark, some write what they print to a file.
-    const std::string line = "cd '" + root.string() + "' && PATH=\"$PWD/bin:$PATH\" && {\n" +
+    const std::string line = "cd '" + root.string() +
+                             "' && export HOME=\"$PWD\" PATH=\"$PWD/bin:$PATH\" && unset "
+                             "XDG_DATA_HOME XDG_CACHE_HOME && {\n" +
                              command + "\n} > printed 2> said";
     EXPECT_EQ(std::system(line.c_str()), 0) << command << "\n" << test::slurp(root / "said");
   }

@@ -23,11 +23,11 @@ const std::map<std::string, Target>& targets() {
         {"3mf-model", [](auto bytes) { member(bytes, "3D/3dmodel.model", ".3mf"); }},
         {"fcstd-document", [](auto bytes) { member(bytes, "Document.xml", ".FCStd"); }},
         {"implicit", burin::fuzz::implicit},
-        {"csg", burin::fuzz::csg},
         {"style", burin::fuzz::style},
         {"illustration", burin::fuzz::illustration},
         {"drawing", burin::fuzz::drawing},
-        {"options", burin::fuzz::options}};
+        {"options", burin::fuzz::options},
+        {"plugin", burin::fuzz::plugin}};
     for (const char* format : {"stl", "obj", "off", "ply", "3mf", "itd", "bez", "nrrd", "mha",
                                "inr", "nii", "vti", "FCStd", "step", "iges", "brep"}) {
       all[format] = [suffix = std::string(".") + format](auto bytes) { file(bytes, suffix); };

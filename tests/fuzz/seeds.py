@@ -93,9 +93,6 @@ def own(target):
         "inr": [inrimage()],
         "nii": [nifti()],
         "vti": [vti()],
-        "csg": ['difference() {\n\tcube(size = [10, 10, 10], center = false);\n%\tgroup() { text(text = "a "b"", size = 1); }\n'
-                'multmatrix([[1, 0, 0, -2], [0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]]) { sphere($fn = 0, $fa = 12, $fs = 2, '
-                'r = 1e-3); }\n}\npolygon(points = [[0, 0], [1, nan]], paths = undef, convexity = 1); // end\n'],
         "style": ['{"name": "a", "line": {"outer": 0.5}, "hatch": {"enabled": true, "field": "fixed", '
                   '"direction": [0, 1, 0]}}', '{"based_on": "engraving", "feature": {"crease_angle": 40}}'],
         "illustration": [
@@ -109,6 +106,10 @@ def own(target):
             '{"format": "burin-drawing", "version": 1, "paper": {"width": 20, "height": 10}, "layers": [{"name": '
             '"outline", "paths": [{"kind": "contour", "width": [0.2, 0.5], "points": [[1, 1], [9, 2.5]]}, '
             '{"points": [[1, 2], [3, 4], [5, 1]], "closed": true}]}]}'],
+        "plugin": [
+            "burin-probe 1\nok\n", "burin-probe 1\nfault it has no version\n",
+            '{"format": "burin-plugins-tried-1", "files": {"/a/b.so": {"identity": "1-2-3-4.5-6.7", "probe": '
+            '"1-2-3-4.5-6.7", "fault": "it crashes"}, "/c.so": {"identity": "1", "probe": "2", "fault": ""}}}'],
         "options": [
             "view=front\npaper=A4\nscale=1:2\nmargin=10,5,5,10\nset=line.outer=0.5\nbounds=-1,-1,-1,1,1,1\niso=50%",
             "view=0.3,-1,0.45\nup=0,0,1\nperspective=40\npaper=120x80\nscale=fit\ncenter=1,2,3\nlight=1,0,1\n"

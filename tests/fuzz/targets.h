@@ -15,8 +15,6 @@ void member(std::string_view bytes, const std::string& name, const std::string& 
 
 /// A formula: its bounds, its values and derivatives at a few points.
 void implicit(std::string_view text);
-/// A tree of OpenSCAD: what is read is nested as its numbers say, and its matrices are looked at.
-void csg(std::string_view text);
 /// A style file; one that is read is written, and reads back as the same.
 void style(std::string_view text);
 /// An illustration file, and what it asks; its models are not read.
@@ -25,5 +23,7 @@ void illustration(std::string_view text);
 void drawing(std::string_view text);
 /// Options as the command line and Python pass them on: NAME=VALUE, a line each.
 void options(std::string_view text);
+/// What burin-probe says of a plug-in, and what the host keeps of that.
+void plugin(std::string_view text);
 
 }  // namespace burin::fuzz

@@ -1,4 +1,3 @@
-#include <burin/base/error.h>
 #include <burin/base/run_context.h>
 #include <burin/converters/illustration.h>
 #include <burin/converters/implicit_reader.h>
@@ -6,9 +5,9 @@
 #include <burin/converters/request.h>
 #include <burin/converters/write.h>
 #include <burin/illustrate/style.h>
+#include <burin/plugin/plugins.h>
 
 #include "targets.h"
-#include "tree.h"
 
 #include <cstdlib>
 #include <sstream>
@@ -25,24 +24,6 @@ void implicit(std::string_view text) {
   std::vector<Gradient2> hessians(points.size());
   function->values(points, values);
   function->hessians(points, hessians);
-}
-
-void csg(std::string_view text) {
-  RunContext context;
-  const burin::csg::Tree tree = burin::csg::parse(std::string(text), "fuzz", context);
-  for (std::uint32_t n = 0; n < tree.nodes.size(); ++n) {
-    const burin::csg::Node& node = tree.nodes[n];
-    if (node.end <= n || node.end > tree.nodes.size()) std::abort();
-    if (tree.text_of(n).size() > text.size()) std::abort();
-    burin::csg::for_each_child(tree, n, [&](std::uint32_t child) {
-      if (child <= n || tree.nodes[child].end > node.end) std::abort();
-    });
-    try {
-      burin::csg::matrix_of(tree, n);
-    } catch (const InputError&) {
-      // The nodes behind it count too.
-    }
-  }
 }
 
 void style(std::string_view text) {
@@ -76,6 +57,13 @@ void options(std::string_view text) {
         line.substr(equals + 1));
   }
   make_plan(request, Spelling::Options);
+}
+
+void plugin(std::string_view text) {
+  const std::string fault = plugin::read_report(std::string(text));
+  if (fault.size() > 1000 || fault.find('\n') != std::string::npos) std::abort();
+  const std::string once = plugin::read_tried(std::string(text));
+  if (plugin::read_tried(once) != once) std::abort();
 }
 
 }  // namespace burin::fuzz

@@ -62,5 +62,6 @@ fi
 
 cmake -G Ninja -S "$source/tests/install/consumer" -B "$scratch/consumer" -DCMAKE_PREFIX_PATH="$prefix" >"$scratch/log" 2>&1 &&
   cmake --build "$scratch/consumer" >>"$scratch/log" 2>&1 || { cat "$scratch/log"; fail "a program does not build on the installed kernel"; }
+"$source/tests/install/plugins.sh" "$prefix" "$source" "$scratch" || fail "plug-ins do not build on the installed package"
 "$scratch/consumer/consumer" | grep -q layers || fail "the program on the installed kernel does not run"
 echo "installed, moved and used"

@@ -1,6 +1,9 @@
+#include <burin/base/error.h>
+
 #include "clip.h"
 #include "origins.h"
 
+#include <fmt/format.h>
 #include <polyclipping/clipper.hpp>
 
 #include <algorithm>
@@ -108,9 +111,36 @@ void tag_moved(Region& moved, const Region& from, double delta, const OffsetRule
   tidy_arcs(moved);
 }
 
+/// Points that round corners will have, if each were to be on the outside.
+double corner_points(const Region& region, const OffsetRule& rule) {
+  double turns = 0, corners = 0;
+  for (const Outline& o : region.outlines) {
+    const std::size_t n = o.points.size();
+    for (std::size_t i = 0; i < n; ++i) {
+      const Vec2 in = o.points[i] - o.points[(i + n - 1) % n],
+                 out = o.points[(i + 1) % n] - o.points[i];
+      turns += std::abs(std::atan2(cross2(in, out), glm::dot(in, out))) / (2 * M_PI);
+    }
+    corners += static_cast<double>(n);
+  }
+  return rule.fragments * turns + corners;
+}
+
+void check_size(const Region& region, const OffsetRule& rule) {
+  constexpr double kMostPoints = 1e7;
+  if (rule.corner != OffsetRule::Corner::Round) return;
+  if (const double points = corner_points(region, rule); points > kMostPoints) {
+    throw InputError(
+        fmt::format("offset() with round corners of {:g} points in all; set $fn, $fa or "
+                    "$fs to less, say $fn = 100",
+                    points));
+  }
+}
+
 }  // namespace
 
 Region offset_region(const Region& region, double delta, const OffsetRule& rule) {
+  check_size(region, rule);
   ClipperLib::ClipperOffset clipper(kMiterLimit, rule.tolerance * kGrid);
   for (const Outline& o : region.outlines) {
     ClipperLib::Path path;

@@ -35,6 +35,12 @@ from ._burin import (
     info,
     items,
     papers,
+    plugins,
+    register_direction,
+    register_form,
+    register_law,
+    register_reader,
+    register_writer,
     select,
     steps,
     style,
@@ -43,6 +49,7 @@ from ._burin import (
     views,
 )
 from ._draw import draw
+from ._plugins import load as _load_plugins
 
 Progress = _Callable[[str, float], _Any]
 
@@ -75,6 +82,12 @@ __all__ = [
     "info",
     "items",
     "papers",
+    "plugins",
+    "register_direction",
+    "register_form",
+    "register_law",
+    "register_reader",
+    "register_writer",
     "select",
     "steps",
     "style",
@@ -82,3 +95,12 @@ __all__ = [
     "styles",
     "views",
 ]
+
+def _load():
+    from . import _burin
+
+    _load_plugins(_burin._refuse_plugin)
+
+
+_load()
+del _load

@@ -181,11 +181,17 @@ TEST(Imports, BrokenFilesAreRefusedWithOneLine) {
 
 TEST(BadInput, AbsurdNumbersAreRefusedWithTheirLine) {
   const std::string square = "{ square(size = [2, 2], center = false); }";
+  std::string zigzag = "polygon(paths = undef, points = [[40,-99]";
+  for (int i = 0; i < 40; ++i) {
+    zigzag += ",[" + std::to_string(i) + "," + (i % 2 == 0 ? "0" : "50") + "]";
+  }
+  zigzag += "]);";
   for (const std::string& text : {
            std::string("circle($fn = 1e9, r = 1);"),
            "linear_extrude(height = 1, twist = 90, slices = 1000000000) " + square,
            "rotate_extrude(angle = 360, $fn = 1e9) " + square,
            "offset(r = 1, $fn = 1e9) " + square,
+           "offset(r = 1, $fn = 1000000) { " + zigzag + " }",
            std::string("text(text = \"a\", size = 10, $fn = 1e9);"),
            std::string("linear_extrude(height = 1) { polygon(points = [[0,0],[1e300,0],[0,1]], "
                        "paths = undef); }"),

@@ -7,6 +7,7 @@
 #include <burin/converters/file_info.h>
 #include <burin/converters/volume_reader.h>
 #include <burin/forms/implicit/implicit_form.h>
+#include <burin/options/declared.h>
 #include <burin/options/request.h>
 #include <burin/surface/scene.h>
 
@@ -36,6 +37,8 @@ struct ReadOptions {
   /// Whether the round surfaces that facets stand for are recognised and drawn; absent: those of
   /// OpenSCAD files are, those of meshes not.
   std::optional<bool> heal = {};
+  /// Of the options that readers and forms of plug-ins declare.
+  DeclaredValues declared = {};
   /// What the user set of all this: the name without dashes ("volume_degree"), and as messages call
   /// it ("option --volume-degree"). What no file of a scene looks at becomes a diagnostic.
   struct Given {
@@ -51,7 +54,11 @@ const std::vector<RequestRow<ReadOptions>>& read_option_rows();
 /// What a request asks of reading. Throws UsageError that names the option.
 ReadOptions make_read_options(const Request& request, Spelling spelling);
 
-/// Throws MissingFile or InputError for the first path that is no file that can be opened.
+/// Whether our own readers know the suffix (".stl").
+bool is_own_suffix(std::string_view suffix);
+
+/// Throws MissingFile or InputError for the first path that is no file that can be opened, and
+/// UsageError where one names a form ("form:NAME") that no plug-in has.
 void check_inputs(const std::vector<std::string>& paths);
 
 /// Reads each file by the reader of its format (known by its content where that is clear, else by

@@ -23,16 +23,18 @@ struct Format {
   /// The suffix without its dot.
   std::string_view name;
   /// Keys of a style, or how they begin, that concern this format alone.
-  std::vector<std::string_view> keys;
-  void (*write)(const Drawing&, const WriteOptions&, std::ostream&, const RunContext&) = nullptr;
-  /// Whether it holds a sheet of that many mm; null: of any size. Throws UsageError.
-  void (*check_sheet)(double width, double height, const WriteOptions&) = nullptr;
+  std::vector<std::string> keys;
+  std::function<void(const Drawing&, const WriteOptions&, std::ostream&, const RunContext&)> write;
+  /// Whether it holds a sheet of that many mm; empty: of any size. Throws UsageError.
+  std::function<void(double width, double height, const WriteOptions&)> check_sheet = {};
   /// Whether it shows the items of a drawing, so that they are worth finding.
   bool lists_items = false;
 };
 
-/// All formats.
+/// All formats; those that plug-ins brought last.
 const std::vector<Format>& formats();
+/// Whether a suffix names a format of our own, which no plug-in can have.
+bool is_own_format(std::string_view name);
 /// The format of a suffix or name in any case ("svg", "SVG"); null where there is none.
 const Format* format_named(std::string_view name);
 /// The suffixes without their dots.
@@ -47,6 +49,7 @@ struct WriteOptions {
   JsonOptions json;
   PngOptions png;
   DxfOptions dxf;
+  DeclaredValues formats;
   /// Called now and then by the thread that writes, with the share that is done.
   std::function<void(double)> progress;
 };

@@ -2,7 +2,10 @@
 /// The direction fields by name, as styles ask for them: one row each.
 
 #include <burin/field/field.h>
+#include <burin/options/declared.h>
+#include <burin/surface/shown.h>
 
+#include <functional>
 #include <span>
 #include <string_view>
 
@@ -21,6 +24,8 @@ struct FieldRequest {
   const RunContext& context;
   /// The picture of the strokes, where they have one.
   std::shared_ptr<const Image> image{};
+  /// What the picture shows of the surfaces.
+  Shown shown{};
 };
 
 struct FieldKind {
@@ -31,15 +36,22 @@ struct FieldKind {
   bool needs_curvature = false;
   /// Why a surface may have no direction over more than single places; empty: it always has.
   std::string_view missing;
-  Field (*make)(const FieldRequest&);
+  std::function<Field(const FieldRequest&)> make;
   /// Whether it looks at `FieldRequest::light`.
   bool uses_light = false;
   /// Whether its crosses have levels.
   bool has_levels = false;
+  /// What it lets a user choose beside `FieldOptions`; the values stand in
+  /// `FieldOptions::declared`.
+  std::vector<DeclaredOption> options{};
 };
 
-/// All fields, the usual one first.
+/// All fields, the usual one first; those that were added last.
 std::span<const FieldKind> catalogue();
+
+/// Adds a field from elsewhere, or puts it in the place of one of its name that was added. Its
+/// texts live as long as the program. Throws UsageError where a field of our own has the name.
+void add(FieldKind kind);
 
 /// The field of that name. Throws UsageError that lists them all.
 const FieldKind& find(std::string_view name);

@@ -2,7 +2,7 @@
 /// What a user chooses of directions.
 
 #include <burin/base/vec.h>
-#include <burin/options/row.h>
+#include <burin/options/declared.h>
 
 #include <string>
 #include <vector>
@@ -44,6 +44,8 @@ struct FieldOptions {
   /// The field "texture-vector": formulas over u v x y z.
   std::string along_u = "1", along_v = "0";
   FacePolicy faces{};
+  /// Of the options that fields from elsewhere declare.
+  DeclaredValues declared{};
 
   bool operator==(const FieldOptions&) const = default;
 };

@@ -5,7 +5,7 @@
 #include <burin/drawing/format_options.h>
 #include <burin/feature/options.h>
 #include <burin/field/options.h>
-#include <burin/options/option.h>
+#include <burin/options/declared.h>
 #include <burin/stroke/options.h>
 #include <burin/tone/options.h>
 
@@ -108,6 +108,8 @@ struct Style {
   JsonOptions json{};
   PngOptions png{};
   DxfOptions dxf{};
+  /// Of the options that formats from elsewhere declare: keys "txt.decimals" and so on.
+  DeclaredValues formats{};
 
   bool operator==(const Style&) const = default;
 };

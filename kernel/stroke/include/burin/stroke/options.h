@@ -2,7 +2,7 @@
 /// What a user chooses of strokes.
 
 #include <burin/base/ascii.h>
-#include <burin/options/row.h>
+#include <burin/options/declared.h>
 
 #include <string>
 #include <vector>
@@ -54,6 +54,8 @@ struct HatchOptions {
   double taper = 2.5;
   /// 0: equal spacing on paper whatever the slant of the surface; 1: equal spacing on the surface.
   double foreshortening = 0;
+  /// Of the options that kinds of strokes from elsewhere declare.
+  DeclaredValues declared{};
 
   bool has_motif() const { return motif != "none"; }
   /// Whether `motif` names an SVG file: whoever reads styles puts its path data in its place.

@@ -1,12 +1,23 @@
 #pragma once
 /// The laws of tone by name, as styles ask for them: one row each.
 
+#include <burin/options/declared.h>
 #include <burin/tone/tone.h>
 
+#include <functional>
 #include <span>
 #include <string_view>
 
 namespace burin::tone {
+
+/// What a law may be made from; it outlives the law.
+struct LawRequest {
+  const Camera& camera;
+  const ToneOptions& options;
+  /// May be empty.
+  const Blocked& blocked;
+  const Shown& shown;
+};
 
 struct Law {
   std::string_view name;
@@ -14,15 +25,21 @@ struct Law {
   std::string_view meaning;
   /// Whether it looks at `ToneOptions::light`.
   bool uses_light = false;
-  /// The reflectance before rim and highlight; it may leave [0,1]. `blocked` may be empty.
-  Tone (*make)(const Camera& camera, const ToneOptions& options, const Blocked& blocked);
+  /// The reflectance before rim and highlight; it may leave [0,1].
+  std::function<Tone(const LawRequest&)> make;
+  /// What it lets a user choose beside `ToneOptions`; the values stand in `ToneOptions::declared`.
+  std::vector<DeclaredOption> options{};
 };
 
 /// From the model to the light in model space, as long as it was given.
 Vec3 to_light(const Camera& camera, const ToneOptions& options);
 
-/// All laws, the usual one first.
+/// All laws, the usual one first; those that were added last.
 std::span<const Law> catalogue();
+
+/// Adds a law from elsewhere, or puts it in the place of one of its name that was added. Its texts
+/// live as long as the program. Throws UsageError where a law of our own has the name.
+void add(Law law);
 
 /// The law of that name. Throws UsageError that lists them all.
 const Law& find(std::string_view name);

@@ -2,7 +2,7 @@
 /// What a user chooses of light and shade.
 
 #include <burin/base/vec.h>
-#include <burin/options/row.h>
+#include <burin/options/declared.h>
 
 #include <string>
 #include <vector>
@@ -67,6 +67,8 @@ struct ToneOptions {
   /// Those of the scene; empty: `light` with `ambient` and `diffuse`. No option row: styles have no
   /// lights.
   std::vector<Light> lights = {};
+  /// Of the options that laws from elsewhere declare.
+  DeclaredValues declared{};
 
   bool operator==(const ToneOptions&) const = default;
 };

@@ -2,7 +2,7 @@
 /// Target tone: how light a place of the picture should be.
 
 #include <burin/camera/camera.h>
-#include <burin/surface/surface.h>
+#include <burin/surface/shown.h>
 #include <burin/tone/options.h>
 
 #include <functional>
@@ -22,8 +22,10 @@ using Blocked = std::function<bool(Vec3 position, Vec3 normal, Vec3 towards, dou
 /// By the law of the options, darker at the rim; what is as light as their highlight is white.
 /// Costs some ten nanoseconds a place. Shadows, where the options want them, are those of
 /// `blocked`, which is asked once a light and place, for wide lights 16 times. Throws UsageError
-/// where there is no such law.
-Tone make(const Camera& camera, const ToneOptions& options, const Blocked& blocked = {});
+/// where there is no such law. `shown`: for laws from elsewhere that look at the picture as a
+/// whole.
+Tone make(const Camera& camera, const ToneOptions& options, const Blocked& blocked = {},
+          const Shown& shown = {});
 
 }  // namespace tone
 }  // namespace burin

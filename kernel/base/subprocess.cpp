@@ -1,6 +1,5 @@
-#include "subprocess.h"
-
 #include <burin/base/error.h>
+#include <burin/base/subprocess.h>
 
 #include <fcntl.h>
 #include <poll.h>
@@ -79,13 +78,13 @@ struct Prepared {
   ::setrlimit(RLIMIT_CORE, &no_core);
   if (::chdir(p.folder) != 0) fail_in_child(p);
   if (::dup2(p.null, 0) < 0 || ::dup2(p.output, 1) < 0 || ::dup2(p.output, 2) < 0) fail_in_child(p);
-  if (p.file >= 0 && ::dup2(p.file, kChildFile) < 0) fail_in_child(p);
+  if (p.file >= 0 && ::dup2(p.file, kSubprocessFile) < 0) fail_in_child(p);
   ::execvp(p.argv[0], p.argv.data());
   fail_in_child(p);
 }
 
 /// A copy of a descriptor above those that the child rearranges.
-int lifted(int descriptor) { return ::fcntl(descriptor, F_DUPFD_CLOEXEC, kChildFile + 1); }
+int lifted(int descriptor) { return ::fcntl(descriptor, F_DUPFD_CLOEXEC, kSubprocessFile + 1); }
 
 rlim_t memory_limit() {
   const double bytes =
@@ -182,7 +181,7 @@ SubprocessEnd run_subprocess(const SubprocessRun& run, RunContext& context) {
   for (std::string& word : words) prepared.argv.push_back(word.data());
   prepared.argv.push_back(nullptr);
   prepared.folder = run.folder.empty() ? "." : run.folder.c_str();
-  prepared.memory = memory_limit();
+  if (run.bounded) prepared.memory = memory_limit();
   prepared.parent = ::getpid();
   Pipe output, failure;
   const int null = ::open("/dev/null", O_RDONLY | O_CLOEXEC);
@@ -218,7 +217,7 @@ SubprocessEnd run_subprocess(const SubprocessRun& run, RunContext& context) {
       end.timed_out = true;
       break;
     }
-    if (!run.tells_progress) context.progress(seconds / (seconds + kHalfway));
+    context.progress(seconds / (seconds + kHalfway));
     pollfd event{open ? output.read_end() : -1, POLLIN, 0};
     if (::poll(&event, 1, kPollMs) > 0) open = drain(output.read_end(), lines);
   }

@@ -1,0 +1,213 @@
+#include <burin/base/error.h>
+#include <burin/plugin/plugins.h>
+
+#include "probe.h"
+#include "rows.h"
+#include "search.h"
+#include "table_check.h"
+#include "tried_before.h"
+
+#include <dlfcn.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <mutex>
+#include <sstream>
+#include <string_view>
+#include <utility>
+
+namespace burin::plugin {
+namespace {
+
+/// What is loaded in this program.
+struct Loaded {
+  std::mutex mutex;
+  bool looked = false;
+  std::vector<Plugin> found, brought;
+  /// By what a factory claims, the file that offers it.
+  std::map<std::string, std::string> taken;
+};
+
+Loaded& loaded() {
+  static Loaded all;
+  return all;
+}
+
+/// Adds a factory to its catalogue. Throws UsageError where its name is taken.
+void join(const Source& source) {
+  const std::string_view id = source.factory->id;
+  if (id == BURIN_DIRECTION_1) add_direction(source);
+  if (id == BURIN_LAW_1) add_law(source);
+  if (id == BURIN_STROKE_KIND_1) add_marks(source);
+  if (id == BURIN_FORM_1) add_form(source);
+  if (id == BURIN_READER_1) add_reader(source);
+  if (id == BURIN_WRITER_1) add_writer(source);
+}
+
+/// What no other file may offer beside a factory: "form gyroids", "suffix .tiny". Directions and
+/// stroke kinds share the keys of styles.
+std::vector<std::string> claims(const burin_factory& f) {
+  const std::string id = f.id;
+  if (id == BURIN_DIRECTION_1 || id == BURIN_STROKE_KIND_1) return {std::string("hatch ") + f.name};
+  std::vector<std::string> out{id + " " + f.name};
+  if (id == BURIN_WRITER_1) {
+    out.push_back(std::string("writes ") + static_cast<const burin_writer_1*>(f.functions)->suffix);
+  }
+  if (id == BURIN_READER_1) {
+    std::istringstream words(static_cast<const burin_reader_1*>(f.functions)->suffixes);
+    for (std::string word; words >> word;) out.push_back("reads " + word);
+  }
+  return out;
+}
+
+/// Names of Burin's own that only the doors know.
+std::vector<Reserved>& reserved() {
+  static std::vector<Reserved> all;
+  return all;
+}
+
+/// Why a factory cannot have what it claims; empty: it can.
+std::string claimed(const burin_factory& f, const std::string& file, const Loaded& all) {
+  for (const std::string& claim : claims(f)) {
+    const auto taken = all.taken.find(claim);
+    if (taken != all.taken.end() && taken->second != file) {
+      return fmt::format("the name is taken by {}", taken->second);
+    }
+    for (const Reserved& is_reserved : reserved()) {
+      if (is_reserved(claim)) return "the name is taken by Burin's own";
+    }
+  }
+  return {};
+}
+
+Offer offered(const burin_factory& factory, const std::string& file, Loaded& all) {
+  Offer offer{factory.id, factory.name, ""};
+  if (!is_known(offer.id)) {
+    offer.refused = "this version of Burin does not know the interface";
+    return offer;
+  }
+  offer.meaning = factory.meaning;
+  offer.refused = claimed(factory, file, all);
+  if (!offer.refused.empty()) return offer;
+  try {
+    join({&factory, file});
+    for (const std::string& claim : claims(factory)) all.taken[claim] = file;
+  } catch (const std::exception& e) {
+    offer.refused = e.what();
+  }
+  return offer;
+}
+
+const burin_plugin_table* table_of(const std::filesystem::path& file, std::string& fault) {
+  void* const library = ::dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL | RTLD_NODELETE);
+  if (library == nullptr) {
+    fault = fmt::format("it cannot be loaded: {}", ::dlerror());
+    return nullptr;
+  }
+  using Door = const burin_plugin_table* (*)(std::uint32_t);
+  const auto door = reinterpret_cast<Door>(::dlsym(library, "burin_plugin"));
+  if (door == nullptr) {
+    fault = "it has no symbol burin_plugin";
+    return nullptr;
+  }
+  const burin_plugin_table* const table = door(BURIN_PLUGIN_ABI);
+  fault = fault_of(table);
+  return fault.empty() ? table : nullptr;
+}
+
+Plugin loaded_from(const std::filesystem::path& file, Loaded& all) {
+  Plugin plugin{.file = file.string()};
+  const burin_plugin_table* const table = table_of(file, plugin.refused);
+  if (table == nullptr) return plugin;
+  plugin.name = table->name;
+  plugin.version = table->version;
+  for (std::size_t i = 0; i < table->factory_count; ++i) {
+    plugin.offers.push_back(offered(table->factories[i], plugin.file, all));
+  }
+  return plugin;
+}
+
+/// One file: tried, unless it was before, and loaded.
+Plugin take(const std::filesystem::path& file, bool again, Loaded& all, TriedBefore& tried,
+            bool& changed) {
+  const std::string identity = identity_of(file), by = identity_of(probe_program());
+  auto fault = again ? std::nullopt : tried.find(file, identity, by);
+  if (!fault) {
+    fault = probe(file);
+    tried.set(file, identity, by, *fault);
+    changed = true;
+  }
+  if (fault->empty()) return loaded_from(file, all);
+  return {.file = file.string(), .refused = *fault};
+}
+
+void look(bool again, Loaded& all) {
+  std::vector<Plugin>& found = all.found;
+  std::vector<std::filesystem::path> relative;
+  const std::vector<std::filesystem::path> files = candidates(relative);
+  for (const std::filesystem::path& folder : relative) {
+    found.push_back(
+        {.file = folder.string(), .refused = "BURIN_PLUGIN_PATH takes absolute paths of folders"});
+  }
+  if (files.empty()) return;
+  TriedBefore tried = TriedBefore::load();
+  bool changed = false;
+  for (const std::filesystem::path& file : files) {
+    try {
+      found.push_back(take(file, again, all, tried, changed));
+    } catch (const std::exception& e) {
+      found.push_back({.file = file.string(), .refused = e.what()});
+    }
+  }
+  if (changed) tried.save();
+}
+
+}  // namespace
+
+Plugin load(const std::filesystem::path& file) {
+  Loaded& all = loaded();
+  const std::lock_guard lock(all.mutex);
+  return loaded_from(file, all);
+}
+
+void reserve(Reserved is_reserved) { reserved().push_back(std::move(is_reserved)); }
+
+void load_all(bool again) {
+  Loaded& all = loaded();
+  const std::lock_guard lock(all.mutex);
+  if (all.looked && !again) return;
+  all.looked = true;
+  all.found.clear();
+  try {
+    look(again, all);
+  } catch (const std::exception& e) {
+    all.found.push_back({.file = "plug-ins", .refused = e.what()});
+  }
+}
+
+std::vector<Plugin> plugins() {
+  Loaded& all = loaded();
+  const std::lock_guard lock(all.mutex);
+  std::vector<Plugin> out = all.found;
+  out.insert(out.end(), all.brought.begin(), all.brought.end());
+  return out;
+}
+
+void note(const std::string& language, const Offer& offer) {
+  Loaded& all = loaded();
+  const std::lock_guard lock(all.mutex);
+  auto mine = std::ranges::find(all.brought, language, &Plugin::file);
+  if (mine == all.brought.end()) mine = all.brought.insert(mine, Plugin{.file = language});
+  std::erase_if(mine->offers,
+                [&](const Offer& o) { return o.id == offer.id && o.name == offer.name; });
+  mine->offers.push_back(offer);
+}
+
+void note_refused(const std::string& name, const std::string& why) {
+  Loaded& all = loaded();
+  const std::lock_guard lock(all.mutex);
+  all.brought.push_back({.file = name, .refused = why});
+}
+
+}  // namespace burin::plugin

@@ -1,0 +1,98 @@
+#include <burin/drawing/brought_formats.h>
+
+#include "declared.h"
+#include "rows.h"
+
+#include <fmt/format.h>
+
+#include <ostream>
+
+// What a plug-in writes to; it knows the name alone.
+struct burin_output {
+  std::ostream* out = nullptr;
+  const burin::RunContext* context = nullptr;
+  std::size_t bytes = 0;
+};
+
+namespace burin::plugin {
+namespace {
+
+/// A drawing as flat arrays; the drawing outlives it.
+class Flat {
+ public:
+  explicit Flat(const Drawing& d) {
+    for (const DrawingPart& part : d.parts) parts_.push_back(part.name.c_str());
+    for (const Layer& layer : d.layers) {
+      for (const Path& path : layer.paths) add(layer, path);
+      for (const Text& text : layer.texts) {
+        texts_.push_back({text.text.c_str(), text.at.x, text.at.y, text.height,
+                          static_cast<std::int32_t>(text.anchor)});
+      }
+    }
+    all_ = {d.paper_width,         d.paper_height, d.title.c_str(), d.ink_color.c_str(),
+            d.paper_color.c_str(), parts_.size(),  parts_.data(),   paths_.size(),
+            paths_.data(),         widths_.size(), points_.data(),  widths_.data(),
+            texts_.size(),         texts_.data()};
+  }
+  Flat(const Flat&) = delete;
+  Flat& operator=(const Flat&) = delete;
+  const burin_drawing& get() const { return all_; }
+
+ private:
+  void add(const Layer& layer, const Path& path) {
+    paths_.push_back({layer.name.c_str(), to_string(path.kind), path.source.part,
+                      path.visible ? 1 : 0, path.closed ? 1 : 0, widths_.size(),
+                      path.points.size()});
+    for (std::size_t i = 0; i < path.points.size(); ++i) {
+      points_.push_back(path.points[i].x);
+      points_.push_back(path.points[i].y);
+      widths_.push_back(path.width.empty() ? 0 : path.width[path.width.size() == 1 ? 0 : i]);
+    }
+  }
+
+  std::vector<const char*> parts_;
+  std::vector<burin_path> paths_;
+  std::vector<burin_text> texts_;
+  std::vector<double> points_, widths_;
+  burin_drawing all_{};
+};
+
+std::int32_t take_bytes(burin_output* output, const void* bytes, std::size_t size) noexcept try {
+  if (output->context->cancelled()) return BURIN_CANCELLED;
+  output->out->write(static_cast<const char*>(bytes), static_cast<std::streamsize>(size));
+  output->bytes += size;
+  return output->out->good() ? BURIN_OK : BURIN_FAILED;
+} catch (const std::exception&) {
+  return BURIN_FAILED;
+}
+
+void write(const Source& source, const Drawing& drawing, const std::vector<OptionValue>& values,
+           std::ostream& out, const RunContext& context) {
+  const Flat flat(drawing);
+  const Values given(values);
+  burin_output output{&out, &context};
+  burin_error error{};
+  const std::int32_t code = source.functions<burin_writer_1>().write(&flat.get(), given.data(),
+                                                                     take_bytes, &output, &error);
+  context.check();
+  if (!out.good()) return;  // who owns the stream says why
+  try {
+    check(PluginError::Row::Writer, source, code, error);
+    if (output.bytes == 0) fail(PluginError::Row::Writer, source, "writes nothing");
+  } catch (const PluginError& e) {
+    throw OutputError(e.what());
+  }
+}
+
+}  // namespace
+
+void add_writer(const Source& source) {
+  add(BroughtFormat{
+      .name = source.functions<burin_writer_1>().suffix,
+      .meaning = source.factory->meaning,
+      .write = [source](const Drawing& d, const std::vector<OptionValue>& values, std::ostream& out,
+                        const RunContext& context) { write(source, d, values, out, context); },
+      .options = declared(*source.factory)});
+}
+
+}  // namespace burin::plugin
