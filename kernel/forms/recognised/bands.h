@@ -21,7 +21,7 @@ struct Bands {
   std::vector<Band> list;
   /// For each facet its band, or -1.
   std::vector<std::int32_t> of;
-  /// Spheres, and for each facet its sphere, or -1.
+  /// Spheres (and tori that are known, not recognised), and for each facet its own, or -1.
   std::vector<Patch> spheres;
   std::vector<std::int32_t> of_sphere;
 };

@@ -33,25 +33,11 @@ Shape shape_of(const TriMesh& mesh, std::uint32_t t) {
   return s;
 }
 
-// How far coordinates may be off, in mm. Parts are worked on at about their own size first: far
-// from the origin only the digits that are lost there count.
-double noise_of(const TriMesh& mesh) {
-  double largest = 0;
-  bool single = true;
-  for (const Vec3& p : mesh.positions) {
-    for (int k = 0; k < 3; ++k) {
-      largest = std::max(largest, std::abs(p[k]));
-      single = single && p[k] == static_cast<double>(static_cast<float>(p[k]));
-    }
-  }
-  if (!single) return kNoise * largest;
-  return std::max(kSingleNoise * largest, kNoise * std::min(largest, mesh.bounds().diagonal()));
-}
-
 class Finder {
  public:
-  Finder(const TriMesh& mesh, const Topology& topology) : mesh_(mesh), topology_(topology) {
-    out_.noise = noise_of(mesh);
+  Finder(const TriMesh& mesh, const Topology& topology, std::span<const std::int32_t> label)
+      : mesh_(mesh), topology_(topology), label_(label) {
+    out_.noise = mesh_noise(mesh);
     out_.of.assign(mesh.triangles.size(), -1);
     for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) shapes_.push_back(shape_of(mesh, t));
   }
@@ -103,6 +89,7 @@ class Finder {
         const auto h = 3 * std::size_t{f.triangles[i]} + static_cast<std::size_t>(k);
         const HalfEdge o = topology_.opposite[h];
         if (o == kNoHalfEdge || out_.of[face_of(o)] >= 0) continue;
+        if (!label_.empty() && label_[face_of(o)] != label_[seed]) continue;
         if (!fits(f, shapes_[seed], face_of(o))) continue;
         out_.of[face_of(o)] = id;
         f.triangles.push_back(face_of(o));
@@ -150,14 +137,31 @@ class Finder {
 
   const TriMesh& mesh_;
   const Topology& topology_;
+  std::span<const std::int32_t> label_;
   std::vector<Shape> shapes_;
   Facets out_;
 };
 
 }  // namespace
 
-Facets find_facets(const TriMesh& mesh, const Topology& topology, const RunContext& context) {
-  return Finder(mesh, topology).run(context);
+// Parts are worked on at about their own size first: far from the origin only the digits that are
+// lost there count.
+double mesh_noise(const TriMesh& mesh) {
+  double largest = 0;
+  bool single = true;
+  for (const Vec3& p : mesh.positions) {
+    for (int k = 0; k < 3; ++k) {
+      largest = std::max(largest, std::abs(p[k]));
+      single = single && p[k] == static_cast<double>(static_cast<float>(p[k]));
+    }
+  }
+  if (!single) return kNoise * largest;
+  return std::max(kSingleNoise * largest, kNoise * std::min(largest, mesh.bounds().diagonal()));
+}
+
+Facets find_facets(const TriMesh& mesh, const Topology& topology, const RunContext& context,
+                   std::span<const std::int32_t> label) {
+  return Finder(mesh, topology, label).run(context);
 }
 
 }  // namespace burin::recognised

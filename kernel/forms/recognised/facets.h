@@ -6,6 +6,7 @@
 #include <burin/mesh/tri_mesh.h>
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 namespace burin::recognised {
@@ -37,6 +38,11 @@ struct Facets {
   double noise = 0;
 };
 
-Facets find_facets(const TriMesh& mesh, const Topology& topology, const RunContext& context);
+/// How far, in mm, the coordinates of a mesh may be off.
+double mesh_noise(const TriMesh& mesh);
+
+/// A facet ends where the plane does, and where a label (one a triangle, or none at all) changes.
+Facets find_facets(const TriMesh& mesh, const Topology& topology, const RunContext& context,
+                   std::span<const std::int32_t> label = {});
 
 }  // namespace burin::recognised

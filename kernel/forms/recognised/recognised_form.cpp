@@ -6,6 +6,7 @@
 #include <burin/mesh/curvature.h>
 
 #include "facet_atlas.h"
+#include "known.h"
 #include "recognised_surface.h"
 
 #include <mutex>
@@ -76,6 +77,16 @@ RecognisedForm::RecognisedForm(TriMesh mesh, const RunContext& context,
   if (impl_->too_coarse) return;
   impl_->round = std::make_shared<const recognised::Recognised>(recognised::join_profiles(
       m, *impl_->facets, recognised::find_bands(m, *impl_->facets, context), context));
+  impl_->faces = recognised::count_faces(m, topology, *impl_->facets, *impl_->round);
+}
+RecognisedForm::RecognisedForm(TriMesh mesh, const KnownSurfaces& known, const RunContext& context)
+    : impl_(std::make_unique<Impl>(std::move(mesh), nullptr)) {
+  const TriMesh& m = impl_->form.mesh();
+  const Topology topology = build_topology(m, context);
+  recognised::KnownFacets told = recognised::known_facets(m, topology, known, context);
+  impl_->facets = std::make_shared<const recognised::Facets>(std::move(told.facets));
+  impl_->round = std::make_shared<const recognised::Recognised>(
+      recognised::join_profiles(m, *impl_->facets, std::move(told.bands), context));
   impl_->faces = recognised::count_faces(m, topology, *impl_->facets, *impl_->round);
 }
 RecognisedForm::~RecognisedForm() = default;

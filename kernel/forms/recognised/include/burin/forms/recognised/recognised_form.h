@@ -2,6 +2,7 @@
 /// Meshes whose facets stand for round surfaces; the round surfaces are drawn.
 
 #include <burin/forms/mesh/texture_map.h>
+#include <burin/forms/recognised/turned_surface.h>
 #include <burin/mesh/tri_mesh.h>
 #include <burin/surface/scene.h>
 
@@ -33,6 +34,9 @@ class RecognisedForm final : public Form {
   /// come before those of the surfaces that are found. Cost: 2 s per million triangles.
   RecognisedForm(TriMesh mesh, const RunContext& context,
                  std::shared_ptr<const TextureMap> texture = nullptr);
+  /// The same of a mesh of which it is known what its facets stand for: runs are looked for among
+  /// unknown ones alone. What a chain of cones stands for is judged as above.
+  RecognisedForm(TriMesh mesh, const KnownSurfaces& known, const RunContext& context);
   ~RecognisedForm() override;
 
   const TriMesh& mesh() const;

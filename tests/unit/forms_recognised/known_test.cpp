@@ -1,0 +1,169 @@
+// Facets of which it is told what they stand for.
+
+#include <burin/forms/recognised/recognised_form.h>
+
+#include <burin_test/shapes.h>
+#include <burin_test/turned.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+#include <stdexcept>
+
+namespace burin {
+namespace {
+
+using test::kPi, test::moved, test::sphere_profile, test::tilted, test::turned;
+
+TurnedSurface line(Vec2 a, Vec2 b, int sides) {
+  TurnedSurface s;
+  s.step = 2 * kPi / sides;
+  s.a = a;
+  s.b = b;
+  return s;
+}
+
+TurnedSurface circle(Vec2 middle, double radius, int sides, int along) {
+  TurnedSurface s;
+  s.step = 2 * kPi / sides;
+  s.profile = TurnedSurface::Profile::Circle;
+  s.middle = middle;
+  s.radius = radius;
+  s.profile_step = 2 * kPi / along;
+  return s;
+}
+
+using Says = std::function<std::int32_t(Vec3 center, Vec3 normal)>;
+
+RecognisedForm form_of(const TriMesh& mesh, std::vector<TurnedSurface> surfaces, const Says& says) {
+  KnownSurfaces known{std::move(surfaces), {}};
+  for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
+    Vec3 center(0);
+    for (const std::uint32_t v : mesh.triangles[t]) center += mesh.positions[v] / 3.0;
+    known.of.push_back(says(center, mesh.normal(t)));
+  }
+  return {mesh, known, RunContext()};
+}
+
+bool is_side(Vec3 normal) { return std::abs(normal.z) < 0.9; }
+
+TEST(KnownSurfaces, ACylinderIsWhatItIsSaidToBe) {
+  const RecognisedForm form =
+      form_of(turned({{10, 0}, {10, 30}}, 24), {line({10, 0}, {10, 30}, 24)},
+              [](Vec3, Vec3 n) { return is_side(n) ? 0 : KnownSurfaces::kMeantFlat; });
+  EXPECT_EQ(form.faces().cylinders, 1);
+  EXPECT_EQ(form.faces().total(), 1);
+  RunContext context;
+  const auto surface = form.realise({.tolerance = 0.001}, context);
+  double least = 1e9;
+  for (std::uint32_t t = 0; t < surface->proxy().mesh.triangles.size(); ++t) {
+    if (!is_side(surface->proxy().mesh.normal(t))) continue;
+    for (const std::uint32_t v : surface->proxy().mesh.triangles[t]) {
+      const Vec3 p = surface->proxy().mesh.positions[v];
+      least = std::min(least, std::hypot(p.x, p.y));
+    }
+  }
+  EXPECT_NEAR(least, 10, 1e-5);
+}
+
+TEST(KnownSurfaces, WhatIsMeantFlatStaysAPrism) {
+  const TriMesh prism = turned({{10, 0}, {10, 30}}, 24);
+  EXPECT_EQ(
+      form_of(prism, {}, [](Vec3, Vec3) { return KnownSurfaces::kMeantFlat; }).faces().total(), 0);
+  // The same of which nobody knows is judged by its looks.
+  EXPECT_EQ(
+      form_of(prism, {}, [](Vec3, Vec3) { return KnownSurfaces::kUnknown; }).faces().cylinders, 1);
+}
+
+TEST(KnownSurfaces, OneFacetIsEnough) {
+  const RecognisedForm form =
+      form_of(turned({{10, 0}, {10, 30}}, 24), {line({10, 30}, {10, 0}, 24)}, [](Vec3 c, Vec3 n) {
+        const double angle = std::atan2(c.y, c.x);
+        const bool first = is_side(n) && angle > 0 && angle < 2 * kPi / 24;
+        return first ? 0 : KnownSurfaces::kMeantFlat;
+      });
+  EXPECT_EQ(form.faces().cylinders, 1);
+}
+
+TEST(KnownSurfaces, RowsOfOneSurfaceAreOneFace) {
+  // The other half is told of from above, the axis downwards.
+  TurnedSurface below = line({10, 0}, {10, 30}, 24);
+  below.origin = {0, 0, 30};
+  below.axis = {0, 0, -1};
+  const RecognisedForm form =
+      form_of(turned({{10, 0}, {10, 30}}, 24), {line({10, 0}, {10, 30}, 24), below},
+              [](Vec3 c, Vec3 n) { return is_side(n) ? (c.x > 0 ? 0 : 1) : -1; });
+  EXPECT_EQ(form.faces().cylinders, 1);
+  EXPECT_EQ(form.faces().total(), 1);
+}
+
+TEST(KnownSurfaces, TiltedConesSpheresAndTori) {
+  const Mat3 turn = tilted();
+  const Vec3 offset(30, -20, 10);
+  const auto placed = [&](TurnedSurface s) {
+    s.origin = turn * s.origin + offset;
+    s.axis = turn * s.axis;
+    return s;
+  };
+  const auto all = [](Vec3, Vec3) { return 0; };
+  const auto sides = [&](Vec3, Vec3 n) {
+    return std::abs(glm::dot(n, turn[2])) < 0.95 ? 0 : KnownSurfaces::kMeantFlat;
+  };
+  const auto tilt = [&](TriMesh mesh) { return moved(std::move(mesh), turn, offset); };
+  EXPECT_EQ(form_of(tilt(turned({{10, 0}, {4, 5}}, 16)), {placed(line({10, 0}, {4, 5}, 16))}, sides)
+                .faces()
+                .cones,
+            1);
+  // The flat caps of the sphere, too.
+  EXPECT_EQ(
+      form_of(tilt(turned(sphere_profile(10, 20), 20)), {placed(circle({0, 0}, 10, 20, 20))}, all)
+          .faces()
+          .spheres,
+      1);
+  std::vector<Vec2> ring;
+  for (int i = 0; i < 12; ++i) {
+    ring.push_back(Vec2(20, 0) + 5.0 * Vec2(std::cos(kPi * i / 6), std::sin(kPi * i / 6)));
+  }
+  const RecognisedForm torus =
+      form_of(tilt(turned(ring, 36, true)), {placed(circle({20, 0}, 5, 36, 12))}, all);
+  EXPECT_EQ(torus.faces().tori, 1);
+  EXPECT_EQ(torus.faces().total(), 1);
+  RunContext context;
+  const auto surface = torus.realise({.tolerance = 0.01}, context);
+  for (const Vec3& p : surface->proxy().mesh.positions) {
+    const Vec3 q = glm::transpose(turn) * (p - offset);
+    EXPECT_NEAR(std::hypot(std::hypot(q.x, q.y) - 20, q.z), 5, 1e-4);
+  }
+}
+
+TEST(KnownSurfaces, ASurfaceThatFacesBothWaysIsTwoFaces) {
+  // A pin in the place of a hole of its size, side by side along one axis.
+  TriMesh pin = turned({{5, 0}, {5, 10}}, 24), hole = turned({{5, 20}, {5, 30}}, 24);
+  for (Triangle& t : hole.triangles) std::swap(t[1], t[2]);
+  const auto first = static_cast<std::uint32_t>(pin.positions.size());
+  pin.positions.insert(pin.positions.end(), hole.positions.begin(), hole.positions.end());
+  for (Triangle t : hole.triangles) {
+    for (std::uint32_t& v : t) v += first;
+    pin.triangles.push_back(t);
+  }
+  const RecognisedForm form =
+      form_of(pin, {line({5, 0}, {5, 10}, 24)}, [](Vec3, Vec3 n) { return is_side(n) ? 0 : -1; });
+  EXPECT_EQ(form.faces().cylinders, 2);
+  RunContext context;
+  const auto surface = form.realise({.tolerance = 0.01}, context);
+  const ProxyMesh& proxy = surface->proxy();
+  for (std::uint32_t t = 0; t < proxy.mesh.triangles.size(); ++t) {
+    if (!is_side(proxy.mesh.normal(t))) continue;
+    for (const std::uint32_t w : proxy.wedges[t]) {
+      EXPECT_GT(glm::dot(proxy.wedge_normal[w], proxy.mesh.normal(t)), 0.9);
+    }
+  }
+}
+
+TEST(KnownSurfaces, OneRowATriangle) {
+  EXPECT_THROW(RecognisedForm(turned({{10, 0}, {10, 30}}, 24), KnownSurfaces{}, RunContext()),
+               std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace burin
