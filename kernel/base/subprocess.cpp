@@ -217,7 +217,7 @@ SubprocessEnd run_subprocess(const SubprocessRun& run, RunContext& context) {
       end.timed_out = true;
       break;
     }
-    context.progress(seconds / (seconds + kHalfway));
+    if (!run.tells_progress) context.progress(seconds / (seconds + kHalfway));
     pollfd event{open ? output.read_end() : -1, POLLIN, 0};
     if (::poll(&event, 1, kPollMs) > 0) open = drain(output.read_end(), lines);
   }

@@ -11,6 +11,8 @@ namespace burin {
 
 std::string spelled(std::string name, Spelling spelling) {
   if (spelling == Spelling::Keywords) return name;
+  // Keywords of Python have one at their end: "as_" is --as.
+  if (name.ends_with('_')) name.pop_back();
   std::replace(name.begin(), name.end(), '_', '-');
   return "--" + name;
 }

@@ -23,7 +23,8 @@ std::string variable(const char* name) {
 
 /// The folder that a variable names, else one below the home folder; empty where there is neither.
 fs::path user_folder(const char* name, const char* below_home) {
-  const fs::path named = variable(name), home = variable("HOME");
+  fs::path named = variable(name);
+  const fs::path home = variable("HOME");
   if (named.is_absolute()) return named;
   return home.is_absolute() ? home / below_home : fs::path();
 }

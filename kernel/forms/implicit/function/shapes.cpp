@@ -220,6 +220,17 @@ Expression scale(const Expression& f, double s) {
       {b.min * s, b.max * s});
 }
 
+Expression transform(const Expression& f, const Mat3& linear, Vec3 offset) {
+  for (int i = 0; i < 3; ++i) finite("a translation", offset[i]);
+  const double volume = std::abs(glm::determinant(linear));
+  positive("the factor by which a transformation changes volumes", volume);
+  const Mat3 back = glm::inverse(linear);
+  double squares = 0;
+  for (int i = 0; i < 3; ++i) squares += glm::dot(back[i], back[i]);
+  const Expression stood = mapped(f, back) * std::sqrt(3 / squares);
+  return translate(with_bounds(stood, turned(f.bounds(), linear)), offset);
+}
+
 Expression mirror(const Expression& f, Vec3 normal) {
   const double n = glm::length(normal);
   positive("the length of a mirror's normal", n);

@@ -16,6 +16,10 @@
 #ifndef BURIN_PLUGIN_H
 #define BURIN_PLUGIN_H
 
+/* This is C. */
+/* NOLINTBEGIN(modernize-deprecated-headers,modernize-use-using) */
+/* NOLINTBEGIN(readability-identifier-naming) */
+
 #include <stddef.h>
 #include <stdint.h>
 
@@ -271,4 +275,7 @@ BURIN_PLUGIN_EXPORT const burin_plugin_table* burin_plugin(uint32_t abi);
 #ifdef __cplusplus
 }
 #endif
+
+/* NOLINTEND(readability-identifier-naming) */
+/* NOLINTEND(modernize-deprecated-headers,modernize-use-using) */
 #endif

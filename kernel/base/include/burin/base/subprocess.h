@@ -40,6 +40,8 @@ struct SubprocessRun {
   double timeout = 10;
   /// Whether it may have three quarters of the machine's memory at the most.
   bool bounded = true;
+  /// Its lines tell how far it is: nothing else calls RunContext::progress.
+  bool tells_progress = false;
   /// Each line of its output and of its errors, at most kLongestLine bytes of it.
   std::function<void(const std::string& line)> line;
 };

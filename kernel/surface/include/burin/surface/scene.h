@@ -79,9 +79,19 @@ struct Part {
   std::string definition = {};
 };
 
+/// What a model file itself says of how it is to be drawn.
+struct FileSettings {
+  /// The text of an illustration without parts (kernel/docs/illustration.md).
+  std::string json;
+  /// The file, for errors.
+  std::string source;
+};
+
 /// Parts in the order of the input, with what the readers mended or left out.
 struct Scene {
   std::vector<Part> parts;
+  /// In the order of the files; whoever draws decides whether to follow them.
+  std::vector<FileSettings> settings = {};
   Diagnostics diagnostics;
 
   Box3 bounds(const Mat3& axes = Mat3(1)) const;

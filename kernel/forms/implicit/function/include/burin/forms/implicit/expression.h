@@ -105,6 +105,9 @@ Expression translate(const Expression& f, Vec3 by);
 /// Degrees about x, then y, then z.
 Expression rotate(const Expression& f, Vec3 degrees);
 Expression scale(const Expression& f, double s);
+/// The points linear * p + offset of all p of the solid. About as steep as before where `linear`
+/// turns and scales; a little less where it stretches. Throws UsageError where it flattens.
+Expression transform(const Expression& f, const Mat3& linear, Vec3 offset);
 /// Mirrored at the plane through the origin with this normal.
 Expression mirror(const Expression& f, Vec3 normal);
 /// A wall of this thickness, half of it on each side of the surface.
