@@ -3,6 +3,7 @@
 #include <burin/base/error.h>
 #include <burin/base/input_files.h>
 #include <burin/base/missing_file.h>
+#include <burin/converters/live_page.h>
 #include <burin/converters/output.h>
 
 #include "draw.h"
@@ -13,6 +14,8 @@
 
 #include <algorithm>
 #include <chrono>
+#include <string>
+#include <vector>
 
 namespace burin::cli {
 namespace {
@@ -71,6 +74,32 @@ void leave_out(const std::vector<std::string>& outputs, InputFiles::Stamps& file
   });
 }
 
+/// The outputs that are pages, which learn of each drawing.
+class Pages {
+ public:
+  explicit Pages(const DrawArguments& arguments) {
+    for (const Output& output : plan_outputs(arguments.outputs, arguments.format, {})) {
+      if (&output.format() == format_named("html")) names_.push_back(output.name());
+    }
+  }
+  ~Pages() {
+    for (const std::string& name : names_) forget_drawn(name);
+  }
+  Pages(const Pages&) = delete;
+  Pages& operator=(const Pages&) = delete;
+
+  /// Numbers are times, so that a page of an earlier run is drawn anew too.
+  void drawn() const {
+    const auto now = std::chrono::system_clock::now().time_since_epoch();
+    for (const std::string& name : names_) {
+      note_drawn(name, std::chrono::duration_cast<milliseconds>(now).count());
+    }
+  }
+
+ private:
+  std::vector<std::string> names_;
+};
+
 std::string only_input(const DrawArguments& arguments) {
   return arguments.inputs.size() == 1 ? arguments.inputs.front() : "";
 }
@@ -107,6 +136,7 @@ void run_watch(const DrawArguments& arguments, RunContext& context, Console& con
   }
   InputFiles::Stamps files;
   KeptScene kept;
+  const Pages pages(arguments);
   for (bool first = true;; first = false) {
     const Clock::time_point start = Clock::now();
     const InputFiles read;
@@ -119,6 +149,7 @@ void run_watch(const DrawArguments& arguments, RunContext& context, Console& con
     if (!drawn) now.merge(files);
     files = std::move(now);
     leave_out(arguments.outputs, files);
+    if (drawn) pages.drawn();
     if (drawn) console.stages(run, seconds);
     console.watching(drawn, seconds, files.size());
     wait_for_change(files, context);

@@ -38,7 +38,8 @@ void write_html(const Drawing& drawing, const WriteOptions& options, std::ostrea
   }
   const Drawing& shown = listed ? *listed : drawing;
   out << html::head(title_of(shown)) << "<main>\n"
-      << html::inline_svg(shown, options.svg, context) << html::list_and_tail(shown.items);
+      << html::inline_svg(shown, options.svg, context)
+      << html::list_and_tail(shown.items, options.html);
 }
 
 }  // namespace burin

@@ -152,6 +152,49 @@ inline constexpr const char* kScript =
 })();
 )";
 
+// Asks a file beside the page, as scripts are all that a page without a server may load, whether
+// it was drawn anew; what the reader had chosen, and where, is kept. When the file is gone nobody
+// draws any more.
+inline constexpr const char* kLive =
+    R"(</script>
+<script>
+"use strict";
+(() => {
+  const name = location.pathname.split("/").pop() + ".live.js", main = document.querySelector("main");
+  const search = document.querySelector("input"), kept = "burin " + location.pathname;
+  let first = null, missed = 0;
+  window.burin_drawn = stamp => {
+    if (first === null) first = stamp;
+    if (stamp === first) return;
+    const row = document.querySelector("tr.chosen");
+    try {
+      sessionStorage.setItem(kept, JSON.stringify(
+        {item: row && row.dataset.item, search: search.value, top: main.scrollTop}));
+    } catch (e) { }
+    location.reload();
+  };
+  const look = () => {
+    const s = document.createElement("script");
+    s.src = name + "?" + Date.now();
+    s.onload = () => { missed = 0; s.remove(); setTimeout(look, 100); };
+    s.onerror = () => { s.remove(); if (++missed < 3) setTimeout(look, 1000); };
+    document.head.append(s);
+  };
+  try {
+    const was = JSON.parse(sessionStorage.getItem(kept) || "null");
+    sessionStorage.removeItem(kept);
+    if (was) {
+      search.value = was.search;
+      search.dispatchEvent(new Event("input"));
+      const row = [...document.querySelectorAll("tr[data-item]")].find(r => r.dataset.item === was.item);
+      if (row) row.click();
+      main.scrollTop = was.top;
+    }
+  } catch (e) { }
+  look();
+})();
+)";
+
 inline constexpr const char* kTail = "</script>\n</body>\n</html>\n";
 
 }  // namespace burin::html

@@ -47,10 +47,11 @@ std::string head(const std::string& title) {
          "</style>\n</head>\n<body>\n";
 }
 
-std::string list_and_tail(std::span<const DrawingItem> items) {
+std::string list_and_tail(std::span<const DrawingItem> items, const HtmlOptions& options) {
   Buffer rows;
   for (const DrawingItem& item : items) append_row(rows, item);
-  return kListHead + fmt::to_string(rows) + kListTail + kScript + kTail;
+  return kListHead + fmt::to_string(rows) + kListTail + kScript + (options.live ? kLive : "") +
+         kTail;
 }
 
 }  // namespace burin::html

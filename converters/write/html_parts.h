@@ -2,6 +2,7 @@
 // What pages of HTML are put together from; internal to the room.
 
 #include <burin/base/run_context.h>
+#include <burin/converters/write.h>
 #include <burin/drawing/drawing.h>
 #include <burin/drawing/format_options.h>
 
@@ -19,6 +20,6 @@ std::string inline_svg(const Drawing& drawing, SvgOptions svg, const RunContext&
 std::string head(const std::string& title);
 
 /// The end of <main>, the parts list beside it, and all that follows.
-std::string list_and_tail(std::span<const DrawingItem> items);
+std::string list_and_tail(std::span<const DrawingItem> items, const HtmlOptions& options = {});
 
 }  // namespace burin::html

@@ -1,4 +1,5 @@
 #include "models.h"
+#include "pages.h"
 
 #include <chrono>
 #include <filesystem>
@@ -107,6 +108,50 @@ TEST_F(Watch, AFaultyFileIsToldAndWatchingGoesOn) {
   ASSERT_TRUE(drawn(2));
   EXPECT_EQ(out(), fresh(box_));
   expect_clean_end();
+}
+
+TEST_F(Watch, PagesLearnOfEachDrawing) {
+  const std::string page = folder_ / "out.html", live = page + ".live.js";
+  watch({box_, "-o", page});
+  ASSERT_TRUE(drawn(1));
+  EXPECT_NE(slurp(page).find(".live.js"), std::string::npos);
+  const std::string first = slurp(live);
+  EXPECT_TRUE(first.starts_with("burin_drawn(")) << first;
+  folder_.write("box.off", cube(10));
+  ASSERT_TRUE(drawn(2));
+  EXPECT_NE(slurp(live), first);
+  expect_clean_end();
+  EXPECT_FALSE(fs::exists(live));
+  // A page that nobody draws anew does not ask.
+  test::Folder apart;
+  test::Command draw(apart, {"draw", box_, "-o", apart / "one.html"});
+  EXPECT_EQ(draw.wait(), 0);
+  EXPECT_EQ(slurp(apart / "one.html").find(".live.js"), std::string::npos);
+}
+
+/// A page whose drawing is another each time that it asks, until it was loaded three times.
+TEST_F(Watch, PagesLoadThemselvesAnew) {
+  if (!test::has_chromium()) GTEST_SKIP() << "chromium is not installed";
+  watch({box_, "-o", folder_ / "out.html"});
+  ASSERT_TRUE(drawn(1));
+  std::string page = slurp(folder_ / "out.html");
+  expect_clean_end();
+  const std::string count =
+      "<script>const loads = 1 + Number(sessionStorage.getItem('loads'));"
+      "sessionStorage.setItem('loads', loads); document.body.insertAdjacentHTML('beforeend', "
+      "`<pre>${loads}</pre>`);</script>";
+  page.replace(page.find("</main>"), 0, count);
+  folder_.write("p.html", page);
+  folder_.write("p.html.live.js",
+                "window.times = (window.times || 0) + 1;\n"
+                "if (sessionStorage.getItem('loads') < 3) burin_drawn(times);\n");
+  const std::string command =
+      "timeout 60 chromium --headless=new --no-sandbox --disable-gpu --user-data-dir=" +
+      (folder_ / "profile") + " --virtual-time-budget=2500 --dump-dom file://" +
+      (folder_ / "p.html") + " > " + (folder_ / "dom") + " 2> " + (folder_ / "said");
+  ASSERT_EQ(std::system(command.c_str()), 0) << slurp(folder_ / "said");
+  const std::string dom = slurp(folder_ / "dom");
+  EXPECT_NE(dom.find("<pre>3</pre>"), std::string::npos) << dom.substr(0, 2000);
 }
 
 TEST_F(Watch, SeesStylesAndMotifs) {

@@ -43,12 +43,18 @@ std::vector<std::string> format_names();
 /// each.
 std::string format_list(std::string_view before = ".");
 
+struct HtmlOptions {
+  /// Whether the page loads itself anew when `note_drawn` says so.
+  bool live = false;
+};
+
 /// What the formats leave open.
 struct WriteOptions {
   SvgOptions svg;
   JsonOptions json;
   PngOptions png;
   DxfOptions dxf;
+  HtmlOptions html;
   DeclaredValues formats;
   /// Called now and then by the thread that writes, with the share that is done.
   std::function<void(double)> progress;
