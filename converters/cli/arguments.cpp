@@ -221,12 +221,16 @@ CLI::App* add_steps(CLI::App& app, StepsArguments& a, Chatter& chatter) {
 }
 
 CLI::App* add_convert(CLI::App& app, ConvertArguments& a, Chatter& chatter) {
-  CLI::App* convert = app.add_subcommand("convert", "write a drawing file in other formats");
-  text(*convert, "DRAWING", a.input, "", kFiles,
-       "drawing file (.json) of burin draw or of another program");
+  CLI::App* convert = app.add_subcommand(
+      "convert", "write a drawing file, or what an OpenSCAD file makes, in other formats");
+  text(*convert, "INPUT", a.input, "", kFiles,
+       "drawing file (.json) of burin draw or of another program;\nor an OpenSCAD file (.scad, "
+       ".csg), whose solid is written\nas .stl, .off or .3mf");
   list(*convert, "-o,--output", a.outputs, "FILE", kFiles, output_help("file"));
   text(*convert, "--format", a.format, "FORMAT", kFiles, format_help());
-  add_request(*convert, find_option(all_options(), "id_prefix"), a.options);
+  for (const char* name : {"define", "csg", "openscad_timeout", "id_prefix"}) {
+    add_request(*convert, find_option(all_options(), name), a.options);
+  }
   list(*convert, "--set", a.set, "KEY=VALUE", kLook,
        "change a key of a format (svg. png. dxf. json. line.dash\n"
        "line.gap); repeatable; see burin styles --keys");
@@ -235,7 +239,8 @@ CLI::App* add_convert(CLI::App& app, ConvertArguments& a, Chatter& chatter) {
   convert->footer(
       "\nExamples:\n"
       "  burin convert pump.json -o pump.pdf -o pump.dxf\n"
-      "  burin convert pump.json -o pump.png --set png.dpi=600 --set png.background=transparent\n\n"
+      "  burin convert pump.json -o pump.png --set png.dpi=600 --set png.background=transparent\n"
+      "  burin convert bracket.scad -o bracket.3mf -D '$fn=96'\n\n"
       "Exit status: that of burin draw.");
   return convert;
 }

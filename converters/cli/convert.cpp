@@ -2,13 +2,22 @@
 
 #include <burin/base/error.h>
 #include <burin/base/parallel.h>
+#include <burin/converters/mesh_writer.h>
+#include <burin/converters/messages.h>
+#include <burin/converters/openscad_reader.h>
+#include <burin/converters/read.h>
 #include <burin/converters/read_drawing.h>
 #include <burin/converters/values.h>
 #include <burin/illustrate/style.h>
 
 #include "outputs.h"
+#include "signals.h"
 
 #include <fmt/format.h>
+
+#include <filesystem>
+#include <ostream>
+#include <utility>
 
 namespace burin::cli {
 namespace {
@@ -36,15 +45,53 @@ T asked(const ConvertArguments& a, const std::string& name, T absent) {
   return value ? std::get<T>(*value) : absent;
 }
 
+/// Solids of OpenSCAD files as mesh files.
+void convert_solid(const ConvertArguments& arguments, RunContext& context, Console& console) {
+  std::vector<std::pair<Output, const MeshWriter*>> outputs;
+  for (const std::string& name : arguments.outputs) {
+    const std::string suffix = std::filesystem::path(name).extension().string();
+    const std::string format = !arguments.format.empty() ? arguments.format
+                               : suffix.empty()          ? suffix
+                                                         : suffix.substr(1);
+    const MeshWriter* writer = mesh_writer_named(format);
+    if (!writer) {
+      throw UsageError(
+          fmt::format("'{}': solids of OpenSCAD files are written as .stl, .off or "
+                      ".3mf; burin draw makes drawings of them",
+                      name));
+    }
+    if (same_file(name, arguments.input)) {
+      throw UsageError(fmt::format("{}: is also an input; give the output another name", name));
+    }
+    outputs.emplace_back(Output(name, *format_named("json")), writer);
+    outputs.back().first.probe();
+  }
+  const ReadOptions read = make_read_options(arguments.options, Spelling::Options);
+  check_inputs({arguments.input});
+  context.begin_stage(RunStage::Read);
+  const OpenscadMesh made =
+      openscad_mesh(arguments.input, {read.defines, read.openscad_timeout, read.csg}, context);
+  context.begin_stage(RunStage::Write);
+  for (auto& one : outputs) {
+    one.first.write([&](std::ostream& out) { one.second->write(made.mesh, out, context); });
+  }
+  signals::finish();
+  for (auto& one : outputs) one.first.commit();
+  context.end_stage();
+  console.diagnostics(at_door(made.diagnostics, Spelling::Options));
+}
+
 }  // namespace
 
 void run_convert(const ConvertArguments& arguments, RunContext& context, Console& console) {
   if (arguments.input.empty()) {
-    throw UsageError("no input; name a drawing file: burin convert DRAWING.json -o OUT");
+    throw UsageError(
+        "no input; name a drawing file, or an OpenSCAD file: burin convert DRAWING.json -o OUT");
   }
   if (arguments.outputs.empty()) {
     throw UsageError("no output; name one: burin convert DRAWING.json -o OUT.pdf");
   }
+  if (is_openscad_suffix(arguments.input)) return convert_solid(arguments, context, console);
   const Style style = make_style(arguments.set);
   const ThreadLimit limit(static_cast<int>(asked(arguments, "threads", std::uint64_t{0})));
   std::vector<Output> outputs =

@@ -39,6 +39,8 @@ void* library_door(const char* file, const char* door, const LibraryWords& words
   return found;
 }
 
+std::string program_beside(const char* file) { return beside_libburin(file).string(); }
+
 void check_library_version(const char* file, const char* found, const LibraryWords& words) {
   if (std::strcmp(found, version()) == 0) return;
   fail(words, fmt::format("{} is version {}, this program is version {}",

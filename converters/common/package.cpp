@@ -1,5 +1,7 @@
 #include "package.h"
 
+#include <burin/base/error.h>
+
 #include <fmt/format.h>
 #include <unistd.h>
 #include <zip.h>
@@ -15,6 +17,8 @@ constexpr double kLargestRatio = 200;
 constexpr std::size_t kHarmless = std::size_t{16} << 20;
 // A parsed document takes several times the bytes of its text.
 constexpr std::size_t kShareOfMemory = 8;
+// The first day that the format knows, 1980-01-01.
+constexpr zip_uint16_t kDate = (1 << 5) | 1;
 
 std::size_t largest_member() {
   const long pages = ::sysconf(_SC_PHYS_PAGES), page = ::sysconf(_SC_PAGESIZE);
@@ -115,6 +119,40 @@ std::string Package::read(const std::string& name) const {
   char more = 0;  // reading on to the end makes libzip compare the checksum
   if (zip_fread(member.get(), &more, 1) != 0) fail("its checksum or size is wrong");
   return bytes;
+}
+
+std::string zip_archive(const std::vector<std::pair<std::string, std::string>>& members) {
+  zip_error_t error;
+  zip_error_init(&error);
+  zip_source_t* whole = zip_source_buffer_create(nullptr, 0, 0, &error);
+  const auto fail = [&](const char* why) {
+    throw OutputError(fmt::format("no zip archive can be made: {}", why));
+  };
+  if (whole == nullptr) fail(zip_error_strerror(&error));
+  std::unique_ptr<zip_t, CloseArchive> archive(
+      zip_open_from_source(whole, ZIP_CREATE | ZIP_TRUNCATE, &error));
+  if (!archive) fail(zip_error_strerror(&error));
+  zip_source_keep(whole);  // it outlives the archive, to be read
+  for (const auto& [name, bytes] : members) {
+    zip_source_t* source = zip_source_buffer(archive.get(), bytes.data(), bytes.size(), 0);
+    const zip_int64_t at = zip_file_add(archive.get(), name.c_str(), source, ZIP_FL_ENC_UTF_8);
+    if (at < 0) fail(zip_strerror(archive.get()));
+    zip_file_set_dostime(archive.get(), static_cast<zip_uint64_t>(at), 0, kDate, 0);
+  }
+  if (zip_close(archive.get()) != 0) fail(zip_strerror(archive.get()));
+  static_cast<void>(archive.release());
+  std::string out;
+  zip_stat_t info;
+  zip_stat_init(&info);
+  if (zip_source_stat(whole, &info) == 0 && zip_source_open(whole) == 0) {
+    out.resize(info.size);
+    const zip_int64_t read = zip_source_read(whole, out.data(), out.size());
+    out.resize(read < 0 ? 0 : static_cast<std::size_t>(read));
+    zip_source_close(whole);
+  }
+  zip_source_free(whole);
+  if (out.empty()) fail("it cannot be read back");
+  return out;
 }
 
 }  // namespace burin

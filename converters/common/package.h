@@ -7,6 +7,7 @@
 #include <memory>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace burin {
@@ -35,5 +36,9 @@ class Package {
   std::string kind_;
   std::unique_ptr<Impl> impl_;
 };
+
+/// An archive of members, (name, bytes), packed; the same bytes for the same members. Throws
+/// OutputError.
+std::string zip_archive(const std::vector<std::pair<std::string, std::string>>& members);
 
 }  // namespace burin

@@ -15,4 +15,21 @@ void measure_triangles(const TriMesh& mesh, PartInfo& info) {
   info.volume = info.closed() ? volume : 0;
 }
 
+PartInfo measure_realised_part(const Part& part, Diagnostics& diagnostics, RunContext& context) {
+  constexpr double kChord = 1e-4;  // of the size
+  PartInfo info;
+  info.name = part.name;
+  info.color = part.color;
+  info.bounds = part.form->bounds(Mat3(1));
+  RealiseOptions realise;
+  realise.tolerance = kChord * info.bounds.diagonal();
+  realise.diagnostics = &diagnostics;
+  const auto surface = part.form->realise(realise, context);
+  const ProxyMesh& proxy = surface->proxy();
+  info.components = static_cast<std::int64_t>(proxy.topology.component_closed.size());
+  info.faces = proxy.region_count;
+  measure_triangles(proxy.mesh, info);
+  return info;
+}
+
 }  // namespace burin

@@ -36,14 +36,19 @@ void heal_parts(Scene& scene, const RunContext& context) {
                                         part.name));
       continue;
     }
-    const RecognisedFaces faces = healed->faces();
-    if (faces.total() == 0) continue;
-    scene.diagnostics.add(Severity::Info, "mesh.healed", faces.total(),
-                          fmt::format("{}: facets are drawn as the round surfaces that they stand "
-                                      "for: {}",
-                                      part.name, told(faces)));
+    if (healed->faces().total() == 0) continue;
+    tell_round_faces(healed->faces(), part.name, scene.diagnostics);
     part.form = std::move(healed);
   }
+}
+
+void tell_round_faces(const RecognisedFaces& faces, const std::string& name,
+                      Diagnostics& diagnostics) {
+  if (faces.total() == 0) return;
+  diagnostics.add(
+      Severity::Info, "mesh.healed", faces.total(),
+      fmt::format("{}: facets are drawn as the round surfaces that they stand for: {}", name,
+                  told(faces)));
 }
 
 }  // namespace burin

@@ -34,12 +34,15 @@ FileInfo inspect_mesh(const std::filesystem::path& path, const RunContext& conte
   const Scene scene = repair_parts(std::move(file), path, context);
   info.diagnostics = scene.diagnostics;
   for (const Part& part : scene.parts) info.parts.push_back(measure_mesh_part(part, context));
-  const std::int64_t crossings = info.total().self_intersections.value_or(0);
-  if (crossings > 0) {
-    info.diagnostics.add(Severity::Warning, "mesh.self_intersections", crossings,
-                         "pairs of triangles cross each other; they are drawn as they are");
-  }
+  tell_self_intersections(info);
   return info;
+}
+
+void tell_self_intersections(FileInfo& info) {
+  const std::int64_t crossings = info.total().self_intersections.value_or(0);
+  if (crossings == 0) return;
+  info.diagnostics.add(Severity::Warning, "mesh.self_intersections", crossings,
+                       "pairs of triangles cross each other; they are drawn as they are");
 }
 
 }  // namespace burin

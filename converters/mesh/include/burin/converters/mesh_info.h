@@ -15,5 +15,7 @@ FileInfo inspect_mesh(const std::filesystem::path& path, const RunContext& conte
 
 /// Counts and measures of a part that `repair_parts` made.
 PartInfo measure_mesh_part(const Part& part, const RunContext& context);
+/// Adds the diagnostic of parts whose triangles cross each other.
+void tell_self_intersections(FileInfo& info);
 
 }  // namespace burin

@@ -4,6 +4,7 @@
 #include <burin/base/diagnostics.h>
 #include <burin/base/run_context.h>
 #include <burin/forms/mesh/texture_map.h>
+#include <burin/forms/recognised/recognised_form.h>
 #include <burin/mesh/tri_mesh.h>
 #include <burin/surface/scene.h>
 
@@ -46,5 +47,8 @@ Scene read_mesh(const std::filesystem::path& path, const RunContext& context);
 /// Recognises the round surfaces that the facets of mesh parts stand for (kernel/docs/openscad.md);
 /// what was found becomes a diagnostic, and what was not leaves its part as it is.
 void heal_parts(Scene& scene, const RunContext& context);
+/// The diagnostic "mesh.healed", where there are any.
+void tell_round_faces(const RecognisedFaces& faces, const std::string& name,
+                      Diagnostics& diagnostics);
 
 }  // namespace burin
