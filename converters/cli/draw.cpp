@@ -89,9 +89,9 @@ void run_draw(const DrawArguments& arguments, RunContext& context, Console& cons
   DrawPlan plan = plan_of(arguments, illustration);
   WriteOptions options = write_options(plan.style);
   options.svg.id_prefix = plan.id_prefix;
+  options.html.live = kept != nullptr;
   std::vector<Output> outputs =
       make_outputs(arguments.outputs, arguments.format, sources_of(arguments, illustration, read));
-  note_unwritten(arguments, outputs, plan);
   check_lists(plan, outputs, sources_of(arguments, illustration, read));
   if (!illustration) check_inputs(arguments.inputs);
   for (const Output& output : outputs) {
@@ -102,6 +102,8 @@ void run_draw(const DrawArguments& arguments, RunContext& context, Console& cons
   const ThreadLimit limit(plan.threads);
   Scene scene = illustration ? read_scene(*illustration, context)
                              : read_models(arguments, plan, context, kept);
+  if (!illustration) follow_files(scene, arguments, plan);
+  note_unwritten(arguments, outputs, plan);
   for (const Output& output : outputs) plan.items |= output.format().lists_items;
   arrange_parts(scene, plan, context);
   const SheetOfViews sheet = plan_sheet(scene, plan);

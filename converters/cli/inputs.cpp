@@ -58,4 +58,9 @@ DrawPlan plan_of(const DrawArguments& arguments, const std::optional<Illustratio
   return plan;
 }
 
+void follow_files(const Scene& scene, const DrawArguments& arguments, DrawPlan& plan) {
+  if (scene.settings.empty()) return;
+  plan = make_plan(with_settings(scene, arguments.request), Spelling::Options);
+}
+
 }  // namespace burin::cli

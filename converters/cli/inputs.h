@@ -23,5 +23,7 @@ std::vector<std::string> sources_of(const DrawArguments& a,
 
 /// What the words ask, over what the illustration says. Throws UsageError, InputError.
 DrawPlan plan_of(const DrawArguments& arguments, const std::optional<Illustration>& illustration);
+/// Makes the plan anew where the files that were read say something of the drawing.
+void follow_files(const Scene& scene, const DrawArguments& arguments, DrawPlan& plan);
 
 }  // namespace burin::cli

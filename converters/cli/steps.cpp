@@ -47,6 +47,7 @@ void run_steps(const StepsArguments& arguments, RunContext& context, Console& co
   const ThreadLimit limit(plan.threads);
   Scene scene = illustration ? read_scene(*illustration, context)
                              : read_scene(draw.inputs, plan.read, context);
+  if (!illustration) follow_files(scene, draw, plan);
   const Book book = draw_book(scene, plan, build, context);
   context.begin_stage(RunStage::Write);
   std::vector<Output> files = write_book(book, draw.outputs, options, context);

@@ -41,23 +41,11 @@ Scene read_implicit_text(std::string_view text, const std::string& file,
 
 FileInfo inspect_implicit(const std::filesystem::path& path, const ImplicitReadOptions& options,
                           RunContext& context) {
-  constexpr double kChord = 1e-4;  // of the size
   const Scene scene = read_implicit(path, options, context);
   FileInfo info;
   info.file = path.string();
   info.format = "implicit function";
-  PartInfo part;
-  part.name = scene.parts.front().name;
-  part.bounds = scene.parts.front().form->bounds(Mat3(1));
-  RealiseOptions realise;
-  realise.tolerance = kChord * part.bounds.diagonal();
-  realise.diagnostics = &info.diagnostics;
-  const auto surface = scene.parts.front().form->realise(realise, context);
-  const ProxyMesh& proxy = surface->proxy();
-  part.components = static_cast<std::int64_t>(proxy.topology.component_closed.size());
-  part.faces = proxy.region_count;
-  measure_triangles(proxy.mesh, part);
-  info.parts.push_back(std::move(part));
+  info.parts.push_back(measure_realised_part(scene.parts.front(), info.diagnostics, context));
   return info;
 }
 

@@ -70,7 +70,7 @@ PyBook steps(const py::object& source, std::size_t new_items, const py::kwargs& 
   PyBook book;
   run(call.with.progress, cancel_flag(call.with.cancel), [&](RunContext& context) {
     const ThreadLimit limit(plan.threads);
-    Scene scene = call.from.get(plan.read, context);
+    Scene scene = call.read(context);
     book.book = draw_book(scene, plan, {new_items}, context);
   });
   book.style = plan.style;

@@ -96,12 +96,26 @@ PySession* With::python_session() const {
 }
 
 Call::Call(const py::object& source, const py::kwargs& keywords) : from(source) {
-  plan = make_plan(request_of(from, keywords, with), Spelling::Keywords);
+  request_ = request_of(from, keywords, with);
+  plan = make_plan(request_, Spelling::Keywords);
   plan.illustrate.field = python_field(with.field);
   plan.illustrate.tone = python_tone(with.tone);
   if (!with.field.is_none()) plan.about_strokes.emplace_back("argument field");
   if (!with.tone.is_none()) plan.about_strokes.emplace_back("argument tone");
   if (from.is_scene()) plan.illustrate.part_styles = from.part_styles();
+}
+
+Scene Call::read(RunContext& context) {
+  Scene scene = from.get(plan.read, context);
+  if (from.illustration() || scene.settings.empty()) return scene;
+  DrawPlan again = make_plan(with_settings(scene, request_), Spelling::Keywords);
+  again.illustrate.field = std::move(plan.illustrate.field);
+  again.illustrate.tone = std::move(plan.illustrate.tone);
+  again.illustrate.part_styles = std::move(plan.illustrate.part_styles);
+  again.about_strokes = std::move(plan.about_strokes);
+  again.items = plan.items;
+  plan = std::move(again);
+  return scene;
 }
 
 }  // namespace burin::python

@@ -63,6 +63,13 @@ struct Call {
   /// Keywords over what `illustration=` says, and that over the source's own. Throws UsageError
   /// that names the keyword, TypeError.
   Call(const py::object& source, const py::kwargs& keywords);
+
+  /// The scene, once, in the run; the plan follows what its files say of the drawing, below all
+  /// that the call says. Throws InputError.
+  Scene read(RunContext& context);
+
+ private:
+  DrawRequest request_;
 };
 
 }  // namespace burin::python

@@ -40,7 +40,7 @@ DrawingOwner draw(const py::object& source, const py::kwargs& keywords) {
   }
   run(call.with.progress, flag, [&](RunContext& context) {
     const ThreadLimit limit(plan.threads);
-    Scene scene = call.from.get(plan.read, context);
+    Scene scene = call.read(context);
     arrange_parts(scene, plan, context);
     const SheetOfViews sheet = plan_sheet(scene, plan);
     result->drawing =
@@ -71,7 +71,7 @@ py::dict explode_steps(const py::object& source, const py::kwargs& keywords) {
   std::vector<Explode::Step> steps;
   run(call.with.progress, cancel_flag(call.with.cancel), [&](RunContext& context) {
     const ThreadLimit limit(plan.threads);
-    scene = call.from.get(plan.read, context);
+    scene = call.read(context);
     select_parts(scene, plan);
     steps = burin::explode_steps(scene, plan, context);
   });
@@ -89,7 +89,7 @@ py::list items(const py::object& source, const py::kwargs& keywords) {
   plan.items = true;
   run(call.with.progress, cancel_flag(call.with.cancel), [&](RunContext& context) {
     const ThreadLimit limit(plan.threads);
-    Scene scene = call.from.get(plan.read, context);
+    Scene scene = call.read(context);
     select_parts(scene, plan);
     number_parts(scene, plan, context);
   });

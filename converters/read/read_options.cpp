@@ -56,6 +56,30 @@ std::vector<ReadRow> file_rows() {
         number_to([](ReadOptions& o) -> double& { return o.openscad_timeout; })},
        OpenscadFiles,
        "OpenSCAD files"},
+      {{{.option = {.name = "csg",
+                    .meaning =
+                        "who makes solids of an OpenSCAD program's tree: auto takes OpenSCAD where "
+                        "Burin cannot, which makes one part of it (default auto)",
+                    .takes = WordList{{"auto", "burin", "openscad"}}},
+         .group = kFiles,
+         .label = "auto|burin|openscad"},
+        [](ReadOptions& o, const Asked& a) {
+          o.csg = static_cast<CsgBy>(std::get<std::uint64_t>(a.value));
+        }},
+       OpenscadFiles,
+       "OpenSCAD files"},
+      {{{.option = {.name = "as_",
+                    .meaning =
+                        "make solids of an OpenSCAD program's tree, or implicit functions, which "
+                        "know the true surfaces of its primitives alone (default solid)",
+                    .takes = WordList{{"solid", "implicit"}}},
+         .group = kFiles,
+         .label = "solid|implicit"},
+        [](ReadOptions& o, const Asked& a) {
+          o.as_implicit = std::get<std::uint64_t>(a.value) == 1;
+        }},
+       OpenscadFiles,
+       "OpenSCAD files"},
       {{{.option =
              {.name = "object",
               .meaning =

@@ -68,6 +68,8 @@ Scene read_scene(const std::vector<std::string>& paths, const ReadOptions& optio
     Scene one = read_one(paths[i], *readers.back(), options, paths.size() > 1, context);
     scene.parts.insert(scene.parts.end(), std::make_move_iterator(one.parts.begin()),
                        std::make_move_iterator(one.parts.end()));
+    scene.settings.insert(scene.settings.end(), std::make_move_iterator(one.settings.begin()),
+                          std::make_move_iterator(one.settings.end()));
     scene.diagnostics.append(one.diagnostics);
     context.progress(static_cast<double>(i + 1) / static_cast<double>(paths.size()));
   }

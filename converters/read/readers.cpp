@@ -66,15 +66,15 @@ const Reader kImplicit{"IMPLICIT",
                        },
                        Functions};
 
-OpenscadOptions openscad_options(const ReadOptions& o) { return {o.defines, o.openscad_timeout}; }
+OpenscadOptions openscad_options(const ReadOptions& o) {
+  return {o.defines, o.openscad_timeout, o.csg, o.heal.value_or(true), o.as_implicit};
+}
 
 const Reader kOpenscad{"OpenSCAD",
                        nullptr,
                        is_openscad_suffix,
                        [](const Path& path, const ReadOptions& o, RunContext& c) {
-                         Scene scene = read_openscad(path, openscad_options(o), c);
-                         if (o.heal.value_or(true)) heal_parts(scene, c);
-                         return scene;
+                         return read_openscad(path, openscad_options(o), c);
                        },
                        [](const Path& path, const ReadOptions& o, RunContext& c) {
                          return inspect_openscad(path, openscad_options(o), c);

@@ -117,7 +117,7 @@ TEST_F(OpenscadTest, CrashesFloodsAndRubbishAreToldInOneLine) {
   expect_error("(exit status 7): nonsense");
   use_script("exit 0\n");
   EXPECT_EQ(draw("cube(1);"), 3);
-  expect_error("made no mesh");
+  expect_error("made nothing of it");
   use_script("head -c 300 /dev/zero >/dev/fd/3\n");
   EXPECT_EQ(draw("cube(1);"), 3);
   expect_error("m.scad: what OpenSCAD made of it: 300 bytes that are no whole STL");
@@ -211,6 +211,8 @@ TEST_F(RealOpenscadTest, NamesOfFilesAndFoldersMayBeOdd) {
 
 TEST_F(RealOpenscadTest, AMeshWithoutTrianglesIsTold) {
   EXPECT_EQ(draw("scale(1e300) cube(2);"), 3);
+  expect_error("m.scad: no triangle with an area is left");
+  EXPECT_EQ(draw("scale(1e300) cube(2);", "--csg openscad"), 3);
   expect_error("m.scad: what OpenSCAD made of it: an STL without triangles");
   EXPECT_EQ(err_.find("suffix"), std::string::npos) << err_;
 }

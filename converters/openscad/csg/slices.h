@@ -14,6 +14,6 @@ struct Extrusion {
 };
 
 /// One where the walls are flat or follow straight lines. A double: it may be beyond any memory.
-double slices_of(const Node& node, const Extrusion& extrusion, const Region& region);
+double slices_of(const Node& node, const Extrusion& x, const Region& region);
 
 }  // namespace burin::csg

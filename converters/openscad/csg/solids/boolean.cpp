@@ -141,8 +141,8 @@ class Combiner {
       auto& list = work.sheet.meetings;
       const auto key = [](const Meeting& m) { return std::minmax(m.a, m.b); };
       std::ranges::sort(list, {}, key);
-      const auto [from, to] = std::ranges::unique(list, {}, key);
-      list.erase(from, to);
+      const auto same = [&](const Meeting& m, const Meeting& n) { return key(m) == key(n); };
+      list.erase(std::unique(list.begin(), list.end(), same), list.end());
     }
   }
 

@@ -166,6 +166,7 @@ class Evaluator {
       case Module::Polyhedron:
         return leaf(primitive(e_, n), n);
       case Module::Import:
+        return imported(n);
       case Module::Surface:
         return leaf(file_solid(e_, n), n);
       case Module::LinearExtrude:
@@ -190,6 +191,13 @@ class Evaluator {
 
   /// From a file or a list of points: it may be open, or cut itself.
   ShapeId leaf(Solid solid, std::uint32_t n) { return shapes_.leaf(std::move(solid), n); }
+
+  /// Objects of a file may lie in each other.
+  ShapeId imported(std::uint32_t n) {
+    std::vector<ShapeId> objects;
+    for (Solid& object : file_solids(e_, n)) objects.push_back(leaf(std::move(object), n));
+    return shapes_.united(std::move(objects));
+  }
 
   void say_left_out() {
     auto& list = shapes_.left_out;
@@ -223,7 +231,9 @@ class Evaluator {
   ShapeId extrusion(std::uint32_t n) {
     const std::vector<Region> below = regions(n);
     const Region region = combine_regions(e_, n, below);
-    return region.empty() ? kNothing : shapes_.leaf(extruded(e_, n, region));
+    // What an extrusion of old reads from a file is none of its children.
+    const bool from_file = !e_.tree.nodes[n].text("file").empty();
+    return region.empty() && !from_file ? kNothing : shapes_.leaf(extruded(e_, n, region));
   }
 
   ShapeId hull(std::uint32_t n) {

@@ -9,7 +9,7 @@ namespace burin::csg {
 
 /// cube, sphere, cylinder, polyhedron: tessellated as OpenSCAD does, empty where it makes nothing
 /// of them. Throws InputError for a circle of too many corners.
-Solid primitive(Evaluation& e, std::uint32_t node);
+Solid primitive(Evaluation& e, std::uint32_t at);
 
 /// Under a matrix; nothing where it keeps circles from being circles about one axis.
 std::optional<Turned> moved(const Turned& turned, const Matrix& m);

@@ -33,10 +33,10 @@ class Shapes {
 
   /// Works a shape out. A single leaf stays as it is, unless it is to be freed of cuts through
   /// itself and corners in one place (`clean`). Throws GeometryError where that cannot be done.
-  Solid solid(ShapeId shape, RunContext& context, const std::function<void(double)>& share,
+  Solid solid(ShapeId root, RunContext& context, const std::function<void(double)>& share,
               bool clean = false);
   /// All corners of the leaves of a shape of unions alone; of others of what it works out to.
-  std::vector<Vec3> points(ShapeId shape, RunContext& context);
+  std::vector<Vec3> points(ShapeId root, RunContext& context);
   /// The nodes of open leaves that something was to be cut by or united with: they were left out.
   std::vector<std::uint32_t> left_out;
   /// How many nodes of cuts stand within each other.

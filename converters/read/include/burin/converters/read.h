@@ -5,6 +5,7 @@
 #include <burin/base/box.h>
 #include <burin/base/run_context.h>
 #include <burin/converters/file_info.h>
+#include <burin/converters/openscad_reader.h>
 #include <burin/converters/volume_reader.h>
 #include <burin/forms/implicit/implicit_form.h>
 #include <burin/options/declared.h>
@@ -27,6 +28,9 @@ struct ReadOptions {
   /// OpenSCAD files: definitions `NAME=VALUE`, and the seconds after which OpenSCAD is ended.
   std::vector<std::string> defines = {};
   double openscad_timeout = 300;
+  CsgBy csg = CsgBy::Auto;
+  /// OpenSCAD files: implicit functions instead of solids.
+  bool as_implicit = false;
   /// FreeCAD documents: names or labels of the objects to draw (none: all that are visible);
   /// whether FreeCAD recomputes a copy first, and the seconds after which it is ended.
   std::vector<std::string> objects = {};

@@ -1,0 +1,183 @@
+// Parts of OpenSCAD programs, evaluated by Burin, and what burin.scad says of them.
+
+#include "models.h"
+
+#include <nlohmann/json.hpp>
+
+#include <cmath>
+#include <numbers>
+
+namespace burin::test {
+namespace {
+
+using Json = nlohmann::json;
+
+class OpenscadParts : public CliTest {
+ protected:
+  void SetUp() override {
+    CliTest::SetUp();
+    if (std::system("command -v openscad >/dev/null") != 0) {
+      GTEST_SKIP() << "openscad is not installed";
+    }
+    std::filesystem::copy(std::string(BURIN_SOURCE_DIR) + "/samples/openscad/burin.scad",
+                          folder_ / "burin.scad");
+  }
+  Json parts_of(const std::string& model, const std::string& options = "") {
+    folder_.write("m.scad", model);
+    EXPECT_EQ(run("info @/m.scad --json " + options), 0) << err_;
+    return Json::parse(out_)["files"][0]["parts"];
+  }
+  static std::vector<std::string> names(const Json& parts) {
+    std::vector<std::string> out;
+    for (const Json& part : parts) out.push_back(part["name"]);
+    return out;
+  }
+  std::string drawn(const std::string& options) {
+    EXPECT_EQ(run("draw @/m.scad -o @/m.svg --no-progress " + options), 0) << err_;
+    return slurp(folder_ / "m.svg");
+  }
+  Json drawing(const std::string& options) {
+    EXPECT_EQ(run("draw @/m.scad -o @/m.json --no-progress " + options), 0) << err_;
+    return Json::parse(slurp(folder_ / "m.json"));
+  }
+};
+
+using Names = std::vector<std::string>;
+
+TEST_F(OpenscadParts, ObjectsAtTheTopByTheirModules) {
+  const Json parts = parts_of(
+      "module arm() { cube([10, 2, 2]); translate([0, 0, 2]) cylinder(r = 1, h = 3, $fn = 24); }\n"
+      "arm();\ntranslate([0, 20, 0]) rotate(30) color(\"red\") arm();\nsphere(2);");
+  EXPECT_EQ(names(parts), (Names{"arm", "arm #2", "m"}));
+  EXPECT_EQ(parts[1]["color"], "#ff0000");
+  EXPECT_NEAR(parts[1]["volume"].get<double>(), parts[0]["volume"].get<double>(), 1e-4);
+}
+
+TEST_F(OpenscadParts, WhoeverMakesTheSolidsTheVolumeIsTheSame) {
+  const std::string model =
+      "difference() { cube(20, center = true); rotate([30, 10, 0]) cylinder(r = 6, h = 40, $fn = "
+      "48, "
+      "center = true); sphere(9, $fn = 40); }";
+  const double here = parts_of(model, "--csg burin")[0]["volume"];
+  const double there = parts_of(model, "--csg openscad")[0]["volume"];
+  EXPECT_NEAR(here, there, 1e-5 * there);
+}
+
+TEST_F(OpenscadParts, FacesKnowTheirPrimitives) {
+  // A prism of eight sides stays one, and so does a polygon of twelve that is called by nobody.
+  parts_of(
+      "difference() { cylinder(r = 10, h = 9, $fn = 64); translate([0, 0, -1]) cylinder(r = 4, h = "
+      "20, $fn = 8); "
+      "translate([6, 0, 9]) sphere(2, $fn = 40); }");
+  drawn("-v");
+  EXPECT_NE(err_.find("stand for: 1 cylinder, 1 sphere\n"), std::string::npos) << err_;
+  EXPECT_EQ(err_.find("by_openscad"), std::string::npos) << err_;
+}
+
+TEST_F(OpenscadParts, ModelsSayHowTheyAreDrawn) {
+  const std::string model =
+      "use <burin.scad>\nview(\"front\");\nexplode([0, 0, 30]) part(\"lid\") cube([10, 10, 2]);\n"
+      "callout(7) part(\"pot\") translate([0, 0, -9]) cube([10, 10, 9]);\n";
+  EXPECT_EQ(names(parts_of(model)), (Names{"lid", "pot"}));
+  const std::string front = drawn("");
+  EXPECT_EQ(front, drawn("--view front"));
+  EXPECT_NE(front, drawn("--view iso"));
+  const Json items = drawing("")["items"];
+  ASSERT_EQ(items.size(), 2U);
+  EXPECT_TRUE(items[0]["number"] == 7 || items[1]["number"] == 7) << items;
+  // Apart only where that is asked for, and then as the model says.
+  const auto height = [&](const std::string& options) {
+    double low = 1e9, high = -1e9;
+    const Json all = drawing("--scale 1 " + options);
+    for (const Json& layer : all["layers"]) {
+      if (layer["name"] == "callouts" || layer["name"] == "trail") continue;
+      for (const Json& path : layer["paths"]) {
+        for (const Json& point : path["points"]) {
+          low = std::min(low, point[1].get<double>());
+          high = std::max(high, point[1].get<double>());
+        }
+      }
+    }
+    return high - low;
+  };
+  EXPECT_NEAR(height(""), 11, 1e-3);
+  EXPECT_NEAR(height("--explode auto"), 41, 1e-3);
+}
+
+TEST_F(OpenscadParts, InkIsThatOfItsParts) {
+  folder_.write("m.scad",
+                "use <burin.scad>\nink(\"outline\") sphere(5, $fn = 48);\ntranslate([20, 0, 0]) "
+                "sphere(5, $fn = 48);");
+  const std::string one = drawn("--style engraving");
+  folder_.write("m.scad", "sphere(5, $fn = 48);\ntranslate([20, 0, 0]) sphere(5, $fn = 48);");
+  EXPECT_GT(drawn("--style engraving").size(), 1.5 * static_cast<double>(one.size()));
+}
+
+TEST_F(OpenscadParts, BurinScadIsHarmless) {
+  folder_.write("m.scad",
+                "use <burin.scad>\nview(\"front\");\npart(\"a\") difference() { part(\"b\") "
+                "cube(4); callout() cube(2); }");
+  ASSERT_EQ(
+      std::system(("cd " + folder_.path() + " && openscad -o m.off m.scad > said 2>&1").c_str()), 0)
+      << slurp(folder_ / "said");
+  EXPECT_EQ(slurp(folder_ / "said").find("WARNING"), std::string::npos) << slurp(folder_ / "said");
+  ASSERT_EQ(run("info @/m.off --json"), 0);
+  EXPECT_NEAR(Json::parse(out_)["files"][0]["parts"][0]["volume"].get<double>(), 56, 1e-9);
+}
+
+TEST_F(OpenscadParts, TreesAreImplicitFunctionsToo) {
+  const Json parts = parts_of(
+      "difference() { sphere(10); translate([0, 0, -20]) cylinder(r = 3, h = 40); }\n"
+      "translate([30, 0, 0]) rotate([0, 90, 0]) cylinder(r1 = 8, r2 = 0, h = 9);",
+      "--as implicit");
+  constexpr double kPi = std::numbers::pi;
+  const double cap = std::sqrt(91.);  // half the length of the hole
+  ASSERT_EQ(parts.size(), 2U);
+  EXPECT_NEAR(parts[0]["volume"].get<double>(), 4 * kPi / 3 * cap * cap * cap, 2);
+  EXPECT_NEAR(parts[1]["volume"].get<double>(), kPi * 64 * 9 / 3, 1);
+  folder_.write("m.scad", "cube(1); hull() { cube(1); sphere(2, $fn = 32); }");
+  EXPECT_EQ(run("draw @/m.scad -o @/m.svg --as implicit"), 3);
+  expect_error("hull() has no implicit function; draw the file without --as");
+}
+
+TEST_F(OpenscadParts, SolidsAsFiles) {
+  folder_.write("m.scad", "cube(10); translate([5, 5, 5]) cube(10);");
+  ASSERT_EQ(run("convert @/m.scad -o @/m.off -o @/m.stl -o @/m.3mf"), 0) << err_;
+  for (const char* name : {"m.off", "m.stl", "m.3mf"}) {
+    ASSERT_EQ(run(std::string("info @/") + name + " --json"), 0) << err_;
+    const Json part = Json::parse(out_)["files"][0]["parts"][0];
+    EXPECT_NEAR(part["volume"].get<double>(), 2000 - 125, 1e-3) << name;
+    EXPECT_EQ(part["boundary_edges"], 0) << name;
+  }
+  const std::string before = slurp(folder_ / "m.3mf");
+  ASSERT_EQ(run("convert @/m.scad -o @/m.3mf"), 0) << err_;
+  EXPECT_EQ(slurp(folder_ / "m.3mf"), before);
+  EXPECT_EQ(run("convert @/m.scad -o @/m.svg"), 2);
+  expect_error("are written as .stl, .off or .3mf; burin draw makes drawings");
+}
+
+TEST_F(OpenscadParts, NonsenseIsToldInOneLine) {
+  const auto refused = [&](const std::string& model, const std::string& what) {
+    folder_.write("m.scad", model);
+    EXPECT_EQ(run("draw @/m.scad -o @/m.svg"), 3) << model;
+    expect_error(what);
+  };
+  refused("hull();", "makes nothing of it");
+  refused("difference() { cube(0); cube(2); }", "makes nothing of it");
+  refused("cylinder(r = 1, h = 1, $fn = 1e9);", "corners");
+}
+
+TEST_F(OpenscadParts, ACancelEndsTheEvaluation) {
+  folder_.write("m.scad",
+                "difference() { sphere(100, $fn = 400); for (i = [0:60], j = [0:60]) translate([3 "
+                "* i - 90, 3 * j - 90, 0]) "
+                "cylinder(r = 1.2, h = 300, $fn = 40, center = true); }");
+  Command command(folder_, {"draw", folder_ / "m.scad", "-o", folder_ / "m.svg", "--no-progress"});
+  std::this_thread::sleep_for(std::chrono::milliseconds(1500));
+  command.signal(SIGINT);
+  EXPECT_EQ(command.wait(), 5);
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "m.svg"));
+}
+
+}  // namespace
+}  // namespace burin::test

@@ -1,0 +1,160 @@
+// Parts of trees, and what burin.scad says of them.
+
+#include "parts.h"
+
+#include <burin/base/error.h>
+
+#include "marks.h"
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <string>
+
+namespace burin::detail {
+namespace {
+
+using Json = nlohmann::json;
+
+struct Found {
+  csg::Tree tree;
+  TreeParts parts;
+  Diagnostics diagnostics;
+
+  explicit Found(const std::string& text, std::string_view program = "") {
+    RunContext context;
+    tree = csg::parse(text, "a.csg", context);
+    parts = parts_of(tree, program, "a", diagnostics);
+  }
+  std::vector<std::string> names() const {
+    std::vector<std::string> out;
+    for (const TreePart& p : parts.parts) out.push_back(p.name);
+    return out;
+  }
+  std::string text(std::size_t part, std::size_t piece = 0) const {
+    return std::string(tree.text_of(parts.parts[part].pieces[piece].node));
+  }
+};
+
+using Names = std::vector<std::string>;
+
+std::string point(double a, double b) {
+  return "[" + std::to_string(a) + ", " + std::to_string(b) + ", 0], ";
+}
+std::string said(const std::string& text) {
+  std::string out = point(3, static_cast<double>(text.size()));
+  for (const char c : text) out += point(c, 0);
+  return out;
+}
+std::string said(double number) { return point(2, number); }
+
+/// A call of burin.scad as it stands in a tree.
+std::string call(const std::string& what, const std::string& arguments, int count,
+                 const std::string& children) {
+  return "group() { group() { polyhedron(points = [[0.271828, 0.314159, 0.141421], " +
+         point(4, count + 1) + said(what) + arguments + "], faces = [], convexity = 1); } " +
+         (children.empty() ? "" : "group() { " + children + " }") + " }\n";
+}
+
+const std::string kMoved = "multmatrix([[1,0,0,9],[0,1,0,0],[0,0,1,0],[0,0,0,1]]) ";
+
+TEST(TreeParts, ObjectsAtTheTopAreParts) {
+  const Found found(kMoved + "{ group() { cube(); sphere(); } }\ngroup() { cube(); sphere(); }\n",
+                    "translate([9, 0, 0]) arm(); arm();");
+  EXPECT_EQ(found.names(), (Names{"arm", "arm #2"}));
+  // Where one stands is parted from what it is, so that equal ones are told to be.
+  EXPECT_EQ(found.text(0), found.text(1));
+  EXPECT_EQ(found.parts.parts[0].pieces[0].at.row[0][3], 9);
+  EXPECT_TRUE(found.parts.settings.empty());
+}
+
+TEST(TreeParts, ObjectsWithoutANameHaveThatOfTheFile) {
+  EXPECT_EQ(Found("cube();").names(), Names{"a"});
+  EXPECT_EQ(Found("cube(); sphere();").names(), (Names{"a", "a #2"}));
+  EXPECT_EQ(Found("group();\ngroup() { group(); }").names(), Names{});
+}
+
+TEST(TreeParts, ColoursPartWhatIsShownAsItIs) {
+  const Found found(
+      "group() { color([1, 0, 0, 1]) { cube(); color([0, 1, 0, 1]) { cube(); } }\n"
+      "color([1, 0, 0, 1]) { sphere(); } cylinder(); }");
+  ASSERT_EQ(found.parts.parts.size(), 2U);
+  EXPECT_EQ(found.parts.parts[0].color, "#ff0000");
+  EXPECT_EQ(found.parts.parts[0].pieces.size(), 2U);  // the outermost colour holds
+  EXPECT_EQ(found.parts.parts[1].color, "");
+  // Not within what makes one thing of its children.
+  const Found one(
+      "difference() { color([0, 0, 1, 1]) { cube(); } color([1, 0, 0, 1]) { sphere(); } }");
+  ASSERT_EQ(one.parts.parts.size(), 1U);
+  EXPECT_EQ(one.parts.parts[0].color, "#0000ff");
+}
+
+TEST(TreeParts, ModifiersShowThingsOfTheirOwn) {
+  const Found found("%cube(size = 1);\ndifference() { cube(size = 2); " + kMoved +
+                    "{ #cylinder(h = 3); } }");
+  EXPECT_EQ(found.names(), (Names{"a (background)", "a", "a (highlighted)"}));
+  EXPECT_EQ(found.text(2), "cylinder(h = 3);");
+  EXPECT_EQ(found.parts.parts[2].pieces[0].at.row[0][3], 9);
+  const Json settings = Json::parse(found.parts.settings);
+  ASSERT_EQ(settings["looks"].size(), 2U);
+  EXPECT_EQ(settings["looks"][0]["select"], "a (background)");
+  EXPECT_EQ(settings["looks"][0]["transparent"], true);
+  // What is rooted is alone, and where its parents would not move it.
+  const Found rooted("cube(); " + kMoved + "{ !sphere(); }");
+  ASSERT_EQ(rooted.names(), Names{"a"});
+  EXPECT_EQ(rooted.parts.parts[0].pieces[0].at, csg::Matrix{});
+}
+
+TEST(TreeParts, MarksNameMoveAndNumberParts) {
+  const std::string way = point(4, 3) + said(0.) + said(0.) + said(30.);
+  const Found found(
+      call("view", said("front") + point(0, 0), 2, "") +
+      call("explode", way, 1,
+           call("part", said("lid/1"), 1, "cube();") + call("part", said("pin"), 1, "sphere();")) +
+      kMoved + "{ " + call("ink", said("woodcut"), 1, call("callout", said(4.), 1, "cylinder();")) +
+      "}");
+  EXPECT_EQ(found.names(), (Names{"lid-1", "pin", "a"}));
+  const Json s = Json::parse(found.parts.settings);
+  EXPECT_EQ(s["view"]["from"], "front");
+  EXPECT_EQ(s["explode"]["steps"],
+            Json::parse(R"([{"move": ["lid-1", "pin"], "along": [0, 0, 30], "by": 30}])"));
+  EXPECT_EQ(s["looks"], Json::parse(R"([{"select": "a", "style": "woodcut"}])"));
+  EXPECT_EQ(s["items"], Json::parse(R"({"4": "a"})"));
+  EXPECT_EQ(s["callouts"], true);
+  EXPECT_TRUE(found.diagnostics.empty());
+}
+
+TEST(TreeParts, AModuleOfNothingButMarksIsNoPart) {
+  const Found found("group() { " + call("view", said("top"), 1, "") + "}\ncube();");
+  EXPECT_EQ(found.names(), Names{"a"});
+  EXPECT_EQ(Json::parse(found.parts.settings)["view"]["from"], "top");
+}
+
+TEST(TreeParts, MarksThatSayNothingUsefulAreTold) {
+  const Found found(call("explode", said("up"), 1, "cube();") +
+                    call("part", point(0, 0), 1, "sphere();"));
+  EXPECT_EQ(found.names(), (Names{"a", "a #2"}));
+  EXPECT_EQ(found.diagnostics.entries().size(), 2U);
+}
+
+TEST(Marks, BrokenOnesAreRefused) {
+  RunContext context;
+  const auto mark = [&](const std::string& points) {
+    const csg::Tree tree = csg::parse(
+        "polyhedron(points = [[0.271828, 0.314159, 0.141421]" + points + "], faces = []);", "a",
+        context);
+    return mark_at(tree, 1);
+  };
+  EXPECT_THROW(mark(""), InputError);
+  EXPECT_THROW(mark(", [4, 1, 0], [3, 1e9, 0]"), InputError);
+  EXPECT_THROW(mark(", [4, 1, 0], [3, 1, 0], [-5, 0, 0]"), InputError);
+  EXPECT_THROW(mark(", [9, 1, 0]"), InputError);
+  EXPECT_THROW(mark(", [4, 1, 0], [3, 1, 0], 7"), InputError);
+  // Other characters come as they are.
+  const auto good = mark(", [4, 1, 0], [3, 3, 0], [228, 0, 0], [8364, 0, 0], [128512, 0, 0]");
+  ASSERT_TRUE(good);
+  EXPECT_EQ(good->what, "ä€😀");
+}
+
+}  // namespace
+}  // namespace burin::detail
