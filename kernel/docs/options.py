@@ -27,7 +27,7 @@ def option_rows(options, group):
     for option in options:
         if option["group"] != group:
             continue
-        name = option["name"].replace("_", "-")
+        name = option["name"].rstrip("_").replace("_", "-")
         words = f"-{option['letter']},--{name}" if option["letter"] else f"--{name}"
         label = " " + option["label"] if option["label"] else ""
         rows.append(f"| `{cell(words + label)}` | {cell(option['meaning'])} |")
