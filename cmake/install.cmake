@@ -12,6 +12,8 @@ endfunction()
 set(libraries burin burin_cad burin_cairo)
 set_target_properties(${libraries} PROPERTIES INSTALL_RPATH "$ORIGIN")
 burin_rpath(burin_cli ${CMAKE_INSTALL_BINDIR})
+burin_rpath(burin_csg ${CMAKE_INSTALL_LIBDIR}/burin)
+install(TARGETS burin_csg RUNTIME DESTINATION ${CMAKE_INSTALL_LIBDIR}/burin)
 install(TARGETS burin_cli RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
 install(TARGETS ${libraries}
   LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR} NAMELINK_SKIP)

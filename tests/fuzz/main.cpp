@@ -23,6 +23,7 @@ const std::map<std::string, Target>& targets() {
         {"3mf-model", [](auto bytes) { member(bytes, "3D/3dmodel.model", ".3mf"); }},
         {"fcstd-document", [](auto bytes) { member(bytes, "Document.xml", ".FCStd"); }},
         {"implicit", burin::fuzz::implicit},
+        {"csg", burin::fuzz::csg},
         {"style", burin::fuzz::style},
         {"illustration", burin::fuzz::illustration},
         {"drawing", burin::fuzz::drawing},

@@ -93,6 +93,9 @@ def own(target):
         "inr": [inrimage()],
         "nii": [nifti()],
         "vti": [vti()],
+        "csg": ['difference() {\n\tcube(size = [10, 10, 10], center = false);\n%\tgroup() { text(text = "a "b"", size = 1); }\n'
+                'multmatrix([[1, 0, 0, -2], [0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]]) { sphere($fn = 0, $fa = 12, $fs = 2, '
+                'r = 1e-3); }\n}\npolygon(points = [[0, 0], [1, nan]], paths = undef, convexity = 1); // end\n'],
         "style": ['{"name": "a", "line": {"outer": 0.5}, "hatch": {"enabled": true, "field": "fixed", '
                   '"direction": [0, 1, 0]}}', '{"based_on": "engraving", "feature": {"crease_angle": 40}}'],
         "illustration": [

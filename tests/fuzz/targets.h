@@ -15,6 +15,8 @@ void member(std::string_view bytes, const std::string& name, const std::string& 
 
 /// A formula: its bounds, its values and derivatives at a few points.
 void implicit(std::string_view text);
+/// A tree of OpenSCAD: what is read is nested as its numbers say, and its matrices are looked at.
+void csg(std::string_view text);
 /// A style file; one that is read is written, and reads back as the same.
 void style(std::string_view text);
 /// An illustration file, and what it asks; its models are not read.

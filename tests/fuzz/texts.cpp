@@ -1,3 +1,4 @@
+#include <burin/base/error.h>
 #include <burin/base/run_context.h>
 #include <burin/converters/illustration.h>
 #include <burin/converters/implicit_reader.h>
@@ -8,6 +9,7 @@
 #include <burin/plugin/plugins.h>
 
 #include "targets.h"
+#include "tree.h"
 
 #include <cstdlib>
 #include <sstream>
@@ -24,6 +26,24 @@ void implicit(std::string_view text) {
   std::vector<Gradient2> hessians(points.size());
   function->values(points, values);
   function->hessians(points, hessians);
+}
+
+void csg(std::string_view text) {
+  RunContext context;
+  const burin::csg::Tree tree = burin::csg::parse(std::string(text), "fuzz", context);
+  for (std::uint32_t n = 0; n < tree.nodes.size(); ++n) {
+    const burin::csg::Node& node = tree.nodes[n];
+    if (node.end <= n || node.end > tree.nodes.size()) std::abort();
+    if (tree.text_of(n).size() > text.size()) std::abort();
+    burin::csg::for_each_child(tree, n, [&](std::uint32_t child) {
+      if (child <= n || tree.nodes[child].end > node.end) std::abort();
+    });
+    try {
+      burin::csg::matrix_of(tree, n);
+    } catch (const InputError&) {
+      // The nodes behind it count too.
+    }
+  }
 }
 
 void style(std::string_view text) {
