@@ -45,10 +45,9 @@ void heal_parts(Scene& scene, const RunContext& context) {
 void tell_round_faces(const RecognisedFaces& faces, const std::string& name,
                       Diagnostics& diagnostics) {
   if (faces.total() == 0) return;
-  diagnostics.add(
-      Severity::Info, "mesh.healed", faces.total(),
-      fmt::format("{}: facets are drawn as the round surfaces that they stand for: {}", name,
-                  told(faces)));
+  diagnostics.add(Severity::Info, "mesh.healed", faces.total(),
+                  fmt::format("{}: facets are drawn as the round surfaces that they stand for: {}",
+                              name, told(faces)));
 }
 
 }  // namespace burin
