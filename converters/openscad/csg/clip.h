@@ -40,8 +40,8 @@ struct OffsetRule {
   /// Corners of a whole circle of radius |delta|.
   int fragments = 0;
 };
-/// Moves the boundary outwards by `delta` mm (inwards where negative). Throws InputError where round
-/// corners would have more than ten million points.
+/// Moves the boundary outwards by `delta` mm (inwards where negative). Throws InputError where
+/// round corners would have more than ten million points.
 Region offset_region(const Region& region, double delta, const OffsetRule& rule);
 
 /// Minkowski sum. Throws InputError where more than four million pairs of edges would be joined.
