@@ -54,10 +54,10 @@ std::vector<std::string> unused_defines(std::string_view program,
 /// (kernel/docs/openscad.md); what burin.scad says of the drawing is in the scene's settings.
 /// Where OpenSCAD makes the mesh it is one part, named by the file. Its
 /// warnings, errors and ECHO lines become diagnostics "openscad.*". The result stays in memory; no
-/// file is written. The programs may take three quarters of the memory of the machine, and are ended
-/// with their children within 0.05 s of a cancellation, after the time limit, and with this process.
-/// Throws InputError, with the line where OpenSCAD names one, also where the result is empty or
-/// two-dimensional; UsageError for bad definitions. Cost: 0.1 s and that of the tree.
+/// file is written. The programs may take three quarters of the memory of the machine, and are
+/// ended with their children within 0.05 s of a cancellation, after the time limit, and with this
+/// process. Throws InputError, with the line where OpenSCAD names one, also where the result is
+/// empty or two-dimensional; UsageError for bad definitions. Cost: 0.1 s and that of the tree.
 Scene read_openscad(const std::filesystem::path& path, const OpenscadOptions& options,
                     RunContext& context);
 
