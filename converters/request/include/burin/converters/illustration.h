@@ -58,8 +58,8 @@ Scene read_scene(const Illustration& illustration, RunContext& context);
 /// file, of those that may be given several times they follow them.
 DrawRequest merged(const DrawRequest& file, const DrawRequest& door);
 
-/// What a door asks, over what the files of a scene say of how they are to be drawn. Illustrations do
-/// not ask for it: they say all themselves. Throws as `parse_settings`.
+/// What a door asks, over what the files of a scene say of how they are to be drawn. Illustrations
+/// do not ask for it: they say all themselves. Throws as `parse_settings`.
 DrawRequest with_settings(const Scene& scene, const DrawRequest& door);
 
 /// A first file to edit, of these inputs and of what was asked; with paths as seen from `folder`.
