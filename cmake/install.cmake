@@ -50,3 +50,6 @@ install(FILES ${CMAKE_BINARY_DIR}/cmake/burin-config.cmake ${CMAKE_BINARY_DIR}/c
 
 install(DIRECTORY kernel/docs/ DESTINATION ${docs})
 install(FILES README.md LICENSE CHANGELOG.md DESTINATION ${docs})
+
+# What OpenSCAD models say to Burin.
+install(FILES ${PROJECT_SOURCE_DIR}/samples/openscad/burin.scad DESTINATION ${CMAKE_INSTALL_DATADIR}/burin/openscad)

@@ -18,6 +18,10 @@ for model in spindle.stl coupling.step; do
   "$prefix/bin/burin" draw "$source/samples/$model" -o "$scratch/a.pdf" --quiet || fail "the command writes no PDF"
   grep -q '<path' "$scratch/a.svg" || fail "the drawing of $model is empty"
 done
+# The evaluator of trees is found wherever the libraries are.
+printf 'difference() {\n\tcube(size = [4, 4, 4], center = true);\n\tsphere($fn = 32, $fa = 12, $fs = 2, r = 2.4);\n}\n' >"$scratch/a.csg"
+"$prefix/bin/burin" draw "$scratch/a.csg" -o "$scratch/a.svg" --quiet --csg burin || fail "the command does not evaluate a tree"
+[[ -s $prefix/share/burin/openscad/burin.scad ]] || fail "burin.scad is not installed"
 while read -r file; do
   if readelf -d "$file" | grep -E 'R(UN)?PATH' | grep -qF "$build"; then fail "$file looks for libraries in the build"; fi
 done < <(find "$prefix" -name '*.so*' -type f; echo "$prefix/bin/burin")
