@@ -46,11 +46,16 @@ std::string matrix_text(const csg::Matrix& m) {
 /// A part as the text of what it is an instance of, and where that stands.
 struct Instance {
   std::string text;
+  /// How many nodes the text has.
+  std::uint32_t nodes = 0;
   Placement place;
 };
 
 Instance instance_of(const csg::Tree& tree, const TreePart& part) {
   Instance out;
+  for (const TreePart::Piece& piece : part.pieces) {
+    out.nodes += tree.nodes[piece.node].end - piece.node;
+  }
   if (part.pieces.size() == 1) {
     if (const auto place = placement_of(part.pieces.front().at)) {
       out.place = *place;
@@ -60,8 +65,12 @@ Instance instance_of(const csg::Tree& tree, const TreePart& part) {
   }
   for (const TreePart::Piece& piece : part.pieces) {
     const std::string_view text = tree.text_of(piece.node);
-    out.text += piece.at == csg::Matrix{} ? std::string(text)
-                                          : fmt::format("{}{{{}}}", matrix_text(piece.at), text);
+    if (piece.at == csg::Matrix{}) {
+      out.text += text;
+    } else {
+      out.text += fmt::format("{}{{{}}}", matrix_text(piece.at), text);
+      ++out.nodes;
+    }
     out.text += '\n';
   }
   return out;
@@ -82,15 +91,6 @@ csg::ChildOptions evaluation_of(const std::filesystem::path& path) {
   return options;
 }
 
-/// The solids of the objects at the top of a text.
-std::vector<csg::Solid> objects_of(const std::string& text, const std::filesystem::path& path,
-                                   Diagnostics& diagnostics, RunContext& context) {
-  const csg::Tree tree = csg::parse(text, path.string(), context);
-  std::vector<std::uint32_t> objects;
-  csg::for_each_child(tree, 0, [&](std::uint32_t c) { objects.push_back(c); });
-  return csg::evaluate_in_child(text, objects, evaluation_of(path), context, diagnostics);
-}
-
 }  // namespace
 
 Scene scene_of_tree(const csg::Tree& tree, std::string_view program,
@@ -99,20 +99,27 @@ Scene scene_of_tree(const csg::Tree& tree, std::string_view program,
   Scene scene;
   const TreeParts planned =
       parts_of(tree, program, clean_name(path.stem().string()), scene.diagnostics);
-  // One text of what has to be evaluated, each once.
+  // One text of what has to be evaluated, each once, and the numbers of its objects.
   std::string text;
+  std::vector<std::uint32_t> objects;
+  std::uint32_t next = 1;
   std::map<std::string, std::size_t> known;
   std::vector<std::size_t> shape;
   std::vector<Placement> place;
   for (const TreePart& part : planned.parts) {
     Instance instance = instance_of(tree, part);
     const auto [entry, fresh] = known.try_emplace(std::move(instance.text), known.size());
-    if (fresh) text += fmt::format("group(){{\n{}}}\n", entry->first);
+    if (fresh) {
+      text += fmt::format("group(){{\n{}}}\n", entry->first);
+      objects.push_back(next);
+      next += 1 + instance.nodes;
+    }
     shape.push_back(entry->second);
     place.push_back(instance.place);
   }
   known.clear();
-  const std::vector<csg::Solid> solids = objects_of(text, path, scene.diagnostics, context);
+  const std::vector<csg::Solid> solids =
+      csg::evaluate_in_child(text, objects, evaluation_of(path), context, scene.diagnostics);
   std::vector<std::optional<Placer>> forms(solids.size());
   for (std::size_t i = 0; i < planned.parts.size(); ++i) {
     const csg::Solid& solid = solids[shape[i]];
