@@ -39,9 +39,11 @@ struct Hatched {
                                .tone_min = 0.05,
                                .cross_from = 2,
                                .length_max = 300};
+    // By a name: g++ 12 warns of the temporary of a default argument.
+    const InkOptions ink;
     return trace_strokes(
                std::vector<const Surface*>{surface.get()}, camera, field,
-               [](Vec3, Vec3) { return 0.6; }, probe, options, 1, context)
+               [](Vec3, Vec3) { return 0.6; }, probe, options, 1, context, ink)
         .strokes;
   }
 
