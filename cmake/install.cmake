@@ -23,8 +23,7 @@ install(TARGETS burin LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR} NAMELINK_ONLY)
 if(TARGET burin_python)
   burin_rpath(burin_python ${BURIN_PYTHON_FOLDER}/burin)
   install(TARGETS burin_python LIBRARY DESTINATION ${BURIN_PYTHON_FOLDER}/burin)
-  install(FILES converters/python/burin/__init__.py converters/python/burin/_draw.py converters/python/burin/_plugins.py converters/python/burin/py.typed
-    ${CMAKE_BINARY_DIR}/python/burin/__init__.pyi
+  install(FILES ${CMAKE_BINARY_DIR}/python/burin/__init__.pyi
     DESTINATION ${BURIN_PYTHON_FOLDER}/burin)
 endif()
 

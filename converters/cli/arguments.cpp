@@ -220,6 +220,15 @@ CLI::App* add_steps(CLI::App& app, StepsArguments& a, Chatter& chatter) {
   return steps;
 }
 
+/// Its words are for another parser.
+CLI::App* add_batch(CLI::App& app) {
+  CLI::App* batch = app.add_subcommand(
+      "batch", "draw a catalogue of parts: plan, run, report, slurm (see burin batch --help)");
+  batch->set_help_flag();
+  batch->prefix_command();
+  return batch;
+}
+
 CLI::App* add_convert(CLI::App& app, ConvertArguments& a, Chatter& chatter) {
   CLI::App* convert = app.add_subcommand(
       "convert", "write a drawing file, or what an OpenSCAD file makes, in other formats");
@@ -350,6 +359,7 @@ Arguments parse_arguments(int argc, const char* const* argv) {
   CLI::App* watch = add_watch(app, a.draw, a.chatter);
   CLI::App* illustrate = add_illustrate(app, a.illustrate);
   CLI::App* steps = add_steps(app, a.steps, a.chatter);
+  CLI::App* batch = add_batch(app);
   CLI::App* convert = add_convert(app, a.convert, a.chatter);
   CLI::App* info = add_info(app, a.info);
   CLI::App* styles = add_styles(app, a.styles);
@@ -361,7 +371,8 @@ Arguments parse_arguments(int argc, const char* const* argv) {
   for (CLI::App* sub : {draw, watch, illustrate, steps, convert, info, styles, options, plugins})
     sub->allow_extras();
 
-  refuse_empty_values(app, argc, argv);
+  const bool is_batch = argc > 1 && argv[1] == batch->get_name();
+  if (!is_batch) refuse_empty_values(app, argc, argv);
   try {
     app.parse(argc, argv);
   } catch (const CLI::CallForHelp&) {
@@ -378,6 +389,11 @@ Arguments parse_arguments(int argc, const char* const* argv) {
   if (app.get_subcommands().size() > 1)
     throw UsageError("one command at a time (see burin --help)");
   const CLI::App* chosen = app.get_subcommands().front();
+  if (chosen == batch) {
+    a.verb = Verb::Batch;
+    a.batch.assign(argv + 2, argv + argc);
+    return a;
+  }
   refuse_extras(*chosen, "burin " + chosen->get_name());
   refuse_extras(app, "burin");
   if (chosen == watch) a.draw.command = "watch";

@@ -65,7 +65,19 @@ struct Chatter {
   bool no_progress = false;
 };
 
-enum class Verb { Help, Draw, Watch, Illustrate, Steps, Convert, Info, Styles, Options, Plugins };
+enum class Verb {
+  Help,
+  Draw,
+  Watch,
+  Illustrate,
+  Steps,
+  Batch,
+  Convert,
+  Info,
+  Styles,
+  Options,
+  Plugins
+};
 
 struct Arguments {
   Verb verb = Verb::Help;
@@ -79,6 +91,8 @@ struct Arguments {
   InfoArguments info;
   OptionsArguments options;
   PluginsArguments plugins;
+  /// What follows `batch`, which has a parser of its own.
+  std::vector<std::string> batch;
   Chatter chatter;
 };
 

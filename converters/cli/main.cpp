@@ -5,6 +5,7 @@
 #include <burin/converters/load_plugins.h>
 
 #include "arguments.h"
+#include "batch_job.h"
 #include "console.h"
 #include "convert.h"
 #include "draw.h"
@@ -12,6 +13,7 @@
 #include "info.h"
 #include "options.h"
 #include "plugins.h"
+#include "python_module.h"
 #include "report.h"
 #include "signals.h"
 #include "steps.h"
@@ -21,7 +23,9 @@
 #include <chrono>
 #include <cstdio>
 #include <exception>
+#include <string>
 #include <string_view>
+#include <vector>
 
 namespace burin::cli {
 namespace {
@@ -51,6 +55,12 @@ int run(const Arguments& arguments, RunContext& context, Console& console) {
     case Verb::Steps:
       run_steps(arguments.steps, context, console);
       break;
+    case Verb::Batch:
+      if (arguments.batch == std::vector<std::string>{"job"}) {
+        run_batch_job(context);
+        break;
+      }
+      become_python("batch", arguments.batch);
     case Verb::Convert:
       run_convert(arguments.convert, context, console);
       break;
