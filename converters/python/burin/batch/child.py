@@ -19,6 +19,10 @@ from .limits import memory_text
 
 # Seconds between looks at memory and at a cancel.
 _LOOK = 0.05
+# So much later a signal to all processes of a run has reached this one.
+_SOON = 1.0
+# How a process ends that was asked to from outside: 5 is the status of a cancelled burin.
+_FROM_OUTSIDE = {5, -signal.SIGTERM, -signal.SIGINT, -signal.SIGHUP, -signal.SIGKILL}
 _PAGE = os.sysconf("SC_PAGE_SIZE")
 
 
@@ -125,12 +129,23 @@ class Child:
         last = f": {lines[-1]}" if lines else ""
         if self._memory and any(sign in last for sign in ("bad_alloc", "MemoryError")):
             return Ended("memory", f"needs more than {memory_text(self._memory)} of memory; allow more (--memory) or draw less")
+        if status in _FROM_OUTSIDE:
+            self._wait_for_cancel()
         if status >= 0:
-            return Ended("crash", f"ended with status {status} before it was done{last}")
+            kind = "killed" if status in _FROM_OUTSIDE else "crash"
+            return Ended(kind, f"ended with status {status} before it was done{last}")
         name = signal.Signals(-status).name if -status in signal.valid_signals() else f"signal {-status}"
         if -status == signal.SIGKILL:
-            return Ended("crash", f"was ended by {name}; perhaps this machine's memory ran out{last}")
-        return Ended("crash", f"was ended by {name}{last}")
+            return Ended("killed", f"was ended by {name}; perhaps this machine's memory ran out{last}")
+        return Ended("killed" if status in _FROM_OUTSIDE else "crash", f"was ended by {name}{last}")
+
+    def _wait_for_cancel(self) -> None:
+        """Who ends a whole run, such as Slurm, may end its processes one after the other: ours comes, too."""
+        end = time.monotonic() + _SOON
+        while time.monotonic() < end:
+            if self._cancelled():
+                raise Cancelled
+            time.sleep(_LOOK)
 
 
 def _resident(pid: int) -> int:

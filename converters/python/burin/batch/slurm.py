@@ -10,7 +10,7 @@ from typing import Any
 from .errors import FAILED, NO_OUTPUT, USAGE, BatchError
 from .jobs import Batch
 from .limits import seconds
-from .settings import settings_of
+from .settings import command_of, settings_of
 from .state import FOLDER, State
 
 # Seconds that a task takes at the least: scheduling it costs one.
@@ -27,7 +27,8 @@ def submit(arguments: Any, batch: Batch) -> int:
     tasks = arguments.tasks if arguments.tasks is not None else tasks_for(batch, seconds(arguments.each, "option --each"))
     if tasks < 1:
         raise BatchError(f"option --tasks takes a number from 1, not {tasks}", USAGE)
-    words = [settings.command, "batch", "run", str(arguments.jobs_file.resolve()), "--quiet", "--timeout", f"{settings.timeout:g}"]
+    words = [command_of(None), "batch", *(["--burin", settings.command] if arguments.burin else [])]
+    words += ["run", str(arguments.jobs_file.resolve()), "--quiet", "--timeout", f"{settings.timeout:g}"]
     words += ["--threads", str(settings.threads)]
     if settings.memory:
         words += ["--memory", str(settings.memory)]
