@@ -45,11 +45,11 @@ TEST(Readme, ItsCommandsDoWhatTheySay) {
                              command + "\n} > printed 2> said";
     EXPECT_EQ(std::system(line.c_str()), 0) << command << "\n" << test::slurp(root / "said");
   }
-  // An assembly explained: the exploded, numbered picture with its list, a section, the page that
-  // can be clicked, and the step book.
-  for (const char* name :
-       {"pump.pdf", "pump.html", "section.svg", "pump.burin.json", "pump-steps.pdf",
-        "pump-steps.html", "views.pdf", "caster.svg", "apart.svg"}) {
+  // A catalogue, and an assembly explained: the exploded, numbered picture with its list, a
+  // section, the page that can be clicked, and the step book.
+  for (const char* name : {"pump.pdf", "pump.html", "section.svg", "pump.burin.json",
+                           "pump-steps.pdf", "pump-steps.html", "views.pdf", "caster.svg",
+                           "apart.svg", "catalogue/index.html", "catalogue/coupling-apart.pdf"}) {
     EXPECT_TRUE(fs::exists(root / name)) << name;
   }
 }
