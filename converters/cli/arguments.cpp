@@ -1,9 +1,11 @@
 #include "arguments.h"
 
 #include <burin/base/error.h>
-#include <burin/base/nearest.h>
-#include <burin/base/version.h>
 #include <burin/converters/write.h>
+
+#include "about.h"
+#include "command_tree.h"
+#include "unknown_words.h"
 
 #include <CLI/App.hpp>
 #include <CLI/Config.hpp>
@@ -47,11 +49,6 @@ std::string output_help(const char* what) {
       fmt::format("{} to write, {} by its suffix; repeatable; - is standard output and "
                   "needs --format",
                   what, format_list()));
-}
-
-/// Most likely a shell's variable that is not set: no reason to draw by the default.
-void refuse_empty(const std::string& option, const std::string& word) {
-  if (word.empty()) throw UsageError("option " + option + " has an empty value");
 }
 
 CLI::Option* text(CLI::App& app, const char* name, std::string& value, const char* type,
@@ -200,7 +197,8 @@ CLI::App* add_steps(CLI::App& app, StepsArguments& a, Chatter& chatter) {
       ->group(kFiles);
   list(*steps, "-o,--output", draw.outputs, "FILE", kFiles,
        "step book to write: NAME.pdf, a page a step; NAME.html,\n"
-       "one page; NAME.md, and NAME-step-01.svg ... beside it;\nrepeatable");
+       "one page; NAME.md, and NAME-step-01.svg ... beside it;\nNAME.json, "
+       "data; repeatable");
   text(*steps, "--items", a.items, "N", kParts,
        "items that a step adds at the most, several of one count\nonce (default 6)");
   // What is about one drawing.
@@ -272,58 +270,11 @@ CLI::App* add_options(CLI::App& app, OptionsArguments& a) {
                     "print the JSON Schema of style files, for editors");
   options->add_flag("--illustration-schema", a.illustration_schema,
                     "print that of illustration files");
+  text(*options, "--manual", a.manual, "COMMAND", "OPTIONS",
+       "print the page of a command for man(1); of all of it: burin");
+  text(*options, "--completion", a.completion, "SHELL", "OPTIONS",
+       "print what completes words in bash, zsh or fish");
   return options;
-}
-
-std::vector<std::string> known_options(const CLI::App& app) {
-  std::vector<std::string> names;
-  for (const CLI::Option* option : app.get_options()) {
-    for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
-    for (const std::string& name : option->get_snames()) names.push_back("-" + name);
-  }
-  return names;
-}
-
-/// `--view=` is an option without its value: for the next word CLI11 would take another option.
-void refuse_empty_values(const CLI::App& app, int argc, const char* const* argv) {
-  std::vector<std::string> names;
-  for (const CLI::App* sub : app.get_subcommands({})) {
-    const std::vector<std::string> more = known_options(*sub);
-    names.insert(names.end(), more.begin(), more.end());
-  }
-  for (int i = 1; i < argc; ++i) {
-    const std::string word = argv[i];
-    if (word == "--") return;  // names of files follow
-    if (!word.starts_with('-') || word.find('=') != word.size() - 1) continue;
-    const std::string name = word.substr(0, word.size() - 1);
-    if (std::ranges::find(names, name) != names.end()) refuse_empty(name, "");
-  }
-}
-
-/// Throws for the first word that no option or argument took.
-void refuse_extras(const CLI::App& app, const std::string& command) {
-  for (const std::string& word : app.remaining()) {
-    const std::string name = word.substr(0, word.find('='));
-    if (name.starts_with('-')) {
-      throw UsageError(fmt::format("unknown option {}; the nearest is {} (see {} --help)", name,
-                                   nearest(name, known_options(app)), command));
-    }
-    throw UsageError(fmt::format("unexpected argument '{}' (see {} --help)", word, command));
-  }
-}
-
-/// A command is missing or unknown.
-void refuse_command(const CLI::App& app) {
-  std::vector<std::string> names;
-  for (const CLI::App* sub : app.get_subcommands({})) names.push_back(sub->get_name());
-  const std::vector<std::string> words = app.remaining();
-  if (words.empty()) {
-    throw UsageError(
-        "no command; say what to do, e.g. burin draw part.stl -o part.svg (see burin --help)");
-  }
-  if (words.front().starts_with('-')) refuse_extras(app, "burin");
-  throw UsageError(fmt::format("unknown command '{}'; the nearest is '{}' (see burin --help)",
-                               words.front(), nearest(words.front(), names)));
 }
 
 std::string one_line(std::string message) {
@@ -345,7 +296,7 @@ Arguments parse_arguments(int argc, const char* const* argv) {
   app.footer(
       "\nburin COMMAND --help tells the options of a command.\n"
       "Example: burin draw bracket.stl -o bracket.svg --style engraving");
-  app.set_version_flag("--version,-V", std::string("burin ") + version(), "print the version");
+  app.set_version_flag("--version,-V", version_text(), "print the version");
   CLI::App* draw = add_draw(app, a.draw, a.chatter);
   CLI::App* watch = add_watch(app, a.draw, a.chatter);
   CLI::App* illustrate = add_illustrate(app, a.illustrate);
@@ -368,7 +319,7 @@ Arguments parse_arguments(int argc, const char* const* argv) {
     a.help = app.help();
     return a;
   } catch (const CLI::CallForVersion& e) {
-    a.help = std::string(e.what()) + "\n";
+    a.help = e.what();
     return a;
   } catch (const CLI::ParseError& e) {
     throw UsageError(one_line(e.what()) + " (see burin --help)");
@@ -381,6 +332,12 @@ Arguments parse_arguments(int argc, const char* const* argv) {
   refuse_extras(*chosen, "burin " + chosen->get_name());
   refuse_extras(app, "burin");
   if (chosen == watch) a.draw.command = "watch";
+  if (!a.options.manual.empty() || !a.options.completion.empty()) {
+    const std::vector<Command> tree = command_tree(app);
+    a.help = a.options.manual.empty() ? completion(tree, a.options.completion)
+                                      : manual_page(tree, a.options.manual);
+    return a;
+  }
   a.verb = chosen == draw         ? Verb::Draw
            : chosen == watch      ? Verb::Watch
            : chosen == illustrate ? Verb::Illustrate

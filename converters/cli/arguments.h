@@ -44,6 +44,8 @@ struct OptionsArguments {
   bool json = false;
   bool style_schema = false;
   bool illustration_schema = false;
+  /// A command, and a shell; empty: not asked.
+  std::string manual, completion;
 };
 
 struct PluginsArguments {
