@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <map>
 #include <numbers>
 #include <optional>
@@ -52,19 +53,25 @@ std::vector<std::vector<Vec2>> dashes_of(const std::vector<Vec2>& line,
   return pieces;
 }
 
-/// Circles about a place, one inside the other, that a pen fills a disc with.
+/// Circles about a place, one inside the other, and its middle, that a pen fills a disc with; none
+/// where the pen is as wide as the disc.
 std::vector<std::vector<Vec2>> disc_of(Vec2 middle, double diameter, double pen) {
-  constexpr double kOverlap = 0.9;
+  constexpr double kOverlap = 0.9, kThinnest = 0.05, kMostCircles = 200, kMostPoints = 1000;
+  pen = std::max(pen, kThinnest);
+  const double outer = 0.5 * (diameter - pen),
+               step = std::max(kOverlap * pen, outer / kMostCircles);
   std::vector<std::vector<Vec2>> circles;
-  for (double r = 0.5 * (diameter - pen); r > 0.25 * pen; r -= kOverlap * pen) {
+  double r = outer;
+  for (; r > 0.05 * pen; r -= step) {
     const double turn = std::acos(std::max(1 - kThinned / r, 0.5));
-    const auto n = static_cast<std::size_t>(std::ceil(std::max(std::numbers::pi / turn, 8.0)));
+    const auto n = static_cast<int>(std::clamp(std::numbers::pi / turn, 8.0, kMostPoints));
     std::vector<Vec2>& circle = circles.emplace_back();
-    for (std::size_t i = 0; i < n; ++i) {
-      const double a = 2 * std::numbers::pi * static_cast<double>(i) / static_cast<double>(n);
+    for (int i = 0; i < n; ++i) {
+      const double a = 2 * std::numbers::pi * i / n;
       circle.push_back(middle + r * Vec2(std::cos(a), std::sin(a)));
     }
   }
+  if (!circles.empty() && r + step > 0.5 * pen) circles.push_back({middle, middle});
   return circles;
 }
 
@@ -98,11 +105,11 @@ class Planner {
     for (std::size_t i = 0; i < layers_.size(); ++i) {
       if (pen_of_[i] > 0) add_layer(layers_[i], group_of(pen_of_[i]), widths_[i]);
     }
-    const PenOrder given = given_order(plan_.paths, Vec2(0), context_);
     PenOrderOptions how;
     how.join = pens_.join;
+    if (options_.progress) how.progress = [&](double share) { options_.progress(0.9 * share); };
     plan_.order = pen_order(plan_.paths, how, context_);
-    tell_all(given);
+    if (options_.tell) tell_all(given_order(plan_.paths, Vec2(0), context_));
     return std::move(plan_);
   }
 

@@ -91,7 +91,12 @@ PenOrder pen_order(std::span<const PenPath> paths, const PenOrderOptions& option
       if (line.closed) its.ring = points_of(line, joined, paths);
       if (end % 4096 == 0) context.check();
     }
-    for (const std::uint32_t i : shortest_tour(lines, from, context)) {
+    const auto progress = [&](double share) {
+      if (!options.progress) return;
+      const double done = static_cast<double>(begin) + share * static_cast<double>(end - begin);
+      options.progress(done / static_cast<double>(joined.lines.size()));
+    };
+    for (const std::uint32_t i : shortest_tour(lines, from, context, progress)) {
       PenLine line = joined.lines[begin + i];
       if (lines[i].reversed && !line.closed) reverse_runs(line, joined.runs);
       line.start = lines[i].start;

@@ -22,12 +22,16 @@ constexpr std::size_t kAsked = kMostNear + 2;
 constexpr std::int64_t kMostMoved = 3;
 // Lines that a change may turn round or shift; and, for each line, in all changes.
 constexpr std::int64_t kMostShifted = 25'000, kShiftedForEach = 3000;
+// Of the work, for the first order.
+constexpr double kFirstShare = 0.3;
 // mm that a change must save.
 constexpr double kLeastSaved = 1e-6;
 
+using Progress = std::function<void(double)>;
+
 // The nearest end that is left comes next.
 std::vector<std::uint32_t> nearest_first(std::vector<TourLine>& lines, Vec2 from,
-                                         const RunContext& context) {
+                                         const RunContext& context, const Progress& progress) {
   struct Entry {
     std::uint32_t line = 0;
     std::size_t point = 0;
@@ -50,7 +54,10 @@ std::vector<std::uint32_t> nearest_first(std::vector<TourLine>& lines, Vec2 from
   std::vector<std::uint32_t> order;
   order.reserve(lines.size());
   while (const auto found = tree.nearest(from)) {
-    if (order.size() % 256 == 0) context.check();
+    if (order.size() % 256 == 0) {
+      context.check();
+      progress(kFirstShare * static_cast<double>(order.size()) / static_cast<double>(lines.size()));
+    }
     const Entry& entry = entries[*found];
     TourLine& line = lines[entry.line];
     if (line.ring.empty()) {
@@ -95,10 +102,15 @@ class Tour {
   }
 
   /// Changes the order until no change saves anything, or too many lines were shifted.
-  void improve() {
+  void improve(const Progress& progress) {
     std::deque<std::uint32_t> waiting(order_.begin(), order_.end());
     for (std::size_t tried = 0; !waiting.empty() && left_ > 0; ++tried) {
-      if (tried % 64 == 0) context_.check();
+      if (tried % 64 == 0) {
+        context_.check();
+        // About two looks at each line are enough for most.
+        const double looks = 0.5 * static_cast<double>(tried) / static_cast<double>(n_);
+        progress(kFirstShare + (1 - kFirstShare) * std::min(looks, 1.0));
+      }
       const std::uint32_t line = waiting.front();
       waiting.pop_front();
       waits_[line] = false;
@@ -271,10 +283,10 @@ void turn_rings(std::vector<TourLine>& lines, const std::vector<std::uint32_t>& 
 }  // namespace
 
 std::vector<std::uint32_t> shortest_tour(std::vector<TourLine>& lines, Vec2 from,
-                                         const RunContext& context) {
-  std::vector<std::uint32_t> order = nearest_first(lines, from, context);
+                                         const RunContext& context, const Progress& progress) {
+  std::vector<std::uint32_t> order = nearest_first(lines, from, context, progress);
   turn_rings(lines, order, from);
-  Tour(lines, order, from, context).improve();
+  Tour(lines, order, from, context).improve(progress);
   // Twice: a ring looks at where its neighbours begin.
   for (int round = 0; round < 2; ++round) turn_rings(lines, order, from);
   return order;

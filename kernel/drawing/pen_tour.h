@@ -7,6 +7,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 namespace burin {
@@ -24,8 +25,9 @@ struct TourLine {
 };
 
 /// Says of each line how it is drawn; the numbers of the lines in their order. `from`: where the
-/// pen stands before. Throws Cancelled.
+/// pen stands before. Calls `progress` now and then with the share that is done. Throws Cancelled.
 std::vector<std::uint32_t> shortest_tour(std::vector<TourLine>& lines, Vec2 from,
-                                         const RunContext& context);
+                                         const RunContext& context,
+                                         const std::function<void(double)>& progress);
 
 }  // namespace burin

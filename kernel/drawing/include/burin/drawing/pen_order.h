@@ -6,6 +6,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -53,6 +54,8 @@ struct PenOrderOptions {
   double join = 0.003;
   /// Where the pen stands first.
   Vec2 from{0};
+  /// Called now and then with the share that is done.
+  std::function<void(double)> progress = {};
 };
 
 /// Joins lines whose ends meet (where more than two do, those that go on the straightest; rings
