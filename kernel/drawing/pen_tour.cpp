@@ -116,7 +116,8 @@ class Tour {
       waits_[line] = false;
       while (improve_after(place_[line]) || improve_before(place_[line])) {
         for (const Place i : touched_) {
-          if (i < 0 || i >= n_ || std::exchange(waits_[at(i)], true)) continue;
+          if (i < 0 || i >= n_ || waits_[at(i)]) continue;
+          waits_[at(i)] = true;
           waiting.push_back(at(i));
         }
       }
