@@ -230,8 +230,8 @@ CLI::App* add_convert(CLI::App& app, ConvertArguments& a, Chatter& chatter) {
     add_request(*convert, find_option(all_options(), name), a.options);
   }
   list(*convert, "--set", a.set, "KEY=VALUE", kLook,
-       "change a key of a format (svg. png. dxf. json. line.dash\n"
-       "line.gap); repeatable; see burin styles --keys");
+       "change a key of a format (svg. png. dxf. hpgl. gcode. json.\n"
+       "line.dash line.gap); repeatable; see burin styles --keys");
   add_request(*convert, find_option(all_options(), "threads"), a.options);
   add_chatter(*convert, chatter);
   convert->footer(

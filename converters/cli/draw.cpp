@@ -111,8 +111,9 @@ void run_draw(const DrawArguments& arguments, RunContext& context, Console& cons
   const Drawing drawing = draw(scene, sheet, plan, context, kept ? &kept->session : nullptr);
 
   write_parts_lists(drawing, plan);
-  write_outputs(outputs, drawing, options, context);
+  const Diagnostics told = write_outputs(outputs, drawing, options, context);
   console.diagnostics(drawing.diagnostics);
+  console.diagnostics(told);
   if (drawing.stats.verify) console.verification(*drawing.stats.verify);
 }
 

@@ -13,8 +13,10 @@ std::vector<Output> make_outputs(std::vector<std::string> names, const std::stri
   return plan_outputs(names, format, sources);
 }
 
-void write_outputs(std::vector<Output>& outputs, const Drawing& drawing, WriteOptions options,
-                   RunContext& context) {
+Diagnostics write_outputs(std::vector<Output>& outputs, const Drawing& drawing,
+                          WriteOptions options, RunContext& context) {
+  Diagnostics told;
+  options.tell = [&](const Diagnostic& one) { told.add(one); };
   context.begin_stage(RunStage::Write);
   for (std::size_t i = 0; i < outputs.size(); ++i) {
     const auto done = static_cast<double>(i), all = static_cast<double>(outputs.size());
@@ -28,6 +30,7 @@ void write_outputs(std::vector<Output>& outputs, const Drawing& drawing, WriteOp
   signals::finish();
   for (Output& output : outputs) output.commit();
   context.end_stage();
+  return told;
 }
 
 }  // namespace burin::cli
