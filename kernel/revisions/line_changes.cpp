@@ -268,7 +268,10 @@ Drawing overlay(const RevisionDrawings& drawings, const LineDifference& differen
   });
   for_each_line(before, context, [&](const Path& path, std::size_t l, std::size_t) {
     PartedPath pieces = parted(path, is.of(path), least);
-    for (Path& piece : pieces.off) layers.add("gone", before.layers[l].name, std::move(piece));
+    for (Path& piece : pieces.off) {
+      piece.source = {};  // parts of the new drawing have these numbers
+      layers.add("gone", before.layers[l].name, std::move(piece));
+    }
   });
   const auto add_texts = [&](const std::string& group, const std::vector<Text>& texts) {
     if (texts.empty()) return;

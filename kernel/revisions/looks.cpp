@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
+#include <string_view>
 
 namespace burin::detail {
 namespace {
@@ -61,14 +62,15 @@ Layers::Layers(const Drawing& drawing, std::vector<Layer>& layers)
     : ink_(drawing.ink_color), layers_(layers) {
   const Rgb ink = rgb_of(drawing.ink_color).value_or(Rgb{}),
             paper = rgb_of(drawing.paper_color).value_or(Rgb{255, 255, 255});
-  light_ = "#";
-  for (std::size_t c = 0; c < 3; ++c) {
-    light_ += fmt::format("{:02x}", std::lround(ink[c] + kToPaper * (paper[c] - ink[c])));
-  }
+  const auto mixed = [&](std::size_t c) {
+    return std::lround(ink[c] + kToPaper * (paper[c] - ink[c]));
+  };
+  light_ = fmt::format("#{:02x}{:02x}{:02x}", mixed(0), mixed(1), mixed(2));
 }
 
 std::string Layers::color_of(const ChangeLook& look) const {
-  return std::string(look.color) == kLight ? light_ : look.color;
+  if (std::string_view(look.color) == kLight) return light_;
+  return look.color;
 }
 
 Layer& Layers::named(const std::string& name, const ChangeLook& look) {
@@ -86,7 +88,7 @@ void Layers::add(const std::string& group, const std::string& name, Path path) {
   const bool dashed = !path.visible && !path.in_full;
   path.in_full = !path.visible;
   const std::string hidden(kHiddenLayer);
-  Layer& layer = named(group + "-" + (dashed ? hidden : name), look);
+  Layer& layer = named(fmt::format("{}-{}", group, dashed ? hidden : name), look);
   if (layer.dashes.empty() && dashed) layer.dashes = InkLayer{hidden, {}}.dashes({});
   if (layer.dashes.empty() && name == kTrailLayer) {
     layer.dashes = InkLayer{std::string(kTrailLayer), {}}.dashes({});
@@ -98,7 +100,7 @@ void sort_layers(std::vector<Layer>& layers) {
   const auto rank = [](const Layer& layer) {
     std::size_t best = looks().size();
     for (std::size_t i = 0; i < looks().size(); ++i) {
-      if (layer.name.starts_with(std::string(looks()[i].group) + "-")) best = i;
+      if (layer.name.starts_with(fmt::format("{}-", looks()[i].group))) best = i;
     }
     return best;
   };

@@ -56,8 +56,8 @@ struct LineDifference {
 LineDifference compare_drawings(const Drawing& before, const Drawing& after, double tolerance,
                                 const RunContext& context);
 
-/// The new drawing light, with lines that are new in layers "new-", those that are gone in "gone-",
-/// moved ones in "moved-from-" and "moved-to-", and "legend". Looks as those of `overlay`.
+/// The new drawing light, with lines that are new in layers "new-", what is gone (or was elsewhere)
+/// in "gone-", moved lines in "moved-to-", and "legend". Looks as those of the other `overlay`.
 Drawing overlay(const RevisionDrawings& drawings, const LineDifference& difference,
                 const OverlayOptions& options, const RunContext& context);
 
