@@ -294,12 +294,13 @@ Drawing overlay(const RevisionDrawings& drawings, const LineDifference& differen
   std::vector<detail::LegendEntry> entries;
   const auto entry = [&](const char* group, LineChange change, const char* word) {
     const std::size_t n = difference.counts[static_cast<std::size_t>(change)];
-    if (n > 0) entries.push_back({{group}, fmt::format("{} {}", n, word)});
+    if (n > 0)
+      entries.push_back({{group}, fmt::format("{} line{} {}", n, n == 1 ? "" : "s", word)});
   };
-  entry("new", LineChange::New, "lines new");
-  entry("gone", LineChange::Gone, "lines gone");
-  entry("moved-to", LineChange::Moved, "lines moved");
-  entry("same", LineChange::Same, "lines same");
+  entry("new", LineChange::New, "new");
+  entry("gone", LineChange::Gone, "gone");
+  entry("moved-to", LineChange::Moved, "moved");
+  entry("same", LineChange::Same, "same");
   detail::lay_legend(out, entries, options);
   tell_once(after.diagnostics, out.diagnostics);
   return out;

@@ -73,7 +73,7 @@ bool same_triangles(const Body& before, const Body& after, const Placement& move
 }  // namespace
 
 Body::Body(std::shared_ptr<const Surface> surface, const RunContext& context)
-    : surface_(std::move(surface)), standing_(standing_of(surface_->proxy())) {
+    : surface_(std::move(surface)), pose_(pose_of(surface_->proxy())) {
   samples_ = samples_of(proxy().mesh);
   const std::array<const ProxyMesh*, 1> all{&proxy()};
   rays_ = std::make_unique<Occluder>(all, context);
@@ -111,8 +111,8 @@ bool coincide(const Body& before, const Body& after, const Placement& move, doub
 
 Shift best_shift(const Body& before, const Body& after, double place) {
   Shift best{Vec3(0), share_on_each_other(before, after, {}, place)};
-  const Box3 &was = before.standing().box, &is = after.standing().box;
-  std::vector<Vec3> shifts{after.standing().middle - before.standing().middle};
+  const Box3 &was = before.pose().box, &is = after.pose().box;
+  std::vector<Vec3> shifts{after.pose().middle - before.pose().middle};
   // Sides of the boxes, or their middles, laid on each other.
   const std::array<Vec3, 3> sides{is.min - was.min, is.center() - was.center(), is.max - was.max};
   for (std::size_t n = 0; n < 27; ++n) {

@@ -26,7 +26,7 @@ class Body {
   Body(std::shared_ptr<const Surface> surface, const RunContext& context);
 
   const ProxyMesh& proxy() const { return surface_->proxy(); }
-  const Standing& standing() const { return standing_; }
+  const Pose& pose() const { return pose_; }
   /// Even by area, the same for the same triangles.
   const std::vector<SurfaceSample>& samples() const { return samples_; }
   /// Whether a triangle lies within `reach` mm before or behind a point, along its normal.
@@ -34,7 +34,7 @@ class Body {
 
  private:
   std::shared_ptr<const Surface> surface_;
-  Standing standing_;
+  Pose pose_;
   std::vector<SurfaceSample> samples_;
   std::unique_ptr<Occluder> rays_;
 };

@@ -14,8 +14,8 @@ namespace {
 using detail::Body;
 
 PartNumbers numbers_of(const RevisionPart& part) {
-  return {part.shape.volume, part.shape.area, part.standing.box.size(), part.shape.faces,
-          part.standing.middle};
+  return {part.shape.volume, part.shape.area, part.pose.box.size(), part.shape.faces,
+          part.pose.middle};
 }
 
 /// Angle and axis of a turn.
@@ -74,7 +74,7 @@ class Comparer {
   static double diagonal(const std::vector<RevisionPart>& parts) {
     Box3 box;
     for (const RevisionPart& part : parts) {
-      if (!part.standing.box.empty()) box.add(part.standing.box);
+      if (!part.pose.box.empty()) box.add(part.pose.box);
     }
     return box.diagonal();
   }
@@ -120,7 +120,7 @@ class Comparer {
   }
 
   Vec3 way_of(const PartMatch& match) const {
-    return parts_after_[match.after].standing.middle - parts_before_[match.before].standing.middle;
+    return parts_after_[match.after].pose.middle - parts_before_[match.before].pose.middle;
   }
 
   void find_shift(PartDifference& d) {

@@ -95,20 +95,20 @@ class Matcher {
     if (!a.shape.same(b.shape, tolerance_.shape)) return false;
     if (a.shape.area > 0) return true;
     // Nothing was measured: what is left are the boxes.
-    const Vec3 off = glm::abs(a.standing.box.size() - b.standing.box.size());
+    const Vec3 off = glm::abs(a.pose.box.size() - b.pose.box.size());
     return std::max({off.x, off.y, off.z}) <= place_of(a, b);
   }
 
   double place_of(const RevisionPart& a, const RevisionPart& b) const {
-    return tolerance_.place + a.standing.error + b.standing.error;
+    return tolerance_.place + a.pose.error + b.pose.error;
   }
 
   bool stands(const RevisionPart& a, const RevisionPart& b) const {
     const double place = place_of(a, b);
-    if (glm::distance(a.standing.middle, b.standing.middle) > place) return false;
-    const Mat3 off = a.standing.spread - b.standing.spread;
-    const double reach = std::sqrt(
-        std::max(0.0, a.standing.spread[0][0] + a.standing.spread[1][1] + a.standing.spread[2][2]));
+    if (glm::distance(a.pose.middle, b.pose.middle) > place) return false;
+    const Mat3 off = a.pose.spread - b.pose.spread;
+    const double reach =
+        std::sqrt(std::max(0.0, a.pose.spread[0][0] + a.pose.spread[1][1] + a.pose.spread[2][2]));
     // A point that far from the middle which moves by `place` changes a moment by no more.
     const double allowed = 2 * reach * place + place * place;
     for (int i = 0; i < 3; ++i) {
@@ -134,7 +134,7 @@ class Matcher {
   void match_in_place() {
     double side = 0;
     for (const auto parts : {before_, after_}) {
-      for (const RevisionPart& p : parts) side = std::max(side, p.standing.error);
+      for (const RevisionPart& p : parts) side = std::max(side, p.pose.error);
     }
     side = 2 * (tolerance_.place + 2 * side);
     const auto cell_of = [&](Vec3 p) {
@@ -148,14 +148,14 @@ class Matcher {
     };
     std::map<Cell, Indices> cells;
     for (std::size_t b = 0; b < before_.size(); ++b) {
-      cells[cell_of(before_[b].standing.middle)].push_back(b);
+      cells[cell_of(before_[b].pose.middle)].push_back(b);
     }
     // Equal paths, then equal stems, then any.
     for (int rule = 0; rule < 3; ++rule) {
       for (std::size_t a = 0; a < after_.size(); ++a) {
         context_.check();
         if (mate_after_[a] != kNoPart) continue;
-        const Cell middle = cell_of(after_[a].standing.middle);
+        const Cell middle = cell_of(after_[a].pose.middle);
         for (int n = 0; n < 27 && mate_after_[a] == kNoPart; ++n) {
           const auto found =
               cells.find({middle[0] + n % 3 - 1, middle[1] + n / 3 % 3 - 1, middle[2] + n / 9 - 1});
@@ -198,8 +198,7 @@ class Matcher {
   void pair_nearest(const Indices& before, const Indices& after, bool shape) {
     std::vector<std::tuple<double, std::size_t, std::size_t>> pairs;
     const auto consider = [&](std::size_t b, std::size_t a) {
-      pairs.emplace_back(glm::distance(before_[b].standing.middle, after_[a].standing.middle), b,
-                         a);
+      pairs.emplace_back(glm::distance(before_[b].pose.middle, after_[a].pose.middle), b, a);
     };
     if (before.size() * after.size() <= kMostPairs) {
       for (const std::size_t b : before) {
@@ -217,10 +216,10 @@ class Matcher {
   template <class Consider>
   void consider_neighbours(Indices before, Indices after, const Consider& consider) {
     Box3 box;
-    for (const std::size_t b : before) box.add(before_[b].standing.middle);
+    for (const std::size_t b : before) box.add(before_[b].pose.middle);
     const Vec3 size = box.size();
     const int along = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
-    const auto at = [along](const RevisionPart& p) { return p.standing.middle[along]; };
+    const auto at = [along](const RevisionPart& p) { return p.pose.middle[along]; };
     std::ranges::sort(after, {}, [&](std::size_t a) { return std::pair(at(after_[a]), a); });
     for (const std::size_t b : before) {
       context_.check();
@@ -238,21 +237,20 @@ class Matcher {
   void match_boxes() {
     Indices before, after;
     for (std::size_t b = 0; b < before_.size(); ++b) {
-      if (mate_before_[b] == kNoPart && !before_[b].standing.box.empty()) before.push_back(b);
+      if (mate_before_[b] == kNoPart && !before_[b].pose.box.empty()) before.push_back(b);
     }
     for (std::size_t a = 0; a < after_.size(); ++a) {
-      if (mate_after_[a] == kNoPart && !after_[a].standing.box.empty()) after.push_back(a);
+      if (mate_after_[a] == kNoPart && !after_[a].pose.box.empty()) after.push_back(a);
     }
-    std::ranges::stable_sort(after, {},
-                             [&](std::size_t a) { return after_[a].standing.box.min.x; });
+    std::ranges::stable_sort(after, {}, [&](std::size_t a) { return after_[a].pose.box.min.x; });
     std::vector<std::tuple<double, std::size_t, std::size_t>> pairs;
     std::size_t looked = 0;
     for (const std::size_t b : before) {
       context_.check();
-      const Box3& box = before_[b].standing.box;
+      const Box3& box = before_[b].pose.box;
       for (const std::size_t a : after) {
-        if (after_[a].standing.box.min.x > box.max.x || ++looked > kMostBoxes) break;
-        const double share = shared(box, after_[a].standing.box);
+        if (after_[a].pose.box.min.x > box.max.x || ++looked > kMostBoxes) break;
+        const double share = shared(box, after_[a].pose.box);
         if (share >= kShared) pairs.emplace_back(-share, b, a);
       }
     }

@@ -64,11 +64,11 @@ class Turns {
   Turns(const Body& before, const Body& after)
       : before_(before),
         after_(after),
-        near_(kCorner * before.standing().box.diagonal() + before.proxy().tolerance +
+        near_(kCorner * before.pose().box.diagonal() + before.proxy().tolerance +
               after.proxy().tolerance) {}
 
   std::vector<Mat3> find() {
-    const Axes a = axes_of(before_.standing().spread), b = axes_of(after_.standing().spread);
+    const Axes a = axes_of(before_.pose().spread), b = axes_of(after_.pose().spread);
     const double largest = a.moments.z;
     const bool low = a.moments.y - a.moments.x <= kEqual * largest,
                high = a.moments.z - a.moments.y <= kEqual * largest;
@@ -94,7 +94,7 @@ class Turns {
     Vec3 out{0};
   };
   static Off off(const Body& body, Vec3 axis, Vec3 corner) {
-    const Vec3 from = corner - body.standing().middle;
+    const Vec3 from = corner - body.pose().middle;
     const double along = glm::dot(from, axis);
     return {along, glm::length(from - along * axis), from - along * axis};
   }
@@ -132,7 +132,7 @@ class Turns {
   /// Of a shape that no axis of inertia tells: its corner farthest from the middle goes to each
   /// that is as far.
   void find_about_corners() {
-    const auto from_middle = [](const Body& body, Vec3 p) { return p - body.standing().middle; };
+    const auto from_middle = [](const Body& body, Vec3 p) { return p - body.pose().middle; };
     Vec3 far(0);
     for (const Vec3& p : before_.proxy().mesh.positions) {
       const Vec3 one = from_middle(before_, p);
@@ -160,7 +160,7 @@ class Turns {
 
 std::optional<Placement> rigid_move(const Body& before, const Body& after, double place,
                                     const RunContext& context) {
-  const Vec3 from = before.standing().middle, to = after.standing().middle;
+  const Vec3 from = before.pose().middle, to = after.pose().middle;
   const Placement shift{Mat3(1), to - from};
   if (coincide(before, after, shift, place)) return shift;
   for (const Mat3& turn : Turns(before, after).find()) {

@@ -43,9 +43,9 @@ std::vector<std::string> names_of(const Part& part) {
 
 }  // namespace
 
-Standing standing_of(const ProxyMesh& proxy) {
+Pose pose_of(const ProxyMesh& proxy) {
   const TriMesh& mesh = proxy.mesh;
-  Standing s;
+  Pose s;
   s.box = mesh.bounds();
   if (mesh.triangles.empty()) return s;
   // About a point of the shape: far from the origin nothing is lost.
@@ -92,12 +92,12 @@ std::vector<RevisionPart> RevisionSurfaces::measured(double from, double to) {
     one.color = lowered(part.color);
     one.drawn = drawn_[i];
     if (const auto surface = this->surface(i)) {
-      one.standing = standing_of(surface->proxy());
+      one.pose = pose_of(surface->proxy());
       one.shape = measure(i);
     }
-    if (one.standing.box.empty()) {
-      one.standing.box = part.form->bounds(Mat3(1));
-      if (!one.standing.box.empty()) one.standing.middle = one.standing.box.center();
+    if (one.pose.box.empty()) {
+      one.pose.box = part.form->bounds(Mat3(1));
+      if (!one.pose.box.empty()) one.pose.middle = one.pose.box.center();
     }
     context_.begin_stage(RunStage::Build);
     context_.progress(from + (to - from) * static_cast<double>(i + 1) /

@@ -47,6 +47,6 @@ class RevisionSurfaces {
   std::map<std::tuple<const void*, double, bool>, ShapeMeasure> measures_;
 };
 
-Standing standing_of(const ProxyMesh& proxy);
+Pose pose_of(const ProxyMesh& proxy);
 
 }  // namespace burin::detail

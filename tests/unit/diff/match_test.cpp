@@ -19,9 +19,9 @@ RevisionPart cube(const std::string& name, double side, Vec3 at) {
   p.shape.volume = side * side * side;
   p.shape.moments = Vec3(side * side * side * side);
   p.shape.faces = 6;
-  p.standing.middle = at;
-  p.standing.spread = Mat3(side * side / 6);
-  p.standing.box = {at - 0.5 * side, at + 0.5 * side};
+  p.pose.middle = at;
+  p.pose.spread = Mat3(side * side / 6);
+  p.pose.box = {at - 0.5 * side, at + 0.5 * side};
   return p;
 }
 
@@ -137,12 +137,12 @@ TEST(Match, LooksAndMirrorImagesAreTold) {
 TEST(Match, ToleratesWhatTheShapesAreMeasuredBy) {
   const RevisionPart was = cube("a", 1, {0, 0, 0});
   RevisionPart is = was;
-  is.standing.middle.x = 0.9e-3;
+  is.pose.middle.x = 0.9e-3;
   is.shape.volume *= 1 + 1e-8;
   EXPECT_TRUE(match({was}, {is})[0].same());
-  is.standing.middle.x = 1.1e-3;
+  is.pose.middle.x = 1.1e-3;
   EXPECT_TRUE(match({was}, {is})[0].moved);
-  is.standing.error = 1e-3;
+  is.pose.error = 1e-3;
   EXPECT_TRUE(match({was}, {is})[0].same());
 }
 
@@ -160,8 +160,7 @@ TEST(Match, TenThousandPartsOfOneName) {
   EXPECT_EQ(found.back().before, 5000U);
   for (const PartMatch& one : found) {
     if (one.moved) {
-      EXPECT_EQ(before[one.before].standing.middle + Vec3(0, 0, 1),
-                after[one.after].standing.middle);
+      EXPECT_EQ(before[one.before].pose.middle + Vec3(0, 0, 1), after[one.after].pose.middle);
     }
   }
 }

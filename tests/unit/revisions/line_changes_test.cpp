@@ -132,7 +132,7 @@ TEST(LineChanges, AreDrawnInTheirLooks) {
   EXPECT_EQ(layer("gone-crease").paths[0].source.part, -1);
   EXPECT_EQ(layer("same-crease").color, "#999999");
   EXPECT_EQ(layer("legend").texts.size(), 3U);
-  EXPECT_EQ(layer("legend").texts[0].text, "1 lines new");
+  EXPECT_EQ(layer("legend").texts[0].text, "1 line new");
 }
 
 TEST(LineChanges, CanBeCancelled) {

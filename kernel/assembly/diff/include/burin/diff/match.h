@@ -16,7 +16,7 @@ namespace burin {
 
 /// Where a shape stands: numbers that change with any move or turn but those that leave it as it
 /// is.
-struct Standing {
+struct Pose {
   /// Of its surface; of its box where it has none.
   Vec3 middle{0};
   /// Second moments of the surface about the middle, along the model's axes, over the area: mm2.
@@ -34,7 +34,7 @@ struct RevisionPart {
   /// The same without any number that tells instances apart ("bolt_2").
   std::string stem;
   ShapeMeasure shape;
-  Standing standing;
+  Pose pose;
   /// "#rrggbb" or empty; whether it is drawn at all.
   std::string color;
   bool drawn = true;
@@ -60,13 +60,13 @@ struct PartMatch {
 };
 
 struct MatchTolerance {
-  /// Model mm; `Standing::error` of both comes to it.
+  /// Model mm; `Pose::error` of both comes to it.
   double place = 1e-3;
   /// Of areas, volumes and moments.
   double shape = 1e-6;
 };
 
-/// Whether the surfaces of two parts lie on each other: asked of pairs whose shapes and standings
+/// Whether the surfaces of two parts lie on each other: asked of pairs whose shapes and poses
 /// agree.
 using LieOnEachOther = std::function<bool(std::size_t before, std::size_t after)>;
 
