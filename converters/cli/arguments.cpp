@@ -218,6 +218,42 @@ CLI::App* add_steps(CLI::App& app, StepsArguments& a, Chatter& chatter) {
   return steps;
 }
 
+CLI::App* add_diff(CLI::App& app, DiffArguments& a, Chatter& chatter) {
+  CLI::App* diff = app.add_subcommand(
+      "diff", "tell and draw what has changed from one revision of a model to the next");
+  DrawArguments& draw = a.draw;
+  draw.command = "diff";
+  diff->add_option("OLD NEW", draw.inputs,
+                   "two revisions: model files as draw takes them, or\nillustration files; or two "
+                   "drawing files (.json)")
+      ->type_name("")
+      ->group(kFiles);
+  list(*diff, "-o,--output", draw.outputs, "FILE", kFiles,
+       wrapped(fmt::format("what to write: .json is the report for programs, .html a page of "
+                           "drawing and table, NAME.drawing.json, {} the drawing of both; "
+                           "repeatable; without it the report is printed alone",
+                           format_list())));
+  text(*diff, "--format", draw.format, "FORMAT", kFiles, format_help());
+  text(*diff, "--line-tolerance", a.line_tolerance, "MM", kFiles,
+       "of two drawings: paper mm up to which lines are one\n(default 0.1)");
+  // What is about one model.
+  const std::vector<std::string> others = {"explode", "explode_factor", "callouts", "parts_list",
+                                           "verify"};
+  for (const RequestOption& option : all_options()) {
+    if (std::ranges::find(others, option.option.name) == others.end()) {
+      add_request(*diff, option, draw.request.options);
+    }
+  }
+  add_chatter(*diff, chatter);
+  diff->footer(
+      "\nExamples:\n"
+      "  burin diff old/pump.step pump.step\n"
+      "  burin diff old/pump.step pump.step -o pump-diff.svg -o pump-diff.html --style outline\n"
+      "  burin diff was.json is.json -o lines.svg --line-tolerance 0.3\n\n"
+      "Exit status: 0 nothing has changed; 6 something has; else that of burin draw.");
+  return diff;
+}
+
 CLI::App* add_convert(CLI::App& app, ConvertArguments& a, Chatter& chatter) {
   CLI::App* convert = app.add_subcommand(
       "convert", "write a drawing file, or what an OpenSCAD file makes, in other formats");
@@ -301,6 +337,7 @@ Arguments parse_arguments(int argc, const char* const* argv) {
   CLI::App* watch = add_watch(app, a.draw, a.chatter);
   CLI::App* illustrate = add_illustrate(app, a.illustrate);
   CLI::App* steps = add_steps(app, a.steps, a.chatter);
+  CLI::App* diff = add_diff(app, a.diff, a.chatter);
   CLI::App* convert = add_convert(app, a.convert, a.chatter);
   CLI::App* info = add_info(app, a.info);
   CLI::App* styles = add_styles(app, a.styles);
@@ -309,7 +346,8 @@ Arguments parse_arguments(int argc, const char* const* argv) {
       "plugins", "try all plug-ins again and list what they offer, or why they were refused");
   plugins->add_flag("--json", a.plugins.json, "print JSON, for programs");
   app.allow_extras();
-  for (CLI::App* sub : {draw, watch, illustrate, steps, convert, info, styles, options, plugins})
+  for (CLI::App* sub :
+       {draw, watch, illustrate, steps, diff, convert, info, styles, options, plugins})
     sub->allow_extras();
 
   refuse_empty_values(app, argc, argv);
@@ -342,6 +380,7 @@ Arguments parse_arguments(int argc, const char* const* argv) {
            : chosen == watch      ? Verb::Watch
            : chosen == illustrate ? Verb::Illustrate
            : chosen == steps      ? Verb::Steps
+           : chosen == diff       ? Verb::Diff
            : chosen == convert    ? Verb::Convert
            : chosen == info       ? Verb::Info
            : chosen == styles     ? Verb::Styles

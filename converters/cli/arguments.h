@@ -26,6 +26,13 @@ struct StepsArguments {
   std::string items;
 };
 
+struct DiffArguments {
+  /// `inputs` are the old revision and the new one.
+  DrawArguments draw;
+  /// Paper mm, as it was typed.
+  std::string line_tolerance;
+};
+
 struct ConvertArguments {
   std::string input;
   std::vector<std::string> outputs;
@@ -67,7 +74,19 @@ struct Chatter {
   bool no_progress = false;
 };
 
-enum class Verb { Help, Draw, Watch, Illustrate, Steps, Convert, Info, Styles, Options, Plugins };
+enum class Verb {
+  Help,
+  Draw,
+  Watch,
+  Illustrate,
+  Steps,
+  Diff,
+  Convert,
+  Info,
+  Styles,
+  Options,
+  Plugins
+};
 
 struct Arguments {
   Verb verb = Verb::Help;
@@ -76,6 +95,7 @@ struct Arguments {
   /// `draw`: of `burin watch` too.
   DrawArguments draw, illustrate;
   StepsArguments steps;
+  DiffArguments diff;
   ConvertArguments convert;
   StylesArguments styles;
   InfoArguments info;

@@ -5,7 +5,8 @@
 
 namespace burin::cli {
 
-constexpr int kDone = 0, kFailed = 1, kUsage = 2, kBadInput = 3, kNoOutput = 4, kStopped = 5;
+constexpr int kDone = 0, kFailed = 1, kUsage = 2, kBadInput = 3, kNoOutput = 4, kStopped = 5,
+              kDifferent = 6;
 
 /// Prints the line; to be called where an exception was caught. `input` is the file that errors
 /// without one of their own are about. Returns the status.
