@@ -23,8 +23,14 @@ install(TARGETS burin LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR} NAMELINK_ONLY 
 
 # burin_install_python(FOLDER COMPONENT [EXCLUDE_FROM_ALL]): the Python package into FOLDER.
 function(burin_install_python folder component)
+  set(source ${PROJECT_SOURCE_DIR}/converters/python/burin)
+  if(NOT TARGET burin_python)  # commands that are written in Python, without the module
+    install(DIRECTORY ${source}/batch ${source}/book DESTINATION ${folder}/burin COMPONENT ${component} ${ARGN}
+      FILES_MATCHING PATTERN "*.py" PATTERN __pycache__ EXCLUDE)
+    return()
+  endif()
   install(TARGETS burin_python LIBRARY DESTINATION ${folder}/burin COMPONENT ${component} ${ARGN})
-  install(DIRECTORY ${PROJECT_SOURCE_DIR}/converters/python/burin DESTINATION ${folder} COMPONENT ${component} ${ARGN}
+  install(DIRECTORY ${source} DESTINATION ${folder} COMPONENT ${component} ${ARGN}
     FILES_MATCHING PATTERN "*.py" PATTERN py.typed PATTERN __pycache__ EXCLUDE)
   install(FILES ${CMAKE_BINARY_DIR}/python/burin/__init__.pyi DESTINATION ${folder}/burin COMPONENT ${component} ${ARGN})
 endfunction()
@@ -47,8 +53,8 @@ if(TARGET burin_python)
   # Of the same depth as the folder of a package of Debian, lib/python3/dist-packages.
   burin_rpath(burin_python ${BURIN_PYTHON_FOLDER}/burin)
   set_property(TARGET burin_python APPEND PROPERTY INSTALL_RPATH "$ORIGIN")
-  burin_install_python(${BURIN_PYTHON_FOLDER} python)
 endif()
+burin_install_python(${BURIN_PYTHON_FOLDER} python)
 
 get_property(modules GLOBAL PROPERTY BURIN_MODULES)
 foreach(module IN LISTS modules)

@@ -42,7 +42,7 @@ if(TARGET burin_python)
  catalogues of drawings, and pictures in documentation.")
   set(CPACK_DEBIAN_PYTHON_DEBIAN_PACKAGE_SECTION python)
   # The compiled module is for one minor version of Python.
-  string(REGEX MATCH "^3\\.([0-9]+)" python ${BURIN_PYTHON_VERSION})
+  string(REGEX MATCH "^3\\.([0-9]+)$" python ${BURIN_PYTHON_VERSION})
   math(EXPR next_minor "${CMAKE_MATCH_1} + 1")
   string(JOIN ", " CPACK_DEBIAN_PYTHON_DEBIAN_PACKAGE_DEPENDS "burin (= ${version})" "python3 (>= ${python})"
     "python3 (<< 3.${next_minor})" python3-numpy)

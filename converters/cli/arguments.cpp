@@ -4,6 +4,7 @@
 #include <burin/converters/write.h>
 
 #include "about.h"
+#include "add_options.h"
 #include "command_tree.h"
 #include "unknown_words.h"
 
@@ -23,99 +24,6 @@ constexpr const char* kLook = "The look";
 constexpr const char* kRun = "The run";
 constexpr const char* kFiles = "Files";
 constexpr const char* kParts = "Parts";
-
-/// Lines of help are this long, beside the column of the names.
-constexpr std::size_t kHelpWidth = 60;
-
-std::string wrapped(const std::string& text) {
-  std::string out;
-  std::size_t used = 0;
-  std::istringstream words(text);
-  for (std::string word; words >> word;) {
-    const bool fits = used + 1 + word.size() <= kHelpWidth;
-    if (used > 0) out += fits ? ' ' : '\n';
-    used = fits && used > 0 ? used + 1 + word.size() : word.size();
-    out += word;
-  }
-  return out;
-}
-
-std::string format_help() {
-  return wrapped(fmt::format("{}: format of outputs whose name does not tell it", format_list("")));
-}
-
-std::string output_help(const char* what) {
-  return wrapped(
-      fmt::format("{} to write, {} by its suffix; repeatable; - is standard output and "
-                  "needs --format",
-                  what, format_list()));
-}
-
-CLI::Option* text(CLI::App& app, const char* name, std::string& value, const char* type,
-                  const char* group, const std::string& help) {
-  return app.add_option(name, value, help)
-      ->each([option = std::string(name)](const std::string& word) { refuse_empty(option, word); })
-      ->type_name(type)
-      ->group(group)
-      ->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
-}
-
-/// An option that may be given several times, one value each time.
-void list(CLI::App& app, const char* name, std::vector<std::string>& values, const char* type,
-          const char* group, const std::string& help) {
-  app.add_option(name, values, help)->type_name(type)->group(group)->allow_extra_args(false);
-}
-
-/// A switch, and the form that turns it off where there is one.
-void add_switch(CLI::App& app, const RequestOption& option, Request& request) {
-  const std::string& name = option.option.name;
-  const auto add = [&](const std::string& flag, const std::string& help, const char* value) {
-    app.add_flag_callback(
-           spelled(flag, Spelling::Options), [&request, name, value] { request[name] = {value}; },
-           wrapped(help))
-        ->group(option.group);
-  };
-  add(name, option.option.meaning, "true");
-  if (!option.negated.empty()) add("no_" + name, option.negated, "false");
-}
-
-void add_request(CLI::App& app, const RequestOption& option, Request& request) {
-  if (std::holds_alternative<Switch>(option.option.takes)) return add_switch(app, option, request);
-  const std::string& name = option.option.name;
-  const std::string word = spelled(name, Spelling::Options);
-  const std::string names = option.letter == 0 ? word : fmt::format("-{},{}", option.letter, word);
-  const auto add = [&]<class Values>(CLI::MultiOptionPolicy policy) {
-    const auto set = [&request, name, word](const Values& values) {
-      if constexpr (std::is_same_v<Values, std::string>) {
-        refuse_empty(word, values);
-        request[name] = {values};
-      } else {
-        for (const std::string& value : values) refuse_empty(word, value);
-        request[name] = values;
-      }
-    };
-    app.add_option_function<Values>(names, set, wrapped(option.option.meaning))
-        ->type_name(option.label)
-        ->group(option.group)
-        ->allow_extra_args(false)
-        ->multi_option_policy(policy);
-  };
-  if (option.many) {
-    add.template operator()<std::vector<std::string>>(CLI::MultiOptionPolicy::TakeAll);
-  } else {
-    add.template operator()<std::string>(CLI::MultiOptionPolicy::TakeLast);
-  }
-}
-
-void add_chatter(CLI::App& app, Chatter& chatter) {
-  app.add_flag("--quiet,-q", chatter.quiet, "print nothing but errors")->group(kRun);
-  app.add_flag("--verbose,-v", chatter.verbose, "print the time of each stage")->group(kRun);
-  app.add_flag("--progress", chatter.progress,
-               "show progress (default on a terminal); elsewhere than on a\n"
-               "terminal one line a step: burin: progress STAGE SHARE")
-      ->group(kRun);
-  app.add_flag("--no-progress", chatter.no_progress, "show none")->group(kRun);
-}
 
 constexpr const char* kModels =
     "model files, each one or more parts of the scene:\nSTEP, IGES, BREP, STL, OBJ, OFF, PLY, "
@@ -254,6 +162,14 @@ CLI::App* add_diff(CLI::App& app, DiffArguments& a, Chatter& chatter) {
   return diff;
 }
 
+/// Its words are for another parser.
+CLI::App* add_python(CLI::App& app, const char* name, const char* does) {
+  CLI::App* command = app.add_subcommand(name, does);
+  command->set_help_flag();
+  command->prefix_command();
+  return command;
+}
+
 CLI::App* add_convert(CLI::App& app, ConvertArguments& a, Chatter& chatter) {
   CLI::App* convert = app.add_subcommand(
       "convert", "write a drawing file, or what an OpenSCAD file makes, in other formats");
@@ -338,6 +254,9 @@ Arguments parse_arguments(int argc, const char* const* argv) {
   CLI::App* illustrate = add_illustrate(app, a.illustrate);
   CLI::App* steps = add_steps(app, a.steps, a.chatter);
   CLI::App* diff = add_diff(app, a.diff, a.chatter);
+  CLI::App* batch = add_python(
+      app, "batch", "draw a catalogue of parts: plan, run, report, slurm (see burin batch --help)");
+  CLI::App* book = add_python(app, "book", "make the figures of a manual (see burin book --help)");
   CLI::App* convert = add_convert(app, a.convert, a.chatter);
   CLI::App* info = add_info(app, a.info);
   CLI::App* styles = add_styles(app, a.styles);
@@ -350,7 +269,8 @@ Arguments parse_arguments(int argc, const char* const* argv) {
        {draw, watch, illustrate, steps, diff, convert, info, styles, options, plugins})
     sub->allow_extras();
 
-  refuse_empty_values(app, argc, argv);
+  const bool python = argc > 1 && (argv[1] == batch->get_name() || argv[1] == book->get_name());
+  if (!python) refuse_empty_values(app, argc, argv);
   try {
     app.parse(argc, argv);
   } catch (const CLI::CallForHelp&) {
@@ -367,6 +287,11 @@ Arguments parse_arguments(int argc, const char* const* argv) {
   if (app.get_subcommands().size() > 1)
     throw UsageError("one command at a time (see burin --help)");
   const CLI::App* chosen = app.get_subcommands().front();
+  if (chosen == batch || chosen == book) {
+    a.verb = chosen == batch ? Verb::Batch : Verb::Book;
+    a.words.assign(argv + 2, argv + argc);
+    return a;
+  }
   refuse_extras(*chosen, "burin " + chosen->get_name());
   refuse_extras(app, "burin");
   if (chosen == watch) a.draw.command = "watch";

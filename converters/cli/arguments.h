@@ -81,6 +81,8 @@ enum class Verb {
   Illustrate,
   Steps,
   Diff,
+  Batch,
+  Book,
   Convert,
   Info,
   Styles,
@@ -101,6 +103,8 @@ struct Arguments {
   InfoArguments info;
   OptionsArguments options;
   PluginsArguments plugins;
+  /// What follows the name of a command that is written in Python and has a parser of its own.
+  std::vector<std::string> words;
   Chatter chatter;
 };
 
