@@ -21,7 +21,6 @@ namespace burin::cli {
 namespace {
 
 constexpr const char* kLook = "The look";
-constexpr const char* kRun = "The run";
 constexpr const char* kFiles = "Files";
 constexpr const char* kParts = "Parts";
 
