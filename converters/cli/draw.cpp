@@ -129,8 +129,9 @@ Drawn draw_files(const DrawArguments& arguments, RunContext& context, KeptScene*
   const Drawing drawing = draw(scene, sheet, plan, context, kept ? &kept->session : nullptr);
 
   write_parts_lists(drawing, plan);
-  write_outputs(outputs, drawing, options, context);
-  return {drawing.diagnostics, drawing.stats.verify};
+  Diagnostics diagnostics = drawing.diagnostics;
+  diagnostics.append(write_outputs(outputs, drawing, options, context));
+  return {std::move(diagnostics), drawing.stats.verify};
 }
 
 void run_draw(const DrawArguments& arguments, RunContext& context, Console& console,

@@ -15,10 +15,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Those of a build, and of an installation.
+/// Those of a build, of an installation, and of packages of Debian.
 std::vector<fs::path> package_folders(const fs::path& program) {
   const fs::path prefix = program.parent_path().parent_path();
-  return {prefix / "python", prefix / BURIN_PYTHON_FOLDER};
+  return {prefix / "python", prefix / BURIN_PYTHON_FOLDER, prefix / "lib/python3/dist-packages"};
 }
 
 fs::path package_folder(const fs::path& program, const std::string& name) {
@@ -29,10 +29,10 @@ fs::path package_folder(const fs::path& program, const std::string& name) {
     if (fs::exists(module / "__main__.py", error)) return folder;
     looked += (looked.empty() ? "" : " and ") + module.string();
   }
-  throw Error(fmt::format(
-      "the Python part of burin {} is missing (looked for {}); install all of Burin, or "
-      "build the target burin_python_package",
-      name, looked));
+  throw Error(
+      fmt::format("the Python part of burin {} is missing (looked for {}); install the package "
+                  "python3-burin, or build the target burin_python_package",
+                  name, looked));
 }
 
 void put_first(const char* variable, const std::string& folder) {

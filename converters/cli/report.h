@@ -5,7 +5,8 @@
 
 namespace burin::cli {
 
-constexpr int kDone = 0, kFailed = 1, kUsage = 2, kBadInput = 3, kNoOutput = 4, kStopped = 5;
+constexpr int kDone = 0, kFailed = 1, kUsage = 2, kBadInput = 3, kNoOutput = 4, kStopped = 5,
+              kDifferent = 6;
 
 /// What was thrown, as programs and users are told it.
 struct Failure {

@@ -166,7 +166,7 @@ def program_version(command: str) -> str:
         run = subprocess.run([command, "--version"], capture_output=True, text=True, timeout=60)
     except (OSError, subprocess.TimeoutExpired) as e:
         raise BatchError(f"{command} cannot be started ({e}); --burin names the command") from e
-    words = run.stdout.split()
+    words = run.stdout.partition("\n")[0].split()
     if run.returncode != 0 or len(words) != 2 or words[0] != "burin":
         raise BatchError(f"{command} is no burin; --burin names the command")
     return words[1]
