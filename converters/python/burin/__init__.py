@@ -51,6 +51,7 @@ from ._burin import (
     views,
 )
 from ._draw import draw
+from ._jupyter import set_up as _set_up_notebooks
 from ._plugins import load as _load_plugins
 
 Progress = _Callable[[str, float], _Any]
@@ -104,6 +105,7 @@ def _load():
     from . import _burin
 
     _load_plugins(_burin._refuse_plugin)
+    _set_up_notebooks()
 
 
 _load()

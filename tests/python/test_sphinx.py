@@ -1,0 +1,155 @@
+"""The directive of Sphinx: real builds of small projects."""
+
+import importlib.util
+import os
+import re
+import shutil
+import subprocess
+import sys
+import unittest
+
+from batch_support import COMMAND, BatchTest, box_off
+
+CONF = f"""
+extensions = ["burin.sphinx"]
+project = "Boxes"
+author = "Us"
+burin_command = {COMMAND!r}
+burin_options = {{"style": "outline", "paper": "60x40"}}
+exclude_patterns = ["_burin"]
+"""
+INDEX = """
+Boxes
+=====
+
+.. burin:: parts/a.off
+   :callouts:
+   :list:
+   :page:
+   :width: 50%
+   :name: first
+
+   The *first* box.
+
+   More of it.
+
+See :ref:`the figure <first>`.
+
+.. toctree::
+
+   deep/other
+"""
+OTHER = """
+Other
+=====
+
+.. burin:: ../parts/b.off
+   :look: b=technical
+   :view: 1,-1,1
+"""
+
+
+@unittest.skipUnless(importlib.util.find_spec("sphinx"), "Sphinx is not there: python3-sphinx")
+class Sphinx(BatchTest):
+    def setUp(self):
+        super().setUp()
+        self.parts("a.off", "b.off")
+        (self.folder / "deep").mkdir()
+        self.write("conf.py", CONF)
+        self.write("index.rst", INDEX)
+        self.write("deep/other.rst", OTHER)
+
+    def write(self, name, text):
+        (self.folder / name).write_text(text)
+
+    def build(self, *words, builder="html"):
+        """Runs Sphinx; what it warns of."""
+        run = subprocess.run(
+            [sys.executable, "-m", "sphinx", "-b", builder, *words, ".", "out"], cwd=self.folder, capture_output=True, text=True
+        )
+        self.assertEqual(run.returncode, 0, run.stderr)
+        return run.stderr
+
+    def drawings(self):
+        return {p.name: p.stat().st_mtime_ns for p in (self.folder / "_burin").iterdir() if p.suffix in (".svg", ".pdf", ".html")}
+
+    def test_pages(self):
+        self.assertEqual(self.build("-j", "2"), "")
+        page = (self.folder / "out/index.html").read_text()
+        image = re.search(r'<img alt="Drawing of a.off" src="(_images/a-\w+\.svg)" style="width: 50%;" />', page)
+        self.assertTrue(image, page)
+        self.assertIn("<path", (self.folder / "out" / image[1]).read_text())
+        self.assertIn("The <em>first</em> box.", page)
+        self.assertIn("More of it.", page)
+        self.assertRegex(page, r"<td><p>1</p></td>\s*<td><p>1</p></td>\s*<td><p>a</p></td>")
+        link = re.search(r'href="(_burin/a-\w+\.html)">Open this figure', page)
+        self.assertTrue(link, page)
+        self.assertIn("data-item=", (self.folder / "out" / link[1]).read_text())
+        self.assertRegex((self.folder / "out/deep/other.html").read_text(), r'src="\.\./_images/b-\w+\.svg"')
+
+    def test_drawings_are_made_where_something_changed(self):
+        self.build()
+        before = self.drawings()
+        self.assertEqual(len(before), 5)
+        self.write("index.rst", INDEX + "\nMore text.\n")
+        self.build()
+        self.assertEqual(self.drawings(), before)
+        # A model is what a document depends on; the drawing of what it was goes.
+        (self.folder / "parts/b.off").write_text(box_off(3, 3, 3))
+        os.utime(self.folder / "parts/b.off")
+        self.build()
+        after = self.drawings()
+        self.assertEqual(len(after), 5)
+        self.assertEqual({n for n in before if n.startswith("a-")}, {n for n in after if n.startswith("a-")})
+        self.assertFalse({n for n in before if n.startswith("b-")} & {n for n in after if n.startswith("b-")})
+
+    def test_what_is_wrong_is_a_warning_at_its_line(self):
+        self.write("deep/other.rst", OTHER + "\n.. burin:: gone.off\n\n.. burin:: ../parts/a.off\n   :styl: outline\n\n.. burin:: ../parts/a.off\n   :style: none\n")
+        said = self.build()
+        self.assertRegex(said, r"deep/other\.rst:9: WARNING: burin: .*gone\.off")
+        self.assertRegex(said, r'deep/other\.rst:11: ERROR: (.|\n)*unknown option: "styl"')
+        self.assertRegex(said, r"deep/other\.rst:14: WARNING: burin: .*none")
+        self.assertIn("_images/b-", (self.folder / "out/deep/other.html").read_text())
+
+    def test_steps(self):
+        model = os.path.relpath(os.environ["BURIN_SOURCE_DIR"] + "/samples/coupling.step", self.folder)
+        self.write("deep/other.rst", f"Steps\n=====\n\n.. burin:: ../{model}\n   :steps:\n   :paper: A5\n")
+        self.assertEqual(self.build(), "")
+        page = (self.folder / "out/deep/other.html").read_text()
+        self.assertGreaterEqual(len(re.findall(r'src="\.\./_images/coupling-\w+-step-\d\d\.svg"', page)), 3)
+        self.assertIn('<p class="rubric">Step 1', page)
+
+    def test_latex(self):
+        self.assertEqual(self.build(builder="latex"), "")
+        text = (self.folder / "out/boxes.tex").read_text()
+        self.assertRegex(text, r"\\sphinxincludegraphics\[width=0\.5\\linewidth\]\{\{a-\w+\}\.pdf\}")
+        self.assertNotIn("Open this figure", text)
+        if not shutil.which("latexmk"):
+            self.skipTest("LaTeX is not there: latexmk texlive-latex-extra")
+        run = subprocess.run(["make", "-C", "out", "LATEXMKOPTS=-silent"], cwd=self.folder, capture_output=True, text=True)
+        self.assertEqual(run.returncode, 0, run.stdout[-3000:])
+        self.assertTrue((self.folder / "out/boxes.pdf").read_bytes().startswith(b"%PDF"))
+
+
+@unittest.skipUnless(importlib.util.find_spec("sphinx"), "Sphinx is not there: python3-sphinx")
+class Manual(BatchTest):
+    """samples/manual, as it lies there."""
+
+    def test_is_built(self):
+        samples = self.folder / "samples"
+        samples.mkdir()
+        source = os.environ["BURIN_SOURCE_DIR"] + "/samples"
+        shutil.copytree(source + "/manual", samples / "manual", ignore=shutil.ignore_patterns("_burin"))
+        shutil.copy(source + "/gear_pump.step", samples)
+        run = subprocess.run(
+            [sys.executable, "-m", "sphinx", "-W", "-D", f"burin_command={COMMAND}", samples / "manual", self.folder / "out"],
+            capture_output=True,
+            text=True,
+        )
+        self.assertEqual(run.returncode, 0, run.stderr)
+        self.assertEqual(len(list((self.folder / "out/_images").glob("*.svg"))), 15)
+        self.assertIn("screw M6", (self.folder / "out/parts.html").read_text())
+
+
+if __name__ == "__main__":
+    unittest.main()
