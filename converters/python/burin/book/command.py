@@ -35,6 +35,7 @@ def _parser() -> argparse.ArgumentParser:
         epilog="Exit status: 0 all are made; 1 a figure failed; 6 with --check: something was made or would change; else that of burin draw.",
     )
     parser.add_argument("book", metavar="BOOK.toml", type=Path)
+    parser.add_argument("-o", "--output", metavar="FOLDER", type=Path, help="where all that is made goes (default: what the book says)")
     parser.add_argument("--only", metavar="NAME", action="append", default=[], help="only this figure; repeatable")
     parser.add_argument("--jobs", metavar="N", type=int, help="figures made at once (default: as many as cores)")
     parser.add_argument("--timeout", metavar="S", default="300", help="seconds that a figure may take (default 300)")
@@ -94,6 +95,8 @@ def _make_all(studio: Studio, entries: list[Entry], count: int, stop: threading.
 
 def _run(arguments: Any) -> int:
     book = read_book(arguments.book)
+    if arguments.output is not None:
+        book.out = arguments.output.resolve()
     entries = _chosen(book, arguments.only)
     count = arguments.jobs if arguments.jobs is not None else len(os.sched_getaffinity(0))
     if count < 1:
