@@ -78,10 +78,10 @@ int finish(const DiffOutcome& outcome, std::vector<Output>& outputs, const Write
   if (outcome.drawing) {
     Diagnostics others;
     for (const Diagnostic& d : outcome.drawing->diagnostics.entries()) {
-      const auto told = [&](const Diagnostic& e) {
+      const auto said = [&](const Diagnostic& e) {
         return e.code == d.code && e.message == d.message;
       };
-      if (std::ranges::none_of(outcome.diagnostics.entries(), told)) others.add(d);
+      if (std::ranges::none_of(outcome.diagnostics.entries(), said)) others.add(d);
     }
     console.diagnostics(others);
   }
