@@ -26,6 +26,13 @@ struct StepsArguments {
   std::string items;
 };
 
+struct DiffArguments {
+  /// `inputs` are the old revision and the new one.
+  DrawArguments draw;
+  /// Paper mm, as it was typed.
+  std::string line_tolerance;
+};
+
 struct ConvertArguments {
   std::string input;
   std::vector<std::string> outputs;
@@ -44,6 +51,8 @@ struct OptionsArguments {
   bool json = false;
   bool style_schema = false;
   bool illustration_schema = false;
+  /// A command, and a shell; empty: not asked.
+  std::string manual, completion;
 };
 
 struct PluginsArguments {
@@ -65,7 +74,21 @@ struct Chatter {
   bool no_progress = false;
 };
 
-enum class Verb { Help, Draw, Watch, Illustrate, Steps, Convert, Info, Styles, Options, Plugins };
+enum class Verb {
+  Help,
+  Draw,
+  Watch,
+  Illustrate,
+  Steps,
+  Diff,
+  Batch,
+  Book,
+  Convert,
+  Info,
+  Styles,
+  Options,
+  Plugins
+};
 
 struct Arguments {
   Verb verb = Verb::Help;
@@ -74,11 +97,14 @@ struct Arguments {
   /// `draw`: of `burin watch` too.
   DrawArguments draw, illustrate;
   StepsArguments steps;
+  DiffArguments diff;
   ConvertArguments convert;
   StylesArguments styles;
   InfoArguments info;
   OptionsArguments options;
   PluginsArguments plugins;
+  /// What follows the name of a command that is written in Python and has a parser of its own.
+  std::vector<std::string> words;
   Chatter chatter;
 };
 

@@ -22,6 +22,9 @@ class Console {
   Console(const Console&) = delete;
   Console& operator=(const Console&) = delete;
 
+  /// Whether nothing but errors is said.
+  bool quiet() const { return quiet_; }
+
   /// For RunContext: draws the bar, or prints a line where no terminal is.
   void progress(const std::string& stage, double share);
   /// Takes the bar away.

@@ -5,13 +5,16 @@
 #include <burin/converters/load_plugins.h>
 
 #include "arguments.h"
+#include "batch_job.h"
 #include "console.h"
 #include "convert.h"
+#include "diff.h"
 #include "draw.h"
 #include "illustrate.h"
 #include "info.h"
 #include "options.h"
 #include "plugins.h"
+#include "python_module.h"
 #include "report.h"
 #include "signals.h"
 #include "steps.h"
@@ -21,7 +24,9 @@
 #include <chrono>
 #include <cstdio>
 #include <exception>
+#include <string>
 #include <string_view>
+#include <vector>
 
 namespace burin::cli {
 namespace {
@@ -51,6 +56,19 @@ int run(const Arguments& arguments, RunContext& context, Console& console) {
     case Verb::Steps:
       run_steps(arguments.steps, context, console);
       break;
+    case Verb::Diff: {
+      const int status = run_diff(arguments.diff, context, console);
+      check_printed();
+      return status;
+    }
+    case Verb::Batch:
+      if (arguments.words == std::vector<std::string>{"job"}) {
+        run_batch_job(context);
+        break;
+      }
+      become_python("batch", arguments.words);
+    case Verb::Book:
+      become_python("book", arguments.words);
     case Verb::Convert:
       run_convert(arguments.convert, context, console);
       break;
@@ -90,6 +108,7 @@ int main_of(int argc, const char* const* argv) {
     const Arguments arguments = parse_arguments(argc, argv);
     const auto& inputs = arguments.verb == Verb::Info    ? arguments.info.inputs
                          : arguments.verb == Verb::Steps ? arguments.steps.draw.inputs
+                         : arguments.verb == Verb::Diff  ? arguments.diff.draw.inputs
                                                          : arguments.draw.inputs;
     if (inputs.size() == 1) input = inputs.front();
     if (arguments.verb == Verb::Convert) input = arguments.convert.input;
@@ -100,7 +119,7 @@ int main_of(int argc, const char* const* argv) {
     const int status = run(arguments, context, console);
     signals::finish();
     if (arguments.verb == Verb::Draw || arguments.verb == Verb::Steps ||
-        arguments.verb == Verb::Convert) {
+        arguments.verb == Verb::Diff || arguments.verb == Verb::Convert) {
       console.stages(context, std::chrono::duration<double>(Clock::now() - start).count());
     }
     return status;

@@ -3,6 +3,8 @@
 #include "signals.h"
 
 #include <algorithm>
+#include <ostream>
+#include <utility>
 
 namespace burin::cli {
 
@@ -15,15 +17,22 @@ std::vector<Output> make_outputs(std::vector<std::string> names, const std::stri
 
 Diagnostics write_outputs(std::vector<Output>& outputs, const Drawing& drawing,
                           WriteOptions options, RunContext& context) {
+  return write_outputs(outputs, std::move(options), context,
+                       [&](const Output& output, const WriteOptions& how, std::ostream& out) {
+                         write_drawing(drawing, output.format(), how, out, context);
+                       });
+}
+
+Diagnostics write_outputs(
+    std::vector<Output>& outputs, WriteOptions options, RunContext& context,
+    const std::function<void(const Output&, const WriteOptions&, std::ostream&)>& write) {
   Diagnostics told;
   options.tell = [&](const Diagnostic& one) { told.add(one); };
   context.begin_stage(RunStage::Write);
   for (std::size_t i = 0; i < outputs.size(); ++i) {
     const auto done = static_cast<double>(i), all = static_cast<double>(outputs.size());
     options.progress = [&](double share) { context.progress((done + share) / all); };
-    outputs[i].write([&](std::ostream& out) {
-      write_drawing(drawing, outputs[i].format(), options, out, context);
-    });
+    outputs[i].write([&](std::ostream& out) { write(outputs[i], options, out); });
     options.progress(1);
   }
   context.check();

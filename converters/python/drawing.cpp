@@ -299,6 +299,12 @@ void add_layer(py::module_& module) {
             return list;
           },
           "The paths, in the order in which they are drawn.")
+      .def_property_readonly(
+          "color", [](const PyLayer& l) { return l.layer().color; },
+          "\"#rrggbb\" of its lines and texts; empty: that of the drawing.")
+      .def_property_readonly(
+          "dashes", [](const PyLayer& l) { return l.layer().dashes; },
+          "Lengths of ink and gaps in turn, mm of paper; empty: as its name has it.")
       .def_property_readonly("texts", texts,
                              "A dict a text over them: text, at (mm of the sheet, on the base "
                              "line), height (mm of capitals), anchor, role, item.")

@@ -13,6 +13,7 @@ PYBIND11_MODULE(_burin, module) {
   add_drawing(module);
   add_draw(module);
   add_book(module);
+  add_diff(module);
   add_illustration(module);
   add_styles(module);
   add_plugins(module);

@@ -13,6 +13,7 @@ void add_scene(py::module_& module);
 void add_drawing(py::module_& module);
 void add_draw(py::module_& module);
 void add_book(py::module_& module);
+void add_diff(py::module_& module);
 void add_illustration(py::module_& module);
 void add_styles(py::module_& module);
 void add_plugins(py::module_& module);

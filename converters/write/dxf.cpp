@@ -205,7 +205,9 @@ int common_weight(const InkLayer& layer) {
   return best;
 }
 
+/// Dashes of a layer's own are the nearest of the two kinds that there are.
 std::string_view linetype_of(const InkLayer& layer) {
+  if (!layer.own_dashes.empty()) return layer.own_dashes.size() < 4 ? dxf::kDashed : dxf::kDashDot;
   if (layer.name == kHiddenLayer) return dxf::kDashed;
   return layer.name == kTrailLayer ? dxf::kDashDot : dxf::kContinuous;
 }
@@ -251,6 +253,8 @@ void write_dxf(const Drawing& drawing, const WriteOptions& options, std::ostream
   Vec2 pen(0);
   for (const InkLayer& layer : layers) {
     rows.push_back({dxf::symbol_name(layer.name, rows), linetype_of(layer), common_weight(layer)});
+    // The ink of a whole drawing is that of the program which shows it.
+    if (const auto color = rgb_of(layer.color)) rows.back().color = dxf::nearest_color(*color);
     std::vector<const Path*> all;
     for (const auto& [part, paths] : layer.parts) all.insert(all.end(), paths.begin(), paths.end());
     if (options.dxf.order == LineOrder::Travel) {

@@ -6,6 +6,9 @@
 #include "dxf_groups.h"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
 #include <numeric>
 
 namespace burin::dxf {
@@ -95,11 +98,10 @@ void append_linetypes(Groups& out, const Frame& f) {
 }
 
 void append_layers(Groups& out, const std::vector<LayerRow>& layers) {
-  constexpr int kBlack = 7;  // black on white paper, white on a black screen
   begin_table(out, "LAYER", Fixed::LayerTable, layers.size() + 1);
   const auto one = [&](std::uint64_t handle, const LayerRow& layer) {
     row(out, "LAYER", handle, Fixed::LayerTable, "AcDbLayerTableRecord");
-    out.text(2, layer.name).whole(70, 0).whole(62, kBlack);
+    out.text(2, layer.name).whole(70, 0).whole(62, layer.color);
     out.text(6, layer.linetype).whole(370, layer.weight);
     out.handle(390, Fixed::Placeholder);
   };
@@ -198,6 +200,34 @@ void append_layout(Groups& out, Fixed handle, const char* name, int order, Fixed
 }
 
 }  // namespace
+
+int nearest_color(const Rgb& color) {
+  // By number; white is 7 as black is, which is what paper makes of it.
+  constexpr std::array<std::array<int, 4>, 9> kKnown{{{1, 255, 0, 0},
+                                                      {2, 255, 255, 0},
+                                                      {3, 0, 255, 0},
+                                                      {4, 0, 255, 255},
+                                                      {5, 0, 0, 255},
+                                                      {6, 255, 0, 255},
+                                                      {7, 0, 0, 0},
+                                                      {8, 128, 128, 128},
+                                                      {9, 192, 192, 192}}};
+  // Dark red is red: hue counts, not how bright it is, where there is one.
+  const int high = std::max({color[0], color[1], color[2]});
+  const int low = std::min({color[0], color[1], color[2]});
+  constexpr int kGray = 24;
+  const auto level = [&](std::size_t c) {
+    return high - low < kGray ? static_cast<double>(color[c]) : 255.0 * (color[c] - low) / (high - low);
+  };
+  int best = 7;
+  double least = std::numeric_limits<double>::infinity();
+  for (const auto& known : kKnown) {
+    double off = 0;
+    for (std::size_t c = 0; c < 3; ++c) off += std::pow(level(c) - known[c + 1], 2);
+    if (off < least) least = off, best = known[0];
+  }
+  return best;
+}
 
 std::string symbol_name(std::string_view name, const std::vector<LayerRow>& taken) {
   constexpr std::string_view kForbidden = "<>/\\\":;?*|=`,";

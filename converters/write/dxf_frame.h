@@ -2,6 +2,7 @@
 /// What stands before and after the entities of a DXF file.
 
 #include <burin/base/box.h>
+#include <burin/drawing/color.h>
 #include <burin/drawing/drawing.h>
 #include <burin/drawing/text.h>
 
@@ -19,7 +20,12 @@ struct LayerRow {
   std::string_view linetype = kContinuous;
   /// The line weight that most of its paths have, in 1/100 mm.
   int weight = 25;
+  /// Of AutoCAD's colours; 7 is black on paper, white on a black screen.
+  int color = 7;
 };
+
+/// The nearest of AutoCAD's first nine colours.
+int nearest_color(const Rgb& color);
 
 /// A name as any reader of DXF takes it, other than those in `taken`: printable ASCII, "_" for what
 /// is forbidden.

@@ -35,19 +35,19 @@ std::string plain(std::string_view text) {
   return out;
 }
 
+std::string color_of(const std::string& text) {
+  if (text == Drawing().ink_color) return "0 setgray";
+  const Rgb rgb = rgb_of(text).value_or(Rgb{});
+  return fmt::format("{:.4f} {:.4f} {:.4f} setrgbcolor", rgb[0] / 255.0, rgb[1] / 255.0,
+                     rgb[2] / 255.0);
+}
+
 std::string head(const Drawing& drawing) {
   const double w = drawing.paper_width * kPointsPerMm, h = drawing.paper_height * kPointsPerMm;
-  const auto color = [](const std::string& text) {
-    const Rgb rgb = rgb_of(text).value_or(Rgb{});
-    return fmt::format("{:.4f} {:.4f} {:.4f} setrgbcolor", rgb[0] / 255.0, rgb[1] / 255.0,
-                       rgb[2] / 255.0);
-  };
-  const Drawing usual;
-  const bool painted = drawing.paper_color != usual.paper_color;
-  const std::string ink =
-      drawing.ink_color == usual.ink_color ? "0 setgray" : color(drawing.ink_color);
+  const bool painted = drawing.paper_color != Drawing().paper_color;
+  const std::string ink = color_of(drawing.ink_color);
   const std::string paper =
-      painted ? fmt::format("{} 0 0 {:.5f} {:.5f} rectfill\n", color(drawing.paper_color), w, h)
+      painted ? fmt::format("{} 0 0 {:.5f} {:.5f} rectfill\n", color_of(drawing.paper_color), w, h)
               : "";
   return fmt::format(
       "%!PS-Adobe-3.0 EPSF-3.0\n%%Creator: {}\n%%Title: {}\n%%BoundingBox: 0 0 {} {}\n"
@@ -114,10 +114,15 @@ void append_ink(Buffer& out, const Ink& ink, Vec2 first, bool closed) {
 }
 
 std::vector<Item> items_of(const std::vector<InkLayer>& layers, std::string before,
-                           const SvgOptions& options) {
+                           const Drawing& drawing, const SvgOptions& options) {
   std::vector<Item> items;
+  std::string used = drawing.ink_color;
   for (const InkLayer& layer : layers) {
     before += fmt::format("% layer {}\n", plain(layer.name));
+    if (const std::string& color = ink_color(layer, drawing); color != used) {
+      before += color_of(color) + "\n";
+      used = color;
+    }
     std::vector<double> dashes = layer.dashes(options.dashes);
     for (double& length : dashes) length *= kUnitsPerMm;
     before += fmt::format("[{}] 0 setdash\n", fmt::join(dashes, " "));
@@ -141,7 +146,7 @@ std::vector<Item> items_of(const std::vector<InkLayer>& layers, std::string befo
 void write_eps(const Drawing& drawing, const WriteOptions& options, std::ostream& out,
                const RunContext& context) {
   const NearSheet sheet(drawing);
-  const std::vector<Item> items = items_of(sheet.layers(), head(drawing), options.svg);
+  const std::vector<Item> items = items_of(sheet.layers(), head(drawing), drawing, options.svg);
   write_ordered(
       items.size(), [&](std::size_t i) { return items[i].path ? items[i].path->points.size() : 0; },
       [&](std::size_t i, Buffer& buffer) {

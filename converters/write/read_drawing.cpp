@@ -267,6 +267,26 @@ Verification read_verification(const JsonPlace& place) {
   return v;
 }
 
+void read_color(const JsonPlace& place, std::string& out) {
+  place.set(out);
+  if (!rgb_of(out)) place.fail("takes a colour #rrggbb");
+}
+
+/// Lengths of ink and gaps in turn; all 0 would never end.
+void read_dashes(const JsonPlace& place, std::vector<double>& out) {
+  double sum = 0;
+  place.each([&](const JsonPlace& length, std::size_t) {
+    double mm = 0;
+    length.set(mm);
+    if (mm < 0 || mm > kLargestSheet) length.fail("takes a length from 0 to 10000 mm");
+    sum += mm;
+    out.push_back(mm);
+  });
+  if (out.size() % 2 != 0 || (!out.empty() && !(sum > 0))) {
+    place.fail("takes lengths of ink and gaps in turn, not all of them 0");
+  }
+}
+
 void read_paper(const JsonPlace& place, Drawing& drawing) {
   place.check_object();
   const auto side = [&](const char* key, double& out) {
@@ -281,10 +301,7 @@ void read_paper(const JsonPlace& place, Drawing& drawing) {
     if (unit.value() != "mm") unit.fail("takes \"mm\"");
   });
   const auto color = [&](const char* key, std::string& out) {
-    place.optional(key, [&](const JsonPlace& at) {
-      at.set(out);
-      if (!rgb_of(out)) at.fail("takes a colour #rrggbb");
-    });
+    place.optional(key, [&](const JsonPlace& at) { read_color(at, out); });
   };
   color("ink_color", drawing.ink_color);
   color("sheet_color", drawing.paper_color);
@@ -406,6 +423,8 @@ class LayerTaker {
     place.optional("name", [&](const JsonPlace& name) { name.set(layer.name); });
     place.optional("paths", [](const JsonPlace& paths) { paths.each([](const auto&, auto) {}); });
     layer.paths = std::exchange(paths_, {});
+    place.optional("color", [&](const JsonPlace& color) { read_color(color, layer.color); });
+    place.optional("dashes", [&](const JsonPlace& dashes) { read_dashes(dashes, layer.dashes); });
     place.optional("texts", [&](const JsonPlace& texts) {
       texts.each(
           [&](const JsonPlace& text, std::size_t) { layer.texts.push_back(read_text(text)); });

@@ -56,6 +56,7 @@ std::vector<std::vector<CubicBezier>> outline_of(const Path& p, double tolerance
 }  // namespace
 
 std::vector<double> InkLayer::dashes(const DashOptions& options) const {
+  if (!own_dashes.empty()) return own_dashes;
   if (name == kHiddenLayer) return {options.dash, options.gap};
   constexpr double kDot = 0.01;  // paper mm: its round caps make it a dot
   if (name == kTrailLayer) return {2 * options.dash, options.gap, kDot, options.gap};
@@ -71,8 +72,10 @@ std::vector<InkLayer> ink_layers(const Drawing& drawing) {
     if (layer.name == kHiddenLayer && !hidden_placed) {
       hidden_placed = true;
       hidden_at = layers.size();
+      hidden.color = layer.color;
+      hidden.own_dashes = layer.dashes;
     }
-    InkLayer ink{layer.name, {}};
+    InkLayer ink{layer.name, {}, {}, layer.color, layer.dashes};
     for (const Path& p : layer.paths) {
       if (p.points.size() < 2 || !is_finite(p)) continue;
       const bool to_hidden = (!p.visible && !p.in_full) || layer.name == kHiddenLayer;
@@ -90,6 +93,10 @@ std::vector<InkLayer> ink_layers(const Drawing& drawing) {
     layers.insert(layers.begin() + static_cast<std::ptrdiff_t>(hidden_at), std::move(hidden));
   }
   return layers;
+}
+
+const std::string& ink_color(const InkLayer& layer, const Drawing& drawing) {
+  return layer.color.empty() ? drawing.ink_color : layer.color;
 }
 
 const char* to_string(TextAnchor anchor) {

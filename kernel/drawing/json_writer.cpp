@@ -308,6 +308,21 @@ void append_path(Buffer& out, const Path& p, bool points3, int decimals3) {
   append(out, "]}");
 }
 
+/// Colour and dashes that a layer has for itself.
+void append_look(Buffer& out, const Layer& layer) {
+  if (!layer.color.empty()) {
+    append(out, ", \"color\": ");
+    append_json(out, layer.color);
+  }
+  if (layer.dashes.empty()) return;
+  append(out, ", \"dashes\": [");
+  for (std::size_t i = 0; i < layer.dashes.size(); ++i) {
+    if (i > 0) out.push_back(',');
+    append_fixed(out, layer.dashes[i], kPaperDecimals);
+  }
+  out.push_back(']');
+}
+
 void write(const Buffer& text, std::ostream& out) {
   out.write(text.data(), static_cast<std::streamsize>(text.size()));
 }
@@ -331,6 +346,7 @@ void write_json(const Drawing& drawing, const JsonOptions& options, std::ostream
     text.clear();
     append(text, l == 0 ? "\n    {\"name\": " : ",\n    {\"name\": ");
     append_json(text, layer.name);
+    append_look(text, layer);
     append(text, ", \"paths\": [");
     write(text, out);
     write_ordered(

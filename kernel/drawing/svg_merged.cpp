@@ -177,13 +177,14 @@ void write_merged_svg(const Drawing& drawing, const SvgOptions& options, std::os
   std::string before = svg_head(drawing, ink_box(drawing, layers));
   Vec2 pen(0);
   for (const InkLayer& layer : layers) {
-    before += svg_layer_tag(layer, ids.make(layer.name), svg_ink(drawing), options);
+    const std::string ink = svg_ink(layer, drawing);
+    before += svg_layer_tag(layer, ids.make(layer.name), ink, options);
     const JoinedPaths lines = lines_of(layer, options, pen, context);
     for (auto& [width, of_pen] : by_pen(lines.paths, options, context)) {
-      append_pen_items(width, of_pen, svg_ink(drawing), before, items);
+      append_pen_items(width, of_pen, ink, before, items);
     }
     for (const Text* text : layer.texts) {
-      before += svg_text(*text, drawing.paper_height, svg_ink(drawing), options);
+      before += svg_text(*text, drawing.paper_height, ink, options);
     }
     before += "</g>\n";
   }

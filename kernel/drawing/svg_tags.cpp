@@ -57,8 +57,9 @@ std::string svg_head(const Drawing& drawing, std::string_view more) {
   return fmt::to_string(out);
 }
 
-std::string svg_ink(const Drawing& drawing) {
-  return drawing.ink_color == Drawing().ink_color ? "#000" : drawing.ink_color;
+std::string svg_ink(const InkLayer& layer, const Drawing& drawing) {
+  const std::string& color = ink_color(layer, drawing);
+  return color == Drawing().ink_color ? "#000" : color;
 }
 
 std::string svg_layer_tag(const InkLayer& layer, const std::string& id, std::string_view ink,

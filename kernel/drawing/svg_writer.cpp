@@ -46,13 +46,15 @@ struct Item {
   /// Of a closed outline: what it was made of.
   std::vector<const Path*> pieces = {};
   bool group_filled = false;
+  /// The colour of its layer.
+  std::string_view ink = {};
 };
 
 /// All paths in order; the last item has none, only the closing tags.
 class Items {
  public:
   Items(const Drawing& drawing, const SvgOptions& options, const RunContext& context)
-      : drawing_(drawing), options_(options), ink_(svg_ink(drawing)) {
+      : drawing_(drawing), options_(options) {
     name_parts();
     SvgIds ids(options.id_prefix);
     before_ = svg_head(drawing);
@@ -62,6 +64,7 @@ class Items {
     add_areas(ids);
     Vec2 pen(0);
     for (const InkLayer& layer : ink_layers(drawing)) {
+      ink_ = inks_.emplace_back(svg_ink(layer, drawing));
       const std::string id = ids.make(layer.name);
       before_ += svg_layer_tag(layer, id, ink_, options);
       // Without the prefix, which each id gets once.
@@ -87,7 +90,6 @@ class Items {
   }
 
   const std::vector<Item>& all() const { return items_; }
-  std::string_view ink() const { return ink_; }
 
  private:
   /// What is laid over the drawing about an item.
@@ -122,7 +124,7 @@ class Items {
     }
     before_ += fmt::to_string(out) + "\n";
     for (const Path* path : annotation.paths) {
-      items_.push_back({std::exchange(before_, {}), path, {}, false});
+      items_.push_back({std::exchange(before_, {}), path, {}, false, ink_});
     }
     for (const Text* text : annotation.texts) {
       before_ += svg_text(*text, drawing_.paper_height, ink_, options_);
@@ -237,14 +239,16 @@ class Items {
   void add_lines(JoinedPaths lines, bool filled) {
     for (std::size_t i = 0; i < lines.paths.size(); ++i) {
       items_.push_back(
-          {std::exchange(before_, {}), lines.paths[i], std::move(lines.pieces[i]), filled});
+          {std::exchange(before_, {}), lines.paths[i], std::move(lines.pieces[i]), filled, ink_});
     }
     kept_.push_back(std::move(lines.made));
   }
 
   const Drawing& drawing_;
   const SvgOptions& options_;
-  std::string ink_;
+  /// Of all layers, and of the one at hand.
+  std::list<std::string> inks_;
+  std::string_view ink_;
   std::string before_;
   std::vector<Item> items_;
   std::list<std::deque<Path>> kept_;
@@ -277,8 +281,7 @@ void append_source(Buffer& out, const Item& item) {
   if (!edges.empty()) fmt::format_to(fmt::appender(out), " data-edges=\"{}\"", edges);
 }
 
-void append_polyline(Buffer& out, SvgPen& pen, const Item& item, std::string_view ink,
-                     double tolerance) {
+void append_polyline(Buffer& out, SvgPen& pen, const Item& item, double tolerance) {
   const Path& p = *item.path;
   std::vector<Vec2> all = p.points;
   if (p.closed) all.push_back(all.front());
@@ -286,21 +289,20 @@ void append_polyline(Buffer& out, SvgPen& pen, const Item& item, std::string_vie
   for (const std::size_t i : simplify(all, tolerance)) kept.push_back(all[i]);
   append(out, "<polyline");
   append_source(out, item);
-  append_own_pen(out, false, mean_width(p), item.group_filled, ink);
+  append_own_pen(out, false, mean_width(p), item.group_filled, item.ink);
   append(out, " points=\"");
   pen.points(kept);
   append(out, "\"/>\n");
 }
 
-void append_path(Buffer& out, const Item& item, double paper_height, std::string_view color,
-                 const SvgOptions& options) {
+void append_path(Buffer& out, const Item& item, double paper_height, const SvgOptions& options) {
   SvgPen pen(out, paper_height);
   const Path& p = *item.path;
-  if (options.flatten) return append_polyline(out, pen, item, color, options.fit_tolerance);
+  if (options.flatten) return append_polyline(out, pen, item, options.fit_tolerance);
   const Ink ink = ink_of(p, curve_tolerance(options));
   append(out, "<path");
   append_source(out, item);
-  append_own_pen(out, ink.filled, ink.width, item.group_filled, color);
+  append_own_pen(out, ink.filled, ink.width, item.group_filled, item.ink);
   append(out, " d=\"");
   for (const auto& chain : ink.chains) pen.chain(chain, ink.filled || p.closed);
   if (ink.chains.front().empty()) pen.dot(p.points.front());
@@ -318,7 +320,7 @@ void write_svg(const Drawing& drawing, const SvgOptions& options, std::ostream& 
       items.size(), [&](std::size_t i) { return items[i].path ? items[i].path->points.size() : 0; },
       [&](std::size_t i, Buffer& buffer) {
         append(buffer, items[i].before);
-        if (items[i].path) append_path(buffer, items[i], drawing.paper_height, made.ink(), options);
+        if (items[i].path) append_path(buffer, items[i], drawing.paper_height, options);
       },
       out, context);
 }

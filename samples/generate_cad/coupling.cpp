@@ -2,6 +2,7 @@
 #include "models.h"
 
 #include <BRepAlgoAPI_Common.hxx>
+#include <BRepBuilderAPI_Transform.hxx>
 #include <BRepPrimAPI_MakeCone.hxx>
 
 #include <cmath>
@@ -146,6 +147,25 @@ Assembly coupling() {
     set.place = lay_down() * turn * out;
     a.members.push_back(set);
   }
+  return a;
+}
+
+Assembly revised_coupling() {
+  Assembly a = coupling();
+  // Holes between those of the bolts.
+  std::vector<TopoDS_Shape> holes;
+  for (int i = 0; i < 3; ++i) {
+    gp_Trsf turn;
+    turn.SetRotation(gp::OZ(), std::numbers::pi / kBolts * (4 * i + 1));
+    const TopoDS_Shape hole = cylinder({kBoltCircle, 0, -10}, kUp, 6, 60);
+    holes.push_back(BRepBuilderAPI_Transform(hole, turn, Standard_True).Shape());
+  }
+  a.parts[0].shape = cut(a.parts[0].shape, holes);
+  Member& driving = a.members[0];
+  driving.group[2].place = lift(24);  // the key
+  a.parts.push_back({"set screw", a.parts[5].color, cylinder({0, -27, 40}, -gp::DY(), 4, 9)});
+  driving.group.push_back({"set screw", static_cast<int>(a.parts.size()) - 1, {}, {}});
+  a.members.erase(a.members.begin() + 5);  // bolt set 4
   return a;
 }
 

@@ -170,6 +170,7 @@ int main(int argc, char** argv) {
     save(propeller(), "propeller", Quantity_Color(0.80, 0.62, 0.30, Quantity_TOC_sRGB),
          folder / "propeller.step");
     save(coupling(), folder / "coupling.step");
+    save(revised_coupling(), folder / "coupling_revised.step");
     save(pump(), folder / "gear_pump.step");
     return 0;
   } catch (const Standard_Failure& e) {

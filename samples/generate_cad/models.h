@@ -35,6 +35,8 @@ struct Assembly {
 
 /// A flange coupling: two hubs, two shafts with keys, six bolts with nuts and washers.
 Assembly coupling();
+/// The same, later: holes in a hub, a key farther out, a set screw more, a set of bolts less.
+Assembly revised_coupling();
 /// A gear pump: body, gasket, cover, two shafts with gears and keys, dowels, six screws with
 /// washers.
 Assembly pump();

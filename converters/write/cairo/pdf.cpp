@@ -65,9 +65,11 @@ void set_metadata(cairo_surface_t* surface, const Drawing& drawing) {
 }
 
 /// Paints shapes, up to `together` neighbours of one pen as one path, and drops their ink.
-void paint_all(cairo_t* pen, std::span<Shape> shapes, std::size_t together) {
+/// `used`: the colour that the pen has.
+void paint_all(cairo_t* pen, std::span<Shape> shapes, std::size_t together, Rgb& used) {
   std::size_t traced = 0;
   for (std::size_t i = 0; i < shapes.size(); ++i) {
+    if (shapes[i].color != used) use(pen, used = shapes[i].color);
     trace(pen, shapes[i]);
     shapes[i].ink.chains = {};
     ++traced;
@@ -92,21 +94,17 @@ struct Progress {
 void paint_page(cairo_surface_t* surface, const Drawing& drawing, const WriteOptions& options,
                 const Progress& progress, const RunContext& context) {
   const NearSheet sheet(drawing);
-  std::vector<Shape> shapes = shapes_of(sheet.layers(), options.svg.dashes);
+  std::vector<Shape> shapes = shapes_of(sheet.layers(), drawing, options.svg.dashes);
   const Pen pen = pen_on(surface, drawing.paper_height, kPointsPerMm, 0);
-  const auto use = [&](const std::string& color) {
-    const Rgb rgb = rgb_of(color).value_or(Rgb{});
-    cairo_set_source_rgb(pen.get(), rgb[0] / 255.0, rgb[1] / 255.0, rgb[2] / 255.0);
-  };
+  Rgb used{};
   if (drawing.paper_color != Drawing().paper_color) {
-    use(drawing.paper_color);
+    use(pen.get(), used = rgb_of(drawing.paper_color).value_or(Rgb{}));
     cairo_paint(pen.get());
   }
-  if (drawing.ink_color != Drawing().ink_color) use(drawing.ink_color);
   for (std::size_t begin = 0; begin < shapes.size(); begin += kAtOnce) {
     const auto some = std::span(shapes).subspan(begin, std::min(kAtOnce, shapes.size() - begin));
     fit_ink(some, options.svg.fit_tolerance, context);
-    paint_all(pen.get(), some, shapes.size() > kMany ? kTogether : 1);
+    paint_all(pen.get(), some, shapes.size() > kMany ? kTogether : 1, used);
     context.check();
     progress.tell(static_cast<double>(begin) / static_cast<double>(shapes.size()));
   }

@@ -13,6 +13,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <cstring>
 #include <ostream>
 #include <string>
 
@@ -68,18 +70,42 @@ std::vector<std::vector<std::uint32_t>> by_band(const std::vector<Shape>& shapes
   return bands;
 }
 
-/// The ink of one band, 0 to 255 a pixel.
+/// How the pixels of a picture are held.
+enum class Pixels {
+  Gray,     // one ink, black on white or on nothing
+  Palette,  // one ink of another colour, or coloured paper
+  Colors,   // layers have colours of their own
+};
+
+Pixels pixels_of(const Drawing& drawing, const PngOptions& options) {
+  const auto has_color = [](const Layer& layer) { return !layer.color.empty(); };
+  if (std::ranges::any_of(drawing.layers, has_color)) return Pixels::Colors;
+  const bool transparent = options.background == PngOptions::Background::Transparent;
+  const bool plain = drawing.ink_color == Drawing().ink_color &&
+                     (transparent || drawing.paper_color == Drawing().paper_color);
+  return plain ? Pixels::Gray : Pixels::Palette;
+}
+
+/// The ink of one band, 0 to 255 a pixel; with colours on its paper, or on nothing, as cairo has
+/// it, premultiplied.
 Surface painted(const std::vector<Shape>& shapes, const std::vector<std::uint32_t>& chosen,
-                const Grid& grid, int band, const Drawing& drawing, const RunContext& context) {
+                const Grid& grid, int band, const Drawing& drawing, const PngOptions& options,
+                const RunContext& context) {
   constexpr std::size_t kBetweenPolls = 256;
+  const bool colors = pixels_of(drawing, options) == Pixels::Colors;
   const int top = band * grid.rows;
-  Surface surface(cairo_image_surface_create(CAIRO_FORMAT_A8, grid.width,
-                                             std::min(grid.rows, grid.height - top)));
+  Surface surface(cairo_image_surface_create(colors ? CAIRO_FORMAT_ARGB32 : CAIRO_FORMAT_A8,
+                                             grid.width, std::min(grid.rows, grid.height - top)));
   check(cairo_surface_status(surface.get()));
   const Pen pen = pen_on(surface.get(), drawing.paper_height, grid.scale, top);
   cairo_set_antialias(pen.get(), CAIRO_ANTIALIAS_BEST);
+  if (colors && options.background == PngOptions::Background::White) {
+    use(pen.get(), rgb_of(drawing.paper_color).value_or(Rgb{}));
+    cairo_paint(pen.get());
+  }
   for (std::size_t k = 0; k < chosen.size(); ++k) {
     if (k % kBetweenPolls == 0) context.check();
+    if (colors) use(pen.get(), shapes[chosen[k]].color);
     trace(pen.get(), shapes[chosen[k]]);
     paint_traced(pen.get(), shapes[chosen[k]]);
   }
@@ -93,20 +119,20 @@ class PngFile {
  public:
   PngFile(std::ostream& out, const Grid& grid, const Drawing& drawing, const PngOptions& options)
       : transparent_(options.background == PngOptions::Background::Transparent),
-        plain_(drawing.ink_color == Drawing().ink_color &&
-               (transparent_ || drawing.paper_color == Drawing().paper_color)),
-        row_(static_cast<std::size_t>(grid.width) * 2) {
+        pixels_(pixels_of(drawing, options)),
+        row_(static_cast<std::size_t>(grid.width) * 4) {
     png_ = png_create_write_struct(PNG_LIBPNG_VER_STRING, nullptr, fail, nullptr);
     info_ = png_ ? png_create_info_struct(png_) : nullptr;
     if (!info_) throw std::bad_alloc();
     png_set_write_fn(png_, &out, write, [](png_structp) {});
-    png_set_IHDR(png_, info_, static_cast<png_uint_32>(grid.width),
-                 static_cast<png_uint_32>(grid.height), 8,
-                 !plain_        ? PNG_COLOR_TYPE_PALETTE
-                 : transparent_ ? PNG_COLOR_TYPE_GRAY_ALPHA
-                                : PNG_COLOR_TYPE_GRAY,
-                 PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
-    if (!plain_) set_palette(drawing);
+    png_set_IHDR(
+        png_, info_, static_cast<png_uint_32>(grid.width), static_cast<png_uint_32>(grid.height), 8,
+        pixels_ == Pixels::Palette  ? PNG_COLOR_TYPE_PALETTE
+        : pixels_ == Pixels::Colors ? (transparent_ ? PNG_COLOR_TYPE_RGB_ALPHA : PNG_COLOR_TYPE_RGB)
+        : transparent_              ? PNG_COLOR_TYPE_GRAY_ALPHA
+                                    : PNG_COLOR_TYPE_GRAY,
+        PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
+    if (pixels_ == Pixels::Palette) set_palette(drawing);
     const auto per_metre = static_cast<png_uint_32>(std::lround(1000 * grid.scale));
     png_set_pHYs(png_, info_, per_metre, per_metre, PNG_RESOLUTION_METER);
     // Line art on empty paper: most bytes repeat, and filters only slow that down.
@@ -131,7 +157,9 @@ class PngFile {
       const unsigned char* ink = data + static_cast<std::ptrdiff_t>(y) * stride;
       for (int x = 0; x < width; ++x) {
         const auto at = static_cast<std::size_t>(x);
-        if (!plain_) {
+        if (pixels_ == Pixels::Colors) {
+          set_color(ink + 4 * at, at);
+        } else if (pixels_ == Pixels::Palette) {
           row_[at] = ink[x];
         } else if (transparent_) {
           row_[2 * at] = 0;
@@ -146,6 +174,18 @@ class PngFile {
   void finish() { png_write_end(png_, nullptr); }
 
  private:
+  // From cairo's premultiplied words to the bytes of PNG.
+  void set_color(const unsigned char* from, std::size_t at) {
+    std::uint32_t word = 0;
+    std::memcpy(&word, from, sizeof word);
+    const std::uint32_t alpha = word >> 24;
+    unsigned char* to = row_.data() + (transparent_ ? 4 : 3) * at;
+    for (int c = 0; c < 3; ++c) {
+      const std::uint32_t value = (word >> (16 - 8 * c)) & 0xff;
+      to[c] = static_cast<unsigned char>(alpha > 0 ? (255 * value + alpha / 2) / alpha : 0);
+    }
+    if (transparent_) to[3] = static_cast<unsigned char>(alpha);
+  }
   // A colour for each share of ink, from the paper's to that of the ink.
   void set_palette(const Drawing& drawing) {
     const Rgb ink = rgb_of(drawing.ink_color).value_or(Rgb{}),
@@ -182,7 +222,8 @@ class PngFile {
 
   png_structp png_ = nullptr;
   png_infop info_ = nullptr;
-  bool transparent_, plain_;
+  bool transparent_;
+  Pixels pixels_;
   std::vector<unsigned char> row_;
 };
 
@@ -192,7 +233,7 @@ void write_png(const Drawing& drawing, const WriteOptions& options, std::ostream
                const RunContext& context) {
   const Grid grid(drawing, options.png.dpi);
   const NearSheet sheet(drawing);
-  std::vector<Shape> shapes = shapes_of(sheet.layers(), options.svg.dashes);
+  std::vector<Shape> shapes = shapes_of(sheet.layers(), drawing, options.svg.dashes);
   fit_ink(shapes, options.svg.fit_tolerance, context);
   const auto chosen = by_band(shapes, grid, drawing.paper_height);
   PngFile file(out, grid, drawing, options.png);
@@ -203,8 +244,8 @@ void write_png(const Drawing& drawing, const WriteOptions& options, std::ostream
         bands.size(), 1,
         [&](std::size_t k, std::size_t) {
           const int band = begin + static_cast<int>(k);
-          bands[k] =
-              painted(shapes, chosen[static_cast<std::size_t>(band)], grid, band, drawing, context);
+          bands[k] = painted(shapes, chosen[static_cast<std::size_t>(band)], grid, band, drawing,
+                             options.png, context);
         },
         &context);
     for (const Surface& band : bands) {

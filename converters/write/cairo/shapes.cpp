@@ -15,13 +15,17 @@ constexpr double kStraight = 0.0005;  // paper mm
 
 }  // namespace
 
-std::vector<Shape> shapes_of(const std::vector<InkLayer>& layers, const DashOptions& options) {
+std::vector<Shape> shapes_of(const std::vector<InkLayer>& layers, const Drawing& drawing,
+                             const DashOptions& options) {
   std::vector<Shape> shapes;
   for (const InkLayer& layer : layers) {
+    const Rgb color = rgb_of(ink_color(layer, drawing)).value_or(Rgb{});
     for (const auto& [part, paths] : layer.parts) {
-      for (const Path* path : paths) shapes.push_back({path, layer.dashes(options), {}});
+      for (const Path* path : paths) {
+        shapes.push_back({path, layer.dashes(options), {}, nullptr, color});
+      }
     }
-    for (const Text* text : layer.texts) shapes.push_back({nullptr, {}, {}, text});
+    for (const Text* text : layer.texts) shapes.push_back({nullptr, {}, {}, text, color});
   }
   return shapes;
 }
@@ -77,7 +81,12 @@ void paint_traced(cairo_t* pen, const Shape& shape) {
   cairo_stroke(pen);
 }
 
+void use(cairo_t* pen, const Rgb& color) {
+  cairo_set_source_rgb(pen, color[0] / 255.0, color[1] / 255.0, color[2] / 255.0);
+}
+
 bool same_pen(const Shape& a, const Shape& b) {
+  if (a.color != b.color) return false;
   if (a.ink.filled || b.ink.filled) return a.ink.filled && b.ink.filled;
   return a.ink.width == b.ink.width && a.dashes == b.dashes;
 }

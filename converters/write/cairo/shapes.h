@@ -2,6 +2,7 @@
 /// The ink of a drawing, painted by cairo.
 
 #include <burin/converters/write.h>
+#include <burin/drawing/color.h>
 #include <burin/drawing/ink.h>
 
 #include <cairo.h>
@@ -29,13 +30,18 @@ struct Shape {
   std::vector<double> dashes;
   Ink ink;
   const Text* text = nullptr;
+  Rgb color{};
 };
 
 /// The paths of the layers in the order of painting, their ink still to be fitted.
-std::vector<Shape> shapes_of(const std::vector<InkLayer>& layers, const DashOptions& options);
+std::vector<Shape> shapes_of(const std::vector<InkLayer>& layers, const Drawing& drawing,
+                             const DashOptions& options);
 
 /// Fits the ink of some shapes, all cores. Throws Cancelled.
 void fit_ink(std::span<Shape> shapes, double tolerance, const RunContext& context);
+
+/// The colour that a pen paints in from now on.
+void use(cairo_t* pen, const Rgb& color);
 
 /// A pen that paints black on `surface` in paper mm, `scale` units of the surface a mm; the top of
 /// the surface lies `top` units below that of the sheet.

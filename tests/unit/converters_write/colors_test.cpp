@@ -93,5 +93,88 @@ TEST(Colors, OfPngAreThoseOfThePaperAndOfTheInk) {
   }
 }
 
+/// A red dashed layer and one in the drawing's ink.
+Drawing two_colors() {
+  Drawing drawing = parsed(least());
+  drawing.layers[0].paths[0].width = {2};
+  Layer red = drawing.layers[0];
+  red.name = "red";
+  red.color = "#d00000";
+  red.dashes = {3, 1.5};
+  red.paths[0].points = {{0, 100}, {200, 100}};
+  red.texts.push_back({{20, 120}, 10, TextAnchor::Start, "I", "note", 0});
+  drawing.layers.push_back(red);
+  return drawing;
+}
+
+TEST(Colors, OfLayersAreInEachFormat) {
+  const Drawing drawing = two_colors();
+  for (const bool merge : {false, true}) {
+    WriteOptions options;
+    options.svg.merge = merge;
+    const std::string svg = written(drawing, "svg", options);
+    EXPECT_NE(svg.find("stroke=\"#d00000\" stroke-linecap=\"round\" stroke-linejoin=\"round\" "
+                       "stroke-dasharray=\"3 1.5\""),
+              std::string::npos);
+    EXPECT_NE(svg.find("stroke=\"#000\""), std::string::npos);
+    EXPECT_NE(svg.find("fill=\"#d00000\" stroke=\"none\">I</text>"), std::string::npos);
+  }
+  const std::string eps = written(drawing, "eps");
+  EXPECT_NE(eps.find("% layer red\n0.8157 0.0000 0.0000 setrgbcolor\n[3000 1500] 0 setdash"),
+            std::string::npos);
+  // The layer "red" is red (1) and dashed, "a" as the program that shows it has it.
+  const std::string dxf = written(drawing, "dxf");
+  EXPECT_NE(dxf.find("2\nred\n70\n0\n62\n1\n6\nACAD_ISO02W100\n"), std::string::npos);
+  EXPECT_NE(dxf.find("2\na\n70\n0\n62\n7\n6\nContinuous\n"), std::string::npos);
+  const Drawing back = parsed(written(drawing, "json"));
+  EXPECT_EQ(back.layers[1].color, "#d00000");
+  EXPECT_EQ(back.layers[1].dashes, (std::vector<double>{3, 1.5}));
+  EXPECT_EQ(back.layers[0].color, "");
+  EXPECT_EQ(written(back, "json"), written(drawing, "json"));
+  EXPECT_NE(written(drawing, "pdf"), written(parsed(least()), "pdf"));
+}
+
+TEST(Colors, OfLayersAreInPictures) {
+  for (const bool transparent : {false, true}) {
+    for (const bool on_paper : {false, true}) {
+      Drawing drawing = two_colors();
+      if (on_paper) drawing.paper_color = "#123456";
+      WriteOptions options;
+      options.png.dpi = 60;
+      if (transparent) options.png.background = PngOptions::Background::Transparent;
+      const Pixels p = pixels_of(written(drawing, "png", options));
+      const auto at = [&](double x, double y) {
+        const auto column = static_cast<std::size_t>(x / 200 * p.image.width),
+                   row = static_cast<std::size_t>((1 - y / 150) * p.image.height);
+        const png_byte* pixel = p.rgba.data() + 4 * (row * p.image.width + column);
+        return std::vector<int>(pixel, pixel + 4);
+      };
+      EXPECT_EQ(at(1.5, 100), (std::vector<int>{0xd0, 0, 0, 255}));
+      EXPECT_EQ(at(50, 25), (std::vector<int>{0, 0, 0, 255}));
+      const std::vector<int> paper = at(150, 140);
+      if (transparent) {
+        EXPECT_EQ(paper[3], 0);
+      } else {
+        EXPECT_EQ(paper, on_paper ? (std::vector<int>{0x12, 0x34, 0x56, 255})
+                                  : (std::vector<int>{255, 255, 255, 255}));
+      }
+    }
+  }
+}
+
+TEST(Colors, OfLayersAreRefusedWhereTheyAreNone) {
+  const auto layer = [](const std::string& more) {
+    std::string text = least();
+    text.replace(text.find("\"name\": \"a\""), 11, "\"name\": \"a\", " + more);
+    return text;
+  };
+  EXPECT_NE(refusal(layer("\"color\": \"red\"")).find("layers[0].color: takes a colour #rrggbb"),
+            std::string::npos);
+  for (const char* dashes : {"[1]", "[0, 0]", "[1, -1]", "[1, 2, 3]"}) {
+    EXPECT_NE(refusal(layer(std::string("\"dashes\": ") + dashes)), "") << dashes;
+  }
+  EXPECT_EQ(refusal(layer("\"dashes\": [1, 2]")), "");
+}
+
 }  // namespace
 }  // namespace burin

@@ -74,6 +74,10 @@ struct Layer {
   std::string name;
   std::vector<Path> paths;
   std::vector<Text> texts = {};
+  /// "#rrggbb" of its lines and texts; empty: `Drawing::ink_color`.
+  std::string color = {};
+  /// Paper mm of ink and gaps in turn; empty: as its name has it (`InkLayer::dashes`).
+  std::vector<double> dashes = {};
 };
 
 /// A row of the parts list.

@@ -29,9 +29,12 @@ struct InkLayer {
   std::map<std::int32_t, std::vector<const Path*>> parts;
   /// Over the paths; those without letters or a finite place are left out.
   std::vector<const Text*> texts = {};
+  /// "#rrggbb" where it has a colour of its own, else empty; and likewise its dashes.
+  std::string color = {};
+  std::vector<double> own_dashes = {};
 
   /// Lengths of ink and gaps in turn, paper mm; empty: its lines are not interrupted. Hidden lines
-  /// are dashed; trails have a dot between dashes twice as long.
+  /// are dashed; trails have a dot between dashes twice as long; layers may say it themselves.
   std::vector<double> dashes(const DashOptions& options) const;
 };
 
@@ -46,6 +49,9 @@ struct Ink {
   double width = 0;
   std::vector<std::vector<CubicBezier>> chains;
 };
+
+/// That of the layer, or of the whole drawing: "#rrggbb".
+const std::string& ink_color(const InkLayer& layer, const Drawing& drawing);
 
 /// Whether a path is a dot: a stroke, or the end of a leader, no longer than half its width. It is
 /// painted as a line with round ends.

@@ -1,0 +1,211 @@
+#include <burin/assembly/select.h>
+#include <burin/base/error.h>
+#include <burin/converters/diff.h>
+#include <burin/converters/messages.h>
+#include <burin/drawing/views.h>
+
+#include "difference_rows.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+namespace burin {
+namespace {
+
+/// Paper mm about the legend of a drawing whose margin is its own.
+constexpr double kLegendSide = 10, kLegendFoot = 3;
+/// Paper mm of a sheet whose size is not known yet.
+constexpr double kFitted = 120;
+
+std::string title_of(const std::string& before, const std::string& after) {
+  return before + " to " + after;
+}
+
+/// The parts that are drawn, and their styles.
+void keep_drawn(Scene& scene, std::vector<PartStyle>& styles) {
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < scene.parts.size(); ++i) {
+    if (!styles[i].drawn) continue;
+    if (kept != i) {
+      scene.parts[kept] = std::move(scene.parts[i]);
+      styles[kept] = std::move(styles[i]);
+    }
+    ++kept;
+  }
+  scene.parts.resize(kept);
+  styles.resize(kept);
+}
+
+/// Both scenes in one, those of the old revision first.
+Scene together(const Scene& before, const Scene& after) {
+  Scene both;
+  both.parts = before.parts;
+  both.parts.insert(both.parts.end(), after.parts.begin(), after.parts.end());
+  return both;
+}
+
+template <class T>
+std::vector<T> joined(std::vector<T> a, const std::vector<T>& b) {
+  a.insert(a.end(), b.begin(), b.end());
+  return a;
+}
+
+/// Fills the plans' part styles, and leaves out what a door does not want to see.
+void choose_parts(Revision& before, Revision& after) {
+  std::vector<PartStyle>&was = before.plan.illustrate.part_styles,
+  &is = after.plan.illustrate.part_styles;
+  was.resize(before.scene.parts.size());
+  is.resize(after.scene.parts.size());
+  if (before.own_looks || after.own_looks) {
+    select_parts(before.scene, before.plan);
+    select_parts(after.scene, after.plan);
+    return;
+  }
+  const Scene both = together(before.scene, after.scene);
+  DrawPlan plan = after.plan;
+  plan.illustrate.part_styles = joined(was, is);
+  select_parts(both, plan);
+  const auto middle =
+      plan.illustrate.part_styles.begin() + static_cast<std::ptrdiff_t>(before.scene.parts.size());
+  was.assign(plan.illustrate.part_styles.begin(), middle);
+  is.assign(middle, plan.illustrate.part_styles.end());
+  keep_drawn(before.scene, was);
+  keep_drawn(after.scene, is);
+}
+
+/// What of the plan is about one model alone.
+void leave_out(DrawPlan& plan) {
+  const bool told =
+      plan.explode.wanted || plan.callouts || plan.parts_list || !plan.parts_list_files.empty();
+  plan.explode = {};
+  plan.callouts = plan.parts_list = plan.items = false;
+  plan.parts_list_files.clear();
+  plan.illustrate.annotations.reset();
+  if (!told) return;
+  plan.notes.add(Severity::Warning, "option.unused", 1,
+                 "exploded view, callouts and parts list have no effect on a drawing of two "
+                 "revisions, which are drawn where they stand");
+}
+
+/// Room for the legend.
+void widen_margin(DrawPlan& plan) {
+  Margin& margin = plan.sheet.margin;
+  const double width = plan.sheet.fits ? kFitted : plan.view.paper.width - margin.left - margin.right;
+  margin.bottom += legend_height(plan.style.callout, width);
+  // A perspective view knows one margin.
+  if (plan.view.perspective) margin = Margin(margin.bottom);
+}
+
+Drawing nothing_of(const Drawing& other) {
+  Drawing none = other;
+  none.layers.clear();
+  none.parts.clear();
+  none.areas.clear();
+  none.diagnostics = {};
+  none.stats = {};
+  return none;
+}
+
+/// What is said of lines alone, as the old revision is drawn, is of no interest.
+void forget_unused(Drawing& drawing) {
+  Diagnostics kept;
+  for (const Diagnostic& d : drawing.diagnostics.entries()) {
+    if (d.code != "option.unused" && !d.code.starts_with("stroke")) kept.add(d);
+  }
+  drawing.diagnostics = std::move(kept);
+}
+
+bool draws_anything(const Scene& scene, const std::vector<PartStyle>& styles) {
+  for (std::size_t i = 0; i < scene.parts.size(); ++i) {
+    if (i >= styles.size() || styles[i].drawn) return true;
+  }
+  return false;
+}
+
+Drawing draw_both(Revision& before, Revision& after, const Difference& difference,
+                  RunContext& context) {
+  DrawPlan plan = after.plan;
+  leave_out(plan);
+  const Margin margin = plan.sheet.margin;
+  widen_margin(plan);
+  const std::vector<PartStyle> styles =
+      joined(before.plan.illustrate.part_styles, after.plan.illustrate.part_styles);
+  plan.illustrate.part_styles = styles;
+  Scene both = together(before.scene, after.scene);
+  cut_parts(both, plan);
+  const SheetOfViews sheet = plan_sheet(both, plan);
+  const auto middle = static_cast<std::ptrdiff_t>(before.scene.parts.size());
+  Scene was, is;
+  was.parts.assign(both.parts.begin(), both.parts.begin() + middle);
+  is.parts.assign(both.parts.begin() + middle, both.parts.end());
+  is.diagnostics = both.diagnostics;
+
+  OverlayOptions options{plan.illustrate.hidden == HiddenLines::Dashed, plan.style.callout, margin};
+  DrawPlan lines = plan, full = plan;
+  lines.illustrate.hidden = full.illustrate.hidden = HiddenLines::Dashed;
+  lines.illustrate.part_styles.assign(styles.begin(), styles.begin() + middle);
+  for (PartStyle& style : lines.illustrate.part_styles) style.hatched = false;
+  full.illustrate.part_styles.assign(styles.begin() + middle, styles.end());
+  full.title = title_of(before.name, after.name);
+  std::optional<Drawing> old_one, new_one;
+  if (draws_anything(is, full.illustrate.part_styles)) {
+    new_one = draw(is, sheet, full, context);
+  }
+  if (draws_anything(was, lines.illustrate.part_styles) && (!difference.same() || !new_one)) {
+    old_one = draw(was, sheet, lines, context);
+    forget_unused(*old_one);
+  }
+  if (!new_one && !old_one) throw UsageError("all parts are left out; nothing is left to draw");
+  if (!new_one) new_one = nothing_of(*old_one);
+  if (!old_one) old_one = nothing_of(*new_one);
+  new_one->title = full.title;
+  context.begin_stage(RunStage::Compose);
+  Drawing drawing = overlay({*old_one, *new_one}, difference, sheet, options, context);
+  context.end_stage();
+  return drawing;
+}
+
+}  // namespace
+
+DiffOutcome diff_models(Revision before, Revision after, bool draws, RunContext& context) {
+  DiffOutcome outcome;
+  outcome.before = before.name;
+  outcome.after = after.name;
+  choose_parts(before, after);
+  const auto drawn = [](const Revision& r) {
+    return drawn_parts(r.scene, r.plan.illustrate.part_styles);
+  };
+  tell_once(before.scene.diagnostics, outcome.diagnostics);
+  tell_once(after.scene.diagnostics, outcome.diagnostics);
+  outcome.models = compare_revisions(before.scene, after.scene, drawn(before), drawn(after),
+                                     outcome.diagnostics, context);
+  outcome.same = outcome.models->same();
+  outcome.rows = detail::rows_of(*outcome.models);
+  outcome.counts =
+      detail::counts_of(*outcome.models, before.scene.parts.size(), after.scene.parts.size());
+  outcome.diagnostics = at_door(outcome.diagnostics, after.plan.spelling);
+  if (draws) outcome.drawing = draw_both(before, after, *outcome.models, context);
+  return outcome;
+}
+
+DiffOutcome diff_drawings(const Drawing& before, const Drawing& after,
+                          const std::string& before_name, const std::string& after_name,
+                          double tolerance, bool draws, const RunContext& context) {
+  DiffOutcome outcome;
+  outcome.before = before_name;
+  outcome.after = after_name;
+  outcome.lines = compare_drawings(before, after, tolerance, context);
+  outcome.same = outcome.lines->same();
+  outcome.rows = detail::rows_of(*outcome.lines);
+  outcome.counts = detail::counts_of(*outcome.lines);
+  if (!draws) return outcome;
+  OverlayOptions options;
+  options.margin = {kLegendSide, kLegendSide, kLegendFoot, kLegendSide};
+  outcome.drawing = overlay({before, after}, *outcome.lines, options, context);
+  outcome.drawing->title = title_of(before_name, after_name);
+  return outcome;
+}
+
+}  // namespace burin

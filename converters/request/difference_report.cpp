@@ -1,0 +1,180 @@
+#include <burin/base/ascii.h>
+#include <burin/base/error.h>
+#include <burin/base/version.h>
+#include <burin/converters/diff.h>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <array>
+#include <fstream>
+#include <ostream>
+#include <string_view>
+
+namespace burin {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json vector_of(Vec3 v) { return Json::array({v.x, v.y, v.z}); }
+
+/// Both revisions' numbers; null where there is none.
+template <class Get>
+Json pair_of(const PartDifference& part, const Get& get) {
+  Json both = Json::array();
+  for (const auto* numbers : {&part.numbers_before, &part.numbers_after}) {
+    both.push_back(*numbers ? Json(get(**numbers)) : Json());
+  }
+  return both;
+}
+
+Json json_of(const PartDifference& part, int item) {
+  Json json;
+  json["item"] = item;
+  json["change"] = to_string(part.change());
+  Json changes = Json::array();
+  for (const PartChange change : part.changes()) changes.push_back(to_string(change));
+  json["changes"] = changes;
+  json["old"] = part.numbers_before ? Json(part.before) : Json();
+  json["new"] = part.numbers_after ? Json(part.after) : Json();
+  if (part.motion) {
+    Json moved;
+    moved["distance"] = glm::length(part.motion->by);
+    moved["by"] = vector_of(part.motion->by);
+    moved["degrees"] = part.motion->degrees ? Json(*part.motion->degrees) : Json();
+    moved["axis"] = vector_of(part.motion->axis);
+    json["moved"] = moved;
+  }
+  if (part.match.changed) json["surface_changed"] = part.surface_changed;
+  json["volume"] = pair_of(part, [](const PartNumbers& n) { return n.volume; });
+  json["area"] = pair_of(part, [](const PartNumbers& n) { return n.area; });
+  json["box"] = pair_of(part, [](const PartNumbers& n) { return vector_of(n.box); });
+  json["middle"] = pair_of(part, [](const PartNumbers& n) { return vector_of(n.middle); });
+  json["faces"] = pair_of(part, [](const PartNumbers& n) { return n.faces; });
+  if (part.match.look) {
+    json["color"] = Json::array({part.color_before, part.color_after});
+    json["drawn"] = Json::array({part.drawn_before, part.drawn_after});
+  }
+  return json;
+}
+
+Json json_of(const Difference& difference) {
+  Json json;
+  json["tolerance"]["place"] = difference.tolerance.place;
+  json["tolerance"]["shape"] = difference.tolerance.shape;
+  for (std::size_t i = 0; i < kPartChanges; ++i) {
+    json["counts"][to_string(static_cast<PartChange>(i))] = difference.counts[i];
+  }
+  json["parts"] = Json::array();
+  int item = 0;
+  for (const PartDifference& part : difference.parts) {
+    json["parts"].push_back(json_of(part, ++item));
+  }
+  return json;
+}
+
+Json json_of(const std::vector<Text>& texts) {
+  Json list = Json::array();
+  for (const Text& text : texts) {
+    Json one;
+    one["text"] = text.text;
+    one["at"] = Json::array({text.at.x, text.at.y});
+    list.push_back(one);
+  }
+  return list;
+}
+
+Json json_of(const LineDifference& difference) {
+  Json json;
+  json["tolerance"]["line"] = difference.tolerance;
+  json["same_sheet"] = difference.same_sheet;
+  for (std::size_t i = 0; i < kLineChanges; ++i) {
+    const char* name = to_string(static_cast<LineChange>(i));
+    json["counts"][name] = difference.counts[i];
+    json["lengths"][name] = difference.lengths[i];
+  }
+  json["lines"] = Json::array();
+  for (const ChangedLine& line : difference.lines) {
+    Json one;
+    one["change"] = to_string(line.change);
+    one["part"] = line.part;
+    one["layer"] = line.layer;
+    one["kind"] = to_string(line.kind);
+    one["place"] = Json::array({line.layer_index, line.path_index});
+    one["length"] = line.length;
+    if (line.change == LineChange::Moved) one["distance"] = line.distance;
+    json["lines"].push_back(one);
+  }
+  json["texts_new"] = json_of(difference.texts_new);
+  json["texts_gone"] = json_of(difference.texts_gone);
+  return json;
+}
+
+/// How the names of files of both kinds end.
+constexpr std::string_view kDrawingEnd = ".drawing.json";
+
+}  // namespace
+
+bool is_drawing_file(const std::filesystem::path& path) {
+  if (lowered(path.extension().string()) != ".json") return false;
+  // Programs may write it behind other members, but hardly behind the lines.
+  constexpr std::streamsize kLooked = 64 * 1024;
+  std::string begin(static_cast<std::size_t>(kLooked), '\0');
+  std::ifstream file(path, std::ios::binary);
+  file.read(begin.data(), kLooked);
+  begin.resize(static_cast<std::size_t>(std::max<std::streamsize>(file.gcount(), 0)));
+  return begin.find("\"burin-drawing\"") != std::string::npos;
+}
+
+std::string difference_text(const DiffOutcome& outcome) {
+  std::string text;
+  for (const DifferenceRow& row : outcome.rows) {
+    if (row.change == "same") continue;
+    text +=
+        fmt::format("{:8} {}{}{}\n", row.change, row.name, row.what.empty() ? "" : ": ", row.what);
+  }
+  return text + outcome.counts + "\n";
+}
+
+std::string difference_json(const DiffOutcome& outcome) {
+  Json json;
+  json["format"] = "burin-difference";
+  json["version"] = 1;
+  json["generator"] = fmt::format("burin {}", version());
+  json["of"] = outcome.models ? "models" : "drawings";
+  json["old"] = outcome.before;
+  json["new"] = outcome.after;
+  json["same"] = outcome.same;
+  json.update(outcome.models ? json_of(*outcome.models) : json_of(*outcome.lines));
+  json["diagnostics"] = Json::array();
+  for (const Diagnostic& d : outcome.diagnostics.entries()) {
+    Json one;
+    one["severity"] = to_string(d.severity);
+    one["code"] = d.code;
+    one["count"] = d.count;
+    one["message"] = d.message;
+    json["diagnostics"].push_back(one);
+  }
+  return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+bool is_difference_report(const std::string& name, const Format& format) {
+  return format.name == "json" && !lowered(name).ends_with(kDrawingEnd);
+}
+
+void write_difference(const DiffOutcome& outcome, const std::string& name, const Format& format,
+                      const WriteOptions& options, std::ostream& out, const RunContext& context) {
+  if (is_difference_report(name, format)) {
+    out << difference_json(outcome);
+    return;
+  }
+  if (!outcome.drawing) throw UsageError("nothing was drawn; ask for the drawing");
+  if (format.name == "html") {
+    return write_difference_page(*outcome.drawing, outcome.rows, outcome.counts, options, out,
+                                 context);
+  }
+  write_drawing(*outcome.drawing, format, options, out, context);
+}
+
+}  // namespace burin

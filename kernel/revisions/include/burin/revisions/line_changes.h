@@ -1,0 +1,64 @@
+#pragma once
+/// What two drawings differ by, line by line.
+
+#include <burin/base/run_context.h>
+#include <burin/drawing/drawing.h>
+#include <burin/revisions/overlay.h>
+
+#include <array>
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace burin {
+
+enum class LineChange { New, Gone, Moved, Same };
+inline constexpr std::size_t kLineChanges = 4;
+
+/// "new", "gone", "moved", "same".
+const char* to_string(LineChange change);
+
+/// A path that is not the same: of the new drawing; of the old one where it is gone.
+struct ChangedLine {
+  LineChange change = LineChange::New;
+  std::string layer, part;
+  LineClass kind = LineClass::Contour;
+  /// Its place in the drawing that it is of.
+  std::size_t layer_index = 0, path_index = 0;
+  /// Paper mm of it that lie on no line of the other drawing.
+  double length = 0;
+  /// Moved: the largest distance of its points from where it was, paper mm.
+  double distance = 0;
+};
+
+struct LineDifference {
+  std::vector<ChangedLine> lines;
+  /// Paths, and paper mm, by `LineChange`.
+  std::array<std::size_t, kLineChanges> counts{};
+  std::array<double, kLineChanges> lengths{};
+  /// Texts that are in one drawing alone, by their letters and places.
+  std::vector<Text> texts_new, texts_gone;
+  /// Whether both have one sheet.
+  bool same_sheet = true;
+  double tolerance = 0;
+
+  bool same() const {
+    return lines.empty() && texts_new.empty() && texts_gone.empty() && same_sheet;
+  }
+};
+
+/// Compares the visible lines of two drawings, features with features and strokes with strokes. A
+/// path is the same where all of it lies within `tolerance` paper mm of lines of the other drawing,
+/// but for stretches of less than twice that; it has moved where a path of the same part, kind,
+/// face and edge, and about the same length, is gone within 20 mm of it. Widths and the order of
+/// layers do not count. Throws Cancelled. Cost: 0.2 us a question, two of which a tolerance of
+/// line.
+LineDifference compare_drawings(const Drawing& before, const Drawing& after, double tolerance,
+                                const RunContext& context);
+
+/// The new drawing light, with lines that are new in layers "new-", what is gone (or was elsewhere)
+/// in "gone-", moved lines in "moved-to-", and "legend". Looks as those of the other `overlay`.
+Drawing overlay(const RevisionDrawings& drawings, const LineDifference& difference,
+                const OverlayOptions& options, const RunContext& context);
+
+}  // namespace burin
