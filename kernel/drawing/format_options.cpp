@@ -8,9 +8,8 @@ using options::number;
 namespace {
 
 constexpr const char* kOrder =
-    "which line of a layer comes next: as in the drawing, or the nearest one, so that a pen "
-    "travels "
-    "little (no groups of parts in SVG)";
+    "which line of a layer comes next: as in the drawing, or the nearest, so that a pen travels "
+    "little";
 
 std::vector<std::string> order_words() { return {"drawing", "travel"}; }
 
@@ -30,7 +29,8 @@ std::vector<OptionRow<SvgOptions>> svg_option_rows() {
            "polylines: plain polylines of constant width, for plotters and lasers",
            {"polylines", "none"}),
       flag("merge", &SvgOptions::merge, "one element a layer and pen; sources are not told"),
-      options::word("order", &SvgOptions::order, order_words(), kOrder),
+      options::word("order", &SvgOptions::order, order_words(),
+                    std::string(kOrder) + "; then there are no groups of parts"),
       number("fit_tolerance", &SvgOptions::fit_tolerance, {0.001, 1, "mm"},
              "how far fitted curves may be from the computed lines, in mm"),
   };

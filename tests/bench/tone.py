@@ -67,9 +67,9 @@ def measure(file, style):
     positions, darkness = (np.concatenate([one[k] for one in asked]) for k in (0, 1))
     width, height = drawing.paper
     shape = (int(height / CELL), int(width / CELL))
-    off = positions - np.array(view["center"])
-    x = view["scale"] * off @ np.array(view["right"]) + view["offset"][0]
-    y = view["scale"] * off @ np.array(view["up"]) + view["offset"][1]
+    off = positions - np.array(view.center)
+    x = view.scale * off @ np.array(view.right) + view.offset[0]
+    y = view.scale * off @ np.array(view.up) + view.offset[1]
     cell = (np.floor(np.stack([y, x], 1) / CELL)).astype(int)
     inside = (cell >= 0).all(1) & (cell < shape).all(1)
     total, count = np.zeros(shape), np.zeros(shape)

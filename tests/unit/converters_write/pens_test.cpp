@@ -67,7 +67,10 @@ Drawing random_drawing(unsigned seed) {
       const int n = 2 + static_cast<int>(random() % 30);
       for (int k = 0; k < n; ++k) {
         path.points.push_back(at);
-        at = glm::clamp(at + Vec2(any(-6, 6), any(-6, 6)), Vec2(0), Vec2(200, 150));
+        const Vec2 step(any(-6, 6), any(-6, 6)), next = at + step;
+        // Off an edge, not along it: what runs there and back on one line may be drawn once.
+        const Vec2 inside = glm::clamp(next, Vec2(0), Vec2(200, 150));
+        at = inside == next ? next : glm::mix(at, Vec2(100, 75), 0.1);
       }
       path.closed = n > 3 && random() % 5 == 0;
       path.width = {any(0.1, 0.6)};

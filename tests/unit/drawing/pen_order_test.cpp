@@ -11,6 +11,7 @@
 #include <array>
 #include <cmath>
 #include <map>
+#include <numbers>
 #include <random>
 #include <tuple>
 
@@ -190,7 +191,8 @@ TEST(PenOrder, TakesAnyLines) {
   // Ten thousand lines from one place, the same line many times, points in one place.
   std::vector<Line> star, doubled, points;
   for (int i = 0; i < 10'000; ++i) {
-    star.push_back({{{50, 50}, {50 + 20 * std::cos(i), 50 + 20 * std::sin(i)}}});
+    const double angle = 2 * std::numbers::pi * i / 10'000;
+    star.push_back({{{50, 50}, {50 + 20 * std::cos(angle), 50 + 20 * std::sin(angle)}}});
     doubled.push_back({{{1, 1}, {2, 3}}});
     points.push_back({{{5, 5}}});
   }
