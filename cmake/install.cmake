@@ -1,5 +1,6 @@
 # cmake --install BUILD [--prefix P]: the command, the libraries, the Python module, the kernel's headers with a CMake
-# package, the docs. Everything finds everything else by its own place, so that the prefix may be moved.
+# package, the docs, manual pages and completions. Everything finds everything else by its own place, so that the prefix
+# may be moved. Components: command, python, freecad, development; packages.cmake makes packages of them.
 include(GNUInstallDirs)
 set(docs ${CMAKE_INSTALL_DATAROOTDIR}/doc/burin)
 
@@ -13,20 +14,47 @@ set(libraries burin burin_cad burin_cairo)
 set_target_properties(${libraries} PROPERTIES INSTALL_RPATH "$ORIGIN")
 burin_rpath(burin_cli ${CMAKE_INSTALL_BINDIR})
 burin_rpath(burin_csg ${CMAKE_INSTALL_LIBDIR}/burin)
-install(TARGETS burin_csg RUNTIME DESTINATION ${CMAKE_INSTALL_LIBDIR}/burin)
-install(TARGETS burin_cli RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+install(TARGETS burin_csg RUNTIME DESTINATION ${CMAKE_INSTALL_LIBDIR}/burin COMPONENT command)
+install(TARGETS burin_cli RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT command)
 install(TARGETS ${libraries}
-  LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR} NAMELINK_SKIP)
-install(TARGETS burin_probe RUNTIME DESTINATION ${CMAKE_INSTALL_LIBDIR})
-install(TARGETS burin LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR} NAMELINK_ONLY)
+  LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR} NAMELINK_SKIP COMPONENT command)
+install(TARGETS burin_probe RUNTIME DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT command)
+install(TARGETS burin LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR} NAMELINK_ONLY COMPONENT development)
+
+# burin_install_python(FOLDER COMPONENT [EXCLUDE_FROM_ALL]): the Python package into FOLDER.
+function(burin_install_python folder component)
+  set(source ${PROJECT_SOURCE_DIR}/converters/python/burin)
+  if(NOT TARGET burin_python)  # commands that are written in Python, without the module
+    install(DIRECTORY ${source}/batch ${source}/book DESTINATION ${folder}/burin COMPONENT ${component} ${ARGN}
+      FILES_MATCHING PATTERN "*.py" PATTERN __pycache__ EXCLUDE)
+    return()
+  endif()
+  install(TARGETS burin_python LIBRARY DESTINATION ${folder}/burin COMPONENT ${component} ${ARGN})
+  install(DIRECTORY ${source} DESTINATION ${folder} COMPONENT ${component} ${ARGN}
+    FILES_MATCHING PATTERN "*.py" PATTERN py.typed PATTERN __pycache__ EXCLUDE)
+  install(FILES ${CMAKE_BINARY_DIR}/python/burin/__init__.pyi DESTINATION ${folder}/burin COMPONENT ${component} ${ARGN})
+endfunction()
+
+# burin_install_bundle(FOLDER COMPONENT): the Python package into FOLDER with all of the kernel beside it, so that it needs
+# nothing else of ours. Never a part of `cmake --install` without the component.
+function(burin_install_bundle folder component)
+  install(TARGETS burin_python burin burin_cad burin_cairo
+    LIBRARY DESTINATION ${folder} NAMELINK_SKIP COMPONENT ${component} EXCLUDE_FROM_ALL)
+  install(TARGETS burin_probe RUNTIME DESTINATION ${folder} COMPONENT ${component} EXCLUDE_FROM_ALL)
+  install(TARGETS burin_csg RUNTIME DESTINATION ${folder}/burin COMPONENT ${component} EXCLUDE_FROM_ALL)
+  install(DIRECTORY ${PROJECT_SOURCE_DIR}/converters/python/burin/ DESTINATION ${folder}
+    COMPONENT ${component} EXCLUDE_FROM_ALL FILES_MATCHING PATTERN "*.py" PATTERN py.typed PATTERN __pycache__ EXCLUDE)
+endfunction()
 
 if(TARGET burin_python)
+  add_custom_target(burin_bundle DEPENDS burin_python burin burin_probe burin_csg burin_cad burin_cairo)
+  burin_install_bundle(burin bundle)
+  install(FILES ${CMAKE_BINARY_DIR}/python/burin/__init__.pyi DESTINATION burin COMPONENT bundle EXCLUDE_FROM_ALL)
+  # Of the same depth as the folder of a package of Debian, lib/python3/dist-packages.
   burin_rpath(burin_python ${BURIN_PYTHON_FOLDER}/burin)
-  install(TARGETS burin_python LIBRARY DESTINATION ${BURIN_PYTHON_FOLDER}/burin)
-  install(FILES converters/python/burin/__init__.py converters/python/burin/_draw.py converters/python/burin/_plugins.py converters/python/burin/py.typed
-    ${CMAKE_BINARY_DIR}/python/burin/__init__.pyi
-    DESTINATION ${BURIN_PYTHON_FOLDER}/burin)
+  set_property(TARGET burin_python APPEND PROPERTY INSTALL_RPATH "$ORIGIN")
 endif()
+burin_install_python(${BURIN_PYTHON_FOLDER} python)
 
 get_property(modules GLOBAL PROPERTY BURIN_MODULES)
 foreach(module IN LISTS modules)
@@ -35,7 +63,7 @@ foreach(module IN LISTS modules)
     continue()
   endif()
   foreach(folder IN LISTS folders)
-    install(DIRECTORY ${folder}/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
+    install(DIRECTORY ${folder}/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} COMPONENT development)
   endforeach()
 endforeach()
 
@@ -46,10 +74,20 @@ configure_package_config_file(cmake/burin-config.cmake.in ${CMAKE_BINARY_DIR}/cm
 write_basic_package_version_file(${CMAKE_BINARY_DIR}/cmake/burin-config-version.cmake
   COMPATIBILITY SameMinorVersion)
 install(FILES ${CMAKE_BINARY_DIR}/cmake/burin-config.cmake ${CMAKE_BINARY_DIR}/cmake/burin-config-version.cmake
-  DESTINATION ${package})
+  DESTINATION ${package} COMPONENT development)
 
-install(DIRECTORY kernel/docs/ DESTINATION ${docs})
-install(FILES README.md LICENSE CHANGELOG.md DESTINATION ${docs})
+install(DIRECTORY kernel/docs/ DESTINATION ${docs} COMPONENT command PATTERN "*.py" EXCLUDE)
+install(FILES README.md LICENSE CHANGELOG.md DESTINATION ${docs} COMPONENT command)
 
 # What OpenSCAD models say to Burin.
-install(FILES ${PROJECT_SOURCE_DIR}/samples/openscad/burin.scad DESTINATION ${CMAKE_INSTALL_DATADIR}/burin/openscad)
+install(FILES ${PROJECT_SOURCE_DIR}/samples/openscad/burin.scad DESTINATION ${CMAKE_INSTALL_DATADIR}/burin/openscad
+  COMPONENT command)
+
+# Manual pages and completions, which the command itself tells.
+set(told ${CMAKE_BINARY_DIR}/told)
+add_custom_command(OUTPUT ${told}/done
+  COMMAND ${CMAKE_COMMAND} -DBURIN=$<TARGET_FILE:burin_cli> -DFOLDER=${told} -P ${PROJECT_SOURCE_DIR}/cmake/told.cmake
+  DEPENDS burin_cli ${PROJECT_SOURCE_DIR}/cmake/told.cmake VERBATIM)
+add_custom_target(burin_told ALL DEPENDS ${told}/done)
+install(DIRECTORY ${told}/man1 DESTINATION ${CMAKE_INSTALL_MANDIR} COMPONENT command)
+install(DIRECTORY ${told}/share/ DESTINATION ${CMAKE_INSTALL_DATADIR} COMPONENT command)

@@ -1,9 +1,12 @@
 #include "arguments.h"
 
 #include <burin/base/error.h>
-#include <burin/base/nearest.h>
-#include <burin/base/version.h>
 #include <burin/converters/write.h>
+
+#include "about.h"
+#include "add_options.h"
+#include "command_tree.h"
+#include "unknown_words.h"
 
 #include <CLI/App.hpp>
 #include <CLI/Config.hpp>
@@ -18,107 +21,8 @@ namespace burin::cli {
 namespace {
 
 constexpr const char* kLook = "The look";
-constexpr const char* kRun = "The run";
 constexpr const char* kFiles = "Files";
 constexpr const char* kParts = "Parts";
-
-/// Lines of help are this long, beside the column of the names.
-constexpr std::size_t kHelpWidth = 60;
-
-std::string wrapped(const std::string& text) {
-  std::string out;
-  std::size_t used = 0;
-  std::istringstream words(text);
-  for (std::string word; words >> word;) {
-    const bool fits = used + 1 + word.size() <= kHelpWidth;
-    if (used > 0) out += fits ? ' ' : '\n';
-    used = fits && used > 0 ? used + 1 + word.size() : word.size();
-    out += word;
-  }
-  return out;
-}
-
-std::string format_help() {
-  return wrapped(fmt::format("{}: format of outputs whose name does not tell it", format_list("")));
-}
-
-std::string output_help(const char* what) {
-  return wrapped(
-      fmt::format("{} to write, {} by its suffix; repeatable; - is standard output and "
-                  "needs --format",
-                  what, format_list()));
-}
-
-/// Most likely a shell's variable that is not set: no reason to draw by the default.
-void refuse_empty(const std::string& option, const std::string& word) {
-  if (word.empty()) throw UsageError("option " + option + " has an empty value");
-}
-
-CLI::Option* text(CLI::App& app, const char* name, std::string& value, const char* type,
-                  const char* group, const std::string& help) {
-  return app.add_option(name, value, help)
-      ->each([option = std::string(name)](const std::string& word) { refuse_empty(option, word); })
-      ->type_name(type)
-      ->group(group)
-      ->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
-}
-
-/// An option that may be given several times, one value each time.
-void list(CLI::App& app, const char* name, std::vector<std::string>& values, const char* type,
-          const char* group, const std::string& help) {
-  app.add_option(name, values, help)->type_name(type)->group(group)->allow_extra_args(false);
-}
-
-/// A switch, and the form that turns it off where there is one.
-void add_switch(CLI::App& app, const RequestOption& option, Request& request) {
-  const std::string& name = option.option.name;
-  const auto add = [&](const std::string& flag, const std::string& help, const char* value) {
-    app.add_flag_callback(
-           spelled(flag, Spelling::Options), [&request, name, value] { request[name] = {value}; },
-           wrapped(help))
-        ->group(option.group);
-  };
-  add(name, option.option.meaning, "true");
-  if (!option.negated.empty()) add("no_" + name, option.negated, "false");
-}
-
-void add_request(CLI::App& app, const RequestOption& option, Request& request) {
-  if (std::holds_alternative<Switch>(option.option.takes)) return add_switch(app, option, request);
-  const std::string& name = option.option.name;
-  const std::string word = spelled(name, Spelling::Options);
-  const std::string names = option.letter == 0 ? word : fmt::format("-{},{}", option.letter, word);
-  const auto add = [&]<class Values>(CLI::MultiOptionPolicy policy) {
-    const auto set = [&request, name, word](const Values& values) {
-      if constexpr (std::is_same_v<Values, std::string>) {
-        refuse_empty(word, values);
-        request[name] = {values};
-      } else {
-        for (const std::string& value : values) refuse_empty(word, value);
-        request[name] = values;
-      }
-    };
-    app.add_option_function<Values>(names, set, wrapped(option.option.meaning))
-        ->type_name(option.label)
-        ->group(option.group)
-        ->allow_extra_args(false)
-        ->multi_option_policy(policy);
-  };
-  if (option.many) {
-    add.template operator()<std::vector<std::string>>(CLI::MultiOptionPolicy::TakeAll);
-  } else {
-    add.template operator()<std::string>(CLI::MultiOptionPolicy::TakeLast);
-  }
-}
-
-void add_chatter(CLI::App& app, Chatter& chatter) {
-  app.add_flag("--quiet,-q", chatter.quiet, "print nothing but errors")->group(kRun);
-  app.add_flag("--verbose,-v", chatter.verbose, "print the time of each stage")->group(kRun);
-  app.add_flag("--progress", chatter.progress,
-               "show progress (default on a terminal); elsewhere than on a\n"
-               "terminal one line a step: burin: progress STAGE SHARE")
-      ->group(kRun);
-  app.add_flag("--no-progress", chatter.no_progress, "show none")->group(kRun);
-}
 
 constexpr const char* kModels =
     "model files, each one or more parts of the scene:\nSTEP, IGES, BREP, STL, OBJ, OFF, PLY, "
@@ -200,7 +104,8 @@ CLI::App* add_steps(CLI::App& app, StepsArguments& a, Chatter& chatter) {
       ->group(kFiles);
   list(*steps, "-o,--output", draw.outputs, "FILE", kFiles,
        "step book to write: NAME.pdf, a page a step; NAME.html,\n"
-       "one page; NAME.md, and NAME-step-01.svg ... beside it;\nrepeatable");
+       "one page; NAME.md, and NAME-step-01.svg ... beside it;\nNAME.json, "
+       "data; repeatable");
   text(*steps, "--items", a.items, "N", kParts,
        "items that a step adds at the most, several of one count\nonce (default 6)");
   // What is about one drawing.
@@ -256,6 +161,14 @@ CLI::App* add_diff(CLI::App& app, DiffArguments& a, Chatter& chatter) {
   return diff;
 }
 
+/// Its words are for another parser.
+CLI::App* add_python(CLI::App& app, const char* name, const char* does) {
+  CLI::App* command = app.add_subcommand(name, does);
+  command->set_help_flag();
+  command->prefix_command();
+  return command;
+}
+
 CLI::App* add_convert(CLI::App& app, ConvertArguments& a, Chatter& chatter) {
   CLI::App* convert = app.add_subcommand(
       "convert", "write a drawing file, or what an OpenSCAD file makes, in other formats");
@@ -268,8 +181,8 @@ CLI::App* add_convert(CLI::App& app, ConvertArguments& a, Chatter& chatter) {
     add_request(*convert, find_option(all_options(), name), a.options);
   }
   list(*convert, "--set", a.set, "KEY=VALUE", kLook,
-       "change a key of a format (svg. png. dxf. json. line.dash\n"
-       "line.gap); repeatable; see burin styles --keys");
+       "change a key of a format (svg. png. dxf. hpgl. gcode. json.\n"
+       "line.dash line.gap); repeatable; see burin styles --keys");
   add_request(*convert, find_option(all_options(), "threads"), a.options);
   add_chatter(*convert, chatter);
   convert->footer(
@@ -308,58 +221,11 @@ CLI::App* add_options(CLI::App& app, OptionsArguments& a) {
                     "print the JSON Schema of style files, for editors");
   options->add_flag("--illustration-schema", a.illustration_schema,
                     "print that of illustration files");
+  text(*options, "--manual", a.manual, "COMMAND", "OPTIONS",
+       "print the page of a command for man(1); of all of it: burin");
+  text(*options, "--completion", a.completion, "SHELL", "OPTIONS",
+       "print what completes words in bash, zsh or fish");
   return options;
-}
-
-std::vector<std::string> known_options(const CLI::App& app) {
-  std::vector<std::string> names;
-  for (const CLI::Option* option : app.get_options()) {
-    for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
-    for (const std::string& name : option->get_snames()) names.push_back("-" + name);
-  }
-  return names;
-}
-
-/// `--view=` is an option without its value: for the next word CLI11 would take another option.
-void refuse_empty_values(const CLI::App& app, int argc, const char* const* argv) {
-  std::vector<std::string> names;
-  for (const CLI::App* sub : app.get_subcommands({})) {
-    const std::vector<std::string> more = known_options(*sub);
-    names.insert(names.end(), more.begin(), more.end());
-  }
-  for (int i = 1; i < argc; ++i) {
-    const std::string word = argv[i];
-    if (word == "--") return;  // names of files follow
-    if (!word.starts_with('-') || word.find('=') != word.size() - 1) continue;
-    const std::string name = word.substr(0, word.size() - 1);
-    if (std::ranges::find(names, name) != names.end()) refuse_empty(name, "");
-  }
-}
-
-/// Throws for the first word that no option or argument took.
-void refuse_extras(const CLI::App& app, const std::string& command) {
-  for (const std::string& word : app.remaining()) {
-    const std::string name = word.substr(0, word.find('='));
-    if (name.starts_with('-')) {
-      throw UsageError(fmt::format("unknown option {}; the nearest is {} (see {} --help)", name,
-                                   nearest(name, known_options(app)), command));
-    }
-    throw UsageError(fmt::format("unexpected argument '{}' (see {} --help)", word, command));
-  }
-}
-
-/// A command is missing or unknown.
-void refuse_command(const CLI::App& app) {
-  std::vector<std::string> names;
-  for (const CLI::App* sub : app.get_subcommands({})) names.push_back(sub->get_name());
-  const std::vector<std::string> words = app.remaining();
-  if (words.empty()) {
-    throw UsageError(
-        "no command; say what to do, e.g. burin draw part.stl -o part.svg (see burin --help)");
-  }
-  if (words.front().starts_with('-')) refuse_extras(app, "burin");
-  throw UsageError(fmt::format("unknown command '{}'; the nearest is '{}' (see burin --help)",
-                               words.front(), nearest(words.front(), names)));
 }
 
 std::string one_line(std::string message) {
@@ -381,12 +247,15 @@ Arguments parse_arguments(int argc, const char* const* argv) {
   app.footer(
       "\nburin COMMAND --help tells the options of a command.\n"
       "Example: burin draw bracket.stl -o bracket.svg --style engraving");
-  app.set_version_flag("--version,-V", std::string("burin ") + version(), "print the version");
+  app.set_version_flag("--version,-V", version_text(), "print the version");
   CLI::App* draw = add_draw(app, a.draw, a.chatter);
   CLI::App* watch = add_watch(app, a.draw, a.chatter);
   CLI::App* illustrate = add_illustrate(app, a.illustrate);
   CLI::App* steps = add_steps(app, a.steps, a.chatter);
   CLI::App* diff = add_diff(app, a.diff, a.chatter);
+  CLI::App* batch = add_python(
+      app, "batch", "draw a catalogue of parts: plan, run, report, slurm (see burin batch --help)");
+  CLI::App* book = add_python(app, "book", "make the figures of a manual (see burin book --help)");
   CLI::App* convert = add_convert(app, a.convert, a.chatter);
   CLI::App* info = add_info(app, a.info);
   CLI::App* styles = add_styles(app, a.styles);
@@ -399,14 +268,15 @@ Arguments parse_arguments(int argc, const char* const* argv) {
        {draw, watch, illustrate, steps, diff, convert, info, styles, options, plugins})
     sub->allow_extras();
 
-  refuse_empty_values(app, argc, argv);
+  const bool python = argc > 1 && (argv[1] == batch->get_name() || argv[1] == book->get_name());
+  if (!python) refuse_empty_values(app, argc, argv);
   try {
     app.parse(argc, argv);
   } catch (const CLI::CallForHelp&) {
     a.help = app.help();
     return a;
   } catch (const CLI::CallForVersion& e) {
-    a.help = std::string(e.what()) + "\n";
+    a.help = e.what();
     return a;
   } catch (const CLI::ParseError& e) {
     throw UsageError(one_line(e.what()) + " (see burin --help)");
@@ -416,9 +286,20 @@ Arguments parse_arguments(int argc, const char* const* argv) {
   if (app.get_subcommands().size() > 1)
     throw UsageError("one command at a time (see burin --help)");
   const CLI::App* chosen = app.get_subcommands().front();
+  if (chosen == batch || chosen == book) {
+    a.verb = chosen == batch ? Verb::Batch : Verb::Book;
+    a.words.assign(argv + 2, argv + argc);
+    return a;
+  }
   refuse_extras(*chosen, "burin " + chosen->get_name());
   refuse_extras(app, "burin");
   if (chosen == watch) a.draw.command = "watch";
+  if (!a.options.manual.empty() || !a.options.completion.empty()) {
+    const std::vector<Command> tree = command_tree(app);
+    a.help = a.options.manual.empty() ? completion(tree, a.options.completion)
+                                      : manual_page(tree, a.options.manual);
+    return a;
+  }
   a.verb = chosen == draw         ? Verb::Draw
            : chosen == watch      ? Verb::Watch
            : chosen == illustrate ? Verb::Illustrate

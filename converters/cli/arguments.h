@@ -51,6 +51,8 @@ struct OptionsArguments {
   bool json = false;
   bool style_schema = false;
   bool illustration_schema = false;
+  /// A command, and a shell; empty: not asked.
+  std::string manual, completion;
 };
 
 struct PluginsArguments {
@@ -79,6 +81,8 @@ enum class Verb {
   Illustrate,
   Steps,
   Diff,
+  Batch,
+  Book,
   Convert,
   Info,
   Styles,
@@ -99,6 +103,8 @@ struct Arguments {
   InfoArguments info;
   OptionsArguments options;
   PluginsArguments plugins;
+  /// What follows the name of a command that is written in Python and has a parser of its own.
+  std::vector<std::string> words;
   Chatter chatter;
 };
 

@@ -30,7 +30,7 @@ Style make_style(const std::vector<std::string>& assignments) {
     if (is_about_files(key)) continue;
     throw UsageError(
         fmt::format("style key '{}' shapes a drawing, not its file; give it to burin draw (convert "
-                    "takes svg. png. dxf. json. line.dash line.gap)",
+                    "takes svg. png. dxf. hpgl. gcode. json. line.dash line.gap)",
                     key));
   }
   check_style(style);
@@ -103,8 +103,9 @@ void run_convert(const ConvertArguments& arguments, RunContext& context, Console
   WriteOptions options = write_options(style);
   options.svg.id_prefix =
       id_prefix_option("--id-prefix", asked(arguments, "id_prefix", std::string()));
-  write_outputs(outputs, drawing, options, context);
+  const Diagnostics told = write_outputs(outputs, drawing, options, context);
   console.diagnostics(drawing.diagnostics);
+  console.diagnostics(told);
 }
 
 }  // namespace burin::cli

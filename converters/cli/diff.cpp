@@ -68,11 +68,13 @@ bool draws(const std::vector<Output>& outputs) {
 
 int finish(const DiffOutcome& outcome, std::vector<Output>& outputs, const WriteOptions& options,
            bool quiet, RunContext& context, Console& console) {
-  write_outputs(outputs, options, context,
-                [&](const Output& output, const WriteOptions& how, std::ostream& out) {
-                  write_difference(outcome, output.name(), output.format(), how, out, context);
-                });
+  const Diagnostics told =
+      write_outputs(outputs, options, context,
+                    [&](const Output& output, const WriteOptions& how, std::ostream& out) {
+                      write_difference(outcome, output.name(), output.format(), how, out, context);
+                    });
   console.diagnostics(outcome.diagnostics);
+  console.diagnostics(told);
   if (outcome.drawing) {
     Diagnostics others;
     for (const Diagnostic& d : outcome.drawing->diagnostics.entries()) {

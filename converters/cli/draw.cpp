@@ -12,23 +12,43 @@
 
 #include <algorithm>
 #include <optional>
+#include <utility>
 
 namespace burin::cli {
 namespace {
 
-Scene read_models(const DrawArguments& arguments, const DrawPlan& plan, RunContext& context,
-                  KeptScene* kept) {
-  if (kept && kept->scene) {
+/// What is asked of reading alone.
+Request reading_of(const Request& request) {
+  Request reading;
+  for (const RequestRow<ReadOptions>& row : read_option_rows()) {
+    const std::vector<std::string>& given = given_texts(request, row.name());
+    if (!given.empty()) reading[row.name()] = given;
+  }
+  return reading;
+}
+
+Scene read_anew(const DrawArguments& arguments, const std::optional<Illustration>& illustration,
+                const DrawPlan& plan, RunContext& context) {
+  if (illustration) return read_scene(*illustration, context);
+  return read_scene(arguments.inputs, plan.read, context);
+}
+
+Scene read_models(const DrawArguments& arguments, const std::optional<Illustration>& illustration,
+                  const DrawPlan& plan, RunContext& context, KeptScene* kept) {
+  if (!kept || (illustration && !kept->illustrations)) {
+    return read_anew(arguments, illustration, plan, context);
+  }
+  Request reading = reading_of(arguments.request.options);
+  if (kept->scene && kept->reading == reading) {
     // Heard of before they are looked at: a change in between is not lost.
     for (const auto& [name, stamp] : kept->files) InputFiles::opens(name);
     if (!changed(kept->files)) return *kept->scene;
   }
   const InputFiles read;
-  Scene scene = read_scene(arguments.inputs, plan.read, context);
-  if (kept) {
-    kept->files = read.stamps();
-    kept->scene = scene;
-  }
+  Scene scene = read_anew(arguments, illustration, plan, context);
+  kept->files = read.stamps();
+  kept->scene = scene;
+  kept->reading = std::move(reading);
   return scene;
 }
 
@@ -74,8 +94,7 @@ void note_unwritten(const DrawArguments& arguments, const std::vector<Output>& o
 
 }  // namespace
 
-void run_draw(const DrawArguments& arguments, RunContext& context, Console& console,
-              KeptScene* kept) {
+Drawn draw_files(const DrawArguments& arguments, RunContext& context, KeptScene* kept) {
   if (arguments.inputs.empty()) {
     throw UsageError(
         fmt::format("no input; name model files: burin {} INPUT... -o OUT", arguments.command));
@@ -89,7 +108,7 @@ void run_draw(const DrawArguments& arguments, RunContext& context, Console& cons
   DrawPlan plan = plan_of(arguments, illustration);
   WriteOptions options = write_options(plan.style);
   options.svg.id_prefix = plan.id_prefix;
-  options.html.live = kept != nullptr;
+  options.html.live = kept != nullptr && kept->live;
   std::vector<Output> outputs =
       make_outputs(arguments.outputs, arguments.format, sources_of(arguments, illustration, read));
   check_lists(plan, outputs, sources_of(arguments, illustration, read));
@@ -100,8 +119,7 @@ void run_draw(const DrawArguments& arguments, RunContext& context, Console& cons
   }
 
   const ThreadLimit limit(plan.threads);
-  Scene scene = illustration ? read_scene(*illustration, context)
-                             : read_models(arguments, plan, context, kept);
+  Scene scene = read_models(arguments, illustration, plan, context, kept);
   if (!illustration) follow_files(scene, arguments, plan);
   note_unwritten(arguments, outputs, plan);
   for (const Output& output : outputs) plan.items |= output.format().lists_items;
@@ -111,9 +129,16 @@ void run_draw(const DrawArguments& arguments, RunContext& context, Console& cons
   const Drawing drawing = draw(scene, sheet, plan, context, kept ? &kept->session : nullptr);
 
   write_parts_lists(drawing, plan);
-  write_outputs(outputs, drawing, options, context);
-  console.diagnostics(drawing.diagnostics);
-  if (drawing.stats.verify) console.verification(*drawing.stats.verify);
+  Diagnostics diagnostics = drawing.diagnostics;
+  diagnostics.append(write_outputs(outputs, drawing, options, context));
+  return {std::move(diagnostics), drawing.stats.verify};
+}
+
+void run_draw(const DrawArguments& arguments, RunContext& context, Console& console,
+              KeptScene* kept) {
+  const Drawn drawn = draw_files(arguments, context, kept);
+  console.diagnostics(drawn.diagnostics);
+  if (drawn.verification) console.verification(*drawn.verification);
 }
 
 }  // namespace burin::cli

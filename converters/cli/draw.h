@@ -18,12 +18,27 @@ namespace burin::cli {
 struct KeptScene {
   InputFiles::Stamps files;
   std::optional<Scene> scene;
+  /// What was asked of its reading.
+  Request reading{};
   Session session{};
+  /// Pages that are written load themselves anew.
+  bool live = false;
+  /// What an illustration shows is kept, too: its own file, and what it extends, stay as they are.
+  bool illustrations = false;
 };
 
-/// Reads, draws and writes; prints the drawing's diagnostics. Throws the kernel's errors. `kept`:
-/// of a run with the same arguments before this one, used where its files are as they were, else
-/// made anew; illustrations are always read.
+/// What is to be said of a drawing that was written.
+struct Drawn {
+  Diagnostics diagnostics;
+  std::optional<Verification> verification = {};
+};
+
+/// Reads, draws and writes. Throws the kernel's errors. `kept`: of a run with the same inputs
+/// before this one, used where its files are as they were and are read in the same way, else made
+/// anew.
+Drawn draw_files(const DrawArguments& arguments, RunContext& context, KeptScene* kept = nullptr);
+
+/// The same, and prints what is to be said.
 void run_draw(const DrawArguments& arguments, RunContext& context, Console& console,
               KeptScene* kept = nullptr);
 

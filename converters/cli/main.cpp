@@ -5,6 +5,7 @@
 #include <burin/converters/load_plugins.h>
 
 #include "arguments.h"
+#include "batch_job.h"
 #include "console.h"
 #include "convert.h"
 #include "diff.h"
@@ -13,6 +14,7 @@
 #include "info.h"
 #include "options.h"
 #include "plugins.h"
+#include "python_module.h"
 #include "report.h"
 #include "signals.h"
 #include "steps.h"
@@ -22,7 +24,9 @@
 #include <chrono>
 #include <cstdio>
 #include <exception>
+#include <string>
 #include <string_view>
+#include <vector>
 
 namespace burin::cli {
 namespace {
@@ -57,6 +61,14 @@ int run(const Arguments& arguments, RunContext& context, Console& console) {
       check_printed();
       return status;
     }
+    case Verb::Batch:
+      if (arguments.words == std::vector<std::string>{"job"}) {
+        run_batch_job(context);
+        break;
+      }
+      become_python("batch", arguments.words);
+    case Verb::Book:
+      become_python("book", arguments.words);
     case Verb::Convert:
       run_convert(arguments.convert, context, console);
       break;

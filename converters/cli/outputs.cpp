@@ -15,17 +15,19 @@ std::vector<Output> make_outputs(std::vector<std::string> names, const std::stri
   return plan_outputs(names, format, sources);
 }
 
-void write_outputs(std::vector<Output>& outputs, const Drawing& drawing, WriteOptions options,
-                   RunContext& context) {
-  write_outputs(outputs, std::move(options), context,
-                [&](const Output& output, const WriteOptions& how, std::ostream& out) {
-                  write_drawing(drawing, output.format(), how, out, context);
-                });
+Diagnostics write_outputs(std::vector<Output>& outputs, const Drawing& drawing,
+                          WriteOptions options, RunContext& context) {
+  return write_outputs(outputs, std::move(options), context,
+                       [&](const Output& output, const WriteOptions& how, std::ostream& out) {
+                         write_drawing(drawing, output.format(), how, out, context);
+                       });
 }
 
-void write_outputs(
+Diagnostics write_outputs(
     std::vector<Output>& outputs, WriteOptions options, RunContext& context,
     const std::function<void(const Output&, const WriteOptions&, std::ostream&)>& write) {
+  Diagnostics told;
+  options.tell = [&](const Diagnostic& one) { told.add(one); };
   context.begin_stage(RunStage::Write);
   for (std::size_t i = 0; i < outputs.size(); ++i) {
     const auto done = static_cast<double>(i), all = static_cast<double>(outputs.size());
@@ -37,6 +39,7 @@ void write_outputs(
   signals::finish();
   for (Output& output : outputs) output.commit();
   context.end_stage();
+  return told;
 }
 
 }  // namespace burin::cli

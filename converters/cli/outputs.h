@@ -16,14 +16,14 @@ std::vector<Output> make_outputs(std::vector<std::string> names, const std::stri
                                  const std::vector<std::string>& sources);
 
 /// Calls `write` with each of them and a stream, then gives each its name; from then on signals do
-/// nothing. Throws OutputError, Cancelled.
-void write_outputs(
+/// nothing. Gives what the formats cannot show. Throws OutputError, Cancelled.
+Diagnostics write_outputs(
     std::vector<Output>& outputs, WriteOptions options, RunContext& context,
     const std::function<void(const Output&, const WriteOptions&, std::ostream&)>& write);
 
 /// Writes the drawing to all of them, then gives each its name; from then on signals do nothing.
-/// Throws OutputError, Cancelled.
-void write_outputs(std::vector<Output>& outputs, const Drawing& drawing, WriteOptions options,
-                   RunContext& context);
+/// Gives what the formats cannot show of it. Throws OutputError, Cancelled.
+Diagnostics write_outputs(std::vector<Output>& outputs, const Drawing& drawing,
+                          WriteOptions options, RunContext& context);
 
 }  // namespace burin::cli

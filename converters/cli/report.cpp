@@ -1,6 +1,7 @@
 #include "report.h"
 
 #include <burin/base/error.h>
+#include <burin/base/missing_file.h>
 #include <burin/base/out_of_memory.h>
 #include <burin/converters/messages.h>
 
@@ -16,31 +17,32 @@ std::string said(const std::exception& e) { return at_door(e.what(), Spelling::O
 
 }  // namespace
 
-int report(const std::string& input) {
+Failure failure_of(const std::string& input) {
   try {
     throw;
   } catch (const Cancelled&) {
-    if (signals::may_say_cancelled()) print_error("cancelled");
-    return kStopped;
+    return {kStopped, "cancelled", "cancelled"};
   } catch (const UsageError& e) {
-    print_error(said(e));
-    return kUsage;
+    return {kUsage, "usage", said(e)};
   } catch (const InputError& e) {
-    print_error(located(e.file().empty() ? input : e.file(), e.line(), said(e)));
-    return kBadInput;
+    const bool missing = dynamic_cast<const MissingFile*>(&e) != nullptr;
+    return {kBadInput, missing ? "missing" : "input",
+            located(e.file().empty() ? input : e.file(), e.line(), said(e))};
   } catch (const GeometryError& e) {
-    print_error(located(input, 0, said(e)));
-    return kBadInput;
+    return {kBadInput, "geometry", located(input, 0, said(e))};
   } catch (const OutputError& e) {
-    print_error(located(e.file(), 0, said(e)));
-    return kNoOutput;
+    return {kNoOutput, "output", located(e.file(), 0, said(e))};
   } catch (const std::exception& e) {
-    print_error(located(input, 0,
-                        is_out_of_memory(e) ? "out of memory; draw a smaller model, or fewer at "
-                                              "once"
-                                            : said(e)));
-    return kFailed;
+    if (!is_out_of_memory(e)) return {kFailed, "error", located(input, 0, said(e))};
+    return {kFailed, "memory",
+            located(input, 0, "out of memory; draw a smaller model, or fewer at once")};
   }
+}
+
+int report(const std::string& input) {
+  const Failure failure = failure_of(input);
+  if (failure.status != kStopped || signals::may_say_cancelled()) print_error(failure.message);
+  return failure.status;
 }
 
 }  // namespace burin::cli

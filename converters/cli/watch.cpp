@@ -136,6 +136,7 @@ void run_watch(const DrawArguments& arguments, RunContext& context, Console& con
   }
   InputFiles::Stamps files;
   KeptScene kept;
+  kept.live = true;
   const Pages pages(arguments);
   for (bool first = true;; first = false) {
     const Clock::time_point start = Clock::now();

@@ -96,12 +96,23 @@ WriteOptions options_of(const PyDrawing& drawing, const py::kwargs& options) {
   return write;
 }
 
+/// What a format cannot show of a drawing, as warnings of Python.
+void warn(const Diagnostics& told) {
+  for (const Diagnostic& one : told.entries()) {
+    if (one.severity == Severity::Info) continue;
+    if (PyErr_WarnEx(PyExc_UserWarning, one.message.c_str(), 1) != 0) throw py::error_already_set();
+  }
+}
+
 void save(const DrawingOwner& self, const py::object& path, const py::kwargs& options) {
   const std::string name = path_text(path);
   if (name.empty()) throw UsageError("the path of the drawing is empty");
-  const WriteOptions write = options_of(*self, options);
+  WriteOptions write = options_of(*self, options);
+  Diagnostics told;
+  write.tell = [&](const Diagnostic& one) { told.add(one); };
   run(py::none(), nullptr,
       [&](RunContext& context) { write_file(self->drawing, name, write, context); });
+  warn(told);
 }
 
 py::bytes to_bytes(const DrawingOwner& self, const std::string& format, const py::kwargs& options) {
@@ -109,10 +120,13 @@ py::bytes to_bytes(const DrawingOwner& self, const std::string& format, const py
   if (!named) {
     throw UsageError(fmt::format("argument format takes {}, not '{}'", format_list(), format));
   }
-  const WriteOptions write = options_of(*self, options);
+  WriteOptions write = options_of(*self, options);
+  Diagnostics told;
+  write.tell = [&](const Diagnostic& one) { told.add(one); };
   std::ostringstream out;
   run(py::none(), nullptr,
       [&](RunContext& context) { write_drawing(self->drawing, *named, write, out, context); });
+  warn(told);
   return {out.str()};
 }
 

@@ -7,6 +7,7 @@
 #include "html_parts.h"
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <filesystem>
@@ -130,6 +131,46 @@ void write_markdown(const Book& book, const std::string& name, const WriteOption
   files.write(name, [&](std::ostream& out) { out << markdown(book, name); });
 }
 
+/// Names come from files: what is no UTF-8 in them is replaced.
+std::string text_of(const nlohmann::ordered_json& value) {
+  return value.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
+}
+
+nlohmann::ordered_json added_json(const NewPart& part) {
+  nlohmann::ordered_json out;
+  out["item"] = part.item;
+  out["name"] = part.name;
+  out["quantity"] = part.quantity;
+  return out;
+}
+
+void write_data(const Book& book, const std::string& name, const WriteOptions& options,
+                const RunContext& context, Files& files) {
+  files.write(name, [&](std::ostream& out) {
+    out << "{\"format\": \"burin-steps\", \"version\": 1, \"title\": " << text_of(title_of(book))
+        << ",\n\"items\": ";
+    auto items = nlohmann::ordered_json::array();
+    for (const DrawingItem& item : book.items) {
+      nlohmann::ordered_json row;
+      row["number"] = item.number;
+      row["name"] = item.name;
+      row["quantity"] = item.quantity();
+      items.push_back(std::move(row));
+    }
+    out << text_of(items) << ",\n\"pages\": [";
+    for (std::size_t i = 0; i < book.pages.size(); ++i) {
+      auto added = nlohmann::ordered_json::array();
+      for (const NewPart& part : book.pages[i].added) added.push_back(added_json(part));
+      out << (i == 0 ? "\n" : ",\n") << "{\"heading\": " << text_of(heading_of(book, i))
+          << ", \"added\": " << text_of(added) << ", \"drawing\": ";
+      write_json(book.pages[i].drawing, options.json, out, context);
+      out << "}";
+      context.check();
+    }
+    out << "]}\n";
+  });
+}
+
 struct Row {
   BookFormat about;
   void (*write)(const Book&, const std::string&, const WriteOptions&, const RunContext&, Files&);
@@ -140,6 +181,7 @@ const std::vector<Row>& rows() {
       {{"pdf", "one file, a page a step"}, write_pages},
       {{"html", "one page to scroll and click through"}, write_page},
       {{"md", "Markdown, and an SVG a step"}, write_markdown},
+      {{"json", "the steps and their drawings as data"}, write_data},
   };
   return all;
 }
@@ -169,7 +211,8 @@ void check_book_outputs(const std::vector<std::string>& names,
   std::vector<std::string> taken = sources;
   for (const std::string& name : names) {
     if (!row_of(name)) {
-      throw UsageError(fmt::format("{}: step books are written as .pdf, .html or .md", name));
+      throw UsageError(
+          fmt::format("{}: step books are written as .pdf, .html, .md or .json", name));
     }
     if (std::ranges::any_of(taken, [&](const auto& other) { return same_file(name, other); })) {
       throw UsageError(

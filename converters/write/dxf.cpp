@@ -3,6 +3,7 @@
 #include <burin/base/error.h>
 #include <burin/drawing/font.h>
 #include <burin/drawing/ink.h>
+#include <burin/drawing/join.h>
 #include <burin/drawing/ordered_text.h>
 
 #include "dxf_frame.h"
@@ -247,13 +248,20 @@ void write_dxf(const Drawing& drawing, const WriteOptions& options, std::ostream
   std::vector<dxf::LayerRow> rows;
   rows.reserve(layers.size());  // items point to them
   std::vector<Item> items;
+  std::vector<JoinedPaths> ordered;
+  ordered.reserve(layers.size());
+  Vec2 pen(0);
   for (const InkLayer& layer : layers) {
     rows.push_back({dxf::symbol_name(layer.name, rows), linetype_of(layer), common_weight(layer)});
     // The ink of a whole drawing is that of the program which shows it.
     if (const auto color = rgb_of(layer.color)) rows.back().color = dxf::nearest_color(*color);
-    for (const auto& [part, paths] : layer.parts) {
-      for (const Path* path : paths) items.push_back({path, &rows.back()});
+    std::vector<const Path*> all;
+    for (const auto& [part, paths] : layer.parts) all.insert(all.end(), paths.begin(), paths.end());
+    if (options.dxf.order == LineOrder::Travel) {
+      ordered.push_back(in_travel_order(all, pen, context));
+      all = ordered.back().paths;
     }
+    for (const Path* path : all) items.push_back({path, &rows.back()});
     for (const Text* text : layer.texts) items.push_back({nullptr, &rows.back(), text});
   }
   dxf::Frame frame = frame_of(drawing, items, options.svg);

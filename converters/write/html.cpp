@@ -36,10 +36,12 @@ void write_html(const Drawing& drawing, const WriteOptions& options, std::ostrea
     listed = drawing;
     listed->items = items_by_name(drawing);
   }
+  // The list points to the groups of parts.
+  SvgOptions svg = options.svg;
+  svg.order = LineOrder::Drawing;
   const Drawing& shown = listed ? *listed : drawing;
   out << html::head(title_of(shown)) << "<main>\n"
-      << html::inline_svg(shown, options.svg, context)
-      << html::list_and_tail(shown.items, options.html);
+      << html::inline_svg(shown, svg, context) << html::list_and_tail(shown.items, options.html);
 }
 
 }  // namespace burin

@@ -8,6 +8,8 @@
 #include "cairo_loader.h"
 #include "dxf.h"
 #include "eps.h"
+#include "gcode.h"
+#include "hpgl.h"
 #include "html.h"
 #include "sheet.h"
 
@@ -52,7 +54,7 @@ std::vector<Format> own_formats() {
   using Run = RunContext;
   return {
       {"svg",
-       {"svg.flatten", "svg.merge"},
+       {"svg.flatten", "svg.merge", "svg.order"},
        [](const Drawing& d, const Options& o, std::ostream& out, const Run& c) {
          write_svg(d, o.svg, out, c);
        }},
@@ -71,6 +73,8 @@ std::vector<Format> own_formats() {
        },
        check_png},
       {"dxf", {"dxf."}, write_dxf},
+      {"hpgl", {"hpgl."}, write_hpgl},
+      {"gcode", {"gcode."}, write_gcode},
       {"json",
        {"json."},
        [](const Drawing& d, const Options& o, std::ostream& out, const Run& c) {
@@ -142,6 +146,8 @@ WriteOptions write_options(const Style& style) {
   options.json = style.json;
   options.png = style.png;
   options.dxf = style.dxf;
+  options.hpgl = style.hpgl;
+  options.gcode = style.gcode;
   options.formats = style.formats;
   return options;
 }

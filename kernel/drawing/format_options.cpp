@@ -5,6 +5,17 @@ namespace burin {
 using options::flag;
 using options::number;
 
+namespace {
+
+constexpr const char* kOrder =
+    "which line of a layer comes next: as in the drawing, or the nearest one, so that a pen "
+    "travels "
+    "little (no groups of parts in SVG)";
+
+std::vector<std::string> order_words() { return {"drawing", "travel"}; }
+
+}  // namespace
+
 std::vector<OptionRow<DashOptions>> dash_option_rows() {
   return {
       number("dash", &DashOptions::dash, {0.05, 100, "mm"},
@@ -19,6 +30,7 @@ std::vector<OptionRow<SvgOptions>> svg_option_rows() {
            "polylines: plain polylines of constant width, for plotters and lasers",
            {"polylines", "none"}),
       flag("merge", &SvgOptions::merge, "one element a layer and pen; sources are not told"),
+      options::word("order", &SvgOptions::order, order_words(), kOrder),
       number("fit_tolerance", &SvgOptions::fit_tolerance, {0.001, 1, "mm"},
              "how far fitted curves may be from the computed lines, in mm"),
   };
@@ -39,7 +51,8 @@ std::vector<OptionRow<PngOptions>> png_option_rows() {
 
 std::vector<OptionRow<DxfOptions>> dxf_option_rows() {
   return {flag("splines", &DxfOptions::splines,
-               "smooth curves as SPLINE, not as LWPOLYLINE; OpenSCAD reads no SPLINE")};
+               "smooth curves as SPLINE, not as LWPOLYLINE; OpenSCAD reads no SPLINE"),
+          options::word("order", &DxfOptions::order, order_words(), kOrder)};
 }
 
 }  // namespace burin

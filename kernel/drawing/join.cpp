@@ -34,8 +34,8 @@ class Joiner {
         out.pieces.emplace_back();
         continue;
       }
-      out.rings.push_back(join(ends));
-      out.paths.push_back(&out.rings.back());
+      out.made.push_back(join(ends));
+      out.paths.push_back(&out.made.back());
       out.pieces.emplace_back();
       for (const End end : ends) out.pieces.back().push_back(paths_[end / 2]);
     }

@@ -74,10 +74,12 @@ void append_items(const Path& path, const SvgOptions& options, std::vector<Item>
   append_items(stretch(open, middle, open.points.size()), options, items);
 }
 
-/// The layer's paths, those that close together as one.
-JoinedPaths lines_of(const InkLayer& layer) {
+/// The layer's paths, those that close together as one. `pen`: where a pen stands before and then.
+JoinedPaths lines_of(const InkLayer& layer, const SvgOptions& options, Vec2& pen,
+                     const RunContext& context) {
   std::vector<const Path*> all;
   for (const auto& [part, paths] : layer.parts) all.insert(all.end(), paths.begin(), paths.end());
+  if (options.order == LineOrder::Travel) return in_travel_order(all, pen, context);
   if (layer.name == kOutlineLayer) return join_rings(all);
   JoinedPaths as_given;
   as_given.paths = std::move(all);
@@ -173,10 +175,11 @@ void write_merged_svg(const Drawing& drawing, const SvgOptions& options, std::os
   SvgIds ids(options.id_prefix);
   const std::vector<InkLayer> layers = ink_layers(drawing);
   std::string before = svg_head(drawing, ink_box(drawing, layers));
+  Vec2 pen(0);
   for (const InkLayer& layer : layers) {
     const std::string ink = svg_ink(layer, drawing);
     before += svg_layer_tag(layer, ids.make(layer.name), ink, options);
-    const JoinedPaths lines = lines_of(layer);
+    const JoinedPaths lines = lines_of(layer, options, pen, context);
     for (auto& [width, of_pen] : by_pen(lines.paths, options, context)) {
       append_pen_items(width, of_pen, ink, before, items);
     }

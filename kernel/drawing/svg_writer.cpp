@@ -53,7 +53,8 @@ struct Item {
 /// All paths in order; the last item has none, only the closing tags.
 class Items {
  public:
-  Items(const Drawing& drawing, const SvgOptions& options) : drawing_(drawing), options_(options) {
+  Items(const Drawing& drawing, const SvgOptions& options, const RunContext& context)
+      : drawing_(drawing), options_(options) {
     name_parts();
     SvgIds ids(options.id_prefix);
     before_ = svg_head(drawing);
@@ -61,6 +62,7 @@ class Items {
       for (const std::int32_t part : item.parts) items_of_[part] = &item;
     }
     add_areas(ids);
+    Vec2 pen(0);
     for (const InkLayer& layer : ink_layers(drawing)) {
       ink_ = inks_.emplace_back(svg_ink(layer, drawing));
       const std::string id = ids.make(layer.name);
@@ -69,15 +71,18 @@ class Items {
       const std::string stem = id.substr(options.id_prefix.size());
       std::map<int, Annotation> annotations;
       for (const Text* text : layer.texts) annotations[text->item].texts.push_back(text);
+      const bool by_travel = options.order == LineOrder::Travel;
+      std::vector<const Path*> lines;
       for (const auto& [part, paths] : layer.parts) {
-        std::vector<const Path*> lines;
+        if (!by_travel) lines.clear();
         for (const Path* path : paths) {
           const bool laid_over = path->item != 0 || path->kind == LineClass::Frame;
           (laid_over ? annotations[path->item].paths : lines).push_back(path);
         }
-        if (lines.empty()) continue;
+        if (by_travel || lines.empty()) continue;
         add_part(part, ids.make(stem + "-" + part_name(part)), lines, layer.name == kOutlineLayer);
       }
+      if (by_travel) add_lines(in_travel_order(lines, pen, context), false);
       for (const auto& [item, annotation] : annotations) add_annotation(item, annotation, ids);
       before_ += "</g>\n";
     }
@@ -227,12 +232,16 @@ class Items {
     }
     const bool filled = mostly_areas(lines.paths, options_);
     open_part(part, id, filled);
+    add_lines(std::move(lines), filled);
+    before_ += "</g>\n";
+  }
+
+  void add_lines(JoinedPaths lines, bool filled) {
     for (std::size_t i = 0; i < lines.paths.size(); ++i) {
       items_.push_back(
           {std::exchange(before_, {}), lines.paths[i], std::move(lines.pieces[i]), filled, ink_});
     }
-    kept_.push_back(std::move(lines.rings));
-    before_ += "</g>\n";
+    kept_.push_back(std::move(lines.made));
   }
 
   const Drawing& drawing_;
@@ -305,7 +314,7 @@ void append_path(Buffer& out, const Item& item, double paper_height, const SvgOp
 void write_svg(const Drawing& drawing, const SvgOptions& options, std::ostream& out,
                const RunContext& context) {
   if (options.merge) return write_merged_svg(drawing, options, out, context);
-  const Items made(drawing, options);
+  const Items made(drawing, options, context);
   const std::vector<Item>& items = made.all();
   write_ordered(
       items.size(), [&](std::size_t i) { return items[i].path ? items[i].path->points.size() : 0; },

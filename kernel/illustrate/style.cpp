@@ -461,6 +461,8 @@ void check_style(const Style& style) {
     throw UsageError(
         fmt::format("style key 'sheet.{}' takes a colour #rrggbb, not '{}'", key, color));
   }
+  check_texts(style.hpgl, "hpgl.");
+  check_texts(style.gcode, "gcode.");
   for (std::size_t number = 1; number <= stroke_kind_count(style); ++number) {
     check_texts(hatch_of(style, number), detail::kind_group(number));
     field::check_texts(hatch_of(style, number).field, detail::kind_group(number));

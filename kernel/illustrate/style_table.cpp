@@ -119,6 +119,8 @@ std::vector<StyleRow> all_rows() {
   append(rows, "json.", &Style::json, json_option_rows());
   append(rows, "png.", &Style::png, png_option_rows());
   append(rows, "dxf.", &Style::dxf, dxf_option_rows());
+  append(rows, "hpgl.", &Style::hpgl, hpgl_option_rows());
+  append(rows, "gcode.", &Style::gcode, gcode_option_rows());
   options::append_declared(rows, &Style::formats, brought_formats());
   return rows;
 }

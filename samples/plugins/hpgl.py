@@ -1,4 +1,5 @@
-"""A writer: HPGL, which pen plotters understand. `import hpgl` registers it; then burin writes .plt like its own formats:
+"""A writer: HPGL, which pen plotters understand, in fifty lines. `import hpgl` registers it; then burin writes .plt like its own
+formats. Burin's own .hpgl knows pens by layer and the shortest way between lines; this one shows how a writer is made:
 
     python3 hpgl.py part.step part.plt
 """

@@ -6,6 +6,7 @@
 #include <pugixml.hpp>
 
 #include <filesystem>
+#include <fstream>
 #include <regex>
 #include <set>
 
@@ -27,7 +28,9 @@ class Steps : public test::CliTest {
 };
 
 TEST_F(Steps, TheGearPumpIsPutTogetherInElevenSteps) {
-  ASSERT_EQ(run("steps " + pump() + " -o @/pump.md -o @/pump.pdf -o @/pump.html --style outline"),
+  ASSERT_EQ(run("steps " + pump() +
+                " -o @/pump.md -o @/pump.pdf -o @/pump.html -o "
+                "@/pump.json --style outline"),
             0)
       << err_;
   EXPECT_EQ(err_, "");
@@ -51,6 +54,15 @@ TEST_F(Steps, TheGearPumpIsPutTogetherInElevenSteps) {
   EXPECT_TRUE(
       std::regex_search(pdf, std::regex("/Type /Pages[^>]*/Count 12|/Count 12[^>]*/Type /Pages")))
       << "11 steps and the parts list";
+  const auto data = nlohmann::json::parse(test::slurp(folder_ / "pump.json"));
+  ASSERT_EQ(data.at("pages").size(), 11U);
+  EXPECT_EQ(data.at("pages")[1].at("heading"), "Step 2: idler");
+  EXPECT_EQ(data.at("items").size(), 11U);
+  std::ofstream(folder_ / "page.json") << data.at("pages")[1].at("drawing");
+  ASSERT_EQ(run("convert @/page.json -o @/page.svg"), 0) << err_;
+  // What is written twice is rounded twice: the paths are as many.
+  EXPECT_EQ(count(test::slurp(folder_ / "page.svg"), "<path"),
+            count(test::slurp(folder_ / "pump-step-02.svg"), "<path"));
   const std::string html = test::slurp(folder_ / "pump.html");
   EXPECT_EQ(count(html, "<section id=\"step-"), 11U);
   EXPECT_EQ(count(html, "<tr data-item="), 11U);
@@ -121,7 +133,7 @@ TEST_F(Steps, SayWhatTheyCannotDo) {
   };
   refused("", 2, "no input");
   refused("@/box.off", 2, "no output");
-  refused("@/box.off -o @/a.svg", 2, ".pdf, .html or .md");
+  refused("@/box.off -o @/a.svg", 2, ".pdf, .html, .md or .json");
   refused("@/box.off -o @/a.md -o @/a.md", 2, "another file");
   refused("@/box.off -o @/a.md --items 0", 2, "--items takes a whole number from 1");
   refused("@/box.off -o @/a.md --paper fit", 2, "give --paper one");

@@ -59,7 +59,7 @@ void illustration(std::string_view text) {
 void drawing(std::string_view text) {
   const RunContext context;
   const Drawing drawing = parse_drawing(text, "fuzz", context);
-  for (const char* format : {"json", "svg", "eps", "dxf"}) {
+  for (const char* format : {"json", "svg", "eps", "dxf", "hpgl", "gcode"}) {
     std::ostringstream out;
     write_drawing(drawing, *format_named(format), {}, out, context);
   }

@@ -40,6 +40,21 @@ assert len(libraries) == 2 and all(l.startswith(sys.argv[2]) for l in libraries)
 PY
 fi
 
+if [[ -n $python_folder ]] && /usr/bin/python3 -m pip --version >/dev/null 2>&1; then
+  /usr/bin/python3 -m pip install --quiet --no-deps --no-index --target "$scratch/pip" --config-settings "build-dir=$build" "$source" ||
+    fail "pip does not install the module"
+  PYTHONPATH=$scratch/pip /usr/bin/python3 - "$source/samples/coupling.step" "$scratch/pip" <<'PY' || fail "the module that pip installed does not draw"
+import sys, burin
+assert burin.__file__.startswith(sys.argv[2]), burin.__file__
+assert len(burin.draw(sys.argv[1], style="outline").arrays()["part"]) > 50
+libraries = {line.split()[-1] for line in open("/proc/self/maps") if "libburin" in line}
+assert len(libraries) == 2 and all(l.startswith(sys.argv[2]) for l in libraries), libraries
+PY
+fi
+for page in man/man1/burin.1 man/man1/burin-draw.1 bash-completion/completions/burin zsh/vendor-completions/_burin fish/vendor_completions.d/burin.fish; do
+  [[ -s $prefix/share/$page ]] || fail "$page is not installed"
+done
+
 addon=$prefix/share/freecad/Mod/Burin
 if [[ -n $python_folder && -d $addon ]]; then
   for file in package.xml LICENSE freecad/burin_wb/init_gui.py freecad/burin_wb/resources/icons/burin.svg; do

@@ -7,7 +7,8 @@ from unittest import mock
 
 from support import App, Case, burin, content, features
 
-STARTS = {"svg": b"<?xml", "html": b"<!DOCTYPE html>", "pdf": b"%PDF-", "png": b"\x89PNG", "eps": b"%!PS-Adobe", "dxf": b"999", "json": b"{"}
+STARTS = {"svg": b"<?xml", "html": b"<!DOCTYPE html>", "pdf": b"%PDF-", "png": b"\x89PNG", "eps": b"%!PS-Adobe", "dxf": b"999", "hpgl": b"IN;",
+          "gcode": b"; burin", "json": b"{"}
 
 
 class Export(Case):

@@ -2,8 +2,10 @@
 /// A drawing as a file of any format that Burin writes: used by the command line, the Python module
 /// and other programs.
 
+#include <burin/base/diagnostics.h>
 #include <burin/base/run_context.h>
 #include <burin/drawing/drawing.h>
+#include <burin/drawing/pen_options.h>
 #include <burin/drawing/writers.h>
 #include <burin/illustrate/style.h>
 
@@ -39,8 +41,8 @@ bool is_own_format(std::string_view name);
 const Format* format_named(std::string_view name);
 /// The suffixes without their dots.
 std::vector<std::string> format_names();
-/// For messages: ".svg, .pdf, .eps, .png, .dxf, .json or .html", or with something else before
-/// each.
+/// For messages: ".svg, .pdf, .eps, .png, .dxf, .hpgl, .gcode, .json or .html", or with something
+/// else before each.
 std::string format_list(std::string_view before = ".");
 
 struct HtmlOptions {
@@ -54,10 +56,14 @@ struct WriteOptions {
   JsonOptions json;
   PngOptions png;
   DxfOptions dxf;
+  HpglOptions hpgl;
+  GcodeOptions gcode;
   HtmlOptions html;
   DeclaredValues formats;
   /// Called now and then by the thread that writes, with the share that is done.
   std::function<void(double)> progress;
+  /// Called with what the format cannot show of the drawing, in words for the user.
+  std::function<void(const Diagnostic&)> tell;
 };
 /// What a style says about files.
 WriteOptions write_options(const Style& style);

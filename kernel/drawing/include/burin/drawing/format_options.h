@@ -17,6 +17,12 @@ struct DashOptions {
   bool operator==(const DashOptions&) const = default;
 };
 
+/// Which line of a layer comes after which.
+enum class LineOrder {
+  Drawing,  // as the drawing has them, part by part
+  Travel,   // so that a pen travels little (burin/drawing/pen_order.h); those that meet are joined
+};
+
 struct SvgOptions {
   /// Plain polylines of constant width instead of fitted curves and outlined strokes: for plotters
   /// and lasers; for every format that has curves.
@@ -28,6 +34,8 @@ struct SvgOptions {
   /// every format that has curves.
   double fit_tolerance = 0.02;
   DashOptions dashes{};
+  /// Travel: there is no group a part.
+  LineOrder order = LineOrder::Drawing;
   /// What every id begins with, so that several drawings can stand in one page. Of a file, not of a
   /// style: it has no row.
   std::string id_prefix = {};
@@ -54,6 +62,7 @@ struct PngOptions {
 struct DxfOptions {
   /// Smooth curves of constant width as SPLINE instead of LWPOLYLINE.
   bool splines = false;
+  LineOrder order = LineOrder::Drawing;
 
   bool operator==(const DxfOptions&) const = default;
 };

@@ -1,6 +1,7 @@
 #pragma once
-/// Lines that close when they are put together.
+/// Lines that are put together: rings, and lines in the order in which a pen travels little.
 
+#include <burin/base/run_context.h>
 #include <burin/drawing/drawing.h>
 
 #include <deque>
@@ -16,12 +17,20 @@ struct JoinedPaths {
   /// What each of them was made of; empty for a path as it was given.
   std::vector<std::vector<const Path*>> pieces;
   /// The new ones.
-  std::deque<Path> rings;
+  std::deque<Path> made;
 };
 
 /// Joins open paths of one constant width, visibility and dash whose ends meet two by two all
 /// round, within 0.003 mm. A ring has the source and kind of its longest piece. Points into
 /// `paths`.
 JoinedPaths join_rings(std::span<const Path* const> paths);
+
+/// The paths in the order of `pen_order`: lines of one constant width, visibility and dash are
+/// joined where they meet, those that vary in width stay as they are; any may be turned round, and
+/// closed ones begin elsewhere. What is made anew has the source and kind of its longest piece and
+/// no model points. `from`: where the pen stands, then where it stands afterwards. Points into
+/// `paths`, each of which has two points or more. Throws Cancelled. Cost: as `pen_order`.
+JoinedPaths in_travel_order(std::span<const Path* const> paths, Vec2& from,
+                            const RunContext& context);
 
 }  // namespace burin

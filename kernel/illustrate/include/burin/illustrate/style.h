@@ -3,6 +3,7 @@
 
 #include <burin/annotate/options.h>
 #include <burin/drawing/format_options.h>
+#include <burin/drawing/pen_options.h>
 #include <burin/feature/options.h>
 #include <burin/field/options.h>
 #include <burin/options/declared.h>
@@ -108,6 +109,8 @@ struct Style {
   JsonOptions json{};
   PngOptions png{};
   DxfOptions dxf{};
+  HpglOptions hpgl{};
+  GcodeOptions gcode{};
   /// Of the options that formats from elsewhere declare: keys "txt.decimals" and so on.
   DeclaredValues formats{};
 

@@ -1,0 +1,26 @@
+#pragma once
+/// Words of the command line that nobody takes.
+
+#include <string>
+
+namespace CLI {
+class App;
+}
+
+namespace burin::cli {
+
+/// `--view=` is an option without its value: for the next word CLI11 would take another option.
+/// Throws UsageError.
+void refuse_empty_values(const CLI::App& app, int argc, const char* const* argv);
+
+/// Throws UsageError for the first word that no option or argument took, naming the nearest.
+void refuse_extras(const CLI::App& app, const std::string& command);
+
+/// A command is missing or unknown: throws UsageError.
+[[noreturn]] void refuse_command(const CLI::App& app);
+
+/// Throws UsageError where `word`, the value of an option, is empty: most likely a shell's variable
+/// that is not set, which is no reason to draw by the default.
+void refuse_empty(const std::string& option, const std::string& word);
+
+}  // namespace burin::cli

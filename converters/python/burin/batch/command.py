@@ -1,0 +1,149 @@
+"""The words of `burin batch`."""
+
+import argparse
+import contextlib
+import os
+import signal
+import sys
+from pathlib import Path
+from typing import Any, NoReturn
+
+from . import report
+from .catalogue import read_catalogue
+from .child import program_version
+from .errors import FAILED, NO_OUTPUT, STOPPED, USAGE, BatchError
+from .jobs import read, write
+from .limits import TIMEOUT, seconds
+from .progress import Progress
+from .runner import chosen, run_here, without_clashes
+from .settings import command_of, settings_of
+
+
+class _Parser(argparse.ArgumentParser):
+    def error(self, message: str) -> NoReturn:
+        raise BatchError(f"{message} (see {self.prog} --help)", USAGE)
+
+
+def _parser() -> argparse.ArgumentParser:
+    parser = _Parser(prog="burin batch", allow_abbrev=False, description="Draw a catalogue of parts, each once. kernel/docs/batch.md explains it.")
+    parser.add_argument("--burin", metavar="FILE", help="the command that draws (default: this one)")
+    commands = parser.add_subparsers(dest="verb", metavar="COMMAND", required=True, parser_class=_Parser)
+
+    plan = commands.add_parser("plan", help="make jobs of a catalogue")
+    plan.add_argument("catalogue", metavar="CATALOGUE.toml", type=Path)
+    plan.add_argument("-o", "--output", metavar="JOBS.jsonl", type=Path, required=True)
+
+    run = commands.add_parser("run", help="draw what is not done yet")
+    _add_jobs(run)
+    _add_limits(run)
+    run.add_argument("--shard", metavar="I/N", default="1/1", help="only the I-th of N parts of the jobs")
+    run.add_argument("--jobs", metavar="N", type=int, help="parts drawn at once (default: as many as cores)")
+    run.add_argument("--on", metavar="dask://HOST:PORT", help="draw by the workers of a Dask scheduler")
+    run.add_argument("--patience", metavar="S", default="60", help="seconds without a worker of Dask until the run ends (default 60)")
+    run.add_argument("--quiet", "-q", action="store_true", help="say nothing but what failed")
+
+    shows = commands.add_parser("report", help="one page of all drawings, failures first, and one hash of them")
+    _add_jobs(shows)
+    shows.add_argument("-o", "--output", metavar="FILE.html", type=Path, help="the page (default: index.html beside the drawings)")
+
+    slurm = commands.add_parser("slurm", help="draw by a job array of Slurm")
+    _add_jobs(slurm)
+    _add_limits(slurm)
+    slurm.add_argument("--tasks", metavar="N", type=int, help="tasks of the array (default: each takes a minute or more)")
+    slurm.add_argument("--each", metavar="S", default="1", help="seconds that a drawing takes, where none is done yet (default 1)")
+    slurm.add_argument(
+        "--sbatch", metavar="OPTION", action="append", default=[], help="an option of sbatch, say --sbatch=--partition=long; repeatable"
+    )
+    slurm.add_argument("--script", metavar="FILE", type=Path, help="write the script there, and submit nothing")
+    slurm.add_argument("--wait", action="store_true", help="wait until all tasks have ended")
+    return parser
+
+
+def _add_jobs(parser: argparse.ArgumentParser) -> None:
+    parser.add_argument("jobs_file", metavar="JOBS.jsonl", type=Path)
+
+
+def _add_limits(parser: argparse.ArgumentParser) -> None:
+    parser.add_argument("--timeout", metavar="S", help=f"seconds that a drawing may take (default {TIMEOUT:g})")
+    parser.add_argument("--memory", metavar="4G", help="memory that the process of a part may take (default: any)")
+    parser.add_argument("--threads", metavar="N", type=int, default=1, help="threads of each drawing (default 1)")
+    parser.add_argument("--again", action="store_true", help="also draw again what failed")
+
+
+def _shard(text: str) -> tuple[int, int]:
+    number, slash, count = text.partition("/")
+    if not (slash and number.isdecimal() and count.isdecimal() and 1 <= int(number) <= int(count)):
+        raise BatchError(f"option --shard takes I/N, say 3/8, with I from 1 to N, not '{text}'", USAGE)
+    return int(number), int(count)
+
+
+def _plan(arguments: Any) -> int:
+    command = command_of(arguments.burin)
+    batch = read_catalogue(arguments.catalogue, arguments.output.parent, command, program_version(command))
+    write(batch, arguments.output)
+    print(f"{arguments.output}: {len(batch.jobs)} parts, {len(batch.drawings())} drawings")
+    return 0
+
+
+def _run(arguments: Any) -> int:
+    batch = read(arguments.jobs_file)
+    settings = settings_of(arguments, batch)
+    jobs, clashes = without_clashes(batch, chosen(batch.jobs, _shard(arguments.shard)))
+    progress = Progress(sum(len(job.drawings) for job in jobs) + len(clashes), arguments.quiet)
+    progress.add(clashes)
+    count = arguments.jobs if arguments.jobs is not None else len(os.sched_getaffinity(0))
+    if count < 1:
+        raise BatchError(f"option --jobs takes a number from 1, not {count}", USAGE)
+    try:
+        if arguments.on:
+            from .on_dask import run_on_dask
+
+            run_on_dask(arguments.on, settings, jobs, progress, seconds(arguments.patience, "option --patience"))
+        else:
+            run_here(settings, jobs, count, progress)
+    finally:
+        progress.end()
+    return FAILED if progress.failed else 0
+
+
+def _report(arguments: Any) -> int:
+    batch = read(arguments.jobs_file)
+    told = report.told_of(batch)
+    page = arguments.output or batch.out / "index.html"
+    report.write_page(told, batch, page)
+    print(f"{page}: {told.summary()}")
+    print(f"hash {told.hash}")
+    return 0
+
+
+def _slurm(arguments: Any) -> int:
+    from .slurm import submit
+
+    return submit(arguments, read(arguments.jobs_file))
+
+
+def _interrupt(*_: object) -> None:
+    raise KeyboardInterrupt
+
+
+def main(words: list[str]) -> int:
+    """Runs the command; its exit status. What goes wrong is one line."""
+    for number in (signal.SIGTERM, signal.SIGHUP):
+        if signal.getsignal(number) is not signal.SIG_IGN:
+            signal.signal(number, _interrupt)
+    try:
+        arguments = _parser().parse_args(words)
+        verbs = {"plan": _plan, "run": _run, "report": _report, "slurm": _slurm}
+        status = verbs[arguments.verb](arguments)
+        sys.stdout.flush()
+        return status
+    except BatchError as e:
+        print(f"burin: error: {e}", file=sys.stderr)
+        return e.status
+    except KeyboardInterrupt:
+        print("burin: error: cancelled", file=sys.stderr)
+        return STOPPED
+    except BrokenPipeError:
+        with contextlib.suppress(OSError):
+            os.dup2(os.open(os.devnull, os.O_WRONLY), 1)
+        return NO_OUTPUT

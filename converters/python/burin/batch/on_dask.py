@@ -1,0 +1,176 @@
+"""Jobs on the workers of a Dask scheduler, which need the command `burin` and the same folders, no package of ours."""
+
+import collections
+import contextlib
+import dataclasses
+import logging
+import queue
+import socket
+import sys
+import time
+import uuid
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+from .errors import FAILED, USAGE, BatchError, StopRun
+from .jobs import Drawing, Job
+from .progress import Progress
+from .work import Result, Settings, give_up, run_job
+
+# Tasks that wait at a worker beyond those that it is at, so that it is never idle and little is lost with it.
+_AHEAD = 2
+# So often a job is given out. Those that end their workers are found by their marks before; the scheduler also suspects
+# what only waited at a worker that died.
+_TRIES = 4
+# Seconds between looks at the scheduler, and without it until it counts as lost.
+_LOOK, _LOST = 1.0, 5.0
+
+
+class _Shipped:
+    """A function that travels by value: workers import nothing of ours."""
+
+    def __init__(self, function: Callable[..., Any]) -> None:
+        import cloudpickle  # type: ignore[import]
+
+        package = sys.modules[__package__]
+        cloudpickle.register_pickle_by_value(package)
+        try:
+            self._function, self._bytes = function, cloudpickle.dumps(function)
+        finally:
+            cloudpickle.unregister_pickle_by_value(package)
+
+    def __call__(self, *arguments: Any) -> Any:
+        return self._function(*arguments)
+
+    def __reduce__(self) -> Any:
+        import cloudpickle
+
+        return cloudpickle.loads, (self._bytes,)
+
+
+def _task(settings: dict[str, Any], job: dict[str, Any]) -> dict[str, Any]:
+    """In a worker. Plain values alone travel: for exceptions of ours the other side would need our package."""
+    try:
+        if not Path(settings["base"]).is_dir():
+            raise StopRun(f"there is no folder {settings['base']} on {socket.gethostname()}; workers need the folders of the catalogue")
+        drawings = [Drawing(**d) for d in job["drawings"]]
+        results = run_job(Settings(**settings), Job(job["part"], job["inputs"], drawings))
+        # Not dataclasses.asdict: classes that came by value have lost what it knows fields by.
+        return {"results": [dict(vars(r)) for r in results]}
+    except BatchError as e:
+        return {"stop": f"{e} (on {socket.gethostname()})", "status": e.status}
+
+
+def _client(address: str) -> Any:
+    """Throws BatchError where there is no Dask, or no scheduler."""
+    kind, _, place = address.partition("://")
+    if kind != "dask" or ":" not in place:
+        raise BatchError(f"option --on takes dask://HOST:PORT, not '{address}'", USAGE)
+    try:
+        from distributed import Client
+    except ImportError as e:
+        raise BatchError(f"burin batch run --on needs dask.distributed ({e}); install the package python3-distributed", FAILED) from e
+    # What is lost is told by us, in one line.
+    for name in ("distributed", "distributed.client", "distributed.core", "tornado"):
+        logging.getLogger(name).setLevel(logging.CRITICAL + 1)
+    try:
+        return Client(f"tcp://{place}", timeout=10, set_as_default=False)  # type: ignore[no-untyped-call]
+    except (OSError, ValueError) as e:
+        raise BatchError(f"no Dask scheduler answers at {place} ({e}); start it: dask-scheduler", FAILED) from e
+
+
+class _Run:
+    """One run: a bounded number of tasks at the scheduler, the rest here."""
+
+    def __init__(self, client: Any, address: str, settings: Settings, jobs: list[Job], progress: Progress, patience: float) -> None:
+        self.client, self.address, self.progress, self.patience = client, address, progress, patience
+        self.settings = dataclasses.replace(settings, run=uuid.uuid4().hex)
+        self.todo = collections.deque(jobs)
+        self.tries: dict[int, int] = collections.Counter()
+        self.flying: dict[str, tuple[Any, Job]] = {}
+        self.ended: queue.SimpleQueue[Any] = queue.SimpleQueue()
+        self.task = _Shipped(_task)
+        self.room = 1
+        now = time.monotonic()
+        self.looked, self.heard, self.staffed = 0.0, now, now
+
+    def go(self) -> None:
+        while self.todo or self.flying:
+            self.look()
+            while self.todo and len(self.flying) < self.room:
+                self.send(self.todo.popleft())
+            try:
+                self.take(self.ended.get(timeout=0.2))
+            except queue.Empty:
+                self.progress.show()
+
+    def look(self) -> None:
+        """Asks the scheduler for its workers now and then. Throws BatchError where it, or all of them, are gone."""
+        now = time.monotonic()
+        if now - self.looked < _LOOK:
+            return
+        self.looked = now
+        threads = 0
+        if self.client.status == "running":
+            with contextlib.suppress(Exception):  # lost while it is asked: `heard` tells
+                info = self.client.sync(self.client.scheduler.identity, callback_timeout=_LOST)
+                threads = sum(w["nthreads"] for w in info["workers"].values())
+                self.heard = time.monotonic()
+        left = sum(len(job.drawings) for job in self.todo) + sum(len(job.drawings) for _, job in self.flying.values())
+        if now - self.heard > _LOST:
+            raise BatchError(f"the Dask scheduler at {self.address} was lost; {left} drawings are left: start it, and run again", FAILED)
+        if threads:
+            self.staffed, self.room = now, threads * (1 + _AHEAD)
+        elif now - self.staffed > self.patience:
+            words = f"the Dask scheduler at {self.address} has no worker; {left} drawings are left"
+            raise BatchError(f"{words}: start dask-worker, and run again", FAILED)
+
+    def send(self, job: Job) -> None:
+        key = f"burin-{uuid.uuid4().hex}"
+        future = self.client.submit(self.task, dataclasses.asdict(self.settings), dataclasses.asdict(job), key=key, pure=False)
+        self.flying[key] = (future, job)
+        future.add_done_callback(self.ended.put)
+
+    def take(self, future: Any) -> None:
+        """What became of one task."""
+        flown = self.flying.pop(future.key, None)
+        if flown is None:
+            return
+        job = flown[1]
+        if future.status != "finished":
+            return self.try_again(job, future)
+        answer = future.result()
+        if "stop" in answer:
+            raise BatchError(answer["stop"], answer["status"])
+        self.progress.add([Result(**r) for r in answer["results"]])
+
+    def try_again(self, job: Job, future: Any) -> None:
+        """A worker was lost with it, or the scheduler."""
+        why = "its task was lost"
+        if future.status == "error":
+            error = future.exception()
+            if type(error).__name__ != "KilledWorker":
+                raise BatchError(f"a Dask worker cannot draw: {type(error).__name__}: {error}; it needs the same Python as here", FAILED)
+            why = "its workers died"
+        elif self.client.status != "running":
+            self.todo.append(job)  # `look` tells
+            return
+        self.tries[id(job)] += 1
+        if self.tries[id(job)] < _TRIES:
+            self.todo.append(job)
+        else:
+            self.progress.add(give_up(self.settings, job, f"{why} {_TRIES} times"))
+
+
+def run_on_dask(address: str, settings: Settings, jobs: list[Job], progress: Progress, patience: float) -> None:
+    """Runs jobs there. What workers have begun when the run is ended they draw to its end. Throws BatchError."""
+    client = _client(address)
+    run = _Run(client, address, settings, jobs, progress, patience)
+    try:
+        run.go()
+    finally:
+        with contextlib.suppress(Exception):
+            client.cancel([future for future, _ in run.flying.values()], force=True)
+        with contextlib.suppress(Exception):
+            client.close(timeout=2)

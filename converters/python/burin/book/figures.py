@@ -1,0 +1,214 @@
+"""Figures: drawings of models, and step books, as files that are made once and made anew where what was read has changed.
+
+What is done stands in records as those of `burin batch`: see burin.batch.state."""
+
+import contextlib
+import dataclasses
+import json
+import os
+import re
+import subprocess
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+from burin.batch.child import Cancelled, program_version
+from burin.batch.jobs import Drawing, Job, digest, file_hash
+from burin.batch.settings import command_of
+from burin.batch.state import Hashes, State
+from burin.batch.work import Settings, run_job
+
+# Seconds between looks at a cancel.
+_LOOK = 0.05
+
+
+class FigureError(Exception):
+    """One line: what is wrong with a figure, where, and what to do."""
+
+
+@dataclasses.dataclass
+class Figure:
+    """What is drawn. Options are those of `burin draw` with underscores, each a list of texts."""
+
+    name: str  # of the files, without a suffix
+    inputs: list[str]
+    options: dict[str, list[str]]
+    formats: list[str]
+    # Asks for the parts list as data.
+    parts_list: bool = False
+    # A step book with so many new items a step at the most; None: one drawing.
+    steps: int | None = None
+
+
+@dataclasses.dataclass
+class Page:
+    """A step of a step book."""
+
+    heading: str
+    added: list[dict[str, Any]]
+    pictures: list[str]
+
+
+@dataclasses.dataclass
+class Made:
+    """What came of a figure. Names are seen from the folder of outputs."""
+
+    pictures: list[str]
+    # A dict an item of the parts list: "number", "name", "quantity".
+    items: list[dict[str, Any]]
+    pages: list[Page]
+    diagnostics: list[str]
+    # All files that were read, as seen from the base.
+    read: list[str]
+    # Whether it was done before.
+    kept: bool
+
+
+class Studio:
+    """Draws figures of models below `base` into the folder `out`. Safe for several threads and processes, one figure each."""
+
+    def __init__(
+        self, base: Path, out: Path, command: str | None = None, timeout: float = 300, cancelled: Callable[[], bool] = lambda: False
+    ) -> None:
+        self.base, self.out, self.cancelled = base, out, cancelled
+        program = command_of(command)
+        self.settings = Settings(str(base), str(out), program, program_version(program), timeout, None)
+        self.state = State(out, base)
+
+    def make(self, figure: Figure) -> Made:
+        """Throws FigureError, burin.batch.errors.BatchError where nothing can be written, Cancelled."""
+        if figure.steps is None:
+            return self._draw(figure)
+        return self._steps(figure)
+
+    def _id(self, figure: Figure, files: list[str]) -> str:
+        texts = {t for values in figure.options.values() for value in values for t in (value, value.partition("=")[2])}
+        named = sorted(t for t in texts | set(figure.inputs) if t and "\0" not in t and len(t) < 4096 and (self.base / t).is_file())
+        hashes = {t: file_hash(self.base / t) for t in named}
+        return digest([self.settings.program, figure.inputs, figure.options, hashes, files, figure.steps])
+
+    def _draw(self, figure: Figure) -> Made:
+        options = dict(figure.options)
+        pictures = [f"{figure.name}.{f}" for f in figure.formats]
+        lists = [f"{figure.name}.items.json"] if figure.parts_list else []
+        drawing = Drawing(figure.name, options, pictures, lists)
+        drawing.id = self._id(figure, drawing.files())
+        result = run_job(self.settings, Job(figure.inputs[0], figure.inputs, [drawing]), self.cancelled)[0]
+        if result.status == "failed":
+            if result.before:
+                # Whoever asks again has changed something that is no file, perhaps.
+                self.state.forget(drawing.id)
+            raise FigureError(result.message)
+        record = self.state.record(drawing.id) or {}
+        items = _items(self.out / lists[0]) if lists else []
+        return Made(pictures, items, [], _words(record), sorted(record.get("files", {})), result.status == "kept")
+
+    def _steps(self, figure: Figure) -> Made:
+        marker = Drawing(figure.name, figure.options, [])
+        marker.id = self._id(figure, [f"{figure.name}-step.{f}" for f in figure.formats])
+        record = self.state.record(marker.id)
+        if record is not None:
+            marker.outputs = sorted(record.get("outputs", {}))
+            done = self.state.done(marker, {}, Hashes(self.base))
+            if done is not None and "error" not in done:
+                return _made(done, kept=True)
+        with self.state.aside() as aside:
+            record = self._make_steps(figure, marker.id, aside)
+        self.state.write_record(record)
+        return _made(record, kept=False)
+
+    def _make_steps(self, figure: Figure, id: str, aside: Path) -> dict[str, Any]:
+        # What the model is made of: a drawing that takes little says it.
+        quick = Drawing("read", {"style": ["outline"], **_reading(figure.options)}, ["read.json"])
+        probe = Studio(self.base, aside, self.settings.command, self.settings.timeout or 300, self.cancelled)
+        quick.id = digest([id])
+        result = run_job(probe.settings, Job(figure.inputs[0], figure.inputs, [quick]), self.cancelled)[0]
+        if result.status == "failed":
+            raise FigureError(result.message)
+        files = (probe.state.record(quick.id) or {}).get("files", {})
+        for values in figure.options.values():
+            for value in values:
+                if (self.base / value).is_file():
+                    files[value] = file_hash(self.base / value)
+        data = aside / "steps.json"
+        self._run(["steps", *figure.inputs, "-o", str(data), "--items", str(figure.steps or 6), *_words_of(figure.options)])
+        book = json.loads(data.read_text(encoding="utf-8"))
+        outputs: dict[str, tuple[int, str]] = {}
+        pages = []
+        for number, page in enumerate(book["pages"], 1):
+            stem = f"{figure.name}-step-{number:02}"
+            drawn = aside / "page.json"
+            drawn.write_text(json.dumps(page["drawing"]), encoding="utf-8")
+            pictures = [f"{stem}.{f}" for f in figure.formats]
+            asides = [aside / f"page-{number}.{f}" for f in figure.formats]
+            self._run(["convert", str(drawn), *(word for a in asides for word in ("-o", str(a))), "--id-prefix", f"{stem}-"])
+            for written, name in zip(asides, pictures):
+                hashed = file_hash(written)
+                if hashed is None:
+                    raise FigureError(f"{name} was not written")
+                outputs[name] = (written.stat().st_size, hashed)
+                target = self.out / name
+                target.parent.mkdir(parents=True, exist_ok=True)
+                os.replace(written, target)
+            pages.append({"heading": page["heading"], "added": page["added"], "pictures": pictures})
+        return {"id": id, "files": files, "outputs": outputs, "pages": pages, "items": book["items"], "diagnostics": []}
+
+    def _run(self, words: list[str]) -> None:
+        process = subprocess.Popen(
+            [self.settings.command, *words, "--quiet"], cwd=self.base, stdin=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True
+        )
+        try:
+            while True:
+                with contextlib.suppress(subprocess.TimeoutExpired):
+                    _, said = process.communicate(timeout=_LOOK)
+                    break
+                if self.cancelled():
+                    raise Cancelled
+        finally:
+            if process.poll() is None:
+                process.kill()
+                process.wait()
+        if process.returncode:
+            lines = [line for line in said.splitlines() if line.strip()] or [f"ended with status {process.returncode}"]
+            raise FigureError(re.sub(r"^burin: error: ", "", lines[-1]))
+
+
+def _reading(options: dict[str, list[str]]) -> dict[str, list[str]]:
+    """Options without which the files may not be read at all."""
+    return {k: v for k, v in options.items() if k in ("define", "unit", "csg", "openscad_timeout", "iso", "raw")}
+
+
+def _words_of(options: dict[str, list[str]]) -> list[str]:
+    """Options as the command takes them."""
+    words = []
+    for name, values in options.items():
+        word = "--" + name.strip("_").replace("_", "-")
+        for value in values:
+            if value == "true":
+                words.append(word)
+            elif value == "false":
+                words.append(word.replace("--", "--no-", 1))
+            else:
+                words.append(f"{word}={value}")
+    return words
+
+
+def _items(path: Path) -> list[dict[str, Any]]:
+    value = json.loads(path.read_text(encoding="utf-8"))
+    return list(value["items"] if isinstance(value, dict) else value)
+
+
+def _words(record: dict[str, Any]) -> list[str]:
+    found = []
+    for diagnostic in record.get("diagnostics", []):
+        if isinstance(diagnostic, str):
+            found.append(diagnostic)
+        elif diagnostic.get("severity") != "info":
+            found.append(str(diagnostic.get("message", "")))
+    return found
+
+
+def _made(record: dict[str, Any], kept: bool) -> Made:
+    pages = [Page(**page) for page in record["pages"]]
+    pictures = [name for page in pages for name in page.pictures]
+    return Made(pictures, record["items"], pages, [], sorted(record["files"]), kept)

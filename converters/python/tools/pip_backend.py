@@ -1,0 +1,109 @@
+"""What `pip install .` asks for (PEP 517): CMake builds the module, this packs it with the kernel's libraries.
+
+Nothing is fetched: compilers and libraries come from the system (README.md, Two commands). The settings:
+  build-dir   a build folder to use, made where it is not there; default build/pip
+"""
+
+import base64
+import hashlib
+import os
+import pathlib
+import re
+import subprocess
+import sys
+import sysconfig
+import tarfile
+import tempfile
+import zipfile
+
+ROOT = pathlib.Path(__file__).resolve().parents[3]
+# Bytes of an archive may not depend on when it was made.
+WHEN = (1980, 1, 1, 0, 0, 0)
+
+
+def version() -> str:
+    found = re.search(r"^project\(burin VERSION (\S+)", (ROOT / "CMakeLists.txt").read_text(), re.M)
+    assert found
+    return found.group(1)
+
+
+def metadata() -> str:
+    return (
+        f"Metadata-Version: 2.1\nName: burin\nVersion: {version()}\n"
+        "Summary: Line art of CAD parts, meshes, splines and functions\nLicense: GPL-3.0-or-later\n"
+        "Requires-Python: >=3.9\nRequires-Dist: numpy\nDescription-Content-Type: text/markdown\n\n"
+        "Burin turns models into vector line art: contours, hidden lines removed, strokes that carry the tone.\n"
+    )
+
+
+def run(*words: str) -> None:
+    try:
+        subprocess.run(words, cwd=ROOT, check=True)
+    except FileNotFoundError:
+        raise SystemExit(f"burin: {words[0]} is not there; README.md tells the packages that a build needs") from None
+    except subprocess.CalledProcessError as error:
+        raise SystemExit(f"burin: {' '.join(words[:3])} failed with status {error.returncode}; see above") from None
+
+
+def build(folder: pathlib.Path, where: pathlib.Path) -> None:
+    """Builds in `folder` and installs the package `burin` into `where`."""
+    if not (folder / "CMakeCache.txt").exists():
+        run("cmake", "-G", "Ninja", "-S", str(ROOT), "-B", str(folder), "-DCMAKE_BUILD_TYPE=Release",
+            "-DBURIN_TESTS=OFF", "-DBURIN_BENCH=OFF", "-Wno-dev", f"-DBURIN_PYTHON_EXECUTABLE={sys.executable}")
+    run("cmake", "--build", str(folder), "--target", "burin_bundle", "burin_python_stub")
+    run("cmake", "--install", str(folder), "--component", "bundle", "--strip", "--prefix", str(where))
+    modules = [path.name for path in where.glob("burin/_burin*.so")]
+    if not any(name == "_burin" + str(sysconfig.get_config_var("EXT_SUFFIX")) for name in modules):
+        raise SystemExit(f"burin: {folder} is a build for another Python than {sys.executable}: {modules}; "
+                         "choose another folder by --config-settings build-dir=FOLDER")
+
+
+def record(name: str, data: bytes) -> str:
+    digest = base64.urlsafe_b64encode(hashlib.sha256(data).digest()).decode().rstrip("=")
+    return f"{name},sha256={digest},{len(data)}\n"
+
+
+# The names of the hooks are pip's.
+def build_wheel(wheel_directory: str, config_settings: dict | None = None, metadata_directory: str | None = None) -> str:
+    del metadata_directory
+    folder = ROOT / str((config_settings or {}).get("build-dir", "build/pip"))
+    tag = f"cp{sys.version_info[0]}{sys.version_info[1]}"
+    platform = re.sub(r"[-.]", "_", sysconfig.get_platform())
+    info = f"burin-{version()}.dist-info"
+    name = f"burin-{version()}-{tag}-{tag}-{platform}.whl"
+    with tempfile.TemporaryDirectory() as scratch:
+        build(folder, pathlib.Path(scratch))
+        files = sorted(path for path in pathlib.Path(scratch).rglob("*") if path.is_file())
+        with zipfile.ZipFile(pathlib.Path(wheel_directory) / name, "w", zipfile.ZIP_DEFLATED) as archive:
+            listed = ""
+
+            def add(inside: str, data: bytes, mode: int = 0o644) -> str:
+                entry = zipfile.ZipInfo(inside, WHEN)
+                entry.external_attr = (0o100000 | mode) << 16
+                archive.writestr(entry, data, zipfile.ZIP_DEFLATED)
+                return record(inside, data)
+
+            for path in files:
+                mode = 0o755 if os.access(path, os.X_OK) else 0o644
+                listed += add(path.relative_to(scratch).as_posix(), path.read_bytes(), mode)
+            tags = f"Wheel-Version: 1.0\nGenerator: burin {version()}\nRoot-Is-Purelib: false\nTag: {tag}-{tag}-{platform}\n"
+            listed += add(f"{info}/WHEEL", tags.encode())
+            listed += add(f"{info}/METADATA", metadata().encode())
+            listed += add(f"{info}/LICENSE", (ROOT / "LICENSE").read_bytes())
+            add(f"{info}/RECORD", (listed + f"{info}/RECORD,,\n").encode())
+    return name
+
+
+def build_sdist(sdist_directory: str, config_settings: dict | None = None) -> str:
+    del config_settings
+    name = f"burin-{version()}.tar.gz"
+    top = name.removesuffix(".tar.gz")
+    files = subprocess.run(["git", "ls-files", "-z"], cwd=ROOT, capture_output=True, check=True, text=True).stdout
+    with tarfile.open(pathlib.Path(sdist_directory) / name, "w:gz", format=tarfile.PAX_FORMAT) as archive:
+        for file in files.split("\0")[:-1]:
+            archive.add(ROOT / file, f"{top}/{file}", recursive=False)
+        with tempfile.NamedTemporaryFile("w") as info:
+            info.write(metadata())
+            info.flush()
+            archive.add(info.name, f"{top}/PKG-INFO")
+    return name

@@ -1,0 +1,183 @@
+#include "gcode.h"
+
+#include <burin/drawing/text.h>
+#include <burin/drawing/title.h>
+
+#include "pen_plan.h"
+
+#include <fmt/ranges.h>
+
+#include <cmath>
+#include <ostream>
+
+namespace burin {
+namespace {
+
+constexpr std::size_t kFlushed = 1 << 16;  // bytes
+constexpr int kDecimals = 3;
+
+/// For a comment: one line of printable ASCII.
+std::string plain(std::string_view text) {
+  std::string out;
+  for (const char c : text.substr(0, 120)) out += c >= ' ' && c <= '~' ? c : '?';
+  return out;
+}
+
+std::string number(double value) {
+  Buffer out;
+  append_fixed(out, value, kDecimals);
+  return fmt::to_string(out);
+}
+
+/// The commands of a text, a line each.
+std::string commands(std::string_view text) {
+  std::string lines;
+  while (!text.empty()) {
+    std::string_view one = text.substr(0, text.find(';'));
+    text.remove_prefix(std::min(one.size() + 1, text.size()));
+    while (one.starts_with(' ')) one.remove_prefix(1);
+    while (one.ends_with(' ')) one.remove_suffix(1);
+    if (!one.empty()) lines += std::string(one) + "\n";
+  }
+  return lines;
+}
+
+std::string replaced(std::string text, std::string_view what, std::string_view by) {
+  for (std::size_t at = text.find(what); at != std::string::npos;
+       at = text.find(what, at + by.size())) {
+    text.replace(at, what.size(), by);
+  }
+  return text;
+}
+
+class Writer {
+ public:
+  Writer(const Drawing& drawing, const GcodeOptions& options, const PenPlan& plan)
+      : drawing_(drawing), options_(options), plan_(plan) {
+    const bool laser = options.tool == GcodeOptions::Tool::Laser;
+    const std::string feed = " F" + number(options.feed);
+    down_ = commands(!options.down.empty() ? options.down
+                     : laser               ? "M3 S" + number(options.power)
+                                           : "G1 Z" + number(options.z_down) + feed);
+    up_ = commands(!options.up.empty() ? options.up : laser ? "M5" : "G0 Z" + number(options.z_up));
+    if (options.origin == GcodeOptions::Origin::Middle) {
+      zero_ = 0.5 * Vec2(drawing.paper_width, drawing.paper_height);
+    }
+  }
+
+  void head(Buffer& out) const {
+    append(out, fmt::format("; {}: {}, {}\n", creator(), plain(title_of(drawing_)),
+                            plain(subject_of(drawing_))));
+    append(out, fmt::format("; sheet {:g} x {:g} mm, zero {}\n", drawing_.paper_width,
+                            drawing_.paper_height,
+                            zero_ == Vec2(0) ? "at its lower left corner" : "in its middle"));
+    for (const Pen& pen : plan_.pens) append(out, "; " + told(pen) + "\n");
+    append(out, fmt::format("; {} lines, {:.0f} mm drawn, {:.0f} mm of travel\n",
+                            plan_.order.lines.size(), plan_.order.drawn, plan_.order.travel));
+    append(out, "G21\nG90\n" + up_);
+  }
+
+  void line(std::size_t i, Buffer& out) {
+    const PenLine& line = plan_.order.lines[i];
+    std::vector<Vec2> points = points_of(line, plan_.order, plan_.paths);
+    if (line.closed) points.push_back(points.front());
+    const bool goes_on = plan_.goes_on(i, before_, points.front(), options_.join);
+    if (!goes_on) lift(out);
+    if (i > 0 && line.group != plan_.order.lines[i - 1].group) change_to(line.group, out);
+    Place last = place(before_);
+    if (!goes_on) {
+      last = place(points.front());
+      append_place(out, "G0", last, options_.travel_feed);
+      append(out, down_);
+      is_down_ = true;
+      fast_ = true;
+    }
+    bool moved = false;
+    for (const Vec2 p : points) {
+      if (place(p) == last) continue;
+      last = place(p);
+      append_place(out, "G1", last, fast_ ? options_.feed : 0);
+      fast_ = false;
+      moved = true;
+    }
+    // A line shorter than a micrometre is a dot.
+    if (!moved && !goes_on) append_place(out, "G1", last, options_.feed);
+    before_ = points.back();
+  }
+
+  void tail(Buffer& out) {
+    lift(out);
+    append_place(out, "G0", {}, options_.travel_feed);
+    append(out, "M2\n");
+  }
+
+ private:
+  struct Place {
+    std::int64_t x = 0, y = 0;
+
+    bool operator==(const Place&) const = default;
+  };
+  Place place(Vec2 p) const {
+    return {std::llround(1000 * (p.x - zero_.x)), std::llround(1000 * (p.y - zero_.y))};
+  }
+
+  static std::string told(const Pen& pen) {
+    return fmt::format("pen {}: {:.2f} mm, {}", pen.number, pen.width,
+                       plain(fmt::format("{}", fmt::join(pen.layers, ", "))));
+  }
+
+  /// `feed`: mm a minute, 0: as before.
+  static void append_place(Buffer& out, const char* command, Place to, double feed) {
+    append(out, command);
+    append(out, " X");
+    append_scaled(out, to.x, kDecimals);
+    append(out, " Y");
+    append_scaled(out, to.y, kDecimals);
+    if (feed > 0) append(out, " F" + number(feed));
+    append(out, "\n");
+  }
+
+  void lift(Buffer& out) {
+    if (is_down_) append(out, up_);
+    is_down_ = false;
+  }
+
+  void change_to(std::uint32_t group, Buffer& out) const {
+    const Pen& pen = plan_.pens[group];
+    append(out, "; " + told(pen) + "\n");
+    append(out, replaced(commands(options_.pen_change), "{pen}", std::to_string(pen.number)));
+  }
+
+  const Drawing& drawing_;
+  const GcodeOptions& options_;
+  const PenPlan& plan_;
+  std::string down_, up_;
+  Vec2 zero_{0}, before_{0};
+  bool is_down_ = false;
+  bool fast_ = true;  // the last feed was that of travelling
+};
+
+void flush(Buffer& text, std::ostream& out) {
+  out.write(text.data(), static_cast<std::streamsize>(text.size()));
+  text.clear();
+}
+
+}  // namespace
+
+void write_gcode(const Drawing& drawing, const WriteOptions& options, std::ostream& out,
+                 const RunContext& context) {
+  check_texts(options.gcode, "gcode.");
+  const PenPlan plan = plan_pens(drawing, options.gcode, "gcode.", options, context);
+  Writer writer(drawing, options.gcode, plan);
+  Buffer text;
+  writer.head(text);
+  for (std::size_t i = 0; i < plan.order.lines.size(); ++i) {
+    context.check();
+    writer.line(i, text);
+    if (text.size() > kFlushed) flush(text, out);
+  }
+  writer.tail(text);
+  flush(text, out);
+}
+
+}  // namespace burin

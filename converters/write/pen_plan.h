@@ -1,0 +1,46 @@
+#pragma once
+/// What pens draw of a drawing, and in which order.
+
+#include <burin/base/run_context.h>
+#include <burin/converters/write.h>
+#include <burin/drawing/drawing.h>
+#include <burin/drawing/pen_options.h>
+#include <burin/drawing/pen_order.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <deque>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace burin {
+
+struct Pen {
+  std::uint32_t number = 0;
+  /// Paper mm: that of most of its lines, in its first layer.
+  double width = 0;
+  std::vector<std::string> layers;
+};
+
+/// The lines of all pens, cut at the sheet, hidden ones in dashes, letters as outlines, strokes
+/// along their middle; ordered.
+struct PenPlan {
+  /// By number; the groups of `paths` count them from 0.
+  std::vector<Pen> pens;
+  std::deque<std::vector<Vec2>> points;
+  std::vector<PenPath> paths;
+  PenOrder order;
+
+  /// Whether the pen stays on the paper between a line and the one before it: their ends are no
+  /// farther apart than `join` mm, and neither is a dash.
+  bool goes_on(std::size_t line, Vec2 before, Vec2 first, double join) const;
+};
+
+/// Plans the lines of a drawing. `group` ("hpgl.") is that of the keys of `pens`, for messages.
+/// What a pen cannot show is told through `options.tell`. Throws UsageError where `pens` says
+/// nothing that can be read, Cancelled.
+PenPlan plan_pens(const Drawing& drawing, const PenOptions& pens, std::string_view group,
+                  const WriteOptions& options, const RunContext& context);
+
+}  // namespace burin
