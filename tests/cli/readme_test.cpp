@@ -49,11 +49,12 @@ TEST(Readme, ItsCommandsDoWhatTheySay) {
     EXPECT_TRUE(WIFEXITED(status) && WEXITSTATUS(status) == wanted) << command << "\n"
                                                                     << test::slurp(root / "said");
   }
-  // An assembly explained: the exploded, numbered picture with its list, a section, the page that
-  // can be clicked, and the step book.
+  // A catalogue, and an assembly explained: the exploded, numbered picture with its list, a
+  // section, the page that can be clicked, and the step book.
   for (const char* name :
        {"pump.pdf", "pump.html", "section.svg", "pump.burin.json", "pump-steps.pdf",
-        "pump-steps.html", "views.pdf", "caster.svg", "apart.svg", "diff.svg", "diff.html"}) {
+        "pump-steps.html", "views.pdf", "caster.svg", "apart.svg", "catalogue/index.html",
+        "catalogue/coupling-apart.pdf", "diff.svg", "diff.html"}) {
     EXPECT_TRUE(fs::exists(root / name)) << name;
   }
 }
