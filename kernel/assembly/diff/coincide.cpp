@@ -12,7 +12,7 @@ namespace {
 constexpr std::size_t kSamples = 400;
 /// Samples that decide against a move.
 constexpr std::size_t kFirst = 24;
-/// Share of samples that may lie so near to an edge that a ray passes it.
+/// Share of samples that may lie off: chord tolerances are what triangles aim at.
 constexpr double kMissed = 0.01;
 /// What a shift has to gain.
 constexpr double kGain = 0.02;
@@ -22,11 +22,7 @@ Placement inverse(const Placement& move) {
   return {back, -(back * move.offset)};
 }
 
-SurfaceSample moved(const SurfaceSample& sample, const Placement& move) {
-  return {move.point(sample.at), move.vector(sample.normal)};
-}
-
-std::vector<SurfaceSample> samples_of(const TriMesh& mesh) {
+std::vector<Vec3> samples_of(const TriMesh& mesh) {
   std::vector<double> until;
   double area = 0;
   for (const Triangle& t : mesh.triangles) {
@@ -34,7 +30,7 @@ std::vector<SurfaceSample> samples_of(const TriMesh& mesh) {
     area += 0.5 * glm::length(glm::cross(b - a, c - a));
     until.push_back(area);
   }
-  std::vector<SurfaceSample> samples;
+  std::vector<Vec3> samples;
   if (!(area > 0)) return samples;
   // The lattice of the plastic number: even in the triangles, too.
   constexpr double kFirstStep = 0.7548776662466927, kSecondStep = 0.5698402909980532;
@@ -49,9 +45,7 @@ std::vector<SurfaceSample> samples_of(const TriMesh& mesh) {
     double u = step * kFirstStep - std::floor(step * kFirstStep);
     double v = step * kSecondStep - std::floor(step * kSecondStep);
     if (u + v > 1) u = 1 - u, v = 1 - v;
-    const Vec3 normal = glm::cross(b - a, c - a);
-    const double length = glm::length(normal);
-    if (length > 0) samples.push_back({a + u * (b - a) + v * (c - a), normal / length});
+    samples.push_back(a + u * (b - a) + v * (c - a));
   }
   return samples;
 }
@@ -72,16 +66,11 @@ bool same_triangles(const Body& before, const Body& after, const Placement& move
 
 }  // namespace
 
-Body::Body(std::shared_ptr<const Surface> surface, const RunContext& context)
-    : surface_(std::move(surface)), pose_(pose_of(surface_->proxy())) {
-  samples_ = samples_of(proxy().mesh);
-  const std::array<const ProxyMesh*, 1> all{&proxy()};
-  rays_ = std::make_unique<Occluder>(all, context);
-}
-
-bool Body::holds(const SurfaceSample& sample, double reach) const {
-  return rays_->occluded(sample.at + reach * sample.normal, -sample.normal, 0, 2 * reach);
-}
+Body::Body(std::shared_ptr<const Surface> surface)
+    : surface_(std::move(surface)),
+      pose_(pose_of(surface_->proxy())),
+      samples_(samples_of(surface_->proxy().mesh)),
+      near_(surface_->proxy().mesh) {}
 
 double share_on_each_other(const Body& before, const Body& after, const Placement& move,
                            double place) {
@@ -90,9 +79,9 @@ double share_on_each_other(const Body& before, const Body& after, const Placemen
   if (all == 0) return 1;
   const Placement back = inverse(move);
   const auto on_after = std::ranges::count_if(
-      before.samples(), [&](const SurfaceSample& s) { return after.holds(moved(s, move), reach); });
+      before.samples(), [&](const Vec3& s) { return after.holds(move.point(s), reach); });
   const auto on_before = std::ranges::count_if(
-      after.samples(), [&](const SurfaceSample& s) { return before.holds(moved(s, back), reach); });
+      after.samples(), [&](const Vec3& s) { return before.holds(back.point(s), reach); });
   return static_cast<double>(on_after + on_before) / static_cast<double>(all);
 }
 
@@ -103,7 +92,7 @@ bool coincide(const Body& before, const Body& after, const Placement& move, doub
   const std::size_t step = std::max<std::size_t>(1, before.samples().size() / kFirst);
   std::size_t off = 0;
   for (std::size_t i = 0; i < before.samples().size(); i += step) {
-    off += after.holds(moved(before.samples()[i], move), reach) ? 0 : 1;
+    off += after.holds(move.point(before.samples()[i]), reach) ? 0 : 1;
     if (off > 2) return false;
   }
   return share_on_each_other(before, after, move, place) >= 1 - kMissed;

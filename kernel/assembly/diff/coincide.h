@@ -6,37 +6,32 @@
 #include <burin/base/run_context.h>
 #include <burin/diff/match.h>
 #include <burin/surface/surface.h>
-#include <burin/visibility/occluder.h>
+
+#include "near_surface.h"
 
 #include <memory>
 #include <optional>
-#include <span>
 #include <vector>
 
 namespace burin::detail {
 
-/// A point of a surface with its normal.
-struct SurfaceSample {
-  Vec3 at{0}, normal{0, 0, 1};
-};
-
 /// A part's triangles with what is asked of them again and again.
 class Body {
  public:
-  Body(std::shared_ptr<const Surface> surface, const RunContext& context);
+  explicit Body(std::shared_ptr<const Surface> surface);
 
   const ProxyMesh& proxy() const { return surface_->proxy(); }
   const Pose& pose() const { return pose_; }
   /// Even by area, the same for the same triangles.
-  const std::vector<SurfaceSample>& samples() const { return samples_; }
-  /// Whether a triangle lies within `reach` mm before or behind a point, along its normal.
-  bool holds(const SurfaceSample& sample, double reach) const;
+  const std::vector<Vec3>& samples() const { return samples_; }
+  /// Whether a triangle lies within `reach` mm of a point.
+  bool holds(Vec3 point, double reach) const { return near_.within(point, reach); }
 
  private:
   std::shared_ptr<const Surface> surface_;
   Pose pose_;
-  std::vector<SurfaceSample> samples_;
-  std::unique_ptr<Occluder> rays_;
+  std::vector<Vec3> samples_;
+  NearSurface near_;
 };
 
 /// The share of the samples of both, each moved to the other, that lie on the other's surface
@@ -44,7 +39,7 @@ class Body {
 double share_on_each_other(const Body& before, const Body& after, const Placement& move,
                            double place);
 
-/// Whether all of it does, but for samples next to edges.
+/// Whether all of it does, but for a sample or two that rounding decides.
 bool coincide(const Body& before, const Body& after, const Placement& move, double place);
 
 /// The rigid move that turns least of those that lay a shape on its copy elsewhere; nothing where

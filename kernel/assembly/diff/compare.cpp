@@ -92,7 +92,7 @@ class Comparer {
     };
     if (was.triangles == is.triangles && std::ranges::equal(was.positions, is.positions, as_it_was))
       return true;
-    return coincide(Body(before, context_), Body(after, context_), {}, place_);
+    return coincide(Body(before), Body(after), {}, place_);
   }
 
   PartDifference compared(const PartMatch& match) {
@@ -128,7 +128,7 @@ class Comparer {
                after = surfaces_after_.surface(d.match.after);
     d.match.moved = false;
     if (!has_area(before) || !has_area(after)) return;
-    const detail::Shift shift = best_shift(Body(before, context_), Body(after, context_), place_);
+    const detail::Shift shift = best_shift(Body(before), Body(after), place_);
     d.surface_changed = 1 - shift.share;
     d.match.moved = glm::length(shift.by) > place_;
     if (d.match.moved) d.motion = PartMotion{shift.by};
@@ -142,7 +142,7 @@ class Comparer {
       d.motion = PartMotion{way};
       return;
     }
-    const Body was(before, context_), is(after, context_);
+    const Body was(before), is(after);
     PartMotion motion{way, std::nullopt};
     if (const auto move = rigid_move(was, is, place_, context_)) {
       set_turn(move->linear, motion);

@@ -1,5 +1,7 @@
 #include <burin/diff/match.h>
 
+#include "near_places.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -214,20 +216,13 @@ class Matcher {
   }
 
   template <class Consider>
-  void consider_neighbours(Indices before, Indices after, const Consider& consider) {
-    Box3 box;
-    for (const std::size_t b : before) box.add(before_[b].pose.middle);
-    const Vec3 size = box.size();
-    const int along = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
-    const auto at = [along](const RevisionPart& p) { return p.pose.middle[along]; };
-    std::ranges::sort(after, {}, [&](std::size_t a) { return std::pair(at(after_[a]), a); });
+  void consider_neighbours(const Indices& before, const Indices& after, const Consider& consider) {
+    std::vector<Vec3> places;
+    for (const std::size_t a : after) places.push_back(after_[a].pose.middle);
+    const detail::NearPlaces near(places);
     for (const std::size_t b : before) {
       context_.check();
-      const auto near = std::ranges::lower_bound(after, at(before_[b]), {},
-                                                 [&](std::size_t a) { return at(after_[a]); });
-      const auto middle = static_cast<std::size_t>(near - after.begin());
-      const std::size_t first = middle - std::min(middle, kNeighbours / 2);
-      for (std::size_t i = first; i < std::min(first + kNeighbours, after.size()); ++i) {
+      for (const std::size_t i : near.find(before_[b].pose.middle, kNeighbours)) {
         consider(b, after[i]);
       }
     }

@@ -76,7 +76,7 @@ inline constexpr double kSamePlace = 1e-5;
 /// size; `match_parts` says which are one, places being one within 1e-5 of the diagonal of the
 /// larger revision, to which a tenth of the chord tolerance of curved CAD faces comes. A surface
 /// lies on another where 400 points of each, even by area, have the other within that distance and
-/// both chord tolerances, but for 1 % next to edges. `drawn`: one flag a part. Stage "build".
+/// both chord tolerances, but for 1 %. `drawn`: one flag a part. Stage "build".
 /// Diagnostics: "diff.not_measured". Throws Cancelled. Cost: that of realising all parts, and 0.2
 /// ms a part whose triangles are not those of the other revision, in their order.
 Difference compare_revisions(const Scene& before, const Scene& after,

@@ -74,7 +74,7 @@ using LieOnEachOther = std::function<bool(std::size_t before, std::size_t after)
 /// one shape in one place (of equal paths, then of equal stems, then of any); one shape and one
 /// path; one shape and one stem; one path; one stem; one shape; boxes that share half of what they
 /// cover together. Where several could be meant the nearest are taken, over 250,000 pairs of one
-/// rule and name those of 50 neighbours along the longest side. In the order of the new revision,
+/// rule and name those of about 50 neighbours each. In the order of the new revision,
 /// then those that are gone. Throws Cancelled. Cost: 10 us a part and 1 us a pair of parts of equal
 /// name that have moved; the last rule looks at four million pairs at the most.
 std::vector<PartMatch> match_parts(std::span<const RevisionPart> before,
