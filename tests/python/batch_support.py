@@ -118,7 +118,12 @@ class BatchTest(unittest.TestCase):
     def start(self, *words):
         """A process of `burin batch` that goes on."""
         process = subprocess.Popen(
-            [COMMAND, "batch", *map(str, words)], cwd=self.folder, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True
+            # Where the tests run in the background of a shell, Ctrl-C would be ignored for this, too.
+            ["env", "--default-signal=INT", COMMAND, "batch", *map(str, words)],
+            cwd=self.folder,
+            stdout=subprocess.PIPE,
+            stderr=subprocess.PIPE,
+            text=True,
         )
         self.addCleanup(end, process)
         return process

@@ -224,7 +224,7 @@ class Failures(BatchTest):
             '[[parts]]\nillustrations = ["ring.burin.json"]\n'
         )
         words = ("--burin", self.odd(), "run", "jobs.jsonl", "--jobs", "2")
-        self.batch(*words, "--timeout", "6", "--memory", "400M", status=1)
+        self.batch(*words, "--timeout", "10", "--memory", "150M", status=1)
         expected = {f"parts/{n}-{v}.svg": k for n, k in (("hang", "timeout"), ("crash", "crash"), ("eats", "memory"), ("broken", "input"), ("gone", "missing")) for v in ("front", "iso")}
         expected["ring.svg"] = "usage"
         self.assertEqual(self.kinds(), expected)
@@ -237,7 +237,7 @@ class Failures(BatchTest):
         self.assertEqual(told, "4 drawn, 11 failed")
         # What failed for good is not tried again ...
         before = self.identities()
-        self.batch(*words, "--timeout", "6", "--memory", "400M", status=1)
+        self.batch(*words, "--timeout", "10", "--memory", "150M", status=1)
         self.assertEqual(self.kinds(), expected)
         self.assertEqual(self.said.count("failed before"), 11)
         self.assertEqual(self.report(), (told, known))
@@ -313,7 +313,7 @@ class Failures(BatchTest):
 
 class Ended(BatchTest):
     def begin(self):
-        self.parts(*(f"slow{n}.off" for n in range(12)))
+        self.parts(*(f"slow{n}.off" for n in range(24)))
         self.plan(PLAIN)
         process = self.start("--burin", self.odd(), "run", "jobs.jsonl", "--jobs", "2")
         self.wait_for(lambda: len(self.outputs()) >= 3)
@@ -327,16 +327,16 @@ class Ended(BatchTest):
         process = self.begin()
         process.kill()
         process.wait()
-        self.wait_for(lambda: not subprocess.run(["pgrep", "-f", f"{self.folder}"], capture_output=True).stdout or True)
+        self.wait_for(self.nothing_is_left_running)
         before = self.identities()
-        self.assertLess(len(before), 12)
+        self.assertLess(len(before), 24)
         self.run_all()
         now = self.identities()
-        self.assertEqual(len(now), 12)
+        self.assertEqual(len(now), 24)
         # What had a record was not drawn again: at most the two that were under way.
         again = [name for name in before if before[name] != now[name]]
         self.assertLessEqual(len(again), 2)
-        self.assertEqual(self.report()[0], "12 drawn, 0 failed")
+        self.assertEqual(self.report()[0], "24 drawn, 0 failed")
 
     def test_cancelled_it_leaves_nothing(self):
         for number in (signal.SIGINT, signal.SIGTERM):
