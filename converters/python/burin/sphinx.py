@@ -26,6 +26,7 @@ from sphinx.application import Sphinx
 from sphinx.directives.patches import Figure as FigureDirective
 from sphinx.environment import BuildEnvironment
 from sphinx.util import logging
+from sphinx.util.docutils import SphinxDirective
 from sphinx.util.osutil import relative_uri
 
 _LOGGER = logging.getLogger(__name__)
@@ -58,7 +59,7 @@ class page_link(nodes.General, nodes.Inline, nodes.TextElement):
     """The way to the page of a figure, where what is built has pages."""
 
 
-class BurinDirective(FigureDirective):
+class BurinDirective(FigureDirective, SphinxDirective):
     """A figure whose picture is drawn. One argument: the model, from the document's folder, or from the top after a /;
     several with ; between them."""
 
