@@ -184,22 +184,6 @@ TEST(Tone, OfEachStyleIsWhatTheLightAsks) {
   }
 }
 
-// The distance of lines of one width carries it.
-TEST(Tone, OfAPlotterIsWhatTheLightAsksOnOtherForms) {
-  const Style style = builtin_style("plotter");
-  ASSERT_EQ(style.hatch.width_min, style.hatch.width_max);
-  const auto expect = [&](const char* name, TriMesh mesh, const char* view) {
-    const ToneReport report = measure(scene_of(std::move(mesh)), view, style);
-    EXPECT_GT(report.cells, 1000u) << name;
-    EXPECT_LE(report.mean_error, 0.05) << name;
-    ::testing::Test::RecordProperty(name, std::to_string(report.mean_error));
-  };
-  expect("torus_top", test::torus(30, 12, 160, 80), "0.3,-0.4,1");
-  expect("sphere", test::ellipsoid({20, 20, 20}, 160, 80), "front");
-  expect("ellipsoid", test::ellipsoid({30, 16, 12}, 160, 80), "iso");
-  expect("cylinder", test::cylinder(20, 50, 96), "iso");
-}
-
 TEST(Tone, InkOfTwoKindsOfStrokesTogetherIsWhatTheLightAsks) {
   Style style = builtin_style("engraving");
   set_style_key(style, "strokes.2.kind", "dots");

@@ -63,8 +63,8 @@ struct PenOrderOptions {
 /// begin anywhere, and lines are turned round, as are runs of up to 25,000 of them, and moved, up
 /// to three at once, as long as that shortens the way (2-opt and Or-opt among the eight nearest
 /// ends). The same order for any number of threads. Polls `context`, which throws Cancelled. Cost:
-/// about n log n; 100,000 lines take about a second of one core, a million 20 (kernel/docs/
-/// writers.md). @cite Bentley1992
+/// about n log n; 100,000 lines take about 2 s of processor time, a million 35 (measured in
+/// kernel/docs/writers.md). @cite Bentley1992
 PenOrder pen_order(std::span<const PenPath> paths, const PenOrderOptions& options,
                    const RunContext& context);
 
