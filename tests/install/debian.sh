@@ -29,7 +29,7 @@ mount -t proc proc "$root/proc"
 inside() { chroot "$root" env -i PATH=/usr/sbin:/usr/bin:/sbin:/bin HOME=/root LC_ALL=C.UTF-8 DEBIAN_FRONTEND=noninteractive "$@"; }
 mkdir "$root/try"
 cp "$packages"/*.deb "$root/try/"
-cp "$source"/samples/{coupling.step,spindle.stl,two_discs.itd} "$root/try/"
+cp "$source"/samples/{coupling.step,spindle.stl,horn.itd} "$root/try/"
 version=$(sed -n 's/^project(burin VERSION \([^ ]*\).*/\1/p' "$source/CMakeLists.txt")
 for name in burin burin-dev python3-burin burin-freecad; do
   compgen -G "$root/try/${name}_${version}_*.deb" >/dev/null || fail "no package $name"
@@ -41,7 +41,7 @@ inside sh -c 'apt-get -qq install --no-install-recommends /try/burin_*.deb >/try
   { tail -20 "$root/try/log" >&2; fail "apt cannot install burin"; }
 echo "burin: $(du -sm --one-file-system "$root" | cut -f1) MB in all, $before before"
 inside burin --version | grep -qF "burin $version" || fail "the command does not start"
-for model in coupling.step spindle.stl two_discs.itd; do
+for model in coupling.step spindle.stl horn.itd; do
   inside burin draw "/try/$model" -o /try/a.svg -o /try/a.pdf -o /try/a.png --quiet || fail "burin does not draw $model"
   [[ $(grep -c '<path' "$root/try/a.svg") -gt 2 && -s $root/try/a.pdf && -s $root/try/a.png ]] || fail "the drawing of $model is empty"
 done
