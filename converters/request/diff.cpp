@@ -92,7 +92,8 @@ void leave_out(DrawPlan& plan) {
 /// Room for the legend.
 void widen_margin(DrawPlan& plan) {
   Margin& margin = plan.sheet.margin;
-  const double width = plan.sheet.fits ? kFitted : plan.view.paper.width - margin.left - margin.right;
+  const double width =
+      plan.sheet.fits ? kFitted : plan.view.paper.width - margin.left - margin.right;
   margin.bottom += legend_height(plan.style.callout, width);
   // A perspective view knows one margin.
   if (plan.view.perspective) margin = Margin(margin.bottom);

@@ -15,7 +15,7 @@ aside { width: 34em }
 nav { display: flex; margin: 12px 12px 0 }
 nav button { flex: 1; padding: 6px; font: inherit; border: 1px solid #999; background: #fff; cursor: pointer }
 nav button[aria-pressed=true] { background: #333; color: #fff }
-td:nth-child(1), th:nth-child(1) { text-align: left; width: 6em; font-weight: 600 }
+td:nth-child(1), th:nth-child(1) { text-align: left; width: 6.5em; white-space: nowrap; font-weight: 600 }
 td:nth-child(2), th:nth-child(2) { text-align: left; width: auto; font-size: 13px }
 td:nth-child(3), th:nth-child(3) { color: #444; font-size: 12px }
 tr.added td:first-child, tr.new td:first-child { color: #00802b }

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <map>
 #include <optional>
+#include <set>
 #include <utility>
 
 namespace burin {
@@ -168,8 +169,17 @@ class Overlay {
   }
 
   void add_arrows() {
+    std::set<std::int32_t> seen;
+    for (const Layer& layer : out_.layers) {
+      for (const Path& path : layer.paths) seen.insert(path.source.part);
+    }
     for (const PartDifference& part : difference_.parts) {
       if (!part.motion || !part.drawn_before || !part.drawn_after) continue;
+      // What is hidden in both places has no arrow over what hides it.
+      if (!seen.contains(id(part.match.after)) &&
+          !seen.contains(id_of_before(id(part.match.before)))) {
+        continue;
+      }
       const Vec3 from = part.numbers_before->middle;
       for (const PlacedView& view : sheet_.views) {
         if (!view.within) add_arrow(view, from, from + part.motion->by, id(part.match.after));
