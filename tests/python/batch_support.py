@@ -128,13 +128,13 @@ class BatchTest(unittest.TestCase):
         self.addCleanup(end, process)
         return process
 
-    def wait_for(self, what, seconds=60):
+    def wait_for(self, what, seconds=250):
         """Waits until something holds."""
         end_time = time.monotonic() + seconds
         while not what():
             if time.monotonic() > end_time:
                 self.fail("nothing came of it")
-            time.sleep(0.02)
+            time.sleep(0.05)
 
 
 def end(process):

@@ -56,7 +56,7 @@ class Dask(BatchTest):
         first.send_signal(signal.SIGKILL)
         self.assertLess(len(self.outputs()), 200)
         before = self.identities()
-        said = run.communicate(timeout=120)[1]
+        said = run.communicate(timeout=280)[1]
         self.assertEqual(run.returncode, 0, said)
         self.assertIn("200 of 200 drawings", said)
         now = self.identities()
@@ -73,7 +73,7 @@ class Dask(BatchTest):
         self.plan(PLAIN)
         # A nanny starts a worker anew.
         self.worker("kept", "--nanny", "--nworkers", 1)
-        self.batch("--burin", self.odd(), "run", "jobs.jsonl", "--on", self.address, status=1)
+        self.batch("--burin", self.odd(), "run", "jobs.jsonl", "--on", self.address, "--patience", "250", status=1)
         self.assertRegex(self.said, r"failed: parts/parent-iso.svg: lost: its worker died 2 times")
         self.assertEqual(set(self.outputs()), {f"parts/{n}-iso.svg" for n in "abc"})
 
@@ -99,7 +99,7 @@ class Dask(BatchTest):
         run = self.start("--burin", self.odd(), "run", "jobs.jsonl", "--on", self.address)
         self.wait_for(lambda: len(self.outputs()) >= 2)
         self.scheduler.send_signal(signal.SIGKILL)
-        said = run.communicate(timeout=60)[1]
+        said = run.communicate(timeout=280)[1]
         self.assertEqual(run.returncode, 1, said)
         self.assertRegex(said.splitlines()[-1], "burin: error: the Dask scheduler at .* was lost; .* drawings are left")
         end(worker)

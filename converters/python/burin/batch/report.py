@@ -30,7 +30,7 @@ figure .none { display: grid; place-items: center; height: 9.5rem; opacity: .6; 
 figcaption { padding: .35rem .5rem; font-size: .8rem; overflow-wrap: anywhere; border-top: 1px solid #8886; }
 figcaption small { opacity: .7; }
 .failed { border-collapse: collapse; width: 100%; } .failed td { padding: .3rem .6rem; border-top: 1px solid #8886; vertical-align: top; overflow-wrap: anywhere; }
-.failed tr > :first-child { border-left: 3px solid #c33; } .kind { color: #c33; font-weight: 600; white-space: nowrap; }
+.failed tr > :first-child { border-left: 3px solid #c33; } .failed td:first-child { width: 28%; } .kind { color: #c33; font-weight: 600; white-space: nowrap; }
 [hidden] { display: none !important; }
 """
 _SCRIPT = """

@@ -183,7 +183,8 @@ class _Work:
         self.results.append(Result(drawing.name, "failed", seconds, 0, kind, message))
 
     def note(self, drawing: Drawing, what: dict[str, Any]) -> None:
-        self.state.write_record({"id": drawing.id, "name": drawing.name, "part": self.job.part, "program": self.settings.program, "run": self.settings.run, **what})
+        whose = {"id": drawing.id, "name": drawing.name, "part": self.job.part}
+        self.state.write_record({**whose, "program": self.settings.program, "run": self.settings.run, **what})
         if self.settings.run:
             self.state.end(drawing.id)
 
