@@ -72,7 +72,7 @@ TEST_P(Readme, ItsCommandsDoWhatTheySay) {
                                                                     << test::slurp(root / "said");
     // ~ is a home of its own.
     for (const std::string& name : outputs_of(command)) {
-      if (!name.starts_with("~")) EXPECT_TRUE(fs::exists(root / name)) << command;
+      EXPECT_TRUE(name.starts_with("~") || fs::exists(root / name)) << command;
     }
     if (command.starts_with("burin batch report ")) {
       EXPECT_TRUE(fs::exists(root / "catalogue/index.html"));
@@ -81,9 +81,9 @@ TEST_P(Readme, ItsCommandsDoWhatTheySay) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Parts, Readme, ::testing::ValuesIn(parts()), [](const auto& info) {
+INSTANTIATE_TEST_SUITE_P(Parts, Readme, ::testing::ValuesIn(parts()), [](const auto& part) {
   std::string name;
-  for (const char c : info.param.heading) {
+  for (const char c : part.param.heading) {
     if (is_letter(c) || is_digit(c)) name += c;
   }
   return name;
