@@ -67,10 +67,16 @@ class Revised {
   }
 
  private:
-  static std::string name_of(const TDF_Label& label) {
+  static std::string own_name(const TDF_Label& label) {
     Handle(TDataStd_Name) name;
     if (!label.FindAttribute(TDataStd_Name::GetID(), name)) return {};
     return TCollection_AsciiString(name->Get()).ToCString();
+  }
+  /// An instance of its own name, or of that of its shape.
+  static bool is_called(const TDF_Label& label, const std::string& name) {
+    TDF_Label shape;
+    if (own_name(label) == name) return true;
+    return XCAFDoc_ShapeTool::GetReferredShape(label, shape) && own_name(shape) == name;
   }
   static bool find(const TDF_Label& in, const std::string& name, TDF_Label& found) {
     TDF_Label assembly = in;
@@ -79,7 +85,7 @@ class Revised {
     XCAFDoc_ShapeTool::GetComponents(assembly, parts);
     for (int i = 1; i <= parts.Length(); ++i) {
       found = parts.Value(i);
-      if (name_of(found) == name) return true;
+      if (is_called(found, name)) return true;
       if (const TDF_Label inside = found; find(inside, name, found)) return true;
     }
     return false;

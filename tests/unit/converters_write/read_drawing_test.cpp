@@ -85,7 +85,7 @@ TEST(ReadDrawing, OtherProgramsMayLeaveOutAndAdd) {
   EXPECT_EQ(p.source, SourceId());
   EXPECT_TRUE(p.visible);
   const Drawing other = parsed(R"({"layers": [
-    {"color": "red", "paths": [{"points": [[1, 2], [3, 4], [5, 6]], "width": 0.5, "tags": {"paths": [{}]},
+    {"shade": "red", "paths": [{"points": [[1, 2], [3, 4], [5, 6]], "width": 0.5, "tags": {"paths": [{}]},
        "part": null, "kind": "crease"}], "name": "late"}, {}],
     "extra": [[{"paths": [{}]}]], "paper": {"height": 1.5, "width": 2e1, "color": "white"},
     "version": 1, "format": "burin-drawing"})");
