@@ -217,7 +217,8 @@ int nearest_color(const Rgb& color) {
   const int low = std::min({color[0], color[1], color[2]});
   constexpr int kGray = 24;
   const auto level = [&](std::size_t c) {
-    return high - low < kGray ? static_cast<double>(color[c]) : 255.0 * (color[c] - low) / (high - low);
+    return high - low < kGray ? static_cast<double>(color[c])
+                              : 255.0 * (color[c] - low) / (high - low);
   };
   int best = 7;
   double least = std::numeric_limits<double>::infinity();

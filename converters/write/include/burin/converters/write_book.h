@@ -27,8 +27,8 @@ void check_book_outputs(const std::vector<std::string>& names,
 
 /// Writes a book under each name: .pdf is one file with a page a step and the parts list at the
 /// end, .html one page that needs nothing else, .md Markdown with the file NAME-step-01.svg and so
-/// on beside it, .json all of it as data. Gives all files, which `commit` gives their names. Throws as `check_book_outputs`,
-/// `write_drawing`.
+/// on beside it, .json all of it as data. Gives all files, which `commit` gives their names. Throws
+/// as `check_book_outputs`, `write_drawing`.
 std::vector<Output> write_book(const Book& book, const std::vector<std::string>& names,
                                const WriteOptions& options, const RunContext& context);
 
