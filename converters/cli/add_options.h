@@ -5,13 +5,10 @@
 
 #include "arguments.h"
 
+#include <CLI/App.hpp>
+
 #include <string>
 #include <vector>
-
-namespace CLI {
-class App;
-class Option;
-}  // namespace CLI
 
 namespace burin::cli {
 

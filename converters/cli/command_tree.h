@@ -2,12 +2,10 @@
 /// The command as data: what manual pages and completions of shells are made from. Read off CLI11,
 /// so that they tell what the command takes, plug-ins included.
 
+#include <CLI/App.hpp>
+
 #include <string>
 #include <vector>
-
-namespace CLI {
-class App;
-}
 
 namespace burin::cli {
 

@@ -1,11 +1,9 @@
 #pragma once
 /// Words of the command line that nobody takes.
 
-#include <string>
+#include <CLI/App.hpp>
 
-namespace CLI {
-class App;
-}
+#include <string>
 
 namespace burin::cli {
 
