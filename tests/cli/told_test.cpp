@@ -66,7 +66,7 @@ TEST_F(CliTold, ThePagesAreWellFormed) {
   if (!there("groff")) GTEST_SKIP() << "groff is not there";
   for (const char* command : {"burin", "draw", "steps", "diff", "convert"}) {
     const std::string shown = said(std::string(BURIN_COMMAND) + " options --manual " + command +
-                                   " | groff -ww -man -Tutf8 -rLL=80n | sed 's/\\x1b[^m]*m//g'");
+                                   " | groff -ww -man -Tutf8 -P-cbou -rLL=80n");
     EXPECT_EQ(shown.find("warning"), std::string::npos) << shown.substr(0, 400);
     EXPECT_NE(shown.find("SYNOPSIS"), std::string::npos) << command;
   }
