@@ -80,7 +80,7 @@ class Books(unittest.TestCase):
     def test_errors(self):
         with self.assertRaisesRegex(burin.UsageError, "from 1"):
             burin.steps(SAMPLES / "bracket.off", new_items=0)
-        with self.assertRaisesRegex(burin.UsageError, ".pdf, .html or .md"):
+        with self.assertRaisesRegex(burin.UsageError, ".pdf, .html, .md or .json"):
             self.book.save("book.svg")
         with self.assertRaises(burin.UsageError):
             self.book.save()

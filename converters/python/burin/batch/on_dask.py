@@ -75,9 +75,8 @@ def _client(address: str) -> Any:
         from distributed import Client
     except ImportError as e:
         raise BatchError(f"burin batch run --on needs dask.distributed ({e}); install the package python3-distributed", FAILED) from e
-    # What is lost is told by us, in one line.
-    for name in ("distributed", "distributed.client", "distributed.core", "tornado"):
-        logging.getLogger(name).setLevel(logging.CRITICAL + 1)
+    # What is lost is told by us, in one line; Dask, tornado and asyncio would add what their tasks threw.
+    logging.disable(logging.CRITICAL)
     try:
         return Client(f"tcp://{place}", timeout=10, set_as_default=False)  # type: ignore[no-untyped-call]
     except (OSError, ValueError) as e:
