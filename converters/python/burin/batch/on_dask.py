@@ -1,6 +1,7 @@
 """Jobs on the workers of a Dask scheduler, which need the command `burin` and the same folders, no package of ours."""
 
 import collections
+import concurrent.futures
 import contextlib
 import dataclasses
 import logging
@@ -147,7 +148,11 @@ class _Run:
         jobs = flown[1]
         if future.status != "finished":
             return self.try_again(jobs, future)
-        answer = future.result()
+        try:
+            answer = future.result(timeout=_LOST)
+        except (OSError, TimeoutError, concurrent.futures.CancelledError):
+            # The scheduler went while its answer was on the way. What was drawn has its record, and is not drawn again.
+            return self.once_more(jobs, "the answer of its task was lost")
         if "stop" in answer:
             raise BatchError(answer["stop"], answer["status"])
         results = [Result(**r) for r in answer["results"]]
@@ -161,13 +166,20 @@ class _Run:
         """A worker was lost with it, or the scheduler."""
         why = "its task was lost"
         if future.status == "error":
-            error = future.exception()
+            try:
+                error = future.exception(timeout=_LOST)
+            except (OSError, TimeoutError, concurrent.futures.CancelledError):
+                return self.once_more(jobs, why)
             if type(error).__name__ != "KilledWorker":
                 raise BatchError(f"a Dask worker cannot draw: {type(error).__name__}: {error}; it needs the same Python as here", FAILED)
             why = "its workers died"
         elif self.client.status != "running":
             self.todo += jobs  # `look` tells
             return
+        self.once_more(jobs, why)
+
+    def once_more(self, jobs: list[Job], why: str) -> None:
+        """So often a job is sent at the most."""
         self.pack = 1
         for job in jobs:
             self.tries[id(job)] += 1
