@@ -51,7 +51,7 @@ libraries = {line.split()[-1] for line in open("/proc/self/maps") if "libburin" 
 assert len(libraries) == 2 and all(l.startswith(sys.argv[2]) for l in libraries), libraries
 PY
 fi
-for page in man/man1/burin.1 man/man1/burin-draw.1 bash-completion/completions/burin zsh/vendor-completions/_burin fish/vendor_completions.d/burin.fish; do
+for page in man/man1/burin.1.gz man/man1/burin-draw.1.gz bash-completion/completions/burin zsh/vendor-completions/_burin fish/vendor_completions.d/burin.fish; do
   [[ -s $prefix/share/$page ]] || fail "$page is not installed"
 done
 
