@@ -13,15 +13,12 @@
     views = ["front", "iso"]
 """
 
-import difflib
 import fnmatch
 import glob
 import itertools
 import json
 import os
 import string
-import tomllib
-from collections.abc import Iterable
 from pathlib import Path
 from typing import Any
 
@@ -29,6 +26,7 @@ from .child import check_drawings
 from .errors import USAGE, BatchError
 from .jobs import Batch, Drawing, Job, digest, file_hash, stays_inside
 from .limits import memory_bytes, seconds
+from .toml_reader import TomlReader, nearest
 
 SHARED = {"views", "styles", "outputs", "options"}
 TOP = SHARED | {"out", "limits", "parts"}
@@ -36,56 +34,10 @@ GROUP = SHARED | {"files", "illustrations", "exclude"}
 PLACES = ("folder", "name", "suffix", "view", "style")
 
 
-class _Reader:
-    """Errors of one catalogue; every value is looked at before it is used."""
-
-    def __init__(self, path: Path) -> None:
-        self.path = path
-
-    def fail(self, what: str) -> BatchError:
-        return BatchError(f"{self.path}: {what}")
-
-    def table(self, value: Any, where: str, known: set[str]) -> dict[str, Any]:
-        if not isinstance(value, dict):
-            raise self.fail(f"{where} is no table")
-        for key in value:
-            if key not in known:
-                raise self.fail(f"{where} has no key '{key}'; the nearest is '{nearest(key, known)}'")
-        return value
-
-    def texts(self, value: Any, where: str) -> list[str]:
-        values = [value] if isinstance(value, str) else value
-        if not isinstance(values, list) or not values or not all(isinstance(v, str) and v for v in values):
-            raise self.fail(f"{where} takes a text or a list of texts")
-        return values
-
-    def option(self, value: Any, where: str) -> list[str]:
-        """The texts of an option, as they stand on the command line."""
-        if isinstance(value, dict):
-            return [f"{key}={self.option(v, where)[0]}" for key, v in value.items()]
-        if isinstance(value, list):
-            return [text for v in value for text in self.option(v, where)]
-        if isinstance(value, bool):
-            return ["true" if value else "false"]
-        if isinstance(value, (str, int, float)):
-            return [str(value)]
-        raise self.fail(f"{where} takes a text, a number, true or false, a list or a table of them")
-
-
-def nearest(word: str, words: Iterable[str]) -> str:
-    return max(sorted(words), key=lambda other: difflib.SequenceMatcher(None, word, other).ratio())
-
-
 def read_catalogue(path: Path, folder: Path, command: str, program: str) -> Batch:
     """All jobs of a catalogue, for a file of jobs in `folder`. Hashes each input once. Throws BatchError."""
-    reader = _Reader(path)
-    try:
-        with open(path, "rb") as file:
-            table = tomllib.load(file)
-    except OSError as e:
-        raise reader.fail(f"cannot be read: {e.strerror}") from e
-    except (tomllib.TOMLDecodeError, UnicodeDecodeError) as e:
-        raise reader.fail(f"is no TOML: {e}") from e
+    reader = TomlReader(path)
+    table = reader.load()
     reader.table(table, "the catalogue", TOP)
     base = path.resolve().parent
     out = reader.texts(table.get("out", "out"), "out")[0]
@@ -112,13 +64,13 @@ def read_catalogue(path: Path, folder: Path, command: str, program: str) -> Batc
     return batch
 
 
-def _mapping(reader: _Reader, value: Any, where: str) -> dict[str, Any]:
+def _mapping(reader: TomlReader, value: Any, where: str) -> dict[str, Any]:
     if not isinstance(value, dict):
         raise reader.fail(f"{where}: options is no table")
     return value
 
 
-def _limits(reader: _Reader, value: Any) -> dict[str, Any]:
+def _limits(reader: TomlReader, value: Any) -> dict[str, Any]:
     limits = dict(reader.table(value, "limits", {"timeout", "memory"}))
     if "timeout" in limits:
         seconds(limits["timeout"], f"{reader.path}: limits: timeout")
@@ -130,7 +82,7 @@ def _limits(reader: _Reader, value: Any) -> dict[str, Any]:
 class _Group:
     """One table of [[parts]]."""
 
-    def __init__(self, reader: _Reader, where: str, own: dict[str, Any], base: Path, program: str, seen: dict[str, str | None]) -> None:
+    def __init__(self, reader: TomlReader, where: str, own: dict[str, Any], base: Path, program: str, seen: dict[str, str | None]) -> None:
         self.reader, self.where, self.base, self.program, self.seen = reader, where, base, program, seen
         if ("files" in own) == ("illustrations" in own):
             raise reader.fail(f"{where} takes either files or illustrations")
@@ -226,7 +178,7 @@ class _Group:
         return self.seen[file]
 
 
-def _refuse_clashes(reader: _Reader, batch: Batch) -> None:
+def _refuse_clashes(reader: TomlReader, batch: Batch) -> None:
     inputs = {os.path.normpath(batch.base / i) for job in batch.jobs for i in job.inputs}
     owner: dict[str, str] = {}
     for job, drawing in batch.drawings():
@@ -241,7 +193,7 @@ def _refuse_clashes(reader: _Reader, batch: Batch) -> None:
             owner[name] = what
 
 
-def _check(reader: _Reader, batch: Batch, command: str) -> None:
+def _check(reader: TomlReader, batch: Batch, command: str) -> None:
     """Options and formats are looked at once for all drawings that have the same, by the command itself."""
     different: dict[str, Drawing] = {}
     for _, drawing in batch.drawings():

@@ -1,33 +1,26 @@
 """The words of `burin batch`."""
 
 import argparse
-import contextlib
 import os
-import signal
-import sys
 from pathlib import Path
-from typing import Any, NoReturn
+from typing import Any
 
 from . import report
 from .catalogue import read_catalogue
 from .child import program_version
-from .errors import FAILED, NO_OUTPUT, STOPPED, USAGE, BatchError
+from .errors import FAILED, USAGE, BatchError
 from .jobs import read, write
 from .limits import TIMEOUT, seconds
 from .progress import Progress
 from .runner import chosen, run_here, without_clashes
 from .settings import command_of, settings_of
-
-
-class _Parser(argparse.ArgumentParser):
-    def error(self, message: str) -> NoReturn:
-        raise BatchError(f"{message} (see {self.prog} --help)", USAGE)
+from .words import Parser, exit_status
 
 
 def _parser() -> argparse.ArgumentParser:
-    parser = _Parser(prog="burin batch", allow_abbrev=False, description="Draw a catalogue of parts, each once. kernel/docs/batch.md explains it.")
+    parser = Parser(prog="burin batch", allow_abbrev=False, description="Draw a catalogue of parts, each once. kernel/docs/batch.md explains it.")
     parser.add_argument("--burin", metavar="FILE", help="the command that draws (default: this one)")
-    commands = parser.add_subparsers(dest="verb", metavar="COMMAND", required=True, parser_class=_Parser)
+    commands = parser.add_subparsers(dest="verb", metavar="COMMAND", required=True, parser_class=Parser)
 
     plan = commands.add_parser("plan", help="make jobs of a catalogue")
     plan.add_argument("catalogue", metavar="CATALOGUE.toml", type=Path)
@@ -122,28 +115,12 @@ def _slurm(arguments: Any) -> int:
     return submit(arguments, read(arguments.jobs_file))
 
 
-def _interrupt(*_: object) -> None:
-    raise KeyboardInterrupt
+def _main(words: list[str]) -> int:
+    arguments = _parser().parse_args(words)
+    verbs = {"plan": _plan, "run": _run, "report": _report, "slurm": _slurm}
+    return verbs[arguments.verb](arguments)
 
 
 def main(words: list[str]) -> int:
     """Runs the command; its exit status. What goes wrong is one line."""
-    for number in (signal.SIGTERM, signal.SIGHUP):
-        if signal.getsignal(number) is not signal.SIG_IGN:
-            signal.signal(number, _interrupt)
-    try:
-        arguments = _parser().parse_args(words)
-        verbs = {"plan": _plan, "run": _run, "report": _report, "slurm": _slurm}
-        status = verbs[arguments.verb](arguments)
-        sys.stdout.flush()
-        return status
-    except BatchError as e:
-        print(f"burin: error: {e}", file=sys.stderr)
-        return e.status
-    except KeyboardInterrupt:
-        print("burin: error: cancelled", file=sys.stderr)
-        return STOPPED
-    except BrokenPipeError:
-        with contextlib.suppress(OSError):
-            os.dup2(os.open(os.devnull, os.O_WRONLY), 1)
-        return NO_OUTPUT
+    return exit_status(lambda: _main(words))

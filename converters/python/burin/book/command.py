@@ -5,15 +5,14 @@ import concurrent.futures
 import contextlib
 import json
 import os
-import signal
 import sys
 import threading
 from pathlib import Path
-from typing import Any, NoReturn
+from typing import Any
 
-from burin.batch.child import Cancelled
-from burin.batch.errors import FAILED, NO_OUTPUT, STOPPED, USAGE, BatchError
+from burin.batch.errors import FAILED, NO_OUTPUT, USAGE, BatchError
 from burin.batch.limits import seconds
+from burin.batch.words import Parser, exit_status
 
 from .figures import FigureError, Made, Studio
 from .markdown import fragment, whole
@@ -22,13 +21,8 @@ from .toml_book import Book, Entry, read_book
 DIFFERENT = 6
 
 
-class _Parser(argparse.ArgumentParser):
-    def error(self, message: str) -> NoReturn:
-        raise BatchError(f"{message} (see {self.prog} --help)", USAGE)
-
-
 def _parser() -> argparse.ArgumentParser:
-    parser = _Parser(
+    parser = Parser(
         prog="burin book",
         allow_abbrev=False,
         description="Make the figures of a manual, those that are not made yet or show something that has changed. kernel/docs/book.md explains it.",
@@ -123,20 +117,6 @@ def _run(arguments: Any) -> int:
     return DIFFERENT if arguments.check and changed else 0
 
 
-def _interrupt(*_: object) -> None:
-    raise KeyboardInterrupt
-
-
 def main(words: list[str]) -> int:
     """Runs the command; its exit status. What goes wrong is one line."""
-    for number in (signal.SIGTERM, signal.SIGHUP):
-        if signal.getsignal(number) is not signal.SIG_IGN:
-            signal.signal(number, _interrupt)
-    try:
-        return _run(_parser().parse_args(words))
-    except BatchError as e:
-        print(f"burin: error: {e}", file=sys.stderr)
-        return e.status
-    except (KeyboardInterrupt, Cancelled):
-        print("burin: error: cancelled", file=sys.stderr)
-        return STOPPED
+    return exit_status(lambda: _run(_parser().parse_args(words)))

@@ -19,14 +19,11 @@
 """
 
 import dataclasses
-import difflib
 import os
-import tomllib
-from collections.abc import Iterable
 from pathlib import Path
 from typing import Any
 
-from burin.batch.errors import BatchError
+from burin.batch.toml_reader import TomlReader
 
 from .figures import Figure
 
@@ -52,62 +49,10 @@ class Book:
     entries: list[Entry]
 
 
-class _Reader:
-    def __init__(self, path: Path) -> None:
-        self.path = path
-
-    def fail(self, what: str) -> BatchError:
-        return BatchError(f"{self.path}: {what}")
-
-    def table(self, value: Any, where: str, known: set[str] | None = None) -> dict[str, Any]:
-        if not isinstance(value, dict):
-            raise self.fail(f"{where} is no table")
-        for key in value if known else ():
-            if known and key not in known:
-                raise self.fail(f"{where} has no key '{key}'; the nearest is '{_nearest(key, known)}'")
-        return value
-
-    def text(self, value: Any, where: str) -> str:
-        if not isinstance(value, str):
-            raise self.fail(f"{where} takes a text")
-        return value
-
-    def texts(self, value: Any, where: str) -> list[str]:
-        values = [value] if isinstance(value, str) else value
-        if not isinstance(values, list) or not values or not all(isinstance(v, str) and v for v in values):
-            raise self.fail(f"{where} takes a text or a list of texts")
-        return values
-
-
-def _nearest(word: str, words: Iterable[str]) -> str:
-    return max(sorted(words), key=lambda other: difflib.SequenceMatcher(None, word, other).ratio())
-
-
-def option_texts(value: Any) -> list[str] | None:
-    """The texts of an option as they stand on the command line; None for what is no option's value."""
-    if isinstance(value, bool):
-        return ["true" if value else "false"]
-    if isinstance(value, (str, int, float)):
-        return [str(value)]
-    if isinstance(value, dict):
-        texts = {key: option_texts(v) for key, v in value.items()}
-        return None if any(t is None or len(t) != 1 for t in texts.values()) else [f"{key}={t[0]}" for key, t in texts.items() if t]
-    if isinstance(value, list):
-        parts = [option_texts(v) for v in value]
-        return None if any(p is None for p in parts) else [text for part in parts if part for text in part]
-    return None
-
-
 def read_book(path: Path) -> Book:
     """Throws BatchError, naming the file and the key."""
-    reader = _Reader(path)
-    try:
-        with open(path, "rb") as file:
-            table = tomllib.load(file)
-    except OSError as e:
-        raise reader.fail(f"cannot be read: {e.strerror}") from e
-    except (tomllib.TOMLDecodeError, UnicodeDecodeError) as e:
-        raise reader.fail(f"is no TOML: {e}") from e
+    reader = TomlReader(path)
+    table = reader.load()
     reader.table(table, "the book", _TOP)
     base = path.resolve().parent
     out = reader.text(table.get("out", "figures"), "out")
@@ -126,7 +71,7 @@ def read_book(path: Path) -> Book:
     return Book(reader.text(table.get("title", ""), "title"), base, base / out, link, entries)
 
 
-def _entry(reader: _Reader, where: str, own: dict[str, Any], table: dict[str, Any]) -> Entry:
+def _entry(reader: TomlReader, where: str, own: dict[str, Any], table: dict[str, Any]) -> Entry:
     for key in ("name", "model"):
         if key not in own:
             raise reader.fail(f"{where} has no {key}")
@@ -135,13 +80,12 @@ def _entry(reader: _Reader, where: str, own: dict[str, Any], table: dict[str, An
         raise reader.fail(f"{where}: name = {name!r} is no name of a file")
     options: dict[str, list[str]] = {}
     for source in (table.get("options", {}), own.get("options", {})):
-        for key, value in reader.table(source, f"{where}: options").items():
-            texts = option_texts(value)
-            if texts is None:
-                raise reader.fail(f"{where}: options: {key} takes a text, a number, true or false, a list or a table of them")
+        if not isinstance(source, dict):
+            raise reader.fail(f"{where}: options is no table")
+        for key, value in source.items():
             if key in ("output", "format", "threads", "parts_list"):
                 raise reader.fail(f"{where}: options: {key} is said by {'parts_list of the figure' if key == 'parts_list' else 'formats'}")
-            options[key] = texts
+            options[key] = reader.option(value, f"{where}: options: {key}")
     formats = reader.texts(own.get("formats", table.get("formats", ["svg"])), f"{where}: formats")
     if len(set(formats)) < len(formats) or any("/" in f or f == "md" for f in formats):
         raise reader.fail(f"{where}: formats takes each format once, svg, pdf, png ...")
