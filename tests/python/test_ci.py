@@ -236,7 +236,7 @@ class GitHub(Clones):
         folder = self.checked_out.resolve() / "packages"
         self.assertEqual(
             (self.folder / "installed").read_text(),
-            f"update\ninstall -y --no-install-recommends git {folder}/burin_1_amd64.deb {folder}/python3-burin_1_amd64.deb\n",
+            f"update\ninstall -y --no-install-recommends git ca-certificates {folder}/burin_1_amd64.deb {folder}/python3-burin_1_amd64.deb\n",
         )
 
 
