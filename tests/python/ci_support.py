@@ -1,16 +1,18 @@
 """Runs what the files of a CI say, as the CI does: steps of GitHub's actions and workflows, scripts of GitLab."""
 
+import json
 import os
 import re
 import shutil
 import subprocess
 from pathlib import Path
 
-_TOKENS = re.compile(r"\s*(?:('(?:[^']|'')*')|(\|\||&&|==|!=|!|\(|\))|([A-Za-z_][\w-]*(?:\.[A-Za-z_*][\w-]*)*)|(-?\d+(?:\.\d+)?))")
+_FUNCTIONS = {"cancelled": lambda: False, "always": lambda: True, "fromJSON": json.loads, "contains": lambda many, one: one in many}
+_TOKENS = re.compile(r"\s*(?:('(?:[^']|'')*')|(\|\||&&|==|!=|!|\(|\)|,)|([A-Za-z_][\w-]*(?:\.[A-Za-z_*][\w-]*)*)|(-?\d+(?:\.\d+)?))")
 
 
 def expression(text, context):
-    """The value of an expression of GitHub: names, texts, || && == != ! and parentheses, `cancelled()` and `always()`."""
+    """The value of an expression of GitHub: names, texts, || && == != ! and parentheses, and some functions."""
     words = []
     at = 0
     text = text.strip()
@@ -23,13 +25,13 @@ def expression(text, context):
             words.append(repr(match[1][1:-1].replace("''", "'")))
         elif match[2]:
             words.append({"||": " or ", "&&": " and ", "!": " not "}.get(match[2], match[2]))
-        elif match[3] in ("cancelled", "always"):
-            words.append(f"{match[3]}")
+        elif match[3] in _FUNCTIONS:
+            words.append(match[3])
         elif match[3]:
             words.append(f"look({match[3]!r})")
         else:
             words.append(match[4])
-    value = eval("".join(words), {"look": lambda name: look(context, name), "cancelled": lambda: False, "always": lambda: True})
+    value = eval("".join(words), {"look": lambda name: look(context, name), **_FUNCTIONS})
     return "" if value is None else value
 
 
@@ -126,7 +128,13 @@ def actions(runner, name, given):
         runner.kept = [*getattr(runner, "kept", []), (key, paths)]
         return {"cache-hit": str(bool(found))}
     if name == "actions/upload-artifact@v4":
-        copied(runner.folder / given["path"], store / "artifacts" / given["name"], given.get("include-hidden-files") in (True, "true"))
+        path, *without = given["path"].split("\n")
+        target = store / "artifacts" / given["name"]
+        copied(runner.folder / path.strip(), target, given.get("include-hidden-files") in (True, "true"))
+        for pattern in (line.strip() for line in without if line.strip()):
+            assert pattern.startswith(f"!{path.strip()}/"), pattern
+            for file in target.glob(pattern[len(path.strip()) + 2 :]):
+                file.unlink()
         return {"artifact-url": f"https://ci.example/{given['name']}"}
     if name == "actions/download-artifact@v4":
         assert given.get("merge-multiple") in (True, "true"), given

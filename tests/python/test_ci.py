@@ -62,7 +62,7 @@ class Rules(unittest.TestCase):
             self.step(step, True)
         for name in names_in((TEMPLATES / "github/action.yml").read_text()):
             top, _, rest = name.partition(".")
-            self.assertIn(top, {"inputs", "steps", "github", "runner", "cancelled"})
+            self.assertIn(top, {"inputs", "steps", "github", "cancelled", "contains", "fromJSON"})
             if top == "inputs":
                 self.assertIn(rest, action["inputs"])
             if top == "steps":
@@ -176,6 +176,7 @@ class GitHub(Clones):
         self.assertEqual(self.runner.summary, (artifact / "differences.md").read_text())
         self.assertIn("moved pin: moved by 10 mm (0, 0, 10)", self.runner.summary)
         self.assertFalse((artifact / "old/.burin-batch").exists())
+        self.assertFalse((artifact / "new/both.json").exists())
         self.assertTrue((self.checked_out / "manual/figures/both.pdf").is_file())
         # The next run has what this one drew.
         artifact = self.job({"pull_request": {"base": {"sha": base}}})
@@ -214,6 +215,8 @@ class GitHub(Clones):
         self.job({"before": "ab" * 20})
         self.assertTrue(self.runner.failed)
         self.assertIn("has no revision 'abab", self.runner.said)
+        # No page of another time is handed up.
+        self.assertFalse(artifact.exists())
         # The old revision alone is broken: nothing is wrong with the figures of this one.
         broken = self.git("rev-parse", "HEAD")
         self.commit(pin__off=box_off(5, 6, 7))

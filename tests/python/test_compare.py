@@ -108,6 +108,31 @@ class Since(GitTest):
         self.assertEqual(found["shell"]["words"], ["the models have changed where this figure does not show it"])
         self.assertEqual(found["shell"]["shown"][0]["status"], "same")
 
+    def test_another_version_of_the_command(self):
+        """One that draws thicker lines, as an older Burin might."""
+        self.first()
+        older = self.folder / "older"
+        older.write_text(
+            f"""#!/usr/bin/python3
+import json, subprocess, sys
+if sys.argv[1:] == ["batch", "job"]:
+    asked = json.load(sys.stdin)
+    for drawing in asked["drawings"]:
+        drawing["options"]["set"] = ["line.outer=1.1"]
+    run = subprocess.run([{COMMAND!r}, "batch", "job"], input=json.dumps(asked), capture_output=True, text=True)
+else:
+    run = subprocess.run([{COMMAND!r}, *sys.argv[1:]], capture_output=True, text=True)
+now = subprocess.run([{COMMAND!r}, "--version"], capture_output=True, text=True).stdout.split()[1]
+sys.stdout.write(run.stdout.replace(now, "0.0.1"))
+sys.stderr.write(run.stderr)
+sys.exit(run.returncode)
+"""
+        )
+        older.chmod(0o755)
+        found = self.compare("--since", "HEAD", "--old-burin", older, status=6)
+        self.assertEqual(set(self.statuses(found).values()), {"changed"})
+        self.assertEqual(found["styled"]["words"], ["the models are the same, the drawing is not", "outline: width 1.1 mm to 0.5 mm"])
+
     def test_figures_that_both_revisions_share_are_drawn_once(self):
         self.first()
         self.second()
@@ -154,6 +179,10 @@ class Since(GitTest):
         found = self.compare("--since", "HEAD^", status=6)["both"]
         self.assertIn("added c: volume 120 mm3", found["models"][0])
         self.assertIn("parts list: c is new, 1 x", found["words"])
+        # Options about reading belong to the files of a figure that has several.
+        wide = book.replace("options = {", "options = {define = [\"w=7\"], ")
+        self.commit(book__toml=wide, b__off=box_off(20, 20, 4))
+        self.assertIn("volume 1200 to 1600 mm3", self.compare("--since", "HEAD^", status=6)["both"]["models"][0])
         self.assertEqual(found["shown"][0]["difference"], "diff/both.svg")
 
     def test_step_books(self):

@@ -17,7 +17,7 @@ from burin.batch.limits import seconds
 from burin.batch.words import Parser, exit_status
 
 from . import compare
-from .differences import Differences, brief, write_all
+from .differences import Differences, brief, forget, write_all
 from .figures import FigureError, Made, Studio
 from .markdown import fragment, whole
 from .revision import OldBook, old_book
@@ -141,7 +141,7 @@ def _compare(arguments: Any, book: Book, before: OldBook, count: int, stop: thre
         # Whoever mends it wants to see the figures all the same.
         broken = True
         before.notes.append(f"the book of {before.words} cannot be read: {str(e).removeprefix(f'{before.path}: ')}")
-    folder = (arguments.output or _DIFFERENCES).resolve()
+    folder = _folder(arguments)
     timeout = seconds(arguments.timeout, "option --timeout")
     tolerance = None if arguments.line_tolerance is None else _tolerance(arguments.line_tolerance)
     new = Studio(book.base, folder / compare.NEW, arguments.burin, timeout, stop.is_set)
@@ -172,6 +172,11 @@ def _compare(arguments: Any, book: Book, before: OldBook, count: int, stop: thre
     return 0 if counts[compare.SAME] == len(names) else DIFFERENT
 
 
+def _folder(arguments: Any) -> Path:
+    """That of the differences."""
+    return Path(arguments.output or _DIFFERENCES).resolve()
+
+
 def _tolerance(text: str) -> float:
     with contextlib.suppress(ValueError):
         if 0 < (value := float(text)) <= 100:
@@ -189,6 +194,8 @@ def _run(arguments: Any) -> int:
             raise BatchError(f"option {option} is for --since or --compare", USAGE)
     if comparing and arguments.check:
         raise BatchError("option --check is for making a book; --since and --compare have status 6 where something has changed", USAGE)
+    if comparing:
+        forget(_folder(arguments))
     book = read_book(arguments.book)
     if not comparing:
         return _make_book(arguments, book, count)

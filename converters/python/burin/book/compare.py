@@ -10,7 +10,7 @@ from burin.batch.jobs import digest, file_hash, named_files
 from burin.batch.prune import prune
 from burin.batch.state import State
 
-from .figures import Figure, FigureError, Made, Page, Studio, words_of
+from .figures import Figure, FigureError, Made, Page, Studio, reading, words_of
 from .pairs import list_words, look_words, paired, step_words
 from .toml_book import Entry
 
@@ -20,6 +20,8 @@ OLD, NEW, BETWEEN = "old", "new", "diff"
 _FORMATS = ["svg", "json"]
 # Stands before the steps of a step book: what its models say.
 WHOLE = "The whole"
+# Where drawings that were compared line by line lie, beside models.
+_LINES = "lines"
 # Options that shape a drawing and that `burin diff` does not take: it draws both revisions as they stand, without lists.
 _NOT_OF_DIFF = {"explode", "explode_factor", "callouts", "parts_list", "verify", "id_prefix"}
 
@@ -163,7 +165,7 @@ class Comparer:
         hashes = [file_hash(path) for path in files]
         if hashes[0] != hashes[1]:
             stem = Path(new.pictures[0]).stem
-            lines = self._diff(f"{stem}-lines", [str(f) for f in files], self._tolerance(), ["lines", hashes])
+            lines = self._diff(f"{_LINES}/{stem}", [str(f) for f in files], self._tolerance(), ["lines", hashes])
             shown.words += [lines.sum] if not lines.same else look_words(*files)
             shown.difference, shown.page = lines.picture, lines.page
         shown.status = CHANGED if shown.words else SAME
@@ -184,10 +186,21 @@ class Comparer:
             return None
         options = {k: v for k, v in new.options.items() if k not in _NOT_OF_DIFF}
         base = self.studios[NEW].base
-        id = [read, old.inputs, new.inputs, [file_hash(base / name) for name in named_files(base, options)]]
+        id = [read, old.inputs, new.inputs, options, [file_hash(base / name) for name in named_files(base, options)]]
         with self.state.aside() as aside:
-            inputs = [_one_file(self.studios[side].base, figure, aside / f"{side}.burin.json") for side, figure in ((OLD, old), (NEW, new))]
+            inputs = [str(self.studios[side].base / figure.inputs[0]) for side, figure in ((OLD, old), (NEW, new))]
+            if len(old.inputs) > 1 or len(new.inputs) > 1:
+                inputs = [self._as_one(side, figure, options, aside) for side, figure in ((OLD, old), (NEW, new))]
+                options = {k: v for k, v in options.items() if k not in reading(options)}
             return self._diff(name, inputs, words_of(options), ["models", id])
+
+    def _as_one(self, side: str, figure: Figure, options: dict[str, list[str]], aside: Path) -> str:
+        """The inputs of a figure as one illustration file: `burin diff` takes one file of each revision."""
+        path = aside / f"{side}.burin.json"
+        how: dict[str, Any] = {name: values[0] if len(values) == 1 else values for name, values in reading(options).items()}
+        parts = [{"file": str(self.studios[side].base / name), **how} for name in figure.inputs]
+        path.write_text(json.dumps({"burin": "illustration", "parts": parts}), encoding="ascii")
+        return str(path)
 
     def _diff(self, stem: str, inputs: list[str], words: list[str], what: list[Any]) -> _Between:
         """Runs `burin diff`, once for what is the same. Throws FigureError."""
@@ -212,6 +225,7 @@ class Comparer:
         for suffix, path in files.items() if status else ():
             name = f"{stem}.{suffix}"
             record["outputs"][name] = [path.stat().st_size, file_hash(path)]
+            (self.state.out / name).parent.mkdir(parents=True, exist_ok=True)
             os.replace(path, self.state.out / name)
         return record
 
@@ -219,15 +233,6 @@ class Comparer:
 def _asked(figure: Figure) -> Figure:
     """The figure as it is compared: as a picture and as data, without what makes a file that no one asks for here."""
     return dataclasses.replace(figure, formats=_FORMATS)
-
-
-def _one_file(base: Path, figure: Figure, aside: Path) -> str:
-    """The inputs of a figure as one file: `burin diff` takes one of each revision."""
-    paths = [str(base / name) for name in figure.inputs]
-    if len(paths) == 1:
-        return paths[0]
-    aside.write_text(json.dumps({"burin": "illustration", "parts": [{"file": path} for path in paths]}), encoding="ascii")
-    return str(aside)
 
 
 def _pages(made: Made | None) -> list[Page]:

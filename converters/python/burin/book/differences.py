@@ -1,5 +1,6 @@
 """What has changed of a book, told: a page, a few lines of Markdown, data."""
 
+import contextlib
 import dataclasses
 import html
 import json
@@ -14,6 +15,7 @@ from .markdown import plain
 
 # What a reader looks for comes first.
 _ORDER = (FAILED, CHANGED, ADDED, REMOVED, SAME)
+_FILES = ("index.html", "differences.md", "differences.json")
 # Lines of Markdown: a comment has room for 65,536 letters, and readers for fewer.
 _ROWS, _LINES, _LETTERS = 60, 4, 160
 _SIDES = {"old": "old revision", "new": "new revision", "difference": "both revisions"}
@@ -92,11 +94,18 @@ def _steps(figure: Compared) -> list[Shown]:
     return [s for s in figure.shown if s.heading and s.status != SAME and s.heading != WHOLE]
 
 
+def forget(folder: Path) -> None:
+    """Removes what an earlier comparison told: it is not to be taken for this one, if this one fails."""
+    for name in _FILES:
+        with contextlib.suppress(OSError):
+            (folder / name).unlink()
+
+
 def write_all(differences: Differences, folder: Path) -> None:
     """index.html, differences.md and differences.json. Throws BatchError."""
-    write_whole(folder / "index.html", page_of(differences))
-    write_whole(folder / "differences.md", markdown_of(differences))
-    write_whole(folder / "differences.json", json.dumps(data_of(differences), indent=1, ensure_ascii=False) + "\n")
+    texts = (page_of(differences), markdown_of(differences), json.dumps(data_of(differences), indent=1, ensure_ascii=False) + "\n")
+    for name, text in zip(_FILES, texts):
+        write_whole(folder / name, text)
 
 
 def data_of(d: Differences) -> dict[str, Any]:

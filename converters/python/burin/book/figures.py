@@ -23,6 +23,13 @@ from burin.batch.work import Settings, run_job
 _POINTER = b"version https://git-lfs.github.com/spec/"
 
 
+# The rows of converters/read/read_options.cpp.
+_READING = set(
+    "define openscad_timeout csg as_ object recompute freecad_timeout heal bounds mesher iso inside smooth specks volume_degree "
+    "interpolate raw raw_skip".split()
+)
+
+
 class FigureError(Exception):
     """One line: what is wrong with a figure, where, and what to do."""
 
@@ -101,7 +108,7 @@ class Studio:
         id = self._id(figure, drawing.files())
         here = Hashes(self.base)
         record = other.state.record(id)
-        if record is None or "error" in record or self.settings.program != other.settings.program:
+        if record is None or "error" in record or self.settings.command != other.settings.command:
             return
         wanted = Drawing(figure.name, figure.options, sorted(record["outputs"]), [], id)
         if self.state.done(wanted, {}, here) or any(here.of(name) != known for name, known in record["files"].items()):
@@ -156,7 +163,7 @@ class Studio:
 
     def _make_steps(self, figure: Figure, id: str, aside: Path) -> dict[str, Any]:
         # What the model is made of: a drawing that takes little says it.
-        quick = Drawing("read", {"style": ["outline"], **_reading(figure.options)}, ["read.json"])
+        quick = Drawing("read", {"style": ["outline"], **reading(figure.options)}, ["read.json"])
         probe = Studio(self.base, aside, self.settings.command, self.settings.timeout or 300, self.cancelled)
         quick.id = digest([id])
         result = run_job(probe.settings, Job(figure.inputs[0], figure.inputs, [quick]), self.cancelled)[0]
@@ -204,9 +211,9 @@ class Studio:
         return status, said
 
 
-def _reading(options: dict[str, list[str]]) -> dict[str, list[str]]:
-    """Options without which the files may not be read at all."""
-    return {k: v for k, v in options.items() if k in ("define", "unit", "csg", "openscad_timeout", "iso", "raw")}
+def reading(options: dict[str, list[str]]) -> dict[str, list[str]]:
+    """Options about reading, without which files may not be read at all; illustrations have them at their parts."""
+    return {k: v for k, v in options.items() if k in _READING}
 
 
 def words_of(options: dict[str, list[str]]) -> list[str]:
