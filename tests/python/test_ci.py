@@ -6,6 +6,7 @@ import os
 import re
 import shutil
 import subprocess
+import textwrap
 import unittest
 from pathlib import Path
 
@@ -102,6 +103,17 @@ class Rules(unittest.TestCase):
         # GitLab shows no artifacts in merge requests whose paths are variables.
         self.assertNotIn("$", " ".join(job["artifacts"]["paths"]))
         self.assertEqual(job["allow_failure"], {"exit_codes": [6]})
+
+    def test_what_the_readme_adds(self):
+        blocks = [yaml.safe_load(textwrap.dedent(text)) for text in re.findall(r"```yaml\n(.*?)```", (TEMPLATES / "README.md").read_text(), re.S)]
+        packages, comment = blocks
+        self.assertLessEqual(set(packages), GITHUB_JOB)
+        action = load("github/action.yml")
+        for step in [*packages["steps"], *comment]:
+            self.assertLessEqual(set(step), GITHUB_STEP)
+            self.assertEqual(("run" in step) + ("uses" in step), 1, step)
+        self.assertLessEqual(set(packages["steps"][-1]["with"]), set(action["inputs"]))
+        self.assertLessEqual({name.split(".")[-1] for name in names_in(str(comment)) if name.startswith("steps.burin.outputs")}, set(action["outputs"]))
 
     def test_the_image_has_what_the_templates_ask_for(self):
         self.assertRegex((Path(os.environ["BURIN_SOURCE_DIR"]) / "Containerfile").read_text(), r"apt-get install[^&]* git ")

@@ -50,6 +50,7 @@ def _parser() -> argparse.ArgumentParser:
     parser.add_argument("--jobs", metavar="N", type=int, help="figures made at once (default: as many as cores)")
     parser.add_argument("--timeout", metavar="S", default="300", help="seconds that a figure may take (default 300)")
     parser.add_argument("--check", action="store_true", help="exit status 6 where files that are there were not what the book says")
+    parser.add_argument("--prune", action="store_true", help="remove what was made of figures that the book no longer has, if none fails")
     parser.add_argument("--quiet", "-q", action="store_true", help="say nothing but what failed")
     parser.add_argument("--burin", metavar="FILE", help="the command that draws (default: this one)")
     others = parser.add_argument_group("another revision")
@@ -119,7 +120,7 @@ def _make_book(arguments: Any, book: Book, count: int) -> int:
         one = made[name]
         if isinstance(one, FigureError):
             continue
-        changed |= write_whole(book.out / f"{name}.md", fragment(entry, one, book.link))
+        changed |= studio.write_text(f"{name}.md", fragment(entry, one, book.link))
         fragments.append(fragment(entry, one, ""))
         index.append({"name": name, "caption": entry.caption, "pictures": one.pictures, "items": one.items})
     if not arguments.only and len(fragments) == len(entries):
@@ -127,6 +128,13 @@ def _make_book(arguments: Any, book: Book, count: int) -> int:
         changed |= write_whole(book.out / "book.json", json.dumps({"format": "burin-book", "version": 1, "title": book.title, "figures": index}, indent=1) + "\n")
     if len(fragments) < len(entries):
         return FAILED
+    if arguments.prune:
+        all = [e.figure for e in book.entries]
+        pruned = studio.prune(all, [f"{figure.name}.md" for figure in all])
+        for verb, files in (("removed", pruned.files), ("left, it has changed since", pruned.left)):
+            for file in files if not arguments.quiet else ():
+                print(f"{verb}  {file}")
+        changed |= bool(pruned.files)
     return DIFFERENT if arguments.check and changed else 0
 
 
@@ -192,8 +200,9 @@ def _run(arguments: Any) -> int:
     for given, option in ((arguments.line_tolerance, "--line-tolerance"), (arguments.old_burin, "--old-burin")):
         if given is not None and not comparing:
             raise BatchError(f"option {option} is for --since or --compare", USAGE)
-    if comparing and arguments.check:
-        raise BatchError("option --check is for making a book; --since and --compare have status 6 where something has changed", USAGE)
+    if comparing and (arguments.check or arguments.prune):
+        word = "--check" if arguments.check else "--prune"
+        raise BatchError(f"option {word} is for making a book; --since and --compare have status 6 where something has changed", USAGE)
     if comparing:
         forget(_folder(arguments))
     book = read_book(arguments.book)

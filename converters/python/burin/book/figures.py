@@ -13,7 +13,9 @@ from pathlib import Path
 from typing import Any
 
 from burin.batch.child import Ended, program_version, run_to_end
+from burin.batch.files import write_whole
 from burin.batch.jobs import Drawing, Job, digest, drawing_id, file_hash, named_files
+from burin.batch.prune import Pruned, prune
 from burin.batch.settings import command_of
 from burin.batch.state import Hashes, State
 from burin.batch.work import Settings, run_job
@@ -101,6 +103,20 @@ class Studio:
     def record_of(self, figure: Figure) -> dict[str, Any]:
         """What is known of a figure that was made: "files" that were read, "outputs"."""
         return self.state.record(self.id_of(figure)) or {}
+
+    def write_text(self, name: str, text: str) -> bool:
+        """A text beside the figures; whether it was another before. Throws BatchError."""
+        changed = write_whole(self.out / name, text)
+        record = self.state.record(_text_id(name))
+        known = [len(text.encode()), file_hash(self.out / name)]
+        if record is None or record["outputs"][name] != known:
+            self.state.write_record({"id": _text_id(name), "name": name, "files": {}, "outputs": {name: known}})
+        return changed
+
+    def prune(self, figures: list[Figure], texts: list[str]) -> Pruned:
+        """Removes what was made of other figures and texts than these."""
+        ids = {self.id_of(f) for f in figures} | {_text_id(name) for name in texts}
+        return prune(self.state, ids, {name for id in ids for name in (self.state.record(id) or {}).get("outputs", {})})
 
     def adopt(self, figure: Figure, other: "Studio") -> None:
         """Takes the files that another studio has made of the same figure, if what is read here has the same bytes."""
@@ -209,6 +225,10 @@ class Studio:
             lines = [line for line in errors.splitlines() if line.strip()] or [f"ended with status {status}"]
             raise FigureError(re.sub(r"^burin: error: ", "", lines[-1]))
         return status, said
+
+
+def _text_id(name: str) -> str:
+    return digest(["text", name])
 
 
 def reading(options: dict[str, list[str]]) -> dict[str, list[str]]:
