@@ -260,7 +260,7 @@ class Tour {
   Place n_;
   std::vector<Place> place_;  // of each line
   std::vector<bool> waits_;
-  Place left_;  // lines that may still be shifted
+  Place left_;                       // lines that may still be shifted
   std::unique_ptr<NearEnd[]> near_;  // kAsked places for each end
   std::vector<std::uint8_t> near_count_;
   std::vector<Place> touched_;
