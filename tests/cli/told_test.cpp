@@ -101,9 +101,9 @@ TEST_F(CliTold, FishCompletesThem) {
 
 TEST_F(CliTold, ZshCompletesThem) {
   if (!there("zsh")) GTEST_SKIP() << "zsh is not there";
-  said(BURIN_COMMAND " options --completion zsh > " + folder_.file("_burin"));
+  said(BURIN_COMMAND " options --completion zsh > " + folder_.path() + "/_burin");
   // A terminal in which TAB is pressed; it ends where the wanted text stands on the line.
-  std::ofstream(folder_.file("tab.zsh")) <<
+  std::ofstream(folder_.path() + "/tab.zsh") <<
       R"(zmodload zsh/zpty
 zpty z zsh -f -i
 zpty -w z "PS1='READY '; fpath=($1 "'$fpath); autoload -Uz compinit; compinit -u -D; print GO'
@@ -113,9 +113,9 @@ zpty -r z line "*$3*"
 zpty -d z
 )";
   const auto completes = [&](const std::string& words, const std::string& wanted) {
-    const std::string command = "HOME=" + folder_.path() + " timeout 60 zsh " +
-                                folder_.file("tab.zsh") + " " + folder_.path() + " '" + words +
-                                "' '" + wanted + "' >/dev/null 2>&1; echo $?";
+    const std::string command = "HOME=" + folder_.path() + " timeout 60 zsh " + folder_.path() +
+                                "/tab.zsh " + folder_.path() + " '" + words + "' '" + wanted +
+                                "' >/dev/null 2>&1; echo $?";
     return said(command) == "0\n";
   };
   EXPECT_TRUE(completes("burin dr", "burin draw"));
