@@ -159,6 +159,28 @@ class Manual(BatchTest):
         out = self.build("html")
         self.assertEqual(len(list((out / "_images").glob("*.svg"))), 15)
         self.assertIn("screw M6", (out / "parts.html").read_text())
+        if not shutil.which("chromium"):
+            self.skipTest("chromium is not there to open the pages in")
+        seen = 0
+        for name in ("index", "parts", "assembly", "inside"):
+            # The page tells by its title how large each of its pictures is: 0 where it cannot be shown.
+            page = out / f"{name}.html"
+            text = page.read_text()
+            self.assertEqual(text.count("</body>"), 1)
+            script = "<script>onload = () => { document.title = 'widths ' + [...document.images].map(i => i.naturalWidth).join(' '); }</script>"
+            page.write_text(text.replace("</body>", script + "</body>"))
+            run = subprocess.run(
+                ["chromium", "--headless", "--no-sandbox", "--disable-gpu", "--virtual-time-budget=10000", "--dump-dom", page.as_uri()],
+                capture_output=True,
+                text=True,
+                timeout=300,
+            )
+            title = re.search(r"<title>widths ([\d ]+)</title>", run.stdout)
+            self.assertTrue(title, run.stderr[-2000:])
+            widths = [int(word) for word in title[1].split()]
+            self.assertTrue(all(width > 100 for width in widths), widths)
+            seen += len(widths)
+        self.assertEqual(seen, 15)
 
     def test_latex(self):
         out = self.build("latex")
