@@ -170,7 +170,8 @@ class Manual(BatchTest):
             script = "<script>onload = () => { document.title = 'widths ' + [...document.images].map(i => i.naturalWidth).join(' '); }</script>"
             page.write_text(text.replace("</body>", script + "</body>"))
             run = subprocess.run(
-                ["chromium", "--headless", "--no-sandbox", "--disable-gpu", "--virtual-time-budget=10000", "--dump-dom", page.as_uri()],
+                ["chromium", "--headless", "--no-sandbox", "--disable-gpu", f"--user-data-dir={self.folder}/profile",
+                 "--virtual-time-budget=10000", "--dump-dom", page.as_uri()],
                 capture_output=True,
                 text=True,
                 timeout=300,
