@@ -46,7 +46,7 @@ if(TARGET burin_python)
   math(EXPR next_minor "${CMAKE_MATCH_1} + 1")
   string(JOIN ", " CPACK_DEBIAN_PYTHON_DEBIAN_PACKAGE_DEPENDS "burin (= ${version})" "python3 (>= ${python})"
     "python3 (<< 3.${next_minor})" python3-numpy)
-  set(CPACK_DEBIAN_PYTHON_DEBIAN_PACKAGE_SUGGESTS "python3-distributed, python3-sphinx")
+  set(CPACK_DEBIAN_PYTHON_DEBIAN_PACKAGE_SUGGESTS "git, python3-distributed, python3-sphinx")
 
   burin_install_addon(share/freecad/Mod/Burin freecad_debian EXCLUDE_FROM_ALL)
   list(APPEND CPACK_COMPONENTS_ALL freecad_debian)

@@ -254,8 +254,9 @@ Arguments parse_arguments(int argc, const char* const* argv) {
   CLI::App* steps = add_steps(app, a.steps, a.chatter);
   CLI::App* diff = add_diff(app, a.diff, a.chatter);
   CLI::App* batch = add_python(
-      app, "batch", "draw a catalogue of parts: plan, run, report, slurm (see burin batch --help)");
-  CLI::App* book = add_python(app, "book", "make the figures of a manual (see burin book --help)");
+      app, "batch", "draw a catalogue of parts: plan, run, report, prune (see burin batch --help)");
+  CLI::App* book = add_python(
+      app, "book", "make the figures of a manual, or compare them (see burin book --help)");
   CLI::App* convert = add_convert(app, a.convert, a.chatter);
   CLI::App* info = add_info(app, a.info);
   CLI::App* styles = add_styles(app, a.styles);

@@ -103,6 +103,22 @@ class Sphinx(BatchTest):
         self.assertEqual({n for n in before if n.startswith("a-")}, {n for n in after if n.startswith("a-")})
         self.assertFalse({n for n in before if n.startswith("b-")} & {n for n in after if n.startswith("b-")})
 
+    def test_the_command_is_asked_for_its_version_once(self):
+        command = self.folder / "counting"
+        command.write_text(f'#!/bin/sh\n[ "$1" != --version ] || echo asked >>"{self.folder}/asked"\nexec {COMMAND} "$@"\n')
+        command.chmod(0o755)
+        self.assertEqual(self.build("-j", "2", "-D", f"burin_command={command}"), "")
+        self.assertEqual((self.folder / "asked").read_text(), "asked\n")
+        # Nothing to read, nothing to ask.
+        self.build("-D", f"burin_command={command}")
+        self.assertEqual((self.folder / "asked").read_text(), "asked\n")
+
+    def test_without_the_command_documents_are_built_all_the_same(self):
+        said = self.build("-D", f"burin_command={self.folder}/none")
+        self.assertEqual(said.count("WARNING: burin: "), 2, said)
+        self.assertIn("is no command", said)
+        self.assertTrue((self.folder / "out/index.html").exists())
+
     def test_what_is_wrong_is_a_warning_at_its_line(self):
         self.write("deep/other.rst", OTHER + "\n.. burin:: gone.off\n\n.. burin:: ../parts/a.off\n   :styl: outline\n\n.. burin:: ../parts/a.off\n   :style: none\n")
         said = self.build()

@@ -147,9 +147,28 @@ class _SphinxStudio(Studio):
         return f"{stem}-{self._id(figure, figure.formats + ['list'] * figure.parts_list)[:12]}"
 
 
-def _studio(app: Sphinx) -> _SphinxStudio:
+def _open(app: Sphinx, env: BuildEnvironment, docnames: list[str]) -> None:
+    """What draws, or why nothing does. Once a build, before processes part to read documents: a studio asks the command for its
+    version."""
+    if docnames:
+        try:
+            app.burin_studio = _new_studio(app)  # type: ignore[attr-defined]
+        except BatchError as e:
+            app.burin_studio = e  # type: ignore[attr-defined]
+
+
+def _new_studio(app: Sphinx) -> _SphinxStudio:
     out = Path(app.srcdir) / app.config.burin_folder
     return _SphinxStudio(Path(app.srcdir), out, app.config.burin_command, float(app.config.burin_timeout))
+
+
+def _studio(app: Sphinx) -> _SphinxStudio:
+    """That of the build. Throws BatchError where there is no command."""
+    if not hasattr(app, "burin_studio"):
+        _open(app, app.env, [app.env.docname])
+    if isinstance(app.burin_studio, BatchError):
+        raise app.burin_studio
+    return app.burin_studio  # type: ignore[no-any-return]
 
 
 def _used(env: BuildEnvironment) -> dict[str, set[str]]:
@@ -212,6 +231,7 @@ def setup(app: Sphinx) -> dict[str, Any]:
     app.add_config_value("burin_page_text", "Open this figure as a page of its own", "html")
     app.add_node(page_link)
     app.add_directive("burin", BurinDirective)
+    app.connect("env-before-read-docs", _open)
     app.connect("env-purge-doc", _forget)
     app.connect("env-merge-info", _merge)
     app.connect("doctree-resolved", _link_pages)

@@ -24,8 +24,9 @@ from typing import Any
 
 from .child import check_drawings
 from .errors import USAGE, BatchError
-from .jobs import Batch, Drawing, Job, digest, file_hash, stays_inside
+from .jobs import Batch, Drawing, Job, drawing_id, stays_inside
 from .limits import memory_bytes, seconds
+from .state import Hashes
 from .toml_reader import TomlReader, nearest
 
 SHARED = {"views", "styles", "outputs", "options"}
@@ -48,7 +49,7 @@ def read_catalogue(path: Path, folder: Path, command: str, program: str) -> Batc
     if not isinstance(groups, list) or not groups:
         raise reader.fail('names no parts; add [[parts]] with files = ["*.step"]')
     jobs: list[Job] = []
-    seen: dict[str, str | None] = {}
+    hashes = Hashes(base)
     for number, group in enumerate(groups, 1):
         where = f"parts {number}"
         reader.table(group, where, GROUP)
@@ -57,7 +58,7 @@ def read_catalogue(path: Path, folder: Path, command: str, program: str) -> Batc
         own = {**{k: v for k, v in table.items() if k in shared}, **group}
         if "options" in group and "options" in shared:
             own["options"] = {**_mapping(reader, table.get("options", {}), "options"), **_mapping(reader, group["options"], where)}
-        jobs += _Group(reader, where, own, base, program, seen).jobs()
+        jobs += _Group(reader, where, own, base, program, hashes).jobs()
     batch = Batch(base, folder.resolve() / out, program, limits, jobs)
     _refuse_clashes(reader, batch)
     _check(reader, batch, command)
@@ -82,8 +83,8 @@ def _limits(reader: TomlReader, value: Any) -> dict[str, Any]:
 class _Group:
     """One table of [[parts]]."""
 
-    def __init__(self, reader: TomlReader, where: str, own: dict[str, Any], base: Path, program: str, seen: dict[str, str | None]) -> None:
-        self.reader, self.where, self.base, self.program, self.seen = reader, where, base, program, seen
+    def __init__(self, reader: TomlReader, where: str, own: dict[str, Any], base: Path, program: str, hashes: Hashes) -> None:
+        self.reader, self.where, self.base, self.program, self.hashes = reader, where, base, program, hashes
         if ("files" in own) == ("illustrations" in own):
             raise reader.fail(f"{where} takes either files or illustrations")
         self.illustrated = "illustrations" in own
@@ -149,8 +150,7 @@ class _Group:
             options = {k: v for k, v in options.items() if v}
         outputs = [self.filled(t, places) for t in self.outputs]
         drawing = Drawing(outputs[0], options, outputs, [self.filled(t, places) for t in lists])
-        named = {s: self.hash_of(s) for s in self.named(options)}
-        drawing.id = digest([self.program, file, self.hash_of(file), options, named, drawing.files()])
+        drawing.id = drawing_id(self.program, self.base, [file], options, drawing.files(), self.hashes.of)
         return drawing
 
     def filled(self, template: str, places: dict[str, str]) -> str:
@@ -166,16 +166,6 @@ class _Group:
         if not stays_inside(name):
             raise self.reader.fail(f"{self.where}: outputs: {name!r} is not below the folder of outputs")
         return name
-
-    def named(self, options: dict[str, list[str]]) -> list[str]:
-        """Files that options name, such as style files; what else a drawing reads is known when it is drawn."""
-        texts = {text for values in options.values() for value in values for text in (value, value.partition("=")[2])}
-        return sorted(t for t in texts if t and "\0" not in t and len(t) < 4096 and (self.base / t).is_file())
-
-    def hash_of(self, file: str) -> str | None:
-        if file not in self.seen:
-            self.seen[file] = file_hash(self.base / file)
-        return self.seen[file]
 
 
 def _refuse_clashes(reader: TomlReader, batch: Batch) -> None:

@@ -111,7 +111,7 @@ class Child:
             if self._memory and _resident(self._process.pid) > self._memory:
                 raise Ended("memory", f"needs more than {memory_text(self._memory)} of memory; allow more (--memory) or draw less")
             if self._end and time.monotonic() > self._end:
-                raise Ended("timeout", f"takes longer than {self._timeout:g} s; allow more (--timeout) or draw less")
+                raise _too_long(self._timeout)
         line, self._bytes = self._bytes.split(b"\n", 1)
         try:
             value = json.loads(line)
@@ -158,6 +158,42 @@ def _resident(pid: int) -> int:
     except (OSError, IndexError, ValueError):
         return 0
     return total + sum(_resident(child) for child in below)
+
+
+def run_to_end(
+    words: list[str], folder: Path, timeout: float | None, cancelled: Callable[[], bool], env: dict[str, str] | None = None
+) -> tuple[int, str, str]:
+    """Exit status, output and errors of a program, which gets no input. Its group is gone afterwards. Throws Ended where it
+    takes longer than so many seconds, Cancelled, OSError where it cannot be started."""
+    process = subprocess.Popen(
+        words,
+        cwd=folder,
+        stdin=subprocess.DEVNULL,
+        stdout=subprocess.PIPE,
+        stderr=subprocess.PIPE,
+        text=True,
+        errors="replace",
+        env=env,
+        start_new_session=True,
+    )
+    end = time.monotonic() + timeout if timeout else None
+    try:
+        while True:
+            with contextlib.suppress(subprocess.TimeoutExpired):
+                said, errors = process.communicate(timeout=_LOOK)
+                return process.returncode, said, errors
+            if cancelled():
+                raise Cancelled
+            if end and time.monotonic() > end:
+                raise _too_long(timeout)
+    finally:
+        with contextlib.suppress(ProcessLookupError):
+            os.killpg(process.pid, signal.SIGKILL)
+        process.communicate()
+
+
+def _too_long(seconds: float | None) -> Ended:
+    return Ended("timeout", f"takes longer than {seconds:g} s; allow more (--timeout) or draw less")
 
 
 def program_version(command: str) -> str:

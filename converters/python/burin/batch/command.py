@@ -11,9 +11,11 @@ from .child import program_version
 from .errors import FAILED, USAGE, BatchError
 from .jobs import read, write
 from .limits import TIMEOUT, seconds
-from .progress import Progress
+from .progress import Progress, printable
+from .prune import prune
 from .runner import chosen, run_here, without_clashes
 from .settings import command_of, settings_of
+from .state import State
 from .words import Parser, exit_status
 
 
@@ -38,6 +40,11 @@ def _parser() -> argparse.ArgumentParser:
     shows = commands.add_parser("report", help="one page of all drawings, failures first, and one hash of them")
     _add_jobs(shows)
     shows.add_argument("-o", "--output", metavar="FILE.html", type=Path, help="the page (default: index.html beside the drawings)")
+
+    prunes = commands.add_parser("prune", help="remove drawings that the catalogue no longer has, and what is known of them")
+    prunes.add_argument("jobs_files", metavar="JOBS.jsonl", type=Path, nargs="+", help="all files of jobs that draw into this folder")
+    prunes.add_argument("--dry-run", "-n", action="store_true", help="tell what would be removed, and remove nothing")
+    prunes.add_argument("--quiet", "-q", action="store_true", help="say nothing")
 
     slurm = commands.add_parser("slurm", help="draw by a job array of Slurm")
     _add_jobs(slurm)
@@ -109,6 +116,22 @@ def _report(arguments: Any) -> int:
     return 0
 
 
+def _prune(arguments: Any) -> int:
+    batches = [read(path) for path in arguments.jobs_files]
+    outs = {batch.out.resolve() for batch in batches}
+    if len(outs) > 1:
+        raise BatchError(f"these files of jobs draw into several folders, {' and '.join(sorted(map(str, outs)))}; prune one after the other", USAGE)
+    drawings = [drawing for batch in batches for _, drawing in batch.drawings()]
+    wanted = {name for drawing in drawings for name in drawing.files()}
+    pruned = prune(State(batches[0].out, batches[0].base), {d.id for d in drawings}, wanted, arguments.dry_run)
+    if not arguments.quiet:
+        for words, names in (("would remove" if arguments.dry_run else "removed", pruned.files), ("left", pruned.left)):
+            for name in names:
+                print(f"{words:7}  {printable(name)}")
+        print(f"{batches[0].out}: {pruned.words(arguments.dry_run)}")
+    return 0
+
+
 def _slurm(arguments: Any) -> int:
     from .slurm import submit
 
@@ -117,7 +140,7 @@ def _slurm(arguments: Any) -> int:
 
 def _main(words: list[str]) -> int:
     arguments = _parser().parse_args(words)
-    verbs = {"plan": _plan, "run": _run, "report": _report, "slurm": _slurm}
+    verbs = {"plan": _plan, "run": _run, "report": _report, "prune": _prune, "slurm": _slurm}
     return verbs[arguments.verb](arguments)
 
 

@@ -13,10 +13,12 @@ import hashlib
 import json
 import os
 import stat
+from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
 from .errors import BatchError
+from .files import write_whole
 
 ID_DIGITS = 32
 
@@ -78,6 +80,26 @@ def file_hash(path: str | Path) -> str | None:
         return None
 
 
+def named_files(base: Path, options: dict[str, list[str]]) -> list[str]:
+    """Files that options name, such as style files; what else a drawing reads is known when it is drawn."""
+    texts = {text for values in options.values() for value in values for text in (value, value.partition("=")[2])}
+    return sorted(t for t in texts if t and "\0" not in t and len(t) < 4096 and (base / t).is_file())
+
+
+def drawing_id(
+    program: str,
+    base: Path,
+    inputs: list[str],
+    options: dict[str, list[str]],
+    files: list[str],
+    hash_of: Callable[[str], str | None],
+    more: Any = None,
+) -> str:
+    """The id of a drawing of these inputs that writes these files; `more` is what else tells it from others."""
+    hashes = {name: hash_of(name) for name in [*inputs, *named_files(base, options)]}
+    return digest([program, inputs, options, hashes, files, more])
+
+
 def shard_of(id: str, count: int) -> int:
     """Which of so many shards an id is in, from 0: by the id alone, so that all machines agree."""
     return int(id[:16], 16) % count
@@ -94,15 +116,7 @@ def write(batch: Batch, path: Path) -> None:
         "program": batch.program,
         "limits": batch.limits,
     }
-    aside = path.with_name(f".{path.name}.part")
-    try:
-        with open(aside, "w", encoding="ascii") as file:
-            file.write(json.dumps(head) + "\n")
-            for job in batch.jobs:
-                file.write(json.dumps(dataclasses.asdict(job)) + "\n")
-        aside.replace(path)
-    except OSError as e:
-        raise BatchError(f"{path}: cannot be written: {e.strerror}", 4) from e
+    write_whole(path, "".join(json.dumps(line) + "\n" for line in [head, *map(dataclasses.asdict, batch.jobs)]))
 
 
 def read(path: Path) -> Batch:

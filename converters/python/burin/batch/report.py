@@ -9,7 +9,7 @@ import urllib.parse
 from pathlib import Path
 from typing import Any
 
-from .errors import NO_OUTPUT, BatchError
+from .files import write_whole
 from .jobs import Batch, Drawing, Job
 from .progress import duration
 from .runner import clashing
@@ -90,14 +90,7 @@ def hash_of(told: Told) -> str:
 
 def write_page(told: Told, batch: Batch, path: Path) -> None:
     """Writes the page, whole or not at all. Throws BatchError."""
-    text = page_of(told, batch, path.parent)
-    aside = path.with_name(f".{path.name}.part")
-    try:
-        path.parent.mkdir(parents=True, exist_ok=True)
-        aside.write_text(text, encoding="utf-8")
-        aside.replace(path)
-    except OSError as e:
-        raise BatchError(f"{path}: cannot be written: {e.strerror}", NO_OUTPUT) from e
+    write_whole(path, page_of(told, batch, path.parent))
 
 
 def page_of(told: Told, batch: Batch, folder: Path) -> str:

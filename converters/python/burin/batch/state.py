@@ -46,6 +46,10 @@ class State:
             return None
         return value if isinstance(value, dict) and value.get("id") == id else None
 
+    def ids(self) -> list[str]:
+        """Those of all records, sorted."""
+        return sorted(path.stem for path in (self._folder / "records").glob("*/*.json"))
+
     def write_record(self, record: dict[str, Any]) -> None:
         """Throws StopRun where it cannot be written: then nothing can."""
         path = self.record_path(record["id"])

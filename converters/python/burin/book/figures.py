@@ -7,19 +7,27 @@ import dataclasses
 import json
 import os
 import re
-import subprocess
+import shutil
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
-from burin.batch.child import Cancelled, program_version
-from burin.batch.jobs import Drawing, Job, digest, file_hash
+from burin.batch.child import Ended, program_version, run_to_end
+from burin.batch.jobs import Drawing, Job, digest, drawing_id, file_hash, named_files
 from burin.batch.settings import command_of
 from burin.batch.state import Hashes, State
 from burin.batch.work import Settings, run_job
 
-# Seconds between looks at a cancel.
-_LOOK = 0.05
+
+# What a file begins with that Git LFS has not fetched.
+_POINTER = b"version https://git-lfs.github.com/spec/"
+
+
+# The rows of converters/read/read_options.cpp.
+_READING = set(
+    "define openscad_timeout csg as_ object recompute freecad_timeout heal bounds mesher iso inside smooth specks volume_degree "
+    "interpolate raw raw_skip".split()
+)
 
 
 class FigureError(Exception):
@@ -77,21 +85,58 @@ class Studio:
 
     def make(self, figure: Figure) -> Made:
         """Throws FigureError, burin.batch.errors.BatchError where nothing can be written, Cancelled."""
-        if figure.steps is None:
-            return self._draw(figure)
-        return self._steps(figure)
+        try:
+            return self._draw(figure) if figure.steps is None else self._steps(figure)
+        except FigureError:
+            for name in figure.inputs:
+                with contextlib.suppress(OSError), open(self.base / name, "rb") as file:
+                    if file.read(len(_POINTER)) == _POINTER:
+                        raise FigureError(f"{name}: is a pointer of Git LFS, the file itself is not here; git lfs pull gets it") from None
+            raise
+
+    def id_of(self, figure: Figure) -> str:
+        """The id of its record: of the figure's bytes, options and files, not of what its inputs include."""
+        return self._id(figure, self._drawing(figure).files())
+
+    def record_of(self, figure: Figure) -> dict[str, Any]:
+        """What is known of a figure that was made: "files" that were read, "outputs"."""
+        return self.state.record(self.id_of(figure)) or {}
+
+    def adopt(self, figure: Figure, other: "Studio") -> None:
+        """Takes the files that another studio has made of the same figure, if what is read here has the same bytes."""
+        drawing = self._drawing(figure)
+        id = self._id(figure, drawing.files())
+        here = Hashes(self.base)
+        record = other.state.record(id)
+        if record is None or "error" in record or self.settings.command != other.settings.command:
+            return
+        wanted = Drawing(figure.name, figure.options, sorted(record["outputs"]), [], id)
+        if self.state.done(wanted, {}, here) or any(here.of(name) != known for name, known in record["files"].items()):
+            return
+        with self.state.aside() as aside:
+            for number, (name, (size, known)) in enumerate(sorted(record["outputs"].items())):
+                copy = aside / str(number)
+                with contextlib.suppress(OSError):
+                    shutil.copyfile(other.out / name, copy)
+                if file_hash(copy) != known:
+                    return
+                (self.out / name).parent.mkdir(parents=True, exist_ok=True)
+                os.replace(copy, self.out / name)
+        self.state.write_record(record)
 
     def _id(self, figure: Figure, files: list[str]) -> str:
-        texts = {t for values in figure.options.values() for value in values for t in (value, value.partition("=")[2])}
-        named = sorted(t for t in texts | set(figure.inputs) if t and "\0" not in t and len(t) < 4096 and (self.base / t).is_file())
-        hashes = {t: file_hash(self.base / t) for t in named}
-        return digest([self.settings.program, figure.inputs, figure.options, hashes, files, figure.steps])
+        return drawing_id(self.settings.program, self.base, figure.inputs, figure.options, files, Hashes(self.base).of, figure.steps)
+
+    @staticmethod
+    def _drawing(figure: Figure) -> Drawing:
+        """The figure as a drawing; of a step book the names of pages are known when it is made."""
+        stem = figure.name if figure.steps is None else f"{figure.name}-step"
+        lists = [f"{figure.name}.items.json"] if figure.parts_list and figure.steps is None else []
+        return Drawing(figure.name, dict(figure.options), [f"{stem}.{f}" for f in figure.formats], lists)
 
     def _draw(self, figure: Figure) -> Made:
-        options = dict(figure.options)
-        pictures = [f"{figure.name}.{f}" for f in figure.formats]
-        lists = [f"{figure.name}.items.json"] if figure.parts_list else []
-        drawing = Drawing(figure.name, options, pictures, lists)
+        drawing = self._drawing(figure)
+        pictures, lists = drawing.outputs, drawing.lists
         drawing.id = self._id(figure, drawing.files())
         result = run_job(self.settings, Job(figure.inputs[0], figure.inputs, [drawing]), self.cancelled)[0]
         if result.status == "failed":
@@ -104,8 +149,7 @@ class Studio:
         return Made(pictures, items, [], _words(record), sorted(record.get("files", {})), result.status == "kept")
 
     def _steps(self, figure: Figure) -> Made:
-        marker = Drawing(figure.name, figure.options, [])
-        marker.id = self._id(figure, [f"{figure.name}-step.{f}" for f in figure.formats])
+        marker = Drawing(figure.name, figure.options, [], [], self.id_of(figure))
         record = self.state.record(marker.id)
         if record is not None:
             marker.outputs = sorted(record.get("outputs", {}))
@@ -119,19 +163,16 @@ class Studio:
 
     def _make_steps(self, figure: Figure, id: str, aside: Path) -> dict[str, Any]:
         # What the model is made of: a drawing that takes little says it.
-        quick = Drawing("read", {"style": ["outline"], **_reading(figure.options)}, ["read.json"])
+        quick = Drawing("read", {"style": ["outline"], **reading(figure.options)}, ["read.json"])
         probe = Studio(self.base, aside, self.settings.command, self.settings.timeout or 300, self.cancelled)
         quick.id = digest([id])
         result = run_job(probe.settings, Job(figure.inputs[0], figure.inputs, [quick]), self.cancelled)[0]
         if result.status == "failed":
             raise FigureError(result.message)
         files = (probe.state.record(quick.id) or {}).get("files", {})
-        for values in figure.options.values():
-            for value in values:
-                if (self.base / value).is_file():
-                    files[value] = file_hash(self.base / value)
+        files.update({name: file_hash(self.base / name) for name in named_files(self.base, figure.options)})
         data = aside / "steps.json"
-        self._run(["steps", *figure.inputs, "-o", str(data), "--items", str(figure.steps or 6), *_words_of(figure.options)])
+        self._run(["steps", *figure.inputs, "-o", str(data), "--items", str(figure.steps or 6), *words_of(figure.options)])
         book = json.loads(data.read_text(encoding="utf-8"))
         outputs: dict[str, tuple[int, str]] = {}
         pages = []
@@ -154,31 +195,28 @@ class Studio:
         return {"id": id, "files": files, "outputs": outputs, "pages": pages, "items": book["items"], "diagnostics": []}
 
     def _run(self, words: list[str]) -> None:
-        process = subprocess.Popen(
-            [self.settings.command, *words, "--quiet"], cwd=self.base, stdin=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True
-        )
+        self.run([*words, "--quiet"], {0})
+
+    def run(self, words: list[str], fine: set[int]) -> tuple[int, str]:
+        """Exit status, one that is fine, and output of the command. Throws FigureError, Cancelled."""
         try:
-            while True:
-                with contextlib.suppress(subprocess.TimeoutExpired):
-                    _, said = process.communicate(timeout=_LOOK)
-                    break
-                if self.cancelled():
-                    raise Cancelled
-        finally:
-            if process.poll() is None:
-                process.kill()
-                process.wait()
-        if process.returncode:
-            lines = [line for line in said.splitlines() if line.strip()] or [f"ended with status {process.returncode}"]
+            status, said, errors = run_to_end([self.settings.command, *words], self.base, self.settings.timeout, self.cancelled)
+        except Ended as e:
+            raise FigureError(e.message) from e
+        except OSError as e:
+            raise FigureError(f"{self.settings.command} cannot be started: {e.strerror}") from e
+        if status not in fine:
+            lines = [line for line in errors.splitlines() if line.strip()] or [f"ended with status {status}"]
             raise FigureError(re.sub(r"^burin: error: ", "", lines[-1]))
+        return status, said
 
 
-def _reading(options: dict[str, list[str]]) -> dict[str, list[str]]:
-    """Options without which the files may not be read at all."""
-    return {k: v for k, v in options.items() if k in ("define", "unit", "csg", "openscad_timeout", "iso", "raw")}
+def reading(options: dict[str, list[str]]) -> dict[str, list[str]]:
+    """Options about reading, without which files may not be read at all; illustrations have them at their parts."""
+    return {k: v for k, v in options.items() if k in _READING}
 
 
-def _words_of(options: dict[str, list[str]]) -> list[str]:
+def words_of(options: dict[str, list[str]]) -> list[str]:
     """Options as the command takes them."""
     words = []
     for name, values in options.items():
