@@ -108,6 +108,22 @@ class Since(GitTest):
         self.assertEqual(found["shell"]["words"], ["the models have changed where this figure does not show it"])
         self.assertEqual(found["shell"]["shown"][0]["status"], "same")
 
+    @unittest.skipUnless(shutil.which("openscad"), "OpenSCAD is not there: openscad")
+    def test_options_that_make_another_model(self):
+        book = '[[figures]]\nname = "lid"\nmodel = "lid.scad"\noptions = {style = "outline", csg = "burin", define = {size = 20}}\n'
+        self.commit(book__toml=book, lid__scad="size = 1;\ncube([size, 10, 5]);\n")
+        self.commit(book__toml=book.replace("20", "25"))
+        found = self.compare("--since", "HEAD^", status=6)
+        self.assertIn("volume 1000 to 1250 mm3", found["lid"]["models"][0])
+
+    def test_a_part_that_was_not_there(self):
+        book = '[[figures]]\nname = "both"\nmodel = ["a.off", "b.off"]\noptions = {style = "outline"}\n'
+        self.commit(book__toml=book, a__off=box_off(9, 9, 9), b__off=box_off(20, 20, 3))
+        self.commit(book__toml=book.replace('"b.off"]', '"c.off"]').replace('"outline"', '"outline", hide = ["c"]'), c__off=box_off(4, 5, 6))
+        found = self.compare("--since", "HEAD^", status=6)["both"]
+        self.assertEqual({kind: n for kind, n in found["parts"].items() if n}, {"changed": 1, "same": 1})
+        self.assertNotIn("cannot be compared", " ".join(found["words"]))
+
     def test_another_version_of_the_command(self):
         """One that draws thicker lines, as an older Burin might."""
         self.first()

@@ -24,6 +24,8 @@ WHOLE = "The whole"
 _LINES = "lines"
 # Options that shape a drawing and that `burin diff` does not take: it draws both revisions as they stand, without lists.
 _NOT_OF_DIFF = {"explode", "explode_factor", "callouts", "parts_list", "verify", "id_prefix"}
+# Options that name parts.
+_SELECTING = {"part", "hide", "ghost", "look", "detail", "section_exclude"}
 
 
 @dataclasses.dataclass
@@ -70,6 +72,9 @@ class _Between:
     counts: dict[str, int]
     picture: str = ""
     page: str = ""
+
+
+_SAME_FILES = _Between(True, [], "", {})
 
 
 class Comparer:
@@ -135,13 +140,18 @@ class Comparer:
         for pair in _aligned(before, after):
             found.shown.append(self._picture(found.name, *pair))
         drawn = any(shown.status != SAME for shown in found.shown)
-        models = self._models(found.name, old.figure, new.figure)
         found.status = CHANGED if drawn or words else SAME
-        if models:
-            found.models, found.parts = models.words, models.counts
-        if models and not models.same and not drawn:
+        models, why = _SAME_FILES, ""
+        try:
+            models = self._models(found.name, old.figure, new.figure)
+        except FigureError as e:
+            why = f"the models cannot be compared: {e}"
+        found.models, found.parts = models.words, models.counts
+        if why:
+            words.append(why)
+        elif not models.same and not drawn:
             words.append("the models have changed where this figure does not show it")
-        elif models and not models.same:
+        elif not models.same:
             if new.figure.steps is None and old.figure.steps is None:
                 # What the models say of a part tells more than its lines.
                 one = found.shown[0]
@@ -174,30 +184,38 @@ class Comparer:
     def _tolerance(self) -> list[str]:
         return [] if self.line_tolerance is None else [f"--line-tolerance={self.line_tolerance:g}"]
 
-    def _models(self, name: str, old: Figure, new: Figure) -> _Between | None:
-        """What the models say, both with the options of the new figure; None where they are the same files."""
+    def _models(self, name: str, old: Figure, new: Figure) -> _Between:
+        """What the models say, each read as its figure says, both drawn with the options of the new one. Throws FigureError."""
         read = {}
         for side, figure in ((OLD, old), (NEW, new)):
             studio = self.studios[side]
             styles = set(named_files(studio.base, figure.options))
             files = studio.record_of(_asked(figure)).get("files", {})
             read[side] = {file: known for file, known in files.items() if file not in styles and known}
-        if read[OLD] == read[NEW] and old.inputs == new.inputs:
-            return None
+        how = [reading(figure.options) for figure in (old, new)]
+        if read[OLD] == read[NEW] and old.inputs == new.inputs and how[0] == how[1]:
+            return _SAME_FILES
         options = {k: v for k, v in new.options.items() if k not in _NOT_OF_DIFF}
         base = self.studios[NEW].base
-        id = [read, old.inputs, new.inputs, options, [file_hash(base / name) for name in named_files(base, options)]]
+        id = [read, old.inputs, new.inputs, how, options, [file_hash(base / name) for name in named_files(base, options)]]
         with self.state.aside() as aside:
             inputs = [str(self.studios[side].base / figure.inputs[0]) for side, figure in ((OLD, old), (NEW, new))]
-            if len(old.inputs) > 1 or len(new.inputs) > 1:
-                inputs = [self._as_one(side, figure, options, aside) for side, figure in ((OLD, old), (NEW, new))]
-                options = {k: v for k, v in options.items() if k not in reading(options)}
-            return self._diff(name, inputs, words_of(options), ["models", id])
+            if len(old.inputs) > 1 or len(new.inputs) > 1 or how[0] != how[1]:
+                inputs = [self._as_one(side, figure, aside) for side, figure in ((OLD, old), (NEW, new))]
+                options = {k: v for k, v in options.items() if k not in how[1]}
+            try:
+                return self._diff(name, inputs, words_of(options), ["models", id])
+            except FigureError:
+                # Parts that the new figure names need not have been there.
+                fewer = {k: v for k, v in options.items() if k not in _SELECTING}
+                if fewer == options:
+                    raise
+                return self._diff(name, inputs, words_of(fewer), ["models", id])
 
-    def _as_one(self, side: str, figure: Figure, options: dict[str, list[str]], aside: Path) -> str:
-        """The inputs of a figure as one illustration file: `burin diff` takes one file of each revision."""
+    def _as_one(self, side: str, figure: Figure, aside: Path) -> str:
+        """The inputs of a figure as one illustration file: `burin diff` takes one file of each revision, and one way to read both."""
         path = aside / f"{side}.burin.json"
-        how: dict[str, Any] = {name: values[0] if len(values) == 1 else values for name, values in reading(options).items()}
+        how: dict[str, Any] = {name: values[0] if len(values) == 1 else values for name, values in reading(figure.options).items()}
         parts = [{"file": str(self.studios[side].base / name), **how} for name in figure.inputs]
         path.write_text(json.dumps({"burin": "illustration", "parts": parts}), encoding="ascii")
         return str(path)

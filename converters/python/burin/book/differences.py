@@ -189,7 +189,7 @@ def _pictures(pictures: list[tuple[str, str, str]]) -> str:
     for words, picture, page in pictures:
         wide = " class='wide'" if words in ("", "what has changed") else ""
         if not picture:
-            out += f'<figure class="none">not in the {words} revision</figure>'
+            out += f'<figure class="none">no picture of the {words} revision</figure>'
             continue
         more = f' · <a href="{quote(page)}">parts, old and new to switch</a>' if page else ""
         caption = f"<figcaption>{words}{more}</figcaption>" if words else ""
