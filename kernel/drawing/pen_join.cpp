@@ -41,6 +41,7 @@ class Joiner {
       if (!done_[i]) follow(2 * i);
     }
     std::ranges::sort(out_.lines, {}, [&](const PenLine& line) {
+      context_.check();
       std::uint32_t first = out_.runs[line.first_run].path;
       for (std::uint32_t k = 1; k < line.runs; ++k) {
         first = std::min(first, out_.runs[line.first_run + k].path);
@@ -74,6 +75,7 @@ class Joiner {
     std::vector<Vec2> places;
     std::vector<End> ends;
     for (std::uint32_t i = 0; i < paths_.size(); ++i) {
+      context_.check();
       if (!joins(paths_[i])) continue;
       for (const End end : {2 * i, 2 * i + 1}) {
         places.push_back(place(end));
@@ -90,13 +92,16 @@ class Joiner {
         },
         &context_);
     std::vector<Pair> pairs;
-    for (const auto& some : found) pairs.insert(pairs.end(), some.begin(), some.end());
-    std::uint32_t compared = 0;
+    for (const auto& some : found) {
+      context_.check();
+      pairs.insert(pairs.end(), some.begin(), some.end());
+    }
     std::sort(pairs.begin(), pairs.end(), [&](const Pair& p, const Pair& q) {
-      if (++compared % 65536 == 0) context_.check();
+      context_.check();
       return std::tie(p.turn, p.a, p.b) < std::tie(q.turn, q.a, q.b);
     });
     for (const Pair& pair : pairs) {
+      context_.check();
       if (partner_[pair.a] != kFree || partner_[pair.b] != kFree) continue;
       partner_[pair.a] = pair.b;
       partner_[pair.b] = pair.a;
@@ -138,7 +143,7 @@ class Joiner {
     }
     line.runs = static_cast<std::uint32_t>(out_.runs.size()) - line.first_run;
     out_.lines.push_back(line);
-    if (out_.lines.size() % 4096 == 0) context_.check();
+    context_.check();
   }
 
   std::span<const PenPath> paths_;

@@ -75,7 +75,11 @@ std::vector<Vec2> points_of(const PenLine& line, const PenOrder& order,
 PenOrder pen_order(std::span<const PenPath> paths, const PenOrderOptions& options,
                    const RunContext& context) {
   PenOrder joined = join_lines(paths, options.join, context);
-  std::ranges::stable_sort(joined.lines, {}, &PenLine::group);
+  const auto group_of = [&](const PenLine& line) {
+    context.check();
+    return line.group;
+  };
+  std::ranges::stable_sort(joined.lines, {}, group_of);
   PenOrder out;
   out.lines.reserve(joined.lines.size());
   Vec2 from = options.from;
@@ -89,7 +93,7 @@ PenOrder pen_order(std::span<const PenPath> paths, const PenOrderOptions& option
       its.ends = {first_of(joined.runs[line.first_run], paths),
                   last_of(joined.runs[line.first_run + line.runs - 1], paths)};
       if (line.closed) its.ring = points_of(line, joined, paths);
-      if (end % 4096 == 0) context.check();
+      context.check();
     }
     const auto progress = [&](double share) {
       if (!options.progress) return;
@@ -97,6 +101,7 @@ PenOrder pen_order(std::span<const PenPath> paths, const PenOrderOptions& option
       options.progress(done / static_cast<double>(joined.lines.size()));
     };
     for (const std::uint32_t i : shortest_tour(lines, from, context, progress)) {
+      context.check();
       PenLine line = joined.lines[begin + i];
       if (lines[i].reversed && !line.closed) reverse_runs(line, joined.runs);
       line.start = lines[i].start;

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <deque>
+#include <memory>
 #include <span>
 #include <utility>
 
@@ -40,6 +41,7 @@ std::vector<std::uint32_t> nearest_first(std::vector<TourLine>& lines, Vec2 from
   std::vector<Entry> entries;
   std::vector<std::uint32_t> first_entry;
   for (std::uint32_t i = 0; i < lines.size(); ++i) {
+    context.check();
     first_entry.push_back(static_cast<std::uint32_t>(entries.size()));
     const TourLine& line = lines[i];
     const std::size_t step = (line.ring.size() + kRingPoints - 1) / kRingPoints;
@@ -78,8 +80,8 @@ std::vector<std::uint32_t> nearest_first(std::vector<TourLine>& lines, Vec2 from
 
 /// An end and how far it is; there are many of them.
 struct NearEnd {
-  std::uint32_t end = 0;
-  float distance = 0;
+  std::uint32_t end;
+  float distance;
 };
 
 /// An order under change. Places are counted from 0; at place -1 the pen stands before.
@@ -137,7 +139,8 @@ class Tour {
     std::vector<Vec2> ends;
     for (const TourLine& line : lines_) ends.insert(ends.end(), line.ends.begin(), line.ends.end());
     const PointTree tree(std::move(ends), context_);
-    near_.resize(tree.points().size() * kAsked);
+    // Not filled with zeros, which would take long and cannot be cancelled.
+    near_ = std::make_unique_for_overwrite<NearEnd[]>(tree.points().size() * kAsked);
     near_count_.resize(tree.points().size());
     parallel_for(
         tree.points().size(), 1024,
@@ -153,7 +156,7 @@ class Tour {
   }
   std::span<const NearEnd> near(Place i, bool tail) const {
     const std::size_t end = 2 * std::size_t{at(i)} + (lines_[at(i)].reversed != tail ? 1 : 0);
-    return {near_.data() + end * kAsked, near_count_[end]};
+    return {near_.get() + end * kAsked, near_count_[end]};
   }
   bool is_tail(std::uint32_t end) const { return (end % 2 == 1) != lines_[end / 2].reversed; }
 
@@ -257,15 +260,17 @@ class Tour {
   Place n_;
   std::vector<Place> place_;  // of each line
   std::vector<bool> waits_;
-  Place left_;  // lines that may still be shifted
-  std::vector<NearEnd> near_;
+  Place left_;                       // lines that may still be shifted
+  std::unique_ptr<NearEnd[]> near_;  // kAsked places for each end
   std::vector<std::uint8_t> near_count_;
   std::vector<Place> touched_;
 };
 
 // Lets each ring begin where the way from the line before and to the one after is shortest.
-void turn_rings(std::vector<TourLine>& lines, const std::vector<std::uint32_t>& order, Vec2 from) {
+void turn_rings(std::vector<TourLine>& lines, const std::vector<std::uint32_t>& order, Vec2 from,
+                const RunContext& context) {
   for (std::size_t i = 0; i < order.size(); ++i) {
+    context.check();
     TourLine& line = lines[order[i]];
     if (!line.ring.empty()) {
       const TourLine* next = i + 1 < order.size() ? &lines[order[i + 1]] : nullptr;
@@ -286,10 +291,10 @@ void turn_rings(std::vector<TourLine>& lines, const std::vector<std::uint32_t>& 
 std::vector<std::uint32_t> shortest_tour(std::vector<TourLine>& lines, Vec2 from,
                                          const RunContext& context, const Progress& progress) {
   std::vector<std::uint32_t> order = nearest_first(lines, from, context, progress);
-  turn_rings(lines, order, from);
+  turn_rings(lines, order, from, context);
   Tour(lines, order, from, context).improve(progress);
   // Twice: a ring looks at where its neighbours begin.
-  for (int round = 0; round < 2; ++round) turn_rings(lines, order, from);
+  for (int round = 0; round < 2; ++round) turn_rings(lines, order, from, context);
   return order;
 }
 

@@ -41,12 +41,10 @@ void PointTree::divide(std::uint32_t node, const RunContext& context) {
     for (std::uint32_t i = begin; i < end; ++i) leaf_[order_[i]] = node;
     return;
   }
-  context.check();
   const int axis = box.size().x < box.size().y ? 1 : 0;
   const std::uint32_t middle = begin + (end - begin) / 2;
-  std::uint32_t compared = 0;
   std::nth_element(at(begin), at(middle), at(end), [&](std::uint32_t a, std::uint32_t b) {
-    if (++compared % 65536 == 0) context.check();
+    context.check();
     return std::pair(points_[a][axis], a) < std::pair(points_[b][axis], b);
   });
   Node low, high;

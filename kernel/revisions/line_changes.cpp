@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <map>
 #include <optional>
 #include <tuple>
@@ -20,6 +21,9 @@ namespace {
 /// Paper mm from where a line was that it may have moved, and how much of its length it may have
 /// lost or gained.
 constexpr double kFarthest = 20, kStretched = 0.2;
+
+/// Paper mm between the legend and the drawing above it.
+constexpr double kAboveLegend = 2;
 
 bool is_stroke(const Path& path) { return path.kind == LineClass::Stroke; }
 
@@ -236,6 +240,34 @@ LineDifference compare_drawings(const Drawing& before, const Drawing& after, dou
   return Comparison(before, after, tolerance, context).run();
 }
 
+namespace {
+
+/// Where the ink of a drawing begins below, paper mm; its height where it has none.
+double foot_of(const Drawing& drawing) {
+  double foot = drawing.paper_height;
+  for (const Layer& layer : drawing.layers) {
+    for (const Path& path : layer.paths) {
+      for (const Vec2 p : path.points) foot = std::min(foot, p.y);
+    }
+    for (const Text& text : layer.texts) foot = std::min(foot, text.at.y);
+  }
+  return foot;
+}
+
+/// Makes the sheet higher by so many mm, which are free below.
+void raise(Drawing& drawing, double by) {
+  drawing.paper_height += by;
+  drawing.view.offset.y += by;
+  for (Layer& layer : drawing.layers) {
+    for (Path& path : layer.paths) {
+      for (Vec2& p : path.points) p.y += by;
+    }
+    for (Text& text : layer.texts) text.at.y += by;
+  }
+}
+
+}  // namespace
+
 Drawing overlay(const RevisionDrawings& drawings, const LineDifference& difference,
                 const OverlayOptions& options, const RunContext& context) {
   const Drawing &before = drawings.before, &after = drawings.after;
@@ -301,7 +333,14 @@ Drawing overlay(const RevisionDrawings& drawings, const LineDifference& differen
   entry("gone", LineChange::Gone, "gone");
   entry("moved-to", LineChange::Moved, "moved");
   entry("same", LineChange::Same, "same");
-  detail::lay_legend(out, entries, options);
+  Drawing legend;
+  legend.paper_width = out.paper_width;
+  legend.ink_color = out.ink_color;
+  legend.paper_color = out.paper_color;
+  const double top = detail::lay_legend(legend, entries, options) + kAboveLegend;
+  // Finished drawings have left no room for it.
+  if (const double foot = foot_of(out); foot < top) raise(out, top - foot);
+  std::ranges::move(legend.layers, std::back_inserter(out.layers));
   tell_once(after.diagnostics, out.diagnostics);
   return out;
 }

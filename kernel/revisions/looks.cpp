@@ -107,8 +107,8 @@ void sort_layers(std::vector<Layer>& layers) {
   std::ranges::stable_sort(layers, {}, rank);
 }
 
-void lay_legend(Drawing& drawing, const std::vector<LegendEntry>& entries,
-                const OverlayOptions& options) {
+double lay_legend(Drawing& drawing, const std::vector<LegendEntry>& entries,
+                  const OverlayOptions& options) {
   const double h = options.letters.list_height;
   const double left = options.margin.left, right = drawing.paper_width - options.margin.right;
   std::vector<Layer> laid;
@@ -132,6 +132,7 @@ void lay_legend(Drawing& drawing, const std::vector<LegendEntry>& entries,
   }
   for (Layer& layer : laid) drawing.layers.push_back(std::move(layer));
   if (!words.texts.empty()) drawing.layers.push_back(std::move(words));
+  return y + h;
 }
 
 }  // namespace burin::detail

@@ -48,9 +48,10 @@ struct LegendEntry {
   std::string text;
 };
 
-/// Lays it above the lower left corner of what the margin leaves.
-void lay_legend(Drawing& drawing, const std::vector<LegendEntry>& entries,
-                const OverlayOptions& options);
+/// Lays it above the lower left corner of what the margin leaves; returns where its letters end
+/// above, paper mm.
+double lay_legend(Drawing& drawing, const std::vector<LegendEntry>& entries,
+                  const OverlayOptions& options);
 
 /// Puts the layers in the order of painting: light ones first.
 void sort_layers(std::vector<Layer>& layers);

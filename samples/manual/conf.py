@@ -9,7 +9,7 @@ html_theme = "alabaster"
 html_theme_options = {"page_width": "60em", "sidebar_width": "14em"}
 html_static_path = ["static"]
 html_css_files = ["burin.css"]
-latex_elements = {"papersize": "a4paper"}
+latex_elements = {"papersize": "a4paper", "extraclassoptions": "openany,oneside"}
 
 # What holds for all drawings that do not say otherwise.
 burin_options = {"style": "technical", "paper": "150x110", "margin": 3}

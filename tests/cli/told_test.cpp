@@ -5,6 +5,7 @@
 
 #include <cstdio>
 #include <cstdlib>
+#include <fstream>
 #include <regex>
 
 namespace burin {
@@ -96,6 +97,31 @@ TEST_F(CliTold, FishCompletesThem) {
   EXPECT_NE(completed("burin dr").find("draw\t"), std::string::npos);
   EXPECT_NE(completed("burin draw --expl").find("--explode-factor"), std::string::npos);
   EXPECT_NE(completed("burin draw --style engr").find("engraving"), std::string::npos);
+}
+
+TEST_F(CliTold, ZshCompletesThem) {
+  if (!there("zsh")) GTEST_SKIP() << "zsh is not there";
+  said(BURIN_COMMAND " options --completion zsh > " + folder_.path() + "/_burin");
+  // A terminal in which TAB is pressed; it ends where the wanted text stands on the line.
+  std::ofstream(folder_.path() + "/tab.zsh") <<
+      R"(zmodload zsh/zpty
+zpty z zsh -f -i
+zpty -w z "PS1='READY '; fpath=($1 "'$fpath); autoload -Uz compinit; compinit -u -D; print GO'
+zpty -r z line '*GO*READY '
+zpty -w -n z "$2"$'\t'
+zpty -r z line "*$3*"
+zpty -d z
+)";
+  const auto completes = [&](const std::string& words, const std::string& wanted) {
+    const std::string command = "HOME=" + folder_.path() + " timeout 60 zsh " + folder_.path() +
+                                "/tab.zsh " + folder_.path() + " '" + words + "' '" + wanted +
+                                "' >/dev/null 2>&1; echo $?";
+    return said(command) == "0\n";
+  };
+  EXPECT_TRUE(completes("burin dr", "burin draw"));
+  EXPECT_TRUE(completes("burin draw --sty", "--style"));
+  EXPECT_TRUE(completes("burin draw --hidden d", "dashed"));
+  EXPECT_TRUE(completes("burin draw --style engr", "engraving"));
 }
 
 TEST_F(CliTold, OtherShellsAreNamed) {

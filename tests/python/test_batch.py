@@ -159,6 +159,20 @@ class Run(BatchTest):
             self.assertNotEqual(self.outputs()["a.svg"], first)
             first = self.outputs()["a.svg"]
 
+    def test_rings_of_files_fail_alone(self):
+        self.parts("a.off")
+        for one, other in ("ab", "ba"):
+            (self.folder / f"{one}.burin.json").write_text(json.dumps({"burin": "illustration", "extends": f"{other}.burin.json"}))
+        (self.folder / "ring.scad").write_text("use <gnir.scad>\nring();\n")
+        (self.folder / "gnir.scad").write_text("use <ring.scad>\nmodule ring() cube([10, 20, 30]);\n")
+        (self.folder / "self.scad").write_text("include <self.scad>\ncube([10, 20, 30]);\n")
+        self.plan(PLAIN + '[[parts]]\nillustrations = ["*.burin.json"]\n[[parts]]\nfiles = ["ring.scad", "self.scad"]\nstyles = ["outline"]\n')
+        said = self.run_all(status=1)
+        for name in "ab":
+            self.assertRegex(said, rf'failed: {name}\.svg: usage: {name}\.burin\.json:1: "extends" makes a chain .* or a ring')
+        # Libraries of OpenSCAD may use each other; what includes itself is what OpenSCAD makes of it.
+        self.assertEqual(set(self.outputs()), {"parts/a-iso.svg", "ring-iso.svg", "self-iso.svg"})
+
     @unittest.skipUnless(shutil.which("openscad"), "openscad is not installed")
     def test_what_openscad_includes_counts(self):
         self.parts()

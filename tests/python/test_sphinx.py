@@ -140,31 +140,73 @@ class Sphinx(BatchTest):
         text = (self.folder / "out/boxes.tex").read_text()
         self.assertRegex(text, r"\\sphinxincludegraphics\[width=0\.50*\\linewidth\]\{\{a-\w+\}\.pdf\}")
         self.assertNotIn("Open this figure", text)
-        if not shutil.which("latexmk"):
-            self.skipTest("LaTeX is not there: latexmk texlive-latex-extra")
-        run = subprocess.run(["make", "-C", "out", "LATEXMKOPTS=-silent"], cwd=self.folder, capture_output=True, text=True)
-        self.assertEqual(run.returncode, 0, run.stdout[-3000:])
-        self.assertTrue((self.folder / "out/boxes.pdf").read_bytes().startswith(b"%PDF"))
+        self.assertGreater(len(pdf_pages(self, self.folder / "out", "boxes")), 2)
+
+
+def pdf_pages(test, folder, name):
+    """Runs LaTeX in the folder that Sphinx wrote; the text of each page."""
+    if not shutil.which("latexmk"):
+        test.skipTest("LaTeX is not there: latexmk texlive-latex-extra")
+    run = subprocess.run(["make", "-C", folder, "LATEXMKOPTS=-silent"], capture_output=True, text=True)
+    test.assertEqual(run.returncode, 0, run.stdout[-3000:])
+    test.assertTrue((folder / f"{name}.pdf").read_bytes().startswith(b"%PDF"))
+    return subprocess.run(["pdftotext", "-layout", folder / f"{name}.pdf", "-"], capture_output=True, text=True, check=True).stdout.split("\f")
 
 
 @unittest.skipUnless(importlib.util.find_spec("sphinx"), "Sphinx is not there: python3-sphinx")
 class Manual(BatchTest):
     """samples/manual, as it lies there."""
 
-    def test_is_built(self):
+    def build(self, builder):
         samples = self.folder / "samples"
         samples.mkdir()
         source = os.environ["BURIN_SOURCE_DIR"] + "/samples"
         shutil.copytree(source + "/manual", samples / "manual", ignore=shutil.ignore_patterns("_burin"))
         shutil.copy(source + "/gear_pump.step", samples)
         run = subprocess.run(
-            [sys.executable, "-m", "sphinx", "-W", "-D", f"burin_command={COMMAND}", samples / "manual", self.folder / "out"],
+            [sys.executable, "-m", "sphinx", "-W", "-b", builder, "-D", f"burin_command={COMMAND}", samples / "manual", self.folder / "out"],
             capture_output=True,
             text=True,
         )
         self.assertEqual(run.returncode, 0, run.stderr)
-        self.assertEqual(len(list((self.folder / "out/_images").glob("*.svg"))), 15)
-        self.assertIn("screw M6", (self.folder / "out/parts.html").read_text())
+        return self.folder / "out"
+
+    def test_pages(self):
+        out = self.build("html")
+        self.assertEqual(len(list((out / "_images").glob("*.svg"))), 15)
+        self.assertIn("screw M6", (out / "parts.html").read_text())
+        if not shutil.which("chromium"):
+            self.skipTest("chromium is not there to open the pages in")
+        seen = 0
+        for name in ("index", "parts", "assembly", "inside"):
+            # The page tells by its title how large each of its pictures is: 0 where it cannot be shown.
+            page = out / f"{name}.html"
+            text = page.read_text()
+            self.assertEqual(text.count("</body>"), 1)
+            script = "<script>onload = () => { document.title = 'widths ' + [...document.images].map(i => i.naturalWidth).join(' '); }</script>"
+            page.write_text(text.replace("</body>", script + "</body>"))
+            run = subprocess.run(
+                ["chromium", "--headless", "--no-sandbox", "--disable-gpu", f"--user-data-dir={self.folder}/profile",
+                 "--virtual-time-budget=10000", "--dump-dom", page.as_uri()],
+                capture_output=True,
+                text=True,
+                timeout=300,
+            )
+            title = re.search(r"<title>widths ([\d ]+)</title>", run.stdout)
+            self.assertTrue(title, run.stderr[-2000:])
+            widths = [int(word) for word in title[1].split()]
+            self.assertTrue(all(width > 100 for width in widths), widths)
+            seen += len(widths)
+        self.assertEqual(seen, 15)
+
+    def test_latex(self):
+        out = self.build("latex")
+        pages = pdf_pages(self, out, "gearpump")
+        drawn = set(re.findall(r"^File: (gear_pump-\S+)\.pdf Graphic file", (out / "gearpump.log").read_text(errors="replace"), re.M))
+        self.assertEqual(len(drawn), 15)
+        # No page ends between what a step adds and its picture, and two fit on each.
+        steps = [len(re.findall(r"^\s*Step \d+", page, re.M)) for page in pages]
+        self.assertEqual([n for n in steps if n], [1, 2, 2, 2, 2, 2])
 
 
 if __name__ == "__main__":

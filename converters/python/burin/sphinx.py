@@ -121,7 +121,9 @@ class BurinDirective(FigureDirective, SphinxDirective):
             for key in ("width", "height", "align"):
                 if key in self.options:
                     image[key] = self.options[key]
-            out += [nodes.rubric("", step.heading), words, image]
+            # Of LaTeX no page may break between what a step adds and its picture.
+            keep, end = (nodes.raw("", f"\\par\\{word}{{samepage}}", format="latex") for word in ("begin", "end"))
+            out += [nodes.rubric("", step.heading), keep, words, image, end]
         return out + ([_table(made.items)] if listed and made.items else [])
 
 

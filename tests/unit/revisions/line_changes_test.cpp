@@ -135,6 +135,41 @@ TEST(LineChanges, AreDrawnInTheirLooks) {
   EXPECT_EQ(layer("legend").texts[0].text, "1 line new");
 }
 
+TEST(LineChanges, TheLegendStandsBelowTheDrawing) {
+  Drawing low = square();
+  for (Layer& layer : low.layers) {
+    for (Path& path : layer.paths) {
+      for (Vec2& p : path.points) p.y -= 48;
+    }
+  }
+  Drawing other = low;
+  other.layers[0].paths.pop_back();
+  const RunContext context;
+  OverlayOptions options;
+  options.margin = {10, 10, 3, 10};
+  const Drawing both = overlay({low, other}, compared(low, other), options, context);
+  double top = 0, foot = both.paper_height;
+  for (const Layer& layer : both.layers) {
+    const bool legend = layer.name.starts_with("legend");
+    for (const Text& text : layer.texts) {
+      if (legend) top = std::max(top, text.at.y + text.height);
+      if (!legend) foot = std::min(foot, text.at.y);
+    }
+    for (const Path& path : layer.paths) {
+      for (const Vec2 p : path.points) {
+        if (!legend) foot = std::min(foot, p.y);
+      }
+    }
+  }
+  EXPECT_GT(top, 3);
+  EXPECT_GT(foot, top + 1);
+  EXPECT_NEAR(both.paper_height - low.paper_height, foot - 2, 1e-9) << "what was 2 mm up";
+  // A drawing that leaves room stays where it was.
+  Drawing high = square();
+  high.layers.pop_back();
+  EXPECT_EQ(overlay({high, high}, compared(high, high), options, context).paper_height, 210);
+}
+
 TEST(LineChanges, CanBeCancelled) {
   RunContext context;
   context.cancel();

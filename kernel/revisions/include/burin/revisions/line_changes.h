@@ -57,7 +57,8 @@ LineDifference compare_drawings(const Drawing& before, const Drawing& after, dou
                                 const RunContext& context);
 
 /// The new drawing light, with lines that are new in layers "new-", what is gone (or was elsewhere)
-/// in "gone-", moved lines in "moved-to-", and "legend". Looks as those of the other `overlay`.
+/// in "gone-", moved lines in "moved-to-", and "legend", for which the sheet gets higher where the
+/// drawings leave no room below. Looks as those of the other `overlay`.
 Drawing overlay(const RevisionDrawings& drawings, const LineDifference& difference,
                 const OverlayOptions& options, const RunContext& context);
 

@@ -1,0 +1,51 @@
+#!/usr/bin/env bash
+# image.sh SOURCE BURIN [PODMAN_BUILD_OPTION...]: builds the image of SOURCE's Containerfile, from a bare Debian 12 that is
+# made here as its base, and draws in it: the same bytes as the command BURIN. Needs root, podman, buildah, mmdebstrap and a
+# mirror; and the time of a whole build, unless a cache is handed on:
+#   tests/install/image.sh . build/release/bin/burin --volume "$HOME/.cache/ccache:/root/.cache/ccache" --env CCACHE_NOHASHDIR=1 ...
+# Containers are entered by chroot, so that it works inside of other containers, too; `podman run` is not tried.
+set -euo pipefail
+source=$(cd "$1" && pwd) burin=$2
+shift 2
+fail() { printf 'image test: %s\n' "$*" >&2; exit 1; }
+((EUID == 0)) || { echo "image test: skipped: only root makes a root folder"; exit 0; }
+for tool in podman buildah mmdebstrap; do
+  command -v "$tool" >/dev/null || { echo "image test: skipped: $tool is not there"; exit 0; }
+done
+
+scratch=$(mktemp -d)
+container=
+leave() {
+  [[ -z $container ]] || buildah rm "$container" >/dev/null || true
+  rm -rf --one-file-system "$scratch"
+}
+trap leave EXIT
+trap 'exit 130' INT TERM
+
+# The mirrors of this machine, where they are Debian's own.
+mirrors=()
+for file in /etc/apt/sources.list /etc/apt/sources.list.d/debian.sources; do
+  [[ -s $file ]] && mirrors+=("$file")
+done
+base=$(sed -n 's/^FROM \([^ ]*\)$/\1/p' "$source/Containerfile")
+[[ -n $base ]] || fail "the Containerfile names no base"
+mmdebstrap --quiet --variant=minbase bookworm "$scratch/base.tar" "${mirrors[@]}" ||
+  fail "no bare root; is there a mirror of Debian 12?"
+podman import --quiet "$scratch/base.tar" "$base" >/dev/null
+rm "$scratch/base.tar"
+
+podman build --isolation=chroot --network=host --pull=never --quiet "$@" -t burin-image-test "$source" >"$scratch/log" 2>&1 ||
+  { tail -30 "$scratch/log" >&2; fail "podman does not build the image"; }
+container=$(buildah from --pull-never localhost/burin-image-test)
+mkdir "$scratch/work"
+cp "$source"/samples/{coupling.step,gear_pump.step} "$scratch/work"
+inside() { buildah run --isolation=chroot --volume "$scratch/work:/work" "$container" -- "$@"; }
+entry=$(podman image inspect --format '{{join .Config.Entrypoint " "}} in {{.Config.WorkingDir}}' localhost/burin-image-test)
+[[ $entry == "burin in /work" ]] || fail "the image starts: $entry"
+inside burin draw coupling.step -o inside.svg --quiet || fail "the image does not draw"
+"$burin" draw "$source/samples/coupling.step" -o "$scratch/work/outside.svg" --quiet
+cmp "$scratch/work/inside.svg" "$scratch/work/outside.svg" || fail "the image draws other than $burin"
+printf 'out = "out"\nviews = ["front", "iso"]\n[[parts]]\nfiles = ["*.step"]\n' >"$scratch/work/catalogue.toml"
+inside burin batch plan catalogue.toml -o jobs.jsonl && inside burin batch run jobs.jsonl || fail "the image draws no catalogue"
+[[ $(find "$scratch/work/out" -name '*.svg' | wc -l) == 4 ]] || fail "the catalogue is not whole"
+echo "the image is built, and draws: $(podman image inspect --format '{{.Size}}' localhost/burin-image-test) bytes"
