@@ -235,7 +235,7 @@ Style plotter() {
   s.hatch.spacing_min = 0.6;
   s.hatch.spacing_max = 2.4;
   s.hatch.tone_min = 0.08;
-  s.hatch.cross_from = 0.3;
+  s.hatch.cross_from = 0.4;
   s.hatch.taper = 0;
   s.svg.flatten = true;
   return s;

@@ -163,10 +163,26 @@ struct Picture {
     constexpr double kFull = 0.9;  // ink at which it has as much as the first
     constexpr double kMost = 0.5;
     if (options.cross_from > 1) return {darkness, 0};
+    if (one_pen()) return nested(darkness);
     const double span = std::max(kFull - options.cross_from, 0.1);
     const double t = std::clamp((darkness - options.cross_from) / span, 0.0, 1.0);
     const double second = kMost * t * std::sqrt(t);
     return {1 - (1 - darkness) / (1 - second), second};
+  }
+
+  /// The same of lines that have nothing but their distances to carry it, within what these can
+  /// give: from where they cross the first family stays as it is until the second is as dense, then
+  /// both grow alike. The second begins where half of what its widest distance gives is asked for:
+  /// until then, and from there until all of it is, the tone is off by half of that at the most.
+  Coverage2 nested(double darkness) const {
+    if (!(darkness > options.cross_from)) return {darkness, 0};
+    const double most = std::min(0.95, options.width_min / options.spacing_min),
+                 least = std::min(most, options.width_min / options.spacing_max),
+                 held = std::min(options.cross_from, most);
+    const double alike = std::min(1 - std::sqrt(1 - darkness), most);
+    const double first = std::max(held, alike);
+    const double second = 1 - (1 - darkness) / (1 - first);
+    return {first, second < 0.5 * least ? 0 : std::max(second, least)};
   }
   double share(double darkness, int family) const {
     const Coverage2 c = share(darkness);
@@ -213,6 +229,11 @@ struct Picture {
 
   /// Whether the width of lines carries the tone; else their distance does.
   bool swells() const { return swelling(options); }
+  /// ... and nothing else does: the pen has one width, or next to.
+  bool one_pen() const {
+    constexpr double kSame = 1.2;
+    return standing == Standing::Apart && options.width_max <= kSame * options.width_min;
+  }
 
   /// Distance between neighbours of a family that is to cover a share `ink` of the paper: always
   /// the same where lines swell; wider where it is lighter with a pen of one width.

@@ -25,9 +25,12 @@ namespace burin::detail {
 namespace {
 
 // Paper mm along which lines may take the room that others leave, before one ends: more where the
-// field is known than where it is an estimate that turns this way and that.
-// A pen of one width shades by beginning and ending lines.
-constexpr double kLongExact = 60, kLongEstimated = 40, kLongOnePen = 4;
+// field is known than where it is an estimate that turns this way and that. Lines whose widths give
+// little or nothing shade by beginning and ending.
+constexpr double kLongExact = 60, kLongEstimated = 40, kLongOnePen = 8, kLongStiff = 4;
+// Times as long where everybody knows how lines run; a pen of one width has its tone to hold there,
+// too.
+constexpr double kLongerRuled = 4;
 // Shares of the gap: a seed nearer than this to an accepted line is that line, where strokes run as
 // the field has it, and where they run along their level lines.
 constexpr double kTaken = 0.55, kSame = 0.3;
@@ -204,12 +207,17 @@ std::vector<CellLine> cell_lines(const Picture& picture, const ViewRaster& raste
     done.add(2 * kStage);
   } else {
     const bool exact = std::ranges::all_of(picture.surfaces, &Surface::exact);
-    const double length = !picture.swells() ? kLongOnePen : exact ? kLongExact : kLongEstimated;
-    make_integrable(raster, graph, picture.options.spacing_min, length, context);
+    const bool one_pen = picture.one_pen();
+    const double length = one_pen             ? kLongOnePen
+                          : !picture.swells() ? kLongStiff
+                          : exact             ? kLongExact
+                                              : kLongEstimated;
+    make_integrable(raster, graph, picture.options.spacing_min, length, one_pen ? 1 : kLongerRuled,
+                    context);
     done.add(kStage);
     const std::vector<WaveAnchor> anchors = wave_anchors(picture, raster, graph, family, context);
     phase = solve_phase(graph, anchors, context);
-    if (picture.swells()) cancel_pairs(raster, graph, anchors, phase, context);
+    if (picture.swells() || one_pen) cancel_pairs(raster, graph, anchors, phase, context);
     done.add(kStage);
   }
   std::vector<CellLine> lines;

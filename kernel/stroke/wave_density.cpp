@@ -34,8 +34,8 @@ struct Square {
 class Density {
  public:
   Density(const ViewRaster& raster, const WaveGraph& graph, double spacing, double length,
-          const RunContext& context)
-      : raster_(raster), graph_(graph), context_(context) {
+          double ruled, const RunContext& context)
+      : raster_(raster), graph_(graph), ruled_(ruled), context_(context) {
     coarse_.assign(graph.nodes.size(), kNone);
     for (std::int32_t y = 0; y + 2 < raster.ny; y += 2) {
       for (std::int32_t x = 0; x + 2 < raster.nx; x += 2) add_square(x, y, spacing * length);
@@ -99,11 +99,10 @@ class Density {
       sum += round[c];
     }
     if (glm::dot(wave[3], wave[0]) < 0) return;  // a singularity of the field
-    constexpr double kRuled = 4;                 // times as long
     const bool ruled = std::ranges::all_of(cells, [&](std::size_t c) {
       return graph_.nodes[static_cast<std::size_t>(graph_.node[c])].ruled;
     });
-    const double scale = (ruled ? kRuled : 1) * weight / (4 * p * p);
+    const double scale = (ruled ? ruled_ : 1) * weight / (4 * p * p);
     Square s;
     for (std::size_t c = 0; c < 4; ++c) {
       std::int32_t& number = coarse_[static_cast<std::size_t>(graph_.node[cells[c]])];
@@ -205,6 +204,7 @@ class Density {
 
   const ViewRaster& raster_;
   const WaveGraph& graph_;
+  double ruled_;
   const RunContext& context_;
   std::vector<std::int32_t> coarse_;
   std::size_t count_ = 0;
@@ -217,8 +217,8 @@ class Density {
 }  // namespace
 
 void make_integrable(const ViewRaster& raster, WaveGraph& graph, double spacing, double length,
-                     const RunContext& context) {
-  const std::vector<double> h = Density(raster, graph, spacing, length, context).solve();
+                     double ruled, const RunContext& context) {
+  const std::vector<double> h = Density(raster, graph, spacing, length, ruled, context).solve();
   for (std::size_t i = 0; i < h.size(); ++i) graph.nodes[i].wave *= std::exp(h[i]);
 }
 

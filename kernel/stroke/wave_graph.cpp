@@ -40,10 +40,13 @@ double gap_at(const Picture& picture, const RasterCell& cell, int family, double
   const double even = kDrawnTogether + (1 - kDrawnTogether) * std::min(1.0, cell.facing / kSlanted);
   constexpr double kLeastKept = 0.2;  // never denser than five times
   const double kept = std::max(across, kLeastKept);
-  constexpr double kSecond = 1.12;  // else it would beat with the first
-  return (family == 2 ? kSecond : 1.0) *
-         picture.line_spacing(picture.share(cell.darkness, family)) * even *
-         (1 - o.foreshortening + o.foreshortening * kept);
+  double gap = picture.line_spacing(picture.share(cell.darkness, family));
+  if (family == 2) {
+    constexpr double kSecond = 1.12;  // else it would beat with the first
+    // What a width makes up for elsewhere would be missing with one pen.
+    gap = picture.one_pen() ? std::max(gap, kSecond * o.spacing_min) : kSecond * gap;
+  }
+  return gap * even * (1 - o.foreshortening + o.foreshortening * kept);
 }
 
 std::optional<Look> look(const Picture& picture, const RasterCell& cell, int family) {

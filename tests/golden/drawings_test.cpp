@@ -43,6 +43,7 @@ const Case kCases[] = {
     {"knot_haloed.json", "knot.ply", "--style haloed --view 0.4,-0.5,1 --paper 60x50"},
     {"pedestal_wireframe.json", "pedestal.step",
      "--style wireframe --view 1,-1.2,0.8 --paper 90x70"},
+    {"pedestal_plotter.json", "pedestal.step", "--style plotter --view 1,-1.2,0.8 --paper 60x50"},
     {"smooth_blend_isophotes.json", "smooth_blend.implicit",
      "--style engraving --set hatch.field=isophote --set hatch.cross_from=2 --set halo.gap=0.4 "
      "--view 1,-0.8,1 --paper 50x50"},

@@ -14,6 +14,7 @@
 #include <array>
 #include <cmath>
 #include <memory>
+#include <string>
 
 namespace burin {
 namespace {
@@ -181,6 +182,28 @@ TEST(Tone, OfEachStyleIsWhatTheLightAsks) {
     EXPECT_GT(report.cells, 1000u) << name;
     EXPECT_LE(report.mean_error, 0.05) << name;
     ::testing::Test::RecordProperty(name, std::to_string(report.mean_error));
+  }
+}
+
+// Nothing but the distances of its lines carries the tone: from where one family is enough to where
+// both are as dense as they may be.
+TEST(Tone, OfOnePenIsAnyThatIsAsked) {
+  Style style = builtin_style("plotter");
+  for (const char* setting : {"law=constant", "highlight=1", "rim=0", "median_min=0",
+                              "median_max=1", "contrast=0", "gradient=0"}) {
+    const std::string word = setting;
+    const std::size_t at = word.find('=');
+    set_style_key(style, "tone." + word.substr(0, at), word.substr(at + 1));
+  }
+  const Scene round = scene_of(test::cylinder(20, 50, 96));
+  const Scene torus = scene_of(test::torus(30, 12, 160, 80));
+  for (const char* light : {"0.85", "0.75", "0.65", "0.58", "0.5", "0.42", "0.35"}) {
+    set_style_key(style, "tone.ambient", light);
+    for (const Scene* scene : {&round, &torus}) {
+      const ToneReport report = measure(*scene, "iso", style);
+      EXPECT_GT(report.cells, 1000u) << light;
+      EXPECT_LE(report.mean_error, 0.05) << light << (scene == &round ? " cylinder" : " torus");
+    }
   }
 }
 
