@@ -1,12 +1,10 @@
 #!/usr/bin/env bash
-# image.sh SOURCE BURIN [PODMAN_BUILD_OPTION...]: builds the image of SOURCE's Containerfile, from a bare Debian 12 that is
-# made here as its base, and draws in it: the same bytes as the command BURIN. Needs root, podman, buildah, mmdebstrap and a
-# mirror; and the time of a whole build, unless a cache is handed on:
-#   tests/install/image.sh . build/release/bin/burin --volume "$HOME/.cache/ccache:/root/.cache/ccache" --env CCACHE_NOHASHDIR=1 ...
+# image.sh SOURCE BURIN [PACKAGES]: builds the image of SOURCE's Containerfile, on a bare Debian 12 that is made here as its base,
+# and draws in it: the same bytes as the command BURIN. Its first stage builds the packages, which takes as long as any build;
+# where a folder of PACKAGES is named these are taken in its place. Needs root, podman, buildah, mmdebstrap and a mirror.
 # Containers are entered by chroot, so that it works inside of other containers, too; `podman run` is not tried.
 set -euo pipefail
-source=$(cd "$1" && pwd) burin=$2
-shift 2
+source=$(cd "$1" && pwd) burin=$2 packages=${3:-}
 fail() { printf 'image test: %s\n' "$*" >&2; exit 1; }
 ((EUID == 0)) || { echo "image test: skipped: only root makes a root folder"; exit 0; }
 for tool in podman buildah mmdebstrap; do
@@ -34,7 +32,13 @@ mmdebstrap --quiet --variant=minbase bookworm "$scratch/base.tar" "${mirrors[@]}
 podman import --quiet "$scratch/base.tar" "$base" >/dev/null
 rm "$scratch/base.tar"
 
-podman build --isolation=chroot --network=host --pull=never --quiet "$@" -t burin-image-test "$source" >"$scratch/log" 2>&1 ||
+first=()
+if [[ -n $packages ]]; then
+  mkdir -p "$scratch/build/burin/build/release/packages"
+  cp "$packages"/burin_*.deb "$packages"/python3-burin_*.deb "$scratch/build/burin/build/release/packages"
+  first=(--build-context "build=$scratch/build")
+fi
+podman build --isolation=chroot --network=host --pull=never --quiet "${first[@]}" -t burin-image-test "$source" >"$scratch/log" 2>&1 ||
   { tail -30 "$scratch/log" >&2; fail "podman does not build the image"; }
 container=$(buildah from --pull-never localhost/burin-image-test)
 mkdir "$scratch/work"
