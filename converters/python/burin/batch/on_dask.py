@@ -21,7 +21,8 @@ from .work import Result, Settings, give_up, run_job
 
 # A task costs 2 to 3 ms at the scheduler: short jobs are packed to so many seconds, and no more than so many.
 _PACKED, _MOST = 0.5, 32
-# Tasks that wait at a worker beyond those that it is at, so that it is never idle and little is lost with it.
+# Tasks that wait at a worker beyond those that it is at, so that it is never idle, where tasks are short; long ones wait here:
+# the scheduler gives them out before it knows how long they are, and in the end one worker would wait for another.
 _AHEAD = 2
 # So often a job is given out. Those that end their workers are found by their marks before; the scheduler also suspects
 # what only waited at a worker that died.
@@ -95,7 +96,7 @@ class _Run:
         self.flying: dict[str, tuple[Any, list[Job]]] = {}
         self.ended: queue.SimpleQueue[Any] = queue.SimpleQueue()
         self.task = _Shipped(_task)
-        self.room, self.pack = 1, 1
+        self.room, self.pack, self.ahead = 1, 1, 0
         now = time.monotonic()
         self.looked, self.heard, self.staffed = 0.0, now, now
 
@@ -128,7 +129,7 @@ class _Run:
         if now - self.heard > _LOST:
             raise BatchError(f"the Dask scheduler at {self.address} was lost; {left} drawings are left: start it, and run again", FAILED)
         if threads:
-            self.staffed, self.room = now, threads * (1 + _AHEAD)
+            self.staffed, self.room = now, threads * (1 + self.ahead)
         elif now - self.staffed > self.patience:
             words = f"the Dask scheduler at {self.address} has no worker; {left} drawings are left"
             raise BatchError(f"{words}: start dask-worker, and run again", FAILED)
@@ -161,6 +162,7 @@ class _Run:
         if all(r.status == "drawn" for r in results):
             mean = sum(r.seconds for r in results) / len(jobs)
             self.pack = max(1, min(_MOST, int(_PACKED / max(mean, 1e-3))))
+            self.ahead = _AHEAD if mean < _PACKED else 0
 
     def try_again(self, jobs: list[Job], future: Any) -> None:
         """A worker was lost with it, or the scheduler."""
