@@ -13,7 +13,7 @@ from .jobs import read, write
 from .limits import TIMEOUT, seconds
 from .progress import Progress, printable
 from .prune import prune
-from .runner import chosen, run_here, without_clashes
+from .runner import chosen, large_first, run_here, without_clashes
 from .settings import command_of, settings_of
 from .state import State
 from .words import Parser, exit_status
@@ -91,6 +91,7 @@ def _run(arguments: Any) -> int:
     jobs, clashes = without_clashes(batch, chosen(batch.jobs, _shard(arguments.shard)))
     progress = Progress(sum(len(job.drawings) for job in jobs) + len(clashes), arguments.quiet)
     progress.add(clashes)
+    jobs = large_first(jobs, Path(settings.base))
     count = arguments.jobs if arguments.jobs is not None else len(os.sched_getaffinity(0))
     if count < 1:
         raise BatchError(f"option --jobs takes a number from 1, not {count}", USAGE)

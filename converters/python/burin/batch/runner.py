@@ -1,9 +1,11 @@
 """Runs jobs: what all ways have in common, and the way on this machine."""
 
 import collections
+import contextlib
 import queue
 import threading
 from collections.abc import Iterable
+from pathlib import Path
 
 from .child import Cancelled
 from .jobs import Batch, Drawing, Job, shard_of
@@ -39,6 +41,20 @@ def without_clashes(batch: Batch, jobs: list[Job]) -> tuple[list[Job], list[Resu
     results = [Result(d.name, "failed", 0, 0, "clash", words[d.name]) for j in jobs for d in j.drawings if d.name in words]
     left = [Job(j.part, j.inputs, [d for d in j.drawings if d.name not in words]) for j in jobs]
     return [j for j in left if j.drawings], results
+
+
+def large_first(jobs: list[Job], base: Path) -> list[Job]:
+    """In the order of what is likely to take long, by bytes of parts times drawings: a long job that begins last is waited for
+    by all. Jobs alike stay in their order."""
+
+    def cost(job: Job) -> int:
+        size = 0
+        for name in job.inputs:
+            with contextlib.suppress(OSError):
+                size += (base / name).stat().st_size
+        return size * len(job.drawings)
+
+    return sorted(jobs, key=cost, reverse=True)
 
 
 class _Pool:
