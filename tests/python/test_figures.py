@@ -2,10 +2,12 @@
 
 import json
 import os
+import re
 import subprocess
 import unittest
 
 from batch_support import COMMAND, SAMPLES, BatchTest, box_off
+from burin.book import figures
 
 BOOK = """
 title = "Two boxes"
@@ -147,6 +149,12 @@ class Nonsense(FigureTest):
         run = subprocess.run([COMMAND, "book", "--help"], capture_output=True, text=True)
         self.assertEqual(run.returncode, 0)
         self.assertIn("BOOK.toml", run.stdout)
+
+
+class Reading(unittest.TestCase):
+    def test_options_about_reading_are_the_rows_of_the_readers(self):
+        rows = (SAMPLES.parent / "converters/read/read_options.cpp").read_text()
+        self.assertEqual(set(figures._READING), set(re.findall(r'\{\.name = "(\w+)"', rows)))
 
 
 if __name__ == "__main__":

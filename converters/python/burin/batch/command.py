@@ -91,7 +91,7 @@ def _run(arguments: Any) -> int:
     jobs, clashes = without_clashes(batch, chosen(batch.jobs, _shard(arguments.shard)))
     progress = Progress(sum(len(job.drawings) for job in jobs) + len(clashes), arguments.quiet)
     progress.add(clashes)
-    jobs = large_first(jobs, Path(settings.base))
+    jobs = large_first(jobs, batch.base)
     count = arguments.jobs if arguments.jobs is not None else len(os.sched_getaffinity(0))
     if count < 1:
         raise BatchError(f"option --jobs takes a number from 1, not {count}", USAGE)

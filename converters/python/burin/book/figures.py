@@ -20,11 +20,8 @@ from burin.batch.settings import command_of
 from burin.batch.state import Hashes, State
 from burin.batch.work import Settings, run_job
 
-
 # What a file begins with that Git LFS has not fetched.
 _POINTER = b"version https://git-lfs.github.com/spec/"
-
-
 # The rows of converters/read/read_options.cpp.
 _READING = set(
     "define openscad_timeout csg as_ object recompute freecad_timeout heal bounds mesher iso inside smooth specks volume_degree "
