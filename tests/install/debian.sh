@@ -5,25 +5,13 @@
 set -euo pipefail
 source=$1 packages=$2 all=${3:-}
 fail() { printf 'debian test: %s\n' "$*" >&2; exit 1; }
-((EUID == 0)) || { echo "debian test: skipped: only root makes a root folder"; exit 0; }
-command -v mmdebstrap >/dev/null || { echo "debian test: skipped: mmdebstrap is not there"; exit 0; }
+. "$(dirname "${BASH_SOURCE[0]}")/bare_root.sh"
+root=
+undo() { ! mountpoint -q "$root/proc" || umount "$root/proc"; }
+skip_unless_root "debian test" mmdebstrap
 
-scratch=$(mktemp -d)
 root=$scratch/root
-leave() {
-  mountpoint -q "$root/proc" && umount "$root/proc"
-  rm -rf --one-file-system "$scratch"
-}
-trap leave EXIT
-trap 'exit 130' INT TERM
-
-# The mirrors of this machine, where they are Debian's own.
-mirrors=()
-for file in /etc/apt/sources.list /etc/apt/sources.list.d/debian.sources; do
-  [[ -s $file ]] && mirrors+=("$file")
-done
-mmdebstrap --quiet --variant=apt bookworm "$root" "${mirrors[@]}" ||
-  fail "no bare root; is there a mirror of Debian 12?"
+bare_root apt "$root"
 mount -t proc proc "$root/proc"
 
 inside() { chroot "$root" env -i PATH=/usr/sbin:/usr/bin:/sbin:/bin HOME=/root LC_ALL=C.UTF-8 DEBIAN_FRONTEND=noninteractive "$@"; }

@@ -6,29 +6,14 @@
 set -euo pipefail
 source=$(cd "$1" && pwd) burin=$2 packages=${3:-}
 fail() { printf 'image test: %s\n' "$*" >&2; exit 1; }
-((EUID == 0)) || { echo "image test: skipped: only root makes a root folder"; exit 0; }
-for tool in podman buildah mmdebstrap; do
-  command -v "$tool" >/dev/null || { echo "image test: skipped: $tool is not there"; exit 0; }
-done
-
-scratch=$(mktemp -d)
+. "$(dirname "${BASH_SOURCE[0]}")/bare_root.sh"
 container=
-leave() {
-  [[ -z $container ]] || buildah rm "$container" >/dev/null || true
-  rm -rf --one-file-system "$scratch"
-}
-trap leave EXIT
-trap 'exit 130' INT TERM
+undo() { [[ -z $container ]] || buildah rm "$container" >/dev/null || true; }
+skip_unless_root "image test" podman buildah mmdebstrap
 
-# The mirrors of this machine, where they are Debian's own.
-mirrors=()
-for file in /etc/apt/sources.list /etc/apt/sources.list.d/debian.sources; do
-  [[ -s $file ]] && mirrors+=("$file")
-done
 base=$(sed -n 's/^FROM \([^ ]*\)$/\1/p' "$source/Containerfile")
 [[ -n $base ]] || fail "the Containerfile names no base"
-mmdebstrap --quiet --variant=minbase bookworm "$scratch/base.tar" "${mirrors[@]}" ||
-  fail "no bare root; is there a mirror of Debian 12?"
+bare_root minbase "$scratch/base.tar"
 podman import --quiet "$scratch/base.tar" "$base" >/dev/null
 rm "$scratch/base.tar"
 
