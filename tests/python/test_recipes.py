@@ -18,13 +18,14 @@ if HAVE:
 PAGE = (Path(os.environ["BURIN_SOURCE_DIR"]) / "kernel/docs/batch.md").read_text()
 CATALOGUE = 'views = ["front", "iso"]\n[[parts]]\nfiles = ["parts/*"]\nstyles = ["outline"]\n'
 
-# Stands for ssh: a machine that sees the same folders is this one. As there all words make one line for a shell.
+# Stands for ssh: a machine that sees the same folders is this one. As there all words make one line for a shell, and SHELL
+# names the user's, which sshd always sets: GNU parallel starts nothing where it is missing.
 SSH = """#!/bin/sh
 while [ "${1#-}" != "$1" ]; do shift; done
 echo "$1" >>"$HOSTS"
 shift
 [ "$1" != -- ] || shift
-exec sh -c "$*"
+SHELL=/bin/sh exec sh -c "$*"
 """
 
 
