@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <optional>
+#include <utility>
 
 namespace burin::detail {
 namespace {
@@ -11,6 +13,10 @@ namespace {
 constexpr double kTurn = 2 * std::numbers::pi;
 constexpr double kLeastLength = 2;  // gaps: of a line that ends inside at both ends
 constexpr int kPasses = 4;          // of smoothing
+constexpr int kTipSteps = 64;       // crossings at the most to the place by which a tip is judged
+constexpr double kTipLength = 1.5;  // gaps from a tip to there: nearer by, lines give way to it
+constexpr double kBeside = 0.5;     // gaps that a line may be moved aside to go on as another
+constexpr double kOpposite = -0.7;  // cosine between the ways of two that may go on so
 
 // The whole turns between two phases, each at least as large as the first + 1: (low, high].
 struct Turns {
@@ -47,13 +53,14 @@ class Marcher {
   }
 
   std::vector<LevelLine> lines() {
-    for_each_triangle(raster_, graph_, context_, [&](const WaveTriangle& t) { cross(t); });
-    std::vector<LevelLine> out;
-    std::vector<bool> used(next_.size(), false);
     link_of_.resize(next_.size());
     for (std::uint32_t l = 0; l < graph_.links.size(); ++l) {
       for (std::uint32_t c = offset_[l]; c < offset_[l + 1]; ++c) link_of_[c] = l;
     }
+    for_each_triangle(raster_, graph_, context_, [&](const WaveTriangle& t) { cross(t); });
+    for (const auto& links : wound_) join_across(links);
+    std::vector<LevelLine> out;
+    std::vector<bool> used(next_.size(), false);
     const auto take = [&](std::uint32_t start, bool closed) {
       context_.check();
       LevelLine line = chain(start, closed, used);
@@ -94,6 +101,21 @@ class Marcher {
     return raster_.center(std::size_t{graph_.nodes[node].cell});
   }
 
+  // The whole turns of a crossing, as the first node of its link counts them.
+  std::int64_t level(std::uint32_t crossing) const {
+    const std::uint32_t link = link_of_[crossing];
+    const double own = phase_.at[graph_.links[link].a];
+    return turns_between(own, own + phase_.advance[link]).first + (crossing - offset_[link]);
+  }
+
+  Vec2 place(std::uint32_t crossing) const {
+    const std::uint32_t link = link_of_[crossing];
+    const WaveLink& l = graph_.links[link];
+    const double turns = kTurn * static_cast<double>(level(crossing));
+    const double t = (turns - phase_.at[l.a]) / phase_.advance[link];
+    return paper(l.a) + std::clamp(t, 0.0, 1.0) * l.step;
+  }
+
   // The corner at the other end of a link.
   Corner across(const Corner& from, std::int32_t number) const {
     const WaveLink& l = graph_.links[static_cast<std::size_t>(number)];
@@ -126,6 +148,7 @@ class Marcher {
     const Corner b = across(a, ab), c = across(a, ac), again = across(b, bc);
     if (again.sign != c.sign || std::abs(again.phase - c.phase) > 0.5 * kTurn) {
       for (const std::int32_t l : {ab, bc, ac}) inside_[static_cast<std::size_t>(l)] = true;
+      wound_.push_back({ab, bc, ac});
       return;
     }
     struct Side {
@@ -149,6 +172,58 @@ class Marcher {
     }
   }
 
+  // A triangle around which the phase winds has one line more on one side of it than on the other.
+  // Of the lines that reach it, those that come from opposite sides go on into one another, and one
+  // ends: three tips beside each other would be a blot.
+  void join_across(const std::array<std::int32_t, 3>& links) {
+    const double gap =
+        1 / glm::length(graph_.nodes[graph_.links[static_cast<std::size_t>(links[0])].a].wave);
+    std::vector<Tip> tips;
+    for (const std::int32_t l : links) {
+      const auto link = static_cast<std::uint32_t>(l);
+      for (std::uint32_t c = offset_[link]; c < offset_[link + 1]; ++c) {
+        if (const auto tip = tip_at(c, kTipLength * gap)) tips.push_back(*tip);
+      }
+    }
+    while (tips.size() > 2) {
+      double best = kBeside * gap;
+      std::size_t first = 0, second = 0;
+      for (std::size_t i = 0; i < tips.size(); ++i) {
+        for (std::size_t j = i + 1; j < tips.size(); ++j) {
+          if (glm::dot(tips[i].outwards, tips[j].outwards) > kOpposite) continue;
+          const Vec2 along = glm::normalize(tips[j].outwards - tips[i].outwards);
+          const double beside = std::abs(cross2(along, tips[j].off - tips[i].off));
+          if (beside < best) best = beside, first = i, second = j;
+        }
+      }
+      if (first == second) return;
+      join(tips[first].crossing, tips[second].crossing);
+      join(tips[second].crossing, tips[first].crossing);
+      tips.erase(tips.begin() + static_cast<std::ptrdiff_t>(second));
+      tips.erase(tips.begin() + static_cast<std::ptrdiff_t>(first));
+    }
+  }
+
+  // Where a line ends, a point of it some way off, and the direction to there.
+  struct Tip {
+    std::int32_t crossing;
+    Vec2 off, outwards;
+  };
+  std::optional<Tip> tip_at(std::uint32_t crossing, double away) const {
+    const auto& n = next_[crossing];
+    if ((n[0] == kNone) == (n[1] == kNone)) return std::nullopt;
+    const Vec2 at = place(crossing);
+    Vec2 off = at;
+    std::int32_t from = static_cast<std::int32_t>(crossing), to = n[0] != kNone ? n[0] : n[1];
+    for (int i = 0; i < kTipSteps && to != kNone && glm::distance(off, at) < away; ++i) {
+      off = place(static_cast<std::uint32_t>(to));
+      const auto& ahead = next_[static_cast<std::size_t>(to)];
+      from = std::exchange(to, ahead[0] != from ? ahead[0] : ahead[1]);
+    }
+    if (off == at) return std::nullopt;
+    return Tip{static_cast<std::int32_t>(crossing), off, glm::normalize(off - at)};
+  }
+
   void join(std::int32_t from, std::int32_t to) {
     auto& n = next_[static_cast<std::size_t>(from)];
     (n[0] == kNone ? n[0] : n[1]) = to;
@@ -168,16 +243,12 @@ class Marcher {
     }
     for (std::size_t i = 0; i < crossings.size(); ++i) {
       const std::uint32_t c = crossings[i];
-      const std::uint32_t l = link_of_[c];
-      const WaveLink& link = graph_.links[l];
-      const double own = phase_.at[link.a], by = phase_.advance[l];
-      const std::int64_t level = turns_between(own, own + by).first + (c - offset_[l]);
-      const double t = std::clamp((kTurn * static_cast<double>(level) - own) / by, 0.0, 1.0);
-      line.points.push_back(paper(link.a) + t * link.step);
+      const WaveLink& link = graph_.links[link_of_[c]];
+      line.points.push_back(place(c));
       line.gaps.push_back(static_cast<float>(1 / glm::length(graph_.nodes[link.a].wave)));
       if (i == crossings.size() / 2) {
         line.node = link.a;
-        line.number = level + whole_[link.a];
+        line.number = level(c) + whole_[link.a];
       }
     }
     if (!closed && !crossings.empty()) {
@@ -208,7 +279,9 @@ class Marcher {
   std::vector<std::int64_t> whole_;
   std::vector<std::uint32_t> offset_, link_of_;  // crossings of each link; link of each crossing
   std::vector<std::array<std::int32_t, 2>> next_;
-  std::vector<bool> inside_;  // links of triangles around which the phase winds
+  // Links of triangles around which the phase winds, and those triangles.
+  std::vector<bool> inside_;
+  std::vector<std::array<std::int32_t, 3>> wound_;
 };
 
 }  // namespace

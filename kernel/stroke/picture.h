@@ -170,20 +170,17 @@ struct Picture {
     return {1 - (1 - darkness) / (1 - second), second};
   }
 
-  /// The same of lines that have nothing but their distances to carry it, within what these can
-  /// give: from where they cross the first family stays as it is until the second is as dense, then
-  /// both grow alike. The second begins where half of what its widest distance gives is asked for:
-  /// until then, and from there until all of it is, the tone is off by half of that at the most.
+  /// The same of lines that have nothing but their distances to carry it: from where they cross the
+  /// first family stays as it is until the second is as dense, then both grow alike.
   Coverage2 nested(double darkness) const {
     if (!(darkness > options.cross_from)) return {darkness, 0};
     const double most = std::min(0.95, options.width_min / options.spacing_min),
-                 least = std::min(most, options.width_min / options.spacing_max),
                  held = std::min(options.cross_from, most);
     const double alike = std::min(1 - std::sqrt(1 - darkness), most);
     const double first = std::max(held, alike);
-    const double second = 1 - (1 - darkness) / (1 - first);
-    return {first, second < 0.5 * least ? 0 : std::max(second, least)};
+    return {first, 1 - (1 - darkness) / (1 - first)};
   }
+
   double share(double darkness, int family) const {
     const Coverage2 c = share(darkness);
     return family == 1 ? c.first : c.second;

@@ -9,12 +9,15 @@ namespace burin::detail {
 namespace {
 
 // How lines end on the way into the light: every second one first, then every second of the others,
-// by the ink at which the thinnest pen is too wide for all.
+// by the ink at which the thinnest pen is too wide for all. With one pen the lines of the second
+// family, which are never farther apart than its widest gap, end one by one: of those that give
+// some ink as many are there as have the ink that is asked for.
 class Fading {
  public:
   Fading(const Picture& picture, int family) {
     const HatchOptions& o = picture.options;
-    least_ = family == 1 ? o.tone_min : kFirstOfSecond;
+    one_by_one_ = family == 2 && picture.one_pen();
+    least_ = family == 1 ? o.tone_min : one_by_one_ ? o.width_min / o.spacing_max : kFirstOfSecond;
     full_ = o.width_min / o.spacing_min;
     // As many halvings as the style's widest gap has room for.
     const auto room = std::lround(std::log2(o.spacing_max / o.spacing_min));
@@ -23,6 +26,10 @@ class Fading {
   }
 
   FadingRange range(std::int64_t number) const {
+    if (one_by_one_) {
+      const double least = 0.5 * least_ * (1 + kApart * dice(number));
+      return {least, least};
+    }
     double full = full_;
     for (int c = 0; c < classes_; ++c, full *= 0.5) {
       const std::int64_t step = std::int64_t{2} << c;
@@ -37,6 +44,7 @@ class Fading {
   static constexpr double kFirstOfSecond = 0.03;  // ink: a second family shows as from there
   static constexpr double kEnds = 0.8, kBegins = 1.35;
   static constexpr double kSpread = 0.2;  // so that tips do not line up
+  static constexpr double kApart = 0.6;   // one by one: from 0.2 to 0.8 of what all of them give
 
   // In [-1, 1], far apart for neighbours: the bits of the number the other way round.
   static double dice(std::int64_t number) {
@@ -47,6 +55,7 @@ class Fading {
   }
 
   double least_ = 0, full_ = 0;
+  bool one_by_one_ = false;
   int classes_ = 0;
 };
 

@@ -189,6 +189,36 @@ TEST(Strokes, FadeOutOneAfterTheOther) {
   EXPECT_NEAR(rest, 34.3, 1);
 }
 
+const HatchOptions kOnePen{.spacing_min = 0.6,
+                           .spacing_max = 2.4,
+                           .width_min = 0.3,
+                           .width_max = 0.3,
+                           .tone_min = 0.08,
+                           .cross_from = 0.4,
+                           .length_max = 300};
+
+// Where lines of one width begin to cross others they are few, and become more one by one: their
+// ends are no edge.
+TEST(Strokes, OfOnePenThatCrossOthersEndOneAfterTheOther) {
+  Stage stage(test::box({0, 0, 0}, {60, 5, 40}), "front", 1);
+  const Tone lighter = [](Vec3 position, Vec3) { return 0.525 + 0.08 * position.z / 40; };
+  const StrokeResult r = stage.strokes(field::fixed({1, 0, 0}), lighter, kOnePen);
+  std::vector<double> ends;
+  for (const Curve3& c : r.strokes) {
+    if (c.family == 2) ends.push_back(std::max(c.points.front().z, c.points.back().z));
+  }
+  std::sort(ends.begin(), ends.end());
+  ASSERT_GE(ends.size(), 24U);  // 60 / 2.4 = 25
+  // The ink of the second family falls from all that lines 2.4 mm apart have at the bottom to none
+  // at 37.5 mm, and as many of them end by the way, but for the first and the last ones.
+  const auto height = [](double share) { return 37.5 * (1 - share); };
+  EXPECT_NEAR(ends.front(), height(0.8), 3);
+  EXPECT_NEAR(ends[ends.size() / 4], height(0.65), 3);
+  EXPECT_NEAR(ends[ends.size() / 2], height(0.5), 3);
+  EXPECT_NEAR(ends[3 * ends.size() / 4], height(0.35), 3);
+  EXPECT_NEAR(ends.back(), height(0.2), 3);
+}
+
 // The ink of the three sides of a cube, seen along its diagonal: what strokes cover of each.
 std::array<double, 3> ink_of_sides(const tone::ToneOptions& balance, std::array<double, 3> asked,
                                    double* gamma = nullptr) {

@@ -2,6 +2,7 @@
 #include "wave_pairs.h"
 
 #include <burin/base/error.h>
+#include <burin/base/rng.h>
 
 #include "level_lines.h"
 
@@ -125,6 +126,17 @@ TEST(WavePairs, OneRightBesideABorderLeavesByIt) {
   EXPECT_GT(sheet.ends_inside(phase), 0);
   cancel_pairs(sheet.raster, sheet.graph, {}, phase, sheet.context);
   EXPECT_EQ(sheet.ends_inside(phase), 0);
+}
+
+// Of three lines that reach the place two are one: it never has three tips beside each other.
+TEST(LevelLines, OneEndsWhereThePhaseWindsOnce) {
+  const Sheet sheet;
+  const Rng rng(5);
+  for (std::uint64_t i = 0; i < 300; ++i) {
+    const Vec2 at(8 + 8 * rng.uniform(2 * i), 5 + 6 * rng.uniform(2 * i + 1));
+    const WavePhase phase = sheet.winding({{at, i % 2 == 0 ? 1 : -1}});
+    EXPECT_EQ(sheet.ends_inside(phase), 1) << at.x << ", " << at.y;
+  }
 }
 
 TEST(WavePairs, HearsACancel) {
