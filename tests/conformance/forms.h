@@ -229,4 +229,41 @@ inline std::vector<FormCase> form_cases() {
   };
 }
 
+/// What a test makes of a form, made once for all tests after each other that ask for it of the
+/// same form.
+template <class Made>
+class OfOneForm {
+ public:
+  template <class Make>
+  Made& get(const std::string& name, const Make& make) {
+    if (name_ != name || !made_) {
+      made_.reset();
+      made_ = make();
+      name_ = name;
+    }
+    return *made_;
+  }
+
+ private:
+  std::string name_;
+  std::unique_ptr<Made> made_;
+};
+
+struct RealisedForm {
+  std::shared_ptr<const Form> form;
+  std::shared_ptr<const Surface> surface;
+};
+
+/// A form and its surface, 0.01 mm off at the most.
+inline const RealisedForm& realised(const FormCase& which) {
+  static OfOneForm<RealisedForm> kept;
+  return kept.get(which.name, [&] {
+    RunContext context;
+    auto made = std::make_unique<RealisedForm>();
+    made->form = which.make();
+    made->surface = made->form->realise({.tolerance = 0.01}, context);
+    return made;
+  });
+}
+
 }  // namespace burin::test

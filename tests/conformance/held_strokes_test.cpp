@@ -60,7 +60,15 @@ bool across(const Curve3& c, Vec3 gradient) {
   return std::abs(glm::dot(tangent, steepest)) > 0.7;
 }
 
-class HeldStrokes : public testing::TestWithParam<FormCase> {};
+class HeldStrokes : public testing::TestWithParam<FormCase> {
+ protected:
+  static Hatched& hatched_form(std::optional<double> perspective) {
+    static test::OfOneForm<Hatched> parallel, central;
+    return (perspective ? central : parallel).get(GetParam().name, [&] {
+      return std::make_unique<Hatched>(*GetParam().make(), perspective);
+    });
+  }
+};
 
 /// How far strokes are off the planes that they keep to, in mm of paper.
 double off_planes(Hatched& hatched, const char* placing) {
@@ -84,19 +92,19 @@ double off_planes(Hatched& hatched, const char* placing) {
 }
 
 TEST_P(HeldStrokes, OfPlanesStayInTheirPlane) {
-  Hatched hatched(*GetParam().make(), {});
+  Hatched& hatched = hatched_form({});
   EXPECT_LT(off_planes(hatched, "even"), 0.02);
 }
 
 TEST_P(HeldStrokes, OnPointsDoSo) {
-  Hatched hatched(*GetParam().make(), {});
+  Hatched& hatched = hatched_form({});
   EXPECT_LT(off_planes(hatched, "points"), 0.02);
   EXPECT_LT(off_planes(hatched, "discs"), 0.02);
 }
 
 // ... and are as long as asked for, but where the surface bends away within a step.
 TEST_P(HeldStrokes, OnPointsAreShort) {
-  Hatched hatched(*GetParam().make(), {});
+  Hatched& hatched = hatched_form({});
   const auto strokes = hatched.strokes(field::fixed({0.3, 0.2, 1}), "discs");
   EXPECT_GE(strokes.size(), 100U);
   for (const Curve3& c : strokes) {
@@ -111,7 +119,7 @@ TEST_P(HeldStrokes, OnPointsAreShort) {
 
 TEST_P(HeldStrokes, AlongTheSilhouettesKeepTheirDistanceToTheViewer) {
   for (const auto& perspective : {std::optional<double>(), std::optional<double>(45)}) {
-    Hatched hatched(*GetParam().make(), perspective);
+    Hatched& hatched = hatched_form(perspective);
     const Camera& camera = hatched.camera;
     const auto distance = [&](Vec3 p) {
       return perspective ? -camera.distance_to_viewer(p) : camera.depth(p);
@@ -138,7 +146,7 @@ TEST_P(HeldStrokes, AlongTheSilhouettesKeepTheirDistanceToTheViewer) {
 
 TEST_P(HeldStrokes, UprightOnTheSheetAreUpright) {
   for (const auto& perspective : {std::optional<double>(), std::optional<double>(45)}) {
-    Hatched hatched(*GetParam().make(), perspective);
+    Hatched& hatched = hatched_form(perspective);
     const Camera& camera = hatched.camera;
     double worst = 0, off = 0;
     std::size_t held = 0;

@@ -19,8 +19,7 @@ class IsophotesOnAnyForm : public testing::TestWithParam<FormCase> {};
 
 TEST_P(IsophotesOnAnyForm, KeepTheAngleAlongAndChangeItAcross) {
   RunContext context;
-  const auto form = GetParam().make();
-  const auto surface = form->realise({.tolerance = 0.01}, context);
+  const auto& surface = test::realised(GetParam()).surface;
   const double size = surface->proxy().mesh.bounds().diagonal();
   const Vec3 view = glm::normalize(Vec3(0.6, -1, 0.8));
   // Bends of less than a radius of 20 sizes: elsewhere there is no angle to keep.

@@ -2,6 +2,7 @@
 
 #include <burin/field/catalogue.h>
 #include <burin/illustrate/illustrate.h>
+#include <burin/illustrate/session.h>
 
 #include "forms.h"
 
@@ -19,16 +20,23 @@ using test::FormCase;
 
 class StrokeKindsOnAnyForm : public testing::TestWithParam<FormCase> {
  protected:
-  void SetUp() override { scene_.parts.push_back({"part", "", GetParam().make()}); }
+  void SetUp() override {
+    static test::OfOneForm<Drawn> kept;
+    drawn_ = &kept.get(GetParam().name, [] {
+      auto drawn = std::make_unique<Drawn>();
+      drawn->scene.parts.push_back({"part", "", GetParam().make()});
+      return drawn;
+    });
+  }
 
   // Draws it small, in the same ink everywhere, and looks for strokes or for the reason of none.
   void expect_strokes_or_reason(const Style& style, const std::string& kind) {
     IllustrateOptions options;
     options.images["waves"] = waves_;
     RunContext context;
-    const Camera camera = Camera::fit([&](const Mat3& axes) { return scene_.bounds(axes); },
+    const Camera camera = Camera::fit([&](const Mat3& axes) { return drawn_->scene.bounds(axes); },
                                       {.direction = {1, -1.2, 0.7}, .paper = {40, 30}});
-    const Drawing drawing = illustrate(scene_, camera, style, options, context);
+    const Drawing drawing = drawn_->session.draw(drawn_->scene, camera, style, options, context);
     const bool told = std::ranges::any_of(drawing.diagnostics.entries(), [](const Diagnostic& d) {
       return d.code.starts_with("strokes.no_");
     });
@@ -52,6 +60,12 @@ class StrokeKindsOnAnyForm : public testing::TestWithParam<FormCase> {
   }
 
  private:
+  // A session, so that the form is realised once for all kinds.
+  struct Drawn {
+    Scene scene;
+    Session session;
+  };
+
   static std::shared_ptr<const Image> make_waves() {
     constexpr int kSide = 64;
     auto image = std::make_shared<Image>(Image{kSide, kSide, {}});
@@ -62,7 +76,7 @@ class StrokeKindsOnAnyForm : public testing::TestWithParam<FormCase> {
     return image;
   }
 
-  Scene scene_;
+  Drawn* drawn_ = nullptr;
   std::shared_ptr<const Image> waves_ = make_waves();
 };
 

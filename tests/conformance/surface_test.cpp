@@ -17,8 +17,8 @@ using test::line_angle;
 class SurfaceContract : public testing::TestWithParam<FormCase> {
  protected:
   void SetUp() override {
-    form_ = GetParam().make();
-    surface_ = form_->realise({.tolerance = 0.01}, context_);
+    form_ = test::realised(GetParam()).form;
+    surface_ = test::realised(GetParam()).surface;
     size_ = surface_->proxy().mesh.bounds().diagonal();
     points_ = surface_->cover({.count = 500, .seed = 3}, context_);
   }
