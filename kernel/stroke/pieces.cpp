@@ -1,6 +1,7 @@
 #include "pieces.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 #include <utility>
@@ -10,14 +11,14 @@ namespace {
 
 // How lines end on the way into the light: every second one first, then every second of the others,
 // by the ink at which the thinnest pen is too wide for all. With one pen the lines of the second
-// family, which are never farther apart than its widest gap, end one by one: of those that give
-// some ink as many are there as have the ink that is asked for.
+// family, which are never farther apart than its widest gap, do so below the ink of all of them;
+// the last that end are every fourth.
 class Fading {
  public:
   Fading(const Picture& picture, int family) {
     const HatchOptions& o = picture.options;
-    one_by_one_ = family == 2 && picture.one_pen();
-    least_ = family == 1 ? o.tone_min : one_by_one_ ? o.width_min / o.spacing_max : kFirstOfSecond;
+    one_pen_ = family == 2 && picture.one_pen();
+    least_ = family == 1 ? o.tone_min : one_pen_ ? o.width_min / o.spacing_max : kFirstOfSecond;
     full_ = o.width_min / o.spacing_min;
     // As many halvings as the style's widest gap has room for.
     const auto room = std::lround(std::log2(o.spacing_max / o.spacing_min));
@@ -25,9 +26,13 @@ class Fading {
       classes_ = std::clamp(static_cast<int>(room), 0, 2);
   }
 
-  FadingRange range(std::int64_t number) const {
-    if (one_by_one_) {
-      const double least = 0.5 * least_ * (1 + kApart * dice(number));
+  // Of a line; where the tone is even along it, it ends nowhere, and its neighbours are to be as
+  // far apart as each other.
+  FadingRange range(std::int64_t number, bool even) const {
+    if (one_pen_) {
+      const int tier = number % 2 != 0 ? 0 : number % 4 != 0 ? 1 : 2;
+      const double spread = even ? 0 : kSpreadOfOnePen * dice(number >> std::min(tier + 1, 2));
+      const double least = least_ * kTiers[static_cast<std::size_t>(tier)] * (1 + spread);
       return {least, least};
     }
     double full = full_;
@@ -44,7 +49,10 @@ class Fading {
   static constexpr double kFirstOfSecond = 0.03;  // ink: a second family shows as from there
   static constexpr double kEnds = 0.8, kBegins = 1.35;
   static constexpr double kSpread = 0.2;  // so that tips do not line up
-  static constexpr double kApart = 0.6;   // one by one: from 0.2 to 0.8 of what all of them give
+  // Of what all lines of a second family of one pen give: where every second one begins, every
+  // fourth, and the rest.
+  static constexpr std::array<double, 3> kTiers{0.75, 0.45, 0.25};
+  static constexpr double kSpreadOfOnePen = 0.25;
 
   // In [-1, 1], far apart for neighbours: the bits of the number the other way round.
   static double dice(std::int64_t number) {
@@ -55,15 +63,23 @@ class Fading {
   }
 
   double least_ = 0, full_ = 0;
-  bool one_by_one_ = false;
+  bool one_pen_ = false;
   int classes_ = 0;
 };
 
 // The pieces of a line in which there is enough ink, in their order.
 std::vector<Piece> inked(const Picture& picture, const ViewRaster& raster, int family,
                          const Fading& fading, const RasterCell& cell, LevelLine line) {
-  const FadingRange range = fading.range(line.number);
   const std::size_t n = line.points.size();
+  double least = 1, most = 0;
+  for (const Vec2& p : line.points) {
+    const RasterCell& at = raster.nearest(p);
+    if (at.part < 0) continue;
+    least = std::min<double>(least, at.darkness);
+    most = std::max<double>(most, at.darkness);
+  }
+  constexpr double kEven = 1e-3;  // ink
+  const FadingRange range = fading.range(line.number, most - least < kEven);
   std::vector<bool> ink(n);
   std::size_t dark = 0;
   for (std::size_t i = 0; i < n; ++i) {
