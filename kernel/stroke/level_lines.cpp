@@ -168,7 +168,6 @@ class Marcher {
       }
       if (found < 2 || ends[0] == kNone || ends[1] == kNone) continue;
       join(ends[0], ends[1]);
-      join(ends[1], ends[0]);
     }
   }
 
@@ -198,7 +197,6 @@ class Marcher {
       }
       if (first == second) return;
       join(tips[first].crossing, tips[second].crossing);
-      join(tips[second].crossing, tips[first].crossing);
       tips.erase(tips.begin() + static_cast<std::ptrdiff_t>(second));
       tips.erase(tips.begin() + static_cast<std::ptrdiff_t>(first));
     }
@@ -224,9 +222,13 @@ class Marcher {
     return Tip{static_cast<std::int32_t>(crossing), off, glm::normalize(off - at)};
   }
 
-  void join(std::int32_t from, std::int32_t to) {
-    auto& n = next_[static_cast<std::size_t>(from)];
-    (n[0] == kNone ? n[0] : n[1]) = to;
+  void join(std::int32_t a, std::int32_t b) {
+    const auto add = [&](std::int32_t from, std::int32_t to) {
+      auto& n = next_[static_cast<std::size_t>(from)];
+      (n[0] == kNone ? n[0] : n[1]) = to;
+    };
+    add(a, b);
+    add(b, a);
   }
 
   LevelLine chain(std::uint32_t start, bool closed, std::vector<bool>& used) const {

@@ -24,25 +24,24 @@ class Fading {
     const auto room = std::lround(std::log2(o.spacing_max / o.spacing_min));
     if (family == 1 && picture.swells() && !(picture.level_step > 0))
       classes_ = std::clamp(static_cast<int>(room), 0, 2);
+    if (one_pen_) classes_ = static_cast<int>(kTiers.size()) - 1;
   }
 
   // Of a line; where the tone is even along it, it ends nowhere, and its neighbours are to be as
   // far apart as each other.
   FadingRange range(std::int64_t number, bool even) const {
+    // Those of odd number are 0, every second one of the others 1, and so on.
+    int halving = 0;
+    while (halving < classes_ && number % (std::int64_t{2} << halving) == 0) ++halving;
+    const double spread = dice(number >> std::min(halving + 1, classes_));
     if (one_pen_) {
-      const int tier = number % 2 != 0 ? 0 : number % 4 != 0 ? 1 : 2;
-      const double spread = even ? 0 : kSpreadOfOnePen * dice(number >> std::min(tier + 1, 2));
-      const double least = least_ * kTiers[static_cast<std::size_t>(tier)] * (1 + spread);
+      const double tier = least_ * kTiers[static_cast<std::size_t>(halving)];
+      const double least = tier * (1 + (even ? 0 : kSpreadOfOnePen * spread));
       return {least, least};
     }
-    double full = full_;
-    for (int c = 0; c < classes_; ++c, full *= 0.5) {
-      const std::int64_t step = std::int64_t{2} << c;
-      if (number % step == 0) continue;
-      const double by = full * (1 + kSpread * dice(number >> (c + 1)));
-      return {std::max(least_, kEnds * by), std::max(least_, kBegins * by)};
-    }
-    return {least_, least_};
+    if (halving == classes_) return {least_, least_};
+    const double by = std::ldexp(full_, -halving) * (1 + kSpread * spread);
+    return {std::max(least_, kEnds * by), std::max(least_, kBegins * by)};
   }
 
  private:
@@ -71,20 +70,20 @@ class Fading {
 std::vector<Piece> inked(const Picture& picture, const ViewRaster& raster, int family,
                          const Fading& fading, const RasterCell& cell, LevelLine line) {
   const std::size_t n = line.points.size();
-  double least = 1, most = 0;
-  for (const Vec2& p : line.points) {
-    const RasterCell& at = raster.nearest(p);
-    if (at.part < 0) continue;
-    least = std::min<double>(least, at.darkness);
-    most = std::max<double>(most, at.darkness);
-  }
   constexpr double kEven = 1e-3;  // ink
+  std::vector<const RasterCell*> cells(n);
+  double least = 1, most = 0;
+  for (std::size_t i = 0; i < n; ++i) {
+    cells[i] = &raster.nearest(line.points[i]);
+    if (cells[i]->part < 0) continue;
+    least = std::min<double>(least, cells[i]->darkness);
+    most = std::max<double>(most, cells[i]->darkness);
+  }
   const FadingRange range = fading.range(line.number, most - least < kEven);
   std::vector<bool> ink(n);
   std::size_t dark = 0;
   for (std::size_t i = 0; i < n; ++i) {
-    const RasterCell& at = raster.nearest(line.points[i]);
-    ink[i] = at.part >= 0 && picture.share(at.darkness, family) >= range.least;
+    ink[i] = cells[i]->part >= 0 && picture.share(cells[i]->darkness, family) >= range.least;
     dark += ink[i];
   }
   std::vector<Piece> out;

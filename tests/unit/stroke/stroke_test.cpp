@@ -197,7 +197,7 @@ const HatchOptions kOnePen{.spacing_min = 0.6,
                            .cross_from = 0.4,
                            .length_max = 300};
 
-// Where lines of one width begin to cross others they are few, and become more one by one: their
+// Where lines of one width begin to cross others they are few, and become more few by few: their
 // ends are no edge.
 TEST(Strokes, OfOnePenThatCrossOthersEndOneAfterTheOther) {
   Stage stage(test::box({0, 0, 0}, {60, 5, 40}), "front", 1);
