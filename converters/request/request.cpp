@@ -145,6 +145,10 @@ Drawing draw(const Scene& scene, const SheetOfViews& sheet, const DrawPlan& plan
 void select_parts(const Scene& scene, DrawPlan& plan) {
   std::vector<PartStyle>& styles = plan.illustrate.part_styles;
   styles.resize(std::max(styles.size(), scene.parts.size()));
+  for (std::size_t i = 0; i < scene.parts.size(); ++i) {
+    // What can be looked through is drawn as --ghost has it; looks say otherwise.
+    if (scene.parts[i].opacity < 1) styles[i].transparent = true, styles[i].hatched = false;
+  }
   if (!plan.only.empty()) {
     std::vector<bool> meant(scene.parts.size(), false);
     for (const std::string& selector : plan.only) {

@@ -66,6 +66,15 @@ class Form {
   }
 };
 
+/// One of several bodies that a part holds, such as a solid of a product.
+struct Piece {
+  /// Of no other piece of its part: "solid 2".
+  std::string name;
+  std::shared_ptr<const Form> form;
+  /// As that of a part.
+  std::string color = {};
+};
+
 struct Part {
   std::string name;
   /// The file the part came from, as the user named it.
@@ -77,6 +86,11 @@ struct Part {
   std::string color = {};
   /// The name of what this is an instance of, where the input has one beside that of the instance.
   std::string definition = {};
+  /// How much of what lies behind it the part covers, as the input says: 1 all of it, 0 nothing.
+  double opacity = 1;
+  /// The bodies that `form` is made of, where there are several that can be chosen one by one
+  /// (`split_pieces` of burin/assembly/pieces.h); they stand where the part stands.
+  std::vector<Piece> pieces = {};
 };
 
 /// What a model file itself says of how it is to be drawn.
