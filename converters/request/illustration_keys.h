@@ -24,6 +24,7 @@ const RequestOption& option_named(const std::string& name);
 /// and its steps, of a light, of a detail.
 inline const std::vector<std::string> kInputKeys = {"file", "function", "name", "place"};
 inline const std::vector<std::string> kPlaceKeys = {"translate", "rotate", "scale"};
+inline const std::vector<std::string> kItemKeys = {"name", "select"};
 inline const std::vector<std::string> kLookKeys = {"select", "style", "drawn", "hatched",
                                                    "transparent"};
 inline const std::vector<std::string> kSectionKeys = {"plane", "planes", "steps",

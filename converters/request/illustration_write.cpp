@@ -141,10 +141,20 @@ Json input_schema() {
   return object_of(std::move(members));
 }
 
-Json look_schema(const Json& style) {
-  Json select = text(
+Json select_schema() {
+  return text(
       "a part or an assembly: its name, its path, @color=#rrggbb, @index=N or "
       "@file=NAME; * and ? are wild");
+}
+
+Json item_schema() {
+  Json item = object_of({{"name", text("what the list calls it")}, {"select", select_schema()}});
+  item["required"] = {"name"};
+  return item;
+}
+
+Json look_schema(const Json& style) {
+  const Json select = select_schema();
   Json look = object_of(
       {{"select", {{"anyOf", {select, list_of(select)}}}},
        {"style", style},
@@ -304,7 +314,9 @@ std::string first_illustration(const std::vector<std::string>& inputs, const Dra
   if (std::ranges::count(given_texts(request.options, "parts_list"), "sheet") > 0) {
     json["parts_list"] = "sheet";
   }
-  for (const auto& [number, name] : request.items) json["items"][std::to_string(number)] = name;
+  for (const auto& [number, item] : request.items) {
+    json["items"][std::to_string(number)] = item.name;
+  }
   return json.dump(2) + "\n";
 }
 
@@ -336,7 +348,8 @@ std::string illustration_schema() {
       {"description", "numbers of items and their names; kept from drawing to drawing"},
       {"type", "object"},
       {"propertyNames", {{"pattern", "^[1-9][0-9]{0,4}$"}}},
-      {"additionalProperties", {{"type", "string"}, {"minLength", 1}}}};
+      {"additionalProperties",
+       {{"anyOf", {{{"type", "string"}, {"minLength", 1}}, item_schema()}}}}};
   members["parts_list"] = {{"description", "a parts list on the sheet"}, {"const", "sheet"}};
   members["section"] = {{"anyOf", {section_schema(), list_of(section_schema())}}};
   for (const detail::IllustrationKey& key : detail::illustration_keys()) {

@@ -153,6 +153,10 @@ DrawingItem read_item(const JsonPlace& place) {
   place.optional("parts", [&](const JsonPlace& parts) {
     parts.each([&](const JsonPlace& part, std::size_t) { part.set(item.parts.emplace_back()); });
   });
+  place.optional("selectors", [&](const JsonPlace& selectors) {
+    selectors.each(
+        [&](const JsonPlace& one, std::size_t) { one.set(item.selectors.emplace_back()); });
+  });
   return item;
 }
 

@@ -103,7 +103,12 @@ void append_item(Buffer& out, const DrawingItem& item) {
   append_json(out, item.color);
   append(out, ", \"source\": ");
   append_json(out, item.source);
-  fmt::format_to(fmt::appender(out), ", \"parts\": [{}]}}", fmt::join(item.parts, ", "));
+  fmt::format_to(fmt::appender(out), ", \"parts\": [{}]", fmt::join(item.parts, ", "));
+  if (!item.selectors.empty()) {
+    append(out, ", \"selectors\": ");
+    append_json(out, item.selectors);
+  }
+  out.push_back('}');
 }
 
 void append_point(Buffer& out, Vec2 p) {

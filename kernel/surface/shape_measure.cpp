@@ -28,10 +28,11 @@ bool Definition::same(const Definition& other) const {
          alike(scale, other.scale, kRounding * std::abs(scale));
 }
 
+bool ShapeMeasure::handed() const { return std::abs(handedness) > kHanded; }
+
 bool ShapeMeasure::same(const ShapeMeasure& other, double relative) const {
   if (faces != other.faces || edges != other.edges) return false;
-  const bool sure = std::min(std::abs(handedness), std::abs(other.handedness)) > kHanded;
-  if (sure && (handedness > 0) != (other.handedness > 0)) return false;
+  if (handed() && other.handed() && (handedness > 0) != (other.handedness > 0)) return false;
   const double size = std::max(area, other.area);
   const double spread = std::max(moments.z, other.moments.z);
   return alike(area, other.area, relative * size) &&

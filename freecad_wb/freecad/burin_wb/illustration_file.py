@@ -11,7 +11,7 @@ from dataclasses import replace
 import FreeCAD
 import Part
 
-from . import kernel
+from . import item_numbers, kernel
 from .errors import Refused
 from .features.illustration import make_job
 from .features.styles import is_file
@@ -119,7 +119,7 @@ def _item_names(burin, job, names):
     there = replace(job, parts=[replace(part, name=name, assembly=[]) for part, name in zip(job.parts, names)],
                     options={"callouts": True})
     called = {tuple(item["parts"]): item["name"] for item in there.items(burin)}
-    kept = dict(job.options["illustration"]["items"])
+    kept = item_numbers.names_of(job.options["illustration"]["items"])
     kept.update((str(item["number"]), called[tuple(item["parts"])]) for item in job.items(burin) if tuple(item["parts"]) in called)
     return kept
 

@@ -47,6 +47,4 @@ class RevisionSurfaces {
   std::map<std::tuple<const void*, double, bool>, ShapeMeasure> measures_;
 };
 
-Pose pose_of(const ProxyMesh& proxy);
-
 }  // namespace burin::detail

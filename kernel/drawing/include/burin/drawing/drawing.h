@@ -89,6 +89,8 @@ struct DrawingItem {
   /// "#rrggbb" where all have one colour, and the file that all come from; else empty.
   std::string color = {};
   std::string source = {};
+  /// What names each of the parts in commands and illustration files, in their order.
+  std::vector<std::string> selectors = {};
 
   std::size_t quantity() const { return parts.size(); }
 };

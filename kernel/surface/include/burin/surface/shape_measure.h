@@ -35,6 +35,8 @@ struct ShapeMeasure {
 
   /// Whether two shapes are alike within `relative` of their size.
   bool same(const ShapeMeasure& other, double relative = 1e-6) const;
+  /// Whether `handedness` tells the shape from its mirror image.
+  bool handed() const;
   /// The measure of the same shape made larger, and mirrored.
   ShapeMeasure scaled(double scale, bool mirrored) const;
 };
