@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <tuple>
 #include <utility>
@@ -14,13 +15,15 @@
 namespace burin {
 namespace {
 
-/// Paper mm: shorter stretches on another line are crossings at a small angle.
-constexpr double kLeastOn = 0.3;
+/// Paper mm: shorter stretches on another line are crossings at a small angle; at the end of a line
+/// they are where it runs into another.
+constexpr double kLeastOn = 0.2, kLeastAtEnd = 0.1;
 /// Paper mm: what is left of a line between stretches that lie on others, or at its end.
 constexpr double kSpeck = 0.15;
-/// Cosine of the angle from which on lines cross and do not run the same way; of short segments of
-/// two polygons for one circle, too.
-constexpr double kSameWay = 0.9;
+/// Paper mm along a line from which on it does not lie on itself because it is one line.
+constexpr double kFarAlong = 0.2;
+/// The owner of stretches that a line has laid down itself.
+constexpr std::size_t kItself = std::numeric_limits<std::size_t>::max();
 
 /// A stretch along a path, from index and share of a segment to another, and whose line it is on.
 struct Stretch {
@@ -88,12 +91,12 @@ class Sheet {
     std::vector<Stretch> found;
     const auto& points = open.points();
     for (std::size_t i = 0; i + 1 < points.size(); ++i) {
-      grid_.along(points[i], points[i + 1], kSameWay,
-                  [&](double begin, double end, std::size_t owner) {
-                    const auto at = static_cast<double>(i);
-                    found.push_back({at + begin, at + end, owner});
-                  });
+      grid_.along(points[i], points[i + 1], [&](double begin, double end, std::size_t owner) {
+        const auto at = static_cast<double>(i);
+        found.push_back({at + begin, at + end, owner});
+      });
     }
+    add_stretches_on_itself(open, found);
     if (found.empty()) return {};
     std::ranges::sort(found, [](const Stretch& a, const Stretch& b) {
       return std::tie(a.begin, a.end, a.owner) < std::tie(b.begin, b.end, b.owner);
@@ -101,6 +104,26 @@ class Sheet {
     const std::vector<Stretch> on = without_specks(united(found), open);
     tell_owners(found, on, open);
     return on;
+  }
+
+  /// A contour may come back beside itself, as a circle does that is seen from its side.
+  static void add_stretches_on_itself(const OpenedPath& open, std::vector<Stretch>& found) {
+    const auto& points = open.points();
+    const double whole = open.length(0, static_cast<double>(points.size() - 1));
+    if (whole < 2 * kFarAlong) return;
+    SegmentGrid before(kSameLine);
+    for (std::size_t i = 0; i + 1 < points.size(); ++i) {
+      const auto at = static_cast<double>(i);
+      before.along(points[i], points[i + 1], [&](double begin, double end, std::size_t other) {
+        const auto after = static_cast<double>(other + 1);
+        double way = open.length(std::min(after, at), at);
+        if (open.path().closed) {
+          way = std::min(way, whole - open.length(after - 1, at + 1));
+        }
+        if (way >= kFarAlong) found.push_back({at + begin, at + end, kItself});
+      });
+      before.add(points[i], points[i + 1], i);
+    }
   }
 
   static std::vector<Stretch> united(const std::vector<Stretch>& found) {
@@ -128,7 +151,9 @@ class Sheet {
     const auto last = static_cast<double>(open.points().size() - 1);
     const auto is_short = [&](const Stretch& run) {
       const bool all = open.length(0, run.begin) < kSpeck && open.length(run.end, last) < kSpeck;
-      return !all && open.length(run.begin, run.end) < kLeastOn;
+      const bool at_end = !open.path().closed && (open.length(0, run.begin) < kSpeck ||
+                                                  open.length(run.end, last) < kSpeck);
+      return !all && open.length(run.begin, run.end) < (at_end ? kLeastAtEnd : kLeastOn);
     };
     std::erase_if(out, is_short);
     if (out.empty()) return out;
@@ -141,6 +166,7 @@ class Sheet {
                    const OpenedPath& open) {
     std::map<std::size_t, double> lengths;
     for (const Stretch& one : found) {
+      if (one.owner == kItself) continue;
       for (const Stretch& run : on) {
         const double begin = std::max(one.begin, run.begin), end = std::min(one.end, run.end);
         if (begin < end) lengths[one.owner] += open.length(begin, end);

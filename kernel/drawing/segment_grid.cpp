@@ -37,17 +37,20 @@ std::optional<Share> in_strip(Vec2 a, Vec2 b, Vec2 from, Vec2 to, double reach) 
 
 }  // namespace
 
+void SegmentGrid::add(Vec2 a, Vec2 b, std::size_t owner) {
+  if (a == b) return;
+  const auto index = static_cast<std::uint32_t>(segments_.size());
+  segments_.push_back({a, b, owner});
+  for_cells(a, b, 0, [&](std::uint64_t key) {
+    auto& cell = cells_[key];
+    if (cell.empty() || cell.back() != index) cell.push_back(index);
+  });
+}
+
 void SegmentGrid::add(const Path& path, std::size_t owner) {
   const std::size_t n = path.points.size();
   for (std::size_t i = 0; i + (path.closed ? 0 : 1) < n; ++i) {
-    const Vec2 a = path.points[i], b = path.points[(i + 1) % n];
-    if (a == b) continue;
-    const auto index = static_cast<std::uint32_t>(segments_.size());
-    segments_.push_back({a, b, owner});
-    for_cells(a, b, 0, [&](std::uint64_t key) {
-      auto& cell = cells_[key];
-      if (cell.empty() || cell.back() != index) cell.push_back(index);
-    });
+    add(path.points[i], path.points[(i + 1) % n], owner);
   }
 }
 

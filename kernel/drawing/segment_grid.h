@@ -21,12 +21,14 @@ class SegmentGrid {
   explicit SegmentGrid(double reach) : reach_(reach) {}
 
   /// Cost: 0.1 us a segment and mm.
+  void add(Vec2 a, Vec2 b, std::size_t owner);
+  /// All segments of a path.
   void add(const Path& path, std::size_t owner);
 
   /// Tells each stretch of the segment ab, as shares of it, that lies within reach of a segment
-  /// whose direction has at least that cosine to its own, and the owner of that.
+  /// that runs the same way (either way round), and the owner of that.
   template <class Tell>
-  void along(Vec2 a, Vec2 b, double cosine, const Tell& tell) const {
+  void along(Vec2 a, Vec2 b, const Tell& tell) const {
     const double length = glm::distance(a, b);
     if (!(length > 0)) return;
     const Vec2 way = (b - a) / length;
@@ -40,7 +42,7 @@ class SegmentGrid {
     for (const std::uint32_t i : near_) {
       const Segment& s = segments_[i];
       const double own = glm::distance(s.a, s.b);
-      if (!(std::abs(glm::dot(way, s.b - s.a)) >= cosine * own)) continue;
+      if (!(std::abs(glm::dot(way, s.b - s.a)) >= same_way(std::min(own, length)) * own)) continue;
       if (const auto part = within(a, b, s)) tell(part->first, part->second, s.owner);
     }
   }
@@ -51,6 +53,13 @@ class SegmentGrid {
     std::size_t owner;
   };
   static constexpr double kSide = 2;  // paper mm
+
+  /// Cosine of the angle up to which segments run the same way, the shorter one of a length. Two
+  /// polygons that stand for one curve within 0.005 mm turn by 0.04 mm over that length.
+  static double same_way(double length) {
+    constexpr double kAngle = 0.1, kTurn = 0.04, kMost = 0.45;  // radians
+    return std::cos(std::min(kAngle + kTurn / length, kMost));
+  }
 
   template <class Use>
   static void for_cells(Vec2 a, Vec2 b, double more, const Use& use) {

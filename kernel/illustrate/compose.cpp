@@ -2,6 +2,7 @@
 
 #include <burin/drawing/bezier.h>
 #include <burin/drawing/ink.h>
+#include <burin/drawing/join_lines.h>
 #include <burin/drawing/length.h>
 #include <burin/drawing/one_line.h>
 #include <burin/feature/source_faces.h>
@@ -210,6 +211,7 @@ void compose_features(const LinesToDraw& lines, const std::vector<Gaps>& gaps,
     }
   }
   keep_one_line(layers, context);
+  join_lines(layers, context);
   for (Layer& layer : layers) {
     if (!layer.paths.empty()) drawing.layers.push_back(std::move(layer));
   }
