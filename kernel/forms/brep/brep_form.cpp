@@ -24,22 +24,26 @@ Box3 BrepForm::bounds(const Mat3& axes) const {
 std::shared_ptr<const Surface> BrepForm::realise(const RealiseOptions& options,
                                                  RunContext& context) const {
   context.begin_stage(RunStage::Build);
-  const double scale = placement_.scale();
-  if (!(scale > 0)) throw GeometryError("the placement of a part has no extent");
+  if (!placement_.is_invertible()) throw GeometryError("the placement of a part has no extent");
   const std::shared_ptr<const BrepTriangles> mesh =
-      model_->tessellate(options.tolerance / scale, context, options.diagnostics);
-  const PlacedAtlas atlas{model_, placement_, scale * model_->size()};
+      model_->tessellate(options.tolerance / placement_.stretch(), context, options.diagnostics);
+  const double size =
+      placement_.is_similar() ? placement_.scale() * model_->size() : bounds(Mat3(1)).diagonal();
+  const PlacedAtlas atlas{model_, placement_, size};
   auto surface = realise_faces(atlas, *mesh, mesh->loose, options, context);
   context.end_stage();
   return surface;
 }
 
-Definition BrepForm::definition() const {
-  return {model_.get(), placement_.scale(), placement_.mirrors()};
+std::shared_ptr<const Form> BrepForm::mapped(const Placement& by) const {
+  return std::make_shared<BrepForm>(model_, after(by, placement_));
 }
+
+Definition BrepForm::definition() const { return {model_.get(), placement_.linear}; }
 
 ShapeMeasure BrepForm::measure(RunContext& context) const {
   context.check();
+  if (!placement_.is_similar()) return brep_measure(*model_, placement_);
   return brep_measure(*model_).scaled(placement_.scale(), placement_.mirrors());
 }
 

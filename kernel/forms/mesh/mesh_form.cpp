@@ -60,6 +60,10 @@ std::shared_ptr<const Surface> MeshForm::realise(const RealiseOptions& options,
   return textured(realise_mesh(options, context), texture_);
 }
 
+std::shared_ptr<const Form> MeshForm::mapped(const Placement& by) const {
+  return std::make_shared<MeshForm>(placed(mesh_, by), texture_ ? texture_->mapped(by) : nullptr);
+}
+
 ShapeMeasure MeshForm::measure(RunContext& context) const {
   return shape_measure(build_proxy(mesh_, {}, context));
 }

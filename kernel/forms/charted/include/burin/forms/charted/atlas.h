@@ -36,7 +36,14 @@ struct PlacedAtlas {
   std::shared_ptr<const Atlas> atlas;
   Placement placement;
   double size = 1;
+  /// Whether the kinds of faces are what they were before it was placed.
+  bool keeps_kinds = placement.is_similar();
 
+  /// Stretched or sheared, only a plane stays what it was.
+  FaceKind kind(std::int32_t face) const {
+    const FaceKind own = atlas->chart(face).kind();
+    return keeps_kinds || own == FaceKind::Plane ? own : FaceKind::Freeform;
+  }
   bool reversed(std::int32_t face) const { return atlas->reversed(face) != placement.mirrors(); }
   Vec3 position(std::int32_t face, Vec2 uv) const {
     return placement.point(atlas->chart(face).position(uv));
