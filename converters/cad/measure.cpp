@@ -1,5 +1,7 @@
 #include "measure.h"
 
+#include <burin/base/affine.h>
+
 #include <BRepGProp.hxx>
 #include <GProp_GProps.hxx>
 #include <Standard_Failure.hxx>
@@ -40,7 +42,7 @@ PartInfo measure(const BrepModel& model, const Placement& placement) {
   info.edges = counts.edges;
   info.boundary_edges = counts.free_edges;
   const double volume_scale = std::abs(glm::determinant(placement.linear));
-  info.area = placement.is_similar()
+  info.area = is_similar(placement)
                   ? integral(model.shape(), false) * std::pow(volume_scale, 2.0 / 3)
                   : integral(as_splines(model, placement), false);
   if (counts.closed) info.volume = std::abs(integral(model.shape(), true)) * volume_scale;

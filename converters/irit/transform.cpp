@@ -1,5 +1,6 @@
 #include "transform.h"
 
+#include <burin/base/affine.h>
 #include <burin/base/error.h>
 
 #include "lexer.h"
@@ -27,7 +28,7 @@ class Transform {
       }
       out.offset[row] = m_[k + 12] / m_[15];
     }
-    if (!out.is_invertible()) throw GeometryError("its matrix flattens what it moves");
+    if (!is_invertible(out)) throw GeometryError("its matrix flattens what it moves");
     return out;
   }
 

@@ -1,5 +1,6 @@
 #include "add_parts.h"
 
+#include <burin/base/affine.h>
 #include <burin/base/error.h>
 #include <burin/converters/cad_reader.h>
 #include <burin/converters/implicit_reader.h>
@@ -80,7 +81,7 @@ Placement affine(const py::object& value) {
   if (!last) {
     throw UsageError(fmt::format("{}; the last row of one is 0, 0, 0, 1", kWhat));
   }
-  if (!place.is_invertible()) {
+  if (!is_invertible(place)) {
     throw UsageError(fmt::format("{}; this one flattens the part or is not finite", kWhat));
   }
   return place;

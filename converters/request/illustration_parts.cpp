@@ -1,3 +1,4 @@
+#include <burin/base/affine.h>
 #include <burin/converters/read.h>
 
 #include "illustration_keyed.h"
@@ -43,7 +44,7 @@ Placement matrix(const KeyedFile& in, const Json& value, const std::string& path
       }
     }
   }
-  if (!place.is_invertible()) in.fail(path, "\"matrix\" flattens the part to nothing");
+  if (!is_invertible(place)) in.fail(path, "\"matrix\" flattens the part to nothing");
   return place;
 }
 
@@ -74,7 +75,7 @@ Placement placement(const KeyedFile& in, const Json& value, const std::string& p
   if (value.contains("scale")) {
     const Vec3 scale = scale_of(in, value["scale"], path + "/scale");
     for (int k = 0; k < 3; ++k) place.linear[k] *= scale[k];
-    if (!place.is_invertible()) {
+    if (!is_invertible(place)) {
       in.fail(path + "/scale", "the factors of \"scale\" are so far apart that the part is flat");
     }
   }

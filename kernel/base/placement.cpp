@@ -1,60 +1,10 @@
 #include <burin/base/placement.h>
 
-#include <Eigen/Eigenvalues>
-
 #include <algorithm>
 #include <limits>
 #include <numbers>
 
 namespace burin {
-namespace {
-
-/// The factors by which lengths grow along three directions at right angles, ascending.
-Vec3 principal_stretches(const Mat3& m) {
-  const Mat3 gram = glm::transpose(m) * m;
-  Eigen::Matrix3d matrix;
-  for (int i = 0; i < 3; ++i) {
-    for (int k = 0; k < 3; ++k) matrix(i, k) = gram[k][i];
-  }
-  const Eigen::Vector3d squares =
-      Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(matrix, Eigen::EigenvaluesOnly).eigenvalues();
-  return glm::sqrt(glm::max(Vec3(squares(0), squares(1), squares(2)), Vec3(0)));
-}
-
-}  // namespace
-
-bool Placement::is_similar() const {
-  constexpr double kSingle = 1e-5;
-  const double all = scale();
-  return all > 0 && off_rotation(linear / all) <= kSingle;
-}
-
-bool Placement::is_invertible() const {
-  // Of the largest one: flatter than that is flat, but for rounding.
-  constexpr double kFlat = 1e-14;
-  double sum = offset.x + offset.y + offset.z;
-  for (int i = 0; i < 3; ++i) sum += linear[i].x + linear[i].y + linear[i].z;
-  if (!std::isfinite(sum)) return false;
-  const double volume = std::abs(glm::determinant(linear)), most = principal_stretches(linear).z;
-  return volume > 0 && volume > kFlat * most * most * most && std::isfinite(most);
-}
-
-double Placement::stretch() const { return is_similar() ? scale() : principal_stretches(linear).z; }
-
-double Placement::area_stretch() const {
-  if (is_similar()) return scale() * scale();
-  const Vec3 by = principal_stretches(linear);
-  return by.y * by.z;
-}
-
-Placement Placement::inverse() const {
-  const Mat3 back = glm::inverse(linear);
-  return {back, -(back * offset)};
-}
-
-Vec3 placed_normal(const Placement& placement, Vec3 n) {
-  return glm::normalize(glm::transpose(glm::inverse(placement.linear)) * n);
-}
 
 Mat3 rotation(Vec3 degrees) {
   // Whole quarter turns are exact.

@@ -1,3 +1,4 @@
+#include <burin/base/affine.h>
 #include <burin/section/section.h>
 #include <burin/surface/empty_surface.h>
 

@@ -1,3 +1,4 @@
+#include <burin/base/affine.h>
 #include <burin/base/error.h>
 #include <burin/surface/placed_form.h>
 
@@ -255,7 +256,7 @@ class PlacedForm final : public Form {
     return of;
   }
   ShapeMeasure measure(RunContext& context) const override {
-    if (!placement_.is_similar()) return shown_->form()->measure(context);
+    if (!is_similar(placement_)) return shown_->form()->measure(context);
     return root_->form()->measure(context).scaled(placement_.scale(), placement_.mirrors());
   }
 
@@ -281,7 +282,7 @@ Placer::Placer(std::shared_ptr<const Form> form) : form_(std::move(form)) {
 
 std::shared_ptr<const Form> Placer::at(const Placement& placement) const {
   if (!placement.moves()) return form_;
-  if (!placement.is_invertible()) {
+  if (!is_invertible(placement)) {
     throw UsageError(
         "a placement must not flatten what it places, and its numbers must be finite: scale each "
         "direction by more than 0");

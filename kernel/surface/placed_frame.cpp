@@ -1,3 +1,4 @@
+#include <burin/base/affine.h>
 #include <burin/surface/placed_frame.h>
 #include <burin/surface/tangent_basis.h>
 
@@ -18,7 +19,7 @@ Frame placed(const Placement& by, const Frame& frame) {
   Frame f = frame;
   f.position = by.point(frame.position);
   f.du = by.vector(frame.du), f.dv = by.vector(frame.dv);
-  if (frame.kind != FaceKind::Plane && !by.is_similar()) f.kind = FaceKind::Freeform;
+  if (frame.kind != FaceKind::Plane && !is_similar(by)) f.kind = FaceKind::Freeform;
   f.normal = normal / grown;
   const TangentBasis basis(
       f.normal, normalize_or(reject(by.vector(frame.d1), f.normal), any_orthogonal(f.normal)));

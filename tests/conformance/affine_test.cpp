@@ -1,7 +1,9 @@
 /// What forms become under affine maps, against closed forms: a stretched ball is an ellipsoid.
 
+#include <burin/base/affine.h>
 #include <burin/base/error.h>
 #include <burin/illustrate/illustrate.h>
+#include <burin/mesh/placed_mesh.h>
 #include <burin/surface/placed_frame.h>
 
 #include "forms.h"
@@ -54,7 +56,7 @@ TEST_P(StretchedBall, HasTheCurvaturesOfAnEllipsoid) {
     Placement by = ellipsoid_of(kHalf);
     if (mirrored) by.linear[0] *= -1;
     const auto surface = form(by)->realise({.tolerance = 0.003}, context_);
-    const Placement back = by.inverse();
+    const Placement back = inverse(by);
     for (const SurfacePoint& p : surface->cover({.count = 200, .seed = 2}, context_)) {
       const Frame f = surface->frame(p);
       const Vec3 q = kHalf * back.point(p.position);  // along the axes of the ellipsoid

@@ -1,3 +1,4 @@
+#include <burin/base/affine.h>
 #include <burin/base/error.h>
 #include <burin/forms/brep/brep_form.h>
 #include <burin/forms/brep/occt/brep_model.h>
@@ -24,11 +25,11 @@ Box3 BrepForm::bounds(const Mat3& axes) const {
 std::shared_ptr<const Surface> BrepForm::realise(const RealiseOptions& options,
                                                  RunContext& context) const {
   context.begin_stage(RunStage::Build);
-  if (!placement_.is_invertible()) throw GeometryError("the placement of a part has no extent");
+  if (!is_invertible(placement_)) throw GeometryError("the placement of a part has no extent");
   const std::shared_ptr<const BrepTriangles> mesh =
-      model_->tessellate(options.tolerance / placement_.stretch(), context, options.diagnostics);
+      model_->tessellate(options.tolerance / stretch(placement_), context, options.diagnostics);
   const double size =
-      placement_.is_similar() ? placement_.scale() * model_->size() : bounds(Mat3(1)).diagonal();
+      is_similar(placement_) ? placement_.scale() * model_->size() : bounds(Mat3(1)).diagonal();
   const PlacedAtlas atlas{model_, placement_, size};
   auto surface = realise_faces(atlas, *mesh, mesh->loose, options, context);
   context.end_stage();
@@ -43,7 +44,7 @@ Definition BrepForm::definition() const { return {model_.get(), placement_.linea
 
 ShapeMeasure BrepForm::measure(RunContext& context) const {
   context.check();
-  if (!placement_.is_similar()) return brep_measure(*model_, placement_);
+  if (!is_similar(placement_)) return brep_measure(*model_, placement_);
   return brep_measure(*model_).scaled(placement_.scale(), placement_.mirrors());
 }
 

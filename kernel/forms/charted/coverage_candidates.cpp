@@ -1,5 +1,6 @@
 #include "coverage_candidates.h"
 
+#include <burin/base/affine.h>
 #include <burin/base/error.h>
 #include <burin/forms/charted/nurbs.h>
 
@@ -39,8 +40,8 @@ Candidates::Candidates(const Chart& chart, const CoverageOptions& options)
       box_(chart.domain()),
       rng_(options.seed, static_cast<std::uint64_t>(options.part),
            static_cast<std::uint64_t>(options.face)),
-      even_(options.placement.is_similar()),
-      scale2_(options.placement.area_stretch()) {
+      even_(is_similar(options.placement)),
+      scale2_(area_stretch(options.placement)) {
   if (options.norm != CoverageNorm::Picture) return;
   if (!options.camera) throw GeometryError("coverage uniform in the picture needs a camera");
   picture_scale2_ = picture_bound();

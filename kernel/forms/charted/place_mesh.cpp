@@ -1,3 +1,4 @@
+#include <burin/base/affine.h>
 #include <burin/base/parallel.h>
 #include <burin/forms/charted/place_mesh.h>
 
@@ -43,7 +44,7 @@ ChartMesh placed(const ChartMesh& mesh, const Placement& placement) {
     for (const std::int32_t f : out.face) faces = std::max(faces, f + 1);
     turn_triangles(out, std::vector<std::uint8_t>(static_cast<std::size_t>(faces), 1));
   }
-  out.tolerance *= placement.stretch();
+  out.tolerance *= stretch(placement);
   return out;
 }
 

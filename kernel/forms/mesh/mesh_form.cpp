@@ -1,6 +1,7 @@
 #include <burin/base/parallel.h>
 #include <burin/forms/mesh/mesh_form.h>
 #include <burin/mesh/curvature.h>
+#include <burin/mesh/placed_mesh.h>
 #include <burin/mesh/proxy_mesh.h>
 #include <burin/mesh/reorder.h>
 

@@ -1,3 +1,4 @@
+#include <burin/base/affine.h>
 #include <burin/base/error.h>
 #include <burin/contour_cut/contour_cut.h>
 #include <burin/forms/charted/atlas_sampler.h>
@@ -38,7 +39,7 @@ std::shared_ptr<const Surface> ParametricForm::realise(const RealiseOptions& opt
                     complex.contradictions));
   }
   detail::Tessellation made =
-      detail::tessellate(complex, options.tolerance / placement_.stretch(), context);
+      detail::tessellate(complex, options.tolerance / stretch(placement_), context);
   ChartMesh mesh = placement_.moves() ? placed(made.mesh, placement_) : std::move(made.mesh);
   if (!made.complete && options.diagnostics) {
     add_triangles_bounded(*options.diagnostics, mesh.triangles.size(), mesh.tolerance,

@@ -1,3 +1,4 @@
+#include <burin/base/affine.h>
 #include <burin/contour_cut/contour_cut.h>
 #include <burin/forms/charted/atlas_sampler.h>
 #include <burin/forms/charted/charted_surface.h>
@@ -5,6 +6,7 @@
 #include <burin/forms/mesh/mesh_form.h>
 #include <burin/forms/recognised/recognised_form.h>
 #include <burin/mesh/curvature.h>
+#include <burin/mesh/placed_mesh.h>
 
 #include "facet_atlas.h"
 #include "known.h"
@@ -20,13 +22,13 @@ namespace {
 /// it is stretched.
 ProxyMesh with_placed_creases(const TriMesh& mesh, const Placement& placement,
                               const ProxyOptions& options, const RunContext& context) {
-  if (placement.is_similar()) return build_proxy(mesh, options, context);
+  if (is_similar(placement)) return build_proxy(mesh, options, context);
   // A mirror image has the same angles, and its triangles would run the other way.
   Placement by = placement;
   if (by.mirrors()) by.linear = -by.linear;
   ProxyMesh proxy = build_proxy(placed(mesh, by), options, context);
   proxy.mesh.positions = mesh.positions;
-  const Placement back = by.inverse();
+  const Placement back = inverse(by);
   for (Vec3& n : proxy.wedge_normal) n = placed_normal(back, n);
   return proxy;
 }
@@ -163,7 +165,7 @@ std::shared_ptr<const Surface> RecognisedForm::realise(const RealiseOptions& opt
   context.begin_stage(RunStage::Build);
   const ProxyOptions proxy_options{.crease_angle = options.crease_angle};
   const ProxyMesh input = with_placed_creases(mesh(), placement_, proxy_options, context);
-  const double tolerance = options.tolerance / placement_.stretch();
+  const double tolerance = options.tolerance / stretch(placement_);
   recognised::Faces faces = recognised::find_faces(input, *impl_->facets, *impl_->round);
   recognised::FacetMesh refined = faces.mesh;
   recognised::refine(refined, *impl_->round, *impl_->facets, tolerance, context);

@@ -1,6 +1,7 @@
 #pragma once
 // The surface behind RecognisedForm.
 
+#include <burin/base/affine.h>
 #include <burin/surface/surface.h>
 
 #include "recognise.h"
@@ -21,7 +22,7 @@ class RecognisedSurface final : public Surface {
         round_(std::move(round)),
         patch_(std::move(patch)),
         place_(placement),
-        back_(placement.inverse()) {}
+        back_(inverse(placement)) {}
 
   MarchStep march(const SurfacePoint& from, Vec3 tangent, double length) const override {
     return mesh_->march(from, tangent, length);

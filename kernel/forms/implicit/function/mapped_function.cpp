@@ -1,5 +1,7 @@
 #include "mapped_function.h"
 
+#include <burin/base/affine.h>
+
 #include <algorithm>
 #include <utility>
 #include <vector>
@@ -34,7 +36,7 @@ Box3 box_of(const Box3& box, const Placement& by) {
 
 MappedFunction::MappedFunction(std::shared_ptr<const ImplicitFunction> function,
                                const Placement& placement)
-    : function_(std::move(function)), to_(placement), back_(placement.inverse()) {}
+    : function_(std::move(function)), to_(placement), back_(inverse(placement)) {}
 MappedFunction::~MappedFunction() = default;
 
 void MappedFunction::values(std::span<const Vec3> points, std::span<double> out) const {

@@ -1,5 +1,7 @@
+#include <burin/base/affine.h>
 #include <burin/base/error.h>
 #include <burin/forms/implicit/implicit_form.h>
+#include <burin/surface/tangent_basis.h>
 
 #include "../function/mapped_function.h"
 #include "../function/project.h"
@@ -75,14 +77,33 @@ ExactMesh affordable_mesh(const Survey& s, double step, MeshCounts& counts,
   }
 }
 
+// The least that a tangent at a right angle to the unit vector `normal` grows.
+double least_stretch(const Placement& placement, Vec3 normal) {
+  const TangentBasis basis(normal);
+  const Vec3 x = placement.vector(basis.x), y = placement.vector(basis.y);
+  const double a = glm::dot(x, x), b = glm::dot(x, y), c = glm::dot(y, y);
+  const double larger = 0.5 * (a + c) + std::hypot(0.5 * (a - c), b);
+  return std::sqrt(std::max(a * c - b * b, 0.0) / larger);
+}
+
 // The mesh of a function where `placement` takes it: with what is written of pieces of `function`.
 ExactMesh placed(ExactMesh mesh, const Placement& placement, const MappedFunction& function) {
-  const double stretch = placement.stretch();
+  const double most = stretch(placement);
   const auto pieces = [&](const ImplicitFunction*& piece) {
     if (piece) piece = &function.mapped(*piece);
   };
   const Mat3 turned = glm::transpose(glm::inverse(placement.linear));
   const auto turn = [&](Vec3& normal) { normal = normalize_or(turned * normal, Vec3(0)); };
+  if (!is_similar(placement)) {
+    // Triangles are narrower one way: vertices that are drawn onto contours keep to that.
+    std::vector<double> spacing;
+    for (std::uint32_t v = 0; v < mesh.positions.size(); ++v) {
+      spacing.push_back(mesh.step_at(v) * least_stretch(placement, mesh.normals[v]));
+    }
+    mesh.spacing = std::move(spacing);
+  } else {
+    for (double& s : mesh.spacing) s *= most;
+  }
   Box3 box;
   for (Vec3& p : mesh.positions) box.add(p = placement.point(p));
   for (Vec3& n : mesh.normals) turn(n);
@@ -93,8 +114,7 @@ ExactMesh placed(ExactMesh mesh, const Placement& placement, const MappedFunctio
   if (placement.mirrors()) {
     for (Triangle& t : mesh.triangles) std::swap(t[1], t[2]);
   }
-  mesh.step *= stretch, mesh.accuracy *= stretch;
-  for (double& s : mesh.spacing) s *= stretch;
+  mesh.step *= most, mesh.accuracy *= most;
   mesh.size = box.diagonal();
   return mesh;
 }
@@ -261,7 +281,7 @@ std::shared_ptr<const Surface> ImplicitForm::realise(const RealiseOptions& optio
   Diagnostics diagnostics = s.diagnostics;
   MeshCounts counts;
   ExactMesh mesh =
-      impl_->mesh(options.tolerance / placement_.stretch(), counts, diagnostics, context);
+      impl_->mesh(options.tolerance / stretch(placement_), counts, diagnostics, context);
   std::shared_ptr<const ImplicitFunction> function = s.function;
   if (placement_.moves()) {
     auto there = std::make_shared<const MappedFunction>(s.function, placement_);

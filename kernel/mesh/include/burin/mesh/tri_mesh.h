@@ -2,7 +2,6 @@
 /// Triangles as indexed arrays.
 
 #include <burin/base/box.h>
-#include <burin/base/placement.h>
 #include <burin/base/vec.h>
 
 #include <glm/vec2.hpp>
@@ -42,10 +41,5 @@ struct PolygonSoup {
 
   std::size_t polygon_count() const { return offsets.size() - 1; }
 };
-
-/// The same elsewhere; where the placement mirrors, corners run the other way round, so that they
-/// stay counter-clockwise.
-TriMesh placed(TriMesh mesh, const Placement& by);
-PolygonSoup placed(PolygonSoup soup, const Placement& by);
 
 }  // namespace burin

@@ -1,6 +1,7 @@
 #pragma once
 /// Charts that meet along edges: what trimmed faces and patches have in common.
 
+#include <burin/base/affine.h>
 #include <burin/forms/charted/chart.h>
 #include <burin/work_mesh/chart_mesh.h>
 #include <burin/work_mesh/proxy_draft.h>
@@ -37,7 +38,7 @@ struct PlacedAtlas {
   Placement placement;
   double size = 1;
   /// Whether the kinds of faces are what they were before it was placed.
-  bool keeps_kinds = placement.is_similar();
+  bool keeps_kinds = is_similar(placement);
 
   /// Stretched or sheared, only a plane stays what it was.
   FaceKind kind(std::int32_t face) const {
