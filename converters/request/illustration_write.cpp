@@ -124,15 +124,33 @@ Json vector_of(const char* what) {
 Json text(const char* what) { return {{"description", what}, {"type", "string"}}; }
 Json flag(const char* what) { return {{"description", what}, {"type", "boolean"}}; }
 
+Json matrix_schema() {
+  const Json row = {
+      {"type", "array"}, {"items", {{"type", "number"}}}, {"minItems", 4}, {"maxItems", 4}};
+  return {{"description",
+           "in place of the others: rows of an affine matrix that acts on columns; it may stretch, "
+           "shear and mirror"},
+          {"type", "array"},
+          {"items", row},
+          {"minItems", 3},
+          {"maxItems", 4}};
+}
+
 Json input_schema() {
   Json members;
   members["file"] = text("a model file, seen from the folder of this one");
   members["function"] = text("instead of a file: the text of an implicit function");
   members["name"] = text("what the part is called, or the assembly that its parts make");
-  members["place"] =
-      object_of({{"translate", vector_of("model mm")},
-                 {"rotate", vector_of("degrees about x, then y, then z; before it is moved")},
-                 {"scale", {{"type", "number"}, {"minimum", 1e-9}, {"maximum", 1e9}}}});
+  members["place"] = object_of(
+      {{"translate", vector_of("model mm")},
+       {"rotate", vector_of("degrees about x, then y, then z; before it is moved")},
+       {"scale",
+        {{"description",
+          "one factor, or three along the part's own x, y and z, before it is turned; "
+          "negative ones mirror"},
+         {"anyOf",
+          {{{"type", "number"}, {"minimum", 1e-9}, {"maximum", 1e9}}, vector_of("x, y, z")}}}},
+       {"matrix", matrix_schema()}});
   for (const auto& row : read_option_rows()) {
     Json value = loosened(schema_of(row.name()));
     if (row.about.many) value["type"] = {"string", "array", "object"};

@@ -71,9 +71,9 @@ bool Kinds::same_hand(Kind& kind, const KnownShape& shape, std::size_t index) {
     kind.own_image = rigid_move(*kind.body, kind.body->mirrored(), place, context_).has_value();
   }
   if (*kind.own_image) return true;
-  if (shape.definition.shape == kind.shapes.front().definition.shape) {
-    return shape.definition.mirrored == kind.shapes.front().definition.mirrored;
-  }
+  Definition image = shape.definition;
+  image.linear = -image.linear;
+  if (image.same(kind.shapes.front().definition)) return false;
   const auto body = body_of(index);
   return body && rigid_move(*kind.body, *body, place, context_).has_value();
 }

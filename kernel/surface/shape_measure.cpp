@@ -23,9 +23,16 @@ bool alike(double a, double b, double allowed) { return std::abs(a - b) <= allow
 }  // namespace
 
 bool Definition::same(const Definition& other) const {
-  constexpr double kRounding = 1e-9;
-  return shape == other.shape && mirrored == other.mirrored &&
-         alike(scale, other.scale, kRounding * std::abs(scale));
+  constexpr double kRounding = 2e-9;  // 1e-9 of a scale
+  if (shape != other.shape || mirrored() != other.mirrored()) return false;
+  const Mat3 a = metric(), b = other.metric();
+  const double size = std::max({a[0][0], a[1][1], a[2][2]});
+  for (int i = 0; i < 3; ++i) {
+    for (int k = 0; k < 3; ++k) {
+      if (!alike(a[i][k], b[i][k], kRounding * size)) return false;
+    }
+  }
+  return true;
 }
 
 bool ShapeMeasure::handed() const { return std::abs(handedness) > kHanded; }

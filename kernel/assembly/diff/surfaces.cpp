@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <utility>
 
@@ -80,14 +81,17 @@ std::shared_ptr<const Surface> RevisionSurfaces::surface(std::size_t part) {
 ShapeMeasure RevisionSurfaces::measure(std::size_t part) {
   const Form& form = *scene_.parts[part].form;
   const Definition of = form.definition();
-  const auto [known, is_new] = measures_.try_emplace({of.shape, of.scale, of.mirrored});
-  if (!is_new) return known->second;
+  auto& known = measures_[of.shape];
+  const auto same = std::ranges::find_if(known, [&](const auto& m) { return m.first.same(of); });
+  if (same != known.end()) return same->second;
+  ShapeMeasure made;
   try {
-    known->second = form.measure(context_);
+    made = form.measure(context_);
   } catch (const GeometryError& e) {
     tell(part, e.what());
   }
-  return known->second;
+  known.emplace_back(of, made);
+  return made;
 }
 
 void RevisionSurfaces::tell(std::size_t part, const char* what) {

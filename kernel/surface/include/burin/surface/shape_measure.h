@@ -13,10 +13,14 @@ namespace burin {
 struct Definition {
   /// Whose address it is does not matter, only whether two are the same.
   const void* shape = nullptr;
-  double scale = 1;
-  bool mirrored = false;
+  /// What became of it: how it was turned counts for nothing, how it was scaled, stretched, sheared
+  /// or mirrored does.
+  Mat3 linear{1};
 
-  /// Scales within 1e-9: they come from matrices.
+  bool mirrored() const { return glm::determinant(linear) < 0; }
+  /// The lengths of all vectors and the angles between them afterwards, which no turn changes.
+  Mat3 metric() const { return glm::transpose(linear) * linear; }
+  /// Metrics within 2e-9: they come from matrices.
   bool same(const Definition& other) const;
 };
 
