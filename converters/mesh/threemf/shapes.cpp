@@ -33,6 +33,7 @@ std::size_t ThreeMfShapes::add(const std::string& path, const std::string& id,
       known_.try_emplace({path, id, volume ? first + 1 : 0}, soups_.size());
   if (!is_new) return known->second;
   PolygonSoup& soup = soups_.emplace_back(part_of(object.mesh, first, end));
+  soup.name = volume && !volume->name.empty() ? volume->name : object.name;
   for (Vec3& p : soup.positions) p *= unit;
   EvenLook look;
   for (std::size_t t = first; t < end && !object.colors.empty(); ++t) {

@@ -107,6 +107,16 @@ TEST(StlAscii, SolidsArePartsByName) {
   EXPECT_DOUBLE_EQ(scene.parts[0].form->bounds(Mat3(1)).max.x, 10);
 }
 
+TEST(StlAscii, NamesThatProgramsMakeUpSayNothing) {
+  for (const char* name : {"OpenSCAD_Model", "vcg", "Exported from Blender-3.6.2", "Default"}) {
+    EXPECT_EQ(read_bytes(test::stl_ascii(kTorus, name), "a.stl").objects.at(0).name, "") << name;
+  }
+  EXPECT_EQ(test::read_scene(test::stl_ascii(kTorus, "vcg"), "foot.stl").parts.at(0).name, "foot");
+  const std::string two =
+      test::stl_ascii(kTorus, "Mesh") + test::stl_ascii(test::box({9, 9, 9}, {10, 10, 10}), "lid");
+  EXPECT_EQ(read_bytes(two, "a.stl").objects.at(0).name, "Mesh");
+}
+
 TEST(StlAscii, PatchesOfOneSurfaceAreOnePart) {
   TriMesh lid = test::box({0, 0, 0}, {1, 1, 1}), rest = lid;
   rest.triangles.assign(lid.triangles.begin() + 2, lid.triangles.end());
