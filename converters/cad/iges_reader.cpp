@@ -1,4 +1,5 @@
 #include <burin/base/error.h>
+#include <burin/base/input_name.h>
 
 #include "cad_file.h"
 #include "collect.h"
@@ -27,7 +28,7 @@ CadFile read_iges(const Source& source, RunContext& context) {
   const bool done = reader.Transfer(document, progress->Start());
   context.check();
   if (done) {
-    const std::string stem = clean_name(std::filesystem::path(source.file()).stem().string());
+    const std::string stem = clean_name(model_stem(source.file()));
     file.parts = collect_parts(document, stem, file.diagnostics, context);
   }
   return file;

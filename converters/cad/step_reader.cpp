@@ -1,4 +1,5 @@
 #include <burin/base/error.h>
+#include <burin/base/input_name.h>
 
 #include "absurd_numbers.h"
 #include "cad_file.h"
@@ -174,7 +175,7 @@ CadFile read_step(const Source& source, const OcctSession& session, RunContext& 
   context.check();
   add_failures(reader, file.diagnostics);
   if (done) {
-    const std::string stem = clean_name(std::filesystem::path(source.file()).stem().string());
+    const std::string stem = clean_name(model_stem(source.file()));
     file.parts = collect_parts(document, stem, file.diagnostics, context);
   }
   Tessellated(*reader.ChangeReader().StepModel()).tell(file, source);

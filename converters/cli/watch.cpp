@@ -3,6 +3,7 @@
 #include <burin/base/error.h>
 #include <burin/base/input_files.h>
 #include <burin/base/missing_file.h>
+#include <burin/base/piped_input.h>
 #include <burin/converters/live_page.h>
 #include <burin/converters/output.h>
 
@@ -133,6 +134,9 @@ bool try_draw(const DrawArguments& arguments, bool first, RunContext& context, C
 void run_watch(const DrawArguments& arguments, RunContext& context, Console& console) {
   if (std::ranges::find(arguments.outputs, "-") != arguments.outputs.end()) {
     throw UsageError("burin watch replaces files; name one instead of - (standard output)");
+  }
+  if (std::ranges::any_of(arguments.inputs, [](const auto& input) { return is_piped(input); })) {
+    throw UsageError("burin watch looks at files; name one instead of what is piped into it");
   }
   InputFiles::Stamps files;
   KeptScene kept;

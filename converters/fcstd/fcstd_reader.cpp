@@ -1,4 +1,5 @@
 #include <burin/base/error.h>
+#include <burin/base/input_name.h>
 #include <burin/converters/cad_reader.h>
 #include <burin/converters/fcstd_reader.h>
 #include <burin/converters/mesh_info.h>
@@ -232,7 +233,7 @@ class Maker {
 
 }  // namespace
 
-bool is_fcstd_suffix(const Path& path) { return lowered(path.extension().string()) == ".fcstd"; }
+bool is_fcstd_suffix(const Path& path) { return model_suffix(path) == ".fcstd"; }
 
 bool is_fcstd_content(std::string_view head) {
   constexpr std::size_t kName = 30;  // bytes of a local header before the name

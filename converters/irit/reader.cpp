@@ -1,5 +1,6 @@
 #include "reader.h"
 
+#include <burin/base/input_name.h>
 #include <burin/converters/irit_reader.h>
 
 #include "parts.h"
@@ -56,7 +57,7 @@ Kind kind_of(const Source& source, const std::filesystem::path& path) {
   if (!is_text(text)) source.fail("is binary data, which is not read; write it as text (dat2irit)");
   if (is_geomview(text)) return Kind::Geomview;
   if (is_patch_list(text)) return Kind::List;
-  const std::string suffix = lowered(path.extension().string());
+  const std::string suffix = model_suffix(path);
   const bool named = suffix == ".itd" || suffix == ".irt";
   if (has_object(text) || (named && text.find('[') != std::string_view::npos)) return Kind::Data;
   source.fail(
@@ -82,7 +83,7 @@ Parts read_parts(const std::filesystem::path& path, const RunContext& context,
 
 bool is_irit_suffix(const std::filesystem::path& path) {
   constexpr std::array kSuffixes = {".itd", ".irt", ".bez", ".bbp"};
-  const std::string suffix = lowered(path.extension().string());
+  const std::string suffix = model_suffix(path);
   return std::find(kSuffixes.begin(), kSuffixes.end(), suffix) != kSuffixes.end();
 }
 

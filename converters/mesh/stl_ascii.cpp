@@ -1,9 +1,12 @@
+#include "byte_order_mark.h"
 #include "formats.h"
 #include "groups.h"
 #include "text.h"
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <iterator>
 #include <unordered_map>
 
 // Own code: OpenMesh reads the corners as floats, and none of the libraries at hand keeps the names
@@ -13,7 +16,8 @@ namespace {
 
 class StlTextReader {
  public:
-  explicit StlTextReader(const Source& source) : source_(source), text_(source) {}
+  explicit StlTextReader(const Source& source)
+      : source_(source), text_(source, byte_order_mark(source.bytes())) {}
   MeshFile read();
 
  private:
@@ -21,7 +25,12 @@ class StlTextReader {
   void solid();
   void facet();
   void loop();
+  const char* matched(const char* from, std::string_view lower) const;
+  bool ends_word(const char* at) const;
   bool at_word(std::string_view lower);
+  bool at_pair(std::string_view first, std::string_view second);
+  bool at_facet();
+  bool at_vertex();
   [[noreturn]] void truncated(const char* inside) const;
 
   const Source& source_;
@@ -37,16 +46,56 @@ void StlTextReader::truncated(const char* inside) const {
   text_.fail(fmt::format("the file ends inside {}; it is truncated, export it again", inside));
 }
 
-/// Whether the text goes on with this word, in any case; if so it is skipped.
-bool StlTextReader::at_word(std::string_view lower) {
-  if (text_.left() < lower.size()) return false;
-  const char* p = text_.where();
-  for (std::size_t i = 0; i < lower.size(); ++i) {
-    if ((p[i] | 0x20) != lower[i]) return false;
+/// Behind this word, in any case, where it stands at `from`; else null.
+const char* StlTextReader::matched(const char* from, std::string_view lower) const {
+  const char* end = text_.where() + text_.left();
+  if (static_cast<std::size_t>(end - from) < lower.size()) return nullptr;
+  for (const char c : lower) {
+    if ((*from++ | 0x20) != c) return nullptr;
   }
-  const char after = p[lower.size()];
-  if (after != '\0' && !is_blank(after) && !is_line_end(after)) return false;
+  return from;
+}
+
+bool StlTextReader::ends_word(const char* at) const {
+  return *at == '\0' || is_blank(*at) || is_line_end(*at);
+}
+
+/// Whether the text goes on with this word; if so it is skipped.
+bool StlTextReader::at_word(std::string_view lower) {
+  const char* after = matched(text_.where(), lower);
+  if (after == nullptr || !ends_word(after)) return false;
   text_.skip(lower.size());
+  return true;
+}
+
+/// The same of two words, which programs write as one or with blanks between them.
+bool StlTextReader::at_pair(std::string_view first, std::string_view second) {
+  const char* after = matched(text_.where(), first);
+  if (after == nullptr) return false;
+  while (is_blank(*after)) ++after;
+  after = matched(after, second);
+  if (after == nullptr || !ends_word(after)) return false;
+  text_.skip(static_cast<std::size_t>(after - text_.where()));
+  return true;
+}
+
+/// "facet", also where "normal" is glued to it.
+bool StlTextReader::at_facet() {
+  if (at_word("facet")) return true;
+  if (matched(text_.where(), "facetnormal") == nullptr) return false;
+  text_.token();
+  return true;
+}
+
+/// "vertex", also where its first number is glued to it.
+bool StlTextReader::at_vertex() {
+  constexpr std::string_view kVertex = "vertex";
+  if (at_word(kVertex)) return true;
+  const char* after = matched(text_.where(), kVertex);
+  if (after == nullptr || !(is_digit(*after) || *after == '-' || *after == '+' || *after == '.')) {
+    return false;
+  }
+  text_.skip(kVertex.size());
   return true;
 }
 
@@ -68,28 +117,29 @@ void StlTextReader::facet() {
   for (;;) {
     text_.skip_space();
     if (text_.at_end()) truncated("a facet");
-    if (at_word("outer")) break;
-    if (at_word("endfacet")) return;
+    if (at_pair("outer", "loop")) return loop();
+    if (at_word("outer")) {
+      text_.skip_space();
+      if (at_word("loop")) return loop();
+      text_.fail("'loop' should follow 'outer'; the file is damaged, export it again");
+    }
+    if (at_pair("end", "facet")) return;
     text_.token();
   }
-  text_.skip_space();
-  if (!at_word("loop"))
-    text_.fail("'loop' should follow 'outer'; the file is damaged, export it again");
-  loop();
 }
 
 void StlTextReader::loop() {
   const std::size_t begin = faces_.positions.size();
   for (;;) {
     text_.skip_space();
-    if (at_word("vertex")) {
+    if (at_vertex()) {
       Vec3 p;
       for (int i = 0; i < 3; ++i) {
         text_.skip_space();
         p[i] = text_.number("a coordinate");
       }
       faces_.positions.push_back(p);
-    } else if (at_word("endloop")) {
+    } else if (at_pair("end", "loop")) {
       break;
     } else if (text_.at_end()) {
       truncated("a facet");
@@ -114,14 +164,11 @@ void StlTextReader::loop() {
 }
 
 void StlTextReader::word() {
-  if (at_word("facet")) return facet();
-  if (at_word("endfacet")) return;
-  if (at_word("outer")) {  // one more loop of a facet
-    text_.skip_space();
-    if (at_word("loop")) return loop();
-  }
+  if (at_facet()) return facet();
+  if (at_pair("end", "facet")) return;
+  if (at_pair("outer", "loop")) return loop();  // one more loop of a facet
   if (at_word("solid")) return solid();
-  if (at_word("endsolid")) {
+  if (at_pair("end", "solid")) {
     in_solid_ = false;
     group_ = kNoGroup;
     text_.next_line();
@@ -149,8 +196,22 @@ MeshFile StlTextReader::read() {
                          "facets of fewer than three corners were left out");
   }
   faces_.join_connected = true;
-  file.objects = split_groups(std::move(faces_), file.diagnostics, source_.context());
+  split_groups(std::move(faces_), file, source_.context());
+  // One solid is called as its file then.
+  if (file.objects.size() == 1 && is_made_up(file.objects[0].name)) file.objects[0].name.clear();
   return file;
+}
+
+/// Whether a program made the name up, so that it says nothing of the model.
+bool is_made_up(const std::string& name) {
+  static constexpr std::string_view kWhole[] = {"openscad_model", "vcg", "default", "ascii",
+                                                "mesh"};
+  static constexpr std::string_view kBegin[] = {"exported from ", "exported by ", "created by ",
+                                                "stl generated by ",
+                                                "visualization toolkit generated"};
+  const std::string low = lowered(name);
+  return std::ranges::find(kWhole, low) != std::end(kWhole) ||
+         std::ranges::any_of(kBegin, [&](std::string_view b) { return low.starts_with(b); });
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 #include "read_options.h"
 
+#include <burin/base/ascii.h>
 #include <burin/base/catalogue.h>
 #include <burin/base/error.h>
 #include <burin/converters/openscad_reader.h>
@@ -18,6 +19,7 @@ namespace {
 constexpr const char* kFiles = "Files";
 constexpr const char* kLook = "The look";
 constexpr const char* kData = "Functions and volumes";
+constexpr unsigned kAllFamilies = ~0U;
 constexpr double kWeek = 604'800;  // seconds
 constexpr std::uint64_t kMostBytes = std::uint64_t{1} << 50;
 
@@ -30,6 +32,23 @@ Set number_to(M member) {
 
 std::vector<ReadRow> file_rows() {
   return {
+      {{{.option = {.name = "input_format",
+                    .meaning =
+                        "what is read from - (standard input), or from files whose names do not "
+                        "tell it: stl, obj, step, .. ; bytes that are clear go before it",
+                    .takes = FreeText{}},
+         .group = kFiles,
+         .label = "FORMAT"},
+        [](ReadOptions& o, const Asked& a) {
+          o.input_format = lowered(a.text());
+          if (o.input_format.starts_with('.')) o.input_format.erase(0, 1);
+          if (!is_read_suffix("." + o.input_format)) {
+            refuse_value(a.spelled, "a suffix of a format that is read, such as stl or step",
+                         a.text());
+          }
+        }},
+       kAllFamilies,
+       "standard input and files whose names do not tell their format"},
       {{{.option =
              {.name = "define",
               .meaning =
