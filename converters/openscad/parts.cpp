@@ -43,12 +43,12 @@ Paint paint_of(const csg::Node& node) {
   const std::vector<csg::Value>& list = node.arguments[0].value.list;
   Paint out;
   if (list.size() > 3 && list[3].number >= 0) out.opacity = std::min(list[3].number, 1.0);
-  for (std::size_t i = 0; i < 3; ++i) {
-    if (!(list[i].number >= 0)) return {"", out.opacity};
-    if (i == 0) out.color = "#";
-    out.color +=
-        fmt::format("{:02x}", static_cast<int>(std::lround(255 * std::min(list[i].number, 1.0))));
-  }
+  const auto given = [](const csg::Value& v) { return v.number >= 0; };
+  if (!std::all_of(list.begin(), list.begin() + 3, given)) return out;
+  const auto byte = [&](std::size_t i) {
+    return static_cast<int>(std::lround(255 * std::min(list[i].number, 1.0)));
+  };
+  out.color = fmt::format("#{:02x}{:02x}{:02x}", byte(0), byte(1), byte(2));
   return out;
 }
 

@@ -73,12 +73,12 @@ TEST_F(OpenscadInstances, ModulesThatPlaceOthersAreSeenThrough) {
   EXPECT_EQ(items(kBolt + kPlate + "module bolts() { " + kEach + "bolt(); }\nplate(); bolts();"),
             right);
   EXPECT_EQ(
-      items(kBolt + kPlate + "module each() { " + kEach + "children(); }\nplate(); each() bolt();"),
+      items(kBolt + kPlate + "module spots() { " + kEach + "children(); }\nplate(); spots() bolt();"),
       right);
-  folder_.write("places.scad", "module each() { " + kEach + "children(); }");
-  EXPECT_EQ(items("use <places.scad>\n" + kBolt + kPlate + "plate(); each() bolt();"), right);
+  folder_.write("places.scad", "module spots() { " + kEach + "children(); }");
+  EXPECT_EQ(items("use <places.scad>\n" + kBolt + kPlate + "plate(); spots() bolt();"), right);
   EXPECT_EQ(
-      items("include <places.scad>\n" + kBolt + kPlate + "plate(); if (true) { each() bolt(); }"),
+      items("include <places.scad>\n" + kBolt + kPlate + "plate(); if (true) { spots() bolt(); }"),
       right);
 }
 
