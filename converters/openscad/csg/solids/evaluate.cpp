@@ -5,6 +5,7 @@
 #include "../at_node.h"
 #include "hull3.h"
 #include "minkowski.h"
+#include "places.h"
 #include "primitives.h"
 #include "shapes.h"
 

@@ -3,6 +3,7 @@
 #include <burin/base/disjoint_sets.h>
 
 #include "boolean.h"
+#include "places.h"
 #include "primitives.h"
 
 #include <algorithm>
