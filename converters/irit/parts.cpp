@@ -172,9 +172,10 @@ void PartMaker::trivariates(IritObject& object, const Leaf& leaf, const Around& 
       for (double& c : trivariate->spline.coefficients) c = -c;
     }
     try {
-      auto form = std::make_shared<ImplicitForm>(
+      std::shared_ptr<const Form> form = std::make_shared<ImplicitForm>(
           make_trivariate_function(std::move(trivariate->spline), level), options_.bounds,
           source_.context());
+      if (trivariate->placement.moves()) form = form->mapped(trivariate->placement);
       parts_.push_back(
           {leaf.order, {name, path_.string(), std::move(form), outer.names, leaf.color}});
     } catch (const GeometryError& e) {

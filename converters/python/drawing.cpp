@@ -364,6 +364,7 @@ py::list to_list(const std::vector<DrawingItem>& items) {
     d["color"] = item.color;
     d["source"] = item.source;
     d["parts"] = item.parts;
+    d["selectors"] = item.selectors;
     list.append(d);
   }
   return list;

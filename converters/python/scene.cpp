@@ -182,7 +182,8 @@ void add_scene(py::module_& module) {
           py::arg("color") = "", py::arg("assembly") = py::tuple(), py::arg("source") = "",
           "A shape as OCCT writes it in text or binary (FreeCAD: shape.exportBrepToString()), or a "
           "Brep. "
-          "`placement` is a 4 x 4 matrix of a rigid motion (row major, acts on columns). One part, "
+          "`placement` is a 4 x 4 affine matrix (row major, acts on columns): it may turn, mirror, "
+          "stretch and shear, and not flatten. One part, "
           "whatever its solids; faces and edges are numbered as in the shape (TopExp order), from "
           "0.")
       .def(

@@ -135,6 +135,16 @@ std::string path_of(const Part& part) {
   return path + part.name;
 }
 
+std::string selector_of(const Part& part) {
+  std::string selector;
+  for (std::string& name : names_of(part)) {
+    std::ranges::replace_if(
+        name, [](char c) { return c == '/' || c == ';'; }, '?');
+    selector += "/" + name;
+  }
+  return selector;
+}
+
 std::vector<std::size_t> select(const Scene& scene, std::string_view selector) {
   const Test test = selector.starts_with('@') ? by_attribute(selector) : by_name(selector);
   std::vector<std::size_t> found;

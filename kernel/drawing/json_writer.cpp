@@ -103,7 +103,12 @@ void append_item(Buffer& out, const DrawingItem& item) {
   append_json(out, item.color);
   append(out, ", \"source\": ");
   append_json(out, item.source);
-  fmt::format_to(fmt::appender(out), ", \"parts\": [{}]}}", fmt::join(item.parts, ", "));
+  fmt::format_to(fmt::appender(out), ", \"parts\": [{}]", fmt::join(item.parts, ", "));
+  if (!item.selectors.empty()) {
+    append(out, ", \"selectors\": ");
+    append_json(out, item.selectors);
+  }
+  out.push_back('}');
 }
 
 void append_point(Buffer& out, Vec2 p) {
@@ -259,6 +264,16 @@ void append_tail(Buffer& out, const Drawing& d, std::size_t left_out) {
   append(out, "}\n}\n");
 }
 
+void append_also(Buffer& out, const std::vector<PathSource>& also) {
+  for (std::size_t i = 0; i < also.size(); ++i) {
+    const SourceId& of = also[i].source;
+    fmt::format_to(fmt::appender(out),
+                   "{}{{\"part\": {}, \"face\": {}, \"edge\": {}, \"kind\": \"{}\"}}{}",
+                   i == 0 ? ", \"also\": [" : ", ", of.part, of.face, of.edge,
+                   to_string(also[i].kind), i + 1 == also.size() ? "]" : "");
+  }
+}
+
 /// One path on one line.
 void append_path(Buffer& out, const Path& p, bool points3, int decimals3) {
   fmt::format_to(fmt::appender(out),
@@ -280,6 +295,7 @@ void append_path(Buffer& out, const Path& p, bool points3, int decimals3) {
     fmt::format_to(fmt::appender(out), "{}[{},{}]{}", i == 0 ? ", \"faces\": [" : ",",
                    p.faces[i].first_point, p.faces[i].face, i + 1 == p.faces.size() ? "]" : "");
   }
+  append_also(out, p.also);
   append(out, ", \"points\": [");
   for (std::size_t i = 0; i < p.points.size(); ++i) {
     append(out, i == 0 ? "[" : ",[");

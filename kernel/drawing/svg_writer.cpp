@@ -267,6 +267,22 @@ std::string list_of(const std::vector<const Path*>& pieces, std::int32_t SourceI
   return text;
 }
 
+/// Lines that the path, or what it is joined of, stands for: "part/face/edge ...", each once.
+void append_also(Buffer& out, const Item& item) {
+  std::string text;
+  std::set<SourceId> known;
+  const auto add = [&](const Path& path) {
+    for (const PathSource& also : path.also) {
+      const SourceId& of = also.source;
+      if (!known.insert(of).second) continue;
+      text += fmt::format("{}{}/{}/{}", text.empty() ? "" : " ", of.part, of.face, of.edge);
+    }
+  };
+  add(*item.path);
+  for (const Path* piece : item.pieces) add(*piece);
+  if (!text.empty()) fmt::format_to(fmt::appender(out), " data-also=\"{}\"", text);
+}
+
 void append_source(Buffer& out, const Item& item) {
   const Path& p = *item.path;
   const char* kind = to_string(p.kind);
@@ -274,6 +290,7 @@ void append_source(Buffer& out, const Item& item) {
       fmt::appender(out),
       " class=\"{}\" data-part=\"{}\" data-face=\"{}\" data-edge=\"{}\" data-kind=\"{}\"", kind,
       p.source.part, p.source.face, p.source.edge, kind);
+  append_also(out, item);
   if (item.pieces.size() < 2) return;
   const std::string faces = list_of(item.pieces, &SourceId::face);
   const std::string edges = list_of(item.pieces, &SourceId::edge);

@@ -2,7 +2,9 @@
 
 #include <burin/drawing/bezier.h>
 #include <burin/drawing/ink.h>
+#include <burin/drawing/join_lines.h>
 #include <burin/drawing/length.h>
+#include <burin/drawing/one_line.h>
 #include <burin/feature/source_faces.h>
 
 #include "haloes.h"
@@ -169,7 +171,8 @@ void compose_strokes(const LinesToDraw& lines, const std::vector<Gaps>& gaps,
 }
 
 void compose_features(const LinesToDraw& lines, const std::vector<Gaps>& gaps,
-                      const Composition& how, Drawing& drawing, std::vector<Path>* found) {
+                      const Composition& how, Drawing& drawing, std::vector<Path>* found,
+                      const RunContext& context) {
   std::vector<Layer> layers;
   for (const char* name : {"hidden", "behind", "trail", "pattern", "seam", "smooth", "intersection",
                            "crease", "section", "boundary", "contour", "outline"}) {
@@ -207,6 +210,8 @@ void compose_features(const LinesToDraw& lines, const std::vector<Gaps>& gaps,
       }
     }
   }
+  keep_one_line(layers, context);
+  join_lines(layers, context);
   for (Layer& layer : layers) {
     if (!layer.paths.empty()) drawing.layers.push_back(std::move(layer));
   }
@@ -265,7 +270,7 @@ void compose(const LinesToDraw& lines, const Composition& how, Drawing& drawing,
              const RunContext& context, std::vector<Path>* found) {
   const Haloes haloes = find_haloes(lines, how, context);
   compose_strokes(lines, haloes.strokes, how, drawing, found);
-  compose_features(lines, haloes.features, how, drawing, found);
+  compose_features(lines, haloes.features, how, drawing, found, context);
 }
 
 }  // namespace burin::detail

@@ -46,6 +46,29 @@ TEST_F(Illustrations, DrawWhatTheSameOptionsDraw) {
   EXPECT_EQ(top["seed"], 9);
 }
 
+// A ball of 10 mm, stretched threefold and mirrored, is 60 wide; sheared along x by its height it
+// is sqrt(2) times as wide as it was.
+TEST_F(Illustrations, StretchMirrorAndShear) {
+  const std::string rest = R"x(}], "view": {"from": "front", "scale": 1}, "style": "outline")x";
+  const std::string part = R"x(, "parts": [{"function": "sphere(10)", "place": )x";
+  const auto width = [&](const std::string& place) {
+    EXPECT_EQ(draw(part + place + rest), 0) << err_;
+    double low = 1e9, high = -1e9;
+    for (const Json& layer : drawing()["layers"]) {
+      for (const Json& path : layer["paths"]) {
+        for (const Json& p : path["points"]) {
+          low = std::min(low, p[0].get<double>()), high = std::max(high, p[0].get<double>());
+        }
+      }
+    }
+    return high - low;
+  };
+  EXPECT_NEAR(width(R"({"scale": [-3, 1, 1]})"), 60, 0.05);
+  EXPECT_NEAR(width(R"({"scale": [1, 1, 3], "rotate": [0, 90, 0]})"), 60, 0.05);
+  EXPECT_NEAR(width(R"({"matrix": [[1, 0, 1, 5], [0, 1, 0, 0], [0, 0, 1, 0]]})"),
+              20 * std::sqrt(2.0), 0.05);
+}
+
 TEST_F(Illustrations, PlaceAndNameTheirParts) {
   ASSERT_EQ(draw(R"x(, "title": "Two boxes & a ball", "parts": [
     {"file": "box.off", "name": "low"},
@@ -234,6 +257,17 @@ TEST_F(Illustrations, ErrorsNameFileLineAndTheNearestKey) {
       {b + ", \"version\": 2", "reads version 1", 2},
       {b + ", \"title\": 5", "\"title\" takes text", 2},
       {", \"parts\": [{\"file\": \"box.off\", \"place\": {\"scale\": 0}}]", "\"scale\" takes", 2},
+      {", \"parts\": [{\"file\": \"box.off\", \"place\": {\"scale\": [1, 0, 1]}}]",
+       "\"scale\" takes", 2},
+      {", \"parts\": [{\"file\": \"box.off\", \"place\": {\"matrix\": [[1, 0, 0, 0], [2, 0, 0, 0], "
+       "[0, 0, 1, 0]]}}]",
+       "\"matrix\" flattens the part", 2},
+      {", \"parts\": [{\"file\": \"box.off\", \"place\": {\"matrix\": [[1, 0, 0], [0, 1, 0], "
+       "[0, 0, 1]]}}]",
+       "takes three rows of four numbers", 2},
+      {", \"parts\": [{\"file\": \"box.off\", \"place\": {\"scale\": 2, \"matrix\": [[1, 0, 0, 0], "
+       "[0, 1, 0, 0], [0, 0, 1, 0]]}}]",
+       "\"matrix\" stands alone", 2},
       {", \"parts\": [{\"file\": \"box.off\", \"place\": {\"rotate\": [1, 2]}}]", "takes [x, y, z]",
        2},
       {b + ",\n\"seed\": 1e999", ":2: a number is too large here", 3},

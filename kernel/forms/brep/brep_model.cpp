@@ -1,7 +1,9 @@
 #include <burin/base/error.h>
 #include <burin/forms/charted/analytic_chart.h>
+#include <burin/forms/charted/place_mesh.h>
 #include <burin/forms/charted/refine.h>
 
+#include "body_volumes.h"
 #include "chart_mesh_builder.h"
 #include "contain.h"
 #include "fill_wires.h"
@@ -14,7 +16,6 @@
 #include "shape_bounds.h"
 #include "stray_faces.h"
 #include "surface_chart.h"
-#include "turn_triangles.h"
 
 #include <BRepBuilderAPI_Copy.hxx>
 #include <TopExp_Explorer.hxx>

@@ -8,5 +8,7 @@ namespace burin {
 
 /// Integrals over the faces of a model. Throws GeometryError where OCCT cannot integrate.
 ShapeMeasure brep_measure(const BrepModel& model);
+/// Over the splines that the faces become where they are stretched or sheared.
+ShapeMeasure brep_measure(const BrepModel& model, const Placement& placement);
 
 }  // namespace burin

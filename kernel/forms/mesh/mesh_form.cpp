@@ -1,6 +1,7 @@
 #include <burin/base/parallel.h>
 #include <burin/forms/mesh/mesh_form.h>
 #include <burin/mesh/curvature.h>
+#include <burin/mesh/placed_mesh.h>
 #include <burin/mesh/proxy_mesh.h>
 #include <burin/mesh/reorder.h>
 
@@ -58,6 +59,10 @@ Box3 MeshForm::bounds(const Mat3& axes) const {
 std::shared_ptr<const Surface> MeshForm::realise(const RealiseOptions& options,
                                                  RunContext& context) const {
   return textured(realise_mesh(options, context), texture_);
+}
+
+std::shared_ptr<const Form> MeshForm::mapped(const Placement& by) const {
+  return std::make_shared<MeshForm>(placed(mesh_, by), texture_ ? texture_->mapped(by) : nullptr);
 }
 
 ShapeMeasure MeshForm::measure(RunContext& context) const {

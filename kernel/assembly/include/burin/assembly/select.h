@@ -13,6 +13,10 @@ namespace burin {
 /// The names from the top of the assembly down to the part, with slashes: "pump/cover/bolt".
 std::string path_of(const Part& part);
 
+/// A selector that names the part, by its path from the top: "/pump/cover/bolt". A letter that
+/// names and selectors have for different things stands as ?.
+std::string selector_of(const Part& part);
+
 /// The parts that a selector names, ascending.
 ///
 /// A selector is a name or names with slashes between them, at any depth of the assembly, from its

@@ -29,8 +29,9 @@ class BrepForm final : public Form {
   /// Throws GeometryError where no face can be realised.
   std::shared_ptr<const Surface> realise(const RealiseOptions& options,
                                          RunContext& context) const override;
+  std::shared_ptr<const Form> mapped(const Placement& by) const override;
   Definition definition() const override;
-  /// By integration over the exact faces.
+  /// By integration over the exact faces; over their splines where it is stretched.
   ShapeMeasure measure(RunContext& context) const override;
 
  private:

@@ -68,6 +68,10 @@ class BrepModel final : public Atlas {
   std::unique_ptr<Impl> impl_;
 };
 
+/// The faces of a model as the splines that they become where they are stretched or sheared, in
+/// place: for what OCCT integrates. Throws GeometryError where OCCT cannot.
+TopoDS_Shape as_splines(const BrepModel& model, const Placement& placement);
+
 /// The model of a shape as it was read (placement apart). Throws GeometryError as BrepModel does;
 /// no exception of OCCT gets out.
 std::shared_ptr<const BrepModel> make_brep_model(const TopoDS_Shape& shape);

@@ -4,7 +4,7 @@
 #include <array>
 #include <numeric>
 
-namespace burin::detail {
+namespace burin {
 namespace {
 
 constexpr std::uint32_t kLeaf = 4;
@@ -100,4 +100,4 @@ bool NearSurface::within(Vec3 point, double reach) const {
   return false;
 }
 
-}  // namespace burin::detail
+}  // namespace burin

@@ -1,4 +1,4 @@
-#include "coincide.h"
+#include <burin/congruence/body.h>
 
 #include <Eigen/Eigenvalues>
 
@@ -7,7 +7,7 @@
 #include <cmath>
 #include <utility>
 
-namespace burin::detail {
+namespace burin {
 namespace {
 
 /// Moments closer than this share of the largest are one: a shape turned by its axis.
@@ -64,8 +64,7 @@ class Turns {
   Turns(const Body& before, const Body& after)
       : before_(before),
         after_(after),
-        near_(kCorner * before.pose().box.diagonal() + before.proxy().tolerance +
-              after.proxy().tolerance) {}
+        near_(kCorner * before.pose().box.diagonal() + before.tolerance() + after.tolerance()) {}
 
   std::vector<Mat3> find() {
     const Axes a = axes_of(before_.pose().spread), b = axes_of(after_.pose().spread);
@@ -105,14 +104,14 @@ class Turns {
     const Mat3 base = turn_to(from, to);
     turns_.push_back(base);
     Off far;
-    for (const Vec3& p : before_.proxy().mesh.positions) {
+    for (const Vec3& p : before_.mesh().positions) {
       const Off one = off(before_, from, p);
       if (one.radius > far.radius + 0.5 * near_) far = one;
     }
     if (far.radius <= near_) return;
     const Vec3 start = glm::normalize(base * far.out), side = glm::cross(to, start);
     std::vector<double> angles;
-    for (const Vec3& p : after_.proxy().mesh.positions) {
+    for (const Vec3& p : after_.mesh().positions) {
       const Off one = off(after_, to, p);
       if (std::abs(one.along - far.along) > near_ || std::abs(one.radius - far.radius) > near_)
         continue;
@@ -134,13 +133,13 @@ class Turns {
   void find_about_corners() {
     const auto from_middle = [](const Body& body, Vec3 p) { return p - body.pose().middle; };
     Vec3 far(0);
-    for (const Vec3& p : before_.proxy().mesh.positions) {
+    for (const Vec3& p : before_.mesh().positions) {
       const Vec3 one = from_middle(before_, p);
       if (glm::length(one) > glm::length(far) + 0.5 * near_) far = one;
     }
     if (glm::length(far) <= near_) return;
     std::vector<Vec3> taken;
-    for (const Vec3& p : after_.proxy().mesh.positions) {
+    for (const Vec3& p : after_.mesh().positions) {
       const Vec3 one = from_middle(after_, p);
       const auto known = [&](Vec3 other) { return glm::distance(other, one) <= near_; };
       if (std::abs(glm::length(one) - glm::length(far)) > near_) continue;
@@ -171,4 +170,4 @@ std::optional<Placement> rigid_move(const Body& before, const Body& after, doubl
   return std::nullopt;
 }
 
-}  // namespace burin::detail
+}  // namespace burin

@@ -1,21 +1,23 @@
-#include "coincide.h"
+#include <burin/congruence/body.h>
 
-#include "surfaces.h"
+#include "near_surface.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
+#include <utility>
 
-namespace burin::detail {
+namespace burin {
 namespace {
 
+/// Share of a part's size that its triangles may be off.
+constexpr double kTolerance = 2e-4;
 constexpr std::size_t kSamples = 400;
 /// Samples that decide against a move.
 constexpr std::size_t kFirst = 24;
 /// Share of samples that may lie off: chord tolerances are what triangles aim at.
 constexpr double kMissed = 0.01;
-/// What a shift has to gain.
-constexpr double kGain = 0.02;
 
 Placement inverse(const Placement& move) {
   const Mat3 back = glm::transpose(move.linear);
@@ -51,12 +53,12 @@ std::vector<Vec3> samples_of(const TriMesh& mesh) {
 }
 
 double reach_of(const Body& a, const Body& b, double place) {
-  return place + a.proxy().tolerance + b.proxy().tolerance;
+  return place + a.tolerance() + b.tolerance();
 }
 
 /// The same triangles in the same order, each corner within `place`.
 bool same_triangles(const Body& before, const Body& after, const Placement& move, double place) {
-  const TriMesh &a = before.proxy().mesh, &b = after.proxy().mesh;
+  const TriMesh &a = before.mesh(), &b = after.mesh();
   if (a.positions.size() != b.positions.size() || a.triangles != b.triangles) return false;
   for (std::size_t i = 0; i < a.positions.size(); ++i) {
     if (glm::distance(move.point(a.positions[i]), b.positions[i]) > place) return false;
@@ -66,11 +68,34 @@ bool same_triangles(const Body& before, const Body& after, const Placement& move
 
 }  // namespace
 
-Body::Body(std::shared_ptr<const Surface> surface)
-    : surface_(std::move(surface)),
-      pose_(pose_of(surface_->proxy())),
-      samples_(samples_of(surface_->proxy().mesh)),
-      near_(surface_->proxy().mesh) {}
+std::shared_ptr<const Surface> realised_to_compare(const Form& form, RunContext& context) {
+  const double size = form.bounds(Mat3(1)).diagonal();
+  const double share = form.looks_at_view() ? kTolerance : 1;
+  RealiseOptions options;
+  options.tolerance = size > 0 ? share * size : share;
+  options.curvature = false;
+  return form.realise(options, context);
+}
+
+Body::Body(const std::shared_ptr<const Surface>& surface)
+    : Body(std::shared_ptr<const TriMesh>(surface, &surface->proxy().mesh),
+           surface->proxy().tolerance) {}
+
+Body::Body(std::shared_ptr<const TriMesh> mesh, double tolerance)
+    : mesh_(std::move(mesh)),
+      tolerance_(tolerance),
+      pose_(pose_of(*mesh_, tolerance)),
+      samples_(samples_of(*mesh_)),
+      near_(std::make_shared<const NearSurface>(*mesh_)) {}
+
+Body Body::mirrored() const {
+  auto image = std::make_shared<TriMesh>(*mesh_);
+  for (Vec3& p : image->positions) p.x = -p.x;
+  for (Triangle& t : image->triangles) std::swap(t[1], t[2]);
+  return {std::move(image), tolerance_};
+}
+
+bool Body::holds(Vec3 point, double reach) const { return near_->within(point, reach); }
 
 double share_on_each_other(const Body& before, const Body& after, const Placement& move,
                            double place) {
@@ -98,26 +123,4 @@ bool coincide(const Body& before, const Body& after, const Placement& move, doub
   return share_on_each_other(before, after, move, place) >= 1 - kMissed;
 }
 
-Shift best_shift(const Body& before, const Body& after, double place) {
-  Shift best{Vec3(0), share_on_each_other(before, after, {}, place)};
-  const Box3 &was = before.pose().box, &is = after.pose().box;
-  std::vector<Vec3> shifts{after.pose().middle - before.pose().middle};
-  // Sides of the boxes, or their middles, laid on each other.
-  const std::array<Vec3, 3> sides{is.min - was.min, is.center() - was.center(), is.max - was.max};
-  for (std::size_t n = 0; n < 27; ++n) {
-    shifts.emplace_back(sides[n % 3].x, sides[n / 3 % 3].y, sides[n / 9].z);
-  }
-  for (std::size_t i = 0; i < shifts.size(); ++i) {
-    const auto near = [&](Vec3 other) { return glm::distance(other, shifts[i]) <= place; };
-    if (near(Vec3(0)) || near(best.by)) continue;
-    if (std::any_of(shifts.begin(), shifts.begin() + static_cast<std::ptrdiff_t>(i), near))
-      continue;
-    const double share = share_on_each_other(before, after, {Mat3(1), shifts[i]}, place);
-    // A shift has to be worth it; among shifts the better one.
-    const double least = best.by == Vec3(0) ? best.share + kGain : best.share;
-    if (share > least) best = {shifts[i], share};
-  }
-  return best;
-}
-
-}  // namespace burin::detail
+}  // namespace burin

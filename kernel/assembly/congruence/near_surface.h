@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace burin::detail {
+namespace burin {
 
 /// The triangles of a mesh in a tree of boxes. An occluder would do, but takes milliseconds to
 /// make, and there may be ten thousand parts. The mesh must outlive it. Cost: 0.3 us a triangle and
@@ -34,4 +34,4 @@ class NearSurface {
   std::vector<Node> nodes_;
 };
 
-}  // namespace burin::detail
+}  // namespace burin

@@ -1,29 +1,8 @@
-#include "turn_triangles.h"
+#include "body_volumes.h"
 
-#include <algorithm>
-#include <utility>
+#include <cmath>
 
 namespace burin {
-
-void turn_triangles(ChartMesh& mesh, const std::vector<std::uint8_t>& face_marked,
-                    std::span<std::uint8_t> corners) {
-  for (std::size_t f = 0; f < mesh.triangles.size(); ++f) {
-    if (!face_marked[static_cast<std::size_t>(mesh.face[f])]) continue;
-    const std::size_t h = 3 * f;
-    // (a, b, c) becomes (a, c, b): the half-edges ab, bc, ca are now ac, cb, ba.
-    std::swap(mesh.triangles[f][1], mesh.triangles[f][2]);
-    std::swap(mesh.uv[h + 1], mesh.uv[h + 2]);
-    if (!mesh.normal.empty()) std::swap(mesh.normal[h + 1], mesh.normal[h + 2]);
-    if (!mesh.on_contour.empty()) std::swap(mesh.on_contour[h + 1], mesh.on_contour[h + 2]);
-    if (!corners.empty()) std::swap(corners[h + 1], corners[h + 2]);
-    std::swap(mesh.border[h], mesh.border[h + 2]);
-    for (std::size_t k = 0; k < 3; ++k) {
-      if (mesh.border[h + k] < 0) continue;
-      ChartMesh::Border& b = mesh.borders[static_cast<std::size_t>(mesh.border[h + k])];
-      std::swap(b.t0, b.t1);
-    }
-  }
-}
 
 std::vector<double> body_volumes(const ChartMesh& mesh, const std::vector<std::int32_t>& face_body,
                                  std::size_t bodies) {
