@@ -1,9 +1,10 @@
+#include <burin/base/affine.h>
 #include <burin/base/error.h>
 #include <burin/converters/cad_reader.h>
 #include <burin/converters/fcstd_reader.h>
 #include <burin/converters/mesh_info.h>
 #include <burin/converters/mesh_reader.h>
-#include <burin/surface/placed_form.h>
+#include <burin/mesh/placed_mesh.h>
 
 #include "bms.h"
 #include "recompute.h"
@@ -25,17 +26,11 @@ namespace {
 using Path = std::filesystem::path;
 using detail::FcUse;
 
-/// Share of a scale by which the axes of a placement may differ and be taken for one.
-constexpr double kEven = 1e-9;
-
-bool is_similar(const Mat3& m) {
-  const double x = glm::length(m[0]), y = glm::length(m[1]), z = glm::length(m[2]);
-  const double most = kEven * std::max({x, y, z});
-  return x > 0 && y > 0 && z > 0 && std::abs(x - y) <= most && std::abs(x - z) <= most;
-}
-
 /// Whether a placement does more than turn and move.
-bool changes(const Placement& p) { return p.mirrors() || off_rotation(p.linear) > kEven; }
+bool changes(const Placement& p) {
+  constexpr double kOff = 1e-9;
+  return p.mirrors() || off_rotation(p.linear) > kOff;
+}
 
 /// What is made of a document: parts for a drawing, or what is told of them.
 struct Made {
@@ -91,8 +86,6 @@ class Maker {
   struct Shape {
     std::shared_ptr<const BrepShape> brep;
     std::optional<PolygonSoup> mesh;
-    /// Where links stretch or shear it.
-    std::optional<Placer> stretched;
     bool empty = false, no_face = false;
     /// The first part that shows it.
     std::int32_t first = -1;
@@ -158,35 +151,26 @@ class Maker {
 
   void add_brep(const FcUse& use, Shape& shape) {
     const Placement place = use.own ? after(use.placement, shape.brep->own()) : use.placement;
-    const bool even = is_similar(place.linear);
-    if (!even && !shape.stretched) shape.stretched.emplace(shape.brep->form({}));
-    std::shared_ptr<const Form> form = even ? shape.brep->form(place) : shape.stretched->at(place);
+    if (flattens(use, place)) return;
     if (measures_) {
-      PartInfo info = even ? shape.brep->measure(place) : stretched(shape, *form, place);
+      PartInfo info = shape.brep->measure(place);
       info.same_shape_as = shape.first;
       if (shape.first < 0) shape.first = static_cast<std::int32_t>(made_.infos.size());
       push(use, std::move(info));
     }
-    push(use, std::move(form));
+    push(use, shape.brep->form(place));
   }
 
-  /// Areas and boxes do not follow from those of the shape.
-  PartInfo stretched(const Shape& shape, const Form& form, const Placement& place) {
-    PartInfo info = shape.brep->measure({});
-    info.volume *= std::abs(glm::determinant(place.linear));
-    info.area = form.measure(context_).area;
-    info.bounds = form.bounds(Mat3(1));
-    return info;
+  bool flattens(const FcUse& use, const Placement& place) {
+    if (is_invertible(place)) return false;
+    broken(use, "a scale of 0 flattens it; give the link scales other than 0");
+    return true;
   }
 
   void add_mesh(const FcUse& use, PolygonSoup soup) {
     const Placement place = use.own ? after(use.placement, use.shape->placement) : use.placement;
-    for (Vec3& p : soup.positions) p = place.point(p);
-    if (place.mirrors()) {
-      for (std::size_t i = 0; i + 2 < soup.indices.size(); i += 3) {
-        std::swap(soup.indices[i + 1], soup.indices[i + 2]);
-      }
-    }
+    if (flattens(use, place)) return;
+    soup = placed(std::move(soup), place);
     soup.name = use.name;
     MeshFile file;
     file.objects.push_back(std::move(soup));
