@@ -21,7 +21,7 @@ class Shapes:
 
     def __init__(self):
         self._kept = collections.OrderedDict()  # (document, path) -> (shape without its placement, its text)
-        self._alike = {}  # hash of a shape -> places in _kept of what has it: looking at all of them takes time by the square
+        self._alike = {}  # _key of a shape -> places in _kept of what has it: looking at all of them takes time by the square
         self.written = 0  # texts so far
 
     def text(self, shape, place):
@@ -34,7 +34,7 @@ class Shapes:
             self.written += 1
         self._drop(place)
         self._kept[place] = base, brep
-        self._alike.setdefault(base.hashCode(), {})[place] = None
+        self._alike.setdefault(_key(base), {})[place] = None
         return brep, placement
 
     def has(self, shape, place):
@@ -43,7 +43,7 @@ class Shapes:
 
     def _find(self, base, place):
         here = [place] if place in self._kept else []
-        for known_at in itertools.chain(here, self._alike.get(base.hashCode(), ())):
+        for known_at in itertools.chain(here, self._alike.get(_key(base), ())):
             known, brep = self._kept[known_at]
             if known.isPartner(base) and known.Orientation == base.Orientation:
                 return brep
@@ -52,11 +52,11 @@ class Shapes:
     def _drop(self, place):
         if place not in self._kept:
             return
-        code = self._kept.pop(place)[0].hashCode()
-        places = self._alike[code]
+        key = _key(self._kept.pop(place)[0])
+        places = self._alike[key]
         del places[place]
         if not places:
-            del self._alike[code]
+            del self._alike[key]
 
     def trim(self):
         """Forgets the oldest beyond MOST bytes. Called between jobs, so that no job writes what it has just written."""
@@ -73,6 +73,13 @@ class Shapes:
 
 
 shapes = Shapes()
+
+
+def _key(base):
+    """The same for shapes that are partners. Of what the shape is made of, for its own hash depends on its location, too, which is
+    another object each time that a placement is set."""
+    inside = base.childShapes(False, False)
+    return inside[0].hashCode() if inside else 0
 
 
 def _apart(shape):
