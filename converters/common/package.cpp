@@ -40,7 +40,9 @@ struct Package::Impl {
   zip_int64_t locate(const std::string& name) const {
     const char* n = name.c_str();
     while (*n == '/') ++n;
-    return zip_name_locate(archive.get(), n, ZIP_FL_NOCASE);
+    // Without regard to case libzip compares with every name of the archive.
+    const zip_int64_t exact = zip_name_locate(archive.get(), n, 0);
+    return exact >= 0 ? exact : zip_name_locate(archive.get(), n, ZIP_FL_NOCASE);
   }
 };
 

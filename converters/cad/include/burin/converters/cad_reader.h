@@ -49,8 +49,8 @@ class BrepShape {
 
   /// The location that the shape itself carries. The functions below leave it out.
   virtual const Placement& own() const = 0;
-  /// The shape at `placement` (a rigid motion, a scale the same along all axes, a mirror); faces
-  /// and edges numbered as `read_brep_text` does. All forms share one model.
+  /// The shape at `placement`, which may turn, mirror, stretch and shear, but not flatten; faces and
+  /// edges numbered as `read_brep_text` does. All forms share one model.
   virtual std::shared_ptr<const Form> form(const Placement& placement) const = 0;
   /// Counts and measures at `placement`; no name.
   virtual PartInfo measure(const Placement& placement) const = 0;
