@@ -125,12 +125,16 @@ std::vector<Item> items_of(const std::vector<InkLayer>& layers, std::string befo
       used = color;
     };
     use(ink_color(layer, drawing));
-    std::vector<double> dashes = layer.dashes(options.dashes);
-    for (double& length : dashes) length *= kUnitsPerMm;
-    before += fmt::format("[{}] 0 setdash\n", fmt::join(dashes, " "));
+    const auto use_dashes = [&](std::vector<double> dashes) {
+      for (double& length : dashes) length = std::round(length * kUnitsPerMm);
+      before += fmt::format("[{}] 0 setdash\n", fmt::join(dashes, " "));
+    };
+    const std::vector<double> dashes = layer.dashes(options.dashes);
+    use_dashes(dashes);
     for (const auto& [part, paths] : layer.parts) {
       for (const Path* path : paths) {
         use(ink_color(*path, layer, drawing));
+        if (!dashes.empty()) use_dashes(fitted_dashes(dashes, *path));
         items.push_back({std::move(before), path});
         before.clear();
       }

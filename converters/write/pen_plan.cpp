@@ -231,7 +231,7 @@ class Planner {
     for (const auto& [part, paths] : layer.parts) {
       for (const Path* path : paths) {
         context_.check();
-        add_path(*path, group, width, dashes);
+        add_path(*path, group, width, fitted_dashes(dashes, *path));
       }
     }
     for (const Text* text : layer.texts) {

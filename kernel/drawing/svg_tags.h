@@ -38,6 +38,8 @@ std::string svg_text(const Text& text, double paper_height, std::string_view ink
                      const SvgOptions& options);
 
 void append_pen(Buffer& out, double width);
+/// As an attribute; nothing where there are none.
+void append_dashes(Buffer& out, const std::vector<double>& dashes);
 /// Paper mm that fitted curves may be off before their numbers are rounded.
 double curve_tolerance(const SvgOptions& options);
 

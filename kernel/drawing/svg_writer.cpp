@@ -52,6 +52,8 @@ struct Item {
   bool group_filled = false;
   /// Its colour, and that of the group which it stands in.
   std::string_view ink = {}, group_ink = {};
+  /// Those of its layer, which are fitted to its length.
+  const std::vector<double>* dashes = nullptr;
 };
 
 /// All paths in order; the last item has none, only the closing tags.
@@ -70,6 +72,7 @@ class Items {
     for (const InkLayer& layer : ink_layers(drawing)) {
       ink_ = ink_named(ink_color(layer, drawing));
       const std::string id = ids.make(layer.name);
+      dashes_ = &layer_dashes_.emplace_back(layer.dashes(options.dashes));
       before_ += svg_layer_tag(layer, id, ink_, options);
       // Without the prefix, which each id gets once.
       const std::string stem = id.substr(options.id_prefix.size());
@@ -265,7 +268,7 @@ class Items {
     for (std::size_t i = 0; i < lines.paths.size(); ++i) {
       const Path* path = lines.paths[i];
       items_.push_back({std::exchange(before_, {}), path, std::move(lines.pieces[i]), filled,
-                        ink_of_path(*path), group_ink});
+                        ink_of_path(*path), group_ink, dashes_});
     }
     kept_.push_back(std::move(lines.made));
   }
@@ -275,6 +278,8 @@ class Items {
   /// Of all layers and paths, and of the layer at hand.
   std::set<std::string> inks_;
   std::string_view ink_;
+  std::list<std::vector<double>> layer_dashes_;
+  const std::vector<double>* dashes_ = nullptr;
   std::string before_;
   std::vector<Item> items_;
   std::list<std::deque<Path>> kept_;
@@ -324,6 +329,11 @@ void append_source(Buffer& out, const Item& item) {
   if (!edges.empty()) fmt::format_to(fmt::appender(out), " data-edges=\"{}\"", edges);
 }
 
+/// Dashes that begin and end with the line.
+void append_own_dashes(Buffer& out, const Item& item) {
+  if (item.dashes) append_dashes(out, fitted_dashes(*item.dashes, *item.path));
+}
+
 void append_polyline(Buffer& out, SvgPen& pen, const Item& item, double tolerance) {
   const Path& p = *item.path;
   std::vector<Vec2> all = p.points;
@@ -333,6 +343,7 @@ void append_polyline(Buffer& out, SvgPen& pen, const Item& item, double toleranc
   append(out, "<polyline");
   append_source(out, item);
   append_own_pen(out, false, mean_width(p), item.group_filled, item.ink, item.group_ink);
+  append_own_dashes(out, item);
   append(out, " points=\"");
   pen.points(kept);
   append(out, "\"/>\n");
@@ -346,6 +357,7 @@ void append_path(Buffer& out, const Item& item, double paper_height, const SvgOp
   append(out, "<path");
   append_source(out, item);
   append_own_pen(out, ink.filled, ink.width, item.group_filled, item.ink, item.group_ink);
+  if (!ink.filled) append_own_dashes(out, item);
   append(out, " d=\"");
   for (const auto& chain : ink.chains) pen.chain(chain, ink.filled || p.closed);
   if (ink.chains.front().empty()) pen.dot(p.points.front());

@@ -23,7 +23,7 @@ std::vector<Shape> shapes_of(const std::vector<InkLayer>& layers, const Drawing&
     for (const auto& [part, paths] : layer.parts) {
       for (const Path* path : paths) {
         const Rgb color = rgb(ink_color(*path, layer, drawing));
-        shapes.push_back({path, layer.dashes(options), {}, nullptr, color});
+        shapes.push_back({path, fitted_dashes(layer.dashes(options), *path), {}, nullptr, color});
       }
     }
     const Rgb color = rgb(ink_color(layer, drawing));
