@@ -229,7 +229,7 @@ inline std::vector<FormCase> form_cases() {
          return placed(recognised_form(turned(sphere_profile(2, 32), 32)), mirrored_sheared());
        },
        true, 20, false, 0.004, 1e-7},
-      {"ShearedMeshCut",
+      {"MeshCutSheared",
        [] {
          return placed(cut_form(mesh_form(torus(3, 1, 60, 30)), slanted(0.4), 0, ""),
                        mirrored_sheared());
