@@ -26,10 +26,11 @@ PartInfo measure_mesh_part(const Part& part, const RunContext& context) {
   return info;
 }
 
-FileInfo inspect_mesh(const std::filesystem::path& path, const RunContext& context) {
+FileInfo inspect_mesh(const std::filesystem::path& path, const RunContext& context,
+                      const std::string& encoding) {
   FileInfo info;
   info.file = path.string();
-  MeshFile file = read_mesh_file(path, context);
+  MeshFile file = read_mesh_file(path, context, encoding);
   info.format = file.format;
   const Scene scene = repair_parts(std::move(file), path, context);
   info.diagnostics = scene.diagnostics;

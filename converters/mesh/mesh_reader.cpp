@@ -2,6 +2,7 @@
 #include <burin/forms/mesh/mesh_form.h>
 #include <burin/repair/repair.h>
 
+#include "encoding.h"
 #include "formats.h"
 #include "text.h"
 #include "texture.h"
@@ -49,14 +50,18 @@ void append(Diagnostics& all, const Diagnostics& part, const std::string& name, 
 
 }  // namespace
 
-MeshFile read_mesh_file(const std::filesystem::path& path, const RunContext& context) {
+MeshFile read_mesh_file(const std::filesystem::path& path, const RunContext& context,
+                        const std::string& encoding) {
   try {
     const Source source(path, context);
     MeshFile file = read_as(detect_format(source, path), source);
+    TextDecoder decoder(encoding);
+    for (const PolygonSoup& soup : file.objects) decoder.learn(soup.name);
     for (PolygonSoup& soup : file.objects) {
-      soup.name = clean_name(soup.name);
+      soup.name = clean_name(decoder.utf8(soup.name));
       drop_empty_texture(soup);
     }
+    decoder.tell(file.diagnostics);
     return file;
   } catch (const std::bad_alloc&) {
     throw InputError("does not fit into the memory of this machine", path.string());
@@ -88,8 +93,9 @@ Scene repair_parts(MeshFile file, const std::filesystem::path& path, const RunCo
   return scene;
 }
 
-Scene read_mesh(const std::filesystem::path& path, const RunContext& context) {
-  return repair_parts(read_mesh_file(path, context), path, context);
+Scene read_mesh(const std::filesystem::path& path, const RunContext& context,
+                const std::string& encoding) {
+  return repair_parts(read_mesh_file(path, context, encoding), path, context);
 }
 
 }  // namespace burin

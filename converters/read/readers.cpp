@@ -20,28 +20,32 @@ namespace {
 
 using Path = std::filesystem::path;
 
-const Reader kMesh{
-    "STL, OBJ, OFF, PLY, 3MF",
-    nullptr,
-    is_mesh_suffix,
-    [](const Path& path, const ReadOptions& o, RunContext& c) {
-      Scene scene = read_mesh(path, c);
-      if (o.heal.value_or(false)) heal_parts(scene, c);
-      return scene;
-    },
-    [](const Path& path, const ReadOptions&, RunContext& c) { return inspect_mesh(path, c); },
-    Meshes};
+const Reader kMesh{"STL, OBJ, OFF, PLY, 3MF",
+                   nullptr,
+                   is_mesh_suffix,
+                   [](const Path& path, const ReadOptions& o, RunContext& c) {
+                     Scene scene = read_mesh(path, c, o.encoding);
+                     if (o.heal.value_or(false)) heal_parts(scene, c);
+                     return scene;
+                   },
+                   [](const Path& path, const ReadOptions& o, RunContext& c) {
+                     return inspect_mesh(path, c, o.encoding);
+                   },
+                   Meshes};
 
-const Reader kCad{
-    "STEP, IGES, BREP",
-    is_cad_content,
-    is_cad_suffix,
-    [](const Path& path, const ReadOptions&, RunContext& c) { return read_cad(path, c); },
-    [](const Path& path, const ReadOptions&, RunContext& c) { return inspect_cad(path, c); },
-    CadFiles};
+const Reader kCad{"STEP, IGES, BREP",
+                  is_cad_content,
+                  is_cad_suffix,
+                  [](const Path& path, const ReadOptions& o, RunContext& c) {
+                    return read_cad(path, c, o.encoding);
+                  },
+                  [](const Path& path, const ReadOptions& o, RunContext& c) {
+                    return inspect_cad(path, c, o.encoding);
+                  },
+                  CadFiles};
 
 IritReadOptions irit_options(const ReadOptions& o) {
-  return {o.volume.level.value_or(0), o.volume.inside_above.value_or(false), o.bounds};
+  return {o.volume.level.value_or(0), o.volume.inside_above.value_or(false), o.bounds, o.encoding};
 }
 
 const Reader kIrit{"ITD, IRT, BEZ, BBP",

@@ -6,12 +6,14 @@
 #include <burin/surface/scene.h>
 
 #include <filesystem>
+#include <string>
 
 namespace burin {
 
 /// Reads, repairs and measures. Throws InputError as `read_mesh_file` does. Cost: about
 /// 2 s of processor time per million triangles.
-FileInfo inspect_mesh(const std::filesystem::path& path, const RunContext& context);
+FileInfo inspect_mesh(const std::filesystem::path& path, const RunContext& context,
+                      const std::string& encoding = {});
 
 /// Counts and measures of a part that `repair_parts` made.
 PartInfo measure_mesh_part(const Part& part, const RunContext& context);
