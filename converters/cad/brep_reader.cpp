@@ -35,11 +35,10 @@ CadFile read_brep(const Source& source, bool binary, RunContext& context) {
   CadFile file;
   file.format = binary ? "BREP (binary)" : "BREP (text)";
   const std::string stem = clean_name(model_stem(source.file()));
-  for (const TopoDS_Shape& piece : split_shape(shape)) {
-    file.parts.push_back(make_part(piece, TopLoc_Location(), stem));
+  if (std::vector<CadBody> bodies = bodies_of(shape); !bodies.empty()) {
+    file.parts.push_back(make_part(std::move(bodies), stem));
   }
   tell_left_out(file.parts, count_loose(shape), file.diagnostics);
-  make_names_unique(file.parts);
   return file;
 }
 

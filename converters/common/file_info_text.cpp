@@ -31,6 +31,7 @@ std::string brief(const PartInfo& p) {
   for (const std::string& name : p.assembly) text += name + " / ";
   text += p.name + ": ";
   if (p.triangles) text += counted(*p.triangles, "triangle") + ", ";
+  if (p.solids.value_or(0) > 1) text += counted(*p.solids, "solid") + ", ";
   text += fmt::format("{} faces, ", p.faces);
   if (p.edges) text += counted(*p.edges, "edge") + ", ";
   if (p.components) text += counted(*p.components, "component") + ", ";

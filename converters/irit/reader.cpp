@@ -3,6 +3,7 @@
 #include <burin/base/input_name.h>
 #include <burin/converters/irit_reader.h>
 
+#include "encoding.h"
 #include "parts.h"
 #include "patches.h"
 #include "text.h"
@@ -10,6 +11,7 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 namespace burin {
 namespace irit {
@@ -65,9 +67,10 @@ Kind kind_of(const Source& source, const std::filesystem::path& path) {
       "patch list; is it another format?");
 }
 
-Parts read_parts(const std::filesystem::path& path, const RunContext& context,
-                 const IritReadOptions& options) {
-  const Source source(path, context);
+namespace {
+
+Parts parts_of(const Source& source, const std::filesystem::path& path,
+               const IritReadOptions& options) {
   switch (kind_of(source, path)) {
     case Kind::Geomview:
       return make_part(read_geomview(source), source, path);
@@ -77,6 +80,19 @@ Parts read_parts(const std::filesystem::path& path, const RunContext& context,
       break;
   }
   return make_parts(parse_tree(source), source, path, options);
+}
+
+}  // namespace
+
+Parts read_parts(const std::filesystem::path& path, const RunContext& context,
+                 const IritReadOptions& options) {
+  const Source file(path, context);
+  Diagnostics said;
+  std::string text = utf8_text(file.bytes(), options.encoding, said);
+  if (text.empty()) return parts_of(file, path, options);
+  Parts parts = parts_of(Source(file.file(), std::move(text), context), path, options);
+  parts.scene.diagnostics.append(said);
+  return parts;
 }
 
 }  // namespace irit

@@ -80,8 +80,9 @@ void measure_mesh_parts(const Scene& scene, FileInfo& info, RunContext& context)
   for (const Part& part : scene.parts) measures.add(part, context);
 }
 
-FileInfo inspect_mesh(const std::filesystem::path& path, RunContext& context) {
-  return inspect_mesh_file(read_mesh_file(path, context), path, context);
+FileInfo inspect_mesh(const std::filesystem::path& path, RunContext& context,
+                      const std::string& encoding) {
+  return inspect_mesh_file(read_mesh_file(path, context, encoding), path, context);
 }
 
 FileInfo inspect_mesh_file(MeshFile file, const std::filesystem::path& path, RunContext& context) {

@@ -1,5 +1,6 @@
 #include <burin/converters/mesh_reader.h>
 
+#include "encoding.h"
 #include "formats.h"
 #include "text.h"
 #include "texture.h"
@@ -29,22 +30,27 @@ MeshFile read_as(MeshFormat format, const Source& source) {
 
 }  // namespace
 
-MeshFile read_mesh_file(const std::filesystem::path& path, const RunContext& context) {
+MeshFile read_mesh_file(const std::filesystem::path& path, const RunContext& context,
+                        const std::string& encoding) {
   try {
     const Source source(path, context);
     MeshFile file = read_as(detect_format(source, path), source);
+    TextDecoder decoder(encoding);
+    for (const PolygonSoup& soup : file.objects) decoder.learn(soup.name);
     for (PolygonSoup& soup : file.objects) {
-      soup.name = clean_name(soup.name);
+      soup.name = clean_name(decoder.utf8(soup.name));
       drop_empty_texture(soup);
     }
+    decoder.tell(file.diagnostics);
     return file;
   } catch (const std::bad_alloc&) {
     throw InputError("does not fit into the memory of this machine", path.string());
   }
 }
 
-Scene read_mesh(const std::filesystem::path& path, const RunContext& context, Facets facets) {
-  return repair_parts(read_mesh_file(path, context), path, context, facets);
+Scene read_mesh(const std::filesystem::path& path, const RunContext& context, Facets facets,
+                const std::string& encoding) {
+  return repair_parts(read_mesh_file(path, context, encoding), path, context, facets);
 }
 
 }  // namespace burin

@@ -7,6 +7,8 @@
 #include <burin/converters/values.h>
 #include <burin/plugin/sources.h>
 
+#include "encoding.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -131,6 +133,19 @@ std::vector<ReadRow> file_rows() {
         number_to([](ReadOptions& o) -> double& { return o.freecad_timeout; })},
        FreecadFiles,
        "FreeCAD documents that are recomputed"},
+      {{{.option = {.name = "encoding",
+                    .meaning = "the encoding of names that a file does not say it of, such as "
+                               "GB18030, SHIFT_JIS, "
+                               "EUC-KR or WINDOWS-1252 (default: found out from the names)",
+                    .takes = FreeText{}},
+         .group = kFiles,
+         .label = "NAME"},
+        [](ReadOptions& o, const Asked& a) {
+          check_encoding(a.spelled, a.text());
+          o.encoding = a.text();
+        }},
+       CadFiles | Meshes | Splines,
+       "STEP, IGES, OBJ, STL and IRIT files"},
       {{{.option =
              {.name = "heal",
               .meaning =

@@ -27,15 +27,16 @@ Facets facets_of(const ReadOptions& o) {
   return o.heal.value_or(false) ? Facets::Recognised : Facets::Kept;
 }
 
-const Reader kMesh{
-    "STL, OBJ, OFF, PLY, 3MF",
-    nullptr,
-    is_mesh_suffix,
-    [](const Path& path, const ReadOptions& o, RunContext& c) {
-      return read_mesh(path, c, facets_of(o));
-    },
-    [](const Path& path, const ReadOptions&, RunContext& c) { return inspect_mesh(path, c); },
-    Meshes};
+const Reader kMesh{"STL, OBJ, OFF, PLY, 3MF",
+                   nullptr,
+                   is_mesh_suffix,
+                   [](const Path& path, const ReadOptions& o, RunContext& c) {
+                     return read_mesh(path, c, facets_of(o), o.encoding);
+                   },
+                   [](const Path& path, const ReadOptions& o, RunContext& c) {
+                     return inspect_mesh(path, c, o.encoding);
+                   },
+                   Meshes};
 
 const Reader kGltf{
     "glTF, GLB",
@@ -47,16 +48,19 @@ const Reader kGltf{
     [](const Path& path, const ReadOptions&, RunContext& c) { return inspect_gltf(path, c); },
     Meshes};
 
-const Reader kCad{
-    "STEP, IGES, BREP",
-    is_cad_content,
-    is_cad_suffix,
-    [](const Path& path, const ReadOptions&, RunContext& c) { return read_cad(path, c); },
-    [](const Path& path, const ReadOptions&, RunContext& c) { return inspect_cad(path, c); },
-    CadFiles};
+const Reader kCad{"STEP, IGES, BREP",
+                  is_cad_content,
+                  is_cad_suffix,
+                  [](const Path& path, const ReadOptions& o, RunContext& c) {
+                    return read_cad(path, c, o.encoding);
+                  },
+                  [](const Path& path, const ReadOptions& o, RunContext& c) {
+                    return inspect_cad(path, c, o.encoding);
+                  },
+                  CadFiles};
 
 IritReadOptions irit_options(const ReadOptions& o) {
-  return {o.volume.level.value_or(0), o.volume.inside_above.value_or(false), o.bounds};
+  return {o.volume.level.value_or(0), o.volume.inside_above.value_or(false), o.bounds, o.encoding};
 }
 
 const Reader kIrit{"ITD, IRT, BEZ, BBP",

@@ -5,6 +5,7 @@
 #include <burin/drawing/views.h>
 
 #include "difference_rows.h"
+#include "split_parts.h"
 
 #include <fmt/format.h>
 
@@ -56,14 +57,14 @@ std::vector<T> joined(std::vector<T> a, const std::vector<T>& b) {
 void choose_parts(Revision& before, Revision& after) {
   std::vector<PartStyle>&was = before.plan.illustrate.part_styles,
   &is = after.plan.illustrate.part_styles;
-  was.resize(before.scene.parts.size());
-  is.resize(after.scene.parts.size());
   if (before.own_looks || after.own_looks) {
     select_parts(before.scene, before.plan);
     select_parts(after.scene, after.plan);
     return;
   }
-  const Scene both = together(before.scene, after.scene);
+  detail::split_parts(before.scene, after.plan, was);
+  detail::split_parts(after.scene, after.plan, is);
+  Scene both = together(before.scene, after.scene);
   DrawPlan plan = after.plan;
   plan.illustrate.part_styles = joined(was, is);
   select_parts(both, plan);
@@ -134,6 +135,8 @@ Drawing draw_both(Revision& before, Revision& after, const Difference& differenc
   const std::vector<PartStyle> styles =
       joined(before.plan.illustrate.part_styles, after.plan.illustrate.part_styles);
   plan.illustrate.part_styles = styles;
+  detail::split_parts(before.scene, after.plan, was);
+  detail::split_parts(after.scene, after.plan, is);
   Scene both = together(before.scene, after.scene);
   cut_parts(both, plan);
   const SheetOfViews sheet = plan_sheet(both, plan);

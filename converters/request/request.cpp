@@ -9,6 +9,7 @@
 #include "draw_options.h"
 #include "mostly_empty.h"
 #include "named_files.h"
+#include "split_parts.h"
 
 #include <fmt/format.h>
 
@@ -145,9 +146,9 @@ Drawing draw(const Scene& scene, const SheetOfViews& sheet, const DrawPlan& plan
   return drawing;
 }
 
-void select_parts(const Scene& scene, DrawPlan& plan) {
+void select_parts(Scene& scene, DrawPlan& plan) {
   std::vector<PartStyle>& styles = plan.illustrate.part_styles;
-  styles.resize(std::max(styles.size(), scene.parts.size()));
+  detail::split_parts(scene, plan, styles);
   for (std::size_t i = 0; i < scene.parts.size(); ++i) {
     // What can be looked through is drawn as --ghost has it; looks say otherwise.
     if (scene.parts[i].opacity < 1) styles[i].transparent = true, styles[i].hatched = false;

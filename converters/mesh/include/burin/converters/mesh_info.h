@@ -7,12 +7,14 @@
 #include <burin/surface/scene.h>
 
 #include <filesystem>
+#include <string>
 
 namespace burin {
 
 /// Reads, repairs and measures. Throws InputError as `read_mesh_file` does. Cost: about
 /// 2 s of processor time per million triangles.
-FileInfo inspect_mesh(const std::filesystem::path& path, RunContext& context);
+FileInfo inspect_mesh(const std::filesystem::path& path, RunContext& context,
+                      const std::string& encoding = {});
 
 /// The same of what another reader of meshes read.
 FileInfo inspect_mesh_file(MeshFile file, const std::filesystem::path& path, RunContext& context);

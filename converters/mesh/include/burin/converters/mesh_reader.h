@@ -48,8 +48,9 @@ bool is_mesh_suffix(const std::filesystem::path& path);
 /// Reads a file without mending anything. The format follows from the content where that is clear,
 /// else from the suffix. Throws InputError with the line (text formats) or the byte offset (binary
 /// ones). Never allocates more than the bytes of the file can hold. Cost: 0.1 s per million
-/// triangles of binary STL.
-MeshFile read_mesh_file(const std::filesystem::path& path, const RunContext& context);
+/// triangles of binary STL. `encoding`: of names, as iconv knows it; empty: it is found out.
+MeshFile read_mesh_file(const std::filesystem::path& path, const RunContext& context,
+                        const std::string& encoding = {});
 
 /// u and v of a soup, or nothing where it has none. To be taken before `repair`.
 std::shared_ptr<const TextureMap> texture_of(const PolygonSoup& soup, const RunContext& context);
@@ -65,7 +66,7 @@ Scene repair_parts(MeshFile file, const std::filesystem::path& path, const RunCo
 
 /// Reads and repairs. Diagnostics of both steps are in the scene's.
 Scene read_mesh(const std::filesystem::path& path, const RunContext& context,
-                Facets facets = Facets::Kept);
+                Facets facets = Facets::Kept, const std::string& encoding = {});
 
 /// The round surfaces that the facets of a mesh stand for (kernel/docs/openscad.md); what was found
 /// becomes a diagnostic. The form itself where nothing was.

@@ -41,6 +41,9 @@ struct ReadOptions {
   double freecad_timeout = 300;
   /// Volumes; trivariate splines of IRIT files take the level (0) and what is inside (below).
   VolumeReadOptions volume = {};
+  /// Of names in files that do not say in which encoding these are, as iconv knows it; empty: it is
+  /// found out.
+  std::string encoding = {};
   /// Whether the round surfaces that facets stand for are recognised and drawn; absent: those of
   /// OpenSCAD files are, those of meshes not.
   std::optional<bool> heal = {};

@@ -171,9 +171,10 @@ struct DrawPlan {
 
 /// Throws UsageError that names the option; InputError for a style file that cannot be read.
 DrawPlan make_plan(const DrawRequest& request, Spelling spelling);
-/// Turns what a plan says of parts by name into `illustrate.part_styles`, over what is there.
+/// Turns what a plan says of parts by name into `illustrate.part_styles`, over what is there. Parts
+/// of which a selector names a body are split first (burin/assembly/pieces.h).
 /// Throws UsageError where a selector names nothing, or nothing is left to draw.
-void select_parts(const Scene& scene, DrawPlan& plan);
+void select_parts(Scene& scene, DrawPlan& plan);
 /// Finds and numbers the items of the scene where the plan has a use for them, and fills
 /// `illustrate.annotations` with those that are drawn, once `select_parts` knows which these are.
 /// Tells in the scene's diagnostics of numbers that are kept for parts that are not there. Throws
