@@ -47,10 +47,11 @@ std::uint32_t word(const std::string& bytes, std::size_t offset) {
   return load<std::uint32_t>(bytes.data() + offset, std::endian::little);
 }
 
-/// How many entries of `size` bytes there are behind their count.
+/// How many entries of `size` bytes there are behind their count; none where the list is cut.
 std::size_t entries(const std::string& bytes, std::size_t size) {
   if (bytes.size() < sizeof(std::uint32_t)) return 0;
-  return std::min<std::size_t>(word(bytes, 0), (bytes.size() - 4) / size);
+  const std::size_t count = word(bytes, 0);
+  return count <= (bytes.size() - sizeof(std::uint32_t)) / size ? count : 0;
 }
 
 /// Colours of faces, their alpha being transparency.

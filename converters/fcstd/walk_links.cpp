@@ -99,7 +99,13 @@ bool FcWalk::find_target(const FcDocument& document, const FcObject& object, Tar
     }
   }
   target.object = target.document->find(link.object);
-  if (target.object >= 0 && descend(link.sub, object.link_transform, target)) return true;
+  if (target.object >= 0 && descend(link.sub, object.link_transform, target)) {
+    if (!link.sub.empty() && link.sub.back() != '.') {
+      broken_links_.add(Severity::Warning, "fcstd.whole_object",
+                        "links to a face or an edge are drawn as the whole object", object.label);
+    }
+    return true;
+  }
   return broken("fcstd.broken_link",
                 fmt::format("the linked object {} does not exist",
                             in_quotes(link.object + (link.sub.empty() ? "" : "." + link.sub))));

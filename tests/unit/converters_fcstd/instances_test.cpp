@@ -1,6 +1,5 @@
 // What is instanced: names, link extensions, copies.
 #include <burin/assembly/items.h>
-#include <burin/camera/camera.h>
 
 #include "writing.h"
 
@@ -190,6 +189,15 @@ TEST_F(FcstdTest, WhatIsSeenAndNotDrawnIsToldByName) {
   EXPECT_TRUE(has(scene, "fcstd.no_shape", "'Thing', 'Leer', 'Fillet'"));
   EXPECT_TRUE(has(scene, "fcstd.aids", "'Binder'"));
   EXPECT_EQ(scene.diagnostics.entries().size(), 6u);
+}
+
+TEST_F(FcstdTest, ALinkToAFaceSaysThatAllIsDrawn) {
+  Document d;
+  d.add_shape("Box", located_box(kUnit, {}));
+  d.add("App::Link", "Face", linked("Box", "", "Face1"));
+  const Scene scene = read(d);
+  EXPECT_EQ(scene.parts.size(), 2u);
+  EXPECT_TRUE(has(scene, "fcstd.whole_object", "'Face'"));
 }
 
 TEST_F(FcstdTest, AMissingFileIsOneLine) {

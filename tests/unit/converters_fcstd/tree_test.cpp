@@ -15,7 +15,9 @@ TEST_F(FcstdTest, ShapesKeepLabelPlaceAndVisibility) {
   const Scene scene = read(d);
   ASSERT_EQ(paths(scene), Paths{"A & B"});
   expect_box(scene.parts[0], {10, 20, 30}, {11, 22, 33});
-  EXPECT_TRUE(scene.diagnostics.empty());
+  ASSERT_EQ(scene.diagnostics.entries().size(), 1u);
+  EXPECT_TRUE(has(scene, "fcstd.aids", "'Sketch'"));
+  EXPECT_EQ(scene.diagnostics.entries().front().severity, Severity::Info);
 }
 
 TEST_F(FcstdTest, PartsPlaceTheirMembersAndGroupsDoNot) {
