@@ -66,7 +66,7 @@ TEST(Gltf, NodesTurnMoveAndScale) {
   EXPECT_EQ(scene.parts[0].assembly, std::vector<std::string>{"arm"});
   expect_box(bounds_of(scene, 1), {0, -30, 500}, {10, 0, 520});
   EXPECT_EQ(scene.parts[0].form->definition().shape, scene.parts[1].form->definition().shape);
-  EXPECT_NEAR(scene.parts[0].form->definition().scale, 2, 1e-6);
+  EXPECT_NEAR(glm::determinant(scene.parts[0].form->definition().linear), 8, 1e-5);
 }
 
 TEST(Gltf, InstancesAreCalledAsTheirMeshWhereTheirNamesDiffer) {
