@@ -150,7 +150,8 @@ MeshFormat detect_format(const Source& source, const std::filesystem::path& path
   if (!named) {
     source.fail(
         fmt::format("is of no kind that is read (suffix '{}'): meshes, STEP, IGES, BREP, FreeCAD, "
-                    "OpenSCAD, spline patches, functions, volumes; raw volumes need their layout",
+                    "OpenSCAD, spline patches, functions, volumes; raw volumes need their layout, "
+                    "and `input_format` names what nothing else tells",
                     model_suffix(path)));
   }
   if (suffix->second == MeshFormat::ThreeMf)

@@ -1,3 +1,4 @@
+#include <burin/base/affine.h>
 #include <burin/converters/mesh_info.h>
 #include <burin/converters/mesh_reader.h>
 #include <burin/forms/mesh/mesh_form.h>
@@ -32,19 +33,21 @@ void copy_words(const Part& part, PartInfo& info) {
   info.opacity = part.opacity;
 }
 
-/// Parts that share a form are measured once.
+/// Parts that share a form are measured once; those that are stretched are other shapes.
 class Measures {
  public:
   explicit Measures(FileInfo& info) : info_(info) {}
 
   void add(const Part& part, RunContext& context) {
     const Definition shape = part.form->definition();
-    const auto [known, is_new] = first_.try_emplace(shape.shape, info_.parts.size(), shape.scale);
+    const Placement by{shape.linear, Vec3(0)};
+    if (!is_similar(by)) return info_.parts.push_back(measure_mesh_part(part, context));
+    const auto [known, is_new] = first_.try_emplace(shape.shape, info_.parts.size(), by.scale());
     if (is_new) return info_.parts.push_back(measure_mesh_part(part, context));
     const auto [first, scale] = known->second;
     PartInfo one = info_.parts[first];
     copy_words(part, one);
-    const double larger = shape.scale / scale;
+    const double larger = by.scale() / scale;
     one.area *= larger * larger;
     one.volume *= larger * larger * larger;
     one.bounds = part.form->bounds(Mat3(1));

@@ -1,7 +1,9 @@
+#include <burin/base/affine.h>
 #include <burin/base/input_name.h>
 #include <burin/base/near_turn.h>
 #include <burin/converters/mesh_reader.h>
 #include <burin/forms/mesh/mesh_form.h>
+#include <burin/mesh/placed_mesh.h>
 #include <burin/repair/repair.h>
 #include <burin/surface/placed_form.h>
 
@@ -10,9 +12,7 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <memory>
-#include <numeric>
 #include <optional>
 #include <utility>
 
@@ -32,21 +32,6 @@ void append(Diagnostics& all, const Diagnostics& part, const std::string& name, 
   for (Diagnostic d : part.entries()) {
     if (several) d.message = fmt::format("{}: {}", name, d.message);
     all.add(std::move(d));
-  }
-}
-
-/// The polygons put elsewhere; corners stay counter-clockwise.
-void move(PolygonSoup& soup, const Placement& place) {
-  if (!place.moves()) return;
-  for (Vec3& p : soup.positions) p = place.point(p);
-  if (!place.mirrors()) return;
-  for (std::size_t f = 0; f < soup.polygon_count(); ++f) {
-    const auto turn = [&](auto& corners) {
-      const auto first = corners.begin() + static_cast<std::ptrdiff_t>(soup.offsets[f]);
-      std::reverse(first + 1, corners.begin() + static_cast<std::ptrdiff_t>(soup.offsets[f + 1]));
-    };
-    turn(soup.indices);
-    if (!soup.texture.empty()) turn(soup.texture);
   }
 }
 
@@ -115,14 +100,11 @@ class Parts {
     return recognised(std::move(form), name, scene_.diagnostics, context_);
   }
 
-  /// Turned, moved and scaled alike it is the form that others have too; mirrored and stretched, or
-  /// used once, it has triangles of its own.
+  /// The form that all uses of an object share, placed; where it is used once, or becomes flat, its
+  /// triangles as they stand.
   std::shared_ptr<const Form> placed_form(const MeshUse& use, const std::string& name) {
-    const std::optional<Placement> alike = near_turn(use.place);
-    if (!alike || alike->mirrors() || uses_[use.object] == 1) {
-      PolygonSoup soup = taken(use.object);
-      move(soup, use.place);
-      return form_of(std::move(soup), name);
+    if (uses_[use.object] == 1 || !is_invertible(use.place)) {
+      return form_of(placed(taken(use.object), use.place), name);
     }
     Shared& shared = shared_[use.object];
     if (!shared.made) {
@@ -131,7 +113,7 @@ class Parts {
     } else {
       --left_[use.object];
     }
-    return shared.placer ? shared.placer->at(*alike) : nullptr;
+    return shared.placer ? shared.placer->at(near_turn(use.place).value_or(use.place)) : nullptr;
   }
 
   void add(MeshUse& use) {
@@ -165,8 +147,7 @@ std::vector<PolygonSoup> placed_objects(MeshFile file) {
   use_each_once(file);
   std::vector<PolygonSoup> out;
   for (const MeshUse& use : file.uses) {
-    out.push_back(file.objects[use.object]);
-    move(out.back(), use.place);
+    out.push_back(placed(file.objects[use.object], use.place));
     if (!use.name.empty()) out.back().name = use.name;
   }
   return out;

@@ -44,6 +44,11 @@ std::vector<ReadRow> file_rows() {
         [](ReadOptions& o, const Asked& a) {
           o.input_format = lowered(a.text());
           if (o.input_format.starts_with('.')) o.input_format.erase(0, 1);
+          if (o.input_format == "scad" || o.input_format == "csg") {
+            throw UsageError(a.spelled +
+                             ": OpenSCAD's programs are read from files, as they name others; save "
+                             "it as a file with the suffix .scad");
+          }
           if (!is_read_suffix("." + o.input_format)) {
             refuse_value(a.spelled, "a suffix of a format that is read, such as stl or step",
                          a.text());

@@ -94,6 +94,8 @@ TEST_F(Packed, InputFormatSaysWhatBytesDoNot) {
   EXPECT_NE(err_.find("--input-format has no effect on"), std::string::npos) << err_;
   EXPECT_EQ(run("draw - -o @/a.svg --input-format nonsense", "ball"), 2);
   expect_error("--input-format takes a suffix of a format that is read");
+  EXPECT_EQ(run("draw - -o @/a.svg --input-format scad", "ball"), 2);
+  expect_error("OpenSCAD's programs are read from files");
 }
 
 TEST_F(Packed, EachFormatGoesToStandardOutput) {

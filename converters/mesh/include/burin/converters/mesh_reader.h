@@ -20,7 +20,7 @@ namespace burin {
 /// Part; without a name it has that of its object.
 struct MeshUse {
   std::size_t object = 0;
-  /// Any affine map, without mirroring the order of corners: that is seen to where it is applied.
+  /// Any affine map.
   Placement place = {};
   std::string name = {};
   std::vector<std::string> assembly = {};
