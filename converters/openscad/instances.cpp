@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <set>
 #include <utility>
 #include <vector>
 
@@ -113,14 +114,18 @@ class Divisions {
       if (finder_.calm(object)) units.push_back({.node = object, .modules = {}});
     }
     if (!choose(units)) return std::move(accepted_);
-    std::map<std::uint32_t, Bulk> whole = bulks(accepted_, diagnostics_);
+    std::set<std::uint32_t> nodes;
+    for (const Unit& u : units) nodes.insert(u.node);
+    std::map<std::uint32_t, Bulk> whole = bulks(accepted_, nodes, diagnostics_);
     do {
       CallParts asked = accepted_;
-      for (const Unit& u : units) asked.nodes.insert(u.pieces.begin(), u.pieces.end());
+      nodes.clear();
+      for (const Unit& u : units) nodes.insert(u.pieces.begin(), u.pieces.end());
+      asked.nodes.insert(nodes.begin(), nodes.end());
       Diagnostics said_before;  // of the same solids
       std::map<std::uint32_t, Bulk> parted;
       try {
-        parted = bulks(asked, said_before);
+        parted = bulks(asked, nodes, said_before);
       } catch (const csg::NotEvaluated&) {
         break;  // what could be evaluated stays as it was
       }
@@ -135,13 +140,15 @@ class Divisions {
   }
 
  private:
-  /// Of the parts of each object and call.
-  std::map<std::uint32_t, Bulk> bulks(const CallParts& calls, Diagnostics& diagnostics) {
+  /// Of the parts of each of these objects and calls.
+  std::map<std::uint32_t, Bulk> bulks(const CallParts& calls, const std::set<std::uint32_t>& of,
+                                      Diagnostics& diagnostics) {
     Diagnostics said_later;
     const TreeParts all = parts_of(tree_, program_, stem_, said_later, calls);
     const std::vector<StoredPart> stored = store_.store(all.parts, diagnostics);
     std::map<std::uint32_t, Bulk> out;
     for (std::size_t i = 0; i < stored.size(); ++i) {
+      if (!of.contains(all.parts[i].of)) continue;
       const Bulk b = store_.bulk(stored[i]);
       Bulk& sum = out[all.parts[i].of];
       sum.volume += b.volume;
