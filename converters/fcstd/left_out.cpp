@@ -22,7 +22,8 @@ struct Kind {
 
 /// What can be seen of types that have neither shape nor mesh, by the beginning of the type.
 constexpr std::array kKinds{Kind{"Points::", "clouds of points"},
-                            Kind{"Fem::", "meshes and results of FEM"},
+                            Kind{"Fem::FemMesh", "meshes of FEM"},
+                            Kind{"Fem::FemPost", "results of FEM"},
                             Kind{"App::VRMLObject", "scenes of VRML"},
                             Kind{"App::InventorObject", "scenes of Inventor"},
                             Kind{"App::Annotation", "texts and dimensions"},
