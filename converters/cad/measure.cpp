@@ -52,4 +52,12 @@ PartInfo measure(const BrepModel& model, const Placement& placement) {
   return info;
 }
 
+PartInfo measure(const std::vector<BrepBody>& bodies, const Placement& placement) {
+  FileInfo all;
+  for (const BrepBody& body : bodies) {
+    all.parts.push_back(measure(*body.model, after(placement, body.placement)));
+  }
+  return all.total();
+}
+
 }  // namespace burin

@@ -216,10 +216,10 @@ Scene read_openscad(const Path& path, const OpenscadOptions& options, RunContext
   if (auto scene = parts_here(path, options, detail::Shapes::Shared, why, context)) {
     return std::move(*scene);
   }
-  Scene scene = repair_parts(rendered(path, options, context), path, context);
+  Scene scene = repair_parts(rendered(path, options, context), path, context,
+                             options.round ? Facets::Recognised : Facets::Kept);
   why.append(scene.diagnostics);
   scene.diagnostics = std::move(why);
-  if (options.round) heal_parts(scene, context);
   return scene;
 }
 

@@ -101,6 +101,11 @@ void add_part(py::module_& module) {
   property(part, "color", &Part::color, "\"#rrggbb\", or empty where it has none.");
   property(part, "assembly", &Part::assembly,
            "Names from the top of an assembly down to what contains the part.");
+  property(part, "definition", &Part::definition,
+           "The name of what it is an instance of, by which parts lists call it; may be empty.");
+  property(part, "opacity", &Part::opacity,
+           "How much of what lies behind it the part covers: 1 all of it, 0 nothing. Below 1 it is "
+           "drawn as transparent.");
   look(part, "drawn", &PartStyle::drawn, "False: as if the part were not there.");
   look(part, "hatched", &PartStyle::hatched, "False: lines alone, without strokes.");
   look(part, "transparent", &PartStyle::transparent,

@@ -90,6 +90,7 @@ class PartJob:
     placement: Optional[Tuple[float, ...]] = None  # where `brep` is: 16 numbers of a rigid motion, row by row
     color: str = ""
     assembly: List[str] = field(default_factory=list)
+    definition: str = ""  # the name of what it is an instance of
     drawn: bool = True
     hatched: bool = True
     transparent: bool = False

@@ -56,9 +56,10 @@ std::shared_ptr<const Surface> realise_faces(const PlacedAtlas& atlas, const Cha
         check_numbers(m);
         joined = stages.join(atlas, std::move(m), context);
       });
-  name_loose_faces(isolated.out, isolated.reason, options.diagnostics);
+  name_loose_faces(isolated.out, isolated.reason, *atlas.atlas, options.diagnostics);
   if (!found && options.diagnostics) add_contours_bounded(*options.diagnostics);
   parted.append(placed(loose, atlas.placement));
+  for (std::int32_t& face : parted.face) face = atlas.atlas->source_face(face);
   std::vector<SurfacePtr> pieces;
   if (joined) pieces.push_back(std::move(joined));
   if (SurfacePtr apart = loose_surface(parted, options, context)) pieces.push_back(apart);

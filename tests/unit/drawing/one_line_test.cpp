@@ -1,5 +1,7 @@
 /// Lines that lie on each other: which of them is drawn, where it is cut, what it stands for.
 
+#include <burin/drawing/ink.h>
+#include <burin/drawing/join_lines.h>
 #include <burin/drawing/length.h>
 #include <burin/drawing/one_line.h>
 
@@ -129,6 +131,50 @@ TEST(OneLine, StrokesAreLeftAlone) {
   std::vector<Path> strokes{line({{0, 0}, {9, 0}}, -1), line({{0, 0}, {9, 0}}, -1)};
   for (Path& p : strokes) p.kind = LineClass::Stroke;
   EXPECT_EQ(kept(strokes).size(), 2U);
+}
+
+TEST(Dashes, BeginAndEndEachLine) {
+  const std::vector<double> dashes{2, 1};
+  for (const double length : {1.0, 3.0, 7.7, 20.0, 101.3}) {
+    const auto fitted = fitted_dashes(dashes, line({{0, 0}, {length, 0}}, 1));
+    ASSERT_EQ(fitted.size(), 2U);
+    const double period = fitted[0] + fitted[1], rest = std::fmod(length, period);
+    EXPECT_NEAR(rest == 0 ? period : rest, fitted[0], 1e-9) << length;
+    if (length > 7) EXPECT_NEAR(period, 3, 0.5) << length;
+  }
+  const Path ring = circle(5, 100, 0, 1);
+  const auto round = fitted_dashes(dashes, ring);
+  const double whole = length_of(ring) + glm::distance(ring.points.front(), ring.points.back());
+  EXPECT_NEAR(std::remainder(whole, round[0] + round[1]), 0, 1e-9);
+  EXPECT_TRUE(fitted_dashes({}, ring).empty());
+}
+
+TEST(JoinedLines, OfOnePartGoOnStraightAndDashedOnesRoundBends) {
+  const auto joined = [](std::vector<Path> paths) {
+    std::vector<Layer> layers{{"crease", std::move(paths)}};
+    RunContext context;
+    join_lines(layers, context);
+    return layers.front().paths;
+  };
+  auto paths = joined({line({{0, 0}, {10, 0}}, 1), line({{25, 0}, {10, 0}}, 2)});
+  ASSERT_EQ(paths.size(), 1U);
+  EXPECT_EQ(paths[0].points.size(), 2U);
+  EXPECT_EQ(paths[0].source.edge, 2) << "the longest";
+  EXPECT_EQ(paths[0].also, (std::vector<PathSource>{{{0, -1, 1}, LineClass::Crease}}));
+  // Round a corner, in a bend, of another part, where three meet, at another depth: as they were.
+  EXPECT_EQ(joined({line({{0, 0}, {10, 0}}, 1), line({{10, 0}, {10, 9}}, 2)}).size(), 2U);
+  EXPECT_EQ(joined({line({{0, 0}, {5, 0}, {10, 0.1}}, 1), line({{10, 0.1}, {20, 0.4}}, 2)}).size(),
+            2U);
+  Path other = line({{10, 0}, {20, 0}}, 2);
+  other.source.part = 1;
+  EXPECT_EQ(joined({line({{0, 0}, {10, 0}}, 1), other}).size(), 2U);
+  Path deep = line({{10, 0}, {20, 0}}, 2);
+  for (Vec3& p : deep.points3) p.z = 5;
+  EXPECT_EQ(joined({line({{0, 0}, {10, 0}}, 1), deep}).size(), 2U);
+  paths = joined({line({{0, 0}, {5, 0}, {10, 0.1}}, 1, 0.18, false),
+                  line({{10, 0.1}, {20, 0.4}}, 2, 0.18, false)});
+  ASSERT_EQ(paths.size(), 1U);
+  EXPECT_EQ(paths[0].points3.size(), paths[0].points.size());
 }
 
 }  // namespace

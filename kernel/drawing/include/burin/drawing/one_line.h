@@ -20,7 +20,7 @@ inline constexpr double kSameLine = 0.05;
 /// where lines cross at a small angle, and specks that would be left of a line go with it. Layers of strokes and
 /// patterns are left alone. Lines stay in their layers and in their order. Throws Cancelled.
 /// Cost: 1 us a segment.
-/// @cite ISO128-2
+/// @cite ISO128part2
 void keep_one_line(std::vector<Layer>& layers, const RunContext& context);
 
 }  // namespace burin

@@ -1,40 +1,43 @@
 #pragma once
 /// One model part of a 3MF archive as it stands.
 
-#include <burin/base/vec.h>
+#include <burin/base/placement.h>
 #include <burin/mesh/tri_mesh.h>
 
+#include "look.h"
 #include "source.h"
 
-#include <array>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
 namespace burin {
 
-/// p' = p * linear + shift, p a row as in 3MF: the three rows of `linear`, then the shift.
-struct ThreeMfTransform {
-  std::array<Vec3, 4> rows{Vec3(1, 0, 0), Vec3(0, 1, 0), Vec3(0, 0, 1), Vec3(0)};
-  Vec3 apply(const Vec3& p) const {
-    return p.x * rows[0] + p.y * rows[1] + p.z * rows[2] + rows[3];
-  }
-  bool mirrors() const { return glm::dot(rows[0], glm::cross(rows[1], rows[2])) < 0; }
-  /// First this one, then `outer`.
-  ThreeMfTransform then(const ThreeMfTransform& outer) const;
-};
-
 /// Another object put somewhere: a component of an object or an item of the build.
 struct ThreeMfUse {
   std::string object;
-  std::string path;  // the model part that holds it; empty = the same one
-  ThreeMfTransform transform;
+  std::string path = {};  // the model part that holds it; empty = the same one
+  Placement place = {};   // in the unit of the model
+};
+
+/// The colour of a triangle, and whether it is that of its three corners.
+struct ThreeMfColor {
+  std::optional<Rgba> color;
+  bool even = true;
 };
 
 struct ThreeMfObject {
   std::string name;
+  /// "model", "support" ...; empty: model.
+  std::string type;
   PolygonSoup mesh;  // of triangles, in the unit of the model
+  /// Of each triangle; empty where the model has no colours.
+  std::vector<ThreeMfColor> colors;
   std::vector<ThreeMfUse> components;
+
+  /// Whether it is part of what is made: not a support, nor what only helps to make it.
+  bool is_model() const { return type.empty() || type == "model" || type == "surface"; }
 };
 
 struct ThreeMfModel {

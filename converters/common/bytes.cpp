@@ -10,7 +10,7 @@
 #include <limits>
 #include <new>
 
-namespace burin::volume {
+namespace burin {
 namespace {
 
 // Between two polls for cancellation.
@@ -106,6 +106,22 @@ std::size_t Unpacked::read(char* out, std::size_t n) {
 
 bool is_gzip(std::string_view bytes) { return bytes.starts_with("\x1f\x8b"); }
 
+namespace {
+
+constexpr double kLargestRatio = 200;
+constexpr double kHarmless = 16 << 20;  // bytes
+
+}  // namespace
+
+bool is_bomb(double packed, double unpacked) {
+  return unpacked > kHarmless && unpacked / (packed + 1) > kLargestRatio;
+}
+
+std::size_t most_unpacked(std::size_t packed) {
+  return static_cast<std::size_t>(
+      std::max(kHarmless, kLargestRatio * (static_cast<double>(packed) + 1)));
+}
+
 std::unique_ptr<Bytes> plain_bytes(std::string_view bytes) {
   return std::make_unique<Plain>(bytes);
 }
@@ -128,4 +144,4 @@ std::string take(Bytes& in, std::size_t most, const RunContext& context) {
   return out;
 }
 
-}  // namespace burin::volume
+}  // namespace burin

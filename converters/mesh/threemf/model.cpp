@@ -1,15 +1,17 @@
-#include "threemf_model.h"
+#include "model.h"
 
+#include "../texture.h"
+#include "properties.h"
 #include "text.h"
-#include "texture.h"
+#include "xml.h"
 
 #include <fmt/format.h>
 #include <pugixml.hpp>
 
 #include <algorithm>
 #include <charconv>
-#include <cstring>
 #include <limits>
+#include <optional>
 
 // pugixml keeps no table of entities and reads no external ones, so that none of their tricks
 // works; attributes are converted here, as its own conversion follows the locale. lib3mf in Debian
@@ -17,25 +19,9 @@
 namespace burin {
 namespace {
 
-std::string_view local_name(const char* name) {
-  const char* colon = std::strrchr(name, ':');
-  return colon == nullptr ? name : colon + 1;
-}
-
-bool is(const pugi::xml_node& node, std::string_view name) {
-  return local_name(node.name()) == name;
-}
-
-pugi::xml_node child(const pugi::xml_node& node, std::string_view name) {
-  return node.find_child([&](const pugi::xml_node& n) { return is(n, name); });
-}
-
-std::string_view attribute(const pugi::xml_node& node, std::string_view name) {
-  for (const pugi::xml_attribute& a : node.attributes()) {
-    if (local_name(a.name()) == name) return a.value();
-  }
-  return {};
-}
+using threemf::attribute;
+using threemf::child;
+using threemf::is;
 
 /// Which group of properties, and which of it, where triangles say nothing of their own.
 struct Materials {
@@ -55,18 +41,18 @@ class ModelParser {
   double unit(const pugi::xml_node& model) const;
   double number(const pugi::xml_node& node, const char* name) const;
   std::uint32_t index(const pugi::xml_node& node, const char* name, std::size_t count) const;
-  ThreeMfTransform transform(const pugi::xml_node& node) const;
+  Placement transform(const pugi::xml_node& node) const;
   ThreeMfUse use(const pugi::xml_node& node) const;
-  PolygonSoup mesh(const pugi::xml_node& node, const Materials& of_object) const;
-  void texture_groups(const pugi::xml_node& resources);
-  glm::vec2 texture_at(std::string_view group, std::string_view index) const;
+  void mesh(const pugi::xml_node& node, const Materials& of_object, ThreeMfObject& out) const;
+  void properties(const pugi::xml_node& triangle, const Materials& of_object,
+                  ThreeMfObject& out) const;
   ThreeMfObject object(const pugi::xml_node& node) const;
 
   std::string text_;
   const std::string& name_;
   const Source& source_;
   pugi::xml_document document_;
-  std::map<std::string, std::vector<glm::vec2>, std::less<>> texture_groups_;
+  std::optional<ThreeMfProperties> properties_;
 };
 
 ModelParser::ModelParser(std::string text, const std::string& name, const Source& source)
@@ -124,8 +110,8 @@ std::uint32_t ModelParser::index(const pugi::xml_node& node, const char* name,
   return value;
 }
 
-ThreeMfTransform ModelParser::transform(const pugi::xml_node& node) const {
-  ThreeMfTransform out;
+Placement ModelParser::transform(const pugi::xml_node& node) const {
+  Placement out;  // 3MF multiplies rows from the left: each three numbers are a column of ours
   const std::string_view text = attribute(node, "transform");
   if (text.empty()) return out;
   const char *p = text.data(), *end = p + text.size();
@@ -136,7 +122,7 @@ ThreeMfTransform ModelParser::transform(const pugi::xml_node& node) const {
     double value = 0;
     p = scan_double(p, end, value);
     if (p == nullptr || count == 12 || !(std::abs(value) < 1e60)) break;
-    out.rows[static_cast<std::size_t>(count) / 3][count % 3] = value;
+    (count < 9 ? out.linear[count / 3] : out.offset)[count % 3] = value;
   }
   if (p != end || count != 12) {
     fail(node,
@@ -150,37 +136,31 @@ ThreeMfUse ModelParser::use(const pugi::xml_node& node) const {
           transform(node)};
 }
 
-void ModelParser::texture_groups(const pugi::xml_node& resources) {
-  for (const pugi::xml_node& group : resources) {
-    if (!is(group, "texture2dgroup")) continue;
-    std::vector<glm::vec2>& points = texture_groups_[std::string(attribute(group, "id"))];
-    for (const pugi::xml_node& p : group) {
-      if (!is(p, "tex2coord")) continue;
-      points.emplace_back(texture_coordinate(attribute(p, "u")),
-                          texture_coordinate(attribute(p, "v")));
-    }
+void ModelParser::properties(const pugi::xml_node& triangle, const Materials& of_object,
+                             ThreeMfObject& out) const {
+  const std::string_view pid = attribute(triangle, "pid"), p1 = attribute(triangle, "p1");
+  const std::string_view group = pid.empty() ? of_object.group : pid;
+  std::array<std::optional<Rgba>, 3> colors;
+  for (std::size_t i = 0; i < 3; ++i) {
+    constexpr std::array<const char*, 3> kCorners{"p1", "p2", "p3"};
+    std::string_view at = attribute(triangle, kCorners[i]);
+    if (at.empty()) at = p1.empty() ? of_object.index : p1;
+    if (properties_->has_texture()) out.mesh.texture.push_back(properties_->texture(group, at));
+    colors[i] = properties_->color(group, at);
   }
+  if (!properties_->has_colors()) return;
+  out.colors.push_back({colors[0], colors[1] == colors[0] && colors[2] == colors[0]});
 }
 
-// Groups of colours and materials have no u and v, and neither has an index that is none: what is
-// only looked up there is not worth refusing a model.
-glm::vec2 ModelParser::texture_at(std::string_view group, std::string_view index) const {
-  const auto found = texture_groups_.find(group);
-  std::uint32_t i = 0;
-  const bool read = std::from_chars(index.data(), index.data() + index.size(), i).ec == std::errc();
-  if (found == texture_groups_.end() || !read || i >= found->second.size()) {
-    return glm::vec2(kNoTexture);
-  }
-  return found->second[i];
-}
-
-PolygonSoup ModelParser::mesh(const pugi::xml_node& node, const Materials& of_object) const {
-  PolygonSoup soup;
+void ModelParser::mesh(const pugi::xml_node& node, const Materials& of_object,
+                       ThreeMfObject& out) const {
+  PolygonSoup& soup = out.mesh;
   for (const pugi::xml_node& v : child(node, "vertices")) {
     if (!is(v, "vertex")) continue;
     source_.context().check();
     soup.positions.emplace_back(number(v, "x"), number(v, "y"), number(v, "z"));
   }
+  const bool plain = !properties_->has_texture() && !properties_->has_colors();
   for (const pugi::xml_node& t : child(node, "triangles")) {
     if (!is(t, "triangle")) continue;
     source_.context().check();
@@ -188,23 +168,16 @@ PolygonSoup ModelParser::mesh(const pugi::xml_node& node, const Materials& of_ob
       soup.indices.push_back(index(t, corner, soup.positions.size()));
     }
     soup.offsets.push_back(soup.indices.size());
-    if (texture_groups_.empty()) continue;
-    const std::string_view pid = attribute(t, "pid"), p1 = attribute(t, "p1");
-    const std::string_view group = pid.empty() ? of_object.group : pid;
-    for (const char* of_corner : {"p1", "p2", "p3"}) {
-      std::string_view at = attribute(t, of_corner);
-      if (at.empty()) at = p1.empty() ? of_object.index : p1;
-      soup.texture.push_back(texture_at(group, at));
-    }
+    if (!plain) properties(t, of_object, out);
   }
-  return soup;
 }
 
 ThreeMfObject ModelParser::object(const pugi::xml_node& node) const {
   ThreeMfObject out;
   out.name = attribute(node, "name");
+  out.type = attribute(node, "type");
   if (const pugi::xml_node m = child(node, "mesh")) {
-    out.mesh = mesh(m, {attribute(node, "pid"), attribute(node, "pindex")});
+    mesh(m, {attribute(node, "pid"), attribute(node, "pindex")}, out);
   }
   for (const pugi::xml_node& c : child(node, "components")) {
     if (is(c, "component")) out.components.push_back(use(c));
@@ -217,7 +190,7 @@ ThreeMfModel ModelParser::model() {
   if (!root) fail(0, "the XML has no element 'model'; export it again");
   ThreeMfModel out;
   out.unit = unit(root);
-  texture_groups(child(root, "resources"));
+  properties_.emplace(child(root, "resources"));
   for (const pugi::xml_node& o : child(root, "resources")) {
     if (!is(o, "object")) continue;
     const std::string id(attribute(o, "id"));
@@ -233,13 +206,6 @@ ThreeMfModel ModelParser::model() {
 }
 
 }  // namespace
-
-ThreeMfTransform ThreeMfTransform::then(const ThreeMfTransform& outer) const {
-  ThreeMfTransform out;
-  for (std::size_t i = 0; i < 3; ++i) out.rows[i] = outer.apply(rows[i]) - outer.rows[3];
-  out.rows[3] = outer.apply(rows[3]);
-  return out;
-}
 
 ThreeMfModel parse_3mf_model(std::string text, const std::string& name, const Source& source) {
   return ModelParser(std::move(text), name, source).model();
