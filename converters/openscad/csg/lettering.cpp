@@ -276,8 +276,10 @@ Region lettering(Evaluation& e, std::uint32_t node) {
     return {};
   }
   if (font.replaced) {
+    // OpenSCAD's own choice, where a text names none.
+    const std::string name = style.font.empty() ? "Liberation Sans" : style.font;
     tell(e, node, "openscad.font_replaced",
-         fmt::format("the font {} is not there; {} stands for it", in_quotes(style.font),
+         fmt::format("the font {} is not there; {} stands for it", in_quotes(name),
                      font.face->family_name ? font.face->family_name : "another"));
   }
   Layout layout(font.face, style);

@@ -175,9 +175,8 @@ TEST(TreeParts, EachCallOfPartIsOne) {
   for (const TreePart& p : found.parts.parts) {
     EXPECT_EQ(p.definition, "bolt");
     // What differs by where the part stands is its frame alone.
-    ASSERT_EQ(p.pieces.size(), 2U);
+    ASSERT_EQ(p.pieces.size(), 1U);
     EXPECT_EQ(p.pieces[0].at, csg::Matrix{});
-    EXPECT_EQ(p.pieces[1].at.row[0][3], 9);
   }
   EXPECT_EQ(found.parts.parts[2].frame.row[0][3], 18);
 }
