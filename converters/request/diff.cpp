@@ -135,8 +135,6 @@ Drawing draw_both(Revision& before, Revision& after, const Difference& differenc
   const std::vector<PartStyle> styles =
       joined(before.plan.illustrate.part_styles, after.plan.illustrate.part_styles);
   plan.illustrate.part_styles = styles;
-  detail::split_parts(before.scene, after.plan, was);
-  detail::split_parts(after.scene, after.plan, is);
   Scene both = together(before.scene, after.scene);
   cut_parts(both, plan);
   const SheetOfViews sheet = plan_sheet(both, plan);
