@@ -51,3 +51,16 @@ void name_unused(const ReadOptions& options, const std::vector<std::string>& pat
 }
 
 }  // namespace burin::detail
+
+namespace burin {
+
+bool concerns(const std::string& option, const std::filesystem::path& path) {
+  const detail::ReadRow* row = detail::find_read_row(option);
+  if (row == nullptr) return false;
+  // Any file may hold raw samples.
+  if (option == "raw" || option == "raw_skip") return true;
+  const detail::Reader& reader = detail::reader_of(path, {});
+  return (row->families & reader.family) != 0;
+}
+
+}  // namespace burin

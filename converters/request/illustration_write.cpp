@@ -255,6 +255,12 @@ std::string first_illustration(const std::vector<std::string>& inputs, const Dra
   for (const std::string& input : inputs) {
     Json part{{"file", seen_from(folder, input)}};
     for (const auto& [name, texts] : reading) {
+      // What concerns other files alone would be told as without effect on this one.
+      if (!concerns(name, input) && std::ranges::any_of(inputs, [&](const std::string& other) {
+            return concerns(name, other);
+          })) {
+        continue;
+      }
       const RequestOption& option = detail::option_named(name);
       part[name] = option.many ? Json(texts) : value_of(option, texts.back());
     }
@@ -264,6 +270,11 @@ std::string first_illustration(const std::vector<std::string>& inputs, const Dra
     const RequestOption& option = detail::option_named(key.option);
     const std::vector<std::string> texts = asked_texts(option, request.options);
     if (texts.empty()) continue;
+    if (!request.has(key.option)) {
+      // What holds without being asked for is written to be edited, where it has an effect.
+      const bool apart = !steps.empty();  // the view is then found
+      if (key.option == "projection" || (key.option == "view" && apart)) continue;
+    }
     const std::size_t dot = key.path.find('.');
     Json& to = dot == std::string::npos ? json[key.path]
                                         : json[key.path.substr(0, dot)][key.path.substr(dot + 1)];

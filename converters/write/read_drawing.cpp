@@ -81,6 +81,11 @@ void read_faces(const JsonPlace& place, std::size_t points, std::vector<PathFace
   });
 }
 
+void read_color(const JsonPlace& place, std::string& out) {
+  place.set(out);
+  if (!rgb_of(out)) place.fail("takes a colour #rrggbb");
+}
+
 Path read_path(const JsonPlace& place) {
   place.check_object();
   Path p;
@@ -105,6 +110,7 @@ Path read_path(const JsonPlace& place) {
   value("edge", p.source.edge);
   value("closed", p.closed);
   value("item", p.item);
+  place.optional("color", [&](const JsonPlace& color) { read_color(color, p.color); });
   value("field", p.field);
   value("family", p.family);
   value("stroke_kind", p.stroke_kind);
@@ -265,11 +271,6 @@ Verification read_verification(const JsonPlace& place) {
     });
   });
   return v;
-}
-
-void read_color(const JsonPlace& place, std::string& out) {
-  place.set(out);
-  if (!rgb_of(out)) place.fail("takes a colour #rrggbb");
 }
 
 /// Lengths of ink and gaps in turn; all 0 would never end.

@@ -166,6 +166,7 @@ Path without_points(const Path& path) {
   head.field = path.field;
   head.family = path.family;
   head.stroke_kind = path.stroke_kind;
+  head.color = path.color;
   return head;
 }
 

@@ -99,6 +99,10 @@ const std::string& ink_color(const InkLayer& layer, const Drawing& drawing) {
   return layer.color.empty() ? drawing.ink_color : layer.color;
 }
 
+const std::string& ink_color(const Path& path, const InkLayer& layer, const Drawing& drawing) {
+  return path.color.empty() ? ink_color(layer, drawing) : path.color;
+}
+
 const char* to_string(TextAnchor anchor) {
   return anchor == TextAnchor::Start ? "start" : anchor == TextAnchor::Middle ? "middle" : "end";
 }

@@ -74,6 +74,13 @@ void append_view(Buffer& out, const DrawingView& view) {
   append(out, "}");
 }
 
+/// That of a part, a layer or a line which has one for itself.
+void append_color(Buffer& out, const std::string& color) {
+  if (color.empty()) return;
+  append(out, ", \"color\": ");
+  append_json(out, color);
+}
+
 void append_part(Buffer& out, const DrawingPart& part) {
   fmt::format_to(fmt::appender(out), "{{\"id\": {}, \"name\": ", part.id);
   append_json(out, part.name);
@@ -89,10 +96,7 @@ void append_part(Buffer& out, const DrawingPart& part) {
     }
     out.push_back(']');
   }
-  if (!part.color.empty()) {
-    append(out, ", \"color\": ");
-    append_json(out, part.color);
-  }
+  append_color(out, part.color);
   out.push_back('}');
 }
 
@@ -268,6 +272,7 @@ void append_path(Buffer& out, const Path& p, bool points3, int decimals3) {
                  p.closed);
   if (p.in_full) append(out, ", \"in_full\": true");
   if (p.item != 0) fmt::format_to(fmt::appender(out), ", \"item\": {}", p.item);
+  append_color(out, p.color);
   if (p.kind == LineClass::Stroke) {
     append(out, ", \"field\": ");
     append_json(out, p.field);
@@ -310,10 +315,7 @@ void append_path(Buffer& out, const Path& p, bool points3, int decimals3) {
 
 /// Colour and dashes that a layer has for itself.
 void append_look(Buffer& out, const Layer& layer) {
-  if (!layer.color.empty()) {
-    append(out, ", \"color\": ");
-    append_json(out, layer.color);
-  }
+  append_color(out, layer.color);
   if (layer.dashes.empty()) return;
   append(out, ", \"dashes\": [");
   for (std::size_t i = 0; i < layer.dashes.size(); ++i) {

@@ -57,8 +57,7 @@ std::string svg_head(const Drawing& drawing, std::string_view more) {
   return fmt::to_string(out);
 }
 
-std::string svg_ink(const InkLayer& layer, const Drawing& drawing) {
-  const std::string& color = ink_color(layer, drawing);
+std::string svg_ink(const std::string& color) {
   return color == Drawing().ink_color ? "#000" : color;
 }
 

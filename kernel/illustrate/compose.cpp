@@ -154,6 +154,7 @@ void compose_strokes(const LinesToDraw& lines, const std::vector<Gaps>& gaps,
       if (!whole && length_of(path) < kShortestRest * how.hatch_of(curve).length_min) continue;
       keep(path, true, found);
       path.field = how.hatch_of(curve).field.name;
+      path.color = how.stroke_color(curve);
       cue_widths(how.cue, path);
       name_faces(visible, proxy_of(how.proxies, curve), how.camera, path);
       simplify_path(path);
@@ -195,6 +196,7 @@ void compose_features(const LinesToDraw& lines, const std::vector<Gaps>& gaps,
       path.visible = span.visible;
       path.in_full = !span.visible && how.style.halo.hidden;
       path.width = {how.feature_width(curve, span)};
+      path.color = how.feature_color(curve);
       cue_widths(how.cue, path);
       name_faces(drawn, proxy_of(how.proxies, curve), how.camera, path);
       simplify_path(path);
@@ -213,6 +215,17 @@ void compose_features(const LinesToDraw& lines, const std::vector<Gaps>& gaps,
 }
 
 }  // namespace
+
+std::string Composition::feature_color(const Curve3& feature) const {
+  const std::string& color = style_of(feature).line.color;
+  return color == style.sheet.ink ? std::string() : color;
+}
+
+std::string Composition::stroke_color(const Curve3& stroke) const {
+  const std::string& color = hatch_of(stroke).color;
+  if (color.empty()) return feature_color(stroke);
+  return color == style.sheet.ink ? std::string() : color;
+}
 
 double Composition::feature_width(const Curve3& feature, const Span& span) const {
   const auto& line = style_of(feature).line;

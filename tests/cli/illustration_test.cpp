@@ -285,5 +285,39 @@ TEST_F(Illustrations, AFirstFileIsWrittenThatDrawsTheSame) {
       Json::parse(R"([{"select": "lid", "drawn": false}, {"select": "box", "style": "outline"}])"));
 }
 
+// A first file draws as the command does, and warns of nothing that nobody asked for.
+TEST_F(Illustrations, AFirstFileOfAnyKindOfInputWarnsOfNothing) {
+  const std::string samples = std::string(BURIN_SOURCE_DIR) + "/samples/";
+  const std::vector<std::string> inputs = {"@/box.off", samples + "coupling.step",
+                                           samples + "teapot.itd", samples + "pump_cover.implicit"};
+  for (std::size_t i = 0; i < inputs.size(); ++i) {
+    SCOPED_TRACE(inputs[i]);
+    const std::string file = "@/first" + std::to_string(i) + ".burin.json";
+    ASSERT_EQ(run("illustrate " + inputs[i] + " -o " + file + " --style outline --paper A6"), 0)
+        << err_;
+    EXPECT_EQ(err_, "");
+    ASSERT_EQ(run("draw " + inputs[i] + " --style outline --paper A6 -o @/a.svg"), 0) << err_;
+    const std::string said = err_;
+    ASSERT_EQ(run("draw " + file + " -o @/b.svg"), 0) << err_;
+    EXPECT_EQ(err_, said);
+    EXPECT_EQ(test::slurp(folder_ / "b.svg"), test::slurp(folder_ / "a.svg"));
+  }
+}
+
+// An option about reading goes with the inputs that it concerns.
+TEST_F(Illustrations, AFirstFileHasOptionsWhereTheyHaveAnEffect) {
+  folder_.write("ball.implicit", "sphere(5)");
+  ASSERT_EQ(run("illustrate @/box.off @/ball.implicit --mesher nets -o @/two.burin.json "
+                "--style outline"),
+            0)
+      << err_;
+  ASSERT_EQ(run("draw @/two.burin.json -o @/a.svg"), 0) << err_;
+  EXPECT_EQ(err_, "");
+  // What concerns none of them is still told.
+  ASSERT_EQ(run("illustrate @/box.off --iso 5 -o @/one.burin.json --style outline"), 0) << err_;
+  ASSERT_EQ(run("draw @/one.burin.json -o @/a.svg"), 0) << err_;
+  EXPECT_NE(err_.find("has no effect"), std::string::npos) << err_;
+}
+
 }  // namespace
 }  // namespace burin

@@ -85,8 +85,14 @@ def _look(burin, part, name):
     look = {key: getattr(part, key) for key, usual in (("drawn", True), ("hatched", True), ("transparent", False))
             if getattr(part, key) != usual}
     if part.style:
-        look["style"] = burin.style(part.style) if is_file(part.style) else part.style
+        look["style"] = _style_of_part(burin, part.style) if is_file(part.style) else part.style
     return {"select": "/" + name, **look} if look else None
+
+
+def _style_of_part(burin, file):
+    """All keys of a style file but those that hold for a whole drawing."""
+    whole = {row["key"] for row in burin.style_keys(file) if row["scope"] == "drawing"}
+    return {key: value for key, value in burin.style(file).items() if key not in whole}
 
 
 def _apart(burin, job, names):

@@ -58,6 +58,9 @@ const std::vector<RequestRow<ReadOptions>>& read_option_rows();
 /// What a request asks of reading. Throws UsageError that names the option.
 ReadOptions make_read_options(const Request& request, Spelling spelling);
 
+/// Whether an option about reading may concern a file, by the format that it has.
+bool concerns(const std::string& option, const std::filesystem::path& path);
+
 /// Whether our own readers know the suffix (".stl").
 bool is_own_suffix(std::string_view suffix);
 

@@ -144,6 +144,8 @@ struct DrawPlan {
   /// Of all sections; absent: as each says, or by custom.
   std::optional<std::vector<std::string>> uncut = {};
   Explode explode = {};
+  /// No view was named: an exploded one is that in which most parts are seen.
+  bool finds_view = false;
   /// Names of several views of one sheet; empty: `view`.
   std::vector<std::string> views = {};
   ProjectionMethod projection = ProjectionMethod::FirstAngle;
@@ -200,8 +202,9 @@ Drawing draw(const Scene& scene, const SheetOfViews& sheet, const DrawPlan& plan
 /// Draws how a scene is put together, by the steps of its plan's exploded view read backwards, or
 /// by those that are found. Throws as `select_parts`, `cut_parts`, `make_book`.
 Book draw_book(Scene& scene, DrawPlan& plan, const BuildOptions& build, RunContext& context);
-/// The style of a name or file, with no changes. Throws UsageError, InputError.
-Style load_style(const std::string& name);
+/// The style of a name or file, with no changes; of some parts of a drawing in the style `whole`.
+/// Throws UsageError, InputError.
+Style load_style(const std::string& name, const Style* whole = nullptr);
 
 /// All that `make_plan` looks at, in the order of their headings.
 const std::vector<RequestOption>& all_options();

@@ -42,6 +42,8 @@ struct Path {
   int stroke_kind = 1;
   /// Leaders and frames: the number of the item that they are about, 0 where they are about none.
   int item = 0;
+  /// "#rrggbb"; empty: that of its layer.
+  std::string color = {};
 };
 
 /// What a piece of a path, or a path made of several, begins as: an open path without points or

@@ -53,6 +53,9 @@ struct Ink {
 /// That of the layer, or of the whole drawing: "#rrggbb".
 const std::string& ink_color(const InkLayer& layer, const Drawing& drawing);
 
+/// That of the path, of its layer, or of the whole drawing: "#rrggbb".
+const std::string& ink_color(const Path& path, const InkLayer& layer, const Drawing& drawing);
+
 /// Whether a path is a dot: a stroke, or the end of a leader, no longer than half its width. It is
 /// painted as a line with round ends.
 bool is_dot(const Path& path);
