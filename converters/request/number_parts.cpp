@@ -45,12 +45,13 @@ void number_parts(Scene& scene, DrawPlan& plan, RunContext& context) {
   annotations.parts_list = plan.parts_list;
   annotations.margin = plan.sheet.margin;
   const auto& styles = plan.illustrate.part_styles;
+  const std::vector<std::string> selectors = selectors_of(scene);
   for (const Item& item : items) {
     DrawingItem drawn{item.number, item.name, {}, item.color, item.source};
     for (const std::size_t part : item.parts) {
       if (part < styles.size() && !styles[part].drawn) continue;
       drawn.parts.push_back(static_cast<std::int32_t>(part));
-      drawn.selectors.push_back(selector_of(scene.parts[part]));
+      drawn.selectors.push_back(selectors[part]);
     }
     if (!drawn.parts.empty()) annotations.items.push_back(std::move(drawn));
   }

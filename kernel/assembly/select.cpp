@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <functional>
+#include <map>
 
 namespace burin {
 namespace {
@@ -82,14 +83,24 @@ std::string path_of(const Part& part) {
   return path + part.name;
 }
 
-std::string selector_of(const Part& part) {
-  std::string selector;
-  for (std::string& name : names_of(part)) {
-    std::ranges::replace_if(
-        name, [](char c) { return c == '/' || c == ';'; }, '?');
-    selector += "/" + name;
+std::vector<std::string> selectors_of(const Scene& scene) {
+  std::vector<std::string> selectors;
+  std::map<std::string, std::size_t> meant;  // parts that a path leads to
+  for (const Part& part : scene.parts) {
+    std::string& path = selectors.emplace_back();
+    for (std::string& name : names_of(part)) {
+      std::ranges::replace_if(
+          name, [](char c) { return c == '/' || c == ';'; }, '?');
+      path += "/" + name;
+      ++meant[path];
+    }
   }
-  return selector;
+  for (std::size_t i = 0; i < selectors.size(); ++i) {
+    const bool wild = selectors[i].find_first_of("*?") != std::string::npos;
+    const bool alone = wild ? select(scene, selectors[i]).size() == 1 : meant[selectors[i]] == 1;
+    if (!alone) selectors[i] = fmt::format("@index={}", i);
+  }
+  return selectors;
 }
 
 std::vector<std::size_t> select(const Scene& scene, std::string_view selector) {

@@ -233,8 +233,11 @@ TEST(Selectors, OfPartsChooseThemAlone) {
   for (const char* name : {"a/b", "a", "c;d", "e*"}) scene.parts.push_back(part(name, cube));
   scene.parts.push_back(part("a", cube));
   scene.parts.back().assembly = {"top"};
+  for (int i = 0; i < 2; ++i) scene.parts.push_back(part("twice", cube));
+  const std::vector<std::string> selectors = selectors_of(scene);
+  EXPECT_EQ(selectors[4], "/top/a");
   for (std::size_t i = 0; i < scene.parts.size(); ++i) {
-    EXPECT_EQ(select(scene, selector_of(scene.parts[i])), std::vector<std::size_t>{i});
+    EXPECT_EQ(select(scene, selectors[i]), std::vector<std::size_t>{i}) << selectors[i];
   }
 }
 
