@@ -60,8 +60,8 @@ bool concerns(const std::string& option, const std::filesystem::path& path) {
   const detail::ReadRow* row = detail::find_read_row(option);
   if (row == nullptr) return false;
   // Any file may hold raw samples.
-  if (option == "raw" || option == "raw_skip") return true;
-  const detail::Reader& reader = detail::reader_of(path, {});
+  if (option == "raw" || option == "raw_skip" || option == "input_format") return true;
+  const detail::Reader& reader = detail::reader_of(path, {}, RunContext());
   return (row->families & reader.family) != 0;
 }
 
