@@ -43,7 +43,10 @@ void split_parts(Scene& scene, const DrawPlan& plan, std::vector<PartStyle>& sty
   const std::size_t count = scene.parts.size();
   styles.resize(std::max(styles.size(), count));
   std::vector<PartStyle> bodies;
-  for (const std::size_t whole : split_pieces(scene, selectors_of(plan))) {
+  Strings selectors = selectors_of(plan);
+  // A part alone comes apart into its bodies, or nothing would.
+  if (plan.explode.wanted && count == 1) selectors.emplace_back("*/*");
+  for (const std::size_t whole : split_pieces(scene, selectors)) {
     bodies.push_back(styles[whole]);
   }
   styles.insert(styles.begin() + static_cast<std::ptrdiff_t>(count), bodies.begin(), bodies.end());

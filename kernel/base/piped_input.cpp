@@ -74,8 +74,11 @@ class Pipe {
 }  // namespace
 
 bool is_piped(const std::filesystem::path& path) {
+  if (is_standard_input(path)) return true;
+  // One that a shell made. Others may have nobody who writes, and would be waited for without end.
+  const std::string name = path.string();
   std::error_code error;
-  return is_standard_input(path) ||
+  return (name.starts_with("/dev/fd/") || name.starts_with("/proc/self/fd/")) &&
          std::filesystem::status(path, error).type() == std::filesystem::file_type::fifo;
 }
 

@@ -15,9 +15,8 @@
 namespace burin {
 namespace {
 
-/// Paper mm: shorter stretches on another line are crossings at a small angle; at the end of a line
-/// they are where it runs into another.
-constexpr double kLeastOn = 0.2, kLeastAtEnd = 0.1;
+/// Paper mm: shorter stretches on another line are crossings at a small angle, or ends.
+constexpr double kLeastOn = 0.2;
 /// Paper mm: what is left of a line between stretches that lie on others, or at its end.
 constexpr double kSpeck = 0.15;
 /// Paper mm along a line from which on it does not lie on itself because it is one line.
@@ -151,14 +150,13 @@ class Sheet {
     const auto last = static_cast<double>(open.points().size() - 1);
     const auto is_short = [&](const Stretch& run) {
       const bool all = open.length(0, run.begin) < kSpeck && open.length(run.end, last) < kSpeck;
-      const bool at_end = !open.path().closed && (open.length(0, run.begin) < kSpeck ||
-                                                  open.length(run.end, last) < kSpeck);
-      return !all && open.length(run.begin, run.end) < (at_end ? kLeastAtEnd : kLeastOn);
+      return !all && open.length(run.begin, run.end) < kLeastOn;
     };
     std::erase_if(out, is_short);
     if (out.empty()) return out;
-    if (open.length(0, out.front().begin) < kSpeck) out.front().begin = 0;
-    if (open.length(out.back().end, last) < kSpeck) out.back().end = last;
+    // What goes on beyond may be what another line begins at.
+    if (open.length(0, out.front().begin) < kSameLine) out.front().begin = 0;
+    if (open.length(out.back().end, last) < kSameLine) out.back().end = last;
     return out;
   }
 

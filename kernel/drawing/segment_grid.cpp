@@ -5,16 +5,6 @@ namespace {
 
 using Share = std::pair<double, double>;
 
-/// The share of ab in a disc.
-std::optional<Share> in_disc(Vec2 a, Vec2 b, Vec2 middle, double radius) {
-  const Vec2 way = b - a, off = a - middle;
-  const double square = glm::dot(way, way), half = glm::dot(off, way);
-  const double root = half * half - square * (glm::dot(off, off) - radius * radius);
-  if (!(root >= 0) || !(square > 0)) return std::nullopt;
-  const double low = (-half - std::sqrt(root)) / square, high = (-half + std::sqrt(root)) / square;
-  return Share{low, high};
-}
-
 /// Narrows a share to where `at + t * by` lies between two numbers; false where it never does.
 bool narrow(Share& share, double at, double by, double low, double high) {
   if (by == 0) return at >= low && at <= high;
@@ -55,16 +45,8 @@ void SegmentGrid::add(const Path& path, std::size_t owner) {
 }
 
 std::optional<Share> SegmentGrid::within(Vec2 a, Vec2 b, const Segment& s) const {
-  std::optional<Share> all;
-  for (const auto& part :
-       {in_strip(a, b, s.a, s.b, reach_), in_disc(a, b, s.a, reach_), in_disc(a, b, s.b, reach_)}) {
-    if (!part) continue;
-    all =
-        all ? Share{std::min(all->first, part->first), std::max(all->second, part->second)} : *part;
-  }
-  if (!all) return std::nullopt;
-  all->first = std::max(all->first, 0.0), all->second = std::min(all->second, 1.0);
-  return all->first < all->second ? all : std::nullopt;
+  const auto share = in_strip(a, b, s.a, s.b, reach_);
+  return share && share->first < share->second ? share : std::nullopt;
 }
 
 }  // namespace burin

@@ -79,7 +79,8 @@ class SegmentGrid {
     }
   }
 
-  /// The share of ab within reach of a segment: one stretch, as what is within reach is convex.
+  /// The share of ab beside a segment within reach: one stretch, as what is beside it is convex.
+  /// What lies beyond its ends goes on from it.
   std::optional<std::pair<double, double>> within(Vec2 a, Vec2 b, const Segment& s) const;
 
   double reach_;

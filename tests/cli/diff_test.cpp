@@ -270,7 +270,7 @@ TEST_F(Diff, IllustrationsTellLooks) {
   EXPECT_EQ(run("diff @/a.burin.json @/a.burin.json -o @/same.svg"), 0) << err_;
   EXPECT_NE(err_.find("exploded view"), std::string::npos) << err_;
   EXPECT_EQ(run("diff @/a.burin.json @/b.burin.json"), 6) << err_;
-  EXPECT_EQ(out_, "look     lid: left out\n2 parts: 1 same, 1 of another look\n");
+  EXPECT_EQ(out_, "look     lid: left out\n2 parts before, 1 now: 1 same, 1 of another look\n");
   // What the command leaves out is not compared.
   EXPECT_EQ(run("diff @/box.off @/a.burin.json --hide lid"), 2);
 }

@@ -54,7 +54,8 @@ TEST_F(Illustrations, StretchMirrorAndShear) {
   const auto width = [&](const std::string& place) {
     EXPECT_EQ(draw(part + place + rest), 0) << err_;
     double low = 1e9, high = -1e9;
-    for (const Json& layer : drawing()["layers"]) {
+    const Json drawn = drawing();
+    for (const Json& layer : drawn["layers"]) {
       for (const Json& path : layer["paths"]) {
         for (const Json& p : path["points"]) {
           low = std::min(low, p[0].get<double>()), high = std::max(high, p[0].get<double>());

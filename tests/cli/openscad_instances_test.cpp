@@ -30,14 +30,16 @@ class OpenscadInstances : public CliTest {
   /// Names of items, and how many there are of each.
   std::map<std::string, int> items(const std::string& model) {
     std::map<std::string, int> out;
-    for (const Json& item : drawing(model)["items"]) out[item["name"]] = item["quantity"];
+    const Json drawn = drawing(model);
+    for (const Json& item : drawn["items"]) out[item["name"]] = item["quantity"];
     return out;
   }
   double volume(const std::string& model) {
     folder_.write("m.scad", model);
     EXPECT_EQ(run("info @/m.scad --json"), 0) << err_;
     double sum = 0;
-    for (const Json& part : Json::parse(out_)["files"][0]["parts"]) {
+    const Json told = Json::parse(out_);
+    for (const Json& part : told["files"][0]["parts"]) {
       sum += part["volume"].get<double>();
     }
     return sum;

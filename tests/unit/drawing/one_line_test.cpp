@@ -140,7 +140,9 @@ TEST(Dashes, BeginAndEndEachLine) {
     ASSERT_EQ(fitted.size(), 2U);
     const double period = fitted[0] + fitted[1], rest = std::fmod(length, period);
     EXPECT_NEAR(rest == 0 ? period : rest, fitted[0], 1e-9) << length;
-    if (length > 7) EXPECT_NEAR(period, 3, 0.5) << length;
+    if (length > 7) {
+      EXPECT_NEAR(period, 3, 0.5) << length;
+    }
   }
   const Path ring = circle(5, 100, 0, 1);
   const auto round = fitted_dashes(dashes, ring);

@@ -10,7 +10,7 @@
 
 namespace burin {
 
-/// Whether a file is standard input or a pipe, such as a shell makes of <(command).
+/// Whether a file is standard input or a pipe that a shell made of <(command).
 bool is_piped(const std::filesystem::path& path);
 
 /// All of a pipe, read when it is first asked for and kept, `most` bytes at the most. Polls

@@ -8,9 +8,9 @@
 
 namespace burin {
 
-/// Paper mm within which lines that run the same way are one: less than a third of a thin pen's
+/// Paper mm within which lines that run the same way are one: a fifth of a thin pen's
 /// width.
-inline constexpr double kSameLine = 0.05;
+inline constexpr double kSameLine = 0.035;
 
 /// Leaves one line at each place of the sheet: of lines that lie within `kSameLine` of each other
 /// and run the same way the first in the order of ISO 128-2 stays: visible before hidden, hidden in
