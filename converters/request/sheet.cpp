@@ -189,7 +189,7 @@ class SheetPlanner {
     return 0;
   }
 
-  /// A view beside which a detail is larger says little of where the detail belongs.
+  /// A view beside which a detail is half as large again says little of where it belongs.
   void tell_small_view() {
     if (details_.empty()) return;
     const Camera& main = sheet_.views.front().camera;
@@ -198,7 +198,7 @@ class SheetPlanner {
     const auto largest = std::ranges::max_element(
         details_, {}, [](const auto& detail) { return detail.scale * detail.radius; });
     const double detail = 2 * largest->scale * largest->radius;
-    if (drawn >= detail) return;
+    if (1.5 * drawn >= detail) return;
     scene_.diagnostics.add(
         Severity::Warning, "detail.small_view", 1,
         fmt::format("{}the view is {:.0f} mm large, its detail {} {:.0f} mm: give the detail a "
