@@ -146,7 +146,9 @@ void run_watch(const DrawArguments& arguments, RunContext& context, Console& con
     const Clock::time_point start = Clock::now();
     const InputFiles read;
     // One a drawing: it has times of its own.
-    RunContext run([&](const std::string& stage, double share) { console.progress(stage, share, run.doing()); });
+    RunContext run([&](const std::string& stage, double share) {
+      console.progress(stage, share, run.doing());
+    });
     const bool drawn = try_draw(arguments, first, run, console, kept);
     const double seconds = std::chrono::duration<double>(Clock::now() - start).count();
     // Where it ended early, the files that would have come after count as they were.

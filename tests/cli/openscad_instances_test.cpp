@@ -74,9 +74,9 @@ TEST_F(OpenscadInstances, ModulesThatPlaceOthersAreSeenThrough) {
             right);
   EXPECT_EQ(items(kBolt + kPlate + "module bolts() { " + kEach + "bolt(); }\nplate(); bolts();"),
             right);
-  EXPECT_EQ(
-      items(kBolt + kPlate + "module spots() { " + kEach + "children(); }\nplate(); spots() bolt();"),
-      right);
+  EXPECT_EQ(items(kBolt + kPlate + "module spots() { " + kEach +
+                  "children(); }\nplate(); spots() bolt();"),
+            right);
   folder_.write("places.scad", "module spots() { " + kEach + "children(); }");
   EXPECT_EQ(items("use <places.scad>\n" + kBolt + kPlate + "plate(); spots() bolt();"), right);
   EXPECT_EQ(

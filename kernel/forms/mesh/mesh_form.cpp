@@ -20,9 +20,10 @@ constexpr std::size_t kMostPieces = 1'500'000;
 constexpr double kShare = 0.5;
 
 void tell_cut_short(Diagnostics& diagnostics) {
-  diagnostics.add(Severity::Warning, "mesh.rounded_coarsely", 1,
-                  "facets of a mesh stay coarser than the sheet could show: an edge is halved at "
-                  "most eight times, and at most 1.5 million triangles are added; give a finer mesh");
+  diagnostics.add(
+      Severity::Warning, "mesh.rounded_coarsely", 1,
+      "facets of a mesh stay coarser than the sheet could show: an edge is halved at "
+      "most eight times, and at most 1.5 million triangles are added; give a finer mesh");
 }
 
 /// The curvature of a mesh at places of it.

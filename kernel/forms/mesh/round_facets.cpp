@@ -20,7 +20,8 @@ namespace {
 /// Halvings of one edge: a bulge falls to a quarter with each, and RoundedMesh allows none of more
 /// than a seventh of the edge.
 constexpr int kMostPasses = 8;
-/// Times the tolerance from which on a bulge that is left is told: forms ask for half of what shows.
+/// Times the tolerance from which on a bulge that is left is told: forms ask for half of what
+/// shows.
 constexpr double kTold = 2;
 constexpr std::size_t kGrain = 4096;
 /// Radians between a patch's normal and that which is linear over the facet: up to the first they

@@ -39,8 +39,8 @@ struct InkLayer {
 };
 
 /// Lengths of ink and gaps for one path: stretched or shrunk, all by one factor, so that the path
-/// begins and ends with a dash and has at least one; a closed path has whole periods. One dash where
-/// the path is shorter than two with a gap.
+/// begins and ends with a dash and has at least one; a closed path has whole periods. One dash
+/// where the path is shorter than two with a gap.
 std::vector<double> fitted_dashes(const std::vector<double>& dashes, const Path& path);
 
 /// The layers in the order of painting. Hidden paths are gathered in the layer "hidden", which
