@@ -178,7 +178,7 @@ std::string one_byte(const std::vector<std::string>& texts) {
       runs += bytes[i] >= 0x80 && bytes[i - 1] < 0x80;
     }
   }
-  const std::string found = detected(texts, 1);
+  std::string found = detected(texts, 1);
   if (found == "WINDOWS-1250") return found;
   // ISO has no letters from 0x80 to 0x9f.
   if (found == "ISO-8859-2") return windows ? "WINDOWS-1250" : found;

@@ -239,8 +239,8 @@ std::vector<MeshShape> Meshes::made(const tinygltf::Mesh& mesh, const Weights& w
 }
 
 const std::vector<MeshShape>& Meshes::of(const tinygltf::Node& node, const Global& global) {
-  static const std::vector<MeshShape> kNone;
-  if (node.mesh < 0) return kNone;
+  static const std::vector<MeshShape> none;
+  if (node.mesh < 0) return none;
   if (static_cast<std::size_t>(node.mesh) >= model_.meshes.size()) {
     source_.fail(
         fmt::format("a node of the glTF refers to mesh {}, which is not there; it is "

@@ -93,7 +93,7 @@ fs::path found_beside(const fs::path& obj, std::string name) {
   std::ranges::replace(name, '\\', '/');
   std::error_code error;
   for (const fs::path& one : {fs::path(name), fs::path(name).filename()}) {
-    const fs::path path = obj.parent_path() / one;
+    fs::path path = obj.parent_path() / one;
     if (fs::is_regular_file(path, error)) return path;
   }
   return {};

@@ -37,7 +37,7 @@ Part part_of(const Part& whole, Piece piece) {
   part.source = whole.source;
   part.form = std::move(piece.form);
   part.assembly = detail::names_of(whole);
-  part.color = piece.color.empty() ? whole.color : std::move(piece.color);
+  part.color = piece.color.empty() ? whole.color : piece.color;
   part.opacity = whole.opacity;
   return part;
 }

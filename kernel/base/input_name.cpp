@@ -30,7 +30,7 @@ bool is_standard_input(const std::filesystem::path& path) {
 std::string model_suffix(const std::filesystem::path& path) {
   if (t_given && t_given->path_ == path) return t_given->suffix_;
   if (is_standard_input(path)) return {};
-  const std::string suffix = lowered(unpacked_name(path).extension().string());
+  std::string suffix = lowered(unpacked_name(path).extension().string());
   for (const auto& [packed, plain] : kPacked) {
     if (suffix == packed) return std::string(plain);
   }

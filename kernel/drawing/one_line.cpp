@@ -100,7 +100,7 @@ class Sheet {
     std::ranges::sort(found, [](const Stretch& a, const Stretch& b) {
       return std::tie(a.begin, a.end, a.owner) < std::tie(b.begin, b.end, b.owner);
     });
-    const std::vector<Stretch> on = without_specks(united(found), open);
+    std::vector<Stretch> on = without_specks(united(found), open);
     tell_owners(found, on, open);
     return on;
   }
