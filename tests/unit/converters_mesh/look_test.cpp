@@ -4,7 +4,6 @@
 namespace burin {
 namespace {
 
-using test::read_bytes;
 using test::read_scene;
 
 const std::string kOff = "4 4 0\n";
