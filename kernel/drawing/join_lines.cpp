@@ -128,17 +128,12 @@ class Joiner {
       const Path& one = *lines_[end / 2];
       if (!longest || length_of(one) > length_of(*longest)) longest = &one;
     }
-    const Path head = without_points(*longest);
+    Path head = without_points(*longest);
     Path whole = *lines_[chain.front() / 2];
-    std::vector<PathSource> also = head.also;
     for (const End end : chain) {
       const Path& one = *lines_[end / 2];
-      std::vector<PathSource> more{{one.source, one.kind}};
-      more.insert(more.end(), one.also.begin(), one.also.end());
-      for (const PathSource& source : more) {
-        if (source == PathSource{head.source, head.kind}) continue;
-        if (std::ranges::find(also, source) == also.end()) also.push_back(source);
-      }
+      add_also(head, {one.source, one.kind});
+      for (const PathSource& source : one.also) add_also(head, source);
     }
     if (chain.front() % 2 != 0) turn_round(whole);
     for (std::size_t k = 1; k < chain.size(); ++k) {
@@ -148,7 +143,7 @@ class Joiner {
     }
     for (const End end : chain) lines_[end / 2]->points.clear();
     straighten(whole);
-    whole.kind = head.kind, whole.source = head.source, whole.also = std::move(also);
+    whole.kind = head.kind, whole.source = head.source, whole.also = std::move(head.also);
     *lines_[home] = std::move(whole);
   }
 

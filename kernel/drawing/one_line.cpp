@@ -176,14 +176,9 @@ class Sheet {
       const double least =
           std::min({kLeastOn, 0.5 * length_of(path), 0.5 * length_of(drawn_[owner].path)});
       if (length < least) continue;
-      add_source(drawn_[owner].path, {path.source, path.kind});
-      for (const PathSource& more : path.also) add_source(drawn_[owner].path, more);
+      add_also(drawn_[owner].path, {path.source, path.kind});
+      for (const PathSource& more : path.also) add_also(drawn_[owner].path, more);
     }
-  }
-
-  static void add_source(Path& path, const PathSource& source) {
-    if (source == PathSource{path.source, path.kind}) return;
-    if (std::ranges::find(path.also, source) == path.also.end()) path.also.push_back(source);
   }
 
   const RunContext& context_;

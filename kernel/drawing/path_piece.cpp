@@ -69,6 +69,11 @@ Path OpenedPath::piece(double begin, double end) const {
   return piece;
 }
 
+void add_also(Path& path, const PathSource& source) {
+  if (source == PathSource{path.source, path.kind}) return;
+  if (std::ranges::find(path.also, source) == path.also.end()) path.also.push_back(source);
+}
+
 void append(Path& to, const Path& more) {
   const auto add = [&](auto& values, const auto& others, std::size_t points) {
     if (values.size() == points && !others.empty()) {

@@ -29,6 +29,9 @@ class OpenedPath {
   std::vector<double> along_;
 };
 
+/// Adds what a path stands for, too, unless it is its own source or known already.
+void add_also(Path& path, const PathSource& source);
+
 /// Adds a piece that begins where another ends.
 void append(Path& to, const Path& more);
 
