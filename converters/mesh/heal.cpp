@@ -18,6 +18,7 @@ std::string told(const RecognisedFaces& n) {
   add(n.spheres, "sphere", "spheres");
   add(n.tori, "torus", "tori");
   add(n.revolved, "other surface of revolution", "other surfaces of revolution");
+  add(n.swept, "swept surface", "swept surfaces");
   return text;
 }
 

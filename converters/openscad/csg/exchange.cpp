@@ -13,7 +13,7 @@
 namespace burin::csg {
 namespace {
 
-constexpr std::uint64_t kMagic = 0x3130'6769'7275'6273;
+constexpr std::uint64_t kMagic = 0x3230'6769'7275'6273;
 
 [[noreturn]] void fail(const char* what) {
   throw Error(std::string("what the evaluator of trees and its parent share: ") + what);
@@ -58,6 +58,56 @@ class Taker {
   std::string_view bytes_;
 };
 
+void put_surface(std::string& out, const Turned& t) {
+  for (const Vec3& v : {t.origin, t.axis}) put(out, v);
+  for (const double d : {t.step, t.radius, t.profile_step}) put(out, d);
+  for (const Vec2& v : {t.a, t.b, t.middle}) put(out, v);
+  put(out, t.profile);
+  if (t.profile != Turned::Profile::Grid) return;
+  put(out, t.grid->rows);
+  put(out, t.grid->columns);
+  put(out, t.grid->rows_close);
+  put(out, t.grid->columns_close);
+  put_all(out, t.grid->points);
+  put_all(out, t.grid->row_knots);
+  put_all(out, t.grid->column_knots);
+  put(out, t.grid->window);
+}
+
+PointGrid take_grid(Taker& in) {
+  PointGrid g;
+  g.rows = in.take<std::int32_t>();
+  g.columns = in.take<std::int32_t>();
+  g.rows_close = in.take<bool>();
+  g.columns_close = in.take<bool>();
+  g.points = in.take_all<Vec3>();
+  g.row_knots = in.take_all<double>();
+  g.column_knots = in.take_all<double>();
+  g.window = in.take<GridWindow>();
+  const auto fits = [](std::size_t n, std::int32_t of) {
+    return n == static_cast<std::size_t>(of);
+  };
+  const bool whole =
+      g.rows >= 2 && g.columns >= 2 &&
+      g.points.size() == static_cast<std::size_t>(g.rows) * static_cast<std::size_t>(g.columns) &&
+      fits(g.row_knots.size(), g.cell_rows() + 1) &&
+      fits(g.column_knots.size(), g.cell_columns() + 1);
+  if (!whole) fail("it does not fit together");
+  return g;
+}
+
+Turned take_surface(Taker& in) {
+  Turned t;
+  for (Vec3* v : {&t.origin, &t.axis}) *v = in.take<Vec3>();
+  for (double* d : {&t.step, &t.radius, &t.profile_step}) *d = in.take<double>();
+  for (Vec2* v : {&t.a, &t.b, &t.middle}) *v = in.take<Vec2>();
+  t.profile = in.take<Turned::Profile>();
+  if (t.profile == Turned::Profile::Grid) {
+    t.grid = std::make_shared<const PointGrid>(take_grid(in));
+  }
+  return t;
+}
+
 }  // namespace
 
 void write_text(int descriptor, const std::string& text) {
@@ -93,7 +143,8 @@ void write_solids(int descriptor, const std::vector<Solid>& solids) {
     put_all(out, s.positions);
     put_all(out, s.triangles);
     put_all(out, s.surface);
-    put_all(out, s.surfaces);
+    put(out, static_cast<std::uint64_t>(s.surfaces.size()));
+    for (const Turned& t : s.surfaces) put_surface(out, t);
   }
   write_text(descriptor, out);
 }
@@ -108,7 +159,9 @@ std::vector<Solid> read_solids(int descriptor) {
     s.positions = in.take_all<Vec3>();
     s.triangles = in.take_all<std::array<std::uint32_t, 3>>();
     s.surface = in.take_all<std::int32_t>();
-    s.surfaces = in.take_all<Turned>();
+    for (auto rows = in.take<std::uint64_t>(); rows > 0; --rows) {
+      s.surfaces.push_back(take_surface(in));
+    }
     if (s.surface.size() != s.triangles.size()) fail("it does not fit together");
     for (const auto& t : s.triangles) {
       for (const std::uint32_t v : t) {

@@ -32,6 +32,7 @@ class Extruder {
     }
     for (const auto& [a, b, c] : cap_.triangles) add({a, c, b}, -1);
     surfaces();
+    if (!narrow()) smooth_walls();
     for (int j = 0; j + 1 < layers; ++j) walls(j);
     if (narrow())
       close_narrow();
@@ -82,6 +83,93 @@ class Extruder {
     return edge.arc < 0 ? -1 : row_[static_cast<std::size_t>(edge.arc)];
   }
 
+  /// Walls over splines, and all that twist or grow unevenly, are smooth surfaces through the
+  /// corners of their slices.
+  void smooth_walls() {
+    wall_.assign(cap_.rim.size() * static_cast<std::size_t>(slices_), -1);
+    std::vector<std::size_t> leaving(cap_.points.size());
+    for (std::size_t i = 0; i < cap_.rim.size(); ++i) leaving[cap_.rim[i].from] = i;
+    std::vector<char> done(cap_.rim.size(), 0);
+    for (std::size_t i = 0; i < cap_.rim.size(); ++i) {
+      std::vector<std::size_t> loop;
+      for (std::size_t k = i; done[k] == 0; k = leaving[cap_.rim[k].to]) {
+        done[k] = 1;
+        loop.push_back(k);
+      }
+      if (!loop.empty()) smooth_loop(std::move(loop));
+    }
+  }
+
+  /// Edges of circles that stay circles are told better so; one or two of them may be anything.
+  bool round(const std::vector<std::size_t>& loop, std::size_t i) const {
+    constexpr std::size_t kFewest = 3;
+    const std::size_t n = loop.size();
+    const std::int32_t arc = cap_.rim[loop[i]].arc;
+    if (row_of(cap_.rim[loop[i]]) < 0) return false;
+    std::size_t alike = 1;
+    while (alike < kFewest && cap_.rim[loop[(i + alike) % n]].arc == arc) ++alike;
+    for (std::size_t k = 1; alike < kFewest && cap_.rim[loop[(i + n - k) % n]].arc == arc; ++k) {
+      ++alike;
+    }
+    return alike >= kFewest;
+  }
+
+  /// The stretches between circles.
+  void smooth_loop(std::vector<std::size_t> loop) {
+    std::vector<char> is_round(loop.size());
+    for (std::size_t i = 0; i < loop.size(); ++i) is_round[i] = round(loop, i);
+    const auto first = std::ranges::find(is_round, 1);
+    if (first == is_round.end()) {
+      smooth_stretch(loop, true);
+      return;
+    }
+    const auto shift = first - is_round.begin();
+    std::rotate(is_round.begin(), first, is_round.end());
+    std::rotate(loop.begin(), loop.begin() + shift, loop.end());
+    std::vector<std::size_t> stretch;
+    for (std::size_t i = 0; i < loop.size(); ++i) {
+      if (is_round[i] == 0) stretch.push_back(loop[i]);
+      if ((is_round[i] != 0 || i + 1 == loop.size()) && !stretch.empty()) {
+        smooth_stretch(stretch, false);
+        stretch.clear();
+      }
+    }
+  }
+
+  void smooth_stretch(const std::vector<std::size_t>& edges, bool closes) {
+    e_.run.check();
+    PointGrid grid;
+    grid.rows = slices_ + 1;
+    grid.columns = static_cast<std::int32_t>(edges.size()) + (closes ? 0 : 1);
+    grid.columns_close = closes;
+    for (int j = 0; j < grid.rows; ++j) {
+      for (const std::size_t i : edges) {
+        grid.points.push_back(solid_.positions[vertex(cap_.rim[i].from, j)]);
+      }
+      if (!closes) {
+        grid.points.push_back(solid_.positions[vertex(cap_.rim[edges.back()].to, j)]);
+      }
+    }
+    SmoothGrids smooth = smooth_grids(std::move(grid), Rows::Steps);
+    const auto first = static_cast<std::int32_t>(solid_.surfaces.size());
+    for (PointGrid& piece : smooth.pieces) {
+      Turned t;
+      t.profile = Turned::Profile::Grid;
+      t.grid = std::make_shared<const PointGrid>(std::move(piece));
+      solid_.surfaces.push_back(std::move(t));
+    }
+    for (std::size_t c = 0; c < smooth.piece_of.size(); ++c) {
+      if (smooth.piece_of[c] < 0) continue;
+      wall_[edges[c % edges.size()] * static_cast<std::size_t>(slices_) + c / edges.size()] =
+          first + smooth.piece_of[c];
+    }
+  }
+
+  std::int32_t wall_row(std::size_t edge, int j) const {
+    const auto at = edge * static_cast<std::size_t>(slices_) + static_cast<std::size_t>(j);
+    return !wall_.empty() && wall_[at] >= 0 ? wall_[at] : row_of(cap_.rim[edge]);
+  }
+
   /// Whether the diagonal goes from the edge's beginning below to its end above.
   bool rises_forward(const Cap::Edge& edge, int j) const {
     const Vec2 from = cap_.points[edge.from], to = cap_.points[edge.to];
@@ -92,10 +180,11 @@ class Extruder {
 
   void walls(int j) {
     e_.run.check();
-    for (const Cap::Edge& edge : cap_.rim) {
+    for (std::size_t i = 0; i < cap_.rim.size(); ++i) {
+      const Cap::Edge& edge = cap_.rim[i];
       const std::uint32_t a = vertex(edge.from, j), b = vertex(edge.to, j),
                           c = vertex(edge.to, j + 1), d = vertex(edge.from, j + 1);
-      const std::int32_t row = row_of(edge);
+      const std::int32_t row = wall_row(i, j);
       if (rises_forward(edge, j)) {
         add({a, b, c}, row);
         add({a, c, d}, row);
@@ -138,6 +227,8 @@ class Extruder {
   int slices_;
   Solid solid_;
   std::vector<std::int32_t> row_;
+  /// For each edge of the rim and each slice the surface of its wall, or -1.
+  std::vector<std::int32_t> wall_;
 };
 
 }  // namespace

@@ -14,6 +14,7 @@ namespace {
 
 /// The circle about a vertical axis that a horizontal chord of a facet stands for.
 std::optional<Arc> circle_of(const Turned& turned, Vec2 a, Vec2 b) {
+  if (turned.profile == Turned::Profile::Grid) return std::nullopt;
   const double tilt = std::hypot(turned.axis.x, turned.axis.y);
   if (tilt > 1e-9) return std::nullopt;
   const Vec2 middle(turned.origin.x, turned.origin.y);

@@ -215,11 +215,13 @@ RecognisedFaces count_faces(const TriMesh& mesh, const Topology& topology, const
   for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
     if (patch(t) < 0 || sets.find(t) != t) continue;
     const FaceKind k = kind(patch(t));
-    ++(k == FaceKind::Cylinder ? n.cylinders
-       : k == FaceKind::Cone   ? n.cones
-       : k == FaceKind::Sphere ? n.spheres
-       : k == FaceKind::Torus  ? n.tori
-                               : n.revolved);
+    const bool sheet = round.patches[static_cast<std::size_t>(patch(t))].sheet != nullptr;
+    ++(sheet                     ? n.swept
+       : k == FaceKind::Cylinder ? n.cylinders
+       : k == FaceKind::Cone     ? n.cones
+       : k == FaceKind::Sphere   ? n.spheres
+       : k == FaceKind::Torus    ? n.tori
+                                 : n.revolved);
   }
   return n;
 }

@@ -201,7 +201,8 @@ CellAtlas::Coedge::Curve CellAtlas::curve(const Coedge& c) const {
     return true;
   };
   if (same([&](double t) { return glm::mix(c.a, c.b, t); })) return Coedge::Curve::Straight;
-  const bool circle = round_of(c) && same([&](double t) { return on_circle(c, t); });
+  const bool circle =
+      round_of(c) && !round_of(c)->sheet && same([&](double t) { return on_circle(c, t); });
   return circle ? Coedge::Curve::Circle : Coedge::Curve::Meets;
 }
 

@@ -11,6 +11,8 @@ namespace {
 constexpr double kNoise = 1e-6;
 // Of the largest coordinate where all coordinates are of single precision: two roundings.
 constexpr double kSingleNoise = 1.2e-7;
+// Noises that a corner may lie off the plane of its facet: three coordinates are rounded.
+constexpr double kOff = 3;
 // Radians between triangles of one facet: a tenth of a degree is a circle of 3600 sides.
 constexpr double kFlat = 0.0017;
 
@@ -68,7 +70,7 @@ class Finder {
     for (const std::uint32_t v : mesh_.triangles[t]) {
       const Vec3 p = mesh_.positions[v];
       const double reach = 1 + glm::length(p - f.center) / std::max(seed.height, out_.noise);
-      if (std::abs(glm::dot(f.normal, p) - f.offset) > out_.noise * std::min(reach, 100.0)) {
+      if (std::abs(glm::dot(f.normal, p) - f.offset) > kOff * out_.noise * std::min(reach, 100.0)) {
         return false;
       }
     }

@@ -22,6 +22,14 @@ double chord_depth(double radius, double step) { return radius * (1 - std::cos(0
 
 Patch patch_of(const TurnedSurface& s) {
   Patch p;
+  if (s.profile == TurnedSurface::Profile::Grid) {
+    p.profile = Patch::Profile::Sheet;
+    p.sheet = std::make_shared<const Sheet>(*s.grid);
+    p.window = s.grid->window;
+    p.sagitta = p.sheet->sagitta();
+    p.turn = p.sheet->turn();
+    return p;
+  }
   p.axis = {s.origin, s.axis};
   p.step = s.step;
   if (s.profile == TurnedSurface::Profile::Line) {
@@ -50,6 +58,7 @@ Patch patch_of(const TurnedSurface& s) {
 
 /// The same surface facing the other way.
 Patch turned_over(Patch p) {
+  p.side = -p.side;
   if (p.profile == Patch::Profile::Circle) {
     p.radius = -p.radius;
   } else {
@@ -62,7 +71,7 @@ Patch turned_over(Patch p) {
 /// Whether two surfaces are one, whichever way they face and count along their axis.
 bool same(const Patch& a, const Patch& b, double noise) {
   const double off = 4 * noise;
-  if (a.profile != b.profile || a.kind != b.kind) return false;
+  if (a.profile != b.profile || a.kind != b.kind || a.sheet || b.sheet) return false;
   if (a.kind == FaceKind::Sphere) {
     return glm::distance(a.axis.origin, b.axis.origin) <= off &&
            std::abs(a.radius - b.radius) <= off;
@@ -139,15 +148,18 @@ class Teller {
     std::multimap<double, std::int32_t> by_size;
     for (const TurnedSurface& s : known_.surfaces) {
       context.check();
-      const Patch p = patch_of(s);
-      const double size = p.profile == Patch::Profile::Circle ? p.radius
-                          : p.kind == FaceKind::Cylinder      ? std::abs(p.offset)
-                                                              : std::abs(p.normal.y);
+      Patch p = patch_of(s);
+      const double size = p.sheet                               ? p.sheet->size()
+                          : p.profile == Patch::Profile::Circle ? p.radius
+                          : p.kind == FaceKind::Cylinder        ? std::abs(p.offset)
+                                                                : std::abs(p.normal.y);
       const double off = std::max(4 * noise, kParallel);
       std::int32_t found = -1;
       for (auto i = by_size.lower_bound(size - off);
            found < 0 && i != by_size.end() && i->first <= size + off; ++i) {
-        if (same(patches_[at(i->second)], p, noise)) found = i->second;
+        Patch& other = patches_[at(i->second)];
+        if (same(other, p, noise)) found = i->second;
+        if (s.grid && other.sheet && other.sheet->goes_through(*s.grid)) join_parts(other, p);
       }
       if (found < 0) {
         found = static_cast<std::int32_t>(patches_.size());
@@ -160,6 +172,13 @@ class Teller {
       }
       patch_.push_back(found);
     }
+  }
+
+  /// Parts of one surface go over into one another.
+  void join_parts(Patch& one, Patch& other) {
+    if (one.chain < 0) one.chain = chains_++;
+    other.chain = one.chain;
+    other.sheet = one.sheet;
   }
 
   /// Twice the patch, and one more where the triangle faces against it.
@@ -176,7 +195,7 @@ class Teller {
 
   void add(Bands& bands, std::int32_t facet, std::int32_t label) {
     const Patch& found = patches_[at(label / 2)];
-    const bool circle = found.profile == Patch::Profile::Circle;
+    const bool circle = found.profile != Patch::Profile::Line;
     const auto count = circle ? bands.spheres.size() : bands.list.size();
     const auto [entry, fresh] = row_.try_emplace(label, static_cast<std::int32_t>(count));
     if (fresh) {
@@ -194,6 +213,7 @@ class Teller {
   const TriMesh& mesh_;
   const KnownSurfaces& known_;
   std::vector<Patch> patches_;
+  std::int32_t chains_ = 0;
   /// For each known surface its patch.
   std::vector<std::int32_t> patch_;
   /// For each label its band, or its row of spheres and tori.

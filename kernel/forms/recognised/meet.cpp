@@ -22,11 +22,7 @@ double Meeting::distance(SurfaceRef ref, Vec3 p, Vec3& normal) const {
     normal = f.normal;
     return glm::dot(f.normal, p) - f.offset;
   }
-  const Patch& patch = round_.patches[static_cast<std::size_t>(ref)];
-  const Vec2 rh = patch.axis.profile(p);
-  const Patch::Foot foot = patch.foot(rh);
-  normal = foot.normal.x * patch.axis.outward(p) + foot.normal.y * patch.axis.direction;
-  return glm::dot(rh - foot.point, foot.normal);
+  return round_.patches[static_cast<std::size_t>(ref)].distance(p, normal);
 }
 
 Vec3 Meeting::normal(SurfaceRef ref, Vec3 p) const {

@@ -25,13 +25,19 @@ PatchChart::PatchChart(const Patch& patch, int cap, double pole)
       e2_(glm::cross(patch.axis.direction, e1_)) {}
 
 int PatchChart::cap_at(const Patch& patch, Vec3 p) {
+  if (patch.sheet) return 0;
   const double along = patch.foot(patch.axis.profile(p)).normal.y;
   return along > kCap ? 1 : along < -kCap ? -1 : 0;
 }
 
-Vec2 PatchChart::period() const { return cap_ != 0 ? Vec2(0) : Vec2(kTurn, circle() ? kTurn : 0); }
+Vec2 PatchChart::period() const {
+  if (patch_.sheet) return patch_.sheet->period();
+  return cap_ != 0 ? Vec2(0) : Vec2(kTurn, circle() ? kTurn : 0);
+}
 
-bool PatchChart::at_pole(Vec3 p) const { return cap_ == 0 && patch_.axis.profile(p).x <= pole_; }
+bool PatchChart::at_pole(Vec3 p) const {
+  return cap_ == 0 && !patch_.sheet && patch_.axis.profile(p).x <= pole_;
+}
 
 void PatchChart::extend_to(Vec2 uv) {
   low_ = glm::min(low_, uv);
@@ -58,7 +64,7 @@ ParameterBox PatchChart::domain() const {
 }
 
 double PatchChart::largest_area() const {
-  if (cap_ != 0 || patch_.profile == Patch::Profile::Cubic) return 0;
+  if (cap_ != 0 || patch_.sheet || patch_.profile == Patch::Profile::Cubic) return 0;
   if (circle()) {
     return std::abs(patch_.radius) * (std::abs(patch_.middle.x) + std::abs(patch_.radius));
   }
@@ -67,6 +73,7 @@ double PatchChart::largest_area() const {
 }
 
 Vec2 PatchChart::parameters(Vec3 p) const {
+  if (patch_.sheet) return patch_.sheet->locate(p, patch_.window);
   const Vec3 d = p - patch_.axis.origin;
   const Vec2 xy(glm::dot(d, e1_), glm::dot(d, e2_));
   if (cap_ != 0) return xy;
@@ -107,6 +114,7 @@ double PatchChart::at_radius(double r) const {
 }
 
 SurfaceDerivatives PatchChart::derivatives(Vec2 uv) const {
+  if (patch_.sheet) return patch_.sheet->derivatives(uv);
   return cap_ != 0 ? across(uv) : around(uv);
 }
 

@@ -1,5 +1,5 @@
 #pragma once
-// A surface of revolution as a chart; internal to the room.
+// A patch as a chart; internal to the room.
 
 #include <burin/forms/charted/chart.h>
 
@@ -7,9 +7,9 @@
 
 namespace burin::recognised {
 
-/// Part of a patch over (u,v): the angle around the axis and the place along the profile; or, where
-/// it lies across the axis, the distances from it along two directions (a cap: angles say nothing
-/// at a pole).
+/// Part of a patch over (u,v): those of its sheet; the angle around the axis and the place along
+/// the profile; or, where it lies across the axis, the distances from it along two directions (a
+/// cap: angles say nothing at a pole).
 class PatchChart final : public Chart {
  public:
   /// `cap`: 1 where the surface faces along the axis, -1 against it, 0 for angles. Nearer to the
@@ -21,7 +21,10 @@ class PatchChart final : public Chart {
 
   const Patch& patch() const { return patch_; }
   /// Whether the outward normal is -(Su x Sv).
-  bool reversed() const { return cap_ != 0 ? cap_ < 0 : circle() && patch_.radius < 0; }
+  bool reversed() const {
+    if (patch_.sheet) return patch_.side < 0;
+    return cap_ != 0 ? cap_ < 0 : circle() && patch_.radius < 0;
+  }
   Vec2 parameters(Vec3 p) const;
   /// Whether all u are one point there.
   bool at_pole(Vec3 p) const;

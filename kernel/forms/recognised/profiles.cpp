@@ -139,12 +139,17 @@ double turn_between(const Segment& a, const Segment& b) {
 }
 
 std::vector<bool> smooth_joints(const std::vector<Segment>& segments, bool closed) {
-  constexpr double kRound = 15 * kDegree, kLargest = 40.5 * kDegree;
   const std::size_t n = closed ? segments.size() : segments.size() - 1;
   std::vector<double> turn(n);
   for (std::size_t i = 0; i < n; ++i) {
     turn[i] = turn_between(segments[i], segments[(i + 1) % segments.size()]);
   }
+  return smooth_turns(turn, closed);
+}
+
+std::vector<bool> smooth_turns(const std::vector<double>& turn, bool closed) {
+  constexpr double kRound = 15 * kDegree, kLargest = 40.5 * kDegree;
+  const std::size_t n = turn.size();
   const auto agrees = [&](std::size_t i, std::size_t k) {
     const double a = std::abs(turn[i]), b = std::abs(turn[k]);
     if (a > kLargest || b > kLargest) return false;

@@ -24,6 +24,9 @@ struct Segment {
 /// Angle by which the profile turns from `a` to `b`, positive where it bends away from the outside.
 double turn_between(const Segment& a, const Segment& b);
 
+/// The rule of `smooth_joints` for the angles at joints alone.
+std::vector<bool> smooth_turns(const std::vector<double>& turn, bool closed);
+
 /// For each joint between segment i and i + 1 (closed: the last to the first, too) whether the
 /// profile goes on smoothly there: three joints in a row at the least, none much larger than its
 /// neighbours, and those of more than 15 degrees equal.

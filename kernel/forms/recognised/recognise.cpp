@@ -34,6 +34,7 @@ class Joiner {
 
   Recognised run() {
     out_.patch_of = bands_.of;
+    for (const Patch& p : bands_.spheres) chains_ = std::max(chains_, p.chain + 1);
     for (const Band& b : bands_.list) {
       out_.patches.push_back(b.patch);
       nodes_.push_back({static_cast<std::int32_t>(nodes_.size()), -1, {}});

@@ -51,16 +51,40 @@ Patch::Foot Patch::foot(Vec2 rh) const {
 }
 
 Vec3 Patch::project(Vec3 p) const {
+  if (sheet) return nearest(p).p;
   const Foot f = foot(axis.profile(p));
   return axis.origin + f.point.x * axis.outward(p) + f.point.y * axis.direction;
 }
 
+double Patch::distance(Vec3 p, Vec3& out) const {
+  if (sheet) {
+    const SurfaceDerivatives d = nearest(p);
+    out = outward(d);
+    return glm::dot(p - d.p, out);
+  }
+  const Vec2 rh = axis.profile(p);
+  const Foot f = foot(rh);
+  out = f.normal.x * axis.outward(p) + f.normal.y * axis.direction;
+  return glm::dot(rh - f.point, f.normal);
+}
+
 Vec3 Patch::normal_at(Vec3 p) const {
+  if (sheet) return outward(nearest(p));
   const Foot f = foot(axis.profile(p));
   return f.normal.x * axis.outward(p) + f.normal.y * axis.direction;
 }
 
+Vec3 Patch::outward(const SurfaceDerivatives& d) const {
+  return side * normalize_or(glm::cross(d.u, d.v), Vec3(0));
+}
+
 Frame Patch::frame(Vec3 p) const {
+  if (sheet) {
+    const SurfaceDerivatives d = nearest(p);
+    Frame frame = chart_frame(d, outward(d), kind, sheet->size());
+    frame.position = p;
+    return frame;
+  }
   const Foot f = foot(axis.profile(p));
   const Vec3 out = axis.outward(p);
   Frame frame;

@@ -1,9 +1,13 @@
 #pragma once
-// A piece of a surface of revolution in closed form; internal to the room.
+// A piece of a surface of revolution in closed form, or of a smooth surface through points;
+// internal to the room.
 
 #include <burin/surface/surface.h>
 
+#include "sheet.h"
+
 #include <cstdint>
+#include <memory>
 
 namespace burin::recognised {
 
@@ -21,9 +25,9 @@ struct Axis {
 };
 
 /// What stands for a run of facets around an axis. The profile is a line (normal . (r,h) = offset),
-/// a circle, or a cubic over a line.
+/// a circle, or a cubic over a line; of a `Sheet` it has none, and no axis.
 struct Patch {
-  enum class Profile : std::uint8_t { Line, Circle, Cubic };
+  enum class Profile : std::uint8_t { Line, Circle, Cubic, Sheet };
 
   Axis axis;
   /// Angle from facet to facet around the axis, and the largest distance in mm between facets and
@@ -42,6 +46,10 @@ struct Patch {
   /// the slopes at both ends.
   Vec2 start{0};
   double length = 1, slope0 = 0, slope1 = 0;
+  /// Sheet: the surface, which of its cells, and 1 where Su x Sv is outward, else -1.
+  std::shared_ptr<const Sheet> sheet;
+  GridWindow window;
+  double side = 1;
   FaceKind kind = FaceKind::Freeform;
   /// Patches of one chain go over into one another smoothly.
   std::int32_t chain = -1;
@@ -56,8 +64,14 @@ struct Patch {
 
   /// The nearest point of the surface, to first order.
   Vec3 project(Vec3 p) const;
+  /// From the surface to a point, positive outside, to first order; and the normal there.
+  double distance(Vec3 p, Vec3& normal) const;
   Vec3 normal_at(Vec3 p) const;
   Frame frame(Vec3 p) const;
+
+ private:
+  SurfaceDerivatives nearest(Vec3 p) const { return sheet->derivatives(sheet->locate(p, window)); }
+  Vec3 outward(const SurfaceDerivatives& d) const;
 };
 
 }  // namespace burin::recognised

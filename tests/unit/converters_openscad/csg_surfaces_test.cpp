@@ -1,8 +1,12 @@
 #include "csg_worked.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <set>
+#include <string>
 
 namespace burin::csg::test {
 namespace {
@@ -67,6 +71,72 @@ TEST(Surfaces, ReachTheResultOfCutsAndUnions) {
                       w.solid.positions[c[2]].z == 3;
     EXPECT_TRUE(!flat || w.solid.surface[t] == -1);
   }
+}
+
+std::size_t grids(const Solid& solid) {
+  return static_cast<std::size_t>(std::ranges::count(solid.surfaces, Turned::Profile::Grid,
+                                                     [](const Turned& t) { return t.profile; }));
+}
+
+const std::string kStar =
+    "{ polygon(points = [[20, 0], [7.3, 5.3], [6.2, 19], [-2.8, 8.6], [-16.2, 11.8], [-9, 0], "
+    "[-16.2, "
+    "-11.8], [-2.8, -8.6], [6.2, -19], [7.3, -5.3]], paths = undef); }";
+
+TEST(Surfaces, TwistedWallsAreSmooth) {
+  const Worked w = work_out("linear_extrude(height = 10, twist = 40, slices = 20) " + kStar);
+  EXPECT_EQ(grids(w.solid), 10u);
+  EXPECT_EQ(tagged_triangles(w.solid), 400u);
+  // What is cut off keeps them.
+  const Worked half =
+      work_out("difference() { linear_extrude(height = 10, twist = 40, slices = 20) " + kStar +
+               moved(-50, -50, 5, cube(100, 100, 100)) + "}");
+  EXPECT_EQ(grids(half.solid), 10u);
+  // Steps of more than facets may have are meant.
+  EXPECT_EQ(grids(work_out("linear_extrude(height = 10, twist = 180, slices = 3) " + kStar).solid),
+            30u);
+}
+
+TEST(Surfaces, OfStretchedOutlinesAreSmoothWalls) {
+  const std::string ellipse =
+      "multmatrix([[2, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]]) { circle(r = 5, $fn = "
+      "48); }";
+  const Worked w = work_out("linear_extrude(height = 4) {" + ellipse + "}");
+  EXPECT_EQ(grids(w.solid), 1u);
+  EXPECT_EQ(tagged_triangles(w.solid), 96u);
+  // Circles and rectangles are told as what they are.
+  EXPECT_EQ(grids(work_out("linear_extrude(height = 4) { circle(r = 5, $fn = 48); }").solid), 0u);
+  EXPECT_EQ(grids(work_out("linear_extrude(height = 4) { square(size = [3, 2]); }").solid), 0u);
+}
+
+/// A bar of `sides` bent in a quarter of a circle, as loops in programs write it.
+std::string bent_bar(int sides, int rings) {
+  std::string points, faces;
+  for (int j = 0; j < rings; ++j) {
+    const double a = M_PI / 2 * j / (rings - 1);
+    for (int i = 0; i < sides; ++i) {
+      const double b = 2 * M_PI * i / sides, r = 20 + 3 * std::cos(b);
+      points += fmt::format("[{}, {}, {}],", r * std::cos(a), r * std::sin(a), 3 * std::sin(b));
+      if (j + 1 == rings) continue;
+      const int p = j * sides + i, q = j * sides + (i + 1) % sides;
+      faces += fmt::format("[{}, {}, {}], [{}, {}, {}],", p, q, p + sides, q, q + sides, p + sides);
+    }
+  }
+  std::string low, high;
+  for (int i = 0; i < sides; ++i) {
+    low += fmt::format("{},", sides - 1 - i);
+    high += fmt::format("{},", (rings - 1) * sides + i);
+  }
+  return fmt::format("polyhedron(points = [{}], faces = [{} [{}], [{}]]);", points, faces, low,
+                     high);
+}
+
+TEST(Surfaces, OfRowsOfPointsAreSmooth) {
+  const Worked round = work_out(bent_bar(24, 12));
+  EXPECT_EQ(grids(round.solid), 1u);
+  EXPECT_EQ(tagged_triangles(round.solid), 24u * 11 * 2);
+  // Six sides are meant; each is smooth along, but the two that are planes.
+  EXPECT_EQ(grids(work_out(bent_bar(6, 12)).solid), 4u);
 }
 
 }  // namespace

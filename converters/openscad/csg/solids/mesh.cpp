@@ -135,14 +135,25 @@ class Maker {
 };
 
 /// Whether neighbouring triangles of it can lie in one plane: those of cones and spheres, whose
-/// corners are rounded, do not.
-bool flat_strips(const Turned& t) { return t.profile == Turned::Profile::Line && t.a.x == t.b.x; }
+/// corners are rounded, do not; the walls of what is extruded straight do.
+bool flat_strips(const Turned& t) {
+  if (t.profile == Turned::Profile::Line) return t.a.x == t.b.x;
+  if (t.profile == Turned::Profile::Circle || t.grid->rows != 2) return false;
+  const PointGrid& g = *t.grid;
+  const Vec3 up = g.point(1, 0) - g.point(0, 0);
+  for (std::int32_t i = 1; i < g.columns; ++i) {
+    if (g.point(1, i) - g.point(0, i) != up) return false;
+  }
+  return true;
+}
 
 }  // namespace
 
 Mesh mesh_of(Space& space, const Solid& solid, Id matrix, bool mirrored,
              std::span<const std::int32_t> surfaces, bool tangled) {
   Maker maker(space, tangled);
+  std::vector<char> flat;
+  for (const Turned& t : solid.surfaces) flat.push_back(flat_strips(t));
   std::vector<Id> corner(solid.positions.size(), kNone);
   for (std::size_t i = 0; i < solid.triangles.size(); ++i) {
     std::array<Id, 3> t;
@@ -154,7 +165,7 @@ Mesh mesh_of(Space& space, const Solid& solid, Id matrix, bool mirrored,
     if (mirrored) std::swap(t[1], t[2]);
     const std::int32_t s = solid.surface[i];
     maker.add(t, s < 0 ? -1 : surfaces[static_cast<std::size_t>(s)],
-              s < 0 || flat_strips(solid.surfaces[static_cast<std::size_t>(s)]));
+              s < 0 || flat[static_cast<std::size_t>(s)]);
   }
   return maker.make();
 }

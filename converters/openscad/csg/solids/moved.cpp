@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace burin::csg {
 namespace {
@@ -23,9 +24,24 @@ bool square(Vec3 a, Vec3 b) {
 }
 bool alike(double a, double b) { return std::abs(a - b) <= kSixDigits * std::max(a, b); }
 
+Vec3 times_point(const Matrix& m, Vec3 p) {
+  const auto q = m * std::array<double, 3>{p.x, p.y, p.z};
+  return {q[0], q[1], q[2]};
+}
+
+/// Whatever the matrix does, the surface goes through the points.
+Turned moved_grid(const Turned& t, const Matrix& m) {
+  PointGrid grid = *t.grid;
+  for (Vec3& p : grid.points) p = times_point(m, p);
+  Turned out = t;
+  out.grid = std::make_shared<const PointGrid>(std::move(grid));
+  return out;
+}
+
 }  // namespace
 
 std::optional<Turned> moved(const Turned& t, const Matrix& m) {
+  if (t.profile == Turned::Profile::Grid) return moved_grid(t, m);
   const Vec3 u = any_orthogonal(t.axis), v = glm::cross(t.axis, u);
   const Vec3 mu = times(m, u), mv = times(m, v), axis = times(m, t.axis);
   const double across = glm::length(mu), along = glm::length(axis);
@@ -34,8 +50,7 @@ std::optional<Turned> moved(const Turned& t, const Matrix& m) {
   if (!alike(across, glm::length(mv))) return std::nullopt;
   if (t.profile == Turned::Profile::Circle && !alike(across, along)) return std::nullopt;
   Turned out = t;
-  const auto p = m * std::array<double, 3>{t.origin.x, t.origin.y, t.origin.z};
-  out.origin = {p[0], p[1], p[2]};
+  out.origin = times_point(m, t.origin);
   out.axis = axis / along;
   const Vec2 scale(across, along);
   out.a *= scale;
@@ -49,10 +64,7 @@ Solid moved(const Solid& solid, const Matrix& m) {
   const double determinant = m.determinant();
   if (determinant == 0) return {};
   Solid out = solid;
-  for (Vec3& p : out.positions) {
-    const auto q = m * std::array<double, 3>{p.x, p.y, p.z};
-    p = {q[0], q[1], q[2]};
-  }
+  for (Vec3& p : out.positions) p = times_point(m, p);
   if (determinant < 0) {
     for (auto& t : out.triangles) std::swap(t[1], t[2]);
   }

@@ -16,7 +16,9 @@ struct RecognisedFaces {
   std::int64_t cylinders = 0, cones = 0, spheres = 0, tori = 0;
   /// Other surfaces of revolution.
   std::int64_t revolved = 0;
-  std::int64_t total() const { return cylinders + cones + spheres + tori + revolved; }
+  /// Smooth surfaces through rows of points: swept, twisted, of splines.
+  std::int64_t swept = 0;
+  std::int64_t total() const { return cylinders + cones + spheres + tori + revolved + swept; }
 };
 
 /// A part given by triangles of which runs of flat facets lie around an axis at equal angles, nine
