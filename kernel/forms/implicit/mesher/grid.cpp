@@ -25,22 +25,6 @@ struct Cube {
   std::shared_ptr<const ImplicitFunction> own;
 };
 
-// What intervals say about a cube.
-enum class Verdict : std::uint8_t { Inside, Outside, Unknown };
-
-Verdict judge(const ImplicitFunction& f, const Box3& box) {
-  const Interval range = f.range(box);
-  // Rounding of the samples must not disagree: a relative 1e-12 counts as zero.
-  const double slack = 1e-12 * (std::abs(range.min) + std::abs(range.max));
-  if (!(std::abs(range.min) < 1e300) || !(std::abs(range.max) < 1e300)) {
-    // Infinite ends: only the finite one tells.
-    return range.min > 0 ? Verdict::Outside : range.max < 0 ? Verdict::Inside : Verdict::Unknown;
-  }
-  if (range.min > slack) return Verdict::Outside;
-  if (range.max < -slack) return Verdict::Inside;
-  return Verdict::Unknown;
-}
-
 // Nanoseconds for all cubes and for the worst one.
 struct Work {
   double all = 0, most = 0;
@@ -70,6 +54,18 @@ std::vector<Cube> halves(const Cube& c, const Cell& cells) {
 }
 
 }  // namespace
+
+Verdict judge(const Interval& range) {
+  // Rounding of the samples must not disagree: a relative 1e-12 counts as zero.
+  const double slack = 1e-12 * (std::abs(range.min) + std::abs(range.max));
+  if (!(std::abs(range.min) < 1e300) || !(std::abs(range.max) < 1e300)) {
+    // Infinite ends: only the finite one tells.
+    return range.min > 0 ? Verdict::Outside : range.max < 0 ? Verdict::Inside : Verdict::Unknown;
+  }
+  if (range.min > slack) return Verdict::Outside;
+  if (range.max < -slack) return Verdict::Inside;
+  return Verdict::Unknown;
+}
 
 GridLayout make_layout(const Box3& domain, double step) {
   GridLayout layout;
@@ -107,7 +103,7 @@ Grid::Grid(const ImplicitFunction& function, const GridLayout& layout, WorkBudge
           for (std::size_t i = begin; i < end; ++i) {
             Cube& c = cubes[i];
             const Box3 box = layout_.box(c.first, c.first + c.side);
-            verdicts[i] = judge(*c.function, box);
+            verdicts[i] = judge(c.function->range(box));
             if (verdicts[i] != Verdict::Unknown) continue;
             if (auto part = c.function->restricted(box)) {
               c.own = std::move(part);

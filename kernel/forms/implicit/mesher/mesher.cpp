@@ -5,6 +5,8 @@
 
 #include "../function/project.h"
 #include "../function/shape_operator.h"
+#include "hidden.h"
+#include "pieces.h"
 #include "specks.h"
 
 #include <fmt/format.h>
@@ -22,6 +24,8 @@ constexpr double kSurveySteps = 128, kFewestSteps = 32;
 constexpr double kMostSteps = 1024;
 // Nanoseconds of one core that a look may take.
 constexpr double kLookBudget = 4e9;
+// The same for what lies between its samples, to find the places and to mesh what is there.
+constexpr double kHiddenBudget = 3e9, kPiecesBudget = 1e9;
 // Vertices of a look: a surface that has more is noise, or finer than a drawing can show.
 constexpr std::size_t kMaxVertices = 1'500'000;
 constexpr double kCoarsest = 64, kFinest = 1000;  // steps along the surface's longest side
@@ -148,9 +152,34 @@ void measure(Survey& s, const RunContext& context) {
   for (std::uint32_t t = 0; t < area.triangles.size(); ++t) s.area += area.area(t);
 }
 
-}  // namespace
-
-namespace {
+void look_between(Survey& s, const GridLayout& layout, const Box3& within,
+                  const RunContext& context) {
+  if (!s.function->has_slopes()) return;
+  HiddenPlaces hidden =
+      find_hidden(*s.function, layout, within, WorkBudget(kHiddenBudget), context);
+  for (const Box3& chip : s.mesh.chips) {
+    // It lies around one corner of the grid, and may be the rim of something as large as a cell.
+    constexpr double kRim = 1.0 / 16;  // steps
+    const Box3 place{chip.center() - kRim * layout.step, chip.center() + kRim * layout.step};
+    for (int k = 0; k < 8; ++k) {
+      const Vec3 aside = layout.step * (Vec3(k & 1, (k >> 1) & 1, k >> 2) - 0.5);
+      hidden.places.push_back({layout.cell_of(chip.center() + aside), place, false});
+    }
+  }
+  WorkBudget budget(kPiecesBudget);
+  const bool all = add_hidden_pieces(s, hidden.places, layout, budget, context);
+  // What a drawing may show: as large as a 300th of the domain, however thin.
+  constexpr double kShown = kSurveySteps / 300;
+  const bool told = longest_unexplained(s, hidden.doubtful, layout) < kShown * layout.step;
+  if (hidden.complete && all && told) return;
+  s.diagnostics.add(
+      Severity::Warning, "implicit.may_miss", 1,
+      fmt::format("pieces of the surface smaller than {:.2g} mm may be missing: {}; `bounds` "
+                  "around a part of the surface finds smaller ones",
+                  2 * layout.step,
+                  told ? "there are too many places to look at"
+                       : "the function comes too near to zero to tell whether it gets there"));
+}
 
 // One look at a given number of steps along the longest side of the domain.
 Survey look(std::shared_ptr<const ImplicitFunction> function, Box3 at, bool given, double smallest,
@@ -181,7 +210,18 @@ Survey look(std::shared_ptr<const ImplicitFunction> function, Box3 at, bool give
                                     "one can be given by `bounds`",
                                     shown(at)));
     }
-    if (given || !cut) break;
+    if (given || !cut) {
+      measure(s, context);
+      // Components of a given size are all that is wanted of measured data.
+      if (smallest == 0) {
+        const Box3 own = s.function->bounds();
+        const bool holds = round == 0 || given;
+        look_between(s, grid.layout(),
+                     holds ? Box3{glm::max(at.min, own.min), glm::min(at.max, own.max)} : at,
+                     context);
+      }
+      return s;
+    }
     // Bounds that were derived and do not hold: solids that are no distances, offset far.
     if (round == kEnlargements) {
       given = true;
@@ -189,8 +229,6 @@ Survey look(std::shared_ptr<const ImplicitFunction> function, Box3 at, bool give
     }
     at = {at.min - 0.25 * at.size(), at.max + 0.25 * at.size()};
   }
-  measure(s, context);
-  return s;
 }
 
 // By more and more steps, as far as that is affordable.

@@ -12,12 +12,20 @@
 
 namespace burin {
 
+/// A component that lies between the samples of a look.
+struct Component {
+  Box3 box;
+  Vec3 point{0};    // of its surface
+  double step = 0;  // of the grid that has found it, in model mm
+};
+
 /// What a first look over the domain tells.
 struct Survey {
   /// The function to be drawn: clipped where it reaches the domain.
   std::shared_ptr<const ImplicitFunction> function;
-  /// A coarse mesh with its creases.
+  /// A coarse mesh with its creases, and what of it lies between the samples.
   ExactMesh mesh;
+  std::vector<Component> pieces;
   /// Of the surface itself, with what is left out.
   Box3 box;
   double area = 0;
@@ -28,8 +36,9 @@ struct Survey {
   Diagnostics diagnostics;
 };
 
-/// Looks for the surface at a 128th of the domain. Components smaller than `smallest` of the
-/// largest one are left out. Throws GeometryError where there is none.
+/// Looks for the surface at a 128th of the domain, and between the samples where the function tells
+/// its slopes. Components smaller than `smallest` of the largest one are left out. Throws
+/// GeometryError where there is none.
 Survey survey(const std::shared_ptr<const ImplicitFunction>& function, const Box3& domain,
               bool given, double smallest, const RunContext& context);
 

@@ -6,6 +6,7 @@
 #include "../mesher/delaunay/delaunay_mesher.h"
 #include "../mesher/draft.h"
 #include "../mesher/mesher.h"
+#include "../mesher/pieces.h"
 #include "implicit_surface.h"
 #include "view_cut.h"
 
@@ -223,6 +224,12 @@ std::shared_ptr<const Surface> ImplicitForm::realise(const RealiseOptions& optio
   Diagnostics diagnostics = s.diagnostics;
   MeshCounts counts;
   ExactMesh mesh = impl_->mesh(options.tolerance, counts, diagnostics, context);
+  if (s.smallest == 0 && !add_lost_pieces(mesh, s, options.tolerance, context)) {
+    diagnostics.add(Severity::Warning, "implicit.may_miss", 1,
+                    fmt::format("pieces of the surface smaller than {:.2g} mm may be missing: "
+                                "there are too many to mesh",
+                                6 * mesh.step));
+  }
   if (counts.strays > 0) {
     diagnostics.add(Severity::Warning, "implicit.not_on_surface",
                     static_cast<std::int64_t>(counts.strays),

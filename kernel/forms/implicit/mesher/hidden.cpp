@@ -1,0 +1,293 @@
+#include "hidden.h"
+
+#include <burin/base/parallel.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <memory>
+#include <optional>
+
+namespace burin {
+namespace {
+
+// Finest cubes along a cell of the grid, and along cubes of which samples tell what is there:
+// components as large as two of those have one wholly inside.
+constexpr int kFinest = 32, kSampled = 4;
+// Sampled cubes of which nothing can be told that are divided further.
+constexpr std::size_t kDoubtful = 4096;
+// Cubes of one size, from a cell on, beyond which those that the grid's samples explain are passed
+// over: walls as thin as a cell have so many.
+constexpr std::size_t kMany = 20'000;
+// Samples of a straight way within a cell.
+constexpr int kWay = 9;
+
+bool inside(double v) { return v < 0; }  // what is not a number is outside
+
+bool bounded(Interval r) { return std::abs(r.min) < 1e300 && std::abs(r.max) < 1e300; }
+
+// Whether f never falls, or never rises: from any place inside a component a straight way then
+// leads out of the box without leaving the component.
+bool steady(Interval slope) { return slope.min >= 0 || slope.max <= 0; }
+
+// A cube of finest cubes, with the part of the function that matters there; from a cell on that of
+// the cell.
+struct Cube {
+  Cell first{0};
+  int side = 0;
+  const ImplicitFunction* function = nullptr;
+  std::shared_ptr<const ImplicitFunction> own;
+};
+
+enum class Finding : std::uint8_t { Nothing, Same, Open };  // Same: one sign, proved
+
+// Whether f may be level somewhere in the box, and may be zero: by its slopes, which also tell how
+// far it is from its value in the middle.
+Finding examine(const ImplicitFunction& f, const Box3& box) {
+  if (judge(f.range(box)) != Verdict::Unknown) return Finding::Same;
+  const Vec3 middle = box.center();
+  const Gradient1 g = f.gradient(middle);
+  const Vec3 up = normalize_or(g.gradient, Vec3(0));
+  if (up != Vec3(0) && steady(f.slope(box, up))) return Finding::Nothing;
+  Vec3 mean(0);
+  double reach = 0;
+  for (int a = 0; a < 3; ++a) {
+    Vec3 along(0);
+    along[a] = 1;
+    const Interval s = f.slope(box, along);
+    if (steady(s)) return Finding::Nothing;
+    if (!bounded(s)) return Finding::Open;
+    mean[a] = 0.5 * (s.min + s.max);
+    reach += 0.5 * box.size()[a] * std::max(std::abs(s.min), std::abs(s.max));
+  }
+  if (judge({g.value - reach, g.value + reach}) != Verdict::Unknown) return Finding::Same;
+  // Where pieces meet at an angle, the mean of their gradients is up for both.
+  mean = normalize_or(mean, Vec3(0));
+  if (mean != Vec3(0) && steady(f.slope(box, mean))) return Finding::Nothing;
+  return Finding::Open;
+}
+
+std::array<Vec3, 9> corners_and_middle(const Box3& box) {
+  std::array<Vec3, 9> p;
+  for (std::size_t k = 0; k < 8; ++k) {
+    p[k] = {k & 1 ? box.max.x : box.min.x, k & 2 ? box.max.y : box.min.y,
+            k & 4 ? box.max.z : box.min.z};
+  }
+  p[8] = box.center();
+  return p;
+}
+
+class Search {
+ public:
+  Search(const ImplicitFunction& f, const GridLayout& layout, const Box3& within,
+         const WorkBudget& budget, const RunContext& context)
+      : f_(f),
+        grid_(layout),
+        fine_{layout.origin, layout.step / kFinest, layout.cells * kFinest},
+        within_(within),
+        budget_(budget),
+        context_(context) {}
+
+  HiddenPlaces run() {
+    Cube root;
+    root.function = &f_;
+    const int longest = std::max({fine_.cells.x, fine_.cells.y, fine_.cells.z});
+    for (root.side = kFinest; root.side < longest;) root.side *= 2;
+    std::vector<Cube> cubes{root};
+    try {
+      while (!cubes.empty()) cubes = next(cubes);
+    } catch (const TooMuchWork&) {
+      found_.complete = false;
+    }
+    return std::move(found_);
+  }
+
+ private:
+  // Nanoseconds an operation: a range, and for a part of the cubes a few slopes.
+  static constexpr double kCube = 2 * work::kBox;
+  // Values at the corners and in the middle, and on ways to the corners of the cell.
+  static constexpr double kSamples = 100 * work::kValue;
+
+  Box3 box_of(const Cube& c) const {
+    const Box3 b = fine_.box(c.first, c.first + c.side);
+    return {glm::max(b.min, within_.min), glm::min(b.max, within_.max)};
+  }
+  Cell cell_of(const Cube& c) const { return c.first / kFinest; }
+
+  // What is left of the cubes of one size, divided.
+  std::vector<Cube> next(std::vector<Cube>& cubes) {
+    double all = 0, most = 0;
+    for (const Cube& c : cubes) {
+      const double one = kCube * c.function->cost();
+      all += one;
+      most = std::max(most, one);
+    }
+    budget_.spend(all, 1);
+    const int side = cubes.front().side;
+    std::vector<Finding> findings(cubes.size(), Finding::Nothing);
+    parallel_for(
+        cubes.size(), work::grain(most, 64),
+        [&](std::size_t begin, std::size_t end) {
+          for (std::size_t i = begin; i < end; ++i) findings[i] = look_at(cubes[i]);
+        },
+        &context_);
+    const auto open =
+        static_cast<std::size_t>(std::count(findings.begin(), findings.end(), Finding::Open));
+    if (side < kFinest) keep_hidden(cubes, findings);
+    if (side <= kSampled || (side <= kFinest && open > kMany)) settle(cubes, findings, side, open);
+    std::vector<Cube> parts;
+    for (std::size_t i = 0; i < cubes.size(); ++i) {
+      if (side > 1 && findings[i] == Finding::Open) divide(cubes[i], parts);
+    }
+    return parts;
+  }
+
+  Finding look_at(Cube& c) const {
+    const Box3 box = box_of(c);
+    for (int a = 0; a < 3; ++a) {
+      if (!(box.min[a] < box.max[a])) return Finding::Nothing;
+    }
+    const Finding finding = examine(*c.function, box);
+    if (finding == Finding::Open && c.side >= kFinest) {
+      // Of the whole cube: ways to its corners may lead out of `within`.
+      if (auto part = c.function->restricted(fine_.box(c.first, c.first + c.side))) {
+        c.own = std::move(part);
+        c.function = c.own.get();
+      }
+    }
+    return finding;
+  }
+
+  void divide(const Cube& c, std::vector<Cube>& parts) const {
+    for (int k = 0; k < 8; ++k) {
+      Cube part = c;
+      part.side = c.side / 2;
+      part.first += part.side * Cell(k & 1, (k >> 1) & 1, (k >> 2) & 1);
+      const Cell end = fine_.cells;
+      if (part.first.x < end.x && part.first.y < end.y && part.first.z < end.z) {
+        parts.push_back(std::move(part));
+      }
+    }
+  }
+
+  // Cubes of one sign smaller than a cell, which may be what no sample shows.
+  void keep_hidden(const std::vector<Cube>& cubes, const std::vector<Finding>& findings) {
+    std::vector<std::uint8_t> hidden(cubes.size(), 0);
+    parallel_for(
+        cubes.size(), 64,
+        [&](std::size_t begin, std::size_t end) {
+          for (std::size_t i = begin; i < end; ++i) {
+            if (findings[i] != Finding::Same) continue;
+            const Vec3 p = box_of(cubes[i]).center();
+            hidden[i] = !shown(cubes[i], p, inside(cubes[i].function->value(p)));
+          }
+        },
+        &context_);
+    for (std::size_t i = 0; i < cubes.size(); ++i) {
+      if (hidden[i]) found_.places.push_back({cell_of(cubes[i]), box_of(cubes[i]), true});
+    }
+  }
+
+  // Tells by samples what is in the cubes that are open still; passes over those that the grid
+  // explains, and at last those of which nothing can be told.
+  void settle(const std::vector<Cube>& cubes, std::vector<Finding>& findings, int side,
+              std::size_t open) {
+    const bool fine = side <= kSampled, last = side == 1 || open > kDoubtful;
+    for (std::size_t i = 0; i < cubes.size(); ++i) {
+      if (findings[i] == Finding::Open) budget_.spend(cubes[i].function->cost(), kSamples);
+    }
+    enum Told : std::uint8_t { Explained, Hidden, Unsaid };
+    std::vector<Told> told(cubes.size(), Unsaid);
+    parallel_for(
+        cubes.size(), 16,
+        [&](std::size_t begin, std::size_t end) {
+          for (std::size_t i = begin; i < end; ++i) {
+            if (findings[i] != Finding::Open) continue;
+            const Cube& c = cubes[i];
+            const std::array<Vec3, 9> points = corners_and_middle(box_of(c));
+            std::array<double, 9> values;
+            c.function->values(points, values);
+            std::optional<Vec3> of[2];
+            for (std::size_t k = 0; k < points.size(); ++k) {
+              of[inside(values[k]) ? 1 : 0] = points[k];
+            }
+            // No number at all: the function ends before.
+            if (std::ranges::all_of(values, [](double v) { return std::isnan(v); })) {
+              told[i] = Explained;
+              continue;
+            }
+            if (!(of[0] && of[1]) && fine) beyond(c, points[8], of);
+            bool all_shown = true;
+            for (const bool sign : {false, true}) {
+              if (of[sign]) all_shown &= shown(c, *of[sign], sign);
+            }
+            told[i] = !all_shown ? Hidden : of[0] && of[1] ? Explained : Unsaid;
+          }
+        },
+        &context_);
+    for (std::size_t i = 0; i < cubes.size(); ++i) {
+      if (findings[i] != Finding::Open) continue;
+      const HiddenPlace place{cell_of(cubes[i]), box_of(cubes[i]), false};
+      if (told[i] == Explained || told[i] == Hidden || (fine && last)) {
+        findings[i] = Finding::Nothing;
+      }
+      if (told[i] == Hidden) found_.places.push_back(place);
+      if (told[i] == Unsaid && fine && last) found_.doubtful.push_back(place);
+    }
+  }
+
+  // Looks for the other sign by Newton's rule, which leads to where f would be zero.
+  void beyond(const Cube& c, Vec3 from, std::optional<Vec3> (&of)[2]) const {
+    constexpr int kSteps = 4;
+    constexpr double kFarther = 1.5;
+    Vec3 p = from;
+    const bool sign = of[1].has_value();
+    for (int i = 0; i < kSteps; ++i) {
+      const Gradient1 g = c.function->gradient(p);
+      if (inside(g.value) != sign) {
+        of[sign ? 0 : 1] = p;
+        return;
+      }
+      const double square = glm::dot(g.gradient, g.gradient);
+      if (!(square > 0)) return;
+      p -= kFarther * g.value / square * g.gradient;
+      if (!(glm::distance(p, from) < c.side * fine_.step)) return;
+    }
+  }
+
+  // Whether a straight way leads to a sample of the grid with the same sign.
+  bool shown(const Cube& c, Vec3 p, bool sign) const {
+    const Cell cell = cell_of(c);
+    const Box3 box = grid_.box(cell, cell + 1);
+    const std::array<Vec3, 9> ends = corners_and_middle(box);
+    std::array<double, 8> at_ends;
+    c.function->values(std::span(ends).first(8), at_ends);
+    std::array<Vec3, kWay> way;
+    std::array<double, kWay> values;
+    for (std::size_t k = 0; k < at_ends.size(); ++k) {
+      if (inside(at_ends[k]) != sign) continue;
+      for (int i = 0; i < kWay; ++i) {
+        way[static_cast<std::size_t>(i)] = p + (i + 1.0) / (kWay + 1) * (ends[k] - p);
+      }
+      c.function->values(way, values);
+      if (std::ranges::all_of(values, [&](double v) { return inside(v) == sign; })) return true;
+    }
+    return false;
+  }
+
+  const ImplicitFunction& f_;
+  const GridLayout grid_, fine_;
+  const Box3 within_;
+  WorkBudget budget_;
+  const RunContext& context_;
+  HiddenPlaces found_;
+};
+
+}  // namespace
+
+HiddenPlaces find_hidden(const ImplicitFunction& f, const GridLayout& layout, const Box3& within,
+                         WorkBudget budget, const RunContext& context) {
+  return Search(f, layout, within, budget, context).run();
+}
+
+}  // namespace burin

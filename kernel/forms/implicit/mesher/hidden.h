@@ -1,0 +1,38 @@
+#pragma once
+// Places that the samples of a grid do not show.
+
+#include <burin/base/run_context.h>
+#include <burin/forms/implicit/implicit_function.h>
+
+#include "grid.h"
+
+#include <vector>
+
+namespace burin {
+
+/// A cube in which the function has a sign that no corner of its cell of the grid has, as far as a
+/// straight way there tells.
+struct HiddenPlace {
+  Cell cell{0};  // of the grid
+  Box3 box;
+  /// Whether the sign is the same all over the box, proved by intervals.
+  bool proved = false;
+};
+
+struct HiddenPlaces {
+  std::vector<HiddenPlace> places;
+  /// Cubes of the finest size of which nothing could be told.
+  std::vector<HiddenPlace> doubtful;
+  /// Whether the work that all of it takes was within the budget.
+  bool complete = true;
+};
+
+/// Searches all cells of a grid within a box for them, down to a 32nd of a step. A component of
+/// the surface that no sample hits has a place inside where the function is lowest (or, of a
+/// hollow, highest): cubes where intervals prove that f is not zero, or that it never falls
+/// in some direction, hold none; others are divided. Cost: nothing to speak of where the surface
+/// bends less than a grid of 8 steps shows; a tenth of a look at thin walls.
+HiddenPlaces find_hidden(const ImplicitFunction& f, const GridLayout& layout, const Box3& within,
+                         WorkBudget budget, const RunContext& context);
+
+}  // namespace burin
