@@ -3,6 +3,7 @@
 #include "tape.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <span>
 
@@ -31,7 +32,10 @@ Interval share(Interval u, Interval r) {
 class SlopeRun {
  public:
   SlopeRun(const std::vector<Instruction>& code, const Box3& box, Vec3 direction)
-      : code_(code), box_(box), direction_(direction), value_(code.size()), slope_(code.size()) {}
+      : code_(code), box_(box), direction_(direction), value_(memory()[0]), slope_(memory()[1]) {
+    value_.resize(code.size());
+    slope_.resize(code.size());
+  }
 
   Interval run() {
     for (std::size_t k = 0; k < code_.size(); ++k) {
@@ -164,7 +168,13 @@ class SlopeRun {
   const std::vector<Instruction>& code_;
   const Box3& box_;
   Vec3 direction_;
-  std::vector<Interval> value_, slope_;
+  // Kept from one box to the next.
+  static std::array<std::vector<Interval>, 2>& memory() {
+    thread_local std::array<std::vector<Interval>, 2> m;
+    return m;
+  }
+
+  std::vector<Interval>&value_, &slope_;
 };
 
 }  // namespace

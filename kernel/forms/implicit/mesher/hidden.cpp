@@ -19,6 +19,8 @@ constexpr std::size_t kDoubtful = 4096;
 // Cubes of one size, from a cell on, beyond which those that the grid's samples explain are passed
 // over: walls as thin as a cell have so many.
 constexpr std::size_t kMany = 20'000;
+// Nanoseconds an operation: values over a box, slopes over it.
+constexpr double kRange = 20, kSlope = 40;
 // Samples of a straight way within a cell.
 constexpr int kWay = 9;
 
@@ -40,30 +42,44 @@ struct Cube {
 };
 
 enum class Finding : std::uint8_t { Nothing, Same, Open };  // Same: one sign, proved
+enum class Told : std::uint8_t { Explained, Hidden, Unsaid };
 
 // Whether f may be level somewhere in the box, and may be zero: by its slopes, which also tell how
 // far it is from its value in the middle.
-Finding examine(const ImplicitFunction& f, const Box3& box) {
-  if (judge(f.range(box)) != Verdict::Unknown) return Finding::Same;
+// `work`: the nanoseconds that it takes, an operation of the function.
+Finding examine(const ImplicitFunction& f, const Box3& box, double& work) {
+  work += work::kGradient * work::kOneValue;
   const Vec3 middle = box.center();
   const Gradient1 g = f.gradient(middle);
+  const Vec3 size = box.size();
+  // Where the tangent plane passes near the middle, so does the surface: no range needs to say so.
+  constexpr double kPasses = 0.4;
+  const double reached = kPasses * std::min({size.x, size.y, size.z}) * glm::length(g.gradient);
+  if (!(std::abs(g.value) < reached)) {
+    work += kRange;
+    if (judge(f.range(box)) != Verdict::Unknown) return Finding::Same;
+  }
   const Vec3 up = normalize_or(g.gradient, Vec3(0));
-  if (up != Vec3(0) && steady(f.slope(box, up))) return Finding::Nothing;
+  const auto slope = [&](Vec3 along) {
+    work += kSlope;
+    return f.slope(box, along);
+  };
+  if (up != Vec3(0) && steady(slope(up))) return Finding::Nothing;
   Vec3 mean(0);
   double reach = 0;
   for (int a = 0; a < 3; ++a) {
     Vec3 along(0);
     along[a] = 1;
-    const Interval s = f.slope(box, along);
+    const Interval s = slope(along);
     if (steady(s)) return Finding::Nothing;
     if (!bounded(s)) return Finding::Open;
     mean[a] = 0.5 * (s.min + s.max);
-    reach += 0.5 * box.size()[a] * std::max(std::abs(s.min), std::abs(s.max));
+    reach += 0.5 * size[a] * std::max(std::abs(s.min), std::abs(s.max));
   }
   if (judge({g.value - reach, g.value + reach}) != Verdict::Unknown) return Finding::Same;
   // Where pieces meet at an angle, the mean of their gradients is up for both.
   mean = normalize_or(mean, Vec3(0));
-  if (mean != Vec3(0) && steady(f.slope(box, mean))) return Finding::Nothing;
+  if (mean != Vec3(0) && steady(slope(mean))) return Finding::Nothing;
   return Finding::Open;
 }
 
@@ -97,16 +113,17 @@ class Search {
     try {
       while (!cubes.empty()) cubes = next(cubes);
     } catch (const TooMuchWork&) {
-      found_.complete = false;
+      // Where it ends, what was found so far counts.
     }
     return std::move(found_);
   }
 
  private:
-  // Nanoseconds an operation: a range, and for a part of the cubes a few slopes.
-  static constexpr double kCube = 2 * work::kBox;
-  // Values at the corners and in the middle, and on ways to the corners of the cell.
-  static constexpr double kSamples = 100 * work::kValue;
+  // Nanoseconds an operation: values at the corners and in the middle, and on ways to the corners
+  // of the cell.
+  static constexpr double kSamples = 60 * work::kValue;
+  // What a cube takes at most.
+  static constexpr double kExpected = kRange + 5 * kSlope;
 
   Box3 box_of(const Cube& c) const {
     const Box3 b = fine_.box(c.first, c.first + c.side);
@@ -116,25 +133,17 @@ class Search {
 
   // What is left of the cubes of one size, divided.
   std::vector<Cube> next(std::vector<Cube>& cubes) {
-    double all = 0, most = 0;
-    for (const Cube& c : cubes) {
-      const double one = kCube * c.function->cost();
-      all += one;
-      most = std::max(most, one);
-    }
-    budget_.spend(all, 1);
     const int side = cubes.front().side;
     std::vector<Finding> findings(cubes.size(), Finding::Nothing);
-    parallel_for(
-        cubes.size(), work::grain(most, 64),
-        [&](std::size_t begin, std::size_t end) {
-          for (std::size_t i = begin; i < end; ++i) findings[i] = look_at(cubes[i]);
-        },
-        &context_);
+    in_turn(cubes.size(), [&](std::size_t i) { return look_at(cubes[i], findings[i]); });
     const auto open =
         static_cast<std::size_t>(std::count(findings.begin(), findings.end(), Finding::Open));
     if (side < kFinest) keep_hidden(cubes, findings);
     if (side <= kSampled || (side <= kFinest && open > kMany)) settle(cubes, findings, side, open);
+    if (side > 1 && !is_affordable(cubes, findings)) {
+      if (side <= kFinest) leave(cubes, findings);
+      return {};
+    }
     std::vector<Cube> parts;
     for (std::size_t i = 0; i < cubes.size(); ++i) {
       if (side > 1 && findings[i] == Finding::Open) divide(cubes[i], parts);
@@ -142,20 +151,63 @@ class Search {
     return parts;
   }
 
-  Finding look_at(Cube& c) const {
+  // Nothing is begun that the budget does not hold: each of the open cubes in eight parts, and a
+  // range and a slope of each cell that a surface through it passes.
+  bool is_affordable(const std::vector<Cube>& cubes, const std::vector<Finding>& findings) const {
+    double operations = 0;
+    for (std::size_t i = 0; i < cubes.size(); ++i) {
+      if (findings[i] == Finding::Open) operations += cubes[i].function->cost();
+    }
+    // In larger cubes more of the function matters than will in their cells.
+    constexpr int kNear = 8;
+    const int along = cubes.front().side / kFinest;
+    const double parts = operations * (along <= kNear ? std::max(8, along * along) : 8);
+    return parts * (kRange + kSlope) <= budget_.left();
+  }
+  void leave(const std::vector<Cube>& cubes, const std::vector<Finding>& findings) {
+    for (std::size_t i = 0; i < cubes.size(); ++i) {
+      if (findings[i] != Finding::Open) continue;
+      found_.doubtful.push_back({cell_of(cubes[i]), box_of(cubes[i]), false});
+    }
+  }
+
+  // `run` for each of n, which returns the nanoseconds that it took: counted after some at a time,
+  // so that what is done beyond the budget is little, and the same for any number of threads.
+  template <class Run>
+  void in_turn(std::size_t n, const Run& run) {
+    constexpr std::size_t kAtATime = 512;
+    std::array<double, kAtATime> spent;
+    const std::size_t together = work::grain(kExpected * f_.cost(), kAtATime);
+    for (std::size_t begin = 0; begin < n; begin += together) {
+      const std::size_t end = std::min(n, begin + together);
+      parallel_for(
+          end - begin, 16,
+          [&](std::size_t from, std::size_t to) {
+            for (std::size_t i = from; i < to; ++i) spent[i] = run(begin + i);
+          },
+          &context_);
+      for (std::size_t i = 0; i < end - begin; ++i) budget_.spend(spent[i], 1);
+    }
+  }
+
+  // Returns the nanoseconds that it took, as `told` does.
+  double look_at(Cube& c, Finding& finding) const {
     const Box3 box = box_of(c);
     for (int a = 0; a < 3; ++a) {
-      if (!(box.min[a] < box.max[a])) return Finding::Nothing;
+      if (!(box.min[a] < box.max[a])) return 0;
     }
-    const Finding finding = examine(*c.function, box);
+    double work = 0;
+    const double cost = c.function->cost();
+    finding = examine(*c.function, box, work);
     if (finding == Finding::Open && c.side >= kFinest) {
+      work += kRange;
       // Of the whole cube: ways to its corners may lead out of `within`.
       if (auto part = c.function->restricted(fine_.box(c.first, c.first + c.side))) {
         c.own = std::move(part);
         c.function = c.own.get();
       }
     }
-    return finding;
+    return work * cost;
   }
 
   void divide(const Cube& c, std::vector<Cube>& parts) const {
@@ -173,16 +225,12 @@ class Search {
   // Cubes of one sign smaller than a cell, which may be what no sample shows.
   void keep_hidden(const std::vector<Cube>& cubes, const std::vector<Finding>& findings) {
     std::vector<std::uint8_t> hidden(cubes.size(), 0);
-    parallel_for(
-        cubes.size(), 64,
-        [&](std::size_t begin, std::size_t end) {
-          for (std::size_t i = begin; i < end; ++i) {
-            if (findings[i] != Finding::Same) continue;
-            const Vec3 p = box_of(cubes[i]).center();
-            hidden[i] = !shown(cubes[i], p, inside(cubes[i].function->value(p)));
-          }
-        },
-        &context_);
+    in_turn(cubes.size(), [&](std::size_t i) {
+      if (findings[i] != Finding::Same) return 0.0;
+      const Vec3 p = box_of(cubes[i]).center();
+      hidden[i] = !shown(cubes[i], p, inside(cubes[i].function->value(p)));
+      return cubes[i].function->cost() * kSamples;
+    });
     for (std::size_t i = 0; i < cubes.size(); ++i) {
       if (hidden[i]) found_.places.push_back({cell_of(cubes[i]), box_of(cubes[i]), true});
     }
@@ -193,47 +241,37 @@ class Search {
   void settle(const std::vector<Cube>& cubes, std::vector<Finding>& findings, int side,
               std::size_t open) {
     const bool fine = side <= kSampled, last = side == 1 || open > kDoubtful;
-    for (std::size_t i = 0; i < cubes.size(); ++i) {
-      if (findings[i] == Finding::Open) budget_.spend(cubes[i].function->cost(), kSamples);
-    }
-    enum Told : std::uint8_t { Explained, Hidden, Unsaid };
-    std::vector<Told> told(cubes.size(), Unsaid);
-    parallel_for(
-        cubes.size(), 16,
-        [&](std::size_t begin, std::size_t end) {
-          for (std::size_t i = begin; i < end; ++i) {
-            if (findings[i] != Finding::Open) continue;
-            const Cube& c = cubes[i];
-            const std::array<Vec3, 9> points = corners_and_middle(box_of(c));
-            std::array<double, 9> values;
-            c.function->values(points, values);
-            std::optional<Vec3> of[2];
-            for (std::size_t k = 0; k < points.size(); ++k) {
-              of[inside(values[k]) ? 1 : 0] = points[k];
-            }
-            // No number at all: the function ends before.
-            if (std::ranges::all_of(values, [](double v) { return std::isnan(v); })) {
-              told[i] = Explained;
-              continue;
-            }
-            if (!(of[0] && of[1]) && fine) beyond(c, points[8], of);
-            bool all_shown = true;
-            for (const bool sign : {false, true}) {
-              if (of[sign]) all_shown &= shown(c, *of[sign], sign);
-            }
-            told[i] = !all_shown ? Hidden : of[0] && of[1] ? Explained : Unsaid;
-          }
-        },
-        &context_);
+    std::vector<Told> told(cubes.size(), Told::Unsaid);
+    in_turn(cubes.size(), [&](std::size_t i) {
+      if (findings[i] != Finding::Open) return 0.0;
+      told[i] = ask(cubes[i], fine);
+      return cubes[i].function->cost() * kSamples;
+    });
     for (std::size_t i = 0; i < cubes.size(); ++i) {
       if (findings[i] != Finding::Open) continue;
       const HiddenPlace place{cell_of(cubes[i]), box_of(cubes[i]), false};
-      if (told[i] == Explained || told[i] == Hidden || (fine && last)) {
+      if (told[i] == Told::Explained || told[i] == Told::Hidden || (fine && last)) {
         findings[i] = Finding::Nothing;
       }
-      if (told[i] == Hidden) found_.places.push_back(place);
-      if (told[i] == Unsaid && fine && last) found_.doubtful.push_back(place);
+      if (told[i] == Told::Hidden) found_.places.push_back(place);
+      if (told[i] == Told::Unsaid && fine && last) found_.doubtful.push_back(place);
     }
+  }
+
+  // What samples of a cube tell.
+  Told ask(const Cube& c, bool fine) const {
+    const std::array<Vec3, 9> points = corners_and_middle(box_of(c));
+    std::array<double, 9> values;
+    c.function->values(points, values);
+    // No number at all: the function ends before.
+    if (std::ranges::all_of(values, [](double v) { return std::isnan(v); })) return Told::Explained;
+    std::optional<Vec3> of[2];
+    for (std::size_t k = 0; k < points.size(); ++k) of[inside(values[k]) ? 1 : 0] = points[k];
+    if (!(of[0] && of[1]) && fine) beyond(c, points[8], of);
+    for (const bool sign : {false, true}) {
+      if (of[sign] && !shown(c, *of[sign], sign)) return Told::Hidden;
+    }
+    return of[0] && of[1] ? Told::Explained : Told::Unsaid;
   }
 
   // Looks for the other sign by Newton's rule, which leads to where f would be zero.

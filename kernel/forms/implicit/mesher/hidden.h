@@ -21,17 +21,15 @@ struct HiddenPlace {
 
 struct HiddenPlaces {
   std::vector<HiddenPlace> places;
-  /// Cubes of the finest size of which nothing could be told.
+  /// Cubes of which nothing could be told: of the finest size, or where the budget ends.
   std::vector<HiddenPlace> doubtful;
-  /// Whether the work that all of it takes was within the budget.
-  bool complete = true;
 };
 
 /// Searches all cells of a grid within a box for them, down to a 32nd of a step. A component of
 /// the surface that no sample hits has a place inside where the function is lowest (or, of a
 /// hollow, highest): cubes where intervals prove that f is not zero, or that it never falls
-/// in some direction, hold none; others are divided. Cost: nothing to speak of where the surface
-/// bends less than a grid of 8 steps shows; a tenth of a look at thin walls.
+/// in some direction, hold none; others are divided.
+/// The work is counted, and ends within the budget: what is left then is not searched.
 HiddenPlaces find_hidden(const ImplicitFunction& f, const GridLayout& layout, const Box3& within,
                          WorkBudget budget, const RunContext& context);
 

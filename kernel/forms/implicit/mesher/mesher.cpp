@@ -5,6 +5,7 @@
 
 #include "../function/project.h"
 #include "../function/shape_operator.h"
+#include "boxes.h"
 #include "hidden.h"
 #include "pieces.h"
 #include "specks.h"
@@ -24,8 +25,9 @@ constexpr double kSurveySteps = 128, kFewestSteps = 32;
 constexpr double kMostSteps = 1024;
 // Nanoseconds of one core that a look may take.
 constexpr double kLookBudget = 4e9;
-// The same for what lies between its samples, to find the places and to mesh what is there.
-constexpr double kHiddenBudget = 3e9, kPiecesBudget = 1e9;
+// What may be spent on what lies between its samples: shares of what the look itself has taken, at
+// least so many nanoseconds, to find the places and to mesh what is there.
+constexpr double kHiddenShare = 0.1, kPiecesShare = 0.2, kHiddenLeast = 3e7, kPiecesLeast = 1e8;
 // Vertices of a look: a surface that has more is noise, or finer than a drawing can show.
 constexpr std::size_t kMaxVertices = 1'500'000;
 constexpr double kCoarsest = 64, kFinest = 1000;  // steps along the surface's longest side
@@ -42,17 +44,6 @@ ExactMesh mesh_grid(const ImplicitFunction& f, const Grid& grid, double size, do
   if (smallest > 0) counts.specks += drop_specks(mesh, smallest);
   cut_along_creases(mesh, f, context);
   return mesh;
-}
-
-Box3 box_of(const std::vector<Vec3>& points) {
-  Box3 b;
-  for (const Vec3& p : points) b.add(p);
-  return b;
-}
-
-double longest(const Box3& b) {
-  const Vec3 s = b.size();
-  return std::max({s.x, s.y, s.z});
 }
 
 // Mm; a step across it still keeps a ten-millionth of a mm in double.
@@ -155,8 +146,10 @@ void measure(Survey& s, const RunContext& context) {
 void look_between(Survey& s, const GridLayout& layout, const Box3& within,
                   const RunContext& context) {
   if (!s.function->has_slopes()) return;
+  const double taken = kLookBudget - s.mesh.budget.left();
   HiddenPlaces hidden =
-      find_hidden(*s.function, layout, within, WorkBudget(kHiddenBudget), context);
+      find_hidden(*s.function, layout, within,
+                  WorkBudget(std::max(kHiddenLeast, kHiddenShare * taken)), context);
   for (const Box3& chip : s.mesh.chips) {
     // It lies around one corner of the grid, and may be the rim of something as large as a cell.
     constexpr double kRim = 1.0 / 16;  // steps
@@ -166,19 +159,18 @@ void look_between(Survey& s, const GridLayout& layout, const Box3& within,
       hidden.places.push_back({layout.cell_of(chip.center() + aside), place, false});
     }
   }
-  WorkBudget budget(kPiecesBudget);
+  WorkBudget budget(std::max(kPiecesLeast, kPiecesShare * taken));
   const bool all = add_hidden_pieces(s, hidden.places, layout, budget, context);
   // What a drawing may show: as large as a 300th of the domain, however thin.
   constexpr double kShown = kSurveySteps / 300;
-  const bool told = longest_unexplained(s, hidden.doubtful, layout) < kShown * layout.step;
-  if (hidden.complete && all && told) return;
+  const bool told = longest_missing(s, hidden, layout) < kShown * layout.step;
+  if (all && told) return;
   s.diagnostics.add(
       Severity::Warning, "implicit.may_miss", 1,
-      fmt::format("pieces of the surface smaller than {:.2g} mm may be missing: {}; `bounds` "
-                  "around a part of the surface finds smaller ones",
-                  2 * layout.step,
-                  told ? "there are too many places to look at"
-                       : "the function comes too near to zero to tell whether it gets there"));
+      fmt::format(
+          "pieces of the surface smaller or thinner than {:.2g} mm may be missing: the first "
+          "look does not tell; `bounds` around a part of the surface finds smaller ones",
+          2 * layout.step));
 }
 
 // One look at a given number of steps along the longest side of the domain.

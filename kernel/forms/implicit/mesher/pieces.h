@@ -1,5 +1,5 @@
 #pragma once
-// Components that an even grid misses, meshed in boxes of their own.
+// Components that an even grid misses, found by what hides them.
 
 #include "hidden.h"
 #include "mesher.h"
@@ -9,20 +9,14 @@
 namespace burin {
 
 /// The places of a look's grid that belong together, as components in finer grids around them:
-/// those that `survey.mesh` has not are added to it and to `survey.pieces`. False where some place
-/// takes more than the budget.
+/// those that `survey.mesh` has not are added to it and to `survey.pieces`, the least work first.
+/// False where places that the mesh does not pass by take more than the budget.
 bool add_hidden_pieces(Survey& survey, const std::vector<HiddenPlace>& places,
                        const GridLayout& layout, WorkBudget& budget, const RunContext& context);
 
-/// The longest side of places that belong together and that the surface does not pass through, in
-/// model mm: a singular place of it explains them.
-double longest_unexplained(const Survey& survey, const std::vector<HiddenPlace>& places,
-                           const GridLayout& layout);
-
-/// Components of the first look that a mesh has lost, since they are smaller than its steps: each
-/// is meshed in steps of its own and added. `tolerance`: model mm. False where that takes too much
-/// work.
-bool add_lost_pieces(ExactMesh& mesh, const Survey& survey, double tolerance,
-                     const RunContext& context);
+/// The longest side in model mm of places that belong together and that the mesh does not explain:
+/// those that no component of their length passes by, and those of which nothing could be told
+/// where it does not pass.
+double longest_missing(const Survey& survey, const HiddenPlaces& hidden, const GridLayout& layout);
 
 }  // namespace burin

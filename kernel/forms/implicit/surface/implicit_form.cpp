@@ -5,8 +5,8 @@
 #include "../function/shape_operator.h"
 #include "../mesher/delaunay/delaunay_mesher.h"
 #include "../mesher/draft.h"
+#include "../mesher/losses.h"
 #include "../mesher/mesher.h"
-#include "../mesher/pieces.h"
 #include "implicit_surface.h"
 #include "view_cut.h"
 
@@ -47,6 +47,12 @@ double support(const Survey& s, Vec3 start, Vec3 direction) {
                     glm::distance(p, start) <= 2 * s.mesh.step;
   return real ? std::max(glm::dot(p, direction), glm::dot(start, direction))
               : glm::dot(start, direction);
+}
+
+// For what a mesh has lost: a share of what it has taken.
+WorkBudget lost_budget(const ExactMesh& mesh) {
+  constexpr double kShare = 0.2, kLeast = 1e8;
+  return WorkBudget(std::max(kLeast, kShare * (kMeshBudget - mesh.budget.left())));
 }
 
 // As fine as wanted, or else as fine as it can be had.
@@ -224,7 +230,7 @@ std::shared_ptr<const Surface> ImplicitForm::realise(const RealiseOptions& optio
   Diagnostics diagnostics = s.diagnostics;
   MeshCounts counts;
   ExactMesh mesh = impl_->mesh(options.tolerance, counts, diagnostics, context);
-  if (s.smallest == 0 && !add_lost_pieces(mesh, s, options.tolerance, context)) {
+  if (s.smallest == 0 && !add_lost_pieces(mesh, s, options.tolerance, lost_budget(mesh), context)) {
     diagnostics.add(Severity::Warning, "implicit.may_miss", 1,
                     fmt::format("pieces of the surface smaller than {:.2g} mm may be missing: "
                                 "there are too many to mesh",

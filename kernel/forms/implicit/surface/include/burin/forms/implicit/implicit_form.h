@@ -35,9 +35,11 @@ struct ImplicitProxyOptions {
 
 /// The surface f = 0, closed: where it reaches the domain it is clipped by the domain's box, and a
 /// diagnostic ("implicit.clipped") says so. Without a domain the function's own bounds are taken.
-/// The constructor looks over the domain in 128 steps, and between them where the function tells its
-/// slopes: components larger than a 300th of the domain are found, else those of two steps; what
-/// may be missing all the same is told ("implicit.may_miss"). Those smaller than `smallest_part`, a share of the largest one's diagonal, are left out
+/// The constructor looks over the domain in 128 steps, and between them where the function tells
+/// its slopes and a tenth of the look's work suffices: components larger than a 300th of the domain
+/// are found then, else those of two steps; where there is evidence of more, that is told
+/// ("implicit.may_miss"). Those smaller than `smallest_part`, a share of the largest one's diagonal,
+/// are left out
 /// ("implicit.specks"): the noise of measured data. Throws GeometryError in one line where the
 /// function has no surface there, or one so fine that it fills the domain. The functions of
 /// realised surfaces are shared with the form. Cost: 0.1 s to look, 0.5 s to realise 300,000
