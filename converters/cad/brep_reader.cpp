@@ -1,4 +1,5 @@
 #include <burin/base/error.h>
+#include <burin/base/input_name.h>
 
 #include "cad_file.h"
 #include "collect.h"
@@ -33,12 +34,11 @@ CadFile read_brep(const Source& source, bool binary, RunContext& context) {
   if (shape.IsNull()) source.fail("is broken or no BREP file; export the model again");
   CadFile file;
   file.format = binary ? "BREP (binary)" : "BREP (text)";
-  const std::string stem = clean_name(std::filesystem::path(source.file()).stem().string());
-  for (const TopoDS_Shape& piece : split_shape(shape)) {
-    file.parts.push_back(make_part(piece, TopLoc_Location(), stem));
+  const std::string stem = clean_name(model_stem(source.file()));
+  if (std::vector<CadBody> bodies = bodies_of(shape); !bodies.empty()) {
+    file.parts.push_back(make_part(std::move(bodies), stem));
   }
   tell_left_out(file.parts, count_loose(shape), file.diagnostics);
-  make_names_unique(file.parts);
   return file;
 }
 

@@ -26,13 +26,13 @@ CadFormat detect(const Source& source, const std::filesystem::path& path) {
   source.fail("is no CAD file of a known kind; STEP, IGES and BREP are read");
 }
 
-CadFile read_as(CadFormat format, const Source& source, const OcctSession& session,
-                RunContext& context) {
+CadFile read_as(CadFormat format, const Source& source, const std::string& encoding,
+                const OcctSession& session, RunContext& context) {
   switch (format) {
     case CadFormat::Step:
-      return read_step(source, session, context);
+      return read_step(source, encoding, session, context);
     case CadFormat::Iges:
-      return read_iges(source, context);
+      return read_iges(source, encoding, context);
     case CadFormat::BrepText:
       return read_brep(source, false, context);
     case CadFormat::BrepBinary:
@@ -43,12 +43,13 @@ CadFile read_as(CadFormat format, const Source& source, const OcctSession& sessi
 
 }  // namespace
 
-CadFile read_cad_file(const std::filesystem::path& path, const OcctSession& session,
-                      RunContext& context) {
+CadFile read_cad_file(const std::filesystem::path& path, const std::string& encoding,
+                      const OcctSession& session, RunContext& context) {
   const Source source(path, context);
   const CadFormat format = detect(source, path);
   CadFile file;
-  session.guarded(source.file(), [&] { file = read_as(format, source, session, context); });
+  session.guarded(source.file(),
+                  [&] { file = read_as(format, source, encoding, session, context); });
   if (file.parts.empty()) {
     source.fail("holds no faces to draw; export the solids or surfaces of the model");
   }

@@ -10,6 +10,7 @@
 #include <TopoDS_Shape.hxx>
 
 #include <filesystem>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -17,15 +18,37 @@ namespace burin {
 
 class OcctSession;
 
+/// A solid of a product, a shell outside solids, or what faces outside shells sew into.
+struct CadBody {
+  /// "solid 2", counted in its product.
+  std::string name;
+  /// Where it stands in the product.
+  TopoDS_Shape shape;
+  /// The faces as the file has them, of what was sewn; else none.
+  std::vector<TopoDS_Shape> sewn_from = {};
+};
+
+/// How a part, or a body of it, is coloured.
+struct CadColor {
+  /// "#rrggbb" or empty.
+  std::string hex;
+  double opacity = 1;
+  bool operator==(const CadColor&) const = default;
+};
+
 struct CadPart {
   std::string name;
   std::vector<std::string> assembly;
-  std::string color;
   /// The name of the product that it is an instance of; empty where that says nothing.
   std::string definition = {};
-  /// Without location, so that instances are equal; `placement` has it.
-  TopoDS_Shape shape;
+  /// What it is made of, shared by all instances; at least one body.
+  std::shared_ptr<const std::vector<CadBody>> bodies;
+  /// Of each body.
+  std::vector<CadColor> colors;
   Placement placement;
+
+  /// The one that all bodies have, else none.
+  CadColor color() const;
 };
 
 struct CadFile {
@@ -35,12 +58,14 @@ struct CadFile {
 };
 
 /// By content, else by suffix. Throws InputError; nothing of OCCT gets out.
-CadFile read_cad_file(const std::filesystem::path& path, const OcctSession& session,
-                      RunContext& context);
+/// `encoding`: of names, empty where the file is to tell.
+CadFile read_cad_file(const std::filesystem::path& path, const std::string& encoding,
+                      const OcctSession& session, RunContext& context);
 
 /// One reader a format, to be called inside `guarded`.
-CadFile read_step(const Source& source, const OcctSession& session, RunContext& context);
-CadFile read_iges(const Source& source, RunContext& context);
+CadFile read_step(const Source& source, const std::string& encoding, const OcctSession& session,
+                  RunContext& context);
+CadFile read_iges(const Source& source, const std::string& encoding, RunContext& context);
 CadFile read_brep(const Source& source, bool binary, RunContext& context);
 
 }  // namespace burin

@@ -1,6 +1,7 @@
 #include "cad_format.h"
 
 #include <burin/base/ascii.h>
+#include <burin/base/input_name.h>
 
 #include <string>
 
@@ -49,7 +50,7 @@ std::optional<CadFormat> cad_format_of(std::string_view head) {
 }
 
 std::optional<CadFormat> cad_format_of_suffix(const std::filesystem::path& path) {
-  const std::string suffix = lowered(path.extension().string());
+  const std::string suffix = model_suffix(path);
   if (suffix == ".step" || suffix == ".stp" || suffix == ".p21") return CadFormat::Step;
   if (suffix == ".iges" || suffix == ".igs") return CadFormat::Iges;
   if (suffix == ".brep" || suffix == ".brp") return CadFormat::BrepText;

@@ -6,6 +6,7 @@
 #include <burin/forms/brep/occt/brep_model.h>
 
 #include "cad_file.h"
+#include "collect.h"
 #include "measure.h"
 #include "occt_session.h"
 #include "shape_in_memory.h"
@@ -15,26 +16,97 @@
 #include <map>
 #include <memory>
 #include <utility>
+#include <vector>
 
 namespace burin {
 namespace {
 
-/// The models of shapes, each made once.
+/// The models of what parts are made of, each made once. Bodies at which OCCT or the form fails are
+/// left out and told.
 class Models {
  public:
-  /// The number of the model and the model; throws GeometryError.
-  std::pair<std::size_t, std::shared_ptr<const BrepModel>> of(const TopoDS_Shape& shape) {
-    const auto key = std::pair(shape.TShape().get(), shape.Orientation());
+  Models(const OcctSession& session, std::string file, Diagnostics& diagnostics)
+      : session_(session), file_(std::move(file)), diagnostics_(diagnostics) {}
+
+  /// What a part is made of, the number that instances share, and which of its bodies these are.
+  struct Made {
+    std::size_t number = 0;
+    std::shared_ptr<const std::vector<BrepBody>> bodies;
+    std::vector<std::size_t> from;
+  };
+
+  /// Throws GeometryError, InputError where all bodies fail.
+  const Made& of(const CadPart& part) {
+    const Key key = key_of(*part.bodies);
     const auto it = known_.find(key);
     if (it != known_.end()) return it->second;
-    return known_[key] = {known_.size(), make_brep_model(shape)};
+    Made made = make(part);
+    made.number = known_.size();
+    return known_[key] = std::move(made);
   }
 
  private:
-  std::map<std::pair<TopoDS_TShape*, TopAbs_Orientation>,
-           std::pair<std::size_t, std::shared_ptr<const BrepModel>>>
-      known_;
+  using Key = std::pair<const void*, TopAbs_Orientation>;
+
+  /// A body alone may stand in several products.
+  static Key key_of(const std::vector<CadBody>& bodies) {
+    if (bodies.size() > 1) return {&bodies, TopAbs_FORWARD};
+    return {bodies.front().shape.TShape().get(), bodies.front().shape.Orientation()};
+  }
+
+  Made make(const CadPart& part) {
+    Made made;
+    std::vector<BrepBody> bodies;
+    FirstNumbers first;
+    const bool alone = part.bodies->size() == 1;
+    for (std::size_t i = 0; i < part.bodies->size(); ++i) {
+      const CadBody& body = (*part.bodies)[i];
+      try {
+        session_.guarded(file_, [&] {
+          const TopoDS_Shape shape = body.shape.Located(TopLoc_Location());
+          // Of a body alone the place is that of the part: it may be an instance of another.
+          bodies.push_back({make_brep_model(shape, first),
+                            alone ? Placement() : placement_of(body.shape.Location())});
+        });
+      } catch (const GeometryError& e) {
+        if (is_last(bodies, i, part)) throw;
+        tell(part.name + "/" + body.name, e);
+        continue;
+      } catch (const InputError& e) {
+        if (is_last(bodies, i, part)) throw;
+        tell(part.name + "/" + body.name, e);
+        continue;
+      }
+      const BrepCounts counts = bodies.back().model->counts();
+      first.face += static_cast<std::int32_t>(counts.faces);
+      first.edge += static_cast<std::int32_t>(counts.edges);
+      made.from.push_back(i);
+    }
+    made.bodies = std::make_shared<const std::vector<BrepBody>>(std::move(bodies));
+    return made;
+  }
+
+  /// Whether nothing is left of the part where this body fails too.
+  static bool is_last(const std::vector<BrepBody>& made, std::size_t i, const CadPart& part) {
+    return made.empty() && i + 1 == part.bodies->size();
+  }
+
+  void tell(const std::string& name, const std::exception& e) {
+    diagnostics_.add(Severity::Error, "cad.broken_part", 1,
+                     fmt::format("{}: the body was left out: {}", name, e.what()));
+  }
+
+  const OcctSession& session_;
+  std::string file_;
+  Diagnostics& diagnostics_;
+  std::map<Key, Made> known_;
 };
+
+/// Where a part stands whose body alone may have a place of its own.
+Placement place_of(const CadPart& part) {
+  if (part.bodies->size() > 1) return part.placement;
+  return after(part.placement, placement_of(part.bodies->front().shape.Location()));
+}
 
 /// Calls `one(part)` for each part of a file; parts at which OCCT or the form fails are left out.
 /// Throws InputError where that befalls all of them.
@@ -61,40 +133,66 @@ void for_parts(CadFile& file, const OcctSession& session, const std::string& pat
   if (failures == static_cast<std::int64_t>(file.parts.size())) throw InputError(first, path);
 }
 
-Scene read(const std::filesystem::path& path, RunContext& context) {
+/// The bodies of a part that can be chosen one by one.
+std::vector<Piece> pieces_of(const CadPart& part, const Models::Made& made,
+                             const Placement& place) {
+  std::vector<Piece> pieces;
+  if (made.bodies->size() < 2) return pieces;
+  for (std::size_t i = 0; i < made.bodies->size(); ++i) {
+    const BrepBody& body = (*made.bodies)[i];
+    const CadColor& color = part.colors[made.from[i]];
+    pieces.push_back({(*part.bodies)[made.from[i]].name,
+                      std::make_shared<BrepForm>(body.model, after(place, body.placement)),
+                      color.hex});
+  }
+  return pieces;
+}
+
+std::shared_ptr<const Form> form_of(const Models::Made& made, const Placement& place) {
+  if (made.bodies->size() > 1) return std::make_shared<BrepBodiesForm>(made.bodies, place);
+  const BrepBody& body = made.bodies->front();
+  return std::make_shared<BrepForm>(body.model, after(place, body.placement));
+}
+
+Scene read(const std::filesystem::path& path, const std::string& encoding, RunContext& context) {
   const OcctSession session;
-  CadFile file = read_cad_file(path, session, context);
+  CadFile file = read_cad_file(path, encoding, session, context);
   Scene scene;
   scene.diagnostics = std::move(file.diagnostics);
-  Models models;
-  for_parts(file, session, path.string(), scene.diagnostics, context, [&](CadPart& part) {
-    auto form = std::make_shared<BrepForm>(models.of(part.shape).second, part.placement);
-    scene.parts.push_back({std::move(part.name), path.string(), std::move(form),
-                           std::move(part.assembly), std::move(part.color),
-                           std::move(part.definition)});
+  Models models(session, path.string(), scene.diagnostics);
+  for_parts(file, session, path.string(), scene.diagnostics, context, [&](CadPart& cad) {
+    const Models::Made& made = models.of(cad);
+    const Placement place = place_of(cad);
+    const CadColor color = cad.color();
+    Part part{std::move(cad.name),     path.string(), form_of(made, place),
+              std::move(cad.assembly), color.hex,     std::move(cad.definition)};
+    part.opacity = color.opacity;
+    part.pieces = pieces_of(cad, made, place);
+    scene.parts.push_back(std::move(part));
   });
   return scene;
 }
 
-FileInfo inspect(const std::filesystem::path& path, RunContext& context) {
+FileInfo inspect(const std::filesystem::path& path, const std::string& encoding,
+                 RunContext& context) {
   const OcctSession session;
-  CadFile file = read_cad_file(path, session, context);
+  CadFile file = read_cad_file(path, encoding, session, context);
   FileInfo info;
   info.file = path.string();
   info.format = std::move(file.format);
   info.schema = std::move(file.schema);
   info.diagnostics = std::move(file.diagnostics);
-  Models models;
+  Models models(session, info.file, info.diagnostics);
   std::map<std::size_t, std::int32_t> first;  // part of each model
   for_parts(file, session, info.file, info.diagnostics, context, [&](CadPart& part) {
-    const auto [number, model] = models.of(part.shape);
-    PartInfo p = measure(*model, part.placement);
+    const Models::Made& made = models.of(part);
+    PartInfo p = measure(*made.bodies, place_of(part));
     const auto [it, is_new] =
-        first.try_emplace(number, static_cast<std::int32_t>(info.parts.size()));
+        first.try_emplace(made.number, static_cast<std::int32_t>(info.parts.size()));
     if (!is_new) p.same_shape_as = it->second;
     p.name = std::move(part.name);
     p.assembly = std::move(part.assembly);
-    p.color = std::move(part.color);
+    p.color = part.color().hex;
     info.parts.push_back(std::move(p));
   });
   return info;

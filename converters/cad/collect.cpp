@@ -1,15 +1,25 @@
 #include "collect.h"
 
+#include <burin/base/ascii.h>
+
 #include "colors.h"
 #include "text.h"
 
+#include <BRep_Builder.hxx>
 #include <TCollection_AsciiString.hxx>
 #include <TDF_LabelSequence.hxx>
+#include <TDF_Tool.hxx>
 #include <TDataStd_Name.hxx>
 #include <TDocStd_Document.hxx>
+#include <TopoDS_Compound.hxx>
 #include <XCAFDoc_DocumentTool.hxx>
 #include <XCAFDoc_ShapeTool.hxx>
 
+#include <algorithm>
+#include <array>
+#include <map>
+#include <memory>
+#include <string_view>
 #include <utility>
 
 namespace burin {
@@ -22,26 +32,44 @@ std::string raw_name(const TDF_Label& label) {
   return clean_name(TCollection_AsciiString(name->Get(), 0).ToCString());
 }
 
-/// Names that programs made up: numbers, "NAUO12", OCCT's own.
+/// Whether nothing but digits and what stands between them is left of a name.
+bool is_count(std::string_view rest) {
+  return rest.find_first_not_of("0123456789.:_- ") == std::string_view::npos;
+}
+
+/// Names that programs made up: numbers, "NAUO12", the words of the standard, OCCT's own.
 bool says_nothing(const std::string& name) {
-  if (name.starts_with("Open CASCADE STEP translator") || name.starts_with("=>[")) return true;
-  const std::string rest = name.starts_with("NAUO") ? name.substr(4) : name;
-  return rest.find_first_not_of("0123456789.:_- ") == std::string::npos;
+  constexpr std::array<std::string_view, 4> kMadeUp{"Open CASCADE STEP translator", "=>[",
+                                                    "Next assembly relationship",
+                                                    "Next assembly usage occurrence"};
+  const auto begins = [&](std::string_view words) {
+    return equal_but_for_case(std::string_view(name).substr(0, words.size()), words);
+  };
+  if (std::ranges::any_of(kMadeUp, begins)) return true;
+  return is_count(name.starts_with("NAUO") ? std::string_view(name).substr(4) : name);
 }
 
 class Collector {
  public:
-  Collector(const Handle(TDocStd_Document) & document, const std::string& fallback,
+  Collector(const Handle(TDocStd_Document) & document, const CollectOptions& options,
             const RunContext& context)
       : shapes_(XCAFDoc_DocumentTool::ShapeTool(document->Main())),
         colors_(XCAFDoc_DocumentTool::ColorTool(document->Main())),
-        fallback_(fallback),
+        options_(options),
         context_(context) {}
 
   void run() {
-    TDF_LabelSequence roots;
-    shapes_->GetFreeShapes(roots);
-    for (const TDF_Label& root : roots) visit(root, root, {});
+    TDF_LabelSequence labels;
+    shapes_->GetFreeShapes(labels);
+    std::vector<TDF_Label> loose;
+    for (const TDF_Label& root : labels) {
+      if (options_.roots == Roots::Entities && is_loose(root)) {
+        loose.push_back(root);
+      } else {
+        visit(root, root, {});
+      }
+    }
+    join(loose);
   }
 
   std::vector<CadPart> parts;
@@ -54,26 +82,60 @@ class Collector {
     std::vector<std::string> assembly;
     /// Of an instance, which goes before that of what it is an instance of; of an assembly, which
     /// is that of members without one.
-    std::string instance_color, assembly_color;
+    CadColor instance_color, assembly_color;
   };
 
-  std::string name_of(const TDF_Label& instance, const TDF_Label& product) const {
-    for (const TDF_Label& label : {instance, product}) {
-      if (std::string name = raw_name(label); !says_nothing(name)) return name;
+  /// Faces, or wires and points, that nobody gave a name or put together.
+  static bool is_loose(const TDF_Label& root) {
+    if (XCAFDoc_ShapeTool::IsAssembly(root) || !says_nothing(raw_name(root))) return false;
+    const TopoDS_Shape shape = XCAFDoc_ShapeTool::GetShape(root);
+    return !shape.IsNull() && shape.ShapeType() > TopAbs_SHELL;
+  }
+
+  /// Entities that are loose, as one part.
+  void join(const std::vector<TDF_Label>& loose) {
+    if (loose.empty()) return;
+    TopoDS_Compound all;
+    BRep_Builder().MakeCompound(all);
+    for (const TDF_Label& root : loose) {
+      context_.check();
+      BRep_Builder().Add(all, XCAFDoc_ShapeTool::GetShape(root));
     }
-    return fallback_;
+    left_out += count_loose(all);
+    std::vector<CadBody> bodies = bodies_of(all);
+    if (bodies.empty()) return;
+    const LabelColors colors(colors_, loose);
+    CadPart part = make_part(std::move(bodies), options_.fallback);
+    std::ranges::transform(*part.bodies, part.colors.begin(),
+                           [&](const CadBody& body) { return colors.of(body); });
+    parts.push_back(std::move(part));
+  }
+
+  std::string name_of(const TDF_Label& instance, const TDF_Label& product) const {
+    std::string of_product = raw_name(product);
+    std::string name = raw_name(instance);
+    if (!says_nothing(name) && !is_number_of(of_product, name)) return name;
+    return says_nothing(of_product) ? options_.fallback : of_product;
+  }
+
+  /// Whether an instance is called by its product's number, "4711-22.1" of 4711-22.
+  bool is_number_of(const std::string& product, std::string_view name) const {
+    const auto [first, end] = options_.numbers.equal_range(product);
+    return std::any_of(first, end, [&](const auto& entry) {
+      return name.starts_with(entry.second) && is_count(name.substr(entry.second.size()));
+    });
   }
 
   /// `instance` is the label that stands in the assembly, `product` what it refers to.
   void visit(const TDF_Label& instance, const TDF_Label& product, Place place) {
     context_.check();
     const std::string name = name_of(instance, product);
-    if (place.instance_color.empty() && instance != product) {
+    if (place.instance_color.hex.empty() && instance != product) {
       place.instance_color = label_color(colors_, instance);
     }
     if (!XCAFDoc_ShapeTool::IsAssembly(product)) return leaf(product, name, place);
     place.assembly.push_back(name);
-    if (std::string color = label_color(colors_, product); !color.empty()) {
+    if (CadColor color = label_color(colors_, product); !color.hex.empty()) {
       place.assembly_color = std::move(color);
     }
     TDF_LabelSequence members;
@@ -87,37 +149,62 @@ class Collector {
     }
   }
 
-  void leaf(const TDF_Label& product, const std::string& name, const Place& place) {
-    const TopoDS_Shape shape = XCAFDoc_ShapeTool::GetShape(product);
-    const std::vector<TopoDS_Shape> pieces =
-        shape.IsNull() ? std::vector<TopoDS_Shape>() : split_shape(shape);
+  /// What a label of a shape holds: read once, shared by its instances.
+  struct Product {
+    std::shared_ptr<const std::vector<CadBody>> bodies;
+    std::vector<CadColor> colors;
+    /// What of it belongs to no face; 1 where there is nothing at all.
+    std::int64_t left_out = 0;
+  };
+
+  const Product& product_of(const TDF_Label& label) {
+    TCollection_AsciiString entry;
+    TDF_Tool::Entry(label, entry);
+    const auto [at, is_new] = products_.try_emplace(entry.ToCString());
+    if (!is_new) return at->second;
+    const TopoDS_Shape shape = XCAFDoc_ShapeTool::GetShape(label);
+    CadPart part = make_part(shape.IsNull() ? std::vector<CadBody>() : bodies_of(shape), {});
     const std::int64_t loose = shape.IsNull() ? 0 : count_loose(shape);
-    left_out += pieces.empty() && loose == 0 ? 1 : loose;
-    const LabelColors colors(colors_, product);
-    std::string definition = raw_name(product);
-    if (says_nothing(definition)) definition.clear();
-    for (const TopoDS_Shape& piece : pieces) {
-      CadPart part = make_part(piece, place.location, name);
-      part.assembly = place.assembly;
-      part.definition = definition;
-      part.color = place.instance_color.empty() ? colors.of(piece) : place.instance_color;
-      if (part.color.empty()) part.color = place.assembly_color;
-      parts.push_back(std::move(part));
+    const LabelColors colors(colors_, label);
+    std::ranges::transform(*part.bodies, part.colors.begin(),
+                           [&](const CadBody& body) { return colors.of(body); });
+    const bool nothing = part.bodies->empty() && loose == 0;
+    at->second = {std::move(part.bodies), std::move(part.colors), nothing ? 1 : loose};
+    return at->second;
+  }
+
+  void leaf(const TDF_Label& label, const std::string& name, const Place& place) {
+    const Product& product = product_of(label);
+    left_out += product.left_out;
+    if (product.bodies->empty()) return;
+    CadPart part;
+    part.name = name;
+    part.assembly = place.assembly;
+    part.definition = raw_name(label);
+    if (says_nothing(part.definition)) part.definition.clear();
+    part.bodies = product.bodies;
+    part.colors = product.colors;
+    part.placement = placement_of(place.location);
+    for (CadColor& color : part.colors) {
+      if (!place.instance_color.hex.empty()) color = place.instance_color;
+      if (color.hex.empty()) color = place.assembly_color;
     }
+    parts.push_back(std::move(part));
   }
 
   Handle(XCAFDoc_ShapeTool) shapes_;
   Handle(XCAFDoc_ColorTool) colors_;
-  std::string fallback_;
+  const CollectOptions& options_;
   const RunContext& context_;
+  std::map<std::string, Product> products_;
 };
 
 }  // namespace
 
 std::vector<CadPart> collect_parts(const Handle(TDocStd_Document) & document,
-                                   const std::string& fallback, Diagnostics& diagnostics,
+                                   const CollectOptions& options, Diagnostics& diagnostics,
                                    const RunContext& context) {
-  Collector collector(document, fallback, context);
+  Collector collector(document, options, context);
   collector.run();
   tell_left_out(collector.parts, collector.left_out, diagnostics);
   make_names_unique(collector.parts);

@@ -3,10 +3,12 @@
 
 #include "cad_file.h"
 
+#include <BRepBuilderAPI_Sewing.hxx>
 #include <Standard_Handle.hxx>
 #include <TopLoc_Location.hxx>
 
 #include <cstdint>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -14,25 +16,40 @@ class TDocStd_Document;
 
 namespace burin {
 
-/// What becomes a part each, in order: each solid, each shell outside solids, and what the faces
+/// What a part is made of, in order: each solid, each shell outside solids, and what the faces
 /// outside shells sew into. None where there is no face.
-std::vector<TopoDS_Shape> split_shape(const TopoDS_Shape& shape);
+std::vector<CadBody> bodies_of(const TopoDS_Shape& shape);
 
-/// The faces with borders that fit, within a share of their size, made one edge.
-TopoDS_Shape sewn(const std::vector<TopoDS_Shape>& faces, double share);
+/// Faces with borders that fit, within a share of their size, made one edge.
+Handle(BRepBuilderAPI_Sewing) sew(const std::vector<TopoDS_Shape>& faces, double share);
 
 /// Wires, and edges and points outside of them, that belong to no face.
 std::int64_t count_loose(const TopoDS_Shape& shape);
 /// Says that so many of those, and members with nothing at all, were left out beside parts.
 void tell_left_out(const std::vector<CadPart>& parts, std::int64_t count, Diagnostics& diagnostics);
 
-/// The part that `shape` is at `location` (before which its own location is applied).
-CadPart make_part(const TopoDS_Shape& shape, const TopLoc_Location& location,
-                  const std::string& name);
+/// Where OCCT has a shape.
+Placement placement_of(const TopLoc_Location& location);
 
-/// All parts of a document, in the order of its tree; `fallback` names what has no name of its own.
+/// The part that consists of these, at least one, where they stand.
+CadPart make_part(std::vector<CadBody> bodies, const std::string& name);
+
+/// What stands at the top of a document: products of STEP; of IGES whatever refers to no other,
+/// where faces without a name are one part together.
+enum class Roots { Products, Entities };
+
+struct CollectOptions {
+  Roots roots = Roots::Products;
+  /// Names what has no name of its own.
+  std::string fallback = {};
+  /// The numbers that products have beside their names, by these. An instance that is called by the
+  /// number alone gets the name.
+  std::multimap<std::string, std::string> numbers = {};
+};
+
+/// All parts of a document, in the order of its tree.
 std::vector<CadPart> collect_parts(const Handle(TDocStd_Document) & document,
-                                   const std::string& fallback, Diagnostics& diagnostics,
+                                   const CollectOptions& options, Diagnostics& diagnostics,
                                    const RunContext& context);
 
 /// Gives " #2", " #3" ... to parts that have name and assembly in common with one before.

@@ -1,12 +1,13 @@
 #pragma once
 /// The colour of parts in OCCT's documents.
 
+#include "cad_file.h"
+
 #include <TDF_Label.hxx>
 #include <TopTools_DataMapOfShapeInteger.hxx>
 #include <TopoDS_Shape.hxx>
 #include <XCAFDoc_ColorTool.hxx>
 
-#include <string>
 #include <vector>
 
 namespace burin {
@@ -15,18 +16,23 @@ namespace burin {
 class LabelColors {
  public:
   LabelColors(const Handle(XCAFDoc_ColorTool) & tool, const TDF_Label& label);
+  /// Of the shapes at and below several labels, which have no colour together.
+  LabelColors(const Handle(XCAFDoc_ColorTool) & tool, const std::vector<TDF_Label>& labels);
 
-  /// "#rrggbb": the colour of the shape itself, else of what contains it, else the one that all its
-  /// faces share; empty where there is none.
-  std::string of(const TopoDS_Shape& shape) const;
+  /// The colour of the body itself, else of what contains it, else the one that all its faces
+  /// share; without one, none.
+  CadColor of(const CadBody& body) const;
 
  private:
-  std::string whole_;
+  void add(const Handle(XCAFDoc_ColorTool) & tool, const TDF_Label& label);
+  CadColor common(const std::vector<TopoDS_Shape>& faces) const;
+
+  CadColor whole_;
   TopTools_DataMapOfShapeInteger index_;
-  std::vector<std::string> colors_;
+  std::vector<CadColor> colors_;
 };
 
-/// The colour that the label itself has, or empty.
-std::string label_color(const Handle(XCAFDoc_ColorTool) & tool, const TDF_Label& label);
+/// The colour that the label itself has, or none.
+CadColor label_color(const Handle(XCAFDoc_ColorTool) & tool, const TDF_Label& label);
 
 }  // namespace burin

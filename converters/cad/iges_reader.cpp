@@ -1,16 +1,54 @@
 #include <burin/base/error.h>
+#include <burin/base/input_name.h>
 
 #include "cad_file.h"
 #include "collect.h"
+#include "encoding.h"
 #include "occt_session.h"
 #include "text.h"
 
 #include <IGESCAFControl_Reader.hxx>
+#include <TCollection_ExtendedString.hxx>
+#include <TDF_ChildIterator.hxx>
+#include <TDataStd_Name.hxx>
 #include <TDocStd_Document.hxx>
 
-namespace burin {
+#include <utility>
+#include <vector>
 
-CadFile read_iges(const Source& source, RunContext& context) {
+namespace burin {
+namespace {
+
+/// Names of IGES are bytes, which OCCT takes for letters of Latin-1.
+std::string bytes_of(const TCollection_ExtendedString& name) {
+  std::string bytes;
+  for (int i = 1; i <= name.Length(); ++i) {
+    if (name.Value(i) > 0xff) return {};
+    bytes += static_cast<char>(name.Value(i));
+  }
+  return bytes;
+}
+
+void decode_names(const Handle(TDocStd_Document) & document, const std::string& encoding,
+                  Diagnostics& diagnostics) {
+  std::vector<std::pair<Handle(TDataStd_Name), std::string>> names;
+  TextDecoder decoder(encoding);
+  for (TDF_ChildIterator it(document->Main(), Standard_True); it.More(); it.Next()) {
+    Handle(TDataStd_Name) name;
+    if (!it.Value().FindAttribute(TDataStd_Name::GetID(), name)) continue;
+    names.emplace_back(name, bytes_of(name->Get()));
+    decoder.learn(names.back().second);
+  }
+  for (const auto& [name, bytes] : names) {
+    if (bytes.empty()) continue;
+    name->Set(TCollection_ExtendedString(decoder.utf8(bytes).c_str(), Standard_True));
+  }
+  decoder.tell(diagnostics);
+}
+
+}  // namespace
+
+CadFile read_iges(const Source& source, const std::string& encoding, RunContext& context) {
   IGESCAFControl_Reader reader;
   reader.SetColorMode(Standard_True);
   reader.SetNameMode(Standard_True);
@@ -27,8 +65,9 @@ CadFile read_iges(const Source& source, RunContext& context) {
   const bool done = reader.Transfer(document, progress->Start());
   context.check();
   if (done) {
-    const std::string stem = clean_name(std::filesystem::path(source.file()).stem().string());
-    file.parts = collect_parts(document, stem, file.diagnostics, context);
+    decode_names(document, encoding, file.diagnostics);
+    const std::string stem = clean_name(model_stem(source.file()));
+    file.parts = collect_parts(document, {Roots::Entities, stem, {}}, file.diagnostics, context);
   }
   return file;
 }

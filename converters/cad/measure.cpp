@@ -1,5 +1,7 @@
 #include "measure.h"
 
+#include <burin/base/affine.h>
+
 #include <BRepGProp.hxx>
 #include <GProp_GProps.hxx>
 #include <Standard_Failure.hxx>
@@ -39,14 +41,23 @@ PartInfo measure(const BrepModel& model, const Placement& placement) {
   info.faces = counts.faces;
   info.edges = counts.edges;
   info.boundary_edges = counts.free_edges;
-  // A placement is a similarity.
   const double volume_scale = std::abs(glm::determinant(placement.linear));
-  info.area = integral(model.shape(), false) * std::pow(volume_scale, 2.0 / 3);
+  info.area = is_similar(placement)
+                  ? integral(model.shape(), false) * std::pow(volume_scale, 2.0 / 3)
+                  : integral(as_splines(model, placement), false);
   if (counts.closed) info.volume = std::abs(integral(model.shape(), true)) * volume_scale;
   info.bounds = model.bounds(placement.linear);
   info.bounds.min += placement.offset;
   info.bounds.max += placement.offset;
   return info;
+}
+
+PartInfo measure(const std::vector<BrepBody>& bodies, const Placement& placement) {
+  FileInfo all;
+  for (const BrepBody& body : bodies) {
+    all.parts.push_back(measure(*body.model, after(placement, body.placement)));
+  }
+  return all.total();
 }
 
 }  // namespace burin

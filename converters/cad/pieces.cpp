@@ -1,16 +1,17 @@
 #include "collect.h"
 
 #include <BRepBndLib.hxx>
-#include <BRepBuilderAPI_Sewing.hxx>
 #include <BRep_Builder.hxx>
 #include <BRep_Tool.hxx>
 #include <Bnd_Box.hxx>
 #include <TopExp_Explorer.hxx>
+#include <TopTools_IndexedDataMapOfShapeShape.hxx>
 #include <TopoDS.hxx>
 #include <TopoDS_Compound.hxx>
 #include <fmt/format.h>
 #include <gp_Trsf.hxx>
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <utility>
@@ -21,16 +22,6 @@ namespace {
 // Share of the size of free faces within which their borders are taken for one edge: programs that
 // write faces alone keep their borders together to about a hundredth of a mm in a metre.
 constexpr double kSewing = 1e-5;
-
-Placement placement_of(const TopLoc_Location& location) {
-  const gp_Trsf t = location.Transformation();
-  Placement p;
-  for (int row = 0; row < 3; ++row) {
-    for (int column = 0; column < 3; ++column) p.linear[column][row] = t.Value(row + 1, column + 1);
-    p.offset[row] = t.Value(row + 1, 4);
-  }
-  return p;
-}
 
 std::vector<TopoDS_Shape> all(const TopoDS_Shape& shape, TopAbs_ShapeEnum kind,
                               TopAbs_ShapeEnum outside) {
@@ -53,28 +44,83 @@ TopoDS_Compound take_bare(std::vector<TopoDS_Shape>& faces) {
   return bare;
 }
 
-}  // namespace
-
-TopoDS_Shape sewn(const std::vector<TopoDS_Shape>& faces, double share) {
-  Bnd_Box box;
-  for (const TopoDS_Shape& face : faces) BRepBndLib::Add(face, box);
-  BRepBuilderAPI_Sewing sewing(share * (box.IsVoid() ? 1.0 : std::sqrt(box.SquareExtent())));
-  for (const TopoDS_Shape& face : faces) sewing.Add(face);
-  sewing.Perform();
-  return sewing.SewedShape();
+/// Bodies of one kind, counted.
+void append(std::vector<CadBody>& bodies, const std::vector<TopoDS_Shape>& shapes,
+            const char* kind) {
+  int n = 0;
+  for (const TopoDS_Shape& shape : shapes) {
+    bodies.push_back({fmt::format("{} {}", kind, ++n), shape});
+  }
 }
 
-std::vector<TopoDS_Shape> split_shape(const TopoDS_Shape& shape) {
-  std::vector<TopoDS_Shape> pieces = all(shape, TopAbs_SOLID, TopAbs_SHAPE);
-  for (TopoDS_Shape& shell : all(shape, TopAbs_SHELL, TopAbs_SOLID)) pieces.push_back(shell);
+/// What faces sew into: shells, and faces that fit to no other.
+std::vector<CadBody> sewn(const std::vector<TopoDS_Shape>& faces) {
+  const Handle(BRepBuilderAPI_Sewing) sewing = sew(faces, kSewing);
+  TopTools_IndexedDataMapOfShapeShape before;
+  for (const TopoDS_Shape& face : faces) {
+    const TopoDS_Shape now = sewing->IsModified(face) ? sewing->Modified(face) : face;
+    for (TopExp_Explorer it(now, TopAbs_FACE); it.More(); it.Next()) {
+      before.Add(it.Current(), face);
+    }
+  }
+  std::vector<CadBody> bodies;
+  const auto take = [&](TopAbs_ShapeEnum kind, TopAbs_ShapeEnum outside) {
+    for (const TopoDS_Shape& shape : all(sewing->SewedShape(), kind, outside)) {
+      bodies.push_back({"", shape});
+      for (TopExp_Explorer it(shape, TopAbs_FACE); it.More(); it.Next()) {
+        const TopoDS_Shape* face = before.Seek(it.Current());
+        if (face != nullptr) bodies.back().sewn_from.push_back(*face);
+      }
+    }
+  };
+  take(TopAbs_SHELL, TopAbs_SOLID);
+  take(TopAbs_FACE, TopAbs_SHELL);
+  return bodies;
+}
+
+/// The faces outside shells, sewn where they meet.
+std::vector<CadBody> free_faces(const TopoDS_Shape& shape) {
   std::vector<TopoDS_Shape> faces = all(shape, TopAbs_FACE, TopAbs_SHELL);
-  if (TopoDS_Compound bare = take_bare(faces); !bare.IsNull()) pieces.push_back(bare);
-  if (faces.size() == 1) pieces.push_back(faces.front());
-  if (faces.size() < 2) return pieces;
-  const TopoDS_Shape joined = sewn(faces, kSewing);
-  for (TopoDS_Shape& shell : all(joined, TopAbs_SHELL, TopAbs_SOLID)) pieces.push_back(shell);
-  for (TopoDS_Shape& face : all(joined, TopAbs_FACE, TopAbs_SHELL)) pieces.push_back(face);
-  return pieces;
+  std::vector<CadBody> bodies;
+  if (TopoDS_Compound bare = take_bare(faces); !bare.IsNull()) bodies.push_back({"", bare});
+  if (faces.size() == 1) bodies.push_back({"", faces.front()});
+  if (faces.size() < 2) return bodies;
+  for (CadBody& body : sewn(faces)) bodies.push_back(std::move(body));
+  return bodies;
+}
+
+}  // namespace
+
+Placement placement_of(const TopLoc_Location& location) {
+  const gp_Trsf t = location.Transformation();
+  Placement p;
+  for (int row = 0; row < 3; ++row) {
+    for (int column = 0; column < 3; ++column) p.linear[column][row] = t.Value(row + 1, column + 1);
+    p.offset[row] = t.Value(row + 1, 4);
+  }
+  return p;
+}
+
+Handle(BRepBuilderAPI_Sewing) sew(const std::vector<TopoDS_Shape>& faces, double share) {
+  Bnd_Box box;
+  for (const TopoDS_Shape& face : faces) BRepBndLib::Add(face, box);
+  Handle(BRepBuilderAPI_Sewing) sewing =
+      new BRepBuilderAPI_Sewing(share * (box.IsVoid() ? 1.0 : std::sqrt(box.SquareExtent())));
+  for (const TopoDS_Shape& face : faces) sewing->Add(face);
+  sewing->Perform();
+  return sewing;
+}
+
+std::vector<CadBody> bodies_of(const TopoDS_Shape& shape) {
+  std::vector<CadBody> bodies;
+  append(bodies, all(shape, TopAbs_SOLID, TopAbs_SHAPE), "solid");
+  append(bodies, all(shape, TopAbs_SHELL, TopAbs_SOLID), "shell");
+  int n = 0;
+  for (CadBody& body : free_faces(shape)) {
+    body.name = fmt::format("surface {}", ++n);
+    bodies.push_back(std::move(body));
+  }
+  return bodies;
 }
 
 std::int64_t count_loose(const TopoDS_Shape& shape) {
@@ -94,13 +140,17 @@ void tell_left_out(const std::vector<CadPart>& parts, std::int64_t count,
                   "members without any face (wires, points, notes) were left out");
 }
 
-CadPart make_part(const TopoDS_Shape& shape, const TopLoc_Location& location,
-                  const std::string& name) {
+CadPart make_part(std::vector<CadBody> bodies, const std::string& name) {
   CadPart part;
   part.name = name;
-  part.shape = shape.Located(TopLoc_Location());
-  part.placement = placement_of(location * shape.Location());
+  part.colors.resize(bodies.size());
+  part.bodies = std::make_shared<const std::vector<CadBody>>(std::move(bodies));
   return part;
+}
+
+CadColor CadPart::color() const {
+  const auto same = [&](const CadColor& color) { return color == colors.front(); };
+  return std::ranges::all_of(colors, same) ? colors.front() : CadColor{};
 }
 
 void make_names_unique(std::vector<CadPart>& parts) {

@@ -103,8 +103,8 @@ std::shared_ptr<const BrepShape> read_shape_in_memory(const std::string& bytes, 
     }
     context.check();
     if (shape.IsNull()) throw InputError("the BREP data is broken or holds no shape");
-    const CadPart part = make_part(shape, TopLoc_Location(), {});
-    read_shape = std::make_shared<ShapeInMemory>(make_brep_model(part.shape), part.placement);
+    read_shape = std::make_shared<ShapeInMemory>(make_brep_model(shape.Located(TopLoc_Location())),
+                                                 placement_of(shape.Location()));
   });
   return read_shape;
 }
@@ -131,7 +131,7 @@ std::shared_ptr<const BrepShape> trimmed_faces_in_memory(
       context.check();
       for (const TopoDS_Face& face : maker.faces_of(surface)) faces.push_back(face);
     }
-    const TopoDS_Shape joined = sewn(faces, weld);
+    const TopoDS_Shape joined = sew(faces, weld)->SewedShape();
     context.check();
     shape = std::make_shared<ShapeInMemory>(make_brep_model(joined), Placement{});
   });

@@ -1,8 +1,10 @@
 #include <burin/base/error.h>
+#include <burin/base/input_name.h>
 
 #include "absurd_numbers.h"
 #include "cad_file.h"
 #include "collect.h"
+#include "encoding.h"
 #include "entity_numbers.h"
 #include "occt_session.h"
 #include "tessellated.h"
@@ -12,6 +14,7 @@
 #include <Interface_Check.hxx>
 #include <Interface_CheckIterator.hxx>
 #include <STEPCAFControl_Reader.hxx>
+#include <StepBasic_Product.hxx>
 #include <StepData_StepModel.hxx>
 #include <TCollection_HAsciiString.hxx>
 #include <TDocStd_Document.hxx>
@@ -23,6 +26,7 @@
 #include <algorithm>
 #include <cstdlib>
 #include <istream>
+#include <map>
 #include <streambuf>
 
 namespace burin {
@@ -88,10 +92,12 @@ std::string closed_early(std::string_view text) {
 }
 
 /// Reads the entities, and of a file that was cut off those before the cut.
-void parse(STEPCAFControl_Reader& reader, const Source& source, const OcctSession& session,
-           Diagnostics& diagnostics, RunContext& context) {
+void parse(STEPCAFControl_Reader& reader, const Source& source, const std::string& encoding,
+           const OcctSession& session, Diagnostics& diagnostics, RunContext& context) {
   const std::string changed = unique_entity_numbers(source, diagnostics);
-  const std::string_view text = changed.empty() ? source.bytes() : std::string_view(changed);
+  const std::string_view bytes = changed.empty() ? source.bytes() : std::string_view(changed);
+  const std::string decoded = utf8_text(bytes, encoding, diagnostics);
+  const std::string_view text = decoded.empty() ? bytes : std::string_view(decoded);
   if (parses(reader, text, source, context)) return;
   const std::string message = session.first_message();
   const std::string closed = closed_early(text);
@@ -151,9 +157,26 @@ void add_failures(STEPCAFControl_Reader& reader, Diagnostics& diagnostics) {
                       "entities could not be translated");
 }
 
+/// The numbers of products that have a name beside them.
+std::multimap<std::string, std::string> numbers_of_products(STEPCAFControl_Reader& reader) {
+  const auto text = [](const Handle(TCollection_HAsciiString) & string) {
+    return string.IsNull() ? std::string() : clean_name(string->ToCString());
+  };
+  std::multimap<std::string, std::string> numbers;
+  const Handle(StepData_StepModel) model = reader.ChangeReader().StepModel();
+  for (int i = 1; i <= model->NbEntities(); ++i) {
+    const auto product = Handle(StepBasic_Product)::DownCast(model->Value(i));
+    if (product.IsNull()) continue;
+    const std::string name = text(product->Name()), number = text(product->Id());
+    if (!name.empty() && !number.empty() && name != number) numbers.emplace(name, number);
+  }
+  return numbers;
+}
+
 }  // namespace
 
-CadFile read_step(const Source& source, const OcctSession& session, RunContext& context) {
+CadFile read_step(const Source& source, const std::string& encoding, const OcctSession& session,
+                  RunContext& context) {
   STEPCAFControl_Reader reader;
   reader.SetColorMode(Standard_True);
   reader.SetNameMode(Standard_True);
@@ -164,7 +187,7 @@ CadFile read_step(const Source& source, const OcctSession& session, RunContext& 
   reader.SetViewMode(Standard_False);
 
   CadFile file;
-  parse(reader, source, session, file.diagnostics, context);
+  parse(reader, source, encoding, session, file.diagnostics, context);
   refuse_absurd_numbers(*reader.ChangeReader().StepModel(), source);
   file.schema = schema_of(reader);
   file.format = protocol_of(file.schema);
@@ -174,8 +197,9 @@ CadFile read_step(const Source& source, const OcctSession& session, RunContext& 
   context.check();
   add_failures(reader, file.diagnostics);
   if (done) {
-    const std::string stem = clean_name(std::filesystem::path(source.file()).stem().string());
-    file.parts = collect_parts(document, stem, file.diagnostics, context);
+    const std::string stem = clean_name(model_stem(source.file()));
+    const CollectOptions options{Roots::Products, stem, numbers_of_products(reader)};
+    file.parts = collect_parts(document, options, file.diagnostics, context);
   }
   Tessellated(*reader.ChangeReader().StepModel()).tell(file, source);
   return file;

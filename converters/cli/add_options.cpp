@@ -105,7 +105,8 @@ void add_chatter(CLI::App& app, Chatter& chatter) {
   app.add_flag("--verbose,-v", chatter.verbose, "print the time of each stage")->group(kRun);
   app.add_flag("--progress", chatter.progress,
                "show progress (default on a terminal); elsewhere than on a\n"
-               "terminal one line a step: burin: progress STAGE SHARE")
+               "terminal one line a step: burin: progress STAGE SHARE\n"
+               "[WORDS]")
       ->group(kRun);
   app.add_flag("--no-progress", chatter.no_progress, "show none")->group(kRun);
 }

@@ -27,10 +27,12 @@ constexpr const char* kParts = "Parts";
 constexpr const char* kModels =
     "model files, each one or more parts of the scene:\nSTEP, IGES, BREP, STL, OBJ, OFF, PLY, "
     "3MF,\n"
+    "glTF (.gltf, .glb),\n"
     "IRIT (.itd, .irt), Geomview patches (.bez, .bbp),\n"
     "functions (.implicit), volumes (.nrrd .nhdr .mha .mhd\n"
     ".inr .nii .nii.gz .vti, .raw with --raw),\n"
-    "OpenSCAD (.scad, .csg), FreeCAD (.FCStd)";
+    "OpenSCAD (.scad, .csg), FreeCAD (.FCStd);\n"
+    "also packed by gzip (.stl.gz, .stpz); - is standard input";
 
 constexpr const char* kOrIllustration = "\nor one illustration file (.burin.json)";
 

@@ -3,6 +3,7 @@
 #include "signals.h"
 
 #include <fmt/format.h>
+#include <sys/ioctl.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -15,6 +16,7 @@ namespace burin::cli {
 namespace {
 
 constexpr int kBarWidth = 30;
+constexpr int kShortBar = 10;
 
 /// One write, past stdio: lines of different threads do not mix.
 void say(std::string_view text) {
@@ -23,6 +25,13 @@ void say(std::string_view text) {
     if (n <= 0) return;  // nobody listens
     text.remove_prefix(static_cast<std::size_t>(n));
   }
+}
+
+/// Columns, 80 where the terminal does not tell.
+std::size_t terminal_width() {
+  winsize size{};
+  if (::ioctl(STDERR_FILENO, TIOCGWINSZ, &size) != 0 || size.ws_col < 2) return 80;
+  return size.ws_col;
 }
 
 std::string one_line(std::string text) {
@@ -42,15 +51,22 @@ Console::Console(const Chatter& chatter)
   progress_ = !quiet_ && !chatter.no_progress && (chatter.progress || terminal_);
 }
 
-void Console::progress(const std::string& stage, double share) {
+void Console::progress(const std::string& stage, double share, const std::string& doing) {
   const int percent = static_cast<int>(std::lround(100 * share));
-  if (!progress_ || (stage == last_stage_ && percent == last_percent_)) return;
+  if (!progress_ || (stage == last_stage_ && percent == last_percent_ && doing == last_doing_)) {
+    return;
+  }
   last_stage_ = stage;
   last_percent_ = percent;
-  if (!terminal_) return say(fmt::format("burin: progress {} {:.2f}\n", stage, share));
-  const int done = std::clamp(static_cast<int>(kBarWidth * share), 0, kBarWidth);
-  say(fmt::format("\r\x1b[Kburin: {:<10} [{:#<{}}{:-<{}}] {:3} %", stage, "", done, "",
-                  kBarWidth - done, percent));
+  last_doing_ = doing;
+  const std::string words = doing.empty() ? "" : " " + one_line(doing);
+  if (!terminal_) return say(fmt::format("burin: progress {} {:.2f}{}\n", stage, share, words));
+  // A line that wraps could not be taken back: words take room from the bar, and end at the edge.
+  const int width = words.empty() ? kBarWidth : kShortBar;
+  const int done = std::clamp(static_cast<int>(width * share), 0, width);
+  const std::string bar = fmt::format("burin: {:<10} [{:#<{}}{:-<{}}] {:3} %{}", stage, "", done,
+                                      "", width - done, percent, words);
+  say("\r\x1b[K" + bar.substr(0, terminal_width() - 1));
   drawn_ = true;
   signals::bar_is_drawn(true);
 }

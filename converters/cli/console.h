@@ -25,8 +25,9 @@ class Console {
   /// Whether nothing but errors is said.
   bool quiet() const { return quiet_; }
 
-  /// For RunContext: draws the bar, or prints a line where no terminal is.
-  void progress(const std::string& stage, double share);
+  /// For RunContext: draws the bar, or prints a line where no terminal is; behind it what is being
+  /// done, where that takes long.
+  void progress(const std::string& stage, double share, const std::string& doing);
   /// Takes the bar away.
   void clear();
 
@@ -48,6 +49,7 @@ class Console {
   bool drawn_ = false;
   std::string last_stage_;
   int last_percent_ = -1;
+  std::string last_doing_;
 };
 
 }  // namespace burin::cli

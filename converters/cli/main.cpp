@@ -113,8 +113,9 @@ int main_of(int argc, const char* const* argv) {
     if (inputs.size() == 1) input = inputs.front();
     if (arguments.verb == Verb::Convert) input = arguments.convert.input;
     Console console(arguments.chatter);
-    RunContext context(
-        [&](const std::string& stage, double share) { console.progress(stage, share); });
+    RunContext context([&](const std::string& stage, double share) {
+      console.progress(stage, share, context.doing());
+    });
     const signals::Handlers handlers(context);
     const int status = run(arguments, context, console);
     signals::finish();

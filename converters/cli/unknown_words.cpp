@@ -1,23 +1,106 @@
 #include "unknown_words.h"
 
 #include <burin/base/error.h>
-#include <burin/base/nearest.h>
+#include <burin/converters/request.h>
+#include <burin/converters/unknown.h>
 
 #include <CLI/App.hpp>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
+#include <filesystem>
 
 namespace burin::cli {
 namespace {
 
-std::vector<std::string> known_options(const CLI::App& app) {
+std::vector<std::string> known_names(const CLI::App& app) {
   std::vector<std::string> names;
   for (const CLI::Option* option : app.get_options()) {
     for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
     for (const std::string& name : option->get_snames()) names.push_back("-" + name);
   }
   return names;
+}
+
+struct Names {
+  std::string name;
+  std::vector<std::string> also;
+};
+
+/// What options of the command alone are called elsewhere.
+const std::vector<Names>& own_options() {
+  static const std::vector<Names> rows = {
+      {"--output",
+       {"out", "outfile", "output file", "save", "save as", "export", "target", "dest",
+        "destination", "svg", "pdf", "png", "eps", "dxf", "html", "hpgl", "gcode"}},
+      {"--format", {"output format", "type", "filetype", "file type", "to", "suffix", "ext"}},
+      {"--quiet", {"silent", "no warnings", "no output", "suppress warnings"}},
+      {"--verbose", {"debug", "log", "trace", "timing", "timings", "log level", "loglevel"}},
+      {"--progress", {"progress bar", "bar"}},
+      {"--help", {"usage", "man", "manual", "examples", "help all", "h", "?"}},
+      {"--version", {"build", "about", "info"}},
+      {"--keys", {"list keys", "all", "list"}},
+      {"--show", {"print", "dump"}},
+  };
+  return rows;
+}
+
+const std::vector<Names>& commands() {
+  static const std::vector<Names> rows = {
+      {"draw",
+       {"render", "plot", "export", "make", "svg", "pdf", "png", "hlr", "run", "print", "picture",
+        "image", "line", "lineart"}},
+      {"watch", {"preview", "live", "view", "serve", "gui", "monitor"}},
+      {"illustrate", {"init", "new", "create", "project"}},
+      {"steps", {"assembly", "instructions", "build", "assemble", "explode"}},
+      {"diff", {"compare", "changes", "delta"}},
+      {"batch", {"all", "many", "catalogue", "catalog"}},
+      {"convert", {"translate", "save", "transform", "to"}},
+      {"info",
+       {"inspect", "show", "list", "stat", "stats", "measure", "parts", "tree", "check",
+        "describe"}},
+      {"styles", {"themes", "theme", "presets", "keys"}},
+      {"options", {"settings", "schema", "config", "params", "parameters"}},
+      {"plugins", {"extensions", "addons", "modules"}},
+  };
+  return rows;
+}
+
+std::vector<std::string> other_names(const std::vector<Names>& rows, const std::string& name) {
+  const auto row = std::ranges::find(rows, name, &Names::name);
+  return row == rows.end() ? std::vector<std::string>() : row->also;
+}
+
+/// Options of a command by all their names.
+std::vector<KnownWord> known_options_of(const CLI::App& app) {
+  const std::vector<KnownWord> requests = known_options(all_options(), Spelling::Options);
+  std::vector<KnownWord> known;
+  for (const std::string& name : known_names(app)) {
+    KnownWord word{name, other_names(own_options(), name), "the nearest is " + name};
+    const auto request = std::ranges::find(requests, name, &KnownWord::name);
+    if (request != requests.end()) word.also = request->also;
+    known.push_back(std::move(word));
+  }
+  return known;
+}
+
+/// What is said of an option that a command has not.
+std::string hint_for(const CLI::App& app, const std::string& name) {
+  std::vector<KnownWord> known = known_options_of(app);
+  const bool draws = std::ranges::find(known, "--view", &KnownWord::name) != known.end();
+  for (KnownWord& of_draw : known_options(all_options(), Spelling::Options)) {
+    if (std::ranges::find(known, of_draw.name, &KnownWord::name) != known.end()) continue;
+    of_draw.say = fmt::format("{} is an option of burin draw", of_draw.name);
+    known.push_back(std::move(of_draw));
+  }
+  return draws ? hint_for_option(name, std::move(known), Spelling::Options) : hint(name, known);
+}
+
+bool is_file(const std::string& word) {
+  std::error_code error;
+  return std::filesystem::is_regular_file(word, error) ||
+         std::filesystem::path(word).has_extension();
 }
 
 }  // namespace
@@ -29,7 +112,7 @@ void refuse_empty(const std::string& option, const std::string& word) {
 void refuse_empty_values(const CLI::App& app, int argc, const char* const* argv) {
   std::vector<std::string> names;
   for (const CLI::App* sub : app.get_subcommands({})) {
-    const std::vector<std::string> more = known_options(*sub);
+    const std::vector<std::string> more = known_names(*sub);
     names.insert(names.end(), more.begin(), more.end());
   }
   for (int i = 1; i < argc; ++i) {
@@ -45,24 +128,32 @@ void refuse_extras(const CLI::App& app, const std::string& command) {
   for (const std::string& word : app.remaining()) {
     const std::string name = word.substr(0, word.find('='));
     if (name.starts_with('-')) {
-      throw UsageError(fmt::format("unknown option {}; the nearest is {} (see {} --help)", name,
-                                   nearest(name, known_options(app)), command));
+      throw UsageError(
+          fmt::format("unknown option {}{} (see {} --help)", name, hint_for(app, name), command));
     }
     throw UsageError(fmt::format("unexpected argument '{}' (see {} --help)", word, command));
   }
 }
 
 void refuse_command(const CLI::App& app) {
-  std::vector<std::string> names;
-  for (const CLI::App* sub : app.get_subcommands({})) names.push_back(sub->get_name());
   const std::vector<std::string> words = app.remaining();
   if (words.empty()) {
     throw UsageError(
         "no command; say what to do, e.g. burin draw part.stl -o part.svg (see burin --help)");
   }
-  if (words.front().starts_with('-')) refuse_extras(app, "burin");
-  throw UsageError(fmt::format("unknown command '{}'; the nearest is '{}' (see burin --help)",
-                               words.front(), nearest(words.front(), names)));
+  const std::string& word = words.front();
+  if (word.starts_with('-') && words.size() == 1) refuse_extras(app, "burin");
+  if (word.starts_with('-') || is_file(word)) {
+    throw UsageError(
+        fmt::format("no command before '{}'; to draw: burin draw {} (see burin --help)", word,
+                    fmt::join(words, " ")));
+  }
+  std::vector<KnownWord> known;
+  for (const CLI::App* sub : app.get_subcommands({})) {
+    known.push_back({sub->get_name(), other_names(commands(), sub->get_name())});
+  }
+  throw UsageError(
+      fmt::format("unknown command '{}'{} (see burin --help)", word, hint(word, known)));
 }
 
 }  // namespace burin::cli

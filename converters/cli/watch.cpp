@@ -3,6 +3,7 @@
 #include <burin/base/error.h>
 #include <burin/base/input_files.h>
 #include <burin/base/missing_file.h>
+#include <burin/base/piped_input.h>
 #include <burin/converters/live_page.h>
 #include <burin/converters/output.h>
 
@@ -134,6 +135,9 @@ void run_watch(const DrawArguments& arguments, RunContext& context, Console& con
   if (std::ranges::find(arguments.outputs, "-") != arguments.outputs.end()) {
     throw UsageError("burin watch replaces files; name one instead of - (standard output)");
   }
+  if (std::ranges::any_of(arguments.inputs, [](const auto& input) { return is_piped(input); })) {
+    throw UsageError("burin watch looks at files; name one instead of what is piped into it");
+  }
   InputFiles::Stamps files;
   KeptScene kept;
   kept.live = true;
@@ -142,7 +146,9 @@ void run_watch(const DrawArguments& arguments, RunContext& context, Console& con
     const Clock::time_point start = Clock::now();
     const InputFiles read;
     // One a drawing: it has times of its own.
-    RunContext run([&](const std::string& stage, double share) { console.progress(stage, share); });
+    RunContext run([&](const std::string& stage, double share) {
+      console.progress(stage, share, run.doing());
+    });
     const bool drawn = try_draw(arguments, first, run, console, kept);
     const double seconds = std::chrono::duration<double>(Clock::now() - start).count();
     // Where it ended early, the files that would have come after count as they were.

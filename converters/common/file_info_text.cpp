@@ -31,12 +31,14 @@ std::string brief(const PartInfo& p) {
   for (const std::string& name : p.assembly) text += name + " / ";
   text += p.name + ": ";
   if (p.triangles) text += counted(*p.triangles, "triangle") + ", ";
+  if (p.solids.value_or(0) > 1) text += counted(*p.solids, "solid") + ", ";
   text += fmt::format("{} faces, ", p.faces);
   if (p.edges) text += counted(*p.edges, "edge") + ", ";
   if (p.components) text += counted(*p.components, "component") + ", ";
   text += size(p.bounds) + ", " + surface(p);
   if (p.solids && p.closed()) text += fmt::format(", {:.6g} mm3", p.volume);
   if (!p.color.empty()) text += ", " + p.color;
+  if (p.opacity < 1) text += fmt::format(", opacity {:.3g}", p.opacity);
   if (p.same_shape_as >= 0) text += fmt::format(", same shape as part {}", p.same_shape_as);
   return text;
 }
@@ -123,6 +125,7 @@ Json to_json(const FileInfo& info) {
     Json part = {{"id", i}, {"name", p.name}};
     if (!p.assembly.empty()) part["assembly"] = p.assembly;
     if (!p.color.empty()) part["color"] = p.color;
+    if (p.opacity < 1) part["opacity"] = p.opacity;
     if (p.same_shape_as >= 0) part["same_shape_as"] = p.same_shape_as;
     part.update(to_json(p));
     out["parts"].push_back(std::move(part));
@@ -176,7 +179,8 @@ std::string to_text(const FileInfo& info) {
   if (all.solids) line("volume", fmt::format("{:.6g} mm3", all.volume));
   number("crossings", all.self_intersections, " (pairs of triangles that cross)");
   const PartInfo& first = info.parts.empty() ? all : info.parts.front();
-  if (info.parts.size() > 1 || !first.assembly.empty() || !first.color.empty()) {
+  if (info.parts.size() > 1 || !first.assembly.empty() || !first.color.empty() ||
+      first.opacity < 1) {
     for (std::size_t i = 0; i < info.parts.size(); ++i) {
       line(fmt::format("part {}", i).c_str(), brief(info.parts[i]));
     }

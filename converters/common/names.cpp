@@ -1,3 +1,4 @@
+#include "encoding.h"
 #include "text.h"
 
 #include <cstdint>
@@ -27,6 +28,8 @@ std::size_t utf8_length(std::string_view text) {
   return length;
 }
 
+}  // namespace
+
 bool is_utf8(std::string_view text) {
   while (!text.empty()) {
     const std::size_t length = utf8_length(text);
@@ -35,8 +38,6 @@ bool is_utf8(std::string_view text) {
   }
   return true;
 }
-
-}  // namespace
 
 std::string clean_name(std::string_view name) {
   const bool utf8 = is_utf8(name);

@@ -2,6 +2,8 @@
 
 #include <burin/base/error.h>
 
+#include "bytes.h"
+
 #include <fmt/format.h>
 #include <unistd.h>
 #include <zip.h>
@@ -12,9 +14,6 @@
 namespace burin {
 namespace {
 
-// Deflate packs a run of equal bytes 1000 to 1, a mesh 5 to 20 to 1.
-constexpr double kLargestRatio = 200;
-constexpr std::size_t kHarmless = std::size_t{16} << 20;
 // A parsed document takes several times the bytes of its text.
 constexpr std::size_t kShareOfMemory = 8;
 // The first day that the format knows, 1980-01-01.
@@ -41,7 +40,9 @@ struct Package::Impl {
   zip_int64_t locate(const std::string& name) const {
     const char* n = name.c_str();
     while (*n == '/') ++n;
-    return zip_name_locate(archive.get(), n, ZIP_FL_NOCASE);
+    // Without regard to case libzip compares with every name of the archive.
+    const zip_int64_t exact = zip_name_locate(archive.get(), n, 0);
+    return exact >= 0 ? exact : zip_name_locate(archive.get(), n, ZIP_FL_NOCASE);
   }
 };
 
@@ -88,8 +89,8 @@ std::string Package::read(const std::string& name) const {
   if ((info.valid & kNeeded) != kNeeded) {
     source_.fail(fmt::format("{} in the {} has no size; export it again", name, kind_));
   }
-  const double ratio = static_cast<double>(info.size) / (static_cast<double>(info.comp_size) + 1);
-  if (info.comp_size > source_.bytes().size() || (info.size > kHarmless && ratio > kLargestRatio)) {
+  const auto packed = static_cast<double>(info.comp_size), size = static_cast<double>(info.size);
+  if (info.comp_size > source_.bytes().size() || is_bomb(packed, size)) {
     source_.fail(
         fmt::format("{} in the {} claims {} bytes packed into {}; it is damaged or "
                     "hostile and was not unpacked",

@@ -2,6 +2,10 @@
 
 #include <burin/base/input_files.h>
 #include <burin/base/missing_file.h>
+#include <burin/base/piped_input.h>
+
+#include "bytes.h"
+#include "packed.h"
 
 #include <fcntl.h>
 #include <fmt/format.h>
@@ -11,7 +15,9 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
+#include <fstream>
 #include <system_error>
+#include <utility>
 
 namespace burin {
 namespace {
@@ -44,42 +50,130 @@ std::size_t half_of_memory() {
 
 }  // namespace
 
-Source::Source(const std::filesystem::path& path, const RunContext& context)
-    : file_(path.string()), context_(context) {
-  InputFiles::opens(path);
+namespace {
+
+/// Bytes of a file with a NUL behind them.
+struct FileBytes {
+  std::unique_ptr<char[]> data;
+  std::size_t size = 0;
+
+  std::string_view text() const { return {data.get(), size}; }
+};
+
+FileBytes copied(std::string_view bytes) {
+  FileBytes out{std::make_unique_for_overwrite<char[]>(bytes.size() + 1), bytes.size()};
+  std::memcpy(out.data.get(), bytes.data(), bytes.size());
+  out.data[out.size] = '\0';
+  return out;
+}
+
+[[noreturn]] void fail(const std::string& file, const std::string& what) {
+  throw InputError(what, file);
+}
+
+FileBytes read_file(const std::filesystem::path& path, const RunContext& context) {
+  const std::string file = path.string();
   const Descriptor in(path.c_str());
   if (in.get() < 0) {
     const int error = errno;
-    if (error == ENOENT || error == ENOTDIR) throw MissingFile(reason(error), file_);
-    fail(reason(error));
+    if (error == ENOENT || error == ENOTDIR) throw MissingFile(reason(error), file);
+    fail(file, reason(error));
   }
   struct stat info {};
-  if (::fstat(in.get(), &info) != 0) fail(reason(errno));
-  if (S_ISDIR(info.st_mode)) fail("is a folder; name a file in it");
-  if (!S_ISREG(info.st_mode)) fail("is not a regular file; save the data to one first");
+  if (::fstat(in.get(), &info) != 0) fail(file, reason(errno));
+  if (S_ISDIR(info.st_mode)) fail(file, "is a folder; name a file in it");
+  if (!S_ISREG(info.st_mode)) fail(file, "is not a regular file; save the data to one first");
   const auto size = static_cast<std::size_t>(info.st_size);
-  if (size == 0) fail("is empty; export the model again");
   if (size > half_of_memory()) {
-    fail(fmt::format("holds {} bytes, more than half of this machine's memory", size));
+    fail(file, fmt::format("holds {} bytes, more than half of this machine's memory", size));
   }
-  data_ = std::make_unique_for_overwrite<char[]>(size + 1);
+  FileBytes out{std::make_unique_for_overwrite<char[]>(size + 1), 0};
   constexpr std::size_t kPiece = std::size_t{8} << 20;  // a poll for cancellation every few ms
-  while (size_ < size) {
+  while (out.size < size) {
     context.check();
-    const ssize_t got = ::read(in.get(), data_.get() + size_, std::min(kPiece, size - size_));
+    const ssize_t got =
+        ::read(in.get(), out.data.get() + out.size, std::min(kPiece, size - out.size));
     if (got < 0 && errno == EINTR) continue;
-    if (got < 0) fail(reason(errno));
+    if (got < 0) fail(file, reason(errno));
     if (got == 0) break;  // the file shrank meanwhile
-    size_ += static_cast<std::size_t>(got);
+    out.size += static_cast<std::size_t>(got);
   }
-  data_[size_] = '\0';
+  out.data[out.size] = '\0';
+  return out;
+}
+
+FileBytes bytes_of(const std::filesystem::path& path, const RunContext& context) {
+  FileBytes out;
+  if (is_piped(path)) {
+    out = copied(*piped_input(path, half_of_memory(), context));
+  } else {
+    InputFiles::opens(path);
+    out = read_file(path, context);
+  }
+  if (out.size == 0) fail(path.string(), "is empty; export the model again");
+  return out;
+}
+
+/// What gzip packed, as long as it is no bomb.
+FileBytes unpacked(const FileBytes& packed, const std::string& file, const RunContext& context) {
+  const std::size_t most = std::min(most_unpacked(packed.size), half_of_memory());
+  const auto in = unpacked_bytes(packed.text(), file, context);
+  const std::string text = take(*in, most + 1, context);
+  if (text.size() > most) {
+    fail(file, fmt::format(
+                   "is packed by gzip and holds over {} bytes in {}; it is damaged or hostile, or "
+                   "too large for this machine, and was not unpacked",
+                   most, packed.size));
+  }
+  if (text.empty()) fail(file, "is packed by gzip and holds nothing; export the model again");
+  return copied(text);
+}
+
+}  // namespace
+
+Source::Source(const std::filesystem::path& path, const RunContext& context)
+    : file_(path.string()), context_(context) {
+  FileBytes bytes = bytes_of(path, context);
+  if (is_gzip(bytes.text())) bytes = unpacked(bytes, file_, context);
+  data_ = std::move(bytes.data);
+  size_ = bytes.size;
 }
 
 Source::Source(std::string file, std::string bytes, const RunContext& context)
-    : file_(std::move(file)), size_(bytes.size()), context_(context) {
-  data_ = std::make_unique_for_overwrite<char[]>(size_ + 1);
-  std::memcpy(data_.get(), bytes.data(), size_);
-  data_[size_] = '\0';
+    : file_(std::move(file)), context_(context) {
+  FileBytes copy = copied(bytes);
+  data_ = std::move(copy.data);
+  size_ = copy.size;
+}
+
+Source as_it_is(const std::filesystem::path& path, const RunContext& context) {
+  const FileBytes bytes = bytes_of(path, context);
+  return {path.string(), std::string(bytes.text()), context};
+}
+
+std::string head_of(const std::filesystem::path& path, std::size_t most,
+                    const RunContext& context) {
+  std::string head;
+  if (is_piped(path)) {
+    head = *piped_input(path, half_of_memory(), context);
+  } else {
+    std::error_code error;
+    if (!std::filesystem::is_regular_file(path, error)) return {};
+    head.resize(most);
+    std::ifstream in(path, std::ios::binary);
+    in.read(head.data(), static_cast<std::streamsize>(head.size()));
+    head.resize(static_cast<std::size_t>(in.gcount()));
+  }
+  if (!is_gzip(head)) return head.substr(0, most);
+  std::string unpacked;
+  try {
+    // The packed bytes end in the middle: what came before them counts.
+    const auto in = unpacked_bytes(head, path.string(), context);
+    std::string byte(1, '\0');
+    while (unpacked.size() < most && in->read(byte.data(), 1) == 1) unpacked += byte;
+  } catch (const InputError&) {  // its reader says so
+  }
+  return unpacked;
 }
 
 std::int64_t Source::line_of(const char* where) const {

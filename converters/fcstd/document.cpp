@@ -9,7 +9,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 
 namespace burin::detail {
 namespace {
@@ -37,16 +36,40 @@ class ObjectReader {
       o_.mesh = value.attribute("file").value();
     } else if (name == "Placement" || name == "LinkPlacement") {
       o_.placement = placement(value);
+      o_.has_placement = true;
     } else if (name == "Group") {
       o_.has_group = true;
       o_.group = names(value);
     } else if (name == "Tip") {
       o_.tip = text_of(value);
     } else if (name == "Proxy") {
-      o_.is_illustration =
-          std::string_view(value.attribute("module").value()).starts_with("freecad.burin_wb");
+      o_.proxy_module = value.attribute("module").value();
+      o_.proxy_class = value.attribute("class").value();
+    } else if (name == "Source" && o_.is("Part::Mirroring")) {
+      o_.copy_of = link_name(value);
+    } else if (name == "Objects") {
+      copied_ = names(value);
     } else {
       take_of_link(name, value);
+    }
+  }
+
+  void take_extension(std::string_view type) {
+    if (type.starts_with("App::Link")) o_.extensions.link = true;
+    if (type.find("GroupExtension") != type.npos) o_.extensions.group = true;
+    // App::GeoFeatureGroupExtension, App::OriginGroupExtension, and those that Python adds.
+    if (type.starts_with("App::GeoFeatureGroup") || type.starts_with("App::OriginGroup")) {
+      o_.extensions.places_members = true;
+    }
+  }
+
+  /// What several properties say together, once all have been taken.
+  void finish() {
+    if (o_.extensions.link && !o_.link && !base_.empty()) o_.link = FcLink{{}, base_, {}};
+    if (o_.extensions.link && o_.element_count == 0) o_.element_count = count_;
+    if (o_.proxy_module.starts_with("draftobjects.") && o_.proxy_class == "Clone" &&
+        copied_.size() == 1) {
+      o_.copy_of = copied_.front();
     }
   }
 
@@ -54,6 +77,10 @@ class ObjectReader {
   void take_of_link(std::string_view name, const Node& value) {
     if (name == "LinkedObject") {
       link(value);
+    } else if (name == "Base") {  // the names that Draft gives to two of the properties of a link
+      base_ = link_name(value);
+    } else if (name == "Count") {
+      count_ = count(value);
     } else if (name == "LinkTransform") {
       o_.link_transform = truth(value);
     } else if (name == "ShowElement") {
@@ -62,7 +89,7 @@ class ObjectReader {
       o_.scale = {number(value, "valueX", 1), number(value, "valueY", 1),
                   number(value, "valueZ", 1)};
     } else if (name == "ElementCount") {
-      o_.element_count = static_cast<std::int64_t>(std::clamp(number(value, "value", 0), 0.0, 1e9));
+      o_.element_count = count(value);
     } else if (name == "ElementList") {
       o_.elements = names(value);
     } else if (name == "VisibilityList") {
@@ -76,6 +103,10 @@ class ObjectReader {
     } else if (name == "ScaleList") {
       o_.scale_list = value.attribute("file").value();
     }
+  }
+
+  static std::int64_t count(const Node& value) {
+    return static_cast<std::int64_t>(std::clamp(number(value, "value", 0), 0.0, 1e9));
   }
 
   static std::vector<std::string> names(const Node& list) {
@@ -100,16 +131,17 @@ class ObjectReader {
   }
 
   FcObject& o_;
+  std::string base_;
+  std::int64_t count_ = 0;
+  std::vector<std::string> copied_;
 };
 
 const char* const kPartTypes[] = {"App::Part", "Assembly::AssemblyObject",
                                   "Assembly::AssemblyLink"};
 
-template <typename T>
+template <class T>
 T at(const std::string& bytes, std::size_t offset) {
-  T value;
-  std::memcpy(&value, bytes.data() + offset, sizeof value);
-  return value;
+  return load<T>(bytes.data() + offset, std::endian::little);
 }
 
 /// Rows of `width` doubles behind a count; single precision where the size says so.
@@ -143,11 +175,24 @@ const Source& archive(const Source& source) {
 
 bool FcObject::is_part() const {
   return std::any_of(std::begin(kPartTypes), std::end(kPartTypes),
-                     [&](const char* t) { return type == t; });
+                     [&](const char* t) { return type == t; }) ||
+         (extensions.places_members && !is_body());
 }
 bool FcObject::is_body() const { return is("PartDesign::Body"); }
-bool FcObject::is_link() const { return type.starts_with("App::Link") && !is_link_group(); }
-bool FcObject::is_link_group() const { return type.starts_with("App::LinkGroup"); }
+bool FcObject::is_link() const {
+  if (is_link_group()) return false;
+  // A Python object may have the extension of links, not use it, and keep a shape.
+  return type.starts_with("App::Link") ||
+         (extensions.link && (link || !elements.empty() || shape.empty()));
+}
+bool FcObject::is_link_group() const {
+  return type.starts_with("App::LinkGroup") || (extensions.link && has_group);
+}
+bool FcObject::is_group() const {
+  // Storeys of buildings (App::GeometryPython) hold their members, and a shape that sums them up.
+  return has_group && !is_body() &&
+         (shape.empty() || (extensions.group && type.starts_with("App::")));
+}
 
 FcDocument::FcDocument(const std::filesystem::path& path, const std::filesystem::path& copy,
                        const RunContext& context)
@@ -186,8 +231,31 @@ void FcDocument::read_objects() {
     if (number < 0) continue;
     FcObject& object = objects_[static_cast<std::size_t>(number)];
     ObjectReader reader(object);
+    for (const Node& e : node.child("Extensions").children("Extension")) {
+      reader.take_extension(e.attribute("type").value());
+    }
     for (const Node& p : node.child("Properties").children("Property")) reader.take(p);
+    reader.finish();
   }
+  find_holders();
+}
+
+void FcDocument::find_holders() {
+  holder_.assign(objects_.size(), -1);
+  for (std::size_t i = 0; i < objects_.size(); ++i) {
+    const FcObject& o = objects_[i];
+    if (!o.is_part() && !o.is_link_group()) continue;
+    for (const std::string& name : o.members()) {
+      const std::int32_t child = find(name);
+      if (child < 0 || holder_[static_cast<std::size_t>(child)] >= 0) continue;
+      holder_[static_cast<std::size_t>(child)] = static_cast<std::int32_t>(i);
+    }
+  }
+}
+
+const FcObject* FcDocument::holder(const FcObject& object) const {
+  const std::int32_t i = holder_[static_cast<std::size_t>(&object - objects_.data())];
+  return i < 0 ? nullptr : &objects_[static_cast<std::size_t>(i)];
 }
 
 void FcDocument::read_gui(const Package& package) {

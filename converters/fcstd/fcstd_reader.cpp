@@ -1,8 +1,11 @@
+#include <burin/base/affine.h>
 #include <burin/base/error.h>
+#include <burin/base/input_name.h>
 #include <burin/converters/cad_reader.h>
 #include <burin/converters/fcstd_reader.h>
 #include <burin/converters/mesh_info.h>
 #include <burin/converters/mesh_reader.h>
+#include <burin/mesh/placed_mesh.h>
 
 #include "bms.h"
 #include "recompute.h"
@@ -24,13 +27,10 @@ namespace {
 using Path = std::filesystem::path;
 using detail::FcUse;
 
-/// Share of a scale by which the axes of a placement may differ and be taken for one.
-constexpr double kEven = 1e-9;
-
-bool is_similar(const Mat3& m) {
-  const double x = glm::length(m[0]), y = glm::length(m[1]), z = glm::length(m[2]);
-  const double most = kEven * std::max({x, y, z});
-  return x > 0 && y > 0 && z > 0 && std::abs(x - y) <= most && std::abs(x - z) <= most;
+/// Whether a placement does more than turn and move.
+bool changes(const Placement& p) {
+  constexpr double kOff = 1e-9;
+  return p.mirrors() || off_rotation(p.linear) > kOff;
 }
 
 /// What is made of a document: parts for a drawing, or what is told of them.
@@ -69,6 +69,7 @@ class Maker {
       walk.chosen(options_.objects);
     }
     made_.diagnostics.append(walk.diagnostics);
+    left_out_ = std::move(walk.left_out);
     number_names(walk.uses);
     for (std::size_t i = 0; i < walk.uses.size(); ++i) {
       context_.check();
@@ -76,10 +77,8 @@ class Maker {
       context_.progress(static_cast<double>(i + 1) / static_cast<double>(walk.uses.size()));
     }
     if (made_.parts.empty()) fail(root, walk.diagnostics);
-    if (without_faces_ > 0) {
-      made_.diagnostics.add(Severity::Info, "fcstd.no_faces", without_faces_,
-                            "visible objects without any face (wires, points) were left out");
-    }
+    left_out_.tell(made_.diagnostics);
+    name_copies();
     return std::move(made_);
   }
 
@@ -88,7 +87,7 @@ class Maker {
   struct Shape {
     std::shared_ptr<const BrepShape> brep;
     std::optional<PolygonSoup> mesh;
-    bool no_face = false;
+    bool empty = false, no_face = false;
     /// The first part that shows it.
     std::int32_t first = -1;
   };
@@ -115,12 +114,16 @@ class Maker {
     if (!is_new) return it->second;
     try {
       std::string bytes = use.document->member(member);
-      if (brep) {
+      if (bytes.empty()) {  // an object that was never computed
+        it->second.empty = true;
+      } else if (brep) {
         const bool binary = lowered(Path(member).extension().string()) == ".bin";
         it->second.brep =
             read_brep_shape(bytes, binary ? BrepBytes::FreecadBinary : BrepBytes::Occt, context_);
       } else {
-        it->second.mesh = detail::read_bms(Source(member, std::move(bytes), context_));
+        PolygonSoup mesh = detail::read_bms(Source(member, std::move(bytes), context_));
+        it->second.empty = mesh.indices.empty();
+        if (!it->second.empty) it->second.mesh = std::move(mesh);
       }
     } catch (const GeometryError&) {
       it->second.no_face = true;
@@ -132,7 +135,11 @@ class Maker {
 
   void add(const FcUse& use) {
     Shape& shape = shape_of(use);
-    if (shape.no_face) ++without_faces_;
+    if (shape.empty) return detail::leave_out_shapeless(*use.object, use.name, left_out_);
+    if (shape.no_face) {
+      some_faceless_ = true;
+      return detail::leave_out_faceless(use.name, left_out_);
+    }
     try {
       if (shape.brep) return add_brep(use, shape);
       if (shape.mesh) add_mesh(use, *shape.mesh);
@@ -145,9 +152,7 @@ class Maker {
 
   void add_brep(const FcUse& use, Shape& shape) {
     const Placement place = use.own ? after(use.placement, shape.brep->own()) : use.placement;
-    if (!is_similar(place.linear)) {
-      return broken(use, "its link scales it unevenly, which is not drawn; scale the shape itself");
-    }
+    if (flattens(use, place)) return;
     if (measures_) {
       PartInfo info = shape.brep->measure(place);
       info.same_shape_as = shape.first;
@@ -157,14 +162,16 @@ class Maker {
     push(use, shape.brep->form(place));
   }
 
+  bool flattens(const FcUse& use, const Placement& place) {
+    if (is_invertible(place)) return false;
+    broken(use, "a scale of 0 flattens it; give the link scales other than 0");
+    return true;
+  }
+
   void add_mesh(const FcUse& use, PolygonSoup soup) {
     const Placement place = use.own ? after(use.placement, use.shape->placement) : use.placement;
-    for (Vec3& p : soup.positions) p = place.point(p);
-    if (place.mirrors()) {
-      for (std::size_t i = 0; i + 2 < soup.indices.size(); i += 3) {
-        std::swap(soup.indices[i + 1], soup.indices[i + 2]);
-      }
-    }
+    if (flattens(use, place)) return;
+    soup = placed(std::move(soup), place);
     soup.name = use.name;
     MeshFile file;
     file.objects.push_back(std::move(soup));
@@ -180,24 +187,61 @@ class Maker {
   void push(const FcUse& use, PartInfo info) {
     info.name = use.name;
     info.assembly = use.assembly;
-    info.color = use.color;
+    info.color = use.look.color;
     made_.infos.push_back(std::move(info));
   }
   void push(const FcUse& use, std::shared_ptr<const Form> form) {
-    made_.parts.push_back({use.name, path_.string(), std::move(form), use.assembly, use.color});
+    made_.parts.push_back({.name = use.name,
+                           .source = path_.string(),
+                           .form = std::move(form),
+                           .assembly = use.assembly,
+                           .color = use.look.color,
+                           .definition = use.definition,
+                           .opacity = use.look.opacity});
+    pushed_.push_back(&use);
+  }
+
+  /// A copy of another object, with a shape of its own, is an instance of what that is an instance
+  /// of where both are alike; a mirror image may be. What a link has made another thing has the
+  /// name of the link.
+  void name_copies() {
+    std::map<std::pair<const detail::FcDocument*, std::string>, std::size_t> parts;
+    for (std::size_t i = 0; i < pushed_.size(); ++i) {
+      parts.try_emplace({pushed_[i]->document, pushed_[i]->object->name}, i);
+    }
+    for (std::size_t i = 0; i < pushed_.size(); ++i) {
+      const FcUse& use = *pushed_[i];
+      Part& part = made_.parts[i];
+      if (changes(use.placement) && !use.link.empty() && !is_as_before(use, *part.form)) {
+        part.definition = use.link;
+      }
+      const auto source = parts.find({use.document, use.object->copy_of});
+      if (source == parts.end() || source->second == i) continue;
+      const Part& of = made_.parts[source->second];
+      if (part.form->measure(context_).same(of.form->measure(context_))) {
+        part.definition = of.definition;
+      }
+    }
+  }
+
+  /// Whether the shape looks the same without the placement of the link.
+  bool is_as_before(const FcUse& use, const Form& form) {
+    const Shape& shape = shape_of(use);
+    if (!shape.brep) return false;
+    return form.measure(context_).same(shape.brep->form({})->measure(context_));
   }
 
   [[noreturn]] void fail(const detail::FcDocument& root, const Diagnostics& walked) const {
     const std::string file = path_.string();
     if (!first_failure_.empty()) throw InputError(first_failure_, file);
     if (!walked.empty()) throw InputError(walked.entries().front().message, file);
-    if (without_faces_ > 0 || !options_.objects.empty()) {
+    if (some_faceless_ || !options_.objects.empty()) {
       throw InputError("what is to be drawn has no faces; solids, surfaces and meshes are drawn",
                        file);
     }
     const auto& objects = root.objects();
     const auto hidden = std::find_if(objects.begin(), objects.end(), [](const auto& o) {
-      return !(o.shape.empty() && o.mesh.empty()) && !o.is_illustration &&
+      return !(o.shape.empty() && o.mesh.empty()) && !o.is_illustration() &&
              !o.type.starts_with("Sketcher::");
     });
     if (hidden != objects.end()) {
@@ -208,11 +252,16 @@ class Maker {
           file);
     }
     const bool drawings = std::any_of(objects.begin(), objects.end(),
-                                      [](const auto& o) { return o.is_illustration; });
+                                      [](const auto& o) { return o.is_illustration(); });
     if (!drawings && std::any_of(objects.begin(), objects.end(),
                                  [](const auto& o) { return o.type.starts_with("Sketcher::"); })) {
       throw InputError("holds sketches only, which have no faces; pad or extrude them in FreeCAD",
                        file);
+    }
+    Diagnostics told;
+    left_out_.tell(told);
+    if (!drawings && !told.empty()) {
+      throw InputError("holds nothing to draw; " + told.entries().front().message, file);
     }
     throw InputError(drawings ? "holds Burin illustrations only, no shapes; draw the document that "
                                 "they show"
@@ -226,13 +275,16 @@ class Maker {
   RunContext& context_;
   Made made_;
   std::map<std::pair<const detail::FcDocument*, std::string>, Shape> shapes_;
-  std::int64_t without_faces_ = 0;
+  /// What each part is made of.
+  std::vector<const FcUse*> pushed_;
+  detail::LeftOut left_out_;
+  bool some_faceless_ = false;
   std::string first_failure_;
 };
 
 }  // namespace
 
-bool is_fcstd_suffix(const Path& path) { return lowered(path.extension().string()) == ".fcstd"; }
+bool is_fcstd_suffix(const Path& path) { return model_suffix(path) == ".fcstd"; }
 
 bool is_fcstd_content(std::string_view head) {
   constexpr std::size_t kName = 30;  // bytes of a local header before the name

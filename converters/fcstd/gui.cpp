@@ -1,7 +1,11 @@
 #include "gui.h"
 
+#include "binary.h"
+
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
 #include <cstring>
 
 namespace burin::detail {
@@ -10,69 +14,100 @@ namespace {
 /// "#rrggbb" of R<<24 | G<<16 | B<<8 | A.
 std::string hex(std::uint32_t packed) { return fmt::format("#{:06x}", packed >> 8); }
 
+double opacity_of(double transparency) {
+  return std::isfinite(transparency) ? 1 - std::clamp(transparency, 0.0, 1.0) : 1;
+}
+
 std::string packed_color(const pugi::xml_node& node, const char* attribute) {
   const double value = number(node, attribute, -1);
   return value >= 0 && value <= 4294967295.0 ? hex(static_cast<std::uint32_t>(value))
                                              : std::string();
 }
 
-/// Entries of a list of the archive, each of `size` bytes with a packed colour at `offset`.
-struct ColorList {
-  std::size_t size, offset;
+/// The look that all entries of a list of the archive share; those that differ leave no colour, and
+/// the opacity of what covers most.
+class CommonLook {
+ public:
+  void add(std::uint32_t packed, double transparency) {
+    const std::string one = hex(packed);
+    if (count_++ > 0 && one != look_.color) differ_ = true;
+    if (count_ == 1) look_ = {one, 0};
+    look_.opacity = std::max(look_.opacity, opacity_of(transparency));
+  }
+  bool empty() const { return count_ == 0; }
+  FcLook look() const { return {differ_ ? std::string() : look_.color, look_.opacity}; }
+
+ private:
+  std::size_t count_ = 0;
+  bool differ_ = false;
+  FcLook look_;
 };
-constexpr ColorList kColors{4, 0};
+
+std::uint32_t word(const std::string& bytes, std::size_t offset) {
+  return load<std::uint32_t>(bytes.data() + offset, std::endian::little);
+}
+
+/// How many entries of `size` bytes there are behind their count; none where the list is cut.
+std::size_t entries(const std::string& bytes, std::size_t size) {
+  if (bytes.size() < sizeof(std::uint32_t)) return 0;
+  const std::size_t count = word(bytes, 0);
+  return count <= (bytes.size() - sizeof(std::uint32_t)) / size ? count : 0;
+}
+
+/// Colours of faces, their alpha being transparency.
+CommonLook look_of_colors(const std::string& bytes) {
+  CommonLook common;
+  for (std::size_t k = 0; k < entries(bytes, 4); ++k) {
+    const auto packed = word(bytes, 4 + 4 * k);
+    common.add(packed, (packed & 0xff) / 255.0);
+  }
+  return common;
+}
+
 /// Ambient, diffuse, specular and emissive colour, shininess, transparency. FreeCAD 1.0 writes
 /// texts behind the last material.
-constexpr ColorList kMaterials{24, 4};
-
-/// The colour that all entries share (behind their count), or empty.
-std::string common_color(const std::string& bytes, ColorList list) {
-  std::uint32_t count = 0;
-  if (bytes.size() < sizeof count) return {};
-  std::memcpy(&count, bytes.data(), sizeof count);
-  std::string color;
-  for (std::size_t k = 0; k < count; ++k) {
-    const std::size_t i = sizeof count + k * list.size;
-    if (i + list.size > bytes.size()) return {};
-    std::uint32_t packed = 0;
-    std::memcpy(&packed, bytes.data() + i + list.offset, sizeof packed);
-    const std::string one = hex(packed);
-    if (!color.empty() && one != color) return {};
-    color = one;
+CommonLook look_of_materials(const std::string& bytes) {
+  constexpr std::size_t kSize = 24;
+  CommonLook common;
+  for (std::size_t k = 0; k < entries(bytes, kSize); ++k) {
+    const std::size_t from = 4 + kSize * k;
+    common.add(word(bytes, from + 4), load<float>(bytes.data() + from + 20, std::endian::little));
   }
-  return color;
+  return common;
 }
 
 }  // namespace
 
 void apply_view(const pugi::xml_node& provider,
                 const std::function<std::string(const std::string&)>& list, FcObject& object) {
-  std::string shape_color, material_color, faces, materials;
+  FcLook shape, material;
+  std::string faces, materials;
   for (const pugi::xml_node& p : provider.child("Properties").children("Property")) {
     const std::string_view name = p.attribute("name").value();
     const pugi::xml_node value = first_element(p);
     if (name == "Visibility") {
       object.visible = truth(value);
     } else if (name == "ShapeColor") {
-      shape_color = packed_color(value, "value");
+      shape.color = packed_color(value, "value");
+    } else if (name == "Transparency") {  // per cent
+      shape.opacity = opacity_of(number(value, "value", 0) / 100);
     } else if (name == "ShapeMaterial") {
-      material_color = packed_color(value, "diffuseColor");
+      material = {packed_color(value, "diffuseColor"),
+                  opacity_of(number(value, "transparency", 0))};
     } else if (name == "DiffuseColor") {
       faces = value.attribute("file").value();
     } else if (name == "ShapeAppearance") {  // FreeCAD 1.x, in the stead of the three above
       materials = value.attribute("file").value();
     } else if (name == "OverrideMaterial") {
-      object.overrides_color = truth(value);
+      object.overrides_look = truth(value);
     }
   }
-  if (shape_color.empty()) shape_color = material_color;
+  object.look = shape.color.empty() ? material : shape;
   if (!faces.empty()) {
-    // Faces of several colours leave the part without one.
-    const std::string bytes = list(faces);
-    if (bytes.size() >= 8) shape_color = common_color(bytes, kColors);
+    const CommonLook common = look_of_colors(list(faces));
+    if (!common.empty()) object.look = common.look();
   }
-  if (!materials.empty()) shape_color = common_color(list(materials), kMaterials);
-  object.color = shape_color;
+  if (!materials.empty()) object.look = look_of_materials(list(materials)).look();
 }
 
 }  // namespace burin::detail

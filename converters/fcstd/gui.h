@@ -8,8 +8,8 @@
 
 namespace burin::detail {
 
-/// Takes visibility and colour of one view provider; `list` gives the bytes of a member of the
-/// archive, empty where there is none.
+/// Takes visibility, colour and transparency of one view provider; `list` gives the bytes of a
+/// member of the archive, empty where there is none.
 void apply_view(const pugi::xml_node& provider,
                 const std::function<std::string(const std::string&)>& list, FcObject& object);
 

@@ -3,8 +3,8 @@
 #include <burin/base/error.h>
 #include <burin/base/nearest.h>
 
+#include "labels.h"
 #include "text.h"
-#include "xml.h"
 
 #include <fmt/format.h>
 
@@ -13,33 +13,8 @@
 namespace burin::detail {
 namespace {
 
-// Links inside links multiply: a few lines can ask for 2^60 shapes.
-constexpr std::size_t kMostVisits = 200'000;
 constexpr std::size_t kDeepest = 100;
 constexpr std::size_t kMostDocuments = 200;
-
-/// Whether objects of this type are aids, not parts of the model.
-bool is_aid(const std::string& type) {
-  for (const char* t :
-       {"PartDesign::Plane", "PartDesign::Line", "PartDesign::Point",
-        "PartDesign::CoordinateSystem", "PartDesign::ShapeBinder", "PartDesign::SubShapeBinder",
-        "PartDesign::SubShapeBinderPython", "App::Origin", "App::Plane", "App::Line", "App::Point",
-        "App::LocalCoordinateSystem", "Part::LocalCoordinateSystem"}) {
-    if (type == t) return true;
-  }
-  // Those of FreeCAD 1.1 are Part::DatumPlane and so on.
-  return type.starts_with("Sketcher::") || type.starts_with("Part::Datum");
-}
-
-/// Those that `object` holds in the tree.
-const std::vector<std::string>& held(const FcObject& object) {
-  return object.has_group ? object.group : object.elements;
-}
-
-Placement scaled(Placement placement, const Vec3& scale) {
-  for (int i = 0; i < 3; ++i) placement.linear[i] *= scale[i];
-  return placement;
-}
 
 }  // namespace
 
@@ -65,7 +40,7 @@ void FcWalk::find_parents() {
   const auto& objects = root_.objects();
   parent_.assign(objects.size(), -1);
   for (std::size_t i = 0; i < objects.size(); ++i) {
-    for (const std::string& name : held(objects[i])) {
+    for (const std::string& name : objects[i].members()) {
       const std::int32_t child = root_.find(name);
       const auto self = static_cast<std::int32_t>(i);
       if (child < 0 || child == self) continue;
@@ -99,8 +74,15 @@ void FcWalk::note(const char* code, const std::string& message) {
   if (noted_.insert(message).second) diagnostics.add(Severity::Warning, code, 1, message);
 }
 
+void FcWalk::lost_member(const FcObject& object, const std::string& name) {
+  broken_links_.add(Severity::Warning, "fcstd.broken_link",
+                    "the document does not hold these members of its groups; left out",
+                    object.label + "/" + name);
+}
+
 void FcWalk::visible() {
   for (const std::int32_t root : roots_) visit(root_, root, {});
+  broken_links_.tell(diagnostics);
 }
 
 void FcWalk::chosen(const std::vector<std::string>& names) {
@@ -133,6 +115,7 @@ void FcWalk::chosen(const std::vector<std::string>& names) {
       if (taken.insert(i).second) visit(root_, i, place_of(i));
     }
   }
+  broken_links_.tell(diagnostics);
 }
 
 FcWalk::Place FcWalk::place_of(std::int32_t number) const {
@@ -167,14 +150,13 @@ void FcWalk::visit(const FcDocument& document, std::int32_t number, const Place&
 }
 
 void FcWalk::visit_here(const FcDocument& document, const FcObject& object, const Place& place) {
-  const bool plain_group = object.has_group && !object.is_part() && !object.is_body();
+  const bool plain_group =
+      object.has_group && !object.is_part() && !object.is_body() && !object.is_link_group();
   if (!place.shown && !object.visible && !plain_group) return;
-  if (object.is_illustration) return;
+  if (object.is_illustration() || (!place.named && is_bookkeeping(object))) return;
   if (object.is_link()) return link(document, object, place);
   if (object.is_link_group()) return link_group(document, object, place);
-  if (!object.is_body() && object.has_group && object.shape.empty()) {
-    return members(document, object, place);
-  }
+  if (object.is_group()) return members(document, object, place);
   leaf(document, object, place);
 }
 
@@ -182,12 +164,16 @@ void FcWalk::members(const FcDocument& document, const FcObject& object, const P
   Place inside = place;
   inside.own = true;
   inside.shown = inside.named = false;
+  inside.alone = place.alone && shows_one(document, object);
   inside.alias.clear();
   if (object.is_part() && place.own) inside.placement = after(place.placement, object.placement);
   inside.assembly.push_back(place.alias.empty() ? object.label : place.alias);
   for (const std::string& name : object.group) {
     const std::int32_t child = document.find(name);
-    if (child < 0) continue;
+    if (child < 0) {
+      lost_member(object, name);
+      continue;
+    }
     // Listed by two groups: drawn in the first.
     const FcObject* parent = nullptr;
     if (&document == &root_ && parent_[static_cast<std::size_t>(child)] >= 0) {
@@ -200,137 +186,58 @@ void FcWalk::members(const FcDocument& document, const FcObject& object, const P
 void FcWalk::link_group(const FcDocument& document, const FcObject& object, const Place& place) {
   Place inside = place;
   inside.named = false;
+  inside.alone = place.alone && shows_one(document, object);
   inside.alias.clear();
   if (place.own) inside.placement = after(place.placement, object.placement);
   inside.own = inside.shown = true;
   inside.assembly.push_back(place.alias.empty() ? object.label : place.alias);
-  for (std::size_t i = 0; i < object.elements.size(); ++i) {
-    const std::int32_t child = document.find(object.elements[i]);
+  const std::vector<std::string>& held = object.members();
+  for (std::size_t i = 0; i < held.size(); ++i) {
+    const std::int32_t child = document.find(held[i]);
     const bool hidden = i < object.elements_visible.size() && !object.elements_visible[i];
-    if (child >= 0 && !hidden) visit(document, child, inside);
-  }
-}
-
-void FcWalk::link(const FcDocument& document, const FcObject& object, const Place& place) {
-  Place inside = place;
-  if (place.own) inside.placement = after(place.placement, object.placement);
-  inside.placement = scaled(inside.placement, object.scale);
-  inside.shown = true;
-  if (inside.alias.empty()) inside.alias = object.label;
-  if (inside.color.empty() && object.overrides_color) inside.color = object.color;
-  if (!object.elements.empty()) {
-    inside.own = true;
-    for (std::size_t i = 0; i < object.elements.size(); ++i) {
-      const std::int32_t child = document.find(object.elements[i]);
-      if (child < 0) continue;
-      const FcObject& element = document.objects()[static_cast<std::size_t>(child)];
-      bool hidden = !element.visible;
-      if (!element.is("App::LinkElement") && i < object.elements_visible.size()) {
-        hidden = !object.elements_visible[i];
-      }
-      if (!hidden) visit(document, child, inside);
-    }
-    return;
-  }
-  Target target;
-  if (!find_target(document, object, target)) return;
-  inside.own = object.link_transform;
-  if (object.element_count > 0) return array(document, object, target, inside);
-  inside.placement = after(inside.placement, target.before);
-  inside.own = inside.own || target.below;
-  visit(*target.document, target.object, inside);
-}
-
-void FcWalk::array(const FcDocument& document, const FcObject& object, const Target& target,
-                   const Place& place) {
-  if (object.element_count > static_cast<std::int64_t>(kMostVisits)) {
-    throw InputError(object.label + ": the array has absurdly many elements",
-                     document.path().string());
-  }
-  const std::vector<Placement> placements = document.placements(object);
-  const std::vector<Vec3> scales = document.scales(object);
-  for (std::size_t i = 0; i < static_cast<std::size_t>(object.element_count); ++i) {
-    if (i < object.elements_visible.size() && !object.elements_visible[i]) continue;
-    Place one = place;
-    if (i < placements.size()) one.placement = after(one.placement, placements[i]);
-    if (i < scales.size()) one.placement = scaled(one.placement, scales[i]);
-    one.placement = after(one.placement, target.before);
-    one.own = one.own || target.below;
-    visit(*target.document, target.object, one);
-  }
-}
-
-bool FcWalk::find_target(const FcDocument& document, const FcObject& object, Target& target) {
-  if (!object.link) {
-    note("fcstd.broken_link", object.label + ": the link points at nothing; it was left out");
-    return false;
-  }
-  const FcLink& link = *object.link;
-  target.document = &document;
-  if (!link.file.empty()) {
-    const std::filesystem::path file = document.path().parent_path() / link.file;
-    std::error_code error;
-    if (!std::filesystem::is_regular_file(file, error)) {
-      note("fcstd.missing_file",
-           fmt::format("{}: the linked file {} is missing; the link was left out", object.label,
-                       in_quotes(link.file)));
-      return false;
-    }
-    try {
-      target.document = &documents_.open(file);
-    } catch (const InputError& e) {
-      note("fcstd.broken_file", fmt::format("{}: the linked file {} {}; the link was left out",
-                                            object.label, in_quotes(link.file), e.what()));
-      return false;
+    if (child < 0) {
+      lost_member(object, held[i]);
+    } else if (!hidden) {
+      visit(document, child, inside);
     }
   }
-  target.object = target.document->find(link.object);
-  if (target.object >= 0 && descend(link.sub, object.link_transform, target)) return true;
-  note("fcstd.broken_link",
-       fmt::format("{}: the linked object {} does not exist; the link was left out", object.label,
-                   in_quotes(link.object + (link.sub.empty() ? "" : "." + link.sub))));
-  return false;
-}
-
-/// Down "Part.Box.": the placement of the first object counts where the link says so, of those
-/// below always. What follows the last point is a face or an edge, of which the whole object is
-/// drawn.
-bool FcWalk::descend(const std::string& sub, bool transform, Target& target) {
-  bool first = true;
-  for (std::size_t from = 0; from < sub.size();) {
-    const std::size_t dot = sub.find('.', from);
-    if (dot == std::string::npos) return true;
-    const std::int32_t next = target.document->find(sub.substr(from, dot - from));
-    if (next < 0) return false;
-    const FcObject& here = target.document->objects()[static_cast<std::size_t>(target.object)];
-    if ((!first || transform) && here.is_part())
-      target.before = after(target.before, here.placement);
-    target.object = next;
-    target.below = true;
-    first = false;
-    from = dot + 1;
-  }
-  return true;
 }
 
 void FcWalk::leaf(const FcDocument& document, const FcObject& object, const Place& place) {
-  const FcObject* shape = &object;
-  if (object.is_body() && object.shape.empty()) {
-    const std::int32_t tip = document.find(object.tip);
-    if (tip >= 0) shape = &document.objects()[static_cast<std::size_t>(tip)];
+  const FcObject* tip = nullptr;
+  if (const std::int32_t i = object.is_body() ? document.find(object.tip) : -1; i >= 0) {
+    tip = &document.objects()[static_cast<std::size_t>(i)];
   }
-  if (shape->shape.empty() && shape->mesh.empty()) return;
-  if (!place.named && is_aid(object.type)) return;
-  FcUse use{&document, &object, shape, place.placement, place.own, {}, place.color, place.assembly};
+  const FcObject* shape = tip != nullptr && object.shape.empty() ? tip : &object;
+  FcUse use{.document = &document,
+            .object = &object,
+            .shape = shape,
+            .placement = place.placement,
+            .own = place.own,
+            .assembly = place.assembly};
   use.name = place.alias.empty() ? object.label : place.alias;
+  if (!place.named && is_aid(object)) return leave_out_aid(object, use.name, left_out);
+  if (shape->shape.empty() && shape->mesh.empty()) {
+    return leave_out_shapeless(object, use.name, left_out);
+  }
+  use.definition = definition_of(document, object, place);
+  if (place.alone) use.link = place.given;
   if (shape != &object && place.own) use.placement = after(use.placement, object.placement);
   if (shape != &object) use.own = true;
-  if (use.color.empty() && object.is_body()) {
-    const std::int32_t tip = document.find(object.tip);
-    if (tip >= 0) use.color = document.objects()[static_cast<std::size_t>(tip)].color;
-  }
-  if (use.color.empty()) use.color = object.color;
+  use.look = object.look;
+  if (tip != nullptr) use.look.opacity = tip->look.opacity;
+  if (tip != nullptr && !tip->look.color.empty()) use.look.color = tip->look.color;
+  if (place.look) use.look = *place.look;
   uses.push_back(std::move(use));
+}
+
+std::string FcWalk::definition_of(const FcDocument& document, const FcObject& object,
+                                  const Place& place) const {
+  std::string given = given_name(document, object);
+  if (given.empty() && place.alone) {
+    given = &document == &root_ ? place.given : document.path().stem().string();
+  }
+  return given.empty() ? object.label : given;
 }
 
 }  // namespace burin::detail

@@ -4,11 +4,17 @@
 #include <burin/base/diagnostics.h>
 
 #include "document.h"
+#include "left_out.h"
 
+#include <map>
 #include <memory>
+#include <optional>
 #include <set>
 
 namespace burin::detail {
+
+/// Links inside links multiply: a few lines can ask for 2^60 shapes.
+inline constexpr std::size_t kMostVisits = 200'000;
 
 /// One shape or mesh in one place.
 struct FcUse {
@@ -19,8 +25,13 @@ struct FcUse {
   /// Applied after the object's own placement where `own`, else in its stead.
   Placement placement;
   bool own = true;
-  std::string name, color;
-  std::vector<std::string> assembly;
+  std::string name = {};
+  /// The name of what this is an instance of: the same for an object and all links to it.
+  std::string definition = {};
+  /// What the link to it is called, where it says that and links to nothing else.
+  std::string link = {};
+  FcLook look = {};
+  std::vector<std::string> assembly = {};
 };
 
 /// The documents that a walk has opened, each once.
@@ -45,6 +56,7 @@ class FcWalk {
 
   std::vector<FcUse> uses;
   Diagnostics diagnostics;
+  LeftOut left_out;
 
  private:
   struct Place {
@@ -56,7 +68,14 @@ class FcWalk {
     /// Whether a user named it.
     bool named = false;
     std::vector<std::string> assembly;
-    std::string alias, color;
+    /// Of the outermost link that leads here.
+    std::string alias;
+    /// Of the outermost link that replaces that of what it links to.
+    std::optional<FcLook> look;
+    /// What the nearest link that leads here is called, where that says something.
+    std::string given;
+    /// Whether that link leads to nothing else.
+    bool alone = true;
   };
   struct Target {
     const FcDocument* document = nullptr;
@@ -71,14 +90,18 @@ class FcWalk {
   void members(const FcDocument& document, const FcObject& object, const Place& place);
   void link_group(const FcDocument& document, const FcObject& object, const Place& place);
   void link(const FcDocument& document, const FcObject& object, const Place& place);
+  void elements(const FcDocument& document, const FcObject& object, const Place& place);
   void array(const FcDocument& document, const FcObject& object, const Target& target,
              const Place& place);
   void leaf(const FcDocument& document, const FcObject& object, const Place& place);
+  std::string definition_of(const FcDocument& document, const FcObject& object,
+                            const Place& place) const;
   bool find_target(const FcDocument& document, const FcObject& object, Target& target);
   static bool descend(const std::string& sub, bool transform, Target& target);
   void find_parents();
   Place place_of(std::int32_t number) const;
   void note(const char* code, const std::string& message);
+  void lost_member(const FcObject& object, const std::string& name);
 
   FcDocuments& documents_;
   const FcDocument& root_;
@@ -88,6 +111,7 @@ class FcWalk {
   std::vector<std::int32_t> roots_;
   std::vector<const FcObject*> path_;
   std::set<std::string> noted_;
+  LeftOut broken_links_;
   std::size_t visits_ = 0;
 };
 

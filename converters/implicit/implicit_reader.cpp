@@ -1,5 +1,6 @@
 #include <burin/base/ascii.h>
 #include <burin/base/error.h>
+#include <burin/base/input_name.h>
 #include <burin/converters/implicit_reader.h>
 #include <burin/forms/implicit/implicit_form.h>
 
@@ -11,14 +12,14 @@
 namespace burin {
 
 bool is_implicit_suffix(const std::filesystem::path& path) {
-  return lowered(path.extension().string()) == ".implicit";
+  return model_suffix(path) == ".implicit";
 }
 
 Scene read_implicit(const std::filesystem::path& path, const ImplicitReadOptions& options,
                     const RunContext& context) {
   const Source source(path, context);
   Scene scene = read_implicit_text(source.bytes(), source.file(), options, context);
-  scene.parts.front().name = path.stem().string();
+  scene.parts.front().name = model_stem(path);
   scene.parts.front().source = path.string();
   return scene;
 }

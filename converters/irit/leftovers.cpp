@@ -7,6 +7,9 @@
 namespace burin::irit {
 namespace {
 
+/// Of a polygon that has an area.
+constexpr std::size_t kLeastCorners = 3;
+
 constexpr const char* kUnread = "irit.unread";
 constexpr const char* kNoSurface = "irit.no_surface";
 constexpr const char* kNoOriginal = "irit.no_original";
@@ -28,7 +31,7 @@ struct Why {
 constexpr Why kWhy[] = {
     {kUnread, "is not yet read and was left out", Severity::Warning},
     {kNoOriginal, "was left out: the file has no object of that name", Severity::Warning},
-    {kNoSurface, "is no surface and was left out", Severity::Info},
+    {kNoSurface, "is no surface and was left out", Severity::Warning},
     {kInvisible, "were left out", Severity::Info}};
 
 const Why& why_of(std::string_view code) { return *std::ranges::find(kWhy, code, &Why::code); }
@@ -62,6 +65,11 @@ void Leftovers::add(const IritItem& item, std::int64_t object_line) {
   } else if (const auto* polygon = std::get_if<IritPolygon>(&item)) {
     if (polygon->kind == IritPolygon::Kind::Polyline) count(kNoSurface, "POLYLINE", object_line);
     if (polygon->kind == IritPolygon::Kind::PointList) count(kNoSurface, "POINTLIST", object_line);
+    const bool area =
+        polygon->kind == IritPolygon::Kind::Polygon || polygon->kind == IritPolygon::Kind::Strip;
+    if (area && polygon->points.size() < kLeastCorners) {
+      count(kNoSurface, "POLYGON of fewer than three corners", object_line);
+    }
   }
 }
 

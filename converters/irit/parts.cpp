@@ -1,6 +1,7 @@
 #include "parts.h"
 
 #include <burin/base/error.h>
+#include <burin/base/input_name.h>
 #include <burin/forms/implicit/implicit_form.h>
 #include <burin/forms/mesh/mesh_form.h>
 #include <burin/forms/patches/parametric_form.h>
@@ -75,7 +76,7 @@ class PartMaker {
   void check_surface(const NurbsData& data, std::int64_t line) const;
   std::shared_ptr<const BrepShape> faces(std::vector<TrimmedSurface> trimmed, const Patches& whole,
                                          double weld) const;
-  std::string file_name() const { return clean_name(path_.stem().string()); }
+  std::string file_name() const { return clean_name(model_stem(path_)); }
   /// The name of the innermost list that has one, taken off the list of names.
   std::string take_name(Around& around) const;
 
@@ -172,9 +173,10 @@ void PartMaker::trivariates(IritObject& object, const Leaf& leaf, const Around& 
       for (double& c : trivariate->spline.coefficients) c = -c;
     }
     try {
-      auto form = std::make_shared<ImplicitForm>(
+      std::shared_ptr<const Form> form = std::make_shared<ImplicitForm>(
           make_trivariate_function(std::move(trivariate->spline), level), options_.bounds,
           source_.context());
+      if (trivariate->placement.moves()) form = form->mapped(trivariate->placement);
       parts_.push_back(
           {leaf.order, {name, path_.string(), std::move(form), outer.names, leaf.color}});
     } catch (const GeometryError& e) {

@@ -1,7 +1,9 @@
 #include "reader.h"
 
+#include <burin/base/input_name.h>
 #include <burin/converters/irit_reader.h>
 
+#include "encoding.h"
 #include "parts.h"
 #include "patches.h"
 #include "text.h"
@@ -9,6 +11,7 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 namespace burin {
 namespace irit {
@@ -56,7 +59,7 @@ Kind kind_of(const Source& source, const std::filesystem::path& path) {
   if (!is_text(text)) source.fail("is binary data, which is not read; write it as text (dat2irit)");
   if (is_geomview(text)) return Kind::Geomview;
   if (is_patch_list(text)) return Kind::List;
-  const std::string suffix = lowered(path.extension().string());
+  const std::string suffix = model_suffix(path);
   const bool named = suffix == ".itd" || suffix == ".irt";
   if (has_object(text) || (named && text.find('[') != std::string_view::npos)) return Kind::Data;
   source.fail(
@@ -64,9 +67,10 @@ Kind kind_of(const Source& source, const std::filesystem::path& path) {
       "patch list; is it another format?");
 }
 
-Parts read_parts(const std::filesystem::path& path, const RunContext& context,
-                 const IritReadOptions& options) {
-  const Source source(path, context);
+namespace {
+
+Parts parts_of(const Source& source, const std::filesystem::path& path,
+               const IritReadOptions& options) {
   switch (kind_of(source, path)) {
     case Kind::Geomview:
       return make_part(read_geomview(source), source, path);
@@ -78,11 +82,24 @@ Parts read_parts(const std::filesystem::path& path, const RunContext& context,
   return make_parts(parse_tree(source), source, path, options);
 }
 
+}  // namespace
+
+Parts read_parts(const std::filesystem::path& path, const RunContext& context,
+                 const IritReadOptions& options) {
+  const Source file(path, context);
+  Diagnostics said;
+  std::string text = utf8_text(file.bytes(), options.encoding, said);
+  if (text.empty()) return parts_of(file, path, options);
+  Parts parts = parts_of(Source(file.file(), std::move(text), context), path, options);
+  parts.scene.diagnostics.append(said);
+  return parts;
+}
+
 }  // namespace irit
 
 bool is_irit_suffix(const std::filesystem::path& path) {
   constexpr std::array kSuffixes = {".itd", ".irt", ".bez", ".bbp"};
-  const std::string suffix = lowered(path.extension().string());
+  const std::string suffix = model_suffix(path);
   return std::find(kSuffixes.begin(), kSuffixes.end(), suffix) != kSuffixes.end();
 }
 

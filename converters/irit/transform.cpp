@@ -1,5 +1,6 @@
 #include "transform.h"
 
+#include <burin/base/affine.h>
 #include <burin/base/error.h>
 
 #include "lexer.h"
@@ -16,6 +17,20 @@ class Transform {
 
   /// Whether all points keep their weights, but for a factor that they share.
   bool affine() const { return m_[3] == 0 && m_[7] == 0 && m_[11] == 0; }
+
+  /// Of an affine one.
+  Placement placement() const {
+    Placement out;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const auto row = static_cast<int>(k);
+      for (int column = 0; column < 3; ++column) {
+        out.linear[column][row] = m_[k + 4 * static_cast<std::size_t>(column)] / m_[15];
+      }
+      out.offset[row] = m_[k + 12] / m_[15];
+    }
+    if (!is_invertible(out)) throw GeometryError("its matrix flattens what it moves");
+    return out;
+  }
 
   /// Moves the point and gives the factor of its weight.
   double operator()(Vec3& p) const {
@@ -57,8 +72,12 @@ void transform(IritItem& item, const Matrix& matrix) {
     moved(curve->points, curve->weights);
   } else if (auto* polygon = std::get_if<IritPolygon>(&item)) {
     for (Vec3& p : polygon->points) moved(p);
-  } else if (const auto* trivariate = std::get_if<IritTrivariate>(&item)) {
-    item = IritUnread{"TRIVAR of an instance", trivariate->line};
+  } else if (auto* trivariate = std::get_if<IritTrivariate>(&item)) {
+    if (moved.affine()) {
+      trivariate->placement = after(moved.placement(), trivariate->placement);
+    } else {
+      item = IritUnread{"TRIVAR in perspective", trivariate->line};
+    }
   }
 }
 

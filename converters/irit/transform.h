@@ -12,8 +12,8 @@ using Matrix = std::array<double, 16>;
 
 /// Moves the control points, exactly: a matrix in perspective changes their weights. What has no
 /// points in space (numbers, texts) stays as it is; trivariates, which are functions of their
-/// parameters, become unread. Throws GeometryError where a point, or a weight, is no longer
-/// positive and finite.
+/// parameters, are placed, and become unread under a matrix in perspective. Throws GeometryError
+/// where a point, or a weight, is no longer positive and finite.
 void transform(IritItem& item, const Matrix& matrix);
 
 }  // namespace burin::irit

@@ -1,3 +1,6 @@
+#include <burin/base/input_name.h>
+
+#include "byte_order_mark.h"
 #include "formats.h"
 #include "text.h"
 
@@ -38,9 +41,8 @@ const char* foreign(std::string_view bytes) {
       {"ISO-10303-21"sv, "is a STEP file; give it the suffix .step"},
       {"DBRep_DrawableShape"sv, "is an OpenCASCADE BREP file; give it the suffix .brep"},
       {"CASCADE Topology"sv, "is an OpenCASCADE BREP file; give it the suffix .brep"},
-      {"glTF"sv, "is a binary glTF file; convert it to STL, OBJ, OFF, PLY or 3MF"},
+      {"glTF"sv, "is a binary glTF file; give it the suffix .glb"},
       {"Kaydara FBX"sv, "is an FBX file; convert it to STL, OBJ, OFF, PLY or 3MF"},
-      {"\x1f\x8b"sv, "is compressed by gzip; unpack it first"},
       {"BZh"sv, "is compressed by bzip2; unpack it first"},
       {"\xfd"
        "7zXZ"sv,
@@ -69,6 +71,12 @@ bool is_exact_binary_stl(std::string_view bytes) {
   return n > 0 && bytes.size() == 84 + 50 * static_cast<std::size_t>(n);
 }
 
+/// What programs leave that did not know the number of triangles when they began.
+bool is_binary_stl_of_zero(std::string_view bytes) {
+  constexpr std::string_view kZero("\0\0\0\0", 4);
+  return bytes.size() > 84 && (bytes.size() - 84) % 50 == 0 && bytes.substr(80, 4) == kZero;
+}
+
 /// Whether the file is text of some kind: no text holds a NUL, and hardly a mesh in binary lacks
 /// one.
 bool is_text(std::string_view bytes) {
@@ -76,6 +84,7 @@ bool is_text(std::string_view bytes) {
 }
 
 std::string_view without_leading_space(std::string_view text) {
+  text.remove_prefix(byte_order_mark(text));
   const std::size_t begin = text.find_first_not_of(" \t\v\f\r\n");
   return begin == std::string_view::npos ? std::string_view() : text.substr(begin);
 }
@@ -106,13 +115,13 @@ bool looks_like_ascii_stl(std::string_view text) {
   text = without_leading_space(text);
   const std::string word =
       lowered(text.substr(0, std::min(text.find_first_of(" \t\v\f\r\n"), std::size_t{6})));
-  return word == "solid" || word == "facet";
+  return word == "solid" || word.starts_with("facet");
 }
 
 }  // namespace
 
 bool is_mesh_suffix(const std::filesystem::path& path) {
-  return suffixes().contains(lowered(path.extension().string()));
+  return suffixes().contains(model_suffix(path));
 }
 
 MeshFormat detect_format(const Source& source, const std::filesystem::path& path) {
@@ -124,7 +133,7 @@ MeshFormat detect_format(const Source& source, const std::filesystem::path& path
   }
   if (starts(bytes, "PK\x03\x04") || starts(bytes, "PK\x05\x06")) return MeshFormat::ThreeMf;
   if (starts(bytes, "ply\n") || starts(bytes, "ply\r")) return MeshFormat::Ply;
-  const auto suffix = suffixes().find(lowered(path.extension().string()));
+  const auto suffix = suffixes().find(model_suffix(path));
   const bool named = suffix != suffixes().end();
   if (is_text(bytes)) {
     if (looks_like_ascii_stl(bytes)) return MeshFormat::StlAscii;
@@ -137,11 +146,13 @@ MeshFormat detect_format(const Source& source, const std::filesystem::path& path
           "is text but no ASCII STL, which begins with 'solid'; is it another format?");
     }
   }
+  if (!named && is_binary_stl_of_zero(bytes)) return MeshFormat::StlBinary;
   if (!named) {
     source.fail(
         fmt::format("is of no kind that is read (suffix '{}'): meshes, STEP, IGES, BREP, FreeCAD, "
-                    "OpenSCAD, spline patches, functions, volumes; raw volumes need their layout",
-                    path.extension().string()));
+                    "OpenSCAD, spline patches, functions, volumes; raw volumes need their layout, "
+                    "and `input_format` names what nothing else tells",
+                    model_suffix(path)));
   }
   if (suffix->second == MeshFormat::ThreeMf)
     source.fail("is no 3MF file: a 3MF is a zip archive; export it again");

@@ -61,25 +61,39 @@ DisjointSets connect(const GroupedFaces& faces, std::size_t groups, const RunCon
   return sets;
 }
 
-}  // namespace
-
-std::vector<PolygonSoup> split_groups(GroupedFaces faces, Diagnostics& diagnostics,
-                                      const RunContext& context) {
-  std::vector<std::string> names = number_by_appearance(faces);
-  if (faces.join_connected && names.size() > 1) {
-    DisjointSets sets = connect(faces, names.size(), context);
-    const std::size_t before = names.size();
-    for (std::uint32_t& g : faces.group) g = sets.find(g);
-    faces.names = std::move(names);
-    names = number_by_appearance(faces);
-    if (names.size() < before) {
-      diagnostics.add(Severity::Info, "mesh.joined_groups",
-                      static_cast<std::int64_t>(before - names.size()),
-                      "groups whose open borders fit together were read as one part");
-      if (names.size() == 1) names[0].clear();  // the name of a piece is not that of the whole
-    }
+/// Joins the groups that are one surface; returns their names.
+std::vector<std::string> joined(GroupedFaces& faces, std::vector<std::string> names,
+                                Diagnostics& diagnostics, const RunContext& context) {
+  DisjointSets sets = connect(faces, names.size(), context);
+  const std::size_t before = names.size();
+  for (std::uint32_t& g : faces.group) g = sets.find(g);
+  faces.names = std::move(names);
+  names = number_by_appearance(faces);
+  if (names.size() < before) {
+    diagnostics.add(Severity::Info, "mesh.joined_groups",
+                    static_cast<std::int64_t>(before - names.size()),
+                    "groups whose open borders fit together were read as one part");
+    if (names.size() == 1) names[0].clear();  // the name of a piece is not that of the whole
   }
+  return names;
+}
 
+/// One use a group, with the colour that its faces have.
+void add_looks(const GroupedFaces& faces, std::size_t groups, MeshFile& file) {
+  if (faces.color.empty()) return;
+  std::vector<EvenLook> looks(groups);
+  for (std::size_t f = 0; f < faces.group.size(); ++f) looks[faces.group[f]].add(faces.color[f]);
+  std::int64_t several = 0;
+  for (std::size_t g = 0; g < groups; ++g) {
+    Look look = looks[g].look();
+    several += looks[g].several();
+    file.uses.push_back({.object = g, .color = std::move(look.color), .opacity = look.opacity});
+  }
+  tell_several_colors(several, file.diagnostics);
+}
+
+std::vector<PolygonSoup> soups_of(GroupedFaces faces, std::vector<std::string> names,
+                                  const RunContext& context) {
   std::vector<PolygonSoup> soups(names.size());
   for (std::size_t g = 0; g < names.size(); ++g) soups[g].name = std::move(names[g]);
   if (soups.size() == 1) {
@@ -111,6 +125,23 @@ std::vector<PolygonSoup> split_groups(GroupedFaces faces, Diagnostics& diagnosti
     }
   }
   return soups;
+}
+
+}  // namespace
+
+MeshUse use_with_look(const EvenLook& even, Diagnostics& diagnostics) {
+  tell_several_colors(even.several() ? 1 : 0, diagnostics);
+  Look look = even.look();
+  return {.color = std::move(look.color), .opacity = look.opacity};
+}
+
+void split_groups(GroupedFaces faces, MeshFile& file, const RunContext& context) {
+  std::vector<std::string> names = number_by_appearance(faces);
+  if (faces.join_connected && names.size() > 1) {
+    names = joined(faces, std::move(names), file.diagnostics, context);
+  }
+  add_looks(faces, names.size(), file);
+  file.objects = soups_of(std::move(faces), std::move(names), context);
 }
 
 }  // namespace burin

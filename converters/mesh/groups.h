@@ -1,12 +1,14 @@
 #pragma once
 /// Faces of a file in named groups, made into one soup a part.
 
-#include <burin/base/diagnostics.h>
 #include <burin/base/run_context.h>
-#include <burin/mesh/tri_mesh.h>
+#include <burin/converters/mesh_reader.h>
+
+#include "look.h"
 
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -23,13 +25,18 @@ struct GroupedFaces {
   /// For each face an index into `names`, or kNoGroup.
   std::vector<std::uint32_t> group;
   std::vector<std::string> names;
+  /// For each face its colour; empty where none has any.
+  std::vector<std::optional<Rgba>> color = {};
   /// Groups whose open borders fit together become one part: many programs write the faces or
   /// materials of one closed body as groups, and its inner borders are no ends of the surface.
   bool join_connected = false;
 };
 
-/// One soup a group that has faces, in the order of their first faces.
-std::vector<PolygonSoup> split_groups(GroupedFaces faces, Diagnostics& diagnostics,
-                                      const RunContext& context);
+/// The one object of a file as its faces look.
+MeshUse use_with_look(const EvenLook& look, Diagnostics& diagnostics);
+
+/// Adds one object a group that has faces, in the order of their first faces; what looks even has
+/// its colour.
+void split_groups(GroupedFaces faces, MeshFile& file, const RunContext& context);
 
 }  // namespace burin

@@ -23,23 +23,21 @@ std::string told(const RecognisedFaces& n) {
 
 }  // namespace
 
-void heal_parts(Scene& scene, const RunContext& context) {
-  for (Part& part : scene.parts) {
-    const auto* form = dynamic_cast<const MeshForm*>(part.form.get());
-    if (!form) continue;
-    auto healed = std::make_shared<RecognisedForm>(form->mesh(), context, form->texture());
-    if (healed->too_coarse()) {
-      scene.diagnostics.add(Severity::Warning, "mesh.too_coarse_to_heal", 1,
-                            fmt::format("{}: so far from the origin its coordinates have too few "
-                                        "digits to tell round from flat; it is drawn as it is, "
-                                        "move it nearer",
-                                        part.name));
-      continue;
-    }
-    if (healed->faces().total() == 0) continue;
-    tell_round_faces(healed->faces(), part.name, scene.diagnostics);
-    part.form = std::move(healed);
+std::shared_ptr<const Form> recognised(std::shared_ptr<const Form> mesh, const std::string& name,
+                                       Diagnostics& diagnostics, const RunContext& context) {
+  const auto* form = dynamic_cast<const MeshForm*>(mesh.get());
+  if (!form) return mesh;
+  auto round = std::make_shared<RecognisedForm>(form->mesh(), context, form->texture());
+  if (round->too_coarse()) {
+    diagnostics.add(Severity::Warning, "mesh.too_coarse_to_heal", 1,
+                    fmt::format("{}: so far from the origin its coordinates have too few digits to "
+                                "tell round from flat; it is drawn as it is, move it nearer",
+                                name));
+    return mesh;
   }
+  if (round->faces().total() == 0) return mesh;
+  tell_round_faces(round->faces(), name, diagnostics);
+  return round;
 }
 
 void tell_round_faces(const RecognisedFaces& faces, const std::string& name,

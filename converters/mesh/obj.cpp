@@ -1,5 +1,7 @@
+#include "byte_order_mark.h"
 #include "formats.h"
 #include "groups.h"
+#include "obj_materials.h"
 #include "text.h"
 #include "texture.h"
 
@@ -8,6 +10,7 @@
 #include <algorithm>
 #include <charconv>
 #include <limits>
+#include <optional>
 #include <unordered_map>
 
 // Own code: tinyobjloader and OpenMesh read floats, assimp has no line numbers in its errors.
@@ -19,7 +22,8 @@ constexpr std::uint32_t kOutside = kNone - 1;  // refers to nothing that can be
 
 class ObjReader {
  public:
-  explicit ObjReader(const Source& source) : source_(source), text_(source) {}
+  explicit ObjReader(const Source& source)
+      : source_(source), text_(source, byte_order_mark(source.bytes())) {}
   MeshFile read();
 
  private:
@@ -35,6 +39,7 @@ class ObjReader {
   void next_line();
   void finish_indices() const;
   std::vector<glm::vec2> finish_texture(Diagnostics& diagnostics) const;
+  std::vector<std::optional<Rgba>> finish_colors(Diagnostics& diagnostics) const;
 
   const Source& source_;
   TextCursor text_;
@@ -43,9 +48,10 @@ class ObjReader {
   std::vector<std::size_t> offsets_{0};
   std::vector<glm::vec2> texture_points_;
   std::vector<std::uint32_t> corner_textures_;  // of each corner, or kNone
-  std::vector<std::uint32_t> object_of_face_, group_of_face_;
-  std::unordered_map<std::string, std::uint32_t> objects_, groups_;
-  std::uint32_t object_ = kNone, group_ = kNone;
+  std::vector<std::uint32_t> object_of_face_, group_of_face_, material_of_face_;
+  std::unordered_map<std::string, std::uint32_t> objects_, groups_, materials_;
+  std::vector<std::string> libraries_;
+  std::uint32_t object_ = kNone, group_ = kNone, material_ = kNone;
   std::uint32_t largest_index_ = 0;
   const char* largest_index_at_ = nullptr;
   std::int64_t free_form_ = 0, unknown_ = 0, short_faces_ = 0;
@@ -151,6 +157,7 @@ void ObjReader::face() {
   offsets_.push_back(corners_.size());
   object_of_face_.push_back(object_);
   group_of_face_.push_back(group_);
+  material_of_face_.push_back(material_);
 }
 
 void ObjReader::named(std::unordered_map<std::string, std::uint32_t>& table,
@@ -161,8 +168,8 @@ void ObjReader::named(std::unordered_map<std::string, std::uint32_t>& table,
 
 void ObjReader::other(std::string_view keyword, const char* where) {
   static constexpr std::string_view kHarmless[] = {
-      "vn", "vp",  "s",     "l",        "p",        "mtllib",     "usemtl",    "usemap", "maplib",
-      "mg", "lod", "bevel", "c_interp", "d_interp", "shadow_obj", "trace_obj", "vc"};
+      "vn",  "vp",    "s",        "l",        "p",          "usemap",    "maplib", "mg",
+      "lod", "bevel", "c_interp", "d_interp", "shadow_obj", "trace_obj", "vc"};
   static constexpr std::string_view kFreeForm[] = {
       "curv", "curv2", "surf", "cstype", "deg", "bmat", "step",  "parm",
       "trim", "hole",  "scrv", "sp",     "end", "con",  "ctech", "stech"};
@@ -182,6 +189,8 @@ void ObjReader::statement() {
   if (keyword == "f" || keyword == "fo") return face();
   if (keyword == "o") return named(objects_, object_);
   if (keyword == "g") return named(groups_, group_);
+  if (keyword == "usemtl") return named(materials_, material_);
+  if (keyword == "mtllib") return static_cast<void>(libraries_.emplace_back(text_.rest_of_line()));
   other(keyword, where);
 }
 
@@ -212,6 +221,23 @@ std::vector<glm::vec2> ObjReader::finish_texture(Diagnostics& diagnostics) const
                                 texture_points_.size()));
   }
   return texture;
+}
+
+std::vector<std::optional<Rgba>> ObjReader::finish_colors(Diagnostics& diagnostics) const {
+  if (materials_.empty()) return {};
+  const ObjMaterials known = read_obj_materials(libraries_, source_, diagnostics);
+  std::vector<std::optional<Rgba>> of_material(materials_.size());
+  for (const auto& [name, index] : materials_) {
+    const auto found = known.find(name);
+    if (found != known.end()) of_material[index] = found->second;
+  }
+  if (std::ranges::none_of(of_material, [](const auto& c) { return c.has_value(); })) return {};
+  std::vector<std::optional<Rgba>> colors;
+  colors.reserve(material_of_face_.size());
+  for (const std::uint32_t m : material_of_face_) {
+    colors.push_back(m == kNone ? std::nullopt : of_material[m]);
+  }
+  return colors;
 }
 
 MeshFile ObjReader::read() {
@@ -255,11 +281,12 @@ MeshFile ObjReader::read() {
   faces.indices = std::move(corners_);
   faces.offsets = std::move(offsets_);
   faces.texture = finish_texture(file.diagnostics);
+  faces.color = finish_colors(file.diagnostics);
   faces.group = by_object ? std::move(object_of_face_) : std::move(group_of_face_);
   faces.names.resize(table.size());
   for (const auto& [name, index] : table) faces.names[index] = name;
   faces.join_connected = !by_object;
-  file.objects = split_groups(std::move(faces), file.diagnostics, source_.context());
+  split_groups(std::move(faces), file, source_.context());
   return file;
 }
 

@@ -1,13 +1,17 @@
 #include "binary.h"
+#include "byte_order_mark.h"
 #include "formats.h"
+#include "groups.h"
 #include "text.h"
 #include "texture.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cstring>
+#include <optional>
 
 // Own code: the readers of OpenMesh and of CGAL's stream operators give no line of an error.
 namespace burin {
@@ -16,6 +20,7 @@ namespace {
 /// What the word before the counts says about the vertices.
 struct OffHeader {
   bool extras = false;       // colours, normals or texture coordinates follow the coordinates
+  bool colored = false;      // it is colours alone that do
   bool textured = false;     // the last two of them are texture coordinates
   bool homogeneous = false;  // a fourth coordinate divides the others
   bool binary = false;
@@ -23,7 +28,8 @@ struct OffHeader {
 
 class OffReader {
  public:
-  explicit OffReader(const Source& source) : source_(source), text_(source) {}
+  explicit OffReader(const Source& source)
+      : source_(source), text_(source, byte_order_mark(source.bytes())) {}
   MeshFile read();
 
  private:
@@ -33,6 +39,7 @@ class OffReader {
   bool vertices_fill_lines() const;
   void vertices();
   glm::vec2 last_two_of_line();
+  std::optional<Rgba> color_of_line();
   void faces();
   void finish(const char* format);
   void read_binary();
@@ -46,6 +53,7 @@ class OffReader {
   MeshFile file_;
   PolygonSoup soup_;
   std::vector<glm::vec2> vertex_texture_;
+  EvenLook vertex_look_, face_look_;
 };
 
 void OffReader::header() {
@@ -61,8 +69,9 @@ void OffReader::header() {
   };
   header_.textured = skip("ST");
   header_.extras = header_.textured;
-  header_.extras |= skip("C");
-  header_.extras |= skip("N");
+  const bool colors = skip("C"), normals = skip("N");
+  header_.extras |= colors || normals;
+  header_.colored = colors && !normals && !header_.textured;
   header_.homogeneous = skip("4");
   const bool n_dimensional = skip("n");
   if (!skip("OFF")) {
@@ -128,6 +137,25 @@ glm::vec2 OffReader::last_two_of_line() {
   return uv;
 }
 
+/// Three or four numbers, red, green, blue and opacity: up to 255 where they are whole, else shares
+/// of
+/// 1. A single one is a place in a table that no file has.
+std::optional<Rgba> OffReader::color_of_line() {
+  std::array<double, 4> values{};
+  std::size_t count = 0;
+  bool whole = true;
+  for (text_.skip_blanks(); !text_.at_line_end() && text_.peek() != '#'; text_.skip_blanks()) {
+    const std::string_view word = text_.token();
+    if (count == values.size() || !parse_double(word, values[count])) return std::nullopt;
+    whole = whole && word.find_first_of(".eE") == word.npos;
+    ++count;
+  }
+  if (count < 3) return std::nullopt;
+  Rgba color{0, 0, 0, 255};
+  for (std::size_t i = 0; i < count; ++i) color[i] = channel(whole ? values[i] / 255 : values[i]);
+  return color;
+}
+
 void OffReader::vertices() {
   const bool by_line = vertices_fill_lines();
   soup_.positions.reserve(vertex_count_);
@@ -144,6 +172,7 @@ void OffReader::vertices() {
     }
     soup_.positions.push_back(p);
     if (header_.textured) vertex_texture_.push_back(last_two_of_line());
+    if (header_.colored) vertex_look_.add(color_of_line());
     if (by_line) text_.next_line();
   }
 }
@@ -173,7 +202,8 @@ void OffReader::faces() {
     } else {
       soup_.offsets.push_back(soup_.indices.size());
     }
-    text_.next_line();  // past a colour
+    face_look_.add(color_of_line());
+    text_.next_line();
   }
 }
 
@@ -192,6 +222,8 @@ void OffReader::finish(const char* format) {
     for (const std::uint32_t v : soup_.indices) soup_.texture.push_back(vertex_texture_[v]);
   }
   file_.objects.push_back(std::move(soup_));
+  file_.uses.push_back(
+      use_with_look(face_look_.any() ? face_look_ : vertex_look_, file_.diagnostics));
 }
 
 /// Binary OFF comes in both byte orders and with or without a count of colours after each face;

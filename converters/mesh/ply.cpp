@@ -1,5 +1,7 @@
 #include "binary.h"
 #include "formats.h"
+#include "groups.h"
+#include "ply_color.h"
 #include "ply_header.h"
 #include "text.h"
 #include "texture.h"
@@ -172,6 +174,7 @@ class PlyReader {
   std::vector<std::int64_t> list_;
   // u and v of each vertex; of the corners of the face at hand, where the file has a list of them.
   std::vector<glm::vec2> vertex_texture_, face_texture_;
+  EvenLook vertex_look_, face_look_;
   std::int64_t short_faces_ = 0;
   const bool textured_;  // some element tells u and v
 };
@@ -197,13 +200,18 @@ void PlyReader<Values>::vertices(const PlyElement& e) {
   }
   soup_.positions.reserve(e.count);
   const bool textured = has_uv(e);
+  PlyColors colors(e);
   for (std::size_t i = 0; i < e.count; ++i) {
     source_.context().check();
     Vec3 position;
     glm::vec2 uv(0);
     for (std::size_t k = 0; k < axis_of.size(); ++k) {
       if (axis_of[k] < 0) {
-        skip(e.properties[k]);
+        if (colors.takes(k)) {
+          colors.take(k, values_.value(e.properties[k].type));
+        } else {
+          skip(e.properties[k]);
+        }
         continue;
       }
       const double value = values_.value(e.properties[k].type);
@@ -215,7 +223,9 @@ void PlyReader<Values>::vertices(const PlyElement& e) {
     }
     soup_.positions.push_back(position);
     if (textured) vertex_texture_.push_back(uv);
+    if (colors.any()) colors.end_element();
   }
+  vertex_look_ = colors.look();
 }
 
 template <class Values>
@@ -297,21 +307,27 @@ void PlyReader<Values>::faces(const PlyElement& e, bool strips) {
     values_.fail(fmt::format(
         "the elements '{}' of the PLY have no list vertex_indices; export it again", e.name));
   }
+  PlyColors colors(e);
   for (std::size_t i = 0; i < e.count; ++i) {
     source_.context().check();
     list_.clear();
     face_texture_.clear();
-    for (const PlyProperty& p : e.properties) {
+    for (std::size_t k = 0; k < e.properties.size(); ++k) {
+      const PlyProperty& p = e.properties[k];
       if (&p == &*indices) {
         index_list(p);
       } else if (texture != e.properties.end() && &p == &*texture) {
         texture_list(p);
+      } else if (colors.takes(k)) {
+        colors.take(k, values_.value(p.type));
       } else {
         skip(p);
       }
     }
+    if (colors.any()) colors.end_element();
     strips ? end_strip() : end_face();
   }
+  if (colors.any()) face_look_ = colors.look();
 }
 
 template <class Values>
@@ -348,6 +364,8 @@ MeshFile PlyReader<Values>::read() {
                          "faces of fewer than three corners were left out");
   }
   file.objects.push_back(std::move(soup_));
+  file.uses.push_back(
+      use_with_look(face_look_.any() ? face_look_ : vertex_look_, file.diagnostics));
   return file;
 }
 

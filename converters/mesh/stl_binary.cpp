@@ -16,7 +16,9 @@ constexpr std::size_t kRecord = 50;  // normal, three corners (floats), two byte
 constexpr std::size_t kNormal = 12;
 using Corner = std::array<float, 3>;
 
-std::size_t triangle_count(const Source& source) {
+/// How many triangles the file holds: what it claims, or where it claims none, as programs do that
+/// did not know the number when they began, what its length says.
+std::size_t triangle_count(const Source& source, Diagnostics& diagnostics) {
   const std::string_view bytes = source.bytes();
   if (bytes.size() < kHeader) {
     source.fail_at_byte(bytes.size(),
@@ -32,15 +34,23 @@ std::size_t triangle_count(const Source& source) {
                                     "truncated or no STL, export it again",
                                     claimed, held));
   }
-  if (claimed == 0) source.fail_at_byte(80, "the binary STL holds no triangles; export it again");
-  return claimed;
+  if (held == 0) source.fail_at_byte(80, "the binary STL holds no triangles; export it again");
+  if (claimed > 0) return claimed;
+  diagnostics.add(
+      Severity::Info, "stl.zero_count", 1,
+      fmt::format("the binary STL gives 0 as the number of its triangles; by the length "
+                  "of the file it holds {}",
+                  held));
+  return held;
 }
 
 }  // namespace
 
 // Little-endian records are copied as they are: Burin runs on little-endian machines only.
 MeshFile read_stl_binary(const Source& source) {
-  const std::size_t n = triangle_count(source);
+  MeshFile file;
+  file.format = "STL (binary)";
+  const std::size_t n = triangle_count(source, file.diagnostics);
   const std::string_view bytes = source.bytes();
   const auto corners = std::make_unique_for_overwrite<Corner[]>(3 * n);
   parallel_for(
@@ -53,8 +63,6 @@ MeshFile read_stl_binary(const Source& source) {
       },
       &source.context());
 
-  MeshFile file;
-  file.format = "STL (binary)";
   PolygonSoup& soup = file.objects.emplace_back();
   Weld welded = weld({corners.get(), 3 * n}, source.context());
   soup.positions.resize(welded.first.size());

@@ -74,7 +74,7 @@ void Messages::add(const std::string& line) {
     remark.text = kind.prefix.ends_with(' ') ? line.substr(kind.prefix.size()) : line;
     take_place(remark);
     remark.text = clean_name(remark.text.substr(0, kLongestText));
-    remark.file = clean_name(remark.file);
+    remark.file = clean_name(remark.file == "<stdin>" && !file_.empty() ? file_ : remark.file);
     keep(std::move(remark));
     return;
   }

@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace burin::detail {
@@ -23,6 +24,9 @@ struct Remark {
 /// of each severity.
 class Messages {
  public:
+  /// `file`: the name of what OpenSCAD reads on its standard input.
+  explicit Messages(std::string file = {}) : file_(std::move(file)) {}
+
   void add(const std::string& line);
 
   const std::vector<Remark>& remarks() const { return remarks_; }
@@ -41,7 +45,7 @@ class Messages {
   std::vector<Remark> remarks_;
   std::int64_t kept_[3] = {0, 0, 0}, dropped_[3] = {0, 0, 0};
   bool two_dimensional_ = false, empty_ = false;
-  std::string last_;
+  std::string file_, last_;
 };
 
 inline constexpr std::int64_t kMostRemarks = 50;

@@ -4,6 +4,7 @@
 #include <burin/converters/openscad_reader.h>
 #include <burin/repair/repair.h>
 
+#include "calls.h"
 #include "child.h"
 #include "parts.h"
 #include "program.h"
@@ -16,6 +17,7 @@
 
 #include <algorithm>
 #include <array>
+#include <chrono>
 #include <cstdint>
 #include <cstring>
 #include <fstream>
@@ -82,8 +84,30 @@ std::optional<csg::Tree> tree_in(const Path& path, const OpenscadOptions& option
 struct Program {
   std::string text;
   csg::Tree tree;
+  detail::TreeCalls calls;
   detail::Said said;
 };
+
+/// Runs a program whose calls of modules are marked; false where that gives no tree: the program as
+/// it stands says why.
+bool run_marked(const Path& path, const OpenscadOptions& options, Program& out,
+                RunContext& context) {
+  std::optional<detail::MarkedProgram> marked = detail::mark_calls(out.text);
+  if (!marked) return false;
+  const auto start = std::chrono::steady_clock::now();
+  try {
+    const detail::MemoryFile tree;
+    out.said =
+        detail::run_openscad(path, options, detail::Makes::Tree, tree, context, &marked->text);
+    out.tree = csg::parse(detail::contents(tree), path.string(), context);
+  } catch (const InputError&) {
+    const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - start;
+    if (spent.count() >= options.timeout) throw;
+    return false;
+  }
+  out.calls = detail::take_calls(out.tree, std::move(marked->calls));
+  return true;
+}
 
 /// Throws NotEvaluated for a tree that is none that Burin knows.
 Program evaluated(const Path& path, const OpenscadOptions& options, RunContext& context) {
@@ -92,9 +116,10 @@ Program evaluated(const Path& path, const OpenscadOptions& options, RunContext& 
     out.tree = std::move(*tree);
     return out;
   }
+  out.text = text_of(path, context);
+  if (run_marked(path, options, out, context)) return out;
   const detail::MemoryFile tree;
   out.said = detail::run_openscad(path, options, detail::Makes::Tree, tree, context);
-  out.text = text_of(path, context);
   try {
     out.tree = csg::parse(detail::contents(tree), path.string(), context);
   } catch (const InputError& e) {
@@ -116,6 +141,14 @@ MeshFile rendered(const Path& path, const OpenscadOptions& options, RunContext& 
   return file;
 }
 
+/// Nothing came of a program of which the evaluator left something out: that is why.
+void throw_if_left_out(const Diagnostics& said, const Path& path) {
+  const auto warns = [](const Diagnostic& d) { return d.severity == Severity::Warning; };
+  const auto first = std::ranges::find_if(said.entries(), warns);
+  if (first == said.entries().end()) return;
+  throw InputError("nothing of it is left to draw: " + first->message, path.string());
+}
+
 bool nothing(const Scene& scene) { return scene.parts.empty(); }
 bool nothing(const OpenscadMesh& made) { return made.mesh.triangles.empty(); }
 
@@ -124,6 +157,7 @@ template <typename Make>
 auto made_of(const Program& program, const Path& path, const Make& make) {
   auto made = make(program);
   if (nothing(made)) {
+    if (program.said.error.empty()) throw_if_left_out(made.diagnostics, path);
     const bool flat = detail::is_flat(program.tree);
     program.said.fail(flat ? detail::kTwoDimensional : detail::kEmpty, path.string());
   }
@@ -153,14 +187,15 @@ auto made_here(const Path& path, const OpenscadOptions& options, Diagnostics& wh
 std::optional<Scene> parts_here(const Path& path, const OpenscadOptions& options,
                                 detail::Shapes shapes, Diagnostics& why, RunContext& context) {
   return made_here(path, options, why, context, [&](const Program& program) {
-    return detail::scene_of_tree(program.tree, program.text, path, options, shapes, context);
+    return detail::scene_of_tree(program.tree, program.calls, program.text, path, options, shapes,
+                                 context);
   });
 }
 
 Scene functions_in(const Path& path, const OpenscadOptions& options, RunContext& context) {
   try {
     return made_of(evaluated(path, options, context), path, [&](const Program& program) {
-      return detail::functions_of_tree(program.tree, program.text, path, context);
+      return detail::functions_of_tree(program.tree, program.calls, program.text, path, context);
     });
   } catch (const csg::NotEvaluated& e) {
     throw InputError(e.what(), path.string());
@@ -181,10 +216,10 @@ Scene read_openscad(const Path& path, const OpenscadOptions& options, RunContext
   if (auto scene = parts_here(path, options, detail::Shapes::Shared, why, context)) {
     return std::move(*scene);
   }
-  Scene scene = repair_parts(rendered(path, options, context), path, context);
+  Scene scene = repair_parts(rendered(path, options, context), path, context,
+                             options.round ? Facets::Recognised : Facets::Kept);
   why.append(scene.diagnostics);
   scene.diagnostics = std::move(why);
-  if (options.round) heal_parts(scene, context);
   return scene;
 }
 

@@ -2,60 +2,54 @@
 
 #include <burin/base/error.h>
 
-#include "marks.h"
 #include "source_names.h"
 #include "text.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <map>
 #include <optional>
-#include <set>
 #include <tuple>
 
 namespace burin::detail {
 namespace {
 
-using Json = nlohmann::ordered_json;
 using csg::Module;
+
+/// What color() says; OpenSCAD's -1 is a colour that nobody gave.
+struct Paint {
+  std::string color;
+  double opacity = 1;
+};
 
 /// What a node inherits from those above it.
 struct State {
-  csg::Matrix at;
-  std::string color;
-  /// Of part(); empty: that of the object at the top.
-  std::string name;
+  /// Where the part's frame stands, and the node in it.
+  csg::Matrix frame = {}, at = {};
+  Paint paint = {};
+  /// Of part() and of calls; empty: that of the object at the top.
+  std::string name = {};
+  /// The node of the object, call or part() that this is some of.
+  std::uint32_t of = 0;
   /// Numbers of calls of burin.scad that hold for what is below, outermost first.
-  std::vector<std::size_t> calls;
+  std::vector<std::size_t> calls = {};
   bool background = false, highlight = false;
 };
 
-/// A call that is about the parts below it.
-struct Call {
-  Mark mark;
-  csg::Matrix at;
-  /// Names of the parts.
-  std::vector<std::string> parts;
-};
-
-std::string color_of(const csg::Node& node) {
+Paint paint_of(const csg::Node& node) {
   if (node.arguments.empty() || node.arguments[0].value.list.size() < 3) return {};
-  std::string text = "#";
-  for (std::size_t i = 0; i < 3; ++i) {
-    const double v = node.arguments[0].value.list[i].number;
-    if (!(v >= 0)) return {};  // -1: unset
-    text += fmt::format("{:02x}", static_cast<int>(std::lround(255 * std::min(v, 1.0))));
-  }
-  return text;
-}
-
-/// Modules that show their children as they are.
-bool is_open(Module m) {
-  return m == Module::Group || m == Module::Union || m == Module::Multmatrix ||
-         m == Module::Color || m == Module::Render;
+  const std::vector<csg::Value>& list = node.arguments[0].value.list;
+  Paint out;
+  if (list.size() > 3 && list[3].number >= 0) out.opacity = std::min(list[3].number, 1.0);
+  const auto given = [](const csg::Value& v) { return v.number >= 0; };
+  if (!std::all_of(list.begin(), list.begin() + 3, given)) return out;
+  const auto byte = [&](std::size_t i) {
+    return static_cast<int>(std::lround(255 * std::min(list[i].number, 1.0)));
+  };
+  out.color = fmt::format("#{:02x}{:02x}{:02x}", byte(0), byte(1), byte(2));
+  return out;
 }
 
 /// A name that selectors take as one.
@@ -67,57 +61,60 @@ std::string plain(const std::string& name) {
 
 class Divider {
  public:
-  Divider(const csg::Tree& tree, std::string stem, Diagnostics& diagnostics)
-      : tree_(tree), stem_(std::move(stem)), diagnostics_(diagnostics) {
+  Divider(const csg::Tree& tree, const CallParts& calls, std::string stem, Diagnostics& diagnostics)
+      : tree_(tree), calls_(calls), stem_(std::move(stem)), diagnostics_(diagnostics) {
     find_alike();
   }
 
   TreeParts run(std::string_view program) {
-    std::vector<std::uint32_t> top = objects_at_top();
-    const std::vector<std::string> names = source_names(program, top.size());
+    const std::vector<std::uint32_t> top = objects_at_top(tree_);
+    std::vector<std::string> names = source_names(program, top.size());
+    // Statements and objects cannot be told to belong together: calls say what they are.
+    if (std::ranges::all_of(names, &std::string::empty)) {
+      for (std::size_t i = 0; i < top.size(); ++i) names[i] = called(top[i]);
+    }
     for (std::size_t i = 0; i < top.size(); ++i) {
       object_ = plain(names[i].empty() ? stem_ : names[i]);
       groups_.clear();
       visit(top[i]);
     }
-    TreeParts out;
     name_parts();
-    out.parts = std::move(parts_);
-    out.settings = settings(out.parts);
-    return out;
+    return std::move(out_);
   }
 
  private:
-  /// What is above a `!` does not move it: OpenSCAD shows it alone.
-  std::vector<std::uint32_t> objects_at_top() const {
-    for (std::uint32_t n = 1; n < tree_.nodes.size(); ++n) {
-      if (tree_.nodes[n].root) return {n};
+  /// The module whose call all of an object is.
+  std::string called(std::uint32_t node) const {
+    for (;;) {
+      const ModuleCall* call = calls_.known ? calls_.known->at(node) : nullptr;
+      if (call) return call->name;
+      const csg::Node& n = tree_.nodes[node];
+      if (!is_open(n.module) || node + 1 >= n.end || tree_.nodes[node + 1].end != n.end) return {};
+      ++node;
     }
-    std::vector<std::uint32_t> out;
-    csg::for_each_child(tree_, 0, [&](std::uint32_t c) { out.push_back(c); });
-    return out;
   }
 
   /// Walks the open modules below an object; no recursion, as trees may be deep.
   void visit(std::uint32_t top) {
-    std::vector<std::pair<std::uint32_t, State>> open{{top, State{}}};
+    std::vector<std::pair<std::uint32_t, State>> open{{top, State{.of = top}}};
     while (!open.empty()) {
       auto [node, state] = std::move(open.back());
       open.pop_back();
       const csg::Node& n = tree_.nodes[node];
       state.background = state.background || n.background;
       state.highlight = state.highlight || n.highlight;
+      if (calls_.nodes.contains(node)) begin(node, calls_.known->at(node)->name, state);
       std::vector<std::uint32_t> children;
       if (is_open(n.module)) {
         csg::for_each_child(tree_, node, [&](std::uint32_t c) { children.push_back(c); });
         if (const auto mark = mark_of_group(tree_, node)) {
-          take(*mark, state);
+          take(*mark, node, state);
           children.erase(children.begin());
         }
         // The outermost colour holds.
-        if (n.module == Module::Color && state.color.empty()) state.color = color_of(n);
+        if (n.module == Module::Color && state.paint.color.empty()) state.paint = paint_of(n);
       }
-      const auto& alike = state.color.empty() ? plain_ : calm_;
+      const auto& alike = state.paint.color.empty() ? plain_ : calm_;
       if (holds_[node] != 0 &&
           std::ranges::all_of(children, [&](std::uint32_t c) { return alike[c] != 0; })) {
         add_alike(node, state);
@@ -126,6 +123,14 @@ class Divider {
       if (n.module == Module::Multmatrix) state.at = state.at * csg::matrix_of(tree_, node);
       for (auto c = children.rbegin(); c != children.rend(); ++c) open.emplace_back(*c, state);
     }
+  }
+
+  /// An instance begins here: what is below stands in its frame, so that equal ones are found.
+  static void begin(std::uint32_t node, const std::string& name, State& state) {
+    if (!(state.at == csg::Matrix{})) state.frame = state.frame * state.at;
+    state.at = {};
+    state.of = node;
+    state.name = plain(name);
   }
 
   /// A node below which nothing changes. Where it stands is parted from what it is, so that equal
@@ -143,13 +148,15 @@ class Divider {
   }
 
   /// Which nodes have nothing below them, as far as modules are open, that parts would be told by:
-  /// neither marks nor modifiers (calm), nor colours (plain); and which hold anything at all.
+  /// neither marks, modifiers and calls (calm), nor colours (plain); and which hold anything at
+  /// all.
   void find_alike() {
     calm_.assign(tree_.nodes.size(), 1);
     plain_ = holds_ = calm_;
     for (auto n = static_cast<std::uint32_t>(tree_.nodes.size()); n-- > 0;) {
       const csg::Node& node = tree_.nodes[n];
-      bool calm = !node.background && !node.highlight && !mark_at(tree_, n);
+      bool calm =
+          !node.background && !node.highlight && !mark_at(tree_, n) && !calls_.nodes.contains(n);
       bool plain = calm && node.module != Module::Color;
       bool holds = !is_open(node.module) && !mark_at(tree_, n);
       if (is_open(node.module)) {
@@ -165,52 +172,56 @@ class Divider {
     }
   }
 
-  void take(const Mark& mark, State& state) {
+  void take(const Mark& mark, std::uint32_t node, State& state) {
     const auto text = [&](std::size_t i) {
       return i < mark.arguments.size() && mark.arguments[i].is_string()
                  ? mark.arguments[i].get<std::string>()
                  : std::string();
     };
     if (mark.what == "part") {
-      if (text(0).empty()) tell("part() takes a name, as in part(\"lid\") lid();");
-      state.name = plain(text(0));
-      return;
+      if (text(0).empty()) {
+        diagnostics_.add(Severity::Warning, "openscad.mark", 1,
+                         "part() takes a name, as in part(\"lid\") lid();");
+      }
+      return begin(node, text(0), state);
     }
     if (mark.what == "view") {
-      views_.push_back(mark);
+      out_.views.push_back(mark);
       return;
     }
-    state.calls.push_back(calls_.size());
-    calls_.push_back({mark, state.at, {}});
-  }
-
-  void tell(const std::string& what) {
-    diagnostics_.add(Severity::Warning, "openscad.mark", 1, what);
+    state.calls.push_back(out_.calls.size());
+    out_.calls.push_back({mark, state.frame * state.at, {}});
   }
 
   /// A piece of the object; what differs in nothing is one part.
   void add(std::uint32_t node, const State& s) {
-    const auto key = std::tuple(s.background, s.highlight, s.name, s.color, s.calls);
-    const auto [entry, fresh] = groups_.try_emplace(key, parts_.size());
+    const auto key = std::tuple(s.background, s.highlight, s.of, s.name, s.paint.color,
+                                s.paint.opacity, s.calls);
+    const auto [entry, fresh] = groups_.try_emplace(key, out_.parts.size());
     if (fresh) {
-      parts_.push_back({s.name.empty() ? object_ : s.name,
-                        s.color.empty() ? color_of_first(node) : s.color,
-                        s.background,
-                        s.highlight,
-                        {}});
-      calls_of_.push_back(s.calls);
+      const Paint paint = s.paint.color.empty() ? paint_of_first(node, s.paint) : s.paint;
+      out_.parts.push_back({.name = s.name.empty() ? object_ : s.name,
+                            .definition = s.name,
+                            .color = paint.color,
+                            .opacity = paint.opacity,
+                            .background = s.background,
+                            .highlight = s.highlight,
+                            .of = s.of,
+                            .frame = s.frame,
+                            .pieces = {}});
+      for (const std::size_t c : s.calls) out_.calls[c].parts.push_back(out_.parts.size() - 1);
     }
-    parts_[entry->second].pieces.push_back({node, s.at});
+    out_.parts[entry->second].pieces.push_back({node, s.at});
   }
 
   /// What a difference leaves has the colour of what it was taken from.
-  std::string color_of_first(std::uint32_t node) const {
+  Paint paint_of_first(std::uint32_t node, const Paint& above) const {
     for (; node < tree_.nodes.size(); ++node) {
       const csg::Node& n = tree_.nodes[node];
-      if (n.module == Module::Color) return color_of(n);
+      if (n.module == Module::Color) return paint_of(n);
       if (node + 1 >= n.end) break;
     }
-    return {};
+    return above;
   }
 
   /// `%` and `#` below what makes one thing of its children.
@@ -219,12 +230,13 @@ class Divider {
       std::uint32_t end;
       csg::Matrix at;
     };
-    std::vector<Above> above{{tree_.nodes[top].end, state.at * csg::matrix_of(tree_, top)}};
+    std::vector<Above> above{
+        {tree_.nodes[top].end, state.frame * (state.at * csg::matrix_of(tree_, top))}};
     for (std::uint32_t n = top + 1; n < tree_.nodes[top].end;) {
       while (n >= above.back().end) above.pop_back();
       const csg::Node& node = tree_.nodes[n];
       if (node.background || node.highlight) {
-        State shown{.at = above.back().at, .color = {}, .name = {}, .calls = {}};
+        State shown{.at = above.back().at, .of = state.of};
         shown.background = true;
         shown.highlight = node.highlight;
         add(n, shown);
@@ -240,102 +252,43 @@ class Divider {
 
   void name_parts() {
     std::map<std::string, int> seen;
-    for (std::size_t i = 0; i < parts_.size(); ++i) {
-      TreePart& part = parts_[i];
+    for (TreePart& part : out_.parts) {
       if (part.highlight)
         part.name += " (highlighted)";
       else if (part.background)
         part.name += " (background)";
       const int n = ++seen[part.name];
       if (n > 1) part.name += fmt::format(" #{}", n);
-      for (const std::size_t c : calls_of_[i]) calls_[c].parts.push_back(part.name);
     }
-  }
-
-  std::string settings(const std::vector<TreePart>& parts) {
-    Json json;
-    json["burin"] = "illustration";
-    json["version"] = 1;
-    for (const TreePart& part : parts) {
-      if (part.background || part.highlight) ghost(json, part);
-    }
-    for (const Call& call : calls_) {
-      if (call.parts.empty()) continue;
-      if (call.mark.what == "ink")
-        ink(json, call);
-      else if (call.mark.what == "explode")
-        explode(json, call);
-      else if (call.mark.what == "callout")
-        callout(json, call);
-      else
-        tell(fmt::format("burin.scad says {}, which this Burin does not know",
-                         in_quotes(call.mark.what)));
-    }
-    if (!views_.empty()) view(json, views_.back());
-    return json.size() > 2 ? json.dump() : std::string();
-  }
-
-  static void ghost(Json& json, const TreePart& part) {
-    Json look = {{"select", part.name}, {"hatched", false}};
-    if (part.background) look["transparent"] = true;
-    json["looks"].push_back(look);
-  }
-
-  void ink(Json& json, const Call& call) {
-    const Json& style = call.mark.arguments.empty() ? Json() : call.mark.arguments[0];
-    if (!style.is_string()) return tell("ink() takes a style, as in ink(\"engraving\") lid();");
-    for (const std::string& name : call.parts) {
-      json["looks"].push_back({{"select", name}, {"style", style}});
-    }
-  }
-
-  void explode(Json& json, const Call& call) {
-    const Json& by = call.mark.arguments.empty() ? Json() : call.mark.arguments[0];
-    const bool numbers = by.is_array() && by.size() == 3 &&
-                         std::ranges::all_of(by, [](const Json& v) { return v.is_number(); });
-    std::array<double, 3> way{};
-    for (std::size_t i = 0; numbers && i < 3; ++i) {
-      // A direction: turned as the parts are, not moved.
-      for (std::size_t k = 0; k < 3; ++k) way[i] += call.at.row[i][k] * by[k].get<double>();
-    }
-    const double length = std::hypot(way[0], way[1], way[2]);
-    if (!(length > 0)) return tell("explode() takes a way in mm, as in explode([0, 0, 30]) lid();");
-    json["explode"]["steps"].push_back(
-        {{"move", call.parts}, {"along", {way[0], way[1], way[2]}}, {"by", length}});
-  }
-
-  void callout(Json& json, const Call& call) {
-    json["callouts"] = true;
-    const Json& number = call.mark.arguments.empty() ? Json() : call.mark.arguments[0];
-    if (number.is_null()) return;
-    if (!number.is_number() || number != std::floor(number.get<double>())) {
-      return tell("callout() takes a whole number or nothing, as in callout(3) lid();");
-    }
-    json["items"][fmt::format("{:.0f}", number.get<double>())] = call.parts.front();
-  }
-
-  /// The last one holds.
-  void view(Json& json, const Mark& mark) {
-    const auto given = [&](std::size_t i) {
-      return i < mark.arguments.size() && !mark.arguments[i].is_null();
-    };
-    if (given(0)) json["view"]["from"] = mark.arguments[0];
-    if (given(1)) json["view"]["up"] = mark.arguments[1];
   }
 
   const csg::Tree& tree_;
+  const CallParts& calls_;
   std::string stem_, object_;
   Diagnostics& diagnostics_;
   std::vector<std::uint8_t> calm_, plain_, holds_;
-  std::vector<TreePart> parts_;
-  std::vector<std::vector<std::size_t>> calls_of_;
-  std::map<std::tuple<bool, bool, std::string, std::string, std::vector<std::size_t>>, std::size_t>
+  TreeParts out_;
+  std::map<std::tuple<bool, bool, std::uint32_t, std::string, std::string, double,
+                      std::vector<std::size_t>>,
+           std::size_t>
       groups_;
-  std::vector<Call> calls_;
-  std::vector<Mark> views_;
 };
 
 }  // namespace
+
+bool is_open(Module m) {
+  return m == Module::Group || m == Module::Union || m == Module::Multmatrix ||
+         m == Module::Color || m == Module::Render;
+}
+
+std::vector<std::uint32_t> objects_at_top(const csg::Tree& tree) {
+  for (std::uint32_t n = 1; n < tree.nodes.size(); ++n) {
+    if (tree.nodes[n].root) return {n};
+  }
+  std::vector<std::uint32_t> out;
+  csg::for_each_child(tree, 0, [&](std::uint32_t c) { out.push_back(c); });
+  return out;
+}
 
 bool has_unknown_facets(const csg::Tree& tree, const TreePart& part) {
   const auto unknown = [&](std::uint32_t n) {
@@ -380,8 +333,8 @@ bool is_flat(const csg::Tree& tree) {
 }
 
 TreeParts parts_of(const csg::Tree& tree, std::string_view program, const std::string& stem,
-                   Diagnostics& diagnostics) {
-  return Divider(tree, stem, diagnostics).run(program);
+                   Diagnostics& diagnostics, const CallParts& calls) {
+  return Divider(tree, calls, stem, diagnostics).run(program);
 }
 
 }  // namespace burin::detail

@@ -2,6 +2,7 @@
 
 #include <burin/base/error.h>
 
+#include "exchange.h"
 #include "messages.h"
 #include "named_files.h"
 #include "source.h"
@@ -17,6 +18,7 @@
 #include <cstring>
 #include <fstream>
 #include <iterator>
+#include <optional>
 
 namespace burin::detail {
 namespace {
@@ -155,7 +157,7 @@ std::string contents(const MemoryFile& file) {
 }
 
 Said run_openscad(const Path& path, const OpenscadOptions& options, Makes makes,
-                  const MemoryFile& out, RunContext& context) {
+                  const MemoryFile& out, RunContext& context, const std::string* instead) {
   check_openscad_defines(options.defines);
   std::int64_t lines = 0;
   Diagnostics unused;
@@ -180,11 +182,16 @@ Said run_openscad(const Path& path, const OpenscadOptions& options, Makes makes,
     run.arguments.emplace_back("-D");
     run.arguments.push_back(define);
   }
-  run.arguments.push_back(std::filesystem::absolute(path).string());
+  std::optional<MemoryFile> input;
+  if (instead) {
+    csg::write_text(input.emplace().descriptor(), *instead);
+    run.input = &*input;
+  }
+  run.arguments.push_back(instead ? "-" : std::filesystem::absolute(path).string());
   run.folder = std::filesystem::absolute(path).parent_path().string();
   run.file = &out;
   run.timeout = options.timeout;
-  Messages messages;
+  Messages messages(path.filename().string());
   run.line = [&](const std::string& line) { messages.add(line); };
   const SubprocessEnd end = run_subprocess(run, context);
   if (end.start_error != 0) fail_to_start(program, end.start_error);

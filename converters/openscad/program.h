@@ -39,8 +39,9 @@ struct Said {
 };
 
 /// Runs OpenSCAD on a file; what it makes (a binary STL, or the text of the evaluated tree) is left
-/// in `out`. Throws as `read_openscad`.
+/// in `out`. `instead`: a text that stands for that of the file, line by line; absent: its own.
+/// Throws as `read_openscad`.
 Said run_openscad(const std::filesystem::path& path, const OpenscadOptions& options, Makes makes,
-                  const MemoryFile& out, RunContext& context);
+                  const MemoryFile& out, RunContext& context, const std::string* instead = nullptr);
 
 }  // namespace burin::detail

@@ -5,76 +5,25 @@
 #include <burin/repair/repair.h>
 #include <burin/surface/placed_form.h>
 
-#include "affine.h"
 #include "child.h"
 #include "evaluated_part.h"
+#include "instances.h"
 #include "parts.h"
+#include "solid_store.h"
 #include "text.h"
 #include "tree_function.h"
+#include "wishes.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <map>
 #include <optional>
+#include <utility>
+#include <vector>
 
 namespace burin::detail {
 namespace {
-
-/// A placement within what six digits leave of a matrix; nothing where it does more than turn,
-/// mirror, move and scale alike in all directions.
-std::optional<Placement> placement_of(const csg::Matrix& m) {
-  constexpr double kDigits = 3e-6;  // of numbers up to 1
-  const Affine by(m);
-  const double scale = std::cbrt(std::abs(glm::determinant(by.linear)));
-  if (!(scale > 0) || off_rotation(by.linear / scale) > kDigits) return std::nullopt;
-  // The nearest rotation, by Newton's method for the polar decomposition.
-  Mat3 turn = by.linear / scale;
-  for (int i = 0; i < 4; ++i) turn = 0.5 * (turn + glm::transpose(glm::inverse(turn)));
-  return Placement{scale * turn, by.offset};
-}
-
-std::string matrix_text(const csg::Matrix& m) {
-  std::string text = "multmatrix([";
-  for (const auto& row : m.row) {
-    text += fmt::format("[{},{},{},{}],", row[0], row[1], row[2], row[3]);
-  }
-  return text + "[0,0,0,1]])";
-}
-
-/// A part as the text of what it is an instance of, and where that stands.
-struct Instance {
-  std::string text;
-  /// How many nodes the text has.
-  std::uint32_t nodes = 0;
-  Placement place;
-};
-
-Instance instance_of(const csg::Tree& tree, const TreePart& part) {
-  Instance out;
-  for (const TreePart::Piece& piece : part.pieces) {
-    out.nodes += tree.nodes[piece.node].end - piece.node;
-  }
-  if (part.pieces.size() == 1) {
-    if (const auto place = placement_of(part.pieces.front().at)) {
-      out.place = *place;
-      out.text = std::string(tree.text_of(part.pieces.front().node));
-      return out;
-    }
-  }
-  for (const TreePart::Piece& piece : part.pieces) {
-    const std::string_view text = tree.text_of(piece.node);
-    if (piece.at == csg::Matrix{}) {
-      out.text += text;
-    } else {
-      out.text += fmt::format("{}{{{}}}", matrix_text(piece.at), text);
-      ++out.nodes;
-    }
-    out.text += '\n';
-  }
-  return out;
-}
 
 csg::Solid placed(csg::Solid solid, const Placement& place) {
   for (Vec3& p : solid.positions) p = place.point(p);
@@ -84,70 +33,64 @@ csg::Solid placed(csg::Solid solid, const Placement& place) {
   return solid;
 }
 
-csg::ChildOptions evaluation_of(const std::filesystem::path& path) {
-  csg::ChildOptions options;
-  options.folder = std::filesystem::absolute(path).parent_path();
-  options.file = path.string();
-  return options;
+std::string stem_of(const std::filesystem::path& path) { return clean_name(path.stem().string()); }
+
+/// What the model asks of the drawing of those parts that came out.
+void add_settings(const TreeParts& planned, const std::vector<bool>& made,
+                  const std::filesystem::path& path, Scene& scene) {
+  std::string settings = settings_of(planned, made, scene.diagnostics);
+  if (!settings.empty()) scene.settings.push_back({std::move(settings), path.string()});
 }
 
 }  // namespace
 
-Scene scene_of_tree(const csg::Tree& tree, std::string_view program,
+Scene scene_of_tree(const csg::Tree& tree, const TreeCalls& calls, std::string_view program,
                     const std::filesystem::path& path, const OpenscadOptions& options,
                     Shapes shapes, RunContext& context) {
   Scene scene;
-  const TreeParts planned =
-      parts_of(tree, program, clean_name(path.stem().string()), scene.diagnostics);
-  // One text of what has to be evaluated, each once, and the numbers of its objects.
-  std::string text;
-  std::vector<std::uint32_t> objects;
-  std::uint32_t next = 1;
-  std::map<std::string, std::size_t> known;
-  std::vector<std::size_t> shape;
-  std::vector<Placement> place;
-  for (const TreePart& part : planned.parts) {
-    Instance instance = instance_of(tree, part);
-    const auto [entry, fresh] = known.try_emplace(std::move(instance.text), known.size());
-    if (fresh) {
-      text += fmt::format("group(){{\n{}}}\n", entry->first);
-      objects.push_back(next);
-      next += 1 + instance.nodes;
-    }
-    shape.push_back(entry->second);
-    place.push_back(instance.place);
-  }
-  known.clear();
-  const std::vector<csg::Solid> solids =
-      csg::evaluate_in_child(text, objects, evaluation_of(path), context, scene.diagnostics);
-  std::vector<std::optional<Placer>> forms(solids.size());
+  SolidStore store(tree, path, context);
+  const std::string stem = stem_of(path);
+  const CallParts instances = instances_of(tree, calls, program, stem, store, scene.diagnostics);
+  const TreeParts planned = parts_of(tree, program, stem, scene.diagnostics, instances);
+  const std::vector<StoredPart> stored = store.store(planned.parts, scene.diagnostics);
+  std::map<std::size_t, Placer> forms;
+  std::vector<bool> made;
   for (std::size_t i = 0; i < planned.parts.size(); ++i) {
-    const csg::Solid& solid = solids[shape[i]];
+    const TreePart& of = planned.parts[i];
+    const csg::Solid& solid = store.solid(stored[i]);
+    made.push_back(!solid.empty());
     if (solid.empty()) continue;
-    Part part{planned.parts[i].name, path.string(), nullptr};
-    part.color = planned.parts[i].color;
+    Part part{of.name, path.string(), nullptr};
+    part.color = of.color;
+    part.definition = of.definition;
+    part.opacity = of.opacity;
+    const Placement& place = stored[i].place;
     if (shapes == Shapes::Meshes) {
       part.form =
-          form_of(placed(solid, place[i]), Facets::Flat, part.name, scene.diagnostics, context);
+          form_of(placed(solid, place), Facets::Flat, part.name, scene.diagnostics, context);
     } else {
-      const Facets facets = !options.round                               ? Facets::Flat
-                            : has_unknown_facets(tree, planned.parts[i]) ? Facets::Judged
-                                                                         : Facets::Known;
-      std::optional<Placer>& form = forms[shape[i]];
-      if (!form) form.emplace(form_of(solid, facets, part.name, scene.diagnostics, context));
-      part.form = form->at(place[i]);
+      const Facets facets = !options.round                 ? Facets::Flat
+                            : has_unknown_facets(tree, of) ? Facets::Judged
+                                                           : Facets::Known;
+      auto form = forms.find(stored[i].solid);
+      if (form == forms.end()) {
+        form = forms
+                   .emplace(stored[i].solid,
+                            form_of(solid, facets, part.name, scene.diagnostics, context))
+                   .first;
+      }
+      part.form = form->second.at(place);
     }
     scene.parts.push_back(std::move(part));
   }
-  if (!planned.settings.empty()) scene.settings.push_back({planned.settings, path.string()});
+  add_settings(planned, made, path, scene);
   return scene;
 }
 
-Scene functions_of_tree(const csg::Tree& tree, std::string_view program,
+Scene functions_of_tree(const csg::Tree& tree, const TreeCalls& calls, std::string_view program,
                         const std::filesystem::path& path, RunContext& context) {
   Scene scene;
-  const TreeParts planned =
-      parts_of(tree, program, clean_name(path.stem().string()), scene.diagnostics);
+  const TreeParts planned = parts_of(tree, program, stem_of(path), scene.diagnostics, {&calls});
   for (const TreePart& part : planned.parts) {
     const auto fail = [&](const char* what) {
       throw InputError(fmt::format("{}: {}", part.name, what), path.string());
@@ -157,13 +100,15 @@ Scene functions_of_tree(const csg::Tree& tree, std::string_view program,
                                                  std::nullopt, context);
       scene.parts.push_back({part.name, path.string(), std::move(form)});
       scene.parts.back().color = part.color;
+      scene.parts.back().definition = part.definition;
+      scene.parts.back().opacity = part.opacity;
     } catch (const GeometryError& e) {
       fail(e.what());
     } catch (const UsageError& e) {
       fail(e.what());
     }
   }
-  if (!planned.settings.empty()) scene.settings.push_back({planned.settings, path.string()});
+  add_settings(planned, std::vector<bool>(planned.parts.size(), true), path, scene);
   return scene;
 }
 

@@ -5,6 +5,7 @@
 #include <burin/converters/openscad_reader.h>
 #include <burin/surface/scene.h>
 
+#include "calls.h"
 #include "tree.h"
 
 #include <filesystem>
@@ -16,14 +17,15 @@ namespace burin::detail {
 enum class Shapes : std::uint8_t { Shared, Meshes };
 
 /// Evaluates the parts of a tree in a child process and makes a scene of them. `program`: the text
-/// that the tree came from. Parts of which nothing is left are left out. Throws NotEvaluated
-/// where OpenSCAD might do better, InputError where the model is at fault.
-Scene scene_of_tree(const csg::Tree& tree, std::string_view program,
+/// that the tree came from; `calls`: what is known of its modules. Parts of which nothing is left
+/// are left out. Throws NotEvaluated where OpenSCAD might do better, InputError where the model is
+/// at fault.
+Scene scene_of_tree(const csg::Tree& tree, const TreeCalls& calls, std::string_view program,
                     const std::filesystem::path& path, const OpenscadOptions& options,
                     Shapes shapes, RunContext& context);
 
 /// The parts as implicit functions. Throws InputError for what has none.
-Scene functions_of_tree(const csg::Tree& tree, std::string_view program,
+Scene functions_of_tree(const csg::Tree& tree, const TreeCalls& calls, std::string_view program,
                         const std::filesystem::path& path, RunContext& context);
 
 /// All that a tree makes, united. Throws as `scene_of_tree`.

@@ -1,5 +1,6 @@
 #include "add_parts.h"
 
+#include <burin/base/affine.h>
 #include <burin/base/error.h>
 #include <burin/converters/cad_reader.h>
 #include <burin/converters/implicit_reader.h>
@@ -65,14 +66,10 @@ PolygonSoup soup_of(const py::object& vertices, const py::object& triangles) {
 
 namespace {
 
-// How far the axes of a placement may be from unit length and right angles: programs keep rotations
-// as single-precision numbers or as quaternions that were multiplied many times.
-constexpr double kRigid = 1e-5;
-
-Placement rigid(const py::object& value) {
+Placement affine(const py::object& value) {
   Placement place;
   if (value.is_none()) return place;
-  constexpr const char* kWhat = "argument placement takes a 4 x 4 matrix of a rigid motion";
+  constexpr const char* kWhat = "argument placement takes a 4 x 4 affine matrix";
   const Doubles m = matrix(value, "placement", 4);
   if (m.shape(0) != 4) throw UsageError(fmt::format("{}, not {} rows", kWhat, m.shape(0)));
   const auto at = m.unchecked<2>();
@@ -80,10 +77,12 @@ Placement rigid(const py::object& value) {
     for (int column = 0; column < 3; ++column) place.linear[column][row] = at(row, column);
     place.offset[row] = at(row, 3);
   }
-  const bool finite = std::isfinite(place.offset.x + place.offset.y + place.offset.z);
   const bool last = at(3, 0) == 0 && at(3, 1) == 0 && at(3, 2) == 0 && at(3, 3) == 1;
-  if (!(off_rotation(place.linear) <= kRigid) || !finite || !last) {
-    throw UsageError(fmt::format("{}; this one scales, shears or is not finite", kWhat));
+  if (!last) {
+    throw UsageError(fmt::format("{}; the last row of one is 0, 0, 0, 1", kWhat));
+  }
+  if (!is_invertible(place)) {
+    throw UsageError(fmt::format("{}; this one flattens the part or is not finite", kWhat));
   }
   return place;
 }
@@ -162,7 +161,7 @@ PyBrep read_brep(const py::object& brep) {
 }
 
 Part brep_part(const py::object& brep, const py::object& placement) {
-  const Placement place = rigid(placement);
+  const Placement place = affine(placement);
   const auto shape =
       py::isinstance<PyBrep>(brep) ? brep.cast<PyBrep>().shape : read_brep(brep).shape;
   Part part;

@@ -2,6 +2,7 @@
 
 #include <burin/base/error.h>
 #include <burin/converters/read.h>
+#include <burin/converters/unknown.h>
 
 #include "fields.h"
 #include "illustration.h"
@@ -48,7 +49,7 @@ DrawRequest request_of(const Source& from, const py::kwargs& keywords, With& wit
       continue;
     }
     if (!value.is_none()) check_place(name, from);
-    add_keyword(request, find_option(all_options(), name, kCalls), value);
+    add_keyword(request, option_asked(name, known_words(kCalls), Spelling::Keywords), value);
   }
   request = merged(over, request);
   return from.illustration() ? merged(from.illustration()->request, request) : request;

@@ -1,10 +1,10 @@
 #include "drawing.h"
 
 #include <burin/base/error.h>
-#include <burin/base/nearest.h>
 #include <burin/converters/read_drawing.h>
 #include <burin/converters/values.h>
 #include <burin/converters/write.h>
+#include <burin/options/meant.h>
 
 #include "arrays.h"
 #include "flat_arrays.h"
@@ -85,7 +85,7 @@ WriteOptions options_of(const PyDrawing& drawing, const py::kwargs& options) {
     const auto it = std::find(names.begin(), names.end(), name);
     if (it == names.end()) {
       throw UsageError(
-          fmt::format("unknown argument '{}'; the nearest is '{}'", name, nearest(name, names)));
+          fmt::format("unknown argument '{}'{}", name, hint(name, known_words(names))));
     }
     set_style_key(style, keys[static_cast<std::size_t>(it - names.begin())],
                   value_text(name.c_str(), value));
@@ -254,6 +254,9 @@ void add_path(py::module_& module) {
           "item", [](const PyPath& p) { return p.path().item; },
           "Leaders and frames: the number of their item, else 0.")
       .def_property_readonly(
+          "color", [](const PyPath& p) { return p.path().color; },
+          "\"#rrggbb\"; empty: that of its layer.")
+      .def_property_readonly(
           "stroke_kind", [](const PyPath& p) { return p.path().stroke_kind; },
           "Strokes: which of the style's kinds of strokes, from 1.")
       .def_property_readonly(
@@ -364,6 +367,7 @@ py::list to_list(const std::vector<DrawingItem>& items) {
     d["color"] = item.color;
     d["source"] = item.source;
     d["parts"] = item.parts;
+    d["selectors"] = item.selectors;
     list.append(d);
   }
   return list;

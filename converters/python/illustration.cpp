@@ -130,7 +130,7 @@ py::dict illustration(const py::object& source) {
   out["details"] = py::list();
   for (const DetailView& detail : plan.details) out["details"].attr("append")(parsed(detail.json));
   py::dict items;
-  for (const auto& [number, name] : plan.numbers) items[py::int_(number)] = name;
+  for (const auto& [number, item] : plan.numbers) items[py::int_(number)] = item.name;
   out["items"] = items;
   out["callouts"] = plan.callouts;
   out["parts_list"] = plan.parts_list;

@@ -100,7 +100,7 @@ ReadOptions read_options(const py::kwargs& keywords, const std::vector<std::stri
   DrawRequest request;
   const std::vector<RequestOption> options = described(read_option_rows());
   for (const auto& [key, value] : keywords) {
-    add_keyword(request, find_option(options, key.cast<std::string>(), others), value);
+    add_keyword(request, find_option(options, key.cast<std::string>(), known_words(others)), value);
   }
   return make_read_options(request.options, Spelling::Keywords);
 }

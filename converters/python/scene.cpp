@@ -101,6 +101,11 @@ void add_part(py::module_& module) {
   property(part, "color", &Part::color, "\"#rrggbb\", or empty where it has none.");
   property(part, "assembly", &Part::assembly,
            "Names from the top of an assembly down to what contains the part.");
+  property(part, "definition", &Part::definition,
+           "The name of what it is an instance of, by which parts lists call it; may be empty.");
+  property(part, "opacity", &Part::opacity,
+           "How much of what lies behind it the part covers: 1 all of it, 0 nothing. Below 1 it is "
+           "drawn as transparent.");
   look(part, "drawn", &PartStyle::drawn, "False: as if the part were not there.");
   look(part, "hatched", &PartStyle::hatched, "False: lines alone, without strokes.");
   look(part, "transparent", &PartStyle::transparent,
@@ -182,7 +187,8 @@ void add_scene(py::module_& module) {
           py::arg("color") = "", py::arg("assembly") = py::tuple(), py::arg("source") = "",
           "A shape as OCCT writes it in text or binary (FreeCAD: shape.exportBrepToString()), or a "
           "Brep. "
-          "`placement` is a 4 x 4 matrix of a rigid motion (row major, acts on columns). One part, "
+          "`placement` is a 4 x 4 affine matrix (row major, acts on columns): it may turn, mirror, "
+          "stretch and shear, and not flatten. One part, "
           "whatever its solids; faces and edges are numbered as in the shape (TopExp order), from "
           "0.")
       .def(

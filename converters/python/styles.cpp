@@ -100,14 +100,16 @@ void add_styles(py::module_& module) {
         const py::object loads = py::module_::import("json").attr("loads");
         py::list out;
         for (const StyleKey& k : style_keys(style_of(style))) {
-          out.append(loads(to_json(k, {{"key", k.name}, {"value", k.value}})));
+          out.append(
+              loads(to_json(k, {{"key", k.name}, {"value", k.value}, {"scope", k.scope()}})));
         }
         return out;
       },
       py::arg("style") = "technical",
       "Each key of a style: \"key\", \"meaning\", \"kind\" (number, flag, word, direction or "
       "text), "
-      "what it takes (\"low\", \"high\", \"unit\"; \"words\"; \"takes\" for people), \"value\"; "
+      "what it takes (\"low\", \"high\", \"unit\"; \"words\"; \"takes\" for people), \"value\", "
+      "\"scope\" (drawing: parts in a style of their own cannot have another; part: they can); "
       "keys "
       "of kinds of strokes after the first among them.");
   module.def(

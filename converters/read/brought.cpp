@@ -1,5 +1,6 @@
 #include <burin/base/ascii.h>
 #include <burin/base/error.h>
+#include <burin/base/input_name.h>
 #include <burin/converters/mesh_info.h>
 #include <burin/converters/mesh_reader.h>
 
@@ -36,7 +37,7 @@ FileInfo inspect(const plugin::ReaderKind& kind, const Path& path, const ReadOpt
   info.format = std::string(kind.meaning);
   const Scene scene = read(kind, path, options, context);
   info.diagnostics = scene.diagnostics;
-  for (const Part& part : scene.parts) info.parts.push_back(measure_mesh_part(part, context));
+  measure_mesh_parts(scene, info, context);
   return info;
 }
 
@@ -85,7 +86,7 @@ Reader brought_reader(const plugin::ReaderKind& kind) {
           .knows_content = kind.knows,
           .knows_suffix =
               [kind](const Path& path) {
-                const std::string suffix = lowered(path.extension().string());
+                const std::string suffix = model_suffix(path);
                 return std::ranges::find(kind.suffixes, suffix) != kind.suffixes.end();
               },
           .read = [kind](const Path& path, const ReadOptions& o,

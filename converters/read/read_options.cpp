@@ -1,10 +1,13 @@
 #include "read_options.h"
 
+#include <burin/base/ascii.h>
 #include <burin/base/catalogue.h>
 #include <burin/base/error.h>
 #include <burin/converters/openscad_reader.h>
 #include <burin/converters/values.h>
 #include <burin/plugin/sources.h>
+
+#include "encoding.h"
 
 #include <fmt/format.h>
 
@@ -18,6 +21,7 @@ namespace {
 constexpr const char* kFiles = "Files";
 constexpr const char* kLook = "The look";
 constexpr const char* kData = "Functions and volumes";
+constexpr unsigned kAllFamilies = ~0U;
 constexpr double kWeek = 604'800;  // seconds
 constexpr std::uint64_t kMostBytes = std::uint64_t{1} << 50;
 
@@ -30,6 +34,28 @@ Set number_to(M member) {
 
 std::vector<ReadRow> file_rows() {
   return {
+      {{{.option = {.name = "input_format",
+                    .meaning =
+                        "what is read from - (standard input), or from files whose names do not "
+                        "tell it: stl, obj, step, .. ; bytes that are clear go before it",
+                    .takes = FreeText{}},
+         .group = kFiles,
+         .label = "FORMAT"},
+        [](ReadOptions& o, const Asked& a) {
+          o.input_format = lowered(a.text());
+          if (o.input_format.starts_with('.')) o.input_format.erase(0, 1);
+          if (o.input_format == "scad" || o.input_format == "csg") {
+            throw UsageError(a.spelled +
+                             ": OpenSCAD's programs are read from files, as they name others; save "
+                             "it as a file with the suffix .scad");
+          }
+          if (!is_read_suffix("." + o.input_format)) {
+            refuse_value(a.spelled, "a suffix of a format that is read, such as stl or step",
+                         a.text());
+          }
+        }},
+       kAllFamilies,
+       "standard input and files whose names do not tell their format"},
       {{{.option =
              {.name = "define",
               .meaning =
@@ -40,7 +66,9 @@ std::vector<ReadRow> file_rows() {
          .label = "NAME=VALUE",
          .many = true,
          .letter = 'D',
-         .python = "Mapping[str, Any] | Sequence[str]"},
+         .python = "Mapping[str, Any] | Sequence[str]",
+         .also = {"variable", "var", "d", "parameter", "parameters", "params", "param",
+                  "set variable", "arg"}},
         [](ReadOptions& o, const Asked& a) {
           check_openscad_defines(a.texts);
           o.defines = a.texts;
@@ -89,7 +117,8 @@ std::vector<ReadRow> file_rows() {
          .group = kFiles,
          .label = "NAME|LABEL",
          .many = true,
-         .python = "str | Sequence[str]"},
+         .python = "str | Sequence[str]",
+         .also = {"body name", "node", "feature", "label name"}},
         [](ReadOptions& o, const Asked& a) { o.objects = a.texts; }},
        FreecadFiles,
        "FreeCAD documents"},
@@ -109,6 +138,19 @@ std::vector<ReadRow> file_rows() {
         number_to([](ReadOptions& o) -> double& { return o.freecad_timeout; })},
        FreecadFiles,
        "FreeCAD documents that are recomputed"},
+      {{{.option = {.name = "encoding",
+                    .meaning = "the encoding of names that a file does not say it of, such as "
+                               "GB18030, SHIFT_JIS, "
+                               "EUC-KR or WINDOWS-1252 (default: found out from the names)",
+                    .takes = FreeText{}},
+         .group = kFiles,
+         .label = "NAME"},
+        [](ReadOptions& o, const Asked& a) {
+          check_encoding(a.spelled, a.text());
+          o.encoding = a.text();
+        }},
+       CadFiles | Meshes | Splines,
+       "STEP, IGES, OBJ, STL and IRIT files"},
       {{{.option =
              {.name = "heal",
               .meaning =
@@ -116,7 +158,8 @@ std::vector<ReadRow> file_rows() {
                   "OpenSCAD files)",
               .takes = Switch{}},
          .group = kLook,
-         .negated = "draw facets as they are"},
+         .negated = "draw facets as they are",
+         .also = {"recognise", "recognize", "fit surfaces", "smooth facets", "reverse engineer"}},
         [](ReadOptions& o, const Asked& a) { o.heal = std::get<bool>(a.value); }},
        Meshes | OpenscadFiles,
        "meshes and OpenSCAD files"},
@@ -133,7 +176,8 @@ std::vector<ReadRow> level_rows() {
                     .takes = FreeText{}},
          .group = kData,
          .label = "X0,..,Z1",
-         .python = "Sequence[float]"},
+         .python = "Sequence[float]",
+         .also = {"domain", "bounding box", "bbox", "region"}},
         [](ReadOptions& o, const Asked& a) { o.bounds = box_option(a.spelled, a.text()); }},
        Functions | Volumes | Splines,
        "functions, volumes and trivariate splines"},
@@ -158,7 +202,8 @@ std::vector<ReadRow> level_rows() {
               .takes = NumberRange{-kMost, kMost},
               .phrase = "a number"},
          .group = kData,
-         .label = "LEVEL"},
+         .label = "LEVEL",
+         .also = {"isovalue", "level", "threshold", "iso value", "isosurface", "iso level"}},
         [](ReadOptions& o, const Asked& a) { o.volume.level = std::get<double>(a.value); }},
        Volumes | Splines,
        "volumes and trivariate splines"},
@@ -184,7 +229,8 @@ std::vector<ReadRow> volume_rows() {
               .takes = NumberRange{0, 100, "samples"},
               .phrase = "a standard deviation of 0 to 100 samples"},
          .group = kData,
-         .label = "SAMPLES"},
+         .label = "SAMPLES",
+         .also = {"blur", "gauss", "sigma", "denoise"}},
         number_to([](ReadOptions& o) -> double& { return o.volume.smoothing; })},
        Volumes,
        "volumes"},

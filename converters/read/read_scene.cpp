@@ -1,5 +1,6 @@
 #include <burin/base/error.h>
 #include <burin/base/input_files.h>
+#include <burin/base/input_name.h>
 #include <burin/base/missing_file.h>
 #include <burin/base/plugin_error.h>
 #include <burin/converters/read.h>
@@ -23,6 +24,7 @@ void check_inputs(const std::vector<std::string>& paths) {
       plugin::find_form(path);
       continue;
     }
+    if (is_standard_input(path)) continue;
     InputFiles::opens(path);
     struct stat info {};
     if (::stat(path.c_str(), &info) != 0) {
@@ -64,7 +66,8 @@ Scene read_scene(const std::vector<std::string>& paths, const ReadOptions& optio
   Scene scene;
   std::vector<const detail::Reader*> readers;
   for (std::size_t i = 0; i < paths.size(); ++i) {
-    readers.push_back(&detail::reader_of(paths[i], options));
+    const GivenFormat format(paths[i], detail::given_format(paths[i], options));
+    readers.push_back(&detail::reader_of(paths[i], options, context));
     Scene one = read_one(paths[i], *readers.back(), options, paths.size() > 1, context);
     scene.parts.insert(scene.parts.end(), std::make_move_iterator(one.parts.begin()),
                        std::make_move_iterator(one.parts.end()));
@@ -80,7 +83,8 @@ Scene read_scene(const std::vector<std::string>& paths, const ReadOptions& optio
 
 FileInfo inspect_file(const std::filesystem::path& path, const ReadOptions& options,
                       RunContext& context) {
-  return detail::reader_of(path, options).inspect(path, options, context);
+  const GivenFormat format(path, detail::given_format(path, options));
+  return detail::reader_of(path, options, context).inspect(path, options, context);
 }
 
 }  // namespace burin

@@ -1,8 +1,10 @@
 #include "readers.h"
 
 #include <burin/base/catalogue.h>
+#include <burin/base/input_name.h>
 #include <burin/converters/cad_reader.h>
 #include <burin/converters/fcstd_reader.h>
+#include <burin/converters/gltf_reader.h>
 #include <burin/converters/implicit_reader.h>
 #include <burin/converters/irit_reader.h>
 #include <burin/converters/mesh_info.h>
@@ -10,9 +12,10 @@
 #include <burin/converters/openscad_reader.h>
 #include <burin/converters/volume_reader.h>
 
+#include "packed.h"
+
 #include <algorithm>
 #include <array>
-#include <fstream>
 #include <string>
 
 namespace burin::detail {
@@ -20,28 +23,44 @@ namespace {
 
 using Path = std::filesystem::path;
 
-const Reader kMesh{
-    "STL, OBJ, OFF, PLY, 3MF",
-    nullptr,
-    is_mesh_suffix,
+Facets facets_of(const ReadOptions& o) {
+  return o.heal.value_or(false) ? Facets::Recognised : Facets::Kept;
+}
+
+const Reader kMesh{"STL, OBJ, OFF, PLY, 3MF",
+                   nullptr,
+                   is_mesh_suffix,
+                   [](const Path& path, const ReadOptions& o, RunContext& c) {
+                     return read_mesh(path, c, facets_of(o), o.encoding);
+                   },
+                   [](const Path& path, const ReadOptions& o, RunContext& c) {
+                     return inspect_mesh(path, c, o.encoding);
+                   },
+                   Meshes};
+
+const Reader kGltf{
+    "glTF, GLB",
+    is_gltf_content,
+    is_gltf_suffix,
     [](const Path& path, const ReadOptions& o, RunContext& c) {
-      Scene scene = read_mesh(path, c);
-      if (o.heal.value_or(false)) heal_parts(scene, c);
-      return scene;
+      return read_gltf(path, c, facets_of(o));
     },
-    [](const Path& path, const ReadOptions&, RunContext& c) { return inspect_mesh(path, c); },
+    [](const Path& path, const ReadOptions&, RunContext& c) { return inspect_gltf(path, c); },
     Meshes};
 
-const Reader kCad{
-    "STEP, IGES, BREP",
-    is_cad_content,
-    is_cad_suffix,
-    [](const Path& path, const ReadOptions&, RunContext& c) { return read_cad(path, c); },
-    [](const Path& path, const ReadOptions&, RunContext& c) { return inspect_cad(path, c); },
-    CadFiles};
+const Reader kCad{"STEP, IGES, BREP",
+                  is_cad_content,
+                  is_cad_suffix,
+                  [](const Path& path, const ReadOptions& o, RunContext& c) {
+                    return read_cad(path, c, o.encoding);
+                  },
+                  [](const Path& path, const ReadOptions& o, RunContext& c) {
+                    return inspect_cad(path, c, o.encoding);
+                  },
+                  CadFiles};
 
 IritReadOptions irit_options(const ReadOptions& o) {
-  return {o.volume.level.value_or(0), o.volume.inside_above.value_or(false), o.bounds};
+  return {o.volume.level.value_or(0), o.volume.inside_above.value_or(false), o.bounds, o.encoding};
 }
 
 const Reader kIrit{"ITD, IRT, BEZ, BBP",
@@ -107,7 +126,7 @@ const Reader kVolume{"NRRD, MHA, MHD, INR, NII, VTI, RAW",
                      },
                      Volumes};
 
-const std::array kReaders{&kCad, &kIrit, &kImplicit, &kOpenscad, &kFcstd, &kVolume, &kMesh};
+const std::array kReaders{&kCad, &kGltf, &kIrit, &kImplicit, &kOpenscad, &kFcstd, &kVolume, &kMesh};
 
 /// Those of plug-ins.
 struct BroughtReaders {
@@ -132,25 +151,23 @@ std::vector<const Reader*> all_readers() {
   return all;
 }
 
-/// Empty where the file cannot be read: its reader says why.
-std::string head_of(const std::filesystem::path& path) {
-  std::string head(kHeadBytes, '\0');
-  std::error_code error;
-  if (!std::filesystem::is_regular_file(path, error)) return {};
-  std::ifstream in(path, std::ios::binary);
-  in.read(head.data(), static_cast<std::streamsize>(head.size()));
-  head.resize(static_cast<std::size_t>(in.gcount()));
-  return head;
-}
-
 }  // namespace
 
-const Reader& reader_of(const std::filesystem::path& path, const ReadOptions& options) {
+std::string given_format(const std::filesystem::path& path, const ReadOptions& options) {
+  if (options.input_format.empty()) return {};
+  const std::vector<const Reader*> readers = all_readers();
+  const auto knows = [&](const Reader* reader) { return reader->knows_suffix(path); };
+  const bool told = !is_standard_input(path) && std::ranges::any_of(readers, knows);
+  return told ? std::string() : "." + options.input_format;
+}
+
+const Reader& reader_of(const std::filesystem::path& path, const ReadOptions& options,
+                        const RunContext& context) {
   if (plugin::names_form(path.string())) {
     const std::string name(plugin::find_form(path.string()).name);
     return *std::ranges::find(brought().forms, name, &Reader::brought);
   }
-  const std::string head = head_of(path);
+  const std::string head = head_of(path, kHeadBytes, context);
   const std::vector<const Reader*> readers = all_readers();
   for (const Reader* reader : readers) {
     if (reader->knows_content && reader->knows_content(head)) return *reader;
@@ -164,6 +181,12 @@ const Reader& reader_of(const std::filesystem::path& path, const ReadOptions& op
 }  // namespace burin::detail
 
 namespace burin {
+
+bool is_read_suffix(std::string_view suffix) {
+  const std::filesystem::path path = "x" + std::string(suffix);
+  return std::ranges::any_of(detail::all_readers(),
+                             [&](const detail::Reader* r) { return r->knows_suffix(path); });
+}
 
 bool is_own_suffix(std::string_view suffix) {
   const std::filesystem::path path = "x" + std::string(suffix);

@@ -47,6 +47,11 @@ void name_unused(const ReadOptions& options, const std::vector<std::string>& pat
 
 /// By content where that is clear, else by the suffix, else raw data where its layout is given,
 /// else the readers of meshes, which say what is wrong with a file that nobody knows.
-const Reader& reader_of(const std::filesystem::path& path, const ReadOptions& options);
+const Reader& reader_of(const std::filesystem::path& path, const ReadOptions& options,
+                        const RunContext& context);
+
+/// The suffix that the user gave a file by `input_format`; empty where its name has one that is
+/// known.
+std::string given_format(const std::filesystem::path& path, const ReadOptions& options);
 
 }  // namespace burin::detail

@@ -1,3 +1,4 @@
+#include <burin/base/input_name.h>
 #include <burin/forms/implicit/implicit_form.h>
 
 #include "read_options.h"
@@ -14,6 +15,7 @@ namespace {
 bool met(std::string_view name, const ReadOptions& options, const std::string& path,
          const Reader& reader, const Scene& scene) {
   const ReadRow* row = find_read_row(name);
+  if (name == "input_format") return !given_format(path, options).empty();
   if (row == nullptr || (row->families & reader.family) == 0) return false;
   if (row->families == Brought) return row->brought == reader.brought;
   if (name == "freecad_timeout") return options.recompute;
@@ -21,8 +23,8 @@ bool met(std::string_view name, const ReadOptions& options, const std::string& p
   if (name == "raw" || name == "raw_skip") {
     ReadOptions without = options;
     without.volume.raw.reset();
-    const std::string suffix = std::filesystem::path(path).extension().string();
-    return suffix == ".raw" || &reader_of(path, without) != &reader;
+    const std::string suffix = model_suffix(path);
+    return suffix == ".raw" || &reader_of(path, without, RunContext()) != &reader;
   }
   if (reader.family != Splines) return true;
   // Files of spline patches may have trivariate ones among them.
@@ -51,3 +53,16 @@ void name_unused(const ReadOptions& options, const std::vector<std::string>& pat
 }
 
 }  // namespace burin::detail
+
+namespace burin {
+
+bool concerns(const std::string& option, const std::filesystem::path& path) {
+  const detail::ReadRow* row = detail::find_read_row(option);
+  if (row == nullptr) return false;
+  // Any file may hold raw samples.
+  if (option == "raw" || option == "raw_skip" || option == "input_format") return true;
+  const detail::Reader& reader = detail::reader_of(path, {}, RunContext());
+  return (row->families & reader.family) != 0;
+}
+
+}  // namespace burin

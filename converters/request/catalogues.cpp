@@ -14,7 +14,8 @@ std::string catalogues_json() {
     all["options"].push_back(Json::parse(request_to_json(option)));
   }
   for (const StyleKey& key : style_keys(builtin_style("technical"))) {
-    all["style_keys"].push_back(Json::parse(to_json(key, {{"value", key.value}})));
+    all["style_keys"].push_back(
+        Json::parse(to_json(key, {{"value", key.value}, {"scope", key.scope()}})));
   }
   for (const StyleInfo& style : builtin_styles()) {
     all["styles"].push_back({{"name", style.name}, {"meaning", style.description}});

@@ -5,6 +5,7 @@
 #include <burin/drawing/views.h>
 
 #include "difference_rows.h"
+#include "split_parts.h"
 
 #include <fmt/format.h>
 
@@ -56,14 +57,14 @@ std::vector<T> joined(std::vector<T> a, const std::vector<T>& b) {
 void choose_parts(Revision& before, Revision& after) {
   std::vector<PartStyle>&was = before.plan.illustrate.part_styles,
   &is = after.plan.illustrate.part_styles;
-  was.resize(before.scene.parts.size());
-  is.resize(after.scene.parts.size());
   if (before.own_looks || after.own_looks) {
     select_parts(before.scene, before.plan);
     select_parts(after.scene, after.plan);
     return;
   }
-  const Scene both = together(before.scene, after.scene);
+  detail::split_parts(before.scene, after.plan, was);
+  detail::split_parts(after.scene, after.plan, is);
+  Scene both = together(before.scene, after.scene);
   DrawPlan plan = after.plan;
   plan.illustrate.part_styles = joined(was, is);
   select_parts(both, plan);
@@ -168,6 +169,17 @@ Drawing draw_both(Revision& before, Revision& after, const Difference& differenc
   return drawing;
 }
 
+/// Leaves out the parts that neither drawing shows; how many.
+std::size_t forget_undrawn(Difference& difference) {
+  const auto undrawn = [&](const PartDifference& part) {
+    const bool was = part.match.before != kNoPart && part.drawn_before;
+    const bool is = part.match.after != kNoPart && part.drawn_after;
+    if (!was && !is) --difference.counts[static_cast<std::size_t>(part.change())];
+    return !was && !is;
+  };
+  return std::erase_if(difference.parts, undrawn);
+}
+
 }  // namespace
 
 DiffOutcome diff_models(Revision before, Revision after, bool draws, RunContext& context) {
@@ -182,10 +194,16 @@ DiffOutcome diff_models(Revision before, Revision after, bool draws, RunContext&
   tell_once(after.scene.diagnostics, outcome.diagnostics);
   outcome.models = compare_revisions(before.scene, after.scene, drawn(before), drawn(after),
                                      outcome.diagnostics, context);
+  if (const std::size_t undrawn = forget_undrawn(*outcome.models); undrawn > 0) {
+    outcome.diagnostics.add(Severity::Info, "diff.not_drawn", static_cast<std::int64_t>(undrawn),
+                            "parts that neither revision draws are left out of the report");
+  }
   outcome.same = outcome.models->same();
   outcome.rows = detail::rows_of(*outcome.models);
-  outcome.counts =
-      detail::counts_of(*outcome.models, before.scene.parts.size(), after.scene.parts.size());
+  const auto shown = [&](const Revision& r) {
+    return static_cast<std::size_t>(std::ranges::count(drawn(r), true));
+  };
+  outcome.counts = detail::counts_of(*outcome.models, shown(before), shown(after));
   outcome.diagnostics = at_door(outcome.diagnostics, after.plan.spelling);
   if (draws) outcome.drawing = draw_both(before, after, *outcome.models, context);
   return outcome;

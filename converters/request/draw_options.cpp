@@ -41,13 +41,25 @@ Style style_of_text(const std::string& text, const std::string& source) {
   }
 }
 
+/// Options are no style keys: "view=top".
+void refuse_option(const std::string& key, const std::string& set) {
+  const Spelling spelling = set.starts_with("--") ? Spelling::Options : Spelling::Keywords;
+  for (const RequestOption& option : all_options()) {
+    if (option.option.name != key) continue;
+    throw UsageError(fmt::format("'{}' is no style key; it is the {}", key, called(key, spelling)));
+  }
+}
+
 void set_keys(Draft& draft, const Asked& asked) {
   std::vector<std::pair<std::string, std::string>> assignments;
   for (const std::string& assignment : asked.texts) {
     assignments.push_back(parted_assignment(assignment));
   }
   std::ranges::stable_sort(assignments, {}, [](const auto& a) { return setting_rank(a.first); });
-  for (const auto& [key, value] : assignments) set_style_key(draft.plan.style, key, value);
+  for (const auto& [key, value] : assignments) {
+    refuse_option(key, asked.spelled);
+    set_style_key(draft.plan.style, key, value);
+  }
   find_named_files(draft.plan.style, {});
 }
 
@@ -78,7 +90,8 @@ std::vector<RequestRow<Draft>> look_rows() {
         .label = "NAME|FILE",
         .fallback = "technical",
         .choices = style_names(),
-        .python = "str | PathLike[str] | Mapping[str, Any]"},
+        .python = "str | PathLike[str] | Mapping[str, Any]",
+        .also = {"theme", "preset", "mode", "render style", "shading", "technique", "template"}},
        [](Draft& d, const Asked& a) {
          d.named = d.style_text.empty() ? load_style(a.text())
                                         : style_of_text(d.style_text, d.style_source);
@@ -90,7 +103,8 @@ std::vector<RequestRow<Draft>> look_rows() {
                    .takes = Direction{},
                    .phrase = kDirectionPhrase},
         .group = kLook,
-        .label = "X,Y,Z"},
+        .label = "X,Y,Z",
+        .also = {"sun", "lamp", "light direction", "lighting", "illumination"}},
        [](Draft& d, const Asked& a) {
          for_each_tone(d.plan.style,
                        [&](tone::ToneOptions& t) { t.light = std::get<Vec3>(a.value); });
@@ -101,14 +115,17 @@ std::vector<RequestRow<Draft>> look_rows() {
         .group = kLook,
         .label = "KEY=VALUE",
         .many = true,
-        .python = "Mapping[str, Any]"},
+        .python = "Mapping[str, Any]",
+        .also = {"key", "config", "option", "param style", "define style"}},
        set_keys},
       {{.option = {.name = "hidden",
                    .meaning = "leave hidden lines out or draw them dashed (default none)",
                    .takes = WordList{{"none", "dashed"}}},
         .group = kLook,
         .label = "none|dashed",
-        .fallback = "none"},
+        .fallback = "none",
+        .also = {"hidden lines", "hidden line", "hlr", "show hidden", "dashed", "dash",
+                 "dashed lines", "invisible", "no hidden", "remove hidden", "occluded"}},
        [](Draft& d, const Asked& a) {
          d.plan.illustrate.hidden =
              std::get<std::uint64_t>(a.value) == 0 ? HiddenLines::None : HiddenLines::Dashed;
@@ -120,7 +137,10 @@ std::vector<RequestRow<Draft>> look_rows() {
                    .takes = NumberRange{1 / kLarge, kLarge, "mm"},
                    .phrase = "a number of mm over 0"},
         .group = kLook,
-        .label = "MM"},
+        .label = "MM",
+        .also = {"deflection", "linear deflection", "chord", "chordal tolerance", "accuracy",
+                 "precision", "quality", "detail level", "lod", "mesh quality", "facets",
+                 "fineness"}},
        [](Draft& d, const Asked& a) { d.plan.illustrate.tolerance = std::get<double>(a.value); }},
   };
 }
@@ -143,7 +163,9 @@ std::vector<RequestRow<Draft>> part_rows() {
         .group = kParts,
         .label = "NAME",
         .many = true,
-        .python = kPython},
+        .python = kPython,
+        .also = {"only", "select", "include", "isolate", "component", "object name", "body", "show",
+                 "filter", "solid"}},
        [](Draft& d, const Asked& a) { d.plan.only = a.texts; }},
       {{.option = {.name = "hide",
                    .meaning = "leave these parts out; repeatable",
@@ -151,7 +173,9 @@ std::vector<RequestRow<Draft>> part_rows() {
         .group = kParts,
         .label = "NAME",
         .many = true,
-        .python = kPython},
+        .python = kPython,
+        .also = {"exclude", "without", "omit", "skip", "remove", "hidden parts",
+                 "invisible parts"}},
        [](Draft& d, const Asked& a) { add_looks(d, a, {.drawn = false}); }},
       {{.option = {.name = "ghost",
                    .meaning =
@@ -160,7 +184,9 @@ std::vector<RequestRow<Draft>> part_rows() {
         .group = kParts,
         .label = "NAME",
         .many = true,
-        .python = kPython},
+        .python = kPython,
+        .also = {"transparent", "transparency", "opacity", "alpha", "glass", "xray", "x ray",
+                 "see through", "translucent"}},
        [](Draft& d, const Asked& a) { add_looks(d, a, {.hatched = false, .transparent = true}); }},
       {{.option = {.name = "look",
                    .meaning = "draw these parts in another style, a name or a file; repeatable",
@@ -168,7 +194,8 @@ std::vector<RequestRow<Draft>> part_rows() {
         .group = kParts,
         .label = "NAME=STYLE",
         .many = true,
-        .python = "Mapping[str, str] | Sequence[str]"},
+        .python = "Mapping[str, str] | Sequence[str]",
+        .also = {"part style", "style of", "appearance", "override", "material"}},
        set_looks},
   };
 }
@@ -182,7 +209,9 @@ std::vector<RequestRow<Draft>> explode_rows() {
         .group = kParts,
         .label = "auto|AXIS",
         .choices = {"auto", "x", "y", "z", "none"},
-        .python = "str | Sequence[float]"},
+        .python = "str | Sequence[float]",
+        .also = {"exploded", "exploded view", "explosion", "disassemble", "apart", "take apart",
+                 "explode view"}},
        [](Draft& d, const Asked& a) { set_explode(d.plan.explode, a.spelled, a.text()); }},
       {{.option = {.name = "explode_factor",
                    .meaning =
@@ -190,7 +219,8 @@ std::vector<RequestRow<Draft>> explode_rows() {
                        "(default 1)",
                    .takes = NumberRange{0, 10}},
         .group = kParts,
-        .label = "F"},
+        .label = "F",
+        .also = {"explosion factor", "explode distance", "spread", "explode scale"}},
        [](Draft& d, const Asked& a) { d.plan.explode.factor = std::get<double>(a.value); }},
   };
 }
@@ -215,7 +245,9 @@ std::vector<RequestRow<Draft>> item_rows() {
                    .meaning = "a number at each item, with a leader; looks: style keys callout.*",
                    .takes = Switch{}},
         .group = kParts,
-        .negated = "draw none, whatever the illustration file says"},
+        .negated = "draw none, whatever the illustration file says",
+        .also = {"balloons", "balloon", "labels", "label", "numbers", "item numbers", "leaders",
+                 "annotations", "annotate", "bubbles", "tags"}},
        [](Draft& d, const Asked& a) { d.plan.callouts = std::get<bool>(a.value); }},
       {{.option = {.name = "parts_list",
                    .meaning = "number, name and quantity of each item: on the sheet, or as a file "
@@ -225,7 +257,9 @@ std::vector<RequestRow<Draft>> item_rows() {
         .label = "sheet|FILE.csv|FILE.json",
         .choices = {"sheet"},
         .many = true,
-        .python = "str | Sequence[str]"},
+        .python = "str | Sequence[str]",
+        .also = {"bom", "bill of materials", "parts table", "list", "partlist", "stueckliste",
+                 "components list", "csv"}},
        set_parts_list},
   };
 }
@@ -238,14 +272,16 @@ std::vector<RequestRow<Draft>> run_rows() {
                    .phrase = "a whole number from 0"},
         .group = kRun,
         .label = "N",
-        .fallback = "1"},
+        .fallback = "1",
+        .also = {"random", "random seed"}},
        [](Draft& d, const Asked& a) { d.plan.illustrate.seed = std::get<std::uint64_t>(a.value); }},
       {{.option = {.name = "threads",
                    .meaning = "worker threads (default: all); the drawing is the same for any "
                               "number",
                    .takes = WholeRange{1, 4096}},
         .group = kRun,
-        .label = "N"},
+        .label = "N",
+        .also = {"jobs", "cores", "cpus", "parallel", "workers", "j", "num threads", "nproc"}},
        [](Draft& d, const Asked& a) {
          d.plan.threads = static_cast<int>(std::get<std::uint64_t>(a.value));
        }},
@@ -254,14 +290,16 @@ std::vector<RequestRow<Draft>> run_rows() {
                               "finer tessellation of its own; say what they contradict, where, and "
                               "how much in all",
                    .takes = Switch{}},
-        .group = kRun},
+        .group = kRun,
+        .also = {"check", "test", "validate", "prove"}},
        [](Draft& d, const Asked& a) { d.plan.illustrate.verify = std::get<bool>(a.value); }},
       {{.option = {.name = "id_prefix",
                    .meaning =
                        "what all ids of an SVG begin with, so that several stand in one page",
                    .takes = FreeText{}},
         .group = kFiles,
-        .label = "TEXT"},
+        .label = "TEXT",
+        .also = {"prefix", "css prefix", "svg prefix", "svg ids", "namespace"}},
        [](Draft& d, const Asked& a) { d.plan.id_prefix = id_prefix_option(a.spelled, a.text()); }},
   };
 }

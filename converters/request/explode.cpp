@@ -2,6 +2,7 @@
 #include <burin/base/error.h>
 #include <burin/converters/request.h>
 #include <burin/explode/explode.h>
+#include <burin/explode/seen.h>
 
 #include "explode_option.h"
 
@@ -89,6 +90,38 @@ std::vector<ExplodeStep> steps_of(Scene& scene, const Explode& explode,
 
 using detail::steps_of;
 
+namespace {
+
+/// Turns the view to where most parts are seen.
+void find_view(Scene& scene, DrawPlan& plan, const ExplodeModel& model,
+               const std::vector<Vec3>& moves, RunContext& context) {
+  constexpr double kAlong = 1e-6;  // radians, as Camera has it
+  const Vec3 first = glm::normalize(plan.view.direction), up = glm::normalize(plan.view.up);
+  if (std::ranges::any_of(corners_about(first), [&](const Vec3& corner) {
+        return glm::length(glm::cross(corner, up)) <= kAlong;
+      })) {
+    return;  // it is no up there
+  }
+  const std::vector<PartStyle>& styles = plan.illustrate.part_styles;
+  std::vector<std::size_t> there;  // what can be looked through hides nothing
+  for (std::size_t i = 0; i < styles.size(); ++i) {
+    if (styles[i].drawn && !styles[i].transparent) there.push_back(i);
+  }
+  context.begin_stage(RunStage::Build);
+  const auto found = clearest_outlook(model.proxies(), there, moves, {first, up}, context);
+  context.end_stage();
+  if (!found || found->seen == found->seen_first) return;
+  const Vec3 d = glm::sign(found->direction);
+  plan.view.direction = d;
+  scene.diagnostics.add(
+      Severity::Info, "explode.view", 1,
+      fmt::format("the view is {:g},{:g},{:g}: {} of {} parts are seen there, {} from iso; `view "
+                  "iso` or another one is kept",
+                  d.x, d.y, d.z, found->seen, found->of, found->seen_first));
+}
+
+}  // namespace
+
 std::vector<Explode::Step> explode_steps(Scene& scene, const DrawPlan& plan, RunContext& context) {
   if (!plan.explode.steps.empty()) return plan.explode.steps;
   const std::vector<bool> drawn = drawn_parts(scene, plan.illustrate.part_styles);
@@ -107,8 +140,10 @@ void arrange_parts(Scene& scene, DrawPlan& plan, RunContext& context) {
   const std::vector<bool> drawn = drawn_parts(scene, plan.illustrate.part_styles);
   const ExplodeModel model(scene, drawn, context);
   const std::vector<ExplodeStep> steps = steps_of(scene, plan.explode, drawn, model, context);
+  const std::vector<Vec3> moves = moves_of(steps, scene.parts.size(), plan.explode.factor);
+  if (plan.finds_view) find_view(scene, plan, model, moves, context);
   cut_parts(scene, plan);  // where they belong: a section does not go through what has come apart
-  move_parts(scene, moves_of(steps, scene.parts.size(), plan.explode.factor));
+  move_parts(scene, moves);
   plan.illustrate.trails = model.trails(steps, plan.explode.factor);
 }
 

@@ -10,6 +10,20 @@ void take_title(const KeyedFile& in, const Json& value, const std::string& path,
   out.request.title = in.text(value, path);
 }
 
+namespace {
+
+/// A name, or an object that says what has it, too.
+KeptItem kept_item(const KeyedFile& in, const Json& value, const std::string& path) {
+  if (!value.is_object()) return {in.text(value, path), {}, true};
+  in.check_object(value, path, kItemKeys);
+  if (!value.contains("name")) in.fail(path, "an item has a \"name\"");
+  KeptItem kept{in.text(value["name"], path + "/name")};
+  if (value.contains("select")) kept.select = in.text(value["select"], path + "/select");
+  return kept;
+}
+
+}  // namespace
+
 /// Numbers and the names of what has them.
 void take_items(const KeyedFile& in, const Json& value, const std::string& path,
                 Illustration& out) {
@@ -17,7 +31,7 @@ void take_items(const KeyedFile& in, const Json& value, const std::string& path,
   ItemNumbers& numbers = out.request.items;
   numbers.clear();
   std::map<std::string, std::string> known;
-  for (const auto& [key, name] : value.items()) {
+  for (const auto& [key, item] : value.items()) {
     const std::string at = path + "/" + key;
     int number = 0;
     const auto [end, error] = std::from_chars(key.data(), key.data() + key.size(), number);
@@ -25,12 +39,12 @@ void take_items(const KeyedFile& in, const Json& value, const std::string& path,
         number > kLargestItem) {
       in.fail(at, fmt::format("an item has a number from 1 to {}, not '{}'", kLargestItem, key));
     }
-    const std::string called = in.text(name, at);
-    const auto [first, is_new] = known.try_emplace(called, key);
+    KeptItem kept = kept_item(in, item, at);
+    const auto [first, is_new] = known.try_emplace(kept.name, key);
     if (!is_new) {
-      in.fail(at, fmt::format("'{}' has the number {} already", called, first->second));
+      in.fail(at, fmt::format("'{}' has the number {} already", kept.name, first->second));
     }
-    numbers[number] = called;
+    numbers[number] = std::move(kept);
   }
 }
 

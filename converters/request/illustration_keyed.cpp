@@ -1,8 +1,10 @@
 #include "illustration_keyed.h"
 
 #include <burin/base/missing_file.h>
-#include <burin/base/nearest.h>
+#include <burin/options/meant.h>
 #include <burin/plugin/sources.h>
+
+#include <fmt/ranges.h>
 
 #include <cmath>
 #include <filesystem>
@@ -50,7 +52,16 @@ void KeyedFile::fail(const std::string& path, const std::string& what) const {
 
 void KeyedFile::unknown(const std::string& path, const std::string& key,
                         const std::vector<std::string>& known) const {
-  fail(path, fmt::format("unknown key '{}'; did you mean '{}'?", key, nearest(key, known)));
+  std::vector<KnownWord> words = known_words(known);
+  for (KnownWord& word : words) {
+    for (const RequestOption& option : all_options()) {
+      if (option.option.name == word.name) word.also = option.also;
+    }
+  }
+  if (const KnownWord* near = meant(key, words)) {
+    fail(path, fmt::format("unknown key '{}'; did you mean '{}'?", key, near->name));
+  }
+  fail(path, fmt::format("unknown key '{}'; known here are {}", key, fmt::join(known, ", ")));
 }
 
 void KeyedFile::check_object(const Json& value, const std::string& path,

@@ -23,7 +23,8 @@ const RequestOption& option_named(const std::string& name);
 /// Members of an input beside options about reading, of a look, of a section, of an exploded view
 /// and its steps, of a light, of a detail.
 inline const std::vector<std::string> kInputKeys = {"file", "function", "name", "place"};
-inline const std::vector<std::string> kPlaceKeys = {"translate", "rotate", "scale"};
+inline const std::vector<std::string> kPlaceKeys = {"translate", "rotate", "scale", "matrix"};
+inline const std::vector<std::string> kItemKeys = {"name", "select"};
 inline const std::vector<std::string> kLookKeys = {"select", "style", "drawn", "hatched",
                                                    "transparent"};
 inline const std::vector<std::string> kSectionKeys = {"plane", "planes", "steps",

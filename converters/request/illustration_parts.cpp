@@ -1,3 +1,4 @@
+#include <burin/base/affine.h>
 #include <burin/converters/read.h>
 
 #include "illustration_keyed.h"
@@ -21,16 +22,62 @@ std::vector<std::string> texts(const RequestOption& option, const Json& value) {
   return given;
 }
 
+/// Rows of four numbers that act on columns; the last one of four may be left out.
+Placement matrix(const KeyedFile& in, const Json& value, const std::string& path) {
+  in.check_array(value, path);
+  constexpr const char* kWhat = "\"matrix\" takes three rows of four numbers, or four";
+  if (value.size() != 3 && value.size() != 4) in.fail(path, kWhat);
+  Placement place;
+  for (std::size_t row = 0; row < value.size(); ++row) {
+    const std::string at = fmt::format("{}/{}", path, row);
+    in.check_array(value[row], at);
+    if (value[row].size() != 4) in.fail(at, kWhat);
+    for (std::size_t k = 0; k < 4; ++k) {
+      const double number = in.number(value[row][k], fmt::format("{}/{}", at, k));
+      const auto r = static_cast<int>(row), c = static_cast<int>(k);
+      if (row == 3) {
+        if (number != (k == 3 ? 1 : 0)) in.fail(at, "the last row of \"matrix\" is 0, 0, 0, 1");
+      } else if (k == 3) {
+        place.offset[r] = number;
+      } else {
+        place.linear[c][r] = number;
+      }
+    }
+  }
+  if (!is_invertible(place)) in.fail(path, "\"matrix\" flattens the part to nothing");
+  return place;
+}
+
+/// One factor, or one along each axis, of which negative ones mirror.
+Vec3 scale_of(const KeyedFile& in, const Json& value, const std::string& path) {
+  constexpr double kMost = 1e9;
+  constexpr const char* kWhat =
+      "\"scale\" takes 1e-9 to 1e9, or three such factors along x, y and z; negative ones mirror";
+  const bool each = value.is_array();
+  const Vec3 scale = each ? in.vector(value, path) : Vec3(in.number(value, path));
+  for (int k = 0; k < 3; ++k) {
+    const double size = each ? std::abs(scale[k]) : scale[k];
+    if (!(size >= 1 / kMost && size <= kMost)) in.fail(path, kWhat);
+  }
+  return scale;
+}
+
 Placement placement(const KeyedFile& in, const Json& value, const std::string& path) {
   in.check_object(value, path, kPlaceKeys);
+  if (value.contains("matrix")) {
+    if (value.size() > 1) in.fail(path, "\"matrix\" stands alone: it says all of a place");
+    return matrix(in, value["matrix"], path + "/matrix");
+  }
   Placement place;
   if (value.contains("rotate")) {
     place.linear = rotation(in.vector(value["rotate"], path + "/rotate"));
   }
   if (value.contains("scale")) {
-    const double scale = in.number(value["scale"], path + "/scale");
-    if (!(scale >= 1e-9 && scale <= 1e9)) in.fail(path + "/scale", "\"scale\" takes 1e-9 to 1e9");
-    place.linear *= scale;
+    const Vec3 scale = scale_of(in, value["scale"], path + "/scale");
+    for (int k = 0; k < 3; ++k) place.linear[k] *= scale[k];
+    if (!is_invertible(place)) {
+      in.fail(path + "/scale", "the factors of \"scale\" are so far apart that the part is flat");
+    }
   }
   if (value.contains("translate")) {
     place.offset = in.vector(value["translate"], path + "/translate");

@@ -124,15 +124,33 @@ Json vector_of(const char* what) {
 Json text(const char* what) { return {{"description", what}, {"type", "string"}}; }
 Json flag(const char* what) { return {{"description", what}, {"type", "boolean"}}; }
 
+Json matrix_schema() {
+  const Json row = {
+      {"type", "array"}, {"items", {{"type", "number"}}}, {"minItems", 4}, {"maxItems", 4}};
+  return {{"description",
+           "in place of the others: rows of an affine matrix that acts on columns; it may stretch, "
+           "shear and mirror"},
+          {"type", "array"},
+          {"items", row},
+          {"minItems", 3},
+          {"maxItems", 4}};
+}
+
 Json input_schema() {
   Json members;
   members["file"] = text("a model file, seen from the folder of this one");
   members["function"] = text("instead of a file: the text of an implicit function");
   members["name"] = text("what the part is called, or the assembly that its parts make");
-  members["place"] =
-      object_of({{"translate", vector_of("model mm")},
-                 {"rotate", vector_of("degrees about x, then y, then z; before it is moved")},
-                 {"scale", {{"type", "number"}, {"minimum", 1e-9}, {"maximum", 1e9}}}});
+  members["place"] = object_of(
+      {{"translate", vector_of("model mm")},
+       {"rotate", vector_of("degrees about x, then y, then z; before it is moved")},
+       {"scale",
+        {{"description",
+          "one factor, or three along the part's own x, y and z, before it is turned; "
+          "negative ones mirror"},
+         {"anyOf",
+          {{{"type", "number"}, {"minimum", 1e-9}, {"maximum", 1e9}}, vector_of("x, y, z")}}}},
+       {"matrix", matrix_schema()}});
   for (const auto& row : read_option_rows()) {
     Json value = loosened(schema_of(row.name()));
     if (row.about.many) value["type"] = {"string", "array", "object"};
@@ -141,10 +159,20 @@ Json input_schema() {
   return object_of(std::move(members));
 }
 
-Json look_schema(const Json& style) {
-  Json select = text(
+Json select_schema() {
+  return text(
       "a part or an assembly: its name, its path, @color=#rrggbb, @index=N or "
       "@file=NAME; * and ? are wild");
+}
+
+Json item_schema() {
+  Json item = object_of({{"name", text("what the list calls it")}, {"select", select_schema()}});
+  item["required"] = {"name"};
+  return item;
+}
+
+Json look_schema(const Json& style) {
+  const Json select = select_schema();
   Json look = object_of(
       {{"select", {{"anyOf", {select, list_of(select)}}}},
        {"style", style},
@@ -255,6 +283,12 @@ std::string first_illustration(const std::vector<std::string>& inputs, const Dra
   for (const std::string& input : inputs) {
     Json part{{"file", seen_from(folder, input)}};
     for (const auto& [name, texts] : reading) {
+      // What concerns other files alone would be told as without effect on this one.
+      if (!concerns(name, input) && std::ranges::any_of(inputs, [&](const std::string& other) {
+            return concerns(name, other);
+          })) {
+        continue;
+      }
       const RequestOption& option = detail::option_named(name);
       part[name] = option.many ? Json(texts) : value_of(option, texts.back());
     }
@@ -264,6 +298,11 @@ std::string first_illustration(const std::vector<std::string>& inputs, const Dra
     const RequestOption& option = detail::option_named(key.option);
     const std::vector<std::string> texts = asked_texts(option, request.options);
     if (texts.empty()) continue;
+    if (!request.has(key.option)) {
+      // What holds without being asked for is written to be edited, where it has an effect.
+      const bool apart = !steps.empty();  // the view is then found
+      if (key.option == "projection" || (key.option == "view" && apart)) continue;
+    }
     const std::size_t dot = key.path.find('.');
     Json& to = dot == std::string::npos ? json[key.path]
                                         : json[key.path.substr(0, dot)][key.path.substr(dot + 1)];
@@ -304,7 +343,9 @@ std::string first_illustration(const std::vector<std::string>& inputs, const Dra
   if (std::ranges::count(given_texts(request.options, "parts_list"), "sheet") > 0) {
     json["parts_list"] = "sheet";
   }
-  for (const auto& [number, name] : request.items) json["items"][std::to_string(number)] = name;
+  for (const auto& [number, item] : request.items) {
+    json["items"][std::to_string(number)] = item.name;
+  }
   return json.dump(2) + "\n";
 }
 
@@ -336,7 +377,8 @@ std::string illustration_schema() {
       {"description", "numbers of items and their names; kept from drawing to drawing"},
       {"type", "object"},
       {"propertyNames", {{"pattern", "^[1-9][0-9]{0,4}$"}}},
-      {"additionalProperties", {{"type", "string"}, {"minLength", 1}}}};
+      {"additionalProperties",
+       {{"anyOf", {{{"type", "string"}, {"minLength", 1}}, item_schema()}}}}};
   members["parts_list"] = {{"description", "a parts list on the sheet"}, {"const", "sheet"}};
   members["section"] = {{"anyOf", {section_schema(), list_of(section_schema())}}};
   for (const detail::IllustrationKey& key : detail::illustration_keys()) {

@@ -12,7 +12,7 @@
 
 namespace burin {
 
-Style load_style(const std::string& name) {
+Style load_style(const std::string& name, const Style* whole) {
   const auto builtin = builtin_styles();
   if (std::any_of(builtin.begin(), builtin.end(),
                   [&](const StyleInfo& s) { return s.name == name; })) {
@@ -28,7 +28,7 @@ Style load_style(const std::string& name) {
   std::ifstream in(name, std::ios::binary);
   const std::string text{std::istreambuf_iterator<char>(in), {}};
   if (!in.good() && !in.eof()) throw InputError("the style file cannot be read", name);
-  Style style = parse_style(text, name);
+  Style style = parse_style(text, name, builtin_style("technical"), whole);
   detail::find_named_files(style, std::filesystem::path(name).parent_path());
   return style;
 }

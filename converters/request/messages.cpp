@@ -19,6 +19,7 @@ std::string at_door(std::string_view message, Spelling spelling) {
 
 std::string located(const std::string& file, std::int64_t line, const std::string& what) {
   if (file.empty()) return what;
+  if (file == "-") return located("standard input", line, what);
   return line > 0 ? fmt::format("{}:{}: {}", file, line, what) : fmt::format("{}: {}", file, what);
 }
 

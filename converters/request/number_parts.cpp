@@ -1,3 +1,4 @@
+#include <burin/assembly/select.h>
 #include <burin/base/ascii.h>
 #include <burin/converters/output.h>
 #include <burin/converters/request.h>
@@ -19,9 +20,9 @@ void tell_holes(const ItemNumbers& kept, const std::vector<Item>& items, Diagnos
   for (const Item& item : items) used.insert(item.number);
   std::int64_t count = 0;
   std::string first;
-  for (const auto& [number, name] : kept) {
+  for (const auto& [number, item] : kept) {
     if (used.contains(number)) continue;
-    if (count++ == 0) first = fmt::format("{} '{}'", number, name);
+    if (count++ == 0) first = fmt::format("{} '{}'", number, item.name);
   }
   if (count == 0) return;
   diagnostics.add(
@@ -44,11 +45,13 @@ void number_parts(Scene& scene, DrawPlan& plan, RunContext& context) {
   annotations.parts_list = plan.parts_list;
   annotations.margin = plan.sheet.margin;
   const auto& styles = plan.illustrate.part_styles;
+  const std::vector<std::string> selectors = selectors_of(scene);
   for (const Item& item : items) {
     DrawingItem drawn{item.number, item.name, {}, item.color, item.source};
     for (const std::size_t part : item.parts) {
       if (part < styles.size() && !styles[part].drawn) continue;
       drawn.parts.push_back(static_cast<std::int32_t>(part));
+      drawn.selectors.push_back(selectors[part]);
     }
     if (!drawn.parts.empty()) annotations.items.push_back(std::move(drawn));
   }

@@ -7,7 +7,9 @@
 #include <burin/tone/catalogue.h>
 
 #include "draw_options.h"
+#include "mostly_empty.h"
 #include "named_files.h"
+#include "split_parts.h"
 
 #include <fmt/format.h>
 
@@ -84,13 +86,14 @@ void note_unused(const DrawRequest& r, Spelling spelling, const Style& named, Dr
 /// The style of a look; nothing where it has none. What it says of files is ignored.
 std::optional<Style> style_of(const Look& look, const detail::Draft& draft) {
   if (!look.style_text.empty()) {
-    Style style = parse_style(look.style_text, look.style_source, draft.plan.style);
+    Style style =
+        parse_style(look.style_text, look.style_source, draft.plan.style, &draft.plan.style);
     detail::find_named_files(style, std::filesystem::path(look.style_source).parent_path());
     return style;
   }
   if (look.style.empty()) return std::nullopt;
   try {
-    return load_style(look.style);
+    return load_style(look.style, &draft.plan.style);
   } catch (const UsageError& e) {
     throw UsageError(look.place + e.what());
   }
@@ -124,6 +127,7 @@ Drawing draw(const Scene& scene, const SheetOfViews& sheet, const DrawPlan& plan
              RunContext& context, Session* session) {
   Drawing drawing = illustrate(scene, sheet, plan.style, plan.illustrate, context, session);
   drawing.title = plan.title;
+  detail::tell_mostly_empty(plan, drawing);
   drawing.diagnostics.append(plan.notes);
   for (const plugin::Plugin& p : plugin::plugins()) {
     if (p.refused.empty()) continue;
@@ -142,9 +146,9 @@ Drawing draw(const Scene& scene, const SheetOfViews& sheet, const DrawPlan& plan
   return drawing;
 }
 
-void select_parts(const Scene& scene, DrawPlan& plan) {
+void select_parts(Scene& scene, DrawPlan& plan) {
   std::vector<PartStyle>& styles = plan.illustrate.part_styles;
-  styles.resize(std::max(styles.size(), scene.parts.size()));
+  detail::split_parts(scene, plan, styles);
   for (std::size_t i = 0; i < scene.parts.size(); ++i) {
     // What can be looked through is drawn as --ghost has it; looks say otherwise.
     if (scene.parts[i].opacity < 1) styles[i].transparent = true, styles[i].hatched = false;
@@ -190,6 +194,7 @@ DrawPlan make_plan(const DrawRequest& request, Spelling spelling) {
   draft.plan.details = request.details;
   apply(detail::draw_rows(), request.options, spelling, draft);
   draft.plan.spelling = spelling;
+  draft.plan.finds_view = !request.has("view") && draft.plan.views.empty();
   check_style(draft.plan.style);
   for (DrawPlan::PlannedLook& planned : draft.plan.looks)
     planned.style = style_of(planned.look, draft);

@@ -145,14 +145,18 @@ std::vector<RequestRow<Draft>> section_rows() {
         .label = "AXIS[=MM][,...]|quarter",
         .choices = {"x", "y", "z", "quarter"},
         .many = true,
-        .python = kPython},
+        .python = kPython,
+        .also = {"cut", "cutaway", "cut plane", "clip", "clipping", "clip plane", "slice",
+                 "cross section", "crosssection", "section plane", "section view", "half",
+                 "plane"}},
        set_sections},
       {{.option = {.name = "section_box",
                    .meaning = "take away what is inside a box x0,y0,z0,x1,y1,z1, in model mm",
                    .takes = FreeText{}},
         .group = kParts,
         .label = "X0,..,Z1",
-        .python = "str | Sequence[float]"},
+        .python = "str | Sequence[float]",
+        .also = {"clip box", "crop box", "box", "bounding box cut"}},
        [](Draft& d, const Asked& a) {
          d.plan.sections.push_back(section_box_option(a.spelled, a.text()));
        }},
@@ -163,7 +167,8 @@ std::vector<RequestRow<Draft>> section_rows() {
                    .takes = FreeText{}},
         .group = kParts,
         .label = "X,Y,Z,R",
-        .python = "str | Sequence[float]"},
+        .python = "str | Sequence[float]",
+        .also = {"breakout", "break out", "broken out"}},
        [](Draft& d, const Asked& a) {
          d.plan.sections.push_back(section_around_option(a.spelled, a.text()));
        }},
@@ -176,7 +181,8 @@ std::vector<RequestRow<Draft>> section_rows() {
         .label = "NAME|none",
         .choices = {"none"},
         .many = true,
-        .python = kPython},
+        .python = kPython,
+        .also = {"uncut", "section skip", "no cut"}},
        set_uncut},
   };
 }

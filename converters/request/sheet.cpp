@@ -109,6 +109,7 @@ class SheetPlanner {
       place_grid();
     }
     for (const detail::PlannedDetail& detail : details_) add_detail(detail);
+    tell_small_view();
     return std::move(sheet_);
   }
 
@@ -186,6 +187,24 @@ class SheetPlanner {
       if ((d.x > 0) + (d.y > 0) + (d.z > 0) > 1) return i;
     }
     return 0;
+  }
+
+  /// A view beside which a detail is half as large again says little of where it belongs.
+  void tell_small_view() {
+    if (details_.empty()) return;
+    const Camera& main = sheet_.views.front().camera;
+    const Vec3 size = extent()(axes_of(main)).size();
+    const double drawn = main.scale() * std::max(size.x, size.y);
+    const auto largest = std::ranges::max_element(
+        details_, {}, [](const auto& detail) { return detail.scale * detail.radius; });
+    const double detail = 2 * largest->scale * largest->radius;
+    if (1.5 * drawn >= detail) return;
+    scene_.diagnostics.add(
+        Severity::Warning, "detail.small_view", 1,
+        fmt::format("{}the view is {:.0f} mm large, its detail {} {:.0f} mm: give the detail a "
+                    "smaller scale than {}, say {}, or a larger `paper`",
+                    largest->place, drawn, largest->letter, detail, scale_text(largest->scale),
+                    scale_text(standard_scale(largest->scale * drawn / detail))));
   }
 
   void add_detail(const detail::PlannedDetail& detail) {

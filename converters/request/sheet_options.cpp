@@ -91,7 +91,13 @@ std::vector<RequestRow<Draft>> view_rows() {
         .label = "NAME|X,Y,Z",
         .fallback = "iso",
         .choices = view_names(),
-        .python = "str | Sequence[float]"},
+        .python = "str | Sequence[float]",
+        .also = {"camera", "direction", "orientation", "view direction", "projection direction",
+                 "rotate", "rotation",  "azimuth",     "elevation",      "angle",
+                 "angles", "viewpoint", "from",        "isometric",      "iso",
+                 "front",  "top",       "side",        "left",           "right",
+                 "bottom", "back",      "eye",         "look at",        "roll",
+                 "pitch",  "yaw",       "dir"}},
        [](Draft& d, const Asked& a) {
          const NamedView named = named_view(a.text());
          d.plan.view.direction = named.direction;
@@ -102,14 +108,17 @@ std::vector<RequestRow<Draft>> view_rows() {
                    .takes = Direction{},
                    .phrase = kDirectionPhrase},
         .group = kSheet,
-        .label = "X,Y,Z"},
+        .label = "X,Y,Z",
+        .also = {"up vector", "upvector", "z up", "y up"}},
        [](Draft& d, const Asked& a) { d.plan.view.up = std::get<Vec3>(a.value); }},
       {{.option = {.name = "perspective",
                    .meaning = "vertical field of view in degrees (default: orthographic)",
                    .takes = NumberRange{1, 120, "degrees"},
                    .phrase = "1 to 120 degrees"},
         .group = kSheet,
-        .label = "DEG"},
+        .label = "DEG",
+        .also = {"fov", "field of view", "focal length", "lens", "focal", "persp", "ortho",
+                 "orthographic"}},
        [](Draft& d, const Asked& a) { d.plan.view.perspective = std::get<double>(a.value); }},
       {{.option = {.name = "views",
                    .meaning = "several views on one sheet at one scale, say front,top,left,iso: "
@@ -117,7 +126,9 @@ std::vector<RequestRow<Draft>> view_rows() {
                    .takes = FreeText{}},
         .group = kSheet,
         .label = "NAME,NAME...",
-        .python = "str | Sequence[str]"},
+        .python = "str | Sequence[str]",
+        .also = {"multiview", "multi view", "three views", "view list", "orthographic views",
+                 "viewports", "layout"}},
        set_views},
       {{.option = {.name = "projection",
                    .meaning = "where the view from the left stands: first angle, to the right of "
@@ -125,7 +136,8 @@ std::vector<RequestRow<Draft>> view_rows() {
                    .takes = WordList{{"first", "third"}}},
         .group = kSheet,
         .label = "first|third",
-        .fallback = "first"},
+        .fallback = "first",
+        .also = {"first angle", "third angle", "projection method", "angle projection"}},
        [](Draft& d, const Asked& a) {
          d.plan.projection = std::get<std::uint64_t>(a.value) == 0 ? ProjectionMethod::FirstAngle
                                                                    : ProjectionMethod::ThirdAngle;
@@ -138,7 +150,9 @@ std::vector<RequestRow<Draft>> view_rows() {
         .group = kSheet,
         .label = "NAME|X,Y,Z,R[=A:B]",
         .many = true,
-        .python = "str | Sequence[str]"},
+        .python = "str | Sequence[str]",
+        .also = {"zoom", "magnify", "magnifier", "detail view", "inset", "loupe", "enlarge",
+                 "close up"}},
        set_details},
   };
 }
@@ -154,14 +168,18 @@ std::vector<RequestRow<Draft>> sheet_rows() {
         .label = "NAME|WxH",
         .fallback = "A4",
         .choices = paper_names(),
-        .python = "str | Sequence[float]"},
+        .python = "str | Sequence[float]",
+        .also = {"size", "page", "page size", "sheet", "sheet size", "format size", "width",
+                 "height", "canvas", "canvas size", "landscape", "portrait", "paper size",
+                 "page format", "crop", "fit", "dimensions of sheet"}},
        set_paper},
       {{.option = {.name = "scale",
                    .meaning = "paper mm for a model mm, also as 1:2 (default: fit to the sheet)",
                    .takes = FreeText{}},
         .group = kSheet,
         .label = "S|A:B",
-        .python = "float | str"},
+        .python = "float | str",
+        .also = {"factor", "scale factor", "ratio"}},
        [](Draft& d, const Asked& a) {
          d.plan.view.scale = scale_option(a.spelled, a.text(), 1 / kLarge, kLarge);
        }},
@@ -171,7 +189,8 @@ std::vector<RequestRow<Draft>> sheet_rows() {
                    .takes = FreeText{}},
         .group = kSheet,
         .label = "X,Y,Z",
-        .python = "Sequence[float]"},
+        .python = "Sequence[float]",
+        .also = {"centre", "middle", "target", "focus", "pan", "offset"}},
        [](Draft& d, const Asked& a) { d.plan.view.center = point_option(a.spelled, a.text()); }},
       {{.option = {.name = "margin",
                    .meaning = "empty border of a fitted sheet; one number, or top, right, bottom, "
@@ -180,7 +199,8 @@ std::vector<RequestRow<Draft>> sheet_rows() {
         .group = kSheet,
         .label = "MM|T,R,B,L",
         .fallback = "10",
-        .python = "float | Sequence[float]"},
+        .python = "float | Sequence[float]",
+        .also = {"margins", "padding", "border", "inset margin", "bleed"}},
        set_margin},
   };
 }

@@ -1,10 +1,12 @@
 #include <burin/base/error.h>
+#include <burin/base/input_name.h>
 #include <burin/converters/volume_reader.h>
 #include <burin/forms/implicit/implicit_form.h>
 
 #include "binary.h"
 #include "bytes.h"
 #include "layout.h"
+#include "packed.h"
 #include "samples.h"
 #include "text.h"
 
@@ -42,12 +44,6 @@ bool is_vti(std::string_view head) {
          begin.find("\"ImageData\"") != std::string_view::npos;
 }
 
-// In lower case, without .gz.
-std::string suffix_of(std::filesystem::path path) {
-  if (lowered(path.extension().string()) == ".gz") path = path.stem();
-  return lowered(path.extension().string());
-}
-
 using ReadLayout = Layout (*)(const Head&);
 
 struct Format {
@@ -72,7 +68,7 @@ ReadLayout format_of(const Head& head) {
   for (const Format& format : kFormats) {
     if (format.knows(bytes)) return format.read;
   }
-  const std::string suffix = suffix_of(head.path);
+  const std::string suffix = model_suffix(head.path);
   if (suffix == ".nrrd" || suffix == ".nhdr") {
     head.source.fail("does not begin with NRRD000; it is damaged, or another format");
   }
@@ -88,7 +84,7 @@ ReadLayout format_of(const Head& head) {
 
 // The header of a pair when its data was named.
 std::filesystem::path header_path(const std::filesystem::path& path) {
-  if (suffix_of(path) != ".img") return path;
+  if (model_suffix(path) != ".img") return path;
   const bool packed = lowered(path.extension().string()) == ".gz";
   const std::filesystem::path plain = packed ? path.parent_path() / path.stem() : path;
   std::filesystem::path header = plain;
@@ -120,7 +116,7 @@ class Reader {
 
 bool Reader::is_raw(std::string_view head) const {
   return options_.raw && !is_volume_content(head) &&
-         (suffix_of(path_) == ".raw" || !is_volume_suffix(path_));
+         (model_suffix(path_) == ".raw" || !is_volume_suffix(path_));
 }
 
 Layout Reader::layout(const Source& file, bool packed) {
@@ -165,7 +161,7 @@ void Reader::fill(const Layout& layout, Volume& volume) const {
 }
 
 Volume Reader::read() {
-  const Source file(path_, context_);
+  const Source file = as_it_is(path_, context_);
   const bool packed = is_gzip(file.bytes()) && !is_raw(file.bytes());
   Layout one = layout(file, packed);
   check_layout(one, file.file());
@@ -174,7 +170,7 @@ Volume Reader::read() {
   if (one.data_file.empty()) {
     volume.grid.samples = load_samples(one, file, packed && !one.payload, context_);
   } else {
-    const Source data(one.data_file, context_);
+    const Source data = as_it_is(one.data_file, context_);
     const bool gzip = is_gzip(data.bytes()) && one.encoding == Encoding::Raw;
     volume.grid.samples = load_samples(one, data, gzip, context_);
   }
@@ -197,7 +193,7 @@ Volume Reader::read() {
 }  // namespace volume
 
 bool is_volume_suffix(const std::filesystem::path& path) {
-  const std::string suffix = volume::suffix_of(path);
+  const std::string suffix = model_suffix(path);
   if (suffix.empty()) return false;
   if (suffix == ".raw") return true;
   return std::ranges::any_of(volume::kFormats, [&](const volume::Format& format) {

@@ -1,5 +1,6 @@
 // Surfaces of volumes.
 #include <burin/base/error.h>
+#include <burin/base/input_name.h>
 #include <burin/converters/volume_reader.h>
 #include <burin/forms/implicit/implicit_form.h>
 
@@ -13,11 +14,6 @@
 
 namespace burin {
 namespace {
-
-std::string name_of(std::filesystem::path path) {
-  if (lowered(path.extension().string()) == ".gz") path = path.stem();
-  return clean_name(path.stem().string());
-}
 
 void check_level(const VolumeInfo& info, const std::optional<double>& level,
                  const std::string& file) {
@@ -68,7 +64,7 @@ Scene scene_of(Volume volume, const std::filesystem::path& path, const VolumeRea
     auto form =
         std::make_shared<ImplicitForm>(std::move(function), domain, context, options.smallest_part,
                                        ImplicitProxyOptions{options.mesher});
-    scene.parts.push_back({name_of(path), file, std::move(form)});
+    scene.parts.push_back({clean_name(model_stem(path)), file, std::move(form)});
   } catch (const GeometryError& e) {
     throw InputError(e.what(), file);
   } catch (const UsageError& e) {

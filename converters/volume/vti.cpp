@@ -39,6 +39,7 @@ class VtiFile {
  private:
   void parse();
   void grid(const pugi::xml_node& image);
+  void tell_others(const pugi::xml_node& data, const pugi::xml_node& shown, bool unnamed);
   pugi::xml_node scalars(const pugi::xml_node& piece);
   void array(const pugi::xml_node& array);
   void values(const pugi::xml_node& array);
@@ -114,6 +115,17 @@ void VtiFile::grid(const pugi::xml_node& image) {
     out_.origin += extent[2 * static_cast<std::size_t>(k)] * out_.steps[k];
 }
 
+/// Of several arrays, none of which the file names as the one to be shown.
+void VtiFile::tell_others(const pugi::xml_node& data, const pugi::xml_node& shown, bool unnamed) {
+  const auto arrays = data.children("DataArray");
+  const auto count = std::distance(arrays.begin(), arrays.end());
+  if (count < 2 || !unnamed) return;
+  out_.diagnostics.add(
+      Severity::Warning, "volume.arrays", count - 1,
+      fmt::format("of {} arrays the first one, {}, is drawn; save the one to be drawn as Scalars",
+                  count, in_quotes(shown.attribute("Name").as_string())));
+}
+
 pugi::xml_node VtiFile::scalars(const pugi::xml_node& piece) {
   for (const char* place : {"PointData", "CellData"}) {
     const pugi::xml_node data = piece.child(place);
@@ -124,6 +136,7 @@ pugi::xml_node VtiFile::scalars(const pugi::xml_node& piece) {
       if (wanted.empty() || node.attribute("Name").as_string() == wanted) break;
     }
     if (!found) continue;
+    tell_others(data, found, wanted.empty());
     if (std::string_view(place) == "PointData") return found;
     // The middles of the cells.
     for (int k = 0; k < 3; ++k) {

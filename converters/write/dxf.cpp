@@ -49,6 +49,9 @@ void append_entity(Groups& out, const char* kind, const char* type, const Item& 
                    std::uint64_t handle) {
   out.text(0, kind).handle(5, handle).handle(330, Fixed::ModelSpace).text(100, "AcDbEntity");
   out.text(8, item.layer->name);
+  const auto color = item.path ? rgb_of(item.path->color) : std::nullopt;
+  const int number = color ? dxf::nearest_color(*color) : item.layer->color;
+  if (number != item.layer->color) out.whole(62, number);
   const int weight = item.path ? weight_of(*item.path) : item.layer->weight;
   if (weight != item.layer->weight) out.whole(370, weight);
   out.text(100, type);
@@ -253,7 +256,8 @@ void write_dxf(const Drawing& drawing, const WriteOptions& options, std::ostream
   Vec2 pen(0);
   for (const InkLayer& layer : layers) {
     rows.push_back({dxf::symbol_name(layer.name, rows), linetype_of(layer), common_weight(layer)});
-    // The ink of a whole drawing is that of the program which shows it.
+    // The ink of a whole drawing is that of the program which shows it; lines and layers that have
+    // a colour of their own keep it.
     if (const auto color = rgb_of(layer.color)) rows.back().color = dxf::nearest_color(*color);
     std::vector<const Path*> all;
     for (const auto& [part, paths] : layer.parts) all.insert(all.end(), paths.begin(), paths.end());

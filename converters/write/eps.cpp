@@ -119,20 +119,28 @@ std::vector<Item> items_of(const std::vector<InkLayer>& layers, std::string befo
   std::string used = drawing.ink_color;
   for (const InkLayer& layer : layers) {
     before += fmt::format("% layer {}\n", plain(layer.name));
-    if (const std::string& color = ink_color(layer, drawing); color != used) {
+    const auto use = [&](const std::string& color) {
+      if (color == used) return;
       before += color_of(color) + "\n";
       used = color;
-    }
-    std::vector<double> dashes = layer.dashes(options.dashes);
-    for (double& length : dashes) length *= kUnitsPerMm;
-    before += fmt::format("[{}] 0 setdash\n", fmt::join(dashes, " "));
+    };
+    use(ink_color(layer, drawing));
+    const auto use_dashes = [&](std::vector<double> dashes) {
+      for (double& length : dashes) length = std::round(length * kUnitsPerMm);
+      before += fmt::format("[{}] 0 setdash\n", fmt::join(dashes, " "));
+    };
+    const std::vector<double> dashes = layer.dashes(options.dashes);
+    use_dashes(dashes);
     for (const auto& [part, paths] : layer.parts) {
       for (const Path* path : paths) {
+        use(ink_color(*path, layer, drawing));
+        if (!dashes.empty()) use_dashes(fitted_dashes(dashes, *path));
         items.push_back({std::move(before), path});
         before.clear();
       }
     }
     for (const Text* text : layer.texts) {
+      use(ink_color(layer, drawing));
       items.push_back({std::move(before), nullptr, text});
       before.clear();
     }

@@ -21,8 +21,10 @@ void append_row(Buffer& out, const DrawingItem& item) {
     append(out, fmt::format("<i style=\"background:{}\"></i>", escaped(item.color)));
   }
   const std::string file = std::filesystem::path(item.source).filename().string();
-  append(out, escaped(item.name) + "</td><td title=\"" + escaped(item.source) + "\">" +
-                  escaped(file) + "</td></tr>\n");
+  const std::string parts = escaped(fmt::format("{}", fmt::join(item.selectors, ";")));
+  append(out, "<span title=\"" + parts + "\" data-parts=\"" + parts + "\">" + escaped(item.name) +
+                  "</span></td><td title=\"" + escaped(item.source) + "\">" + escaped(file) +
+                  "</td></tr>\n");
 }
 
 }  // namespace

@@ -14,6 +14,7 @@
 #include <map>
 #include <numbers>
 #include <optional>
+#include <set>
 #include <utility>
 
 namespace burin {
@@ -89,6 +90,30 @@ std::optional<double> width_of(const InkLayer& layer) {
   return *middle;
 }
 
+/// A layer, or those of its lines that have a colour of their own.
+struct PenLayer {
+  InkLayer ink;
+  std::string color = {};
+};
+
+/// Layers with ink, parted by the colours of their lines; texts stay with what has none.
+std::vector<PenLayer> by_color(std::vector<InkLayer> layers) {
+  std::vector<PenLayer> out;
+  for (InkLayer& layer : layers) {
+    std::map<std::string, std::map<std::int32_t, std::vector<const Path*>>> colors;
+    if (!layer.texts.empty()) colors[""];
+    for (const auto& [part, paths] : layer.parts) {
+      for (const Path* path : paths) colors[path->color][part].push_back(path);
+    }
+    for (auto& [color, parts] : colors) {
+      layer.parts = std::move(parts);
+      out.push_back({layer, color});
+      layer.texts.clear();
+    }
+  }
+  return out;
+}
+
 class Planner {
  public:
   Planner(const Drawing& drawing, const PenOptions& pens, std::string_view group,
@@ -96,14 +121,13 @@ class Planner {
       : pens_(pens), group_(group), options_(options), context_(context) {
     sheet_.add(Vec2(0));
     sheet_.add(Vec2(drawing.paper_width, drawing.paper_height));
-    layers_ = ink_layers(drawing);
-    std::erase_if(layers_, [](const InkLayer& l) { return l.parts.empty() && l.texts.empty(); });
+    layers_ = by_color(ink_layers(drawing));
   }
 
   PenPlan run() {
     choose_pens();
     for (std::size_t i = 0; i < layers_.size(); ++i) {
-      if (pen_of_[i] > 0) add_layer(layers_[i], group_of(pen_of_[i]), widths_[i]);
+      if (pen_of_[i] > 0) add_layer(layers_[i].ink, group_of(pen_of_[i]), widths_[i]);
     }
     PenOrderOptions how;
     how.join = pens_.join;
@@ -126,7 +150,7 @@ class Planner {
 
   void choose_pens() {
     constexpr double kLetters = 0.1;  // of their height, as letters of type B have it
-    for (const InkLayer& layer : layers_) {
+    for (const auto& [layer, color] : layers_) {
       const auto width = width_of(layer);
       widths_.push_back(width ? *width : kLetters * layer.texts.front()->height);
     }
@@ -140,17 +164,25 @@ class Planner {
       pens_by_list();
     }
     std::map<std::uint32_t, Pen> pens;
+    std::map<std::uint32_t, std::set<std::string>> colors;
     for (std::size_t i = 0; i < layers_.size(); ++i) {
       if (pen_of_[i] == 0) continue;
       Pen& pen = pens[pen_of_[i]];
       if (pen.layers.empty()) pen.width = widths_[i];
       pen.number = pen_of_[i];
-      pen.layers.push_back(layers_[i].name);
+      pen.layers.push_back(layers_[i].ink.name);
+      colors[pen_of_[i]].insert(layers_[i].color);
+    }
+    for (const auto& [number, of_pen] : colors) {
+      if (of_pen.size() < 2) continue;
+      tell(Severity::Info, "pen.colors", of_pen.size(),
+           fmt::format("pen {} draws lines of {} colours in one; {}pens=auto gives each its own",
+                       number, of_pen.size(), group_));
     }
     for (auto& [number, pen] : pens) plan_.pens.push_back(std::move(pen));
   }
 
-  /// The widest pen is the first.
+  /// The widest pen is the first; of pens of one width that of no colour of its own.
   void pens_by_width() {
     std::vector<double> sorted = widths_;
     std::ranges::sort(sorted, std::greater<>());
@@ -158,18 +190,28 @@ class Planner {
     for (const double width : sorted) {
       if (widest.empty() || width < widest.back() - kSamePen) widest.push_back(width);
     }
-    for (const double width : widths_) {
-      const auto pen = std::ranges::count_if(widest, [&](double w) { return w >= width; });
+    using Kind = std::pair<std::ptrdiff_t, std::string>;
+    std::vector<Kind> kinds;
+    for (std::size_t i = 0; i < layers_.size(); ++i) {
+      const auto wider = std::ranges::count_if(widest, [&](double w) { return w >= widths_[i]; });
+      kinds.emplace_back(wider, layers_[i].color);
+    }
+    const std::set<Kind> pens(kinds.begin(), kinds.end());
+    for (const Kind& kind : kinds) {
+      const auto pen = std::distance(pens.begin(), pens.find(kind)) + 1;
       pen_of_.push_back(static_cast<std::uint32_t>(pen));
     }
   }
 
   void pens_by_list() {
     std::vector<std::string_view> unnamed, left_out;
-    for (const InkLayer& layer : layers_) {
+    const auto once = [](std::vector<std::string_view>& names, std::string_view name) {
+      if (names.empty() || names.back() != name) names.push_back(name);
+    };
+    for (const auto& [layer, color] : layers_) {
       const auto pen = listed_pen(pens_.pens, layer.name);
-      if (!pen) unnamed.push_back(layer.name);
-      if (pen == 0U) left_out.push_back(layer.name);
+      if (!pen) once(unnamed, layer.name);
+      if (pen == 0U) once(left_out, layer.name);
       pen_of_.push_back(pen.value_or(1));
     }
     if (!unnamed.empty()) {
@@ -189,7 +231,7 @@ class Planner {
     for (const auto& [part, paths] : layer.parts) {
       for (const Path* path : paths) {
         context_.check();
-        add_path(*path, group, width, dashes);
+        add_path(*path, group, width, fitted_dashes(dashes, *path));
       }
     }
     for (const Text* text : layer.texts) {
@@ -299,7 +341,7 @@ class Planner {
   const WriteOptions& options_;
   const RunContext& context_;
   Box2 sheet_;
-  std::vector<InkLayer> layers_;
+  std::vector<PenLayer> layers_;
   std::vector<double> widths_;         // of each layer
   std::vector<std::uint32_t> pen_of_;  // of each layer
   PenPlan plan_;

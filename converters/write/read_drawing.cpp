@@ -66,6 +66,19 @@ void read_width(const JsonPlace& place, std::size_t points, std::vector<double>&
   }
 }
 
+PathSource read_also(const JsonPlace& place) {
+  place.check_object();
+  PathSource also;
+  const auto value = [&](const char* key, auto& out) {
+    place.optional(key, [&](const JsonPlace& at) { at.set(out); });
+  };
+  value("part", also.source.part);
+  value("face", also.source.face);
+  value("edge", also.source.edge);
+  place.optional("kind", [&](const JsonPlace& kind) { also.kind = kind_named(kind); });
+  return also;
+}
+
 void read_faces(const JsonPlace& place, std::size_t points, std::vector<PathFace>& out) {
   place.each([&](const JsonPlace& run, std::size_t i) {
     if (!run.value().is_array() || run.size() != 2) run.fail("takes [first point, face]");
@@ -79,6 +92,11 @@ void read_faces(const JsonPlace& place, std::size_t points, std::vector<PathFace
     }
     out.push_back(face);
   });
+}
+
+void read_color(const JsonPlace& place, std::string& out) {
+  place.set(out);
+  if (!rgb_of(out)) place.fail("takes a colour #rrggbb");
 }
 
 Path read_path(const JsonPlace& place) {
@@ -95,6 +113,9 @@ Path read_path(const JsonPlace& place) {
   place.optional("width", [&](const JsonPlace& width) { read_width(width, n, p.width); });
   place.optional("kind", [&](const JsonPlace& kind) { p.kind = kind_named(kind); });
   place.optional("faces", [&](const JsonPlace& faces) { read_faces(faces, n, p.faces); });
+  place.optional("also", [&](const JsonPlace& also) {
+    also.each([&](const JsonPlace& one, std::size_t) { p.also.push_back(read_also(one)); });
+  });
   const auto value = [&](const char* key, auto& out) {
     place.optional(key, [&](const JsonPlace& at) { at.set(out); });
   };
@@ -105,6 +126,7 @@ Path read_path(const JsonPlace& place) {
   value("edge", p.source.edge);
   value("closed", p.closed);
   value("item", p.item);
+  place.optional("color", [&](const JsonPlace& color) { read_color(color, p.color); });
   value("field", p.field);
   value("family", p.family);
   value("stroke_kind", p.stroke_kind);
@@ -152,6 +174,10 @@ DrawingItem read_item(const JsonPlace& place) {
   value("source", item.source);
   place.optional("parts", [&](const JsonPlace& parts) {
     parts.each([&](const JsonPlace& part, std::size_t) { part.set(item.parts.emplace_back()); });
+  });
+  place.optional("selectors", [&](const JsonPlace& selectors) {
+    selectors.each(
+        [&](const JsonPlace& one, std::size_t) { one.set(item.selectors.emplace_back()); });
   });
   return item;
 }
@@ -265,11 +291,6 @@ Verification read_verification(const JsonPlace& place) {
     });
   });
   return v;
-}
-
-void read_color(const JsonPlace& place, std::string& out) {
-  place.set(out);
-  if (!rgb_of(out)) place.fail("takes a colour #rrggbb");
 }
 
 /// Lengths of ink and gaps in turn; all 0 would never end.

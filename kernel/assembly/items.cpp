@@ -1,102 +1,26 @@
 #include <burin/assembly/items.h>
+#include <burin/assembly/select.h>
 #include <burin/base/ascii.h>
 #include <burin/base/error.h>
+
+#include "kinds.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <optional>
 #include <set>
 #include <utility>
 
 namespace burin {
 namespace {
 
+using detail::Kind;
+
 std::size_t digits_at_end(std::string_view text) {
   std::size_t n = 0;
   while (n < text.size() && is_digit(text[text.size() - 1 - n])) ++n;
   return n;
 }
-
-/// Without " #2", which the readers add to the second part of a name.
-std::string_view as_read(std::string_view name) {
-  const std::size_t n = digits_at_end(name);
-  std::string_view rest = name.substr(0, name.size() - n);
-  return n > 0 && rest.size() > 2 && rest.ends_with(" #") ? rest.substr(0, rest.size() - 2) : name;
-}
-
-/// One shape, as far as it is known.
-struct Shape {
-  Definition definition;
-  std::optional<ShapeMeasure> measure;
-};
-
-/// Parts that are alike, before they have a number.
-struct Kind {
-  std::string key;
-  std::vector<Shape> shapes;
-  std::vector<std::size_t> parts;
-};
-
-class Kinds {
- public:
-  Kinds(const Scene& scene, Diagnostics& diagnostics, RunContext& context)
-      : scene_(scene), diagnostics_(diagnostics), context_(context) {}
-
-  std::vector<Kind> find() {
-    for (std::size_t i = 0; i < scene_.parts.size(); ++i) {
-      context_.check();
-      add(i);
-    }
-    return std::move(kinds_);
-  }
-
- private:
-  void add(std::size_t index) {
-    const Part& part = scene_.parts[index];
-    const std::string key =
-        part.definition.empty() ? instance_stem(part.name) : instance_stem(part.definition);
-    std::vector<std::size_t>& of_name = by_name_[key];
-    Shape shape{part.form->definition(), {}};
-    for (const std::size_t k : of_name) {
-      const auto same = [&](const Shape& s) { return s.definition.same(shape.definition); };
-      if (std::ranges::any_of(kinds_[k].shapes, same)) return kinds_[k].parts.push_back(index);
-    }
-    // Measured only where a name has two shapes.
-    for (const std::size_t k : of_name) {
-      Shape& first = kinds_[k].shapes.front();
-      if (!first.measure) first.measure = measured(kinds_[k].parts.front());
-      if (!shape.measure) shape.measure = measured(index);
-      if (!first.measure || !shape.measure || !first.measure->same(*shape.measure)) continue;
-      kinds_[k].shapes.push_back(shape);
-      return kinds_[k].parts.push_back(index);
-    }
-    of_name.push_back(kinds_.size());
-    kinds_.push_back({key, {shape}, {index}});
-  }
-
-  std::optional<ShapeMeasure> measured(std::size_t index) {
-    const Part& part = scene_.parts[index];
-    try {
-      return part.form->measure(context_);
-    } catch (const GeometryError& e) {
-      if (told_.insert(index).second) {
-        diagnostics_.add(Severity::Warning, "items.not_measured", 1,
-                         fmt::format("{}: counts as an item of its own, as it cannot be compared "
-                                     "with others of its name: {}",
-                                     part.name, e.what()));
-      }
-      return std::nullopt;
-    }
-  }
-
-  const Scene& scene_;
-  Diagnostics& diagnostics_;
-  RunContext& context_;
-  std::vector<Kind> kinds_;
-  std::map<std::string, std::vector<std::size_t>> by_name_;
-  std::set<std::size_t> told_;
-};
 
 /// The name that all members have, if they have one.
 template <class Get>
@@ -111,15 +35,134 @@ std::string common(const std::vector<std::size_t>& parts, const Get& get) {
 std::string name_of(const Scene& scene, const Kind& kind) {
   const auto definition = [&](std::size_t i) { return scene.parts[i].definition; };
   if (std::string name = common(kind.parts, definition); !name.empty()) return name;
-  const auto own = [&](std::size_t i) { return as_read(scene.parts[i].name); };
+  const auto own = [&](std::size_t i) { return name_as_read(scene.parts[i].name); };
   if (std::string name = common(kind.parts, own); !name.empty()) return name;
+  const auto stem = [&](std::size_t i) { return instance_stem(scene.parts[i].name); };
+  if (std::string name = common(kind.parts, stem); !name.empty()) return name;
   return kind.key;
 }
 
+/// Gives kinds of parts their numbers and names.
+class Numbering {
+ public:
+  Numbering(const Scene& scene, const ItemNumbers& kept, Diagnostics& diagnostics)
+      : scene_(scene), kept_(kept), diagnostics_(diagnostics) {}
+
+  std::vector<Item> of(std::vector<Kind> kinds) {
+    std::set<std::string> taken;
+    std::map<std::string, int> same;
+    for (Kind& kind : kinds) {
+      Item& item = items_.emplace_back();
+      item.name = name_of(scene_, kind);
+      const std::string plain = item.name;
+      while (!taken.insert(item.name).second) {
+        item.name = fmt::format("{} ({})", plain, ++same[plain] + 1);
+      }
+      item.color = common(kind.parts, [&](std::size_t i) { return scene_.parts[i].color; });
+      item.source = common(kind.parts, [&](std::size_t i) { return scene_.parts[i].source; });
+      item.parts = std::move(kind.parts);
+    }
+    take_selected();
+    take_named();
+    take_renamed();
+    take_new();
+    std::ranges::sort(items_, {}, &Item::number);
+    return std::move(items_);
+  }
+
+ private:
+  void give(Item& item, int number) {
+    item.number = number;
+    const auto kept = kept_.find(number);
+    if (kept != kept_.end()) item.name = kept->second.name;
+    used_.insert(number);
+  }
+
+  void take_selected() {
+    for (const auto& [number, kept] : kept_) {
+      if (kept.select.empty()) continue;
+      std::vector<std::size_t> parts;
+      try {
+        parts = select(scene_, kept.select);
+      } catch (const UsageError&) {
+        continue;  // a hole
+      }
+      std::set<Item*> meant;
+      for (Item& item : items_) {
+        const auto holds = [&](std::size_t part) { return std::ranges::count(item.parts, part); };
+        if (std::ranges::any_of(parts, holds)) meant.insert(&item);
+      }
+      if (meant.size() > 1 || (*meant.begin())->number != 0) {
+        throw UsageError(fmt::format(
+            "item {}: '{}' names parts of {}; name those of one alone", number, kept.select,
+            meant.size() > 1 ? fmt::format("{} items", meant.size())
+                             : fmt::format("item {}", (*meant.begin())->number)));
+      }
+      give(**meant.begin(), number);
+    }
+  }
+
+  void take_named() {
+    std::map<std::string_view, int> number_of;
+    for (const auto& [number, kept] : kept_) {
+      if (!used_.contains(number)) number_of.try_emplace(kept.name, number);
+    }
+    for (Item& item : items_) {
+      const auto known = number_of.find(item.name);
+      if (item.number == 0 && known != number_of.end()) give(item, known->second);
+    }
+  }
+
+  /// A name that nothing has, for a number that an item has by its place.
+  void take_renamed() {
+    std::string first;
+    for (const auto& [number, kept] : kept_) {
+      const auto at = static_cast<std::size_t>(number - 1);
+      if (!kept.renames || used_.contains(number) || at >= items_.size()) continue;
+      Item& item = items_[at];
+      if (item.number != 0) continue;
+      if (first.empty()) first = fmt::format("{}, '{}', is '{}'", number, item.name, kept.name);
+      give(item, number);
+      ++renamed_;
+    }
+    if (renamed_ == 0) return;
+    // As many as there were: nothing but names has changed.
+    const bool sure = kept_.size() <= items_.size();
+    diagnostics_.add(
+        sure ? Severity::Info : Severity::Warning, "items.renamed", renamed_,
+        fmt::format("items are called as the illustration says, by their numbers; the first: {}",
+                    first));
+  }
+
+  void take_new() {
+    int next = kept_.empty() ? 1 : kept_.rbegin()->first + 1;
+    for (std::size_t i = 0; i < items_.size(); ++i) {
+      if (items_[i].number != 0) continue;
+      const int own = static_cast<int>(i) + 1;
+      const bool by_place = renamed_ > 0 && !kept_.contains(own) && !used_.contains(own);
+      while (!by_place && used_.contains(next)) ++next;
+      give(items_[i], by_place ? own : next++);
+    }
+  }
+
+  const Scene& scene_;
+  const ItemNumbers& kept_;
+  Diagnostics& diagnostics_;
+  std::vector<Item> items_;
+  std::set<int> used_;
+  std::int64_t renamed_ = 0;
+};
+
 }  // namespace
 
+std::string_view name_as_read(std::string_view name) {
+  const std::size_t n = digits_at_end(name);
+  const std::string_view rest = name.substr(0, name.size() - n);
+  return n > 0 && rest.size() > 2 && rest.ends_with(" #") ? rest.substr(0, rest.size() - 2) : name;
+}
+
 std::string instance_stem(std::string_view name) {
-  std::string_view rest = as_read(name);
+  std::string_view rest = name_as_read(name);
   std::string whole(rest);
   if (rest.ends_with(')')) {
     const std::string_view inner = rest.substr(0, rest.size() - 1);
@@ -146,31 +189,13 @@ std::string instance_stem(std::string_view name) {
 
 std::vector<Item> find_items(const Scene& scene, const ItemNumbers& kept, Diagnostics& diagnostics,
                              RunContext& context) {
-  std::vector<Item> items;
-  std::map<std::string, int> number_of, same;
-  std::set<std::string> taken;
-  for (const auto& [number, name] : kept) number_of.try_emplace(name, number);
-  int next = kept.empty() ? 1 : kept.rbegin()->first + 1;
-  for (Kind& kind : Kinds(scene, diagnostics, context).find()) {
-    Item item;
-    item.name = name_of(scene, kind);
-    const std::string plain = item.name;
-    while (!taken.insert(item.name).second)
-      item.name = fmt::format("{} ({})", plain, ++same[plain] + 1);
-    const auto known = number_of.find(item.name);
-    item.number = known != number_of.end() ? known->second : next++;
-    item.color = common(kind.parts, [&](std::size_t i) { return scene.parts[i].color; });
-    item.source = common(kind.parts, [&](std::size_t i) { return scene.parts[i].source; });
-    item.parts = std::move(kind.parts);
-    items.push_back(std::move(item));
-  }
-  std::ranges::sort(items, {}, &Item::number);
-  return items;
+  std::vector<Kind> kinds = detail::Kinds(scene, diagnostics, context).find();
+  return Numbering(scene, kept, diagnostics).of(std::move(kinds));
 }
 
 ItemNumbers numbers_of(const std::vector<Item>& items, const ItemNumbers& kept) {
   ItemNumbers all = kept;
-  for (const Item& item : items) all.try_emplace(item.number, item.name);
+  for (const Item& item : items) all.try_emplace(item.number, KeptItem{item.name});
   return all;
 }
 

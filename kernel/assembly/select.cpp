@@ -3,73 +3,21 @@
 #include <burin/base/error.h>
 #include <burin/base/nearest.h>
 
+#include "selector_names.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <filesystem>
 #include <functional>
-#include <span>
+#include <map>
 
 namespace burin {
 namespace {
 
-using Names = std::span<const std::string>;
-
-// Whether a name is as the pattern says. Bounded: a star that fails is tried again from the next
-// letter, the stars before it never are.
-bool like(std::string_view pattern, std::string_view name) {
-  std::size_t p = 0, n = 0, star = pattern.npos, from = 0;
-  while (n < name.size()) {
-    if (p < pattern.size() && pattern[p] == '*') {
-      star = p++;
-      from = n;
-    } else if (p < pattern.size() && (pattern[p] == '?' || pattern[p] == name[n])) {
-      ++p, ++n;
-    } else if (star != pattern.npos) {
-      p = star + 1;
-      n = ++from;
-    } else {
-      return false;
-    }
-  }
-  while (p < pattern.size() && pattern[p] == '*') ++p;
-  return p == pattern.size();
-}
-
-// Whether the names begin as the patterns say: what they lead to, or what contains it, is meant.
-// Reached[i]: the patterns so far may have taken the first i names.
-bool leads_to(Names patterns, Names names) {
-  std::vector<bool> reached(names.size() + 1, false);
-  reached[0] = true;
-  for (const std::string& pattern : patterns) {
-    std::vector<bool> next(names.size() + 1, false);
-    for (std::size_t i = 0; i <= names.size(); ++i) {
-      if (pattern == "**") {
-        next[i] = reached[i] || (i > 0 && next[i - 1]);
-      } else {
-        next[i] = i > 0 && reached[i - 1] && like(pattern, names[i - 1]);
-      }
-    }
-    reached = std::move(next);
-  }
-  return std::find(reached.begin(), reached.end(), true) != reached.end();
-}
-
-std::vector<std::string> names_of(const Part& part) {
-  std::vector<std::string> names = part.assembly;
-  names.push_back(part.name);
-  return names;
-}
-
-std::vector<std::string> parted(std::string_view path) {
-  std::vector<std::string> names;
-  for (std::size_t from = 0; from <= path.size();) {
-    const std::size_t to = std::min(path.find('/', from), path.size());
-    if (to > from) names.emplace_back(path.substr(from, to - from));
-    from = to + 1;
-  }
-  return names;
-}
+using detail::like;
+using detail::NamePatterns;
+using detail::names_of;
 
 using Test = std::function<bool(std::size_t index, const Part& part)>;
 
@@ -98,10 +46,9 @@ Test by_attribute(std::string_view selector) {
 }
 
 Test by_name(std::string_view selector) {
-  std::vector<std::string> patterns = parted(selector);
-  if (patterns.empty()) throw UsageError("a selector is the name of a part, not empty");
-  if (!selector.starts_with('/')) patterns.insert(patterns.begin(), "**");
-  return [patterns](std::size_t, const Part& part) { return leads_to(patterns, names_of(part)); };
+  return [patterns = NamePatterns(selector)](std::size_t, const Part& part) {
+    return patterns.lead_to(names_of(part));
+  };
 }
 
 // What a selector that found nothing could have meant, the nearest first.
@@ -115,6 +62,7 @@ std::string known_names(const Scene& scene, std::string_view selector) {
     } else {
       for (std::string& name : names_of(part)) names.push_back(std::move(name));
     }
+    for (const Piece& piece : part.pieces) names.push_back(path_of(part) + "/" + piece.name);
   }
   std::ranges::sort(names);
   names.erase(std::unique(names.begin(), names.end()), names.end());
@@ -133,6 +81,26 @@ std::string path_of(const Part& part) {
   std::string path;
   for (const std::string& name : part.assembly) path += name + "/";
   return path + part.name;
+}
+
+std::vector<std::string> selectors_of(const Scene& scene) {
+  std::vector<std::string> selectors;
+  std::map<std::string, std::size_t> meant;  // parts that a path leads to
+  for (const Part& part : scene.parts) {
+    std::string& path = selectors.emplace_back();
+    for (std::string& name : names_of(part)) {
+      std::ranges::replace_if(
+          name, [](char c) { return c == '/' || c == ';'; }, '?');
+      path += "/" + name;
+      ++meant[path];
+    }
+  }
+  for (std::size_t i = 0; i < selectors.size(); ++i) {
+    const bool wild = selectors[i].find_first_of("*?") != std::string::npos;
+    const bool alone = wild ? select(scene, selectors[i]).size() == 1 : meant[selectors[i]] == 1;
+    if (!alone) selectors[i] = fmt::format("@index={}", i);
+  }
+  return selectors;
 }
 
 std::vector<std::size_t> select(const Scene& scene, std::string_view selector) {

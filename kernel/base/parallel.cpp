@@ -46,6 +46,11 @@ void parallel_invoke(const std::function<void()>& a, const std::function<void()>
   tbb::parallel_invoke(task_of(a), task_of(b), alone);
 }
 
+int thread_limit() {
+  return static_cast<int>(
+      tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism));
+}
+
 struct ThreadLimit::Impl {
   explicit Impl(std::size_t threads)
       : control(tbb::global_control::max_allowed_parallelism, threads) {}

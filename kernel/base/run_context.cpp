@@ -2,6 +2,7 @@
 #include <burin/base/run_context.h>
 
 #include <algorithm>
+#include <utility>
 
 namespace burin {
 
@@ -30,8 +31,9 @@ void RunContext::end_stage() {
   current_ = -1;
 }
 
-void RunContext::progress(double share) {
+void RunContext::progress(double share, std::string doing) {
   if (!callback_ || current_ < 0) return;
+  doing_ = std::move(doing);
   const auto now = Clock::now();
   if (now - last_report_ < std::chrono::milliseconds(20)) return;
   last_report_ = now;

@@ -52,7 +52,7 @@ class Pipe {
 struct Prepared {
   std::vector<char*> argv;
   const char* folder = nullptr;
-  int null = -1, output = -1, failure = -1, file = -1;
+  int input = -1, output = -1, failure = -1, file = -1;
   rlim_t memory = RLIM_INFINITY;
   pid_t parent = 0;
 };
@@ -77,7 +77,8 @@ struct Prepared {
   ::setrlimit(RLIMIT_AS, &memory);
   ::setrlimit(RLIMIT_CORE, &no_core);
   if (::chdir(p.folder) != 0) fail_in_child(p);
-  if (::dup2(p.null, 0) < 0 || ::dup2(p.output, 1) < 0 || ::dup2(p.output, 2) < 0) fail_in_child(p);
+  if (::dup2(p.input, 0) < 0 || ::dup2(p.output, 1) < 0 || ::dup2(p.output, 2) < 0)
+    fail_in_child(p);
   if (p.file >= 0 && ::dup2(p.file, kSubprocessFile) < 0) fail_in_child(p);
   ::execvp(p.argv[0], p.argv.data());
   fail_in_child(p);
@@ -184,15 +185,17 @@ SubprocessEnd run_subprocess(const SubprocessRun& run, RunContext& context) {
   if (run.bounded) prepared.memory = memory_limit();
   prepared.parent = ::getpid();
   Pipe output, failure;
-  const int null = ::open("/dev/null", O_RDONLY | O_CLOEXEC);
-  prepared.null = lifted(null);
+  // Opened anew, so that it is read from its beginning.
+  const std::string from = run.input ? run.input->path() : "/dev/null";
+  const int input = ::open(from.c_str(), O_RDONLY | O_CLOEXEC);
+  prepared.input = lifted(input);
   prepared.output = lifted(output.write_end());
   prepared.failure = lifted(failure.write_end());
   if (run.file) prepared.file = lifted(run.file->descriptor());
   const pid_t pid = ::fork();
   if (pid == 0) become(prepared);
   const int fork_error = errno;
-  for (const int d : {null, prepared.null, prepared.output, prepared.failure, prepared.file}) {
+  for (const int d : {input, prepared.input, prepared.output, prepared.failure, prepared.file}) {
     if (d >= 0) ::close(d);
   }
   output.close(1);

@@ -266,8 +266,12 @@ class Page {
       const DrawingItem* item = maker_.item_of[part];
       if (!item) continue;
       DrawingItem& one = items.try_emplace(item->number, *item).first->second;
-      if (one.parts == item->parts) one.parts.clear();
-      one.parts.push_back(static_cast<std::int32_t>(part));
+      if (one.parts == item->parts) one.parts.clear(), one.selectors.clear();
+      const auto id = static_cast<std::int32_t>(part);
+      const auto at =
+          static_cast<std::size_t>(std::ranges::find(item->parts, id) - item->parts.begin());
+      one.parts.push_back(id);
+      if (at < item->selectors.size()) one.selectors.push_back(item->selectors[at]);
     }
     std::vector<DrawingItem> out;
     for (auto& [number, item] : items) out.push_back(std::move(item));

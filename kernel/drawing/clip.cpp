@@ -163,9 +163,11 @@ Path without_points(const Path& path) {
   head.visible = path.visible;
   head.in_full = path.in_full;
   head.source = path.source;
+  head.also = path.also;
   head.field = path.field;
   head.family = path.family;
   head.stroke_kind = path.stroke_kind;
+  head.color = path.color;
   return head;
 }
 

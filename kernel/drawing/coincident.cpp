@@ -1,5 +1,7 @@
 #include <burin/drawing/coincident.h>
 
+#include "path_piece.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -56,30 +58,6 @@ std::vector<Run> runs_of(const std::vector<Vec2>& points, const LinesOnPaper& li
   return joined(runs);
 }
 
-/// The piece of a path without its faces; `points` and the rest have the first point again at the
-/// end where the path is closed.
-Path piece_of(const Path& path, const Path& open, const Run& run) {
-  Path piece = without_points(path);
-  const auto at = [&](const auto& values, double place) {
-    const auto i = std::min(static_cast<std::size_t>(place), values.size() - 2);
-    return glm::mix(values[i], values[i + 1], place - static_cast<double>(i));
-  };
-  const auto take = [&](const auto& values, auto& to) {
-    if (values.size() != open.points.size()) {
-      to = values;
-      return;
-    }
-    to.push_back(at(values, run.begin));
-    const auto first = static_cast<std::size_t>(std::floor(run.begin)) + 1;
-    for (std::size_t i = first; static_cast<double>(i) < run.end; ++i) to.push_back(values[i]);
-    to.push_back(at(values, run.end));
-  };
-  take(open.points, piece.points);
-  take(open.points3, piece.points3);
-  take(open.width, piece.width);
-  return piece;
-}
-
 }  // namespace
 
 LinesOnPaper::LinesOnPaper(double tolerance)
@@ -127,13 +105,8 @@ bool LinesOnPaper::holds(Vec2 at) const {
 PartedPath parted(const Path& path, const LinesOnPaper& lines, double least) {
   PartedPath out;
   if (path.points.size() < 2) return out;
-  Path open = path;
-  if (path.closed) {
-    open.points.push_back(path.points.front());
-    if (path.points3.size() == path.points.size()) open.points3.push_back(path.points3.front());
-    if (path.width.size() == path.points.size()) open.width.push_back(path.width.front());
-  }
-  std::vector<Run> runs = runs_of(open.points, lines);
+  const OpenedPath open(path);
+  std::vector<Run> runs = runs_of(open.points(), lines);
   // Short stretches between others are their neighbours', gaps before specks.
   for (const bool kind : {true, false}) {
     for (Run& run : runs) {
@@ -146,7 +119,7 @@ PartedPath parted(const Path& path, const LinesOnPaper& lines, double least) {
     return out;
   }
   for (const Run& run : runs) {
-    (run.on ? out.on : out.off).push_back(piece_of(path, open, run));
+    (run.on ? out.on : out.off).push_back(open.piece(run.begin, run.end));
   }
   return out;
 }

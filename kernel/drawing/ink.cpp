@@ -1,8 +1,10 @@
 #include <burin/drawing/ink.h>
+#include <burin/drawing/length.h>
 #include <burin/drawing/outline.h>
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace burin {
 namespace {
@@ -63,6 +65,21 @@ std::vector<double> InkLayer::dashes(const DashOptions& options) const {
   return {};
 }
 
+std::vector<double> fitted_dashes(const std::vector<double>& dashes, const Path& path) {
+  if (dashes.empty() || path.points.size() < 2) return dashes;
+  double length = length_of(path);
+  if (path.closed) length += glm::distance(path.points.back(), path.points.front());
+  const double period = std::accumulate(dashes.begin(), dashes.end(), 0.0);
+  if (!(length > 0) || !(period > 0)) return dashes;
+  // An open line has one dash more than it has periods.
+  const double more = path.closed ? 0 : dashes.front();
+  const double periods = std::round((length - more) / period);
+  if (periods < 1) return {length, period};
+  std::vector<double> fitted = dashes;
+  for (double& one : fitted) one *= length / (periods * period + more);
+  return fitted;
+}
+
 std::vector<InkLayer> ink_layers(const Drawing& drawing) {
   std::vector<InkLayer> layers;
   InkLayer hidden{std::string(kHiddenLayer), {}};
@@ -97,6 +114,10 @@ std::vector<InkLayer> ink_layers(const Drawing& drawing) {
 
 const std::string& ink_color(const InkLayer& layer, const Drawing& drawing) {
   return layer.color.empty() ? drawing.ink_color : layer.color;
+}
+
+const std::string& ink_color(const Path& path, const InkLayer& layer, const Drawing& drawing) {
+  return path.color.empty() ? ink_color(layer, drawing) : path.color;
 }
 
 const char* to_string(TextAnchor anchor) {

@@ -53,7 +53,7 @@ class Joiner {
   }
   bool same_pen(End a, End b) const {
     const Path &p = *paths_[a / 2], &q = *paths_[b / 2];
-    return p.visible == q.visible && p.in_full == q.in_full &&
+    return p.visible == q.visible && p.in_full == q.in_full && p.color == q.color &&
            std::abs(mean_width(p) - mean_width(q)) < kSamePen;
   }
 

@@ -74,6 +74,13 @@ void append_view(Buffer& out, const DrawingView& view) {
   append(out, "}");
 }
 
+/// That of a part, a layer or a line which has one for itself.
+void append_color(Buffer& out, const std::string& color) {
+  if (color.empty()) return;
+  append(out, ", \"color\": ");
+  append_json(out, color);
+}
+
 void append_part(Buffer& out, const DrawingPart& part) {
   fmt::format_to(fmt::appender(out), "{{\"id\": {}, \"name\": ", part.id);
   append_json(out, part.name);
@@ -89,10 +96,7 @@ void append_part(Buffer& out, const DrawingPart& part) {
     }
     out.push_back(']');
   }
-  if (!part.color.empty()) {
-    append(out, ", \"color\": ");
-    append_json(out, part.color);
-  }
+  append_color(out, part.color);
   out.push_back('}');
 }
 
@@ -103,7 +107,12 @@ void append_item(Buffer& out, const DrawingItem& item) {
   append_json(out, item.color);
   append(out, ", \"source\": ");
   append_json(out, item.source);
-  fmt::format_to(fmt::appender(out), ", \"parts\": [{}]}}", fmt::join(item.parts, ", "));
+  fmt::format_to(fmt::appender(out), ", \"parts\": [{}]", fmt::join(item.parts, ", "));
+  if (!item.selectors.empty()) {
+    append(out, ", \"selectors\": ");
+    append_json(out, item.selectors);
+  }
+  out.push_back('}');
 }
 
 void append_point(Buffer& out, Vec2 p) {
@@ -259,6 +268,16 @@ void append_tail(Buffer& out, const Drawing& d, std::size_t left_out) {
   append(out, "}\n}\n");
 }
 
+void append_also(Buffer& out, const std::vector<PathSource>& also) {
+  for (std::size_t i = 0; i < also.size(); ++i) {
+    const SourceId& of = also[i].source;
+    fmt::format_to(fmt::appender(out),
+                   "{}{{\"part\": {}, \"face\": {}, \"edge\": {}, \"kind\": \"{}\"}}{}",
+                   i == 0 ? ", \"also\": [" : ", ", of.part, of.face, of.edge,
+                   to_string(also[i].kind), i + 1 == also.size() ? "]" : "");
+  }
+}
+
 /// One path on one line.
 void append_path(Buffer& out, const Path& p, bool points3, int decimals3) {
   fmt::format_to(fmt::appender(out),
@@ -268,6 +287,7 @@ void append_path(Buffer& out, const Path& p, bool points3, int decimals3) {
                  p.closed);
   if (p.in_full) append(out, ", \"in_full\": true");
   if (p.item != 0) fmt::format_to(fmt::appender(out), ", \"item\": {}", p.item);
+  append_color(out, p.color);
   if (p.kind == LineClass::Stroke) {
     append(out, ", \"field\": ");
     append_json(out, p.field);
@@ -280,6 +300,7 @@ void append_path(Buffer& out, const Path& p, bool points3, int decimals3) {
     fmt::format_to(fmt::appender(out), "{}[{},{}]{}", i == 0 ? ", \"faces\": [" : ",",
                    p.faces[i].first_point, p.faces[i].face, i + 1 == p.faces.size() ? "]" : "");
   }
+  append_also(out, p.also);
   append(out, ", \"points\": [");
   for (std::size_t i = 0; i < p.points.size(); ++i) {
     append(out, i == 0 ? "[" : ",[");
@@ -310,10 +331,7 @@ void append_path(Buffer& out, const Path& p, bool points3, int decimals3) {
 
 /// Colour and dashes that a layer has for itself.
 void append_look(Buffer& out, const Layer& layer) {
-  if (!layer.color.empty()) {
-    append(out, ", \"color\": ");
-    append_json(out, layer.color);
-  }
+  append_color(out, layer.color);
   if (layer.dashes.empty()) return;
   append(out, ", \"dashes\": [");
   for (std::size_t i = 0; i < layer.dashes.size(); ++i) {

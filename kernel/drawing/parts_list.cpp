@@ -19,10 +19,11 @@ std::string quoted(std::string_view text) {
 }  // namespace
 
 std::string parts_list_csv(std::span<const DrawingItem> items) {
-  std::string out = "number,name,quantity,colour,source\r\n";
+  std::string out = "number,name,quantity,colour,source,parts\r\n";
   for (const DrawingItem& item : items) {
-    out += fmt::format("{},{},{},{},{}\r\n", item.number, quoted(item.name), item.quantity(),
-                       quoted(item.color), quoted(item.source));
+    out += fmt::format("{},{},{},{},{},{}\r\n", item.number, quoted(item.name), item.quantity(),
+                       quoted(item.color), quoted(item.source),
+                       quoted(fmt::format("{}", fmt::join(item.selectors, ";"))));
   }
   return out;
 }
@@ -39,6 +40,8 @@ std::string parts_list_json(std::span<const DrawingItem> items) {
     append_json(out, item.color);
     append(out, ", \"source\": ");
     append_json(out, item.source);
+    append(out, ", \"parts\": ");
+    append_json(out, item.selectors);
     append(out, "}");
   }
   append(out, items.empty() ? "]\n}\n" : "\n  ]\n}\n");

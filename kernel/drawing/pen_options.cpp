@@ -22,11 +22,12 @@ constexpr std::size_t kLongestCommand = 200;
 template <class T>
 std::vector<OptionRow<T>> pen_rows() {
   std::vector<OptionRow<PenOptions>> rows = {
-      options::text("pens", &PenOptions::pens,
-                    "which pen draws which layer: auto (layers of equal width share one), layers "
-                    "(one each), one, or a list such as outline=1;stroke-*=3;*=2 (pen 0 draws "
-                    "nothing)",
-                    kPens),
+      options::text(
+          "pens", &PenOptions::pens,
+          "which pen draws which layer: auto (layers of equal width and colour share one), layers "
+          "(one each), one, or a list such as outline=1;stroke-*=3;*=2 (pen 0 draws "
+          "nothing)",
+          kPens),
       number("join", &PenOptions::join, {0, 1, "mm"},
              "ends that lie no farther apart are drawn without lifting the pen, in mm"),
   };

@@ -32,7 +32,8 @@ struct Item {
   std::size_t elements = 0;
 };
 
-using Pens = std::map<double, std::vector<Item>>;
+/// By colour, which is empty where it is that of the layer, and width.
+using Pens = std::map<std::pair<std::string, double>, std::vector<Item>>;
 
 Item item_of(const Path& path, const SvgOptions& options) {
   Item item{{}, ink_of(path, curve_tolerance(options)), false, path.points.front(), 0, 1};
@@ -86,8 +87,8 @@ JoinedPaths lines_of(const InkLayer& layer, const SvgOptions& options, Vec2& pen
   return as_given;
 }
 
-/// The layer's ink by pen, from thin to thick; 0 = filled outlines. Pens that differ by less than
-/// what is written are one.
+/// The layer's ink by pen, each colour from thin to thick; 0 = filled outlines. Pens that differ by
+/// less than what is written are one.
 Pens by_pen(std::span<const Path* const> paths, const SvgOptions& options,
             const RunContext& context) {
   std::vector<std::vector<Item>> items(paths.size());
@@ -96,22 +97,25 @@ Pens by_pen(std::span<const Path* const> paths, const SvgOptions& options,
     for (std::size_t i = begin; i < end; ++i) append_items(*paths[i], options, items[i]);
   });
   Pens pens;
-  for (auto& of_path : items) {
-    for (Item& item : of_path) {
+  for (std::size_t i = 0; i < items.size(); ++i) {
+    for (Item& item : items[i]) {
       const double width = item.ink.filled ? 0 : std::round(item.ink.width * 1e3) * 1e-3;
-      pens[width].push_back(std::move(item));
+      pens[{paths[i]->color, width}].push_back(std::move(item));
     }
   }
   return pens;
 }
 
-std::string pen_tag(double width, std::string_view ink) {
+/// `color`: that of the pen where it is not that of the layer.
+std::string pen_tag(const std::string& color, double width, std::string_view ink) {
   Buffer out;
   append(out, "<path");
   if (width > 0) {
+    if (!color.empty()) append(out, fmt::format(" stroke=\"{}\"", svg_ink(color)));
     append_pen(out, width);
   } else {
-    append(out, fmt::format(" fill=\"{}\" stroke=\"none\"", ink));
+    append(out, fmt::format(" fill=\"{}\" stroke=\"none\"",
+                            color.empty() ? ink : std::string_view(color)));
   }
   append(out, " d=\"");
   return fmt::to_string(out);
@@ -119,16 +123,16 @@ std::string pen_tag(double width, std::string_view ink) {
 
 /// Paths of one pen, parted before they have too many elements; several of them in a group, for
 /// programs that are slow where an element has many others beside it.
-void append_pen_items(double width, std::vector<Item>& of_pen, std::string_view ink,
-                      std::string& before, std::vector<Item>& items) {
+void append_pen_items(const std::string& tag, std::vector<Item>& of_pen, std::string& before,
+                      std::vector<Item>& items) {
   std::size_t all = 0, here = 0;
   for (const Item& item : of_pen) all += item.elements;
   const bool several = all > kMostElements;
   if (several) before += "<g>\n";
-  before += pen_tag(width, ink);
+  before += tag;
   for (Item& item : of_pen) {
     if (here + item.elements > kMostElements && here > 0) {
-      before += "\"/>\n" + pen_tag(width, ink);
+      before += "\"/>\n" + tag;
       here = 0;
     }
     here += item.elements;
@@ -177,11 +181,11 @@ void write_merged_svg(const Drawing& drawing, const SvgOptions& options, std::os
   std::string before = svg_head(drawing, ink_box(drawing, layers));
   Vec2 pen(0);
   for (const InkLayer& layer : layers) {
-    const std::string ink = svg_ink(layer, drawing);
+    const std::string ink = svg_ink(ink_color(layer, drawing));
     before += svg_layer_tag(layer, ids.make(layer.name), ink, options);
     const JoinedPaths lines = lines_of(layer, options, pen, context);
-    for (auto& [width, of_pen] : by_pen(lines.paths, options, context)) {
-      append_pen_items(width, of_pen, ink, before, items);
+    for (auto& [pen_at, of_pen] : by_pen(lines.paths, options, context)) {
+      append_pen_items(pen_tag(pen_at.first, pen_at.second, ink), of_pen, before, items);
     }
     for (const Text* text : layer.texts) {
       before += svg_text(*text, drawing.paper_height, ink, options);

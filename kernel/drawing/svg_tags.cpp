@@ -57,8 +57,7 @@ std::string svg_head(const Drawing& drawing, std::string_view more) {
   return fmt::to_string(out);
 }
 
-std::string svg_ink(const InkLayer& layer, const Drawing& drawing) {
-  const std::string& color = ink_color(layer, drawing);
+std::string svg_ink(const std::string& color) {
   return color == Drawing().ink_color ? "#000" : color;
 }
 
@@ -70,12 +69,7 @@ std::string svg_layer_tag(const InkLayer& layer, const std::string& id, std::str
   append(out, fmt::format("\" fill=\"none\" stroke=\"{}\" stroke-linecap=\"round\" "
                           "stroke-linejoin=\"round\"",
                           ink));
-  const std::vector<double> dashes = layer.dashes(options.dashes);
-  for (std::size_t i = 0; i < dashes.size(); ++i) {
-    append(out, i == 0 ? " stroke-dasharray=\"" : " ");
-    append_fixed(out, dashes[i], 3);
-  }
-  if (!dashes.empty()) out.push_back('"');
+  append_dashes(out, layer.dashes(options.dashes));
   append(out, ">\n");
   return fmt::to_string(out);
 }
@@ -110,6 +104,14 @@ std::string svg_text(const Text& text, double paper_height, std::string_view ink
   append_xml(out, text.text);
   append(out, "</text>\n");
   return fmt::to_string(out);
+}
+
+void append_dashes(Buffer& out, const std::vector<double>& dashes) {
+  for (std::size_t i = 0; i < dashes.size(); ++i) {
+    append(out, i == 0 ? " stroke-dasharray=\"" : " ");
+    append_fixed(out, dashes[i], 3);
+  }
+  if (!dashes.empty()) out.push_back('"');
 }
 
 void append_pen(Buffer& out, double width) {

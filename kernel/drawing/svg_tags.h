@@ -16,11 +16,11 @@ namespace burin {
 
 /// All before the first layer; `more` are attributes of the root, each with a space before it.
 std::string svg_head(const Drawing& drawing, std::string_view more = {});
-/// The opening tag of a layer's group; lines of it are `ink`, as `svg_ink` has it.
+/// The opening tag of a layer's group; its lines are `ink`, as `svg_ink` has it.
 std::string svg_layer_tag(const InkLayer& layer, const std::string& id, std::string_view ink,
                           const SvgOptions& options);
-/// The colour of a layer's ink as SVG writes it.
-std::string svg_ink(const InkLayer& layer, const Drawing& drawing);
+/// A colour as SVG writes it.
+std::string svg_ink(const std::string& color);
 
 /// Names as XML ids of one file, each once.
 class SvgIds {
@@ -38,6 +38,8 @@ std::string svg_text(const Text& text, double paper_height, std::string_view ink
                      const SvgOptions& options);
 
 void append_pen(Buffer& out, double width);
+/// As an attribute; nothing where there are none.
+void append_dashes(Buffer& out, const std::vector<double>& dashes);
 /// Paper mm that fitted curves may be off before their numbers are rounded.
 double curve_tolerance(const SvgOptions& options);
 

@@ -33,9 +33,13 @@ void append_paint(Buffer& out, bool filled, std::string_view ink) {
 
 /// What a path has to say of its pen inside a group. Each line tells its width: programs that
 /// import SVG for its shapes (OpenSCAD) do not inherit it.
-void append_own_pen(Buffer& out, bool filled, double width, bool group_filled,
-                    std::string_view ink) {
-  if (filled != group_filled) append_paint(out, filled, ink);
+void append_own_pen(Buffer& out, bool filled, double width, bool group_filled, std::string_view ink,
+                    std::string_view group_ink) {
+  if (filled != group_filled) {
+    append_paint(out, filled, ink);
+  } else if (ink != group_ink) {
+    append(out, fmt::format(" {}=\"{}\"", filled ? "fill" : "stroke", ink));
+  }
   if (!filled) append_pen(out, width);
 }
 
@@ -46,8 +50,10 @@ struct Item {
   /// Of a closed outline: what it was made of.
   std::vector<const Path*> pieces = {};
   bool group_filled = false;
-  /// The colour of its layer.
-  std::string_view ink = {};
+  /// Its colour, and that of the group which it stands in.
+  std::string_view ink = {}, group_ink = {};
+  /// Those of its layer, which are fitted to its length.
+  const std::vector<double>* dashes = nullptr;
 };
 
 /// All paths in order; the last item has none, only the closing tags.
@@ -64,8 +70,9 @@ class Items {
     add_areas(ids);
     Vec2 pen(0);
     for (const InkLayer& layer : ink_layers(drawing)) {
-      ink_ = inks_.emplace_back(svg_ink(layer, drawing));
+      ink_ = ink_named(ink_color(layer, drawing));
       const std::string id = ids.make(layer.name);
+      dashes_ = &layer_dashes_.emplace_back(layer.dashes(options.dashes));
       before_ += svg_layer_tag(layer, id, ink_, options);
       // Without the prefix, which each id gets once.
       const std::string stem = id.substr(options.id_prefix.size());
@@ -82,7 +89,7 @@ class Items {
         if (by_travel || lines.empty()) continue;
         add_part(part, ids.make(stem + "-" + part_name(part)), lines, layer.name == kOutlineLayer);
       }
-      if (by_travel) add_lines(in_travel_order(lines, pen, context), false);
+      if (by_travel) add_lines(in_travel_order(lines, pen, context), false, ink_);
       for (const auto& [item, annotation] : annotations) add_annotation(item, annotation, ids);
       before_ += "</g>\n";
     }
@@ -124,7 +131,7 @@ class Items {
     }
     before_ += fmt::to_string(out) + "\n";
     for (const Path* path : annotation.paths) {
-      items_.push_back({std::exchange(before_, {}), path, {}, false, ink_});
+      items_.push_back({std::exchange(before_, {}), path, {}, false, ink_of_path(*path), ink_});
     }
     for (const Text* text : annotation.texts) {
       before_ += svg_text(*text, drawing_.paper_height, ink_, options_);
@@ -205,12 +212,32 @@ class Items {
     return same == 1 ? name : fmt::format("{}-{}", name, same);
   }
 
-  void open_part(std::int32_t part, const std::string& id, bool filled) {
+  /// A colour as it is written, for as long as the items are there.
+  std::string_view ink_named(const std::string& color) {
+    return *inks_.insert(svg_ink(color)).first;
+  }
+
+  std::string_view ink_of_path(const Path& path) {
+    return path.color.empty() ? ink_ : ink_named(path.color);
+  }
+
+  /// That of all paths, else that of the layer.
+  std::string_view common_ink(std::span<const Path* const> paths) {
+    const std::string& color = paths.front()->color;
+    const bool all = std::ranges::all_of(paths, [&](const Path* p) { return p->color == color; });
+    return all ? ink_of_path(*paths.front()) : ink_;
+  }
+
+  void open_part(std::int32_t part, const std::string& id, bool filled, std::string_view ink) {
     Buffer out;
     append(out, fmt::format("<g id=\"{}\" data-part=\"{}\"", id, part));
     append_part_class(out, part, "part");
     // Lines are what the layer says.
-    if (filled) append_paint(out, true, ink_);
+    if (filled) {
+      append_paint(out, true, ink);
+    } else if (ink != ink_) {
+      append(out, fmt::format(" stroke=\"{}\"", ink));
+    }
     append(out, "><title>");
     if (const auto it = named_.find(part); it != named_.end()) {
       append_xml(out, it->second.name);
@@ -231,24 +258,28 @@ class Items {
       lines.pieces.resize(paths.size());
     }
     const bool filled = mostly_areas(lines.paths, options_);
-    open_part(part, id, filled);
-    add_lines(std::move(lines), filled);
+    const std::string_view ink = common_ink(lines.paths);
+    open_part(part, id, filled, ink);
+    add_lines(std::move(lines), filled, ink);
     before_ += "</g>\n";
   }
 
-  void add_lines(JoinedPaths lines, bool filled) {
+  void add_lines(JoinedPaths lines, bool filled, std::string_view group_ink) {
     for (std::size_t i = 0; i < lines.paths.size(); ++i) {
-      items_.push_back(
-          {std::exchange(before_, {}), lines.paths[i], std::move(lines.pieces[i]), filled, ink_});
+      const Path* path = lines.paths[i];
+      items_.push_back({std::exchange(before_, {}), path, std::move(lines.pieces[i]), filled,
+                        ink_of_path(*path), group_ink, dashes_});
     }
     kept_.push_back(std::move(lines.made));
   }
 
   const Drawing& drawing_;
   const SvgOptions& options_;
-  /// Of all layers, and of the one at hand.
-  std::list<std::string> inks_;
+  /// Of all layers and paths, and of the layer at hand.
+  std::set<std::string> inks_;
   std::string_view ink_;
+  std::list<std::vector<double>> layer_dashes_;
+  const std::vector<double>* dashes_ = nullptr;
   std::string before_;
   std::vector<Item> items_;
   std::list<std::deque<Path>> kept_;
@@ -267,6 +298,22 @@ std::string list_of(const std::vector<const Path*>& pieces, std::int32_t SourceI
   return text;
 }
 
+/// Lines that the path, or what it is joined of, stands for: "part/face/edge ...", each once.
+void append_also(Buffer& out, const Item& item) {
+  std::string text;
+  std::set<SourceId> known;
+  const auto add = [&](const Path& path) {
+    for (const PathSource& also : path.also) {
+      const SourceId& of = also.source;
+      if (!known.insert(of).second) continue;
+      text += fmt::format("{}{}/{}/{}", text.empty() ? "" : " ", of.part, of.face, of.edge);
+    }
+  };
+  add(*item.path);
+  for (const Path* piece : item.pieces) add(*piece);
+  if (!text.empty()) fmt::format_to(fmt::appender(out), " data-also=\"{}\"", text);
+}
+
 void append_source(Buffer& out, const Item& item) {
   const Path& p = *item.path;
   const char* kind = to_string(p.kind);
@@ -274,11 +321,17 @@ void append_source(Buffer& out, const Item& item) {
       fmt::appender(out),
       " class=\"{}\" data-part=\"{}\" data-face=\"{}\" data-edge=\"{}\" data-kind=\"{}\"", kind,
       p.source.part, p.source.face, p.source.edge, kind);
+  append_also(out, item);
   if (item.pieces.size() < 2) return;
   const std::string faces = list_of(item.pieces, &SourceId::face);
   const std::string edges = list_of(item.pieces, &SourceId::edge);
   if (!faces.empty()) fmt::format_to(fmt::appender(out), " data-faces=\"{}\"", faces);
   if (!edges.empty()) fmt::format_to(fmt::appender(out), " data-edges=\"{}\"", edges);
+}
+
+/// Dashes that begin and end with the line.
+void append_own_dashes(Buffer& out, const Item& item) {
+  if (item.dashes) append_dashes(out, fitted_dashes(*item.dashes, *item.path));
 }
 
 void append_polyline(Buffer& out, SvgPen& pen, const Item& item, double tolerance) {
@@ -289,7 +342,8 @@ void append_polyline(Buffer& out, SvgPen& pen, const Item& item, double toleranc
   for (const std::size_t i : simplify(all, tolerance)) kept.push_back(all[i]);
   append(out, "<polyline");
   append_source(out, item);
-  append_own_pen(out, false, mean_width(p), item.group_filled, item.ink);
+  append_own_pen(out, false, mean_width(p), item.group_filled, item.ink, item.group_ink);
+  append_own_dashes(out, item);
   append(out, " points=\"");
   pen.points(kept);
   append(out, "\"/>\n");
@@ -302,7 +356,8 @@ void append_path(Buffer& out, const Item& item, double paper_height, const SvgOp
   const Ink ink = ink_of(p, curve_tolerance(options));
   append(out, "<path");
   append_source(out, item);
-  append_own_pen(out, ink.filled, ink.width, item.group_filled, item.ink);
+  append_own_pen(out, ink.filled, ink.width, item.group_filled, item.ink, item.group_ink);
+  if (!ink.filled) append_own_dashes(out, item);
   append(out, " d=\"");
   for (const auto& chain : ink.chains) pen.chain(chain, ink.filled || p.closed);
   if (ink.chains.front().empty()) pen.dot(p.points.front());

@@ -113,6 +113,15 @@ void append_json(Buffer& out, std::string_view text) {
   out.push_back('"');
 }
 
+void append_json(Buffer& out, std::span<const std::string> texts) {
+  out.push_back('[');
+  for (std::size_t i = 0; i < texts.size(); ++i) {
+    if (i > 0) append(out, ", ");
+    append_json(out, texts[i]);
+  }
+  out.push_back(']');
+}
+
 void append_xml(Buffer& out, std::string_view text) {
   for_each_character(text, [&](std::string_view c) {
     if (c == "&") {

@@ -19,12 +19,12 @@ class Marks {
     if (has_varying_width(path) || is_dot(path)) return -1;
     // Widths are told apart by what files say of them.
     const auto width = std::llround(1000 * mean_width(path));
-    const std::tuple key(width, path.visible, path.in_full, path.item);
+    const std::tuple key(width, path.visible, path.in_full, path.item, path.color);
     return known_.try_emplace(key, static_cast<std::int64_t>(known_.size())).first->second;
   }
 
  private:
-  std::map<std::tuple<long long, bool, bool, int>, std::int64_t> known_;
+  std::map<std::tuple<long long, bool, bool, int, std::string>, std::int64_t> known_;
 };
 
 // One path, turned round.

@@ -2,7 +2,9 @@
 
 #include <burin/drawing/bezier.h>
 #include <burin/drawing/ink.h>
+#include <burin/drawing/join_lines.h>
 #include <burin/drawing/length.h>
+#include <burin/drawing/one_line.h>
 #include <burin/feature/source_faces.h>
 
 #include "haloes.h"
@@ -154,6 +156,7 @@ void compose_strokes(const LinesToDraw& lines, const std::vector<Gaps>& gaps,
       if (!whole && length_of(path) < kShortestRest * how.hatch_of(curve).length_min) continue;
       keep(path, true, found);
       path.field = how.hatch_of(curve).field.name;
+      path.color = how.stroke_color(curve);
       cue_widths(how.cue, path);
       name_faces(visible, proxy_of(how.proxies, curve), how.camera, path);
       simplify_path(path);
@@ -169,7 +172,8 @@ void compose_strokes(const LinesToDraw& lines, const std::vector<Gaps>& gaps,
 }
 
 void compose_features(const LinesToDraw& lines, const std::vector<Gaps>& gaps,
-                      const Composition& how, Drawing& drawing, std::vector<Path>* found) {
+                      const Composition& how, Drawing& drawing, std::vector<Path>* found,
+                      const RunContext& context) {
   std::vector<Layer> layers;
   for (const char* name : {"hidden", "behind", "trail", "pattern", "seam", "smooth", "intersection",
                            "crease", "section", "boundary", "contour", "outline"}) {
@@ -195,6 +199,7 @@ void compose_features(const LinesToDraw& lines, const std::vector<Gaps>& gaps,
       path.visible = span.visible;
       path.in_full = !span.visible && how.style.halo.hidden;
       path.width = {how.feature_width(curve, span)};
+      path.color = how.feature_color(curve);
       cue_widths(how.cue, path);
       name_faces(drawn, proxy_of(how.proxies, curve), how.camera, path);
       simplify_path(path);
@@ -207,12 +212,25 @@ void compose_features(const LinesToDraw& lines, const std::vector<Gaps>& gaps,
       }
     }
   }
+  keep_one_line(layers, context);
+  join_lines(layers, context);
   for (Layer& layer : layers) {
     if (!layer.paths.empty()) drawing.layers.push_back(std::move(layer));
   }
 }
 
 }  // namespace
+
+std::string Composition::feature_color(const Curve3& feature) const {
+  const std::string& color = style_of(feature).line.color;
+  return color == style.sheet.ink ? std::string() : color;
+}
+
+std::string Composition::stroke_color(const Curve3& stroke) const {
+  const std::string& color = hatch_of(stroke).color;
+  if (color.empty()) return feature_color(stroke);
+  return color == style.sheet.ink ? std::string() : color;
+}
 
 double Composition::feature_width(const Curve3& feature, const Span& span) const {
   const auto& line = style_of(feature).line;
@@ -265,7 +283,7 @@ void compose(const LinesToDraw& lines, const Composition& how, Drawing& drawing,
              const RunContext& context, std::vector<Path>* found) {
   const Haloes haloes = find_haloes(lines, how, context);
   compose_strokes(lines, haloes.strokes, how, drawing, found);
-  compose_features(lines, haloes.features, how, drawing, found);
+  compose_features(lines, haloes.features, how, drawing, found, context);
 }
 
 }  // namespace burin::detail

@@ -14,6 +14,7 @@
 #include "part_styles.h"
 
 #include <span>
+#include <string>
 #include <vector>
 
 namespace burin::detail {
@@ -46,6 +47,9 @@ struct Composition {
   const HatchStyle& hatch_of(const Curve3& stroke) const {
     return burin::hatch_of(style_of(stroke), static_cast<std::size_t>(stroke.stroke_kind));
   }
+  /// "#rrggbb" where it is not that of the sheet's ink, else empty; of a stroke, of a feature.
+  std::string stroke_color(const Curve3& stroke) const;
+  std::string feature_color(const Curve3& feature) const;
   bool draws(const Curve3& feature) const;
   /// Paper mm, before depth.
   double feature_width(const Curve3& feature, const Span& span) const;

@@ -236,6 +236,7 @@ HatchedParts::Hatchings HatchedParts::hatch(const std::shared_ptr<const Occluder
                          strokes.number,
                          strokes.exponents,
                          depth};
+    request.hatch.color.clear();  // of the lines when they stand
     request.place.occluders = occluders;
     request.place.parts = std::move(parts);
     request.place.alone = alone;

@@ -2,31 +2,27 @@
 
 #include <burin/assembly/select.h>
 #include <burin/base/error.h>
+#include <burin/illustrate/stroke_selectors.h>
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <span>
-#include <string_view>
 #include <utility>
 
 namespace burin::detail {
 namespace {
 
-// The parts that any of the selectors, with ";" between them, names.
-std::vector<bool> selected(const Scene& scene, std::string_view selectors) {
-  std::vector<bool> flags(scene.parts.size(), selectors == HatchStyle().select);
-  if (selectors == HatchStyle().select) return flags;
-  for (std::size_t begin = 0; begin <= selectors.size();) {
-    const std::size_t end = std::min(selectors.find(';', begin), selectors.size());
+// The parts that any of the selectors names.
+std::vector<bool> selected(const Scene& scene, const HatchStyle& hatch) {
+  const std::vector<std::string> selectors = selectors_of(hatch);
+  std::vector<bool> flags(scene.parts.size(), selectors.empty());
+  for (const std::string& selector : selectors) {
     try {
-      for (const std::size_t part : select(scene, selectors.substr(begin, end - begin))) {
-        flags[part] = true;
-      }
+      for (const std::size_t part : select(scene, selector)) flags[part] = true;
     } catch (const UsageError& e) {
       throw UsageError(fmt::format("strokes (hatch.select): {}", e.what()));
     }
-    begin = end + 1;
   }
   return flags;
 }
@@ -81,7 +77,7 @@ void PartStyles::find_strokes(const Scene& scene, bool one_tone) {
       const HatchStyle& hatch = hatch_of(*styles_[k], number);
       if (!hatch.enabled) continue;
       StrokeSet set{&hatch, &tone_of(*styles_[k], number), static_cast<int>(number),
-                    selected(scene, hatch.select)};
+                    selected(scene, hatch)};
       for (std::size_t i = 0; i < parts_.size(); ++i) {
         if (!parts_[i].hatched || parts_[i].style != k) set.parts[i] = false;
       }
@@ -105,3 +101,19 @@ bool PartStyles::any_transparent() const {
 }
 
 }  // namespace burin::detail
+
+namespace burin {
+
+std::vector<std::string> selectors_of(const HatchStyle& hatch) {
+  std::vector<std::string> selectors;
+  const std::string& all = hatch.select;
+  if (all == HatchStyle().select) return selectors;
+  for (std::size_t begin = 0; begin <= all.size();) {
+    const std::size_t end = std::min(all.find(';', begin), all.size());
+    selectors.push_back(all.substr(begin, end - begin));
+    begin = end + 1;
+  }
+  return selectors;
+}
+
+}  // namespace burin

@@ -1,7 +1,7 @@
 #include <burin/base/error.h>
-#include <burin/base/nearest.h>
 #include <burin/drawing/color.h>
 #include <burin/illustrate/style.h>
+#include <burin/options/meant.h>
 
 #include "style_table.h"
 
@@ -329,6 +329,32 @@ constexpr std::array kBuiltin{
             wireframe},
 };
 
+// What other programs and people call such drawings.
+std::vector<std::string> other_names(std::string_view style) {
+  struct Row {
+    std::string_view style;
+    std::vector<std::string> names;
+  };
+  static const std::vector<Row> rows = {
+      {"outline",
+       {"line", "line art", "lineart", "contour", "silhouette", "plain", "ink", "clean"}},
+      {"technical", {"default", "standard", "shaded", "iso", "cad", "mechanical"}},
+      {"engraving", {"engrave", "etching", "hatching", "hatched", "crosshatch", "banknote"}},
+      {"pencil", {"sketch", "hand drawn", "handdrawn", "drawing", "graphite"}},
+      {"stipple", {"dots", "dotted", "pointillism", "halftone"}},
+      {"woodcut", {"linocut", "bold", "block print"}},
+      {"scratchboard", {"white on black", "dark", "inverted", "negative", "chalk"}},
+      {"contour-map", {"topographic", "topo", "height lines", "isolines", "map"}},
+      {"blueprint", {"cyanotype", "blue"}},
+      {"patent", {"uspto", "patent office"}},
+      {"plotter", {"pen plotter", "single line", "axidraw", "laser"}},
+      {"haloed", {"halo", "depth"}},
+      {"wireframe", {"wire", "hidden", "xray", "x-ray", "skeleton"}},
+  };
+  const auto row = std::ranges::find(rows, style, &Row::style);
+  return row == rows.end() ? std::vector<std::string>() : row->names;
+}
+
 }  // namespace
 
 std::vector<StyleInfo> builtin_styles() {
@@ -339,6 +365,7 @@ std::vector<StyleInfo> builtin_styles() {
 
 Style builtin_style(std::string_view name) {
   std::vector<std::string> names;
+  std::vector<KnownWord> known;
   for (const Builtin& b : kBuiltin) {
     if (b.name == name) {
       Style style = b.make();
@@ -346,10 +373,10 @@ Style builtin_style(std::string_view name) {
       return style;
     }
     names.emplace_back(b.name);
+    known.push_back({names.back(), other_names(names.back())});
   }
-  throw UsageError(fmt::format(
-      "unknown style '{}'; the nearest is '{}' (built in: {}; or the path of a style file)", name,
-      nearest(name, names), fmt::join(names, ", ")));
+  throw UsageError(fmt::format("unknown style '{}'{} (built in: {}; or the path of a style file)",
+                               name, hint(name, known), fmt::join(names, ", ")));
 }
 
 std::vector<StyleInfo> stroke_kinds() {
@@ -392,8 +419,8 @@ void become(std::string_view kind, StrokeKind& strokes) {
     if (k.name == kind) return k.make(strokes);
     names.emplace_back(k.name);
   }
-  throw UsageError(fmt::format("unknown kind of strokes '{}'; the nearest is '{}' (all: {})", kind,
-                               nearest(kind, names), fmt::join(names, ", ")));
+  throw UsageError(fmt::format("unknown kind of strokes '{}'{} (all: {})", kind,
+                               hint(kind, known_words(names)), fmt::join(names, ", ")));
 }
 
 }  // namespace detail
@@ -449,21 +476,34 @@ int setting_rank(std::string_view key) {
   return key.ends_with(".kind") ? 1 : 2;
 }
 
+namespace {
+
+std::optional<std::string> first_fault(const Style& style) {
+  const std::vector<detail::StyleRow> rows = detail::all_rows_of(style);
+  return options::first_fault(std::vector<OptionRow<Style>>(rows.begin(), rows.end()), style);
+}
+
+void check_color(const std::string& key, const std::string& color, bool may_be_empty) {
+  if (rgb_of(color) || (may_be_empty && color.empty())) return;
+  throw UsageError(fmt::format("style key '{}' takes a colour #rrggbb{}, not '{}'", key,
+                               may_be_empty ? " or nothing" : "", color));
+}
+
+}  // namespace
+
 void check_style(const Style& style) {
   if (stroke_kind_count(style) > kMostStrokeKinds) {
     throw UsageError(fmt::format("a style has at most {} kinds of strokes", kMostStrokeKinds));
   }
-  const auto fault = options::first_fault(detail::all_rows_of(style), style);
+  const auto fault = first_fault(style);
   if (fault) throw UsageError("style key " + *fault);
-  for (const auto& [key, color] :
-       {std::pair{"ink", style.sheet.ink}, {"paper", style.sheet.paper}}) {
-    if (rgb_of(color)) continue;
-    throw UsageError(
-        fmt::format("style key 'sheet.{}' takes a colour #rrggbb, not '{}'", key, color));
-  }
+  check_color("sheet.ink", style.sheet.ink, false);
+  check_color("sheet.paper", style.sheet.paper, false);
+  check_color("line.color", style.line.color, true);
   check_texts(style.hpgl, "hpgl.");
   check_texts(style.gcode, "gcode.");
   for (std::size_t number = 1; number <= stroke_kind_count(style); ++number) {
+    check_color(detail::kind_group(number) + "color", hatch_of(style, number).color, true);
     check_texts(hatch_of(style, number), detail::kind_group(number));
     field::check_texts(hatch_of(style, number).field, detail::kind_group(number));
   }
@@ -472,7 +512,20 @@ void check_style(const Style& style) {
 std::vector<StyleKey> style_keys(const Style& style) {
   std::vector<StyleKey> keys;
   for (const detail::StyleRow& row : detail::all_rows_of(style)) {
-    keys.push_back({row, value_text(row, row.get(style))});
+    keys.push_back(
+        {row, value_text(row, row.get(style)), row.of_whole, detail::other_names_of(row.name)});
+  }
+  return keys;
+}
+
+std::vector<std::string> keys_without_effect(const Style& style, const Style& whole) {
+  const Style plain;
+  std::vector<std::string> keys;
+  for (const detail::StyleRow& row : detail::style_rows()) {
+    const OptionValue value = row.get(style);
+    if (row.of_whole && value != row.get(whole) && value != row.get(plain)) {
+      keys.push_back(row.name);
+    }
   }
   return keys;
 }

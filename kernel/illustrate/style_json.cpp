@@ -56,8 +56,8 @@ Json parse(std::string_view text, const std::string& source) {
 /// Reads a style's members into `style`, naming file and line in errors.
 class Reader {
  public:
-  Reader(Style& style, std::string_view text, const std::string& source)
-      : style_(style), lines_(text), source_(source) {}
+  Reader(Style& style, std::string_view text, const std::string& source, const Style* whole)
+      : style_(style), lines_(text), source_(source), whole_(whole) {}
 
   /// All members but those about stroke kinds.
   void object(const Json& json, const std::string& group) {
@@ -70,7 +70,7 @@ class Reader {
         if (!is_group(key)) at(group, key, [&, &k = key] { detail::find_row(k); });
         object(value, key);
       } else {
-        at(group, key, [&, &v = value] { set_style_key(style_, full, to_text(v)); });
+        at(group, key, [&, &v = value] { set(full, to_text(v)); });
       }
     }
   }
@@ -93,6 +93,20 @@ class Reader {
   }
 
  private:
+  void set(const std::string& key, const std::string& text) {
+    if (!whole_) return set_style_key(style_, key, text);
+    const detail::StyleRow& row = detail::find_row(key);
+    const OptionValue before = row.get(style_);
+    set_style_key(style_, key, text);
+    const OptionValue value = row.get(style_);
+    if (!row.of_whole || value == before || value == row.get(*whole_)) return;
+    const std::string instead = detail::key_of_parts(key);
+    throw UsageError(
+        fmt::format("style key '{}' holds for the whole drawing and cannot differ by part: {}", key,
+                    instead.empty() ? "leave it out here, or set it for the drawing"
+                                    : fmt::format("parts have '{}' instead", instead)));
+  }
+
   void list(const Json& json) {
     at("", "strokes", [&] {
       if (!json.is_array()) throw UsageError("style key 'strokes' takes a list of stroke kinds");
@@ -142,6 +156,7 @@ class Reader {
   Style& style_;
   JsonLines lines_;
   const std::string& source_;
+  const Style* whole_;
 };
 
 }  // namespace
@@ -150,10 +165,11 @@ Style parse_style(std::string_view json, const std::string& source) {
   return parse_style(json, source, builtin_style("technical"));
 }
 
-Style parse_style(std::string_view json, const std::string& source, const Style& start) {
+Style parse_style(std::string_view json, const std::string& source, const Style& start,
+                  const Style* whole) {
   const Json parsed = parse(json, source);
   Style style = start;
-  Reader reader(style, json, source);
+  Reader reader(style, json, source, whole);
   reader.base(parsed);
   style.name = std::filesystem::path(source).stem().string();
   reader.object(parsed, "");

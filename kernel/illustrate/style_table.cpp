@@ -2,15 +2,22 @@
 
 #include <burin/base/catalogue.h>
 #include <burin/base/error.h>
-#include <burin/base/nearest.h>
 #include <burin/drawing/brought_formats.h>
+#include <burin/options/meant.h>
 
 #include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
 
 namespace burin::detail {
 namespace {
 
 using options::append;
+
+constexpr const char* kColor = "a colour #rrggbb";
+constexpr const char* kColorOrNone = "a colour #rrggbb or nothing";
+
 using options::flag;
 using options::number;
 
@@ -30,6 +37,11 @@ std::vector<OptionRow<LineOptions>> line_rows() {
       number("hidden", &LineOptions::hidden, width, "width of hidden lines, in mm"),
       number("trail", &LineOptions::trail, width,
              "width of the lines on which parts of exploded views have come, in mm"),
+
+      options::text("color", &LineOptions::color,
+                    "colour of the lines, of strokes too; a part in a style of its own has its "
+                    "own; empty = sheet.ink",
+                    kColorOrNone),
   };
 }
 
@@ -41,6 +53,8 @@ std::vector<OptionRow<HatchStyle>> hatch_rows() {
                                "parts that have these strokes: selectors as of looks, with ; "
                                "between them; * = all",
                                "selectors"));
+  rows.push_back(options::text("color", &HatchStyle::color,
+                               "colour of these strokes; empty = line.color", kColorOrNone));
   rows.push_back(
       number("share", &HatchStyle::share, {0.01, 100},
              "how much of the ink these strokes carry where strokes of several kinds share it"));
@@ -70,13 +84,12 @@ std::vector<OptionRow<DepthOptions>> depth_rows() {
   };
 }
 
-constexpr const char* kColor = "a colour #rrggbb";
-
 std::vector<OptionRow<SheetStyle>> sheet_rows() {
   return {flag("clip", &SheetStyle::clip,
                "cut what runs off the sheet at its edge; strokes end a few mm beyond it either "
                "way"),
           options::text("ink", &SheetStyle::ink, "colour of all lines", kColor),
+
           options::text("paper", &SheetStyle::paper,
                         "colour of the sheet; white is not painted (nor is any in DXF)", kColor)};
 }
@@ -94,34 +107,99 @@ std::string kind_prefix(std::size_t number) { return fmt::format("strokes.{}.", 
 // Of a stroke kind after the first as one of the style that has it.
 StyleRow lifted(const KindRow& row, std::size_t number) {
   const std::size_t at = number - 2;
-  StyleRow out{{kind_prefix(number) + row.name, row.meaning, row.takes, row.phrase},
-               [at, get = row.get](const Style& s) { return get(s.strokes.at(at)); },
-               [at, set = row.set](Style& s, const OptionValue& v) { set(s.strokes.at(at), v); }};
+  StyleRow out{{{kind_prefix(number) + row.name, row.meaning, row.takes, row.phrase},
+                [at, get = row.get](const Style& s) { return get(s.strokes.at(at)); },
+                [at, set = row.set](Style& s, const OptionValue& v) { set(s.strokes.at(at), v); }}};
   if (!row.at_most.empty()) out.at_most = kind_prefix(number) + row.at_most;
   return out;
 }
 
+// Rows of members that parts have in their own style, and those that hold for a whole drawing.
+class Rows {
+ public:
+  template <class M, class T>
+  void of_parts(const std::string& group, M Style::*member,
+                const std::vector<OptionRow<T>>& of_member) {
+    std::vector<OptionRow<Style>> more;
+    append(more, group, member, of_member);
+    add(more, false);
+  }
+  template <class M, class T>
+  void of_whole(const std::string& group, M Style::*member,
+                const std::vector<OptionRow<T>>& of_member) {
+    std::vector<OptionRow<Style>> more;
+    append(more, group, member, of_member);
+    add(more, true);
+  }
+  void add(const std::vector<OptionRow<Style>>& more, bool of_whole) {
+    for (const OptionRow<Style>& row : more) rows_.push_back({row, of_whole});
+  }
+  std::vector<StyleRow> take() { return std::move(rows_); }
+
+ private:
+  std::vector<StyleRow> rows_;
+};
+
 std::vector<StyleRow> all_rows() {
-  std::vector<StyleRow> rows;
-  append(rows, "line.", &Style::line, line_rows());
+  Rows rows;
+  rows.of_parts("line.", &Style::line, line_rows());
   std::vector<OptionRow<SvgOptions>> dashes;
   append(dashes, "", &SvgOptions::dashes, dash_option_rows());
-  append(rows, "line.", &Style::svg, dashes);
-  append(rows, "feature.", &Style::feature, feature_option_rows());
-  append(rows, "hatch.", &Style::hatch, hatch_rows());
-  append(rows, "hatch.", &Style::hatch, hatch_option_rows());
-  append(rows, "halo.", &Style::halo, halo_rows());
-  append(rows, "depth.", &Style::depth, depth_rows());
-  append(rows, "tone.", &Style::tone, tone::tone_option_rows());
-  append(rows, "sheet.", &Style::sheet, sheet_rows());
-  append(rows, "callout.", &Style::callout, callout_option_rows());
-  append(rows, "svg.", &Style::svg, svg_option_rows());
-  append(rows, "json.", &Style::json, json_option_rows());
-  append(rows, "png.", &Style::png, png_option_rows());
-  append(rows, "dxf.", &Style::dxf, dxf_option_rows());
-  append(rows, "hpgl.", &Style::hpgl, hpgl_option_rows());
-  append(rows, "gcode.", &Style::gcode, gcode_option_rows());
-  options::append_declared(rows, &Style::formats, brought_formats());
+  rows.of_whole("line.", &Style::svg, dashes);
+  rows.of_parts("feature.", &Style::feature, feature_option_rows());
+  rows.of_parts("hatch.", &Style::hatch, hatch_rows());
+  rows.of_parts("hatch.", &Style::hatch, hatch_option_rows());
+  rows.of_whole("halo.", &Style::halo, halo_rows());
+  rows.of_whole("depth.", &Style::depth, depth_rows());
+  rows.of_parts("tone.", &Style::tone, tone::tone_option_rows());
+  rows.of_whole("sheet.", &Style::sheet, sheet_rows());
+  rows.of_whole("callout.", &Style::callout, callout_option_rows());
+  rows.of_whole("svg.", &Style::svg, svg_option_rows());
+  rows.of_whole("json.", &Style::json, json_option_rows());
+  rows.of_whole("png.", &Style::png, png_option_rows());
+  rows.of_whole("dxf.", &Style::dxf, dxf_option_rows());
+  rows.of_whole("hpgl.", &Style::hpgl, hpgl_option_rows());
+  rows.of_whole("gcode.", &Style::gcode, gcode_option_rows());
+  std::vector<OptionRow<Style>> brought;
+  options::append_declared(brought, &Style::formats, brought_formats());
+  rows.add(brought, true);
+  return rows.take();
+}
+
+// What people look for who know a key by another name.
+struct OtherNames {
+  std::string_view key;
+  std::vector<std::string> names;
+};
+
+const std::vector<OtherNames>& all_other_names() {
+  static const std::vector<OtherNames> rows = {
+      {"line.outer",
+       {"line width", "line widths", "stroke width", "line weight", "thickness", "pen width",
+        "outline width", "outline"}},
+      {"line.color", {"colour", "line colour", "pen color", "stroke color", "lines color"}},
+      {"feature.contours", {"silhouettes"}},
+      {"feature.creases", {"edges", "sharp edges", "feature edges", "visible edges"}},
+      {"feature.smooth", {"tangent edges", "smooth edges", "tangent lines"}},
+      {"feature.crease_angle",
+       {"feature angle", "angle threshold", "smooth angle", "edge angle", "sharp angle", "dihedral",
+        "angular tolerance", "angular deflection", "threshold angle"}},
+      {"hatch.enabled",
+       {"hatch", "hatching", "hatches", "strokes", "shading", "shade", "shaded", "no hatch",
+        "no hatching", "no shading", "no strokes", "cross hatching"}},
+      {"hatch.spacing_min",
+       {"spacing", "density", "hatch density", "distance", "pitch", "line spacing"}},
+      {"hatch.width_max", {"hatch width", "stroke weight"}},
+      {"halo.gap", {"haloes"}},
+      {"tone.ambient", {"brightness", "lightness", "exposure", "gamma", "ambient light"}},
+      {"tone.shadow", {"cast shadow", "no shadow"}},
+      {"sheet.ink", {"ink color", "ink colour", "foreground", "fg"}},
+      {"sheet.paper",
+       {"background", "bg", "background color", "background colour", "paper color", "paper colour",
+        "sheet color", "fill", "white background"}},
+      {"png.dpi", {"resolution", "pixels", "ppi", "px", "image size", "pixel size"}},
+      {"png.background", {"transparent background", "no background"}},
+  };
   return rows;
 }
 
@@ -135,6 +213,15 @@ const std::vector<StyleRow>& style_rows() {
 const std::vector<KindRow>& kind_rows() {
   static MadeOfCatalogues<std::vector<KindRow>> rows;
   return rows.get(make_kind_rows);
+}
+
+std::string key_of_parts(std::string_view whole) {
+  return whole == "sheet.ink" ? "line.color" : "";
+}
+
+std::vector<std::string> other_names_of(std::string_view key) {
+  const auto row = std::ranges::find(all_other_names(), key, &OtherNames::key);
+  return row == all_other_names().end() ? std::vector<std::string>() : row->names;
 }
 
 std::vector<StyleRow> all_rows_of(const Style& style) {
@@ -163,24 +250,27 @@ std::optional<KindKey> kind_key(std::string_view key) {
 std::string kind_group(std::size_t number) { return number == 1 ? "hatch." : kind_prefix(number); }
 
 const KindRow& find_kind_row(const std::string& name, std::size_t number) {
-  std::vector<std::string> names{"kind"};
+  std::vector<KnownWord> known{{"kind"}};
   for (const KindRow& row : kind_rows()) {
     if (row.name == name) return row;
-    names.push_back(row.name);
+    known.push_back({row.name});
   }
   const std::string prefix = kind_prefix(number);
-  throw UsageError(fmt::format("unknown style key '{}{}'; the nearest is '{}{}'", prefix, name,
-                               prefix, nearest(name, names)));
+  for (KnownWord& one : known) one.say = fmt::format("the nearest is '{}{}'", prefix, one.name);
+  throw UsageError(fmt::format("unknown style key '{}{}'{} (all: `style_keys`)", prefix, name,
+                               hint(name, known)));
 }
 
 const StyleRow& find_row(std::string_view name) {
-  std::vector<std::string> names;
+  std::vector<KnownWord> known;
   for (const StyleRow& row : style_rows()) {
     if (row.name == name) return row;
-    names.push_back(row.name);
+    known.push_back({row.name, other_names_of(row.name)});
+    // "dpi" alone is png.dpi.
+    known.back().also.push_back(row.name.substr(row.name.find('.') + 1));
   }
-  throw UsageError(fmt::format("unknown style key '{}'; the nearest is '{}' (all: `style_keys`)",
-                               name, nearest(name, names)));
+  throw UsageError(
+      fmt::format("unknown style key '{}'{} (all: `style_keys`)", name, hint(name, known)));
 }
 
 }  // namespace burin::detail

@@ -12,7 +12,16 @@
 
 namespace burin::detail {
 
-using StyleRow = OptionRow<Style>;
+struct StyleRow : OptionRow<Style> {
+  /// One value for the whole drawing, whatever style a part has.
+  bool of_whole = false;
+};
+
+/// The key that parts have instead of one that holds for the whole drawing; empty: none.
+std::string key_of_parts(std::string_view whole);
+
+/// What people look for who know a key by another name.
+std::vector<std::string> other_names_of(std::string_view key);
 
 /// In groups, as files have them.
 const std::vector<StyleRow>& style_rows();

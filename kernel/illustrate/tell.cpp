@@ -5,6 +5,7 @@
 #include "style_table.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <set>
@@ -89,9 +90,29 @@ void tell_unmapped(const Scene& scene, std::vector<std::int32_t> parts, Diagnost
           parts.size() > 1 ? fmt::format(" (and {} more)", parts.size() - 1) : ""));
 }
 
+namespace {
+
+// Of styles of some parts, what they have that holds for the whole drawing.
+void tell_of_whole(const PartStyles& part_styles, bool annotated, std::set<std::string>& told) {
+  const Style& whole = *part_styles.styles().front();
+  for (const Style* style : part_styles.styles()) {
+    std::vector<std::string> keys = keys_without_effect(*style, whole);
+    if (!annotated)
+      std::erase_if(keys, [](const auto& key) { return key.starts_with("callout."); });
+    if (keys.empty()) continue;
+    told.insert(
+        fmt::format("{} of style '{}', which some parts have, {} no effect: such keys hold "
+                    "for the whole drawing (line.color is the colour of a part's lines)",
+                    fmt::join(keys, ", "), style->name, keys.size() > 1 ? "have" : "has"));
+  }
+}
+
+}  // namespace
+
 void tell_unused(const PartStyles& part_styles, const IllustrateOptions& options,
                  Diagnostics& diagnostics) {
   std::set<std::string> told;
+  tell_of_whole(part_styles, options.annotations.has_value(), told);
   for (const StrokeSet& strokes : part_styles.strokes()) {
     const HatchStyle& hatch = *strokes.hatch;
     const std::string group = kind_group(static_cast<std::size_t>(strokes.number));

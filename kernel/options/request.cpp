@@ -1,5 +1,5 @@
 #include <burin/base/error.h>
-#include <burin/base/nearest.h>
+#include <burin/options/meant.h>
 #include <burin/options/request.h>
 
 #include <fmt/format.h>
@@ -62,14 +62,13 @@ void refuse_value(const std::string& spelled, std::string_view takes, std::strin
 }
 
 const RequestOption& find_option(const std::vector<RequestOption>& options, const std::string& name,
-                                 const std::vector<std::string>& others) {
-  std::vector<std::string> names = others;
+                                 const std::vector<KnownWord>& others) {
+  std::vector<KnownWord> known = others;
   for (const RequestOption& option : options) {
     if (option.option.name == name) return option;
-    names.push_back(option.option.name);
+    known.push_back({option.option.name, option.also});
   }
-  throw UsageError(
-      fmt::format("unknown argument '{}'; the nearest is '{}'", name, nearest(name, names)));
+  throw UsageError(fmt::format("unknown argument '{}'{}", name, hint(name, known)));
 }
 
 std::vector<std::string> asked_texts(const RequestOption& option, const Request& request) {

@@ -81,6 +81,7 @@ Layer& Layers::named(const std::string& name, const ChangeLook& look) {
 
 void Layers::add(const std::string& group, const std::string& name, Path path) {
   const ChangeLook& look = look_of(group);
+  path.color.clear();  // the change gives the colour
   if (path.kind != LineClass::Stroke && path.kind != LineClass::Pattern) {
     for (double& w : path.width) w = std::max(look.factor * w, look.least);
   }

@@ -1,3 +1,4 @@
+#include <burin/base/affine.h>
 #include <burin/section/section.h>
 #include <burin/surface/empty_surface.h>
 
@@ -71,6 +72,16 @@ class CutForm final : public Form {
                       name_));
     }
     return std::make_shared<detail::CutSurface>(std::move(whole), std::move(cut), region_);
+  }
+  std::shared_ptr<const Form> mapped(const Placement& by) const override {
+    auto form = form_->mapped(by);
+    if (!form) return nullptr;
+    CutRegion region;
+    for (const CutPlane& plane : region_) {
+      const Vec3 normal = placed_normal(by, plane.normal);
+      region.push_back({normal, glm::dot(normal, by.point(plane.offset * plane.normal))});
+    }
+    return std::make_shared<CutForm>(std::move(form), std::move(region), number_, name_);
   }
   bool looks_at_view() const override { return form_->looks_at_view(); }
   bool same_as(const Form& other) const override {

@@ -1,6 +1,8 @@
+#include <burin/base/affine.h>
 #include <burin/base/error.h>
 #include <burin/surface/placed_form.h>
 
+#include <cmath>
 #include <mutex>
 #include <optional>
 #include <utility>
@@ -113,7 +115,7 @@ class PlacedSurface final : public Surface {
 
 }  // namespace
 
-/// A form and the surfaces of it that live.
+/// A form, the surfaces of it that live, and what it becomes where it is stretched or mirrored.
 class Instances {
  public:
   explicit Instances(std::shared_ptr<const Form> form) : form_(std::move(form)) {}
@@ -133,6 +135,22 @@ class Instances {
     std::erase_if(made_, [](const Made& made) { return made.surface.expired(); });
     made_.push_back({key_of(options), surface, std::move(said)});
     return surface;
+  }
+
+  /// The form after a linear map that does more than turn and scale: made once, as long as a form
+  /// of it lives.
+  std::shared_ptr<Instances> mapped(const Mat3& linear) {
+    const std::lock_guard lock(mutex_);
+    std::erase_if(mapped_, [](const Mapped& m) { return m.instances.expired(); });
+    for (const Mapped& known : mapped_) {
+      if (known.linear != linear) continue;
+      if (auto instances = known.instances.lock()) return instances;
+    }
+    auto form = form_->mapped({linear, Vec3(0)});
+    if (!form) throw GeometryError("this form can be turned, scaled and moved, but not stretched");
+    auto made = std::make_shared<Instances>(std::move(form));
+    mapped_.push_back({linear, made});
+    return made;
   }
 
  private:
@@ -177,17 +195,33 @@ class Instances {
   std::shared_ptr<const Form> form_;
   std::mutex mutex_;
   std::vector<Made> made_;
+  struct Mapped {
+    Mat3 linear;
+    std::weak_ptr<Instances> instances;
+  };
+  std::vector<Mapped> mapped_;
 };
 
 namespace {
 
+// Whether `linear` turns and scales, and does no more.
+bool turns(const Placement& placement) {
+  constexpr double kOff = 1e-9;
+  const double scale = placement.scale();
+  if (!(scale > 0) || placement.mirrors()) return false;
+  return off_rotation(placement.linear / scale) <= kOff;
+}
+
 class PlacedForm final : public Form {
  public:
-  PlacedForm(std::shared_ptr<Instances> instances, const Placement& placement)
-      : instances_(std::move(instances)), place_(placement) {}
+  PlacedForm(std::shared_ptr<Instances> root, const Placement& placement)
+      : root_(std::move(root)),
+        placement_(placement),
+        shown_(turns(placement) ? root_ : root_->mapped(placement.linear)),
+        place_(shown_ == root_ ? placement : Placement{Mat3(1), placement.offset}) {}
 
   Box3 bounds(const Mat3& axes) const override {
-    Box3 box = instances_->form()->bounds(axes * place_.to.linear);
+    Box3 box = shown_->form()->bounds(axes * place_.to.linear);
     const Vec3 by = axes * place_.to.offset;
     box.min += by, box.max += by;
     return box;
@@ -202,44 +236,44 @@ class PlacedForm final : public Form {
       view = options.view->inside(place_.to);
       inner.view = &*view;
     }
-    return std::make_shared<PlacedSurface>(instances_->realise(inner, context), place_);
+    return std::make_shared<PlacedSurface>(shown_->realise(inner, context), place_);
   }
-  bool looks_at_view() const override { return instances_->form()->looks_at_view(); }
+  std::shared_ptr<const Form> mapped(const Placement& by) const override {
+    return std::make_shared<PlacedForm>(root_, after(by, placement_));
+  }
+  bool looks_at_view() const override { return root_->form()->looks_at_view(); }
   bool same_as(const Form& other) const override {
     const auto* placed = dynamic_cast<const PlacedForm*>(&other);
-    return placed && placed->place_.to == place_.to &&
-           placed->instances_->form()->same_as(*instances_->form());
+    return placed && placed->placement_ == placement_ &&
+           placed->root_->form()->same_as(*root_->form());
   }
 
-  const std::shared_ptr<Instances>& instances() const { return instances_; }
-  const Placement& placement() const { return place_.to; }
+  const std::shared_ptr<Instances>& root() const { return root_; }
+  const Placement& placement() const { return placement_; }
   Definition definition() const override {
-    Definition of = instances_->form()->definition();
-    of.scale *= place_.scale;
+    Definition of = root_->form()->definition();
+    of.linear = placement_.linear * of.linear;
     return of;
   }
   ShapeMeasure measure(RunContext& context) const override {
-    return instances_->form()->measure(context).scaled(place_.scale, false);
+    if (!is_similar(placement_)) return shown_->form()->measure(context);
+    return root_->form()->measure(context).scaled(placement_.scale(), placement_.mirrors());
   }
 
  private:
-  std::shared_ptr<Instances> instances_;
+  /// What was placed, and where it stands.
+  std::shared_ptr<Instances> root_;
+  Placement placement_;
+  /// What is realised: the root itself, or what it became, and where that stands.
+  std::shared_ptr<Instances> shown_;
   Place place_;
 };
-
-// Whether `linear` turns and scales, and does no more.
-bool turns(const Placement& placement) {
-  constexpr double kOff = 1e-9;
-  const double scale = placement.scale();
-  if (!(scale > 0) || placement.mirrors()) return false;
-  return off_rotation(placement.linear / scale) <= kOff;
-}
 
 }  // namespace
 
 Placer::Placer(std::shared_ptr<const Form> form) : form_(std::move(form)) {
   if (const auto* already = dynamic_cast<const PlacedForm*>(form_.get())) {
-    instances_ = already->instances();
+    instances_ = already->root();
     before_ = already->placement();
   } else {
     instances_ = std::make_shared<Instances>(form_);
@@ -248,7 +282,11 @@ Placer::Placer(std::shared_ptr<const Form> form) : form_(std::move(form)) {
 
 std::shared_ptr<const Form> Placer::at(const Placement& placement) const {
   if (!placement.moves()) return form_;
-  if (!turns(placement)) throw UsageError("a placement turns, scales by one factor and moves");
+  if (!is_invertible(placement)) {
+    throw UsageError(
+        "a placement must not flatten what it places, and its numbers must be finite: scale each "
+        "direction by more than 0");
+  }
   return std::make_shared<PlacedForm>(instances_, after(placement, before_));
 }
 

@@ -23,15 +23,23 @@ bool alike(double a, double b, double allowed) { return std::abs(a - b) <= allow
 }  // namespace
 
 bool Definition::same(const Definition& other) const {
-  constexpr double kRounding = 1e-9;
-  return shape == other.shape && mirrored == other.mirrored &&
-         alike(scale, other.scale, kRounding * std::abs(scale));
+  constexpr double kRounding = 2e-9;  // 1e-9 of a scale
+  if (shape != other.shape || mirrored() != other.mirrored()) return false;
+  const Mat3 a = metric(), b = other.metric();
+  const double size = std::max({a[0][0], a[1][1], a[2][2]});
+  for (int i = 0; i < 3; ++i) {
+    for (int k = 0; k < 3; ++k) {
+      if (!alike(a[i][k], b[i][k], kRounding * size)) return false;
+    }
+  }
+  return true;
 }
+
+bool ShapeMeasure::handed() const { return std::abs(handedness) > kHanded; }
 
 bool ShapeMeasure::same(const ShapeMeasure& other, double relative) const {
   if (faces != other.faces || edges != other.edges) return false;
-  const bool sure = std::min(std::abs(handedness), std::abs(other.handedness)) > kHanded;
-  if (sure && (handedness > 0) != (other.handedness > 0)) return false;
+  if (handed() && other.handed() && (handedness > 0) != (other.handedness > 0)) return false;
   const double size = std::max(area, other.area);
   const double spread = std::max(moments.z, other.moments.z);
   return alike(area, other.area, relative * size) &&

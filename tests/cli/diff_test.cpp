@@ -270,7 +270,7 @@ TEST_F(Diff, IllustrationsTellLooks) {
   EXPECT_EQ(run("diff @/a.burin.json @/a.burin.json -o @/same.svg"), 0) << err_;
   EXPECT_NE(err_.find("exploded view"), std::string::npos) << err_;
   EXPECT_EQ(run("diff @/a.burin.json @/b.burin.json"), 6) << err_;
-  EXPECT_EQ(out_, "look     lid: left out\n2 parts: 1 same, 1 of another look\n");
+  EXPECT_EQ(out_, "look     lid: left out\n2 parts before, 1 now: 1 same, 1 of another look\n");
   // What the command leaves out is not compared.
   EXPECT_EQ(run("diff @/box.off @/a.burin.json --hide lid"), 2);
 }
@@ -349,7 +349,7 @@ TEST_F(Diff, SaysWhatItCannotDo) {
   refused("@/none.off @/box.off", 3, "none.off");
   refused("@/box.off @/box.off -o @/box.off", 2, "box.off");
   refused("@/box.off @/box.off -o @/none/a.svg", 4, "folder does not exist");
-  refused("@/box.off @/box.off --callouts", 2, "unknown option --callouts");
+  refused("@/box.off @/box.off --callouts", 2, "--callouts is an option of burin draw");
   refused("@/box.off @/box.off --line-tolerance 1", 2, "two drawing files");
   refused("@/box.off @/box.off --hide nobody", 2, "no part is named 'nobody'");
   for (const auto& entry : fs::directory_iterator(folder_.path())) {
@@ -359,6 +359,34 @@ TEST_F(Diff, SaysWhatItCannotDo) {
   EXPECT_EQ(out_ + err_, "");
   EXPECT_EQ(run("diff @/box.off @/box.off -o - --format json"), 0);
   EXPECT_TRUE(json::accept(out_)) << out_;
+}
+
+// What neither drawing shows is not reported.
+TEST_F(Diff, LeavesOutWhatIsNotDrawn) {
+  const auto revision = [&](const char* name, double size, const char* looks) {
+    folder_.write(std::string(name) + ".obj",
+                  obj_text({{"lid", test::box({0, 0, 0}, {10, 10, size})},
+                            {"base", test::box({20, 0, 0}, {30, 10, 10})}}));
+    folder_.write(std::string(name) + ".burin.json",
+                  std::string("{\"burin\": \"illustration\", \"parts\": [{\"file\": \"") + name +
+                      ".obj\"}], \"looks\": [" + looks + "]}");
+  };
+  const char* hidden = R"({"select": "lid", "drawn": false})";
+  const char* ghost = R"({"select": "lid", "transparent": true})";
+  revision("old", 10, hidden);
+  revision("new", 20, hidden);
+  ASSERT_EQ(run("diff @/old.burin.json @/new.burin.json -o @/d.json"), 0) << err_ << out_;
+  EXPECT_EQ(out_.find("lid"), std::string::npos) << out_;
+  EXPECT_NE(out_.find("1 part: 1 same"), std::string::npos) << out_;
+  EXPECT_EQ(report("d.json").at("parts").size(), 1U);
+  // A part that can be looked through is drawn; one that one revision hides has changed its look.
+  revision("old", 10, ghost);
+  revision("new", 20, ghost);
+  EXPECT_EQ(run("diff @/old.burin.json @/new.burin.json"), 6) << err_;
+  EXPECT_NE(out_.find("changed  "), std::string::npos) << out_;
+  revision("new", 10, hidden);
+  EXPECT_EQ(run("diff @/old.burin.json @/new.burin.json"), 6) << err_;
+  EXPECT_NE(out_.find("left out"), std::string::npos) << out_;
 }
 
 }  // namespace

@@ -218,5 +218,118 @@ TEST_F(CliSignals, SecondSignalKills) {
   EXPECT_EQ(folder_.count(), before);
 }
 
+// What newcomers try, and what they mean by it: in meaning, not in letters.
+TEST_F(CliErrors, OptionsOfOtherProgramsAreUnderstood) {
+  const std::vector<std::pair<std::string, std::string>> words = {
+      {"--title Pump", "\"title\""},
+      {"--dimensions", "Burin draws no dimensions"},
+      {"--bom", "--parts-list"},
+      {"--balloons", "--callouts"},
+      {"--labels", "--callouts"},
+      {"--annotate", "--callouts"},
+      {"--camera iso", "--view"},
+      {"--rotate 30", "--view"},
+      {"--azimuth 30", "--view"},
+      {"--elevation 30", "--view"},
+      {"--isometric", "--view"},
+      {"--front", "--view"},
+      {"--fov 30", "--perspective"},
+      {"--size A3", "--paper"},
+      {"--width 200", "--paper"},
+      {"--page A4", "--paper"},
+      {"--landscape", "--paper"},
+      {"--border 5", "--margin"},
+      {"--zoom 2", "--detail"},
+      {"--cut x", "--section"},
+      {"--clip x", "--section"},
+      {"--slice x", "--section"},
+      {"--cross-section x", "--section"},
+      {"--exploded", "--explode"},
+      {"--transparent lid", "--ghost"},
+      {"--opacity 0.5", "--ghost"},
+      {"--exclude lid", "--hide"},
+      {"--only lid", "--part"},
+      {"--select lid", "--part"},
+      {"--hidden-lines", "--hidden"},
+      {"--dashed", "--hidden"},
+      {"--quality high", "--tolerance"},
+      {"--deflection 0.1", "--tolerance"},
+      {"--theme dark", "--style"},
+      {"--preset x", "--style"},
+      {"--jobs 4", "--threads"},
+      {"-j 4", "--threads"},
+      {"--param a=1", "--define"},
+      {"--out a.svg", "--output"},
+      {"--svg a.svg", "--output"},
+      {"--silent", "--quiet"},
+      {"--debug", "--verbose"},
+      {"--dpi 300", "--set png.dpi=VALUE"},
+      {"--resolution 300", "--set png.dpi=VALUE"},
+      {"--line-width 1", "--set line.outer=VALUE"},
+      {"--stroke-width 1", "--set line.outer=VALUE"},
+      {"--color red", "--set line.color=VALUE"},
+      {"--background white", "--set sheet.paper=VALUE"},
+      {"--shadows", "--set tone.shadow=VALUE"},
+      {"--no-hatching", "--set hatch.enabled=VALUE"},
+      {"--crease-angle 20", "--set feature.crease_angle=VALUE"},
+      {"--silhouette", "--set feature.contours=VALUE"},
+      {"--units mm", "models are read in mm"},
+      {"--input a.stl", "models are named without an option"},
+      {"--overwrite", "files are replaced without asking"},
+      {"--animate", "still pictures"},
+      {"--layers", "each kind of line is a layer"},
+      {"--config a.toml", "--set"},
+  };
+  EXPECT_GE(words.size(), 50U);
+  for (const auto& [said, meant] : words) {
+    expect_failure("draw @/box.off -o @/a.svg " + said, 2, meant);
+    EXPECT_NE(err_.find("(see burin draw --help)"), std::string::npos) << err_;
+  }
+}
+
+// No wrong suggestion where nothing is near.
+TEST_F(CliErrors, NothingIsSuggestedWhereNothingIsNear) {
+  for (const char* word : {"--flavour", "--xyzzy", "--temperature", "--wolf"}) {
+    expect_failure(std::string("draw @/box.off -o @/a.svg ") + word, 2,
+                   std::string("unknown option ") + word + " (see burin draw --help)");
+  }
+  expect_failure("frobnicate @/box.off", 2, "unknown command 'frobnicate' (see burin --help)");
+  expect_failure("draw @/box.off -o @/a.svg --set foo.bar=1", 2,
+                 "unknown style key 'foo.bar' (all: burin styles --keys)");
+  expect_failure("draw @/box.off -o @/a.svg --style xyzzy", 2, "unknown style 'xyzzy' (built in: ");
+}
+
+TEST_F(CliErrors, WordsThatBelongElsewhereSayWhere) {
+  expect_failure("info @/box.off --style outline", 2, "--style is an option of burin draw");
+  expect_failure("draw @/box.off -o @/a.svg --set view=top", 2, "it is the option --view");
+  expect_failure("draw @/box.off -o @/a.svg --set dpi=300", 2, "'png.dpi'");
+  expect_failure("draw @/box.off -o @/a.svg --style sketch", 2, "'pencil'");
+  expect_failure("draw @/box.off -o @/a.svg --style dots", 2, "'stipple'");
+  expect_failure("render @/box.off -o @/a.svg", 2, "'draw'");
+  expect_failure("compare @/box.off @/box.off", 2, "'diff'");
+  expect_failure("@/box.off -o @/a.svg", 2, "to draw: burin draw ");
+  expect_failure("-o @/a.svg @/box.off", 2, "to draw: burin draw ");
+}
+
+// A look changes what can differ by part; the rest is not swallowed.
+TEST_F(CliErrors, KeysOfALookThatHoldForTheWholeDrawing) {
+  folder_.write("grey.json", R"({"base": "outline", "sheet.ink": "#808080"})");
+  folder_.write("red.json", "{\"base\": \"outline\",\n\"sheet.ink\": \"#d00000\"}");
+  const std::string draw = "draw @/box.off -o @/a.json --style @/grey.json --look box=@/red.json";
+  expect_failure(draw, 2, "red.json:2: style key 'sheet.ink' holds for the whole drawing");
+  EXPECT_NE(err_.find("line.color"), std::string::npos) << err_;
+  folder_.write("red.json", R"({"base": "outline", "line.color": "#d00000"})");
+  ASSERT_EQ(run(draw), 0) << err_;
+  EXPECT_EQ(err_, "");
+  const std::string drawing = slurp(folder_ / "a.json");
+  EXPECT_NE(drawing.find("\"ink_color\": \"#808080\""), std::string::npos);
+  EXPECT_NE(drawing.find("\"color\": \"#d00000\", \"points\""), std::string::npos);
+  // Of an illustration file, too, with its line.
+  folder_.write("a.burin.json",
+                "{\"burin\": \"illustration\", \"parts\": [{\"file\": \"box.off\"}],\n"
+                "\"looks\": [{\"select\": \"box\", \"style\": {\n\"halo.gap\": 1}}]}");
+  expect_failure("draw @/a.burin.json -o @/b.svg", 2, "a.burin.json:3: style key 'halo.gap'");
+}
+
 }  // namespace
 }  // namespace burin

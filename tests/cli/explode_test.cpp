@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <set>
+#include <string>
 
 namespace burin {
 namespace {
@@ -211,6 +213,71 @@ TEST_F(Exploded, ThatMoveNothingSaySo) {
     {"file": "ring.off", "name": "right", "place": {"rotate": [90, 0, 0], "translate": [10, 0, 0]}}]})");
   ASSERT_EQ(run("draw @/b.burin.json -o @/a.json"), 0);
   EXPECT_NE(err_.find("'left', 'right' hold each other"), std::string::npos) << err_;
+}
+
+/// A thick plate with nuts below it: none of them is seen from above.
+class ExplodedBelow : public Exploded {
+ protected:
+  void SetUp() override {
+    Exploded::SetUp();
+    folder_.write("deck.off", test::off_text(test::box({-60, -60, 0}, {60, 60, 40})));
+    for (const int i : {0, 1, 2, 3}) {
+      const double x = i % 2 == 0 ? -20 : 20, y = i < 2 ? -20 : 20;
+      folder_.write("nut" + std::to_string(i) + ".off",
+                    test::off_text(test::box({x - 5, y - 5, -8}, {x + 5, y + 5, 0})));
+      parts_ += " @/nut" + std::to_string(i) + ".off";
+    }
+  }
+  Json view_of(const std::string& options) {
+    EXPECT_EQ(run("draw" + parts_ + " --style outline -o @/a.json " + options), 0) << err_;
+    EXPECT_EQ(err_, "");
+    return drawing().at("view").at("direction");
+  }
+  std::string parts_ = " @/deck.off";
+};
+
+TEST_F(ExplodedBelow, AreSeenFromWhereMostPartsAre) {
+  const Json view = view_of("--explode auto");
+  EXPECT_LT(view[2].get<double>(), 0);
+  EXPECT_GT(view[0].get<double>(), 0);  // the nearest corner of iso
+  EXPECT_LT(view[1].get<double>(), 0);
+  const Json d = drawing();
+  const auto& told = d.at("diagnostics");
+  const auto chosen =
+      std::ranges::find_if(told, [](const Json& one) { return one.at("code") == "explode.view"; });
+  ASSERT_NE(chosen, told.end()) << told;
+  EXPECT_NE(chosen->at("message").get<std::string>().find("1,-1,-1: 5 of 5 parts are seen"),
+            std::string::npos)
+      << *chosen;
+  std::set<int> seen;
+  for (const Json& l : d.at("layers")) {
+    for (const Json& path : l.at("paths")) seen.insert(path.at("part").get<int>());
+  }
+  EXPECT_EQ(seen.size(), 5U);
+  // The same for any number of threads.
+  const std::string bytes = test::slurp(folder_ / "a.json");
+  view_of("--explode auto --threads 1");
+  EXPECT_EQ(test::slurp(folder_ / "a.json"), bytes);
+}
+
+TEST_F(ExplodedBelow, AreSeenAsTheUserSays) {
+  EXPECT_GT(view_of("--explode auto --view iso")[2].get<double>(), 0);
+  EXPECT_EQ(view_of("--explode auto --view front")[2].get<double>(), 0);
+  EXPECT_GT(view_of("")[2].get<double>(), 0);
+  folder_.write("v.burin.json",
+                R"({"burin": "illustration", "parts": [{"file": "deck.off"}, {"file": "nut0.off"}],
+                    "style": "outline", "view": {"from": "iso"}, "explode": "auto"})");
+  ASSERT_EQ(run("draw @/v.burin.json -o @/a.json"), 0) << err_;
+  EXPECT_GT(drawing().at("view").at("direction")[2].get<double>(), 0);
+}
+
+// Where all parts are seen from iso it stays.
+TEST_F(Exploded, KeepTheUsualViewWhereItShowsAll) {
+  ASSERT_EQ(run("draw @/plate.off @/bolt.off --style outline -o @/a.json --explode auto"), 0);
+  const Json view = drawing().at("view").at("direction");
+  EXPECT_NEAR(view[0].get<double>(), std::sqrt(1.0 / 3), 1e-12);
+  EXPECT_NEAR(view[2].get<double>(), std::sqrt(1.0 / 3), 1e-12);
+  EXPECT_TRUE(drawing().at("diagnostics").empty()) << drawing().at("diagnostics");
 }
 
 }  // namespace

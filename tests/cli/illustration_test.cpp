@@ -46,6 +46,30 @@ TEST_F(Illustrations, DrawWhatTheSameOptionsDraw) {
   EXPECT_EQ(top["seed"], 9);
 }
 
+// A ball of 10 mm, stretched threefold and mirrored, is 60 wide; sheared along x by its height it
+// is sqrt(2) times as wide as it was.
+TEST_F(Illustrations, StretchMirrorAndShear) {
+  const std::string rest = R"x(}], "view": {"from": "front", "scale": 1}, "style": "outline")x";
+  const std::string part = R"x(, "parts": [{"function": "sphere(10)", "place": )x";
+  const auto width = [&](const std::string& place) {
+    EXPECT_EQ(draw(part + place + rest), 0) << err_;
+    double low = 1e9, high = -1e9;
+    const Json drawn = drawing();
+    for (const Json& layer : drawn["layers"]) {
+      for (const Json& path : layer["paths"]) {
+        for (const Json& p : path["points"]) {
+          low = std::min(low, p[0].get<double>()), high = std::max(high, p[0].get<double>());
+        }
+      }
+    }
+    return high - low;
+  };
+  EXPECT_NEAR(width(R"({"scale": [-3, 1, 1]})"), 60, 0.05);
+  EXPECT_NEAR(width(R"({"scale": [1, 1, 3], "rotate": [0, 90, 0]})"), 60, 0.05);
+  EXPECT_NEAR(width(R"({"matrix": [[1, 0, 1, 5], [0, 1, 0, 0], [0, 0, 1, 0]]})"),
+              20 * std::sqrt(2.0), 0.05);
+}
+
 TEST_F(Illustrations, PlaceAndNameTheirParts) {
   ASSERT_EQ(draw(R"x(, "title": "Two boxes & a ball", "parts": [
     {"file": "box.off", "name": "low"},
@@ -234,6 +258,17 @@ TEST_F(Illustrations, ErrorsNameFileLineAndTheNearestKey) {
       {b + ", \"version\": 2", "reads version 1", 2},
       {b + ", \"title\": 5", "\"title\" takes text", 2},
       {", \"parts\": [{\"file\": \"box.off\", \"place\": {\"scale\": 0}}]", "\"scale\" takes", 2},
+      {", \"parts\": [{\"file\": \"box.off\", \"place\": {\"scale\": [1, 0, 1]}}]",
+       "\"scale\" takes", 2},
+      {", \"parts\": [{\"file\": \"box.off\", \"place\": {\"matrix\": [[1, 0, 0, 0], [2, 0, 0, 0], "
+       "[0, 0, 1, 0]]}}]",
+       "\"matrix\" flattens the part", 2},
+      {", \"parts\": [{\"file\": \"box.off\", \"place\": {\"matrix\": [[1, 0, 0], [0, 1, 0], "
+       "[0, 0, 1]]}}]",
+       "takes three rows of four numbers", 2},
+      {", \"parts\": [{\"file\": \"box.off\", \"place\": {\"scale\": 2, \"matrix\": [[1, 0, 0, 0], "
+       "[0, 1, 0, 0], [0, 0, 1, 0]]}}]",
+       "\"matrix\" stands alone", 2},
       {", \"parts\": [{\"file\": \"box.off\", \"place\": {\"rotate\": [1, 2]}}]", "takes [x, y, z]",
        2},
       {b + ",\n\"seed\": 1e999", ":2: a number is too large here", 3},
@@ -283,6 +318,40 @@ TEST_F(Illustrations, AFirstFileIsWrittenThatDrawsTheSame) {
   EXPECT_EQ(
       Json::parse(out_)["looks"],
       Json::parse(R"([{"select": "lid", "drawn": false}, {"select": "box", "style": "outline"}])"));
+}
+
+// A first file draws as the command does, and warns of nothing that nobody asked for.
+TEST_F(Illustrations, AFirstFileOfAnyKindOfInputWarnsOfNothing) {
+  const std::string samples = std::string(BURIN_SOURCE_DIR) + "/samples/";
+  const std::vector<std::string> inputs = {"@/box.off", samples + "coupling.step",
+                                           samples + "teapot.itd", samples + "pump_cover.implicit"};
+  for (std::size_t i = 0; i < inputs.size(); ++i) {
+    SCOPED_TRACE(inputs[i]);
+    const std::string file = "@/first" + std::to_string(i) + ".burin.json";
+    ASSERT_EQ(run("illustrate " + inputs[i] + " -o " + file + " --style outline --paper A6"), 0)
+        << err_;
+    EXPECT_EQ(err_, "");
+    ASSERT_EQ(run("draw " + inputs[i] + " --style outline --paper A6 -o @/a.svg"), 0) << err_;
+    const std::string said = err_;
+    ASSERT_EQ(run("draw " + file + " -o @/b.svg"), 0) << err_;
+    EXPECT_EQ(err_, said);
+    EXPECT_EQ(test::slurp(folder_ / "b.svg"), test::slurp(folder_ / "a.svg"));
+  }
+}
+
+// An option about reading goes with the inputs that it concerns.
+TEST_F(Illustrations, AFirstFileHasOptionsWhereTheyHaveAnEffect) {
+  folder_.write("ball.implicit", "sphere(5)");
+  ASSERT_EQ(run("illustrate @/box.off @/ball.implicit --mesher nets -o @/two.burin.json "
+                "--style outline"),
+            0)
+      << err_;
+  ASSERT_EQ(run("draw @/two.burin.json -o @/a.svg"), 0) << err_;
+  EXPECT_EQ(err_, "");
+  // What concerns none of them is still told.
+  ASSERT_EQ(run("illustrate @/box.off --iso 5 -o @/one.burin.json --style outline"), 0) << err_;
+  ASSERT_EQ(run("draw @/one.burin.json -o @/a.svg"), 0) << err_;
+  EXPECT_NE(err_.find("has no effect"), std::string::npos) << err_;
 }
 
 }  // namespace

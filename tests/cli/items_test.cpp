@@ -88,12 +88,14 @@ TEST_F(Items, HaveNumbersQuantitiesAndAList) {
   ASSERT_EQ(run("draw @/a.burin.json -o @/a.json --parts-list @/l.csv --parts-list @/l.json"), 0)
       << err_;
   const std::string csv = test::slurp(folder_ / "l.csv");
-  EXPECT_TRUE(csv.starts_with("number,name,quantity,colour,source\r\n1,plate,1,,")) << csv;
+  EXPECT_TRUE(csv.starts_with("number,name,quantity,colour,source,parts\r\n1,plate,1,,")) << csv;
   EXPECT_NE(csv.find("\r\n2,cube,2,,"), std::string::npos) << csv;
+  EXPECT_NE(csv.find(",/cube_1;/cube_2\r\n"), std::string::npos) << csv;
   EXPECT_NE(csv.find("\r\n3,\"kernel, \"\"hidden\"\"\",1,"), std::string::npos) << csv;
   const Json list = Json::parse(test::slurp(folder_ / "l.json"));
   ASSERT_EQ(list.at("items").size(), 3U);
   EXPECT_EQ(list.at("items")[1].at("quantity"), 2);
+  EXPECT_EQ(list.at("items")[1].at("parts"), Json({"/cube_1", "/cube_2"}));
   EXPECT_EQ(drawing().at("items")[1].at("parts"), Json({1, 2}));
   EXPECT_EQ(layer(drawing(), "callouts"), nullptr);
 }
@@ -133,6 +135,26 @@ TEST_F(Items, KeepTheNumbersOfTheIllustration) {
     write_illustration(std::string(", \"items\": ") + bad);
     EXPECT_EQ(run("draw @/a.burin.json -o @/a.json"), 2) << bad;
     expect_error("a.burin.json:5: ");
+  }
+}
+
+TEST_F(Items, AreRenamedByTheIllustration) {
+  write_illustration(R"(, "items": {"2": "Würfel", "1": {"name": "Platte", "select": "plate"}})");
+  ASSERT_EQ(run("draw @/a.burin.json -o @/a.json -o @/a.html --parts-list @/l.csv"), 0) << err_;
+  const std::string csv = test::slurp(folder_ / "l.csv");
+  EXPECT_NE(csv.find("\r\n1,Platte,1,"), std::string::npos) << csv;
+  EXPECT_NE(csv.find("\r\n2,Würfel,2,"), std::string::npos) << csv;
+  EXPECT_NE(csv.find("\r\n3,"), std::string::npos) << csv;
+  EXPECT_NE(test::slurp(folder_ / "a.html").find("data-parts=\"/cube_1;/cube_2\""),
+            std::string::npos);
+  // What a drawing file holds comes out of it again.
+  ASSERT_EQ(run("convert @/a.json -o @/b.html"), 0) << err_;
+  EXPECT_NE(test::slurp(folder_ / "b.html").find("data-parts=\"/cube_1;/cube_2\""),
+            std::string::npos);
+  for (const char* bad : {R"({"1": {"select": "plate"}})", R"({"1": {"name": "a", "of": "b"}})",
+                          R"({"1": {"name": "all", "select": "*"}})"}) {
+    write_illustration(std::string(", \"items\": ") + bad);
+    EXPECT_EQ(run("draw @/a.burin.json -o @/a.json --callouts"), 2) << bad;
   }
 }
 

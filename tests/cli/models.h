@@ -25,8 +25,9 @@ class CliTest : public ::testing::Test {
  protected:
   void SetUp() override { box_ = folder_.write("box.off", box_off()); }
 
-  /// Runs with the words of a line split at blanks; "@" stands for the folder.
-  int run(const std::string& line) {
+  /// Runs with the words of a line split at blanks; "@" stands for the folder. `in`: a file of it
+  /// that is piped into the command.
+  int run(const std::string& line, const std::string& in = "") {
     std::vector<std::string> words;
     std::string word;
     for (const char c : line + " ") {
@@ -39,7 +40,7 @@ class CliTest : public ::testing::Test {
         word.clear();
       }
     }
-    Command command(folder_, words);
+    Command command(folder_, words, "", in.empty() ? "/dev/null" : folder_ / in);
     const int status = command.wait();
     peak_mb_ = command.peak_megabytes;
     out_ = command.std_out;

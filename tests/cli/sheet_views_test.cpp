@@ -235,5 +235,33 @@ TEST_F(SheetViews, ADetailNoLargerThanTheViewIsTold) {
   EXPECT_NE(err_.find("no larger than the view"), std::string::npos) << err_;
 }
 
+// With numbers, and what to do.
+TEST_F(SheetViews, ASheetThatIsMostlyEmptyIsTold) {
+  ASSERT_EQ(run("draw @/box.off --style outline --scale 1:10 -o @/a.json"), 0) << err_;
+  EXPECT_NE(err_.find("mm of a sheet of 297 x 210 mm"), std::string::npos) << err_;
+  EXPECT_NE(err_.find("a --scale of 2:1 would fill it, --paper fit makes"), std::string::npos)
+      << err_;
+  // At that scale, and on such a sheet, nothing is told.
+  ASSERT_EQ(run("draw @/box.off --style outline --scale 2:1 -o @/a.json"), 0);
+  EXPECT_EQ(err_, "");
+  ASSERT_EQ(run("draw @/box.off --style outline --scale 1:10 --paper fit -o @/a.json"), 0);
+  EXPECT_EQ(err_, "");
+  // A long thin part, fitted.
+  folder_.write("wire.off", test::off_text(test::box({0, 0, 0}, {400, 2, 2})));
+  ASSERT_EQ(run("draw @/wire.off --style outline --view front -o @/a.json"), 0);
+  EXPECT_NE(err_.find("--paper fit makes the sheet as large as the drawing"), std::string::npos)
+      << err_;
+  EXPECT_EQ(err_.find("--scale"), std::string::npos) << err_;
+}
+
+TEST_F(SheetViews, AViewThatIsSmallBesideItsDetailIsTold) {
+  ASSERT_EQ(run("draw @/box.off --style outline --detail 40,0,20,8=11:1 -o @/a.json"), 0) << err_;
+  EXPECT_NE(err_.find("mm large, its detail A 176 mm: give the detail a smaller scale than 11:1"),
+            std::string::npos)
+      << err_;
+  ASSERT_EQ(run("draw @/box.off --style outline --detail 40,0,20,8=5:1 -o @/a.json"), 0) << err_;
+  EXPECT_EQ(err_, "");
+}
+
 }  // namespace
 }  // namespace burin

@@ -74,6 +74,16 @@ inline Placement elsewhere() {
   return {turn * 0.5, {-4, 9, 2}};
 }
 
+/// Stretched and sheared: what it maps is similar to nothing that it was.
+inline Placement sheared() { return {Mat3(1.6, 0, 0, 0.5, 0.7, 0.2, -0.3, 0, 1.1), {5, -3, 2}}; }
+/// The same, and mirrored.
+inline Placement mirrored_sheared() {
+  const Mat3 mirror(-1, 0, 0, 0, 1, 0, 0, 0, 1);
+  return {mirror * sheared().linear, {-7, 1, 4}};
+}
+/// A mirror image, which keeps all lengths.
+inline Placement mirrored() { return {Mat3(0, 1, 0, 1, 0, 0, 0, 0, 1), {2, 2, -6}}; }
+
 /// A plane across no axis.
 inline CutPlane slanted(double offset) { return {glm::normalize(Vec3(1, 2, 3)), offset}; }
 
@@ -181,6 +191,52 @@ inline std::vector<FormCase> form_cases() {
        }},
       {"PlacedBrep", [] { return placed(brep_form(filleted_box_shape(0.25)), elsewhere()); }, true,
        20, true},
+      {"MeshSheared", [] { return placed(mesh_form(torus(3, 1, 60, 30)), sheared()); }},
+      {"MeshMirroredSheared",
+       [] { return placed(mesh_form(torus(3, 1, 60, 30)), mirrored_sheared()); }},
+      {"ShearedNurbs",
+       [] { return placed(parametric_form({make_nurbs_chart(torus_nurbs(3, 1))}), sheared()); }},
+      {"MirroredShearedPatches",
+       [] {
+         return placed(parametric_form(six_patches({3, 2, 1})), mirrored_sheared());
+       }},
+      {"ShearedHalfPipe",
+       [] { return placed(parametric_form({cylinder_chart(2, 5, 4)}), mirrored_sheared()); },
+       false},
+      {"ShearedImplicit",
+       [] {
+         const Expression f = implicit::subtract(implicit::box(2, 2, 2), implicit::sphere(1.2));
+         return placed(implicit_form(f), sheared());
+       }},
+      {"MirroredShearedImplicit",
+       [] { return placed(implicit_form(implicit::torus(3, 1)), mirrored_sheared()); }},
+      {"MirroredImplicit",
+       [] {
+         const Expression f = implicit::subtract(implicit::box(2, 2, 2), implicit::sphere(1.2));
+         return placed(implicit_form(f), mirrored());
+       }},
+      {"ShearedBrep", [] { return placed(brep_form(filleted_box_shape(0.25)), sheared()); }, true,
+       // Its triangles turn by 12 degrees where they are made; stretched across by more.
+       25, true},
+      {"MirroredShearedBrep",
+       [] { return placed(brep_form(cylinder_shape(2, 5)), mirrored_sheared()); }},
+      {"MirroredBrep", [] { return placed(brep_form(plate_with_hole_shape()), mirrored()); }},
+      {"ShearedRecognisedCylinder",
+       [] {
+         return placed(recognised_form(turned({{2, 0}, {2, 5}}, 24)), sheared());
+       }},
+      {"MirroredShearedRecognisedBall",
+       [] {
+         // Its rings meet within 1e-9 of its size, where an ellipsoid's curvatures differ by as
+         // much.
+         return placed(recognised_form(turned(sphere_profile(2, 32), 32)), mirrored_sheared());
+       },
+       true, 20, true, 0.004, 1e-7},
+      {"MeshCutSheared",
+       [] {
+         return placed(cut_form(mesh_form(torus(3, 1, 60, 30)), slanted(0.4), 0, ""),
+                       mirrored_sheared());
+       }},
       {"MeshCut", [] { return cut_form(mesh_form(torus(3, 1, 60, 30)), slanted(0.4), 0, ""); }},
       {"CutNurbs",
        [] {

@@ -29,8 +29,9 @@ const std::map<std::string, Target>& targets() {
         {"drawing", burin::fuzz::drawing},
         {"options", burin::fuzz::options},
         {"plugin", burin::fuzz::plugin}};
-    for (const char* format : {"stl", "obj", "off", "ply", "3mf", "itd", "bez", "nrrd", "mha",
-                               "inr", "nii", "vti", "FCStd", "step", "iges", "brep"}) {
+    for (const char* format :
+         {"stl", "obj", "off", "ply", "3mf", "gltf", "glb", "itd", "bez", "nrrd", "mha", "inr",
+          "nii", "vti", "FCStd", "step", "iges", "brep"}) {
       all[format] = [suffix = std::string(".") + format](auto bytes) { file(bytes, suffix); };
     }
     return all;

@@ -1,6 +1,8 @@
 """Where the fuzzing of a target begins: samples, real files beside the project, a cylinder as FreeCAD writes it and the
 files below; the small ones of each."""
+import base64
 import io
+import json
 import pathlib
 import struct
 import zipfile
@@ -62,6 +64,35 @@ def model_3mf():
             '</components></object></resources><build><item objectid="2"/></build></model>')
 
 
+def gltf(binary):
+    """Two nodes of one mesh, a sparse accessor and a material."""
+    points, triangles = TETRAHEDRON
+    data = b"".join(struct.pack("<f", float(x)) for p in points for x in p.split())
+    data += b"".join(struct.pack("<H", int(i)) for t in triangles for i in t.split())
+    data += struct.pack("<H2x3f", 1, 2, 0, 0)
+    views = [(0, 48), (48, 24), (72, 2), (76, 12)]
+    scene = {
+        "asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0, 1]}],
+        "nodes": [{"mesh": 0, "name": "a", "children": [2]}, {"mesh": 0, "rotation": [0, 1, 0, 0], "scale": [2, 2, 2]},
+                  {"mesh": 0, "skin": 0, "weights": [0.5]}],
+        "skins": [{"joints": [1]}], "materials": [{"alphaMode": "BLEND", "pbrMetallicRoughness": {"baseColorFactor":
+                                                                                               [1, 0, 0, 0.5]}}],
+        "meshes": [{"primitives": [{"attributes": {"POSITION": 0}, "indices": 1, "material": 0, "targets":
+                                    [{"POSITION": 0}]}]}],
+        "accessors": [{"bufferView": 0, "componentType": 5126, "count": 4, "type": "VEC3", "sparse": {
+            "count": 1, "indices": {"bufferView": 2, "componentType": 5123}, "values": {"bufferView": 3}}},
+                      {"bufferView": 1, "componentType": 5123, "count": 12, "type": "SCALAR"}],
+        "bufferViews": [{"buffer": 0, "byteOffset": at, "byteLength": size} for at, size in views],
+        "buffers": [{"byteLength": len(data)}]}
+    if not binary:
+        scene["buffers"][0]["uri"] = "data:application/octet-stream;base64," + base64.b64encode(data).decode()
+        return json.dumps(scene)
+    text = json.dumps(scene).encode()
+    text += b" " * (-len(text) % 4)
+    return (struct.pack("<4s2I", b"glTF", 2, 28 + len(text) + len(data)) + struct.pack("<I4s", len(text), b"JSON") + text +
+            struct.pack("<I4s", len(data), b"BIN\0") + data)
+
+
 def archive_3mf():
     stream = io.BytesIO()
     with zipfile.ZipFile(stream, "w", zipfile.ZIP_DEFLATED) as archive:
@@ -82,6 +113,8 @@ def own(target):
         "off": ["OFF\n4 4 0\n" + "".join(off)],
         "ply": [ply + "".join(off)],
         "3mf": [archive_3mf()],
+        "gltf": [gltf(binary=False)],
+        "glb": [gltf(binary=True)],
         "3mf-model": [model_3mf()],
         "fcstd-document": [
             '<Document SchemaVersion="4"><Objects Count="1"><Object type="Part::Feature" name="Box" id="1"/></Objects>'

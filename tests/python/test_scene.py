@@ -148,8 +148,24 @@ class Brep(unittest.TestCase):
         scene.add_brep(PLATE.encode(), placement=turn)
         np.testing.assert_allclose(scene.bounds(), [[80, 0, -5], [100, 30, 5]], atol=1e-9)
 
-    def test_placement_that_is_no_rigid_motion(self):
-        for matrix in (np.diag([2, 2, 2, 1.0]), np.eye(3), np.full((4, 4), np.nan), np.eye(4) * 2):
+    def test_placement_that_stretches_shears_and_mirrors(self):
+        for linear in (np.diag([2, 2, 2.0]), np.diag([1, -3, 1.0]), np.array([[1, 0.5, 0], [0, 1, 0.2], [0, 0, 4.0]])):
+            matrix = np.eye(4)
+            matrix[:3, :3] = linear
+            scene, whole = burin.Scene(), burin.Scene()
+            whole.add_brep(PLATE)
+            scene.add_brep(PLATE, placement=matrix)
+            low, high = np.array(whole.bounds())
+            corners = np.array([[x, y, z] for x in (low[0], high[0]) for y in (low[1], high[1]) for z in (low[2], high[2])])
+            placed = corners @ linear.T
+            np.testing.assert_allclose(scene.bounds(), [placed.min(axis=0), placed.max(axis=0)], atol=1e-6)
+            drawing = burin.draw(scene, style="outline", paper="A6")
+            self.assertGreater(sum(len(layer.paths) for layer in drawing.layers), 5)
+            self.assertFalse(drawing.diagnostics)
+
+    def test_placement_that_is_none(self):
+        flat = np.diag([1, 1, 0, 1.0])
+        for matrix in (flat, np.eye(3), np.full((4, 4), np.nan), np.eye(4) * 2):
             with self.assertRaisesRegex(burin.UsageError, "placement"):
                 burin.Scene().add_brep(PLATE, placement=matrix)
 

@@ -1,5 +1,7 @@
 #include "child.h"
 
+#include <burin/base/parallel.h>
+
 #include "beside.h"
 #include "exchange.h"
 #include "subprocess.h"
@@ -27,7 +29,8 @@ class Listener {
     if (word == "share") {
       double share = 0;
       std::from_chars(rest.data(), rest.data() + rest.size(), share);
-      context_.progress(share);
+      const std::size_t words = rest.find(' ');
+      context_.progress(share, words == std::string::npos ? "" : rest.substr(words + 1));
     } else if (word == "say") {
       say(rest);
     } else if (word == "input" || word == "failed") {
@@ -73,7 +76,8 @@ std::vector<Solid> evaluate_in_child(const std::string& text, std::span<const st
   write_text(file.descriptor(), text);
   Listener listener(context, diagnostics, options.file);
   detail::SubprocessRun run;
-  run.arguments = {program_beside(BURIN_CSG_PROGRAM), fmt::format("{}", fmt::join(nodes, ","))};
+  run.arguments = {program_beside(BURIN_CSG_PROGRAM), fmt::format("{}", fmt::join(nodes, ",")),
+                   fmt::format("{}", thread_limit())};
   run.folder = options.folder.string();
   run.file = &file;
   run.timeout = options.timeout_seconds;

@@ -10,6 +10,7 @@
 #include <filesystem>
 #include <memory>
 #include <span>
+#include <string>
 #include <vector>
 
 namespace burin::csg {
@@ -26,6 +27,10 @@ struct Evaluation {
   Diagnostics diagnostics = {};
   /// Those of this machine, once a text asks for one.
   std::shared_ptr<Fonts> fonts = nullptr;
+  /// What is under way and why it may take long, in a few words.
+  std::string doing = {};
+  /// How many groups of solids that touch were cut: what is alike counts once.
+  std::size_t cuts = 0;
 };
 
 /// Whether a node is of two dimensions, by itself or (groups, hulls, ...) by its first child that

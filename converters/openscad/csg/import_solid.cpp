@@ -31,12 +31,12 @@ std::vector<Solid> of_file(Evaluation& e, std::uint32_t node) {
          path.string() + ": no format that import() reads; it is left out, as OpenSCAD does");
     return {};
   }
-  const MeshFile file = suffix == ".amf" ? read_amf(path, e.run) : read_mesh_file(path, e.run);
+  MeshFile file = suffix == ".amf" ? read_amf(path, e.run) : read_mesh_file(path, e.run);
   e.diagnostics.append(file.diagnostics);
   std::vector<Solid> solids;
-  for (const PolygonSoup& object : file.objects) {
+  for (PolygonSoup& object : placed_objects(std::move(file))) {
     try {
-      solids.push_back(solid_of(repair(object, {}, e.diagnostics, e.run)));
+      solids.push_back(solid_of(repair(std::move(object), {}, e.diagnostics, e.run)));
     } catch (const GeometryError& error) {
       tell(e, node, "openscad.empty_import", path.string() + ": " + error.what());
     }

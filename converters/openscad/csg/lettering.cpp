@@ -252,6 +252,18 @@ class Layout {
   std::vector<Placed> glyphs_;
 };
 
+/// Once, whatever texts there are: it is about the machine.
+void tell_no_font(Diagnostics& diagnostics) {
+  constexpr const char* kCode = "openscad.no_font";
+  if (std::ranges::find(diagnostics.entries(), kCode, &Diagnostic::code) !=
+      diagnostics.entries().end()) {
+    return;
+  }
+  diagnostics.add(Severity::Warning, kCode, 1,
+                  "this machine has no fonts: text() is left out; install some, say the package "
+                  "fonts-liberation");
+}
+
 }  // namespace
 
 Region lettering(Evaluation& e, std::uint32_t node) {
@@ -260,13 +272,14 @@ Region lettering(Evaluation& e, std::uint32_t node) {
   if (!e.fonts) e.fonts = std::make_shared<Fonts>();
   const Fonts::Found font = e.fonts->find(style.font);
   if (!font.face) {
-    tell(e, node, "openscad.no_font",
-         "this machine has no font for text(); it is left out: install fonts-liberation");
+    tell_no_font(e.diagnostics);
     return {};
   }
   if (font.replaced) {
+    // OpenSCAD's own choice, where a text names none.
+    const std::string name = style.font.empty() ? "Liberation Sans" : style.font;
     tell(e, node, "openscad.font_replaced",
-         fmt::format("the font {} is not there; {} stands for it", in_quotes(style.font),
+         fmt::format("the font {} is not there; {} stands for it", in_quotes(name),
                      font.face->family_name ? font.face->family_name : "another"));
   }
   Layout layout(font.face, style);

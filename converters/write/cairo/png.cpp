@@ -74,11 +74,14 @@ std::vector<std::vector<std::uint32_t>> by_band(const std::vector<Shape>& shapes
 enum class Pixels {
   Gray,     // one ink, black on white or on nothing
   Palette,  // one ink of another colour, or coloured paper
-  Colors,   // layers have colours of their own
+  Colors,   // layers or lines have colours of their own
 };
 
 Pixels pixels_of(const Drawing& drawing, const PngOptions& options) {
-  const auto has_color = [](const Layer& layer) { return !layer.color.empty(); };
+  const auto has_color = [](const Layer& layer) {
+    return !layer.color.empty() ||
+           std::ranges::any_of(layer.paths, [](const Path& p) { return !p.color.empty(); });
+  };
   if (std::ranges::any_of(drawing.layers, has_color)) return Pixels::Colors;
   const bool transparent = options.background == PngOptions::Background::Transparent;
   const bool plain = drawing.ink_color == Drawing().ink_color &&

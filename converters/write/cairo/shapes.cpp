@@ -19,12 +19,14 @@ std::vector<Shape> shapes_of(const std::vector<InkLayer>& layers, const Drawing&
                              const DashOptions& options) {
   std::vector<Shape> shapes;
   for (const InkLayer& layer : layers) {
-    const Rgb color = rgb_of(ink_color(layer, drawing)).value_or(Rgb{});
+    const auto rgb = [](const std::string& color) { return rgb_of(color).value_or(Rgb{}); };
     for (const auto& [part, paths] : layer.parts) {
       for (const Path* path : paths) {
-        shapes.push_back({path, layer.dashes(options), {}, nullptr, color});
+        const Rgb color = rgb(ink_color(*path, layer, drawing));
+        shapes.push_back({path, fitted_dashes(layer.dashes(options), *path), {}, nullptr, color});
       }
     }
+    const Rgb color = rgb(ink_color(layer, drawing));
     for (const Text* text : layer.texts) shapes.push_back({nullptr, {}, {}, text, color});
   }
   return shapes;

@@ -9,9 +9,8 @@ import tempfile
 from dataclasses import replace
 
 import FreeCAD
-import Part
 
-from . import kernel
+from . import item_numbers, kernel
 from .errors import Refused
 from .features.illustration import make_job
 from .features.styles import is_file
@@ -85,8 +84,14 @@ def _look(burin, part, name):
     look = {key: getattr(part, key) for key, usual in (("drawn", True), ("hatched", True), ("transparent", False))
             if getattr(part, key) != usual}
     if part.style:
-        look["style"] = burin.style(part.style) if is_file(part.style) else part.style
+        look["style"] = _style_of_part(burin, part.style) if is_file(part.style) else part.style
     return {"select": "/" + name, **look} if look else None
+
+
+def _style_of_part(burin, file):
+    """All keys of a style file but those that hold for a whole drawing."""
+    whole = {row["key"] for row in burin.style_keys(file) if row["scope"] == "drawing"}
+    return {key: value for key, value in burin.style(file).items() if key not in whole}
 
 
 def _apart(burin, job, names):
@@ -119,7 +124,7 @@ def _item_names(burin, job, names):
     there = replace(job, parts=[replace(part, name=name, assembly=[]) for part, name in zip(job.parts, names)],
                     options={"callouts": True})
     called = {tuple(item["parts"]): item["name"] for item in there.items(burin)}
-    kept = dict(job.options["illustration"]["items"])
+    kept = item_numbers.names_of(job.options["illustration"]["items"])
     kept.update((str(item["number"]), called[tuple(item["parts"])]) for item in job.items(burin) if tuple(item["parts"]) in called)
     return kept
 
@@ -137,8 +142,6 @@ class _Models:
         if part.brep is None:
             return self._add(name, ".off", _off(part.vertices, part.triangles)), None
         place = _place(part.placement) if part.placement else None
-        if part.placement and place is None:
-            return self._add(name, ".brep", _moved(part)), None
         if id(part.brep) not in self._known:
             self._known[id(part.brep)] = self._add(name, ".brep", bytes(part.brep))
         return self._known[id(part.brep)], place
@@ -156,10 +159,10 @@ class _Models:
 
 
 def _place(numbers):
-    """A rigid motion, 16 numbers row by row, as illustration files have it; nothing where it mirrors: that is no place."""
+    """A rigid motion or a mirror image, 16 numbers row by row, as illustration files have it."""
     matrix = FreeCAD.Matrix(*numbers)
     if matrix.determinant() < 0:
-        return None
+        return {"matrix": [list(numbers[4 * row : 4 * row + 4]) for row in range(3)]}
     placement = FreeCAD.Placement(matrix)
     about_z, about_y, about_x = placement.Rotation.toEuler()
     place = {}
@@ -168,12 +171,6 @@ def _place(numbers):
     if placement.Base.Length > 0:
         place["translate"] = list(placement.Base)
     return place
-
-
-def _moved(part):
-    shape = Part.Shape()
-    shape.importBrepFromString(bytes(part.brep).decode())
-    return shape.transformGeometry(FreeCAD.Matrix(*part.placement)).exportBrepToString().encode()
 
 
 def _off(vertices, triangles):

@@ -10,6 +10,7 @@ import traceback
 from dataclasses import dataclass, field, fields, replace
 from typing import Any, Dict, List, Optional, Tuple
 
+from . import item_numbers
 from .kept_scene import KeptScene
 
 # What there is to say of parts and notes may be long; this many are shown.
@@ -89,6 +90,7 @@ class PartJob:
     placement: Optional[Tuple[float, ...]] = None  # where `brep` is: 16 numbers of a rigid motion, row by row
     color: str = ""
     assembly: List[str] = field(default_factory=list)
+    definition: str = ""  # the name of what it is an instance of
     drawn: bool = True
     hatched: bool = True
     transparent: bool = False
@@ -174,14 +176,12 @@ class Job:
 
     def with_numbers(self, numbers):
         """The same job where items have these numbers."""
-        said = {**self.options.get("illustration", {}), "items": numbers}
+        said = {**self.options.get("illustration", {}), "items": item_numbers.for_kernel(numbers)}
         return replace(self, options={**self.options, "illustration": said})
 
-    def _numbers(self, items):
+    def _numbers(self, found):
         """All that are kept, and those of items."""
-        kept = dict(self.options.get("illustration", {}).get("items", {}))
-        kept.update((str(item["number"]), item["name"]) for item in items)
-        return kept
+        return item_numbers.kept(item_numbers.names_of(self.options.get("illustration", {}).get("items", {})), found)
 
     def steps(self, burin, progress=None, cancel=None, kept=None):
         """The steps of an exploded view, as burin.explode_steps gives them, and messages."""

@@ -50,16 +50,17 @@ class KeptScene:
             if cancel is not None and cancel.cancelled:
                 raise self._burin.Cancelled("cancelled")
             if part.brep is None:
-                scene.add_mesh(part.vertices, part.triangles, part.name, **common)
-                continue
-            if id(part.brep) not in shapes:
-                shapes[id(part.brep)] = self._burin.Brep(part.brep)
-            scene.add_brep(shapes[id(part.brep)], part.name, placement=part.matrix(), **common)
+                made = scene.add_mesh(part.vertices, part.triangles, part.name, **common)
+            else:
+                if id(part.brep) not in shapes:
+                    shapes[id(part.brep)] = self._burin.Brep(part.brep)
+                made = scene.add_brep(shapes[id(part.brep)], part.name, placement=part.matrix(), **common)
+            made.definition = part.definition
         return scene
 
     @staticmethod
     def _part_key(part):
-        said = part.name, part.source, part.color, tuple(part.assembly), part.placement
+        said = part.name, part.source, part.color, tuple(part.assembly), part.definition, part.placement
         if part.brep is not None:
             return (*said, digest_of(part.brep))
         digest = hashlib.sha256(part.vertices.tobytes())

@@ -4,6 +4,7 @@ step_book.write(obj, "pump.pdf", "pump.html")`. Works without a GUI."""
 import os
 from dataclasses import replace
 
+from . import item_numbers
 from .errors import Failed, Refused
 from .features.asking import SHEET
 from .features.details import PARALLEL
@@ -38,7 +39,7 @@ def job_of(obj, files, new_items=NEW_ITEMS):
     said["title"] = obj.Label
     said["explode"] = steps_for_kernel(obj, [part.source for part in job.parts], job.notes)
     if dict(obj.ItemNumbers):
-        said["items"] = dict(obj.ItemNumbers)
+        said["items"] = item_numbers.for_kernel(dict(obj.ItemNumbers))
     perspective = obj.FieldOfView.Value if obj.Projection == "Perspective" else None
     options = {**job.options, "illustration": said, "scale": None, "perspective": perspective}
     options.pop("parts_list", None)  # it is the last page

@@ -1,7 +1,7 @@
 #include <burin/assembly/select.h>
 #include <burin/diff/difference.h>
 
-#include "coincide.h"
+#include "shift.h"
 #include "surfaces.h"
 
 #include <algorithm>
@@ -10,8 +10,6 @@
 
 namespace burin {
 namespace {
-
-using detail::Body;
 
 PartNumbers numbers_of(const RevisionPart& part) {
   return {part.shape.volume, part.shape.area, part.pose.box.size(), part.shape.faces,
@@ -128,7 +126,7 @@ class Comparer {
                after = surfaces_after_.surface(d.match.after);
     d.match.moved = false;
     if (!has_area(before) || !has_area(after)) return;
-    const detail::Shift shift = best_shift(Body(before), Body(after), place_);
+    const detail::Shift shift = detail::best_shift(Body(before), Body(after), place_);
     d.surface_changed = 1 - shift.share;
     d.match.moved = glm::length(shift.by) > place_;
     if (d.match.moved) d.motion = PartMotion{shift.by};

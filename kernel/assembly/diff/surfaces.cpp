@@ -4,31 +4,19 @@
 #include <burin/assembly/select.h>
 #include <burin/base/ascii.h>
 #include <burin/base/error.h>
+#include <burin/congruence/body.h>
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <utility>
 
 namespace burin::detail {
 namespace {
 
-/// Share of a part's size that its triangles may be off.
-constexpr double kTolerance = 2e-4;
 /// Of both revisions together about a gigabyte.
 constexpr std::size_t kMostTriangles = 5'000'000;
-/// Share of the chord tolerance that the middle of a curved surface may be off: what the triangles
-/// lack on one side they lack on the others.
-constexpr double kMiddleError = 0.1;
-
-/// Without " #2", which readers add to what has the name of another part.
-std::string as_read(const std::string& name) {
-  std::size_t digits = 0;
-  while (digits < name.size() && is_digit(name[name.size() - 1 - digits])) ++digits;
-  const std::size_t rest = name.size() - digits;
-  const bool numbered = digits > 0 && rest > 2 && name.compare(rest - 2, 2, " #") == 0;
-  return numbered ? name.substr(0, rest - 2) : name;
-}
 
 /// The names of a part from the top; a name that is that of its file is none, so that revisions may
 /// be files of different names.
@@ -37,46 +25,12 @@ std::vector<std::string> names_of(const Part& part) {
   names.push_back(part.name);
   const std::filesystem::path file = std::filesystem::path(part.source).filename();
   std::string& first = names.front();
-  if (as_read(first) == file.stem().string() || as_read(first) == file.string()) first = ".";
+  const std::string_view read = name_as_read(first);
+  if (read == file.stem().string() || read == file.string()) first = ".";
   return names;
 }
 
 }  // namespace
-
-Pose pose_of(const ProxyMesh& proxy) {
-  const TriMesh& mesh = proxy.mesh;
-  Pose s;
-  s.box = mesh.bounds();
-  if (mesh.triangles.empty()) return s;
-  // About a point of the shape: far from the origin nothing is lost.
-  const Vec3 about = mesh.positions[mesh.triangles.front()[0]];
-  double area = 0;
-  Vec3 middle(0);
-  const auto each = [&](Vec3 origin, const auto& add) {
-    for (const Triangle& t : mesh.triangles) {
-      const Vec3 a = mesh.positions[t[0]] - origin, b = mesh.positions[t[1]] - origin,
-                 c = mesh.positions[t[2]] - origin;
-      add(a, b, c, 0.5 * glm::length(glm::cross(b - a, c - a)));
-    }
-  };
-  each(about, [&](Vec3 a, Vec3 b, Vec3 c, double piece) {
-    area += piece;
-    middle += piece / 3 * (a + b + c);
-  });
-  if (!(area > 0)) {
-    s.middle = s.box.center();
-    return s;
-  }
-  middle = about + middle / area;
-  s.middle = middle;
-  each(middle, [&](Vec3 a, Vec3 b, Vec3 c, double piece) {
-    const Vec3 sum = a + b + c;
-    for (const Vec3& p : {a, b, c, sum}) s.spread += piece / 12 * glm::outerProduct(p, p);
-  });
-  s.spread /= area;
-  s.error = kMiddleError * proxy.tolerance;
-  return s;
-}
 
 std::vector<RevisionPart> RevisionSurfaces::measured(double from, double to) {
   std::vector<RevisionPart> parts;
@@ -86,13 +40,13 @@ std::vector<RevisionPart> RevisionSurfaces::measured(double from, double to) {
     RevisionPart& one = parts.emplace_back();
     for (const std::string& name : names_of(part)) {
       const char* between = one.path.empty() ? "" : "/";
-      one.path += between + as_read(name);
+      one.path.append(between).append(name_as_read(name));
       one.stem += between + instance_stem(name);
     }
     one.color = lowered(part.color);
     one.drawn = drawn_[i];
     if (const auto surface = this->surface(i)) {
-      one.pose = pose_of(surface->proxy());
+      one.pose = pose_of(surface->proxy().mesh, surface->proxy().tolerance);
       one.shape = measure(i);
     }
     if (one.pose.box.empty()) {
@@ -110,15 +64,7 @@ std::shared_ptr<const Surface> RevisionSurfaces::surface(std::size_t part) {
   if (kept_[part]) return kept_[part];
   if (failed_[part]) return nullptr;
   try {
-    const Form& form = *scene_.parts[part].form;
-    const double size = form.bounds(Mat3(1)).diagonal();
-    RealiseOptions options;
-    // Facets as they are: rounded ones would be compared by what they are taken for, and cost ten
-    // times as much.
-    const double share = form.looks_at_view() ? kTolerance : 1;
-    options.tolerance = size > 0 ? share * size : share;
-    options.curvature = false;
-    std::shared_ptr<const Surface> made = form.realise(options, context_);
+    std::shared_ptr<const Surface> made = realised_to_compare(*scene_.parts[part].form, context_);
     const std::size_t count = made->proxy().mesh.triangles.size();
     if (triangles_ + count <= kMostTriangles) {
       triangles_ += count;
@@ -135,14 +81,17 @@ std::shared_ptr<const Surface> RevisionSurfaces::surface(std::size_t part) {
 ShapeMeasure RevisionSurfaces::measure(std::size_t part) {
   const Form& form = *scene_.parts[part].form;
   const Definition of = form.definition();
-  const auto [known, is_new] = measures_.try_emplace({of.shape, of.scale, of.mirrored});
-  if (!is_new) return known->second;
+  auto& known = measures_[of.shape];
+  const auto same = std::ranges::find_if(known, [&](const auto& m) { return m.first.same(of); });
+  if (same != known.end()) return same->second;
+  ShapeMeasure made;
   try {
-    known->second = form.measure(context_);
+    made = form.measure(context_);
   } catch (const GeometryError& e) {
     tell(part, e.what());
   }
-  return known->second;
+  known.emplace_back(of, made);
+  return made;
 }
 
 void RevisionSurfaces::tell(std::size_t part, const char* what) {

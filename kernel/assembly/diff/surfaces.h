@@ -9,7 +9,7 @@
 #include <cstddef>
 #include <map>
 #include <memory>
-#include <tuple>
+#include <utility>
 #include <vector>
 
 namespace burin::detail {
@@ -44,9 +44,7 @@ class RevisionSurfaces {
   std::vector<bool> failed_;
   std::size_t triangles_ = 0;
   /// Of what parts are instances of.
-  std::map<std::tuple<const void*, double, bool>, ShapeMeasure> measures_;
+  std::map<const void*, std::vector<std::pair<Definition, ShapeMeasure>>> measures_;
 };
-
-Pose pose_of(const ProxyMesh& proxy);
 
 }  // namespace burin::detail

@@ -1,3 +1,4 @@
+#include <burin/base/affine.h>
 #include <burin/base/error.h>
 #include <burin/forms/brep/brep_form.h>
 #include <burin/forms/brep/occt/brep_model.h>
@@ -24,22 +25,26 @@ Box3 BrepForm::bounds(const Mat3& axes) const {
 std::shared_ptr<const Surface> BrepForm::realise(const RealiseOptions& options,
                                                  RunContext& context) const {
   context.begin_stage(RunStage::Build);
-  const double scale = placement_.scale();
-  if (!(scale > 0)) throw GeometryError("the placement of a part has no extent");
+  if (!is_invertible(placement_)) throw GeometryError("the placement of a part has no extent");
   const std::shared_ptr<const BrepTriangles> mesh =
-      model_->tessellate(options.tolerance / scale, context, options.diagnostics);
-  const PlacedAtlas atlas{model_, placement_, scale * model_->size()};
+      model_->tessellate(options.tolerance / stretch(placement_), context, options.diagnostics);
+  const double size =
+      is_similar(placement_) ? placement_.scale() * model_->size() : bounds(Mat3(1)).diagonal();
+  const PlacedAtlas atlas{model_, placement_, size};
   auto surface = realise_faces(atlas, *mesh, mesh->loose, options, context);
   context.end_stage();
   return surface;
 }
 
-Definition BrepForm::definition() const {
-  return {model_.get(), placement_.scale(), placement_.mirrors()};
+std::shared_ptr<const Form> BrepForm::mapped(const Placement& by) const {
+  return std::make_shared<BrepForm>(model_, after(by, placement_));
 }
+
+Definition BrepForm::definition() const { return {model_.get(), placement_.linear}; }
 
 ShapeMeasure BrepForm::measure(RunContext& context) const {
   context.check();
+  if (!is_similar(placement_)) return brep_measure(*model_, placement_);
   return brep_measure(*model_).scaled(placement_.scale(), placement_.mirrors());
 }
 

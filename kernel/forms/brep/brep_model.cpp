@@ -1,7 +1,9 @@
 #include <burin/base/error.h>
 #include <burin/forms/charted/analytic_chart.h>
+#include <burin/forms/charted/place_mesh.h>
 #include <burin/forms/charted/refine.h>
 
+#include "body_volumes.h"
 #include "chart_mesh_builder.h"
 #include "contain.h"
 #include "fill_wires.h"
@@ -14,7 +16,7 @@
 #include "shape_bounds.h"
 #include "stray_faces.h"
 #include "surface_chart.h"
-#include "turn_triangles.h"
+#include "unroll_wires.h"
 
 #include <BRepBuilderAPI_Copy.hxx>
 #include <TopExp_Explorer.hxx>
@@ -60,11 +62,11 @@ struct BrepModel::Impl {
   bool turn_outward(const RawMesh& raw);
 };
 
-BrepModel::BrepModel(const TopoDS_Shape& shape, const ChartMaker& make_chart)
-    : impl_(std::make_unique<Impl>()) {
+BrepModel::BrepModel(const TopoDS_Shape& shape, const ChartMaker& make_chart, FirstNumbers first)
+    : impl_(std::make_unique<Impl>()), first_(first) {
   ModelParts& parts = impl_->parts;
   const std::string failure = contained([&] {
-    parts.shape = BRepBuilderAPI_Copy(shape, false, false).Shape();
+    parts.shape = unroll_wires(BRepBuilderAPI_Copy(shape, false, false).Shape());
     collect_parts(parts, shape, make_chart ? make_chart : ChartMaker(make_surface_chart));
   });
   if (!failure.empty()) {
@@ -208,16 +210,16 @@ std::shared_ptr<const BrepTriangles> BrepModel::tessellate(double tolerance, Run
   if (t.mesh->triangles.empty() && t.mesh->loose.empty()) {
     throw GeometryError("none of the faces could be turned into triangles; repair the shape");
   }
-  name_loose_faces(t.loose, t.reason, diagnostics);
+  name_loose_faces(t.loose, t.reason, *this, diagnostics);
   if (diagnostics && !t.unmeshed.empty()) {
     diagnostics->add(Severity::Warning, "brep.face_not_meshed",
                      static_cast<std::int64_t>(t.unmeshed.size()),
-                     "left out, because OCCT cannot mesh them: " + face_list(t.unmeshed));
+                     "left out, because OCCT cannot mesh them: " + face_list(t.unmeshed, *this));
   }
   if (diagnostics && !t.in_part.empty()) {
-    diagnostics->add(Severity::Warning, "brep.face_in_part",
-                     static_cast<std::int64_t>(t.in_part.size()),
-                     "drawn in part, because OCCT cannot mesh them whole: " + face_list(t.in_part));
+    diagnostics->add(
+        Severity::Warning, "brep.face_in_part", static_cast<std::int64_t>(t.in_part.size()),
+        "drawn in part, because OCCT cannot mesh them whole: " + face_list(t.in_part, *this));
   }
   if (diagnostics && !t.complete) {
     add_triangles_bounded(*diagnostics, t.mesh->triangles.size(), t.mesh->tolerance, tolerance);
@@ -243,8 +245,8 @@ BrepCounts BrepModel::counts() const {
   return n;
 }
 
-std::shared_ptr<const BrepModel> make_brep_model(const TopoDS_Shape& shape) {
-  return std::make_shared<const BrepModel>(shape);
+std::shared_ptr<const BrepModel> make_brep_model(const TopoDS_Shape& shape, FirstNumbers first) {
+  return std::make_shared<const BrepModel>(shape, ChartMaker(), first);
 }
 
 }  // namespace burin

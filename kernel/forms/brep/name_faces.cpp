@@ -8,7 +8,8 @@
 
 namespace burin {
 
-std::string face_list(const std::vector<std::int32_t>& faces) {
+std::string face_list(std::vector<std::int32_t> faces, const Atlas& atlas) {
+  for (std::int32_t& face : faces) face = atlas.source_face(face);
   constexpr std::size_t kNamed = 10;
   const std::size_t named = std::min(faces.size(), kNamed);
   std::string list = fmt::format(
@@ -19,7 +20,7 @@ std::string face_list(const std::vector<std::int32_t>& faces) {
 }
 
 void name_loose_faces(const std::vector<std::uint8_t>& marked, const std::string& reason,
-                      Diagnostics* diagnostics) {
+                      const Atlas& atlas, Diagnostics* diagnostics) {
   std::vector<std::int32_t> faces;
   for (std::size_t f = 0; f < marked.size(); ++f) {
     if (marked[f]) faces.push_back(static_cast<std::int32_t>(f));
@@ -27,7 +28,7 @@ void name_loose_faces(const std::vector<std::uint8_t>& marked, const std::string
   if (faces.empty() || !diagnostics) return;
   diagnostics->add(Severity::Warning, "brep.face_loose", static_cast<std::int64_t>(faces.size()),
                    fmt::format("drawn from triangles alone, joined to nothing ({}): {}", reason,
-                               face_list(faces)));
+                               face_list(faces, atlas)));
 }
 
 }  // namespace burin

@@ -1,12 +1,11 @@
 #include <burin/base/error.h>
-#include <burin/base/parallel.h>
 #include <burin/forms/brep/realise_faces.h>
+#include <burin/forms/charted/place_mesh.h>
 #include <burin/surface/composite_surface.h>
 
 #include "isolate.h"
 #include "loose_faces.h"
 #include "name_faces.h"
-#include "turn_triangles.h"
 
 #include <fmt/format.h>
 
@@ -19,21 +18,6 @@ namespace burin {
 namespace {
 
 using SurfacePtr = std::shared_ptr<const Surface>;
-
-/// The triangles of an atlas at their place.
-ChartMesh placed(const ChartMesh& mesh, const Placement& placement, double scale) {
-  ChartMesh out = mesh;
-  parallel_for(out.positions.size(), 4096, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) out.positions[i] = placement.point(out.positions[i]);
-  });
-  if (placement.mirrors()) {
-    std::int32_t faces = 0;
-    for (const std::int32_t f : out.face) faces = std::max(faces, f + 1);
-    turn_triangles(out, std::vector<std::uint8_t>(static_cast<std::size_t>(faces), 1));
-  }
-  out.tolerance *= scale;
-  return out;
-}
 
 LooseTriangles placed(LooseTriangles loose, const Placement& placement) {
   for (Vec3& p : loose.positions) p = placement.point(p);
@@ -58,14 +42,13 @@ std::shared_ptr<const Surface> realise_faces(const PlacedAtlas& atlas, const Cha
                                              const LooseTriangles& loose,
                                              const RealiseOptions& options,
                                              const RunContext& context, const FaceStages& stages) {
-  const double scale = atlas.placement.scale();
   LooseTriangles parted;
   SurfacePtr joined;
   bool found = true;
   const Isolated isolated =
       isolate(atlas.atlas->face_count(), [&](const std::vector<std::uint8_t>& out) {
         joined.reset();
-        ChartMesh m = placed(mesh, atlas.placement, scale);
+        ChartMesh m = placed(mesh, atlas.placement);
         parted = take_loose(m, out);
         if (m.triangles.empty()) return;
         stages.normals(m, atlas, context);
@@ -73,9 +56,10 @@ std::shared_ptr<const Surface> realise_faces(const PlacedAtlas& atlas, const Cha
         check_numbers(m);
         joined = stages.join(atlas, std::move(m), context);
       });
-  name_loose_faces(isolated.out, isolated.reason, options.diagnostics);
+  name_loose_faces(isolated.out, isolated.reason, *atlas.atlas, options.diagnostics);
   if (!found && options.diagnostics) add_contours_bounded(*options.diagnostics);
   parted.append(placed(loose, atlas.placement));
+  for (std::int32_t& face : parted.face) face = atlas.atlas->source_face(face);
   std::vector<SurfacePtr> pieces;
   if (joined) pieces.push_back(std::move(joined));
   if (SurfacePtr apart = loose_surface(parted, options, context)) pieces.push_back(apart);

@@ -89,7 +89,7 @@ Frame ChartedSurface::frame(const SurfacePoint& point) const {
   if (normal == Vec3(0)) {
     normal = normalize_or(proxy_.mesh.normal(point.triangle), Vec3(0, 0, 1));
   }
-  Frame f = chart_frame(d, normal, atlas_.atlas->chart(point.chart).kind(), atlas_.size);
+  Frame f = chart_frame(d, normal, atlas_.kind(point.chart), atlas_.size);
   f.position = point.position;
   return f;
 }

@@ -1,5 +1,6 @@
 #include "cover_charts.h"
 
+#include <burin/base/affine.h>
 #include <burin/base/parallel.h>
 #include <burin/base/rng.h>
 #include <burin/forms/charted/coverage.h>
@@ -34,7 +35,7 @@ ChartsCover::ChartsCover(const PlacedAtlas& atlas, const TriMesh& mesh,
     in_space[f] += mesh.area(t);
     in_parameters[f] += triangles.draw_area(t);
   }
-  const double scale = atlas.placement.scale();
+  const double grown = area_stretch(atlas.placement);
   parallel_for(
       faces, 1,
       [&](std::size_t begin, std::size_t end) {
@@ -43,7 +44,7 @@ ChartsCover::ChartsCover(const PlacedAtlas& atlas, const TriMesh& mesh,
           const auto bound =
               proved_area_bound(atlas_.atlas->chart(static_cast<std::int32_t>(f)), context);
           if (!bound || !(bound->value > 0) || !std::isfinite(bound->value)) continue;
-          const double value = bound->value * scale * scale;
+          const double value = bound->value * grown;
           if (value * in_parameters[f] <= kMostWaste * in_space[f]) bound_[f] = value;
         }
       },

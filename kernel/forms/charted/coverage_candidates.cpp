@@ -1,5 +1,6 @@
 #include "coverage_candidates.h"
 
+#include <burin/base/affine.h>
 #include <burin/base/error.h>
 #include <burin/forms/charted/nurbs.h>
 
@@ -39,7 +40,8 @@ Candidates::Candidates(const Chart& chart, const CoverageOptions& options)
       box_(chart.domain()),
       rng_(options.seed, static_cast<std::uint64_t>(options.part),
            static_cast<std::uint64_t>(options.face)),
-      scale2_(options.placement.scale() * options.placement.scale()) {
+      even_(is_similar(options.placement)),
+      scale2_(area_stretch(options.placement)) {
   if (options.norm != CoverageNorm::Picture) return;
   if (!options.camera) throw GeometryError("coverage uniform in the picture needs a camera");
   picture_scale2_ = picture_bound();
@@ -55,10 +57,11 @@ double Candidates::picture_bound() const {
 }
 
 double Candidates::measure(const SurfaceDerivatives& d) const {
-  if (options_.norm != CoverageNorm::Picture) return glm::length(glm::cross(d.u, d.v));
-  const Vec3 p = options_.placement.point(d.p);
-  const Vec2 u = options_.camera->velocity(p, options_.placement.vector(d.u));
-  const Vec2 v = options_.camera->velocity(p, options_.placement.vector(d.v));
+  if (options_.norm != CoverageNorm::Picture && even_) return glm::length(glm::cross(d.u, d.v));
+  const Vec3 p = options_.placement.point(d.p), du = options_.placement.vector(d.u),
+             dv = options_.placement.vector(d.v);
+  if (options_.norm != CoverageNorm::Picture) return glm::length(glm::cross(du, dv)) / scale2_;
+  const Vec2 u = options_.camera->velocity(p, du), v = options_.camera->velocity(p, dv);
   return std::abs(cross2(u, v)) / (scale2_ * picture_scale2_);
 }
 

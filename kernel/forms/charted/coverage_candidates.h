@@ -39,7 +39,8 @@ class Candidates {
   const CoverageOptions& options_;
   ParameterBox box_;
   Rng rng_;
-  double scale2_;              // area in place over area of the chart
+  bool even_;                  // all areas grow alike where it is placed
+  double scale2_;              // area in place over area of the chart, at the most
   double picture_scale2_ = 1;  // a bound of area on paper over area in space
 };
 

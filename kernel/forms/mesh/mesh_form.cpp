@@ -1,6 +1,7 @@
 #include <burin/base/parallel.h>
 #include <burin/forms/mesh/mesh_form.h>
 #include <burin/mesh/curvature.h>
+#include <burin/mesh/placed_mesh.h>
 #include <burin/mesh/proxy_mesh.h>
 #include <burin/mesh/reorder.h>
 
@@ -19,9 +20,10 @@ constexpr std::size_t kMostPieces = 1'500'000;
 constexpr double kShare = 0.5;
 
 void tell_cut_short(Diagnostics& diagnostics) {
-  diagnostics.add(Severity::Warning, "mesh.rounded_coarsely", 1,
-                  "facets of a mesh stay coarser than the sheet could show: an edge is halved at "
-                  "most six times, and at most 1.5 million triangles are added; give a finer mesh");
+  diagnostics.add(
+      Severity::Warning, "mesh.rounded_coarsely", 1,
+      "facets of a mesh stay coarser than the sheet could show: an edge is halved at "
+      "most eight times, and at most 1.5 million triangles are added; give a finer mesh");
 }
 
 /// The curvature of a mesh at places of it.
@@ -58,6 +60,10 @@ Box3 MeshForm::bounds(const Mat3& axes) const {
 std::shared_ptr<const Surface> MeshForm::realise(const RealiseOptions& options,
                                                  RunContext& context) const {
   return textured(realise_mesh(options, context), texture_);
+}
+
+std::shared_ptr<const Form> MeshForm::mapped(const Placement& by) const {
+  return std::make_shared<MeshForm>(placed(mesh_, by), texture_ ? texture_->mapped(by) : nullptr);
 }
 
 ShapeMeasure MeshForm::measure(RunContext& context) const {

@@ -19,7 +19,10 @@ namespace {
 
 /// Halvings of one edge: a bulge falls to a quarter with each, and RoundedMesh allows none of more
 /// than a seventh of the edge.
-constexpr int kMostPasses = 6;
+constexpr int kMostPasses = 8;
+/// Times the tolerance from which on a bulge that is left is told: forms ask for half of what
+/// shows.
+constexpr double kTold = 2;
 constexpr std::size_t kGrain = 4096;
 /// Radians between a patch's normal and that which is linear over the facet: up to the first they
 /// are alike, from the second on not.
@@ -84,7 +87,9 @@ class Divider {
       for (const std::uint8_t m : marks) more += static_cast<std::size_t>(std::popcount(m));
       if (more == 0) return any;
       if (pass == kMostPasses || pieces_.size() + more > limit) {
-        cut_short = true;
+        tolerance_ *= kTold;
+        const std::vector<std::uint8_t> seen = mark();
+        cut_short = std::ranges::any_of(seen, [](std::uint8_t m) { return m != 0; });
         return any;
       }
       divide(marks, more);

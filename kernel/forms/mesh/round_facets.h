@@ -16,7 +16,8 @@ struct RoundedFacets {
   ProxyMesh proxy;
   /// For each wedge of `proxy` where it lies on the facets that were divided.
   std::vector<ProxyPoint> wedge_origin;
-  /// Facets stay farther from the surface than the tolerance, as more triangles were not allowed.
+  /// Facets stay farther from the surface than twice the tolerance, as more triangles were not
+  /// allowed.
   bool cut_short = false;
 };
 

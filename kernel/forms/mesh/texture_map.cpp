@@ -79,6 +79,12 @@ TextureMap::TextureMap(TriMesh mesh, std::vector<glm::vec2> corners)
 }
 TextureMap::~TextureMap() = default;
 
+std::shared_ptr<const TextureMap> TextureMap::mapped(const Placement& by) const {
+  TriMesh mesh = impl_->mesh;
+  for (Vec3& p : mesh.positions) p = by.point(p);
+  return std::make_shared<TextureMap>(std::move(mesh), impl_->corners);
+}
+
 std::optional<Vec2> TextureMap::at(Vec3 position) const {
   const TriMesh& mesh = impl_->mesh;
   if (mesh.triangles.empty()) return std::nullopt;

@@ -76,7 +76,7 @@ Box3 patch_bounds(const Chart& chart, const std::array<Vec3, 3>& axes) {
 
 Box3 ParametricForm::bounds(const Mat3& axes) const {
   // GLM stores columns: the rows of `axes` are the columns of its transpose.
-  const Mat3 rows = glm::transpose(axes);
+  const Mat3 rows = glm::transpose(axes * placement_.linear);
   std::vector<Box3> boxes(patches_.size());
   parallel_for(patches_.size(), 4, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
@@ -85,6 +85,8 @@ Box3 ParametricForm::bounds(const Mat3& axes) const {
   });
   Box3 result;
   for (const Box3& b : boxes) result.add(b);
+  const Vec3 shift = axes * placement_.offset;
+  result.min += shift, result.max += shift;
   return result;
 }
 

@@ -1,7 +1,9 @@
+#include <burin/base/affine.h>
 #include <burin/base/error.h>
 #include <burin/contour_cut/contour_cut.h>
 #include <burin/forms/charted/atlas_sampler.h>
 #include <burin/forms/charted/charted_surface.h>
+#include <burin/forms/charted/place_mesh.h>
 #include <burin/forms/charted/refine.h>
 #include <burin/forms/charted/wedge_normals.h>
 #include <burin/forms/patches/parametric_form.h>
@@ -14,10 +16,15 @@
 
 namespace burin {
 
-ParametricForm::ParametricForm(std::vector<std::shared_ptr<const Chart>> patches, double weld)
-    : patches_(std::move(patches)), weld_(weld) {}
+ParametricForm::ParametricForm(std::vector<std::shared_ptr<const Chart>> patches, double weld,
+                               const Placement& placement)
+    : patches_(std::move(patches)), weld_(weld), placement_(placement) {}
 
 ParametricForm::~ParametricForm() = default;
+
+std::shared_ptr<const Form> ParametricForm::mapped(const Placement& by) const {
+  return std::make_shared<ParametricForm>(patches_, weld_, after(by, placement_));
+}
 
 std::shared_ptr<const Surface> ParametricForm::realise(const RealiseOptions& options,
                                                        RunContext& context) const {
@@ -31,13 +38,15 @@ std::shared_ptr<const Surface> ParametricForm::realise(const RealiseOptions& opt
         fmt::format("{} common sides of patches would make the surface one-sided; left open",
                     complex.contradictions));
   }
-  detail::Tessellation made = detail::tessellate(complex, options.tolerance, context);
-  ChartMesh& mesh = made.mesh;
+  detail::Tessellation made =
+      detail::tessellate(complex, options.tolerance / stretch(placement_), context);
+  ChartMesh mesh = placement_.moves() ? placed(made.mesh, placement_) : std::move(made.mesh);
   if (!made.complete && options.diagnostics) {
     add_triangles_bounded(*options.diagnostics, mesh.triangles.size(), mesh.tolerance,
                           options.tolerance);
   }
-  const PlacedAtlas atlas{complex.atlas, {}, complex.size};
+  const double size = placement_.moves() ? bounds(Mat3(1)).diagonal() : complex.size;
+  const PlacedAtlas atlas{complex.atlas, placement_, size};
   set_wedge_normals(mesh, atlas, context);
   const bool found =
       !options.view || cut_along_contours(mesh, AtlasSampler(atlas), *options.view, {}, context);

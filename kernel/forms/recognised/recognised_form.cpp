@@ -1,9 +1,12 @@
+#include <burin/base/affine.h>
 #include <burin/contour_cut/contour_cut.h>
 #include <burin/forms/charted/atlas_sampler.h>
 #include <burin/forms/charted/charted_surface.h>
+#include <burin/forms/charted/place_mesh.h>
 #include <burin/forms/mesh/mesh_form.h>
 #include <burin/forms/recognised/recognised_form.h>
 #include <burin/mesh/curvature.h>
+#include <burin/mesh/placed_mesh.h>
 
 #include "facet_atlas.h"
 #include "known.h"
@@ -15,12 +18,28 @@ namespace burin {
 
 namespace {
 
+/// The mesh where it was read, with the creases that it has where it stands: of other angles, where
+/// it is stretched.
+ProxyMesh with_placed_creases(const TriMesh& mesh, const Placement& placement,
+                              const ProxyOptions& options, const RunContext& context) {
+  if (is_similar(placement)) return build_proxy(mesh, options, context);
+  // A mirror image has the same angles, and its triangles would run the other way.
+  Placement by = placement;
+  if (by.mirrors()) by.linear = -by.linear;
+  ProxyMesh proxy = build_proxy(placed(mesh, by), options, context);
+  proxy.mesh.positions = mesh.positions;
+  const Placement back = inverse(by);
+  for (Vec3& n : proxy.wedge_normal) n = placed_normal(back, n);
+  return proxy;
+}
+
 /// Every triangle lies on a chart.
-std::shared_ptr<const Surface> charted(recognised::FacetAtlas made, const RealiseOptions& options,
-                                       const RunContext& context) {
+std::shared_ptr<const Surface> charted(recognised::FacetAtlas made, const Placement& placement,
+                                       const RealiseOptions& options, const RunContext& context) {
+  if (placement.moves()) made.mesh = placed(made.mesh, placement);
   Box3 box;
   for (const Vec3& p : made.mesh.positions) box.add(p);
-  const PlacedAtlas atlas{made.atlas, {}, box.diagonal()};
+  const PlacedAtlas atlas{made.atlas, placement, box.diagonal()};
   const bool found = !options.view ||
                      cut_along_contours(made.mesh, AtlasSampler(atlas), *options.view, {}, context);
   if (!found && options.diagnostics) add_contours_bounded(*options.diagnostics);
@@ -31,7 +50,9 @@ std::shared_ptr<const Surface> charted(recognised::FacetAtlas made, const Realis
 /// those of a mesh everywhere, so that one part has one kind of contours.
 std::shared_ptr<const Surface> partly_charted(recognised::FacetAtlas made,
                                               std::shared_ptr<const recognised::Recognised> round,
+                                              const Placement& placement,
                                               const RealiseOptions& options, RunContext& context) {
+  if (placement.moves()) made.mesh = placed(made.mesh, placement);
   std::vector<std::int32_t> patch;
   for (const std::int32_t f : made.mesh.face) {
     patch.push_back(made.patch[static_cast<std::size_t>(f)]);
@@ -45,7 +66,8 @@ std::shared_ptr<const Surface> partly_charted(recognised::FacetAtlas made,
     curvature = estimate_curvature(proxy, {}, context);
   }
   return std::make_shared<recognised::RecognisedSurface>(
-      make_mesh_surface(std::move(proxy), curvature), std::move(round), std::move(patch));
+      make_mesh_surface(std::move(proxy), curvature), std::move(round), std::move(patch),
+      placement);
 }
 
 }  // namespace
@@ -66,7 +88,7 @@ struct RecognisedForm::Impl {
 
 RecognisedForm::RecognisedForm(TriMesh mesh, const RunContext& context,
                                std::shared_ptr<const TextureMap> texture)
-    : impl_(std::make_unique<Impl>(std::move(mesh), std::move(texture))) {
+    : impl_(std::make_shared<Impl>(std::move(mesh), std::move(texture))) {
   const TriMesh& m = impl_->form.mesh();
   const Topology topology = build_topology(m, context);
   impl_->facets =
@@ -80,7 +102,7 @@ RecognisedForm::RecognisedForm(TriMesh mesh, const RunContext& context,
   impl_->faces = recognised::count_faces(m, topology, *impl_->facets, *impl_->round);
 }
 RecognisedForm::RecognisedForm(TriMesh mesh, const KnownSurfaces& known, const RunContext& context)
-    : impl_(std::make_unique<Impl>(std::move(mesh), nullptr)) {
+    : impl_(std::make_shared<Impl>(std::move(mesh), nullptr)) {
   const TriMesh& m = impl_->form.mesh();
   const Topology topology = build_topology(m, context);
   recognised::KnownFacets told = recognised::known_facets(m, topology, known, context);
@@ -89,7 +111,15 @@ RecognisedForm::RecognisedForm(TriMesh mesh, const KnownSurfaces& known, const R
       recognised::join_profiles(m, *impl_->facets, std::move(told.bands), context));
   impl_->faces = recognised::count_faces(m, topology, *impl_->facets, *impl_->round);
 }
+RecognisedForm::RecognisedForm(std::shared_ptr<Impl> impl, const Placement& placement)
+    : impl_(std::move(impl)), placement_(placement) {}
 RecognisedForm::~RecognisedForm() = default;
+
+std::shared_ptr<const Form> RecognisedForm::mapped(const Placement& by) const {
+  const Placement place = after(by, placement_);
+  if (impl_->faces.total() == 0) return impl_->form.mapped(place);
+  return std::shared_ptr<const Form>(new RecognisedForm(impl_, place));
+}
 
 const TriMesh& RecognisedForm::mesh() const { return impl_->form.mesh(); }
 RecognisedFaces RecognisedForm::faces() const { return impl_->faces; }
@@ -97,10 +127,18 @@ RecognisedFaces RecognisedForm::faces() const { return impl_->faces; }
 bool RecognisedForm::too_coarse() const { return impl_->too_coarse; }
 
 ShapeMeasure RecognisedForm::measure(RunContext& context) const {
+  if (placement_.moves()) return impl_->form.mapped(placement_)->measure(context);
   return impl_->form.measure(context);
 }
 
 Box3 RecognisedForm::bounds(const Mat3& axes) const {
+  Box3 box = bounds_as_read(axes * placement_.linear);
+  const Vec3 shift = axes * placement_.offset;
+  box.min += shift, box.max += shift;
+  return box;
+}
+
+Box3 RecognisedForm::bounds_as_read(const Mat3& axes) const {
   Box3 box = impl_->form.bounds(axes);
   if (impl_->faces.total() == 0) return box;
   std::call_once(impl_->once, [&] {
@@ -126,18 +164,22 @@ std::shared_ptr<const Surface> RecognisedForm::realise(const RealiseOptions& opt
   if (impl_->faces.total() == 0) return impl_->form.realise(options, context);
   context.begin_stage(RunStage::Build);
   const ProxyOptions proxy_options{.crease_angle = options.crease_angle};
-  const ProxyMesh input = build_proxy(mesh(), proxy_options, context);
+  const ProxyMesh input = with_placed_creases(mesh(), placement_, proxy_options, context);
+  const double tolerance = options.tolerance / stretch(placement_);
   recognised::Faces faces = recognised::find_faces(input, *impl_->facets, *impl_->round);
   recognised::FacetMesh refined = faces.mesh;
-  recognised::refine(refined, *impl_->round, *impl_->facets, options.tolerance, context);
-  recognised::FacetAtlas made = recognised::make_facet_atlas(
-      refined, faces, impl_->facets, impl_->round, options.tolerance, context);
+  recognised::refine(refined, *impl_->round, *impl_->facets, tolerance, context);
+  recognised::FacetAtlas made =
+      recognised::make_facet_atlas(refined, faces, impl_->facets, impl_->round, tolerance, context);
   refined = {};
   faces = {};
-  auto surface = made.exact ? charted(std::move(made), options, context)
-                            : partly_charted(std::move(made), impl_->round, options, context);
+  auto surface = made.exact
+                     ? charted(std::move(made), placement_, options, context)
+                     : partly_charted(std::move(made), impl_->round, placement_, options, context);
   context.end_stage();
-  return textured(std::move(surface), impl_->form.texture());
+  const auto& texture = impl_->form.texture();
+  if (!texture || !placement_.moves()) return textured(std::move(surface), texture);
+  return textured(std::move(surface), texture->mapped(placement_));
 }
 
 }  // namespace burin

@@ -16,7 +16,11 @@ constexpr std::size_t kMostSamples = 48;
 class Measure {
  public:
   Measure(const ProxyMesh& proxy, const Facets& facets, const Recognised& round)
-      : proxy_(proxy), facets_(facets), round_(round), border_(facets.list.size()) {
+      : proxy_(proxy),
+        facets_(facets),
+        round_(round),
+        least_(kMinWidth * proxy.mesh.bounds().diagonal()),
+        border_(facets.list.size()) {
     for (std::size_t h = 0; h < proxy.edge_kind.size(); ++h) {
       const HalfEdge o = proxy.topology.opposite[h];
       if (o == kNoHalfEdge || proxy.edge_kind[h] != EdgeKind::Smooth) continue;
@@ -30,7 +34,6 @@ class Measure {
   bool is_wall(std::size_t facet) const {
     const auto& border = border_[facet];
     if (border.empty()) return false;
-    const double least = kMinWidth * proxy_.mesh.bounds().diagonal();
     const std::size_t stride = (border.size() + kMostSamples - 1) / kMostSamples;
     double all = 0, wider = 0;
     for (std::size_t i = 0; i < border.size(); i += stride) {
@@ -38,7 +41,7 @@ class Measure {
       const double length = glm::distance(start(h), start(next_in_face(h)));
       const double own = width(h), behind = width(opposite(h));
       all += length;
-      if (own >= least && own >= kWider * behind) wider += length;
+      if (own >= least_ && own >= kWider * behind) wider += length;
     }
     return wider >= kBorderShare * all;
   }
@@ -73,6 +76,8 @@ class Measure {
   const ProxyMesh& proxy_;
   const Facets& facets_;
   const Recognised& round_;
+  /// Width (mm) of the narrowest wall.
+  double least_;
   /// For each plain facet its half-edges that meet another one smoothly.
   std::vector<std::vector<HalfEdge>> border_;
 };

@@ -11,6 +11,7 @@ from support import V, App, Case, burin, content, drawn
 
 from freecad.burin_wb import illustration_file
 from freecad.burin_wb.errors import Refused
+from freecad.burin_wb import item_numbers
 from freecad.burin_wb.features import asking, assembly_view, explosion, items, place_on_page, section, spreadsheet, visible
 from freecad.burin_wb.features.chosen import numbers_of
 from freecad.burin_wb.features.extent import Extent
@@ -158,7 +159,7 @@ class Apart(Case):
         found.append({"number": 1, "name": "c", "parts": [6]})
         self.assertEqual(items.clockwise(found, {8: (-10, 0), 3: (10, 3)}), {"1": "b", "2": "a", "3": "c"})
         found.pop()
-        self.assertEqual(items.kept({"5": "gone"}, found), {"5": "gone", "3": "b", "8": "a"})
+        self.assertEqual(item_numbers.kept({"5": "gone"}, found), {"5": "gone", "3": "b", "8": "a"})
 
     def test_the_list_as_a_spreadsheet(self):
         pump_ = self.stack()

@@ -1,7 +1,9 @@
 """Sources: what is taken from the document, where it is placed, and which edges and faces lines tell of."""
 
 import json
+import os
 import pickle
+from unittest import mock
 
 import numpy
 import Mesh
@@ -10,7 +12,8 @@ import Part
 from support import V, App, Case, burin, drawn, features
 
 from freecad.burin_wb.features.illustration import make_job
-from freecad.burin_wb.features.shapes import shapes
+from freecad.burin_wb.features import shown
+from freecad.burin_wb.features.shapes import Shapes, shapes
 from freecad.burin_wb.features.sheet import Sheet
 from freecad.burin_wb.features.sources import collect
 
@@ -326,3 +329,90 @@ class Collect(Case):
         parts, notes = collect([(self.box(), ("",)), (sketch, ("",))])
         self.assertEqual(len(parts), 0 if not self.doc.Box.Shape.Faces else 1)
         self.assertIn("sketch", " ".join(notes))
+
+    def test_a_lost_link_is_told_once(self):
+        other = App.newDocument("Other")
+        other.addObject("Part::Box", "Box")
+        other.recompute()
+        path = os.path.join(self.folder, "other.FCStd")
+        other.saveAs(path)
+        self.doc.saveAs(os.path.join(self.folder, "whole.FCStd"))
+        self.box()
+        self.doc.addObject("App::Link", "Link").LinkedObject = other.getObject("Box")
+        self.doc.recompute()
+        self.doc.save()
+        for name in list(App.listDocuments()):
+            App.closeDocument(name)
+        os.unlink(path)
+        self.doc = App.openDocument(os.path.join(self.folder, "whole.FCStd"))
+        sources = features.visible(self.doc)
+        self.assertEqual([o.Name for o in sources], ["Box", "Link"])
+        parts, notes = collect([(o, ("",)) for o in sources])
+        self.assertEqual(([p.name for p in parts], len(notes)), (["Box"], 1), notes)
+        self.assertIn("Link", notes[0])
+
+
+class Instances(Case):
+    def test_arrays_of_draft_are_their_links(self):
+        import Draft
+
+        box = self.box()
+        self.doc.recompute()
+        array = Draft.make_ortho_array(box, V(12, 0, 0), V(0, 30, 0), V(0, 0, 1), 3, 2, 1)
+        array.Label = "Row"
+        self.doc.recompute()
+        parts, notes = collect([(o, ("",)) for o in features.visible(self.doc)])
+        self.assertEqual((len(parts), notes), (7, []))
+        self.assertEqual({p.definition for p in parts}, {"Box"})
+        self.assertEqual(len({id(p.brep) for p in parts}), 1)
+        scene = burin().Scene()
+        for part in parts:
+            scene.add_brep(part.brep, part.name, placement=part.matrix()).definition = part.definition
+        self.assertEqual([(item["name"], item["quantity"]) for item in burin().items(scene)], [("Box", 7)])
+
+    def test_elements_of_arrays_are_drawn_through_them_alone(self):
+        box = self.box()
+        link = self.doc.addObject("App::Link", "Link")
+        link.LinkedObject = box
+        link.ElementCount = 3
+        self.doc.recompute()
+        self.assertEqual([o.Name for o in features.visible(self.doc)], ["Box", "Link"])
+
+    def test_containers_name_what_nobody_named(self):
+        part = self.doc.addObject("App::Part", "Part")
+        part.Label = "Bearing cap"
+        body = self.doc.addObject("PartDesign::Body", "Body")
+        body.addObject(self.doc.addObject("PartDesign::AdditiveBox", "Pad"))
+        part.addObject(body)
+        link = self.doc.addObject("App::Link", "Link")
+        link.LinkedObject = part
+        self.doc.recompute()
+        parts, _ = collect([(part, ("",)), (link, ("",))])
+        self.assertEqual([p.definition for p in parts], ["Bearing cap", "Bearing cap"])
+
+
+class Shown(Case):
+    def test_a_saved_document_is_looked_at_once(self):
+        for k in range(5):
+            self.box(name=f"Box{k}")
+        self.doc.recompute()
+        self.doc.saveAs(os.path.join(self.folder, "many.FCStd"))
+        with mock.patch.object(shown.zipfile, "ZipFile", wraps=shown.zipfile.ZipFile) as opened:
+            self.assertEqual(len(features.visible(self.doc)), 5)
+        self.assertEqual(opened.call_count, 1)
+
+    def test_texts_of_shapes_are_found_and_forgotten(self):
+        kept = Shapes()
+        box = Part.makeBox(1, 2, 3)
+        moved = Part.Shape(box)
+        moved.Placement = placed(5)
+        first, _ = kept.text(box, ("Doc", "A"))
+        second, place = kept.text(moved, ("Doc", "B"))
+        self.assertTrue(first is second)
+        self.assertEqual((kept.written, place[3]), (1, 5.0))
+        other, _ = kept.text(Part.makeBox(1, 2, 4), ("Doc", "A"))  # the object has another shape now
+        self.assertFalse(other is first)
+        self.assertTrue(kept.has(moved, ("Doc", "C")))
+        kept.forget("Doc")
+        self.assertFalse(kept.has(moved, ("Doc", "C")))
+        self.assertEqual(kept._alike, {})

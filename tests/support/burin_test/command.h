@@ -20,10 +20,11 @@ extern "C" char** environ;
 
 namespace burin::test {
 
-/// A run of the command whose output goes to files of a folder.
+/// A run of the command whose output goes to files of a folder, with a file as standard input.
 class Command {
  public:
-  Command(const Folder& folder, std::vector<std::string> arguments, const std::string& out = "")
+  Command(const Folder& folder, std::vector<std::string> arguments, const std::string& out = "",
+          const std::string& in = "/dev/null")
       : out_(out.empty() ? folder / ".stdout" : out), err_(folder / ".stderr") {
     arguments.insert(arguments.begin(), BURIN_COMMAND);
     std::vector<char*> argv;
@@ -31,7 +32,7 @@ class Command {
     argv.push_back(nullptr);
     posix_spawn_file_actions_t files;
     posix_spawn_file_actions_init(&files);
-    posix_spawn_file_actions_addopen(&files, 0, "/dev/null", O_RDONLY, 0);
+    posix_spawn_file_actions_addopen(&files, 0, in.c_str(), O_RDONLY, 0);
     posix_spawn_file_actions_addopen(&files, 1, out_.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
     posix_spawn_file_actions_addopen(&files, 2, err_.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
     if (::posix_spawn(&pid_, argv[0], &files, nullptr, argv.data(), environ) != 0) pid_ = -1;

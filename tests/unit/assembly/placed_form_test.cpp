@@ -159,9 +159,10 @@ TEST(PlacedForm, WhatIsPlacedAlreadyIsMovedOnNotWrapped) {
 TEST(PlacedForm, WhatIsNoPlacementIsRefused) {
   const auto form = torus();
   EXPECT_EQ(placed(form, {}), form);
-  EXPECT_THROW(placed(form, {Mat3(1, 0, 0, 0, 2, 0, 0, 0, 1), Vec3(0)}), UsageError);
-  EXPECT_THROW(placed(form, {Mat3(-1, 0, 0, 0, 1, 0, 0, 0, 1), Vec3(0)}), UsageError);
   EXPECT_THROW(placed(form, {Mat3(0), Vec3(0)}), UsageError);
+  EXPECT_THROW(placed(form, {Mat3(1, 0, 0, 0, 2, 0, 0, 0, 0), Vec3(0)}), UsageError);
+  EXPECT_THROW(placed(form, {Mat3(1, 2, 3, 2, 4, 6, 0, 0, 1), Vec3(0)}), UsageError);
+  EXPECT_THROW(placed(form, {Mat3(1), Vec3(0, std::nan(""), 0)}), UsageError);
   EXPECT_THROW(placed(form, {Mat3(std::nan("")), Vec3(0)}), UsageError);
 }
 

@@ -4,6 +4,7 @@
 
 #include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepPrimAPI_MakeSphere.hxx>
+#include <BRep_Builder.hxx>
 #include <IGESCAFControl_Writer.hxx>
 #include <IGESControl_Controller.hxx>
 #include <Interface_Static.hxx>
@@ -14,6 +15,7 @@
 #include <TCollection_ExtendedString.hxx>
 #include <TDataStd_Name.hxx>
 #include <TopLoc_Location.hxx>
+#include <TopoDS_Compound.hxx>
 #include <XCAFDoc_DocumentTool.hxx>
 #include <gp_Ax1.hxx>
 
@@ -26,10 +28,10 @@ void name_label(const TDF_Label& label, const std::string& name) {
   TDataStd_Name::Set(label, TCollection_ExtendedString(name.c_str(), Standard_True));
 }
 
-Quantity_Color to_color(const std::string& hex) {
+Quantity_ColorRGBA to_color(const std::string& hex, double opacity) {
   Quantity_Color color;
   Quantity_Color::ColorFromHex(hex.c_str(), color);
-  return color;
+  return {color, static_cast<float>(opacity)};
 }
 
 }  // namespace
@@ -39,6 +41,15 @@ TopoDS_Shape solid_box(double dx, double dy, double dz) {
 }
 
 TopoDS_Shape solid_sphere(double radius) { return BRepPrimAPI_MakeSphere(radius).Shape(); }
+
+TopoDS_Shape boxes_in_a_row(int count) {
+  TopoDS_Compound all;
+  BRep_Builder().MakeCompound(all);
+  for (int i = 0; i < count; ++i) {
+    BRep_Builder().Add(all, solid_box(i + 1, 1, 1).Moved(TopLoc_Location(moved(10 * i, 0, 0))));
+  }
+  return all;
+}
 
 gp_Trsf moved(double x, double y, double z) {
   gp_Trsf t;
@@ -83,12 +94,13 @@ TDF_Label CadDocument::use(const TDF_Label& assembly, const TDF_Label& what, con
   return label;
 }
 
-void CadDocument::color(const TDF_Label& label, const std::string& hex) {
-  colors_->SetColor(label, to_color(hex), XCAFDoc_ColorSurf);
+void CadDocument::color(const TDF_Label& label, const std::string& hex, double opacity) {
+  colors_->SetColor(label, to_color(hex, opacity), XCAFDoc_ColorSurf);
 }
 
-void CadDocument::color(const TDF_Label& part, const TopoDS_Shape& inside, const std::string& hex) {
-  color(shapes_->AddSubShape(part, inside), hex);
+void CadDocument::color(const TDF_Label& part, const TopoDS_Shape& inside, const std::string& hex,
+                        double opacity) {
+  color(shapes_->AddSubShape(part, inside), hex, opacity);
 }
 
 std::string CadDocument::step(const std::string& file) const {

@@ -20,6 +20,8 @@ namespace burin::test {
 
 TopoDS_Shape solid_box(double dx, double dy, double dz);
 TopoDS_Shape solid_sphere(double radius);
+/// Boxes of 1 x 1 x 1, 2 x 1 x 1, ... mm, each 10 mm beside the one before, as one compound.
+TopoDS_Shape boxes_in_a_row(int count);
 gp_Trsf moved(double x, double y, double z);
 /// Turned about the z axis.
 gp_Trsf turned(double degrees);
@@ -33,9 +35,10 @@ class CadDocument {
   TDF_Label assembly(const std::string& name);
   TDF_Label use(const TDF_Label& assembly, const TDF_Label& what, const gp_Trsf& place,
                 const std::string& name);
-  void color(const TDF_Label& label, const std::string& hex);
+  void color(const TDF_Label& label, const std::string& hex, double opacity = 1);
   /// Of a shape inside a part: a solid or a face.
-  void color(const TDF_Label& part, const TopoDS_Shape& inside, const std::string& hex);
+  void color(const TDF_Label& part, const TopoDS_Shape& inside, const std::string& hex,
+             double opacity = 1);
 
   std::string step(const std::string& file) const;
   std::string iges(const std::string& file) const;

@@ -7,7 +7,10 @@
 #include <BRepTools.hxx>
 #include <BRep_Builder.hxx>
 #include <BinTools.hxx>
+#include <IGESControl_Controller.hxx>
+#include <IGESControl_Writer.hxx>
 #include <Interface_Static.hxx>
+#include <TopExp_Explorer.hxx>
 #include <TopoDS_Compound.hxx>
 
 #include <utility>
@@ -44,6 +47,27 @@ TEST_F(OtherFormats, FacesOfIgesAreSewn) {
   }
   Interface_Static::SetIVal("write.iges.brep.mode", 0);
   EXPECT_EQ(read(folder_ / "box.igs").parts.at(0).color, "#ff0000");
+}
+
+TEST_F(OtherFormats, SurfacesOfIgesThatNobodyPutTogetherAreOnePart) {
+  // Roots that stand side by side: the faces of a box, and a plate apart.
+  Interface_Static::SetIVal("write.iges.brep.mode", 0);
+  IGESControl_Controller::Init();
+  IGESControl_Writer writer("MM", 0);
+  for (TopExp_Explorer it(test::boxes_in_a_row(2), TopAbs_FACE); it.More(); it.Next()) {
+    writer.AddShape(it.Current());
+  }
+  writer.ComputeModel();
+  const std::string file = folder_ / "faces.igs";
+  ASSERT_TRUE(writer.Write(file.c_str()));
+  const Scene scene = read(file);
+  ASSERT_EQ(scene.parts.size(), 1u);
+  EXPECT_EQ(scene.parts[0].name, "faces");
+  EXPECT_EQ(scene.parts[0].pieces.size(), 2u);
+  const FileInfo info = inspect(file);
+  EXPECT_EQ(info.total().faces, 12);
+  EXPECT_TRUE(info.total().closed());
+  EXPECT_NEAR(info.total().volume, 3, 1e-6);
 }
 
 TEST_F(OtherFormats, BrepIsReadAsTextAndBinary) {

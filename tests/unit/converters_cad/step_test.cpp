@@ -8,6 +8,7 @@
 #include <TopExp_Explorer.hxx>
 #include <TopoDS_Compound.hxx>
 
+#include <filesystem>
 #include <numbers>
 #include <set>
 
@@ -80,6 +81,25 @@ TEST_F(Step, NamesThatSayNothingAreReplaced) {
     CadDocument document;
     document.part(test::solid_box(1, 1, 1), name);
     EXPECT_EQ(read(document.step(folder_ / "lever.step")).parts.at(0).name, "lever") << name;
+  }
+}
+
+TEST_F(Step, ANumberDoesNotGoBeforeTheNameOfItsProduct) {
+  CadDocument document;
+  const TDF_Label part = document.part(test::solid_box(1, 1, 1), "QPARTQ");
+  const TDF_Label top = document.assembly("top");
+  document.use(top, part, test::moved(1, 0, 0), "QUSEQ");
+  const std::string file =
+      changed(document.step(folder_ / "plain.step"), "PRODUCT('QPARTQ','QPARTQ'",
+              "PRODUCT('4711-22','Cover plate'", "numbered.step");
+  for (const auto& [instance, name] :
+       {std::pair("4711-22", "Cover plate"), std::pair("4711-22.1", "Cover plate"),
+        std::pair("Next assembly relationship", "Cover plate"), std::pair("NAUO3", "Cover plate"),
+        std::pair("left cover", "left cover"), std::pair("4711-22 left", "4711-22 left")}) {
+    const Scene scene = read(changed(file, "QUSEQ", instance, "used.step"));
+    ASSERT_EQ(scene.parts.size(), 1u);
+    EXPECT_EQ(scene.parts[0].name, name) << instance;
+    EXPECT_EQ(scene.parts[0].definition, "Cover plate") << instance;
   }
 }
 
@@ -164,7 +184,7 @@ TEST_F(Step, ColoursOfInstancesSolidsAndFaces) {
   EXPECT_EQ(scene.parts[3].name, "used #4");
 }
 
-TEST_F(Step, SolidsShellsAndFacesArePartsOfTheirOwn) {
+TEST_F(Step, SolidsAndShellsOfOneProductAreOnePart) {
   BRep_Builder builder;
   TopoDS_Compound all;
   builder.MakeCompound(all);
@@ -176,14 +196,118 @@ TEST_F(Step, SolidsShellsAndFacesArePartsOfTheirOwn) {
   builder.Add(all, TopExp_Explorer(other, TopAbs_EDGE).Current());
   CadDocument document;
   document.part(all, "heap");
-  const FileInfo info = inspect(document.step(folder_ / "heap.step"));
-  ASSERT_EQ(info.parts.size(), 3u);
-  EXPECT_EQ(info.parts[0].solids, 1);
-  EXPECT_EQ(info.parts[0].faces, 6);
-  EXPECT_EQ(info.parts[1].faces, 1);
-  EXPECT_EQ(info.parts[2].solids, 0);
-  EXPECT_EQ(info.parts[2].faces, 6);
-  EXPECT_EQ(info.parts[1].name, "heap #2");
+  const std::string file = document.step(folder_ / "heap.step");
+  const FileInfo info = inspect(file);
+  ASSERT_EQ(info.parts.size(), 1u);
+  EXPECT_EQ(info.parts[0].solids, 2);
+  EXPECT_EQ(info.parts[0].shells, 3);
+  EXPECT_EQ(info.parts[0].faces, 13);
+  EXPECT_NEAR(info.parts[0].volume, 1 + 4.0 / 3 * std::numbers::pi + 1, 1e-6);
+  test::expect_box(info.parts[0].bounds, {0, -1, -1}, {6, 6, 1}, 1e-4);
+  const Scene scene = read(file);
+  ASSERT_EQ(scene.parts.size(), 1u);
+  ASSERT_EQ(scene.parts[0].pieces.size(), 3u);
+  EXPECT_EQ(scene.parts[0].pieces[0].name, "solid 1");
+  EXPECT_EQ(scene.parts[0].pieces[1].name, "solid 2");
+  EXPECT_EQ(scene.parts[0].pieces[2].name, "shell 1");
+  test::expect_box(scene.parts[0].pieces[1].form->bounds(Mat3(1)), {4, -1, -1}, {6, 1, 1}, 1e-4);
+}
+
+/// A product of three boxes, used twice.
+std::string two_rows(const std::string& file) {
+  CadDocument document;
+  const TDF_Label row = document.part(test::boxes_in_a_row(3), "row");
+  const TDF_Label top = document.assembly("top");
+  document.use(top, row, test::moved(0, 5, 0), "row");
+  document.use(top, row, test::moved(0, 50, 0) * test::turned(90), "row");
+  return document.step(file);
+}
+
+TEST_F(Step, InstancesOfAProductOfSolidsShareItsForm) {
+  const std::string file = two_rows(folder_ / "rows.step");
+  const Scene scene = read(file);
+  ASSERT_EQ(scene.parts.size(), 2u);
+  const Definition one = scene.parts[0].form->definition();
+  EXPECT_TRUE(one.same(scene.parts[1].form->definition()));
+  EXPECT_EQ(inspect(file).parts[1].same_shape_as, 0);
+  RunContext context;
+  const ShapeMeasure measure = scene.parts[0].form->measure(context);
+  EXPECT_NEAR(measure.area, 6 + 10 + 14, 1e-6);
+  EXPECT_NEAR(measure.volume, 1 + 2 + 3, 1e-6);
+  EXPECT_EQ(measure.faces, 18);
+  EXPECT_EQ(measure.edges, 36);
+  EXPECT_TRUE(measure.same(scene.parts[1].form->measure(context)));
+  test::expect_box(scene.parts[0].form->bounds(Mat3(1)), {0, 5, 0}, {23, 6, 1});
+  test::expect_box(scene.parts[1].form->bounds(Mat3(1)), {-1, 50, 0}, {0, 73, 1});
+}
+
+TEST_F(Step, FacesAndEdgesOfAProductOfSolidsAreNumberedThrough) {
+  const Scene scene = read(two_rows(folder_ / "rows.step"));
+  const auto numbers = [](const Form& form) {
+    RunContext context;
+    const std::shared_ptr<const Surface> surface = form.realise({}, context);
+    const ProxyMesh& proxy = surface->proxy();
+    std::set<std::int32_t> edges(proxy.source_edge.begin(), proxy.source_edge.end());
+    edges.erase(-1);
+    return std::pair(std::set(proxy.source_face.begin(), proxy.source_face.end()), edges);
+  };
+  const auto [faces, edges] = numbers(*scene.parts[0].form);
+  EXPECT_EQ(faces.size(), 18u);
+  EXPECT_EQ(*faces.begin(), 0);
+  EXPECT_EQ(*faces.rbegin(), 17);
+  EXPECT_EQ(edges.size(), 36u);
+  EXPECT_EQ(*edges.rbegin(), 35);
+  // A solid that is chosen alone keeps its numbers.
+  const auto [own, own_edges] = numbers(*scene.parts[1].pieces[1].form);
+  EXPECT_EQ(own, (std::set<std::int32_t>{6, 7, 8, 9, 10, 11}));
+  EXPECT_EQ(*own_edges.begin(), 12);
+  EXPECT_EQ(*own_edges.rbegin(), 23);
+}
+
+TEST_F(Step, SolidsOfAProductKeepTheirColours) {
+  CadDocument document;
+  const auto color_solids = [&](const TDF_Label& part, const Strings& colors) {
+    std::size_t i = 0;
+    for (TopExp_Explorer it(XCAFDoc_ShapeTool::GetShape(part), TopAbs_SOLID); it.More();
+         it.Next()) {
+      document.color(part, it.Current(), colors[i++]);
+    }
+  };
+  color_solids(document.part(test::boxes_in_a_row(2), "mixed"), {"#ff0000", "#00ff00"});
+  color_solids(document.part(test::boxes_in_a_row(3), "same"), {"#ff0000", "#ff0000", "#ff0000"});
+  document.part(test::boxes_in_a_row(4), "whole", "#0000ff");
+  const Scene scene = read(document.step(folder_ / "colours.step"));
+  ASSERT_EQ(scene.parts.size(), 3u);
+  EXPECT_EQ(scene.parts[0].color, "");
+  EXPECT_EQ(scene.parts[0].pieces.at(0).color, "#ff0000");
+  EXPECT_EQ(scene.parts[0].pieces.at(1).color, "#00ff00");
+  EXPECT_EQ(scene.parts[1].color, "#ff0000");
+  EXPECT_EQ(scene.parts[2].color, "#0000ff");
+}
+
+TEST_F(Step, TransparencyIsKept) {
+  CadDocument document;
+  document.color(document.part(test::solid_box(1, 1, 1), "glass"), "#c0e0ff", 0.25);
+  document.part(test::solid_box(1, 1, 2), "steel", "#808080");
+  const Scene scene = read(document.step(folder_ / "glass.step"));
+  ASSERT_EQ(scene.parts.size(), 2u);
+  EXPECT_NEAR(scene.parts[0].opacity, 0.25, 1e-6);
+  EXPECT_EQ(scene.parts[0].color, "#c0e0ff");
+  EXPECT_EQ(scene.parts[1].opacity, 1);
+}
+
+TEST_F(Step, AForeignBoardIsABoardAndFourChips) {
+  const std::string file = std::string(BURIN_TEST_DATA) + "/outside/product_of_solids.step";
+  if (!std::filesystem::exists(file)) GTEST_SKIP() << "no " << file;
+  const Scene scene = read(file);
+  ASSERT_EQ(scene.parts.size(), 5u);
+  EXPECT_EQ(scene.parts[0].name, "board");
+  EXPECT_TRUE(scene.parts[0].pieces.empty());
+  for (std::size_t i = 1; i < 5; ++i) {
+    EXPECT_EQ(scene.parts[i].definition, "chip");
+    EXPECT_EQ(scene.parts[i].pieces.size(), 7u);
+    EXPECT_TRUE(scene.parts[i].form->definition().same(scene.parts[1].form->definition()));
+  }
 }
 
 TEST_F(Step, InfoMeasuresTheExactSurfaces) {

@@ -84,6 +84,43 @@ TEST_F(FcstdTest, ColorsOfFreecad1ComeFromTheAppearanceOfTheShape) {
   EXPECT_EQ(scene.parts[3].color, "");
 }
 
+TEST_F(FcstdTest, TransparencyIsKeptAsOpacity) {
+  Document d;
+  for (const char* name : {"A", "B", "C", "D", "E"}) d.add_shape(name, located_box(kUnit, {}));
+  d.add("App::Link", "L", linked("A"));
+  d.view("A", text_property("Visibility", "true"));
+  d.view("B",
+         property("ShapeColor", "<PropertyColor value=\"65280\"/>") + integer("Transparency", 60));
+  const auto faces = [](const std::string& member) {
+    return integer("Transparency", 0) +
+           property("DiffuseColor", "<ColorList file=\"" + member + "\"/>");
+  };
+  // FreeCAD's alpha is transparency; a face that hides what is behind makes a part that does.
+  d.view("C", faces("Even"));
+  d.view("D", faces("Uneven"));
+  d.view("E", property("ShapeAppearance", "<MaterialList file=\"Materials\"/>"));
+  d.view("L", text_property("OverrideMaterial", "true") +
+                  property("ShapeMaterial",
+                           "<PropertyMaterial diffuseColor=\"65280\" transparency=\"0.75\"/>"));
+  d.members.emplace_back("Even", colors({0x12345680, 0x12345680}));
+  d.members.emplace_back("Uneven", colors({0x12345680, 0x12345600}));
+  std::string materials;
+  put(materials, std::uint32_t{1});
+  for (const std::uint32_t p : {0x55555500U, 0x11223300U, 0x88888800U, 0U, 0x3f666666U})
+    put(materials, p);
+  put(materials, 0.5F);
+  d.members.emplace_back("Materials", materials);
+  const Scene scene = read(d);
+  ASSERT_EQ(scene.parts.size(), 6u);
+  EXPECT_EQ(scene.parts[0].opacity, 1);
+  EXPECT_NEAR(scene.parts[1].opacity, 0.4, 1e-12);
+  EXPECT_NEAR(scene.parts[2].opacity, 1 - 128.0 / 255, 1e-12);
+  EXPECT_EQ(scene.parts[3].opacity, 1);
+  EXPECT_EQ(scene.parts[4].opacity, 0.5);
+  EXPECT_EQ(scene.parts[4].color, "#112233");
+  EXPECT_EQ(scene.parts[5].opacity, 0.25);
+}
+
 TEST_F(FcstdTest, DatumPlanesInAssembliesAreNoParts) {
   Document d;
   d.add_shape("Box", located_box(kUnit, {}));

@@ -15,7 +15,9 @@ TEST_F(FcstdTest, ShapesKeepLabelPlaceAndVisibility) {
   const Scene scene = read(d);
   ASSERT_EQ(paths(scene), Paths{"A & B"});
   expect_box(scene.parts[0], {10, 20, 30}, {11, 22, 33});
-  EXPECT_TRUE(scene.diagnostics.empty());
+  ASSERT_EQ(scene.diagnostics.entries().size(), 1u);
+  EXPECT_TRUE(has(scene, "fcstd.aids", "'Sketch'"));
+  EXPECT_EQ(scene.diagnostics.entries().front().severity, Severity::Info);
 }
 
 TEST_F(FcstdTest, PartsPlaceTheirMembersAndGroupsDoNot) {
@@ -71,11 +73,24 @@ TEST_F(FcstdTest, LinksStandWhereTheySay) {
         linked("Box") +
             property("ScaleVector", "<PropertyVector valueX=\"2\" valueY=\"1\" valueZ=\"1\"/>"));
   const Scene scene = read(d);
-  ASSERT_EQ(paths(scene), (Paths{"Plain", "With", "Big"}));
+  ASSERT_EQ(paths(scene), (Paths{"Plain", "With", "Big", "Uneven"}));
   expect_box(scene.parts[0], {0, 0, 100}, {1, 2, 103});
   expect_box(scene.parts[1], {10, 0, 200}, {11, 2, 203});
   expect_box(scene.parts[2], {0, 0, 0}, {2, 4, 6});
-  EXPECT_TRUE(has(scene, "fcstd.broken_shape", "Uneven"));
+  expect_box(scene.parts[3], {0, 0, 0}, {2, 2, 3});
+  RunContext context;
+  const FileInfo info = inspect_fcstd(folder_ / "a.FCStd", {}, context);
+  EXPECT_NEAR(info.parts[3].volume, 12, 1e-9);
+  EXPECT_NEAR(info.parts[3].area, 2 * (4 + 6 + 6), 1e-9);
+}
+
+TEST_F(FcstdTest, LinksThatFlattenAreLeftOutByName) {
+  Document d;
+  d.add_shape("Box", located_box(kUnit, {}));
+  d.add("App::Link", "Flat", linked("Box") + scaled({1, 1, 0}));
+  const Scene scene = read(d);
+  EXPECT_EQ(paths(scene), Paths{"Box"});
+  EXPECT_TRUE(has(scene, "fcstd.broken_shape", "Flat"));
 }
 
 TEST_F(FcstdTest, LinksToPartsTakeTheirNameAndLeaveTheirPlace) {

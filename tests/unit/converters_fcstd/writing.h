@@ -4,12 +4,17 @@
 #include <burin/base/error.h>
 #include <burin/converters/fcstd_reader.h>
 
+#include <BRepBuilderAPI_MakeEdge.hxx>
+#include <BRepBuilderAPI_Transform.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepTools.hxx>
+#include <BRep_Builder.hxx>
+#include <TopoDS_Compound.hxx>
 #include <TopoDS_Shape.hxx>
 #include <burin_test/command.h>
 #include <burin_test/shapes.h>
 #include <fmt/format.h>
+#include <gp_Ax2.hxx>
 #include <gp_Trsf.hxx>
 #include <gp_Vec.hxx>
 #include <gtest/gtest.h>
@@ -89,13 +94,47 @@ inline std::string linked(const std::string& object, const std::string& file = "
                               sub.empty() ? "" : "sub=\"" + sub + "\""));
 }
 
+inline std::string label(const std::string& text) { return text_property("Label", text); }
+inline std::string link_property(const std::string& name, const std::string& to) {
+  return property(name, "<Link value=\"" + to + "\"/>");
+}
+inline std::string integer(const std::string& name, int value) {
+  return property(name, fmt::format("<Integer value=\"{}\"/>", value));
+}
+inline std::string proxy(const std::string& module, const std::string& name) {
+  return property("Proxy",
+                  fmt::format("<Python value=\"x\" module=\"{}\" class=\"{}\"/>", module, name));
+}
+inline std::string scaled(Vec3 s) {
+  return property(
+      "ScaleVector",
+      fmt::format("<PropertyVector valueX=\"{}\" valueY=\"{}\" valueZ=\"{}\"/>", s.x, s.y, s.z));
+}
+/// A member with places that differ by their offsets.
+inline std::string place_list(const std::vector<Vec3>& offsets) {
+  std::string list;
+  put(list, static_cast<std::uint32_t>(offsets.size()));
+  for (const Vec3& p : offsets) {
+    for (const double v : {p.x, p.y, p.z, 0.0, 0.0, 0.0, 1.0}) put(list, v);
+  }
+  return list;
+}
+
 /// A document under construction.
 class Document {
  public:
-  void add(const std::string& type, const std::string& name, const std::string& properties = "") {
+  /// `extension` is one that a Python object has been given: "App::LinkExtensionPython".
+  void add(const std::string& type, const std::string& name, const std::string& properties = "",
+           const std::string& extension = "") {
     objects_ += fmt::format("<Object type=\"{}\" name=\"{}\" id=\"1\"/>\n", type, name);
-    data_ += fmt::format("<Object name=\"{}\"><Properties Count=\"1\">{}</Properties></Object>\n",
-                         name, properties);
+    const std::string extensions = extension.empty()
+                                       ? ""
+                                       : fmt::format(
+                                             "<Extensions Count=\"1\"><Extension type=\"{}\" "
+                                             "name=\"x\"></Extension></Extensions>",
+                                             extension);
+    data_ += fmt::format("<Object name=\"{}\">{}<Properties Count=\"1\">{}</Properties></Object>\n",
+                         name, extensions, properties);
   }
   void add_shape(const std::string& name, const TopoDS_Shape& shape,
                  const std::string& properties = "", const std::string& type = "Part::Feature") {
@@ -190,6 +229,12 @@ inline bool has(const Scene& scene, const std::string& code, const std::string& 
     if (d.code == code && d.message.find(words) != std::string::npos) return true;
   }
   return false;
+}
+/// What each part is an instance of.
+inline std::vector<std::string> definitions(const Scene& scene) {
+  std::vector<std::string> out;
+  for (const Part& part : scene.parts) out.push_back(part.definition);
+  return out;
 }
 inline bool holds(const std::string& text, const std::string& part) {
   return text.find(part) != std::string::npos;

@@ -69,6 +69,26 @@ TEST(IritTrivariate, ABallOfItsLevel) {
               8 - std::acos(-1.0) / 6, 1e-2);
 }
 
+TEST(IritTrivariate, AnInstanceIsStretched) {
+  // Points are rows to the left of the matrix: x doubled, z slanted over x and mirrored, moved.
+  const test::TempFile file(
+      "a.itd", bowl() + "[OBJECT B [INSTANCE BOWL 2 0 0 0  0 1 0 0  0.5 0 -1 0  10 0 0 1]]\n");
+  RunContext context;
+  IritReadOptions options;
+  options.level = 0.25;
+  const Scene scene = read_irit(file.path(), context, options);
+  ASSERT_EQ(scene.parts.size(), 2u);
+  EXPECT_TRUE(scene.diagnostics.empty());
+  const auto surface = scene.parts[1].form->realise({.tolerance = 1e-3}, context);
+  for (const Vec3& p : surface->proxy().mesh.positions) {
+    const Vec3 back((p.x - 10 + 0.5 * p.z) / 2, p.y, -p.z);
+    EXPECT_NEAR(glm::distance(back, Vec3(1)), 0.5, 1e-9);
+  }
+  const FileInfo info = inspect_irit(file.path(), context, options);
+  EXPECT_NEAR(info.parts.at(1).volume, 2 * std::acos(-1.0) / 6, 2e-3);
+  EXPECT_FALSE(info.parts.at(1).triangles.has_value());
+}
+
 TEST(IritTrivariate, Errors) {
   test::expect_error("\n" + kPlane, 2, "level");
   test::expect_error("[OBJECT A [TRIVAR BEZIER 2 2 2 E1 [0] [1] [2]]]", 1, "8 control points");

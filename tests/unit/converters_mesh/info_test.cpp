@@ -9,7 +9,7 @@ namespace {
 
 FileInfo inspect(const std::string& bytes, const std::string& name) {
   const test::TempFile file(name, bytes);
-  const RunContext context;
+  RunContext context;
   return inspect_mesh(file.path(), context);
 }
 
@@ -29,6 +29,38 @@ TEST(Info, MeasuresABox) {
   EXPECT_EQ(p.bounds.min, Vec3(1, 2, 3));
   EXPECT_EQ(p.bounds.max, Vec3(3, 5, 7));
   EXPECT_TRUE(info.diagnostics.empty());
+}
+
+TEST(Info, InstancesShareAShape) {
+  std::string model = test::zipped(
+      {{"3D/3dmodel.model",
+        "<model unit=\"millimeter\"><resources><basematerials id=\"9\"><base "
+        "displaycolor=\"#ff000080\"/></basematerials><object id=\"1\" name=\"wedge\" pid=\"9\" "
+        "pindex=\"0\"><mesh><vertices><vertex x=\"0\" y=\"0\" z=\"0\"/><vertex x=\"1\" y=\"0\" "
+        "z=\"0\"/><vertex x=\"0\" y=\"1\" z=\"0\"/><vertex x=\"0\" y=\"0\" z=\"1\"/></vertices>"
+        "<triangles><triangle v1=\"0\" v2=\"2\" v3=\"1\"/><triangle v1=\"0\" v2=\"1\" v3=\"3\"/>"
+        "<triangle v1=\"0\" v2=\"3\" v3=\"2\"/><triangle v1=\"1\" v2=\"2\" v3=\"3\"/></triangles>"
+        "</mesh></object></resources><build><item objectid=\"1\" transform=\"1 0 0 0 1 0 0 0 1 7 0 "
+        "0\"/><item objectid=\"1\" transform=\"0 2 0 -2 0 0 0 0 2 9 0 0\"/></build></model>"}});
+  const FileInfo info = inspect(model, "a.3mf");
+  ASSERT_EQ(info.parts.size(), 2u);
+  const PartInfo &one = info.parts[0], &two = info.parts[1];
+  EXPECT_EQ(one.triangles, 4);
+  EXPECT_EQ(one.vertices, 4);
+  EXPECT_EQ(one.faces, 4);
+  EXPECT_EQ(one.same_shape_as, -1);
+  EXPECT_EQ(two.same_shape_as, 0);
+  EXPECT_NEAR(one.volume, 1.0 / 6, 1e-12);
+  EXPECT_NEAR(two.volume, 8.0 / 6, 1e-12);
+  EXPECT_NEAR(two.area, 4 * one.area, 1e-12);
+  EXPECT_NEAR(one.bounds.min.x, 7, 1e-12);
+  EXPECT_NEAR(two.bounds.min.x, 7, 1e-12);
+  EXPECT_NEAR(two.bounds.max.z, 2, 1e-12);
+  EXPECT_EQ(two.color, "#ff0000");
+  EXPECT_NEAR(two.opacity, 128 / 255.0, 1e-12);
+  const auto json = nlohmann::json::parse(to_json({&info, 1}));
+  EXPECT_NEAR(json["files"][0]["parts"][1]["opacity"].get<double>(), 128 / 255.0, 1e-12);
+  EXPECT_NE(to_text(info).find("#ff0000, opacity 0.502"), std::string::npos) << to_text(info);
 }
 
 TEST(Info, CountsCrossingTriangles) {

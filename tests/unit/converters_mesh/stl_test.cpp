@@ -1,6 +1,8 @@
 #include "reading.h"
 
 #include <cmath>
+#include <utility>
+#include <vector>
 
 namespace burin {
 namespace {
@@ -51,7 +53,20 @@ TEST(StlBinary, FalseCountsAreRefused) {
   expect_error(bytes, "a.stl", 0,
                "at byte 80: the binary STL claims 4294967280 triangles, its bytes hold 768");
   bytes.replace(80, 4, test::raw(std::uint32_t{0}));
-  expect_error(bytes, "a.stl", 0, "at byte 80: the binary STL holds no triangles");
+  expect_error(bytes.substr(0, 84), "a.stl", 0, "at byte 80: the binary STL holds no triangles");
+}
+
+TEST(StlBinary, ACountOfZeroIsThatOfTheBytes) {
+  std::string bytes = test::stl_binary(kTorus);
+  bytes.replace(80, 4, test::raw(std::uint32_t{0}));
+  for (const char* name : {"a.stl", "noname"}) {
+    const MeshFile file = read_bytes(bytes, name);
+    EXPECT_EQ(file.format, "STL (binary)");
+    EXPECT_EQ(file.objects.at(0).polygon_count(), kTorus.triangles.size());
+    EXPECT_EQ(test::count_of(file.diagnostics, "stl.zero_count"), 1);
+  }
+  EXPECT_EQ(read_bytes(bytes + "xy", "a.stl").objects.at(0).polygon_count(),
+            kTorus.triangles.size());
 }
 
 TEST(StlBinary, TruncatedFilesAreRefused) {
@@ -92,6 +107,16 @@ TEST(StlAscii, SolidsArePartsByName) {
   EXPECT_DOUBLE_EQ(scene.parts[0].form->bounds(Mat3(1)).max.x, 10);
 }
 
+TEST(StlAscii, NamesThatProgramsMakeUpSayNothing) {
+  for (const char* name : {"OpenSCAD_Model", "vcg", "Exported from Blender-3.6.2", "Default"}) {
+    EXPECT_EQ(read_bytes(test::stl_ascii(kTorus, name), "a.stl").objects.at(0).name, "") << name;
+  }
+  EXPECT_EQ(test::read_scene(test::stl_ascii(kTorus, "vcg"), "foot.stl").parts.at(0).name, "foot");
+  const std::string two =
+      test::stl_ascii(kTorus, "Mesh") + test::stl_ascii(test::box({9, 9, 9}, {10, 10, 10}), "lid");
+  EXPECT_EQ(read_bytes(two, "a.stl").objects.at(0).name, "Mesh");
+}
+
 TEST(StlAscii, PatchesOfOneSurfaceAreOnePart) {
   TriMesh lid = test::box({0, 0, 0}, {1, 1, 1}), rest = lid;
   rest.triangles.assign(lid.triangles.begin() + 2, lid.triangles.end());
@@ -122,6 +147,43 @@ TEST(StlAscii, TakesCaseLineEndsAndLayoutAsTheyCome) {
       "endfacet ENDSOLID";
   const MeshFile file = read_bytes(loud, "a.stl");
   EXPECT_EQ(file.objects.at(0).offsets, (std::vector<std::size_t>{0, 3, 7}));
+}
+
+/// The text with every `from` as `to`.
+std::string replaced(std::string text, const std::string& from, const std::string& to) {
+  for (std::size_t at = text.find(from); at != std::string::npos; at = text.find(from, at)) {
+    text.replace(at, from.size(), to);
+    at += to.size();
+  }
+  return text;
+}
+
+TEST(StlAscii, WordsMayBePartedOrGlued) {
+  const std::string bytes = test::stl_ascii(kTorus, "ring") + test::stl_ascii(kTorus, "disc");
+  const std::vector<std::pair<std::string, std::string>> dialects = {
+      {"endsolid", "end solid"},       {"endloop", "end loop"},     {"endfacet", "END  Facet"},
+      {"facet normal", "facetnormal"}, {"outer loop", "outerloop"}, {"vertex ", "vertex"},
+      {"outer loop", "Outer\tLoop"}};
+  for (const auto& [from, to] : dialects) {
+    const MeshFile file = read_bytes(replaced(bytes, from, to), "a.stl");
+    ASSERT_EQ(file.objects.size(), 2u) << to;
+    EXPECT_EQ(file.objects[0].name, "ring") << to;
+    EXPECT_EQ(file.objects[1].name, "disc") << to;
+    EXPECT_EQ(file.objects[0].polygon_count(), kTorus.triangles.size()) << to;
+    EXPECT_EQ(file.objects[1].polygon_count(), kTorus.triangles.size()) << to;
+    EXPECT_TRUE(file.diagnostics.empty()) << to;
+  }
+  std::string glued = bytes;
+  for (const auto& [from, to] : {dialects[3], dialects[4]}) glued = replaced(glued, from, to);
+  EXPECT_EQ(read_bytes(glued, "noname").objects.size(), 2u);
+}
+
+TEST(StlAscii, AByteOrderMarkIsNoWord) {
+  const std::string bytes = "\xef\xbb\xbf" + test::stl_ascii(kTorus, "ring");
+  for (const char* name : {"a.stl", "noname"}) {
+    EXPECT_EQ(read_bytes(bytes, name).objects.at(0).name, "ring");
+  }
+  expect_error("\xef\xbb\xbfsolid a\nfacets\n", "a.stl", 2, "'facets' is no word");
 }
 
 TEST(StlAscii, ErrorsNameTheLine) {

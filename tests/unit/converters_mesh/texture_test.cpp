@@ -115,9 +115,9 @@ std::string threemf(const std::string& triangles, const std::string& object = ""
 
 TEST(Texture, OfThreeMfIsThatOfItsGroup) {
   const std::string corners = "<triangle v1=\"0\" v2=\"1\" v3=\"2\"";
-  // Turned over, as its item is.
+  // As it is written; the item turns it over.
   EXPECT_EQ(texture(threemf(corners + " pid=\"5\" p1=\"0\" p2=\"1\" p3=\"2\"/>"), "a.3mf"),
-            (Points{{0, 1}, {1, 0}, {0.5, 0.25}}));
+            (Points{{0, 1}, {0.5, 0.25}, {1, 0}}));
   EXPECT_EQ(texture(threemf(corners + " pid=\"5\" p1=\"1\"/>"), "a.3mf"), (Points(3, {0.5, 0.25})));
   EXPECT_EQ(texture(threemf(corners + "/>", " pid=\"5\" pindex=\"2\""), "a.3mf"),
             (Points(3, {1, 0})));

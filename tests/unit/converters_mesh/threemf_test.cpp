@@ -108,17 +108,176 @@ TEST(ThreeMf, ComponentsAndItemsAreMoved) {
 }
 
 TEST(ThreeMf, MirroredItemsStayRightSideOut) {
-  const MeshFile file = test::read_bytes(
+  const auto objects = placed_objects(test::read_bytes(
       archive(model(object(1, "", mesh(kBox)),
                     "<item objectid=\"1\" transform=\"-1 0 0 0 1 0 0 0 1 0 0 0\"/>")),
-      "a.3mf");
+      "a.3mf"));
   TriMesh m;
-  m.positions = file.objects.at(0).positions;
-  for (std::size_t i = 0; i < file.objects[0].indices.size(); i += 3) {
-    const auto* c = &file.objects[0].indices[i];
+  m.positions = objects.at(0).positions;
+  for (std::size_t i = 0; i < objects[0].indices.size(); i += 3) {
+    const auto* c = &objects[0].indices[i];
     m.triangles.push_back({c[0], c[1], c[2]});
   }
   EXPECT_NEAR(test::numbers(m).volume, 6, 1e-12);
+}
+
+TEST(ThreeMf, UsesOfOneObjectShareAForm) {
+  const std::string six_digits = "0.866025 0.5 0 -0.5 0.866025 0 0 0 1 50 0 0";
+  const std::string sheared = "1 0 0 0.5 1 0 0 0 2 0 50 0";
+  const Scene scene = test::read_scene(
+      archive(model(object(1, "foot", mesh(kBox)),
+                    "<item objectid=\"1\"/><item objectid=\"1\" transform=\"" + six_digits +
+                        "\"/><item objectid=\"1\" transform=\"" + sheared +
+                        "\"/><item objectid=\"1\" transform=\"-1 0 0 0 1 0 0 0 1 0 0 9\"/>")),
+      "a.3mf");
+  ASSERT_EQ(scene.parts.size(), 4u);
+  const auto shape = [&](std::size_t i) { return scene.parts[i].form->definition().shape; };
+  EXPECT_EQ(shape(0), shape(1));
+  EXPECT_TRUE(scene.parts[0].form->definition().same(scene.parts[1].form->definition()));
+  EXPECT_FALSE(scene.parts[0].form->definition().same(scene.parts[2].form->definition()));
+  expect_box(bounds(scene, 2), {0, 50, 0}, {2, 52, 6});
+  expect_box(bounds(scene, 3), {-1, 0, 9}, {0, 2, 12});
+  RunContext context;
+  EXPECT_NEAR(scene.parts[2].form->measure(context).volume, 12, 1e-9);
+}
+
+TEST(ThreeMf, ColoursOfMaterialsAndColourGroups) {
+  const std::string groups =
+      "<basematerials id=\"5\"><base name=\"red\" displaycolor=\"#FF0000FF\"/><base name=\"g\" "
+      "displaycolor=\"#0000fF40\"/></basematerials><m:colorgroup id=\"6\" "
+      "xmlns:m=\"http://schemas.microsoft.com/3dmanufacturing/material/2015/02\"><m:color "
+      "color=\"#00FF00\"/><m:color color=\"#00FE00\"/></m:colorgroup>";
+  const auto of = [](int id, const std::string& properties, std::string m) {
+    for (std::size_t at = m.find(" pid=\"1\""); at != std::string::npos;
+         at = m.find(" pid=\"1\"")) {
+      m.erase(at, 8);
+    }
+    std::string text = object(id, fmt::format("o{}", id), m);
+    return text.replace(text.find("<object") + 7, 0, " " + properties);
+  };
+  std::string two = mesh(kBox), even = mesh(kBox);
+  two.replace(two.find("pid=\"1\""), 7, "pid=\"6\" p1=\"0\" p2=\"1\" p3=\"0\"");
+  for (std::size_t at = even.find("pid=\"1\""); at != std::string::npos;
+       at = even.find("pid=\"1\"")) {
+    even.replace(at, 7, "pid=\"6\" p1=\"1\"");
+  }
+  const Scene scene = test::read_scene(
+      archive(model(groups + of(1, "pid=\"5\" pindex=\"0\"", mesh(kBox)) +
+                        of(2, "pid=\"5\" pindex=\"1\"", mesh(kBox)) +
+                        of(3, "pid=\"6\" pindex=\"0\"", two) +
+                        of(4, "pid=\"5\" pindex=\"0\"", even) + of(7, "", mesh(kBox)),
+                    "<item objectid=\"1\"/><item objectid=\"2\"/><item objectid=\"3\"/>"
+                    "<item objectid=\"4\"/><item objectid=\"7\"/>")),
+      "a.3mf");
+  ASSERT_EQ(scene.parts.size(), 5u);
+  const std::vector<std::string> colors = {"#ff0000", "#0000ff", "", "#00fe00", ""};
+  for (std::size_t i = 0; i < colors.size(); ++i) EXPECT_EQ(scene.parts[i].color, colors[i]) << i;
+  EXPECT_EQ(scene.parts[0].opacity, 1);
+  EXPECT_NEAR(scene.parts[1].opacity, 64 / 255.0, 1e-12);
+  EXPECT_EQ(test::count_of(scene.diagnostics, "mesh.several_colors"), 1);
+}
+
+TEST(ThreeMf, SupportsAreLeftOutAndTold) {
+  std::string support = object(2, "brace", mesh(kBox)), other = object(3, "tool", mesh(kBox));
+  support.replace(support.find("type=\"model\""), 12, "type=\"support\"");
+  other.replace(other.find("type=\"model\""), 12, "type=\"other\"");
+  const std::string items = "<item objectid=\"1\"/><item objectid=\"2\"/><item objectid=\"3\"/>";
+  const std::string objects = object(1, "a", mesh(kBox)) + support + other;
+  for (const std::string& build : {items, std::string()}) {
+    const Scene scene = test::read_scene(archive(model(objects, build)), "a.3mf");
+    ASSERT_EQ(scene.parts.size(), 1u);
+    EXPECT_EQ(scene.parts[0].name, "a");
+    EXPECT_EQ(test::count_of(scene.diagnostics, "3mf.supports"), 2);
+  }
+  test::expect_error(archive(model(support, "<item objectid=\"2\"/>")), "a.3mf", 0,
+                     "holds support objects alone");
+}
+
+/// What Bambu Studio writes: objects without names, and names in its settings.
+std::string sliced(const std::string& parts, const std::string& components) {
+  const std::string config =
+      "<?xml version=\"1.0\"?><config><object id=\"2\"><metadata key=\"name\" value=\"Foot "
+      "left\"/><metadata key=\"extruder\" value=\"2\"/>" +
+      parts + "</object></config>";
+  const std::string root =
+      "<object id=\"2\" type=\"model\"><components>" + components + "</components></object>";
+  const std::string other = "<object id=\"1\" type=\"model\">" + mesh(kBox) +
+                            "</object><object id=\"3\" type=\"model\">" + mesh(kBox) + "</object>";
+  return zipped({{"_rels/.rels", kRelationships},
+                 {"3D/here.model", model(root, "<item objectid=\"2\"/>")},
+                 {"3D/Objects/o.model", model(other, "")},
+                 {"Metadata/model_settings.config", config},
+                 {"Metadata/project_settings.config",
+                  "{\"filament_colour\": [\"#101010\", \"#20A0FFFF\"]}"}});
+}
+
+std::string component(int id) {
+  return fmt::format("<component p:path=\"/3D/Objects/o.model\" objectid=\"{}\"/>", id);
+}
+
+std::string settings_of(int id, const std::string& name, const std::string& kind) {
+  return fmt::format("<part id=\"{}\" subtype=\"{}\"><metadata key=\"name\" value=\"{}\"/></part>",
+                     id, kind, name);
+}
+
+TEST(ThreeMf, NamesThatSlicersKeep) {
+  const Scene one =
+      test::read_scene(sliced(settings_of(1, "foot.stl", "normal_part"), component(1)), "a.3mf");
+  ASSERT_EQ(one.parts.size(), 1u);
+  EXPECT_EQ(one.parts[0].name, "Foot left");
+  EXPECT_TRUE(one.parts[0].assembly.empty());
+  EXPECT_EQ(one.parts[0].color, "#20a0ff");
+
+  const Scene two = test::read_scene(
+      sliced(settings_of(1, "Body", "normal_part") + settings_of(3, "Pad", "normal_part"),
+             component(1) + component(3)),
+      "a.3mf");
+  ASSERT_EQ(two.parts.size(), 2u);
+  EXPECT_EQ(two.parts[0].name, "Body");
+  EXPECT_EQ(two.parts[1].name, "Pad");
+  EXPECT_EQ(two.parts[1].assembly, std::vector<std::string>{"Foot left"});
+
+  const Scene modified = test::read_scene(
+      sliced(settings_of(1, "Body", "normal_part") + settings_of(3, "Hole", "negative_part"),
+             component(1) + component(3)),
+      "a.3mf");
+  ASSERT_EQ(modified.parts.size(), 1u);
+  EXPECT_EQ(modified.parts[0].name, "Foot left");
+  EXPECT_EQ(test::count_of(modified.diagnostics, "3mf.modifiers"), 1);
+}
+
+TEST(ThreeMf, VolumesOfPrusaSlicer) {
+  TriMesh both = kBox;
+  const TriMesh pad = test::box({5, 0, 0}, {6, 1, 1});
+  for (const Triangle& t : pad.triangles) {
+    both.triangles.push_back({t[0] + 8, t[1] + 8, t[2] + 8});
+  }
+  both.positions.insert(both.positions.end(), pad.positions.begin(), pad.positions.end());
+  const auto read = [&](const std::string& type) {
+    const std::string config =
+        "<config><object id=\"1\"><metadata type=\"object\" key=\"name\" value=\"Tray\"/><volume "
+        "firstid=\"0\" lastid=\"11\"><metadata key=\"name\" value=\"Base\"/></volume><volume "
+        "firstid=\"12\" lastid=\"23\"><metadata key=\"name\" value=\"Lid\"/><metadata "
+        "key=\"volume_type\" value=\"" +
+        type + "\"/></volume></object></config>";
+    return test::read_scene(
+        zipped({{"_rels/.rels", kRelationships},
+                {"3D/here.model", model(object(1, "", mesh(both)), "<item objectid=\"1\"/>")},
+                {"Metadata/Slic3r_PE_model.config", config}}),
+        "a.3mf");
+  };
+  const Scene parts = read("ModelPart");
+  ASSERT_EQ(parts.parts.size(), 2u);
+  EXPECT_EQ(parts.parts[0].name, "Base");
+  EXPECT_EQ(parts.parts[1].name, "Lid");
+  EXPECT_EQ(parts.parts[1].assembly, std::vector<std::string>{"Tray"});
+  expect_box(bounds(parts, 0), {0, 0, 0}, {1, 2, 3});
+  expect_box(bounds(parts, 1), {5, 0, 0}, {6, 1, 1});
+  const Scene blocked = read("SupportBlocker");
+  ASSERT_EQ(blocked.parts.size(), 1u);
+  EXPECT_EQ(blocked.parts[0].name, "Tray");
+  expect_box(bounds(blocked, 0), {0, 0, 0}, {1, 2, 3});
+  EXPECT_EQ(test::count_of(blocked.diagnostics, "3mf.modifiers"), 1);
 }
 
 TEST(ThreeMf, ObjectsOfOtherModelParts) {

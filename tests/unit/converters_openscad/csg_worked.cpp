@@ -40,6 +40,7 @@ Worked work_out(const std::string& text, std::uint32_t node, const std::filesyst
   Worked out;
   out.solid = evaluate(e, nodes, [](double) {})[0];
   out.diagnostics = e.diagnostics;
+  out.cuts = e.cuts;
   return out;
 }
 

@@ -14,6 +14,8 @@ namespace burin::csg::test {
 struct Worked {
   Solid solid;
   Diagnostics diagnostics;
+  /// Groups of solids that touch which were cut.
+  std::size_t cuts = 0;
   bool told(const std::string& code) const;
 };
 

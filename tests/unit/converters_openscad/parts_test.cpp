@@ -5,6 +5,7 @@
 #include <burin/base/error.h>
 
 #include "marks.h"
+#include "wishes.h"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -20,12 +21,16 @@ struct Found {
   csg::Tree tree;
   TreeParts parts;
   Diagnostics diagnostics;
+  std::string settings;
 
   explicit Found(const std::string& text, std::string_view program = "") {
     RunContext context;
     tree = csg::parse(text, "a.csg", context);
     parts = parts_of(tree, program, "a", diagnostics);
+    settings = asked(std::vector<bool>(parts.parts.size(), true));
   }
+  /// What is asked of the drawing where something came of these parts.
+  std::string asked(const std::vector<bool>& made) { return settings_of(parts, made, diagnostics); }
   std::vector<std::string> names() const {
     std::vector<std::string> out;
     for (const TreePart& p : parts.parts) out.push_back(p.name);
@@ -65,7 +70,7 @@ TEST(TreeParts, ObjectsAtTheTopAreParts) {
   // Where one stands is parted from what it is, so that equal ones are told to be.
   EXPECT_EQ(found.text(0), found.text(1));
   EXPECT_EQ(found.parts.parts[0].pieces[0].at.row[0][3], 9);
-  EXPECT_TRUE(found.parts.settings.empty());
+  EXPECT_TRUE(found.settings.empty());
 }
 
 TEST(TreeParts, ObjectsWithoutANameHaveThatOfTheFile) {
@@ -95,7 +100,7 @@ TEST(TreeParts, ModifiersShowThingsOfTheirOwn) {
   EXPECT_EQ(found.names(), (Names{"a (background)", "a", "a (highlighted)"}));
   EXPECT_EQ(found.text(2), "cylinder(h = 3);");
   EXPECT_EQ(found.parts.parts[2].pieces[0].at.row[0][3], 9);
-  const Json settings = Json::parse(found.parts.settings);
+  const Json settings = Json::parse(found.settings);
   ASSERT_EQ(settings["looks"].size(), 2U);
   EXPECT_EQ(settings["looks"][0]["select"], "a (background)");
   EXPECT_EQ(settings["looks"][0]["transparent"], true);
@@ -114,7 +119,7 @@ TEST(TreeParts, MarksNameMoveAndNumberParts) {
       kMoved + "{ " + call("ink", said("woodcut"), 1, call("callout", said(4.), 1, "cylinder();")) +
       "}");
   EXPECT_EQ(found.names(), (Names{"lid-1", "pin", "a"}));
-  const Json s = Json::parse(found.parts.settings);
+  const Json s = Json::parse(found.settings);
   EXPECT_EQ(s["view"]["from"], "front");
   EXPECT_EQ(s["explode"]["steps"],
             Json::parse(R"([{"move": ["lid-1", "pin"], "along": [0, 0, 30], "by": 30}])"));
@@ -127,7 +132,53 @@ TEST(TreeParts, MarksNameMoveAndNumberParts) {
 TEST(TreeParts, AModuleOfNothingButMarksIsNoPart) {
   const Found found("group() { " + call("view", said("top"), 1, "") + "}\ncube();");
   EXPECT_EQ(found.names(), Names{"a"});
-  EXPECT_EQ(Json::parse(found.parts.settings)["view"]["from"], "top");
+  EXPECT_EQ(Json::parse(found.settings)["view"]["from"], "top");
+}
+
+TEST(TreeParts, NothingIsAskedOfPartsOfWhichNothingCame) {
+  Found found(
+      call("explode", point(4, 3) + said(0.) + said(0.) + said(30.), 1,
+           call("part", said("lid"), 1, "cube();") + call("part", said("pin"), 1, "sphere();")) +
+      "#cube();");
+  ASSERT_EQ(found.names(), (Names{"lid", "pin", "a (highlighted)"}));
+  const Json s = Json::parse(found.asked({false, true, false}));
+  EXPECT_EQ(s["explode"]["steps"][0]["move"], Json::parse(R"(["pin"])"));
+  EXPECT_FALSE(s.contains("looks")) << s;
+  EXPECT_EQ(found.asked({false, false, false}), "");
+}
+
+TEST(TreeParts, AlphaIsWhatCoversLittle) {
+  const Found found(
+      "color([1, 0, 0, 0.25]) { cube(); }\ncolor([-1, -1, -1, 0.5]) { sphere(); }\n"
+      "color([-1, -1, -1, 0.5]) { color([0, 0, 1, 1]) { sphere(); } }\n"
+      "difference() { color([0, 0, 1, 0.75]) { cube(); } sphere(); }\n"
+      "group() { color([1, 0, 0, 1]) { cube(); } color([1, 0, 0, 0.5]) { sphere(); } }");
+  ASSERT_EQ(found.parts.parts.size(), 6U);
+  const auto opacity = [&](std::size_t i) { return found.parts.parts[i].opacity; };
+  EXPECT_EQ(opacity(0), 0.25);
+  EXPECT_EQ(opacity(1), 0.5);  // the colour that nobody gave
+  EXPECT_EQ(found.parts.parts[1].color, "");
+  EXPECT_EQ(opacity(2), 1);
+  EXPECT_EQ(opacity(3), 0.75);
+  EXPECT_EQ(opacity(4), 1);
+  EXPECT_EQ(opacity(5), 0.5);
+}
+
+TEST(TreeParts, EachCallOfPartIsOne) {
+  std::string loop;
+  for (int i = 0; i < 3; ++i) {
+    loop += "multmatrix([[1,0,0," + std::to_string(9 * i) + "],[0,1,0,0],[0,0,1,0],[0,0,0,1]]) { " +
+            call("part", said("bolt"), 1, "cube(); " + kMoved + " { sphere(); }") + "}";
+  }
+  const Found found("group() { " + loop + "}");
+  EXPECT_EQ(found.names(), (Names{"bolt", "bolt #2", "bolt #3"}));
+  for (const TreePart& p : found.parts.parts) {
+    EXPECT_EQ(p.definition, "bolt");
+    // What differs by where the part stands is its frame alone.
+    ASSERT_EQ(p.pieces.size(), 1U);
+    EXPECT_EQ(p.pieces[0].at, csg::Matrix{});
+  }
+  EXPECT_EQ(found.parts.parts[2].frame.row[0][3], 18);
 }
 
 TEST(TreeParts, MarksThatSayNothingUsefulAreTold) {

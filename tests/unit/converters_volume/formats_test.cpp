@@ -194,6 +194,25 @@ TEST(Vti, AllWaysToHoldData) {
   }
 }
 
+// Which of several arrays is drawn is the file's to say; where it does not, that is told.
+TEST(Vti, SeveralArraysAreTold) {
+  std::string values;
+  for (const double v : some_samples(0.5)) values += fmt::format("{} ", v);
+  std::string text = vti("", "type=\"Float32\" format=\"ascii\"", values);
+  EXPECT_TRUE(volume_of({{"a.vti", text}}).diagnostics.entries().empty());
+  const std::string other =
+      "<DataArray Name=\"other\" type=\"Int8\" format=\"ascii\">1</DataArray>";
+  text.erase(text.find(other), other.size());
+  text.insert(text.find("</PointData>"), other);
+  text.erase(text.find(" Scalars=\"s\""), 12);
+  const Volume v = volume_of({{"a.vti", text}});
+  expect_samples(v, some_samples(0.5));
+  ASSERT_EQ(v.diagnostics.entries().size(), 1U);
+  EXPECT_EQ(v.diagnostics.entries()[0].code, "volume.arrays");
+  EXPECT_EQ(v.diagnostics.entries()[0].message,
+            "of 2 arrays the first one, 's', is drawn; save the one to be drawn as Scalars");
+}
+
 TEST(Vti, Errors) {
   const auto bad = [](const std::string& text) { return test::Files{{"a.vti", text}}; };
   const std::string type = "type=\"Float32\" ";

@@ -176,5 +176,114 @@ TEST(Colors, OfLayersAreRefusedWhereTheyAreNone) {
   EXPECT_EQ(refusal(layer("\"dashes\": [1, 2]")), "");
 }
 
+/// A line in the drawing's ink and, of another part in the same layer, a red one and its red dot.
+Drawing red_part() {
+  Drawing drawing = parsed(least());
+  drawing.layers[0].paths[0].width = {2};
+  Path red = drawing.layers[0].paths[0];
+  red.source.part = 7;
+  red.color = "#d00000";
+  red.points = {{0, 100}, {200, 100}};
+  drawing.layers[0].paths.push_back(red);
+  return drawing;
+}
+
+TEST(Colors, OfLinesAreInEachFormat) {
+  const Drawing drawing = red_part();
+  const std::string svg = written(drawing, "svg");
+  // Once, on the group of the part.
+  EXPECT_NE(svg.find("data-part=\"7\" stroke=\"#d00000\""), std::string::npos) << svg;
+  EXPECT_EQ(svg.find("#d00000", svg.find("#d00000") + 1), std::string::npos);
+  for (const LineOrder order : {LineOrder::Drawing, LineOrder::Travel}) {
+    WriteOptions options;
+    options.svg.order = order;
+    options.svg.merge = order == LineOrder::Drawing;
+    const std::string other = written(drawing, "svg", options);
+    EXPECT_NE(other.find("stroke=\"#d00000\" stroke-width=\"2\""), std::string::npos) << other;
+    EXPECT_NE(other.find("stroke=\"#000\""), std::string::npos);
+  }
+  const std::string eps = written(drawing, "eps");
+  EXPECT_LT(eps.find("0 setgray"), eps.find("0.8157 0.0000 0.0000 setrgbcolor\n"));
+  // The layer is as the program that shows it has it, the red line is red (1).
+  const std::string dxf = written(drawing, "dxf");
+  EXPECT_NE(dxf.find("2\na\n70\n0\n62\n7\n6\nContinuous\n"), std::string::npos);
+  EXPECT_NE(dxf.find("\n8\na\n62\n1\n"), std::string::npos);
+  const Drawing back = parsed(written(drawing, "json"));
+  EXPECT_EQ(back.layers[0].paths[0].color, "");
+  EXPECT_EQ(back.layers[0].paths[1].color, "#d00000");
+  EXPECT_EQ(written(back, "json"), written(drawing, "json"));
+  EXPECT_NE(written(drawing, "pdf"), written(parsed(least()), "pdf"));
+  std::string bad = written(drawing, "json");
+  bad.replace(bad.find("#d00000"), 7, "#d0000x");
+  EXPECT_NE(refusal(bad).find("layers[0].paths[1].color: takes a colour #rrggbb"),
+            std::string::npos);
+}
+
+TEST(Colors, OfLinesThatAreAreas) {
+  Drawing drawing = red_part();
+  Path& red = drawing.layers[0].paths[1];
+  red.kind = LineClass::Stroke;
+  red.points = {{0, 100}, {100, 100}, {200, 100}};
+  red.points3.clear();
+  red.width = {1, 3, 1};
+  EXPECT_NE(written(drawing, "svg").find("fill=\"#d00000\" stroke=\"none\""), std::string::npos);
+  WriteOptions merged;
+  merged.svg.merge = true;
+  EXPECT_NE(written(drawing, "svg", merged).find("fill=\"#d00000\" stroke=\"none\""),
+            std::string::npos);
+}
+
+TEST(Colors, OfLinesAreInPictures) {
+  WriteOptions options;
+  options.png.dpi = 60;
+  const Pixels p = pixels_of(written(red_part(), "png", options));
+  const auto at = [&](double x, double y) {
+    const auto column = static_cast<std::size_t>(x / 200 * p.image.width),
+               row = static_cast<std::size_t>((1 - y / 150) * p.image.height);
+    const png_byte* pixel = p.rgba.data() + 4 * (row * p.image.width + column);
+    return std::vector<int>(pixel, pixel + 4);
+  };
+  EXPECT_EQ(at(150, 100), (std::vector<int>{0xd0, 0, 0, 255}));
+  EXPECT_EQ(at(50, 25), (std::vector<int>{0, 0, 0, 255}));
+}
+
+// Lines of two colours are two lines, even where they meet.
+TEST(Colors, OfLinesThatMeetAreKept) {
+  Drawing drawing = parsed(least());
+  drawing.layers[0].paths[0].points = {{0, 0}, {50, 0}};
+  drawing.layers[0].paths[0].width = {0.5};
+  Path red = drawing.layers[0].paths[0];
+  red.points = {{50, 0}, {100, 0}};
+  red.color = "#d00000";
+  drawing.layers[0].paths.push_back(red);
+  WriteOptions options;
+  options.svg.order = LineOrder::Travel;
+  const std::string svg = written(drawing, "svg", options);
+  EXPECT_NE(svg.find("#d00000"), std::string::npos);
+  std::size_t paths = 0;
+  for (std::size_t at = svg.find("<path"); at != svg.npos; at = svg.find("<path", at + 1)) ++paths;
+  EXPECT_EQ(paths, 2U);
+}
+
+TEST(Colors, OfLinesHavePensOfTheirOwn) {
+  const auto pens = [](const Drawing& drawing, const std::string& rule) {
+    WriteOptions options;
+    options.hpgl.pens = rule;
+    const std::string hpgl = written(drawing, "hpgl", options);
+    std::string chosen;
+    for (std::size_t at = hpgl.find("SP"); at != hpgl.npos; at = hpgl.find("SP", at + 1)) {
+      chosen += hpgl[at + 2];
+    }
+    return chosen;
+  };
+  EXPECT_EQ(pens(red_part(), "auto"), "120");
+  EXPECT_EQ(pens(red_part(), "layers"), "120");
+  EXPECT_EQ(pens(red_part(), "one"), "10");
+  EXPECT_EQ(pens(red_part(), "a=4"), "40");
+  Drawing plain = red_part();
+  plain.layers[0].paths[1].color.clear();
+  EXPECT_EQ(pens(plain, "auto"), "10");
+}
+
 }  // namespace
 }  // namespace burin

@@ -98,17 +98,24 @@ TEST(PartsList, OfAnyNamesReadsBack) {
       "tab\there", "\\",  "a\"b,c\nd",  " blanks ",   "{\"x\": 1}",       "%s"};
   std::vector<DrawingItem> items;
   for (const std::string& name : names) {
-    items.push_back({static_cast<int>(items.size()) + 1, name, {0, 1, 2}, "#ff0000", "a,b.step"});
+    items.push_back({static_cast<int>(items.size()) + 1,
+                     name,
+                     {0, 1, 2},
+                     "#ff0000",
+                     "a,b.step",
+                     {"/a", "/b c", "/d"}});
   }
   const auto rows = read_csv(parts_list_csv(items));
   ASSERT_EQ(rows.size(), names.size() + 1);
-  EXPECT_EQ(rows[0], (std::vector<std::string>{"number", "name", "quantity", "colour", "source"}));
+  EXPECT_EQ(rows[0],
+            (std::vector<std::string>{"number", "name", "quantity", "colour", "source", "parts"}));
   const auto json = nlohmann::json::parse(parts_list_json(items));
   for (std::size_t i = 0; i < names.size(); ++i) {
     EXPECT_EQ(rows[i + 1], (std::vector<std::string>{std::to_string(i + 1), names[i], "3",
-                                                     "#ff0000", "a,b.step"}));
+                                                     "#ff0000", "a,b.step", "/a;/b c;/d"}));
     EXPECT_EQ(json["items"][i]["name"], names[i]);
     EXPECT_EQ(json["items"][i]["quantity"], 3);
+    EXPECT_EQ(json["items"][i]["parts"], nlohmann::json({"/a", "/b c", "/d"}));
   }
   EXPECT_EQ(read_csv(parts_list_csv({})).size(), 1U);
   EXPECT_TRUE(nlohmann::json::parse(parts_list_json({}))["items"].empty());

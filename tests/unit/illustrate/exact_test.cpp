@@ -100,6 +100,13 @@ TEST(ExactDrawing, SeamsAreDrawnWhereTheStyleAsksForThem) {
     EXPECT_EQ(p.width, std::vector<double>{style.line.smooth});
     edges.insert(p.source.edge);
   }
+  for (const Layer& layer : d.layers) {
+    for (const Path& p : layer.paths) {
+      for (const PathSource& also : p.also) {
+        if (also.kind == LineClass::Seam) edges.insert(also.source.edge);
+      }
+    }
+  }
   // Of the cube's twelve edges nine face a viewer at a corner; three pairs of ends at the contour.
   EXPECT_GE(edges.size(), 9u);
   EXPECT_LE(edges.size(), 12u);

@@ -6,8 +6,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <memory>
+#include <set>
 #include <sstream>
+#include <string>
 
 namespace burin {
 namespace {
@@ -137,6 +140,75 @@ TEST(PartStyles, APartMayHaveAStyleOfItsOwn) {
     }
   }
   EXPECT_TRUE(seen);
+}
+
+std::set<std::string> colors_of(const Drawing& drawing, int part, bool strokes) {
+  std::set<std::string> colors;
+  for (const Layer& layer : drawing.layers) {
+    for (const Path& path : layer.paths) {
+      if (path.source.part == part && (path.kind == LineClass::Stroke) == strokes) {
+        colors.insert(path.color);
+      }
+    }
+  }
+  return colors;
+}
+
+TEST(PartStyles, TheLinesAndStrokesOfAPartHaveItsColor) {
+  const Scene scene = wall_and_balls();
+  PartStyle red;
+  red.style = builtin_style("technical");
+  red.style->line.color = "#d00000";
+  const std::set<std::string> usual{""}, reds{"#d00000"}, blues{"#0000d0"};
+  const Drawing drawing = draw(scene, {{}, {}, red});
+  EXPECT_EQ(colors_of(drawing, 2, false), reds);
+  EXPECT_EQ(colors_of(drawing, 2, true), reds);
+  EXPECT_EQ(colors_of(drawing, 0, false), usual);
+  red.style->hatch.color = "#0000d0";
+  const Drawing two = draw(scene, {{}, {}, red});
+  EXPECT_EQ(colors_of(two, 2, false), reds);
+  EXPECT_EQ(colors_of(two, 2, true), blues);
+  // Where it is that of the sheet nothing is said of it.
+  red.style->line.color = red.style->hatch.color = red.style->sheet.ink;
+  EXPECT_EQ(colors_of(draw(scene, {{}, {}, red}), 2, true), usual);
+}
+
+// Where parts run into each other the line is of one of them, and has its colour.
+TEST(PartStyles, LinesBetweenPartsHaveTheColorOfTheirPart) {
+  Scene scene = wall_and_balls();
+  scene.parts.erase(scene.parts.begin() + 1, scene.parts.end());
+  // Its outline does not lie on the line.
+  TriMesh egg = test::ellipsoid({10, 12, 10}, 96, 48);
+  for (Vec3& p : egg.positions) p.y -= 20;
+  scene.parts.push_back({"egg", "egg", std::make_shared<MeshForm>(std::move(egg))});
+  PartStyle red;
+  red.style = builtin_style("outline");
+  red.style->line.color = "#d00000";
+  std::size_t lines = 0;
+  for (const Layer& layer : draw(scene, {red, {}}, "outline").layers) {
+    for (const Path& path : layer.paths) {
+      if (path.kind != LineClass::Intersection) continue;
+      ++lines;
+      EXPECT_EQ(path.color, path.source.part == 0 ? "#d00000" : "");
+    }
+  }
+  EXPECT_GT(lines, 0U);
+}
+
+TEST(PartStyles, KeysThatHoldForAWholeDrawingAreTold) {
+  const Scene scene = wall_and_balls();
+  PartStyle white;
+  white.style = builtin_style("scratchboard");
+  const Drawing drawing = draw(scene, {{}, {}, white});
+  const auto entries = drawing.diagnostics.entries();
+  const auto told = std::ranges::find(entries, "option.unused", &Diagnostic::code);
+  ASSERT_NE(told, entries.end());
+  EXPECT_NE(told->message.find("sheet.ink, sheet.paper of style 'scratchboard'"), std::string::npos)
+      << told->message;
+  EXPECT_NE(told->message.find("line.color"), std::string::npos);
+  PartStyle plain;
+  plain.style = builtin_style("outline");
+  EXPECT_TRUE(draw(scene, {{}, {}, plain}).diagnostics.entries().empty());
 }
 
 }  // namespace

@@ -36,13 +36,14 @@ TEST(Style, EveryMemberHasOneKey) {
     names.insert(key.name);
     EXPECT_FALSE(key.meaning.empty());
     EXPECT_FALSE(takes_text(key).empty());
-    // Commands of a machine that has none of its own.
-    const bool may_be_empty = key.name == "gcode.down" || key.name == "gcode.up";
+    // Commands of a machine that has none of its own; colours that are those of the sheet.
+    const std::set<std::string> empty{"gcode.down", "gcode.up", "line.color", "hatch.color"};
+    const bool may_be_empty = empty.contains(key.name);
     EXPECT_EQ(key.value.empty(), may_be_empty) << key.name;
   }
   EXPECT_EQ(names.size(), keys.size());
   EXPECT_EQ(keys.size(),
-            10u + 8u + 34u + 6u + 17u + 3u + 3u + 3u + 2u + 5u + 1u + 3u /*hpgl*/ + 12u /*gcode*/);
+            11u + 8u + 35u + 6u + 17u + 3u + 3u + 3u + 2u + 5u + 1u + 3u /*hpgl*/ + 12u /*gcode*/);
 }
 
 TEST(Style, KeysTakeTheirOwnValues) {
@@ -285,6 +286,55 @@ TEST(StyleFiles, ANumberThatIsTooLargeIsNamedWithItsLine) {
   } catch (const InputError& e) {
     EXPECT_EQ(e.line(), 2);
     EXPECT_NE(std::string(e.what()).find("too large"), std::string::npos) << e.what();
+  }
+}
+
+TEST(StyleFiles, KeysThatHoldForAWholeDrawingCannotDifferByPart) {
+  Style whole;
+  set_style_key(whole, "sheet.ink", "#808080");
+  const auto message = [&](const char* text) {
+    return usage_message([&] { parse_style(text, "red.json", Style(), &whole); });
+  };
+  EXPECT_EQ(message("{\n\"sheet.ink\": \"#ff0000\"}"),
+            "red.json:2: style key 'sheet.ink' holds for the whole drawing and cannot differ by "
+            "part: parts have 'line.color' instead");
+  EXPECT_TRUE(contains(message("{\"sheet\": {\n\"paper\": \"#ff0000\"}}"),
+                       "red.json:2: style key 'sheet.paper' holds for the whole drawing"));
+  for (const char* key : {"\"halo.gap\": 1", "\"depth.far\": 0.5", "\"svg.flatten\": true",
+                          "\"png.dpi\": 99", "\"line.dash\": 5", "\"callout.circle\": false",
+                          "\"hpgl.speed\": 9", "\"dxf.splines\": true", "\"json.points3\": false",
+                          "\"gcode.feed\": 9", "\"sheet.clip\": false"}) {
+    EXPECT_TRUE(contains(message(("{" + std::string(key) + "}").c_str()), "cannot differ by part"))
+        << key;
+  }
+  // As the drawing has it, or as it was: nothing is asked for that is lost.
+  EXPECT_EQ(message(R"({"sheet.ink": "#808080", "halo.gap": 0, "line.color": "#ff0000"})"),
+            "no UsageError");
+  EXPECT_EQ(message(R"({"base": "scratchboard", "line.outer": 2, "tone.ambient": 0.5})"),
+            "no UsageError");
+  EXPECT_EQ(keys_without_effect(builtin_style("scratchboard"), whole),
+            (std::vector<std::string>{"sheet.ink", "sheet.paper"}));
+  EXPECT_TRUE(keys_without_effect(builtin_style("engraving"), whole).empty());
+  for (const StyleKey& key : style_keys(Style())) {
+    const bool of_part =
+        key.name.starts_with("hatch.") || key.name.starts_with("tone.") ||
+        key.name.starts_with("feature.") ||
+        (key.name.starts_with("line.") && key.name != "line.dash" && key.name != "line.gap");
+    EXPECT_STREQ(key.scope(), of_part ? "part" : "drawing") << key.name;
+  }
+}
+
+TEST(Style, ColorsMayBeThoseOfTheSheet) {
+  for (const char* key : {"line.color", "hatch.color", "strokes.2.color"}) {
+    Style s;
+    set_style_key(s, key, "#12ab9F");
+    EXPECT_NO_THROW(check_style(s));
+    set_style_key(s, key, "");
+    EXPECT_NO_THROW(check_style(s));
+    set_style_key(s, key, "red");
+    EXPECT_TRUE(contains(usage_message([&] { check_style(s); }),
+                         "takes a colour #rrggbb or nothing, not 'red'"))
+        << key;
   }
 }
 

@@ -1,6 +1,7 @@
 // Descriptions of choices: what they take, what they say of themselves, how structs carry them.
 #include <burin/base/error.h>
 #include <burin/options/json_lines.h>
+#include <burin/options/meant.h>
 #include <burin/options/request.h>
 #include <burin/options/row.h>
 
@@ -199,6 +200,41 @@ TEST(JsonLines, AreThoseOfMembersAndElements) {
   EXPECT_EQ(lines.line("/parts/1/place/scale"), 4);  // of what holds it
   EXPECT_EQ(lines.line("/nothing"), 1);
   EXPECT_EQ(JsonLines("{\"a\": ").line("/a"), 1);
+}
+
+// In meaning first, then in letters; nothing where nothing is near.
+TEST(Words, AreMeantAsPeopleSayThem) {
+  const std::vector<KnownWord> known = {
+      {"--parts-list", {"bom", "bill of materials"}},
+      {"--section", {"cut", "cross section"}},
+      {"--section-box", {"clip box"}},
+      {"--hidden", {"hidden lines"}},
+      {"--output", {"out"}},
+      {"png.dpi", {"resolution"}, "that is --set png.dpi=VALUE"},
+  };
+  const auto name = [&](const char* word) {
+    const KnownWord* found = meant(word, known);
+    return found ? found->name : std::string("none");
+  };
+  EXPECT_EQ(name("--bom"), "--parts-list");
+  EXPECT_EQ(name("--BillOfMaterials"), "--parts-list");
+  EXPECT_EQ(name("--crossSection"), "--section");
+  EXPECT_EQ(name("--sections"), "--section");
+  EXPECT_EQ(name("--cuts"), "--section");
+  EXPECT_EQ(name("--clip_box"), "--section-box");
+  EXPECT_EQ(name("--ouptut"), "--output");
+  EXPECT_EQ(name("--outp"), "--output");
+  EXPECT_EQ(name("--section-plane"), "--section");
+  EXPECT_EQ(name("--show-hidden"), "--hidden");
+  EXPECT_EQ(name("--hidden-line-style"), "--hidden");
+  EXPECT_EQ(name("--Resolution"), "png.dpi");
+  EXPECT_EQ(hint("resolution", known), "; that is --set png.dpi=VALUE");
+  EXPECT_EQ(hint("--bom", known), "; the nearest is '--parts-list'");
+  for (const char* word : {"--flavour", "--xyzzy", "--", "", "-q", "--box", "--bot",
+                           "--temperature", "\xc3\xa9\xc3\xa9\xc3\xa9"}) {
+    EXPECT_EQ(name(word), "none") << word;
+  }
+  EXPECT_EQ(meant("anything", {}), nullptr);
 }
 
 }  // namespace

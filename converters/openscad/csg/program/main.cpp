@@ -1,7 +1,9 @@
-// burin-csg NODE,NODE,...: reads a tree from descriptor 3 (kChildFile), writes the solids of nodes
-// there, and on its output, a line each, "share S", "say SEVERITY CODE COUNT MESSAGE", "input LINE
-// MESSAGE" (the tree asks for what cannot be), "failed MESSAGE". Started by csg/child.cpp alone.
+// burin-csg NODE,NODE,... [THREADS]: reads a tree from descriptor 3 (kChildFile), writes the solids
+// of nodes there, and on its output, a line each, "share S WORDS", "say SEVERITY CODE COUNT
+// MESSAGE", "input LINE MESSAGE" (the tree asks for what cannot be), "failed MESSAGE". Started by
+// csg/child.cpp alone.
 #include <burin/base/error.h>
+#include <burin/base/parallel.h>
 #include <burin/base/version.h>
 
 #include "../exchange.h"
@@ -12,7 +14,9 @@
 #include <fmt/format.h>
 
 #include <charconv>
+#include <chrono>
 #include <cstdio>
+#include <cstdlib>
 #include <filesystem>
 #include <new>
 #include <string_view>
@@ -42,27 +46,36 @@ std::vector<std::uint32_t> numbers(std::string_view list, std::size_t count) {
   return out;
 }
 
-/// Told every so often, not every time.
+/// Told every so often, not every time: the share, and words where what is under way has changed.
 class Share {
  public:
-  void operator()(double share) {
-    if (share < told_ + kStep) return;
+  void operator()(double share, const std::string& doing) {
+    const auto now = Clock::now();
+    const bool other = doing != doing_ && now - said_ > kPause;
+    if (share < told_ + kStep && !other) return;
     told_ = share;
-    say(fmt::format("share {:.4f}", share));
+    doing_ = doing;
+    said_ = now;
+    say(fmt::format("share {:.4f} {}", share, doing));
   }
 
  private:
+  using Clock = std::chrono::steady_clock;
   static constexpr double kStep = 0.005;
+  static constexpr std::chrono::milliseconds kPause{100};
   double told_ = 0;
+  std::string doing_;
+  Clock::time_point said_{};
 };
 
-void run(const char* list) {
+void run(const char* list, const char* threads) {
   RunContext context;
+  const ThreadLimit limit(std::atoi(threads));
   const Tree tree = parse(read_text(detail::kChildFile), "", context);
   Evaluation e{.tree = tree, .folder = std::filesystem::current_path(), .run = context};
   Share share;
   const std::vector<std::uint32_t> nodes = numbers(list, tree.nodes.size());
-  const auto solids = evaluate(e, nodes, [&](double s) { share(s); });
+  const auto solids = evaluate(e, nodes, [&](double s) { share(s, e.doing); });
   for (const Diagnostic& d : e.diagnostics.entries()) {
     say(fmt::format("say {} {} {} {}", to_string(d.severity), d.code, d.count, d.message));
   }
@@ -74,12 +87,12 @@ void run(const char* list) {
 
 int main(int argc, char** argv) {
   using namespace burin;
-  if (argc != 2) {
+  if (argc != 2 && argc != 3) {
     std::fprintf(stderr, "burin-csg %s: started by burin, not by hand\n", version());
     return 2;
   }
   try {
-    csg::run(argv[1]);
+    csg::run(argv[1], argc > 2 ? argv[2] : "0");
     return 0;
   } catch (const InputError& error) {
     csg::say(fmt::format("input {} {}", error.line(), error.what()));

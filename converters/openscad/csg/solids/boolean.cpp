@@ -3,6 +3,7 @@
 #include <burin/base/disjoint_sets.h>
 
 #include "arrange.h"
+#include "balance.h"
 #include "inside.h"
 
 #include <algorithm>
@@ -13,30 +14,13 @@ namespace {
 
 using Kind = Formula::Kind;
 
-Box3 common(const Box3& a, const Box3& b) {
-  return {glm::max(a.min, b.min), glm::min(a.max, b.max)};
-}
-
 /// For every node a box of what it can be, and for every mesh one of where it matters.
 struct Boxes {
   std::vector<Box3> of_node, relevant;
 
   Boxes(const Formula& formula, std::span<const Mesh> meshes)
-      : of_node(formula.nodes.size()), relevant(meshes.size()) {
+      : of_node(boxes_of(formula, meshes)), relevant(meshes.size()) {
     const auto& nodes = formula.nodes;
-    for (std::size_t n = nodes.size(); n-- > 0;) {
-      if (nodes[n].kind == Kind::Mesh) of_node[n] = meshes[nodes[n].mesh].box;
-      for (std::size_t c = 0; c < nodes[n].children.size(); ++c) {
-        const Box3& child = of_node[nodes[n].children[c]];
-        if (c == 0) {
-          of_node[n] = child;
-        } else if (nodes[n].kind == Kind::Union) {
-          of_node[n].add(child);
-        } else if (nodes[n].kind == Kind::Intersection) {
-          of_node[n] = common(of_node[n], child);
-        }
-      }
-    }
     std::vector<Box3> matters(nodes.size());
     matters[0] = of_node[0];
     for (std::size_t n = 0; n < nodes.size(); ++n) {
@@ -58,10 +42,10 @@ class Combiner {
            const std::function<void(double)>& share)
       : space_(space),
         meshes_(meshes),
-        formula_(formula),
+        formula_(balanced(formula, boxes_of(formula, meshes))),
         context_(context),
         share_(share),
-        boxes_(formula, meshes),
+        boxes_(formula_, meshes),
         known_(meshes.size()),
         known_at_(meshes.size(), 0) {
     for (const Mesh& m : meshes) inside_.emplace_back(space, m);
@@ -256,7 +240,7 @@ class Combiner {
 
   Space& space_;
   std::span<const Mesh> meshes_;
-  const Formula& formula_;
+  const Formula formula_;
   RunContext& context_;
   const std::function<void(double)>& share_;
   Boxes boxes_;

@@ -5,6 +5,7 @@
 #include "../at_node.h"
 #include "hull3.h"
 #include "minkowski.h"
+#include "places.h"
 #include "primitives.h"
 #include "shapes.h"
 
@@ -52,8 +53,12 @@ class Evaluator {
       }
       const double width = 0.5 / static_cast<double>(nodes.size()),
                    from = 0.5 + width * static_cast<double>(k);
-      out.push_back(shapes_.solid(shape, e_.run, [&](double s) { tell(from + s * width); }));
+      out.push_back(shapes_.solid(shape, e_.run, [&](double s) {
+        e_.doing = shapes_.doing;
+        tell(from + s * width);
+      }));
     }
+    e_.cuts = shapes_.cuts;
     say_left_out();
     return out;
   }
@@ -61,7 +66,14 @@ class Evaluator {
  private:
   void tell(double share) {
     e_.run.check();
+    told_ = share;
     share_(share);
+  }
+  /// Before a node that may take long.
+  void begin(std::uint32_t n, std::string_view with) {
+    e_.doing = fmt::format("{}() of line {}{}", name_of(e_.tree.nodes[n].module),
+                           e_.tree.line_of(n), with);
+    tell(told_);
   }
 
   /// What lies below the nodes asked for, but not below `%`.
@@ -261,6 +273,7 @@ class Evaluator {
         continue;
       }
       if (sum.empty()) sum = shapes_.solid(whole, e_.run, [](double) {});
+      begin(n, fmt::format(", {} by {} triangles", sum.triangles.size(), other.triangles.size()));
       std::vector<ShapeId> pieces;
       for (Solid& piece : minkowski_pieces(sum, other, e_.run)) {
         pieces.push_back(shapes_.leaf(std::move(piece)));
@@ -305,6 +318,7 @@ class Evaluator {
 
   Evaluation& e_;
   const std::function<void(double)>& share_;
+  double told_ = 0;
   std::vector<Dimension> dimension_;
   std::vector<Result> result_;
   std::vector<char> wanted_;

@@ -120,6 +120,25 @@ ExactMatrix multiply(const ExactMatrix& a, const ExactMatrix& b) {
   return out;
 }
 
+ExactMatrix inverse(const ExactMatrix& m) {
+  const auto& r = m.row;
+  const auto cofactor = [&](std::size_t i, std::size_t j) {
+    const std::size_t a = (i + 1) % 3, b = (i + 2) % 3, c = (j + 1) % 3, d = (j + 2) % 3;
+    return mpq_class(r[a][c] * r[b][d] - r[a][d] * r[b][c]);
+  };
+  const mpq_class determinant =
+      r[0][0] * cofactor(0, 0) + r[0][1] * cofactor(0, 1) + r[0][2] * cofactor(0, 2);
+  ExactMatrix out;
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t j = 0; j < 3; ++j) {
+      out.row[i][j] = cofactor(j, i) / determinant;
+      out.row[i][3] -= out.row[i][j] * r[j][3];
+    }
+  }
+  find_nearest(out);
+  return out;
+}
+
 Exact transformed(const ExactMatrix& m, Vec3 p) {
   std::array<mpq_class, 3> out;
   for (std::size_t i = 0; i < 3; ++i) {

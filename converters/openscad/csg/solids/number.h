@@ -34,6 +34,8 @@ mpq_class decimal(double v);
 ExactMatrix exact(const Matrix& m);
 /// Entries beyond 2,000 bits (nests of dozens of turned nodes) are rounded to doubles.
 ExactMatrix multiply(const ExactMatrix& a, const ExactMatrix& b);
+/// Of a matrix that flattens nothing.
+ExactMatrix inverse(const ExactMatrix& m);
 Exact transformed(const ExactMatrix& m, Vec3 p);
 
 /// Of decimals, as is `transformed`.

@@ -5,12 +5,15 @@
 
 #include "../at_node.h"
 #include "../fragments.h"
+#include "places.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <numeric>
+#include <vector>
 
 namespace burin::csg {
 namespace {
@@ -136,20 +139,36 @@ Solid cylinder(const Node& node) {
   return out;
 }
 
-/// The corners of a face that are points of the list.
-std::vector<std::uint32_t> corners_of(Evaluation& e, std::uint32_t node, const Value& face,
-                                      std::size_t points) {
-  std::vector<std::uint32_t> out;
-  for (const Value& v : face.list) {
-    if (v.kind == Value::Kind::Number && v.number >= 0 && v.number < static_cast<double>(points)) {
-      const auto corner = static_cast<std::uint32_t>(v.number);
-      if (out.empty() || out.back() != corner) out.push_back(corner);
-    } else {
-      tell(e, node, "openscad.polyhedron_point",
-           "a face of polyhedron() names a point that it does not have; the point is left out");
+using Faces = std::vector<std::vector<std::uint32_t>>;
+
+/// The faces by those of their corners that are points of the list.
+Faces faces_of(Evaluation& e, std::uint32_t node, const Value& list, std::size_t points) {
+  Faces out;
+  for (const Value& face : list.list) {
+    auto& corners = out.emplace_back();
+    for (const Value& v : face.list) {
+      if (v.kind == Value::Kind::Number && v.number >= 0 &&
+          v.number < static_cast<double>(points)) {
+        corners.push_back(static_cast<std::uint32_t>(v.number));
+      } else {
+        tell(e, node, "openscad.polyhedron_point",
+             "a face of polyhedron() names a point that it does not have; the point is left out");
+      }
     }
   }
+  return out;
+}
+
+/// A face by the points that stand for its corners, none twice in a row; turned outwards, as
+/// OpenSCAD's turn clockwise seen from outside.
+std::vector<std::uint32_t> outline_of(const std::vector<std::uint32_t>& face,
+                                      const std::vector<std::uint32_t>& number) {
+  std::vector<std::uint32_t> out;
+  for (const std::uint32_t corner : face) {
+    if (out.empty() || out.back() != number[corner]) out.push_back(number[corner]);
+  }
   while (out.size() > 1 && out.front() == out.back()) out.pop_back();
+  std::ranges::reverse(out);
   return out;
 }
 
@@ -170,12 +189,46 @@ bool cut_quad(const std::vector<Vec3>& p, const std::vector<std::uint32_t>& c,
   return true;
 }
 
+/// The solid of faces whose corners stand for others of their place.
+Solid over(const std::vector<Vec3>& points, const Faces& faces,
+           const std::vector<std::uint32_t>& number, RunContext& run) {
+  Solid out;
+  out.positions = points;
+  std::vector<Triangle> cut;
+  for (const auto& face : faces) {
+    const std::vector<std::uint32_t> c = outline_of(face, number);
+    if (c.size() < 3) continue;
+    cut.resize(c.size() - 2);
+    if (!cut_quad(points, c, cut)) triangulate_polygon(points, c, cut, run);
+    for (const Triangle& t : cut) add(out, t[0], t[1], t[2]);
+  }
+  return out;
+}
+
+/// Faces may have corners of their own, as most libraries write them: closed is what is closed by
+/// place. Open ones stay as they are.
+Solid closed_by_place(const std::vector<Vec3>& points, const Faces& faces, RunContext& run) {
+  std::vector<std::uint32_t> number(points.size());
+  std::iota(number.begin(), number.end(), 0U);
+  Solid given = over(points, faces, number, run);
+  if (closed(given)) return given;
+  number = by_place(points, kFineGrid);
+  Solid welded = over(points, faces, number, run);
+  if (closed(welded)) return welded;
+  // The digits of a tree may hold apart what was one point.
+  const std::vector<std::uint32_t> near =
+      by_place(points, open_corners(welded), last_digit(points));
+  for (std::uint32_t& n : number) n = near[n];
+  Solid joined = over(points, faces, number, run);
+  return closed(joined) ? joined : given;
+}
+
 Solid polyhedron(Evaluation& e, std::uint32_t at) {
   const Node& node = e.tree.nodes[at];
-  Solid out;
-  const Value *points = node.argument("points"), *faces = node.argument("faces");
-  if (!points || !faces) return {};
-  for (const Value& v : points->list) {
+  const Value *list = node.argument("points"), *faces = node.argument("faces");
+  if (!list || !faces) return {};
+  std::vector<Vec3> points;
+  for (const Value& v : list->list) {
     Vec3 p(0);
     const std::size_t n = std::min<std::size_t>(v.list.size(), 3);
     for (std::size_t i = 0; i < n; ++i) p[static_cast<int>(i)] = v.list[i].number;
@@ -184,18 +237,9 @@ Solid polyhedron(Evaluation& e, std::uint32_t at) {
            "polyhedron() with a point that is none; it is left out");
       return {};
     }
-    out.positions.push_back(p);
+    points.push_back(p);
   }
-  std::vector<Triangle> cut;
-  for (const Value& face : faces->list) {
-    std::vector<std::uint32_t> c = corners_of(e, at, face, out.positions.size());
-    if (c.size() < 3) continue;
-    std::ranges::reverse(c);  // OpenSCAD's turn clockwise, seen from outside
-    cut.resize(c.size() - 2);
-    if (!cut_quad(out.positions, c, cut)) triangulate_polygon(out.positions, c, cut, e.run);
-    for (const Triangle& t : cut) add(out, t[0], t[1], t[2]);
-  }
-  return out;
+  return closed_by_place(points, faces_of(e, at, *faces, points.size()), e.run);
 }
 
 }  // namespace
@@ -214,18 +258,6 @@ Solid primitive(Evaluation& e, std::uint32_t at) {
         return polyhedron(e, at);
     }
   });
-}
-
-bool closed(const Solid& solid) {
-  std::vector<std::array<std::uint32_t, 2>> edges;
-  for (const auto& t : solid.triangles) {
-    for (std::size_t k = 0; k < 3; ++k) edges.push_back({t[k], t[(k + 1) % 3]});
-  }
-  std::vector<std::array<std::uint32_t, 2>> back = edges;
-  for (auto& e : back) std::swap(e[0], e[1]);
-  std::ranges::sort(edges);
-  std::ranges::sort(back);
-  return edges == back;
 }
 
 }  // namespace burin::csg

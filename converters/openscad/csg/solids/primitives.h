@@ -15,7 +15,4 @@ Solid primitive(Evaluation& e, std::uint32_t at);
 std::optional<Turned> moved(const Turned& turned, const Matrix& m);
 Solid moved(const Solid& solid, const Matrix& m);
 
-/// Whether every edge is passed once each way.
-bool closed(const Solid& solid);
-
 }  // namespace burin::csg

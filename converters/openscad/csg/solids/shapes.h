@@ -9,7 +9,10 @@
 
 #include <cstdint>
 #include <functional>
+#include <map>
+#include <memory>
 #include <span>
+#include <string>
 #include <vector>
 
 namespace burin::csg {
@@ -39,6 +42,10 @@ class Shapes {
   std::vector<Vec3> points(ShapeId root, RunContext& context);
   /// The nodes of open leaves that something was to be cut by or united with: they were left out.
   std::vector<std::uint32_t> left_out;
+  /// How many groups of solids that touch were cut; what is alike counts once.
+  std::size_t cuts = 0;
+  /// What is under way, in words.
+  std::string doing;
   /// How many nodes of cuts stand within each other.
   std::uint32_t depth(ShapeId shape) const { return shape == kNothing ? 0 : shapes_[shape].depth; }
 
@@ -54,13 +61,22 @@ class Shapes {
     std::uint32_t leaf = 0, matrix = 0;
     std::vector<ShapeId> parts;
   };
+  /// A group that was cut, and where it stood.
+  struct Known {
+    std::shared_ptr<const Solid> solid;
+    ExactMatrix at;
+  };
   friend class Gather;
+  friend class WorkOut;
 
   ShapeId add(Kind kind, std::vector<ShapeId> parts);
 
   std::vector<Shape> shapes_;
   std::vector<Solid> leaves_;
   std::vector<Matrix> matrices_;
+  std::map<std::vector<std::uint32_t>, Known> known_;
+  /// Triangles of all that was to be cut, and of what is known.
+  std::size_t to_cut_ = 0, kept_ = 0;
 };
 
 }  // namespace burin::csg

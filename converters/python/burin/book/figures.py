@@ -24,7 +24,7 @@ from burin.batch.work import Settings, run_job
 _POINTER = b"version https://git-lfs.github.com/spec/"
 # The rows of converters/read/read_options.cpp.
 _READING = set(
-    "define openscad_timeout csg as_ object recompute freecad_timeout heal bounds mesher iso inside smooth specks volume_degree "
+    "input_format define openscad_timeout csg as_ object recompute freecad_timeout encoding heal bounds mesher iso inside smooth specks volume_degree "
     "interpolate raw raw_skip".split()
 )
 

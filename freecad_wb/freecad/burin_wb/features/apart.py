@@ -1,6 +1,7 @@
 """What an illustration asks of its parts as an assembly: sections, an exploded view, numbers and a list; and of its sheet: several
 views, details."""
 
+from .. import item_numbers
 from . import details, explosion, section
 
 
@@ -20,7 +21,7 @@ def options_of(obj, sources, notes):
     if obj.PartsList:
         options["parts_list"] = "sheet"
     if options and dict(obj.ItemNumbers):
-        said["items"] = dict(obj.ItemNumbers)
+        said["items"] = item_numbers.for_kernel(dict(obj.ItemNumbers))
     said.update(details.sheet_of(obj, sources, notes))
     if "views" in said:
         options["perspective"] = None

@@ -1,4 +1,4 @@
-"""Numbers of items, as the property ItemNumbers keeps them: text of a number to the name of what has it."""
+"""Other numbers for items; as item_numbers has them."""
 
 import math
 
@@ -35,8 +35,3 @@ def places_of(sheet):
     """Where the numbers of a drawing stand; `sheet`: a features.sheet.Sheet."""
     texts = [text for layer in sheet.data["layers"] for text in layer.get("texts", ()) if text["role"] == "callout"]
     return {text["item"]: tuple(text["at"]) for text in texts}
-
-
-def kept(numbers, items):
-    """Kept numbers with those of items added."""
-    return {**numbers, **{str(item["number"]): item["name"] for item in items}}

@@ -21,6 +21,7 @@ class Shapes:
 
     def __init__(self):
         self._kept = collections.OrderedDict()  # (document, path) -> (shape without its placement, its text)
+        self._alike = {}  # _key of a shape -> places in _kept of what has it: looking at all of them takes time by the square
         self.written = 0  # texts so far
 
     def text(self, shape, place):
@@ -31,8 +32,9 @@ class Shapes:
         if brep is None:
             brep = Brep(base.exportBrepToString().encode())
             self.written += 1
+        self._drop(place)
         self._kept[place] = base, brep
-        self._kept.move_to_end(place)
+        self._alike.setdefault(_key(base), {})[place] = None
         return brep, placement
 
     def has(self, shape, place):
@@ -40,26 +42,44 @@ class Shapes:
         return self._find(_apart(shape)[0], place) is not None
 
     def _find(self, base, place):
-        here = [self._kept[place]] if place in self._kept else []
-        for known, brep in itertools.chain(here, reversed(self._kept.values())):
+        here = [place] if place in self._kept else []
+        for known_at in itertools.chain(here, self._alike.get(_key(base), ())):
+            known, brep = self._kept[known_at]
             if known.isPartner(base) and known.Orientation == base.Orientation:
                 return brep
         return None
+
+    def _drop(self, place):
+        if place not in self._kept:
+            return
+        key = _key(self._kept.pop(place)[0])
+        places = self._alike[key]
+        del places[place]
+        if not places:
+            del self._alike[key]
 
     def trim(self):
         """Forgets the oldest beyond MOST bytes. Called between jobs, so that no job writes what it has just written."""
         size = sum({id(brep): len(brep) for _, brep in self._kept.values()}.values())
         while size > MOST:
-            _, (_, brep) = self._kept.popitem(last=False)
+            place, (_, brep) = next(iter(self._kept.items()))
+            self._drop(place)
             size -= len(brep)
 
     def forget(self, document):
         """Lets go of the shapes of a document that is closed, by its name."""
         for key in [k for k in self._kept if k[0] == document]:
-            del self._kept[key]
+            self._drop(key)
 
 
 shapes = Shapes()
+
+
+def _key(base):
+    """The same for shapes that are partners. Of what the shape is made of, for its own hash depends on its location, too, which is
+    another object each time that a placement is set."""
+    inside = base.childShapes(False, False)
+    return inside[0].hashCode() if inside else 0
 
 
 def _apart(shape):

@@ -7,7 +7,7 @@ import zipfile
 
 import FreeCAD
 
-_files = {}  # path -> (time of change, names of hidden objects)
+_files = {}  # path -> (time of change, names of hidden objects): one look a saved document, whatever it held
 
 
 def is_shown(obj):
@@ -20,18 +20,23 @@ def _hidden(document):
     path = document.FileName
     try:
         changed = os.path.getmtime(path)
-        if path not in _files or _files[path][0] != changed:
-            _files[path] = changed, _read(path)
-        return _files[path][1]
-    except (OSError, KeyError, zipfile.BadZipFile, xml.ParseError):  # never saved, or no GUI part
+    except OSError:  # never saved, or gone
         return frozenset()
+    if path not in _files or _files[path][0] != changed:
+        _files[path] = changed, _read(path)
+    return _files[path][1]
 
 
 def _read(path):
-    """Names of the objects that the GUI's part alone says are hidden."""
-    with zipfile.ZipFile(path) as file:
-        objects = xml.fromstring(file.read("Document.xml"))
-        views = xml.fromstring(file.read("GuiDocument.xml"))
+    """Names of the objects that the GUI's part alone says are hidden; none where there is no such part, or it cannot be read."""
+    try:
+        with zipfile.ZipFile(path) as file:
+            if "GuiDocument.xml" not in file.namelist():
+                return frozenset()
+            objects = xml.fromstring(file.read("Document.xml"))
+            views = xml.fromstring(file.read("GuiDocument.xml"))
+    except (OSError, KeyError, zipfile.BadZipFile, xml.ParseError):
+        return frozenset()
     said = {o.get("name") for o in objects.iter("Object") if _visibility(o) is not None}
     return frozenset(v.get("name") for v in views.iter("ViewProvider") if _visibility(v) is False) - said
 

@@ -1,6 +1,7 @@
 """From document objects to parts: assemblies are taken apart, placements and names kept."""
 
 import os
+import re
 import tempfile
 from collections import namedtuple
 
@@ -94,7 +95,7 @@ def _walk(top, sub, asked, pieces, notes, seen, looks):
     leaf = resolved.getLinkedObject(True)
     if not asked and leaf is not None and is_aid(leaf):
         return
-    if leaf is None or _is_broken_link(leaf):
+    if _is_broken_link(leaf):
         notes.append(f"{resolved.Label}: links to something that is not there; open the file that it links to, or "
                      "repair the link")
         return
@@ -140,7 +141,7 @@ def _visible(parent, top, sub):
 
 
 def _is_broken_link(leaf):
-    return leaf.isDerivedFrom("App::Link") and not leaf.getSubObjects()
+    return leaf is None or leaf.isDerivedFrom("App::Link") and not leaf.getSubObjects()
 
 
 def _children(obj, leaf):
@@ -148,9 +149,14 @@ def _children(obj, leaf):
     if leaf.isDerivedFrom("PartDesign::Body"):
         return None
     if (leaf.hasExtension("App::GroupExtension") or leaf.isDerivedFrom("App::LinkGroup")
-            or leaf.isDerivedFrom("App::Link")):
+            or leaf.isDerivedFrom("App::Link") or _is_link_array(leaf)):
         return obj.getSubObjects()
     return None
+
+
+def _is_link_array(obj):
+    """Whether it is an array of links of another type, as Draft makes them."""
+    return obj.hasExtension("App::LinkExtensionPython") and bool(obj.getSubObjects())
 
 
 def _labels(top, sub):
@@ -161,13 +167,27 @@ def _labels(top, sub):
         for name in ("", *sub.rstrip(".").split(".")[:-1]):
             at += name + "." if name else ""
             inner = top.getSubObject(at, retType=1) if at else top
-            if inner is not None and not getattr(inner, "ElementCount", 0):
+            if inner is not None and not getattr(inner, "ElementCount", 0) and not _is_link_array(inner):
                 labels.append(f"{inner.Label} {int(name) + 1}" if name.isdigit() else inner.Label)
     return labels
 
 
+def _definition(leaf):
+    """What an object and all links to it are instances of: its label, or that of the containers that hold it alone where FreeCAD made
+    the label from the type ("Body001")."""
+    obj = leaf
+    while obj is not None and re.sub(r"\d+$", "", obj.Label) == obj.TypeId.rpartition(":")[2]:
+        inside, obj = obj, obj.getParentGeoFeatureGroup()
+        if obj is not None and any(o is not inside and is_shown(o) and not is_aid(o) for o in obj.Group):
+            break
+    else:
+        return leaf.Label if obj is None else obj.Label
+    return leaf.Label
+
+
 def _piece(top, sub, obj, leaf, path):
-    part = PartJob(name=obj.Label, source=path, assembly=_labels(top, sub), color=color_of(top, sub, leaf))
+    part = PartJob(name=obj.Label, source=path, assembly=_labels(top, sub), color=color_of(top, sub, leaf),
+                   definition=_definition(leaf))
     if leaf.isDerivedFrom("Mesh::Feature"):
         if not leaf.Mesh.CountFacets:
             raise Left("is an empty mesh; choose another one")
@@ -240,9 +260,14 @@ def visible(document):
     for obj in document.Objects:
         if not is_shown(obj) or _above(obj) is not None:
             continue
-        if is_aid(obj) or obj.isDerivedFrom("App::DocumentObjectGroup"):
-            continue  # a folder: what is in it is looked at by itself
+        if is_aid(obj) or _is_folder(obj) or obj.isDerivedFrom("App::LinkElement"):
+            continue  # what is in a folder is looked at by itself, elements of arrays through these
         pieces, _ = survey([(obj, ("",))])
-        if pieces:
+        if pieces or _is_broken_link(obj.getLinkedObject(True)):  # what is lost is told
             found.append(obj)
     return found
+
+
+def _is_folder(obj):
+    """Whether it holds objects and moves none: groups, storeys of buildings."""
+    return obj.hasExtension("App::GroupExtension") and not obj.hasExtension("App::GeoFeatureGroupExtension")

@@ -2,6 +2,7 @@
 
 from PySide import QtCore
 
+from .. import item_numbers
 from ..errors import Refused
 from ..features import items, spreadsheet
 from ..features.asking import items_in, items_job
@@ -52,7 +53,7 @@ class ItemsPanel(Panel):
         if self.over or not self.alive() or error is not None:
             return
         self.show(items_in(job, answer))
-        self._keep(items.kept(dict(self.obj.ItemNumbers), self.items))
+        self._keep(item_numbers.kept(dict(self.obj.ItemNumbers), self.items))
 
     def _keep(self, numbers):
         """Numbers are drawn only where the drawing shows them."""
@@ -86,7 +87,7 @@ class ItemsPanel(Panel):
             self.message.setText(tr("an item has a number from 1 to 99999"))
             QtCore.QTimer.singleShot(0, lambda: self.over or self.show(self.items))  # not while the cell tells
         elif text != old:
-            numbers = items.renumbered(items.kept(dict(self.obj.ItemNumbers), self.items), old, str(int(text)))
+            numbers = items.renumbered(item_numbers.kept(dict(self.obj.ItemNumbers), self.items), old, str(int(text)))
             QtCore.QTimer.singleShot(0, lambda: self.over or self._use(numbers))
 
     def _renumber(self):

@@ -1,6 +1,9 @@
+#include <burin/base/affine.h>
 #include <burin/base/error.h>
 #include <burin/forms/implicit/implicit_form.h>
+#include <burin/surface/tangent_basis.h>
 
+#include "../function/mapped_function.h"
 #include "../function/project.h"
 #include "../function/shape_operator.h"
 #include "../mesher/delaunay/delaunay_mesher.h"
@@ -79,6 +82,48 @@ ExactMesh affordable_mesh(const Survey& s, double step, MeshCounts& counts,
     }
     return std::move(*mesh);
   }
+}
+
+// The least that a tangent at a right angle to the unit vector `normal` grows.
+double least_stretch(const Placement& placement, Vec3 normal) {
+  const TangentBasis basis(normal);
+  const Vec3 x = placement.vector(basis.x), y = placement.vector(basis.y);
+  const double a = glm::dot(x, x), b = glm::dot(x, y), c = glm::dot(y, y);
+  const double larger = 0.5 * (a + c) + std::hypot(0.5 * (a - c), b);
+  return std::sqrt(std::max(a * c - b * b, 0.0) / larger);
+}
+
+// The mesh of a function where `placement` takes it: with what is written of pieces of `function`.
+ExactMesh placed(ExactMesh mesh, const Placement& placement, const MappedFunction& function) {
+  const double most = stretch(placement);
+  const auto pieces = [&](const ImplicitFunction*& piece) {
+    if (piece) piece = &function.mapped(*piece);
+  };
+  const Mat3 turned = glm::transpose(glm::inverse(placement.linear));
+  const auto turn = [&](Vec3& normal) { normal = normalize_or(turned * normal, Vec3(0)); };
+  if (!is_similar(placement)) {
+    // Triangles are narrower one way: vertices that are drawn onto contours keep to that.
+    std::vector<double> spacing;
+    for (std::uint32_t v = 0; v < mesh.positions.size(); ++v) {
+      spacing.push_back(mesh.step_at(v) * least_stretch(placement, mesh.normals[v]));
+    }
+    mesh.spacing = std::move(spacing);
+  } else {
+    for (double& s : mesh.spacing) s *= most;
+  }
+  Box3 box;
+  for (Vec3& p : mesh.positions) box.add(p = placement.point(p));
+  for (Vec3& n : mesh.normals) turn(n);
+  for (CreaseVertex& crease : mesh.creases) {
+    for (CreaseVertex::Side& side : crease.sides) pieces(side.piece), turn(side.normal);
+  }
+  for (const ImplicitFunction*& side : mesh.side) pieces(side);
+  if (placement.mirrors()) {
+    for (Triangle& t : mesh.triangles) std::swap(t[1], t[2]);
+  }
+  mesh.step *= most, mesh.accuracy *= most;
+  mesh.size = box.diagonal();
+  return mesh;
 }
 
 // Triangles off the surface: what is thinner than a step, and was not seen whole.
@@ -201,9 +246,22 @@ ImplicitForm::ImplicitForm(std::shared_ptr<const ImplicitFunction> function,
   impl_ = std::move(impl);
 }
 
+ImplicitForm::ImplicitForm(std::shared_ptr<const Impl> impl, const Placement& placement)
+    : impl_(std::move(impl)), placement_(placement) {}
 ImplicitForm::~ImplicitForm() = default;
 
+std::shared_ptr<const Form> ImplicitForm::mapped(const Placement& by) const {
+  return std::shared_ptr<const Form>(new ImplicitForm(impl_, after(by, placement_)));
+}
+
 Box3 ImplicitForm::bounds(const Mat3& axes) const {
+  Box3 box = bounds_as_read(axes * placement_.linear);
+  const Vec3 shift = axes * placement_.offset;
+  box.min += shift, box.max += shift;
+  return box;
+}
+
+Box3 ImplicitForm::bounds_as_read(const Mat3& axes) const {
   const Survey& s = impl_->survey;
   Box3 box;
   for (int a = 0; a < 3; ++a) {
@@ -229,12 +287,19 @@ std::shared_ptr<const Surface> ImplicitForm::realise(const RealiseOptions& optio
   const Survey& s = impl_->survey;
   Diagnostics diagnostics = s.diagnostics;
   MeshCounts counts;
-  ExactMesh mesh = impl_->mesh(options.tolerance, counts, diagnostics, context);
-  if (s.smallest == 0 && !add_lost_pieces(mesh, s, options.tolerance, lost_budget(mesh), context)) {
+  const double tolerance = options.tolerance / stretch(placement_);
+  ExactMesh mesh = impl_->mesh(tolerance, counts, diagnostics, context);
+  if (s.smallest == 0 && !add_lost_pieces(mesh, s, tolerance, lost_budget(mesh), context)) {
     diagnostics.add(Severity::Warning, "implicit.may_miss", 1,
                     fmt::format("pieces of the surface smaller than {:.2g} mm may be missing: "
                                 "there are too many to mesh",
-                                6 * mesh.step));
+                                6 * mesh.step * stretch(placement_)));
+  }
+  std::shared_ptr<const ImplicitFunction> function = s.function;
+  if (placement_.moves()) {
+    auto there = std::make_shared<const MappedFunction>(s.function, placement_);
+    mesh = placed(std::move(mesh), placement_, *there);
+    function = std::move(there);
   }
   if (counts.strays > 0) {
     diagnostics.add(Severity::Warning, "implicit.not_on_surface",
@@ -249,16 +314,16 @@ std::shared_ptr<const Surface> ImplicitForm::realise(const RealiseOptions& optio
   if (options.view) {
     try {
       mesh.budget = WorkBudget(kContourBudget);
-      cut_for_view(mesh, *s.function, *options.view, kContourChord, context);
+      cut_for_view(mesh, *function, *options.view, kContourChord, context);
     } catch (const TooMuchWork&) {
       diagnostics.add(Severity::Warning, "implicit.budget", 1,
                       "the contours are too many to be found exactly: they follow the triangles");
     }
   }
-  ProxyMesh proxy = assemble_proxy(make_draft(mesh, *s.function, context), context);
+  ProxyMesh proxy = assemble_proxy(make_draft(mesh, *function, context), context);
   if (options.diagnostics) options.diagnostics->append(diagnostics);
   context.end_stage();
-  return std::make_shared<ImplicitSurface>(s.function, std::move(proxy), std::move(mesh.side),
+  return std::make_shared<ImplicitSurface>(function, std::move(proxy), std::move(mesh.side),
                                            mesh.step, mesh.size);
 }
 

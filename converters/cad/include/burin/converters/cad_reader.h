@@ -19,19 +19,23 @@ bool is_cad_suffix(const std::filesystem::path& path);
 /// Whether the first bytes of a file can only be a CAD file's, whatever it is called.
 bool is_cad_content(std::string_view head);
 
-/// One part for each solid (or free shell, or what free faces sew into) of each leaf of the
-/// assembly, in the order of the file, with name, path in the assembly, colour and placement;
-/// instances share one shape. Lengths in mm whatever the file's unit. An exception of OCCT, or a
-/// signal raised in it, ends in an InputError that names the file and what to do; what could not be
-/// read of a file that holds more becomes a diagnostic. Progress and cancel as far as OCCT allows:
-/// kernel/docs/cad.md says where it does not. Lives in a library of its own (libburin_cad), which
-/// is loaded when the first CAD file is read: OCCT's exchange libraries take 65 ms to load. From
-/// several threads one file is read at a time, for OCCT's readers share state.
-Scene read_cad(const std::filesystem::path& path, RunContext& context);
+/// One part for each leaf of the assembly, whatever number of solids, free shells and what free
+/// faces sew into it has (`Part::pieces`, where these are several), in the order of the file, with
+/// name, path in the assembly, colour, opacity and placement; instances share one shape.
+/// `encoding`: of names that a file does not say it of, as iconv knows it; empty: it is found out.
+/// Lengths in mm whatever the file's unit. An exception of OCCT, or a signal raised in it, ends in
+/// an InputError that names the file and what to do; what could not be read of a file that holds
+/// more becomes a diagnostic. Progress and cancel as far as OCCT allows: kernel/docs/cad.md says
+/// where it does not. Lives in a library of its own (libburin_cad), which is loaded when the first
+/// CAD file is read: OCCT's exchange libraries take 65 ms to load. From several threads one file is
+/// read at a time, for OCCT's readers share state.
+Scene read_cad(const std::filesystem::path& path, RunContext& context,
+               const std::string& encoding = {});
 
 /// Reads and measures: counts, areas and volumes of the exact surfaces, which parts share a shape.
 /// Throws InputError as `read_cad` does.
-FileInfo inspect_cad(const std::filesystem::path& path, RunContext& context);
+FileInfo inspect_cad(const std::filesystem::path& path, RunContext& context,
+                     const std::string& encoding = {});
 
 /// A shape in memory, as OCCT writes it in text or binary, in its place (a rigid motion, a mirror
 /// among them): one part without a name, whatever its solids, its faces and edges numbered from 0
@@ -49,7 +53,7 @@ class BrepShape {
 
   /// The location that the shape itself carries. The functions below leave it out.
   virtual const Placement& own() const = 0;
-  /// The shape at `placement` (a rigid motion, a scale the same along all axes, a mirror); faces
+  /// The shape at `placement`, which may turn, mirror, stretch and shear, but not flatten; faces
   /// and edges numbered as `read_brep_text` does. All forms share one model.
   virtual std::shared_ptr<const Form> form(const Placement& placement) const = 0;
   /// Counts and measures at `placement`; no name.

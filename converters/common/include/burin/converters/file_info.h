@@ -21,6 +21,8 @@ struct PartInfo {
   std::vector<std::string> assembly = {};
   /// "#rrggbb" or empty.
   std::string color = {};
+  /// As that of Part.
+  double opacity = 1;
   /// The first part that shares this one's shape, -1 where the shape is its own.
   std::int32_t same_shape_as = -1;
 

@@ -25,6 +25,8 @@ struct IritReadOptions {
   double level = 0;
   bool inside_above = false;
   std::optional<Box3> bounds = {};
+  /// Of names, as iconv knows it; empty: it is found out.
+  std::string encoding = {};
 };
 
 /// Reads exact parts (ParametricForm; BrepForm of objects with trimmed surfaces). The files know no

@@ -1,6 +1,7 @@
 #pragma once
 /// What an IRIT data file holds, as it stands there.
 
+#include <burin/base/placement.h>
 #include <burin/base/run_context.h>
 #include <burin/base/text_place.h>
 #include <burin/converters/trimmed_faces.h>
@@ -53,6 +54,8 @@ struct IritTrimmed {
 /// TRIVAR BEZIER or BSPLINE of points with one coordinate: a function of space.
 struct IritTrivariate {
   TrivariateSpline spline;
+  /// Where instances take it.
+  Placement placement = {};
   IritAttributes attributes;
   std::int64_t line = 0;
 };

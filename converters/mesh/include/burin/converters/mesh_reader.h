@@ -2,6 +2,7 @@
 /// Triangle mesh files: STL, OBJ, OFF, PLY, 3MF.
 
 #include <burin/base/diagnostics.h>
+#include <burin/base/placement.h>
 #include <burin/base/run_context.h>
 #include <burin/forms/mesh/texture_map.h>
 #include <burin/forms/recognised/recognised_form.h>
@@ -15,13 +16,31 @@
 
 namespace burin {
 
+/// An object of a mesh file where it stands: a part. All but `object` and `place` are as those of
+/// Part; without a name it has that of its object.
+struct MeshUse {
+  std::size_t object = 0;
+  /// Any affine map.
+  Placement place = {};
+  std::string name = {};
+  std::vector<std::string> assembly = {};
+  std::string color = {};
+  std::string definition = {};
+  double opacity = 1;
+};
+
 /// A mesh file as it stands, before any repair: one soup a named object.
 struct MeshFile {
   /// "STL (binary)", "STL (ASCII)", "OBJ", "OFF", "PLY (ASCII)", "PLY (binary)", "3MF".
   std::string format;
   std::vector<PolygonSoup> objects;
   Diagnostics diagnostics;
+  /// Where the objects stand, once or many times; empty: each once, as it is.
+  std::vector<MeshUse> uses = {};
 };
+
+/// The objects as they stand, one a use, for those who want triangles alone.
+std::vector<PolygonSoup> placed_objects(MeshFile file);
 
 /// Whether the suffix (any case) is one of this reader's.
 bool is_mesh_suffix(const std::filesystem::path& path);
@@ -29,24 +48,30 @@ bool is_mesh_suffix(const std::filesystem::path& path);
 /// Reads a file without mending anything. The format follows from the content where that is clear,
 /// else from the suffix. Throws InputError with the line (text formats) or the byte offset (binary
 /// ones). Never allocates more than the bytes of the file can hold. Cost: 0.1 s per million
-/// triangles of binary STL.
-MeshFile read_mesh_file(const std::filesystem::path& path, const RunContext& context);
+/// triangles of binary STL. `encoding`: of names, as iconv knows it; empty: it is found out.
+MeshFile read_mesh_file(const std::filesystem::path& path, const RunContext& context,
+                        const std::string& encoding = {});
 
 /// u and v of a soup, or nothing where it has none. To be taken before `repair`.
 std::shared_ptr<const TextureMap> texture_of(const PolygonSoup& soup, const RunContext& context);
 
-/// Repairs each object of a file into a part of its own, named by the file where it has no name. A
-/// part of which no triangle is left becomes a diagnostic; throws InputError where that happens to
-/// all of them.
-Scene repair_parts(MeshFile file, const std::filesystem::path& path, const RunContext& context);
+/// Whether facets stay as they are, or become the round surfaces that they stand for.
+enum class Facets { Kept, Recognised };
 
-/// Reads and repairs: one part an object, named by the file where the object has no name.
-/// Diagnostics of both steps are in the scene's.
-Scene read_mesh(const std::filesystem::path& path, const RunContext& context);
+/// Repairs each object of a file once and makes a part of each of its uses, named by the file where
+/// it has no name; parts that are turned, moved or scaled share one form. An object of which no
+/// triangle is left becomes a diagnostic; throws InputError where that happens to all of them.
+Scene repair_parts(MeshFile file, const std::filesystem::path& path, const RunContext& context,
+                   Facets facets = Facets::Kept);
 
-/// Recognises the round surfaces that the facets of mesh parts stand for (kernel/docs/openscad.md);
-/// what was found becomes a diagnostic, and what was not leaves its part as it is.
-void heal_parts(Scene& scene, const RunContext& context);
+/// Reads and repairs. Diagnostics of both steps are in the scene's.
+Scene read_mesh(const std::filesystem::path& path, const RunContext& context,
+                Facets facets = Facets::Kept, const std::string& encoding = {});
+
+/// The round surfaces that the facets of a mesh stand for (kernel/docs/openscad.md); what was found
+/// becomes a diagnostic. The form itself where nothing was.
+std::shared_ptr<const Form> recognised(std::shared_ptr<const Form> mesh, const std::string& name,
+                                       Diagnostics& diagnostics, const RunContext& context);
 /// The diagnostic "mesh.healed", where there are any.
 void tell_round_faces(const RecognisedFaces& faces, const std::string& name,
                       Diagnostics& diagnostics);

@@ -21,6 +21,9 @@ namespace burin {
 
 /// What no file says of itself. A reader takes what concerns its formats and ignores the rest.
 struct ReadOptions {
+  /// "stl", "step" ...: what standard input is, and files whose names do not tell it; their bytes
+  /// go before it where they are clear.
+  std::string input_format = {};
   /// The domain of functions; volumes are clipped to it.
   std::optional<Box3> bounds = {};
   /// How the triangles of functions are made.
@@ -38,6 +41,9 @@ struct ReadOptions {
   double freecad_timeout = 300;
   /// Volumes; trivariate splines of IRIT files take the level (0) and what is inside (below).
   VolumeReadOptions volume = {};
+  /// Of names in files that do not say in which encoding these are, as iconv knows it; empty: it is
+  /// found out.
+  std::string encoding = {};
   /// Whether the round surfaces that facets stand for are recognised and drawn; absent: those of
   /// OpenSCAD files are, those of meshes not.
   std::optional<bool> heal = {};
@@ -58,16 +64,23 @@ const std::vector<RequestRow<ReadOptions>>& read_option_rows();
 /// What a request asks of reading. Throws UsageError that names the option.
 ReadOptions make_read_options(const Request& request, Spelling spelling);
 
+/// Whether an option about reading may concern a file, by the format that it has.
+bool concerns(const std::string& option, const std::filesystem::path& path);
+
 /// Whether our own readers know the suffix (".stl").
 bool is_own_suffix(std::string_view suffix);
+
+/// Whether some reader knows the suffix, those of plug-ins too.
+bool is_read_suffix(std::string_view suffix);
 
 /// Throws MissingFile or InputError for the first path that is no file that can be opened, and
 /// UsageError where one names a form ("form:NAME") that no plug-in has.
 void check_inputs(const std::vector<std::string>& paths);
 
 /// Reads each file by the reader of its format (known by its content where that is clear, else by
-/// its suffix); the parts of all of them, in order, and the diagnostic "option.unused" for each
-/// option that was given and concerns none of them. Stage "read". Throws InputError.
+/// its suffix); "-" is standard input, and what gzip packed is unpacked; the parts of all of them,
+/// in order, and the diagnostic "option.unused" for each option that was given and concerns none of
+/// them. Stage "read". Throws InputError.
 Scene read_scene(const std::vector<std::string>& paths, const ReadOptions& options,
                  RunContext& context);
 

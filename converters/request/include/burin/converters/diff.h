@@ -43,9 +43,10 @@ struct DiffOutcome {
 };
 
 /// Compares two models, part by part, and draws both as the plan of `after` says, for both sheets
-/// together: with `draws`. What options at a door leave out is not compared; a part that a file of
-/// its own leaves out is compared and its look told. Exploded views, callouts and parts lists are
-/// left out of such a drawing, and told. Throws as `compare_revisions`, `select_parts`, `draw`.
+/// together: with `draws`. What options at a door leave out is not compared; a part that the file
+/// of one revision alone leaves out is compared and its look told, one that both leave out is not.
+/// Exploded views, callouts and parts lists are left out of such a drawing, and told. Throws as
+/// `compare_revisions`, `select_parts`, `draw`.
 DiffOutcome diff_models(Revision before, Revision after, bool draws, RunContext& context);
 
 /// Compares two drawings line by line, within `tolerance` mm of paper.

@@ -144,6 +144,8 @@ struct DrawPlan {
   /// Of all sections; absent: as each says, or by custom.
   std::optional<std::vector<std::string>> uncut = {};
   Explode explode = {};
+  /// No view was named: an exploded one is that in which most parts are seen.
+  bool finds_view = false;
   /// Names of several views of one sheet; empty: `view`.
   std::vector<std::string> views = {};
   ProjectionMethod projection = ProjectionMethod::FirstAngle;
@@ -169,9 +171,10 @@ struct DrawPlan {
 
 /// Throws UsageError that names the option; InputError for a style file that cannot be read.
 DrawPlan make_plan(const DrawRequest& request, Spelling spelling);
-/// Turns what a plan says of parts by name into `illustrate.part_styles`, over what is there.
+/// Turns what a plan says of parts by name into `illustrate.part_styles`, over what is there. Parts
+/// of which a selector names a body are split first (burin/assembly/pieces.h).
 /// Throws UsageError where a selector names nothing, or nothing is left to draw.
-void select_parts(const Scene& scene, DrawPlan& plan);
+void select_parts(Scene& scene, DrawPlan& plan);
 /// Finds and numbers the items of the scene where the plan has a use for them, and fills
 /// `illustrate.annotations` with those that are drawn, once `select_parts` knows which these are.
 /// Tells in the scene's diagnostics of numbers that are kept for parts that are not there. Throws
@@ -200,8 +203,9 @@ Drawing draw(const Scene& scene, const SheetOfViews& sheet, const DrawPlan& plan
 /// Draws how a scene is put together, by the steps of its plan's exploded view read backwards, or
 /// by those that are found. Throws as `select_parts`, `cut_parts`, `make_book`.
 Book draw_book(Scene& scene, DrawPlan& plan, const BuildOptions& build, RunContext& context);
-/// The style of a name or file, with no changes. Throws UsageError, InputError.
-Style load_style(const std::string& name);
+/// The style of a name or file, with no changes; of some parts of a drawing in the style `whole`.
+/// Throws UsageError, InputError.
+Style load_style(const std::string& name, const Style* whole = nullptr);
 
 /// All that `make_plan` looks at, in the order of their headings.
 const std::vector<RequestOption>& all_options();

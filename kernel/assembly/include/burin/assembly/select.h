@@ -13,6 +13,11 @@ namespace burin {
 /// The names from the top of the assembly down to the part, with slashes: "pump/cover/bolt".
 std::string path_of(const Part& part);
 
+/// For each part a selector that names it alone: its path from the top, "/pump/cover/bolt", or,
+/// where another part or an assembly has that path, its number, "@index=3". A letter that names and
+/// selectors have for different things stands as ?.
+std::vector<std::string> selectors_of(const Scene& scene);
+
 /// The parts that a selector names, ascending.
 ///
 /// A selector is a name or names with slashes between them, at any depth of the assembly, from its

@@ -21,6 +21,10 @@ void parallel_for(std::size_t n, std::size_t grain,
 /// Runs both functions, at the same time where a second core is free.
 void parallel_invoke(const std::function<void()>& a, const std::function<void()>& b);
 
+/// How many threads loops may use at the most, as the system and ThreadLimit say: for programs that
+/// are started to keep to it too.
+int thread_limit();
+
 /// Limits the worker threads of the process as long as it lives; 0 = no limit of its own.
 class ThreadLimit {
  public:

@@ -7,8 +7,8 @@
 
 namespace burin {
 
-/// Where a shape stands in the scene: p -> linear * p + offset, model mm. `linear` is a rotation or
-/// a mirror image, times one scale for all directions.
+/// Where a shape stands in the scene: p -> linear * p + offset, model mm. `linear` may turn,
+/// mirror, stretch and shear (burin/base/affine.h); `scale` then is the mean of three.
 struct Placement {
   Mat3 linear{1};
   Vec3 offset{0};

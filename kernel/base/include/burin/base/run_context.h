@@ -39,8 +39,11 @@ class RunContext {
   /// Ends the stage under way and begins the next; one that comes again adds to its time.
   void begin_stage(RunStage stage);
   void end_stage();
-  /// Reports the share of the present stage that is done.
-  void progress(double share);
+  /// Reports the share of the present stage that is done; where one step of it takes long, with a
+  /// few words on what is done and how much there is of it.
+  void progress(double share, std::string doing = {});
+  /// The words of the present report, or empty; for the callback.
+  const std::string& doing() const { return doing_; }
 
   const std::vector<StageTime>& stages() const { return stages_; }
 
@@ -50,6 +53,7 @@ class RunContext {
   ProgressCallback callback_;
   std::vector<StageTime> stages_;
   int current_ = -1;
+  std::string doing_;
   Clock::time_point stage_start_{};
   Clock::time_point last_report_{};
 };

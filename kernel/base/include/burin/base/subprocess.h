@@ -37,6 +37,8 @@ struct SubprocessRun {
   std::string folder;
   /// Handed to the child as kSubprocessFile; nullptr = none.
   const MemoryFile* file = nullptr;
+  /// What it reads on its standard input; nullptr = nothing.
+  const MemoryFile* input = nullptr;
   double timeout = 10;
   /// Whether it may have three quarters of the machine's memory at the most.
   bool bounded = true;
@@ -58,7 +60,7 @@ struct SubprocessEnd {
   bool ok() const { return start_error == 0 && !timed_out && signal == 0 && status == 0; }
 };
 
-/// Runs a program in a process group of its own, standard input empty. Group and child are gone
+/// Runs a program in a process group of its own. Group and child are gone
 /// when this returns or throws. Polls `context` every 10 ms; throws Cancelled.
 SubprocessEnd run_subprocess(const SubprocessRun& run, RunContext& context);
 

@@ -32,7 +32,7 @@ class LinesOnPaper {
 };
 
 /// A path in pieces that lie on the lines and pieces that do not; each of them open, unless the
-/// path is whole. Widths and model points go with them; faces do not.
+/// path is whole. Widths, model points and faces go with them.
 struct PartedPath {
   std::vector<Path> on, off;
 };

@@ -20,6 +20,13 @@ struct PathFace {
   std::int32_t face = -1;
 };
 
+/// A line that another one stands for.
+struct PathSource {
+  SourceId source;
+  LineClass kind = LineClass::Contour;
+  bool operator==(const PathSource&) const = default;
+};
+
 /// One line of ink. `points` (paper mm, origin bottom left, y up) and `points3` (model mm) have the
 /// same size; `width` (paper mm) has one entry for a constant width or one per point.
 struct Path {
@@ -31,6 +38,8 @@ struct Path {
   SourceId source;
   /// Only where the line runs over several faces; the first entry begins at point 0.
   std::vector<PathFace> faces;
+  /// Lines that lie on this one for a part of its length and are not drawn there (`keep_one_line`).
+  std::vector<PathSource> also;
   bool closed = false;
   std::vector<Vec2> points;
   std::vector<Vec3> points3;
@@ -42,6 +51,8 @@ struct Path {
   int stroke_kind = 1;
   /// Leaders and frames: the number of the item that they are about, 0 where they are about none.
   int item = 0;
+  /// "#rrggbb"; empty: that of its layer.
+  std::string color = {};
 };
 
 /// What a piece of a path, or a path made of several, begins as: an open path without points or
@@ -89,6 +100,8 @@ struct DrawingItem {
   /// "#rrggbb" where all have one colour, and the file that all come from; else empty.
   std::string color = {};
   std::string source = {};
+  /// What names each of the parts in commands and illustration files, in their order.
+  std::vector<std::string> selectors = {};
 
   std::size_t quantity() const { return parts.size(); }
 };

@@ -38,6 +38,11 @@ struct InkLayer {
   std::vector<double> dashes(const DashOptions& options) const;
 };
 
+/// Lengths of ink and gaps for one path: stretched or shrunk, all by one factor, so that the path
+/// begins and ends with a dash and has at least one; a closed path has whole periods. One dash
+/// where the path is shorter than two with a gap.
+std::vector<double> fitted_dashes(const std::vector<double>& dashes, const Path& path);
+
 /// The layers in the order of painting. Hidden paths are gathered in the layer "hidden", which
 /// comes first unless the drawing places it. Points into `drawing`.
 std::vector<InkLayer> ink_layers(const Drawing& drawing);
@@ -52,6 +57,9 @@ struct Ink {
 
 /// That of the layer, or of the whole drawing: "#rrggbb".
 const std::string& ink_color(const InkLayer& layer, const Drawing& drawing);
+
+/// That of the path, of its layer, or of the whole drawing: "#rrggbb".
+const std::string& ink_color(const Path& path, const InkLayer& layer, const Drawing& drawing);
 
 /// Whether a path is a dot: a stroke, or the end of a leader, no longer than half its width. It is
 /// painted as a line with round ends.

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <cstdint>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -33,6 +34,8 @@ std::string utf8_of(char32_t character);
 
 /// A quoted JSON string. Bytes that are no UTF-8 become U+FFFD.
 void append_json(Buffer& out, std::string_view text);
+/// A list of them.
+void append_json(Buffer& out, std::span<const std::string> texts);
 
 /// Text or attribute value of XML; what XML cannot hold becomes U+FFFD.
 void append_xml(Buffer& out, std::string_view text);

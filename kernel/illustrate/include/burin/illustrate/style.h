@@ -17,7 +17,7 @@
 namespace burin {
 
 /// Line widths after ISO 128: the outer outline, inner contours, creases, boundaries, smooth edges
-/// and seams, intersections, hidden lines, trails of exploded views.
+/// and seams, intersections, hidden lines, trails of exploded views; and their colour.
 struct LineOptions {
   double outer = 0.5;
   double contour = 0.3;
@@ -27,6 +27,8 @@ struct LineOptions {
   double intersection = 0.25;
   double hidden = 0.18;
   double trail = 0.18;
+  /// "#rrggbb" of all lines, strokes too; empty: `SheetStyle::ink`.
+  std::string color = {};
 
   bool operator==(const LineOptions&) const = default;
 };
@@ -40,6 +42,8 @@ struct HatchStyle : HatchOptions {
   /// How much of the ink these strokes carry where other strokes of the same tone lie over them,
   /// relative to theirs: 1 - (1 - ink)^(share / sum of shares), so that all together give the tone.
   double share = 1;
+  /// "#rrggbb"; empty: that of the lines.
+  std::string color = {};
   field::FieldOptions field{};
 
   bool operator==(const HatchStyle&) const = default;
@@ -160,8 +164,11 @@ Style builtin_style(std::string_view name);
 /// names it in errors. Throws InputError on broken JSON (with its line), UsageError ("FILE:LINE:
 /// ...") on unknown keys or values out of range.
 Style parse_style(std::string_view json, const std::string& source);
-/// The same, with what neither the text nor its "base" sets from `start`.
-Style parse_style(std::string_view json, const std::string& source, const Style& start);
+/// The same, with what neither the text nor its "base" sets from `start`. `whole`: the style is
+/// that of some parts of a drawing which has this one; a key that it changes and that holds for a
+/// whole drawing (`StyleKey::of_whole`) is a UsageError unless both have the same value.
+Style parse_style(std::string_view json, const std::string& source, const Style& start,
+                  const Style* whole = nullptr);
 
 /// The style as JSON that `parse_style` reads back to the same style.
 std::string style_to_json(const Style& style);
@@ -183,9 +190,20 @@ int setting_rank(std::string_view key);
 /// A key with what it means and takes, and its value in a style as text.
 struct StyleKey : Option {
   std::string value;
+  /// Parts in a style of their own have the drawing's value all the same.
+  bool of_whole = false;
+  /// What people look for who know it by another name.
+  std::vector<std::string> also = {};
+
+  /// Whose value it is, for programs: "drawing", or "part", whose own style may have another.
+  const char* scope() const { return of_whole ? "drawing" : "part"; }
 };
 /// All keys, those of the stroke kinds that the style has among them.
 std::vector<StyleKey> style_keys(const Style& style);
+
+/// Keys that hold for a whole drawing and which `style` has otherwise than `whole` and than the
+/// defaults: what is lost where it is that of some parts of a drawing in the style `whole`.
+std::vector<std::string> keys_without_effect(const Style& style, const Style& whole);
 
 /// The JSON Schema (draft 2020-12) of style files, for editors and programs.
 std::string style_schema();

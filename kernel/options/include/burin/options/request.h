@@ -2,6 +2,7 @@
 /// Options as a user gives them: by name, as text. A row each, from which the command line, Python
 /// and their manuals are made.
 
+#include <burin/options/meant.h>
 #include <burin/options/option.h>
 
 #include <functional>
@@ -30,6 +31,8 @@ struct RequestOption {
   std::string python = {};
   /// Switches: what their "no-" form means; empty: there is none.
   std::string negated = {};
+  /// What people look for who know it by another name: "bom", "balloons".
+  std::vector<std::string> also = {};
 };
 
 /// One option as it was given.
@@ -106,9 +109,9 @@ std::vector<RequestOption> described(const std::vector<RequestRow<T>>& rows) {
   return options;
 }
 
-/// The option of that name. Throws UsageError that names the nearest of these and of `others`.
+/// The option of that name. Throws UsageError that says which of these or of `others` is meant.
 const RequestOption& find_option(const std::vector<RequestOption>& options, const std::string& name,
-                                 const std::vector<std::string>& others = {});
+                                 const std::vector<KnownWord>& others = {});
 
 /// As `to_json` of an option, with "group", "label", "default", "choices", "many", "letter",
 /// "negated" and "python".

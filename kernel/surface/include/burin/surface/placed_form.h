@@ -17,10 +17,13 @@ class Placer {
  public:
   explicit Placer(std::shared_ptr<const Form> form);
 
-  /// The form turned, scaled and moved: points, normals, curvatures (divided by the scale),
-  /// parameters and triangles are its own, placed. The form itself where the placement moves
-  /// nothing. Throws UsageError where the placement is no rotation times a scale over 0, within
-  /// 1e-9. A form that is placed already is moved on from there, not wrapped again.
+  /// The form where the placement takes it. Turned, scaled and moved (within 1e-9): points,
+  /// normals, curvatures (divided by the scale), parameters and triangles are its own, placed.
+  /// Mirrored, stretched or sheared: what `Form::mapped` makes of it, once for all copies that
+  /// differ by their offsets alone. The form itself where the placement moves nothing. Throws
+  /// UsageError where the placement is not invertible or not finite. A form that is placed already
+  /// is moved on from there, not wrapped again. Cost: that of `Form::mapped`, for a mesh a copy of
+  /// its points.
   std::shared_ptr<const Form> at(const Placement& placement) const;
 
  private:

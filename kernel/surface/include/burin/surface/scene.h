@@ -50,6 +50,11 @@ class Form {
   /// on `context`.
   virtual std::shared_ptr<const Surface> realise(const RealiseOptions& options,
                                                  RunContext& context) const = 0;
+  /// The same shape with its points taken elsewhere by any placement that is invertible: turned,
+  /// mirrored, stretched or sheared. It is what the shape becomes, with true normals and
+  /// curvatures: a stretched cylinder is freeform, a plane stays plane. Nothing where the form
+  /// cannot tell; all that readers make can. `Placer` shares what it can and is what to ask for.
+  virtual std::shared_ptr<const Form> mapped(const Placement& /*by*/) const { return nullptr; }
   /// Whether `RealiseOptions::view` changes what is realised.
   virtual bool looks_at_view() const { return true; }
   /// Whether both are sure to be realised as the same surface: one form, or one that was placed or

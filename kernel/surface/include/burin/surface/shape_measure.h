@@ -13,10 +13,14 @@ namespace burin {
 struct Definition {
   /// Whose address it is does not matter, only whether two are the same.
   const void* shape = nullptr;
-  double scale = 1;
-  bool mirrored = false;
+  /// What became of it: how it was turned counts for nothing, how it was scaled, stretched, sheared
+  /// or mirrored does.
+  Mat3 linear{1};
 
-  /// Scales within 1e-9: they come from matrices.
+  bool mirrored() const { return glm::determinant(linear) < 0; }
+  /// The lengths of all vectors and the angles between them afterwards, which no turn changes.
+  Mat3 metric() const { return glm::transpose(linear) * linear; }
+  /// Metrics within 2e-9: they come from matrices.
   bool same(const Definition& other) const;
 };
 
@@ -35,6 +39,8 @@ struct ShapeMeasure {
 
   /// Whether two shapes are alike within `relative` of their size.
   bool same(const ShapeMeasure& other, double relative = 1e-6) const;
+  /// Whether `handedness` tells the shape from its mirror image.
+  bool handed() const;
   /// The measure of the same shape made larger, and mirrored.
   ShapeMeasure scaled(double scale, bool mirrored) const;
 };

@@ -1,8 +1,8 @@
 #pragma once
 /// Which parts of two revisions are one and the same, by what is known of each.
 
-#include <burin/base/box.h>
 #include <burin/base/run_context.h>
+#include <burin/congruence/pose.h>
 #include <burin/surface/shape_measure.h>
 
 #include <cstddef>
@@ -13,18 +13,6 @@
 #include <vector>
 
 namespace burin {
-
-/// Where a shape stands: numbers that change with any move or turn but those that leave it as it
-/// is.
-struct Pose {
-  /// Of its surface; of its box where it has none.
-  Vec3 middle{0};
-  /// Second moments of the surface about the middle, along the model's axes, over the area: mm2.
-  Mat3 spread{0};
-  Box3 box;
-  /// Model mm that the middle may be off, as curved faces were measured by triangles.
-  double error = 0;
-};
 
 /// What matching knows of a part.
 struct RevisionPart {

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <memory>
 #include <string>
+#include <vector>
 
 namespace burin {
 
@@ -29,12 +30,43 @@ class BrepForm final : public Form {
   /// Throws GeometryError where no face can be realised.
   std::shared_ptr<const Surface> realise(const RealiseOptions& options,
                                          RunContext& context) const override;
+  std::shared_ptr<const Form> mapped(const Placement& by) const override;
   Definition definition() const override;
-  /// By integration over the exact faces.
+  /// By integration over the exact faces; over their splines where it is stretched.
   ShapeMeasure measure(RunContext& context) const override;
 
  private:
   std::shared_ptr<const BrepModel> model_;
+  Placement placement_;
+};
+
+/// One of several bodies of a part, and where it stands in the part.
+struct BrepBody {
+  std::shared_ptr<const BrepModel> model;
+  Placement placement;
+};
+
+/// One instance of several bodies, such as the solids of a product: side by side, unjoined. Each
+/// has a model that numbers its faces and edges on from the body before.
+class BrepBodiesForm final : public Form {
+ public:
+  /// `bodies`: at least one; shared by all instances.
+  BrepBodiesForm(std::shared_ptr<const std::vector<BrepBody>> bodies, const Placement& placement);
+  ~BrepBodiesForm() override;
+
+  const std::vector<BrepBody>& bodies() const { return *bodies_; }
+  const Placement& placement() const { return placement_; }
+  Box3 bounds(const Mat3& axes) const override;
+  /// Bodies of which nothing can be drawn are named in a diagnostic ("brep.body_not_drawn"). Throws
+  /// GeometryError where that is all of them.
+  std::shared_ptr<const Surface> realise(const RealiseOptions& options,
+                                         RunContext& context) const override;
+  std::shared_ptr<const Form> mapped(const Placement& by) const override;
+  Definition definition() const override;
+  ShapeMeasure measure(RunContext& context) const override;
+
+ private:
+  std::shared_ptr<const std::vector<BrepBody>> bodies_;
   Placement placement_;
 };
 

@@ -1,6 +1,7 @@
 #pragma once
 /// Charts that meet along edges: what trimmed faces and patches have in common.
 
+#include <burin/base/affine.h>
 #include <burin/forms/charted/chart.h>
 #include <burin/work_mesh/chart_mesh.h>
 #include <burin/work_mesh/proxy_draft.h>
@@ -36,7 +37,14 @@ struct PlacedAtlas {
   std::shared_ptr<const Atlas> atlas;
   Placement placement;
   double size = 1;
+  /// Whether the kinds of faces are what they were before it was placed.
+  bool keeps_kinds = is_similar(placement);
 
+  /// Stretched or sheared, only a plane stays what it was.
+  FaceKind kind(std::int32_t face) const {
+    const FaceKind own = atlas->chart(face).kind();
+    return keeps_kinds || own == FaceKind::Plane ? own : FaceKind::Freeform;
+  }
   bool reversed(std::int32_t face) const { return atlas->reversed(face) != placement.mirrors(); }
   Vec3 position(std::int32_t face, Vec2 uv) const {
     return placement.point(atlas->chart(face).position(uv));

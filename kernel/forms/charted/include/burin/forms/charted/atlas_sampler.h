@@ -12,7 +12,7 @@ class AtlasSampler final : public Sampler {
   explicit AtlasSampler(const PlacedAtlas& placed) : placed_(placed) {}
 
   std::size_t face_count() const override { return placed_.atlas->face_count(); }
-  FaceKind kind(std::int32_t face) const override { return chart(face).kind(); }
+  FaceKind kind(std::int32_t face) const override { return placed_.kind(face); }
   Vec2 domain_size(std::int32_t face) const override { return chart(face).domain().size(); }
   Vec2 period(std::int32_t face) const override { return chart(face).period(); }
   SurfaceSample sample(std::int32_t face, Vec2 uv) const override;

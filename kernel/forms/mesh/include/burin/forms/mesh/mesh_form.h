@@ -28,6 +28,8 @@ class MeshForm final : public Form {
   Box3 bounds(const Mat3& axes) const override;
   std::shared_ptr<const Surface> realise(const RealiseOptions& options,
                                          RunContext& context) const override;
+  /// A mesh of the points, whose creases are chosen by its own angles.
+  std::shared_ptr<const Form> mapped(const Placement& by) const override;
   /// Of the triangles as they are, not rounded.
   ShapeMeasure measure(RunContext& context) const override;
   bool looks_at_view() const override { return false; }

@@ -1,6 +1,7 @@
 #pragma once
 /// Texture coordinates of a mesh file, found again by place.
 
+#include <burin/base/placement.h>
 #include <burin/mesh/tri_mesh.h>
 #include <burin/surface/surface.h>
 
@@ -24,6 +25,9 @@ class TextureMap {
   ~TextureMap();
   TextureMap(const TextureMap&) = delete;
   TextureMap& operator=(const TextureMap&) = delete;
+
+  /// The same over the triangles where `by` takes them.
+  std::shared_ptr<const TextureMap> mapped(const Placement& by) const;
 
   /// u and v at a place (model mm), beyond 0 and 1 where the texture repeats; none where the
   /// nearest triangle has none. Cost: O(log n); the first call builds a tree, 0.5 s a million

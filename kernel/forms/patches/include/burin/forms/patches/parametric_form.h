@@ -17,17 +17,21 @@ namespace burin {
 /// and outwards where they close. Edges are sharp from 1 degree between the normals.
 class ParametricForm final : public Form {
  public:
-  explicit ParametricForm(std::vector<std::shared_ptr<const Chart>> patches, double weld = 1e-7);
+  explicit ParametricForm(std::vector<std::shared_ptr<const Chart>> patches, double weld = 1e-7,
+                          const Placement& placement = {});
   ~ParametricForm() override;
 
+  /// Not yet placed.
   const std::vector<std::shared_ptr<const Chart>>& patches() const { return patches_; }
   Box3 bounds(const Mat3& axes) const override;
   std::shared_ptr<const Surface> realise(const RealiseOptions& options,
                                          RunContext& context) const override;
+  std::shared_ptr<const Form> mapped(const Placement& by) const override;
 
  private:
   std::vector<std::shared_ptr<const Chart>> patches_;
   double weld_;
+  Placement placement_;
 };
 
 }  // namespace burin

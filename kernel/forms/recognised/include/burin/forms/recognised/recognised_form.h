@@ -39,6 +39,7 @@ class RecognisedForm final : public Form {
   RecognisedForm(TriMesh mesh, const KnownSurfaces& known, const RunContext& context);
   ~RecognisedForm() override;
 
+  /// Not yet placed.
   const TriMesh& mesh() const;
   RecognisedFaces faces() const;
   /// Whether the coordinates have too few digits left, as far from the origin, to tell round from
@@ -47,12 +48,17 @@ class RecognisedForm final : public Form {
   Box3 bounds(const Mat3& axes) const override;
   std::shared_ptr<const Surface> realise(const RealiseOptions& options,
                                          RunContext& context) const override;
+  std::shared_ptr<const Form> mapped(const Placement& by) const override;
   /// Of the triangles.
   ShapeMeasure measure(RunContext& context) const override;
 
  private:
   struct Impl;
-  std::unique_ptr<Impl> impl_;
+  RecognisedForm(std::shared_ptr<Impl> impl, const Placement& placement);
+  Box3 bounds_as_read(const Mat3& axes) const;
+
+  std::shared_ptr<Impl> impl_;
+  Placement placement_;
 };
 
 }  // namespace burin

@@ -27,16 +27,24 @@ struct BrepTriangles : ChartMesh {
 using ChartMaker =
     std::function<std::shared_ptr<const Chart>(const Handle(Geom_Surface)&, const ParameterBox&)>;
 
+/// What the drawing calls the first face and the first edge of a model that is one of several
+/// bodies of a part.
+struct FirstNumbers {
+  std::int32_t face = 0, edge = 0;
+  bool operator==(const FirstNumbers&) const = default;
+};
+
 /// A shape with its faces as charts, in its own coordinates. Faces and edges are numbered from 0 in
-/// the order of TopExp::MapShapes. Coedges are uses of edges by faces, in the order of the faces.
-/// Every function may be called from many threads.
+/// the order of TopExp::MapShapes; the drawing counts them from `FirstNumbers` on. Coedges are uses
+/// of edges by faces, in the order of the faces. Every function may be called from many threads.
 class BrepModel final : public Atlas {
  public:
   /// Takes a copy of the shape's structure (not of its geometry) with triangulations of its own.
   /// The location of the shape itself is part of its coordinates. Throws GeometryError where the
   /// shape has no face. `make_chart` stands in for make_surface_chart where tests want faces that
   /// break.
-  explicit BrepModel(const TopoDS_Shape& shape, const ChartMaker& make_chart = {});
+  explicit BrepModel(const TopoDS_Shape& shape, const ChartMaker& make_chart = {},
+                     FirstNumbers first = {});
   ~BrepModel() override;
 
   const TopoDS_Shape& shape() const;
@@ -46,6 +54,8 @@ class BrepModel final : public Atlas {
   const Chart& chart(std::int32_t face) const override;
   bool reversed(std::int32_t face) const override;
   Vec2 on_coedge(std::int32_t coedge, double t) const override;
+  std::int32_t source_face(std::int32_t face) const override { return first_.face + face; }
+  std::int32_t source_edge(std::int32_t edge) const override { return first_.edge + edge; }
 
   /// The box of axes * p, as Form::bounds: exact for planes and lines, within 1e-5 of the size
   /// elsewhere, and not less than the shape.
@@ -66,10 +76,16 @@ class BrepModel final : public Atlas {
  private:
   struct Impl;
   std::unique_ptr<Impl> impl_;
+  FirstNumbers first_;
 };
+
+/// The faces of a model as the splines that they become where they are stretched or sheared, in
+/// place: for what OCCT integrates. Throws GeometryError where OCCT cannot.
+TopoDS_Shape as_splines(const BrepModel& model, const Placement& placement);
 
 /// The model of a shape as it was read (placement apart). Throws GeometryError as BrepModel does;
 /// no exception of OCCT gets out.
-std::shared_ptr<const BrepModel> make_brep_model(const TopoDS_Shape& shape);
+std::shared_ptr<const BrepModel> make_brep_model(const TopoDS_Shape& shape,
+                                                 FirstNumbers first = {});
 
 }  // namespace burin

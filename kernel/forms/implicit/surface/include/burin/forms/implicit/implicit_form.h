@@ -57,10 +57,15 @@ class ImplicitForm final : public Form {
   /// `options.view`; positions, normals and curvature of the surface are exact in any case.
   std::shared_ptr<const Surface> realise(const RealiseOptions& options,
                                          RunContext& context) const override;
+  std::shared_ptr<const Form> mapped(const Placement& by) const override;
 
  private:
   struct Impl;
-  std::unique_ptr<const Impl> impl_;
+  ImplicitForm(std::shared_ptr<const Impl> impl, const Placement& placement);
+  Box3 bounds_as_read(const Mat3& axes) const;
+
+  std::shared_ptr<const Impl> impl_;
+  Placement placement_;
 };
 
 }  // namespace burin

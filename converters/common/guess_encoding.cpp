@@ -1,0 +1,214 @@
+#include <burin/base/ascii.h>
+
+#include "encoding.h"
+
+#include <uchardet/uchardet.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <optional>
+
+namespace burin {
+namespace {
+
+// How common what bytes stand for is in names: letters that every text is made of, signs, letters
+// of rare words, and what a name would hardly hold.
+constexpr double kCommon = 1, kUsual = 0.9, kSign = 0.7, kHalf = 0.45, kRare = 0.2, kOdd = 0.05;
+// Two encodings whose marks are nearer than this are told apart by uchardet, and by the user.
+constexpr double kNear = 0.1;
+// Below this the best one is a guess.
+constexpr double kPoor = 0.5;
+// uchardet looks at so many letters before it says anything: short names are given to it again.
+constexpr int kTimes = 16;
+
+bool within(int byte, int low, int high) { return byte >= low && byte <= high; }
+bool is_plain(int byte) { return byte < 0x80 && is_letter(static_cast<char>(byte)); }
+
+/// The bytes of a text; blanks before and after it.
+class Bytes {
+ public:
+  explicit Bytes(std::string_view text) : text_(text) {}
+  int size() const { return static_cast<int>(text_.size()); }
+  int operator[](int i) const {
+    return within(i, 0, size() - 1) ? static_cast<std::uint8_t>(text_[static_cast<std::size_t>(i)])
+                                    : ' ';
+  }
+
+ private:
+  std::string_view text_;
+};
+
+/// What the letter that begins with a byte is worth, and how many bytes it takes; 0 bytes: there
+/// is no such letter.
+struct Letter {
+  double worth = 0;
+  int bytes = 0;
+};
+
+/// Letters of two bytes over 0xa0, as the national sets that EUC stands on have them: `common`
+/// first bytes, then rare ones.
+Letter rows(int lead, int trail, int common, int rare, int last) {
+  const bool own = trail >= 0xa1;
+  if (own && within(lead, common, rare - 1)) return {kCommon, 2};
+  if (own && within(lead, rare, last)) return {kRare, 2};
+  return {own && within(lead, 0xa1, 0xa3) ? kSign : kOdd, 2};
+}
+
+Letter gb18030(const Bytes& b, int i) {
+  const int lead = b[i], trail = b[i + 1];
+  if (!within(lead, 0x81, 0xfe)) return {};
+  if (within(trail, '0', '9')) return {kOdd, within(b[i + 2], 0x81, 0xfe) ? 4 : 0};
+  if (trail < 0x40 || trail == 0x7f || trail == 0xff) return {};
+  return rows(lead, trail, 0xb0, 0xd8, 0xf7);
+}
+
+Letter euc_kr(const Bytes& b, int i) {
+  const int lead = b[i], trail = b[i + 1];
+  if (!within(lead, 0x81, 0xfd) || !(is_plain(trail) || within(trail, 0x81, 0xfe))) return {};
+  return rows(lead, trail, 0xb0, 0xc9, 0xc8);
+}
+
+Letter euc_jp(const Bytes& b, int i) {
+  const int lead = b[i], trail = b[i + 1];
+  if (lead == 0x8e && trail >= 0xa1) return {kRare, 2};
+  if (!within(lead, 0xa1, 0xfe) || !within(trail, 0xa1, 0xfe)) return {};
+  if (within(lead, 0xa4, 0xa5)) return {kCommon, 2};
+  Letter letter = rows(lead, trail, 0xb0, 0xd0, 0xfe);
+  letter.worth = std::min(letter.worth, 0.85);  // without kana it is more often Chinese
+  return letter;
+}
+
+/// Whether a second byte in ASCII looks like a letter of the word that goes on after it.
+bool in_word(const Bytes& b, int i) { return is_plain(b[i]) && is_plain(b[i + 1]); }
+
+Letter shift_jis(const Bytes& b, int i) {
+  const int lead = b[i], trail = b[i + 1];
+  if (within(lead, 0xa1, 0xdf)) return {kHalf, 1};
+  if (!(within(lead, 0x81, 0x9f) || within(lead, 0xe0, 0xfc))) return {};
+  if (trail < 0x40 || trail == 0x7f || trail > 0xfc) return {};
+  if (in_word(b, i + 1)) return {kRare, 2};
+  const bool kana = (lead == 0x82 && within(trail, 0x9f, 0xf1)) || (lead == 0x83 && trail <= 0x96);
+  if (kana || within(lead, 0x88, 0x97)) return {kCommon, 2};
+  return {within(lead, 0x81, 0x82) ? kSign : kRare, 2};
+}
+
+Letter big5(const Bytes& b, int i) {
+  const int lead = b[i], trail = b[i + 1];
+  if (!within(lead, 0x81, 0xfe)) return {};
+  if (!within(trail, 0x40, 0x7e) && !within(trail, 0xa1, 0xfe)) return {};
+  if (in_word(b, i + 1)) return {kRare, 2};
+  if (within(lead, 0xa4, 0xc6)) return {kUsual, 2};
+  if (within(lead, 0xc9, 0xf9)) return {kRare, 2};
+  return {within(lead, 0xa1, 0xa3) ? kSign : kOdd, 2};
+}
+
+/// One byte a letter: accents stand among letters, small ones beside each other too.
+Letter western(const Bytes& b, int i) {
+  const int c = b[i], before = b[i - 1], after = b[i + 1];
+  constexpr std::string_view kSigns =
+      "\xb0\xb5\xb1\xd8\xd7\xb2\xb3\xf8";  // degree, micro, diameter ...
+  const bool sign = kSigns.find(static_cast<char>(c)) != std::string_view::npos;
+  if (sign && before < 0x80 && after < 0x80) return {kCommon, 1};
+  if (c >= 0xe0) {
+    const bool begins = is_plain(before) || before == ' ' || before >= 0xc0;
+    return {begins && (after < 0x80 || after >= 0xc0) ? kCommon : 0.3, 1};
+  }
+  if (c >= 0xc0) return {after < 0x80 && (is_plain(after) || is_plain(before)) ? kCommon : 0.3, 1};
+  constexpr std::string_view kLetters =
+      "\x8a\x8c\x8e\x9a\x9c\x9e\x80\x85\x91\x92\x93\x94\x96\x97\x99";
+  if (c < 0xa0 && kLetters.find(static_cast<char>(c)) == std::string_view::npos) return {0, 1};
+  return {0.3, 1};
+}
+
+struct Candidate {
+  const char* name;  // as iconv has it, with what vendors added
+  Letter (*letter)(const Bytes&, int);
+};
+
+constexpr std::array kCandidates{Candidate{"WINDOWS-1252", western}, Candidate{"GB18030", gb18030},
+                                 Candidate{"CP932", shift_jis},      Candidate{"CP949", euc_kr},
+                                 Candidate{"EUC-JP", euc_jp},        Candidate{"BIG5", big5}};
+
+/// The mean worth of the letters; nothing where some bytes are none.
+double mark(const Candidate& candidate, const std::vector<std::string>& texts) {
+  double sum = 0;
+  int count = 0;
+  for (const std::string& text : texts) {
+    const Bytes bytes(text);
+    for (int i = 0; i < bytes.size();) {
+      if (bytes[i] < 0x80) {
+        ++i;
+        continue;
+      }
+      const Letter letter = candidate.letter(bytes, i);
+      if (letter.bytes == 0 || i + letter.bytes > bytes.size()) return 0;
+      sum += letter.worth;
+      ++count;
+      i += letter.bytes;
+    }
+  }
+  return count > 0 ? sum / count : 0;
+}
+
+/// What uchardet takes the texts for, in its own names.
+std::string detected(const std::vector<std::string>& texts, int times) {
+  const std::unique_ptr<uchardet, void (*)(uchardet_t)> detector(uchardet_new(), uchardet_delete);
+  for (int k = 0; k < times; ++k) {
+    for (const std::string& text : texts) {
+      uchardet_handle_data(detector.get(), text.data(), text.size());
+      uchardet_handle_data(detector.get(), "\n", 1);
+    }
+  }
+  uchardet_data_end(detector.get());
+  const char* name = uchardet_get_charset(detector.get());
+  return name == nullptr ? std::string() : std::string(name);
+}
+
+/// Of alphabets of one byte a letter: those of other countries stand in runs of many such bytes.
+std::string one_byte(const std::vector<std::string>& texts) {
+  int letters = 0, runs = 0;
+  bool windows = false;
+  for (const std::string& text : texts) {
+    const Bytes bytes(text);
+    for (int i = 0; i < bytes.size(); ++i) {
+      letters += bytes[i] >= 0x80;
+      windows = windows || within(bytes[i], 0x80, 0x9f);
+      runs += bytes[i] >= 0x80 && bytes[i - 1] < 0x80;
+    }
+  }
+  std::string found = detected(texts, 1);
+  if (found == "WINDOWS-1250") return found;
+  // ISO has no letters from 0x80 to 0x9f.
+  if (found == "ISO-8859-2") return windows ? "WINDOWS-1250" : found;
+  for (const char* name : {"WINDOWS-1251", "KOI8-R", "ISO-8859-5", "IBM866", "WINDOWS-1253",
+                           "ISO-8859-7", "WINDOWS-1255", "ISO-8859-8"}) {
+    if (found == name && letters >= 3 * runs) return found;
+  }
+  return "WINDOWS-1252";
+}
+
+}  // namespace
+
+EncodingGuess guess_encoding(const std::vector<std::string>& texts) {
+  std::array<double, kCandidates.size()> marks{};
+  std::ranges::transform(kCandidates, marks.begin(),
+                         [&](const Candidate& c) { return mark(c, texts); });
+  const auto best = static_cast<std::size_t>(std::ranges::max_element(marks) - marks.begin());
+  std::string found = kCandidates[best].name;
+  bool sure = marks[best] >= kPoor;
+  for (std::size_t k = 0; k < marks.size(); ++k) {
+    if (k != best && marks[k] > marks[best] - kNear) sure = false;
+  }
+  if (best == 0) return {one_byte(texts), sure};
+  if (sure) return {found, true};
+  const std::string other = detected(texts, kTimes);
+  const auto near = [&](std::size_t k) { return marks[k] > marks[best] - 2 * kNear; };
+  if (other == "UHC" && near(3)) found = "CP949";
+  if (other == "EUC-JP" && near(4) && marks[4] == kCommon) found = "EUC-JP";
+  if (other == "BIG5" && near(5) && marks[1] < kCommon) found = "BIG5";
+  return {found, false};
+}
+
+}  // namespace burin

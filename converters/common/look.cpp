@@ -1,0 +1,44 @@
+#include "look.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+
+namespace burin {
+
+Look look_of(const Rgba& color) {
+  return {fmt::format("#{:02x}{:02x}{:02x}", color[0], color[1], color[2]), color[3] / 255.0};
+}
+
+std::uint8_t channel(double share) {
+  return static_cast<std::uint8_t>(std::lround(255 * (share > 0 ? std::min(share, 1.0) : 0.0)));
+}
+
+std::optional<Rgba> hex_color(std::string_view text) {
+  if (!text.starts_with('#') || (text.size() != 7 && text.size() != 9)) return std::nullopt;
+  Rgba color{0, 0, 0, 255};
+  for (std::size_t i = 0; 2 * i + 2 < text.size(); ++i) {
+    const char* at = text.data() + 1 + 2 * i;
+    const auto [end, error] = std::from_chars(at, at + 2, color[i], 16);
+    if (error != std::errc() || end != at + 2) return std::nullopt;
+  }
+  return color;
+}
+
+void EvenLook::add(const std::optional<Rgba>& color) {
+  if (any_ && color != color_) several_ = true;
+  any_ = true;
+  color_ = color;
+}
+
+Look EvenLook::look() const { return several_ || !color_ ? Look{} : look_of(*color_); }
+
+void tell_several_colors(std::int64_t parts, Diagnostics& diagnostics) {
+  if (parts == 0) return;
+  diagnostics.add(Severity::Info, "mesh.several_colors", parts,
+                  "parts have faces of several colours; a part has one colour, so these have none");
+}
+
+}  // namespace burin

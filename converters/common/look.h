@@ -1,0 +1,53 @@
+#pragma once
+/// Colours of files, and what a part has of those of its faces.
+
+#include <burin/base/diagnostics.h>
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace burin {
+
+/// What a part looks like.
+struct Look {
+  /// "#rrggbb", or empty.
+  std::string color;
+  double opacity = 1;
+  bool operator==(const Look&) const = default;
+};
+
+/// Red, green, blue and opacity, each 0 to 255.
+using Rgba = std::array<std::uint8_t, 4>;
+Look look_of(const Rgba& color);
+
+/// A share of 1, as eight bits; what lies outside is moved to the end.
+std::uint8_t channel(double share);
+
+/// "#rrggbb" or "#rrggbbaa", in any case; nothing where the text is no such colour.
+std::optional<Rgba> hex_color(std::string_view text);
+
+/// The look of a part whose faces have colours of their own: theirs where it is one.
+class EvenLook {
+ public:
+  /// Of the next face; absent: it has none.
+  void add(const std::optional<Rgba>& color);
+  /// Of a face whose corners differ.
+  void add_uneven() { several_ = true; }
+  /// Whether there was a face with a colour, or one whose corners differ.
+  bool any() const { return color_.has_value() || several_; }
+  /// Whether faces differ.
+  bool several() const { return several_; }
+  Look look() const;
+
+ private:
+  bool any_ = false, several_ = false;
+  std::optional<Rgba> color_;
+};
+
+/// Says that so many parts have no colour, since their faces have several.
+void tell_several_colors(std::int64_t parts, Diagnostics& diagnostics);
+
+}  // namespace burin

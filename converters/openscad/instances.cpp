@@ -1,0 +1,221 @@
+#include "instances.h"
+
+#include "child.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <set>
+#include <utility>
+#include <vector>
+
+namespace burin::detail {
+namespace {
+
+// Sums of volumes that are the same: doubles of some thousands of triangles.
+constexpr double kRounding = 1e-9;
+
+/// Something that may be several: an object at the top or a call.
+struct Unit {
+  std::uint32_t node = 0;
+  /// The modules that it is called by and within.
+  std::vector<std::string> modules;
+  /// Calls that all of its solids belong to.
+  std::vector<std::uint32_t> pieces = {};
+  /// Whether these are one body where they touch.
+  bool touching_is_one = false;
+};
+
+class Finder {
+ public:
+  Finder(const csg::Tree& tree, const TreeCalls& calls) : tree_(tree), calls_(calls) {
+    holds_.assign(tree.nodes.size(), 0);
+    for (auto n = static_cast<std::uint32_t>(tree.nodes.size()); n-- > 0;) {
+      bool holds = !is_open(tree.nodes[n].module);
+      csg::for_each_child(tree, n, [&](std::uint32_t c) { holds = holds || holds_[c] != 0; });
+      holds_[n] = holds ? 1 : 0;
+    }
+  }
+
+  /// Whether nothing in an object speaks of parts or shows something beside it.
+  bool calm(std::uint32_t object) const {
+    for (std::uint32_t n = object; n < tree_.nodes[object].end; ++n) {
+      const csg::Node& node = tree_.nodes[n];
+      if (node.background || node.highlight || mark_at(tree_, n)) return false;
+    }
+    return true;
+  }
+
+  /// Fills in what a unit consists of; nothing where it is one thing.
+  void divide(Unit& unit) const {
+    for (std::uint32_t node = unit.node;;) {
+      if (const ModuleCall* call = calls_.at(node)) unit.modules.push_back(call->module);
+      unit.pieces = below(node);
+      if (std::ranges::any_of(unit.pieces, [&](std::uint32_t p) { return again(p, unit); })) {
+        unit.pieces.clear();
+      }
+      if (unit.pieces.size() != 1) break;
+      node = unit.pieces.front();  // a module of one call
+    }
+    unit.touching_is_one =
+        std::ranges::any_of(unit.pieces, [&](std::uint32_t p) { return calls_.at(p)->in_module; });
+  }
+
+ private:
+  /// Whether a module calls itself.
+  bool again(std::uint32_t piece, const Unit& unit) const {
+    const ModuleCall& call = *calls_.at(piece);
+    return call.in_module && std::ranges::find(unit.modules, call.module) != unit.modules.end();
+  }
+
+  /// The calls next below a node; none where something is no call's.
+  std::vector<std::uint32_t> below(std::uint32_t top) const {
+    std::vector<std::uint32_t> out;
+    for (std::uint32_t n = top + 1; n < tree_.nodes[top].end;) {
+      const csg::Module m = tree_.nodes[n].module;
+      if (holds_[n] == 0) {
+        n = tree_.nodes[n].end;
+      } else if (calls_.at(n)) {
+        out.push_back(n);
+        n = tree_.nodes[n].end;
+      } else if (m == csg::Module::Group || m == csg::Module::Multmatrix ||
+                 m == csg::Module::Color) {
+        ++n;
+      } else {
+        return {};
+      }
+    }
+    return out;
+  }
+
+  const csg::Tree& tree_;
+  const TreeCalls& calls_;
+  std::vector<char> holds_;
+};
+
+class Divisions {
+ public:
+  Divisions(const csg::Tree& tree, const TreeCalls& calls, std::string_view program,
+            const std::string& stem, SolidStore& store, Diagnostics& diagnostics)
+      : tree_(tree),
+        program_(program),
+        stem_(stem),
+        store_(store),
+        diagnostics_(diagnostics),
+        finder_(tree, calls) {
+    accepted_.known = &calls;
+  }
+
+  CallParts run() {
+    std::vector<Unit> units;
+    for (const std::uint32_t object : objects_at_top(tree_)) {
+      if (finder_.calm(object)) units.push_back({.node = object, .modules = {}});
+    }
+    if (!choose(units)) return std::move(accepted_);
+    std::set<std::uint32_t> nodes;
+    for (const Unit& u : units) nodes.insert(u.node);
+    std::map<std::uint32_t, Bulk> whole = bulks(accepted_, nodes, diagnostics_);
+    do {
+      CallParts asked = accepted_;
+      nodes.clear();
+      for (const Unit& u : units) nodes.insert(u.pieces.begin(), u.pieces.end());
+      asked.nodes.insert(nodes.begin(), nodes.end());
+      Diagnostics said_before;  // of the same solids
+      std::map<std::uint32_t, Bulk> parted;
+      try {
+        parted = bulks(asked, nodes, said_before);
+      } catch (const csg::NotEvaluated&) {
+        break;  // what could be evaluated stays as it was
+      }
+      std::vector<Unit> next;
+      for (const Unit& u : units) {
+        if (same(u, whole[u.node], parted)) accept(u, next);
+      }
+      units = std::move(next);
+      whole = std::move(parted);
+    } while (choose(units));
+    return std::move(accepted_);
+  }
+
+ private:
+  /// Of the parts of each of these objects and calls.
+  std::map<std::uint32_t, Bulk> bulks(const CallParts& calls, const std::set<std::uint32_t>& of,
+                                      Diagnostics& diagnostics) {
+    Diagnostics said_later;
+    const TreeParts all = parts_of(tree_, program_, stem_, said_later, calls);
+    const std::vector<StoredPart> stored = store_.store(all.parts, diagnostics);
+    std::map<std::uint32_t, Bulk> out;
+    for (std::size_t i = 0; i < stored.size(); ++i) {
+      if (!of.contains(all.parts[i].of)) continue;
+      const Bulk b = store_.bulk(stored[i]);
+      Bulk& sum = out[all.parts[i].of];
+      sum.volume += b.volume;
+      sum.shells += b.shells;
+    }
+    return out;
+  }
+
+  /// Those of the units that may be several; false where there are none.
+  bool choose(std::vector<Unit>& units) {
+    std::vector<Unit> out;
+    std::size_t count = accepted_.nodes.size();
+    for (Unit& u : units) {
+      finder_.divide(u);
+      if (u.pieces.empty()) continue;
+      count += u.pieces.size();
+      if (count > kMostInstances) {
+        count -= u.pieces.size();
+        tell(u);
+        continue;
+      }
+      out.push_back(std::move(u));
+    }
+    units = std::move(out);
+    return !units.empty();
+  }
+
+  void tell(const Unit& u) {
+    diagnostics_.add(
+        Severity::Info, "openscad.many_instances", 1,
+        fmt::format("{} calls of {} stay one part: more than {} parts come of loops "
+                    "and modules; part() says what is to be a part",
+                    u.pieces.size(), accepted_.known->at(u.pieces.front())->name, kMostInstances));
+  }
+
+  static bool same(const Unit& u, const Bulk& whole, const std::map<std::uint32_t, Bulk>& parted) {
+    Bulk sum;
+    for (const std::uint32_t p : u.pieces) {
+      const auto at = parted.find(p);
+      if (at == parted.end()) continue;
+      sum.volume += at->second.volume;
+      sum.shells += at->second.shells;
+    }
+    return whole.volume > 0 && std::abs(sum.volume - whole.volume) <= kRounding * whole.volume &&
+           (!u.touching_is_one || sum.shells == whole.shells);
+  }
+
+  void accept(const Unit& u, std::vector<Unit>& next) {
+    accepted_.nodes.erase(u.node);
+    accepted_.nodes.insert(u.pieces.begin(), u.pieces.end());
+    for (const std::uint32_t p : u.pieces) next.push_back({.node = p, .modules = u.modules});
+  }
+
+  const csg::Tree& tree_;
+  std::string_view program_;
+  const std::string& stem_;
+  SolidStore& store_;
+  Diagnostics& diagnostics_;
+  Finder finder_;
+  CallParts accepted_;
+};
+
+}  // namespace
+
+CallParts instances_of(const csg::Tree& tree, const TreeCalls& calls, std::string_view program,
+                       const std::string& stem, SolidStore& store, Diagnostics& diagnostics) {
+  return Divisions(tree, calls, program, stem, store, diagnostics).run();
+}
+
+}  // namespace burin::detail

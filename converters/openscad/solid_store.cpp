@@ -1,0 +1,185 @@
+#include "solid_store.h"
+
+#include <burin/base/disjoint_sets.h>
+
+#include "affine.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <iterator>
+#include <numeric>
+#include <optional>
+#include <string_view>
+#include <utility>
+
+namespace burin::detail {
+namespace {
+
+/// A placement within what six digits leave of a matrix; nothing where it does more than turn,
+/// mirror, move and scale alike in all directions.
+std::optional<Placement> placement_of(const csg::Matrix& m) {
+  constexpr double kDigits = 3e-6;  // of numbers up to 1
+  const Affine by(m);
+  const double scale = std::cbrt(std::abs(glm::determinant(by.linear)));
+  if (!(scale > 0) || off_rotation(by.linear / scale) > kDigits) return std::nullopt;
+  // The nearest rotation, by Newton's method for the polar decomposition.
+  Mat3 turn = by.linear / scale;
+  for (int i = 0; i < 4; ++i) turn = 0.5 * (turn + glm::transpose(glm::inverse(turn)));
+  return Placement{scale * turn, by.offset};
+}
+
+csg::Matrix product(const csg::Matrix& outer, const csg::Matrix& inner) {
+  return outer == csg::Matrix{} ? inner : outer * inner;
+}
+
+std::string matrix_text(const csg::Matrix& m) {
+  std::string text = "multmatrix([";
+  for (const auto& row : m.row) {
+    text += fmt::format("[{},{},{},{}],", row[0], row[1], row[2], row[3]);
+  }
+  return text + "[0,0,0,1]])";
+}
+
+/// A part as the text of what it is an instance of, and where that stands.
+struct Instance {
+  std::string text;
+  /// How many nodes the text has.
+  std::uint32_t nodes = 0;
+  Placement place;
+  double growth = 1;
+
+  void stands(const Placement& at, const csg::Matrix& m) {
+    place = at;
+    growth = std::abs(m.determinant());
+  }
+};
+
+Instance instance_of(const csg::Tree& tree, const TreePart& part) {
+  Instance out;
+  for (const TreePart::Piece& piece : part.pieces) {
+    out.nodes += tree.nodes[piece.node].end - piece.node;
+  }
+  if (part.pieces.size() == 1) {
+    const csg::Matrix m = product(part.frame, part.pieces.front().at);
+    if (const auto place = placement_of(m)) {
+      out.stands(*place, m);
+      out.text = std::string(tree.text_of(part.pieces.front().node));
+      return out;
+    }
+  }
+  const auto frame = placement_of(part.frame);
+  if (frame) out.stands(*frame, part.frame);
+  for (const TreePart::Piece& piece : part.pieces) {
+    const std::string_view text = tree.text_of(piece.node);
+    const csg::Matrix at = frame ? piece.at : product(part.frame, piece.at);
+    if (at == csg::Matrix{}) {
+      out.text += text;
+    } else {
+      out.text += fmt::format("{}{{{}}}", matrix_text(at), text);
+      ++out.nodes;
+    }
+    out.text += '\n';
+  }
+  return out;
+}
+
+/// What two texts have in common that differ by how deep they stand in the tree: tabs at the
+/// beginnings of lines say that alone, unless a text in quotes goes over several lines.
+std::string key_of(const std::string& text) {
+  if (text.find('"') != std::string::npos) return text;
+  std::string out;
+  out.reserve(text.size());
+  bool begins = true;
+  for (const char c : text) {
+    if (begins && (c == '\t' || c == ' ')) continue;
+    begins = c == '\n';
+    out += c;
+  }
+  return out;
+}
+
+double volume_of(const csg::Solid& solid) {
+  double sum = 0;
+  if (solid.empty()) return sum;
+  const Vec3 origin = solid.positions[solid.triangles[0][0]];  // far solids lose no digits
+  for (const auto& t : solid.triangles) {
+    sum += glm::dot(solid.positions[t[0]] - origin,
+                    glm::cross(solid.positions[t[1]] - origin, solid.positions[t[2]] - origin));
+  }
+  return sum / 6;
+}
+
+/// What hangs together by points in one place.
+std::size_t shells_of(const csg::Solid& solid) {
+  std::vector<std::uint32_t> order(solid.positions.size());
+  std::iota(order.begin(), order.end(), 0U);
+  const auto less = [&](std::uint32_t i, std::uint32_t j) {
+    const Vec3 &a = solid.positions[i], &b = solid.positions[j];
+    return a.x != b.x ? a.x < b.x : a.y != b.y ? a.y < b.y : a.z < b.z;
+  };
+  std::ranges::sort(order, less);
+  DisjointSets sets(order.size());
+  for (std::size_t k = 1; k < order.size(); ++k) {
+    if (!less(order[k - 1], order[k])) sets.join(order[k - 1], order[k]);
+  }
+  for (const auto& t : solid.triangles) {
+    sets.join(t[0], t[1]);
+    sets.join(t[1], t[2]);
+  }
+  std::vector<char> counted(order.size(), 0);
+  std::size_t count = 0;
+  for (const auto& t : solid.triangles) {
+    char& seen = counted[sets.find(t[0])];
+    count += seen == 0 ? 1 : 0;
+    seen = 1;
+  }
+  return count;
+}
+
+}  // namespace
+
+csg::ChildOptions evaluation_of(const std::filesystem::path& path) {
+  csg::ChildOptions options;
+  options.folder = std::filesystem::absolute(path).parent_path();
+  options.file = path.string();
+  return options;
+}
+
+SolidStore::SolidStore(const csg::Tree& tree, std::filesystem::path path, RunContext& context)
+    : tree_(tree), path_(std::move(path)), context_(context) {}
+
+std::vector<StoredPart> SolidStore::store(const std::vector<TreePart>& parts,
+                                          Diagnostics& diagnostics) {
+  std::vector<StoredPart> out;
+  // One text of what has to be evaluated, and the numbers of its objects.
+  std::string text;
+  std::vector<std::uint32_t> objects;
+  std::uint32_t next = 1;
+  for (const TreePart& part : parts) {
+    const Instance instance = instance_of(tree_, part);
+    const auto [entry, fresh] =
+        known_.try_emplace(key_of(instance.text), solids_.size() + objects.size());
+    if (fresh) {
+      text += fmt::format("group(){{\n{}}}\n", instance.text);
+      objects.push_back(next);
+      next += 1 + instance.nodes;
+    }
+    out.push_back({entry->second, instance.place, instance.growth});
+  }
+  if (objects.empty()) return out;
+  std::vector<csg::Solid> made =
+      csg::evaluate_in_child(text, objects, evaluation_of(path_), context_, diagnostics);
+  std::ranges::move(made, std::back_inserter(solids_));
+  return out;
+}
+
+Bulk SolidStore::bulk(const StoredPart& part) {
+  const auto [at, fresh] = bulks_.try_emplace(part.solid);
+  if (fresh) at->second = {volume_of(solids_[part.solid]), shells_of(solids_[part.solid])};
+  return {part.growth * at->second.volume, at->second.shells};
+}
+
+}  // namespace burin::detail

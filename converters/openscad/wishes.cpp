@@ -1,0 +1,113 @@
+#include "wishes.h"
+
+#include "text.h"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace burin::detail {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+class Settings {
+ public:
+  Settings(const TreeParts& all, const std::vector<bool>& made, Diagnostics& diagnostics)
+      : all_(all), made_(made), diagnostics_(diagnostics) {
+    json_["burin"] = "illustration";
+    json_["version"] = 1;
+  }
+
+  std::string run() {
+    for (std::size_t i = 0; i < all_.parts.size(); ++i) {
+      const TreePart& part = all_.parts[i];
+      if (made_[i] && (part.background || part.highlight)) ghost(part);
+    }
+    for (const PartCall& call : all_.calls) say(call);
+    if (!all_.views.empty()) view(all_.views.back());
+    return json_.size() > 2 ? json_.dump() : std::string();
+  }
+
+ private:
+  void tell(const std::string& what) {
+    diagnostics_.add(Severity::Warning, "openscad.mark", 1, what);
+  }
+
+  void say(const PartCall& call) {
+    std::vector<std::string> names;
+    for (const std::size_t p : call.parts) {
+      if (made_[p]) names.push_back(all_.parts[p].name);
+    }
+    if (names.empty()) return;
+    if (call.mark.what == "ink") return ink(call, names);
+    if (call.mark.what == "explode") return explode(call, names);
+    if (call.mark.what == "callout") return callout(call, names);
+    tell(fmt::format("burin.scad says {}, which this Burin does not know",
+                     in_quotes(call.mark.what)));
+  }
+
+  void ghost(const TreePart& part) {
+    Json look = {{"select", part.name}, {"hatched", false}};
+    if (part.background) look["transparent"] = true;
+    json_["looks"].push_back(look);
+  }
+
+  void ink(const PartCall& call, const std::vector<std::string>& names) {
+    const Json& style = call.mark.arguments.empty() ? Json() : call.mark.arguments[0];
+    if (!style.is_string()) return tell("ink() takes a style, as in ink(\"engraving\") lid();");
+    for (const std::string& name : names) {
+      json_["looks"].push_back({{"select", name}, {"style", style}});
+    }
+  }
+
+  void explode(const PartCall& call, const std::vector<std::string>& names) {
+    const Json& by = call.mark.arguments.empty() ? Json() : call.mark.arguments[0];
+    const bool numbers = by.is_array() && by.size() == 3 &&
+                         std::ranges::all_of(by, [](const Json& v) { return v.is_number(); });
+    std::array<double, 3> way{};
+    for (std::size_t i = 0; numbers && i < 3; ++i) {
+      // A direction: turned as the parts are, not moved.
+      for (std::size_t k = 0; k < 3; ++k) way[i] += call.at.row[i][k] * by[k].get<double>();
+    }
+    const double length = std::hypot(way[0], way[1], way[2]);
+    if (!(length > 0)) return tell("explode() takes a way in mm, as in explode([0, 0, 30]) lid();");
+    json_["explode"]["steps"].push_back(
+        {{"move", names}, {"along", {way[0], way[1], way[2]}}, {"by", length}});
+  }
+
+  void callout(const PartCall& call, const std::vector<std::string>& names) {
+    json_["callouts"] = true;
+    const Json& number = call.mark.arguments.empty() ? Json() : call.mark.arguments[0];
+    if (number.is_null()) return;
+    if (!number.is_number() || number != std::floor(number.get<double>())) {
+      return tell("callout() takes a whole number or nothing, as in callout(3) lid();");
+    }
+    json_["items"][fmt::format("{:.0f}", number.get<double>())] = names.front();
+  }
+
+  void view(const Mark& mark) {
+    const auto given = [&](std::size_t i) {
+      return i < mark.arguments.size() && !mark.arguments[i].is_null();
+    };
+    if (given(0)) json_["view"]["from"] = mark.arguments[0];
+    if (given(1)) json_["view"]["up"] = mark.arguments[1];
+  }
+
+  const TreeParts& all_;
+  const std::vector<bool>& made_;
+  Diagnostics& diagnostics_;
+  Json json_;
+};
+
+}  // namespace
+
+std::string settings_of(const TreeParts& parts, const std::vector<bool>& made,
+                        Diagnostics& diagnostics) {
+  return Settings(parts, made, diagnostics).run();
+}
+
+}  // namespace burin::detail

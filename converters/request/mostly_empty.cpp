@@ -1,0 +1,62 @@
+#include "mostly_empty.h"
+
+#include <burin/base/box.h>
+#include <burin/camera/view_grid.h>
+#include <burin/drawing/font.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace burin::detail {
+namespace {
+
+/// How many times as large a drawing at a scale that was asked for could be.
+constexpr double kMuchLarger = 5;
+/// Share of the sheet that a fitted drawing takes at least.
+constexpr double kLittle = 0.05;
+
+Box2 ink_box(const Drawing& drawing) {
+  Box2 box;
+  for (const Layer& layer : drawing.layers) {
+    for (const Path& path : layer.paths) {
+      for (const Vec2& p : path.points) box.add(p);
+    }
+    for (const Text& text : layer.texts) box.add(text_box(text));
+  }
+  return box;
+}
+
+/// What is told of the sheet already.
+bool is_told(const Drawing& drawing) {
+  return std::ranges::any_of(drawing.diagnostics.entries(), [](const Diagnostic& d) {
+    return d.code == "drawing.empty" || d.code == "sheet.outside" || d.code == "sheet.dot" ||
+           d.code == "sheet.clipped";
+  });
+}
+
+}  // namespace
+
+void tell_mostly_empty(const DrawPlan& plan, Drawing& drawing) {
+  const Box2 ink = ink_box(drawing);
+  if (plan.sheet.fits || ink.empty() || is_told(drawing)) return;
+  const Vec2 sheet(drawing.paper_width, drawing.paper_height);
+  const Margin& margin = plan.sheet.margin;
+  const Vec2 room = sheet - Vec2(margin.left + margin.right, margin.top + margin.bottom);
+  const Vec2 size = glm::max(ink.size(), Vec2(1e-6));
+  const double larger = std::min(room.x / size.x, room.y / size.y);
+  const double share = size.x * size.y / (sheet.x * sheet.y);
+  const bool scaled = plan.view.scale.has_value();
+  if (scaled ? larger < kMuchLarger : share >= kLittle) return;
+  const std::string fills = scaled
+                                ? fmt::format("a `scale` of {} would fill it, ",
+                                              scale_text(standard_scale(*plan.view.scale * larger)))
+                                : std::string();
+  drawing.diagnostics.add(
+      Severity::Warning, "sheet.mostly_empty", 1,
+      fmt::format("the drawing takes {:.0f} x {:.0f} mm of a sheet of {:g} x {:g} mm, {:.2g} % of "
+                  "it: {}`paper fit` makes the sheet as large as the drawing",
+                  size.x, size.y, sheet.x, sheet.y, 100 * share, fills));
+}
+
+}  // namespace burin::detail

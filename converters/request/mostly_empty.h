@@ -1,0 +1,11 @@
+#pragma once
+// A sheet that holds little; internal to the room.
+
+#include <burin/converters/request.h>
+
+namespace burin::detail {
+
+/// Tells of a drawing that takes a small part of its sheet, with what would fill it.
+void tell_mostly_empty(const DrawPlan& plan, Drawing& drawing);
+
+}  // namespace burin::detail

@@ -1,0 +1,107 @@
+#include "kinds.h"
+
+#include <burin/assembly/items.h>
+#include <burin/base/ascii.h>
+#include <burin/base/error.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <string_view>
+#include <utility>
+
+namespace burin::detail {
+namespace {
+
+/// Share of a part's size within which a surface lies on its mirror image.
+constexpr double kPlace = 1e-5;
+
+/// What names that differ by a number at their end share: "chip" of "chip2" and "chip #3"; the name
+/// where it is nothing but a number.
+std::string family(std::string_view name) {
+  std::string stem = instance_stem(name);
+  const std::size_t last = stem.find_last_not_of("0123456789");
+  if (last == stem.npos) return stem;
+  const std::size_t end = std::string_view(stem).substr(0, last + 1).find_last_not_of("_.:-# ");
+  return end == stem.npos ? stem : stem.substr(0, end + 1);
+}
+
+}  // namespace
+
+std::vector<Kind> Kinds::find() {
+  for (std::size_t i = 0; i < scene_.parts.size(); ++i) {
+    context_.check();
+    add(i);
+  }
+  return std::move(kinds_);
+}
+
+void Kinds::add(std::size_t index) {
+  const Part& part = scene_.parts[index];
+  const std::string key = family(part.definition.empty() ? part.name : part.definition);
+  std::vector<std::size_t>& of_name = by_name_[key];
+  KnownShape shape{part.form->definition(), {}};
+  for (const std::size_t k : of_name) {
+    const auto same = [&](const KnownShape& s) { return s.definition.same(shape.definition); };
+    if (std::ranges::any_of(kinds_[k].shapes, same)) return kinds_[k].parts.push_back(index);
+  }
+  // Measured only where a name has two shapes.
+  for (const std::size_t k : of_name) {
+    if (!same_shape(kinds_[k], shape, index)) continue;
+    kinds_[k].shapes.push_back(shape);
+    return kinds_[k].parts.push_back(index);
+  }
+  of_name.push_back(kinds_.size());
+  kinds_.push_back({key, {shape}, {index}, nullptr, {}});
+}
+
+bool Kinds::same_shape(Kind& kind, KnownShape& shape, std::size_t index) {
+  KnownShape& first = kind.shapes.front();
+  if (!first.measure) first.measure = measured(kind.parts.front());
+  if (!shape.measure) shape.measure = measured(index);
+  if (!first.measure || !shape.measure || !first.measure->same(*shape.measure)) return false;
+  return (first.measure->handed() && shape.measure->handed()) || same_hand(kind, shape, index);
+}
+
+bool Kinds::same_hand(Kind& kind, const KnownShape& shape, std::size_t index) {
+  if (!kind.body) kind.body = body_of(kind.parts.front());
+  if (!kind.body) return false;
+  const double place = kPlace * kind.body->pose().box.diagonal();
+  if (!kind.own_image) {
+    kind.own_image = rigid_move(*kind.body, kind.body->mirrored(), place, context_).has_value();
+  }
+  if (*kind.own_image) return true;
+  Definition image = shape.definition;
+  image.linear = -image.linear;
+  if (image.same(kind.shapes.front().definition)) return false;
+  const auto body = body_of(index);
+  return body && rigid_move(*kind.body, *body, place, context_).has_value();
+}
+
+std::optional<ShapeMeasure> Kinds::measured(std::size_t index) {
+  try {
+    return scene_.parts[index].form->measure(context_);
+  } catch (const GeometryError& e) {
+    tell(index, e.what());
+    return std::nullopt;
+  }
+}
+
+std::shared_ptr<const Body> Kinds::body_of(std::size_t index) {
+  try {
+    return std::make_shared<const Body>(realised_to_compare(*scene_.parts[index].form, context_));
+  } catch (const GeometryError& e) {
+    tell(index, e.what());
+    return nullptr;
+  }
+}
+
+void Kinds::tell(std::size_t index, const char* why) {
+  if (!told_.insert(index).second) return;
+  diagnostics_.add(Severity::Warning, "items.not_measured", 1,
+                   fmt::format("{}: counts as an item of its own, as it cannot be compared with "
+                               "others of its name: {}",
+                               scene_.parts[index].name, why));
+}
+
+}  // namespace burin::detail

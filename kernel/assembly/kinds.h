@@ -1,0 +1,60 @@
+#pragma once
+// Which parts are of one name and one shape; internal to the room.
+
+#include <burin/base/diagnostics.h>
+#include <burin/congruence/body.h>
+#include <burin/surface/scene.h>
+
+#include <map>
+#include <memory>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace burin::detail {
+
+/// One shape, as far as it is known.
+struct KnownShape {
+  Definition definition;
+  std::optional<ShapeMeasure> measure;
+};
+
+/// Parts that are alike, before they have a number.
+struct Kind {
+  /// The name without numbers at its end.
+  std::string key;
+  std::vector<KnownShape> shapes;
+  std::vector<std::size_t> parts;
+  /// The first shape as triangles, and whether that is its own mirror image, where it was asked.
+  std::shared_ptr<const Body> body;
+  std::optional<bool> own_image;
+};
+
+class Kinds {
+ public:
+  Kinds(const Scene& scene, Diagnostics& diagnostics, RunContext& context)
+      : scene_(scene), diagnostics_(diagnostics), context_(context) {}
+
+  /// In the order of the scene.
+  std::vector<Kind> find();
+
+ private:
+  void add(std::size_t index);
+  /// Whether the part at `index`, of `shape`, is a copy of what is known of a kind.
+  bool same_shape(Kind& kind, KnownShape& shape, std::size_t index);
+  /// Where measures do not tell left from right.
+  bool same_hand(Kind& kind, const KnownShape& shape, std::size_t index);
+  std::optional<ShapeMeasure> measured(std::size_t index);
+  std::shared_ptr<const Body> body_of(std::size_t index);
+  void tell(std::size_t index, const char* why);
+
+  const Scene& scene_;
+  Diagnostics& diagnostics_;
+  RunContext& context_;
+  std::vector<Kind> kinds_;
+  std::map<std::string, std::vector<std::size_t>> by_name_;
+  std::set<std::size_t> told_;
+};
+
+}  // namespace burin::detail

@@ -1,0 +1,66 @@
+#include <burin/assembly/pieces.h>
+
+#include "selector_names.h"
+
+#include <algorithm>
+#include <iterator>
+#include <utility>
+#include <vector>
+
+namespace burin {
+namespace {
+
+std::vector<detail::NamePatterns> by_name(std::span<const std::string> selectors) {
+  std::vector<detail::NamePatterns> patterns;
+  for (const std::string& selector : selectors) {
+    // What is wrong with others is told where they are to select something.
+    if (selector.find_first_not_of('/') == selector.npos || selector.starts_with('@')) continue;
+    patterns.emplace_back(selector);
+  }
+  return patterns;
+}
+
+bool any_piece_named(const Part& part, const std::vector<detail::NamePatterns>& patterns) {
+  std::vector<std::string> names = detail::names_of(part);
+  names.emplace_back();
+  return std::ranges::any_of(part.pieces, [&](const Piece& piece) {
+    names.back() = piece.name;
+    return std::ranges::any_of(patterns, [&](const auto& p) { return p.lead_to_last(names); });
+  });
+}
+
+Part part_of(const Part& whole, Piece piece) {
+  Part part;
+  // In lists it is not what the whole is an instance of.
+  part.definition = (whole.definition.empty() ? whole.name : whole.definition) + ", " + piece.name;
+  part.name = std::move(piece.name);
+  part.source = whole.source;
+  part.form = std::move(piece.form);
+  part.assembly = detail::names_of(whole);
+  part.color = piece.color.empty() ? whole.color : piece.color;
+  part.opacity = whole.opacity;
+  return part;
+}
+
+}  // namespace
+
+std::vector<std::size_t> split_pieces(Scene& scene, std::span<const std::string> selectors) {
+  const std::vector<detail::NamePatterns> patterns = by_name(selectors);
+  std::vector<Part> others;
+  std::vector<std::size_t> from;
+  for (std::size_t i = 0; i < scene.parts.size(); ++i) {
+    Part& part = scene.parts[i];
+    if (part.pieces.empty() || !any_piece_named(part, patterns)) continue;
+    const Part whole = std::move(part);
+    part = part_of(whole, whole.pieces.front());
+    for (std::size_t k = 1; k < whole.pieces.size(); ++k) {
+      others.push_back(part_of(whole, whole.pieces[k]));
+      from.push_back(i);
+    }
+  }
+  scene.parts.insert(scene.parts.end(), std::make_move_iterator(others.begin()),
+                     std::make_move_iterator(others.end()));
+  return from;
+}
+
+}  // namespace burin

@@ -1,0 +1,82 @@
+#include "selector_names.h"
+
+#include <burin/base/error.h>
+
+#include <algorithm>
+
+namespace burin::detail {
+namespace {
+
+std::vector<std::string> parted(std::string_view path) {
+  std::vector<std::string> names;
+  for (std::size_t from = 0; from <= path.size();) {
+    const std::size_t to = std::min(path.find('/', from), path.size());
+    if (to > from) names.emplace_back(path.substr(from, to - from));
+    from = to + 1;
+  }
+  return names;
+}
+
+}  // namespace
+
+// Bounded: a star that fails is tried again from the next letter, the stars before it never are.
+bool like(std::string_view pattern, std::string_view name) {
+  std::size_t p = 0, n = 0, star = pattern.npos, from = 0;
+  while (n < name.size()) {
+    if (p < pattern.size() && pattern[p] == '*') {
+      star = p++;
+      from = n;
+    } else if (p < pattern.size() && (pattern[p] == '?' || pattern[p] == name[n])) {
+      ++p, ++n;
+    } else if (star != pattern.npos) {
+      p = star + 1;
+      n = ++from;
+    } else {
+      return false;
+    }
+  }
+  while (p < pattern.size() && pattern[p] == '*') ++p;
+  return p == pattern.size();
+}
+
+std::vector<std::string> names_of(const Part& part) {
+  std::vector<std::string> names = part.assembly;
+  names.push_back(part.name);
+  return names;
+}
+
+NamePatterns::NamePatterns(std::string_view selector) : patterns_(parted(selector)) {
+  if (patterns_.empty()) throw UsageError("a selector is the name of a part, not empty");
+  path_ = patterns_.size() > 1;
+  if (!selector.starts_with('/')) patterns_.insert(patterns_.begin(), "**");
+}
+
+// Entry i: the patterns may have taken the first i names.
+std::vector<bool> NamePatterns::reached(std::span<const std::string> names) const {
+  std::vector<bool> reached(names.size() + 1, false);
+  reached[0] = true;
+  for (const std::string& pattern : patterns_) {
+    std::vector<bool> next(names.size() + 1, false);
+    for (std::size_t i = 0; i <= names.size(); ++i) {
+      if (pattern == "**") {
+        next[i] = reached[i] || (i > 0 && next[i - 1]);
+      } else {
+        next[i] = i > 0 && reached[i - 1] && like(pattern, names[i - 1]);
+      }
+    }
+    reached = std::move(next);
+  }
+  return reached;
+}
+
+bool NamePatterns::lead_to(std::span<const std::string> names) const {
+  const std::vector<bool> all = reached(names);
+  return std::find(all.begin(), all.end(), true) != all.end();
+}
+
+bool NamePatterns::lead_to_last(std::span<const std::string> names) const {
+  const std::vector<bool> all = reached(names);
+  return path_ && std::find(all.begin(), all.end(), true) == std::prev(all.end()) && all.back();
+}
+
+}  // namespace burin::detail

@@ -1,0 +1,37 @@
+#pragma once
+// What a selector says of names; internal to the room.
+
+#include <burin/surface/scene.h>
+
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace burin::detail {
+
+/// Whether a name is as the pattern says: * any text, ? any letter.
+bool like(std::string_view pattern, std::string_view name);
+
+/// The names from the top of the assembly down to the part.
+std::vector<std::string> names_of(const Part& part);
+
+/// The patterns of a selector by name, one for each level. Throws UsageError where it is empty.
+class NamePatterns {
+ public:
+  explicit NamePatterns(std::string_view selector);
+
+  /// Whether the names begin as the patterns say: what they lead to, or what contains it, is meant.
+  bool lead_to(std::span<const std::string> names) const;
+  /// Whether they lead to the last of the names, and to nothing that contains it. Bodies of parts
+  /// have names such as "solid 2" in all files: a pattern of one level, such as "*2", means none.
+  bool lead_to_last(std::span<const std::string> names) const;
+
+ private:
+  std::vector<bool> reached(std::span<const std::string> names) const;
+
+  std::vector<std::string> patterns_;
+  bool path_ = false;
+};
+
+}  // namespace burin::detail

@@ -1,0 +1,90 @@
+/// Bodies of parts, chosen one by one.
+
+#include <burin/assembly/pieces.h>
+#include <burin/assembly/select.h>
+#include <burin/base/error.h>
+
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+namespace burin {
+namespace {
+
+/// board (one body), chip of three bodies twice, a lid of two.
+Scene scene() {
+  Scene s;
+  const auto add = [&](std::string name, std::vector<std::string> assembly, int bodies) {
+    Part part;
+    part.name = std::move(name);
+    part.assembly = std::move(assembly);
+    part.definition = part.name.substr(0, 4);
+    part.color = "#102030";
+    for (int i = 1; i <= bodies; ++i) {
+      part.pieces.push_back({"solid " + std::to_string(i), nullptr, i == 2 ? "#ff0000" : ""});
+    }
+    s.parts.push_back(std::move(part));
+  };
+  add("board", {"card"}, 0);
+  add("chip", {"card"}, 3);
+  add("chip #2", {"card"}, 3);
+  add("lid", {}, 2);
+  return s;
+}
+
+std::vector<std::string> paths(const Scene& scene) {
+  std::vector<std::string> all;
+  for (const Part& part : scene.parts) all.push_back(path_of(part));
+  return all;
+}
+
+using Strings = std::vector<std::string>;
+using Parts = std::vector<std::size_t>;
+
+TEST(Pieces, AreSplitWhereASelectorNamesOneByItsPath) {
+  Scene s = scene();
+  EXPECT_EQ(split_pieces(s, Strings{"chip/solid 2"}), (Parts{1, 1}));
+  // The numbers of the other parts stay.
+  EXPECT_EQ(paths(s), (Strings{"card/board", "card/chip/solid 1", "card/chip #2", "lid",
+                               "card/chip/solid 2", "card/chip/solid 3"}));
+  EXPECT_EQ(select(s, "chip/solid 2"), (Parts{4}));
+  EXPECT_EQ(select(s, "chip"), (Parts{1, 4, 5}));
+  EXPECT_EQ(select(s, "card"), (Parts{0, 1, 2, 4, 5}));
+  EXPECT_EQ(s.parts[4].color, "#ff0000");
+  EXPECT_EQ(s.parts[5].color, "#102030");
+  EXPECT_EQ(s.parts[5].definition, "chip, solid 3");
+  EXPECT_EQ(s.parts[2].pieces.size(), 3u);
+}
+
+TEST(Pieces, PatternsOfPathsNameThemInAllPartsThatTheyLeadTo) {
+  for (const auto& [selector, count] :
+       {std::pair("*/solid 2", 9), std::pair("/card/chip*/solid ?", 8), std::pair("**/solid 3", 8),
+        std::pair("/lid/*", 5), std::pair("lid/solid 2", 5)}) {
+    Scene s = scene();
+    split_pieces(s, Strings{selector});
+    EXPECT_EQ(s.parts.size(), static_cast<std::size_t>(count)) << selector;
+  }
+}
+
+TEST(Pieces, StayTogetherWhereASelectorLeadsToTheirPart) {
+  // Names of one level are those of parts: else "*2" would mean bodies of all parts.
+  for (const char* selector : {"chip", "*", "card/*", "card/**", "solid 2", "*2", "@index=1", "/",
+                               "", "chip/solid 7", "board/solid 1"}) {
+    Scene s = scene();
+    EXPECT_TRUE(split_pieces(s, Strings{selector}).empty()) << selector;
+    EXPECT_EQ(s.parts.size(), 4u) << selector;
+  }
+}
+
+TEST(Pieces, AreNamedWhereASelectorFindsNothing) {
+  try {
+    select(scene(), "chip/solid 7");
+    ADD_FAILURE();
+  } catch (const UsageError& e) {
+    EXPECT_NE(std::string(e.what()).find("chip/solid"), std::string::npos) << e.what();
+  }
+}
+
+}  // namespace
+}  // namespace burin

@@ -1,0 +1,168 @@
+// Names in encodings that files do not tell.
+#include <burin/base/error.h>
+
+#include "cad_files.h"
+#include "encoding.h"
+
+#include <filesystem>
+#include <vector>
+
+namespace burin {
+namespace {
+
+using Strings = std::vector<std::string>;
+
+struct Encoded {
+  Strings names, bytes;
+  const char* encoding;
+};
+
+const std::vector<Encoded>& examples() {
+  static const std::vector<Encoded> all = {
+      {{"Gehäusedeckel"}, {"Geh\xe4usedeckel"}, "WINDOWS-1252"},
+      {{"Führung Ø8"},
+       {"F\xfchrung \xd8"
+        "8"},
+       "WINDOWS-1252"},
+      {{"90° Écrou"},
+       {"90\xb0 \xc9"
+        "crou"},
+       "WINDOWS-1252"},
+      {{"pièce à œil"},
+       {"pi\xe8"
+        "ce \xe0 \x9cil"},
+       "WINDOWS-1252"},
+      {{"Корпус насоса"}, {"\xca\xee\xf0\xef\xf3\xf1 \xed\xe0\xf1\xee\xf1\xe0"}, "WINDOWS-1251"},
+      {{"Прокладка"}, {"\xcf\xf0\xee\xea\xeb\xe0\xe4\xea\xe0"}, "WINDOWS-1251"},
+      {{"Šroub"}, {"\x8aroub"}, "WINDOWS-1250"},
+      {{"轴承盖", "齿轮轴"}, {"\xd6\xe1\xb3\xd0\xb8\xc7", "\xb3\xdd\xc2\xd6\xd6\xe1"}, "GB18030"},
+      {{"底板", "支架", "螺母"},
+       {"\xb5\xd7\xb0\xe5", "\xd6\xa7\xbc\xdc", "\xc2\xdd\xc4\xb8"},
+       "GB18030"},
+      {{"螺栓M8"}, {"\xc2\xdd\xcb\xa8M8"}, "GB18030"},
+      {{"軸受カバー", "表示板ソ"},
+       {"\x8e\xb2\x8e\xf3\x83J\x83o\x81[", "\x95\x5c\x8e\xa6\x94\xc2\x83\x5c"},
+       "CP932"},
+      {{"ボルト M8"}, {"\x83{\x83\x8b\x83g M8"}, "CP932"},
+      {{"部品"}, {"\x95\x94\x95i"}, "CP932"},
+      {{"베어링 커버"}, {"\xba\xa3\xbe\xee\xb8\xb5 \xc4\xbf\xb9\xf6"}, "CP949"},
+      {{"하우징", "볼트", "본체"},
+       {"\xc7\xcf\xbf\xec\xc2\xa1", "\xba\xbc\xc6\xae", "\xba\xbb\xc3\xbc"},
+       "CP949"},
+      {{"ボルト", "ナット"}, {"\xa5\xdc\xa5\xeb\xa5\xc8", "\xa5\xca\xa5\xc3\xa5\xc8"}, "EUC-JP"},
+      {{"外殼"}, {"\xa5~\xb4\xdf"}, "BIG5"},
+  };
+  return all;
+}
+
+std::string guess(const Strings& bytes) { return guess_encoding(bytes).encoding; }
+
+TEST(NameEncodings, AreToldByTheLettersThatTheyMake) {
+  for (const Encoded& one : examples()) EXPECT_EQ(guess(one.bytes), one.encoding) << one.names[0];
+}
+
+TEST(NameEncodings, GiveTheNames) {
+  for (const Encoded& one : examples()) {
+    TextDecoder decoder("");
+    for (const std::string& bytes : one.bytes) decoder.learn(bytes);
+    for (std::size_t i = 0; i < one.bytes.size(); ++i) {
+      EXPECT_EQ(decoder.utf8(one.bytes[i]), one.names[i]) << one.encoding;
+    }
+  }
+}
+
+TEST(NameEncodings, Utf8AndAsciiStayAsTheyAre) {
+  TextDecoder decoder("");
+  for (const char* name : {"Gehäuse", "轴承", "plain"}) decoder.learn(name);
+  EXPECT_EQ(decoder.utf8("Gehäuse"), "Gehäuse");
+  Diagnostics said;
+  decoder.tell(said);
+  EXPECT_TRUE(said.empty());
+  EXPECT_EQ(utf8_text("#1 = PRODUCT('Gehäuse');\n", "", said), "");
+  EXPECT_TRUE(said.empty());
+}
+
+TEST(NameEncodings, WhatIsUnsureIsSaidOnceAndTheUserDecides) {
+  // Axis, of one letter that Korean and Chinese files may both mean.
+  const std::string axis = "\xc3\xe0";
+  TextDecoder decoder("");
+  for (int i = 0; i < 3; ++i) decoder.learn(axis);
+  EXPECT_EQ(decoder.utf8(axis), "축");
+  Diagnostics said;
+  decoder.tell(said);
+  ASSERT_EQ(said.entries().size(), 1u);
+  EXPECT_EQ(said.entries()[0].code, "names.encoding");
+  EXPECT_NE(said.entries()[0].message.find("EUC-KR ('축')"), std::string::npos)
+      << said.entries()[0].message;
+  Diagnostics quiet;
+  for (const char* name : {"GB18030", "gbk", "GB2312"}) {
+    TextDecoder told(name);
+    told.learn(axis);
+    EXPECT_EQ(told.utf8(axis), "绵") << name;
+    told.tell(quiet);
+  }
+  EXPECT_TRUE(quiet.empty());
+}
+
+TEST(NameEncodings, BytesThatAreNoLetterAreReplaced) {
+  TextDecoder decoder("UTF-8");
+  decoder.learn("Geh\xe4use");
+  EXPECT_EQ(decoder.utf8("Geh\xe4use"), "Geh\xef\xbf\xbduse");
+}
+
+TEST(NameEncodings, ThatNobodyKnowsAreRefused) {
+  EXPECT_NO_THROW(check_encoding("option --encoding", "Shift_JIS"));
+  for (const char* name : {"klingon", ""}) {
+    EXPECT_THROW(check_encoding("option --encoding", name), UsageError) << name;
+  }
+}
+
+class CadNames : public test::CadTest {};
+
+TEST_F(CadNames, OfStepAreDecodedWhereverTheyStand) {
+  test::CadDocument document;
+  const TDF_Label part = document.part(test::solid_box(1, 1, 1), "QPARTQ");
+  const TDF_Label top = document.assembly("QTOPQ");
+  document.use(top, part, test::moved(1, 0, 0), "QPARTQ");
+  const std::string file = document.step(folder_ / "plain.step");
+  for (const Encoded& one : examples()) {
+    const std::string& name = one.bytes.front();
+    // A second byte of Shift-JIS may be a backslash, which a control directive begins with.
+    const Scene scene = read(changed(changed(file, "QPARTQ", name, "part.step"), "QTOPQ",
+                                     one.bytes.back() + "\\X2\\00C4\\X0\\", "both.step"));
+    ASSERT_EQ(scene.parts.size(), 1u);
+    EXPECT_EQ(scene.parts[0].name, one.names.front()) << one.encoding;
+    EXPECT_EQ(scene.parts[0].assembly, Strings{one.names.back() + "Ä"}) << one.encoding;
+  }
+}
+
+TEST_F(CadNames, OfIgesAreDecodedToo) {
+  test::CadDocument document;
+  document.part(test::solid_box(1, 1, 1), "NAMENAME");
+  const std::string file = document.iges(folder_ / "plain.igs");
+  // As many bytes, for lines of IGES have 80 and texts a length before them.
+  const Scene scene = read(changed(file, "NAMENAME",
+                                   "F\xfc"
+                                   "hrung8",
+                                   "named.igs"));
+  ASSERT_FALSE(scene.parts.empty());
+  EXPECT_EQ(scene.parts[0].name, "Führung8");
+}
+
+TEST_F(CadNames, OfForeignFilesArriveWhole) {
+  const std::filesystem::path folder = std::filesystem::path(BURIN_TEST_DATA) / "outside";
+  if (!std::filesystem::exists(folder)) GTEST_SKIP() << "no " << folder;
+  for (const auto& [file, first, second] :
+       {std::tuple("names_latin1.step", "Gehäusedeckel", "Führung Ø8"),
+        std::tuple("names_gb18030.step", "轴承盖", "齿轮轴"),
+        std::tuple("names_sjis.step", "軸受カバー", "表示板ソ")}) {
+    const Scene scene = read((folder / file).string());
+    ASSERT_EQ(scene.parts.size(), 2u) << file;
+    EXPECT_EQ(scene.parts[0].name, first);
+    EXPECT_EQ(scene.parts[1].name, second);
+    EXPECT_EQ(test::count_of(scene.diagnostics, "names.encoding"), 0) << file;
+  }
+}
+
+}  // namespace
+}  // namespace burin

@@ -1,0 +1,106 @@
+// Colours of meshes: one of a part where its faces have one.
+#include "reading.h"
+
+namespace burin {
+namespace {
+
+using test::read_scene;
+
+const std::string kOff = "4 4 0\n";
+const std::string kPoints = "0 0 0\n1 0 0\n0 1 0\n0 0 1\n";
+
+Part only(const Scene& scene) {
+  EXPECT_EQ(scene.parts.size(), 1u);
+  return scene.parts.at(0);
+}
+
+std::string off_faces(const std::string& color, const std::string& last) {
+  return "3 0 2 1 " + color + "\n3 0 1 3 " + color + "\n3 0 3 2 " + color + "\n3 1 2 3 " + last +
+         "\n";
+}
+
+TEST(Look, FacesOfOff) {
+  const auto read = [](const std::string& color, const std::string& last) {
+    return read_scene("OFF\n" + kOff + kPoints + off_faces(color, last), "a.off");
+  };
+  EXPECT_EQ(only(read("255 128 0", "255 128 0")).color, "#ff8000");
+  const Part glass = only(read("1.0 0.5 0 0.25", "1.0 0.5 0 0.25"));
+  EXPECT_EQ(glass.color, "#ff8000");
+  EXPECT_NEAR(glass.opacity, 0.25, 1 / 255.0);
+  const Scene uneven = read("255 0 0", "0 0 255");
+  EXPECT_EQ(only(uneven).color, "");
+  EXPECT_EQ(test::count_of(uneven.diagnostics, "mesh.several_colors"), 1);
+  EXPECT_EQ(only(read("7", "7")).color, "");  // a place in a table
+  EXPECT_EQ(only(read("", "")).color, "");
+}
+
+TEST(Look, VerticesOfOff) {
+  const std::string points = "0 0 0 0 0 255 255\n1 0 0 0 0 255 255\n0 1 0 0 0 255 255\n";
+  const Scene scene =
+      read_scene("COFF\n" + kOff + points + "0 0 1 0 0 255 255\n" + off_faces("", ""), "a.off");
+  EXPECT_EQ(only(scene).color, "#0000ff");
+}
+
+std::string ply(const std::string& type, const std::string& vertices, const std::string& of_face,
+                const std::string& faces) {
+  const auto channels = [&](const std::string& kind) {
+    return "property " + kind + " red\nproperty " + kind + " green\nproperty " + kind + " blue\n";
+  };
+  return "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty "
+         "float z\n" +
+         (type.empty() ? "" : channels(type)) +
+         "element face 4\nproperty list uchar int vertex_indices\n" +
+         (of_face.empty() ? "" : channels(of_face)) + "end_header\n" + vertices + faces;
+}
+
+TEST(Look, VerticesAndFacesOfPly) {
+  const std::string faces = "3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3\n";
+  const auto points = [](const std::string& color) {
+    return "0 0 0 " + color + "\n1 0 0 " + color + "\n0 1 0 " + color + "\n0 0 1 " + color + "\n";
+  };
+  EXPECT_EQ(only(read_scene(ply("uchar", points("255 128 0"), "", faces), "a.ply")).color,
+            "#ff8000");
+  EXPECT_EQ(only(read_scene(ply("float", points("1 0.5 0"), "", faces), "a.ply")).color, "#ff8000");
+  const std::string blue = "3 0 2 1 0 0 255\n3 0 1 3 0 0 255\n3 0 3 2 0 0 255\n3 1 2 3 0 0 255\n";
+  EXPECT_EQ(only(read_scene(ply("uchar", points("255 128 0"), "uchar", blue), "a.ply")).color,
+            "#0000ff");
+  EXPECT_EQ(only(read_scene(ply("", kPoints, "", faces), "a.ply")).color, "");
+  const std::string mixed = "0 0 0 9 9 9\n1 0 0 9 9 9\n0 1 0 9 9 9\n0 0 1 9 9 8\n";
+  const Scene uneven = read_scene(ply("uchar", mixed, "", faces), "a.ply");
+  EXPECT_EQ(only(uneven).color, "");
+  EXPECT_EQ(test::count_of(uneven.diagnostics, "mesh.several_colors"), 1);
+}
+
+TEST(Look, MaterialsOfObj) {
+  const std::string points = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\n";
+  const std::string closed = "f 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n";
+  const std::string library =
+      "# by hand\nnewmtl red paint\nKd 1 0 0\nKa 0 0 0\n\nnewmtl glass\r\nKd 0 0 1\r\nd -halo "
+      "0.25\r\n"
+      "newmtl worn\nKd 1 1 1\nTr 0.5\nmap_Kd wood.png\nnewmtl mist\nkd 0.5\ntr 0.75\n";
+  const test::Folder folder;
+  folder.write("my colours.mtl", library);
+  const auto read = [&](const std::string& text) {
+    const RunContext context;
+    return read_mesh(folder.write("a.obj", text), context);
+  };
+  const Scene scene =
+      read("mtllib C:\\models\\my colours.mtl\n" + points + "o a\nusemtl red paint\n" + closed +
+           "o b\nusemtl glass\n" + closed + "o c\nusemtl worn\n" + closed + "o d\nusemtl mist\n" +
+           closed + "o e\nusemtl glass\nf 1 3 2\nf 1 2 4\n" +
+           "usemtl red paint\nf 1 4 3\nf 2 3 4\no f\nusemtl lost\n" + closed);
+  ASSERT_EQ(scene.parts.size(), 6u);
+  const std::vector<std::string> colors = {"#ff0000", "#0000ff", "", "#808080", "", ""};
+  for (std::size_t i = 0; i < colors.size(); ++i) EXPECT_EQ(scene.parts[i].color, colors[i]) << i;
+  EXPECT_NEAR(scene.parts[1].opacity, 0.25, 1 / 255.0);
+  EXPECT_NEAR(scene.parts[3].opacity, 0.25, 1 / 255.0);
+  EXPECT_EQ(scene.parts[2].opacity, 1);
+  EXPECT_EQ(test::count_of(scene.diagnostics, "mesh.several_colors"), 1);
+
+  const Scene lost = read("mtllib gone.mtl\n" + points + "usemtl x\n" + closed);
+  EXPECT_EQ(only(lost).color, "");
+  EXPECT_EQ(test::count_of(lost.diagnostics, "obj.no_materials"), 1);
+}
+
+}  // namespace
+}  // namespace burin
