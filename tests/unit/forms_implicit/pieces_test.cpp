@@ -6,52 +6,18 @@
 #include <burin/forms/implicit/implicit_form.h>
 #include <burin/forms/implicit/volume_function.h>
 
-#include <gtest/gtest.h>
+#include "components.h"
 
-#include <algorithm>
-#include <cmath>
+#include <gtest/gtest.h>
 
 namespace burin {
 namespace {
 
 using namespace implicit;
 
-struct Found {
-  std::size_t components = 0;
-  TriMesh mesh;
-  Diagnostics diagnostics;
-
-  bool says(const std::string& code) const {
-    return std::ranges::any_of(diagnostics.entries(),
-                               [&](const Diagnostic& d) { return d.code == code; });
-  }
-};
-
-Found find(const std::shared_ptr<const ImplicitFunction>& f, std::optional<Box3> domain = {}) {
-  RunContext context;
-  Found found;
-  RealiseOptions options;
-  options.tolerance = 0.01;
-  options.diagnostics = &found.diagnostics;
-  const auto surface = ImplicitForm(f, domain, context).realise(options, context);
-  found.components = surface->proxy().topology.component_closed.size();
-  for (const auto closed : surface->proxy().topology.component_closed) EXPECT_TRUE(closed);
-  found.mesh = surface->proxy().mesh;
-  return found;
-}
-
-Found find(const Expression& e, std::optional<Box3> domain = {}) {
-  return find(make_function(e), domain);
-}
-
-/// The box of the vertices nearer to a place than `reach`.
-Box3 around(const TriMesh& mesh, Vec3 p, double reach) {
-  Box3 box;
-  for (const Vec3& v : mesh.positions) {
-    if (glm::distance(v, p) < reach) box.add(v);
-  }
-  return box;
-}
+using test::around;
+using test::find;
+using test::Found;
 
 Expression balls_and_a_speck(Vec3 speck, double radius) {
   Expression e = translate(sphere(radius), speck);
@@ -65,7 +31,7 @@ TEST(ImplicitPieces, ABallFarFromOthersIsFound) {
   const Found found = find(balls_and_a_speck(Vec3(20), 0.1));
   EXPECT_EQ(found.components, 28u);
   EXPECT_TRUE(found.diagnostics.empty());
-  const Box3 box = around(found.mesh, Vec3(20), 1);
+  const Box3 box = test::box_of(around(found.mesh, Vec3(20), 1));
   ASSERT_FALSE(box.empty());
   for (int a = 0; a < 3; ++a) EXPECT_NEAR(box.size()[a], 0.2, 0.01);
 }

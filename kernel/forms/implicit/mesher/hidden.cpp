@@ -101,7 +101,7 @@ class Search {
         grid_(layout),
         fine_{layout.origin, layout.step / kFinest, layout.cells * kFinest},
         within_(within),
-        budget_(budget),
+        left_(budget.left()),
         context_(context) {}
 
   HiddenPlaces run() {
@@ -110,11 +110,7 @@ class Search {
     const int longest = std::max({fine_.cells.x, fine_.cells.y, fine_.cells.z});
     for (root.side = kFinest; root.side < longest;) root.side *= 2;
     std::vector<Cube> cubes{root};
-    try {
-      while (!cubes.empty()) cubes = next(cubes);
-    } catch (const TooMuchWork&) {
-      // Where it ends, what was found so far counts.
-    }
+    while (!cubes.empty()) cubes = next(cubes);
     return std::move(found_);
   }
 
@@ -134,14 +130,10 @@ class Search {
   // What is left of the cubes of one size, divided.
   std::vector<Cube> next(std::vector<Cube>& cubes) {
     const int side = cubes.front().side;
-    std::vector<Finding> findings(cubes.size(), Finding::Nothing);
-    in_turn(cubes.size(), [&](std::size_t i) { return look_at(cubes[i], findings[i]); });
-    const auto open =
-        static_cast<std::size_t>(std::count(findings.begin(), findings.end(), Finding::Open));
-    if (side < kFinest) keep_hidden(cubes, findings);
-    if (side <= kSampled || (side <= kFinest && open > kMany)) settle(cubes, findings, side, open);
-    if (side > 1 && !is_affordable(cubes, findings)) {
-      if (side <= kFinest) leave(cubes, findings);
+    // Those that are not looked at before the budget ends stay open.
+    std::vector<Finding> findings(cubes.size(), Finding::Open);
+    if (!examine_all(cubes, findings) || (side > 1 && is_hopeless(cubes, findings))) {
+      leave(cubes, findings);
       return {};
     }
     std::vector<Cube> parts;
@@ -151,34 +143,60 @@ class Search {
     return parts;
   }
 
-  // Nothing is begun that the budget does not hold: each of the open cubes in eight parts, and a
-  // range and a slope of each cell that a surface through it passes.
-  bool is_affordable(const std::vector<Cube>& cubes, const std::vector<Finding>& findings) const {
+  // False where the budget ends.
+  bool examine_all(std::vector<Cube>& cubes, std::vector<Finding>& findings) {
+    const int side = cubes.front().side;
+    if (!in_turn(cubes.size(), [&](std::size_t i) { return look_at(cubes[i], findings[i]); })) {
+      return false;
+    }
+    const auto open =
+        static_cast<std::size_t>(std::count(findings.begin(), findings.end(), Finding::Open));
+    if (side < kFinest && !keep_hidden(cubes, findings)) return false;
+    return !(side <= kSampled || (side <= kFinest && open > kMany)) ||
+           settle(cubes, findings, side, open);
+  }
+
+  // Nothing is begun that the budget does not hold: the open cubes in eight parts each. Where
+  // dividing rules out nothing of late, as at walls that are thinner than a cell, what that takes
+  // down to the cells is foretold, with a margin as long as cubes are large.
+  bool is_hopeless(const std::vector<Cube>& cubes, const std::vector<Finding>& findings) {
     double operations = 0;
     for (std::size_t i = 0; i < cubes.size(); ++i) {
       if (findings[i] == Finding::Open) operations += cubes[i].function->cost();
     }
-    // In larger cubes more of the function matters than will in their cells.
-    constexpr int kNear = 8;
+    // A surface that no slope explains passes through four of eight parts.
+    constexpr double kSurface = 3.9;
+    const bool spreads = operations > kSurface * operations_;
+    operations_ = operations;
+    if (operations * 8 * (kRange + kSlope) > left_) return true;
     const int along = cubes.front().side / kFinest;
-    const double parts = operations * (along <= kNear ? std::max(8, along * along) : 8);
-    return parts * (kRange + kSlope) <= budget_.left();
+    constexpr int kNear = 4;
+    if (!spreads || along < 1 || along > 2 * kNear) return false;
+    const double margin = along > kNear ? 4 : 1;
+    return operations * 2 * along * along * kExpected > margin * left_;
   }
+  // Where the budget ends, what was found so far counts.
   void leave(const std::vector<Cube>& cubes, const std::vector<Finding>& findings) {
+    if (cubes.front().side > kFinest) {
+      found_.whole = found_.whole && std::ranges::find(findings, Finding::Open) == findings.end();
+      return;
+    }
     for (std::size_t i = 0; i < cubes.size(); ++i) {
       if (findings[i] != Finding::Open) continue;
-      found_.doubtful.push_back({cell_of(cubes[i]), box_of(cubes[i]), false});
+      found_.doubtful.push_back({cell_of(cubes[i]), box_of(cubes[i])});
     }
   }
 
   // `run` for each of n, which returns the nanoseconds that it took: counted after some at a time,
   // so that what is done beyond the budget is little, and the same for any number of threads.
+  // False where the budget ends before all are done.
   template <class Run>
-  void in_turn(std::size_t n, const Run& run) {
+  bool in_turn(std::size_t n, const Run& run) {
     constexpr std::size_t kAtATime = 512;
     std::array<double, kAtATime> spent;
     const std::size_t together = work::grain(kExpected * f_.cost(), kAtATime);
     for (std::size_t begin = 0; begin < n; begin += together) {
+      if (!(left_ >= 0)) return false;
       const std::size_t end = std::min(n, begin + together);
       parallel_for(
           end - begin, 16,
@@ -186,13 +204,15 @@ class Search {
             for (std::size_t i = from; i < to; ++i) spent[i] = run(begin + i);
           },
           &context_);
-      for (std::size_t i = 0; i < end - begin; ++i) budget_.spend(spent[i], 1);
+      for (std::size_t i = 0; i < end - begin; ++i) left_ -= spent[i];
     }
+    return true;
   }
 
   // Returns the nanoseconds that it took, as `told` does.
   double look_at(Cube& c, Finding& finding) const {
     const Box3 box = box_of(c);
+    finding = Finding::Nothing;
     for (int a = 0; a < 3; ++a) {
       if (!(box.min[a] < box.max[a])) return 0;
     }
@@ -222,40 +242,46 @@ class Search {
     }
   }
 
-  // Cubes of one sign smaller than a cell, which may be what no sample shows.
-  void keep_hidden(const std::vector<Cube>& cubes, const std::vector<Finding>& findings) {
-    std::vector<std::uint8_t> hidden(cubes.size(), 0);
-    in_turn(cubes.size(), [&](std::size_t i) {
+  // Cubes of one sign smaller than a cell, which may be what no sample shows; those that are not
+  // asked before the budget ends are open.
+  bool keep_hidden(const std::vector<Cube>& cubes, std::vector<Finding>& findings) {
+    std::vector<Told> told(cubes.size(), Told::Unsaid);
+    const bool all = in_turn(cubes.size(), [&](std::size_t i) {
       if (findings[i] != Finding::Same) return 0.0;
       const Vec3 p = box_of(cubes[i]).center();
-      hidden[i] = !shown(cubes[i], p, inside(cubes[i].function->value(p)));
+      const bool sign = inside(cubes[i].function->value(p));
+      told[i] = shown(cubes[i], p, sign) ? Told::Explained : Told::Hidden;
       return cubes[i].function->cost() * kSamples;
     });
     for (std::size_t i = 0; i < cubes.size(); ++i) {
-      if (hidden[i]) found_.places.push_back({cell_of(cubes[i]), box_of(cubes[i]), true});
+      if (findings[i] != Finding::Same) continue;
+      if (told[i] == Told::Hidden) found_.places.push_back({cell_of(cubes[i]), box_of(cubes[i])});
+      if (told[i] == Told::Unsaid) findings[i] = Finding::Open;
     }
+    return all;
   }
 
   // Tells by samples what is in the cubes that are open still; passes over those that the grid
   // explains, and at last those of which nothing can be told.
-  void settle(const std::vector<Cube>& cubes, std::vector<Finding>& findings, int side,
+  bool settle(const std::vector<Cube>& cubes, std::vector<Finding>& findings, int side,
               std::size_t open) {
     const bool fine = side <= kSampled, last = side == 1 || open > kDoubtful;
     std::vector<Told> told(cubes.size(), Told::Unsaid);
-    in_turn(cubes.size(), [&](std::size_t i) {
+    const bool all = in_turn(cubes.size(), [&](std::size_t i) {
       if (findings[i] != Finding::Open) return 0.0;
       told[i] = ask(cubes[i], fine);
       return cubes[i].function->cost() * kSamples;
     });
     for (std::size_t i = 0; i < cubes.size(); ++i) {
       if (findings[i] != Finding::Open) continue;
-      const HiddenPlace place{cell_of(cubes[i]), box_of(cubes[i]), false};
+      const HiddenPlace place{cell_of(cubes[i]), box_of(cubes[i])};
       if (told[i] == Told::Explained || told[i] == Told::Hidden || (fine && last)) {
         findings[i] = Finding::Nothing;
       }
       if (told[i] == Told::Hidden) found_.places.push_back(place);
       if (told[i] == Told::Unsaid && fine && last) found_.doubtful.push_back(place);
     }
+    return all;
   }
 
   // What samples of a cube tell.
@@ -316,7 +342,8 @@ class Search {
   const ImplicitFunction& f_;
   const GridLayout grid_, fine_;
   const Box3 within_;
-  WorkBudget budget_;
+  double left_;            // nanoseconds
+  double operations_ = 1;  // of the cubes of one size that were open
   const RunContext& context_;
   HiddenPlaces found_;
 };

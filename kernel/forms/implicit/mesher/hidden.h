@@ -15,14 +15,15 @@ namespace burin {
 struct HiddenPlace {
   Cell cell{0};  // of the grid
   Box3 box;
-  /// Whether the sign is the same all over the box, proved by intervals.
-  bool proved = false;
 };
 
 struct HiddenPlaces {
   std::vector<HiddenPlace> places;
   /// Cubes of which nothing could be told: of the finest size, or where the budget ends.
   std::vector<HiddenPlace> doubtful;
+  /// Whether all was searched; false where the budget ended at cubes larger than a cell, which
+  /// are too many to name.
+  bool whole = true;
 };
 
 /// Searches all cells of a grid within a box for them, down to a 32nd of a step. A component of

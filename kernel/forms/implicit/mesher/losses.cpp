@@ -18,6 +18,11 @@ constexpr double kNear = 0.8;
 // Steps of the whole mesh: larger components are not lost whole.
 constexpr double kLarge = 6;
 
+struct Lost {
+  Component piece;
+  std::vector<std::uint32_t> fragments;  // components of the mesh, by the names of their sets
+};
+
 // The components of a first look beside those of a mesh made afterwards.
 class Losses {
  public:
@@ -36,9 +41,10 @@ class Losses {
     }
   }
 
-  // What is not there; what is there of it is left out.
-  std::vector<Component> find() {
+  // What is not there, but in fragments.
+  std::vector<Lost> find() {
     std::vector<std::uint8_t> lost(expected_.boxes.size(), 0);
+    std::vector<Lost> out;
     // Fewer are left each time.
     for (bool more = true; more;) {
       more = false;
@@ -49,18 +55,24 @@ class Losses {
         if (is_there(e)) continue;
         lost[e] = 1;
         more = true;
+        Lost& l = out.emplace_back();
+        l.piece = {expected_.boxes[e], survey_.mesh.positions[e], survey_.mesh.step_at(e)};
         for (const std::uint32_t m : components_) {
-          if (is_part(m, e)) dropped_[m] = 1;
+          if (!is_part(m, e)) continue;
+          dropped_[m] = 1;
+          l.fragments.push_back(m);
         }
       }
     }
-    std::vector<Component> out;
-    for (std::uint32_t e = 0; e < lost.size(); ++e) {
-      if (!lost[e]) continue;
-      out.push_back({expected_.boxes[e], survey_.mesh.positions[e], survey_.mesh.step_at(e)});
-    }
-    if (std::ranges::find(dropped_, 1) != dropped_.end()) drop_components(mesh_, made_, dropped_);
     return out;
+  }
+
+  // Leaves out the fragments of those that were meshed.
+  void drop(const std::vector<std::uint32_t>& fragments) {
+    if (fragments.empty()) return;
+    std::ranges::fill(dropped_, std::uint8_t{0});
+    for (const std::uint32_t m : fragments) dropped_[m] = 1;
+    drop_components(mesh_, made_, dropped_);
   }
 
  private:
@@ -125,27 +137,46 @@ class Losses {
   PointCells near_;
 };
 
+// Steps that hold the tolerance, across a piece of some.
+double step_for(const Component& piece, double tolerance) {
+  constexpr double kMostAcross = 60;     // steps
+  constexpr double kEdgePerStep = 1.25;  // as in choose_step
+  const double size = longest(piece.box);
+  const double wanted = std::sqrt(4 * size * tolerance) / kEdgePerStep;
+  return std::min(piece.step, std::clamp(wanted, size / kMostAcross, size / kStepsAcross));
+}
+
 }  // namespace
 
 bool add_lost_pieces(ExactMesh& mesh, const Survey& survey, double tolerance, WorkBudget budget,
                      const RunContext& context) {
-  constexpr double kMostAcross = 60;     // steps
-  constexpr double kEdgePerStep = 1.25;  // as in choose_step
+  // What may be meshed in vain: of a wall as thin as a cell each sample is such a piece.
+  constexpr double kMostVain = 0.1;
+  double vain = kMostVain * budget.left();
+  Losses losses(mesh, survey, budget, context);
+  std::vector<ExactMesh> parts;
+  std::vector<std::uint32_t> fragments;
+  bool all = true;
   try {
-    for (const Component& piece : Losses(mesh, survey, budget, context).find()) {
+    for (const Lost& lost : losses.find()) {
       context.check();
-      const double size = longest(piece.box);
-      const double wanted = std::sqrt(4 * size * tolerance) / kEdgePerStep;
-      const double step =
-          std::min(piece.step, std::clamp(wanted, size / kMostAcross, size / kStepsAcross));
-      const auto part = mesh_piece(survey, piece, step, budget, context);
-      if (!part) return false;
-      append(mesh, *part);
+      if (vain < 0) break;
+      const double begun = budget.left();
+      auto part = mesh_piece(survey, lost.piece, step_for(lost.piece, tolerance), budget, context);
+      if (part) {
+        parts.push_back(std::move(*part));
+        fragments.insert(fragments.end(), lost.fragments.begin(), lost.fragments.end());
+      } else {
+        vain -= begun - budget.left();
+        all = false;
+      }
     }
   } catch (const TooMuchWork&) {
-    return false;
+    all = false;
   }
-  return true;
+  losses.drop(fragments);
+  for (const ExactMesh& part : parts) append(mesh, part);
+  return all;
 }
 
 }  // namespace burin

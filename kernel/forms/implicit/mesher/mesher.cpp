@@ -27,7 +27,7 @@ constexpr double kMostSteps = 1024;
 constexpr double kLookBudget = 4e9;
 // What may be spent on what lies between its samples: shares of what the look itself has taken, at
 // least so many nanoseconds, to find the places and to mesh what is there.
-constexpr double kHiddenShare = 0.1, kPiecesShare = 0.2, kHiddenLeast = 3e7, kPiecesLeast = 1e8;
+constexpr double kHiddenShare = 0.1, kPiecesShare = 0.2, kHiddenLeast = 1e8, kPiecesLeast = 5e8;
 // Vertices of a look: a surface that has more is noise, or finer than a drawing can show.
 constexpr std::size_t kMaxVertices = 1'500'000;
 constexpr double kCoarsest = 64, kFinest = 1000;  // steps along the surface's longest side
@@ -145,7 +145,12 @@ void measure(Survey& s, const RunContext& context) {
 
 void look_between(Survey& s, const GridLayout& layout, const Box3& within,
                   const RunContext& context) {
-  if (!s.function->has_slopes()) return;
+  s.unseen.below = 2 * layout.step;
+  if (!s.function->has_slopes()) {
+    s.unseen.why = "a function that does not tell its slopes over boxes is only sampled";
+    s.unseen.severity = Severity::Info;
+    return;
+  }
   const double taken = kLookBudget - s.mesh.budget.left();
   HiddenPlaces hidden =
       find_hidden(*s.function, layout, within,
@@ -156,21 +161,20 @@ void look_between(Survey& s, const GridLayout& layout, const Box3& within,
     const Box3 place{chip.center() - kRim * layout.step, chip.center() + kRim * layout.step};
     for (int k = 0; k < 8; ++k) {
       const Vec3 aside = layout.step * (Vec3(k & 1, (k >> 1) & 1, k >> 2) - 0.5);
-      hidden.places.push_back({layout.cell_of(chip.center() + aside), place, false});
+      hidden.places.push_back({layout.cell_of(chip.center() + aside), place});
     }
   }
   WorkBudget budget(std::max(kPiecesLeast, kPiecesShare * taken));
   const bool all = add_hidden_pieces(s, hidden.places, layout, budget, context);
   // What a drawing may show: as large as a 300th of the domain, however thin.
   constexpr double kShown = kSurveySteps / 300;
-  const bool told = longest_missing(s, hidden, layout) < kShown * layout.step;
-  if (all && told) return;
-  s.diagnostics.add(
-      Severity::Warning, "implicit.may_miss", 1,
-      fmt::format(
-          "pieces of the surface smaller or thinner than {:.2g} mm may be missing: the first "
-          "look does not tell; `bounds` around a part of the surface finds smaller ones",
-          2 * layout.step));
+  if (!all || longest_missing(s, hidden, layout) >= kShown * layout.step) {
+    s.unseen.why = "there is more between the samples than can be meshed";
+  } else if (!hidden.whole) {
+    s.unseen.why = "to search between the samples takes too long";
+  } else {
+    s.unseen.below = 0;
+  }
 }
 
 // One look at a given number of steps along the longest side of the domain.

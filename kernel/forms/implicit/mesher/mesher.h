@@ -9,6 +9,7 @@
 #include "exact_mesh.h"
 
 #include <memory>
+#include <string>
 
 namespace burin {
 
@@ -17,6 +18,14 @@ struct Component {
   Box3 box;
   Vec3 point{0};    // of its surface
   double step = 0;  // of the grid that has found it, in model mm
+};
+
+/// Components that may have been missed: those smaller or thinner than `below` model mm, 0 = none.
+struct Unseen {
+  double below = 0;
+  std::string why;
+  /// A note where that is so of all functions of a kind.
+  Severity severity = Severity::Warning;
 };
 
 /// What a first look over the domain tells.
@@ -33,6 +42,7 @@ struct Survey {
   double small_radius = 0;
   /// Components with a smaller diagonal, in model mm, are left out.
   double smallest = 0;
+  Unseen unseen;
   Diagnostics diagnostics;
 };
 

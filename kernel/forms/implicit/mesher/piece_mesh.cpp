@@ -6,7 +6,7 @@
 #include "grid.h"
 #include "surface_nets.h"
 
-#include <cmath>
+#include <algorithm>
 #include <limits>
 #include <map>
 #include <span>
@@ -74,13 +74,20 @@ std::vector<Nets> closed_components(const Nets& nets) {
   return parts;
 }
 
-// Net by net onto the surface and its creases.
-ExactMesh onto(const Survey& survey, Nets nets, const GridLayout& layout, WorkBudget& budget,
-               const RunContext& context) {
+// Net by net onto the surface and its creases. `part`: the function in the box of the grid, if
+// that is less than the whole.
+ExactMesh onto(const Survey& survey, const ImplicitFunction* part, Nets nets,
+               const GridLayout& layout, WorkBudget& budget, const RunContext& context) {
+  // One smooth piece all over the box has one name, and no creases.
+  const bool smooth = part && !part->has_pieces();
+  const ImplicitFunction& f = smooth ? *part : *survey.function;
   std::size_t strays = 0;
-  ExactMesh mesh = project_nets(*survey.function, std::move(nets), layout, survey.mesh.size, budget,
-                                strays, context);
-  cut_along_creases(mesh, *survey.function, context);
+  ExactMesh mesh =
+      project_nets(f, std::move(nets), layout, survey.mesh.size, budget, strays, context);
+  if (smooth && !mesh.positions.empty()) {
+    std::ranges::fill(mesh.pieces, survey.function->piece(mesh.positions.front()));
+  }
+  cut_along_creases(mesh, f, context);
   budget = mesh.budget;
   return mesh;
 }
@@ -96,12 +103,14 @@ double nearest(const ExactMesh& mesh, Vec3 p) {
 std::vector<ExactMesh> components_in(const Survey& survey, const Box3& box, double step,
                                      WorkBudget& budget, const RunContext& context) {
   const Grid grid(*survey.function, make_layout(box, step), budget, context);
+  const GridLayout& layout = grid.layout();
+  const auto part = survey.function->restricted(layout.box(Cell(0), layout.cells));
   std::vector<ExactMesh> meshes;
   const Nets all = make_nets(grid, context);
   budget.spend(static_cast<double>(all.corners.size()), kCorner);
   for (Nets& nets : closed_components(all)) {
     context.check();
-    meshes.push_back(onto(survey, std::move(nets), grid.layout(), budget, context));
+    meshes.push_back(onto(survey, part.get(), std::move(nets), layout, budget, context));
   }
   return meshes;
 }
@@ -110,8 +119,12 @@ std::optional<ExactMesh> mesh_piece(const Survey& survey, const Component& piece
                                     WorkBudget& budget, const RunContext& context) {
   // Its box may be that of a coarse mesh, which sees of a ball what is around one sample.
   constexpr int kEnlargements = 3;
+  constexpr double kOneShare = 0.2;  // of the budget
+  double next = 0;
   Box3 around = grown(piece.box, kMargin * step);
   for (int i = 0; i <= kEnlargements; ++i) {
+    if (next > kOneShare * budget.left()) break;
+    const double begun = budget.left();
     std::optional<ExactMesh> best;
     double least = 2 * step;
     for (ExactMesh& m : components_in(survey, around, step, budget, context)) {
@@ -121,7 +134,11 @@ std::optional<ExactMesh> mesh_piece(const Survey& survey, const Component& piece
       best = std::move(m);
     }
     if (best) return best;
-    around = grown(around, std::max(0.5 * longest(around), 0.5 * piece.step));
+    const double before = longest(around);
+    around = grown(around, std::max(0.5 * before, 0.5 * piece.step));
+    // As much more surface as the box is larger.
+    const double larger = longest(around) / before;
+    next = larger * larger * (begun - budget.left());
   }
   return std::nullopt;
 }

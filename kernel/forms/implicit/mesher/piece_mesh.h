@@ -14,6 +14,7 @@ std::vector<ExactMesh> components_in(const Survey& survey, const Box3& box, doub
                                      WorkBudget& budget, const RunContext& context);
 
 /// One piece in triangles of about `step`: what lies in its box and comes nearest to its point.
+/// Nothing where it leaves the box, grown some times as far as a share of the budget goes.
 std::optional<ExactMesh> mesh_piece(const Survey& survey, const Component& piece, double step,
                                     WorkBudget& budget, const RunContext& context);
 

@@ -43,10 +43,14 @@ class Finder {
     // A piece that leaves the box is longer than what was seen of it.
     constexpr int kEnlargements = 4;
     constexpr double kMostSteps = 4000;
-    if (longest(around) > kMostSteps * step || expected(cluster, step) > budget_.left()) {
+    constexpr double kOneShare = 0.2;  // of the budget, to follow one piece out of its box
+    if (longest(around) > kMostSteps * step || expected(cluster, around, step) > budget_.left()) {
       throw TooMuchWork();
     }
+    double next = 0;
     for (int i = 0; i <= kEnlargements && longest(around) < kMostSteps * step; ++i) {
+      if (next > kOneShare * budget_.left()) throw TooMuchWork();
+      const double begun = budget_.left();
       std::vector<Box3> taken;
       for (const ExactMesh& m : components_in(survey_, around, step, budget_, context_)) {
         if (take(m, step)) taken.push_back(survey_.pieces.back().box);
@@ -54,6 +58,8 @@ class Finder {
       if (!taken.empty()) return left_of(cluster, taken);
       if (i > 0 && passed > 0) break;
       around = grown(around, 0.5 * longest(around));
+      // Twice as long, with four times the surface.
+      next = 4 * (begun - budget_.left());
     }
     return {};
   }
@@ -64,13 +70,20 @@ class Finder {
   // A component of the look with less of the diagonal is a fragment.
   static constexpr double kFragment = 0.6;
 
-  // Nanoseconds that meshing takes, as if the surface passed through each cell once: nothing is
-  // begun that does not come to an end.
-  double expected(const Cluster& cluster, double step) const {
+  // Nanoseconds that meshing takes, as if the surface passed once through each cell of the cluster
+  // and of the look's mesh around it: nothing is begun that does not come to an end.
+  double expected(const Cluster& cluster, const Box3& around, double step) {
     constexpr double kVertexValues = 20;  // some samples, and the way onto the surface
+    constexpr double kSmall = 8;          // cells along a box that holds little else
+    auto cells = static_cast<double>(cluster.cells.size());
+    if (longest(around) > kSmall * layout_.step) {
+      const std::vector<Vec3>& vertices = survey_.mesh.positions;
+      budget_.spend(static_cast<double>(vertices.size()), kVertex);
+      cells += static_cast<double>(
+          std::ranges::count_if(vertices, [&](Vec3 p) { return around.contains(p); }));
+    }
     const double along = layout_.step / step;
-    return static_cast<double>(cluster.cells.size()) * along * along * kVertexValues *
-           survey_.function->cost();
+    return cells * along * along * kVertexValues * survey_.function->cost();
   }
 
   static std::vector<HiddenPlace> left_of(const Cluster& cluster, const std::vector<Box3>& taken) {
@@ -141,6 +154,9 @@ double size_of(const Cluster& c) { return longest(c.box) / c.side; }
 bool add_hidden_pieces(Survey& survey, const std::vector<HiddenPlace>& places,
                        const GridLayout& layout, WorkBudget& budget, const RunContext& context) {
   if (places.empty()) return true;
+  // What may be meshed in vain: of walls as thin as a cell each sample is a cluster.
+  constexpr double kMostVain = 0.1;
+  double vain = kMostVain * budget.left();
   std::vector<HiddenPlace> not_meshed;
   // Each time fewer, so that it ends.
   std::vector<Cluster> clusters = clusters_of(places);
@@ -150,7 +166,11 @@ bool add_hidden_pieces(Survey& survey, const std::vector<HiddenPlace>& places,
     context.check();
     try {
       budget.spend(0, 0);  // ends what the last one has used up
+      if (vain < 0) throw TooMuchWork();
+      const std::size_t before = survey.pieces.size();
+      const double begun = budget.left();
       const auto left = finder.add(clusters[i]);
+      if (survey.pieces.size() == before) vain -= begun - budget.left();
       if (left.empty()) continue;
       for (Cluster& c : clusters_of(left)) clusters.push_back(std::move(c));
     } catch (const TooMuchWork&) {

@@ -3,8 +3,9 @@
 
 #include <burin/base/vec.h>
 
+#include <algorithm>
 #include <cstdint>
-#include <unordered_map>
+#include <utility>
 #include <vector>
 
 namespace burin {
@@ -13,7 +14,11 @@ namespace burin {
 class PointCells {
  public:
   PointCells(const std::vector<Vec3>& points, double side) : points_(points), side_(side) {
-    for (std::uint32_t i = 0; i < points.size(); ++i) cells_[key(cell(points[i]))].push_back(i);
+    cells_.reserve(points.size());
+    for (std::uint32_t i = 0; i < points.size(); ++i) {
+      cells_.emplace_back(key(cell(points[i])), i);
+    }
+    std::ranges::sort(cells_);
   }
 
   /// Whether one for which `wanted` holds is nearer than `side`.
@@ -22,10 +27,10 @@ class PointCells {
     if (points_.empty()) return false;
     const glm::ivec3 middle = cell(p);
     for (int k = 0; k < 27; ++k) {
-      const auto it = cells_.find(key(middle + Cell(k % 3, k / 3 % 3, k / 9) - 1));
-      if (it == cells_.end()) continue;
-      for (const std::uint32_t i : it->second) {
-        if (glm::distance(points_[i], p) < side_ && wanted(i)) return true;
+      const std::uint64_t there = key(middle + Cell(k % 3, k / 3 % 3, k / 9) - 1);
+      auto it = std::ranges::lower_bound(cells_, std::pair(there, std::uint32_t{0}));
+      for (; it != cells_.end() && it->first == there; ++it) {
+        if (glm::distance(points_[it->second], p) < side_ && wanted(it->second)) return true;
       }
     }
     return false;
@@ -44,7 +49,7 @@ class PointCells {
 
   const std::vector<Vec3>& points_;
   double side_;
-  std::unordered_map<std::uint64_t, std::vector<std::uint32_t>> cells_;
+  std::vector<std::pair<std::uint64_t, std::uint32_t>> cells_;  // by their names
 };
 
 }  // namespace burin

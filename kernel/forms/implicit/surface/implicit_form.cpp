@@ -289,11 +289,18 @@ std::shared_ptr<const Surface> ImplicitForm::realise(const RealiseOptions& optio
   MeshCounts counts;
   const double tolerance = options.tolerance / stretch(placement_);
   ExactMesh mesh = impl_->mesh(tolerance, counts, diagnostics, context);
+  Unseen unseen = s.unseen;
   if (s.smallest == 0 && !add_lost_pieces(mesh, s, tolerance, lost_budget(mesh), context)) {
-    diagnostics.add(Severity::Warning, "implicit.may_miss", 1,
-                    fmt::format("pieces of the surface smaller than {:.2g} mm may be missing: "
-                                "there are too many to mesh",
-                                6 * mesh.step * stretch(placement_)));
+    constexpr double kLost = 6;  // steps, as losses.cpp looks for
+    if (kLost * mesh.step > unseen.below)
+      unseen = {kLost * mesh.step, "there are too many to mesh"};
+  }
+  if (unseen.below > 0) {
+    diagnostics.add(
+        unseen.severity, "implicit.may_miss", 1,
+        fmt::format("pieces of the surface smaller or thinner than {:.2g} mm may be missing: {}; "
+                    "`bounds` around a part of the surface finds smaller ones",
+                    unseen.below * stretch(placement_), unseen.why));
   }
   std::shared_ptr<const ImplicitFunction> function = s.function;
   if (placement_.moves()) {
