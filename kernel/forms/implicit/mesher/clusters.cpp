@@ -73,6 +73,7 @@ std::vector<Cluster> clusters_of(const std::vector<HiddenPlace>& places) {
 PassedCells::PassedCells(const ExactMesh& mesh, const std::vector<HiddenPlace>& places,
                          const GridLayout& layout)
     : parts_(mesh), step_(layout.step) {
+  in_cell_.reserve(8 * places.size());
   for (const HiddenPlace& p : places) {
     for_around(p.cell, [&](Cell c) { in_cell_.try_emplace(name(c)); });
   }

@@ -35,7 +35,9 @@ class Losses {
         made_(mesh),
         own_(vertices_of(expected_)),
         dropped_(made_.boxes.size(), 0),
-        near_(mesh.positions, std::max(kReach * mesh.step, kNear * survey.mesh.step)) {
+        match_(expected_.boxes.size(), kNone),
+        near_(mesh.positions, kReach * mesh.step),
+        beside_(mesh.positions, kNear * survey.mesh.step) {
     for (std::uint32_t m = 0; m < made_.boxes.size(); ++m) {
       if (!made_.boxes[m].empty()) components_.push_back(m);
     }
@@ -49,7 +51,7 @@ class Losses {
     for (bool more = true; more;) {
       more = false;
       for (std::uint32_t e = 0; e < lost.size(); ++e) {
-        if (lost[e] || expected_.boxes[e].empty()) continue;
+        if (lost[e] || expected_.boxes[e].empty() || is_matched(e)) continue;
         context_.check();
         budget_.spend(static_cast<double>(components_.size() + own_[e].size()), kEach);
         if (is_there(e)) continue;
@@ -79,6 +81,7 @@ class Losses {
   static constexpr double kSmallest = 0.3, kLargest = 1.5;  // shares of a component's diagonal
   static constexpr double kReach = 1.5;                     // steps
   static constexpr double kEach = 20;                       // nanoseconds
+  static constexpr std::uint32_t kNone = 0xffffffff, kSure = 0xfffffffe;
 
   static std::vector<std::vector<std::uint32_t>> vertices_of(MeshComponents& parts) {
     std::vector<std::vector<std::uint32_t>> out(parts.boxes.size());
@@ -91,21 +94,30 @@ class Losses {
 
   bool is_large(const Box3& b) const { return b.diagonal() >= kLarge * mesh_.step; }
 
+  // Whether it was found to be there by what is there still.
+  bool is_matched(std::uint32_t e) const {
+    return match_[e] == kSure || (match_[e] != kNone && !dropped_[match_[e]]);
+  }
+
   bool is_there(std::uint32_t e) {
     const Box3& box = expected_.boxes[e];
     if (is_large(box)) {
       const Vec3 p = survey_.mesh.positions[e];
-      return near_.any_near(p, [&](std::uint32_t v) {
-        return glm::distance(mesh_.positions[v], p) < kReach * mesh_.step;
-      });
+      const bool there = near_.any_near(p);
+      if (there) match_[e] = kSure;
+      return there;
     }
     for (const std::uint32_t m : components_) {
       if (dropped_[m]) continue;
       const double size = made_.boxes[m].diagonal();
       if (size < kSmallest * box.diagonal() || size > kLargest * box.diagonal()) continue;
-      if (box.contains(made_.boxes[m].center())) return true;
+      if (!box.contains(made_.boxes[m].center())) continue;
+      match_[e] = m;
+      return true;
     }
-    return is_joined(e);
+    if (!is_joined(e)) return false;
+    match_[e] = kSure;
+    return true;
   }
 
   // Of a fragment, as grids leave of thin wires.
@@ -119,7 +131,7 @@ class Losses {
     const double near = kNear * survey_.mesh.step_at(e), size = expected_.boxes[e].diagonal();
     return std::ranges::any_of(own_[e], [&](std::uint32_t u) {
       const Vec3 p = survey_.mesh.positions[u];
-      return near_.any_near(p, [&](std::uint32_t v) {
+      return beside_.any_near(p, [&](std::uint32_t v) {
         return glm::distance(mesh_.positions[v], p) < near &&
                made_.boxes[made_.sets.find(v)].diagonal() > kLargest * size;
       });
@@ -134,7 +146,9 @@ class Losses {
   std::vector<std::vector<std::uint32_t>> own_;  // vertices of what is expected
   std::vector<std::uint32_t> components_;        // of the mesh
   std::vector<std::uint8_t> dropped_;
-  PointCells near_;
+  // For each that is expected: the component of the mesh that it is, or one of those above.
+  std::vector<std::uint32_t> match_;
+  PointCells near_, beside_;
 };
 
 // Steps that hold the tolerance, across a piece of some.

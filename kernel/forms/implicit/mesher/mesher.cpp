@@ -143,6 +143,19 @@ void measure(Survey& s, const RunContext& context) {
   for (std::uint32_t t = 0; t < area.triangles.size(); ++t) s.area += area.area(t);
 }
 
+// Components around one corner of the grid each, which may be rims of something as large as a cell.
+void add_chips(const std::vector<Box3>& chips, const GridLayout& layout,
+               std::vector<HiddenPlace>& places) {
+  constexpr double kRim = 1.0 / 16;  // steps
+  for (const Box3& chip : chips) {
+    const Box3 place{chip.center() - kRim * layout.step, chip.center() + kRim * layout.step};
+    for (int k = 0; k < 8; ++k) {
+      const Vec3 aside = layout.step * (Vec3(k & 1, (k >> 1) & 1, k >> 2) - 0.5);
+      places.push_back({layout.cell_of(chip.center() + aside), place});
+    }
+  }
+}
+
 void look_between(Survey& s, const GridLayout& layout, const Box3& within,
                   const RunContext& context) {
   s.unseen.below = 2 * layout.step;
@@ -155,20 +168,15 @@ void look_between(Survey& s, const GridLayout& layout, const Box3& within,
   HiddenPlaces hidden =
       find_hidden(*s.function, layout, within,
                   WorkBudget(std::max(kHiddenLeast, kHiddenShare * taken)), context);
-  for (const Box3& chip : s.mesh.chips) {
-    // It lies around one corner of the grid, and may be the rim of something as large as a cell.
-    constexpr double kRim = 1.0 / 16;  // steps
-    const Box3 place{chip.center() - kRim * layout.step, chip.center() + kRim * layout.step};
-    for (int k = 0; k < 8; ++k) {
-      const Vec3 aside = layout.step * (Vec3(k & 1, (k >> 1) & 1, k >> 2) - 0.5);
-      hidden.places.push_back({layout.cell_of(chip.center() + aside), place});
-    }
-  }
+  // Single samples in so many places are those of a wall as thin as a cell.
+  constexpr std::size_t kMostChips = 1000;
+  const bool few = s.mesh.chips.size() <= kMostChips;
+  if (few) add_chips(s.mesh.chips, layout, hidden.places);
   WorkBudget budget(std::max(kPiecesLeast, kPiecesShare * taken));
   const bool all = add_hidden_pieces(s, hidden.places, layout, budget, context);
   // What a drawing may show: as large as a 300th of the domain, however thin.
   constexpr double kShown = kSurveySteps / 300;
-  if (!all || longest_missing(s, hidden, layout) >= kShown * layout.step) {
+  if (!few || !all || longest_missing(s, hidden, layout) >= kShown * layout.step) {
     s.unseen.why = "there is more between the samples than can be meshed";
   } else if (!hidden.whole) {
     s.unseen.why = "to search between the samples takes too long";

@@ -26,10 +26,12 @@ class PointCells {
   bool any_near(Vec3 p, const Wanted& wanted) const {
     if (points_.empty()) return false;
     const glm::ivec3 middle = cell(p);
-    for (int k = 0; k < 27; ++k) {
-      const std::uint64_t there = key(middle + Cell(k % 3, k / 3 % 3, k / 9) - 1);
-      auto it = std::ranges::lower_bound(cells_, std::pair(there, std::uint32_t{0}));
-      for (; it != cells_.end() && it->first == there; ++it) {
+    // Three cells beside each other along x have names that follow one another.
+    for (int k = 0; k < 9; ++k) {
+      const Cell first = middle + Cell(-1, k % 3 - 1, k / 3 - 1);
+      const std::uint64_t last = key(first + Cell(2, 0, 0));
+      auto it = std::ranges::lower_bound(cells_, std::pair(key(first), std::uint32_t{0}));
+      for (; it != cells_.end() && it->first <= last; ++it) {
         if (glm::distance(points_[it->second], p) < side_ && wanted(it->second)) return true;
       }
     }
@@ -43,7 +45,8 @@ class PointCells {
   using Cell = glm::ivec3;
   Cell cell(Vec3 p) const { return Cell(glm::floor((p - points_.front()) / side_)); }
   static std::uint64_t key(Cell c) {
-    const auto part = [](int v) { return static_cast<std::uint64_t>(v) & 0x1fffff; };
+    constexpr int kMiddle = 1 << 20;
+    const auto part = [](int v) { return static_cast<std::uint64_t>(v + kMiddle) & 0x1fffff; };
     return part(c.x) | (part(c.y) << 21) | (part(c.z) << 42);
   }
 
