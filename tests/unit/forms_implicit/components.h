@@ -12,15 +12,17 @@
 
 namespace burin::test {
 
+inline bool says(const Diagnostics& diagnostics, const std::string& code) {
+  return std::ranges::find(diagnostics.entries(), code, &Diagnostic::code) !=
+         diagnostics.entries().end();
+}
+
 struct Found {
   std::size_t components = 0;
   TriMesh mesh;
   Diagnostics diagnostics;
 
-  bool says(const std::string& code) const {
-    return std::ranges::any_of(diagnostics.entries(),
-                               [&](const Diagnostic& d) { return d.code == code; });
-  }
+  bool says(const std::string& code) const { return test::says(diagnostics, code); }
 };
 
 /// All components closed, and what may be missing told once at most.

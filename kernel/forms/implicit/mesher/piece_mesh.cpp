@@ -98,6 +98,20 @@ double nearest(const ExactMesh& mesh, Vec3 p) {
   return least;
 }
 
+// The component in a box that comes nearest to a point of it.
+std::optional<ExactMesh> nearest_in(const Survey& survey, const Box3& box, Vec3 point, double step,
+                                    WorkBudget& budget, const RunContext& context) {
+  std::optional<ExactMesh> best;
+  double least = 2 * step;
+  for (ExactMesh& m : components_in(survey, box, step, budget, context)) {
+    const double d = nearest(m, point);
+    if (m.triangles.empty() || d >= least) continue;
+    least = d;
+    best = std::move(m);
+  }
+  return best;
+}
+
 }  // namespace
 
 std::vector<ExactMesh> components_in(const Survey& survey, const Box3& box, double step,
@@ -119,25 +133,24 @@ std::optional<ExactMesh> mesh_piece(const Survey& survey, const Component& piece
                                     WorkBudget& budget, const RunContext& context) {
   // Its box may be that of a coarse mesh, which sees of a ball what is around one sample.
   constexpr int kEnlargements = 3;
-  constexpr double kOneShare = 0.2;  // of the budget
-  double next = 0;
+  constexpr double kMostAcross = 60;  // steps
+  constexpr double kOneShare = 0.2;   // of the budget
   Box3 around = grown(piece.box, kMargin * step);
-  for (int i = 0; i <= kEnlargements; ++i) {
-    if (next > kOneShare * budget.left()) break;
+  double own = step, next = 0;
+  for (int i = 0; i <= kEnlargements && next <= kOneShare * budget.left(); ++i) {
     const double begun = budget.left();
-    std::optional<ExactMesh> best;
-    double least = 2 * step;
-    for (ExactMesh& m : components_in(survey, around, step, budget, context)) {
-      const double d = nearest(m, piece.point);
-      if (m.triangles.empty() || d >= least) continue;
-      least = d;
-      best = std::move(m);
+    if (auto best = nearest_in(survey, around, piece.point, own, budget, context)) {
+      if (own <= step) return best;
+      const Component found{box_of(best->positions), piece.point, own};
+      const double finer = std::max(step, longest(found.box) / kMostAcross);
+      auto again = nearest_in(survey, grown(found.box, own), piece.point, finer, budget, context);
+      return again ? std::move(again) : std::move(best);
     }
-    if (best) return best;
-    const double before = longest(around);
-    around = grown(around, std::max(0.5 * before, 0.5 * piece.step));
+    const double before = longest(around) / own;
+    around = grown(around, std::max(0.5 * longest(around), 0.5 * piece.step));
+    own = std::max(step, longest(around) / kMostAcross);
     // As much more surface as the box is larger.
-    const double larger = longest(around) / before;
+    const double larger = longest(around) / own / before;
     next = larger * larger * (begun - budget.left());
   }
   return std::nullopt;
