@@ -9,11 +9,6 @@
 namespace burin {
 namespace {
 
-std::uint64_t name(Cell c) {
-  const auto part = [](int v) { return static_cast<std::uint64_t>(v) & 0x1fffff; };
-  return part(c.x) | (part(c.y) << 21) | (part(c.z) << 42);
-}
-
 // A cell and those around it.
 template <class Visit>
 void for_around(Cell cell, const Visit& visit) {
@@ -75,11 +70,11 @@ PassedCells::PassedCells(const ExactMesh& mesh, const std::vector<HiddenPlace>& 
     : parts_(mesh), step_(layout.step) {
   in_cell_.reserve(8 * places.size());
   for (const HiddenPlace& p : places) {
-    for_around(p.cell, [&](Cell c) { in_cell_.try_emplace(name(c)); });
+    for_around(p.cell, [&](Cell c) { in_cell_.try_emplace(name_of(c)); });
   }
   for (const Triangle& t : mesh.triangles) {
     for (const std::uint32_t v : t) {
-      const auto it = in_cell_.find(name(layout.cell_of(mesh.positions[v])));
+      const auto it = in_cell_.find(name_of(layout.cell_of(mesh.positions[v])));
       if (it == in_cell_.end()) continue;
       const std::uint32_t part = parts_.sets.find(v);
       if (std::ranges::find(it->second, part) == it->second.end()) it->second.push_back(part);
@@ -89,7 +84,7 @@ PassedCells::PassedCells(const ExactMesh& mesh, const std::vector<HiddenPlace>& 
 
 double PassedCells::share(const Cluster& cluster) const {
   const auto n = std::ranges::count_if(
-      cluster.cells, [&](const Cell& c) { return !in_cell_.at(name(c)).empty(); });
+      cluster.cells, [&](const Cell& c) { return !in_cell_.at(name_of(c)).empty(); });
   return static_cast<double>(n) / static_cast<double>(cluster.cells.size());
 }
 
@@ -104,7 +99,7 @@ double PassedCells::longest_missing(const Cluster& cluster) const {
   for (const HiddenPlace& p : cluster.places) {
     bool passed = false;
     for_around(p.cell, [&](Cell c) {
-      const auto it = in_cell_.find(name(c));
+      const auto it = in_cell_.find(name_of(c));
       if (it == in_cell_.end()) return;
       passed |=
           std::ranges::any_of(it->second, [&](std::uint32_t k) { return spans(k, cluster.box); });

@@ -12,11 +12,6 @@ namespace {
 
 constexpr std::size_t kMaxBlocks = 60'000;  // 30 million cells, 0.4 GB
 
-std::uint64_t key(Cell c) {
-  const auto part = [](int v) { return static_cast<std::uint64_t>(v) & 0x1fffff; };
-  return part(c.x) | (part(c.y) << 21) | (part(c.z) << 42);
-}
-
 // A cube of cells under way to the blocks, with the part of the function that matters in it.
 struct Cube {
   Cell first{0};
@@ -159,14 +154,14 @@ Grid::Grid(const ImplicitFunction& function, const GridLayout& layout, WorkBudge
     any_inside_ |= (signs[i] & 1) != 0;
     any_outside_ |= (signs[i] & 2) != 0;
     if (signs[i] != 3) continue;
-    index_.emplace(key(all[i].first / kSide), static_cast<std::int32_t>(blocks_.size()));
+    index_.emplace(name_of(all[i].first / kSide), static_cast<std::int32_t>(blocks_.size()));
     blocks_.push_back(std::move(all[i]));
   }
 }
 
 std::int32_t Grid::block_of(Cell cell) const {
   if (cell.x < 0 || cell.y < 0 || cell.z < 0) return -1;
-  const auto it = index_.find(key(cell / kSide));
+  const auto it = index_.find(name_of(cell / kSide));
   return it == index_.end() ? -1 : it->second;
 }
 

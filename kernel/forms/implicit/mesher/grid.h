@@ -15,6 +15,12 @@ namespace burin {
 
 using Cell = glm::ivec3;
 
+/// One number for a cell, of coordinates from 0 to 2^21; those along x follow one another.
+inline std::uint64_t name_of(Cell c) {
+  const auto part = [](int v) { return static_cast<std::uint64_t>(v) & 0x1fffff; };
+  return part(c.x) | (part(c.y) << 21) | (part(c.z) << 42);
+}
+
 struct GridLayout {
   Vec3 origin{0};
   double step = 1;

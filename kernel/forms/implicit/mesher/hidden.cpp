@@ -7,6 +7,7 @@
 #include <cmath>
 #include <memory>
 #include <optional>
+#include <unordered_set>
 
 namespace burin {
 namespace {
@@ -96,11 +97,12 @@ std::array<Vec3, 9> corners_and_middle(const Box3& box) {
 class Search {
  public:
   Search(const ImplicitFunction& f, const GridLayout& layout, const Box3& within,
-         const WorkBudget& budget, const RunContext& context)
+         const std::vector<Vec3>& surface, const WorkBudget& budget, const RunContext& context)
       : f_(f),
         grid_(layout),
         fine_{layout.origin, layout.step / kFinest, layout.cells * kFinest},
         within_(within),
+        surface_(surface),
         left_(budget.left()),
         context_(context) {}
 
@@ -132,7 +134,10 @@ class Search {
     const int side = cubes.front().side;
     // Those that are not looked at before the budget ends stay open.
     std::vector<Finding> findings(cubes.size(), Finding::Open);
-    if (!examine_all(cubes, findings) || (side > 1 && is_hopeless(cubes, findings))) {
+    const bool all = examine_all(cubes, findings);
+    const bool hopeless = all && side > 1 && is_hopeless(cubes, findings);
+    if (hopeless && side > kFinest) set_aside(cubes, findings);
+    if (!all || (hopeless && (side <= kFinest || is_hopeless(cubes, findings)))) {
       leave(cubes, findings);
       return {};
     }
@@ -175,6 +180,28 @@ class Search {
     const double margin = along > kNear ? 4 : 1;
     return operations * 2 * along * along * kExpected > margin * left_;
   }
+
+  // Leaves out the open cubes that the known surface passes through, and those beside them, since
+  // meshes of thin walls have holes: empty space, where what is missed would be seen best, takes
+  // little.
+  void set_aside(const std::vector<Cube>& cubes, std::vector<Finding>& findings) {
+    const int side = cubes.front().side;
+    constexpr double kVertex = 50;  // nanoseconds
+    std::unordered_set<std::uint64_t> passed;
+    left_ -= kVertex * static_cast<double>(surface_.size());
+    for (const Vec3& p : surface_) passed.insert(name_of(fine_.cell_of(p) / side));
+    for (std::size_t i = 0; i < cubes.size(); ++i) {
+      bool near = false;
+      for (int k = 0; k < 27 && findings[i] == Finding::Open && !near; ++k) {
+        const Cell beside = Cell(k % 3, k / 3 % 3, k / 9) - 1;
+        near = passed.contains(name_of(cubes[i].first / side + beside));
+      }
+      if (!near) continue;
+      findings[i] = Finding::Nothing;
+      found_.whole = false;
+    }
+  }
+
   // Where the budget ends, what was found so far counts.
   void leave(const std::vector<Cube>& cubes, const std::vector<Finding>& findings) {
     if (cubes.front().side > kFinest) {
@@ -342,6 +369,7 @@ class Search {
   const ImplicitFunction& f_;
   const GridLayout grid_, fine_;
   const Box3 within_;
+  const std::vector<Vec3>& surface_;
   double left_;            // nanoseconds
   double operations_ = 1;  // of the cubes of one size that were open
   const RunContext& context_;
@@ -351,8 +379,9 @@ class Search {
 }  // namespace
 
 HiddenPlaces find_hidden(const ImplicitFunction& f, const GridLayout& layout, const Box3& within,
-                         WorkBudget budget, const RunContext& context) {
-  return Search(f, layout, within, budget, context).run();
+                         const std::vector<Vec3>& surface, WorkBudget budget,
+                         const RunContext& context) {
+  return Search(f, layout, within, surface, budget, context).run();
 }
 
 }  // namespace burin

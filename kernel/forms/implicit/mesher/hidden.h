@@ -21,8 +21,8 @@ struct HiddenPlaces {
   std::vector<HiddenPlace> places;
   /// Cubes of which nothing could be told: of the finest size, or where the budget ends.
   std::vector<HiddenPlace> doubtful;
-  /// Whether all was searched; false where the budget ended at cubes larger than a cell, which
-  /// are too many to name.
+  /// Whether all was searched; false where cubes larger than a cell, too many to name, were left
+  /// out: those that the surface passes through if that does, else all of one size.
   bool whole = true;
 };
 
@@ -30,8 +30,10 @@ struct HiddenPlaces {
 /// the surface that no sample hits has a place inside where the function is lowest (or, of a
 /// hollow, highest): cubes where intervals prove that f is not zero, or that it never falls
 /// in some direction, hold none; others are divided.
-/// The work is counted, and ends within the budget: what is left then is not searched.
+/// The work is counted, and ends within the budget: what is left then is not searched, cubes with
+/// vertices of the `surface` that is known first.
 HiddenPlaces find_hidden(const ImplicitFunction& f, const GridLayout& layout, const Box3& within,
-                         WorkBudget budget, const RunContext& context);
+                         const std::vector<Vec3>& surface, WorkBudget budget,
+                         const RunContext& context);
 
 }  // namespace burin

@@ -166,7 +166,7 @@ void look_between(Survey& s, const GridLayout& layout, const Box3& within,
   }
   const double taken = kLookBudget - s.mesh.budget.left();
   HiddenPlaces hidden =
-      find_hidden(*s.function, layout, within,
+      find_hidden(*s.function, layout, within, s.mesh.positions,
                   WorkBudget(std::max(kHiddenLeast, kHiddenShare * taken)), context);
   // Single samples in so many places are those of a wall as thin as a cell.
   constexpr std::size_t kMostChips = 1000;
@@ -179,7 +179,8 @@ void look_between(Survey& s, const GridLayout& layout, const Box3& within,
   if (!few || !all || longest_missing(s, hidden, layout) >= kShown * layout.step) {
     s.unseen.why = "there is more between the samples than can be meshed";
   } else if (!hidden.whole) {
-    s.unseen.why = "to search between the samples takes too long";
+    s.unseen.why = "to search between the samples beside walls and bends takes too long";
+    s.unseen.severity = Severity::Info;
   } else {
     s.unseen.below = 0;
   }

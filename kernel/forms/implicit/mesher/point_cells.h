@@ -3,6 +3,8 @@
 
 #include <burin/base/vec.h>
 
+#include "grid.h"
+
 #include <algorithm>
 #include <cstdint>
 #include <utility>
@@ -42,12 +44,10 @@ class PointCells {
   }
 
  private:
-  using Cell = glm::ivec3;
   Cell cell(Vec3 p) const { return Cell(glm::floor((p - points_.front()) / side_)); }
   static std::uint64_t key(Cell c) {
     constexpr int kMiddle = 1 << 20;
-    const auto part = [](int v) { return static_cast<std::uint64_t>(v + kMiddle) & 0x1fffff; };
-    return part(c.x) | (part(c.y) << 21) | (part(c.z) << 42);
+    return name_of(c + kMiddle);
   }
 
   const std::vector<Vec3>& points_;
