@@ -8,6 +8,7 @@
 #include <burin/section/section.h>
 
 #include "components.h"
+#include "mapped_function.h"
 
 #include <gtest/gtest.h>
 
@@ -146,6 +147,28 @@ Expression with_many(std::size_t number) {
     balls = std::move(halves);
   }
   return balls[0];
+}
+
+// Turned, stretched and sheared: slopes hold the derivatives there, and tell of it.
+TEST(ImplicitSpecks, PlacedFunctionsTellTheirSlopes) {
+  const Placement placement{Mat3(2, 0.3, 0, -0.4, 1, 0.2, 0, 0.5, -1.5), Vec3(1, 2, 3)};
+  const MappedFunction f(make_function(unite(sphere(3), box(4, 5, 1))), placement);
+  ASSERT_TRUE(f.has_slopes());
+  const Rng rng(2);
+  const auto any = [&](std::uint64_t k) {
+    return 2.0 * Vec3(rng.uniform(3 * k), rng.uniform(3 * k + 1), rng.uniform(3 * k + 2)) - 1.0;
+  };
+  for (std::uint64_t i = 0; i < 50; ++i) {
+    const Vec3 center = 6.0 * any(3 * i), direction = any(3 * i + 1);
+    const Interval slope = f.slope({center - 0.2, center + 0.2}, direction);
+    EXPECT_LT(slope.max - slope.min, 100);
+    for (std::uint64_t k = 0; k < 20; ++k) {
+      const Vec3 p = center + 0.2 * any(1000 + k);
+      const double s = glm::dot(f.gradient(p).gradient, direction);
+      EXPECT_GE(s, slope.min - 1e-9);
+      EXPECT_LE(s, slope.max + 1e-9);
+    }
+  }
 }
 
 TEST(ImplicitSpecks, OfManyAllAreFound) {
