@@ -178,6 +178,59 @@ TEST(Expression, IntervalsHoldTheValues) {
   }
 }
 
+TEST(Expression, SlopesHoldTheDerivatives) {
+  for (const auto& [name, e] : formulas()) {
+    const auto f = make_function(e);
+    int bounded = 0, boxes = 0;
+    for (std::uint64_t i = 0; i < 60; ++i) {
+      const Vec3 center = random_point(i, 2), direction = random_point(2000 + i, 1);
+      const double half = 0.002 + 0.01 * static_cast<double>(i);
+      const Interval slope = f->slope({center - half, center + half}, direction);
+      boxes += half < 0.1;
+      bounded += half < 0.1 && slope.max - slope.min < 1e3;
+      for (std::uint64_t k = 0; k < 30; ++k) {
+        const Vec3 p = center + random_point(1000 + k, half);
+        const double s = glm::dot(f->gradient(p).gradient, direction);
+        if (std::isnan(s)) continue;
+        EXPECT_GE(s, slope.min - 1e-9 * (1 + std::abs(s))) << name;
+        EXPECT_LE(s, slope.max + 1e-9 * (1 + std::abs(s))) << name;
+      }
+    }
+    EXPECT_GE(2 * bounded, boxes) << name;
+  }
+}
+
+TEST(Expression, SlopesAreTightInSmallBoxes) {
+  for (const auto& [name, e] : formulas()) {
+    const auto f = make_function(e);
+    int close = 0, smooth = 0;
+    for (std::uint64_t i = 0; i < 60; ++i) {
+      const Vec3 p = random_point(i, 2), direction = random_point(2000 + i, 1);
+      constexpr double kHalf = 1e-4;
+      const Gradient2 g = f->hessian(p);
+      const double bend = std::abs(g.xx) + std::abs(g.yy) + std::abs(g.zz) + std::abs(g.xy) +
+                          std::abs(g.xz) + std::abs(g.yz);
+      if (!std::isfinite(g.value + bend) || f->piece(p - kHalf) != f->piece(p + kHalf)) continue;
+      ++smooth;
+      const Interval s = f->slope({p - kHalf, p + kHalf}, direction);
+      close += s.max - s.min < 100 * kHalf * (1 + bend + glm::length(g.gradient));
+    }
+    EXPECT_GE(10 * close, 9 * smooth) << name;
+    EXPECT_GT(smooth, 30) << name;
+  }
+}
+
+// Where they are no numbers, or jump, nothing is said.
+TEST(Expression, SlopesTellNothingWhereTheFunctionBreaksOff) {
+  const Box3 box{Vec3(-1), Vec3(1)};
+  for (const Expression& e : {implicit::sqrt(kX), log(kX), asin(1.5 * kX), 1.0 / kX, tan(2 * kX),
+                              round(kX), atan2(kX, kY), pow(kX, -0.5)}) {
+    const Interval s = make_function(e)->slope(box, {1, 0, 0});
+    EXPECT_EQ(s.min, -std::numeric_limits<double>::infinity());
+    EXPECT_EQ(s.max, std::numeric_limits<double>::infinity());
+  }
+}
+
 TEST(Expression, SolidsAreDistancesAlongTheirNormals) {
   // A millimetre beside a face the value is a millimetre, inside and outside.
   const auto check = [](const Expression& e, Vec3 on, Vec3 normal) {

@@ -54,6 +54,11 @@ class Metered final : public ImplicitFunction {
     meter_.add(4 * f_.cost());
     return f_.range(box);
   }
+  Interval slope(const Box3& box, Vec3 direction) const override {
+    meter_.add(8 * f_.cost());
+    return f_.slope(box, direction);
+  }
+  bool has_slopes() const override { return f_.has_slopes(); }
   Box3 bounds() const override { return f_.bounds(); }
   double cost() const override { return f_.cost(); }
   std::uint64_t piece(Vec3 p) const override {

@@ -56,6 +56,27 @@ std::shared_ptr<const ImplicitFunction> open(const TrivariateSpline& s, double l
   return inner ? inner : f;
 }
 
+std::vector<Vec3> points(std::size_t n);
+
+TEST(Trivariate, SlopesHoldTheDerivatives) {
+  for (const std::array<std::int32_t, 3> order : {std::array{4, 4, 4}, std::array{3, 5, 4}}) {
+    const auto f = open(random_spline(order), 0.1);
+    for (const Vec3& center : points(60)) {
+      const Vec3 direction = glm::normalize(center - Vec3(2.1, 2.2, 1.9));
+      const double half = 0.02 * (1 + center.x);
+      const Box3 box{glm::max(center - half, Vec3(0)), glm::min(center + half, Vec3(5, 6, 7))};
+      const Interval slope = f->slope(box, direction);
+      EXPECT_LT(slope.max - slope.min, 200);
+      for (const Vec3& share : points(40)) {
+        const Vec3 p = box.min + share / Vec3(5, 6, 7) * box.size();
+        const double s = glm::dot(f->gradient(p).gradient, direction);
+        EXPECT_GE(s, slope.min - 1e-9);
+        EXPECT_LE(s, slope.max + 1e-9);
+      }
+    }
+  }
+}
+
 std::vector<Vec3> points(std::size_t n) {
   std::mt19937 random(2);
   std::uniform_real_distribution<double> any(0.01, 4.99);

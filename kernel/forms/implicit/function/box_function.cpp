@@ -52,10 +52,7 @@ class BoxFunction final : public ImplicitFunction {
   }
 
   Interval range(const Box3& box) const override {
-    const Vec3 middle = inverse_ * (box.center() - origin_), half = 0.5 * box.size();
-    Vec3 reach(0);
-    for (int a = 0; a < 3; ++a) reach += half[a] * glm::abs(inverse_[a]);
-    const Vec3 min = middle - reach, max = middle + reach;
+    const auto [min, max] = coordinates(box);
     if (!(max.x - max.x == 0) || !(max.y - max.y == 0) || !(max.z - max.z == 0)) return {};
     Interval r = toward(field_->range(min, max));
     if (beyond_ == Beyond::Straight) return r;
@@ -67,6 +64,23 @@ class BoxFunction final : public ImplicitFunction {
     if (partly) r.max = std::numeric_limits<double>::infinity();
     return r;
   }
+  Interval slope(const Box3& box, Vec3 direction) const override {
+    const auto [min, max] = coordinates(box);
+    for (int a = 0; a < 3; ++a) {
+      if (!(min[a] >= 0) || !(max[a] <= last_[a])) return {};
+    }
+    const std::array<Interval, 3> slopes = field_->slopes(min, max);
+    const Vec3 d = sign_ * (inverse_ * direction);
+    Interval r{0, 0};
+    for (int a = 0; a < 3; ++a) {
+      const Interval s = slopes[static_cast<std::size_t>(a)];
+      if (d[a] == 0) continue;
+      r.min += d[a] * (d[a] > 0 ? s.min : s.max);
+      r.max += d[a] * (d[a] > 0 ? s.max : s.min);
+    }
+    return r;
+  }
+  bool has_slopes() const override { return true; }
   Box3 bounds() const override { return bounds_; }
 
   std::vector<HalfSpace> planes() const {
@@ -82,6 +96,14 @@ class BoxFunction final : public ImplicitFunction {
   }
 
  private:
+  // Of the box around a box.
+  Box3 coordinates(const Box3& box) const {
+    const Vec3 middle = inverse_ * (box.center() - origin_), half = 0.5 * box.size();
+    Vec3 reach(0);
+    for (int a = 0; a < 3; ++a) reach += half[a] * glm::abs(inverse_[a]);
+    return {middle - reach, middle + reach};
+  }
+
   Interval toward(Interval r) const {
     return sign_ < 0 ? Interval{level_ - r.max, level_ - r.min}
                      : Interval{r.min - level_, r.max - level_};

@@ -3,6 +3,7 @@
 
 #include <burin/forms/implicit/implicit_function.h>
 
+#include <array>
 #include <memory>
 #include <span>
 
@@ -23,6 +24,12 @@ class BoxField {
   /// An interval that holds all values over the part of a box that is inside; over the six sides.
   virtual Interval range(Vec3 min, Vec3 max) const = 0;
   virtual Interval border_range() const = 0;
+  /// Intervals that hold the three derivatives over a box that is inside; all numbers where it is
+  /// too large to tell quickly.
+  virtual std::array<Interval, 3> slopes([[maybe_unused]] Vec3 min,
+                                         [[maybe_unused]] Vec3 max) const {
+    return {};
+  }
   /// A box that holds all points where the field is above (or else below) the level; empty where
   /// there are none.
   virtual Box3 support(double level, bool above) const = 0;

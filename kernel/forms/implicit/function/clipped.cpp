@@ -71,6 +71,21 @@ class Clipped final : public ImplicitFunction {
     }
     return r;
   }
+  Interval slope(const Box3& box, Vec3 direction) const override {
+    const Interval own = function_->range(box);
+    double least = own.min;
+    for (const auto& face : faces_) least = std::max(least, face->range(box).min);
+    // Of those that are the largest somewhere.
+    Interval r{std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
+    const auto add = [&](Interval s) { r = {std::min(r.min, s.min), std::max(r.max, s.max)}; };
+    if (!(own.max < least)) add(function_->slope(box, direction));
+    for (const auto& face : faces_) {
+      const double s = glm::dot(face->normal(), direction);
+      if (!(face->range(box).max < least)) add({s, s});
+    }
+    return r;
+  }
+  bool has_slopes() const override { return function_->has_slopes(); }
   Box3 bounds() const override { return bounds_; }
   std::uint64_t piece(Vec3 p) const override {
     const Nearest n = nearest(p);

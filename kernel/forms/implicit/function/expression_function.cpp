@@ -53,6 +53,9 @@ void ExpressionFunction::hessians(std::span<const Vec3> points, std::span<Gradie
   program_.hessians(points, out);
 }
 Interval ExpressionFunction::range(const Box3& box) const { return tape_.range(box); }
+Interval ExpressionFunction::slope(const Box3& box, Vec3 direction) const {
+  return tape_.slope(box, direction);
+}
 
 std::uint64_t ExpressionFunction::piece(Vec3 p) const { return has_pieces_ ? tape_.choices(p) : 0; }
 

@@ -18,6 +18,8 @@ class ExpressionFunction final : public ImplicitFunction {
   void gradients(std::span<const Vec3> points, std::span<Gradient1> out) const override;
   void hessians(std::span<const Vec3> points, std::span<Gradient2> out) const override;
   Interval range(const Box3& box) const override;
+  Interval slope(const Box3& box, Vec3 direction) const override;
+  bool has_slopes() const override { return true; }
   Box3 bounds() const override { return bounds_; }
   std::uint64_t piece(Vec3 p) const override;
   const ImplicitFunction& piece_function(Vec3 p) const override;

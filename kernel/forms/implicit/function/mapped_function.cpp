@@ -65,6 +65,10 @@ Interval MappedFunction::range(const Box3& box) const {
   return function_->range(box_of(box, back_));
 }
 
+Interval MappedFunction::slope(const Box3& box, Vec3 direction) const {
+  return function_->slope(box_of(box, back_), back_.linear * direction);
+}
+
 Box3 MappedFunction::bounds() const { return box_of(function_->bounds(), to_); }
 
 const ImplicitFunction& MappedFunction::piece_function(Vec3 p) const {

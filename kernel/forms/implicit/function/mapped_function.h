@@ -21,6 +21,8 @@ class MappedFunction final : public ImplicitFunction {
   void gradients(std::span<const Vec3> points, std::span<Gradient1> out) const override;
   void hessians(std::span<const Vec3> points, std::span<Gradient2> out) const override;
   Interval range(const Box3& box) const override;
+  Interval slope(const Box3& box, Vec3 direction) const override;
+  bool has_slopes() const override { return function_->has_slopes(); }
   Box3 bounds() const override;
   std::uint64_t piece(Vec3 p) const override { return function_->piece(back_.point(p)); }
   const ImplicitFunction& piece_function(Vec3 p) const override;

@@ -27,6 +27,8 @@ class Tape {
   const std::vector<Instruction>& code() const { return code_; }
   double value(Vec3 p, std::vector<double>& slots) const;
   Interval range(const Box3& box) const;
+  // All values of the derivative along `direction` over the box.
+  Interval slope(const Box3& box, Vec3 direction) const;
 
   // Which operand each min and max takes and which sign each abs has at a point, as one number;
   // equal numbers mean the same choices among those that matter.

@@ -41,6 +41,12 @@ class Axis {
   double from(std::int32_t i) const { return knots_[at(i)]; }
   double to(std::int32_t i) const { return knots_[at(i + order_)]; }
 
+  // The derivative's coefficient for this difference between those of functions i and i + 1.
+  double rise(std::int32_t i, double difference) const {
+    const double width = knots_[at(i + order_)] - knots_[at(i + 1)];
+    return difference == 0 ? 0 : (order_ - 1) * difference / width;
+  }
+
   void evaluate(double t, int derivatives, Basis& out) const {
     const std::int32_t s = span(t);
     out.first = s - order_ + 1;
@@ -115,15 +121,42 @@ class TrivariateField final : public BoxField {
     for (std::size_t i = 0; i < at.size(); ++i) out[i] = evaluate<2>(at[i]);
   }
 
-  Interval range(Vec3 min, Vec3 max) const override {
-    std::array<std::int32_t, 3> low, high;
+  void taking_part(Vec3 min, Vec3 max, std::array<std::int32_t, 3>& low,
+                   std::array<std::int32_t, 3>& high) const {
     for (int a = 0; a < 3; ++a) {
       const auto k = static_cast<std::size_t>(a);
       const double end = last_[a];
       low[k] = axes_[k].span(origin_[a] + std::clamp(min[a], 0.0, end)) - spline_.order[k] + 1;
       high[k] = axes_[k].span(origin_[a] + std::clamp(max[a], 0.0, end));
     }
+  }
+  Interval range(Vec3 min, Vec3 max) const override {
+    std::array<std::int32_t, 3> low, high;
+    taking_part(min, max, low, high);
     return range(low, high);
+  }
+  // Derivatives are splines over differences of neighbouring coefficients.
+  std::array<Interval, 3> slopes(Vec3 min, Vec3 max) const override {
+    std::array<std::int32_t, 3> low, high;
+    taking_part(min, max, low, high);
+    std::array<Interval, 3> out;
+    for (std::size_t a = 0; a < 3; ++a) {
+      Interval r{std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
+      for (std::int32_t z = low[2]; z <= high[2]; ++z) {
+        for (std::int32_t y = low[1]; y <= high[1]; ++y) {
+          for (std::int32_t x = low[0]; x <= high[0]; ++x) {
+            const std::array<std::int32_t, 3> at{x, y, z};
+            if (at[a] == high[a]) continue;
+            const double d =
+                axes_[a].rise(at[a], *coefficient(x + (a == 0), y + (a == 1), z + (a == 2)) -
+                                         *coefficient(x, y, z));
+            r = {std::min(r.min, d), std::max(r.max, d)};
+          }
+        }
+      }
+      out[a] = r;
+    }
+    return out;
   }
   // Of all coefficients that take part on a side.
   Interval border_range() const override {

@@ -13,6 +13,9 @@ namespace {
 
 using Size = std::array<std::int32_t, 3>;
 
+// Coefficients along a box that are looked at one by one.
+constexpr std::int32_t kFew = 16;
+
 struct Extremes {
   float min = std::numeric_limits<float>::infinity(), max = -min;
   void add(float low, float high) {
@@ -77,19 +80,21 @@ void VolumeSpline::make_levels(const RunContext& context) {
   }
 }
 
-Interval VolumeSpline::range(Vec3 min, Vec3 max) const {
-  Size low, high;
+void VolumeSpline::taking_part(Vec3 min, Vec3 max, Size& low, Size& high) const {
   for (int a = 0; a < 3; ++a) {
     const double from = std::clamp(min[a], 0.0, last_[a]), to = std::clamp(max[a], 0.0, last_[a]);
-    // The coefficients that take part, in the numbers of the array with its rim.
     const double first = degree_ == 2 ? std::floor(from + 0.5) : std::floor(from);
     const double end = degree_ == 2 ? std::floor(to + 0.5) + 2 : std::floor(to) + 3;
     const auto k = static_cast<std::size_t>(a);
     low[k] = std::clamp(static_cast<std::int32_t>(first), 0, size_[k] - 1);
     high[k] = std::clamp(static_cast<std::int32_t>(end), low[k], size_[k] - 1);
   }
+}
+
+Interval VolumeSpline::range(Vec3 min, Vec3 max) const {
+  Size low, high;
+  taking_part(min, max, low, high);
   // Coefficients themselves in boxes up to this, else the finest level with as few.
-  constexpr std::int32_t kFew = 16;
   const auto wide = [&] {
     return std::max({high[0] - low[0], high[1] - low[1], high[2] - low[2]}) >= kFew;
   };
@@ -112,6 +117,29 @@ Interval VolumeSpline::range(Vec3 min, Vec3 max) const {
     });
   }
   return {e.min, e.max};
+}
+
+// Derivatives are splines over the differences of neighbours.
+std::array<Interval, 3> VolumeSpline::slopes(Vec3 min, Vec3 max) const {
+  Size low, high;
+  taking_part(min, max, low, high);
+  if (std::max({high[0] - low[0], high[1] - low[1], high[2] - low[2]}) >= kFew) return {};
+  const std::ptrdiff_t next[3] = {1, row_, slice_};
+  std::array<Interval, 3> out;
+  for (std::size_t a = 0; a < 3; ++a) {
+    Size last = high;
+    last[a] = std::max(low[a], high[a] - 1);
+    Extremes e;
+    for_rows(size_, low, last, [&](std::size_t first, std::size_t n) {
+      const float* c = coefficients_.data() + first;
+      for (std::size_t i = 0; i < n; ++i) {
+        const float d = c[static_cast<std::ptrdiff_t>(i) + next[a]] - c[i];
+        e.add(d, d);
+      }
+    });
+    out[a] = {e.min, e.max};
+  }
+  return out;
 }
 
 Interval VolumeSpline::border_range() const {

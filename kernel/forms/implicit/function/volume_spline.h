@@ -26,6 +26,7 @@ class VolumeSpline final : public BoxField {
   /// Of the coefficients that take part in the box, or in blocks of 4 of them around it.
   Interval range(Vec3 min, Vec3 max) const override;
   Interval border_range() const override;
+  std::array<Interval, 3> slopes(Vec3 min, Vec3 max) const override;
   Box3 support(double level, bool above) const override;
   Vec3 last() const override { return last_; }
 
@@ -36,6 +37,9 @@ class VolumeSpline final : public BoxField {
     std::vector<std::array<float, 2>> range;
   };
 
+  // The coefficients that take part in a box, in the numbers of the array with its rim.
+  void taking_part(Vec3 min, Vec3 max, std::array<std::int32_t, 3>& low,
+                   std::array<std::int32_t, 3>& high) const;
   template <int kTaps, int kOrder, class Out>
   void evaluate(std::span<const Vec3> at, std::span<Out> out) const;
   template <class Out, int kOrder>

@@ -25,6 +25,7 @@ class WorkBudget {
     left_ -= count * each;
     if (!(left_ >= 0)) throw TooMuchWork();
   }
+  double left() const { return left_; }
 
  private:
   double left_;

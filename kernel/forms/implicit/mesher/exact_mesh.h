@@ -47,6 +47,8 @@ struct ExactMesh {
   /// Graded meshes: the length of the edges around each vertex of those that were there first;
   /// `step` is then that of most edges. Empty: `step` everywhere.
   std::vector<double> spacing;
+  /// Boxes of components smaller than half a step, which were left out.
+  std::vector<Box3> chips;
   /// What may still be done to it.
   WorkBudget budget{10e9};
 

@@ -12,11 +12,6 @@ namespace {
 
 constexpr std::size_t kMaxBlocks = 60'000;  // 30 million cells, 0.4 GB
 
-std::uint64_t key(Cell c) {
-  const auto part = [](int v) { return static_cast<std::uint64_t>(v) & 0x1fffff; };
-  return part(c.x) | (part(c.y) << 21) | (part(c.z) << 42);
-}
-
 // A cube of cells under way to the blocks, with the part of the function that matters in it.
 struct Cube {
   Cell first{0};
@@ -24,22 +19,6 @@ struct Cube {
   const ImplicitFunction* function = nullptr;
   std::shared_ptr<const ImplicitFunction> own;
 };
-
-// What intervals say about a cube.
-enum class Verdict : std::uint8_t { Inside, Outside, Unknown };
-
-Verdict judge(const ImplicitFunction& f, const Box3& box) {
-  const Interval range = f.range(box);
-  // Rounding of the samples must not disagree: a relative 1e-12 counts as zero.
-  const double slack = 1e-12 * (std::abs(range.min) + std::abs(range.max));
-  if (!(std::abs(range.min) < 1e300) || !(std::abs(range.max) < 1e300)) {
-    // Infinite ends: only the finite one tells.
-    return range.min > 0 ? Verdict::Outside : range.max < 0 ? Verdict::Inside : Verdict::Unknown;
-  }
-  if (range.min > slack) return Verdict::Outside;
-  if (range.max < -slack) return Verdict::Inside;
-  return Verdict::Unknown;
-}
 
 // Nanoseconds for all cubes and for the worst one.
 struct Work {
@@ -70,6 +49,18 @@ std::vector<Cube> halves(const Cube& c, const Cell& cells) {
 }
 
 }  // namespace
+
+Verdict judge(const Interval& range) {
+  // Rounding of the samples must not disagree: a relative 1e-12 counts as zero.
+  const double slack = 1e-12 * (std::abs(range.min) + std::abs(range.max));
+  if (!(std::abs(range.min) < 1e300) || !(std::abs(range.max) < 1e300)) {
+    // Infinite ends: only the finite one tells.
+    return range.min > 0 ? Verdict::Outside : range.max < 0 ? Verdict::Inside : Verdict::Unknown;
+  }
+  if (range.min > slack) return Verdict::Outside;
+  if (range.max < -slack) return Verdict::Inside;
+  return Verdict::Unknown;
+}
 
 GridLayout make_layout(const Box3& domain, double step) {
   GridLayout layout;
@@ -107,7 +98,7 @@ Grid::Grid(const ImplicitFunction& function, const GridLayout& layout, WorkBudge
           for (std::size_t i = begin; i < end; ++i) {
             Cube& c = cubes[i];
             const Box3 box = layout_.box(c.first, c.first + c.side);
-            verdicts[i] = judge(*c.function, box);
+            verdicts[i] = judge(c.function->range(box));
             if (verdicts[i] != Verdict::Unknown) continue;
             if (auto part = c.function->restricted(box)) {
               c.own = std::move(part);
@@ -163,14 +154,14 @@ Grid::Grid(const ImplicitFunction& function, const GridLayout& layout, WorkBudge
     any_inside_ |= (signs[i] & 1) != 0;
     any_outside_ |= (signs[i] & 2) != 0;
     if (signs[i] != 3) continue;
-    index_.emplace(key(all[i].first / kSide), static_cast<std::int32_t>(blocks_.size()));
+    index_.emplace(name_of(all[i].first / kSide), static_cast<std::int32_t>(blocks_.size()));
     blocks_.push_back(std::move(all[i]));
   }
 }
 
 std::int32_t Grid::block_of(Cell cell) const {
   if (cell.x < 0 || cell.y < 0 || cell.z < 0) return -1;
-  const auto it = index_.find(key(cell / kSide));
+  const auto it = index_.find(name_of(cell / kSide));
   return it == index_.end() ? -1 : it->second;
 }
 

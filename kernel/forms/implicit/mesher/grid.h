@@ -15,6 +15,12 @@ namespace burin {
 
 using Cell = glm::ivec3;
 
+/// One number for a cell, of coordinates from 0 to 2^21; those along x follow one another.
+inline std::uint64_t name_of(Cell c) {
+  const auto part = [](int v) { return static_cast<std::uint64_t>(v) & 0x1fffff; };
+  return part(c.x) | (part(c.y) << 21) | (part(c.z) << 42);
+}
+
 struct GridLayout {
   Vec3 origin{0};
   double step = 1;
@@ -23,7 +29,12 @@ struct GridLayout {
   // Corner (i, j, k) of the grid, to the bit the same for all cells around it.
   Vec3 corner(Cell c) const { return origin + step * Vec3(c); }
   Box3 box(Cell min, Cell max) const { return {corner(min), corner(max)}; }
+  Cell cell_of(Vec3 p) const { return Cell(glm::floor((p - origin) / step)); }
 };
+
+// What the range of a function over a box says about the box.
+enum class Verdict : std::uint8_t { Inside, Outside, Unknown };
+Verdict judge(const Interval& range);
 
 // The grid over `domain` with a cell more on each side.
 GridLayout make_layout(const Box3& domain, double step);

@@ -5,6 +5,9 @@
 
 #include "../function/project.h"
 #include "../function/shape_operator.h"
+#include "boxes.h"
+#include "hidden.h"
+#include "pieces.h"
 #include "specks.h"
 
 #include <fmt/format.h>
@@ -22,6 +25,9 @@ constexpr double kSurveySteps = 128, kFewestSteps = 32;
 constexpr double kMostSteps = 1024;
 // Nanoseconds of one core that a look may take.
 constexpr double kLookBudget = 4e9;
+// What may be spent on what lies between its samples: shares of what the look itself has taken, at
+// least so many nanoseconds, to find the places and to mesh what is there.
+constexpr double kHiddenShare = 0.1, kPiecesShare = 0.2, kHiddenLeast = 1e8, kPiecesLeast = 5e8;
 // Vertices of a look: a surface that has more is noise, or finer than a drawing can show.
 constexpr std::size_t kMaxVertices = 1'500'000;
 constexpr double kCoarsest = 64, kFinest = 1000;  // steps along the surface's longest side
@@ -38,17 +44,6 @@ ExactMesh mesh_grid(const ImplicitFunction& f, const Grid& grid, double size, do
   if (smallest > 0) counts.specks += drop_specks(mesh, smallest);
   cut_along_creases(mesh, f, context);
   return mesh;
-}
-
-Box3 box_of(const std::vector<Vec3>& points) {
-  Box3 b;
-  for (const Vec3& p : points) b.add(p);
-  return b;
-}
-
-double longest(const Box3& b) {
-  const Vec3 s = b.size();
-  return std::max({s.x, s.y, s.z});
 }
 
 // Mm; a step across it still keeps a ten-millionth of a mm in double.
@@ -148,9 +143,48 @@ void measure(Survey& s, const RunContext& context) {
   for (std::uint32_t t = 0; t < area.triangles.size(); ++t) s.area += area.area(t);
 }
 
-}  // namespace
+// Components around one corner of the grid each, which may be rims of something as large as a cell.
+void add_chips(const std::vector<Box3>& chips, const GridLayout& layout,
+               std::vector<HiddenPlace>& places) {
+  constexpr double kRim = 1.0 / 16;  // steps
+  for (const Box3& chip : chips) {
+    const Box3 place{chip.center() - kRim * layout.step, chip.center() + kRim * layout.step};
+    for (int k = 0; k < 8; ++k) {
+      const Vec3 aside = layout.step * (Vec3(k & 1, (k >> 1) & 1, k >> 2) - 0.5);
+      places.push_back({layout.cell_of(chip.center() + aside), place});
+    }
+  }
+}
 
-namespace {
+void look_between(Survey& s, const GridLayout& layout, const Box3& within,
+                  const RunContext& context) {
+  s.unseen.below = 2 * layout.step;
+  if (!s.function->has_slopes()) {
+    s.unseen.why = "a function that does not tell its slopes over boxes is only sampled";
+    s.unseen.severity = Severity::Info;
+    return;
+  }
+  const double taken = kLookBudget - s.mesh.budget.left();
+  HiddenPlaces hidden =
+      find_hidden(*s.function, layout, within, s.mesh.positions,
+                  WorkBudget(std::max(kHiddenLeast, kHiddenShare * taken)), context);
+  // Single samples in so many places are those of a wall as thin as a cell.
+  constexpr std::size_t kMostChips = 1000;
+  const bool few = s.mesh.chips.size() <= kMostChips;
+  if (few) add_chips(s.mesh.chips, layout, hidden.places);
+  WorkBudget budget(std::max(kPiecesLeast, kPiecesShare * taken));
+  const bool all = add_hidden_pieces(s, hidden.places, layout, budget, context);
+  // What a drawing may show: as large as a 300th of the domain, however thin.
+  constexpr double kShown = kSurveySteps / 300;
+  if (!few || !all || longest_missing(s, hidden, layout) >= kShown * layout.step) {
+    s.unseen.why = "there is more between the samples than can be meshed";
+  } else if (!hidden.whole) {
+    s.unseen.why = "to search between the samples beside walls and bends takes too long";
+    s.unseen.severity = Severity::Info;
+  } else {
+    s.unseen.below = 0;
+  }
+}
 
 // One look at a given number of steps along the longest side of the domain.
 Survey look(std::shared_ptr<const ImplicitFunction> function, Box3 at, bool given, double smallest,
@@ -181,7 +215,18 @@ Survey look(std::shared_ptr<const ImplicitFunction> function, Box3 at, bool give
                                     "one can be given by `bounds`",
                                     shown(at)));
     }
-    if (given || !cut) break;
+    if (given || !cut) {
+      measure(s, context);
+      // Components of a given size are all that is wanted of measured data.
+      if (smallest == 0) {
+        const Box3 own = s.function->bounds();
+        const bool holds = round == 0 || given;
+        look_between(s, grid.layout(),
+                     holds ? Box3{glm::max(at.min, own.min), glm::min(at.max, own.max)} : at,
+                     context);
+      }
+      return s;
+    }
     // Bounds that were derived and do not hold: solids that are no distances, offset far.
     if (round == kEnlargements) {
       given = true;
@@ -189,8 +234,6 @@ Survey look(std::shared_ptr<const ImplicitFunction> function, Box3 at, bool give
     }
     at = {at.min - 0.25 * at.size(), at.max + 0.25 * at.size()};
   }
-  measure(s, context);
-  return s;
 }
 
 // By more and more steps, as far as that is affordable.

@@ -9,15 +9,32 @@
 #include "exact_mesh.h"
 
 #include <memory>
+#include <string>
 
 namespace burin {
+
+/// A component that lies between the samples of a look.
+struct Component {
+  Box3 box;
+  Vec3 point{0};    // of its surface
+  double step = 0;  // of the grid that has found it, in model mm
+};
+
+/// Components that may have been missed: those smaller or thinner than `below` model mm, 0 = none.
+struct Unseen {
+  double below = 0;
+  std::string why;
+  /// A note where that is so of all functions of a kind.
+  Severity severity = Severity::Warning;
+};
 
 /// What a first look over the domain tells.
 struct Survey {
   /// The function to be drawn: clipped where it reaches the domain.
   std::shared_ptr<const ImplicitFunction> function;
-  /// A coarse mesh with its creases.
+  /// A coarse mesh with its creases, and what of it lies between the samples.
   ExactMesh mesh;
+  std::vector<Component> pieces;
   /// Of the surface itself, with what is left out.
   Box3 box;
   double area = 0;
@@ -25,11 +42,13 @@ struct Survey {
   double small_radius = 0;
   /// Components with a smaller diagonal, in model mm, are left out.
   double smallest = 0;
+  Unseen unseen;
   Diagnostics diagnostics;
 };
 
-/// Looks for the surface at a 128th of the domain. Components smaller than `smallest` of the
-/// largest one are left out. Throws GeometryError where there is none.
+/// Looks for the surface at a 128th of the domain, and between the samples where the function tells
+/// its slopes. Components smaller than `smallest` of the largest one are left out. Throws
+/// GeometryError where there is none.
 Survey survey(const std::shared_ptr<const ImplicitFunction>& function, const Box3& domain,
               bool given, double smallest, const RunContext& context);
 

@@ -311,7 +311,11 @@ void drop_chips(ExactMesh& mesh) {
   const auto chip = [&](const Triangle& t) {
     return boxes[parts.find(t[0])].diagonal() < kSmallest * mesh.step;
   };
-  if (!std::ranges::all_of(mesh.triangles, chip)) std::erase_if(mesh.triangles, chip);
+  if (std::ranges::all_of(mesh.triangles, chip)) return;
+  std::erase_if(mesh.triangles, chip);
+  for (const Box3& b : boxes) {
+    if (!b.empty() && b.diagonal() < kSmallest * mesh.step) mesh.chips.push_back(b);
+  }
 }
 
 }  // namespace

@@ -1,27 +1,9 @@
 #include "specks.h"
 
-#include <burin/base/disjoint_sets.h>
-
 #include <algorithm>
 
 namespace burin {
 namespace {
-
-struct Components {
-  DisjointSets sets;
-  std::vector<Box3> boxes;  // by the name of their set
-
-  explicit Components(const ExactMesh& mesh)
-      : sets(mesh.positions.size()), boxes(mesh.positions.size()) {
-    for (const Triangle& t : mesh.triangles) {
-      sets.join(t[0], t[1]);
-      sets.join(t[0], t[2]);
-    }
-    for (const Triangle& t : mesh.triangles) {
-      for (const std::uint32_t v : t) boxes[sets.find(v)].add(mesh.positions[v]);
-    }
-  }
-};
 
 void drop_unused(ExactMesh& mesh) {
   std::vector<std::uint8_t> used(mesh.positions.size(), 0);
@@ -37,8 +19,10 @@ void drop_unused(ExactMesh& mesh) {
     mesh.normals[n] = mesh.normals[v];
     mesh.pieces[n] = mesh.pieces[v];
     mesh.crease[n] = mesh.crease[v];
+    if (v < mesh.spacing.size()) mesh.spacing[n] = mesh.spacing[v];
     mesh.zero[n++] = mesh.zero[v];
   }
+  if (!mesh.spacing.empty()) mesh.spacing.resize(n);
   mesh.positions.resize(n);
   mesh.normals.resize(n);
   mesh.pieces.resize(n);
@@ -51,30 +35,46 @@ void drop_unused(ExactMesh& mesh) {
 
 }  // namespace
 
+MeshComponents::MeshComponents(const ExactMesh& mesh)
+    : sets(mesh.positions.size()), boxes(mesh.positions.size()) {
+  for (const Triangle& t : mesh.triangles) {
+    sets.join(t[0], t[1]);
+    sets.join(t[0], t[2]);
+  }
+  for (const Triangle& t : mesh.triangles) {
+    for (const std::uint32_t v : t) boxes[sets.find(v)].add(mesh.positions[v]);
+  }
+}
+
 double largest_component(const ExactMesh& mesh) {
   double most = 0;
-  for (const Box3& b : Components(mesh).boxes) most = std::max(most, b.empty() ? 0 : b.diagonal());
+  for (const Box3& b : MeshComponents(mesh).boxes)
+    most = std::max(most, b.empty() ? 0 : b.diagonal());
   return most;
 }
 
-std::size_t drop_specks(ExactMesh& mesh, double smallest) {
-  Components parts(mesh);
-  std::vector<std::uint8_t> speck(parts.boxes.size(), 0);
-  std::size_t dropped = 0;
-  for (std::size_t i = 0; i < speck.size(); ++i) {
-    speck[i] = !parts.boxes[i].empty() && parts.boxes[i].diagonal() < smallest;
-    dropped += speck[i];
-  }
-  if (dropped == 0) return 0;
+void drop_components(ExactMesh& mesh, MeshComponents& parts,
+                     const std::vector<std::uint8_t>& dropped) {
   std::size_t kept = 0;
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-    if (speck[parts.sets.find(mesh.triangles[t][0])]) continue;
+    if (dropped[parts.sets.find(mesh.triangles[t][0])]) continue;
     mesh.triangles[kept] = mesh.triangles[t];
     mesh.side[kept++] = mesh.side[t];
   }
   mesh.triangles.resize(kept);
   mesh.side.resize(kept);
   drop_unused(mesh);
+}
+
+std::size_t drop_specks(ExactMesh& mesh, double smallest) {
+  MeshComponents parts(mesh);
+  std::vector<std::uint8_t> speck(parts.boxes.size(), 0);
+  std::size_t dropped = 0;
+  for (std::size_t i = 0; i < speck.size(); ++i) {
+    speck[i] = !parts.boxes[i].empty() && parts.boxes[i].diagonal() < smallest;
+    dropped += speck[i];
+  }
+  if (dropped > 0) drop_components(mesh, parts, speck);
   return dropped;
 }
 

@@ -1,12 +1,30 @@
 #pragma once
-// Small components of organic data.
+// Components of a mesh, and small ones of organic data.
+
+#include <burin/base/box.h>
+#include <burin/base/disjoint_sets.h>
 
 #include "exact_mesh.h"
 
+#include <cstdint>
+#include <vector>
+
 namespace burin {
+
+/// Which vertices belong together, and the box of each component by the name of its set.
+struct MeshComponents {
+  DisjointSets sets;
+  std::vector<Box3> boxes;
+
+  explicit MeshComponents(const ExactMesh& mesh);
+};
 
 /// The largest diagonal of a component's box.
 double largest_component(const ExactMesh& mesh);
+
+/// Leaves out the components whose entry in `dropped`, by the name of their set, is not zero.
+void drop_components(ExactMesh& mesh, MeshComponents& parts,
+                     const std::vector<std::uint8_t>& dropped);
 
 /// Leaves out the components whose boxes have a diagonal below `smallest` model mm; returns their
 /// number.

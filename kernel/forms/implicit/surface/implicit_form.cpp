@@ -8,6 +8,7 @@
 #include "../function/shape_operator.h"
 #include "../mesher/delaunay/delaunay_mesher.h"
 #include "../mesher/draft.h"
+#include "../mesher/losses.h"
 #include "../mesher/mesher.h"
 #include "implicit_surface.h"
 #include "view_cut.h"
@@ -49,6 +50,12 @@ double support(const Survey& s, Vec3 start, Vec3 direction) {
                     glm::distance(p, start) <= 2 * s.mesh.step;
   return real ? std::max(glm::dot(p, direction), glm::dot(start, direction))
               : glm::dot(start, direction);
+}
+
+// For what a mesh has lost: a share of what it has taken.
+WorkBudget lost_budget(const ExactMesh& mesh) {
+  constexpr double kShare = 0.2, kLeast = 1e8;
+  return WorkBudget(std::max(kLeast, kShare * (kMeshBudget - mesh.budget.left())));
 }
 
 // As fine as wanted, or else as fine as it can be had.
@@ -280,8 +287,21 @@ std::shared_ptr<const Surface> ImplicitForm::realise(const RealiseOptions& optio
   const Survey& s = impl_->survey;
   Diagnostics diagnostics = s.diagnostics;
   MeshCounts counts;
-  ExactMesh mesh =
-      impl_->mesh(options.tolerance / stretch(placement_), counts, diagnostics, context);
+  const double tolerance = options.tolerance / stretch(placement_);
+  ExactMesh mesh = impl_->mesh(tolerance, counts, diagnostics, context);
+  Unseen unseen = s.unseen;
+  if (s.smallest == 0 && !add_lost_pieces(mesh, s, tolerance, lost_budget(mesh), context)) {
+    constexpr double kLost = 6;  // steps, as losses.cpp looks for
+    if (kLost * mesh.step > unseen.below)
+      unseen = {kLost * mesh.step, "there are too many to mesh"};
+  }
+  if (unseen.below > 0) {
+    diagnostics.add(
+        unseen.severity, "implicit.may_miss", 1,
+        fmt::format("pieces of the surface smaller or thinner than {:.2g} mm may be missing: {}; "
+                    "`bounds` around a part of the surface finds smaller ones",
+                    unseen.below * stretch(placement_), unseen.why));
+  }
   std::shared_ptr<const ImplicitFunction> function = s.function;
   if (placement_.moves()) {
     auto there = std::make_shared<const MappedFunction>(s.function, placement_);

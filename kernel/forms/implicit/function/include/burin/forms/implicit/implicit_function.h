@@ -60,6 +60,15 @@ class ImplicitFunction {
   /// An interval that holds all values over a box (whose sides may be infinite), up to rounding.
   /// The default is all numbers.
   virtual Interval range([[maybe_unused]] const Box3& box) const { return {}; }
+  /// An interval that holds all derivatives along `direction` over a box, at creases those of all
+  /// pieces that meet: where it does not hold zero, no component of the surface lies in the box
+  /// alone. The default, and the answer where the function may jump or be no number, is all
+  /// numbers.
+  virtual Interval slope([[maybe_unused]] const Box3& box, [[maybe_unused]] Vec3 direction) const {
+    return {};
+  }
+  /// Whether `slope` tells more than nothing.
+  virtual bool has_slopes() const { return false; }
   /// A box that holds the zero set and its inside; infinite sides where nothing is known.
   virtual Box3 bounds() const { return everywhere(); }
 
