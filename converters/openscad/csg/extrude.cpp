@@ -20,6 +20,9 @@ int compare_lengths(Vec2 a, Vec2 b) {
   return 2 * std::abs(x - y) * kPartsOf > x + y ? (x < y ? -1 : 1) : 0;
 }
 
+// Degrees: slices that turn by more are meant, as the sides of a prism are.
+constexpr double kLargestStep = 360.0 / kFewestRound;
+
 class Extruder {
  public:
   Extruder(Evaluation& e, const Extrusion& extrusion, const Region& region, int slices)
@@ -32,7 +35,7 @@ class Extruder {
     }
     for (const auto& [a, b, c] : cap_.triangles) add({a, c, b}, -1);
     surfaces();
-    if (!narrow()) smooth_walls();
+    if (!narrow() && std::abs(x_.twist) <= kLargestStep * slices_) smooth_walls();
     for (int j = 0; j + 1 < layers; ++j) walls(j);
     if (narrow())
       close_narrow();

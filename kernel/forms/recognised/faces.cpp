@@ -153,7 +153,8 @@ class Divider {
       const bool smooth = proxy_.edge_kind[static_cast<std::size_t>(h)] == EdgeKind::Smooth;
       return smooth ? between(~a, ~b) : Kind::Sharp;
     }
-    if (pa && pb && pa->chain >= 0 && pa->chain == pb->chain) return Kind::Inside;
+    const bool chain = pa && pb && pa->chain >= 0 && pa->chain == pb->chain;
+    if (chain && !pa->sheet) return Kind::Inside;
     const Vec3 middle = 0.5 * (proxy_.mesh.positions[origin(proxy_.mesh, h)] +
                                proxy_.mesh.positions[origin(proxy_.mesh, o)]);
     const double angle = std::acos(
@@ -161,6 +162,8 @@ class Divider {
     const double facets = std::acos(
         std::clamp(glm::dot(facet_normal(face_of(h)), facet_normal(face_of(o))), -1.0, 1.0));
     const double turn = std::max(pa ? pa->turn : 0, pb ? pb->turn : 0);
+    // A sheet that comes back to where it began may meet itself there in an edge.
+    if (chain) return angle <= kDegree ? Kind::Inside : Kind::Sharp;
     if (angle <= kDegree) return pa && pb ? Kind::Smooth : Kind::Tangent;
     if (angle > kAsSurface * turn || facets > kAsFacets * turn) return Kind::Sharp;
     return pa && pb ? Kind::Smooth : Kind::Tangent;
