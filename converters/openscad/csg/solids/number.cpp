@@ -190,6 +190,21 @@ int turn(const Exact& a, const Exact& b, const Exact& c, std::size_t i, std::siz
   return sgn(minor(a, b, c, i, j, 3));
 }
 
+int in_circle(const std::array<const Exact*, 3>& triangle, const Exact& t, std::size_t i,
+              std::size_t j) {
+  // Of each corner what it is away from the point, times both weights; rows times their squares.
+  std::array<Exact, 3> row;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Exact& p = *triangle[k];
+    const mpz_class x = p.c[i] * t.c[3] - t.c[i] * p.c[3], y = p.c[j] * t.c[3] - t.c[j] * p.c[3];
+    const mpz_class w = p.c[3] * t.c[3];
+    row[k].c[0] = x * w;
+    row[k].c[1] = y * w;
+    row[k].c[2] = x * x + y * y;
+  }
+  return sgn(minor(row[0], row[1], row[2], 0, 1, 2));
+}
+
 Vec3 nearest(const Exact& point) {
   Vec3 out;
   mpz_class scaled;

@@ -45,9 +45,14 @@ class Space {
   int side(Id point, Id plane);
   /// Which comes first along a line.
   int along(Id line, Id a, Id b);
+  /// The sign of a's coordinate less b's.
+  int compare(int axis, Id a, Id b);
   /// The turn of a, b, c seen in the projection of a plane along its main axis: their sign in the
   /// plane up to a factor that is the plane's own.
   int turn(Id plane, Id a, Id b, Id c);
+  /// In the same projection, of a triangle that turns counter-clockwise: 1 where a point lies
+  /// within the circle through its corners, -1 outside, 0 on it.
+  int in_circle(Id plane, const std::array<Id, 3>& triangle, Id point);
   /// Of the projection, for sizes: twice the area, and its bound of error.
   std::pair<double, double> area(Id plane, Id a, Id b, Id c) const;
 
