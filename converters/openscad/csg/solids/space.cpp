@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace burin::csg {
 namespace {
@@ -79,14 +80,15 @@ Id Space::number(Point&& point, Same&& same) {
     looked[count++] = key;
     const auto found = cells_.find(key);
     if (found == cells_.end()) continue;
-    for (const Id c : found->second) {
+    for (Id c = found->second; c != kNone; c = points_[c].next) {
       const double limit = 2 * (points_[c].error + point.error) + kUlp * size_;
       const Vec3 gap = glm::abs(points_[c].at - point.at);
       if (std::max({gap.x, gap.y, gap.z}) <= limit && same(c)) return c;
     }
   }
   const auto id = static_cast<Id>(points_.size());
-  cells_[cell(point.at, {0, 0, 0})].push_back(id);
+  Id& last = cells_.try_emplace(cell(point.at, {0, 0, 0}), kNone).first->second;
+  point.next = std::exchange(last, id);
   points_.push_back(std::move(point));
   return id;
 }
@@ -247,7 +249,7 @@ Id Space::plane_beside(Id a, Id b, Id plane) {
 }
 
 bool Space::knows(Id point, Id plane) const {
-  const std::vector<Id>& list = points_[point].planes;
+  const auto& list = points_[point].planes;
   return std::find(list.begin(), list.end(), plane) != list.end();
 }
 

@@ -3,9 +3,12 @@
 
 #include "number.h"
 
+#include <boost/container/small_vector.hpp>
+
 #include <cstdint>
 #include <map>
 #include <memory>
+#include <memory_resource>
 #include <unordered_map>
 #include <vector>
 
@@ -82,8 +85,10 @@ class Space {
     // A corner's place before `matrix`; else where `line` meets `plane`.
     Vec3 local{0};
     Id matrix = kNone, line = kNone, plane = kNone;
-    std::vector<Id> planes;
+    boost::container::small_vector<Id, 4> planes;
     std::unique_ptr<Exact> exact;
+    /// Another one in the same cell.
+    Id next = kNone;
   };
   struct Line {
     Id p = 0, q = 0;
@@ -127,10 +132,13 @@ class Space {
   std::vector<Point> points_;
   std::vector<Line> lines_;
   std::vector<Plane> planes_;
-  std::unordered_map<std::uint64_t, std::vector<Id>> cells_;
-  std::multimap<double, Id> plane_order_;
-  std::unordered_map<std::uint64_t, Id> line_of_planes_;
-  std::unordered_map<Key, Id, KeyHash> point_of_planes_;
+  // Millions of small entries that end together.
+  std::pmr::monotonic_buffer_resource memory_;
+  /// The last point of each cell.
+  std::pmr::unordered_map<std::uint64_t, Id> cells_{&memory_};
+  std::pmr::multimap<double, Id> plane_order_{&memory_};
+  std::pmr::unordered_map<std::uint64_t, Id> line_of_planes_{&memory_};
+  std::pmr::unordered_map<Key, Id, KeyHash> point_of_planes_{&memory_};
 };
 
 }  // namespace burin::csg
