@@ -4,6 +4,7 @@
 
 #include "arrange.h"
 #include "balance.h"
+#include "cull.h"
 #include "inside.h"
 
 #include <algorithm>
@@ -52,6 +53,7 @@ class Combiner {
   }
 
   Mesh run() {
+    culled_ = cull(space_, meshes_, formula_, context_);
     list();
     pair();
     Mesh out;
@@ -75,7 +77,9 @@ class Combiner {
 
   void list() {
     for (std::uint32_t m = 0; m < meshes_.size(); ++m) {
+      if (culled_.gone[m]) continue;
       for (std::uint32_t f = 0; f < meshes_[m].facets.size(); ++f) {
+        if (culled_.hidden[m][f]) continue;
         const Box3& box = meshes_[m].facets[f].box;
         if (box.overlaps(boxes_.relevant[m])) facets_.push_back({m, f, box});
       }
@@ -233,7 +237,7 @@ class Combiner {
   Sides of_mesh(std::uint32_t m, Sample& sample) {
     if (known_at_[m] == stamp_) return known_[m];
     Sides s = 0;
-    if (near(meshes_[m].box, sample) && inside_[m].odd(sample)) s = kBoth;
+    if (!culled_.gone[m] && near(meshes_[m].box, sample) && inside_[m].odd(sample)) s = kBoth;
     know(m, s);
     return s;
   }
@@ -245,6 +249,7 @@ class Combiner {
   const std::function<void(double)>& share_;
   Boxes boxes_;
   std::vector<Inside> inside_;
+  Culled culled_;
   std::vector<FacetBox> facets_;
   std::map<std::uint32_t, Work> sheets_;
   std::vector<Sides> known_;

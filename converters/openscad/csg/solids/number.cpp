@@ -14,8 +14,8 @@ mpz_class dot(const Exact& a, const Exact& b) {
   return a.c[0] * b.c[0] + a.c[1] * b.c[1] + a.c[2] * b.c[2] + a.c[3] * b.c[3];
 }
 
-/// Takes the common factor out: products gather the powers of ten of their decimals, and a number is
-/// made once but multiplied many times.
+/// Takes the common factor out: products gather the powers of ten of their decimals, and a number
+/// is made once but multiplied many times.
 void shorten(Exact& e) {
   mpz_class common = 0;
   for (const mpz_class& v : e.c) {

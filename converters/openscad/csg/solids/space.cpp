@@ -430,10 +430,9 @@ int Space::in_circle(Id plane, const std::array<Id, 3>& triangle, Id point) {
     return sign_of(sum);
   }
   ++exact_count;
-  return csg::in_circle({&exact_point(triangle[0]), &exact_point(triangle[1]),
-                         &exact_point(triangle[2])},
-                        exact_point(point), static_cast<std::size_t>(i),
-                        static_cast<std::size_t>(j));
+  return csg::in_circle(
+      {&exact_point(triangle[0]), &exact_point(triangle[1]), &exact_point(triangle[2])},
+      exact_point(point), static_cast<std::size_t>(i), static_cast<std::size_t>(j));
 }
 
 }  // namespace burin::csg

@@ -46,8 +46,7 @@ class Exactly : public Rounded {
   };
   struct Orientation_2 : Place {
     CGAL::Orientation operator()(const Point_2& p, const Point_2& q, const Point_2& r) const {
-      return CGAL::enum_cast<CGAL::Orientation>(
-          CGAL::sign(space->turn(plane, p.id, q.id, r.id)));
+      return CGAL::enum_cast<CGAL::Orientation>(CGAL::sign(space->turn(plane, p.id, q.id, r.id)));
     }
   };
   struct Side_of_oriented_circle_2 : Place {
