@@ -60,6 +60,7 @@ class Culler {
       : space_(space), meshes_(meshes), standing_(formula, meshes.size()), context_(context) {
     out_.gone.assign(meshes.size(), 0);
     for (const Mesh& m : meshes) {
+      context.check();
       out_.hidden.emplace_back(m.facets.size(), 0);
       tests_ += kTestsPerFacet * m.facets.size();
       shapes_.push_back(shape_of(m));
@@ -73,8 +74,8 @@ class Culler {
     const auto box = [&](std::size_t k) -> const Box3& { return meshes_[order[k]].box; };
     std::ranges::stable_sort(order, {}, [&](std::uint32_t m) { return meshes_[m].box.min.x; });
     for (std::size_t k = 0; k < order.size(); ++k) {
-      context_.check();
       for (std::size_t l = k + 1; l < order.size() && box(l).min.x <= box(k).max.x; ++l) {
+        if (l % 64 == 0) context_.check();
         if (!box(k).overlaps(box(l))) continue;
         look(order[k], order[l]);
         look(order[l], order[k]);
