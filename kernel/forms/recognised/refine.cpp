@@ -1,6 +1,5 @@
 #include "refine.h"
 
-#include <burin/base/groups.h>
 #include <burin/work_mesh/division.h>
 
 #include "meet.h"
@@ -8,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <set>
 #include <utility>
 
 namespace burin::recognised {
@@ -106,39 +106,25 @@ class Refiner {
     }
   }
 
-  /// In the order of their ends.
   std::vector<Edge> find_edges() const {
-    struct Side {
-      std::uint32_t high = 0;
-      HalfEdge half = kNoHalfEdge;
-      auto operator<=>(const Side&) const = default;
-    };
-    const auto ends = [&](std::size_t h) {
-      const Triangle& t = m_.mesh.triangles[h / 3];
-      return ordered(t[h % 3], t[(h + 1) % 3]);
-    };
-    auto sides = grouped(
-        m_.mesh.positions.size(), 3 * m_.mesh.triangles.size(),
-        [&](std::size_t h) { return std::array{ends(h).first}; },
-        [&](std::size_t h) {
-          return std::array{Side{ends(h).second, static_cast<HalfEdge>(h)}};
-        });
     std::vector<Edge> edges;
-    edges.reserve(2 * m_.mesh.triangles.size());
-    for (std::uint32_t low = 0; low < sides.size(); ++low) {
-      const auto first = sides.list.begin();
-      std::sort(first + sides.first[low], first + sides.first[low + 1]);
-      // Solids that only touch along an edge have vertices of their own: two half-edges at the
-      // most.
-      for (std::uint32_t i = sides.first[low]; i < sides.first[low + 1]; ++i) {
-        Edge e;
-        e.ends = {low, sides.list[i].high};
-        e.one = sides.list[i].half;
-        if (i + 1 < sides.first[low + 1] && sides.list[i + 1].high == sides.list[i].high) {
-          e.other = sides.list[++i].half;
-        }
-        edges.push_back(e);
+    const auto& triangles = m_.mesh.triangles;
+    std::vector<std::pair<Pair, HalfEdge>> all;
+    all.reserve(3 * triangles.size());
+    for (std::size_t t = 0; t < triangles.size(); ++t) {
+      for (std::size_t k = 0; k < 3; ++k) {
+        all.push_back({ordered(triangles[t][k], triangles[t][(k + 1) % 3]),
+                       static_cast<HalfEdge>(3 * t + k)});
       }
+    }
+    std::sort(all.begin(), all.end());
+    // Solids that only touch along an edge have vertices of their own: two half-edges at the most.
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      Edge e;
+      e.ends = all[i].first;
+      e.one = all[i].second;
+      if (i + 1 < all.size() && all[i + 1].first == e.ends) e.other = all[++i].second;
+      edges.push_back(e);
     }
     return edges;
   }
@@ -161,19 +147,12 @@ class Refiner {
               glm::dot(meet_.normal(round, a), meet_.normal(round, b)) < std::cos(kLargestTurn);
   }
 
-  /// What was whole in the round before stays so: both its ends and its surfaces are the same, or
-  /// a triangle would have turned over.
-  bool is_new(const Edge& e) const {
-    const auto made = [&](HalfEdge h) { return new_.empty() || new_[static_cast<std::size_t>(h)]; };
-    return made(e.one) || (e.other != kNoHalfEdge && made(e.other));
-  }
-
   bool split_once() {
     std::vector<Edge> edges = find_edges();
     std::size_t count = 0;
     for (Edge& e : edges) {
       if (++count % 1024 == 0) context_.check();
-      if (is_new(e)) look_at(e);
+      if (!frozen_.contains(e.ends)) look_at(e);
     }
     edge_of_.assign(3 * m_.mesh.triangles.size(), -1);
     for (std::size_t i = 0; i < edges.size(); ++i) {
@@ -204,6 +183,7 @@ class Refiner {
           Edge& e = edges[static_cast<std::size_t>(edge_of_[3 * std::size_t{t} + k])];
           if (!e.split) continue;
           e.split = false;
+          frozen_.insert(e.ends);
           again = true;
         }
       }
@@ -233,7 +213,6 @@ class Refiner {
 
   void rebuild(const std::vector<Edge>& edges) {
     FacetMesh out;
-    std::vector<char> made;
     out.mesh.positions = std::move(m_.mesh.positions);
     m_.mesh.positions = out.mesh.positions;
     for (std::uint32_t t = 0; t < m_.mesh.triangles.size(); ++t) {
@@ -257,15 +236,12 @@ class Refiner {
           tri[k] = vertex[piece[k]];
           normals[k] = normal[piece[k]];
           const int side = side_of(piece[k], piece[(k + 1) % 3]);
-          const std::size_t h = 3 * std::size_t{t} + static_cast<std::size_t>(std::max(side, 0));
-          record[k] = side < 0 ? -1 : m_.edge[h];
-          made.push_back(side < 0 || edges[static_cast<std::size_t>(edge_of_[h])].split);
+          record[k] = side < 0 ? -1 : m_.edge[3 * std::size_t{t} + static_cast<std::size_t>(side)];
         }
         out.add(tri, t, record, normals, m_);
       }
     }
     m_ = std::move(out);
-    new_ = std::move(made);
   }
 
   FacetMesh& m_;
@@ -274,8 +250,7 @@ class Refiner {
   Meeting meet_;
   double tolerance_;
   const RunContext& context_;
-  /// For each half-edge whether the last round made it; empty at first: all are new.
-  std::vector<char> new_;
+  std::set<Pair> frozen_;
   std::vector<std::int32_t> edge_of_;
 };
 

@@ -170,7 +170,8 @@ class Culler {
     if (in_ball(shape, corner)) return true;
     const Vec3 at = space_.at(corner);
     const double error = space_.error(corner);
-    if (take(1), rough_side(facets[shape.last], at, error) > 0) return false;
+    take(1);
+    if (rough_side(facets[shape.last], at, error) > 0) return false;
     for (std::size_t f = 0; f < facets.size(); ++f) {
       const int s = rough_side(facets[f], at, error);
       if (s < 0 || (s == 0 && exact_side(facets[f], corner) <= 0)) continue;
