@@ -191,6 +191,7 @@ Said run_openscad(const Path& path, const OpenscadOptions& options, Makes makes,
   run.folder = std::filesystem::absolute(path).parent_path().string();
   run.file = &out;
   run.timeout = options.timeout;
+  run.doing = makes == Makes::Mesh ? "OpenSCAD makes the mesh" : "OpenSCAD runs the program";
   Messages messages(path.filename().string());
   run.line = [&](const std::string& line) { messages.add(line); };
   const SubprocessEnd end = run_subprocess(run, context);

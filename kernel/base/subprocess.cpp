@@ -25,6 +25,8 @@ constexpr int kPollMs = 10;
 constexpr double kShareOfMemory = 0.75;
 // Seconds after which the bar of a run whose end nobody knows is half full.
 constexpr double kHalfway = 10;
+// Seconds after which the bar says what takes so long.
+constexpr double kLong = 1;
 
 class Pipe {
  public:
@@ -220,7 +222,9 @@ SubprocessEnd run_subprocess(const SubprocessRun& run, RunContext& context) {
       end.timed_out = true;
       break;
     }
-    if (!run.tells_progress) context.progress(seconds / (seconds + kHalfway));
+    if (!run.tells_progress) {
+      context.progress(seconds / (seconds + kHalfway), seconds > kLong ? run.doing : std::string());
+    }
     pollfd event{open ? output.read_end() : -1, POLLIN, 0};
     if (::poll(&event, 1, kPollMs) > 0) open = drain(output.read_end(), lines);
   }

@@ -54,6 +54,56 @@ TEST(Cuts, OfSimpleSolidsAreExact) {
                 3 * 360 - 2 * 216);
 }
 
+TEST(Cuts, OfWhatLiesWithinAnotherSolidAreExact) {
+  const std::string outer = moved(-5, -5, -5, cube(10, 10, 10));
+  const std::string ball = sphere(4, 128), second = moved(0.5, 0, 0, cube(2, 2, 2));
+  // Whole solids within one: strictly, on its surface, and the same one twice at other places of
+  // the text, in a union and in what is cut off.
+  expect_volume(outer + ball + second + moved(3, -5, -5, cube(2, 10, 10)), 1000);
+  expect_volume("union() { " + moved(-5, -5, -5, "union() { " + cube(10, 10, 10) + "}") +
+                    moved(-6, -5, -5, moved(1, 0, 0, cube(10, 10, 10))) + "}",
+                1000);
+  expect_volume(
+      "difference() { " + moved(-9, -9, -9, cube(18, 18, 18)) + outer + ball + second + "}",
+      18 * 18 * 18 - 1000);
+  // What is solid within what is cut off comes to nothing; what is cut out of the first alone
+  // stays.
+  expect_volume(
+      "difference() { union() { " + moved(-9, -9, -9, cube(18, 18, 18)) + ball + "}" + outer + "}",
+      18 * 18 * 18 - 1000);
+  expect_volume("difference() { " + outer + ball + "}" + second, 1000 - sphere_volume(4, 128) + 8);
+  expect_volume("intersection() { " + outer + ball + "}", sphere_volume(4, 128));
+}
+
+TEST(Cuts, OfWhatLiesWithinASolidThatIsNotConvexAreExact) {
+  // A star seen whole from its middle, and an L that is seen whole from its corner alone.
+  // Only cuts of many facets are looked at for what lies within: a ball makes them many.
+  const std::string ball = moved(0, 0, 2, sphere(1, 128));
+  const std::string star =
+      "linear_extrude(height = 4, center = false, convexity = 1, scale = [1, 1]) { polygon(points "
+      "= [[9, 0], [2, 2], [0, 9], [-2, 2], [-9, 0], [-2, -2], [0, -9], [2, -2]], paths = undef, "
+      "convexity = 1); }";
+  const double area = 4 * 2 * 9;
+  expect_volume(star + ball + moved(-1, -1, 1, cube(2, 2, 2)), 4 * area);
+  expect_volume(star + ball + moved(3, 3, 1, cube(2, 2, 2)), 4 * area + 8);
+  expect_volume(star + ball + moved(-1, -1, 1, cube(2, 2, 4)), 4 * area + 4);
+  const std::string ell =
+      "linear_extrude(height = 4, center = false, convexity = 1, scale = [1, 1]) { polygon(points "
+      "= [[0, 0], [9, 0], [9, 3], [3, 3], [3, 9], [0, 9]], paths = undef, convexity = 1); }";
+  expect_volume(ell + moved(1.5, 1.5, 0, ball) + moved(1, 1, 1, cube(1, 1, 1)), 4 * 45);
+  expect_volume(ell + moved(1.5, 1.5, 0, ball) + moved(1, 1, 1, cube(7, 1, 1)), 4 * 45);
+  expect_volume(ell + moved(1.5, 1.5, 0, ball) + moved(1, 1, 1, cube(7, 7, 1)), 4 * 45 + 25);
+}
+
+TEST(Cuts, OfManyHullsAlongALineAgreeWithTheTube) {
+  // Rods that follow each other on one line, each within the next ones for the most part.
+  std::string rods;
+  for (int i = 0; i < 40; ++i) rods += moved(0, 0, 0.5 * i, cylinder(6, 3, 3, 120));
+  expect_volume(rods, (6 + 0.5 * 39) * polygon_area(3, 120));
+  expect_volume("difference() { " + moved(-9, -9, 1, cube(18, 18, 18)) + rods + "}",
+                18 * 18 * 18 - 18 * polygon_area(3, 120));
+}
+
 TEST(Cuts, MayStandWithinEachOther) {
   // A - (B - (C - D)), boxes in boxes.
   const auto box = [](double inset) {

@@ -4,6 +4,7 @@
 
 #include "arrange.h"
 #include "balance.h"
+#include "cull.h"
 #include "inside.h"
 
 #include <algorithm>
@@ -35,6 +36,9 @@ struct Boxes {
 /// On which sides of a piece (bit 0: where the axis points, bit 1: the other) something is solid.
 using Sides = unsigned;
 constexpr Sides kBoth = 3;
+// Facets to be cut from which on it pays to look for those that nobody sees; fewer take some tenths
+// of a second.
+constexpr std::size_t kManyFacets = 4000;
 
 class Combiner {
  public:
@@ -52,6 +56,9 @@ class Combiner {
   }
 
   Mesh run() {
+    std::size_t facets = 0;
+    for (const Mesh& m : meshes_) facets += m.facets.size();
+    if (facets >= kManyFacets) culled_ = cull(space_, meshes_, formula_, context_);
     list();
     pair();
     Mesh out;
@@ -75,12 +82,15 @@ class Combiner {
 
   void list() {
     for (std::uint32_t m = 0; m < meshes_.size(); ++m) {
+      if (is_gone(m)) continue;
       for (std::uint32_t f = 0; f < meshes_[m].facets.size(); ++f) {
+        if (!culled_.hidden.empty() && culled_.hidden[m][f]) continue;
         const Box3& box = meshes_[m].facets[f].box;
         if (box.overlaps(boxes_.relevant[m])) facets_.push_back({m, f, box});
       }
     }
   }
+  bool is_gone(std::uint32_t m) const { return !culled_.gone.empty() && culled_.gone[m]; }
   const Facet& facet(std::uint32_t i) const {
     return meshes_[facets_[i].mesh].facets[facets_[i].facet];
   }
@@ -233,7 +243,7 @@ class Combiner {
   Sides of_mesh(std::uint32_t m, Sample& sample) {
     if (known_at_[m] == stamp_) return known_[m];
     Sides s = 0;
-    if (near(meshes_[m].box, sample) && inside_[m].odd(sample)) s = kBoth;
+    if (!is_gone(m) && near(meshes_[m].box, sample) && inside_[m].odd(sample)) s = kBoth;
     know(m, s);
     return s;
   }
@@ -245,6 +255,7 @@ class Combiner {
   const std::function<void(double)>& share_;
   Boxes boxes_;
   std::vector<Inside> inside_;
+  Culled culled_;
   std::vector<FacetBox> facets_;
   std::map<std::uint32_t, Work> sheets_;
   std::vector<Sides> known_;

@@ -22,6 +22,8 @@ namespace {
 
 // Cuts within cuts: deeper ones are worked out on their own.
 constexpr std::uint32_t kDeepest = 200;
+// Nodes that take long enough to tell how many they are.
+constexpr std::uint32_t kManyNodes = 10'000;
 // Nodes between two looks at the run.
 constexpr std::uint32_t kPoll = 256;
 
@@ -38,6 +40,7 @@ class Evaluator {
   std::vector<Solid> run(std::span<const std::uint32_t> nodes) {
     find_wanted(nodes);
     const auto count = static_cast<std::uint32_t>(result_.size());
+    if (count >= kManyNodes) e_.doing = fmt::format("making the solids of {} nodes", count);
     for (std::uint32_t n = count; n-- > 0;) {
       if (!wanted_[n]) continue;
       if (n % kPoll == 0) tell(0.5 * (1 - static_cast<double>(n) / count));

@@ -14,15 +14,16 @@ mpz_class dot(const Exact& a, const Exact& b) {
   return a.c[0] * b.c[0] + a.c[1] * b.c[1] + a.c[2] * b.c[2] + a.c[3] * b.c[3];
 }
 
-/// Takes the common power of two out: the only common factor that products of doubles are sure to
-/// gather.
+/// Takes the common factor out: products gather the powers of ten of their decimals, and a number
+/// is made once but multiplied many times.
 void shorten(Exact& e) {
-  mp_bitcnt_t twos = ~mp_bitcnt_t{0};
+  mpz_class common = 0;
   for (const mpz_class& v : e.c) {
-    if (v != 0) twos = std::min(twos, mpz_scan1(v.get_mpz_t(), 0));
+    mpz_gcd(common.get_mpz_t(), common.get_mpz_t(), v.get_mpz_t());
+    if (common == 1) return;
   }
-  if (twos == 0 || twos == ~mp_bitcnt_t{0}) return;
-  for (mpz_class& v : e.c) mpz_tdiv_q_2exp(v.get_mpz_t(), v.get_mpz_t(), twos);
+  if (common == 0) return;
+  for (mpz_class& v : e.c) mpz_divexact(v.get_mpz_t(), v.get_mpz_t(), common.get_mpz_t());
 }
 
 void turn_positive(Exact& point) {
@@ -188,6 +189,21 @@ bool equal_points(const Exact& a, const Exact& b) {
 
 int turn(const Exact& a, const Exact& b, const Exact& c, std::size_t i, std::size_t j) {
   return sgn(minor(a, b, c, i, j, 3));
+}
+
+int in_circle(const std::array<const Exact*, 3>& triangle, const Exact& t, std::size_t i,
+              std::size_t j) {
+  // Of each corner what it is away from the point, times both weights; rows times their squares.
+  std::array<Exact, 3> row;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Exact& p = *triangle[k];
+    const mpz_class x = p.c[i] * t.c[3] - t.c[i] * p.c[3], y = p.c[j] * t.c[3] - t.c[j] * p.c[3];
+    const mpz_class w = p.c[3] * t.c[3];
+    row[k].c[0] = x * w;
+    row[k].c[1] = y * w;
+    row[k].c[2] = x * x + y * y;
+  }
+  return sgn(minor(row[0], row[1], row[2], 0, 1, 2));
 }
 
 Vec3 nearest(const Exact& point) {

@@ -52,6 +52,10 @@ int compare(const Exact& a, const Exact& b, std::size_t axis);
 bool equal_points(const Exact& a, const Exact& b);
 /// The turn of three points in the plane of axes (i, j).
 int turn(const Exact& a, const Exact& b, const Exact& c, std::size_t i, std::size_t j);
+/// In the same plane, of three points that turn counter-clockwise: the sign of a point within (1)
+/// or outside of (-1) the circle through them.
+int in_circle(const std::array<const Exact*, 3>& triangle, const Exact& point, std::size_t i,
+              std::size_t j);
 Vec3 nearest(const Exact& point);
 
 }  // namespace burin::csg

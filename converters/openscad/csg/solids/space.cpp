@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace burin::csg {
 namespace {
@@ -79,14 +80,15 @@ Id Space::number(Point&& point, Same&& same) {
     looked[count++] = key;
     const auto found = cells_.find(key);
     if (found == cells_.end()) continue;
-    for (const Id c : found->second) {
+    for (Id c = found->second; c != kNone; c = points_[c].next) {
       const double limit = 2 * (points_[c].error + point.error) + kUlp * size_;
       const Vec3 gap = glm::abs(points_[c].at - point.at);
       if (std::max({gap.x, gap.y, gap.z}) <= limit && same(c)) return c;
     }
   }
   const auto id = static_cast<Id>(points_.size());
-  cells_[cell(point.at, {0, 0, 0})].push_back(id);
+  Id& last = cells_.try_emplace(cell(point.at, {0, 0, 0}), kNone).first->second;
+  point.next = std::exchange(last, id);
   points_.push_back(std::move(point));
   return id;
 }
@@ -247,7 +249,7 @@ Id Space::plane_beside(Id a, Id b, Id plane) {
 }
 
 bool Space::knows(Id point, Id plane) const {
-  const std::vector<Id>& list = points_[point].planes;
+  const auto& list = points_[point].planes;
   return std::find(list.begin(), list.end(), plane) != list.end();
 }
 
@@ -373,13 +375,14 @@ Id Space::meet(Id line_id, Id plane, Vec3 near, double error) {
   return id;
 }
 
-int Space::along(Id line, Id a, Id b) {
+int Space::along(Id line, Id a, Id b) { return compare(lines_[line].axis, a, b); }
+
+int Space::compare(int axis, Id a, Id b) {
   if (a == b) return 0;
-  const int axis = lines_[line].axis;
   const double gap = points_[a].at[axis] - points_[b].at[axis];
   if (std::abs(gap) > 2 * (points_[a].error + points_[b].error)) return sign_of(gap);
   ++exact_count;
-  return compare(exact_point(a), exact_point(b), static_cast<std::size_t>(axis));
+  return csg::compare(exact_point(a), exact_point(b), static_cast<std::size_t>(axis));
 }
 
 std::pair<double, double> Space::area(Id plane, Id a, Id b, Id c) const {
@@ -400,6 +403,36 @@ int Space::turn(Id plane, Id a, Id b, Id c) {
   ++exact_count;
   const auto axis = static_cast<std::size_t>(planes_[plane].axis);
   return csg::turn(exact_point(a), exact_point(b), exact_point(c), (axis + 1) % 3, (axis + 2) % 3);
+}
+
+int Space::in_circle(Id plane, const std::array<Id, 3>& triangle, Id point) {
+  const int axis = planes_[plane].axis, i = (axis + 1) % 3, j = (axis + 2) % 3;
+  const Point& t = points_[point];
+  std::array<double, 3> x{}, y{}, lift{};
+  double size = 0, places = 0;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Point& p = points_[triangle[k]];
+    x[k] = p.at[i] - t.at[i];
+    y[k] = p.at[j] - t.at[j];
+    lift[k] = x[k] * x[k] + y[k] * y[k];
+    size = std::max({size, std::abs(x[k]), std::abs(y[k])});
+    places = std::max(places, p.error + t.error);
+  }
+  double sum = 0;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const std::size_t l = (k + 1) % 3, m = (k + 2) % 3;
+    sum += lift[k] * (x[l] * y[m] - x[m] * y[l]);
+  }
+  // Three products of a square (2 size^2) and an area (2 size^2), each off by what its four
+  // differences are off: 48 size^3 times that, and the rounding of some ten steps each.
+  const double off = places + kUlp * size;
+  if (std::abs(sum) > 64 * size * size * size * off + 128 * kUlp * size * size * size * size) {
+    return sign_of(sum);
+  }
+  ++exact_count;
+  return csg::in_circle(
+      {&exact_point(triangle[0]), &exact_point(triangle[1]), &exact_point(triangle[2])},
+      exact_point(point), static_cast<std::size_t>(i), static_cast<std::size_t>(j));
 }
 
 }  // namespace burin::csg

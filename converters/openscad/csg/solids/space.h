@@ -3,9 +3,12 @@
 
 #include "number.h"
 
+#include <boost/container/small_vector.hpp>
+
 #include <cstdint>
 #include <map>
 #include <memory>
+#include <memory_resource>
 #include <unordered_map>
 #include <vector>
 
@@ -45,9 +48,14 @@ class Space {
   int side(Id point, Id plane);
   /// Which comes first along a line.
   int along(Id line, Id a, Id b);
+  /// The sign of a's coordinate less b's.
+  int compare(int axis, Id a, Id b);
   /// The turn of a, b, c seen in the projection of a plane along its main axis: their sign in the
   /// plane up to a factor that is the plane's own.
   int turn(Id plane, Id a, Id b, Id c);
+  /// In the same projection, of a triangle that turns counter-clockwise: 1 where a point lies
+  /// within the circle through its corners, -1 outside, 0 on it.
+  int in_circle(Id plane, const std::array<Id, 3>& triangle, Id point);
   /// Of the projection, for sizes: twice the area, and its bound of error.
   std::pair<double, double> area(Id plane, Id a, Id b, Id c) const;
 
@@ -77,8 +85,10 @@ class Space {
     // A corner's place before `matrix`; else where `line` meets `plane`.
     Vec3 local{0};
     Id matrix = kNone, line = kNone, plane = kNone;
-    std::vector<Id> planes;
+    boost::container::small_vector<Id, 4> planes;
     std::unique_ptr<Exact> exact;
+    /// Another one in the same cell.
+    Id next = kNone;
   };
   struct Line {
     Id p = 0, q = 0;
@@ -122,10 +132,13 @@ class Space {
   std::vector<Point> points_;
   std::vector<Line> lines_;
   std::vector<Plane> planes_;
-  std::unordered_map<std::uint64_t, std::vector<Id>> cells_;
-  std::multimap<double, Id> plane_order_;
-  std::unordered_map<std::uint64_t, Id> line_of_planes_;
-  std::unordered_map<Key, Id, KeyHash> point_of_planes_;
+  // Millions of small entries that end together.
+  std::pmr::monotonic_buffer_resource memory_;
+  /// The last point of each cell.
+  std::pmr::unordered_map<std::uint64_t, Id> cells_{&memory_};
+  std::pmr::multimap<double, Id> plane_order_{&memory_};
+  std::pmr::unordered_map<std::uint64_t, Id> line_of_planes_{&memory_};
+  std::pmr::unordered_map<Key, Id, KeyHash> point_of_planes_{&memory_};
 };
 
 }  // namespace burin::csg

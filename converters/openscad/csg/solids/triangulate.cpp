@@ -5,10 +5,8 @@
 #include <CGAL/Constrained_Delaunay_triangulation_2.h>
 #include <CGAL/Constrained_triangulation_face_base_2.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Simple_cartesian.h>
 #include <CGAL/Triangulation_face_base_with_info_2.h>
 #include <CGAL/Triangulation_vertex_base_with_info_2.h>
-#include <CGAL/gmpxx.h>
 
 #include <algorithm>
 #include <optional>
@@ -17,7 +15,67 @@ namespace burin::csg {
 namespace {
 
 using Rounded = CGAL::Exact_predicates_inexact_constructions_kernel;
-using Rational = CGAL::Simple_cartesian<mpq_class>;
+
+/// Decides with the space's own predicates: doubles where their bounds allow, else whole numbers.
+class Exactly : public Rounded {
+ public:
+  struct Point_2 : Rounded::Point_2 {
+    Point_2() = default;
+    Point_2(Rounded::Point_2 rounded, Id point) : Rounded::Point_2(rounded), id(point) {}
+    Id id = kNone;
+    bool operator==(const Point_2& other) const { return id == other.id; }
+    bool operator!=(const Point_2& other) const { return id != other.id; }
+  };
+  struct Place {
+    Space* space = nullptr;
+    Id plane = kNone;
+    int axis(int k) const { return (space->main_axis(plane) + 1 + k) % 3; }
+    int compare(int k, const Point_2& p, const Point_2& q) const {
+      return space->compare(axis(k), p.id, q.id);
+    }
+  };
+  template <int Axis>
+  struct Less : Place {
+    bool operator()(const Point_2& p, const Point_2& q) const { return compare(Axis, p, q) < 0; }
+  };
+  template <int Axis>
+  struct Compare : Place {
+    CGAL::Comparison_result operator()(const Point_2& p, const Point_2& q) const {
+      return CGAL::enum_cast<CGAL::Comparison_result>(CGAL::sign(compare(Axis, p, q)));
+    }
+  };
+  struct Orientation_2 : Place {
+    CGAL::Orientation operator()(const Point_2& p, const Point_2& q, const Point_2& r) const {
+      return CGAL::enum_cast<CGAL::Orientation>(CGAL::sign(space->turn(plane, p.id, q.id, r.id)));
+    }
+  };
+  struct Side_of_oriented_circle_2 : Place {
+    CGAL::Oriented_side operator()(const Point_2& p, const Point_2& q, const Point_2& r,
+                                   const Point_2& t) const {
+      return CGAL::enum_cast<CGAL::Oriented_side>(
+          CGAL::sign(space->in_circle(plane, {p.id, q.id, r.id}, t.id)));
+    }
+  };
+  struct Construct_point_2 {
+    const Point_2& operator()(const Point_2& p) const { return p; }
+  };
+  using Less_x_2 = Less<0>;
+  using Less_y_2 = Less<1>;
+  using Compare_x_2 = Compare<0>;
+  using Compare_y_2 = Compare<1>;
+
+  Exactly(Space& space, Id plane) : place_{&space, plane} {}
+  Construct_point_2 construct_point_2_object() const { return {}; }
+  Less_x_2 less_x_2_object() const { return {place_}; }
+  Less_y_2 less_y_2_object() const { return {place_}; }
+  Compare_x_2 compare_x_2_object() const { return {place_}; }
+  Compare_y_2 compare_y_2_object() const { return {place_}; }
+  Orientation_2 orientation_2_object() const { return {place_}; }
+  Side_of_oriented_circle_2 side_of_oriented_circle_2_object() const { return {place_}; }
+
+ private:
+  Place place_;
+};
 
 template <typename K>
 struct Kinds {
@@ -31,25 +89,19 @@ struct Kinds {
       K, Data, CGAL::No_constraint_intersection_requiring_constructions_tag>;
 };
 
-Rounded::Point_2 place(Rounded, Space& space, Id point, int i, int j) {
+Rounded::Point_2 place(const Rounded&, Space& space, Id point, int i, int j) {
   const Vec3 p = space.at(point);
   return {p[i], p[j]};
 }
-Rational::Point_2 place(Rational, Space& space, Id point, int i, int j) {
-  const Exact& e = space.exact_point(point);
-  const auto number = [&](int axis) {
-    mpq_class v(e.c[static_cast<std::size_t>(axis)], e.c[3]);
-    v.canonicalize();
-    return v;
-  };
-  return {number(i), number(j)};
+Exactly::Point_2 place(const Exactly& kernel, Space& space, Id point, int i, int j) {
+  return {place(static_cast<const Rounded&>(kernel), space, point, i, j), point};
 }
 
 template <typename K>
-std::optional<Triangulation> attempt(Space& space, Id plane,
+std::optional<Triangulation> attempt(const K& kernel, Space& space, Id plane,
                                      std::span<const std::array<Id, 2>> edges) {
   using Cdt = typename Kinds<K>::Type;
-  Cdt cdt;
+  Cdt cdt(kernel);
   const int axis = space.main_axis(plane), i = (axis + 1) % 3, j = (axis + 2) % 3;
   std::vector<Id> ids;
   for (const auto& e : edges) ids.insert(ids.end(), e.begin(), e.end());
@@ -57,7 +109,7 @@ std::optional<Triangulation> attempt(Space& space, Id plane,
   ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
   std::vector<std::pair<typename K::Point_2, Id>> points;
   points.reserve(ids.size());
-  for (const Id id : ids) points.emplace_back(place(K{}, space, id, i, j), id);
+  for (const Id id : ids) points.emplace_back(place(kernel, space, id, i, j), id);
   cdt.insert(points.begin(), points.end());
   if (cdt.number_of_vertices() != ids.size()) return std::nullopt;
   std::vector<typename Cdt::Vertex_handle> handle(ids.size());
@@ -109,10 +161,10 @@ bool upright(Space& space, Id plane, const Triangulation& net) {
 }  // namespace
 
 Triangulation triangulate(Space& space, Id plane, std::span<const std::array<Id, 2>> edges) {
-  if (auto out = attempt<Rounded>(space, plane, edges); out && upright(space, plane, *out)) {
+  if (auto out = attempt(Rounded(), space, plane, edges); out && upright(space, plane, *out)) {
     return std::move(*out);
   }
-  if (auto out = attempt<Rational>(space, plane, edges)) return std::move(*out);
+  if (auto out = attempt(Exactly(space, plane), space, plane, edges)) return std::move(*out);
   throw GeometryError("edges of a facet cross");
 }
 

@@ -44,6 +44,8 @@ struct SubprocessRun {
   bool bounded = true;
   /// Its lines tell how far it is: nothing else calls RunContext::progress.
   bool tells_progress = false;
+  /// What it does, for the progress of a run that takes longer than a second.
+  std::string doing = {};
   /// Each line of its output and of its errors, at most kLongestLine bytes of it.
   std::function<void(const std::string& line)> line;
 };
