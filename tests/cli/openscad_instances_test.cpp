@@ -97,8 +97,8 @@ TEST_F(OpenscadInstances, OfSeveralColoursAreOneThingEach) {
   const Json item = Json::parse(slurp(folder_ / "m.json"))["items"][0];
   EXPECT_EQ(item["parts"].size(), 6U);
   EXPECT_EQ(item["selectors"][5], "/motor #3");
-  // Its name means all of it.
-  ASSERT_EQ(run("draw @/m.scad -o @/m.json --no-progress --hide motor --parts-list @/m.csv"), 0)
+  // Its path means all of it.
+  ASSERT_EQ(run("draw @/m.scad -o @/m.json --no-progress --hide /motor --parts-list @/m.csv"), 0)
       << err_;
   EXPECT_NE(slurp(folder_ / "m.csv").find("1,motor,2,,"), std::string::npos);
   EXPECT_NE(slurp(folder_ / "m.csv").find("/motor #2;/motor #3\r\n"), std::string::npos);

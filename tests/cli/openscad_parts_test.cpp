@@ -171,6 +171,13 @@ TEST_F(OpenscadParts, NonsenseIsToldInOneLine) {
   expect_error("unpack it");
 }
 
+TEST_F(OpenscadParts, WithoutItsLibraryAModelSaysWhereThatIs) {
+  std::filesystem::remove(folder_ / "burin.scad");
+  folder_.write("m.scad", "use <burin.scad>\npart(\"lid\") cube(9);");
+  EXPECT_EQ(run("draw @/m.scad -o @/m.svg"), 3);
+  expect_error("It comes with Burin (share/burin/openscad");
+}
+
 TEST_F(OpenscadParts, ACancelEndsTheEvaluation) {
   folder_.write("m.scad",
                 "difference() { sphere(100, $fn = 400); for (i = [0:60], j = [0:60]) translate([3 "
