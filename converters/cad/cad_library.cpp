@@ -193,6 +193,7 @@ FileInfo inspect(const std::filesystem::path& path, const std::string& encoding,
     p.name = std::move(part.name);
     p.assembly = std::move(part.assembly);
     p.color = part.color().hex;
+    p.opacity = part.color().opacity;
     info.parts.push_back(std::move(p));
   });
   return info;

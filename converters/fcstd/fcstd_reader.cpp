@@ -188,6 +188,7 @@ class Maker {
     info.name = use.name;
     info.assembly = use.assembly;
     info.color = use.look.color;
+    info.opacity = use.look.opacity;
     made_.infos.push_back(std::move(info));
   }
   void push(const FcUse& use, std::shared_ptr<const Form> form) {

@@ -46,11 +46,8 @@ void FcWalk::elements(const FcDocument& document, const FcObject& object, const 
       lost_member(object, object.elements[i]);
       continue;
     }
-    const FcObject& element = document.objects()[static_cast<std::size_t>(child)];
-    bool hidden = !element.visible;
-    if (!element.is("App::LinkElement") && i < object.elements_visible.size()) {
-      hidden = !object.elements_visible[i];
-    }
+    // Elements themselves are hidden from the tree as soon as they are made in a window.
+    const bool hidden = i < object.elements_visible.size() && !object.elements_visible[i];
     if (!hidden) visit(document, child, inside);
   }
 }

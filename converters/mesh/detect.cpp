@@ -147,6 +147,10 @@ MeshFormat detect_format(const Source& source, const std::filesystem::path& path
     }
   }
   if (!named && is_binary_stl_of_zero(bytes)) return MeshFormat::StlBinary;
+  if (const std::string suffix_of = model_suffix(path);
+      suffix_of == ".scad" || suffix_of == ".csg") {
+    source.fail("is a packed program of OpenSCAD, which is read unpacked alone; unpack it first");
+  }
   if (!named) {
     source.fail(
         fmt::format("is of no kind that is read (suffix '{}'): meshes, STEP, IGES, BREP, FreeCAD, "

@@ -3,6 +3,7 @@
 #include "child.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -33,19 +34,10 @@ class Finder {
   Finder(const csg::Tree& tree, const TreeCalls& calls) : tree_(tree), calls_(calls) {
     holds_.assign(tree.nodes.size(), 0);
     for (auto n = static_cast<std::uint32_t>(tree.nodes.size()); n-- > 0;) {
-      bool holds = !is_open(tree.nodes[n].module);
+      bool holds = !is_open(tree.nodes[n].module) && !mark_at(tree, n);
       csg::for_each_child(tree, n, [&](std::uint32_t c) { holds = holds || holds_[c] != 0; });
       holds_[n] = holds ? 1 : 0;
     }
-  }
-
-  /// Whether nothing in an object speaks of parts or shows something beside it.
-  bool calm(std::uint32_t object) const {
-    for (std::uint32_t n = object; n < tree_.nodes[object].end; ++n) {
-      const csg::Node& node = tree_.nodes[n];
-      if (node.background || node.highlight || mark_at(tree_, n)) return false;
-    }
-    return true;
   }
 
   /// Fills in what a unit consists of; nothing where it is one thing.
@@ -70,12 +62,15 @@ class Finder {
     return call.in_module && std::ranges::find(unit.modules, call.module) != unit.modules.end();
   }
 
-  /// The calls next below a node; none where something is no call's.
+  /// The calls next below a node; none where something is no call's. What part() says is a part
+  /// already; what callout() gives a number to stays one thing.
   std::vector<std::uint32_t> below(std::uint32_t top) const {
     std::vector<std::uint32_t> out;
     for (std::uint32_t n = top + 1; n < tree_.nodes[top].end;) {
       const csg::Module m = tree_.nodes[n].module;
-      if (holds_[n] == 0) {
+      const auto mark = m == csg::Module::Group ? mark_of_group(tree_, n) : std::nullopt;
+      if (mark && mark->what == "callout") return {};
+      if (holds_[n] == 0 || (mark && mark->what == "part")) {
         n = tree_.nodes[n].end;
       } else if (calls_.at(n)) {
         out.push_back(n);
@@ -111,7 +106,7 @@ class Divisions {
   CallParts run() {
     std::vector<Unit> units;
     for (const std::uint32_t object : objects_at_top(tree_)) {
-      if (finder_.calm(object)) units.push_back({.node = object, .modules = {}});
+      units.push_back({.node = object, .modules = {}});
     }
     if (!choose(units)) return std::move(accepted_);
     std::set<std::uint32_t> nodes;
@@ -131,7 +126,11 @@ class Divisions {
       }
       std::vector<Unit> next;
       for (const Unit& u : units) {
-        if (same(u, whole[u.node], parted)) accept(u, next);
+        if (same(u, whole[u.node], parted)) {
+          accept(u, next);
+        } else {
+          tell(u, "openscad.one_body", "they touch or run into each other");
+        }
       }
       units = std::move(next);
       whole = std::move(parted);
@@ -167,7 +166,8 @@ class Divisions {
       count += u.pieces.size();
       if (count > kMostInstances) {
         count -= u.pieces.size();
-        tell(u);
+        tell(u, "openscad.many_instances",
+             fmt::format("more than {} parts come of loops and modules", kMostInstances));
         continue;
       }
       out.push_back(std::move(u));
@@ -176,12 +176,15 @@ class Divisions {
     return !units.empty();
   }
 
-  void tell(const Unit& u) {
+  void tell(const Unit& u, const char* code, const std::string& why) {
+    std::vector<std::string> names;
+    for (const std::uint32_t p : u.pieces) names.push_back(accepted_.known->at(p)->name);
+    std::ranges::sort(names);
+    names.erase(std::unique(names.begin(), names.end()), names.end());
     diagnostics_.add(
-        Severity::Info, "openscad.many_instances", 1,
-        fmt::format("{} calls of {} stay one part: more than {} parts come of loops "
-                    "and modules; part() says what is to be a part",
-                    u.pieces.size(), accepted_.known->at(u.pieces.front())->name, kMostInstances));
+        Severity::Info, code, 1,
+        fmt::format("{} calls of {} stay one part: {}; part() says what is to be a part",
+                    u.pieces.size(), fmt::join(names, ", "), why));
   }
 
   static bool same(const Unit& u, const Bulk& whole, const std::map<std::uint32_t, Bulk>& parted) {

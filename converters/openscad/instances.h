@@ -12,7 +12,7 @@ namespace burin::detail {
 /// Where loops, blocks and modules put several things beside each other, each call is a part: those
 /// of the program's own statements unless one runs into another, those within a module unless they
 /// touch; an object some of whose solids are no call's, or a module that calls itself, is one
-/// thing. Objects that `%`, `#` or burin.scad speak of stay as they are. All that has to be
+/// thing, and so is what part() and callout() hold. All that has to be
 /// compared is evaluated in `store`; what the evaluation of the objects as they are says of
 /// the model goes to `diagnostics`. More than kMostInstances are not parted, which is told. Throws
 /// as `SolidStore::store`.

@@ -74,6 +74,12 @@ void Messages::add(const std::string& line) {
     remark.text = kind.prefix.ends_with(' ') ? line.substr(kind.prefix.size()) : line;
     take_place(remark);
     remark.text = clean_name(remark.text.substr(0, kLongestText));
+    if (remark.text.find("open library") != std::string::npos &&
+        remark.text.find("burin.scad") != std::string::npos) {
+      remark.text +=
+          " It comes with Burin (share/burin/openscad; samples/openscad of the source); save it "
+          "beside the model";
+    }
     remark.file = clean_name(remark.file == "<stdin>" && !file_.empty() ? file_ : remark.file);
     keep(std::move(remark));
     return;

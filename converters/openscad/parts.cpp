@@ -36,6 +36,8 @@ struct State {
   /// Numbers of calls of burin.scad that hold for what is below, outermost first.
   std::vector<std::size_t> calls = {};
   bool background = false, highlight = false;
+  /// Whether `of` is one thing, whatever it looks like.
+  bool of_one = false;
 };
 
 Paint paint_of(const csg::Node& node) {
@@ -73,11 +75,17 @@ class Divider {
     if (std::ranges::all_of(names, &std::string::empty)) {
       for (std::size_t i = 0; i < top.size(); ++i) names[i] = called(top[i]);
     }
+    // A program of one call is what that holds, whatever `%` shows around it.
+    const auto counts = [&](std::uint32_t n) {
+      return holds_[n] != 0 && !tree_.nodes[n].background;
+    };
+    const bool several = std::ranges::count_if(top, counts) > 1;
     for (std::size_t i = 0; i < top.size(); ++i) {
       object_ = plain(names[i].empty() ? stem_ : names[i]);
       groups_.clear();
-      visit(top[i]);
+      visit(top[i], several && !called(top[i]).empty());
     }
+    put_together();
     name_parts();
     return std::move(out_);
   }
@@ -95,8 +103,8 @@ class Divider {
   }
 
   /// Walks the open modules below an object; no recursion, as trees may be deep.
-  void visit(std::uint32_t top) {
-    std::vector<std::pair<std::uint32_t, State>> open{{top, State{.of = top}}};
+  void visit(std::uint32_t top, bool of_one) {
+    std::vector<std::pair<std::uint32_t, State>> open{{top, State{.of = top, .of_one = of_one}}};
     while (!open.empty()) {
       auto [node, state] = std::move(open.back());
       open.pop_back();
@@ -130,6 +138,7 @@ class Divider {
     if (!(state.at == csg::Matrix{})) state.frame = state.frame * state.at;
     state.at = {};
     state.of = node;
+    state.of_one = true;
     state.name = plain(name);
   }
 
@@ -201,17 +210,25 @@ class Divider {
     if (fresh) {
       const Paint paint = s.paint.color.empty() ? paint_of_first(node, s.paint) : s.paint;
       out_.parts.push_back({.name = s.name.empty() ? object_ : s.name,
-                            .definition = s.name,
+                            .assembly = {},
+                            .definition = definition_of(s),
                             .color = paint.color,
                             .opacity = paint.opacity,
                             .background = s.background,
                             .highlight = s.highlight,
+                            .of_one = s.of_one && !s.background,
                             .of = s.of,
                             .frame = s.frame,
                             .pieces = {}});
       for (const std::size_t c : s.calls) out_.calls[c].parts.push_back(out_.parts.size() - 1);
     }
     out_.parts[entry->second].pieces.push_back({node, s.at});
+  }
+
+  /// A bolt that is highlighted is a bolt; one that only stands there as what is around is none.
+  std::string definition_of(const State& s) const {
+    if (s.background) return {};
+    return s.highlight && s.name.empty() ? object_ : s.name;
   }
 
   /// What a difference leaves has the colour of what it was taken from.
@@ -250,16 +267,65 @@ class Divider {
     }
   }
 
+  /// Parts of one thing follow each other.
+  void put_together() {
+    std::map<std::uint32_t, std::size_t> first;
+    std::vector<std::size_t> order(out_.parts.size()), thing(out_.parts.size());
+    for (std::size_t i = 0; i < order.size(); ++i) {
+      const TreePart& part = out_.parts[i];
+      order[i] = i;
+      thing[i] = part.of_one ? first.try_emplace(part.of, i).first->second : i;
+    }
+    std::ranges::stable_sort(order, {}, [&](std::size_t i) { return thing[i]; });
+    std::vector<TreePart> sorted;
+    std::vector<std::size_t> now(order.size());
+    for (const std::size_t i : order) {
+      now[i] = sorted.size();
+      sorted.push_back(std::move(out_.parts[i]));
+    }
+    out_.parts = std::move(sorted);
+    for (PartCall& call : out_.calls) {
+      for (std::size_t& part : call.parts) part = now[part];
+    }
+  }
+
   void name_parts() {
     std::map<std::string, int> seen;
-    for (TreePart& part : out_.parts) {
-      if (part.highlight)
-        part.name += " (highlighted)";
-      else if (part.background)
-        part.name += " (background)";
-      const int n = ++seen[part.name];
-      if (n > 1) part.name += fmt::format(" #{}", n);
+    for (std::size_t i = 0; i < out_.parts.size();) {
+      const TreePart& first = out_.parts[i];
+      std::size_t end = i + 1;
+      while (first.of_one && end < out_.parts.size() && out_.parts[end].of_one &&
+             out_.parts[end].of == first.of) {
+        ++end;
+      }
+      if (end > i + 1) {
+        name_thing(i, end, numbered(first.name, seen));
+      } else {
+        out_.parts[i].name = numbered(first.name + modifier_of(first), seen);
+      }
+      i = end;
     }
+  }
+
+  /// What is told apart by its looks alone is called by them.
+  void name_thing(std::size_t begin, std::size_t end, const std::string& name) {
+    std::map<std::string, int> seen;
+    for (std::size_t i = begin; i < end; ++i) {
+      TreePart& part = out_.parts[i];
+      if (part.definition.empty()) part.definition = part.name;
+      part.assembly = name;
+      const std::string look = part.color.empty() ? "uncoloured" : part.color;
+      part.name = numbered(look + modifier_of(part), seen);
+    }
+  }
+
+  static std::string modifier_of(const TreePart& part) {
+    return part.highlight ? " (highlighted)" : part.background ? " (background)" : "";
+  }
+
+  static std::string numbered(const std::string& name, std::map<std::string, int>& seen) {
+    const int n = ++seen[name];
+    return n > 1 ? fmt::format("{} #{}", name, n) : name;
   }
 
   const csg::Tree& tree_;

@@ -22,8 +22,11 @@ struct TreePart {
     /// In the part's frame.
     csg::Matrix at;
   };
-  /// Of no other part.
+  /// Of no other part, or of none in its assembly.
   std::string name;
+  /// Of no other part or assembly: what the parts of one call or part() are together where their
+  /// looks tell several of them apart; these follow each other.
+  std::string assembly;
   /// What it is an instance of: the module that is called, the name that part() gives; or empty.
   std::string definition;
   /// "#rrggbb", or empty.
@@ -31,6 +34,8 @@ struct TreePart {
   double opacity = 1;
   /// `%` and `#`.
   bool background = false, highlight = false;
+  /// Whether it is a call or a part(), or some of one, not of an object that holds several things.
+  bool of_one = false;
   /// The node of the object, the call or the part() that it is, or is some of.
   std::uint32_t of = 0;
   csg::Matrix frame;

@@ -35,6 +35,18 @@ csg::Solid placed(csg::Solid solid, const Placement& place) {
 
 std::string stem_of(const std::filesystem::path& path) { return clean_name(path.stem().string()); }
 
+/// The next part of a scene, without a form.
+Part look_of(const TreePart& of, const std::filesystem::path& path, const Scene& scene) {
+  Part part{of.name, path.string(), nullptr};
+  if (!of.assembly.empty()) part.assembly = {of.assembly};
+  part.joined =
+      !of.assembly.empty() && !scene.parts.empty() && scene.parts.back().assembly == part.assembly;
+  part.color = of.color;
+  part.definition = of.definition;
+  part.opacity = of.opacity;
+  return part;
+}
+
 /// What the model asks of the drawing of those parts that came out.
 void add_settings(const TreeParts& planned, const std::vector<bool>& made,
                   const std::filesystem::path& path, Scene& scene) {
@@ -60,10 +72,7 @@ Scene scene_of_tree(const csg::Tree& tree, const TreeCalls& calls, std::string_v
     const csg::Solid& solid = store.solid(stored[i]);
     made.push_back(!solid.empty());
     if (solid.empty()) continue;
-    Part part{of.name, path.string(), nullptr};
-    part.color = of.color;
-    part.definition = of.definition;
-    part.opacity = of.opacity;
+    Part part = look_of(of, path, scene);
     const Placement& place = stored[i].place;
     if (shapes == Shapes::Meshes) {
       part.form =
@@ -98,10 +107,9 @@ Scene functions_of_tree(const csg::Tree& tree, const TreeCalls& calls, std::stri
     try {
       auto form = std::make_shared<ImplicitForm>(make_function(function_of(tree, part, context)),
                                                  std::nullopt, context);
-      scene.parts.push_back({part.name, path.string(), std::move(form)});
-      scene.parts.back().color = part.color;
-      scene.parts.back().definition = part.definition;
-      scene.parts.back().opacity = part.opacity;
+      Part made = look_of(part, path, scene);
+      made.form = std::move(form);
+      scene.parts.push_back(std::move(made));
     } catch (const GeometryError& e) {
       fail(e.what());
     } catch (const UsageError& e) {

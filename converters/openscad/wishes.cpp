@@ -37,10 +37,14 @@ class Settings {
     diagnostics_.add(Severity::Warning, "openscad.mark", 1, what);
   }
 
+  static std::string path_of(const TreePart& part) {
+    return "/" + (part.assembly.empty() ? part.name : part.assembly + "/" + part.name);
+  }
+
   void say(const PartCall& call) {
     std::vector<std::string> names;
     for (const std::size_t p : call.parts) {
-      if (made_[p]) names.push_back(all_.parts[p].name);
+      if (made_[p]) names.push_back(path_of(all_.parts[p]));
     }
     if (names.empty()) return;
     if (call.mark.what == "ink") return ink(call, names);
@@ -51,7 +55,7 @@ class Settings {
   }
 
   void ghost(const TreePart& part) {
-    Json look = {{"select", part.name}, {"hatched", false}};
+    Json look = {{"select", path_of(part)}, {"hatched", false}};
     if (part.background) look["transparent"] = true;
     json_["looks"].push_back(look);
   }
@@ -86,7 +90,9 @@ class Settings {
     if (!number.is_number() || number != std::floor(number.get<double>())) {
       return tell("callout() takes a whole number or nothing, as in callout(3) lid();");
     }
-    json_["items"][fmt::format("{:.0f}", number.get<double>())] = names.front();
+    // A loop says it of each of its things.
+    Json& item = json_["items"][fmt::format("{:.0f}", number.get<double>())];
+    if (item.is_null()) item = {{"select", names.front()}};
   }
 
   void view(const Mark& mark) {

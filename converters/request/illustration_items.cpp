@@ -16,8 +16,11 @@ namespace {
 KeptItem kept_item(const KeyedFile& in, const Json& value, const std::string& path) {
   if (!value.is_object()) return {in.text(value, path), {}, true};
   in.check_object(value, path, kItemKeys);
-  if (!value.contains("name")) in.fail(path, "an item has a \"name\"");
-  KeptItem kept{in.text(value["name"], path + "/name")};
+  if (!value.contains("name") && !value.contains("select")) {
+    in.fail(path, "an item has a \"name\", or a \"select\" that says which it is");
+  }
+  KeptItem kept;
+  if (value.contains("name")) kept.name = in.text(value["name"], path + "/name");
   if (value.contains("select")) kept.select = in.text(value["select"], path + "/select");
   return kept;
 }
@@ -41,7 +44,7 @@ void take_items(const KeyedFile& in, const Json& value, const std::string& path,
     }
     KeptItem kept = kept_item(in, item, at);
     const auto [first, is_new] = known.try_emplace(kept.name, key);
-    if (!is_new) {
+    if (!is_new && !kept.name.empty()) {
       in.fail(at, fmt::format("'{}' has the number {} already", kept.name, first->second));
     }
     numbers[number] = std::move(kept);

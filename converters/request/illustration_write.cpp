@@ -167,7 +167,7 @@ Json select_schema() {
 
 Json item_schema() {
   Json item = object_of({{"name", text("what the list calls it")}, {"select", select_schema()}});
-  item["required"] = {"name"};
+  item["minProperties"] = 1;
   return item;
 }
 

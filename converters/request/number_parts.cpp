@@ -22,7 +22,8 @@ void tell_holes(const ItemNumbers& kept, const std::vector<Item>& items, Diagnos
   std::string first;
   for (const auto& [number, item] : kept) {
     if (used.contains(number)) continue;
-    if (count++ == 0) first = fmt::format("{} '{}'", number, item.name);
+    if (count++ == 0)
+      first = fmt::format("{} '{}'", number, item.name.empty() ? item.select : item.name);
   }
   if (count == 0) return;
   diagnostics.add(

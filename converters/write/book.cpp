@@ -155,7 +155,7 @@ void write_data(const Book& book, const std::string& name, const WriteOptions& o
       row["number"] = item.number;
       row["name"] = item.name;
       row["quantity"] = item.quantity();
-      row["parts"] = item.selectors;
+      row["parts"] = item.things();
       items.push_back(std::move(row));
     }
     out << text_of(items) << ",\n\"pages\": [";

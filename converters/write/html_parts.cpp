@@ -21,7 +21,7 @@ void append_row(Buffer& out, const DrawingItem& item) {
     append(out, fmt::format("<i style=\"background:{}\"></i>", escaped(item.color)));
   }
   const std::string file = std::filesystem::path(item.source).filename().string();
-  const std::string parts = escaped(fmt::format("{}", fmt::join(item.selectors, ";")));
+  const std::string parts = escaped(fmt::format("{}", fmt::join(item.things(), ";")));
   append(out, "<span title=\"" + parts + "\" data-parts=\"" + parts + "\">" + escaped(item.name) +
                   "</span></td><td title=\"" + escaped(item.source) + "\">" + escaped(file) +
                   "</td></tr>\n");

@@ -74,7 +74,7 @@ class Numbering {
   void give(Item& item, int number) {
     item.number = number;
     const auto kept = kept_.find(number);
-    if (kept != kept_.end()) item.name = kept->second.name;
+    if (kept != kept_.end() && !kept->second.name.empty()) item.name = kept->second.name;
     used_.insert(number);
   }
 
@@ -105,7 +105,8 @@ class Numbering {
   void take_named() {
     std::map<std::string_view, int> number_of;
     for (const auto& [number, kept] : kept_) {
-      if (!used_.contains(number)) number_of.try_emplace(kept.name, number);
+      if (used_.contains(number) || kept.name.empty()) continue;
+      number_of.try_emplace(kept.name, number);
     }
     for (Item& item : items_) {
       const auto known = number_of.find(item.name);
@@ -195,7 +196,10 @@ std::vector<Item> find_items(const Scene& scene, const ItemNumbers& kept, Diagno
 
 ItemNumbers numbers_of(const std::vector<Item>& items, const ItemNumbers& kept) {
   ItemNumbers all = kept;
-  for (const Item& item : items) all.try_emplace(item.number, KeptItem{item.name});
+  for (const Item& item : items) {
+    KeptItem& one = all.try_emplace(item.number).first->second;
+    if (one.name.empty()) one.name = item.name;
+  }
   return all;
 }
 

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
 #include <string_view>
 #include <utility>
 
@@ -31,7 +32,7 @@ std::string family(std::string_view name) {
 std::vector<Kind> Kinds::find() {
   for (std::size_t i = 0; i < scene_.parts.size(); ++i) {
     context_.check();
-    add(i);
+    if (i == 0 || !scene_.parts[i].joined) add(i);
   }
   return std::move(kinds_);
 }
@@ -40,19 +41,32 @@ void Kinds::add(std::size_t index) {
   const Part& part = scene_.parts[index];
   const std::string key = family(part.definition.empty() ? part.name : part.definition);
   std::vector<std::size_t>& of_name = by_name_[key];
-  KnownShape shape{part.form->definition(), {}};
+  KnownShape shape;
+  if (end_of(index) == index + 1) shape.definition = part.form->definition();
   for (const std::size_t k : of_name) {
-    const auto same = [&](const KnownShape& s) { return s.definition.same(shape.definition); };
-    if (std::ranges::any_of(kinds_[k].shapes, same)) return kinds_[k].parts.push_back(index);
+    const auto same = [&](const KnownShape& s) {
+      return s.definition && shape.definition && s.definition->same(*shape.definition);
+    };
+    if (std::ranges::any_of(kinds_[k].shapes, same)) return put(kinds_[k], index);
   }
   // Measured only where a name has two shapes.
   for (const std::size_t k : of_name) {
     if (!same_shape(kinds_[k], shape, index)) continue;
     kinds_[k].shapes.push_back(shape);
-    return kinds_[k].parts.push_back(index);
+    return put(kinds_[k], index);
   }
   of_name.push_back(kinds_.size());
-  kinds_.push_back({key, {shape}, {index}, nullptr, {}});
+  put(kinds_.emplace_back(Kind{key, {shape}, {}, nullptr, {}}), index);
+}
+
+void Kinds::put(Kind& kind, std::size_t index) const {
+  for (std::size_t i = index; i < end_of(index); ++i) kind.parts.push_back(i);
+}
+
+std::size_t Kinds::end_of(std::size_t index) const {
+  std::size_t end = index + 1;
+  while (end < scene_.parts.size() && scene_.parts[end].joined) ++end;
+  return end;
 }
 
 bool Kinds::same_shape(Kind& kind, KnownShape& shape, std::size_t index) {
@@ -71,15 +85,19 @@ bool Kinds::same_hand(Kind& kind, const KnownShape& shape, std::size_t index) {
     kind.own_image = rigid_move(*kind.body, kind.body->mirrored(), place, context_).has_value();
   }
   if (*kind.own_image) return true;
-  Definition image = shape.definition;
-  image.linear = -image.linear;
-  if (image.same(kind.shapes.front().definition)) return false;
+  const auto& first = kind.shapes.front().definition;
+  if (shape.definition && first) {
+    Definition image = *shape.definition;
+    image.linear = -image.linear;
+    if (image.same(*first)) return false;
+  }
   const auto body = body_of(index);
   return body && rigid_move(*kind.body, *body, place, context_).has_value();
 }
 
 std::optional<ShapeMeasure> Kinds::measured(std::size_t index) {
   try {
+    if (end_of(index) > index + 1) return shape_measure(together(index));
     return scene_.parts[index].form->measure(context_);
   } catch (const GeometryError& e) {
     tell(index, e.what());
@@ -89,11 +107,35 @@ std::optional<ShapeMeasure> Kinds::measured(std::size_t index) {
 
 std::shared_ptr<const Body> Kinds::body_of(std::size_t index) {
   try {
+    if (end_of(index) > index + 1) {
+      ProxyMesh all = together(index);
+      return std::make_shared<const Body>(std::make_shared<const TriMesh>(std::move(all.mesh)),
+                                          all.tolerance);
+    }
     return std::make_shared<const Body>(realised_to_compare(*scene_.parts[index].form, context_));
   } catch (const GeometryError& e) {
     tell(index, e.what());
     return nullptr;
   }
+}
+
+ProxyMesh Kinds::together(std::size_t index) const {
+  ProxyMesh all;
+  for (std::size_t i = index; i < end_of(index); ++i) {
+    const auto surface = realised_to_compare(*scene_.parts[i].form, context_);
+    const ProxyMesh& one = surface->proxy();
+    const auto before = static_cast<std::uint32_t>(all.mesh.positions.size());
+    all.mesh.positions.insert(all.mesh.positions.end(), one.mesh.positions.begin(),
+                              one.mesh.positions.end());
+    for (const Triangle& t : one.mesh.triangles) {
+      all.mesh.triangles.push_back({t[0] + before, t[1] + before, t[2] + before});
+    }
+    std::ranges::copy(one.topology.component_closed,
+                      std::back_inserter(all.topology.component_closed));
+    all.region_count += one.region_count;
+    all.tolerance = std::max(all.tolerance, one.tolerance);
+  }
+  return all;
 }
 
 void Kinds::tell(std::size_t index, const char* why) {

@@ -3,6 +3,7 @@
 
 #include <burin/base/diagnostics.h>
 #include <burin/congruence/body.h>
+#include <burin/mesh/proxy_mesh.h>
 #include <burin/surface/scene.h>
 
 #include <map>
@@ -16,7 +17,8 @@ namespace burin::detail {
 
 /// One shape, as far as it is known.
 struct KnownShape {
-  Definition definition;
+  /// None of what several parts make: how these stand to each other it does not say.
+  std::optional<Definition> definition;
   std::optional<ShapeMeasure> measure;
 };
 
@@ -40,13 +42,19 @@ class Kinds {
   std::vector<Kind> find();
 
  private:
+  /// The thing that begins with the part at `index`.
   void add(std::size_t index);
-  /// Whether the part at `index`, of `shape`, is a copy of what is known of a kind.
+  void put(Kind& kind, std::size_t index) const;
+  /// One behind the last part of the thing that begins at `index`.
+  std::size_t end_of(std::size_t index) const;
+  /// Whether the thing at `index`, of `shape`, is a copy of what is known of a kind.
   bool same_shape(Kind& kind, KnownShape& shape, std::size_t index);
   /// Where measures do not tell left from right.
   bool same_hand(Kind& kind, const KnownShape& shape, std::size_t index);
   std::optional<ShapeMeasure> measured(std::size_t index);
   std::shared_ptr<const Body> body_of(std::size_t index);
+  /// The triangles of all parts of a thing, as if they were of one.
+  ProxyMesh together(std::size_t index) const;
   void tell(std::size_t index, const char* why);
 
   const Scene& scene_;

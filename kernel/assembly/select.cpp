@@ -51,6 +51,24 @@ Test by_name(std::string_view selector) {
   };
 }
 
+/// Parts of one thing get the selector of the assembly that they are, or else that of the first.
+void name_things(const Scene& scene, std::vector<std::string>& selectors) {
+  for (std::size_t i = 0; i < scene.parts.size();) {
+    std::size_t end = i + 1;
+    while (end < scene.parts.size() && scene.parts[end].joined) ++end;
+    if (end > i + 1) {
+      const std::string whole = selectors[i].substr(0, selectors[i].rfind('/'));
+      const auto of_it = [&](std::size_t part) { return part >= i && part < end; };
+      std::vector<std::size_t> found;
+      if (whole.starts_with('/')) found = select(scene, whole);
+      const bool alone = found.size() == end - i && std::ranges::all_of(found, of_it);
+      std::fill(selectors.begin() + static_cast<std::ptrdiff_t>(i),
+                selectors.begin() + static_cast<std::ptrdiff_t>(end), alone ? whole : selectors[i]);
+    }
+    i = end;
+  }
+}
+
 // What a selector that found nothing could have meant, the nearest first.
 std::string known_names(const Scene& scene, std::string_view selector) {
   constexpr std::size_t kMost = 5;
@@ -100,6 +118,7 @@ std::vector<std::string> selectors_of(const Scene& scene) {
     const bool alone = wild ? select(scene, selectors[i]).size() == 1 : meant[selectors[i]] == 1;
     if (!alone) selectors[i] = fmt::format("@index={}", i);
   }
+  name_things(scene, selectors);
   return selectors;
 }
 

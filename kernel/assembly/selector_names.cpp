@@ -1,5 +1,6 @@
 #include "selector_names.h"
 
+#include <burin/assembly/items.h>
 #include <burin/base/error.h>
 
 #include <algorithm>
@@ -48,11 +49,15 @@ std::vector<std::string> names_of(const Part& part) {
 NamePatterns::NamePatterns(std::string_view selector) : patterns_(parted(selector)) {
   if (patterns_.empty()) throw UsageError("a selector is the name of a part, not empty");
   path_ = patterns_.size() > 1;
-  if (!selector.starts_with('/')) patterns_.insert(patterns_.begin(), "**");
+  from_top_ = selector.starts_with('/');
+  if (!from_top_) patterns_.insert(patterns_.begin(), "**");
 }
 
 // Entry i: the patterns may have taken the first i names.
-std::vector<bool> NamePatterns::reached(std::span<const std::string> names) const {
+std::vector<bool> NamePatterns::reached(std::span<const std::string> names, bool as_read) const {
+  const auto matches = [&](const std::string& pattern, const std::string& name) {
+    return like(pattern, name) || (as_read && like(pattern, name_as_read(name)));
+  };
   std::vector<bool> reached(names.size() + 1, false);
   reached[0] = true;
   for (const std::string& pattern : patterns_) {
@@ -61,7 +66,7 @@ std::vector<bool> NamePatterns::reached(std::span<const std::string> names) cons
       if (pattern == "**") {
         next[i] = reached[i] || (i > 0 && next[i - 1]);
       } else {
-        next[i] = i > 0 && reached[i - 1] && like(pattern, names[i - 1]);
+        next[i] = i > 0 && reached[i - 1] && matches(pattern, names[i - 1]);
       }
     }
     reached = std::move(next);
@@ -70,12 +75,12 @@ std::vector<bool> NamePatterns::reached(std::span<const std::string> names) cons
 }
 
 bool NamePatterns::lead_to(std::span<const std::string> names) const {
-  const std::vector<bool> all = reached(names);
+  const std::vector<bool> all = reached(names, !from_top_);
   return std::find(all.begin(), all.end(), true) != all.end();
 }
 
 bool NamePatterns::lead_to_last(std::span<const std::string> names) const {
-  const std::vector<bool> all = reached(names);
+  const std::vector<bool> all = reached(names, false);
   return path_ && std::find(all.begin(), all.end(), true) == std::prev(all.end()) && all.back();
 }
 

@@ -22,16 +22,18 @@ class NamePatterns {
   explicit NamePatterns(std::string_view selector);
 
   /// Whether the names begin as the patterns say: what they lead to, or what contains it, is meant.
+  /// A name from any depth means what readers have numbered, too: "bolt" is "bolt #2" as well,
+  /// which the input calls the same; "/bolt" is not.
   bool lead_to(std::span<const std::string> names) const;
   /// Whether they lead to the last of the names, and to nothing that contains it. Bodies of parts
   /// have names such as "solid 2" in all files: a pattern of one level, such as "*2", means none.
   bool lead_to_last(std::span<const std::string> names) const;
 
  private:
-  std::vector<bool> reached(std::span<const std::string> names) const;
+  std::vector<bool> reached(std::span<const std::string> names, bool as_read) const;
 
   std::vector<std::string> patterns_;
-  bool path_ = false;
+  bool path_ = false, from_top_ = false;
 };
 
 }  // namespace burin::detail

@@ -33,6 +33,13 @@ std::vector<std::string> names_of(const Part& part) {
   return names;
 }
 
+/// Parts of one thing are called by their looks: the assembly has its name.
+const std::string& called(const Scene& scene, std::size_t part) {
+  const Part& one = scene.parts[part];
+  const bool followed = part + 1 < scene.parts.size() && scene.parts[part + 1].joined;
+  return (one.joined || followed) && !one.assembly.empty() ? one.assembly.back() : one.name;
+}
+
 /// The names that all parts have from the top on.
 std::size_t common_depth(const Scene& scene, const Parts& parts) {
   const std::vector<std::string> first = names_of(scene.parts[parts.front()]);
@@ -259,7 +266,7 @@ std::string name_together(const Scene& scene, const std::vector<bool>& drawn,
   }
   std::vector<std::string> names;
   for (const std::size_t part : parts) {
-    const std::string name = instance_stem(scene.parts[part].name);
+    const std::string name = instance_stem(called(scene, part));
     if (std::ranges::find(names, name) == names.end()) names.push_back(name);
   }
   constexpr std::size_t kMost = 4;

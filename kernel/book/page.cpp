@@ -1,6 +1,7 @@
 #include "page.h"
 
 #include <burin/annotate/details.h>
+#include <burin/assembly/things.h>
 #include <burin/drawing/font.h>
 #include <burin/drawing/views.h>
 
@@ -154,7 +155,10 @@ class Page {
     };
     for (const BuildMove& move : step_.moves) add(move.parts);
     if (step_.begins) {
-      for (const std::size_t part : step_.standing) add({part});
+      const std::vector<std::size_t> things = things_of(maker_.scene);
+      std::map<std::size_t, std::vector<std::size_t>> standing;
+      for (const std::size_t part : step_.standing) standing[things[part]].push_back(part);
+      for (const auto& [first, parts] : standing) add(parts);
     }
     return kinds;
   }
@@ -165,7 +169,9 @@ class Page {
   }
 
   NewPart about(const std::vector<std::size_t>& parts) const {
-    if (parts.size() == 1) {
+    const std::vector<std::size_t> things = things_of(maker_.scene);
+    const auto of_first = [&](std::size_t p) { return things[p] == things[parts.front()]; };
+    if (std::ranges::all_of(parts, of_first)) {
       const DrawingItem* item = maker_.item_of[parts.front()];
       return item ? NewPart{item->number, item->name, 0}
                   : NewPart{0, maker_.scene.parts[parts.front()].name, 0};

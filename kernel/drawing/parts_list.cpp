@@ -1,6 +1,8 @@
 #include <burin/drawing/parts_list.h>
 #include <burin/drawing/text.h>
 
+#include <algorithm>
+#include <iterator>
 #include <string_view>
 
 namespace burin {
@@ -18,12 +20,18 @@ std::string quoted(std::string_view text) {
 
 }  // namespace
 
+std::vector<std::string> DrawingItem::things() const {
+  std::vector<std::string> out;
+  std::ranges::unique_copy(selectors, std::back_inserter(out));
+  return out;
+}
+
 std::string parts_list_csv(std::span<const DrawingItem> items) {
   std::string out = "number,name,quantity,colour,source,parts\r\n";
   for (const DrawingItem& item : items) {
     out += fmt::format("{},{},{},{},{},{}\r\n", item.number, quoted(item.name), item.quantity(),
                        quoted(item.color), quoted(item.source),
-                       quoted(fmt::format("{}", fmt::join(item.selectors, ";"))));
+                       quoted(fmt::format("{}", fmt::join(item.things(), ";"))));
   }
   return out;
 }
@@ -41,7 +49,7 @@ std::string parts_list_json(std::span<const DrawingItem> items) {
     append(out, ", \"source\": ");
     append_json(out, item.source);
     append(out, ", \"parts\": ");
-    append_json(out, item.selectors);
+    append_json(out, item.things());
     append(out, "}");
   }
   append(out, items.empty() ? "]\n}\n" : "\n  ]\n}\n");

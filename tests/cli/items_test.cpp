@@ -151,7 +151,11 @@ TEST_F(Items, AreRenamedByTheIllustration) {
   ASSERT_EQ(run("convert @/a.json -o @/b.html"), 0) << err_;
   EXPECT_NE(test::slurp(folder_ / "b.html").find("data-parts=\"/cube_1;/cube_2\""),
             std::string::npos);
-  for (const char* bad : {R"({"1": {"select": "plate"}})", R"({"1": {"name": "a", "of": "b"}})",
+  // A number alone leaves the name.
+  write_illustration(R"(, "items": {"7": {"select": "plate"}})");
+  ASSERT_EQ(run("draw @/a.burin.json -o @/a.json --parts-list @/l.csv"), 0) << err_;
+  EXPECT_NE(test::slurp(folder_ / "l.csv").find("\r\n7,plate,1,"), std::string::npos);
+  for (const char* bad : {R"({"1": {}})", R"({"1": {"name": "a", "of": "b"}})",
                           R"({"1": {"name": "all", "select": "*"}})"}) {
     write_illustration(std::string(", \"items\": ") + bad);
     EXPECT_EQ(run("draw @/a.burin.json -o @/a.json --callouts"), 2) << bad;

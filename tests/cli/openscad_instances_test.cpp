@@ -84,6 +84,72 @@ TEST_F(OpenscadInstances, ModulesThatPlaceOthersAreSeenThrough) {
       right);
 }
 
+TEST_F(OpenscadInstances, OfSeveralColoursAreOneThingEach) {
+  const std::string motor =
+      "module motor() { color(\"silver\") cylinder(d = 20, h = 30, $fn = 48); color(\"gold\") "
+      "translate([0, 0, 30]) cylinder(d = 4, h = 12, $fn = 24); }\n";
+  const std::string loop = "for (x = [0, 30, 60]) translate([x, 0, 0]) ";
+  const Items three{{"motor", 3}};
+  EXPECT_EQ(items(motor + loop + "motor();"), three);
+  EXPECT_EQ(items(motor + "motor(); translate([30, 0, 0]) motor(); translate([60, 0, 0]) motor();"),
+            three);
+  EXPECT_EQ(items("use <burin.scad>\n" + motor + loop + "part(\"motor\") motor();"), three);
+  const Json item = Json::parse(slurp(folder_ / "m.json"))["items"][0];
+  EXPECT_EQ(item["parts"].size(), 6U);
+  EXPECT_EQ(item["selectors"][5], "/motor #3");
+  // Its path means all of it.
+  ASSERT_EQ(run("draw @/m.scad -o @/m.json --no-progress --hide /motor --parts-list @/m.csv"), 0)
+      << err_;
+  EXPECT_NE(slurp(folder_ / "m.csv").find("1,motor,2,,"), std::string::npos);
+  EXPECT_NE(slurp(folder_ / "m.csv").find("/motor #2;/motor #3\r\n"), std::string::npos);
+  // Shafts that stand elsewhere make another motor.
+  EXPECT_EQ(items("module motor(x) { color(\"silver\") cylinder(d = 20, h = 30, $fn = 48); "
+                  "color(\"gold\") translate([x, 0, 30]) cylinder(d = 4, h = 12, $fn = 24); }\n"
+                  "motor(0); translate([30, 0, 0]) motor(5); translate([60, 0, 0]) rotate(70) "
+                  "motor(5);"),
+            (Items{{"motor", 1}, {"motor (2)", 2}}));
+  // A program of one call is what that holds.
+  EXPECT_EQ(items(motor + "motor();"), (Items{{"motor", 1}, {"motor (2)", 1}}));
+}
+
+TEST_F(OpenscadInstances, AreFoundWhateverIsSaidOfThem) {
+  const std::string use = "use <burin.scad>\n";
+  const std::string row = "for (x = [0, 30, 60]) translate([x, 0, 0]) ";
+  const Items three{{"bolt", 3}};
+  EXPECT_EQ(items(use + kBolt + "ink(\"engraving\") " + row + "bolt();"), three);
+  EXPECT_EQ(items(use + kBolt + "explode([0, 0, 20]) " + row + "bolt();"), three);
+  EXPECT_EQ(items(kBolt + row + "if (x == 30) #bolt(); else bolt();"), three);
+  EXPECT_EQ(items(kBolt + row + "if (x == 30) %bolt(); else bolt();"),
+            (Items{{"bolt", 2}, {"bolt (background)", 1}}));
+  EXPECT_EQ(items(kBolt + "#bolt(); translate([30, 0, 0]) bolt();"), (Items{{"bolt", 2}}));
+  // Beside what part() names, too.
+  EXPECT_EQ(items(use + kBolt + kPlate + "module all() { part(\"base\") plate(); " + kEach +
+                  "bolt(); }\nall();"),
+            (Items{{"base", 1}, {"bolt", 6}}));
+}
+
+TEST_F(OpenscadInstances, HaveTheNumberThatALoopGivesThem) {
+  const Json drawn = drawing("use <burin.scad>\n" + kBolt + kPlate + kEach +
+                             "callout(3) part(\"bolt\") bolt();\ncallout(1) plate();");
+  std::map<int, std::string> numbers;
+  for (const Json& item : drawn["items"]) numbers[item["number"]] = item["name"];
+  EXPECT_EQ(numbers, (std::map<int, std::string>{{1, "plate"}, {3, "bolt"}}));
+  // Two items of one name have a number each.
+  const Json two = drawing("use <burin.scad>\n" + kBolt +
+                           "callout(5) bolt(4);\ncallout(2) "
+                           "translate([30, 0, 0]) bolt(6);");
+  numbers.clear();
+  for (const Json& item : two["items"]) numbers[item["number"]] = item["name"];
+  EXPECT_EQ(numbers, (std::map<int, std::string>{{2, "bolt (2)"}, {5, "bolt"}}));
+}
+
+TEST_F(OpenscadInstances, WhatIsFlatBesideSolidsIsTold) {
+  drawing("cube([50, 20, 5]); translate([3, 3, 5]) text(\"Hello\");");
+  EXPECT_NE(err_.find("warning: 2-D objects beside solids are left out; extrude them"),
+            std::string::npos)
+      << err_;
+}
+
 TEST_F(OpenscadInstances, ArgumentsThatMakeOtherShapesMakeOtherItems) {
   EXPECT_EQ(items(kBolt + "for (i = [0:3]) translate([20 * i, 0, 0]) bolt(i < 2 ? 6 : 4);"),
             (Items{{"bolt", 2}, {"bolt (2)", 2}}));
@@ -109,6 +175,8 @@ TEST_F(OpenscadInstances, WhatIsOneBodyStaysOnePart) {
   EXPECT_EQ(one("module shaft() cylinder(d = 4, h = 9); module head() translate([0, 0, 9]) cube(6, "
                 "center = true);\nmodule pin() { shaft(); head(); }\npin();"),
             "pin");
+  EXPECT_NE(err_.find("2 calls of head, shaft stay one part: they touch"), std::string::npos)
+      << err_;
   EXPECT_EQ(one("module tooth() translate([0, -1, 0]) cube([12, 2, 4]);\nfor (a = [0:30:359]) "
                 "rotate(a) tooth();"),
             "tooth");

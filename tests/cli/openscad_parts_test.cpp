@@ -165,6 +165,17 @@ TEST_F(OpenscadParts, NonsenseIsToldInOneLine) {
   refused("hull();", "makes nothing of it");
   refused("difference() { cube(0); cube(2); }", "makes nothing of it");
   refused("cylinder(r = 1, h = 1, $fn = 1e9);", "corners");
+  EXPECT_NE(err_.find("m.scad: line "), std::string::npos) << "of the tree, not of the file";
+  ASSERT_EQ(std::system(("gzip -kf " + (folder_ / "m.scad")).c_str()), 0);
+  EXPECT_EQ(run("draw @/m.scad.gz -o @/m.svg"), 3);
+  expect_error("unpack it");
+}
+
+TEST_F(OpenscadParts, WithoutItsLibraryAModelSaysWhereThatIs) {
+  std::filesystem::remove(folder_ / "burin.scad");
+  folder_.write("m.scad", "use <burin.scad>\npart(\"lid\") cube(9);");
+  EXPECT_EQ(run("draw @/m.scad -o @/m.svg"), 3);
+  expect_error("It comes with Burin (share/burin/openscad");
 }
 
 TEST_F(OpenscadParts, ACancelEndsTheEvaluation) {

@@ -46,7 +46,10 @@ class Listener {
     const std::size_t blank = what_.find(' ');
     std::int64_t line = 0;
     std::from_chars(what_.data(), what_.data() + blank, line);
-    throw InputError(what_.substr(blank + 1), file_, line);
+    // The tree is no file that the user knows.
+    const std::string what = what_.substr(blank + 1);
+    if (line <= 0) throw InputError(what, file_);
+    throw InputError(fmt::format("line {} of the evaluated tree: {}", line, what), file_);
   }
 
  private:

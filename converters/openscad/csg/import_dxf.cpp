@@ -162,7 +162,7 @@ class DxfReader {
       block_ = entity_.name;
     } else if (kind == "ENDBLK") {
       block_.clear();
-    } else if (kind != "ENDSEC" && kind != "DIMENSION" && wanted()) {
+    } else if (kind != "ENDSEC" && kind != "EOF" && kind != "DIMENSION" && wanted()) {
       draw(kind);
     }
   }

@@ -16,6 +16,7 @@
 #include <iterator>
 #include <map>
 #include <memory>
+#include <set>
 #include <utility>
 
 namespace burin {
@@ -161,7 +162,9 @@ struct ExplodeModel::Impl {
                                   "stands in whose way",
                                   shapes.parts.size()));
     }
-    if (shapes.parts.size() < 2) {
+    std::set<std::size_t> things;
+    for (const std::size_t part : shapes.parts) things.insert(shapes.things[part]);
+    if (things.size() < 2) {
       diagnostics.add(Severity::Warning, "explode.alone", 1,
                       "there is one part; nothing comes apart");
     }

@@ -375,7 +375,10 @@ bool overlap_across(const Box3& a, const Box3& b, double eps) {
 
 std::vector<Node> inside(const Node& node, const Shapes& shapes) {
   if (!node.members.empty()) return node.members;
-  if (node.locked || node.parts.size() == 1) return {node};
+  const auto of_first = [&](std::size_t part) {
+    return shapes.things[part] == shapes.things[node.parts.front()];
+  };
+  if (node.locked || std::ranges::all_of(node.parts, of_first)) return {node};
   std::vector<Node> nodes;
   std::map<std::string, std::size_t> known;
   for (const std::size_t part : node.parts) {

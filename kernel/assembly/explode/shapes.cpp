@@ -1,6 +1,7 @@
 #include "shapes.h"
 
 #include <burin/assembly/select.h>
+#include <burin/assembly/things.h>
 #include <burin/base/error.h>
 #include <burin/base/parallel.h>
 #include <burin/surface/empty_surface.h>
@@ -148,6 +149,7 @@ Box3 Shapes::box_along(std::size_t part, const Mat3& rows) const {
 
 Shapes make_shapes(const Scene& scene, const std::vector<bool>& drawn, RunContext& context) {
   Shapes shapes;
+  shapes.things = things_of(scene);
   Box3 all;
   for (std::size_t i = 0; i < scene.parts.size(); ++i) {
     if (drawn[i]) all.add(scene.parts[i].form->bounds(Mat3(1)));

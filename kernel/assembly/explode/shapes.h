@@ -29,6 +29,8 @@ struct Shapes {
   std::vector<std::size_t> parts;
   std::vector<std::string> paths;
   std::vector<std::vector<std::string>> names;
+  /// The first part of the thing that each belongs to (burin/assembly/things.h).
+  std::vector<std::size_t> things;
   std::vector<Signature> signatures;
   /// The axes of the assembly: rows of the direction in which most of its faces look or round faces
   /// run, the first at a right angle to it, and their cross product.

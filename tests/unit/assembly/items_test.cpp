@@ -2,6 +2,7 @@
 
 #include <burin/assembly/items.h>
 #include <burin/assembly/select.h>
+#include <burin/assembly/things.h>
 #include <burin/base/error.h>
 #include <burin/base/placement.h>
 #include <burin/forms/mesh/mesh_form.h>
@@ -175,6 +176,34 @@ TEST(Items, ThatAreInstancesCountByWhatTheyAreInstancesOf) {
   std::vector<Part> parts{part("left", foot), part("right", foot), part("left", foot)};
   parts[0].definition = parts[1].definition = "foot";
   EXPECT_EQ(list_of(items_of(parts)), (List{{"foot", 2}, {"left", 1}}));
+}
+
+TEST(Items, CountPartsThatAreOneThingOnce) {
+  const auto body = form(test::box({0, 0, 0}, {9, 9, 30}));
+  const auto thing = [&](const Placement& place, double shaft) {
+    std::vector<Part> parts{
+        part("#c0c0c0", placed(body, place)),
+        part("#ffd700", placed(form(test::box({shaft, 0, 30}, {shaft + 2, 3, 40})), place))};
+    for (Part& p : parts) p.assembly = {"motor"}, p.definition = "motor";
+    parts[1].joined = true;
+    return parts;
+  };
+  Scene scene;
+  const auto add = [&](const std::vector<Part>& parts) {
+    scene.parts.insert(scene.parts.end(), parts.begin(), parts.end());
+  };
+  add(thing({}, 1));
+  add(thing({rotation({0, 0, 90}), Vec3(50, 0, 0)}, 1));
+  add(thing({Mat3(1), Vec3(90, 0, 0)}, 5));
+  EXPECT_EQ(things_of(scene), (std::vector<std::size_t>{0, 0, 2, 2, 4, 4}));
+  const auto items = items_of(scene.parts);
+  ASSERT_EQ(items.size(), 2U) << "a shaft elsewhere makes another motor";
+  EXPECT_EQ(items[0].parts, (std::vector<std::size_t>{0, 1, 2, 3}));
+  EXPECT_EQ(items[1].parts, (std::vector<std::size_t>{4, 5}));
+  scene.parts[2].assembly = scene.parts[3].assembly = {"motor #2"};
+  scene.parts[4].assembly = scene.parts[5].assembly = {"motor"};
+  EXPECT_EQ(selectors_of(scene), (std::vector<std::string>{"@index=0", "@index=0", "/motor #2",
+                                                           "/motor #2", "@index=4", "@index=4"}));
 }
 
 TEST(Items, JoinAShapeThatIsItsOwnMirrorImageWithItsImages) {

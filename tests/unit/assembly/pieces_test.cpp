@@ -49,7 +49,8 @@ TEST(Pieces, AreSplitWhereASelectorNamesOneByItsPath) {
   EXPECT_EQ(paths(s), (Strings{"card/board", "card/chip/solid 1", "card/chip #2", "lid",
                                "card/chip/solid 2", "card/chip/solid 3"}));
   EXPECT_EQ(select(s, "chip/solid 2"), (Parts{4}));
-  EXPECT_EQ(select(s, "chip"), (Parts{1, 4, 5}));
+  EXPECT_EQ(select(s, "/card/chip"), (Parts{1, 4, 5}));
+  EXPECT_EQ(select(s, "chip"), (Parts{1, 2, 4, 5})) << "the other one is called so, too";
   EXPECT_EQ(select(s, "card"), (Parts{0, 1, 2, 4, 5}));
   EXPECT_EQ(s.parts[4].color, "#ff0000");
   EXPECT_EQ(s.parts[5].color, "#102030");

@@ -53,6 +53,18 @@ TEST(Select, APathLeadsFromAnyDepthOrWithASlashFromTheTop) {
   EXPECT_THROW(select(s, "pump/bolt"), UsageError);
 }
 
+TEST(Select, ANameMeansWhatReadersHaveNumbered) {
+  Scene s = scene();
+  s.parts[2].name = "bolt #2";
+  s.parts[2].assembly = {"pump", "cover"};
+  s.parts[3].assembly = {"pump", "foot #2"};
+  EXPECT_EQ(select(s, "bolt"), (Parts{1, 2}));
+  EXPECT_EQ(select(s, "cover/b*t"), (Parts{1, 2}));
+  EXPECT_EQ(select(s, "foot"), (Parts{3}));
+  EXPECT_EQ(select(s, "bolt #2"), (Parts{2}));
+  EXPECT_EQ(select(s, "/pump/cover/bolt"), (Parts{1}));
+}
+
 TEST(Select, AttributesAreColourNumberAndFile) {
   const Scene s = scene();
   EXPECT_EQ(select(s, "@color=#88c0ff"), (Parts{0, 4}));

@@ -188,6 +188,10 @@ TEST(NameTogether, IsThatOfTheAssemblyOrOfTheParts) {
   EXPECT_EQ(name_together(scene, all, {0, 1}), "shaft + key");
   EXPECT_EQ(name_together(scene, all, {0, 1, 2, 3}), "p");
   EXPECT_EQ(name_together(scene, {true, true, false, true}, {0, 1}), "d");
+  // What is one thing is called by that, not by its colours.
+  Scene colours = scene_of({"motor #2/#c0c0c0", "motor #2/#ffd700", "base"});
+  colours.parts[1].joined = true;
+  EXPECT_EQ(name_together(colours, {true, true, true}, {0, 1, 2}), "motor + base");
 }
 
 }  // namespace

@@ -119,6 +119,9 @@ TEST_F(FcstdTest, TransparencyIsKeptAsOpacity) {
   EXPECT_EQ(scene.parts[4].opacity, 0.5);
   EXPECT_EQ(scene.parts[4].color, "#112233");
   EXPECT_EQ(scene.parts[5].opacity, 0.25);
+  RunContext context;
+  const FileInfo info = inspect_fcstd(folder_ / "a.FCStd", {}, context);
+  EXPECT_NEAR(info.parts[1].opacity, 0.4, 1e-12);
 }
 
 TEST_F(FcstdTest, DatumPlanesInAssembliesAreNoParts) {

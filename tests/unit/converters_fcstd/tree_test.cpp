@@ -121,8 +121,11 @@ TEST_F(FcstdTest, ArraysOfLinks) {
             property("PlacementList", "<PlacementList file=\"Places\"/>") +
             // The last digit is that of the first element.
             property("VisibilityList", "<BoolList value=\"101\"/>"));
-  d.add("App::Link", "Shown", linked("Box") + link_list("ElementList", {"E0", "E1"}));
-  d.add("App::LinkElement", "E0", linked("Box") + placed({0, 40, 0}));
+  // Elements that were made in a window are hidden themselves: the list of their link tells.
+  d.add("App::Link", "Shown",
+        linked("Box") + link_list("ElementList", {"E0", "E1"}) +
+            property("VisibilityList", "<BoolList value=\"01\"/>"));
+  d.add("App::LinkElement", "E0", linked("Box") + placed({0, 40, 0}) + hidden());
   d.add("App::LinkElement", "E1", linked("Box") + hidden());
   const Scene scene = read(d);
   ASSERT_EQ(paths(scene), (Paths{"Row", "Row #2", "Shown"}));

@@ -104,6 +104,15 @@ TEST(Cuts, OfManyHullsAlongALineAgreeWithTheTube) {
                 18 * 18 * 18 - 18 * polygon_area(3, 120));
 }
 
+TEST(Cuts, ThatTouchAreOneWhereverTheyStand) {
+  // Corners of both are rounded on their own: by one bit apart where it is moved by 4.01.
+  for (const double z : {4.01, 8.01, 0.1, 1.7}) {
+    const Worked w = work_out(moved(0, 0, z, cube(6, 6, 12) + moved(0, 0, 12, cube(6, 6, 4))));
+    EXPECT_EQ(w.cuts, 1u) << z;
+    EXPECT_EQ(w.solid.triangles.size(), 12u) << z;
+  }
+}
+
 TEST(Cuts, MayStandWithinEachOther) {
   // A - (B - (C - D)), boxes in boxes.
   const auto box = [](double inset) {

@@ -56,6 +56,11 @@ TEST(Imports, DxfEntitiesThatOpenScadLeavesOutAreTold) {
   Evaluated tree(import_of("spline.dxf"), folder.path());
   EXPECT_TRUE(tree.region().empty());
   EXPECT_TRUE(tree.told("openscad.dxf_entity"));
+  // The end of the file is no entity.
+  folder.write("circle.dxf", dxf("0\nCIRCLE\n8\n0\n10\n5\n20\n4\n40\n2\n"));
+  Evaluated circle(import_of("circle.dxf"), folder.path());
+  EXPECT_FALSE(circle.region().empty());
+  EXPECT_FALSE(circle.told("openscad.dxf_entity"));
 }
 
 TEST(Imports, SvgShapesStandUprightInMillimetres) {

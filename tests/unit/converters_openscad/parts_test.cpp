@@ -102,7 +102,7 @@ TEST(TreeParts, ModifiersShowThingsOfTheirOwn) {
   EXPECT_EQ(found.parts.parts[2].pieces[0].at.row[0][3], 9);
   const Json settings = Json::parse(found.settings);
   ASSERT_EQ(settings["looks"].size(), 2U);
-  EXPECT_EQ(settings["looks"][0]["select"], "a (background)");
+  EXPECT_EQ(settings["looks"][0]["select"], "/a (background)");
   EXPECT_EQ(settings["looks"][0]["transparent"], true);
   // What is rooted is alone, and where its parents would not move it.
   const Found rooted("cube(); " + kMoved + "{ !sphere(); }");
@@ -122,9 +122,9 @@ TEST(TreeParts, MarksNameMoveAndNumberParts) {
   const Json s = Json::parse(found.settings);
   EXPECT_EQ(s["view"]["from"], "front");
   EXPECT_EQ(s["explode"]["steps"],
-            Json::parse(R"([{"move": ["lid-1", "pin"], "along": [0, 0, 30], "by": 30}])"));
-  EXPECT_EQ(s["looks"], Json::parse(R"([{"select": "a", "style": "woodcut"}])"));
-  EXPECT_EQ(s["items"], Json::parse(R"({"4": "a"})"));
+            Json::parse(R"([{"move": ["/lid-1", "/pin"], "along": [0, 0, 30], "by": 30}])"));
+  EXPECT_EQ(s["looks"], Json::parse(R"([{"select": "/a", "style": "woodcut"}])"));
+  EXPECT_EQ(s["items"], Json::parse(R"({"4": {"select": "/a"}})"));
   EXPECT_EQ(s["callouts"], true);
   EXPECT_TRUE(found.diagnostics.empty());
 }
@@ -142,7 +142,7 @@ TEST(TreeParts, NothingIsAskedOfPartsOfWhichNothingCame) {
       "#cube();");
   ASSERT_EQ(found.names(), (Names{"lid", "pin", "a (highlighted)"}));
   const Json s = Json::parse(found.asked({false, true, false}));
-  EXPECT_EQ(s["explode"]["steps"][0]["move"], Json::parse(R"(["pin"])"));
+  EXPECT_EQ(s["explode"]["steps"][0]["move"], Json::parse(R"(["/pin"])"));
   EXPECT_FALSE(s.contains("looks")) << s;
   EXPECT_EQ(found.asked({false, false, false}), "");
 }
@@ -179,6 +179,24 @@ TEST(TreeParts, EachCallOfPartIsOne) {
     EXPECT_EQ(p.pieces[0].at, csg::Matrix{});
   }
   EXPECT_EQ(found.parts.parts[2].frame.row[0][3], 18);
+}
+
+TEST(TreeParts, LooksPartWhatIsOneThing) {
+  const std::string red = "color([1, 0, 0, 1]) { cube(); } ", blue = "color([0, 0, 1, 1]) { ";
+  const Found found(call("part", said("led"), 1,
+                         red + call("part", said("leg"), 1, "sphere();") + blue + "cylinder(); } " +
+                             call("explode", point(4, 3) + said(0.) + said(0.) + said(9.), 1,
+                                  "cube(size = 3);")) +
+                    call("part", said("led"), 1, red + blue + "sphere(); }"));
+  EXPECT_EQ(found.names(),
+            (Names{"#ff0000", "#0000ff", "uncoloured", "leg", "#ff0000", "#0000ff"}));
+  Names assemblies;
+  for (const TreePart& p : found.parts.parts) assemblies.push_back(p.assembly);
+  EXPECT_EQ(assemblies, (Names{"led", "led", "led", "", "led #2", "led #2"}));
+  EXPECT_EQ(found.parts.parts[4].definition, "led");
+  // What is said of a piece is said of it alone.
+  EXPECT_EQ(Json::parse(found.settings)["explode"]["steps"][0]["move"],
+            Json::parse(R"(["/led/uncoloured"])"));
 }
 
 TEST(TreeParts, MarksThatSayNothingUsefulAreTold) {

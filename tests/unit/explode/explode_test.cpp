@@ -170,6 +170,18 @@ Scene carriages() {
   return scene;
 }
 
+TEST(Explode, WhatIsOneThingStaysTogether) {
+  Scene scene = bolt_in_plate();
+  test::add_part(scene, "tip", test::moved(test::ring(0.5, 4, 16, 20), Mat3(1), Vec3(0)));
+  scene.parts[1].assembly = scene.parts[2].assembly = {"bolt"};
+  EXPECT_EQ(explode(scene).steps.size(), 2U);
+  scene.parts[2].joined = true;
+  const Explosion e = explode(scene);
+  ASSERT_EQ(e.steps.size(), 1U);
+  EXPECT_EQ(e.steps[0].parts, (Parts{1, 2}));
+  EXPECT_TRUE(e.interlocked.empty());
+}
+
 TEST(Explode, SubAssembliesLeaveAsWholesAndComeApartAfterwards) {
   const Scene scene = carriages();
   const Explosion e = explode(scene);

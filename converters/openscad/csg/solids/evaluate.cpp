@@ -63,6 +63,7 @@ class Evaluator {
     }
     e_.cuts = shapes_.cuts;
     say_left_out();
+    say_flat(nodes);
     return out;
   }
 
@@ -72,6 +73,19 @@ class Evaluator {
     told_ = share;
     share_(share);
   }
+  /// What is flat beside solids is seen in OpenSCAD's preview, and nowhere else.
+  void say_flat(std::span<const std::uint32_t> nodes) {
+    const auto solid = [&](std::uint32_t n) { return dimension_[n] == Dimension::Solid; };
+    const auto flat = [&](std::uint32_t n) {
+      return result_[n].region && !result_[n].region->empty();
+    };
+    const auto count = std::ranges::count_if(nodes, flat);
+    if (count == 0 || std::ranges::none_of(nodes, solid)) return;
+    e_.diagnostics.add(Severity::Warning, "openscad.mixed_dimensions", count,
+                       "2-D objects beside solids are left out; extrude them, say with "
+                       "linear_extrude(1)");
+  }
+
   /// Before a node that may take long.
   void begin(std::uint32_t n, std::string_view with) {
     e_.doing = fmt::format("{}() of line {}{}", name_of(e_.tree.nodes[n].module),

@@ -1,6 +1,9 @@
 #include "gather.h"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
 
 namespace burin::csg {
 namespace {
@@ -11,6 +14,21 @@ std::size_t order_of(const Matrix& m) {
     for (const double v : row) h = h * 0x100000001b3 ^ std::hash<double>{}(v);
   }
   return h;
+}
+
+/// Where a point may be: solids that touch do so too where their corners are rounded apart.
+void add_point(Box3& box, const Matrix& at, const std::array<double, 3>& p) {
+  constexpr double kRounding = 16 * std::numeric_limits<double>::epsilon();
+  const auto q = at * p;
+  Vec3 reach(0);
+  for (std::size_t i = 0; i < 3; ++i) {
+    const auto& row = at.row[i];
+    const double size = std::abs(row[0] * p[0]) + std::abs(row[1] * p[1]) +
+                        std::abs(row[2] * p[2]) + std::abs(row[3]);
+    reach[static_cast<int>(i)] = kRounding * size;
+  }
+  box.add(Vec3(q[0], q[1], q[2]) - reach);
+  box.add(Vec3(q[0], q[1], q[2]) + reach);
 }
 
 }  // namespace
@@ -119,8 +137,7 @@ void Gather::stand(const Shapes::Shape& s, Open o) {
   if (!fresh) return;
   Standing standing{s.leaf, o.matrix, s.tangled, s.open, s.from, {}};
   for (const Vec3& p : shapes_.leaves_[s.leaf].positions) {
-    const auto q = matrices[o.matrix].nearest * std::array<double, 3>{p.x, p.y, p.z};
-    standing.box.add(Vec3(q[0], q[1], q[2]));
+    add_point(standing.box, matrices[o.matrix].nearest, {p.x, p.y, p.z});
   }
   leaves.push_back(standing);
 }

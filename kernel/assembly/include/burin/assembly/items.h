@@ -20,12 +20,13 @@ struct Item {
   std::string name;
   /// "#rrggbb" where all of them have it, else empty; the file, where all come from one.
   std::string color, source;
-  /// Parts of the scene, ascending; as many as there are.
+  /// Parts of the scene, ascending; those of one thing (`Part::joined`) all.
   std::vector<std::size_t> parts;
 };
 
 /// What is kept of an item beside its number.
 struct KeptItem {
+  /// Empty: as the input calls it.
   std::string name;
   /// Names a part of it, whatever the input calls that (`select`); empty: the name tells.
   std::string select = {};
@@ -55,7 +56,7 @@ std::string instance_stem(std::string_view name);
 /// move lays one on the other: their measures are the same within 1e-6 (`Form::measure`, asked of
 /// forms of one name alone), and where these do not tell a shape from its mirror image, their
 /// surfaces are tried. So a shape that is its own mirror image is one item with its mirrored
-/// copies; left and right are two.
+/// copies; left and right are two. Parts that are one thing are compared as one.
 ///
 /// Items that would have the same name get " (2)", " (3)" in the order of the scene. `kept`:
 /// numbers that items have already, each the item that its selector names, else that of its name,

@@ -14,7 +14,8 @@ namespace burin {
 std::string path_of(const Part& part);
 
 /// For each part a selector that names it alone: its path from the top, "/pump/cover/bolt", or,
-/// where another part or an assembly has that path, its number, "@index=3". A letter that names and
+/// where another part or an assembly has that path, its number, "@index=3". Parts that are one
+/// thing (`Part::joined`) share one, that of all of them. A letter that names and
 /// selectors have for different things stands as ?.
 std::vector<std::string> selectors_of(const Scene& scene);
 
@@ -22,7 +23,8 @@ std::vector<std::string> selectors_of(const Scene& scene);
 ///
 /// A selector is a name or names with slashes between them, at any depth of the assembly, from its
 /// top where it begins with a slash; they lead to a part, or to an assembly, whose parts are all
-/// meant. In a name * is any text and ? any letter; ** stands for any number of names.
+/// meant. In a name * is any text and ? any letter; ** stands for any number of names. Not from the
+/// top, "bolt" means "bolt #2" too: readers number what the input calls the same.
 /// @color=#88c0ff selects by colour, @index=3 by number, from 0, as `burin info` and
 /// drawing files count, @file=lid.stl those of a file.
 ///

@@ -95,15 +95,19 @@ struct Layer {
 struct DrawingItem {
   int number = 0;
   std::string name;
-  /// Ids of parts that are drawn; as many as there are of it.
+  /// Ids of parts that are drawn, ascending.
   std::vector<std::int32_t> parts;
   /// "#rrggbb" where all have one colour, and the file that all come from; else empty.
   std::string color = {};
   std::string source = {};
-  /// What names each of the parts in commands and illustration files, in their order.
+  /// What names each of the parts in commands and illustration files, in their order; the same for
+  /// parts that are one thing (`Part::joined`).
   std::vector<std::string> selectors = {};
 
-  std::size_t quantity() const { return parts.size(); }
+  /// The selectors, those of one thing once.
+  std::vector<std::string> things() const;
+  /// How many there are of it.
+  std::size_t quantity() const { return selectors.empty() ? parts.size() : things().size(); }
 };
 
 /// Where a part is seen, for pointing at it and colouring it; it has no ink.

@@ -96,6 +96,10 @@ struct Part {
   /// The bodies that `form` is made of, where there are several that can be chosen one by one
   /// (`split_pieces` of burin/assembly/pieces.h); they stand where the part stands.
   std::vector<Piece> pieces = {};
+  /// Whether this is one thing with the part before it, told from it by its look alone, such as
+  /// what a module of OpenSCAD makes in a second colour: a parts list counts them once, and nothing
+  /// takes them apart.
+  bool joined = false;
 };
 
 /// What a model file itself says of how it is to be drawn.
