@@ -192,7 +192,9 @@ FileInfo inspect(const std::filesystem::path& path, const std::string& encoding,
     if (!is_new) p.same_shape_as = it->second;
     p.name = std::move(part.name);
     p.assembly = std::move(part.assembly);
-    p.color = part.color().hex;
+    CadColor color = part.color();
+    p.color = std::move(color.hex);
+    p.opacity = color.opacity;
     info.parts.push_back(std::move(p));
   });
   return info;

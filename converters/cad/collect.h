@@ -4,8 +4,10 @@
 #include "cad_file.h"
 
 #include <BRepBuilderAPI_Sewing.hxx>
+#include <NCollection_DataMap.hxx>
 #include <Standard_Handle.hxx>
 #include <TopLoc_Location.hxx>
+#include <TopTools_ShapeMapHasher.hxx>
 
 #include <cstdint>
 #include <map>
@@ -38,6 +40,9 @@ CadPart make_part(std::vector<CadBody> bodies, const std::string& name);
 /// where faces without a name are one part together.
 enum class Roots { Products, Entities };
 
+/// Names of shapes inside what stands at the top.
+using ShapeNames = NCollection_DataMap<TopoDS_Shape, std::string, TopTools_ShapeMapHasher>;
+
 struct CollectOptions {
   Roots roots = Roots::Products;
   /// Names what has no name of its own.
@@ -45,6 +50,8 @@ struct CollectOptions {
   /// The numbers that products have beside their names, by these. An instance that is called by the
   /// number alone gets the name.
   std::multimap<std::string, std::string> numbers = {};
+  /// Those of what groups of IGES hold. A group whose members have names is an assembly of them.
+  ShapeNames members = {};
 };
 
 /// All parts of a document, in the order of its tree.
