@@ -143,7 +143,7 @@ std::vector<Piece> pieces_of(const CadPart& part, const Models::Made& made,
     const CadColor& color = part.colors[made.from[i]];
     pieces.push_back({(*part.bodies)[made.from[i]].name,
                       std::make_shared<BrepForm>(body.model, after(place, body.placement)),
-                      color.hex});
+                      color.hex, color.opacity});
   }
   return pieces;
 }

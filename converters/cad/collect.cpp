@@ -81,6 +81,8 @@ class Collector {
   std::vector<CadPart> parts;
   /// Leaves without any face, and what of others belongs to none.
   std::int64_t left_out = 0;
+  /// The name of the first member of which something was.
+  std::string first_left_out;
 
  private:
   struct Place {
@@ -148,13 +150,18 @@ class Collector {
   /// A part of what stands at the top of an IGES file, or in a group there.
   void add(std::vector<CadBody> bodies, std::int64_t loose, const std::string& name,
            const LabelColors& colors, const std::vector<std::string>& assembly) {
-    left_out += bodies.empty() && loose == 0 ? 1 : loose;
+    leave_out(bodies.empty() && loose == 0 ? 1 : loose, name);
     if (bodies.empty()) return;
     CadPart part = make_part(std::move(bodies), name);
     part.assembly = assembly;
     std::ranges::transform(*part.bodies, part.colors.begin(),
                            [&](const CadBody& body) { return colors.of(body); });
     parts.push_back(std::move(part));
+  }
+
+  void leave_out(std::int64_t count, const std::string& name) {
+    if (left_out == 0 && count > 0) first_left_out = name;
+    left_out += count;
   }
 
   std::string name_of(const TDF_Label& instance, const TDF_Label& product,
@@ -225,7 +232,7 @@ class Collector {
 
   void leaf(const TDF_Label& label, const std::string& name, const Place& place) {
     const Product& product = product_of(label);
-    left_out += product.left_out;
+    leave_out(product.left_out, name);
     if (product.bodies->empty()) return;
     CadPart part;
     part.name = name;
@@ -256,7 +263,7 @@ std::vector<CadPart> collect_parts(const Handle(TDocStd_Document) & document,
                                    const RunContext& context) {
   Collector collector(document, options, context);
   collector.run();
-  tell_left_out(collector.parts, collector.left_out, diagnostics);
+  tell_left_out(collector.parts, collector.left_out, collector.first_left_out, diagnostics);
   make_names_unique(collector.parts);
   return std::move(collector.parts);
 }

@@ -27,8 +27,10 @@ Handle(BRepBuilderAPI_Sewing) sew(const std::vector<TopoDS_Shape>& faces, double
 
 /// Wires, and edges and points outside of them, that belong to no face.
 std::int64_t count_loose(const TopoDS_Shape& shape);
-/// Says that so many of those, and members with nothing at all, were left out beside parts.
-void tell_left_out(const std::vector<CadPart>& parts, std::int64_t count, Diagnostics& diagnostics);
+/// Says that so many of those, and members with nothing at all, were left out beside parts; `first`
+/// is the name of the first member that has some.
+void tell_left_out(const std::vector<CadPart>& parts, std::int64_t count, const std::string& first,
+                   Diagnostics& diagnostics);
 
 /// Where OCCT has a shape.
 Placement placement_of(const TopLoc_Location& location);

@@ -37,22 +37,31 @@ std::vector<Kind> Kinds::find() {
 }
 
 void Kinds::add(std::size_t index) {
-  const Part& part = scene_.parts[index];
+  const Part* whole = scene_.parts[index].whole.get();
+  const auto known = of_whole_.find(whole);
+  const std::size_t kind = whole && known != of_whole_.end() ? known->second : kind_of(index);
+  if (whole) of_whole_.emplace(whole, kind);
+  kinds_[kind].parts.push_back(index);
+}
+
+std::size_t Kinds::kind_of(std::size_t index) {
+  const Part& part = listed(scene_.parts[index]);
   const std::string key = family(part.definition.empty() ? part.name : part.definition);
   std::vector<std::size_t>& of_name = by_name_[key];
   KnownShape shape{part.form->definition(), {}};
   for (const std::size_t k : of_name) {
     const auto same = [&](const KnownShape& s) { return s.definition.same(shape.definition); };
-    if (std::ranges::any_of(kinds_[k].shapes, same)) return kinds_[k].parts.push_back(index);
+    if (std::ranges::any_of(kinds_[k].shapes, same)) return k;
   }
   // Measured only where a name has two shapes.
   for (const std::size_t k : of_name) {
     if (!same_shape(kinds_[k], shape, index)) continue;
     kinds_[k].shapes.push_back(shape);
-    return kinds_[k].parts.push_back(index);
+    return k;
   }
   of_name.push_back(kinds_.size());
-  kinds_.push_back({key, {shape}, {index}, nullptr, {}});
+  kinds_.push_back({key, {shape}, {}, nullptr, {}});
+  return kinds_.size() - 1;
 }
 
 bool Kinds::same_shape(Kind& kind, KnownShape& shape, std::size_t index) {
@@ -80,7 +89,7 @@ bool Kinds::same_hand(Kind& kind, const KnownShape& shape, std::size_t index) {
 
 std::optional<ShapeMeasure> Kinds::measured(std::size_t index) {
   try {
-    return scene_.parts[index].form->measure(context_);
+    return listed(scene_.parts[index]).form->measure(context_);
   } catch (const GeometryError& e) {
     tell(index, e.what());
     return std::nullopt;
@@ -89,7 +98,8 @@ std::optional<ShapeMeasure> Kinds::measured(std::size_t index) {
 
 std::shared_ptr<const Body> Kinds::body_of(std::size_t index) {
   try {
-    return std::make_shared<const Body>(realised_to_compare(*scene_.parts[index].form, context_));
+    return std::make_shared<const Body>(
+        realised_to_compare(*listed(scene_.parts[index]).form, context_));
   } catch (const GeometryError& e) {
     tell(index, e.what());
     return nullptr;
@@ -101,7 +111,7 @@ void Kinds::tell(std::size_t index, const char* why) {
   diagnostics_.add(Severity::Warning, "items.not_measured", 1,
                    fmt::format("{}: counts as an item of its own, as it cannot be compared with "
                                "others of its name: {}",
-                               scene_.parts[index].name, why));
+                               listed(scene_.parts[index]).name, why));
 }
 
 }  // namespace burin::detail

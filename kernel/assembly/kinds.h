@@ -14,6 +14,9 @@
 
 namespace burin::detail {
 
+/// What a part is in lists: itself, or what it is a body of.
+inline const Part& listed(const Part& part) { return part.whole ? *part.whole : part; }
+
 /// One shape, as far as it is known.
 struct KnownShape {
   Definition definition;
@@ -41,6 +44,8 @@ class Kinds {
 
  private:
   void add(std::size_t index);
+  /// The number of the kind that a part is of, made for it where there is none yet.
+  std::size_t kind_of(std::size_t index);
   /// Whether the part at `index`, of `shape`, is a copy of what is known of a kind.
   bool same_shape(Kind& kind, KnownShape& shape, std::size_t index);
   /// Where measures do not tell left from right.
@@ -54,6 +59,8 @@ class Kinds {
   RunContext& context_;
   std::vector<Kind> kinds_;
   std::map<std::string, std::vector<std::size_t>> by_name_;
+  /// The kinds of parts of which bodies were met.
+  std::map<const Part*, std::size_t> of_whole_;
   std::set<std::size_t> told_;
 };
 

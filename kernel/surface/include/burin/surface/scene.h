@@ -76,8 +76,9 @@ struct Piece {
   /// Of no other piece of its part: "solid 2".
   std::string name;
   std::shared_ptr<const Form> form;
-  /// As that of a part.
+  /// As those of a part.
   std::string color = {};
+  double opacity = 1;
 };
 
 struct Part {
@@ -96,6 +97,9 @@ struct Part {
   /// The bodies that `form` is made of, where there are several that can be chosen one by one
   /// (`split_pieces` of burin/assembly/pieces.h); they stand where the part stands.
   std::vector<Piece> pieces = {};
+  /// What this is one body of, where a part was split into its bodies: shared by all of them, so
+  /// that lists count one part. Absent: this is a part by itself.
+  std::shared_ptr<const Part> whole = {};
 };
 
 /// What a model file itself says of how it is to be drawn.
