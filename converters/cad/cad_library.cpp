@@ -143,7 +143,7 @@ std::vector<Piece> pieces_of(const CadPart& part, const Models::Made& made,
     const CadColor& color = part.colors[made.from[i]];
     pieces.push_back({(*part.bodies)[made.from[i]].name,
                       std::make_shared<BrepForm>(body.model, after(place, body.placement)),
-                      color.hex});
+                      color.hex, color.opacity});
   }
   return pieces;
 }
@@ -192,8 +192,9 @@ FileInfo inspect(const std::filesystem::path& path, const std::string& encoding,
     if (!is_new) p.same_shape_as = it->second;
     p.name = std::move(part.name);
     p.assembly = std::move(part.assembly);
-    p.color = part.color().hex;
-    p.opacity = part.color().opacity;
+    CadColor color = part.color();
+    p.color = std::move(color.hex);
+    p.opacity = color.opacity;
     info.parts.push_back(std::move(p));
   });
   return info;

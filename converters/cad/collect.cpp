@@ -12,6 +12,7 @@
 #include <TDataStd_Name.hxx>
 #include <TDocStd_Document.hxx>
 #include <TopoDS_Compound.hxx>
+#include <TopoDS_Iterator.hxx>
 #include <XCAFDoc_DocumentTool.hxx>
 #include <XCAFDoc_ShapeTool.hxx>
 
@@ -37,17 +38,20 @@ bool is_count(std::string_view rest) {
   return rest.find_first_not_of("0123456789.:_- ") == std::string_view::npos;
 }
 
-/// Names that programs made up: numbers, "NAUO12", the words of the standard, OCCT's own.
-bool says_nothing(const std::string& name) {
+/// Names that programs made up: none, "NAUO12", the words of the standard, OCCT's own.
+bool is_made_up(const std::string& name) {
   constexpr std::array<std::string_view, 4> kMadeUp{"Open CASCADE STEP translator", "=>[",
                                                     "Next assembly relationship",
                                                     "Next assembly usage occurrence"};
   const auto begins = [&](std::string_view words) {
     return equal_but_for_case(std::string_view(name).substr(0, words.size()), words);
   };
-  if (std::ranges::any_of(kMadeUp, begins)) return true;
-  return is_count(name.starts_with("NAUO") ? std::string_view(name).substr(4) : name);
+  if (name.empty() || std::ranges::any_of(kMadeUp, begins)) return true;
+  return name.starts_with("NAUO") && is_count(std::string_view(name).substr(4));
 }
+
+/// Those, and numbers.
+bool says_nothing(const std::string& name) { return is_made_up(name) || is_count(name); }
 
 class Collector {
  public:
@@ -65,6 +69,8 @@ class Collector {
     for (const TDF_Label& root : labels) {
       if (options_.roots == Roots::Entities && is_loose(root)) {
         loose.push_back(root);
+      } else if (const TopoDS_Shape shape = XCAFDoc_ShapeTool::GetShape(root); is_group(shape)) {
+        group(shape, name_of(root, root, {}), LabelColors(colors_, root), {});
       } else {
         visit(root, root, {});
       }
@@ -75,6 +81,8 @@ class Collector {
   std::vector<CadPart> parts;
   /// Leaves without any face, and what of others belongs to none.
   std::int64_t left_out = 0;
+  /// The name of the first member of which something was.
+  std::string first_left_out;
 
  private:
   struct Place {
@@ -101,21 +109,70 @@ class Collector {
       context_.check();
       BRep_Builder().Add(all, XCAFDoc_ShapeTool::GetShape(root));
     }
-    left_out += count_loose(all);
-    std::vector<CadBody> bodies = bodies_of(all);
+    add(bodies_of(all), count_loose(all), options_.fallback, LabelColors(colors_, loose), {});
+  }
+
+  /// The name of a group, a subfigure or a solid, where somebody gave it one.
+  const std::string* name_of_member(const TopoDS_Shape& shape) const {
+    if (shape.ShapeType() > TopAbs_SOLID) return nullptr;
+    const std::string* name = options_.members.Seek(shape);
+    return name != nullptr && !says_nothing(*name) ? name : nullptr;
+  }
+
+  /// Whether a shape is a group of which members have names.
+  bool is_group(const TopoDS_Shape& shape) const {
+    if (shape.IsNull() || shape.ShapeType() != TopAbs_COMPOUND) return false;
+    for (TopoDS_Iterator it(shape); it.More(); it.Next()) {
+      if (name_of_member(it.Value()) != nullptr) return true;
+    }
+    return false;
+  }
+
+  /// Members with names are groups or parts themselves; what else there is is a part of its name.
+  void group(const TopoDS_Shape& shape, const std::string& name, const LabelColors& colors,
+             std::vector<std::string> assembly) {
+    context_.check();
+    if (!is_group(shape)) return add(bodies_of(shape), count_loose(shape), name, colors, assembly);
+    assembly.push_back(name);
+    TopoDS_Compound rest;
+    BRep_Builder().MakeCompound(rest);
+    for (TopoDS_Iterator it(shape); it.More(); it.Next()) {
+      if (const std::string* member = name_of_member(it.Value()); member != nullptr) {
+        group(it.Value(), *member, colors, assembly);
+      } else {
+        BRep_Builder().Add(rest, it.Value());
+      }
+    }
+    if (rest.NbChildren() == 0) return;
+    add(bodies_of(rest), count_loose(rest), name, colors, assembly);
+  }
+
+  /// A part of what stands at the top of an IGES file, or in a group there.
+  void add(std::vector<CadBody> bodies, std::int64_t loose, const std::string& name,
+           const LabelColors& colors, const std::vector<std::string>& assembly) {
+    leave_out(bodies.empty() && loose == 0 ? 1 : loose, name);
     if (bodies.empty()) return;
-    const LabelColors colors(colors_, loose);
-    CadPart part = make_part(std::move(bodies), options_.fallback);
+    CadPart part = make_part(std::move(bodies), name);
+    part.assembly = assembly;
     std::ranges::transform(*part.bodies, part.colors.begin(),
                            [&](const CadBody& body) { return colors.of(body); });
     parts.push_back(std::move(part));
   }
 
-  std::string name_of(const TDF_Label& instance, const TDF_Label& product) const {
+  void leave_out(std::int64_t count, const std::string& name) {
+    if (left_out == 0 && count > 0) first_left_out = name;
+    left_out += count;
+  }
+
+  std::string name_of(const TDF_Label& instance, const TDF_Label& product,
+                      const std::vector<std::string>& assembly) const {
     std::string of_product = raw_name(product);
     std::string name = raw_name(instance);
     if (!says_nothing(name) && !is_number_of(of_product, name)) return name;
-    return says_nothing(of_product) ? options_.fallback : of_product;
+    if (!says_nothing(of_product)) return of_product;
+    // Of one part alone the file says more; members of an assembly have their numbers.
+    if (assembly.empty()) return options_.fallback;
+    return is_made_up(of_product) ? assembly.back() : of_product;
   }
 
   /// Whether an instance is called by its product's number, "4711-22.1" of 4711-22.
@@ -129,7 +186,7 @@ class Collector {
   /// `instance` is the label that stands in the assembly, `product` what it refers to.
   void visit(const TDF_Label& instance, const TDF_Label& product, Place place) {
     context_.check();
-    const std::string name = name_of(instance, product);
+    const std::string name = name_of(instance, product, place.assembly);
     if (place.instance_color.hex.empty() && instance != product) {
       place.instance_color = label_color(colors_, instance);
     }
@@ -175,7 +232,7 @@ class Collector {
 
   void leaf(const TDF_Label& label, const std::string& name, const Place& place) {
     const Product& product = product_of(label);
-    left_out += product.left_out;
+    leave_out(product.left_out, name);
     if (product.bodies->empty()) return;
     CadPart part;
     part.name = name;
@@ -206,7 +263,7 @@ std::vector<CadPart> collect_parts(const Handle(TDocStd_Document) & document,
                                    const RunContext& context) {
   Collector collector(document, options, context);
   collector.run();
-  tell_left_out(collector.parts, collector.left_out, diagnostics);
+  tell_left_out(collector.parts, collector.left_out, collector.first_left_out, diagnostics);
   make_names_unique(collector.parts);
   return std::move(collector.parts);
 }

@@ -4,8 +4,10 @@
 #include "cad_file.h"
 
 #include <BRepBuilderAPI_Sewing.hxx>
+#include <NCollection_DataMap.hxx>
 #include <Standard_Handle.hxx>
 #include <TopLoc_Location.hxx>
+#include <TopTools_ShapeMapHasher.hxx>
 
 #include <cstdint>
 #include <map>
@@ -25,8 +27,10 @@ Handle(BRepBuilderAPI_Sewing) sew(const std::vector<TopoDS_Shape>& faces, double
 
 /// Wires, and edges and points outside of them, that belong to no face.
 std::int64_t count_loose(const TopoDS_Shape& shape);
-/// Says that so many of those, and members with nothing at all, were left out beside parts.
-void tell_left_out(const std::vector<CadPart>& parts, std::int64_t count, Diagnostics& diagnostics);
+/// Says that so many of those, and members with nothing at all, were left out beside parts; `first`
+/// is the name of the first member that has some.
+void tell_left_out(const std::vector<CadPart>& parts, std::int64_t count, const std::string& first,
+                   Diagnostics& diagnostics);
 
 /// Where OCCT has a shape.
 Placement placement_of(const TopLoc_Location& location);
@@ -38,6 +42,9 @@ CadPart make_part(std::vector<CadBody> bodies, const std::string& name);
 /// where faces without a name are one part together.
 enum class Roots { Products, Entities };
 
+/// Names of shapes inside what stands at the top.
+using ShapeNames = NCollection_DataMap<TopoDS_Shape, std::string, TopTools_ShapeMapHasher>;
+
 struct CollectOptions {
   Roots roots = Roots::Products;
   /// Names what has no name of its own.
@@ -45,6 +52,8 @@ struct CollectOptions {
   /// The numbers that products have beside their names, by these. An instance that is called by the
   /// number alone gets the name.
   std::multimap<std::string, std::string> numbers = {};
+  /// Those of what groups of IGES hold. A group whose members have names is an assembly of them.
+  ShapeNames members = {};
 };
 
 /// All parts of a document, in the order of its tree.

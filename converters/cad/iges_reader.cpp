@@ -4,6 +4,7 @@
 #include "cad_file.h"
 #include "collect.h"
 #include "encoding.h"
+#include "iges_names.h"
 #include "occt_session.h"
 #include "text.h"
 
@@ -29,8 +30,10 @@ std::string bytes_of(const TCollection_ExtendedString& name) {
   return bytes;
 }
 
-void decode_names(const Handle(TDocStd_Document) & document, const std::string& encoding,
-                  Diagnostics& diagnostics) {
+/// Makes UTF-8 of the names of a document; those of members, which it lacks, are returned.
+ShapeNames decode_names(const Handle(TDocStd_Document) & document,
+                        const std::vector<std::pair<TopoDS_Shape, std::string>>& members,
+                        const std::string& encoding, Diagnostics& diagnostics) {
   std::vector<std::pair<Handle(TDataStd_Name), std::string>> names;
   TextDecoder decoder(encoding);
   for (TDF_ChildIterator it(document->Main(), Standard_True); it.More(); it.Next()) {
@@ -39,11 +42,17 @@ void decode_names(const Handle(TDocStd_Document) & document, const std::string& 
     names.emplace_back(name, bytes_of(name->Get()));
     decoder.learn(names.back().second);
   }
+  for (const auto& [shape, bytes] : members) decoder.learn(bytes);
   for (const auto& [name, bytes] : names) {
     if (bytes.empty()) continue;
     name->Set(TCollection_ExtendedString(decoder.utf8(bytes).c_str(), Standard_True));
   }
+  ShapeNames of_members;
+  for (const auto& [shape, bytes] : members) {
+    of_members.Bind(shape, clean_name(decoder.utf8(bytes)));
+  }
   decoder.tell(diagnostics);
+  return of_members;
 }
 
 }  // namespace
@@ -65,9 +74,10 @@ CadFile read_iges(const Source& source, const std::string& encoding, RunContext&
   const bool done = reader.Transfer(document, progress->Start());
   context.check();
   if (done) {
-    decode_names(document, encoding, file.diagnostics);
+    ShapeNames names = decode_names(document, named_members(reader), encoding, file.diagnostics);
     const std::string stem = clean_name(model_stem(source.file()));
-    file.parts = collect_parts(document, {Roots::Entities, stem, {}}, file.diagnostics, context);
+    file.parts = collect_parts(document, {Roots::Entities, stem, {}, std::move(names)},
+                               file.diagnostics, context);
   }
   return file;
 }

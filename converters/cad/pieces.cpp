@@ -133,11 +133,13 @@ std::int64_t count_loose(const TopoDS_Shape& shape) {
          count(TopAbs_VERTEX, TopAbs_EDGE);
 }
 
-void tell_left_out(const std::vector<CadPart>& parts, std::int64_t count,
+void tell_left_out(const std::vector<CadPart>& parts, std::int64_t count, const std::string& first,
                    Diagnostics& diagnostics) {
   if (count == 0 || parts.empty()) return;
   diagnostics.add(Severity::Info, "cad.no_faces", count,
-                  "members without any face (wires, points, notes) were left out");
+                  fmt::format("members without any face (wires, points, notes) were left out; the "
+                              "first: {}",
+                              first));
 }
 
 CadPart make_part(std::vector<CadBody> bodies, const std::string& name) {

@@ -14,11 +14,9 @@ namespace burin {
 namespace {
 
 const std::map<std::string, MeshFormat>& suffixes() {
-  static const std::map<std::string, MeshFormat> table = {{".stl", MeshFormat::StlBinary},
-                                                          {".obj", MeshFormat::Obj},
-                                                          {".off", MeshFormat::Off},
-                                                          {".ply", MeshFormat::Ply},
-                                                          {".3mf", MeshFormat::ThreeMf}};
+  static const std::map<std::string, MeshFormat> table = {
+      {".stl", MeshFormat::StlBinary}, {".obj", MeshFormat::Obj},     {".off", MeshFormat::Off},
+      {".ply", MeshFormat::Ply},       {".3mf", MeshFormat::ThreeMf}, {".amf", MeshFormat::Amf}};
   return table;
 }
 
@@ -111,6 +109,21 @@ bool looks_like_off(std::string_view text) {
          text.substr(0, off).find_first_not_of("STCN4n") == std::string_view::npos;
 }
 
+/// The element "amf" stands first, behind what XML allows before it.
+bool looks_like_amf(std::string_view text) {
+  text = without_leading_space(text);
+  return starts(text, "<") && text.substr(0, 1024).find("<amf") != std::string_view::npos;
+}
+
+/// Of a zip archive: the name of its first member, which stands in its header.
+bool is_zipped_amf(std::string_view bytes) {
+  constexpr std::size_t kHeader = 30, kLength = 26;
+  if (bytes.size() < kHeader) return false;
+  std::uint16_t length = 0;
+  std::memcpy(&length, bytes.data() + kLength, sizeof length);
+  return lowered(bytes.substr(kHeader, length)).ends_with(".amf");
+}
+
 bool looks_like_ascii_stl(std::string_view text) {
   text = without_leading_space(text);
   const std::string word =
@@ -131,7 +144,11 @@ MeshFormat detect_format(const Source& source, const std::filesystem::path& path
   if (is_drawing(bytes)) {
     source.fail("is a drawing file, not a model; burin convert writes it in other formats");
   }
-  if (starts(bytes, "PK\x03\x04") || starts(bytes, "PK\x05\x06")) return MeshFormat::ThreeMf;
+  if (starts(bytes, "PK\x03\x04") || starts(bytes, "PK\x05\x06")) {
+    const bool amf = is_zipped_amf(bytes) || model_suffix(path) == ".amf";
+    return amf ? MeshFormat::Amf : MeshFormat::ThreeMf;
+  }
+  if (looks_like_amf(bytes)) return MeshFormat::Amf;
   if (starts(bytes, "ply\n") || starts(bytes, "ply\r")) return MeshFormat::Ply;
   const auto suffix = suffixes().find(model_suffix(path));
   const bool named = suffix != suffixes().end();
@@ -160,6 +177,8 @@ MeshFormat detect_format(const Source& source, const std::filesystem::path& path
   }
   if (suffix->second == MeshFormat::ThreeMf)
     source.fail("is no 3MF file: a 3MF is a zip archive; export it again");
+  if (suffix->second == MeshFormat::Amf)
+    source.fail("is no AMF file, which is XML with the element 'amf'; is it another format?");
   if (suffix->second == MeshFormat::Ply)
     source.fail("is no PLY file, which begins with the line 'ply'; is it another format?");
   if (suffix->second == MeshFormat::Obj && !is_text(bytes))

@@ -7,7 +7,7 @@
 
 namespace burin {
 
-enum class MeshFormat { StlBinary, StlAscii, Obj, Off, Ply, ThreeMf };
+enum class MeshFormat { StlBinary, StlAscii, Obj, Off, Ply, ThreeMf, Amf };
 
 /// By content where that is clear, else by the suffix. Throws InputError, saying what the file is
 /// instead, where it is none of ours.
@@ -19,5 +19,6 @@ MeshFile read_obj(const Source& source);
 MeshFile read_off(const Source& source);
 MeshFile read_ply(const Source& source);
 MeshFile read_3mf(const Source& source);
+MeshFile read_amf(const Source& source);
 
 }  // namespace burin

@@ -24,6 +24,8 @@ MeshFile read_as(MeshFormat format, const Source& source) {
       return read_ply(source);
     case MeshFormat::ThreeMf:
       return read_3mf(source);
+    case MeshFormat::Amf:
+      return read_amf(source);
   }
   source.fail("is of an unknown format");
 }

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <map>
 #include <ostream>
 #include <set>
 
@@ -31,6 +32,11 @@ void tell_holes(const ItemNumbers& kept, const std::vector<Item>& items, Diagnos
       fmt::format("numbers are kept for items that are not there; the first: {}", first));
 }
 
+/// Of what has a body of this path: all of its bodies.
+std::string selector_of_whole(const std::string& of_body) {
+  return of_body.starts_with('@') ? of_body : of_body.substr(0, of_body.rfind('/'));
+}
+
 }  // namespace
 
 void number_parts(Scene& scene, DrawPlan& plan, RunContext& context) {
@@ -49,8 +55,15 @@ void number_parts(Scene& scene, DrawPlan& plan, RunContext& context) {
   const std::vector<std::string> selectors = selectors_of(scene);
   for (const Item& item : items) {
     DrawingItem drawn{item.number, item.name, {}, item.color, item.source};
+    std::map<const Part*, std::size_t> wholes;  // where they stand in the row
     for (const std::size_t part : item.parts) {
       if (part < styles.size() && !styles[part].drawn) continue;
+      const Part* whole = scene.parts[part].whole.get();
+      if (const auto known = wholes.find(whole); whole && known != wholes.end()) {
+        drawn.selectors[known->second] = selector_of_whole(selectors[part]);
+        continue;
+      }
+      if (whole) wholes.emplace(whole, drawn.parts.size());
       drawn.parts.push_back(static_cast<std::int32_t>(part));
       drawn.selectors.push_back(selectors[part]);
     }

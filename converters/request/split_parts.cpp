@@ -45,10 +45,13 @@ void split_parts(Scene& scene, const DrawPlan& plan, std::vector<PartStyle>& sty
   std::vector<PartStyle> bodies;
   Strings selectors = selectors_of(plan);
   // A part alone comes apart into its bodies, or nothing would.
-  if (plan.explode.wanted && count == 1) selectors.emplace_back("*/*");
-  for (const std::size_t whole : split_pieces(scene, selectors)) {
+  const bool apart = plan.explode.wanted && count == 1;
+  if (apart) selectors.emplace_back("*/*");
+  // What is exploded is parts, not bodies: there a part of glass and metal stays in one piece.
+  for (const std::size_t whole : split_pieces(scene, selectors, !plan.explode.wanted)) {
     bodies.push_back(styles[whole]);
   }
+  if (apart) std::ranges::for_each(scene.parts, [](Part& body) { body.whole.reset(); });
   styles.insert(styles.begin() + static_cast<std::ptrdiff_t>(count), bodies.begin(), bodies.end());
 }
 

@@ -33,11 +33,12 @@ std::string common(const std::vector<std::size_t>& parts, const Get& get) {
 /// What a kind is called: as the input calls what its members are instances of, or as all of them
 /// are called, or what is common to their names.
 std::string name_of(const Scene& scene, const Kind& kind) {
-  const auto definition = [&](std::size_t i) { return scene.parts[i].definition; };
+  const auto part = [&](std::size_t i) -> const Part& { return detail::listed(scene.parts[i]); };
+  const auto definition = [&](std::size_t i) { return part(i).definition; };
   if (std::string name = common(kind.parts, definition); !name.empty()) return name;
-  const auto own = [&](std::size_t i) { return name_as_read(scene.parts[i].name); };
+  const auto own = [&](std::size_t i) { return name_as_read(part(i).name); };
   if (std::string name = common(kind.parts, own); !name.empty()) return name;
-  const auto stem = [&](std::size_t i) { return instance_stem(scene.parts[i].name); };
+  const auto stem = [&](std::size_t i) { return instance_stem(part(i).name); };
   if (std::string name = common(kind.parts, stem); !name.empty()) return name;
   return kind.key;
 }
@@ -58,7 +59,8 @@ class Numbering {
       while (!taken.insert(item.name).second) {
         item.name = fmt::format("{} ({})", plain, ++same[plain] + 1);
       }
-      item.color = common(kind.parts, [&](std::size_t i) { return scene_.parts[i].color; });
+      item.color =
+          common(kind.parts, [&](std::size_t i) { return detail::listed(scene_.parts[i]).color; });
       item.source = common(kind.parts, [&](std::size_t i) { return scene_.parts[i].source; });
       item.parts = std::move(kind.parts);
     }

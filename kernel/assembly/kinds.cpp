@@ -38,7 +38,15 @@ std::vector<Kind> Kinds::find() {
 }
 
 void Kinds::add(std::size_t index) {
-  const Part& part = scene_.parts[index];
+  const Part* whole = scene_.parts[index].whole.get();
+  const auto known = of_whole_.find(whole);
+  const std::size_t kind = whole && known != of_whole_.end() ? known->second : kind_of(index);
+  if (whole) of_whole_.emplace(whole, kind);
+  for (std::size_t i = index; i < end_of(index); ++i) kinds_[kind].parts.push_back(i);
+}
+
+std::size_t Kinds::kind_of(std::size_t index) {
+  const Part& part = listed(scene_.parts[index]);
   const std::string key = family(part.definition.empty() ? part.name : part.definition);
   std::vector<std::size_t>& of_name = by_name_[key];
   KnownShape shape;
@@ -47,20 +55,17 @@ void Kinds::add(std::size_t index) {
     const auto same = [&](const KnownShape& s) {
       return s.definition && shape.definition && s.definition->same(*shape.definition);
     };
-    if (std::ranges::any_of(kinds_[k].shapes, same)) return put(kinds_[k], index);
+    if (std::ranges::any_of(kinds_[k].shapes, same)) return k;
   }
   // Measured only where a name has two shapes.
   for (const std::size_t k : of_name) {
     if (!same_shape(kinds_[k], shape, index)) continue;
     kinds_[k].shapes.push_back(shape);
-    return put(kinds_[k], index);
+    return k;
   }
   of_name.push_back(kinds_.size());
-  put(kinds_.emplace_back(Kind{key, {shape}, {}, nullptr, {}}), index);
-}
-
-void Kinds::put(Kind& kind, std::size_t index) const {
-  for (std::size_t i = index; i < end_of(index); ++i) kind.parts.push_back(i);
+  kinds_.push_back(Kind{key, {shape}, {}, nullptr, {}});
+  return kinds_.size() - 1;
 }
 
 std::size_t Kinds::end_of(std::size_t index) const {
@@ -98,7 +103,7 @@ bool Kinds::same_hand(Kind& kind, const KnownShape& shape, std::size_t index) {
 std::optional<ShapeMeasure> Kinds::measured(std::size_t index) {
   try {
     if (end_of(index) > index + 1) return shape_measure(together(index));
-    return scene_.parts[index].form->measure(context_);
+    return listed(scene_.parts[index]).form->measure(context_);
   } catch (const GeometryError& e) {
     tell(index, e.what());
     return std::nullopt;
@@ -112,7 +117,8 @@ std::shared_ptr<const Body> Kinds::body_of(std::size_t index) {
       return std::make_shared<const Body>(std::make_shared<const TriMesh>(std::move(all.mesh)),
                                           all.tolerance);
     }
-    return std::make_shared<const Body>(realised_to_compare(*scene_.parts[index].form, context_));
+    return std::make_shared<const Body>(
+        realised_to_compare(*listed(scene_.parts[index]).form, context_));
   } catch (const GeometryError& e) {
     tell(index, e.what());
     return nullptr;
@@ -143,7 +149,7 @@ void Kinds::tell(std::size_t index, const char* why) {
   diagnostics_.add(Severity::Warning, "items.not_measured", 1,
                    fmt::format("{}: counts as an item of its own, as it cannot be compared with "
                                "others of its name: {}",
-                               scene_.parts[index].name, why));
+                               listed(scene_.parts[index]).name, why));
 }
 
 }  // namespace burin::detail

@@ -15,6 +15,9 @@
 
 namespace burin::detail {
 
+/// What a part is in lists: itself, or what it is a body of.
+inline const Part& listed(const Part& part) { return part.whole ? *part.whole : part; }
+
 /// One shape, as far as it is known.
 struct KnownShape {
   /// None of what several parts make: how these stand to each other it does not say.
@@ -44,7 +47,8 @@ class Kinds {
  private:
   /// The thing that begins with the part at `index`.
   void add(std::size_t index);
-  void put(Kind& kind, std::size_t index) const;
+  /// The number of the kind that the thing at `index` is of, made for it where there is none yet.
+  std::size_t kind_of(std::size_t index);
   /// One behind the last part of the thing that begins at `index`.
   std::size_t end_of(std::size_t index) const;
   /// Whether the thing at `index`, of `shape`, is a copy of what is known of a kind.
@@ -62,6 +66,8 @@ class Kinds {
   RunContext& context_;
   std::vector<Kind> kinds_;
   std::map<std::string, std::vector<std::size_t>> by_name_;
+  /// The kinds of parts of which bodies were met.
+  std::map<const Part*, std::size_t> of_whole_;
   std::set<std::size_t> told_;
 };
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <memory>
 #include <utility>
 #include <vector>
 
@@ -29,32 +30,43 @@ bool any_piece_named(const Part& part, const std::vector<detail::NamePatterns>& 
   });
 }
 
-Part part_of(const Part& whole, Piece piece) {
+/// Whether some bodies can be looked through and others not.
+bool is_glazed(const Part& part) {
+  const auto clear = [](const Piece& piece) { return piece.opacity < 1; };
+  return std::ranges::any_of(part.pieces, clear) && !std::ranges::all_of(part.pieces, clear);
+}
+
+Part part_of(const std::shared_ptr<const Part>& all, const Piece& piece) {
+  const Part& whole = *all;
   Part part;
-  // In lists it is not what the whole is an instance of.
+  part.whole = all;
+  // By itself it is not what the whole is an instance of.
   part.definition = (whole.definition.empty() ? whole.name : whole.definition) + ", " + piece.name;
-  part.name = std::move(piece.name);
+  part.name = piece.name;
   part.source = whole.source;
-  part.form = std::move(piece.form);
+  part.form = piece.form;
   part.assembly = detail::names_of(whole);
-  part.color = piece.color.empty() ? whole.color : piece.color;
-  part.opacity = whole.opacity;
+  const bool own = !piece.color.empty();
+  part.color = own ? piece.color : whole.color;
+  part.opacity = own ? piece.opacity : whole.opacity;
   return part;
 }
 
 }  // namespace
 
-std::vector<std::size_t> split_pieces(Scene& scene, std::span<const std::string> selectors) {
+std::vector<std::size_t> split_pieces(Scene& scene, std::span<const std::string> selectors,
+                                      bool glazed) {
   const std::vector<detail::NamePatterns> patterns = by_name(selectors);
   std::vector<Part> others;
   std::vector<std::size_t> from;
   for (std::size_t i = 0; i < scene.parts.size(); ++i) {
     Part& part = scene.parts[i];
-    if (part.pieces.empty() || !any_piece_named(part, patterns)) continue;
-    const Part whole = std::move(part);
-    part = part_of(whole, whole.pieces.front());
-    for (std::size_t k = 1; k < whole.pieces.size(); ++k) {
-      others.push_back(part_of(whole, whole.pieces[k]));
+    const bool wanted = any_piece_named(part, patterns) || (glazed && is_glazed(part));
+    if (part.pieces.empty() || !wanted) continue;
+    const auto whole = std::make_shared<const Part>(std::move(part));
+    part = part_of(whole, whole->pieces.front());
+    for (std::size_t k = 1; k < whole->pieces.size(); ++k) {
+      others.push_back(part_of(whole, whole->pieces[k]));
       from.push_back(i);
     }
   }

@@ -3,6 +3,7 @@
 // burin_samples volumes FOLDER: those that are volumes.
 // burin_samples large FOLDER: writes the meshes of the benchmarks, of 100,000 and of 1,000,000
 // triangles.
+#include "lantern.h"
 #include "models.h"
 #include "splines.h"
 #include "volumes.h"
@@ -39,6 +40,7 @@ void write_models(const std::filesystem::path& folder) {
   save(teapot(), folder / "teapot.ply");
   save(gyroid(), folder / "gyroid.ply");
   save(moai(0.98, 0.06), folder / "moai_scan.ply");
+  write_lantern(folder / "lantern.glb");
 }
 
 void save(const std::vector<burin::samples::SplineObject>& objects,

@@ -27,6 +27,22 @@ class CliCad : public test::CliTest {
   }
 };
 
+TEST_F(CliCad, AListCountsPartsWhateverBodiesOfThemAreDrawn) {
+  const fs::path file = fs::path(BURIN_TEST_DATA) / "outside/product_of_solids.step";
+  if (!fs::exists(file)) GTEST_SKIP() << "no " << file;
+  for (const auto& [parts, rows] :
+       {std::pair("--part */solid* --hide */solid?1", "2,chip,4,"),
+        std::pair("--part */solid*", "2,chip,4,"), std::pair("--part chip/solid?2", "2,chip,1,")}) {
+    ASSERT_EQ(run("draw " + file.string() + " " + parts +
+                  " --style outline --paper A6 -o @/a.json --parts-list @/a.csv"),
+              0)
+        << err_;
+    const std::string list = test::slurp(folder_ / "a.csv");
+    EXPECT_NE(list.find(rows), list.npos) << list;
+    EXPECT_EQ(std::ranges::count(list, '\n'), 2) << list;
+  }
+}
+
 TEST_F(CliCad, StrokesOfAPlaneStayStraightAroundABoss) {
   // From above, beside a fillet about whose axis strokes run.
   ASSERT_EQ(run("draw " + sample("gear_pump.step") +

@@ -38,6 +38,7 @@ const Case kCases[] = {
     {"pedestal_hidden.json", "pedestal.step",
      "--style outline --hidden dashed --view 1,-1.2,0.8 --paper 90x70"},
     {"coupling_outline.json", "coupling.step", "--style outline --view 1,-1.2,0.8 --paper 70x60"},
+    {"lantern_outline.json", "lantern.glb", "--style outline --view 1,-1.6,0.7 --paper 60x80"},
     {"horn_engraving.json", "horn.itd", "--style engraving --view 1,-1.2,0.7 --paper 50x45"},
     {"blob_engraving.json", "blob.off", "--style engraving --view 1,-1.2,0.8 --paper 50x50"},
     {"knot_haloed.json", "knot.ply", "--style haloed --view 0.4,-0.5,1 --paper 60x50"},

@@ -60,7 +60,7 @@ class ThreeMfReader {
   ThreeMfShapes shapes_;
   std::vector<Leaf> leaves_;  // of the item under way
   std::size_t uses_ = 0, triangles_ = 0;
-  std::int64_t supports_ = 0, not_solid_ = 0;
+  std::int64_t supports_ = 0, not_solid_ = 0, beams_ = 0;
   MeshFile file_;
 };
 
@@ -160,6 +160,7 @@ void ThreeMfReader::walk(const ThreeMfUse& use, const Above& above, std::size_t 
     ++supports_;
     return;
   }
+  beams_ += object.has_beams;
   Placement place = use.place;
   place.offset *= in.unit;
   here.place = after(above.place, place);
@@ -209,6 +210,11 @@ void ThreeMfReader::tell() {
     file_.diagnostics.add(Severity::Info, "3mf.modifiers", not_solid_,
                           "volumes that a slicer uses to modify others, or to place supports, were "
                           "left out");
+  }
+  if (beams_ > 0) {
+    file_.diagnostics.add(
+        Severity::Warning, "3mf.beams", beams_,
+        "beam lattices were left out: they are no triangles; export them as such");
   }
   tell_several_colors(shapes_.several_colors(), file_.diagnostics);
 }

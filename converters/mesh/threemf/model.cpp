@@ -1,9 +1,9 @@
 #include "model.h"
 
 #include "../texture.h"
+#include "../xml.h"
 #include "properties.h"
 #include "text.h"
-#include "xml.h"
 
 #include <fmt/format.h>
 #include <pugixml.hpp>
@@ -19,9 +19,9 @@
 namespace burin {
 namespace {
 
-using threemf::attribute;
-using threemf::child;
-using threemf::is;
+using xml::attribute;
+using xml::child;
+using xml::is;
 
 /// Which group of properties, and which of it, where triangles say nothing of their own.
 struct Materials {
@@ -155,6 +155,7 @@ void ModelParser::properties(const pugi::xml_node& triangle, const Materials& of
 void ModelParser::mesh(const pugi::xml_node& node, const Materials& of_object,
                        ThreeMfObject& out) const {
   PolygonSoup& soup = out.mesh;
+  const std::size_t first = soup.positions.size();
   for (const pugi::xml_node& v : child(node, "vertices")) {
     if (!is(v, "vertex")) continue;
     source_.context().check();
@@ -165,7 +166,8 @@ void ModelParser::mesh(const pugi::xml_node& node, const Materials& of_object,
     if (!is(t, "triangle")) continue;
     source_.context().check();
     for (const char* corner : {"v1", "v2", "v3"}) {
-      soup.indices.push_back(index(t, corner, soup.positions.size()));
+      soup.indices.push_back(static_cast<std::uint32_t>(first) +
+                             index(t, corner, soup.positions.size() - first));
     }
     soup.offsets.push_back(soup.indices.size());
     if (!plain) properties(t, of_object, out);
@@ -175,9 +177,13 @@ void ModelParser::mesh(const pugi::xml_node& node, const Materials& of_object,
 ThreeMfObject ModelParser::object(const pugi::xml_node& node) const {
   ThreeMfObject out;
   out.name = attribute(node, "name");
+  if (out.name.empty()) out.name = attribute(node, "partnumber");
   out.type = attribute(node, "type");
-  if (const pugi::xml_node m = child(node, "mesh")) {
+  // One is allowed; programs that write several mean all of them.
+  for (const pugi::xml_node& m : node) {
+    if (!is(m, "mesh")) continue;
     mesh(m, {attribute(node, "pid"), attribute(node, "pindex")}, out);
+    out.has_beams |= !child(m, "beamlattice").empty();
   }
   for (const pugi::xml_node& c : child(node, "components")) {
     if (is(c, "component")) out.components.push_back(use(c));

@@ -35,6 +35,8 @@ struct ThreeMfObject {
   /// Of each triangle; empty where the model has no colours.
   std::vector<ThreeMfColor> colors;
   std::vector<ThreeMfUse> components;
+  /// Whether there are beams, which have no triangles.
+  bool has_beams = false;
 
   /// Whether it is part of what is made: not a support, nor what only helps to make it.
   bool is_model() const { return type.empty() || type == "model" || type == "surface"; }

@@ -1,16 +1,18 @@
 #include "properties.h"
 
 #include "../texture.h"
-#include "xml.h"
+#include "../xml.h"
 
+#include <algorithm>
 #include <charconv>
 #include <cstdint>
+#include <utility>
 
 namespace burin {
 namespace {
 
-using threemf::attribute;
-using threemf::is;
+using xml::attribute;
+using xml::is;
 
 template <class Groups>
 auto entry(const Groups& groups, std::string_view group, std::string_view index) ->
@@ -20,6 +22,18 @@ auto entry(const Groups& groups, std::string_view group, std::string_view index)
   const bool read = std::from_chars(index.data(), index.data() + index.size(), i).ec == std::errc();
   if (found == groups.end() || !read || i >= found->second.size()) return nullptr;
   return &found->second[i];
+}
+
+/// The words of a text that blanks part.
+std::vector<std::string_view> words(std::string_view text) {
+  std::vector<std::string_view> out;
+  constexpr std::string_view kBlanks = " \t\r\n";
+  for (std::size_t at = text.find_first_not_of(kBlanks); at != text.npos;) {
+    const std::size_t end = std::min(text.find_first_of(kBlanks, at), text.size());
+    out.push_back(text.substr(at, end - at));
+    at = text.find_first_not_of(kBlanks, end);
+  }
+  return out;
 }
 
 }  // namespace
@@ -44,6 +58,32 @@ ThreeMfProperties::ThreeMfProperties(const pugi::xml_node& resources) {
       }
     }
   }
+  for (const pugi::xml_node& group : resources) {
+    if (is(group, "multiproperties")) combine(group);
+  }
+}
+
+/// Several groups of which one is laid over the other: the last that has a colour is seen.
+void ThreeMfProperties::combine(const pugi::xml_node& group) {
+  const std::string id(attribute(group, "id"));
+  const std::vector<std::string_view> layers = words(attribute(group, "pids"));
+  const auto is_texture = [&](std::string_view layer) { return texture_.contains(layer); };
+  const bool textured = std::ranges::any_of(layers, is_texture);
+  std::vector<std::optional<Rgba>> colors;
+  std::vector<glm::vec2> points;
+  for (const pugi::xml_node& multi : group) {
+    if (!is(multi, "multi")) continue;
+    const std::vector<std::string_view> indices = words(attribute(multi, "pindices"));
+    std::optional<Rgba>& seen = colors.emplace_back();
+    glm::vec2& point = points.emplace_back(kNoTexture);
+    for (std::size_t i = 0; i < layers.size(); ++i) {
+      const std::string_view index = i < indices.size() ? indices[i] : "0";
+      if (const auto own = color(layers[i], index)) seen = own;
+      if (is_texture(layers[i])) point = texture(layers[i], index);
+    }
+  }
+  colors_[id] = std::move(colors);
+  if (textured) texture_[id] = std::move(points);
 }
 
 glm::vec2 ThreeMfProperties::texture(std::string_view group, std::string_view index) const {

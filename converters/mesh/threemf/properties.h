@@ -29,6 +29,8 @@ class ThreeMfProperties {
   template <class T>
   using Groups = std::map<std::string, std::vector<T>, std::less<>>;
 
+  void combine(const pugi::xml_node& group);
+
   Groups<glm::vec2> texture_;
   Groups<std::optional<Rgba>> colors_;
 };

@@ -1,7 +1,7 @@
 #include "slicer.h"
 
+#include "../xml.h"
 #include "package.h"
-#include "xml.h"
 
 #include <nlohmann/json.hpp>
 #include <pugixml.hpp>

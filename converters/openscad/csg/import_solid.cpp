@@ -1,8 +1,8 @@
 #include <burin/base/error.h>
+#include <burin/converters/amf_objects.h>
 #include <burin/converters/mesh_reader.h>
 #include <burin/repair/repair.h>
 
-#include "amf.h"
 #include "import_file.h"
 
 #include <utility>
@@ -31,7 +31,7 @@ std::vector<Solid> of_file(Evaluation& e, std::uint32_t node) {
          path.string() + ": no format that import() reads; it is left out, as OpenSCAD does");
     return {};
   }
-  MeshFile file = suffix == ".amf" ? read_amf(path, e.run) : read_mesh_file(path, e.run);
+  MeshFile file = suffix == ".amf" ? read_amf_objects(path, e.run) : read_mesh_file(path, e.run);
   e.diagnostics.append(file.diagnostics);
   std::vector<Solid> solids;
   for (PolygonSoup& object : placed_objects(std::move(file))) {

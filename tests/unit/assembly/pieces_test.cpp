@@ -1,11 +1,15 @@
 /// Bodies of parts, chosen one by one.
 
+#include <burin/assembly/items.h>
 #include <burin/assembly/pieces.h>
 #include <burin/assembly/select.h>
 #include <burin/base/error.h>
+#include <burin/forms/mesh/mesh_form.h>
 
+#include <burin_test/shapes.h>
 #include <gtest/gtest.h>
 
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -76,6 +80,39 @@ TEST(Pieces, StayTogetherWhereASelectorLeadsToTheirPart) {
     EXPECT_TRUE(split_pieces(s, Strings{selector}).empty()) << selector;
     EXPECT_EQ(s.parts.size(), 4u) << selector;
   }
+}
+
+TEST(Pieces, OfGlassAndMetalAreSplitWhereThatIsAskedFor) {
+  Scene s = scene();
+  s.parts[1].pieces[1].opacity = 0.25;
+  for (Piece& piece : s.parts[3].pieces) piece.opacity = 0.5;
+  Scene same = s;
+  EXPECT_TRUE(split_pieces(same, {}).empty());
+  EXPECT_EQ(split_pieces(s, {}, true), (Parts{1, 1}));
+  EXPECT_EQ(s.parts[1].opacity, 1);
+  EXPECT_EQ(s.parts[4].opacity, 0.25);
+  // A body without a colour of its own has what its part has.
+  s.parts[3].opacity = 0.5;
+  split_pieces(s, Strings{"lid/solid 1"});
+  EXPECT_EQ(s.parts[3].opacity, 0.5);
+  EXPECT_EQ(s.parts[3].whole->name, "lid");
+}
+
+TEST(Pieces, OfOnePartAreOneItem) {
+  Scene s = scene();
+  for (std::size_t i = 0; i < s.parts.size(); ++i) {
+    const double size = 1 + static_cast<double>(i);
+    s.parts[i].form = std::make_shared<MeshForm>(test::box({0, 0, 0}, {size, 2, 3}));
+    for (Piece& piece : s.parts[i].pieces) piece.form = s.parts[i].form;
+  }
+  s.parts[2].form = s.parts[1].form;
+  split_pieces(s, Strings{"chip/solid 2"});
+  RunContext context;
+  const std::vector<Item> items = find_items(s, {}, s.diagnostics, context);
+  ASSERT_EQ(items.size(), 3u);
+  EXPECT_EQ(items[1].name, "chip");
+  EXPECT_EQ(items[1].parts, (Parts{1, 2, 4, 5}));
+  EXPECT_EQ(items[1].color, "#102030");
 }
 
 TEST(Pieces, AreNamedWhereASelectorFindsNothing) {

@@ -70,6 +70,38 @@ TEST_F(OtherFormats, SurfacesOfIgesThatNobodyPutTogetherAreOnePart) {
   EXPECT_NEAR(info.total().volume, 3, 1e-6);
 }
 
+TEST_F(OtherFormats, AGroupOfIgesWhoseMembersHaveNamesIsAnAssembly) {
+  CadDocument document;
+  const TDF_Label top = document.assembly("hinge");
+  const TDF_Label bolt = document.part(test::solid_box(1, 1, 5), "bolt", "#ff0000");
+  document.use(top, document.part(test::solid_box(9, 9, 1), "plate", "#00ff00"), gp_Trsf(),
+               "plate");
+  document.use(top, bolt, test::moved(1, 1, 1), "bolt 1");
+  document.use(top, bolt, test::moved(6, 1, 1), "bolt 2");
+  // OCCT's writer loses the names of solids, not those of groups of faces.
+  Interface_Static::SetIVal("write.iges.brep.mode", 0);
+  const std::string file = document.iges(folder_ / "hinge.igs");
+  const Scene scene = read(file);
+  ASSERT_EQ(scene.parts.size(), 3u);
+  const std::vector<std::string> names = {"plate", "bolt 1", "bolt 2"};
+  for (std::size_t i = 0; i < 3; ++i) {
+    EXPECT_EQ(scene.parts[i].name, names[i]);
+    EXPECT_EQ(scene.parts[i].assembly, std::vector<std::string>{"hinge"});
+    EXPECT_EQ(scene.parts[i].color, i == 0 ? "#00ff00" : "#ff0000");
+  }
+  test::expect_box(scene.parts[2].form->bounds(Mat3(1)), {6, 1, 1}, {7, 2, 6});
+  EXPECT_TRUE(inspect(file).total().closed());
+}
+
+TEST_F(OtherFormats, AGroupOfIgesWithoutNamesInsideIsOnePart) {
+  CadDocument document;
+  document.part(test::boxes_in_a_row(3), "comb");
+  const Scene scene = read(document.iges(folder_ / "comb.igs"));
+  ASSERT_EQ(scene.parts.size(), 1u);
+  EXPECT_EQ(scene.parts[0].name, "comb");
+  EXPECT_EQ(scene.parts[0].pieces.size(), 3u);
+}
+
 TEST_F(OtherFormats, BrepIsReadAsTextAndBinary) {
   const std::string text = folder_ / "lever.brep", binary = folder_ / "lever.brp";
   ASSERT_TRUE(BRepTools::Write(test::solid_box(3, 4, 5), text.c_str()));
@@ -103,6 +135,8 @@ TEST_F(OtherFormats, WiresBesideSolidsAreLeftOutAndTold) {
     EXPECT_EQ(scene.diagnostics.entries()[0].code, "cad.no_faces");
     EXPECT_EQ(scene.diagnostics.entries()[0].count, count) << file;
   }
+  const std::string told = read(folder_ / "a.step").diagnostics.entries()[0].message;
+  EXPECT_NE(told.find("the first: wire"), told.npos) << told;
 }
 
 TEST_F(OtherFormats, ContentGoesBeforeTheSuffix) {

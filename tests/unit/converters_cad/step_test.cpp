@@ -103,6 +103,23 @@ TEST_F(Step, ANumberDoesNotGoBeforeTheNameOfItsProduct) {
   }
 }
 
+TEST_F(Step, MembersOfAnAssemblyAreNotCalledAsTheFile) {
+  // A product that has a number for its name, and one that nobody named: what an assembly holds
+  // beside its members.
+  for (const auto& [product, name] :
+       {std::pair("4711-22", "4711-22"), std::pair("Open CASCADE STEP translator 7.6 1", "top"),
+        std::pair("NAUO1", "top")}) {
+    CadDocument document;
+    const TDF_Label part = document.part(test::solid_box(1, 1, 1), product);
+    const TDF_Label top = document.assembly("top");
+    document.use(top, part, gp_Trsf(), "NAUO7");
+    const Scene scene = read(document.step(folder_ / "lever.step"));
+    ASSERT_EQ(scene.parts.size(), 1u);
+    EXPECT_EQ(scene.parts[0].name, name) << product;
+    EXPECT_EQ(scene.parts[0].definition, "") << product;
+  }
+}
+
 /// wheel assembly: a disc twice and a pin in a subassembly that is used twice.
 std::string cart(const std::string& file) {
   CadDocument document;
@@ -291,6 +308,7 @@ TEST_F(Step, TransparencyIsKept) {
   document.part(test::solid_box(1, 1, 2), "steel", "#808080");
   const Scene scene = read(document.step(folder_ / "glass.step"));
   ASSERT_EQ(scene.parts.size(), 2u);
+  EXPECT_NEAR(inspect(folder_ / "glass.step").parts.at(0).opacity, 0.25, 1e-6);
   EXPECT_NEAR(scene.parts[0].opacity, 0.25, 1e-6);
   EXPECT_EQ(scene.parts[0].color, "#c0e0ff");
   EXPECT_EQ(scene.parts[1].opacity, 1);

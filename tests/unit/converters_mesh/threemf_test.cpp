@@ -367,5 +367,59 @@ TEST(ThreeMf, BombsAndDamagedArchivesAreRefused) {
   test::expect_error(liar, "a.3mf", 0, "");
 }
 
+TEST(ThreeMf, AnObjectOfSeveralMeshesHoldsThemAll) {
+  // Against the standard, but written, by programs that mean each of them.
+  const std::string far = mesh(test::box({5, 0, 0}, {6, 2, 3}));
+  const Scene scene = test::read_scene(
+      archive(model(object(2, "pair", mesh(kBox) + far), "<item objectid=\"2\"/>")), "pair.3mf");
+  ASSERT_EQ(scene.parts.size(), 1u);
+  expect_box(bounds(scene, 0), {0, 0, 0}, {6, 2, 3});
+}
+
+TEST(ThreeMf, BeamsThatAreLeftOutAreTold) {
+  const std::string beams =
+      "<mesh><vertices><vertex x=\"0\" y=\"0\" z=\"0\"/><vertex x=\"1\" y=\"0\" z=\"0\"/>"
+      "</vertices><triangles/><b:beamlattice radius=\"1\"><b:beams><b:beam v1=\"0\" v2=\"1\"/>"
+      "</b:beams></b:beamlattice></mesh>";
+  const MeshFile file = test::read_bytes(
+      archive(model(object(2, "lattice", beams) + object(3, "box", mesh(kBox)),
+                    "<item objectid=\"2\"/><item objectid=\"3\"/>", "xmlns:b=\"b\"")),
+      "beams.3mf");
+  EXPECT_EQ(file.uses.size(), 1u);
+  ASSERT_EQ(file.diagnostics.entries().size(), 1u);
+  EXPECT_EQ(file.diagnostics.entries()[0].code, "3mf.beams");
+  EXPECT_EQ(file.diagnostics.entries()[0].severity, Severity::Warning);
+}
+
+TEST(ThreeMf, OfSeveralLayersOfColourTheUpperOneIsSeen) {
+  const std::string groups =
+      "<basematerials id=\"5\"><base name=\"PLA\" displaycolor=\"#0000FF\"/></basematerials>"
+      "<m:colorgroup id=\"6\"><m:color color=\"#00FF00\"/><m:color color=\"#FF000040\"/>"
+      "</m:colorgroup><m:multiproperties id=\"7\" pids=\"5 6\"><m:multi pindices=\"0 1\"/>"
+      "<m:multi pindices=\"0 9\"/></m:multiproperties>";
+  std::string plain = mesh(kBox);
+  for (std::size_t at = 0; (at = plain.find(" pid=\"1\"", at)) != plain.npos;) plain.erase(at, 8);
+  const auto painted = [&](int id, int index) {
+    return fmt::format("<object id=\"{}\" pid=\"7\" pindex=\"{}\">{}</object>", id, index, plain);
+  };
+  const MeshFile file = test::read_bytes(
+      archive(model(groups + painted(8, 0) + painted(9, 1),
+                    "<item objectid=\"8\"/><item objectid=\"9\"/>", "xmlns:m=\"m\"")),
+      "layers.3mf");
+  ASSERT_EQ(file.uses.size(), 2u);
+  EXPECT_EQ(file.uses[0].color, "#ff0000");
+  EXPECT_NEAR(file.uses[0].opacity, 0.25, 0.01);
+  EXPECT_EQ(file.uses[1].color, "#0000ff");
+}
+
+TEST(ThreeMf, APartNumberNamesWhatHasNoName) {
+  const MeshFile file = test::read_bytes(
+      archive(model("<object id=\"2\" partnumber=\"A-117\">" + mesh(kBox) + "</object>",
+                    "<item objectid=\"2\"/>")),
+      "a.3mf");
+  ASSERT_EQ(file.uses.size(), 1u);
+  EXPECT_EQ(file.uses[0].name, "A-117");
+}
+
 }  // namespace
 }  // namespace burin

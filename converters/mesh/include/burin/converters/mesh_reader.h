@@ -1,5 +1,5 @@
 #pragma once
-/// Triangle mesh files: STL, OBJ, OFF, PLY, 3MF.
+/// Triangle mesh files: STL, OBJ, OFF, PLY, 3MF, AMF.
 
 #include <burin/base/diagnostics.h>
 #include <burin/base/placement.h>
@@ -31,7 +31,7 @@ struct MeshUse {
 
 /// A mesh file as it stands, before any repair: one soup a named object.
 struct MeshFile {
-  /// "STL (binary)", "STL (ASCII)", "OBJ", "OFF", "PLY (ASCII)", "PLY (binary)", "3MF".
+  /// "STL (binary)", "STL (ASCII)", "OBJ", "OFF", "PLY (ASCII)", "PLY (binary)", "3MF", "AMF".
   std::string format;
   std::vector<PolygonSoup> objects;
   Diagnostics diagnostics;

@@ -20,7 +20,8 @@ struct Item {
   std::string name;
   /// "#rrggbb" where all of them have it, else empty; the file, where all come from one.
   std::string color, source;
-  /// Parts of the scene, ascending; those of one thing (`Part::joined`) all.
+  /// Parts of the scene, ascending; those of one thing (`Part::joined`) all. A part that was split
+  /// into its bodies (`Part::whole`) is one, and has all of them here.
   std::vector<std::size_t> parts;
 };
 

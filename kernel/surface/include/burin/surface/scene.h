@@ -76,8 +76,9 @@ struct Piece {
   /// Of no other piece of its part: "solid 2".
   std::string name;
   std::shared_ptr<const Form> form;
-  /// As that of a part.
+  /// As those of a part.
   std::string color = {};
+  double opacity = 1;
 };
 
 struct Part {
@@ -100,6 +101,9 @@ struct Part {
   /// what a module of OpenSCAD makes in a second colour: a parts list counts them once, and nothing
   /// takes them apart.
   bool joined = false;
+  /// What this is one body of, where a part was split into its bodies: shared by all of them, so
+  /// that lists count one part. Absent: this is a part by itself.
+  std::shared_ptr<const Part> whole = {};
 };
 
 /// What a model file itself says of how it is to be drawn.

@@ -6,7 +6,7 @@
 #include <cstring>
 #include <string_view>
 
-namespace burin::threemf {
+namespace burin::xml {
 
 inline std::string_view local_name(const char* name) {
   const char* colon = std::strrchr(name, ':');
@@ -28,4 +28,4 @@ inline std::string_view attribute(const pugi::xml_node& node, std::string_view n
   return {};
 }
 
-}  // namespace burin::threemf
+}  // namespace burin::xml
