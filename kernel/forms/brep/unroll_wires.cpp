@@ -106,7 +106,40 @@ bool meets(Vec2 gap, const Turns& turns) {
   return std::abs(gap.x) <= kMeet * turn && std::abs(gap.y) <= kMeet * turn;
 }
 
-/// Moves each curve to the end of the one before. Whether the wire closes.
+/// Whether each curve ends where some curve begins, in whatever order they stand.
+bool is_closed(const Wire& wire, const Turns& turns) {
+  return std::ranges::all_of(wire.uses, [&](const Use& use) {
+    return std::ranges::any_of(
+        wire.uses, [&](const Use& next) { return meets(use.end(false) - next.end(true), turns); });
+  });
+}
+
+/// Whether curves do not meet, and one begins whole turns from where the one before ends.
+bool is_torn(const Wire& wire, const Turns& turns) {
+  if (std::ranges::any_of(wire.uses, [](const Use& use) { return use.curve.IsNull(); })) {
+    return false;
+  }
+  for (std::size_t i = 1; i < wire.uses.size(); ++i) {
+    Vec2 gap = wire.uses[i - 1].end(false) - wire.uses[i].end(true);
+    const double u = whole_turns(gap.x, turns.period.x), v = whole_turns(gap.y, turns.period.y);
+    if ((u != 0 || v != 0) && meets(gap, turns)) return !is_closed(wire, turns);
+  }
+  return false;
+}
+
+/// Whether the two uses of a seam lie on each other: a wire out of order, which holds nothing.
+bool folds(const Wire& wire, const Turns& turns) {
+  for (std::size_t i = 1; i < wire.uses.size(); ++i) {
+    const Use& use = wire.uses[i];
+    const auto before = wire.uses.begin() + static_cast<std::ptrdiff_t>(i);
+    const auto other = std::find_if(wire.uses.begin(), before,
+                                    [&](const Use& u) { return u.edge.IsSame(use.edge); });
+    if (other != before && meets(other->end(true) - use.end(false), turns)) return true;
+  }
+  return false;
+}
+
+/// Moves each curve to the end of the one before. Whether the wire closes around something.
 bool unroll(Wire& wire, const Turns& turns) {
   if (wire.uses.empty()) return false;
   for (const Use& use : wire.uses) {
@@ -119,7 +152,8 @@ bool unroll(Wire& wire, const Turns& turns) {
     use.shift.y += whole_turns(gap.y, turns.period.y);
     if (!meets(gap, turns)) return false;
   }
-  return meets(wire.uses.back().end(false) - wire.uses.front().end(true), turns);
+  return meets(wire.uses.back().end(false) - wire.uses.front().end(true), turns) &&
+         !folds(wire, turns);
 }
 
 Handle(Geom2d_Curve) moved(const Use& use) {
@@ -166,7 +200,8 @@ TopoDS_Shape mended(const TopoDS_Face& face) {
   for (TopoDS_Iterator it(face); it.More(); it.Next()) {
     if (it.Value().ShapeType() != TopAbs_WIRE) return {};
     wires.push_back(wire_of(TopoDS::Wire(it.Value()), face, turns));
-    changed = changed || wires.back().changed;
+    wires.back().changed |= is_torn(wires.back(), turns);
+    changed |= wires.back().changed;
   }
   if (!changed) return {};
   for (Wire& wire : wires) {
