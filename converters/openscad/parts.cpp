@@ -2,6 +2,7 @@
 
 #include <burin/base/error.h>
 
+#include "part_names.h"
 #include "source_names.h"
 #include "text.h"
 
@@ -85,8 +86,7 @@ class Divider {
       groups_.clear();
       visit(top[i], several && !called(top[i]).empty());
     }
-    put_together();
-    name_parts();
+    name_parts(out_);
     return std::move(out_);
   }
 
@@ -265,67 +265,6 @@ class Divider {
       }
       ++n;
     }
-  }
-
-  /// Parts of one thing follow each other.
-  void put_together() {
-    std::map<std::uint32_t, std::size_t> first;
-    std::vector<std::size_t> order(out_.parts.size()), thing(out_.parts.size());
-    for (std::size_t i = 0; i < order.size(); ++i) {
-      const TreePart& part = out_.parts[i];
-      order[i] = i;
-      thing[i] = part.of_one ? first.try_emplace(part.of, i).first->second : i;
-    }
-    std::ranges::stable_sort(order, {}, [&](std::size_t i) { return thing[i]; });
-    std::vector<TreePart> sorted;
-    std::vector<std::size_t> now(order.size());
-    for (const std::size_t i : order) {
-      now[i] = sorted.size();
-      sorted.push_back(std::move(out_.parts[i]));
-    }
-    out_.parts = std::move(sorted);
-    for (PartCall& call : out_.calls) {
-      for (std::size_t& part : call.parts) part = now[part];
-    }
-  }
-
-  void name_parts() {
-    std::map<std::string, int> seen;
-    for (std::size_t i = 0; i < out_.parts.size();) {
-      const TreePart& first = out_.parts[i];
-      std::size_t end = i + 1;
-      while (first.of_one && end < out_.parts.size() && out_.parts[end].of_one &&
-             out_.parts[end].of == first.of) {
-        ++end;
-      }
-      if (end > i + 1) {
-        name_thing(i, end, numbered(first.name, seen));
-      } else {
-        out_.parts[i].name = numbered(first.name + modifier_of(first), seen);
-      }
-      i = end;
-    }
-  }
-
-  /// What is told apart by its looks alone is called by them.
-  void name_thing(std::size_t begin, std::size_t end, const std::string& name) {
-    std::map<std::string, int> seen;
-    for (std::size_t i = begin; i < end; ++i) {
-      TreePart& part = out_.parts[i];
-      if (part.definition.empty()) part.definition = part.name;
-      part.assembly = name;
-      const std::string look = part.color.empty() ? "uncoloured" : part.color;
-      part.name = numbered(look + modifier_of(part), seen);
-    }
-  }
-
-  static std::string modifier_of(const TreePart& part) {
-    return part.highlight ? " (highlighted)" : part.background ? " (background)" : "";
-  }
-
-  static std::string numbered(const std::string& name, std::map<std::string, int>& seen) {
-    const int n = ++seen[name];
-    return n > 1 ? fmt::format("{} #{}", name, n) : name;
   }
 
   const csg::Tree& tree_;
