@@ -154,13 +154,7 @@ class Extruder {
       }
     }
     SmoothGrids smooth = smooth_grids(std::move(grid), Rows::Steps);
-    const auto first = static_cast<std::int32_t>(solid_.surfaces.size());
-    for (PointGrid& piece : smooth.pieces) {
-      Turned t;
-      t.profile = Turned::Profile::Grid;
-      t.grid = std::make_shared<const PointGrid>(std::move(piece));
-      solid_.surfaces.push_back(std::move(t));
-    }
+    const std::int32_t first = add_grids(solid_.surfaces, std::move(smooth.pieces));
     for (std::size_t c = 0; c < smooth.piece_of.size(); ++c) {
       if (smooth.piece_of[c] < 0) continue;
       wall_[edges[c % edges.size()] * static_cast<std::size_t>(slices_) + c / edges.size()] =

@@ -8,6 +8,8 @@
 #include <fmt/format.h>
 
 #include <limits>
+#include <memory>
+#include <utility>
 
 namespace burin::csg {
 
@@ -15,6 +17,17 @@ void check_swept(double triangles, const char* what) {
   if (triangles <= kMostSwept) return;
   throw InputError(fmt::format("{} of {:g} triangles; {:g} are the most: set lower $fn or slices",
                                what, triangles, kMostSwept));
+}
+
+std::int32_t add_grids(std::vector<Turned>& surfaces, std::vector<PointGrid> pieces) {
+  const auto first = static_cast<std::int32_t>(surfaces.size());
+  for (PointGrid& piece : pieces) {
+    Turned t;
+    t.profile = Turned::Profile::Grid;
+    t.grid = std::make_shared<const PointGrid>(std::move(piece));
+    surfaces.push_back(std::move(t));
+  }
+  return first;
 }
 
 void drop_unused(Solid& solid) {

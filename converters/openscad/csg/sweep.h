@@ -4,6 +4,9 @@
 #include "cap.h"
 #include "flat.h"
 
+#include <cstdint>
+#include <vector>
+
 namespace burin::csg {
 
 /// More triangles than any machine that draws holds.
@@ -16,6 +19,8 @@ Solid rotate_extruded(Evaluation& e, std::uint32_t node, const Region& region);
 
 /// Throws InputError where so many triangles would be too many.
 void check_swept(double triangles, const char* what);
+/// Rows for smooth pieces; returns the number of the first.
+std::int32_t add_grids(std::vector<Turned>& surfaces, std::vector<PointGrid> pieces);
 /// Positions that no triangle uses go.
 void drop_unused(Solid& solid);
 

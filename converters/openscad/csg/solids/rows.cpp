@@ -1,8 +1,9 @@
 #include "rows.h"
 
+#include "../sweep.h"
+
 #include <algorithm>
 #include <array>
-#include <map>
 #include <set>
 #include <unordered_map>
 #include <utility>
@@ -15,8 +16,8 @@ constexpr int kMostWidths = 8;
 // Cells below which nobody swept anything.
 constexpr std::size_t kFewestCells = 6;
 // Differences between the numbers of corners that are tried as the width of a row, the commonest
-// first.
-constexpr std::size_t kTried = 6;
+// first; and the faces, spread evenly, by which the best of them is found.
+constexpr std::size_t kTried = 6, kSample = 4000;
 
 using Corners = std::array<std::uint32_t, 4>;
 constexpr std::uint32_t kNone = 0xFFFFFFFF;
@@ -35,21 +36,30 @@ struct Found {
   std::vector<std::array<std::uint32_t, 2>> faces;
 };
 
+struct HashCorners {
+  std::size_t operator()(const Corners& c) const {
+    std::uint64_t h = 0;
+    for (const std::uint32_t i : c) h = (h ^ i) * 0x9e3779b97f4a7c15ULL, h ^= h >> 29;
+    return static_cast<std::size_t>(h);
+  }
+};
+
 class Finder {
  public:
   Finder(const std::vector<Vec3>& points, const Faces& faces, RunContext& run)
       : points_(points), run_(run) {
     for (std::uint32_t f = 0; f < faces.size(); ++f) {
       const auto& c = faces[f];
-      if (c.size() == 3) face_.emplace(sorted({c[0], c[1], c[2], kNone}), f);
-      if (c.size() == 4) face_.emplace(sorted({c[0], c[1], c[2], c[3]}), f);
+      if (c.size() != 3 && c.size() != 4) continue;
+      const Corners corners = sorted({c[0], c[1], c[2], c.size() == 3 ? kNone : c[3]});
+      if (face_.emplace(corners, f).second) left_.push_back(corners);
     }
   }
 
   std::vector<Found> run() {
-    for (int pass = 0; pass < kMostWidths; ++pass) {
+    for (int pass = 0; pass < kMostWidths && left_.size() >= kFewestCells; ++pass) {
       std::uint32_t best = 0;
-      std::size_t most = kFewestCells - 1;
+      std::size_t most = 0;
       for (const std::uint32_t width : widths()) {
         run_.check();
         const std::size_t cells = count(width);
@@ -61,11 +71,14 @@ class Finder {
   }
 
  private:
+  std::size_t stride() const { return left_.size() / kSample + 1; }
+
   /// Differences of numbers along the edges of faces that are left, and their neighbours: diagonals
   /// differ by one more or less.
   std::vector<std::uint32_t> widths() const {
     std::unordered_map<std::uint32_t, std::size_t> count;
-    for (const auto& [corners, face] : face_) {
+    for (std::size_t f = 0; f < left_.size(); f += stride()) {
+      const Corners& corners = left_[f];
       const std::size_t n = corners[3] == kNone ? 3 : 4;
       for (std::size_t i = 0; i < n; ++i) {
         for (std::size_t k = i + 1; k < n; ++k) ++count[corners[k] - corners[i]];
@@ -99,8 +112,8 @@ class Finder {
     for (const auto& [one, other] :
          {std::pair<Corners, Corners>{{a, b, c, kNone}, {a, c, d, kNone}},
           std::pair<Corners, Corners>{{a, b, d, kNone}, {b, c, d, kNone}}}) {
-      const std::uint32_t f = face(one), g = face(other);
-      if (f != kNone && g != kNone) return {f, g};
+      const std::uint32_t f = face(one), g = f == kNone ? kNone : face(other);
+      if (g != kNone) return {f, g};
     }
     return {kNone, kNone};
   }
@@ -109,10 +122,11 @@ class Finder {
            cell(p, p + 1, p + width + 1, p + width)[0] != kNone;
   }
 
+  /// Cells at the first corners of faces.
   std::size_t count(std::uint32_t width) const {
     std::size_t cells = 0;
-    for (std::uint32_t p = 0; std::uint64_t{p} + width + 1 < points_.size(); ++p) {
-      cells += has(p, width) ? 1 : 0;
+    for (std::size_t f = 0; f < left_.size(); f += stride()) {
+      cells += has(left_[f][0], width) ? 1 : 0;
     }
     return cells;
   }
@@ -134,6 +148,7 @@ class Finder {
     for (std::uint32_t p = 0; std::uint64_t{p} + 2 * width <= points_.size();) {
       // A row begins where the one before it does not go on.
       const bool begins = has(p, width) && (p == 0 || !has(p - 1, width));
+      if (p % 4096 == 0) run_.check();
       if (!begins || !joined(p, p + width, width)) {
         ++p;
         continue;
@@ -145,7 +160,7 @@ class Finder {
              wraps(p + (rows - 1) * width, p + rows * width, width) == closes) {
         ++rows;
       }
-      add(p, rows, width, closes);
+      if ((rows - 1) * (width - 1) >= kFewestCells) add(p, rows, width, closes);
       p += rows * width;
     }
     for (std::size_t i = before; i < found_.size(); ++i) forget(found_[i]);
@@ -178,12 +193,15 @@ class Finder {
   void forget(const Found& f) {
     std::set<std::uint32_t> gone;
     for (const auto& pair : f.faces) gone.insert(pair.begin(), pair.end());
+    std::erase_if(left_, [&](const Corners& c) { return gone.contains(face_.find(c)->second); });
     std::erase_if(face_, [&](const auto& entry) { return gone.contains(entry.second); });
   }
 
   const std::vector<Vec3>& points_;
   RunContext& run_;
-  std::map<Corners, std::uint32_t> face_;
+  std::unordered_map<Corners, std::uint32_t, HashCorners> face_;
+  /// Those that are no cells yet, in the order of the list.
+  std::vector<Corners> left_;
   std::vector<Found> found_;
 };
 
@@ -196,13 +214,7 @@ FaceSurfaces surfaces_by_rows(const std::vector<Vec3>& points, const Faces& face
   for (Found& f : Finder(points, faces, run).run()) {
     run.check();
     SmoothGrids smooth = smooth_grids(std::move(f.grid), Rows::Judged);
-    const auto first = static_cast<std::int32_t>(out.surfaces.size());
-    for (PointGrid& piece : smooth.pieces) {
-      Turned t;
-      t.profile = Turned::Profile::Grid;
-      t.grid = std::make_shared<const PointGrid>(std::move(piece));
-      out.surfaces.push_back(std::move(t));
-    }
+    const std::int32_t first = add_grids(out.surfaces, std::move(smooth.pieces));
     for (std::size_t c = 0; c < f.faces.size(); ++c) {
       if (smooth.piece_of[c] < 0) continue;
       for (const std::uint32_t face : f.faces[c]) {
