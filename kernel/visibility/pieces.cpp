@@ -191,6 +191,11 @@ bool Cutting::visible_at(const Curve3& curve, const Track& track, double length)
   return probe_.visible(curve, place.segment, place.share);
 }
 
+bool Cutting::hidden_by_others_at(const Curve3& curve, const Track& track, double length) const {
+  const Place place = place_at(track, length);
+  return probe_.hidden_by_others(curve, place.segment, place.share);
+}
+
 bool Cutting::clearly_hidden_at(const Curve3& curve, const Track& track, double length) const {
   // What the proxies do not tell apart is an estimate; the edges of a CAD file may lie off its
   // faces by more.

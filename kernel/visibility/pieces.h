@@ -55,9 +55,14 @@ class Cutting {
                  Scratch& scratch) const;
   void vote(const Curve3& curve, const Track& track, const Piece& piece,
             std::vector<Piece>& out) const;
+  bool part_by_others(const Curve3& curve, const Track& track, const Piece& piece,
+                      std::vector<Piece>& out) const;
+  void ask(const Curve3& curve, const Track& track, const Piece& piece,
+           std::vector<Piece>& out) const;
   void refine(const Curve3& curve, const Track& track, const Piece& piece,
               std::vector<Piece>& out) const;
   bool visible_at(const Curve3& curve, const Track& track, double length) const;
+  bool hidden_by_others_at(const Curve3& curve, const Track& track, double length) const;
   bool clearly_hidden_at(const Curve3& curve, const Track& track, double length) const;
 
   const Probe& probe_;

@@ -204,6 +204,15 @@ bool Probe::visible(const Curve3& curve, std::size_t segment, double t) const {
 }
 
 bool Probe::hidden_by(const Curve3& curve, std::size_t segment, double t, double clear) const {
+  return hidden(curve, segment, t, clear, false);
+}
+
+bool Probe::hidden_by_others(const Curve3& curve, std::size_t segment, double t) const {
+  return hidden(curve, segment, t, 1, true);
+}
+
+bool Probe::hidden(const Curve3& curve, std::size_t segment, double t, double clear,
+                   bool others) const {
   const std::size_t after = curve.next(segment);
   const Vec3 p = glm::mix(curve.points[segment], curve.points[after], t);
   const Vec3 view = camera_.to_viewer(p);
@@ -233,7 +242,10 @@ bool Probe::hidden_by(const Curve3& curve, std::size_t segment, double t, double
   const Vec3 start = p + n * (origin.error + resolution);
   const Origin* o = &origin;
   return occluder_.occluded_by(start, view, 2 * resolution, camera_.distance_to_viewer(start),
-                               [o, clear](const Hit& hit) { return clearance(*o, hit) > clear; });
+                               [o, clear, others](const Hit& hit) {
+                                 if (others && hit.where.part == o->part) return false;
+                                 return clearance(*o, hit) > clear;
+                               });
 }
 
 ViewRay Probe::ray_from_afar(Vec2 paper) const {

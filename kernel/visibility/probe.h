@@ -36,6 +36,9 @@ class Probe {
   /// Whether something hides it whose plane passes farther off than `clear` times what the proxies
   /// do not tell apart; with 1, whether it cannot be seen.
   bool hidden_by(const Curve3& curve, std::size_t segment, double t, double clear) const;
+  /// Whether another part hides it: what no fold of its own makes doubtful.
+  bool hidden_by_others(const Curve3& curve, std::size_t segment, double t) const;
+  bool several_parts() const { return proxies_.size() > 1; }
   /// Whether any surface lies on the line of sight through a point of the paper.
   bool paper_covered(Vec2 paper) const;
   /// The foremost surface on that line of sight, and where it is in the model.
@@ -56,6 +59,8 @@ class Probe {
  private:
   ViewRay ray_from_afar(Vec2 paper) const;
   double own_error(const Curve3& curve, std::int32_t face, Vec3 p) const;
+
+  bool hidden(const Curve3& curve, std::size_t segment, double t, double clear, bool others) const;
 
   const Occluder& occluder_;
   std::span<const ProxyMesh* const> proxies_;

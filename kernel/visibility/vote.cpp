@@ -8,38 +8,31 @@
 namespace burin {
 namespace {
 
-// Rays keep this share of a piece away from each of its ends, and no more than `widest_margin`:
+// Rays keep this share of a piece, and no more paper mm than that, away from each of its ends:
 // beside a cut the polygons of the proxy and the smooth contour that cut differ by the chord error.
-constexpr double kMargin = 0.12;
+constexpr double kMargin = 0.12, kWidestMargin = 0.6;
+// Paper mm a ray on a long piece; pieces shorter than this get three.
+constexpr double kSpacing = 1.5;
 constexpr int kFewest = 3, kMost = 129;
-// A piece whose rays disagree by more than a share, or over more than `doubt` paper mm, is looked
+// A piece whose rays disagree by more than a share, or over more than so many paper mm, is looked
 // at again: it may pass through a surface without a cut (a shaft into its hole).
-constexpr double kDoubt = 0.15;
+constexpr double kDoubt = 0.15, kDoubtLength = 1.2;
+// The second look: paper mm a ray, and the shortest stretch that may be cut off by rays alone.
+constexpr double kFineSpacing = 0.25;
+constexpr double kShortestStretch = 1.0;
 constexpr int kMostFine = 1024;
+// Behind other parts, whose triangles no fold of the curve's own makes doubtful, lines are looked
+// at more closely: paper mm from ray to ray, those of a second look, and the shortest stretch that
+// is told apart, about a pen's width.
+constexpr double kOtherSpacing = 0.5, kOtherFine = 0.1, kOtherShortest = 0.35;
+constexpr double kOtherMargin = 0.1;
 constexpr int kBisections = 14;
 
-/// How closely a curve is looked at, in paper mm.
-struct Look {
-  double widest_margin;
-  /// From ray to ray on a long piece (shorter ones get three), and at the second look.
-  double spacing, fine_spacing;
-  double doubt;
-  /// The shortest stretch that may be cut off by rays alone.
-  double shortest;
-};
-// Lines of the form are few; of them nothing may vanish that is as long as a pen is wide. Of
-// strokes, which are many, ends matter less.
-constexpr Look kLine{0.2, 0.5, 0.1, 0.35, 0.35}, kStroke{0.6, 1.5, 0.25, 1.2, 1.0};
+double margin(const Piece& piece) { return std::min(kMargin * piece.length(), kWidestMargin); }
 
-const Look& look_at(const Curve3& curve) { return lies_on_surface(curve) ? kStroke : kLine; }
-
-double margin(const Piece& piece, const Look& look) {
-  return std::min(kMargin * piece.length(), look.widest_margin);
-}
-
-double place(const Piece& piece, const Look& look, int i, int count) {
-  const double probed = piece.length() - 2 * margin(piece, look);
-  return piece.from + margin(piece, look) + probed * (static_cast<double>(i) + 0.5) / count;
+double place(const Piece& piece, int i, int count) {
+  const double probed = piece.length() - 2 * margin(piece);
+  return piece.from + margin(piece) + probed * (static_cast<double>(i) + 0.5) / count;
 }
 
 // Highest in the middle of the piece, low at its ends.
@@ -92,16 +85,67 @@ void absorb_short(std::vector<Run>& runs, int fewest) {
 
 void Cutting::vote(const Curve3& curve, const Track& track, const Piece& piece,
                    std::vector<Piece>& out) const {
-  const Look& look = look_at(curve);
+  const bool line = !lies_on_surface(curve) && probe_.several_parts() && same_cut_ == kSameCut;
+  if (!line || !part_by_others(curve, track, piece, out)) ask(curve, track, piece, out);
+}
+
+// Where a pin comes out of a hole of its size its sides meet the rim without crossing it: no line
+// is known there, and what stands out may be short.
+bool Cutting::part_by_others(const Curve3& curve, const Track& track, const Piece& piece,
+                             std::vector<Piece>& out) const {
+  const double probed = piece.length() - 2 * kOtherMargin;
+  if (probed < 2 * kOtherShortest) return false;
+  const auto at = [&](int i, int count) {
+    return piece.from + kOtherMargin + probed * (static_cast<double>(i) + 0.5) / count;
+  };
+  const auto look = [&](double spacing) {
+    std::vector<char> seen(static_cast<std::size_t>(
+        std::clamp(static_cast<int>(probed / spacing) + 1, kFewest, kMostFine)));
+    const int count = static_cast<int>(seen.size());
+    for (int i = 0; i < count; ++i) {
+      seen[static_cast<std::size_t>(i)] = !hidden_by_others_at(curve, track, at(i, count));
+    }
+    return seen;
+  };
+  if (runs_of(look(kOtherSpacing)).size() == 1) return false;
+  const std::vector<char> seen = look(kOtherFine);
+  const int count = static_cast<int>(seen.size());
+  std::vector<Run> runs = runs_of(seen);
+  absorb_short(runs, static_cast<int>(std::ceil(kOtherShortest * count / probed)));
+  if (runs.size() == 1) return false;
+  Piece rest = piece;
+  for (std::size_t r = 0; r < runs.size(); ++r) {
+    Piece done = rest;
+    if (r + 1 < runs.size()) {
+      double before = at(runs[r].end - 1, count), after = at(runs[r].end, count);
+      for (int i = 0; i < kBisections; ++i) {
+        const double middle = 0.5 * (before + after);
+        (hidden_by_others_at(curve, track, middle) != runs[r].visible ? before : after) = middle;
+      }
+      done.to = rest.from = 0.5 * (before + after);
+      done.end = rest.begin = track.parameter_at(done.to);
+    }
+    if (runs[r].visible) {
+      ask(curve, track, done, out);
+    } else {
+      done.visible = false;
+      out.push_back(done);
+    }
+  }
+  return true;
+}
+
+void Cutting::ask(const Curve3& curve, const Track& track, const Piece& piece,
+                  std::vector<Piece>& out) const {
   // Where cuts that lie far apart are one, more rays would tell nothing more.
-  const double spacing = std::max(look.spacing, same_cut_ / kFewest);
+  const double spacing = std::max(kSpacing, same_cut_ / kFewest);
   const int count = std::clamp(static_cast<int>(piece.length() / spacing) + 1, kFewest, kMost) | 1;
   double seen = 0, all = 0;
   int yes = 0;
   for (int i = 0; i < count; ++i) {
     const double w = weight(i, count);
     all += w;
-    if (visible_at(curve, track, place(piece, look, i, count))) {
+    if (visible_at(curve, track, place(piece, i, count))) {
       seen += w;
       ++yes;
     }
@@ -110,8 +154,8 @@ void Cutting::vote(const Curve3& curve, const Track& track, const Piece& piece,
   Piece answer = piece;
   answer.visible = 2 * seen > all;
   const double doubt = std::min(seen, all - seen) / all;
-  const bool doubtful = doubt > kDoubt || outvoted * piece.length() > look.doubt * count;
-  if (doubtful && piece.length() > 2 * std::max(look.shortest, same_cut_)) {
+  const bool doubtful = doubt > kDoubt || outvoted * piece.length() > kDoubtLength * count;
+  if (doubtful && piece.length() > 2 * std::max(kShortestStretch, same_cut_)) {
     refine(curve, track, piece, out);
   } else {
     out.push_back(answer);
@@ -123,20 +167,18 @@ void Cutting::vote(const Curve3& curve, const Track& track, const Piece& piece,
 // one that the curve dives into; what it never gets clear of are the curve's own triangles.
 void Cutting::refine(const Curve3& curve, const Track& track, const Piece& piece,
                      std::vector<Piece>& out) const {
-  const Look& look = look_at(curve);
-  const int count =
-      std::clamp(static_cast<int>(piece.length() / look.fine_spacing), kFewest, kMostFine);
+  const int count = std::clamp(static_cast<int>(piece.length() / kFineSpacing), kFewest, kMostFine);
   std::vector<char> answers(static_cast<std::size_t>(count));
   for (int i = 0; i < count; ++i) {
-    answers[static_cast<std::size_t>(i)] = visible_at(curve, track, place(piece, look, i, count));
+    answers[static_cast<std::size_t>(i)] = visible_at(curve, track, place(piece, i, count));
   }
   std::vector<Run> runs = runs_of(answers);
-  const double spacing = (piece.length() - 2 * margin(piece, look)) / count;
-  absorb_short(runs, std::max(2, static_cast<int>(std::ceil(look.shortest / spacing))));
+  const double spacing = (piece.length() - 2 * margin(piece)) / count;
+  absorb_short(runs, std::max(2, static_cast<int>(std::ceil(kShortestStretch / spacing))));
   for (std::size_t r = 0; r < runs.size() && runs.size() > 1;) {
     bool hidden = runs[r].visible;
     for (int i = runs[r].begin; i < runs[r].end && !hidden; ++i) {
-      hidden = clearly_hidden_at(curve, track, place(piece, look, i, count));
+      hidden = clearly_hidden_at(curve, track, place(piece, i, count));
     }
     if (hidden) {
       ++r;
@@ -149,8 +191,7 @@ void Cutting::refine(const Curve3& curve, const Track& track, const Piece& piece
   for (std::size_t r = 0; r < runs.size(); ++r) {
     rest.visible = runs[r].visible;
     if (r + 1 == runs.size()) break;
-    double before = place(piece, look, runs[r].end - 1, count),
-           after = place(piece, look, runs[r].end, count);
+    double before = place(piece, runs[r].end - 1, count), after = place(piece, runs[r].end, count);
     for (int i = 0; i < kBisections; ++i) {
       const double middle = 0.5 * (before + after);
       (visible_at(curve, track, middle) == runs[r].visible ? before : after) = middle;

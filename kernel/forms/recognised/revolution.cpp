@@ -56,15 +56,15 @@ Vec3 Patch::project(Vec3 p) const {
   return axis.origin + f.point.x * axis.outward(p) + f.point.y * axis.direction;
 }
 
-double Patch::distance(Vec3 p, Vec3& out) const {
+double Patch::distance(Vec3 p, Vec3& normal_there) const {
   if (sheet) {
     const SurfaceDerivatives d = nearest(p);
-    out = outward(d);
-    return glm::dot(p - d.p, out);
+    normal_there = outward(d);
+    return glm::dot(p - d.p, normal_there);
   }
   const Vec2 rh = axis.profile(p);
   const Foot f = foot(rh);
-  out = f.normal.x * axis.outward(p) + f.normal.y * axis.direction;
+  normal_there = f.normal.x * axis.outward(p) + f.normal.y * axis.direction;
   return glm::dot(rh - f.point, f.normal);
 }
 

@@ -65,7 +65,7 @@ struct Patch {
   /// The nearest point of the surface, to first order.
   Vec3 project(Vec3 p) const;
   /// From the surface to a point, positive outside, to first order; and the normal there.
-  double distance(Vec3 p, Vec3& normal) const;
+  double distance(Vec3 p, Vec3& normal_there) const;
   Vec3 normal_at(Vec3 p) const;
   Frame frame(Vec3 p) const;
 

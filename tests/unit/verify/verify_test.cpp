@@ -3,13 +3,16 @@
 #include <burin/base/parallel.h>
 #include <burin/drawing/writers.h>
 #include <burin/forms/mesh/mesh_form.h>
+#include <burin/forms/recognised/recognised_form.h>
 #include <burin/illustrate/illustrate.h>
 #include <burin/verify/verify.h>
 
 #include <burin_test/shapes.h>
+#include <burin_test/turned.h>
 #include <gtest/gtest.h>
 
 #include <array>
+#include <cmath>
 #include <memory>
 #include <optional>
 #include <sstream>
@@ -330,6 +333,34 @@ TEST(LooseEnds, AreEndsOfTheOuterOutlineThatNothingGoesOnFrom) {
   EXPECT_TRUE(loose_ends(met).empty());
   met.layers[1].paths[0].visible = false;
   EXPECT_EQ(loose_ends(met).size(), 2u);
+}
+
+// Nothing crosses the sides of a pin where they come out of a hole of their size; they are short,
+// but longer than a pen is wide.
+TEST(Verify, ShortSidesOfAPinThatStandsOutAreDrawn) {
+  Scene scene;
+  const auto add = [&](const char* name, TriMesh mesh) {
+    scene.parts.push_back(
+        {name, name, std::make_shared<RecognisedForm>(std::move(mesh), RunContext())});
+  };
+  add("plate", test::turned({{5, 0}, {60, 0}, {60, 40}, {5, 40}}, 48, true));
+  add("pin", test::turned({{5, -2}, {5, 30}}, 48));
+  const NamedView v = named_view("1,-1,-1");
+  const Camera camera = Camera::fit([&](const Mat3& axes) { return scene.bounds(axes); },
+                                    {.direction = v.direction, .up = v.up, .paper = {80, 60}});
+  const Drawing drawing = drawn(scene, camera, builtin_style("outline"));
+  ASSERT_TRUE(drawing.stats.verify);
+  EXPECT_TRUE(drawing.stats.verify->contradictions.empty());
+  double sides = 0;
+  for (const Layer& layer : drawing.layers) {
+    for (const Path& path : layer.paths) {
+      if (path.source.part != 1 || path.kind != LineClass::Contour) continue;
+      for (std::size_t i = 1; i < path.points3.size(); ++i) {
+        sides += std::abs(path.points3[i].z - path.points3[i - 1].z);
+      }
+    }
+  }
+  EXPECT_NEAR(sides, 4, 0.3);  // 2 mm of the model on both sides
 }
 
 }  // namespace

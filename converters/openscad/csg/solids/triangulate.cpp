@@ -19,6 +19,7 @@ using Rounded = CGAL::Exact_predicates_inexact_constructions_kernel;
 /// Decides with the space's own predicates: doubles where their bounds allow, else whole numbers.
 class Exactly : public Rounded {
  public:
+  // NOLINTBEGIN(readability-identifier-naming): CGAL's names
   struct Point_2 : Rounded::Point_2 {
     Point_2() = default;
     Point_2(Rounded::Point_2 rounded, Id point) : Rounded::Point_2(rounded), id(point) {}
@@ -63,6 +64,7 @@ class Exactly : public Rounded {
   using Less_y_2 = Less<1>;
   using Compare_x_2 = Compare<0>;
   using Compare_y_2 = Compare<1>;
+  // NOLINTEND(readability-identifier-naming)
 
   Exactly(Space& space, Id plane) : place_{&space, plane} {}
   Construct_point_2 construct_point_2_object() const { return {}; }
