@@ -147,19 +147,27 @@ std::vector<bool> smooth_joints(const std::vector<Segment>& segments, bool close
   return smooth_turns(turn, closed);
 }
 
-std::vector<bool> smooth_turns(const std::vector<double>& turn, bool closed) {
+std::vector<bool> smooth_turns(const std::vector<double>& turn, bool closed, const TurnRule& rule) {
   constexpr double kRound = 15 * kDegree, kLargest = 40.5 * kDegree;
   const std::size_t n = turn.size();
   const auto agrees = [&](std::size_t i, std::size_t k) {
     const double a = std::abs(turn[i]), b = std::abs(turn[k]);
     if (a > kLargest || b > kLargest) return false;
     if (a <= kRound) return a <= 3 * b + kDegree;
-    return std::abs(turn[i] - turn[k]) <= 0.1 * a;
+    return std::abs(turn[i] - turn[k]) <= rule.unequal * a;
+  };
+  // Where a curve bends back and forth its turns go through zero: each lies between its neighbours.
+  const auto goes_on = [&](std::size_t i) {
+    const double before = turn[(i + n - 1) % n], after = turn[(i + 1) % n];
+    const double largest = std::max(std::abs(before), std::abs(after));
+    return std::max(std::abs(turn[i]), largest) <= kLargest &&
+           std::abs(turn[i] - 0.5 * (before + after)) <= 0.5 * largest + kDegree;
   };
   std::vector<bool> smooth(n, false);
   for (std::size_t i = 0; i < n; ++i) {
     if (i > 0 || closed) smooth[i] = agrees(i, (i + n - 1) % n);
     if (!smooth[i] && (i + 1 < n || closed)) smooth[i] = agrees(i, (i + 1) % n);
+    if (!smooth[i] && rule.waves && (closed || (i > 0 && i + 1 < n))) smooth[i] = goes_on(i);
   }
   // Three in a row: a cone between two cylinders has two joints and is what it is.
   if (closed && std::find(smooth.begin(), smooth.end(), false) == smooth.end()) return smooth;

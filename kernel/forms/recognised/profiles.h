@@ -24,8 +24,17 @@ struct Segment {
 /// Angle by which the profile turns from `a` to `b`, positive where it bends away from the outside.
 double turn_between(const Segment& a, const Segment& b);
 
+/// What else is smooth among the joints of a profile.
+struct TurnRule {
+  /// By how much of themselves turns of more than 15 degrees may differ from a neighbour.
+  double unequal = 0.1;
+  /// Whether a curve may bend back and forth: a turn halfway between those before and after it goes
+  /// on.
+  bool waves = false;
+};
 /// The rule of `smooth_joints` for the angles at joints alone.
-std::vector<bool> smooth_turns(const std::vector<double>& turn, bool closed);
+std::vector<bool> smooth_turns(const std::vector<double>& turn, bool closed,
+                               const TurnRule& rule = {});
 
 /// For each joint between segment i and i + 1 (closed: the last to the first, too) whether the
 /// profile goes on smoothly there: three joints in a row at the least, none much larger than its

@@ -7,7 +7,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <set>
+#include <unordered_set>
 #include <utility>
 
 namespace burin::recognised {
@@ -21,6 +23,7 @@ constexpr int kPasses = 4;
 
 using Pair = std::pair<std::uint32_t, std::uint32_t>;
 Pair ordered(std::uint32_t a, std::uint32_t b) { return a < b ? Pair{a, b} : Pair{b, a}; }
+std::uint64_t key(const Pair& ends) { return std::uint64_t{ends.first} << 32 | ends.second; }
 
 /// An edge once, with one half-edge of each side.
 struct Edge {
@@ -29,6 +32,11 @@ struct Edge {
   bool split = false;
   Vec3 middle{0};
   std::uint32_t vertex = 0;
+};
+
+struct KnownNormal {
+  SurfaceRef of = -1;  // no round surface
+  Vec3 normal{0};
 };
 
 class Refiner {
@@ -144,7 +152,19 @@ class Refiner {
     const double off = glm::length(e.middle - chord);
     if (off <= 4 * facets_.noise && off <= tolerance_) return;
     e.split = off > tolerance_ ||
-              glm::dot(meet_.normal(round, a), meet_.normal(round, b)) < std::cos(kLargestTurn);
+              glm::dot(normal_at(round, e.ends.first), normal_at(round, e.ends.second)) <
+                  std::cos(kLargestTurn);
+  }
+
+  /// Corners do not move any more, and each is asked for by all edges there.
+  Vec3 normal_at(SurfaceRef ref, std::uint32_t vertex) const {
+    if (normals_.size() < m_.mesh.positions.size()) normals_.resize(m_.mesh.positions.size());
+    auto& [of, normal] = normals_[vertex];
+    if (of != ref) {
+      of = ref;
+      normal = meet_.normal(ref, m_.mesh.positions[vertex]);
+    }
+    return normal;
   }
 
   bool split_once() {
@@ -152,7 +172,10 @@ class Refiner {
     std::size_t count = 0;
     for (Edge& e : edges) {
       if (++count % 1024 == 0) context_.check();
-      if (!frozen_.contains(e.ends)) look_at(e);
+      if (frozen_.contains(e.ends) || settled_.contains(key(e.ends))) continue;
+      look_at(e);
+      // What it lies on stays the same, so the answer does.
+      if (!e.split) settled_.insert(key(e.ends));
     }
     edge_of_.assign(3 * m_.mesh.triangles.size(), -1);
     for (std::size_t i = 0; i < edges.size(); ++i) {
@@ -250,7 +273,10 @@ class Refiner {
   Meeting meet_;
   double tolerance_;
   const RunContext& context_;
+  /// For each corner the surface that was asked for last, and its normal.
+  mutable std::vector<KnownNormal> normals_;
   std::set<Pair> frozen_;
+  std::unordered_set<std::uint64_t> settled_;
   std::vector<std::int32_t> edge_of_;
 };
 

@@ -12,8 +12,8 @@ constexpr double kLong = 2.5;
 // Of a span: how far beyond the ends the surface is still asked for.
 constexpr double kBeyond = 0.5;
 constexpr int kSteps = 12;
-// Of the size: shorter steps change nothing.
-constexpr double kStill = 1e-12;
+// Of the size: after a shorter step what is left is its square.
+constexpr double kStill = 1e-8;
 
 std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
 

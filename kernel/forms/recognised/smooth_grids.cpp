@@ -14,6 +14,8 @@ namespace {
 constexpr double kDegree = std::numbers::pi / 180;
 // Steps of a turn of more than this are facets.
 constexpr double kLargestStep = 40.5 * kDegree;
+// Turns of an ellipse's sides follow one another as unequal as this.
+constexpr double kUnequal = 0.45;
 // Of the size: within that, points lie in a plane or on a line.
 constexpr double kFlat = 1e-7;
 // How unequal lengths and angles of the sides of a circle may be, and from how many sides on.
@@ -128,32 +130,47 @@ class Parter {
     return glm::dot(across, edge) < 0 ? -angle : angle;
   }
 
-  /// For each joint the largest turn along it.
+  /// Turns along a joint: the largest; negative where most bend inward. A bent bar turns outward on
+  /// one side and inward on the other.
+  struct JointTurn {
+    double largest = 0, sum = 0, all = 0;
+    void add(double turn) {
+      largest = std::max(largest, std::abs(turn));
+      sum += turn;
+      all += std::abs(turn);
+    }
+    double told() const { return sum < -0.5 * all ? -largest : largest; }
+  };
+
+  /// For each joint between columns its turn, then the same of rows.
   std::vector<double> column_turns() const {
     const std::int32_t cells = grid_.cell_columns();
-    std::vector<double> out(at(grid_.columns_close ? cells : cells - 1), 0.0);
-    for (std::int32_t j = 0; j < grid_.cell_rows(); ++j) {
-      for (std::int32_t i = 0; i < static_cast<std::int32_t>(out.size()); ++i) {
+    std::vector<double> out;
+    for (std::int32_t i = 0; i < (grid_.columns_close ? cells : cells - 1); ++i) {
+      JointTurn joint;
+      for (std::int32_t j = 0; j < grid_.cell_rows(); ++j) {
         const Vec3 edge = grid_.point(j + 1, i + 1) - grid_.point(j, i + 1);
-        const double t = turn(normal(j, i), normal(j, (i + 1) % cells), edge);
-        if (std::abs(t) > std::abs(out[at(i)])) out[at(i)] = t;
+        joint.add(turn(normal(j, i), normal(j, (i + 1) % cells), edge));
       }
+      out.push_back(joint.told());
     }
     return out;
   }
   std::vector<double> row_turns() const {
     const std::int32_t cells = grid_.cell_rows();
-    std::vector<double> out(at(grid_.rows_close ? cells : cells - 1), 0.0);
-    for (std::int32_t j = 0; j < static_cast<std::int32_t>(out.size()); ++j) {
+    std::vector<double> out;
+    for (std::int32_t j = 0; j < (grid_.rows_close ? cells : cells - 1); ++j) {
+      JointTurn joint;
       for (std::int32_t i = 0; i < grid_.cell_columns(); ++i) {
-        const double t = turn(normal(j, i), normal((j + 1) % cells, i), side(j + 1, i));
-        if (std::abs(t) > std::abs(out[at(j)])) out[at(j)] = t;
+        joint.add(turn(normal(j, i), normal((j + 1) % cells, i), side(j + 1, i)));
       }
+      out.push_back(joint.told());
     }
     return out;
   }
   static std::vector<bool> smooth(const std::vector<double>& turns, bool closes) {
-    return turns.empty() ? std::vector<bool>{} : recognised::smooth_turns(turns, closes);
+    return turns.empty() ? std::vector<bool>{}
+                         : recognised::smooth_turns(turns, closes, {kUnequal, true});
   }
 
   /// Mean distances from row to row and from column to column.

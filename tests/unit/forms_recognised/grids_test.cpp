@@ -9,6 +9,8 @@
 #include <cmath>
 #include <functional>
 #include <numbers>
+#include <utility>
+#include <vector>
 
 namespace burin {
 namespace {
@@ -117,6 +119,37 @@ TEST(SmoothGrids, AnEllipseIsOneClosedPiece) {
   ASSERT_EQ(s.pieces.size(), 1u);
   EXPECT_TRUE(s.pieces[0].columns_close);
   EXPECT_EQ(told_cells(s), 48u);
+}
+
+TEST(SmoothGrids, OutlinesOfFewSidesThatBendUnevenlyAreSmooth) {
+  for (const auto& [corners, width] :
+       {std::pair{16, 12.0}, {12, 12.0}, {20, 15.0}, {30, 20.0}, {24, 20.0}}) {
+    EXPECT_EQ(smooth_grids(extruded(ellipse(corners, width, 10)), Rows::Steps).pieces.size(), 1u)
+        << corners << ' ' << width;
+  }
+  // Lobes: turns go through zero.
+  for (const auto& [lobes, corners] : {std::pair{5, 60}, {8, 160}}) {
+    std::vector<Vec2> wave;
+    for (int i = 0; i < corners; ++i) {
+      const double a = 2 * kPi * i / corners, r = 12 * (1 + 0.15 * std::cos(lobes * a));
+      wave.emplace_back(r * std::cos(a), r * std::sin(a));
+    }
+    EXPECT_EQ(smooth_grids(extruded(wave), Rows::Steps).pieces.size(), 1u) << lobes;
+  }
+  // A kink between walls stays one, however small.
+  const SmoothGrids kink = smooth_grids(
+      extruded({{0, 0}, {10, 0}, {20, 1.4}, {30, 4.2}, {30, 20}, {0, 20}}), Rows::Steps);
+  EXPECT_TRUE(kink.pieces.empty());
+}
+
+TEST(SmoothGrids, ASpringIsOnePieceHoweverItIsTurned) {
+  for (const double turn : {0.0, 0.3, 1.1}) {
+    const PointGrid spring = grid_of(21, 12, true, [&](int j, int i) {
+      const double a = 18 * kPi / 180 * j + turn, b = kPi / 6 * i, r = 10 + 2 * std::cos(b);
+      return Vec3(r * std::cos(a), r * std::sin(a), 2 * std::sin(b) + 0.3 * j);
+    });
+    EXPECT_EQ(smooth_grids(spring, Rows::Judged).pieces.size(), 1u) << turn;
+  }
 }
 
 TEST(SmoothGrids, PlanesCirclesAndWhatIsTurnedAreLeftToOthers) {
