@@ -29,14 +29,14 @@ class Extruder {
       : e_(e), x_(extrusion), region_(region), cap_(cap_of(region)), slices_(slices) {}
 
   Solid run() {
-    const int layers = narrow() ? slices_ : slices_ + 1;
-    for (int j = 0; j < layers; ++j) {
+    layers_ = narrow() ? slices_ : slices_ + 1;
+    for (int j = 0; j < layers_; ++j) {
       for (const Vec2& p : cap_.points) solid_.positions.emplace_back(at(p, j), height(j));
     }
     for (const auto& [a, b, c] : cap_.triangles) add({a, c, b}, -1);
     surfaces();
-    if (!narrow() && std::abs(x_.twist) <= kLargestStep * slices_) smooth_walls();
-    for (int j = 0; j + 1 < layers; ++j) walls(j);
+    if (layers_ > 1 && std::abs(x_.twist) <= kLargestStep * slices_) smooth_walls();
+    for (int j = 0; j + 1 < layers_; ++j) walls(j);
     if (narrow())
       close_narrow();
     else
@@ -142,7 +142,7 @@ class Extruder {
   void smooth_stretch(const std::vector<std::size_t>& edges, bool closes) {
     e_.run.check();
     PointGrid grid;
-    grid.rows = slices_ + 1;
+    grid.rows = layers_;
     grid.columns = static_cast<std::int32_t>(edges.size()) + (closes ? 0 : 1);
     grid.columns_close = closes;
     for (int j = 0; j < grid.rows; ++j) {
@@ -222,6 +222,8 @@ class Extruder {
   const Region& region_;
   Cap cap_;
   int slices_;
+  /// Of points: one less where the top is a point or a ridge.
+  int layers_ = 0;
   Solid solid_;
   std::vector<std::int32_t> row_;
   /// For each edge of the rim and each slice the surface of its wall, or -1.

@@ -92,6 +92,11 @@ TEST(Surfaces, TwistedWallsAreSmooth) {
       work_out("difference() { linear_extrude(height = 10, twist = 40, slices = 20) " + kStar +
                moved(-50, -50, 5, cube(100, 100, 100)) + "}");
   EXPECT_EQ(grids(half.solid), 10u);
+  // One that ends in a point is smooth up to its last slice.
+  EXPECT_EQ(grids(work_out("linear_extrude(height = 10, twist = 40, slices = 20, scale = [0, 0]) " +
+                           kStar)
+                      .solid),
+            10u);
   // Steps of more than facets may have are meant.
   EXPECT_EQ(grids(work_out("linear_extrude(height = 10, twist = 180, slices = 3) " + kStar).solid),
             0u);
