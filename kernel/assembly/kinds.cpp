@@ -1,6 +1,7 @@
 #include "kinds.h"
 
 #include <burin/assembly/items.h>
+#include <burin/assembly/things.h>
 #include <burin/base/ascii.h>
 #include <burin/base/error.h>
 
@@ -30,9 +31,9 @@ std::string family(std::string_view name) {
 }  // namespace
 
 std::vector<Kind> Kinds::find() {
-  for (std::size_t i = 0; i < scene_.parts.size(); ++i) {
+  for (std::size_t i = 0; i < scene_.parts.size(); i = end_of_thing(scene_, i)) {
     context_.check();
-    if (i == 0 || !scene_.parts[i].joined) add(i);
+    add(i);
   }
   return std::move(kinds_);
 }
@@ -42,7 +43,7 @@ void Kinds::add(std::size_t index) {
   const auto known = of_whole_.find(whole);
   const std::size_t kind = whole && known != of_whole_.end() ? known->second : kind_of(index);
   if (whole) of_whole_.emplace(whole, kind);
-  for (std::size_t i = index; i < end_of(index); ++i) kinds_[kind].parts.push_back(i);
+  for (std::size_t i = index; i < end_of_thing(scene_, index); ++i) kinds_[kind].parts.push_back(i);
 }
 
 std::size_t Kinds::kind_of(std::size_t index) {
@@ -50,7 +51,7 @@ std::size_t Kinds::kind_of(std::size_t index) {
   const std::string key = family(part.definition.empty() ? part.name : part.definition);
   std::vector<std::size_t>& of_name = by_name_[key];
   KnownShape shape;
-  if (end_of(index) == index + 1) shape.definition = part.form->definition();
+  if (end_of_thing(scene_, index) == index + 1) shape.definition = part.form->definition();
   for (const std::size_t k : of_name) {
     const auto same = [&](const KnownShape& s) {
       return s.definition && shape.definition && s.definition->same(*shape.definition);
@@ -66,12 +67,6 @@ std::size_t Kinds::kind_of(std::size_t index) {
   of_name.push_back(kinds_.size());
   kinds_.push_back(Kind{key, {shape}, {}, nullptr, {}});
   return kinds_.size() - 1;
-}
-
-std::size_t Kinds::end_of(std::size_t index) const {
-  std::size_t end = index + 1;
-  while (end < scene_.parts.size() && scene_.parts[end].joined) ++end;
-  return end;
 }
 
 bool Kinds::same_shape(Kind& kind, KnownShape& shape, std::size_t index) {
@@ -102,7 +97,7 @@ bool Kinds::same_hand(Kind& kind, const KnownShape& shape, std::size_t index) {
 
 std::optional<ShapeMeasure> Kinds::measured(std::size_t index) {
   try {
-    if (end_of(index) > index + 1) return shape_measure(together(index));
+    if (end_of_thing(scene_, index) > index + 1) return shape_measure(together(index));
     return listed(scene_.parts[index]).form->measure(context_);
   } catch (const GeometryError& e) {
     tell(index, e.what());
@@ -112,7 +107,7 @@ std::optional<ShapeMeasure> Kinds::measured(std::size_t index) {
 
 std::shared_ptr<const Body> Kinds::body_of(std::size_t index) {
   try {
-    if (end_of(index) > index + 1) {
+    if (end_of_thing(scene_, index) > index + 1) {
       ProxyMesh all = together(index);
       return std::make_shared<const Body>(std::make_shared<const TriMesh>(std::move(all.mesh)),
                                           all.tolerance);
@@ -127,7 +122,7 @@ std::shared_ptr<const Body> Kinds::body_of(std::size_t index) {
 
 ProxyMesh Kinds::together(std::size_t index) const {
   ProxyMesh all;
-  for (std::size_t i = index; i < end_of(index); ++i) {
+  for (std::size_t i = index; i < end_of_thing(scene_, index); ++i) {
     const auto surface = realised_to_compare(*scene_.parts[i].form, context_);
     const ProxyMesh& one = surface->proxy();
     const auto before = static_cast<std::uint32_t>(all.mesh.positions.size());

@@ -49,8 +49,6 @@ class Kinds {
   void add(std::size_t index);
   /// The number of the kind that the thing at `index` is of, made for it where there is none yet.
   std::size_t kind_of(std::size_t index);
-  /// One behind the last part of the thing that begins at `index`.
-  std::size_t end_of(std::size_t index) const;
   /// Whether the thing at `index`, of `shape`, is a copy of what is known of a kind.
   bool same_shape(Kind& kind, KnownShape& shape, std::size_t index);
   /// Where measures do not tell left from right.

@@ -1,4 +1,5 @@
 #include <burin/assembly/select.h>
+#include <burin/assembly/things.h>
 #include <burin/base/ascii.h>
 #include <burin/base/error.h>
 #include <burin/base/nearest.h>
@@ -54,8 +55,7 @@ Test by_name(std::string_view selector) {
 /// Parts of one thing get the selector of the assembly that they are, or else that of the first.
 void name_things(const Scene& scene, std::vector<std::string>& selectors) {
   for (std::size_t i = 0; i < scene.parts.size();) {
-    std::size_t end = i + 1;
-    while (end < scene.parts.size() && scene.parts[end].joined) ++end;
+    const std::size_t end = end_of_thing(scene, i);
     if (end > i + 1) {
       const std::string whole = selectors[i].substr(0, selectors[i].rfind('/'));
       const auto of_it = [&](std::size_t part) { return part >= i && part < end; };

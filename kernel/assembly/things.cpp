@@ -10,4 +10,10 @@ std::vector<std::size_t> things_of(const Scene& scene) {
   return first;
 }
 
+std::size_t end_of_thing(const Scene& scene, std::size_t index) {
+  std::size_t end = index + 1;
+  while (end < scene.parts.size() && scene.parts[end].joined) ++end;
+  return end;
+}
+
 }  // namespace burin

@@ -1,4 +1,5 @@
 #include <burin/assembly/items.h>
+#include <burin/assembly/things.h>
 #include <burin/book/build_steps.h>
 
 #include <algorithm>
@@ -36,8 +37,9 @@ std::vector<std::string> names_of(const Part& part) {
 /// Parts of one thing are called by their looks: the assembly has its name.
 const std::string& called(const Scene& scene, std::size_t part) {
   const Part& one = scene.parts[part];
-  const bool followed = part + 1 < scene.parts.size() && scene.parts[part + 1].joined;
-  return (one.joined || followed) && !one.assembly.empty() ? one.assembly.back() : one.name;
+  return (one.joined || end_of_thing(scene, part) > part + 1) && !one.assembly.empty()
+             ? one.assembly.back()
+             : one.name;
 }
 
 /// The names that all parts have from the top on.

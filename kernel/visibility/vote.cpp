@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 namespace burin {
 namespace {
@@ -81,6 +82,30 @@ void absorb_short(std::vector<Run>& runs, int fewest) {
   }
 }
 
+/// The stretches of a piece between its rays, ray i `place_of(i)` from the curve's start; their
+/// ends are bisected by `seen(length)`.
+template <class PlaceOf, class Seen>
+std::vector<Piece> stretches(const Piece& piece, const Track& track, const std::vector<Run>& runs,
+                             const PlaceOf& place_of, const Seen& seen) {
+  std::vector<Piece> out;
+  Piece rest = piece;
+  for (std::size_t r = 0; r < runs.size(); ++r) {
+    rest.visible = runs[r].visible;
+    if (r + 1 == runs.size()) break;
+    double before = place_of(runs[r].end - 1), after = place_of(runs[r].end);
+    for (int i = 0; i < kBisections; ++i) {
+      const double middle = 0.5 * (before + after);
+      (seen(middle) == runs[r].visible ? before : after) = middle;
+    }
+    Piece done = rest;
+    done.to = rest.from = 0.5 * (before + after);
+    done.end = rest.begin = track.parameter_at(done.to);
+    out.push_back(done);
+  }
+  out.push_back(rest);
+  return out;
+}
+
 }  // namespace
 
 void Cutting::vote(const Curve3& curve, const Track& track, const Piece& piece,
@@ -113,23 +138,13 @@ bool Cutting::part_by_others(const Curve3& curve, const Track& track, const Piec
   std::vector<Run> runs = runs_of(seen);
   absorb_short(runs, static_cast<int>(std::ceil(kOtherShortest * count / probed)));
   if (runs.size() == 1) return false;
-  Piece rest = piece;
-  for (std::size_t r = 0; r < runs.size(); ++r) {
-    Piece done = rest;
-    if (r + 1 < runs.size()) {
-      double before = at(runs[r].end - 1, count), after = at(runs[r].end, count);
-      for (int i = 0; i < kBisections; ++i) {
-        const double middle = 0.5 * (before + after);
-        (hidden_by_others_at(curve, track, middle) != runs[r].visible ? before : after) = middle;
-      }
-      done.to = rest.from = 0.5 * (before + after);
-      done.end = rest.begin = track.parameter_at(done.to);
-    }
-    if (runs[r].visible) {
-      ask(curve, track, done, out);
+  const auto seen_at = [&](double length) { return !hidden_by_others_at(curve, track, length); };
+  const auto place_of = [&](int i) { return at(i, count); };
+  for (const Piece& stretch : stretches(piece, track, runs, place_of, seen_at)) {
+    if (stretch.visible) {
+      ask(curve, track, stretch, out);
     } else {
-      done.visible = false;
-      out.push_back(done);
+      out.push_back(stretch);
     }
   }
   return true;
@@ -187,21 +202,9 @@ void Cutting::refine(const Curve3& curve, const Track& track, const Piece& piece
       if (r > 0) --r;  // what it was joined to
     }
   }
-  Piece rest = piece;
-  for (std::size_t r = 0; r < runs.size(); ++r) {
-    rest.visible = runs[r].visible;
-    if (r + 1 == runs.size()) break;
-    double before = place(piece, runs[r].end - 1, count), after = place(piece, runs[r].end, count);
-    for (int i = 0; i < kBisections; ++i) {
-      const double middle = 0.5 * (before + after);
-      (visible_at(curve, track, middle) == runs[r].visible ? before : after) = middle;
-    }
-    Piece done = rest;
-    done.to = rest.from = 0.5 * (before + after);
-    done.end = rest.begin = track.parameter_at(done.to);
-    out.push_back(done);
-  }
-  out.push_back(rest);
+  const auto seen_at = [&](double length) { return visible_at(curve, track, length); };
+  const auto place_of = [&](int i) { return place(piece, i, count); };
+  std::ranges::move(stretches(piece, track, runs, place_of, seen_at), std::back_inserter(out));
 }
 
 }  // namespace burin

@@ -103,7 +103,8 @@ class Extruder {
     }
   }
 
-  /// Edges of circles that stay circles are told better so; one or two of them may be anything.
+  /// Edges of circles that stay circles are cylinders and cones; one or two of them may be
+  /// anything.
   bool round(const std::vector<std::size_t>& loop, std::size_t i) const {
     constexpr std::size_t kFewest = 3;
     const std::size_t n = loop.size();

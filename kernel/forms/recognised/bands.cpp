@@ -32,10 +32,6 @@ constexpr std::size_t kNeighbours = 8;
 // Tests of lost facets against bands.
 constexpr std::size_t kMostTests = 20'000'000;
 
-double angle_between(Vec3 a, Vec3 b) {
-  return std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b));
-}
-
 /// A cone or cylinder by the planes that touch it: (n_i - rise direction) of equal length.
 struct Fit {
   Axis axis;

@@ -5,11 +5,17 @@
 #include <burin/mesh/topology.h>
 #include <burin/mesh/tri_mesh.h>
 
+#include <cmath>
 #include <cstdint>
 #include <span>
 #include <vector>
 
 namespace burin::recognised {
+
+/// In [0, pi], of vectors of any length.
+inline double angle_between(Vec3 a, Vec3 b) {
+  return std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b));
+}
 
 struct FacetLink {
   std::int32_t facet = -1;

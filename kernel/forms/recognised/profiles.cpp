@@ -10,8 +10,6 @@ namespace burin::recognised {
 namespace {
 
 constexpr double kDegree = std::numbers::pi / 180;
-// A segment so many times longer than its neighbour is a line that the neighbour runs into.
-constexpr double kLong = 2.5;
 // Slopes below this are those of a line.
 constexpr double kStraight = 1e-6;
 // How far joints may lie off a circle, as a share of the sagitta.

@@ -7,6 +7,9 @@
 
 namespace burin::recognised {
 
+/// A segment so many times longer than its neighbour is a line that the neighbour runs into.
+inline constexpr double kLong = 2.5;
+
 /// One piece of a profile polygon, in the plane of its chain: a line with its outward normal, and
 /// the ends of its chord in the order of Patch::along.
 struct Segment {

@@ -1,5 +1,8 @@
 #include "sheet.h"
 
+#include "facets.h"
+#include "profiles.h"
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -7,8 +10,6 @@
 namespace burin::recognised {
 namespace {
 
-// A span so many times longer than its neighbour is a line that the neighbour runs into.
-constexpr double kLong = 2.5;
 // Of a span: how far beyond the ends the surface is still asked for.
 constexpr double kBeyond = 0.5;
 constexpr int kSteps = 12;
@@ -16,10 +17,6 @@ constexpr int kSteps = 12;
 constexpr double kStill = 1e-8;
 
 std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
-
-double angle_between(Vec3 a, Vec3 b) {
-  return std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b));
-}
 
 double square_distance(const Box3& box, Vec3 p) {
   const Vec3 off = glm::max(glm::max(box.min - p, p - box.max), Vec3(0));

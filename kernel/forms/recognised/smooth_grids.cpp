@@ -1,6 +1,7 @@
 #include <burin/base/box.h>
 #include <burin/forms/recognised/point_grid.h>
 
+#include "facets.h"
 #include "profiles.h"
 
 #include <algorithm>
@@ -24,8 +25,6 @@ constexpr std::size_t kFewestSides = 3;
 // Circles of which one bends no more than so many times as much as the next are stretches of a
 // spline.
 constexpr double kOtherCircle = 1.5;
-// A side so many times longer than both its neighbours is a wall between roundings.
-constexpr double kLong = 2.5;
 
 std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
 
@@ -65,23 +64,22 @@ class Parter {
     set_knots();
     const std::vector<Run> across = runs_between(smooth(column_turns(), grid_.columns_close),
                                                  grid_.cell_columns(), grid_.columns_close);
-    const std::vector<double> turns = row_turns();
+    const std::vector<double> between_rows = row_turns();
     std::vector<bool> steps;
-    for (const double t : turns) steps.push_back(std::abs(t) <= kLargestStep);
+    for (const double t : between_rows) steps.push_back(std::abs(t) <= kLargestStep);
     const std::vector<Run> along =
-        runs_between(rows == Rows::Steps ? steps : smooth(turns, grid_.rows_close),
+        runs_between(rows == Rows::Steps ? steps : smooth(between_rows, grid_.rows_close),
                      grid_.cell_rows(), grid_.rows_close);
     for (const Run& r : along) {
       for (const Run& c : across) {
-        if (!told_otherwise(r, c)) add(out, r, c);
+        if (PointGrid p = piece(r, c); !told_otherwise(p)) add(out, r, c, std::move(p));
       }
     }
     return out;
   }
 
  private:
-  void add(SmoothGrids& out, const Run& r, const Run& c) const {
-    const PointGrid whole = piece(r, c);
+  void add(SmoothGrids& out, const Run& r, const Run& c, PointGrid whole) const {
     const bool by_rows = meets_itself(r, grid_.cell_rows(), grid_.rows_close);
     const bool by_columns = meets_itself(c, grid_.cell_columns(), grid_.columns_close);
     const std::int32_t half_rows = by_rows ? r.count / 2 : r.count,
@@ -97,13 +95,12 @@ class Parter {
                           (c.first + i) % grid_.cell_columns())] = first + part;
       }
     }
+    if (!by_rows && !by_columns) return out.pieces.push_back(std::move(whole));
     for (std::int32_t j = 0; j < (by_rows ? 2 : 1); ++j) {
       for (std::int32_t i = 0; i < (by_columns ? 2 : 1); ++i) {
         PointGrid part = whole;
-        if (by_rows || by_columns) {
-          part.window = {j * half_rows, j == 0 ? half_rows : r.count - half_rows, i * half_columns,
-                         i == 0 ? half_columns : c.count - half_columns};
-        }
+        part.window = {j * half_rows, j == 0 ? half_rows : r.count - half_rows, i * half_columns,
+                       i == 0 ? half_columns : c.count - half_columns};
         out.pieces.push_back(std::move(part));
       }
     }
@@ -126,7 +123,7 @@ class Parter {
   }
   static double turn(Vec3 a, Vec3 b, Vec3 edge) {
     const Vec3 across = glm::cross(a, b);
-    const double angle = std::atan2(glm::length(across), glm::dot(a, b));
+    const double angle = recognised::angle_between(a, b);
     return glm::dot(across, edge) < 0 ? -angle : angle;
   }
 
@@ -142,31 +139,30 @@ class Parter {
     double told() const { return sum < -0.5 * all ? -largest : largest; }
   };
 
-  /// For each joint between columns its turn, then the same of rows.
-  std::vector<double> column_turns() const {
-    const std::int32_t cells = grid_.cell_columns();
+  /// For each joint its turn; `turn_at(joint, place)` is that at one of the places along it.
+  template <class TurnAt>
+  static std::vector<double> turns(std::int32_t cells, bool close, std::int32_t places,
+                                   const TurnAt& turn_at) {
     std::vector<double> out;
-    for (std::int32_t i = 0; i < (grid_.columns_close ? cells : cells - 1); ++i) {
-      JointTurn joint;
-      for (std::int32_t j = 0; j < grid_.cell_rows(); ++j) {
-        const Vec3 edge = grid_.point(j + 1, i + 1) - grid_.point(j, i + 1);
-        joint.add(turn(normal(j, i), normal(j, (i + 1) % cells), edge));
-      }
-      out.push_back(joint.told());
+    for (std::int32_t joint = 0; joint < (close ? cells : cells - 1); ++joint) {
+      JointTurn turn;
+      for (std::int32_t place = 0; place < places; ++place) turn.add(turn_at(joint, place));
+      out.push_back(turn.told());
     }
     return out;
   }
+  std::vector<double> column_turns() const {
+    const std::int32_t cells = grid_.cell_columns();
+    return turns(cells, grid_.columns_close, grid_.cell_rows(), [&](auto i, auto j) {
+      const Vec3 edge = grid_.point(j + 1, i + 1) - grid_.point(j, i + 1);
+      return turn(normal(j, i), normal(j, (i + 1) % cells), edge);
+    });
+  }
   std::vector<double> row_turns() const {
     const std::int32_t cells = grid_.cell_rows();
-    std::vector<double> out;
-    for (std::int32_t j = 0; j < (grid_.rows_close ? cells : cells - 1); ++j) {
-      JointTurn joint;
-      for (std::int32_t i = 0; i < grid_.cell_columns(); ++i) {
-        joint.add(turn(normal(j, i), normal((j + 1) % cells, i), side(j + 1, i)));
-      }
-      out.push_back(joint.told());
-    }
-    return out;
+    return turns(cells, grid_.rows_close, grid_.cell_columns(), [&](auto j, auto i) {
+      return turn(normal(j, i), normal((j + 1) % cells, i), side(j + 1, i));
+    });
   }
   static std::vector<bool> smooth(const std::vector<double>& turns, bool closes) {
     return turns.empty() ? std::vector<bool>{}
@@ -220,8 +216,7 @@ class Parter {
   }
 
   /// Planes, and what is recognised by its facets.
-  bool told_otherwise(const Run& r, const Run& c) const {
-    const PointGrid p = piece(r, c);
+  bool told_otherwise(const PointGrid& p) const {
     return narrow(p) || planar(p) || arcs_and_lines(p) || turned(p);
   }
 
@@ -311,7 +306,7 @@ class Parter {
       const bool first = i == 0 && !closes, last = i + 1 == n && !closes;
       const double near =
           std::max(first ? 0 : sides[(i + n - 1) % n].length, last ? 0 : sides[(i + 1) % n].length);
-      if (sides[i].length < kLong * near) return false;
+      if (sides[i].length < recognised::kLong * near) return false;
       before = 0;
       ++i;
     }

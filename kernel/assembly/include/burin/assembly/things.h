@@ -12,4 +12,7 @@ namespace burin {
 /// is a thing of its own.
 std::vector<std::size_t> things_of(const Scene& scene);
 
+/// One behind the last part of the thing that begins with the part at `index`.
+std::size_t end_of_thing(const Scene& scene, std::size_t index);
+
 }  // namespace burin
