@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <tuple>
 #include <utility>
 
 namespace burin {
@@ -27,16 +28,31 @@ struct Chain {
   bool closed = false;
 };
 
-/// Joins segments whose ends have equal keys.
+/// Joins segments whose ends have equal keys. Where surfaces lie on each other there are millions.
 class Joiner {
  public:
   explicit Joiner(std::span<const PairSegment> segments)
       : segments_(segments), used_(segments.size(), 0) {
+    struct End {
+      Key key;
+      std::size_t segment;
+      bool at_to;
+    };
+    std::vector<End> ends;
+    ends.reserve(2 * segments.size());
     for (std::size_t i = 0; i < segments.size(); ++i) {
-      ends_.push_back({&segments[i].from, i});
-      ends_.push_back({&segments[i].to, i});
+      ends.push_back({segments[i].from.key(), i, false});
+      ends.push_back({segments[i].to.key(), i, true});
     }
-    std::ranges::sort(ends_, {}, [](const End& e) { return std::pair(e.point->key(), e.segment); });
+    std::ranges::sort(ends, {}, [](const End& e) { return std::tie(e.key, e.segment); });
+    across_.fill(std::vector<std::size_t>(segments.size(), kNone));
+    for (std::size_t i = 0, last = 0; i < ends.size(); i = last) {
+      while (last < ends.size() && ends[last].key == ends[i].key) ++last;
+      const End &a = ends[i], &b = ends[last - 1];
+      if (last - i != 2 || a.segment == b.segment) continue;
+      across_[a.at_to ? 1 : 0][a.segment] = b.segment;
+      across_[b.at_to ? 1 : 0][b.segment] = a.segment;
+    }
   }
 
   std::vector<Chain> chains() {
@@ -44,8 +60,7 @@ class Joiner {
     for (const bool open : {true, false}) {
       for (std::size_t i = 0; i < segments_.size(); ++i) {
         if (used_[i]) continue;
-        const PairSegment& s = segments_[i];
-        const bool at_from = across(s.from, i) == kNone, at_to = across(s.to, i) == kNone;
+        const bool at_from = across(i, false) == kNone, at_to = across(i, true) == kNone;
         if (open && !at_from && !at_to) continue;
         out.push_back(follow(i, at_from || !at_to));
       }
@@ -55,20 +70,10 @@ class Joiner {
 
  private:
   using Key = decltype(Piercing().key());
-  struct End {
-    const Piercing* point;
-    std::size_t segment;
-  };
 
-  /// The other segment at a point, kNone where it is the end of a curve or a branching.
-  std::size_t across(const Piercing& p, std::size_t segment) const {
-    const auto before = [](const End& e, const Key& k) { return e.point->key() < k; };
-    const auto after = [](const Key& k, const End& e) { return k < e.point->key(); };
-    const auto first = std::lower_bound(ends_.begin(), ends_.end(), p.key(), before);
-    const auto last = std::upper_bound(first, ends_.end(), p.key(), after);
-    if (last - first != 2) return kNone;
-    const std::size_t other = first[0].segment == segment ? first[1].segment : first[0].segment;
-    return other == segment ? kNone : other;
+  /// The other segment at an end, kNone where it is the end of a curve or a branching.
+  std::size_t across(std::size_t segment, bool at_to) const {
+    return across_[at_to ? 1 : 0][segment];
   }
 
   Chain follow(std::size_t start, bool forward) {
@@ -78,7 +83,7 @@ class Joiner {
       const PairSegment& s = segments_[i];
       const Piercing &from = forward ? s.from : s.to, &to = forward ? s.to : s.from;
       chain.links.push_back({s.face_a, s.face_b, from.position, to.position});
-      const std::size_t next = across(to, i);
+      const std::size_t next = across(i, forward);
       if (next == kNone) return chain;
       if (used_[next]) {
         chain.closed = next == start;
@@ -91,7 +96,8 @@ class Joiner {
 
   std::span<const PairSegment> segments_;
   std::vector<std::uint8_t> used_;
-  std::vector<End> ends_;
+  /// What follows at the end `from` of each segment, and at `to`.
+  std::array<std::vector<std::size_t>, 2> across_;
 };
 
 double distance_to_line(const Vec3& p, const Vec3& a, const Vec3& b) {

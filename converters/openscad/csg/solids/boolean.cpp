@@ -8,7 +8,9 @@
 #include "inside.h"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
+#include <set>
 
 namespace burin::csg {
 namespace {
@@ -42,13 +44,15 @@ constexpr std::size_t kManyFacets = 4000;
 
 class Combiner {
  public:
-  Combiner(Space& space, std::span<const Mesh> meshes, const Formula& formula, RunContext& context,
+  Combiner(Space& space, std::span<const Mesh> meshes, const Formula& formula,
+           std::span<const char> through_points, RunContext& context,
            const std::function<void(double)>& share)
       : space_(space),
         meshes_(meshes),
         formula_(balanced(formula, boxes_of(formula, meshes))),
         context_(context),
         share_(share),
+        through_points_(through_points),
         boxes_(formula_, meshes),
         known_(meshes.size()),
         known_at_(meshes.size(), 0) {
@@ -69,6 +73,9 @@ class Combiner {
         share_(0.5 + 0.5 * static_cast<double>(done) / static_cast<double>(sheets_.size()));
       }
       judge(work, out.facets);
+    }
+    for (Facet& f : out.facets) {
+      if (f.surface >= 0 && given_up_.contains(f.surface)) f.surface = -1;
     }
     find_boxes(space_, out);
     return out;
@@ -119,6 +126,7 @@ class Combiner {
       }
       found.clear();
       meet_facets(space_, f, g, found);
+      if (!found.empty()) judge_surfaces(f, g, found);
       for (const Meeting& m : found) {
         met.push_back({i, m});
         met.push_back({j, m});
@@ -138,6 +146,27 @@ class Combiner {
       const auto same = [&](const Meeting& m, const Meeting& n) { return key(m) == key(n); };
       list.erase(std::unique(list.begin(), list.end(), same), list.end());
     }
+  }
+
+  bool through_points(const Facet& f) const {
+    return f.surface >= 0 && through_points_[static_cast<std::size_t>(f.surface)] != 0;
+  }
+
+  /// Gives up what two facets stand for that cross at a small angle.
+  void judge_surfaces(const Facet& f, const Facet& g, std::span<const Meeting> found) {
+    if (!through_points(f) && !through_points(g)) return;
+    const Vec3 m = space_.normal(f.plane), n = space_.normal(g.plane);
+    if (std::abs(glm::dot(m, n)) < kGrazing * glm::length(m) * glm::length(n)) return;
+    if (std::ranges::all_of(found, [](const Meeting& w) { return w.a == w.b; })) return;
+    if (neighbors(f, g)) return;
+    if (through_points(f)) given_up_.insert(f.surface);
+    if (through_points(g)) given_up_.insert(g.surface);
+  }
+
+  static bool neighbors(const Facet& f, const Facet& g) {
+    return std::ranges::any_of(f.edges, [&](const Edge& e) {
+      return std::ranges::any_of(g.edges, [&](const Edge& o) { return o.a == e.a; });
+    });
   }
 
   void judge(const Work& work, std::vector<Facet>& out) {
@@ -253,6 +282,8 @@ class Combiner {
   const Formula formula_;
   RunContext& context_;
   const std::function<void(double)>& share_;
+  std::span<const char> through_points_;
+  std::set<std::int32_t> given_up_;
   Boxes boxes_;
   std::vector<Inside> inside_;
   Culled culled_;
@@ -266,8 +297,9 @@ class Combiner {
 }  // namespace
 
 Mesh combine(Space& space, std::span<const Mesh> meshes, const Formula& formula,
-             RunContext& context, const std::function<void(double)>& share) {
-  Mesh out = Combiner(space, meshes, formula, context, share).run();
+             std::span<const char> through_points, RunContext& context,
+             const std::function<void(double)>& share) {
+  Mesh out = Combiner(space, meshes, formula, through_points, context, share).run();
   straighten(space, out);
   return out;
 }

@@ -22,9 +22,17 @@ struct Formula {
 
 /// Every facet is cut where it meets facets of other meshes, and of each piece it is asked whether
 /// what lies on its two sides belongs to the result: any number of operands costs one cut each, and
-/// solids may touch in edges and corners. `share` is told what part is done.
+/// solids may touch in edges and corners. `share` is told what part is done. `through_points`, by
+/// number of the surfaces of facets: it is smooth through the corners of its facets. Where facets
+/// of such a one cross others at less than kGrazing, it is as good as in one place with them, and
+/// where the facets cross says nothing of where the surfaces do: it is given up, its facets stand
+/// for themselves.
 Mesh combine(Space& space, std::span<const Mesh> meshes, const Formula& formula,
-             RunContext& context, const std::function<void(double)>& share);
+             std::span<const char> through_points, RunContext& context,
+             const std::function<void(double)>& share);
+
+/// The cosine of 10 degrees.
+inline constexpr double kGrazing = 0.985;
 
 /// Leaves out corners at which edges only go straight on.
 void straighten(Space& space, Mesh& mesh);

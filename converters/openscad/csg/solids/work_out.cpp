@@ -217,8 +217,10 @@ class WorkOut {
       context_.check();
       meshes.push_back(mesh_at(space, all_.leaves[s], surfaces));
     }
-    const Mesh result =
-        combine(space, meshes, cut.formula, context_, [&](double s) { tell(cut, s); });
+    std::vector<char> through_points;
+    for (const Turned& t : surfaces) through_points.push_back(t.profile == Turned::Profile::Grid);
+    const Mesh result = combine(space, meshes, cut.formula, through_points, context_,
+                                [&](double s) { tell(cut, s); });
     cut.solid = solid_of(space, result);
     cut.solid.surfaces = std::move(surfaces);
     tell(cut, 1);
