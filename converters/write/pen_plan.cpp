@@ -68,7 +68,7 @@ std::vector<Vec2> along_arcs(const std::vector<Vec2>& line, const std::vector<do
   constexpr double kOfADash = 6;
   const double step = *std::ranges::max_element(dashes) / kOfADash;
   std::vector<Vec2> dense;
-  for (const CurvePiece& piece : fit_arcs(line, false, {kThinned, kChords, false})) {
+  for (const CurvePiece& piece : fit_arcs(line, false, {kThinned, kChords, false, true})) {
     const std::size_t from = dense.empty() ? 0 : 1;  // each begins where the one before ends
     if (!piece.arc) {
       dense.insert(dense.end(), piece.points.begin() + static_cast<std::ptrdiff_t>(from),
@@ -83,6 +83,23 @@ std::vector<Vec2> along_arcs(const std::vector<Vec2>& line, const std::vector<do
     }
   }
   return dense;
+}
+
+double length_along(const std::vector<Vec2>& line) {
+  double length = 0;
+  for (std::size_t i = 1; i < line.size(); ++i) length += glm::distance(line[i - 1], line[i]);
+  return length;
+}
+
+/// Its dashes, fitted to the length of its arcs, which is a little more than that of their chords.
+std::vector<std::vector<Vec2>> dashes_along(const std::vector<Vec2>& line,
+                                            std::vector<double> dashes) {
+  const std::vector<Vec2> dense = along_arcs(line, dashes);
+  constexpr double kNoRest = 1 + 1e-9;  // the last gap ends where the line does, not before
+  const double length = length_along(line);
+  const double factor = length > 0 ? kNoRest * length_along(dense) / length : 1;
+  for (double& one : dashes) one *= factor;
+  return dashes_of(dense, dashes);
 }
 
 /// Circles about a place, one inside the other, and its middle, that a pen fills a disc with; none
@@ -321,9 +338,8 @@ class Planner {
     std::vector<Vec2> all = path.points;
     if (path.closed) all.push_back(all.front());
     if (!dashes.empty()) {
-      if (!pens_.arcs) all = thinned(all);
       for (std::vector<Vec2>& piece :
-           dashes_of(pens_.arcs ? along_arcs(all, dashes) : all, dashes)) {
+           pens_.arcs ? dashes_along(all, dashes) : dashes_of(thinned(all), dashes)) {
         add(std::move(piece), false, group, -1);
       }
       return;
@@ -395,7 +411,7 @@ std::vector<CurvePiece> pen_pieces(const PenLine& line, const PenPlan& plan, boo
   std::vector<Vec2> points = points_of(line, plan.order, plan.paths);
   if (line.closed) points.push_back(points.front());
   if (!arcs) return {{std::move(points), std::nullopt}};
-  std::vector<CurvePiece> pieces = fit_arcs(points, false, {kThinned, kChords, false});
+  std::vector<CurvePiece> pieces = fit_arcs(points, false, {kThinned, kChords, false, true});
   // Dashes come with all of their points.
   for (CurvePiece& piece : pieces) {
     if (!piece.arc) piece.points = thinned(piece.points);

@@ -14,7 +14,9 @@ constexpr double kLongestRadius = 2000;  // paper mm: what is longer is straight
 constexpr double kFlattest = 0.01;       // short half axis over long one: beyond it nearly a line
 constexpr double kCornerCosine = 0.8660254037844386;            // 30 degrees, as in fit_cubics
 constexpr std::size_t kLeastOfCircle = 3, kLeastOfEllipse = 6;  // segments: one more than decide it
-constexpr double kLeastTurnOfEllipse = 0.5;  // radians: less tells little of its axes
+// Radians that a line turns: less tells little of the axes of an ellipse, and where it ends between
+// corners something else goes on.
+constexpr double kLeastTurnOfEllipse = 0.5, kLeastTurnOfPart = 1.2;
 
 Vec2 turned_left(Vec2 v) { return {-v.y, v.x}; }
 
@@ -107,6 +109,16 @@ std::optional<Stretch> stretch_of(std::span<const Vec2> points) {
   return std::nullopt;
 }
 
+/// Radians by which a polyline turns, all its turns one way.
+double turning(std::span<const Vec2> p) {
+  double turn = 0;
+  for (std::size_t i = 1; i + 1 < p.size(); ++i) {
+    const Vec2 a = p[i] - p[i - 1], b = p[i + 1] - p[i];
+    turn += std::atan2(cross2(a, b), glm::dot(a, b));
+  }
+  return std::abs(turn);
+}
+
 class Fitter {
  public:
   Fitter(std::vector<Vec2> points, const ArcOptions& options)
@@ -125,6 +137,7 @@ class Fitter {
     std::size_t i = 0;
     const std::size_t last = p_.size() - 1;
     for (const std::size_t corner : corners_) {
+      run_begin_ = i;
       while (i < corner) i = step(i, corner);
     }
     leave(last);
@@ -155,12 +168,18 @@ class Fitter {
       const std::size_t far = all ? corner : reach(i, corner, least, oval);
       const bool better = far > i && (far == corner || far - i >= 2 * (end - i));
       const auto found = better ? ellipse(part(i, far)) : std::nullopt;
-      if (found && std::abs(found->turn) >= kLeastTurnOfEllipse) {
+      const bool complete = i == run_begin_ && far == corner;
+      const double least_turn = complete ? kLeastTurnOfEllipse : kLeastTurnOfPart;
+      if (found && turning(part(i, far)) >= least_turn) {
         end = far;
         arc = found;
       }
     }
     if (!arc) return i + 1;
+    if (!options_.approximate &&
+        !(leaves(*arc, end, corner, end + 1) && leaves(*arc, i, run_begin_, i - 1))) {
+      return i + 1;
+    }
     // Nearly straight: the arc that comes may begin within it.
     if (!is_worth(*arc, part(i, end))) return i + 1 + (end - i) / 2;
     // A curve that goes over into an arc: leave to the arc what is its own.
@@ -176,6 +195,15 @@ class Fitter {
     out_.push_back(std::move(piece));
     left_ = end;
     return end;
+  }
+
+  /// Whether an arc's end is one of the line between corners, or the point beyond it is far off.
+  bool leaves(const ConicArc& arc, std::size_t end, std::size_t of_run, std::size_t beyond) const {
+    constexpr double kAtOnce = 3;
+    if (end == of_run) return true;
+    const Stretch stretch{arc.major / arc.radius(), arc.ratio};
+    const Vec2 q = stretch.to(p_[beyond] - arc.center);
+    return stretch.off(q, arc.radius()) > kAtOnce * options_.points;
   }
 
   /// Everything since the last piece up to a point is no arc.
@@ -250,12 +278,13 @@ class Fitter {
 
   /// Whether it bows so much that nobody would take it for a line.
   bool is_worth(const ConicArc& arc, std::span<const Vec2> s) const {
+    const double least = std::max(2 * options_.points, 0.1 * options_.chords);
     if (s.size() <= (arc.is_circle() ? kLeastOfCircle : kLeastOfEllipse)) return false;
-    if (std::abs(arc.turn) > 1) return arc.radius() * arc.ratio > 2 * options_.points;
+    if (std::abs(arc.turn) > 1) return arc.radius() * arc.ratio > least;
     const Vec2 along = glm::normalize(s.back() - s.front());
     double bow = 0;
     for (const Vec2& p : s) bow = std::max(bow, std::abs(cross2(along, p - s.front())));
-    return bow > 2 * options_.points;
+    return bow > least;
   }
 
   std::vector<Vec2> p_;
@@ -263,7 +292,7 @@ class Fitter {
   /// Where it turns sharply, and the last point.
   std::vector<std::size_t> corners_;
   std::vector<CurvePiece> out_;
-  std::size_t left_ = 0;
+  std::size_t left_ = 0, run_begin_ = 0;
 };
 
 /// A closed polyline (its first point not repeated) begun where an arc may end: at its sharpest

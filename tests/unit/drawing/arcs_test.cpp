@@ -34,6 +34,7 @@ void append(std::vector<Vec2>& to, const std::vector<Vec2>& more) {
 }
 
 const ArcOptions kAll{0.002, 0.02, true};
+const ArcOptions kNear{0.002, 0.02, true, true};
 
 /// Pieces follow each other and arcs end on their first and last point.
 void expect_chain(const std::vector<CurvePiece>& pieces, const ArcOptions& options) {
@@ -127,11 +128,11 @@ TEST(Arcs, ARoundedRectangleIsItsLinesAndItsArcs) {
 
 TEST(Arcs, AnArcThatMeetsAnotherEndsThere) {
   std::vector<Vec2> points = sampled(circle({0, 0}, 10), kPi, 0.5 * kPi, 40);
-  append(points, sampled(circle({0, 4}, 6), 0.5 * kPi, 0, 30));
+  append(points, sampled(circle({0, 7}, 3), 0.5 * kPi, 0, 12));
   const auto pieces = fit_arcs(points, false, kAll);
   ASSERT_EQ(pieces.size(), 2u);
   EXPECT_NEAR(pieces[0].arc.value().radius(), 10, 0.05);
-  EXPECT_NEAR(pieces[1].arc.value().radius(), 6, 0.05);
+  EXPECT_NEAR(pieces[1].arc.value().radius(), 3, 0.05);
   expect_chain(pieces, kAll);
 }
 
@@ -157,12 +158,26 @@ TEST(Arcs, PolygonsAndLinesAreNone) {
   EXPECT_TRUE(fit_arcs({}, false, kAll).empty());
 }
 
+TEST(Arcs, AnInvoluteIsNoneUnlessNearIsEnough) {
+  const auto involute = [](double t) {
+    return 10.0 * Vec2(std::cos(t) + t * std::sin(t), std::sin(t) - t * std::cos(t));
+  };
+  const auto points = sampled(involute, 0.3, 1.2, 20);
+  const auto pieces = fit_arcs(points, false, kAll);
+  ASSERT_EQ(pieces.size(), 1u);
+  EXPECT_FALSE(pieces[0].arc);
+  EXPECT_EQ(pieces[0].points, points);
+  const auto near = fit_arcs(points, false, kNear);
+  EXPECT_GT(near.size(), 1u);
+  EXPECT_TRUE(near[0].arc);
+}
+
 TEST(Arcs, OfAnyCurveStayNearIt) {
   const auto wave = [](double t) { return Vec2(10 * t, 3 * std::sin(t) + std::cos(2.3 * t)); };
   const auto points = sampled(wave, 0, 12, 600);
   std::size_t total = 0;
-  const auto pieces = fit_arcs(points, false, kAll);
-  expect_chain(pieces, kAll);
+  const auto pieces = fit_arcs(points, false, kNear);
+  expect_chain(pieces, kNear);
   for (const CurvePiece& piece : pieces) {
     total += piece.points.size() - 1;
     if (!piece.arc) continue;

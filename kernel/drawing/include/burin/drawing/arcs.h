@@ -46,15 +46,19 @@ struct ArcOptions {
   double chords = 0.02;
   /// Ellipses too, not circles alone.
   bool ellipses = false;
+  /// Any curve in arcs that are near enough, as machines want it. Else an arc ends where the line
+  /// does, at a corner, or where the next point leaves it at once: others are no arcs.
+  bool approximate = false;
 };
 
 /// Divides a polyline into the arcs in it and what is left between them; together they are the
 /// polyline, in its order, each piece beginning with the last point of the one before. Arcs end
 /// exactly on their first and last point (whole circles and ellipses: within `options.points`). An
 /// arc stands for three segments or more (an ellipse for six) and bows by more than twice
-/// `options.points`, a radius is up to 2 m. A closed polyline does not repeat its first point; it
-/// may begin elsewhere in the pieces. One piece without an arc where there is none. Points are
-/// finite. Cost: n log n fits of circles at the most, 1 us per point for a circle.
+/// `options.points` and a tenth of `options.chords`, a radius is up to 2 m. A closed polyline does
+/// not repeat its first point; it may begin elsewhere in the pieces. One piece without an arc where
+/// there is none. Points are finite. Cost: n log n fits of circles at the most, 1 us per point for
+/// a circle.
 /// @cite Halir1998
 std::vector<CurvePiece> fit_arcs(std::span<const Vec2> points, bool closed,
                                  const ArcOptions& options);
