@@ -176,8 +176,7 @@ class Fitter {
       }
     }
     if (!arc) return i + 1;
-    if (!options_.approximate &&
-        !(leaves(*arc, end, corner, end + 1) && leaves(*arc, i, run_begin_, i - 1))) {
+    if (!options_.approximate && !(leaves(*arc, end, corner) && leaves(*arc, i, run_begin_))) {
       return i + 1;
     }
     // Nearly straight: the arc that comes may begin within it.
@@ -197,13 +196,18 @@ class Fitter {
     return end;
   }
 
-  /// Whether an arc's end is one of the line between corners, or the point beyond it is far off.
-  bool leaves(const ConicArc& arc, std::size_t end, std::size_t of_run, std::size_t beyond) const {
+  /// Whether an arc's end is one of the line between corners, or the next point beyond it is far
+  /// off.
+  bool leaves(const ConicArc& arc, std::size_t end, std::size_t of_run) const {
     constexpr double kAtOnce = 3;
-    if (end == of_run) return true;
     const Stretch stretch{arc.major / arc.radius(), arc.ratio};
-    const Vec2 q = stretch.to(p_[beyond] - arc.center);
-    return stretch.off(q, arc.radius()) > kAtOnce * options_.points;
+    for (std::size_t i = end; i != of_run;) {
+      of_run > end ? ++i : --i;
+      // Ends that were joined may be two points.
+      if (glm::distance(p_[i], p_[end]) <= options_.points) continue;
+      return stretch.off(stretch.to(p_[i] - arc.center), arc.radius()) > kAtOnce * options_.points;
+    }
+    return true;
   }
 
   /// Everything since the last piece up to a point is no arc.
