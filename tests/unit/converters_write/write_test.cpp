@@ -276,10 +276,11 @@ TEST(WriteDrawing, DxfHasCirclesArcsAndEllipses) {
   // Every entity has a handle of its own, below that of the next one to come.
   std::set<std::uint64_t> handles;
   std::size_t entities = 0;
-  for (std::size_t at = dxf.find("ENTITIES\n"); at < dxf.find("\nOBJECTS\n"); ++entities) {
-    at = dxf.find("\n5\n", at);
-    if (at > dxf.find("\nOBJECTS\n")) break;
-    handles.insert(std::stoull(dxf.substr(at += 3), nullptr, 16));
+  const std::string of_an_entity = "\n330\n1A\n100\nAcDbEntity\n";
+  for (std::size_t at = dxf.find("ENTITIES\n"); (at = dxf.find(of_an_entity, at)) != dxf.npos;
+       ++at) {
+    handles.insert(std::stoull(dxf.substr(dxf.rfind('\n', at - 1) + 1), nullptr, 16));
+    ++entities;
   }
   EXPECT_EQ(entities, 7u);
   EXPECT_EQ(handles.size(), entities);
