@@ -15,6 +15,8 @@ set_target_properties(${libraries} PROPERTIES INSTALL_RPATH "$ORIGIN")
 burin_rpath(burin_cli ${CMAKE_INSTALL_BINDIR})
 burin_rpath(burin_csg ${CMAKE_INSTALL_LIBDIR}/burin)
 install(TARGETS burin_csg RUNTIME DESTINATION ${CMAKE_INSTALL_LIBDIR}/burin COMPONENT command)
+install(FILES ${PROJECT_SOURCE_DIR}/samples/openscad/burin.scad DESTINATION ${CMAKE_INSTALL_LIBDIR}/burin/openscad
+  COMPONENT command)
 install(TARGETS burin_cli RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT command)
 install(TARGETS ${libraries}
   LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR} NAMELINK_SKIP COMPONENT command)
@@ -42,6 +44,8 @@ function(burin_install_bundle folder component)
     LIBRARY DESTINATION ${folder} NAMELINK_SKIP COMPONENT ${component} EXCLUDE_FROM_ALL)
   install(TARGETS burin_probe RUNTIME DESTINATION ${folder} COMPONENT ${component} EXCLUDE_FROM_ALL)
   install(TARGETS burin_csg RUNTIME DESTINATION ${folder}/burin COMPONENT ${component} EXCLUDE_FROM_ALL)
+  install(FILES ${PROJECT_SOURCE_DIR}/samples/openscad/burin.scad DESTINATION ${folder}/burin/openscad
+    COMPONENT ${component} EXCLUDE_FROM_ALL)
   install(DIRECTORY ${PROJECT_SOURCE_DIR}/converters/python/burin/ DESTINATION ${folder}
     COMPONENT ${component} EXCLUDE_FROM_ALL FILES_MATCHING PATTERN "*.py" PATTERN py.typed PATTERN __pycache__ EXCLUDE)
 endfunction()

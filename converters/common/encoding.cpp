@@ -59,6 +59,8 @@ class Converter {
   Converter(const Converter&) = delete;
   Converter& operator=(const Converter&) = delete;
   bool known() const { return handle_ != reinterpret_cast<iconv_t>(-1); }
+  /// Bytes that were no letters.
+  std::int64_t wrong() const { return wrong_; }
 
   std::string convert(std::string_view text) {
     std::string out;
@@ -73,6 +75,7 @@ class Converter {
       if (done != static_cast<std::size_t>(-1) || errno == E2BIG) continue;
       out += kReplacement;
       ++in, --left;
+      ++wrong_;
     }
     iconv(handle_, nullptr, nullptr, nullptr, nullptr);
     return out;
@@ -80,6 +83,7 @@ class Converter {
 
  private:
   iconv_t handle_;
+  std::int64_t wrong_ = 0;
 };
 
 }  // namespace
@@ -114,11 +118,21 @@ void TextDecoder::decide() {
 std::string TextDecoder::utf8(std::string_view text) {
   decide();
   if (is_ascii(text) || (lowered(encoding_) == "utf-8" && is_utf8(text))) return std::string(text);
-  return Converter(encoding_).convert(text);
+  Converter converter(encoding_);
+  std::string out = converter.convert(text);
+  wrong_ += converter.wrong();
+  return out;
 }
 
 void TextDecoder::tell(Diagnostics& diagnostics) {
   decide();
+  if (wrong_ > 0) {
+    diagnostics.add(Severity::Warning, "names.encoding", wrong_,
+                    fmt::format("{} bytes of the names are no letters of {}; `encoding` names "
+                                "the one that they are in",
+                                wrong_, plain_name(encoding_)));
+    return;
+  }
   if (sure_ || texts_.empty()) return;
   diagnostics.add(Severity::Warning, "names.encoding", std::ssize(texts_),
                   fmt::format("the file does not say in which encoding its names are; they are "

@@ -3,6 +3,7 @@
 
 #include <burin/base/diagnostics.h>
 
+#include <cstdint>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -27,7 +28,8 @@ class TextDecoder {
   void learn(std::string_view text);
   /// A text as UTF-8; what is no letter of the encoding becomes U+FFFD.
   std::string utf8(std::string_view text);
-  /// Says once, with code "names.encoding", where what was found out is not sure.
+  /// Says once, with code "names.encoding", where what was found out is not sure, or where `utf8`
+  /// met what is no letter of the encoding.
   void tell(Diagnostics& diagnostics);
 
  private:
@@ -36,6 +38,8 @@ class TextDecoder {
   std::string encoding_;
   std::vector<std::string> texts_;
   bool decided_ = false, sure_ = true;
+  /// Bytes that became U+FFFD.
+  std::int64_t wrong_ = 0;
 };
 
 /// A whole text file as UTF-8; empty where it is that already. As `TextDecoder` does with its

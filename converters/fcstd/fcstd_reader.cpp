@@ -70,7 +70,6 @@ class Maker {
     }
     made_.diagnostics.append(walk.diagnostics);
     left_out_ = std::move(walk.left_out);
-    number_names(walk.uses);
     for (std::size_t i = 0; i < walk.uses.size(); ++i) {
       context_.check();
       add(walk.uses[i]);
@@ -92,13 +91,11 @@ class Maker {
     std::int32_t first = -1;
   };
 
-  /// Gives " #2", " #3" ... to uses that have name and assembly in common with one before.
-  static void number_names(std::vector<FcUse>& uses) {
-    std::map<std::pair<std::vector<std::string>, std::string>, int> seen;
-    for (FcUse& use : uses) {
-      const int n = ++seen[{use.assembly, use.name}];
-      if (n > 1) use.name += fmt::format(" #{}", n);
-    }
+  /// Gives " #2", " #3" ... to a use that has name and assembly in common with one before that is
+  /// drawn.
+  void number_name(FcUse& use) {
+    const int n = ++named_[{use.assembly, use.name}];
+    if (n > 1) use.name += fmt::format(" #{}", n);
   }
 
   void broken(const FcUse& use, const std::string& why) {
@@ -133,16 +130,18 @@ class Maker {
     return it->second;
   }
 
-  void add(const FcUse& use) {
+  void add(FcUse& use) {
     Shape& shape = shape_of(use);
     if (shape.empty) return detail::leave_out_shapeless(*use.object, use.name, left_out_);
     if (shape.no_face) {
       some_faceless_ = true;
       return detail::leave_out_faceless(use.name, left_out_);
     }
+    if (!shape.brep && !shape.mesh) return;  // told as broken
+    number_name(use);
     try {
       if (shape.brep) return add_brep(use, shape);
-      if (shape.mesh) add_mesh(use, *shape.mesh);
+      add_mesh(use, *shape.mesh);
     } catch (const GeometryError& e) {
       broken(use, e.what());
     } catch (const InputError& e) {
@@ -276,6 +275,8 @@ class Maker {
   RunContext& context_;
   Made made_;
   std::map<std::pair<const detail::FcDocument*, std::string>, Shape> shapes_;
+  /// How many drawn parts have an assembly and a name.
+  std::map<std::pair<std::vector<std::string>, std::string>, int> named_;
   /// What each part is made of.
   std::vector<const FcUse*> pushed_;
   detail::LeftOut left_out_;

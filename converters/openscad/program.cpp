@@ -2,6 +2,7 @@
 
 #include <burin/base/error.h>
 
+#include "beside.h"
 #include "exchange.h"
 #include "messages.h"
 #include "named_files.h"
@@ -45,6 +46,15 @@ struct Program {
         "(2021.01 or newer), or name the command in BURIN_OPENSCAD");
   }
   throw InputError(fmt::format("openscad cannot be run: {}", std::strerror(error)));
+}
+
+/// Where OpenSCAD looks for libraries: as the user has it, then where burin.scad came with Burin,
+/// so that `use <burin.scad>` works without a copy of it.
+std::string library_path() {
+  const char* users = std::getenv("OPENSCADPATH");
+  std::string path = "OPENSCADPATH=";
+  if (users && *users) path += std::string(users) + ":";
+  return path + program_beside("burin/openscad");
 }
 
 /// Asks the program what it is: a newer OpenSCAD has a second kernel, which is much faster.
@@ -189,6 +199,7 @@ Said run_openscad(const Path& path, const OpenscadOptions& options, Makes makes,
   }
   run.arguments.push_back(instead ? "-" : std::filesystem::absolute(path).string());
   run.folder = std::filesystem::absolute(path).parent_path().string();
+  run.environment = {library_path()};
   run.file = &out;
   run.timeout = options.timeout;
   run.doing = makes == Makes::Mesh ? "OpenSCAD makes the mesh" : "OpenSCAD runs the program";

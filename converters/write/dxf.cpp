@@ -1,6 +1,8 @@
 #include "dxf.h"
 
 #include <burin/base/error.h>
+#include <burin/base/parallel.h>
+#include <burin/drawing/arcs.h>
 #include <burin/drawing/font.h>
 #include <burin/drawing/ink.h>
 #include <burin/drawing/join.h>
@@ -13,6 +15,7 @@
 #include <array>
 #include <cmath>
 #include <map>
+#include <numbers>
 #include <ostream>
 
 namespace burin {
@@ -24,6 +27,11 @@ using dxf::Groups;
 /// The line weights that DXF knows, in 1/100 mm; all widths of ISO 128 are among them.
 constexpr std::array kWeights{0,  5,  9,  13, 15, 18,  20,  25,  30,  35,  40,  50,
                               53, 60, 70, 80, 90, 100, 106, 120, 140, 158, 200, 211};
+
+/// Decimals of angles and ratios, which are multiplied by a radius.
+constexpr int kExact = 12;
+/// Of the tolerance of curves: how far the points of one may be from an arc.
+constexpr double kShareOfPoints = 0.1;
 
 int weight_of(const Path& path) {
   const double width = 100 * mean_width(path);
@@ -42,6 +50,12 @@ struct Item {
   const Path* path = nullptr;
   const dxf::LayerRow* layer = nullptr;
   const Text* text = nullptr;
+  /// Of a path with arcs in it.
+  std::vector<CurvePiece> pieces = {};
+  /// That of its first entity; the others follow.
+  std::uint64_t handle = 0;
+
+  std::size_t entities() const { return std::max<std::size_t>(1, pieces.size()); }
 };
 
 /// The head of an entity, up to its own data.
@@ -113,6 +127,31 @@ void append_dot(Groups& out, const Item& item, std::uint64_t handle) {
   for (const Vec2 p : {middle - side, middle + side}) out.point(10, p).real(42, 1);
 }
 
+/// CIRCLE, ARC or ELLIPSE. DXF has arcs anticlockwise.
+void append_arc(Groups& out, const Item& item, const ConicArc& arc, std::uint64_t handle) {
+  const double first = arc.turn > 0 ? arc.begin : arc.begin + arc.turn;
+  const double last = first + std::abs(arc.turn);
+  if (!arc.is_circle()) {
+    append_entity(out, "ELLIPSE", "AcDbEllipse", item, handle);
+    out.point(10, Vec3(arc.center, 0)).point(11, Vec3(arc.major, 0)).point(210, Vec3(0, 0, 1));
+    out.real(40, arc.ratio, kExact);
+    constexpr double kTurn = 2 * std::numbers::pi;
+    const double begin = arc.is_whole() ? 0 : first - kTurn * std::floor(first / kTurn);
+    out.real(41, begin, kExact);
+    out.real(42, arc.is_whole() ? kTurn : begin + last - first, kExact);
+    return;
+  }
+  append_entity(out, arc.is_whole() ? "CIRCLE" : "ARC", "AcDbCircle", item, handle);
+  out.point(10, Vec3(arc.center, 0)).real(40, arc.radius());
+  if (arc.is_whole()) return;
+  const double along = std::atan2(arc.major.y, arc.major.x);
+  const auto degrees = [&](double t) {
+    const double a = (t + along) * 180 / std::numbers::pi;
+    return a - 360 * std::floor(a / 360);
+  };
+  out.text(100, "AcDbArc").real(50, degrees(first), kExact).real(51, degrees(last), kExact);
+}
+
 /// A chain of cubics as one B-spline: its control points are theirs, knots at joints are threefold.
 void append_spline(Groups& out, const Item& item, const std::vector<CubicBezier>& chain,
                    std::uint64_t handle) {
@@ -132,7 +171,7 @@ void append_spline(Groups& out, const Item& item, const std::vector<CubicBezier>
   }
 }
 
-void append_path(Groups& out, const Item& item, const WriteOptions& options, std::uint64_t handle) {
+void append_line(Groups& out, const Item& item, const WriteOptions& options, std::uint64_t handle) {
   const Path& path = *item.path;
   const double tolerance = options.svg.fit_tolerance;
   const bool true_width = has_true_width(path);
@@ -160,6 +199,42 @@ void append_path(Groups& out, const Item& item, const WriteOptions& options, std
     append_polyline(out, item, points, handle);
   }
   append_source(out, path);
+}
+
+/// The arcs in a path, and what is between them; nothing where there are none.
+std::vector<CurvePiece> pieces_of(const Path& path, const WriteOptions& options) {
+  if (!options.dxf.arcs || has_true_width(path) || is_dot(path) || path.points.size() < 4)
+    return {};
+  const double tolerance = options.svg.fit_tolerance;
+  const ArcOptions how{kShareOfPoints * tolerance, tolerance, true};
+  std::vector<CurvePiece> pieces;
+  if (path.closed && options.dxf.order == LineOrder::Travel) {
+    // It begins where the pen comes to it.
+    std::vector<Vec2> ring = path.points;
+    ring.push_back(ring.front());
+    pieces = fit_arcs(ring, false, how);
+  } else {
+    pieces = fit_arcs(path.points, path.closed, how);
+  }
+  const bool any =
+      std::ranges::any_of(pieces, [](const CurvePiece& p) { return p.arc.has_value(); });
+  return any ? pieces : std::vector<CurvePiece>();
+}
+
+void append_path(Groups& out, const Item& item, const WriteOptions& options) {
+  if (item.pieces.empty()) return append_line(out, item, options, item.handle);
+  std::uint64_t handle = item.handle;
+  for (const CurvePiece& piece : item.pieces) {
+    if (piece.arc) {
+      append_arc(out, item, *piece.arc, handle++);
+      append_source(out, *item.path);
+      continue;
+    }
+    Path between = without_points(*item.path);
+    between.points = piece.points;
+    between.width = {mean_width(*item.path)};
+    append_line(out, {&between, item.layer}, options, handle++);
+  }
 }
 
 /// Text as DXF writes it: characters beyond ASCII by their numbers, "%%" and control characters by
@@ -269,8 +344,18 @@ void write_dxf(const Drawing& drawing, const WriteOptions& options, std::ostream
     for (const Text* text : layer.texts) items.push_back({nullptr, &rows.back(), text});
   }
   dxf::Frame frame = frame_of(drawing, items, options.svg);
-  const std::uint64_t first = static_cast<std::uint64_t>(Fixed::FirstLayer) + rows.size();
-  frame.next_handle = first + items.size();
+  constexpr std::size_t kGrain = 64;
+  const auto fit = [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      if (items[i].path) items[i].pieces = pieces_of(*items[i].path, options);
+    }
+  };
+  parallel_for(items.size(), kGrain, fit, &context);
+  frame.next_handle = static_cast<std::uint64_t>(Fixed::FirstLayer) + rows.size();
+  for (Item& item : items) {
+    item.handle = frame.next_handle;
+    frame.next_handle += item.entities();
+  }
   Buffer text;
   dxf::append_head(text, frame, rows);
   write(text, out);
@@ -278,8 +363,8 @@ void write_dxf(const Drawing& drawing, const WriteOptions& options, std::ostream
       items.size(), [&](std::size_t i) { return items[i].path ? items[i].path->points.size() : 1; },
       [&](std::size_t i, Buffer& buffer) {
         Groups groups(buffer);
-        if (items[i].text) return append_text(groups, items[i], first + i);
-        append_path(groups, items[i], options, first + i);
+        if (items[i].text) return append_text(groups, items[i], items[i].handle);
+        append_path(groups, items[i], options);
       },
       out, context);
   text.clear();

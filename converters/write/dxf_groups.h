@@ -74,11 +74,11 @@ class Groups {
     return *this;
   }
   Groups& handle(int code, Fixed value) { return handle(code, static_cast<std::uint64_t>(value)); }
-  /// Rounded to 1e-6; with a point, which strict readers want.
-  Groups& real(int code, double value) {
+  /// Rounded to 1e-6, or to so many decimals; with a point, which strict readers want.
+  Groups& real(int code, double value, int decimals = 6) {
     fmt::format_to(fmt::appender(out_), "{}\n", code);
     const std::size_t begin = out_.size();
-    append_fixed(out_, value, 6);
+    append_fixed(out_, value, decimals);
     const std::string_view digits(out_.data() + begin, out_.size() - begin);
     append(out_, digits.find_first_of(".e") == std::string_view::npos ? ".0\n" : "\n");
     return *this;

@@ -8,6 +8,7 @@
 #include <fmt/ranges.h>
 
 #include <cmath>
+#include <numbers>
 #include <ostream>
 
 namespace burin {
@@ -15,6 +16,7 @@ namespace {
 
 constexpr std::size_t kFlushed = 1 << 16;  // bytes
 constexpr int kDecimals = 3;
+constexpr double kHalfTurn = std::numbers::pi * (1 - 1e-6);
 
 /// For a comment: one line of printable ASCII.
 std::string plain(std::string_view text) {
@@ -74,35 +76,45 @@ class Writer {
     for (const Pen& pen : plan_.pens) append(out, "; " + told(pen) + "\n");
     append(out, fmt::format("; {} lines, {:.0f} mm drawn, {:.0f} mm of travel\n",
                             plan_.order.lines.size(), plan_.order.drawn, plan_.order.travel));
-    append(out, "G21\nG90\n" + up_);
+    append(out, (options_.arcs ? "G21\nG90\nG17\n" : "G21\nG90\n") + up_);
   }
 
   void line(std::size_t i, Buffer& out) {
     const PenLine& line = plan_.order.lines[i];
-    std::vector<Vec2> points = points_of(line, plan_.order, plan_.paths);
-    if (line.closed) points.push_back(points.front());
-    const bool goes_on = plan_.goes_on(i, before_, points.front(), options_.join);
+    const std::vector<CurvePiece> pieces = pen_pieces(line, plan_, options_.arcs);
+    const Vec2 first = pieces.front().start();
+    const bool goes_on = plan_.goes_on(i, before_, first, options_.join);
     if (!goes_on) lift(out);
     if (i > 0 && line.group != plan_.order.lines[i - 1].group) change_to(line.group, out);
     Place last = place(before_);
     if (!goes_on) {
-      last = place(points.front());
+      last = place(first);
       append_place(out, "G0", last, options_.travel_feed);
       append(out, down_);
       is_down_ = true;
       fast_ = true;
     }
     bool moved = false;
-    for (const Vec2 p : points) {
-      if (place(p) == last) continue;
+    const auto go_to = [&](Vec2 p) {
+      if (place(p) == last) return;
       last = place(p);
       append_place(out, "G1", last, fast_ ? options_.feed : 0);
       fast_ = false;
       moved = true;
+    };
+    for (const CurvePiece& piece : pieces) {
+      if (!piece.arc) {
+        for (const Vec2 p : piece.points) go_to(p);
+        continue;
+      }
+      go_to(piece.start());
+      // Half of a turn at most: none is so nearly whole that its ends round to one place.
+      const int parts = std::abs(piece.arc->turn) > kHalfTurn ? 2 : 1;
+      for (int k = 0; k < parts; ++k) moved |= append_arc(*piece.arc, k, parts, last, out);
     }
     // A line shorter than a micrometre is a dot.
     if (!moved && !goes_on) append_place(out, "G1", last, options_.feed);
-    before_ = points.back();
+    before_ = pieces.back().end();
   }
 
   void tail(Buffer& out) {
@@ -135,6 +147,26 @@ class Writer {
     append_scaled(out, to.y, kDecimals);
     if (feed > 0) append(out, " F" + number(feed));
     append(out, "\n");
+  }
+
+  /// One of equal parts of an arc; whether it moves the pen.
+  bool append_arc(const ConicArc& arc, int part, int parts, Place& last, Buffer& out) {
+    const Place to = place(arc.at(arc.begin + arc.turn * (part + 1) / parts));
+    if (to == last) return false;
+    const Place center = place(arc.center);
+    append(out, arc.turn > 0 ? "G3 X" : "G2 X");
+    append_scaled(out, to.x, kDecimals);
+    append(out, " Y");
+    append_scaled(out, to.y, kDecimals);
+    append(out, " I");
+    append_scaled(out, center.x - last.x, kDecimals);
+    append(out, " J");
+    append_scaled(out, center.y - last.y, kDecimals);
+    if (fast_) append(out, " F" + number(options_.feed));
+    append(out, "\n");
+    fast_ = false;
+    last = to;
+    return true;
   }
 
   void lift(Buffer& out) {

@@ -23,8 +23,16 @@ namespace {
 /// Paper mm that a line may be from its points: a little beside the 0.018 that rounding to the
 /// units of a plotter adds.
 constexpr double kThinned = 0.005;
+/// Paper mm between an arc and the chords of points that were thinned so.
+constexpr double kChords = 0.012;
 /// Paper mm of width by which pens differ.
 constexpr double kSamePen = 0.02;
+
+std::vector<Vec2> thinned(const std::vector<Vec2>& all) {
+  std::vector<Vec2> line;
+  for (const std::size_t i : simplify(all, kThinned)) line.push_back(all[i]);
+  return line;
+}
 
 /// The pieces of a line that are drawn where ink and gaps alternate; a closed line repeats its
 /// first point at its end.
@@ -52,6 +60,46 @@ std::vector<std::vector<Vec2>> dashes_of(const std::vector<Vec2>& line,
     if (part % 2 == 0) pieces.back().push_back(line[i]);
   }
   return pieces;
+}
+
+/// A line that is to be cut into dashes, with so many points on its arcs that each dash is known
+/// for one.
+std::vector<Vec2> along_arcs(const std::vector<Vec2>& line, const std::vector<double>& dashes) {
+  constexpr double kOfADash = 6;
+  const double step = *std::ranges::max_element(dashes) / kOfADash;
+  std::vector<Vec2> dense;
+  for (const CurvePiece& piece : fit_arcs(line, false, {kThinned, kChords, false, true})) {
+    const std::size_t from = dense.empty() ? 0 : 1;  // each begins where the one before ends
+    if (!piece.arc) {
+      dense.insert(dense.end(), piece.points.begin() + static_cast<std::ptrdiff_t>(from),
+                   piece.points.end());
+      continue;
+    }
+    const double length = piece.arc->radius() * std::abs(piece.arc->turn);
+    const double count = std::clamp(std::ceil(length / step), 1.0, 1e6);
+    const auto n = std::max(piece.points.size(), static_cast<std::size_t>(count));
+    for (std::size_t i = from; i <= n; ++i) {
+      dense.push_back(piece.arc->at(piece.arc->begin + piece.arc->turn * double(i) / double(n)));
+    }
+  }
+  return dense;
+}
+
+double length_along(const std::vector<Vec2>& line) {
+  double length = 0;
+  for (std::size_t i = 1; i < line.size(); ++i) length += glm::distance(line[i - 1], line[i]);
+  return length;
+}
+
+/// Its dashes, fitted to the length of its arcs, which is a little more than that of their chords.
+std::vector<std::vector<Vec2>> dashes_along(const std::vector<Vec2>& line,
+                                            std::vector<double> dashes) {
+  const std::vector<Vec2> dense = along_arcs(line, dashes);
+  constexpr double kNoRest = 1 + 1e-9;  // the last gap ends where the line does, not before
+  const double length = length_along(line);
+  const double factor = length > 0 ? kNoRest * length_along(dense) / length : 1;
+  for (double& one : dashes) one *= factor;
+  return dashes_of(dense, dashes);
 }
 
 /// Circles about a place, one inside the other, and its middle, that a pen fills a disc with; none
@@ -289,14 +337,14 @@ class Planner {
   void add_line(const Path& path, std::uint32_t group, const std::vector<double>& dashes) {
     std::vector<Vec2> all = path.points;
     if (path.closed) all.push_back(all.front());
-    std::vector<Vec2> line;
-    for (const std::size_t i : simplify(all, kThinned)) line.push_back(all[i]);
     if (!dashes.empty()) {
-      for (std::vector<Vec2>& piece : dashes_of(line, dashes)) {
+      for (std::vector<Vec2>& piece :
+           pens_.arcs ? dashes_along(all, dashes) : dashes_of(thinned(all), dashes)) {
         add(std::move(piece), false, group, -1);
       }
       return;
     }
+    std::vector<Vec2> line = thinned(all);
     const bool closed = path.closed && line.size() > 3;
     if (closed) line.pop_back();
     add(std::move(line), closed, group, 0);
@@ -357,6 +405,18 @@ bool PenPlan::goes_on(std::size_t line, Vec2 before, Vec2 first, double join) co
   return line > 0 && order.lines[line].group == order.lines[line - 1].group &&
          whole(order.lines[line]) && whole(order.lines[line - 1]) &&
          glm::distance(before, first) <= join;
+}
+
+std::vector<CurvePiece> pen_pieces(const PenLine& line, const PenPlan& plan, bool arcs) {
+  std::vector<Vec2> points = points_of(line, plan.order, plan.paths);
+  if (line.closed) points.push_back(points.front());
+  if (!arcs) return {{std::move(points), std::nullopt}};
+  std::vector<CurvePiece> pieces = fit_arcs(points, false, {kThinned, kChords, false, true});
+  // Dashes come with all of their points.
+  for (CurvePiece& piece : pieces) {
+    if (!piece.arc) piece.points = thinned(piece.points);
+  }
+  return pieces;
 }
 
 PenPlan plan_pens(const Drawing& drawing, const PenOptions& pens, std::string_view group,

@@ -3,6 +3,7 @@
 
 #include <burin/base/run_context.h>
 #include <burin/converters/write.h>
+#include <burin/drawing/arcs.h>
 #include <burin/drawing/drawing.h>
 #include <burin/drawing/pen_options.h>
 #include <burin/drawing/pen_order.h>
@@ -36,6 +37,10 @@ struct PenPlan {
   /// farther apart than `join` mm, and neither is a dash.
   bool goes_on(std::size_t line, Vec2 before, Vec2 first, double join) const;
 };
+
+/// A line that is drawn in pieces: arcs of circles where `arcs` wants them and they are some, and
+/// what is between them. A closed line ends where it begins.
+std::vector<CurvePiece> pen_pieces(const PenLine& line, const PenPlan& plan, bool arcs);
 
 /// Plans the lines of a drawing. `group` ("hpgl.") is that of the keys of `pens`, for messages.
 /// What a pen cannot show is told through `options.tell`. Throws UsageError where `pens` says

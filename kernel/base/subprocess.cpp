@@ -10,6 +10,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <chrono>
@@ -52,7 +53,7 @@ class Pipe {
 
 /// What the child needs, made before the fork: after it only system calls are safe.
 struct Prepared {
-  std::vector<char*> argv;
+  std::vector<char*> argv, environment;
   const char* folder = nullptr;
   int input = -1, output = -1, failure = -1, file = -1;
   rlim_t memory = RLIM_INFINITY;
@@ -82,8 +83,23 @@ struct Prepared {
   if (::dup2(p.input, 0) < 0 || ::dup2(p.output, 1) < 0 || ::dup2(p.output, 2) < 0)
     fail_in_child(p);
   if (p.file >= 0 && ::dup2(p.file, kSubprocessFile) < 0) fail_in_child(p);
-  ::execvp(p.argv[0], p.argv.data());
+  ::execvpe(p.argv[0], p.argv.data(), p.environment.data());
   fail_in_child(p);
+}
+
+/// The environment of this process with `added` in it, which has to stay; ends with nullptr.
+std::vector<char*> environment_with(const std::vector<std::string>& added) {
+  std::vector<char*> all;
+  for (char** one = environ; one && *one; ++one) {
+    const std::string_view known(*one);
+    const std::string_view name = known.substr(0, known.find('=') + 1);
+    const bool replaced = std::ranges::any_of(
+        added, [&](const std::string& entry) { return entry.starts_with(name); });
+    if (name.empty() || !replaced) all.push_back(*one);
+  }
+  for (const std::string& entry : added) all.push_back(const_cast<char*>(entry.c_str()));
+  all.push_back(nullptr);
+  return all;
 }
 
 /// A copy of a descriptor above those that the child rearranges.
@@ -183,6 +199,7 @@ SubprocessEnd run_subprocess(const SubprocessRun& run, RunContext& context) {
   std::vector<std::string> words = run.arguments;
   for (std::string& word : words) prepared.argv.push_back(word.data());
   prepared.argv.push_back(nullptr);
+  prepared.environment = environment_with(run.environment);
   prepared.folder = run.folder.empty() ? "." : run.folder.c_str();
   if (run.bounded) prepared.memory = memory_limit();
   prepared.parent = ::getpid();

@@ -50,8 +50,10 @@ std::vector<OptionRow<PngOptions>> png_option_rows() {
 }
 
 std::vector<OptionRow<DxfOptions>> dxf_option_rows() {
-  return {flag("splines", &DxfOptions::splines,
-               "smooth curves as SPLINE, not as LWPOLYLINE; OpenSCAD reads no SPLINE"),
+  return {flag("arcs", &DxfOptions::arcs,
+               "circles, ellipses and their arcs as CIRCLE, ARC and ELLIPSE; else polylines"),
+          flag("splines", &DxfOptions::splines,
+               "other smooth curves as SPLINE, not as LWPOLYLINE; OpenSCAD reads no SPLINE"),
           options::word("order", &DxfOptions::order, order_words(), kOrder)};
 }
 

@@ -30,6 +30,9 @@ std::vector<OptionRow<T>> pen_rows() {
           kPens),
       number("join", &PenOptions::join, {0, 1, "mm"},
              "ends that lie no farther apart are drawn without lifting the pen, in mm"),
+      options::flag("arcs", &PenOptions::arcs,
+                    "circles and their arcs as such; false = short lines, for machines that know "
+                    "no arcs"),
   };
   std::vector<OptionRow<T>> out;
   for (const OptionRow<PenOptions>& row : rows) out.push_back({row, row.get, row.set});

@@ -38,12 +38,21 @@ class Machine:
         self.at = (x, y)
         (self.lines[-1][1] if self.down else self.way).append(self.at)
 
+    def arc(self, centre, turn):
+        x, y = self.at[0] - centre[0], self.at[1] - centre[1]
+        n = max(1, math.ceil(abs(turn) / 0.02))
+        for k in range(1, n + 1):
+            c, s = math.cos(turn * k / n), math.sin(turn * k / n)
+            self.go(centre[0] + c * x - s * y, centre[1] + s * x + c * y)
+
 
 def read_hpgl(text):
     machine = Machine()
     for one in text.replace("\n", "").split(";"):
         word, rest = one[:2], one[2:]
         numbers = [float(n) for n in rest.split(",") if n]
+        if word == "AA":
+            machine.arc((numbers[0] / 40, numbers[1] / 40), math.radians(numbers[2]))
         if word == "SP":
             machine.pen = int(numbers[0]) if numbers else 0
         if word in ("PU", "PD"):
@@ -61,6 +70,13 @@ def read_gcode(text):
         words = dict((w[0], float(w[1:])) for w in line.partition(";")[0].split())
         if words.get("M") in (3, 5):
             machine.put(words["M"] == 3)
+        if words.get("G") in (2, 3):
+            (x, y), to = machine.at, (words["X"], words["Y"])
+            centre = x + words["I"], y + words["J"]
+            a, b = (math.atan2(p[1] - centre[1], p[0] - centre[0]) for p in ((x, y), to))
+            turn = (b - a) % math.tau if words["G"] == 3 else -((a - b) % math.tau)
+            machine.arc(centre, turn)
+            machine.go(*to)
         if "M" in words or words.get("G", 2) > 1:
             continue
         if "Z" in words:
@@ -104,7 +120,7 @@ def svg_lines(path):
 
 
 def dxf_lines(path):
-    """LINE and LWPOLYLINE of a DXF of ours."""
+    """LINE and LWPOLYLINE of a DXF of ours that was written with dxf.arcs=false."""
     words = path.read_text().split("\n")
     lines, kind, points, closed = [], "", [], False
     for code, value in zip(words[::2], words[1::2]):
@@ -151,7 +167,7 @@ def row(burin, file, style, svg, options):
         outputs = ["-o", f"{a}.json", "-o", f"{a}.hpgl"]
         if svg:
             outputs += ["-o", f"{a}.svg", "-o", f"{a}.dxf", "--set", "svg.flatten=polylines", "--set", "svg.order=travel",
-                        "--set", "dxf.order=travel"]
+                        "--set", "dxf.order=travel", "--set", "dxf.arcs=false"]
         done = subprocess.run([burin, "draw", str(file), "--style", style, *options, *outputs, "--quiet"], capture_output=True,
                               text=True)
         if done.returncode:

@@ -158,7 +158,8 @@ TEST_F(Convert, OpenscadReadsDxfAtTrueScale) {
   if (!has_program("openscad")) GTEST_SKIP() << "openscad is not installed";
   ASSERT_EQ(run("convert @/r.json -o @/r.dxf"), 0);
   const auto import = [&](const std::string& layer) {
-    folder_.write("s.scad", "import(\"r.dxf\", layer=\"" + layer + "\");");
+    // Arcs have as many corners there as $fn says.
+    folder_.write("s.scad", "import(\"r.dxf\", layer=\"" + layer + "\", $fn=200);");
     EXPECT_TRUE(shell(fmt::format("cd {} && openscad -o s.svg s.scad", folder_.path())));
     return slurp(folder_ / "s.svg");
   };
@@ -207,13 +208,87 @@ TEST_F(Convert, FreecadReadsDxfAtTrueScale) {
   EXPECT_TRUE(holds("Part::GeomLine 1 10.0000 50.0000 10.0000 50.0000 20.0000")) << shapes;
   EXPECT_TRUE(holds("Part::GeomLine 1 10.0000 150.0000 10.0000 150.0000 20.0000")) << shapes;
   EXPECT_TRUE(holds("Part::GeomLine 1 100.0000 50.0000 50.0000 150.0000 50.0000")) << shapes;
-  std::smatch spline;
+  std::smatch circle;
   ASSERT_TRUE(std::regex_search(
-      shapes, spline,
-      std::regex("Part::GeomBSplineCurve 1 ([0-9.]+) ([0-9.]+) ([0-9.]+) ([0-9.]+) ([0-9.]+)")))
+      shapes, circle,
+      std::regex("Part::GeomCircle 1 ([0-9.]+) ([0-9.]+) ([0-9.]+) ([0-9.]+) ([0-9.]+)")))
       << shapes;
-  EXPECT_NEAR(std::stod(spline[1]), 2 * 3.14159265 * 20, 0.05);
-  EXPECT_NEAR(std::stod(spline[4]) - std::stod(spline[2]), 40, 0.05);
+  EXPECT_NEAR(std::stod(circle[1]), 2 * 3.14159265 * 20, 0.05);
+  EXPECT_NEAR(std::stod(circle[4]) - std::stod(circle[2]), 40, 0.05);
+}
+
+/// Whether all that a DXF draws lies within 0.02 mm of a drawing file, and the other way round; how
+/// many entities there are of each kind.
+constexpr const char* kCompareScript = R"py(
+import collections, ezdxf, json, math, sys
+drawing = json.load(open(sys.argv[1]))
+ours = []
+for layer in drawing["layers"]:
+    for p in layer["paths"]:
+        ours.append(p["points"] + (p["points"][:1] if p.get("closed") else []))
+theirs, kinds = [], collections.Counter()
+for e in ezdxf.readfile(sys.argv[2]).modelspace():
+    kinds[e.dxftype()] += 1
+    if e.dxftype() == "LINE":
+        theirs.append([e.dxf.start, e.dxf.end])
+    elif e.dxftype() == "LWPOLYLINE":
+        points = [(x, y) for x, y in e.get_points("xy")]
+        theirs.append(points + (points[:1] if e.closed else []))
+    elif e.dxftype() in ("CIRCLE", "ARC"):
+        begin, end = (0, 360) if e.dxftype() == "CIRCLE" else (e.dxf.start_angle, e.dxf.end_angle)
+        turn = math.radians((end - begin) % 360 or 360)
+        c, r = e.dxf.center, e.dxf.radius
+        at = [math.radians(begin) + turn * k / 500 for k in range(501)]
+        theirs.append([(c[0] + r * math.cos(t), c[1] + r * math.sin(t)) for t in at])
+    else:
+        theirs.append(list(e.flattening(0.001)))
+theirs = [[(p[0], p[1]) for p in line] for line in theirs]
+def dense(line):
+    for a, b in zip(line, line[1:]):
+        n = max(1, math.ceil(math.dist(a, b) / 0.2))
+        for k in range(n + 1):
+            yield a[0] + (b[0] - a[0]) * k / n, a[1] + (b[1] - a[1]) * k / n
+def farthest(of, to):
+    cells = collections.defaultdict(list)
+    for line in to:
+        for a, b in zip(line, line[1:]):
+            for x, y in dense([a, b]):
+                for i in (-1, 0, 1):
+                    for j in (-1, 0, 1):
+                        here = cells[round(x) + i, round(y) + j]
+                        if not here or here[-1] != (a, b): here.append((a, b))
+    worst = 0
+    for line in of:
+        for p in dense(line):
+            best = 9
+            for a, b in cells[round(p[0]), round(p[1])]:
+                d = b[0] - a[0], b[1] - a[1]
+                dd = d[0] ** 2 + d[1] ** 2
+                t = ((p[0] - a[0]) * d[0] + (p[1] - a[1]) * d[1]) / dd if dd else 0
+                t = min(1, max(0, t))
+                best = min(best, math.dist(p, (a[0] + t * d[0], a[1] + t * d[1])))
+            worst = max(worst, best)
+    return worst
+off = farthest(ours, theirs), farthest(theirs, ours)
+open(sys.argv[3], "w").write("%.4f %.4f mm, %s" % (*off, dict(kinds)))
+sys.exit(max(off) > 0.0201 or any(kinds[k] < 1 for k in sys.argv[4:]))
+)py";
+
+TEST_F(Convert, DxfDrawsWhatTheDrawingHasWithArcs) {
+  if (!shell("/usr/bin/python3 -c \"import ezdxf\""))
+    GTEST_SKIP() << "python3-ezdxf is not installed";
+  folder_.write("compare.py", kCompareScript);
+  for (const auto& [sample, view, kinds] :
+       {std::tuple("gear_pump", "front", "CIRCLE ARC"), {"coupling", "iso", "ELLIPSE LINE"}}) {
+    ASSERT_EQ(run(fmt::format("draw {}/samples/{}.step --view {} --style outline --quiet "
+                              "-o @/c.json -o @/c.dxf",
+                              BURIN_SOURCE_DIR, sample, view)),
+              0);
+    EXPECT_TRUE(
+        shell(fmt::format("/usr/bin/python3 {0}/compare.py {0}/c.json {0}/c.dxf {0}/said {1}",
+                          folder_.path(), kinds)))
+        << sample << " " << view << ": " << slurp(folder_ / "said");
+  }
 }
 
 /// A reader that finds what strict ones refuse.

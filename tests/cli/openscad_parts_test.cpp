@@ -171,11 +171,16 @@ TEST_F(OpenscadParts, NonsenseIsToldInOneLine) {
   expect_error("unpack it");
 }
 
-TEST_F(OpenscadParts, WithoutItsLibraryAModelSaysWhereThatIs) {
+TEST_F(OpenscadParts, AModelNeedsNoCopyOfTheLibrary) {
   std::filesystem::remove(folder_ / "burin.scad");
-  folder_.write("m.scad", "use <burin.scad>\npart(\"lid\") cube(9);");
-  EXPECT_EQ(run("draw @/m.scad -o @/m.svg"), 3);
-  expect_error("It comes with Burin (share/burin/openscad");
+  folder_.write("m.scad", "use <burin.scad>\nuse <users.scad>\npart(\"lid\") users();");
+  // Where the user has libraries they are found first.
+  std::filesystem::create_directory(folder_ / "libraries");
+  folder_.write("libraries/users.scad", "module users() cube(9);");
+  ::setenv("OPENSCADPATH", (folder_ / "libraries").c_str(), 1);
+  EXPECT_EQ(run("draw @/m.scad -o @/m.json"), 0) << err_;
+  ::unsetenv("OPENSCADPATH");
+  EXPECT_NE(slurp(folder_ / "m.json").find("\"name\": \"lid\""), std::string::npos);
 }
 
 TEST_F(OpenscadParts, ACancelEndsTheEvaluation) {

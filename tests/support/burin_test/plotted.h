@@ -28,6 +28,7 @@ struct Plotted {
   std::vector<PlottedLine> lines;
   /// mm with the pen down and up; the way home after the last line is no travel.
   double drawn = 0, travel = 0;
+  int arcs = 0;
 };
 
 /// A machine with a pen.
@@ -49,6 +50,17 @@ class Plotter {
     at_ = to;
     if (down_) out_.lines.back().points.push_back(to);
   }
+  /// Along a circle, in chords of so many radians.
+  void arc(Vec2 center, double turn, double chord) {
+    const Vec2 v = at_ - center;
+    const int n = std::max(1, static_cast<int>(std::ceil(std::abs(turn) / chord - 1e-9)));
+    for (int k = 1; k <= n; ++k) {
+      const double c = std::cos(turn * k / n), s = std::sin(turn * k / n);
+      go(center + Vec2(c * v.x - s * v.y, s * v.x + c * v.y));
+    }
+    ++out_.arcs;
+  }
+  Vec2 at() const { return at_; }
   Plotted done() {
     if (down_) throw std::runtime_error("the pen stays on the paper");
     return std::move(out_);
@@ -62,7 +74,7 @@ class Plotter {
   double waiting_ = 0;
 };
 
-/// IN, SP, VS, PU, PD and PA, whole units of 0.025 mm; throws on anything else.
+/// IN, SP, VS, PU, PD, PA and AA, whole units of 0.025 mm; throws on anything else.
 inline Plotted read_hpgl(const std::string& text) {
   Plotter plotter;
   std::istringstream in(text);
@@ -76,7 +88,8 @@ inline Plotted read_hpgl(const std::string& text) {
     std::istringstream rest(one.substr(2));
     for (std::string number; std::getline(rest, number, ',');) {
       numbers.push_back(std::stod(number));
-      if (word != "VS" && numbers.back() != std::round(numbers.back())) {
+      const bool angle = word == "AA" && numbers.size() == 3;
+      if (word != "VS" && !angle && numbers.back() != std::round(numbers.back())) {
         throw std::runtime_error("not whole: " + one);
       }
     }
@@ -85,6 +98,13 @@ inline Plotted read_hpgl(const std::string& text) {
     if (word == "IN" || word == "VS") continue;
     if (word == "SP") {
       plotter.take(numbers.empty() ? 0 : static_cast<int>(numbers[0]));
+      continue;
+    }
+    if (word == "AA") {
+      if (numbers.size() != 4 || numbers[3] < 1) throw std::runtime_error("half an arc: " + one);
+      constexpr double kRadians = 3.14159265358979323846 / 180;
+      plotter.arc(Vec2(numbers[0], numbers[1]) / 40.0, numbers[2] * kRadians,
+                  numbers[3] * kRadians);
       continue;
     }
     if (word == "PU") plotter.up();
@@ -104,7 +124,7 @@ inline Plotted read_gcode(const std::string& text, double z = 0) {
   std::istringstream in(text);
   Vec2 at(0);
   int pen = 1;
-  bool metric = false, absolute = false, ended = false;
+  bool metric = false, absolute = false, plane = false, ended = false;
   plotter.take(pen);
   for (std::string line; std::getline(in, line);) {
     if (ended) throw std::runtime_error("after the end: " + line);
@@ -116,6 +136,8 @@ inline Plotted read_gcode(const std::string& text, double z = 0) {
         metric = true;
       } else if (word == "G90") {
         absolute = true;
+      } else if (word == "G17") {
+        plane = true;
       } else {
         values[word[0]] = std::stod(word.substr(1));
       }
@@ -130,6 +152,23 @@ inline Plotted read_gcode(const std::string& text, double z = 0) {
     }
     if (!values.contains('G')) continue;
     if (!metric || !absolute) throw std::runtime_error("moves before G21 and G90");
+    if (values['G'] == 2 || values['G'] == 3) {
+      const Vec2 to(values.at('X'), values.at('Y'));
+      const Vec2 center = at + Vec2(values.at('I'), values.at('J'));
+      const Vec2 a = at - center, b = to - center;
+      // Firmware stops where the two radii differ.
+      if (!plane || std::abs(glm::length(a) - glm::length(b)) > 0.004 || at == to) {
+        throw std::runtime_error("no arc: " + line);
+      }
+      constexpr double kTurn = 2 * 3.14159265358979323846;
+      double turn = std::atan2(a.x * b.y - a.y * b.x, glm::dot(a, b));
+      if (values['G'] == 3 && turn < 0) turn += kTurn;
+      if (values['G'] == 2 && turn > 0) turn -= kTurn;
+      plotter.arc(center, turn, 0.02);
+      plotter.go(to);
+      at = to;
+      continue;
+    }
     if (values['G'] > 1) continue;
     if (values.contains('Z')) values['Z'] <= z ? plotter.down() : plotter.up();
     if (!values.contains('X') && !values.contains('Y')) continue;

@@ -110,6 +110,25 @@ TEST(NameEncodings, BytesThatAreNoLetterAreReplaced) {
   EXPECT_EQ(decoder.utf8("Geh\xe4use"), "Geh\xef\xbf\xbduse");
 }
 
+TEST(NameEncodings, OfWhichSomeBytesAreNoLettersAreSaidOnce) {
+  TextDecoder wrong("UTF-8");
+  for (const char* name : {"Geh\xe4use", "F\xfchrung", "Deckel"}) wrong.learn(name);
+  EXPECT_EQ(wrong.utf8("Geh\xe4use"), "Geh\xef\xbf\xbduse");
+  wrong.utf8("F\xfchrung");
+  wrong.utf8("Deckel");
+  Diagnostics said;
+  wrong.tell(said);
+  ASSERT_EQ(said.entries().size(), 1u);
+  EXPECT_EQ(said.entries()[0].code, "names.encoding");
+  EXPECT_EQ(said.entries()[0].count, 2);
+  EXPECT_NE(said.entries()[0].message.find("no letters of UTF-8"), std::string::npos);
+  TextDecoder right("latin1");
+  right.utf8("Geh\xe4use");
+  Diagnostics nothing;
+  right.tell(nothing);
+  EXPECT_TRUE(nothing.entries().empty());
+}
+
 TEST(NameEncodings, ThatNobodyKnowsAreRefused) {
   EXPECT_NO_THROW(check_encoding("option --encoding", "Shift_JIS"));
   for (const char* name : {"klingon", ""}) {

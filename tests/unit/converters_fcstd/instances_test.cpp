@@ -191,6 +191,17 @@ TEST_F(FcstdTest, WhatIsSeenAndNotDrawnIsToldByName) {
   EXPECT_EQ(scene.diagnostics.entries().size(), 6u);
 }
 
+// Two objects may be called the same; what is left out takes no number.
+TEST_F(FcstdTest, OnlyWhatIsDrawnIsNumbered) {
+  Document d;
+  d.members.emplace_back("Empty.brp", "");
+  d.add("Part::Fillet", "A", property("Shape", "<Part file=\"Empty.brp\"/>") + label("Lid"));
+  d.add_shape("B", located_box(kUnit, {}), label("Lid"));
+  EXPECT_EQ(paths(read(d)), Paths{"Lid"});
+  d.add_shape("C", located_box(kUnit, {5, 0, 0}), label("Lid"));
+  EXPECT_EQ(paths(read(d)), (Paths{"Lid", "Lid #2"}));
+}
+
 TEST_F(FcstdTest, ALinkToAFaceSaysThatAllIsDrawn) {
   Document d;
   d.add_shape("Box", located_box(kUnit, {}));

@@ -197,6 +197,42 @@ TEST(Pens, AreCutAtTheSheet) {
   EXPECT_NE(middle.find("X-1000 Y0"), std::string::npos);
 }
 
+TEST(Pens, DrawCirclesAndTheirDashesAsArcs) {
+  Drawing d;
+  d.paper_width = 200;
+  d.paper_height = 150;
+  d.layers.push_back({"crease", {}});
+  for (int i = 0; i < 2; ++i) {
+    Path& path = d.layers[0].paths.emplace_back();
+    path.closed = true;
+    path.visible = i == 0;
+    path.width = {0.25};
+    for (int k = 0; k < 180; ++k) {
+      const double t = 2 * 3.14159265358979323846 * k / 180;
+      path.points.push_back(Vec2(60.007 + 70 * i, 71.013) + 30.0 * Vec2(std::cos(t), std::sin(t)));
+    }
+  }
+  const Lines circle = test::visible_lines(d);
+  d.layers[0].paths[1].visible = true;
+  const Lines both = test::visible_lines(d);
+  d.layers[0].paths[1].visible = false;
+  const Plotted gcode = test::read_gcode(written(d, "gcode"));
+  const Plotted hpgl = test::read_hpgl(written(d, "hpgl"));
+  EXPECT_EQ(gcode.lines.size(), 1u + 63);  // 188.5 mm in periods of 3
+  EXPECT_EQ(gcode.arcs, 2 + 63);
+  EXPECT_GT(hpgl.arcs, 50);
+  for (const Plotted* plotted : {&gcode, &hpgl}) {
+    EXPECT_LE(test::Segments(both).farthest(test::lines_of(*plotted)), kNear);
+    EXPECT_LE(test::Segments(test::lines_of(*plotted)).farthest(circle), kNear);
+  }
+  EXPECT_LE(test::Segments(both).farthest(test::lines_of(gcode)), 0.01);
+  const std::string plain = written(d, "gcode", options_of({{"gcode.arcs", "false"}}));
+  EXPECT_EQ(plain.find("G17"), std::string::npos);
+  EXPECT_EQ(test::read_gcode(plain).arcs, 0);
+  EXPECT_EQ(test::read_hpgl(written(d, "hpgl", options_of({{"hpgl.arcs", "false"}}))).arcs, 0);
+  EXPECT_LT(3 * written(d, "gcode").size(), 4 * plain.size());
+}
+
 TEST(Pens, DashHiddenLinesAsTheStyleSays) {
   Drawing d =
       parsed(R"({"format": "burin-drawing", "version": 1, "paper": {"width": 200, "height": 100},
@@ -250,12 +286,13 @@ TEST(Pens, OfALaserAndOfAServoAreWhatTheOptionsSay) {
     return text.substr(text.find("G21"));
   };
   EXPECT_EQ(body({}),
-            "G21\nG90\nG0 Z3\nG0 X10 Y20 F6000\nG1 Z0 F1500\nG1 X30 Y20 F1500\nG0 Z3\n"
+            "G21\nG90\nG17\nG0 Z3\nG0 X10 Y20 F6000\nG1 Z0 F1500\nG1 X30 Y20 F1500\nG0 Z3\n"
             "G0 X0 Y0 F6000\nM2\n");
-  EXPECT_EQ(body({{"gcode.tool", "laser"}, {"gcode.power", "250"}, {"gcode.feed", "900.5"}}),
-            "G21\nG90\nM5\nG0 X10 Y20 F6000\nM3 S250\nG1 X30 Y20 F900.5\nM5\nG0 X0 Y0 F6000\nM2\n");
+  EXPECT_EQ(
+      body({{"gcode.tool", "laser"}, {"gcode.power", "250"}, {"gcode.feed", "900.5"}}),
+      "G21\nG90\nG17\nM5\nG0 X10 Y20 F6000\nM3 S250\nG1 X30 Y20 F900.5\nM5\nG0 X0 Y0 F6000\nM2\n");
   EXPECT_EQ(body({{"gcode.down", "M3 S90; G4 P0.2"}, {"gcode.up", "M3 S30;G4 P0.2;"}}),
-            "G21\nG90\nM3 S30\nG4 P0.2\nG0 X10 Y20 F6000\nM3 S90\nG4 P0.2\nG1 X30 Y20 F1500\n"
+            "G21\nG90\nG17\nM3 S30\nG4 P0.2\nG0 X10 Y20 F6000\nM3 S90\nG4 P0.2\nG1 X30 Y20 F1500\n"
             "M3 S30\nG4 P0.2\nG0 X0 Y0 F6000\nM2\n");
   EXPECT_EQ(written(d, "hpgl", options_of({{"hpgl.speed", "12.5"}})),
             "IN;\nSP1;\nVS12.5;\nPU400,800;\nPD1200,800;\nPU0,0;\nSP0;\n");

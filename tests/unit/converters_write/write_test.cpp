@@ -9,6 +9,7 @@
 
 #include <cstdlib>
 #include <limits>
+#include <set>
 
 namespace burin {
 namespace {
@@ -206,9 +207,91 @@ TEST(WriteDrawing, DotsAreRound) {
   EXPECT_EQ(written(d, "svg").find("stroke-width=\"0.4\""), std::string::npos);
 }
 
+/// A sheet with a circle, a dashed ellipse, a slot and a stroke that is a circle.
+Drawing round_things() {
+  Drawing d;
+  d.paper_width = 200;
+  d.paper_height = 150;
+  Layer& layer = d.layers.emplace_back(Layer{"crease", {}});
+  const auto add = [&](Vec2 c, Vec2 radii, double from, double to, int n) -> Path& {
+    Path& path = layer.paths.emplace_back();
+    path.kind = LineClass::Crease;
+    path.source = {2, 5, 9};
+    path.width = {0.25};
+    for (int i = 0; i <= n; ++i) {
+      const double t = from + (to - from) * i / n;
+      path.points.push_back(c + radii * Vec2(std::cos(t), std::sin(t)));
+    }
+    return path;
+  };
+  constexpr double kPi = 3.14159265358979323846;
+  Path& circle = add({50, 50}, {20, 20}, 0, 2 * kPi, 120);
+  circle.points.pop_back();
+  circle.closed = true;
+  Path& hidden = add({120, 50}, {30, 12}, 0, 2 * kPi, 180);
+  hidden.points.pop_back();
+  hidden.closed = true;
+  hidden.visible = false;
+  // Two half circles and two lines, clockwise.
+  Path& slot = add({120, 110}, {8, 8}, 0.5 * kPi, -0.5 * kPi, 40);
+  const Path other = add({60, 110}, {8, 8}, 1.5 * kPi, 0.5 * kPi, 40);
+  layer.paths.pop_back();
+  Path& whole = layer.paths.back();
+  whole.points.insert(whole.points.end(), other.points.begin(), other.points.end());
+  whole.closed = true;
+  Path& stroke = add({170, 110}, {10, 10}, 0, 2, 60);
+  stroke.kind = LineClass::Stroke;
+  static_cast<void>(slot);
+  return d;
+}
+
+std::size_t count_of(const std::string& text, const std::string& what) {
+  std::size_t count = 0;
+  for (std::size_t at = text.find(what); at != text.npos; at = text.find(what, at + 1)) ++count;
+  return count;
+}
+
+TEST(WriteDrawing, DxfHasCirclesArcsAndEllipses) {
+  const Drawing d = round_things();
+  const std::string dxf = written(d, "dxf");
+  EXPECT_EQ(count_of(dxf, "\nCIRCLE\n"), 1u);
+  EXPECT_EQ(count_of(dxf, "\nELLIPSE\n"), 1u);
+  EXPECT_EQ(count_of(dxf, "\nARC\n"), 2u);
+  EXPECT_EQ(count_of(dxf, "\nLINE\n"), 2u);
+  EXPECT_EQ(count_of(dxf, "\nLWPOLYLINE\n"), 1u);  // the stroke has its width
+  const std::string source = "1001\nBURIN\n1000\ncrease\n1071\n2\n1071\n5\n1071\n9\n";
+  EXPECT_EQ(count_of(dxf, source), 6u);
+  EXPECT_NE(dxf.find("100\nAcDbCircle\n10\n50.0\n20\n50.0\n30\n0.0\n40\n20.0\n" + source),
+            std::string::npos);
+  EXPECT_NE(dxf.find("8\nhidden\n100\nAcDbEllipse\n10\n120.0\n20\n50.0\n"), std::string::npos);
+  // Anticlockwise: from below to above on the right.
+  EXPECT_NE(dxf.find("AcDbCircle\n10\n120.0\n20\n110.0\n30\n0.0\n40\n8.0\n100\nAcDbArc\n50\n270.0\n"
+                     "51\n90.0\n"),
+            std::string::npos);
+  WriteOptions options;
+  options.dxf.arcs = false;
+  const std::string plain = written(d, "dxf", options);
+  EXPECT_EQ(count_of(plain, "\nCIRCLE\n") + count_of(plain, "\nARC\n"), 0u);
+  EXPECT_EQ(count_of(plain, "\nLWPOLYLINE\n"), 4u);
+  // Every entity has a handle of its own, below that of the next one to come.
+  std::set<std::uint64_t> handles;
+  std::size_t entities = 0;
+  const std::string of_an_entity = "\n330\n1A\n100\nAcDbEntity\n";
+  for (std::size_t at = dxf.find("ENTITIES\n"); (at = dxf.find(of_an_entity, at)) != dxf.npos;
+       ++at) {
+    handles.insert(std::stoull(dxf.substr(dxf.rfind('\n', at - 1) + 1), nullptr, 16));
+    ++entities;
+  }
+  EXPECT_EQ(entities, 7u);
+  EXPECT_EQ(handles.size(), entities);
+  const std::size_t seed = dxf.find("$HANDSEED\n5\n") + 12;
+  EXPECT_LT(*handles.rbegin(), std::stoull(dxf.substr(seed), nullptr, 16));
+}
+
 TEST(WriteDrawing, DxfSplinesOnlyWhereAskedFor) {
   const Drawing drawing = test::sample_drawing();
   WriteOptions options;
+  options.dxf.arcs = false;
   EXPECT_EQ(written(drawing, "dxf", options).find("\nSPLINE\n"), std::string::npos);
   options.dxf.splines = true;
   const std::string dxf = written(drawing, "dxf", options);

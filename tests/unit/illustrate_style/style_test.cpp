@@ -43,7 +43,7 @@ TEST(Style, EveryMemberHasOneKey) {
   }
   EXPECT_EQ(names.size(), keys.size());
   EXPECT_EQ(keys.size(),
-            11u + 8u + 35u + 6u + 17u + 3u + 3u + 3u + 2u + 5u + 1u + 3u /*hpgl*/ + 12u /*gcode*/);
+            11u + 8u + 35u + 6u + 17u + 3u + 3u + 3u + 3u + 5u + 1u + 4u /*hpgl*/ + 13u /*gcode*/);
 }
 
 TEST(Style, KeysTakeTheirOwnValues) {

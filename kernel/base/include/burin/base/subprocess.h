@@ -35,6 +35,8 @@ struct SubprocessRun {
   /// argv[0] is the program: a path where it holds a slash, else looked up on PATH.
   std::vector<std::string> arguments;
   std::string folder;
+  /// "NAME=value": beside what this process has in its environment, or in place of it.
+  std::vector<std::string> environment = {};
   /// Handed to the child as kSubprocessFile; nullptr = none.
   const MemoryFile* file = nullptr;
   /// What it reads on its standard input; nullptr = nothing.

@@ -60,7 +60,9 @@ struct PngOptions {
 };
 
 struct DxfOptions {
-  /// Smooth curves of constant width as SPLINE instead of LWPOLYLINE.
+  /// Lines of constant width as ARC, CIRCLE and ELLIPSE where they are such.
+  bool arcs = true;
+  /// Other smooth curves of constant width as SPLINE instead of LWPOLYLINE.
   bool splines = false;
   LineOrder order = LineOrder::Drawing;
 

@@ -19,6 +19,8 @@ struct PenOptions {
   std::string pens = "auto";
   /// Paper mm: ends that lie no farther apart are drawn as one line.
   double join = 0.02;
+  /// Circles and their arcs as such, for a machine that knows them.
+  bool arcs = true;
 
   bool operator==(const PenOptions&) const = default;
 };
