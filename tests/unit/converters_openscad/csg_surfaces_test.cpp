@@ -144,5 +144,17 @@ TEST(Surfaces, OfRowsOfPointsAreSmooth) {
   EXPECT_EQ(grids(work_out(bent_bar(6, 12)).solid), 4u);
 }
 
+/// As turns of a thread do that are wider than its pitch.
+TEST(Surfaces, ThatLieOnEachOtherKeepTheirFacets) {
+  const std::string bar = bent_bar(24, 12);
+  EXPECT_EQ(grids(work_out("union() {" + bar + turned(3, bar) + "}").solid), 0u);
+  EXPECT_EQ(grids(work_out("difference() {" + bar + turned(3, bar) + "}").solid), 0u);
+  // Across each other they cut each other.
+  const Worked crossed =
+      work_out("union() {" + bar + moved(0, 0, 2, turned(30, cylinder(0.1, 30, 30, 4))) +
+               moved(14, 14, -8, cylinder(16, 2, 2, 24)) + "}");
+  EXPECT_EQ(grids(crossed.solid), 1u);
+}
+
 }  // namespace
 }  // namespace burin::csg::test
