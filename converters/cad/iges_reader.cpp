@@ -74,10 +74,11 @@ CadFile read_iges(const Source& source, const std::string& encoding, RunContext&
   const bool done = reader.Transfer(document, progress->Start());
   context.check();
   if (done) {
-    const ShapeNames names = decode_names(document, named_members(reader), encoding, file.diagnostics);
+    const ShapeNames names =
+        decode_names(document, named_members(reader), encoding, file.diagnostics);
     const std::string stem = clean_name(model_stem(source.file()));
-    file.parts = collect_parts(document, {Roots::Entities, stem, {}, names},
-                               file.diagnostics, context);
+    file.parts =
+        collect_parts(document, {Roots::Entities, stem, {}, names}, file.diagnostics, context);
   }
   return file;
 }
