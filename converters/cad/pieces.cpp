@@ -1,4 +1,5 @@
 #include "collect.h"
+#include "numbered_names.h"
 
 #include <BRepBndLib.hxx>
 #include <BRep_Builder.hxx>
@@ -13,7 +14,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <utility>
 
 namespace burin {
@@ -156,11 +156,8 @@ CadColor CadPart::color() const {
 }
 
 void make_names_unique(std::vector<CadPart>& parts) {
-  std::map<std::pair<std::vector<std::string>, std::string>, int> seen;
-  for (CadPart& part : parts) {
-    const int n = ++seen[{part.assembly, part.name}];
-    if (n > 1) part.name += fmt::format(" #{}", n);
-  }
+  NumberedNames names;
+  for (CadPart& part : parts) part.name = names.name(part.assembly, part.name);
 }
 
 }  // namespace burin

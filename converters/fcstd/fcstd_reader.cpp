@@ -8,6 +8,7 @@
 #include <burin/mesh/placed_mesh.h>
 
 #include "bms.h"
+#include "numbered_names.h"
 #include "recompute.h"
 #include "text.h"
 #include "walk.h"
@@ -91,13 +92,6 @@ class Maker {
     std::int32_t first = -1;
   };
 
-  /// Gives " #2", " #3" ... to a use that has name and assembly in common with one before that is
-  /// drawn.
-  void number_name(FcUse& use) {
-    const int n = ++named_[{use.assembly, use.name}];
-    if (n > 1) use.name += fmt::format(" #{}", n);
-  }
-
   void broken(const FcUse& use, const std::string& why) {
     const std::string message = fmt::format("{}: the object was left out: {}", use.name, why);
     if (first_failure_.empty()) first_failure_ = message;
@@ -137,8 +131,8 @@ class Maker {
       some_faceless_ = true;
       return detail::leave_out_faceless(use.name, left_out_);
     }
-    if (!shape.brep && !shape.mesh) return;  // told as broken
-    number_name(use);
+    if (!shape.brep && !shape.mesh) return;  // the reading has said why
+    use.name = names_.name(use.assembly, use.name);
     try {
       if (shape.brep) return add_brep(use, shape);
       add_mesh(use, *shape.mesh);
@@ -275,8 +269,8 @@ class Maker {
   RunContext& context_;
   Made made_;
   std::map<std::pair<const detail::FcDocument*, std::string>, Shape> shapes_;
-  /// How many drawn parts have an assembly and a name.
-  std::map<std::pair<std::vector<std::string>, std::string>, int> named_;
+  /// Of parts that are drawn.
+  NumberedNames names_;
   /// What each part is made of.
   std::vector<const FcUse*> pushed_;
   detail::LeftOut left_out_;

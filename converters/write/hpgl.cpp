@@ -95,16 +95,14 @@ class Pencil {
   explicit Pencil(Buffer& out) : out_(out) {}
 
   void lift(Vec2 to) {
-    last_ = place(to);
+    stand_at(place(to));
     fmt::format_to(fmt::appender(out_), "PU{},{};\n", last_.x, last_.y);
-    exact_ = {static_cast<double>(last_.x), static_cast<double>(last_.y)};
     down_ = false;
   }
 
   void go(Vec2 to) {
     if (place(to) == last_) return;
-    last_ = place(to);
-    exact_ = {static_cast<double>(last_.x), static_cast<double>(last_.y)};
+    stand_at(place(to));
     places_.push_back(last_);
   }
 
@@ -131,6 +129,10 @@ class Pencil {
   }
 
  private:
+  void stand_at(Place at) {
+    last_ = at;
+    exact_ = {static_cast<double>(at.x), static_cast<double>(at.y)};
+  }
   void flush_places() {
     if (!places_.empty()) down_ = true;
     append_down(out_, places_);

@@ -3,6 +3,7 @@
 #include <burin/drawing/clip.h>
 #include <burin/drawing/font.h>
 #include <burin/drawing/ink.h>
+#include <burin/drawing/length.h>
 #include <burin/drawing/path_data.h>
 
 #include <fmt/format.h>
@@ -85,19 +86,13 @@ std::vector<Vec2> along_arcs(const std::vector<Vec2>& line, const std::vector<do
   return dense;
 }
 
-double length_along(const std::vector<Vec2>& line) {
-  double length = 0;
-  for (std::size_t i = 1; i < line.size(); ++i) length += glm::distance(line[i - 1], line[i]);
-  return length;
-}
-
 /// Its dashes, fitted to the length of its arcs, which is a little more than that of their chords.
 std::vector<std::vector<Vec2>> dashes_along(const std::vector<Vec2>& line,
                                             std::vector<double> dashes) {
   const std::vector<Vec2> dense = along_arcs(line, dashes);
   constexpr double kNoRest = 1 + 1e-9;  // the last gap ends where the line does, not before
-  const double length = length_along(line);
-  const double factor = length > 0 ? kNoRest * length_along(dense) / length : 1;
+  const double length = length_of(line);
+  const double factor = length > 0 ? kNoRest * length_of(dense) / length : 1;
   for (double& one : dashes) one *= factor;
   return dashes_of(dense, dashes);
 }

@@ -161,8 +161,8 @@ class Fitter {
     std::size_t end = reach(i, corner, kLeastOfCircle, round);
     std::optional<ConicArc> arc = end > i ? circle(part(i, end)) : std::nullopt;
     if (options_.ellipses && end < corner) {
-      // Of few points, nearly a line, no ellipse can be told: it begins with what a circle is near
-      // to.
+      // Few points, nearly in a line, do not determine an ellipse: it begins with those that lie
+      // on a circle.
       const std::size_t least = std::max(kLeastOfEllipse, end - i);
       const bool all = corner - i >= least && oval(part(i, corner));
       const std::size_t far = all ? corner : reach(i, corner, least, oval);

@@ -1,3 +1,4 @@
+#include <burin/drawing/length.h>
 #include <burin/drawing/pen_order.h>
 
 #include "pen_join.h"
@@ -17,14 +18,6 @@ Vec2 first_of(const PenRun& run, std::span<const PenPath> paths) {
 Vec2 last_of(const PenRun& run, std::span<const PenPath> paths) {
   const auto points = paths[run.path].points;
   return run.reversed ? points.front() : points.back();
-}
-
-double length_of(std::span<const Vec2> points) {
-  double length = 0;
-  for (std::size_t i = 1; i < points.size(); ++i) {
-    length += glm::distance(points[i - 1], points[i]);
-  }
-  return length;
 }
 
 // Adds up what is drawn and what is travelled.

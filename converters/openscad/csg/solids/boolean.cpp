@@ -75,7 +75,7 @@ class Combiner {
       judge(work, out.facets);
     }
     for (Facet& f : out.facets) {
-      if (f.surface >= 0 && given_up_.contains(f.surface)) f.surface = -1;
+      if (f.surface >= 0 && dropped_.contains(f.surface)) f.surface = -1;
     }
     find_boxes(space_, out);
     return out;
@@ -126,7 +126,7 @@ class Combiner {
       }
       found.clear();
       meet_facets(space_, f, g, found);
-      if (!found.empty()) judge_surfaces(f, g, found);
+      if (!found.empty()) drop_grazing(f, g, found);
       for (const Meeting& m : found) {
         met.push_back({i, m});
         met.push_back({j, m});
@@ -152,15 +152,15 @@ class Combiner {
     return f.surface >= 0 && through_points_[static_cast<std::size_t>(f.surface)] != 0;
   }
 
-  /// Gives up what two facets stand for that cross at a small angle.
-  void judge_surfaces(const Facet& f, const Facet& g, std::span<const Meeting> found) {
+  /// Drops smooth surfaces of two facets that cross at a small angle.
+  void drop_grazing(const Facet& f, const Facet& g, std::span<const Meeting> found) {
     if (!through_points(f) && !through_points(g)) return;
     const Vec3 m = space_.normal(f.plane), n = space_.normal(g.plane);
     if (std::abs(glm::dot(m, n)) < kGrazing * glm::length(m) * glm::length(n)) return;
     if (std::ranges::all_of(found, [](const Meeting& w) { return w.a == w.b; })) return;
     if (neighbors(f, g)) return;
-    if (through_points(f)) given_up_.insert(f.surface);
-    if (through_points(g)) given_up_.insert(g.surface);
+    if (through_points(f)) dropped_.insert(f.surface);
+    if (through_points(g)) dropped_.insert(g.surface);
   }
 
   static bool neighbors(const Facet& f, const Facet& g) {
@@ -283,7 +283,7 @@ class Combiner {
   RunContext& context_;
   const std::function<void(double)>& share_;
   std::span<const char> through_points_;
-  std::set<std::int32_t> given_up_;
+  std::set<std::int32_t> dropped_;
   Boxes boxes_;
   std::vector<Inside> inside_;
   Culled culled_;

@@ -22,16 +22,16 @@ struct Formula {
 
 /// Every facet is cut where it meets facets of other meshes, and of each piece it is asked whether
 /// what lies on its two sides belongs to the result: any number of operands costs one cut each, and
-/// solids may touch in edges and corners. `share` is told what part is done. `through_points`, by
-/// number of the surfaces of facets: it is smooth through the corners of its facets. Where facets
-/// of such a one cross others at less than kGrazing, it is as good as in one place with them, and
-/// where the facets cross says nothing of where the surfaces do: it is given up, its facets stand
-/// for themselves.
+/// solids may touch in edges and corners. `share` is called with the part of
+/// the work that is done. `through_points` says, by number of a facet's surface, whether that
+/// surface is a smooth one through the corners of its facets. Where facets of such a surface cross
+/// others at a smaller angle than kGrazing, they do not show where the surfaces cross: the surface
+/// is dropped, and its facets are meant as they are.
 Mesh combine(Space& space, std::span<const Mesh> meshes, const Formula& formula,
              std::span<const char> through_points, RunContext& context,
              const std::function<void(double)>& share);
 
-/// The cosine of 10 degrees.
+/// The cosine of the smallest angle, 10 degrees.
 inline constexpr double kGrazing = 0.985;
 
 /// Leaves out corners at which edges only go straight on.
