@@ -139,7 +139,7 @@ Source::Source(const std::filesystem::path& path, const RunContext& context)
   size_ = bytes.size;
 }
 
-Source::Source(std::string file, std::string bytes, const RunContext& context)
+Source::Source(std::string file, std::string_view bytes, const RunContext& context)
     : file_(std::move(file)), context_(context) {
   FileBytes copy = copied(bytes);
   data_ = std::move(copy.data);
@@ -148,7 +148,7 @@ Source::Source(std::string file, std::string bytes, const RunContext& context)
 
 Source as_it_is(const std::filesystem::path& path, const RunContext& context) {
   const FileBytes bytes = bytes_of(path, context);
-  return {path.string(), std::string(bytes.text()), context};
+  return {path.string(), bytes.text(), context};
 }
 
 std::string head_of(const std::filesystem::path& path, std::size_t most,

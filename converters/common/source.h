@@ -20,7 +20,7 @@ class Source {
   /// machine.
   Source(const std::filesystem::path& path, const RunContext& context);
   /// Bytes that are already in memory (a member of an archive); errors name `file`.
-  Source(std::string file, std::string bytes, const RunContext& context);
+  Source(std::string file, std::string_view bytes, const RunContext& context);
 
   const std::string& file() const { return file_; }
   /// The bytes; one NUL follows the last of them.

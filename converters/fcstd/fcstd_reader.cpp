@@ -104,7 +104,7 @@ class Maker {
     const auto [it, is_new] = shapes_.try_emplace({use.document, member});
     if (!is_new) return it->second;
     try {
-      std::string bytes = use.document->member(member);
+      const std::string bytes = use.document->member(member);
       if (bytes.empty()) {  // an object that was never computed
         it->second.empty = true;
       } else if (brep) {
@@ -112,7 +112,7 @@ class Maker {
         it->second.brep =
             read_brep_shape(bytes, binary ? BrepBytes::FreecadBinary : BrepBytes::Occt, context_);
       } else {
-        PolygonSoup mesh = detail::read_bms(Source(member, std::move(bytes), context_));
+        PolygonSoup mesh = detail::read_bms(Source(member, bytes, context_));
         it->second.empty = mesh.indices.empty();
         if (!it->second.empty) it->second.mesh = std::move(mesh);
       }

@@ -209,7 +209,7 @@ std::vector<float> load_samples(Layout& layout, const Source& file, bool packed,
     return loader.load(*plain_bytes(raw), nullptr);
   }
   loader.fits(static_cast<double>(bytes.size()) + 1, 2);
-  return loader.text(Source(file.file(), std::string(bytes), context));
+  return loader.text(Source(file.file(), bytes, context));
 }
 
 }  // namespace burin::volume

@@ -509,7 +509,7 @@ Drawing read_drawing(const std::filesystem::path& path, const RunContext& contex
 }
 
 Drawing parse_drawing(std::string_view json, const std::string& file, const RunContext& context) {
-  return read(Source(file, std::string(json), context), context);
+  return read(Source(file, json, context), context);
 }
 
 }  // namespace burin
