@@ -10,9 +10,8 @@
 
 #include "facet_atlas.h"
 #include "known.h"
+#include "outermost.h"
 #include "recognised_surface.h"
-
-#include <mutex>
 
 namespace burin {
 
@@ -81,9 +80,6 @@ struct RecognisedForm::Impl {
   std::shared_ptr<const recognised::Recognised> round;
   RecognisedFaces faces;
   bool too_coarse = false;
-  // The points that the box is taken of: made when it is asked for.
-  std::once_flag once;
-  std::vector<Vec3> outermost;
 };
 
 RecognisedForm::RecognisedForm(TriMesh mesh, const RunContext& context,
@@ -141,21 +137,9 @@ Box3 RecognisedForm::bounds(const Mat3& axes) const {
 Box3 RecognisedForm::bounds_as_read(const Mat3& axes) const {
   Box3 box = impl_->form.bounds(axes);
   if (impl_->faces.total() == 0) return box;
-  std::call_once(impl_->once, [&] {
-    constexpr double kChord = 2e-4;  // of the size
-    const RunContext context;
-    recognised::Faces faces =
-        recognised::find_faces(build_proxy(mesh(), {}, context), *impl_->facets, *impl_->round);
-    const std::size_t old = mesh().positions.size();
-    recognised::refine(faces.mesh, *impl_->round, *impl_->facets,
-                       kChord * mesh().bounds().diagonal(), context);
-    const auto& all = faces.mesh.mesh.positions;
-    impl_->outermost.assign(all.begin() + static_cast<std::ptrdiff_t>(old), all.end());
-  });
-  const Mat3 rows = glm::transpose(axes);
-  for (const Vec3& p : impl_->outermost) {
-    box.add(Vec3(glm::dot(rows[0], p), glm::dot(rows[1], p), glm::dot(rows[2], p)));
-  }
+  constexpr double kChord = 2e-4;  // of the size
+  recognised::add_outermost(box, axes, mesh(), *impl_->round, *impl_->facets,
+                            kChord * mesh().bounds().diagonal(), RunContext());
   return box;
 }
 

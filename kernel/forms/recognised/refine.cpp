@@ -8,8 +8,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <set>
-#include <unordered_set>
+#include <span>
 #include <utility>
 
 namespace burin::recognised {
@@ -23,7 +22,6 @@ constexpr int kPasses = 4;
 
 using Pair = std::pair<std::uint32_t, std::uint32_t>;
 Pair ordered(std::uint32_t a, std::uint32_t b) { return a < b ? Pair{a, b} : Pair{b, a}; }
-std::uint64_t key(const Pair& ends) { return std::uint64_t{ends.first} << 32 | ends.second; }
 
 /// An edge once, with one half-edge of each side.
 struct Edge {
@@ -52,6 +50,7 @@ class Refiner {
 
   void run() {
     move_corners();
+    settle_flat();
     for (int i = 0; i < kRounds && m_.mesh.triangles.size() < kMostTriangles; ++i) {
       if (!split_once()) break;
     }
@@ -114,18 +113,36 @@ class Refiner {
     }
   }
 
+  std::size_t origin(std::size_t h) const { return m_.mesh.triangles[h / 3][h % 3]; }
+  std::size_t target(std::size_t h) const { return m_.mesh.triangles[h / 3][(h + 1) % 3]; }
+  bool is_round(std::size_t t) const { return m_.patch[t] >= 0; }
+
+  /// Edges that no round surface touches stay as they are.
+  void settle_flat() {
+    const std::size_t n = m_.mesh.triangles.size();
+    std::vector<std::uint8_t> at_round(m_.mesh.positions.size(), 0);
+    for (std::size_t t = 0; t < n; ++t) {
+      if (!is_round(t)) continue;
+      for (const std::uint32_t v : m_.mesh.triangles[t]) at_round[v] = 1;
+    }
+    settled_.resize(3 * n);
+    for (std::size_t h = 0; h < 3 * n; ++h) {
+      settled_[h] = is_round(h / 3) || (at_round[origin(h)] && at_round[target(h)]) ? 0 : 1;
+    }
+  }
+
+  /// Those that may still be split.
   std::vector<Edge> find_edges() const {
-    std::vector<Edge> edges;
-    const auto& triangles = m_.mesh.triangles;
     std::vector<std::pair<Pair, HalfEdge>> all;
-    all.reserve(3 * triangles.size());
-    for (std::size_t t = 0; t < triangles.size(); ++t) {
-      for (std::size_t k = 0; k < 3; ++k) {
-        all.push_back({ordered(triangles[t][k], triangles[t][(k + 1) % 3]),
-                       static_cast<HalfEdge>(3 * t + k)});
-      }
+    for (std::size_t h = 0; h < settled_.size(); ++h) {
+      if (settled_[h]) continue;
+      const auto a = static_cast<std::uint32_t>(origin(h)),
+                 b = static_cast<std::uint32_t>(target(h));
+      all.push_back({ordered(a, b), static_cast<HalfEdge>(h)});
     }
     std::sort(all.begin(), all.end());
+    std::vector<Edge> edges;
+    edges.reserve(all.size() / 2);
     // Solids that only touch along an edge have vertices of their own: two half-edges at the most.
     for (std::size_t i = 0; i < all.size(); ++i) {
       Edge e;
@@ -137,13 +154,26 @@ class Refiner {
     return edges;
   }
 
+  void settle(const Edge& e) {
+    settled_[static_cast<std::size_t>(e.one)] = 1;
+    if (e.other != kNoHalfEdge) settled_[static_cast<std::size_t>(e.other)] = 1;
+  }
+
+  /// The surfaces on both sides of an edge, and how many they are; those of a smooth chain are one.
+  std::size_t surfaces_at(const Edge& e, std::array<SurfaceRef, 2>& both) const {
+    if (e.other == kNoHalfEdge) return 1;
+    both[1] = ref_of(face_of(e.other));
+    if (both[0] == both[1]) return 1;
+    if (chain_of(both[0]) < 0 || chain_of(both[0]) != chain_of(both[1])) return 2;
+    both[0] = std::min(both[0], both[1]);
+    return 1;
+  }
+
   /// Whether the middle of an edge is off its surfaces; it is put there.
   void look_at(Edge& e) const {
-    std::vector<SurfaceRef> refs;
-    add(refs, ref_of(face_of(e.one)));
-    if (e.other != kNoHalfEdge) add(refs, ref_of(face_of(e.other)));
-    SurfaceRef round = -1;
-    for (const SurfaceRef r : refs) round = std::max(round, r);
+    std::array<SurfaceRef, 2> both{ref_of(face_of(e.one)), -1};
+    const std::span<const SurfaceRef> refs(both.data(), surfaces_at(e, both));
+    const SurfaceRef round = *std::ranges::max_element(refs);
     if (round < 0) return;
     const Vec3 a = m_.mesh.positions[e.ends.first], b = m_.mesh.positions[e.ends.second];
     const Vec3 chord = 0.5 * (a + b);
@@ -172,10 +202,9 @@ class Refiner {
     std::size_t count = 0;
     for (Edge& e : edges) {
       if (++count % 1024 == 0) context_.check();
-      if (frozen_.contains(e.ends) || settled_.contains(key(e.ends))) continue;
       look_at(e);
       // What it lies on stays the same, so the answer does.
-      if (!e.split) settled_.insert(key(e.ends));
+      if (!e.split) settle(e);
     }
     edge_of_.assign(3 * m_.mesh.triangles.size(), -1);
     for (std::size_t i = 0; i < edges.size(); ++i) {
@@ -203,10 +232,10 @@ class Refiner {
       for (std::uint32_t t = 0; t < m_.mesh.triangles.size(); ++t) {
         if (pieces_upright(t, edges)) continue;
         for (std::size_t k = 0; k < 3; ++k) {
+          if (!is_split(3 * std::size_t{t} + k, edges)) continue;
           Edge& e = edges[static_cast<std::size_t>(edge_of_[3 * std::size_t{t} + k])];
-          if (!e.split) continue;
           e.split = false;
-          frozen_.insert(e.ends);
+          settle(e);
           again = true;
         }
       }
@@ -218,12 +247,17 @@ class Refiner {
   Division pieces(std::uint32_t t, const std::vector<Edge>& edges, std::array<Vec3, 6>& p) const {
     std::uint8_t marks = 0;
     for (std::size_t k = 0; k < 3; ++k) {
-      const Edge& e = edges[static_cast<std::size_t>(edge_of_[3 * std::size_t{t} + k])];
+      const std::size_t h = 3 * std::size_t{t} + k;
       p[k] = m_.mesh.positions[m_.mesh.triangles[t][k]];
-      p[k + 3] = e.middle;
-      if (e.split) marks |= static_cast<std::uint8_t>(1U << k);
+      if (!is_split(h, edges)) continue;
+      p[k + 3] = edges[static_cast<std::size_t>(edge_of_[h])].middle;
+      marks |= static_cast<std::uint8_t>(1U << k);
     }
     return divide(marks, p);
+  }
+
+  bool is_split(std::size_t h, const std::vector<Edge>& edges) const {
+    return edge_of_[h] >= 0 && edges[static_cast<std::size_t>(edge_of_[h])].split;
   }
 
   bool pieces_upright(std::uint32_t t, const std::vector<Edge>& edges) const {
@@ -238,6 +272,7 @@ class Refiner {
     FacetMesh out;
     out.mesh.positions = std::move(m_.mesh.positions);
     m_.mesh.positions = out.mesh.positions;
+    std::vector<std::uint8_t> settled;
     for (std::uint32_t t = 0; t < m_.mesh.triangles.size(); ++t) {
       if (t % 4096 == 0) context_.check();
       std::array<Vec3, 6> p;
@@ -246,7 +281,7 @@ class Refiner {
       for (std::size_t k = 0; k < 3; ++k) {
         const std::size_t h = 3 * std::size_t{t} + k, next = 3 * std::size_t{t} + (k + 1) % 3;
         vertex[k] = m_.mesh.triangles[t][k];
-        vertex[k + 3] = edges[static_cast<std::size_t>(edge_of_[h])].vertex;
+        if (is_split(h, edges)) vertex[k + 3] = edges[static_cast<std::size_t>(edge_of_[h])].vertex;
         normal[k] = m_.normal[h];
         const Vec3 sum = m_.normal[h] + m_.normal[next];
         normal[k + 3] = glm::length(sum) > 0 ? glm::normalize(sum) : m_.normal[h];
@@ -258,13 +293,18 @@ class Refiner {
         for (std::size_t k = 0; k < 3; ++k) {
           tri[k] = vertex[piece[k]];
           normals[k] = normal[piece[k]];
-          const int side = side_of(piece[k], piece[(k + 1) % 3]);
-          record[k] = side < 0 ? -1 : m_.edge[3 * std::size_t{t} + static_cast<std::size_t>(side)];
+          const std::uint8_t from = piece[k], to = piece[(k + 1) % 3];
+          const int side = side_of(from, to);
+          const std::size_t h = 3 * std::size_t{t} + static_cast<std::size_t>(std::max(side, 0));
+          record[k] = side < 0 ? -1 : m_.edge[h];
+          const bool whole = side >= 0 && from < 3 && to < 3;
+          settled.push_back(whole ? settled_[h] : 0);
         }
         out.add(tri, t, record, normals, m_);
       }
     }
     m_ = std::move(out);
+    settled_ = std::move(settled);
   }
 
   FacetMesh& m_;
@@ -275,8 +315,8 @@ class Refiner {
   const RunContext& context_;
   /// For each corner the surface that was asked for last, and its normal.
   mutable std::vector<KnownNormal> normals_;
-  std::set<Pair> frozen_;
-  std::unordered_set<std::uint64_t> settled_;
+  /// For each half-edge whether it stays as it is.
+  std::vector<std::uint8_t> settled_;
   std::vector<std::int32_t> edge_of_;
 };
 

@@ -14,7 +14,7 @@ namespace {
 constexpr double kBeyond = 0.5;
 constexpr int kSteps = 12;
 // Of the size: after a shorter step what is left is its square.
-constexpr double kStill = 1e-8;
+constexpr double kStill = 1e-6;
 
 std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
 
@@ -244,9 +244,10 @@ Vec2 Sheet::foot(Vec3 p, Vec2 uv, const GridWindow& window) const {
   return uv;
 }
 
-void Sheet::search(std::int32_t block, Vec3 p, const GridWindow& window, Found& found) const {
+void Sheet::search(std::int32_t block, double square, Vec3 p, const GridWindow& window,
+                   Found& found) const {
   const Block& b = blocks_[recognised::at(block)];
-  if (!window.overlaps(b.cells) || square_distance(b.box, p) >= found.square) return;
+  if (square >= found.square || !window.overlaps(b.cells)) return;
   if (b.low < 0) {
     const Found here = on_cell(b.cells.row, b.cells.column, p);
     if (here.square < found.square) found = here;
@@ -254,13 +255,14 @@ void Sheet::search(std::int32_t block, Vec3 p, const GridWindow& window, Found& 
   }
   const double low = square_distance(blocks_[recognised::at(b.low)].box, p),
                high = square_distance(blocks_[recognised::at(b.high)].box, p);
-  search(low <= high ? b.low : b.high, p, window, found);
-  search(low <= high ? b.high : b.low, p, window, found);
+  const bool low_first = low <= high;
+  search(low_first ? b.low : b.high, low_first ? low : high, p, window, found);
+  search(low_first ? b.high : b.low, low_first ? high : low, p, window, found);
 }
 
 Vec2 Sheet::locate(Vec3 p, const GridWindow& window) const {
   Found found;
-  search(0, p, window, found);
+  search(0, 0, p, window, found);
   const Vec2 uv(glm::mix(u_.knot(found.column), u_.knot(found.column + 1), found.share.x),
                 glm::mix(v_.knot(found.row), v_.knot(found.row + 1), found.share.y));
   return foot(p, uv, window);

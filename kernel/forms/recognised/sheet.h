@@ -85,7 +85,9 @@ class Sheet {
   SurfaceDerivatives at(std::int32_t column, std::int32_t row, Vec2 uv) const;
   std::int32_t build(Block block);
   void measure();
-  void search(std::int32_t block, Vec3 p, const GridWindow& window, Found& found) const;
+  /// Among the cells of a block, whose box lies `square` mm2 from p.
+  void search(std::int32_t block, double square, Vec3 p, const GridWindow& window,
+              Found& found) const;
   Found on_cell(std::int32_t row, std::int32_t column, Vec3 p) const;
   /// From the nearest cell on to the foot of the perpendicular.
   Vec2 foot(Vec3 p, Vec2 uv, const GridWindow& window) const;
