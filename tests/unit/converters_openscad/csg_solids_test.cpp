@@ -207,6 +207,24 @@ TEST(Trees, HullsAndSums) {
   expect_volume("minkowski(convexity = 0) { " + plate + cube(1, 1, 1) + "}", (121 - 9) * 2);
 }
 
+// Where corners lie in one plane or line, an algorithm may take any triangles of them.
+TEST(Trees, HullsAreTheSameWhateverTheOrderOfTheirCorners) {
+  const std::vector<std::string> parts = {
+      cube(9, 9, 9), moved(3, 3, 0, cube(3, 3, 9)), moved(20, 0, 0, cube(9, 9, 9)),
+      moved(8, 0, 2, cube(4, 9, 7)), moved(14, 4, 4, sphere(4, 24))};
+  std::string forth, back;
+  for (const std::string& part : parts) {
+    forth += part;
+    back = part + back;
+  }
+  const Solid one = work_out("hull() { " + forth + "}").solid;
+  const Solid other = work_out("hull() { " + back + "}").solid;
+  EXPECT_EQ(one.positions, other.positions);
+  EXPECT_EQ(one.triangles, other.triangles);
+  EXPECT_EQ(one.positions.size(), 8u);
+  EXPECT_EQ(one.triangles.size(), 12u);
+}
+
 TEST(Trees, SumsOfHollowSolidsStayHollow) {
   const auto middle = [](double a) { return moved(-a / 2, -a / 2, -a / 2, cube(a, a, a)); };
   const std::string hollow = "difference() { " + middle(19) + middle(11) + "}";

@@ -1,8 +1,14 @@
 #include "hull3.h"
 
+#include <burin/base/disjoint_sets.h>
+
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/convex_hull_3.h>
+
+#include <algorithm>
+#include <map>
+#include <set>
 
 namespace burin::csg {
 namespace {
@@ -21,6 +27,79 @@ bool in_a_plane(std::span<const Kernel::Point_3> p) {
   return true;
 }
 
+/// The corners and flat faces of a hull. Where more than three corners lie in a plane, or three on
+/// a line, CGAL's choice of triangles goes by addresses in memory; these do not.
+class FlatFaces {
+ public:
+  explicit FlatFaces(const Mesh& mesh) : mesh_(mesh), sets_(mesh.number_of_faces()) {
+    for (const auto e : mesh_.edges()) {
+      const auto h = mesh_.halfedge(e), o = mesh_.opposite(h);
+      if (CGAL::coplanar(at(mesh_.source(h)), at(mesh_.target(h)), at(mesh_.target(mesh_.next(h))),
+                         at(mesh_.target(mesh_.next(o))))) {
+        sets_.join(mesh_.face(h), mesh_.face(o));
+      }
+    }
+  }
+
+  Solid solid() {
+    Solid out;
+    const std::vector<Vertex> corners = find_corners();
+    for (const Vertex v : corners) out.positions.emplace_back(at(v).x(), at(v).y(), at(v).z());
+    for (const Face& face : faces(corners)) {
+      for (std::size_t k = 1; k + 1 < face.size(); ++k) {
+        out.triangles.push_back({face[0], face[k], face[k + 1]});
+        out.surface.push_back(-1);
+      }
+    }
+    return out;
+  }
+
+ private:
+  using Vertex = Mesh::Vertex_index;
+  using Face = std::vector<std::uint32_t>;
+
+  const Kernel::Point_3& at(Vertex v) const { return mesh_.point(v); }
+  std::uint32_t plane(Mesh::Halfedge_index h) { return sets_.find(mesh_.face(h)); }
+
+  /// Those at which three planes meet, in the order of their coordinates.
+  std::vector<Vertex> find_corners() {
+    std::vector<Vertex> out;
+    for (const Vertex v : mesh_.vertices()) {
+      std::set<std::uint32_t> planes;
+      for (const auto h : mesh_.halfedges_around_target(mesh_.halfedge(v))) planes.insert(plane(h));
+      if (planes.size() > 2) out.push_back(v);
+    }
+    std::ranges::sort(out, [&](Vertex v, Vertex w) { return at(v) < at(w); });
+    return out;
+  }
+
+  /// Each begins at its first corner.
+  std::vector<Face> faces(const std::vector<Vertex>& corners) {
+    std::map<Vertex, std::uint32_t> number;
+    for (const Vertex v : corners) number.emplace(v, static_cast<std::uint32_t>(number.size()));
+    std::map<std::uint32_t, std::map<Vertex, Vertex>> borders;
+    for (const auto h : mesh_.halfedges()) {
+      if (plane(h) == plane(mesh_.opposite(h))) continue;
+      borders[plane(h)].emplace(mesh_.source(h), mesh_.target(h));
+    }
+    std::vector<Face> out;
+    for (const auto& [plane, next] : borders) {
+      Face face;
+      Vertex v = next.begin()->first;
+      for (std::size_t i = 0; i < next.size(); ++i, v = next.at(v)) {
+        if (const auto it = number.find(v); it != number.end()) face.push_back(it->second);
+      }
+      std::ranges::rotate(face, std::ranges::min_element(face));
+      out.push_back(std::move(face));
+    }
+    std::ranges::sort(out);
+    return out;
+  }
+
+  const Mesh& mesh_;
+  DisjointSets sets_;
+};
+
 }  // namespace
 
 Solid convex_hull(std::span<const Vec3> points) {
@@ -30,20 +109,7 @@ Solid convex_hull(std::span<const Vec3> points) {
   if (p.size() < 4 || in_a_plane(p)) return {};
   Mesh mesh;
   CGAL::convex_hull_3(p.begin(), p.end(), mesh);
-  Solid out;
-  for (const auto v : mesh.vertices()) {
-    const auto& q = mesh.point(v);
-    out.positions.emplace_back(q.x(), q.y(), q.z());
-  }
-  for (const auto f : mesh.faces()) {
-    std::vector<std::uint32_t> c;
-    for (const auto v : mesh.vertices_around_face(mesh.halfedge(f))) c.push_back(v);
-    for (std::size_t k = 1; k + 1 < c.size(); ++k) {
-      out.triangles.push_back({c[0], c[k], c[k + 1]});
-      out.surface.push_back(-1);
-    }
-  }
-  return out;
+  return FlatFaces(mesh).solid();
 }
 
 bool convex(const Solid& solid) {

@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <tuple>
 
 // The only unit with Nef polyhedra: it takes long to compile.
 namespace burin::csg {
@@ -100,14 +101,23 @@ Nef nef_of(const Solid& solid) {
   return out;
 }
 
-/// The corners of one volume of a decomposition.
+bool is_less(const Vec3& a, const Vec3& b) {
+  return std::tie(a.x, a.y, a.z) < std::tie(b.x, b.y, b.z);
+}
+
+/// A lazy number gives another double before it was worked out exactly than after.
+double rounded(const Kernel::FT& number) { return CGAL::to_double(CGAL::exact(number)); }
+
+/// The corners of one volume of a decomposition, in the order of their coordinates: that of a Nef
+/// polyhedron goes by addresses in memory.
 std::vector<Vec3> corners(Nef& nef, Nef::Volume_const_iterator volume) {
   Polyhedron p;
   nef.convert_inner_shell_to_polyhedron(volume->shells_begin(), p);
   std::vector<Vec3> out;
   for (auto v = p.points_begin(); v != p.points_end(); ++v) {
-    out.emplace_back(CGAL::to_double(v->x()), CGAL::to_double(v->y()), CGAL::to_double(v->z()));
+    out.emplace_back(rounded(v->x()), rounded(v->y()), rounded(v->z()));
   }
+  std::ranges::sort(out, is_less);
   return out;
 }
 
@@ -126,6 +136,9 @@ std::vector<std::vector<Vec3>> convex_parts(const Solid& solid) {
     throw GeometryError(
         fmt::format("minkowski() of a solid that has no convex parts: {}", error.what()));
   }
+  std::ranges::sort(out, [](const std::vector<Vec3>& a, const std::vector<Vec3>& b) {
+    return std::ranges::lexicographical_compare(a, b, is_less);
+  });
   return out;
 }
 
