@@ -129,10 +129,10 @@ std::vector<PolygonSoup> soups_of(GroupedFaces faces, std::vector<std::string> n
 
 }  // namespace
 
-MeshUse use_with_look(const EvenLook& even, Diagnostics& diagnostics) {
-  tell_several_colors(even.several() ? 1 : 0, diagnostics);
-  Look look = even.look();
-  return {.color = std::move(look.color), .opacity = look.opacity};
+MeshUse use_with_look(const EvenLook& look, Diagnostics& diagnostics) {
+  tell_several_colors(look.several() ? 1 : 0, diagnostics);
+  Look one = look.look();
+  return {.color = std::move(one.color), .opacity = one.opacity};
 }
 
 void split_groups(GroupedFaces faces, MeshFile& file, const RunContext& context) {

@@ -282,13 +282,11 @@ std::string first_illustration(const std::vector<std::string>& inputs, const Dra
   }
   for (const std::string& input : inputs) {
     Json part{{"file", seen_from(folder, input)}};
-    for (const auto& [name, texts] : reading) {
+    for (const auto& entry : reading) {
+      const auto& [name, texts] = entry;
+      const auto concerned = [&](const std::string& file) { return concerns(entry.first, file); };
       // What concerns other files alone would be told as without effect on this one.
-      if (!concerns(name, input) && std::ranges::any_of(inputs, [&](const std::string& other) {
-            return concerns(name, other);
-          })) {
-        continue;
-      }
+      if (!concerned(input) && std::ranges::any_of(inputs, concerned)) continue;
       const RequestOption& option = detail::option_named(name);
       part[name] = option.many ? Json(texts) : value_of(option, texts.back());
     }

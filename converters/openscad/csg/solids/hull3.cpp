@@ -89,7 +89,7 @@ class FlatFaces {
       for (std::size_t i = 0; i < next.size(); ++i, v = next.at(v)) {
         if (const auto it = number.find(v); it != number.end()) face.push_back(it->second);
       }
-      std::ranges::rotate(face, std::ranges::min_element(face));
+      std::rotate(face.begin(), std::ranges::min_element(face), face.end());
       out.push_back(std::move(face));
     }
     std::ranges::sort(out);
