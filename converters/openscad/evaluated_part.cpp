@@ -9,6 +9,7 @@
 #include <array>
 #include <bit>
 #include <cstdint>
+#include <string_view>
 #include <unordered_map>
 
 namespace burin::detail {
@@ -59,6 +60,23 @@ std::vector<std::int32_t> surfaces_of(const csg::Solid& solid, const TriMesh& me
   return out;
 }
 
+/// Repairs what was worked out. Rounded corners fall together and solids touch along edges: of a
+/// program that is right nobody has to hear so.
+TriMesh repaired(const csg::Solid& solid, const std::string& name, Diagnostics& diagnostics,
+                 const RunContext& context) {
+  constexpr std::array<std::string_view, 4> kOfRounding{
+      "mesh.degenerate_faces", "mesh.zero_area_faces", "mesh.nonmanifold_edges",
+      "mesh.nonmanifold_vertices"};
+  Diagnostics found;
+  TriMesh mesh = repair(soup_of(solid), {}, found, context);
+  for (Diagnostic d : found.entries()) {
+    if (std::ranges::find(kOfRounding, d.code) != kOfRounding.end()) continue;
+    d.message = name + ": " + d.message;
+    diagnostics.add(std::move(d));
+  }
+  return mesh;
+}
+
 }  // namespace
 
 PolygonSoup soup_of(const csg::Solid& solid) {
@@ -73,7 +91,7 @@ PolygonSoup soup_of(const csg::Solid& solid) {
 
 std::shared_ptr<const Form> form_of(csg::Solid solid, Facets facets, const std::string& name,
                                     Diagnostics& diagnostics, const RunContext& context) {
-  TriMesh mesh = repair(soup_of(solid), {}, diagnostics, context);
+  TriMesh mesh = repaired(solid, name, diagnostics, context);
   if (facets == Facets::Judged) {
     std::ranges::replace(solid.surface, csg::kMeantFlat, KnownSurfaces::kUnknown);
   }

@@ -183,6 +183,13 @@ TEST_F(OpenscadParts, AModelNeedsNoCopyOfTheLibrary) {
   EXPECT_NE(slurp(folder_ / "m.json").find("\"name\": \"lid\""), std::string::npos);
 }
 
+// Repair of what was worked out is nothing that its writer could do better.
+TEST_F(OpenscadParts, SolidsThatTouchAlongAnEdgeAreDrawnWithoutAWord) {
+  folder_.write("m.scad", "cube(5); translate([5, 5, 0]) cube(5);");
+  drawn("");
+  EXPECT_EQ(err_, "");
+}
+
 TEST_F(OpenscadParts, ACancelEndsTheEvaluation) {
   folder_.write("m.scad",
                 "difference() { sphere(100, $fn = 400); for (i = [0:60], j = [0:60]) translate([3 "
