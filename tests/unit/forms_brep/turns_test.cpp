@@ -127,7 +127,8 @@ TEST(BrepTurns, AWireOutOfOrderIsNotFolded) {
   for (TopExp_Explorer it(face, TopAbs_EDGE); it.More(); it.Next()) edges.push_back(it.Current());
   ASSERT_EQ(edges.size(), 4u);
   const TopoDS_Shape first = edges[0];
-  std::ranges::stable_partition(edges, [&](const TopoDS_Shape& e) { return e.IsSame(first); });
+  std::stable_partition(edges.begin(), edges.end(),
+                        [&](const TopoDS_Shape& e) { return e.IsSame(first); });
   const BRep_Builder builder;
   TopoDS_Wire wire;
   builder.MakeWire(wire);

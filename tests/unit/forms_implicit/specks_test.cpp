@@ -134,8 +134,9 @@ Expression with_many(std::size_t number) {
   const Rng rng(11);
   std::vector<Expression> balls{sphere(3)};
   for (std::uint64_t i = 0; i < number; ++i) {
-    const Vec3 cell(static_cast<double>(i % 10), static_cast<double>(i / 10 % 10),
-                    static_cast<double>(i / 100));
+    const std::uint64_t column = i % 10, row = i / 10 % 10, layer = i / 100;
+    const Vec3 cell(static_cast<double>(column), static_cast<double>(row),
+                    static_cast<double>(layer));
     const Vec3 within(rng.uniform(3 * i), rng.uniform(3 * i + 1), rng.uniform(3 * i + 2));
     balls.push_back(translate(sphere(0.1), Vec3(4) + 2.0 * cell + within));
   }
