@@ -4,6 +4,8 @@
 #include <burin/repair/weld.h>
 
 #include <algorithm>
+#include <string_view>
+#include <unordered_map>
 
 namespace burin {
 namespace {
@@ -28,8 +30,10 @@ std::vector<std::string> number_by_appearance(GroupedFaces& faces) {
   return names;
 }
 
-/// Joins groups that both end at one edge.
-DisjointSets connect(const GroupedFaces& faces, std::size_t groups, const RunContext& context) {
+/// Joins groups that both end at one edge, and open ones of one name: a solid may be written in
+/// pieces. Closed ones of one name are copies.
+DisjointSets connect(const GroupedFaces& faces, const std::vector<std::string>& names,
+                     const RunContext& context) {
   const std::vector<std::uint32_t> vertex = weld(faces.positions, context).vertex;
   std::vector<GroupEdge> edges;
   edges.reserve(faces.indices.size());
@@ -45,7 +49,8 @@ DisjointSets connect(const GroupedFaces& faces, std::size_t groups, const RunCon
     context.check();
     return a < b;
   });
-  DisjointSets sets(groups);
+  DisjointSets sets(names.size());
+  std::vector<std::uint8_t> ends(names.size(), 0);
   const GroupEdge* open = nullptr;  // the last edge at which a group ends
   for (std::size_t i = 0; i < edges.size();) {
     std::size_t next = i + 1;
@@ -55,8 +60,13 @@ DisjointSets connect(const GroupedFaces& faces, std::size_t groups, const RunCon
         sets.join(open->group, edges[i].group);
       }
       open = &edges[i];
+      ends[open->group] = 1;
     }
     i = next;
+  }
+  std::unordered_map<std::string_view, std::uint32_t> of_name;
+  for (std::uint32_t g = 0; g < names.size(); ++g) {
+    if (ends[g] && !names[g].empty()) sets.join(of_name.try_emplace(names[g], g).first->second, g);
   }
   return sets;
 }
@@ -64,8 +74,9 @@ DisjointSets connect(const GroupedFaces& faces, std::size_t groups, const RunCon
 /// Joins the groups that are one surface; returns their names.
 std::vector<std::string> joined(GroupedFaces& faces, std::vector<std::string> names,
                                 Diagnostics& diagnostics, const RunContext& context) {
-  DisjointSets sets = connect(faces, names.size(), context);
+  DisjointSets sets = connect(faces, names, context);
   const std::size_t before = names.size();
+  const bool alike = std::ranges::all_of(names, [&](const auto& n) { return n == names.front(); });
   for (std::uint32_t& g : faces.group) g = sets.find(g);
   faces.names = std::move(names);
   names = number_by_appearance(faces);
@@ -73,7 +84,8 @@ std::vector<std::string> joined(GroupedFaces& faces, std::vector<std::string> na
     diagnostics.add(Severity::Info, "mesh.joined_groups",
                     static_cast<std::int64_t>(before - names.size()),
                     "groups whose open borders fit together were read as one part");
-    if (names.size() == 1) names[0].clear();  // the name of a piece is not that of the whole
+    if (names.size() == 1 && !alike)
+      names[0].clear();  // the name of a piece is not that of the whole
   }
   return names;
 }

@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <iterator>
-#include <unordered_map>
 
 // Own code: OpenMesh reads the corners as floats, and none of the libraries at hand keeps the names
 // of several solids.
@@ -48,7 +47,6 @@ class StlTextReader {
   const Source& source_;
   TextCursor text_;
   GroupedFaces faces_;
-  std::unordered_map<std::string, std::uint32_t> names_;
   std::uint32_t group_ = kNoGroup;
   std::int64_t short_loops_ = 0;
   bool in_solid_ = false;
@@ -112,16 +110,9 @@ bool StlTextReader::at_vertex() {
 }
 
 void StlTextReader::solid() {
-  const std::string name(text_.rest_of_line());
-  const auto next = static_cast<std::uint32_t>(faces_.names.size());
   in_solid_ = true;
-  if (!name.empty()) {  // a name that comes again goes on with its solid
-    const auto [entry, is_new] = names_.try_emplace(name, next);
-    group_ = entry->second;
-    if (!is_new) return;
-  }
-  group_ = next;
-  faces_.names.push_back(name);
+  group_ = static_cast<std::uint32_t>(faces_.names.size());
+  faces_.names.emplace_back(text_.rest_of_line());
 }
 
 void StlTextReader::facet() {

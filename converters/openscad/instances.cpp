@@ -1,6 +1,7 @@
 #include "instances.h"
 
 #include "child.h"
+#include "repeated_calls.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -31,7 +32,8 @@ struct Unit {
 
 class Finder {
  public:
-  Finder(const csg::Tree& tree, const TreeCalls& calls) : tree_(tree), calls_(calls) {
+  Finder(const csg::Tree& tree, const TreeCalls& calls, const std::set<std::uint32_t>& repeated)
+      : tree_(tree), calls_(calls), repeated_(repeated) {
     holds_.assign(tree.nodes.size(), 0);
     for (auto n = static_cast<std::uint32_t>(tree.nodes.size()); n-- > 0;) {
       bool holds = !is_open(tree.nodes[n].module) && !mark_at(tree, n);
@@ -70,7 +72,7 @@ class Finder {
       const csg::Module m = tree_.nodes[n].module;
       const auto mark = m == csg::Module::Group ? mark_of_group(tree_, n) : std::nullopt;
       if (mark && mark->what == "callout") return {};
-      if (holds_[n] == 0 || (mark && mark->what == "part")) {
+      if (holds_[n] == 0 || repeated_.contains(n) || (mark && mark->what == "part")) {
         n = tree_.nodes[n].end;
       } else if (calls_.at(n)) {
         out.push_back(n);
@@ -87,6 +89,7 @@ class Finder {
 
   const csg::Tree& tree_;
   const TreeCalls& calls_;
+  const std::set<std::uint32_t>& repeated_;
   std::vector<char> holds_;
 };
 
@@ -99,8 +102,10 @@ class Divisions {
         stem_(stem),
         store_(store),
         diagnostics_(diagnostics),
-        finder_(tree, calls) {
+        finder_(tree, calls, accepted_.repeated) {
     accepted_.known = &calls;
+    accepted_.repeated = repeated_calls(tree, calls);
+    tell_repeated();
   }
 
   CallParts run() {
@@ -139,6 +144,18 @@ class Divisions {
   }
 
  private:
+  void tell_repeated() {
+    std::map<std::string, int> of_name;
+    for (const std::uint32_t n : accepted_.repeated) ++of_name[accepted_.known->at(n)->name];
+    for (const auto& [name, count] : of_name) {
+      diagnostics_.add(Severity::Warning, "openscad.repeated_call", count,
+                       fmt::format("{} of {} left out: the same stands in the same place already; "
+                                   "a loop that goes round, such as [0:60:360], ends where it "
+                                   "began",
+                                   count == 1 ? "a call" : fmt::format("{} calls", count), name));
+    }
+  }
+
   /// Of the parts of each of these objects and calls.
   std::map<std::uint32_t, Bulk> bulks(const CallParts& calls, const std::set<std::uint32_t>& of,
                                       Diagnostics& diagnostics) {
@@ -210,8 +227,8 @@ class Divisions {
   const std::string& stem_;
   SolidStore& store_;
   Diagnostics& diagnostics_;
-  Finder finder_;
   CallParts accepted_;
+  Finder finder_;
 };
 
 }  // namespace

@@ -108,6 +108,7 @@ class Divider {
     while (!open.empty()) {
       auto [node, state] = std::move(open.back());
       open.pop_back();
+      if (calls_.repeated.contains(node)) continue;
       const csg::Node& n = tree_.nodes[node];
       state.background = state.background || n.background;
       state.highlight = state.highlight || n.highlight;
@@ -164,8 +165,8 @@ class Divider {
     plain_ = holds_ = calm_;
     for (auto n = static_cast<std::uint32_t>(tree_.nodes.size()); n-- > 0;) {
       const csg::Node& node = tree_.nodes[n];
-      bool calm =
-          !node.background && !node.highlight && !mark_at(tree_, n) && !calls_.nodes.contains(n);
+      bool calm = !node.background && !node.highlight && !mark_at(tree_, n) &&
+                  !calls_.nodes.contains(n) && !calls_.repeated.contains(n);
       bool plain = calm && node.module != Module::Color;
       bool holds = !is_open(node.module) && !mark_at(tree_, n);
       if (is_open(node.module)) {

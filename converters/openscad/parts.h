@@ -62,6 +62,8 @@ struct CallParts {
   /// nullptr: nothing is known of calls.
   const TreeCalls* known = nullptr;
   std::set<std::uint32_t> nodes = {};
+  /// Calls that are left out, as others make the same in their places.
+  std::set<std::uint32_t> repeated = {};
 };
 
 /// Objects at the top, or those of the first `!`, are parts, and so are `calls` within them and

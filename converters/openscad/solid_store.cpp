@@ -19,11 +19,15 @@ namespace burin::detail {
 namespace {
 
 /// A placement within what six digits leave of a matrix; nothing where it does more than turn,
-/// mirror, move and scale alike in all directions.
+/// mirror, move and scale alike in all directions. The scale is the number that was meant, where
+/// one of four digits is as near: copies of one thing are of one size, whichever way they are
+/// turned.
 std::optional<Placement> placement_of(const csg::Matrix& m) {
   constexpr double kDigits = 3e-6;  // of numbers up to 1
   const Affine by(m);
-  const double scale = std::cbrt(std::abs(glm::determinant(by.linear)));
+  double scale = std::cbrt(std::abs(glm::determinant(by.linear)));
+  const double meant = std::round(1e4 * scale) / 1e4;
+  if (std::abs(scale - meant) <= kDigits * scale) scale = meant;
   if (!(scale > 0) || off_rotation(by.linear / scale) > kDigits) return std::nullopt;
   // The nearest rotation, by Newton's method for the polar decomposition.
   Mat3 turn = by.linear / scale;
@@ -86,21 +90,6 @@ Instance instance_of(const csg::Tree& tree, const TreePart& part) {
   return out;
 }
 
-/// What two texts have in common that differ by how deep they stand in the tree: tabs at the
-/// beginnings of lines say that alone, unless a text in quotes goes over several lines.
-std::string key_of(const std::string& text) {
-  if (text.find('"') != std::string::npos) return text;
-  std::string out;
-  out.reserve(text.size());
-  bool begins = true;
-  for (const char c : text) {
-    if (begins && (c == '\t' || c == ' ')) continue;
-    begins = c == '\n';
-    out += c;
-  }
-  return out;
-}
-
 double volume_of(const csg::Solid& solid) {
   double sum = 0;
   if (solid.empty()) return sum;
@@ -140,6 +129,19 @@ std::size_t shells_of(const csg::Solid& solid) {
 }
 
 }  // namespace
+
+std::string key_of(const std::string& text) {
+  if (text.find('"') != std::string::npos) return text;
+  std::string out;
+  out.reserve(text.size());
+  bool begins = true;
+  for (const char c : text) {
+    if (begins && (c == '\t' || c == ' ')) continue;
+    begins = c == '\n';
+    out += c;
+  }
+  return out;
+}
 
 csg::ChildOptions evaluation_of(const std::filesystem::path& path) {
   csg::ChildOptions options;

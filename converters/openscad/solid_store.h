@@ -17,6 +17,10 @@
 
 namespace burin::detail {
 
+/// What two texts have in common that differ by how deep they stand in the tree: tabs at the
+/// beginnings of lines say that alone, unless a text in quotes goes over several lines.
+std::string key_of(const std::string& text);
+
 /// How the text of a file's tree is evaluated.
 csg::ChildOptions evaluation_of(const std::filesystem::path& path);
 

@@ -7,7 +7,10 @@
 namespace burin::detail {
 namespace {
 
-/// One statement at the top that may make an object.
+// Blocks within each other that are looked into: each is read once for every one around it.
+constexpr int kDeepest = 8;
+
+/// One statement that may make an object.
 struct Statement {
   std::string name;
   bool condition = false;
@@ -21,33 +24,38 @@ class Scanner {
   std::optional<std::vector<Statement>> run() {
     std::vector<Statement> out;
     for (text_.skip(); !text_.at_end(); text_.skip()) {
-      if (text_.take(';')) continue;
-      const bool disabled = text_.modifiers();
-      const std::string_view first = text_.word();
-      if (first.empty()) return std::nullopt;
-      if (first == "include") return std::nullopt;
-      if (first == "use") {
-        text_.behind('>');
-      } else if (first == "module" || first == "function") {
-        if (first == "module") word_after_space();
-        text_.to_end(first == "module");
-      } else if (text_.assigns()) {
-        text_.to_end(false);
-      } else if (first == "echo" || first == "assert") {
-        // echo() and assert() may have a statement behind them, which is one of its own.
-        text_.skip();
-        text_.round();
-      } else {
-        Statement s = statement(first);
-        if (!disabled) out.push_back(std::move(s));
-      }
+      if (!add_statement(out, 0)) return std::nullopt;
     }
     return out;
   }
 
  private:
+  /// False where the text is not understood.
+  bool add_statement(std::vector<Statement>& out, int depth) {
+    if (text_.take(';')) return true;
+    const bool disabled = text_.modifiers();
+    const std::string_view first = text_.word();
+    if (first.empty() || first == "include") return false;
+    if (first == "use") {
+      text_.behind('>');
+    } else if (first == "module" || first == "function") {
+      if (first == "module") word_after_space();
+      text_.to_end(first == "module");
+    } else if (text_.assigns()) {
+      text_.to_end(false);
+    } else if (first == "echo" || first == "assert") {
+      // echo() and assert() may have a statement behind them, which is one of its own.
+      text_.skip();
+      text_.round();
+    } else {
+      Statement s = statement(first, depth);
+      if (!disabled) out.push_back(std::move(s));
+    }
+    return true;
+  }
+
   /// From behind the first word to the end of the statement.
-  Statement statement(std::string_view first) {
+  Statement statement(std::string_view first, int depth) {
     Statement out;
     out.condition = first == "if";
     for (std::string_view name = first; !name.empty(); name = text_.word()) {
@@ -59,6 +67,7 @@ class Scanner {
       text_.modifiers();
       text_.skip();
     }
+    if (out.name.empty()) out.name = name_in_block(depth);
     end_of_statement();
     for (text_.skip(); out.condition && text_.here_word("else"); text_.skip()) {
       text_.word();
@@ -66,6 +75,18 @@ class Scanner {
       end_of_statement();
     }
     return out;
+  }
+
+  /// The name of the one statement of the block that begins here; empty where there are several.
+  std::string name_in_block(int depth) {
+    const ProgramText here = text_;
+    std::vector<Statement> inside;
+    bool good = depth < kDeepest && text_.take('{');
+    for (text_.skip(); good && !text_.at_end() && text_.here() != '}'; text_.skip()) {
+      good = add_statement(inside, depth + 1) && inside.size() < 2;
+    }
+    text_ = here;
+    return good && inside.size() == 1 ? inside.front().name : std::string();
   }
 
   /// A block, or all up to the next semicolon.

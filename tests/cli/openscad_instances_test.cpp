@@ -190,6 +190,28 @@ TEST_F(OpenscadInstances, WhatIsOneBodyStaysOnePart) {
       "dust");
 }
 
+TEST_F(OpenscadInstances, OfSeveralSolidsAreOneItemWhicheverWayTheyAreTurned) {
+  const std::string block = "module block() { cube(4); translate([1, 1, 4]) cube(2); }\n";
+  const std::string turned = "translate([40 * i, 0, 0]) rotate([7 * i, 3 * i, 11 * i]) ";
+  EXPECT_EQ(items(block + "for (i = [0:20]) " + turned + "block();"), (Items{{"block", 21}}));
+  EXPECT_EQ(items(block + "for (i = [0:20]) " + turned + "scale(2.5) block();"),
+            (Items{{"block", 21}}));
+}
+
+// for (a = [0:60:360]) ends where it began.
+TEST_F(OpenscadInstances, WhatStandsTwiceInOnePlaceCountsOnce) {
+  const std::string pin = "module pin() cylinder(d = 3, h = 9);\n";
+  EXPECT_EQ(items(pin + "for (a = [0:60:360]) rotate(a) translate([20, 0, 0]) pin();"),
+            (Items{{"pin", 6}}));
+  EXPECT_NE(err_.find("warning: a call of pin left out: the same stands in the same place"),
+            std::string::npos)
+      << err_;
+  EXPECT_EQ(items(pin + "pin(); pin(); pin(); translate([9, 0, 0]) pin();"), (Items{{"pin", 2}}));
+  EXPECT_NE(err_.find("2 calls of pin left out"), std::string::npos) << err_;
+  EXPECT_EQ(items(pin + "color(\"red\") pin(); color(\"blue\") pin();"), (Items{{"pin", 2}}));
+  EXPECT_EQ(err_.find("left out"), std::string::npos) << err_;
+}
+
 TEST_F(OpenscadInstances, MoreThanAListHoldsStayOnePart) {
   const Json parts = drawing(
       "module grain() cube(1);\nfor (x = [0:33], y = [0:33]) translate([2 * x, 2 * y, 0]) "

@@ -97,14 +97,23 @@ TEST(StlAscii, ReadsDoubles) {
 }
 
 TEST(StlAscii, SolidsArePartsByName) {
-  const TriMesh other = test::box({5, 5, 5}, {6, 6, 6});
-  const std::string bytes = test::stl_ascii(kTorus, "the wheel") + test::stl_ascii(other, "hub") +
-                            test::stl_ascii(test::box({9, 9, 9}, {10, 10, 10}), "the wheel");
-  const Scene scene = test::read_scene(bytes, "a.stl");
-  ASSERT_EQ(scene.parts.size(), 2u);
-  EXPECT_EQ(scene.parts[0].name, "the wheel");
-  EXPECT_EQ(scene.parts[1].name, "hub");
-  EXPECT_DOUBLE_EQ(scene.parts[0].form->bounds(Mat3(1)).max.x, 10);
+  const std::string wheel = test::stl_ascii(kTorus, "the wheel"),
+                    hub = test::stl_ascii(test::box({5, 5, 5}, {6, 6, 6}), "hub");
+  // Closed ones of one name are copies; open ones are pieces of one solid.
+  const Scene copies = test::read_scene(
+      wheel + hub + test::stl_ascii(test::box({9, 9, 9}, {10, 10, 10}), "the wheel"), "a.stl");
+  ASSERT_EQ(copies.parts.size(), 3u);
+  EXPECT_EQ(copies.parts[0].name, "the wheel");
+  EXPECT_EQ(copies.parts[1].name, "hub");
+  EXPECT_EQ(copies.parts[2].name, "the wheel");
+  TriMesh left = test::box({7, 7, 7}, {8, 8, 8}), right = test::box({9, 9, 9}, {10, 10, 10});
+  left.triangles.pop_back();
+  right.triangles.pop_back();
+  const Scene pieces =
+      test::read_scene(test::stl_ascii(left, "lid") + hub + test::stl_ascii(right, "lid"), "a.stl");
+  ASSERT_EQ(pieces.parts.size(), 2u);
+  EXPECT_EQ(pieces.parts[0].name, "lid");
+  EXPECT_DOUBLE_EQ(pieces.parts[0].form->bounds(Mat3(1)).max.x, 10);
 }
 
 TEST(StlAscii, NamesThatProgramsMakeUpSayNothing) {

@@ -12,7 +12,10 @@ using Names = std::vector<std::string>;
 TEST(SourceNames, TheInnermostModuleOfAUser) {
   EXPECT_EQ(source_names("translate([1, 2, 3]) color(\"red\") arm(3);\nlid();", 2),
             (Names{"arm", "lid"}));
-  EXPECT_EQ(source_names("for (i = [0:3]) rotate(90 * i) { leg(); }", 1), Names{""});
+  EXPECT_EQ(source_names("for (i = [0:3]) rotate(90 * i) { leg(); }", 1), Names{"leg"});
+  EXPECT_EQ(source_names("translate([9, 0]) { x = 2; echo(\"a();\"); scale(x) { leg(); } }", 1),
+            Names{"leg"});
+  EXPECT_EQ(source_names("translate([9, 0]) { leg(); foot(); }", 1), Names{""});
   EXPECT_EQ(source_names("for (i = [0:3]) rotate(90 * i) leg();", 1), Names{"leg"});
   EXPECT_EQ(source_names("difference() { cube(3); sphere(2); }", 1), Names{""});
 }
