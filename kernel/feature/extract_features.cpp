@@ -25,7 +25,8 @@ void append(std::vector<Curve3>&& from, std::vector<Curve3>& to) {
 
 std::vector<Curve3> extract_features(std::span<const ProxyMesh* const> proxies,
                                      const Camera& camera, const FeatureOptions& options,
-                                     Diagnostics& diagnostics, const RunContext& context) {
+                                     Diagnostics& diagnostics, const RunContext& context,
+                                     const std::vector<bool>& transparent) {
   std::vector<Curve3> curves;
   std::int64_t noise = 0;
   const bool edges =
@@ -62,7 +63,8 @@ std::vector<Curve3> extract_features(std::span<const ProxyMesh* const> proxies,
     append(std::move(lines), curves);
   }
   if (options.intersections) {
-    std::vector<Curve3> lines = intersection_curves(proxies, camera, diagnostics, context);
+    std::vector<Curve3> lines =
+        intersection_curves(proxies, camera, transparent, diagnostics, context);
     for (Curve3& line : lines) {
       const ProxyMesh& proxy = *proxies[static_cast<std::size_t>(line.source.part)];
       if (proxy.source_face.empty()) continue;

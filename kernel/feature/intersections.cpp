@@ -151,8 +151,8 @@ std::vector<Candidates> candidates(const std::vector<Component>& all,
 }  // namespace
 
 std::vector<Curve3> intersection_curves(std::span<const ProxyMesh* const> proxies,
-                                        const Camera& camera, Diagnostics& diagnostics,
-                                        const RunContext& context) {
+                                        const Camera& camera, const std::vector<bool>& transparent,
+                                        Diagnostics& diagnostics, const RunContext& context) {
   std::size_t count = 0;
   for (const ProxyMesh* p : proxies) count += p->topology.component_closed.size();
   if (count < 2) return {};
@@ -170,9 +170,17 @@ std::vector<Curve3> intersection_curves(std::span<const ProxyMesh* const> proxie
       pairs.size(), 1,
       [&](std::size_t i, std::size_t) {
         if (near[i].a.empty() || near[i].b.empty()) return;
-        const PieceOfPart &a = all[pairs[i].first].piece, &b = all[pairs[i].second].piece;
-        const auto segments =
-            intersect_triangles(*a.proxy, near[i].a, *b.proxy, near[i].b, context);
+        PieceOfPart a = all[pairs[i].first].piece, b = all[pairs[i].second].piece;
+        std::span<const std::uint32_t> of_a = near[i].a, of_b = near[i].b;
+        for (PieceOfPart* p : {&a, &b}) {
+          const auto part = static_cast<std::size_t>(p->part);
+          p->transparent = part < transparent.size() && transparent[part];
+        }
+        if (a.transparent && !b.transparent) {
+          std::swap(a, b);
+          std::swap(of_a, of_b);
+        }
+        const auto segments = intersect_triangles(*a.proxy, of_a, *b.proxy, of_b, context);
         found[i] = chain_intersections(segments, a, b, camera);
       },
       &context);

@@ -19,13 +19,16 @@ namespace burin {
 struct PieceOfPart {
   std::int32_t part = -1;
   const ProxyMesh* proxy = nullptr;
+  bool transparent = false;
 };
 
 /// The intersection curves of all components, of different parts or of one. They run in the concave
-/// edge of the union: on closed surfaces they are self-hidden where either surface is turned away.
+/// edge of the union: on closed surfaces they are self-hidden where either surface is turned away;
+/// of a solid and a transparent part where the solid one is, whose they are. `transparent`: one a
+/// part, or empty.
 std::vector<Curve3> intersection_curves(std::span<const ProxyMesh* const> proxies,
-                                        const Camera& camera, Diagnostics& diagnostics,
-                                        const RunContext& context);
+                                        const Camera& camera, const std::vector<bool>& transparent,
+                                        Diagnostics& diagnostics, const RunContext& context);
 
 /// Chains the segments of two components, drops contacts, and cuts where the smooth region of `a`
 /// changes.

@@ -25,6 +25,7 @@ class Occluders {
   std::size_t size() const { return proxies_.size(); }
   std::span<const ProxyMesh* const> proxies() const { return proxies_; }
   bool transparent(std::size_t part) const { return transparent_[part]; }
+  const std::vector<bool>& transparent() const { return transparent_; }
   bool any_transparent() const;
 
   /// The parts that hide others; the proxies of others are empty.

@@ -115,8 +115,8 @@ std::shared_ptr<Stages::Lines> Stages::lines_of(const View& view, RunContext& co
   return lines_.get(view, [&] {
     Diagnostics said;
     const auto proxies = view.occluders->proxies();
-    std::vector<Curve3> features =
-        extract_features(proxies, view.camera, view.features, said, context);
+    std::vector<Curve3> features = extract_features(proxies, view.camera, view.features, said,
+                                                    context, view.occluders->transparent());
     for (Curve3& line : hatch_cuts(proxies, view.camera, context, view.magnified)) {
       features.push_back(std::move(line));
     }

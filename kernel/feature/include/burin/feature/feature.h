@@ -23,7 +23,9 @@ namespace burin {
 /// What is seen edge-on counts as turned away. `source.face` is the smooth region (of creases: that
 /// of the front side), `source.edge` the index of the crease or boundary chain inside its part, the
 /// same for every view; -1 for contours inside regions and for intersections. Intersections belong
-/// to the first of both parts, have crease_sign -1 and are not `occluding`.
+/// to the first of both parts, have crease_sign -1 and are not `occluding`. Of a solid part and a
+/// `transparent` one (one flag a part; empty: none is) they belong to the solid one, and are
+/// `self_hidden` where that is turned away, whichever way the other is.
 ///
 /// Proxies that know their source: `source.edge` is the edge of the input, one per curve, and
 /// `source.face` the face of the input. A contour runs on over all faces of a smooth region;
@@ -43,6 +45,7 @@ namespace burin {
 /// @cite Hertzmann2000, Benard2019, Edelsbrunner1990
 std::vector<Curve3> extract_features(std::span<const ProxyMesh* const> proxies,
                                      const Camera& camera, const FeatureOptions& options,
-                                     Diagnostics& diagnostics, const RunContext& context);
+                                     Diagnostics& diagnostics, const RunContext& context,
+                                     const std::vector<bool>& transparent = {});
 
 }  // namespace burin
