@@ -7,6 +7,7 @@
 #include <burin/illustrate/illustrate.h>
 #include <burin/verify/verify.h>
 
+#include <burin_test/hulls.h>
 #include <burin_test/shapes.h>
 #include <burin_test/turned.h>
 #include <gtest/gtest.h>
@@ -361,6 +362,21 @@ TEST(Verify, ShortSidesOfAPinThatStandsOutAreDrawn) {
     }
   }
   EXPECT_NEAR(sides, 4, 0.3);  // 2 mm of the model on both sides
+}
+
+// Its contours run along the rulings of the fans, and its flat faces are wholly seen or not.
+TEST(Verify, TheHullOfAPlateAndADiscHolds) {
+  for (const std::uint32_t sides : {16u, 24u, 64u}) {
+    Scene scene;
+    scene.parts.push_back(
+        {"hull", "hull", std::make_shared<MeshForm>(test::hull({.sides = sides}))});
+    for (const char* view : {"iso", "0.3,-1,0.45", "-0.4,-1,0.55", "0.3,1,0.5", "front"}) {
+      SCOPED_TRACE(std::to_string(sides) + " from " + view);
+      const Drawing drawing = drawn(scene, camera_of(scene, view), builtin_style("outline"));
+      EXPECT_EQ(drawing.stats.verify->count, 0) << drawing.stats.verify->contradicted;
+      EXPECT_EQ(drawing.stats.verify->loose_ends, 0);
+    }
+  }
 }
 
 }  // namespace
