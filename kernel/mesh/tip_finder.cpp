@@ -8,8 +8,8 @@ namespace burin {
 
 namespace {
 
-/// Radians between neighbours of one flat face.
-constexpr double kFlat = 1e-3;
+/// Cosine of 0.001 radians: between neighbours of one flat face.
+constexpr double kFlatCosine = 1 - 0.5e-6;
 /// Radians by which the triangles of a tip lean from their mean: less does not show, and is the
 /// noise of files.
 constexpr double kLeast = 2 * std::numbers::pi / 180;
@@ -25,6 +25,8 @@ constexpr double kPole = 1.5 * std::numbers::pi;
 /// bulge (the pole of a ball leans by half of what its next ring bends). So it is where a crease
 /// around it bends by no more than the third of those: that is one facet more.
 constexpr double kRound = 0.6, kAlike = 1.2, kFacet = 1.5;
+
+double angle_of(double cosine) { return std::acos(std::clamp(cosine, -1.0, 1.0)); }
 
 }  // namespace
 
@@ -61,41 +63,36 @@ double TipFinder::across(HalfEdge h) const {
   return o == kNoHalfEdge ? 1 : glm::dot(normals_[face_of(h)], normals_[face_of(o)]);
 }
 
-/// Radians between the mean of the triangles' normals and the one that leans most.
-double TipFinder::lean_at(HalfEdge first) const {
+/// Cosines: of the largest bend between two faces of the fan, and of what the face that leans most
+/// leans from their mean.
+TipFinder::Fan TipFinder::measure(HalfEdge first) const {
+  Fan fan;
   Vec3 sum(0);
-  double least = 1;
   any(first, [&](HalfEdge h) {
     sum += normals_[face_of(h)];
+    const HalfEdge in = prev_in_face(h);
+    if (!smooth(in)) return false;
+    const double bend = across(in);
+    if (bend < kFlatCosine) ++fan.bends;
+    fan.most = std::min(fan.most, bend);
     return false;
   });
   const Vec3 mean = normalize_or(sum, normals_[face_of(first)]);
   any(first, [&](HalfEdge h) {
-    least = std::min(least, glm::dot(mean, normals_[face_of(h)]));
+    fan.lean = std::min(fan.lean, glm::dot(mean, normals_[face_of(h)]));
     return false;
   });
-  return std::acos(std::max(least, -1.0));
-}
-
-/// How many flat faces meet in the fan, and the largest bend (radians) between two of them.
-std::pair<int, double> TipFinder::bends_within(HalfEdge first) const {
-  int bends = 0;
-  double least = 1;
-  any(first, [&](HalfEdge h) {
-    const HalfEdge in = prev_in_face(h);
-    if (smooth(in) && across(in) < std::cos(kFlat)) ++bends;
-    if (smooth(in)) least = std::min(least, across(in));
-    return false;
-  });
-  return {smooth(first) ? bends : bends + 1, std::acos(std::max(least, -1.0))};
+  return fan;
 }
 
 bool TipFinder::is_tip(HalfEdge first) const {
+  const Fan fan = measure(first);
   const bool rim = !smooth(first);
-  const double lean = lean_at(first);
-  if (lean < (rim ? kLeastAtRim * crease_angle_ : kLeast)) return false;
-  const auto [faces, most] = bends_within(first);
-  if (faces < 3 || most > kMostBend * lean) return false;
+  const int faces = rim ? fan.bends + 1 : fan.bends;
+  // Of small angles 1 - cos is half the square; what passes is looked at by angles.
+  if (faces < 3 || 1 - fan.most > 1.2 * kMostBend * kMostBend * (1 - fan.lean)) return false;
+  const double lean = angle_of(fan.lean), most = angle_of(fan.most);
+  if (lean < (rim ? kLeastAtRim * crease_angle_ : kLeast) || most > kMostBend * lean) return false;
   if (!rim && faces * lean < kPole) return false;
   const double round = std::cos(std::min(kRound * lean, kAlike * most));
   const double facet = std::cos(std::min(kFacet * most, std::numbers::pi));
@@ -106,14 +103,13 @@ bool TipFinder::is_tip(HalfEdge first) const {
 }
 
 void TipFinder::label(HalfEdge first, std::vector<std::uint32_t>& labels) const {
-  const double flat = std::cos(kFlat);
   std::uint32_t face = 0;
   any(first, [&](HalfEdge h) {
-    if (h != first && across(h) < flat) ++face;
+    if (h != first && across(h) < kFlatCosine) ++face;
     labels[static_cast<std::size_t>(h)] = face;
     return false;
   });
-  if (!smooth(first) || across(first) < flat) return;
+  if (!smooth(first) || across(first) < kFlatCosine) return;
   // All the way round: the last face is the first one.
   any(first, [&](HalfEdge h) {
     std::uint32_t& l = labels[static_cast<std::size_t>(h)];

@@ -3,7 +3,6 @@
 
 #include "build_steps.h"
 
-#include <utility>
 #include <vector>
 
 namespace burin {
@@ -32,8 +31,11 @@ class TipFinder {
   template <class Holds>
   bool any(HalfEdge first, const Holds& holds) const;
   double across(HalfEdge h) const;
-  double lean_at(HalfEdge first) const;
-  std::pair<int, double> bends_within(HalfEdge first) const;
+  struct Fan {
+    int bends = 0;
+    double most = 1, lean = 1;
+  };
+  Fan measure(HalfEdge first) const;
 
   const ProxyMesh& proxy_;
   const std::vector<Vec3>& normals_;
