@@ -30,8 +30,18 @@ std::string common(const std::vector<std::size_t>& parts, const Get& get) {
   return std::ranges::all_of(parts, same) ? first : std::string();
 }
 
+/// Whether the number at the end of a name belongs to it, as in M3x10 or M6: the word before it
+/// holds a digit or is one letter.
+bool number_is_meant(std::string_view name) {
+  const std::string_view stem = name.substr(0, name.size() - digits_at_end(name));
+  if (stem.size() == name.size() || stem.empty()) return false;
+  const std::size_t blank = stem.find_last_of(" _-");
+  const std::string_view word = blank == stem.npos ? stem : stem.substr(blank + 1);
+  return word.size() == 1 || std::ranges::any_of(word, is_digit);
+}
+
 /// What a kind is called: as the input calls what its members are instances of, or as all of them
-/// are called, or what is common to their names.
+/// are called, or what is common to their names, or as the first where its number belongs to it.
 std::string name_of(const Scene& scene, const Kind& kind) {
   const auto part = [&](std::size_t i) -> const Part& { return detail::listed(scene.parts[i]); };
   const auto definition = [&](std::size_t i) { return part(i).definition; };
@@ -39,6 +49,7 @@ std::string name_of(const Scene& scene, const Kind& kind) {
   const auto own = [&](std::size_t i) { return name_as_read(part(i).name); };
   if (std::string name = common(kind.parts, own); !name.empty()) return name;
   const auto stem = [&](std::size_t i) { return instance_stem(part(i).name); };
+  if (number_is_meant(own(kind.parts.front()))) return std::string(own(kind.parts.front()));
   if (std::string name = common(kind.parts, stem); !name.empty()) return name;
   return kind.key;
 }

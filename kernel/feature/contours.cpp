@@ -25,10 +25,13 @@ HalfEdge entry_of(const Facing& facing, std::uint32_t f) {
   }
 }
 
-/// The half-edge over which a contour that leaves by `h` enters the next triangle.
-HalfEdge beyond(const ProxyMesh& proxy, HalfEdge h) {
+/// The half-edge beyond `h`, over which a contour goes on; kNoHalfEdge where it ends: at creases,
+/// and at tips, where the next triangle may face one way.
+HalfEdge beyond(const Facing& facing, HalfEdge h) {
   const auto i = static_cast<std::size_t>(h);
-  return proxy.edge_kind[i] == EdgeKind::Smooth ? proxy.topology.opposite[i] : kNoHalfEdge;
+  if (facing.proxy().edge_kind[i] != EdgeKind::Smooth) return kNoHalfEdge;
+  const HalfEdge o = facing.proxy().topology.opposite[i];
+  return facing.crosses(o) ? o : kNoHalfEdge;
 }
 
 /// Where a segment of a contour enters its triangle and where it leaves it.
@@ -135,7 +138,7 @@ class Tracer {
       mark(at);
       const HalfEdge out = exit_of(facing_, at);
       trail.add(facing_, entry_of(facing_, at), out);
-      const HalfEdge in = beyond(facing_.proxy(), out);
+      const HalfEdge in = beyond(facing_, out);
       if (in == kNoHalfEdge) return false;
       at = face_of(in);
       if (at == f) return true;
@@ -239,8 +242,7 @@ Contours trace_contours(const Facing& facing, std::int32_t part, const RunContex
     }
   };
   for (const std::uint32_t f : tracer.mixed()) {  // open ones first: they must begin at their start
-    if (proxy.edge_kind[static_cast<std::size_t>(entry_of(facing, f))] != EdgeKind::Smooth)
-      trace(f);
+    if (beyond(facing, entry_of(facing, f)) == kNoHalfEdge) trace(f);
   }
   for (std::size_t i = 0; i < tracer.mixed().size(); ++i) {
     if (!tracer.used(i)) trace(tracer.mixed()[i]);

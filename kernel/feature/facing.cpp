@@ -2,6 +2,7 @@
 
 #include <burin/base/parallel.h>
 #include <burin/base/parallel_filter.h>
+#include <burin/mesh/tips.h>
 
 #include "paper_limits.h"
 
@@ -31,7 +32,10 @@ Facing::Facing(const ProxyMesh& proxy, const Camera& camera, const RunContext& c
         }
       },
       &context);
-  if (!cut) turn_flat_walls_away(facing, context);  // exact normals do not lean
+  if (!cut) {  // exact normals do not lean
+    turn_flat_walls_away(facing, context);
+    face_tips();
+  }
   turn_thin_patches_away(context);
 }
 
@@ -62,6 +66,31 @@ void Facing::turn_flat_walls_away(const FacingFunction& facing, const RunContext
     for (const std::uint32_t f : part) {
       for (const std::uint32_t w : proxy_->wedges[f]) turn_away(w);
     }
+  }
+}
+
+void Facing::face_tips() {
+  const std::vector<std::uint8_t> tips = wedges_at_tips(*proxy_);
+  if (tips.empty()) return;
+  // Of the other corners of its triangles: how many are turned to the viewer, and away.
+  struct Sides {
+    std::uint32_t front = 0, back = 0;
+  };
+  std::vector<Sides> beside(tips.size());
+  for (const Triangle& w : proxy_->wedges) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      if (!tips[w[k]]) continue;
+      for (const std::uint32_t other : {w[(k + 1) % 3], w[(k + 2) % 3]}) {
+        if (!tips[other]) ++(front(other) ? beside[w[k]].front : beside[w[k]].back);
+      }
+    }
+  }
+  for (std::size_t w = 0; w < tips.size(); ++w) {
+    if (!tips[w]) continue;
+    const auto [front, back] = beside[w];
+    if (front > 0 && back > 0) g_[w] = 0;
+    if (front > 0 && back == 0) g_[w] = std::max(g_[w], kEdgeOn);
+    if (front == 0 && back > 0) g_[w] = std::min(g_[w], -kEdgeOn);
   }
 }
 

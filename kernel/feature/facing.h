@@ -57,6 +57,10 @@ class Facing {
   /// seen.
   void turn_flat_walls_away(const FacingFunction& facing, const RunContext& context);
 
+  /// At a tip (mesh/tips.h) a contour runs straight into it or does not reach it: each face has
+  /// the side of its other corners there, and zero where these have both.
+  void face_tips();
+
   /// Turns away what would show less than kThinWidth of paper in its width: patches of a ruled
   /// surface seen along its rulings, which noise in the normals turns a little to the viewer.
   void turn_thin_patches_away(const RunContext& context);

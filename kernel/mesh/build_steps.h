@@ -56,6 +56,12 @@ void find_wedges(ProxyMesh& proxy, const Corners& corners, const RunContext& con
 void find_wedge_normals(ProxyMesh& proxy, const Corners& corners,
                         const std::vector<Vec3>& face_normals, const RunContext& context);
 
+/// Gives each flat face a wedge of its own where the triangles of a wedge lean as those at the tip
+/// of a cone do, which has no normal (tips.h). `crease_angle` in radians. Cost: a pass over the
+/// corners.
+void find_tips(ProxyMesh& proxy, const std::vector<Vec3>& normals, double crease_angle,
+               const RunContext& context);
+
 /// Fills wedge_sagitta from the wedge normals.
 void find_sagitta(ProxyMesh& proxy, const Corners& corners, const RunContext& context);
 

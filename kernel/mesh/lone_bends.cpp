@@ -3,6 +3,7 @@
 
 #include "build_steps.h"
 #include "flood.h"
+#include "tip_finder.h"
 
 #include <algorithm>
 #include <array>
@@ -35,9 +36,16 @@ class Bends {
 
   /// Whether the edge bends enough, between faces of more than one triangle.
   bool is_candidate(HalfEdge h) const {
-    if (kind(h) != EdgeKind::Smooth || h > opposite(h)) return false;
-    return bend(h) >= least_ && in_flat_face(face_of(h)) && in_flat_face(face_of(opposite(h)));
+    return bends(h) && in_flat_face(face_of(h)) && in_flat_face(face_of(opposite(h)));
   }
+  /// Whether it does so between one of more than one triangle and one that is a triangle.
+  bool is_candidate_at_tips(HalfEdge h) const {
+    return bends(h) && in_flat_face(face_of(h)) != in_flat_face(face_of(opposite(h)));
+  }
+  /// Whether nothing else bends on the face of more than one triangle.
+  bool ends_a_wall(HalfEdge h) const { return alone(in_flat_face(face_of(h)) ? h : opposite(h)); }
+  /// The half-edge on the side that is a triangle.
+  HalfEdge on_triangle(HalfEdge h) const { return in_flat_face(face_of(h)) ? opposite(h) : h; }
 
   void find_faces() {
     const std::int32_t faces = flood(
@@ -72,6 +80,10 @@ class Bends {
   Vec3 to(HalfEdge h) const { return from(next_in_face(h)); }
   std::span<const HalfEdge> around(HalfEdge h) const { return around_[face(h)]; }
 
+  /// Whether an edge bends enough; true of one of its half-edges.
+  bool bends(HalfEdge h) const {
+    return kind(h) == EdgeKind::Smooth && h < opposite(h) && bend(h) >= least_;
+  }
   /// Radians; 0 at a boundary.
   double bend(HalfEdge h) const {
     const HalfEdge o = opposite(h);
@@ -130,27 +142,41 @@ class Bends {
   Groups<HalfEdge> around_;         // of each face its half-edges towards others
 };
 
+/// Sets or unsets a crease.
+void set_crease(ProxyMesh& proxy, const std::vector<Vec3>& normals, HalfEdge h, bool crease) {
+  const auto i = static_cast<std::size_t>(h);
+  const EdgeKind kind = crease ? crease_kind(proxy, normals, h) : EdgeKind::Smooth;
+  proxy.edge_kind[i] = kind;
+  proxy.edge_kind[static_cast<std::size_t>(proxy.topology.opposite[i])] = kind;
+}
+
 }  // namespace
 
 void sharpen_lone_bends(ProxyMesh& proxy, const std::vector<Vec3>& normals, double crease_angle,
                         const RunContext& context) {
   Bends bends(proxy, normals, kLeast * crease_angle);
-  const std::vector<HalfEdge> candidates = parallel_filter<HalfEdge>(
-      proxy.edge_kind.size(), 3 * kFaceGrain, [&](HalfEdge h) { return bends.is_candidate(h); },
-      context);
-  if (candidates.empty()) return;
+  const auto all = [&](const auto& holds) {
+    return parallel_filter<HalfEdge>(proxy.edge_kind.size(), 3 * kFaceGrain, holds, context);
+  };
+  const auto candidates = all([&](HalfEdge h) { return bends.is_candidate(h); });
+  auto at_tips = all([&](HalfEdge h) { return bends.is_candidate_at_tips(h); });
+  if (candidates.empty() && at_tips.empty()) return;
   bends.find_faces();
   std::vector<HalfEdge> edges;
   for (std::size_t i = 0; i < candidates.size(); ++i) {
     if (i % kFaceGrain == 0) context.check();
     if (bends.is_edge(candidates[i])) edges.push_back(candidates[i]);
   }
-  for (const HalfEdge h : edges) {
-    const auto i = static_cast<std::size_t>(h);
-    const EdgeKind kind = crease_kind(proxy, normals, h);
-    proxy.edge_kind[i] = kind;
-    proxy.edge_kind[static_cast<std::size_t>(proxy.topology.opposite[i])] = kind;
-  }
+  std::erase_if(at_tips, [&](HalfEdge h) { return !bends.ends_a_wall(h); });
+  for (HalfEdge& h : at_tips) h = bends.on_triangle(h);
+  for (const HalfEdge h : edges) set_crease(proxy, normals, h, true);
+  for (const HalfEdge h : at_tips) set_crease(proxy, normals, h, true);
+  // With all of them cut off: what goes over from wall to wall in fans from both ends of an edge.
+  const TipFinder finder(proxy, normals, crease_angle);
+  std::erase_if(at_tips, [&](HalfEdge h) {
+    return finder.is_tip(finder.first_of(h)) && finder.is_tip(finder.first_of(next_in_face(h)));
+  });
+  for (const HalfEdge h : at_tips) set_crease(proxy, normals, h, false);
 }
 
 }  // namespace burin

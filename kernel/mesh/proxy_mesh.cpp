@@ -44,6 +44,7 @@ ProxyMesh build_proxy(TriMesh mesh, const ProxyOptions& options, const RunContex
       [&] {
         find_wedges(proxy, corners, context);
         find_wedge_normals(proxy, corners, normals, context);
+        find_tips(proxy, normals, crease_angle, context);
         find_sagitta(proxy, corners, context);
       });
   return proxy;

@@ -1,4 +1,5 @@
 #include <burin/mesh/rounded_mesh.h>
+#include <burin/mesh/tips.h>
 
 #include "build_steps.h"
 
@@ -33,6 +34,12 @@ Vec3 over_edge(const TriMesh& mesh, HalfEdge h, const Vec3& ahead, const Vec3& b
   return p + t * (q - p) + t * (1 - t) * ((1 - t) * low + t * high);
 }
 
+/// Whether a smooth edge begins, or ends, at a tip.
+bool is_tip(const ProxyMesh& proxy, HalfEdge h, bool at_origin) {
+  const HalfEdge o = proxy.topology.opposite[static_cast<std::size_t>(h)];
+  return !one_wedge_at(proxy, at_origin ? h : o);
+}
+
 }  // namespace
 
 RoundedMesh::RoundedMesh(const ProxyMesh& proxy)
@@ -64,9 +71,12 @@ Vec3 RoundedMesh::control_lift(HalfEdge h, bool at_origin) const {
   const Vec3& n = normal(at_origin ? h : there);
   const double finest = std::min(finest_[a], finest_[b]), most = kMostLift * finest;
   if (kind == EdgeKind::Smooth || kind == EdgeKind::Boundary) {
+    // From a tip the surface runs straight; the triangles at it have no normal in common.
+    const auto tip = [&](bool here) { return kind == EdgeKind::Smooth && is_tip(proxy, h, here); };
+    if (tip(at_origin)) return Vec3(0);
     double lift = -glm::dot(edge, n);
     if (glm::dot(edge, edge) > kLong * kLong * finest * finest) {
-      const double other = glm::dot(edge, normal(at_origin ? there : h));
+      const double other = tip(!at_origin) ? 0 : glm::dot(edge, normal(at_origin ? there : h));
       if ((lift < 0) != (other < 0)) return Vec3(0);
       if (std::abs(other) < std::abs(lift)) lift = other;
     }

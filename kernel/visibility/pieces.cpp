@@ -166,6 +166,7 @@ std::vector<Piece> Cutting::classify(const Curve3& curve, const Track& track, st
       vote(curve, track, piece, out);
     }
   }
+  if (curve.kind == LineClass::Intersection) show_at_folds(curve, track, out);
   return out;
 }
 
@@ -194,6 +195,31 @@ bool Cutting::visible_at(const Curve3& curve, const Track& track, double length)
 bool Cutting::hidden_by_others_at(const Curve3& curve, const Track& track, double length) const {
   const Place place = place_at(track, length);
   return probe_.hidden_by_others(curve, place.segment, place.share);
+}
+
+// A line of intersection touches the contour where that dives into the other part. Of triangles the
+// two cross there several times, within their chord errors: what is hidden between two such
+// crossings is the way from one side of the fold to the other, and the contour is hidden there,
+// too.
+void Cutting::show_at_folds(const Curve3& curve, const Track& track,
+                            std::vector<Piece>& pieces) const {
+  constexpr double kLongest = 3;  // paper mm
+  constexpr int kRays = 5;
+  const std::size_t n = pieces.size();
+  std::vector<std::size_t> shown;
+  for (std::size_t i = 0; i < n; ++i) {
+    const Piece& piece = pieces[i];
+    const bool inside = track.closed() || (i > 0 && i + 1 < n);
+    if (n < 3 || piece.visible || piece.length() > kLongest || !inside) continue;
+    if (!pieces[(i + n - 1) % n].visible || !pieces[(i + 1) % n].visible) continue;
+    bool hidden = false;
+    for (int k = 0; k < kRays && !hidden; ++k) {
+      const Place place = place_at(track, piece.from + piece.length() * (k + 0.5) / kRays);
+      hidden = probe_.hidden_by_smooth(curve, place.segment, place.share, 1);
+    }
+    if (!hidden) shown.push_back(i);
+  }
+  for (const std::size_t i : shown) pieces[i].visible = true;
 }
 
 bool Cutting::clearly_hidden_at(const Curve3& curve, const Track& track, double length) const {

@@ -61,6 +61,7 @@ class Cutting {
            std::vector<Piece>& out) const;
   void refine(const Curve3& curve, const Track& track, const Piece& piece,
               std::vector<Piece>& out) const;
+  void show_at_folds(const Curve3& curve, const Track& track, std::vector<Piece>& pieces) const;
   bool visible_at(const Curve3& curve, const Track& track, double length) const;
   bool hidden_by_others_at(const Curve3& curve, const Track& track, double length) const;
   bool clearly_hidden_at(const Curve3& curve, const Track& track, double length) const;

@@ -204,15 +204,19 @@ bool Probe::visible(const Curve3& curve, std::size_t segment, double t) const {
 }
 
 bool Probe::hidden_by(const Curve3& curve, std::size_t segment, double t, double clear) const {
-  return hidden(curve, segment, t, clear, false);
+  return hidden(curve, segment, t, {.clear = clear});
+}
+
+bool Probe::hidden_by_smooth(const Curve3& curve, std::size_t segment, double t,
+                             double clear) const {
+  return hidden(curve, segment, t, {.clear = clear, .smooth = true});
 }
 
 bool Probe::hidden_by_others(const Curve3& curve, std::size_t segment, double t) const {
-  return hidden(curve, segment, t, 1, true);
+  return hidden(curve, segment, t, {.others = true});
 }
 
-bool Probe::hidden(const Curve3& curve, std::size_t segment, double t, double clear,
-                   bool others) const {
+bool Probe::hidden(const Curve3& curve, std::size_t segment, double t, Asked asked) const {
   const std::size_t after = curve.next(segment);
   const Vec3 p = glm::mix(curve.points[segment], curve.points[after], t);
   const Vec3 view = camera_.to_viewer(p);
@@ -234,17 +238,17 @@ bool Probe::hidden(const Curve3& curve, std::size_t segment, double t, double cl
                       part,
                       face,
                       kOnPlane * resolution,
-                      own_error(curve, face, p),
-                      curve.kind == LineClass::Intersection,
+                      asked.smooth ? chord_error(part, face) : own_error(curve, face, p),
+                      curve.kind == LineClass::Intersection && !asked.smooth,
                       view,
                       glm::cross(view, n),
                       fold_at(curve, own, face, n, back, view)};
   const Vec3 start = p + n * (origin.error + resolution);
   const Origin* o = &origin;
   return occluder_.occluded_by(start, view, 2 * resolution, camera_.distance_to_viewer(start),
-                               [o, clear, others](const Hit& hit) {
-                                 if (others && hit.where.part == o->part) return false;
-                                 return clearance(*o, hit) > clear;
+                               [o, asked](const Hit& hit) {
+                                 if (asked.others && hit.where.part == o->part) return false;
+                                 return clearance(*o, hit) > asked.clear;
                                });
 }
 

@@ -36,6 +36,9 @@ class Probe {
   /// Whether something hides it whose plane passes farther off than `clear` times what the proxies
   /// do not tell apart; with 1, whether it cannot be seen.
   bool hidden_by(const Curve3& curve, std::size_t segment, double t, double clear) const;
+  /// The same of the surfaces that the proxies stand for: lines of intersection, which lie on the
+  /// triangles, are a chord error of both parts off those.
+  bool hidden_by_smooth(const Curve3& curve, std::size_t segment, double t, double clear) const;
   /// Whether another part hides it: what no fold of its own makes doubtful.
   bool hidden_by_others(const Curve3& curve, std::size_t segment, double t) const;
   bool several_parts() const { return proxies_.size() > 1; }
@@ -60,7 +63,11 @@ class Probe {
   ViewRay ray_from_afar(Vec2 paper) const;
   double own_error(const Curve3& curve, std::int32_t face, Vec3 p) const;
 
-  bool hidden(const Curve3& curve, std::size_t segment, double t, double clear, bool others) const;
+  struct Asked {
+    double clear = 1;
+    bool others = false, smooth = false;
+  };
+  bool hidden(const Curve3& curve, std::size_t segment, double t, Asked asked) const;
 
   const Occluder& occluder_;
   std::span<const ProxyMesh* const> proxies_;

@@ -3,6 +3,7 @@
 #include <burin/base/parallel.h>
 #include <burin/mesh/facet_piece.h>
 #include <burin/mesh/rounded_mesh.h>
+#include <burin/mesh/tips.h>
 #include <burin/work_mesh/division.h>
 
 #include <algorithm>
@@ -331,6 +332,31 @@ ProxyDraft draft_of(const ProxyMesh& coarse, const Divider& divider, const Layou
   return draft;
 }
 
+/// Parts the wedges of the new mesh at the tips of the facets, as theirs are parted.
+void part_tips(ProxyMesh& proxy, const ProxyMesh& coarse, const Layout& layout,
+               const std::vector<std::uint8_t>& tips, const std::vector<Vec3>& corner_normal) {
+  std::vector<std::uint32_t> label(corner_normal.size(), 0);
+  layout.each([&](std::size_t i, const Piece& piece) {
+    for (std::size_t corner = 0; corner < 3; ++corner) {
+      for (std::size_t k = 0; k < 3; ++k) {
+        if (piece.bary[corner][static_cast<int>(k)] != 1) continue;
+        const std::uint32_t w = coarse.wedges[piece.facet][k];
+        if (tips[w]) label[3 * i + corner] = w;
+      }
+    }
+  });
+  part_wedges(proxy, label, [&](HalfEdge h) { return corner_normal[static_cast<std::size_t>(h)]; });
+  layout.each([&](std::size_t i, const Piece& piece) {
+    const auto k = corner_beside_tips(tips, coarse.wedges[piece.facet]);
+    if (!k) return;
+    for (std::size_t corner = 0; corner < 3; ++corner) {
+      if (piece.bary[corner][static_cast<int>(*k)] != 1) continue;
+      proxy.wedge_normal[proxy.wedges[i][corner]] =
+          coarse.wedge_normal[coarse.wedges[piece.facet][*k]];
+    }
+  });
+}
+
 }  // namespace
 
 std::optional<RoundedFacets> round_facets(const ProxyMesh& coarse, double tolerance,
@@ -341,8 +367,12 @@ std::optional<RoundedFacets> round_facets(const ProxyMesh& coarse, double tolera
   Divider divider(coarse, std::move(facets), tolerance, context);
   if (!divider.run(most, out.cut_short)) return std::nullopt;
   const Layout layout(coarse, divider.pieces());
-  out.proxy = assemble_proxy(draft_of(coarse, divider, layout, context), context);
+  ProxyDraft draft = draft_of(coarse, divider, layout, context);
+  const std::vector<std::uint8_t> tips = wedges_at_tips(coarse);
+  const std::vector<Vec3> corner_normal = tips.empty() ? std::vector<Vec3>() : draft.corner_normal;
+  out.proxy = assemble_proxy(std::move(draft), context);
   out.proxy.on_contour.clear();  // it was cut for no view
+  if (!tips.empty()) part_tips(out.proxy, coarse, layout, tips, corner_normal);
   out.wedge_origin.resize(out.proxy.wedge_vertex.size());
   layout.each([&](std::size_t i, const Piece& piece) {
     for (std::size_t k = 0; k < 3; ++k) {

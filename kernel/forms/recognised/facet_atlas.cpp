@@ -364,6 +364,7 @@ FacetAtlas make_facet_atlas(const FacetMesh& m, const Faces& faces,
   set_corner_normals(out.mesh, of_face, context);
   for (std::size_t f = 0; f < atlas->face_count(); ++f) {
     out.patch.push_back(atlas->cell(static_cast<std::int32_t>(f)).patch);
+    out.facet.push_back(atlas->cell(static_cast<std::int32_t>(f)).facet);
   }
   out.atlas = std::move(atlas);
   return out;

@@ -18,6 +18,8 @@ struct FacetAtlas {
   ChartMesh mesh;
   /// For each chart its patch, or -1.
   std::vector<std::int32_t> patch;
+  /// For each face of `mesh` the facet that it lies on, or began as.
+  std::vector<std::int32_t> facet;
   /// Whether every triangle lies on a surface that is known: no stretch of facets is left whose
   /// surface is a guess.
   bool exact = true;

@@ -7,11 +7,15 @@
 #include <burin/forms/recognised/recognised_form.h>
 #include <burin/mesh/curvature.h>
 #include <burin/mesh/placed_mesh.h>
+#include <burin/mesh/tips.h>
 
 #include "facet_atlas.h"
 #include "known.h"
 #include "outermost.h"
 #include "recognised_surface.h"
+
+#include <set>
+#include <utility>
 
 namespace burin {
 
@@ -45,20 +49,50 @@ std::shared_ptr<const Surface> charted(recognised::FacetAtlas made, const Placem
   return make_charted_surface(atlas, std::move(made.mesh), context);
 }
 
+/// Vertices and facets of the input that meet at tips.
+using Tips = std::set<std::pair<std::uint32_t, std::int32_t>>;
+
+Tips tips_of(const ProxyMesh& input, const recognised::Facets& facets) {
+  Tips out;
+  const std::vector<std::uint8_t> tips = wedges_at_tips(input);
+  if (tips.empty()) return out;
+  for (std::size_t t = 0; t < input.wedges.size(); ++t) {
+    for (const std::uint32_t w : input.wedges[t]) {
+      if (tips[w]) out.emplace(input.wedge_vertex[w], facets.of[t]);
+    }
+  }
+  return out;
+}
+
+/// Parts the wedges of a proxy at tips, by the facets of its triangles.
+void part_tips(ProxyMesh& proxy, const Tips& tips, const std::vector<std::int32_t>& facet) {
+  std::vector<std::uint32_t> label(proxy.edge_kind.size(), 0);
+  for (std::size_t h = 0; h < label.size(); ++h) {
+    const std::uint32_t vertex = proxy.mesh.triangles[h / 3][h % 3];
+    const std::int32_t f = facet[h / 3];
+    if (f >= 0 && tips.contains({vertex, f})) label[h] = 1 + static_cast<std::uint32_t>(f);
+  }
+  part_wedges(proxy, label, [&](HalfEdge h) {
+    return proxy.mesh.area(face_of(h)) * proxy.mesh.normal(face_of(h));
+  });
+}
+
 /// Some facets stand for nothing that is known: the triangles are the surface, and contours are
 /// those of a mesh everywhere, so that one part has one kind of contours.
 std::shared_ptr<const Surface> partly_charted(recognised::FacetAtlas made,
                                               std::shared_ptr<const recognised::Recognised> round,
-                                              const Placement& placement,
+                                              const Tips& tips, const Placement& placement,
                                               const RealiseOptions& options, RunContext& context) {
   if (placement.moves()) made.mesh = placed(made.mesh, placement);
-  std::vector<std::int32_t> patch;
+  std::vector<std::int32_t> patch, facet;
   for (const std::int32_t f : made.mesh.face) {
     patch.push_back(made.patch[static_cast<std::size_t>(f)]);
+    facet.push_back(patch.back() < 0 ? made.facet[static_cast<std::size_t>(f)] : -1);
   }
   ProxyMesh proxy = assemble_proxy(proxy_draft(made.mesh, *made.atlas), context);
   made = {};
   proxy.on_contour.clear();
+  if (!tips.empty()) part_tips(proxy, tips, facet);
   std::vector<Curvature> curvature;
   if (options.curvature) {
     context.begin_stage(RunStage::Curvature);
@@ -159,7 +193,8 @@ std::shared_ptr<const Surface> RecognisedForm::realise(const RealiseOptions& opt
   faces = {};
   auto surface = made.exact
                      ? charted(std::move(made), placement_, options, context)
-                     : partly_charted(std::move(made), impl_->round, placement_, options, context);
+                     : partly_charted(std::move(made), impl_->round, tips_of(input, *impl_->facets),
+                                      placement_, options, context);
   context.end_stage();
   const auto& texture = impl_->form.texture();
   if (!texture || !placement_.moves()) return textured(std::move(surface), texture);

@@ -175,6 +175,23 @@ TEST(OuterOutline, GoesRoundTheTipsOfALoft) {
   }
 }
 
+// A ring dives into a ball where its contour touches their line of intersection: the triangles of
+// both cross there three times, and 1.2 mm of the line were missing between.
+TEST(PartIntersections, GoOnWhereTheyTouchAContour) {
+  const fs::path path = fs::path(BURIN_TEST_DATA) / "outside/run_into_each_other.step";
+  if (!fs::exists(path)) GTEST_SKIP() << path << " is not there";
+  RunContext context;
+  const Scene scene = read_scene({path.string()}, {}, context);
+  for (const char* view : {"2,-1,1", "iso", "1,1,0.5", "-2,1,1"}) {
+    const NamedView v = named_view(view);
+    const Camera camera = Camera::fit([&](const Mat3& axes) { return scene.bounds(axes); },
+                                      {.direction = v.direction, .up = v.up});
+    const Drawing drawing =
+        illustrate(scene, camera, builtin_style("outline"), {.verify = true}, context);
+    EXPECT_EQ(drawing.stats.verify->count, 0) << view << drawing.stats.verify->contradicted;
+  }
+}
+
 std::string name_of(const testing::TestParamInfo<Case>& info) {
   std::string name = fs::path(info.param.file).stem().string() + "_" + info.param.style;
   if (info.param.hidden == HiddenLines::Dashed) name += "_hidden";
@@ -204,10 +221,10 @@ INSTANTIATE_TEST_SUITE_P(
                     Case{"step/gmsh/wing_fuselage.step"}, Case{"step/occt/screw.step"},
                     Case{"nurbs/occt/CrankArm.brep"},
                     Case{"step/kicad/BatteryHolder_Keystone_1058_1x2032.step"},
-                    Case{"mesh/trimesh/ballA.off"}, Case{"step/gmsh/wrenchnut.stp"},
-                    Case{"step/gmsh/component8.step"}, Case{"nurbs/occt/Pump_Nut.brep"},
-                    Case{"step/gmsh/Kurbelwelle.stp"}, Case{"step/gmsh/Angled.step"},
-                    Case{"step/gmsh/as1-tu-203.stp"},
+                    Case{"mesh/trimesh/ballA.off"}, Case{"mesh/voron/idler_front.stl"},
+                    Case{"step/gmsh/wrenchnut.stp"}, Case{"step/gmsh/component8.step"},
+                    Case{"nurbs/occt/Pump_Nut.brep"}, Case{"step/gmsh/Kurbelwelle.stp"},
+                    Case{"step/gmsh/Angled.step"}, Case{"step/gmsh/as1-tu-203.stp"},
                     Case{"step/freecad/as1-ac-214.stp", "outline", HiddenLines::Dashed},
                     Case{"step/kicad/Heatsink_125x35x50mm_3xFixationM3.step"},
                     Case{"step/kicad/Valve_Mini_Pentode_Linear.step"}),

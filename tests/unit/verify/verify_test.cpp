@@ -7,6 +7,7 @@
 #include <burin/illustrate/illustrate.h>
 #include <burin/verify/verify.h>
 
+#include <burin_test/hulls.h>
 #include <burin_test/shapes.h>
 #include <burin_test/turned.h>
 #include <gtest/gtest.h>
@@ -361,6 +362,39 @@ TEST(Verify, ShortSidesOfAPinThatStandsOutAreDrawn) {
     }
   }
   EXPECT_NEAR(sides, 4, 0.3);  // 2 mm of the model on both sides
+}
+
+// Its contours run along the rulings of the fans, and its flat faces are wholly seen or not.
+void expect_hull_holds(std::shared_ptr<const Form> form) {
+  Scene scene;
+  scene.parts.push_back({"hull", "hull", std::move(form)});
+  for (const char* view : {"iso", "0.3,-1,0.45", "-0.4,-1,0.55", "0.3,1,0.5", "front"}) {
+    SCOPED_TRACE(view);
+    const Drawing drawing = drawn(scene, camera_of(scene, view), builtin_style("outline"));
+    EXPECT_EQ(drawing.stats.verify->count, 0) << drawing.stats.verify->contradicted;
+    EXPECT_EQ(drawing.stats.verify->loose_ends, 0);
+  }
+}
+
+TEST(Verify, TheHullOfAPlateAndADiscHolds) {
+  for (const std::uint32_t sides : {16u, 24u, 64u}) {
+    SCOPED_TRACE(sides);
+    expect_hull_holds(std::make_shared<MeshForm>(test::hull({.sides = sides})));
+  }
+}
+
+// Beside a pin that is known to be round.
+TEST(Verify, TheHullOfAPlateAndADiscHoldsBesideAKnownCylinder) {
+  TriMesh mesh = test::hull({});
+  const TriMesh pin = test::turned({{5, 0}, {5, 30}}, 48);
+  const auto first = static_cast<std::uint32_t>(mesh.positions.size());
+  for (const Vec3& p : pin.positions) mesh.positions.push_back(p + Vec3(-20, 20, 0));
+  for (const auto& [a, b, c] : pin.triangles) {
+    mesh.triangles.push_back({first + a, first + b, first + c});
+  }
+  const auto form = std::make_shared<RecognisedForm>(std::move(mesh), RunContext());
+  EXPECT_EQ(form->faces().cylinders, 1);
+  expect_hull_holds(form);
 }
 
 }  // namespace
