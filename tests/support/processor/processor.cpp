@@ -4,6 +4,7 @@
 
 #include <cstdlib>
 
+// NOLINTNEXTLINE(readability-identifier-naming): the name is Embree's.
 extern "C" void* rtcNewDevice(const char* configuration) {
   using NewDevice = void* (*)(const char*);
   const auto next = reinterpret_cast<NewDevice>(dlsym(RTLD_NEXT, "rtcNewDevice"));

@@ -41,7 +41,7 @@ struct OccluderOptions {
 /// scene's centre and scaled to unit size before they become single precision, and a ray from far
 /// away starts for Embree where it enters the scene, so that a part of any size and place gives the
 /// same answers. The proxies must outlive the occluder. Throws Cancelled where the run is cancelled
-/// while the tree is built. Cost: about 0.2 s and 80 MB a million triangles; 0.1 to 0.5 us a ray.
+/// while the tree is built. Cost: about 0.2 s and 80 MB a million triangles; 0.1 to 1.5 us a ray.
 /// @cite Wald2014, Woop2013
 class Occluder {
  public:
