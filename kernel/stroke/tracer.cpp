@@ -28,6 +28,8 @@ constexpr double kFree = 0.2;  // gaps that it may be off there
 // Cosines: where a surface is slanted more than the first a level line says nothing of the way on
 // it (a hair on paper is many degrees there), and all where it is seen squarer than the second.
 constexpr double kSlanted = 0.2, kSquare = 0.5;
+// Gaps off its level line from which on a stroke turns back to it all the same.
+constexpr double kNearlyLost = 0.3;
 constexpr double kTurnOver = 0.8;   // paper mm over which it would be back
 constexpr double kMostDrift = 0.5;  // gaps that it may be off its level line
 constexpr double kUnguided = 1.5;   // paper mm that a stroke is seen beyond its level line
@@ -197,7 +199,10 @@ Vec3 Tracer::steer(std::int32_t part, const StrokeSample& at, Vec3 tangent,
     return turned(ruled(at.kind) || !at.bent ? kFree * heading.gap : 0);
   }
   const double scale = camera.scale_at(at.point.position);
-  const double trust = std::clamp((at.facing - kSlanted) / (kSquare - kSlanted), 0.0, 1.0);
+  const double lost =
+      (std::abs(heading.off) / heading.gap - kNearlyLost) / (kMostDrift - kNearlyLost);
+  const double trust =
+      std::clamp(std::max((at.facing - kSlanted) / (kSquare - kSlanted), lost), 0.0, 1.0);
   if (trust == 0 || std::abs(area) < kMinFacing * scale * scale) return turned(0);
   // tangent and left in the shares that show as the direction ahead
   const Vec3 along =
