@@ -2,9 +2,9 @@
 
 #include <burin/base/parallel.h>
 
-#include "exact_faces.h"
 #include "fallback.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace burin::field {
@@ -19,6 +19,9 @@ constexpr double kFullConfidence = 50;
 // Curvature of smaller radius than this share of its region's size (square root of its area) pulls
 // no more strongly: small bumps may not bend the field around them.
 constexpr double kSmallRadius = 0.12;
+// Exact lines are followed whatever the crosses say: they are given, up to this multiple of the
+// pull of a wedge's neighbours.
+constexpr double kCertain = 100;
 // Directions must agree over this share of the region's size to count.
 constexpr double kAgreement = 0.04;
 // A crease outweighs the wedge's links by this factor where curvature says nothing.
@@ -36,6 +39,7 @@ constexpr double kLabel = 10;
 struct Builder {
   const ProxyMesh& proxy;
   const std::vector<Frame>& frames;
+  const std::vector<CurvedFrames::Other>& others;
   bool exact;
   const FlatPatches& flats;
   const SmoothedOptions& options;
@@ -45,12 +49,14 @@ struct Builder {
 
   std::vector<Vec2> line = {};          // d1 to the second power
   std::vector<double> confidence = {};  // what is left of it
+  std::vector<double> agreed = {};      // the share that is left
   std::vector<double> region_area = {};
   Constraints result = {};
 
   std::size_t size() const { return frames.size(); }
   // The directions of these are known for certain, however small the face is.
-  bool is_certain(std::size_t w) const { return exact && has_exact_lines(frames[w]); }
+  bool is_certain(std::size_t w) const { return is_certain(frames[w]); }
+  bool is_certain(const Frame& frame) const { return exact && has_exact_lines(frame); }
   template <class Body>
   void for_wedges(const Body& body) {
     parallel_for(
@@ -94,9 +100,10 @@ struct Builder {
       directions[w] = graph.area[w] * confidence[w] * bend(w) * complex_square(line[w]);
       limit[w] = kAgreement * kAgreement * region_size(w) * region_size(w);
     });
-    const std::vector<double> agreement = hierarchy.agreement(directions, graph.area, limit);
+    agreed = hierarchy.agreement(directions, graph.area, limit);
     for_wedges([&](std::size_t w) {
-      if (!is_certain(w)) confidence[w] *= agreement[w] * agreement[w];
+      agreed[w] *= agreed[w];
+      if (!is_certain(w)) confidence[w] *= agreed[w];
     });
   }
 
@@ -105,6 +112,9 @@ struct Builder {
     for_wedges([&](std::size_t w) {
       const double k = bend(w), c = confidence[w];
       result.mass[w] = rate * graph.area[w] * k * k * c / (1 + 1 / kFullConfidence - c);
+      if (is_certain(w)) {
+        result.mass[w] = std::max(result.mass[w], kCertain * graph.crosses.stiffness[w]);
+      }
       result.pull[w] = result.mass[w] * complex_square(line[w]);
     });
   }
@@ -153,16 +163,16 @@ struct Builder {
     return complex_square(basis.coords(normalize_or(options.fallback, Vec3(0, 0, 1))));
   }
 
-  // How clearly family 1 is to follow d1 (positive) or d2.
-  double lead(std::size_t w) const {
-    if (is_certain(w) && frames[w].kind != FaceKind::Torus) {
+  // How clearly family 1 is to follow d1 (positive) or d2 of a frame of that confidence.
+  double lead(const Frame& frame, double sure) const {
+    if (is_certain(frame) && frame.kind != FaceKind::Torus) {
       const auto ruled =
-          frames[w].kind == FaceKind::Cone ? options.policy.cone : options.policy.cylinder;
-      const bool first_is_circle = std::abs(frames[w].k1) > std::abs(frames[w].k2);
+          frame.kind == FaceKind::Cone ? options.policy.cone : options.policy.cylinder;
+      const bool first_is_circle = std::abs(frame.k1) > std::abs(frame.k2);
       return first_is_circle == (ruled == FacePolicy::Ruled::Circles) ? 1 : -1;
     }
-    const double a = std::abs(frames[w].k1), b = std::abs(frames[w].k2);
-    return a + b > 0 ? confidence[w] * (a - b) / (a + b) : 0;
+    const double a = std::abs(frame.k1), b = std::abs(frame.k2);
+    return a + b > 0 ? sure * (a - b) / (a + b) : 0;
   }
 
   void follow_fallback() {
@@ -178,24 +188,43 @@ struct Builder {
     });
   }
 
+  void want_label(std::size_t w, double area, double towards, Vec2 d1) {
+    const double share = area / region_area[static_cast<std::size_t>(graph.region[w])];
+    result.line_pull[w] += kLabel * share * towards * d1;
+    result.line_mass[w] += kLabel * share * std::abs(towards);
+  }
+
+  // On the border of two faces each speaks for its own area: in a wall between two fillets, whose
+  // triangles have no inner vertex, the fillets would name the families otherwise.
   void set_labels() {
+    std::vector<double> area = graph.area;
+    for (const CurvedFrames::Other& o : others) area[o.wedge] -= o.area;
+    for_wedges(
+        [&](std::size_t w) { want_label(w, area[w], lead(frames[w], confidence[w]), line[w]); });
+    for (const CurvedFrames::Other& o : others) {
+      const Vec2 d =
+          TangentBasis(proxy.wedge_normal[o.wedge], graph.axis[o.wedge]).coords(o.frame.d1);
+      const double length = glm::length(d);
+      if (o.frame.umbilic || !(length > 0)) continue;
+      const double sure = is_certain(o.frame) ? 1 : o.frame.confidence * agreed[o.wedge];
+      want_label(o.wedge, o.area, lead(o.frame, sure), complex_square(d / length));
+    }
     for_wedges([&](std::size_t w) {
       const double share = graph.area[w] / region_area[static_cast<std::size_t>(graph.region[w])];
-      const double towards = lead(w);
       const Vec2 open = kOpen * share * fallback_line(w);
-      result.line_pull[w] = kLabel * share * towards * line[w] + open;
-      result.line_mass[w] = kLabel * share * std::abs(towards) + glm::length(open);
+      result.line_pull[w] += open;
+      result.line_mass[w] += glm::length(open);
     });
   }
 };
 
 }  // namespace
 
-Constraints find_constraints(const ProxyMesh& proxy, const std::vector<Frame>& frames, bool exact,
+Constraints find_constraints(const ProxyMesh& proxy, const CurvedFrames& frames, bool exact,
                              const FlatPatches& flats, const WedgeGraph& graph,
                              const Hierarchy<Vec2>& hierarchy, const SmoothedOptions& options,
                              const RunContext& context) {
-  Builder b{proxy, frames, exact, flats, options, graph, hierarchy, context};
+  Builder b{proxy, frames.best, frames.others, exact, flats, options, graph, hierarchy, context};
   b.result.mass.assign(b.size(), 0);
   b.result.line_mass.assign(b.size(), 0);
   b.result.certain.assign(b.size(), 0);

@@ -5,6 +5,7 @@
 #include <burin/base/run_context.h>
 #include <burin/field/field.h>
 
+#include "exact_faces.h"
 #include "flat_patches.h"
 #include "hierarchy.h"
 #include "wedge_graph.h"
@@ -28,7 +29,7 @@ struct Constraints {
 };
 
 /// `exact`: as the surface says of its frames.
-Constraints find_constraints(const ProxyMesh& proxy, const std::vector<Frame>& frames, bool exact,
+Constraints find_constraints(const ProxyMesh& proxy, const CurvedFrames& frames, bool exact,
                              const FlatPatches& flats, const WedgeGraph& graph,
                              const Hierarchy<Vec2>& hierarchy, const SmoothedOptions& options,
                              const RunContext& context);

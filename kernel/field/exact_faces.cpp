@@ -146,32 +146,71 @@ BallAxes find_balls(const ProxyMesh& proxy, const std::vector<FaceKind>& kinds,
   return axes;
 }
 
-std::vector<Frame> curved_frames(const Surface& surface, const FlatPatches& flats,
-                                 const RunContext& context) {
+namespace {
+
+// The curved faces around a wedge, each with its frame there and a third of its triangles' area.
+struct AtWedge {
+  std::int32_t face = 0;
+  Frame frame;
+  double area = 0;
+};
+
+void find_faces_at(const Surface& surface, const FlatPatches& flats,
+                   std::span<const HalfEdge> corners, std::vector<AtWedge>& found) {
+  const ProxyMesh& proxy = surface.proxy();
+  found.clear();
+  for (const HalfEdge h : corners) {
+    const std::uint32_t f = face_of(h);
+    if (flats.face_patch[f] >= 0) continue;
+    auto at = std::ranges::find(found, proxy.source_face[f], &AtWedge::face);
+    if (at == found.end()) {
+      ProxyPoint place{f, Vec3(0)};
+      place.bary[h % 3] = 1;
+      found.push_back({proxy.source_face[f], surface.frame(surface.lift(place)), 0});
+      at = found.end() - 1;
+    }
+    at->area += proxy.mesh.area(f) / 3;
+  }
+}
+
+}  // namespace
+
+CurvedFrames curved_frames(const Surface& surface, const FlatPatches& flats,
+                           const RunContext& context) {
   const ProxyMesh& proxy = surface.proxy();
   const auto corners = corners_at(proxy.wedges, proxy.wedge_vertex.size());
-  std::vector<Frame> frames(proxy.wedge_vertex.size());
+  CurvedFrames frames;
+  frames.best.resize(proxy.wedge_vertex.size());
+  std::vector<std::vector<CurvedFrames::Other>> others((frames.best.size() + kGrain - 1) / kGrain);
   parallel_for(
-      frames.size(), kGrain,
+      others.size(), 1,
       [&](std::size_t begin, std::size_t end) {
-        for (std::size_t w = begin; w < end; ++w) {
-          Frame& best = frames[w];
+        std::vector<AtWedge> found;
+        const std::size_t last = std::min(end * kGrain, frames.best.size());
+        for (std::size_t w = begin * kGrain; w < last; ++w) {
+          Frame& best = frames.best[w];
           best.position = proxy.wedge_position(static_cast<std::uint32_t>(w));
           best.normal = proxy.wedge_normal[w];
-          std::int32_t last = -1;
-          for (const HalfEdge h : corners[w]) {
-            const std::uint32_t f = face_of(h);
-            if (flats.face_patch[f] >= 0 || proxy.source_face[f] == last) continue;
-            last = proxy.source_face[f];
-            ProxyPoint place{f, Vec3(0)};
-            place.bary[h % 3] = 1;
-            const Frame frame = surface.frame(surface.lift(place));
+          find_faces_at(surface, flats, corners[w], found);
+          std::size_t chosen = 0;
+          for (std::size_t i = 0; i < found.size(); ++i) {
+            const Frame& frame = found[i].frame;
             const bool better = !frame.umbilic && frame.confidence > best.confidence;
-            if (better || best.umbilic) best = frame;
+            if (!better && !best.umbilic) continue;
+            best = frame;
+            chosen = i;
+          }
+          for (std::size_t i = 0; i < found.size(); ++i) {
+            if (i == chosen) continue;
+            others[w / kGrain].push_back(
+                {static_cast<std::uint32_t>(w), found[i].frame, found[i].area});
           }
         }
       },
       &context);
+  for (const auto& some : others) {
+    frames.others.insert(frames.others.end(), some.begin(), some.end());
+  }
   return frames;
 }
 

@@ -31,10 +31,21 @@ using BallAxes = std::vector<std::optional<Vec3>>;
 BallAxes find_balls(const ProxyMesh& proxy, const std::vector<FaceKind>& kinds,
                     const SmoothedOptions& options);
 
-/// For each wedge the most confident of the frames of the curved faces that meet there; umbilic
-/// where only flat faces do. A wedge on the border of a plane and a fillet has two frames: the
-/// fillet's counts.
-std::vector<Frame> curved_frames(const Surface& surface, const FlatPatches& flats,
-                                 const RunContext& context);
+/// What the curved faces that meet at a wedge say of it.
+struct CurvedFrames {
+  /// For each wedge the most confident of their frames; umbilic where only flat faces meet. A wedge
+  /// on the border of a plane and a fillet has two frames: the fillet's counts.
+  std::vector<Frame> best;
+  /// A face that says something else than `best` at a wedge of its border.
+  struct Other {
+    std::uint32_t wedge = 0;
+    Frame frame;
+    /// A third of the area of the face's triangles at the wedge, in model mm^2.
+    double area = 0;
+  };
+  std::vector<Other> others;  // by wedge
+};
+CurvedFrames curved_frames(const Surface& surface, const FlatPatches& flats,
+                           const RunContext& context);
 
 }  // namespace burin::field

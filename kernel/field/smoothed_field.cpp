@@ -68,7 +68,7 @@ struct SmoothedField::Part {
   Part(const Surface& s, const SmoothedOptions& options, const RunContext& context) : surface(&s) {
     const ProxyMesh& proxy = s.proxy();
     exact = s.exact();
-    std::vector<Frame> frames;
+    CurvedFrames frames;
     std::vector<FaceKind> kinds;
     if (exact) {
       kinds = find_face_kinds(s, context);
@@ -76,8 +76,8 @@ struct SmoothedField::Part {
       balls = find_balls(proxy, kinds, options);
       frames = curved_frames(s, flats, context);
     } else {
-      frames = s.wedge_frames(context);
-      flats = find_flat_patches(proxy, frames, options.fallback, context);
+      frames.best = s.wedge_frames(context);
+      flats = find_flat_patches(proxy, frames.best, options.fallback, context);
     }
     std::vector<std::uint8_t> skipped(flats.face_patch.size());
     for (std::size_t f = 0; f < skipped.size(); ++f) skipped[f] = flats.face_patch[f] >= 0;

@@ -3,6 +3,7 @@
 #include <burin/base/parallel.h>
 #include <burin/base/smoothstep.h>
 
+#include "border_lines.h"
 #include "level_lines.h"
 #include "level_phase.h"
 #include "narrow_faces.h"
@@ -220,8 +221,10 @@ std::vector<CellLine> cell_lines(const Picture& picture, const ViewRaster& raste
     if (picture.swells() || one_pen) cancel_pairs(raster, graph, anchors, phase, context);
     done.add(kStage);
   }
+  std::vector<LevelLine> found = level_lines(raster, graph, phase, context);
+  join_along_borders(raster, graph, found, context);
   std::vector<CellLine> lines;
-  for (LevelLine& line : level_lines(raster, graph, phase, context)) {
+  for (LevelLine& line : found) {
     const std::uint32_t cell = graph.nodes[line.node].cell;
     lines.push_back({std::move(line), cell});
   }

@@ -24,7 +24,12 @@ constexpr int kMaxSamples = 20000;   // a bound where length_max is set absurdly
 // A stroke on a form whose field is exact turns off the field by no more than this to keep to its
 // level line; on a face of which everybody knows how lines run, only where it would be lost.
 constexpr double kMostTurn = 6 * std::numbers::pi / 180;
-constexpr double kFree = 0.2;       // gaps that it may be off there
+constexpr double kFree = 0.2;  // gaps that it may be off there
+// Cosines: where a surface is slanted more than the first a level line says nothing of the way on
+// it (a hair on paper is many degrees there), and all where it is seen squarer than the second.
+constexpr double kSlanted = 0.2, kSquare = 0.5;
+// Gaps off its level line from which on a stroke turns back to it all the same.
+constexpr double kNearlyLost = 0.3;
 constexpr double kTurnOver = 0.8;   // paper mm over which it would be back
 constexpr double kMostDrift = 0.5;  // gaps that it may be off its level line
 constexpr double kUnguided = 1.5;   // paper mm that a stroke is seen beyond its level line
@@ -177,7 +182,7 @@ void Tracer::aim(std::int32_t part, const SurfacePoint& from, Vec3 tangent, doub
 }
 
 // The direction in which a stroke goes on that keeps to its level line: as the field has it, turned
-// a little, where the field is exact or the surface flat; else along the line.
+// a little, where the field is exact, the surface flat or seen at a slant; else along the line.
 Vec3 Tracer::steer(std::int32_t part, const StrokeSample& at, Vec3 tangent,
                    const Guide::Heading& heading) const {
   const Camera& camera = picture_.camera;
@@ -185,18 +190,24 @@ Vec3 Tracer::steer(std::int32_t part, const StrokeSample& at, Vec3 tangent,
   const Vec2 t = camera.velocity(at.point.position, tangent),
              b = camera.velocity(at.point.position, left);
   const double area = cross2(t, b);
-  if (picture_.surface(part).exact() || !at.bent) {
-    const double free = ruled(at.kind) || !at.bent ? kFree * heading.gap : 0;
+  const auto turned = [&](double free) {
     const double off = heading.off - std::clamp(heading.off, -free, free);
     const double turn = std::clamp(-off / kTurnOver, -kMostTurn, kMostTurn);
     return std::cos(turn) * tangent + (area < 0 ? -1.0 : 1.0) * std::sin(turn) * left;
+  };
+  if (picture_.surface(part).exact() || !at.bent) {
+    return turned(ruled(at.kind) || !at.bent ? kFree * heading.gap : 0);
   }
   const double scale = camera.scale_at(at.point.position);
-  if (std::abs(area) < kMinFacing * scale * scale) return tangent;
+  const double lost =
+      (std::abs(heading.off) / heading.gap - kNearlyLost) / (kMostDrift - kNearlyLost);
+  const double trust =
+      std::clamp(std::max((at.facing - kSlanted) / (kSquare - kSlanted), lost), 0.0, 1.0);
+  if (trust == 0 || std::abs(area) < kMinFacing * scale * scale) return turned(0);
   // tangent and left in the shares that show as the direction ahead
   const Vec3 along =
       cross2(heading.ahead, b) / area * tangent + cross2(t, heading.ahead) / area * left;
-  return normalize_or(along, tangent);
+  return normalize_or(trust * normalize_or(along, tangent) + (1 - trust) * turned(0), tangent);
 }
 
 // A stroke that went on unseen and did not come out again ends behind what hides it.

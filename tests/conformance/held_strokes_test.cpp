@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 #include <vector>
 
 namespace burin {
@@ -29,16 +30,19 @@ struct Hatched {
   }
 
   std::vector<Curve3> strokes(const Field& field, const char* placing = "even") {
+    return strokes(field, {.placing = placing,
+                           .spacing_min = 1.2,
+                           .spacing_max = 2.4,
+                           .width_max = 0.5,
+                           .tone_min = 0.05,
+                           .cross_from = 2,
+                           .length_max = 300});
+  }
+
+  std::vector<Curve3> strokes(const Field& field, const HatchOptions& options) {
     const std::vector<const ProxyMesh*> proxies{&surface->proxy()};
     const Occluder occluder(proxies, context);
     const ViewProbe probe = view_probe(occluder, camera);
-    const HatchOptions options{.placing = placing,
-                               .spacing_min = 1.2,
-                               .spacing_max = 2.4,
-                               .width_max = 0.5,
-                               .tone_min = 0.05,
-                               .cross_from = 2,
-                               .length_max = 300};
     // By a name: g++ 12 warns of the temporary of a default argument.
     const InkOptions ink;
     return trace_strokes(
@@ -168,6 +172,49 @@ TEST_P(HeldStrokes, UprightOnTheSheetAreUpright) {
     EXPECT_GE(static_cast<double>(held), 0.9 * static_cast<double>(strokes.size()));
     EXPECT_LT(worst * 180 / std::numbers::pi, 0.5) << "degrees, " << perspective.value_or(0);
     EXPECT_LT(off, 0.02) << "mm of paper, " << perspective.value_or(0);
+  }
+}
+
+// Degrees up to which strokes of the usual field are off the circles round the tube of a torus
+// about z, over 95 % of their length.
+double off_circles(Hatched& hatched) {
+  const std::vector<const Surface*> surfaces{hatched.surface.get()};
+  const Field field = field::smoothed(surfaces, {}, hatched.context);
+  std::vector<std::pair<double, double>> pieces;  // degrees, mm
+  double length = 0;
+  for (const Curve3& c : hatched.strokes(field, {.spacing_min = 0.5,
+                                                .spacing_max = 1,
+                                                .width_max = 0.3,
+                                                .tone_min = 0.05,
+                                                .cross_from = 2,
+                                                .length_max = 300})) {
+    for (std::size_t i = 1; i < c.points.size(); ++i) {
+      const Vec3 step = c.points[i] - c.points[i - 1], at = c.points[i] + c.points[i - 1];
+      const double n = glm::length(step);
+      if (!(n > 0)) continue;
+      const Vec3 round = glm::normalize(Vec3(-at.y, at.x, 0));
+      pieces.emplace_back(glm::degrees(std::asin(std::abs(glm::dot(step, round)) / n)), n);
+      length += n;
+    }
+  }
+  EXPECT_GT(length, 1000);
+  std::ranges::sort(pieces);
+  double sum = 0;
+  for (const auto& [angle, n] : pieces) {
+    sum += n;
+    if (sum > 0.95 * length) return angle;
+  }
+  return 90;
+}
+
+TEST(PrincipalStrokes, OnATorusRunRoundItsTube) {
+  const std::vector<std::pair<const char*, std::shared_ptr<const Form>>> tori{
+      {"function", test::implicit_form(implicit::torus(20, 8))},
+      {"mesh", test::mesh_form(test::torus(20, 8, 320, 128))},
+      {"exact", test::brep_form(BRepPrimAPI_MakeTorus(20, 8).Shape())}};
+  for (const auto& [name, torus] : tori) {
+    Hatched hatched(*torus, {});
+    EXPECT_LT(off_circles(hatched), 2) << name;
   }
 }
 

@@ -156,6 +156,34 @@ TEST(ExactFaces, RulingsWhereTheStyleAsksForThem) {
   }
 }
 
+// A wall whose triangles have vertices on its borders alone, between narrow fillets that bend the
+// other way: what most of the surface has names the families, not what the borders have.
+TEST(ExactFaces, WallsNameTheirFamiliesBetweenFillets) {
+  const Bar bar{{2, 1}, 0.1};
+  const auto frames = [exact = bar.frames()](std::int32_t face, Vec3 p) {
+    Frame f = exact(face, p);
+    if (face >= 8) return f;
+    f.kind = FaceKind::Freeform;
+    if (face >= 4) return f;
+    // The walls bend along the bar.
+    f.k1 = 0.1;
+    f.d2 = glm::cross(f.normal, Vec3(0, 0, 1));
+    f.normal = glm::normalize(f.normal + f.k1 * (p.z - 2) * Vec3(0, 0, 1));
+    f.d1 = glm::cross(f.d2, f.normal);
+    f.umbilic = false;
+    f.confidence = 0.9;
+    return f;
+  };
+  const Exact s(bar.proxy(), frames);
+  std::size_t along = 0, all = 0;
+  for (const Probe& p : test::probes(s.surface)) {
+    if (std::abs(p.frame.normal.z) > 0.5) continue;
+    ++all;
+    along += line_angle(s.at(p), {0, 0, 1}) < 30 ? 1 : 0;
+  }
+  EXPECT_EQ(along, all);
+}
+
 TEST(ExactFaces, PlanesAreFlatPatchesWhateverTheirSize) {
   const Bar bar{{2, 0.91}, 0.9};  // the planes at x are 0.02 wide
   const Exact s(bar.proxy(), bar.frames());

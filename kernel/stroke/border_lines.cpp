@@ -1,0 +1,184 @@
+#include "border_lines.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <utility>
+
+namespace burin::detail {
+namespace {
+
+constexpr double kMostMissing = 20;  // gaps: a step of the stair beside lines 1 degree off it
+constexpr double kTip = 3;           // gaps over which the direction of an end is measured
+constexpr double kBeside = 0.5;      // gaps that an end may lie beside the other's direction
+constexpr double kStraight = -0.97;  // cosine between the directions of both ends: 14 degrees
+constexpr std::size_t kNone = SIZE_MAX;
+
+// An end of a line at the border of a region.
+struct Tip {
+  std::size_t line = 0;
+  bool begin = false;
+  Vec2 at{0}, outwards{0};
+  double gap = 0;
+  std::pair<std::uint32_t, std::int64_t> key;  // what counts its turns, and their number
+  std::size_t joined = kNone;                  // the tip that it goes on into
+};
+
+Tip tip_of(const LevelLine& line, std::size_t number, bool begin) {
+  const std::vector<Vec2>& p = line.points;
+  const auto at = [&](std::size_t i) { return begin ? i : p.size() - 1 - i; };
+  Tip tip{number, begin, p[at(0)], Vec2(0), line.gaps[at(0)], {}};
+  std::size_t i = 1;
+  while (i + 1 < p.size() && glm::distance(p[at(i)], tip.at) < kTip * tip.gap) ++i;
+  const double length = glm::distance(tip.at, p[at(i)]);
+  if (length > 0) tip.outwards = (tip.at - p[at(i)]) / length;
+  return tip;
+}
+
+bool goes_on_into(const Tip& a, const Tip& b) {
+  const Vec2 step = b.at - a.at;
+  const double gap = std::min(a.gap, b.gap);
+  return a.line != b.line && glm::length(step) <= kMostMissing * gap &&
+         glm::dot(a.outwards, b.outwards) < kStraight && glm::dot(a.outwards, step) >= 0 &&
+         glm::dot(b.outwards, step) <= 0 && std::abs(cross2(a.outwards, step)) < kBeside * gap &&
+         std::abs(cross2(b.outwards, step)) < kBeside * gap;
+}
+
+class Joiner {
+ public:
+  Joiner(const ViewRaster& raster, const WaveGraph& graph, std::vector<LevelLine>& lines)
+      : raster_(raster), graph_(graph), lines_(lines) {}
+
+  void run(const RunContext& context) {
+    find_tips();
+    pair_tips(context);
+    std::vector<std::size_t> tip_at(2 * lines_.size(), kNone);  // of each line's begin and end
+    for (std::size_t i = 0; i < tips_.size(); ++i) {
+      tip_at[2 * tips_[i].line + (tips_[i].begin ? 0 : 1)] = i;
+    }
+    const auto joined = [&](std::size_t line, bool begin) {
+      const std::size_t tip = tip_at[2 * line + (begin ? 0 : 1)];
+      return tip == kNone ? kNone : tips_[tip].joined;
+    };
+    std::vector<LevelLine> out;
+    for (std::size_t i = 0; i < lines_.size(); ++i) {
+      // Chains begin at an end that goes on into nothing; of lines joined to a ring one does, too.
+      const bool from_begin = joined(i, true) == kNone;
+      if (lines_[i].points.empty() || (!from_begin && joined(i, false) != kNone)) continue;
+      if (!from_begin) reverse(lines_[i]);
+      std::size_t next = joined(i, !from_begin);
+      LevelLine line = std::exchange(lines_[i], {});
+      while (next != kNone) {
+        const Tip& tip = tips_[next];
+        LevelLine more = std::exchange(lines_[tip.line], {});
+        if (!tip.begin) reverse(more);
+        append(line, more);
+        next = joined(tip.line, !tip.begin);
+      }
+      out.push_back(std::move(line));
+    }
+    lines_ = std::move(out);
+  }
+
+ private:
+  // Numbers of lines are comparable within a connected piece of the graph.
+  std::vector<std::uint32_t> find_roots() const {
+    std::vector<std::uint32_t> roots(graph_.nodes.size());
+    for (const std::uint32_t i : graph_.order) {
+      const std::int32_t l = graph_.parent_link[i];
+      if (l < 0) {
+        roots[i] = i;
+        continue;
+      }
+      const WaveLink& link = graph_.links[static_cast<std::size_t>(l)];
+      roots[i] = roots[link.b == i ? link.a : link.b];
+    }
+    return roots;
+  }
+
+  void find_tips() {
+    const std::vector<std::uint32_t> roots = find_roots();
+    for (std::size_t i = 0; i < lines_.size(); ++i) {
+      const LevelLine& line = lines_[i];
+      if (line.closed || line.points.size() < 2) continue;
+      for (const bool begin : {true, false}) {
+        if (begin ? line.begin_inside : line.end_inside) continue;
+        tips_.push_back(tip_of(line, i, begin));
+        tips_.back().key = {roots[line.node], line.number};
+      }
+    }
+    std::ranges::stable_sort(tips_, [](const Tip& a, const Tip& b) {
+      return a.key != b.key ? a.key < b.key : a.at.x < b.at.x;
+    });
+  }
+
+  // Nearest first; none to a ring.
+  void pair_tips(const RunContext& context) {
+    struct Pair {
+      double missing;
+      std::size_t a, b;
+    };
+    std::vector<Pair> pairs;
+    for (std::size_t i = 0; i < tips_.size(); ++i) {
+      if (i % 1024 == 0) context.check();
+      const double reach = tips_[i].at.x + kMostMissing * tips_[i].gap;
+      for (std::size_t j = i + 1; j < tips_.size(); ++j) {
+        if (tips_[j].key != tips_[i].key || tips_[j].at.x > reach) break;
+        if (!goes_on_into(tips_[i], tips_[j])) continue;
+        pairs.push_back({glm::distance(tips_[i].at, tips_[j].at), i, j});
+      }
+    }
+    std::ranges::stable_sort(pairs, {}, &Pair::missing);
+    std::vector<std::size_t> chain(lines_.size());
+    for (std::size_t i = 0; i < chain.size(); ++i) chain[i] = i;
+    const auto first_of = [&](std::size_t line) {
+      while (chain[line] != line) line = chain[line] = chain[chain[line]];
+      return line;
+    };
+    for (const auto& [missing, a, b] : pairs) {
+      const std::size_t x = first_of(tips_[a].line), y = first_of(tips_[b].line);
+      if (tips_[a].joined != kNone || tips_[b].joined != kNone || x == y) continue;
+      chain[y] = x;
+      tips_[a].joined = b;
+      tips_[b].joined = a;
+    }
+  }
+
+  // Hangs one line on another, over points as dense as those of the cells.
+  void append(LevelLine& line, const LevelLine& more) const {
+    const Vec2 from = line.points.back(), to = more.points.front();
+    const double gap = line.gaps.back(), other = more.gaps.front();
+    const auto steps = static_cast<int>(std::ceil(2 * glm::distance(from, to) / raster_.pitch));
+    for (int k = 1; k < steps; ++k) {
+      const double t = static_cast<double>(k) / steps;
+      line.points.push_back(glm::mix(from, to, t));
+      line.gaps.push_back(static_cast<float>(glm::mix(gap, other, t)));
+    }
+    // A line that passes a node is in two where both begin at it.
+    const std::ptrdiff_t same = from == to ? 1 : 0;
+    line.points.insert(line.points.end(), more.points.begin() + same, more.points.end());
+    line.gaps.insert(line.gaps.end(), more.gaps.begin() + same, more.gaps.end());
+    line.end_inside = more.end_inside;
+  }
+
+  static void reverse(LevelLine& line) {
+    std::ranges::reverse(line.points);
+    std::ranges::reverse(line.gaps);
+    std::swap(line.begin_inside, line.end_inside);
+  }
+
+  const ViewRaster& raster_;
+  const WaveGraph& graph_;
+  std::vector<LevelLine>& lines_;
+  std::vector<Tip> tips_;
+};
+
+}  // namespace
+
+void join_along_borders(const ViewRaster& raster, const WaveGraph& graph,
+                        std::vector<LevelLine>& lines, const RunContext& context) {
+  Joiner(raster, graph, lines).run(context);
+}
+
+}  // namespace burin::detail
