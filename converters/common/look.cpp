@@ -8,7 +8,7 @@
 
 namespace burin {
 
-Look look_of(const Rgba& color) {
+Appearance look_of(const Rgba& color) {
   return {fmt::format("#{:02x}{:02x}{:02x}", color[0], color[1], color[2]), color[3] / 255.0};
 }
 
@@ -33,7 +33,7 @@ void EvenLook::add(const std::optional<Rgba>& color) {
   color_ = color;
 }
 
-Look EvenLook::look() const { return several_ || !color_ ? Look{} : look_of(*color_); }
+Appearance EvenLook::look() const { return several_ || !color_ ? Appearance{} : look_of(*color_); }
 
 void tell_several_colors(std::int64_t parts, Diagnostics& diagnostics) {
   if (parts == 0) return;

@@ -12,16 +12,16 @@
 namespace burin {
 
 /// What a part looks like.
-struct Look {
+struct Appearance {
   /// "#rrggbb", or empty.
   std::string color;
   double opacity = 1;
-  bool operator==(const Look&) const = default;
+  bool operator==(const Appearance&) const = default;
 };
 
 /// Red, green, blue and opacity, each 0 to 255.
 using Rgba = std::array<std::uint8_t, 4>;
-Look look_of(const Rgba& color);
+Appearance look_of(const Rgba& color);
 
 /// A share of 1, as eight bits; what lies outside is moved to the end.
 std::uint8_t channel(double share);
@@ -40,7 +40,7 @@ class EvenLook {
   bool any() const { return color_.has_value() || several_; }
   /// Whether faces differ.
   bool several() const { return several_; }
-  Look look() const;
+  Appearance look() const;
 
  private:
   bool any_ = false, several_ = false;

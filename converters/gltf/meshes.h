@@ -26,7 +26,7 @@ struct MeshShape {
   std::size_t object = 0;
   /// Of the material, where a mesh has several shapes; else empty.
   std::string material;
-  Look look;
+  Appearance look;
 };
 
 /// From metres with y up to mm with z up.

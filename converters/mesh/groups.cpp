@@ -97,7 +97,7 @@ void add_looks(const GroupedFaces& faces, std::size_t groups, MeshFile& file) {
   for (std::size_t f = 0; f < faces.group.size(); ++f) looks[faces.group[f]].add(faces.color[f]);
   std::int64_t several = 0;
   for (std::size_t g = 0; g < groups; ++g) {
-    Look look = looks[g].look();
+    Appearance look = looks[g].look();
     several += looks[g].several();
     file.uses.push_back({.object = g, .color = std::move(look.color), .opacity = look.opacity});
   }
@@ -143,7 +143,7 @@ std::vector<PolygonSoup> soups_of(GroupedFaces faces, std::vector<std::string> n
 
 MeshUse use_with_look(const EvenLook& look, Diagnostics& diagnostics) {
   tell_several_colors(look.several() ? 1 : 0, diagnostics);
-  Look one = look.look();
+  Appearance one = look.look();
   return {.color = std::move(one.color), .opacity = one.opacity};
 }
 

@@ -2,8 +2,8 @@
 #include <burin/drawing/length.h>
 #include <burin/drawing/one_line.h>
 
+#include "path_grid.h"
 #include "path_piece.h"
-#include "segment_grid.h"
 
 #include <algorithm>
 #include <cmath>
@@ -110,7 +110,7 @@ class Sheet {
     const auto& points = open.points();
     const double whole = open.length(0, static_cast<double>(points.size() - 1));
     if (whole < 2 * kFarAlong) return;
-    SegmentGrid before(kSameLine);
+    PathGrid before(kSameLine);
     for (std::size_t i = 0; i + 1 < points.size(); ++i) {
       const auto at = static_cast<double>(i);
       before.along(points[i], points[i + 1], [&](double begin, double end, std::size_t other) {
@@ -182,7 +182,7 @@ class Sheet {
   }
 
   const RunContext& context_;
-  SegmentGrid grid_;
+  PathGrid grid_;
   std::vector<Drawn> drawn_;
 };
 

@@ -64,7 +64,7 @@ struct Beside {
 
 // Adds the part with its answer, that of most places; where they disagree for long enough on both
 // sides, no line was known at which the outline begins: it is looked for.
-void add_part(const Beside& beside, Piece part, std::vector<Piece>& out) {
+void add_part(const Beside& beside, TrackPiece part, std::vector<TrackPiece>& out) {
   const bool strips = part.length() >= kStripLength;
   const auto place = [&](int i, int count) {
     return part.from + part.length() * (i + 0.5) / count;
@@ -99,7 +99,7 @@ void add_part(const Beside& beside, Piece part, std::vector<Piece>& out) {
     const double middle = 0.5 * (from + to);
     (beside.paper(middle, strips) == (*change != 0) ? from : to) = middle;
   }
-  Piece first = part;
+  TrackPiece first = part;
   first.outer = *change != 0;
   part.outer = !first.outer;
   first.to = part.from = 0.5 * (from + to);
@@ -109,22 +109,22 @@ void add_part(const Beside& beside, Piece part, std::vector<Piece>& out) {
 }
 
 // Marks the stretch `piece`, short parts of which take their neighbours' answer.
-void mark(const Beside& beside, const Piece& piece, const std::vector<double>& cuts, double minimum,
-          std::vector<Piece>& out) {
-  std::vector<Piece> parts;
-  Piece rest = piece;
+void mark(const Beside& beside, const TrackPiece& piece, const std::vector<double>& cuts,
+          double minimum, std::vector<TrackPiece>& out) {
+  std::vector<TrackPiece> parts;
+  TrackPiece rest = piece;
   for (const double cut : cuts) {
     const double at = beside.track.length_at(cut);
     if (at - rest.from < minimum || piece.to - at < minimum) continue;
-    Piece part = rest;
+    TrackPiece part = rest;
     part.end = rest.begin = cut;
     part.to = rest.from = at;
     parts.push_back(part);
   }
   parts.push_back(rest);
-  std::vector<Piece> answered;
-  for (const Piece& part : parts) add_part(beside, part, answered);
-  for (const Piece& part : answered) {
+  std::vector<TrackPiece> answered;
+  for (const TrackPiece& part : parts) add_part(beside, part, answered);
+  for (const TrackPiece& part : answered) {
     if (!out.empty() && out.back().visible && out.back().outer == part.outer &&
         out.back().to == part.from) {
       out.back().end = part.end;
@@ -137,10 +137,10 @@ void mark(const Beside& beside, const Piece& piece, const std::vector<double>& c
 
 }  // namespace
 
-std::vector<Piece> find_outer(const Probe& probe, const Cutters& cutters, const Cutters& seen,
-                              const Curve3& curve, const Track& track, std::int32_t number,
-                              const std::vector<Piece>& pieces, double minimum, double same_cut,
-                              Scratch& scratch) {
+std::vector<TrackPiece> find_outer(const Probe& probe, const Cutters& cutters, const Cutters& seen,
+                                   const Curve3& curve, const Track& track, std::int32_t number,
+                                   const std::vector<TrackPiece>& pieces, double minimum,
+                                   double same_cut, Scratch& scratch) {
   const auto n = static_cast<double>(track.segment_count());
   scratch.cuts.clear();
   for (std::size_t i = 0; i < track.segment_count(); ++i) {
@@ -155,10 +155,10 @@ std::vector<Piece> find_outer(const Probe& probe, const Cutters& cutters, const 
     }
   }
   std::sort(scratch.cuts.begin(), scratch.cuts.end());
-  std::vector<Piece> out;
+  std::vector<TrackPiece> out;
   std::vector<double> inside;
   const Beside beside{probe, seen, curve, track, scratch.crossings};
-  for (const Piece& piece : pieces) {
+  for (const TrackPiece& piece : pieces) {
     if (!piece.visible) {
       out.push_back(piece);
       continue;

@@ -50,7 +50,7 @@ void own_cuts(const Curve3& curve, const Camera& camera, std::vector<double>& cu
 
 // Whether a sheet that the curve passes through at an end of the piece hides it. Rays cannot tell
 // on a short piece: within the chord errors of both they do not know which is in front.
-bool hidden_at_passage(const Piece& piece, const std::vector<Passage>& passages,
+bool hidden_at_passage(const TrackPiece& piece, const std::vector<Passage>& passages,
                        const Track& track) {
   constexpr double kShort = 2;  // paper mm
   if (piece.length() > kShort) return false;
@@ -110,11 +110,12 @@ void thin_cuts(std::vector<double>& cuts, double length, double same_cut) {
   cuts.resize(kept);
 }
 
-std::vector<Piece> pieces_between(const Track& track, std::vector<double>& cuts, double same_cut) {
+std::vector<TrackPiece> pieces_between(const Track& track, std::vector<double>& cuts,
+                                       double same_cut) {
   const auto n = static_cast<double>(track.segment_count());
   std::sort(cuts.begin(), cuts.end());
   const double total = track.length();
-  std::vector<Piece> ends;  // places of the cuts that remain
+  std::vector<TrackPiece> ends;  // places of the cuts that remain
   for (const double cut : cuts) {
     const double at = track.length_at(std::min(cut, n * (1 - 1e-16)));
     if (!ends.empty() && at - ends.back().from <= same_cut) continue;
@@ -122,7 +123,7 @@ std::vector<Piece> pieces_between(const Track& track, std::vector<double>& cuts,
     if (at_an_end && !track.closed()) continue;
     ends.push_back({cut, cut, at, at});
   }
-  std::vector<Piece> pieces;
+  std::vector<TrackPiece> pieces;
   if (track.closed() && !ends.empty()) {
     if (ends.size() > 1 && ends.front().from + total - ends.back().from <= kSameCut)
       ends.pop_back();
@@ -133,8 +134,8 @@ std::vector<Piece> pieces_between(const Track& track, std::vector<double>& cuts,
         {ends.back().begin, ends.front().begin + n, ends.back().from, ends.front().from + total});
     return pieces;
   }
-  Piece piece{0, n, 0, total};
-  for (const Piece& e : ends) {
+  TrackPiece piece{0, n, 0, total};
+  for (const TrackPiece& e : ends) {
     piece.end = e.begin;
     piece.to = e.from;
     pieces.push_back(piece);
@@ -144,12 +145,12 @@ std::vector<Piece> pieces_between(const Track& track, std::vector<double>& cuts,
   return pieces;
 }
 
-std::vector<Piece> Cutting::classify(const Curve3& curve, const Track& track, std::int32_t number,
-                                     Scratch& scratch) const {
+std::vector<TrackPiece> Cutting::classify(const Curve3& curve, const Track& track,
+                                          std::int32_t number, Scratch& scratch) const {
   find_cuts(curve, track, number, scratch);
-  std::vector<Piece> pieces = pieces_between(track, scratch.cuts, same_cut_), out;
+  std::vector<TrackPiece> pieces = pieces_between(track, scratch.cuts, same_cut_), out;
   out.reserve(pieces.size());
-  for (Piece& piece : pieces) {
+  for (TrackPiece& piece : pieces) {
     // The middle on paper, so that a piece of almost no length in space decides by its own inside.
     double middle = track.parameter_at(0.5 * (piece.from + piece.to));
     if (middle >= static_cast<double>(track.segment_count())) {
@@ -202,13 +203,13 @@ bool Cutting::hidden_by_others_at(const Curve3& curve, const Track& track, doubl
 // crossings is the way from one side of the fold to the other, and the contour is hidden there,
 // too.
 void Cutting::show_at_folds(const Curve3& curve, const Track& track,
-                            std::vector<Piece>& pieces) const {
+                            std::vector<TrackPiece>& pieces) const {
   constexpr double kLongest = 3;  // paper mm
   constexpr int kRays = 5;
   const std::size_t n = pieces.size();
   std::vector<std::size_t> shown;
   for (std::size_t i = 0; i < n; ++i) {
-    const Piece& piece = pieces[i];
+    const TrackPiece& piece = pieces[i];
     const bool inside = track.closed() || (i > 0 && i + 1 < n);
     if (n < 3 || piece.visible || piece.length() > kLongest || !inside) continue;
     if (!pieces[(i + n - 1) % n].visible || !pieces[(i + 1) % n].visible) continue;

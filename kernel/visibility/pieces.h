@@ -16,7 +16,7 @@ namespace burin {
 
 /// A stretch of a curve on which visibility is one and the same. On a closed curve `end` may exceed
 /// the number of segments: the piece runs over the start.
-struct Piece {
+struct TrackPiece {
   double begin = 0, end = 0;
   /// Paper mm from the curve's start.
   double from = 0, to = 0;
@@ -47,21 +47,22 @@ class Cutting {
 
   /// Sets the pieces' places and answers; deterministic. `number`: the curve's number among the
   /// cutters, or -1.
-  std::vector<Piece> classify(const Curve3& curve, const Track& track, std::int32_t number,
-                              Scratch& scratch) const;
+  std::vector<TrackPiece> classify(const Curve3& curve, const Track& track, std::int32_t number,
+                                   Scratch& scratch) const;
 
  private:
   void find_cuts(const Curve3& curve, const Track& track, std::int32_t number,
                  Scratch& scratch) const;
-  void vote(const Curve3& curve, const Track& track, const Piece& piece,
-            std::vector<Piece>& out) const;
-  bool part_by_others(const Curve3& curve, const Track& track, const Piece& piece,
-                      std::vector<Piece>& out) const;
-  void ask(const Curve3& curve, const Track& track, const Piece& piece,
-           std::vector<Piece>& out) const;
-  void refine(const Curve3& curve, const Track& track, const Piece& piece,
-              std::vector<Piece>& out) const;
-  void show_at_folds(const Curve3& curve, const Track& track, std::vector<Piece>& pieces) const;
+  void vote(const Curve3& curve, const Track& track, const TrackPiece& piece,
+            std::vector<TrackPiece>& out) const;
+  bool part_by_others(const Curve3& curve, const Track& track, const TrackPiece& piece,
+                      std::vector<TrackPiece>& out) const;
+  void ask(const Curve3& curve, const Track& track, const TrackPiece& piece,
+           std::vector<TrackPiece>& out) const;
+  void refine(const Curve3& curve, const Track& track, const TrackPiece& piece,
+              std::vector<TrackPiece>& out) const;
+  void show_at_folds(const Curve3& curve, const Track& track,
+                     std::vector<TrackPiece>& pieces) const;
   bool visible_at(const Curve3& curve, const Track& track, double length) const;
   bool hidden_by_others_at(const Curve3& curve, const Track& track, double length) const;
   bool clearly_hidden_at(const Curve3& curve, const Track& track, double length) const;
@@ -78,11 +79,11 @@ inline constexpr double kSameCut = 1e-6;
 void thin_cuts(std::vector<double>& cuts, double length, double same_cut);
 
 /// The pieces between sorted cuts of a curve, without answers.
-std::vector<Piece> pieces_between(const Track& track, std::vector<double>& cuts,
-                                  double same_cut = kSameCut);
+std::vector<TrackPiece> pieces_between(const Track& track, std::vector<double>& cuts,
+                                       double same_cut = kSameCut);
 
 /// Pieces of like answer joined; those shorter than `minimum` paper mm take the answer of their
 /// neighbours.
-std::vector<Piece> settle(std::vector<Piece> pieces, const Track& track, double minimum);
+std::vector<TrackPiece> settle(std::vector<TrackPiece> pieces, const Track& track, double minimum);
 
 }  // namespace burin

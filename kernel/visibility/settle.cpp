@@ -8,9 +8,9 @@ namespace burin {
 namespace {
 
 // Joins neighbours of like answer.
-std::vector<Piece> join(const std::vector<Piece>& pieces, const Track& track) {
-  std::vector<Piece> runs;
-  for (const Piece& p : pieces) {
+std::vector<TrackPiece> join(const std::vector<TrackPiece>& pieces, const Track& track) {
+  std::vector<TrackPiece> runs;
+  for (const TrackPiece& p : pieces) {
     if (!runs.empty() && runs.back().visible == p.visible) {
       runs.back().end = p.end;
       runs.back().to = p.to;
@@ -28,12 +28,12 @@ std::vector<Piece> join(const std::vector<Piece>& pieces, const Track& track) {
 
 }  // namespace
 
-std::vector<Piece> settle(std::vector<Piece> pieces, const Track& track, double minimum) {
+std::vector<TrackPiece> settle(std::vector<TrackPiece> pieces, const Track& track, double minimum) {
   pieces = join(pieces, track);
   while (pieces.size() > 1) {
-    const auto shortest =
-        std::min_element(pieces.begin(), pieces.end(),
-                         [](const Piece& a, const Piece& b) { return a.length() < b.length(); });
+    const auto shortest = std::min_element(
+        pieces.begin(), pieces.end(),
+        [](const TrackPiece& a, const TrackPiece& b) { return a.length() < b.length(); });
     if (shortest->length() >= minimum) break;
     shortest->visible = !shortest->visible;  // its neighbours agree: answers alternate
     pieces = join(pieces, track);

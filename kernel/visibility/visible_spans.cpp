@@ -28,9 +28,9 @@ constexpr std::size_t kMostTests = 100'000'000;
 constexpr double kMostEvenCuts = 1e5;
 
 // The pieces as spans from the start of the curve to its end.
-std::vector<Span> to_spans(const std::vector<Piece>& pieces, double n) {
+std::vector<Span> to_spans(const std::vector<TrackPiece>& pieces, double n) {
   std::vector<Span> spans;
-  for (const Piece& p : pieces) {
+  for (const TrackPiece& p : pieces) {
     if (p.end > n && p.begin < n) {
       spans.push_back({p.begin, n, p.visible, p.outer});
       spans.push_back({0, p.end - n, p.visible, p.outer});
@@ -138,7 +138,7 @@ struct VisibilityMap::Impl {
     return all > kMostCuts ? length() / kMostCuts : kSameCut;
   }
 
-  std::vector<Span> finish(std::vector<Piece> pieces, const Curve3& curve, const Track& track,
+  std::vector<Span> finish(std::vector<TrackPiece> pieces, const Curve3& curve, const Track& track,
                            std::int32_t number, const VisibilityOptions& options,
                            Scratch& scratch) const {
     pieces = settle(std::move(pieces), track, options.minimum_length);
@@ -154,7 +154,7 @@ struct VisibilityMap::Impl {
   double same_depth;
   double same_cut = kSameCut;
   std::vector<Track> tracks;  // of the features
-  std::vector<std::vector<Piece>> feature_pieces;
+  std::vector<std::vector<TrackPiece>> feature_pieces;
   std::unique_ptr<Cutters> every;  // all occluding features
   // Those that can be seen. What is seen along any other curve can change only at these: the
   // foremost sheet of the picture changes nowhere else.

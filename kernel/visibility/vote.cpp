@@ -29,9 +29,9 @@ constexpr double kOtherSpacing = 0.5, kOtherFine = 0.1, kOtherShortest = 0.35;
 constexpr double kOtherMargin = 0.1;
 constexpr int kBisections = 14;
 
-double margin(const Piece& piece) { return std::min(kMargin * piece.length(), kWidestMargin); }
+double margin(const TrackPiece& piece) { return std::min(kMargin * piece.length(), kWidestMargin); }
 
-double place(const Piece& piece, int i, int count) {
+double place(const TrackPiece& piece, int i, int count) {
   const double probed = piece.length() - 2 * margin(piece);
   return piece.from + margin(piece) + probed * (static_cast<double>(i) + 0.5) / count;
 }
@@ -85,10 +85,11 @@ void absorb_short(std::vector<Run>& runs, int fewest) {
 /// The stretches of a piece between its rays, ray i `place_of(i)` from the curve's start; their
 /// ends are bisected by `seen(length)`.
 template <class PlaceOf, class Seen>
-std::vector<Piece> stretches(const Piece& piece, const Track& track, const std::vector<Run>& runs,
-                             const PlaceOf& place_of, const Seen& seen) {
-  std::vector<Piece> out;
-  Piece rest = piece;
+std::vector<TrackPiece> stretches(const TrackPiece& piece, const Track& track,
+                                  const std::vector<Run>& runs, const PlaceOf& place_of,
+                                  const Seen& seen) {
+  std::vector<TrackPiece> out;
+  TrackPiece rest = piece;
   for (std::size_t r = 0; r < runs.size(); ++r) {
     rest.visible = runs[r].visible;
     if (r + 1 == runs.size()) break;
@@ -97,7 +98,7 @@ std::vector<Piece> stretches(const Piece& piece, const Track& track, const std::
       const double middle = 0.5 * (before + after);
       (seen(middle) == runs[r].visible ? before : after) = middle;
     }
-    Piece done = rest;
+    TrackPiece done = rest;
     done.to = rest.from = 0.5 * (before + after);
     done.end = rest.begin = track.parameter_at(done.to);
     out.push_back(done);
@@ -108,16 +109,16 @@ std::vector<Piece> stretches(const Piece& piece, const Track& track, const std::
 
 }  // namespace
 
-void Cutting::vote(const Curve3& curve, const Track& track, const Piece& piece,
-                   std::vector<Piece>& out) const {
+void Cutting::vote(const Curve3& curve, const Track& track, const TrackPiece& piece,
+                   std::vector<TrackPiece>& out) const {
   const bool line = !lies_on_surface(curve) && probe_.several_parts() && same_cut_ == kSameCut;
   if (!line || !part_by_others(curve, track, piece, out)) ask(curve, track, piece, out);
 }
 
 // Where a pin comes out of a hole of its size its sides meet the rim without crossing it: no line
 // is known there, and what stands out may be short.
-bool Cutting::part_by_others(const Curve3& curve, const Track& track, const Piece& piece,
-                             std::vector<Piece>& out) const {
+bool Cutting::part_by_others(const Curve3& curve, const Track& track, const TrackPiece& piece,
+                             std::vector<TrackPiece>& out) const {
   const double probed = piece.length() - 2 * kOtherMargin;
   if (probed < 2 * kOtherShortest) return false;
   const auto at = [&](int i, int count) {
@@ -140,7 +141,7 @@ bool Cutting::part_by_others(const Curve3& curve, const Track& track, const Piec
   if (runs.size() == 1) return false;
   const auto seen_at = [&](double length) { return !hidden_by_others_at(curve, track, length); };
   const auto place_of = [&](int i) { return at(i, count); };
-  for (const Piece& stretch : stretches(piece, track, runs, place_of, seen_at)) {
+  for (const TrackPiece& stretch : stretches(piece, track, runs, place_of, seen_at)) {
     if (stretch.visible) {
       ask(curve, track, stretch, out);
     } else {
@@ -150,8 +151,8 @@ bool Cutting::part_by_others(const Curve3& curve, const Track& track, const Piec
   return true;
 }
 
-void Cutting::ask(const Curve3& curve, const Track& track, const Piece& piece,
-                  std::vector<Piece>& out) const {
+void Cutting::ask(const Curve3& curve, const Track& track, const TrackPiece& piece,
+                  std::vector<TrackPiece>& out) const {
   // Where cuts that lie far apart are one, more rays would tell nothing more.
   const double spacing = std::max(kSpacing, same_cut_ / kFewest);
   const int count = std::clamp(static_cast<int>(piece.length() / spacing) + 1, kFewest, kMost) | 1;
@@ -166,7 +167,7 @@ void Cutting::ask(const Curve3& curve, const Track& track, const Piece& piece,
     }
   }
   const int outvoted = std::min(yes, count - yes);
-  Piece answer = piece;
+  TrackPiece answer = piece;
   answer.visible = 2 * seen > all;
   const double doubt = std::min(seen, all - seen) / all;
   const bool doubtful = doubt > kDoubt || outvoted * piece.length() > kDoubtLength * count;
@@ -180,8 +181,8 @@ void Cutting::ask(const Curve3& curve, const Track& track, const Piece& piece,
 // The rays of a piece disagree: no occluding line was known where its visibility changes. Many rays
 // find the stretches, bisection their ends. Without such a line a surface that hides a stretch is
 // one that the curve dives into; what it never gets clear of are the curve's own triangles.
-void Cutting::refine(const Curve3& curve, const Track& track, const Piece& piece,
-                     std::vector<Piece>& out) const {
+void Cutting::refine(const Curve3& curve, const Track& track, const TrackPiece& piece,
+                     std::vector<TrackPiece>& out) const {
   const int count = std::clamp(static_cast<int>(piece.length() / kFineSpacing), kFewest, kMostFine);
   std::vector<char> answers(static_cast<std::size_t>(count));
   for (int i = 0; i < count; ++i) {

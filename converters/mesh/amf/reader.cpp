@@ -38,7 +38,7 @@ class AmfReader {
   struct Shape {
     std::size_t object = 0;  // in the file that is made
     std::string name;
-    Look look;
+    Appearance look;
   };
   const Source& source_;
   amf::Document document_;

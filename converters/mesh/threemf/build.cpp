@@ -94,7 +94,7 @@ void ThreeMfReader::leaf(const ThreeMfUse& use, const ThreeMfObject& object, con
                     "hostile",
                     kMostTriangles));
   }
-  Look look = shapes_.look(shape);
+  Appearance look = shapes_.look(shape);
   const SlicerPart* part = volume ? volume : above.part;
   const std::optional<Rgba> filament = part         ? part->color
                                        : above.item ? above.item->color

@@ -20,7 +20,7 @@ class ThreeMfShapes {
   std::size_t add(const std::string& path, const std::string& id, const ThreeMfObject& object,
                   double unit, const SlicerPart* volume);
 
-  const Look& look(std::size_t shape) const { return looks_[shape]; }
+  const Appearance& look(std::size_t shape) const { return looks_[shape]; }
   std::size_t triangles(std::size_t shape) const { return soups_[shape].polygon_count(); }
   bool empty() const { return soups_.empty(); }
   /// How many have faces of several colours.
@@ -30,7 +30,7 @@ class ThreeMfShapes {
  private:
   std::map<std::tuple<std::string, std::string, std::size_t>, std::size_t> known_;
   std::vector<PolygonSoup> soups_;
-  std::vector<Look> looks_;
+  std::vector<Appearance> looks_;
   std::int64_t several_colors_ = 0;
 };
 

@@ -2,7 +2,7 @@
 #include <burin/forms/charted/coverage.h>
 
 #include "coverage_candidates.h"
-#include "point_grid.h"
+#include "dart_grid.h"
 
 #include <algorithm>
 #include <cmath>
@@ -123,7 +123,7 @@ class Cover {
   }
 
   void discs() {
-    PointGrid grid(options_.spacing, 1024);
+    DartGrid grid(options_.spacing, 1024);
     std::size_t tried = 0, round = 1024, before = 0;
     const auto enough = [&] { return result_.points.size() >= options_.count; };
     // Rounds of four darts a disc; done when one adds no more than two in a thousand.
@@ -145,7 +145,7 @@ class Cover {
     if (!enough()) result_.candidates = draw_.drawn();
   }
 
-  void throw_dart(PointGrid& grid, std::uint64_t i, const Candidates::Result& r) {
+  void throw_dart(DartGrid& grid, std::uint64_t i, const Candidates::Result& r) {
     const Spot here = spot(options_, r.point);
     const double radius = disc(r.density);
     const bool taken = grid.any_within(here.key, radius, [&](std::int32_t other, double) {
@@ -168,7 +168,7 @@ class Cover {
     const std::size_t n = result_.points.size();
     const double cell =
         std::sqrt(candidates_.mean_measure() * candidates_.domain_area() / static_cast<double>(n));
-    PointGrid grid(cell > 0 ? cell : 1, n);
+    DartGrid grid(cell > 0 ? cell : 1, n);
     spots_.clear();
     for (const CoveragePoint& p : result_.points) {
       spots_.push_back(spot(options_, p));
@@ -188,7 +188,7 @@ class Cover {
     result_.covering_radius = farthest(grid, places);
   }
 
-  double farthest(const PointGrid& grid, const std::vector<CoveragePoint>& places) const {
+  double farthest(const DartGrid& grid, const std::vector<CoveragePoint>& places) const {
     std::vector<double> far((places.size() + kGrain - 1) / kGrain, 0.0);
     parallel_for(
         places.size(), kGrain,

@@ -1,4 +1,4 @@
-#include "segment_grid.h"
+#include "path_grid.h"
 
 namespace burin {
 namespace {
@@ -27,7 +27,7 @@ std::optional<Share> in_strip(Vec2 a, Vec2 b, Vec2 from, Vec2 to, double reach) 
 
 }  // namespace
 
-void SegmentGrid::add(Vec2 a, Vec2 b, std::size_t owner) {
+void PathGrid::add(Vec2 a, Vec2 b, std::size_t owner) {
   if (a == b) return;
   const auto index = static_cast<std::uint32_t>(segments_.size());
   segments_.push_back({a, b, owner});
@@ -37,14 +37,14 @@ void SegmentGrid::add(Vec2 a, Vec2 b, std::size_t owner) {
   });
 }
 
-void SegmentGrid::add(const Path& path, std::size_t owner) {
+void PathGrid::add(const Path& path, std::size_t owner) {
   const std::size_t n = path.points.size();
   for (std::size_t i = 0; i + (path.closed ? 0 : 1) < n; ++i) {
     add(path.points[i], path.points[(i + 1) % n], owner);
   }
 }
 
-std::optional<Share> SegmentGrid::within(Vec2 a, Vec2 b, const Segment& s) const {
+std::optional<Share> PathGrid::within(Vec2 a, Vec2 b, const Segment& s) const {
   const auto share = in_strip(a, b, s.a, s.b, reach_);
   return share && share->first < share->second ? share : std::nullopt;
 }

@@ -15,10 +15,10 @@
 namespace burin {
 
 /// Segments in square cells.
-class SegmentGrid {
+class PathGrid {
  public:
   /// `reach`: paper mm, up to which segments lie on each other.
-  explicit SegmentGrid(double reach) : reach_(reach) {}
+  explicit PathGrid(double reach) : reach_(reach) {}
 
   /// Cost: 0.1 us a segment and mm.
   void add(Vec2 a, Vec2 b, std::size_t owner);

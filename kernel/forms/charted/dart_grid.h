@@ -12,9 +12,9 @@
 
 namespace burin {
 
-class PointGrid {
+class DartGrid {
  public:
-  PointGrid(double cell, std::size_t expected) : cell_(cell) {
+  DartGrid(double cell, std::size_t expected) : cell_(cell) {
     std::size_t buckets = 16;
     while (buckets < 2 * expected) buckets *= 2;
     head_.assign(buckets, -1);
