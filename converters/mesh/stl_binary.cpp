@@ -28,19 +28,29 @@ std::size_t triangle_count(const Source& source, Diagnostics& diagnostics) {
   std::uint32_t claimed = 0;
   std::memcpy(&claimed, bytes.data() + 80, sizeof claimed);
   const std::size_t held = (bytes.size() - kHeader) / kRecord;
-  if (claimed > held) {
+  const bool whole = (bytes.size() - kHeader) % kRecord == 0;
+  constexpr std::uint32_t kUnknown = 0xFFFFFFFF;  // of exporters that stream
+  if (claimed > held && !(claimed == kUnknown && whole)) {
     source.fail_at_byte(80,
                         fmt::format("the binary STL claims {} triangles, its bytes hold {}; it is "
                                     "truncated or no STL, export it again",
                                     claimed, held));
   }
   if (held == 0) source.fail_at_byte(80, "the binary STL holds no triangles; export it again");
-  if (claimed > 0) return claimed;
+  if (claimed > 0 && claimed != kUnknown) {
+    if (held > claimed && whole) {
+      diagnostics.add(Severity::Warning, "stl.more_triangles", 1,
+                      fmt::format("the binary STL gives {} as the number of its triangles, by its "
+                                  "length it holds {}; those beyond are left out",
+                                  claimed, held));
+    }
+    return claimed;
+  }
   diagnostics.add(
       Severity::Info, "stl.zero_count", 1,
-      fmt::format("the binary STL gives 0 as the number of its triangles; by the length "
+      fmt::format("the binary STL gives {} as the number of its triangles; by the length "
                   "of the file it holds {}",
-                  held));
+                  claimed, held));
   return held;
 }
 

@@ -70,6 +70,7 @@ class Divider {
   }
 
   TreeParts run(std::string_view program) {
+    tell_undefined_places();
     const std::vector<std::uint32_t> top = objects_at_top(tree_);
     std::vector<std::string> names = source_names(program, top.size());
     // Statements and objects cannot be told to belong together: calls say what they are.
@@ -91,6 +92,22 @@ class Divider {
   }
 
  private:
+  void tell_undefined_places() {
+    std::int64_t count = 0;
+    const auto finite = [](const csg::Value& row) {
+      return std::ranges::all_of(
+          row.list, [](const csg::Value& v) { return std::isfinite(v.number); });
+    };
+    for (const csg::Node& n : tree_.nodes) {
+      if (n.module != Module::Multmatrix || n.arguments.empty()) continue;
+      count += std::ranges::all_of(n.arguments[0].value.list, finite) ? 0 : 1;
+    }
+    if (count == 0) return;
+    diagnostics_.add(Severity::Warning, "openscad.undefined_place", count,
+                     "what a transformation by numbers that are not finite (such as 1/0) places is "
+                     "left out");
+  }
+
   /// The module whose call all of an object is.
   std::string called(std::uint32_t node) const {
     for (;;) {

@@ -111,7 +111,8 @@ void find_view(Scene& scene, DrawPlan& plan, const ExplodeModel& model,
   const auto found = clearest_outlook(model.proxies(), there, moves, {first, up}, context);
   context.end_stage();
   if (!found || found->seen == found->seen_first) return;
-  const Vec3 d = glm::sign(found->direction);
+  const Vec3 size = glm::abs(found->direction);
+  const Vec3 d = glm::round(1e6 * found->direction / std::max({size.x, size.y, size.z})) / 1e6;
   plan.view.direction = d;
   scene.diagnostics.add(
       Severity::Info, "explode.view", 1,

@@ -143,7 +143,7 @@ Matrix matrix_of(const Tree& tree, std::uint32_t node) {
   const Node& n = tree.nodes[node];
   if (n.module != Module::Multmatrix) return {};
   const auto fail = [&] {
-    throw InputError("multmatrix() without four rows of four finite numbers", tree.file,
+    throw InputError("multmatrix() without four rows of four numbers", tree.file,
                      tree.line_of(node));
   };
   if (n.arguments.empty() || n.arguments[0].value.list.size() != 4) fail();
@@ -153,7 +153,8 @@ Matrix matrix_of(const Tree& tree, std::uint32_t node) {
     if (row.list.size() != 4) fail();
     for (std::size_t j = 0; j < 4; ++j) {
       const Value& v = row.list[j];
-      if (v.kind != Value::Kind::Number || !std::isfinite(v.number)) fail();
+      if (v.kind != Value::Kind::Number) fail();
+      if (!std::isfinite(v.number)) return {.row = {}};
       // OpenSCAD divides by the last number of the last row.
       if (i < 3) out.row[i][j] = v.number;
     }

@@ -113,6 +113,8 @@ struct Matrix {
   double determinant() const;
   bool operator==(const Matrix&) const = default;
 };
+/// That of a multmatrix(), the identity of other nodes. Numbers that are not finite make nothing of
+/// what stands below, as in OpenSCAD: zeros.
 Matrix matrix_of(const Tree& tree, std::uint32_t node);
 
 /// Whether all nodes have the arguments that OpenSCAD writes for them: a program that looks like a

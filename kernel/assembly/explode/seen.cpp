@@ -71,11 +71,21 @@ std::array<Vec3, 8> corners_about(Vec3 first) {
   return corners;
 }
 
+namespace {
+
+/// What lies above and below a plate is seen at once from nearly beside it.
+Vec3 flatter(Vec3 direction, Vec3 up) {
+  const double rise = glm::dot(direction, up);
+  return glm::normalize(direction - 0.5 * rise * up);
+}
+
+}  // namespace
+
 std::optional<OutlookChoice> clearest_outlook(std::span<const ProxyMesh* const> proxies,
                                               const std::vector<std::size_t>& there,
                                               const std::vector<Vec3>& moved, const Outlook& first,
                                               const RunContext& context) {
-  constexpr double kMostRays = 1 << 23, kViews = 9, kFewest = 8, kMost = 24;
+  constexpr double kMostRays = 1 << 23, kViews = 17, kFewest = 8, kMost = 24;
   const auto count = static_cast<double>(std::max<std::size_t>(there.size(), 1));
   const double rays = std::min(std::floor(std::sqrt(kMostRays / (2 * kViews * count))), kMost);
   if (rays < kFewest) return std::nullopt;
@@ -96,11 +106,14 @@ std::optional<OutlookChoice> clearest_outlook(std::span<const ProxyMesh* const> 
   };
   OutlookChoice best{first.direction, seen_from(first.direction), there.size()};
   best.seen_first = best.seen;
-  for (const Vec3& corner : corners_about(first.direction)) {
-    if (best.seen == best.of) break;
-    const std::size_t seen = seen_from(corner);
-    if (seen > best.seen) best.direction = corner, best.seen = seen;
-  }
+  const auto look_from = [&](Vec3 direction) {
+    if (best.seen == best.of) return;
+    const std::size_t seen = seen_from(direction);
+    if (seen > best.seen) best.direction = direction, best.seen = seen;
+  };
+  const std::array<Vec3, 8> corners = corners_about(first.direction);
+  for (const Vec3& corner : corners) look_from(corner);
+  for (const Vec3& corner : corners) look_from(flatter(corner, first.up));
   return best;
 }
 
