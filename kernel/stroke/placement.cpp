@@ -222,7 +222,16 @@ std::vector<CellLine> cell_lines(const Picture& picture, const ViewRaster& raste
     done.add(kStage);
   }
   std::vector<LevelLine> found = level_lines(raster, graph, phase, context);
-  join_along_borders(raster, graph, found, context);
+  // Lines of a field that has levels stay on them.
+  const auto has_level = [&](const LevelLine& line) {
+    const RasterCell& cell = raster.cells[graph.nodes[line.node].cell];
+    const Surface& surface = picture.surface(cell.part);
+    const SurfacePoint point = surface.lift(cell.place());
+    return picture.level(cell.part, point, surface.frame(point)).has_value();
+  };
+  if (found.empty() || !has_level(found.front())) {
+    join_along_borders(raster, graph, found, context);
+  }
   std::vector<CellLine> lines;
   for (LevelLine& line : found) {
     const std::uint32_t cell = graph.nodes[line.node].cell;

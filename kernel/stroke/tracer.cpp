@@ -201,11 +201,8 @@ Vec3 Tracer::steer(std::int32_t part, const StrokeSample& at, Vec3 tangent,
   const double scale = camera.scale_at(at.point.position);
   const double lost =
       (std::abs(heading.off) / heading.gap - kNearlyLost) / (kMostDrift - kNearlyLost);
-  // A field that follows from the view has level lines that are as true at a slant.
   const double trust =
-      picture_.field.free
-          ? std::clamp(std::max((at.facing - kSlanted) / (kSquare - kSlanted), lost), 0.0, 1.0)
-          : 1;
+      std::clamp(std::max((at.facing - kSlanted) / (kSquare - kSlanted), lost), 0.0, 1.0);
   if (trust == 0 || std::abs(area) < kMinFacing * scale * scale) return turned(0);
   // tangent and left in the shares that show as the direction ahead
   const Vec3 along =
