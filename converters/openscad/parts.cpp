@@ -95,8 +95,8 @@ class Divider {
   void tell_undefined_places() {
     std::int64_t count = 0;
     const auto finite = [](const csg::Value& row) {
-      return std::ranges::all_of(
-          row.list, [](const csg::Value& v) { return std::isfinite(v.number); });
+      return std::ranges::all_of(row.list,
+                                 [](const csg::Value& v) { return std::isfinite(v.number); });
     };
     for (const csg::Node& n : tree_.nodes) {
       if (n.module != Module::Multmatrix || n.arguments.empty()) continue;

@@ -13,8 +13,8 @@ namespace burin {
 /// marks those with nothing but paper on one side. `seen`: the cutters that can be seen. `number`:
 /// the curve's number among the cutters, or -1.
 std::vector<TrackPiece> find_outer(const Probe& probe, const Cutters& cutters, const Cutters& seen,
-                              const Curve3& curve, const Track& track, std::int32_t number,
-                              const std::vector<TrackPiece>& pieces, double minimum, double same_cut,
-                              Scratch& scratch);
+                                   const Curve3& curve, const Track& track, std::int32_t number,
+                                   const std::vector<TrackPiece>& pieces, double minimum,
+                                   double same_cut, Scratch& scratch);
 
 }  // namespace burin
