@@ -74,9 +74,8 @@ std::array<Vec3, 8> corners_about(Vec3 first) {
 namespace {
 
 /// What lies above and below a plate is seen at once from nearly beside it.
-Vec3 flatter(Vec3 direction, Vec3 up) {
-  const double rise = glm::dot(direction, up);
-  return glm::normalize(direction - 0.5 * rise * up);
+Vec3 flatter(Vec3 direction, Vec3 up, double height) {
+  return glm::normalize(direction - (1 - height) * glm::dot(direction, up) * up);
 }
 
 }  // namespace
@@ -85,7 +84,7 @@ std::optional<OutlookChoice> clearest_outlook(std::span<const ProxyMesh* const> 
                                               const std::vector<std::size_t>& there,
                                               const std::vector<Vec3>& moved, const Outlook& first,
                                               const RunContext& context) {
-  constexpr double kMostRays = 1 << 23, kViews = 17, kFewest = 8, kMost = 24;
+  constexpr double kMostRays = 1 << 23, kViews = 25, kFewest = 8, kMost = 24;
   const auto count = static_cast<double>(std::max<std::size_t>(there.size(), 1));
   const double rays = std::min(std::floor(std::sqrt(kMostRays / (2 * kViews * count))), kMost);
   if (rays < kFewest) return std::nullopt;
@@ -113,7 +112,9 @@ std::optional<OutlookChoice> clearest_outlook(std::span<const ProxyMesh* const> 
   };
   const std::array<Vec3, 8> corners = corners_about(first.direction);
   for (const Vec3& corner : corners) look_from(corner);
-  for (const Vec3& corner : corners) look_from(flatter(corner, first.up));
+  for (const double height : {0.5, 0.25}) {
+    for (const Vec3& corner : corners) look_from(flatter(corner, first.up, height));
+  }
   return best;
 }
 

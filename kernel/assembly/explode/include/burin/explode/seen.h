@@ -55,10 +55,10 @@ struct OutlookChoice {
   std::size_t seen_first = 0;
 };
 
-/// Of `first`, the other corners and the same at half their height, where none of these shows all,
-/// the one in which most of the parts `there` are seen; the first of equal ones. Cost: at most 8
-/// million rays, 0.3 s on two cores; from 24 x 24 a part and view down to 8 x 8. Nothing where
-/// there are so many parts that these do not do. Throws Cancelled.
+/// Of `first`, the other corners and the same at a half and a quarter of their height, where none
+/// of these shows all, the one in which most of the parts `there` are seen; the first of equal
+/// ones. Cost: at most 8 million rays, 0.3 s on two cores; from 24 x 24 a part and view down to 8
+/// x 8. Nothing where there are so many parts that these do not do. Throws Cancelled.
 std::optional<OutlookChoice> clearest_outlook(std::span<const ProxyMesh* const> proxies,
                                               const std::vector<std::size_t>& there,
                                               const std::vector<Vec3>& moved, const Outlook& first,
