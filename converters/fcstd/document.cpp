@@ -27,7 +27,8 @@ class ObjectReader {
     const std::string_view name = property.attribute("name").value();
     const Node value = first_element(property);
     if (name == "Label") {
-      o_.label = clean_name(text_of(value));
+      // A label of blanks says nothing.
+      if (std::string label = clean_name(text_of(value)); !label.empty()) o_.label = label;
     } else if (name == "Visibility") {
       o_.visible = truth(value);
     } else if (name == "Shape") {

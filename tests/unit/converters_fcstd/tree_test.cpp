@@ -20,6 +20,12 @@ TEST_F(FcstdTest, ShapesKeepLabelPlaceAndVisibility) {
   EXPECT_EQ(scene.diagnostics.entries().front().severity, Severity::Info);
 }
 
+TEST_F(FcstdTest, ALabelOfBlanksLeavesTheName) {
+  Document d;
+  d.add_shape("Box", located_box(kUnit, {}), text_property("Label", "   "));
+  EXPECT_EQ(paths(read(d)), Paths{"Box"});
+}
+
 TEST_F(FcstdTest, PartsPlaceTheirMembersAndGroupsDoNot) {
   Document d;
   d.add("App::Part", "Asm",
