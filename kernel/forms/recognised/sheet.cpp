@@ -14,7 +14,7 @@ namespace {
 constexpr double kBeyond = 0.5;
 constexpr int kSteps = 12;
 // Of the size: after a shorter step what is left is its square.
-constexpr double kStill = 1e-6;
+constexpr double kStill = 1e-8;
 
 std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
 
