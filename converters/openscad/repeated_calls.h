@@ -1,5 +1,5 @@
 #pragma once
-// Calls that make again what stands there already; internal to the room.
+// Finds calls that repeat an earlier call in the same place; private to this module.
 
 #include "calls.h"
 #include "tree.h"

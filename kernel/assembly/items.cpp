@@ -48,8 +48,9 @@ std::string name_of(const Scene& scene, const Kind& kind) {
   if (std::string name = common(kind.parts, definition); !name.empty()) return name;
   const auto own = [&](std::size_t i) { return name_as_read(part(i).name); };
   if (std::string name = common(kind.parts, own); !name.empty()) return name;
+  std::string first(own(kind.parts.front()));
+  if (number_is_meant(first)) return first;
   const auto stem = [&](std::size_t i) { return instance_stem(part(i).name); };
-  if (number_is_meant(own(kind.parts.front()))) return std::string(own(kind.parts.front()));
   if (std::string name = common(kind.parts, stem); !name.empty()) return name;
   return kind.key;
 }

@@ -1,5 +1,5 @@
 #pragma once
-/// Which vertices are tips; internal to the room.
+/// Finds vertices at the tips of cones and fans; private to this module.
 
 #include "build_steps.h"
 

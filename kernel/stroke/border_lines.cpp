@@ -1,5 +1,7 @@
 #include "border_lines.h"
 
+#include <burin/base/disjoint_sets.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -130,16 +132,13 @@ class Joiner {
       }
     }
     std::ranges::stable_sort(pairs, {}, &Pair::missing);
-    std::vector<std::size_t> chain(lines_.size());
-    for (std::size_t i = 0; i < chain.size(); ++i) chain[i] = i;
-    const auto first_of = [&](std::size_t line) {
-      while (chain[line] != line) line = chain[line] = chain[chain[line]];
-      return line;
-    };
+    DisjointSets chains(lines_.size());
     for (const auto& [missing, a, b] : pairs) {
-      const std::size_t x = first_of(tips_[a].line), y = first_of(tips_[b].line);
-      if (tips_[a].joined != kNone || tips_[b].joined != kNone || x == y) continue;
-      chain[y] = x;
+      const auto one = static_cast<std::uint32_t>(tips_[a].line),
+                 other = static_cast<std::uint32_t>(tips_[b].line);
+      if (tips_[a].joined != kNone || tips_[b].joined != kNone) continue;
+      if (chains.find(one) == chains.find(other)) continue;
+      chains.join(one, other);
       tips_[a].joined = b;
       tips_[b].joined = a;
     }

@@ -1,5 +1,6 @@
 #pragma once
-// How far the round surfaces of a mesh bulge beyond its corners; internal to the room.
+// The bounding box of round surfaces, which bulge beyond the corners of their mesh; private to this
+// module.
 
 #include <burin/base/box.h>
 

@@ -61,16 +61,17 @@ class Refiner {
   std::int32_t chain_of(SurfaceRef r) const {
     return r < 0 ? -1 : round_.patches[static_cast<std::size_t>(r)].chain;
   }
-  /// Adds a surface; those of a smooth chain are one.
+  /// Those of a smooth chain are one.
+  bool is_one(SurfaceRef a, SurfaceRef b) const {
+    return a == b || (chain_of(a) >= 0 && chain_of(a) == chain_of(b));
+  }
   void add(std::vector<SurfaceRef>& refs, SurfaceRef r) const {
-    for (SurfaceRef& known : refs) {
-      if (known == r) return;
-      if (chain_of(r) >= 0 && chain_of(known) == chain_of(r)) {
-        known = std::min(known, r);
-        return;
-      }
+    const auto known = std::ranges::find_if(refs, [&](SurfaceRef k) { return is_one(k, r); });
+    if (known == refs.end()) {
+      refs.push_back(r);
+    } else {
+      *known = std::min(*known, r);
     }
-    refs.push_back(r);
   }
 
   /// Whether a triangle faces as its surface does; those as thin as the noise always do.
@@ -159,12 +160,11 @@ class Refiner {
     if (e.other != kNoHalfEdge) settled_[static_cast<std::size_t>(e.other)] = 1;
   }
 
-  /// The surfaces on both sides of an edge, and how many they are; those of a smooth chain are one.
+  /// The surfaces on both sides of an edge, and how many they are.
   std::size_t surfaces_at(const Edge& e, std::array<SurfaceRef, 2>& both) const {
     if (e.other == kNoHalfEdge) return 1;
     both[1] = ref_of(face_of(e.other));
-    if (both[0] == both[1]) return 1;
-    if (chain_of(both[0]) < 0 || chain_of(both[0]) != chain_of(both[1])) return 2;
+    if (!is_one(both[0], both[1])) return 2;
     both[0] = std::min(both[0], both[1]);
     return 1;
   }
