@@ -3,15 +3,23 @@
 #include <burin/base/parallel.h>
 #include <burin/visibility/occluder.h>
 
+#include "sheared_ray.h"
+#include "triangle_runs.h"
+
 #include <embree3/rtcore.h>
 #include <fmt/format.h>
 #include <pmmintrin.h>
 #include <xmmintrin.h>
 
 #include <algorithm>
+#include <array>
+#include <bit>
 #include <cmath>
+#include <cstddef>
 #include <limits>
+#include <memory_resource>
 #include <new>
+#include <utility>
 #include <vector>
 
 namespace burin {
@@ -20,6 +28,14 @@ namespace {
 // Two units in the last place of a coordinate in [-1, 1], the scene's size as Embree sees it: below
 // it single precision cannot tell two places apart.
 constexpr double kUnitResolution = 0x1.0p-22;
+// How far Embree's boxes stand out around triangles, and its ends of a ray beyond the true ones, in
+// the same unit. A ray of a length up to 4 is rounded by up to 2^-22 at its origin, as much by its
+// direction, and its way through a box by up to 2^-20 (a reciprocal, two products and a difference;
+// not the same on every processor). So no triangle that doubles meet is missed.
+constexpr double kMargin = 0x1.0p-18;
+// Share of the scene's diagonal within which places on the line of sight are one: far above what
+// doubles are rounded by, far below what can be seen.
+constexpr double kTie = 1e-10;
 
 // Embree asks for flushed denormals; the mode belongs to the thread and goes back to what it was.
 class FlushDenormals {
@@ -36,13 +52,60 @@ class FlushDenormals {
   unsigned int saved_;
 };
 
+// A part as Embree's callbacks see it.
+struct Part {
+  const TriMesh* mesh;
+  std::int32_t index;
+  detail::UnitFrame frame;  // of the scene
+  detail::TriangleRuns runs;
+};
+
+// The foremost of the hits that it is shown, in whatever order: of those that are within `tie` of
+// the nearest the one of the lowest part and triangle.
+class Foremost {
+ public:
+  explicit Foremost(double tie) : tie_(tie) { kept_.reserve(4); }
+
+  // No farther hit can be the one.
+  double reach() const { return nearest_ + tie_; }
+  void show(const Hit& hit) {
+    if (hit.distance > reach()) return;
+    nearest_ = std::min(nearest_, hit.distance);
+    // What is both farther and of a higher name than another is never asked for again.
+    if (std::ranges::any_of(kept_, [&](const Hit& k) { return beats(k, hit); })) return;
+    std::erase_if(kept_, [&](const Hit& k) { return beats(hit, k) || k.distance > reach(); });
+    kept_.push_back(hit);
+  }
+  std::optional<Hit> get() const {
+    if (kept_.empty()) return std::nullopt;
+    return *std::ranges::min_element(kept_, {}, name);
+  }
+
+ private:
+  static std::pair<std::int32_t, std::uint32_t> name(const Hit& hit) {
+    return {hit.where.part, hit.where.face};
+  }
+  static bool beats(const Hit& a, const Hit& b) {
+    return a.distance <= b.distance && name(a) < name(b);
+  }
+
+  double tie_, nearest_ = std::numeric_limits<double>::infinity();
+  // Several are rare: no memory is asked for.
+  std::array<std::byte, 4 * sizeof(Hit)> buffer_;
+  std::pmr::monotonic_buffer_resource pool_{buffer_.data(), buffer_.size()};
+  std::pmr::vector<Hit> kept_{&pool_};
+};
+
 // A ray in double precision beside the one that Embree sees.
 struct Query {
-  Vec3 origin, direction;
+  detail::ShearedRay ray;
   double near, far;
-  std::span<const ProxyMesh* const> proxies;
   const std::function<bool(FaceRef)>* ignore = nullptr;
   const std::function<bool(const Hit&)>* counts = nullptr;
+  Foremost* foremost = nullptr;
+  // Embree's ray once more; `skipped`: the model mm before its start.
+  detail::UnitRay unit_ray = {};
+  double skipped = 0;
 };
 
 // Embree's context comes first, so that a pointer to it is a pointer to the whole.
@@ -51,53 +114,73 @@ struct Context {
   const Query* query;
 };
 
-struct PlaneHit {
-  double distance;
-  Vec3 bary;
-};
-
-// Distance and barycentrics on the triangle's plane; nothing where the ray is parallel to it in
-// double precision.
-std::optional<PlaneHit> intersect_plane(const ProxyMesh& proxy, std::uint32_t face, Vec3 origin,
-                                        Vec3 direction) {
-  const Triangle& t = proxy.mesh.triangles[face];
-  const Vec3 a = proxy.mesh.positions[t[0]] - origin;
-  const Vec3 ab = proxy.mesh.positions[t[1]] - proxy.mesh.positions[t[0]];
-  const Vec3 ac = proxy.mesh.positions[t[2]] - proxy.mesh.positions[t[0]];
-  const Vec3 n = glm::cross(ab, ac);
-  const double det = glm::dot(n, direction);
-  if (det == 0) return std::nullopt;
-  const double distance = glm::dot(n, a) / det;
-  const Vec3 p = direction * distance - a;
-  const double nn = glm::dot(n, n);
-  const double v = glm::dot(glm::cross(p, ac), n) / nn, w = glm::dot(glm::cross(ab, p), n) / nn;
-  return PlaneHit{distance, {1 - v - w, v, w}};
+// Whether the ray meets a triangle between its ends.
+std::optional<Hit> meet(const Query& q, const Part& part, std::uint32_t face) {
+  const Triangle& t = part.mesh->triangles[face];
+  const std::vector<Vec3>& p = part.mesh->positions;
+  const auto met = q.ray.meets(p[t[0]], p[t[1]], p[t[2]]);
+  if (!met || !(met->distance >= q.near && met->distance <= q.far)) return std::nullopt;
+  return Hit{{part.index, face}, met->bary, met->distance};
 }
 
-// Lets a hit stand or passes the ray through it.
-void filter_hit(const RTCFilterFunctionNArguments* args) {
-  const Query& q = *reinterpret_cast<const Context*>(args->context)->query;
-  const FaceRef where{static_cast<std::int32_t>(RTCHitN_geomID(args->hit, args->N, 0)),
-                      RTCHitN_primID(args->hit, args->N, 0)};
-  bool stands = !q.ignore || !(*q.ignore)(where);
-  if (stands) {
-    const auto hit = intersect_plane(*q.proxies[static_cast<std::size_t>(where.part)], where.face,
-                                     q.origin, q.direction);
-    stands = hit && hit->distance >= q.near && hit->distance <= q.far &&
-             (!q.counts || (*q.counts)({where, hit->bary, hit->distance}));
+void bound(const RTCBoundsFunctionArguments* args) {
+  const Part& part = *static_cast<const Part*>(args->geometryUserPtr);
+  const Box3 own = part.runs.box(args->primID);
+  const Vec3 low = part.frame.of(own.min) - kMargin, high = part.frame.of(own.max) + kMargin;
+  RTCBounds& box = *args->bounds_o;
+  box.lower_x = static_cast<float>(low.x), box.upper_x = static_cast<float>(high.x);
+  box.lower_y = static_cast<float>(low.y), box.upper_y = static_cast<float>(high.y);
+  box.lower_z = static_cast<float>(low.z), box.upper_z = static_cast<float>(high.z);
+}
+
+const Query& query_of(const RTCIntersectContext* context) {
+  return *reinterpret_cast<const Context*>(context)->query;
+}
+
+// Calls `take` with the hits of the run; until it returns true.
+template <typename Take>
+void each_hit(const Query& q, const Part& part, std::uint32_t run, const Take& take) {
+  for (unsigned int left = part.runs.may_meet(run, q.unit_ray); left != 0; left &= left - 1) {
+    const auto which = static_cast<std::uint32_t>(std::countr_zero(left));
+    const auto hit = meet(q, part, part.runs.first(run) + which);
+    if (hit && take(*hit)) return;
   }
-  if (!stands) args->valid[0] = 0;
+}
+
+// Rays are asked one by one: N is 1.
+void find_foremost(const RTCIntersectFunctionNArguments* args) {
+  if (!args->valid[0]) return;
+  const Query& q = query_of(args->context);
+  const Part& part = *static_cast<const Part*>(args->geometryUserPtr);
+  each_hit(q, part, args->primID, [&](const Hit& hit) {
+    q.foremost->show(hit);
+    float& end = RTCRayN_tfar(RTCRayHitN_RayN(args->rayhit, args->N), args->N, 0);
+    end = std::min(
+        end, static_cast<float>((q.foremost->reach() - q.skipped) / part.frame.half + kMargin));
+    return false;
+  });
+}
+
+void find_any(const RTCOccludedFunctionNArguments* args) {
+  if (!args->valid[0]) return;
+  const Query& q = query_of(args->context);
+  const Part& part = *static_cast<const Part*>(args->geometryUserPtr);
+  each_hit(q, part, args->primID, [&](const Hit& hit) {
+    if ((q.ignore && (*q.ignore)(hit.where)) || (q.counts && !(*q.counts)(hit))) return false;
+    // Embree's mark of an occluded ray.
+    RTCRayN_tfar(args->ray, args->N, 0) = -std::numeric_limits<float>::infinity();
+    return true;
+  });
 }
 
 }  // namespace
 
 struct Occluder::Impl {
-  std::vector<const ProxyMesh*> proxies;
+  std::vector<Part> parts;
   RTCDevice device = nullptr;
   RTCScene scene = nullptr;
-  Vec3 center{0};
-  double half = 1;  // largest half extent in model mm
-  double diagonal = 0;
+  detail::UnitFrame frame;
+  double diagonal = 0;  // model mm
   const RunContext* building = nullptr;
 
   ~Impl() {
@@ -107,13 +190,14 @@ struct Occluder::Impl {
 
   void measure() {
     Box3 box;
-    for (const ProxyMesh* proxy : proxies) box.add(proxy->mesh.bounds());
+    for (const Part& part : parts) box.add(part.mesh->bounds());
     if (box.empty()) return;
     const Vec3 size = box.size();
-    center = box.center();
+    frame.center = box.center();
     diagonal = box.diagonal();
     const double largest = 0.5 * std::max({size.x, size.y, size.z});
-    if (largest > 0 && std::isfinite(largest)) half = largest;
+    if (largest > 0 && std::isfinite(largest)) frame.half = largest;
+    for (Part& part : parts) part.frame = frame;
   }
 
   void check(const char* doing) const {
@@ -125,39 +209,26 @@ struct Occluder::Impl {
         fmt::format("Embree failed with error {} while {}", static_cast<int>(error), doing));
   }
 
-  void add(std::uint32_t part, const TriMesh& mesh) {
-    const RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
-    auto* vertices = static_cast<float*>(rtcSetNewGeometryBuffer(
-        geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, 3 * sizeof(float),
-        std::max<std::size_t>(mesh.positions.size(), 1)));
-    if (!vertices) {
-      check("allocating the vertices");
-      throw std::bad_alloc();
-    }
-    parallel_for(mesh.positions.size(), 65536, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t i = begin; i < end; ++i) {
-        const Vec3 p = (mesh.positions[i] - center) / half;
-        for (int k = 0; k < 3; ++k)
-          vertices[3 * i + static_cast<std::size_t>(k)] = static_cast<float>(p[k]);
-      }
-    });
-    if (!mesh.triangles.empty()) {
-      rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
-                                 mesh.triangles.data(), 0, sizeof(Triangle), mesh.triangles.size());
-    }
-    rtcSetGeometryOccludedFilterFunction(geometry, &filter_hit);
-    rtcSetGeometryIntersectFilterFunction(geometry, &filter_hit);
+  void add(const Part& part) {
+    if (part.mesh->triangles.empty()) return;
+    const RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_USER);
+    rtcSetGeometryUserPrimitiveCount(geometry, static_cast<unsigned int>(part.runs.size()));
+    // Embree takes the parts as what may change; none of the callbacks changes them.
+    rtcSetGeometryUserData(geometry, const_cast<Part*>(&part));
+    rtcSetGeometryBoundsFunction(geometry, &bound, nullptr);
+    rtcSetGeometryIntersectFunction(geometry, &find_foremost);
+    rtcSetGeometryOccludedFunction(geometry, &find_any);
     rtcCommitGeometry(geometry);
-    rtcAttachGeometryByID(scene, geometry, part);
+    rtcAttachGeometryByID(scene, geometry, static_cast<unsigned int>(part.index));
     rtcReleaseGeometry(geometry);
   }
 
-  void build(const RunContext& context) {
+  void build(const std::string& configuration, const RunContext& context) {
     const FlushDenormals flush;
 #ifdef BURIN_THREAD_SANITIZER
     const ThreadLimit alone(1);  // it does not see what orders Embree's own tasks
 #endif
-    device = rtcNewDevice(nullptr);
+    device = rtcNewDevice(configuration.empty() ? nullptr : configuration.c_str());
     if (!device) {
       // Any processor of today has what Embree asks for; else it lacks memory for its threads.
       if (rtcGetDeviceError(nullptr) != RTC_ERROR_UNSUPPORTED_CPU) throw std::bad_alloc();
@@ -166,9 +237,10 @@ struct Occluder::Impl {
     scene = rtcNewScene(device);
     rtcSetSceneFlags(scene, RTC_SCENE_FLAG_ROBUST);
     rtcSetSceneBuildQuality(scene, RTC_BUILD_QUALITY_MEDIUM);
-    for (std::size_t i = 0; i < proxies.size(); ++i) {
+    for (Part& part : parts) {
       context.check();
-      add(static_cast<std::uint32_t>(i), proxies[i]->mesh);
+      part.runs = detail::TriangleRuns(*part.mesh, part.frame, context);
+      add(part);
     }
     building = &context;
     rtcSetSceneProgressMonitorFunction(
@@ -180,99 +252,98 @@ struct Occluder::Impl {
     building = nullptr;
   }
 
+  Query query(Vec3 origin, Vec3 direction, double near, double far) const {
+    return {{origin, direction, kTie * diagonal, diagonal}, near, far};
+  }
+
   // The ray in unit coordinates, cut to the scene's bounding sphere so that a far origin costs no
-  // precision. `skipped` is the part of the ray, in model mm, before its start. False where the ray
-  // misses the sphere.
-  bool shorten(const Query& q, RTCRay& ray, double& skipped) const {
-    const Vec3 o = q.origin - center;
+  // precision. False where the ray misses the sphere.
+  bool shorten(Vec3 origin, Vec3 direction, Query& q, RTCRay& ray) const {
+    const double half = frame.half;
+    const Vec3 o = origin - frame.center;
     const double radius =
         0.5 * diagonal + half * 1e-3;  // model mm; the margin keeps hits on the hull inside
-    const double along = -glm::dot(o, q.direction);
-    const Vec3 nearest = o + q.direction * along;
+    const double along = -glm::dot(o, direction);
+    const Vec3 nearest = o + direction * along;
     const double reach2 = radius * radius - glm::dot(nearest, nearest);
     if (!(reach2 > 0)) return false;
     const double reach = std::sqrt(reach2);
-    skipped = std::max(0.0, along - reach);
-    const double slack = 4 * kUnitResolution * half;
-    const double from = std::max(q.near - slack, skipped),
+    q.skipped = std::max(0.0, along - reach);
+    const double slack = kMargin * half;
+    const double from = std::max(q.near - slack, q.skipped),
                  to = std::min(q.far + slack, along + reach);
     if (!(from <= to)) return false;
-    const Vec3 start = (o + q.direction * skipped) / half;
+    const double per_half = 1 / half;
+    const Vec3 start = (o + direction * q.skipped) * per_half;
     ray.org_x = static_cast<float>(start.x);
     ray.org_y = static_cast<float>(start.y);
     ray.org_z = static_cast<float>(start.z);
-    ray.dir_x = static_cast<float>(q.direction.x);
-    ray.dir_y = static_cast<float>(q.direction.y);
-    ray.dir_z = static_cast<float>(q.direction.z);
-    ray.tnear = static_cast<float>(std::max(0.0, from - skipped) / half);
-    ray.tfar = static_cast<float>((to - skipped) / half);
+    ray.dir_x = static_cast<float>(direction.x);
+    ray.dir_y = static_cast<float>(direction.y);
+    ray.dir_z = static_cast<float>(direction.z);
+    ray.tnear = static_cast<float>(std::max(0.0, from - q.skipped) * per_half);
+    ray.tfar = static_cast<float>((to - q.skipped) * per_half);
     ray.time = 0;
     ray.mask = ~0u;
     ray.id = 0;
     ray.flags = 0;
+    q.unit_ray = {{ray.org_x, ray.org_y, ray.org_z}, {ray.dir_x, ray.dir_y, ray.dir_z}};
     return true;
   }
 
-  bool occluded(const Query& query) const {
+  bool occluded(Vec3 origin, Vec3 direction, Query q) const {
     RTCRay ray;
-    double skipped = 0;
-    if (!shorten(query, ray, skipped)) return false;
+    if (!shorten(origin, direction, q, ray)) return false;
     const FlushDenormals flush;
-    Context context{{}, &query};
+    Context context{{}, &q};
     rtcInitIntersectContext(&context.base);
     rtcOccluded1(scene, &context.base, &ray);
-    return ray.tfar < 0;  // Embree's mark of an occluded ray: minus infinity
+    return ray.tfar < 0;
   }
 };
 
-Occluder::Occluder(std::span<const ProxyMesh* const> proxies, const RunContext& context)
+Occluder::Occluder(std::span<const ProxyMesh* const> proxies, const RunContext& context,
+                   const OccluderOptions& options)
     : impl_(std::make_unique<Impl>()) {
-  impl_->proxies.assign(proxies.begin(), proxies.end());
+  for (const ProxyMesh* proxy : proxies) {
+    impl_->parts.push_back({&proxy->mesh, static_cast<std::int32_t>(impl_->parts.size()), {}, {}});
+  }
   impl_->measure();
-  impl_->build(context);
+  impl_->build(options.embree, context);
 }
 
 Occluder::~Occluder() = default;
 
 std::optional<Hit> Occluder::first_hit(Vec3 origin, Vec3 direction, double near, double far) const {
-  const Query query{origin, direction, near, far, impl_->proxies};
+  Foremost foremost(kTie * impl_->diagonal);
+  Query query = impl_->query(origin, direction, near, far);
+  query.foremost = &foremost;
   RTCRayHit ray;
-  double skipped = 0;
-  if (!impl_->shorten(query, ray.ray, skipped)) return std::nullopt;
+  if (!impl_->shorten(origin, direction, query, ray.ray)) return std::nullopt;
   ray.hit.geomID = RTC_INVALID_GEOMETRY_ID;
   ray.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
-  {
-    const FlushDenormals flush;
-    Context context{{}, &query};
-    rtcInitIntersectContext(&context.base);
-    rtcIntersect1(impl_->scene, &context.base, &ray);
-  }
-  if (ray.hit.geomID == RTC_INVALID_GEOMETRY_ID) return std::nullopt;
-  Hit hit{{static_cast<std::int32_t>(ray.hit.geomID), ray.hit.primID}, Vec3(0), 0};
-  const auto exact =
-      intersect_plane(*impl_->proxies[ray.hit.geomID], ray.hit.primID, origin, direction);
-  hit.distance = exact->distance;
-  // Single precision may see a ray inside that passes just beside the triangle.
-  hit.bary = glm::max(exact->bary, Vec3(0));
-  hit.bary /= hit.bary.x + hit.bary.y + hit.bary.z;
-  return hit;
+  const FlushDenormals flush;
+  Context context{{}, &query};
+  rtcInitIntersectContext(&context.base);
+  rtcIntersect1(impl_->scene, &context.base, &ray);
+  return foremost.get();
 }
 
 bool Occluder::occluded(Vec3 origin, Vec3 direction, double near, double far,
                         const std::function<bool(FaceRef)>& ignore) const {
-  Query query{origin, direction, near, far, impl_->proxies};
+  Query query = impl_->query(origin, direction, near, far);
   if (ignore) query.ignore = &ignore;
-  return impl_->occluded(query);
+  return impl_->occluded(origin, direction, query);
 }
 
 bool Occluder::occluded_by(Vec3 origin, Vec3 direction, double near, double far,
                            const std::function<bool(const Hit&)>& counts) const {
-  Query query{origin, direction, near, far, impl_->proxies};
+  Query query = impl_->query(origin, direction, near, far);
   if (counts) query.counts = &counts;
-  return impl_->occluded(query);
+  return impl_->occluded(origin, direction, query);
 }
 
-double Occluder::resolution() const { return kUnitResolution * impl_->half; }
+double Occluder::resolution() const { return kUnitResolution * impl_->frame.half; }
 
 double Occluder::diagonal() const { return impl_->diagonal; }
 

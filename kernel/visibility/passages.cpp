@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 namespace burin {
 namespace {
@@ -23,8 +24,7 @@ class Finder {
 
   std::vector<Passage> run() {
     for (std::size_t i = 0; i < curve_.segment_count(); ++i) cross(i);
-    std::sort(found_.begin(), found_.end(),
-              [](const Passage& a, const Passage& b) { return a.at < b.at; });
+    std::ranges::stable_sort(found_, {}, &Passage::at);
     return std::move(found_);
   }
 
@@ -39,6 +39,10 @@ class Finder {
     probe_.occluder().occluded_by(a, d / length, 0, length, [&](const Hit& hit) {
       if (transversal(hit, normal)) hits_.push_back(hit);
       return false;
+    });
+    // They come in the order of the tree, which differs between processors.
+    std::ranges::sort(hits_, {}, [](const Hit& hit) {
+      return std::tuple(hit.distance, hit.where.part, hit.where.face);
     });
     for (const Hit& hit : hits_) add(segment, hit, hit.distance / length);
   }

@@ -5,7 +5,12 @@
 #include <burin_test/shapes.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
+#include <map>
+#include <memory>
+#include <utility>
 #include <vector>
 
 namespace burin {
@@ -18,10 +23,10 @@ ProxyMesh bare(TriMesh mesh) {
 }
 
 struct Scene {
-  explicit Scene(std::vector<TriMesh> meshes) {
+  explicit Scene(std::vector<TriMesh> meshes, const OccluderOptions& options = {}) {
     for (TriMesh& m : meshes) proxies.push_back(bare(std::move(m)));
     for (const ProxyMesh& p : proxies) pointers.push_back(&p);
-    occluder = std::make_unique<Occluder>(pointers, context);
+    occluder = std::make_unique<Occluder>(pointers, context, options);
   }
   RunContext context;
   std::vector<ProxyMesh> proxies;
@@ -95,6 +100,162 @@ TEST(Occluder, SeesNoHoleBetweenTriangles) {
     if (r < 2.2 || r > 3.8) continue;
     EXPECT_TRUE(s.occluder->occluded({v.x, v.y, 5}, {0, 0, -1}, 0, kFar)) << v.x << ' ' << v.y;
   }
+}
+
+// The kinds of Embree's code that run here; the plain one first.
+std::vector<OccluderOptions> kinds() {
+  std::vector<OccluderOptions> all{{"isa=sse2"}};
+  if (__builtin_cpu_supports("sse4.2")) all.push_back({"isa=sse4.2"});
+  if (__builtin_cpu_supports("avx")) all.push_back({"isa=avx"});
+  if (__builtin_cpu_supports("avx2")) all.push_back({"isa=avx2"});
+  if (__builtin_cpu_supports("avx512vl")) all.push_back({"isa=avx512"});
+  return all;
+}
+
+using Name = std::pair<std::int32_t, std::uint32_t>;
+
+Name name(const Hit& hit) { return {hit.where.part, hit.where.face}; }
+
+// All that a ray meets.
+std::map<Name, double> all_hits(const Occluder& occluder, Vec3 origin, Vec3 direction) {
+  std::map<Name, double> all;
+  occluder.occluded_by(origin, direction, 0, kFar, [&](const Hit& hit) {
+    all[name(hit)] = hit.distance;
+    return false;
+  });
+  return all;
+}
+
+Vec3 random_direction(const Rng& rng, std::uint64_t i) {
+  const double z = 2 * rng.uniform(2 * i) - 1, angle = 2 * test::kPi * rng.uniform(2 * i + 1);
+  const double r = std::sqrt(1 - z * z);
+  return {r * std::cos(angle), r * std::sin(angle), z};
+}
+
+// Rays at corners, at edges and into triangles, some along an axis, from near and far.
+struct Aim {
+  Vec3 origin, direction, target;
+  Name into{-1, 0};  // the triangle within whose inside it aims
+};
+std::vector<Aim> aims(const Scene& s) {
+  std::vector<Aim> all;
+  const Rng rng(11);
+  std::uint64_t i = 0;
+  for (std::size_t part = 0; part < s.proxies.size(); ++part) {
+    const TriMesh& mesh = s.proxies[part].mesh;
+    for (std::uint32_t face = 0; face < mesh.triangles.size(); ++face, ++i) {
+      const Triangle& t = mesh.triangles[face];
+      const Vec3 a = mesh.positions[t[0]], b = mesh.positions[t[1]], c = mesh.positions[t[2]];
+      Vec3 direction = random_direction(rng, 5 * i);
+      if (i % 5 == 0) direction = {0, i % 2 == 0 ? 1 : -1, 0};
+      const double far = s.occluder->diagonal() * std::pow(1e3, 2 * rng.uniform(10 * i + 3) - 1);
+      const double u = rng.uniform(10 * i + 4), v = (1 - u) * rng.uniform(10 * i + 5);
+      const Vec3 inside = a + u * (b - a) + v * (c - a);
+      const bool well = std::min({u, v, 1 - u - v}) > 1e-4 &&
+                        std::abs(glm::dot(mesh.normal(face), direction)) > 1e-4;
+      for (const Vec3 at : {a, 0.5 * (a + b), inside}) {
+        const bool in = well && at == inside;
+        all.push_back({at - far * direction, direction, at,
+                       in ? Name{static_cast<std::int32_t>(part), face} : Name{-1, 0}});
+      }
+    }
+  }
+  return all;
+}
+
+std::vector<TriMesh> crowd() {
+  // The same ball twice, a box whose sides lie on another's, a torus through them.
+  return {test::ellipsoid({1, 1, 1}, 40, 20), test::ellipsoid({1, 1, 1}, 40, 20),
+          test::box({0, 0, 0}, {1, 1, 1}), test::box({1, 0, 0}, {2, 1, 1}),
+          test::torus(2, 0.5, 60, 30)};
+}
+
+TEST(Occluder, AnswersAlikeWithEmbreesCodeForEveryProcessor) {
+  std::vector<std::unique_ptr<Scene>> scenes;
+  for (const OccluderOptions& kind : kinds()) {
+    scenes.push_back(std::make_unique<Scene>(crowd(), kind));
+  }
+  for (const Aim& aim : aims(*scenes.front())) {
+    const auto expected = all_hits(*scenes.front()->occluder, aim.origin, aim.direction);
+    const auto first = scenes.front()->occluder->first_hit(aim.origin, aim.direction, 0, kFar);
+    for (const auto& s : scenes) {
+      ASSERT_EQ(all_hits(*s->occluder, aim.origin, aim.direction), expected);
+      const auto hit = s->occluder->first_hit(aim.origin, aim.direction, 0, kFar);
+      ASSERT_EQ(hit.has_value(), first.has_value());
+      if (!hit) continue;
+      ASSERT_EQ(name(*hit), name(*first));
+      ASSERT_EQ(hit->distance, first->distance);
+      ASSERT_EQ(hit->bary, first->bary);
+    }
+  }
+}
+
+TEST(Occluder, MissesNoTriangleThatARayAimsAt) {
+  for (const OccluderOptions& kind : kinds()) {
+    for (const double scale : {1.0, 1e-3, 1e4}) {
+      std::vector<TriMesh> meshes = crowd();
+      for (TriMesh& mesh : meshes) {
+        mesh = test::mapped(mesh, [&](Vec3 p) { return p * scale + Vec3(30 * scale); });
+      }
+      const Scene s(std::move(meshes), kind);
+      int missed = 0, aimed = 0;
+      for (const Aim& aim : aims(s)) {
+        if (aim.into.first < 0) continue;
+        ++aimed;
+        const auto hits = all_hits(*s.occluder, aim.origin, aim.direction);
+        const auto hit = hits.find(aim.into);
+        missed +=
+            hit == hits.end() || std::abs(hit->second - glm::distance(aim.origin, aim.target)) >
+                                     1e-9 * s.occluder->diagonal();
+      }
+      EXPECT_GT(aimed, 3000);
+      EXPECT_EQ(missed, 0) << kind.embree << ' ' << scale;
+    }
+  }
+}
+
+TEST(Occluder, GivesTiesToTheLowestPartAndTriangle) {
+  for (const OccluderOptions& kind : kinds()) {
+    const Scene s(crowd(), kind);
+    int ties = 0;
+    for (const Aim& aim : aims(s)) {
+      const auto hit = s.occluder->first_hit(aim.origin, aim.direction, 0, kFar);
+      const auto all = all_hits(*s.occluder, aim.origin, aim.direction);
+      ASSERT_EQ(hit.has_value(), !all.empty());
+      if (!hit) continue;
+      double nearest = kFar;
+      for (const auto& [name, distance] : all) nearest = std::min(nearest, distance);
+      const auto in_reach = [&](const auto& entry) {
+        return entry.second <= nearest + 1e-10 * s.occluder->diagonal();
+      };
+      EXPECT_EQ(name(*hit), std::find_if(all.begin(), all.end(), in_reach)->first);
+      ties += std::count_if(all.begin(), all.end(), in_reach) > 1;
+    }
+    EXPECT_GT(ties, 1000);
+  }
+}
+
+TEST(Occluder, MeetsEdgesWithinTheToleranceAndNoWallThatIsSeenEdgeOn) {
+  // An open sheet of two triangles; its wall stands along the view.
+  TriMesh sheet;
+  sheet.positions = {{0, 0, 0}, {1, 0, 0}, {1, 0, 1}, {0, 0, 1}};
+  sheet.triangles = {{0, 1, 2}, {0, 2, 3}};
+  const Scene s({sheet});
+  const auto meets = [&](Vec3 origin, Vec3 direction) {
+    return s.occluder->occluded(origin, direction, 0, kFar);
+  };
+  const Vec3 across(0, 1, 0);
+  EXPECT_TRUE(meets({1 + 1e-12, -2, 0.3}, across));  // but for rounding on its edge
+  EXPECT_FALSE(meets({1 + 1e-8, -2, 0.3}, across));  // beside it
+  EXPECT_TRUE(meets({0.4, -2, 0.4}, across));        // through the edge of both triangles
+  EXPECT_FALSE(meets({0.4, 0, 5}, {0, 0, -1}));      // in its plane
+  EXPECT_FALSE(meets({0.4, 1e-12, 5}, {0, 0, -1}));  // all but in it
+  const auto hit = s.occluder->first_hit({0.4, -2, 0.4}, across, 0, kFar);
+  ASSERT_TRUE(hit);
+  EXPECT_EQ(hit->where.face, 0u);
+  const auto beside = s.occluder->first_hit({1 + 1e-12, -2, 0.3}, across, 0, kFar);
+  ASSERT_TRUE(beside);
+  EXPECT_GE(std::min({beside->bary.x, beside->bary.y, beside->bary.z}), 0);
 }
 
 TEST(Occluder, OwnsNothingInAnEmptyScene) {
