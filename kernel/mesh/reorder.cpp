@@ -52,7 +52,7 @@ void radix_sort(std::vector<Keyed>& items, int bits) {
   }
 }
 
-std::vector<Keyed> morton_order(const std::vector<Vec3>& positions) {
+std::vector<Keyed> sorted_by_morton_code(const std::vector<Vec3>& positions) {
   Box3 box;
   for (const Vec3& p : positions) box.add(p);
   const Vec3 size = box.size();
@@ -74,14 +74,21 @@ std::vector<Keyed> morton_order(const std::vector<Vec3>& positions) {
 
 }  // namespace
 
+std::vector<std::uint32_t> morton_order(const std::vector<Vec3>& points) {
+  const std::vector<Keyed> sorted = sorted_by_morton_code(points);
+  std::vector<std::uint32_t> order(sorted.size());
+  std::ranges::transform(sorted, order.begin(), &Keyed::index);
+  return order;
+}
+
 bool reorder_for_cache(TriMesh& mesh) {
   if (scattered_share(mesh) < 0.1) return false;
-  const std::vector<Keyed> order = morton_order(mesh.positions);
+  const std::vector<std::uint32_t> order = morton_order(mesh.positions);
   std::vector<Vec3> positions(mesh.positions.size());
   std::vector<std::uint32_t> renamed(mesh.positions.size());
   for (std::size_t i = 0; i < order.size(); ++i) {
-    positions[i] = mesh.positions[order[i].index];
-    renamed[order[i].index] = static_cast<std::uint32_t>(i);
+    positions[i] = mesh.positions[order[i]];
+    renamed[order[i]] = static_cast<std::uint32_t>(i);
   }
   std::vector<Keyed> faces(mesh.triangles.size());
   parallel_for(faces.size(), kNear, [&](std::size_t begin, std::size_t end) {

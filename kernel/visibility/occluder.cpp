@@ -142,7 +142,7 @@ template <typename Take>
 void each_hit(const Query& q, const Part& part, std::uint32_t run, const Take& take) {
   for (unsigned int left = part.runs.may_meet(run, q.unit_ray); left != 0; left &= left - 1) {
     const auto which = static_cast<std::uint32_t>(std::countr_zero(left));
-    const auto hit = meet(q, part, part.runs.first(run) + which);
+    const auto hit = meet(q, part, part.runs.face(run, which));
     if (hit && take(*hit)) return;
   }
 }

@@ -1,6 +1,7 @@
 #include "triangle_runs.h"
 
 #include <burin/base/parallel.h>
+#include <burin/mesh/reorder.h>
 
 #include <glm/gtc/type_ptr.hpp>
 #include <xmmintrin.h>
@@ -18,6 +19,7 @@ constexpr float kRounding = 0x1.0p-19F;
 // How many times the surface of a run's box may be that of its triangles' boxes: larger ones are
 // entered in vain, smaller ones make a larger tree. 1.5 took the least time of 0.9 to 2.
 constexpr double kLoosest = 1.5;
+constexpr std::size_t kGrain = 16384;
 
 Box3 box_of(const TriMesh& mesh, std::uint32_t face) {
   const Triangle& t = mesh.triangles[face];
@@ -58,19 +60,15 @@ UnitRay::UnitRay(std::array<float, 3> from, std::array<float, 3> direction) : or
 
 TriangleRuns::TriangleRuns(const TriMesh& mesh, const UnitFrame& frame, const RunContext& context)
     : mesh_(&mesh) {
-  constexpr std::size_t kGrain = 16384;
-  const std::size_t count = mesh.triangles.size();
-  std::vector<std::vector<std::uint32_t>> starts((count + kGrain - 1) / kGrain);
-  parallel_for(
-      count, kGrain,
-      [&](std::size_t begin, std::size_t end) {
-        starts[begin / kGrain] =
-            starts_in(mesh, static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(end));
-      },
-      &context);
-  for (const auto& some : starts) starts_.insert(starts_.end(), some.begin(), some.end());
+  find_starts(context);
+  // More runs than these are worth an order of their own.
+  constexpr double kFewest = 2.5;
+  if (static_cast<double>(mesh.triangles.size()) < kFewest * static_cast<double>(starts_.size())) {
+    sort(context);
+    find_starts(context);
+  }
   fours_.resize(starts_.size());
-  starts_.push_back(static_cast<std::uint32_t>(count));
+  starts_.push_back(static_cast<std::uint32_t>(mesh.triangles.size()));
   parallel_for(
       fours_.size(), kGrain,
       [&](std::size_t begin, std::size_t end) {
@@ -79,15 +77,31 @@ TriangleRuns::TriangleRuns(const TriMesh& mesh, const UnitFrame& frame, const Ru
       &context);
 }
 
-std::vector<std::uint32_t> TriangleRuns::starts_in(const TriMesh& mesh, std::uint32_t begin,
-                                                   std::uint32_t end) {
+void TriangleRuns::find_starts(const RunContext& context) {
+  const std::size_t count = mesh_->triangles.size();
+  std::vector<std::vector<std::uint32_t>> starts((count + kGrain - 1) / kGrain);
+  parallel_for(
+      count, kGrain,
+      [&](std::size_t begin, std::size_t end) {
+        starts[begin / kGrain] =
+            starts_in(static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(end));
+      },
+      &context);
+  starts_.clear();
+  for (const auto& some : starts) starts_.insert(starts_.end(), some.begin(), some.end());
+}
+
+std::vector<std::uint32_t> TriangleRuns::starts_in(std::uint32_t begin, std::uint32_t end) const {
+  const auto box_at = [&](std::uint32_t i) {
+    return box_of(*mesh_, order_.empty() ? i : order_[i]);
+  };
   std::vector<std::uint32_t> starts;
   for (std::uint32_t first = begin, next = begin; first < end; first = next) {
     starts.push_back(first);
-    Box3 box = box_of(mesh, first);
+    Box3 box = box_at(first);
     double sum = half_surface(box);
     for (next = first + 1; next < end && next - first < kLongest; ++next) {
-      const Box3 own = box_of(mesh, next);
+      const Box3 own = box_at(next);
       Box3 both = box;
       both.add(own);
       sum += half_surface(own);
@@ -98,9 +112,22 @@ std::vector<std::uint32_t> TriangleRuns::starts_in(const TriMesh& mesh, std::uin
   return starts;
 }
 
+void TriangleRuns::sort(const RunContext& context) {
+  std::vector<Vec3> middles(mesh_->triangles.size());
+  parallel_for(
+      middles.size(), kGrain,
+      [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) {
+          middles[i] = box_of(*mesh_, static_cast<std::uint32_t>(i)).center();
+        }
+      },
+      &context);
+  order_ = morton_order(middles);
+}
+
 void TriangleRuns::fill(std::size_t run, const UnitFrame& frame) {
   for (std::uint32_t lane = 0; lane < kLongest; ++lane) {
-    const Triangle& t = mesh_->triangles[first(run) + std::min(lane, count(run) - 1)];
+    const Triangle& t = mesh_->triangles[face(run, std::min(lane, count(run) - 1))];
     for (std::size_t corner = 0; corner < 3; ++corner) {
       const Vec3 p = frame.of(mesh_->positions[t[corner]]);
       for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -136,7 +163,7 @@ unsigned int TriangleRuns::may_meet(std::size_t run, const UnitRay& ray) const {
 
 Box3 TriangleRuns::box(std::size_t run) const {
   Box3 box;
-  for (std::uint32_t i = 0; i < count(run); ++i) box.add(box_of(*mesh_, first(run) + i));
+  for (std::uint32_t i = 0; i < count(run); ++i) box.add(box_of(*mesh_, face(run, i)));
   return box;
 }
 
