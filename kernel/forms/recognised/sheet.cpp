@@ -15,6 +15,10 @@ constexpr double kBeyond = 0.5;
 constexpr int kSteps = 12;
 // Of the size: after a shorter step what is left is its square.
 constexpr double kStill = 1e-8;
+// How often a step is halved.
+constexpr int kHalves = 8;
+// Square of the cosine between both directions of a cell.
+constexpr double kSlanted = 0.25;
 
 std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
 
@@ -157,11 +161,13 @@ void Sheet::measure() {
       const auto off = [&](Vec2 uv, Vec3 facet) {
         sagitta_ = std::max(sagitta_, glm::distance(at(i, j, uv).p, facet));
       };
-      off({u, v}, 0.5 * (a + c));
-      off({u, v}, 0.5 * (b + d));
+      const bool over_ac = glm::distance(a, c) <= glm::distance(b, d);
+      off({u, v}, over_ac ? 0.5 * (a + c) : 0.5 * (b + d));
       off({u, v_.knot(j)}, 0.5 * (a + b));
       off({u_.knot(i), v}, 0.5 * (a + d));
-      turn_ = std::max(turn_, angle_between(glm::cross(b - a, c - a), glm::cross(c - a, d - a)));
+      turn_ = std::max(turn_,
+                       over_ac ? angle_between(glm::cross(b - a, c - a), glm::cross(c - a, d - a))
+                               : angle_between(glm::cross(b - a, d - a), glm::cross(c - b, d - b)));
       if (wrap_u || i + 1 < grid_.cell_columns()) {
         turn_ = std::max(turn_, angle_between(n, normal(j, (i + 1) % grid_.columns)));
       }
@@ -205,24 +211,41 @@ std::int32_t Sheet::build(Block block) {
   return id;
 }
 
-/// The nearest point of the facet over a cell, near enough to begin with.
+/// The nearest point of the facet over a cell, near enough to begin with. Cells of twisted walls
+/// may be so slanted that what lies beside one in both directions is nearest to another.
 Sheet::Found Sheet::on_cell(std::int32_t row, std::int32_t column, Vec3 p) const {
   const Vec3 a = grid_.point(row, column), b = grid_.point(row, column + 1),
              c = grid_.point(row + 1, column + 1), d = grid_.point(row + 1, column);
   const Vec3 u = 0.5 * (b + c - a - d), v = 0.5 * (c + d - a - b), off = p - 0.25 * (a + b + c + d);
   const double uu = glm::dot(u, u), uv = glm::dot(u, v), vv = glm::dot(v, v);
   const double det = uu * vv - uv * uv, x = glm::dot(u, off), y = glm::dot(v, off);
+  Found found{1e300, row, column, {}};
+  const auto look_at = [&](Vec2 share) {
+    const Vec3 q = glm::mix(glm::mix(a, b, share.x), glm::mix(d, c, share.x), share.y);
+    const double square = glm::dot(p - q, p - q);
+    if (square < found.square) found.square = square, found.share = share;
+  };
   Vec2 share(0.5);
   if (det > 0) share += Vec2(vv * x - uv * y, uu * y - uv * x) / det;
-  share = glm::clamp(share, 0.0, 1.0);
-  const Vec3 q = glm::mix(glm::mix(a, b, share.x), glm::mix(d, c, share.x), share.y);
-  return {glm::dot(p - q, p - q), row, column, share};
+  const Vec2 inside = glm::clamp(share, 0.0, 1.0);
+  look_at(inside);
+  if (inside == share || !(uv * uv > kSlanted * uu * vv)) return found;
+  for (const double end : {0.0, 1.0}) {
+    look_at({end, std::clamp(0.5 + (y - (end - 0.5) * uv) / vv, 0.0, 1.0)});
+    look_at({std::clamp(0.5 + (x - (end - 0.5) * uv) / uu, 0.0, 1.0), end});
+  }
+  return found;
 }
 
 Vec2 Sheet::foot(Vec3 p, Vec2 uv, const GridWindow& window) const {
   const bool all = window.rows == 0;
+  const auto kept = [&](Vec2 next) {
+    return Vec2(u_.kept(next.x, all ? 0 : window.column, all ? u_.spans() : window.columns),
+                v_.kept(next.y, all ? 0 : window.row, all ? v_.spans() : window.rows));
+  };
+  const double still = kStill * size_;
+  SurfaceDerivatives d = derivatives(uv);
   for (int step = 0; step < kSteps; ++step) {
-    const SurfaceDerivatives d = derivatives(uv);
     const Vec3 off = p - d.p;
     const double uu = glm::dot(d.u, d.u), vv = glm::dot(d.v, d.v);
     double a = uu - glm::dot(d.uu, off), b = glm::dot(d.u, d.v) - glm::dot(d.uv, off),
@@ -232,14 +255,16 @@ Vec2 Sheet::foot(Vec3 p, Vec2 uv, const GridWindow& window) const {
     const double det = a * c - b * b;
     if (!(det > 1e-24 * uu * vv)) break;
     const double x = glm::dot(d.u, off), y = glm::dot(d.v, off);
-    const Vec2 next = uv + Vec2(c * x - b * y, a * y - b * x) / det;
-    const Vec2 kept(u_.kept(next.x, all ? 0 : window.column, all ? u_.spans() : window.columns),
-                    v_.kept(next.y, all ? 0 : window.row, all ? v_.spans() : window.rows));
-    const Vec2 moved = kept - uv;
-    uv = kept;
-    if (std::abs(moved.x) * std::sqrt(uu) + std::abs(moved.y) * std::sqrt(vv) <= kStill * size_) {
-      break;
+    Vec2 move = kept(uv + Vec2(c * x - b * y, a * y - b * x) / det) - uv;
+    const double length = std::abs(move.x) * std::sqrt(uu) + std::abs(move.y) * std::sqrt(vv);
+    if (length <= still) return uv + move;
+    // A step that leads away was too long.
+    const double most = glm::dot(off, off) + still * still;
+    for (int half = 0; half < kHalves; ++half, move *= 0.5) {
+      d = derivatives(uv + move);
+      if (glm::dot(p - d.p, p - d.p) <= most) break;
     }
+    uv += move;
   }
   return uv;
 }
