@@ -17,11 +17,20 @@ namespace {
 constexpr double kLargestTurn = 0.21;  // 12 degrees between the normals at both ends of an edge
 constexpr int kRounds = 8;
 constexpr std::size_t kMostTriangles = 20'000'000;
+// Of an edge: how far along it halfway between the parameters of its ends may be off its middle.
+constexpr double kAside = 0.1;
 // How often what turned over is taken back.
 constexpr int kPasses = 4;
 
 using Pair = std::pair<std::uint32_t, std::uint32_t>;
 Pair ordered(std::uint32_t a, std::uint32_t b) { return a < b ? Pair{a, b} : Pair{b, a}; }
+
+/// A corner on a round surface.
+struct KnownPlace {
+  SurfaceRef of = -1;  // no round surface
+  Vec3 normal{0};
+  Vec2 uv{0};  // of a sheet
+};
 
 /// An edge once, with one half-edge of each side.
 struct Edge {
@@ -29,12 +38,8 @@ struct Edge {
   HalfEdge one = kNoHalfEdge, other = kNoHalfEdge;
   bool split = false;
   Vec3 middle{0};
+  KnownPlace place;
   std::uint32_t vertex = 0;
-};
-
-struct KnownNormal {
-  SurfaceRef of = -1;  // no round surface
-  Vec3 normal{0};
 };
 
 class Refiner {
@@ -75,14 +80,10 @@ class Refiner {
   }
 
   /// Whether a triangle faces as its surface does; those as thin as the noise always do.
-  bool upright(std::uint32_t t, const Vec3 (&p)[3]) const {
-    const Vec3 n = glm::cross(p[1] - p[0], p[2] - p[0]);
-    const SurfaceRef r = ref_of(t);
-    const Vec3 middle = (p[0] + p[1] + p[2]) / 3.0;
-    const double longest =
-        std::sqrt(std::max({glm::dot(p[1] - p[0], p[1] - p[0]), glm::dot(p[2] - p[1], p[2] - p[1]),
-                            glm::dot(p[0] - p[2], p[0] - p[2])}));
-    return glm::dot(n, meet_.normal(r, middle)) > -facets_.noise * longest;
+  bool upright(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& normal) const {
+    const double longest = std::sqrt(
+        std::max({glm::dot(b - a, b - a), glm::dot(c - b, c - b), glm::dot(a - c, a - c)}));
+    return glm::dot(glm::cross(b - a, c - a), normal) > -facets_.noise * longest;
   }
 
   void move_corners() {
@@ -106,7 +107,9 @@ class Refiner {
             p[tri[2]] == before[tri[2]]) {
           continue;
         }
-        if (upright(t, {p[tri[0]], p[tri[1]], p[tri[2]]})) continue;
+        const Vec3 middle = (p[tri[0]] + p[tri[1]] + p[tri[2]]) / 3.0;
+        const Vec3 normal = meet_.normal(ref_of(t), middle);
+        if (upright(p[tri[0]], p[tri[1]], p[tri[2]], normal)) continue;
         for (const std::uint32_t v : tri) p[v] = before[v];
         again = true;
       }
@@ -178,7 +181,7 @@ class Refiner {
     const Vec3 a = m_.mesh.positions[e.ends.first], b = m_.mesh.positions[e.ends.second];
     const Vec3 chord = 0.5 * (a + b);
     e.middle = chord;
-    if (!meet_(refs, e.middle)) return;
+    if (!halve_on_sheet(e, round) && !meet_(refs, e.middle)) return;
     const double off = glm::length(e.middle - chord);
     if (off <= 4 * facets_.noise && off <= tolerance_) return;
     e.split = off > tolerance_ ||
@@ -186,15 +189,48 @@ class Refiner {
                   std::cos(kLargestTurn);
   }
 
-  /// Corners do not move any more, and each is asked for by all edges there.
-  Vec3 normal_at(SurfaceRef ref, std::uint32_t vertex) const {
-    if (normals_.size() < m_.mesh.positions.size()) normals_.resize(m_.mesh.positions.size());
-    auto& [of, normal] = normals_[vertex];
-    if (of != ref) {
-      of = ref;
-      normal = meet_.normal(ref, m_.mesh.positions[vertex]);
+  /// Puts the middle of an edge that lies within one sheet halfway between the parameters of its
+  /// ends, which needs no search; false where that is not near the middle of the chord.
+  bool halve_on_sheet(Edge& e, SurfaceRef ref) const {
+    if (e.other == kNoHalfEdge || ref_of(face_of(e.one)) != ref_of(face_of(e.other))) return false;
+    const Patch& patch = round_.patches[static_cast<std::size_t>(ref)];
+    if (!patch.sheet) return false;
+    const Vec3 a = m_.mesh.positions[e.ends.first], b = m_.mesh.positions[e.ends.second];
+    const Vec2 from = place_of(ref, e.ends.first).uv, period = patch.sheet->period();
+    Vec2 way = place_of(ref, e.ends.second).uv - from;
+    for (int k = 0; k < 2; ++k) {
+      if (period[k] > 0) way[k] -= period[k] * std::round(way[k] / period[k]);
     }
-    return normal;
+    const Vec2 uv = from + 0.5 * way;
+    const SurfaceDerivatives d = patch.sheet->derivatives(uv);
+    const Vec3 off = d.p - 0.5 * (a + b);
+    if (!(glm::length(off) <= 2 * patch.sagitta) ||
+        !(std::abs(glm::dot(off, b - a)) <= kAside * glm::dot(b - a, b - a))) {
+      return false;
+    }
+    e.middle = d.p;
+    e.place = {ref, patch.outward(d), uv};
+    return true;
+  }
+
+  /// Corners do not move any more, and each is asked for by all edges there.
+  const KnownPlace& place_of(SurfaceRef ref, std::uint32_t vertex) const {
+    if (places_.size() < m_.mesh.positions.size()) places_.resize(m_.mesh.positions.size());
+    KnownPlace& place = places_[vertex];
+    if (place.of == ref) return place;
+    const Vec3 p = m_.mesh.positions[vertex];
+    const Patch& patch = round_.patches[static_cast<std::size_t>(ref)];
+    place.of = ref;
+    if (patch.sheet) {
+      place.uv = patch.sheet->locate(p, patch.window);
+      place.normal = patch.outward(patch.sheet->derivatives(place.uv));
+    } else {
+      place.normal = patch.normal_at(p);
+    }
+    return place;
+  }
+  Vec3 normal_at(SurfaceRef ref, std::uint32_t vertex) const {
+    return place_of(ref, vertex).normal;
   }
 
   bool split_once() {
@@ -220,6 +256,10 @@ class Refiner {
       any = true;
       e.vertex = static_cast<std::uint32_t>(m_.mesh.positions.size());
       m_.mesh.positions.push_back(e.middle);
+      if (e.place.of >= 0) {
+        places_.resize(m_.mesh.positions.size());
+        places_.back() = e.place;
+      }
     }
     if (any) rebuild(edges);
     return any;
@@ -263,9 +303,33 @@ class Refiner {
   bool pieces_upright(std::uint32_t t, const std::vector<Edge>& edges) const {
     std::array<Vec3, 6> p;
     const Division division = pieces(t, edges, p);
-    return division.count == 1 || std::ranges::all_of(division, [&](const Division::Piece& piece) {
-             return upright(t, {p[piece[0]], p[piece[1]], p[piece[2]]});
-           });
+    if (division.count == 1) return true;
+    const SurfaceRef ref = ref_of(t);
+    const bool on_sheet = ref >= 0 && round_.patches[static_cast<std::size_t>(ref)].sheet;
+    std::array<Vec3, 6> normal{};
+    if (on_sheet) normal = normals_on_sheet(t, ref, edges, p);
+    return std::ranges::all_of(division, [&](const Division::Piece& piece) {
+      const Vec3 &a = p[piece[0]], &b = p[piece[1]], &c = p[piece[2]];
+      const Vec3 there = on_sheet ? normal[piece[0]] + normal[piece[1]] + normal[piece[2]]
+                                  : meet_.normal(ref, (a + b + c) / 3.0);
+      return upright(a, b, c, there);
+    });
+  }
+
+  /// At the corners of a triangle and the middles of its sides: they are known, and a place within
+  /// would have to be searched.
+  std::array<Vec3, 6> normals_on_sheet(std::uint32_t t, SurfaceRef ref,
+                                       const std::vector<Edge>& edges,
+                                       const std::array<Vec3, 6>& p) const {
+    std::array<Vec3, 6> normal{};
+    for (std::size_t k = 0; k < 3; ++k) {
+      normal[k] = normal_at(ref, m_.mesh.triangles[t][k]) / 3.0;
+      const std::size_t h = 3 * std::size_t{t} + k;
+      if (!is_split(h, edges)) continue;
+      const KnownPlace& place = edges[static_cast<std::size_t>(edge_of_[h])].place;
+      normal[k + 3] = (place.of == ref ? place.normal : meet_.normal(ref, p[k + 3])) / 3.0;
+    }
+    return normal;
   }
 
   void rebuild(const std::vector<Edge>& edges) {
@@ -313,8 +377,8 @@ class Refiner {
   Meeting meet_;
   double tolerance_;
   const RunContext& context_;
-  /// For each corner the surface that was asked for last, and its normal.
-  mutable std::vector<KnownNormal> normals_;
+  /// For each corner the surface that was asked for last.
+  mutable std::vector<KnownPlace> places_;
   /// For each half-edge whether it stays as it is.
   std::vector<std::uint8_t> settled_;
   std::vector<std::int32_t> edge_of_;

@@ -68,10 +68,11 @@ struct Patch {
   double distance(Vec3 p, Vec3& normal_there) const;
   Vec3 normal_at(Vec3 p) const;
   Frame frame(Vec3 p) const;
+  /// Of a sheet.
+  Vec3 outward(const SurfaceDerivatives& d) const;
 
  private:
   SurfaceDerivatives nearest(Vec3 p) const { return sheet->derivatives(sheet->locate(p, window)); }
-  Vec3 outward(const SurfaceDerivatives& d) const;
 };
 
 }  // namespace burin::recognised
