@@ -318,7 +318,7 @@ bool has_unknown_facets(const csg::Tree& tree, const TreePart& part) {
     const Module m = tree.nodes[n].module;
     if (m == Module::Polyhedron) return !mark_at(tree, n);
     return m == Module::Polygon || m == Module::Text || m == Module::Import ||
-           m == Module::Surface || m == Module::Minkowski;
+           m == Module::Minkowski;
   };
   return std::ranges::any_of(part.pieces, [&](const TreePart::Piece& piece) {
     for (std::uint32_t n = piece.node; n < tree.nodes[piece.node].end; ++n) {

@@ -83,7 +83,8 @@ std::vector<std::uint32_t> objects_at_top(const csg::Tree& tree);
 bool is_open(csg::Module module);
 
 /// Whether a part has facets of which its program does not say what they mean: polyhedra, polygons,
-/// text, files, sums. They may stand for something round.
+/// text, files, sums. They may stand for something round. Height maps do not count: their steps of
+/// brightness look like strips of cylinders.
 bool has_unknown_facets(const csg::Tree& tree, const TreePart& part);
 
 /// Whether what a tree makes is flat, as far as its modules tell: no file is opened.

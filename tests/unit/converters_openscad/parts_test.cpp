@@ -225,5 +225,16 @@ TEST(Marks, BrokenOnesAreRefused) {
   EXPECT_EQ(good->what, "ä€😀");
 }
 
+TEST(Parts, HaveUnknownFacetsWherePointsAreWrittenDown) {
+  const auto unknown = [](const std::string& text) {
+    const Found found(text);
+    return has_unknown_facets(found.tree, found.parts.parts.at(0));
+  };
+  EXPECT_TRUE(unknown("linear_extrude(height = 1) { polygon(points = [[0,0],[1,0],[0,1]]); }"));
+  EXPECT_FALSE(unknown("cylinder(h = 1, r1 = 1, r2 = 1);"));
+  // The brightness of a picture comes in steps.
+  EXPECT_FALSE(unknown("surface(file = \"a.png\", center = false, invert = false);"));
+}
+
 }  // namespace
 }  // namespace burin::detail
