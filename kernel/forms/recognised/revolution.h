@@ -74,4 +74,7 @@ struct Patch {
   Vec3 outward(const SurfaceDerivatives& d) const;
 };
 
+/// Some cells of a smooth surface through points.
+Patch patch_on(std::shared_ptr<const Sheet> sheet, const GridWindow& window);
+
 }  // namespace burin::recognised
