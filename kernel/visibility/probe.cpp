@@ -39,11 +39,17 @@ struct Origin {
   Vec3 point;
   std::int32_t part, face;
   double on_plane, error;
+  bool on_edge;      // of a face, whose triangles end at its chords
   bool of_polygons;  // an intersection: it lies on the triangles of both, whatever they stand for
   Vec3 view;         // to the viewer
   Vec3 across;       // the normal of the plane of the line of sight and the surface normal
   Fold fold;
 };
+
+bool is_edge(LineClass kind) {
+  return kind == LineClass::Boundary || kind == LineClass::Crease || kind == LineClass::Smooth ||
+         kind == LineClass::Seam;
+}
 
 double plane_distance(const TriMesh& mesh, std::uint32_t face, Vec3 p) {
   const Triangle& t = mesh.triangles[face];
@@ -51,6 +57,18 @@ double plane_distance(const TriMesh& mesh, std::uint32_t face, Vec3 p) {
   const Vec3 n = glm::cross(mesh.positions[t[1]] - a, mesh.positions[t[2]] - a);
   const double length = glm::length(n);
   return length > 0 ? std::abs(glm::dot(n, p - a)) / length : 0;
+}
+
+// How far a point lies outside the edges of a triangle, along its plane.
+double beside(const TriMesh& mesh, std::uint32_t face, Vec3 p) {
+  const Triangle& t = mesh.triangles[face];
+  const Vec3 n = mesh.normal(face);
+  double most = 0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Vec3 a = mesh.positions[t[i]], b = mesh.positions[t[(i + 1) % 3]];
+    most = std::max(most, glm::dot(normalize_or(glm::cross(b - a, n), Vec3(0)), p - a));
+  }
+  return most;
 }
 
 double longest_edge(const TriMesh& mesh, std::uint32_t face) {
@@ -152,8 +170,16 @@ double clearance(const Origin& o, const Hit& hit) {
       o.of_polygons
           ? 0
           : o.probe->chord_error(hit.where.part, static_cast<std::int32_t>(hit.where.face));
-  const double told = distance / (o.on_plane + o.error + error);
+  const double untold = o.on_plane + o.error + error;
+  double told = distance / untold;
   if (told <= 1) return told;
+  // Edges of exact forms are drawn round, up to the sagitta of a chord beside it: there they are
+  // over the next triangle, under which they lie where the surface rises.
+  if (own_part && o.on_edge) {
+    const double off = beside(proxy.mesh, static_cast<std::uint32_t>(o.face), o.point);
+    told = distance / (untold + off);
+    if (told <= 1) return told;
+  }
   return !own_part || o.fold == Fold::None || !on_same_fold(proxy, o, hit, told) ? told : 0;
 }
 
@@ -239,6 +265,7 @@ bool Probe::hidden(const Curve3& curve, std::size_t segment, double t, Asked ask
                       face,
                       kOnPlane * resolution,
                       asked.smooth ? chord_error(part, face) : own_error(curve, face, p),
+                      is_edge(curve.kind),
                       curve.kind == LineClass::Intersection && !asked.smooth,
                       view,
                       glm::cross(view, n),
