@@ -216,12 +216,13 @@ double Probe::chord_error(std::int32_t part, std::int32_t face) const {
 }
 
 // What is known of how far a point lies beside its triangle: strokes are lifted off flat ones where
-// those run into round ones, of which the triangle's own normals know little.
+// those run into round ones, of which the triangle's own normals know little; edges of CAD files
+// may bend where their faces do not.
 double Probe::own_error(const Curve3& curve, std::int32_t face, Vec3 p) const {
   if (curve.kind == LineClass::Intersection) return 0;
   const double error = chord_error(curve.source.part, face);
   const ProxyMesh* own = proxy(curve.source.part);
-  if (!lies_on_surface(curve) || !own || face < 0) return error;
+  if (!own || face < 0 || !(lies_on_surface(curve) || is_edge(curve.kind))) return error;
   return std::max(error, plane_distance(own->mesh, static_cast<std::uint32_t>(face), p));
 }
 
