@@ -26,6 +26,10 @@ constexpr double kAllButOnPlane = 5;  // in what the proxies do not tell apart
 // line of sight.
 constexpr double kFoldReach = 2;
 
+// Paper mm that an edge of an exact form lies off its own triangle, at the most: they follow it
+// that closely.
+constexpr double kMostOffEdge = 0.05;
+
 // Cosine below which a boundary is seen so flat that its own sheet may come to lie before it.
 constexpr double kGrazing = 0.3;
 
@@ -177,7 +181,7 @@ double clearance(const Origin& o, const Hit& hit) {
   // over the next triangle, under which they lie where the surface rises.
   if (own_part && o.on_edge) {
     const double off = beside(proxy.mesh, static_cast<std::uint32_t>(o.face), o.point);
-    told = distance / (untold + off);
+    told = distance / (untold + std::min(off, o.probe->most_off_edge(o.point)));
     if (told <= 1) return told;
   }
   return !own_part || o.fold == Fold::None || !on_same_fold(proxy, o, hit, told) ? told : 0;
@@ -222,9 +226,16 @@ double Probe::own_error(const Curve3& curve, std::int32_t face, Vec3 p) const {
   if (curve.kind == LineClass::Intersection) return 0;
   const double error = chord_error(curve.source.part, face);
   const ProxyMesh* own = proxy(curve.source.part);
-  if (!own || face < 0 || !(lies_on_surface(curve) || is_edge(curve.kind))) return error;
-  return std::max(error, plane_distance(own->mesh, static_cast<std::uint32_t>(face), p));
+  if (!own || face < 0) return error;
+  const double most = lies_on_surface(curve) ? std::numeric_limits<double>::infinity()
+                      : is_edge(curve.kind)  ? most_off_edge(p)
+                                             : 0;
+  if (!(most > error)) return error;
+  const double off = plane_distance(own->mesh, static_cast<std::uint32_t>(face), p);
+  return std::max(error, std::min(off, most));
 }
+
+double Probe::most_off_edge(Vec3 p) const { return kMostOffEdge / camera_.scale_at(p); }
 
 bool Probe::visible(const Curve3& curve, std::size_t segment, double t) const {
   return !hidden_by(curve, segment, t, 1);
