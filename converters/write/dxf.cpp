@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <deque>
 #include <map>
 #include <numbers>
 #include <ostream>
@@ -221,6 +222,12 @@ std::vector<CurvePiece> pieces_of(const Path& path, const WriteOptions& options)
   return any ? pieces : std::vector<CurvePiece>();
 }
 
+/// Whether a ring is one circle or ellipse. B-reps have them in halves.
+bool is_whole_arc(const Path& ring, const WriteOptions& options) {
+  const std::vector<CurvePiece> pieces = pieces_of(ring, options);
+  return pieces.size() == 1 && pieces[0].arc && pieces[0].arc->is_whole();
+}
+
 void append_path(Groups& out, const Item& item, const WriteOptions& options) {
   if (item.pieces.empty()) return append_line(out, item, options, item.handle);
   std::uint64_t handle = item.handle;
@@ -326,8 +333,7 @@ void write_dxf(const Drawing& drawing, const WriteOptions& options, std::ostream
   std::vector<dxf::LayerRow> rows;
   rows.reserve(layers.size());  // items point to them
   std::vector<Item> items;
-  std::vector<JoinedPaths> ordered;
-  ordered.reserve(layers.size());
+  std::deque<JoinedPaths> joined;
   Vec2 pen(0);
   for (const InkLayer& layer : layers) {
     rows.push_back({dxf::symbol_name(layer.name, rows), linetype_of(layer), common_weight(layer)});
@@ -335,11 +341,16 @@ void write_dxf(const Drawing& drawing, const WriteOptions& options, std::ostream
     // a colour of their own keep it.
     if (const auto color = rgb_of(layer.color)) rows.back().color = dxf::nearest_color(*color);
     std::vector<const Path*> all;
-    for (const auto& [part, paths] : layer.parts) all.insert(all.end(), paths.begin(), paths.end());
-    if (options.dxf.order == LineOrder::Travel) {
-      ordered.push_back(in_travel_order(all, pen, context));
-      all = ordered.back().paths;
+    const bool travels = options.dxf.order == LineOrder::Travel;
+    for (const auto& [part, paths] : layer.parts) {
+      std::vector<const Path*> of_part = paths;
+      if (options.dxf.arcs && !travels) {
+        const auto wanted = [&](const Path& ring) { return is_whole_arc(ring, options); };
+        of_part = joined.emplace_back(join_rings(paths, wanted)).paths;
+      }
+      all.insert(all.end(), of_part.begin(), of_part.end());
     }
+    if (travels) all = joined.emplace_back(in_travel_order(all, pen, context)).paths;
     for (const Path* path : all) items.push_back({path, &rows.back()});
     for (const Text* text : layer.texts) items.push_back({nullptr, &rows.back(), text});
   }

@@ -1,5 +1,7 @@
 #include <burin/drawing/arcs.h>
 
+#include "turned.h"
+
 #include <Eigen/Dense>
 
 #include <algorithm>
@@ -17,8 +19,6 @@ constexpr std::size_t kLeastOfCircle = 3, kLeastOfEllipse = 6;  // segments: one
 // Radians that a line turns: less tells little of the axes of an ellipse, and where it ends between
 // corners something else goes on.
 constexpr double kLeastTurnOfEllipse = 0.5, kLeastTurnOfPart = 1.2;
-
-Vec2 turned_left(Vec2 v) { return {-v.y, v.x}; }
 
 /// What makes a circle of an ellipse: stretching it across its long axis.
 struct Stretch {

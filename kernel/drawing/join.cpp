@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <map>
 #include <optional>
 #include <utility>
@@ -21,20 +22,24 @@ using End = std::size_t;
 class Joiner {
  public:
   explicit Joiner(std::span<const Path* const> paths)
-      : paths_(paths), partner_(2 * paths.size()), ring_(paths.size(), false) {}
+      : paths_(paths), partner_(2 * paths.size()), state_(paths.size(), State::New) {}
 
-  JoinedPaths run() {
+  JoinedPaths run(const std::function<bool(const Path&)>& wanted) {
     find_partners();
     JoinedPaths out;
     for (std::size_t i = 0; i < paths_.size(); ++i) {
-      if (ring_[i]) continue;
-      const std::vector<End> ends = ring_from(i);
-      if (ends.empty()) {
+      if (state_[i] == State::InRing) continue;
+      const std::vector<End> ends = state_[i] == State::New ? ring_from(i) : std::vector<End>();
+      std::optional<Path> ring;
+      if (!ends.empty()) ring = join(ends);
+      const bool join_them = ring && (!wanted || wanted(*ring));
+      for (const End end : ends) state_[end / 2] = join_them ? State::InRing : State::Alone;
+      if (!join_them) {
         out.paths.push_back(paths_[i]);
         out.pieces.emplace_back();
         continue;
       }
-      out.made.push_back(join(ends));
+      out.made.push_back(std::move(*ring));
       out.paths.push_back(&out.made.back());
       out.pieces.emplace_back();
       for (const End end : ends) out.pieces.back().push_back(paths_[end / 2]);
@@ -43,6 +48,8 @@ class Joiner {
   }
 
  private:
+  enum class State : std::uint8_t { New, InRing, Alone };
+
   bool joins(std::size_t i) const {
     const Path& p = *paths_[i];
     return !p.closed && p.points.size() > 1 && !has_varying_width(p);
@@ -93,7 +100,7 @@ class Joiner {
   }
 
   // The first ends of the paths of a ring, in order; empty where they do not close.
-  std::vector<End> ring_from(std::size_t start) {
+  std::vector<End> ring_from(std::size_t start) const {
     std::vector<End> out;
     for (End first = 2 * start;;) {
       out.push_back(first);
@@ -108,7 +115,6 @@ class Joiner {
     std::size_t points = 0;
     for (const End end : out) points += paths_[end / 2]->points.size() - 1;
     if (points < 3) return {};
-    for (const End end : out) ring_[end / 2] = true;
     return out;
   }
 
@@ -136,11 +142,14 @@ class Joiner {
 
   std::span<const Path* const> paths_;
   std::vector<std::optional<End>> partner_;
-  std::vector<bool> ring_;
+  std::vector<State> state_;
 };
 
 }  // namespace
 
-JoinedPaths join_rings(std::span<const Path* const> paths) { return Joiner(paths).run(); }
+JoinedPaths join_rings(std::span<const Path* const> paths,
+                       const std::function<bool(const Path& ring)>& wanted) {
+  return Joiner(paths).run(wanted);
+}
 
 }  // namespace burin

@@ -1,6 +1,7 @@
 #include <burin/drawing/outline.h>
 
 #include "schneider.h"
+#include "turned.h"
 
 #include <algorithm>
 #include <cmath>
@@ -26,7 +27,6 @@ constexpr double kSimplifyShare = 0.25;
 using Centre = std::vector<Vec3>;
 
 Vec2 flat(Vec3 v) { return {v.x, v.y}; }
-Vec2 left(Vec2 d) { return {-d.y, d.x}; }
 
 Centre centre_line(std::span<const Vec2> points, std::span<const double> widths, double tolerance) {
   Centre all;
@@ -98,7 +98,7 @@ std::vector<CubicBezier> piece_outline(std::span<const Vec3> c, double start_dep
   std::vector<Vec2> there(n), back(n);
   for (std::size_t i = 0; i < n; ++i) {
     const bool tip = (i == 0 || i + 1 == n) && c[i].z <= kPointedEnd;
-    const Vec2 side = left(t[i]) * (tip ? 0.0 : c[i].z);
+    const Vec2 side = turned_left(t[i]) * (tip ? 0.0 : c[i].z);
     there[i] = flat(c[i]) + side;
     back[n - 1 - i] = flat(c[i]) - side;
   }

@@ -1,5 +1,7 @@
 #include "path_grid.h"
 
+#include "turned.h"
+
 namespace burin {
 namespace {
 
@@ -18,7 +20,7 @@ bool narrow(Share& share, double at, double by, double low, double high) {
 std::optional<Share> in_strip(Vec2 a, Vec2 b, Vec2 from, Vec2 to, double reach) {
   const double length = glm::distance(from, to);
   if (!(length > 0)) return std::nullopt;
-  const Vec2 along = (to - from) / length, across(-along.y, along.x), way = b - a;
+  const Vec2 along = (to - from) / length, across = turned_left(along), way = b - a;
   Share share{0, 1};
   const bool is = narrow(share, glm::dot(a - from, along), glm::dot(way, along), 0, length) &&
                   narrow(share, glm::dot(a - from, across), glm::dot(way, across), -reach, reach);

@@ -26,6 +26,10 @@ constexpr double kAllButOnPlane = 5;  // in what the proxies do not tell apart
 // line of sight.
 constexpr double kFoldReach = 2;
 
+// Paper mm that an edge of an exact form lies off its own triangle, at the most: they follow it
+// that closely.
+constexpr double kMostOffEdge = 0.05;
+
 // Cosine below which a boundary is seen so flat that its own sheet may come to lie before it.
 constexpr double kGrazing = 0.3;
 
@@ -39,11 +43,17 @@ struct Origin {
   Vec3 point;
   std::int32_t part, face;
   double on_plane, error;
+  bool on_edge;      // of a face, whose triangles end at its chords
   bool of_polygons;  // an intersection: it lies on the triangles of both, whatever they stand for
   Vec3 view;         // to the viewer
   Vec3 across;       // the normal of the plane of the line of sight and the surface normal
   Fold fold;
 };
+
+bool is_edge(LineClass kind) {
+  return kind == LineClass::Boundary || kind == LineClass::Crease || kind == LineClass::Smooth ||
+         kind == LineClass::Seam;
+}
 
 double plane_distance(const TriMesh& mesh, std::uint32_t face, Vec3 p) {
   const Triangle& t = mesh.triangles[face];
@@ -51,6 +61,18 @@ double plane_distance(const TriMesh& mesh, std::uint32_t face, Vec3 p) {
   const Vec3 n = glm::cross(mesh.positions[t[1]] - a, mesh.positions[t[2]] - a);
   const double length = glm::length(n);
   return length > 0 ? std::abs(glm::dot(n, p - a)) / length : 0;
+}
+
+// How far a point lies outside the edges of a triangle, along its plane.
+double beside(const TriMesh& mesh, std::uint32_t face, Vec3 p) {
+  const Triangle& t = mesh.triangles[face];
+  const Vec3 n = mesh.normal(face);
+  double most = 0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Vec3 a = mesh.positions[t[i]], b = mesh.positions[t[(i + 1) % 3]];
+    most = std::max(most, glm::dot(normalize_or(glm::cross(b - a, n), Vec3(0)), p - a));
+  }
+  return most;
 }
 
 double longest_edge(const TriMesh& mesh, std::uint32_t face) {
@@ -152,8 +174,16 @@ double clearance(const Origin& o, const Hit& hit) {
       o.of_polygons
           ? 0
           : o.probe->chord_error(hit.where.part, static_cast<std::int32_t>(hit.where.face));
-  const double told = distance / (o.on_plane + o.error + error);
+  const double untold = o.on_plane + o.error + error;
+  double told = distance / untold;
   if (told <= 1) return told;
+  // Edges of exact forms are drawn round, up to the sagitta of a chord beside it: there they are
+  // over the next triangle, under which they lie where the surface rises.
+  if (own_part && o.on_edge) {
+    const double off = beside(proxy.mesh, static_cast<std::uint32_t>(o.face), o.point);
+    told = distance / (untold + std::min(off, o.probe->most_off_edge(o.point)));
+    if (told <= 1) return told;
+  }
   return !own_part || o.fold == Fold::None || !on_same_fold(proxy, o, hit, told) ? told : 0;
 }
 
@@ -190,14 +220,22 @@ double Probe::chord_error(std::int32_t part, std::int32_t face) const {
 }
 
 // What is known of how far a point lies beside its triangle: strokes are lifted off flat ones where
-// those run into round ones, of which the triangle's own normals know little.
+// those run into round ones, of which the triangle's own normals know little; edges of CAD files
+// may bend where their faces do not.
 double Probe::own_error(const Curve3& curve, std::int32_t face, Vec3 p) const {
   if (curve.kind == LineClass::Intersection) return 0;
   const double error = chord_error(curve.source.part, face);
   const ProxyMesh* own = proxy(curve.source.part);
-  if (!lies_on_surface(curve) || !own || face < 0) return error;
-  return std::max(error, plane_distance(own->mesh, static_cast<std::uint32_t>(face), p));
+  if (!own || face < 0) return error;
+  const double most = lies_on_surface(curve) ? std::numeric_limits<double>::infinity()
+                      : is_edge(curve.kind)  ? most_off_edge(p)
+                                             : 0;
+  if (!(most > error)) return error;
+  const double off = plane_distance(own->mesh, static_cast<std::uint32_t>(face), p);
+  return std::max(error, std::min(off, most));
 }
+
+double Probe::most_off_edge(Vec3 p) const { return kMostOffEdge / camera_.scale_at(p); }
 
 bool Probe::visible(const Curve3& curve, std::size_t segment, double t) const {
   return !hidden_by(curve, segment, t, 1);
@@ -239,6 +277,7 @@ bool Probe::hidden(const Curve3& curve, std::size_t segment, double t, Asked ask
                       face,
                       kOnPlane * resolution,
                       asked.smooth ? chord_error(part, face) : own_error(curve, face, p),
+                      is_edge(curve.kind),
                       curve.kind == LineClass::Intersection && !asked.smooth,
                       view,
                       glm::cross(view, n),

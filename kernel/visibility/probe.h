@@ -53,6 +53,8 @@ class Probe {
   /// Model mm between the triangles at `face` of `part` and the surface they stand for; 0 where
   /// unknown.
   double chord_error(std::int32_t part, std::int32_t face) const;
+  /// Model mm that an edge may lie off its own triangle.
+  double most_off_edge(Vec3 p) const;
 
   const Camera& camera() const { return camera_; }
   const Occluder& occluder() const { return occluder_; }

@@ -1,11 +1,13 @@
 #include "bands.h"
 
 #include "balls.h"
+#include "outlines.h"
 
 #include <Eigen/Dense>
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <numbers>
 #include <set>
 
@@ -467,6 +469,17 @@ class Finder {
   Bands out_;
 };
 
+/// The facets that are no walls of outlines: the others have no area and no neighbours.
+Facets without(const Facets& facets, const OutlineWalls& walls) {
+  Facets left = facets;
+  for (std::size_t f = 0; f < left.list.size(); ++f) {
+    if (walls.of[f] < 0) continue;
+    left.list[f].area = 0;
+    left.list[f].links.clear();
+  }
+  return left;
+}
+
 /// What depends on all facets of a band.
 void measure(const TriMesh& mesh, const Facets& facets, Band& band) {
   Patch& p = band.patch;
@@ -486,8 +499,15 @@ void measure(const TriMesh& mesh, const Facets& facets, Band& band) {
 }  // namespace
 
 Bands find_bands(const TriMesh& mesh, const Facets& facets, const RunContext& context) {
-  Bands bands = Finder(mesh, facets, context).run();
+  const OutlineWalls walls = find_outline_walls(mesh, facets, context);
+  Bands bands = walls.patches.empty() ? Finder(mesh, facets, context).run()
+                                      : Finder(mesh, without(facets, walls), context).run();
   for (Band& band : bands.list) measure(mesh, facets, band);
+  const auto first = static_cast<std::int32_t>(bands.spheres.size());
+  for (std::size_t f = 0; f < walls.of.size(); ++f) {
+    if (walls.of[f] >= 0) bands.of_sphere[f] = first + walls.of[f];
+  }
+  std::ranges::copy(walls.patches, std::back_inserter(bands.spheres));
   return bands;
 }
 

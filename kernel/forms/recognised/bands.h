@@ -21,12 +21,14 @@ struct Bands {
   std::vector<Band> list;
   /// For each facet its band, or -1.
   std::vector<std::int32_t> of;
-  /// Spheres (and tori that are known, not recognised), and for each facet its own, or -1.
+  /// Spheres, walls of outlines (and tori that are known, not recognised), and for each facet its
+  /// own, or -1.
   std::vector<Patch> spheres;
   std::vector<std::int32_t> of_sphere;
 };
 
-/// Spheres before runs, as the meridians of a sphere look like runs; larger runs first; a facet is
+/// Walls of outlines first, as stretches of theirs look like cylinders; spheres before runs, as the
+/// meridians of a sphere look like runs; larger runs first; a facet is
 /// in one at the most. Bands of the same surface are one.
 Bands find_bands(const TriMesh& mesh, const Facets& facets, const RunContext& context);
 

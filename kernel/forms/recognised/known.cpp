@@ -21,15 +21,10 @@ std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
 double chord_depth(double radius, double step) { return radius * (1 - std::cos(0.5 * step)); }
 
 Patch patch_of(const TurnedSurface& s) {
-  Patch p;
   if (s.profile == TurnedSurface::Profile::Grid) {
-    p.profile = Patch::Profile::Sheet;
-    p.sheet = std::make_shared<const Sheet>(*s.grid);
-    p.window = s.grid->window;
-    p.sagitta = p.sheet->sagitta();
-    p.turn = p.sheet->turn();
-    return p;
+    return patch_on(std::make_shared<const Sheet>(*s.grid), s.grid->window);
   }
+  Patch p;
   p.axis = {s.origin, s.axis};
   p.step = s.step;
   if (s.profile == TurnedSurface::Profile::Line) {
@@ -138,6 +133,9 @@ class Teller {
     for (std::size_t f = 0; f < bands.of.size(); ++f) {
       if (found.of[f] >= 0) bands.of[f] = first + found.of[f];
       if (found.of_sphere[f] >= 0) bands.of_sphere[f] = first_sphere + found.of_sphere[f];
+    }
+    for (Patch& p : found.spheres) {
+      if (p.chain >= 0) p.chain += chains_;
     }
     std::ranges::move(found.list, std::back_inserter(bands.list));
     std::ranges::move(found.spheres, std::back_inserter(bands.spheres));

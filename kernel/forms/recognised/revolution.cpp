@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace burin::recognised {
 namespace {
@@ -104,6 +105,16 @@ Frame Patch::frame(Vec3 p) const {
   frame.umbilic = frame.confidence < kUmbilic;
   if (frame.umbilic) frame.confidence = 0;
   return frame;
+}
+
+Patch patch_on(std::shared_ptr<const Sheet> sheet, const GridWindow& window) {
+  Patch p;
+  p.profile = Patch::Profile::Sheet;
+  p.sagitta = sheet->sagitta();
+  p.turn = sheet->turn();
+  p.sheet = std::move(sheet);
+  p.window = window;
+  return p;
 }
 
 }  // namespace burin::recognised

@@ -75,4 +75,7 @@ struct Patch {
   SurfaceDerivatives nearest(Vec3 p) const { return sheet->derivatives(sheet->locate(p, window)); }
 };
 
+/// Some cells of a smooth surface through points.
+Patch patch_on(std::shared_ptr<const Sheet> sheet, const GridWindow& window);
+
 }  // namespace burin::recognised

@@ -251,6 +251,42 @@ std::size_t count_of(const std::string& text, const std::string& what) {
   return count;
 }
 
+/// An arc of 90 segments, from one angle to another.
+Path arc_of(Vec2 center, Vec2 axes, double from, double to, std::int32_t edge) {
+  Path path;
+  path.kind = LineClass::Crease;
+  path.visible = true;
+  path.source = {2, 5, edge};
+  path.width = {0.25};
+  for (int i = 0; i <= 90; ++i) {
+    const double a = from + (to - from) * i / 90;
+    path.points.push_back(center + axes * Vec2(std::cos(a), std::sin(a)));
+  }
+  return path;
+}
+
+TEST(WriteDrawing, DxfHasOneCircleOfTwoHalves) {
+  constexpr double kPi = 3.14159265358979323846;
+  Drawing d = round_things();
+  Layer& layer = d.layers.front();
+  layer.paths.clear();
+  // A circle and an ellipse in two halves each, the second halves turned round; half a circle and
+  // its chord, whose ring is no circle.
+  layer.paths = {arc_of({50, 50}, {20, 20}, 0, kPi, 1),
+                 arc_of({120, 50}, {30, 12}, 0.25, 0.25 + kPi, 2),
+                 arc_of({50, 50}, {20, 20}, 2 * kPi, kPi, 3),
+                 arc_of({120, 50}, {30, 12}, 0.25 + 2 * kPi, 0.25 + kPi, 4),
+                 arc_of({50, 120}, {10, 10}, 0, kPi, 5),
+                 arc_of({50, 120}, {10, 0}, kPi, 2 * kPi, 6)};
+  const std::string dxf = written(d, "dxf");
+  EXPECT_EQ(count_of(dxf, "\nCIRCLE\n"), 1u);
+  EXPECT_EQ(count_of(dxf, "\nELLIPSE\n"), 1u);
+  EXPECT_EQ(count_of(dxf, "\nARC\n"), 1u);
+  EXPECT_EQ(count_of(dxf, "\nLINE\n"), 1u);
+  EXPECT_NE(dxf.find("100\nAcDbCircle\n10\n50.0\n20\n50.0\n30\n0.0\n40\n20.0\n"), dxf.npos);
+  EXPECT_EQ(count_of(dxf, "1071\n5\n1071\n"), 4u);
+}
+
 TEST(WriteDrawing, DxfHasCirclesArcsAndEllipses) {
   const Drawing d = round_things();
   const std::string dxf = written(d, "dxf");

@@ -147,7 +147,7 @@ TEST(HealedWalls, StayFlatBesideCutsAcrossTheirCorners) {
 }
 
 TEST(HealedWalls, StayFlatWhereSomethingUnknownBendsAwayFromThem) {
-  // A wall of 80 mm that ends in a quarter of an ellipse, which nothing recognises.
+  // A wall of 80 mm that ends in a quarter of an elliptic cone, which nothing recognises.
   std::vector<Vec2> outline{{0, 0}, {80, 0}};
   constexpr int kSteps = 12;
   for (int i = 1; i <= kSteps; ++i) {
@@ -156,12 +156,16 @@ TEST(HealedWalls, StayFlatWhereSomethingUnknownBendsAwayFromThem) {
   }
   outline.push_back({100, 40});
   outline.push_back({0, 40});
+  // The tip of the cone is at (80, 0, 60).
+  const auto on_top = [](Vec2 p) {
+    return Vec3(p.x <= 80 ? p.x : 0.5 * (80 + p.x), p.y < 40 ? 0.5 * p.y : 40, 30);
+  };
   std::vector<Polygon> solid;
   Polygon top, bottom;
   for (std::size_t i = 0; i < outline.size(); ++i) {
     const Vec2 p = outline[i], q = outline[(i + 1) % outline.size()];
-    solid.push_back({{p.x, p.y, 0}, {q.x, q.y, 0}, {q.x, q.y, 30}, {p.x, p.y, 30}});
-    top.push_back({p.x, p.y, 30});
+    solid.push_back({{p.x, p.y, 0}, {q.x, q.y, 0}, on_top(q), on_top(p)});
+    top.push_back(on_top(p));
     bottom.insert(bottom.begin(), {p.x, p.y, 0});
   }
   solid.push_back(top);

@@ -192,6 +192,30 @@ TEST(PartIntersections, GoOnWhereTheyTouchAContour) {
   }
 }
 
+// Exact edges lie beside the chords of their own triangles, under those of a face that rises from
+// them; pieces of up to 8 mm were missing on small sheets.
+TEST(TangentEdges, HoldOnSmallSheets) {
+  struct {
+    const char *file, *view;
+  } cases[] = {{"step/nist/nist_ftc_11_asme1_ap242-e2.stp", "iso"},
+               {"step/nist/nist_ctc_04_asme1_ap242-e1.stp", "1,-1,-1"},
+               {"nurbs/gmsh/capot.brep", "iso"},
+               {"nurbs/gmsh/capot.brep", "top"}};
+  for (const auto& c : cases) {
+    const fs::path path = fs::path(BURIN_TEST_DATA) / c.file;
+    if (!fs::exists(path)) GTEST_SKIP() << path << " is not there";
+    RunContext context;
+    const Scene scene = read_scene({path.string()}, {}, context);
+    const NamedView v = named_view(c.view);
+    const Camera camera =
+        Camera::fit([&](const Mat3& axes) { return scene.bounds(axes); },
+                    {.direction = v.direction, .up = v.up, .paper = Paper::named("A6")});
+    const Drawing drawing =
+        illustrate(scene, camera, builtin_style("outline"), {.verify = true}, context);
+    EXPECT_EQ(drawing.stats.verify->contradicted, 0) << c.file << " from " << c.view;
+  }
+}
+
 std::string name_of(const testing::TestParamInfo<Case>& info) {
   std::string name = fs::path(info.param.file).stem().string() + "_" + info.param.style;
   if (info.param.hidden == HiddenLines::Dashed) name += "_hidden";

@@ -545,6 +545,41 @@ TEST(VisibleSpans, IsNotHiddenByWhatItNeverGetsClearOf) {
   EXPECT_NEAR(seen(40), 1 - std::sin(0.2) / std::sin(0.6), 0.1);
 }
 
+// The share of an edge that is seen from straight above, as it is drawn: `drawn` over the polyline
+// of triangles `faces`.
+double seen_share(const View& view, std::vector<Vec3> drawn, std::vector<std::int32_t> faces) {
+  Curve3 edge;
+  edge.kind = LineClass::Smooth;
+  edge.source.part = 0;
+  edge.normals.assign(drawn.size(), Vec3(0, 0, 1));
+  edge.points = std::move(drawn);
+  edge.faces = std::move(faces);
+  double length = 0;
+  for (const Span& s : view.classify(edge)) {
+    if (s.visible) length += test::paper_length(view.camera, edge, s.begin, s.end);
+  }
+  return length / test::paper_length(view.camera, edge, 0, double(edge.segment_count()));
+}
+
+// An edge that sags by 0.03 mm of paper under the chord that its own flat triangle has there.
+TEST(VisibleSpans, ShowsAnEdgeThatBendsWhereItsFaceDoesNot) {
+  TriMesh sheet;
+  sheet.positions = {{0, 0, 0}, {10, 0, 0}, {10, 10, 0}, {0, 10, 0}, {0, -10, 0}, {10, -10, 0}};
+  sheet.triangles = {{0, 1, 2}, {0, 2, 3}, {4, 5, 1}, {4, 1, 0}};
+  const View view({sheet}, {.direction = {0, 0, 1}, .up = {0, 1, 0}});
+  const auto seen = [&](double paper) {
+    constexpr int kSegments = 20;
+    std::vector<Vec3> points;
+    for (int i = 0; i <= kSegments; ++i) {
+      const double t = double(i) / kSegments;
+      points.emplace_back(10 * t, -1e-3, -4 * t * (1 - t) * paper / view.camera.scale());
+    }
+    return seen_share(view, points, std::vector<std::int32_t>(kSegments, 0));
+  };
+  EXPECT_NEAR(seen(0.03), 1, 1e-9);
+  EXPECT_LT(seen(0.5), 0.2);  // far under it, it is hidden
+}
+
 // A coarse ball with a plate through it, under a skin nearer than the chord error of both: where
 // ball and plate pass through each other lies on the facets and is hidden, however coarse they are.
 TEST(VisibleSpans, HidesAnIntersectionRightUnderAnotherSheet) {

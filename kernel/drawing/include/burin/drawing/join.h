@@ -5,6 +5,7 @@
 #include <burin/drawing/drawing.h>
 
 #include <deque>
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -21,9 +22,10 @@ struct JoinedPaths {
 };
 
 /// Joins open paths of one constant width, visibility and dash whose ends meet two by two all
-/// round, within 0.003 mm. A ring has the source and kind of its longest piece. Points into
-/// `paths`.
-JoinedPaths join_rings(std::span<const Path* const> paths);
+/// round, within 0.003 mm. A ring has the source and kind of its longest piece; one that `wanted`
+/// refuses stays in its pieces. Points into `paths`.
+JoinedPaths join_rings(std::span<const Path* const> paths,
+                       const std::function<bool(const Path& ring)>& wanted = {});
 
 /// The paths in the order of `pen_order`: lines of one constant width, visibility and dash are
 /// joined where they meet, those that vary in width stay as they are; any may be turned round, and
