@@ -35,9 +35,11 @@ constexpr double kMostDrift = 0.5;  // gaps that it may be off its level line
 constexpr double kUnguided = 1.5;   // paper mm that a stroke is seen beyond its level line
 // ... and seen beyond one that ends inside the surface: into the wedge that its neighbours leave.
 constexpr double kInto = 0.7;
-// Gaps that it keeps from its neighbours there, and where an exact surface turns away.
+// Gaps that it keeps from its neighbours there, and on its way to where the surface turns away.
 constexpr double kApart = 0.55, kTurningApart = 0.25;
-constexpr double kTurning = 0.35;  // cosine
+constexpr double kTurning = 0.35;      // cosine
+constexpr double kSameFacing = 0.001;  // ... by which it may rise on the way to a contour
+constexpr double kThinApart = 1;       // widths of the thinnest line: nearer ones would be a blot
 
 // Model mm along a stroke that show as so many on paper.
 double length_of(const Camera& camera, const StrokeSample& at, double paper) {
@@ -279,10 +281,11 @@ StrokeEnd Tracer::advance(std::int32_t part, const StrokeSample& seed, const Str
     Guide::Heading heading;
     if (guide) heading = guide->at(at.paper);
     const bool guided = guide && !heading.past;
-    if (guided && !level) {
-      if (std::abs(heading.off) > kMostDrift * heading.gap) return StrokeEnd::Crowded;
-      tangent = steer(part, at, tangent, heading);
-    }
+    // Where a surface turns away, gaps shrink until any line is lost.
+    const bool lost = guided && !level && std::abs(heading.off) > kMostDrift * heading.gap;
+    if (lost && at.facing > kTurning) return StrokeEnd::Crowded;
+    const bool steered = guided && !level && !lost;
+    if (steered) tangent = steer(part, at, tangent, heading);
     MarchStep step = surface.march(at.point, tangent, length);
     if (level && step.stop == MarchStop::Completed && !keep_level(part, *level, length, step)) {
       return StrokeEnd::Singular;
@@ -296,7 +299,7 @@ StrokeEnd Tracer::advance(std::int32_t part, const StrokeSample& seed, const Str
     StrokeSample next;
     const bool ends = step.stop != MarchStop::Completed;
     if (!fill(part, step.end, step.direction, next)) return StrokeEnd::Singular;
-    if (ends || (guided && !level && !surface.exact() && at.bent)) {
+    if (ends || (steered && !surface.exact() && at.bent)) {
       next.tangent = normalize_or(step.direction, at.tangent);
       const Vec2 v = camera.velocity(next.point.position, next.tangent);
       const double n = glm::length(v);
@@ -334,15 +337,17 @@ StrokeEnd Tracer::advance(std::int32_t part, const StrokeSample& seed, const Str
     if (unseen > kHiddenReach) return StrokeEnd::Hidden;
     if (guide) {
       if (heading.past && heading.inside && unguided > kInto) return StrokeEnd::Crowded;
-      unguided = heading.past ? unguided + ds : 0;
+      unguided = heading.past || lost ? unguided + ds : 0;
       if (unguided > 0 && next.visible) {
         // Its line went on, as far as is known, beside a border that the cells show as stairs.
         const bool known = surface.exact() || !next.bent;
-        if (unguided > kUnguided && (!known || unseen_once)) return StrokeEnd::Crowded;
+        const bool turning = next.facing < kTurning && next.facing < at.facing + kSameFacing;
+        if (lost && !turning) return StrokeEnd::Crowded;
+        if (unguided > kUnguided && (!(known || turning) || unseen_once)) return StrokeEnd::Crowded;
         // Lines draw together up to where the surface turns away, and nowhere else.
-        const double apart = known && next.facing < kTurning
-                                 ? kTurningApart * heading.gap
-                                 : kApart * std::max(heading.gap, picture_.options.spacing_min);
+        const double apart =
+            turning ? std::max(kTurningApart * heading.gap, kThinApart * picture_.options.width_min)
+                    : kApart * std::max(heading.gap, picture_.options.spacing_min);
         if (way.neighbours && way.neighbours->nearest(grid_sample(next, part, -1), apart) < apart) {
           return StrokeEnd::Crowded;
         }

@@ -1,6 +1,7 @@
 #include "widths.h"
 
 #include <burin/base/parallel.h>
+#include <burin/base/smoothstep.h>
 
 #include <algorithm>
 #include <array>
@@ -23,6 +24,10 @@ constexpr double kFullest = 0.75;
 constexpr double kFaded = 0.3;      // weight under which a line needs no taper
 constexpr double kBlunt = 0.3;      // paper mm over which a stroke thins out between its neighbours
 constexpr double kSmoothing = 1.2;  // paper mm over which widths are evened out along a stroke
+
+// A stroke that ends in the light is the fainter the nearer it is to the style's shortest, and
+// whole from so many of them on: the next one is too short and missing.
+constexpr double kWhole = 2.5, kFaintest = 0.3;
 
 using Plane = std::vector<float>;
 
@@ -199,11 +204,22 @@ class WidthSolver {
     return std::clamp(w, least, o.width_max);
   }
 
+  // The share of its width that a short stroke into the light has.
+  double faintness(const TracedStroke& stroke) const {
+    const bool light =
+        stroke.begin_reason == StrokeEnd::Light || stroke.end_reason == StrokeEnd::Light;
+    const double least = picture_.options.length_min;
+    if (!light || !(least > 0) || !picture_.swells() || picture_.by_chance()) return 1;
+    const double long_enough = smoothstep(least, kWhole * least, stroke.length());
+    return kFaintest + (1 - kFaintest) * long_enough;
+  }
+
   // Ends that stop at an edge or at the seam of families are cut there; all others thin out.
   std::vector<double> taper(const TracedStroke& stroke) const {
     const std::size_t n = stroke.samples.size();
     std::vector<double> t(n, 1.0);
     if (stroke.closed) return t;
+    t.assign(n, faintness(stroke));
     const double longest = std::min(picture_.options.taper, 0.4 * stroke.length());
     const auto length = [&](StrokeEnd e, const StrokeSample& last) {
       switch (e) {

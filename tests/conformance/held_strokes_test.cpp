@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <numbers>
 #include <utility>
 #include <vector>
@@ -175,6 +176,14 @@ TEST_P(HeldStrokes, UprightOnTheSheetAreUpright) {
   }
 }
 
+// As near to each other as in an engraving.
+const HatchOptions kFine{.spacing_min = 0.5,
+                         .spacing_max = 1,
+                         .width_max = 0.3,
+                         .tone_min = 0.05,
+                         .cross_from = 2,
+                         .length_max = 300};
+
 // Degrees up to which strokes of the usual field are off the circles round the tube of a torus
 // about z, over 95 % of their length.
 double off_circles(Hatched& hatched) {
@@ -182,12 +191,7 @@ double off_circles(Hatched& hatched) {
   const Field field = field::smoothed(surfaces, {}, hatched.context);
   std::vector<std::pair<double, double>> pieces;  // degrees, mm
   double length = 0;
-  for (const Curve3& c : hatched.strokes(field, {.spacing_min = 0.5,
-                                                .spacing_max = 1,
-                                                .width_max = 0.3,
-                                                .tone_min = 0.05,
-                                                .cross_from = 2,
-                                                .length_max = 300})) {
+  for (const Curve3& c : hatched.strokes(field, kFine)) {
     for (std::size_t i = 1; i < c.points.size(); ++i) {
       const Vec3 step = c.points[i] - c.points[i - 1], at = c.points[i] + c.points[i - 1];
       const double n = glm::length(step);
@@ -207,15 +211,58 @@ double off_circles(Hatched& hatched) {
   return 90;
 }
 
+// A torus about z, by what knows its shape.
+std::vector<std::pair<const char*, std::shared_ptr<const Form>>> tori() {
+  return {{"function", test::implicit_form(implicit::torus(20, 8))},
+          {"mesh", test::mesh_form(test::torus(20, 8, 320, 128))},
+          {"exact", test::brep_form(BRepPrimAPI_MakeTorus(20, 8).Shape())}};
+}
+
 TEST(PrincipalStrokes, OnATorusRunRoundItsTube) {
-  const std::vector<std::pair<const char*, std::shared_ptr<const Form>>> tori{
-      {"function", test::implicit_form(implicit::torus(20, 8))},
-      {"mesh", test::mesh_form(test::torus(20, 8, 320, 128))},
-      {"exact", test::brep_form(BRepPrimAPI_MakeTorus(20, 8).Shape())}};
-  for (const auto& [name, torus] : tori) {
+  for (const auto& [name, torus] : tori()) {
     Hatched hatched(*torus, {});
     EXPECT_LT(off_circles(hatched), 2) << name;
   }
+}
+
+// The share of the strokes that run into a contour which reach it. `normal` is that of a point.
+double share_at_contour(Hatched& hatched, const std::function<Vec3(Vec3)>& normal) {
+  const std::vector<const Surface*> surfaces{hatched.surface.get()};
+  const Field field = field::smoothed(surfaces, {}, hatched.context);
+  const auto facing = [&](Vec3 at) { return glm::dot(normal(at), hatched.camera.to_viewer(at)); };
+  std::size_t reach = 0, all = 0;
+  for (const Curve3& c : hatched.strokes(field, kFine)) {
+    const std::size_t n = c.points.size(), inside = std::min<std::size_t>(3, n - 1);
+    for (const auto& [end, before] : {std::pair(0UL, inside), std::pair(n - 1, n - 1 - inside)}) {
+      const double at_end = facing(c.points[end]);
+      // Lines that end for another reason do so in the middle of the picture.
+      if (c.closed || at_end > 0.35 || at_end > facing(c.points[before])) continue;
+      ++all;
+      reach += at_end < 0.12;
+    }
+  }
+  EXPECT_GT(all, 40U);
+  return static_cast<double>(reach) / static_cast<double>(std::max<std::size_t>(all, 1));
+}
+
+// Those that run into it at a grazing angle, too: else a row of teeth stands along it.
+TEST(PrincipalStrokes, ReachTheContourOfATorus) {
+  for (const auto& [name, torus] : tori()) {
+    Hatched hatched(*torus, {});
+    const double share = share_at_contour(hatched, [](Vec3 at) {
+      return glm::normalize(at - 20.0 * glm::normalize(Vec3(at.x, at.y, 0)));
+    });
+    EXPECT_GT(share, 0.88) << name;
+  }
+}
+
+// Else chips of white stand along it.
+TEST(PrincipalStrokes, ReachTheContourOfACylinder) {
+  const auto cylinder = test::brep_form(BRepPrimAPI_MakeCylinder(10, 80).Shape());
+  Hatched hatched(*cylinder, {});
+  const double share =
+      share_at_contour(hatched, [](Vec3 at) { return glm::normalize(Vec3(at.x, at.y, 0)); });
+  EXPECT_GT(share, 0.99);
 }
 
 INSTANTIATE_TEST_SUITE_P(Forms, HeldStrokes, testing::ValuesIn(test::form_cases()),
