@@ -3,6 +3,7 @@
 #include <burin/base/error.h>
 
 #include "cad_format.h"
+#include "foreign_file.h"
 #include "occt_session.h"
 
 #include <fmt/format.h>
@@ -15,6 +16,8 @@ namespace {
 CadFormat detect(const Source& source, const std::filesystem::path& path) {
   const auto by_content = cad_format_of(source.bytes());
   if (by_content) return *by_content;
+  if (const char* what = foreign_file(source.bytes())) source.fail(what);
+  if (source.bytes().starts_with("PK\x03\x04")) source.fail("is a zip archive; unpack it first");
   const auto by_suffix = cad_format_of_suffix(path);
   if (by_suffix == CadFormat::Step) {
     source.fail("is no STEP file, which begins with ISO-10303-21; is it another format?");

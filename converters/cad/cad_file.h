@@ -20,7 +20,7 @@ class OcctSession;
 
 /// A solid of a product, a shell outside solids, or what faces outside shells sew into.
 struct CadBody {
-  /// "solid 2", counted in its product.
+  /// "solid 2", counted in its product; "solid 2 (housing)" where somebody named it.
   std::string name;
   /// Where it stands in the product.
   TopoDS_Shape shape;

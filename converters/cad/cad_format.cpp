@@ -3,6 +3,8 @@
 #include <burin/base/ascii.h>
 #include <burin/base/input_name.h>
 
+#include "byte_order_mark.h"
+
 #include <string>
 
 namespace burin {
@@ -17,7 +19,7 @@ std::string_view without_space(std::string_view text) {
 
 /// STEP may begin with blanks, a byte order mark and comments.
 bool is_step(std::string_view text) {
-  if (text.starts_with("\xef\xbb\xbf")) text.remove_prefix(3);
+  text.remove_prefix(byte_order_mark(text));
   text = without_space(text);
   while (text.starts_with("/*")) {
     const std::size_t end = text.find("*/");

@@ -1,5 +1,6 @@
 #include "collect.h"
 
+#include <burin/assembly/pieces.h>
 #include <burin/base/ascii.h>
 
 #include "colors.h"
@@ -40,9 +41,9 @@ bool is_count(std::string_view rest) {
 
 /// Names that programs made up: none, "NAUO12", the words of the standard, OCCT's own.
 bool is_made_up(const std::string& name) {
-  constexpr std::array<std::string_view, 4> kMadeUp{"Open CASCADE STEP translator", "=>[",
-                                                    "Next assembly relationship",
-                                                    "Next assembly usage occurrence"};
+  constexpr std::array<std::string_view, 6> kMadeUp{
+      "Open CASCADE STEP translator",   "=>[",           "Next assembly relationship",
+      "Next assembly usage occurrence", "Rhino Product", "the product name"};
   const auto begins = [&](std::string_view words) {
     return equal_but_for_case(std::string_view(name).substr(0, words.size()), words);
   };
@@ -52,6 +53,18 @@ bool is_made_up(const std::string& name) {
 
 /// Those, and numbers.
 bool says_nothing(const std::string& name) { return is_made_up(name) || is_count(name); }
+
+/// Those, and what any solid is called, numbered or not.
+bool says_nothing_of_solid(const std::string& name) {
+  constexpr std::array<std::string_view, 12> kAny{
+      "solid", "body",   "part", "shell", "brep",      "manifold_solid_brep",
+      "none",  "volume", "lump", "shape", "solidbody", "unnamed"};
+  if (says_nothing(name)) return true;
+  return std::ranges::any_of(kAny, [&](std::string_view word) {
+    return equal_but_for_case(std::string_view(name).substr(0, word.size()), word) &&
+           is_count(std::string_view(name).substr(std::min(word.size(), name.size())));
+  });
+}
 
 class Collector {
  public:
@@ -80,7 +93,7 @@ class Collector {
 
   std::vector<CadPart> parts;
   /// Leaves without any face, and what of others belongs to none.
-  std::int64_t left_out = 0;
+  Loose left_out;
   /// The name of the first member of which something was.
   std::string first_left_out;
 
@@ -148,9 +161,9 @@ class Collector {
   }
 
   /// A part of what stands at the top of an IGES file, or in a group there.
-  void add(std::vector<CadBody> bodies, std::int64_t loose, const std::string& name,
+  void add(std::vector<CadBody> bodies, const Loose& loose, const std::string& name,
            const LabelColors& colors, const std::vector<std::string>& assembly) {
-    leave_out(bodies.empty() && loose == 0 ? 1 : loose, name);
+    leave_out(bodies.empty() && loose.count() == 0 ? Loose{0, 1} : loose, name);
     if (bodies.empty()) return;
     CadPart part = make_part(std::move(bodies), name);
     part.assembly = assembly;
@@ -159,9 +172,10 @@ class Collector {
     parts.push_back(std::move(part));
   }
 
-  void leave_out(std::int64_t count, const std::string& name) {
-    if (left_out == 0 && count > 0) first_left_out = name;
-    left_out += count;
+  void leave_out(const Loose& loose, const std::string& name) {
+    if (left_out.count() == 0 && loose.count() > 0) first_left_out = name;
+    left_out.curves += loose.curves;
+    left_out.others += loose.others;
   }
 
   std::string name_of(const TDF_Label& instance, const TDF_Label& product,
@@ -210,9 +224,20 @@ class Collector {
   struct Product {
     std::shared_ptr<const std::vector<CadBody>> bodies;
     std::vector<CadColor> colors;
-    /// What of it belongs to no face; 1 where there is nothing at all.
-    std::int64_t left_out = 0;
+    /// What of it belongs to no face; one thing where there is nothing at all.
+    Loose left_out;
   };
+
+  /// The bodies of a product with the names that its solids were given.
+  std::vector<CadBody> named_bodies(const TopoDS_Shape& shape) const {
+    std::vector<CadBody> bodies = bodies_of(shape);
+    for (CadBody& body : bodies) {
+      const std::string* name = options_.solids.Seek(body.shape.Located(TopLoc_Location()));
+      if (name != nullptr && !says_nothing_of_solid(*name))
+        body.name = piece_name(body.name, *name);
+    }
+    return bodies;
+  }
 
   const Product& product_of(const TDF_Label& label) {
     TCollection_AsciiString entry;
@@ -220,13 +245,13 @@ class Collector {
     const auto [at, is_new] = products_.try_emplace(entry.ToCString());
     if (!is_new) return at->second;
     const TopoDS_Shape shape = XCAFDoc_ShapeTool::GetShape(label);
-    CadPart part = make_part(shape.IsNull() ? std::vector<CadBody>() : bodies_of(shape), {});
-    const std::int64_t loose = shape.IsNull() ? 0 : count_loose(shape);
+    CadPart part = make_part(shape.IsNull() ? std::vector<CadBody>() : named_bodies(shape), {});
+    const Loose loose = shape.IsNull() ? Loose() : count_loose(shape);
     const LabelColors colors(colors_, label);
     std::ranges::transform(*part.bodies, part.colors.begin(),
                            [&](const CadBody& body) { return colors.of(body); });
-    const bool nothing = part.bodies->empty() && loose == 0;
-    at->second = {std::move(part.bodies), std::move(part.colors), nothing ? 1 : loose};
+    const bool nothing = part.bodies->empty() && loose.count() == 0;
+    at->second = {std::move(part.bodies), std::move(part.colors), nothing ? Loose{0, 1} : loose};
     return at->second;
   }
 

@@ -25,11 +25,19 @@ std::vector<CadBody> bodies_of(const TopoDS_Shape& shape);
 /// Faces with borders that fit, within a share of their size, made one edge.
 Handle(BRepBuilderAPI_Sewing) sew(const std::vector<TopoDS_Shape>& faces, double share);
 
-/// Wires, and edges and points outside of them, that belong to no face.
-std::int64_t count_loose(const TopoDS_Shape& shape);
-/// Says that so many of those, and members with nothing at all, were left out beside parts; `first`
-/// is the name of the first member that has some.
-void tell_left_out(const std::vector<CadPart>& parts, std::int64_t count, const std::string& first,
+/// What belongs to no face.
+struct Loose {
+  /// Wires, and edges outside of them.
+  std::int64_t curves = 0;
+  /// Points outside of those; members with nothing at all.
+  std::int64_t others = 0;
+
+  std::int64_t count() const { return curves + others; }
+};
+Loose count_loose(const TopoDS_Shape& shape);
+/// Says that so many were left out beside parts; `first` is the name of the first member that has
+/// some.
+void tell_left_out(const std::vector<CadPart>& parts, const Loose& loose, const std::string& first,
                    Diagnostics& diagnostics);
 
 /// Where OCCT has a shape.
@@ -54,6 +62,8 @@ struct CollectOptions {
   std::multimap<std::string, std::string> numbers = {};
   /// Those of what groups of IGES hold. A group whose members have names is an assembly of them.
   ShapeNames members = {};
+  /// Those of solids in products, which stand where the solid is defined.
+  ShapeNames solids = {};
 };
 
 /// All parts of a document, in the order of its tree.

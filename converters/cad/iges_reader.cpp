@@ -1,5 +1,6 @@
 #include <burin/base/error.h>
 #include <burin/base/input_name.h>
+#include <burin/base/subprocess.h>
 
 #include "cad_file.h"
 #include "collect.h"
@@ -13,7 +14,12 @@
 #include <TDF_ChildIterator.hxx>
 #include <TDataStd_Name.hxx>
 #include <TDocStd_Document.hxx>
+#include <unistd.h>
 
+#include <algorithm>
+#include <cerrno>
+#include <new>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -55,6 +61,17 @@ ShapeNames decode_names(const Handle(TDocStd_Document) & document,
   return of_members;
 }
 
+void fill(const detail::MemoryFile& file, const Source& source) {
+  for (std::string_view left = source.bytes(); !left.empty();) {
+    source.context().check();
+    constexpr std::size_t kPiece = std::size_t{8} << 20;
+    const ssize_t done = ::write(file.descriptor(), left.data(), std::min(kPiece, left.size()));
+    if (done < 0 && errno == EINTR) continue;
+    if (done <= 0) throw std::bad_alloc();
+    left.remove_prefix(static_cast<std::size_t>(done));
+  }
+}
+
 }  // namespace
 
 CadFile read_iges(const Source& source, const std::string& encoding, RunContext& context) {
@@ -62,7 +79,10 @@ CadFile read_iges(const Source& source, const std::string& encoding, RunContext&
   reader.SetColorMode(Standard_True);
   reader.SetNameMode(Standard_True);
   reader.SetLayerMode(Standard_False);
-  const IFSelect_ReturnStatus status = reader.ReadFile(source.file().c_str());
+  // OCCT's reader opens a path, which does not hold what was packed or piped.
+  const detail::MemoryFile bytes;
+  fill(bytes, source);
+  const IFSelect_ReturnStatus status = reader.ReadFile(bytes.path().c_str());
   context.check();
   if (status != IFSelect_RetDone) {
     source.fail("is broken or no IGES file: OCCT cannot parse it; export the model again");

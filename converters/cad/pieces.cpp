@@ -123,20 +123,22 @@ std::vector<CadBody> bodies_of(const TopoDS_Shape& shape) {
   return bodies;
 }
 
-std::int64_t count_loose(const TopoDS_Shape& shape) {
+Loose count_loose(const TopoDS_Shape& shape) {
   const auto count = [&](TopAbs_ShapeEnum kind, TopAbs_ShapeEnum outside) {
     std::int64_t n = 0;
     for (TopExp_Explorer it(shape, kind, outside); it.More(); it.Next()) ++n;
     return n;
   };
-  return count(TopAbs_WIRE, TopAbs_FACE) + count(TopAbs_EDGE, TopAbs_WIRE) +
-         count(TopAbs_VERTEX, TopAbs_EDGE);
+  return {count(TopAbs_WIRE, TopAbs_FACE) + count(TopAbs_EDGE, TopAbs_WIRE),
+          count(TopAbs_VERTEX, TopAbs_EDGE)};
 }
 
-void tell_left_out(const std::vector<CadPart>& parts, std::int64_t count, const std::string& first,
+void tell_left_out(const std::vector<CadPart>& parts, const Loose& loose, const std::string& first,
                    Diagnostics& diagnostics) {
-  if (count == 0 || parts.empty()) return;
-  diagnostics.add(Severity::Info, "cad.no_faces", count,
+  if (loose.count() == 0 || parts.empty()) return;
+  // Curves may be what somebody drew.
+  const Severity severity = loose.curves > 0 ? Severity::Warning : Severity::Info;
+  diagnostics.add(severity, "cad.no_faces", loose.count(),
                   fmt::format("members without any face (wires, points, notes) were left out; the "
                               "first: {}",
                               first));

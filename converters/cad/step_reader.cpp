@@ -2,22 +2,25 @@
 #include <burin/base/input_name.h>
 
 #include "absurd_numbers.h"
+#include "byte_order_mark.h"
 #include "cad_file.h"
 #include "collect.h"
 #include "encoding.h"
 #include "entity_numbers.h"
 #include "occt_session.h"
+#include "step_names.h"
 #include "tessellated.h"
 #include "text.h"
 
 #include <APIHeaderSection_MakeHeader.hxx>
+#include <BRep_Tool.hxx>
 #include <Interface_Check.hxx>
 #include <Interface_CheckIterator.hxx>
 #include <STEPCAFControl_Reader.hxx>
-#include <StepBasic_Product.hxx>
 #include <StepData_StepModel.hxx>
 #include <TCollection_HAsciiString.hxx>
 #include <TDocStd_Document.hxx>
+#include <TopExp_Explorer.hxx>
 #include <Transfer_TransientProcess.hxx>
 #include <XSControl_TransferReader.hxx>
 #include <XSControl_WorkSession.hxx>
@@ -26,7 +29,6 @@
 #include <algorithm>
 #include <cstdlib>
 #include <istream>
-#include <map>
 #include <streambuf>
 
 namespace burin {
@@ -91,20 +93,40 @@ std::string closed_early(std::string_view text) {
                    source.file(), line);
 }
 
+/// Where a file ends that was cut off: the line; 0: it was not.
+using EndsAt = std::int64_t;
+
 /// Reads the entities, and of a file that was cut off those before the cut.
-void parse(STEPCAFControl_Reader& reader, const Source& source, const std::string& encoding,
-           const OcctSession& session, Diagnostics& diagnostics, RunContext& context) {
+EndsAt parse(STEPCAFControl_Reader& reader, const Source& source, const std::string& encoding,
+             const OcctSession& session, Diagnostics& diagnostics, RunContext& context) {
   const std::string changed = unique_entity_numbers(source, diagnostics);
-  const std::string_view bytes = changed.empty() ? source.bytes() : std::string_view(changed);
+  std::string_view bytes = changed.empty() ? source.bytes() : std::string_view(changed);
+  bytes.remove_prefix(byte_order_mark(bytes));
   const std::string decoded = utf8_text(bytes, encoding, diagnostics);
   const std::string_view text = decoded.empty() ? bytes : std::string_view(decoded);
-  if (parses(reader, text, source, context)) return;
+  if (parses(reader, text, source, context)) return 0;
   const std::string message = session.first_message();
   const std::string closed = closed_early(text);
   if (closed.empty() || !parses(reader, closed, source, context)) fail_parsing(source, message);
+  const EndsAt line = source.line_of(source.bytes().data() + source.bytes().size());
   diagnostics.add(Severity::Error, "step.truncated", 1,
-                  "the file ends in the middle; what stands before was read, the rest is missing "
-                  "and parts may be out of place");
+                  fmt::format("the file ends early, in line {}; what stands before was read, the "
+                              "rest is missing and parts may be out of place",
+                              line));
+  return line;
+}
+
+bool has_outline(const CadBody& body) {
+  for (TopExp_Explorer wire(body.shape, TopAbs_WIRE); wire.More(); wire.Next()) {
+    if (BRep_Tool::IsClosed(wire.Current())) return true;
+  }
+  return false;
+}
+
+/// Of a file that was cut off: parts of which no face kept a whole outline.
+void drop_unbounded(std::vector<CadPart>& parts) {
+  std::erase_if(
+      parts, [](const CadPart& part) { return std::ranges::none_of(*part.bodies, has_outline); });
 }
 
 std::string schema_of(STEPCAFControl_Reader& reader) {
@@ -157,22 +179,6 @@ void add_failures(STEPCAFControl_Reader& reader, Diagnostics& diagnostics) {
                       "entities could not be translated");
 }
 
-/// The numbers of products that have a name beside them.
-std::multimap<std::string, std::string> numbers_of_products(STEPCAFControl_Reader& reader) {
-  const auto text = [](const Handle(TCollection_HAsciiString) & string) {
-    return string.IsNull() ? std::string() : clean_name(string->ToCString());
-  };
-  std::multimap<std::string, std::string> numbers;
-  const Handle(StepData_StepModel) model = reader.ChangeReader().StepModel();
-  for (int i = 1; i <= model->NbEntities(); ++i) {
-    const auto product = Handle(StepBasic_Product)::DownCast(model->Value(i));
-    if (product.IsNull()) continue;
-    const std::string name = text(product->Name()), number = text(product->Id());
-    if (!name.empty() && !number.empty() && name != number) numbers.emplace(name, number);
-  }
-  return numbers;
-}
-
 }  // namespace
 
 CadFile read_step(const Source& source, const std::string& encoding, const OcctSession& session,
@@ -187,7 +193,7 @@ CadFile read_step(const Source& source, const std::string& encoding, const OcctS
   reader.SetViewMode(Standard_False);
 
   CadFile file;
-  parse(reader, source, encoding, session, file.diagnostics, context);
+  const EndsAt cut = parse(reader, source, encoding, session, file.diagnostics, context);
   refuse_absurd_numbers(*reader.ChangeReader().StepModel(), source);
   file.schema = schema_of(reader);
   file.format = protocol_of(file.schema);
@@ -198,8 +204,16 @@ CadFile read_step(const Source& source, const std::string& encoding, const OcctS
   add_failures(reader, file.diagnostics);
   if (done) {
     const std::string stem = clean_name(model_stem(source.file()));
-    const CollectOptions options{Roots::Products, stem, numbers_of_products(reader)};
+    const CollectOptions options{
+        Roots::Products, stem, numbers_of_products(reader), {}, names_of_solids(reader)};
     file.parts = collect_parts(document, options, file.diagnostics, context);
+  }
+  if (cut > 0) {
+    drop_unbounded(file.parts);
+    if (file.parts.empty()) {
+      throw InputError("the file ends early, before any whole face; copy or export it again",
+                       source.file(), cut);
+    }
   }
   Tessellated(*reader.ChangeReader().StepModel()).tell(file, source);
   return file;

@@ -144,8 +144,9 @@ std::string utf8_text(std::string_view text, const std::string& encoding,
                       Diagnostics& diagnostics) {
   TextDecoder decoder(encoding);
   if (is_ascii(text) || (encoding.empty() && is_utf8(text))) return {};
+  // Texts in quotes by themselves; none of the encodings has a quote within a letter.
   for (std::size_t from = 0; from < text.size();) {
-    const std::size_t to = std::min(text.find_first_of("\r\n", from), text.size());
+    const std::size_t to = std::min(text.find_first_of("\r\n'\"", from), text.size());
     decoder.learn(text.substr(from, to - from));
     from = to + 1;
   }

@@ -43,7 +43,7 @@ class TextDecoder {
 };
 
 /// A whole text file as UTF-8; empty where it is that already. As `TextDecoder` does with its
-/// lines.
+/// lines, and what stands in quotes in them.
 std::string utf8_text(std::string_view text, const std::string& encoding, Diagnostics& diagnostics);
 
 /// The first, and whether it is clear: internal to `TextDecoder`, here for its tests.

@@ -7,6 +7,27 @@
 #include <cmath>
 
 namespace burin {
+namespace {
+
+double displayed(double linear) {
+  return linear <= 0.0031308 ? 12.92 * linear : 1.055 * std::pow(linear, 1 / 2.4) - 0.055;
+}
+
+double in_light(std::uint8_t channel) {
+  const double shown = channel / 255.0;
+  return shown <= 0.04045 ? shown / 12.92 : std::pow((shown + 0.055) / 1.055, 2.4);
+}
+
+}  // namespace
+
+Rgba displayed(const LinearColor& color) {
+  return {channel(displayed(color[0])), channel(displayed(color[1])), channel(displayed(color[2])),
+          channel(color[3])};
+}
+
+LinearColor in_light(const Rgba& color) {
+  return {in_light(color[0]), in_light(color[1]), in_light(color[2]), color[3] / 255.0};
+}
 
 Appearance look_of(const Rgba& color) {
   return {fmt::format("#{:02x}{:02x}{:02x}", color[0], color[1], color[2]), color[3] / 255.0};

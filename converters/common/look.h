@@ -26,6 +26,13 @@ Appearance look_of(const Rgba& color);
 /// A share of 1, as eight bits; what lies outside is moved to the end.
 std::uint8_t channel(double share);
 
+/// Red, green, blue and opacity, each 0 to 1, in light rather than as screens show them: colours
+/// mix in it.
+using LinearColor = std::array<double, 4>;
+/// As screens show it, in sRGB (IEC 61966-2-1), and back.
+Rgba displayed(const LinearColor& color);
+LinearColor in_light(const Rgba& color);
+
 /// "#rrggbb" or "#rrggbbaa", in any case; nothing where the text is no such colour.
 std::optional<Rgba> hex_color(std::string_view text);
 

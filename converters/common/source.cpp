@@ -114,6 +114,11 @@ FileBytes bytes_of(const std::filesystem::path& path, const RunContext& context)
   return out;
 }
 
+/// Downloads are packed a second time by servers; there are files that unpack to themselves.
+constexpr int kMostLayers = 3;
+constexpr const char* kTooDeep =
+    "is packed by gzip over {} times; it is damaged or hostile, and was not unpacked";
+
 /// What gzip packed, as long as it is no bomb.
 FileBytes unpacked(const FileBytes& packed, const std::string& file, const RunContext& context) {
   const std::size_t most = std::min(most_unpacked(packed.size), half_of_memory());
@@ -134,7 +139,10 @@ FileBytes unpacked(const FileBytes& packed, const std::string& file, const RunCo
 Source::Source(const std::filesystem::path& path, const RunContext& context)
     : file_(path.string()), context_(context) {
   FileBytes bytes = bytes_of(path, context);
-  if (is_gzip(bytes.text())) bytes = unpacked(bytes, file_, context);
+  for (int layer = 0; is_gzip(bytes.text()); ++layer) {
+    if (layer == kMostLayers) fail(fmt::format(kTooDeep, kMostLayers));
+    bytes = unpacked(bytes, file_, context);
+  }
   data_ = std::move(bytes.data);
   size_ = bytes.size;
 }
@@ -151,6 +159,23 @@ Source as_it_is(const std::filesystem::path& path, const RunContext& context) {
   return {path.string(), bytes.text(), context};
 }
 
+namespace {
+
+/// The packed bytes may end in the middle: what came before that counts.
+std::string unpacked_head(std::string_view packed, std::size_t most, const std::string& file,
+                          const RunContext& context) {
+  std::string unpacked;
+  try {
+    const auto in = unpacked_bytes(packed, file, context);
+    std::string byte(1, '\0');
+    while (unpacked.size() < most && in->read(byte.data(), 1) == 1) unpacked += byte;
+  } catch (const InputError&) {  // its reader says so
+  }
+  return unpacked;
+}
+
+}  // namespace
+
 std::string head_of(const std::filesystem::path& path, std::size_t most,
                     const RunContext& context) {
   std::string head;
@@ -164,16 +189,10 @@ std::string head_of(const std::filesystem::path& path, std::size_t most,
     in.read(head.data(), static_cast<std::streamsize>(head.size()));
     head.resize(static_cast<std::size_t>(in.gcount()));
   }
-  if (!is_gzip(head)) return head.substr(0, most);
-  std::string unpacked;
-  try {
-    // The packed bytes end in the middle: what came before them counts.
-    const auto in = unpacked_bytes(head, path.string(), context);
-    std::string byte(1, '\0');
-    while (unpacked.size() < most && in->read(byte.data(), 1) == 1) unpacked += byte;
-  } catch (const InputError&) {  // its reader says so
+  for (int layer = 0; layer < kMostLayers && is_gzip(head); ++layer) {
+    head = unpacked_head(head, most, path.string(), context);
   }
-  return unpacked;
+  return head.substr(0, most);
 }
 
 std::int64_t Source::line_of(const char* where) const {

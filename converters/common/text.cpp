@@ -16,6 +16,12 @@ std::string in_quotes(std::string_view token) {
   return out + "'";
 }
 
+std::string_view without_padding(std::string_view text) {
+  using namespace std::string_view_literals;
+  const std::size_t end = text.find_last_not_of("\0\x1a \t\r\n"sv) + 1;
+  return text.substr(0, text.find_first_of("\0\x1a"sv, end));
+}
+
 const char* scan_double(const char* p, const char* end, double& value) {
   const char* digits = p;
   if (p < end && *p == '+' && p + 1 < end && p[1] != '-') ++digits;

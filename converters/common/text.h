@@ -25,18 +25,21 @@ bool parse_double(std::string_view token, double& value);
 /// Reads the double that begins at `p`; returns the end of it, or nullptr where there is none.
 const char* scan_double(const char* p, const char* end, double& value);
 
+/// A text without the NULs and the Ctrl-Z that programs pad it with at its end.
+std::string_view without_padding(std::string_view text);
+
 /// A place in a text. Lines end with \n, \r\n or \r.
 class TextCursor {
  public:
   explicit TextCursor(const Source& source, std::size_t offset = 0)
       : source_(source),
         p_(source.bytes().data() + offset),
-        end_(source.bytes().data() + source.bytes().size()) {}
+        end_(p_ + without_padding(source.bytes().substr(offset)).size()) {}
 
   const char* where() const { return p_; }
   bool at_end() const { return p_ == end_; }
   bool at_line_end() const { return p_ == end_ || is_line_end(*p_); }
-  char peek() const { return *p_; }  // NUL at the end
+  char peek() const { return at_end() ? '\0' : *p_; }
   std::size_t left() const { return static_cast<std::size_t>(end_ - p_); }
   void skip(std::size_t n) { p_ += n; }
 

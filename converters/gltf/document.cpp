@@ -1,6 +1,7 @@
 #include "document.h"
 
 #include "byte_order_mark.h"
+#include "foreign_file.h"
 #include "text.h"
 
 #include <fmt/format.h>
@@ -62,6 +63,7 @@ Json parsed(const Source& source) {
   Json json = Json::parse(text.begin(), text.end(), watch, false);
   if (too_deep) source.fail("its values lie in each other more than 100 deep; it is damaged");
   if (!json.is_object()) {
+    if (const char* what = foreign_file(source.bytes())) source.fail(what);
     source.fail("is no glTF, or its text is damaged or truncated; export it again");
   }
   return json;

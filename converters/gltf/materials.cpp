@@ -1,16 +1,10 @@
 #include "materials.h"
 
 #include <algorithm>
-#include <cmath>
 #include <string>
 
 namespace burin::gltf {
 namespace {
-
-/// Of sRGB (IEC 61966-2-1).
-double displayed(double linear) {
-  return linear <= 0.0031308 ? 12.92 * linear : 1.055 * std::pow(linear, 1 / 2.4) - 0.055;
-}
 
 const tinygltf::Value* extension(const tinygltf::Material& material, const char* name) {
   const auto found = material.extensions.find(name);
@@ -29,7 +23,7 @@ double opacity_of(const tinygltf::Material& material, double alpha) {
 }
 
 /// The older way: diffuse colour instead of base colour. Whether a picture goes over it.
-bool older_way(const tinygltf::Material& material, Linear& color) {
+bool older_way(const tinygltf::Material& material, LinearColor& color) {
   const auto* older = extension(material, "KHR_materials_pbrSpecularGlossiness");
   if (older == nullptr) return false;
   const tinygltf::Value& factor = older->Get("diffuseFactor");
@@ -42,11 +36,11 @@ bool older_way(const tinygltf::Material& material, Linear& color) {
 
 }  // namespace
 
-std::optional<Linear> color_of(const tinygltf::Model& model, int material) {
+std::optional<LinearColor> color_of(const tinygltf::Model& model, int material) {
   if (material < 0 || static_cast<std::size_t>(material) >= model.materials.size()) return {};
   const tinygltf::Material& m = model.materials[static_cast<std::size_t>(material)];
   const auto& base = m.pbrMetallicRoughness;
-  Linear color{1, 1, 1, 1};
+  LinearColor color{1, 1, 1, 1};
   for (std::size_t i = 0; i < color.size() && i < base.baseColorFactor.size(); ++i) {
     color[i] = base.baseColorFactor[i];
   }
@@ -54,11 +48,6 @@ std::optional<Linear> color_of(const tinygltf::Model& model, int material) {
   color[3] = opacity_of(m, color[3]);
   if (pictured && color[3] == 1) return {};
   return color;
-}
-
-Rgba displayed(const Linear& color) {
-  return {channel(displayed(color[0])), channel(displayed(color[1])), channel(displayed(color[2])),
-          channel(color[3])};
 }
 
 }  // namespace burin::gltf

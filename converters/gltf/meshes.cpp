@@ -144,25 +144,27 @@ std::vector<Vec3> Meshes::positions(const tinygltf::Primitive& primitive, const 
 }
 
 /// The colour that all vertices have, white where they have none; not even where they differ.
-std::optional<Linear> Meshes::vertex_color(const tinygltf::Primitive& primitive, bool& even) const {
+std::optional<LinearColor> Meshes::vertex_color(const tinygltf::Primitive& primitive,
+                                                bool& even) const {
   const int of_colors = attribute(primitive.attributes, "COLOR_0");
   if (of_colors < 0) return std::nullopt;
   const Rows rows = accessors_.read(of_colors);
   if (rows.count() == 0 || rows.width < 3) return std::nullopt;
   const auto at = [&](std::size_t i) {
-    return Linear{rows.at(i, 0), rows.at(i, 1), rows.at(i, 2), rows.width > 3 ? rows.at(i, 3) : 1};
+    return LinearColor{rows.at(i, 0), rows.at(i, 1), rows.at(i, 2),
+                       rows.width > 3 ? rows.at(i, 3) : 1};
   };
-  const Linear first = at(0);
+  const LinearColor first = at(0);
   for (std::size_t i = 1; i < rows.count() && even; ++i) even = at(i) == first;
   return first;
 }
 
 void Meshes::add_look(const tinygltf::Primitive& primitive, Shape& shape) const {
   bool even = true;
-  std::optional<Linear> color = color_of(model_, primitive.material);
+  std::optional<LinearColor> color = color_of(model_, primitive.material);
   if (const auto of_vertices = vertex_color(primitive, even)) {
     if (!even) return shape.look.add_uneven();
-    if (!color && primitive.material < 0) color = Linear{1, 1, 1, 1};
+    if (!color && primitive.material < 0) color = LinearColor{1, 1, 1, 1};
     for (std::size_t i = 0; color && i < 3; ++i) (*color)[i] *= (*of_vertices)[i];
   }
   shape.look.add(color ? std::optional(displayed(*color)) : std::nullopt);
@@ -218,7 +220,7 @@ std::vector<MeshShape> Meshes::made(const tinygltf::Mesh& mesh, const Weights& w
       ++not_drawn_;
       continue;
     }
-    const std::optional<Linear> color = color_of(model_, primitive.material);
+    const std::optional<LinearColor> color = color_of(model_, primitive.material);
     const bool opaque = !color || (*color)[3] == 1;
     Shape& shape = shapes[opaque ? -1 : primitive.material];
     if (!opaque) {
@@ -240,13 +242,7 @@ std::vector<MeshShape> Meshes::made(const tinygltf::Mesh& mesh, const Weights& w
 
 const std::vector<MeshShape>& Meshes::of(const tinygltf::Node& node, const Global& global) {
   static const std::vector<MeshShape> none;
-  if (node.mesh < 0) return none;
-  if (static_cast<std::size_t>(node.mesh) >= model_.meshes.size()) {
-    source_.fail(
-        fmt::format("a node of the glTF refers to mesh {}, which is not there; it is "
-                    "damaged, export it again",
-                    node.mesh));
-  }
+  if (node.mesh < 0 || static_cast<std::size_t>(node.mesh) >= model_.meshes.size()) return none;
   const tinygltf::Mesh& mesh = model_.meshes[static_cast<std::size_t>(node.mesh)];
   const Weights& weights = node.weights.empty() ? mesh.weights : node.weights;
   const Joints joints = has_skin(node) ? joints_of(node.skin, global) : Joints();

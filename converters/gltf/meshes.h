@@ -69,7 +69,7 @@ class Meshes {
                               const Joints& joints);
   void pose(const tinygltf::Primitive& primitive, const Joints& joints,
             std::vector<Vec3>& points) const;
-  std::optional<Linear> vertex_color(const tinygltf::Primitive& primitive, bool& even) const;
+  std::optional<LinearColor> vertex_color(const tinygltf::Primitive& primitive, bool& even) const;
   void add_look(const tinygltf::Primitive& primitive, Shape& shape) const;
   void add(const tinygltf::Primitive& primitive, const Weights& weights, const Joints& joints,
            Shape& shape);

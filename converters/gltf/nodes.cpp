@@ -88,6 +88,8 @@ class Nodes {
     tell();
     file_.objects = meshes_.take();
     if (file_.uses.empty()) {
+      if (missing_ > 0)
+        source_.fail("what the glTF's scene places is not there; it is damaged, export it again");
       source_.fail("the glTF shows no triangles; export the model as meshes");
     }
     return std::move(file_);
@@ -115,7 +117,7 @@ class Nodes {
     std::optional<std::string> stem;
   };
   std::map<int, Users> users_;
-  std::int64_t hidden_ = 0;
+  std::int64_t hidden_ = 0, missing_ = 0;
   MeshFile file_;
 };
 
@@ -153,11 +155,13 @@ void Nodes::walk() {
     Visit visit = std::move(open.back());
     open.pop_back();
     const auto index = static_cast<std::size_t>(visit.node);
-    if (visit.node < 0 || index >= model_.nodes.size() || seen_[index]) {
-      source_.fail(
-          fmt::format("the glTF's node {} is not there, or in two places; it is damaged, "
-                      "export it again",
-                      visit.node));
+    if (visit.node < 0 || index >= model_.nodes.size()) {
+      ++missing_;
+      continue;
+    }
+    if (seen_[index]) {
+      source_.fail(fmt::format(
+          "the glTF's node {} is in two places; it is damaged, export it again", visit.node));
     }
     seen_[index] = true;
     const tinygltf::Node& node = model_.nodes[index];
@@ -233,6 +237,10 @@ std::string Nodes::definition_of(const tinygltf::Node& node) const {
 void Nodes::emit(const Visit& visit) {
   source_.context().check();
   const tinygltf::Node& node = model_.nodes[static_cast<std::size_t>(visit.node)];
+  if (node.mesh >= 0 && static_cast<std::size_t>(node.mesh) >= model_.meshes.size()) {
+    ++missing_;
+    return;
+  }
   const auto global = [&](int joint) {
     const auto index = static_cast<std::size_t>(joint);
     return joint >= 0 && index < place_.size() ? place_[index] : Placement{};
@@ -264,8 +272,13 @@ void Nodes::emit(const Visit& visit) {
 
 void Nodes::tell() {
   if (meshes_.not_drawn() > 0) {
-    file_.diagnostics.add(Severity::Info, "gltf.no_faces", meshes_.not_drawn(),
+    file_.diagnostics.add(Severity::Warning, "gltf.no_faces", meshes_.not_drawn(),
                           "lines and points of the glTF, which have no faces, were left out");
+  }
+  if (missing_ > 0) {
+    file_.diagnostics.add(Severity::Warning, "gltf.missing", missing_,
+                          "nodes or meshes that the scene of the glTF places are not there; they "
+                          "were left out");
   }
   if (model_.scenes.size() > 1) {
     file_.diagnostics.add(Severity::Info, "gltf.other_scenes",

@@ -1,6 +1,7 @@
 #include <burin/base/input_name.h>
 
 #include "byte_order_mark.h"
+#include "foreign_file.h"
 #include "formats.h"
 #include "text.h"
 
@@ -24,49 +25,18 @@ bool starts(std::string_view text, std::string_view with) {
   return text.substr(0, with.size()) == with;
 }
 
-/// Files that are often met under the name of a mesh: what they are and what to do.
-const char* foreign(std::string_view bytes) {
-  struct Magic {
-    std::string_view bytes;
-    const char* message;
-  };
-  using namespace std::string_view_literals;
-  static constexpr Magic kMagic[] = {
-      {"version https://git-lfs"sv,
-       "is a Git LFS pointer, not the model; fetch it with 'git lfs pull'"},
-      {"\xff\xfe"sv, "is text in UTF-16; save it as UTF-8 or ASCII"},
-      {"\xfe\xff"sv, "is text in UTF-16; save it as UTF-8 or ASCII"},
-      {"ISO-10303-21"sv, "is a STEP file; give it the suffix .step"},
-      {"DBRep_DrawableShape"sv, "is an OpenCASCADE BREP file; give it the suffix .brep"},
-      {"CASCADE Topology"sv, "is an OpenCASCADE BREP file; give it the suffix .brep"},
-      {"glTF"sv, "is a binary glTF file; give it the suffix .glb"},
-      {"Kaydara FBX"sv, "is an FBX file; convert it to STL, OBJ, OFF, PLY or 3MF"},
-      {"BZh"sv, "is compressed by bzip2; unpack it first"},
-      {"\xfd"
-       "7zXZ"sv,
-       "is compressed by xz; unpack it first"},
-      {"%PDF"sv, "is a PDF document, not a mesh"},
-      {"\x89PNG"sv, "is a PNG picture, not a mesh"},
-      {"<!DOCTYPE"sv, "is a web page, not a mesh; download the file itself"},
-      {"<html"sv, "is a web page, not a mesh; download the file itself"},
-  };
-  for (const Magic& m : kMagic) {
-    if (starts(bytes, m.bytes)) return m.message;
-  }
-  return nullptr;
-}
-
 /// "format": "burin-drawing" stands first in what `burin draw` writes.
 bool is_drawing(std::string_view bytes) {
   return starts(bytes, "{") &&
          bytes.substr(0, 256).find("\"burin-drawing\"") != std::string_view::npos;
 }
 
-bool is_exact_binary_stl(std::string_view bytes) {
-  if (bytes.size() < 84) return false;
+/// Of a file of `size` bytes that begins so.
+bool is_exact_binary_stl(std::string_view head, std::uintmax_t size) {
+  if (head.size() < 84) return false;
   std::uint32_t n = 0;
-  std::memcpy(&n, bytes.data() + 80, sizeof n);
-  return n > 0 && bytes.size() == 84 + 50 * static_cast<std::size_t>(n);
+  std::memcpy(&n, head.data() + 80, sizeof n);
+  return n > 0 && size == 84 + 50 * static_cast<std::uintmax_t>(n);
 }
 
 /// What programs leave that did not know the number of triangles when they began.
@@ -75,10 +45,13 @@ bool is_binary_stl_of_zero(std::string_view bytes) {
   return bytes.size() > 84 && (bytes.size() - 84) % 50 == 0 && bytes.substr(80, 4) == kZero;
 }
 
-/// Whether the file is text of some kind: no text holds a NUL, and hardly a mesh in binary lacks
-/// one.
+/// Whether the file is text of some kind: no text holds a NUL but behind its last line, and hardly
+/// a mesh in binary lacks one.
 bool is_text(std::string_view bytes) {
-  return bytes.substr(0, 1024).find('\0') == std::string_view::npos;
+  const std::string_view begin = bytes.substr(0, 1024);
+  if (begin.find('\0') == std::string_view::npos) return true;
+  const std::string_view text = without_padding(begin);
+  return text.find('\0') == std::string_view::npos && text.find_first_of("\r\n") != text.npos;
 }
 
 std::string_view without_leading_space(std::string_view text) {
@@ -131,7 +104,19 @@ bool looks_like_ascii_stl(std::string_view text) {
   return word == "solid" || word.starts_with("facet");
 }
 
+bool begins_ply(std::string_view bytes) {
+  return bytes.starts_with("ply\n") || bytes.starts_with("ply\r");
+}
+
 }  // namespace
+
+bool is_mesh_content(std::string_view head, std::uintmax_t size) {
+  if (is_exact_binary_stl(head, size) || begins_ply(head)) return true;
+  if (!is_text(head)) return false;
+  const bool facets = lowered(head).find("facet") != std::string::npos;
+  return (looks_like_ascii_stl(head) && facets) || looks_like_off(head) || looks_like_obj(head) ||
+         looks_like_amf(head);
+}
 
 bool is_mesh_suffix(const std::filesystem::path& path) {
   return suffixes().contains(model_suffix(path));
@@ -139,8 +124,8 @@ bool is_mesh_suffix(const std::filesystem::path& path) {
 
 MeshFormat detect_format(const Source& source, const std::filesystem::path& path) {
   const std::string_view bytes = source.bytes();
-  if (is_exact_binary_stl(bytes)) return MeshFormat::StlBinary;
-  if (const char* message = foreign(bytes)) source.fail(message);
+  if (is_exact_binary_stl(bytes, bytes.size())) return MeshFormat::StlBinary;
+  if (const char* message = foreign_file(bytes)) source.fail(message);
   if (is_drawing(bytes)) {
     source.fail("is a drawing file, not a model; burin convert writes it in other formats");
   }
@@ -149,21 +134,22 @@ MeshFormat detect_format(const Source& source, const std::filesystem::path& path
     return amf ? MeshFormat::Amf : MeshFormat::ThreeMf;
   }
   if (looks_like_amf(bytes)) return MeshFormat::Amf;
-  if (starts(bytes, "ply\n") || starts(bytes, "ply\r")) return MeshFormat::Ply;
+  if (begins_ply(bytes)) return MeshFormat::Ply;
   const auto suffix = suffixes().find(model_suffix(path));
   const bool named = suffix != suffixes().end();
   if (is_text(bytes)) {
     if (looks_like_ascii_stl(bytes)) return MeshFormat::StlAscii;
     if (looks_like_off(bytes)) return MeshFormat::Off;
-    if (looks_like_obj(bytes) && (!named || suffix->second != MeshFormat::Off))
-      return MeshFormat::Obj;
+    if (looks_like_obj(bytes)) return MeshFormat::Obj;
     if (named && suffix->second == MeshFormat::StlBinary) {
       source.fail_at_line(
           bytes.data(),
           "is text but no ASCII STL, which begins with 'solid'; is it another format?");
     }
   }
-  if (!named && is_binary_stl_of_zero(bytes)) return MeshFormat::StlBinary;
+  // Named as another format in text, or as none.
+  const bool of_text = !named || suffix->second == MeshFormat::Obj;
+  if (of_text && !is_text(bytes) && is_binary_stl_of_zero(bytes)) return MeshFormat::StlBinary;
   if (const std::string suffix_of = model_suffix(path);
       suffix_of == ".scad" || suffix_of == ".csg") {
     source.fail("is a packed program of OpenSCAD, which is read unpacked alone; unpack it first");

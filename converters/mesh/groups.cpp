@@ -11,7 +11,9 @@ namespace burin {
 namespace {
 
 struct GroupEdge {
-  std::uint32_t a, b, group;
+  std::uint32_t a, b;
+  /// Groups of one family may be joined.
+  std::uint32_t family, group;
   friend auto operator<=>(const GroupEdge&, const GroupEdge&) = default;
 };
 
@@ -30,11 +32,25 @@ std::vector<std::string> number_by_appearance(GroupedFaces& faces) {
   return names;
 }
 
-/// Joins groups that both end at one edge, and open ones of one name: a solid may be written in
-/// pieces. Closed ones of one name are copies.
+using Join = GroupedFaces::Join;
+
+/// Of each group: one for all, or one a name.
+std::vector<std::uint32_t> families(const std::vector<std::string>& names, Join join) {
+  std::vector<std::uint32_t> family(names.size(), 0);
+  if (join != Join::OneName) return family;
+  std::unordered_map<std::string_view, std::uint32_t> of_name;
+  for (std::uint32_t g = 0; g < names.size(); ++g) {
+    family[g] = of_name.try_emplace(names[g], g).first->second;
+  }
+  return family;
+}
+
+/// Joins groups that both end at one edge, and open ones of one name, as GroupedFaces::join says: a
+/// solid may be written in pieces.
 DisjointSets connect(const GroupedFaces& faces, const std::vector<std::string>& names,
                      const RunContext& context) {
   const std::vector<std::uint32_t> vertex = weld(faces.positions, context).vertex;
+  const std::vector<std::uint32_t> family = families(names, faces.join);
   std::vector<GroupEdge> edges;
   edges.reserve(faces.indices.size());
   for (std::size_t f = 0; f + 1 < faces.offsets.size(); ++f) {
@@ -42,7 +58,7 @@ DisjointSets connect(const GroupedFaces& faces, const std::vector<std::string>& 
     for (std::size_t c = begin; c < end; ++c) {
       const auto [a, b] = std::minmax(vertex[faces.indices[c]],
                                       vertex[faces.indices[c + 1 == end ? begin : c + 1]]);
-      edges.push_back({a, b, faces.group[f]});
+      edges.push_back({a, b, family[faces.group[f]], faces.group[f]});
     }
   }
   std::sort(edges.begin(), edges.end(), [&](const GroupEdge& a, const GroupEdge& b) {
@@ -56,14 +72,16 @@ DisjointSets connect(const GroupedFaces& faces, const std::vector<std::string>& 
     std::size_t next = i + 1;
     while (next < edges.size() && edges[next] == edges[i]) ++next;
     if (next == i + 1) {
-      if (open && open->a == edges[i].a && open->b == edges[i].b) {
-        sets.join(open->group, edges[i].group);
-      }
-      open = &edges[i];
-      ends[open->group] = 1;
+      const GroupEdge& edge = edges[i];
+      const bool fits =
+          open && open->a == edge.a && open->b == edge.b && open->family == edge.family;
+      if (fits) sets.join(open->group, edge.group);
+      open = &edge;
+      ends[edge.group] = 1;
     }
     i = next;
   }
+  if (faces.join == Join::OneName) return sets;
   std::unordered_map<std::string_view, std::uint32_t> of_name;
   for (std::uint32_t g = 0; g < names.size(); ++g) {
     if (ends[g] && !names[g].empty()) sets.join(of_name.try_emplace(names[g], g).first->second, g);
@@ -80,7 +98,7 @@ std::vector<std::string> joined(GroupedFaces& faces, std::vector<std::string> na
   for (std::uint32_t& g : faces.group) g = sets.find(g);
   faces.names = std::move(names);
   names = number_by_appearance(faces);
-  if (names.size() < before) {
+  if (names.size() < before && faces.join == Join::Connected) {
     diagnostics.add(Severity::Info, "mesh.joined_groups",
                     static_cast<std::int64_t>(before - names.size()),
                     "groups whose open borders fit together were read as one part");
@@ -94,7 +112,11 @@ std::vector<std::string> joined(GroupedFaces& faces, std::vector<std::string> na
 void add_looks(const GroupedFaces& faces, std::size_t groups, MeshFile& file) {
   if (faces.color.empty()) return;
   std::vector<EvenLook> looks(groups);
-  for (std::size_t f = 0; f < faces.group.size(); ++f) looks[faces.group[f]].add(faces.color[f]);
+  for (std::size_t f = 0; f < faces.group.size(); ++f) {
+    EvenLook& look = looks[faces.group[f]];
+    look.add(faces.color[f]);
+    if (!faces.uneven.empty() && faces.uneven[f] != 0) look.add_uneven();
+  }
   std::int64_t several = 0;
   for (std::size_t g = 0; g < groups; ++g) {
     Appearance look = looks[g].look();
@@ -139,6 +161,11 @@ std::vector<PolygonSoup> soups_of(GroupedFaces faces, std::vector<std::string> n
   return soups;
 }
 
+bool has_repeated(std::vector<std::string> names) {
+  std::ranges::sort(names);
+  return std::ranges::adjacent_find(names) != names.end();
+}
+
 }  // namespace
 
 MeshUse use_with_look(const EvenLook& look, Diagnostics& diagnostics) {
@@ -149,7 +176,9 @@ MeshUse use_with_look(const EvenLook& look, Diagnostics& diagnostics) {
 
 void split_groups(GroupedFaces faces, MeshFile& file, const RunContext& context) {
   std::vector<std::string> names = number_by_appearance(faces);
-  if (faces.join_connected && names.size() > 1) {
+  const bool may_join =
+      faces.join == Join::Connected || (faces.join == Join::OneName && has_repeated(names));
+  if (may_join && names.size() > 1) {
     names = joined(faces, std::move(names), file.diagnostics, context);
   }
   add_looks(faces, names.size(), file);

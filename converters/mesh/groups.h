@@ -27,9 +27,13 @@ struct GroupedFaces {
   std::vector<std::string> names;
   /// For each face its colour; empty where none has any.
   std::vector<std::optional<Rgba>> color = {};
-  /// Groups whose open borders fit together become one part: many programs write the faces or
-  /// materials of one closed body as groups, and its inner borders are no ends of the surface.
-  bool join_connected = false;
+  /// Whether the corners of a face have several; empty: none does.
+  std::vector<std::uint8_t> uneven = {};
+  /// Connected: groups whose open borders fit together become one part: many programs write the
+  /// faces or materials of one closed body as groups, and its inner borders are no ends of the
+  /// surface; and so do open ones of one name. OneName: only those of one name whose borders fit.
+  /// Closed ones of one name are copies.
+  enum class Join { None, OneName, Connected } join = Join::None;
 };
 
 /// The one object of a file as its faces look.

@@ -11,6 +11,7 @@
 #include <charconv>
 #include <limits>
 #include <optional>
+#include <span>
 #include <unordered_map>
 
 // Own code: tinyobjloader and OpenMesh read floats, assimp has no line numbers in its errors.
@@ -18,6 +19,7 @@ namespace burin {
 namespace {
 
 constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
+constexpr float kNoColor = -1;
 constexpr std::uint32_t kOutside = kNone - 1;  // refers to nothing that can be
 
 class ObjReader {
@@ -29,32 +31,40 @@ class ObjReader {
  private:
   void statement();
   void vertex();
+  void vertex_color();
   void texture_point();
   void face();
   void corner();
   std::uint32_t texture_index(const char*& p) const;
-  void named(std::unordered_map<std::string, std::uint32_t>& table, std::uint32_t& current);
+  void begin(std::vector<std::string>& names, std::uint32_t& current);
+  void material();
   void other(std::string_view keyword, const char* where);
   void skip_blanks();
   void next_line();
   void finish_indices() const;
   std::vector<glm::vec2> finish_texture(Diagnostics& diagnostics) const;
-  std::vector<std::optional<Rgba>> finish_colors(Diagnostics& diagnostics) const;
+  std::vector<std::optional<Rgba>> material_colors(Diagnostics& diagnostics) const;
+  std::vector<std::optional<Rgba>> vertex_colors() const;
+  void color(GroupedFaces& faces, Diagnostics& diagnostics) const;
 
   const Source& source_;
   TextCursor text_;
   std::vector<Vec3> positions_;
+  /// Red, green and blue of those that have them, as they stand in the file; may be shorter.
+  std::vector<glm::vec3> vertex_colors_;
   std::vector<std::uint32_t> corners_;
   std::vector<std::size_t> offsets_{0};
   std::vector<glm::vec2> texture_points_;
   std::vector<std::uint32_t> corner_textures_;  // of each corner, or kNone
   std::vector<std::uint32_t> object_of_face_, group_of_face_, material_of_face_;
-  std::unordered_map<std::string, std::uint32_t> objects_, groups_, materials_;
+  /// In the order of the statements: one name several times may be several things.
+  std::vector<std::string> objects_, groups_;
+  std::unordered_map<std::string, std::uint32_t> materials_;
   std::vector<std::string> libraries_;
   std::uint32_t object_ = kNone, group_ = kNone, material_ = kNone;
   std::uint32_t largest_index_ = 0;
   const char* largest_index_at_ = nullptr;
-  std::int64_t free_form_ = 0, unknown_ = 0, short_faces_ = 0;
+  std::int64_t free_form_ = 0, unknown_ = 0, short_faces_ = 0, lines_ = 0, points_ = 0;
   const char* first_unknown_ = nullptr;
 };
 
@@ -84,6 +94,20 @@ void ObjReader::vertex() {
   }
   if (positions_.size() == kNone) text_.fail("more than 4,294,967,294 vertices; split the model");
   positions_.push_back(p);
+  vertex_color();
+}
+
+/// Many programs write red, green and blue behind the coordinates; a number alone is a weight.
+void ObjReader::vertex_color() {
+  glm::vec3 color(kNoColor);
+  for (int i = 0; i < 3; ++i) {
+    skip_blanks();
+    double value = 0;
+    if (text_.at_line_end() || text_.peek() == '#' || !parse_double(text_.token(), value)) return;
+    color[i] = static_cast<float>(value);
+  }
+  vertex_colors_.resize(positions_.size(), glm::vec3(kNoColor));
+  vertex_colors_.back() = color;
 }
 
 void ObjReader::texture_point() {
@@ -160,19 +184,30 @@ void ObjReader::face() {
   material_of_face_.push_back(material_);
 }
 
-void ObjReader::named(std::unordered_map<std::string, std::uint32_t>& table,
-                      std::uint32_t& current) {
+/// The object or group of the faces that follow.
+void ObjReader::begin(std::vector<std::string>& names, std::uint32_t& current) {
+  const std::string_view name = text_.rest_of_line();
+  current = static_cast<std::uint32_t>(names.size());
+  names.emplace_back(name);
+}
+
+void ObjReader::material() {
   const std::string name(text_.rest_of_line());
-  current = table.try_emplace(name, static_cast<std::uint32_t>(table.size())).first->second;
+  material_ =
+      materials_.try_emplace(name, static_cast<std::uint32_t>(materials_.size())).first->second;
 }
 
 void ObjReader::other(std::string_view keyword, const char* where) {
   static constexpr std::string_view kHarmless[] = {
-      "vn",  "vp",    "s",        "l",        "p",          "usemap",    "maplib", "mg",
-      "lod", "bevel", "c_interp", "d_interp", "shadow_obj", "trace_obj", "vc"};
+      "vn",    "vp",       "s",        "usemap",     "maplib",    "mg", "lod",
+      "bevel", "c_interp", "d_interp", "shadow_obj", "trace_obj", "vc"};
   static constexpr std::string_view kFreeForm[] = {
       "curv", "curv2", "surf", "cstype", "deg", "bmat", "step",  "parm",
       "trim", "hole",  "scrv", "sp",     "end", "con",  "ctech", "stech"};
+  if (keyword == "l" || keyword == "p") {
+    ++(keyword == "l" ? lines_ : points_);
+    return;
+  }
   if (std::ranges::find(kHarmless, keyword) != std::end(kHarmless)) return;
   if (std::ranges::find(kFreeForm, keyword) != std::end(kFreeForm)) {
     free_form_ += keyword == "surf";
@@ -187,9 +222,9 @@ void ObjReader::statement() {
   if (keyword == "v") return vertex();
   if (keyword == "vt") return texture_point();
   if (keyword == "f" || keyword == "fo") return face();
-  if (keyword == "o") return named(objects_, object_);
-  if (keyword == "g") return named(groups_, group_);
-  if (keyword == "usemtl") return named(materials_, material_);
+  if (keyword == "o") return begin(objects_, object_);
+  if (keyword == "g") return begin(groups_, group_);
+  if (keyword == "usemtl") return material();
   if (keyword == "mtllib") return static_cast<void>(libraries_.emplace_back(text_.rest_of_line()));
   other(keyword, where);
 }
@@ -223,7 +258,8 @@ std::vector<glm::vec2> ObjReader::finish_texture(Diagnostics& diagnostics) const
   return texture;
 }
 
-std::vector<std::optional<Rgba>> ObjReader::finish_colors(Diagnostics& diagnostics) const {
+/// By materials, in the order of their numbers; empty where none has one.
+std::vector<std::optional<Rgba>> ObjReader::material_colors(Diagnostics& diagnostics) const {
   if (materials_.empty()) return {};
   const ObjMaterials known = read_obj_materials(libraries_, source_, diagnostics);
   std::vector<std::optional<Rgba>> of_material(materials_.size());
@@ -232,12 +268,43 @@ std::vector<std::optional<Rgba>> ObjReader::finish_colors(Diagnostics& diagnosti
     if (found != known.end()) of_material[index] = found->second;
   }
   if (std::ranges::none_of(of_material, [](const auto& c) { return c.has_value(); })) return {};
-  std::vector<std::optional<Rgba>> colors;
-  colors.reserve(material_of_face_.size());
-  for (const std::uint32_t m : material_of_face_) {
-    colors.push_back(m == kNone ? std::nullopt : of_material[m]);
+  return of_material;
+}
+
+/// By vertices; empty where none has one.
+std::vector<std::optional<Rgba>> ObjReader::vertex_colors() const {
+  if (vertex_colors_.empty()) return {};
+  // Shares of 1, or of 255 where they are far over 1.
+  constexpr float kMostOfOne = 1.5F;
+  float most = 0;
+  for (const glm::vec3& c : vertex_colors_) most = std::max({most, c.x, c.y, c.z});
+  const double full = most > kMostOfOne ? 255 : 1;
+  std::vector<std::optional<Rgba>> colors(positions_.size());
+  for (std::size_t v = 0; v < vertex_colors_.size(); ++v) {
+    const glm::vec3& c = vertex_colors_[v];
+    if (c.x >= 0)
+      colors[v] = Rgba{channel(c.x / full), channel(c.y / full), channel(c.z / full), 255};
   }
   return colors;
+}
+
+/// The colour of its material, else that of its corners.
+void ObjReader::color(GroupedFaces& faces, Diagnostics& diagnostics) const {
+  const auto of_material = material_colors(diagnostics), of_vertex = vertex_colors();
+  if (of_material.empty() && of_vertex.empty()) return;
+  faces.color.reserve(material_of_face_.size());
+  for (std::size_t f = 0; f < material_of_face_.size(); ++f) {
+    const std::uint32_t m = material_of_face_[f];
+    std::optional<Rgba>& color = faces.color.emplace_back();
+    if (m != kNone && !of_material.empty()) color = of_material[m];
+    if (color || of_vertex.empty()) continue;
+    const auto corners = std::span(corners_).subspan(offsets_[f], offsets_[f + 1] - offsets_[f]);
+    color = of_vertex[corners[0]];
+    const auto differs = [&](std::uint32_t v) { return of_vertex[v] != color; };
+    if (!std::ranges::any_of(corners, differs)) continue;
+    faces.uneven.resize(material_of_face_.size());
+    faces.uneven[f] = 1;
+  }
 }
 
 MeshFile ObjReader::read() {
@@ -265,6 +332,12 @@ MeshFile ObjReader::read() {
     file.diagnostics.add(Severity::Warning, "obj.short_faces", short_faces_,
                          "faces of fewer than three corners were left out");
   }
+  if (lines_ + points_ > 0) {
+    // Lines may be what somebody drew.
+    file.diagnostics.add(lines_ > 0 ? Severity::Warning : Severity::Info, "obj.no_faces",
+                         lines_ + points_,
+                         "lines and points of the OBJ, which have no faces, were left out");
+  }
   if (free_form_ > 0) {
     file.diagnostics.add(Severity::Warning, "obj.free_form", free_form_,
                          "free-form surfaces were left out; only polygons are read");
@@ -275,17 +348,16 @@ MeshFile ObjReader::read() {
                                      source_.line_of(first_unknown_)));
   }
   const bool by_object = !objects_.empty();
-  const auto& table = by_object ? objects_ : groups_;
   GroupedFaces faces;
+  color(faces, file.diagnostics);
   faces.positions = std::move(positions_);
   faces.indices = std::move(corners_);
   faces.offsets = std::move(offsets_);
   faces.texture = finish_texture(file.diagnostics);
-  faces.color = finish_colors(file.diagnostics);
   faces.group = by_object ? std::move(object_of_face_) : std::move(group_of_face_);
-  faces.names.resize(table.size());
-  for (const auto& [name, index] : table) faces.names[index] = name;
-  faces.join_connected = !by_object;
+  faces.names = by_object ? std::move(objects_) : std::move(groups_);
+  using Join = GroupedFaces::Join;
+  faces.join = by_object ? Join::OneName : Join::Connected;
   split_groups(std::move(faces), file, source_.context());
   return file;
 }

@@ -35,15 +35,24 @@ class MaterialReader {
       name_ = text_.rest_of_line();
       color_.reset();
       opacity_ = 1;
+      has_dissolve_ = false;
       pictured_ = false;
     } else if (word == "kd") {
       diffuse();
     } else if (word == "d" || word == "tr") {
-      double value = 0;
-      if (last_number(value)) opacity_ = word == "d" ? value : 1 - value;
+      transparency(word == "d");
     } else if (word == "map_kd") {
       pictured_ = true;
     }
+  }
+
+  /// "d" is opacity and "Tr" what is missing of it; programs that write both mean "d": some of them
+  /// take "Tr" for the same.
+  void transparency(bool dissolve) {
+    double value = 0;
+    if (!last_number(value) || (!dissolve && has_dissolve_)) return;
+    has_dissolve_ |= dissolve;
+    opacity_ = dissolve ? value : 1 - value;
   }
 
   /// "Kd r g b"; "Kd r" is grey; spectra are no colour that could be told.
@@ -84,6 +93,7 @@ class MaterialReader {
   std::string name_;
   std::optional<Rgba> color_;
   double opacity_ = 1;
+  bool has_dissolve_ = false;
   bool pictured_ = false;
 };
 

@@ -175,7 +175,7 @@ class PlyReader {
   // u and v of each vertex; of the corners of the face at hand, where the file has a list of them.
   std::vector<glm::vec2> vertex_texture_, face_texture_;
   EvenLook vertex_look_, face_look_;
-  std::int64_t short_faces_ = 0;
+  std::int64_t short_faces_ = 0, edges_ = 0;
   const bool textured_;  // some element tells u and v
 };
 
@@ -345,6 +345,7 @@ MeshFile PlyReader<Values>::read() {
     } else if (e.name == "tristrips" && e.count > 0) {
       faces(e, true);
     } else {
+      if (e.name == "edge") edges_ += static_cast<std::int64_t>(e.count);
       for (std::size_t i = 0; i < e.count; ++i) {
         source_.context().check();
         for (const PlyProperty& p : e.properties) skip(p);
@@ -362,6 +363,10 @@ MeshFile PlyReader<Values>::read() {
   if (short_faces_ > 0) {
     file.diagnostics.add(Severity::Warning, "ply.short_faces", short_faces_,
                          "faces of fewer than three corners were left out");
+  }
+  if (edges_ > 0) {
+    file.diagnostics.add(Severity::Warning, "ply.no_faces", edges_,
+                         "edges of the PLY, which have no faces, were left out");
   }
   file.objects.push_back(std::move(soup_));
   file.uses.push_back(

@@ -25,6 +25,10 @@ bool is_made_up(const std::string& name) {
          std::ranges::any_of(kBegin, [&](std::string_view b) { return low.starts_with(b); });
 }
 
+/// What may follow another word without a blank.
+constexpr std::string_view kWords[] = {"facet",  "normal", "outer", "loop",
+                                       "vertex", "end",    "solid"};
+
 class StlTextReader {
  public:
   explicit StlTextReader(const Source& source)
@@ -34,6 +38,7 @@ class StlTextReader {
  private:
   void word();
   void solid();
+  void end_solid();
   void facet();
   void loop();
   const char* matched(const char* from, std::string_view lower) const;
@@ -42,6 +47,11 @@ class StlTextReader {
   bool at_pair(std::string_view first, std::string_view second);
   bool at_facet();
   bool at_vertex();
+  bool at_number();
+  const char* next_facet(const char* from) const;
+  const char* ends_number(const char* at) const;
+  double coordinate();
+  double with_comma(const char* stop);
   [[noreturn]] void truncated(const char* inside) const;
 
   const Source& source_;
@@ -49,6 +59,8 @@ class StlTextReader {
   GroupedFaces faces_;
   std::uint32_t group_ = kNoGroup;
   std::int64_t short_loops_ = 0;
+  /// What the first comma behind a digit turned out to be.
+  enum class Commas { Unknown, Decimal, Between } commas_ = Commas::Unknown;
   bool in_solid_ = false;
 };
 
@@ -66,8 +78,10 @@ const char* StlTextReader::matched(const char* from, std::string_view lower) con
   return from;
 }
 
+/// Programs also glue the next word to one.
 bool StlTextReader::ends_word(const char* at) const {
-  return *at == '\0' || is_blank(*at) || is_line_end(*at);
+  if (at == text_.where() + text_.left() || is_blank(*at) || is_line_end(*at)) return true;
+  return std::ranges::any_of(kWords, [&](std::string_view w) { return matched(at, w) != nullptr; });
 }
 
 /// Whether the text goes on with this word; if so it is skipped.
@@ -89,13 +103,7 @@ bool StlTextReader::at_pair(std::string_view first, std::string_view second) {
   return true;
 }
 
-/// "facet", also where "normal" is glued to it.
-bool StlTextReader::at_facet() {
-  if (at_word("facet")) return true;
-  if (matched(text_.where(), "facetnormal") == nullptr) return false;
-  text_.token();
-  return true;
-}
+bool StlTextReader::at_facet() { return at_word("facet"); }
 
 /// "vertex", also where its first number is glued to it.
 bool StlTextReader::at_vertex() {
@@ -109,10 +117,98 @@ bool StlTextReader::at_vertex() {
   return true;
 }
 
+/// Whether a number stands here, which may be glued to the next word; if so it is skipped.
+bool StlTextReader::at_number() {
+  double value = 0;
+  const char* stop = scan_double(text_.where(), text_.where() + text_.left(), value);
+  if (stop == nullptr || !ends_word(stop)) return false;
+  text_.skip(static_cast<std::size_t>(stop - text_.where()));
+  return true;
+}
+
+/// Where "facet normal" stands on the line that `from` is in; null where it does not.
+const char* StlTextReader::next_facet(const char* from) const {
+  const char* end = text_.where() + text_.left();
+  for (const char* p = from; p != end && !is_line_end(*p); ++p) {
+    const char* after = p == from || is_blank(p[-1]) ? matched(p, "facet") : nullptr;
+    while (after != nullptr && is_blank(*after)) ++after;
+    if (after != nullptr && matched(after, "normal") != nullptr) return p;
+  }
+  return nullptr;
+}
+
+/// The name is the rest of the line, but where all stands on one.
 void StlTextReader::solid() {
   in_solid_ = true;
   group_ = static_cast<std::uint32_t>(faces_.names.size());
-  faces_.names.emplace_back(text_.rest_of_line());
+  text_.skip_blanks();
+  const char* begin = text_.where();
+  if (const char* facet = next_facet(begin)) {
+    std::string_view name(begin, static_cast<std::size_t>(facet - begin));
+    text_.skip(name.size());
+    faces_.names.emplace_back(name.substr(0, name.find_last_not_of(" \t") + 1));
+  } else {
+    faces_.names.emplace_back(text_.rest_of_line());
+  }
+}
+
+/// The rest of the line is a name again; where all stands on one line the next solid may be on it.
+void StlTextReader::end_solid() {
+  in_solid_ = false;
+  group_ = kNoGroup;
+  const char* begin = text_.where();
+  const char* next = next_facet(begin);
+  if (next == nullptr) return text_.next_line();
+  for (const char* p = next; p != begin; --p) {
+    const char* after = is_blank(p[-1]) ? matched(p, "solid") : nullptr;
+    if (after == nullptr || !ends_word(after)) continue;
+    next = p;
+    break;
+  }
+  text_.skip(static_cast<std::size_t>(next - begin));
+}
+
+/// What ends the number before `at`, past a comma that parts numbers: null where nothing does.
+const char* StlTextReader::ends_number(const char* at) const {
+  if (ends_word(at)) return at;
+  if (*at != ',' || commas_ == Commas::Decimal) return nullptr;
+  return is_blank(at[1]) || is_line_end(at[1]) || commas_ == Commas::Between ? at + 1 : nullptr;
+}
+
+double StlTextReader::coordinate() {
+  const char* begin = text_.where();
+  const char* end = begin + text_.left();
+  double value = 0;
+  const char* stop = scan_double(begin, end, value);
+  if (stop != nullptr && *stop == ',' && is_digit(stop[1]) && commas_ == Commas::Unknown) {
+    // "1,5" is a number, "1,5,2" are three.
+    const char* comma = stop + 1;
+    while (comma != end && !is_blank(*comma) && !is_line_end(*comma) && *comma != ',') ++comma;
+    commas_ = comma != end && *comma == ',' ? Commas::Between : Commas::Decimal;
+  }
+  if (stop != nullptr && *stop == ',' && commas_ == Commas::Decimal) return with_comma(stop);
+  const char* after = stop == nullptr ? nullptr : ends_number(stop);
+  if (after == nullptr) return text_.number("a coordinate");  // which says what is wrong
+  text_.skip(static_cast<std::size_t>(after - begin));
+  return value;
+}
+
+/// A number that has a comma at `stop` where a point should be.
+double StlTextReader::with_comma(const char* stop) {
+  const char* begin = text_.where();
+  const char* end = begin + text_.left();
+  const char* behind = stop + 1;
+  while (behind != end &&
+         (is_digit(*behind) || (*behind | 0x20) == 'e' || *behind == '-' || *behind == '+') &&
+         !ends_word(behind)) {
+    ++behind;
+  }
+  std::string digits(begin, behind);
+  digits[static_cast<std::size_t>(stop - begin)] = '.';
+  double value = 0;
+  if (!parse_double(digits, value) || !ends_word(behind)) return text_.number("a coordinate");
+  text_.skip(static_cast<std::size_t>(behind - begin));
+  return value;
 }
 
 void StlTextReader::facet() {
@@ -127,7 +223,7 @@ void StlTextReader::facet() {
       text_.fail("'loop' should follow 'outer'; the file is damaged, export it again");
     }
     if (at_pair("end", "facet")) return;
-    text_.token();
+    if (!at_word("normal") && !at_number()) text_.token();
   }
 }
 
@@ -139,7 +235,7 @@ void StlTextReader::loop() {
       Vec3 p;
       for (int i = 0; i < 3; ++i) {
         text_.skip_space();
-        p[i] = text_.number("a coordinate");
+        p[i] = coordinate();
       }
       faces_.positions.push_back(p);
     } else if (at_pair("end", "loop")) {
@@ -171,12 +267,7 @@ void StlTextReader::word() {
   if (at_pair("end", "facet")) return;
   if (at_pair("outer", "loop")) return loop();  // one more loop of a facet
   if (at_word("solid")) return solid();
-  if (at_pair("end", "solid")) {
-    in_solid_ = false;
-    group_ = kNoGroup;
-    text_.next_line();
-    return;
-  }
+  if (at_pair("end", "solid")) return end_solid();
   if (at_word("color")) return text_.next_line();
   text_.fail(in_quotes(text_.token()) +
              " is no word of an ASCII STL; the file is damaged, export it again");
@@ -194,11 +285,16 @@ MeshFile StlTextReader::read() {
     file.diagnostics.add(Severity::Warning, "stl.no_endsolid", 1,
                          "the ASCII STL ends without 'endsolid'; it may be truncated");
   }
+  if (commas_ == Commas::Decimal) {
+    file.diagnostics.add(Severity::Warning, "stl.decimal_commas", 1,
+                         "the numbers of the ASCII STL have commas where points should be, and "
+                         "were read so");
+  }
   if (short_loops_ > 0) {
     file.diagnostics.add(Severity::Warning, "stl.short_loops", short_loops_,
                          "facets of fewer than three corners were left out");
   }
-  faces_.join_connected = true;
+  faces_.join = GroupedFaces::Join::Connected;
   split_groups(std::move(faces_), file, source_.context());
   // One solid is called as its file then.
   if (file.objects.size() == 1 && is_made_up(file.objects[0].name)) file.objects[0].name.clear();

@@ -47,7 +47,7 @@ std::size_t triangle_count(const Source& source, Diagnostics& diagnostics) {
     return claimed;
   }
   diagnostics.add(
-      Severity::Info, "stl.zero_count", 1,
+      Severity::Warning, "stl.zero_count", 1,
       fmt::format("the binary STL gives {} as the number of its triangles; by the length "
                   "of the file it holds {}",
                   claimed, held));

@@ -16,7 +16,9 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdint>
 #include <string>
+#include <system_error>
 
 namespace burin::detail {
 namespace {
@@ -161,6 +163,19 @@ std::string given_format(const std::filesystem::path& path, const ReadOptions& o
   return told ? std::string() : "." + options.input_format;
 }
 
+namespace {
+
+/// Whether a mesh has the suffix of a format that its content would have told.
+bool is_misnamed_mesh(const Reader& reader, const std::filesystem::path& path,
+                      const std::string& head) {
+  if (&reader != &kCad && &reader != &kGltf) return false;
+  std::error_code error;
+  const std::uintmax_t size = std::filesystem::file_size(path, error);
+  return is_mesh_content(head, error ? 0 : size);
+}
+
+}  // namespace
+
 const Reader& reader_of(const std::filesystem::path& path, const ReadOptions& options,
                         const RunContext& context) {
   if (plugin::names_form(path.string())) {
@@ -173,7 +188,8 @@ const Reader& reader_of(const std::filesystem::path& path, const ReadOptions& op
     if (reader->knows_content && reader->knows_content(head)) return *reader;
   }
   for (const Reader* reader : readers) {
-    if (reader->knows_suffix(path)) return *reader;
+    if (!reader->knows_suffix(path)) continue;
+    return is_misnamed_mesh(*reader, path, head) ? kMesh : *reader;
   }
   return options.volume.raw ? kVolume : kMesh;
 }

@@ -24,9 +24,12 @@ std::vector<detail::NamePatterns> by_name(std::span<const std::string> selectors
 bool any_piece_named(const Part& part, const std::vector<detail::NamePatterns>& patterns) {
   std::vector<std::string> names = detail::names_of(part);
   names.emplace_back();
-  return std::ranges::any_of(part.pieces, [&](const Piece& piece) {
-    names.back() = piece.name;
+  const auto named = [&](const std::string& name) {
+    names.back() = name;
     return std::ranges::any_of(patterns, [&](const auto& p) { return p.lead_to_last(names); });
+  };
+  return std::ranges::any_of(part.pieces, [&](const Piece& piece) {
+    return std::ranges::any_of(detail::names_of_piece(piece.name), named);
   });
 }
 
@@ -53,6 +56,10 @@ Part part_of(const std::shared_ptr<const Part>& all, const Piece& piece) {
 }
 
 }  // namespace
+
+std::string piece_name(const std::string& number, const std::string& given) {
+  return given.empty() ? number : number + " (" + given + ")";
+}
 
 std::vector<std::size_t> split_pieces(Scene& scene, std::span<const std::string> selectors,
                                       bool glazed) {

@@ -48,7 +48,12 @@ Test by_attribute(std::string_view selector) {
 
 Test by_name(std::string_view selector) {
   return [patterns = NamePatterns(selector)](std::size_t, const Part& part) {
-    return patterns.lead_to(names_of(part));
+    std::vector<std::string> names = names_of(part);
+    if (patterns.lead_to(names) || !part.whole) return patterns.lead_to(names);
+    return std::ranges::any_of(detail::names_of_piece(part.name), [&](const std::string& name) {
+      names.back() = name;
+      return patterns.lead_to(names);
+    });
   };
 }
 

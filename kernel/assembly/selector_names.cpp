@@ -46,6 +46,12 @@ std::vector<std::string> names_of(const Part& part) {
   return names;
 }
 
+std::vector<std::string> names_of_piece(const std::string& name) {
+  const std::size_t open = name.find(" (");
+  if (open == name.npos || !name.ends_with(')')) return {name};
+  return {name, name.substr(0, open), name.substr(open + 2, name.size() - open - 3)};
+}
+
 NamePatterns::NamePatterns(std::string_view selector) : patterns_(parted(selector)) {
   if (patterns_.empty()) throw UsageError("a selector is the name of a part, not empty");
   path_ = patterns_.size() > 1;

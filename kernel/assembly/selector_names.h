@@ -16,6 +16,9 @@ bool like(std::string_view pattern, std::string_view name);
 /// The names from the top of the assembly down to the part.
 std::vector<std::string> names_of(const Part& part);
 
+/// Its name, and where that is made of a number and a given name (`piece_name`), each of them.
+std::vector<std::string> names_of_piece(const std::string& name);
+
 /// The patterns of a selector by name, one for each level. Throws UsageError where it is empty.
 class NamePatterns {
  public:

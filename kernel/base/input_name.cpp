@@ -16,7 +16,7 @@ constexpr std::array<std::array<std::string_view, 2>, 2> kPacked{
     {{".stpz", ".stp"}, {".igsz", ".igs"}}};
 
 std::filesystem::path unpacked_name(std::filesystem::path path) {
-  if (lowered(path.extension().string()) == ".gz") path = path.stem();
+  while (lowered(path.extension().string()) == ".gz") path = path.stem();
   return path.filename();
 }
 

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <optional>
 #include <queue>
 
 namespace burin::repair_stages {
@@ -170,8 +171,28 @@ bool EarClipper::run(std::span<Triangle> out, const RunContext& context) {
   return simple && orientation(at(prev_[any_]), at(any_), at(next_[any_])) >= 0;
 }
 
-/// The two triangles of a quadrilateral: the cut must lie inside it; of two such cuts the shorter
-/// one.
+/// The angle between the two triangles of a quadrilateral that is cut from a to c.
+double fold(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
+  const Vec3 one = glm::cross(b - a, c - a), other = glm::cross(c - a, d - a);
+  return std::atan2(glm::length(glm::cross(one, other)), glm::dot(one, other));
+}
+
+/// Whether a bent quadrilateral is to be cut from a to c: the cut that folds it less, else the
+/// shorter one, else the one that makes a ridge. None of these looks at where the corners begin: a
+/// surface of alike quadrilaterals gets alike cuts. Absent where it is flat, but for rounding.
+std::optional<bool> cut_of_bent(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
+  constexpr double kBent = 0.02, kAlike = 0.01;  // radians: 1.1 and 0.6 degrees
+  constexpr double kEqual = 1 + 1e-4;
+  const double ac = fold(a, b, c, d), bd = fold(b, c, d, a);
+  if (!(std::max(ac, bd) > kBent)) return std::nullopt;
+  if (std::abs(ac - bd) > kAlike) return ac < bd;
+  const double long_ac = glm::dot(c - a, c - a), long_bd = glm::dot(d - b, d - b);
+  if (long_ac > kEqual * long_bd || long_bd > kEqual * long_ac) return long_ac < long_bd;
+  return glm::dot(glm::cross(b - a, c - a), d - a) < 0;
+}
+
+/// The two triangles of a quadrilateral: the cut must lie inside it; of two such cuts the one that
+/// suits it better, of a flat one the shorter.
 void triangulate_quad(std::span<const Vec3> positions, std::span<const std::uint32_t> q,
                       std::span<Triangle> out) {
   const Vec3 &a = positions[q[0]], &b = positions[q[1]], &c = positions[q[2]], &d = positions[q[3]];
@@ -179,8 +200,11 @@ void triangulate_quad(std::span<const Vec3> positions, std::span<const std::uint
   const bool bd = glm::dot(glm::cross(b - a, d - a), glm::cross(c - b, d - b)) > 0;
   // Rectangles have equal diagonals: rounding must not make the cuts of a row of them alternate.
   constexpr double kEqual = 1 + 1e-6;
-  const bool shorter = glm::dot(c - a, c - a) <= kEqual * glm::dot(d - b, d - b);
-  if (ac == bd ? shorter : ac) {
+  const auto better = [&] {
+    const bool shorter = glm::dot(c - a, c - a) <= kEqual * glm::dot(d - b, d - b);
+    return cut_of_bent(a, b, c, d).value_or(shorter);
+  };
+  if (ac == bd ? better() : ac) {
     out[0] = {q[0], q[1], q[2]};
     out[1] = {q[0], q[2], q[3]};
   } else {

@@ -1,6 +1,7 @@
 // Models that gzip packed, and models and drawings that are piped.
 #include "models.h"
 
+#include <burin_test/mesh_files.h>
 #include <nlohmann/json.hpp>
 
 #include <cstdio>
@@ -46,6 +47,37 @@ TEST_F(Packed, ModelsAreUnpackedByTheirBytes) {
   EXPECT_EQ(drawn("@/part.stp.gz"), exact);
   EXPECT_EQ(run("info @/part.stpz"), 0) << err_;
   EXPECT_NE(out_.find("STEP"), std::string::npos);
+}
+
+TEST_F(Packed, PackedTwice) {
+  const auto plain = drawn("@/box.off");
+  pack("box.off", "box.off.gz");
+  pack("box.off.gz", "box.off.gz.gz");
+  pack("box.off.gz.gz", "three.off.gz");
+  pack("three.off.gz", "four.off.gz");
+  EXPECT_EQ(drawn("@/box.off.gz.gz"), plain);
+  EXPECT_EQ(name_, "box");
+  EXPECT_EQ(drawn("@/three.off.gz"), plain);
+  EXPECT_EQ(run("draw @/four.off.gz -o @/a.svg"), 3);
+  expect_error("over 3 times");
+  folder_.write("tail.off.gz", test::slurp(folder_ / "box.off.gz") + "bytes behind");
+  EXPECT_EQ(drawn("@/tail.off.gz"), plain);
+}
+
+TEST_F(Packed, MeshesWithTheSuffixOfAnotherFormat) {
+  const auto plain = drawn("@/box.off");
+  const std::string text = test::slurp(folder_ / "box.off");
+  for (const char* name : {"box.step", "box.igs", "box.glb", "box.stl"}) {
+    folder_.write(name, text);
+    EXPECT_EQ(drawn(std::string("@/") + name), plain) << name;
+  }
+  const TriMesh box = test::box({0, 0, 0}, {1, 2, 3});
+  folder_.write("binary.step", test::stl_binary(box));
+  folder_.write("text.gltf", test::stl_ascii(box));
+  drawn("@/binary.step");
+  EXPECT_EQ(name_, "binary");
+  drawn("@/text.gltf");
+  EXPECT_EQ(name_, "part");
 }
 
 TEST_F(Packed, BombsAndDamageAreRefusedInOneLine) {

@@ -123,6 +123,22 @@ class Mistakes(unittest.TestCase):
                 scene.add_function(values, self.BOX, samples=16)
 
 
+class Joined(unittest.TestCase):
+    def test_a_part_of_two_looks_is_counted_once(self):
+        def scene_of(joined):
+            scene = burin.Scene()
+            for kind, (height, look) in enumerate([(10, "#102030"), (14, "#ff0000")] * 2):
+                vertices, triangles = cube()
+                shift = [40 * (kind // 2), 0, 10 * (kind % 2)]
+                part = scene.add_mesh(vertices * [1, 1, height / 10] + shift, triangles, name="knob", color=look)
+                self.assertIs(part.joined, False)
+                part.joined = joined and kind % 2 == 1
+            return scene
+
+        self.assertEqual([item["quantity"] for item in burin.items(scene_of(True))], [2])
+        self.assertEqual([item["quantity"] for item in burin.items(scene_of(False))], [2, 2])
+
+
 class Brep(unittest.TestCase):
     def test_faces_and_edges_are_numbered_as_in_the_shape(self):
         scene = burin.Scene()

@@ -46,7 +46,8 @@ class AmfReader {
   std::map<std::string, std::size_t> object_of_, constellation_of_;
   std::set<std::string> used_;
   std::size_t placed_ = 0;
-  std::int64_t supports_ = 0, modifiers_ = 0, several_colors_ = 0;
+  std::int64_t supports_ = 0, modifiers_ = 0, several_colors_ = 0, missing_ = 0;
+  std::string first_missing_;
   MeshFile file_;
 };
 
@@ -108,8 +109,8 @@ void AmfReader::walk(const Instance& use, const Placement& above, std::vector<st
   }
   const auto found = constellation_of_.find(use.object);
   if (found == constellation_of_.end()) {
-    source_.fail(
-        fmt::format("has no object {}, which is used; export it again", in_quotes(use.object)));
+    if (missing_++ == 0) first_missing_ = in_quotes(use.object);
+    return;
   }
   const Constellation& set = document_.constellations[found->second];
   if (!set.name.empty()) names.push_back(set.name);
@@ -124,6 +125,12 @@ void AmfReader::tell() {
   if (modifiers_ > 0) {
     file_.diagnostics.add(Severity::Info, "amf.modifiers", modifiers_,
                           "volumes that a slicer uses to modify others were left out");
+  }
+  if (missing_ > 0) {
+    file_.diagnostics.add(Severity::Warning, "amf.missing", missing_,
+                          fmt::format("instances were left out: the file does not hold what they "
+                                      "place; the first: object {}",
+                                      first_missing_));
   }
   tell_several_colors(several_colors_, file_.diagnostics);
 }

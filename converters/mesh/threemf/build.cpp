@@ -44,6 +44,7 @@ class ThreeMfReader {
  private:
   std::string root_path() const;
   const ThreeMfModel& model(const std::string& path);
+  const ThreeMfObject* object(const std::string& path, const std::string& id);
   void item(const ThreeMfUse& use, const std::string& root);
   void walk(const ThreeMfUse& use, const Above& above, std::size_t depth);
   void components(const ThreeMfObject& object, const Above& inside, std::size_t depth);
@@ -60,7 +61,8 @@ class ThreeMfReader {
   ThreeMfShapes shapes_;
   std::vector<Leaf> leaves_;  // of the item under way
   std::size_t uses_ = 0, triangles_ = 0;
-  std::int64_t supports_ = 0, not_solid_ = 0, beams_ = 0;
+  std::int64_t supports_ = 0, not_solid_ = 0, beams_ = 0, missing_ = 0;
+  std::string first_missing_;
   MeshFile file_;
 };
 
@@ -81,6 +83,21 @@ const ThreeMfModel& ThreeMfReader::model(const std::string& path) {
   const auto found = models_.find(path);
   if (found != models_.end()) return found->second;
   return models_.emplace(path, parse_3mf_model(package_.read(path), path, source_)).first->second;
+}
+
+/// Null, which is told at the end, where the package does not hold it.
+const ThreeMfObject* ThreeMfReader::object(const std::string& path, const std::string& id) {
+  const bool there = models_.contains(path) || package_.has(path);
+  if (there) {
+    const auto& objects = model(path).objects;
+    if (const auto found = objects.find(id); found != objects.end()) return &found->second;
+  }
+  if (missing_++ == 0) {
+    const std::string_view name = std::string_view(path).substr(path.starts_with('/') ? 1 : 0);
+    first_missing_ = there ? fmt::format("object {} of {}", in_quotes(id), name)
+                           : fmt::format("the model part {}", name);
+  }
+  return nullptr;
 }
 
 void ThreeMfReader::leaf(const ThreeMfUse& use, const ThreeMfObject& object, const Above& above,
@@ -149,20 +166,16 @@ void ThreeMfReader::walk(const ThreeMfUse& use, const Above& above, std::size_t 
   }
   Above here = above;
   if (!use.path.empty()) here.path = use.path;
-  const ThreeMfModel& in = model(here.path);
-  const auto found = in.objects.find(use.object);
-  if (found == in.objects.end()) {
-    source_.fail(fmt::format("{} has no object {}, which is used; export it again", here.path,
-                             in_quotes(use.object)));
-  }
-  const ThreeMfObject& object = found->second;
+  const ThreeMfObject* found = object(here.path, use.object);
+  if (found == nullptr) return;
+  const ThreeMfObject& object = *found;
   if (!object.is_model()) {
     ++supports_;
     return;
   }
   beams_ += object.has_beams;
   Placement place = use.place;
-  place.offset *= in.unit;
+  place.offset *= model(here.path).unit;
   here.place = after(above.place, place);
   if (object.mesh.polygon_count() > 0) mesh(use, object, here);
   here.names.push_back(object.name);
@@ -216,6 +229,12 @@ void ThreeMfReader::tell() {
         Severity::Warning, "3mf.beams", beams_,
         "beam lattices were left out: they are no triangles; export them as such");
   }
+  if (missing_ > 0) {
+    file_.diagnostics.add(Severity::Warning, "3mf.missing", missing_,
+                          fmt::format("items or components were left out: the file does not hold "
+                                      "what they place; the first: {}",
+                                      first_missing_));
+  }
   tell_several_colors(shapes_.several_colors(), file_.diagnostics);
 }
 
@@ -234,6 +253,9 @@ MeshFile ThreeMfReader::read() {
   }
   for (const ThreeMfUse& use : root.build) item(use, path);
   if (shapes_.empty()) {
+    if (missing_ > 0)
+      source_.fail(fmt::format("the 3MF does not hold {}, which its build uses; export it again",
+                               first_missing_));
     source_.fail(supports_ > 0 ? "the 3MF holds support objects alone; export the model itself"
                                : "the 3MF holds no triangles; export it again");
   }

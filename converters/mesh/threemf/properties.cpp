@@ -2,6 +2,7 @@
 
 #include "../texture.h"
 #include "../xml.h"
+#include "text.h"
 
 #include <algorithm>
 #include <charconv>
@@ -36,6 +37,19 @@ std::vector<std::string_view> words(std::string_view text) {
   return out;
 }
 
+/// A layer over what lies below it: as glass of that colour, or covering as much as it is opaque.
+Rgba blended(const Rgba& below, const Rgba& layer, bool multiplies) {
+  const LinearColor under = in_light(below), over = in_light(layer);
+  LinearColor out{};
+  if (multiplies) {
+    for (std::size_t k = 0; k < out.size(); ++k) out[k] = under[k] * over[k];
+    return displayed(out);
+  }
+  for (std::size_t k = 0; k < 3; ++k) out[k] = over[k] * over[3] + under[k] * (1 - over[3]);
+  out[3] = over[3] + under[3] * (1 - over[3]);
+  return displayed(out);
+}
+
 }  // namespace
 
 ThreeMfProperties::ThreeMfProperties(const pugi::xml_node& resources) {
@@ -59,14 +73,45 @@ ThreeMfProperties::ThreeMfProperties(const pugi::xml_node& resources) {
     }
   }
   for (const pugi::xml_node& group : resources) {
+    if (is(group, "compositematerials")) mix(group);
+  }
+  for (const pugi::xml_node& group : resources) {
     if (is(group, "multiproperties")) combine(group);
   }
 }
 
-/// Several groups of which one is laid over the other: the last that has a colour is seen.
+/// Materials that are mixed of base materials, by their shares. None where one has no colour.
+void ThreeMfProperties::mix(const pugi::xml_node& composites) {
+  const std::string_view base = attribute(composites, "matid");
+  const std::vector<std::string_view> indices = words(attribute(composites, "matindices"));
+  std::vector<std::optional<Rgba>> colors;
+  for (const pugi::xml_node& one : composites) {
+    if (!is(one, "composite")) continue;
+    const std::vector<std::string_view> shares = words(attribute(one, "values"));
+    LinearColor sum{};
+    double total = 0;
+    bool known = true;
+    for (std::size_t i = 0; i < indices.size() && i < shares.size(); ++i) {
+      double share = 0;
+      if (!parse_double(shares[i], share) || !(share > 0)) continue;
+      const std::optional<Rgba> material = color(base, indices[i]);
+      known = known && material;
+      if (!known) break;
+      const LinearColor light = in_light(*material);
+      for (std::size_t k = 0; k < sum.size(); ++k) sum[k] += share * light[k];
+      total += share;
+    }
+    for (double& channel : sum) channel /= total;
+    colors.push_back(known && total > 0 ? std::optional(displayed(sum)) : std::nullopt);
+  }
+  colors_[std::string(attribute(composites, "id"))] = std::move(colors);
+}
+
+/// Several groups of which one is laid over the other.
 void ThreeMfProperties::combine(const pugi::xml_node& group) {
   const std::string id(attribute(group, "id"));
   const std::vector<std::string_view> layers = words(attribute(group, "pids"));
+  const std::vector<std::string_view> methods = words(attribute(group, "blendmethods"));
   const auto is_texture = [&](std::string_view layer) { return texture_.contains(layer); };
   const bool textured = std::ranges::any_of(layers, is_texture);
   std::vector<std::optional<Rgba>> colors;
@@ -78,7 +123,10 @@ void ThreeMfProperties::combine(const pugi::xml_node& group) {
     glm::vec2& point = points.emplace_back(kNoTexture);
     for (std::size_t i = 0; i < layers.size(); ++i) {
       const std::string_view index = i < indices.size() ? indices[i] : "0";
-      if (const auto own = color(layers[i], index)) seen = own;
+      if (const auto own = color(layers[i], index)) {
+        const bool multiplies = i > 0 && i <= methods.size() && methods[i - 1] == "multiply";
+        seen = seen ? blended(*seen, *own, multiplies) : *own;
+      }
       if (is_texture(layers[i])) point = texture(layers[i], index);
     }
   }

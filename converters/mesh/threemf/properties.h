@@ -14,7 +14,8 @@
 
 namespace burin {
 
-/// Groups of one model part, by their ids: base materials, colours, texture coordinates. What
+/// Groups of one model part, by their ids: base materials and what is mixed of them, colours,
+/// texture coordinates. What
 /// refers to no group or to nothing in it has none: neither is worth refusing a model.
 class ThreeMfProperties {
  public:
@@ -29,6 +30,7 @@ class ThreeMfProperties {
   template <class T>
   using Groups = std::map<std::string, std::vector<T>, std::less<>>;
 
+  void mix(const pugi::xml_node& composites);
   void combine(const pugi::xml_node& group);
 
   Groups<glm::vec2> texture_;

@@ -46,6 +46,19 @@ std::vector<std::string> paths(const Scene& scene) {
 using Strings = std::vector<std::string>;
 using Parts = std::vector<std::size_t>;
 
+TEST(Pieces, AreChosenByTheNameThatSomebodyGave) {
+  for (const char* selector :
+       {"lid/housing", "lid/solid 1", "/lid/hous*", "lid/solid 1 (housing)"}) {
+    Scene s = scene();
+    s.parts[3].pieces[0].name = piece_name("solid 1", "housing");
+    EXPECT_EQ(split_pieces(s, Strings{selector}), (Parts{3})) << selector;
+    EXPECT_EQ(path_of(s.parts[3]), "lid/solid 1 (housing)");
+    EXPECT_EQ(path_of(s.parts[4]), "lid/solid 2");
+    EXPECT_EQ(select(s, selector), (Parts{3})) << selector;
+    EXPECT_EQ(select(s, "lid"), (Parts{3, 4}));
+  }
+}
+
 TEST(Pieces, AreSplitWhereASelectorNamesOneByItsPath) {
   Scene s = scene();
   EXPECT_EQ(split_pieces(s, Strings{"chip/solid 2"}), (Parts{1, 1}));

@@ -123,6 +123,31 @@ TEST_F(BadFiles, WhatStandsBeforeACutIsRead) {
   ASSERT_EQ(scene.parts.size(), 1u);
   EXPECT_EQ(scene.parts[0].name, "first");
   EXPECT_EQ(test::count_of(scene.diagnostics, "step.truncated"), 1);
+  const auto cut = text.begin() + static_cast<std::ptrdiff_t>(middle);
+  const std::string line = fmt::format("in line {};", 1 + std::count(text.begin(), cut, '\n'));
+  EXPECT_NE(scene.diagnostics.entries()[0].message.find(line), std::string::npos)
+      << scene.diagnostics.entries()[0].message;
+}
+
+TEST_F(BadFiles, ACutBeforeAnyFaceIsWhatIsSaid) {
+  const std::string text = test::slurp(box_step());
+  for (const std::size_t end : {text.find("DATA;") + 60, text.find("ADVANCED_FACE") + 60}) {
+    expect_error(folder_.write("cut.step", text.substr(0, end)), "the file ends early");
+  }
+}
+
+TEST_F(BadFiles, AByteOrderMarkIsNoFault) {
+  const std::string text = test::slurp(box_step());
+  const Scene scene = read(folder_.write("mark.step", "\xef\xbb\xbf" + text));
+  EXPECT_EQ(scene.parts.size(), read(folder_.write("plain.step", text)).parts.size());
+  EXPECT_TRUE(scene.diagnostics.empty());
+}
+
+TEST_F(BadFiles, OtherFilesWithThatSuffixAreCalledWhatTheyAre) {
+  expect_error(folder_.write("a.step", "\xff\xfeI"), "UTF-16");
+  expect_error(folder_.write("b.step", "version https://git-lfs.github.com/spec/v1\n"), "Git LFS");
+  expect_error(folder_.write("c.step", "<!DOCTYPE html><html>"), "web page");
+  expect_error(folder_.write("d.iges", "PK\x03\x04 rest"), "zip archive");
 }
 
 TEST_F(BadFiles, AbsurdKnotsAreRefused) {

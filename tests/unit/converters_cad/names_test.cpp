@@ -136,7 +136,53 @@ TEST(NameEncodings, ThatNobodyKnowsAreRefused) {
   }
 }
 
+TEST(NameEncodings, WhatIsNotSureIsSaidByTheNameAlone) {
+  Diagnostics said;
+  const std::string text =
+      utf8_text("#1 = PRODUCT('b','\xd8\xd8','',(#2));\n#2 = X('');\n", "", said);
+  ASSERT_EQ(said.entries().size(), 1u);
+  const std::string& message = said.entries()[0].message;
+  EXPECT_EQ(message.find("PRODUCT"), std::string::npos) << message;
+  const std::size_t name = message.find("('") + 2;
+  EXPECT_NE(text.find("'" + message.substr(name, message.find("')") - name) + "'"), text.npos)
+      << message;
+}
+
 class CadNames : public test::CadTest {};
+
+TEST_F(CadNames, OfProductsThatHaveNumbersAlone) {
+  test::CadDocument document;
+  document.part(test::solid_box(1, 1, 1), "QPARTQ");
+  const std::string file = document.step(folder_ / "plain.step");
+  const std::string named = "PRODUCT('QPARTQ','QPARTQ'";
+  for (const auto& [product, name] :
+       {std::pair("PRODUCT('B-17',''", "B-17"), std::pair("PRODUCT('B-17',' '", "B-17"),
+        std::pair("PRODUCT('B-17',$", "B-17"), std::pair("PRODUCT('',''", "part"),
+        std::pair("PRODUCT('Rhino Product','Rhino Product'", "part")}) {
+    const Scene scene = read(changed(file, named, product, "part.step"));
+    ASSERT_EQ(scene.parts.size(), 1u);
+    EXPECT_EQ(scene.parts[0].name, name) << product;
+  }
+}
+
+TEST_F(CadNames, OfSolidsInAProductThatSomebodyGave) {
+  test::CadDocument document;
+  document.part(test::boxes_in_a_row(4), "chip");
+  std::string text = test::slurp(document.step(folder_ / "plain.step"));
+  std::size_t at = 0;
+  for (const char* name : {"Housing", "Pin", "Pin", "Body 4"}) {
+    const std::string before = "MANIFOLD_SOLID_BREP('";
+    at = text.find(before, at) + before.size();
+    text.replace(at, text.find('\'', at) - at, name);
+  }
+  Scene scene = read(folder_.write("named.step", text));
+  ASSERT_EQ(scene.parts.size(), 1u);
+  const std::vector<Piece>& pieces = scene.parts[0].pieces;
+  ASSERT_EQ(pieces.size(), 4u);
+  Strings names;
+  for (const Piece& piece : pieces) names.push_back(piece.name);
+  EXPECT_EQ(names, (Strings{"solid 1 (Housing)", "solid 2 (Pin)", "solid 3 (Pin)", "solid 4"}));
+}
 
 TEST_F(CadNames, OfStepAreDecodedWhereverTheyStand) {
   test::CadDocument document;

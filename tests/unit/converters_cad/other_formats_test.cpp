@@ -133,10 +133,20 @@ TEST_F(OtherFormats, WiresBesideSolidsAreLeftOutAndTold) {
     EXPECT_EQ(scene.parts.size(), 1u) << file;
     ASSERT_EQ(scene.diagnostics.entries().size(), 1u) << file;
     EXPECT_EQ(scene.diagnostics.entries()[0].code, "cad.no_faces");
+    EXPECT_EQ(scene.diagnostics.entries()[0].severity, Severity::Warning);
     EXPECT_EQ(scene.diagnostics.entries()[0].count, count) << file;
   }
   const std::string told = read(folder_ / "a.step").diagnostics.entries()[0].message;
   EXPECT_NE(told.find("the first: wire"), told.npos) << told;
+}
+
+TEST_F(OtherFormats, IgesThatIsPackedOrPiped) {
+  CadDocument document;
+  document.part(test::solid_box(3, 4, 5), "box");
+  const std::string file = document.iges(folder_ / "box.igs");
+  const std::string pack = "gzip -c '" + file + "' > '" + folder_ / "box.igsz" + "'";
+  ASSERT_EQ(std::system(pack.c_str()), 0);  // NOLINT(cert-env33-c): a test's own file
+  expect_closed_box(folder_ / "box.igsz", "IGES");
 }
 
 TEST_F(OtherFormats, ContentGoesBeforeTheSuffix) {

@@ -297,7 +297,7 @@ TEST(Gltf, DamagedFilesAreRefused) {
   expect_refused(changed([](Json& j) { j["bufferViews"][0]["byteLength"] = 1 << 30; }),
                  "claims more");
   expect_refused(changed([](Json& j) { j["accessors"][0]["count"] = 2; }), "refers to vertex");
-  expect_refused(changed([](Json& j) { j["nodes"][0]["mesh"] = 3; }), "refers to mesh 3");
+  expect_refused(changed([](Json& j) { j["nodes"][0]["mesh"] = 3; }), "is not there");
   expect_refused(changed([](Json& j) { j["nodes"][0]["children"] = {0}; }), "in two places");
   expect_refused(changed([](Json& j) { j["scenes"][0]["nodes"] = {5}; }), "is not there");
   expect_refused(changed([](Json& j) { j["scenes"][0]["nodes"] = Json::array(); }),
@@ -309,6 +309,15 @@ TEST(Gltf, DamagedFilesAreRefused) {
   Gltf beside = one_box();
   expect_refused(beside.gltf("gone.bin"), "no such file", "a.gltf");
   expect_refused(beside.gltf("data:application/octet-stream;base64,AAAA"), "", "a.gltf");
+}
+
+TEST(Gltf, WhatTheFileDoesNotHoldIsLeftOutAndTold) {
+  Gltf g = one_box();
+  g.json["nodes"].push_back({{"mesh", 7}});
+  g.json["scenes"][0]["nodes"] = {0, 1, 9};
+  const Scene scene = read_gltf_bytes(g.glb());
+  EXPECT_EQ(scene.parts.size(), 1u);
+  EXPECT_EQ(test::count_of(scene.diagnostics, "gltf.missing"), 2);
 }
 
 TEST(Gltf, CancelledReadingStops) {

@@ -112,13 +112,19 @@ TEST(Amf, DamageIsToldInOneLine) {
   test::expect_error(amf(""), "c.amf", 0, "holds no triangles");
   test::expect_error("solid\n", "d.amf", 0, "");
   const std::string box = object("1", "Lid", volume(kBox, "", ""));
-  test::expect_error(amf(box + "<constellation id=\"2\">" + instance("9", "") + "</constellation>"),
-                     "e.amf", 0, "has no object '9'");
   test::expect_error(
       amf(box + "<constellation id=\"2\">" + instance("3", "") +
           "</constellation><constellation id=\"3\">" + instance("4", "") +
           "</constellation><constellation id=\"4\">" + instance("3", "") + "</constellation>"),
       "f.amf", 0, "contain each other");
+}
+
+TEST(Amf, WhatTheFileDoesNotHoldIsLeftOutAndTold) {
+  const std::string box = object("1", "Lid", volume(kBox, "", ""));
+  const Scene scene = test::read_scene(
+      amf(box + "<constellation id=\"2\">" + instance("9", "") + "</constellation>"), "a.amf");
+  EXPECT_EQ(scene.parts.size(), 1u);
+  EXPECT_EQ(test::count_of(scene.diagnostics, "amf.missing"), 1);
 }
 
 }  // namespace

@@ -102,5 +102,38 @@ TEST(Look, MaterialsOfObj) {
   EXPECT_EQ(test::count_of(lost.diagnostics, "obj.no_materials"), 1);
 }
 
+TEST(Look, VerticesOfObj) {
+  const std::string faces = "f 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n";
+  const auto read = [&](const std::string& color, const std::string& last) {
+    return read_scene("v 0 0 0 " + color + "\nv 1 0 0 " + color + "\nv 0 1 0 " + color +
+                          "\nv 0 0 1 " + last + "\n" + faces,
+                      "a.obj");
+  };
+  EXPECT_EQ(only(read("1 0.5 0", "1 0.5 0 # end")).color, "#ff8000");
+  EXPECT_EQ(only(read("255 128 0", "255 128 0")).color, "#ff8000");
+  EXPECT_EQ(only(read("1.0", "1.0")).color, "");  // a weight
+  for (const char* last : {"0 0 1", ""}) {
+    const Scene uneven = read("1 0 0", last);
+    EXPECT_EQ(only(uneven).color, "");
+    EXPECT_EQ(test::count_of(uneven.diagnostics, "mesh.several_colors"), 1);
+  }
+}
+
+TEST(Look, MaterialsOfObjThatGiveTransparencyTwice) {
+  const test::Folder folder;
+  folder.write("a.mtl",
+               "newmtl full\nKd 1 0 0\nd 1.0\nTr 1.0\nnewmtl late\nKd 1 0 0\nTr 1\nd 0.5\n"
+               "newmtl lone\nKd 1 0 0\nTr 0.75\n");
+  const auto opacity = [&](const std::string& material) {
+    const std::string file = folder.write(
+        "a.obj", "mtllib a.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl " + material + "\nf 1 2 3\n");
+    const RunContext context;
+    return only(read_mesh(file, context)).opacity;
+  };
+  EXPECT_EQ(opacity("full"), 1);
+  EXPECT_NEAR(opacity("late"), 0.5, 1 / 255.0);
+  EXPECT_NEAR(opacity("lone"), 0.25, 1 / 255.0);
+}
+
 }  // namespace
 }  // namespace burin

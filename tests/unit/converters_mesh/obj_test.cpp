@@ -55,6 +55,43 @@ TEST(Obj, ObjectsAreParts) {
   EXPECT_EQ(file.objects[1].positions, (std::vector<Vec3>{{5, 0, 0}, {6, 0, 0}, {6, 1, 0}}));
 }
 
+TEST(Obj, ClosedObjectsOfOneNameAreCopies) {
+  const auto box = [](double x, int first, const std::string& statement) {
+    const TriMesh m = test::box({x, 0, 0}, {x + 1, 1, 1});
+    std::string points, faces;
+    for (const Vec3& p : m.positions) points += fmt::format("v {} {} {}\n", p.x, p.y, p.z);
+    for (const Triangle& t : m.triangles) {
+      faces += fmt::format("f {} {} {}\n", t[0] + first, t[1] + first, t[2] + first);
+    }
+    return std::pair(points, statement + faces);
+  };
+  for (const std::string& word : {std::string("o a\n"), std::string("g a\n")}) {
+    const auto [one, ones] = box(0, 1, word);
+    const auto [other, others] = box(5, 9, word);
+    const MeshFile two = read_bytes(one + ones + other + others, "a.obj");
+    ASSERT_EQ(two.objects.size(), 2u) << word;
+    EXPECT_EQ(two.objects[0].name, "a");
+    EXPECT_EQ(two.objects[1].name, "a");
+    EXPECT_EQ(two.objects[1].positions.at(0).x, 5);
+    // In pieces, with another one between them.
+    const std::size_t half = ones.find('\n', ones.size() / 2) + 1;
+    const MeshFile pieces = read_bytes(one + other + ones.substr(0, half) + "o b\n" +
+                                           others.substr(word.size()) + "o a\n" + ones.substr(half),
+                                       "a.obj");
+    if (word[0] == 'o') {
+      ASSERT_EQ(pieces.objects.size(), 2u);
+      EXPECT_EQ(pieces.objects[0].polygon_count(), 12u);
+    }
+  }
+  // Groups divide an object, and make none of it.
+  const auto [points, faces] = box(0, 1, "g left\n");
+  const std::size_t half = faces.find('\n', faces.size() / 2) + 1;
+  EXPECT_EQ(read_bytes(points + "o a\n" + faces.substr(0, half) + "g right\n" + faces.substr(half),
+                       "a.obj")
+                .objects.size(),
+            1u);
+}
+
 TEST(Obj, GroupsArePartsUnlessTheyAreOneSurface) {
   const std::string apart = kCorners + "v 5 0 0\nv 6 0 0\nv 6 1 0\ng a\nf 1 2 3\ng b\nf 5 6 7\n";
   const MeshFile two = read_bytes(apart, "a.obj");
@@ -97,6 +134,7 @@ TEST(Obj, WhatIsNotDrawnIsSkipped) {
   EXPECT_EQ(test::count_of(file.diagnostics, "obj.short_faces"), 1);
   EXPECT_EQ(test::count_of(file.diagnostics, "obj.unknown_statements"), 1);
   EXPECT_EQ(test::count_of(file.diagnostics, "obj.free_form"), 1);
+  EXPECT_EQ(test::count_of(file.diagnostics, "obj.no_faces"), 2);
 }
 
 TEST(Obj, ColoursAndWeightsAfterCoordinates) {

@@ -56,6 +56,7 @@ TEST(Ply, AnyTypesAndStrangersAreRead) {
     ASSERT_EQ(file.objects.size(), 1u);
     EXPECT_EQ(file.objects[0].positions[3], Vec3(0.1 * 3, 9, -3));
     EXPECT_EQ(file.objects[0].offsets, (std::vector<std::size_t>{0, 4, 7}));
+    EXPECT_EQ(test::count_of(file.diagnostics, "ply.no_faces"), 1);
     EXPECT_EQ(file.objects[0].indices, (std::vector<std::uint32_t>{0, 1, 2, 3, 3, 1, 0}));
   }
 }

@@ -63,8 +63,11 @@ TEST(StlBinary, ACountOfZeroIsThatOfTheBytes) {
     const MeshFile file = read_bytes(bytes, name);
     EXPECT_EQ(file.format, "STL (binary)");
     EXPECT_EQ(file.objects.at(0).polygon_count(), kTorus.triangles.size());
-    EXPECT_EQ(test::count_of(file.diagnostics, "stl.zero_count"), 1);
+    ASSERT_EQ(file.diagnostics.entries().size(), 1u);
+    EXPECT_EQ(file.diagnostics.entries()[0].code, "stl.zero_count");
+    EXPECT_EQ(file.diagnostics.entries()[0].severity, Severity::Warning);
   }
+  EXPECT_EQ(read_bytes(bytes, "a.obj").format, "STL (binary)");
   EXPECT_EQ(read_bytes(bytes + "xy", "a.stl").objects.at(0).polygon_count(),
             kTorus.triangles.size());
 }
@@ -185,6 +188,70 @@ TEST(StlAscii, WordsMayBePartedOrGlued) {
   std::string glued = bytes;
   for (const auto& [from, to] : {dialects[3], dialects[4]}) glued = replaced(glued, from, to);
   EXPECT_EQ(read_bytes(glued, "noname").objects.size(), 2u);
+}
+
+TEST(StlAscii, MayStandOnOneLine) {
+  const std::string both = test::stl_ascii(kTorus, "the ring") +
+                           test::stl_ascii(test::box({9, 9, 9}, {10, 10, 10}), "solid disc");
+  for (const char* between : {" ", "\t  "}) {
+    const MeshFile file = read_bytes(replaced(both, "\n", between), "a.stl");
+    ASSERT_EQ(file.objects.size(), 2u);
+    EXPECT_EQ(file.objects[0].name, "the ring");
+    EXPECT_EQ(file.objects[0].polygon_count(), kTorus.triangles.size());
+    EXPECT_EQ(file.objects[1].polygon_count(), 12u);
+    EXPECT_TRUE(file.diagnostics.empty());
+  }
+  const std::string bare =
+      "solid facet normal 0 0 1 outer loop vertex 0 0 0 vertex 1 0 0 vertex 0 "
+      "1 0 endloop endfacet endsolid";
+  EXPECT_EQ(read_bytes(bare, "a.stl").objects.at(0).name, "");
+  // Line ends that were taken out, so that words and numbers touch.
+  const std::string touching =
+      "solid a\nfacet normal 0 0 1outer loopvertex 0 0 0vertex 1 0 0vertex 0 1 0endloopendfacet"
+      "facet normal 0 0 1e0outer loopvertex 0 0 0vertex 0 1 0vertex 0 0 1endloopendfacetendsolid a";
+  EXPECT_EQ(read_bytes(touching, "a.stl").objects.at(0).polygon_count(), 2u);
+}
+
+TEST(StlAscii, WordsMayBeGluedToTheNext) {
+  const std::string bytes = test::stl_ascii(kTorus, "ring");
+  for (const auto& [from, to] : {std::pair("endfacet\n  facet", "endfacetfacet"),
+                                 std::pair("endfacet\nfacet", "endfacetfacet"),
+                                 std::pair("endfacet\nendsolid", "endfacetendsolid")}) {
+    const MeshFile file = read_bytes(replaced(bytes, from, to), "a.stl");
+    EXPECT_EQ(file.objects.at(0).polygon_count(), kTorus.triangles.size()) << to;
+  }
+}
+
+TEST(StlAscii, PaddingAtTheEndIsNoWord) {
+  const std::string bytes = test::stl_ascii(test::box({0, 0, 0}, {1, 2, 3}), "box");
+  for (const std::string& padding : {std::string("\x1a"), std::string(600, '\0'),
+                                     std::string("\r\n\x1a\r\n"), std::string(70, '\x1a')}) {
+    const MeshFile file = read_bytes(bytes + padding, "a.stl");
+    EXPECT_EQ(file.format, "STL (ASCII)");
+    EXPECT_EQ(file.objects.at(0).polygon_count(), 12u);
+    EXPECT_TRUE(file.diagnostics.empty());
+  }
+  expect_error("solid a\n\x1a", "a.stl", 0, "holds no triangles");
+}
+
+TEST(StlAscii, CommasForPoints) {
+  const std::string head = "solid a\nfacet normal 0,0 0,0 1,0\nouter loop\n";
+  const std::string tail = "endloop\nendfacet\nendsolid a\n";
+  const auto points = [&](const std::string& vertices) {
+    return read_bytes(head + vertices + tail, "a.stl");
+  };
+  const std::vector<Vec3> expected = {{1.5, 2, -0.25}, {10, 0, 0}, {0, 1200, 0}};
+  const MeshFile decimal =
+      points("vertex 1,5 2,000 -0,25\nvertex 10 0,0 0\nvertex 0 1,2e+03 0,0e0\n");
+  EXPECT_EQ(decimal.objects.at(0).positions, expected);
+  EXPECT_EQ(test::count_of(decimal.diagnostics, "stl.decimal_commas"), 1);
+  for (const char* between : {"vertex 1.5, 2, -0.25\nvertex 10, 0, 0\nvertex 0, 1.2e+03, 0\n",
+                              "vertex 1.5,2,-0.25\nvertex 10,0,0\nvertex 0,1200,0\n"}) {
+    const MeshFile file = points(between);
+    EXPECT_EQ(file.objects.at(0).positions, expected) << between;
+    EXPECT_TRUE(file.diagnostics.empty());
+  }
+  expect_error(head + "vertex 1,5,2 0 0\n" + tail, "a.stl", 4, "'0' stands where");
 }
 
 TEST(StlAscii, AByteOrderMarkIsNoWord) {

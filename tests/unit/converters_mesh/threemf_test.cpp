@@ -321,7 +321,7 @@ TEST(ThreeMf, ErrorsNameTheMemberAndLine) {
   expect_model_error(model(object(1, "", broken), item), "line 5: 'zero' is no number for x");
   expect_model_error(model(object(1, "", "<mesh><vertices>"), item), "bad XML");
   expect_model_error(model(object(1, "", mesh(kBox)), "<item objectid=\"2\"/>"),
-                     "has no object '2'");
+                     "does not hold object '2' of 3D/here.model, which its build uses");
   expect_model_error(model(object(1, "", mesh(kBox)) + object(1, "", mesh(kBox)), item),
                      "two objects have the id '1'");
   expect_model_error(model(object(1, "", mesh(kBox)), "<item objectid=\"1\" transform=\"1 0 0\"/>"),
@@ -391,6 +391,47 @@ TEST(ThreeMf, BeamsThatAreLeftOutAreTold) {
   EXPECT_EQ(file.diagnostics.entries()[0].severity, Severity::Warning);
 }
 
+TEST(ThreeMf, WhatTheFileDoesNotHoldIsLeftOutAndTold) {
+  const std::string item = "<item objectid=\"1\"/>";
+  const std::string uses =
+      "<components><component objectid=\"1\"/><component objectid=\"9\"/></components>";
+  for (const std::string& text :
+       {model(object(1, "a", mesh(kBox)), item + "<item objectid=\"7\"/>"),
+        model(object(1, "a", mesh(kBox)), item + "<item objectid=\"1\" p:path=\"/3D/none.model\"/>",
+              "xmlns:p=\"p\""),
+        model(object(1, "a", mesh(kBox)) + object(2, "b", uses), "<item objectid=\"2\"/>")}) {
+    const Scene scene = test::read_scene(archive(text), "a.3mf");
+    EXPECT_EQ(scene.parts.size(), 1u);
+    ASSERT_EQ(scene.diagnostics.entries().size(), 1u);
+    EXPECT_EQ(scene.diagnostics.entries()[0].code, "3mf.missing");
+    EXPECT_EQ(scene.diagnostics.entries()[0].severity, Severity::Warning);
+  }
+}
+
+TEST(ThreeMf, MaterialsThatAreMixed) {
+  const std::string groups =
+      "<m:compositematerials id=\"6\" matid=\"5\" matindices=\"0 1 2\"><m:composite values=\"1 1 "
+      "0\"/><m:composite values=\"0 0.5\"/><m:composite values=\"0 1 1\"/><m:composite "
+      "values=\"\"/></m:compositematerials><basematerials id=\"5\"><base name=\"r\" "
+      "displaycolor=\"#FF0000\"/><base name=\"b\" displaycolor=\"#0000FF\"/><base "
+      "name=\"none\"/></basematerials>";
+  std::string plain = mesh(kBox);
+  for (std::size_t at = 0; (at = plain.find(" pid=\"1\"", at)) != plain.npos;) plain.erase(at, 8);
+  std::string objects = groups, items;
+  for (int i = 0; i < 4; ++i) {
+    objects +=
+        fmt::format("<object id=\"{}\" pid=\"6\" pindex=\"{}\">{}</object>", 10 + i, i, plain);
+    items += fmt::format("<item objectid=\"{}\"/>", 10 + i);
+  }
+  const MeshFile file =
+      test::read_bytes(archive(model(objects, items, "xmlns:m=\"m\"")), "mixed.3mf");
+  ASSERT_EQ(file.uses.size(), 4u);
+  EXPECT_EQ(file.uses[0].color, "#bc00bc");
+  EXPECT_EQ(file.uses[1].color, "#0000ff");
+  EXPECT_EQ(file.uses[2].color, "");  // one of them has none
+  EXPECT_EQ(file.uses[3].color, "");
+}
+
 TEST(ThreeMf, OfSeveralLayersOfColourTheUpperOneIsSeen) {
   const std::string groups =
       "<basematerials id=\"5\"><base name=\"PLA\" displaycolor=\"#0000FF\"/></basematerials>"
@@ -407,8 +448,8 @@ TEST(ThreeMf, OfSeveralLayersOfColourTheUpperOneIsSeen) {
                     "<item objectid=\"8\"/><item objectid=\"9\"/>", "xmlns:m=\"m\"")),
       "layers.3mf");
   ASSERT_EQ(file.uses.size(), 2u);
-  EXPECT_EQ(file.uses[0].color, "#ff0000");
-  EXPECT_NEAR(file.uses[0].opacity, 0.25, 0.01);
+  EXPECT_EQ(file.uses[0].color, "#8900e0");  // a quarter of red over blue, mixed as light
+  EXPECT_EQ(file.uses[0].opacity, 1);
   EXPECT_EQ(file.uses[1].color, "#0000ff");
 }
 

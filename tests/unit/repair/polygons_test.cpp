@@ -57,6 +57,38 @@ void expect_covered(const std::vector<Vec2>& outline, const std::function<Vec3(V
 
 Vec3 flat(Vec2 p) { return {p.x, p.y, 0}; }
 
+/// The diagonal that a quadrilateral is cut along, as its two ends.
+std::pair<std::size_t, std::size_t> diagonal(const std::vector<Vec3>& corners, std::size_t first) {
+  PolygonSoup soup;
+  soup.positions = corners;
+  for (std::uint32_t i = 0; i < 4; ++i) {
+    soup.indices.push_back(static_cast<std::uint32_t>((first + i) % 4));
+  }
+  soup.offsets.push_back(4);
+  const TriMesh mesh = cut(std::move(soup)).mesh;
+  std::vector<int> uses(4, 0);
+  const auto index_of = [&](std::uint32_t v) {
+    return static_cast<std::size_t>(std::ranges::find(corners, mesh.positions[v]) -
+                                    corners.begin());
+  };
+  for (const Triangle& t : mesh.triangles) {
+    for (const std::uint32_t v : t) ++uses[index_of(v)];
+  }
+  return uses[0] == 2 ? std::pair<std::size_t, std::size_t>{0, 2}
+                      : std::pair<std::size_t, std::size_t>{1, 3};
+}
+
+TEST(Polygons, CutsOfBentQuadsDoNotDependOnTheFirstCorner) {
+  // Diagonals of one length, as in a helicoid or a saddle; a kite, whose longer diagonal folds
+  // less.
+  const std::vector<Vec3> saddle = {{0, 0, 0}, {1, 0, 1}, {1, 1, 0}, {0, 1, 1}};
+  const std::vector<Vec3> kite = {{0, -0.2, 0}, {1, 0, 0.3}, {0, 2, 0}, {-1, 0, 0.3}};
+  for (std::size_t first = 0; first < 4; ++first) {
+    EXPECT_EQ(diagonal(saddle, first), diagonal(saddle, 0)) << first;
+    EXPECT_EQ(diagonal(kite, first), (std::pair<std::size_t, std::size_t>{0, 2})) << first;
+  }
+}
+
 TEST(Polygons, ConcaveOutline) {
   // A comb: every second corner is reflex.
   std::vector<Vec2> comb = {{0, 0}, {20, 0}};

@@ -9,9 +9,11 @@
 #include <burin/mesh/tri_mesh.h>
 #include <burin/surface/scene.h>
 
+#include <cstdint>
 #include <filesystem>
 #include <memory>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace burin {
@@ -44,6 +46,9 @@ std::vector<PolygonSoup> placed_objects(MeshFile file);
 
 /// Whether the suffix (any case) is one of this reader's.
 bool is_mesh_suffix(const std::filesystem::path& path);
+/// Whether a file of `size` bytes (0: unknown) that begins so can only be a mesh, whatever it is
+/// called: what text says, or the size of a binary STL.
+bool is_mesh_content(std::string_view head, std::uintmax_t size);
 
 /// Reads a file without mending anything. The format follows from the content where that is clear,
 /// else from the suffix. Throws InputError with the line (text formats) or the byte offset (binary
