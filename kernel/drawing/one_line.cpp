@@ -114,11 +114,17 @@ class Sheet {
     for (std::size_t i = 0; i + 1 < points.size(); ++i) {
       const auto at = static_cast<double>(i);
       before.along(points[i], points[i + 1], [&](double begin, double end, std::size_t other) {
-        const auto after = static_cast<double>(other + 1);
-        double way = open.length(std::min(after, at), at);
-        if (open.path().closed) {
-          way = std::min(way, whole - open.length(after - 1, at + 1));
-        }
+        const Vec2 a = points[other], d = points[other + 1] - a;
+        // Along the line, from a place of this segment to the one that it lies on.
+        const auto way_from = [&](double share) {
+          const Vec2 p = glm::mix(points[i], points[i + 1], share);
+          const double there = std::clamp(glm::dot(p - a, d) / glm::dot(d, d), 0.0, 1.0);
+          const double way = open.length(static_cast<double>(other) + there, at + share);
+          return open.path().closed ? std::min(way, whole - way) : way;
+        };
+        // Where it turns back it is nowhere far at the turn itself.
+        const double way =
+            std::max({way_from(begin), way_from(0.5 * (begin + end)), way_from(end)});
         if (way >= kFarAlong) found.push_back({at + begin, at + end, kItself});
       });
       before.add(points[i], points[i + 1], i);

@@ -104,6 +104,21 @@ TEST(OneLine, WhatIsLeftOfAClosedLineIsOnePiece) {
   EXPECT_EQ(paths[1].points.size(), 5U);
 }
 
+/// Thinned to its ends, an edge that is seen from its side turns back at a corner.
+TEST(OneLine, ALineThatTurnsBackIsDrawnOnce) {
+  for (const bool closed : {false, true}) {
+    Path back = line({{0, 0}, {20, 0}, {8, 0}, {0, 0}}, 1, 0.25, false);
+    if (closed) back.points.pop_back(), back.points3.pop_back();
+    back.closed = closed;
+    double length = 0;
+    for (const Path& p : kept({back})) {
+      EXPECT_FALSE(p.closed);
+      length += length_of(p);
+    }
+    EXPECT_NEAR(length, 20, 0.1) << closed;
+  }
+}
+
 TEST(OneLine, ACircleSeenFromItsSideIsDrawnOnce) {
   for (const double high : {0.0, 0.003}) {
     for (const std::size_t start : {0U, 5U}) {
