@@ -151,6 +151,21 @@ TEST_F(OpenscadParts, WallsThatMeetGentlyMeetInAnEdge) {
   EXPECT_EQ(heights.size(), 4U) << "the floor, two joints and the top";
 }
 
+TEST_F(OpenscadParts, CornersOfFewFacetsAreDrawnFacetByFacet) {
+  folder_.write("m.scad", "linear_extrude(5) offset(r = 2) square(5);");
+  const Json all = drawing("--style outline --view front --scale 4");
+  std::set<long> upright;
+  for (const Json& layer : all["layers"]) {
+    for (const Json& path : layer["paths"]) {
+      const Json &from = path["points"].front(), &to = path["points"].back();
+      if (std::abs(to[0].get<double>() - from[0].get<double>()) > 1e-6) continue;
+      if (std::abs(to[1].get<double>() - from[1].get<double>()) < 15) continue;
+      upright.insert(std::lround(10 * from[0].get<double>()));
+    }
+  }
+  EXPECT_EQ(upright.size(), 6U) << "the outline, a bend in each corner, both ends of the side";
+}
+
 TEST_F(OpenscadParts, AStretchedBallIsAnEllipsoid) {
   folder_.write("m.scad", "scale([3, 2, 1]) sphere(5);");
   const Json all = drawing("--style outline --view top --scale 2");
