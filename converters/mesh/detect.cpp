@@ -154,6 +154,11 @@ MeshFormat detect_format(const Source& source, const std::filesystem::path& path
       suffix_of == ".scad" || suffix_of == ".csg") {
     source.fail("is a packed program of OpenSCAD, which is read unpacked alone; unpack it first");
   }
+  if (!named && is_standard_input(path) && is_text(bytes)) {
+    source.fail(
+        "is text of no kind that is told by its first lines: name it by `input_format`; a program "
+        "of OpenSCAD is read from a file, as it may name others: save it with the suffix .scad");
+  }
   if (!named) {
     source.fail(
         fmt::format("is of no kind that is read (suffix '{}'): meshes, STEP, IGES, BREP, FreeCAD, "

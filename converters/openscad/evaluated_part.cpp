@@ -1,5 +1,6 @@
 #include "evaluated_part.h"
 
+#include <burin/base/box.h>
 #include <burin/converters/mesh_reader.h>
 #include <burin/forms/mesh/mesh_form.h>
 #include <burin/forms/recognised/recognised_form.h>
@@ -8,6 +9,7 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <cmath>
 #include <cstdint>
 #include <string_view>
 #include <unordered_map>
@@ -60,8 +62,37 @@ std::vector<std::int32_t> surfaces_of(const csg::Solid& solid, const TriMesh& me
   return out;
 }
 
-/// Repairs what was worked out. Rounded corners fall together and solids touch along edges: of a
-/// program that is right nobody has to hear so.
+/// Whether facets meet in an edge that a mesh would take for a smooth one: by less than the crease
+/// angle, and more than what rounding makes of one plane.
+bool has_gentle_edges(const TriMesh& mesh) {
+  constexpr double kPlane = 0.5, kCrease = 30;  // degrees
+  constexpr double kSliver = 1e-5;              // of the size: its normal says nothing
+  Box3 box;
+  for (const Vec3& p : mesh.positions) box.add(p);
+  const double least = kSliver * box.diagonal();
+  std::unordered_map<std::uint64_t, Vec3> normals;
+  for (const Triangle& t : mesh.triangles) {
+    const Vec3 &a = mesh.positions[t[0]], &b = mesh.positions[t[1]], &c = mesh.positions[t[2]];
+    const Vec3 twice = glm::cross(b - a, c - a);
+    const double area = glm::length(twice),
+                 longest =
+                     std::max({glm::distance(a, b), glm::distance(b, c), glm::distance(c, a)});
+    if (!(area > least * longest)) continue;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const auto [from, to] = std::minmax(t[k], t[(k + 1) % 3]);
+      const std::uint64_t edge = (static_cast<std::uint64_t>(from) << 32) | to;
+      const auto [other, fresh] = normals.try_emplace(edge, twice / area);
+      if (fresh) continue;
+      const double angle = glm::degrees(std::atan2(glm::length(glm::cross(other->second, twice)),
+                                                   glm::dot(other->second, twice)));
+      if (angle > kPlane && angle < kCrease) return true;
+    }
+  }
+  return false;
+}
+
+}  // namespace
+
 TriMesh repaired(const csg::Solid& solid, const std::string& name, Diagnostics& diagnostics,
                  const RunContext& context) {
   constexpr std::array<std::string_view, 4> kOfRounding{
@@ -71,13 +102,11 @@ TriMesh repaired(const csg::Solid& solid, const std::string& name, Diagnostics& 
   TriMesh mesh = repair(soup_of(solid), {}, found, context);
   for (Diagnostic d : found.entries()) {
     if (std::ranges::find(kOfRounding, d.code) != kOfRounding.end()) continue;
-    d.message = name + ": " + d.message;
+    if (!name.empty()) d.message = name + ": " + d.message;
     diagnostics.add(std::move(d));
   }
   return mesh;
 }
-
-}  // namespace
 
 PolygonSoup soup_of(const csg::Solid& solid) {
   PolygonSoup soup;
@@ -97,13 +126,17 @@ std::shared_ptr<const Form> form_of(csg::Solid solid, Facets facets, const std::
   }
   const bool flat =
       std::ranges::all_of(solid.surface, [](std::int32_t s) { return s == csg::kMeantFlat; });
-  if (facets == Facets::Flat || flat) return std::make_shared<MeshForm>(std::move(mesh));
+  // What is meant flat stays flat, however gently it meets its neighbours.
+  const bool walls = flat && facets != Facets::Flat && has_gentle_edges(mesh);
+  if ((facets == Facets::Flat || flat) && !walls) {
+    return std::make_shared<MeshForm>(std::move(mesh));
+  }
   KnownSurfaces known;
   known.of = surfaces_of(solid, mesh);
   known.surfaces = std::move(solid.surfaces);
   auto form = std::make_shared<RecognisedForm>(std::move(mesh), known, context);
   tell_round_faces(form->faces(), name, diagnostics);
-  if (form->faces().total() == 0) return std::make_shared<MeshForm>(form->mesh());
+  if (form->is_mesh()) return std::make_shared<MeshForm>(form->mesh());
   return form;
 }
 

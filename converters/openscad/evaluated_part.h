@@ -15,6 +15,11 @@
 
 namespace burin::detail {
 
+/// Repairs what was worked out. Rounded corners fall together and solids touch along edges: of a
+/// program that is right nobody has to hear so. `name`: what the rest is said of; may be empty.
+TriMesh repaired(const csg::Solid& solid, const std::string& name, Diagnostics& diagnostics,
+                 const RunContext& context);
+
 PolygonSoup soup_of(const csg::Solid& solid);
 
 /// How facets are drawn: as they are; as what they are known to stand for; and those of which

@@ -134,7 +134,7 @@ class Divisions {
         if (same(u, whole[u.node], parted)) {
           accept(u, next);
         } else {
-          tell(u, "openscad.one_body", "they touch or run into each other");
+          tell(Severity::Info, u, "openscad.one_body", "they touch or run into each other");
         }
       }
       units = std::move(next);
@@ -183,7 +183,7 @@ class Divisions {
       count += u.pieces.size();
       if (count > kMostInstances) {
         count -= u.pieces.size();
-        tell(u, "openscad.many_instances",
+        tell(Severity::Warning, u, "openscad.many_instances",
              fmt::format("more than {} parts come of loops and modules", kMostInstances));
         continue;
       }
@@ -193,13 +193,13 @@ class Divisions {
     return !units.empty();
   }
 
-  void tell(const Unit& u, const char* code, const std::string& why) {
+  void tell(Severity severity, const Unit& u, const char* code, const std::string& why) {
     std::vector<std::string> names;
     for (const std::uint32_t p : u.pieces) names.push_back(accepted_.known->at(p)->name);
     std::ranges::sort(names);
     names.erase(std::unique(names.begin(), names.end()), names.end());
     diagnostics_.add(
-        Severity::Info, code, 1,
+        severity, code, 1,
         fmt::format("{} calls of {} stay one part: {}; part() says what is to be a part",
                     u.pieces.size(), fmt::join(names, ", "), why));
   }

@@ -63,6 +63,10 @@ void check_mesh(const detail::MemoryFile& mesh, const Path& path) {
 }
 
 std::string text_of(const Path& path, const RunContext& context) {
+  std::error_code error;
+  if (std::filesystem::file_size(path, error) == 0 && !error) {
+    throw InputError("is empty: there is no program in it", path.string());
+  }
   const Source source(path, context);
   return std::string(source.bytes());
 }
@@ -146,7 +150,11 @@ void throw_if_left_out(const Diagnostics& said, const Path& path) {
   const auto warns = [](const Diagnostic& d) { return d.severity == Severity::Warning; };
   const auto first = std::ranges::find_if(said.entries(), warns);
   if (first == said.entries().end()) return;
-  throw InputError("nothing of it is left to draw: " + first->message, path.string());
+  // The file is named once.
+  const std::string named = path.string() + ": ", &what = first->message;
+  throw InputError("nothing of it is left to draw: " +
+                       (what.starts_with(named) ? what.substr(named.size()) : what),
+                   path.string());
 }
 
 bool nothing(const Scene& scene) { return scene.parts.empty(); }

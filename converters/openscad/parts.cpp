@@ -70,12 +70,12 @@ class Divider {
   }
 
   TreeParts run(std::string_view program) {
-    tell_undefined_places();
     const std::vector<std::uint32_t> top = objects_at_top(tree_);
     std::vector<std::string> names = source_names(program, top.size());
     // Statements and objects cannot be told to belong together: calls say what they are.
-    if (std::ranges::all_of(names, &std::string::empty)) {
-      for (std::size_t i = 0; i < top.size(); ++i) names[i] = called(top[i]);
+    const bool unknown = std::ranges::all_of(names, &std::string::empty);
+    for (std::size_t i = 0; i < top.size(); ++i) {
+      if (unknown || words_.contains(names[i])) names[i] = called(top[i]);
     }
     // A program of one call is what that holds, whatever `%` shows around it.
     const auto counts = [&](std::uint32_t n) {
@@ -85,38 +85,55 @@ class Divider {
     for (std::size_t i = 0; i < top.size(); ++i) {
       object_ = plain(names[i].empty() ? stem_ : names[i]);
       groups_.clear();
-      visit(top[i], several && !called(top[i]).empty());
+      visit(top[i], several && is_call(top[i]));
+    }
+    if (nameless_ > 0) {
+      diagnostics_.add(Severity::Warning, "openscad.mark", nameless_,
+                       "part() takes a name, as in part(\"lid\") lid();");
     }
     name_parts(out_);
     return std::move(out_);
   }
 
  private:
-  void tell_undefined_places() {
-    std::int64_t count = 0;
-    const auto finite = [](const csg::Value& row) {
-      return std::ranges::all_of(row.list,
-                                 [](const csg::Value& v) { return std::isfinite(v.number); });
-    };
-    for (const csg::Node& n : tree_.nodes) {
-      if (n.module != Module::Multmatrix || n.arguments.empty()) continue;
-      count += std::ranges::all_of(n.arguments[0].value.list, finite) ? 0 : 1;
-    }
-    if (count == 0) return;
-    diagnostics_.add(Severity::Warning, "openscad.undefined_place", count,
-                     "what a transformation by numbers that are not finite (such as 1/0) places is "
-                     "left out");
+  const ModuleCall* call_at(std::uint32_t node) const {
+    return calls_.known ? calls_.known->at(node) : nullptr;
   }
 
-  /// The module whose call all of an object is.
-  std::string called(std::uint32_t node) const {
-    for (;;) {
-      const ModuleCall* call = calls_.known ? calls_.known->at(node) : nullptr;
-      if (call) return call->name;
-      const csg::Node& n = tree_.nodes[node];
-      if (!is_open(n.module) || node + 1 >= n.end || tree_.nodes[node + 1].end != n.end) return {};
-      ++node;
+  /// The one child of an open module that holds anything.
+  std::optional<std::uint32_t> only_child(std::uint32_t node) const {
+    std::optional<std::uint32_t> only;
+    bool one = is_open(tree_.nodes[node].module);
+    csg::for_each_child(tree_, node, [&](std::uint32_t c) {
+      if (holds_[c] == 0) return;
+      one = one && !only;
+      only = c;
+    });
+    return one ? only : std::nullopt;
+  }
+
+  /// Whether all of an object is a call.
+  bool is_call(std::uint32_t node) const {
+    for (std::optional<std::uint32_t> n = node; n; n = only_child(*n)) {
+      if (call_at(*n)) return true;
     }
+    return false;
+  }
+
+  /// The module whose call all of an object is: a word of burin.scad says something of what it
+  /// holds, and calls it nothing. Empty where there is none.
+  std::string called(std::uint32_t node) const {
+    for (std::optional<std::uint32_t> n = node; n; n = only_child(*n)) {
+      const ModuleCall* call = call_at(*n);
+      if (call && !words_.contains(call->name)) return call->name;
+    }
+    return {};
+  }
+
+  /// The name of a call that is a part.
+  std::string name_of_call(std::uint32_t node) const {
+    const std::string name = called(node);
+    return name.empty() ? object_ : name;
   }
 
   /// Walks the open modules below an object; no recursion, as trees may be deep.
@@ -129,7 +146,7 @@ class Divider {
       const csg::Node& n = tree_.nodes[node];
       state.background = state.background || n.background;
       state.highlight = state.highlight || n.highlight;
-      if (calls_.nodes.contains(node)) begin(node, calls_.known->at(node)->name, state);
+      if (calls_.nodes.contains(node)) begin(node, name_of_call(node), state);
       std::vector<std::uint32_t> children;
       if (is_open(n.module)) {
         csg::for_each_child(tree_, node, [&](std::uint32_t c) { children.push_back(c); });
@@ -182,10 +199,12 @@ class Divider {
     plain_ = holds_ = calm_;
     for (auto n = static_cast<std::uint32_t>(tree_.nodes.size()); n-- > 0;) {
       const csg::Node& node = tree_.nodes[n];
-      bool calm = !node.background && !node.highlight && !mark_at(tree_, n) &&
-                  !calls_.nodes.contains(n) && !calls_.repeated.contains(n);
+      const std::optional<Mark> mark = mark_at(tree_, n);
+      if (mark) words_.insert(mark->what);
+      bool calm = !node.background && !node.highlight && !mark && !calls_.nodes.contains(n) &&
+                  !calls_.repeated.contains(n);
       bool plain = calm && node.module != Module::Color;
-      bool holds = !is_open(node.module) && !mark_at(tree_, n);
+      bool holds = !is_open(node.module) && !mark;
       if (is_open(node.module)) {
         csg::for_each_child(tree_, n, [&](std::uint32_t c) {
           calm = calm && calm_[c] != 0;
@@ -206,10 +225,7 @@ class Divider {
                  : std::string();
     };
     if (mark.what == "part") {
-      if (text(0).empty()) {
-        diagnostics_.add(Severity::Warning, "openscad.mark", 1,
-                         "part() takes a name, as in part(\"lid\") lid();");
-      }
+      if (text(0).empty()) ++nameless_;
       return begin(node, text(0), state);
     }
     if (mark.what == "view") {
@@ -288,8 +304,11 @@ class Divider {
   const csg::Tree& tree_;
   const CallParts& calls_;
   std::string stem_, object_;
+  std::int64_t nameless_ = 0;  // calls of part()
   Diagnostics& diagnostics_;
   std::vector<std::uint8_t> calm_, plain_, holds_;
+  /// Modules of burin.scad that the program calls.
+  std::set<std::string> words_;
   TreeParts out_;
   std::map<std::tuple<bool, bool, std::uint32_t, std::string, std::string, double,
                       std::vector<std::size_t>>,
@@ -298,6 +317,22 @@ class Divider {
 };
 
 }  // namespace
+
+void tell_undefined_places(const csg::Tree& tree, Diagnostics& diagnostics) {
+  std::int64_t count = 0;
+  const auto finite = [](const csg::Value& row) {
+    return std::ranges::all_of(row.list,
+                               [](const csg::Value& v) { return std::isfinite(v.number); });
+  };
+  for (const csg::Node& n : tree.nodes) {
+    if (n.module != Module::Multmatrix || n.arguments.empty()) continue;
+    count += std::ranges::all_of(n.arguments[0].value.list, finite) ? 0 : 1;
+  }
+  if (count == 0) return;
+  diagnostics.add(Severity::Warning, "openscad.undefined_place", count,
+                  "what a transformation by numbers that are not finite (such as 1/0) places is "
+                  "left out");
+}
 
 bool is_open(Module m) {
   return m == Module::Group || m == Module::Union || m == Module::Multmatrix ||

@@ -75,6 +75,10 @@ struct CallParts {
 TreeParts parts_of(const csg::Tree& tree, std::string_view program, const std::string& stem,
                    Diagnostics& diagnostics, const CallParts& calls = {});
 
+/// Says ("openscad.undefined_place") how many transformations by numbers that are not finite there
+/// are.
+void tell_undefined_places(const csg::Tree& tree, Diagnostics& diagnostics);
+
 /// Objects at the top, or the first `!`: what is above it does not move it, OpenSCAD shows it
 /// alone.
 std::vector<std::uint32_t> objects_at_top(const csg::Tree& tree);

@@ -10,6 +10,7 @@
 #include <cmath>
 #include <cstdint>
 #include <iterator>
+#include <map>
 #include <numeric>
 #include <optional>
 #include <string_view>
@@ -33,6 +34,29 @@ std::optional<Placement> placement_of(const csg::Matrix& m) {
   Mat3 turn = by.linear / scale;
   for (int i = 0; i < 4; ++i) turn = 0.5 * (turn + glm::transpose(glm::inverse(turn)));
   return Placement{scale * turn, by.offset};
+}
+
+/// A placement that stretches or shears, where it is far from flat.
+std::optional<Placement> stretch_of(const csg::Matrix& m) {
+  constexpr double kFlattest = 1e-2;
+  const Affine by(m);
+  const Vec3 size(glm::length(by.linear[0]), glm::length(by.linear[1]), glm::length(by.linear[2]));
+  const double least = std::min({size.x, size.y, size.z}),
+               most = std::max({size.x, size.y, size.z});
+  const bool finite = std::isfinite(most) && std::isfinite(glm::length(by.offset));
+  if (!finite || !(least >= kFlattest * most) || !(most > 0)) return std::nullopt;
+  if (std::abs(glm::determinant(by.linear)) < kFlattest * size.x * size.y * size.z) {
+    return std::nullopt;
+  }
+  return Placement{by.linear, by.offset};
+}
+
+/// Whether spheres are among what makes a node.
+bool holds_sphere(const csg::Tree& tree, std::uint32_t node) {
+  for (std::uint32_t n = node; n < tree.nodes[node].end; ++n) {
+    if (tree.nodes[n].module == csg::Module::Sphere) return true;
+  }
+  return false;
 }
 
 csg::Matrix product(const csg::Matrix& outer, const csg::Matrix& inner) {
@@ -68,7 +92,10 @@ Instance instance_of(const csg::Tree& tree, const TreePart& part) {
   }
   if (part.pieces.size() == 1) {
     const csg::Matrix m = product(part.frame, part.pieces.front().at);
-    if (const auto place = placement_of(m)) {
+    auto place = placement_of(m);
+    // The form of a ball knows what it becomes; facets that were stretched would not.
+    if (!place && holds_sphere(tree, part.pieces.front().node)) place = stretch_of(m);
+    if (place) {
       out.stands(*place, m);
       out.text = std::string(tree.text_of(part.pieces.front().node));
       return out;
@@ -159,12 +186,16 @@ std::vector<StoredPart> SolidStore::store(const std::vector<TreePart>& parts,
   // One text of what has to be evaluated, and the numbers of its objects.
   std::string text;
   std::vector<std::uint32_t> objects;
+  std::map<std::int64_t, std::string> begins;  // lines of the text, and what part they are of
+  std::int64_t line = 1;
   std::uint32_t next = 1;
   for (const TreePart& part : parts) {
     const Instance instance = instance_of(tree_, part);
     const auto [entry, fresh] =
         known_.try_emplace(key_of(instance.text), solids_.size() + objects.size());
     if (fresh) {
+      begins.emplace(line, part.assembly.empty() ? part.name : part.assembly);
+      line += 2 + std::ranges::count(instance.text, '\n') + 1;
       text += fmt::format("group(){{\n{}}}\n", instance.text);
       objects.push_back(next);
       next += 1 + instance.nodes;
@@ -172,8 +203,13 @@ std::vector<StoredPart> SolidStore::store(const std::vector<TreePart>& parts,
     out.push_back({entry->second, instance.place, instance.growth});
   }
   if (objects.empty()) return out;
+  csg::ChildOptions options = evaluation_of(path_);
+  options.where = [&](std::int64_t of) {
+    const auto after = begins.upper_bound(of);
+    return after == begins.begin() ? std::string() : "in " + std::prev(after)->second;
+  };
   std::vector<csg::Solid> made =
-      csg::evaluate_in_child(text, objects, evaluation_of(path_), context_, diagnostics);
+      csg::evaluate_in_child(text, objects, options, context_, diagnostics);
   std::ranges::move(made, std::back_inserter(solids_));
   return out;
 }

@@ -1,5 +1,6 @@
 #include "tree_scene.h"
 
+#include <burin/base/ascii.h>
 #include <burin/base/error.h>
 #include <burin/forms/implicit/implicit_form.h>
 #include <burin/repair/repair.h>
@@ -43,7 +44,9 @@ Part look_of(const TreePart& of, const std::filesystem::path& path, const Scene&
       !of.assembly.empty() && !scene.parts.empty() && scene.parts.back().assembly == part.assembly;
   part.color = of.color;
   part.definition = of.definition;
-  part.opacity = of.opacity;
+  // As OpenSCAD shows it, whoever asks for the model's wishes or does not.
+  constexpr double kShown = 0.5;
+  part.opacity = of.background ? std::min(of.opacity, kShown) : of.opacity;
   return part;
 }
 
@@ -60,6 +63,7 @@ Scene scene_of_tree(const csg::Tree& tree, const TreeCalls& calls, std::string_v
                     const std::filesystem::path& path, const OpenscadOptions& options,
                     Shapes shapes, RunContext& context) {
   Scene scene;
+  tell_undefined_places(tree, scene.diagnostics);
   SolidStore store(tree, path, context);
   const std::string stem = stem_of(path);
   const CallParts instances = instances_of(tree, calls, program, stem, store, scene.diagnostics);
@@ -99,6 +103,7 @@ Scene scene_of_tree(const csg::Tree& tree, const TreeCalls& calls, std::string_v
 Scene functions_of_tree(const csg::Tree& tree, const TreeCalls& calls, std::string_view program,
                         const std::filesystem::path& path, RunContext& context) {
   Scene scene;
+  tell_undefined_places(tree, scene.diagnostics);
   const TreeParts planned = parts_of(tree, program, stem_of(path), scene.diagnostics, {&calls});
   for (const TreePart& part : planned.parts) {
     const auto fail = [&](const char* what) {
@@ -124,11 +129,17 @@ OpenscadMesh whole_of_tree(const csg::Tree& tree, const std::filesystem::path& p
                            RunContext& context) {
   constexpr std::uint32_t kAll = 0;
   OpenscadMesh out;
+  csg::ChildOptions options = evaluation_of(path);
+  // Of a tree that is the user's own file lines can be named.
+  const bool of_file = lowered(path.extension().string()) == ".csg";
+  options.where = [&](std::int64_t line) {
+    return of_file ? fmt::format("line {}", line) : std::string();
+  };
+  tell_undefined_places(tree, out.diagnostics);
   csg::Solid solid = std::move(
-      csg::evaluate_in_child(tree.source, {&kAll, 1}, evaluation_of(path), context, out.diagnostics)
-          .front());
+      csg::evaluate_in_child(tree.source, {&kAll, 1}, options, context, out.diagnostics).front());
   if (solid.empty()) return out;
-  out.mesh = repair(soup_of(solid), {}, out.diagnostics, context);
+  out.mesh = repaired(solid, "", out.diagnostics, context);
   return out;
 }
 

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
 
 namespace burin::detail {
 namespace {
@@ -29,13 +30,14 @@ class Settings {
     }
     for (const PartCall& call : all_.calls) say(call);
     if (!all_.views.empty()) view(all_.views.back());
+    for (const auto& [what, count] : told_) {
+      diagnostics_.add(Severity::Warning, "openscad.mark", count, what);
+    }
     return json_.size() > 2 ? json_.dump() : std::string();
   }
 
  private:
-  void tell(const std::string& what) {
-    diagnostics_.add(Severity::Warning, "openscad.mark", 1, what);
-  }
+  void tell(const std::string& what) { ++told_[what]; }
 
   static std::string path_of(const TreePart& part) {
     return "/" + (part.assembly.empty() ? part.name : part.assembly + "/" + part.name);
@@ -56,7 +58,8 @@ class Settings {
 
   void ghost(const TreePart& part) {
     Json look = {{"select", path_of(part)}, {"hatched", false}};
-    if (part.background) look["transparent"] = true;
+    // What only shows where something is, or was taken away, is no item.
+    if (part.background) look["transparent"] = true, look["listed"] = false;
     json_["looks"].push_back(look);
   }
 
@@ -106,6 +109,8 @@ class Settings {
   const TreeParts& all_;
   const std::vector<bool>& made_;
   Diagnostics& diagnostics_;
+  /// What is wrong, and how many times.
+  std::map<std::string, std::int64_t> told_;
   Json json_;
 };
 

@@ -73,6 +73,7 @@ py::dict dict_of(const DrawPlan::PlannedLook& planned) {
   out["drawn"] = look.drawn;
   out["hatched"] = look.hatched;
   out["transparent"] = look.transparent;
+  out["listed"] = look.listed;
   out["style"] = style_said(look.style, planned.style);
   return out;
 }

@@ -115,6 +115,8 @@ void add_part(py::module_& module) {
   look(part, "hatched", &PartStyle::hatched, "False: lines alone, without strokes.");
   look(part, "transparent", &PartStyle::transparent,
        "Its lines are drawn, without strokes, and it hides itself but no other part.");
+  look(part, "listed", &PartStyle::listed,
+       "False: it is shown, and is no item of a parts list, and has no callout.");
   part.def_property(
       "style", [](const PyPart& p) { return style_dict(p.look().style); },
       [](const PyPart& p, const py::object& value) {

@@ -54,6 +54,7 @@ Json json_of(const PartDifference& part, int item) {
   json["faces"] = pair_of(part, [](const PartNumbers& n) { return n.faces; });
   if (part.match.look) {
     json["color"] = Json::array({part.color_before, part.color_after});
+    json["opacity"] = Json::array({part.opacity_before, part.opacity_after});
     json["drawn"] = Json::array({part.drawn_before, part.drawn_after});
   }
   return json;

@@ -86,6 +86,9 @@ std::string what_of(const PartDifference& part) {
     const auto named = [](const std::string& color) { return color.empty() ? "none" : color; };
     add(text, fmt::format("colour {} to {}", named(part.color_before), named(part.color_after)));
   }
+  if (part.match.look && part.opacity_before != part.opacity_after) {
+    add(text, fmt::format("opacity {:.3g} to {:.3g}", part.opacity_before, part.opacity_after));
+  }
   return text;
 }
 
@@ -131,8 +134,9 @@ std::vector<DifferenceRow> rows_of(const LineDifference& difference) {
 }
 
 std::string counts_of(const Difference& difference, std::size_t before, std::size_t after) {
-  std::string text = before == after ? plural(after, "part") + ": "
-                                     : fmt::format("{} parts before, {} now: ", before, after);
+  std::string text = before == after
+                         ? plural(after, "part") + ": "
+                         : plural(before, "part") + fmt::format(" before, {} now: ", after);
   bool first = true;
   for (const PartChange change :
        {PartChange::Same, PartChange::Changed, PartChange::Moved, PartChange::Added,

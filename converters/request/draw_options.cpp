@@ -63,8 +63,24 @@ void set_keys(Draft& draft, const Asked& asked) {
   find_named_files(draft.plan.style, {});
 }
 
+/// A look changes no key by itself: "lid=line.color=red".
+void refuse_key(const Asked& asked, const std::string& text) {
+  const std::size_t value = text.rfind('=');
+  const std::size_t key =
+      value == 0 || value == std::string::npos ? value : text.rfind('=', value - 1);
+  if (key == std::string::npos) return;
+  const std::string name = text.substr(key + 1, value - key - 1);
+  const auto keys = style_keys(builtin_style("technical"));
+  if (std::ranges::find(keys, name, &StyleKey::name) == keys.end()) return;
+  throw UsageError(fmt::format(
+      "{} takes NAME=STYLE, not '{}': keys of a part stand in a style file, such as part.json that "
+      "holds {{\"{}\": \"{}\"}}, and then {}={}=part.json",
+      asked.spelled, text, name, text.substr(value + 1), asked.spelled, text.substr(0, key)));
+}
+
 void set_looks(Draft& draft, const Asked& asked) {
   for (const std::string& text : asked.texts) {
+    refuse_key(asked, text);
     const std::size_t equals = text.rfind('=');  // selectors may have one: @color=#ff0000
     if (equals == std::string::npos || equals == 0 || equals + 1 == text.size()) {
       refuse_value(asked.spelled, "NAME=STYLE", text);

@@ -5,6 +5,7 @@
 #include <burin/explode/seen.h>
 
 #include "explode_option.h"
+#include "split_parts.h"
 
 #include <fmt/format.h>
 
@@ -141,11 +142,12 @@ void arrange_parts(Scene& scene, DrawPlan& plan, RunContext& context) {
   const std::vector<bool> drawn = drawn_parts(scene, plan.illustrate.part_styles);
   const ExplodeModel model(scene, drawn, context);
   const std::vector<ExplodeStep> steps = steps_of(scene, plan.explode, drawn, model, context);
-  const std::vector<Vec3> moves = moves_of(steps, scene.parts.size(), plan.explode.factor);
+  std::vector<Vec3> moves = moves_of(steps, scene.parts.size(), plan.explode.factor);
   if (plan.finds_view) find_view(scene, plan, model, moves, context);
+  plan.illustrate.trails = model.trails(steps, plan.explode.factor);
+  detail::split_glazed(scene, plan, moves);
   cut_parts(scene, plan);  // where they belong: a section does not go through what has come apart
   move_parts(scene, moves);
-  plan.illustrate.trails = model.trails(steps, plan.explode.factor);
 }
 
 }  // namespace burin

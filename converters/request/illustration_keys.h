@@ -25,8 +25,8 @@ const RequestOption& option_named(const std::string& name);
 inline const std::vector<std::string> kInputKeys = {"file", "function", "name", "place"};
 inline const std::vector<std::string> kPlaceKeys = {"translate", "rotate", "scale", "matrix"};
 inline const std::vector<std::string> kItemKeys = {"name", "select"};
-inline const std::vector<std::string> kLookKeys = {"select", "style", "drawn", "hatched",
-                                                   "transparent"};
+inline const std::vector<std::string> kLookKeys = {"select",  "style",       "drawn",
+                                                   "hatched", "transparent", "listed"};
 inline const std::vector<std::string> kSectionKeys = {"plane", "planes", "steps",
                                                       "box",   "around", "exclude"};
 inline const std::vector<std::string> kAroundKeys = {"center", "radius"};

@@ -17,6 +17,7 @@ Look look(const KeyedFile& in, const Json& value, const std::string& path) {
   flag("drawn", look.drawn);
   flag("hatched", look.hatched);
   flag("transparent", look.transparent);
+  flag("listed", look.listed);
   if (!value.contains("style")) return look;
   const std::string at = path + "/style";
   if (value["style"].is_object()) {

@@ -178,7 +178,8 @@ Json look_schema(const Json& style) {
        {"style", style},
        {"drawn", flag("false: as if the part were not there")},
        {"hatched", flag("false: without strokes")},
-       {"transparent", flag("true: of glass; it hides itself alone, and keeps its strokes")}});
+       {"transparent", flag("true: of glass; it hides itself alone, and keeps its strokes")},
+       {"listed", flag("false: no item of a parts list, and without a callout")}});
   look["required"] = {"select"};
   return look;
 }

@@ -32,6 +32,12 @@ void tell_holes(const ItemNumbers& kept, const std::vector<Item>& items, Diagnos
       fmt::format("numbers are kept for items that are not there; the first: {}", first));
 }
 
+std::vector<bool> unlisted_of(const std::vector<PartStyle>& styles) {
+  std::vector<bool> unlisted;
+  for (const PartStyle& style : styles) unlisted.push_back(!style.listed);
+  return unlisted;
+}
+
 /// Of what has a body of this path: all of its bodies.
 std::string selector_of_whole(const std::string& of_body) {
   return of_body.starts_with('@') ? of_body : of_body.substr(0, of_body.rfind('/'));
@@ -44,7 +50,8 @@ void number_parts(Scene& scene, DrawPlan& plan, RunContext& context) {
       plan.callouts || plan.parts_list || plan.items || !plan.parts_list_files.empty();
   if (!wanted) return;
   context.begin_stage(RunStage::Build);
-  const std::vector<Item> items = find_items(scene, plan.numbers, scene.diagnostics, context);
+  const std::vector<Item> items = find_items(scene, plan.numbers, scene.diagnostics, context,
+                                             unlisted_of(plan.illustrate.part_styles));
   context.end_stage();
   tell_holes(plan.numbers, items, scene.diagnostics);
   Annotations annotations;

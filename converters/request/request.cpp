@@ -170,6 +170,7 @@ void select_parts(Scene& scene, DrawPlan& plan) {
           one.drawn = look.drawn.value_or(one.drawn);
           one.hatched = look.hatched.value_or(one.hatched);
           one.transparent = look.transparent.value_or(one.transparent);
+          one.listed = look.listed.value_or(one.listed);
           if (style) one.style = style;
         }
       } catch (const UsageError& e) {

@@ -2,6 +2,7 @@
 #include <burin/base/error.h>
 #include <burin/camera/standards.h>
 #include <burin/converters/values.h>
+#include <burin/options/meant.h>
 
 #include "detail_option.h"
 #include "draw_options.h"
@@ -40,6 +41,37 @@ std::vector<std::string> paper_names() {
   return names;
 }
 
+/// What other programs and people call the views, and directions that have no name.
+std::vector<KnownWord> known_views(Spelling spelling) {
+  return {
+      {"front", {"frontal", "front view", "elevation", "face", "anterior"}},
+      {"back", {"rear", "behind", "posterior"}},
+      {"left", {"side", "left side", "port"}},
+      {"right", {"right side", "starboard", "r"}},
+      {"top", {"plan", "up", "upper", "above", "topdown", "top down", "bird", "birds eye"}},
+      {"bottom", {"below", "under", "underneath", "lower", "down"}},
+      {"iso",
+       {"isometric", "axonometric", "axo", "isometry", "3d", "default", "home", "corner", "oblique",
+        "cavalier", "cabinet", "diagonal", "three quarter", "iso view"}},
+      {"dimetric", {"dimetry"}},
+      {"trimetric", {"trimetry"}},
+      {"perspective",
+       {"persp", "perspective view", "pinhole"},
+       spelled_message("a perspective is asked for by `perspective`, in degrees", all_options(),
+                       spelling)},
+  };
+}
+
+NamedView view_asked(const std::string& name, const Asked& asked) {
+  const Spelling spelling =
+      asked.spelled.starts_with("--") ? Spelling::Options : Spelling::Keywords;
+  try {
+    return named_view(name);
+  } catch (const UsageError& e) {
+    throw UsageError(e.what() + hint(name, known_views(spelling)));
+  }
+}
+
 bool is_direction(const std::string& text) {
   try {
     return point_option("views", text).has_value();
@@ -61,7 +93,7 @@ void set_views(Draft& draft, const Asked& asked) {
     std::string name = lowered(text.substr(at, end - at));
     name.erase(0, name.find_first_not_of(' '));
     name.erase(name.find_last_not_of(' ') + 1);
-    named_view(name);  // throws
+    view_asked(name, asked);  // throws
     if (std::ranges::find(views, name) != views.end()) {
       refuse_value(asked.spelled, "each view once", text);
     }
@@ -99,7 +131,7 @@ std::vector<RequestRow<Draft>> view_rows() {
                  "bottom", "back",      "eye",         "look at",        "roll",
                  "pitch",  "yaw",       "dir"}},
        [](Draft& d, const Asked& a) {
-         const NamedView named = named_view(a.text());
+         const NamedView named = view_asked(a.text(), a);
          d.plan.view.direction = named.direction;
          d.plan.view.up = named.up;
        }},

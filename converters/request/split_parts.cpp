@@ -1,6 +1,7 @@
 #include "split_parts.h"
 
 #include <burin/assembly/pieces.h>
+#include <burin/assembly/select.h>
 #include <burin/illustrate/stroke_selectors.h>
 
 #include <algorithm>
@@ -37,7 +38,43 @@ Strings selectors_of(const DrawPlan& plan) {
   return all;
 }
 
+/// Parts of which a look says whether they can be looked through.
+std::vector<bool> told_of_glass(const Scene& scene, const DrawPlan& plan) {
+  std::vector<bool> told(scene.parts.size(), false);
+  for (const DrawPlan::PlannedLook& planned : plan.looks) {
+    if (!planned.look.transparent) continue;
+    for (const std::string& selector : planned.look.select) {
+      for (const std::size_t part : select(scene, selector)) told[part] = true;
+    }
+  }
+  return told;
+}
+
 }  // namespace
+
+void split_glazed(Scene& scene, DrawPlan& plan, std::vector<Vec3>& moves) {
+  std::vector<PartStyle>& styles = plan.illustrate.part_styles;
+  const std::size_t count = scene.parts.size();
+  const std::vector<bool> told = told_of_glass(scene, plan);
+  const std::vector<std::size_t> of = split_pieces(scene, {}, true);
+  styles.resize(count);
+  std::vector<bool> split(count, false);
+  const auto glaze = [&](std::size_t body, std::size_t whole) {
+    const bool clear = scene.parts[body].opacity < 1;
+    if (told[whole]) return;
+    styles[body].transparent = clear;
+    if (clear) styles[body].hatched = false;
+  };
+  for (std::size_t k = 0; k < of.size(); ++k) {
+    styles.push_back(styles[of[k]]);
+    moves.push_back(moves[of[k]]);
+    split[of[k]] = true;
+  }
+  for (std::size_t k = 0; k < of.size(); ++k) glaze(count + k, of[k]);
+  for (std::size_t i = 0; i < count; ++i) {
+    if (split[i]) glaze(i, i);
+  }
+}
 
 void split_parts(Scene& scene, const DrawPlan& plan, std::vector<PartStyle>& styles) {
   const std::size_t count = scene.parts.size();
@@ -47,7 +84,7 @@ void split_parts(Scene& scene, const DrawPlan& plan, std::vector<PartStyle>& sty
   // A part alone comes apart into its bodies, or nothing would.
   const bool apart = plan.explode.wanted && count == 1;
   if (apart) selectors.emplace_back("*/*");
-  // What is exploded is parts, not bodies: there a part of glass and metal stays in one piece.
+  // What is exploded is parts, not bodies: a part of glass and metal is split once all have moved.
   for (const std::size_t whole : split_pieces(scene, selectors, !plan.explode.wanted)) {
     bodies.push_back(styles[whole]);
   }

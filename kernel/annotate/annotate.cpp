@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <map>
 #include <optional>
 #include <string>
@@ -98,9 +99,9 @@ std::vector<Pole> poles_of(const LabelMap& map, std::size_t count,
   return poles;
 }
 
-std::vector<Anchor> find_anchors(const Drawing& drawing, const LabelMap& seen,
-                                 const LabelMap& glass, const std::vector<DrawingItem>& items,
-                                 Vec2 middle, CalloutOptions::Layout layout,
+std::vector<Anchor> find_anchors(const Drawing& drawing, const std::vector<const LabelMap*>& maps,
+                                 const std::vector<DrawingItem>& items, Vec2 middle,
+                                 CalloutOptions::Layout layout,
                                  std::vector<const DrawingItem*>& not_shown) {
   std::int32_t last = -1;
   for (const DrawingItem& item : items) {
@@ -108,15 +109,15 @@ std::vector<Anchor> find_anchors(const Drawing& drawing, const LabelMap& seen,
   }
   const auto count = static_cast<std::size_t>(last + 1);
   const std::vector<std::vector<Vec2>> lines = lines_of(drawing);
-  const std::vector<Pole> solid = poles_of(seen, count, lines),
-                          clear = poles_of(glass, count, lines);
+  std::vector<std::vector<Pole>> poles;
+  for (const LabelMap* map : maps) poles.push_back(poles_of(*map, count, lines));
   const Lines by_part = lines_by_part(drawing);
   std::vector<Anchor> anchors;
   for (const DrawingItem& item : items) {
     double largest = 0;
     for (const std::int32_t part : item.parts) {
       const auto i = static_cast<std::size_t>(part);
-      largest = std::max({largest, solid[i].radius, clear[i].radius});
+      for (const std::vector<Pole>& in_map : poles) largest = std::max(largest, in_map[i].radius);
     }
     if (largest <= 0) {
       not_shown.push_back(&item);
@@ -124,19 +125,20 @@ std::vector<Anchor> find_anchors(const Drawing& drawing, const LabelMap& seen,
     }
     // Of those that are seen about as well, the outermost: its leader passes over the fewest.
     Pole pole;
-    const LabelMap* map = &seen;
+    const LabelMap* map = maps.front();
     double farthest = -1;
-    const auto look = [&](const Pole& one, const LabelMap& in) {
+    const auto look = [&](const Pole& one, const LabelMap* in) {
       if (one.radius < kAsWell * largest) return;
       const Vec2 off = glm::abs(one.at - middle);
       const double out = layout == CalloutOptions::Layout::Columns ? off.x
                          : layout == CalloutOptions::Layout::Rows  ? off.y
                                                                    : std::max(off.x, off.y);
-      if (out > farthest) farthest = out, pole = one, map = &in;
+      if (out > farthest) farthest = out, pole = one, map = in;
     };
     for (const std::int32_t part : item.parts) {
-      look(solid[static_cast<std::size_t>(part)], seen);
-      look(clear[static_cast<std::size_t>(part)], glass);
+      for (std::size_t m = 0; m < maps.size(); ++m) {
+        look(poles[m][static_cast<std::size_t>(part)], maps[m]);
+      }
     }
     Anchor anchor{&item, pole.part, pole.at, pole.radius > kLeastDisc};
     if (!anchor.dot) {
@@ -210,13 +212,13 @@ std::string names_of(const std::vector<const DrawingItem*>& items) {
   return names;
 }
 
-void add_callouts(Drawing& drawing, const LabelMap& seen, const LabelMap& glass, const Box2& frame,
+void add_callouts(Drawing& drawing, const std::vector<const LabelMap*>& maps, const Box2& frame,
                   const Annotations& annotations, const CalloutOptions& style,
                   const RunContext& context) {
   const Box2 ink = ink_box(drawing);
   std::vector<const DrawingItem*> not_shown;
   const std::vector<Anchor> anchors =
-      find_anchors(drawing, seen, glass, annotations.items, ink.center(), style.layout, not_shown);
+      find_anchors(drawing, maps, annotations.items, ink.center(), style.layout, not_shown);
   if (!not_shown.empty()) {
     drawing.diagnostics.add(
         Severity::Warning, "callouts.not_shown", std::ssize(not_shown),
@@ -346,18 +348,22 @@ bool annotations_fit(const Annotations& annotations, const CalloutOptions& style
                       CalloutSizes(style, largest_number(annotations.items)), style.layout);
 }
 
-void annotate(Drawing& drawing, const LabelMap& seen, const LabelMap& glass,
+void annotate(Drawing& drawing, const LabelMap& seen, std::span<const LabelMap> glass,
               const Annotations& annotations, const CalloutOptions& style,
               const RunContext& context) {
   drawing.items = annotations.items;
   // What is seen through a part lies over its own area.
-  drawing.areas = find_areas(glass);
-  for (Area& area : find_areas(seen)) drawing.areas.push_back(std::move(area));
+  drawing.areas.clear();
+  for (const LabelMap& map : glass)
+    std::ranges::move(find_areas(map), std::back_inserter(drawing.areas));
+  std::ranges::move(find_areas(seen), std::back_inserter(drawing.areas));
   const Paper paper{drawing.paper_width, drawing.paper_height};
   const Box2 frame = inside(paper, annotations.margin);
   const auto plan = list_plan(annotations, style, frame);
   if (annotations.callouts) {
-    add_callouts(drawing, seen, glass, rest_of(frame, plan), annotations, style, context);
+    std::vector<const LabelMap*> maps{&seen};
+    for (const LabelMap& map : glass) maps.push_back(&map);
+    add_callouts(drawing, maps, rest_of(frame, plan), annotations, style, context);
   }
   if (annotations.parts_list) add_list(drawing, plan, annotations, style);
 }

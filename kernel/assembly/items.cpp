@@ -106,14 +106,35 @@ class Numbering {
         const auto holds = [&](std::size_t part) { return std::ranges::count(item.parts, part); };
         if (std::ranges::any_of(parts, holds)) meant.insert(&item);
       }
-      if (meant.size() > 1 || (*meant.begin())->number != 0) {
-        throw UsageError(fmt::format(
-            "item {}: '{}' names parts of {}; name those of one alone", number, kept.select,
-            meant.size() > 1 ? fmt::format("{} items", meant.size())
-                             : fmt::format("item {}", (*meant.begin())->number)));
+      const int other = meant.size() == 1 ? (*meant.begin())->number : 0;
+      Item* own = other == 0 ? *meant.begin() : part_off(**meant.begin(), parts);
+      if (meant.size() > 1 || !own) {
+        throw UsageError(fmt::format("item {}: '{}' names parts of {}; name those of one alone",
+                                     number, kept.select,
+                                     meant.size() > 1 ? fmt::format("{} items", meant.size())
+                                                      : fmt::format("item {}", other)));
       }
-      give(**meant.begin(), number);
+      give(*own, number);
     }
+  }
+
+  /// Copies of one thing that have numbers of their own: an item of these parts, beside the one
+  /// that has them now. Null where that one would be left without the parts that its own selector
+  /// names.
+  Item* part_off(Item& whole, const std::vector<std::size_t>& parts) {
+    const auto taken = [&](std::size_t part) { return std::ranges::count(parts, part) > 0; };
+    for (const std::size_t part : select(scene_, kept_.at(whole.number).select)) {
+      if (taken(part)) return nullptr;
+    }
+    Item off = whole;
+    std::erase_if(whole.parts, taken);
+    std::erase_if(off.parts, [&](std::size_t part) { return !taken(part); });
+    const auto named = [&](const std::string& name) {
+      return std::ranges::find(items_, name, &Item::name) != items_.end();
+    };
+    const std::string plain = off.name;
+    for (int n = 2; named(off.name); ++n) off.name = fmt::format("{} ({})", plain, n);
+    return &items_.emplace_back(std::move(off));
   }
 
   void take_named() {
@@ -203,8 +224,8 @@ std::string instance_stem(std::string_view name) {
 }
 
 std::vector<Item> find_items(const Scene& scene, const ItemNumbers& kept, Diagnostics& diagnostics,
-                             RunContext& context) {
-  std::vector<Kind> kinds = detail::Kinds(scene, diagnostics, context).find();
+                             RunContext& context, const std::vector<bool>& unlisted) {
+  std::vector<Kind> kinds = detail::Kinds(scene, diagnostics, context).find(unlisted);
   return Numbering(scene, kept, diagnostics).of(std::move(kinds));
 }
 

@@ -30,10 +30,15 @@ std::string family(std::string_view name) {
 
 }  // namespace
 
-std::vector<Kind> Kinds::find() {
-  for (std::size_t i = 0; i < scene_.parts.size(); i = end_of_thing(scene_, i)) {
+std::vector<Kind> Kinds::find(const std::vector<bool>& unlisted) {
+  const auto is_listed = [&](std::size_t i) { return i >= unlisted.size() || !unlisted[i]; };
+  for (std::size_t i = 0; i < scene_.parts.size();) {
     context_.check();
-    add(i);
+    const std::size_t end = end_of_thing(scene_, i);
+    bool listed = false;
+    for (std::size_t k = i; k < end; ++k) listed = listed || is_listed(k);
+    if (listed) add(i);
+    i = end;
   }
   return std::move(kinds_);
 }

@@ -41,8 +41,8 @@ class Kinds {
   Kinds(const Scene& scene, Diagnostics& diagnostics, RunContext& context)
       : scene_(scene), diagnostics_(diagnostics), context_(context) {}
 
-  /// In the order of the scene.
-  std::vector<Kind> find();
+  /// In the order of the scene. A thing counts where one of its parts is listed.
+  std::vector<Kind> find(const std::vector<bool>& unlisted = {});
 
  private:
   /// The thing that begins with the part at `index`.

@@ -2,8 +2,14 @@
 
 #include <burin/illustrate/view_probe.h>
 
+#include <algorithm>
+#include <utility>
+
 namespace burin::detail {
 namespace {
+
+// Panes one behind the other that are looked through; items behind more are told as not seen.
+constexpr std::size_t kMostGlass = 8;
 
 Box2 ink_on_sheet(const Drawing& drawing) {
   Box2 box;
@@ -30,6 +36,23 @@ LabelMap map_of(const Box2& box, const Occluder& occluder, const Camera& camera,
       context);
 }
 
+/// Leaves the parts of a flag in a map, and takes the flag of those that are seen; whether any is.
+bool keep_only(LabelMap& map, std::vector<bool>& parts) {
+  std::vector<bool> left = parts;
+  for (std::int32_t& part : map.parts) {
+    if (part < 0) continue;
+    const auto i = static_cast<std::size_t>(part);
+    if (parts[i]) {
+      left[i] = false;
+    } else {
+      part = -1;
+    }
+  }
+  const bool any = left != parts;
+  parts = std::move(left);
+  return any;
+}
+
 }  // namespace
 
 Labels label(const Drawing& drawing, const Occluders& occluders, const Camera& camera,
@@ -37,10 +60,12 @@ Labels label(const Drawing& drawing, const Occluders& occluders, const Camera& c
   const Box2 box = ink_on_sheet(drawing);
   if (box.empty() || box.min.x >= box.max.x || box.min.y >= box.max.y) return {};
   Labels labels{map_of(box, occluders.solid(), camera, context), {}};
-  if (!occluders.any_transparent()) return labels;
-  labels.glass = map_of(box, Occluder(occluders.proxies(), context), camera, context);
-  for (std::int32_t& part : labels.glass.parts) {
-    if (part >= 0 && !occluders.transparent(static_cast<std::size_t>(part))) part = -1;
+  std::vector<bool> left = occluders.transparent();
+  while (labels.glass.size() < kMostGlass && std::ranges::find(left, true) != left.end()) {
+    LabelMap map = map_of(box, Occluder(occluders.proxies_with(left), context), camera, context);
+    // What was not seen may stand within what was: glass in glass.
+    if (!keep_only(map, left)) break;
+    labels.glass.push_back(std::move(map));
   }
   return labels;
 }

@@ -8,15 +8,20 @@
 
 #include "occluders.h"
 
+#include <vector>
+
 namespace burin::detail {
 
-/// What can be looked through apart; empty where nothing can.
+/// What can be looked through apart: what is seen first, then what is seen through that, and so on;
+/// empty where nothing can.
 struct Labels {
-  LabelMap seen, glass;
+  LabelMap seen;
+  std::vector<LabelMap> glass;
 };
 
-/// Of the stretch of the sheet that has ink. Cost: a ray a pixel, two where parts can be looked
-/// through. Throws Cancelled.
+/// Of the stretch of the sheet that has ink. Cost: a ray a pixel, and one more for each map of what
+/// can be looked through: as many as such parts hide each other whole, one behind the other, 8 at
+/// the most. Throws Cancelled.
 Labels label(const Drawing& drawing, const Occluders& occluders, const Camera& camera,
              const RunContext& context);
 

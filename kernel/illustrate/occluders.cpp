@@ -35,6 +35,14 @@ bool Occluders::any_transparent() const {
   return std::ranges::find(transparent_, true) != transparent_.end();
 }
 
+std::vector<const ProxyMesh*> Occluders::proxies_with(const std::vector<bool>& parts) const {
+  std::vector<const ProxyMesh*> proxies = solid_proxies_;
+  for (std::size_t i = 0; i < proxies.size(); ++i) {
+    if (parts[i]) proxies[i] = proxies_[i];
+  }
+  return proxies;
+}
+
 std::vector<const ProxyMesh*> Occluders::proxies_before(std::size_t part) const {
   std::vector<const ProxyMesh*> proxies = solid_proxies_;
   proxies[part] = proxies_[part];

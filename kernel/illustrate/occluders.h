@@ -33,6 +33,8 @@ class Occluders {
   std::span<const ProxyMesh* const> solid_proxies() const { return solid_proxies_; }
   /// What stands before a transparent part: the solid ones and itself.
   std::vector<const ProxyMesh*> proxies_before(std::size_t part) const;
+  /// The solid parts and those of a flag.
+  std::vector<const ProxyMesh*> proxies_with(const std::vector<bool>& parts) const;
 
  private:
   Surfaces surfaces_;

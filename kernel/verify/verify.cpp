@@ -120,13 +120,19 @@ std::string name_of(const Scene& scene, std::int32_t part) {
   return name.empty() ? fmt::format("of part {}", part) : fmt::format("of part '{}'", name);
 }
 
+/// "a contour", "an intersection".
+std::string with_article(const std::string& noun) {
+  return (std::string_view("aeiou").find(noun.front()) == std::string_view::npos ? "a " : "an ") +
+         noun;
+}
+
 std::string sentence(const Contradiction& c, const Scene& scene) {
   const std::string where =
       fmt::format("at {:.1f},{:.1f} mm of the sheet (model {:.6g},{:.6g},{:.6g})", c.at.x, c.at.y,
                   c.model.x, c.model.y, c.model.z);
   const std::string line = fmt::format("{} {}", to_string(c.kind), name_of(scene, c.source.part));
   if (c.what == "loose_end") {
-    return fmt::format("the outer outline ends, a {}, {}", line, where);
+    return fmt::format("the outer outline ends, {}, {}", with_article(line), where);
   }
   if (c.what == "missing") {
     return fmt::format("{:.2f} mm of the outer outline {} are missing, {}", c.length,
@@ -135,7 +141,7 @@ std::string sentence(const Contradiction& c, const Scene& scene) {
   const char* says = c.what == "covered" ? "drawn, but something stands before it"
                      : c.what == "open"  ? "taken for hidden, but nothing stands before it"
                                          : "drawn where there is no surface";
-  return fmt::format("{:.2f} mm of a {} are {}, {}", c.length, line, says, where);
+  return fmt::format("{:.2f} mm of {} are {}, {}", c.length, with_article(line), says, where);
 }
 
 void report(const Verification& v, const Scene& scene, Diagnostics& diagnostics) {

@@ -271,6 +271,12 @@ TEST_F(Diff, IllustrationsTellLooks) {
   EXPECT_NE(err_.find("exploded view"), std::string::npos) << err_;
   EXPECT_EQ(run("diff @/a.burin.json @/b.burin.json"), 6) << err_;
   EXPECT_EQ(out_, "look     lid: left out\n2 parts before, 1 now: 1 same, 1 of another look\n");
+  folder_.write("a.obj", obj_text({{"base", test::box({0, 0, 0}, {20, 20, 20})}}));
+  folder_.write("none.obj", "mtllib glass.mtl\nusemtl glass\n" +
+                                obj_text({{"base", test::box({0, 0, 0}, {20, 20, 20})}}));
+  folder_.write("glass.mtl", "newmtl glass\nKd 1 0 0\nd 0.25\n");
+  EXPECT_EQ(run("diff @/a.obj @/none.obj"), 6) << err_;
+  EXPECT_NE(out_.find("opacity 1 to 0.25"), std::string::npos) << out_;
   // What the command leaves out is not compared.
   EXPECT_EQ(run("diff @/box.off @/a.burin.json --hide lid"), 2);
 }

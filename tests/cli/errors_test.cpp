@@ -29,6 +29,13 @@ TEST_F(CliErrors, UsageNamesTheNearest) {
   expect_failure("draw @/box.off -o @/a.svg --style engravin", 2, "'engraving'");
   expect_failure("styles --show outlin", 2, "'outline'");
   expect_failure("info --jsn @/box.off", 2, "--json");
+  const std::string draw = "draw @/box.off -o @/a.svg ";
+  expect_failure(draw + "--view isometric", 2, "the nearest is 'iso'");
+  expect_failure(draw + "--view plan", 2, "the nearest is 'top'");
+  expect_failure(draw + "--view rear", 2, "the nearest is 'back'");
+  expect_failure(draw + "--view perspective", 2, "asked for by --perspective");
+  expect_failure(draw + "--views front,isometric", 2, "the nearest is 'iso'");
+  expect_failure(draw + "--look box=line.color=red", 2, "{\"line.color\": \"red\"}");
 }
 
 TEST_F(CliErrors, UsageOfEachOption) {

@@ -119,8 +119,7 @@ TEST_F(OpenscadInstances, AreFoundWhateverIsSaidOfThem) {
   EXPECT_EQ(items(use + kBolt + "ink(\"engraving\") " + row + "bolt();"), three);
   EXPECT_EQ(items(use + kBolt + "explode([0, 0, 20]) " + row + "bolt();"), three);
   EXPECT_EQ(items(kBolt + row + "if (x == 30) #bolt(); else bolt();"), three);
-  EXPECT_EQ(items(kBolt + row + "if (x == 30) %bolt(); else bolt();"),
-            (Items{{"bolt", 2}, {"bolt (background)", 1}}));
+  EXPECT_EQ(items(kBolt + row + "if (x == 30) %bolt(); else bolt();"), (Items{{"bolt", 2}}));
   EXPECT_EQ(items(kBolt + "#bolt(); translate([30, 0, 0]) bolt();"), (Items{{"bolt", 2}}));
   // Beside what part() names, too.
   EXPECT_EQ(items(use + kBolt + kPlate + "module all() { part(\"base\") plate(); " + kEach +

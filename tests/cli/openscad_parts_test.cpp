@@ -4,8 +4,10 @@
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <set>
 
 namespace burin::test {
 namespace {
@@ -104,6 +106,102 @@ TEST_F(OpenscadParts, ModelsSayHowTheyAreDrawn) {
   EXPECT_NEAR(height("--explode auto"), 41, 1e-3);
 }
 
+TEST_F(OpenscadParts, ListsHoldWhatIsMade) {
+  folder_.write("m.scad",
+                "module bolt() cylinder(r = 2, h = 9);\ncube([20, 20, 5]);\n#translate([5, 5, 5]) "
+                "bolt();\ntranslate([10, 5, 5]) bolt();\n%translate([15, 5, 5]) bolt();\n"
+                "translate([40, 0, 0]) difference() { cube(9); #sphere(4); }");
+  ASSERT_EQ(run("draw @/m.scad -o @/m.svg --no-progress --parts-list @/m.csv"), 0) << err_;
+  const std::string list = slurp(folder_ / "m.csv");
+  EXPECT_EQ(std::ranges::count(list, '\n'), 4) << list;
+  EXPECT_NE(list.find(",bolt,2,"), std::string::npos) << list;
+  EXPECT_EQ(list.find("background"), std::string::npos) << list;
+}
+
+TEST_F(OpenscadParts, GlassInGlassHasACallout) {
+  folder_.write("m.scad",
+                "use <burin.scad>\ncallout() part(\"case\") color(\"blue\", 0.3) cube(40);\n"
+                "callout() part(\"inner\") color(\"red\", 0.3) translate([10, 10, 10]) cube(20);\n"
+                "callout() part(\"core\") translate([20, 20, 20]) cube(4);");
+  const Json all = drawing("--paper A5");
+  EXPECT_EQ(err_.find("not seen"), std::string::npos) << err_;
+  const auto callouts = std::ranges::find_if(
+      all["layers"], [](const Json& layer) { return layer["name"] == "callouts"; });
+  ASSERT_NE(callouts, all["layers"].end());
+  EXPECT_EQ((*callouts)["texts"].size(), 3U);
+}
+
+TEST_F(OpenscadParts, WallsThatMeetGentlyMeetInAnEdge) {
+  // 11 degrees from the wall, and no round surface anywhere.
+  folder_.write("m.scad",
+                "hull() { cube([20, 20, 1]); translate([1, 1, 5]) cube([18, 18, 0.1]); "
+                "translate([2, 2, 6]) cube([16, 16, 0.1]); }");
+  const Json all = drawing("--style outline --view front --scale 4");
+  std::set<long> heights;
+  for (const Json& layer : all["layers"]) {
+    for (const Json& path : layer["paths"]) {
+      const Json &from = path["points"].front(), &to = path["points"].back();
+      const double rise = to[1].get<double>() - from[1].get<double>(),
+                   run = to[0].get<double>() - from[0].get<double>();
+      if (std::abs(rise) < 1e-6 && std::abs(run) > 60) {
+        heights.insert(std::lround(10 * from[1].get<double>()));
+      }
+    }
+  }
+  EXPECT_EQ(heights.size(), 4U) << "the floor, two joints and the top";
+}
+
+TEST_F(OpenscadParts, CornersOfFewFacetsAreDrawnFacetByFacet) {
+  folder_.write("m.scad", "linear_extrude(5) offset(r = 2) square(5);");
+  const Json all = drawing("--style outline --view front --scale 4");
+  std::set<long> upright;
+  for (const Json& layer : all["layers"]) {
+    for (const Json& path : layer["paths"]) {
+      const Json &from = path["points"].front(), &to = path["points"].back();
+      if (std::abs(to[0].get<double>() - from[0].get<double>()) > 1e-6) continue;
+      if (std::abs(to[1].get<double>() - from[1].get<double>()) < 15) continue;
+      upright.insert(std::lround(10 * from[0].get<double>()));
+    }
+  }
+  EXPECT_EQ(upright.size(), 6U) << "the outline, a bend in each corner, both ends of the side";
+}
+
+TEST_F(OpenscadParts, AStretchedBallIsAnEllipsoid) {
+  folder_.write("m.scad", "scale([3, 2, 1]) sphere(5);");
+  const Json all = drawing("--style outline --view top --scale 2");
+  // The outline lies on the ellipse of half axes 30 and 20 mm of paper, about its middle.
+  double x0 = 1e9, x1 = -1e9, y0 = 1e9, y1 = -1e9;
+  std::vector<std::pair<double, double>> points;
+  for (const Json& layer : all["layers"]) {
+    for (const Json& path : layer["paths"]) {
+      for (const Json& p : path["points"]) {
+        const double x = p[0], y = p[1];
+        x0 = std::min(x0, x), x1 = std::max(x1, x);
+        y0 = std::min(y0, y), y1 = std::max(y1, y);
+        points.emplace_back(x, y);
+      }
+    }
+  }
+  EXPECT_NEAR(x1 - x0, 60, 0.1);
+  EXPECT_NEAR(y1 - y0, 40, 0.1);
+  for (const auto& [x, y] : points) {
+    EXPECT_NEAR(std::hypot((x - (x0 + x1) / 2) / 30, (y - (y0 + y1) / 2) / 20), 1, 3e-3);
+  }
+  const Json parts = parts_of("scale([3, 2, 1]) sphere(5);");
+  EXPECT_NEAR(parts[0]["volume"].get<double>() / parts_of("sphere(5);")[0]["volume"].get<double>(),
+              6, 1e-6);
+}
+
+TEST_F(OpenscadParts, ThatManyCallsStayOnePartIsSaid) {
+  folder_.write("m.scad",
+                "module pin() cube(1);\nfor (i = [0:1000]) translate([2 * i, 0, 0]) pin();");
+  drawn("--style outline");
+  EXPECT_NE(err_.find("1001 calls of pin stay one part"), std::string::npos) << err_;
+  folder_.write("m.scad", "module pin() cube(1);\nfor (i = [0:9]) translate([2 * i, 0, 0]) pin();");
+  drawn("--style outline");
+  EXPECT_EQ(err_, "");
+}
+
 TEST_F(OpenscadParts, InkIsThatOfItsParts) {
   folder_.write("m.scad",
                 "use <burin.scad>\nink(\"outline\") sphere(5, $fn = 48);\ntranslate([20, 0, 0]) "
@@ -165,10 +263,11 @@ TEST_F(OpenscadParts, NonsenseIsToldInOneLine) {
   refused("hull();", "makes nothing of it");
   refused("difference() { cube(0); cube(2); }", "makes nothing of it");
   refused("cylinder(r = 1, h = 1, $fn = 1e9);", "corners");
-  EXPECT_NE(err_.find("m.scad: line "), std::string::npos) << "of the tree, not of the file";
+  EXPECT_NE(err_.find("m.scad: in m: "), std::string::npos) << "the tree has lines, not the file";
   ASSERT_EQ(std::system(("gzip -kf " + (folder_ / "m.scad")).c_str()), 0);
   EXPECT_EQ(run("draw @/m.scad.gz -o @/m.svg"), 3);
   expect_error("unpack it");
+  refused("", "is empty: there is no program in it");
 }
 
 TEST_F(OpenscadParts, AModelNeedsNoCopyOfTheLibrary) {

@@ -110,6 +110,9 @@ TEST_F(Packed, StandardInput) {
   folder_.write("x", "what is this");
   EXPECT_EQ(run("draw - -o @/a.svg", "x"), 3);
   expect_error("standard input: ");
+  folder_.write("x", "cube(9);\n");
+  EXPECT_EQ(run("draw - -o @/a.svg", "x"), 3);
+  expect_error("save it with the suffix .scad");
   EXPECT_EQ(run("watch - -o @/a.svg", "box.off"), 2);
   expect_error("burin watch looks at files");
 }

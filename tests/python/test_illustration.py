@@ -71,7 +71,7 @@ class Illustrations(unittest.TestCase):
         self.assertEqual(said["view"], {"from": [1, -1, 1], "up": [0, 0, 1], "perspective": None, "scale": None, "center": None})
         self.assertEqual(said["lights"], [{"ambient": 0.2}, {"from": [-0.5, 0.65, 0.6], "strength": 0.7}, {"at": [0, 0, 300], "strength": 0.2}])
         self.assertEqual((said["style"]["name"], said["style"]["hatch.spacing_min"]), ("engraving", 0.6))
-        self.assertEqual(said["looks"], [{"select": ["ring"], "drawn": None, "hatched": None, "transparent": False, "style": "outline"}])
+        self.assertEqual(said["looks"], [{"select": ["ring"], "drawn": None, "hatched": None, "transparent": False, "listed": None, "style": "outline"}])
         self.assertEqual((said["hidden"], said["tolerance"], said["seed"], said["sections"]), ("none", 0.1, 1, ["y"]))
         self.assertEqual(burin.illustration({**TWO, "style": "patent"})["style"], "patent")
 

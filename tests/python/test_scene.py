@@ -353,7 +353,7 @@ class Parts(unittest.TestCase):
         def parts_drawn(**options):
             return set(burin.draw(scene, view="front", **options).arrays()["part"].tolist())
 
-        self.assertEqual((back.drawn, back.hatched, back.transparent, back.style), (True, True, False, None))
+        self.assertEqual((back.drawn, back.hatched, back.transparent, back.listed, back.style), (True, True, False, True, None))
         self.assertEqual(parts_drawn(), {0, 1})
         scene.parts[0].drawn = False
         self.assertEqual(parts_drawn(), {1})

@@ -3,6 +3,7 @@
 
 #include <burin/base/error.h>
 
+#include "exchange.h"
 #include "flat.h"
 
 #include <fmt/format.h>
@@ -23,10 +24,13 @@ auto at_node(const Evaluation& e, std::uint32_t node, Evaluate&& evaluate) {
   }
 }
 
-/// Something that OpenSCAD warns of and goes on without.
+/// Something that OpenSCAD warns of and goes on without; `what` begins with a module, or is of that
+/// of the node.
 inline void tell(Evaluation& e, std::uint32_t node, std::string code, const std::string& what) {
+  const bool named = what.find("()") != std::string::npos;
+  const std::string of = named ? "" : fmt::format("{}(): ", name_of(e.tree.nodes[node].module));
   e.diagnostics.add(Severity::Warning, std::move(code), 1,
-                    fmt::format("line {} of the evaluated tree: {}", e.tree.line_of(node), what));
+                    fmt::format("line {}{}{}{}", e.tree.line_of(node), kOfTree, of, what));
 }
 
 }  // namespace burin::csg

@@ -12,6 +12,7 @@
 #include <charconv>
 #include <cstring>
 #include <optional>
+#include <string_view>
 
 namespace burin::csg {
 namespace {
@@ -19,8 +20,8 @@ namespace {
 /// What the lines of the process say; see program/main.cpp, which writes them.
 class Listener {
  public:
-  Listener(RunContext& context, Diagnostics& diagnostics, std::string file)
-      : context_(context), diagnostics_(diagnostics), file_(std::move(file)) {}
+  Listener(RunContext& context, Diagnostics& diagnostics, const ChildOptions& options)
+      : context_(context), diagnostics_(diagnostics), options_(options), file_(options.file) {}
 
   void hear(const std::string& line) {
     const std::size_t blank = line.find(' ');
@@ -46,10 +47,8 @@ class Listener {
     const std::size_t blank = what_.find(' ');
     std::int64_t line = 0;
     std::from_chars(what_.data(), what_.data() + blank, line);
-    // The tree is no file that the user knows.
     const std::string what = what_.substr(blank + 1);
-    if (line <= 0) throw InputError(what, file_);
-    throw InputError(fmt::format("line {} of the evaluated tree: {}", line, what), file_);
+    throw InputError(line > 0 ? placed(line, what) : what, file_);
   }
 
  private:
@@ -62,11 +61,31 @@ class Listener {
     const Severity severity = rest[0] == 'i'   ? Severity::Info
                               : rest[0] == 'e' ? Severity::Error
                                                : Severity::Warning;
-    diagnostics_.add(severity, rest.substr(a + 1, b - a - 1), count, rest.substr(c + 1));
+    diagnostics_.add(severity, rest.substr(a + 1, b - a - 1), count, told(rest.substr(c + 1)));
+  }
+
+  /// The tree is no file that the user knows: its lines mean nothing to him.
+  std::string placed(std::int64_t line, const std::string& what) const {
+    const std::string where =
+        options_.where ? options_.where(line) : fmt::format("line {} of the evaluated tree", line);
+    return where.empty() ? what : where + ": " + what;
+  }
+
+  /// What is said of a node, with its place.
+  std::string told(const std::string& message) const {
+    constexpr std::string_view kLine = "line ";
+    const std::size_t of = message.find(kOfTree);
+    if (!message.starts_with(kLine) || of == std::string::npos) return message;
+    std::int64_t line = 0;
+    const auto [end, error] =
+        std::from_chars(message.data() + kLine.size(), message.data() + of, line);
+    if (error != std::errc() || end != message.data() + of) return message;
+    return options_.file + ": " + placed(line, message.substr(of + kOfTree.size()));
   }
 
   RunContext& context_;
   Diagnostics& diagnostics_;
+  const ChildOptions& options_;
   std::string file_, error_, what_;
 };
 
@@ -77,7 +96,7 @@ std::vector<Solid> evaluate_in_child(const std::string& text, std::span<const st
                                      Diagnostics& diagnostics) {
   const detail::MemoryFile file;
   write_text(file.descriptor(), text);
-  Listener listener(context, diagnostics, options.file);
+  Listener listener(context, diagnostics, options);
   detail::SubprocessRun run;
   run.arguments = {program_beside(BURIN_CSG_PROGRAM), fmt::format("{}", fmt::join(nodes, ",")),
                    fmt::format("{}", thread_limit())};

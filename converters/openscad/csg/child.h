@@ -9,6 +9,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <span>
 #include <string>
 #include <vector>
@@ -27,13 +28,16 @@ struct ChildOptions {
   std::filesystem::path folder;
   /// Named in errors.
   std::string file;
+  /// What a line of the text is to the user, who does not know the text: "in 'arm'"; empty:
+  /// nothing.
+  std::function<std::string(std::int64_t line)> where = {};
   double timeout_seconds = 1e9;
 };
 
 /// The solids of nodes of a text (numbers as `parse` gives them), as `evaluate` of
 /// solids/evaluate.h says. A library that crashes takes that process alone. Throws InputError with
-/// file and line for what a tree may not ask for (a circle of 1e9 corners), NotEvaluated, Cancelled
-/// within 0.1 s. What the user should know goes to `diagnostics`.
+/// file and place for what a tree may not ask for (a circle of 1e9 corners), NotEvaluated,
+/// Cancelled within 0.1 s. What the user should know goes to `diagnostics`.
 std::vector<Solid> evaluate_in_child(const std::string& text, std::span<const std::uint32_t> nodes,
                                      const ChildOptions& options, RunContext& context,
                                      Diagnostics& diagnostics);

@@ -5,9 +5,13 @@
 #include "solid.h"
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace burin::csg {
+
+/// Behind "line N" at the beginning of what is said of a node.
+inline constexpr std::string_view kOfTree = " of the evaluated tree: ";
 
 /// Writes all of a file that is open for reading and writing, what was in it gone. Throws Error.
 void write_text(int descriptor, const std::string& text);

@@ -178,6 +178,8 @@ def _looks(burin, looks, matches, notes):
     words, said = {}, []
     for look in looks:
         style = _style_of_look(burin, look, said)
+        if look["listed"] is False:
+            said.append(f"look of {', '.join(look['select'])}: objects of FreeCAD are all listed; \"listed\" is left out")
         for path in _selected(burin, look["select"], selectable, said):
             text = words.get(path, "")
             for key, (flag, at) in _FLAGS.items():

@@ -101,6 +101,7 @@ class Comparer {
       d.before = path_of(scene_before_.parts[match.before]);
       d.numbers_before = numbers_of(part);
       d.color_before = part.color;
+      d.opacity_before = part.opacity;
       d.drawn_before = part.drawn;
     }
     if (match.after != kNoPart) {
@@ -108,6 +109,7 @@ class Comparer {
       d.after = path_of(scene_after_.parts[match.after]);
       d.numbers_after = numbers_of(part);
       d.color_after = part.color;
+      d.opacity_after = part.opacity;
       d.drawn_after = part.drawn;
     }
     if (match.before != kNoPart && match.after != kNoPart) {

@@ -15,6 +15,9 @@ namespace {
 
 using Indices = std::vector<std::size_t>;
 
+/// What files that hold opacity as a byte, and those that hold transparency in whole percent,
+/// round.
+constexpr double kSameOpacity = 0.0079;
 /// Pairs of one rule and name that are all looked at, and neighbours beyond that.
 constexpr std::size_t kMostPairs = 250'000, kNeighbours = 50;
 /// Pairs whose boxes are compared.
@@ -266,7 +269,8 @@ class Matcher {
         match.moved = moved[a];
         match.changed = shape_before_[match.before] != shape_after_[a];
         match.renamed = was.stem != is.stem;
-        match.look = was.color != is.color || was.drawn != is.drawn;
+        match.look = was.color != is.color || was.drawn != is.drawn ||
+                     std::abs(was.opacity - is.opacity) >= kSameOpacity;
       }
       matches.push_back(match);
     }

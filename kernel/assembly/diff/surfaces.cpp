@@ -44,6 +44,7 @@ std::vector<RevisionPart> RevisionSurfaces::measured(double from, double to) {
       one.stem += between + instance_stem(name);
     }
     one.color = lowered(part.color);
+    one.opacity = part.opacity;
     one.drawn = drawn_[i];
     if (const auto surface = this->surface(i)) {
       one.pose = pose_of(surface->proxy().mesh, surface->proxy().tolerance);

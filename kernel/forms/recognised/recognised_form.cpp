@@ -13,7 +13,9 @@
 #include "known.h"
 #include "outermost.h"
 #include "recognised_surface.h"
+#include "walls.h"
 
+#include <algorithm>
 #include <set>
 #include <utility>
 
@@ -114,6 +116,10 @@ struct RecognisedForm::Impl {
   std::shared_ptr<const recognised::Recognised> round;
   RecognisedFaces faces;
   bool too_coarse = false;
+  /// Of a mesh without round faces: whether it has walls all the same.
+  bool walls = false;
+
+  bool is_mesh() const { return faces.total() == 0 && !walls; }
 };
 
 RecognisedForm::RecognisedForm(TriMesh mesh, const RunContext& context,
@@ -140,6 +146,13 @@ RecognisedForm::RecognisedForm(TriMesh mesh, const KnownSurfaces& known, const R
   impl_->round = std::make_shared<const recognised::Recognised>(
       recognised::join_profiles(m, *impl_->facets, std::move(told.bands), context));
   impl_->faces = recognised::count_faces(m, topology, *impl_->facets, *impl_->round);
+  const auto flat = [](std::int32_t s) { return s == KnownSurfaces::kMeantFlat; };
+  if (impl_->faces.total() > 0 || !std::ranges::all_of(known.of, flat)) return;
+  const recognised::Walls walls(with_placed_creases(m, {}, {}, context), *impl_->facets,
+                                *impl_->round);
+  for (std::size_t f = 0; f < impl_->facets->list.size(); ++f) {
+    impl_->walls = impl_->walls || walls.is_wall(static_cast<std::int32_t>(f));
+  }
 }
 RecognisedForm::RecognisedForm(std::shared_ptr<Impl> impl, const Placement& placement)
     : impl_(std::move(impl)), placement_(placement) {}
@@ -147,12 +160,14 @@ RecognisedForm::~RecognisedForm() = default;
 
 std::shared_ptr<const Form> RecognisedForm::mapped(const Placement& by) const {
   const Placement place = after(by, placement_);
-  if (impl_->faces.total() == 0) return impl_->form.mapped(place);
+  if (impl_->is_mesh()) return impl_->form.mapped(place);
   return std::shared_ptr<const Form>(new RecognisedForm(impl_, place));
 }
 
 const TriMesh& RecognisedForm::mesh() const { return impl_->form.mesh(); }
 RecognisedFaces RecognisedForm::faces() const { return impl_->faces; }
+
+bool RecognisedForm::is_mesh() const { return impl_->is_mesh(); }
 
 bool RecognisedForm::too_coarse() const { return impl_->too_coarse; }
 
@@ -179,7 +194,7 @@ Box3 RecognisedForm::bounds_as_read(const Mat3& axes) const {
 
 std::shared_ptr<const Surface> RecognisedForm::realise(const RealiseOptions& options,
                                                        RunContext& context) const {
-  if (impl_->faces.total() == 0) return impl_->form.realise(options, context);
+  if (impl_->is_mesh()) return impl_->form.realise(options, context);
   context.begin_stage(RunStage::Build);
   const ProxyOptions proxy_options{.crease_angle = options.crease_angle};
   const ProxyMesh input = with_placed_creases(mesh(), placement_, proxy_options, context);

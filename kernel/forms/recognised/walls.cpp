@@ -1,5 +1,7 @@
 #include "walls.h"
 
+#include <burin/base/disjoint_sets.h>
+
 #include <algorithm>
 
 namespace burin::recognised {
@@ -46,6 +48,28 @@ class Measure {
     return wider >= kBorderShare * all;
   }
 
+  /// Makes walls of facets of which so few meet at small angles, one after the other, that they are
+  /// no rounding: a side and the two cuts at its corners, as those of `offset` with few fragments.
+  void add_few(std::vector<std::uint8_t>& wall) const {
+    constexpr std::uint32_t kFewest = 4;  // facets of a rounding
+    DisjointSets groups(border_.size());
+    for (std::uint32_t f = 0; f < border_.size(); ++f) {
+      for (const HalfEdge h : border_[f]) {
+        groups.join(f, static_cast<std::uint32_t>(facet_of(opposite(h))));
+      }
+    }
+    std::vector<std::uint32_t> count(border_.size(), 0);
+    for (std::uint32_t f = 0; f < border_.size(); ++f) {
+      // A sliver is no wall, and says nothing of those that it meets.
+      const bool wide =
+          std::ranges::all_of(border_[f], [&](HalfEdge h) { return width(h) >= least_; });
+      count[groups.find(f)] += wide ? 1 : kFewest;
+    }
+    for (std::uint32_t f = 0; f < border_.size(); ++f) {
+      if (!border_[f].empty() && count[groups.find(f)] < kFewest) wall[f] = 1;
+    }
+  }
+
   /// Whether the facet meets one that is no wall.
   bool bends(std::size_t facet, const std::vector<std::uint8_t>& wall) const {
     return std::any_of(border_[facet].begin(), border_[facet].end(), [&](HalfEdge h) {
@@ -88,6 +112,8 @@ Walls::Walls(const ProxyMesh& proxy, const Facets& facets, const Recognised& rou
     : wall_(facets.list.size(), 0), bends_(facets.list.size(), 0) {
   const Measure measure(proxy, facets, round);
   for (std::size_t f = 0; f < wall_.size(); ++f) wall_[f] = measure.is_wall(f);
+  // Without a round face only what is known to be flat gets here.
+  if (round.patches.empty()) measure.add_few(wall_);
   for (std::size_t f = 0; f < wall_.size(); ++f) {
     bends_[f] = wall_[f] == 0 && measure.bends(f, wall_);
   }

@@ -11,7 +11,8 @@
 namespace burin::recognised {
 
 /// A wall is a facet that is much wider than the facets that it meets at a small angle: it is a
-/// plane of its own, not a facet of something that bends.
+/// plane of its own, not a facet of something that bends. Where there is no round face, so that all
+/// facets are known to be flat, two or three that meet so are walls as well.
 class Walls {
  public:
   /// `proxy` is what MeshForm makes of the input: its smooth edges are the small angles.

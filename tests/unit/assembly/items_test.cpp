@@ -256,6 +256,31 @@ TEST(Items, AreRenamedByASelectorWhereverTheyStand) {
   EXPECT_THROW(items_of(parts, {{1, {"both", "*"}}}), UsageError);
 }
 
+TEST(Items, CopiesWithNumbersOfTheirOwnAreItemsOfTheirOwn) {
+  const auto bolt = form(test::box({0, 0, 0}, {2, 1, 1}));
+  const std::vector<Part> parts{part("bolt", bolt), part("bolt #2", bolt), part("bolt #3", bolt)};
+  const auto items = items_of(parts, {{6, {"", "/bolt"}}, {7, {"", "/bolt #2"}}});
+  ASSERT_EQ(items.size(), 2U);
+  EXPECT_EQ(items[0].number, 6);
+  EXPECT_EQ(items[0].parts, (std::vector<std::size_t>{0, 2}));
+  EXPECT_EQ(items[1].number, 7);
+  EXPECT_EQ(items[1].name, "bolt (2)");
+  EXPECT_EQ(items[1].parts, std::vector<std::size_t>{1});
+  EXPECT_THROW(items_of(parts, {{6, {"", "/bolt"}}, {7, {"", "/bolt"}}}), UsageError);
+}
+
+TEST(Items, WhatIsNotListedHasNoNumber) {
+  Scene scene;
+  scene.parts = {part("a", form(test::box({0, 0, 0}, {1, 1, 1}))),
+                 part("b", form(test::box({0, 0, 0}, {2, 1, 1}))),
+                 part("c", form(test::box({0, 0, 0}, {3, 1, 1})))};
+  RunContext context;
+  Diagnostics said;
+  const auto items = find_items(scene, {}, said, context, {false, true});
+  EXPECT_EQ(list_of(items), (List{{"a", 1}, {"c", 1}}));
+  EXPECT_EQ(items[1].number, 2);
+}
+
 TEST(Selectors, OfPartsChooseThemAlone) {
   Scene scene;
   const auto cube = form(test::box({0, 0, 0}, {1, 1, 1}));

@@ -67,6 +67,32 @@ TEST(Child, RefusesByFileAndLineOfTheTree) {
   }
 }
 
+TEST(Child, WhatIsSaidOfALineIsSaidOfWhatTheUserKnows) {
+  RunContext context;
+  Diagnostics diagnostics;
+  const ChildOptions options{.folder = ".", .file = "test.scad", .where = [](std::int64_t line) {
+                               return line == 2 ? std::string("in arm") : std::string();
+                             }};
+  const std::string text =
+      "group(){\nintersection(){ cube(1); }\nlinear_extrude(1){ square(3); cube(4); }}\n"
+      "linear_extrude(1){ square(3); cube(4); }";
+  for (const std::uint32_t node : {1U, 7U}) {
+    evaluate_in_child(text, std::vector{node}, options, context, diagnostics);
+  }
+  ASSERT_GE(diagnostics.entries().size(), 1U);
+  EXPECT_EQ(diagnostics.entries()[0].message,
+            "test.scad: cube(): a solid among 2-D objects is left out");
+  const auto raised = [&](const std::string& circle) {
+    try {
+      evaluate_in_child("\n" + circle, std::vector{0U}, options, context, diagnostics);
+    } catch (const InputError& e) {
+      return std::string(e.what());
+    }
+    return std::string();
+  };
+  EXPECT_TRUE(raised("sphere($fn = 1e9, $fa = 12, $fs = 2, r = 1);").starts_with("in arm: "));
+}
+
 TEST(Child, EndsWithinATenthOfASecondOfACancel) {
   RunContext context;
   Diagnostics diagnostics;

@@ -10,6 +10,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include <map>
 #include <string>
 
 namespace burin::detail {
@@ -71,6 +72,34 @@ TEST(TreeParts, ObjectsAtTheTopAreParts) {
   EXPECT_EQ(found.text(0), found.text(1));
   EXPECT_EQ(found.parts.parts[0].pieces[0].at.row[0][3], 9);
   EXPECT_TRUE(found.settings.empty());
+}
+
+TEST(TreeParts, WordsOfBurinScadAreNoNames) {
+  const std::string mark = call("callout", "", 0, "cube();");
+  EXPECT_EQ(Found(mark, "callout() cube();").names(), Names{"a"});
+  EXPECT_EQ(Found(mark, "callout() arm();").names(), Names{"arm"});
+  EXPECT_EQ(Found(call("ink", said("outline"), 1, "cube();"), "ink(\"outline\") cube();").names(),
+            Names{"a"});
+  // A module that has the name, and says nothing.
+  EXPECT_EQ(Found("group() { cube(); }", "callout();").names(), Names{"callout"});
+}
+
+TEST(TreeParts, WhatIsWrongManyTimesIsSaidOnce) {
+  const Found found(call("part", said(""), 1, "cube();") + call("part", said(""), 1, "sphere();"));
+  ASSERT_EQ(found.diagnostics.entries().size(), 1U);
+  EXPECT_EQ(found.diagnostics.entries()[0].count, 2);
+}
+
+TEST(TreeParts, WhatOnlyShowsSomethingIsNoItem) {
+  const Found found("cube(); %sphere(); #sphere(); difference() { cube(); #cylinder(); }");
+  std::map<std::string, bool> listed;
+  const Json settings = Json::parse(found.settings);
+  for (const Json& look : settings.at("looks")) {
+    listed[look["select"]] = look.value("listed", true);
+  }
+  EXPECT_EQ(listed, (std::map<std::string, bool>{{"/a (background)", false},
+                                                 {"/a (highlighted)", true},
+                                                 {"/a (highlighted) #2", false}}));
 }
 
 TEST(TreeParts, ObjectsWithoutANameHaveThatOfTheFile) {

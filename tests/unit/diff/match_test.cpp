@@ -129,6 +129,11 @@ TEST(Match, LooksAndMirrorImagesAreTold) {
   is.drawn = false;
   EXPECT_TRUE(match({was}, {is})[0].look);
   is = was;
+  is.opacity = 0.3;
+  EXPECT_TRUE(match({was}, {is})[0].look) << "it has become glass";
+  is.opacity = 1 - 0.5 / 255;
+  EXPECT_TRUE(match({was}, {is})[0].same()) << "a byte holds it";
+  is = was;
   was.shape.handedness = 0.1;
   is.shape.handedness = -0.1;
   EXPECT_TRUE(match({was}, {is})[0].changed) << "a mirror image is another shape";

@@ -88,8 +88,7 @@ class Evaluator {
 
   /// Before a node that may take long.
   void begin(std::uint32_t n, std::string_view with) {
-    e_.doing = fmt::format("{}() of line {}{}", name_of(e_.tree.nodes[n].module),
-                           e_.tree.line_of(n), with);
+    e_.doing = fmt::format("{}(){}", name_of(e_.tree.nodes[n].module), with);
     tell(told_);
   }
 
@@ -150,10 +149,7 @@ class Evaluator {
     std::vector<Region> out;
     for (const std::uint32_t c : children(n)) {
       if (dimension_[c] == Dimension::Solid) {
-        e_.diagnostics.add(
-            Severity::Warning, "openscad.mixed_dimensions", 1,
-            fmt::format("line {} of the evaluated tree: a solid among 2-D objects is left out",
-                        e_.tree.line_of(c)));
+        csg::tell(e_, c, "openscad.mixed_dimensions", "a solid among 2-D objects is left out");
         continue;
       }
       out.push_back(result_[c].region ? *result_[c].region : Region{});

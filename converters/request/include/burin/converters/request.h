@@ -25,7 +25,7 @@ struct Look {
   /// Selectors (burin/assembly/select.h); a part that one of them names is meant.
   std::vector<std::string> select = {};
   /// Absent: as before.
-  std::optional<bool> drawn = {}, hatched = {}, transparent = {};
+  std::optional<bool> drawn = {}, hatched = {}, transparent = {}, listed = {};
   /// A name or a file; or the text of a style file, which starts from the drawing's own style.
   std::string style = {}, style_text = {};
   /// Whom errors of `style_text` name.

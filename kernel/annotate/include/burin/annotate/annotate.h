@@ -50,14 +50,14 @@ void lay_parts_list(Drawing& drawing, const Annotations& annotations, const Call
 
 /// Lays callouts (layer "callouts") and the parts list (layer "parts_list") over a drawing that
 /// stands in its sheet. `seen` says which part is seen where, `glass` the same of parts that can be
-/// looked through, where there are any (else empty). The leader of an item begins in the largest
-/// disc that is seen of one of its parts, with a dot, or on the longest line of one with an arrow
-/// where that disc has a radius of 0.8 mm or less. Tells in the diagnostics of items that are not
-/// seen
+/// looked through: what is seen first, then what is seen through that, ... The leader of an item
+/// begins in the largest disc that is seen of one of its parts, with a dot, or on the longest line
+/// of one with an arrow where that disc has a radius of 0.8 mm or less. Tells in the diagnostics of
+/// items that are not seen
 /// ("callouts.not_shown"), of numbers that have no room ("callouts.crowded"), of a list that has
 /// none ("parts_list.no_room") and of characters that the font has not ("text.no_glyph"). Throws
 /// Cancelled. Cost: 30 ms and 5 ms for 100 items.
-void annotate(Drawing& drawing, const LabelMap& seen, const LabelMap& glass,
+void annotate(Drawing& drawing, const LabelMap& seen, std::span<const LabelMap> glass,
               const Annotations& annotations, const CalloutOptions& style,
               const RunContext& context);
 

@@ -63,10 +63,12 @@ std::string instance_stem(std::string_view name);
 /// numbers that items have already, each the item that its selector names, else that of its name,
 /// else, where it renames, that of its place ("items.renamed"). New items get the next numbers
 /// after the largest, or, where one is renamed so, those of their place. Parts that cannot be
-/// measured are told ("items.not_measured") and are items of their own. Throws UsageError where a
-/// selector of `kept` names parts of several items; Cancelled.
+/// measured are told ("items.not_measured") and are items of their own. `unlisted`: parts that are
+/// of no item, one flag a part; fewer: the others are of one. Where two
+/// numbers select copies of one thing each is an item, of those that it selects. Throws UsageError
+/// where a selector of `kept` names parts of several items, or the same as another; Cancelled.
 std::vector<Item> find_items(const Scene& scene, const ItemNumbers& kept, Diagnostics& diagnostics,
-                             RunContext& context);
+                             RunContext& context, const std::vector<bool>& unlisted = {});
 
 /// Kept numbers with those of items added.
 ItemNumbers numbers_of(const std::vector<Item>& items, const ItemNumbers& kept);

@@ -33,6 +33,8 @@ struct PartStyle {
   /// As of glass: it hides itself but no other part. Its strokes are placed as those of others.
   /// @cite Elber1998
   bool transparent = false;
+  /// False: it is shown, and is no item of a parts list, and has no callout: what stands around.
+  bool listed = true;
   /// Instead of the drawing's; what it says of files is ignored.
   std::optional<Style> style{};
 };

@@ -49,8 +49,9 @@ struct PartDifference {
   /// Of a part that has changed: the share of both surfaces that does not lie on the other's, once
   /// the part is moved back.
   double surface_changed = 0;
-  /// "#rrggbb" or empty, and whether it is drawn, in both revisions.
+  /// "#rrggbb" or empty, how much it covers, and whether it is drawn, in both revisions.
   std::string color_before = {}, color_after = {};
+  double opacity_before = 1, opacity_after = 1;
   bool drawn_before = true, drawn_after = true;
 
   PartChange change() const;

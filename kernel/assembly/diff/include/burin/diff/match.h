@@ -23,8 +23,9 @@ struct RevisionPart {
   std::string stem;
   ShapeMeasure shape;
   Pose pose;
-  /// "#rrggbb" or empty; whether it is drawn at all.
+  /// "#rrggbb" or empty; how much it covers (`Part::opacity`); whether it is drawn at all.
   std::string color;
+  double opacity = 1;
   bool drawn = true;
 };
 
@@ -39,7 +40,8 @@ struct PartMatch {
   bool changed = false;
   /// Its stem is another one.
   bool renamed = false;
-  /// Its colour is another one, or it is drawn in one revision alone.
+  /// Its colour is another one, or how much it covers by a step of a byte or more, or it is drawn
+  /// in one revision alone.
   bool look = false;
 
   bool same() const {
