@@ -8,8 +8,7 @@ namespace {
 
 constexpr double kLeastStep = 0.05;  // ... that the last one is not shorter than
 constexpr double kProbeEvery = 2;    // samples between two tests of visibility
-constexpr double kHiddenTail =
-    1.2;  // paper mm that a stroke goes on unseen, to be cut exactly later
+constexpr double kHiddenTail = 1.2;  // paper mm that a stroke goes on unseen, to be cut later
 constexpr double kHiddenReach = 15;  // paper mm: behind less a stroke comes out as the same line
 constexpr double kMinFacing = 0.02;  // cosine: the surface is seen edge-on and turns away
 constexpr double kMinRun = 0.12;     // share of its length that a step must keep on paper
@@ -39,7 +38,6 @@ constexpr double kInto = 0.7;
 constexpr double kApart = 0.55, kTurningApart = 0.25;
 constexpr double kTurning = 0.35;      // cosine
 constexpr double kSameFacing = 0.001;  // ... by which it may rise on the way to a contour
-constexpr double kThinApart = 1;       // widths of the thinnest line: nearer ones would be a blot
 
 // Model mm along a stroke that show as so many on paper.
 double length_of(const Camera& camera, const StrokeSample& at, double paper) {
@@ -345,9 +343,8 @@ StrokeEnd Tracer::advance(std::int32_t part, const StrokeSample& seed, const Str
         if (lost && !turning) return StrokeEnd::Crowded;
         if (unguided > kUnguided && (!(known || turning) || unseen_once)) return StrokeEnd::Crowded;
         // Lines draw together up to where the surface turns away, and nowhere else.
-        const double apart =
-            turning ? std::max(kTurningApart * heading.gap, kThinApart * picture_.options.width_min)
-                    : kApart * std::max(heading.gap, picture_.options.spacing_min);
+        const double apart = turning ? kTurningApart * heading.gap
+                                     : kApart * std::max(heading.gap, picture_.options.spacing_min);
         if (way.neighbours && way.neighbours->nearest(grid_sample(next, part, -1), apart) < apart) {
           return StrokeEnd::Crowded;
         }
