@@ -368,7 +368,7 @@ TEST(Verify, ShortSidesOfAPinThatStandsOutAreDrawn) {
 void expect_hull_holds(std::shared_ptr<const Form> form) {
   Scene scene;
   scene.parts.push_back({"hull", "hull", std::move(form)});
-  for (const char* view : {"iso", "0.3,-1,0.45", "-0.4,-1,0.55", "0.3,1,0.5", "front"}) {
+  for (const char* view : {"iso", "0.3,-1,0.45", "-0.4,-1,0.55", "0.3,1,0.5", "1,-2,1", "front"}) {
     SCOPED_TRACE(view);
     const Drawing drawing = drawn(scene, camera_of(scene, view), builtin_style("outline"));
     EXPECT_EQ(drawing.stats.verify->count, 0) << drawing.stats.verify->contradicted;
@@ -381,6 +381,13 @@ TEST(Verify, TheHullOfAPlateAndADiscHolds) {
     SCOPED_TRACE(sides);
     expect_hull_holds(std::make_shared<MeshForm>(test::hull({.sides = sides})));
   }
+}
+
+// Of eight sides, whose wide faces bend by less than an edge has to.
+TEST(Verify, TheHullOfAPlateAndAPrismHolds) {
+  const TriMesh mesh = test::hull({.radius = 10, .sides = 8});
+  expect_hull_holds(std::make_shared<MeshForm>(mesh));
+  expect_hull_holds(std::make_shared<RecognisedForm>(mesh, RunContext()));
 }
 
 // Beside a pin that is known to be round.
