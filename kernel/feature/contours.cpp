@@ -15,13 +15,13 @@ namespace {
 /// from back to front. It comes in over the one that runs from front to back.
 HalfEdge exit_of(const Facing& facing, std::uint32_t f) {
   for (HalfEdge h = static_cast<HalfEdge>(3 * f);; ++h) {
-    if (!facing.front(facing.origin_wedge(h)) && facing.front(facing.target_wedge(h))) return h;
+    if (!facing.front_at(h) && facing.front_at(next_in_face(h))) return h;
   }
 }
 
 HalfEdge entry_of(const Facing& facing, std::uint32_t f) {
   for (HalfEdge h = static_cast<HalfEdge>(3 * f);; ++h) {
-    if (facing.front(facing.origin_wedge(h)) && !facing.front(facing.target_wedge(h))) return h;
+    if (facing.front_at(h) && !facing.front_at(next_in_face(h))) return h;
   }
 }
 

@@ -162,4 +162,12 @@ std::vector<EdgeChain> chain_edges(const ProxyMesh& proxy, const FeatureOptions&
   return chains;
 }
 
+std::vector<EdgeChain> chain_folds(const ProxyMesh& proxy, std::span<const HalfEdge> folds) {
+  std::vector<EdgeChain> chains;
+  if (folds.empty()) return chains;
+  Chainer(proxy).chain(folds, chains);
+  for (EdgeChain& chain : chains) chain.fold = true;
+  return chains;
+}
+
 }  // namespace burin

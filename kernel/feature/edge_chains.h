@@ -5,6 +5,7 @@
 #include <burin/feature/feature.h>
 #include <burin/mesh/proxy_mesh.h>
 
+#include <span>
 #include <vector>
 
 namespace burin {
@@ -20,6 +21,8 @@ struct EdgeChain {
   std::int32_t source = -1;
   /// Of kind Smooth: where a face meets itself.
   bool seam = false;
+  /// Of kind Smooth: where triangles face different ways in one view, and nothing else is drawn.
+  bool fold = false;
 };
 
 /// All creases and boundaries, and what `options` ask for of the smooth edges of the input, in
@@ -28,5 +31,8 @@ struct EdgeChain {
 /// other crease or boundary). Linear.
 std::vector<EdgeChain> chain_edges(const ProxyMesh& proxy, const FeatureOptions& options,
                                    const RunContext& context);
+
+/// Chains of folds (`Facing::folds`), which belong to one view and have no source. Linear.
+std::vector<EdgeChain> chain_folds(const ProxyMesh& proxy, std::span<const HalfEdge> folds);
 
 }  // namespace burin

@@ -50,7 +50,7 @@ LookAndHidden crease_look(bool left_front, bool right_front, bool convex, bool c
 class ChainWalk {
  public:
   ChainWalk(const Facing& facing, const EdgeChain& chain)
-      : facing_(facing), smooth_(chain.kind == EdgeKind::Smooth) {
+      : facing_(facing), smooth_(chain.kind == EdgeKind::Smooth && !chain.fold) {
     for (const HalfEdge h : chain.edges) add_edge(h);
   }
   const std::vector<Step>& steps() const { return steps_; }
@@ -79,8 +79,8 @@ class ChainWalk {
     if (count == 4 && cuts[1].share > cuts[2].share) std::swap(cuts[1], cuts[2]);
     Step step;
     step.half_edge = h;
-    step.left_front = facing_.front(facing_.origin_wedge(h));
-    step.right_front = o != kNoHalfEdge && facing_.front(facing_.target_wedge(o));
+    step.left_front = facing_.front_at(h);
+    step.right_front = o != kNoHalfEdge && facing_.front_at(next_in_face(o));
     if (smooth_ && count == 2 && !step.left_front) {
       const bool left = front_beside(h), right = front_beside(o);
       step.left_front = step.right_front = left && right;
@@ -104,7 +104,7 @@ class ChainWalk {
   /// from that edge on: then a contour runs along it.
   bool front_beside(HalfEdge h) const {
     const HalfEdge in = next_in_face(h), out = prev_in_face(h);
-    if (!facing_.front(facing_.origin_wedge(out))) return false;
+    if (!facing_.front_at(out)) return false;
     const TriMesh& mesh = facing_.proxy().mesh;
     const Vec3 &a = mesh.positions[origin(mesh, h)], &b = mesh.positions[origin(mesh, in)];
     const Vec3 along = normalize_or(b - a, Vec3(0));
@@ -194,6 +194,11 @@ class LineMaker {
   LookAndHidden look(std::size_t i) const {
     if (chain_.kind == EdgeKind::Boundary) return {{LineClass::Boundary, true, true, 1}, false};
     const Step& s = walk_.steps()[i];
+    if (chain_.fold) {
+      LookAndHidden out = crease_look(s.left_front, s.right_front, is_ridge(s), closed_mesh_);
+      out.look.drawn = s.left_front != s.right_front;
+      return out;
+    }
     if (chain_.kind == EdgeKind::Smooth) {
       if (s.on_contour) return {{LineClass::Smooth, false, true, 1}, false};
       LookAndHidden out = crease_look(s.left_front, s.right_front, true, closed_mesh_);
@@ -229,6 +234,14 @@ class LineMaker {
     const ProxyMesh& proxy = facing_.proxy();
     const HalfEdge o = proxy.topology.opposite[static_cast<std::size_t>(step.half_edge)];
     return proxy.is_cut(face_of(step.half_edge)) || (o != kNoHalfEdge && proxy.is_cut(face_of(o)));
+  }
+
+  /// Whether the triangles at a fold bend away from the outside.
+  bool is_ridge(const Step& step) const {
+    const ProxyMesh& proxy = facing_.proxy();
+    const HalfEdge h = step.half_edge, o = proxy.topology.opposite[static_cast<std::size_t>(h)];
+    const Vec3& apex = proxy.mesh.positions[origin(proxy.mesh, prev_in_face(o))];
+    return glm::dot(proxy.mesh.normal(face_of(h)), apex - step.from) <= 0;
   }
 
   /// A hollow that may be none.
@@ -307,7 +320,7 @@ std::vector<Curve3> edge_lines(const Facing& facing, std::span<const EdgeChain> 
     FeatureOptions wanted = options;
     wanted.contours |= wanted.creases;  // a crease that is a contour is still a crease
     SourceId source{part, -1, chains[i].source};
-    if (!exact && is_hair(facing, chains[i])) {
+    if (!exact && !chains[i].fold && is_hair(facing, chains[i])) {
       // Folds of the picture that run along a hair are contours like those before and after it.
       wanted.creases = false;
       source.edge = -1;

@@ -55,10 +55,17 @@ std::vector<Curve3> extract_features(std::span<const ProxyMesh* const> proxies,
       }
       if (line.kind != LineClass::Contour || line.source.edge >= 0) continue;
       // Those of a cut proxy are samples of the exact line, near enough to one another.
-      if (proxy.on_contour.empty()) fair(line, camera);
+      if (proxy.on_contour.empty()) fair(line, camera, proxy);
       if (!proxy.source_face.empty()) {
         line.source.face = main_face(source_faces(line, proxy, camera));
       }
+    }
+    // Straight as the facets are: they are not rounded off.
+    const std::vector<EdgeChain> folds =
+        options.contours ? chain_folds(proxy, facing.folds()) : std::vector<EdgeChain>();
+    if (!folds.empty()) {
+      append(edge_lines(facing, folds, part, options, context), lines);
+      join_contours(lines);
     }
     append(std::move(lines), curves);
   }

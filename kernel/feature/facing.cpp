@@ -37,6 +37,7 @@ Facing::Facing(const ProxyMesh& proxy, const Camera& camera, const RunContext& c
     face_tips();
   }
   turn_thin_patches_away(context);
+  if (!cut) let_wide_facets_decide(context);
 }
 
 void Facing::turn_flat_walls_away(const FacingFunction& facing, const RunContext& context) {
@@ -97,6 +98,7 @@ void Facing::face_tips() {
 std::vector<std::uint32_t> Facing::mixed_faces(const RunContext& context) const {
   const std::vector<Triangle>& wedges = proxy_->wedges;
   const auto mixed = [&](std::uint32_t f) {
+    if (decided(f)) return false;
     const bool a = front(wedges[f][0]);
     return a != front(wedges[f][1]) || a != front(wedges[f][2]);
   };
@@ -126,6 +128,7 @@ ZeroCrossing Facing::crossing(HalfEdge h) const {
 }
 
 Vec3 Facing::normal(HalfEdge h, double share) const {
+  if (decided(face_of(h))) return proxy_->mesh.normal(face_of(h));
   const Vec3 &a = proxy_->wedge_normal[origin_wedge(h)], &b = proxy_->wedge_normal[target_wedge(h)];
   return normalize_or((1 - share) * a + share * b, a);
 }

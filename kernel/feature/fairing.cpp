@@ -1,22 +1,29 @@
 #include "fairing.h"
 
+#include <burin/mesh/chord_error.h>
+
 #include "paper_limits.h"
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <optional>
+#include <utility>
 
 namespace burin {
 
 namespace {
 
+/// Model mm that the exact line may lie beside a segment, by the triangle of that.
+using Most = std::function<double(std::int32_t)>;
+
 class Rounder {
  public:
-  Rounder(const Curve3& curve, const Camera& camera, double most)
+  Rounder(const Curve3& curve, const Camera& camera, Most most, bool on_curve)
       : in_(curve),
         camera_(camera),
-        most_(most),
-        far_enough_(std::isfinite(most) ? kFarEnoughOnCurve : kFarEnough) {}
+        most_(std::move(most)),
+        far_enough_(on_curve ? kFarEnoughOnCurve : kFarEnough) {}
 
   Curve3 run() {
     Curve3 out = in_;
@@ -70,13 +77,13 @@ class Rounder {
 
   // Turns the tangents towards the segment until the cubic lies hardly farther from it than the
   // exact line may: beside segments of very different lengths they are guesses.
-  void keep_near(Vec3 unit, double length, Vec3& from, Vec3& to) const {
+  void keep_near(Vec3 unit, double length, double most, Vec3& from, Vec3& to) const {
     constexpr double kMostOfOneEnd = 4.0 / 27;  // of s s t
     constexpr double kBeyond = 2;  // the sum is more than the cubic's, and the error an estimate
     const double off = kMostOfOneEnd * length * (glm::length(from - unit) + glm::length(to - unit));
-    if (off <= kBeyond * most_) return;
-    from = unit + kBeyond * most_ / off * (from - unit);
-    to = unit + kBeyond * most_ / off * (to - unit);
+    if (off <= kBeyond * most) return;
+    from = unit + kBeyond * most / off * (from - unit);
+    to = unit + kBeyond * most / off * (to - unit);
   }
 
   void segment(std::size_t i, Curve3& out) const {
@@ -92,7 +99,7 @@ class Rounder {
     if ((at_p || at_q) && !straight) {
       from = at_p ? *at_p : 2 * glm::dot(-*at_q, unit) * unit + *at_q;
       to = at_q ? -*at_q : 2 * glm::dot(*at_p, unit) * unit - *at_p;
-      keep_near(unit, length, from, to);
+      keep_near(unit, length, most_(in_.faces[i]), from, to);
       const double bulge = length * camera_.scale_at(p) / 8 * glm::length(to - from);
       pieces =
           static_cast<std::size_t>(std::clamp(std::ceil(std::sqrt(bulge / kRoundness)), 1.0, 16.0));
@@ -120,14 +127,26 @@ class Rounder {
 
   const Curve3& in_;
   const Camera& camera_;
-  double most_, far_enough_;
+  Most most_;
+  double far_enough_;
 };
 
 }  // namespace
 
+void fair(Curve3& curve, const Camera& camera, const ProxyMesh& proxy) {
+  if (curve.points.size() < 3) return;
+  const double least = kUnseenBulge / camera.scale_at(curve.points.front());
+  const auto most = [&](std::int32_t face) {
+    return std::max(least, chord_error(proxy, static_cast<std::uint32_t>(face)));
+  };
+  curve = Rounder(curve, camera, most, false).run();
+}
+
 void fair(Curve3& curve, const Camera& camera, double most) {
   if (curve.points.size() < 3) return;
-  curve = Rounder(curve, camera, most).run();
+  curve = Rounder(
+              curve, camera, [&](std::int32_t) { return most; }, std::isfinite(most))
+              .run();
 }
 
 }  // namespace burin

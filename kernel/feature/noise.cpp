@@ -36,8 +36,8 @@ class Patch {
       const std::size_t h = 3 * std::size_t{f} + k;
       const auto half_edge = static_cast<HalfEdge>(h);
       // Over an edge that has no end of this sign the patch does not go on.
-      if (facing_.front(facing_.origin_wedge(half_edge)) != front_ &&
-          facing_.front(facing_.target_wedge(half_edge)) != front_) {
+      if (facing_.front_at(half_edge) != front_ &&
+          facing_.front_at(next_in_face(half_edge)) != front_) {
         continue;
       }
       if (proxy.edge_kind[h] != EdgeKind::Smooth) {
@@ -56,8 +56,9 @@ class Patch {
   void take(std::uint32_t f) {
     if (!seen_.insert(f).second) return;
     faces_.push_back(f);
-    for (const std::uint32_t w : facing_.proxy().wedges[f]) {
-      if (facing_.front(w) == front_) largest_ = std::max(largest_, std::abs(facing_.g(w)));
+    for (HalfEdge h = static_cast<HalfEdge>(3 * f), end = h + 3; h < end; ++h) {
+      if (facing_.front_at(h) != front_) continue;
+      largest_ = std::max(largest_, std::abs(facing_.g(facing_.origin_wedge(h))));
     }
   }
 

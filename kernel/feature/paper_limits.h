@@ -12,6 +12,16 @@ namespace burin {
 /// more than this, is a flat wall with blended normals, not a fine facet of something round.
 inline constexpr double kFlatBulge = 0.02;
 
+/// Paper mm: what a facet shows of a side that is not its own, by the normals at its corners, in
+/// its mean width: from here on its contour is out of place, and runs along its edges. Facets at
+/// tips are flat and do not stand for anything round.
+inline constexpr double kOutOfPlace = 0.1;
+inline constexpr double kOutOfPlaceAtTip = 0.02;
+
+/// Paper mm: where the round surface over a facet at a tip lies so far off it a contour over that
+/// surface is none of the facet, which hides as it is.
+inline constexpr double kUnlikeFacet = 0.1;
+
 /// Paper mm: a patch of a smooth region that is turned to the viewer but shows less than this in
 /// its mean width (area seen over length) is turned away: nobody can see it, and its borders would
 /// double lines.
@@ -27,6 +37,10 @@ inline constexpr double kAlongEdge = 0.01;
 /// Paper mm: between its points a contour may be this far from the smooth line through them: a
 /// fifth of what the writers' curves may be off.
 inline constexpr double kRoundness = 0.004;
+
+/// Paper mm: so far such a line may leave flat facets, too, which are as far off what they stand
+/// for.
+inline constexpr double kUnseenBulge = 0.025;
 
 /// Paper mm: a contour turns between its visible and its self-hidden state only where it goes on
 /// for this long in the new one; shorter runs are noise of the triangulation.

@@ -58,10 +58,7 @@ class PatchSearch {
       const std::size_t h = 3 * std::size_t{f} + k;
       if (proxy.edge_kind[h] != EdgeKind::Smooth) continue;
       const auto half_edge = static_cast<HalfEdge>(h);
-      if (!facing_.front(facing_.origin_wedge(half_edge)) &&
-          !facing_.front(facing_.target_wedge(half_edge))) {
-        continue;
-      }
+      if (!facing_.front_at(half_edge) && !facing_.front_at(next_in_face(half_edge))) continue;
       if (!take(face_of(proxy.topology.opposite[h]))) return false;
     }
     return true;

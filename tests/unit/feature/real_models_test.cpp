@@ -114,7 +114,7 @@ TEST_P(RealModel, HasSoundFeatures) {
 INSTANTIATE_TEST_SUITE_P(Files, RealModel,
                          testing::Values(Model{"mesh/common3d/stanford-bunny.obj", false, 600},
                                          Model{"mesh/cgal/fandisk.off", true, 60},
-                                         Model{"mesh/cgal/knot1.off", true, 20},
+                                         Model{"mesh/cgal/knot1.off", true, 24},
                                          Model{"mesh/cgal/anchor_dense.off", true, 100},
                                          Model{"mesh/prusa/extruder-body.stl", true, 1000}),
                          [](const auto& run) {

@@ -365,10 +365,12 @@ TEST(Verify, ShortSidesOfAPinThatStandsOutAreDrawn) {
 }
 
 // Its contours run along the rulings of the fans, and its flat faces are wholly seen or not.
-void expect_hull_holds(std::shared_ptr<const Form> form) {
+void expect_hull_holds(std::shared_ptr<const Form> form,
+                       const std::vector<const char*>& views = {
+                           "iso", "0.3,-1,0.45", "-0.4,-1,0.55", "0.3,1,0.5", "1,-2,1", "front"}) {
   Scene scene;
   scene.parts.push_back({"hull", "hull", std::move(form)});
-  for (const char* view : {"iso", "0.3,-1,0.45", "-0.4,-1,0.55", "0.3,1,0.5", "front"}) {
+  for (const char* view : views) {
     SCOPED_TRACE(view);
     const Drawing drawing = drawn(scene, camera_of(scene, view), builtin_style("outline"));
     EXPECT_EQ(drawing.stats.verify->count, 0) << drawing.stats.verify->contradicted;
@@ -381,6 +383,13 @@ TEST(Verify, TheHullOfAPlateAndADiscHolds) {
     SCOPED_TRACE(sides);
     expect_hull_holds(std::make_shared<MeshForm>(test::hull({.sides = sides})));
   }
+}
+
+// Of eight sides, whose wide faces bend by less than an edge has to.
+TEST(Verify, TheHullOfAPlateAndAPrismHolds) {
+  const TriMesh mesh = test::hull({.radius = 10, .sides = 8});
+  expect_hull_holds(std::make_shared<RecognisedForm>(mesh, RunContext()),
+                    {"iso", "0.3,1,0.5", "-0.4,-1,0.55"});
 }
 
 // Beside a pin that is known to be round.
