@@ -168,7 +168,8 @@ constexpr Vec3 kIso{1, -1, 1}, kZ{0, 0, 1}, kY{0, 1, 0};
 INSTANTIATE_TEST_SUITE_P(
     VisibleSpans, RealModel,
     testing::Values(Model{"mesh/cgal/fandisk.off", kIso, kZ, 0, 0, 0.99},
-                    Model{"mesh/cgal/knot1.off", kIso, kZ, 0, 0, 0.99},
+                    // Facets that nobody rounds: contours go from their edges into them.
+                    Model{"mesh/cgal/knot1.off", kIso, kZ, 3, 1, 0.99},
                     Model{"mesh/cgal/anchor_dense.off", kIso, kZ, 0, 0, 0.99},
                     Model{"mesh/cgal/cheese.off", kIso, kZ, 0, 2, 0.99},
                     Model{"mesh/prusa/extruder-body.stl", kIso, kZ, 0, 1, 0.99},
