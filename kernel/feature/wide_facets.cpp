@@ -44,7 +44,7 @@ struct SeenPart {
 /// What planes and normals of facets say in a view.
 class FacetSides {
  public:
-  FacetSides(const Facing& facing)
+  explicit FacetSides(const Facing& facing)
       : facing_(facing), plane_(facing.camera()), tips_(wedges_at_tips(facing.proxy())) {}
 
   /// Whether the plane of a triangle is turned to the viewer.

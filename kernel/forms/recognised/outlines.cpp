@@ -194,7 +194,7 @@ class OutlineFinder {
     for (const Edge& e : chain.edges) corners.push_back(e.middle);
     closes = chain.closed;
     if (closes) {
-      std::ranges::rotate(corners, corners.end() - 1);
+      std::rotate(corners.begin(), corners.end() - 1, corners.end());
       return corners;
     }
     const Vec3 begin = end_of(chain.facets.front(), up, -1);

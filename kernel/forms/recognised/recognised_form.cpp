@@ -116,7 +116,7 @@ struct RecognisedForm::Impl {
   std::shared_ptr<const recognised::Recognised> round;
   RecognisedFaces faces;
   bool too_coarse = false;
-  /// Of a mesh without round faces: whether it has walls all the same.
+  /// Of a mesh without round faces: whether it has walls all the same, and no rounding.
   bool walls = false;
 
   bool is_mesh() const { return faces.total() == 0 && !walls; }
@@ -150,9 +150,13 @@ RecognisedForm::RecognisedForm(TriMesh mesh, const KnownSurfaces& known, const R
   if (impl_->faces.total() > 0 || !std::ranges::all_of(known.of, flat)) return;
   const recognised::Walls walls(with_placed_creases(m, {}, {}, context), *impl_->facets,
                                 *impl_->round);
+  bool any_wall = false, any_rounding = false;
   for (std::size_t f = 0; f < impl_->facets->list.size(); ++f) {
-    impl_->walls = impl_->walls || walls.is_wall(static_cast<std::int32_t>(f));
+    any_wall = any_wall || walls.is_wall(static_cast<std::int32_t>(f));
+    any_rounding = any_rounding || walls.goes_on(static_cast<std::int32_t>(f));
   }
+  // Facets of a rounding that nothing recognises are divided by MeshForm alone.
+  impl_->walls = any_wall && !any_rounding;
 }
 RecognisedForm::RecognisedForm(std::shared_ptr<Impl> impl, const Placement& placement)
     : impl_(std::move(impl)), placement_(placement) {}

@@ -45,7 +45,8 @@ class RecognisedForm final : public Form {
   const TriMesh& mesh() const;
   RecognisedFaces faces() const;
   /// Whether it is drawn as a MeshForm of its triangles is: where no round face was found and,
-  /// of facets that are all known to be flat, none that is a wall beside narrower ones.
+  /// of facets that are all known to be flat, none that is a wall beside narrower ones, or some
+  /// that are part of a rounding.
   bool is_mesh() const;
   /// Whether the coordinates have too few digits left, as far from the origin, to tell round from
   /// flat: then nothing is recognised.
