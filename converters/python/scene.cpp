@@ -106,11 +106,10 @@ void add_part(py::module_& module) {
   property(part, "opacity", &Part::opacity,
            "How much of what lies behind it the part covers: 1 all of it, 0 nothing. Below 1 it is "
            "drawn as transparent.");
-  property(
-      part, "joined", &Part::joined,
-      "Whether it is one thing with the part before it, told from it by its look alone, such as "
-      "what a module of OpenSCAD makes in a second colour: parts lists count them once, and "
-      "exploded views do not take them apart.");
+  property(part, "joined", &Part::joined,
+           "Whether it is one thing with the part before it and differs by its look alone, such as "
+           "what a module of OpenSCAD makes in a second colour: parts lists count them once, and "
+           "exploded views do not take them apart.");
   look(part, "drawn", &PartStyle::drawn, "False: as if the part were not there.");
   look(part, "hatched", &PartStyle::hatched, "False: lines alone, without strokes.");
   look(part, "transparent", &PartStyle::transparent,

@@ -165,7 +165,7 @@ std::string given_format(const std::filesystem::path& path, const ReadOptions& o
 
 namespace {
 
-/// Whether a mesh has the suffix of a format that its content would have told.
+/// Whether the content is a mesh and the suffix that of a format which content would show.
 bool is_misnamed_mesh(const Reader& reader, const std::filesystem::path& path,
                       const std::string& head) {
   if (&reader != &kCad && &reader != &kGltf) return false;

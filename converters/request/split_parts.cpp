@@ -39,15 +39,15 @@ Strings selectors_of(const DrawPlan& plan) {
 }
 
 /// Parts of which a look says whether they can be looked through.
-std::vector<bool> told_of_glass(const Scene& scene, const DrawPlan& plan) {
-  std::vector<bool> told(scene.parts.size(), false);
+std::vector<bool> with_own_transparency(const Scene& scene, const DrawPlan& plan) {
+  std::vector<bool> own(scene.parts.size(), false);
   for (const DrawPlan::PlannedLook& planned : plan.looks) {
     if (!planned.look.transparent) continue;
     for (const std::string& selector : planned.look.select) {
-      for (const std::size_t part : select(scene, selector)) told[part] = true;
+      for (const std::size_t part : select(scene, selector)) own[part] = true;
     }
   }
-  return told;
+  return own;
 }
 
 }  // namespace
@@ -55,13 +55,13 @@ std::vector<bool> told_of_glass(const Scene& scene, const DrawPlan& plan) {
 void split_glazed(Scene& scene, DrawPlan& plan, std::vector<Vec3>& moves) {
   std::vector<PartStyle>& styles = plan.illustrate.part_styles;
   const std::size_t count = scene.parts.size();
-  const std::vector<bool> told = told_of_glass(scene, plan);
+  const std::vector<bool> own = with_own_transparency(scene, plan);
   const std::vector<std::size_t> of = split_pieces(scene, {}, true);
   styles.resize(count);
   std::vector<bool> split(count, false);
   const auto glaze = [&](std::size_t body, std::size_t whole) {
+    if (own[whole]) return;
     const bool clear = scene.parts[body].opacity < 1;
-    if (told[whole]) return;
     styles[body].transparent = clear;
     if (clear) styles[body].hatched = false;
   };

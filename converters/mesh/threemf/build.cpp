@@ -85,7 +85,7 @@ const ThreeMfModel& ThreeMfReader::model(const std::string& path) {
   return models_.emplace(path, parse_3mf_model(package_.read(path), path, source_)).first->second;
 }
 
-/// Null, which is told at the end, where the package does not hold it.
+/// Null where the package does not hold it; the reader reports it at the end.
 const ThreeMfObject* ThreeMfReader::object(const std::string& path, const std::string& id) {
   const bool there = models_.contains(path) || package_.has(path);
   if (there) {

@@ -61,7 +61,8 @@ class Listener {
     const Severity severity = rest[0] == 'i'   ? Severity::Info
                               : rest[0] == 'e' ? Severity::Error
                                                : Severity::Warning;
-    diagnostics_.add(severity, rest.substr(a + 1, b - a - 1), count, told(rest.substr(c + 1)));
+    diagnostics_.add(severity, rest.substr(a + 1, b - a - 1), count,
+                     with_place(rest.substr(c + 1)));
   }
 
   /// The tree is no file that the user knows: its lines mean nothing to him.
@@ -71,8 +72,8 @@ class Listener {
     return where.empty() ? what : where + ": " + what;
   }
 
-  /// What is said of a node, with its place.
-  std::string told(const std::string& message) const {
+  /// A message about a node, with the place that the user knows.
+  std::string with_place(const std::string& message) const {
     constexpr std::string_view kLine = "line ";
     const std::size_t of = message.find(kOfTree);
     if (!message.starts_with(kLine) || of == std::string::npos) return message;

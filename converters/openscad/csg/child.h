@@ -28,8 +28,8 @@ struct ChildOptions {
   std::filesystem::path folder;
   /// Named in errors.
   std::string file;
-  /// What a line of the text is to the user, who does not know the text: "in 'arm'"; empty:
-  /// nothing.
+  /// Names the place of a line of the text in words of the user, who does not know the text: "in
+  /// arm"; empty where there is none.
   std::function<std::string(std::int64_t line)> where = {};
   double timeout_seconds = 1e9;
 };
