@@ -1,6 +1,5 @@
 #include "evaluated_part.h"
 
-#include <burin/base/box.h>
 #include <burin/converters/mesh_reader.h>
 #include <burin/forms/mesh/mesh_form.h>
 #include <burin/forms/recognised/recognised_form.h>
@@ -67,9 +66,7 @@ std::vector<std::int32_t> surfaces_of(const csg::Solid& solid, const TriMesh& me
 bool has_gentle_edges(const TriMesh& mesh) {
   constexpr double kPlane = 0.5, kCrease = 30;  // degrees
   constexpr double kSliver = 1e-5;              // of the size: its normal says nothing
-  Box3 box;
-  for (const Vec3& p : mesh.positions) box.add(p);
-  const double least = kSliver * box.diagonal();
+  const double least = kSliver * mesh.bounds().diagonal();
   std::unordered_map<std::uint64_t, Vec3> normals;
   for (const Triangle& t : mesh.triangles) {
     const Vec3 &a = mesh.positions[t[0]], &b = mesh.positions[t[1]], &c = mesh.positions[t[2]];
@@ -127,8 +124,7 @@ std::shared_ptr<const Form> form_of(csg::Solid solid, Facets facets, const std::
   const bool flat =
       std::ranges::all_of(solid.surface, [](std::int32_t s) { return s == csg::kMeantFlat; });
   // What is meant flat stays flat, however gently it meets its neighbours.
-  const bool walls = flat && facets != Facets::Flat && has_gentle_edges(mesh);
-  if ((facets == Facets::Flat || flat) && !walls) {
+  if (facets == Facets::Flat || (flat && !has_gentle_edges(mesh))) {
     return std::make_shared<MeshForm>(std::move(mesh));
   }
   KnownSurfaces known;

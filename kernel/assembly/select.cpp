@@ -49,7 +49,8 @@ Test by_attribute(std::string_view selector) {
 Test by_name(std::string_view selector) {
   return [patterns = NamePatterns(selector)](std::size_t, const Part& part) {
     std::vector<std::string> names = names_of(part);
-    if (patterns.lead_to(names) || !part.whole) return patterns.lead_to(names);
+    if (patterns.lead_to(names)) return true;
+    if (!part.whole) return false;
     return std::ranges::any_of(detail::names_of_piece(part.name), [&](const std::string& name) {
       names.back() = name;
       return patterns.lead_to(names);

@@ -32,12 +32,15 @@ Facing::Facing(const ProxyMesh& proxy, const Camera& camera, const RunContext& c
         }
       },
       &context);
-  if (!cut) {  // exact normals do not lean
-    turn_flat_walls_away(facing, context);
-    face_tips();
+  if (cut) {  // exact normals do not lean
+    turn_thin_patches_away(context);
+    return;
   }
+  const std::vector<std::uint8_t> tips = wedges_at_tips(proxy);
+  turn_flat_walls_away(facing, context);
+  face_tips(tips);
   turn_thin_patches_away(context);
-  if (!cut) let_wide_facets_decide(context);
+  let_wide_facets_decide(tips, context);
 }
 
 void Facing::turn_flat_walls_away(const FacingFunction& facing, const RunContext& context) {
@@ -70,8 +73,7 @@ void Facing::turn_flat_walls_away(const FacingFunction& facing, const RunContext
   }
 }
 
-void Facing::face_tips() {
-  const std::vector<std::uint8_t> tips = wedges_at_tips(*proxy_);
+void Facing::face_tips(const std::vector<std::uint8_t>& tips) {
   if (tips.empty()) return;
   // Of the other corners of its triangles: how many are turned to the viewer, and away.
   struct Sides {

@@ -72,7 +72,7 @@ class Facing {
 
   /// At a tip (mesh/tips.h) a contour runs straight into it or does not reach it: each face has
   /// the side of its other corners there, and zero where these have both.
-  void face_tips();
+  void face_tips(const std::vector<std::uint8_t>& tips);
 
   /// Turns away what would show less than kThinWidth of paper in its width: patches of a ruled
   /// surface seen along its rulings, which noise in the normals turns a little to the viewer.
@@ -80,7 +80,7 @@ class Facing {
 
   /// Where the zero of g and the fold of the triangles lie visibly apart, as on wide facets of a
   /// hull, the triangles decide: they are what hides.
-  void let_wide_facets_decide(const RunContext& context);
+  void let_wide_facets_decide(const std::vector<std::uint8_t>& tips, const RunContext& context);
   /// Whether the triangles at a smooth edge face different ways somewhere along it.
   bool is_fold(HalfEdge h) const;
 

@@ -1,5 +1,4 @@
 #include <burin/base/parallel_filter.h>
-#include <burin/mesh/tips.h>
 
 #include "facing.h"
 #include "paper_limits.h"
@@ -44,8 +43,8 @@ struct SeenPart {
 /// What planes and normals of facets say in a view.
 class FacetSides {
  public:
-  explicit FacetSides(const Facing& facing)
-      : facing_(facing), plane_(facing.camera()), tips_(wedges_at_tips(facing.proxy())) {}
+  FacetSides(const Facing& facing, const std::vector<std::uint8_t>& tips)
+      : facing_(facing), plane_(facing.camera()), tips_(tips) {}
 
   /// Whether the plane of a triangle is turned to the viewer.
   bool front(std::uint32_t f) const {
@@ -102,13 +101,14 @@ class FacetSides {
 
   const Facing& facing_;
   FacingFunction plane_;
-  std::vector<std::uint8_t> tips_;
+  const std::vector<std::uint8_t>& tips_;
 };
 
 }  // namespace
 
-void Facing::let_wide_facets_decide(const RunContext& context) {
-  const FacetSides sides(*this);
+void Facing::let_wide_facets_decide(const std::vector<std::uint8_t>& tips,
+                                    const RunContext& context) {
+  const FacetSides sides(*this, tips);
   std::vector<std::uint32_t> found = parallel_filter<std::uint32_t>(
       proxy_->wedges.size(), kFaceGrain, [&](std::uint32_t f) { return sides.contradict(f); },
       context);

@@ -8,9 +8,15 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <optional>
 
 namespace burin::detail {
+
+/// Of the largest of three magnitudes: along it a ray of that direction runs fastest.
+inline std::size_t fastest_axis(double x, double y, double z) {
+  return x > y ? (x > z ? 0 : 2) : (y > z ? 1 : 2);
+}
 
 /// A place on a ray and in a triangle; barycentric coordinates are not negative and add up to 1.
 struct Meeting {
@@ -32,7 +38,7 @@ class ShearedRay {
         tolerance_(tolerance),
         coarse_(kStretch * tolerance * size) {
     const Vec3 d = glm::abs(direction);
-    along_ = d.x > d.y ? (d.x > d.z ? 0 : 2) : (d.y > d.z ? 1 : 2);
+    along_ = fastest_axis(d.x, d.y, d.z);
     x_ = (along_ + 1) % 3;
     y_ = (along_ + 2) % 3;
     const auto at = [&](std::size_t axis) { return glm::value_ptr(direction)[axis]; };

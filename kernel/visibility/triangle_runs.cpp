@@ -3,6 +3,8 @@
 #include <burin/base/parallel.h>
 #include <burin/mesh/reorder.h>
 
+#include "sheared_ray.h"
+
 #include <glm/gtc/type_ptr.hpp>
 #include <xmmintrin.h>
 
@@ -50,8 +52,7 @@ __m128 extent(const Corners& c) {
 }  // namespace
 
 UnitRay::UnitRay(std::array<float, 3> from, std::array<float, 3> direction) : origin(from) {
-  const auto size = [&](std::size_t k) { return std::abs(direction[k]); };
-  along = size(0) > size(1) ? (size(0) > size(2) ? 0 : 2) : (size(1) > size(2) ? 1 : 2);
+  along = fastest_axis(std::abs(direction[0]), std::abs(direction[1]), std::abs(direction[2]));
   x = (along + 1) % 3;
   y = (along + 2) % 3;
   shear_x = direction[x] / direction[along];

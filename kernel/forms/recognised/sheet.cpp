@@ -260,9 +260,9 @@ Vec2 Sheet::foot(Vec3 p, Vec2 uv, const GridWindow& window) const {
     if (length <= still) return uv + move;
     // A step that leads away was too long.
     const double most = glm::dot(off, off) + still * still;
-    for (int half = 0; half < kHalves; ++half, move *= 0.5) {
+    for (int half = 0;; ++half, move *= 0.5) {
       d = derivatives(uv + move);
-      if (glm::dot(p - d.p, p - d.p) <= most) break;
+      if (half == kHalves || glm::dot(p - d.p, p - d.p) <= most) break;
     }
     uv += move;
   }
