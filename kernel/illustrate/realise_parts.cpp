@@ -1,13 +1,17 @@
 #include "realise_parts.h"
 
 #include <burin/base/error.h>
+#include <burin/base/parallel.h>
 #include <burin/field/catalogue.h>
 #include <burin/surface/empty_surface.h>
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <atomic>
 #include <exception>
+#include <map>
+#include <thread>
 #include <utility>
 
 namespace burin::detail {
@@ -38,6 +42,15 @@ void tell_magnified(const Camera& camera, const Surfaces& surfaces, double toler
                               coarser * kMostSheets, on_paper));
 }
 
+void tell_left_out(const Part& part, const std::exception_ptr& failed, Diagnostics& diagnostics) {
+  try {
+    std::rethrow_exception(failed);
+  } catch (const GeometryError& e) {
+    diagnostics.add(Severity::Error, "part.not_drawn", 1,
+                    fmt::format("{}: the part was left out: {}", part.name, e.what()));
+  }
+}
+
 }  // namespace
 
 double chord_tolerance(const Scene& scene, const Camera& camera, const IllustrateOptions& options) {
@@ -46,6 +59,29 @@ double chord_tolerance(const Scene& scene, const Camera& camera, const Illustrat
   const double sheets = camera.scale() * drawn_bounds(scene, options.part_styles).diagonal() /
                         glm::length(Vec2(paper.width, paper.height));
   return std::max(1.0, sheets / kMostSheets) * kSheetTolerance / camera.scale();
+}
+
+RealisedParts::Groups RealisedParts::groups_of(const Scene& scene, const PartStyles& part_styles) {
+  Groups groups;
+  std::map<const void*, std::size_t> group_of;
+  for (std::size_t i = 0; i < scene.parts.size(); ++i) {
+    if (!part_styles.drawn(i)) continue;
+    const Form& form = *scene.parts[i].form;
+    if (!form.realised_beside_others()) {
+      groups.alone.push_back(i);
+      continue;
+    }
+    const auto [group, fresh] =
+        group_of.try_emplace(form.definition().shape, groups.together.size());
+    if (fresh) groups.together.emplace_back();
+    groups.together[group->second].push_back(i);
+  }
+  // One by itself may as well tell of its stages.
+  if (groups.together.size() == 1) {
+    groups.alone.insert(groups.alone.end(), groups.together[0].begin(), groups.together[0].end());
+    groups.together.clear();
+  }
+  return groups;
 }
 
 RealisedParts::Made RealisedParts::made(std::optional<Made> kept,
@@ -73,6 +109,40 @@ RealisedParts::Made RealisedParts::made(std::optional<Made> kept,
   return one;
 }
 
+// A part that cannot be realised is no reason to refuse the others.
+void RealisedParts::make(const Part& part, std::size_t i, Asked& asked, RunContext& context) {
+  try {
+    made_[i] = made(std::exchange(made_[i], {}), part.form, asked.options, context);
+  } catch (const GeometryError&) {
+    asked.failed = std::current_exception();
+  }
+}
+
+void RealisedParts::make_all(const Scene& scene, const PartStyles& part_styles,
+                             std::vector<Asked>& asked, RunContext& context) {
+  const Groups groups = groups_of(scene, part_styles);
+  for (const std::size_t i : groups.alone) make(scene.parts[i], i, asked[i], context);
+  if (groups.together.empty()) return;
+  context.begin_stage(RunStage::Build);
+  const std::thread::id caller = std::this_thread::get_id();
+  std::atomic<std::size_t> done{0};
+  parallel_for(
+      groups.together.size(), 1,
+      [&](std::size_t begin, std::size_t end) {
+        for (std::size_t g = begin; g < end; ++g) {
+          for (const std::size_t i : groups.together[g]) {
+            RunContext piece = RunContext::piece_of(context);
+            make(scene.parts[i], i, asked[i], piece);
+          }
+          const auto all = static_cast<double>(groups.together.size());
+          const double share = static_cast<double>(++done) / all;
+          if (std::this_thread::get_id() == caller) context.progress(share);
+        }
+      },
+      &context);
+  context.end_stage();
+}
+
 Surfaces RealisedParts::realise(const Scene& scene, const Camera& camera,
                                 const PartStyles& part_styles, const IllustrateOptions& options,
                                 Diagnostics& diagnostics, RunContext& context) {
@@ -80,31 +150,29 @@ Surfaces RealisedParts::realise(const Scene& scene, const Camera& camera,
   realise.tolerance = chord_tolerance(scene, camera, options);
   realise.view = &camera;
   made_.resize(scene.parts.size());
+  std::vector<Asked> asked(scene.parts.size(), Asked{realise});
+  for (std::size_t i = 0; i < asked.size(); ++i) {
+    if (!part_styles.drawn(i)) continue;
+    asked[i].options.crease_angle = part_styles.style(i).feature.crease_angle;
+    asked[i].options.curvature =
+        std::ranges::any_of(part_styles.strokes(), [&](const auto& strokes) {
+          return strokes.parts[i] && follows_field(*strokes.hatch) &&
+                 field::find(strokes.hatch->field.name).needs_curvature;
+        });
+  }
+  make_all(scene, part_styles, asked, context);
+
   Surfaces surfaces;
-  // A part that cannot be realised is no reason to refuse the others.
-  std::size_t drawn = 0;
   std::exception_ptr first;
-  for (std::size_t i = 0; i < scene.parts.size(); ++i) {
-    if (!part_styles.drawn(i)) {
-      surfaces.push_back(empty_surface());  // what is kept may be drawn next time
-      continue;
-    }
-    realise.crease_angle = part_styles.style(i).feature.crease_angle;
-    realise.curvature = std::ranges::any_of(part_styles.strokes(), [&](const auto& strokes) {
-      return strokes.parts[i] && follows_field(*strokes.hatch) &&
-             field::find(strokes.hatch->field.name).needs_curvature;
-    });
-    try {
-      made_[i] = made(std::exchange(made_[i], {}), scene.parts[i].form, realise, context);
-      diagnostics.append(made_[i]->said);
-      surfaces.push_back(made_[i]->surface);
-      ++drawn;
-    } catch (const GeometryError& e) {
-      if (!first) first = std::current_exception();
-      diagnostics.add(Severity::Error, "part.not_drawn", 1,
-                      fmt::format("{}: the part was left out: {}", scene.parts[i].name, e.what()));
-      surfaces.push_back(empty_surface());
-    }
+  std::size_t drawn = 0;
+  for (std::size_t i = 0; i < asked.size(); ++i) {
+    // What is kept of parts that are not drawn may be drawn next time.
+    const bool is_drawn = part_styles.drawn(i) && !asked[i].failed;
+    surfaces.push_back(is_drawn ? made_[i]->surface : empty_surface());
+    if (is_drawn) diagnostics.append(made_[i]->said), ++drawn;
+    if (!asked[i].failed) continue;
+    if (!first) first = asked[i].failed;
+    tell_left_out(scene.parts[i], asked[i].failed, diagnostics);
   }
   if (drawn == 0 && first) std::rethrow_exception(first);
   if (!options.tolerance) {

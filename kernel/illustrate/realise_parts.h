@@ -10,6 +10,8 @@
 #include "occluders.h"
 #include "part_styles.h"
 
+#include <cstddef>
+#include <exception>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -40,6 +42,23 @@ class RealisedParts {
   /// `kept`: of the part with the same number in the last drawing.
   static Made made(std::optional<Made> kept, const std::shared_ptr<const Form>& form,
                    const RealiseOptions& options, RunContext& context);
+  /// What is asked of a part.
+  struct Asked {
+    RealiseOptions options;
+    std::exception_ptr failed{};
+  };
+  /// Puts a part into `made_`; a GeometryError into `asked`.
+  void make(const Part& part, std::size_t i, Asked& asked, RunContext& context);
+  /// The parts that are drawn.
+  struct Groups {
+    /// To be realised one after the other.
+    std::vector<std::size_t> alone;
+    /// Those of one shape are a group; groups may be realised at the same time.
+    std::vector<std::vector<std::size_t>> together;
+  };
+  static Groups groups_of(const Scene& scene, const PartStyles& part_styles);
+  void make_all(const Scene& scene, const PartStyles& part_styles, std::vector<Asked>& asked,
+                RunContext& context);
 
   /// One a part; nothing of those without a surface.
   std::vector<std::optional<Made>> made_;

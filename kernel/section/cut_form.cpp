@@ -92,6 +92,7 @@ class CutForm final : public Form {
 
   /// Cut open it is still what it was.
   Definition definition() const override { return form_->definition(); }
+  bool realised_beside_others() const override { return form_->realised_beside_others(); }
   ShapeMeasure measure(RunContext& context) const override { return form_->measure(context); }
 
  private:

@@ -242,6 +242,7 @@ class PlacedForm final : public Form {
     return std::make_shared<PlacedForm>(root_, after(by, placement_));
   }
   bool looks_at_view() const override { return root_->form()->looks_at_view(); }
+  bool realised_beside_others() const override { return root_->form()->realised_beside_others(); }
   bool same_as(const Form& other) const override {
     const auto* placed = dynamic_cast<const PlacedForm*>(&other);
     return placed && placed->placement_ == placement_ &&

@@ -29,10 +29,15 @@ class RunContext {
   explicit RunContext(ProgressCallback callback = {});
   RunContext(const RunContext&) = delete;
   RunContext& operator=(const RunContext&) = delete;
+  /// For a piece of work that another thread does for `run`, which must live as long: cancelled
+  /// where that is, with stages of its own that nobody is told of.
+  static RunContext piece_of(const RunContext& run) { return RunContext(&run); }
 
   /// Asks the run to stop; async-signal-safe.
   void cancel() noexcept { cancelled_.store(true, std::memory_order_relaxed); }
-  bool cancelled() const noexcept { return cancelled_.load(std::memory_order_relaxed); }
+  bool cancelled() const noexcept {
+    return cancelled_.load(std::memory_order_relaxed) || (whole_ && whole_->cancelled());
+  }
   /// Throws Cancelled once `cancel` was called. Cheap enough for inner loops of a microsecond.
   void check() const;
 
@@ -48,6 +53,8 @@ class RunContext {
   const std::vector<StageTime>& stages() const { return stages_; }
 
  private:
+  explicit RunContext(const RunContext* whole) : whole_(whole) {}
+
   using Clock = std::chrono::steady_clock;
   std::atomic<bool> cancelled_{false};
   ProgressCallback callback_;
@@ -56,6 +63,8 @@ class RunContext {
   std::string doing_;
   Clock::time_point stage_start_{};
   Clock::time_point last_report_{};
+  /// What this is a piece of, or nothing.
+  const RunContext* whole_ = nullptr;
 };
 
 }  // namespace burin

@@ -69,6 +69,9 @@ class Form {
   virtual ShapeMeasure measure(RunContext& context) const {
     return measure_realised(*this, context);
   }
+  /// Whether `realise` may run beside that of any other form which says so too. What the form is
+  /// an instance of (`definition`) is realised by one thread at a time all the same.
+  virtual bool realised_beside_others() const { return false; }
 };
 
 /// One of several bodies that a part holds, such as a solid of a product.

@@ -33,6 +33,7 @@ class MeshForm final : public Form {
   /// Of the triangles as they are, not rounded.
   ShapeMeasure measure(RunContext& context) const override;
   bool looks_at_view() const override { return false; }
+  bool realised_beside_others() const override { return true; }
 
  private:
   std::shared_ptr<const Surface> realise_mesh(const RealiseOptions& options,

@@ -27,6 +27,7 @@ class ParametricForm final : public Form {
   std::shared_ptr<const Surface> realise(const RealiseOptions& options,
                                          RunContext& context) const override;
   std::shared_ptr<const Form> mapped(const Placement& by) const override;
+  bool realised_beside_others() const override { return true; }
 
  private:
   std::vector<std::shared_ptr<const Chart>> patches_;

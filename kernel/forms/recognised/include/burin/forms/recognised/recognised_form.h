@@ -55,6 +55,7 @@ class RecognisedForm final : public Form {
   std::shared_ptr<const Surface> realise(const RealiseOptions& options,
                                          RunContext& context) const override;
   std::shared_ptr<const Form> mapped(const Placement& by) const override;
+  bool realised_beside_others() const override { return true; }
   /// Of the triangles.
   ShapeMeasure measure(RunContext& context) const override;
 

@@ -58,6 +58,7 @@ class ImplicitForm final : public Form {
   std::shared_ptr<const Surface> realise(const RealiseOptions& options,
                                          RunContext& context) const override;
   std::shared_ptr<const Form> mapped(const Placement& by) const override;
+  bool realised_beside_others() const override { return true; }
 
  private:
   struct Impl;
