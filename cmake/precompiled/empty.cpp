@@ -1,0 +1,1 @@
+// The headers of a precompiled header need a source to belong to.
