@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
-"""Draws kernel/docs/rooms.svg, the picture of the rooms, from the targets of the build.
+"""Draws kernel/docs/rooms.svg, the picture of the modules, from the targets of the build.
 
     kernel/docs/rooms.py BUILD             writes it
-    kernel/docs/rooms.py BUILD --check     tells whether it is what the build says (status 1 where it is not)
+    kernel/docs/rooms.py BUILD --check     compares it with the build (status 1 where it differs)
 
-An arrow is what the compiler enforces: a room may include the room that it points at, and those behind that one. Arrows
+An arrow is what the compiler enforces: a module may include the module that it points at, and those behind that one. Arrows
 that follow from others are left out. BUILD is a folder that cmake has configured."""
 import argparse
 import pathlib
@@ -15,17 +15,17 @@ import tempfile
 from xml.sax.saxutils import escape
 
 HERE = pathlib.Path(__file__).resolve().parent
-# Parts of a room that are targets of their own, because a library's headers are theirs alone.
+# Parts of a module that are targets of their own, because a library's headers are theirs alone.
 PARTS = ("_exact", "_refine", "_occt")
 LIBRARIES = {"OpenMeshCore": "OpenMesh", "embree": "Embree", "CGAL": "CGAL", "Eigen3::Eigen": "Eigen", "Boost::headers": "Boost", "TBB::tbb": "TBB",
              "glm::glm": "GLM", "nlohmann_json::nlohmann_json": "JSON", "pugixml::pugixml": "pugixml", "ZLIB::ZLIB": "zlib",
              "libzip.so": "libzip", "PkgConfig::CAIRO": "cairo", "TinyGLTF::TinyGLTF": "tinygltf", "CLI11::CLI11": "CLI11", "pybind11::module": "pybind11"}
-OUTSIDE = ("samples", "cad_samples", "bench", "judge", "sections", "fuzz", "probe")  # no rooms: they are built from them
+OUTSIDE = ("samples", "cad_samples", "bench", "judge", "sections", "fuzz", "probe")  # no modules: they are built from them
 BOX, ROW, GAP, LETTER = 34, 74, 16, 6.6
 
 
 def room(target):
-    """The room of a target as a path, or None."""
+    """The module of a target as a path, or None."""
     name = target.removeprefix("burin_")
     if not target.startswith("burin") or "verify_interface" in name or name in OUTSIDE:
         return None
@@ -46,7 +46,7 @@ def room(target):
 
 
 def graph(build):
-    """{room: rooms that it may include}, {room: libraries}, the rooms of libburin."""
+    """{module: modules that it may include}, {module: libraries}, the modules of libburin."""
     with tempfile.TemporaryDirectory() as folder:
         dot = pathlib.Path(folder) / "targets.dot"
         subprocess.run(["cmake", f"--graphviz={dot}", "."], cwd=build, check=True, capture_output=True)
@@ -88,7 +88,7 @@ def reduced(needs):
 
 
 def layers(needs, inside):
-    """Rows of rooms, those that include nothing first; nothing of libburin above anything else."""
+    """Rows of modules, those that include nothing first; nothing of libburin above anything else."""
     level = {}
 
     def of(r):
@@ -106,7 +106,7 @@ def layers(needs, inside):
 
 
 def order(rows, needs):
-    """Every room near the middle of those that it includes and that include it; a few rounds."""
+    """Every module near the middle of those that it includes and that include it; a few rounds."""
     place = {r: i - len(row) / 2 for row in rows for i, r in enumerate(row)}
     near = {r: [o for o in place if o in needs[r] or r in needs[o]] for r in place}
     for _ in range(12):
@@ -133,7 +133,7 @@ def draw(needs, libraries, inside):
             x += width[r] + GAP
     top = min(at[r][1] for r in inside) - 14
     out = [f'<svg xmlns="http://www.w3.org/2000/svg" width="{total:.0f}" height="{height}" font-family="sans-serif" '
-           f'font-size="12" role="img"><title>The rooms of Burin and what each may include</title>',
+           f'font-size="12" role="img"><title>The modules of Burin and what each may include</title>',
            f'<rect width="{total:.0f}" height="{height}" fill="#fff"/>',
            f'<rect x="20" y="{top:.0f}" width="{total - 40:.0f}" height="{height - 12 - top:.0f}" rx="6" fill="#f4f4f0" '
            'stroke="#999"/>', f'<text x="30" y="{top + 18:.0f}" fill="#666">libburin</text>']
@@ -165,7 +165,7 @@ def main():
     if not options.check:
         path.write_text(picture)
     elif not path.exists() or path.read_text() != picture:
-        sys.exit(f"{path.name} is not what the build says: kernel/docs/rooms.py {options.build} draws it anew")
+        sys.exit(f"{path.name} differs from the build: kernel/docs/rooms.py {options.build} draws it again")
 
 
 main()

@@ -1,12 +1,12 @@
 #!/usr/bin/env python3
-"""Tells whether the table "Words" of kernel/docs/architecture.md and the public headers say the same, and whether the
-kernel leaves it to its doors to spell options.
+"""Compares the table "Words" of kernel/docs/architecture.md with the public headers, and finds texts of the kernel that
+spell an option as the command line does.
 
     kernel/docs/words.py
 
 Every name in the column "in the code" has to be declared in a public header; no name there may have a word of the column
-"instead of" in it (`child_end` and `ChildEnd` have "child"). No text of the kernel may say
-"--bounds", which is how the command calls `bounds`. Status 1, with a line for each that does not hold."""
+"instead of" in it (`child_end` and `ChildEnd` have "child"). No text of the kernel may have
+"--bounds", which is how the command line spells `bounds`. Status 1, with a line for each that does not hold."""
 import pathlib
 import re
 import sys
@@ -45,7 +45,7 @@ def spelled_options():
         for text in re.findall(r'"(?:\\.|[^"\\\n])*"', code):
             for option in re.findall(r"--[a-z][a-z-]*", text):
                 name = option[2:].replace("-", "_")
-                yield f"{path.relative_to(ROOT)}: {option}: write `{name}`, which each door spells its way"
+                yield f"{path.relative_to(ROOT)}: {option}: write `{name}`, which each front end spells its way"
 
 
 def parts(name):

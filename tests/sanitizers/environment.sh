@@ -4,7 +4,7 @@ supp=$root/tests/sanitizers
 export UBSAN_OPTIONS=print_stacktrace=1
 export ASAN_OPTIONS=detect_stack_use_after_return=1:strict_string_checks=1
 export LSAN_OPTIONS=suppressions=$supp/leak.supp:print_suppressions=0
-# A crash inside OCCT becomes an exception by a jump out of its signal handler (kernel/docs/cad.md, "Crashes"), which
+# A crash inside OCCT becomes an exception by a jump out of its signal handler (converters/cad/README.md, "Crashes"), which
 # ThreadSanitizer does not see end: all that the thread does from then on would be told as unsafe in a handler.
 export TSAN_OPTIONS=halt_on_error=1:report_signal_unsafe=0:second_deadlock_stack=1:suppressions=$supp/race.supp
 

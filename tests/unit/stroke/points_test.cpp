@@ -91,7 +91,7 @@ TEST_P(OnPoints, AsManyAsTheToneAsksForAreSpreadEvenly) {
   Stage stage(plate());
   const double ink = 0.3;
   const StrokeResult r = stage.strokes(field::fixed({1, 0, 0}), 1 - ink, options_of(GetParam()));
-  // Strokes by chance cover 1 - exp(-a - k a^2) where a = n length width (kernel/docs/stroke.md).
+  // Strokes by chance cover 1 - exp(-a - k a^2) where a = n length width (kernel/stroke/README.md).
   const double bare = -std::log(1 - ink);
   const double k = GetParam() == std::string("discs") ? 0.85 * std::sqrt(0.3 / kLength) : 0.04;
   const double wanted = (std::sqrt(1 + 4 * k * bare) - 1) / (2 * k) / (kLength * 0.3) * 60 * 40;

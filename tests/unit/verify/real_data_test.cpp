@@ -22,7 +22,8 @@ struct Case {
   const char* file;  // in samples/, or in the folder of real models
   const char* style = "outline";
   HiddenLines hidden = HiddenLines::None;
-  /// Mm of a view that are contradicted all the same; verify.md tells why.
+  /// Mm of a view that are contradicted all the same; tests/bench/results/verify.md has the
+  /// reasons.
   double known = 0;
 };
 

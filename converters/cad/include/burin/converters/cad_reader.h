@@ -25,10 +25,10 @@ bool is_cad_content(std::string_view head);
 /// `encoding`: of names that a file does not say it of, as iconv knows it; empty: it is found out.
 /// Lengths in mm whatever the file's unit. An exception of OCCT, or a signal raised in it, ends in
 /// an InputError that names the file and what to do; what could not be read of a file that holds
-/// more becomes a diagnostic. Progress and cancel as far as OCCT allows: kernel/docs/cad.md says
-/// where it does not. Lives in a library of its own (libburin_cad), which is loaded when the first
-/// CAD file is read: OCCT's exchange libraries take 65 ms to load. From several threads one file is
-/// read at a time, for OCCT's readers share state.
+/// more becomes a diagnostic. Progress and cancel as far as OCCT allows: converters/cad/README.md
+/// says where it does not. Lives in a library of its own (libburin_cad), which is loaded when the
+/// first CAD file is read: OCCT's exchange libraries take 65 ms to load. From several threads one
+/// file is read at a time, for OCCT's readers share state.
 Scene read_cad(const std::filesystem::path& path, RunContext& context,
                const std::string& encoding = {});
 

@@ -73,8 +73,8 @@ Scene repair_parts(MeshFile file, const std::filesystem::path& path, const RunCo
 Scene read_mesh(const std::filesystem::path& path, const RunContext& context,
                 Facets facets = Facets::Kept, const std::string& encoding = {});
 
-/// The round surfaces that the facets of a mesh stand for (kernel/docs/openscad.md); what was found
-/// becomes a diagnostic. The form itself where nothing was.
+/// The round surfaces that the facets of a mesh stand for (kernel/forms/recognised/README.md); what
+/// was found becomes a diagnostic. The form itself where nothing was.
 std::shared_ptr<const Form> recognised(std::shared_ptr<const Form> mesh, const std::string& name,
                                        Diagnostics& diagnostics, const RunContext& context);
 /// The diagnostic "mesh.healed", where there are any.

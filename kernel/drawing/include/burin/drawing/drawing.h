@@ -167,7 +167,7 @@ struct Contradiction {
   Vec3 model{0};
 };
 
-/// What a test of the whole drawing against rays found (kernel/docs/verify.md).
+/// What a test of the whole drawing against rays found (kernel/verify/README.md).
 struct Verification {
   /// Lines tested, visible and hidden, and their length in paper mm.
   std::int64_t spans = 0;

@@ -64,7 +64,7 @@ struct PenOrderOptions {
 /// to three at once, as long as that shortens the way (2-opt and Or-opt among the eight nearest
 /// ends). The same order for any number of threads. Polls `context`, which throws Cancelled. Cost:
 /// about n log n; 100,000 lines take about 2 s of processor time, a million 35 (measured in
-/// kernel/docs/writers.md). @cite Bentley1992
+/// tests/bench/results/writers.md). @cite Bentley1992
 PenOrder pen_order(std::span<const PenPath> paths, const PenOrderOptions& options,
                    const RunContext& context);
 

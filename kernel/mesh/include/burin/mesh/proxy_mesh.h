@@ -82,7 +82,7 @@ struct ProxyMesh {
 struct ProxyOptions {
   /// An edge is a crease where the normals of its two triangles differ by more than this angle in
   /// degrees, unless it belongs to a small group of creases that is noise; between flat faces that
-  /// bend nowhere else from half of it on (kernel/docs/mesh.md).
+  /// bend nowhere else from half of it on (kernel/mesh/README.md).
   double crease_angle = 30;
 };
 

@@ -18,7 +18,7 @@ struct RepairOptions {
 /// edges and vertices, so that solids which only touch stay closed. Clean input passes through a
 /// linear test and is not touched, the order of its faces and vertices kept; positions that no face
 /// uses go. Each kind of defect becomes one entry of `diagnostics` (codes "mesh.*", listed in
-/// kernel/docs/readers.md), with its count and what was done. The result satisfies `build_topology`
+/// kernel/docs/formats.md), with its count and what was done. The result satisfies `build_topology`
 /// and is the same for any number of threads. Throws GeometryError where no triangle is left, and
 /// where the soup's indices are wrong. Cost: 0.05 s for a clean million triangles on 2 cores; 0.5 s
 /// for a broken one. @cite Gueziec2001, Meisters1975

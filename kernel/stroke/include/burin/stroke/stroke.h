@@ -69,7 +69,7 @@ struct StrokeResult {
 /// at a point of the paper; chance follows `seed`. Stages "cover" and
 /// "trace" are timed on `context`. Throws UsageError for options that contradict each other and
 /// where the strokes would be longer than 1.6 km, Cancelled. `memory`: of the last call with the
-/// same arguments but tone and ink; null: none is kept. Cost: kernel/docs/performance.md.
+/// same arguments but tone and ink; null: none is kept. Cost: tests/bench/results/performance.md.
 /// @cite Elber1998, Knoeppel2015
 StrokeResult trace_strokes(std::span<const Surface* const> surfaces, const Camera& camera,
                            const Field& field, const Tone& tone, const ViewProbe& probe,

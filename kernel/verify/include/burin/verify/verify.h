@@ -35,9 +35,10 @@ struct VerifyOptions {
 /// contradiction is a stretch of 0.5 mm and more of one line where at every place, wherever one
 /// looks within 0.1 mm (or twice the drawing's tolerance, if that is more), rays against a
 /// tessellation four times finer than the drawing's say the opposite of it
-/// (kernel/docs/verify.md). The longest twenty are named in `diagnostics`, so are parts that cannot
-/// be tessellated. Rays are timed as stage "verify". Deterministic for any number of threads;
-/// throws Cancelled. Cost: at most 1,000 rays a mm of line, mostly 8, and the tessellation.
+/// (kernel/verify/README.md). The longest twenty are named in `diagnostics`, so are parts that
+/// cannot be tessellated. Rays are timed as stage "verify". Deterministic for any number of
+/// threads; throws Cancelled. Cost: at most 1,000 rays a mm of line, mostly 8, and the
+/// tessellation.
 Verification verify(const Drawing& drawing, std::span<const Path> lines, const Scene& scene,
                     const Camera& camera, const VerifyOptions& options, Diagnostics& diagnostics,
                     RunContext& context);

@@ -6,7 +6,7 @@
 namespace burin {
 
 /// Degrees between the normals of two faces from which their edge is sharp: below, ink would not
-/// show the kink (kernel/docs/parametric.md).
+/// show the kink (kernel/forms/patches/README.md).
 inline constexpr double kSharpAngle = 1;
 
 /// Whether both sides of a smooth edge bend alike at a point of it: the second fundamental forms

@@ -29,7 +29,7 @@ struct RecognisedFaces {
 /// surfaces or planes it is made of their charts, as CAD faces are; a part with others stays on its
 /// triangles, and those are what MeshForm makes of them. No point moves
 /// farther than a few times the sagitta of the facets it lies in; polyhedra of eight or fewer sides
-/// a turn are left alone (kernel/docs/openscad.md).
+/// a turn are left alone (kernel/forms/recognised/README.md).
 class RecognisedForm final : public Form {
  public:
   /// Takes a manifold, oriented mesh, as `repair` returns it, and recognises; u and v of `texture`

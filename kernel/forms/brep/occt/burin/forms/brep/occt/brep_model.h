@@ -69,7 +69,7 @@ class BrepModel final : public Atlas {
   /// works, are meshed by themselves or keep the triangles that the shape came with, and are named
   /// in `diagnostics` ("brep.face_loose"); those without any triangle are left out
   /// ("brep.face_not_meshed"). Throws GeometryError where that is all of them, Cancelled within
-  /// 0.1 s of a cancel save inside one face (kernel/docs/brep.md).
+  /// 0.1 s of a cancel save inside one face (kernel/forms/brep/README.md).
   std::shared_ptr<const BrepTriangles> tessellate(double tolerance, RunContext& context,
                                                   Diagnostics* diagnostics) const;
 
