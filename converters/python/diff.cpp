@@ -160,7 +160,7 @@ void add_diff(py::module_& module) {
           "Whether nothing has changed.")
       .def_property_readonly(
           "parts", [](const PyDifference& self) { return member(self, "parts"); },
-          "Of models: a dict a part, as the report for programs has it (kernel/docs/diff.md).")
+          "Of models: a dict a part, as the report for programs has it (kernel/docs/changes.md).")
       .def_property_readonly(
           "lines", [](const PyDifference& self) { return member(self, "lines"); },
           "Of drawings: a dict a line that is not the same.")

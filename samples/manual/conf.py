@@ -11,5 +11,5 @@ html_static_path = ["static"]
 html_css_files = ["burin.css"]
 latex_elements = {"papersize": "a4paper", "extraclassoptions": "openany,oneside"}
 
-# What holds for all drawings that do not say otherwise.
+# Options of all drawings that do not set their own.
 burin_options = {"style": "technical", "paper": "150x110", "margin": 3}

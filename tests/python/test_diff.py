@@ -1,4 +1,4 @@
-"""What has changed between two revisions: kernel/docs/diff.md."""
+"""What has changed between two revisions: kernel/docs/changes.md."""
 
 import json
 import tempfile

@@ -125,7 +125,7 @@ class SameAsCommand(unittest.TestCase):
 
 
 class Items(unittest.TestCase):
-    """What an assembly is made of: kernel/docs/annotate.md."""
+    """What an assembly is made of: kernel/docs/numbers_and_lists.md."""
 
     def test_lists_and_callouts(self):
         with tempfile.TemporaryDirectory() as folder:

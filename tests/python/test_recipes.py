@@ -1,4 +1,4 @@
-"""The recipes of kernel/docs/batch.md for more machines: what stands there is run, and gives the hash of a serial run."""
+"""The recipes of kernel/docs/catalogues.md for more machines: what stands there is run, and gives the hash of a serial run."""
 
 import importlib.util
 import os
@@ -15,7 +15,7 @@ if HAVE:
     import yaml
     from ci_support import Runner
 
-PAGE = (Path(os.environ["BURIN_SOURCE_DIR"]) / "kernel/docs/batch.md").read_text()
+PAGE = (Path(os.environ["BURIN_SOURCE_DIR"]) / "kernel/docs/catalogues.md").read_text()
 CATALOGUE = 'views = ["front", "iso"]\n[[parts]]\nfiles = ["parts/*"]\nstyles = ["outline"]\n'
 
 # Stands for ssh: a machine that sees the same folders is this one. As there all words make one line for a shell, and SHELL

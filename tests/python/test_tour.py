@@ -21,7 +21,8 @@ def stl(vertices, triangles):
 class Tour(unittest.TestCase):
     def test_word_for_word(self):
         manual = (SOURCE / "kernel/docs/python.md").read_text()
-        tour = manual.split("```python\n")[1].split("```")[0]
+        # All its blocks, one after the other.
+        tour = "\n".join(block.split("```")[0] for block in manual.split("```python\n")[1:])
         vertices, triangles = cube(30)
         names = {"vertices": vertices, "triangles": triangles, "text": PLATE, "print": lambda *_: 0}
         before = os.getcwd()

@@ -8,7 +8,7 @@
 
        The pump, taken apart.
 
-SVG in pages, PDF in LaTeX. kernel/docs/book.md tells options and settings.
+SVG in pages, PDF in LaTeX. kernel/docs/manuals.md lists options and settings.
 """
 
 import os

@@ -12,7 +12,7 @@ namespace {
 using std::numbers::pi;
 using test::expect_error;
 
-/// Of `burin info`, as kernel/docs/irit.md says.
+/// Of `burin info`, as kernel/docs/spline_files.md says.
 constexpr double kArea = 1e-6;
 
 PartInfo info_of(const std::string& bytes, std::size_t part = 0, std::size_t parts = 1) {

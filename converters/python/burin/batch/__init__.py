@@ -2,5 +2,5 @@
 
 `catalogue` makes jobs of a catalogue, `jobs` holds and names them, `child` runs one process with its limits, `work` draws
 what is left of one job, `state` remembers what is done, `runner` runs jobs on this machine, `on_dask` and `slurm` on
-others, `report` shows them, `prune` removes what is no more. kernel/docs/batch.md tells how to use it.
+others, `report` shows them, `prune` removes what is no more. kernel/docs/catalogues.md is its manual.
 """

@@ -1,2 +1,2 @@
 """`burin book`: the figures of a manual, made from one file and made anew where what they show has changed. The directive of
-Sphinx (burin.sphinx) draws by the same code. kernel/docs/book.md explains both."""
+Sphinx (burin.sphinx) draws by the same code. kernel/docs/manuals.md explains both."""

@@ -34,7 +34,7 @@ def _parser() -> argparse.ArgumentParser:
         allow_abbrev=False,
         description="Make the figures of a manual, those that are not made yet or show something that has changed; or, with --since or --compare, "
         "tell what has changed of them since another revision: a page (index.html), a few lines (differences.md) and data (differences.json). "
-        "kernel/docs/book.md explains both.",
+        "kernel/docs/manuals.md explains both.",
         epilog="Exit status: 0 all are made, or nothing has changed; 1 a figure failed; 6 something has changed since another revision, or with --check: "
         "something was made or would change; else that of burin draw.",
     )

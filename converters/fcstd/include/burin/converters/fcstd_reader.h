@@ -34,7 +34,7 @@ bool is_fcstd_content(std::string_view head);
 /// shape, features inside it are not drawn. Colours are those of the last save with a window. An
 /// object that cannot be read becomes a diagnostic "fcstd.*". Throws InputError where nothing is
 /// left to draw, where an object that was asked for does not exist (naming the nearest), and for
-/// archives that are broken or unpack to absurd sizes. kernel/docs/fcstd.md has the details.
+/// archives that are broken or unpack to absurd sizes. kernel/docs/freecad.md has the details.
 Scene read_fcstd(const std::filesystem::path& path, const FcstdOptions& options,
                  RunContext& context);
 

@@ -62,7 +62,7 @@ bool is_drawing_file(const std::filesystem::path& path);
 
 /// The report: one line a row that is not "same", then the counts.
 std::string difference_text(const DiffOutcome& outcome);
-/// The report for programs, kernel/docs/diff.md tells its members.
+/// The report for programs, kernel/docs/changes.md lists its members.
 std::string difference_json(const DiffOutcome& outcome);
 
 /// Whether an output of this name and format is the report for programs: .json, but for

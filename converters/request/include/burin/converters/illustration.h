@@ -1,7 +1,7 @@
 #pragma once
 /// Illustration files (NAME.burin.json): which parts are drawn, where they stand, how they look, by
 /// what light, from where, on what paper. A model is never changed by one;
-/// kernel/docs/illustration.md explains the keys.
+/// kernel/docs/illustrations.md explains the keys.
 
 #include <burin/base/placement.h>
 #include <burin/converters/request.h>

@@ -111,7 +111,7 @@ struct Part {
 
 /// What a model file itself says of how it is to be drawn.
 struct FileSettings {
-  /// The text of an illustration without parts (kernel/docs/illustration.md).
+  /// The text of an illustration without parts (kernel/docs/illustrations.md).
   std::string json;
   /// The file, for errors.
   std::string source;
