@@ -214,13 +214,16 @@ class Source:
 
     def page(self, name):
         """A page in the Markdown of MkDocs, which differs from that of Git hosts in lists and in code within tables."""
-        out, lists, was_text = [], Lists(), False
+        out, lists, was_text, paragraph = [], Lists(), False, False
         for line, is_code in marked_lines(self.pages.texts[name]):
             if not is_code:
                 line = "".join(self.stretch(name, line, part, code) for part, code in outside_code(line))
-            # A list needs an empty line before it.
-            if ITEM.match(line) and not is_code and was_text and not lists.open:
+            # A list needs an empty line after a paragraph.
+            item = not is_code and ITEM.match(line)
+            if item and was_text and paragraph:
                 out.append("\n")
+            if item or not was_text:
+                paragraph = not item and not is_code
             line = lists.indented(line, is_code)
             was_text = bool(line.strip()) and not is_code
             out.append(line)
