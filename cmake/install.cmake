@@ -80,7 +80,8 @@ write_basic_package_version_file(${CMAKE_BINARY_DIR}/cmake/burin-config-version.
 install(FILES ${CMAKE_BINARY_DIR}/cmake/burin-config.cmake ${CMAKE_BINARY_DIR}/cmake/burin-config-version.cmake
   DESTINATION ${package} COMPONENT development)
 
-install(DIRECTORY kernel/docs/ DESTINATION ${docs} COMPONENT command PATTERN "*.py" EXCLUDE)
+install(DIRECTORY kernel/docs/ DESTINATION ${docs} COMPONENT command PATTERN "*.py" EXCLUDE
+  PATTERN mkdocs.yml EXCLUDE PATTERN theme EXCLUDE)
 install(FILES README.md LICENSE CHANGELOG.md DESTINATION ${docs} COMPONENT command)
 
 # What OpenSCAD models say to Burin.

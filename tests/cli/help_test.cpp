@@ -43,7 +43,7 @@ std::map<std::string, std::string> options_of(const std::string& help) {
 class CliHelp : public test::CliTest {};
 
 TEST_F(CliHelp, TheManualHasTheSameOptionsInTheSameWords) {
-  const std::string manual = plain(test::slurp(BURIN_SOURCE_DIR "/kernel/docs/cli.md"));
+  const std::string manual = plain(test::slurp(BURIN_SOURCE_DIR "/kernel/docs/reference.md"));
   for (const char* command : {"draw", "convert", "info"}) {
     ASSERT_EQ(run(std::string(command) + " --help"), 0);
     const auto options = options_of(out_);

@@ -1,6 +1,6 @@
 """What `pip install .` asks for (PEP 517): CMake builds the module, this packs it with the kernel's libraries.
 
-Nothing is fetched: compilers and libraries come from the system (README.md, Two commands). The settings:
+Nothing is fetched: compilers and libraries come from the system (kernel/docs/install.md). The settings:
   build-dir   a build folder to use, made where it is not there; default build/pip
 """
 
@@ -40,7 +40,7 @@ def run(*words: str) -> None:
     try:
         subprocess.run(words, cwd=ROOT, check=True)
     except FileNotFoundError:
-        raise SystemExit(f"burin: {words[0]} is not there; README.md tells the packages that a build needs") from None
+        raise SystemExit(f"burin: {words[0]} is not there; kernel/docs/install.md lists the packages that a build needs") from None
     except subprocess.CalledProcessError as error:
         raise SystemExit(f"burin: {' '.join(words[:3])} failed with status {error.returncode}; see above") from None
 
