@@ -9,6 +9,7 @@
 #include <STEPCAFControl_ExternFile.hxx>
 #include <STEPCAFControl_Reader.hxx>
 #include <STEPConstruct_ExternRefs.hxx>
+#include <StepBasic_ProductDefinition.hxx>
 #include <TCollection_HAsciiString.hxx>
 #include <XSControl_WorkSession.hxx>
 #include <fmt/format.h>
@@ -36,6 +37,7 @@ Names named_in(STEPCAFControl_Reader& reader) {
   references.LoadExternRefs();
   Names names;
   for (int i = 1; i <= references.NbExternRefs(); ++i) {
+    if (references.ProdDef(i).IsNull()) continue;  // a document that belongs to no product
     const char* name = references.FileName(i);
     if (name != nullptr && *name != '\0') names.insert(name);
   }
