@@ -138,10 +138,11 @@ void tell_left_out(const std::vector<CadPart>& parts, const Loose& loose, const 
   if (loose.count() == 0 || parts.empty()) return;
   // Curves may be what somebody drew.
   const Severity severity = loose.curves > 0 ? Severity::Warning : Severity::Info;
-  diagnostics.add(severity, "cad.no_faces", loose.count(),
-                  fmt::format("members without any face (wires, points, notes) were left out; the "
-                              "first: {}",
-                              first));
+  diagnostics.add(
+      severity, "cad.no_faces", loose.count(),
+      fmt::format("curves, points and notes, which have no faces, were left out; the first "
+                  "of them stand in '{}'",
+                  first));
 }
 
 CadPart make_part(std::vector<CadBody> bodies, const std::string& name) {

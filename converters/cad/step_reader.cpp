@@ -8,6 +8,7 @@
 #include "encoding.h"
 #include "entity_numbers.h"
 #include "occt_session.h"
+#include "step_external.h"
 #include "step_names.h"
 #include "tessellated.h"
 #include "text.h"
@@ -148,7 +149,7 @@ std::string protocol_of(const std::string& schema) {
 class Failures {
  public:
   void add(const Handle(Interface_Check) & check) {
-    if (check.IsNull() || !check->HasFailed()) return;
+    if (check.IsNull() || !check->HasFailed() || is_told_elsewhere(check->CFail(1))) return;
     if (count_++ == 0) first_ = clean_name(check->CFail(1));
   }
   void report(Diagnostics& diagnostics, Severity severity, const char* code,
@@ -158,6 +159,11 @@ class Failures {
   }
 
  private:
+  /// Files that are not there are named all together (tell_external).
+  static bool is_told_elsewhere(std::string_view fail) {
+    return fail.starts_with("Can not read external file");
+  }
+
   std::int64_t count_ = 0;
   std::string first_;
 };
@@ -197,6 +203,7 @@ CadFile read_step(const Source& source, const std::string& encoding, const OcctS
   refuse_absurd_numbers(*reader.ChangeReader().StepModel(), source);
   file.schema = schema_of(reader);
   file.format = protocol_of(file.schema);
+  seek_beside(reader, source);
   Handle(TDocStd_Document) document = new TDocStd_Document("BinXCAF");
   const Handle(OcctProgress) progress = new OcctProgress(context, kParsing, 1);
   const bool done = reader.Transfer(document, progress->Start());
@@ -215,6 +222,7 @@ CadFile read_step(const Source& source, const std::string& encoding, const OcctS
                        source.file(), cut);
     }
   }
+  tell_external(reader, source, file);
   Tessellated(*reader.ChangeReader().StepModel()).tell(file, source);
   return file;
 }

@@ -152,6 +152,9 @@ void refuse_command(const CLI::App& app) {
   for (const CLI::App* sub : app.get_subcommands({})) {
     known.push_back({sub->get_name(), other_names(commands(), sub->get_name())});
   }
+  known.push_back({"parts list",
+                   {"bom", "bill of materials", "partlist", "stueckliste"},
+                   "to make a parts list: burin draw INPUT... -o OUT --parts-list FILE.csv"});
   throw UsageError(
       fmt::format("unknown command '{}'{} (see burin --help)", word, hint(word, known)));
 }

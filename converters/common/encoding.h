@@ -17,8 +17,8 @@ void check_encoding(const std::string& option, const std::string& encoding);
 
 /// Turns texts into UTF-8. Which encoding they are in is what the user says, else UTF-8 where all
 /// texts are that, else the one that makes the commonest letters of all texts together:
-/// Windows-1252 or its like, GB18030, Shift-JIS, EUC-KR, EUC-JP, Big5 (uchardet is asked where two
-/// are as good).
+/// Windows-1252, 1250, 1251, 1253, 1254 or their like, GB18030, Shift-JIS, EUC-KR, EUC-JP, Big5
+/// (uchardet is asked where two are as good).
 class TextDecoder {
  public:
   /// `encoding`: a name that iconv knows; empty: it is found out from what is learned.

@@ -1,3 +1,4 @@
+#include <burin/base/input_name.h>
 #include <burin/converters/file_info.h>
 
 #include <fmt/format.h>
@@ -19,7 +20,10 @@ std::string surface(const PartInfo& p) {
   return fmt::format("open, {}", counted(p.boundary_edges, "boundary edge"));
 }
 
-std::string point(const Vec3& v) { return fmt::format("({:.6g}, {:.6g}, {:.6g})", v.x, v.y, v.z); }
+/// Without the sign of a zero.
+std::string point(const Vec3& v) {
+  return fmt::format("({:.6g}, {:.6g}, {:.6g})", v.x + 0.0, v.y + 0.0, v.z + 0.0);
+}
 
 std::string size(const Box3& b) {
   return fmt::format("{:.6g} x {:.6g} x {:.6g} mm", b.size().x, b.size().y, b.size().z);
@@ -32,7 +36,7 @@ std::string brief(const PartInfo& p) {
   text += p.name + ": ";
   if (p.triangles) text += counted(*p.triangles, "triangle") + ", ";
   if (p.solids.value_or(0) > 1) text += counted(*p.solids, "solid") + ", ";
-  text += fmt::format("{} faces, ", p.faces);
+  text += counted(p.faces, "face") + ", ";
   if (p.edges) text += counted(*p.edges, "edge") + ", ";
   if (p.components) text += counted(*p.components, "component") + ", ";
   text += size(p.bounds) + ", " + surface(p);
@@ -179,8 +183,9 @@ std::string to_text(const FileInfo& info) {
   if (all.solids) line("volume", fmt::format("{:.6g} mm3", all.volume));
   number("crossings", all.self_intersections, " (pairs of triangles that cross)");
   const PartInfo& first = info.parts.empty() ? all : info.parts.front();
+  // A part alone that is called as its file has nothing to tell that does not stand above.
   if (info.parts.size() > 1 || !first.assembly.empty() || !first.color.empty() ||
-      first.opacity < 1) {
+      first.opacity < 1 || (!info.parts.empty() && first.name != model_stem(info.file))) {
     for (std::size_t i = 0; i < info.parts.size(); ++i) {
       line(fmt::format("part {}", i).c_str(), brief(info.parts[i]));
     }

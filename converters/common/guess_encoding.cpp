@@ -1,14 +1,11 @@
 #include <burin/base/ascii.h>
 
+#include "alphabets.h"
 #include "encoding.h"
-
-#include <uchardet/uchardet.h>
 
 #include <algorithm>
 #include <array>
 #include <cstdint>
-#include <memory>
-#include <optional>
 
 namespace burin {
 namespace {
@@ -104,32 +101,15 @@ Letter big5(const Bytes& b, int i) {
   return {within(lead, 0xa1, 0xa3) ? kSign : kOdd, 2};
 }
 
-/// One byte a letter: accents stand among letters, small ones beside each other too.
-Letter western(const Bytes& b, int i) {
-  const int c = b[i], before = b[i - 1], after = b[i + 1];
-  constexpr std::string_view kSigns =
-      "\xb0\xb5\xb1\xd8\xd7\xb2\xb3\xf8";  // degree, micro, diameter ...
-  const bool sign = kSigns.find(static_cast<char>(c)) != std::string_view::npos;
-  if (sign && before < 0x80 && after < 0x80) return {kCommon, 1};
-  if (c >= 0xe0) {
-    const bool begins = is_plain(before) || before == ' ' || before >= 0xc0;
-    return {begins && (after < 0x80 || after >= 0xc0) ? kCommon : 0.3, 1};
-  }
-  if (c >= 0xc0) return {after < 0x80 && (is_plain(after) || is_plain(before)) ? kCommon : 0.3, 1};
-  constexpr std::string_view kLetters =
-      "\x8a\x8c\x8e\x9a\x9c\x9e\x80\x85\x91\x92\x93\x94\x96\x97\x99";
-  if (c < 0xa0 && kLetters.find(static_cast<char>(c)) == std::string_view::npos) return {0, 1};
-  return {0.3, 1};
-}
-
 struct Candidate {
   const char* name;  // as iconv has it, with what vendors added
   Letter (*letter)(const Bytes&, int);
 };
 
-constexpr std::array kCandidates{Candidate{"WINDOWS-1252", western}, Candidate{"GB18030", gb18030},
-                                 Candidate{"CP932", shift_jis},      Candidate{"CP949", euc_kr},
-                                 Candidate{"EUC-JP", euc_jp},        Candidate{"BIG5", big5}};
+enum : std::size_t { kChinese, kJapanese, kKorean, kUnixJapanese, kTaiwanese };
+constexpr std::array kCandidates{Candidate{"GB18030", gb18030}, Candidate{"CP932", shift_jis},
+                                 Candidate{"CP949", euc_kr}, Candidate{"EUC-JP", euc_jp},
+                                 Candidate{"BIG5", big5}};
 
 /// The mean worth of the letters; nothing where some bytes are none.
 double mark(const Candidate& candidate, const std::vector<std::string>& texts) {
@@ -152,43 +132,6 @@ double mark(const Candidate& candidate, const std::vector<std::string>& texts) {
   return count > 0 ? sum / count : 0;
 }
 
-/// What uchardet takes the texts for, in its own names.
-std::string detected(const std::vector<std::string>& texts, int times) {
-  const std::unique_ptr<uchardet, void (*)(uchardet_t)> detector(uchardet_new(), uchardet_delete);
-  for (int k = 0; k < times; ++k) {
-    for (const std::string& text : texts) {
-      uchardet_handle_data(detector.get(), text.data(), text.size());
-      uchardet_handle_data(detector.get(), "\n", 1);
-    }
-  }
-  uchardet_data_end(detector.get());
-  const char* name = uchardet_get_charset(detector.get());
-  return name == nullptr ? std::string() : std::string(name);
-}
-
-/// Of alphabets of one byte a letter: those of other countries stand in runs of many such bytes.
-std::string one_byte(const std::vector<std::string>& texts) {
-  int letters = 0, runs = 0;
-  bool windows = false;
-  for (const std::string& text : texts) {
-    const Bytes bytes(text);
-    for (int i = 0; i < bytes.size(); ++i) {
-      letters += bytes[i] >= 0x80;
-      windows = windows || within(bytes[i], 0x80, 0x9f);
-      runs += bytes[i] >= 0x80 && bytes[i - 1] < 0x80;
-    }
-  }
-  std::string found = detected(texts, 1);
-  if (found == "WINDOWS-1250") return found;
-  // ISO has no letters from 0x80 to 0x9f.
-  if (found == "ISO-8859-2") return windows ? "WINDOWS-1250" : found;
-  for (const char* name : {"WINDOWS-1251", "KOI8-R", "ISO-8859-5", "IBM866", "WINDOWS-1253",
-                           "ISO-8859-7", "WINDOWS-1255", "ISO-8859-8"}) {
-    if (found == name && letters >= 3 * runs) return found;
-  }
-  return "WINDOWS-1252";
-}
-
 }  // namespace
 
 EncodingGuess guess_encoding(const std::vector<std::string>& texts) {
@@ -196,18 +139,25 @@ EncodingGuess guess_encoding(const std::vector<std::string>& texts) {
   std::ranges::transform(kCandidates, marks.begin(),
                          [&](const Candidate& c) { return mark(c, texts); });
   const auto best = static_cast<std::size_t>(std::ranges::max_element(marks) - marks.begin());
-  std::string found = kCandidates[best].name;
-  bool sure = marks[best] >= kPoor;
-  for (std::size_t k = 0; k < marks.size(); ++k) {
-    if (k != best && marks[k] > marks[best] - kNear) sure = false;
+  const AlphabetGuess alphabet = guess_alphabet(texts);
+  const double most = std::max(marks[best], alphabet.mark);
+  const auto near = [&](double mark, double by) { return mark > most - by; };
+  if (alphabet.mark >= marks[best]) {
+    return {alphabet.encoding, alphabet.sure && most >= kPoor && !near(marks[best], kNear)};
   }
-  if (best == 0) return {one_byte(texts), sure};
+  bool sure = most >= kPoor && !near(alphabet.mark, kNear);
+  for (std::size_t k = 0; k < marks.size(); ++k) {
+    if (k != best && near(marks[k], kNear)) sure = false;
+  }
+  std::string found = kCandidates[best].name;
   if (sure) return {found, true};
-  const std::string other = detected(texts, kTimes);
-  const auto near = [&](std::size_t k) { return marks[k] > marks[best] - 2 * kNear; };
-  if (other == "UHC" && near(3)) found = "CP949";
-  if (other == "EUC-JP" && near(4) && marks[4] == kCommon) found = "EUC-JP";
-  if (other == "BIG5" && near(5) && marks[1] < kCommon) found = "BIG5";
+  const std::string other = detected_encoding(texts, kTimes);
+  const auto may_be = [&](std::size_t k) { return near(marks[k], 2 * kNear); };
+  if (other == "UHC" && may_be(kKorean)) found = "CP949";
+  if (other == "EUC-JP" && may_be(kUnixJapanese) && marks[kUnixJapanese] == kCommon) {
+    found = "EUC-JP";
+  }
+  if (other == "BIG5" && may_be(kTaiwanese) && marks[kChinese] < kCommon) found = "BIG5";
   return {found, false};
 }
 

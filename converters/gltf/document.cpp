@@ -1,5 +1,7 @@
 #include "document.h"
 
+#include <burin/base/missing_file.h>
+
 #include "byte_order_mark.h"
 #include "foreign_file.h"
 #include "text.h"
@@ -159,11 +161,22 @@ bool exists(const std::string& path, void* data) {
 }
 std::string as_it_is(const std::string& path, void* /*data*/) { return path; }
 
+/// A file of buffers; where it cannot be read, said of the glTF that needs it.
+Source file_beside(const Beside& beside, const std::string& name) {
+  try {
+    return {beside.folder / name, beside.source.context()};
+  } catch (const MissingFile&) {
+    beside.source.fail(fmt::format(
+        "needs the file {}, which is not there; put it beside, or export the model as .glb",
+        clean_name(name)));
+  }
+}
+
 /// Throws through tinygltf, which holds nothing that would be lost.
 bool read_whole(std::vector<unsigned char>* out, std::string* /*error*/, const std::string& path,
                 void* data) {
   const auto& beside = *static_cast<const Beside*>(data);
-  const Source file(beside.folder / named(path), beside.source.context());
+  const Source file = file_beside(beside, named(path));
   const std::size_t wanted = beside.lengths.at(named(path));
   if (wanted > file.bytes().size()) {
     file.fail(fmt::format("holds {} bytes, {} needs {}; it is truncated, export the model again",

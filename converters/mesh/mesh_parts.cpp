@@ -7,6 +7,7 @@
 #include <burin/repair/repair.h>
 #include <burin/surface/placed_form.h>
 
+#include "given_name.h"
 #include "text.h"
 #include "texture.h"
 
@@ -71,7 +72,7 @@ class Parts {
   };
 
   std::string name_of(const MeshUse& use) const {
-    std::string name = clean_name(use.name.empty() ? file_.objects[use.object].name : use.name);
+    std::string name = given_name(use.name.empty() ? file_.objects[use.object].name : use.name);
     return name.empty() ? clean_name(model_stem(path_)) : name;
   }
 
@@ -125,7 +126,7 @@ class Parts {
                             .form = std::move(form),
                             .assembly = std::move(use.assembly),
                             .color = std::move(use.color),
-                            .definition = std::move(use.definition),
+                            .definition = given_name(use.definition),
                             .opacity = use.opacity});
   }
 

@@ -29,7 +29,8 @@ class ObjReader {
   MeshFile read();
 
  private:
-  void statement();
+  /// Whether it may go on in the next line.
+  bool statement();
   void vertex();
   void vertex_color();
   void texture_point();
@@ -38,9 +39,11 @@ class ObjReader {
   std::uint32_t texture_index(const char*& p) const;
   void begin(std::vector<std::string>& names, std::uint32_t& current);
   void material();
+  bool name(std::string_view keyword);
   void other(std::string_view keyword, const char* where);
   void skip_blanks();
-  void next_line();
+  /// Behind the present line, or, where it may go on in the next one, behind that one too.
+  void next_line(bool continued);
   void finish_indices() const;
   std::vector<glm::vec2> finish_texture(Diagnostics& diagnostics) const;
   std::vector<std::optional<Rgba>> material_colors(Diagnostics& diagnostics) const;
@@ -76,8 +79,8 @@ void ObjReader::skip_blanks() {
   }
 }
 
-void ObjReader::next_line() {
-  bool continued = true;
+void ObjReader::next_line(bool continued) {
+  if (!continued) return text_.next_line();
   while (continued) {
     while (!text_.at_line_end()) text_.skip(1);
     continued =
@@ -216,17 +219,37 @@ void ObjReader::other(std::string_view keyword, const char* where) {
   if (unknown_++ == 0) first_unknown_ = where;
 }
 
-void ObjReader::statement() {
+/// A name takes its line whole: the second byte of a letter of Shift-JIS may be a backslash, and
+/// folders end in one.
+bool ObjReader::name(std::string_view keyword) {
+  if (keyword == "o") {
+    begin(objects_, object_);
+  } else if (keyword == "g") {
+    begin(groups_, group_);
+  } else if (keyword == "usemtl") {
+    material();
+  } else if (keyword == "mtllib") {
+    libraries_.emplace_back(text_.rest_of_line());
+  } else {
+    return false;
+  }
+  return true;
+}
+
+bool ObjReader::statement() {
   const char* where = text_.where();
   const std::string_view keyword = text_.token();
-  if (keyword == "v") return vertex();
-  if (keyword == "vt") return texture_point();
-  if (keyword == "f" || keyword == "fo") return face();
-  if (keyword == "o") return begin(objects_, object_);
-  if (keyword == "g") return begin(groups_, group_);
-  if (keyword == "usemtl") return material();
-  if (keyword == "mtllib") return static_cast<void>(libraries_.emplace_back(text_.rest_of_line()));
-  other(keyword, where);
+  if (name(keyword)) return false;
+  if (keyword == "v") {
+    vertex();
+  } else if (keyword == "vt") {
+    texture_point();
+  } else if (keyword == "f" || keyword == "fo") {
+    face();
+  } else {
+    other(keyword, where);
+  }
+  return true;
 }
 
 void ObjReader::finish_indices() const {
@@ -313,8 +336,7 @@ MeshFile ObjReader::read() {
     if (text_.peek() == '#') {
       text_.next_line();
     } else {
-      statement();
-      next_line();
+      next_line(statement());
     }
   }
   finish_indices();

@@ -1,5 +1,7 @@
 #include "ply_header.h"
 
+#include <burin/base/nearest.h>
+
 #include "text.h"
 
 #include <algorithm>
@@ -101,6 +103,15 @@ void HeaderReader::property() {
   header_.elements.back().properties.push_back(std::move(p));
 }
 
+/// Programs write remarks without "comment" before them ("Created by Blender3D"); a word that is
+/// nearly one of the header's is damaged.
+bool is_nearly(const std::string& keyword) {
+  constexpr std::size_t kSlips = 2;
+  return std::ranges::any_of(
+      std::array<std::string_view, 4>{"element", "property", "format", "end_header"},
+      [&](std::string_view word) { return edit_distance(keyword, word) <= kSlips; });
+}
+
 PlyHeader HeaderReader::read() {
   bool has_format = false;
   text_.next_line();  // "ply"
@@ -117,7 +128,7 @@ PlyHeader HeaderReader::read() {
       element();
     } else if (keyword == "property") {
       property();
-    } else if (keyword != "comment" && keyword != "obj_info") {
+    } else if (is_nearly(keyword)) {
       text_.fail(in_quotes(keyword) + " is no word of a PLY header");
     }
     text_.next_line();

@@ -40,17 +40,18 @@ bool number_is_meant(std::string_view name) {
   return word.size() == 1 || std::ranges::any_of(word, is_digit);
 }
 
-/// What a kind is called: as the input calls what its members are instances of, or as all of them
-/// are called, or what is common to their names, or as the first where its number belongs to it.
+/// What a kind is called: as the input calls what all its members are instances of (members that
+/// are none: as they are called), or what is common to these names, or as the first where its
+/// number belongs to it.
 std::string name_of(const Scene& scene, const Kind& kind) {
-  const auto part = [&](std::size_t i) -> const Part& { return detail::listed(scene.parts[i]); };
-  const auto definition = [&](std::size_t i) { return part(i).definition; };
-  if (std::string name = common(kind.parts, definition); !name.empty()) return name;
-  const auto own = [&](std::size_t i) { return name_as_read(part(i).name); };
-  if (std::string name = common(kind.parts, own); !name.empty()) return name;
-  std::string first(own(kind.parts.front()));
+  const auto called = [&](std::size_t i) {
+    const Part& part = detail::listed(scene.parts[i]);
+    return part.definition.empty() ? std::string(name_as_read(part.name)) : part.definition;
+  };
+  if (std::string name = common(kind.parts, called); !name.empty()) return name;
+  std::string first = called(kind.parts.front());
   if (number_is_meant(first)) return first;
-  const auto stem = [&](std::size_t i) { return instance_stem(part(i).name); };
+  const auto stem = [&](std::size_t i) { return instance_stem(called(i)); };
   if (std::string name = common(kind.parts, stem); !name.empty()) return name;
   return kind.key;
 }

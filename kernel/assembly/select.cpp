@@ -7,6 +7,7 @@
 #include "selector_names.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -75,6 +76,28 @@ void name_things(const Scene& scene, std::vector<std::string>& selectors) {
   }
 }
 
+/// Whether the names from one of them on, or from the top, are the selector as it is written.
+bool is_written(const std::vector<std::string>& names, std::string_view selector) {
+  const bool from_top = selector.starts_with('/');
+  const std::string wanted = fmt::format("{}/", selector.substr(from_top ? 1 : 0));
+  std::string rest = fmt::format("{}/", fmt::join(names, "/"));
+  for (const std::string& name : names) {
+    if (rest.starts_with(wanted)) return true;
+    if (from_top) return false;
+    rest.erase(0, name.size() + 1);
+  }
+  return false;
+}
+
+/// Names may have slashes within: "1/4 inch bolt".
+std::vector<std::size_t> with_slashes_in_names(const Scene& scene, std::string_view selector) {
+  std::vector<std::size_t> found;
+  for (std::size_t i = 0; i < scene.parts.size(); ++i) {
+    if (is_written(names_of(scene.parts[i]), selector)) found.push_back(i);
+  }
+  return found;
+}
+
 // What a selector that found nothing could have meant, the nearest first.
 std::string known_names(const Scene& scene, std::string_view selector) {
   constexpr std::size_t kMost = 5;
@@ -134,6 +157,7 @@ std::vector<std::size_t> select(const Scene& scene, std::string_view selector) {
   for (std::size_t i = 0; i < scene.parts.size(); ++i) {
     if (test(i, scene.parts[i])) found.push_back(i);
   }
+  if (found.empty()) found = with_slashes_in_names(scene, selector);
   if (found.empty()) {
     throw UsageError(fmt::format("no part is named '{}'; names of parts and assemblies: {}",
                                  selector, known_names(scene, selector)));

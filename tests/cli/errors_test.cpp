@@ -301,6 +301,7 @@ TEST_F(CliErrors, NothingIsSuggestedWhereNothingIsNear) {
                    std::string("unknown option ") + word + " (see burin draw --help)");
   }
   expect_failure("frobnicate @/box.off", 2, "unknown command 'frobnicate' (see burin --help)");
+  expect_failure("bom @/box.off", 2, "burin draw INPUT... -o OUT --parts-list FILE.csv");
   expect_failure("draw @/box.off -o @/a.svg --set foo.bar=1", 2,
                  "unknown style key 'foo.bar' (all: burin styles --keys)");
   expect_failure("draw @/box.off -o @/a.svg --style xyzzy", 2, "unknown style 'xyzzy' (built in: ");

@@ -49,6 +49,13 @@ TEST_F(Packed, ModelsAreUnpackedByTheirBytes) {
   EXPECT_NE(out_.find("STEP"), std::string::npos);
 }
 
+// "renamed  lid: was called box", as the name of a part alone is that of its file.
+TEST_F(Packed, ModelsAreTheSameRevisionAsOthers) {
+  pack("box.off", "lid.off.gz");
+  EXPECT_EQ(run("diff @/box.off @/lid.off.gz"), 0) << out_ << err_;
+  EXPECT_EQ(run("diff - @/lid.off.gz", "box.off"), 0) << out_ << err_;
+}
+
 TEST_F(Packed, PackedTwice) {
   const auto plain = drawn("@/box.off");
   pack("box.off", "box.off.gz");

@@ -4,6 +4,7 @@
 #include <burin/assembly/select.h>
 #include <burin/base/ascii.h>
 #include <burin/base/error.h>
+#include <burin/base/input_name.h>
 #include <burin/congruence/body.h>
 
 #include <fmt/format.h>
@@ -26,7 +27,7 @@ std::vector<std::string> names_of(const Part& part) {
   const std::filesystem::path file = std::filesystem::path(part.source).filename();
   std::string& first = names.front();
   const std::string_view read = name_as_read(first);
-  if (read == file.stem().string() || read == file.string()) first = ".";
+  if (read == model_stem(part.source) || read == file.string()) first = ".";
   return names;
 }
 

@@ -178,6 +178,17 @@ TEST(Items, ThatAreInstancesCountByWhatTheyAreInstancesOf) {
   EXPECT_EQ(list_of(items_of(parts)), (List{{"foot", 2}, {"left", 1}}));
 }
 
+// The row of two products was called as their instances were: "Occurrence", "$3".
+TEST(Items, AreCalledAsWhatTheyAreInstancesOfWhereTheseDifferByANumber) {
+  const auto block = form(test::box({0, 0, 0}, {1, 2, 3}));
+  std::vector<Part> parts{part("Occurrence", block), part("Occurrence #2", block),
+                          part("$3", block)};
+  for (std::size_t i = 0; i < 3; ++i) parts[i].definition = "Spacer " + std::to_string(i + 1);
+  EXPECT_EQ(list_of(items_of(parts)), (List{{"Spacer", 3}}));
+  for (std::size_t i = 0; i < 3; ++i) parts[i].definition = "M" + std::to_string(i + 6);
+  EXPECT_EQ(list_of(items_of(parts)), (List{{"M6", 3}}));
+}
+
 TEST(Items, CountPartsThatAreOneThingOnce) {
   const auto body = form(test::box({0, 0, 0}, {9, 9, 30}));
   const auto thing = [&](const Placement& place, double shaft) {

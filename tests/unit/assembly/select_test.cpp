@@ -65,6 +65,19 @@ TEST(Select, ANameMeansWhatReadersHaveNumbered) {
   EXPECT_EQ(select(s, "/pump/cover/bolt"), (Parts{1}));
 }
 
+// "No part is named '1/4 inch bolt'; names: '1/4 inch bolt'" was the answer.
+TEST(Select, NamesMayHaveSlashesWithin) {
+  Scene s = scene();
+  s.parts[1].name = "1/4 inch bolt";
+  s.parts[4].assembly = {"pump", "n/a"};
+  EXPECT_EQ(select(s, "1/4 inch bolt"), (Parts{1}));
+  EXPECT_EQ(select(s, "cover/1/4 inch bolt"), (Parts{1}));
+  EXPECT_EQ(select(s, "/pump/cover/1/4 inch bolt"), (Parts{1}));
+  EXPECT_EQ(select(s, "n/a"), (Parts{4}));
+  EXPECT_THROW(select(s, "4 inch bolt"), UsageError);
+  EXPECT_THROW(select(s, "/1/4 inch bolt"), UsageError);
+}
+
 TEST(Select, AttributesAreColourNumberAndFile) {
   const Scene s = scene();
   EXPECT_EQ(select(s, "@color=#88c0ff"), (Parts{0, 4}));

@@ -112,6 +112,15 @@ std::string CadDocument::step(const std::string& file) const {
   return file;
 }
 
+std::string CadDocument::step_in_files(const std::string& file) const {
+  STEPCAFControl_Writer writer;
+  writer.SetColorMode(Standard_True);
+  writer.SetNameMode(Standard_True);
+  EXPECT_TRUE(writer.Transfer(document_, STEPControl_AsIs, "part_"));
+  EXPECT_EQ(writer.Write(file.c_str()), IFSelect_RetDone);
+  return file;
+}
+
 std::string CadDocument::iges(const std::string& file) const {
   IGESCAFControl_Writer writer;
   writer.SetColorMode(Standard_True);

@@ -41,6 +41,8 @@ class CadDocument {
              double opacity = 1);
 
   std::string step(const std::string& file) const;
+  /// The assembly alone; its parts in files of their own beside it, "part_NAME.stp".
+  std::string step_in_files(const std::string& file) const;
   std::string iges(const std::string& file) const;
 
  private:

@@ -35,6 +35,36 @@ const std::vector<Encoded>& examples() {
       {{"Корпус насоса"}, {"\xca\xee\xf0\xef\xf3\xf1 \xed\xe0\xf1\xee\xf1\xe0"}, "WINDOWS-1251"},
       {{"Прокладка"}, {"\xcf\xf0\xee\xea\xeb\xe0\xe4\xea\xe0"}, "WINDOWS-1251"},
       {{"Šroub"}, {"\x8aroub"}, "WINDOWS-1250"},
+      {{"Łożysko"}, {"\xa3o\xbfysko"}, "WINDOWS-1250"},
+      {{"Łącznik", "koło"},
+       {"\xa3\xb9"
+        "cznik",
+        "ko\xb3o"},
+       "WINDOWS-1250"},
+      {{"Śruba główna"}, {"\x8cruba g\xb3\xf3wna"}, "WINDOWS-1250"},
+      {{"Příruba č. 2"}, {"P\xf8\xedruba \xe8. 2"}, "WINDOWS-1250"},
+      {{"Şaft gövdesi", "ağırlık"},
+       {"\xde"
+        "aft g\xf6vdesi",
+        "a\xf0\xfdrl\xfdk"},
+       "WINDOWS-1254"},
+      {{"Крышка подшипника", "Вал"},
+       {"\xca\xf0\xfb\xf8\xea\xe0 \xef\xee\xe4\xf8\xe8\xef\xed\xe8\xea\xe0", "\xc2\xe0\xeb"},
+       "WINDOWS-1251"},
+      {{"КОРПУС", "ВИНТ М8"},
+       {"\xca\xce\xd0\xcf\xd3\xd1",
+        "\xc2\xc8\xcd\xd2 \xcc"
+        "8"},
+       "WINDOWS-1251"},
+      {{"Κάλυμμα", "Άξονας"},
+       {"\xca\xdc\xeb\xf5\xec\xec\xe1", "\xa2\xee\xef\xed\xe1\xf2"},
+       "WINDOWS-1253"},
+      {{"Bride n°3 Ø8 5µm m³/h"},
+       {"Bride n\xb0"
+        "3 \xd8"
+        "8 5\xb5m m\xb3/h"},
+       "WINDOWS-1252"},
+      {{"Þykkt, stærð"}, {"\xdeykkt, st\xe6r\xf0"}, "WINDOWS-1252"},
       {{"轴承盖", "齿轮轴"}, {"\xd6\xe1\xb3\xd0\xb8\xc7", "\xb3\xdd\xc2\xd6\xd6\xe1"}, "GB18030"},
       {{"底板", "支架", "螺母"},
        {"\xb5\xd7\xb0\xe5", "\xd6\xa7\xbc\xdc", "\xc2\xdd\xc4\xb8"},
@@ -59,6 +89,13 @@ std::string guess(const Strings& bytes) { return guess_encoding(bytes).encoding;
 
 TEST(NameEncodings, AreToldByTheLettersThatTheyMake) {
   for (const Encoded& one : examples()) EXPECT_EQ(guess(one.bytes), one.encoding) << one.names[0];
+}
+
+TEST(NameEncodings, OfUnixInRussiaAreToldByTheirCapitals) {
+  const EncodingGuess cover =
+      guess_encoding({"\xeb\xd2\xd9\xdb\xcb\xc1 \xd0\xcf\xc4\xdb\xc9\xd0\xce\xc9\xcb\xc1"});
+  EXPECT_EQ(cover.encoding, "KOI8-R");
+  EXPECT_FALSE(cover.sure);
 }
 
 TEST(NameEncodings, GiveTheNames) {

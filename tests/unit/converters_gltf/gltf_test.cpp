@@ -307,7 +307,7 @@ TEST(Gltf, DamagedFilesAreRefused) {
                  "100 deep", "a.gltf");
   expect_refused("{\"asset\": {\"version\": \"2.0\"", "truncated", "a.gltf");
   Gltf beside = one_box();
-  expect_refused(beside.gltf("gone.bin"), "no such file", "a.gltf");
+  expect_refused(beside.gltf("gone.bin"), "needs the file gone.bin, which is not there", "a.gltf");
   expect_refused(beside.gltf("data:application/octet-stream;base64,AAAA"), "", "a.gltf");
 }
 

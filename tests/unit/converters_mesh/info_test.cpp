@@ -31,6 +31,14 @@ TEST(Info, MeasuresABox) {
   EXPECT_TRUE(info.diagnostics.empty());
 }
 
+TEST(Info, APartAloneIsNamedWhereItIsNotCalledAsItsFile) {
+  const std::string bytes = test::obj(test::box({-1, -1, -1}, {0, 0, -0.0}));
+  EXPECT_EQ(to_text(inspect(bytes, "a.obj")).find("part 0"), std::string::npos);
+  const std::string text = to_text(inspect("o lid\n" + bytes, "a.obj"));
+  EXPECT_NE(text.find("part 0      lid: 12 triangles, 6 faces"), std::string::npos) << text;
+  EXPECT_NE(text.find("to (0, 0, 0)"), std::string::npos) << text;
+}
+
 TEST(Info, InstancesShareAShape) {
   std::string model = test::zipped(
       {{"3D/3dmodel.model",

@@ -43,6 +43,16 @@ TEST(Obj, AnyLineEndsAndContinuedLines) {
   EXPECT_EQ(indices("\xef\xbb\xbf# mark\n" + kCorners + "f 1 2 3"), (List{0, 1, 2}));
 }
 
+// The last letter of a Japanese name may end in the byte of a backslash, a folder's name does.
+TEST(Obj, NamesTakeTheirLineWhole) {
+  for (const char* statement : {"o \x95\x5c\x8e\xa6\x94\xc2\x83\x5c", "g \x83\x5c",
+                                "usemtl \x83\x5c", "mtllib C:\\parts\\"}) {
+    EXPECT_EQ(indices(std::string(statement) + "\n" + kCorners + "f 1 2 3\n"),
+              (std::vector<std::uint32_t>{0, 1, 2}))
+        << statement;
+  }
+}
+
 TEST(Obj, ObjectsAreParts) {
   const std::string bytes = "o left\n" + kCorners +
                             "f 1 2 3\no right side\ng ignored\nv 5 0 0\nv 6 0 0\nv 6 1 0\n" +

@@ -91,6 +91,16 @@ TEST(Ply, HeadersWithOtherLineEnds) {
   }
 }
 
+// Blender 2.4 wrote "Created by" without "comment" before it.
+TEST(Ply, RemarksInHeadersAreNoErrorsAndSlipsAre) {
+  const std::string data = "0 0 0\n1 0 0\n1 1 0\n0 1 0\n3 0 1 2\n";
+  const MeshFile file = read_bytes(
+      "ply\nformat ascii 1.0\nCreated by Blender3D\n" + kPlain + "end_header\n" + data, "a.ply");
+  EXPECT_EQ(file.objects.at(0).polygon_count(), 1u);
+  expect_error("ply\nformat ascii 1.0\n" + kPlain + "elemnt edge 0\nend_header\n" + data, "a.ply",
+               9, "'elemnt' is no word of a PLY header");
+}
+
 TEST(Ply, FalseCountsAreRefused) {
   std::string many = kPlain;
   many.replace(many.find("vertex 4"), 8, "vertex 4000000000");

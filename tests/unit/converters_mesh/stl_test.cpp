@@ -119,6 +119,20 @@ TEST(StlAscii, SolidsArePartsByName) {
   EXPECT_DOUBLE_EQ(pieces.parts[0].form->bounds(Mat3(1)).max.x, 10);
 }
 
+// Slicers call a mesh as the file that it came from.
+TEST(Stl, NamesThatAreFilesOrMadeUpNumbersAreNone) {
+  const auto name = [](const std::string& solid) {
+    return test::read_scene(test::stl_ascii(kTorus, solid), "ring.stl").parts.at(0).name;
+  };
+  EXPECT_EQ(name("foot left.stl"), "foot left");
+  EXPECT_EQ(name("C:\\parts\\foot.STL"), "foot");
+  EXPECT_EQ(name("/home/a/foot.step"), "foot");
+  EXPECT_EQ(name("4294f09b-1f2e-4b15-b14f-f6db5a48c747.stl"), "ring");
+  EXPECT_EQ(name("bolt.001"), "bolt.001");
+  EXPECT_EQ(name("1/4 inch"), "1/4 inch");
+  EXPECT_EQ(name("Dr. Who"), "Dr. Who");
+}
+
 TEST(StlAscii, NamesThatProgramsMakeUpSayNothing) {
   for (const char* name : {"OpenSCAD_Model", "vcg", "Exported from Blender-3.6.2", "Default"}) {
     EXPECT_EQ(read_bytes(test::stl_ascii(kTorus, name), "a.stl").objects.at(0).name, "") << name;
