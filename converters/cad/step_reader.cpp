@@ -7,6 +7,7 @@
 #include "collect.h"
 #include "encoding.h"
 #include "entity_numbers.h"
+#include "long_lists.h"
 #include "occt_session.h"
 #include "step_external.h"
 #include "step_names.h"
@@ -104,7 +105,9 @@ EndsAt parse(STEPCAFControl_Reader& reader, const Source& source, const std::str
   std::string_view bytes = changed.empty() ? source.bytes() : std::string_view(changed);
   bytes.remove_prefix(byte_order_mark(bytes));
   const std::string decoded = utf8_text(bytes, encoding, diagnostics);
-  const std::string_view text = decoded.empty() ? bytes : std::string_view(decoded);
+  std::string_view text = decoded.empty() ? bytes : std::string_view(decoded);
+  const std::string shortened = without_triangle_lists(text);
+  if (!shortened.empty()) text = shortened;
   if (parses(reader, text, source, context)) return 0;
   const std::string message = session.first_message();
   const std::string closed = closed_early(text);
