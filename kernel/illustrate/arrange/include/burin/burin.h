@@ -2,6 +2,8 @@
 /// The front door of libburin, the CMake target `burin::burin`: all that a program needs to draw,
 /// stage by stage or all at once. Files are read and written by `burin/io.h`.
 
+// All that a drawing shows of a scene, as one value, and one call that draws it.
+#include <burin/arrange/arrange.h>
 // What is drawn, and whence.
 #include <burin/camera/sheet.h>
 #include <burin/camera/standards.h>
