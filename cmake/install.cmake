@@ -1,4 +1,4 @@
-# cmake --install BUILD [--prefix P]: the command, the libraries, the Python module, the kernel's headers with a CMake
+# cmake --install BUILD [--prefix P]: the command, the libraries, the Python module, the headers of the libraries with a CMake
 # package, the docs, manual pages and completions. Everything finds everything else by its own place, so that the prefix
 # may be moved. Components: command, python, freecad, development; packages.cmake makes packages of them.
 include(GNUInstallDirs)
@@ -10,7 +10,7 @@ function(burin_rpath target folder)
   set_target_properties(${target} PROPERTIES INSTALL_RPATH "$ORIGIN/${up}")
 endfunction()
 
-set(libraries burin burin_cad burin_cairo)
+set(libraries burin burin_io burin_cad burin_cairo)
 set_target_properties(${libraries} PROPERTIES INSTALL_RPATH "$ORIGIN")
 burin_rpath(burin_cli ${CMAKE_INSTALL_BINDIR})
 burin_rpath(burin_csg ${CMAKE_INSTALL_LIBDIR}/burin)
@@ -21,7 +21,7 @@ install(TARGETS burin_cli RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT 
 install(TARGETS ${libraries}
   LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR} NAMELINK_SKIP COMPONENT command)
 install(TARGETS burin_probe RUNTIME DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT command)
-install(TARGETS burin LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR} NAMELINK_ONLY COMPONENT development)
+install(TARGETS burin burin_io LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR} NAMELINK_ONLY COMPONENT development)
 
 # burin_install_python(FOLDER COMPONENT [EXCLUDE_FROM_ALL]): the Python package into FOLDER.
 function(burin_install_python folder component)
@@ -40,7 +40,7 @@ endfunction()
 # burin_install_bundle(FOLDER COMPONENT): the Python package into FOLDER with all of the kernel beside it, so that it needs
 # nothing else of ours. Never a part of `cmake --install` without the component.
 function(burin_install_bundle folder component)
-  install(TARGETS burin_python burin burin_cad burin_cairo
+  install(TARGETS burin_python burin burin_io burin_cad burin_cairo
     LIBRARY DESTINATION ${folder} NAMELINK_SKIP COMPONENT ${component} EXCLUDE_FROM_ALL)
   install(TARGETS burin_probe RUNTIME DESTINATION ${folder} COMPONENT ${component} EXCLUDE_FROM_ALL)
   install(TARGETS burin_csg RUNTIME DESTINATION ${folder}/burin COMPONENT ${component} EXCLUDE_FROM_ALL)
@@ -51,7 +51,7 @@ function(burin_install_bundle folder component)
 endfunction()
 
 if(TARGET burin_python)
-  add_custom_target(burin_bundle DEPENDS burin_python burin burin_probe burin_csg burin_cad burin_cairo)
+  add_custom_target(burin_bundle DEPENDS burin_python burin burin_io burin_probe burin_csg burin_cad burin_cairo)
   burin_install_bundle(burin bundle)
   install(FILES ${CMAKE_BINARY_DIR}/python/burin/__init__.pyi DESTINATION burin COMPONENT bundle EXCLUDE_FROM_ALL)
   # Of the same depth as the folder of a package of Debian, lib/python3/dist-packages.
@@ -61,14 +61,15 @@ endif()
 burin_install_python(${BURIN_PYTHON_FOLDER} python)
 
 get_property(modules GLOBAL PROPERTY BURIN_MODULES)
+get_property(header_folders GLOBAL PROPERTY BURIN_IO_HEADERS)
 foreach(module IN LISTS modules)
   get_target_property(folders ${module} HEADER_DIRS)
-  if(NOT folders)  # a module without a header of its own
-    continue()
+  if(folders)  # else a module without a header of its own
+    list(APPEND header_folders ${folders})
   endif()
-  foreach(folder IN LISTS folders)
-    install(DIRECTORY ${folder}/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} COMPONENT development)
-  endforeach()
+endforeach()
+foreach(folder IN LISTS header_folders)
+  install(DIRECTORY ${folder}/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} COMPONENT development)
 endforeach()
 
 include(CMakePackageConfigHelpers)
@@ -94,5 +95,10 @@ add_custom_command(OUTPUT ${told}/done
   COMMAND ${CMAKE_COMMAND} -DBURIN=$<TARGET_FILE:burin_cli> -DFOLDER=${told} -P ${PROJECT_SOURCE_DIR}/cmake/told.cmake
   DEPENDS burin_cli ${PROJECT_SOURCE_DIR}/cmake/told.cmake VERBATIM)
 add_custom_target(burin_told ALL DEPENDS ${told}/done)
+# All that cmake --install copies: what `./dev build` and `./dev package` build.
+add_custom_target(burin_installed DEPENDS burin_cli ${libraries} burin_csg burin_probe burin_told)
+if(TARGET burin_python)
+  add_dependencies(burin_installed burin_python burin_python_stub)
+endif()
 install(DIRECTORY ${told}/man1 DESTINATION ${CMAKE_INSTALL_MANDIR} COMPONENT command)
 install(DIRECTORY ${told}/share/ DESTINATION ${CMAKE_INSTALL_DATADIR} COMPONENT command)

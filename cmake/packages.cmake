@@ -27,10 +27,11 @@ set(CPACK_COMPONENT_COMMAND_DESCRIPTION "line art of CAD parts, meshes and funct
 set(CPACK_DEBIAN_COMMAND_PACKAGE_SUGGESTS "openscad, python3-burin, burin-freecad")
 
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_NAME burin-dev)
-set(CPACK_COMPONENT_DEVELOPMENT_DESCRIPTION "headers of Burin's kernel and of its plug-ins
- For programs on the kernel, and for plug-ins, found by find_package(burin).")
+set(CPACK_COMPONENT_DEVELOPMENT_DESCRIPTION "headers of Burin's libraries and of its plug-ins
+ For programs on burin::burin, the kernel, and burin::io, files, and for
+ plug-ins, found by find_package(burin).")
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SECTION libdevel)
-set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS "burin (= ${version}), libglm-dev")
+set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS "burin (= ${version}), libglm-dev, libfmt-dev")
 
 if(TARGET burin_python)
   # Python of Debian looks elsewhere below /usr than below /usr/local.

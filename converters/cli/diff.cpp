@@ -26,7 +26,7 @@ namespace {
 /// One revision as it is asked for: a command line of its own.
 struct Side {
   DrawArguments arguments;
-  std::optional<Illustration> illustration;
+  std::optional<IllustrationFile> illustration;
   DrawPlan plan;
 
   Side(const DrawArguments& all, const std::string& input) : arguments(all) {

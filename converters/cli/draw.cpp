@@ -27,14 +27,15 @@ Request reading_of(const Request& request) {
   return reading;
 }
 
-Scene read_anew(const DrawArguments& arguments, const std::optional<Illustration>& illustration,
+Scene read_anew(const DrawArguments& arguments, const std::optional<IllustrationFile>& illustration,
                 const DrawPlan& plan, RunContext& context) {
   if (illustration) return read_scene(*illustration, context);
   return read_scene(arguments.inputs, plan.read, context);
 }
 
-Scene read_models(const DrawArguments& arguments, const std::optional<Illustration>& illustration,
-                  const DrawPlan& plan, RunContext& context, KeptScene* kept) {
+Scene read_models(const DrawArguments& arguments,
+                  const std::optional<IllustrationFile>& illustration, const DrawPlan& plan,
+                  RunContext& context, KeptScene* kept) {
   if (!kept || (illustration && !kept->illustrations)) {
     return read_anew(arguments, illustration, plan, context);
   }
@@ -104,7 +105,7 @@ Drawn draw_files(const DrawArguments& arguments, RunContext& context, KeptScene*
         fmt::format("no output; name one: burin {} INPUT... -o OUT.svg", arguments.command));
   }
   const InputFiles read;
-  const std::optional<Illustration> illustration = illustration_of(arguments.inputs);
+  const std::optional<IllustrationFile> illustration = illustration_of(arguments.inputs);
   DrawPlan plan = plan_of(arguments, illustration);
   WriteOptions options = write_options(plan.style);
   options.svg.id_prefix = plan.id_prefix;

@@ -50,7 +50,7 @@ std::vector<Explode::Step> steps_of(Scene scene, DrawPlan& plan, RunContext& con
 
 std::string extended(const DrawArguments& arguments, const std::filesystem::path& folder,
                      RunContext& context, Console& console) {
-  const Illustration house = read_illustration(arguments.inputs.front());
+  const IllustrationFile house = read_illustration(arguments.inputs.front());
   DrawPlan plan = make_plan(merged(house.request, arguments.request), Spelling::Options);
   return exploded_illustration(arguments.inputs.front(), arguments.request, folder,
                                steps_of(read_scene(house, context), plan, context, console));

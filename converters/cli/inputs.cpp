@@ -24,7 +24,7 @@ void refuse_reading(const DrawPlan& plan) {
 
 }  // namespace
 
-std::optional<Illustration> illustration_of(const std::vector<std::string>& inputs) {
+std::optional<IllustrationFile> illustration_of(const std::vector<std::string>& inputs) {
   const auto found =
       std::ranges::find_if(inputs, [](const std::string& input) { return is_illustration(input); });
   if (found == inputs.end()) return std::nullopt;
@@ -37,7 +37,7 @@ std::optional<Illustration> illustration_of(const std::vector<std::string>& inpu
 }
 
 std::vector<std::string> sources_of(const DrawArguments& a,
-                                    const std::optional<Illustration>& illustration,
+                                    const std::optional<IllustrationFile>& illustration,
                                     const InputFiles& read) {
   std::vector<std::string> sources = a.inputs;
   if (illustration) {
@@ -51,7 +51,8 @@ std::vector<std::string> sources_of(const DrawArguments& a,
   return sources;
 }
 
-DrawPlan plan_of(const DrawArguments& arguments, const std::optional<Illustration>& illustration) {
+DrawPlan plan_of(const DrawArguments& arguments,
+                 const std::optional<IllustrationFile>& illustration) {
   if (!illustration) return make_plan(arguments.request, Spelling::Options);
   DrawPlan plan = make_plan(merged(illustration->request, arguments.request), Spelling::Options);
   refuse_reading(plan);

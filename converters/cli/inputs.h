@@ -13,16 +13,17 @@
 namespace burin::cli {
 
 /// The illustration that is to be drawn; nothing where models are.
-std::optional<Illustration> illustration_of(const std::vector<std::string>& inputs);
+std::optional<IllustrationFile> illustration_of(const std::vector<std::string>& inputs);
 
 /// All files that a run reads. `read`: what was opened for the plan, such as style files and
 /// pictures.
 std::vector<std::string> sources_of(const DrawArguments& a,
-                                    const std::optional<Illustration>& illustration,
+                                    const std::optional<IllustrationFile>& illustration,
                                     const InputFiles& read);
 
 /// What the words ask, over what the illustration says. Throws UsageError, InputError.
-DrawPlan plan_of(const DrawArguments& arguments, const std::optional<Illustration>& illustration);
+DrawPlan plan_of(const DrawArguments& arguments,
+                 const std::optional<IllustrationFile>& illustration);
 /// Makes the plan anew where the files that were read say something of the drawing.
 void follow_files(const Scene& scene, const DrawArguments& arguments, DrawPlan& plan);
 

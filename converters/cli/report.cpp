@@ -13,7 +13,9 @@
 namespace burin::cli {
 namespace {
 
-std::string said(const std::exception& e) { return at_door(e.what(), Spelling::Options); }
+std::string said(const std::exception& e, const std::string& input) {
+  return error_message(e, Spelling::Options, input);
+}
 
 }  // namespace
 
@@ -23,17 +25,16 @@ Failure failure_of(const std::string& input) {
   } catch (const Cancelled&) {
     return {kStopped, "cancelled", "cancelled"};
   } catch (const UsageError& e) {
-    return {kUsage, "usage", said(e)};
+    return {kUsage, "usage", said(e, input)};
   } catch (const InputError& e) {
     const bool missing = dynamic_cast<const MissingFile*>(&e) != nullptr;
-    return {kBadInput, missing ? "missing" : "input",
-            located(e.file().empty() ? input : e.file(), e.line(), said(e))};
+    return {kBadInput, missing ? "missing" : "input", said(e, input)};
   } catch (const GeometryError& e) {
-    return {kBadInput, "geometry", located(input, 0, said(e))};
+    return {kBadInput, "geometry", said(e, input)};
   } catch (const OutputError& e) {
-    return {kNoOutput, "output", located(e.file(), 0, said(e))};
+    return {kNoOutput, "output", said(e, input)};
   } catch (const std::exception& e) {
-    if (!is_out_of_memory(e)) return {kFailed, "error", located(input, 0, said(e))};
+    if (!is_out_of_memory(e)) return {kFailed, "error", said(e, input)};
     return {kFailed, "memory",
             located(input, 0, "out of memory; draw a smaller model, or fewer at once")};
   }

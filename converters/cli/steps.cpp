@@ -37,7 +37,7 @@ void run_steps(const StepsArguments& arguments, RunContext& context, Console& co
   }
   const BuildOptions build = build_options(arguments);
   const InputFiles read;
-  const std::optional<Illustration> illustration = illustration_of(draw.inputs);
+  const std::optional<IllustrationFile> illustration = illustration_of(draw.inputs);
   DrawPlan plan = plan_of(draw, illustration);
   check_book_outputs(draw.outputs, sources_of(draw, illustration, read));
   if (!illustration) check_inputs(draw.inputs);

@@ -55,11 +55,11 @@ std::optional<Vec3> point_option(const std::string& option, const std::string& t
   return Vec3(v[0], v[1], v[2]);
 }
 
-CutText cut_option(const std::string& option, const std::string& text) {
+SectionPlane cut_option(const std::string& option, const std::string& text) {
   const auto refuse = [&] {
     refuse_value(option, "an axis x, y or z, one with a sign, or X,Y,Z; and =MM", text);
   };
-  CutText cut;
+  SectionPlane cut;
   const std::size_t equals = text.find('=');
   std::string_view axis = std::string_view(text).substr(0, equals);
   if (equals != std::string::npos) {

@@ -30,7 +30,7 @@ class Source {
 
   bool is_scene() const { return scene_.has_value(); }
   /// Null where it is none.
-  const Illustration* illustration() const { return illustration_ ? &*illustration_ : nullptr; }
+  const IllustrationFile* illustration() const { return illustration_ ? &*illustration_ : nullptr; }
   /// Of a scene's parts.
   const std::vector<PartStyle>& part_styles() const { return part_styles_; }
 
@@ -41,7 +41,7 @@ class Source {
   std::optional<Scene> scene_;
   std::vector<PartStyle> part_styles_;
   std::vector<std::string> paths_;
-  std::optional<Illustration> illustration_;
+  std::optional<IllustrationFile> illustration_;
 };
 
 /// Functions and objects of the program that calls, beside options.

@@ -30,7 +30,7 @@ PyObject* make(py::module_& module, const char* name, const char* doc, const py:
   return type;
 }
 
-std::string said(const std::exception& e) { return at_door(e.what(), Spelling::Keywords); }
+std::string said(const std::exception& e) { return error_message(e, Spelling::Keywords); }
 
 /// Sets a Python error that has the place as attributes.
 void set(PyObject* type, const std::string& message, const std::string& file, std::int64_t line) {
@@ -51,13 +51,13 @@ void translate(std::exception_ptr pointer) {
   } catch (const UsageError& e) {
     PyErr_SetString(g_errors.usage, said(e).c_str());
   } catch (const MissingFile& e) {
-    set(g_errors.missing, located(e.file(), e.line(), said(e)), e.file(), e.line());
+    set(g_errors.missing, said(e), e.file(), e.line());
   } catch (const InputError& e) {
-    set(g_errors.input, located(e.file(), e.line(), said(e)), e.file(), e.line());
+    set(g_errors.input, said(e), e.file(), e.line());
   } catch (const GeometryError& e) {
     PyErr_SetString(g_errors.geometry, said(e).c_str());
   } catch (const OutputError& e) {
-    set(g_errors.output, located(e.file(), 0, said(e)), e.file(), 0);
+    set(g_errors.output, said(e), e.file(), 0);
   } catch (const Error& e) {
     PyErr_SetString(g_errors.error, said(e).c_str());
   } catch (const std::exception& e) {

@@ -66,15 +66,14 @@ py::object style_said(const std::string& named, const std::optional<Style>& styl
   return style ? py::object(flat(*style)) : py::none();
 }
 
-py::dict dict_of(const DrawPlan::PlannedLook& planned) {
-  const Look& look = planned.look;
+py::dict dict_of(const Look& look, const std::string& style_named) {
   py::dict out;
   out["select"] = look.select;
   out["drawn"] = look.drawn;
   out["hatched"] = look.hatched;
   out["transparent"] = look.transparent;
   out["listed"] = look.listed;
-  out["style"] = style_said(look.style, planned.style);
+  out["style"] = style_said(style_named, look.style);
   return out;
 }
 
@@ -111,7 +110,7 @@ py::object parsed(const std::string& json) {
 }
 
 py::dict illustration(const py::object& source) {
-  const Illustration file = illustration_of(source);
+  const IllustrationFile file = illustration_of(source);
   const DrawPlan plan = make_plan(file.request, Spelling::Keywords);
   const auto named = given_texts(file.request.options, "style");
   py::dict out;
@@ -122,14 +121,21 @@ py::dict illustration(const py::object& source) {
   out["lights"] = list_of_dicts(file.request.lights);
   out["light"] = list_of(plan.style.tone.light);
   out["style"] = style_said(named.empty() ? "" : named.back(), plan.style);
-  out["looks"] = list_of_dicts(plan.looks);
+  out["looks"] = py::list();
+  for (std::size_t i = 0; i < plan.looks.size(); ++i) {
+    out["looks"].attr("append")(dict_of(plan.looks[i], file.request.looks[i].style));
+  }
   out["sections"] = py::list();
-  for (const Section& section : plan.sections) out["sections"].attr("append")(parsed(section.json));
-  out["explode"] = plan.explode.wanted ? parsed(plan.explode.json) : py::none();
+  for (const auto& section : file.request.sections) {
+    out["sections"].attr("append")(parsed(section.json));
+  }
+  out["explode"] = plan.explode.wanted ? parsed(file.request.explode.json) : py::none();
   out["views"] = plan.views;
   out["projection"] = plan.projection == ProjectionMethod::FirstAngle ? "first" : "third";
   out["details"] = py::list();
-  for (const DetailView& detail : plan.details) out["details"].attr("append")(parsed(detail.json));
+  for (const auto& detail : file.request.details) {
+    out["details"].attr("append")(parsed(detail.json));
+  }
   py::dict items;
   for (const auto& [number, item] : plan.numbers) items[py::int_(number)] = item.name;
   out["items"] = items;
@@ -172,7 +178,7 @@ std::vector<std::size_t> selected(const py::iterable& parts, const std::string& 
 
 }  // namespace
 
-Illustration illustration_of(const py::object& source) {
+IllustrationFile illustration_of(const py::object& source) {
   if (!is_mapping(source)) return read_illustration(path_text(source));
   const auto text = py::module_::import("json").attr("dumps")(source).cast<std::string>();
   return parse_illustration(text, "illustration");

@@ -10,7 +10,7 @@ namespace burin::python {
 namespace py = pybind11;
 
 /// Of a mapping or a path. Throws UsageError, InputError.
-Illustration illustration_of(const py::object& source);
+IllustrationFile illustration_of(const py::object& source);
 /// Of a mapping without parts, and without "burin". Throws TypeError, UsageError.
 DrawRequest settings_of(const py::object& mapping);
 

@@ -1,7 +1,7 @@
 #pragma once
 // What details take as text; internal to the room.
 
-#include <burin/converters/request.h>
+#include <burin/arrange/illustration.h>
 
 #include <string>
 

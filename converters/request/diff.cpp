@@ -5,7 +5,6 @@
 #include <burin/drawing/views.h>
 
 #include "difference_rows.h"
-#include "split_parts.h"
 
 #include <fmt/format.h>
 
@@ -62,8 +61,8 @@ void choose_parts(Revision& before, Revision& after) {
     select_parts(after.scene, after.plan);
     return;
   }
-  detail::split_parts(before.scene, after.plan, was);
-  detail::split_parts(after.scene, after.plan, is);
+  split_parts(before.scene, after.plan, was);
+  split_parts(after.scene, after.plan, is);
   Scene both = together(before.scene, after.scene);
   DrawPlan plan = after.plan;
   plan.illustrate.part_styles = joined(was, is);

@@ -85,8 +85,8 @@ void set_looks(Draft& draft, const Asked& asked) {
     if (equals == std::string::npos || equals == 0 || equals + 1 == text.size()) {
       refuse_value(asked.spelled, "NAME=STYLE", text);
     }
-    draft.plan.looks.push_back(
-        {{.select = {text.substr(0, equals)}, .style = text.substr(equals + 1)}});
+    draft.looks.push_back(
+        {.look = {.select = {text.substr(0, equals)}}, .style = text.substr(equals + 1)});
   }
 }
 
@@ -165,7 +165,7 @@ std::vector<RequestRow<Draft>> look_rows() {
 void add_looks(Draft& draft, const Asked& asked, Look look) {
   for (const std::string& selector : asked.texts) {
     look.select = {selector};
-    draft.plan.looks.push_back({look});
+    draft.looks.push_back({.look = look});
   }
 }
 
@@ -249,6 +249,7 @@ void set_parts_list(Draft& draft, const Asked& asked) {
       draft.plan.parts_list = true;
     } else if (suffix == ".csv" || suffix == ".json") {
       draft.plan.parts_list_files.push_back(text);
+      draft.plan.items = true;
     } else {
       refuse_value(asked.spelled, "sheet, FILE.csv or FILE.json", text);
     }

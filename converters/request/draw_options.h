@@ -11,6 +11,8 @@ namespace burin::detail {
 /// A plan while options are applied, one after the other.
 struct Draft {
   DrawPlan plan{};
+  /// Those of the plan, whose styles start from its own.
+  std::vector<LookRequest> looks{};
   /// The style as its name or file has it.
   Style named{};
   std::string style_text, style_source;

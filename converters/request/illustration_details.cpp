@@ -3,6 +3,8 @@
 #include "detail_option.h"
 #include "illustration_keyed.h"
 
+#include <utility>
+
 namespace burin::detail {
 namespace {
 
@@ -36,17 +38,16 @@ DetailView read_detail(const KeyedFile& in, const Json& value, const std::string
   return detail;
 }
 
-DetailView detail_of(const KeyedFile& in, const Json& value, const std::string& path) {
+WithEntry<DetailView> detail_of(const KeyedFile& in, const Json& value, const std::string& path) {
   DetailView detail = read_detail(in, value, path);
-  detail.json = value.dump();
   detail.place = in.place(path);
-  return detail;
+  return {std::move(detail), value.dump()};
 }
 
 }  // namespace
 
 void take_details(const KeyedFile& in, const Json& value, const std::string& path,
-                  Illustration& out) {
+                  IllustrationFile& out) {
   in.check_array(value, path);
   out.request.details.clear();
   for (std::size_t i = 0; i < value.size(); ++i) {

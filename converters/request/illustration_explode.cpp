@@ -62,9 +62,10 @@ std::vector<Explode::Step> given_steps(const KeyedFile& in, const Json& value,
 
 /// As the option has it, or what it is made of.
 void take_explode(const KeyedFile& in, const Json& value, const std::string& path,
-                  Illustration& out) {
+                  IllustrationFile& out) {
   Explode& explode = out.request.explode;
-  explode = {.wanted = true, .json = value.dump(), .place = in.place(path)};
+  explode = {.wanted = true, .place = in.place(path)};
+  out.request.explode.json = value.dump();
   if (!value.is_object()) return set_way(in, explode, value, path, "explode");
   in.check_object(value, path, kExplodeKeys);
   if (value.contains("steps")) explode.steps = given_steps(in, value, path);

@@ -6,7 +6,7 @@
 namespace burin::detail {
 
 void take_title(const KeyedFile& in, const Json& value, const std::string& path,
-                Illustration& out) {
+                IllustrationFile& out) {
   out.request.title = in.text(value, path);
 }
 
@@ -29,7 +29,7 @@ KeptItem kept_item(const KeyedFile& in, const Json& value, const std::string& pa
 
 /// Numbers and the names of what has them.
 void take_items(const KeyedFile& in, const Json& value, const std::string& path,
-                Illustration& out) {
+                IllustrationFile& out) {
   if (!value.is_object()) in.fail(path, "\"items\" takes an object, {\"1\": \"bolt\", ...}");
   ItemNumbers& numbers = out.request.items;
   numbers.clear();
@@ -52,7 +52,7 @@ void take_items(const KeyedFile& in, const Json& value, const std::string& path,
 }
 
 void take_parts_list(const KeyedFile& in, const Json& value, const std::string& path,
-                     Illustration& out) {
+                     IllustrationFile& out) {
   const std::string given = in.text(value, path);
   if (given != "sheet") {
     in.fail(path, "\"parts_list\" takes \"sheet\"; files are named at the door");

@@ -93,7 +93,7 @@ class KeyedFile {
 
 /// Takes the value of a key into the illustration.
 using TakeKey = void(const KeyedFile& in, const Json& value, const std::string& path,
-                     Illustration& out);
+                     IllustrationFile& out);
 
 TakeKey take_parts, take_style, take_looks, take_lights, take_sections, take_explode, take_title,
     take_items, take_parts_list, take_details;

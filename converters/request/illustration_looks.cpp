@@ -5,9 +5,10 @@
 namespace burin::detail {
 namespace {
 
-Look look(const KeyedFile& in, const Json& value, const std::string& path) {
+LookRequest look(const KeyedFile& in, const Json& value, const std::string& path) {
   in.check_object(value, path, kLookKeys);
-  Look look;
+  LookRequest asked;
+  Look& look = asked.look;
   look.place = in.place(path);
   if (!value.contains("select")) in.fail(path, "a look has \"select\", the parts that it is for");
   look.select = in.text_list(value["select"], path + "/select");
@@ -18,16 +19,16 @@ Look look(const KeyedFile& in, const Json& value, const std::string& path) {
   flag("hatched", look.hatched);
   flag("transparent", look.transparent);
   flag("listed", look.listed);
-  if (!value.contains("style")) return look;
+  if (!value.contains("style")) return asked;
   const std::string at = path + "/style";
   if (value["style"].is_object()) {
-    look.style_text = in.text_at_lines(value["style"], at);
-    look.style_source = in.source();
-    parse_style(look.style_text, in.source());
+    asked.style_text = in.text_at_lines(value["style"], at);
+    asked.style_source = in.source();
+    parse_style(asked.style_text, in.source());
   } else {
-    look.style = in.style_named(value["style"], at);
+    asked.style = in.style_named(value["style"], at);
   }
-  return look;
+  return asked;
 }
 
 double strength(const KeyedFile& in, const Json& value, const std::string& path) {
@@ -62,7 +63,7 @@ tone::Light light(const KeyedFile& in, const Json& value, const std::string& pat
 
 /// A name or a file, or the members of a style file.
 void take_style(const KeyedFile& in, const Json& value, const std::string& path,
-                Illustration& out) {
+                IllustrationFile& out) {
   DrawRequest& r = out.request;
   r.style_text.clear();
   r.style_source.clear();
@@ -79,7 +80,7 @@ void take_style(const KeyedFile& in, const Json& value, const std::string& path,
 }
 
 void take_looks(const KeyedFile& in, const Json& value, const std::string& path,
-                Illustration& out) {
+                IllustrationFile& out) {
   in.check_array(value, path);
   for (std::size_t i = 0; i < value.size(); ++i) {
     out.request.looks.push_back(look(in, value[i], fmt::format("{}/{}", path, i)));
@@ -87,7 +88,7 @@ void take_looks(const KeyedFile& in, const Json& value, const std::string& path,
 }
 
 void take_lights(const KeyedFile& in, const Json& value, const std::string& path,
-                 Illustration& out) {
+                 IllustrationFile& out) {
   in.check_array(value, path);
   out.request.lights.clear();
   for (std::size_t i = 0; i < value.size(); ++i) {

@@ -115,7 +115,7 @@ IllustrationInput input(const KeyedFile& in, const Json& value, const std::strin
 }  // namespace
 
 void take_parts(const KeyedFile& in, const Json& value, const std::string& path,
-                Illustration& out) {
+                IllustrationFile& out) {
   in.check_array(value, path);
   if (value.size() > kMostInputs) in.fail(path, "more than 100,000 parts");
   out.inputs.clear();

@@ -16,7 +16,7 @@ constexpr int kMostExtended = 16;
 
 /// Sets an option of the drawing, once its row takes the value.
 void set_option(const KeyedFile& in, const std::string& option, const Json& value,
-                const std::string& path, const std::string& key, Illustration& out) {
+                const std::string& path, const std::string& key, IllustrationFile& out) {
   const bool size = option == "paper" && value.is_array() && value.size() == 2;
   const std::string given =
       size ? fmt::format("{}x{}", detail::option_text(value[0]), detail::option_text(value[1]))
@@ -27,14 +27,14 @@ void set_option(const KeyedFile& in, const std::string& option, const Json& valu
 
 /// A key that is an option of the same name.
 void take_option(const KeyedFile& in, const Json& value, const std::string& path,
-                 Illustration& out) {
+                 IllustrationFile& out) {
   const std::string name = path.substr(1);
   set_option(in, name, value, path, name, out);
 }
 
 /// Members of a group, "view" or "paper".
 void take_group(const KeyedFile& in, const Json& value, const std::string& path,
-                Illustration& out) {
+                IllustrationFile& out) {
   const std::string prefix = path.substr(1) + ".";
   std::vector<std::string> known;
   for (const detail::IllustrationKey& key : detail::illustration_keys()) {
@@ -51,7 +51,7 @@ void take_group(const KeyedFile& in, const Json& value, const std::string& path,
 }
 
 void take_paper(const KeyedFile& in, const Json& value, const std::string& path,
-                Illustration& out) {
+                IllustrationFile& out) {
   if (value.is_object()) return take_group(in, value, path, out);
   set_option(in, "paper", value, path, "paper", out);
 }
@@ -126,9 +126,9 @@ std::string bytes_of(const std::string& file) {
   return text;
 }
 
-void read(std::string_view text, const std::string& source, int extended, Illustration& out);
+void read(std::string_view text, const std::string& source, int extended, IllustrationFile& out);
 
-void extend(const KeyedFile& in, const Json& value, int extended, Illustration& out) {
+void extend(const KeyedFile& in, const Json& value, int extended, IllustrationFile& out) {
   const std::string file = in.found_path(in.text(value, "/extends"));
   if (extended >= kMostExtended) {
     in.fail("/extends", "\"extends\" makes a chain of more than 16 files, or a ring of them");
@@ -143,7 +143,7 @@ void extend(const KeyedFile& in, const Json& value, int extended, Illustration& 
 }
 
 /// One file, into an illustration that may hold what it extends.
-void read(std::string_view text, const std::string& source, int extended, Illustration& out) {
+void read(std::string_view text, const std::string& source, int extended, IllustrationFile& out) {
   const KeyedFile in(text, source);
   const Json json = parse(text, source);
   check_kind(in, json);
@@ -191,8 +191,8 @@ const RequestOption& option_named(const std::string& name) {
 
 bool is_illustration(const fs::path& path) { return path.extension() == ".json"; }
 
-Illustration parse_illustration(std::string_view json, const std::string& source) {
-  Illustration illustration;
+IllustrationFile parse_illustration(std::string_view json, const std::string& source) {
+  IllustrationFile illustration;
   read(json, source, 0, illustration);
   if (illustration.inputs.empty()) {
     throw UsageError(source +
@@ -202,7 +202,7 @@ Illustration parse_illustration(std::string_view json, const std::string& source
 }
 
 DrawRequest parse_settings(std::string_view json, const std::string& source) {
-  Illustration illustration;
+  IllustrationFile illustration;
   read(json, source, 0, illustration);
   if (!illustration.inputs.empty()) {
     throw UsageError(source + ": \"parts\" are those of the scene here");
@@ -210,7 +210,7 @@ DrawRequest parse_settings(std::string_view json, const std::string& source) {
   return std::move(illustration.request);
 }
 
-Illustration read_illustration(const fs::path& path) {
+IllustrationFile read_illustration(const fs::path& path) {
   return parse_illustration(bytes_of(path.string()), path.string());
 }
 

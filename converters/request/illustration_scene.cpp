@@ -55,7 +55,7 @@ void name_parts(Scene& scene, const std::string& name) {
 
 }  // namespace
 
-Scene read_scene(const Illustration& illustration, RunContext& context) {
+Scene read_scene(const IllustrationFile& illustration, RunContext& context) {
   Scene all;
   std::map<Key, Known> known;
   for (const IllustrationInput& input : illustration.inputs) {

@@ -11,7 +11,7 @@ Section section_of_text(const KeyedFile& in, const Json& value, const std::strin
   return section_option("section", given);
 }
 
-CutText plane(const KeyedFile& in, const Json& value, const std::string& path) {
+SectionPlane plane(const KeyedFile& in, const Json& value, const std::string& path) {
   if (!value.is_object()) {
     const Section section = section_of_text(in, value, path);
     if (section.planes.size() != 1) in.fail(path, "here one plane stands: x, y, z, or X,Y,Z; =MM");
@@ -19,7 +19,7 @@ CutText plane(const KeyedFile& in, const Json& value, const std::string& path) {
   }
   in.check_object(value, path, kPlaneKeys);
   if (!value.contains("normal")) in.fail(path, "a plane has \"normal\", towards what goes");
-  CutText plane;
+  SectionPlane plane;
   plane.axis = in.vector(value["normal"], path + "/normal");
   if (plane.axis == Vec3(0)) in.fail(path + "/normal", "\"normal\" takes a direction but 0,0,0");
   plane.axis = glm::normalize(plane.axis);
@@ -28,11 +28,11 @@ CutText plane(const KeyedFile& in, const Json& value, const std::string& path) {
   return plane;
 }
 
-std::vector<CutText> planes(const KeyedFile& in, const Json& value, const std::string& path) {
+std::vector<SectionPlane> planes(const KeyedFile& in, const Json& value, const std::string& path) {
   constexpr std::size_t kMost = 64;
   in.check_array(value, path);
   if (value.empty() || value.size() > kMost) in.fail(path, "a list of 1 to 64 planes stands here");
-  std::vector<CutText> out;
+  std::vector<SectionPlane> out;
   for (std::size_t i = 0; i < value.size(); ++i) {
     out.push_back(plane(in, value[i], fmt::format("{}/{}", path, i)));
   }
@@ -98,13 +98,12 @@ Section section(const KeyedFile& in, const Json& value, const std::string& path)
 }  // namespace
 
 void take_sections(const KeyedFile& in, const Json& value, const std::string& path,
-                   Illustration& out) {
+                   IllustrationFile& out) {
   const Json list = value.is_array() ? value : Json::array({value});
   out.request.sections.clear();
   for (std::size_t i = 0; i < list.size(); ++i) {
     const std::string at = value.is_array() ? fmt::format("{}/{}", path, i) : path;
-    out.request.sections.push_back(section(in, list[i], at));
-    out.request.sections.back().json = list[i].dump();
+    out.request.sections.push_back({section(in, list[i], at), list[i].dump()});
     out.request.sections.back().place = in.place(at);
   }
 }

@@ -1,3 +1,4 @@
+#include <burin/base/error.h>
 #include <burin/converters/messages.h>
 #include <burin/converters/request.h>
 
@@ -21,6 +22,18 @@ std::string located(const std::string& file, std::int64_t line, const std::strin
   if (file.empty()) return what;
   if (file == "-") return located("standard input", line, what);
   return line > 0 ? fmt::format("{}:{}: {}", file, line, what) : fmt::format("{}: {}", file, what);
+}
+
+std::string error_message(const std::exception& error, Spelling spelling,
+                          const std::string& input) {
+  const std::string what = at_door(error.what(), spelling);
+  if (const auto* bad = dynamic_cast<const InputError*>(&error)) {
+    return located(bad->file().empty() ? input : bad->file(), bad->line(), what);
+  }
+  if (const auto* bad = dynamic_cast<const OutputError*>(&error)) {
+    return located(bad->file(), 0, what);
+  }
+  return dynamic_cast<const UsageError*>(&error) ? what : located(input, 0, what);
 }
 
 Diagnostics at_door(const Diagnostics& diagnostics, Spelling spelling) {

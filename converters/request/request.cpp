@@ -1,4 +1,3 @@
-#include <burin/assembly/select.h>
 #include <burin/base/error.h>
 #include <burin/converters/messages.h>
 #include <burin/converters/request.h>
@@ -7,9 +6,7 @@
 #include <burin/tone/catalogue.h>
 
 #include "draw_options.h"
-#include "mostly_empty.h"
 #include "named_files.h"
-#include "split_parts.h"
 
 #include <fmt/format.h>
 
@@ -84,7 +81,7 @@ void note_unused(const DrawRequest& r, Spelling spelling, const Style& named, Dr
 }
 
 /// The style of a look; nothing where it has none. What it says of files is ignored.
-std::optional<Style> style_of(const Look& look, const detail::Draft& draft) {
+std::optional<Style> style_of(const LookRequest& look, const detail::Draft& draft) {
   if (!look.style_text.empty()) {
     Style style =
         parse_style(look.style_text, look.style_source, draft.plan.style, &draft.plan.style);
@@ -95,7 +92,7 @@ std::optional<Style> style_of(const Look& look, const detail::Draft& draft) {
   try {
     return load_style(look.style, &draft.plan.style);
   } catch (const UsageError& e) {
-    throw UsageError(look.place + e.what());
+    throw UsageError(look.look.place + e.what());
   }
 }
 
@@ -110,7 +107,7 @@ void light_by(const std::vector<tone::Light>& lights, DrawPlan& plan) {
     }
   };
   for_each_tone(plan.style, set);
-  for (DrawPlan::PlannedLook& look : plan.looks) {
+  for (Look& look : plan.looks) {
     if (look.style) for_each_tone(*look.style, set);
   }
 }
@@ -125,9 +122,7 @@ bool any_strokes(const DrawPlan& plan) {
 
 Drawing draw(const Scene& scene, const SheetOfViews& sheet, const DrawPlan& plan,
              RunContext& context, Session* session) {
-  Drawing drawing = illustrate(scene, sheet, plan.style, plan.illustrate, context, session);
-  drawing.title = plan.title;
-  detail::tell_mostly_empty(plan, drawing);
+  Drawing drawing = illustrate(scene, sheet, plan, context, session);
   drawing.diagnostics.append(plan.notes);
   for (const plugin::Plugin& p : plugin::plugins()) {
     if (p.refused.empty()) continue;
@@ -146,62 +141,25 @@ Drawing draw(const Scene& scene, const SheetOfViews& sheet, const DrawPlan& plan
   return drawing;
 }
 
-void select_parts(Scene& scene, DrawPlan& plan) {
-  std::vector<PartStyle>& styles = plan.illustrate.part_styles;
-  detail::split_parts(scene, plan, styles);
-  for (std::size_t i = 0; i < scene.parts.size(); ++i) {
-    // What can be looked through is drawn as --ghost has it; looks say otherwise.
-    if (scene.parts[i].opacity < 1) styles[i].transparent = true, styles[i].hatched = false;
-  }
-  if (!plan.only.empty()) {
-    std::vector<bool> meant(scene.parts.size(), false);
-    for (const std::string& selector : plan.only) {
-      for (const std::size_t part : select(scene, selector)) meant[part] = true;
-    }
-    for (std::size_t i = 0; i < meant.size(); ++i) {
-      if (!meant[i]) styles[i].drawn = false;
-    }
-  }
-  for (const auto& [look, style] : plan.looks) {
-    for (const std::string& selector : look.select) {
-      try {
-        for (const std::size_t part : select(scene, selector)) {
-          PartStyle& one = styles[part];
-          one.drawn = look.drawn.value_or(one.drawn);
-          one.hatched = look.hatched.value_or(one.hatched);
-          one.transparent = look.transparent.value_or(one.transparent);
-          one.listed = look.listed.value_or(one.listed);
-          if (style) one.style = style;
-        }
-      } catch (const UsageError& e) {
-        throw UsageError(look.place + e.what());
-      }
-    }
-  }
-  const auto is_drawn = [](const PartStyle& style) { return style.drawn; };
-  const bool chosen = !plan.only.empty() || !plan.looks.empty();
-  if (chosen && std::ranges::none_of(styles, is_drawn)) {
-    throw UsageError("all parts are left out; nothing is left to draw");
-  }
-}
-
 DrawPlan make_plan(const DrawRequest& request, Spelling spelling) {
   detail::Draft draft{.style_text = request.style_text, .style_source = request.style_source};
   draft.plan.title = request.title;
   draft.plan.numbers = request.items;
-  for (const Look& look : request.looks) draft.plan.looks.push_back({look});
-  draft.plan.sections = request.sections;
+  draft.looks = request.looks;
+  draft.plan.sections.assign(request.sections.begin(), request.sections.end());
   draft.plan.explode = request.explode;
-  draft.plan.details = request.details;
+  draft.plan.details.assign(request.details.begin(), request.details.end());
   apply(detail::draw_rows(), request.options, spelling, draft);
   draft.plan.spelling = spelling;
   draft.plan.finds_view = !request.has("view") && draft.plan.views.empty();
   check_style(draft.plan.style);
-  for (DrawPlan::PlannedLook& planned : draft.plan.looks)
-    planned.style = style_of(planned.look, draft);
+  for (const LookRequest& look : draft.looks) {
+    draft.plan.looks.push_back(look.look);
+    draft.plan.looks.back().style = style_of(look, draft);
+  }
   detail::read_images(draft.plan.style, draft.plan.illustrate.images);
-  for (const DrawPlan::PlannedLook& planned : draft.plan.looks) {
-    if (planned.style) detail::read_images(*planned.style, draft.plan.illustrate.images);
+  for (const Look& look : draft.plan.looks) {
+    if (look.style) detail::read_images(*look.style, draft.plan.illustrate.images);
   }
   if (!request.lights.empty() && !request.has("light")) light_by(request.lights, draft.plan);
   draft.plan.read = make_read_options(request.options, spelling);

@@ -26,20 +26,20 @@ std::vector<std::string> parted(const std::string& text) {
   return parts;
 }
 
-bool across_the_same(const CutText& a, const CutText& b) {
+bool across_the_same(const SectionPlane& a, const SectionPlane& b) {
   constexpr double kSame = 1e-9;
   return std::abs(glm::dot(a.axis, b.axis)) > 1 - kSame;
 }
 
 }  // namespace
 
-std::string wrong_steps(const std::vector<CutText>& planes) {
+std::string wrong_steps(const std::vector<SectionPlane>& planes) {
   if (planes.size() < 3 || planes.size() % 2 == 0) {
     return "steps are planes in turn: a cut, where it ends, the next cut, ...; three or more";
   }
   int way = 0;
   for (std::size_t i = 0; i < planes.size(); ++i) {
-    const CutText& plane = planes[i];
+    const SectionPlane& plane = planes[i];
     if (!across_the_same(plane, planes[i % 2])) return "steps take turns between two axes";
     if (i % 2 == 0) continue;
     if (across_the_same(plane, planes[0])) return "a step ends across another axis than it cuts";
@@ -71,7 +71,7 @@ Section section_option(const std::string& spelled, const std::string& text) {
     refuse_value(spelled, kTakes, text);
   }
   if (!listed) return section;
-  const std::vector<CutText>& planes = section.planes;
+  const std::vector<SectionPlane>& planes = section.planes;
   section.steps = planes.size() > 2 && across_the_same(planes[0], planes[2]);
   if (section.steps) {
     const std::string wrong = wrong_steps(planes);
@@ -89,7 +89,7 @@ Section section_option(const std::string& spelled, const std::string& text) {
 Section section_of_box(const Box3& box) {
   Section section;
   for (int k = 0; k < 3; ++k) {
-    CutText plane{.axis = Vec3(0), .side = 1, .offset = box.min[k]};
+    SectionPlane plane{.axis = Vec3(0), .side = 1, .offset = box.min[k]};
     plane.axis[k] = 1;
     section.planes.push_back(plane);
     plane.side = -1;

@@ -1,7 +1,8 @@
 #pragma once
 // What sections take as text; internal to the room.
 
-#include <burin/converters/request.h>
+#include <burin/arrange/section.h>
+#include <burin/base/box.h>
 
 #include <string>
 
@@ -17,6 +18,6 @@ Section section_of_box(const Box3& box);
 Section section_around_option(const std::string& spelled, const std::string& text);
 
 /// What is wrong with the planes of steps; empty: nothing.
-std::string wrong_steps(const std::vector<CutText>& planes);
+std::string wrong_steps(const std::vector<SectionPlane>& planes);
 
 }  // namespace burin::detail

@@ -33,6 +33,8 @@ def room(target):
         name = name.removesuffix(part)
     if name == "burin":
         return name
+    if name == "io":
+        return "libburin_io"
     if name in ("cad", "convert_cad"):
         return "converters/cad"
     if name in ("cairo", "write"):

@@ -52,7 +52,7 @@ void style(std::string_view text) {
 }
 
 void illustration(std::string_view text) {
-  const Illustration illustration = parse_illustration(text, "fuzz");
+  const IllustrationFile illustration = parse_illustration(text, "fuzz");
   make_plan(illustration.request, Spelling::Keywords);
 }
 

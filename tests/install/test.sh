@@ -7,6 +7,11 @@ scratch=$(mktemp -d "$build/install-test.XXXXXX")
 trap 'rm -rf "$scratch"' EXIT
 fail() { printf 'install test: %s\n' "$*" >&2; exit 1; }
 
+# ./dev build builds this target, whose commands make all that is installed.
+ninja -C "$build" -t commands burin_installed >"$scratch/commands"
+for file in cmake/told.cmake $(grep -rhoE --include=cmake_install.cmake "\"$build/(bin|lib|python)/[^\"]+" "$build" | sed "s#^\"$build/##" | sort -u); do
+  [[ -L $build/$file ]] || grep -qF "$file" "$scratch/commands" || fail "./dev build does not make $file"
+done
 cmake --install "$build" --prefix "$scratch/first" >"$scratch/log" || { cat "$scratch/log"; fail "cmake --install failed"; }
 # Nothing may depend on where it was installed.
 mv "$scratch/first" "$scratch/moved"
@@ -36,7 +41,7 @@ assert burin.__file__.startswith(sys.argv[2]), burin.__file__
 assert len(burin.draw(sys.argv[1], style="outline").arrays()["part"]) > 50
 maps = open("/proc/self/maps").read()
 libraries = {line.split()[-1] for line in maps.splitlines() if "libburin" in line}
-assert len(libraries) == 2 and all(l.startswith(sys.argv[2]) for l in libraries), libraries
+assert len(libraries) == 3 and all(l.startswith(sys.argv[2]) for l in libraries), libraries
 PY
 fi
 
@@ -48,7 +53,7 @@ import sys, burin
 assert burin.__file__.startswith(sys.argv[2]), burin.__file__
 assert len(burin.draw(sys.argv[1], style="outline").arrays()["part"]) > 50
 libraries = {line.split()[-1] for line in open("/proc/self/maps") if "libburin" in line}
-assert len(libraries) == 2 and all(l.startswith(sys.argv[2]) for l in libraries), libraries
+assert len(libraries) == 3 and all(l.startswith(sys.argv[2]) for l in libraries), libraries
 PY
 fi
 for page in man/man1/burin.1.gz man/man1/burin-draw.1.gz bash-completion/completions/burin zsh/vendor-completions/_burin fish/vendor_completions.d/burin.fish; do
@@ -79,8 +84,24 @@ if [[ -n $python_folder && -d $addon ]]; then
     "$source/tests/install/addon.sh" "$scratch/cloned/Mod/burin/freecad_wb" "$scratch" "$prefix" "$scratch/cloned" || fail "the cloned add-on does not draw"
 fi
 
-cmake -G Ninja -S "$source/tests/install/consumer" -B "$scratch/consumer" -DCMAKE_PREFIX_PATH="$prefix" >"$scratch/log" 2>&1 &&
-  cmake --build "$scratch/consumer" >>"$scratch/log" 2>&1 || { cat "$scratch/log"; fail "a program does not build on the installed kernel"; }
+# Every header that is installed compiles; the program is the one that the page shows.
+(cd "$prefix/include" && find burin -name '*.h' | sort | sed 's/.*/#include <&>/') >"$scratch/headers.cpp"
+sed -n '/^```cpp$/,/^```$/p' "$source/kernel/docs/cpp.md" | sed '1d;$d' | cmp - "$source/tests/install/consumer/consumer.cpp" ||
+  fail "kernel/docs/cpp.md does not show tests/install/consumer/consumer.cpp"
+cmake -G Ninja -S "$source/tests/install/consumer" -B "$scratch/consumer" -DCMAKE_PREFIX_PATH="$prefix" -DHEADERS="$scratch/headers.cpp" >"$scratch/log" 2>&1 &&
+  cmake --build "$scratch/consumer" >>"$scratch/log" 2>&1 || { cat "$scratch/log"; fail "a program does not build on the installed libraries"; }
 "$source/tests/install/plugins.sh" "$prefix" "$source" "$scratch" || fail "plug-ins do not build on the installed package"
-"$scratch/consumer/consumer" | grep -q layers || fail "the program on the installed kernel does not run"
+"$scratch/consumer/kernel_consumer" >"$scratch/log" || fail "the program on the installed kernel does not run"
+# It draws what the command does: the same bytes.
+pump=$source/samples/gear_pump.step
+"$scratch/consumer/consumer" "$pump" "$scratch" >"$scratch/log" || { cat "$scratch/log"; fail "the program on the installed libraries does not run"; }
+grep -q dowel "$scratch/log" || fail "the program is not told which parts stay whole"
+"$prefix/bin/burin" draw "$pump" --explode auto --callouts --style outline --quiet -o "$scratch/apart.command.svg" -o "$scratch/apart.command.pdf"
+"$prefix/bin/burin" draw "$pump" --view front --section y --callouts --quiet -o "$scratch/cut.command.svg" -o "$scratch/cut.command.pdf"
+for name in apart.svg apart.pdf cut.svg cut.pdf; do
+  cmp "$scratch/$name" "$scratch/${name/./.command.}" || fail "the program draws $name otherwise than the command"
+done
+grep -q 'class="callout callout_11' "$scratch/apart.svg" || fail "the items of $pump have no numbers"
+if "$scratch/consumer/consumer" "$source/README.md" "$scratch" 2>"$scratch/log"; then fail "the program draws a text"; fi
+grep -q 'consumer: .*README.md' "$scratch/log" || fail "the program does not say which file it cannot read"
 echo "installed, moved and used"

@@ -1,20 +1,40 @@
-// A program that knows the installed kernel alone: draws a tetrahedron.
-#include <burin/forms/mesh/mesh_form.h>
-#include <burin/illustrate/illustrate.h>
+// Draws an assembly taken apart and numbered, and cut open: consumer MODEL FOLDER
+#include <burin/burin.h>
+#include <burin/io.h>
 
 #include <cstdio>
-#include <memory>
+#include <exception>
+#include <string>
 
-int main() {
-  burin::TriMesh mesh{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}},
-                      {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}}};
-  burin::Scene scene;
-  scene.parts.push_back({"tetrahedron", "", std::make_shared<burin::MeshForm>(std::move(mesh))});
-  const burin::Camera camera =
-      burin::Camera::fit([&](const burin::Mat3& axes) { return scene.bounds(axes); }, {});
-  burin::RunContext context;
-  const burin::Drawing drawing =
-      burin::illustrate(scene, camera, burin::builtin_style("outline"), {}, context);
-  std::printf("%zu layers\n", drawing.layers.size());
-  return drawing.layers.empty() ? 1 : 0;
+using namespace burin;
+
+namespace {
+
+/// Draws as `burin draw` does with these options, named with underscores; NAME.svg and NAME.pdf.
+void draw_files(Scene scene, const Request& options, const std::string& name, RunContext& run) {
+  DrawPlan plan = make_plan(with_settings(scene, {.options = options}), Spelling::Keywords);
+  arrange_parts(scene, plan, run);
+  const Drawing drawing = draw(scene, plan_sheet(scene, plan), plan, run);
+  for (const char* suffix : {".svg", ".pdf"}) {
+    write_file(drawing, name + suffix, write_options(plan.style), run);
+  }
+  for (const Diagnostic& told : drawing.diagnostics.entries()) std::puts(told.message.c_str());
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  if (argc != 3) return std::fputs("consumer MODEL FOLDER\n", stderr), 2;
+  try {
+    RunContext run;
+    const Scene model = read_scene({argv[1]}, {}, run);
+    const std::string folder = argv[2];
+    draw_files(model, {{"explode", {"auto"}}, {"callouts", {"true"}}, {"style", {"outline"}}},
+               folder + "/apart", run);
+    draw_files(model, {{"view", {"front"}}, {"section", {"y"}}, {"callouts", {"true"}}},
+               folder + "/cut", run);
+  } catch (const std::exception& e) {
+    std::fprintf(stderr, "consumer: %s\n", error_message(e, Spelling::Keywords).c_str());
+    return 1;
+  }
 }

@@ -3,6 +3,7 @@
 /// of the command line ("option --scale takes ..."), others those of a program ("argument scale
 /// takes ...").
 
+#include <burin/arrange/section.h>
 #include <burin/base/box.h>
 #include <burin/base/vec.h>
 #include <burin/camera/sheet.h>
@@ -23,14 +24,9 @@ std::uint64_t whole_option(const std::string& option, const std::string& text, s
 /// A point X,Y,Z; nothing where the text is empty. Throws UsageError.
 std::optional<Vec3> point_option(const std::string& option, const std::string& text);
 
-/// A plane across an axis, "AXIS[=MM]".
-struct CutText {
-  Vec3 axis{0, 0, 1};  // unit
-  /// Of which side the sign, or the direction X,Y,Z, speaks; 0: of none.
-  int side = 0;
-  std::optional<double> offset = {};
-};
-CutText cut_option(const std::string& option, const std::string& text);
+/// A plane across an axis, "AXIS[=MM]"; the side is that of the sign, or of a direction X,Y,Z.
+/// Throws UsageError.
+SectionPlane cut_option(const std::string& option, const std::string& text);
 
 /// Exactly as many finite numbers as there is room for, between commas; false for other texts.
 bool parse_list(std::string_view text, std::span<double> out);

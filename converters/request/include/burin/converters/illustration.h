@@ -29,7 +29,8 @@ struct IllustrationInput {
   std::int64_t line = 0;
 };
 
-struct Illustration {
+/// What an illustration file says.
+struct IllustrationFile {
   std::vector<IllustrationInput> inputs;
   /// All else, as a door would ask it.
   DrawRequest request;
@@ -42,9 +43,9 @@ bool is_illustration(const std::filesystem::path& path);
 /// Reads an illustration and what it extends. Files that it names are looked for from its folder.
 /// Throws InputError on broken JSON, UsageError ("FILE:LINE: ...") on unknown keys and values that
 /// a key does not take.
-Illustration read_illustration(const std::filesystem::path& path);
+IllustrationFile read_illustration(const std::filesystem::path& path);
 /// The same from text; `source` names it in errors, its folder is where files are looked for.
-Illustration parse_illustration(std::string_view json, const std::string& source);
+IllustrationFile parse_illustration(std::string_view json, const std::string& source);
 
 /// All that an illustration says but parts, which it must not have: what a program asks of a scene
 /// that it has. Throws as `parse_illustration`.
@@ -52,7 +53,7 @@ DrawRequest parse_settings(std::string_view json, const std::string& source);
 
 /// The parts of its inputs, placed. Inputs that are equal but for place and name are read once.
 /// Stage "read". Throws InputError.
-Scene read_scene(const Illustration& illustration, RunContext& context);
+Scene read_scene(const IllustrationFile& illustration, RunContext& context);
 
 /// What a door asks, over what an illustration does: options that are given replace those of the
 /// file, of those that may be given several times they follow them.

@@ -6,6 +6,7 @@
 #include <burin/options/request.h>
 
 #include <cstdint>
+#include <exception>
 #include <string>
 #include <string_view>
 
@@ -17,5 +18,11 @@ Diagnostics at_door(const Diagnostics& diagnostics, Spelling spelling);
 
 /// "FILE:LINE: WHAT", without what is not known (an empty name, line 0).
 std::string located(const std::string& file, std::int64_t line, const std::string& what);
+
+/// What is to be said of an error: "FILE:LINE: WHAT" with its place, where that is known, and its
+/// options as this door spells them. `input`: the file that is named where the error names none;
+/// empty where several were read.
+std::string error_message(const std::exception& error, Spelling spelling,
+                          const std::string& input = "");
 
 }  // namespace burin

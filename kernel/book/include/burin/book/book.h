@@ -1,6 +1,7 @@
 #pragma once
 /// Step books: how a product is put together, a page a step, and what it is made of.
 
+#include <burin/arrange/illustration.h>
 #include <burin/book/build_steps.h>
 #include <burin/camera/sheet.h>
 #include <burin/illustrate/illustrate.h>
@@ -57,6 +58,11 @@ struct BookOptions {
 /// drawings, one large and some small ones a step.
 Book make_book(const Scene& scene, const ExplodeModel& model, const std::vector<ExplodeStep>& steps,
                const BookOptions& book, const Style& style, const IllustrateOptions& options,
+               RunContext& context);
+/// The same of an illustration, by the steps of its exploded view read backwards, or by those that
+/// are found; parts are chosen, numbered and cut as it says. Throws UsageError where its sheet has
+/// no size, and as `arrange_parts`.
+Book make_book(Scene& scene, Illustration& illustration, const BuildOptions& build,
                RunContext& context);
 
 }  // namespace burin

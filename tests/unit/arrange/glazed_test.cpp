@@ -1,13 +1,12 @@
 // Parts of glass and metal in exploded views.
+#include <burin/arrange/arrange.h>
 #include <burin/assembly/select.h>
-#include <burin/converters/request.h>
 #include <burin/forms/mesh/mesh_form.h>
 
 #include <burin_test/shapes.h>
 #include <gtest/gtest.h>
 
 #include <memory>
-#include <string>
 
 namespace burin {
 namespace {
@@ -27,17 +26,13 @@ Scene window() {
   return scene;
 }
 
-DrawPlan plan_of(const std::string& explode) {
-  DrawRequest request;
-  request.options["explode"] = {explode};
-  return make_plan(request, Spelling::Options);
-}
+Illustration along_z() { return {.explode = {.wanted = true, .along = Vec3(0, 0, 1)}}; }
 
 double lowest(const Part& part) { return part.form->bounds(Mat3(1)).min.z; }
 
 TEST(Glazed, APaneIsOfGlassWhereItsPartHasComeTo) {
   Scene scene = window();
-  DrawPlan plan = plan_of("z");
+  Illustration plan = along_z();
   RunContext context;
   arrange_parts(scene, plan, context);
   ASSERT_EQ(scene.parts.size(), 3U);
@@ -56,8 +51,8 @@ TEST(Glazed, APaneIsOfGlassWhereItsPartHasComeTo) {
 
 TEST(Glazed, ALookSaysOtherwise) {
   Scene scene = window();
-  DrawPlan plan = plan_of("z");
-  plan.looks.push_back({{.select = {"window"}, .transparent = false}});
+  Illustration plan = along_z();
+  plan.looks.push_back({.select = {"window"}, .transparent = false});
   RunContext context;
   arrange_parts(scene, plan, context);
   ASSERT_EQ(scene.parts.size(), 3U);

@@ -1,6 +1,6 @@
+#include <burin/arrange/arrange.h>
 #include <burin/assembly/select.h>
 #include <burin/base/error.h>
-#include <burin/converters/request.h>
 #include <burin/section/section.h>
 
 #include "left_whole.h"
@@ -32,22 +32,22 @@ struct StandingPlane {
 
 class SectionRegions {
  public:
-  SectionRegions(const Scene& scene, const DrawPlan& plan, const Section& section)
-      : scene_(scene), plan_(plan), section_(section) {}
+  SectionRegions(const Scene& scene, const Illustration& illustration, const Section& section)
+      : scene_(scene), illustration_(illustration), section_(section) {}
 
   /// What goes, one after the other; none where the section misses.
   std::vector<CutRegion> find() {
     if (section_.around) return around(*section_.around);
     std::vector<StandingPlane> planes;
-    for (const CutText& text : section_.planes) planes.push_back(standing(text));
+    for (const SectionPlane& text : section_.planes) planes.push_back(standing(text));
     return section_.steps ? steps(planes) : region(planes);
   }
   /// How it misses.
   const std::string& missed() const { return missed_; }
 
  private:
-  StandingPlane standing(const CutText& text) const {
-    const double to_viewer = glm::dot(text.axis, plan_.view.direction);
+  StandingPlane standing(const SectionPlane& text) const {
+    const double to_viewer = glm::dot(text.axis, illustration_.view.direction);
     StandingPlane plane = along(text.axis);
     plane.offset = text.offset.value_or(0.5 * (plane.low + plane.high));
     plane.side = text.side != 0 ? text.side : to_viewer >= 0 ? 1 : -1;
@@ -57,7 +57,7 @@ class SectionRegions {
   StandingPlane along(Vec3 axis) const {
     Mat3 across(0);  // its first row is the axis
     for (int k = 0; k < 3; ++k) across[k][0] = axis[k];
-    const Box3 box = drawn_bounds(scene_, plan_.illustrate.part_styles, across);
+    const Box3 box = drawn_bounds(scene_, illustration_.illustrate.part_styles, across);
     return {.axis = axis, .low = box.min.x, .high = box.max.x};
   }
 
@@ -110,7 +110,7 @@ class SectionRegions {
 
   /// From the viewer down to the place.
   std::vector<CutRegion> around(const Section::Around& around) {
-    const Vec3 to_viewer = glm::normalize(plan_.view.direction);
+    const Vec3 to_viewer = glm::normalize(illustration_.view.direction);
     StandingPlane floor = along(to_viewer);
     floor.offset = glm::dot(to_viewer, around.center);
     if (misses(floor)) return {};
@@ -125,13 +125,13 @@ class SectionRegions {
   }
 
   const Scene& scene_;
-  const DrawPlan& plan_;
+  const Illustration& illustration_;
   const Section& section_;
   std::string missed_;
 };
 
-bool is_drawn(const DrawPlan& plan, std::size_t part) {
-  const auto& styles = plan.illustrate.part_styles;
+bool is_drawn(const Illustration& illustration, std::size_t part) {
+  const auto& styles = illustration.illustrate.part_styles;
   return part >= styles.size() || styles[part].drawn;
 }
 
@@ -145,10 +145,10 @@ bool reaches_into(const Box3& box, const CutRegion& region) {
   });
 }
 
-bool any_reaches_into(const Scene& scene, const DrawPlan& plan,
+bool any_reaches_into(const Scene& scene, const Illustration& illustration,
                       const std::vector<CutRegion>& regions) {
   for (std::size_t i = 0; i < scene.parts.size(); ++i) {
-    if (!is_drawn(plan, i)) continue;
+    if (!is_drawn(illustration, i)) continue;
     const Box3 box = scene.parts[i].form->bounds(Mat3(1));
     const auto reached = [&](const CutRegion& region) { return reaches_into(box, region); };
     if (std::ranges::any_of(regions, reached)) return true;
@@ -157,9 +157,10 @@ bool any_reaches_into(const Scene& scene, const DrawPlan& plan,
 }
 
 /// The parts that stay whole because somebody says so.
-std::vector<bool> uncut_parts(const Scene& scene, const Section& section, const DrawPlan& plan) {
+std::vector<bool> uncut_parts(const Scene& scene, const Section& section,
+                              const Illustration& illustration) {
   std::vector<bool> uncut(scene.parts.size(), false);
-  for (const std::string& selector : plan.uncut.value_or(std::vector<std::string>{})) {
+  for (const std::string& selector : illustration.uncut.value_or(std::vector<std::string>{})) {
     for (const std::size_t part : select(scene, selector)) uncut[part] = true;
   }
   try {
@@ -204,12 +205,15 @@ bool cuts_along(const CutRegion& region, const Form& form) {
 /// Those that stay whole by custom, where that leaves something to cut.
 class Custom {
  public:
-  Custom(const Scene& scene, const DrawPlan& plan)
-      : scene_(scene), plan_(plan), words_(scene.parts.size()), told_(scene.parts.size(), false) {
+  Custom(const Scene& scene, const Illustration& illustration)
+      : scene_(scene),
+        illustration_(illustration),
+        words_(scene.parts.size()),
+        told_(scene.parts.size(), false) {
     bool any_cut = false;
     for (std::size_t i = 0; i < words_.size(); ++i) {
       words_[i] = detail::left_whole_by_custom(scene.parts[i]);
-      any_cut = any_cut || (is_drawn(plan, i) && !words_[i]);
+      any_cut = any_cut || (is_drawn(illustration, i) && !words_[i]);
     }
     if (!any_cut) words_.assign(words_.size(), std::nullopt);
   }
@@ -222,7 +226,7 @@ class Custom {
       const Form& form = *scene_.parts[i].form;
       whole[i] = std::ranges::any_of(
           regions, [&](const CutRegion& region) { return cuts_along(region, form); });
-      told_[i] = told_[i] || (whole[i] && is_drawn(plan_, i));
+      told_[i] = told_[i] || (whole[i] && is_drawn(illustration_, i));
     }
     return whole;
   }
@@ -248,35 +252,35 @@ class Custom {
 
  private:
   const Scene& scene_;
-  const DrawPlan& plan_;
+  const Illustration& illustration_;
   std::vector<std::optional<std::string>> words_;
   std::vector<bool> told_;
 };
 
 }  // namespace
 
-void cut_parts(Scene& scene, const DrawPlan& plan) {
+void cut_parts(Scene& scene, const Illustration& illustration) {
   constexpr std::size_t kMostSections = 16;
-  if (plan.sections.size() > kMostSections) {
+  if (illustration.sections.size() > kMostSections) {
     throw UsageError("more than 16 sections; each takes something away");
   }
-  if (plan.sections.empty()) return;
-  Custom custom(scene, plan);
+  if (illustration.sections.empty()) return;
+  Custom custom(scene, illustration);
   std::int32_t number = 0;
-  for (const Section& section : plan.sections) {
-    SectionRegions places(scene, plan, section);
+  for (const Section& section : illustration.sections) {
+    SectionRegions places(scene, illustration, section);
     const std::vector<CutRegion> regions = places.find();
     if (regions.empty()) {
       scene.diagnostics.add(Severity::Warning, "section.missed", 1, places.missed());
       continue;
     }
-    if (!any_reaches_into(scene, plan, regions)) {
+    if (!any_reaches_into(scene, illustration, regions)) {
       scene.diagnostics.add(Severity::Warning, "section.missed", 1,
                             section.place + "the section reaches into no part, cuts nothing");
       continue;
     }
-    std::vector<bool> uncut = uncut_parts(scene, section, plan);
-    if (!plan.uncut && !section.exclude) uncut = custom.whole(regions);
+    std::vector<bool> uncut = uncut_parts(scene, section, illustration);
+    if (!illustration.uncut && !section.exclude) uncut = custom.whole(regions);
     for (const CutRegion& region : regions) {
       for (std::size_t part = 0; part < scene.parts.size(); ++part) {
         Part& one = scene.parts[part];

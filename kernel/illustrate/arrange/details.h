@@ -1,8 +1,8 @@
 #pragma once
 // Places that are drawn again at another scale: what they show, and where; internal to the room.
 
+#include <burin/arrange/illustration.h>
 #include <burin/base/box.h>
-#include <burin/converters/request.h>
 
 #include <optional>
 #include <string>

@@ -1,16 +1,13 @@
+#include <burin/arrange/arrange.h>
 #include <burin/assembly/select.h>
-#include <burin/base/ascii.h>
-#include <burin/converters/output.h>
-#include <burin/converters/request.h>
-#include <burin/drawing/parts_list.h>
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <filesystem>
 #include <map>
-#include <ostream>
 #include <set>
+#include <string>
+#include <utility>
+#include <vector>
 
 namespace burin {
 namespace {
@@ -45,20 +42,19 @@ std::string selector_of_whole(const std::string& of_body) {
 
 }  // namespace
 
-void number_parts(Scene& scene, DrawPlan& plan, RunContext& context) {
-  const bool wanted =
-      plan.callouts || plan.parts_list || plan.items || !plan.parts_list_files.empty();
-  if (!wanted) return;
+void number_parts(Scene& scene, Illustration& illustration, RunContext& context) {
+  if (!illustration.callouts && !illustration.parts_list && !illustration.items) return;
   context.begin_stage(RunStage::Build);
-  const std::vector<Item> items = find_items(scene, plan.numbers, scene.diagnostics, context,
-                                             unlisted_of(plan.illustrate.part_styles));
+  const std::vector<Item> items =
+      find_items(scene, illustration.numbers, scene.diagnostics, context,
+                 unlisted_of(illustration.illustrate.part_styles));
   context.end_stage();
-  tell_holes(plan.numbers, items, scene.diagnostics);
+  tell_holes(illustration.numbers, items, scene.diagnostics);
   Annotations annotations;
-  annotations.callouts = plan.callouts;
-  annotations.parts_list = plan.parts_list;
-  annotations.margin = plan.sheet.margin;
-  const auto& styles = plan.illustrate.part_styles;
+  annotations.callouts = illustration.callouts;
+  annotations.parts_list = illustration.parts_list;
+  annotations.margin = illustration.sheet.margin;
+  const auto& styles = illustration.illustrate.part_styles;
   const std::vector<std::string> selectors = selectors_of(scene);
   for (const Item& item : items) {
     DrawingItem drawn{item.number, item.name, {}, item.color, item.source};
@@ -76,19 +72,7 @@ void number_parts(Scene& scene, DrawPlan& plan, RunContext& context) {
     }
     if (!drawn.parts.empty()) annotations.items.push_back(std::move(drawn));
   }
-  plan.illustrate.annotations = std::move(annotations);
-}
-
-void write_parts_lists(const Drawing& drawing, const DrawPlan& plan) {
-  std::vector<Output> files;
-  for (const std::string& name : plan.parts_list_files) {
-    Output& file = files.emplace_back(name, *format_named("json"));
-    const bool csv = lowered(std::filesystem::path(name).extension().string()) != ".json";
-    file.write([&](std::ostream& out) {
-      out << (csv ? parts_list_csv(drawing.items) : parts_list_json(drawing.items));
-    });
-  }
-  for (Output& file : files) file.commit();
+  illustration.illustrate.annotations = std::move(annotations);
 }
 
 }  // namespace burin

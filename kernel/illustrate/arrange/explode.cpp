@@ -1,10 +1,9 @@
+#include <burin/arrange/arrange.h>
 #include <burin/assembly/select.h>
 #include <burin/base/error.h>
-#include <burin/converters/request.h>
 #include <burin/explode/explode.h>
 #include <burin/explode/seen.h>
 
-#include "explode_option.h"
 #include "split_parts.h"
 
 #include <fmt/format.h>
@@ -13,29 +12,6 @@
 #include <utility>
 
 namespace burin {
-namespace detail {
-
-void set_explode(Explode& explode, const std::string& spelled, const std::string& text) {
-  explode.wanted = text != "none";
-  explode.steps.clear();
-  explode.along.reset();
-  explode.one_way = false;
-  if (text == "none" || text == "auto") return;
-  const auto refuse = [&] {
-    refuse_value(spelled, "auto, none, an axis x, y or z, one with a sign, or X,Y,Z", text);
-  };
-  if (text.find('=') != std::string::npos) refuse();
-  try {
-    const CutText axis = cut_option(spelled, text);
-    explode.along = axis.side < 0 ? -axis.axis : axis.axis;
-    explode.one_way = axis.side != 0;
-  } catch (const UsageError&) {
-    refuse();
-  }
-}
-
-}  // namespace detail
-
 namespace {
 
 /// The steps of a file; tells of those that nothing is seen of.
@@ -67,11 +43,9 @@ std::vector<ExplodeStep> steps_of_file(Scene& scene, const Explode& explode,
 
 }  // namespace
 
-namespace detail {
-
-std::vector<ExplodeStep> steps_of(Scene& scene, const Explode& explode,
-                                  const std::vector<bool>& drawn, const ExplodeModel& model,
-                                  RunContext& context) {
+std::vector<ExplodeStep> explode_steps(Scene& scene, const Explode& explode,
+                                       const std::vector<bool>& drawn, const ExplodeModel& model,
+                                       RunContext& context) {
   if (!explode.steps.empty()) return steps_of_file(scene, explode, drawn);
   ExplodeOptions options{.along = explode.along, .one_way = explode.one_way, .fit = explode.fit};
   if (!explode.base.empty()) {
@@ -87,23 +61,20 @@ std::vector<ExplodeStep> steps_of(Scene& scene, const Explode& explode,
   return steps;
 }
 
-}  // namespace detail
-
-using detail::steps_of;
-
 namespace {
 
 /// Turns the view to where most parts are seen.
-void find_view(Scene& scene, DrawPlan& plan, const ExplodeModel& model,
+void find_view(Scene& scene, Illustration& illustration, const ExplodeModel& model,
                const std::vector<Vec3>& moves, RunContext& context) {
   constexpr double kAlong = 1e-6;  // radians, as Camera has it
-  const Vec3 first = glm::normalize(plan.view.direction), up = glm::normalize(plan.view.up);
+  const Vec3 first = glm::normalize(illustration.view.direction),
+             up = glm::normalize(illustration.view.up);
   if (std::ranges::any_of(corners_about(first), [&](const Vec3& corner) {
         return glm::length(glm::cross(corner, up)) <= kAlong;
       })) {
     return;  // it is no up there
   }
-  const std::vector<PartStyle>& styles = plan.illustrate.part_styles;
+  const std::vector<PartStyle>& styles = illustration.illustrate.part_styles;
   std::vector<std::size_t> there;  // what can be looked through hides nothing
   for (std::size_t i = 0; i < styles.size(); ++i) {
     if (styles[i].drawn && !styles[i].transparent) there.push_back(i);
@@ -114,7 +85,7 @@ void find_view(Scene& scene, DrawPlan& plan, const ExplodeModel& model,
   if (!found || found->seen == found->seen_first) return;
   const Vec3 size = glm::abs(found->direction);
   const Vec3 d = glm::round(1e6 * found->direction / std::max({size.x, size.y, size.z})) / 1e6;
-  plan.view.direction = d;
+  illustration.view.direction = d;
   scene.diagnostics.add(
       Severity::Info, "explode.view", 1,
       fmt::format("the view is {:g},{:g},{:g}: {} of {} parts are seen there, {} from iso; `view "
@@ -124,29 +95,33 @@ void find_view(Scene& scene, DrawPlan& plan, const ExplodeModel& model,
 
 }  // namespace
 
-std::vector<Explode::Step> explode_steps(Scene& scene, const DrawPlan& plan, RunContext& context) {
-  if (!plan.explode.steps.empty()) return plan.explode.steps;
-  const std::vector<bool> drawn = drawn_parts(scene, plan.illustrate.part_styles);
+std::vector<Explode::Step> explode_steps(Scene& scene, const Illustration& illustration,
+                                         RunContext& context) {
+  if (!illustration.explode.steps.empty()) return illustration.explode.steps;
+  const std::vector<bool> drawn = drawn_parts(scene, illustration.illustrate.part_styles);
   const ExplodeModel model(scene, drawn, context);
   std::vector<Explode::Step> steps;
-  for (const ExplodeStep& step : steps_of(scene, plan.explode, drawn, model, context)) {
+  for (const ExplodeStep& step :
+       explode_steps(scene, illustration.explode, drawn, model, context)) {
     steps.push_back({selectors_of(scene, step.parts), step.along, step.by, step.trail});
   }
   return steps;
 }
 
-void arrange_parts(Scene& scene, DrawPlan& plan, RunContext& context) {
-  select_parts(scene, plan);
-  number_parts(scene, plan, context);
-  if (!plan.explode.wanted) return cut_parts(scene, plan);
-  const std::vector<bool> drawn = drawn_parts(scene, plan.illustrate.part_styles);
+void arrange_parts(Scene& scene, Illustration& illustration, RunContext& context) {
+  select_parts(scene, illustration);
+  number_parts(scene, illustration, context);
+  if (!illustration.explode.wanted) return cut_parts(scene, illustration);
+  const std::vector<bool> drawn = drawn_parts(scene, illustration.illustrate.part_styles);
   const ExplodeModel model(scene, drawn, context);
-  const std::vector<ExplodeStep> steps = steps_of(scene, plan.explode, drawn, model, context);
-  std::vector<Vec3> moves = moves_of(steps, scene.parts.size(), plan.explode.factor);
-  if (plan.finds_view) find_view(scene, plan, model, moves, context);
-  plan.illustrate.trails = model.trails(steps, plan.explode.factor);
-  detail::split_glazed(scene, plan, moves);
-  cut_parts(scene, plan);  // where they belong: a section does not go through what has come apart
+  const std::vector<ExplodeStep> steps =
+      explode_steps(scene, illustration.explode, drawn, model, context);
+  std::vector<Vec3> moves = moves_of(steps, scene.parts.size(), illustration.explode.factor);
+  if (illustration.finds_view) find_view(scene, illustration, model, moves, context);
+  illustration.illustrate.trails = model.trails(steps, illustration.explode.factor);
+  detail::split_glazed(scene, illustration, moves);
+  cut_parts(scene,
+            illustration);  // where they belong: a section does not go through what has come apart
   move_parts(scene, moves);
 }
 

@@ -1,5 +1,6 @@
 #include "split_parts.h"
 
+#include <burin/arrange/arrange.h>
 #include <burin/assembly/pieces.h>
 #include <burin/assembly/select.h>
 #include <burin/illustrate/stroke_selectors.h>
@@ -7,7 +8,7 @@
 #include <algorithm>
 #include <string>
 
-namespace burin::detail {
+namespace burin {
 namespace {
 
 using Strings = std::vector<std::string>;
@@ -22,28 +23,29 @@ void append_strokes(Strings& all, const Style& style) {
   }
 }
 
-/// All by which a plan chooses parts.
-Strings selectors_of(const DrawPlan& plan) {
-  Strings all = plan.only;
-  append_strokes(all, plan.style);
-  for (const DrawPlan::PlannedLook& look : plan.looks) {
-    append(all, look.look.select);
+/// All by which an illustration chooses parts.
+Strings selectors_of(const Illustration& illustration) {
+  Strings all = illustration.only;
+  append_strokes(all, illustration.style);
+  for (const Look& look : illustration.looks) {
+    append(all, look.select);
     if (look.style) append_strokes(all, *look.style);
   }
-  for (const Section& section : plan.sections) append(all, section.exclude.value_or(Strings()));
-  append(all, plan.uncut.value_or(Strings()));
-  for (const Explode::Step& step : plan.explode.steps) append(all, step.move);
-  if (!plan.explode.base.empty()) all.push_back(plan.explode.base);
-  for (const DetailView& detail : plan.details) append(all, detail.select);
+  for (const Section& section : illustration.sections)
+    append(all, section.exclude.value_or(Strings()));
+  append(all, illustration.uncut.value_or(Strings()));
+  for (const Explode::Step& step : illustration.explode.steps) append(all, step.move);
+  if (!illustration.explode.base.empty()) all.push_back(illustration.explode.base);
+  for (const DetailView& detail : illustration.details) append(all, detail.select);
   return all;
 }
 
 /// Parts of which a look says whether they can be looked through.
-std::vector<bool> with_own_transparency(const Scene& scene, const DrawPlan& plan) {
+std::vector<bool> with_own_transparency(const Scene& scene, const Illustration& illustration) {
   std::vector<bool> own(scene.parts.size(), false);
-  for (const DrawPlan::PlannedLook& planned : plan.looks) {
-    if (!planned.look.transparent) continue;
-    for (const std::string& selector : planned.look.select) {
+  for (const Look& look : illustration.looks) {
+    if (!look.transparent) continue;
+    for (const std::string& selector : look.select) {
       for (const std::size_t part : select(scene, selector)) own[part] = true;
     }
   }
@@ -52,10 +54,12 @@ std::vector<bool> with_own_transparency(const Scene& scene, const DrawPlan& plan
 
 }  // namespace
 
-void split_glazed(Scene& scene, DrawPlan& plan, std::vector<Vec3>& moves) {
-  std::vector<PartStyle>& styles = plan.illustrate.part_styles;
+namespace detail {
+
+void split_glazed(Scene& scene, Illustration& illustration, std::vector<Vec3>& moves) {
+  std::vector<PartStyle>& styles = illustration.illustrate.part_styles;
   const std::size_t count = scene.parts.size();
-  const std::vector<bool> own = with_own_transparency(scene, plan);
+  const std::vector<bool> own = with_own_transparency(scene, illustration);
   const std::vector<std::size_t> of = split_pieces(scene, {}, true);
   styles.resize(count);
   std::vector<bool> split(count, false);
@@ -76,20 +80,22 @@ void split_glazed(Scene& scene, DrawPlan& plan, std::vector<Vec3>& moves) {
   }
 }
 
-void split_parts(Scene& scene, const DrawPlan& plan, std::vector<PartStyle>& styles) {
+}  // namespace detail
+
+void split_parts(Scene& scene, const Illustration& illustration, std::vector<PartStyle>& styles) {
   const std::size_t count = scene.parts.size();
   styles.resize(std::max(styles.size(), count));
   std::vector<PartStyle> bodies;
-  Strings selectors = selectors_of(plan);
+  Strings selectors = selectors_of(illustration);
   // A part alone comes apart into its bodies, or nothing would.
-  const bool apart = plan.explode.wanted && count == 1;
+  const bool apart = illustration.explode.wanted && count == 1;
   if (apart) selectors.emplace_back("*/*");
   // What is exploded is parts, not bodies: a part of glass and metal is split once all have moved.
-  for (const std::size_t whole : split_pieces(scene, selectors, !plan.explode.wanted)) {
+  for (const std::size_t whole : split_pieces(scene, selectors, !illustration.explode.wanted)) {
     bodies.push_back(styles[whole]);
   }
   if (apart) std::ranges::for_each(scene.parts, [](Part& body) { body.whole.reset(); });
   styles.insert(styles.begin() + static_cast<std::ptrdiff_t>(count), bodies.begin(), bodies.end());
 }
 
-}  // namespace burin::detail
+}  // namespace burin

@@ -37,21 +37,21 @@ bool is_told(const Drawing& drawing) {
 
 }  // namespace
 
-void tell_mostly_empty(const DrawPlan& plan, Drawing& drawing) {
+void tell_mostly_empty(const Illustration& illustration, Drawing& drawing) {
   const Box2 ink = ink_box(drawing);
-  if (plan.sheet.fits || ink.empty() || is_told(drawing)) return;
+  if (illustration.sheet.fits || ink.empty() || is_told(drawing)) return;
   const Vec2 sheet(drawing.paper_width, drawing.paper_height);
-  const Margin& margin = plan.sheet.margin;
+  const Margin& margin = illustration.sheet.margin;
   const Vec2 room = sheet - Vec2(margin.left + margin.right, margin.top + margin.bottom);
   const Vec2 size = glm::max(ink.size(), Vec2(1e-6));
   const double larger = std::min(room.x / size.x, room.y / size.y);
   const double share = size.x * size.y / (sheet.x * sheet.y);
-  const bool scaled = plan.view.scale.has_value();
+  const bool scaled = illustration.view.scale.has_value();
   if (scaled ? larger < kMuchLarger : share >= kLittle) return;
-  const std::string fills = scaled
-                                ? fmt::format("a `scale` of {} would fill it, ",
-                                              scale_text(standard_scale(*plan.view.scale * larger)))
-                                : std::string();
+  const std::string fills =
+      scaled ? fmt::format("a `scale` of {} would fill it, ",
+                           scale_text(standard_scale(*illustration.view.scale * larger)))
+             : std::string();
   drawing.diagnostics.add(
       Severity::Warning, "sheet.mostly_empty", 1,
       fmt::format("the drawing takes {:.0f} x {:.0f} mm of a sheet of {:g} x {:g} mm, {:.2g} % of "

@@ -1,6 +1,6 @@
 #include <burin/annotate/details.h>
+#include <burin/arrange/arrange.h>
 #include <burin/base/error.h>
-#include <burin/converters/request.h>
 
 #include "details.h"
 
@@ -16,25 +16,25 @@ namespace burin {
 namespace {
 
 /// A perspective view knows one margin.
-Margin margin_of(const Margin& m, const DrawPlan& plan) {
-  return plan.view.perspective ? Margin(std::max({m.top, m.right, m.bottom, m.left})) : m;
+Margin margin_of(const Margin& m, const Illustration& illustration) {
+  return illustration.view.perspective ? Margin(std::max({m.top, m.right, m.bottom, m.left})) : m;
 }
 
 /// The margin with the room that callouts and the parts list need.
-SheetOptions sheet_with_room(const Camera::ExtentFn& extent, const DrawPlan& plan) {
-  SheetOptions sheet = plan.sheet;
-  if (!plan.illustrate.annotations) return sheet;
-  const Annotations& over = *plan.illustrate.annotations;
-  const CalloutOptions& style = plan.style.callout;
+SheetOptions sheet_with_room(const Camera::ExtentFn& extent, const Illustration& illustration) {
+  SheetOptions sheet = illustration.sheet;
+  if (!illustration.illustrate.annotations) return sheet;
+  const Annotations& over = *illustration.illustrate.annotations;
+  const CalloutOptions& style = illustration.style.callout;
   if (!sheet.fits) {
-    sheet.margin = annotation_margin(over, style, plan.view.paper);
+    sheet.margin = annotation_margin(over, style, illustration.view.paper);
     return sheet;
   }
   // A sheet that fits grows until they have room; what has none then is told by the drawing.
   constexpr int kMostSteps = 200;
   constexpr double kStep = 5;  // paper mm
   for (int step = 0; step < kMostSteps; ++step) {
-    const Paper paper = settle(extent, plan.view, sheet).paper;
+    const Paper paper = settle(extent, illustration.view, sheet).paper;
     if (annotations_fit(over, style, paper, sheet.margin)) break;
     const Margin needed = annotation_margin(over, style, paper);
     Margin& m = sheet.margin;
@@ -43,23 +43,26 @@ SheetOptions sheet_with_room(const Camera::ExtentFn& extent, const DrawPlan& pla
     const bool grows =
         more.top > m.top || more.right > m.right || more.bottom > m.bottom || more.left > m.left;
     m = grows ? more : Margin(m.top + kStep, m.right + kStep, m.bottom + kStep, m.left + kStep);
-    m = margin_of(m, plan);
+    m = margin_of(m, illustration);
   }
   return sheet;
 }
 
 /// The camera of a view that has the sheet for itself.
-Camera lone_camera(const Scene& scene, const DrawPlan& plan) {
+Camera lone_camera(const Scene& scene, const Illustration& illustration) {
   const auto extent = [&](const Mat3& axes) {
-    return drawn_bounds(scene, plan.illustrate.part_styles, axes);
+    return drawn_bounds(scene, illustration.illustrate.part_styles, axes);
   };
-  if (!plan.illustrate.annotations || !plan.view.perspective || plan.sheet.fits) {
-    return Camera::fit(extent, settle(extent, plan.view, sheet_with_room(extent, plan)));
+  if (!illustration.illustrate.annotations || !illustration.view.perspective ||
+      illustration.sheet.fits) {
+    return Camera::fit(extent,
+                       settle(extent, illustration.view, sheet_with_room(extent, illustration)));
   }
   // A perspective view knows one margin: it is fitted to what is left of the sheet.
-  ViewOptions view = settle(extent, plan.view, plan.sheet);
+  ViewOptions view = settle(extent, illustration.view, illustration.sheet);
   const Paper sheet = view.paper;
-  const Margin m = annotation_margin(*plan.illustrate.annotations, plan.style.callout, sheet);
+  const Margin m =
+      annotation_margin(*illustration.illustrate.annotations, illustration.style.callout, sheet);
   view.paper = {sheet.width - m.left - m.right, sheet.height - m.bottom - m.top};
   view.margin = 0;
   return Camera::fit(extent, view).on_sheet(sheet, {m.left, m.bottom});
@@ -69,12 +72,13 @@ Camera lone_camera(const Scene& scene, const DrawPlan& plan) {
 constexpr double kBetweenViews = 12;
 
 /// Paper mm on each side that callouts about a drawing of that size need.
-Vec2 callout_room_of(const DrawPlan& plan, Vec2 size) {
-  if (!plan.illustrate.annotations || !plan.illustrate.annotations->callouts) return Vec2(0);
-  Annotations callouts = *plan.illustrate.annotations;
+Vec2 callout_room_of(const Illustration& illustration, Vec2 size) {
+  if (!illustration.illustrate.annotations || !illustration.illustrate.annotations->callouts)
+    return Vec2(0);
+  Annotations callouts = *illustration.illustrate.annotations;
   callouts.parts_list = false;
   callouts.margin = Margin(0);
-  const Margin m = annotation_margin(callouts, plan.style.callout, {size.x, size.y});
+  const Margin m = annotation_margin(callouts, illustration.style.callout, {size.x, size.y});
   return {std::max(m.left, m.right), std::max(m.top, m.bottom)};
 }
 
@@ -82,28 +86,31 @@ Mat3 axes_of(const Camera& camera) {
   return glm::transpose(Mat3(camera.right(), camera.up(), camera.direction()));
 }
 
-/// Places views of a plan one after the other.
+/// Places views of an illustration one after the other.
 class SheetPlanner {
  public:
-  SheetPlanner(Scene& scene, const DrawPlan& plan)
-      : scene_(scene), plan_(plan), frame_(inside(plan.view.paper, plan.sheet.margin)) {
-    if (plan.sheet.fits) {
+  SheetPlanner(Scene& scene, const Illustration& illustration)
+      : scene_(scene),
+        illustration_(illustration),
+        frame_(inside(illustration.view.paper, illustration.sheet.margin)) {
+    if (illustration.sheet.fits) {
       throw UsageError("several views and details stand on a sheet of a size: give `paper` one");
     }
-    if (plan.illustrate.annotations) {
-      const Annotations& over = *plan.illustrate.annotations;
-      frame_ = beside_parts_list(over, plan.style.callout, plan.view.paper);
-      list_ = parts_list_box(over, plan.style.callout, plan.view.paper);
+    if (illustration.illustrate.annotations) {
+      const Annotations& over = *illustration.illustrate.annotations;
+      frame_ = beside_parts_list(over, illustration.style.callout, illustration.view.paper);
+      list_ = parts_list_box(over, illustration.style.callout, illustration.view.paper);
     }
   }
 
   SheetOfViews run() {
     const Vec2 free = frame_.size();
-    details_ = detail::plan_details(scene_, plan_.details, axes_of(first_camera()),
+    details_ = detail::plan_details(scene_, illustration_.details, axes_of(first_camera()),
                                     std::min(free.x, free.y));
-    frame_ = detail::place_details(details_, detail_caption(plan_.style.callout), frame_, list_,
-                                   inside(plan_.view.paper, plan_.sheet.margin));
-    if (plan_.views.empty()) {
+    frame_ =
+        detail::place_details(details_, detail_caption(illustration_.style.callout), frame_, list_,
+                              inside(illustration_.view.paper, illustration_.sheet.margin));
+    if (illustration_.views.empty()) {
       place_one();
     } else {
       place_grid();
@@ -116,12 +123,12 @@ class SheetPlanner {
  private:
   Camera::ExtentFn extent() const {
     return [this](const Mat3& axes) {
-      return drawn_bounds(scene_, plan_.illustrate.part_styles, axes);
+      return drawn_bounds(scene_, illustration_.illustrate.part_styles, axes);
     };
   }
 
   ViewOptions options_of(const std::string& name) const {
-    ViewOptions view = plan_.view;
+    ViewOptions view = illustration_.view;
     const NamedView named = view_in_grid(name);
     view.direction = named.direction;
     view.up = named.up;
@@ -131,7 +138,8 @@ class SheetPlanner {
 
   /// As the first view looks; its place and scale are settled later.
   Camera first_camera() const {
-    ViewOptions view = plan_.views.empty() ? plan_.view : options_of(plan_.views.front());
+    ViewOptions view =
+        illustration_.views.empty() ? illustration_.view : options_of(illustration_.views.front());
     view.perspective.reset();
     view.margin = 0;
     return Camera::fit(extent(), view);
@@ -146,32 +154,32 @@ class SheetPlanner {
   }
 
   void place_one() {
-    const Vec2 room = callout_room_of(plan_, frame_.size());
+    const Vec2 room = callout_room_of(illustration_, frame_.size());
     const Box2 inner{frame_.min + room, frame_.max - room};
-    sheet_.views.push_back({"", in_box(plan_.view, inner), frame_, {}, 1, {}, true});
+    sheet_.views.push_back({"", in_box(illustration_.view, inner), frame_, {}, 1, {}, true});
   }
 
   void place_grid() {
-    if (plan_.view.perspective) {
+    if (illustration_.view.perspective) {
       throw UsageError("several views are orthographic: leave `perspective` out");
     }
     // The symbol of the method stands under the views at the left.
     const Vec2 symbol = projection_symbol_size();
-    sheet_.method = plan_.projection;
+    sheet_.method = illustration_.projection;
     sheet_.symbol_at = frame_.min;
     Box2 frame = frame_;
     frame.min.y += symbol.y + 0.5 * kBetweenViews;
     std::vector<GridView> views;
     const std::size_t numbered = view_with_callouts();
-    for (const std::string& name : plan_.views) {
+    for (const std::string& name : illustration_.views) {
       const Camera camera = in_box(options_of(name), frame);
       const Vec3 size = extent()(axes_of(camera)).size();
       GridView view{name, {size.x, size.y}, Vec2(0)};
-      if (views.size() == numbered) view.room = callout_room_of(plan_, 0.5 * frame.size());
+      if (views.size() == numbered) view.room = callout_room_of(illustration_, 0.5 * frame.size());
       views.push_back(std::move(view));
     }
-    const ViewGrid grid =
-        arrange_views(views, plan_.projection, frame, kBetweenViews, plan_.view.scale);
+    const ViewGrid grid = arrange_views(views, illustration_.projection, frame, kBetweenViews,
+                                        illustration_.view.scale);
     for (std::size_t i = 0; i < views.size(); ++i) {
       ViewOptions view = options_of(views[i].name);
       view.scale = grid.scale;
@@ -182,8 +190,8 @@ class SheetPlanner {
 
   /// The first pictorial one, which shows most of an assembly; else the first.
   std::size_t view_with_callouts() const {
-    for (std::size_t i = 0; i < plan_.views.size(); ++i) {
-      const Vec3 d = glm::abs(options_of(plan_.views[i]).direction);
+    for (std::size_t i = 0; i < illustration_.views.size(); ++i) {
+      const Vec3 d = glm::abs(options_of(illustration_.views[i]).direction);
       if ((d.x > 0) + (d.y > 0) + (d.z > 0) > 1) return i;
     }
     return 0;
@@ -229,7 +237,7 @@ class SheetPlanner {
   }
 
   Scene& scene_;
-  const DrawPlan& plan_;
+  const Illustration& illustration_;
   Box2 frame_;
   std::optional<Box2> list_;
   std::vector<detail::PlannedDetail> details_;
@@ -238,10 +246,11 @@ class SheetPlanner {
 
 }  // namespace
 
-SheetOfViews plan_sheet(Scene& scene, const DrawPlan& plan) {
-  if (!plan.views.empty() || !plan.details.empty()) return SheetPlanner(scene, plan).run();
+SheetOfViews plan_sheet(Scene& scene, const Illustration& illustration) {
+  if (!illustration.views.empty() || !illustration.details.empty())
+    return SheetPlanner(scene, illustration).run();
   SheetOfViews sheet;
-  const Camera camera = lone_camera(scene, plan);
+  const Camera camera = lone_camera(scene, illustration);
   sheet.views.push_back({"", camera, {Vec2(0), {camera.paper().width, camera.paper().height}}});
   return sheet;
 }

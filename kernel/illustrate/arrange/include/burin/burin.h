@@ -1,7 +1,9 @@
 #pragma once
-/// The front door: all that a program needs to draw, stage by stage or all at once. Readers and
-/// writers of files are `burin/converters/read.h` and `burin/converters/write.h`.
+/// The front door of libburin, the CMake target `burin::burin`: all that a program needs to draw,
+/// stage by stage or all at once. Files are read and written by `burin/io.h`.
 
+// All that a drawing shows of a scene, as one value, and one call that draws it.
+#include <burin/arrange/arrange.h>
 // What is drawn, and whence.
 #include <burin/camera/sheet.h>
 #include <burin/camera/standards.h>

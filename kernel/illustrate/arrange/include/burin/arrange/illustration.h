@@ -1,0 +1,103 @@
+#pragma once
+/// All that a drawing is to show of a scene, and how: a value that a program fills in, or that
+/// libburin_io makes of options and illustration files. `arrange.h` follows it. Parts are named by
+/// selectors (burin/assembly/select.h).
+
+#include <burin/arrange/section.h>
+#include <burin/assembly/items.h>
+#include <burin/base/vec.h>
+#include <burin/camera/camera.h>
+#include <burin/camera/sheet.h>
+#include <burin/camera/view_grid.h>
+#include <burin/illustrate/illustrate.h>
+#include <burin/illustrate/style.h>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace burin {
+
+/// How the parts that selectors name are drawn, where that differs from the others.
+struct Look {
+  /// A part that one of them names is meant.
+  std::vector<std::string> select = {};
+  /// Absent: as before.
+  std::optional<bool> drawn = {}, hatched = {}, transparent = {}, listed = {};
+  std::optional<Style> style = {};
+  /// What errors begin with: "FILE:LINE: ", or empty.
+  std::string place = {};
+};
+
+/// How the parts of an assembly come apart (burin/explode/explode.h).
+struct Explode {
+  /// Parts that move together.
+  struct Step {
+    std::vector<std::string> move = {};
+    Vec3 along{0, 0, 1};  // unit
+    double by = 0;        // model mm
+    bool trail = true;
+    /// What errors begin with: "FILE:LINE: ", or empty.
+    std::string place = {};
+  };
+  /// Whether anything comes apart at all.
+  bool wanted = false;
+  /// What moves, in this order; empty: it is found out.
+  std::vector<Step> steps = {};
+  /// Where it is found out: the way, its sign where both may be; the part that stays; how far parts
+  /// may lie in each other, model mm.
+  std::optional<Vec3> along = {};
+  bool one_way = false;
+  std::string base = {};
+  std::optional<double> fit = {};
+  /// 0 is together, 1 apart.
+  double factor = 1;
+  std::string place = {};
+};
+
+/// A place of a view that is drawn again at another scale, in a circle.
+struct DetailView {
+  /// The parts that it shows; empty: it shows what is round `at`, model mm.
+  std::vector<std::string> select = {};
+  Vec3 at{0};
+  double radius = 0;
+  /// Paper mm a model mm; absent: the largest of ISO 5455 that the sheet has room for.
+  std::optional<double> scale = {};
+  /// Empty: the next of A, B, C ...
+  std::string letter = {};
+  /// What errors begin with: "FILE:LINE: ", or empty.
+  std::string place = {};
+};
+
+struct Illustration {
+  Style style{};
+  ViewOptions view{};
+  SheetOptions sheet{};
+  /// Its `part_styles`, `trails` and `annotations` are what arranging makes.
+  IllustrateOptions illustrate{};
+  /// In this order; what a later one says holds.
+  std::vector<Look> looks = {};
+  /// Those that alone are drawn; empty: all.
+  std::vector<std::string> only = {};
+  /// At most 16.
+  std::vector<Section> sections = {};
+  /// Parts that all sections leave whole; absent: as each says, or by custom.
+  std::optional<std::vector<std::string>> uncut = {};
+  Explode explode = {};
+  /// The view may be turned to where most parts of an exploded one are seen.
+  bool finds_view = false;
+  /// Names of several views of one sheet ("front", or a direction "1,-1,1"); empty: `view`.
+  std::vector<std::string> views = {};
+  ProjectionMethod projection = ProjectionMethod::FirstAngle;
+  /// At most 23.
+  std::vector<DetailView> details = {};
+  /// What is laid over the drawing; items are found where one of these is, or `items`, which
+  /// formats do that list them.
+  bool callouts = false, parts_list = false, items = false;
+  /// Numbers that items have already.
+  ItemNumbers numbers = {};
+  /// What the drawing is called; empty: by its parts.
+  std::string title = {};
+};
+
+}  // namespace burin

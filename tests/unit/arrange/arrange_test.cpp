@@ -1,0 +1,188 @@
+// What the kernel makes of an illustration, without a file or an option.
+#include <burin/arrange/arrange.h>
+#include <burin/base/error.h>
+#include <burin/forms/mesh/mesh_form.h>
+
+#include <burin_test/shapes.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <memory>
+#include <string>
+
+namespace burin {
+namespace {
+
+Part part(const std::string& name, Vec3 low, Vec3 high) {
+  return {name, "a.step", std::make_shared<MeshForm>(test::box(low, high))};
+}
+
+/// A plate, a block on it, and a bolt beside that.
+Scene stack() {
+  Scene scene;
+  scene.parts = {part("plate", {0, 0, 0}, {40, 40, 4}), part("block", {5, 5, 4}, {20, 20, 24}),
+                 part("bolt", {26, 12, 4}, {30, 16, 14})};
+  return scene;
+}
+
+Box3 box_of(const Part& part) { return part.form->bounds(Mat3(1)); }
+
+bool tells(const Diagnostics& diagnostics, const std::string& code) {
+  return std::ranges::any_of(diagnostics.entries(),
+                             [&](const Diagnostic& d) { return d.code == code; });
+}
+
+TEST(Arrange, LaterLooksHold) {
+  Scene scene = stack();
+  Illustration illustration;
+  illustration.looks = {{.select = {"*"}, .drawn = false},
+                        {.select = {"b*"}, .drawn = true, .hatched = false},
+                        {.select = {"bolt"}, .style = builtin_style("outline")}};
+  select_parts(scene, illustration);
+  const auto& styles = illustration.illustrate.part_styles;
+  ASSERT_EQ(styles.size(), 3U);
+  EXPECT_FALSE(styles[0].drawn);
+  EXPECT_TRUE(styles[1].drawn);
+  EXPECT_FALSE(styles[1].hatched);
+  EXPECT_FALSE(styles[1].style);
+  EXPECT_EQ(styles[2].style->name, "outline");
+}
+
+TEST(Arrange, ErrorsNameThePlaceOfTheLook) {
+  Scene scene = stack();
+  Illustration illustration;
+  illustration.looks = {{.select = {"blok"}, .drawn = false, .place = "a.json:3: "}};
+  try {
+    select_parts(scene, illustration);
+    FAIL() << "a part that is not there was selected";
+  } catch (const UsageError& e) {
+    EXPECT_TRUE(std::string(e.what()).starts_with("a.json:3: ")) << e.what();
+    EXPECT_NE(std::string(e.what()).find("block"), std::string::npos) << e.what();
+  }
+}
+
+TEST(Arrange, ASectionWithoutAnOffsetCutsTheMiddleAndTakesTheSideOfTheViewer) {
+  Scene scene = stack();
+  Illustration illustration;
+  illustration.view.direction = {0, -1, 0};
+  illustration.sections = {{.planes = {{.axis = {0, 1, 0}}}}};
+  RunContext context;
+  arrange_parts(scene, illustration, context);
+  const auto plate = scene.parts[0].form->realise({}, context);
+  Box3 left;
+  for (const Vec3& p : plate->proxy().mesh.positions) left.add(p);
+  EXPECT_NEAR(left.min.y, 20, 1e-9);
+  EXPECT_NEAR(left.max.y, 40, 1e-9);
+  EXPECT_FALSE(tells(scene.diagnostics, "section.missed"));
+}
+
+TEST(Arrange, ABoltStaysWholeByCustomUnlessAllIsToBeCut) {
+  for (const bool all : {false, true}) {
+    Scene scene = stack();
+    Illustration illustration;
+    illustration.view.direction = {0, -1, 0};
+    illustration.sections = {{.planes = {{.axis = {0, 1, 0}, .offset = 14}}}};
+    if (all) illustration.uncut = std::vector<std::string>{};
+    const auto bolt = scene.parts[2].form;
+    RunContext context;
+    arrange_parts(scene, illustration, context);
+    EXPECT_EQ(scene.parts[2].form == bolt, !all);
+    EXPECT_EQ(tells(scene.diagnostics, "section.left_whole"), !all);
+  }
+}
+
+TEST(Arrange, GivenStepsMoveTheirPartsByTheirFactor) {
+  Scene scene = stack();
+  Illustration illustration;
+  illustration.explode.wanted = true;
+  illustration.explode.steps = {{.move = {"block", "bolt"}, .by = 10}, {.move = {"bolt"}, .by = 6}};
+  illustration.explode.factor = 0.5;
+  RunContext context;
+  arrange_parts(scene, illustration, context);
+  EXPECT_NEAR(box_of(scene.parts[0]).min.z, 0, 1e-12);
+  EXPECT_NEAR(box_of(scene.parts[1]).min.z, 4 + 5, 1e-12);
+  EXPECT_NEAR(box_of(scene.parts[2]).min.z, 4 + 8, 1e-12);
+  EXPECT_FALSE(illustration.illustrate.trails.empty());
+}
+
+TEST(Arrange, StepsThatAreFoundNameTheirParts) {
+  Scene scene = stack();
+  Illustration illustration;
+  illustration.explode.wanted = true;
+  RunContext context;
+  select_parts(scene, illustration);
+  const std::vector<Explode::Step> steps = explode_steps(scene, illustration, context);
+  std::vector<std::string> moved;
+  for (const Explode::Step& step : steps) {
+    EXPECT_NEAR(step.along.z, 1, 1e-9);
+    moved.insert(moved.end(), step.move.begin(), step.move.end());
+  }
+  std::ranges::sort(moved);
+  EXPECT_EQ(moved, (std::vector<std::string>{"/block", "/bolt"}));
+}
+
+TEST(Arrange, ItemsAreNumberedWhereTheyAreAskedFor) {
+  Scene scene = stack();
+  scene.parts.push_back(part("bolt #2", {32, 12, 4}, {36, 16, 14}));
+  Illustration illustration;
+  RunContext context;
+  arrange_parts(scene, illustration, context);
+  EXPECT_FALSE(illustration.illustrate.annotations);
+  illustration.callouts = true;
+  arrange_parts(scene, illustration, context);
+  const auto& items = illustration.illustrate.annotations->items;
+  ASSERT_EQ(items.size(), 3U);
+  EXPECT_EQ(items[2].name, "bolt");
+  EXPECT_EQ(items[2].parts, (std::vector<std::int32_t>{2, 3}));
+}
+
+TEST(Arrange, ViewsStandAtOneScale) {
+  Scene scene = stack();
+  Illustration illustration;
+  illustration.views = {"front", "top", "iso"};
+  illustration.details = {{.select = {"bolt"}, .scale = 5}};
+  RunContext context;
+  arrange_parts(scene, illustration, context);
+  const SheetOfViews sheet = plan_sheet(scene, illustration);
+  ASSERT_EQ(sheet.views.size(), 4U);
+  EXPECT_DOUBLE_EQ(sheet.views[0].camera.scale(), sheet.views[1].camera.scale());
+  EXPECT_DOUBLE_EQ(sheet.views[3].camera.scale(), 5);
+  ASSERT_EQ(sheet.details.size(), 1U);
+  EXPECT_EQ(sheet.details[0].letter, "A");
+  illustration.sheet.fits = true;
+  EXPECT_THROW(plan_sheet(scene, illustration), UsageError);
+}
+
+TEST(Arrange, OneCallDrawsWhatTheThreeDo) {
+  Illustration illustration;
+  illustration.style = builtin_style("outline");
+  illustration.explode = {.wanted = true, .along = Vec3(0, 0, 1)};
+  illustration.callouts = true;
+  illustration.title = "stack";
+  RunContext context;
+  const Drawing at_once = illustrate(stack(), illustration, context);
+  Scene scene = stack();
+  arrange_parts(scene, illustration, context);
+  const Drawing drawing = illustrate(scene, plan_sheet(scene, illustration), illustration, context);
+  EXPECT_EQ(at_once.title, "stack");
+  EXPECT_EQ(at_once.items.size(), 3U);
+  ASSERT_EQ(at_once.layers.size(), drawing.layers.size());
+  for (std::size_t i = 0; i < drawing.layers.size(); ++i) {
+    ASSERT_EQ(at_once.layers[i].paths.size(), drawing.layers[i].paths.size());
+    for (std::size_t k = 0; k < drawing.layers[i].paths.size(); ++k) {
+      EXPECT_EQ(at_once.layers[i].paths[k].points, drawing.layers[i].paths[k].points);
+    }
+  }
+}
+
+TEST(Arrange, ASheetThatIsMostlyEmptyIsTold) {
+  Illustration illustration;
+  illustration.view.scale = 0.1;
+  RunContext context;
+  EXPECT_TRUE(tells(illustrate(stack(), illustration, context).diagnostics, "sheet.mostly_empty"));
+  illustration.view.scale.reset();
+  EXPECT_FALSE(tells(illustrate(stack(), illustration, context).diagnostics, "sheet.mostly_empty"));
+}
+
+}  // namespace
+}  // namespace burin
