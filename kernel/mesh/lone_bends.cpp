@@ -162,7 +162,8 @@ class Bends {
     };
     return std::ranges::none_of(around(h), [&](HalfEdge e) {
       if (again(e)) return true;
-      return kind(e) == EdgeKind::Smooth && std::ranges::any_of(around(opposite(e)), again);
+      if (kind(e) != EdgeKind::Smooth || face(opposite(e)) == face(opposite(h))) return false;
+      return std::ranges::any_of(around(opposite(e)), again);
     });
   }
   /// Whether the face of `h` is a chamfer beside one of width `beside`: what else bends there is no
