@@ -12,6 +12,11 @@
 #include <OSD.hxx>
 #include <OSD_Signal.hxx>
 #include <STEPControl_Controller.hxx>
+#include <ShapeAlgo.hxx>
+#include <ShapeAlgo_AlgoContainer.hxx>
+#include <ShapeAlgo_ToolContainer.hxx>
+#include <ShapeFix_Face.hxx>
+#include <ShapeFix_Shape.hxx>
 #include <Standard_ErrorHandler.hxx>
 #include <Standard_Failure.hxx>
 #include <Standard_OutOfMemory.hxx>
@@ -39,6 +44,17 @@ class MessageKeeper : public Message_Printer {
 };
 
 namespace {
+
+/// OCCT's repair of what was read, but for one of its steps: where a hole touches the outline of
+/// its face that moves their corners, and then takes the holes of the face for faces of their own,
+/// discs that close them.
+class Repair final : public ShapeAlgo_ToolContainer {
+  Handle(ShapeFix_Shape) FixShape() const override {
+    Handle(ShapeFix_Shape) fix = ShapeAlgo_ToolContainer::FixShape();
+    fix->FixFaceTool()->FixIntersectingWiresMode() = 0;
+    return fix;
+  }
+};
 
 // Signals that OCCT's handlers are wanted for, and those that OSD::SetSignal takes as well.
 constexpr std::array kCrashes{SIGSEGV, SIGBUS, SIGILL, SIGFPE};
@@ -102,12 +118,16 @@ void OcctSession::take_messages() {
   messages_ = new MessageKeeper;
   printers.Append(messages_);
   set_parameters();
+  ShapeAlgo::Init();
+  repair_ = ShapeAlgo::AlgoContainer()->ToolContainer();
+  ShapeAlgo::AlgoContainer()->SetToolContainer(new Repair);
 }
 
 OcctSession::~OcctSession() {
   for (const auto& [signal, action] : handlers_) ::sigaction(signal, &action, nullptr);
   ::sigaltstack(&stack_before_, nullptr);
   if (!files_) return;
+  ShapeAlgo::AlgoContainer()->SetToolContainer(repair_);
   Message::DefaultMessenger()->ChangePrinters() = printers_;
   std::cout.rdbuf(out_);
   std::cerr.rdbuf(log_);

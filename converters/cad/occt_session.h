@@ -5,6 +5,7 @@
 
 #include <Message_ProgressIndicator.hxx>
 #include <Message_SequenceOfPrinters.hxx>
+#include <ShapeAlgo_ToolContainer.hxx>
 
 #include <csignal>
 #include <functional>
@@ -44,6 +45,7 @@ class OcctSession {
   std::streambuf *out_ = nullptr, *log_ = nullptr;
   Message_SequenceOfPrinters printers_;
   Handle(MessageKeeper) messages_;
+  Handle(ShapeAlgo_ToolContainer) repair_;  // of before
   std::vector<std::pair<int, struct sigaction>> handlers_;
   std::vector<char> stack_;
   stack_t stack_before_{};

@@ -199,7 +199,7 @@ class Cutter {
 
   void split_face(const Incision& incision) {
     const std::uint32_t f = incision.face;
-    mesh_.split_face(f, incision.place);
+    mesh_.split_face(f, incision.place, incision.shift);
     const auto h = static_cast<HalfEdge>(3 * f);
     for (const std::uint32_t piece :
          {f, face_of(mesh_.opposite(h + 1)), face_of(mesh_.opposite(h + 2))}) {

@@ -332,13 +332,14 @@ HalfEdge CutMesh::split_edge(HalfEdge h, const EdgePoint& point) {
   return h2;
 }
 
-void CutMesh::split_face(std::uint32_t f, const FaceSample& sample) {
+void CutMesh::split_face(std::uint32_t f, const FaceSample& sample, double shift) {
   const auto vertex = static_cast<std::uint32_t>(mesh_.positions.size());
   mesh_.positions.push_back(sample.position);
   EdgePoint point;
   point.uv[0] = sample.uv;
   point.normal[0] = sample.normal;
-  point.g[0] = point.own_g[0] = sample.g;
+  point.own_g[0] = sample.g;
+  point.g[0] = sample.g + shift;
   const auto a = static_cast<HalfEdge>(3 * f), b = a + 1, c = a + 2;
   const auto b2 = static_cast<HalfEdge>(3 * add_triangle(f));
   const auto c2 = static_cast<HalfEdge>(3 * add_triangle(f));

@@ -77,8 +77,8 @@ class CutMesh {
   /// Splits both triangles at the edge of `h`; from the new vertex on the edge of `h` runs to its
   /// old target. Returns the half-edge from the new vertex to that target.
   HalfEdge split_edge(HalfEdge h, const EdgePoint& point);
-  /// Splits a triangle in three.
-  void split_face(std::uint32_t face, const FaceSample& sample);
+  /// Splits a triangle in three; `shift` as above, at the new vertex.
+  void split_face(std::uint32_t face, const FaceSample& sample, double shift);
   /// Takes g to be zero at the wedge of a corner. A vertex inside a face is moved to `zero` (a
   /// place in the triangle of the corner).
   void mark_zero(HalfEdge corner, const FaceSample* zero);

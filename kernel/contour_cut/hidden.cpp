@@ -69,7 +69,7 @@ Incision CutSearch::dip_in(HalfEdge h, int side) const {
   FaceSample here;
   double lowest = 1e300, at = 0;
   const auto look = [&](double t) {
-    const EdgePoint point = mesh_.edge_point(h, t);
+    const EdgePoint point = point_on(h, t);
     const double g = sign * point.g[k];
     if (g >= lowest) return false;
     lowest = g, at = t;
@@ -160,6 +160,7 @@ Incision CutSearch::hidden_loop(std::uint32_t face) const {
   if (lowest >= 0 || !deep(at_best, lowest)) return out;
   if (std::min({best.x, best.y, best.z}) < 0.02) return out;  // edges are looked at themselves
   out.place = at_best;
+  out.shift = sign * lowest - at_best.g;
   out.what = What::SplitFace;
   return out;
 }

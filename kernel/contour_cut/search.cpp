@@ -84,6 +84,17 @@ double CutSearch::shift_at(std::uint32_t face, Vec3 bary) const {
   return bary.x * mesh_.shift(h) + bary.y * mesh_.shift(h + 1) + bary.z * mesh_.shift(h + 2);
 }
 
+/// A place on an edge, its g with the correction that the ends of an edge inside a face have: a
+/// vertex that is put there has to see what the corners around it see. Without it a face seen
+/// edge-on beside a tangent edge would change its sign at each new vertex.
+EdgePoint CutSearch::point_on(HalfEdge h, double share) const {
+  EdgePoint out = mesh_.edge_point(h, share);
+  if (mesh_.mesh().border[static_cast<std::size_t>(h)] >= 0) return out;
+  const double shift = (1 - share) * mesh_.shift(h) + share * mesh_.shift(next_in_face(h));
+  for (double& g : out.g) g += shift;
+  return out;
+}
+
 Incision CutSearch::zero(HalfEdge h) const {
   const HalfEdge o = mesh_.opposite(h);
   const std::size_t side = crosses_in(h) ? 0 : 1;
@@ -149,8 +160,10 @@ Incision CutSearch::all_zero(HalfEdge h) const {
   Incision out;
   if (mesh_.sign(prev_in_face(h)) != 0 || side_sign(h) < 0) return out;
   out.face = face_of(h);
-  out.place = mesh_.sample(mesh_.face(h), uv_at(out.face, Vec3(1.0 / 3)));
-  if (out.place.g > kNumericNoise) out.what = What::SplitFace;
+  const Vec3 middle(1.0 / 3);
+  out.place = mesh_.sample(mesh_.face(h), uv_at(out.face, middle));
+  out.shift = shift_at(out.face, middle);
+  if (out.place.g + out.shift > kNumericNoise) out.what = What::SplitFace;
   return out;
 }
 
@@ -161,7 +174,7 @@ Incision CutSearch::false_chord(HalfEdge h, int left, int) const {
   out.half_edge = h;
   const double length = edge_length(h);
   if (length < options_.snap) return out;
-  out.point = mesh_.edge_point(h, 0.5);
+  out.point = point_on(h, 0.5);
   const double g = out.point.g[0];
   if (std::abs(g) <= kNumericNoise) return out;
   if (left > 0 || (g > 0 && length > 4 * options_.chord)) out.what = What::SplitEdge;
@@ -188,7 +201,7 @@ Incision CutSearch::true_chord(HalfEdge h, int left) const {
       return out;
     }
   }
-  out.point = mesh_.edge_point(h, kLook);
+  out.point = point_on(h, kLook);
   // The contour lies on the side where g beyond the edge has the other sign than on it.
   out.side = (g > 0) == (left > 0) ? 1 : 0;
   const HalfEdge apex = prev_in_face(out.side == 0 ? h : mesh_.opposite(h));
@@ -229,7 +242,7 @@ Incision CutSearch::true_chord(HalfEdge h, int left) const {
 Incision CutSearch::split_at_exit(const Exit& exit, double g) const {
   Incision out;
   out.half_edge = exit.half_edge;
-  out.point = mesh_.edge_point(exit.half_edge, exit.share);
+  out.point = point_on(exit.half_edge, exit.share);
   const double scale = mesh_.on_paper(out.point.position, 1);
   for (const HalfEdge end : {exit.half_edge, next_in_face(exit.half_edge)}) {
     if (glm::distance(out.point.position, mesh_.position(end)) * scale < options_.snap) return out;

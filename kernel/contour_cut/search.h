@@ -28,6 +28,7 @@ struct Incision {
   FaceSample place;
   std::size_t side = 0;
   std::uint32_t face = 0;
+  double shift = 0;  // of g at `place`, for SplitFace
 };
 
 /// Reads the mesh only; may be called from many threads.
@@ -75,6 +76,7 @@ class CutSearch {
   double edge_length(HalfEdge h) const;
   Vec2 uv_at(std::uint32_t face, Vec3 bary) const;
   double shift_at(std::uint32_t face, Vec3 bary) const;
+  EdgePoint point_on(HalfEdge h, double share) const;
   bool deep(const FaceSample& s, double g) const;
   Incision dip_in(HalfEdge h, int side) const;
   Incision false_chord(HalfEdge h, int left, int right) const;

@@ -26,6 +26,14 @@ constexpr double kNothing = 0.1, kRounder = 1.2;
 constexpr double kNarrow = 3;
 /// Of a face's width: an edge this near to the line of another is the same bend.
 constexpr double kSameLine = 0.05;
+/// Triangles of a flat face that is more than a facet, the end of something round, at the least;
+/// and of the bend at its border: bends beyond the facet there that are smaller belong to a wall
+/// that leads away from it, such as a cone's (a ball bends as much again, a fillet twice).
+constexpr std::uint32_t kEnd = 4;
+constexpr double kWall = 0.5;
+/// Of the least bend: from there on a bend is an edge for certain, not one of something round that
+/// is coarse.
+constexpr double kStillRound = 2.5;
 /// Cosine: bends that cross each other by more do not make one round face together.
 constexpr double kAcross = 0.7;
 
@@ -42,6 +50,12 @@ class Bends {
   bool is_candidate_at_tips(HalfEdge h) const {
     return bends(h) && in_flat_face(face_of(h)) != in_flat_face(face_of(opposite(h)));
   }
+  /// Whether it is the border of a flat end beside a wall: what else bends on the wall runs across.
+  bool is_rim(HalfEdge h) const {
+    if (!bends(h)) return false;
+    const HalfEdge o = opposite(h);
+    return (is_end(h) && leads_away(o)) || (is_end(o) && leads_away(h));
+  }
   /// Whether nothing else bends on the face of more than one triangle.
   bool ends_a_wall(HalfEdge h) const { return alone(in_flat_face(face_of(h)) ? h : opposite(h)); }
   /// The half-edge on the side that is a triangle.
@@ -50,6 +64,8 @@ class Bends {
   void find_faces() {
     const std::int32_t faces = flood(
         proxy_.topology.opposite, [&](HalfEdge h) { return is_flat(h); }, face_);
+    triangles_.assign(static_cast<std::size_t>(faces), 0);
+    for (const std::int32_t f : face_) ++triangles_[static_cast<std::size_t>(f)];
     const auto all = static_cast<HalfEdge>(proxy_.edge_kind.size());
     std::vector<HalfEdge> borders;
     for (HalfEdge h = 0; h < all; ++h) {
@@ -114,14 +130,41 @@ class Bends {
     const double near = kSameLine * width(h), least = kNothing * bend(h);
     return std::ranges::all_of(around(h), [&](HalfEdge e) {
       if (kind(e) != EdgeKind::Smooth || bend(e) <= least) return true;
-      const double along = glm::dot(to(e) - from(e), to(h) - from(h));
-      if (std::abs(along) < kAcross * length(e) * length(h)) return true;
+      if (!runs_along(e, h)) return true;
       const bool same = distance(h, from(e)) <= near && distance(h, to(e)) <= near;
       return same || each(e);
     });
   }
   bool alone(HalfEdge h) const {
     return others(h, [](HalfEdge) { return false; });
+  }
+  bool is_end(HalfEdge h) const { return triangles_[face(h)] >= kEnd; }
+  bool runs_along(HalfEdge e, HalfEdge h) const {
+    const double along = glm::dot(to(e) - from(e), to(h) - from(h));
+    return std::abs(along) >= kAcross * length(e) * length(h);
+  }
+  /// Whether an edge bends along `h` by a share of its bend and more, as what is round does again
+  /// and again, little above the crease angle too.
+  bool bends_again(HalfEdge e, HalfEdge h) const {
+    const double bent = bend(e);
+    if (bent < kWall * bend(h) || !runs_along(e, h)) return false;
+    return kind(e) == EdgeKind::Smooth || bent < kStillRound * least_;
+  }
+  /// Whether nothing bends again on the wall of `h`, on its own face or the next ones, but for what
+  /// leads there from the border of the end.
+  bool leads_away(HalfEdge h) const {
+    const Vec3 normal = normals_[face_of(opposite(h))];
+    const auto at_end = [&](Vec3 p) {
+      return std::abs(glm::dot(normal, p - from(h))) <= kSameLine * distance(h, p);
+    };
+    const auto again = [&](HalfEdge e) {
+      return opposite(e) != kNoHalfEdge && !at_end(from(e)) && !at_end(to(e)) && bends_again(e, h);
+    };
+    return std::ranges::none_of(around(h), [&](HalfEdge e) {
+      if (again(e)) return true;
+      if (kind(e) != EdgeKind::Smooth || face(opposite(e)) == face(opposite(h))) return false;
+      return std::ranges::any_of(around(opposite(e)), again);
+    });
   }
   /// Whether the face of `h` is a chamfer beside one of width `beside`: what else bends there is no
   /// rounder, and leads to another face that is wider, and on which nothing else bends.
@@ -138,8 +181,9 @@ class Bends {
   const ProxyMesh& proxy_;
   const std::vector<Vec3>& normals_;
   double least_;
-  std::vector<std::int32_t> face_;  // of each triangle the flat face
-  Groups<HalfEdge> around_;         // of each face its half-edges towards others
+  std::vector<std::int32_t> face_;        // of each triangle the flat face
+  std::vector<std::uint32_t> triangles_;  // of each face how many
+  Groups<HalfEdge> around_;               // of each face its half-edges towards others
 };
 
 /// Sets or unsets a crease.
@@ -165,7 +209,10 @@ void sharpen_lone_bends(ProxyMesh& proxy, const std::vector<Vec3>& normals, doub
   std::vector<HalfEdge> edges;
   for (std::size_t i = 0; i < candidates.size(); ++i) {
     if (i % kFaceGrain == 0) context.check();
-    if (bends.is_edge(candidates[i])) edges.push_back(candidates[i]);
+    if (bends.is_edge(candidates[i]) || bends.is_rim(candidates[i])) edges.push_back(candidates[i]);
+  }
+  for (const HalfEdge h : at_tips) {
+    if (bends.is_rim(h)) edges.push_back(h);
   }
   std::erase_if(at_tips, [&](HalfEdge h) { return !bends.ends_a_wall(h); });
   for (HalfEdge& h : at_tips) h = bends.on_triangle(h);

@@ -1,6 +1,7 @@
 #include "tip_finder.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -25,6 +26,10 @@ constexpr double kPole = 1.5 * std::numbers::pi;
 /// bulge (the pole of a ball leans by half of what its next ring bends). So it is where a crease
 /// around it bends by no more than the third of those: that is one facet more.
 constexpr double kRound = 0.6, kAlike = 1.2, kFacet = 1.5;
+
+/// Cosine of how far two creases turn at the corner of a shape: no rim that is round does so
+/// between two of its facets.
+constexpr double kCorner = 0.5;
 
 double angle_of(double cosine) { return std::acos(std::clamp(cosine, -1.0, 1.0)); }
 
@@ -85,12 +90,39 @@ TipFinder::Fan TipFinder::measure(HalfEdge first) const {
   return fan;
 }
 
+/// Whether beyond a crease there is a flat face of more than a triangle.
+bool TipFinder::at_wall(HalfEdge h) const {
+  const HalfEdge o = proxy_.topology.opposite[static_cast<std::size_t>(h)];
+  if (o == kNoHalfEdge) return false;
+  return std::ranges::any_of(std::array{next_in_face(o), prev_in_face(o)},
+                             [&](HalfEdge e) { return smooth(e) && across(e) >= kFlatCosine; });
+}
+
+/// Whether the creases at both sides of the fan meet in a corner of flat walls.
+bool TipFinder::at_corner(HalfEdge first) const {
+  if (smooth(first)) return false;
+  HalfEdge last = first;
+  any(first, [&](HalfEdge h) {
+    last = h;
+    return false;
+  });
+  const auto along = [&](HalfEdge h) {
+    const std::vector<Vec3>& p = proxy_.mesh.positions;
+    return normalize_or(p[origin(proxy_.mesh, next_in_face(h))] - p[origin(proxy_.mesh, h)],
+                        Vec3(0));
+  };
+  const HalfEdge end = prev_in_face(last);
+  return glm::dot(along(end), along(first)) < kCorner && at_wall(first) && at_wall(end);
+}
+
 bool TipFinder::is_tip(HalfEdge first) const {
   const Fan fan = measure(first);
   const bool rim = !smooth(first);
   const int faces = rim ? fan.bends + 1 : fan.bends;
+  if (faces < 3) return false;
+  if (at_corner(first) && angle_of(fan.lean) >= kLeastAtRim * crease_angle_) return true;
   // Of small angles 1 - cos is half the square; what passes is looked at by angles.
-  if (faces < 3 || 1 - fan.most > 1.2 * kMostBend * kMostBend * (1 - fan.lean)) return false;
+  if (1 - fan.most > 1.2 * kMostBend * kMostBend * (1 - fan.lean)) return false;
   const double lean = angle_of(fan.lean), most = angle_of(fan.most);
   if (lean < (rim ? kLeastAtRim * crease_angle_ : kLeast) || most > kMostBend * lean) return false;
   if (!rim && faces * lean < kPole) return false;

@@ -28,6 +28,8 @@ class TipFinder {
     return proxy_.edge_kind[static_cast<std::size_t>(h)] == EdgeKind::Smooth;
   }
   HalfEdge next(HalfEdge h, HalfEdge first) const;
+  bool at_wall(HalfEdge h) const;
+  bool at_corner(HalfEdge first) const;
   template <class Holds>
   bool any(HalfEdge first, const Holds& holds) const;
   double across(HalfEdge h) const;

@@ -515,6 +515,32 @@ TEST(ContourCut, WedgeNormalsAreTheMeanOfBothFacesOfASmoothEdge) {
   }
 }
 
+TEST(ContourCut, AFaceSeenEdgeOnBesideALeaningTangentFaceIsCutOnce) {
+  // A vault along y, seen edge-on all over, and one that rises beyond it, which meet in an edge
+  // that is called smooth: by their mean normal the first one faces the viewer at the joint.
+  test::AtlasBuilder b;
+  for (const double slope : {0.0, 0.1}) {
+    const auto vault = [=](Vec2 p) {
+      return SurfaceDerivatives{{p.x, p.y, std::cos(p.x) - slope * p.y},
+                                {1, 0, -std::sin(p.x)},
+                                {0, 1, -slope},
+                                {0, 0, -std::cos(p.x)},
+                                Vec3(0),
+                                Vec3(0)};
+    };
+    b.add_face(test::chart_of(vault, {-1, slope > 0 ? 0 : -1}, {1, slope > 0 ? 1 : 0}));
+  }
+  const int joint = b.add_edge(ModelEdgeClass::Smooth);
+  b.add_grid(0, {{-1, -1}, {1, 0}}, 9, 2, {-1, -1, joint, -1});
+  b.add_grid(1, {{-1, 0}, {1, 1}}, 9, 2, {joint, -1, -1, -1});
+  for (const double width : {50.0, 150.0, 400.0}) {
+    SCOPED_TRACE(width);
+    const Cut cut(Charted(test::AtlasBuilder(b)),
+                  {.direction = {0, 1, 0}, .paper = {width, width}});
+    EXPECT_LT(cut.charted.mesh.triangles.size(), 8 * cut.triangles_before);
+  }
+}
+
 TEST(ContourCut, TheTipOfAConeHasNoNormalAndIsOnTheContour) {
   const Charted cone = test::charted_cone(2, 3, 12);
   int tips = 0;

@@ -51,6 +51,27 @@ TEST(Tips, TheEdgeBetweenAWallAndTheFansAboveItIsACrease) {
   }
 }
 
+// By 24 to 45 degrees, less than the crease angle on both narrow sides.
+TEST(Tips, TheRimOfADiscThatAHullSlopesFromIsACrease) {
+  for (const std::uint32_t sides : {12u, 16u, 24u, 32u, 64u}) {
+    const ProxyMesh proxy = proxy_of(test::hull({.height = 4, .top = 12, .sides = sides}));
+    std::size_t creases = 0;
+    for (std::size_t i = 0; i < proxy.edge_kind.size(); ++i) {
+      const auto h = static_cast<HalfEdge>(i);
+      const HalfEdge o = proxy.topology.opposite[i];
+      const bool disc = proxy.mesh.normal(face_of(h)).z > 1 - 1e-9;
+      if (!disc || proxy.mesh.normal(face_of(o)).z > 1 - 1e-9) continue;
+      creases += proxy.is_crease(h);
+    }
+    EXPECT_EQ(creases, sides);
+  }
+}
+
+TEST(Tips, TheCornerOfACoarseHullIsOne) {
+  const ProxyMesh proxy = proxy_of(test::hull({.height = 4, .top = 12, .sides = 12}));
+  EXPECT_EQ(count(wedges_at_tips(proxy)), 12u + 8);
+}
+
 TEST(Tips, WherePartOfAFlatFaceTouchesTheDiscIsTheNormalOfThatFace) {
   const ProxyMesh proxy = proxy_of(test::hull({}));
   for (std::uint32_t f = 0; f < proxy.mesh.triangles.size(); ++f) {
