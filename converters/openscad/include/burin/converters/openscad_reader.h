@@ -35,8 +35,8 @@ struct OpenscadOptions {
   /// Whether parts become implicit functions instead of solids: of their true surfaces, not of
   /// their facets; a part that has none is refused.
   bool implicit = false;
-  /// What the program finds in `$preview`, unless its definitions or it itself say otherwise: true in
-  /// OpenSCAD's window, which drawings show, false in what it exports.
+  /// What the program finds in `$preview`, unless its definitions or it itself say otherwise: true
+  /// in OpenSCAD's window, which drawings show, false in what it exports.
   bool preview = true;
 };
 
