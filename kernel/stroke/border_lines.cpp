@@ -14,11 +14,13 @@ namespace {
 
 constexpr double kMostMissing = 20;  // gaps: a step of the stair beside lines 1 degree off it
 constexpr double kTip = 3;           // gaps over which the direction of an end is measured
-constexpr double kBeside = 0.5;      // gaps that an end may lie beside the other's direction
+// Gaps that an end may lie beside the other's direction, or an arc beside its chord.
+constexpr double kBeside = 0.5;
 constexpr double kStraight = -0.97;  // cosine between the directions of both ends: 14 degrees
-constexpr double kUneven =
-    0.25;  // radians by which an arc may leave its chord otherwise than it comes back
-constexpr double kMostBend = 0.8;  // radians from the chord that an arc may begin with
+// Radians by which an arc may leave its chord otherwise than it comes back to it.
+constexpr double kUneven = 0.25;
+// Cosine: where a surface is seen more edge-on lines draw together.
+constexpr double kSlanted = 0.35;
 constexpr std::size_t kNone = SIZE_MAX;
 
 // An end of a line at the border of a region.
@@ -27,15 +29,16 @@ struct Tip {
   bool begin = false;
   Vec2 at{0}, outwards{0};
   double gap = 0;
-  std::pair<std::uint32_t, std::int64_t> key;  // what counts its turns, and their number
-  std::size_t joined = kNone;                  // the tip that it goes on into
-  double bend = 0;                             // ... and how (Bridge)
+  bool square = false;  // not at a contour, where what has one number need not be one line
+  std::pair<std::uint32_t, std::int64_t> key{};  // what counts its turns, and their number
+  std::size_t joined = kNone;                    // the tip that it goes on into
+  double bend = 0;                               // ... and how (Bridge)
 };
 
 Tip tip_of(const LevelLine& line, std::size_t number, bool begin) {
   const std::vector<Vec2>& p = line.points;
   const auto at = [&](std::size_t i) { return begin ? i : p.size() - 1 - i; };
-  Tip tip{number, begin, p[at(0)], Vec2(0), line.gaps[at(0)], {}};
+  Tip tip{.line = number, .begin = begin, .at = p[at(0)], .gap = line.gaps[at(0)]};
   std::size_t i = 1;
   while (i + 1 < p.size() && glm::distance(p[at(i)], tip.at) < kTip * tip.gap) ++i;
   const double length = glm::distance(tip.at, p[at(i)]);
@@ -66,9 +69,11 @@ std::optional<Bridge> bridge(const Tip& a, const Tip& b) {
     return Bridge{length, 0};
   }
   const double begin = turn(chord, a.outwards), end = turn(chord, -b.outwards);
-  if (std::abs(begin + end) > kUneven || std::abs(begin) > kMostBend) return std::nullopt;
+  if (!a.square || !b.square || std::abs(begin + end) > kUneven) return std::nullopt;
   // The directions are those of chords of both lines: the arc between them turns less than they do.
-  return Bridge{length, 0.5 * (begin - end) * length / (length + kTip * gap)};
+  const double bend = 0.5 * (begin - end) * length / (length + kTip * gap);
+  if (0.5 * length * std::abs(std::tan(0.5 * bend)) > kBeside * gap) return std::nullopt;
+  return Bridge{length, bend};
 }
 
 // A place of such an arc, by its share of the way.
@@ -141,6 +146,7 @@ class Joiner {
         if (begin ? line.begin_inside : line.end_inside) continue;
         tips_.push_back(tip_of(line, i, begin));
         tips_.back().key = {roots[line.node], line.number};
+        tips_.back().square = raster_.nearest(tips_.back().at).facing > kSlanted;
       }
     }
     std::ranges::stable_sort(tips_, [](const Tip& a, const Tip& b) {

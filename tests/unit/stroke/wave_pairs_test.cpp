@@ -29,6 +29,7 @@ struct Sheet {
     raster.nx = kNx;
     raster.ny = kNy;
     raster.cells.resize(static_cast<std::size_t>(kNx) * kNy);
+    for (RasterCell& c : raster.cells) c.facing = 1;
     const std::size_t n = raster.cells.size();
     graph.node.resize(n);
     graph.right.assign(n, kNone);
