@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <utility>
 
 namespace burin::detail {
@@ -13,8 +14,13 @@ namespace {
 
 constexpr double kMostMissing = 20;  // gaps: a step of the stair beside lines 1 degree off it
 constexpr double kTip = 3;           // gaps over which the direction of an end is measured
-constexpr double kBeside = 0.5;      // gaps that an end may lie beside the other's direction
+// Gaps that an end may lie beside the other's direction, or an arc beside its chord.
+constexpr double kBeside = 0.5;
 constexpr double kStraight = -0.97;  // cosine between the directions of both ends: 14 degrees
+// Radians by which an arc may leave its chord otherwise than it comes back to it.
+constexpr double kUneven = 0.25;
+// Cosine: where a surface is seen more edge-on lines draw together.
+constexpr double kSlanted = 0.35;
 constexpr std::size_t kNone = SIZE_MAX;
 
 // An end of a line at the border of a region.
@@ -23,14 +29,16 @@ struct Tip {
   bool begin = false;
   Vec2 at{0}, outwards{0};
   double gap = 0;
-  std::pair<std::uint32_t, std::int64_t> key;  // what counts its turns, and their number
-  std::size_t joined = kNone;                  // the tip that it goes on into
+  bool square = false;  // not at a contour, where what has one number need not be one line
+  std::pair<std::uint32_t, std::int64_t> key{};  // what counts its turns, and their number
+  std::size_t joined = kNone;                    // the tip that it goes on into
+  double bend = 0;                               // ... and how (Bridge)
 };
 
 Tip tip_of(const LevelLine& line, std::size_t number, bool begin) {
   const std::vector<Vec2>& p = line.points;
   const auto at = [&](std::size_t i) { return begin ? i : p.size() - 1 - i; };
-  Tip tip{number, begin, p[at(0)], Vec2(0), line.gaps[at(0)], {}};
+  Tip tip{.line = number, .begin = begin, .at = p[at(0)], .gap = line.gaps[at(0)]};
   std::size_t i = 1;
   while (i + 1 < p.size() && glm::distance(p[at(i)], tip.at) < kTip * tip.gap) ++i;
   const double length = glm::distance(tip.at, p[at(i)]);
@@ -38,13 +46,43 @@ Tip tip_of(const LevelLine& line, std::size_t number, bool begin) {
   return tip;
 }
 
-bool goes_on_into(const Tip& a, const Tip& b) {
-  const Vec2 step = b.at - a.at;
-  const double gap = std::min(a.gap, b.gap);
-  return a.line != b.line && glm::length(step) <= kMostMissing * gap &&
-         glm::dot(a.outwards, b.outwards) < kStraight && glm::dot(a.outwards, step) >= 0 &&
-         glm::dot(b.outwards, step) <= 0 && std::abs(cross2(a.outwards, step)) < kBeside * gap &&
-         std::abs(cross2(b.outwards, step)) < kBeside * gap;
+// How a line goes on from one end to another one: along the chord, or along the arc of a circle, as
+// beside a round border, which such a line touches and whose cells hide what is between.
+struct Bridge {
+  double length = 0;  // of the chord
+  double bend = 0;    // radians from the chord to the arc at its begin, counterclockwise
+};
+
+// From the chord to a direction, counterclockwise.
+double turn(Vec2 chord, Vec2 direction) {
+  return std::atan2(cross2(chord, direction), glm::dot(chord, direction));
+}
+
+std::optional<Bridge> bridge(const Tip& a, const Tip& b) {
+  const Vec2 chord = b.at - a.at;
+  const double gap = std::min(a.gap, b.gap), length = glm::length(chord);
+  if (a.line == b.line || length > kMostMissing * gap) return std::nullopt;
+  if (glm::dot(a.outwards, chord) < 0 || glm::dot(b.outwards, chord) > 0) return std::nullopt;
+  if (glm::dot(a.outwards, b.outwards) < kStraight &&
+      std::abs(cross2(a.outwards, chord)) < kBeside * gap &&
+      std::abs(cross2(b.outwards, chord)) < kBeside * gap) {
+    return Bridge{length, 0};
+  }
+  const double begin = turn(chord, a.outwards), end = turn(chord, -b.outwards);
+  if (!a.square || !b.square || std::abs(begin + end) > kUneven) return std::nullopt;
+  // The directions are those of chords of both lines: the arc between them turns less than they do.
+  const double bend = 0.5 * (begin - end) * length / (length + kTip * gap);
+  if (0.5 * length * std::abs(std::tan(0.5 * bend)) > kBeside * gap) return std::nullopt;
+  return Bridge{length, bend};
+}
+
+// A place of such an arc, by its share of the way.
+Vec2 place_on_arc(Vec2 from, Vec2 to, double bend, double share) {
+  if (std::abs(bend) < 1e-6) return glm::mix(from, to, share);
+  const Vec2 chord = to - from, left(-chord.y, chord.x);
+  const double angle = bend * (2 * share - 1), round = 2 * std::sin(bend);
+  return from + (0.5 + std::sin(angle) / round) * chord +
+         (std::cos(angle) - std::cos(bend)) / round * left;
 }
 
 class Joiner {
@@ -75,7 +113,7 @@ class Joiner {
         const Tip& tip = tips_[next];
         LevelLine more = std::exchange(lines_[tip.line], {});
         if (!tip.begin) reverse(more);
-        append(line, more);
+        append(line, more, -tip.bend);
         next = joined(tip.line, !tip.begin);
       }
       out.push_back(std::move(line));
@@ -108,6 +146,7 @@ class Joiner {
         if (begin ? line.begin_inside : line.end_inside) continue;
         tips_.push_back(tip_of(line, i, begin));
         tips_.back().key = {roots[line.node], line.number};
+        tips_.back().square = raster_.nearest(tips_.back().at).facing > kSlanted;
       }
     }
     std::ranges::stable_sort(tips_, [](const Tip& a, const Tip& b) {
@@ -118,7 +157,7 @@ class Joiner {
   // Nearest first; none to a ring.
   void pair_tips(const RunContext& context) {
     struct Pair {
-      double missing;
+      Bridge bridge;
       std::size_t a, b;
     };
     std::vector<Pair> pairs;
@@ -127,13 +166,12 @@ class Joiner {
       const double reach = tips_[i].at.x + kMostMissing * tips_[i].gap;
       for (std::size_t j = i + 1; j < tips_.size(); ++j) {
         if (tips_[j].key != tips_[i].key || tips_[j].at.x > reach) break;
-        if (!goes_on_into(tips_[i], tips_[j])) continue;
-        pairs.push_back({glm::distance(tips_[i].at, tips_[j].at), i, j});
+        if (const auto found = bridge(tips_[i], tips_[j])) pairs.push_back({*found, i, j});
       }
     }
-    std::ranges::stable_sort(pairs, {}, &Pair::missing);
+    std::ranges::stable_sort(pairs, {}, [](const Pair& p) { return p.bridge.length; });
     DisjointSets chains(lines_.size());
-    for (const auto& [missing, a, b] : pairs) {
+    for (const auto& [way, a, b] : pairs) {
       const auto one = static_cast<std::uint32_t>(tips_[a].line),
                  other = static_cast<std::uint32_t>(tips_[b].line);
       if (tips_[a].joined != kNone || tips_[b].joined != kNone) continue;
@@ -141,17 +179,19 @@ class Joiner {
       chains.join(one, other);
       tips_[a].joined = b;
       tips_[b].joined = a;
+      tips_[a].bend = way.bend;
+      tips_[b].bend = -way.bend;
     }
   }
 
   // Hangs one line on another, over points as dense as those of the cells.
-  void append(LevelLine& line, const LevelLine& more) const {
+  void append(LevelLine& line, const LevelLine& more, double bend) const {
     const Vec2 from = line.points.back(), to = more.points.front();
     const double gap = line.gaps.back(), other = more.gaps.front();
     const auto steps = static_cast<int>(std::ceil(2 * glm::distance(from, to) / raster_.pitch));
     for (int k = 1; k < steps; ++k) {
       const double t = static_cast<double>(k) / steps;
-      line.points.push_back(glm::mix(from, to, t));
+      line.points.push_back(place_on_arc(from, to, bend, t));
       line.gaps.push_back(static_cast<float>(glm::mix(gap, other, t)));
     }
     // A line that passes a node is in two where both begin at it.

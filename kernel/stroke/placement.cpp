@@ -38,6 +38,8 @@ constexpr double kTaken = 0.55, kSame = 0.3;
 // Where a stroke begins: this near its level line where it can be, and no farther off than that.
 constexpr double kOnLine = 0.02, kNearLine = 0.3;
 constexpr int kNewton = 4;
+// Gaps beside a contour up to which shade is too narrow for strokes that end in the light.
+constexpr double kStrip = 2;
 // Steps of the progress: of a family, and of each of the four stages before its lines are traced.
 constexpr std::size_t kSteps = 1000, kStage = 150;
 
@@ -154,11 +156,25 @@ class Placement {
     return best;
   }
 
+  // Whether a stroke from a contour into the light stays beside it all the way: where a lit surface
+  // has a narrow strip of shade along its contour, such ones would be hairs on the outline.
+  bool hugs_contour(const TracedStroke& s) const {
+    const bool begins = s.begin_reason == StrokeEnd::Away && s.end_reason == StrokeEnd::Light,
+               ends = s.end_reason == StrokeEnd::Away && s.begin_reason == StrokeEnd::Light;
+    if (!begins && !ends) return false;
+    const StrokeSample& edge = begins ? s.samples.front() : s.samples.back();
+    const Vec2 outwards = picture_.camera.velocity(edge.point.position, edge.normal);
+    const double beside = kStrip * picture_.options.spacing_min * glm::length(outwards);
+    return std::ranges::all_of(s.samples, [&](const StrokeSample& p) {
+      return std::abs(glm::dot(outwards, p.paper - edge.paper)) < beside;
+    });
+  }
+
   // From edge to edge a stroke may be shorter than the style's shortest, down to the spacing:
   // narrow faces would stay white.
   bool acceptable(const TracedStroke& s, double gap) const {
     const double length = s.length();
-    if (s.samples.size() < 3) return false;
+    if (s.samples.size() < 3 || hugs_contour(s)) return false;
     if (length >= picture_.options.length_min) return true;
     const auto bounded = [](StrokeEnd e) {
       return e == StrokeEnd::Edge || e == StrokeEnd::Away || e == StrokeEnd::Hidden;

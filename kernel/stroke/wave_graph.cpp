@@ -9,7 +9,6 @@
 #include <cmath>
 #include <map>
 #include <optional>
-#include <set>
 #include <utility>
 
 namespace burin::detail {
@@ -18,6 +17,10 @@ namespace {
 constexpr double kLeastFacing = 0.03;  // cosine: seen more edge-on, a cell has no node
 constexpr double kLeastGap = 0.12;     // of its true length that a gap across the lines keeps
 constexpr double kSameLine = 0.6;   // cosine of the turn from cell to cell up to which lines go on
+constexpr double kTurned = 0.25;    // cosine: seen more edge-on, a surface turns away
+constexpr double kUnbroken = 0.94;  // ... without a bend: 20 degrees
+constexpr double kSlant = 0.34;     // ... and the sine of that to the border: as much
+constexpr double kAlike = 0.9;      // of the border of two faces where lines go on so: they are one
 constexpr double kDiagonal = 0.25;  // weight of a diagonal link
 // Lines may draw together towards contours: where the surface is slanted by more than kSlanted.
 constexpr double kSlanted = 0.5;
@@ -175,38 +178,63 @@ class Builder {
 
   // A plane and the fillet around something round on it: lines run straight on the one and about
   // its axis on the other, along the border here and across it there. One phase for both would bend
-  // those of the plane all around. Where the border that is seen turns little they go on as one.
+  // those of the plane all around. Where the border that is seen turns little they go on as one,
+  // and where they cross it squarely, or run along it, all the way: those of a washer.
   void find_fillets() {
-    std::map<FaceId, std::pair<Mat3, double>> sums;  // of the directions of the border
-    for_each_fillet([&](std::uint32_t, std::uint32_t torus) {
-      auto& [sum, count] = sums.try_emplace(face_of(torus), Mat3(0), 0.0).first->second;
-      sum += glm::outerProduct(looks_[torus].around, looks_[torus].around);
-      count += 1;
+    struct Border {
+      Mat3 directions{0};  // the sum of their squares
+      double cells = 0;
+      double alike = 0;  // cells where lines cross it squarely and go on
+    };
+    std::map<FaceId, Border> borders;
+    for_each_fillet([&](std::uint32_t plane, std::uint32_t torus) {
+      Border& border = borders[face_of(torus)];
+      border.directions += glm::outerProduct(looks_[torus].around, looks_[torus].around);
+      border.cells += 1;
+      const bool squarely =
+          std::abs(glm::dot(looks_[torus].tangent, looks_[torus].around)) < kSlant;
+      border.alike += squarely && turn(plane, torus) > kUnbroken ? 1 : 0;
     });
     // Of an arc of 110 degrees: the share of its directions along the one that most have.
     constexpr double kOneWay = 0.75;
-    for (const auto& [face, sum] : sums) {
-      const auto& [directions, count] = sum;
+    for (const auto& [face, border] : borders) {
       // Directions in a plane: the larger of two eigenvalues, from the sum of their squares.
       double squares = 0;
-      for (int k = 0; k < 3; ++k) squares += glm::dot(directions[k], directions[k]);
-      const double share = 0.5 + 0.5 * std::sqrt(std::max(0.0, 2 * squares / (count * count) - 1));
-      if (share < kOneWay) round_.insert(face);
+      for (int k = 0; k < 3; ++k) squares += glm::dot(border.directions[k], border.directions[k]);
+      const double share =
+          0.5 + 0.5 * std::sqrt(std::max(0.0, 2 * squares / (border.cells * border.cells) - 1));
+      if (share < kOneWay) round_[face] = border.alike >= kAlike * border.cells;
     }
+  }
+
+  // The cosine of the turn of lines from one node to the next one.
+  double turn(std::uint32_t a, std::uint32_t b) const {
+    const Vec3 there = transport(looks_[b].tangent, looks_[b].normal, looks_[a].normal);
+    return std::abs(glm::dot(there, looks_[a].tangent));
   }
 
   bool part_ways(std::uint32_t a, std::uint32_t b) const {
     if (round_.empty()) return false;
     if (looks_[a].kind != FaceKind::Plane) std::swap(a, b);
-    return looks_[a].kind == FaceKind::Plane && looks_[b].kind == FaceKind::Torus &&
-           round_.contains(face_of(b));
+    if (looks_[a].kind != FaceKind::Plane || looks_[b].kind != FaceKind::Torus) return false;
+    const auto fillet = round_.find(face_of(b));
+    return fillet != round_.end() && !(fillet->second && stays_in_sight(a, b));
+  }
+
+  // Whether a quarter of a torus that begins at a plane does not turn away from the viewer: lines
+  // crowd towards a contour, and would bend those of the plane with them.
+  bool stays_in_sight(std::uint32_t plane, std::uint32_t torus) const {
+    const Vec3 up = looks_[plane].normal, towards = looks_[torus].normal;
+    const Vec3 last = towards - glm::dot(towards, up) * up;  // the normal a quarter further on
+    const RasterCell& cell = raster_.cells[graph_.nodes[torus].cell];
+    const Vec3 position = picture_.surface(cell.part).lift(cell.place()).position;
+    return glm::dot(last, picture_.camera.to_viewer(position)) > kTurned * glm::length(last);
   }
 
   bool one_line(std::uint32_t a, std::uint32_t b) const {
     if (!same_sheet(sheet(a), sheet(b))) return false;
     if (part_ways(a, b)) return false;
-    const Vec3 there = transport(looks_[b].tangent, looks_[b].normal, looks_[a].normal);
-    if (std::abs(glm::dot(there, looks_[a].tangent)) < kSameLine) return false;
+    if (turn(a, b) < kSameLine) return false;
     return std::abs(glm::dot(looks_[a].wave, looks_[b].wave)) >=
            0.5 * glm::length(looks_[a].wave) * glm::length(looks_[b].wave);
   }
@@ -217,7 +245,6 @@ class Builder {
     const auto i = static_cast<std::uint32_t>(na), j = static_cast<std::uint32_t>(nb);
     if (!one_line(i, j)) return kNone;
     // Where the surface turns away a line may end more cheaply than elsewhere.
-    constexpr double kTurned = 0.25;
     const double edge = std::min(raster_.cells[a].facing, raster_.cells[b].facing) / kTurned;
     const double sure = std::clamp(edge * edge * edge, 0.003, 1.0);
     graph_.links.push_back({i, j, sheet(j).paper - sheet(i).paper, weight * sure, false});
@@ -304,7 +331,8 @@ class Builder {
   const RunContext& context_;
   WaveGraph graph_;
   std::vector<Look> looks_;
-  std::set<FaceId> round_;  // fillets
+  // Fillets around something round, and whether lines of the plane go on into theirs everywhere.
+  std::map<FaceId, bool> round_;
 };
 
 }  // namespace

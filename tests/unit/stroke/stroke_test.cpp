@@ -118,6 +118,29 @@ TEST(Strokes, AlongABorderAreWhole) {
   EXPECT_LE(shorter, 80U);
 }
 
+// A bar that is lit up to a narrow strip along its contours, which its rings run into nearly along
+// them: strokes there would be hairs on the outline.
+TEST(Strokes, AreNoHairsOnAContour) {
+  constexpr double kRadius = 20;
+  Stage stage(test::cylinder(kRadius, 40, 128), "0,-1,0.9", 2);
+  const Field field = field::smoothed(stage.surfaces, {}, stage.context);
+  const auto count = [&](double strip) {  // mm of paper
+    const Tone tone = [&](Vec3 at, Vec3) { return std::abs(at.x) > kRadius - strip / 2 ? 0.5 : 1; };
+    return stage.strokes(field, tone, kOneFamily).strokes.size();
+  };
+  EXPECT_LT(count(0.8), 4U);  // 120 before, and two where the contours end
+  EXPECT_GT(count(8), 60U);
+}
+
+// Those that run into it squarely are no such hairs, however straight they are.
+TEST(Strokes, FromAContourIntoTheLightStay) {
+  constexpr double kRadius = 20;
+  Stage stage(test::cylinder(kRadius, 40, 128), "front", 2);
+  const Tone tone = [](Vec3 at, Vec3) { return std::abs(at.x) > kRadius - 2 ? 0.5 : 1; };
+  const StrokeResult r = stage.strokes(field::planes({0, 0, 1}), tone, kOneFamily);
+  EXPECT_GT(r.strokes.size(), 180U);  // 80 mm / 0.8 mm on each side
+}
+
 TEST(Strokes, LeaveThePaperWhiteWhereNoInkIsAsked) {
   Stage stage(test::box({0, 0, 0}, {60, 5, 40}), "front", 1);
   EXPECT_TRUE(stage.strokes(field::fixed({0, 0, 1}), 0.97, kOneFamily).strokes.empty());

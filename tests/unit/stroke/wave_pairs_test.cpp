@@ -4,6 +4,7 @@
 #include <burin/base/error.h>
 #include <burin/base/rng.h>
 
+#include "border_lines.h"
 #include "level_lines.h"
 
 #include <gtest/gtest.h>
@@ -28,6 +29,7 @@ struct Sheet {
     raster.nx = kNx;
     raster.ny = kNy;
     raster.cells.resize(static_cast<std::size_t>(kNx) * kNy);
+    for (RasterCell& c : raster.cells) c.facing = 1;
     const std::size_t n = raster.cells.size();
     graph.node.resize(n);
     graph.right.assign(n, kNone);
@@ -137,6 +139,48 @@ TEST(LevelLines, OneEndsWhereThePhaseWindsOnce) {
     const WavePhase phase = sheet.winding({{at, i % 2 == 0 ? 1 : -1}});
     EXPECT_EQ(sheet.ends_inside(phase), 1) << at.x << ", " << at.y;
   }
+}
+
+// A piece of a ring of 12 mm about a place in the middle of the sheet, from one angle to another.
+LevelLine ring_piece(const Vec2& middle, double from, double to, std::int64_t number) {
+  constexpr double kRadius = 12;
+  constexpr int kSteps = 40;
+  LevelLine line;
+  for (int i = 0; i <= kSteps; ++i) {
+    const double a = from + (to - from) * i / kSteps;
+    line.points.push_back(middle + kRadius * Vec2(std::cos(a), std::sin(a)));
+    line.gaps.push_back(static_cast<float>(kGap));
+  }
+  line.number = number;
+  return line;
+}
+
+// A ring that touches the border leaves the cells and comes back: 4.8 mm on, 23 degrees round.
+TEST(BorderLines, PiecesOfARingGoOnIntoOneAnother) {
+  const Sheet sheet;
+  const Vec2 middle(12, 8);
+  std::vector<LevelLine> lines{ring_piece(middle, 0.4, 1.3, 7), ring_piece(middle, 1.7, 2.6, 7)};
+  join_along_borders(sheet.raster, sheet.graph, lines, sheet.context);
+  ASSERT_EQ(lines.size(), 1U);
+  EXPECT_GT(lines[0].points.size(), 2 * 41U);
+  for (const Vec2& p : lines[0].points) EXPECT_NEAR(glm::distance(p, middle), 12, 0.1);
+}
+
+TEST(BorderLines, OthersStayApart) {
+  const Sheet sheet;
+  const Vec2 middle(12, 8);
+  const auto count = [&](LevelLine a, LevelLine b) {
+    std::vector<LevelLine> lines{std::move(a), std::move(b)};
+    join_along_borders(sheet.raster, sheet.graph, lines, sheet.context);
+    return lines.size();
+  };
+  const LevelLine first = ring_piece(middle, 0.4, 1.3, 7);
+  EXPECT_EQ(count(first, ring_piece(middle, 1.7, 2.6, 8)), 2U);  // of another number
+  // One that bends the other way, and one beside the first.
+  LevelLine back = ring_piece(middle, 1.7, 2.6, 7);
+  for (Vec2& p : back.points) p.y = 2 * back.points.front().y - p.y;
+  EXPECT_EQ(count(first, back), 2U);
+  EXPECT_EQ(count(first, ring_piece(middle + Vec2(0, 4), 1.7, 2.6, 7)), 2U);
 }
 
 TEST(WavePairs, HearsACancel) {
