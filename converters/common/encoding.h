@@ -11,6 +11,8 @@
 namespace burin {
 
 bool is_utf8(std::string_view text);
+/// The bytes of the UTF-8 character at the beginning of `text`, or 0 where there is none.
+std::size_t utf8_length(std::string_view text);
 
 /// Throws UsageError, which names the option, where this system has no encoding of that name.
 void check_encoding(const std::string& option, const std::string& encoding);

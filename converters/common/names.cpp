@@ -8,8 +8,10 @@ namespace {
 
 constexpr std::size_t kLongestName = 200;
 
-/// The bytes of the UTF-8 character at the beginning of `text`, or 0 where there is none.
+}  // namespace
+
 std::size_t utf8_length(std::string_view text) {
+  if (text.empty()) return 0;
   const auto byte = [&](std::size_t i) { return static_cast<std::uint8_t>(text[i]); };
   const std::uint8_t lead = byte(0);
   const std::size_t length = lead < 0x80   ? 1
@@ -27,8 +29,6 @@ std::size_t utf8_length(std::string_view text) {
   if ((lead == 0xf0 && byte(1) < 0x90) || (lead == 0xf4 && byte(1) > 0x8f)) return 0;
   return length;
 }
-
-}  // namespace
 
 bool is_utf8(std::string_view text) {
   while (!text.empty()) {

@@ -1,5 +1,7 @@
 #include "text.h"
 
+#include "encoding.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -9,10 +11,21 @@
 namespace burin {
 
 std::string in_quotes(std::string_view token) {
-  constexpr std::size_t kLongest = 40;
+  constexpr int kLongest = 40;
+  // Bytes of which some are no UTF-8 are no letters.
+  const bool utf8 = is_utf8(token);
   std::string out = "'";
-  for (const char c : token.substr(0, kLongest)) out += c >= ' ' && c < 127 ? c : '?';
-  if (token.size() > kLongest) out += "...";
+  for (int n = 0; n < kLongest && !token.empty(); ++n) {
+    const std::size_t length = utf8 ? utf8_length(token) : 1;
+    const char c = token.front();
+    if (length > 1 || (c >= ' ' && c < 127)) {
+      out += token.substr(0, length);
+    } else {
+      out += '?';
+    }
+    token.remove_prefix(length);
+  }
+  if (!token.empty()) out += "...";
   return out + "'";
 }
 

@@ -1,3 +1,4 @@
+#include <burin/assembly/items.h>
 #include <burin/base/affine.h>
 #include <burin/base/error.h>
 #include <burin/base/input_name.h>
@@ -21,6 +22,7 @@
 #include <map>
 #include <optional>
 #include <utility>
+#include <vector>
 
 namespace burin {
 namespace {
@@ -195,10 +197,33 @@ class Maker {
     pushed_.push_back(&use);
   }
 
+  /// What links call a thing that nobody named is the name of all of it where they agree but for
+  /// numbers at the end; where they do not it has its label: it is one item, whatever links say.
+  void name_by_links() {
+    std::map<std::pair<const detail::FcDocument*, std::string>, std::vector<std::size_t>> uses;
+    for (std::size_t i = 0; i < pushed_.size(); ++i) {
+      uses[{pushed_[i]->document, pushed_[i]->object->name}].push_back(i);
+    }
+    for (const auto& [object, of] : uses) {
+      const auto by_link = [&](std::size_t i) { return pushed_[i]->named_by_link; };
+      const auto first = std::ranges::find_if(of, by_link);
+      if (first == of.end()) continue;
+      const auto agrees = [&](std::size_t i) {
+        return !by_link(i) ||
+               instance_stem(pushed_[i]->definition) == instance_stem(pushed_[*first]->definition);
+      };
+      const bool agree = std::ranges::all_of(of, agrees);
+      for (const std::size_t i : of) {
+        made_.parts[i].definition = agree ? pushed_[*first]->definition : pushed_[i]->object->label;
+      }
+    }
+  }
+
   /// A copy of another object, with a shape of its own, is an instance of what that is an instance
   /// of where both are alike; a mirror image may be. What a link has made another thing has the
   /// name of the link.
   void name_copies() {
+    name_by_links();
     std::map<std::pair<const detail::FcDocument*, std::string>, std::size_t> parts;
     for (std::size_t i = 0; i < pushed_.size(); ++i) {
       parts.try_emplace({pushed_[i]->document, pushed_[i]->object->name}, i);

@@ -220,7 +220,7 @@ void FcWalk::leaf(const FcDocument& document, const FcObject& object, const Plac
   if (shape->shape.empty() && shape->mesh.empty()) {
     return leave_out_shapeless(object, use.name, left_out);
   }
-  use.definition = definition_of(document, object, place);
+  define(use, place);
   if (place.alone) use.link = place.given;
   if (shape != &object && place.own) use.placement = after(use.placement, object.placement);
   if (shape != &object) use.own = true;
@@ -231,13 +231,14 @@ void FcWalk::leaf(const FcDocument& document, const FcObject& object, const Plac
   uses.push_back(std::move(use));
 }
 
-std::string FcWalk::definition_of(const FcDocument& document, const FcObject& object,
-                                  const Place& place) const {
-  std::string given = given_name(document, object);
-  if (given.empty() && place.alone) {
-    given = &document == &root_ ? place.given : document.path().stem().string();
+void FcWalk::define(FcUse& use, const Place& place) const {
+  use.definition = given_name(*use.document, *use.object);
+  if (use.definition.empty() && place.alone) {
+    const bool here = use.document == &root_;
+    use.definition = here ? place.given : use.document->path().stem().string();
+    use.named_by_link = here && !use.definition.empty();
   }
-  return given.empty() ? object.label : given;
+  if (use.definition.empty()) use.definition = use.object->label;
 }
 
 }  // namespace burin::detail

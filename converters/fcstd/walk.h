@@ -28,6 +28,8 @@ struct FcUse {
   std::string name = {};
   /// The name of what this is an instance of: the same for an object and all links to it.
   std::string definition = {};
+  /// Whether it has that name from a link, as the object's own label says nothing.
+  bool named_by_link = false;
   /// What the link to it is called, where it says that and links to nothing else.
   std::string link = {};
   FcLook look = {};
@@ -94,8 +96,7 @@ class FcWalk {
   void array(const FcDocument& document, const FcObject& object, const Target& target,
              const Place& place);
   void leaf(const FcDocument& document, const FcObject& object, const Place& place);
-  std::string definition_of(const FcDocument& document, const FcObject& object,
-                            const Place& place) const;
+  void define(FcUse& use, const Place& place) const;
   bool find_target(const FcDocument& document, const FcObject& object, Target& target);
   static bool descend(const std::string& sub, bool transform, Target& target);
   void find_parents();

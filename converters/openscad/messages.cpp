@@ -27,6 +27,8 @@ constexpr std::array<Kind, 9> kKinds{{{"ERROR: ", Severity::Error},
                                       {"ECHO: ", Severity::Info}}};
 
 constexpr std::size_t kLongestText = 300;
+/// Of one remark; a quote that never closes swallows no more.
+constexpr int kMostLines = 20;
 
 /// Takes " in file NAME, line N" off the end of the text.
 void take_place(Remark& remark) {
@@ -57,7 +59,68 @@ const char* code_of(Severity severity) {
 
 std::string in_folder(const std::string& folder, const std::string& file) {
   if (file.empty() || folder.empty() || std::filesystem::path(file).is_absolute()) return file;
-  return (std::filesystem::path(folder) / file).string();
+  const std::filesystem::path there = std::filesystem::path(folder) / file,
+                              plain = there.lexically_normal();
+  // Of what happens within an expression OpenSCAD tells the name of the file without its folder.
+  std::error_code error;
+  if (!std::filesystem::exists(there, error)) return file;
+  return (std::filesystem::equivalent(there, plain, error) ? plain : there).string();
+}
+
+bool Messages::begin(const std::string& line) {
+  const auto kind =
+      std::ranges::find_if(kKinds, [&](const Kind& k) { return line.starts_with(k.prefix); });
+  if (kind == kKinds.end()) return false;
+  end();
+  Remark remark;
+  remark.severity = kind->severity;
+  // Those without a colon are whole sentences.
+  remark.text = kind->prefix.ends_with(' ') ? line.substr(kind->prefix.size()) : line;
+  open_ = std::move(remark);
+  lines_ = 1;
+  return true;
+}
+
+bool Messages::go_on(const std::string& line) {
+  constexpr std::string_view kTrace = "TRACE: ";
+  if (!open_ || lines_ >= kMostLines || line.starts_with(kTrace)) return false;
+  if (std::ranges::count(open_->text, '"') % 2 == 0) return false;
+  std::string_view more = line;
+  more.remove_prefix(std::min(more.find_first_not_of(" \t"), more.size()));
+  // Libraries begin their texts with an empty line.
+  if (!more.empty() && !open_->text.ends_with('"')) open_->text += ' ';
+  open_->text += more;
+  ++lines_;
+  return true;
+}
+
+void Messages::trace(const std::string& line) {
+  constexpr std::string_view kCalled = "TRACE: called by '";
+  if (traced_ || !line.starts_with(kCalled) || remarks_.empty()) return;
+  Remark call;
+  call.text = line.substr(kCalled.size());
+  take_place(call);
+  if (call.line == 0 || (call.file != "<stdin>" && call.file != file_)) return;
+  traced_ = true;
+  while (call.text.ends_with('\'')) call.text.pop_back();
+  remarks_.back().text += fmt::format("; called by {} in {}, line {}", in_quotes(call.text),
+                                      clean_name(file_), call.line);
+}
+
+void Messages::end() {
+  if (!open_) return;
+  Remark remark = *std::exchange(open_, std::nullopt);
+  take_place(remark);
+  remark.text = clean_name(remark.text.substr(0, kLongestText));
+  if (remark.text.find("open library") != std::string::npos &&
+      remark.text.find("burin.scad") != std::string::npos) {
+    remark.text +=
+        " It comes with Burin (share/burin/openscad; samples/openscad of the source); save it "
+        "beside the model";
+  }
+  remark.file = clean_name(remark.file == "<stdin>" && !file_.empty() ? file_ : remark.file);
+  traced_ = remark.severity != Severity::Error || remark.line == 0 || remark.file == file_;
+  if (!keep(std::move(remark))) traced_ = true;
 }
 
 void Messages::add(const std::string& line) {
@@ -66,42 +129,28 @@ void Messages::add(const std::string& line) {
     two_dimensional_ = true;
   }
   if (line.find("Current top level object is empty") != std::string::npos) empty_ = true;
-  for (const Kind& kind : kKinds) {
-    if (!line.starts_with(kind.prefix)) continue;
-    Remark remark;
-    remark.severity = kind.severity;
-    // Those without a colon are whole sentences.
-    remark.text = kind.prefix.ends_with(' ') ? line.substr(kind.prefix.size()) : line;
-    take_place(remark);
-    remark.text = clean_name(remark.text.substr(0, kLongestText));
-    if (remark.text.find("open library") != std::string::npos &&
-        remark.text.find("burin.scad") != std::string::npos) {
-      remark.text +=
-          " It comes with Burin (share/burin/openscad; samples/openscad of the source); save it "
-          "beside the model";
-    }
-    remark.file = clean_name(remark.file == "<stdin>" && !file_.empty() ? file_ : remark.file);
-    keep(std::move(remark));
-    return;
-  }
+  if (begin(line) || go_on(line)) return;
+  end();
+  trace(line);
 }
 
-void Messages::keep(Remark remark) {
+bool Messages::keep(Remark remark) {
   const auto same = std::find_if(remarks_.begin(), remarks_.end(), [&](const Remark& r) {
     return r.severity == remark.severity && r.text == remark.text && r.file == remark.file &&
            r.line == remark.line;
   });
   if (same != remarks_.end()) {
     ++same->count;
-    return;
+    return false;
   }
   const auto severity = static_cast<std::size_t>(remark.severity);
   if (kept_[severity] == kMostRemarks) {
     ++dropped_[severity];
-    return;
+    return false;
   }
   ++kept_[severity];
   remarks_.push_back(std::move(remark));
+  return true;
 }
 
 const Remark* Messages::first(Severity severity) const {

@@ -4,6 +4,7 @@
 #include <burin/base/diagnostics.h>
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -27,7 +28,11 @@ class Messages {
   /// `file`: the name of what OpenSCAD reads on its standard input.
   explicit Messages(std::string file = {}) : file_(std::move(file)) {}
 
+  /// A line, of a remark or of one that began before: texts of assert() and echo() may have
+  /// several.
   void add(const std::string& line);
+  /// No line comes any more.
+  void end();
 
   const std::vector<Remark>& remarks() const { return remarks_; }
   /// The first of a severity, or nullptr.
@@ -40,8 +45,17 @@ class Messages {
   Diagnostics diagnostics(const std::string& folder) const;
 
  private:
-  void keep(Remark remark);
+  bool begin(const std::string& line);
+  bool go_on(const std::string& line);
+  void trace(const std::string& line);
+  /// Whether it is a new one.
+  bool keep(Remark remark);
 
+  /// One whose text has not ended, its lines, and of an error in another file whether it is still
+  /// to be told where the program itself comes to it.
+  std::optional<Remark> open_;
+  int lines_ = 0;
+  bool traced_ = true;
   std::vector<Remark> remarks_;
   std::int64_t kept_[3] = {0, 0, 0}, dropped_[3] = {0, 0, 0};
   bool two_dimensional_ = false, empty_ = false;
@@ -50,7 +64,7 @@ class Messages {
 
 inline constexpr std::int64_t kMostRemarks = 50;
 
-/// `file` under `folder` where it is relative and the folder has a name.
+/// `file` under `folder` where it is relative, the folder has a name and the file is there.
 std::string in_folder(const std::string& folder, const std::string& file);
 
 }  // namespace burin::detail

@@ -231,7 +231,9 @@ Scene read_openscad(const Path& path, const OpenscadOptions& options, RunContext
   return scene;
 }
 
-OpenscadMesh openscad_mesh(const Path& path, const OpenscadOptions& options, RunContext& context) {
+OpenscadMesh openscad_mesh(const Path& path, const OpenscadOptions& asked, RunContext& context) {
+  OpenscadOptions options = asked;
+  options.preview = false;
   Diagnostics why;
   auto made = made_here(path, options, why, context, [&](const Program& program) {
     return detail::whole_of_tree(program.tree, path, context);

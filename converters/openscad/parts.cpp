@@ -75,7 +75,11 @@ class Divider {
     // Statements and objects cannot be told to belong together: calls say what they are.
     const bool unknown = std::ranges::all_of(names, &std::string::empty);
     for (std::size_t i = 0; i < top.size(); ++i) {
-      if (unknown || words_.contains(names[i])) names[i] = called(top[i]);
+      if (unknown || words_.contains(names[i])) {
+        names[i] = called(top[i]);
+      } else if (const auto c = first_call(top[i]); c && call_at(*c)->name == names[i]) {
+        names[i] = maker(*c);
+      }
     }
     // A program of one call is what that holds, whatever `%` shows around it.
     const auto counts = [&](std::uint32_t n) {
@@ -123,11 +127,55 @@ class Divider {
   /// The module whose call all of an object is: a word of burin.scad says something of what it
   /// holds, and calls it nothing. Empty where there is none.
   std::string called(std::uint32_t node) const {
+    const auto call = first_call(node);
+    return call ? maker(*call) : std::string();
+  }
+  std::optional<std::uint32_t> first_call(std::uint32_t node) const {
     for (std::optional<std::uint32_t> n = node; n; n = only_child(*n)) {
       const ModuleCall* call = call_at(*n);
-      if (call && !words_.contains(call->name)) return call->name;
+      if (call && !words_.contains(call->name)) return n;
     }
-    return {};
+    return std::nullopt;
+  }
+
+  /// The module of a chain that makes its solids: the innermost one, but for what stands on or in
+  /// what one before it makes (`base() knob();` where base() has a solid of its own,
+  /// `box(3) outline();` that extrudes).
+  std::string maker(std::uint32_t node) const {
+    const ModuleCall& chain = *call_at(node);
+    std::string name = chain.module;
+    while (name != chain.name) {
+      const auto inner = next_in_chain(node, chain);
+      if (!inner) break;
+      node = *inner;
+      name = call_at(node)->module;
+    }
+    return words_.contains(name) ? chain.name : name;
+  }
+
+  /// The first call of a chain below one of it, where all that this makes is of such calls. What a
+  /// difference leaves is of its first operand.
+  std::optional<std::uint32_t> next_in_chain(std::uint32_t node, const ModuleCall& chain) const {
+    std::optional<std::uint32_t> first;
+    std::vector<std::uint32_t> open{node};
+    while (!open.empty()) {
+      const std::uint32_t n = open.back();
+      open.pop_back();
+      const ModuleCall* call = n == node ? nullptr : call_at(n);
+      if (call && call->name == chain.name && call->in_module == chain.in_module) {
+        if (!first) first = n;
+        continue;
+      }
+      const bool cut = tree_.nodes[n].module == Module::Difference;
+      if (!cut && !is_open(tree_.nodes[n].module)) return std::nullopt;
+      bool taken = false;
+      csg::for_each_child(tree_, n, [&](std::uint32_t c) {
+        if (holds_[c] == 0 || (cut && taken)) return;
+        open.push_back(c);
+        taken = true;
+      });
+    }
+    return first;
   }
 
   /// The name of a call that is a part.

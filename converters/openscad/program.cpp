@@ -6,6 +6,7 @@
 #include "exchange.h"
 #include "messages.h"
 #include "named_files.h"
+#include "program_text.h"
 #include "source.h"
 #include "text.h"
 
@@ -153,6 +154,17 @@ class Verdict {
   const Messages& messages_;
 };
 
+/// The definition that gives `$preview` the value asked for; empty where OpenSCAD gives it that of
+/// itself (true to a tree, false to a mesh), or the user or the program says what it is.
+std::string preview_define(const OpenscadOptions& options, Makes makes, std::string_view program) {
+  const auto says = [](const std::string& define) { return define.starts_with("$preview="); };
+  if (options.preview == (makes == Makes::Tree) || std::ranges::any_of(options.defines, says) ||
+      assigns_at_top(program, "$preview")) {
+    return {};
+  }
+  return options.preview ? "$preview=true" : "$preview=false";
+}
+
 }  // namespace
 
 void Said::fail(const std::string& what, const std::string& path) const {
@@ -170,6 +182,7 @@ Said run_openscad(const Path& path, const OpenscadOptions& options, Makes makes,
                   const MemoryFile& out, RunContext& context, const std::string* instead) {
   check_openscad_defines(options.defines);
   std::int64_t lines = 0;
+  std::vector<std::string> defines = options.defines;
   Diagnostics unused;
   {
     const Source source(path, context);  // refuses what is missing, a folder, unreadable or empty
@@ -181,6 +194,9 @@ Said run_openscad(const Path& path, const OpenscadOptions& options, Makes makes,
                  fmt::format("{}: nothing is called {}, which -D defines; check its spelling",
                              path.string(), name));
     }
+    if (std::string preview = preview_define(options, makes, bytes); !preview.empty()) {
+      defines.push_back(std::move(preview));
+    }
   }
   const Program program = find_program(context);
   SubprocessRun run;
@@ -188,7 +204,7 @@ Said run_openscad(const Path& path, const OpenscadOptions& options, Makes makes,
   run.arguments = {program.name, "-o", fmt::format("/dev/fd/{}", kChildFile), "--export-format",
                    makes == Makes::Mesh ? "binstl" : "csg"};
   if (program.has_backend) run.arguments.emplace_back("--backend=Manifold");
-  for (const std::string& define : options.defines) {
+  for (const std::string& define : defines) {
     run.arguments.emplace_back("-D");
     run.arguments.push_back(define);
   }
@@ -206,6 +222,7 @@ Said run_openscad(const Path& path, const OpenscadOptions& options, Makes makes,
   Messages messages(path.filename().string());
   run.line = [&](const std::string& line) { messages.add(line); };
   const SubprocessEnd end = run_subprocess(run, context);
+  messages.end();
   if (end.start_error != 0) fail_to_start(program, end.start_error);
   const Verdict verdict(path, lines, messages);
   verdict.check(end, options.timeout, out.size());

@@ -58,6 +58,21 @@ bool is_word(char c) { return is_letter(c) || is_digit(c) || c == '_' || c == '$
 
 bool is_own_module(std::string_view name) { return std::ranges::find(kOwn, name) != kOwn.end(); }
 
+bool assigns_at_top(std::string_view program, std::string_view name) {
+  ProgramText text(program);
+  for (text.skip(); !text.at_end(); text.skip()) {
+    const char c = text.here();
+    if (c == '(' || c == '[' || c == '{') {
+      text.brackets();
+    } else if (const std::string_view word = text.word(); word.empty()) {
+      text.next();
+    } else if (word == name && text.assigns()) {
+      return true;
+    }
+  }
+  return false;
+}
+
 bool ProgramText::here_word(std::string_view word) const {
   const std::size_t end = p_ + word.size();
   return here(word) && !(end < text_.size() && is_word(text_[end]));

@@ -9,6 +9,9 @@ namespace burin::detail {
 /// Whether a module of that name is OpenSCAD's own, or a word of its language.
 bool is_own_module(std::string_view name);
 
+/// Whether a program assigns a variable among its own statements, outside all brackets.
+bool assigns_at_top(std::string_view program, std::string_view name);
+
 /// A place in a text that moves forwards, over comments and texts in quotes; never beyond its end.
 class ProgramText {
  public:
@@ -26,6 +29,8 @@ class ProgramText {
   void skip();
   /// Over `c` where it stands here.
   bool take(char c);
+  /// Over a character, or a whole text in quotes.
+  void next();
   /// A name or number, which may be empty.
   std::string_view word();
   /// Over modifiers; whether `*` is among them.
@@ -42,9 +47,6 @@ class ProgramText {
   void behind(char c);
 
  private:
-  /// A character, or a whole text in quotes.
-  void next();
-
   std::string_view text_;
   std::size_t p_;
 };

@@ -19,17 +19,25 @@
 namespace burin::detail {
 namespace {
 
-/// A placement within what six digits leave of a matrix; nothing where it does more than turn,
-/// mirror, move and scale alike in all directions. The scale is the number that was meant, where
-/// one of four digits is as near: copies of one thing are of one size, whichever way they are
-/// turned.
+// What six digits leave of a matrix, and of the product of eight within each other: shares of 1.
+constexpr double kDigits = 3e-6, kDigitsOfMany = 1.5e-5;
+
+/// The scale that was meant, where one of three or four digits is as near: copies of one thing are
+/// of one size, whichever way they are turned.
+double meant_scale(double scale) {
+  const auto near = [&](double meant, double digits) {
+    return std::abs(scale - meant) <= digits * scale;
+  };
+  const double three = std::round(1e3 * scale) / 1e3, four = std::round(1e4 * scale) / 1e4;
+  return near(three, kDigitsOfMany) ? three : near(four, kDigits) ? four : scale;
+}
+
+/// A placement within what six digits leave of its matrices; nothing where it does more than turn,
+/// mirror, move and scale alike in all directions.
 std::optional<Placement> placement_of(const csg::Matrix& m) {
-  constexpr double kDigits = 3e-6;  // of numbers up to 1
   const Affine by(m);
-  double scale = std::cbrt(std::abs(glm::determinant(by.linear)));
-  const double meant = std::round(1e4 * scale) / 1e4;
-  if (std::abs(scale - meant) <= kDigits * scale) scale = meant;
-  if (!(scale > 0) || off_rotation(by.linear / scale) > kDigits) return std::nullopt;
+  const double scale = meant_scale(std::cbrt(std::abs(glm::determinant(by.linear))));
+  if (!(scale > 0) || off_rotation(by.linear / scale) > kDigitsOfMany) return std::nullopt;
   // The nearest rotation, by Newton's method for the polar decomposition.
   Mat3 turn = by.linear / scale;
   for (int i = 0; i < 4; ++i) turn = 0.5 * (turn + glm::transpose(glm::inverse(turn)));

@@ -154,6 +154,28 @@ TEST_F(Convert, DrawingsLookTheSameAsPdfAndSvg) {
   EXPECT_LT(mean_difference(svg, pdf), 0.02);
 }
 
+TEST_F(Convert, SolidsAreWhatOpenscadExportsNotWhatItsWindowShows) {
+  if (!has_program("openscad")) GTEST_SKIP() << "openscad is not installed";
+  const auto height = [&](const std::string& program, const std::string& options) {
+    folder_.write("p.scad", program);
+    EXPECT_EQ(run("convert @/p.scad -o @/p.off --no-progress " + options), 0) << err_;
+    EXPECT_EQ(run("info @/p.off --json"), 0) << err_;
+    return nlohmann::json::parse(out_)["files"][0]["bounds"]["max"][2].get<double>();
+  };
+  const std::string seen = "cube([1, 1, $preview ? 2 : 5]);";
+  EXPECT_EQ(height(seen, ""), 5);
+  EXPECT_EQ(height(seen, "--csg openscad"), 5);
+  EXPECT_EQ(height(seen, "-D $preview=true"), 2);
+  EXPECT_EQ(height("$preview = true;\n" + seen, ""), 2);
+  EXPECT_EQ(height("module m() { $preview = true; cube(1); }\n" + seen, ""), 5);
+  // A drawing shows what the window shows, whoever makes the solids.
+  for (const char* by : {"burin", "openscad"}) {
+    folder_.write("p.scad", seen);
+    ASSERT_EQ(run(std::string("info @/p.scad --json --csg ") + by), 0) << err_;
+    EXPECT_EQ(nlohmann::json::parse(out_)["files"][0]["bounds"]["max"][2], 2) << by;
+  }
+}
+
 TEST_F(Convert, OpenscadReadsDxfAtTrueScale) {
   if (!has_program("openscad")) GTEST_SKIP() << "openscad is not installed";
   ASSERT_EQ(run("convert @/r.json -o @/r.dxf"), 0);

@@ -56,6 +56,36 @@ const std::string kPlate =
     "30], y = [-15, 15]) translate([x, y, -1]) cylinder(d = 6.4, h = 10, $fn = 32); }\n";
 const std::string kEach = "for (x = [-30, 0, 30], y = [-15, 15]) translate([x, y, -10]) ";
 
+TEST_F(OpenscadInstances, AChainOfModulesIsCalledByTheOneThatMakesIt) {
+  const std::string modules =
+      "module base() { cube(20, center = true); translate([0, 0, 10]) children(); }\n"
+      "module knob() cylinder(r = 5, h = 5);\n"
+      "module box(h) linear_extrude(h) children();\n"
+      "module outline() circle(5);\n"
+      "module row() for (i = [0:2]) translate([20 * i, 0, 0]) children();\n"
+      "module drilled() difference() { children(0); cylinder(r = 1, h = 99, center = true); }\n";
+  EXPECT_EQ(items(modules + "base() knob();"), (Items{{"base", 1}}));
+  EXPECT_EQ(items(modules + "base() translate([1, 0, 0]) knob(); translate([50, 0, 0]) knob();"),
+            (Items{{"base", 1}, {"knob", 1}}));
+  EXPECT_EQ(items(modules + "box(3) outline(); translate([50, 0, 0]) knob();"),
+            (Items{{"box", 1}, {"knob", 1}}));
+  EXPECT_EQ(items(modules + "row() base() knob();"), (Items{{"base", 3}}));
+  EXPECT_EQ(items(modules + "drilled() base() knob(); translate([50, 0, 0]) knob();"),
+            (Items{{"base", 1}, {"knob", 1}}));
+  EXPECT_EQ(items(modules + "drilled() knob();"), (Items{{"knob", 1}}));
+}
+
+TEST_F(OpenscadInstances, TurnsWithinTurnsLoseNoCopies) {
+  // Each matrix of the tree has six digits; their product strays from a turn by more.
+  const std::string bit =
+      "module bit() linear_extrude(3, scale = 0.5) square([2, 5]);\n"
+      "for (k = [0:11]) translate([60 * k, 0, 0]) rotate([0, 37.377368, 60]) "
+      "rotate([0, 37.377368, 72 * k]) rotate([11.1, 3, 23.3]) rotate([10, 79.18, 41.9 + k]) "
+      "rotate([0, 37.3, 60]) translate([20, 0, 0]) ";
+  EXPECT_EQ(items(bit + "bit();"), (Items{{"bit", 12}}));
+  EXPECT_EQ(items(bit + "scale(1.00003 + 0.00004 * k) bit();").size(), 12U);
+}
+
 TEST_F(OpenscadInstances, ALoopMakesAsManyAsItTurns) {
   const Items right{{"plate", 1}, {"bolt", 6}};
   EXPECT_EQ(items(kBolt + kPlate + "plate();\n" + kEach + "bolt();"), right);

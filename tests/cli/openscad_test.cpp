@@ -146,15 +146,42 @@ TEST_F(RealOpenscadTest, DrawsWithDefinitions) {
   EXPECT_NEAR(info["parts"][0]["volume"].get<double>(), 6, 1e-12);
 }
 
+TEST_F(OpenscadTest, MessagesKeepLettersOfAllScripts) {
+  EXPECT_EQ(draw("cube(1);", "-D größe轴承"), 2);
+  EXPECT_NE(err_.find("not 'größe轴承'"), std::string::npos) << err_;
+  EXPECT_EQ(draw("cube(1);",
+                 "-D gr\xf6\x01"
+                 "x"),
+            2);
+  EXPECT_NE(err_.find("not 'gr??x'"), std::string::npos) << err_;
+}
+
+TEST_F(RealOpenscadTest, FilesOfWarningsAreNamedWhereTheyAre) {
+  std::filesystem::create_directory(folder_ / "sub");
+  std::filesystem::create_directory(folder_ / "lib");
+  folder_.write("lib/w.scad", "module w() { nothing(); x = undef + 1; cube(1); }");
+  folder_.write("sub/n.scad", "use <../lib/w.scad>\nw();");
+  EXPECT_EQ(run("draw @/sub/n.scad -o @/n.svg"), 0) << err_;
+  EXPECT_NE(err_.find((folder_ / "lib/w.scad") + ":1: Ignoring"), std::string::npos) << err_;
+  // Of this one OpenSCAD says the name alone.
+  EXPECT_NE(err_.find("OpenSCAD: w.scad:1: undefined operation"), std::string::npos) << err_;
+}
+
 TEST_F(RealOpenscadTest, ErrorsComeWithTheirLines) {
   EXPECT_EQ(draw("cube(1);\ncube(2\n"), 3);
   expect_error("m.scad:2: Parser error: syntax error");
   EXPECT_EQ(draw("assert(false, \"too thin\");"), 3);
   expect_error("m.scad:1: Assertion 'false' failed: \"too thin\"");
+  EXPECT_EQ(draw(R"(assert(1 > 2, "\nwall is\n  too thin");)"), 3);
+  expect_error("m.scad:1: Assertion '(1 > 2)' failed: \"wall is too thin\"");
   EXPECT_EQ(draw("cube(1);\nmodule m() { m(); }\nm();"), 3);
   expect_error("m.scad:2: Recursion detected calling module 'm'");
   EXPECT_EQ(draw("function f(x) = f(x + 1);\ncube(f(0));"), 3);
   expect_error("m.scad:1: Recursion detected calling function 'f'");
+  folder_.write("thin.scad", R"(module wall(w) { assert(w > 2, "\nthin"); cube(w); })");
+  EXPECT_EQ(draw("use <thin.scad>\n\ntranslate([1, 0, 0]) wall(1);"), 3);
+  expect_error(
+      "thin.scad:1: Assertion '(w > 2)' failed: \"thin\"; called by 'wall' in m.scad, line 3");
   folder_.write("lib.scad", "\n\nx = ;\n");
   EXPECT_EQ(draw("include <lib.scad>\ncube(1);"), 3);
   expect_error("lib.scad:3: Parser error");

@@ -19,6 +19,8 @@ constexpr double kLargestStep = 40.5 * kDegree;
 constexpr double kUnequal = 0.45;
 // Of the size: within that, points lie in a plane or on a line.
 constexpr double kFlat = 1e-7;
+// Of the size: what six digits leave of points that are one.
+constexpr double kSamePoint = 5e-6;
 // How unequal lengths and angles of the sides of a circle may be, and from how many sides on.
 constexpr double kEqual = 0.02;
 constexpr std::size_t kFewestSides = 3;
@@ -56,6 +58,8 @@ class Parter {
     Box3 box;
     for (const Vec3& p : grid_.points) box.add(p);
     flat_ = kFlat * box.diagonal();
+    same_ = kSamePoint * box.diagonal();
+    close();
   }
 
   SmoothGrids run(Rows rows) {
@@ -80,8 +84,9 @@ class Parter {
 
  private:
   void add(SmoothGrids& out, const Run& r, const Run& c, PointGrid whole) const {
-    const bool by_rows = meets_itself(r, grid_.cell_rows(), grid_.rows_close);
-    const bool by_columns = meets_itself(c, grid_.cell_columns(), grid_.columns_close);
+    const bool by_rows = meets_itself(r, grid_.cell_rows(), grid_.rows_close || rows_meet_);
+    const bool by_columns =
+        meets_itself(c, grid_.cell_columns(), grid_.columns_close || columns_meet_);
     const std::int32_t half_rows = by_rows ? r.count / 2 : r.count,
                        half_columns = by_columns ? c.count / 2 : c.count;
     const auto first = static_cast<std::int32_t>(out.pieces.size());
@@ -108,6 +113,42 @@ class Parter {
   /// Whether a run goes all round, from an edge to the same edge.
   static bool meets_itself(const Run& run, std::int32_t cells, bool closes) {
     return closes && !run.whole && run.count == cells;
+  }
+
+  bool same(Vec3 a, Vec3 b) const { return glm::distance(a, b) <= same_; }
+
+  /// Loops from 0 to 360 degrees say the first row (column) again: what ends where it began closes.
+  /// What ends there turned by some columns (rows) meets itself.
+  void close() {
+    const std::int32_t last_row = grid_.rows - 1, last_column = grid_.columns - 1;
+    const auto row_is = [&](std::int32_t i) {
+      return same(grid_.point(0, i), grid_.point(last_row, i));
+    };
+    const auto column_is = [&](std::int32_t j) {
+      return same(grid_.point(j, 0), grid_.point(j, last_column));
+    };
+    bool rows_again = !grid_.rows_close && last_row > 2,
+         columns_again = !grid_.columns_close && last_column > 2;
+    for (std::int32_t i = 0; i < grid_.columns; ++i) {
+      rows_meet_ = rows_meet_ || same(grid_.point(0, i), grid_.point(last_row, 0));
+      rows_again = rows_again && row_is(i);
+    }
+    for (std::int32_t j = 0; j < grid_.rows; ++j) {
+      columns_meet_ = columns_meet_ || same(grid_.point(j, 0), grid_.point(0, last_column));
+      columns_again = columns_again && column_is(j);
+    }
+    PointGrid closed = grid_;
+    closed.rows -= rows_again ? 1 : 0;
+    closed.columns -= columns_again ? 1 : 0;
+    closed.rows_close = grid_.rows_close || rows_again;
+    closed.columns_close = grid_.columns_close || columns_again;
+    closed.points.clear();
+    for (std::int32_t j = 0; j < closed.rows; ++j) {
+      for (std::int32_t i = 0; i < closed.columns; ++i) {
+        closed.points.push_back(grid_.point(j, i));
+      }
+    }
+    grid_ = std::move(closed);
   }
 
   std::size_t cell(std::int32_t row, std::int32_t column) const {
@@ -347,7 +388,9 @@ class Parter {
   }
 
   PointGrid grid_;
-  double flat_ = 0;
+  double flat_ = 0, same_ = 0;
+  /// Whether the last row (column) touches the first.
+  bool rows_meet_ = false, columns_meet_ = false;
 };
 
 }  // namespace

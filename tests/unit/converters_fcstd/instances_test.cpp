@@ -117,6 +117,16 @@ TEST_F(FcstdTest, ContainersNameWhatFreecadCalledItself) {
   EXPECT_EQ(definitions(scene), (Paths{"Bearing cap", "Cut", "Body001", "Shaft", "Lager"}));
 }
 
+TEST_F(FcstdTest, LinksGiveOneNameToAllOfAThing) {
+  Document d;
+  d.add_shape("Body", located_box(kUnit, {}), label("Body"), "PartDesign::Body");
+  d.add("App::Link", "L0", linked("Body") + label("Foot") + placed({5, 0, 0}));
+  d.add("App::Link", "L1", linked("Body") + label("Foot001") + placed({9, 0, 0}));
+  EXPECT_EQ(items(read(d)), (Items{{"Foot", 3}}));
+  d.add("App::Link", "L2", linked("Body") + label("left one") + placed({13, 0, 0}));
+  EXPECT_EQ(items(read(d)), (Items{{"Body", 4}}));
+}
+
 TEST_F(FcstdTest, LinksNameBodiesThatNobodyNamed) {
   Document other;
   other.add_shape("Body", located_box(kUnit, {}), label("Body"), "PartDesign::Body");

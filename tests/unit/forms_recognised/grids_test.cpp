@@ -101,6 +101,44 @@ std::size_t told_cells(const SmoothGrids& g) {
       std::count_if(g.piece_of.begin(), g.piece_of.end(), [](std::int32_t p) { return p >= 0; }));
 }
 
+/// A bar of a square or a round section along a circle, twisted; its last ring is the first again.
+PointGrid ring_bar(std::int32_t corners, double twist, bool columns_again) {
+  constexpr std::int32_t kRings = 61;
+  PointGrid out;
+  out.rows = kRings;
+  out.columns = corners + (columns_again ? 1 : 0);
+  out.columns_close = !columns_again;
+  for (std::int32_t j = 0; j < kRings; ++j) {
+    const double a = 2 * kPi * j / (kRings - 1);
+    for (std::int32_t i = 0; i < out.columns; ++i) {
+      const double b = 2 * kPi * i / corners + twist * j / (kRings - 1), r = 20 + 4 * std::cos(b);
+      out.points.emplace_back(r * std::cos(a), r * std::sin(a), 4 * std::sin(b));
+    }
+  }
+  return out;
+}
+
+TEST(SmoothGrids, CloseWhereTheLastRowIsTheFirst) {
+  const SmoothGrids s = smooth_grids(ring_bar(4, 2 * kPi, false), Rows::Judged);
+  EXPECT_EQ(told_cells(s), 240u);
+  ASSERT_EQ(s.pieces.size(), 4u);
+  for (const PointGrid& p : s.pieces) {
+    EXPECT_TRUE(p.rows_close);
+    EXPECT_EQ(p.rows, 60);
+  }
+  // Columns likewise; neither is told in parts, as nothing meets itself in an edge.
+  const SmoothGrids round = smooth_grids(ring_bar(24, 2 * kPi, true), Rows::Judged);
+  EXPECT_EQ(told_cells(round), 60u * 24u);
+  ASSERT_EQ(round.pieces.size(), 1u);
+  EXPECT_TRUE(round.pieces[0].rows_close && round.pieces[0].columns_close);
+  EXPECT_EQ(round.pieces[0].columns, 24);
+  // A ring that comes back turned by some of its corners: two parts meet there.
+  const SmoothGrids turned = smooth_grids(ring_bar(24, kPi / 2, false), Rows::Judged);
+  ASSERT_EQ(turned.pieces.size(), 2u);
+  EXPECT_FALSE(turned.pieces[0].rows_close);
+  EXPECT_FALSE(turned.pieces[0].window.overlaps(turned.pieces[1].window));
+}
+
 TEST(SmoothGrids, PartAtCornersAlone) {
   const SmoothGrids s = smooth_grids(extruded(star(10, 20, 9), 21, 40 * kPi / 180), Rows::Steps);
   EXPECT_EQ(s.pieces.size(), 10u);

@@ -35,6 +35,9 @@ struct OpenscadOptions {
   /// Whether parts become implicit functions instead of solids: of their true surfaces, not of
   /// their facets; a part that has none is refused.
   bool implicit = false;
+  /// What the program finds in `$preview`, unless its definitions or it itself say otherwise: true
+  /// in OpenSCAD's window, which drawings show, false in what it exports.
+  bool preview = true;
 };
 
 /// Whether the suffix (any case) is `.scad` or `.csg`.
@@ -61,7 +64,8 @@ std::vector<std::string> unused_defines(std::string_view program,
 Scene read_openscad(const std::filesystem::path& path, const OpenscadOptions& options,
                     RunContext& context);
 
-/// All that a file makes, united: what OpenSCAD itself exports.
+/// All that a file makes, united: what OpenSCAD itself exports, so `$preview` is false whatever the
+/// options say.
 struct OpenscadMesh {
   TriMesh mesh;
   Diagnostics diagnostics;
