@@ -47,13 +47,8 @@ TEST(Recognised, UnequalStepsAreLeftAlone) {
 
 TEST(Recognised, FacetsThatStandForNothingAreRoundedAsThoseOfMeshesAre) {
   // A cylinder beside an egg that is stretched in three ways, in one part.
-  TriMesh mesh = turned({{10, 0}, {10, 5}}, 24);
   const TriMesh egg = moved(test::ellipsoid({10, 14, 20}, 12, 8), Mat3(1), Vec3(40, 0, 0));
-  const auto first = static_cast<std::uint32_t>(mesh.positions.size());
-  mesh.positions.insert(mesh.positions.end(), egg.positions.begin(), egg.positions.end());
-  for (const Triangle& t : egg.triangles) {
-    mesh.triangles.push_back({t[0] + first, t[1] + first, t[2] + first});
-  }
+  const TriMesh mesh = test::joined(turned({{10, 0}, {10, 5}}, 24), egg);
   const RecognisedForm form(mesh, RunContext());
   EXPECT_EQ(form.faces().cylinders, 1);
   EXPECT_EQ(form.faces().total(), 1);
@@ -79,6 +74,34 @@ TEST(Recognised, FacetsThatStandForNothingAreRoundedAsThoseOfMeshesAre) {
   EXPECT_LT(off, kTolerance);
   EXPECT_EQ(on_egg, alone->proxy().mesh.triangles.size());
   EXPECT_GT(on_egg, 2 * egg.triangles.size());
+}
+
+TEST(Recognised, MirroredFacetsOfAZonohedronAreNoCylinder) {
+  // Rhombs between the sums of consecutive ones of ten edges around an axis: along each zone the
+  // edges are parallel, and the three facets in the middle turn by one angle.
+  constexpr int kEdges = 10;
+  const auto corner = [](int from, int to) {
+    Vec3 sum(0);
+    for (int k = from; k <= to; ++k) {
+      const double a = 2 * kPi * k / kEdges, up = 35.5 * kPi / 180;
+      sum +=
+          Vec3(10 * std::cos(up) * std::cos(a), 9 * std::cos(up) * std::sin(a), 12 * std::sin(up));
+    }
+    return sum;
+  };
+  PolygonSoup soup;
+  for (int i = 0; i < kEdges; ++i) {
+    for (int j = i + 1; j < kEdges + i; ++j) {
+      for (const Vec3& p :
+           {corner(i, j), corner(i + 1, j), corner(i + 1, j - 1), corner(i, j - 1)}) {
+        soup.indices.push_back(static_cast<std::uint32_t>(soup.positions.size()));
+        soup.positions.push_back(p);
+      }
+      soup.offsets.push_back(soup.indices.size());
+    }
+  }
+  Diagnostics diagnostics;
+  EXPECT_EQ(faces_of(repair(std::move(soup), {}, diagnostics, RunContext())).total(), 0);
 }
 
 TEST(Recognised, TwoChamfersAreNoCurve) {
