@@ -42,8 +42,10 @@ bool is_tip(const ProxyMesh& proxy, HalfEdge h, bool at_origin) {
 
 }  // namespace
 
-RoundedMesh::RoundedMesh(const ProxyMesh& proxy)
-    : proxy_(&proxy), finest_(proxy.mesh.positions.size(), std::numeric_limits<float>::max()) {
+RoundedMesh::RoundedMesh(const ProxyMesh& proxy, std::span<const std::uint8_t> exact)
+    : proxy_(&proxy),
+      exact_(exact),
+      finest_(proxy.mesh.positions.size(), std::numeric_limits<float>::max()) {
   const TriMesh& mesh = proxy.mesh;
   for (std::size_t f = 0; f < mesh.triangles.size(); ++f) {
     for (std::size_t k = 0; k < 3; ++k) {
@@ -55,10 +57,17 @@ RoundedMesh::RoundedMesh(const ProxyMesh& proxy)
   }
 }
 
+bool RoundedMesh::is_exact(HalfEdge h) const {
+  if (exact_.empty()) return false;
+  const HalfEdge o = proxy_->topology.opposite[static_cast<std::size_t>(h)];
+  return exact_[face_of(h)] != 0 || (o != kNoHalfEdge && exact_[face_of(o)] != 0);
+}
+
 // What the control point of the edge's cubic beside one of its ends is off the straight edge, times
 // three: the edge projected onto the plane of the wedge's normal, or at a crease onto the line that
 // this shares with the plane across. The same bits for both half-edges.
 Vec3 RoundedMesh::control_lift(HalfEdge h, bool at_origin) const {
+  if (is_exact(h)) return Vec3(0);
   const ProxyMesh& proxy = *proxy_;
   const EdgeKind kind = proxy.edge_kind[static_cast<std::size_t>(h)];
   const HalfEdge there = next_in_face(h);

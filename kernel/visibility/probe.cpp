@@ -30,6 +30,11 @@ constexpr double kFoldReach = 2;
 // that closely.
 constexpr double kMostOffEdge = 0.05;
 
+// Paper mm by which fairing moves a stroke off its surface, at the most, where that bends evenly,
+// and within which triangles that it was moved under lie before it: those that it runs over from
+// one of its points to the next.
+constexpr double kFaired = 0.005, kFairedReach = 0.5;
+
 // Cosine below which a boundary is seen so flat that its own sheet may come to lie before it.
 constexpr double kGrazing = 0.3;
 
@@ -48,6 +53,7 @@ struct Origin {
   Vec3 view;         // to the viewer
   Vec3 across;       // the normal of the plane of the line of sight and the surface normal
   Fold fold;
+  double scale;  // paper mm a model mm, of what is faired: strokes; else 0
 };
 
 bool is_edge(LineClass kind) {
@@ -163,6 +169,13 @@ bool on_same_fold(const ProxyMesh& proxy, const Origin& o, const Hit& hit, doubl
          (o.fold == Fold::Boundary && walk_reaches(proxy, o, -1, hit.where.face, steps));
 }
 
+// Whether a stroke was on a triangle before fairing moved it; `off`: model mm beyond what the
+// proxies do not tell apart.
+bool faired_under(const ProxyMesh& proxy, const Origin& o, const Hit& hit, double off) {
+  return o.scale > 0 && off * o.scale < kFaired && hit.distance * o.scale < kFairedReach &&
+         proxy.face_region[hit.where.face] == proxy.face_region[static_cast<std::size_t>(o.face)];
+}
+
 // How far the plane of a hit passes the point, in what the proxies do not tell apart there: no more
 // than 1, or 0 on its own fold, where it does not hide.
 double clearance(const Origin& o, const Hit& hit) {
@@ -176,7 +189,9 @@ double clearance(const Origin& o, const Hit& hit) {
           : o.probe->chord_error(hit.where.part, static_cast<std::int32_t>(hit.where.face));
   const double untold = o.on_plane + o.error + error;
   double told = distance / untold;
-  if (told <= 1) return told;
+  if (told <= 1 || (own_part && faired_under(proxy, o, hit, distance - untold))) {
+    return std::min(told, 1.0);
+  }
   // Edges of exact forms are drawn round, up to the sagitta of a chord beside it: there they are
   // over the next triangle, under which they lie where the surface rises.
   if (own_part && o.on_edge) {
@@ -281,7 +296,8 @@ bool Probe::hidden(const Curve3& curve, std::size_t segment, double t, Asked ask
                       curve.kind == LineClass::Intersection && !asked.smooth,
                       view,
                       glm::cross(view, n),
-                      fold_at(curve, own, face, n, back, view)};
+                      fold_at(curve, own, face, n, back, view),
+                      lies_on_surface(curve) ? camera_.scale_at(p) : 0};
   const Vec3 start = p + n * (origin.error + resolution);
   const Origin* o = &origin;
   return occluder_.occluded_by(start, view, 2 * resolution, camera_.distance_to_viewer(start),

@@ -8,6 +8,8 @@
 #include "mesh_surface.h"
 #include "round_facets.h"
 
+#include <numeric>
+
 namespace burin {
 
 namespace {
@@ -77,7 +79,14 @@ std::shared_ptr<const Surface> MeshForm::realise_mesh(const RealiseOptions& opti
   reorder_for_cache(mesh);
   const ProxyOptions proxy_options{.crease_angle = options.crease_angle};
   ProxyMesh proxy = build_proxy(std::move(mesh), proxy_options, context);
-  auto rounded = round_facets(proxy, kShare * options.tolerance, kMostPieces, context);
+  auto surface = make_rounded_surface(std::move(proxy), {}, options, context).surface;
+  context.end_stage();
+  return surface;
+}
+
+RoundedSurface make_rounded_surface(ProxyMesh proxy, std::span<const std::uint8_t> exact,
+                                    const RealiseOptions& options, RunContext& context) {
+  auto rounded = round_facets(proxy, kShare * options.tolerance, kMostPieces, context, exact);
   if (rounded && rounded->cut_short && options.diagnostics) tell_cut_short(*options.diagnostics);
   std::vector<Curvature> curvature;
   if (options.curvature) {
@@ -85,15 +94,16 @@ std::shared_ptr<const Surface> MeshForm::realise_mesh(const RealiseOptions& opti
     curvature = estimate_curvature(proxy, {}, context);
   }
   if (!rounded) {
-    context.end_stage();
-    return make_mesh_surface(std::move(proxy), curvature);
+    std::vector<std::uint32_t> own(proxy.mesh.triangles.size());
+    std::iota(own.begin(), own.end(), 0U);
+    return {make_mesh_surface(std::move(proxy), curvature), std::move(own)};
   }
   if (options.curvature) {
     curvature =
         curvature_at(MeshSurface(std::move(proxy), curvature), rounded->wedge_origin, context);
   }
-  context.end_stage();
-  return std::make_shared<MeshSurface>(std::move(rounded->proxy), curvature, true);
+  return {std::make_shared<MeshSurface>(std::move(rounded->proxy), curvature, true),
+          std::move(rounded->face_origin)};
 }
 
 std::shared_ptr<const Surface> make_mesh_surface(ProxyMesh proxy,

@@ -59,9 +59,11 @@ double most_bulge(const ProxyMesh& proxy, std::uint32_t f) {
 }
 
 /// The facets that may be too coarse; an edge of one that is, is that of two of them.
-std::vector<Piece> coarse_facets(const ProxyMesh& coarse, double tolerance) {
+std::vector<Piece> coarse_facets(const ProxyMesh& coarse, std::span<const std::uint8_t> exact,
+                                 double tolerance) {
   std::vector<Piece> found;
   for (std::uint32_t f = 0; f < coarse.mesh.triangles.size(); ++f) {
+    if (!exact.empty() && exact[f] != 0) continue;
     if (most_bulge(coarse, f) > tolerance) found.push_back(whole(coarse, f));
   }
   return found;
@@ -69,10 +71,10 @@ std::vector<Piece> coarse_facets(const ProxyMesh& coarse, double tolerance) {
 
 class Divider {
  public:
-  Divider(const ProxyMesh& coarse, std::vector<Piece> facets, double tolerance,
-          const RunContext& context)
+  Divider(const ProxyMesh& coarse, std::vector<Piece> facets, std::span<const std::uint8_t> exact,
+          double tolerance, const RunContext& context)
       : coarse_(coarse),
-        surface_(coarse),
+        surface_(coarse, exact),
         tolerance_(tolerance),
         context_(context),
         pieces_(std::move(facets)) {}
@@ -213,12 +215,17 @@ bool on_crease(const ProxyMesh& coarse, const Piece& piece, std::size_t k) {
   return edge && coarse.is_crease(static_cast<HalfEdge>(3 * piece.facet + *edge));
 }
 
-/// For each wedge of the facets whether one around it was divided.
-std::vector<std::uint8_t> touched(const ProxyMesh& coarse, const std::vector<Piece>& pieces) {
+/// For each wedge of the facets whether one around it was divided, and none is exact.
+std::vector<std::uint8_t> touched(const ProxyMesh& coarse, std::span<const std::uint8_t> exact,
+                                  const std::vector<Piece>& pieces) {
   std::vector<std::uint8_t> out(coarse.wedge_vertex.size(), 0);
   for (std::size_t i = 1; i < pieces.size(); ++i) {
     if (pieces[i].facet != pieces[i - 1].facet) continue;
     for (const std::uint32_t w : coarse.wedges[pieces[i].facet]) out[w] = 1;
+  }
+  for (std::size_t f = 0; f < exact.size(); ++f) {
+    if (exact[f] == 0) continue;
+    for (const std::uint32_t w : coarse.wedges[f]) out[w] = 0;
   }
   return out;
 }
@@ -272,8 +279,8 @@ class Layout {
 /// of fillets then bend across alone. As they were where facets stay.
 class Normals {
  public:
-  Normals(const ProxyMesh& coarse, const Divider& divider)
-      : coarse_(coarse), divider_(divider), moved_(touched(coarse, divider.pieces())) {}
+  Normals(const ProxyMesh& coarse, std::span<const std::uint8_t> exact, const Divider& divider)
+      : coarse_(coarse), divider_(divider), moved_(touched(coarse, exact, divider.pieces())) {}
 
   std::array<Vec3, 3> of(const Piece& piece) const {
     std::array<Vec3, 3> out;
@@ -313,14 +320,34 @@ class Normals {
   std::vector<std::uint8_t> moved_;
 };
 
-ProxyDraft draft_of(const ProxyMesh& coarse, const Divider& divider, const Layout& layout,
-                    const RunContext& context) {
+/// What a proxy knows of its source, by triangles and half-edges.
+void copy_source(const ProxyMesh& coarse, const Layout& layout, ProxyDraft& draft) {
+  if (coarse.source_face.empty() && coarse.source_edge.empty()) return;
+  draft.source_face.assign(coarse.source_face.empty() ? 0 : layout.size(), -1);
+  draft.source_edge.assign(coarse.source_edge.empty() ? 0 : 3 * layout.size(), -1);
+  draft.seam.assign(coarse.seam.empty() ? 0 : 3 * layout.size(), 0);
+  layout.each([&](std::size_t i, const Piece& piece) {
+    if (!draft.source_face.empty()) draft.source_face[i] = coarse.source_face[piece.facet];
+    for (std::size_t k = 0; k < 3; ++k) {
+      const auto edge = facet_edge(piece.bary, k);
+      if (!edge) continue;
+      const std::size_t h = 3 * std::size_t{piece.facet} + *edge;
+      if (!draft.source_edge.empty()) draft.source_edge[3 * i + k] = coarse.source_edge[h];
+      if (!draft.seam.empty()) draft.seam[3 * i + k] = coarse.seam[h];
+    }
+  });
+}
+
+ProxyDraft draft_of(const ProxyMesh& coarse, std::span<const std::uint8_t> exact,
+                    const Divider& divider, const Layout& layout, const RunContext& context) {
   ProxyDraft draft;
   draft.mesh.positions = divider.positions();
   draft.mesh.triangles.resize(layout.size());
   draft.corner_normal.resize(3 * layout.size());
   draft.sharp.resize(3 * layout.size());
-  const Normals normals(coarse, divider);
+  draft.tolerance = coarse.tolerance;
+  copy_source(coarse, layout, draft);
+  const Normals normals(coarse, exact, divider);
   layout.each(context, [&](std::size_t i, const Piece& piece) {
     draft.mesh.triangles[i] = piece.corners;
     const std::array<Vec3, 3> normal = normals.of(piece);
@@ -360,21 +387,24 @@ void part_tips(ProxyMesh& proxy, const ProxyMesh& coarse, const Layout& layout,
 }  // namespace
 
 std::optional<RoundedFacets> round_facets(const ProxyMesh& coarse, double tolerance,
-                                          std::size_t most, const RunContext& context) {
-  std::vector<Piece> facets = coarse_facets(coarse, tolerance);
+                                          std::size_t most, const RunContext& context,
+                                          std::span<const std::uint8_t> exact) {
+  std::vector<Piece> facets = coarse_facets(coarse, exact, tolerance);
   if (facets.empty()) return std::nullopt;
   RoundedFacets out;
-  Divider divider(coarse, std::move(facets), tolerance, context);
+  Divider divider(coarse, std::move(facets), exact, tolerance, context);
   if (!divider.run(most, out.cut_short)) return std::nullopt;
   const Layout layout(coarse, divider.pieces());
-  ProxyDraft draft = draft_of(coarse, divider, layout, context);
+  ProxyDraft draft = draft_of(coarse, exact, divider, layout, context);
   const std::vector<std::uint8_t> tips = wedges_at_tips(coarse);
   const std::vector<Vec3> corner_normal = tips.empty() ? std::vector<Vec3>() : draft.corner_normal;
   out.proxy = assemble_proxy(std::move(draft), context);
   out.proxy.on_contour.clear();  // it was cut for no view
   if (!tips.empty()) part_tips(out.proxy, coarse, layout, tips, corner_normal);
   out.wedge_origin.resize(out.proxy.wedge_vertex.size());
+  out.face_origin.resize(layout.size());
   layout.each([&](std::size_t i, const Piece& piece) {
+    out.face_origin[i] = piece.facet;
     for (std::size_t k = 0; k < 3; ++k) {
       out.wedge_origin[out.proxy.wedges[i][k]] = {piece.facet, piece.bary[k]};
     }

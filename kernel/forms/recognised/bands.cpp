@@ -29,6 +29,10 @@ constexpr double kSector = 0.02;
 // Nearly flat cones have no axis to speak of.
 constexpr double kFlattest = 0.99995;
 constexpr std::size_t kLeastFacets = 3;
+// Facets of which one bends no more than so many times as much as the next are those of one curve.
+constexpr double kOtherCircle = 1.5;
+// Sine of the angle between an edge and the axis along which it runs.
+constexpr double kAlong = 0.01;
 // Neighbours of a facet at which a run may begin: those with the longest edges.
 constexpr std::size_t kNeighbours = 8;
 // Tests of lost facets against bands.
@@ -259,6 +263,7 @@ class Finder {
       return false;
     }
     if (n != kLeastFacets) return n > kLeastFacets;
+    if (goes_on_alike(run)) return false;
     return std::all_of(run.facets.begin(), run.facets.end(), [&](std::int32_t f) {
       const double index = std::round(run.fit.angle(facet(f).center) / run.fit.step);
       double low = 0, high = 0;
@@ -268,6 +273,45 @@ class Finder {
         high = std::max(high, std::remainder(a, kTurn));
       }
       return std::min(-low, high) >= 0.5 * run.fit.step * (1 - 2 * kSector);
+    });
+  }
+
+  /// Whether beyond an edge along the axis follows a facet about as wide, at about the angle of a
+  /// step, that is none of the run: it bends on nearly alike and is no circle. A zone of a
+  /// zonohedron, whose middle facets mirror each other, is such a one.
+  bool goes_on_alike(const Run& run) const {
+    const auto near = [](double a, double b) {
+      return a < kOtherCircle * b && b < kOtherCircle * a;
+    };
+    const Vec3 axis = run.fit.axis.direction;
+    return std::ranges::any_of(run.facets, [&](std::int32_t f) {
+      return std::ranges::any_of(facet(f).links, [&](const FacetLink& l) {
+        const Facet &one = facet(f), &other = facet(l.facet);
+        return std::ranges::find(run.facets, l.facet) == run.facets.end() &&
+               near(angle_between(one.normal, other.normal), run.fit.step) &&
+               near(width(one, axis), width(other, axis)) && meet_along(one, other, axis);
+      });
+    });
+  }
+  /// mm across an axis.
+  double width(const Facet& f, Vec3 axis) const {
+    const Vec3 across = normalize_or(glm::cross(axis, f.normal), Vec3(0));
+    double low = 1e300, high = -1e300;
+    for (const std::uint32_t v : f.vertices) {
+      low = std::min(low, glm::dot(mesh_.positions[v], across));
+      high = std::max(high, glm::dot(mesh_.positions[v], across));
+    }
+    return high - low;
+  }
+  /// Whether the corners that two facets share lie on a line along an axis.
+  bool meet_along(const Facet& a, const Facet& b, Vec3 axis) const {
+    std::vector<std::uint32_t> common;
+    std::ranges::set_intersection(a.vertices, b.vertices, std::back_inserter(common));
+    if (common.size() < 2) return false;
+    const Vec3 first = mesh_.positions[common.front()];
+    return std::ranges::all_of(common, [&](std::uint32_t v) {
+      const Vec3 off = mesh_.positions[v] - first;
+      return glm::length(glm::cross(off, axis)) <= kAlong * glm::length(off) + 3 * facets_.noise;
     });
   }
 

@@ -307,14 +307,21 @@ class Joiner {
     for (const auto& [f, p] : crescents_) out_.patch_of[f] = p;
   }
 
-  /// Whether a facet lies within the sagitta of a patch and across it.
+  /// Whether a facet lies within the sagitta of a patch and across it. All of it: the corners of
+  /// half a disc lie on the ball that it halves.
   bool along(std::int32_t p, const Facet& g) const {
     const Patch& patch = out_.patches[static_cast<std::size_t>(p)];
     if (std::abs(glm::dot(patch.normal_at(g.center), g.normal)) > 0.5) return false;
-    return std::all_of(g.vertices.begin(), g.vertices.end(), [&](std::uint32_t v) {
-      const Vec3 q = mesh_.positions[v];
+    const auto near = [&](Vec3 q) {
       return glm::length(q - patch.project(q)) <= 1.2 * patch.sagitta + 3 * facets_.noise;
-    });
+    };
+    return std::ranges::all_of(g.vertices, [&](auto v) { return near(mesh_.positions[v]); }) &&
+           std::ranges::all_of(g.triangles, [&](std::uint32_t t) {
+             const Triangle& tri = mesh_.triangles[t];
+             return near(
+                 (mesh_.positions[tri[0]] + mesh_.positions[tri[1]] + mesh_.positions[tri[2]]) /
+                 3.0);
+           });
   }
 
   const TriMesh& mesh_;

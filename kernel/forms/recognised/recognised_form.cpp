@@ -5,7 +5,6 @@
 #include <burin/forms/charted/place_mesh.h>
 #include <burin/forms/mesh/mesh_form.h>
 #include <burin/forms/recognised/recognised_form.h>
-#include <burin/mesh/curvature.h>
 #include <burin/mesh/placed_mesh.h>
 #include <burin/mesh/tips.h>
 
@@ -79,8 +78,9 @@ void part_tips(ProxyMesh& proxy, const Tips& tips, const std::vector<std::int32_
   });
 }
 
-/// Some facets stand for nothing that is known: the triangles are the surface, and contours are
-/// those of a mesh everywhere, so that one part has one kind of contours.
+/// Some facets stand for nothing that is known: the triangles are the surface, those of such facets
+/// divided as MeshForm does, and contours are those of a mesh everywhere, so that one part has one
+/// kind of contours.
 std::shared_ptr<const Surface> partly_charted(recognised::FacetAtlas made,
                                               std::shared_ptr<const recognised::Recognised> round,
                                               const Tips& tips, const Placement& placement,
@@ -95,14 +95,13 @@ std::shared_ptr<const Surface> partly_charted(recognised::FacetAtlas made,
   made = {};
   proxy.on_contour.clear();
   if (!tips.empty()) part_tips(proxy, tips, facet);
-  std::vector<Curvature> curvature;
-  if (options.curvature) {
-    context.begin_stage(RunStage::Curvature);
-    curvature = estimate_curvature(proxy, {}, context);
-  }
+  std::vector<std::uint8_t> exact;
+  for (const std::int32_t p : patch) exact.push_back(p >= 0);
+  RoundedSurface rounded = make_rounded_surface(std::move(proxy), exact, options, context);
+  std::vector<std::int32_t> of;
+  for (const std::uint32_t t : rounded.face_origin) of.push_back(patch[t]);
   return std::make_shared<recognised::RecognisedSurface>(
-      make_mesh_surface(std::move(proxy), curvature), std::move(round), std::move(patch),
-      placement);
+      std::move(rounded.surface), std::move(round), std::move(of), placement);
 }
 
 }  // namespace

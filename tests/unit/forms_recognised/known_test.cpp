@@ -6,6 +6,7 @@
 #include <burin_test/turned.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <stdexcept>
@@ -158,6 +159,70 @@ TEST(KnownSurfaces, ASurfaceThatFacesBothWaysIsTwoFaces) {
       EXPECT_GT(glm::dot(proxy.wedge_normal[w], proxy.mesh.normal(t)), 0.9);
     }
   }
+}
+
+/// A profile about the z axis, from pole to pole, turned by three quarters in 18 steps; two flat
+/// faces through the axis close it.
+TriMesh three_quarters(const std::vector<Vec2>& profile) {
+  constexpr int kSteps = 18;
+  TriMesh mesh;
+  const auto n = static_cast<std::uint32_t>(profile.size());
+  const auto number = [&](std::uint32_t k, std::uint32_t j) {
+    return k == 0 ? 0 : k + 1 == n ? 1 : 2 + (k - 1) * (kSteps + 1) + j;
+  };
+  mesh.positions = {{0, 0, profile.front().y}, {0, 0, profile.back().y}};
+  for (std::uint32_t k = 1; k + 1 < n; ++k) {
+    for (int j = 0; j <= kSteps; ++j) {
+      const double a = 1.5 * kPi * j / kSteps;
+      mesh.positions.emplace_back(profile[k].x * std::cos(a), profile[k].x * std::sin(a),
+                                  profile[k].y);
+    }
+  }
+  for (std::uint32_t k = 0; k + 1 < n; ++k) {
+    for (std::uint32_t j = 0; j < kSteps; ++j) {
+      const std::uint32_t a = number(k, j), b = number(k, j + 1), c = number(k + 1, j + 1),
+                          d = number(k + 1, j);
+      if (k > 0) mesh.triangles.push_back({a, b, c});
+      if (k + 2 < n) mesh.triangles.push_back({a, c, d});
+    }
+    if (k == 0) continue;
+    mesh.triangles.push_back({0, number(k, 0), number(k + 1, 0)});
+    mesh.triangles.push_back({0, number(k + 1, kSteps), number(k, kSteps)});
+  }
+  return mesh;
+}
+
+TEST(KnownSurfaces, CornersOnABallMakeNoFacePartOfIt) {
+  // All corners of the flat halves of a disc lie on the ball.
+  constexpr int kBands = 12;
+  std::vector<Vec2> profile;
+  std::vector<TurnedSurface> bands;
+  for (int k = 0; k <= kBands; ++k) {
+    const double a = kPi * k / kBands;
+    profile.push_back(12.0 * Vec2(k % kBands == 0 ? 0 : std::sin(a), -std::cos(a)));
+    if (k > 0) bands.push_back(line(profile[k - 1], profile[k], 24));
+  }
+  const TriMesh mesh = three_quarters(profile);
+  const RecognisedForm form = form_of(mesh, bands, [&](Vec3 c, Vec3) {
+    if (std::hypot(c.x, c.y, c.z) < 9 || std::abs(std::min(c.x, -c.y)) < 1e-9) return -1;
+    const double a = std::acos(-c.z / std::hypot(c.x, c.y, c.z));
+    return std::clamp(static_cast<int>(kBands * a / kPi), 0, kBands - 1);
+  });
+  EXPECT_EQ(form.faces().spheres, 1);
+  RunContext context;
+  const auto surface = form.realise({.tolerance = 0.01}, context);
+  const ProxyMesh& proxy = surface->proxy();
+  double flat = 0;
+  for (std::uint32_t t = 0; t < proxy.mesh.triangles.size(); ++t) {
+    for (const Vec3 n : {Vec3(0, -1, 0), Vec3(1, 0, 0)}) {
+      if (!(glm::dot(proxy.mesh.normal(t), n) > 1 - 1e-9)) continue;
+      flat += proxy.mesh.area(t);
+      for (const std::uint32_t w : proxy.wedges[t]) {
+        EXPECT_GT(glm::dot(proxy.wedge_normal[w], n), 1 - 1e-9);
+      }
+    }
+  }
+  EXPECT_NEAR(flat, kPi * 12 * 12, 0.5);
 }
 
 TEST(KnownSurfaces, OneRowATriangle) {

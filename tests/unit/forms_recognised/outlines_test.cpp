@@ -119,5 +119,19 @@ TEST(OutlineWalls, CirclesStayCylindersAndPrismsPrisms) {
   EXPECT_EQ(extruded({{0, 0}, {20, 0}, {22, 8}, {10, 14}, {0, 9}}, ten).faces().total(), 0);
 }
 
+TEST(OutlineWalls, ThreeFacetsAreACylinderWhereTheyEnd) {
+  // A quarter of a circle between walls that are tangent to it, or that meet it in edges.
+  for (const double lean : {0.0, 1.0}) {
+    Outline outline;
+    for (int i = 0; i <= 3; ++i) {
+      const double a = test::kPi / 6 * i;
+      outline.push_back(10.0 * Vec2(std::cos(a), std::sin(a)));
+    }
+    outline.push_back({-20, 10 - 20 * lean});
+    outline.push_back({10 - 20 * lean, -20});
+    EXPECT_EQ(extruded(outline, ten).faces().cylinders, 1) << lean;
+  }
+}
+
 }  // namespace
 }  // namespace burin

@@ -1,4 +1,5 @@
 #include <burin/base/error.h>
+#include <burin/forms/mesh/mesh_form.h>
 #include <burin/forms/recognised/recognised_form.h>
 
 #include <burin_test/shapes.h>
@@ -42,6 +43,65 @@ TEST(Recognised, UnequalStepsAreLeftAlone) {
     p = Vec3(10 * std::cos(a), 10 * std::sin(a), p.z);
   }
   EXPECT_EQ(faces_of(mesh).total(), 0);
+}
+
+TEST(Recognised, FacetsThatStandForNothingAreRoundedAsThoseOfMeshesAre) {
+  // A cylinder beside an egg that is stretched in three ways, in one part.
+  const TriMesh egg = moved(test::ellipsoid({10, 14, 20}, 12, 8), Mat3(1), Vec3(40, 0, 0));
+  const TriMesh mesh = test::joined(turned({{10, 0}, {10, 5}}, 24), egg);
+  const RecognisedForm form(mesh, RunContext());
+  EXPECT_EQ(form.faces().cylinders, 1);
+  EXPECT_EQ(form.faces().total(), 1);
+  RunContext context;
+  constexpr double kTolerance = 0.1;
+  const RealiseOptions options{.tolerance = kTolerance, .crease_angle = 60};
+  const auto alone = MeshForm(egg).realise(options, context);
+  const auto surface = form.realise(options, context);
+  const ProxyMesh& proxy = surface->proxy();
+  std::size_t on_egg = 0;
+  double off = 0;
+  for (std::uint32_t t = 0; t < proxy.mesh.triangles.size(); ++t) {
+    const Vec3 middle = proxy.position(t, Vec3(1.0 / 3));
+    on_egg += middle.x > 20;
+    const Vec3 drawn = surface->drawn_position(surface->lift({t, Vec3(1.0 / 3)}));
+    if (middle.x > 20) off = std::max(off, glm::distance(drawn, middle));
+    // Each triangle keeps its source.
+    EXPECT_EQ(surface->frame(surface->lift({t, Vec3(1.0 / 3)})).kind == FaceKind::Cylinder,
+              middle.x < 20 && std::abs(proxy.mesh.normal(t).z) < 0.5);
+  }
+  EXPECT_EQ(proxy.source_face.size(), proxy.mesh.triangles.size());
+  // What hides lines and strokes is what they are drawn on.
+  EXPECT_LT(off, kTolerance);
+  EXPECT_EQ(on_egg, alone->proxy().mesh.triangles.size());
+  EXPECT_GT(on_egg, 2 * egg.triangles.size());
+}
+
+TEST(Recognised, MirroredFacetsOfAZonohedronAreNoCylinder) {
+  // Rhombs between the sums of consecutive ones of ten edges around an axis: along each zone the
+  // edges are parallel, and the three facets in the middle turn by one angle.
+  constexpr int kEdges = 10;
+  const auto corner = [](int from, int to) {
+    Vec3 sum(0);
+    for (int k = from; k <= to; ++k) {
+      const double a = 2 * kPi * k / kEdges, up = 35.5 * kPi / 180;
+      sum +=
+          Vec3(10 * std::cos(up) * std::cos(a), 9 * std::cos(up) * std::sin(a), 12 * std::sin(up));
+    }
+    return sum;
+  };
+  PolygonSoup soup;
+  for (int i = 0; i < kEdges; ++i) {
+    for (int j = i + 1; j < kEdges + i; ++j) {
+      for (const Vec3& p :
+           {corner(i, j), corner(i + 1, j), corner(i + 1, j - 1), corner(i, j - 1)}) {
+        soup.indices.push_back(static_cast<std::uint32_t>(soup.positions.size()));
+        soup.positions.push_back(p);
+      }
+      soup.offsets.push_back(soup.indices.size());
+    }
+  }
+  Diagnostics diagnostics;
+  EXPECT_EQ(faces_of(repair(std::move(soup), {}, diagnostics, RunContext())).total(), 0);
 }
 
 TEST(Recognised, TwoChamfersAreNoCurve) {

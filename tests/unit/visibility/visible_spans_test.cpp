@@ -634,6 +634,36 @@ TEST(VisibleSpans, AStrokeOnAnOpenSheetEndsAtItsFold) {
       0.1);
 }
 
+// Fairing left a stroke 1 um under a hollow wall of strips that are narrower than its steps: the
+// strips that it runs over lie before it, and hide nothing.
+TEST(VisibleSpans, StripsUnderAFairedStrokeDoNotHideIt) {
+  constexpr double kRadius = 50;
+  const auto wall = [](double x) { return 0.5 * x * x / kRadius; };
+  const View view({test::grid(201, 2, false, false,
+                              [&](std::uint32_t i, std::uint32_t j) {
+                                const double x = 0.1 * i - 10;
+                                return Vec3(x, 20.0 * j, wall(x));
+                              })},
+                  {.direction = {0, -0.5, 1}, .up = {0, 1, 0}, .scale = 1});
+  const auto seen = [&](double under) {
+    Curve3 stroke;
+    stroke.kind = LineClass::Stroke;
+    stroke.source.part = 0;
+    for (int i = 0; i <= 40; ++i) {
+      const double x = 0.4 * i - 7.95;
+      stroke.points.emplace_back(x, 9, wall(x) - under);
+      stroke.normals.push_back(glm::normalize(Vec3(-x / kRadius, 0, 1)));
+      const auto hit = view.occluder->first_hit({x, 9, 5}, {0, 0, -1}, 0, 10);
+      if (i < 40) stroke.faces.push_back(static_cast<std::int32_t>(hit->where.face));
+    }
+    double length = 0;
+    for (const Span& s : view.classify(stroke)) length += s.visible ? s.end - s.begin : 0;
+    return length / 40;
+  };
+  EXPECT_EQ(seen(0), 1);
+  EXPECT_EQ(seen(0.001), 1);
+}
+
 // --- slices
 // ----------------------------------------------------------------------------------------------------
 

@@ -4,6 +4,7 @@
 #include <burin/mesh/proxy_mesh.h>
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 namespace burin {
@@ -33,12 +34,14 @@ class RoundedFacet {
 
 /// Curved point-normal triangles over a proxy mesh: one cubic patch per triangle, tangent at each
 /// wedge to the wedge's normal, without gaps between triangles. A crease leaves its vertices along
-/// both sides' tangent planes: straight where faces are flat, round on the rim of a cylinder. Holds
-/// a reference: the proxy must outlive it. Cost: one pass over the edges to build; the lifts are
-/// found once per RoundedFacet, whatever the number of its points. @cite Vlachos2001
+/// both sides' tangent planes: straight where faces are flat, round on the rim of a cylinder.
+/// Triangles that are nonzero in `exact` (one a triangle, or none at all) lie on a surface that is
+/// known: their edges are straight. Holds references: proxy and `exact` must outlive it. Cost: one
+/// pass over the edges to build; the lifts are found once per RoundedFacet, whatever the number of
+/// its points. @cite Vlachos2001
 class RoundedMesh {
  public:
-  explicit RoundedMesh(const ProxyMesh& proxy);
+  explicit RoundedMesh(const ProxyMesh& proxy, std::span<const std::uint8_t> exact = {});
 
   RoundedFacet facet(std::uint32_t face) const;
   /// As RoundedFacet::on_edge, for one point.
@@ -46,8 +49,10 @@ class RoundedMesh {
 
  private:
   Vec3 control_lift(HalfEdge h, bool at_origin) const;
+  bool is_exact(HalfEdge h) const;
 
   const ProxyMesh* proxy_;
+  std::span<const std::uint8_t> exact_;
   // For each vertex the length of its shortest edge in model mm.
   std::vector<float> finest_;
 };

@@ -7,7 +7,9 @@
 #include <burin/mesh/tri_mesh.h>
 #include <burin/surface/scene.h>
 
+#include <cstdint>
 #include <memory>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -47,5 +49,18 @@ class MeshForm final : public Form {
 /// own proxies. `curvature` has one entry per wedge, or none.
 std::shared_ptr<const Surface> make_mesh_surface(ProxyMesh proxy,
                                                  const std::vector<Curvature>& curvature);
+
+/// Such a surface, and for each of its triangles that of the proxy that it is a piece of, or is.
+struct RoundedSurface {
+  std::shared_ptr<const Surface> surface;
+  std::vector<std::uint32_t> face_origin;
+};
+
+/// The surface that the facets of a proxy stand for: those that are farther from it than half the
+/// tolerance are divided, as MeshForm does, but for triangles that are nonzero in `exact` (one a
+/// triangle, or none at all), which lie on a surface that is known and keep their edges. Curvature
+/// is that of the proxy. What the proxy knows of its source is kept.
+RoundedSurface make_rounded_surface(ProxyMesh proxy, std::span<const std::uint8_t> exact,
+                                    const RealiseOptions& options, RunContext& context);
 
 }  // namespace burin
