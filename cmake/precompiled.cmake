@@ -1,7 +1,7 @@
-# The headers that most sources include are compiled once: std and GLM, with fmt for targets that link it, with GoogleTest
-# for tests. GCC takes them only where macros and flags are the same, so libraries and programs have their own. A source
+# The headers that most sources include are compiled once: std and GLM, with fmt for targets that link it. GCC takes them only where macros and flags are the same, so libraries and programs have their own. A source
 # still includes what it uses: clang-tidy and the sanitizers' builds compile without this. Not
-# <filesystem>, which brings std::quoted: an own function of that name would be hidden.
+# <filesystem>, which brings std::quoted: an own function of that name would be hidden. Not for tests, where GCC 12 warns
+# of more, depending on the length of the path of the sources.
 if(NOT BURIN_PRECOMPILE)
   return()
 endif()
@@ -25,10 +25,6 @@ endfunction()
 burin_precompiled(library)
 burin_precompiled(library_fmt HEADERS <fmt/format.h> LIBRARIES fmt::fmt)
 burin_precompiled(program_fmt HEADERS <fmt/format.h> LIBRARIES fmt::fmt)
-if(BURIN_TESTS)
-  find_package(GTest CONFIG REQUIRED)
-  burin_precompiled(test HEADERS <fmt/format.h> <gtest/gtest.h> LIBRARIES fmt::fmt GTest::gtest)
-endif()
 
 # What a target takes; empty: nothing. CGAL asks for other flags of the compiler.
 function(burin_precompiled_kind target kind)
@@ -45,9 +41,6 @@ function(burin_precompiled_kind target kind)
     endif()
   elseif(type STREQUAL EXECUTABLE AND "fmt::fmt" IN_LIST linked)
     set(found program_fmt)
-    if(target MATCHES "^test_")
-      set(found test)
-    endif()
   endif()
   set(${kind} "${found}" PARENT_SCOPE)
 endfunction()
@@ -59,8 +52,7 @@ function(burin_precompile_below folder)
     if(kind)
       target_precompile_headers(${target} REUSE_FROM burin_precompiled_${kind})
       # GCC 12 warns of what std::string does inside itself, where its header is precompiled.
-      target_compile_options(${target} PRIVATE -Wno-array-bounds
-        $<$<STREQUAL:${kind},test>:-Wno-stringop-overflow>)
+      target_compile_options(${target} PRIVATE -Wno-array-bounds)
     endif()
   endforeach()
   get_property(folders DIRECTORY ${folder} PROPERTY SUBDIRECTORIES)
@@ -70,6 +62,3 @@ function(burin_precompile_below folder)
 endfunction()
 burin_precompile_below(${PROJECT_SOURCE_DIR}/kernel)
 burin_precompile_below(${PROJECT_SOURCE_DIR}/converters)
-if(BURIN_TESTS OR BURIN_BENCH)
-  burin_precompile_below(${PROJECT_SOURCE_DIR}/tests)
-endif()

@@ -74,7 +74,7 @@ class TellingForm final : public Form {
   std::shared_ptr<const Surface> realise(const RealiseOptions& options,
                                          RunContext& context) const override {
     if (fails_) throw GeometryError(text_);
-    options.diagnostics->add(Severity::Note, "test." + text_, 1, text_);
+    options.diagnostics->add(Severity::Info, "test." + text_, 1, text_);
     return form_->realise(options, context);
   }
   bool realised_beside_others() const override { return true; }
