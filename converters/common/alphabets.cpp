@@ -36,8 +36,8 @@ struct Alphabet {
   bool own;
 };
 
-enum : std::size_t { kWestern, kCentral, kTurkish, kCyrillic, kGreek, kCount };
-constexpr std::array<Alphabet, kCount> kAlphabets{
+enum : std::size_t { Western, Central, Turkish, Cyrillic, Greek, Count };
+constexpr std::array<Alphabet, Count> kAlphabets{
     {{"WINDOWS-1252", "äöüßéèêëàâîïôùûçœñáíóúìòãõåæøšž", "ÄÖÜÉÈÊËÀÂÎÏÔÙÛÇŒÑÁÍÓÚÌÒÃÕÅÆØŠŽ", "ðþýÐÞÝ",
       false},
      {"WINDOWS-1250", "ąćęłńóśźżáčďéěíňřšťúůýžľĺŕôőűăâîşţäöüßç",
@@ -142,7 +142,7 @@ void for_high_bytes(const std::vector<std::string>& texts, const F& one) {
 
 double mark(std::size_t which, const std::vector<std::string>& texts) {
   static const auto all = [] {
-    std::array<Letters, kCount> made;
+    std::array<Letters, Count> made;
     std::ranges::transform(kAlphabets, made.begin(), letters_of);
     return made;
   }();
@@ -175,7 +175,7 @@ std::string told_by_uchardet(const std::vector<std::string>& texts, const std::s
                            "ISO-8859-7", "WINDOWS-1255", "ISO-8859-8"}) {
     if (found == name && letters >= 3 * runs) return found;
   }
-  return kAlphabets[kWestern].encoding;
+  return kAlphabets[Western].encoding;
 }
 
 }  // namespace
@@ -194,30 +194,30 @@ std::string detected_encoding(const std::vector<std::string>& texts, int times) 
 }
 
 AlphabetGuess guess_alphabet(const std::vector<std::string>& texts) {
-  std::array<double, kCount> marks{};
-  for (std::size_t k = 0; k < kCount; ++k) marks[k] = mark(k, texts);
+  std::array<double, Count> marks{};
+  for (std::size_t k = 0; k < Count; ++k) marks[k] = mark(k, texts);
   const auto best = static_cast<std::size_t>(std::ranges::max_element(marks) - marks.begin());
   const auto near = [&](std::size_t k) { return marks[k] > marks[best] - kNear; };
   const std::string found = detected_encoding(texts, 1);
-  if (near(kWestern)) return {told_by_uchardet(texts, found), marks[best], true};
+  if (near(Western)) return {told_by_uchardet(texts, found), marks[best], true};
   const auto is = [&](std::size_t k) {
     return AlphabetGuess{kAlphabets[k].encoding, marks[best], true};
   };
-  if (near(kTurkish) && near(kCentral)) {
-    AlphabetGuess guess = is(found == "ISO-8859-9" ? kTurkish : kCentral);
+  if (near(Turkish) && near(Central)) {
+    AlphabetGuess guess = is(found == "ISO-8859-9" ? Turkish : Central);
     guess.sure = false;
     return guess;
   }
-  if (near(kCyrillic) && near(kGreek)) {
-    AlphabetGuess guess = is(found == "WINDOWS-1253" || found == "ISO-8859-7" ? kGreek : kCyrillic);
+  if (near(Cyrillic) && near(Greek)) {
+    AlphabetGuess guess = is(found == "WINDOWS-1253" || found == "ISO-8859-7" ? Greek : Cyrillic);
     guess.sure = found.starts_with("WINDOWS-125");
     return guess;
   }
   // The Cyrillic letters of Unix, whose capitals Windows has for small letters.
-  if (best == kCyrillic && found == "KOI8-R" && marks[best] < kNoChance - kSlack)
+  if (best == Cyrillic && found == "KOI8-R" && marks[best] < kNoChance - kSlack)
     return {found, marks[best], false};
   // What Poland and its neighbours wrote before Windows, which has other letters in two places.
-  const bool iso = best == kCentral && found == "ISO-8859-2";
+  const bool iso = best == Central && found == "ISO-8859-2";
   return iso ? AlphabetGuess{told_by_uchardet(texts, found), marks[best], true} : is(best);
 }
 

@@ -106,7 +106,7 @@ struct Candidate {
   Letter (*letter)(const Bytes&, int);
 };
 
-enum : std::size_t { kChinese, kJapanese, kKorean, kUnixJapanese, kTaiwanese };
+enum : std::size_t { Chinese, Japanese, Korean, UnixJapanese, Taiwanese };
 constexpr std::array kCandidates{Candidate{"GB18030", gb18030}, Candidate{"CP932", shift_jis},
                                  Candidate{"CP949", euc_kr}, Candidate{"EUC-JP", euc_jp},
                                  Candidate{"BIG5", big5}};
@@ -153,11 +153,11 @@ EncodingGuess guess_encoding(const std::vector<std::string>& texts) {
   if (sure) return {found, true};
   const std::string other = detected_encoding(texts, kTimes);
   const auto may_be = [&](std::size_t k) { return near(marks[k], 2 * kNear); };
-  if (other == "UHC" && may_be(kKorean)) found = "CP949";
-  if (other == "EUC-JP" && may_be(kUnixJapanese) && marks[kUnixJapanese] == kCommon) {
+  if (other == "UHC" && may_be(Korean)) found = "CP949";
+  if (other == "EUC-JP" && may_be(UnixJapanese) && marks[UnixJapanese] == kCommon) {
     found = "EUC-JP";
   }
-  if (other == "BIG5" && may_be(kTaiwanese) && marks[kChinese] < kCommon) found = "BIG5";
+  if (other == "BIG5" && may_be(Taiwanese) && marks[Chinese] < kCommon) found = "BIG5";
   return {found, false};
 }
 
