@@ -231,15 +231,15 @@ Scene read_openscad(const Path& path, const OpenscadOptions& options, RunContext
   return scene;
 }
 
-OpenscadMesh openscad_mesh(const Path& path, const OpenscadOptions& asked, RunContext& context) {
-  OpenscadOptions options = asked;
-  options.preview = false;
+OpenscadMesh openscad_mesh(const Path& path, const OpenscadOptions& options, RunContext& context) {
+  OpenscadOptions exported = options;
+  exported.preview = false;
   Diagnostics why;
-  auto made = made_here(path, options, why, context, [&](const Program& program) {
+  auto made = made_here(path, exported, why, context, [&](const Program& program) {
     return detail::whole_of_tree(program.tree, path, context);
   });
   if (made) return std::move(*made);
-  MeshFile file = rendered(path, options, context);
+  MeshFile file = rendered(path, exported, context);
   OpenscadMesh out{{}, std::move(why)};
   out.diagnostics.append(file.diagnostics);
   out.mesh = repair(std::move(file.objects.front()), {}, out.diagnostics, context);
