@@ -99,7 +99,7 @@ class Whole(support.Case):
 
     def test_the_engraved_bearing_of_the_tutorial(self):
         obj = bearing.illustration(self.document, bearing.assembly(self.document))
-        obj.StyleKeys = {"hatch.spacing_min": "0.5"}
+        obj.StyleKeys = {"hatch.spacing_min": "0.48"}
         self.document.recompute()
         support.drawn()
         page = self.check(obj)
