@@ -17,10 +17,10 @@ from similarity import grey  # noqa: E402
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[3] / "freecad_wb" / "docs"))
 import bearing  # noqa: E402
 
-DPI = 150
-# Cells of paper whose ink is compared, in mm, and the share of black that they may differ by. In the PDF of TechDraw,
-# strokes that converge at a contour are drawn up to a pixel wider: 0.014 to 0.026 of the darkest cell.
-CELL, OFF = 5.0, 0.03
+# With half as many, strokes that converge are up to a pixel wider in TechDraw's PDF: 0.026 of the darkest cell.
+DPI = 300
+# Cells of paper whose ink is compared, in mm, and the share of black that they may differ by.
+CELL, OFF = 5.0, 0.02
 
 
 def elements(data):
