@@ -114,8 +114,8 @@ TEST(Strokes, AlongABorderAreWhole) {
     }
     shorter += length < 8 ? 1 : 0;
   }
-  // 117 on its narrow faces, of which 46 on the sickle beside its crease that fades; the dashes were
-  // 55 more.
+  // 117 on its narrow faces, of which 46 on the sickle beside its crease that fades; the dashes
+  // were 55 more.
   EXPECT_LE(shorter, 130U);
 }
 
