@@ -27,7 +27,7 @@ BOX, ROW, GAP, LETTER = 34, 74, 16, 6.6
 def room(target):
     """The module of a target as a path, or None."""
     name = target.removeprefix("burin_")
-    if not target.startswith("burin") or "verify_interface" in name or name in OUTSIDE:
+    if not target.startswith("burin") or "verify_interface" in name or "precompiled" in name or name in OUTSIDE:
         return None
     for part in PARTS:
         name = name.removesuffix(part)
