@@ -16,7 +16,7 @@ namespace {
 
 constexpr double kCommon = 1, kUsual = 0.9, kBesideCapital = 0.7, kForeign = 0.75, kOdd = 0.3,
                  kHardly = 0.05;
-// Two alphabets whose marks are nearer than this are told apart by uchardet.
+// Between two alphabets whose marks are nearer than this uchardet decides.
 constexpr double kNear = 0.1;
 // No word of Latin letters has so many accents in a row; what has is of other letters.
 constexpr int kLongRun = 4;
@@ -130,12 +130,11 @@ void for_high_bytes(const std::vector<std::string>& texts, const F& one) {
     const auto byte = [&](std::size_t i) {
       return i < text.size() ? static_cast<std::uint8_t>(text[i]) : std::uint8_t{' '};
     };
-    for (std::size_t i = 0; i < text.size(); ++i) {
-      if (byte(i) < 0x80) continue;
-      std::size_t begin = i, end = i;
-      while (begin > 0 && byte(begin - 1) >= 0x80) --begin;
+    for (std::size_t begin = 0; begin < text.size(); ++begin) {
+      std::size_t end = begin;
       while (byte(end) >= 0x80) ++end;
-      one(Place{byte(i - 1), byte(i), byte(i + 1), static_cast<int>(end - begin)});
+      const auto run = static_cast<int>(end - begin);
+      for (; begin < end; ++begin) one({byte(begin - 1), byte(begin), byte(begin + 1), run});
     }
   }
 }
