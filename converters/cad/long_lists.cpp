@@ -63,15 +63,12 @@ bool is_type(char c) { return (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') |
 }  // namespace
 
 std::string without_triangle_lists(std::string_view text) {
-  std::string out;
-  std::size_t at = 0;
-  const auto next = [&](std::string_view type) { return text.find(type, at); };
   constexpr std::string_view kCorners = "COORDINATES_LIST", kTriangles = "TRIANGULATED_";
-  if (next(kCorners) == std::string_view::npos && next(kTriangles) == std::string_view::npos) {
-    return out;
-  }
-  out = text;
+  const auto has = [&](std::string_view type) { return text.find(type) != std::string_view::npos; };
+  if (!has(kCorners) && !has(kTriangles)) return {};
+  std::string out(text);
   Shortened shortened(out);
+  std::size_t at = 0;
   while (at < text.size()) {
     const char c = text[at];
     if (c == '\'') {

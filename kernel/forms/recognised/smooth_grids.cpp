@@ -121,22 +121,17 @@ class Parter {
   /// What ends there turned by some columns (rows) meets itself.
   void close() {
     const std::int32_t last_row = grid_.rows - 1, last_column = grid_.columns - 1;
-    const auto row_is = [&](std::int32_t i) {
-      return same(grid_.point(0, i), grid_.point(last_row, i));
-    };
-    const auto column_is = [&](std::int32_t j) {
-      return same(grid_.point(j, 0), grid_.point(j, last_column));
-    };
     bool rows_again = !grid_.rows_close && last_row > 2,
          columns_again = !grid_.columns_close && last_column > 2;
     for (std::int32_t i = 0; i < grid_.columns; ++i) {
       rows_meet_ = rows_meet_ || same(grid_.point(0, i), grid_.point(last_row, 0));
-      rows_again = rows_again && row_is(i);
+      rows_again = rows_again && same(grid_.point(0, i), grid_.point(last_row, i));
     }
     for (std::int32_t j = 0; j < grid_.rows; ++j) {
       columns_meet_ = columns_meet_ || same(grid_.point(j, 0), grid_.point(0, last_column));
-      columns_again = columns_again && column_is(j);
+      columns_again = columns_again && same(grid_.point(j, 0), grid_.point(j, last_column));
     }
+    if (!rows_again && !columns_again) return;
     PointGrid closed = grid_;
     closed.rows -= rows_again ? 1 : 0;
     closed.columns -= columns_again ? 1 : 0;

@@ -3,6 +3,7 @@
 #include <burin/base/error.h>
 #include <burin/forms/mesh/mesh_form.h>
 
+#include <burin_test/mesh_checks.h>
 #include <burin_test/shapes.h>
 #include <gtest/gtest.h>
 
@@ -28,8 +29,7 @@ Scene stack() {
 Box3 box_of(const Part& part) { return part.form->bounds(Mat3(1)); }
 
 bool tells(const Diagnostics& diagnostics, const std::string& code) {
-  return std::ranges::any_of(diagnostics.entries(),
-                             [&](const Diagnostic& d) { return d.code == code; });
+  return test::count_of(diagnostics, code) > 0;
 }
 
 TEST(Arrange, LaterLooksHold) {
