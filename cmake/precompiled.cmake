@@ -1,7 +1,7 @@
-# The headers that most sources include are compiled once: std and GLM, with fmt for targets that link it. GCC takes them only where macros and flags are the same, so libraries and programs have their own. A source
-# still includes what it uses: clang-tidy and the sanitizers' builds compile without this. Not
-# <filesystem>, which brings std::quoted: an own function of that name would be hidden. Not for tests, where GCC 12 warns
-# of more, depending on the length of the path of the sources.
+# The headers that most sources include are compiled once: std and GLM, with fmt for targets that link it. GCC uses them
+# only if macros and flags are the same, so libraries and programs have their own. A source still includes what it uses:
+# clang-tidy and the sanitizers' builds compile without this. <filesystem> is left out: its std::quoted would hide
+# functions of that name. Tests are left out: GCC 12 warns there falsely, depending on the length of the sources' path.
 if(NOT BURIN_PRECOMPILE)
   return()
 endif()

@@ -51,10 +51,11 @@ class Messages {
   /// Whether it is a new one.
   bool keep(Remark remark);
 
-  /// One whose text has not ended, its lines, and of an error in another file whether it is still
-  /// to be told where the program itself comes to it.
+  /// The remark whose text has not ended, and how many lines it has.
   std::optional<Remark> open_;
   int lines_ = 0;
+  /// Whether the last remark needs no place in the program: it is no error in another file, or
+  /// already names the call that led there.
   bool traced_ = true;
   std::vector<Remark> remarks_;
   std::int64_t kept_[3] = {0, 0, 0}, dropped_[3] = {0, 0, 0};

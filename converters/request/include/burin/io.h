@@ -1,5 +1,5 @@
 #pragma once
-/// The front door of libburin_io: files in and out, and drawings asked for by the words of the
+/// The entry header of libburin_io: files in and out, and drawings asked for by the words of the
 /// command line and of illustration files. The CMake target is `burin::io`; what is drawn with is
 /// in `burin/burin.h`.
 

@@ -12,7 +12,7 @@
 
 namespace burin {
 
-/// The message with each option of `all_options`, and `style_keys`, as this door spells it.
+/// The message with each option of `all_options`, and `style_keys`, as the front end spells it.
 std::string at_door(std::string_view message, Spelling spelling);
 Diagnostics at_door(const Diagnostics& diagnostics, Spelling spelling);
 
@@ -20,8 +20,8 @@ Diagnostics at_door(const Diagnostics& diagnostics, Spelling spelling);
 std::string located(const std::string& file, std::int64_t line, const std::string& what);
 
 /// What is to be said of an error: "FILE:LINE: WHAT" with its place, where that is known, and its
-/// options as this door spells them. `input`: the file that is named where the error names none;
-/// empty where several were read.
+/// options as the front end spells them. `input`: the file that is named where the error names
+/// none; empty where several were read.
 std::string error_message(const std::exception& error, Spelling spelling,
                           const std::string& input = "");
 

@@ -29,8 +29,8 @@ class RunContext {
   explicit RunContext(ProgressCallback callback = {});
   RunContext(const RunContext&) = delete;
   RunContext& operator=(const RunContext&) = delete;
-  /// For a piece of work that another thread does for `run`, which must live as long: cancelled
-  /// where that is, with stages of its own that nobody is told of.
+  /// For a piece of work that another thread does for `run`, which must live as long. It is
+  /// cancelled with `run`. Its stages are its own and are not reported.
   static RunContext piece_of(const RunContext& run) { return RunContext(&run); }
 
   /// Asks the run to stop; async-signal-safe.

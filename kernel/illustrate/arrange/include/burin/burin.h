@@ -1,5 +1,5 @@
 #pragma once
-/// The front door of libburin, the CMake target `burin::burin`: all that a program needs to draw,
+/// The entry header of libburin, the CMake target `burin::burin`: all that a program needs to draw,
 /// stage by stage or all at once. Files are read and written by `burin/io.h`.
 
 // All that a drawing shows of a scene, as one value, and one call that draws it.
