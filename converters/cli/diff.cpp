@@ -3,7 +3,6 @@
 #include <burin/base/error.h>
 #include <burin/base/parallel.h>
 #include <burin/converters/diff.h>
-#include <burin/converters/read.h>
 #include <burin/converters/read_drawing.h>
 
 #include "inputs.h"
@@ -16,7 +15,6 @@
 #include <array>
 #include <cstdio>
 #include <filesystem>
-#include <optional>
 #include <ostream>
 #include <utility>
 
@@ -25,24 +23,17 @@ namespace {
 
 /// One revision as it is asked for: a command line of its own.
 struct Side {
-  DrawArguments arguments;
-  std::optional<IllustrationFile> illustration;
-  DrawPlan plan;
+  DrawTask task;
 
-  Side(const DrawArguments& all, const std::string& input) : arguments(all) {
-    arguments.inputs = {input};
-    illustration = illustration_of(arguments.inputs);
-    plan = plan_of(arguments, illustration);
-  }
+  Side(const DrawArguments& all, const std::string& input)
+      : task(find_inputs({input}), all.request, Spelling::Options) {}
 
   Revision read(RunContext& context) {
     Revision revision;
-    revision.scene = illustration ? read_scene(*illustration, context)
-                                  : read_scene(arguments.inputs, plan.read, context);
-    if (!illustration) follow_files(revision.scene, arguments, plan);
-    revision.own_looks = illustration.has_value() || !revision.scene.settings.empty();
-    revision.name = std::filesystem::path(arguments.inputs.front()).filename().string();
-    revision.plan = plan;
+    revision.scene = task.follow(task.read(context));
+    revision.own_looks = task.has_own_looks();
+    revision.name = std::filesystem::path(task.inputs().files.front()).filename().string();
+    revision.plan = task.plan;
     return revision;
   }
 };
@@ -104,8 +95,7 @@ int diff_two_drawings(const DiffArguments& arguments, bool quiet, RunContext& co
                      " has shaped a drawing already; of two drawings the lines are compared");
   }
   const DrawPlan plan = make_plan(a.request, Spelling::Options);
-  for (const std::string& assignment : given_texts(a.request.options, "set")) {
-    const std::string key = parted_assignment(assignment).first;
+  for (const std::string& key : plan.style_keys) {
     if (is_about_files(key)) continue;
     throw UsageError(fmt::format("style key '{}' shapes a drawing, not its file", key));
   }
@@ -138,15 +128,13 @@ int diff_two_models(const DiffArguments& arguments, bool quiet, RunContext& cont
   std::array<Side, 2> sides{Side(a, a.inputs[0]), Side(a, a.inputs[1])};
   std::vector<std::string> sources;
   for (const Side& side : sides) {
-    const auto more = sources_of(side.arguments, side.illustration, read);
+    const auto more = sources_of(side.task.inputs(), read);
     sources.insert(sources.end(), more.begin(), more.end());
   }
   std::vector<Output> outputs = make_outputs(a.outputs, a.format, sources);
-  for (const Side& side : sides) {
-    if (!side.illustration) check_inputs(side.arguments.inputs);
-  }
+  for (const Side& side : sides) check_models(side.task.inputs());
   for (const Output& output : outputs) output.probe();
-  const ThreadLimit limit(sides[1].plan.threads);
+  const ThreadLimit limit(sides[1].task.plan.threads);
   Revision before = sides[0].read(context), after = sides[1].read(context);
   WriteOptions options = write_options(after.plan.style);
   options.svg.id_prefix = after.plan.id_prefix;

@@ -2,7 +2,6 @@
 
 #include <burin/base/error.h>
 #include <burin/base/parallel.h>
-#include <burin/converters/illustration.h>
 #include <burin/converters/read.h>
 
 #include "inputs.h"
@@ -11,7 +10,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <optional>
 #include <utility>
 
 namespace burin::cli {
@@ -27,30 +25,21 @@ Request reading_of(const Request& request) {
   return reading;
 }
 
-Scene read_anew(const DrawArguments& arguments, const std::optional<IllustrationFile>& illustration,
-                const DrawPlan& plan, RunContext& context) {
-  if (illustration) return read_scene(*illustration, context);
-  return read_scene(arguments.inputs, plan.read, context);
-}
-
-Scene read_models(const DrawArguments& arguments,
-                  const std::optional<IllustrationFile>& illustration, const DrawPlan& plan,
-                  RunContext& context, KeptScene* kept) {
-  if (!kept || (illustration && !kept->illustrations)) {
-    return read_anew(arguments, illustration, plan, context);
-  }
-  Request reading = reading_of(arguments.request.options);
-  if (kept->scene && kept->reading == reading) {
+ReadResult read_models(const DrawTask& task, const Request& options, RunContext& context,
+                       KeptScene* kept) {
+  if (!kept || (task.inputs().illustration && !kept->illustrations)) return task.read(context);
+  Request reading = reading_of(options);
+  if (kept->read && kept->reading == reading) {
     // Heard of before they are looked at: a change in between is not lost.
     for (const auto& [name, stamp] : kept->files) InputFiles::opens(name);
-    if (!changed(kept->files)) return *kept->scene;
+    if (!changed(kept->files)) return *kept->read;
   }
-  const InputFiles read;
-  Scene scene = read_anew(arguments, illustration, plan, context);
-  kept->files = read.stamps();
-  kept->scene = scene;
+  const InputFiles files;
+  ReadResult read = task.read(context);
+  kept->files = files.stamps();
+  kept->read = read;
   kept->reading = std::move(reading);
-  return scene;
+  return read;
 }
 
 void check_format(const Output& output, const Paper& paper, const WriteOptions& options) {
@@ -74,8 +63,7 @@ void check_lists(const DrawPlan& plan, const std::vector<Output>& outputs,
 }
 
 /// Keys that were set for a format that is not written.
-void note_unwritten(const DrawArguments& arguments, const std::vector<Output>& outputs,
-                    DrawPlan& plan) {
+void note_unwritten(const std::vector<Output>& outputs, DrawPlan& plan) {
   const auto written = [&](const Format& format) {
     return std::any_of(outputs.begin(), outputs.end(),
                        [&](const Output& o) { return &o.format() == &format; });
@@ -84,8 +72,7 @@ void note_unwritten(const DrawArguments& arguments, const std::vector<Output>& o
     plan.notes.add(Severity::Warning, "option.unused", 1,
                    fmt::format("{} has no effect: no output is .{}", what, format.name));
   };
-  for (const std::string& assignment : given_texts(arguments.request.options, "set")) {
-    const std::string key = parted_assignment(assignment).first;
+  for (const std::string& key : plan.style_keys) {
     const Format* format = only_format_of(key);
     if (format && !written(*format)) note("style key " + key, *format);
   }
@@ -105,24 +92,23 @@ Drawn draw_files(const DrawArguments& arguments, RunContext& context, KeptScene*
         fmt::format("no output; name one: burin {} INPUT... -o OUT.svg", arguments.command));
   }
   const InputFiles read;
-  const std::optional<IllustrationFile> illustration = illustration_of(arguments.inputs);
-  DrawPlan plan = plan_of(arguments, illustration);
+  DrawTask task(find_inputs(arguments.inputs), arguments.request, Spelling::Options);
+  DrawPlan& plan = task.plan;
   WriteOptions options = write_options(plan.style);
   options.svg.id_prefix = plan.id_prefix;
   options.html.live = kept != nullptr && kept->live;
-  std::vector<Output> outputs =
-      make_outputs(arguments.outputs, arguments.format, sources_of(arguments, illustration, read));
-  check_lists(plan, outputs, sources_of(arguments, illustration, read));
-  if (!illustration) check_inputs(arguments.inputs);
+  const std::vector<std::string> sources = sources_of(task.inputs(), read);
+  std::vector<Output> outputs = make_outputs(arguments.outputs, arguments.format, sources);
+  check_lists(plan, outputs, sources);
+  check_models(task.inputs());
   for (const Output& output : outputs) {
     if (!plan.sheet.fits) check_format(output, plan.view.paper, options);
     output.probe();
   }
 
   const ThreadLimit limit(plan.threads);
-  Scene scene = read_models(arguments, illustration, plan, context, kept);
-  if (!illustration) follow_files(scene, arguments, plan);
-  note_unwritten(arguments, outputs, plan);
+  Scene scene = task.follow(read_models(task, arguments.request.options, context, kept));
+  note_unwritten(outputs, plan);
   for (const Output& output : outputs) plan.items |= output.format().lists_items;
   arrange_parts(scene, plan, context);
   const SheetOfViews sheet = plan_sheet(scene, plan);

@@ -3,8 +3,8 @@
 
 #include <burin/base/input_files.h>
 #include <burin/base/run_context.h>
+#include <burin/converters/read_result.h>
 #include <burin/illustrate/session.h>
-#include <burin/surface/scene.h>
 
 #include "arguments.h"
 #include "console.h"
@@ -17,7 +17,7 @@ namespace burin::cli {
 /// drawing of it was made of.
 struct KeptScene {
   InputFiles::Stamps files;
-  std::optional<Scene> scene;
+  std::optional<ReadResult> read;
   /// What was asked of its reading.
   Request reading{};
   Session session{};

@@ -1,15 +1,16 @@
 #include "illustrate.h"
 
 #include <burin/base/error.h>
-#include <burin/converters/illustration.h>
 #include <burin/converters/messages.h>
 #include <burin/converters/output.h>
+#include <burin/converters/plan.h>
 #include <burin/converters/read.h>
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <filesystem>
+#include <optional>
 #include <ostream>
 #include <string>
 #include <utility>
@@ -18,18 +19,20 @@
 namespace burin::cli {
 namespace {
 
+[[noreturn]] void refuse_illustration(const std::string& name) {
+  throw UsageError(
+      fmt::format("'{}' is an illustration file already; alone and with --explode auto, one that "
+                  "extends it by the steps of an exploded view is written",
+                  name));
+}
+
 /// Whether an illustration is to be extended by its exploded view. Throws UsageError where it is an
 /// input for anything else.
-bool extends_another(const DrawArguments& arguments, const DrawPlan& plan) {
+bool extends_another(const DrawArguments& arguments) {
   const auto found = std::ranges::find_if(
       arguments.inputs, [](const std::string& input) { return is_illustration(input); });
   if (found == arguments.inputs.end()) return false;
-  if (arguments.inputs.size() > 1 || !plan.explode.wanted) {
-    throw UsageError(
-        fmt::format("'{}' is an illustration file already; alone and with --explode auto, one that "
-                    "extends it by the steps of an exploded view is written",
-                    *found));
-  }
+  if (arguments.inputs.size() > 1 || !arguments.request.has("explode")) refuse_illustration(*found);
   for (const auto& [name, texts] : arguments.request.options) {
     if (name == "explode" || name == "explode_factor") continue;
     throw UsageError(called(name, Spelling::Options) +
@@ -40,24 +43,38 @@ bool extends_another(const DrawArguments& arguments, const DrawPlan& plan) {
 }
 
 /// The steps by which a scene comes apart; what is to be said of them is said.
-std::vector<Explode::Step> steps_of(Scene scene, DrawPlan& plan, RunContext& context,
-                                    Console& console) {
+std::vector<ExplodeStep> steps_of(Scene scene, DrawPlan& plan, RunContext& context,
+                                  Console& console) {
   select_parts(scene, plan);
-  std::vector<Explode::Step> steps = explode_steps(scene, plan, context);
+  std::vector<ExplodeStep> steps = explode_steps(scene, plan, context);
   console.diagnostics(at_door(scene.diagnostics, Spelling::Options));
   return steps;
 }
 
 std::string extended(const DrawArguments& arguments, const std::filesystem::path& folder,
                      RunContext& context, Console& console) {
-  const IllustrationFile house = read_illustration(arguments.inputs.front());
-  DrawPlan plan = make_plan(merged(house.request, arguments.request), Spelling::Options);
-  return exploded_illustration(arguments.inputs.front(), arguments.request, folder,
-                               steps_of(read_scene(house, context), plan, context, console));
+  const std::string& house = arguments.inputs.front();
+  DrawTask task(find_inputs(arguments.inputs), arguments.request, Spelling::Options);
+  if (!task.plan.explode.wanted) refuse_illustration(house);  // --explode none
+  Scene scene = task.follow(task.read(context));
+  return exploded_illustration(house, arguments.request, folder,
+                               steps_of(std::move(scene), task.plan, context, console));
 }
 
 ItemNumbers numbers_of_models(Scene scene, RunContext& context) {
   return numbers_of(find_items(scene, {}, scene.diagnostics, context), {});
+}
+
+std::string first(const DrawArguments& arguments, DrawPlan& plan,
+                  const std::filesystem::path& folder, RunContext& context, Console& console) {
+  DrawRequest request = arguments.request;
+  const bool numbers = plan.callouts || plan.parts_list || !plan.parts_list_files.empty();
+  Scene scene;
+  if (numbers || plan.explode.wanted) scene = read_scene(arguments.inputs, plan.read, context);
+  if (numbers) request.items = numbers_of_models(scene, context);
+  std::vector<ExplodeStep> steps;
+  if (plan.explode.wanted) steps = steps_of(std::move(scene), plan, context, console);
+  return first_illustration(arguments.inputs, request, folder, steps);
 }
 
 }  // namespace
@@ -70,8 +87,8 @@ void run_illustrate(const DrawArguments& arguments, RunContext& context, Console
     throw UsageError("name one output: burin illustrate INPUT... -o NAME.burin.json");
   }
   const std::string& name = arguments.outputs.front();
-  DrawPlan plan = make_plan(arguments.request, Spelling::Options);  // refuses what a drawing would
-  const bool extends = extends_another(arguments, plan);
+  std::optional<DrawPlan> plan;  // refuses what a drawing would
+  if (!extends_another(arguments)) plan = make_plan(arguments.request, Spelling::Options);
   check_inputs(arguments.inputs);
   Output output(name, *format_named("json"));
   if (!output.is_stdout()) {
@@ -87,21 +104,8 @@ void run_illustrate(const DrawArguments& arguments, RunContext& context, Console
   }
   const auto folder =
       output.is_stdout() ? std::filesystem::path() : std::filesystem::path(name).parent_path();
-  std::string text;
-  if (extends) {
-    text = extended(arguments, folder, context, console);
-  } else {
-    DrawRequest request = arguments.request;
-    const bool numbers = plan.callouts || plan.parts_list || !plan.parts_list_files.empty();
-    Scene scene;
-    if (numbers || plan.explode.wanted) {
-      scene = read_scene(arguments.inputs, plan.read, context);
-    }
-    if (numbers) request.items = numbers_of_models(scene, context);
-    std::vector<Explode::Step> steps;
-    if (plan.explode.wanted) steps = steps_of(std::move(scene), plan, context, console);
-    text = first_illustration(arguments.inputs, request, folder, steps);
-  }
+  const std::string text = plan ? first(arguments, *plan, folder, context, console)
+                                : extended(arguments, folder, context, console);
   output.write([&](std::ostream& out) { out << text; });
   output.commit();
 }

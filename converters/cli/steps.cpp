@@ -2,14 +2,12 @@
 
 #include <burin/base/error.h>
 #include <burin/base/parallel.h>
-#include <burin/converters/read.h>
 #include <burin/converters/values.h>
 #include <burin/converters/write_book.h>
 
 #include "inputs.h"
 #include "signals.h"
 
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -37,17 +35,15 @@ void run_steps(const StepsArguments& arguments, RunContext& context, Console& co
   }
   const BuildOptions build = build_options(arguments);
   const InputFiles read;
-  const std::optional<IllustrationFile> illustration = illustration_of(draw.inputs);
-  DrawPlan plan = plan_of(draw, illustration);
-  check_book_outputs(draw.outputs, sources_of(draw, illustration, read));
-  if (!illustration) check_inputs(draw.inputs);
+  DrawTask task(find_inputs(draw.inputs), draw.request, Spelling::Options);
+  DrawPlan& plan = task.plan;
+  check_book_outputs(draw.outputs, sources_of(task.inputs(), read));
+  check_models(task.inputs());
   WriteOptions options = write_options(plan.style);
   options.svg.id_prefix = plan.id_prefix;
 
   const ThreadLimit limit(plan.threads);
-  Scene scene = illustration ? read_scene(*illustration, context)
-                             : read_scene(draw.inputs, plan.read, context);
-  if (!illustration) follow_files(scene, draw, plan);
+  Scene scene = task.follow(task.read(context));
   const Book book = draw_book(scene, plan, build, context);
   context.begin_stage(RunStage::Write);
   std::vector<Output> files = write_book(book, draw.outputs, options, context);

@@ -315,7 +315,7 @@ bool is_fcstd_content(std::string_view head) {
 
 Scene read_fcstd(const Path& path, const FcstdOptions& options, RunContext& context) {
   Made made = Maker(path, options, false, context).make();
-  return {std::move(made.parts), {}, std::move(made.diagnostics)};
+  return {std::move(made.parts), std::move(made.diagnostics)};
 }
 
 FileInfo inspect_fcstd(const Path& path, const FcstdOptions& options, RunContext& context) {

@@ -157,21 +157,24 @@ void throw_if_left_out(const Diagnostics& said, const Path& path) {
                    path.string());
 }
 
-bool nothing(const Scene& scene) { return scene.parts.empty(); }
+bool nothing(const ReadResult& read) { return read.scene.parts.empty(); }
 bool nothing(const OpenscadMesh& made) { return made.mesh.triangles.empty(); }
+
+Diagnostics& said_of(ReadResult& read) { return read.scene.diagnostics; }
+Diagnostics& said_of(OpenscadMesh& made) { return made.diagnostics; }
 
 /// What `make` makes of a program, with what was said before in its diagnostics.
 template <typename Make>
 auto made_of(const Program& program, const Path& path, const Make& make) {
   auto made = make(program);
   if (nothing(made)) {
-    if (program.said.error.empty()) throw_if_left_out(made.diagnostics, path);
+    if (program.said.error.empty()) throw_if_left_out(said_of(made), path);
     const bool flat = detail::is_flat(program.tree);
     program.said.fail(flat ? detail::kTwoDimensional : detail::kEmpty, path.string());
   }
   Diagnostics all = program.said.diagnostics;
-  all.append(made.diagnostics);
-  made.diagnostics = std::move(all);
+  all.append(said_of(made));
+  said_of(made) = std::move(all);
   return made;
 }
 
@@ -192,15 +195,15 @@ auto made_here(const Path& path, const OpenscadOptions& options, Diagnostics& wh
 }
 
 /// The parts, by Burin.
-std::optional<Scene> parts_here(const Path& path, const OpenscadOptions& options,
-                                detail::Shapes shapes, Diagnostics& why, RunContext& context) {
+std::optional<ReadResult> parts_here(const Path& path, const OpenscadOptions& options,
+                                     detail::Shapes shapes, Diagnostics& why, RunContext& context) {
   return made_here(path, options, why, context, [&](const Program& program) {
     return detail::scene_of_tree(program.tree, program.calls, program.text, path, options, shapes,
                                  context);
   });
 }
 
-Scene functions_in(const Path& path, const OpenscadOptions& options, RunContext& context) {
+ReadResult functions_in(const Path& path, const OpenscadOptions& options, RunContext& context) {
   try {
     return made_of(evaluated(path, options, context), path, [&](const Program& program) {
       return detail::functions_of_tree(program.tree, program.calls, program.text, path, context);
@@ -218,17 +221,17 @@ bool is_openscad_suffix(const Path& path) {
   return name.ends_with(".scad") || name.ends_with(".csg");
 }
 
-Scene read_openscad(const Path& path, const OpenscadOptions& options, RunContext& context) {
+ReadResult read_openscad(const Path& path, const OpenscadOptions& options, RunContext& context) {
   Diagnostics why;
   if (options.implicit) return functions_in(path, options, context);
-  if (auto scene = parts_here(path, options, detail::Shapes::Shared, why, context)) {
-    return std::move(*scene);
+  if (auto made = parts_here(path, options, detail::Shapes::Shared, why, context)) {
+    return std::move(*made);
   }
   Scene scene = repair_parts(rendered(path, options, context), path, context,
                              options.round ? Facets::Recognised : Facets::Kept);
   why.append(scene.diagnostics);
   scene.diagnostics = std::move(why);
-  return scene;
+  return {std::move(scene)};
 }
 
 OpenscadMesh openscad_mesh(const Path& path, const OpenscadOptions& options, RunContext& context) {
@@ -251,17 +254,17 @@ FileInfo inspect_openscad(const Path& path, const OpenscadOptions& options, RunC
   info.file = path.string();
   info.format = "OpenSCAD";
   if (options.implicit) {
-    const Scene functions = functions_in(path, options, context);
+    const Scene functions = functions_in(path, options, context).scene;
     info.diagnostics.append(functions.diagnostics);
     for (const Part& part : functions.parts) {
       info.parts.push_back(measure_realised_part(part, info.diagnostics, context));
     }
     return info;
   }
-  auto scene = parts_here(path, options, detail::Shapes::Meshes, info.diagnostics, context);
-  if (!scene) scene = repair_parts(rendered(path, options, context), path, context);
-  info.diagnostics.append(scene->diagnostics);
-  for (const Part& part : scene->parts) {
+  auto made = parts_here(path, options, detail::Shapes::Meshes, info.diagnostics, context);
+  if (!made) made = {repair_parts(rendered(path, options, context), path, context)};
+  info.diagnostics.append(made->scene.diagnostics);
+  for (const Part& part : made->scene.parts) {
     info.parts.push_back(measure_mesh_part(part, context));
     info.parts.back().color = part.color;
   }

@@ -9,11 +9,11 @@
 #include "child.h"
 #include "evaluated_part.h"
 #include "instances.h"
+#include "model_marks.h"
 #include "parts.h"
 #include "solid_store.h"
 #include "text.h"
 #include "tree_function.h"
-#include "wishes.h"
 
 #include <fmt/format.h>
 
@@ -44,25 +44,28 @@ Part look_of(const TreePart& of, const std::filesystem::path& path, const Scene&
       !of.assembly.empty() && !scene.parts.empty() && scene.parts.back().assembly == part.assembly;
   part.color = of.color;
   part.definition = of.definition;
-  // As OpenSCAD shows it, whoever asks for the model's wishes or does not.
+  // As OpenSCAD shows it, whoever follows the marks of the model or does not.
   constexpr double kShown = 0.5;
   part.opacity = of.background ? std::min(of.opacity, kShown) : of.opacity;
   return part;
 }
 
 /// What the model asks of the drawing of those parts that came out.
-void add_settings(const TreeParts& planned, const std::vector<bool>& made,
-                  const std::filesystem::path& path, Scene& scene) {
-  std::string settings = settings_of(planned, made, scene.diagnostics);
-  if (!settings.empty()) scene.settings.push_back({std::move(settings), path.string()});
+void add_marks(const TreeParts& planned, const std::vector<bool>& made,
+               const std::filesystem::path& path, ReadResult& out) {
+  ModelMarks marks = marks_of(planned, made, out.scene.diagnostics);
+  if (marks.empty()) return;
+  marks.source = path.string();
+  out.marks.push_back(std::move(marks));
 }
 
 }  // namespace
 
-Scene scene_of_tree(const csg::Tree& tree, const TreeCalls& calls, std::string_view program,
-                    const std::filesystem::path& path, const OpenscadOptions& options,
-                    Shapes shapes, RunContext& context) {
-  Scene scene;
+ReadResult scene_of_tree(const csg::Tree& tree, const TreeCalls& calls, std::string_view program,
+                         const std::filesystem::path& path, const OpenscadOptions& options,
+                         Shapes shapes, RunContext& context) {
+  ReadResult out;
+  Scene& scene = out.scene;
   tell_undefined_places(tree, scene.diagnostics);
   SolidStore store(tree, path, context);
   const std::string stem = stem_of(path);
@@ -96,13 +99,15 @@ Scene scene_of_tree(const csg::Tree& tree, const TreeCalls& calls, std::string_v
     }
     scene.parts.push_back(std::move(part));
   }
-  add_settings(planned, made, path, scene);
-  return scene;
+  add_marks(planned, made, path, out);
+  return out;
 }
 
-Scene functions_of_tree(const csg::Tree& tree, const TreeCalls& calls, std::string_view program,
-                        const std::filesystem::path& path, RunContext& context) {
-  Scene scene;
+ReadResult functions_of_tree(const csg::Tree& tree, const TreeCalls& calls,
+                             std::string_view program, const std::filesystem::path& path,
+                             RunContext& context) {
+  ReadResult out;
+  Scene& scene = out.scene;
   tell_undefined_places(tree, scene.diagnostics);
   const TreeParts planned = parts_of(tree, program, stem_of(path), scene.diagnostics, {&calls});
   for (const TreePart& part : planned.parts) {
@@ -121,8 +126,8 @@ Scene functions_of_tree(const csg::Tree& tree, const TreeCalls& calls, std::stri
       fail(e.what());
     }
   }
-  add_settings(planned, std::vector<bool>(planned.parts.size(), true), path, scene);
-  return scene;
+  add_marks(planned, std::vector<bool>(planned.parts.size(), true), path, out);
+  return out;
 }
 
 OpenscadMesh whole_of_tree(const csg::Tree& tree, const std::filesystem::path& path,

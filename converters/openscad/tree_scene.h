@@ -3,7 +3,7 @@
 
 #include <burin/base/run_context.h>
 #include <burin/converters/openscad_reader.h>
-#include <burin/surface/scene.h>
+#include <burin/converters/read_result.h>
 
 #include "calls.h"
 #include "tree.h"
@@ -20,13 +20,14 @@ enum class Shapes : std::uint8_t { Shared, Meshes };
 /// that the tree came from; `calls`: what is known of its modules. Parts of which nothing is left
 /// are left out. Throws NotEvaluated where OpenSCAD might do better, InputError where the model is
 /// at fault.
-Scene scene_of_tree(const csg::Tree& tree, const TreeCalls& calls, std::string_view program,
-                    const std::filesystem::path& path, const OpenscadOptions& options,
-                    Shapes shapes, RunContext& context);
+ReadResult scene_of_tree(const csg::Tree& tree, const TreeCalls& calls, std::string_view program,
+                         const std::filesystem::path& path, const OpenscadOptions& options,
+                         Shapes shapes, RunContext& context);
 
 /// The parts as implicit functions. Throws InputError for what has none.
-Scene functions_of_tree(const csg::Tree& tree, const TreeCalls& calls, std::string_view program,
-                        const std::filesystem::path& path, RunContext& context);
+ReadResult functions_of_tree(const csg::Tree& tree, const TreeCalls& calls,
+                             std::string_view program, const std::filesystem::path& path,
+                             RunContext& context);
 
 /// All that a tree makes, united. Throws as `scene_of_tree`.
 OpenscadMesh whole_of_tree(const csg::Tree& tree, const std::filesystem::path& path,

@@ -66,7 +66,7 @@ void save(const PyBook& self, const py::args& paths) {
 PyBook steps(const py::object& source, std::size_t new_items, const py::kwargs& keywords) {
   if (new_items < 1) throw UsageError("argument new_items takes a whole number from 1");
   Call call(source, keywords);
-  DrawPlan& plan = call.plan;
+  DrawPlan& plan = call.plan();
   PyBook book;
   run(call.with.progress, cancel_flag(call.with.cancel), [&](RunContext& context) {
     const ThreadLimit limit(plan.threads);

@@ -91,8 +91,8 @@ PyDifference diff_of_drawings(const py::object& before, const py::object& after,
 Revision revision_of(Call& call, const std::string& name, RunContext& context) {
   Revision revision;
   revision.scene = call.read(context);
-  revision.own_looks = call.from.illustration() || !revision.scene.settings.empty();
-  revision.plan = call.plan;
+  revision.own_looks = call.task.has_own_looks();
+  revision.plan = call.plan();
   revision.name = name;
   return revision;
 }
@@ -114,13 +114,13 @@ PyDifference diff(const py::object& before, const py::object& after, double line
   const std::string old_name = name_of(before, "old"), new_name = name_of(after, "new");
   DiffOutcome outcome;
   run(new_call.with.progress, cancel_flag(new_call.with.cancel), [&](RunContext& context) {
-    const ThreadLimit limit(new_call.plan.threads);
+    const ThreadLimit limit(new_call.plan().threads);
     Revision was = revision_of(old_call, old_name, context);
     Revision is = revision_of(new_call, new_name, context);
     outcome = diff_models(std::move(was), std::move(is), true, context);
   });
   PyDifference difference;
-  keep(std::move(outcome), new_call.plan.style, new_call.plan.id_prefix, difference);
+  keep(std::move(outcome), new_call.plan().style, new_call.plan().id_prefix, difference);
   return difference;
 }
 

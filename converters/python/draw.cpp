@@ -27,7 +27,7 @@ namespace {
 
 DrawingOwner draw(const py::object& source, const py::kwargs& keywords) {
   Call call(source, keywords);
-  DrawPlan& plan = call.plan;
+  DrawPlan& plan = call.plan();
   PySession* const session = call.with.python_session();
   const auto flag = cancel_flag(call.with.cancel);
   auto result = std::make_shared<PyDrawing>();
@@ -50,7 +50,7 @@ DrawingOwner draw(const py::object& source, const py::kwargs& keywords) {
   return result;
 }
 
-py::dict step_of(const Scene& scene, const Explode::Step& step) {
+py::dict step_of(const Scene& scene, const ExplodeStep& step) {
   std::set<std::size_t> parts;
   for (const std::string& selector : step.move) {
     for (const std::size_t part : select(scene, selector)) parts.insert(part);
@@ -66,9 +66,9 @@ py::dict step_of(const Scene& scene, const Explode::Step& step) {
 
 py::dict explode_steps(const py::object& source, const py::kwargs& keywords) {
   Call call(source, keywords);
-  DrawPlan& plan = call.plan;
+  DrawPlan& plan = call.plan();
   Scene scene;
-  std::vector<Explode::Step> steps;
+  std::vector<ExplodeStep> steps;
   run(call.with.progress, cancel_flag(call.with.cancel), [&](RunContext& context) {
     const ThreadLimit limit(plan.threads);
     scene = call.read(context);
@@ -76,7 +76,7 @@ py::dict explode_steps(const py::object& source, const py::kwargs& keywords) {
     steps = burin::explode_steps(scene, plan, context);
   });
   py::list list;
-  for (const Explode::Step& step : steps) list.append(step_of(scene, step));
+  for (const ExplodeStep& step : steps) list.append(step_of(scene, step));
   py::dict found;
   found["steps"] = list;
   found["diagnostics"] = to_list(at_door(scene.diagnostics, Spelling::Keywords));
@@ -85,7 +85,7 @@ py::dict explode_steps(const py::object& source, const py::kwargs& keywords) {
 
 py::list items(const py::object& source, const py::kwargs& keywords) {
   Call call(source, keywords);
-  DrawPlan& plan = call.plan;
+  DrawPlan& plan = call.plan();
   plan.items = true;
   run(call.with.progress, cancel_flag(call.with.cancel), [&](RunContext& context) {
     const ThreadLimit limit(plan.threads);

@@ -53,7 +53,9 @@ Owner read(const py::args& paths, const py::kwargs& keywords) {
   auto owner = std::make_shared<PyScene>();
   run(progress, flag, [&](RunContext& context) {
     check_inputs(names);
-    owner->scene = read_scene(names, read, context);
+    ReadResult files = read_files(names, read, context);
+    owner->scene = std::move(files.scene);
+    owner->marks = std::move(files.marks);
     owner->part_styles.resize(owner->scene.parts.size());
   });
   return owner;

@@ -1,8 +1,8 @@
 #pragma once
 /// Scenes as Python holds them.
 
+#include <burin/converters/read_result.h>
 #include <burin/illustrate/illustrate.h>
-#include <burin/surface/scene.h>
 
 #include <pybind11/pybind11.h>
 
@@ -15,8 +15,10 @@ namespace py = pybind11;
 
 struct PyScene {
   Scene scene;
+  /// Of the files that it was read from.
+  std::vector<ModelMarks> marks = {};
   /// One per part.
-  std::vector<PartStyle> part_styles;
+  std::vector<PartStyle> part_styles = {};
 };
 
 /// One part of a scene, which it keeps.

@@ -53,6 +53,7 @@ Scene make(const plugin::FormKind& kind, const Path& path, const ReadOptions& op
   } catch (const GeometryError& e) {
     throw InputError(e.what(), path.string());
   }
+  scene.parts.front().plugin_form = kind.name;
   return scene;
 }
 
@@ -90,7 +91,7 @@ Reader brought_reader(const plugin::ReaderKind& kind) {
                 return std::ranges::find(kind.suffixes, suffix) != kind.suffixes.end();
               },
           .read = [kind](const Path& path, const ReadOptions& o,
-                         RunContext& c) { return read(kind, path, o, c); },
+                         RunContext& c) { return ReadResult{read(kind, path, o, c)}; },
           .inspect = [kind](const Path& path, const ReadOptions& o,
                             RunContext& c) { return inspect(kind, path, o, c); },
           .family = Brought,
@@ -102,7 +103,7 @@ Reader brought_form(const plugin::FormKind& kind) {
           .knows_content = {},
           .knows_suffix = [](const Path&) { return false; },
           .read = [kind](const Path& path, const ReadOptions& o,
-                         RunContext& c) { return make(kind, path, o, c); },
+                         RunContext& c) { return ReadResult{make(kind, path, o, c)}; },
           .inspect = [kind](const Path& path, const ReadOptions& o,
                             RunContext& c) { return inspect(kind, path, o, c); },
           .family = Brought,

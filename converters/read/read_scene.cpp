@@ -12,6 +12,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <iterator>
@@ -45,40 +46,44 @@ void check_inputs(const std::vector<std::string>& paths) {
 namespace {
 
 /// A form of a plug-in that fails is left out where there is something else.
-Scene read_one(const std::string& path, const detail::Reader& reader, const ReadOptions& options,
-               bool may_fail, RunContext& context) {
+ReadResult read_one(const std::string& path, const detail::Reader& reader,
+                    const ReadOptions& options, bool may_fail, RunContext& context) {
   try {
     return reader.read(path, options, context);
   } catch (const PluginError& e) {
     if (!may_fail) throw;
-    Scene none;
-    none.diagnostics.add(Severity::Warning, "plugin.quarantined", 1,
-                         std::string(e.what()) + "; the drawing goes on without it");
+    ReadResult none;
+    none.scene.diagnostics.add(Severity::Warning, "plugin.quarantined", 1,
+                               std::string(e.what()) + "; the drawing goes on without it");
     return none;
   }
 }
 
 }  // namespace
 
-Scene read_scene(const std::vector<std::string>& paths, const ReadOptions& options,
-                 RunContext& context) {
+ReadResult read_files(const std::vector<std::string>& paths, const ReadOptions& options,
+                      RunContext& context) {
   context.begin_stage(RunStage::Read);
-  Scene scene;
+  ReadResult all;
+  Scene& scene = all.scene;
   std::vector<const detail::Reader*> readers;
   for (std::size_t i = 0; i < paths.size(); ++i) {
     const GivenFormat format(paths[i], detail::given_format(paths[i], options));
     readers.push_back(&detail::reader_of(paths[i], options, context));
-    Scene one = read_one(paths[i], *readers.back(), options, paths.size() > 1, context);
-    scene.parts.insert(scene.parts.end(), std::make_move_iterator(one.parts.begin()),
-                       std::make_move_iterator(one.parts.end()));
-    scene.settings.insert(scene.settings.end(), std::make_move_iterator(one.settings.begin()),
-                          std::make_move_iterator(one.settings.end()));
-    scene.diagnostics.append(one.diagnostics);
+    ReadResult one = read_one(paths[i], *readers.back(), options, paths.size() > 1, context);
+    std::ranges::move(one.scene.parts, std::back_inserter(scene.parts));
+    std::ranges::move(one.marks, std::back_inserter(all.marks));
+    scene.diagnostics.append(one.scene.diagnostics);
     context.progress(static_cast<double>(i + 1) / static_cast<double>(paths.size()));
   }
   detail::name_unused(options, paths, readers, scene);
   context.end_stage();
-  return scene;
+  return all;
+}
+
+Scene read_scene(const std::vector<std::string>& paths, const ReadOptions& options,
+                 RunContext& context) {
+  return read_files(paths, options, context).scene;
 }
 
 FileInfo inspect_file(const std::filesystem::path& path, const ReadOptions& options,

@@ -33,7 +33,7 @@ const Reader kMesh{"STL, OBJ, OFF, PLY, 3MF",
                    nullptr,
                    is_mesh_suffix,
                    [](const Path& path, const ReadOptions& o, RunContext& c) {
-                     return read_mesh(path, c, facets_of(o), o.encoding);
+                     return ReadResult{read_mesh(path, c, facets_of(o), o.encoding)};
                    },
                    [](const Path& path, const ReadOptions& o, RunContext& c) {
                      return inspect_mesh(path, c, o.encoding);
@@ -45,7 +45,7 @@ const Reader kGltf{
     is_gltf_content,
     is_gltf_suffix,
     [](const Path& path, const ReadOptions& o, RunContext& c) {
-      return read_gltf(path, c, facets_of(o));
+      return ReadResult{read_gltf(path, c, facets_of(o))};
     },
     [](const Path& path, const ReadOptions&, RunContext& c) { return inspect_gltf(path, c); },
     Meshes};
@@ -54,7 +54,7 @@ const Reader kCad{"STEP, IGES, BREP",
                   is_cad_content,
                   is_cad_suffix,
                   [](const Path& path, const ReadOptions& o, RunContext& c) {
-                    return read_cad(path, c, o.encoding);
+                    return ReadResult{read_cad(path, c, o.encoding)};
                   },
                   [](const Path& path, const ReadOptions& o, RunContext& c) {
                     return inspect_cad(path, c, o.encoding);
@@ -69,7 +69,7 @@ const Reader kIrit{"ITD, IRT, BEZ, BBP",
                    is_irit_content,
                    is_irit_suffix,
                    [](const Path& path, const ReadOptions& o, RunContext& c) {
-                     return read_irit(path, c, irit_options(o));
+                     return ReadResult{read_irit(path, c, irit_options(o))};
                    },
                    [](const Path& path, const ReadOptions& o, RunContext& c) {
                      return inspect_irit(path, c, irit_options(o));
@@ -80,7 +80,7 @@ const Reader kImplicit{"IMPLICIT",
                        nullptr,
                        is_implicit_suffix,
                        [](const Path& path, const ReadOptions& o, RunContext& c) {
-                         return read_implicit(path, {o.bounds, {o.mesher}}, c);
+                         return ReadResult{read_implicit(path, {o.bounds, {o.mesher}}, c)};
                        },
                        [](const Path& path, const ReadOptions& o, RunContext& c) {
                          return inspect_implicit(path, {o.bounds, {o.mesher}}, c);
@@ -110,7 +110,7 @@ const Reader kFcstd{"FreeCAD",
                     is_fcstd_content,
                     is_fcstd_suffix,
                     [](const Path& path, const ReadOptions& o, RunContext& c) {
-                      return read_fcstd(path, fcstd_options(o), c);
+                      return ReadResult{read_fcstd(path, fcstd_options(o), c)};
                     },
                     [](const Path& path, const ReadOptions& o, RunContext& c) {
                       return inspect_fcstd(path, fcstd_options(o), c);
@@ -121,7 +121,7 @@ const Reader kVolume{"NRRD, MHA, MHD, INR, NII, VTI, RAW",
                      is_volume_content,
                      is_volume_suffix,
                      [](const Path& path, const ReadOptions& o, RunContext& c) {
-                       return read_volume_scene(path, o.volume, o.bounds, c);
+                       return ReadResult{read_volume_scene(path, o.volume, o.bounds, c)};
                      },
                      [](const Path& path, const ReadOptions& o, RunContext& c) {
                        return inspect_volume(path, o.volume, o.bounds, c);

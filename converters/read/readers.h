@@ -23,8 +23,8 @@ struct Reader {
   /// can only be this family's; absent = the content never tells.
   std::function<bool(std::string_view head)> knows_content;
   std::function<bool(const std::filesystem::path& path)> knows_suffix;
-  std::function<Scene(const std::filesystem::path& path, const ReadOptions& options,
-                      RunContext& context)>
+  std::function<ReadResult(const std::filesystem::path& path, const ReadOptions& options,
+                           RunContext& context)>
       read;
   std::function<FileInfo(const std::filesystem::path& path, const ReadOptions& options,
                          RunContext& context)>

@@ -54,6 +54,7 @@ void set_keys(Draft& draft, const Asked& asked) {
   std::vector<std::pair<std::string, std::string>> assignments;
   for (const std::string& assignment : asked.texts) {
     assignments.push_back(parted_assignment(assignment));
+    draft.plan.style_keys.push_back(assignments.back().first);
   }
   std::ranges::stable_sort(assignments, {}, [](const auto& a) { return setting_rank(a.first); });
   for (const auto& [key, value] : assignments) {

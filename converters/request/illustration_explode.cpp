@@ -12,7 +12,7 @@ void set_way(const KeyedFile& in, Explode& explode, const Json& value, const std
   set_explode(explode, key, given);
 }
 
-Explode::Step step(const KeyedFile& in, const Json& value, const std::string& path) {
+ExplodeStep step(const KeyedFile& in, const Json& value, const std::string& path) {
   in.check_object(value, path, kStepKeys);
   for (const char* key : {"move", "along", "by"}) {
     if (!value.contains(key)) {
@@ -20,28 +20,18 @@ Explode::Step step(const KeyedFile& in, const Json& value, const std::string& pa
               fmt::format("a step has \"move\", \"along\" and \"by\"; \"{}\" is missing", key));
     }
   }
-  Explode::Step step;
+  ExplodeStep step;
   step.place = in.place(path);
   step.move = in.text_list(value["move"], path + "/move");
   if (step.move.empty()) in.fail(path + "/move", "\"move\" names no parts");
-  const Vec3 along = in.vector(value["along"], path + "/along");
-  const double length = glm::length(along);
-  if (!(length > 0 && length < 1e300)) {
-    in.fail(path + "/along", "\"along\" takes a direction but 0,0,0");
-  }
-  step.along = along / length;
-  step.by = in.number(value["by"], path + "/by");
-  if (!(step.by > 0 && step.by <= 1e12)) {
-    in.fail(path + "/by", fmt::format("\"by\" takes mm over 0, not {}: a step moves parts, and "
-                                      "\"along\" says which way",
-                                      value["by"].dump()));
-  }
+  step.along = way_of(in, value["along"], path + "/along");
+  step.by = distance_of(in, value["by"], path + "/by");
   if (value.contains("trail")) step.trail = in.flag(value["trail"], path + "/trail");
   return step;
 }
 
-std::vector<Explode::Step> given_steps(const KeyedFile& in, const Json& value,
-                                       const std::string& path) {
+std::vector<ExplodeStep> given_steps(const KeyedFile& in, const Json& value,
+                                     const std::string& path) {
   for (const char* other : {"along", "base", "fit"}) {
     if (value.contains(other)) {
       in.fail(fmt::format("{}/{}", path, other),
@@ -51,7 +41,7 @@ std::vector<Explode::Step> given_steps(const KeyedFile& in, const Json& value,
   const Json& steps = value["steps"];
   in.check_array(steps, path + "/steps");
   if (steps.empty()) in.fail(path + "/steps", "\"steps\" has none; without it they are found");
-  std::vector<Explode::Step> given;
+  std::vector<ExplodeStep> given;
   for (std::size_t i = 0; i < steps.size(); ++i) {
     given.push_back(step(in, steps[i], fmt::format("{}/steps/{}", path, i)));
   }
@@ -59,6 +49,23 @@ std::vector<Explode::Step> given_steps(const KeyedFile& in, const Json& value,
 }
 
 }  // namespace
+
+Vec3 way_of(const KeyedFile& in, const Json& value, const std::string& path) {
+  const Vec3 along = in.vector(value, path);
+  const double length = glm::length(along);
+  if (!(length > 0 && length < 1e300)) in.fail(path, "\"along\" takes a direction but 0,0,0");
+  return along / length;
+}
+
+double distance_of(const KeyedFile& in, const Json& value, const std::string& path) {
+  const double by = in.number(value, path);
+  if (!(by > 0 && by <= 1e12)) {
+    in.fail(path, fmt::format("\"by\" takes mm over 0, not {}: a step moves parts, and \"along\" "
+                              "says which way",
+                              value.dump()));
+  }
+  return by;
+}
 
 /// As the option has it, or what it is made of.
 void take_explode(const KeyedFile& in, const Json& value, const std::string& path,

@@ -27,6 +27,16 @@ KeptItem kept_item(const KeyedFile& in, const Json& value, const std::string& pa
 
 }  // namespace
 
+int item_number(const KeyedFile& in, const std::string& text, const std::string& path) {
+  int number = 0;
+  const char* const last = text.data() + text.size();
+  const auto [end, error] = std::from_chars(text.data(), last, number);
+  if (error != std::errc() || end != last || number < 1 || number > kLargestItem) {
+    in.fail(path, fmt::format("an item has a number from 1 to {}, not '{}'", kLargestItem, text));
+  }
+  return number;
+}
+
 /// Numbers and the names of what has them.
 void take_items(const KeyedFile& in, const Json& value, const std::string& path,
                 IllustrationFile& out) {
@@ -36,12 +46,7 @@ void take_items(const KeyedFile& in, const Json& value, const std::string& path,
   std::map<std::string, std::string> known;
   for (const auto& [key, item] : value.items()) {
     const std::string at = path + "/" + key;
-    int number = 0;
-    const auto [end, error] = std::from_chars(key.data(), key.data() + key.size(), number);
-    if (error != std::errc() || end != key.data() + key.size() || number < 1 ||
-        number > kLargestItem) {
-      in.fail(at, fmt::format("an item has a number from 1 to {}, not '{}'", kLargestItem, key));
-    }
+    const int number = item_number(in, key, at);
     KeptItem kept = kept_item(in, item, at);
     const auto [first, is_new] = known.try_emplace(kept.name, key);
     if (!is_new && !kept.name.empty()) {

@@ -91,6 +91,13 @@ class KeyedFile {
   JsonLines lines_;
 };
 
+/// Which way a step goes: a unit vector.
+Vec3 way_of(const KeyedFile& in, const Json& value, const std::string& path);
+/// How far a step goes, model mm.
+double distance_of(const KeyedFile& in, const Json& value, const std::string& path);
+/// The number of an item.
+int item_number(const KeyedFile& in, const std::string& text, const std::string& path);
+
 /// Takes the value of a key into the illustration.
 using TakeKey = void(const KeyedFile& in, const Json& value, const std::string& path,
                      IllustrationFile& out);

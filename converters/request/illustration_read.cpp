@@ -235,18 +235,4 @@ DrawRequest merged(const DrawRequest& file, const DrawRequest& door) {
   return all;
 }
 
-DrawRequest with_settings(const Scene& scene, const DrawRequest& door) {
-  DrawRequest file;
-  for (const FileSettings& settings : scene.settings) {
-    file = merged(file, parse_settings(settings.json, settings.source));
-  }
-  // The way that parts come apart is the file's; whether they do is not.
-  const std::vector<std::string> asked = given_texts(door.options, "explode");
-  const bool by_file = !file.explode.steps.empty() && asked == std::vector<std::string>{"auto"};
-  if (!by_file) file.explode = {};
-  DrawRequest all = merged(file, door);
-  if (by_file) all.options.erase("explode");
-  return all;
-}
-
 }  // namespace burin

@@ -45,7 +45,7 @@ Json style_value(const std::string& key, const std::string& text) {
 /// To six digits: no picture shows more, and an author reads them.
 double rounded(double value) { return std::strtod(fmt::format("{:.6g}", value).c_str(), nullptr); }
 
-Json step_json(const Explode::Step& step) {
+Json step_json(const ExplodeStep& step) {
   Json along = Json::array();
   for (int k = 0; k < 3; ++k) along.push_back(rounded(step.along[k]) + 0.0);
   return {{"move", step.move}, {"along", along}, {"by", rounded(step.by)}, {"trail", step.trail}};
@@ -57,10 +57,10 @@ std::string seen_from(const fs::path& folder, const std::string& file) {
   return error || relative.empty() ? file : relative.string();
 }
 
-Json explode_json(const DrawRequest& request, const std::vector<Explode::Step>& steps) {
+Json explode_json(const DrawRequest& request, const std::vector<ExplodeStep>& steps) {
   Json explode;
   explode["steps"] = Json::array();
-  for (const Explode::Step& step : steps) explode["steps"].push_back(step_json(step));
+  for (const ExplodeStep& step : steps) explode["steps"].push_back(step_json(step));
   const std::vector<std::string>& factor = given_texts(request.options, "explode_factor");
   if (!factor.empty()) {
     explode["factor"] = value_of(detail::option_named("explode_factor"), factor.back());
@@ -274,7 +274,7 @@ Json light_schema() {
 }  // namespace
 
 std::string first_illustration(const std::vector<std::string>& inputs, const DrawRequest& request,
-                               const fs::path& folder, const std::vector<Explode::Step>& steps) {
+                               const fs::path& folder, const std::vector<ExplodeStep>& steps) {
   Json json{{"burin", "illustration"}, {"version", 1}, {"parts", Json::array()}};
   Request reading;
   for (const auto& row : read_option_rows()) {
@@ -349,7 +349,7 @@ std::string first_illustration(const std::vector<std::string>& inputs, const Dra
 }
 
 std::string exploded_illustration(const std::string& house, const DrawRequest& request,
-                                  const fs::path& folder, const std::vector<Explode::Step>& steps) {
+                                  const fs::path& folder, const std::vector<ExplodeStep>& steps) {
   const Json json{{"burin", "illustration"},
                   {"version", 1},
                   {"extends", seen_from(folder, house)},

@@ -6,6 +6,7 @@
 #include <burin/tone/catalogue.h>
 
 #include "draw_options.h"
+#include "make_plan.h"
 #include "named_files.h"
 
 #include <fmt/format.h>
@@ -29,87 +30,48 @@ bool looks_at_light(const Style& style) {
   return false;
 }
 
-/// What the plan asks for that some drawings or styles have no use for.
-void note_unused(const DrawRequest& r, Spelling spelling, const Style& named, DrawPlan& plan) {
+/// What is asked for of strokes alone, as messages call it.
+std::vector<std::string> about_strokes(const DrawRequest& r, const Style& named,
+                                       const DrawPlan& plan) {
+  std::vector<std::string> choices;
   if (r.has("light") && plan.style.tone.light != named.tone.light) {
-    plan.about_strokes.push_back(called("light", spelling));
+    choices.push_back(called("light", plan.spelling));
   }
-  for (const std::string& assignment : given_texts(r.options, "set")) {
-    const std::string key = parted_assignment(assignment).first;
+  for (const std::string& key : plan.style_keys) {
     if (key != "hatch.enabled" &&
         (key.starts_with("hatch.") || key.starts_with("tone.") || key.starts_with("strokes."))) {
-      plan.about_strokes.push_back("style key " + key);
+      choices.push_back("style key " + key);
     }
   }
-  const auto note = [&](const std::string& text) {
-    plan.notes.add(Severity::Warning, "option.unused", 1, text);
-  };
-  if (r.has("light") && !looks_at_light(plan.style)) {
-    note(fmt::format("{} has no effect: tone.law {} does not look at it", called("light", spelling),
-                     plan.style.tone.law));
-  }
-  const bool lists = plan.callouts || plan.parts_list;
-  for (const std::string& assignment : given_texts(r.options, "set")) {
-    const std::string key = parted_assignment(assignment).first;
-    if (key.starts_with("callout.") && !lists) {
-      note(fmt::format("style key {} has no effect without {}", key, called("callouts", spelling)));
-    }
-  }
-  if (plan.illustrate.hidden == HiddenLines::Dashed && plan.style.halo.hidden) {
-    note(fmt::format("{} has no effect: style '{}' draws hidden lines in full (halo.hidden)",
-                     called("hidden", spelling), plan.style.name));
-  }
-  // view and up say which half of a section goes.
-  if (r.has("center") && !plan.views.empty()) {
-    note(fmt::format("{} has no effect beside {}", called("center", spelling),
-                     called("views", spelling)));
-  }
-  if (r.has("projection") && plan.views.empty()) {
-    note(fmt::format("{} has no effect without {}", called("projection", spelling),
-                     called("views", spelling)));
-  }
-  if (r.has("explode_factor") && !plan.explode.wanted) {
-    note(called("explode_factor", spelling) + " has no effect: nothing comes apart");
-  }
-  if (r.has("up")) {
-    constexpr double kAlong = 1e-6;  // radians, as Camera has it
-    const Vec3 up = glm::normalize(plan.view.up), to = glm::normalize(plan.view.direction);
-    if (glm::length(glm::cross(up, to)) <= kAlong) {
-      note(called("up", spelling) + " has no effect: it lies along the view");
-    }
-  }
+  return choices;
 }
 
 /// The style of a look; nothing where it has none. What it says of files is ignored.
-std::optional<Style> style_of(const LookRequest& look, const detail::Draft& draft) {
+std::optional<Style> style_of(const LookRequest& look, const Style& whole) {
   if (!look.style_text.empty()) {
-    Style style =
-        parse_style(look.style_text, look.style_source, draft.plan.style, &draft.plan.style);
+    Style style = parse_style(look.style_text, look.style_source, whole, &whole);
     detail::find_named_files(style, std::filesystem::path(look.style_source).parent_path());
     return style;
   }
   if (look.style.empty()) return std::nullopt;
   try {
-    return load_style(look.style, &draft.plan.style);
+    return load_style(look.style, &whole);
   } catch (const UsageError& e) {
     throw UsageError(look.look.place + e.what());
   }
 }
 
 /// Lights are those of the scene: whatever style a part has, they shine on it.
-void light_by(const std::vector<tone::Light>& lights, DrawPlan& plan) {
-  const auto set = [&](tone::ToneOptions& tone) {
-    tone.lights = lights;
-    for (const tone::Light& light : lights) {
+void light_by(const DrawRequest& request, Style& style) {
+  if (request.lights.empty() || request.has("light")) return;
+  for_each_tone(style, [&](tone::ToneOptions& tone) {
+    tone.lights = request.lights;
+    for (const tone::Light& light : request.lights) {
       if (light.kind != tone::Light::Kind::From) continue;
       tone.light = light.place;  // what directions of strokes look at
       break;
     }
-  };
-  for_each_tone(plan.style, set);
-  for (Look& look : plan.looks) {
-    if (look.style) for_each_tone(*look.style, set);
-  }
+  });
 }
 
 bool any_strokes(const DrawPlan& plan) {
@@ -142,29 +104,90 @@ Drawing draw(const Scene& scene, const SheetOfViews& sheet, const DrawPlan& plan
 }
 
 DrawPlan make_plan(const DrawRequest& request, Spelling spelling) {
-  detail::Draft draft{.style_text = request.style_text, .style_source = request.style_source};
-  draft.plan.title = request.title;
-  draft.plan.numbers = request.items;
+  return detail::plan_of(request, {}, spelling);
+}
+
+namespace detail {
+
+Diagnostics unused_choices(const Request& options, const DrawPlan& plan) {
+  Diagnostics notes;
+  const auto has = [&](const char* name) { return !given_texts(options, name).empty(); };
+  const auto note = [&](const std::string& text) {
+    notes.add(Severity::Warning, "option.unused", 1, text);
+  };
+  if (has("light") && !looks_at_light(plan.style)) {
+    note(fmt::format("{} has no effect: tone.law {} does not look at it",
+                     called("light", plan.spelling), plan.style.tone.law));
+  }
+  const bool lists = plan.callouts || plan.parts_list;
+  for (const std::string& key : plan.style_keys) {
+    if (key.starts_with("callout.") && !lists) {
+      note(fmt::format("style key {} has no effect without {}", key,
+                       called("callouts", plan.spelling)));
+    }
+  }
+  if (plan.illustrate.hidden == HiddenLines::Dashed && plan.style.halo.hidden) {
+    note(fmt::format("{} has no effect: style '{}' draws hidden lines in full (halo.hidden)",
+                     called("hidden", plan.spelling), plan.style.name));
+  }
+  // view and up say which half of a section goes.
+  if (has("center") && !plan.views.empty()) {
+    note(fmt::format("{} has no effect beside {}", called("center", plan.spelling),
+                     called("views", plan.spelling)));
+  }
+  if (has("projection") && plan.views.empty()) {
+    note(fmt::format("{} has no effect without {}", called("projection", plan.spelling),
+                     called("views", plan.spelling)));
+  }
+  if (has("explode_factor") && !plan.explode.wanted) {
+    note(called("explode_factor", plan.spelling) + " has no effect: nothing comes apart");
+  }
+  if (has("up")) {
+    constexpr double kAlong = 1e-6;  // radians, as Camera has it
+    const Vec3 up = glm::normalize(plan.view.up), to = glm::normalize(plan.view.direction);
+    if (glm::length(glm::cross(up, to)) <= kAlong) {
+      note(called("up", plan.spelling) + " has no effect: it lies along the view");
+    }
+  }
+  return notes;
+}
+
+Look look_of(const LookRequest& asked, const DrawRequest& request, DrawPlan& plan) {
+  Look look = asked.look;
+  look.style = style_of(asked, plan.style);
+  if (!look.style) return look;
+  read_images(*look.style, plan.illustrate.images);
+  light_by(request, *look.style);
+  return look;
+}
+
+DrawPlan plan_of(const DrawRequest& request, const std::vector<PartStyle>& part_styles,
+                 Spelling spelling) {
+  Draft draft{.style_text = request.style_text, .style_source = request.style_source};
+  DrawPlan& plan = draft.plan;
+  plan.title = request.title;
+  plan.numbers = request.items;
+  plan.sections.assign(request.sections.begin(), request.sections.end());
+  plan.explode = request.explode;
+  plan.details.assign(request.details.begin(), request.details.end());
+  plan.illustrate.part_styles = part_styles;
+  plan.spelling = spelling;
   draft.looks = request.looks;
-  draft.plan.sections.assign(request.sections.begin(), request.sections.end());
-  draft.plan.explode = request.explode;
-  draft.plan.details.assign(request.details.begin(), request.details.end());
-  apply(detail::draw_rows(), request.options, spelling, draft);
-  draft.plan.spelling = spelling;
-  draft.plan.finds_view = !request.has("view") && draft.plan.views.empty();
-  check_style(draft.plan.style);
-  for (const LookRequest& look : draft.looks) {
-    draft.plan.looks.push_back(look.look);
-    draft.plan.looks.back().style = style_of(look, draft);
+  apply(draw_rows(), request.options, spelling, draft);
+  plan.finds_view = !request.has("view") && plan.views.empty();
+  check_style(plan.style);
+  read_images(plan.style, plan.illustrate.images);
+  for (const LookRequest& look : draft.looks) plan.looks.push_back(look_of(look, request, plan));
+  light_by(request, plan.style);
+  for (PartStyle& part : plan.illustrate.part_styles) {
+    if (part.style) light_by(request, *part.style);
   }
-  detail::read_images(draft.plan.style, draft.plan.illustrate.images);
-  for (const Look& look : draft.plan.looks) {
-    if (look.style) detail::read_images(*look.style, draft.plan.illustrate.images);
-  }
-  if (!request.lights.empty() && !request.has("light")) light_by(request.lights, draft.plan);
-  draft.plan.read = make_read_options(request.options, spelling);
-  note_unused(request, spelling, draft.named, draft.plan);
+  plan.read = make_read_options(request.options, spelling);
+  plan.about_strokes = about_strokes(request, draft.named, plan);
+  plan.notes = unused_choices(request.options, plan);
   return std::move(draft.plan);
 }
+
+}  // namespace detail
 
 }  // namespace burin

@@ -128,7 +128,7 @@ class Page {
     for (const BuildMove& move : step_.moves) {
       const double by =
           maker_.model.way_out(move.parts, step_.standing, move.along) + kGap * box.diagonal();
-      steps.push_back({move.parts, move.along, by, true});
+      steps.push_back({.parts = move.parts, .along = move.along, .by = by});
     }
     out.moved = moves_of(steps, maker_.scene.parts.size(), 1);
     move_parts(out.scene, out.moved);

@@ -47,18 +47,14 @@ void share_tone(std::span<const StrokeSet> all, bool one_tone, StrokeSet& set) {
 PartStyles::PartStyles(const Scene& scene, const Style& style, const IllustrateOptions& options)
     : parts_(scene.parts.size()), styles_{&style} {
   const std::size_t parts = parts_.size();
-  std::vector<std::string> texts{style_to_json(style)};
   for (std::size_t i = 0; i < std::min(parts, options.part_styles.size()); ++i) {
     const PartStyle& look = options.part_styles[i];
     One& one = parts_[i];
     if (look.style) {
-      const std::string text = style_to_json(*look.style);
-      const auto known = std::find(texts.begin(), texts.end(), text);
-      one.style = static_cast<std::size_t>(known - texts.begin());
-      if (known == texts.end()) {
-        texts.push_back(text);
-        styles_.push_back(&*look.style);
-      }
+      const auto known =
+          std::ranges::find_if(styles_, [&](const Style* other) { return *other == *look.style; });
+      one.style = static_cast<std::size_t>(known - styles_.begin());
+      if (known == styles_.end()) styles_.push_back(&*look.style);
     }
     one.drawn = look.drawn;
     one.transparent = look.transparent;

@@ -102,7 +102,7 @@ std::size_t leave_out(const Scene& scene, const PluginError& failed, IllustrateO
   std::size_t count = 0;
   options.part_styles.resize(std::max(options.part_styles.size(), scene.parts.size()));
   for (std::size_t i = 0; i < scene.parts.size(); ++i) {
-    if (scene.parts[i].source != "form:" + failed.name()) continue;
+    if (scene.parts[i].plugin_form != failed.name()) continue;
     count += options.part_styles[i].drawn ? 1 : 0;
     options.part_styles[i].drawn = false;
   }

@@ -51,7 +51,7 @@ class Opening {
     std::vector<ExplodeStep> steps;
     for (std::size_t i = 0; i < ways.size(); ++i) {
       const detail::Removal& removal = level.removals[i];
-      ExplodeStep step{{}, s_.along(removal.direction), ways[i].by};
+      ExplodeStep step{.along = s_.along(removal.direction), .by = ways[i].by};
       for (const Node& node : removal.nodes) {
         step.parts.insert(step.parts.end(), node.parts.begin(), node.parts.end());
       }
@@ -81,7 +81,8 @@ class Opening {
                                    return glm::distance(s.along, along) < kSame &&
                                           std::abs(s.by - by) < kSame * by;
                                  });
-        if (step == steps.end()) step = steps.insert(step, {{}, along, by, false});
+        if (step == steps.end())
+          step = steps.insert(step, {.along = along, .by = by, .trail = false});
         const std::vector<std::size_t>& parts = level.removals[i].nodes[n].parts;
         step->parts.insert(step->parts.end(), parts.begin(), parts.end());
         std::ranges::sort(step->parts);

@@ -17,15 +17,15 @@ namespace {
 /// The steps of a file; tells of those that nothing is seen of.
 std::vector<ExplodeStep> steps_of_file(Scene& scene, const Explode& explode,
                                        const std::vector<bool>& drawn) {
-  std::vector<ExplodeStep> steps;
-  for (const Explode::Step& text : explode.steps) {
-    ExplodeStep step{{}, text.along, text.by, text.trail};
+  std::vector<ExplodeStep> steps = explode.steps;
+  for (ExplodeStep& step : steps) {
+    step.parts.clear();
     try {
-      for (const std::string& selector : text.move) {
+      for (const std::string& selector : step.move) {
         for (const std::size_t part : select(scene, selector)) step.parts.push_back(part);
       }
     } catch (const UsageError& e) {
-      throw UsageError(text.place + e.what());
+      throw UsageError(step.place + e.what());
     }
     std::ranges::sort(step.parts);
     step.parts.erase(std::unique(step.parts.begin(), step.parts.end()), step.parts.end());
@@ -33,10 +33,9 @@ std::vector<ExplodeStep> steps_of_file(Scene& scene, const Explode& explode,
     if (seen == 0 || seen == std::ranges::count(drawn, true)) {
       scene.diagnostics.add(
           Severity::Warning, "explode.nothing", 1,
-          fmt::format("{}a step moves {}, which changes nothing", text.place,
+          fmt::format("{}a step moves {}, which changes nothing", step.place,
                       seen == 0 ? "no part that is drawn" : "all parts that are drawn"));
     }
-    steps.push_back(std::move(step));
   }
   return steps;
 }
@@ -95,16 +94,14 @@ void find_view(Scene& scene, Illustration& illustration, const ExplodeModel& mod
 
 }  // namespace
 
-std::vector<Explode::Step> explode_steps(Scene& scene, const Illustration& illustration,
-                                         RunContext& context) {
+std::vector<ExplodeStep> explode_steps(Scene& scene, const Illustration& illustration,
+                                       RunContext& context) {
   if (!illustration.explode.steps.empty()) return illustration.explode.steps;
   const std::vector<bool> drawn = drawn_parts(scene, illustration.illustrate.part_styles);
   const ExplodeModel model(scene, drawn, context);
-  std::vector<Explode::Step> steps;
-  for (const ExplodeStep& step :
-       explode_steps(scene, illustration.explode, drawn, model, context)) {
-    steps.push_back({selectors_of(scene, step.parts), step.along, step.by, step.trail});
-  }
+  std::vector<ExplodeStep> steps =
+      explode_steps(scene, illustration.explode, drawn, model, context);
+  for (ExplodeStep& step : steps) step.move = selectors_of(scene, step.parts);
   return steps;
 }
 

@@ -34,7 +34,7 @@ Strings selectors_of(const Illustration& illustration) {
   for (const Section& section : illustration.sections)
     append(all, section.exclude.value_or(Strings()));
   append(all, illustration.uncut.value_or(Strings()));
-  for (const Explode::Step& step : illustration.explode.steps) append(all, step.move);
+  for (const ExplodeStep& step : illustration.explode.steps) append(all, step.move);
   if (!illustration.explode.base.empty()) all.push_back(illustration.explode.base);
   for (const DetailView& detail : illustration.details) append(all, detail.select);
   return all;

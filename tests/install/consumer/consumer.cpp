@@ -11,8 +11,9 @@ using namespace burin;
 namespace {
 
 /// Draws as `burin draw` does with these options, named with underscores; NAME.svg and NAME.pdf.
-void draw_files(Scene scene, const Request& options, const std::string& name, RunContext& run) {
-  DrawPlan plan = make_plan(with_settings(scene, {.options = options}), Spelling::Keywords);
+void draw_files(const ReadResult& model, const Request& options, const std::string& name,
+                RunContext& run) {
+  auto [scene, plan] = plan_scene({.given = model}, {.options = options}, Spelling::Keywords, run);
   arrange_parts(scene, plan, run);
   const Drawing drawing = draw(scene, plan_sheet(scene, plan), plan, run);
   for (const char* suffix : {".svg", ".pdf"}) {
@@ -27,7 +28,7 @@ int main(int argc, char** argv) {
   if (argc != 3) return std::fputs("consumer MODEL FOLDER\n", stderr), 2;
   try {
     RunContext run;
-    const Scene model = read_scene({argv[1]}, {}, run);
+    const ReadResult model = read_files({argv[1]}, {}, run);
     const std::string folder = argv[2];
     draw_files(model, {{"explode", {"auto"}}, {"callouts", {"true"}}, {"style", {"outline"}}},
                folder + "/apart", run);

@@ -111,9 +111,9 @@ TEST(Arrange, StepsThatAreFoundNameTheirParts) {
   illustration.explode.wanted = true;
   RunContext context;
   select_parts(scene, illustration);
-  const std::vector<Explode::Step> steps = explode_steps(scene, illustration, context);
+  const std::vector<ExplodeStep> steps = explode_steps(scene, illustration, context);
   std::vector<std::string> moved;
-  for (const Explode::Step& step : steps) {
+  for (const ExplodeStep& step : steps) {
     EXPECT_NEAR(step.along.z, 1, 1e-9);
     moved.insert(moved.end(), step.move.begin(), step.move.end());
   }

@@ -30,7 +30,9 @@ Scene scene_of(const std::vector<std::string>& paths) {
   return scene;
 }
 
-ExplodeStep out(Parts parts, bool trail = true) { return {std::move(parts), {0, 0, 1}, 10, trail}; }
+ExplodeStep out(Parts parts, bool trail = true) {
+  return {{}, std::move(parts), {0, 0, 1}, 10, trail};
+}
 
 /// One item a name.
 std::vector<int> items_of(const Scene& scene) {

@@ -5,10 +5,9 @@
 #include <burin/base/error.h>
 
 #include "marks.h"
-#include "wishes.h"
+#include "model_marks.h"
 
 #include <gtest/gtest.h>
-#include <nlohmann/json.hpp>
 
 #include <map>
 #include <string>
@@ -16,22 +15,20 @@
 namespace burin::detail {
 namespace {
 
-using Json = nlohmann::json;
-
 struct Found {
   csg::Tree tree;
   TreeParts parts;
   Diagnostics diagnostics;
-  std::string settings;
+  ModelMarks marks;
 
   explicit Found(const std::string& text, std::string_view program = "") {
     RunContext context;
     tree = csg::parse(text, "a.csg", context);
     parts = parts_of(tree, program, "a", diagnostics);
-    settings = asked(std::vector<bool>(parts.parts.size(), true));
+    marks = asked(std::vector<bool>(parts.parts.size(), true));
   }
   /// What is asked of the drawing where something came of these parts.
-  std::string asked(const std::vector<bool>& made) { return settings_of(parts, made, diagnostics); }
+  ModelMarks asked(const std::vector<bool>& made) { return marks_of(parts, made, diagnostics); }
   std::vector<std::string> names() const {
     std::vector<std::string> out;
     for (const TreePart& p : parts.parts) out.push_back(p.name);
@@ -71,7 +68,7 @@ TEST(TreeParts, ObjectsAtTheTopAreParts) {
   // Where one stands is parted from what it is, so that equal ones are told to be.
   EXPECT_EQ(found.text(0), found.text(1));
   EXPECT_EQ(found.parts.parts[0].pieces[0].at.row[0][3], 9);
-  EXPECT_TRUE(found.settings.empty());
+  EXPECT_TRUE(found.marks.empty());
 }
 
 TEST(TreeParts, WordsOfBurinScadAreNoNames) {
@@ -93,10 +90,7 @@ TEST(TreeParts, WhatIsWrongManyTimesIsSaidOnce) {
 TEST(TreeParts, WhatOnlyShowsSomethingIsNoItem) {
   const Found found("cube(); %sphere(); #sphere(); difference() { cube(); #cylinder(); }");
   std::map<std::string, bool> listed;
-  const Json settings = Json::parse(found.settings);
-  for (const Json& look : settings.at("looks")) {
-    listed[look["select"]] = look.value("listed", true);
-  }
+  for (const ModelMarks::Look& look : found.marks.looks) listed[look.part] = look.listed;
   EXPECT_EQ(listed, (std::map<std::string, bool>{{"/a (background)", false},
                                                  {"/a (highlighted)", true},
                                                  {"/a (highlighted) #2", false}}));
@@ -129,10 +123,10 @@ TEST(TreeParts, ModifiersShowThingsOfTheirOwn) {
   EXPECT_EQ(found.names(), (Names{"a (background)", "a", "a (highlighted)"}));
   EXPECT_EQ(found.text(2), "cylinder(h = 3);");
   EXPECT_EQ(found.parts.parts[2].pieces[0].at.row[0][3], 9);
-  const Json settings = Json::parse(found.settings);
-  ASSERT_EQ(settings["looks"].size(), 2U);
-  EXPECT_EQ(settings["looks"][0]["select"], "/a (background)");
-  EXPECT_EQ(settings["looks"][0]["transparent"], true);
+  ASSERT_EQ(found.marks.looks.size(), 2U);
+  EXPECT_EQ(found.marks.looks[0].part, "/a (background)");
+  EXPECT_TRUE(found.marks.looks[0].transparent);
+  EXPECT_FALSE(found.marks.looks[0].hatched);
   // What is rooted is alone, and where its parents would not move it.
   const Found rooted("cube(); " + kMoved + "{ !sphere(); }");
   ASSERT_EQ(rooted.names(), Names{"a"});
@@ -148,20 +142,25 @@ TEST(TreeParts, MarksNameMoveAndNumberParts) {
       kMoved + "{ " + call("ink", said("woodcut"), 1, call("callout", said(4.), 1, "cylinder();")) +
       "}");
   EXPECT_EQ(found.names(), (Names{"lid-1", "pin", "a"}));
-  const Json s = Json::parse(found.settings);
-  EXPECT_EQ(s["view"]["from"], "front");
-  EXPECT_EQ(s["explode"]["steps"],
-            Json::parse(R"([{"move": ["/lid-1", "/pin"], "along": [0, 0, 30], "by": 30}])"));
-  EXPECT_EQ(s["looks"], Json::parse(R"([{"select": "/a", "style": "woodcut"}])"));
-  EXPECT_EQ(s["items"], Json::parse(R"({"4": {"select": "/a"}})"));
-  EXPECT_EQ(s["callouts"], true);
+  const ModelMarks& marks = found.marks;
+  EXPECT_EQ(marks.view, "front");
+  EXPECT_FALSE(marks.up);
+  ASSERT_EQ(marks.steps.size(), 1U);
+  EXPECT_EQ(marks.steps[0].parts, (Names{"/lid-1", "/pin"}));
+  EXPECT_EQ(marks.steps[0].move, Vec3(0, 0, 30));
+  ASSERT_EQ(marks.looks.size(), 1U);
+  EXPECT_EQ(marks.looks[0].part, "/a");
+  EXPECT_EQ(marks.looks[0].style, "woodcut");
+  EXPECT_TRUE(marks.looks[0].hatched && marks.looks[0].listed);
+  EXPECT_EQ(marks.items, (std::vector<std::pair<double, std::string>>{{4, "/a"}}));
+  EXPECT_TRUE(marks.callouts);
   EXPECT_TRUE(found.diagnostics.empty());
 }
 
 TEST(TreeParts, AModuleOfNothingButMarksIsNoPart) {
   const Found found("group() { " + call("view", said("top"), 1, "") + "}\ncube();");
   EXPECT_EQ(found.names(), Names{"a"});
-  EXPECT_EQ(Json::parse(found.settings)["view"]["from"], "top");
+  EXPECT_EQ(found.marks.view, "top");
 }
 
 TEST(TreeParts, NothingIsAskedOfPartsOfWhichNothingCame) {
@@ -170,10 +169,11 @@ TEST(TreeParts, NothingIsAskedOfPartsOfWhichNothingCame) {
            call("part", said("lid"), 1, "cube();") + call("part", said("pin"), 1, "sphere();")) +
       "#cube();");
   ASSERT_EQ(found.names(), (Names{"lid", "pin", "a (highlighted)"}));
-  const Json s = Json::parse(found.asked({false, true, false}));
-  EXPECT_EQ(s["explode"]["steps"][0]["move"], Json::parse(R"(["/pin"])"));
-  EXPECT_FALSE(s.contains("looks")) << s;
-  EXPECT_EQ(found.asked({false, false, false}), "");
+  const ModelMarks marks = found.asked({false, true, false});
+  ASSERT_EQ(marks.steps.size(), 1U);
+  EXPECT_EQ(marks.steps[0].parts, Names{"/pin"});
+  EXPECT_TRUE(marks.looks.empty());
+  EXPECT_TRUE(found.asked({false, false, false}).empty());
 }
 
 TEST(TreeParts, AlphaIsWhatCoversLittle) {
@@ -224,8 +224,8 @@ TEST(TreeParts, LooksPartWhatIsOneThing) {
   EXPECT_EQ(assemblies, (Names{"led", "led", "led", "", "led #2", "led #2"}));
   EXPECT_EQ(found.parts.parts[4].definition, "led");
   // What is said of a piece is said of it alone.
-  EXPECT_EQ(Json::parse(found.settings)["explode"]["steps"][0]["move"],
-            Json::parse(R"(["/led/uncoloured"])"));
+  ASSERT_FALSE(found.marks.steps.empty());
+  EXPECT_EQ(found.marks.steps[0].parts, Names{"/led/uncoloured"});
 }
 
 TEST(TreeParts, MarksThatSayNothingUsefulAreTold) {

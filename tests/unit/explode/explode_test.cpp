@@ -328,7 +328,8 @@ TEST(Trails, BendWhereTheOtherPartHasMovedAnotherWay) {
   test::add_part(scene, "base", test::box({-50, -50, -10}, {50, 50, 0}));
   test::add_part(scene, "block", test::box({-10, -10, 0}, {10, 10, 20}));
   test::add_part(scene, "cap", test::box({-10, -10, 20}, {10, 10, 24}));
-  const std::vector<ExplodeStep> steps = {{{2}, {0, 0, 1}, 30}, {{1}, {1, 0, 0}, 100, false}};
+  const std::vector<ExplodeStep> steps = {{{}, {2}, {0, 0, 1}, 30},
+                                          {{}, {1}, {1, 0, 0}, 100, false}};
   const std::vector<Curve3> lines = trails(scene, steps);
   ASSERT_EQ(lines.size(), 1U);
   ASSERT_EQ(lines[0].points.size(), 3U);

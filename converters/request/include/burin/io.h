@@ -12,6 +12,7 @@
 #include <burin/converters/catalogues.h>
 #include <burin/converters/diff.h>
 #include <burin/converters/messages.h>
+#include <burin/converters/plan.h>
 #include <burin/converters/request.h>
 // Files out: drawings, parts lists, step books.
 #include <burin/converters/output.h>

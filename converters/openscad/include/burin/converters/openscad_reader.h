@@ -4,8 +4,8 @@
 
 #include <burin/base/run_context.h>
 #include <burin/converters/file_info.h>
+#include <burin/converters/read_result.h>
 #include <burin/mesh/tri_mesh.h>
-#include <burin/surface/scene.h>
 
 #include <cstdint>
 #include <filesystem>
@@ -54,15 +54,15 @@ std::vector<std::string> unused_defines(std::string_view program,
 /// Runs the program named by BURIN_OPENSCAD, else `openscad` on PATH (2021.01 or newer), without a
 /// shell and in the folder of the file; a `.csg` that needs no program is read as it is. Objects at
 /// the top are parts, and those within that color() or burin.scad tell apart
-/// (kernel/docs/openscad.md); what burin.scad says of the drawing is in the scene's settings.
+/// (kernel/docs/openscad.md); what burin.scad says of the drawing is in the marks.
 /// Where OpenSCAD makes the mesh it is one part, named by the file. Its
 /// warnings, errors and ECHO lines become diagnostics "openscad.*". The result stays in memory; no
 /// file is written. The programs may take three quarters of the memory of the machine, and are
 /// ended with their children within 0.05 s of a cancellation, after the time limit, and with this
 /// process. Throws InputError, with the line where OpenSCAD names one, also where the result is
 /// empty or two-dimensional; UsageError for bad definitions. Cost: 0.1 s and that of the tree.
-Scene read_openscad(const std::filesystem::path& path, const OpenscadOptions& options,
-                    RunContext& context);
+ReadResult read_openscad(const std::filesystem::path& path, const OpenscadOptions& options,
+                         RunContext& context);
 
 /// All that a file makes, united: what OpenSCAD itself exports, so `$preview` is false whatever the
 /// options say.

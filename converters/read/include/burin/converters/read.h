@@ -6,6 +6,7 @@
 #include <burin/base/run_context.h>
 #include <burin/converters/file_info.h>
 #include <burin/converters/openscad_reader.h>
+#include <burin/converters/read_result.h>
 #include <burin/converters/volume_reader.h>
 #include <burin/forms/implicit/implicit_form.h>
 #include <burin/options/declared.h>
@@ -81,6 +82,9 @@ void check_inputs(const std::vector<std::string>& paths);
 /// its suffix); "-" is standard input, and what gzip packed is unpacked; the parts of all of them,
 /// in order, and the diagnostic "option.unused" for each option that was given and concerns none of
 /// them. Stage "read". Throws InputError.
+ReadResult read_files(const std::vector<std::string>& paths, const ReadOptions& options,
+                      RunContext& context);
+/// The same without what the files ask of their drawing.
 Scene read_scene(const std::vector<std::string>& paths, const ReadOptions& options,
                  RunContext& context);
 

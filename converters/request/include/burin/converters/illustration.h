@@ -59,20 +59,16 @@ Scene read_scene(const IllustrationFile& illustration, RunContext& context);
 /// file, of those that may be given several times they follow them.
 DrawRequest merged(const DrawRequest& file, const DrawRequest& door);
 
-/// What a door asks, over what the files of a scene say of how they are to be drawn. Illustrations
-/// do not ask for it: they say all themselves. Throws as `parse_settings`.
-DrawRequest with_settings(const Scene& scene, const DrawRequest& door);
-
 /// A first file to edit, of these inputs and of what was asked; with paths as seen from `folder`.
 /// `steps`: of an exploded view.
 std::string first_illustration(const std::vector<std::string>& inputs, const DrawRequest& request,
                                const std::filesystem::path& folder,
-                               const std::vector<Explode::Step>& steps = {});
+                               const std::vector<ExplodeStep>& steps = {});
 
 /// A file that extends an illustration, `house`, by the steps of an exploded view.
 std::string exploded_illustration(const std::string& house, const DrawRequest& request,
                                   const std::filesystem::path& folder,
-                                  const std::vector<Explode::Step>& steps);
+                                  const std::vector<ExplodeStep>& steps);
 
 /// The JSON Schema (draft 2020-12) of illustration files.
 std::string illustration_schema();

@@ -67,6 +67,8 @@ struct DrawPlan : Illustration {
   std::string id_prefix;
   /// How the drawing's diagnostics name options.
   Spelling spelling = Spelling::Options;
+  /// The keys of the style that were set one by one, in the order in which they were.
+  std::vector<std::string> style_keys = {};
   /// Options that were given and have no effect on a drawing without strokes, as messages call
   /// them.
   std::vector<std::string> about_strokes = {};

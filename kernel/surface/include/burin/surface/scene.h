@@ -107,21 +107,14 @@ struct Part {
   /// What this is one body of, where a part was split into its bodies: shared by all of them, so
   /// that lists count one part. Absent: this is a part by itself.
   std::shared_ptr<const Part> whole = {};
-};
-
-/// What a model file itself says of how it is to be drawn.
-struct FileSettings {
-  /// The text of an illustration without parts (kernel/docs/illustrations.md).
-  std::string json;
-  /// The file, for errors.
-  std::string source;
+  /// The form of a plug-in that made it, by its name; empty: none did. Where it fails, all parts
+  /// that it made are left out.
+  std::string plugin_form = {};
 };
 
 /// Parts in the order of the input, with what the readers mended or left out.
 struct Scene {
   std::vector<Part> parts;
-  /// In the order of the files; whoever draws decides whether to follow them.
-  std::vector<FileSettings> settings = {};
   Diagnostics diagnostics;
 
   Box3 bounds(const Mat3& axes = Mat3(1)) const;

@@ -4,6 +4,7 @@
 #include <burin/base/curve.h>
 #include <burin/base/diagnostics.h>
 #include <burin/base/run_context.h>
+#include <burin/explode/step.h>
 #include <burin/mesh/proxy_mesh.h>
 #include <burin/surface/scene.h>
 
@@ -15,18 +16,6 @@
 #include <vector>
 
 namespace burin {
-
-/// Parts that move together.
-struct ExplodeStep {
-  /// Indices into Scene::parts, ascending.
-  std::vector<std::size_t> parts;
-  /// Unit vector.
-  Vec3 along{0, 0, 1};
-  /// Model mm.
-  double by = 0;
-  /// Whether a line shows the way.
-  bool trail = true;
-};
 
 struct ExplodeOptions {
   /// Parts leave along this line alone; absent: along the axes of the assembly and of its contacts.
@@ -43,7 +32,8 @@ struct ExplodeOptions {
 };
 
 struct Explosion {
-  /// In the order of disassembly; sub-assemblies first as wholes, then what is in them.
+  /// By the numbers of the parts, in the order of disassembly; sub-assemblies first as wholes, then
+  /// what is in them.
   std::vector<ExplodeStep> steps;
   /// Parts that no direction sets free from each other; each set moves as one.
   std::vector<std::vector<std::size_t>> interlocked;

@@ -48,8 +48,8 @@ void cut_parts(Scene& scene, const Illustration& illustration);
 /// The steps by which a scene comes apart, once `select_parts` knows which parts are drawn: those
 /// of the illustration, or those that are found, as selectors that name the parts. Diagnostics go
 /// to `scene`. Throws UsageError where a selector names nothing.
-std::vector<Explode::Step> explode_steps(Scene& scene, const Illustration& illustration,
-                                         RunContext& context);
+std::vector<ExplodeStep> explode_steps(Scene& scene, const Illustration& illustration,
+                                       RunContext& context);
 /// The same, of a model that is there, by the numbers of the parts. `drawn`: one a part.
 std::vector<ExplodeStep> explode_steps(Scene& scene, const Explode& explode,
                                        const std::vector<bool>& drawn, const ExplodeModel& model,

@@ -9,6 +9,7 @@
 #include <burin/camera/camera.h>
 #include <burin/camera/sheet.h>
 #include <burin/camera/view_grid.h>
+#include <burin/explode/step.h>
 #include <burin/illustrate/illustrate.h>
 #include <burin/illustrate/style.h>
 
@@ -31,19 +32,10 @@ struct Look {
 
 /// How the parts of an assembly come apart (burin/explode/explode.h).
 struct Explode {
-  /// Parts that move together.
-  struct Step {
-    std::vector<std::string> move = {};
-    Vec3 along{0, 0, 1};  // unit
-    double by = 0;        // model mm
-    bool trail = true;
-    /// What errors begin with: "FILE:LINE: ", or empty.
-    std::string place = {};
-  };
   /// Whether anything comes apart at all.
   bool wanted = false;
-  /// What moves, in this order; empty: it is found out.
-  std::vector<Step> steps = {};
+  /// What moves, by selectors, in this order; empty: it is found out.
+  std::vector<ExplodeStep> steps = {};
   /// Where it is found out: the way, its sign where both may be; the part that stays; how far parts
   /// may lie in each other, model mm.
   std::optional<Vec3> along = {};

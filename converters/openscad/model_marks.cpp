@@ -1,4 +1,4 @@
-#include "wishes.h"
+#include "model_marks.h"
 
 #include "text.h"
 
@@ -6,24 +6,30 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <map>
+#include <utility>
 
 namespace burin::detail {
 namespace {
 
 using Json = nlohmann::ordered_json;
 
-class Settings {
- public:
-  Settings(const TreeParts& all, const std::vector<bool>& made, Diagnostics& diagnostics)
-      : all_(all), made_(made), diagnostics_(diagnostics) {
-    json_["burin"] = "illustration";
-    json_["version"] = 1;
-  }
+/// A value as options take it.
+std::string option_text(const Json& value) {
+  if (value.is_string()) return value.get<std::string>();
+  if (!value.is_array()) return value.dump();
+  std::string text;
+  for (const Json& element : value) text += (text.empty() ? "" : ",") + option_text(element);
+  return text;
+}
 
-  std::string run() {
+class Gatherer {
+ public:
+  Gatherer(const TreeParts& all, const std::vector<bool>& made, Diagnostics& diagnostics)
+      : all_(all), made_(made), diagnostics_(diagnostics) {}
+
+  ModelMarks run() {
     for (std::size_t i = 0; i < all_.parts.size(); ++i) {
       const TreePart& part = all_.parts[i];
       if (made_[i] && (part.background || part.highlight)) ghost(part);
@@ -33,7 +39,7 @@ class Settings {
     for (const auto& [what, count] : told_) {
       diagnostics_.add(Severity::Warning, "openscad.mark", count, what);
     }
-    return json_.size() > 2 ? json_.dump() : std::string();
+    return std::move(marks_);
   }
 
  private:
@@ -57,17 +63,18 @@ class Settings {
   }
 
   void ghost(const TreePart& part) {
-    Json look = {{"select", path_of(part)}, {"hatched", false}};
     // What only shows where something is, or was taken away, is no item.
-    if (part.background) look["transparent"] = true, look["listed"] = false;
-    json_["looks"].push_back(look);
+    marks_.looks.push_back({.part = path_of(part),
+                            .hatched = false,
+                            .transparent = part.background,
+                            .listed = !part.background});
   }
 
   void ink(const PartCall& call, const std::vector<std::string>& names) {
     const Json& style = call.mark.arguments.empty() ? Json() : call.mark.arguments[0];
     if (!style.is_string()) return tell("ink() takes a style, as in ink(\"engraving\") lid();");
     for (const std::string& name : names) {
-      json_["looks"].push_back({{"select", name}, {"style", style}});
+      marks_.looks.push_back({.part = name, .style = style.get<std::string>()});
     }
   }
 
@@ -75,35 +82,34 @@ class Settings {
     const Json& by = call.mark.arguments.empty() ? Json() : call.mark.arguments[0];
     const bool numbers = by.is_array() && by.size() == 3 &&
                          std::ranges::all_of(by, [](const Json& v) { return v.is_number(); });
-    std::array<double, 3> way{};
-    for (std::size_t i = 0; numbers && i < 3; ++i) {
+    Vec3 way(0);
+    for (int i = 0; numbers && i < 3; ++i) {
+      const auto& row = call.at.row[static_cast<std::size_t>(i)];
       // A direction: turned as the parts are, not moved.
-      for (std::size_t k = 0; k < 3; ++k) way[i] += call.at.row[i][k] * by[k].get<double>();
+      for (std::size_t k = 0; k < 3; ++k) way[i] += row[k] * by[k].get<double>();
     }
-    const double length = std::hypot(way[0], way[1], way[2]);
-    if (!(length > 0)) return tell("explode() takes a way in mm, as in explode([0, 0, 30]) lid();");
-    json_["explode"]["steps"].push_back(
-        {{"move", names}, {"along", {way[0], way[1], way[2]}}, {"by", length}});
+    if (!(std::hypot(way.x, way.y, way.z) > 0)) {
+      return tell("explode() takes a way in mm, as in explode([0, 0, 30]) lid();");
+    }
+    marks_.steps.push_back({names, way});
   }
 
   void callout(const PartCall& call, const std::vector<std::string>& names) {
-    json_["callouts"] = true;
+    marks_.callouts = true;
     const Json& number = call.mark.arguments.empty() ? Json() : call.mark.arguments[0];
     if (number.is_null()) return;
     if (!number.is_number() || number != std::floor(number.get<double>())) {
       return tell("callout() takes a whole number or nothing, as in callout(3) lid();");
     }
-    // A loop says it of each of its things.
-    Json& item = json_["items"][fmt::format("{:.0f}", number.get<double>())];
-    if (item.is_null()) item = {{"select", names.front()}};
+    marks_.items.emplace_back(number.get<double>(), names.front());
   }
 
   void view(const Mark& mark) {
     const auto given = [&](std::size_t i) {
       return i < mark.arguments.size() && !mark.arguments[i].is_null();
     };
-    if (given(0)) json_["view"]["from"] = mark.arguments[0];
-    if (given(1)) json_["view"]["up"] = mark.arguments[1];
+    if (given(0)) marks_.view = option_text(mark.arguments[0]);
+    if (given(1)) marks_.up = option_text(mark.arguments[1]);
   }
 
   const TreeParts& all_;
@@ -111,14 +117,14 @@ class Settings {
   Diagnostics& diagnostics_;
   /// What is wrong, and how many times.
   std::map<std::string, std::int64_t> told_;
-  Json json_;
+  ModelMarks marks_;
 };
 
 }  // namespace
 
-std::string settings_of(const TreeParts& parts, const std::vector<bool>& made,
-                        Diagnostics& diagnostics) {
-  return Settings(parts, made, diagnostics).run();
+ModelMarks marks_of(const TreeParts& parts, const std::vector<bool>& made,
+                    Diagnostics& diagnostics) {
+  return Gatherer(parts, made, diagnostics).run();
 }
 
 }  // namespace burin::detail
