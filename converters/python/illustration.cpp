@@ -11,6 +11,7 @@
 #include <fmt/format.h>
 #include <pybind11/stl.h>
 
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
@@ -104,9 +105,27 @@ py::list list_of_dicts(const List& list) {
   return out;
 }
 
-/// JSON as Python has it.
-py::object parsed(const std::string& json) {
-  return py::module_::import("json").attr("loads")(json);
+/// A mapping as JSON.
+std::string json_of(const py::object& mapping) {
+  return py::module_::import("json").attr("dumps")(mapping).cast<std::string>();
+}
+
+/// The members of an illustration and of what it extends, as they stand.
+py::dict members_of(const py::object& source) {
+  const std::string json = is_mapping(source)
+                               ? illustration_members(json_of(source), "illustration")
+                               : illustration_members(std::filesystem::path(path_text(source)));
+  return py::module_::import("json").attr("loads")(json).cast<py::dict>();
+}
+
+/// What stands there, one or a list, as a list.
+py::list list_at(const py::dict& members, const char* name) {
+  if (!members.contains(name)) return py::list();
+  const py::object value = members[name];
+  if (py::isinstance<py::list>(value)) return value.cast<py::list>();
+  py::list list;
+  list.append(value);
+  return list;
 }
 
 py::dict illustration(const py::object& source) {
@@ -125,17 +144,12 @@ py::dict illustration(const py::object& source) {
   for (std::size_t i = 0; i < plan.looks.size(); ++i) {
     out["looks"].attr("append")(dict_of(plan.looks[i], file.request.looks[i].style));
   }
-  out["sections"] = py::list();
-  for (const auto& section : file.request.sections) {
-    out["sections"].attr("append")(parsed(section.json));
-  }
-  out["explode"] = plan.explode.wanted ? parsed(file.request.explode.json) : py::none();
+  const py::dict members = members_of(source);
+  out["sections"] = list_at(members, "section");
+  out["explode"] = plan.explode.wanted ? py::object(members["explode"]) : py::none();
   out["views"] = plan.views;
   out["projection"] = plan.projection == ProjectionMethod::FirstAngle ? "first" : "third";
-  out["details"] = py::list();
-  for (const auto& detail : file.request.details) {
-    out["details"].attr("append")(parsed(detail.json));
-  }
+  out["details"] = list_at(members, "details");
   py::dict items;
   for (const auto& [number, item] : plan.numbers) items[py::int_(number)] = item.name;
   out["items"] = items;
@@ -180,8 +194,7 @@ std::vector<std::size_t> selected(const py::iterable& parts, const std::string& 
 
 IllustrationFile illustration_of(const py::object& source) {
   if (!is_mapping(source)) return read_illustration(path_text(source));
-  const auto text = py::module_::import("json").attr("dumps")(source).cast<std::string>();
-  return parse_illustration(text, "illustration");
+  return parse_illustration(json_of(source), "illustration");
 }
 
 DrawRequest settings_of(const py::object& mapping) {
@@ -192,8 +205,7 @@ DrawRequest settings_of(const py::object& mapping) {
   py::dict whole;
   whole["burin"] = "illustration";
   whole.attr("update")(mapping);
-  const auto text = py::module_::import("json").attr("dumps")(whole).cast<std::string>();
-  return parse_settings(text, "illustration");
+  return parse_settings(json_of(whole), "illustration");
 }
 
 void add_illustration(py::module_& module) {

@@ -1,4 +1,4 @@
-#include "illustration_keyed.h"
+#include "illustration/keyed.h"
 #include "make_plan.h"
 
 #include <cmath>

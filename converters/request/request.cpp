@@ -167,9 +167,9 @@ DrawPlan plan_of(const DrawRequest& request, const std::vector<PartStyle>& part_
   DrawPlan& plan = draft.plan;
   plan.title = request.title;
   plan.numbers = request.items;
-  plan.sections.assign(request.sections.begin(), request.sections.end());
+  plan.sections = request.sections;
   plan.explode = request.explode;
-  plan.details.assign(request.details.begin(), request.details.end());
+  plan.details = request.details;
   plan.illustrate.part_styles = part_styles;
   plan.spelling = spelling;
   draft.looks = request.looks;

@@ -123,6 +123,43 @@ class Illustrations(unittest.TestCase):
             with self.assertRaisesRegex(burin.InputError, "no such file"):
                 burin.illustration(Path(folder, "none.burin.json"))
 
+    def test_reader_and_schema_know_the_same_keys(self):
+        properties = json.loads(burin.illustration_schema())["properties"]
+
+        def objects(schema):
+            """Objects that a value may be, or a list of which it may be."""
+            own = [schema["properties"]] if "properties" in schema else []
+            return own + [o for s in [*schema.get("anyOf", ()), *([schema["items"]] if "items" in schema else [])] for o in objects(s)]
+
+        def keys(name):
+            return [o for o in objects(properties[name]) if "qqq" not in o][-1]
+
+        step = objects(keys("explode")["steps"])[0]
+        place = keys("parts")["place"]["properties"]
+        asked = {
+            "": ({"qqq": 1}, properties), "view": ({"view": {"qqq": 1}}, keys("view")), "paper": ({"paper": {"qqq": 1}}, keys("paper")),
+            "section": ({"section": {"qqq": 1}}, next(o for o in objects(properties["section"]) if "plane" in o)),
+            "explode": ({"explode": {"qqq": 1}}, keys("explode")), "step": ({"explode": {"steps": [{"qqq": 1}]}}, step),
+            "details": ({"details": [{"qqq": 1}]}, keys("details")), "looks": ({"looks": [{"qqq": 1}]}, keys("looks")),
+            "lights": ({"lights": [{"qqq": 1}]}, keys("lights")), "parts": ({"parts": [{"qqq": 1}]}, keys("parts")),
+            "place": ({"parts": [{"file": "a.stl", "place": {"qqq": 1}}]}, place),
+            "items": ({"items": {"1": {"qqq": 1}}}, objects(properties["items"]["additionalProperties"])[0]),
+        }
+        for name, (wrong, known) in asked.items():
+            with self.subTest(name), self.assertRaises(burin.UsageError) as caught:
+                burin.illustration({"burin": "illustration", **wrong})
+            told = str(caught.exception).split("known here are ")[1].split(", ")
+            self.assertEqual(sorted(told), sorted(known), name)
+
+    def test_lights_reach_the_styles_of_parts(self):
+        lit = {"illustration": {"lights": [{"ambient": 0.1}, {"from": [1, 0, 0.2], "strength": 0.9}]}, "style": "engraving", "paper": "A6"}
+        plain, styled = burin.Scene.read(SAMPLES / "bracket.off"), burin.Scene.read(SAMPLES / "bracket.off")
+        styled.parts[0].style = "engraving"
+        self.assertEqual(burin.draw(styled, **lit).to_bytes("svg"), burin.draw(plain, **lit).to_bytes("svg"))
+        styled.parts[0].style = "pencil"
+        other = {**lit, "illustration": {"lights": [{"from": [-1, 0, 0.2], "strength": 0.9}]}}
+        self.assertNotEqual(burin.draw(styled, **lit).to_bytes("svg"), burin.draw(styled, **other).to_bytes("svg"))
+
     def test_select(self):
         parts = [{"name": "bolt", "assembly": ["pump"]}, {"name": "cover", "color": "#88c0ff"}, {"name": "bolt 2", "source": "in/a.step"}]
         self.assertEqual(burin.select(parts, "pump/*bolt*"), [0])

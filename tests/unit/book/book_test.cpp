@@ -139,8 +139,8 @@ TEST_F(BookOf, WhatCannotBeSeenFromAnywhereIsSeenThroughAGhost) {
   test::add_part(scene, "core", test::box({-2, -2, -2}, {2, 2, 2}));
   const ExplodeModel model(scene, {true, true}, context_);
   IllustrateOptions how;
-  const Book book = make_book(scene, model, {{.parts = {1}, .by = 1}}, {},
-                              builtin_style("outline"), how, context_);
+  const Book book = make_book(scene, model, {{.parts = {1}, .by = 1}}, {}, builtin_style("outline"),
+                              how, context_);
   ASSERT_EQ(book.pages.size(), 1U);
   EXPECT_TRUE(seen(book.pages[0].drawing).contains(1));
 }

@@ -51,6 +51,11 @@ IllustrationFile parse_illustration(std::string_view json, const std::string& so
 /// that it has. Throws as `parse_illustration`.
 DrawRequest parse_settings(std::string_view json, const std::string& source);
 
+/// The members of an illustration and, where it has none of a name, of what it extends, as JSON has
+/// them. Throws as `parse_illustration`, and tells nothing else of what is wrong.
+std::string illustration_members(std::string_view json, const std::string& source);
+std::string illustration_members(const std::filesystem::path& path);
+
 /// The parts of its inputs, placed. Inputs that are equal but for place and name are read once.
 /// Stage "read". Throws InputError.
 Scene read_scene(const IllustrationFile& illustration, RunContext& context);

@@ -24,12 +24,6 @@ struct LookRequest {
   std::string style_source = {};
 };
 
-/// A section, an exploded view, a detail of an illustration file, and what it says of it.
-template <class T>
-struct WithEntry : T {
-  std::string json = {};
-};
-
 /// What a user asks of a drawing.
 struct DrawRequest {
   /// By the names of `all_options`; others are not looked at.
@@ -43,11 +37,11 @@ struct DrawRequest {
   /// Instead of the style's light; empty: that.
   std::vector<tone::Light> lights = {};
   /// Before those that options ask for.
-  std::vector<WithEntry<Section>> sections = {};
+  std::vector<Section> sections = {};
   /// Before the option of that name.
-  WithEntry<Explode> explode = {};
+  Explode explode = {};
   /// Before those that options ask for.
-  std::vector<WithEntry<DetailView>> details = {};
+  std::vector<DetailView> details = {};
   /// What the drawing is called; empty: by its parts.
   std::string title = {};
   /// Numbers that items have already.

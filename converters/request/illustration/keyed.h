@@ -6,7 +6,7 @@
 #include <burin/options/json_lines.h>
 
 #include "draw_options.h"
-#include "illustration_keys.h"
+#include "keys.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -104,5 +104,28 @@ using TakeKey = void(const KeyedFile& in, const Json& value, const std::string& 
 
 TakeKey take_parts, take_style, take_looks, take_lights, take_sections, take_explode, take_title,
     take_items, take_parts_list, take_details;
+
+/// What these keys take.
+Json parts_schema();
+Json looks_schema();
+Json lights_schema();
+Json section_schema();
+Json explode_schema();
+Json items_schema();
+Json details_schema();
+/// A name, or the members of a style file.
+Json style_value_schema();
+
+/// What these keys say.
+Json write_parts(const std::vector<IllustrationInput>& inputs);
+Json write_looks(const std::vector<LookRequest>& looks);
+Json write_lights(const std::vector<tone::Light>& lights);
+Json write_explode(const Explode& explode);
+Json write_items(const ItemNumbers& items);
+/// Those that options say.
+Json write_style(const Request& options);
+Json write_sections(const Request& options);
+/// The text of an option as JSON has its values.
+Json written_value(const RequestOption& option, const std::string& text);
 
 }  // namespace burin::detail

@@ -1,4 +1,4 @@
-#include "illustration_keyed.h"
+#include "key_row.h"
 
 #include <charconv>
 #include <map>
@@ -12,16 +12,27 @@ void take_title(const KeyedFile& in, const Json& value, const std::string& path,
 
 namespace {
 
+const std::vector<KeyRow<KeptItem>>& item_rows() {
+  static const std::vector<KeyRow<KeptItem>> rows = {
+      text_row("name", "what the list calls it", &KeptItem::name),
+      [] {
+        KeyRow<KeptItem> row = text_row("select", "", &KeptItem::select);
+        row.schema = selector();
+        return row;
+      }(),
+  };
+  return rows;
+}
+
 /// A name, or an object that says what has it, too.
 KeptItem kept_item(const KeyedFile& in, const Json& value, const std::string& path) {
   if (!value.is_object()) return {in.text(value, path), {}, true};
-  in.check_object(value, path, kItemKeys);
-  if (!value.contains("name") && !value.contains("select")) {
+  check_members(item_rows(), in, value, path);
+  if (value.empty()) {
     in.fail(path, "an item has a \"name\", or a \"select\" that says which it is");
   }
   KeptItem kept;
-  if (value.contains("name")) kept.name = in.text(value["name"], path + "/name");
-  if (value.contains("select")) kept.select = in.text(value["select"], path + "/select");
+  read_members(item_rows(), in, value, path, kept);
   return kept;
 }
 
@@ -63,6 +74,24 @@ void take_parts_list(const KeyedFile& in, const Json& value, const std::string& 
     in.fail(path, "\"parts_list\" takes \"sheet\"; files are named at the door");
   }
   out.request.options["parts_list"] = {given};
+}
+
+Json items_schema() {
+  Json item = object_schema(item_rows());
+  item["minProperties"] = 1;
+  return {{"description", "numbers of items and their names; kept from drawing to drawing"},
+          {"type", "object"},
+          {"propertyNames", {{"pattern", "^[1-9][0-9]{0,4}$"}}},
+          {"additionalProperties", {{"anyOf", {{{"type", "string"}, {"minLength", 1}}, item}}}}};
+}
+
+Json write_items(const ItemNumbers& items) {
+  Json all = Json::object();
+  for (const auto& [number, item] : items) {
+    all[std::to_string(number)] =
+        item.select.empty() ? Json(item.name) : write_object(item_rows(), item);
+  }
+  return all;
 }
 
 }  // namespace burin::detail

@@ -1,4 +1,4 @@
-#include "illustration_keyed.h"
+#include "keyed.h"
 
 #include <burin/base/missing_file.h>
 #include <burin/options/meant.h>
