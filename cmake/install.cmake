@@ -107,9 +107,11 @@ install(DIRECTORY kernel/docs/ DESTINATION ${docs} COMPONENT command PATTERN "*.
   PATTERN mkdocs.yml EXCLUDE PATTERN theme EXCLUDE)
 install(FILES README.md LICENSE CHANGELOG.md DESTINATION ${docs} COMPONENT command)
 
-# What OpenSCAD models say to Burin.
-install(FILES ${PROJECT_SOURCE_DIR}/samples/openscad/burin.scad DESTINATION ${CMAKE_INSTALL_DATADIR}/burin/openscad
-  COMPONENT command)
+if(BURIN_OPENSCAD)
+  # What OpenSCAD models say to Burin.
+  install(FILES ${PROJECT_SOURCE_DIR}/samples/openscad/burin.scad DESTINATION ${CMAKE_INSTALL_DATADIR}/burin/openscad
+    COMPONENT command)
+endif()
 
 if(NOT BURIN_COMMAND)
   add_custom_target(burin_installed DEPENDS ${libraries} ${programs})
