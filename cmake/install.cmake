@@ -10,17 +10,35 @@ function(burin_rpath target folder)
   set_target_properties(${target} PROPERTIES INSTALL_RPATH "$ORIGIN/${up}")
 endfunction()
 
-set(libraries burin burin_io burin_cad burin_cairo)
+# What is there of a list of targets (pieces.cmake).
+function(burin_targets found)
+  set(targets)
+  foreach(target IN LISTS ARGN)
+    if(TARGET ${target})
+      list(APPEND targets ${target})
+    endif()
+  endforeach()
+  set(${found} ${targets} PARENT_SCOPE)
+endfunction()
+
+burin_targets(libraries burin burin_io burin_cad burin_cairo)
+burin_targets(programs burin_cli burin_csg burin_probe)
 set_target_properties(${libraries} PROPERTIES INSTALL_RPATH "$ORIGIN")
-burin_rpath(burin_cli ${CMAKE_INSTALL_BINDIR})
-burin_rpath(burin_csg ${CMAKE_INSTALL_LIBDIR}/burin)
-install(TARGETS burin_csg RUNTIME DESTINATION ${CMAKE_INSTALL_LIBDIR}/burin COMPONENT command)
-install(FILES ${PROJECT_SOURCE_DIR}/samples/openscad/burin.scad DESTINATION ${CMAKE_INSTALL_LIBDIR}/burin/openscad
-  COMPONENT command)
-install(TARGETS burin_cli RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT command)
+if(BURIN_OPENSCAD)
+  burin_rpath(burin_csg ${CMAKE_INSTALL_LIBDIR}/burin)
+  install(TARGETS burin_csg RUNTIME DESTINATION ${CMAKE_INSTALL_LIBDIR}/burin COMPONENT command)
+  install(FILES ${PROJECT_SOURCE_DIR}/samples/openscad/burin.scad DESTINATION ${CMAKE_INSTALL_LIBDIR}/burin/openscad
+    COMPONENT command)
+endif()
+if(BURIN_COMMAND)
+  burin_rpath(burin_cli ${CMAKE_INSTALL_BINDIR})
+  install(TARGETS burin_cli RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT command)
+endif()
 install(TARGETS ${libraries}
   LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR} NAMELINK_SKIP COMPONENT command)
-install(TARGETS burin_probe RUNTIME DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT command)
+if(BURIN_PLUGINS)
+  install(TARGETS burin_probe RUNTIME DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT command)
+endif()
 install(TARGETS burin burin_io LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR} NAMELINK_ONLY COMPONENT development)
 
 # burin_install_python(FOLDER COMPONENT [EXCLUDE_FROM_ALL]): the Python package into FOLDER.
@@ -40,10 +58,14 @@ endfunction()
 # burin_install_bundle(FOLDER COMPONENT): the Python package into FOLDER with all of the kernel beside it, so that it needs
 # nothing else of ours. Never a part of `cmake --install` without the component.
 function(burin_install_bundle folder component)
-  install(TARGETS burin_python burin burin_io burin_cad burin_cairo
+  install(TARGETS burin_python ${libraries}
     LIBRARY DESTINATION ${folder} NAMELINK_SKIP COMPONENT ${component} EXCLUDE_FROM_ALL)
-  install(TARGETS burin_probe RUNTIME DESTINATION ${folder} COMPONENT ${component} EXCLUDE_FROM_ALL)
-  install(TARGETS burin_csg RUNTIME DESTINATION ${folder}/burin COMPONENT ${component} EXCLUDE_FROM_ALL)
+  if(BURIN_PLUGINS)
+    install(TARGETS burin_probe RUNTIME DESTINATION ${folder} COMPONENT ${component} EXCLUDE_FROM_ALL)
+  endif()
+  if(BURIN_OPENSCAD)
+    install(TARGETS burin_csg RUNTIME DESTINATION ${folder}/burin COMPONENT ${component} EXCLUDE_FROM_ALL)
+  endif()
   install(FILES ${PROJECT_SOURCE_DIR}/samples/openscad/burin.scad DESTINATION ${folder}/burin/openscad
     COMPONENT ${component} EXCLUDE_FROM_ALL)
   install(DIRECTORY ${PROJECT_SOURCE_DIR}/converters/python/burin/ DESTINATION ${folder}
@@ -51,7 +73,7 @@ function(burin_install_bundle folder component)
 endfunction()
 
 if(TARGET burin_python)
-  add_custom_target(burin_bundle DEPENDS burin_python burin burin_io burin_probe burin_csg burin_cad burin_cairo)
+  add_custom_target(burin_bundle DEPENDS burin_python ${libraries} ${programs})
   burin_install_bundle(burin bundle)
   install(FILES ${CMAKE_BINARY_DIR}/python/burin/__init__.pyi DESTINATION burin COMPONENT bundle EXCLUDE_FROM_ALL)
   # Of the same depth as the folder of a package of Debian, lib/python3/dist-packages.
@@ -85,10 +107,16 @@ install(DIRECTORY kernel/docs/ DESTINATION ${docs} COMPONENT command PATTERN "*.
   PATTERN mkdocs.yml EXCLUDE PATTERN theme EXCLUDE)
 install(FILES README.md LICENSE CHANGELOG.md DESTINATION ${docs} COMPONENT command)
 
-# What OpenSCAD models say to Burin.
-install(FILES ${PROJECT_SOURCE_DIR}/samples/openscad/burin.scad DESTINATION ${CMAKE_INSTALL_DATADIR}/burin/openscad
-  COMPONENT command)
+if(BURIN_OPENSCAD)
+  # What OpenSCAD models say to Burin.
+  install(FILES ${PROJECT_SOURCE_DIR}/samples/openscad/burin.scad DESTINATION ${CMAKE_INSTALL_DATADIR}/burin/openscad
+    COMPONENT command)
+endif()
 
+if(NOT BURIN_COMMAND)
+  add_custom_target(burin_installed DEPENDS ${libraries} ${programs})
+  return()
+endif()
 # Manual pages and completions, which the command itself tells.
 set(told ${CMAKE_BINARY_DIR}/told)
 add_custom_command(OUTPUT ${told}/done
@@ -96,7 +124,7 @@ add_custom_command(OUTPUT ${told}/done
   DEPENDS burin_cli ${PROJECT_SOURCE_DIR}/cmake/told.cmake VERBATIM)
 add_custom_target(burin_told ALL DEPENDS ${told}/done)
 # All that cmake --install copies: what `./dev build` and `./dev package` build.
-add_custom_target(burin_installed DEPENDS burin_cli ${libraries} burin_csg burin_probe burin_told)
+add_custom_target(burin_installed DEPENDS ${libraries} ${programs} burin_told)
 if(TARGET burin_python)
   add_dependencies(burin_installed burin_python burin_python_stub)
 endif()

@@ -1,5 +1,6 @@
 #include <burin/base/error.h>
 #include <burin/base/input_name.h>
+#include <burin/base/platform.h>
 #include <burin/base/subprocess.h>
 
 #include "cad_file.h"
@@ -14,10 +15,8 @@
 #include <TDF_ChildIterator.hxx>
 #include <TDataStd_Name.hxx>
 #include <TDocStd_Document.hxx>
-#include <unistd.h>
 
 #include <algorithm>
-#include <cerrno>
 #include <new>
 #include <string_view>
 #include <utility>
@@ -65,10 +64,9 @@ void fill(const detail::MemoryFile& file, const Source& source) {
   for (std::string_view left = source.bytes(); !left.empty();) {
     source.context().check();
     constexpr std::size_t kPiece = std::size_t{8} << 20;
-    const ssize_t done = ::write(file.descriptor(), left.data(), std::min(kPiece, left.size()));
-    if (done < 0 && errno == EINTR) continue;
-    if (done <= 0) throw std::bad_alloc();
-    left.remove_prefix(static_cast<std::size_t>(done));
+    const std::string_view piece = left.substr(0, kPiece);
+    if (!platform::write_all(file.descriptor(), piece)) throw std::bad_alloc();
+    left.remove_prefix(piece.size());
   }
 }
 

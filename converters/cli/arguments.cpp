@@ -1,7 +1,9 @@
 #include "arguments.h"
 
 #include <burin/base/error.h>
+#include <burin/converters/read_formats.h>
 #include <burin/converters/write.h>
+#include <burin/plugin/plugins.h>
 
 #include "about.h"
 #include "add_options.h"
@@ -12,6 +14,7 @@
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <sstream>
@@ -24,15 +27,13 @@ constexpr const char* kLook = "The look";
 constexpr const char* kFiles = "Files";
 constexpr const char* kParts = "Parts";
 
-constexpr const char* kModels =
-    "model files, each one or more parts of the scene:\nSTEP, IGES, BREP, STL, OBJ, OFF, PLY, "
-    "3MF,\n"
-    "glTF (.gltf, .glb),\n"
-    "IRIT (.itd, .irt), Geomview patches (.bez, .bbp),\n"
-    "functions (.implicit), volumes (.nrrd .nhdr .mha .mhd\n"
-    ".inr .nii .nii.gz .vti, .raw with --raw),\n"
-    "OpenSCAD (.scad, .csg), FreeCAD (.FCStd);\n"
-    "also packed by gzip (.stl.gz, .stpz); - is standard input";
+/// What can be drawn; those that Burin was built with.
+std::string models() {
+  return wrapped(
+      fmt::format("model files, each one or more parts of the scene: {}; also packed by "
+                  "gzip (.stl.gz, .stpz); - is standard input",
+                  fmt::join(read_formats(), ", ")));
+}
 
 constexpr const char* kOrIllustration = "\nor one illustration file (.burin.json)";
 
@@ -40,9 +41,7 @@ constexpr const char* kOrIllustration = "\nor one illustration file (.burin.json
 CLI::App* add_drawing(CLI::App& app, const char* name, const char* does, DrawArguments& a,
                       Chatter& chatter) {
   CLI::App* draw = app.add_subcommand(name, does);
-  draw->add_option("INPUT", a.inputs, std::string(kModels) + kOrIllustration)
-      ->type_name("")
-      ->group(kFiles);
+  draw->add_option("INPUT", a.inputs, models() + kOrIllustration)->type_name("")->group(kFiles);
   list(*draw, "-o,--output", a.outputs, "FILE", kFiles, output_help("drawing"));
   text(*draw, "--format", a.format, "FORMAT", kFiles, format_help());
   for (const RequestOption& option : all_options()) add_request(*draw, option, a.request.options);
@@ -79,7 +78,7 @@ CLI::App* add_watch(CLI::App& app, DrawArguments& a, Chatter& chatter) {
 CLI::App* add_illustrate(CLI::App& app, DrawArguments& a) {
   CLI::App* illustrate =
       app.add_subcommand("illustrate", "write a first illustration file, to be edited and drawn");
-  illustrate->add_option("INPUT", a.inputs, kModels)->type_name("")->group(kFiles);
+  illustrate->add_option("INPUT", a.inputs, models())->type_name("")->group(kFiles);
   list(*illustrate, "-o,--output", a.outputs, "FILE", kFiles,
        "illustration file to write, NAME.burin.json; - is standard\noutput. One that exists stays");
   const std::vector<std::string> runs = {"threads", "verify", "id_prefix", "part"};
@@ -101,9 +100,7 @@ CLI::App* add_steps(CLI::App& app, StepsArguments& a, Chatter& chatter) {
       app.add_subcommand("steps", "draw how an assembly is put together, a page a step");
   DrawArguments& draw = a.draw;
   draw.command = "steps";
-  steps->add_option("INPUT", draw.inputs, std::string(kModels) + kOrIllustration)
-      ->type_name("")
-      ->group(kFiles);
+  steps->add_option("INPUT", draw.inputs, models() + kOrIllustration)->type_name("")->group(kFiles);
   list(*steps, "-o,--output", draw.outputs, "FILE", kFiles,
        "step book to write: NAME.pdf, a page a step; NAME.html,\n"
        "one page; NAME.md, and NAME-step-01.svg ... beside it;\nNAME.json, "
@@ -180,7 +177,11 @@ CLI::App* add_convert(CLI::App& app, ConvertArguments& a, Chatter& chatter) {
   list(*convert, "-o,--output", a.outputs, "FILE", kFiles, output_help("file"));
   text(*convert, "--format", a.format, "FORMAT", kFiles, format_help());
   for (const char* name : {"define", "csg", "openscad_timeout", "id_prefix"}) {
-    add_request(*convert, find_option(all_options(), name), a.options);
+    const auto& all = all_options();
+    const auto same = [&](const RequestOption& o) { return o.option.name == name; };
+    const auto found = std::ranges::find_if(all, same);
+    // Else Burin was built without what it is about.
+    if (found != all.end()) add_request(*convert, *found, a.options);
   }
   list(*convert, "--set", a.set, "KEY=VALUE", kLook,
        "change a key of a format (svg. png. dxf. hpgl. gcode. json.\n"
@@ -265,6 +266,7 @@ Arguments parse_arguments(int argc, const char* const* argv) {
   CLI::App* options = add_options(app, a.options);
   CLI::App* plugins = app.add_subcommand(
       "plugins", "try all plug-ins again and list what they offer, or why they were refused");
+  if (!plugin::are_loaded()) plugins->group("");  // no line of help
   plugins->add_flag("--json", a.plugins.json, "print JSON, for programs");
   app.allow_extras();
   for (CLI::App* sub :

@@ -57,7 +57,8 @@ Command read(const CLI::App& app, const std::string& name) {
 std::vector<Command> command_tree(const CLI::App& app) {
   std::vector<Command> tree = {read(app, "")};
   for (const CLI::App* sub : app.get_subcommands({})) {
-    if (!sub->get_name().empty()) tree.push_back(read(*sub, sub->get_name()));
+    const bool hidden = sub->get_group().empty();
+    if (!sub->get_name().empty() && !hidden) tree.push_back(read(*sub, sub->get_name()));
   }
   return tree;
 }

@@ -1,5 +1,6 @@
 #include "plugins.h"
 
+#include <burin/base/error.h>
 #include <burin/plugin/plugins.h>
 
 #include <fmt/format.h>
@@ -49,6 +50,7 @@ std::string to_text(const std::vector<Plugin>& plugins) {
 }  // namespace
 
 std::string run_plugins(const PluginsArguments& arguments) {
+  if (!plugin::are_loaded()) throw UsageError("plug-ins need Burin with BURIN_PLUGINS");
   const std::vector<Plugin> plugins = plugin::plugins();
   return arguments.json ? to_json(plugins) : to_text(plugins);
 }

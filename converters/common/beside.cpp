@@ -2,9 +2,9 @@
 
 #include <burin/base/error.h>
 #include <burin/base/library_folder.h>
+#include <burin/base/platform.h>
 #include <burin/base/version.h>
 
-#include <dlfcn.h>
 #include <fmt/format.h>
 
 #include <cstring>
@@ -26,15 +26,15 @@ std::filesystem::path beside_libburin(const char* file) { return library_folder(
 
 void* library_door(const char* file, const char* door, const LibraryWords& words) {
   const std::filesystem::path path = beside_libburin(file);
-  void* library = ::dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL | RTLD_NODELETE);
+  std::string why;
+  void* library = platform::open_library(path, why);
   if (!library) {
-    const std::string why = ::dlerror();
     for (const char* sign : {"failed to map segment", "annot allocate memory"}) {
       if (why.find(sign) != std::string::npos) throw std::bad_alloc();
     }
     fail(words, why);
   }
-  void* found = ::dlsym(library, door);
+  void* found = platform::symbol_in(library, door);
   if (!found) fail(words, path.string() + " is no such library");
   return found;
 }

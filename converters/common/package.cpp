@@ -1,11 +1,11 @@
 #include "package.h"
 
 #include <burin/base/error.h>
+#include <burin/base/platform.h>
 
 #include "bytes.h"
 
 #include <fmt/format.h>
-#include <unistd.h>
 #include <zip.h>
 
 #include <algorithm>
@@ -20,9 +20,8 @@ constexpr std::size_t kShareOfMemory = 8;
 constexpr zip_uint16_t kDate = (1 << 5) | 1;
 
 std::size_t largest_member() {
-  const long pages = ::sysconf(_SC_PHYS_PAGES), page = ::sysconf(_SC_PAGESIZE);
-  if (pages <= 0 || page <= 0) return std::size_t{1} << 29;
-  return static_cast<std::size_t>(pages) * static_cast<std::size_t>(page) / kShareOfMemory;
+  const std::uint64_t memory = platform::memory_bytes();
+  return memory == 0 ? std::size_t{1} << 29 : static_cast<std::size_t>(memory / kShareOfMemory);
 }
 
 struct CloseArchive {

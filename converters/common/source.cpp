@@ -3,14 +3,12 @@
 #include <burin/base/input_files.h>
 #include <burin/base/missing_file.h>
 #include <burin/base/piped_input.h>
+#include <burin/base/platform.h>
 
 #include "bytes.h"
 #include "packed.h"
 
-#include <fcntl.h>
 #include <fmt/format.h>
-#include <sys/stat.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <cerrno>
@@ -24,9 +22,9 @@ namespace {
 
 class Descriptor {
  public:
-  explicit Descriptor(const char* path) : fd_(::open(path, O_RDONLY | O_CLOEXEC | O_NONBLOCK)) {}
+  explicit Descriptor(const std::filesystem::path& path) : fd_(platform::open_to_read(path)) {}
   ~Descriptor() {
-    if (fd_ >= 0) ::close(fd_);
+    if (fd_ >= 0) platform::close_file(fd_);
   }
   Descriptor(const Descriptor&) = delete;
   Descriptor& operator=(const Descriptor&) = delete;
@@ -43,9 +41,8 @@ std::string reason(int error) {
 }
 
 std::size_t half_of_memory() {
-  const long pages = ::sysconf(_SC_PHYS_PAGES), page = ::sysconf(_SC_PAGESIZE);
-  if (pages <= 0 || page <= 0) return std::size_t{1} << 32;
-  return static_cast<std::size_t>(pages) / 2 * static_cast<std::size_t>(page);
+  const std::uint64_t memory = platform::memory_bytes();
+  return memory == 0 ? std::size_t{1} << 32 : static_cast<std::size_t>(memory / 2);
 }
 
 }  // namespace
@@ -73,17 +70,19 @@ FileBytes copied(std::string_view bytes) {
 
 FileBytes read_file(const std::filesystem::path& path, const RunContext& context) {
   const std::string file = path.string();
-  const Descriptor in(path.c_str());
+  const Descriptor in(path);
   if (in.get() < 0) {
     const int error = errno;
     if (error == ENOENT || error == ENOTDIR) throw MissingFile(reason(error), file);
     fail(file, reason(error));
   }
-  struct stat info {};
-  if (::fstat(in.get(), &info) != 0) fail(file, reason(errno));
-  if (S_ISDIR(info.st_mode)) fail(file, "is a folder; name a file in it");
-  if (!S_ISREG(info.st_mode)) fail(file, "is not a regular file; save the data to one first");
-  const auto size = static_cast<std::size_t>(info.st_size);
+  platform::FileState state;
+  if (!platform::state_of(in.get(), state)) fail(file, reason(errno));
+  if (state.kind == platform::FileKind::Folder) fail(file, "is a folder; name a file in it");
+  if (state.kind != platform::FileKind::Regular) {
+    fail(file, "is not a regular file; save the data to one first");
+  }
+  const auto size = static_cast<std::size_t>(state.size);
   if (size > half_of_memory()) {
     fail(file, fmt::format("holds {} bytes, more than half of this machine's memory", size));
   }
@@ -91,9 +90,8 @@ FileBytes read_file(const std::filesystem::path& path, const RunContext& context
   constexpr std::size_t kPiece = std::size_t{8} << 20;  // a poll for cancellation every few ms
   while (out.size < size) {
     context.check();
-    const ssize_t got =
-        ::read(in.get(), out.data.get() + out.size, std::min(kPiece, size - out.size));
-    if (got < 0 && errno == EINTR) continue;
+    const std::ptrdiff_t got =
+        platform::read_some(in.get(), out.data.get() + out.size, std::min(kPiece, size - out.size));
     if (got < 0) fail(file, reason(errno));
     if (got == 0) break;  // the file shrank meanwhile
     out.size += static_cast<std::size_t>(got);

@@ -1,6 +1,7 @@
 #include "recompute.h"
 
 #include <burin/base/error.h>
+#include <burin/base/platform.h>
 
 #include "subprocess.h"
 #include "text.h"
@@ -125,7 +126,7 @@ Path recompute(const Path& document, double timeout, const TemporaryFolder& fold
   }
   if (end.signal != 0) {
     throw InputError(fmt::format("FreeCAD crashed (signal {}, {}); draw without `recompute`",
-                                 end.signal, ::strsignal(end.signal)),
+                                 end.signal, platform::signal_name(end.signal)),
                      file);
   }
   std::error_code error;

@@ -1,6 +1,7 @@
 #include "program.h"
 
 #include <burin/base/error.h>
+#include <burin/base/platform.h>
 
 #include "beside.h"
 #include "exchange.h"
@@ -107,7 +108,7 @@ class Verdict {
     if (end.signal != 0) {
       throw InputError(fmt::format("OpenSCAD crashed (signal {}, {}); too deep a recursion or too "
                                    "little memory do that",
-                                   end.signal, ::strsignal(end.signal)),
+                                   end.signal, platform::signal_name(end.signal)),
                        file_);
     }
     if (end.ok() && bytes > 0) return;  // an echo of the model may say what is asked below

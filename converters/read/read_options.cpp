@@ -3,11 +3,11 @@
 #include <burin/base/ascii.h>
 #include <burin/base/catalogue.h>
 #include <burin/base/error.h>
-#include <burin/converters/openscad_reader.h>
 #include <burin/converters/values.h>
 #include <burin/plugin/sources.h>
 
 #include "encoding.h"
+#include "readers.h"
 
 #include <fmt/format.h>
 
@@ -18,21 +18,10 @@ namespace burin {
 namespace detail {
 namespace {
 
-constexpr const char* kFiles = "Files";
 constexpr const char* kLook = "The look";
-constexpr const char* kData = "Functions and volumes";
 constexpr unsigned kAllFamilies = ~0U;
-constexpr double kWeek = 604'800;  // seconds
-constexpr std::uint64_t kMostBytes = std::uint64_t{1} << 50;
 
-using Set = std::function<void(ReadOptions&, const Asked&)>;
-
-template <class M>
-Set number_to(M member) {
-  return [member](ReadOptions& o, const Asked& a) { member(o) = std::get<double>(a.value); };
-}
-
-std::vector<ReadRow> file_rows() {
+std::vector<ReadRow> first_rows() {
   return {
       {{{.option = {.name = "input_format",
                     .meaning =
@@ -50,94 +39,19 @@ std::vector<ReadRow> file_rows() {
                              "it as a file with the suffix .scad");
           }
           if (!is_read_suffix("." + o.input_format)) {
+            const std::string needed = needed_for("x." + o.input_format);
+            if (!needed.empty()) throw UsageError(a.spelled + ": " + needed);
             refuse_value(a.spelled, "a suffix of a format that is read, such as stl or step",
                          a.text());
           }
         }},
        kAllFamilies,
        "standard input and files whose names do not tell their format"},
-      {{{.option =
-             {.name = "define",
-              .meaning =
-                  "define a variable of OpenSCAD files; repeatable; a text keeps its quotes: -D "
-                  "'label=\"A\"'",
-              .takes = FreeText{}},
-         .group = kFiles,
-         .label = "NAME=VALUE",
-         .many = true,
-         .letter = 'D',
-         .python = "Mapping[str, Any] | Sequence[str]",
-         .also = {"variable", "var", "d", "parameter", "parameters", "params", "param",
-                  "set variable", "arg"}},
-        [](ReadOptions& o, const Asked& a) {
-          check_openscad_defines(a.texts);
-          o.defines = a.texts;
-        }},
-       OpenscadFiles,
-       "OpenSCAD files"},
-      {{{.option = {.name = "openscad_timeout",
-                    .meaning = "end OpenSCAD after so long (default 300)",
-                    .takes = NumberRange{0.001, kWeek, "s"},
-                    .phrase = "seconds over 0"},
-         .group = kFiles,
-         .label = "SECONDS"},
-        number_to([](ReadOptions& o) -> double& { return o.openscad_timeout; })},
-       OpenscadFiles,
-       "OpenSCAD files"},
-      {{{.option = {.name = "csg",
-                    .meaning =
-                        "who makes solids of an OpenSCAD program's tree: auto takes OpenSCAD where "
-                        "Burin cannot, which makes one part of it (default auto)",
-                    .takes = WordList{{"auto", "burin", "openscad"}}},
-         .group = kFiles,
-         .label = "auto|burin|openscad"},
-        [](ReadOptions& o, const Asked& a) {
-          o.csg = static_cast<CsgBy>(std::get<std::uint64_t>(a.value));
-        }},
-       OpenscadFiles,
-       "OpenSCAD files"},
-      {{{.option = {.name = "as_",
-                    .meaning =
-                        "make solids of an OpenSCAD program's tree, or implicit functions, which "
-                        "know the true surfaces of its primitives alone (default solid)",
-                    .takes = WordList{{"solid", "implicit"}}},
-         .group = kFiles,
-         .label = "solid|implicit"},
-        [](ReadOptions& o, const Asked& a) {
-          o.as_implicit = std::get<std::uint64_t>(a.value) == 1;
-        }},
-       OpenscadFiles,
-       "OpenSCAD files"},
-      {{{.option =
-             {.name = "object",
-              .meaning =
-                  "draw this object of FreeCAD documents, hidden or not; repeatable (default: "
-                  "all that are visible)",
-              .takes = FreeText{}},
-         .group = kFiles,
-         .label = "NAME|LABEL",
-         .many = true,
-         .python = "str | Sequence[str]",
-         .also = {"body name", "node", "feature", "label name"}},
-        [](ReadOptions& o, const Asked& a) { o.objects = a.texts; }},
-       FreecadFiles,
-       "FreeCAD documents"},
-      {{{.option = {.name = "recompute",
-                    .meaning = "let FreeCAD recompute the document first (the file stays as it is)",
-                    .takes = Switch{}},
-         .group = kFiles},
-        [](ReadOptions& o, const Asked& a) { o.recompute = std::get<bool>(a.value); }},
-       FreecadFiles,
-       "FreeCAD documents"},
-      {{{.option = {.name = "freecad_timeout",
-                    .meaning = "end FreeCAD after so long (default 300)",
-                    .takes = NumberRange{0.001, kWeek, "s"},
-                    .phrase = "seconds over 0"},
-         .group = kFiles,
-         .label = "SECONDS"},
-        number_to([](ReadOptions& o) -> double& { return o.freecad_timeout; })},
-       FreecadFiles,
-       "FreeCAD documents that are recomputed"},
+  };
+}
+
+std::vector<ReadRow> shared_rows() {
+  return {
       {{{.option = {.name = "encoding",
                     .meaning = "the encoding of names that a file does not say it of, such as "
                                "GB18030, SHIFT_JIS, "
@@ -220,77 +134,6 @@ std::vector<ReadRow> level_rows() {
   };
 }
 
-std::vector<ReadRow> volume_rows() {
-  return {
-      {{{.option =
-             {.name = "smooth",
-              .meaning =
-                  "standard deviation of a Gaussian that a volume is smoothed with (default 0)",
-              .takes = NumberRange{0, 100, "samples"},
-              .phrase = "a standard deviation of 0 to 100 samples"},
-         .group = kData,
-         .label = "SAMPLES",
-         .also = {"blur", "gauss", "sigma", "denoise"}},
-        number_to([](ReadOptions& o) -> double& { return o.volume.smoothing; })},
-       Volumes,
-       "volumes"},
-      {{{.option =
-             {.name = "specks",
-              .meaning =
-                  "components of a volume smaller than this share of the largest one are left "
-                  "out (default 0.02)",
-              .takes = NumberRange{0, 0.99},
-              .phrase = "a share from 0 to 0.99 of the largest component's size"},
-         .group = kData,
-         .label = "SHARE"},
-        number_to([](ReadOptions& o) -> double& { return o.volume.smallest_part; })},
-       Volumes,
-       "volumes"},
-      {{{.option = {.name = "volume_degree",
-                    .meaning = "degree of the spline of a volume (default 3)",
-                    .takes = WholeRange{2, 3},
-                    .phrase = "2 or 3"},
-         .group = kData,
-         .label = "2|3"},
-        [](ReadOptions& o, const Asked& a) {
-          o.volume.degree = static_cast<int>(std::get<std::uint64_t>(a.value));
-        }},
-       Volumes,
-       "volumes"},
-      {{{.option = {.name = "interpolate",
-                    .meaning =
-                        "take the values of the samples exactly; without it they are the spline's "
-                        "coefficients, a little smoother",
-                    .takes = Switch{}},
-         .group = kData},
-        [](ReadOptions& o, const Asked& a) { o.volume.interpolate = std::get<bool>(a.value); }},
-       Volumes,
-       "volumes"},
-      {{{.option = {.name = "raw",
-                    .meaning =
-                        "what a raw file holds: NXxNYxNZ[:TYPE[:DX,DY,DZ]], TYPE u8 i8 u16 .. f64, "
-                        "u16be .. for big-endian (default u8:1,1,1)",
-                    .takes = FreeText{}},
-         .group = kData,
-         .label = "NXxNYxNZ[..]"},
-        [](ReadOptions& o, const Asked& a) { o.volume.raw = parse_raw_layout(a.text()); }},
-       Volumes,
-       "files of raw samples, whose format nothing else tells"},
-      {{{.option = {.name = "raw_skip",
-                    .meaning = "bytes before the first sample of a raw file (default 0)",
-                    .takes = WholeRange{0, kMostBytes},
-                    .phrase = "a number of bytes"},
-         .group = kData,
-         .label = "BYTES"},
-        [](ReadOptions& o, const Asked& a) {
-          if (!o.volume.raw) throw UsageError(a.spelled + " goes with `raw`");
-          o.volume.raw->skip = static_cast<std::int64_t>(std::get<std::uint64_t>(a.value));
-        }},
-       Volumes,
-       "files of raw samples"},
-  };
-}
-
 /// The word that help writes after a name; switches have none.
 std::string label_of(const Option& option) {
   if (std::holds_alternative<Switch>(option.takes)) return {};
@@ -330,11 +173,27 @@ void append_brought(std::span<const Kind> kinds, const char* what, std::vector<R
   }
 }
 
+/// The options of readers: those about files, or the others.
+void append_own(bool files, std::vector<ReadRow>& rows) {
+  for (const Reader* reader : own_readers()) {
+    if (reader->options == nullptr) continue;
+    for (ReadRow& row : reader->options()) {
+      if ((row.row.about.group == kFiles) == files) rows.push_back(std::move(row));
+    }
+  }
+}
+
 std::vector<ReadRow> make_read_rows() {
-  std::vector<ReadRow> rows;
-  for (const auto& group : {file_rows(), level_rows(), volume_rows()}) {
+  std::vector<ReadRow> rows = first_rows();
+  append_own(true, rows);
+  for (const auto& group : {shared_rows(), level_rows()}) {
     rows.insert(rows.end(), group.begin(), group.end());
   }
+  append_own(false, rows);
+  // What none of the readers looks at that Burin was built with.
+  unsigned there = 0;
+  for (const Reader* reader : own_readers()) there |= reader->family;
+  std::erase_if(rows, [&](const ReadRow& row) { return (row.families & there) == 0; });
   append_brought(plugin::readers(), "reader", rows);
   append_brought(plugin::forms(), "form", rows);
   return rows;

@@ -3,7 +3,10 @@
 
 #include <burin/converters/read.h>
 
+#include <functional>
+#include <string>
 #include <string_view>
+#include <variant>
 
 namespace burin::detail {
 
@@ -27,6 +30,18 @@ struct ReadRow {
   /// Of `Brought`: the reader or form that the option belongs to.
   std::string brought = {};
 };
+
+/// Groups of help.
+inline constexpr const char* kFiles = "Files";
+inline constexpr const char* kData = "Functions and volumes";
+
+inline constexpr double kWeek = 604'800;  // seconds, the longest limit of a program
+
+/// Sets the number that `member` gives of ReadOptions.
+template <class M>
+std::function<void(ReadOptions&, const Asked&)> number_to(M member) {
+  return [member](ReadOptions& o, const Asked& a) { member(o) = std::get<double>(a.value); };
+}
 
 /// Null where there is none of that name.
 const ReadRow* find_read_row(std::string_view name);

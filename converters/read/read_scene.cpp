@@ -2,20 +2,17 @@
 #include <burin/base/input_files.h>
 #include <burin/base/input_name.h>
 #include <burin/base/missing_file.h>
+#include <burin/base/platform.h>
 #include <burin/base/plugin_error.h>
 #include <burin/converters/read.h>
 #include <burin/plugin/sources.h>
 
 #include "readers.h"
 
-#include <fcntl.h>
-#include <sys/stat.h>
-#include <unistd.h>
-
 #include <algorithm>
-#include <cerrno>
-#include <cstring>
+#include <filesystem>
 #include <iterator>
+#include <system_error>
 
 namespace burin {
 
@@ -27,17 +24,16 @@ void check_inputs(const std::vector<std::string>& paths) {
     }
     if (is_standard_input(path)) continue;
     InputFiles::opens(path);
-    struct stat info {};
-    if (::stat(path.c_str(), &info) != 0) {
-      if (errno == ENOENT || errno == ENOTDIR) {
-        throw MissingFile(path.empty() ? "the name of a model file is empty"
-                                       : "there is no such file; check the path",
-                          path);
-      }
-      throw InputError(std::string("cannot be opened: ") + std::strerror(errno), path);
+    std::error_code error;
+    const std::filesystem::file_status status = std::filesystem::status(path, error);
+    if (status.type() == std::filesystem::file_type::not_found) {
+      throw MissingFile(path.empty() ? "the name of a model file is empty"
+                                     : "there is no such file; check the path",
+                        path);
     }
-    if (S_ISDIR(info.st_mode)) throw InputError("is a folder; name a model file in it", path);
-    if (::access(path.c_str(), R_OK) != 0) {
+    if (error) throw InputError("cannot be opened: " + error.message(), path);
+    if (is_directory(status)) throw InputError("is a folder; name a model file in it", path);
+    if (!platform::may_read(path)) {
       throw InputError("no permission to read it; change that or copy the file", path);
     }
   }

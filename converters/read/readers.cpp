@@ -1,134 +1,20 @@
 #include "readers.h"
 
 #include <burin/base/catalogue.h>
+#include <burin/base/error.h>
 #include <burin/base/input_name.h>
-#include <burin/converters/cad_reader.h>
-#include <burin/converters/fcstd_reader.h>
-#include <burin/converters/gltf_reader.h>
-#include <burin/converters/implicit_reader.h>
-#include <burin/converters/irit_reader.h>
-#include <burin/converters/mesh_info.h>
 #include <burin/converters/mesh_reader.h>
-#include <burin/converters/openscad_reader.h>
-#include <burin/converters/volume_reader.h>
+#include <burin/converters/read_formats.h>
 
 #include "packed.h"
 
 #include <algorithm>
-#include <array>
 #include <cstdint>
 #include <string>
 #include <system_error>
 
 namespace burin::detail {
 namespace {
-
-using Path = std::filesystem::path;
-
-Facets facets_of(const ReadOptions& o) {
-  return o.heal.value_or(false) ? Facets::Recognised : Facets::Kept;
-}
-
-const Reader kMesh{"STL, OBJ, OFF, PLY, 3MF",
-                   nullptr,
-                   is_mesh_suffix,
-                   [](const Path& path, const ReadOptions& o, RunContext& c) {
-                     return ReadResult{read_mesh(path, c, facets_of(o), o.encoding)};
-                   },
-                   [](const Path& path, const ReadOptions& o, RunContext& c) {
-                     return inspect_mesh(path, c, o.encoding);
-                   },
-                   Meshes};
-
-const Reader kGltf{
-    "glTF, GLB",
-    is_gltf_content,
-    is_gltf_suffix,
-    [](const Path& path, const ReadOptions& o, RunContext& c) {
-      return ReadResult{read_gltf(path, c, facets_of(o))};
-    },
-    [](const Path& path, const ReadOptions&, RunContext& c) { return inspect_gltf(path, c); },
-    Meshes};
-
-const Reader kCad{"STEP, IGES, BREP",
-                  is_cad_content,
-                  is_cad_suffix,
-                  [](const Path& path, const ReadOptions& o, RunContext& c) {
-                    return ReadResult{read_cad(path, c, o.encoding)};
-                  },
-                  [](const Path& path, const ReadOptions& o, RunContext& c) {
-                    return inspect_cad(path, c, o.encoding);
-                  },
-                  CadFiles};
-
-IritReadOptions irit_options(const ReadOptions& o) {
-  return {o.volume.level.value_or(0), o.volume.inside_above.value_or(false), o.bounds, o.encoding};
-}
-
-const Reader kIrit{"ITD, IRT, BEZ, BBP",
-                   is_irit_content,
-                   is_irit_suffix,
-                   [](const Path& path, const ReadOptions& o, RunContext& c) {
-                     return ReadResult{read_irit(path, c, irit_options(o))};
-                   },
-                   [](const Path& path, const ReadOptions& o, RunContext& c) {
-                     return inspect_irit(path, c, irit_options(o));
-                   },
-                   Splines};
-
-const Reader kImplicit{"IMPLICIT",
-                       nullptr,
-                       is_implicit_suffix,
-                       [](const Path& path, const ReadOptions& o, RunContext& c) {
-                         return ReadResult{read_implicit(path, {o.bounds, {o.mesher}}, c)};
-                       },
-                       [](const Path& path, const ReadOptions& o, RunContext& c) {
-                         return inspect_implicit(path, {o.bounds, {o.mesher}}, c);
-                       },
-                       Functions};
-
-OpenscadOptions openscad_options(const ReadOptions& o) {
-  return {o.defines, o.openscad_timeout, o.csg, o.heal.value_or(true), o.as_implicit};
-}
-
-const Reader kOpenscad{"OpenSCAD",
-                       nullptr,
-                       is_openscad_suffix,
-                       [](const Path& path, const ReadOptions& o, RunContext& c) {
-                         return read_openscad(path, openscad_options(o), c);
-                       },
-                       [](const Path& path, const ReadOptions& o, RunContext& c) {
-                         return inspect_openscad(path, openscad_options(o), c);
-                       },
-                       OpenscadFiles};
-
-FcstdOptions fcstd_options(const ReadOptions& o) {
-  return {o.objects, o.recompute, o.freecad_timeout};
-}
-
-const Reader kFcstd{"FreeCAD",
-                    is_fcstd_content,
-                    is_fcstd_suffix,
-                    [](const Path& path, const ReadOptions& o, RunContext& c) {
-                      return ReadResult{read_fcstd(path, fcstd_options(o), c)};
-                    },
-                    [](const Path& path, const ReadOptions& o, RunContext& c) {
-                      return inspect_fcstd(path, fcstd_options(o), c);
-                    },
-                    FreecadFiles};
-
-const Reader kVolume{"NRRD, MHA, MHD, INR, NII, VTI, RAW",
-                     is_volume_content,
-                     is_volume_suffix,
-                     [](const Path& path, const ReadOptions& o, RunContext& c) {
-                       return ReadResult{read_volume_scene(path, o.volume, o.bounds, c)};
-                     },
-                     [](const Path& path, const ReadOptions& o, RunContext& c) {
-                       return inspect_volume(path, o.volume, o.bounds, c);
-                     },
-                     Volumes};
-
-const std::array kReaders{&kCad, &kGltf, &kIrit, &kImplicit, &kOpenscad, &kFcstd, &kVolume, &kMesh};
 
 /// Those of plug-ins.
 struct BroughtReaders {
@@ -148,7 +34,8 @@ const BroughtReaders& brought() {
 }
 
 std::vector<const Reader*> all_readers() {
-  std::vector<const Reader*> all(kReaders.begin(), kReaders.end());
+  const std::span<const Reader* const> own = own_readers();
+  std::vector<const Reader*> all(own.begin(), own.end());
   for (const Reader& reader : brought().readers) all.push_back(&reader);
   return all;
 }
@@ -165,13 +52,26 @@ std::string given_format(const std::filesystem::path& path, const ReadOptions& o
 
 namespace {
 
+std::uintmax_t size_of(const std::filesystem::path& path) {
+  std::error_code error;
+  const std::uintmax_t size = std::filesystem::file_size(path, error);
+  return error ? 0 : size;
+}
+
+/// Null where Burin was built without.
+const Reader* own_reader(Family family) {
+  const auto own = own_readers();
+  // The last one: glTF is a mesh, too.
+  const auto found =
+      std::find_if(own.rbegin(), own.rend(), [&](const Reader* r) { return r->family == family; });
+  return found == own.rend() ? nullptr : *found;
+}
+
 /// Whether the content is a mesh and the suffix that of a format which content would show.
 bool is_misnamed_mesh(const Reader& reader, const std::filesystem::path& path,
                       const std::string& head) {
-  if (&reader != &kCad && &reader != &kGltf) return false;
-  std::error_code error;
-  const std::uintmax_t size = std::filesystem::file_size(path, error);
-  return is_mesh_content(head, error ? 0 : size);
+  if (!reader.content_shows) return false;
+  return is_mesh_content(head, size_of(path));
 }
 
 }  // namespace
@@ -189,9 +89,14 @@ const Reader& reader_of(const std::filesystem::path& path, const ReadOptions& op
   }
   for (const Reader* reader : readers) {
     if (!reader->knows_suffix(path)) continue;
-    return is_misnamed_mesh(*reader, path, head) ? kMesh : *reader;
+    return is_misnamed_mesh(*reader, path, head) ? *own_reader(Meshes) : *reader;
   }
-  return options.volume.raw ? kVolume : kMesh;
+  const Reader* const samples = options.volume.raw ? own_reader(Volumes) : nullptr;
+  if (samples != nullptr) return *samples;
+  const std::string needed = needed_for(path);
+  const bool is_mesh = is_mesh_content(head, size_of(path));
+  if (!needed.empty() && !is_mesh) throw InputError(needed, path.string());
+  return *own_reader(Meshes);
 }
 
 }  // namespace burin::detail
@@ -206,8 +111,14 @@ bool is_read_suffix(std::string_view suffix) {
 
 bool is_own_suffix(std::string_view suffix) {
   const std::filesystem::path path = "x" + std::string(suffix);
-  return std::ranges::any_of(detail::kReaders,
+  return std::ranges::any_of(detail::own_readers(),
                              [&](const detail::Reader* r) { return r->knows_suffix(path); });
+}
+
+std::vector<std::string> read_formats() {
+  std::vector<std::string> names;
+  for (const detail::Reader* reader : detail::own_readers()) names.push_back(reader->formats);
+  return names;
 }
 
 }  // namespace burin

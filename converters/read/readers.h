@@ -15,9 +15,9 @@
 
 namespace burin::detail {
 
-/// One family of formats. A new one is a row in readers.cpp.
+/// One family of formats. A new one is a source in families/ and its name in cmake/pieces.cmake.
 struct Reader {
-  /// For messages: "STL, OBJ".
+  /// For help: "STL, OBJ".
   std::string formats;
   /// Whether the first bytes of a file (as many as `kHeadBytes`, less where the file is shorter)
   /// can only be this family's; absent = the content never tells.
@@ -32,7 +32,18 @@ struct Reader {
   Family family;
   /// Of `Brought`: its name.
   std::string brought = {};
+  /// The options that are about its files alone.
+  std::vector<ReadRow> (*options)() = nullptr;
+  /// Whether `knows_content` knows all of its files, so that what it does not know is another's.
+  bool content_shows = false;
 };
+
+/// Those that Burin was built with, in the order in which they are asked.
+std::span<const Reader* const> own_readers();
+
+/// "STEP files need Burin with OCCT (BURIN_CAD)": for the suffixes of readers that it was built
+/// without, and that nobody else reads; else empty.
+std::string needed_for(const std::filesystem::path& path);
 
 /// The readers and the forms that plug-ins brought.
 Reader brought_reader(const plugin::ReaderKind& kind);

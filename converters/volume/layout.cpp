@@ -1,9 +1,10 @@
 #include "layout.h"
 
+#include <burin/base/platform.h>
+
 #include "text.h"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <cmath>
@@ -21,9 +22,8 @@ constexpr TypeRow kTypes[] = {{"i8", 1},  {"u8", 1},  {"i16", 2}, {"u16", 2}, {"
                               {"u32", 4}, {"i64", 8}, {"u64", 8}, {"f32", 4}, {"f64", 8}};
 
 double memory_bytes() {
-  const long pages = ::sysconf(_SC_PHYS_PAGES), page = ::sysconf(_SC_PAGESIZE);
-  if (pages <= 0 || page <= 0) return 4e9;
-  return static_cast<double>(pages) * static_cast<double>(page);
+  const std::uint64_t memory = platform::memory_bytes();
+  return memory == 0 ? 4e9 : static_cast<double>(memory);
 }
 
 std::string times(const std::array<std::int64_t, 3>& size) {

@@ -10,6 +10,7 @@
 
 #include "dxf_frame.h"
 #include "dxf_groups.h"
+#include "own_formats.h"
 
 #include <algorithm>
 #include <array>
@@ -382,5 +383,7 @@ void write_dxf(const Drawing& drawing, const WriteOptions& options, std::ostream
   dxf::append_tail(text, frame);
   write(text, out);
 }
+
+Format detail::dxf_format() { return {"dxf", {"dxf."}, write_dxf}; }
 
 }  // namespace burin

@@ -7,6 +7,8 @@
 #include <burin/drawing/text.h>
 #include <burin/drawing/title.h>
 
+#include "own_formats.h"
+
 #include <fmt/ranges.h>
 
 #include <cmath>
@@ -169,5 +171,7 @@ void write_eps(const Drawing& drawing, const WriteOptions& options, std::ostream
       },
       out, context);
 }
+
+Format detail::eps_format() { return {"eps", {}, write_eps}; }
 
 }  // namespace burin

@@ -1,7 +1,7 @@
 #pragma once
 /// A stream into a file descriptor that remembers why it failed.
 
-#include <unistd.h>
+#include <burin/base/platform.h>
 
 #include <cerrno>
 #include <streambuf>
@@ -42,15 +42,7 @@ class FdBuffer : public std::streambuf {
     return good;
   }
   bool put(const char* text, std::size_t n) {
-    while (error_ == 0 && n > 0) {
-      const ssize_t done = ::write(fd_, text, n);
-      if (done < 0) {
-        if (errno != EINTR) error_ = errno;
-        continue;
-      }
-      text += done;
-      n -= static_cast<std::size_t>(done);
-    }
+    if (error_ == 0 && !platform::write_all(fd_, {text, n})) error_ = errno;
     return error_ == 0;
   }
 

@@ -3,6 +3,7 @@
 #include <burin/drawing/text.h>
 #include <burin/drawing/title.h>
 
+#include "own_formats.h"
 #include "pen_plan.h"
 
 #include <fmt/ranges.h>
@@ -211,5 +212,7 @@ void write_gcode(const Drawing& drawing, const WriteOptions& options, std::ostre
   writer.tail(text);
   flush(text, out);
 }
+
+Format detail::gcode_format() { return {"gcode", {"gcode."}, write_gcode}; }
 
 }  // namespace burin

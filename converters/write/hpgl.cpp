@@ -2,6 +2,7 @@
 
 #include <burin/drawing/text.h>
 
+#include "own_formats.h"
 #include "pen_plan.h"
 
 #include <algorithm>
@@ -183,5 +184,7 @@ void write_hpgl(const Drawing& drawing, const WriteOptions& options, std::ostrea
   append(text, "PU0,0;\nSP0;\n");
   flush(text, out);
 }
+
+Format detail::hpgl_format() { return {"hpgl", {"hpgl."}, write_hpgl}; }
 
 }  // namespace burin

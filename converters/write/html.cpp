@@ -3,6 +3,7 @@
 #include <burin/drawing/title.h>
 
 #include "html_parts.h"
+#include "own_formats.h"
 
 #include <map>
 #include <optional>
@@ -43,5 +44,7 @@ void write_html(const Drawing& drawing, const WriteOptions& options, std::ostrea
   out << html::head(title_of(shown)) << "<main>\n"
       << html::inline_svg(shown, svg, context) << html::list_and_tail(shown.items, options.html);
 }
+
+Format detail::html_format() { return {"html", {}, write_html, {}, true}; }
 
 }  // namespace burin

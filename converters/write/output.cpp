@@ -1,12 +1,11 @@
 #include <burin/base/error.h>
+#include <burin/base/platform.h>
 #include <burin/converters/output.h>
 
 #include "fd_stream.h"
+#include "own_formats.h"
 
-#include <fcntl.h>
 #include <fmt/format.h>
-#include <sys/stat.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <atomic>
@@ -14,6 +13,7 @@
 #include <cstring>
 #include <optional>
 #include <ostream>
+#include <system_error>
 #include <utility>
 
 namespace burin {
@@ -59,10 +59,17 @@ std::string advice(int error) {
   throw OutputError(advice(error), name == "-" ? "standard output" : name);
 }
 
+/// Throws UsageError where the format is one of ours that Burin was built without.
+void refuse_absent(const std::string& what, const std::string& format) {
+  const std::string needed = detail::needed_to_write(format);
+  if (!needed.empty()) throw UsageError(what + ": " + needed);
+}
+
 const Format& format_of(const std::string& output, const std::string& format) {
   const Format* asked = nullptr;
   if (!format.empty()) {
     asked = format_named(format);
+    refuse_absent("option --format", format);
     if (!asked)
       throw UsageError(fmt::format("option --format takes {}, not '{}'", format_list(), format));
   }
@@ -74,6 +81,7 @@ const Format& format_of(const std::string& output, const std::string& format) {
   const Format* named = suffix.empty() ? nullptr : format_named(suffix.substr(1));
   if (named) return *named;
   if (asked) return *asked;
+  if (!suffix.empty()) refuse_absent(output, suffix.substr(1));
   throw UsageError(fmt::format("{}: {} does not name a format that burin writes; use {}", output,
                                suffix.empty() ? "a name without suffix" : suffix, format_list()));
 }
@@ -106,7 +114,9 @@ void set_output_guard(const OutputGuard& guard) { g_guard = guard; }
 Output::Output(std::string name, const Format& format)
     : name_(std::move(name)), format_(&format), target_(resolved(name_)) {
   static std::atomic<int> count{0};
-  aside_ = (target_.parent_path() / fmt::format(".burin-{}-{}.part", ::getpid(), ++count)).string();
+  aside_ = (target_.parent_path() /
+            fmt::format(".burin-{}-{}.part", platform::process_number(), ++count))
+               .string();
 }
 
 Output::Output(Output&& other) noexcept
@@ -118,63 +128,65 @@ Output::Output(Output&& other) noexcept
 
 Output::~Output() { discard(); }
 
+void Output::remove_aside() const {
+  std::error_code error;
+  fs::remove(aside_, error);
+  released(aside_.c_str());
+}
+
 void Output::discard() {
   if (!written_aside_) return;
-  ::unlink(aside_.c_str());
-  released(aside_.c_str());
+  remove_aside();
   written_aside_ = false;
 }
 
 bool Output::is_direct() const {
-  struct stat info {};
-  return is_stdout() || (::stat(target_.c_str(), &info) == 0 && !S_ISREG(info.st_mode));
+  std::error_code error;
+  const fs::file_status target = fs::status(target_, error);
+  return is_stdout() || (fs::exists(target) && !fs::is_regular_file(target));
 }
 
 int Output::open_aside() const {
-  const int fd = ::open(aside_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+  const int fd = platform::create_file(aside_);
   if (fd < 0) fail(name_, errno);
   return fd;
 }
 
 void Output::probe() const {
   if (is_stdout()) return;
-  struct stat info {};
-  if (::stat(target_.c_str(), &info) == 0) {
-    if (S_ISDIR(info.st_mode)) fail(name_, EISDIR);
-    if (::access(target_.c_str(), W_OK) != 0) fail(name_, errno);
-  }
+  std::error_code error;
+  const fs::file_status target = fs::status(target_, error);
+  if (fs::is_directory(target)) fail(name_, EISDIR);
+  if (fs::exists(target) && !platform::may_write(target_)) fail(name_, errno);
   if (is_direct()) return;
   guarded(aside_.c_str());
-  const auto undo = [this] {
-    ::unlink(aside_.c_str());
-    released(aside_.c_str());
-  };
   try {
-    ::close(open_aside());
+    platform::close_file(open_aside());
   } catch (...) {
-    undo();
+    remove_aside();
     throw;
   }
-  undo();
+  remove_aside();
 }
 
 void Output::write(const std::function<void(std::ostream&)>& body) {
-  int fd = STDOUT_FILENO;
+  int fd = platform::kStandardOutput;
   const bool direct = is_direct();
   if (!direct) {
     written_aside_ = true;
     guarded(aside_.c_str());
     fd = open_aside();
-    struct stat info {};
+    std::error_code error;
+    const fs::file_status target = fs::status(target_, error);
     // A file that is replaced keeps its permissions.
-    if (::stat(target_.c_str(), &info) == 0) ::fchmod(fd, info.st_mode & 07777);
+    if (fs::exists(target)) fs::permissions(aside_, target.permissions(), error);
   } else if (!is_stdout()) {
-    fd = ::open(target_.c_str(), O_WRONLY | O_CLOEXEC);
+    fd = platform::open_to_write(target_);
     if (fd < 0) fail(name_, errno);
   }
   FdBuffer buffer(fd);
   std::ostream out(&buffer);
-  const auto close = [&] { return is_stdout() || ::close(fd) == 0; };
+  const auto close = [&] { return is_stdout() || platform::close_file(fd); };
   try {
     body(out);
   } catch (...) {
@@ -189,7 +201,9 @@ void Output::write(const std::function<void(std::ostream&)>& body) {
 
 void Output::commit() {
   if (!written_aside_) return;
-  if (::rename(aside_.c_str(), target_.c_str()) != 0) fail(name_, errno);
+  std::error_code error;
+  fs::rename(aside_, target_, error);
+  if (error) fail(name_, error.value());
   released(aside_.c_str());
   written_aside_ = false;
 }

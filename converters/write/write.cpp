@@ -5,19 +5,12 @@
 #include <burin/converters/write.h>
 #include <burin/drawing/brought_formats.h>
 
-#include "cairo_loader.h"
-#include "dxf.h"
-#include "eps.h"
-#include "gcode.h"
-#include "hpgl.h"
-#include "html.h"
-#include "sheet.h"
+#include "own_formats.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 
 namespace burin {
 namespace {
@@ -28,60 +21,6 @@ constexpr std::array<std::string_view, 3> kFileKeys{"svg.", "line.dash", "line.g
 template <class Keys>
 bool among(std::string_view key, const Keys& keys) {
   return std::ranges::any_of(keys, [&](std::string_view k) { return key.starts_with(k); });
-}
-
-void check_pdf(double width, double height, const WriteOptions& /*options*/) {
-  if (std::max(width, height) <= kLargestPdf) return;
-  throw UsageError(
-      fmt::format("a sheet of {} x {} mm is too large for PDF, which ends at {} mm; choose a "
-                  "smaller one",
-                  width, height, kLargestPdf));
-}
-
-void check_png(double width, double height, const WriteOptions& options) {
-  const double side = std::max(width, height), dpi = options.png.dpi;
-  if (side * dpi / kMmPerInch <= kMostPixels) return;
-  throw UsageError(
-      fmt::format("a picture of {:.0f} x {:.0f} pixels is too large, {} a side are the most; set "
-                  "png.dpi to {}",
-                  width * dpi / kMmPerInch, height * dpi / kMmPerInch, kMostPixels,
-                  std::floor(kMostPixels * kMmPerInch / side)));
-}
-
-/// A new format is a row here and a source that writes it.
-std::vector<Format> own_formats() {
-  using Options = WriteOptions;
-  using Run = RunContext;
-  return {
-      {"svg",
-       {"svg.flatten", "svg.merge", "svg.order"},
-       [](const Drawing& d, const Options& o, std::ostream& out, const Run& c) {
-         write_svg(d, o.svg, out, c);
-       }},
-      {"pdf",
-       {},
-       [](const Drawing& d, const Options& o, std::ostream& out, const Run& c) {
-         const Drawing* const page = &d;
-         cairo_library().write_pdf({&page, 1}, o, out, c);
-       },
-       check_pdf},
-      {"eps", {}, write_eps},
-      {"png",
-       {"png."},
-       [](const Drawing& d, const Options& o, std::ostream& out, const Run& c) {
-         cairo_library().write_png(d, o, out, c);
-       },
-       check_png},
-      {"dxf", {"dxf."}, write_dxf},
-      {"hpgl", {"hpgl."}, write_hpgl},
-      {"gcode", {"gcode."}, write_gcode},
-      {"json",
-       {"json."},
-       [](const Drawing& d, const Options& o, std::ostream& out, const Run& c) {
-         write_json(d, o.json, out, c);
-       }},
-      {"html", {}, write_html, {}, true},
-  };
 }
 
 Format made_of(const BroughtFormat& brought) {
@@ -98,7 +37,7 @@ Format made_of(const BroughtFormat& brought) {
 const std::vector<Format>& formats() {
   static MadeOfCatalogues<std::vector<Format>> all;
   return all.get([] {
-    std::vector<Format> rows = own_formats();
+    std::vector<Format> rows = detail::own_formats();
     for (const BroughtFormat& brought : brought_formats()) {
       if (!is_own_format(brought.name)) rows.push_back(made_of(brought));
     }
@@ -107,7 +46,7 @@ const std::vector<Format>& formats() {
 }
 
 bool is_own_format(std::string_view name) {
-  static const std::vector<Format> own = own_formats();
+  static const std::vector<Format> own = detail::own_formats();
   return std::ranges::find(own, name, &Format::name) != own.end();
 }
 

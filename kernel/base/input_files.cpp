@@ -1,7 +1,5 @@
 #include <burin/base/input_files.h>
 
-#include <sys/stat.h>
-
 #include <algorithm>
 
 namespace burin {
@@ -9,23 +7,7 @@ namespace {
 
 thread_local InputFiles* g_listening = nullptr;
 
-std::int64_t nanoseconds(const timespec& time) {
-  constexpr std::int64_t kSecond = 1'000'000'000;
-  return time.tv_sec * kSecond + time.tv_nsec;
-}
-
 }  // namespace
-
-FileStamp stamp_of(const std::filesystem::path& path) {
-  struct stat info {};
-  if (::stat(path.c_str(), &info) != 0) return {};
-  return {.there = true,
-          .device = info.st_dev,
-          .node = info.st_ino,
-          .size = static_cast<std::uint64_t>(info.st_size),
-          .changed = nanoseconds(info.st_mtim),
-          .renewed = nanoseconds(info.st_ctim)};
-}
 
 InputFiles::InputFiles() : outer_(g_listening) { g_listening = this; }
 

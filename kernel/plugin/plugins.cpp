@@ -1,13 +1,14 @@
 #include <burin/base/error.h>
+#include <burin/base/platform.h>
 #include <burin/plugin/plugins.h>
 
+#include "brought.h"
 #include "probe.h"
 #include "rows.h"
 #include "search.h"
 #include "table_check.h"
 #include "tried_before.h"
 
-#include <dlfcn.h>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -24,7 +25,7 @@ namespace {
 struct Loaded {
   std::mutex mutex;
   bool looked = false;
-  std::vector<Plugin> found, brought;
+  std::vector<Plugin> found;
   /// By what a factory claims, the file that offers it.
   std::map<std::string, std::string> taken;
 };
@@ -100,13 +101,14 @@ Offer offered(const burin_factory& factory, const std::string& file, Loaded& all
 }
 
 const burin_plugin_table* table_of(const std::filesystem::path& file, std::string& fault) {
-  void* const library = ::dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL | RTLD_NODELETE);
+  std::string why;
+  void* const library = platform::open_library(file, why);
   if (library == nullptr) {
-    fault = fmt::format("it cannot be loaded: {}", ::dlerror());
+    fault = fmt::format("it cannot be loaded: {}", why);
     return nullptr;
   }
   using Door = const burin_plugin_table* (*)(std::uint32_t);
-  const auto door = reinterpret_cast<Door>(::dlsym(library, "burin_plugin"));
+  const auto door = reinterpret_cast<Door>(platform::symbol_in(library, "burin_plugin"));
   if (door == nullptr) {
     fault = "it has no symbol burin_plugin";
     return nullptr;
@@ -171,6 +173,8 @@ Plugin load(const std::filesystem::path& file) {
   return loaded_from(file, all);
 }
 
+bool are_loaded() { return true; }
+
 void reserve(Reserved is_reserved) { reserved().push_back(std::move(is_reserved)); }
 
 void load_all(bool again) {
@@ -187,27 +191,12 @@ void load_all(bool again) {
 }
 
 std::vector<Plugin> plugins() {
+  const std::vector<Plugin> own = brought();
   Loaded& all = loaded();
   const std::lock_guard lock(all.mutex);
   std::vector<Plugin> out = all.found;
-  out.insert(out.end(), all.brought.begin(), all.brought.end());
+  out.insert(out.end(), own.begin(), own.end());
   return out;
-}
-
-void note(const std::string& language, const Offer& offer) {
-  Loaded& all = loaded();
-  const std::lock_guard lock(all.mutex);
-  auto mine = std::ranges::find(all.brought, language, &Plugin::file);
-  if (mine == all.brought.end()) mine = all.brought.insert(mine, Plugin{.file = language});
-  std::erase_if(mine->offers,
-                [&](const Offer& o) { return o.id == offer.id && o.name == offer.name; });
-  mine->offers.push_back(offer);
-}
-
-void note_refused(const std::string& name, const std::string& why) {
-  Loaded& all = loaded();
-  const std::lock_guard lock(all.mutex);
-  all.brought.push_back({.file = name, .refused = why});
 }
 
 }  // namespace burin::plugin

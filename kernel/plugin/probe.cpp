@@ -2,12 +2,12 @@
 
 #include <burin/base/error.h>
 #include <burin/base/library_folder.h>
+#include <burin/base/platform.h>
 #include <burin/base/run_context.h>
 #include <burin/base/subprocess.h>
 #include <burin/plugin/plugins.h>
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <cstring>
@@ -29,16 +29,14 @@ constexpr bool kSanitized = false;
 constexpr std::size_t kLongestReport = 4000;
 
 std::string report_in(const detail::MemoryFile& file) {
-  std::string report(std::min(file.size(), kLongestReport), '\0');
-  const ssize_t n = ::pread(file.descriptor(), report.data(), report.size(), 0);
-  report.resize(n > 0 ? static_cast<std::size_t>(n) : 0);
-  return report;
+  std::string report;
+  return platform::read_content(file.descriptor(), report, kLongestReport) ? report : std::string();
 }
 
 /// Programs that unpack the add-on of FreeCAD may forget that a file is one.
 void make_runnable(const std::filesystem::path& program) {
   using std::filesystem::perms;
-  if (::access(program.c_str(), X_OK) == 0) return;
+  if (platform::may_run(program)) return;
   std::error_code error;  // then the start says why not
   std::filesystem::permissions(program, perms::owner_exec, std::filesystem::perm_options::add,
                                error);
@@ -82,7 +80,7 @@ std::string probe(const std::filesystem::path& file, double timeout) {
   if (end.timed_out) return fmt::format("it did not end its trial within {} s", timeout);
   if (end.signal != 0) {
     return fmt::format("it crashes when it is tried out (signal {}, {})", end.signal,
-                       ::strsignal(end.signal));
+                       platform::signal_name(end.signal));
   }
   std::string fault = read_report(report_in(report));
   if (fault.empty() && end.status != 0) {

@@ -1,10 +1,10 @@
 #include "search.h"
 
 #include <burin/base/library_folder.h>
+#include <burin/base/platform.h>
 #include <burin/plugin/plugins.h>
 
 #include <algorithm>
-#include <cstdlib>
 #include <string>
 #include <string_view>
 
@@ -15,23 +15,17 @@ namespace fs = std::filesystem;
 
 constexpr std::size_t kMostFiles = 256;
 
-/// Nothing for programs that run with the rights of somebody else.
-std::string variable(const char* name) {
-  const char* const value = ::secure_getenv(name);
-  return value == nullptr ? std::string() : std::string(value);
-}
-
 /// The folder that a variable names, else one below the home folder; empty where there is neither.
 fs::path user_folder(const char* name, const char* below_home) {
-  fs::path named = variable(name);
-  const fs::path home = variable("HOME");
+  fs::path named = platform::trusted_variable(name);
+  const fs::path home = platform::trusted_variable("HOME");
   if (named.is_absolute()) return named;
   return home.is_absolute() ? home / below_home : fs::path();
 }
 
 std::vector<fs::path> named_folders() {
   std::vector<fs::path> folders;
-  const std::string all = variable("BURIN_PLUGIN_PATH");
+  const std::string all = platform::trusted_variable("BURIN_PLUGIN_PATH");
   for (std::size_t at = 0; at < all.size();) {
     const std::size_t end = std::min(all.find(':', at), all.size());
     if (end > at) folders.emplace_back(all.substr(at, end - at));

@@ -1,13 +1,13 @@
 #include "tried_before.h"
 
+#include <burin/base/input_files.h>
+#include <burin/base/platform.h>
 #include <burin/plugin/plugins.h>
 
 #include "search.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
-#include <sys/stat.h>
-#include <unistd.h>
 
 #include <fstream>
 #include <iterator>
@@ -36,10 +36,9 @@ std::string text_of(const Json& json, const char* key) {
 }  // namespace
 
 std::string identity_of(const fs::path& file) {
-  struct stat s {};
-  if (::stat(file.c_str(), &s) != 0) return {};
-  return fmt::format("{}-{}-{}-{}.{}-{}.{}", s.st_dev, s.st_ino, s.st_size, s.st_mtim.tv_sec,
-                     s.st_mtim.tv_nsec, s.st_ctim.tv_sec, s.st_ctim.tv_nsec);
+  const FileStamp s = stamp_of(file);
+  if (!s.there) return {};
+  return fmt::format("{}-{}-{}-{}-{}", s.device, s.node, s.size, s.changed, s.renewed);
 }
 
 TriedBefore TriedBefore::from_text(const std::string& text) {
@@ -95,7 +94,7 @@ void TriedBefore::save() const {
   if (file.empty()) return;
   std::error_code error;
   fs::create_directories(file.parent_path(), error);
-  const fs::path aside = file.string() + fmt::format(".{}", ::getpid());
+  const fs::path aside = file.string() + fmt::format(".{}", platform::process_number());
   {
     std::ofstream out(aside, std::ios::binary);
     out << to_text();

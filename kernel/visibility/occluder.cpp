@@ -3,13 +3,12 @@
 #include <burin/base/parallel.h>
 #include <burin/visibility/occluder.h>
 
+#include "flush_denormals.h"
 #include "sheared_ray.h"
 #include "triangle_runs.h"
 
 #include <embree3/rtcore.h>
 #include <fmt/format.h>
-#include <pmmintrin.h>
-#include <xmmintrin.h>
 
 #include <algorithm>
 #include <array>
@@ -25,6 +24,8 @@
 namespace burin {
 namespace {
 
+using detail::FlushDenormals;
+
 // Two units in the last place of a coordinate in [-1, 1], the scene's size as Embree sees it: below
 // it single precision cannot tell two places apart.
 constexpr double kUnitResolution = 0x1.0p-22;
@@ -36,21 +37,6 @@ constexpr double kMargin = 0x1.0p-18;
 // Share of the scene's diagonal within which places on the line of sight are one: far above what
 // doubles are rounded by, far below what can be seen.
 constexpr double kTie = 1e-10;
-
-// Embree asks for flushed denormals; the mode belongs to the thread and goes back to what it was.
-class FlushDenormals {
- public:
-  FlushDenormals() : saved_(_mm_getcsr()) {
-    _MM_SET_FLUSH_ZERO_MODE(_MM_FLUSH_ZERO_ON);
-    _MM_SET_DENORMALS_ZERO_MODE(_MM_DENORMALS_ZERO_ON);
-  }
-  ~FlushDenormals() { _mm_setcsr(saved_); }
-  FlushDenormals(const FlushDenormals&) = delete;
-  FlushDenormals& operator=(const FlushDenormals&) = delete;
-
- private:
-  unsigned int saved_;
-};
 
 // A part as Embree's callbacks see it.
 struct Part {
@@ -228,7 +214,7 @@ struct Occluder::Impl {
 #ifdef BURIN_THREAD_SANITIZER
     const ThreadLimit alone(1);  // it does not see what orders Embree's own tasks
 #endif
-    device = rtcNewDevice(configuration.empty() ? nullptr : configuration.c_str());
+    device = rtcNewDevice(configuration.empty() ? BURIN_EMBREE : configuration.c_str());
     if (!device) {
       // Any processor of today has what Embree asks for; else it lacks memory for its threads.
       if (rtcGetDeviceError(nullptr) != RTC_ERROR_UNSUPPORTED_CPU) throw std::bad_alloc();

@@ -3,10 +3,10 @@
 #include <burin/base/parallel.h>
 #include <burin/mesh/reorder.h>
 
+#include "four_floats.h"
 #include "sheared_ray.h"
 
 #include <glm/gtc/type_ptr.hpp>
-#include <xmmintrin.h>
 
 #include <algorithm>
 #include <cmath>
@@ -36,17 +36,14 @@ double half_surface(const Box3& box) {
 
 // A corner of four triangles, as the ray sees it.
 struct Corners {
-  __m128 x, y;
+  FourFloats x, y;
 };
 
-__m128 cross(const Corners& a, const Corners& b) {
-  return _mm_sub_ps(_mm_mul_ps(a.x, b.y), _mm_mul_ps(a.y, b.x));
-}
+FourFloats cross(const Corners& a, const Corners& b) { return a.x * b.y - a.y * b.x; }
 
 // The larger magnitude of both coordinates.
-__m128 extent(const Corners& c) {
-  const __m128 sign = _mm_set1_ps(-0.0F);
-  return _mm_max_ps(_mm_andnot_ps(sign, c.x), _mm_andnot_ps(sign, c.y));
+FourFloats extent(const Corners& c) {
+  return FourFloats::max(FourFloats::abs(c.x), FourFloats::abs(c.y));
 }
 
 }  // namespace
@@ -141,25 +138,24 @@ void TriangleRuns::fill(std::size_t run, const UnitFrame& frame) {
 // A function of an edge, x1 y2 - y1 x2, is off by no more than what its four coordinates are off,
 // times the others; beside that the rounding of the products is nothing.
 unsigned int TriangleRuns::may_meet(std::size_t run, const UnitRay& ray) const {
-  const __m128 from_x = _mm_set1_ps(ray.origin[ray.x]), from_y = _mm_set1_ps(ray.origin[ray.y]);
-  const __m128 from = _mm_set1_ps(ray.origin[ray.along]);
-  const __m128 shear_x = _mm_set1_ps(ray.shear_x), shear_y = _mm_set1_ps(ray.shear_y);
+  const FourFloats from_x(ray.origin[ray.x]), from_y(ray.origin[ray.y]);
+  const FourFloats from(ray.origin[ray.along]), shear_x(ray.shear_x), shear_y(ray.shear_y);
   const auto seen = [&](const float(&corner)[3][kLongest]) {
-    const __m128 z = _mm_sub_ps(_mm_load_ps(corner[ray.along]), from);
-    const __m128 x = _mm_sub_ps(_mm_load_ps(corner[ray.x]), from_x);
-    const __m128 y = _mm_sub_ps(_mm_load_ps(corner[ray.y]), from_y);
-    return Corners{_mm_sub_ps(x, _mm_mul_ps(shear_x, z)), _mm_sub_ps(y, _mm_mul_ps(shear_y, z))};
+    const FourFloats z = FourFloats::load(corner[ray.along]) - from;
+    const FourFloats x = FourFloats::load(corner[ray.x]) - from_x;
+    const FourFloats y = FourFloats::load(corner[ray.y]) - from_y;
+    return Corners{x - shear_x * z, y - shear_y * z};
   };
   const Four& four = fours_[run];
   const Corners a = seen(four.corner[0]), b = seen(four.corner[1]), c = seen(four.corner[2]);
-  const __m128 u = cross(b, c), v = cross(c, a), w = cross(a, b);
-  const __m128 reach = _mm_max_ps(extent(a), _mm_max_ps(extent(b), extent(c)));
-  const __m128 off =
-      _mm_mul_ps(_mm_set1_ps(5 * kRounding), _mm_add_ps(reach, _mm_set1_ps(kRounding)));
-  const __m128 least = _mm_min_ps(u, _mm_min_ps(v, w)), most = _mm_max_ps(u, _mm_max_ps(v, w));
-  const __m128 misses =
-      _mm_and_ps(_mm_cmplt_ps(least, _mm_sub_ps(_mm_setzero_ps(), off)), _mm_cmpgt_ps(most, off));
-  return ~static_cast<unsigned int>(_mm_movemask_ps(misses)) & ((1U << count(run)) - 1U);
+  const FourFloats u = cross(b, c), v = cross(c, a), w = cross(a, b);
+  const FourFloats reach = FourFloats::max(extent(a), FourFloats::max(extent(b), extent(c)));
+  const FourFloats off = FourFloats(5 * kRounding) * (reach + FourFloats(kRounding));
+  const FourFloats least = FourFloats::min(u, FourFloats::min(v, w)),
+                   most = FourFloats::max(u, FourFloats::max(v, w));
+  const unsigned int misses =
+      FourFloats::less(least, FourFloats(0) - off) & FourFloats::less(off, most);
+  return ~misses & ((1U << count(run)) - 1U);
 }
 
 Box3 TriangleRuns::box(std::size_t run) const {

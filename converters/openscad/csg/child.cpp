@@ -1,6 +1,7 @@
 #include "child.h"
 
 #include <burin/base/parallel.h>
+#include <burin/base/platform.h>
 
 #include "beside.h"
 #include "exchange.h"
@@ -116,7 +117,8 @@ std::vector<Solid> evaluate_in_child(const std::string& text, std::span<const st
   }
   listener.raise();
   if (end.signal != 0) {
-    throw NotEvaluated(fmt::format("the evaluator crashed ({})", ::strsignal(end.signal)));
+    throw NotEvaluated(
+        fmt::format("the evaluator crashed ({})", platform::signal_name(end.signal)));
   }
   if (end.status != 0) {
     throw NotEvaluated(fmt::format("the evaluator ended with status {}", end.status));

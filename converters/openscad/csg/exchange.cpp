@@ -1,9 +1,7 @@
 #include "exchange.h"
 
 #include <burin/base/error.h>
-
-#include <sys/stat.h>
-#include <unistd.h>
+#include <burin/base/platform.h>
 
 #include <cerrno>
 #include <cstring>
@@ -111,27 +109,12 @@ Turned take_surface(Taker& in) {
 }  // namespace
 
 void write_text(int descriptor, const std::string& text) {
-  if (::ftruncate(descriptor, 0) != 0) fail(std::strerror(errno));
-  for (std::size_t at = 0; at < text.size();) {
-    const ssize_t n =
-        ::pwrite(descriptor, text.data() + at, text.size() - at, static_cast<off_t>(at));
-    if (n < 0 && errno == EINTR) continue;
-    if (n <= 0) fail(std::strerror(errno));
-    at += static_cast<std::size_t>(n);
-  }
+  if (!platform::replace_content(descriptor, text)) fail(std::strerror(errno));
 }
 
 std::string read_text(int descriptor) {
-  struct stat info {};
-  if (::fstat(descriptor, &info) != 0) fail(std::strerror(errno));
-  std::string text(static_cast<std::size_t>(info.st_size), '\0');
-  for (std::size_t at = 0; at < text.size();) {
-    const ssize_t n =
-        ::pread(descriptor, text.data() + at, text.size() - at, static_cast<off_t>(at));
-    if (n < 0 && errno == EINTR) continue;
-    if (n <= 0) fail("it ends too early");
-    at += static_cast<std::size_t>(n);
-  }
+  std::string text;
+  if (!platform::read_content(descriptor, text)) fail(std::strerror(errno));
   return text;
 }
 

@@ -47,8 +47,8 @@ class Output {
 
  private:
   bool is_direct() const;
-  std::filesystem::path aside_path() const;
   int open_aside() const;
+  void remove_aside() const;
   void discard();
 
   std::string name_;

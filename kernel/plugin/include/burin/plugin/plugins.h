@@ -31,6 +31,9 @@ struct Plugin {
   std::string refused = {};
 };
 
+/// Whether Burin was built to load any (BURIN_PLUGINS).
+bool are_loaded();
+
 /// Whether what a factory would bring is taken by something of our own that this room does not
 /// know: "writes svg", "reads .stl", "burin.form/1 NAME". To be said before `load_all`.
 using Reserved = std::function<bool(std::string_view claim)>;

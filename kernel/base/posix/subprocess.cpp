@@ -1,4 +1,5 @@
 #include <burin/base/error.h>
+#include <burin/base/platform.h>
 #include <burin/base/subprocess.h>
 
 #include <fcntl.h>
@@ -106,8 +107,7 @@ std::vector<char*> environment_with(const std::vector<std::string>& added) {
 int lifted(int descriptor) { return ::fcntl(descriptor, F_DUPFD_CLOEXEC, kSubprocessFile + 1); }
 
 rlim_t memory_limit() {
-  const double bytes =
-      static_cast<double>(::sysconf(_SC_PHYS_PAGES)) * static_cast<double>(::sysconf(_SC_PAGESIZE));
+  const auto bytes = static_cast<double>(platform::memory_bytes());
   return bytes > 0 ? static_cast<rlim_t>(kShareOfMemory * bytes) : RLIM_INFINITY;
 }
 
