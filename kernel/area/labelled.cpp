@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <map>
+#include <unordered_map>
 #include <utility>
 
 namespace burin::detail {
@@ -156,6 +158,50 @@ class TriangleBorder {
 
 }  // namespace
 
+namespace {
+
+/// What was found in triangles of the round before, most of which are there again.
+class Known {
+ public:
+  struct Found {
+    AreaLabel label;
+    bool mixed = false;
+  };
+
+  const Found* find(const Corners& corners) const {
+    const auto it = found_.find(key(corners));
+    return it == found_.end() ? nullptr : &it->second;
+  }
+
+  void keep(const SheetMesh& mesh, const std::vector<Found>& found) {
+    found_.clear();
+    for (std::size_t t = 0; t < found.size(); ++t) {
+      found_.emplace(key(corners_of(mesh, t)), found[t]);
+    }
+  }
+
+ private:
+  using Key = std::array<double, 6>;
+  struct Hash {
+    std::size_t operator()(const Key& key) const {
+      std::size_t h = 0;
+      for (const double x : key) h = h * 1099511628211U + std::hash<double>()(x);
+      return h;
+    }
+  };
+
+  /// The same for whichever corner is the first.
+  static Key key(Corners c) {
+    const auto less = [](Vec2 a, Vec2 b) { return std::pair(a.x, a.y) < std::pair(b.x, b.y); };
+    std::ranges::rotate(c, std::ranges::min_element(c, less));
+    return {c[0].x, c[0].y, c[1].x, c[1].y, c[2].x, c[2].y};
+  }
+
+  std::unordered_map<Key, Found, Hash> found_;
+};
+
+}  // namespace
+
 double area_of(const SheetMesh& mesh, std::size_t t) {
   const Corners c = corners_of(mesh, t);
   const Vec2 u = c[1] - c[0], v = c[2] - c[0];
@@ -165,6 +211,7 @@ double area_of(const SheetMesh& mesh, std::size_t t) {
 LabelledMesh label_triangles(Network& network, const LabelAt& label_at,
                              const PartitionOptions& options, const RunContext& context) {
   LabelledMesh out;
+  Known known;
   std::size_t most = 0;
   for (int round = 0;; ++round) {
     std::vector<std::array<std::uint32_t, 2>> ends;
@@ -174,31 +221,37 @@ LabelledMesh label_triangles(Network& network, const LabelAt& label_at,
     const std::size_t n = out.mesh.triangles.size();
     if (round == 0) most = kMostGrowth * n;
     const bool divides = round < options.rounds && n < most;
-    out.labels.assign(n, {});
+    std::vector<Known::Found> found(n);
     std::vector<Pieces> pieces(n);
-    std::vector<char> mixed(n, 0);
     parallel_for(
         n, kGrain,
         [&](std::size_t begin, std::size_t end) {
           for (std::size_t t = begin; t < end; ++t) {
             const Corners corners = corners_of(out.mesh, t);
-            Labels labels{label_at(middle_of(corners)), {}};
-            std::ranges::transform(around(corners), labels.round.begin(), label_at);
-            out.labels[t] = labels.most();
-            if (!labels.mixed() || area_of(out.mesh, t) < kLeastDivided) continue;
-            mixed[t] = 1;
-            if (divides) pieces[t] = TriangleBorder(corners, label_at).find();
+            if (const Known::Found* before = known.find(corners)) {
+              found[t] = *before;
+            } else {
+              Labels labels{label_at(middle_of(corners)), {}};
+              std::ranges::transform(around(corners), labels.round.begin(), label_at);
+              found[t] = {labels.most(), labels.mixed() && area_of(out.mesh, t) >= kLeastDivided};
+            }
+            if (divides && found[t].mixed) {
+              pieces[t] = TriangleBorder(corners, label_at).find();
+            }
           }
         },
         &context);
+    out.labels.clear();
     out.mixed = 0;
     out.mixed_area = 0;
     for (std::size_t t = 0; t < n; ++t) {
-      if (mixed[t] == 0) continue;
+      out.labels.push_back(found[t].label);
+      if (!found[t].mixed) continue;
       ++out.mixed;
       out.mixed_area += area_of(out.mesh, t);
     }
     if (!divides || out.mixed == 0) return out;
+    known.keep(out.mesh, found);
     for (const Pieces& of_one : pieces) {
       for (const auto& [a, b] : of_one) {
         const auto first = static_cast<std::uint32_t>(network.points.size());
