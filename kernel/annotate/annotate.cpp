@@ -352,11 +352,6 @@ void annotate(Drawing& drawing, const LabelMap& seen, std::span<const LabelMap> 
               const Annotations& annotations, const CalloutOptions& style,
               const RunContext& context) {
   drawing.items = annotations.items;
-  // What is seen through a part lies over its own area.
-  drawing.areas.clear();
-  for (const LabelMap& map : glass)
-    std::ranges::move(find_areas(map), std::back_inserter(drawing.areas));
-  std::ranges::move(find_areas(seen), std::back_inserter(drawing.areas));
   const Paper paper{drawing.paper_width, drawing.paper_height};
   const Box2 frame = inside(paper, annotations.margin);
   const auto plan = list_plan(annotations, style, frame);

@@ -1,12 +1,9 @@
 #include <burin/annotate/label_map.h>
 #include <burin/base/parallel.h>
-#include <burin/drawing/bezier.h>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <map>
-#include <utility>
 
 namespace burin {
 namespace {
@@ -105,60 +102,6 @@ std::vector<double> border_distances(const LabelMap& map,
   return all;
 }
 
-/// Corners of pixels, and the sides between a part and what it is not, with the part on the left.
-using Corner = std::pair<std::int32_t, std::int32_t>;
-using Sides = std::multimap<Corner, Corner>;
-
-std::vector<std::vector<Vec2>> rings_of(Sides& sides, const LabelMap& map) {
-  std::vector<std::vector<Vec2>> rings;
-  while (!sides.empty()) {
-    std::vector<Vec2> ring;
-    const Corner first = sides.begin()->first;
-    Corner at = first, from = first;
-    do {
-      ring.push_back(map.origin + map.pixel * Vec2(at.first, at.second));
-      auto next = sides.find(at);
-      // Where two areas touch at a corner the ring turns left, so that each is a ring of its own.
-      if (auto other = std::next(next); other != sides.end() && other->first == at && at != from) {
-        const Vec2 way(at.first - from.first, at.second - from.second);
-        const Vec2 to(other->second.first - at.first, other->second.second - at.second);
-        if (way.x * to.y - way.y * to.x > 0) next = other;
-      }
-      from = at;
-      at = next->second;
-      sides.erase(next);
-    } while (at != first);
-    rings.push_back(std::move(ring));
-  }
-  return rings;
-}
-
-/// Steps of a pixel become slanted lines.
-std::vector<Vec2> straightened(std::vector<Vec2> ring, double pixel) {
-  // Middles of sides: they lie on slanted lines, corners to both sides of them.
-  std::vector<Vec2> middles;
-  for (std::size_t i = 0; i < ring.size(); ++i) {
-    middles.push_back(0.5 * (ring[i] + ring[(i + 1) % ring.size()]));
-  }
-  // On other slanted lines steps of one and two follow each other: smoothed, they are straight
-  // enough; corners are cut by less than half a pixel.
-  constexpr int kSmoothed = 2;
-  const std::size_t n = middles.size();
-  for (int round = 0; round < kSmoothed; ++round) {
-    const std::vector<Vec2> from = middles;
-    for (std::size_t i = 0; i < n; ++i) {
-      middles[i] = 0.25 * from[(i + n - 1) % n] + 0.5 * from[i] + 0.25 * from[(i + 1) % n];
-    }
-  }
-  middles.push_back(middles.front());
-  std::vector<Vec2> out;
-  for (const std::size_t i : simplify(std::span<const Vec2>(middles), 0.36 * pixel)) {
-    out.push_back(middles[i]);
-  }
-  out.pop_back();
-  return out;
-}
-
 }  // namespace
 
 std::int32_t LabelMap::at(Vec2 paper) const {
@@ -219,38 +162,6 @@ std::vector<Pole> find_poles(const LabelMap& map, std::size_t count,
     }
   }
   return poles;
-}
-
-std::vector<Area> find_areas(const LabelMap& map) {
-  std::map<std::int32_t, Sides> sides;
-  const auto part_at = [&](std::int32_t x, std::int32_t y) {
-    if (x < 0 || y < 0) return -1;
-    const auto i = static_cast<std::size_t>(x), k = static_cast<std::size_t>(y);
-    return i < map.width && k < map.height ? map.parts[k * map.width + i] : -1;
-  };
-  for (std::int32_t y = 0; y < static_cast<std::int32_t>(map.height); ++y) {
-    for (std::int32_t x = 0; x < static_cast<std::int32_t>(map.width); ++x) {
-      const std::int32_t own = part_at(x, y);
-      if (own < 0) continue;
-      const auto side = [&](std::int32_t dx, std::int32_t dy, Corner a, Corner b) {
-        if (part_at(x + dx, y + dy) != own) sides[own].emplace(a, b);
-      };
-      side(0, -1, {x, y}, {x + 1, y});
-      side(1, 0, {x + 1, y}, {x + 1, y + 1});
-      side(0, 1, {x + 1, y + 1}, {x, y + 1});
-      side(-1, 0, {x, y + 1}, {x, y});
-    }
-  }
-  std::vector<Area> areas;
-  for (auto& [part, of_part] : sides) {
-    Area area{part, {}};
-    for (std::vector<Vec2>& ring : rings_of(of_part, map)) {
-      std::vector<Vec2> straight = straightened(std::move(ring), map.pixel);
-      if (straight.size() > 2) area.rings.push_back(std::move(straight));
-    }
-    if (!area.rings.empty()) areas.push_back(std::move(area));
-  }
-  return areas;
 }
 
 }  // namespace burin

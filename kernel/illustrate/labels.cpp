@@ -1,8 +1,12 @@
 #include "labels.h"
 
+#include <burin/area/partition.h>
+#include <burin/drawing/bezier.h>
 #include <burin/illustrate/view_probe.h>
 
 #include <algorithm>
+#include <iterator>
+#include <map>
 #include <utility>
 
 namespace burin::detail {
@@ -10,6 +14,8 @@ namespace {
 
 // Panes one behind the other that are looked through; items behind more are told as not seen.
 constexpr std::size_t kMostGlass = 8;
+// Paper mm by which an area may depart from the line at its border, which hides that.
+constexpr double kAreaTolerance = 0.05;
 
 Box2 ink_on_sheet(const Drawing& drawing) {
   Box2 box;
@@ -24,17 +30,80 @@ Box2 ink_on_sheet(const Drawing& drawing) {
           glm::min(box.max + kAround, Vec2(drawing.paper_width, drawing.paper_height))};
 }
 
-LabelMap map_of(const Box2& box, const Occluder& occluder, const Camera& camera,
-                const RunContext& context) {
-  const ViewProbe probe = view_probe(occluder, camera);
-  return make_label_map(
-      box,
-      [&](Vec2 at) {
-        const auto hit = probe(at);
-        return hit ? hit->part : -1;
-      },
-      context);
+// The visible lines that a part may end at.
+std::vector<BorderLine> borders_of(const Drawing& drawing) {
+  std::vector<BorderLine> lines;
+  for (const Layer& layer : drawing.layers) {
+    for (const Path& path : layer.paths) {
+      if (path.visible && path.kind < LineClass::Stroke) {
+        lines.push_back({path.points, path.closed});
+      }
+    }
+  }
+  return lines;
 }
+
+std::vector<Vec2> simplified(std::vector<Vec2> ring) {
+  ring.push_back(ring.front());
+  std::vector<Vec2> out;
+  for (const std::size_t i : simplify(std::span<const Vec2>(ring), kAreaTolerance)) {
+    out.push_back(ring[i]);
+  }
+  out.pop_back();
+  return out;
+}
+
+// What is seen of each part, by part.
+std::vector<Area> areas_of(const Partition& partition) {
+  std::map<std::int32_t, Area> areas;
+  for (const AreaRegion& region : partition.regions) {
+    if (region.label.part < 0) continue;
+    Area& area = areas.try_emplace(region.label.part, Area{region.label.part, {}}).first->second;
+    for (const AreaRing& ring : region.rings) {
+      std::vector<Vec2> polygon = simplified(partition.polygon(ring));
+      if (polygon.size() > 2) area.rings.push_back(std::move(polygon));
+    }
+  }
+  std::vector<Area> out;
+  for (auto& [part, area] : areas) {
+    if (!area.rings.empty()) out.push_back(std::move(area));
+  }
+  return out;
+}
+
+/// What is seen in a box of the sheet.
+class Looker {
+ public:
+  Looker(const Drawing& drawing, const Box2& box, const Camera& camera, const RunContext& context)
+      : box_(box), lines_(borders_of(drawing)), camera_(camera), context_(context) {}
+
+  LabelMap map(const Occluder& occluder) const {
+    return make_label_map(box_, part_at(occluder), context_);
+  }
+
+  // Of the parts of a flag; empty: of all.
+  std::vector<Area> areas(const Occluder& occluder, const std::vector<bool>& parts = {}) const {
+    const auto label_at = [&, at = part_at(occluder)](Vec2 p) {
+      const std::int32_t part = at(p);
+      const bool counts = part < 0 || parts.empty() || parts[static_cast<std::size_t>(part)];
+      return AreaLabel{.part = counts ? part : -1};
+    };
+    return areas_of(partition(box_, lines_, label_at, {}, context_));
+  }
+
+ private:
+  std::function<std::int32_t(Vec2)> part_at(const Occluder& occluder) const {
+    return [probe = view_probe(occluder, camera_)](Vec2 at) {
+      const auto hit = probe(at);
+      return hit ? hit->part : -1;
+    };
+  }
+
+  Box2 box_;
+  std::vector<BorderLine> lines_;
+  const Camera& camera_;
+  const RunContext& context_;
+};
 
 /// Leaves the parts of a flag in a map, and takes the flag of those that are seen; whether any is.
 bool keep_only(LabelMap& map, std::vector<bool>& parts) {
@@ -59,14 +128,19 @@ Labels label(const Drawing& drawing, const Occluders& occluders, const Camera& c
              const RunContext& context) {
   const Box2 box = ink_on_sheet(drawing);
   if (box.empty() || box.min.x >= box.max.x || box.min.y >= box.max.y) return {};
-  Labels labels{map_of(box, occluders.solid(), camera, context), {}};
+  const Looker looker(drawing, box, camera, context);
+  Labels labels{looker.map(occluders.solid()), {}};
   std::vector<bool> left = occluders.transparent();
   while (labels.glass.size() < kMostGlass && std::ranges::find(left, true) != left.end()) {
-    LabelMap map = map_of(box, Occluder(occluders.proxies_with(left), context), camera, context);
+    const std::vector<bool> before = left;
+    const Occluder glass(occluders.proxies_with(left), context);
+    LabelMap map = looker.map(glass);
     // What was not seen may stand within what was: glass in glass.
     if (!keep_only(map, left)) break;
     labels.glass.push_back(std::move(map));
+    std::ranges::move(looker.areas(glass, before), std::back_inserter(labels.areas));
   }
+  std::ranges::move(looker.areas(occluders.solid()), std::back_inserter(labels.areas));
   return labels;
 }
 

@@ -17,11 +17,13 @@ namespace burin::detail {
 struct Labels {
   LabelMap seen;
   std::vector<LabelMap> glass;
+  /// What is seen of each part, within the drawn lines: of glass first, which lies over the rest.
+  std::vector<Area> areas = {};
 };
 
-/// Of the stretch of the sheet that has ink. Cost: a ray a pixel, and one more for each map of what
-/// can be looked through: as many as such parts hide each other whole, one behind the other, 8 at
-/// the most. Throws Cancelled.
+/// Of the stretch of the sheet that has ink. Cost: a ray a pixel and those of `partition`, and as
+/// many more for each map of what can be looked through: as many as such parts hide each other
+/// whole, one behind the other, 8 at the most. Throws Cancelled.
 Labels label(const Drawing& drawing, const Occluders& occluders, const Camera& camera,
              const RunContext& context);
 

@@ -217,6 +217,7 @@ Drawing Stages::draw_all(const Scene& scene, const Camera& camera, const Style& 
   }
   settle_on_sheet(part_styles, style.sheet.clip, drawing);
   if (options.annotations) {
+    drawing.areas = std::move(labels.areas);
     annotate(drawing, labels.seen, labels.glass, *options.annotations, style.callout, context);
   }
   return drawing;

@@ -53,6 +53,10 @@ class WedgeNormal {
 
   bool straight(HalfEdge h) const { return patches_.straight[static_cast<std::size_t>(h)] != 0; }
 
+  std::int32_t patch_beyond(HalfEdge h) const {
+    return patches_.patch(face_of(proxy_.topology.opposite[static_cast<std::size_t>(h)]));
+  }
+
   /// The exact normal where the wedge lies in one patch, or where patches run straight up to it;
   /// else zero.
   Vec3 flat_normal(std::span<const HalfEdge> corners) {
@@ -60,10 +64,19 @@ class WedgeNormal {
     const std::int32_t first = patches_.patch(face_of(corners.front()));
     bool one_patch = first >= 0;
     kept_.clear();
+    bent_.clear();
     for (const HalfEdge h : corners) {
       one_patch = one_patch && patches_.patch(face_of(h)) == first;
-      if (straight(h) || straight(prev_in_face(h))) kept_.push_back(patches_.patch(face_of(h)));
+      const HalfEdge in = prev_in_face(h);
+      for (const HalfEdge edge : {h, in}) {
+        if (straight(edge)) bent_.push_back(patch_beyond(edge));
+      }
+      if (straight(h) || straight(in)) kept_.push_back(patches_.patch(face_of(h)));
     }
+    // A facet of a fillet runs straight along the fillet, into the next corner, but bends where it
+    // meets the flat face: there it has that face's normal.
+    const auto bends = [&](std::int32_t p) { return std::ranges::find(bent_, p) != bent_.end(); };
+    if (!std::ranges::all_of(kept_, bends)) std::erase_if(kept_, bends);
     if (one_patch) return patches_.normal[static_cast<std::size_t>(first)];
     if (kept_.empty()) return Vec3(0);
     if (std::ranges::count(kept_, kept_.front()) == std::ssize(kept_)) {
@@ -154,7 +167,7 @@ class WedgeNormal {
   const ProxyMesh& proxy_;
   const std::vector<Vec3>& normals_;
   const PlanarPatches& patches_;
-  std::vector<std::int32_t> kept_;
+  std::vector<std::int32_t> kept_, bent_;
   std::vector<Vec3> ring_, ends_, points_;
   Vec3 by_area_{0}, by_shape_{0};
   bool coplanar_ = false;

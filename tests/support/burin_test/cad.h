@@ -54,6 +54,51 @@ inline CadShape turned(double radius, double fillet, double height, std::uint32_
   return result;
 }
 
+/// A box of half the sizes `half` grown by `radius`: flat faces, edges of `facets` strips, corners
+/// of pieces of a sphere by latitude and longitude; closed.
+inline CadShape rounded_box(Vec3 half, double radius, std::uint32_t facets) {
+  CadShape result;
+  const std::uint32_t around = 4 * (facets + 1), rows = 2 * (facets + 1);
+  const auto index = [&](std::uint32_t row, std::uint32_t i) {
+    const std::uint32_t quarter = i % around / (facets + 1);
+    if (row == 0) return quarter;
+    if (row + 1 == rows) return 4 + (rows - 2) * around + quarter;
+    return 4 + (row - 1) * around + i % around;
+  };
+  result.mesh.positions.resize(8 + (rows - 2) * around);
+  result.normals.resize(result.mesh.positions.size());
+  for (std::uint32_t row = 0; row < rows; ++row) {
+    const bool below = row > facets;
+    const double latitude = kPi / 2 * (1 - double(row - (below ? 1 : 0)) / facets);
+    for (std::uint32_t i = 0; i < around; ++i) {
+      const std::uint32_t quarter = i / (facets + 1);
+      const double u = kPi / 2 * double(i - quarter) / facets;
+      const bool pole = row == 0 || row + 1 == rows;
+      const double flat = pole ? 0 : std::cos(latitude);
+      const Vec3 n(flat * std::cos(u), flat * std::sin(u), std::sin(latitude));
+      const Vec3 corner(quarter == 0 || quarter == 3 ? half.x : -half.x,
+                        quarter < 2 ? half.y : -half.y, below ? -half.z : half.z);
+      result.normals[index(row, i)] = n;
+      result.mesh.positions[index(row, i)] = corner + radius * n;
+    }
+  }
+  const auto add = [&](std::uint32_t a, std::uint32_t b, std::uint32_t c) {
+    if (a != b && b != c && c != a) result.mesh.triangles.push_back({a, b, c});
+  };
+  for (std::uint32_t row = 0; row + 1 < rows; ++row) {
+    for (std::uint32_t i = 0; i < around; ++i) {
+      add(index(row, i), index(row + 1, i), index(row + 1, i + 1));
+      add(index(row, i), index(row + 1, i + 1), index(row, i + 1));
+    }
+  }
+  const std::uint32_t last = 4 + (rows - 2) * around;
+  for (const Triangle& t : {Triangle{0, 1, 2}, Triangle{0, 2, 3}}) {
+    add(t[0], t[1], t[2]);
+    add(last + t[0], last + t[2], last + t[1]);
+  }
+  return result;
+}
+
 /// The side of a cylinder whose rims have different numbers of vertices; open.
 inline CadShape uneven_rims(double radius, double height, std::uint32_t below,
                             std::uint32_t above) {

@@ -57,6 +57,23 @@ TEST(Normals, WhereAFilletRunsIntoAFlatFaceAreThoseOfTheFace) {
   }
 }
 
+TEST(Normals, OfTheFlatFacesOfARoundedBoxAreTheirsInTheirCornersToo) {
+  for (const Vec3 half : {Vec3(24, 21, 12), Vec3(24, 21, 100), Vec3(10, 10, 10)}) {
+    for (const std::uint32_t facets : {3u, 4u, 8u}) {
+      const test::CadShape shape = test::rounded_box(half, 5, facets);
+      const ProxyMesh proxy = proxy_of(shape.mesh);
+      double flat = 0;
+      for (std::size_t w = 0; w < proxy.wedge_vertex.size(); ++w) {
+        const Vec3 truth = shape.normals[proxy.wedge_vertex[w]];
+        if (std::max({std::abs(truth.x), std::abs(truth.y), std::abs(truth.z)}) < 1 - 1e-12)
+          continue;
+        flat = std::max(flat, test::line_angle(proxy.wedge_normal[w], truth));
+      }
+      EXPECT_LT(flat, 1e-6) << half.x << ' ' << half.z << ' ' << facets;
+    }
+  }
+}
+
 TEST(Normals, OfAFilletedRimFollowCapFilletAndSide) {
   const test::CadShape shape = test::turned(20, 1, 15, 64, 6);
   const ProxyMesh proxy = proxy_of(shape.mesh);

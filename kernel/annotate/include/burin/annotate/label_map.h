@@ -3,7 +3,7 @@
 
 #include <burin/base/box.h>
 #include <burin/base/run_context.h>
-#include <burin/drawing/drawing.h>
+#include <burin/base/vec.h>
 
 #include <cstddef>
 #include <cstdint>
@@ -49,9 +49,5 @@ struct Pole {
 /// exact distance transform. Cost: 40 ns a pixel. @cite Felzenszwalb2012
 std::vector<Pole> find_poles(const LabelMap& map, std::size_t count,
                              std::span<const std::vector<Vec2>> lines = {});
-
-/// The outlines of what is seen of each part, along the sides of pixels, corners in short steps
-/// taken straight. One a part that is seen.
-std::vector<Area> find_areas(const LabelMap& map);
 
 }  // namespace burin

@@ -1,0 +1,204 @@
+#include <burin/area/partition.h>
+
+#include "labelled.h"
+#include "network.h"
+
+#include <algorithm>
+#include <map>
+#include <numeric>
+#include <utility>
+
+namespace burin {
+namespace {
+
+using detail::LabelledMesh;
+using detail::SheetMesh;
+
+/// Times that narrow regions go to a neighbour: what is left has no neighbour wide enough.
+constexpr int kMostCleaned = 6;
+
+/// Triangles of one label that hang together.
+class Pieces {
+ public:
+  explicit Pieces(const LabelledMesh& labelled) : parent_(labelled.labels.size()) {
+    std::iota(parent_.begin(), parent_.end(), 0U);
+    const SheetMesh& mesh = labelled.mesh;
+    for (std::uint32_t t = 0; t < parent_.size(); ++t) {
+      for (const std::int32_t n : mesh.beyond[t]) {
+        const auto other = static_cast<std::uint32_t>(n);
+        if (n > static_cast<std::int32_t>(t) && labelled.labels[t] == labelled.labels[other]) {
+          join(t, other);
+        }
+      }
+    }
+    for (std::uint32_t t = 0; t < parent_.size(); ++t) parent_[t] = find(t);
+  }
+
+  /// The lowest triangle of the piece of `t`.
+  std::uint32_t of(std::uint32_t t) const { return parent_[t]; }
+
+ private:
+  std::uint32_t find(std::uint32_t t) {
+    while (parent_[t] != t) t = parent_[t] = parent_[parent_[t]];
+    return t;
+  }
+  void join(std::uint32_t a, std::uint32_t b) {
+    a = find(a), b = find(b);
+    parent_[std::max(a, b)] = std::min(a, b);
+  }
+
+  std::vector<std::uint32_t> parent_;
+};
+
+/// Side `i` of a triangle, counterclockwise.
+std::array<std::uint32_t, 2> side(const SheetMesh& mesh, std::size_t t, std::size_t i) {
+  return {mesh.triangles[t][(i + 1) % 3], mesh.triangles[t][(i + 2) % 3]};
+}
+
+double length(const SheetMesh& mesh, std::size_t t, std::size_t i) {
+  const auto [a, b] = side(mesh, t, i);
+  return glm::distance(mesh.points[a], mesh.points[b]);
+}
+
+/// Narrow pieces take the label of the neighbour with the longest common border; whether any did.
+bool clean(LabelledMesh& labelled, double least_width) {
+  struct Size {
+    double area = 0, border = 0;
+    std::map<std::uint32_t, double> beside;
+    double width() const { return 2 * area / border; }
+  };
+  const SheetMesh& mesh = labelled.mesh;
+  const Pieces pieces(labelled);
+  std::map<std::uint32_t, Size> sizes;
+  for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
+    Size& size = sizes[pieces.of(t)];
+    size.area += detail::area_of(mesh, t);
+    for (std::size_t i = 0; i < 3; ++i) {
+      const std::int32_t n = mesh.beyond[t][i];
+      if (n >= 0 && pieces.of(static_cast<std::uint32_t>(n)) == pieces.of(t)) continue;
+      const double l = length(mesh, t, i);
+      size.border += l;
+      if (n >= 0) size.beside[pieces.of(static_cast<std::uint32_t>(n))] += l;
+    }
+  }
+  std::map<std::uint32_t, AreaLabel> taken;
+  for (const auto& [piece, size] : sizes) {
+    if (size.width() >= least_width) continue;
+    double longest = 0;
+    for (const auto& [other, border] : size.beside) {
+      // Of two narrow ones side by side the smaller goes to the larger one.
+      const bool wide = sizes[other].width() >= least_width || sizes[other].area > size.area;
+      if (!wide || border <= longest) continue;
+      longest = border;
+      taken[piece] = labelled.labels[other];
+    }
+  }
+  for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
+    if (const auto it = taken.find(pieces.of(t)); it != taken.end())
+      labelled.labels[t] = it->second;
+  }
+  return !taken.empty();
+}
+
+class RingWalk {
+ public:
+  RingWalk(const LabelledMesh& labelled, const detail::NearSegments& near, double reach)
+      : mesh_(labelled.mesh), pieces_(labelled), near_(near), reach_(reach) {
+    numbers_.assign(mesh_.triangles.size(), -1);
+    walked_.assign(mesh_.triangles.size(), {});
+    for (std::uint32_t t = 0; t < mesh_.triangles.size(); ++t) {
+      if (pieces_.of(t) == t) {
+        numbers_[t] = static_cast<std::int32_t>(regions_.size());
+        regions_.push_back({labelled.labels[t], 0, {}});
+      }
+    }
+  }
+
+  std::vector<AreaRegion> walk() {
+    for (std::uint32_t t = 0; t < mesh_.triangles.size(); ++t) {
+      AreaRegion& region = regions_[static_cast<std::size_t>(number(t))];
+      region.area += detail::area_of(mesh_, t);
+      for (std::size_t i = 0; i < 3; ++i) {
+        if (is_border(t, i) && !walked_[t][i]) region.rings.push_back(ring(t, i));
+      }
+    }
+    for (AreaRegion& region : regions_) {
+      std::ranges::stable_partition(region.rings, [&](const AreaRing& r) { return turns_left(r); });
+    }
+    return std::move(regions_);
+  }
+
+ private:
+  std::int32_t number(std::uint32_t t) const { return numbers_[pieces_.of(t)]; }
+  bool is_border(std::uint32_t t, std::size_t i) const {
+    const std::int32_t n = mesh_.beyond[t][i];
+    return n < 0 || pieces_.of(static_cast<std::uint32_t>(n)) != pieces_.of(t);
+  }
+
+  /// Around each corner through the triangles of the region itself, so that a ring which touches
+  /// itself does not cross itself.
+  AreaRing ring(std::uint32_t t, std::size_t i) {
+    AreaRing out;
+    while (!walked_[t][i]) {
+      walked_[t][i] = true;
+      const auto [a, b] = side(mesh_, t, i);
+      const std::int32_t n = mesh_.beyond[t][i];
+      out.corners.push_back(a);
+      out.beyond.push_back(n < 0 ? -1 : number(static_cast<std::uint32_t>(n)));
+      out.lines.push_back(mesh_.constrained[t][i]
+                              ? near_.line_along(mesh_.points[a], mesh_.points[b], reach_)
+                              : -1);
+      i = (i + 1) % 3;  // the side that begins at b
+      while (!is_border(t, i)) {
+        t = static_cast<std::uint32_t>(mesh_.beyond[t][i]);
+        const auto& corners = mesh_.triangles[t];
+        const auto at = static_cast<std::size_t>(std::ranges::find(corners, b) - corners.begin());
+        i = (at + 2) % 3;  // sides are opposite corners
+      }
+    }
+    return out;
+  }
+
+  bool turns_left(const AreaRing& ring) const {
+    double sum = 0;
+    for (std::size_t i = 0, n = ring.corners.size(); i < n; ++i) {
+      const Vec2 a = mesh_.points[ring.corners[i]], b = mesh_.points[ring.corners[(i + 1) % n]];
+      sum += a.x * b.y - a.y * b.x;
+    }
+    return sum > 0;
+  }
+
+  const SheetMesh& mesh_;
+  Pieces pieces_;
+  const detail::NearSegments& near_;
+  double reach_;
+  std::vector<std::int32_t> numbers_;
+  std::vector<std::array<bool, 3>> walked_;
+  std::vector<AreaRegion> regions_;
+};
+
+}  // namespace
+
+std::vector<Vec2> Partition::polygon(const AreaRing& ring) const {
+  std::vector<Vec2> out;
+  out.reserve(ring.corners.size());
+  for (const std::uint32_t i : ring.corners) out.push_back(points[i]);
+  return out;
+}
+
+Partition partition(const Box2& sheet, std::span<const BorderLine> lines, const LabelAt& label_at,
+                    const PartitionOptions& options, const RunContext& context) {
+  detail::Network network = detail::make_network(sheet, lines, options);
+  context.check();
+  LabelledMesh labelled = detail::label_triangles(network, label_at, options, context);
+  for (int k = 0; k < kMostCleaned && clean(labelled, options.least_width); ++k) context.check();
+  const detail::NearSegments near(network);
+  Partition out;
+  out.regions = RingWalk(labelled, near, 2 * options.weld).walk();
+  out.points = std::move(labelled.mesh.points);
+  out.mixed = labelled.mixed;
+  out.mixed_area = labelled.mixed_area;
+  return out;
+}
+
+}  // namespace burin

@@ -1,0 +1,229 @@
+#include <burin/area/partition.h>
+#include <burin/base/parallel.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <numeric>
+#include <random>
+#include <set>
+
+namespace burin {
+namespace {
+
+constexpr double kPi = std::numbers::pi;
+const Box2 kSheet{Vec2(0), Vec2(100, 80)};
+
+std::vector<Vec2> circle(Vec2 center, double radius, int n) {
+  std::vector<Vec2> out;
+  for (int i = 0; i < n; ++i) {
+    const double u = 2 * kPi * i / n;
+    out.push_back(center + radius * Vec2(std::cos(u), std::sin(u)));
+  }
+  return out;
+}
+
+std::vector<Vec2> rectangle(Vec2 a, Vec2 b) { return {a, {b.x, a.y}, b, {a.x, b.y}}; }
+
+bool holds(std::span<const Vec2> ring, Vec2 p) {
+  bool inside = false;
+  for (std::size_t i = 0, j = ring.size() - 1; i < ring.size(); j = i++) {
+    const Vec2 a = ring[j], b = ring[i];
+    if ((a.y > p.y) != (b.y > p.y) && p.x < a.x + (b.x - a.x) * (p.y - a.y) / (b.y - a.y)) {
+      inside = !inside;
+    }
+  }
+  return inside;
+}
+
+bool holds(const Partition& partition, const AreaRegion& region, Vec2 p) {
+  return std::ranges::count_if(
+             region.rings,
+             [&](const AreaRing& ring) { return holds(partition.polygon(ring), p); }) %
+             2 ==
+         1;
+}
+
+Partition part(std::span<const BorderLine> lines, const LabelAt& label_at,
+               const PartitionOptions& options = {}) {
+  return partition(kSheet, lines, label_at, options, RunContext());
+}
+
+double total(const Partition& p) {
+  return std::accumulate(p.regions.begin(), p.regions.end(), 0.0,
+                         [](double sum, const AreaRegion& r) { return sum + r.area; });
+}
+
+/// What holds of every partition: rings turn as they should, neighbours name each other, and the
+/// regions cover the sheet once.
+void expect_sound(const Partition& p) {
+  EXPECT_NEAR(total(p) / (kSheet.size().x * kSheet.size().y), 1, 1e-12);
+  std::multiset<std::array<std::int64_t, 4>> sides;  // from, to, region, beyond
+  for (std::size_t r = 0; r < p.regions.size(); ++r) {
+    ASSERT_FALSE(p.regions[r].rings.empty());
+    double area = 0;
+    for (std::size_t k = 0; k < p.regions[r].rings.size(); ++k) {
+      const AreaRing& ring = p.regions[r].rings[k];
+      ASSERT_GE(ring.corners.size(), 3u);
+      double turned = 0;
+      for (std::size_t i = 0; i < ring.corners.size(); ++i) {
+        const std::uint32_t from = ring.corners[i],
+                            to = ring.corners[(i + 1) % ring.corners.size()];
+        const Vec2 a = p.points[from], b = p.points[to];
+        turned += 0.5 * (a.x * b.y - a.y * b.x);
+        ASSERT_NE(ring.beyond[i], static_cast<std::int32_t>(r));
+        sides.insert({from, to, static_cast<std::int64_t>(r), ring.beyond[i]});
+      }
+      EXPECT_EQ(turned > 0, k == 0) << r << ' ' << k;
+      area += turned;
+    }
+    EXPECT_NEAR(area, p.regions[r].area, 1e-9);
+  }
+  for (const auto& [from, to, region, beyond] : sides) {
+    if (beyond >= 0) {
+      EXPECT_EQ(sides.count({to, from, beyond, region}), 1u);
+    }
+  }
+}
+
+TEST(Partition, OfASquareHasItsAreaAndNamesItsLineOnEverySide) {
+  const auto square = rectangle({20, 20}, {60, 50});
+  const std::vector<BorderLine> lines = {{square, true, 7}};
+  const Partition p =
+      part(lines, [&](Vec2 at) { return AreaLabel{.part = holds(square, at) ? 3 : -1}; });
+  expect_sound(p);
+  ASSERT_EQ(p.regions.size(), 2u);
+  const AreaRegion& inner = p.regions[p.regions[0].label.part == 3 ? 0 : 1];
+  EXPECT_NEAR(inner.area, 40 * 30, 1e-9);
+  ASSERT_EQ(inner.rings.size(), 1u);
+  for (const std::int32_t line : inner.rings[0].lines) EXPECT_EQ(line, 7);
+  EXPECT_EQ(p.mixed, 0u);
+}
+
+TEST(Partition, OfARingHasAHole) {
+  const auto outer = circle({50, 40}, 30, 200), inner = circle({50, 40}, 12, 100);
+  const std::vector<BorderLine> lines = {{outer, true, 0}, {inner, true, 1}};
+  const Partition p = part(lines, [&](Vec2 at) {
+    return AreaLabel{.part = holds(outer, at) && !holds(inner, at) ? 0 : -1};
+  });
+  expect_sound(p);
+  ASSERT_EQ(p.regions.size(), 3u);
+  for (const AreaRegion& region : p.regions) {
+    if (region.label.part == 0) {
+      EXPECT_EQ(region.rings.size(), 2u);
+    }
+  }
+}
+
+TEST(Partition, OfALineWithAGapDoesNotLeak) {
+  // A line from side to side, a piece of it missing.
+  for (const double gap : {0.1, 0.2, 1.0, 5.0}) {
+    const std::vector<Vec2> left = {{0, 40}, {50 - gap / 2, 40}},
+                            right = {{50 + gap / 2, 40}, {100, 40}};
+    const std::vector<BorderLine> lines = {{left, false, 0}, {right, false, 1}};
+    const Partition p = part(lines, [](Vec2 at) { return AreaLabel{.part = at.y > 40 ? 1 : 0}; });
+    expect_sound(p);
+    ASSERT_EQ(p.regions.size(), 2u) << gap;
+    EXPECT_NEAR(p.regions[0].area, 4000, 0.01 * gap * gap + 1e-6) << gap;
+  }
+}
+
+TEST(Partition, FindsTheRestOfABorderWhereHalfTheLineIsMissing) {
+  const auto disk = circle({50, 40}, 20, 200);
+  const auto label_at = [&](Vec2 at) { return AreaLabel{.part = holds(disk, at) ? 0 : -1}; };
+  const std::vector<BorderLine> lines = {{std::span(disk).first(101), false, 0}};
+  double last = 1e9;
+  for (const int rounds : {0, 1, 3, 6}) {
+    const Partition p = part(lines, label_at, {.rounds = rounds});
+    expect_sound(p);
+    double error = 0;  // where labels are not those of random places
+    std::mt19937 random(3);
+    std::uniform_real_distribution<double> x(0, 100), y(0, 80);
+    for (int k = 0; k < 20000; ++k) {
+      const Vec2 at(x(random), y(random));
+      for (const AreaRegion& r : p.regions) {
+        if (holds(p, r, at) && r.label != label_at(at)) error += 8000.0 / 20000;
+      }
+    }
+    EXPECT_LE(error, last) << rounds;
+    last = error;
+  }
+  EXPECT_LT(last, 1);
+}
+
+TEST(Partition, GivesSliversToTheNeighbour) {
+  const auto a = rectangle({20, 20}, {50, 60}), b = rectangle({50.02, 20}, {80, 60});
+  const std::vector<BorderLine> lines = {{a, true, 0}, {b, true, 1}};
+  const Partition p = part(lines, [&](Vec2 at) {
+    return AreaLabel{.part = holds(a, at) ? 0 : holds(b, at) ? 1 : -1};
+  });
+  expect_sound(p);
+  EXPECT_EQ(p.regions.size(), 3u);
+}
+
+TEST(Partition, OfRandomRectanglesOverEachOtherAgreesWithRandomPlaces) {
+  std::mt19937 random(5);
+  std::uniform_real_distribution<double> x(-10, 110), y(-10, 90);
+  for (int scene = 0; scene < 60; ++scene) {
+    std::vector<std::vector<Vec2>> boxes;
+    for (int i = 0; i < 2 + scene % 9; ++i) {
+      const Vec2 a(x(random), y(random)), b(x(random), y(random));
+      boxes.push_back(rectangle(glm::min(a, b), glm::max(a, b)));
+    }
+    std::vector<BorderLine> lines;
+    for (std::size_t i = 0; i < boxes.size(); ++i) {
+      lines.push_back({boxes[i], true, static_cast<std::int32_t>(i)});
+    }
+    const auto label_at = [&](Vec2 at) {
+      for (std::size_t i = 0; i < boxes.size(); ++i) {
+        if (holds(boxes[i], at)) return AreaLabel{.part = static_cast<std::int32_t>(i)};
+      }
+      return AreaLabel{};
+    };
+    const Partition p = part(lines, label_at);
+    expect_sound(p);
+    int wrong = 0;
+    for (int k = 0; k < 400; ++k) {
+      const Vec2 at(std::abs(x(random)), std::abs(y(random)));
+      if (at.x > 100 || at.y > 80) continue;
+      for (const AreaRegion& r : p.regions) {
+        if (holds(p, r, at) && r.label != label_at(at)) ++wrong;
+      }
+    }
+    EXPECT_EQ(wrong, 0) << scene;
+  }
+}
+
+TEST(Partition, IsTheSameForAnyNumberOfThreads) {
+  const auto disk = circle({40, 40}, 25, 300);
+  const std::vector<BorderLine> lines = {{disk, true, 0}};
+  const auto label_at = [&](Vec2 at) {
+    return AreaLabel{.part = holds(disk, at) ? 0 : -1, .tone = at.x + 0.3 * at.y > 50 ? 1 : 0};
+  };
+  const Partition many = part(lines, label_at);
+  const ThreadLimit one(1);
+  const Partition alone = part(lines, label_at);
+  EXPECT_EQ(many.points, alone.points);
+  ASSERT_EQ(many.regions.size(), alone.regions.size());
+  for (std::size_t i = 0; i < many.regions.size(); ++i) {
+    EXPECT_EQ(many.regions[i].rings[0].corners, alone.regions[i].rings[0].corners);
+  }
+}
+
+TEST(InnerPoint, IsTheMiddleOfACircleAndOfTheWiderArmOfAnAngle) {
+  const std::vector<std::vector<Vec2>> disk = {circle({30, 20}, 10, 90)};
+  const InnerPoint middle = inner_point(disk, 0.01);
+  EXPECT_LT(glm::distance(middle.at, Vec2(30, 20)), 0.1);
+  EXPECT_NEAR(middle.radius, 10, 0.02);
+  const std::vector<std::vector<Vec2>> angle = {
+      {{0, 0}, {40, 0}, {40, 4}, {10, 4}, {10, 40}, {0, 40}}};
+  const InnerPoint wide = inner_point(angle, 0.04);
+  EXPECT_NEAR(wide.radius, 5, 0.04);
+  EXPECT_LT(wide.at.x, 10);
+  EXPECT_EQ(inner_point({}, 0.01).radius, 0);
+}
+
+}  // namespace
+}  // namespace burin

@@ -1,0 +1,80 @@
+/// What is seen of each part: borders are the drawn lines.
+
+#include <burin/forms/mesh/mesh_form.h>
+#include <burin/illustrate/illustrate.h>
+
+#include "burin_test/shapes.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+
+namespace burin {
+namespace {
+
+constexpr Vec3 kBall{6, -30, 3};
+constexpr double kRadius = 10;
+
+/// A ball before a plate of 60 x 40, from the front.
+Drawing ball_before_plate(const char* style, bool glass) {
+  Scene scene;
+  const auto add = [&](const char* name, TriMesh mesh, Vec3 by) {
+    for (Vec3& p : mesh.positions) p += by;
+    scene.parts.push_back({name, name, std::make_shared<MeshForm>(std::move(mesh))});
+  };
+  add("plate", test::box({-30, -2, -20}, {30, 2, 20}), {});
+  add("ball", test::ellipsoid(Vec3(kRadius), 192, 96), kBall);
+  RunContext context;
+  const NamedView v = named_view("front");
+  const Camera camera =
+      Camera::fit([&](const Mat3& axes) { return scene.bounds(axes); },
+                  {.direction = v.direction, .up = v.up, .scale = 1.5, .paper = {150, 100}});
+  IllustrateOptions options{.annotations = Annotations{}};
+  options.part_styles.resize(2);
+  options.part_styles[1].transparent = glass;
+  return illustrate(scene, camera, builtin_style(style), options, context);
+}
+
+/// mm^2 of paper; rings within rings are holes.
+double size_of(const Area& area) {
+  double sum = 0;
+  for (const std::vector<Vec2>& ring : area.rings) {
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+      const Vec2 a = ring[i], b = ring[(i + 1) % ring.size()];
+      sum += 0.5 * (a.x * b.y - a.y * b.x);
+    }
+  }
+  return sum;
+}
+
+const Area* area_of(const Drawing& drawing, std::int32_t part) {
+  const auto it = std::ranges::find(drawing.areas, part, &Area::part);
+  return it == drawing.areas.end() ? nullptr : &*it;
+}
+
+TEST(Areas, AreThoseOfTheSilhouettes) {
+  const double scale2 = 1.5 * 1.5, ball = std::acos(-1.0) * kRadius * kRadius;
+  for (const char* style : {"outline", "engraving", "wireframe"}) {
+    const Drawing drawing = ball_before_plate(style, false);
+    ASSERT_EQ(drawing.areas.size(), 2u) << style;
+    ASSERT_NE(area_of(drawing, 1), nullptr);
+    EXPECT_NEAR(size_of(*area_of(drawing, 1)), scale2 * ball, 0.004 * scale2 * ball) << style;
+    EXPECT_NEAR(size_of(*area_of(drawing, 0)), scale2 * (60 * 40 - ball), 0.002 * scale2 * 2400)
+        << style;
+    EXPECT_EQ(area_of(drawing, 0)->rings.size(), 2u) << "the rim and the hole that the ball makes";
+  }
+}
+
+TEST(Areas, OfGlassLieOverWhatIsSeenThroughIt) {
+  const double scale2 = 1.5 * 1.5, ball = std::acos(-1.0) * kRadius * kRadius;
+  const Drawing drawing = ball_before_plate("outline", true);
+  ASSERT_EQ(drawing.areas.size(), 2u);
+  EXPECT_EQ(drawing.areas[0].part, 1);
+  EXPECT_NEAR(size_of(drawing.areas[0]), scale2 * ball, 0.004 * scale2 * ball);
+  EXPECT_NEAR(size_of(drawing.areas[1]), scale2 * 2400, 0.002 * scale2 * 2400);
+}
+
+}  // namespace
+}  // namespace burin
