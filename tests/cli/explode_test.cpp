@@ -103,14 +103,14 @@ TEST_F(Exploded, AreWrittenForTheAuthorToEdit) {
                 "--explode-factor 0.5"),
             0)
       << err_;
-  const Json json = Json::parse(test::slurp(folder_ / "b.burin.json"));
-  ASSERT_EQ(json["explode"]["steps"].size(), 1U);
-  const Json& step = json["explode"]["steps"][0];
+  const Json written = Json::parse(test::slurp(folder_ / "b.burin.json"));
+  ASSERT_EQ(written["explode"]["steps"].size(), 1U);
+  const Json& step = written["explode"]["steps"][0];
   EXPECT_EQ(step["move"], Json({"/bolt"}));
   EXPECT_EQ(step["along"], Json({0.0, 0.0, 1.0}));
   EXPECT_GT(step["by"], 10);
   EXPECT_EQ(step["trail"], true);
-  EXPECT_EQ(json["explode"]["factor"], 0.5);
+  EXPECT_EQ(written["explode"]["factor"], 0.5);
   // The file draws what the command does.
   ASSERT_EQ(run("draw @/b.burin.json -o @/a.json --explode-factor 1 --style outline"), 0) << err_;
   const double from_file = top_of(drawing(), 1);
@@ -122,9 +122,9 @@ TEST_F(Exploded, AreWrittenForTheAuthorToEdit) {
 TEST_F(Exploded, ExtendAnIllustration) {
   ASSERT_EQ(draw(R"("hidden": "none")"), 0) << err_;
   ASSERT_EQ(run("illustrate @/a.burin.json -o @/b.burin.json --explode auto"), 0) << err_;
-  const Json json = Json::parse(test::slurp(folder_ / "b.burin.json"));
-  EXPECT_EQ(json["extends"], "a.burin.json");
-  EXPECT_EQ(json["explode"]["steps"].size(), 1U);
+  const Json written = Json::parse(test::slurp(folder_ / "b.burin.json"));
+  EXPECT_EQ(written["extends"], "a.burin.json");
+  EXPECT_EQ(written["explode"]["steps"].size(), 1U);
   ASSERT_EQ(run("draw @/b.burin.json -o @/a.json"), 0) << err_;
   EXPECT_GT(top_of(drawing(), 1), 26);
   EXPECT_EQ(run("illustrate @/a.burin.json -o @/c.burin.json"), 2);

@@ -3,12 +3,13 @@
 #include "refine.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Mesh_3/Mesher_3.h>
+#include <CGAL/Mesh_3/Protect_edges_sizing_field.h>
 #include <CGAL/Mesh_complex_3_in_triangulation_3.h>
 #include <CGAL/Mesh_criteria_3.h>
 #include <CGAL/Mesh_domain_with_polyline_features_3.h>
 #include <CGAL/Mesh_triangulation_3.h>
 #include <CGAL/Random.h>
-#include <CGAL/make_mesh_3.h>
 
 #include <algorithm>
 #include <array>
