@@ -47,7 +47,6 @@ class Output {
 
  private:
   bool is_direct() const;
-  std::filesystem::path aside_path() const;
   int open_aside() const;
   void discard();
 
