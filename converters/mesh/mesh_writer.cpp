@@ -107,8 +107,6 @@ constexpr std::array kFormats = {MeshWriter{"stl", "binary STL", write_stl},
 
 }  // namespace
 
-std::span<const MeshWriter> mesh_writers() { return kFormats; }
-
 const MeshWriter* mesh_writer_named(std::string_view name) {
   const auto at = std::ranges::find_if(
       kFormats, [&](const MeshWriter& f) { return equal_but_for_case(f.name, name); });

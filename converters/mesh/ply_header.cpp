@@ -168,10 +168,6 @@ std::size_t size_of(PlyType type) {
   return 0;
 }
 
-bool PlyElement::has_lists() const {
-  return std::ranges::any_of(properties, &PlyProperty::is_list);
-}
-
 std::size_t PlyElement::least_bytes() const {
   std::size_t bytes = 0;
   for (const PlyProperty& p : properties) bytes += size_of(p.is_list ? p.count_type : p.type);

@@ -26,7 +26,6 @@ struct PlyElement {
   std::size_t count = 0;
   std::vector<PlyProperty> properties;
 
-  bool has_lists() const;
   /// Bytes that one element takes in a binary file, its lists empty.
   std::size_t least_bytes() const;
 };

@@ -34,7 +34,6 @@ class Messages {
   /// No line comes any more.
   void end();
 
-  const std::vector<Remark>& remarks() const { return remarks_; }
   /// The first of a severity, or nullptr.
   const Remark* first(Severity severity) const;
   bool two_dimensional() const { return two_dimensional_; }

@@ -172,17 +172,19 @@ void write_data(const Book& book, const std::string& name, const WriteOptions& o
   });
 }
 
+/// What step books are written as.
 struct Row {
-  BookFormat about;
+  /// The suffix without its dot.
+  std::string_view name;
   void (*write)(const Book&, const std::string&, const WriteOptions&, const RunContext&, Files&);
 };
 
 const std::vector<Row>& rows() {
   static const std::vector<Row> all = {
-      {{"pdf", "one file, a page a step"}, write_pages},
-      {{"html", "one page to scroll and click through"}, write_page},
-      {{"md", "Markdown, and an SVG a step"}, write_markdown},
-      {{"json", "the steps and their drawings as data"}, write_data},
+      {"pdf", write_pages},
+      {"html", write_page},
+      {"md", write_markdown},
+      {"json", write_data},
   };
   return all;
 }
@@ -191,21 +193,12 @@ const std::vector<Row>& rows() {
 const Row* row_of(const std::string& name) {
   const std::string suffix = lowered(fs::path(name).extension().string());
   for (const Row& row : rows()) {
-    if (suffix == "." + std::string(row.about.name)) return &row;
+    if (suffix == "." + std::string(row.name)) return &row;
   }
   return nullptr;
 }
 
 }  // namespace
-
-const std::vector<BookFormat>& book_formats() {
-  static const std::vector<BookFormat> all = [] {
-    std::vector<BookFormat> formats;
-    for (const Row& row : rows()) formats.push_back(row.about);
-    return formats;
-  }();
-  return all;
-}
 
 void check_book_outputs(const std::vector<std::string>& names,
                         const std::vector<std::string>& sources) {

@@ -2,7 +2,8 @@
 """Draws kernel/docs/rooms.svg, the picture of the modules, from the targets of the build.
 
     kernel/docs/rooms.py BUILD             writes it
-    kernel/docs/rooms.py BUILD --check     compares it with the build (status 1 where it differs)
+    kernel/docs/rooms.py BUILD --check     compares it with the build, and counts the sources of each folder (status 1
+                                           where the picture differs or a folder has too many)
 
 An arrow is what the compiler enforces: a module may include the module that it points at, and those behind that one. Arrows
 that follow from others are left out. BUILD is a folder that cmake has configured."""
@@ -21,6 +22,9 @@ LIBRARIES = {"OpenMeshCore": "OpenMesh", "embree": "Embree", "CGAL": "CGAL", "Ei
              "glm::glm": "GLM", "nlohmann_json::nlohmann_json": "JSON", "pugixml::pugixml": "pugixml", "ZLIB::ZLIB": "zlib",
              "libzip.so": "libzip", "PkgConfig::CAIRO": "cairo", "TinyGLTF::TinyGLTF": "tinygltf", "CLI11::CLI11": "CLI11", "pybind11::module": "pybind11"}
 OUTSIDE = ("samples", "cad_samples", "bench", "judge", "sections", "fuzz", "probe", "mesh_to_svg")  # no modules: they are built from them
+MOST = 25  # sources in a folder
+# Still to be parted; these numbers may only become smaller.
+LARGE = {"kernel/drawing": 34, "kernel/forms/brep": 28, "converters/openscad/csg": 30}
 BOX, ROW, GAP, LETTER = 34, 74, 16, 6.6
 
 
@@ -158,6 +162,17 @@ def draw(needs, libraries, inside):
     return "\n".join([*out, "</svg>", ""])
 
 
+def too_large():
+    """Folders with more sources than a reader takes in at once, each as a line."""
+    counts = {}
+    for top in ("kernel", "converters"):
+        for source in (HERE.parents[1] / top).rglob("*.cpp"):
+            folder = source.parent.relative_to(HERE.parents[1]).as_posix()
+            counts[folder] = counts.get(folder, 0) + 1
+    return [f"{folder} has {count} sources, {LARGE.get(folder, MOST)} at the most: part it along what its sources mean"
+            for folder, count in sorted(counts.items()) if count > LARGE.get(folder, MOST)]
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("build", type=pathlib.Path)
@@ -166,6 +181,8 @@ def main():
     picture, path = draw(*graph(options.build)), HERE / "rooms.svg"
     if not options.check:
         path.write_text(picture)
+    elif large := too_large():
+        sys.exit("\n".join(large))
     elif not path.exists() or path.read_text() != picture:
         sys.exit(f"{path.name} differs from the build: kernel/docs/rooms.py {options.build} draws it again")
 

@@ -31,10 +31,9 @@ struct SplineObject {
 };
 void write_irit(const std::vector<SplineObject>& objects, const std::filesystem::path& path);
 
-/// The horn of Elber's paper: a circle that sweeps a helix while both grow. Open at both ends; u
-/// runs along it, v around.
-NurbsData horn_wall();
-/// The wall with a round tip and a rim that turns inwards, all borders smooth: a closed body.
+/// The horn of Elber's paper: a circle that sweeps a helix while both grow, with a round tip and a
+/// rim that turns inwards, all borders smooth: a closed body. On its wall u runs along it, v
+/// around.
 std::vector<SplineObject> horn();
 /// Body, lid, spout and handle, each a closed body of one patch.
 std::vector<SplineObject> spline_teapot();

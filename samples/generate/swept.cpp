@@ -70,8 +70,6 @@ std::vector<Ring> rounded_start(std::vector<Ring> rings) {
 
 }  // namespace
 
-NurbsData horn_wall() { return sweep(horn_rings()); }
-
 std::vector<SplineObject> horn() {
   const std::vector<Ring> wall = horn_rings();
   const std::size_t last = wall.size() - 1;

@@ -75,14 +75,6 @@ ParameterBox BreakLines::cell(std::int32_t face, Vec2 uv, Vec2 velocity) const {
   return box;
 }
 
-bool BreakLines::on_side(std::int32_t face, const ParameterBox& cell, Vec2 uv) const {
-  const Vec2 near = 2.0 * noise(face);
-  for (int i = 0; i < 2; ++i) {
-    if (uv[i] - cell.min[i] <= near[i] || cell.max[i] - uv[i] <= near[i]) return true;
-  }
-  return false;
-}
-
 double BreakLines::nearest(const Face& f, int direction, double x) {
   const std::vector<double>& lines = f.lines[static_cast<std::size_t>(direction)];
   if (lines.empty()) return std::numeric_limits<double>::quiet_NaN();

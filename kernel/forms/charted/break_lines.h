@@ -24,8 +24,6 @@ class BreakLines {
   /// The cell between neighbouring lines around a place; on a line the one that `velocity` leads
   /// into.
   ParameterBox cell(std::int32_t face, Vec2 uv, Vec2 velocity) const;
-  /// Whether a place of a cell lies on one of its sides, within rounding.
-  bool on_side(std::int32_t face, const ParameterBox& cell, Vec2 uv) const;
   /// The share of the straight way between two places at which it crosses the line nearest to its
   /// middle; 0.5 where it crosses none.
   double crossing(std::int32_t face, Vec2 from, Vec2 to) const;

@@ -25,9 +25,6 @@ class ChartsCover {
   /// As Surface::cover. Cost: 0.2 us a candidate.
   std::vector<SurfacePoint> points(const CoverRequest& request, const RunContext& context) const;
 
-  /// Whether Algorithm 1 covers a face.
-  bool by_bound(std::int32_t face) const { return bound_[static_cast<std::size_t>(face)] > 0; }
-
  private:
   struct Draw;
   std::optional<SurfacePoint> candidate(const Draw& draw, const CoverRequest& request,

@@ -109,7 +109,6 @@ Grid::Grid(const ImplicitFunction& function, const GridLayout& layout, WorkBudge
         &context);
     std::vector<Cube> kept;
     for (std::size_t i = 0; i < cubes.size(); ++i) {
-      any_inside_ |= verdicts[i] == Verdict::Inside;
       any_outside_ |= verdicts[i] == Verdict::Outside;
       if (verdicts[i] == Verdict::Unknown) kept.push_back(std::move(cubes[i]));
     }
@@ -151,7 +150,6 @@ Grid::Grid(const ImplicitFunction& function, const GridLayout& layout, WorkBudge
       },
       &context);
   for (std::size_t i = 0; i < all.size(); ++i) {
-    any_inside_ |= (signs[i] & 1) != 0;
     any_outside_ |= (signs[i] & 2) != 0;
     if (signs[i] != 3) continue;
     index_.emplace(name_of(all[i].first / kSide), static_cast<std::int32_t>(blocks_.size()));

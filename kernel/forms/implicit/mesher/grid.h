@@ -63,15 +63,14 @@ class Grid {
   const std::vector<Block>& blocks() const { return blocks_; }
   // Index of the block that holds a cell; -1 = none is kept.
   std::int32_t block_of(Cell cell) const;
-  // Whether any sample was negative, and any was not.
-  bool any_inside() const { return any_inside_; }
+  // Whether any sample was not negative.
   bool any_outside() const { return any_outside_; }
 
  private:
   GridLayout layout_;
   std::vector<Block> blocks_;
   std::unordered_map<std::uint64_t, std::int32_t> index_;
-  bool any_inside_ = false, any_outside_ = false;
+  bool any_outside_ = false;
 };
 
 }  // namespace burin

@@ -5,7 +5,6 @@
 #include <burin/mesh/tri_mesh.h>
 
 #include <iosfwd>
-#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -20,10 +19,9 @@ struct MeshWriter {
   void (*write)(const TriMesh&, std::ostream&, const RunContext&) = nullptr;
 };
 
-/// STL (binary, single precision), OFF (text, digits that read back as the same doubles), 3MF
-/// (millimetres, one object).
-std::span<const MeshWriter> mesh_writers();
-/// The format of a suffix or name in any case; null where there is none.
+/// The format of a suffix or name in any case; null where there is none. STL (binary, single
+/// precision), OFF (text, digits that read back as the same doubles), 3MF (millimetres, one
+/// object).
 const MeshWriter* mesh_writer_named(std::string_view name);
 
 }  // namespace burin

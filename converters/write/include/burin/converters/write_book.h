@@ -7,21 +7,12 @@
 #include <burin/converters/write.h>
 
 #include <string>
-#include <string_view>
 #include <vector>
 
 namespace burin {
 
-/// What step books are written as: one row of the catalogue.
-struct BookFormat {
-  /// The suffix without its dot.
-  std::string_view name;
-  std::string_view meaning;
-};
-const std::vector<BookFormat>& book_formats();
-
-/// Tests names before a long run: a suffix of `book_formats`, no name twice, none of `sources`, a
-/// folder that can be written to. Throws UsageError, OutputError.
+/// Tests names before a long run: a suffix that books are written as, no name twice, none of
+/// `sources`, a folder that can be written to. Throws UsageError, OutputError.
 void check_book_outputs(const std::vector<std::string>& names,
                         const std::vector<std::string>& sources);
 

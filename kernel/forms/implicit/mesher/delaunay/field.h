@@ -26,8 +26,6 @@ class FunctionField final : public RefineField {
   double radius(Vec3 p) override;
   double edge(Vec3 p) override;
 
-  std::size_t evaluations() const { return evaluations_; }
-
  private:
   struct Cell {
     enum : std::uint8_t { Unseen, Inside, Outside, Mixed } state = Unseen;
