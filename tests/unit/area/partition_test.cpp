@@ -212,18 +212,5 @@ TEST(Partition, IsTheSameForAnyNumberOfThreads) {
   }
 }
 
-TEST(InnerPoint, IsTheMiddleOfACircleAndOfTheWiderArmOfAnAngle) {
-  const std::vector<std::vector<Vec2>> disk = {circle({30, 20}, 10, 90)};
-  const InnerPoint middle = inner_point(disk, 0.01);
-  EXPECT_LT(glm::distance(middle.at, Vec2(30, 20)), 0.1);
-  EXPECT_NEAR(middle.radius, 10, 0.02);
-  const std::vector<std::vector<Vec2>> angle = {
-      {{0, 0}, {40, 0}, {40, 4}, {10, 4}, {10, 40}, {0, 40}}};
-  const InnerPoint wide = inner_point(angle, 0.04);
-  EXPECT_NEAR(wide.radius, 5, 0.04);
-  EXPECT_LT(wide.at.x, 10);
-  EXPECT_EQ(inner_point({}, 0.01).radius, 0);
-}
-
 }  // namespace
 }  // namespace burin

@@ -87,15 +87,4 @@ struct Partition {
 Partition partition(const Box2& sheet, std::span<const BorderLine> lines, const LabelAt& label_at,
                     const PartitionOptions& options, const RunContext& context);
 
-/// The place in a region that is farthest from its border.
-struct InnerPoint {
-  Vec2 at{0};
-  /// Paper mm from the border.
-  double radius = 0;
-};
-
-/// Within `precision` paper mm; radius 0 where the rings hold nothing. Cost: the number of sides,
-/// some hundred times. @cite GarciaCastellanos2007
-InnerPoint inner_point(std::span<const std::vector<Vec2>> rings, double precision);
-
 }  // namespace burin
