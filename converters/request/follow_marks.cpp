@@ -3,12 +3,13 @@
 
 #include <cmath>
 #include <iterator>
+#include <map>
 #include <optional>
 
 namespace burin::detail {
 namespace {
 
-/// What the marks of all models ask together; of what only one may say the last one holds.
+/// What the marks of all models ask together; of what only one may give the last one holds.
 struct Asked {
   std::vector<Look> looks;
   std::vector<ExplodeStep> steps;
@@ -28,7 +29,7 @@ class Follower {
     for (const ModelMarks::Look& mark : marks.looks) asked_.looks.push_back(look(in, mark));
     if (!marks.steps.empty()) set_steps(in, marks.steps);
     asked_.callouts = asked_.callouts || marks.callouts;
-    if (!marks.items.empty()) set_items(in, marks.items);
+    for (const auto& [number, part] : marks.items) add_item(in, marks.source, number, part);
     if (marks.view) {
       const ViewOptions view = view_of(in, "view", *marks.view, "view.from");
       asked_.view = {view.direction, view.up};
@@ -49,8 +50,10 @@ class Follower {
     if (request_.items.empty() && !asked_.items.empty()) plan_.numbers = std::move(asked_.items);
     set_view();
     Request given = request_.options;
-    if (asked_.up) given.try_emplace("up", std::vector<std::string>{"marks"});
+    if (asked_.up && !request_.has("view"))
+      given.try_emplace("up", std::vector<std::string>{"marks"});
     plan_.notes = unused_choices(given, plan_);
+    plan_.notes.append(clashes_);
   }
 
  private:
@@ -66,7 +69,6 @@ class Follower {
   }
 
   void set_steps(const KeyedFile& in, const std::vector<ModelMarks::Step>& steps) {
-    asked_.steps.clear();
     asked_.steps_place = in.place("");
     for (const auto& [parts, move] : steps) {
       asked_.steps.push_back({.move = parts,
@@ -76,12 +78,16 @@ class Follower {
     }
   }
 
-  void set_items(const KeyedFile& in, const std::vector<std::pair<double, std::string>>& items) {
-    asked_.items.clear();
-    for (const auto& [number, part] : items) {
-      asked_.items.try_emplace(item_number(in, fmt::format("{:.0f}", number), ""),
-                               KeptItem{.name = "", .select = part});
-    }
+  void add_item(const KeyedFile& in, const std::string& source, double number,
+                const std::string& part) {
+    const int wanted = item_number(in, fmt::format("{:.0f}", number), "");
+    const auto [it, is_new] =
+        asked_.items.try_emplace(wanted, KeptItem{.name = "", .select = part});
+    if (is_new) numbered_by_[wanted] = source;
+    if (numbered_by_[wanted] == source) return;
+    clashes_.add(Severity::Warning, "marks.number_taken", 1,
+                 fmt::format("{}: '{}' gets another number than {}, which '{}' has", source, part,
+                             wanted, it->second.select));
   }
 
   /// The view as an option makes it. `key`: what errors call it.
@@ -101,12 +107,16 @@ class Follower {
       if (!up_asked) plan_.view.up = asked_.view->up;
       plan_.finds_view = false;
     }
-    if (asked_.up && !up_asked) plan_.view.up = *asked_.up;
+    // A view that is asked for has its own way up.
+    if (asked_.up && !up_asked && !request_.has("view")) plan_.view.up = *asked_.up;
   }
 
   const DrawRequest& request_;
   DrawPlan& plan_;
   Asked asked_;
+  /// The model whose mark gave the number.
+  std::map<int, std::string> numbered_by_;
+  Diagnostics clashes_;
 };
 
 }  // namespace

@@ -15,8 +15,8 @@ namespace {
 
 /// Triangles that a thread labels in a row.
 constexpr std::size_t kGrain = 64;
-/// Paper mm^2: in smaller triangles a border is not looked for.
-constexpr double kLeastDivided = 0.005;
+/// Paper mm^2: in smaller triangles a border is not looked for, and one place decides.
+constexpr double kLeastDivided = 0.02;
 /// Halvings on the way from one node to the next: a thousandth of it.
 constexpr int kHalvings = 10;
 /// Triangles may grow in number by this factor through all rounds.
@@ -232,8 +232,11 @@ LabelledMesh label_triangles(Network& network, const LabelAt& label_at,
               found[t] = *before;
             } else {
               Labels labels{label_at(middle_of(corners)), {}};
-              std::ranges::transform(around(corners), labels.round.begin(), label_at);
-              found[t] = {labels.most(), labels.mixed() && area_of(out.mesh, t) >= kLeastDivided};
+              labels.round.fill(labels.middle);
+              if (area_of(out.mesh, t) >= kLeastDivided) {
+                std::ranges::transform(around(corners), labels.round.begin(), label_at);
+              }
+              found[t] = {labels.most(), labels.mixed()};
             }
             if (divides && found[t].mixed) {
               pieces[t] = TriangleBorder(corners, label_at).find();

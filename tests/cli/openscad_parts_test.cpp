@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numbers>
 #include <set>
 
@@ -74,6 +75,46 @@ TEST_F(OpenscadParts, FacesKnowTheirPrimitives) {
   drawn("-v");
   EXPECT_NE(err_.find("stand for: 1 cylinder, 1 sphere\n"), std::string::npos) << err_;
   EXPECT_EQ(err_.find("by_openscad"), std::string::npos) << err_;
+}
+
+TEST_F(OpenscadParts, MarksOfSeveralModelsHoldTogether) {
+  folder_.write("a.scad",
+                "use <burin.scad>\nexplode([0, 0, 30]) part(\"a1\") cube(10);\ncallout(7) "
+                "part(\"a2\") translate([0, 0, -9]) cube(9);\n");
+  folder_.write("b.scad",
+                "use <burin.scad>\nexplode([0, 0, -20]) part(\"b1\") translate([40, 0, 0]) "
+                "cube(8);\ncallout(8) part(\"b2\") translate([40, 0, 9]) cube(7);\ncallout(7) "
+                "part(\"b3\") translate([60, 0, 9]) cube(6);\n");
+  ASSERT_EQ(run("draw @/a.scad @/b.scad -o @/o.json --explode auto --view front --scale 1"), 0)
+      << err_;
+  EXPECT_NE(err_.find("'/b3' gets another number than 7, which '/a2' has"), std::string::npos)
+      << err_;
+  const Json drawing = Json::parse(slurp(folder_ / "o.json"));
+  std::map<std::string, int> numbers;
+  for (const Json& item : drawing["items"]) numbers[item["name"]] = item["number"];
+  EXPECT_EQ(numbers["a2"], 7);
+  EXPECT_EQ(numbers["b2"], 8);
+  EXPECT_EQ(numbers.size(), 5U);
+  // Steps of both: a1 has gone up by 30, b1 down by 20.
+  std::map<int, std::pair<double, double>> heights;
+  for (const Json& layer : drawing["layers"]) {
+    if (layer["name"] == "trail" || layer["name"] == "callouts") continue;
+    for (const Json& path : layer["paths"]) {
+      auto& [low, high] = heights.try_emplace(path["part"], 1e9, -1e9).first->second;
+      for (const Json& point : path["points"]) {
+        low = std::min(low, point[1].get<double>());
+        high = std::max(high, point[1].get<double>());
+      }
+    }
+  }
+  EXPECT_NEAR(heights[0].second - heights[1].second, 40, 0.01);
+  EXPECT_NEAR(heights[1].first - heights[2].first, 11, 0.01);
+}
+
+TEST_F(OpenscadParts, AViewThatIsAskedForHasItsOwnWayUp) {
+  parts_of("use <burin.scad>\nview(\"top\", up = [1, 0, 0]);\ncube([30, 20, 10]);\n");
+  EXPECT_EQ(drawn("--view iso"), drawn("--view iso --up 0,0,1"));
+  EXPECT_NE(drawn(""), drawn("--view top"));
 }
 
 TEST_F(OpenscadParts, ModelsSayHowTheyAreDrawn) {

@@ -41,6 +41,9 @@ const std::vector<Known>& known() {
 
 std::string needed_for(const std::filesystem::path& path) {
   const std::string suffix = model_suffix(path);
+  // A reader that is there has refused the file for another reason: it is packed.
+  const auto knows = [plain = "x" + suffix](const Reader* r) { return r->knows_suffix(plain); };
+  if (std::ranges::any_of(own_readers(), knows)) return {};
   for (const Known& row : known()) {
     if (std::ranges::find(row.suffixes, suffix) != row.suffixes.end()) {
       return needs(row.files, row.piece);
