@@ -193,7 +193,7 @@ class Known {
   /// The same for whichever corner is the first.
   static Key key(Corners c) {
     const auto less = [](Vec2 a, Vec2 b) { return std::pair(a.x, a.y) < std::pair(b.x, b.y); };
-    std::ranges::rotate(c, std::ranges::min_element(c, less));
+    std::rotate(c.begin(), std::min_element(c.begin(), c.end(), less), c.end());
     return {c[0].x, c[0].y, c[1].x, c[1].y, c[2].x, c[2].y};
   }
 

@@ -123,7 +123,8 @@ class RingWalk {
       }
     }
     for (AreaRegion& region : regions_) {
-      std::ranges::stable_partition(region.rings, [&](const AreaRing& r) { return turns_left(r); });
+      std::stable_partition(region.rings.begin(), region.rings.end(),
+                            [&](const AreaRing& r) { return turns_left(r); });
     }
     return std::move(regions_);
   }

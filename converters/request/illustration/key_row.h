@@ -87,9 +87,9 @@ Json object_schema(const std::vector<KeyRow<T>>& rows) {
 
 /// A flag; not written where it is absent.
 template <class T>
-KeyRow<T> flag_row(std::string name, const char* meaning, std::optional<bool> T::*member) {
+KeyRow<T> flag_row(const char* name, const char* meaning, std::optional<bool> T::*member) {
   return {
-      .name = std::move(name),
+      .name = name,
       .schema = flag(meaning),
       .read = [member](const KeyedFile& in, const Json& value, const std::string& path,
                        T& to) { to.*member = in.flag(value, path); },
@@ -98,9 +98,9 @@ KeyRow<T> flag_row(std::string name, const char* meaning, std::optional<bool> T:
 
 /// Text that is not empty; not written where it is.
 template <class T>
-KeyRow<T> text_row(std::string name, const char* meaning, std::string T::*member) {
+KeyRow<T> text_row(const char* name, const char* meaning, std::string T::*member) {
   return {
-      .name = std::move(name),
+      .name = name,
       .schema = text(meaning),
       .read = [member](const KeyedFile& in, const Json& value, const std::string& path,
                        T& to) { to.*member = in.text(value, path); },

@@ -89,7 +89,10 @@ Row head_row(const char* name, Json schema, Json written = {}) {
 }
 
 /// A list that is left out where it is empty.
-Json unless_empty(Json list) { return list.empty() ? Json() : list; }
+Json unless_empty(Json list) {
+  if (list.empty()) return {};
+  return list;
+}
 
 Json write_explosion(const IllustrationFile& file) {
   if (file.request.explode.steps.empty()) return {};
