@@ -1,5 +1,8 @@
 #include "network.h"
 
+#include <burin/base/nearest_along.h>
+#include <burin/base/segment_in_box.h>
+
 #include <boost/geometry/geometries/box.hpp>
 #include <boost/geometry/geometries/point_xy.hpp>
 #include <boost/geometry/index/rtree.hpp>
@@ -53,27 +56,7 @@ Boxes tree_of(const Network& network) {
 }
 
 /// The share of the way from `a` to `b` that is nearest to `p`, from 0 to 1.
-double share_along(Vec2 p, Vec2 a, Vec2 b) {
-  const Vec2 d = b - a;
-  const double length2 = glm::dot(d, d);
-  return length2 > 0 ? std::clamp(glm::dot(p - a, d) / length2, 0.0, 1.0) : 0;
-}
-
-/// The piece of a segment within the box, as shares of it; nothing: first > second.
-std::pair<double, double> clip(const Box2& box, Vec2 a, Vec2 b) {
-  double from = 0, to = 1;
-  for (glm::length_t i = 0; i < 2; ++i) {
-    const double d = b[i] - a[i];
-    if (d == 0) {
-      if (a[i] < box.min[i] || a[i] > box.max[i]) return {1, 0};
-      continue;
-    }
-    const double u = (box.min[i] - a[i]) / d, v = (box.max[i] - a[i]) / d;
-    from = std::max(from, std::min(u, v));
-    to = std::min(to, std::max(u, v));
-  }
-  return {from, to};
-}
+double share_along(Vec2 p, Vec2 a, Vec2 b) { return nearest_along(a, b - a, p); }
 
 class Builder {
  public:
@@ -108,11 +91,12 @@ class Builder {
     std::uint32_t last = kNone, first = kNone;
     for (std::size_t i = 0; i < sides; ++i) {
       const Vec2 a = line.points[i], b = line.points[(i + 1) % n];
-      const auto [from, to] = clip(sheet_, a, b);
-      if (from > to) {
+      const auto inside = segment_in_box(a, b, sheet_);
+      if (!inside) {
         last = kNone;
         continue;
       }
+      const auto [from, to] = *inside;
       if (last == kNone || from > 0) last = add(glm::mix(a, b, from));
       if (i == 0 && from == 0) first = last;
       const bool closes = i + 1 == n && first != kNone && to == 1;

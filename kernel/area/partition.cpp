@@ -1,11 +1,11 @@
 #include <burin/area/partition.h>
+#include <burin/base/disjoint_sets.h>
 
 #include "labelled.h"
 #include "network.h"
 
 #include <algorithm>
 #include <map>
-#include <numeric>
 #include <utility>
 
 namespace burin {
@@ -17,38 +17,21 @@ using detail::SheetMesh;
 /// Times that narrow regions go to a neighbour: what is left has no neighbour wide enough.
 constexpr int kMostCleaned = 6;
 
-/// Triangles of one label that hang together.
-class Pieces {
- public:
-  explicit Pieces(const LabelledMesh& labelled) : parent_(labelled.labels.size()) {
-    std::iota(parent_.begin(), parent_.end(), 0U);
-    const SheetMesh& mesh = labelled.mesh;
-    for (std::uint32_t t = 0; t < parent_.size(); ++t) {
-      for (const std::int32_t n : mesh.beyond[t]) {
-        const auto other = static_cast<std::uint32_t>(n);
-        if (n > static_cast<std::int32_t>(t) && labelled.labels[t] == labelled.labels[other]) {
-          join(t, other);
-        }
-      }
+/// For each triangle the lowest one of the piece that it is in: triangles of one label that hang
+/// together.
+std::vector<std::uint32_t> pieces_of(const LabelledMesh& labelled) {
+  const std::size_t n = labelled.labels.size();
+  DisjointSets sets(n);
+  for (std::uint32_t t = 0; t < n; ++t) {
+    for (const std::int32_t beyond : labelled.mesh.beyond[t]) {
+      const auto other = static_cast<std::uint32_t>(beyond);
+      if (beyond >= 0 && labelled.labels[t] == labelled.labels[other]) sets.join(t, other);
     }
-    for (std::uint32_t t = 0; t < parent_.size(); ++t) parent_[t] = find(t);
   }
-
-  /// The lowest triangle of the piece of `t`.
-  std::uint32_t of(std::uint32_t t) const { return parent_[t]; }
-
- private:
-  std::uint32_t find(std::uint32_t t) {
-    while (parent_[t] != t) t = parent_[t] = parent_[parent_[t]];
-    return t;
-  }
-  void join(std::uint32_t a, std::uint32_t b) {
-    a = find(a), b = find(b);
-    parent_[std::max(a, b)] = std::min(a, b);
-  }
-
-  std::vector<std::uint32_t> parent_;
-};
+  std::vector<std::uint32_t> pieces;
+  for (std::uint32_t t = 0; t < n; ++t) pieces.push_back(sets.find(t));
+  return pieces;
+}
 
 /// Side `i` of a triangle, counterclockwise.
 std::array<std::uint32_t, 2> side(const SheetMesh& mesh, std::size_t t, std::size_t i) {
@@ -68,17 +51,17 @@ bool clean(LabelledMesh& labelled, double least_width) {
     double width() const { return 2 * area / border; }
   };
   const SheetMesh& mesh = labelled.mesh;
-  const Pieces pieces(labelled);
+  const std::vector<std::uint32_t> pieces = pieces_of(labelled);
   std::map<std::uint32_t, Size> sizes;
   for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
-    Size& size = sizes[pieces.of(t)];
+    Size& size = sizes[pieces[t]];
     size.area += detail::area_of(mesh, t);
     for (std::size_t i = 0; i < 3; ++i) {
       const std::int32_t n = mesh.beyond[t][i];
-      if (n >= 0 && pieces.of(static_cast<std::uint32_t>(n)) == pieces.of(t)) continue;
+      if (n >= 0 && pieces[static_cast<std::size_t>(n)] == pieces[t]) continue;
       const double l = length(mesh, t, i);
       size.border += l;
-      if (n >= 0) size.beside[pieces.of(static_cast<std::uint32_t>(n))] += l;
+      if (n >= 0) size.beside[pieces[static_cast<std::size_t>(n)]] += l;
     }
   }
   std::map<std::uint32_t, AreaLabel> taken;
@@ -94,8 +77,7 @@ bool clean(LabelledMesh& labelled, double least_width) {
     }
   }
   for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
-    if (const auto it = taken.find(pieces.of(t)); it != taken.end())
-      labelled.labels[t] = it->second;
+    if (const auto it = taken.find(pieces[t]); it != taken.end()) labelled.labels[t] = it->second;
   }
   return !taken.empty();
 }
@@ -103,11 +85,11 @@ bool clean(LabelledMesh& labelled, double least_width) {
 class RingWalk {
  public:
   RingWalk(const LabelledMesh& labelled, const detail::NearSegments& near, double reach)
-      : mesh_(labelled.mesh), pieces_(labelled), near_(near), reach_(reach) {
+      : mesh_(labelled.mesh), pieces_(pieces_of(labelled)), near_(near), reach_(reach) {
     numbers_.assign(mesh_.triangles.size(), -1);
     walked_.assign(mesh_.triangles.size(), {});
     for (std::uint32_t t = 0; t < mesh_.triangles.size(); ++t) {
-      if (pieces_.of(t) == t) {
+      if (pieces_[t] == t) {
         numbers_[t] = static_cast<std::int32_t>(regions_.size());
         regions_.push_back({labelled.labels[t], 0, {}});
       }
@@ -130,10 +112,10 @@ class RingWalk {
   }
 
  private:
-  std::int32_t number(std::uint32_t t) const { return numbers_[pieces_.of(t)]; }
+  std::int32_t number(std::uint32_t t) const { return numbers_[pieces_[t]]; }
   bool is_border(std::uint32_t t, std::size_t i) const {
     const std::int32_t n = mesh_.beyond[t][i];
-    return n < 0 || pieces_.of(static_cast<std::uint32_t>(n)) != pieces_.of(t);
+    return n < 0 || pieces_[static_cast<std::size_t>(n)] != pieces_[t];
   }
 
   /// Around each corner through the triangles of the region itself, so that a ring which touches
@@ -170,7 +152,7 @@ class RingWalk {
   }
 
   const SheetMesh& mesh_;
-  Pieces pieces_;
+  std::vector<std::uint32_t> pieces_;
   const detail::NearSegments& near_;
   double reach_;
   std::vector<std::int32_t> numbers_;

@@ -1,3 +1,4 @@
+#include <burin/base/segment_in_box.h>
 #include <burin/drawing/clip.h>
 
 #include <algorithm>
@@ -12,19 +13,7 @@ namespace {
 
 // The share of a segment in the window, as parameters.
 std::optional<std::pair<double, double>> inside(Vec2 a, Vec2 b, const Box2& window) {
-  double t0 = 0, t1 = 1;
-  for (int i = 0; i < 2; ++i) {
-    const double d = b[i] - a[i];
-    if (d == 0) {
-      if (a[i] < window.min[i] || a[i] > window.max[i]) return {};
-      continue;
-    }
-    const double u = (window.min[i] - a[i]) / d, v = (window.max[i] - a[i]) / d;
-    t0 = std::max(t0, std::min(u, v));
-    t1 = std::min(t1, std::max(u, v));
-  }
-  if (!(t0 <= t1)) return {};
-  return std::pair(t0, t1);
+  return segment_in_box(a, b, window);
 }
 
 std::optional<std::pair<double, double>> inside(Vec2 a, Vec2 b, const Disc& disc) {
