@@ -12,8 +12,7 @@
 namespace burin::detail {
 namespace {
 
-/// What the readers of Burin know, whether or not this one was built with them: whoever has a
-/// reader is never asked for here.
+/// What the readers of Burin know, whether or not this one was built with them.
 struct Known {
   std::string_view files, piece;
   std::vector<std::string_view> suffixes;

@@ -2,15 +2,9 @@
 
 #include "../readers.h"
 #include "all.h"
+#include "facets.h"
 
 namespace burin::detail {
-namespace {
-
-Facets facets_of(const ReadOptions& o) {
-  return o.heal.value_or(false) ? Facets::Recognised : Facets::Kept;
-}
-
-}  // namespace
 
 const Reader kGltf{"glTF (.gltf, .glb)",
                    is_gltf_content,

@@ -3,15 +3,9 @@
 
 #include "../readers.h"
 #include "all.h"
+#include "facets.h"
 
 namespace burin::detail {
-namespace {
-
-Facets facets_of(const ReadOptions& o) {
-  return o.heal.value_or(false) ? Facets::Recognised : Facets::Kept;
-}
-
-}  // namespace
 
 const Reader kMesh{"STL, OBJ, OFF, PLY, 3MF",
                    nullptr,
