@@ -27,7 +27,7 @@ class Follower {
   void add(const ModelMarks& marks) {
     const KeyedFile in("{}", marks.source);
     for (const ModelMarks::Look& mark : marks.looks) asked_.looks.push_back(look(in, mark));
-    if (!marks.steps.empty()) set_steps(in, marks.steps);
+    add_steps(in, marks.steps);
     asked_.callouts = asked_.callouts || marks.callouts;
     for (const auto& [number, part] : marks.items) add_item(in, marks.source, number, part);
     if (marks.view) {
@@ -68,8 +68,8 @@ class Follower {
     return look_of(asked, request_, plan_);
   }
 
-  void set_steps(const KeyedFile& in, const std::vector<ModelMarks::Step>& steps) {
-    asked_.steps_place = in.place("");
+  void add_steps(const KeyedFile& in, const std::vector<ModelMarks::Step>& steps) {
+    if (!steps.empty()) asked_.steps_place = in.place("");
     for (const auto& [parts, move] : steps) {
       asked_.steps.push_back({.move = parts,
                               .along = way_of(in, {move.x, move.y, move.z}, "/along"),

@@ -1,12 +1,13 @@
 #pragma once
 // Members of the objects of an illustration file: a row each, from which these objects are read,
-// written and described; internal to the room.
+// written and described; internal to the module.
 
 #include "json_schema.h"
 #include "keyed.h"
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <functional>
 #include <string>
 #include <vector>
@@ -38,7 +39,11 @@ std::vector<std::string> names_of(const std::vector<KeyRow<T>>& rows) {
 template <class T>
 void check_members(const std::vector<KeyRow<T>>& rows, const KeyedFile& in, const Json& object,
                    const std::string& path) {
-  in.check_object(object, path, names_of(rows));
+  in.check_object(object, path);
+  for (const auto& [key, ignored] : object.items()) {
+    const auto row = std::ranges::find(rows, key, &KeyRow<T>::name);
+    if (row == rows.end()) in.unknown(path + "/" + key, key, names_of(rows));
+  }
   for (const KeyRow<T>& row : rows) {
     if (row.missing.empty() || object.contains(row.name)) continue;
     in.fail(path, fmt::format(fmt::runtime(row.missing), row.name));

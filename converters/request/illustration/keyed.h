@@ -41,8 +41,7 @@ class KeyedFile {
                             const std::vector<std::string>& known) const;
 
   /// An object with only known members.
-  void check_object(const Json& value, const std::string& path,
-                    const std::vector<std::string>& known) const;
+  void check_object(const Json& value, const std::string& path) const;
   void check_array(const Json& value, const std::string& path) const;
   /// Never empty.
   std::string text(const Json& value, const std::string& path) const;

@@ -67,23 +67,33 @@ std::pair<std::string, std::string> extended_text(const KeyedFile& in, const Jso
   }
 }
 
-/// One file, into an illustration that may hold what it extends.
-void read(std::string_view text, const std::string& source, int extended, IllustrationFile& out) {
+/// Calls `one` with each file of a chain of illustrations: the one that is extended first, last the
+/// text itself.
+template <class F>
+void for_each_file(std::string_view text, const std::string& source, const F& one,
+                   int extended = 0) {
   const KeyedFile in(text, source);
   const Json json = parse(text, source);
   check_kind(in, json);
   if (json.contains("extends")) {
-    const auto [file, house] = extended_text(in, json["extends"], extended);
-    read(house, file, extended + 1, out);
+    const auto [file, base] = extended_text(in, json["extends"], extended);
+    for_each_file(base, file, one, extended + 1);
   }
-  for (const auto& [key, value] : json.items()) {
-    const std::string path = "/" + key;
-    const auto row =
-        std::ranges::find(detail::rows_of_file(), key, &KeyRow<IllustrationFile>::name);
-    if (row == detail::rows_of_file().end())
-      in.unknown(path, key, detail::names_of(detail::rows_of_file()));
-    if (row->read) row->read(in, value, path, out);
-  }
+  one(in, json);
+}
+
+IllustrationFile read(std::string_view text, const std::string& source) {
+  IllustrationFile out;
+  const std::vector<KeyRow<IllustrationFile>>& rows = detail::rows_of_file();
+  for_each_file(text, source, [&](const KeyedFile& in, const Json& json) {
+    for (const auto& [key, value] : json.items()) {
+      const std::string path = "/" + key;
+      const auto row = std::ranges::find(rows, key, &KeyRow<IllustrationFile>::name);
+      if (row == rows.end()) in.unknown(path, key, detail::names_of(rows));
+      if (row->read) row->read(in, value, path, out);
+    }
+  });
+  return out;
 }
 
 }  // namespace
@@ -91,8 +101,7 @@ void read(std::string_view text, const std::string& source, int extended, Illust
 bool is_illustration(const fs::path& path) { return path.extension() == ".json"; }
 
 IllustrationFile parse_illustration(std::string_view json, const std::string& source) {
-  IllustrationFile illustration;
-  read(json, source, 0, illustration);
+  IllustrationFile illustration = read(json, source);
   if (illustration.inputs.empty()) {
     throw UsageError(source +
                      ": has no parts; name models: \"parts\": [{\"file\": \"part.step\"}]");
@@ -101,8 +110,7 @@ IllustrationFile parse_illustration(std::string_view json, const std::string& so
 }
 
 DrawRequest parse_settings(std::string_view json, const std::string& source) {
-  IllustrationFile illustration;
-  read(json, source, 0, illustration);
+  IllustrationFile illustration = read(json, source);
   if (!illustration.inputs.empty()) {
     throw UsageError(source + ": \"parts\" are those of the scene here");
   }
@@ -113,49 +121,36 @@ IllustrationFile read_illustration(const fs::path& path) {
   return parse_illustration(bytes_of(path.string()), path.string());
 }
 
-namespace {
-
-/// The members of a file over those of what it extends.
-Json members_of(std::string_view text, const std::string& source, int extended) {
-  const KeyedFile in(text, source);
-  const Json json = parse(text, source);
-  Json all = Json::object();
-  if (json.contains("extends")) {
-    const auto [file, house] = extended_text(in, json["extends"], extended);
-    all = members_of(house, file, extended + 1);
-  }
-  for (const auto& [key, value] : json.items()) all[key] = value;
-  return all;
-}
-
-}  // namespace
-
 std::string illustration_members(std::string_view json, const std::string& source) {
-  return members_of(json, source, 0).dump();
+  Json all = Json::object();
+  for_each_file(json, source, [&](const KeyedFile& /*in*/, const Json& file) {
+    for (const auto& [key, value] : file.items()) all[key] = value;
+  });
+  return all.dump();
 }
 
 std::string illustration_members(const fs::path& path) {
   return illustration_members(bytes_of(path.string()), path.string());
 }
 
-DrawRequest merged(const DrawRequest& file, const DrawRequest& door) {
+DrawRequest merged(const DrawRequest& file, const DrawRequest& over) {
   DrawRequest all = file;
-  for (const auto& [name, texts] : door.options) {
+  for (const auto& [name, texts] : over.options) {
     std::vector<std::string>& to = all.options[name];
     if (!find_option(all_options(), name).many) to.clear();
     to.insert(to.end(), texts.begin(), texts.end());
   }
-  if (door.has("style") || !door.style_text.empty()) {
-    all.style_text = door.style_text;
-    all.style_source = door.style_source;
+  if (over.has("style") || !over.style_text.empty()) {
+    all.style_text = over.style_text;
+    all.style_source = over.style_source;
   }
-  all.looks.insert(all.looks.end(), door.looks.begin(), door.looks.end());
-  if (!door.lights.empty()) all.lights = door.lights;
-  all.sections.insert(all.sections.end(), door.sections.begin(), door.sections.end());
-  all.details.insert(all.details.end(), door.details.begin(), door.details.end());
-  if (door.explode.wanted) all.explode = door.explode;
-  if (!door.title.empty()) all.title = door.title;
-  if (!door.items.empty()) all.items = door.items;
+  all.looks.insert(all.looks.end(), over.looks.begin(), over.looks.end());
+  if (!over.lights.empty()) all.lights = over.lights;
+  all.sections.insert(all.sections.end(), over.sections.begin(), over.sections.end());
+  all.details.insert(all.details.end(), over.details.begin(), over.details.end());
+  if (over.explode.wanted) all.explode = over.explode;
+  if (!over.title.empty()) all.title = over.title;
+  if (!over.items.empty()) all.items = over.items;
   return all;
 }
 

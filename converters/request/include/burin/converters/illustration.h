@@ -60,9 +60,9 @@ std::string illustration_members(const std::filesystem::path& path);
 /// Stage "read". Throws InputError.
 Scene read_scene(const IllustrationFile& illustration, RunContext& context);
 
-/// What a door asks, over what an illustration does: options that are given replace those of the
-/// file, of those that may be given several times they follow them.
-DrawRequest merged(const DrawRequest& file, const DrawRequest& door);
+/// What a front end asks, over what an illustration does: options that are given replace those of
+/// the file; those that may be given several times follow them.
+DrawRequest merged(const DrawRequest& file, const DrawRequest& over);
 
 /// A first file to edit, of these inputs and of what was asked; with paths as seen from `folder`.
 /// `steps`: of an exploded view.
