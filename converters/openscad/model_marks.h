@@ -1,5 +1,5 @@
 #pragma once
-// What modifiers and burin.scad ask of the drawing; internal to the room.
+// What modifiers and burin.scad ask of the drawing; internal to the module.
 
 #include <burin/base/diagnostics.h>
 #include <burin/converters/read_result.h>
@@ -11,7 +11,7 @@
 namespace burin::detail {
 
 /// Without the name of the file. `made`: whether something came of each part; of others nothing is
-/// asked. What says nothing useful is told.
+/// asked. Marks with wrong arguments become diagnostics.
 ModelMarks marks_of(const TreeParts& parts, const std::vector<bool>& made,
                     Diagnostics& diagnostics);
 

@@ -1,5 +1,5 @@
-// In the place of load.cpp where Burin was built without OCCT (BURIN_CAD): whoever finds exact
-// shapes in a file of his own format, FreeCAD's or IRIT's, is told so.
+// In the place of load.cpp where Burin was built without OCCT (BURIN_CAD): readers of FreeCAD's and
+// IRIT's files that find exact shapes get an error.
 
 #include "absent.h"
 
