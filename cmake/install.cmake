@@ -89,7 +89,7 @@ install(FILES README.md LICENSE CHANGELOG.md DESTINATION ${docs} COMPONENT comma
 install(FILES ${PROJECT_SOURCE_DIR}/samples/openscad/burin.scad DESTINATION ${CMAKE_INSTALL_DATADIR}/burin/openscad
   COMPONENT command)
 
-# Manual pages and completions, which the command itself tells.
+# Manual pages and completions, which the command itself prints.
 set(told ${CMAKE_BINARY_DIR}/told)
 add_custom_command(OUTPUT ${told}/done
   COMMAND ${CMAKE_COMMAND} -DBURIN=$<TARGET_FILE:burin_cli> -DFOLDER=${told} -P ${PROJECT_SOURCE_DIR}/cmake/told.cmake

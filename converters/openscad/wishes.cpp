@@ -52,7 +52,7 @@ class Settings {
     if (call.mark.what == "ink") return ink(call, names);
     if (call.mark.what == "explode") return explode(call, names);
     if (call.mark.what == "callout") return callout(call, names);
-    tell(fmt::format("burin.scad says {}, which this Burin does not know",
+    tell(fmt::format("burin.scad asks for {}, which this Burin does not know",
                      in_quotes(call.mark.what)));
   }
 
@@ -81,7 +81,8 @@ class Settings {
       for (std::size_t k = 0; k < 3; ++k) way[i] += call.at.row[i][k] * by[k].get<double>();
     }
     const double length = std::hypot(way[0], way[1], way[2]);
-    if (!(length > 0)) return tell("explode() takes a way in mm, as in explode([0, 0, 30]) lid();");
+    if (!(length > 0))
+      return tell("explode() takes lengths in mm, as in explode([0, 0, 30]) lid();");
     json_["explode"]["steps"].push_back(
         {{"move", names}, {"along", {way[0], way[1], way[2]}}, {"by", length}});
   }

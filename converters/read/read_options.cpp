@@ -35,9 +35,8 @@ Set number_to(M member) {
 std::vector<ReadRow> file_rows() {
   return {
       {{{.option = {.name = "input_format",
-                    .meaning =
-                        "what is read from - (standard input), or from files whose names do not "
-                        "tell it: stl, obj, step, .. ; bytes that are clear go before it",
+                    .meaning = "format of standard input (-) and of files without a known suffix: "
+                               "stl, obj, step, .. ; contents that show their format come first",
                     .takes = FreeText{}},
          .group = kFiles,
          .label = "FORMAT"},
@@ -55,7 +54,7 @@ std::vector<ReadRow> file_rows() {
           }
         }},
        kAllFamilies,
-       "standard input and files whose names do not tell their format"},
+       "standard input and files without a known suffix"},
       {{{.option =
              {.name = "define",
               .meaning =
@@ -139,9 +138,9 @@ std::vector<ReadRow> file_rows() {
        FreecadFiles,
        "FreeCAD documents that are recomputed"},
       {{{.option = {.name = "encoding",
-                    .meaning = "the encoding of names that a file does not say it of, such as "
+                    .meaning = "encoding of the names, for files that do not state it, such as "
                                "GB18030, SHIFT_JIS, "
-                               "EUC-KR or WINDOWS-1252 (default: found out from the names)",
+                               "EUC-KR or WINDOWS-1252 (default: guessed from the names)",
                     .takes = FreeText{}},
          .group = kFiles,
          .label = "NAME"},
@@ -154,7 +153,7 @@ std::vector<ReadRow> file_rows() {
       {{{.option =
              {.name = "heal",
               .meaning =
-                  "draw facets of meshes as the round surfaces that they stand for (default for "
+                  "draw facets of meshes as the round surfaces that they approximate (default for "
                   "OpenSCAD files)",
               .takes = Switch{}},
          .group = kLook,
@@ -197,7 +196,7 @@ std::vector<ReadRow> level_rows() {
       {{{.option =
              {.name = "iso",
               .meaning =
-                  "the surface of a volume is where its data takes this value; burin info tells "
+                  "the surface of a volume is where its data has this value; burin info lists "
                   "the range (no default; trivariate splines: 0)",
               .takes = NumberRange{-kMost, kMost},
               .phrase = "a number"},
@@ -275,7 +274,7 @@ std::vector<ReadRow> volume_rows() {
          .label = "NXxNYxNZ[..]"},
         [](ReadOptions& o, const Asked& a) { o.volume.raw = parse_raw_layout(a.text()); }},
        Volumes,
-       "files of raw samples, whose format nothing else tells"},
+       "files of raw samples, which have no header"},
       {{{.option = {.name = "raw_skip",
                     .meaning = "bytes before the first sample of a raw file (default 0)",
                     .takes = WholeRange{0, kMostBytes},
@@ -307,7 +306,7 @@ std::string joined_name(std::string_view row, const std::string& option) {
   return name;
 }
 
-/// The options of what plug-ins brought. One whose name is taken keeps its fallback.
+/// The options of what plug-ins added. One whose name is taken keeps its fallback.
 template <class Kind>
 void append_brought(std::span<const Kind> kinds, const char* what, std::vector<ReadRow>& rows) {
   for (const Kind& kind : kinds) {

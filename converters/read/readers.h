@@ -1,5 +1,5 @@
 #pragma once
-// The table of readers; internal to the room.
+// The table of readers; internal to the module.
 
 #include <burin/converters/read.h>
 #include <burin/plugin/sources.h>
@@ -34,7 +34,7 @@ struct Reader {
   std::string brought = {};
 };
 
-/// The readers and the forms that plug-ins brought.
+/// The readers and the forms that plug-ins added.
 Reader brought_reader(const plugin::ReaderKind& kind);
 Reader brought_form(const plugin::FormKind& kind);
 

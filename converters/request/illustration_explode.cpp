@@ -33,7 +33,7 @@ Explode::Step step(const KeyedFile& in, const Json& value, const std::string& pa
   step.by = in.number(value["by"], path + "/by");
   if (!(step.by > 0 && step.by <= 1e12)) {
     in.fail(path + "/by", fmt::format("\"by\" takes mm over 0, not {}: a step moves parts, and "
-                                      "\"along\" says which way",
+                                      "\"along\" gives the direction",
                                       value["by"].dump()));
   }
   if (value.contains("trail")) step.trail = in.flag(value["trail"], path + "/trail");

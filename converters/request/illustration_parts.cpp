@@ -65,7 +65,7 @@ Vec3 scale_of(const KeyedFile& in, const Json& value, const std::string& path) {
 Placement placement(const KeyedFile& in, const Json& value, const std::string& path) {
   in.check_object(value, path, kPlaceKeys);
   if (value.contains("matrix")) {
-    if (value.size() > 1) in.fail(path, "\"matrix\" stands alone: it says all of a place");
+    if (value.size() > 1) in.fail(path, "\"matrix\" takes no other keys beside it");
     return matrix(in, value["matrix"], path + "/matrix");
   }
   Placement place;

@@ -14,7 +14,7 @@ Section section_of_text(const KeyedFile& in, const Json& value, const std::strin
 SectionPlane plane(const KeyedFile& in, const Json& value, const std::string& path) {
   if (!value.is_object()) {
     const Section section = section_of_text(in, value, path);
-    if (section.planes.size() != 1) in.fail(path, "here one plane stands: x, y, z, or X,Y,Z; =MM");
+    if (section.planes.size() != 1) in.fail(path, "takes one plane: x, y, z, or X,Y,Z; =MM");
     return section.planes.front();
   }
   in.check_object(value, path, kPlaneKeys);
@@ -31,7 +31,7 @@ SectionPlane plane(const KeyedFile& in, const Json& value, const std::string& pa
 std::vector<SectionPlane> planes(const KeyedFile& in, const Json& value, const std::string& path) {
   constexpr std::size_t kMost = 64;
   in.check_array(value, path);
-  if (value.empty() || value.size() > kMost) in.fail(path, "a list of 1 to 64 planes stands here");
+  if (value.empty() || value.size() > kMost) in.fail(path, "takes a list of 1 to 64 planes");
   std::vector<SectionPlane> out;
   for (std::size_t i = 0; i < value.size(); ++i) {
     out.push_back(plane(in, value[i], fmt::format("{}/{}", path, i)));

@@ -235,7 +235,7 @@ Json explode_schema() {
                            {"type", "number"},
                            {"exclusiveMinimum", 0},
                            {"maximum", 1e12}}},
-                         {"trail", flag("false: no line shows the way")}});
+                         {"trail", flag("false: no trail line is drawn")}});
   step["required"] = {"move", "along", "by"};
   Json steps = list_of(step);
   steps["minItems"] = 1;
@@ -253,7 +253,7 @@ Json explode_schema() {
 
 Json detail_schema() {
   const Json short_form = text("a part or an assembly, or X,Y,Z,R in mm; =A:B behind it");
-  const Json selector = text("what it shows: a part or an assembly, as in looks");
+  const Json selector = text("what is drawn larger: a part or an assembly, as in looks");
   const Json whole = object_of(
       {{"select", {{"anyOf", {selector, list_of(selector)}}}},
        {"at", vector_of("instead: the point in its middle, model mm")},

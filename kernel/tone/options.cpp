@@ -37,7 +37,7 @@ std::vector<OptionRow<ToneOptions>> rows() {
       number("rim", &ToneOptions::rim, {0, 1},
              "darkness added where the surface turns away from the viewer"),
       options::word("ink", &ToneOptions::ink, {"shade", "light"},
-                    "what ink stands for: shade, or light, as on dark paper"),
+                    "what ink represents: shade, or light, as on dark paper"),
       number(
           "median_min", &ToneOptions::median_min, {0, 1},
           "least ink that half of the picture is to have; one exponent of all ink brings it there",

@@ -1,5 +1,5 @@
 #pragma once
-/// Curves as a plain SVG, coloured by what they are: for the eyes of whoever debugs a room.
+/// Curves as a plain SVG, coloured by what they are, for debugging a module.
 
 #include <burin/base/curve.h>
 #include <burin/camera/camera.h>

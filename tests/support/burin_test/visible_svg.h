@@ -1,6 +1,6 @@
 #pragma once
 /// Spans as a plain SVG: visible lines black (the outer outline thick), hidden ones pale red if
-/// asked for. For the eyes of whoever debugs a room.
+/// asked for. For debugging a module.
 
 #include <burin_test/view.h>
 #include <fmt/format.h>

@@ -84,7 +84,7 @@ void check_inputs(const std::vector<std::string>& paths);
 Scene read_scene(const std::vector<std::string>& paths, const ReadOptions& options,
                  RunContext& context);
 
-/// What `burin info` tells of a file. Throws InputError.
+/// What `burin info` prints about a file. Throws InputError.
 FileInfo inspect_file(const std::filesystem::path& path, const ReadOptions& options,
                       RunContext& context);
 

@@ -1,5 +1,5 @@
 #pragma once
-/// What has changed between two revisions, as doors ask for it and say it.
+/// What has changed between two revisions, as front ends ask for it and report it.
 
 #include <burin/converters/request.h>
 #include <burin/converters/write_difference.h>
@@ -14,7 +14,7 @@
 
 namespace burin {
 
-/// A revision as it was read, and how a door and its own file want it drawn.
+/// A revision as it was read, and how the front end and its own file want it drawn.
 struct Revision {
   Scene scene;
   DrawPlan plan;
