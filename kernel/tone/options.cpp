@@ -40,7 +40,7 @@ std::vector<OptionRow<ToneOptions>> rows() {
                     "what ink represents: shade, or light, as on dark paper"),
       number(
           "median_min", &ToneOptions::median_min, {0, 1},
-          "least ink that half of the picture is to have; one exponent of all ink brings it there",
+          "least ink that half of the picture is to have; one exponent of all ink raises it to this",
           "median_max"),
       number("median_max", &ToneOptions::median_max, {0, 1},
              "most ink that half of the picture is to have"),

@@ -2,7 +2,7 @@
 
     out = "out"                              # folder of the drawings, beside the file of jobs
     views = ["iso"]                          # these four hold for all groups of files that do not say otherwise
-    styles = ["technical", "house.json"]
+    styles = ["technical", "company.json"]
     outputs = ["{folder}/{name}-{view}-{style}.svg"]
     options = {paper = "A5", set = {"line.outer" = 0.5}}
     limits = {timeout = 120, memory = "4G"}  # of each drawing

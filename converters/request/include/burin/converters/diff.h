@@ -43,7 +43,7 @@ struct DiffOutcome {
 };
 
 /// Compares two models, part by part, and draws both as the plan of `after` says, for both sheets
-/// together: with `draws`. What options at a door leave out is not compared; a part that the file
+/// together: with `draws`. What options of the user leave out is not compared; a part that the file
 /// of one revision alone leaves out is compared and its look told, one that both leave out is not.
 /// Exploded views, callouts and parts lists are left out of such a drawing, and told. Throws as
 /// `compare_revisions`, `select_parts`, `draw`.

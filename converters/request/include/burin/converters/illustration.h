@@ -55,12 +55,12 @@ DrawRequest parse_settings(std::string_view json, const std::string& source);
 /// Stage "read". Throws InputError.
 Scene read_scene(const IllustrationFile& illustration, RunContext& context);
 
-/// What a door asks, over what an illustration does: options that are given replace those of the
-/// file, of those that may be given several times they follow them.
+/// What a front end asks, over what an illustration does: options that are given replace those of
+/// the file, of those that may be given several times they follow them.
 DrawRequest merged(const DrawRequest& file, const DrawRequest& door);
 
-/// What a door asks, over what the files of a scene say of how they are to be drawn. Illustrations
-/// do not ask for it: they say all themselves. Throws as `parse_settings`.
+/// What a front end asks, over what the files of a scene say of how they are to be drawn.
+/// Illustrations do not ask for it: they say all themselves. Throws as `parse_settings`.
 DrawRequest with_settings(const Scene& scene, const DrawRequest& door);
 
 /// A first file to edit, of these inputs and of what was asked; with paths as seen from `folder`.

@@ -244,6 +244,10 @@
       <translation>Isometrisch</translation>
     </message>
     <message>
+      <source>Its position along its axis</source>
+      <translation>Wo sie auf ihrer Achse steht</translation>
+    </message>
+    <message>
       <source>Join</source>
       <translation>Verbinden</translation>
     </message>
@@ -590,10 +594,6 @@
     <message>
       <source>What moves together; a row lights up its objects in the 3-D view</source>
       <translation>Was sich gemeinsam bewegt; eine Zeile hebt ihre Objekte in der 3D-Ansicht hervor</translation>
-    </message>
-    <message>
-      <source>Its position along its axis</source>
-      <translation>Wo sie auf ihrer Achse steht</translation>
     </message>
     <message>
       <source>Where the view from the left goes: to the right of the front view (first angle), or to its left (third angle)</source>
