@@ -1,5 +1,5 @@
 #pragma once
-// What modifiers and burin.scad ask of the drawing; internal to the room.
+// What modifiers and burin.scad ask of the drawing; internal to the module.
 
 #include <burin/base/diagnostics.h>
 #include <burin/converters/read_result.h>

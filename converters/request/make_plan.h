@@ -1,5 +1,5 @@
 #pragma once
-// Pieces of which plans are made; internal to the room.
+// Pieces of which plans are made; internal to the module.
 
 #include <burin/converters/read_result.h>
 #include <burin/converters/request.h>

@@ -1,5 +1,5 @@
 #pragma once
-// Pieces of JSON Schema; internal to the room.
+// Pieces of JSON Schema; internal to the module.
 
 #include <nlohmann/json.hpp>
 

@@ -1,6 +1,6 @@
 #pragma once
 // Members of the objects of an illustration file: a row each, from which these objects are read,
-// written and described; internal to the room.
+// written and described; internal to the module.
 
 #include "json_schema.h"
 #include "keyed.h"

@@ -1,6 +1,6 @@
 #pragma once
 // What the keys of illustration files are: reading and the schema are made from them; internal to
-// the room.
+// the module.
 
 #include <burin/options/request.h>
 

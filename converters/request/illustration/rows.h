@@ -1,6 +1,6 @@
 #pragma once
 // The keys of illustration files: they are read, written and described by these rows; internal to
-// the room.
+// the module.
 
 #include "key_row.h"
 

@@ -32,7 +32,7 @@ struct IllustrationInput {
 /// What an illustration file says.
 struct IllustrationFile {
   std::vector<IllustrationInput> inputs;
-  /// All else, as a door would ask it.
+  /// All else, as a front end would ask for it.
   DrawRequest request;
 };
 
@@ -60,8 +60,8 @@ std::string illustration_members(const std::filesystem::path& path);
 /// Stage "read". Throws InputError.
 Scene read_scene(const IllustrationFile& illustration, RunContext& context);
 
-/// What a door asks, over what an illustration does: options that are given replace those of the
-/// file, of those that may be given several times they follow them.
+/// What a front end asks, over what an illustration does: options that are given replace those of
+/// the file, of those that may be given several times they follow them.
 DrawRequest merged(const DrawRequest& file, const DrawRequest& door);
 
 /// A first file to edit, of these inputs and of what was asked; with paths as seen from `folder`.
