@@ -117,7 +117,7 @@ if(NOT BURIN_COMMAND)
   add_custom_target(burin_installed DEPENDS ${libraries} ${programs})
   return()
 endif()
-# Manual pages and completions, which the command itself tells.
+# Manual pages and completions, which the command itself prints.
 set(told ${CMAKE_BINARY_DIR}/told)
 add_custom_command(OUTPUT ${told}/done
   COMMAND ${CMAKE_COMMAND} -DBURIN=$<TARGET_FILE:burin_cli> -DFOLDER=${told} -P ${PROJECT_SOURCE_DIR}/cmake/told.cmake

@@ -1,4 +1,4 @@
-# cmake -DBURIN=COMMAND -DFOLDER=FOLDER -P told.cmake: what the command tells of itself, as installed files: manual pages in
+# cmake -DBURIN=COMMAND -DFOLDER=FOLDER -P told.cmake: what the command prints about itself, as installed files: manual pages in
 # FOLDER/man1, completions of shells in FOLDER/share. Plug-ins of whoever builds are no part of it.
 function(tell file)
   execute_process(COMMAND ${CMAKE_COMMAND} -E env BURIN_PLUGIN_PATH= XDG_DATA_HOME=${FOLDER}/none ${BURIN} options ${ARGN}

@@ -1,5 +1,5 @@
 #pragma once
-/// The door of libburin_cad: one symbol, `burin_cad_library`, which gives this.
+/// The entry point of libburin_cad: one symbol, `burin_cad_library`, which gives this.
 
 #include <burin/base/run_context.h>
 #include <burin/converters/cad_reader.h>

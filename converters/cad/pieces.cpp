@@ -141,7 +141,7 @@ void tell_left_out(const std::vector<CadPart>& parts, const Loose& loose, const 
   diagnostics.add(
       severity, "cad.no_faces", loose.count(),
       fmt::format("curves, points and notes, which have no faces, were left out; the first "
-                  "of them stand in '{}'",
+                  "of them are in '{}'",
                   first));
 }
 

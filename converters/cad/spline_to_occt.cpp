@@ -42,7 +42,7 @@ Knots knots_of(const std::vector<double>& flat, int degree, int count) {
     const bool end = i == 0 || i + 1 == knots.size();
     if (knots[i].second > degree + (end ? 1 : 0)) {
       throw GeometryError(
-          fmt::format("the knot {} stands there {} times, which tears a spline of order {}",
+          fmt::format("the knot {} occurs {} times, at which a spline of order {} breaks",
                       knots[i].first, knots[i].second, degree + 1));
     }
   }

@@ -83,7 +83,7 @@ void tell_external(STEPCAFControl_Reader& reader, const Source& source, CadFile&
   const Names missing = not_read(reader, folder_of(source));
   if (missing.empty()) return;
   const std::string what = fmt::format(
-      "parts of the assembly stand in other files, which are not there or are no STEP "
+      "parts of the assembly are in other files, which are missing or are no STEP "
       "files: {}; put them into its folder, or export it as one file",
       listed(missing));
   if (file.parts.empty()) throw InputError(what, source.file());

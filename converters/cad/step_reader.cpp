@@ -114,7 +114,7 @@ EndsAt parse(STEPCAFControl_Reader& reader, const Source& source, const std::str
   if (closed.empty() || !parses(reader, closed, source, context)) fail_parsing(source, message);
   const EndsAt line = source.line_of(source.bytes().data() + source.bytes().size());
   diagnostics.add(Severity::Error, "step.truncated", 1,
-                  fmt::format("the file ends early, in line {}; what stands before was read, the "
+                  fmt::format("the file ends early, in line {}; the part before it was read, the "
                               "rest is missing and parts may be out of place",
                               line));
   return line;

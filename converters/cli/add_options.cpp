@@ -48,7 +48,7 @@ std::string wrapped(const std::string& text) {
 }
 
 std::string format_help() {
-  return wrapped(fmt::format("{}: format of outputs whose name does not tell it", format_list("")));
+  return wrapped(fmt::format("{}: format of outputs without a known suffix", format_list("")));
 }
 
 std::string output_help(const char* what) {
@@ -104,8 +104,8 @@ void add_chatter(CLI::App& app, Chatter& chatter) {
   app.add_flag("--quiet,-q", chatter.quiet, "print nothing but errors")->group(kRun);
   app.add_flag("--verbose,-v", chatter.verbose, "print the time of each stage")->group(kRun);
   app.add_flag("--progress", chatter.progress,
-               "show progress (default on a terminal); elsewhere than on a\n"
-               "terminal one line a step: burin: progress STAGE SHARE\n"
+               "show progress (default on a terminal); if the output is no\n"
+               "terminal, one line a step: burin: progress STAGE SHARE\n"
                "[WORDS]")
       ->group(kRun);
   app.add_flag("--no-progress", chatter.no_progress, "show none")->group(kRun);

@@ -77,7 +77,7 @@ CLI::App* add_watch(CLI::App& app, DrawArguments& a, Chatter& chatter) {
 
 CLI::App* add_illustrate(CLI::App& app, DrawArguments& a) {
   CLI::App* illustrate =
-      app.add_subcommand("illustrate", "write a first illustration file, to be edited and drawn");
+      app.add_subcommand("illustrate", "write a first illustration file, to edit and then draw");
   illustrate->add_option("INPUT", a.inputs, models())->type_name("")->group(kFiles);
   list(*illustrate, "-o,--output", a.outputs, "FILE", kFiles,
        "illustration file to write, NAME.burin.json; - is standard\noutput. One that exists stays");
@@ -106,7 +106,7 @@ CLI::App* add_steps(CLI::App& app, StepsArguments& a, Chatter& chatter) {
        "one page; NAME.md, and NAME-step-01.svg ... beside it;\nNAME.json, "
        "data; repeatable");
   text(*steps, "--items", a.items, "N", kParts,
-       "items that a step adds at the most, several of one count\nonce (default 6)");
+       "the most items that a step adds; equal parts are one item\n(default 6)");
   // What is about one drawing.
   const std::vector<std::string> others = {"views",          "projection", "detail", "parts_list",
                                            "explode_factor", "scale",      "center", "verify"};
@@ -126,7 +126,7 @@ CLI::App* add_steps(CLI::App& app, StepsArguments& a, Chatter& chatter) {
 
 CLI::App* add_diff(CLI::App& app, DiffArguments& a, Chatter& chatter) {
   CLI::App* diff = app.add_subcommand(
-      "diff", "tell and draw what has changed from one revision of a model to the next");
+      "diff", "list and draw what has changed from one revision of a model to the next");
   DrawArguments& draw = a.draw;
   draw.command = "diff";
   diff->add_option("OLD NEW", draw.inputs,
@@ -141,7 +141,7 @@ CLI::App* add_diff(CLI::App& app, DiffArguments& a, Chatter& chatter) {
                            format_list())));
   text(*diff, "--format", draw.format, "FORMAT", kFiles, format_help());
   text(*diff, "--line-tolerance", a.line_tolerance, "MM", kFiles,
-       "of two drawings: paper mm up to which lines are one\n(default 0.1)");
+       "for two drawings: lines up to this many paper mm apart are\nthe same (default 0.1)");
   // What is about one model.
   const std::vector<std::string> others = {"explode", "explode_factor", "callouts", "parts_list",
                                            "verify"};
@@ -199,7 +199,7 @@ CLI::App* add_convert(CLI::App& app, ConvertArguments& a, Chatter& chatter) {
 
 CLI::App* add_info(CLI::App& app, InfoArguments& a) {
   CLI::App* info =
-      app.add_subcommand("info", "tell what model files hold, and what is wrong with them");
+      app.add_subcommand("info", "list what model files contain and what is wrong with them");
   info->add_option("INPUT", a.inputs, "model files")->type_name("")->group(kFiles);
   for (const RequestOption& option : described(read_option_rows())) {
     // How facets are drawn is nothing that a file holds.
@@ -248,7 +248,7 @@ Arguments parse_arguments(int argc, const char* const* argv) {
   app.get_formatter()->column_width(28);
   app.set_help_flag("-h,--help", "print this help");
   app.footer(
-      "\nburin COMMAND --help tells the options of a command.\n"
+      "\nburin COMMAND --help lists the options of a command.\n"
       "Example: burin draw bracket.stl -o bracket.svg --style engraving");
   app.set_version_flag("--version,-V", version_text(), "print the version");
   CLI::App* draw = add_draw(app, a.draw, a.chatter);

@@ -151,7 +151,7 @@ void check(const JobDrawing& drawing) {
   plan_outputs(drawing.outputs, "", {});
 }
 
-/// What is to be said of a drawing when it has ended.
+/// The messages about a drawing that has ended.
 Json answer_of(const Job& job, const JobDrawing& drawing, KeptScene& kept, const Answers& answers) {
   const Clock::time_point start = Clock::now();
   const InputFiles read;

@@ -22,7 +22,7 @@ class Console {
   Console(const Console&) = delete;
   Console& operator=(const Console&) = delete;
 
-  /// Whether nothing but errors is said.
+  /// Whether only errors are printed.
   bool quiet() const { return quiet_; }
 
   /// For RunContext: draws the bar, or prints a line where no terminal is; behind it what is being

@@ -27,7 +27,7 @@ struct KeptScene {
   bool illustrations = false;
 };
 
-/// What is to be said of a drawing that was written.
+/// The messages about a drawing that was written.
 struct Drawn {
   Diagnostics diagnostics;
   std::optional<Verification> verification = {};
@@ -38,7 +38,7 @@ struct Drawn {
 /// anew.
 Drawn draw_files(const DrawArguments& arguments, RunContext& context, KeptScene* kept = nullptr);
 
-/// The same, and prints what is to be said.
+/// The same, and prints the messages.
 void run_draw(const DrawArguments& arguments, RunContext& context, Console& console,
               KeptScene* kept = nullptr);
 

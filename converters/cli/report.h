@@ -8,7 +8,7 @@ namespace burin::cli {
 constexpr int kDone = 0, kFailed = 1, kUsage = 2, kBadInput = 3, kNoOutput = 4, kStopped = 5,
               kDifferent = 6;
 
-/// What was thrown, as programs and users are told it.
+/// What was thrown, as it is reported to programs and users.
 struct Failure {
   int status = kFailed;
   /// "cancelled", "usage", "missing", "input", "geometry", "output", "memory" or "error".

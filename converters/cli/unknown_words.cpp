@@ -139,7 +139,7 @@ void refuse_command(const CLI::App& app) {
   const std::vector<std::string> words = app.remaining();
   if (words.empty()) {
     throw UsageError(
-        "no command; say what to do, e.g. burin draw part.stl -o part.svg (see burin --help)");
+        "no command; name one, e.g. burin draw part.stl -o part.svg (see burin --help)");
   }
   const std::string& word = words.front();
   if (word.starts_with('-') && words.size() == 1) refuse_extras(app, "burin");

@@ -105,7 +105,7 @@ std::string only_input(const DrawArguments& arguments) {
   return arguments.inputs.size() == 1 ? arguments.inputs.front() : "";
 }
 
-/// Draws once. Returns whether it was drawn; tells what went wrong.
+/// Draws once. Returns whether it was drawn; reports errors.
 bool try_draw(const DrawArguments& arguments, bool first, RunContext& context, Console& console,
               KeptScene& kept) {
   const signals::Turn turn(context);

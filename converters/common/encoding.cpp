@@ -128,15 +128,15 @@ void TextDecoder::tell(Diagnostics& diagnostics) {
   decide();
   if (wrong_ > 0) {
     diagnostics.add(Severity::Warning, "names.encoding", wrong_,
-                    fmt::format("{} bytes of the names are no letters of {}; `encoding` names "
-                                "the one that they are in",
+                    fmt::format("{} bytes of the names are not valid in {}; give the right "
+                                "encoding with `encoding`",
                                 wrong_, plain_name(encoding_)));
     return;
   }
   if (sure_ || texts_.empty()) return;
   diagnostics.add(Severity::Warning, "names.encoding", std::ssize(texts_),
-                  fmt::format("the file does not say in which encoding its names are; they are "
-                              "taken for {} ('{}'); `encoding` says it",
+                  fmt::format("the file does not state the encoding of its names; {} is assumed "
+                              "('{}'); `encoding` sets another",
                               plain_name(encoding_), clean_name(utf8(texts_.front()))));
 }
 

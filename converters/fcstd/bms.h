@@ -1,5 +1,5 @@
 #pragma once
-// FreeCAD's binary mesh; internal to the room.
+// FreeCAD's binary mesh; internal to the module.
 
 #include <burin/mesh/tri_mesh.h>
 

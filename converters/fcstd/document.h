@@ -1,5 +1,5 @@
 #pragma once
-// A FreeCAD document as it stands in its archive; internal to the room.
+// A FreeCAD document as it stands in its archive; internal to the module.
 
 #include <burin/base/run_context.h>
 #include <burin/forms/charted/chart.h>

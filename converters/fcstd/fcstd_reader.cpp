@@ -62,8 +62,8 @@ class Maker {
     made_.program = root.program();
     if (root.gui_is_broken()) {
       made_.diagnostics.add(Severity::Warning, "fcstd.broken_colors", 1,
-                            "GuiDocument.xml is broken; there are no colours, and what is hidden "
-                            "is told by Document.xml alone");
+                            "GuiDocument.xml is broken: parts have no colours, and only "
+                            "Document.xml states what is hidden");
     }
     detail::FcWalk walk(documents, root, context_);
     if (options_.objects.empty()) {

@@ -1,5 +1,5 @@
 #pragma once
-// What a document keeps of its window; internal to the room.
+// What a document keeps of its window; internal to the module.
 
 #include "document.h"
 #include "xml.h"

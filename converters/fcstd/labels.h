@@ -1,5 +1,5 @@
 #pragma once
-// Labels that a person gave, told from those that FreeCAD makes; internal to the room.
+// Labels that a person gave, told from those that FreeCAD makes; internal to the module.
 
 #include "document.h"
 

@@ -1,5 +1,5 @@
 #pragma once
-// What a document shows and a drawing of it does not, by name; internal to the room.
+// What a document shows and a drawing of it does not, by name; internal to the module.
 
 #include <burin/base/diagnostics.h>
 

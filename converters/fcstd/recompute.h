@@ -1,5 +1,5 @@
 #pragma once
-// FreeCAD itself, run to recompute a copy of a document; internal to the room.
+// FreeCAD itself, run to recompute a copy of a document; internal to the module.
 
 #include <burin/base/diagnostics.h>
 #include <burin/base/run_context.h>

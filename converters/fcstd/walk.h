@@ -1,5 +1,5 @@
 #pragma once
-// From the tree of a document to the shapes that stand in space; internal to the room.
+// From the tree of a document to the shapes that stand in space; internal to the module.
 
 #include <burin/base/diagnostics.h>
 

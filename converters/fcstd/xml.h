@@ -1,5 +1,5 @@
 #pragma once
-// XML of FreeCAD's; internal to the room. Numbers are converted free of the locale.
+// XML of FreeCAD's; internal to the module. Numbers are converted free of the locale.
 
 #include <burin/forms/charted/chart.h>
 

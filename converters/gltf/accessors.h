@@ -1,5 +1,5 @@
 #pragma once
-// Numbers out of the buffers of a glTF; internal to the room.
+// Numbers out of the buffers of a glTF; internal to the module.
 
 #include <burin/base/vec.h>
 

@@ -1,5 +1,5 @@
 #pragma once
-// From the bytes of a glTF file to its data as they stand; internal to the room.
+// From the bytes of a glTF file to its data as they stand; internal to the module.
 
 #include "source.h"
 

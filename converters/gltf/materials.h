@@ -1,5 +1,5 @@
 #pragma once
-// What materials of a glTF look like; internal to the room.
+// What materials of a glTF look like; internal to the module.
 
 #include <burin/base/vec.h>
 

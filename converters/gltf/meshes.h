@@ -1,5 +1,5 @@
 #pragma once
-// Meshes of a glTF as polygons in mm, z up; internal to the room.
+// Meshes of a glTF as polygons in mm, z up; internal to the module.
 
 #include <burin/base/placement.h>
 #include <burin/mesh/tri_mesh.h>

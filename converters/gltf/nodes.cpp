@@ -89,8 +89,8 @@ class Nodes {
     file_.objects = meshes_.take();
     if (file_.uses.empty()) {
       if (missing_ > 0)
-        source_.fail("what the glTF's scene places is not there; it is damaged, export it again");
-      source_.fail("the glTF shows no triangles; export the model as meshes");
+        source_.fail("the scene of the glTF names nodes that are missing; export it again");
+      source_.fail("the glTF has no triangles; export the model as meshes");
     }
     return std::move(file_);
   }
@@ -283,7 +283,7 @@ void Nodes::tell() {
   if (model_.scenes.size() > 1) {
     file_.diagnostics.add(Severity::Info, "gltf.other_scenes",
                           static_cast<std::int64_t>(model_.scenes.size()) - 1,
-                          "scenes of the glTF beside the one that it shows first were left out");
+                          "scenes of the glTF other than its default scene were left out");
   }
   if (hidden_ > 0) {
     file_.diagnostics.add(Severity::Info, "gltf.hidden", hidden_,

@@ -1,5 +1,5 @@
 #pragma once
-// The nodes of a glTF's scene as parts; internal to the room.
+// The nodes of a glTF's scene as parts; internal to the module.
 
 #include <burin/converters/mesh_reader.h>
 

@@ -1,5 +1,5 @@
 #pragma once
-/// What makes no part, and how that is told.
+/// What makes no part, and how that is reported.
 
 #include <burin/base/diagnostics.h>
 #include <burin/converters/irit_tree.h>

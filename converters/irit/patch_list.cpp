@@ -123,9 +123,8 @@ std::vector<NurbsData> PatchListReader::read() {
   }
   const std::string_view rest = in_.next();
   if (!rest.empty()) {
-    fail_at(
-        source_, rest.data(),
-        fmt::format("{} stands after the end of the list; are its counts right?", in_quotes(rest)));
+    fail_at(source_, rest.data(),
+            fmt::format("{} follows the end of the list; check its counts", in_quotes(rest)));
   }
   return make();
 }

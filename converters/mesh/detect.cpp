@@ -156,14 +156,14 @@ MeshFormat detect_format(const Source& source, const std::filesystem::path& path
   }
   if (!named && is_standard_input(path) && is_text(bytes)) {
     source.fail(
-        "is text of no kind that is told by its first lines: name it by `input_format`; a program "
+        "is text of an unknown format: name the format with `input_format`; a program "
         "of OpenSCAD is read from a file, as it may name others: save it with the suffix .scad");
   }
   if (!named) {
     source.fail(
         fmt::format("is of no kind that is read (suffix '{}'): meshes, STEP, IGES, BREP, FreeCAD, "
                     "OpenSCAD, spline patches, functions, volumes; raw volumes need their layout, "
-                    "and `input_format` names what nothing else tells",
+                    "and `input_format` names the format of other files",
                     model_suffix(path)));
   }
   if (suffix->second == MeshFormat::ThreeMf)

@@ -31,8 +31,8 @@ std::shared_ptr<const Form> recognised(std::shared_ptr<const Form> mesh, const s
   auto round = std::make_shared<RecognisedForm>(form->mesh(), context, form->texture());
   if (round->too_coarse()) {
     diagnostics.add(Severity::Warning, "mesh.too_coarse_to_heal", 1,
-                    fmt::format("{}: so far from the origin its coordinates have too few digits to "
-                                "tell round from flat; it is drawn as it is, move it nearer",
+                    fmt::format("{}: so far from the origin, coordinates have too few digits to "
+                                "recognise round surfaces; it is drawn as it is, move it nearer",
                                 name));
     return mesh;
   }
@@ -45,7 +45,7 @@ void tell_round_faces(const RecognisedFaces& faces, const std::string& name,
                       Diagnostics& diagnostics) {
   if (faces.total() == 0) return;
   diagnostics.add(Severity::Info, "mesh.healed", faces.total(),
-                  fmt::format("{}: facets are drawn as the round surfaces that they stand for: {}",
+                  fmt::format("{}: facets are drawn as the round surfaces they approximate: {}",
                               name, told(faces)));
 }
 

@@ -279,10 +279,9 @@ void OffReader::read_binary() {
       if (try_binary(order, colour_counts)) return finish("OFF (binary)");
     }
   }
-  source_.fail_at_byte(
-      static_cast<std::size_t>(text_.where() - source_.bytes().data()),
-      "the binary OFF does not hold what its counts say; it is truncated or damaged, "
-      "export it again");
+  source_.fail_at_byte(static_cast<std::size_t>(text_.where() - source_.bytes().data()),
+                       "the binary OFF does not match its counts; it is truncated or damaged, "
+                       "export it again");
 }
 
 MeshFile OffReader::read() {

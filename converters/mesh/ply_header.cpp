@@ -86,7 +86,7 @@ void HeaderReader::element() {
 }
 
 void HeaderReader::property() {
-  if (header_.elements.empty()) text_.fail("a property stands before the first element");
+  if (header_.elements.empty()) text_.fail("a property comes before the first element");
   PlyProperty p;
   text_.skip_blanks();
   TextCursor ahead = text_;
@@ -133,7 +133,7 @@ PlyHeader HeaderReader::read() {
     }
     text_.next_line();
   }
-  if (!has_format) text_.fail("the PLY header says no format; export it again");
+  if (!has_format) text_.fail("the PLY header states no format; export it again");
   header_.data = end_of_line();
   return std::move(header_);
 }

@@ -244,7 +244,7 @@ void StlTextReader::loop() {
       truncated("a facet");
     } else {
       text_.fail(in_quotes(text_.token()) +
-                 " stands where 'vertex' or 'endloop' should; the file is damaged, "
+                 " is where 'vertex' or 'endloop' should be; the file is damaged, "
                  "export it again");
     }
   }

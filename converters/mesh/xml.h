@@ -1,5 +1,5 @@
 #pragma once
-// Elements and attributes by their names without the prefix of a namespace; internal to the room.
+// Elements and attributes by their names without the prefix of a namespace; internal to the module.
 
 #include <pugixml.hpp>
 

@@ -1,5 +1,5 @@
 #pragma once
-// Matrices of a tree as those of the kernel; internal to the room.
+// Matrices of a tree as those of the kernel; internal to the module.
 
 #include <burin/base/vec.h>
 

@@ -1,5 +1,5 @@
 #pragma once
-// Which module of a program makes which group of its tree; internal to the room.
+// Which module of a program makes which group of its tree; internal to the module.
 
 #include "tree.h"
 

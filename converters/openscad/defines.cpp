@@ -86,7 +86,7 @@ void check_openscad_defines(const std::vector<std::string>& defines) {
     const std::size_t equals = define.find('=');
     if (equals == std::string::npos || !is_name(std::string_view(define).substr(0, equals))) {
       throw UsageError(
-          fmt::format("option -D takes NAME=VALUE as OpenSCAD does, say -D '$fn=64' or -D "
+          fmt::format("option -D takes NAME=VALUE as OpenSCAD does, e.g. -D '$fn=64' or -D "
                       "'label=\"A\"', not {}",
                       in_quotes(define)));
     }

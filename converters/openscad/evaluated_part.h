@@ -1,5 +1,5 @@
 #pragma once
-// From an evaluated solid to a form; internal to the room.
+// From an evaluated solid to a form; internal to the module.
 
 #include <burin/base/diagnostics.h>
 #include <burin/base/run_context.h>

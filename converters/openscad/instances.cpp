@@ -149,7 +149,7 @@ class Divisions {
     for (const std::uint32_t n : accepted_.repeated) ++of_name[accepted_.known->at(n)->name];
     for (const auto& [name, count] : of_name) {
       diagnostics_.add(Severity::Warning, "openscad.repeated_call", count,
-                       fmt::format("{} of {} left out: the same stands in the same place already; "
+                       fmt::format("{} of {} left out: an equal one is in the same place already; "
                                    "a loop that goes round, such as [0:60:360], ends where it "
                                    "began",
                                    count == 1 ? "a call" : fmt::format("{} calls", count), name));
@@ -198,10 +198,9 @@ class Divisions {
     for (const std::uint32_t p : u.pieces) names.push_back(accepted_.known->at(p)->name);
     std::ranges::sort(names);
     names.erase(std::unique(names.begin(), names.end()), names.end());
-    diagnostics_.add(
-        severity, code, 1,
-        fmt::format("{} calls of {} stay one part: {}; part() says what is to be a part",
-                    u.pieces.size(), fmt::join(names, ", "), why));
+    diagnostics_.add(severity, code, 1,
+                     fmt::format("{} calls of {} stay one part: {}; mark parts with part()",
+                                 u.pieces.size(), fmt::join(names, ", "), why));
   }
 
   static bool same(const Unit& u, const Bulk& whole, const std::map<std::uint32_t, Bulk>& parted) {

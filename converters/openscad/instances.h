@@ -1,5 +1,5 @@
 #pragma once
-// Which calls of modules are parts of their own; internal to the room.
+// Which calls of modules are parts of their own; internal to the module.
 
 #include "parts.h"
 #include "solid_store.h"

@@ -1,5 +1,5 @@
 #pragma once
-// What samples/openscad/burin.scad leaves in a tree; internal to the room.
+// What samples/openscad/burin.scad leaves in a tree; internal to the module.
 
 #include "tree.h"
 

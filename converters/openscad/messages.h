@@ -1,5 +1,5 @@
 #pragma once
-// What OpenSCAD says, sorted; internal to the room.
+// What OpenSCAD says, sorted; internal to the module.
 
 #include <burin/base/diagnostics.h>
 

@@ -58,7 +58,7 @@ class Gatherer {
     if (call.mark.what == "ink") return ink(call, names);
     if (call.mark.what == "explode") return explode(call, names);
     if (call.mark.what == "callout") return callout(call, names);
-    tell(fmt::format("burin.scad says {}, which this Burin does not know",
+    tell(fmt::format("burin.scad asks for {}, which this Burin does not know",
                      in_quotes(call.mark.what)));
   }
 
@@ -89,7 +89,7 @@ class Gatherer {
       for (std::size_t k = 0; k < 3; ++k) way[i] += row[k] * by[k].get<double>();
     }
     if (!(std::hypot(way.x, way.y, way.z) > 0)) {
-      return tell("explode() takes a way in mm, as in explode([0, 0, 30]) lid();");
+      return tell("explode() takes lengths in mm, as in explode([0, 0, 30]) lid();");
     }
     marks_.steps.push_back({names, way});
   }

@@ -1,5 +1,5 @@
 #pragma once
-// What parts of a tree are called beside each other; internal to the room.
+// What parts of a tree are called beside each other; internal to the module.
 
 #include "parts.h"
 

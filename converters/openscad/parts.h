@@ -1,5 +1,5 @@
 #pragma once
-// Parts of a tree: what a program shows as things of their own; internal to the room.
+// Parts of a tree: what a program shows as things of their own; internal to the module.
 
 #include <burin/base/diagnostics.h>
 

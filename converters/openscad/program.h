@@ -1,5 +1,5 @@
 #pragma once
-// The installed OpenSCAD; internal to the room.
+// The installed OpenSCAD; internal to the module.
 
 #include <burin/base/diagnostics.h>
 #include <burin/base/run_context.h>
@@ -18,7 +18,7 @@ enum class Makes : std::uint8_t { Mesh, Tree };
 
 /// Why a result that is flat cannot be drawn.
 inline constexpr const char* kTwoDimensional =
-    "OpenSCAD makes a 2-D object of it, which has no surface to draw; extrude it, say with "
+    "OpenSCAD makes a 2-D object of it, which has no surface to draw; extrude it, e.g. with "
     "linear_extrude(1)";
 /// Why there is nothing to draw.
 inline constexpr const char* kEmpty = "OpenSCAD makes nothing of it: the top level object is empty";

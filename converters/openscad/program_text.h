@@ -1,5 +1,5 @@
 #pragma once
-// The text of a program, read word by word; internal to the room.
+// The text of a program, read word by word; internal to the module.
 
 #include <cstddef>
 #include <string_view>

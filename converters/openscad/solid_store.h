@@ -1,5 +1,5 @@
 #pragma once
-// Solids of parts, each evaluated once; internal to the room.
+// Solids of parts, each evaluated once; internal to the module.
 
 #include <burin/base/diagnostics.h>
 #include <burin/base/placement.h>

@@ -1,5 +1,5 @@
 #pragma once
-// What the objects of a program are called in its own text; internal to the room.
+// What the objects of a program are called in its own text; internal to the module.
 
 #include <string>
 #include <string_view>

@@ -1,5 +1,5 @@
 #pragma once
-// Trees as implicit functions; internal to the room.
+// Trees as implicit functions; internal to the module.
 
 #include <burin/base/run_context.h>
 #include <burin/forms/implicit/expression.h>

@@ -1,5 +1,5 @@
 #pragma once
-// Parts of a tree, evaluated and made forms; internal to the room.
+// Parts of a tree, evaluated and made forms; internal to the module.
 
 #include <burin/base/run_context.h>
 #include <burin/converters/openscad_reader.h>

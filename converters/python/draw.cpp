@@ -123,23 +123,22 @@ void add_draw(py::module_& module) {
       "anew what light, style or view change, and draws the same. One drawing at a time.");
   of_package(session).def(py::init<>());
   module.def("draw", draw, py::arg("source"),
-             "What burin.draw calls; that one tells its arguments.");
+             "Called by burin.draw, which documents the arguments.");
   module.def(
       "explode_steps", explode_steps, py::arg("source"),
       "\"steps\", by which `draw` with the same arguments takes an assembly apart, found or as "
-      "they were given, and \"diagnostics\", what there is to say of them. A step is a dict: "
+      "they were given, and \"diagnostics\" about them. A step is a dict: "
       "\"move\" (selectors), \"along\", \"by\" (mm) and \"trail\", as illustrations have it, and "
       "\"parts\", their numbers. Throws Error.");
-  module.def(
-      "items", items, py::arg("source"),
-      "The items of what `draw` with the same arguments draws, as `Drawing.items` tells them, "
-      "whether it shows them or not. Throws Error.");
+  module.def("items", items, py::arg("source"),
+             "The items of what `draw` with the same arguments draws, as in `Drawing.items`, "
+             "numbered in the drawing or not. Throws Error.");
   module.def(
       "catalogues", [] { return py::module_::import("json").attr("loads")(catalogues_json()); },
-      "All that can be chosen, as `burin options --json` tells it: \"options\" (of draw), "
+      "All options and keys, as `burin options --json` lists them: \"options\" (of draw), "
       "\"style_keys\", \"styles\", \"stroke_kinds\", "
       "\"formats\".");
-  module.def("info", info, "What `burin info --json` tells, one entry a file. Throws InputError.");
+  module.def("info", info, "What `burin info --json` prints, one entry a file. Throws InputError.");
 }
 
 }  // namespace burin::python

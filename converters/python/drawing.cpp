@@ -226,7 +226,7 @@ py::array project(const PyView& self, const py::object& model) {
 }
 
 void add_path(py::module_& module) {
-  py::class_<PyPath> path(module, "Path", "One line of ink.");
+  py::class_<PyPath> path(module, "Path", "One line of the drawing.");
   of_package(path)
       .def_property_readonly(
           "kind", [](const PyPath& p) { return to_string(p.path().kind); },
@@ -307,7 +307,7 @@ void add_layer(py::module_& module) {
           "\"#rrggbb\" of its lines and texts; empty: that of the drawing.")
       .def_property_readonly(
           "dashes", [](const PyLayer& l) { return l.layer().dashes; },
-          "Lengths of ink and gaps in turn, mm of paper; empty: as its name has it.")
+          "Lengths of dashes and gaps in turn, mm of paper; empty: as usual for its name.")
       .def_property_readonly("texts", texts,
                              "A dict a text over them: text, at (mm of the sheet, on the base "
                              "line), height (mm of capitals), anchor, role, item.")
@@ -433,7 +433,7 @@ void add_drawing(py::module_& module) {
       .def_property_readonly(
           "stats", stats,
           "triangles, strokes, coverage_points, coverage_delta (mm of paper); tone_gamma, "
-          "where the style balances its ink.")
+          "where the style balances its tone.")
       .def(
           "arrays", [](const PyDrawing& self) { return flat_arrays(self.drawing); },
           "All paths as few arrays: \"points\" (N, 2) and \"points3\" (N, 3) in mm, \"width\" (N,) "

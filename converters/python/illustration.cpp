@@ -213,24 +213,24 @@ void add_illustration(py::module_& module) {
              "The JSON Schema of illustration files, as text.");
   module.def(
       "illustration", illustration, py::arg("source"),
-      "What an illustration says, a file NAME.burin.json or a mapping as it holds, checked and "
+      "The values of an illustration, a file NAME.burin.json or a mapping of its keys, checked and "
       "with "
       "what it extends, without reading its models: \"title\"; \"parts\" (\"file\" as found from "
       "here, \"function\", \"name\", \"place\" as 4 rows, \"read\": options about reading); "
       "\"view\" "
       "(\"from\" and \"up\" as directions, \"perspective\" in degrees, \"scale\", \"center\" in "
       "mm); \"paper\" (\"size\" in mm or \"fit\", \"margin\": top, right, bottom, left); "
-      "\"lights\" as they stand; \"light\"; \"style\": a name or file, or all its keys; "
-      "\"looks\"; \"sections\", \"explode\" and \"details\" as they stand; \"views\", names, and "
+      "\"lights\" unchanged; \"light\"; \"style\": a name or file, or all its keys; "
+      "\"looks\"; \"sections\", \"explode\" and \"details\" unchanged; \"views\", names, and "
       "\"projection\"; \"items\", number to name; "
       "\"callouts\" and \"parts_list\" (on the sheet), True or False; \"hidden\", \"tolerance\" in "
-      "mm, \"seed\". What is not "
-      "said has the value that `draw` takes, or None. Throws UsageError, InputError.");
+      "mm, \"seed\". A key that is not "
+      "given has the default of `draw`, or None. Throws UsageError, InputError.");
   module.def(
       "select", selected, py::arg("parts"), py::arg("selector"),
       "Numbers of the parts that a selector names, ascending. `parts`: mappings with \"name\" and, "
       "where they have it, \"assembly\", \"color\", \"source\", as `Drawing.parts`. Throws "
-      "UsageError that tells the nearest names where it names nothing.");
+      "UsageError with the nearest names if it names nothing.");
 }
 
 }  // namespace burin::python

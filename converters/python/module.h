@@ -1,5 +1,5 @@
 #pragma once
-/// The rooms of the Python module; each adds what it has.
+/// The units of the Python module; each adds its functions and classes.
 
 #include <pybind11/pybind11.h>
 

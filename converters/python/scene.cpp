@@ -117,7 +117,7 @@ void add_part(py::module_& module) {
   look(part, "transparent", &PartStyle::transparent,
        "Its lines are drawn, without strokes, and it hides itself but no other part.");
   look(part, "listed", &PartStyle::listed,
-       "False: it is shown, and is no item of a parts list, and has no callout.");
+       "False: it is drawn, but is no item of a parts list and has no callout.");
   part.def_property(
       "style", [](const PyPart& p) { return style_dict(p.look().style); },
       [](const PyPart& p, const py::object& value) {
@@ -213,7 +213,7 @@ void add_scene(py::module_& module) {
           py::arg("color") = "", py::arg("assembly") = py::tuple(), py::arg("source") = "",
           py::arg("texture") = py::none(),
           "`vertices` (n, 3) in mm, `triangles` (m, 3) of any integer type, counter-clockwise seen "
-          "from outside; repaired as files are, which `diagnostics` tells. `texture` (n, 2): u and "
+          "from outside; repaired as files are (see `diagnostics`). `texture` (n, 2): u and "
           "v of the vertices, for laws and pictures.")
       .def(
           "add_function",

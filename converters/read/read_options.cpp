@@ -24,9 +24,8 @@ constexpr unsigned kAllFamilies = ~0U;
 std::vector<ReadRow> first_rows() {
   return {
       {{{.option = {.name = "input_format",
-                    .meaning =
-                        "what is read from - (standard input), or from files whose names do not "
-                        "tell it: stl, obj, step, .. ; bytes that are clear go before it",
+                    .meaning = "format of standard input (-) and of files without a known suffix: "
+                               "stl, obj, step, .. ; contents that show their format come first",
                     .takes = FreeText{}},
          .group = kFiles,
          .label = "FORMAT"},
@@ -46,16 +45,16 @@ std::vector<ReadRow> first_rows() {
           }
         }},
        kAllFamilies,
-       "standard input and files whose names do not tell their format"},
+       "standard input and files without a known suffix"},
   };
 }
 
 std::vector<ReadRow> shared_rows() {
   return {
       {{{.option = {.name = "encoding",
-                    .meaning = "the encoding of names that a file does not say it of, such as "
+                    .meaning = "encoding of the names, for files that do not state it, such as "
                                "GB18030, SHIFT_JIS, "
-                               "EUC-KR or WINDOWS-1252 (default: found out from the names)",
+                               "EUC-KR or WINDOWS-1252 (default: guessed from the names)",
                     .takes = FreeText{}},
          .group = kFiles,
          .label = "NAME"},
@@ -68,7 +67,7 @@ std::vector<ReadRow> shared_rows() {
       {{{.option =
              {.name = "heal",
               .meaning =
-                  "draw facets of meshes as the round surfaces that they stand for (default for "
+                  "draw facets of meshes as the round surfaces that they approximate (default for "
                   "OpenSCAD files)",
               .takes = Switch{}},
          .group = kLook,
@@ -111,7 +110,7 @@ std::vector<ReadRow> level_rows() {
       {{{.option =
              {.name = "iso",
               .meaning =
-                  "the surface of a volume is where its data takes this value; burin info tells "
+                  "the surface of a volume is where its data has this value; burin info lists "
                   "the range (no default; trivariate splines: 0)",
               .takes = NumberRange{-kMost, kMost},
               .phrase = "a number"},
@@ -150,7 +149,7 @@ std::string joined_name(std::string_view row, const std::string& option) {
   return name;
 }
 
-/// The options of what plug-ins brought. One whose name is taken keeps its fallback.
+/// The options of what plug-ins added. One whose name is taken keeps its fallback.
 template <class Kind>
 void append_brought(std::span<const Kind> kinds, const char* what, std::vector<ReadRow>& rows) {
   for (const Kind& kind : kinds) {

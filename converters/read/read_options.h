@@ -1,5 +1,5 @@
 #pragma once
-// Which readers look at an option about reading; internal to the room.
+// Which readers look at an option about reading; internal to the module.
 
 #include <burin/converters/read.h>
 

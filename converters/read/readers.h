@@ -1,5 +1,5 @@
 #pragma once
-// The table of readers; internal to the room.
+// The table of readers; internal to the module.
 
 #include <burin/converters/read.h>
 #include <burin/plugin/sources.h>
@@ -45,7 +45,7 @@ std::span<const Reader* const> own_readers();
 /// without, and that nobody else reads; else empty.
 std::string needed_for(const std::filesystem::path& path);
 
-/// The readers and the forms that plug-ins brought.
+/// The readers and the forms that plug-ins added.
 Reader brought_reader(const plugin::ReaderKind& kind);
 Reader brought_form(const plugin::FormKind& kind);
 

@@ -1,5 +1,5 @@
 #pragma once
-// What details take as text; internal to the room.
+// What details take as text; internal to the module.
 
 #include <burin/arrange/illustration.h>
 

@@ -52,7 +52,7 @@ std::vector<T> joined(std::vector<T> a, const std::vector<T>& b) {
   return a;
 }
 
-/// Fills the plans' part styles, and leaves out what a door does not want to see.
+/// Fills the plans' part styles, and leaves out what the user leaves out.
 void choose_parts(Revision& before, Revision& after) {
   std::vector<PartStyle>&was = before.plan.illustrate.part_styles,
   &is = after.plan.illustrate.part_styles;
@@ -86,7 +86,7 @@ void leave_out(DrawPlan& plan) {
   if (!told) return;
   plan.notes.add(Severity::Warning, "option.unused", 1,
                  "exploded view, callouts and parts list have no effect on a drawing of two "
-                 "revisions, which are drawn where they stand");
+                 "revisions, whose parts stay in place");
 }
 
 /// Room for the legend.

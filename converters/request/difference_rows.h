@@ -1,5 +1,5 @@
 #pragma once
-// Differences in words; internal to the room.
+// Differences in words; internal to the module.
 
 #include <burin/converters/diff.h>
 

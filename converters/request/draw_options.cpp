@@ -74,7 +74,7 @@ void refuse_key(const Asked& asked, const std::string& text) {
   const auto keys = style_keys(builtin_style("technical"));
   if (std::ranges::find(keys, name, &StyleKey::name) == keys.end()) return;
   throw UsageError(fmt::format(
-      "{} takes NAME=STYLE, not '{}': keys of a part stand in a style file, such as part.json that "
+      "{} takes NAME=STYLE, not '{}': write the keys into a style file, such as part.json that "
       "holds {{\"{}\": \"{}\"}}, and then {}={}=part.json",
       asked.spelled, text, name, text.substr(value + 1), asked.spelled, text.substr(0, key)));
 }
@@ -263,7 +263,7 @@ std::vector<RequestRow<Draft>> item_rows() {
                    .meaning = "a number at each item, with a leader; looks: style keys callout.*",
                    .takes = Switch{}},
         .group = kParts,
-        .negated = "draw none, whatever the illustration file says",
+        .negated = "draw none, even if the illustration file asks for them",
         .also = {"balloons", "balloon", "labels", "label", "numbers", "item numbers", "leaders",
                  "annotations", "annotate", "bubbles", "tags"}},
        [](Draft& d, const Asked& a) { d.plan.callouts = std::get<bool>(a.value); }},
@@ -305,15 +305,14 @@ std::vector<RequestRow<Draft>> run_rows() {
        }},
       {{.option = {.name = "verify",
                    .meaning = "test every visible and hidden line of the drawing by rays against a "
-                              "finer tessellation of its own; say what they contradict, where, and "
+                              "finer tessellation of its own; list what is wrong, where, and "
                               "how much in all",
                    .takes = Switch{}},
         .group = kRun,
         .also = {"check", "test", "validate", "prove"}},
        [](Draft& d, const Asked& a) { d.plan.illustrate.verify = std::get<bool>(a.value); }},
       {{.option = {.name = "id_prefix",
-                   .meaning =
-                       "what all ids of an SVG begin with, so that several stand in one page",
+                   .meaning = "prefix of all ids of an SVG, so that one page can hold several",
                    .takes = FreeText{}},
         .group = kFiles,
         .label = "TEXT",

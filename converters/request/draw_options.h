@@ -1,5 +1,5 @@
 #pragma once
-// What each option of a drawing does to the plan; internal to the room.
+// What each option of a drawing does to the plan; internal to the module.
 
 #include <burin/converters/request.h>
 

@@ -1,5 +1,5 @@
 #pragma once
-// What exploded views take as text; internal to the room.
+// What exploded views take as text; internal to the module.
 
 #include <burin/arrange/illustration.h>
 

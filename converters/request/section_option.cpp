@@ -138,7 +138,7 @@ std::vector<RequestRow<Draft>> section_rows() {
                    .meaning =
                        "cut the parts open by a plane across x, y, z or a direction, at a "
                        "coordinate in mm (default the middle); the half towards the viewer goes, "
-                       "+y and -y say which; x,y: only the quarter beyond both; y=2,x=10,y=6: in "
+                       "+y and -y choose one; x,y: only the quarter beyond both; y=2,x=10,y=6: in "
                        "steps, at y=2 until x=10; repeatable",
                    .takes = FreeText{}},
         .group = kParts,

@@ -1,5 +1,5 @@
 #pragma once
-// What sections take as text; internal to the room.
+// What sections take as text; internal to the module.
 
 #include <burin/arrange/section.h>
 #include <burin/base/box.h>

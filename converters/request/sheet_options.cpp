@@ -153,7 +153,7 @@ std::vector<RequestRow<Draft>> view_rows() {
                  "orthographic"}},
        [](Draft& d, const Asked& a) { d.plan.view.perspective = std::get<double>(a.value); }},
       {{.option = {.name = "views",
-                   .meaning = "several views on one sheet at one scale, say front,top,left,iso: "
+                   .meaning = "several views on one sheet at one scale, e.g. front,top,left,iso: "
                               "front, top ... about the front view, others in the corner",
                    .takes = FreeText{}},
         .group = kSheet,
@@ -163,7 +163,7 @@ std::vector<RequestRow<Draft>> view_rows() {
                  "viewports", "layout"}},
        set_views},
       {{.option = {.name = "projection",
-                   .meaning = "where the view from the left stands: first angle, to the right of "
+                   .meaning = "where the view from the left goes: first angle, to the right of "
                               "the front view, or third angle, to its left (default first)",
                    .takes = WordList{{"first", "third"}}},
         .group = kSheet,
@@ -177,7 +177,7 @@ std::vector<RequestRow<Draft>> view_rows() {
       {{.option = {.name = "detail",
                    .meaning = "draw a place again beside the view, larger, in a circle: parts by "
                               "name, or a point and a radius in model mm; at a scale, or as large "
-                              "as the sheet has room; repeatable",
+                              "as fits on the sheet; repeatable",
                    .takes = FreeText{}},
         .group = kSheet,
         .label = "NAME|X,Y,Z,R[=A:B]",
@@ -192,7 +192,7 @@ std::vector<RequestRow<Draft>> view_rows() {
 std::vector<RequestRow<Draft>> sheet_rows() {
   return {
       {{.option = {.name = "paper",
-                   .meaning = "A0..A6, B0..B6, letter, legal, tabloid (A4p is portrait), mm, say "
+                   .meaning = "A0..A6, B0..B6, letter, legal, tabloid (A4p is portrait), mm, e.g. "
                               "200x150, or fit: the drawing and its margin, at --scale or 1 "
                               "(default A4)",
                    .takes = FreeText{}},

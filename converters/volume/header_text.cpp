@@ -55,7 +55,7 @@ std::vector<std::string_view> words_of(std::string_view text) {
 
 void Fields::add(Field field) {
   if (find(field.key) != nullptr) {
-    fail(field, fmt::format("{} stands here a second time", in_quotes(field.key)));
+    fail(field, fmt::format("{} is given a second time", in_quotes(field.key)));
   }
   if (fields_.size() == kMaxFields) fail(field, "the header holds too many fields; it is damaged");
   fields_.push_back(std::move(field));
@@ -76,7 +76,7 @@ const Field* Fields::find_any(std::initializer_list<std::string_view> keys) cons
 const Field& Fields::need(std::string_view key) const {
   const Field* field = find(key);
   if (field == nullptr) {
-    source_.fail(fmt::format("the header does not say '{}'; the file is damaged", key));
+    source_.fail(fmt::format("the header has no '{}'; the file is damaged", key));
   }
   return *field;
 }

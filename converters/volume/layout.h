@@ -1,5 +1,5 @@
 #pragma once
-// What a header says of the samples; internal to the room.
+// What a header says of the samples; internal to the module.
 
 #include <burin/converters/volume_reader.h>
 

@@ -79,7 +79,7 @@ ReadLayout format_of(const Head& head) {
     if (std::ranges::find(format.suffixes, suffix) != format.suffixes.end()) return format.read;
   }
   head.source.fail(
-      "is raw data, which does not tell its size; give `raw NXxNYxNZ[:TYPE[:DX,DY,DZ]]`");
+      "is raw data, which does not state its size; give `raw NXxNYxNZ[:TYPE[:DX,DY,DZ]]`");
 }
 
 // The header of a pair when its data was named.

@@ -44,7 +44,7 @@ std::optional<Box3> common(const std::optional<Box3>& domain, const Box3& of_sam
   const Box3 box{glm::max(domain->min, of_samples.min), glm::min(domain->max, of_samples.max)};
   for (int k = 0; k < 3; ++k) {
     if (box.min[k] < box.max[k]) continue;
-    throw InputError("lies outside the given bounds; burin info tells where it is", file);
+    throw InputError("lies outside the given bounds; burin info lists its own", file);
   }
   return box;
 }

@@ -1,5 +1,5 @@
 #pragma once
-// What pages of HTML are put together from; internal to the room.
+// What pages of HTML are put together from; internal to the module.
 
 #include <burin/base/run_context.h>
 #include <burin/converters/write.h>

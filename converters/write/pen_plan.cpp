@@ -265,7 +265,7 @@ class Planner {
     }
     if (!left_out.empty()) {
       tell(Severity::Info, "pen.left_out", left_out.size(),
-           fmt::format("{} is left out: {}pens says pen 0", fmt::join(left_out, ", "), group_));
+           fmt::format("{} is left out: {}pens gives it pen 0", fmt::join(left_out, ", "), group_));
     }
   }
 

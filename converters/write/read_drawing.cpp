@@ -304,7 +304,7 @@ void read_dashes(const JsonPlace& place, std::vector<double>& out) {
     out.push_back(mm);
   });
   if (out.size() % 2 != 0 || (!out.empty() && !(sum > 0))) {
-    place.fail("takes lengths of ink and gaps in turn, not all of them 0");
+    place.fail("takes lengths of dashes and gaps in turn, not all of them 0");
   }
 }
 

@@ -249,8 +249,8 @@ void add_callouts(Drawing& drawing, const std::vector<const LabelMap*>& maps, co
   if (places.lacking > 1) {
     drawing.diagnostics.add(
         Severity::Warning, "callouts.crowded", std::ssize(anchors),
-        fmt::format("{} callouts have no room on a sheet of {:g} x {:g} mm: their numbers, {:.2g} "
-                    "mm high, stand closer than they should or over the drawing; they need one of "
+        fmt::format("{} callouts do not fit on a sheet of {:g} x {:g} mm: their numbers, {:.2g} "
+                    "mm high, are too close together or over the drawing; they need a sheet of "
                     "{:.0f} x {:.0f} mm, or a smaller callout.height",
                     anchors.size(), drawing.paper_width, drawing.paper_height, how.height,
                     std::ceil(drawing.paper_width * places.lacking),
@@ -268,7 +268,7 @@ void add_list(Drawing& drawing, const std::optional<detail::ListPlan>& plan,
   if (!plan) {
     drawing.diagnostics.add(
         Severity::Warning, "parts_list.no_room", 1,
-        fmt::format("a parts list of {} rows has no room beside the drawing on a sheet of {:g} x "
+        fmt::format("a parts list of {} rows does not fit beside the drawing on a sheet of {:g} x "
                     "{:g} mm: give a larger `paper`, a smaller callout.list_height, or write it as "
                     "a file",
                     annotations.items.size(), drawing.paper_width, drawing.paper_height));
@@ -284,7 +284,7 @@ void add_list(Drawing& drawing, const std::optional<detail::ListPlan>& plan,
   if (missing > 0) {
     drawing.diagnostics.add(
         Severity::Warning, "text.no_glyph", static_cast<std::int64_t>(missing),
-        fmt::format("characters that the font of drawings has not stand as boxes, but in SVG, HTML "
+        fmt::format("characters that the drawing font lacks are boxes, except in SVG, HTML "
                     "and DXF; the first in '{}'",
                     first->name));
   }

@@ -1,5 +1,5 @@
 #pragma once
-// Lines and circles of what is laid over a drawing, of kind Frame; internal to the room.
+// Lines and circles of what is laid over a drawing, of kind Frame; internal to the module.
 
 #include <burin/drawing/drawing.h>
 

@@ -1,5 +1,5 @@
 #pragma once
-// Which way strokes run where; internal to the room.
+// Which way strokes run where; internal to the module.
 
 #include <burin/base/box.h>
 #include <burin/drawing/drawing.h>

@@ -1,5 +1,5 @@
 #pragma once
-// The parts list on the sheet; internal to the room.
+// The parts list on the sheet; internal to the module.
 
 #include <burin/annotate/annotate.h>
 #include <burin/base/box.h>

@@ -11,7 +11,7 @@ std::vector<OptionRow<CalloutOptions>> callout_option_rows() {
              "height of the numbers of callouts, in mm"),
       flag("circle", &CalloutOptions::circle, "a circle about each number; patents have none"),
       options::word("layout", &CalloutOptions::layout, {"columns", "rows", "around"},
-                    "where callouts stand first: left and right of the drawing, above and below "
+                    "where callouts go first: left and right of the drawing, above and below "
                     "it, or on all sides"),
       number("line", &CalloutOptions::line, {0.01, 10, "mm"},
              "width of the leaders and circles of callouts, in mm"),

@@ -167,7 +167,7 @@ class Numbering {
     const bool sure = kept_.size() <= items_.size();
     diagnostics_.add(
         sure ? Severity::Info : Severity::Warning, "items.renamed", renamed_,
-        fmt::format("items are called as the illustration says, by their numbers; the first: {}",
+        fmt::format("items take their names from the illustration, by number; the first: {}",
                     first));
   }
 

@@ -1,5 +1,5 @@
 #pragma once
-// Which parts are of one name and one shape; internal to the room.
+// Which parts are of one name and one shape; internal to the module.
 
 #include <burin/base/diagnostics.h>
 #include <burin/congruence/body.h>

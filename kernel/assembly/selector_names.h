@@ -1,5 +1,5 @@
 #pragma once
-// What a selector says of names; internal to the room.
+// What a selector says of names; internal to the module.
 
 #include <burin/surface/scene.h>
 

@@ -1,9 +1,9 @@
 #pragma once
-/// Tells ThreadSanitizer what a parallel loop orders: all before the loop comes before each of its
-/// tasks, and each task before all behind the loop. libtbb, which makes it so, is not compiled with
-/// the sanitizer, and TBB's half in headers not either (CMakeLists.txt of this room): without these
-/// words every loop would look like a race, and with TBB suppressed no race between two tasks would
-/// be told. Nothing in any other build.
+/// States to ThreadSanitizer what a parallel loop orders: all before the loop comes before each of
+/// its tasks, and each task before all behind the loop. libtbb, which makes it so, is not compiled
+/// with the sanitizer, and TBB's half in headers not either (CMakeLists.txt of this module):
+/// without these words every loop would look like a race, and with TBB suppressed no race between
+/// two tasks would be told. Nothing in any other build.
 
 #ifdef BURIN_THREAD_SANITIZER
 #include <sanitizer/tsan_interface.h>

@@ -1,5 +1,5 @@
 #pragma once
-// One page of a step book; internal to the room.
+// One page of a step book; internal to the module.
 
 #include <burin/book/book.h>
 

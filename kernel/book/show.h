@@ -1,5 +1,5 @@
 #pragma once
-// From where what is new is seen; internal to the room.
+// From where what is new is seen; internal to the module.
 
 #include <burin/base/run_context.h>
 #include <burin/book/build_steps.h>

@@ -109,7 +109,7 @@ Camera Camera::fit(const ExtentFn& extent, const ViewOptions& options) {
     c.scale_ = k / c.eye_distance_;
     if (c.eye_distance_ <= (options.center ? box.max.z - middle.z : 0.5 * size.z)) {
       throw UsageError(fmt::format(
-          "at scale {} and {} degrees the viewer stands inside the model: use a smaller scale or "
+          "at scale {} and {} degrees the viewer is inside the model: use a smaller scale or "
           "a smaller angle",
           c.scale_, c.field_of_view_));
     }

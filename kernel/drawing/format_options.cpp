@@ -28,7 +28,7 @@ std::vector<OptionRow<SvgOptions>> svg_option_rows() {
       flag("flatten", &SvgOptions::flatten,
            "polylines: plain polylines of constant width, for plotters and lasers",
            {"polylines", "none"}),
-      flag("merge", &SvgOptions::merge, "one element a layer and pen; sources are not told"),
+      flag("merge", &SvgOptions::merge, "one element a layer and pen, without sources of lines"),
       options::word("order", &SvgOptions::order, order_words(),
                     std::string(kOrder) + "; then there are no groups of parts"),
       number("fit_tolerance", &SvgOptions::fit_tolerance, {0.001, 1, "mm"},

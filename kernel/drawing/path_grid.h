@@ -1,5 +1,5 @@
 #pragma once
-// Segments of lines on paper, and which lie along one; internal to the room.
+// Segments of lines on paper, and which lie along one; internal to the module.
 
 #include <burin/drawing/drawing.h>
 

@@ -1,5 +1,5 @@
 #pragma once
-// Pieces of paths; internal to the room.
+// Pieces of paths; internal to the module.
 
 #include <burin/drawing/drawing.h>
 

@@ -1,5 +1,5 @@
 #pragma once
-// Directions on paper; internal to the room.
+// Directions on paper; internal to the module.
 
 #include <burin/base/vec.h>
 

@@ -1,5 +1,5 @@
 #pragma once
-// Every tolerance of the feature room, each with its unit. Paper mm and radians only: a model of
+// Every tolerance of the module feature, each with its unit. Paper mm and radians only: a model of
 // any size and place meets the same limits.
 
 #include <burin/camera/facing.h>

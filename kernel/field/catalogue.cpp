@@ -51,12 +51,12 @@ std::vector<FieldKind> own_kinds() {
        [](const FieldRequest& r) {
          return texture_image(r.surfaces, r.image, r.options.image_blur);
        }},
-      {"texture-vector", "the way in u and v that hatch.along_u and along_v say", false,
+      {"texture-vector", "the direction in u and v of hatch.along_u and hatch.along_v", false,
        "the surface has no u and v there, or hatch.along_u and along_v are 0",
        [](const FieldRequest& r) {
          return texture_vector(r.surfaces, r.options.along_u, r.options.along_v);
        }},
-      {"fixed-auto", "a direction that each part's surface nowhere stands on", false, "",
+      {"fixed-auto", "a direction that is nowhere normal to the part's surface", false, "",
        [](const FieldRequest& r) {
          return fixed_auto(r.surfaces, r.options.direction, r.context);
        }},

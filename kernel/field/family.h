@@ -1,5 +1,5 @@
 #pragma once
-/// Which arm of a cross belongs to family 1.
+/// Which direction of a cross belongs to family 1.
 
 #include <burin/surface/surface.h>
 

@@ -8,7 +8,7 @@
 
 namespace burin::field {
 
-/// The unit arms of a cross; `first` belongs to family 1.
+/// The unit directions of a cross; `first` belongs to family 1.
 struct Arms {
   Vec3 first{1, 0, 0};
   Vec3 second{0, 1, 0};

@@ -25,7 +25,7 @@ std::vector<OptionRow<FieldOptions>> rows() {
                     "what strokes follow: the smoothed or raw principal directions, lines of "
                     "constant angle to the view or the light, or across them, parameter lines, "
                     "planes across hatch.direction, up on the sheet, one direction, across the "
-                    "gradient of a picture, or what formulas say in u and v"),
+                    "gradient of a picture, or formulas in u and v"),
       options::direction(
           "direction", &FieldOptions::direction,
           "the fixed direction, in model space, also where a surface has none of its own"),

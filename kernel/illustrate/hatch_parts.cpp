@@ -121,7 +121,7 @@ class HatchGround {
   HatchGround(const HatchGround&) = delete;
   HatchGround& operator=(const HatchGround&) = delete;
 
-  /// `remembers`: for other strokes on the same ground.
+  /// `remembers`: for other strokes over the same surfaces and field.
   Hatching hatch(const HatchRequest& asked, const DepthCue& cue, const IllustrateOptions& options,
                  bool remembers, RunContext& context);
 
@@ -263,7 +263,7 @@ HatchedParts::Hatchings HatchedParts::hatch(const std::shared_ptr<const Occluder
             fmt::format("{}; the strokes are those of {}", e.what(), stand_in(e, tried)));
       }
     }
-    // The ground of what stands in is not that of the request.
+    // The fallback was drawn with another field than the request asks for.
     if (!remembers || !hatching->failed.empty()) ground.reset();
     made.push_back({std::move(request), std::move(ground), std::move(hatching)});
   };

@@ -323,9 +323,9 @@ constexpr std::array kBuiltin{
             patent},
     Builtin{"plotter", "one pen: lines of one width as plain polylines, closer where it is dark",
             plotter},
-    Builtin{"haloed", "light strokes; lines behind others stand clear of them, far lines are thin",
+    Builtin{"haloed", "light strokes; lines behind others keep clear of them, far lines are thin",
             haloed},
-    Builtin{"wireframe", "all feature lines, hidden ones too: haloes and widths alone tell depth",
+    Builtin{"wireframe", "all feature lines, hidden ones too: haloes and widths alone show depth",
             wireframe},
 };
 

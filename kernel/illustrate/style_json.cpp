@@ -205,7 +205,7 @@ namespace {
 Json kinds_schema() {
   Json kinds = Json::array(), members, tone;
   for (const StyleInfo& kind : stroke_kinds()) kinds.push_back(kind.name);
-  members["kind"] = {{"description", "what these strokes are where no other key says it"},
+  members["kind"] = {{"description", "the kind whose values hold for all other keys"},
                      {"enum", std::move(kinds)}};
   for (const detail::KindRow& row : detail::kind_rows()) {
     const Json value = Json::parse(value_schema(row));

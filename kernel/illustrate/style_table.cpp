@@ -57,7 +57,7 @@ std::vector<OptionRow<HatchStyle>> hatch_rows() {
                                "colour of these strokes; empty = line.color", kColorOrNone));
   rows.push_back(
       number("share", &HatchStyle::share, {0.01, 100},
-             "how much of the ink these strokes carry where strokes of several kinds share it"));
+             "share of the tone that these strokes carry, if there are several kinds of strokes"));
   return rows;
 }
 
@@ -69,7 +69,7 @@ std::vector<OptionRow<HaloStyle>> halo_rows() {
                     "what interrupts lines behind it: where the surface turns away, every feature, "
                     "strokes too"),
       flag("hidden", &HaloStyle::hidden,
-           "draw hidden lines in full: haloes alone tell what is behind"),
+           "draw hidden lines in full: haloes alone show what is behind"),
   };
 }
 

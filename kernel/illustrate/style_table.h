@@ -1,5 +1,6 @@
 #pragma once
-/// All keys of styles: the rows of the rooms, a group each. Text, JSON and help are made from them.
+/// All keys of styles: the rows of the modules, a group each. Text, JSON and help are made from
+/// them.
 
 #include <burin/illustrate/style.h>
 #include <burin/options/row.h>

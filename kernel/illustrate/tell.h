@@ -1,5 +1,5 @@
 #pragma once
-// What is told of a drawing besides its lines; internal to the module.
+// What is reported about a drawing besides its lines; internal to the module.
 
 #include <burin/base/diagnostics.h>
 #include <burin/camera/camera.h>

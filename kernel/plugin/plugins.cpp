@@ -62,7 +62,7 @@ std::vector<std::string> claims(const burin_factory& f) {
   return out;
 }
 
-/// Names of Burin's own that only the doors know.
+/// Names of Burin's own that only front ends know.
 std::vector<Reserved>& reserved() {
   static std::vector<Reserved> all;
   return all;

@@ -27,7 +27,7 @@ bool names_form(std::string_view input) { return input.starts_with(kFormPrefix);
 const FormKind& find_form(std::string_view input) {
   const std::string_view name = names_form(input) ? input.substr(kFormPrefix.size()) : input;
   if (forms().empty()) {
-    throw UsageError("no plug-in brings the form '" + std::string(name) +
+    throw UsageError("no plug-in offers the form '" + std::string(name) +
                      "', nor any other (see burin plugins)");
   }
   return find_row(forms(), name, "form");

@@ -91,7 +91,7 @@ std::string value_fault(const burin_option& o) {
 std::string option_fault(const burin_option& o) {
   if (!is_option_name(o.name)) return "has a name that is not made of a-z, 0-9 and _";
   const std::string named = std::string("'") + o.name + "' ";
-  if (!is_sentence(o.meaning)) return named + "does not say what it means";
+  if (!is_sentence(o.meaning)) return named + "has no meaning text";
   if (o.unit != nullptr && !is_text(o.unit)) return named + "has a unit that is no text";
   const std::string fault = value_fault(o);
   return fault.empty() ? fault : named + fault;
@@ -161,10 +161,11 @@ std::string factory_fault(const burin_factory& f) {
   if (!is_name(f.name)) return "a factory has a name that is not made of a-z, 0-9 and -";
   if (!is_known(f.id)) return {};
   const std::string named = std::string(f.id) + " '" + f.name + "' ";
-  if (!is_sentence(f.meaning)) return named + "does not say what it means";
+  if (!is_sentence(f.meaning)) return named + "has no meaning text";
   if (f.functions == nullptr) return named + "has no functions";
   if (f.option_count > kMostOptions) return named + "has more than 64 options";
-  if (f.option_count > 0 && f.options == nullptr) return named + "has no options where it says so";
+  if (f.option_count > 0 && f.options == nullptr)
+    return named + "has a number but no array of options";
   for (std::size_t i = 0; i < f.option_count; ++i) {
     const std::string fault = option_fault(f.options[i]);
     if (!fault.empty()) return named + "has an option that " + fault;

@@ -1,5 +1,5 @@
 #pragma once
-// What burin-probe said of files, kept for the next program: a file in the user's cache folder.
+// What burin-probe found in files, kept for the next program: a file in the user's cache folder.
 
 #include <filesystem>
 #include <map>
@@ -8,8 +8,8 @@
 
 namespace burin::plugin {
 
-/// What tells a file from what stood in its place before: device, number, size, times. Empty where
-/// there is no file.
+/// What distinguishes a file from the one that was there before: device, number, size, times. Empty
+/// where there is no file.
 std::string identity_of(const std::filesystem::path& file);
 
 /// Faults (empty: none) by file and identity.

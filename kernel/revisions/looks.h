@@ -1,5 +1,5 @@
 #pragma once
-// How each kind of change is drawn, and the legend that says so; internal to the room.
+// How each kind of change is drawn, and the legend that says so; internal to the module.
 
 #include <burin/drawing/drawing.h>
 #include <burin/revisions/overlay.h>

@@ -1,5 +1,5 @@
 #pragma once
-/// What parts show in the planes that cut them; internal to the room.
+/// What parts show in the planes that cut them; internal to the module.
 
 #include <burin/base/box.h>
 #include <burin/base/curve.h>

@@ -1,5 +1,5 @@
 #pragma once
-/// What a triangle of a cut proxy is; internal to the room.
+/// What a triangle of a cut proxy is; internal to the module.
 
 #include <burin/base/vec.h>
 

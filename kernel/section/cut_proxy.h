@@ -1,5 +1,5 @@
 #pragma once
-/// A proxy without what lies beyond all planes of a region; internal to the room.
+/// A proxy without what lies beyond all planes of a region; internal to the module.
 
 #include <burin/base/run_context.h>
 #include <burin/mesh/proxy_mesh.h>

@@ -1,5 +1,6 @@
 #pragma once
-/// A surface that ends at the planes of a region, closed there by flat faces; internal to the room.
+/// A surface that ends at the planes of a region, closed there by flat faces; internal to the
+/// module.
 
 #include <burin/surface/surface.h>
 

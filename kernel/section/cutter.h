@@ -1,5 +1,5 @@
 #pragma once
-/// Triangles without what lies beyond all of several planes; internal to the room.
+/// Triangles without what lies beyond all of several planes; internal to the module.
 
 #include <burin/base/run_context.h>
 #include <burin/mesh/tri_mesh.h>

@@ -45,7 +45,7 @@ std::vector<OptionRow<HatchOptions>> rows() {
       options::text("ink_law", &HatchOptions::ink_law,
                     "what strokes cover of the paper, of the ink that the tone asks for", kFormula),
       options::text("density_law", &HatchOptions::density_law,
-                    "factor of how close strokes stand; none where it is 0 or less", kFormula),
+                    "factor of the density of strokes; none where it is 0 or less", kFormula),
       options::text("width_law", &HatchOptions::width_law, "factor of the width of strokes",
                     kFormula),
       options::text("length_law", &HatchOptions::length_law,
@@ -53,7 +53,7 @@ std::vector<OptionRow<HatchOptions>> rows() {
       options::text("presence_law", &HatchOptions::presence_law,
                     "the chance of each stroke to be drawn, from 0 to 1", kFormula),
       options::text("motif", &HatchOptions::motif,
-                    "what stands on each point in the place of a stroke, hatch.length large along "
+                    "what is drawn at each point instead of a stroke, hatch.length large along "
                     "its longer side (hatch.placing points, discs)",
                     "path data of SVG (M0 0L1 1), the name of an .svg file, or none"),
       options::text("image", &HatchOptions::image,

@@ -37,11 +37,11 @@ std::vector<OptionRow<ToneOptions>> rows() {
       number("rim", &ToneOptions::rim, {0, 1},
              "darkness added where the surface turns away from the viewer"),
       options::word("ink", &ToneOptions::ink, {"shade", "light"},
-                    "what ink stands for: shade, or light, as on dark paper"),
-      number(
-          "median_min", &ToneOptions::median_min, {0, 1},
-          "least ink that half of the picture is to have; one exponent of all ink brings it there",
-          "median_max"),
+                    "what ink represents: shade, or light, as on dark paper"),
+      number("median_min", &ToneOptions::median_min, {0, 1},
+             "least ink that half of the picture is to have; one exponent of all ink raises it to "
+             "this",
+             "median_max"),
       number("median_max", &ToneOptions::median_max, {0, 1},
              "most ink that half of the picture is to have"),
       number(

@@ -138,8 +138,8 @@ std::string sentence(const Contradiction& c, const Scene& scene) {
     return fmt::format("{:.2f} mm of the outer outline {} are missing, {}", c.length,
                        name_of(scene, c.source.part), where);
   }
-  const char* says = c.what == "covered" ? "drawn, but something stands before it"
-                     : c.what == "open"  ? "taken for hidden, but nothing stands before it"
+  const char* says = c.what == "covered" ? "drawn as visible, but something hides it"
+                     : c.what == "open"  ? "drawn as hidden, but nothing hides it"
                                          : "drawn where there is no surface";
   return fmt::format("{:.2f} mm of {} are {}, {}", c.length, with_article(line), says, where);
 }

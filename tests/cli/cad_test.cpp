@@ -1,4 +1,4 @@
-// CAD files through the command: what it tells, draws and refuses.
+// CAD files through the command: what it reports, draws and refuses.
 #include "models.h"
 
 #include <nlohmann/json.hpp>

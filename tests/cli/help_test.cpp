@@ -1,4 +1,4 @@
-// The options that the command tells are those that the manual lists, in the same words.
+// The options that the command prints are those that the manual lists, in the same words.
 #include "models.h"
 
 #include <map>

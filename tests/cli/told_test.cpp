@@ -1,4 +1,4 @@
-// What the command tells of itself: versions, manual pages, completions.
+// What the command prints about itself: versions, manual pages, completions.
 #include "models.h"
 
 #include <sys/wait.h>

@@ -105,7 +105,7 @@ class Since(GitTest):
         self.commit(a__burin__json=json.dumps(inner))
         found = self.compare("--since", "HEAD^")
         self.assertEqual(found["shell"]["models"], ["moved pin: moved by 10 mm (0, 0, 10)"])
-        self.assertEqual(found["shell"]["words"], ["the models have changed where this figure does not show it"])
+        self.assertEqual(found["shell"]["words"], ["the models have changed, but not where this figure shows them"])
         self.assertEqual(found["shell"]["shown"][0]["status"], "same")
 
     @unittest.skipUnless(shutil.which("openscad"), "OpenSCAD is not there: openscad")

@@ -9,7 +9,7 @@ for word in "$@"; do
     *) words=(-R "$word") ;;
   esac
 done
-# The short form: rooms whose tests reach much code for the time that they take.
+# The short form: modules whose tests reach much code for the time that they take.
 short_asan=(base options repair converters_mesh converters_irit stroke)
 short_tsan=(base stroke illustrate)
 # Minutes under ThreadSanitizer.

@@ -248,7 +248,7 @@ MeshFile ThreeMfReader::read() {
     }
     if (!shapes_.empty()) {
       file_.diagnostics.add(Severity::Info, "3mf.no_build", 1,
-                            "the 3MF builds nothing; all of its objects are shown");
+                            "the build section of the 3MF is empty; all of its objects are drawn");
     }
   }
   for (const ThreeMfUse& use : root.build) item(use, path);

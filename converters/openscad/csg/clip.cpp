@@ -207,7 +207,7 @@ Region minkowski_sum(const Region& a, const Region& b) {
   if (static_cast<double>(edges_of(a)) * static_cast<double>(edges_of(b)) > kMostPairs) {
     throw InputError(
         "minkowski() of polygons with more than four million pairs of edges; make "
-        "them of fewer edges, say by a lower $fn");
+        "them of fewer edges, for example by a lower $fn");
   }
   const Paths left = paths_of(a), right = paths_of(b);
   Paths terms;

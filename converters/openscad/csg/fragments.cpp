@@ -46,7 +46,7 @@ int fragments(double r, const Fineness& f) {
   if (!(count <= kMostFragments)) {
     throw InputError(
         fmt::format("a circle of {:g} corners; set $fn, $fa or $fs to what a machine can hold, "
-                    "say $fn = 100",
+                    "for example $fn = 100",
                     count));
   }
   return static_cast<int>(count);

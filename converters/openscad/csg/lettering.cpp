@@ -50,7 +50,7 @@ Style style_of(const Node& node) {
   s.pieces = std::max(fragments(s.size, fineness_of(node)) / 8 + 1, 2);
   if (s.pieces > kMostPieces) {
     throw InputError(
-        fmt::format("text() with {} pieces a curve; set $fn, $fa or $fs to less, say "
+        fmt::format("text() with {} pieces a curve; set $fn, $fa or $fs to less, e.g. "
                     "$fn = 100",
                     s.pieces));
   }
@@ -260,7 +260,7 @@ void tell_no_font(Diagnostics& diagnostics) {
     return;
   }
   diagnostics.add(Severity::Warning, kCode, 1,
-                  "this machine has no fonts: text() is left out; install some, say the package "
+                  "this machine has no fonts: text() is left out; install some, e.g. the package "
                   "fonts-liberation");
 }
 
@@ -279,7 +279,7 @@ Region lettering(Evaluation& e, std::uint32_t node) {
     // OpenSCAD's own choice, where a text names none.
     const std::string name = style.font.empty() ? "Liberation Sans" : style.font;
     tell(e, node, "openscad.font_replaced",
-         fmt::format("the font {} is not there; {} stands for it", in_quotes(name),
+         fmt::format("the font {} is missing; {} is used instead", in_quotes(name),
                      font.face->family_name ? font.face->family_name : "another"));
   }
   Layout layout(font.face, style);

@@ -132,7 +132,7 @@ void check_size(const Region& region, const OffsetRule& rule) {
   if (const double points = corner_points(region, rule); points > kMostPoints) {
     throw InputError(
         fmt::format("offset() with round corners of {:g} points in all; set $fn, $fa or "
-                    "$fs to less, say $fn = 100",
+                    "$fs to less, e.g. $fn = 100",
                     points));
   }
 }

@@ -14,7 +14,7 @@ _CALLS = {
     "progress": ("Progress", "is called with the stage and the share of it that is done"),
     "cancel": ("Cancel", "ends the run when it is set"),
     "session": ("Session", "keeps what the next drawing of the same scene may use again"),
-    "illustration": ("Mapping[str, Any]", "what an illustration file says beside parts: section, explode, items, looks ..."),
+    "illustration": ("Mapping[str, Any]", "the keys of an illustration file except parts: section, explode, items, looks ..."),
 }
 _ABOUT = """Draws a scene, a file, several files, or an illustration: a file NAME.burin.json or a mapping as it holds.
 Keywords are the long options of `burin draw`, and six more.

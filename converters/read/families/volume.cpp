@@ -64,7 +64,7 @@ std::vector<ReadRow> options() {
          .label = "NXxNYxNZ[..]"},
         [](ReadOptions& o, const Asked& a) { o.volume.raw = parse_raw_layout(a.text()); }},
        Volumes,
-       "files of raw samples, whose format nothing else tells"},
+       "files of raw samples, which have no header"},
       {{{.option = {.name = "raw_skip",
                     .meaning = "bytes before the first sample of a raw file (default 0)",
                     .takes = WholeRange{0, kMostBytes},

@@ -11,7 +11,7 @@ namespace {
 const std::vector<KeyRow<DetailView>>& detail_rows() {
   static const std::vector<KeyRow<DetailView>> rows = {
       {.name = "select",
-       .schema = one_or_list_of(text("what it shows: a part or an assembly, as in looks")),
+       .schema = one_or_list_of(text("what is drawn larger: a part or an assembly, as in looks")),
        .read =
            [](const KeyedFile& in, const Json& value, const std::string& path, DetailView& detail) {
              detail.select = in.text_list(value, path);

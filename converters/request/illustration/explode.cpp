@@ -42,7 +42,7 @@ const std::vector<KeyRow<ExplodeStep>>& step_rows() {
        .write = [](const ExplodeStep& step) { return Json(rounded(step.by)); },
        .missing = kMissing},
       {.name = "trail",
-       .schema = flag("false: no line shows the way"),
+       .schema = flag("false: no trail line is drawn"),
        .read = [](const KeyedFile& in, const Json& value, const std::string& path,
                   ExplodeStep& step) { step.trail = in.flag(value, path); },
        .write = [](const ExplodeStep& step) { return Json(step.trail); }},
@@ -133,7 +133,7 @@ double distance_of(const KeyedFile& in, const Json& value, const std::string& pa
   const double by = in.number(value, path);
   if (!(by > 0 && by <= 1e12)) {
     in.fail(path, fmt::format("\"by\" takes mm over 0, not {}: a step moves parts, and \"along\" "
-                              "says which way",
+                              "gives the direction",
                               value.dump()));
   }
   return by;

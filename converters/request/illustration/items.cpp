@@ -29,7 +29,7 @@ KeptItem kept_item(const KeyedFile& in, const Json& value, const std::string& pa
   if (!value.is_object()) return {in.text(value, path), {}, true};
   check_members(item_rows(), in, value, path);
   if (value.empty()) {
-    in.fail(path, "an item has a \"name\", or a \"select\" that says which it is");
+    in.fail(path, "an item has a \"name\", or a \"select\" that names its part");
   }
   KeptItem kept;
   read_members(item_rows(), in, value, path, kept);
@@ -71,7 +71,7 @@ void take_parts_list(const KeyedFile& in, const Json& value, const std::string& 
                      IllustrationFile& out) {
   const std::string given = in.text(value, path);
   if (given != "sheet") {
-    in.fail(path, "\"parts_list\" takes \"sheet\"; files are named at the door");
+    in.fail(path, "\"parts_list\" takes \"sheet\"; `parts_list` writes files");
   }
   out.request.options["parts_list"] = {given};
 }

@@ -1,5 +1,6 @@
 #pragma once
-// What each key of an illustration file does, and what they read values with; internal to the room.
+// What each key of an illustration file does, and what they read values with; internal to the
+// module.
 
 #include <burin/base/error.h>
 #include <burin/converters/illustration.h>

@@ -111,7 +111,7 @@ const std::vector<KeyRow<Placement>>& place_rows() {
 Placement placement(const KeyedFile& in, const Json& value, const std::string& path) {
   check_members(place_rows(), in, value, path);
   if (value.contains("matrix") && value.size() > 1) {
-    in.fail(path, "\"matrix\" stands alone: it says all of a place");
+    in.fail(path, "\"matrix\" takes no other keys beside it");
   }
   Placement place;
   read_members(place_rows(), in, value, path, place);

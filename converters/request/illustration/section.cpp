@@ -37,14 +37,13 @@ const std::vector<KeyRow<SectionPlane>>& plane_rows() {
 SectionPlane plane(const KeyedFile& in, const Json& value, const std::string& path) {
   if (value.is_object()) return read_object(plane_rows(), in, value, path);
   const Section section = section_of_text(in, value, path);
-  if (section.planes.size() != 1) in.fail(path, "here one plane stands: x, y, z, or X,Y,Z; =MM");
+  if (section.planes.size() != 1) in.fail(path, "takes one plane: x, y, z, or X,Y,Z; =MM");
   return section.planes.front();
 }
 
 std::vector<SectionPlane> planes(const KeyedFile& in, const Json& value, const std::string& path) {
   in.check_array(value, path);
-  if (value.empty() || value.size() > kMostPlanes)
-    in.fail(path, "a list of 1 to 64 planes stands here");
+  if (value.empty() || value.size() > kMostPlanes) in.fail(path, "takes a list of 1 to 64 planes");
   std::vector<SectionPlane> out;
   for (std::size_t i = 0; i < value.size(); ++i) {
     out.push_back(plane(in, value[i], fmt::format("{}/{}", path, i)));

@@ -1,5 +1,5 @@
 #pragma once
-/// The door of libburin_cairo: one symbol, `burin_cairo_library`, which gives this.
+/// The entry point of libburin_cairo: one symbol, `burin_cairo_library`, which gives this.
 
 #include <burin/converters/write.h>
 

@@ -1,5 +1,5 @@
 #pragma once
-/// The writers behind the door of libburin_cairo.
+/// The writers in libburin_cairo.
 
 #include <burin/converters/write.h>
 

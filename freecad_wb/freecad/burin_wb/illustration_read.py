@@ -94,7 +94,7 @@ def _view(told, notes):
     if view["scale"] is not None:
         values["Scale"] = view["scale"]
     if view["center"] is not None:
-        notes.append("view.center: what is drawn stands in the middle of the sheet here")
+        notes.append("view.center: the drawing is in the middle of the sheet here")
     return values
 
 

@@ -112,7 +112,7 @@ def _notes(matches, by_name):
     if read:
         notes.append(f"options about reading have no effect on objects that are there: {', '.join(read)}")
     if moved:
-        notes.append(f"stand where the document has them, for which the file has other places: {shortened(moved, ', ')}")
+        notes.append(f"are where the document has them, though the file has other places: {shortened(moved, ', ')}")
     numbered = [one.name for one in found if not one.part["name"] and any(
         not c.used for c in by_name.get(plain(one.found.label) + "001", ()))]
     if numbered:

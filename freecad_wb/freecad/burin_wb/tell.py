@@ -1,4 +1,4 @@
-"""The one way to tell the user something: a line in the report view and, where there is a window, in its status bar."""
+"""Messages to the user: a line in the report view and, where there is a window, in its status bar."""
 
 import FreeCAD
 

@@ -244,7 +244,7 @@ class Worker:
         if self._ended is process:
             raise Stopped()
         process.kill()
-        why = message[1] if message else "said nothing for %g s" % HELLO if late else self._said(process, log)
+        why = message[1] if message else "gave no answer for %g s" % HELLO if late else self._said(process, log)
         with self._lock:
             self._forget()
         return why
@@ -262,7 +262,7 @@ class Worker:
 
     def _last_words(self, process, log):
         said = self._said(process, log)
-        return f"the drawing kernel ended unexpectedly ({said}); the document is as it was, the next run starts it anew"
+        return f"the drawing kernel ended unexpectedly ({said}); the document is unchanged, the next run starts the kernel again"
 
     @staticmethod
     def _said(process, log):

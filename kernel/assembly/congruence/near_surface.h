@@ -1,5 +1,5 @@
 #pragma once
-// Whether points lie on a mesh; internal to the room.
+// Whether points lie on a mesh; internal to the module.
 
 #include <burin/base/box.h>
 #include <burin/mesh/tri_mesh.h>

@@ -1,5 +1,5 @@
 #pragma once
-// Which of many places are near; internal to the room.
+// Which of many places are near; internal to the module.
 
 #include <burin/base/box.h>
 

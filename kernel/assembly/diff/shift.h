@@ -1,5 +1,5 @@
 #pragma once
-// How far a part that has changed was moved, too; internal to the room.
+// How far a part that has changed was moved, too; internal to the module.
 
 #include <burin/congruence/body.h>
 

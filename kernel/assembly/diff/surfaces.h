@@ -1,5 +1,5 @@
 #pragma once
-// The parts of one revision as matching and comparing look at them; internal to the room.
+// The parts of one revision as matching and comparing look at them; internal to the module.
 
 #include <burin/base/diagnostics.h>
 #include <burin/base/run_context.h>

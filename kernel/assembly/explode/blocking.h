@@ -1,5 +1,5 @@
 #pragma once
-// What stands in whose way; internal to the room.
+// Which part blocks which; internal to the module.
 
 #include <burin/base/run_context.h>
 #include <burin/visibility/occluder.h>

@@ -1,5 +1,5 @@
 #pragma once
-// Where parts touch; internal to the room.
+// Where parts touch; internal to the module.
 
 #include <burin/base/run_context.h>
 #include <burin/visibility/occluder.h>

@@ -146,8 +146,8 @@ struct ExplodeModel::Impl {
       diagnostics.add(Severity::Warning, "explode.interlocked",
                       static_cast<std::int64_t>(set.size()),
                       fmt::format("{} hold each other in every direction and stay together; where "
-                                  "they are a press fit or a thread, an illustration file can say "
-                                  "by how many mm: \"explode\": {{\"fit\": 0.5}}",
+                                  "they are a press fit or a thread, an illustration file can give "
+                                  "its depth in mm: \"explode\": {{\"fit\": 0.5}}",
                                   names(set)));
     }
     if (crowded > 0) {
@@ -159,8 +159,8 @@ struct ExplodeModel::Impl {
     if (shapes.parts.size() > kMostWithRays) {
       diagnostics.add(Severity::Warning, "explode.boxes",
                       static_cast<std::int64_t>(shapes.parts.size()),
-                      fmt::format("{} parts are more than 2,000: their boxes, not rays, say what "
-                                  "stands in whose way",
+                      fmt::format("{} parts are more than 2,000: their boxes, not rays, decide "
+                                  "which part blocks which",
                                   shapes.parts.size()));
     }
     std::set<std::size_t> things;

@@ -1,5 +1,5 @@
 #pragma once
-// In which order, which way and how far; internal to the room.
+// In which order, which way and how far; internal to the module.
 
 #include <burin/base/run_context.h>
 #include <burin/explode/explode.h>

@@ -1,5 +1,5 @@
 #pragma once
-// The parts as explosion looks at them; internal to the room.
+// The parts as explosion looks at them; internal to the module.
 
 #include <burin/base/box.h>
 #include <burin/mesh/proxy_mesh.h>

@@ -1,5 +1,5 @@
 #pragma once
-// Lines from where parts belong to where they are; internal to the room.
+// Lines from where parts belong to where they are; internal to the module.
 
 #include <burin/base/curve.h>
 #include <burin/explode/explode.h>

@@ -1,5 +1,5 @@
 #pragma once
-// How far what leaves a level goes; internal to the room.
+// How far what leaves a level goes; internal to the module.
 
 #include "order.h"
 

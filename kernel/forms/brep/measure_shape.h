@@ -1,5 +1,5 @@
 #pragma once
-// Internal to the room.
+// Internal to the module.
 
 #include <burin/forms/brep/occt/brep_model.h>
 #include <burin/surface/shape_measure.h>

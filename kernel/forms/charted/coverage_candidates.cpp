@@ -13,7 +13,7 @@ namespace {
 double picture_scale2(const Camera& camera, Vec3 p) {
   const double scale = camera.area_scale(p);
   if (!(scale > 0) || !std::isfinite(scale)) {
-    throw GeometryError("the viewer stands inside a surface's control points: move it away");
+    throw GeometryError("the viewer is inside a surface's control points: move it away");
   }
   return scale;
 }

@@ -1,5 +1,5 @@
 #pragma once
-// Facets whose corners lie on a sphere; internal to the room.
+// Facets whose corners lie on a sphere; internal to the module.
 
 #include "facets.h"
 

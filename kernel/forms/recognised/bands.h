@@ -1,5 +1,5 @@
 #pragma once
-// Runs of facets around an axis; internal to the room.
+// Runs of facets around an axis; internal to the module.
 
 #include "facets.h"
 #include "revolution.h"

@@ -1,5 +1,5 @@
 #pragma once
-// Faces and edges of a recognised mesh; internal to the room.
+// Faces and edges of a recognised mesh; internal to the module.
 
 #include <burin/forms/recognised/recognised_form.h>
 #include <burin/mesh/proxy_mesh.h>

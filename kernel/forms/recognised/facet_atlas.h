@@ -1,5 +1,5 @@
 #pragma once
-// Recognised triangles as charts that meet along edges; internal to the room.
+// Recognised triangles as charts that meet along edges; internal to the module.
 
 #include <burin/forms/charted/atlas.h>
 

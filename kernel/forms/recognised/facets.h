@@ -1,5 +1,5 @@
 #pragma once
-// Flat facets of a mesh and which of them meet; internal to the room.
+// Flat facets of a mesh and which of them meet; internal to the module.
 
 #include <burin/base/run_context.h>
 #include <burin/mesh/topology.h>

@@ -1,5 +1,5 @@
 #pragma once
-// Facets of which it is told what they stand for; internal to the room.
+// Facets whose surface is known; internal to the module.
 
 #include <burin/forms/recognised/turned_surface.h>
 

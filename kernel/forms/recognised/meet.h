@@ -1,5 +1,5 @@
 #pragma once
-// Points on several surfaces at once; internal to the room.
+// Points on several surfaces at once; internal to the module.
 
 #include "recognise.h"
 

@@ -1,5 +1,5 @@
 #pragma once
-// Walls over an outline that bends; internal to the room.
+// Walls over an outline that bends; internal to the module.
 
 #include "facets.h"
 #include "revolution.h"

@@ -1,5 +1,5 @@
 #pragma once
-// A patch as a chart; internal to the room.
+// A patch as a chart; internal to the module.
 
 #include <burin/forms/charted/chart.h>
 

@@ -1,5 +1,5 @@
 #pragma once
-// Smooth profiles of surfaces of revolution; internal to the room.
+// Smooth profiles of surfaces of revolution; internal to the module.
 
 #include "revolution.h"
 

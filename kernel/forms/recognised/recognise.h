@@ -1,5 +1,5 @@
 #pragma once
-// The round surfaces that a mesh stands for; internal to the room.
+// The round surfaces that a mesh stands for; internal to the module.
 
 #include "bands.h"
 

@@ -1,6 +1,6 @@
 #pragma once
 // Triangles cut finer until they lie on the round surfaces that they stand for; internal to the
-// room.
+// module.
 
 #include <burin/mesh/proxy_mesh.h>
 

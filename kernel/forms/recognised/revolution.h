@@ -1,6 +1,6 @@
 #pragma once
 // A piece of a surface of revolution in closed form, or of a smooth surface through points;
-// internal to the room.
+// internal to the module.
 
 #include <burin/surface/surface.h>
 

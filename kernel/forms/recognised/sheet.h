@@ -1,5 +1,5 @@
 #pragma once
-// A smooth surface through a grid of points; internal to the room.
+// A smooth surface through a grid of points; internal to the module.
 
 #include <burin/base/box.h>
 #include <burin/forms/charted/chart.h>

@@ -1,5 +1,5 @@
 #pragma once
-// Flat walls among the facets that stand for no round surface; internal to the room.
+// Flat walls among the facets that stand for no round surface; internal to the module.
 
 #include <burin/mesh/proxy_mesh.h>
 

@@ -1,5 +1,5 @@
 #pragma once
-// Places that are drawn again at another scale: what they show, and where; internal to the room.
+// Places that are drawn again at another scale: what they show, and where; internal to the module.
 
 #include <burin/arrange/illustration.h>
 #include <burin/base/box.h>

@@ -14,7 +14,7 @@
 namespace burin {
 namespace {
 
-/// The steps of a file; tells of those that nothing is seen of.
+/// The steps of a file; reports those that move nothing visible.
 std::vector<ExplodeStep> steps_of_file(Scene& scene, const Explode& explode,
                                        const std::vector<bool>& drawn) {
   std::vector<ExplodeStep> steps = explode.steps;

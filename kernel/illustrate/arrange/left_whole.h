@@ -1,5 +1,5 @@
 #pragma once
-// What drawings do not cut along, by custom; internal to the room.
+// What drawings do not cut along, by custom; internal to the module.
 
 #include <burin/surface/scene.h>
 

@@ -27,7 +27,7 @@ Box2 ink_box(const Drawing& drawing) {
   return box;
 }
 
-/// What is told of the sheet already.
+/// What is reported about the sheet already.
 bool is_told(const Drawing& drawing) {
   return std::ranges::any_of(drawing.diagnostics.entries(), [](const Diagnostic& d) {
     return d.code == "drawing.empty" || d.code == "sheet.outside" || d.code == "sheet.dot" ||

@@ -94,7 +94,7 @@ class SheetPlanner {
         illustration_(illustration),
         frame_(inside(illustration.view.paper, illustration.sheet.margin)) {
     if (illustration.sheet.fits) {
-      throw UsageError("several views and details stand on a sheet of a size: give `paper` one");
+      throw UsageError("several views or details need a sheet of a fixed size: set `paper`");
     }
     if (illustration.illustrate.annotations) {
       const Annotations& over = *illustration.illustrate.annotations;
@@ -210,7 +210,7 @@ class SheetPlanner {
     scene_.diagnostics.add(
         Severity::Warning, "detail.small_view", 1,
         fmt::format("{}the view is {:.0f} mm large, its detail {} {:.0f} mm: give the detail a "
-                    "smaller scale than {}, say {}, or a larger `paper`",
+                    "smaller scale than {}, such as {}, or a larger `paper`",
                     largest->place, drawn, largest->letter, detail, scale_text(largest->scale),
                     scale_text(standard_scale(largest->scale * drawn / detail))));
   }

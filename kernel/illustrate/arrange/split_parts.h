@@ -1,5 +1,5 @@
 #pragma once
-// Bodies of parts that an illustration chooses; internal to the room.
+// Bodies of parts that an illustration chooses; internal to the module.
 
 #include <burin/arrange/illustration.h>
 

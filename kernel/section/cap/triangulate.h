@@ -1,5 +1,5 @@
 #pragma once
-/// What lies inside oriented loops of a plane, as triangles; internal to the room.
+/// What lies inside oriented loops of a plane, as triangles; internal to the module.
 
 #include <burin/base/ids.h>
 #include <burin/base/vec.h>

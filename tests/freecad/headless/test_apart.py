@@ -60,7 +60,7 @@ class Apart(Case):
         obj = self.illustration(self.stack(), Style="outline", Sections=["+y=900"])
         self.assertRegex(obj.Message, "^the section at 900 mm, of a model from 0 to 40 mm, cuts nothing$")
         before = content(obj.Drawing)
-        for text, words in (("w", '^"section" takes.*; the drawing shown is the one before$'),
+        for text, words in (("w", '^"section" takes.*; the drawing before is kept$'),
                             ('{"plane": ', "^section 1 of the property Sections is no JSON"),
                             ("-y=900", "^the section at 900 mm.*takes all of it away; the drawing")):
             obj.Sections = [text]

@@ -58,7 +58,7 @@ class Details(Case):
         self.assertEqual(self.views(obj), ["", "A", "B", "C"])
         before = content(obj.Drawing)
         for text, words in (('{"select"', "^detail 1 of the property Details is no JSON"), ("=2:1", "^detail 1 of the property Details shows nothing"),
-                            ('{"at": [0, 0, 0]}', '^a detail at a point has "radius".*; the drawing shown is the one before$'),
+                            ('{"at": [0, 0, 0]}', '^a detail at a point has "radius".*; the drawing before is kept$'),
                             ("0,0,0,9=500:1", "^details of up to 9000 mm have no room")):
             obj.Details = [text]
             self.doc.recompute()
@@ -107,7 +107,7 @@ class Details(Case):
         self.assertEqual(self.views(obj), ["front", "left", "iso"])
         obj.Views = ["front", "sideways"]
         self.doc.recompute()
-        self.assertRegex(obj.Message, "sideways.*; the drawing shown is the one before$")
+        self.assertRegex(obj.Message, "sideways.*; the drawing before is kept$")
         obj.Views = ["1,-1,2"]
         self.doc.recompute()
         self.assertRegex(obj.Message, "^Views has one direction alone, 1,-1,2: make it ViewDirection and leave Views empty")

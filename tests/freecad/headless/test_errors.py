@@ -26,7 +26,7 @@ class Errors(Case):
         self.assertNotIn("\n", obj.Message)
         if before:
             self.assertEqual((content(obj.Drawing), content(obj.Picture), obj.Inputs), before)
-            self.assertIn("the drawing shown is the one before", obj.Message)
+            self.assertIn("the drawing before is kept", obj.Message)
 
     def draws(self, obj):
         self.redraw(obj)
@@ -188,9 +188,9 @@ class Errors(Case):
             setattr(obj, name, bad)
             self.redraw(obj)
             if name == "ViewUp":  # something sensible is drawn instead
-                self.assertNotIn("the drawing shown is the one before", obj.Message, name)
+                self.assertNotIn("the drawing before is kept", obj.Message, name)
             else:
-                self.assertIn("the drawing shown is the one before", obj.Message, name)
+                self.assertIn("the drawing before is kept", obj.Message, name)
             setattr(obj, name, good)
             obj.FitScale = True
             self.draws(obj)

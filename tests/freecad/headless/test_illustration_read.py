@@ -175,7 +175,7 @@ class IllustrationRead(Case):
         self.assertEqual([(o.Name, subs) for o, subs in obj.Sources], [("Link", ("",)), ("Part", ("",))])
         self.assertNotIn(";", self.said[-1])
         obj = self.read(parts=[{"file": "a.stl", "name": "Block", "place": {"translate": [0, 0, 7]}}])
-        self.assertIn("stand where the document has them, for which the file has other places: Block", self.said[-1])
+        self.assertIn("are where the document has them, though the file has other places: Block", self.said[-1])
         self.assertIn("names that several objects have, of which the first was taken: Block (Part.Block)", self.said[-1])
 
     def test_other_places_are_told(self):

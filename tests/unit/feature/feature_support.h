@@ -1,5 +1,5 @@
 #pragma once
-// Features of meshes as the tests of this room ask for them.
+// Features of meshes as the tests of this module ask for them.
 
 #include <burin/feature/feature.h>
 

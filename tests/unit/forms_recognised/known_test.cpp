@@ -1,4 +1,4 @@
-// Facets of which it is told what they stand for.
+// Facets whose surface is known.
 
 #include <burin/forms/recognised/recognised_form.h>
 

@@ -1,4 +1,4 @@
-// What a user asked for and does not get is told.
+// What a user asked for and does not get is reported.
 #include <burin/base/error.h>
 #include <burin/forms/mesh/mesh_form.h>
 #include <burin/illustrate/illustrate.h>

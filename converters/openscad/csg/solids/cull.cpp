@@ -14,7 +14,7 @@ constexpr std::size_t kTestsPerFacet = 2000;
 // An exact side costs as much as so many of doubles.
 constexpr std::size_t kExactTests = 100;
 
-/// Where the meshes stand in a formula.
+/// Where the meshes are in a formula.
 class Standing {
  public:
   Standing(const Formula& formula, std::size_t meshes)

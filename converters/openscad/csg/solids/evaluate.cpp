@@ -82,7 +82,7 @@ class Evaluator {
     const auto count = std::ranges::count_if(nodes, flat);
     if (count == 0 || std::ranges::none_of(nodes, solid)) return;
     e_.diagnostics.add(Severity::Warning, "openscad.mixed_dimensions", count,
-                       "2-D objects beside solids are left out; extrude them, say with "
+                       "2-D objects beside solids are left out; extrude them, e.g. with "
                        "linear_extrude(1)");
   }
 

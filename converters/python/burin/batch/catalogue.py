@@ -2,7 +2,7 @@
 
     out = "out"                              # folder of the drawings, beside the file of jobs
     views = ["iso"]                          # these four hold for all groups of files that do not say otherwise
-    styles = ["technical", "house.json"]
+    styles = ["technical", "company.json"]
     outputs = ["{folder}/{name}-{view}-{style}.svg"]
     options = {paper = "A5", set = {"line.outer" = 0.5}}
     limits = {timeout = 120, memory = "4G"}  # of each drawing
@@ -99,7 +99,7 @@ class _Group:
         for name in ("threads", "view", "style", "output", "format"):
             if name in options:
                 instead = {"threads": "burin batch run --threads", "view": "views", "style": "styles"}.get(name, "outputs")
-                raise reader.fail(f"{where}: options: {name} is said by {instead}")
+                raise reader.fail(f"{where}: options: {name} is set by {instead}")
         self.options = {str(k): reader.option(v, f"{where}: options: {k}") for k, v in options.items()}
 
     def files(self) -> list[str]:
@@ -158,7 +158,7 @@ class _Group:
             for _, place, form, _ in string.Formatter().parse(template):
                 if place is not None and (place not in places or form):
                     raise self.reader.fail(
-                        f"{self.where}: outputs: '{{{place}}}' is no place; the nearest is '{{{nearest(place, PLACES)}}}'"
+                        f"{self.where}: outputs: '{{{place}}}' is no placeholder; the nearest is '{{{nearest(place, PLACES)}}}'"
                     )
             name = os.path.normpath(template.format(**places))
         except ValueError as e:
@@ -178,7 +178,7 @@ def _refuse_clashes(reader: TomlReader, batch: Batch) -> None:
                 raise reader.fail(f"the output {name!r} of {what} is also an input; name another folder by out")
             if name in owner:
                 raise reader.fail(
-                    f"the output {name!r} of {what} is also one of {owner[name]}; tell them apart by {{folder}}, {{suffix}}, {{view}} or {{style}}"
+                    f"the output {name!r} of {what} is also one of {owner[name]}; add {{folder}}, {{suffix}}, {{view}} or {{style}}"
                 )
             owner[name] = what
 

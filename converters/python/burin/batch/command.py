@@ -32,27 +32,27 @@ def _parser() -> argparse.ArgumentParser:
     _add_jobs(run)
     _add_limits(run)
     run.add_argument("--shard", metavar="I/N", default="1/1", help="only the I-th of N parts of the jobs")
-    run.add_argument("--jobs", metavar="N", type=int, help="parts drawn at once (default: as many as cores)")
-    run.add_argument("--on", metavar="dask://HOST:PORT", help="draw by the workers of a Dask scheduler")
-    run.add_argument("--patience", metavar="S", default="60", help="seconds without a worker of Dask until the run ends (default 60)")
-    run.add_argument("--quiet", "-q", action="store_true", help="say nothing but what failed")
+    run.add_argument("--jobs", metavar="N", type=int, help="parts drawn at the same time (default: one for each core)")
+    run.add_argument("--on", metavar="dask://HOST:PORT", help="draw with the workers of a Dask scheduler")
+    run.add_argument("--patience", metavar="S", default="60", help="end the run after so many seconds without a Dask worker (default 60)")
+    run.add_argument("--quiet", "-q", action="store_true", help="print failures only")
 
     shows = commands.add_parser("report", help="one page of all drawings, failures first, and one hash of them")
     _add_jobs(shows)
     shows.add_argument("-o", "--output", metavar="FILE.html", type=Path, help="the page (default: index.html beside the drawings)")
 
-    prunes = commands.add_parser("prune", help="remove drawings that the catalogue no longer has, and what is known of them")
+    prunes = commands.add_parser("prune", help="remove drawings that the catalogue no longer has, and their records")
     prunes.add_argument("jobs_files", metavar="JOBS.jsonl", type=Path, nargs="+", help="all files of jobs that draw into this folder")
-    prunes.add_argument("--dry-run", "-n", action="store_true", help="tell what would be removed, and remove nothing")
-    prunes.add_argument("--quiet", "-q", action="store_true", help="say nothing")
+    prunes.add_argument("--dry-run", "-n", action="store_true", help="list what would be removed; remove nothing")
+    prunes.add_argument("--quiet", "-q", action="store_true", help="print nothing")
 
     slurm = commands.add_parser("slurm", help="draw by a job array of Slurm")
     _add_jobs(slurm)
     _add_limits(slurm)
     slurm.add_argument("--tasks", metavar="N", type=int, help="tasks of the array (default: each takes a minute or more)")
-    slurm.add_argument("--each", metavar="S", default="1", help="seconds that a drawing takes, where none is done yet (default 1)")
+    slurm.add_argument("--each", metavar="S", default="1", help="estimated seconds for a drawing, if none is done yet (default 1)")
     slurm.add_argument(
-        "--sbatch", metavar="OPTION", action="append", default=[], help="an option of sbatch, say --sbatch=--partition=long; repeatable"
+        "--sbatch", metavar="OPTION", action="append", default=[], help="an option of sbatch, e.g. --sbatch=--partition=long; repeatable"
     )
     slurm.add_argument("--script", metavar="FILE", type=Path, help="write the script there, and submit nothing")
     slurm.add_argument("--wait", action="store_true", help="wait until all tasks have ended")
@@ -73,7 +73,7 @@ def _add_limits(parser: argparse.ArgumentParser) -> None:
 def _shard(text: str) -> tuple[int, int]:
     number, slash, count = text.partition("/")
     if not (slash and number.isdecimal() and count.isdecimal() and 1 <= int(number) <= int(count)):
-        raise BatchError(f"option --shard takes I/N, say 3/8, with I from 1 to N, not '{text}'", USAGE)
+        raise BatchError(f"option --shard takes I/N, such as 3/8, with I from 1 to N, not '{text}'", USAGE)
     return int(number), int(count)
 
 

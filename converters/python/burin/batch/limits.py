@@ -14,7 +14,7 @@ def memory_bytes(text: str, where: str) -> int:
     match = re.fullmatch(r"([0-9]+(?:\.[0-9]+)?)([KMGT]?)", text.strip().upper().removesuffix("B"))
     value = int(float(match[1]) * _UNITS[match[2]]) if match else 0
     if value < 1 << 20:
-        raise BatchError(f"{where} takes an amount of memory from 1M, say 4G, not '{text}'", USAGE)
+        raise BatchError(f"{where} takes an amount of memory from 1M, such as 4G, not '{text}'", USAGE)
     return value
 
 

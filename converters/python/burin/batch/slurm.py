@@ -53,7 +53,7 @@ def submit(arguments: Any, batch: Batch) -> int:
             print(f"job {job}: {tasks} tasks, {len(batch.drawings())} drawings; logs in {folder}", flush=True)
         said = run.stderr.read().strip()
     if not job:
-        raise BatchError(f"sbatch refused the jobs: {said or 'it said nothing'}", FAILED)
+        raise BatchError(f"sbatch refused the jobs: {said or 'it gave no reason'}", FAILED)
     return FAILED if run.returncode != 0 else 0
 
 

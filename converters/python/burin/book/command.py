@@ -32,8 +32,8 @@ def _parser() -> argparse.ArgumentParser:
     parser = Parser(
         prog="burin book",
         allow_abbrev=False,
-        description="Make the figures of a manual, those that are not made yet or show something that has changed; or, with --since or --compare, "
-        "tell what has changed of them since another revision: a page (index.html), a few lines (differences.md) and data (differences.json). "
+        description="Make the figures of a manual that are missing or out of date; or, with --since or --compare, "
+        "list what has changed in them since another revision: a page (index.html), a few lines (differences.md) and data (differences.json). "
         "kernel/docs/manuals.md explains both.",
         epilog="Exit status: 0 all are made, or nothing has changed; 1 a figure failed; 6 something has changed since another revision, or with --check: "
         "something was made or would change; else that of burin draw.",
@@ -44,14 +44,14 @@ def _parser() -> argparse.ArgumentParser:
         "--output",
         metavar="FOLDER",
         type=Path,
-        help=f"where all that is made goes (default: what the book says; of a comparison: {_DIFFERENCES})",
+        help=f"folder for all output (default: as in the book; for a comparison: {_DIFFERENCES})",
     )
     parser.add_argument("--only", metavar="NAME", action="append", default=[], help="only this figure; repeatable")
-    parser.add_argument("--jobs", metavar="N", type=int, help="figures made at once (default: as many as cores)")
+    parser.add_argument("--jobs", metavar="N", type=int, help="figures made at the same time (default: one for each core)")
     parser.add_argument("--timeout", metavar="S", default="300", help="seconds that a figure may take (default 300)")
-    parser.add_argument("--check", action="store_true", help="exit status 6 where files that are there were not what the book says")
+    parser.add_argument("--check", action="store_true", help="exit status 6 if files differ from what the book describes")
     parser.add_argument("--prune", action="store_true", help="remove what was made of figures that the book no longer has, if none fails")
-    parser.add_argument("--quiet", "-q", action="store_true", help="say nothing but what failed")
+    parser.add_argument("--quiet", "-q", action="store_true", help="print failures only")
     parser.add_argument("--burin", metavar="FILE", help="the command that draws (default: this one)")
     others = parser.add_argument_group("another revision")
     either = others.add_mutually_exclusive_group()
@@ -61,8 +61,8 @@ def _parser() -> argparse.ArgumentParser:
         help="compare with the book as it was in this revision of Git: a branch, tag or commit; :PATH where it had another name then, from the top",
     )
     either.add_argument("--compare", metavar="OLD.toml", type=Path, help="compare with this book")
-    others.add_argument("--line-tolerance", metavar="MM", help="paper mm up to which lines of two drawings are one (default 0.1)")
-    others.add_argument("--old-burin", metavar="FILE", help="the command that draws the old figures, say another version (default: this one)")
+    others.add_argument("--line-tolerance", metavar="MM", help="lines up to this many paper mm apart are the same (default 0.1)")
+    others.add_argument("--old-burin", metavar="FILE", help="the command that draws the old figures, e.g. another version (default: this one)")
     return parser
 
 

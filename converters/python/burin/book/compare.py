@@ -150,7 +150,7 @@ class Comparer:
         if why:
             words.append(why)
         elif not models.same and not drawn:
-            words.append("the models have changed where this figure does not show it")
+            words.append("the models have changed, but not where this figure shows them")
         elif not models.same:
             if new.figure.steps is None and old.figure.steps is None:
                 # What the models say of a part tells more than its lines.

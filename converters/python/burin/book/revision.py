@@ -125,4 +125,4 @@ def _submodule(
 
 def _last(errors: str) -> str:
     lines = [line.strip() for line in errors.splitlines() if line.strip()]
-    return re.sub(r"^(fatal|error): ", "", lines[-1]) if lines else "git says nothing"
+    return re.sub(r"^(fatal|error): ", "", lines[-1]) if lines else "git gave no message"

@@ -84,7 +84,7 @@ def _entry(reader: TomlReader, where: str, own: dict[str, Any], table: dict[str,
             raise reader.fail(f"{where}: options is no table")
         for key, value in source.items():
             if key in ("output", "format", "threads", "parts_list"):
-                raise reader.fail(f"{where}: options: {key} is said by {'parts_list of the figure' if key == 'parts_list' else 'formats'}")
+                raise reader.fail(f"{where}: options: {key} is set by {'parts_list of the figure' if key == 'parts_list' else 'formats'}")
             options[key] = reader.option(value, f"{where}: options: {key}")
     formats = reader.texts(own.get("formats", table.get("formats", ["svg"])), f"{where}: formats")
     if len(set(formats)) < len(formats) or any("/" in f or f == "md" for f in formats):

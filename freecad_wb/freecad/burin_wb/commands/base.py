@@ -1,4 +1,4 @@
-"""What all commands share: one undoable transaction, errors told in one line, honest IsActive."""
+"""What all commands share: one undoable transaction, errors in one line, honest IsActive."""
 
 import os
 

@@ -15,7 +15,7 @@ class StepBook(Command):
     name = "Burin_StepBook"
     text = "Step book..."
     tip = ("Writes how the assembly is put together, a page a step, by the steps of its exploded view: PDF, a page for the web, or Markdown; the "
-           "status bar tells of it and can end it")
+           "status bar shows progress and can end it")
     icon = "burin_step_book.svg"
     transaction = False  # a file
     needs_kernel = True

@@ -70,7 +70,7 @@ def _when_shown(page):
 class LinesForDimensions(Command):
     name = "Burin_LinesForDimensions"
     text = "Lines for dimensions"
-    tip = ("Puts the illustration's lines on the page as edges, over its picture where that is there: TechDraw dimensions on them tell lengths of "
+    tip = ("Puts the illustration's lines on the page as edges, over its picture where that is there: TechDraw dimensions on them measure " 
            "the model")
     icon = "burin_dimensions.svg"
 

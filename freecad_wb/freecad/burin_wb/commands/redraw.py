@@ -11,7 +11,7 @@ class RedrawAll(Command):
     name = "Burin_RedrawAll"
     text = "Redraw all"
     tip = ("Looks at all illustrations of the document, style files and models too, and draws those that are not up to date; the status bar "
-           "tells of it and can end it")
+           "shows progress and can end it")
     icon = "burin_redraw.svg"
     transaction = False  # a recompute, which FreeCAD does not undo
 

@@ -59,7 +59,7 @@ def _nearest(room, middle, width, height):
 
 
 def _cover(room, view):
-    """Takes the cells under a view out of the room."""
+    """Takes the cells under a view out of the free space."""
     size = extent(view)
     if size is None or not hasattr(view, "X"):
         return

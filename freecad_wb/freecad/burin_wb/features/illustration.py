@@ -94,7 +94,7 @@ class Illustration:
                         keep(obj, result, keep_numbers(obj, job, result) or exact)
                     return
                 except OSError as failure:
-                    error = (f"the drawing cannot be kept in the document ({reason(failure)}); make room on the disk or save "
+                    error = (f"the drawing cannot be kept in the document ({reason(failure)}); free some disk space or save "
                              "the document elsewhere")
             not_drawn(obj, error)
 
@@ -135,9 +135,9 @@ class Illustration:
     __setstate__ = loads
 
 
-NEWER = "was made by a newer Burin; it is shown as it was kept and not drawn again. Install that version to change it"
+NEWER = "was made by a newer Burin; its kept drawing is shown and not drawn again. Install that version to change it"
 
-KEPT = "; the drawing shown is the one before"
+KEPT = "; the drawing before is kept"
 
 
 def messages_of(drawing):
@@ -149,7 +149,7 @@ def messages_of(drawing):
 
 
 def not_drawn(obj, error):
-    """A run did not end with a drawing: the one before stays, and the user is told."""
+    """A run did not end with a drawing: the one before stays, with a message."""
     text = str(error)
     if obj.Drawing:
         text += KEPT

@@ -26,7 +26,7 @@ ILLUSTRATION = (
     Row("Views", "App::PropertyStringList", "View", [],
         "Several views on the sheet: front, top, left, iso ... or x,y,z; empty: the one of ViewDirection"),
     Row("ProjectionMethod", "App::PropertyEnumeration", "View", ["First angle", "Third angle"],
-        "Where the view from the left stands: to the right of the front view, or to its left"),
+        "Where the view from the left goes: to the right of the front view, or to its left"),
     Row("Width", "App::PropertyLength", "Sheet", 180.0, "Width of the drawing on paper"),
     Row("Height", "App::PropertyLength", "Sheet", 130.0, "Height of the drawing on paper"),
     Row("Margin", "App::PropertyLength", "Sheet", 2.0, "Kept free on each side"),
@@ -59,7 +59,7 @@ ILLUSTRATION = (
     Row("Picture", "App::PropertyFileIncluded", "Result", "", "The drawing as SVG, kept in the document"),
     Row("DrawnScale", "App::PropertyFloat", "Result", 0.0, "The scale of the kept drawing"),
     Row("Inputs", "App::PropertyString", "Result", "", "Fingerprint of what the kept drawing was made from"),
-    Row("Message", "App::PropertyString", "Result", "", "What the last run had to say"),
+    Row("Message", "App::PropertyString", "Result", "", "Messages of the last run"),
     Row("Schema", "App::PropertyInteger", "Result", SCHEMA, "Version of these properties"),
 )
 READ_ONLY = {"Drawing", "Picture", "DrawnScale", "Inputs", "Message", "Schema", "Middle"}
@@ -67,7 +67,7 @@ HIDDEN = {"Inputs", "Schema", "Middle"}
 
 SHEET_VIEW = (
     Row("Illustration", "App::PropertyLinkGlobal", "Burin", None, "The illustration that this view places"),
-    Row("Trim", "App::PropertyBool", "Burin", True, "Takes the part of the sheet that has ink, not all of it"),
+    Row("Trim", "App::PropertyBool", "Burin", True, "Shows only the part of the sheet that has lines"),
     Row("Middle", "App::PropertyVector", "Burin", None, "From the middle of the sheet to the middle of this view, in mm"),
     Row("Schema", "App::PropertyInteger", "Burin", SCHEMA, "Version of these properties"),
 )

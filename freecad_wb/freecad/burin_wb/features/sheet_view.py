@@ -108,6 +108,6 @@ def place_on_page(page, illustration, name="IllustrationView"):
     view.X, view.Y = place.x, place.y
     if not place.free:
         tell(
-            f"{illustration.Label}: {page.Label} has no room for its {size[0]:.0f} x {size[1]:.0f} mm beside what lies there; "
+            f"{illustration.Label}: {page.Label} has no free space for its {size[0]:.0f} x {size[1]:.0f} mm beside what lies there; "
             "move it, make its Width and Height smaller, or choose a larger template")
     return view

@@ -28,7 +28,7 @@ class DetailPanel(Panel):
         self.entries = self._kept()
         self.table = widgets.table([tr("Place"), tr("Letter"), tr("Scale"), tr("Radius")], (
             tr("What is drawn again; a row lights up its objects in the 3-D view"), tr("A letter of its own; empty: the next one"),
-            tr("Paper to model, such as 5:1; empty: as large as the sheet has room"),
+            tr("Paper to model, such as 5:1; empty: as large as fits on the sheet"),
             tr("Of the circle, in mm of the model; empty: all of the objects")), "details")
         self.table.itemChanged.connect(lambda cell: self._edited(cell))
         self.column.addWidget(self.table, 1)

@@ -112,7 +112,7 @@ class Panel:
         self.bar.setFormat("%p %")
         self.stop = QtGui.QPushButton(tr("Stop"))
         self.stop.setObjectName("stop")
-        self.stop.setToolTip(tr("Ends the run; the drawing shown stays the one before"))
+        self.stop.setToolTip(tr("Ends the run; the drawing before is kept"))
         self.stop.clicked.connect(lambda: self._stop())
         row.addWidget(self.bar)
         row.addWidget(self.stop)

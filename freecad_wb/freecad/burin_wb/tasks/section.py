@@ -48,12 +48,12 @@ class SectionPanel(Panel):
     def _fill_plane(self):
         form = widgets.group(tr("Plane"), self.column)
         line = QtGui.QHBoxLayout()
-        self.axis = widgets.choice(["x", "y", "z", ""], "y", tr("The axis of the model that the plane stands across"), self._across, "axis",
+        self.axis = widgets.choice(["x", "y", "z", ""], "y", tr("The axis of the model that is normal to the plane"), self._across, "axis",
                                    [tr("across x"), tr("across y"), tr("across z"), tr("as it is")])
         line.addWidget(self.axis, 1)
         line.addWidget(widgets.button(tr("Flip"), tr("Takes the other side away"), self._flip, "flip"))
         form.addRow(line)
-        self.offset = widgets.quantity(0.0, "mm", tr("Where it stands along its axis"), lambda v: self._move(v), "offset", -1e6, 1e6)
+        self.offset = widgets.quantity(0.0, "mm", tr("Its position along its axis"), lambda v: self._move(v), "offset", -1e6, 1e6)
         form.addRow(tr("At"), self.offset)
         self.slider = QtGui.QSlider(QtCore.Qt.Horizontal)
         self.slider.setObjectName("slider")

@@ -28,7 +28,7 @@ class Views:
             self.actions[name] = action
         self.button.setMenu(self.menu)
         words = list(METHODS)
-        self.method = widgets.choice(words, panel.obj.ProjectionMethod, tr("Where the view from the left stands: to the right of the front view "
+        self.method = widgets.choice(words, panel.obj.ProjectionMethod, tr("Where the view from the left goes: to the right of the front view "
                                                                           "(first angle), or to its left (third angle)"),
                                      lambda word: panel.change("ProjectionMethod", word), "method", [tr("First angle"), tr("Third angle")])
         self.method.setMinimumContentsLength(5)  # the row is as narrow as the others

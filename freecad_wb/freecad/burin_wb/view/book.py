@@ -48,7 +48,7 @@ class Making:
             tell(f"{self._label}: {error}")
 
     def _left(self, document, name):
-        """The document is closed: nobody will be told of the end."""
+        """The document is closed: the end is not reported."""
         if document == self._key[0] and not name:
             self._end()
 

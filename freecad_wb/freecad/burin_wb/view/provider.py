@@ -197,10 +197,10 @@ def _ensure(view):
     """Adds the properties that a view provider lacks."""
     have = set(view.PropertiesList)
     for kind, name, text, value in (
-            ("App::PropertyEnumeration", "Plane", "Where the ink lies in the 3-D view", [BEHIND, BEFORE]),
-            ("App::PropertyColor", "InkColor", "Colour of the ink in the 3-D view", DARK),
-            ("App::PropertyBool", "Paper", "Shows a white sheet under the ink", False),
-            ("App::PropertyBool", "Follow", "Draws as the 3-D view shows the model, whenever its camera rests", False)):
+            ("App::PropertyEnumeration", "Plane", "Where the drawing lies in the 3-D view", [BEHIND, BEFORE]),
+            ("App::PropertyColor", "InkColor", "Colour of the drawing in the 3-D view", DARK),
+            ("App::PropertyBool", "Paper", "Shows a white sheet under the drawing", False),
+            ("App::PropertyBool", "Follow", "Draws as the 3-D view shows the model, whenever its camera stops moving", False)):
         if name not in have:
             view.addProperty(kind, name, "Ink", text)
             setattr(view, name, value)

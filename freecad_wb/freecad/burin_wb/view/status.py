@@ -19,7 +19,7 @@ class Status(QtGui.QWidget):
         self._scheduler = scheduler
         self.text, self.bar = QtGui.QLabel(self), QtGui.QProgressBar(self)
         self.button = QtGui.QPushButton(tr("Cancel"), self)
-        self.button.setToolTip(tr("Ends the run; the drawing shown stays the one before"))
+        self.button.setToolTip(tr("Ends the run; the drawing before is kept"))
         self.button.clicked.connect(lambda: scheduler.cancel_all())
         self.bar.setRange(0, 100)
         self.bar.setMaximumWidth(120)

@@ -160,7 +160,7 @@ void look_between(Survey& s, const GridLayout& layout, const Box3& within,
                   const RunContext& context) {
   s.unseen.below = 2 * layout.step;
   if (!s.function->has_slopes()) {
-    s.unseen.why = "a function that does not tell its slopes over boxes is only sampled";
+    s.unseen.why = "a function without bounds of its slope over boxes is only sampled";
     s.unseen.severity = Severity::Info;
     return;
   }

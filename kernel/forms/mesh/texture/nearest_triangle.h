@@ -1,5 +1,5 @@
 #pragma once
-/// The triangle of a mesh that is nearest to a point; internal to the room.
+/// The triangle of a mesh that is nearest to a point; internal to the module.
 
 #include <burin/mesh/tri_mesh.h>
 

@@ -1,5 +1,5 @@
 #pragma once
-/// What `burin info` tells about a file, whatever its format.
+/// What `burin info` prints about a file, whatever its format.
 
 #include <burin/base/box.h>
 #include <burin/base/diagnostics.h>

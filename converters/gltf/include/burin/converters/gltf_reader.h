@@ -26,7 +26,7 @@ MeshFile read_gltf_file(const std::filesystem::path& path, const RunContext& con
 Scene read_gltf(const std::filesystem::path& path, const RunContext& context,
                 Facets facets = Facets::Kept);
 
-/// What `burin info` tells.
+/// What `burin info` prints.
 FileInfo inspect_gltf(const std::filesystem::path& path, RunContext& context);
 
 }  // namespace burin

@@ -1,5 +1,5 @@
 #pragma once
-/// What `burin info` tells about a mesh file.
+/// What `burin info` prints about a mesh file.
 
 #include <burin/base/run_context.h>
 #include <burin/converters/file_info.h>

@@ -88,7 +88,7 @@ ReadResult read_files(const std::vector<std::string>& paths, const ReadOptions& 
 Scene read_scene(const std::vector<std::string>& paths, const ReadOptions& options,
                  RunContext& context);
 
-/// What `burin info` tells of a file. Throws InputError.
+/// What `burin info` prints about a file. Throws InputError.
 FileInfo inspect_file(const std::filesystem::path& path, const ReadOptions& options,
                       RunContext& context);
 

@@ -1,5 +1,5 @@
 #pragma once
-/// What has changed between two revisions, as doors ask for it and say it.
+/// What has changed between two revisions, as front ends ask for it and report it.
 
 #include <burin/converters/request.h>
 #include <burin/converters/write_difference.h>
@@ -14,7 +14,7 @@
 
 namespace burin {
 
-/// A revision as it was read, and how a door and its own file want it drawn.
+/// A revision as it was read, and how the front end and its own file want it drawn.
 struct Revision {
   Scene scene;
   DrawPlan plan;
@@ -43,7 +43,7 @@ struct DiffOutcome {
 };
 
 /// Compares two models, part by part, and draws both as the plan of `after` says, for both sheets
-/// together: with `draws`. What options at a door leave out is not compared; a part that the file
+/// together: with `draws`. What options of the user leave out is not compared; a part that the file
 /// of one revision alone leaves out is compared and its look told, one that both leave out is not.
 /// Exploded views, callouts and parts lists are left out of such a drawing, and told. Throws as
 /// `compare_revisions`, `select_parts`, `draw`.

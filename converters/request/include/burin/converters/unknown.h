@@ -10,10 +10,10 @@
 
 namespace burin {
 
-/// Options as a door spells them.
+/// Options as a front end spells them.
 std::vector<KnownWord> known_options(const std::vector<RequestOption>& options, Spelling spelling);
 
-/// Style keys, each with what a door does to set it.
+/// Style keys, each with how a front end sets it.
 std::vector<KnownWord> known_style_keys(Spelling spelling);
 
 /// What people ask for that is no option: where it is instead, or that it is not there.

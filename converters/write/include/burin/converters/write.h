@@ -33,7 +33,7 @@ struct Format {
   bool lists_items = false;
 };
 
-/// All formats; those that plug-ins brought last.
+/// All formats; those of plug-ins last.
 const std::vector<Format>& formats();
 /// Whether a suffix names a format of our own, which no plug-in can have.
 bool is_own_format(std::string_view name);

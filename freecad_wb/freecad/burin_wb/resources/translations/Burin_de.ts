@@ -148,7 +148,7 @@
       <translation>Illustration bearbeiten</translation>
     </message>
     <message>
-      <source>Ends the run; the drawing shown stays the one before</source>
+      <source>Ends the run; the drawing before is kept</source>
       <translation>Beendet den Lauf; gezeigt bleibt die vorige Zeichnung</translation>
     </message>
     <message>
@@ -242,6 +242,10 @@
     <message>
       <source>Isometric</source>
       <translation>Isometrisch</translation>
+    </message>
+    <message>
+      <source>Its position along its axis</source>
+      <translation>Wo sie auf ihrer Achse steht</translation>
     </message>
     <message>
       <source>Join</source>
@@ -348,7 +352,7 @@
       <translation>Eigener Stil</translation>
     </message>
     <message>
-      <source>Paper to model, such as 5:1; empty: as large as the sheet has room</source>
+      <source>Paper to model, such as 5:1; empty: as large as fits on the sheet</source>
       <translation>Papier zu Modell, etwa 5:1; leer: so groß, wie das Blatt Platz hat</translation>
     </message>
     <message>
@@ -524,7 +528,7 @@
       <translation>Nimmt die oben gewählte Ebene weg</translation>
     </message>
     <message>
-      <source>The axis of the model that the plane stands across</source>
+      <source>The axis of the model that is normal to the plane</source>
       <translation>Die Achse des Modells, zu der die Ebene quer steht</translation>
     </message>
     <message>
@@ -592,11 +596,7 @@
       <translation>Was sich gemeinsam bewegt; eine Zeile hebt ihre Objekte in der 3D-Ansicht hervor</translation>
     </message>
     <message>
-      <source>Where it stands along its axis</source>
-      <translation>Wo sie auf ihrer Achse steht</translation>
-    </message>
-    <message>
-      <source>Where the view from the left stands: to the right of the front view (first angle), or to its left (third angle)</source>
+      <source>Where the view from the left goes: to the right of the front view (first angle), or to its left (third angle)</source>
       <translation>Wo die Ansicht von links steht: rechts von der Vorderansicht (Projektionsmethode 1) oder links davon (Projektionsmethode 3)</translation>
     </message>
     <message>
@@ -644,7 +644,7 @@
       <translation>quer zu z</translation>
     </message>
     <message>
-      <source>all feature lines, hidden ones too: haloes and widths alone tell depth</source>
+      <source>all feature lines, hidden ones too: haloes and widths alone show depth</source>
       <translation>alle Formlinien, auch verdeckte: nur Höfe und Strichbreiten zeigen die Tiefe</translation>
     </message>
     <message>
@@ -772,7 +772,7 @@
       <translation>quer</translation>
     </message>
     <message>
-      <source>light strokes; lines behind others stand clear of them, far lines are thin</source>
+      <source>light strokes; lines behind others keep clear of them, far lines are thin</source>
       <translation>leichte Striche; Linien hinter anderen halten Abstand von ihnen, ferne Linien sind dünn</translation>
     </message>
     <message>
@@ -1128,7 +1128,7 @@
       <translation>Linien zum Bemaßen</translation>
     </message>
     <message>
-      <source>Puts the illustration's lines on the page as edges, over its picture where that is there: TechDraw dimensions on them tell lengths of the model</source>
+      <source>Puts the illustration's lines on the page as edges, over its picture where that is there: TechDraw dimensions on them measure the model</source>
       <translation>Legt die Linien der Illustration als Kanten auf die Seite, über ihr Bild, wo es dort ist: Maße von TechDraw an ihnen nennen Längen des Modells</translation>
     </message>
   </context>
@@ -1223,7 +1223,7 @@
   <context>
     <name>Burin_RedrawAll</name>
     <message>
-      <source>Looks at all illustrations of the document, style files and models too, and draws those that are not up to date; the status bar tells of it and can end it</source>
+      <source>Looks at all illustrations of the document, style files and models too, and draws those that are not up to date; the status bar shows progress and can end it</source>
       <translation>Sieht alle Illustrationen des Dokuments an, auch Stildateien und Modelle, und zeichnet, was nicht auf dem neuesten Stand ist; die Statusleiste berichtet davon und kann es beenden</translation>
     </message>
     <message>
@@ -1271,7 +1271,7 @@
       <translation>Montagebuch...</translation>
     </message>
     <message>
-      <source>Writes how the assembly is put together, a page a step, by the steps of its exploded view: PDF, a page for the web, or Markdown; the status bar tells of it and can end it</source>
+      <source>Writes how the assembly is put together, a page a step, by the steps of its exploded view: PDF, a page for the web, or Markdown; the status bar shows progress and can end it</source>
       <translation>Schreibt, wie die Baugruppe zusammengesetzt wird, eine Seite je Schritt, nach den Schritten ihrer Explosionsansicht: PDF, eine Seite fürs Web oder Markdown; die Statusleiste zeigt es und kann es beenden</translation>
     </message>
   </context>

@@ -26,8 +26,8 @@ struct Annotations {
   Margin margin{};
 };
 
-/// The border that a drawing must keep so that what is laid over it has room: `Annotations::margin`
-/// and that room.
+/// The border that a drawing must keep so that what is laid over it has space:
+/// `Annotations::margin` and that space.
 Margin annotation_margin(const Annotations& annotations, const CalloutOptions& style,
                          const Paper& paper);
 

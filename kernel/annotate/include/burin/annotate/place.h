@@ -67,7 +67,7 @@ bool callouts_fit(std::size_t count, const Box2& drawing, const Box2& frame,
 bool segments_cross(Vec2 a, Vec2 b, Vec2 c, Vec2 d);
 
 /// The numbers that come nearest to the given ones with neighbours at least `pitch` apart, in their
-/// order, from `low` to `high`, which have that room. @cite Barlow1972
+/// order, from `low` to `high`, which have that space. @cite Barlow1972
 std::vector<double> spread(std::span<const double> wanted, double pitch, double low, double high);
 
 }  // namespace burin

@@ -8,7 +8,7 @@
 
 namespace burin {
 
-/// Thrown by what a plug-in or a program brought. A drawing goes on without it: where that can be,
+/// Thrown by what a plug-in or a program added. A drawing goes on without it: where that can be,
 /// with what Burin has in its place.
 class PluginError : public Error {
  public:

@@ -11,7 +11,7 @@
 
 namespace burin {
 
-/// Where the view from the left stands: to the right of the front view (first angle, Europe) or to
+/// Where the view from the left goes: to the right of the front view (first angle, Europe) or to
 /// its left (third angle, America). ISO 5456-2.
 enum class ProjectionMethod { FirstAngle, ThirdAngle };
 

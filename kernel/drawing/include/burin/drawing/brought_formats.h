@@ -1,5 +1,5 @@
 #pragma once
-/// Formats of drawings that plug-ins and programs bring.
+/// Formats of drawings that plug-ins and programs add.
 
 #include <burin/base/run_context.h>
 #include <burin/drawing/drawing.h>

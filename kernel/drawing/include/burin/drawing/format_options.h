@@ -1,6 +1,6 @@
 #pragma once
-/// What a user chooses of the files that a drawing becomes, of all formats: those that other rooms
-/// write, too.
+/// What a user chooses of the files that a drawing becomes, of all formats: those that other
+/// modules write, too.
 
 #include <burin/options/row.h>
 

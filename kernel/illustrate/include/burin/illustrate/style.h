@@ -92,7 +92,7 @@ struct SheetStyle {
   bool operator==(const SheetStyle&) const = default;
 };
 
-/// Every choice that shapes a drawing: the sum of what the rooms let a user choose. Lengths in
+/// Every choice that shapes a drawing: the sum of the options of all modules. Lengths in
 /// paper mm, angles in degrees. Keys of files and of `--set KEY=VALUE` are "group.name" (e.g.
 /// "line.outer"); `style_keys` lists them with what they take. The defaults are those of the
 /// built-in style "technical".

@@ -1,6 +1,6 @@
 #pragma once
-/// Options that rows of catalogues bring with them: those of plug-ins. A struct holds the values of
-/// all of them in one member.
+/// Options that rows of catalogues declare themselves: those of plug-ins. A struct holds the values
+/// of all of them in one member.
 
 #include <burin/options/row.h>
 

@@ -70,7 +70,7 @@ std::string spelled(std::string name, Spelling spelling);
 /// "option --crease-angle", "argument crease_angle".
 std::string called(const std::string& name, Spelling spelling);
 
-/// The message as a door says it. Who does not know the door writes a choice as `bounds` or
+/// The message as a front end spells it. Library code marks an option as `bounds` or
 /// `iso 0.5`, in grave accents: here "--bounds", "--iso 0.5", or "bounds", "iso=0.5". Other words
 /// in grave accents stay as they are.
 std::string spelled_message(std::string_view message, const std::vector<RequestOption>& options,

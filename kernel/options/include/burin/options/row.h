@@ -1,5 +1,5 @@
 #pragma once
-/// Options of a struct: a row each with the way to the member. A room that has choices declares its
+/// Options of a struct: a row each with the way to the member. A module with options declares its
 /// struct and its rows; larger structs are made of smaller ones, and so are their rows.
 
 #include <burin/options/option.h>

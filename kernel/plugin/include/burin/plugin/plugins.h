@@ -11,7 +11,7 @@
 
 namespace burin::plugin {
 
-/// A factory of a plug-in, or one that a program brought.
+/// A factory of a plug-in, or one that a program added.
 struct Offer {
   /// "burin.direction/1".
   std::string id;
@@ -34,7 +34,7 @@ struct Plugin {
 /// Whether Burin was built to load any (BURIN_PLUGINS).
 bool are_loaded();
 
-/// Whether what a factory would bring is taken by something of our own that this room does not
+/// Whether what a factory would bring is taken by something of our own that this module does not
 /// know: "writes svg", "reads .stl", "burin.form/1 NAME". To be said before `load_all`.
 using Reserved = std::function<bool(std::string_view claim)>;
 void reserve(Reserved is_reserved);
@@ -51,7 +51,7 @@ std::vector<std::filesystem::path> search_path();
 /// throws.
 void load_all(bool again = false);
 
-/// All that `load_all` found, those that were refused too, then what programs brought.
+/// All that `load_all` found, those that were refused too, then what programs added.
 std::vector<Plugin> plugins();
 
 /// Whether a file may be loaded: empty, or why not, one sentence. Runs burin-probe.
@@ -61,10 +61,10 @@ std::string probe(const std::filesystem::path& file, double timeout = 5);
 /// the program. Never throws: see Plugin::refused.
 Plugin load(const std::filesystem::path& file);
 
-/// Notes what a program brought, for `plugins`.
+/// Notes what a program added, for `plugins`.
 void note(const std::string& language, const Offer& offer);
 
-/// Notes what a program brought and could not use: a package, and why.
+/// Notes what a program added and could not use: a package, and why.
 void note_refused(const std::string& name, const std::string& why);
 
 /// For tests: what burin-probe reported, as `probe` gives it.

@@ -1,5 +1,5 @@
 #pragma once
-/// What a place of the picture shows, told by rays against a fine tessellation that nothing which
+/// What a place of the picture shows, found by rays against a fine tessellation that nothing which
 /// drew the picture has seen.
 
 #include <burin/base/ids.h>
