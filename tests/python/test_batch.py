@@ -53,7 +53,7 @@ class Plan(BatchTest):
             ('[[parts]]\nfile = ["x"]', "the nearest is 'files'", 3),
             ('[[parts]]\nfiles = ["nowhere/*.off"]', "'nowhere/*.off' matches no file", 3),
             ('[[parts]]\nfiles = ["parts/*"]', "is also one of parts/a.off", 3),
-            ('[[parts]]\nfiles = ["parts/a.off"]\noutputs = "{nam}.svg"', "'{nam}' is no place; the nearest is '{name}'", 3),
+            ('[[parts]]\nfiles = ["parts/a.off"]\noutputs = "{nam}.svg"', "'{nam}' is no placeholder; the nearest is '{name}'", 3),
             ('[[parts]]\nfiles = ["parts/a.off"]\noutputs = "../{name}.svg"', "is not below the folder of outputs", 3),
             ('[[parts]]\nfiles = ["parts/a.off"]\noutputs = "{name}.bmp"', "does not name a format", 2),
             ('[[parts]]\nfiles = ["parts/a.off"]\nviews = ["fron"]', "unknown view 'fron'", 2),
