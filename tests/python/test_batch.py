@@ -58,7 +58,7 @@ class Plan(BatchTest):
             ('[[parts]]\nfiles = ["parts/a.off"]\noutputs = "{name}.bmp"', "does not name a format", 2),
             ('[[parts]]\nfiles = ["parts/a.off"]\nviews = ["fron"]', "unknown view 'fron'", 2),
             ('[[parts]]\nfiles = ["parts/a.off"]\noptions = {papr = "A4"}', "paper", 2),
-            ('[[parts]]\nfiles = ["parts/a.off"]\noptions = {threads = 2}', "threads is said by burin batch run --threads", 3),
+            ('[[parts]]\nfiles = ["parts/a.off"]\noptions = {threads = 2}', "threads is set by burin batch run --threads", 3),
             ('[[parts]]\nfiles = ["parts/a.off"]\noptions = {set = {"hatch.spacin" = 1}}', "hatch.spac", 2),
             ('limits = {memory = "much"}\n' + PLAIN, "limits: memory takes an amount of memory", 2),
             ('out = "/"\n' + PLAIN, "is not below the folder of the jobs", 3),
