@@ -38,10 +38,10 @@ std::vector<OptionRow<ToneOptions>> rows() {
              "darkness added where the surface turns away from the viewer"),
       options::word("ink", &ToneOptions::ink, {"shade", "light"},
                     "what ink represents: shade, or light, as on dark paper"),
-      number(
-          "median_min", &ToneOptions::median_min, {0, 1},
-          "least ink that half of the picture is to have; one exponent of all ink raises it to this",
-          "median_max"),
+      number("median_min", &ToneOptions::median_min, {0, 1},
+             "least ink that half of the picture is to have; one exponent of all ink raises it to "
+             "this",
+             "median_max"),
       number("median_max", &ToneOptions::median_max, {0, 1},
              "most ink that half of the picture is to have"),
       number(
