@@ -89,7 +89,7 @@ class Nodes {
     file_.objects = meshes_.take();
     if (file_.uses.empty()) {
       if (missing_ > 0)
-        source_.fail("the scene of the glTF names nodes that are missing; export it again");
+        source_.fail("a node of the glTF's scene is not there; it is damaged, export it again");
       source_.fail("the glTF has no triangles; export the model as meshes");
     }
     return std::move(file_);

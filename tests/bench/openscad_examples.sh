@@ -10,7 +10,7 @@ while IFS= read -r file; do
   start=$(date +%s.%N)
   "$burin" draw "$file" -o "$folder/$name.svg" --verbose 2>"$folder/$name.log"
   status=$?
-  said=$(grep -o 'stand for: .*\|error: .*' "$folder/$name.log" | head -1)
+  said=$(grep -o 'approximate: .*\|error: .*' "$folder/$name.log" | head -1)
   printf '%-22s %s %6.1f  %s\n' "$name" "$status" "$(echo "$(date +%s.%N) - $start" | bc)" "$said"
   [[ $status -eq 0 || $said == *'2-D object'* || $said == *'makes nothing'* ]] || failed=1
 done < <(find /usr/share/openscad/examples -name '*.scad' | sort)

@@ -268,7 +268,7 @@ TEST_F(Illustrations, ErrorsNameFileLineAndTheNearestKey) {
        "takes three rows of four numbers", 2},
       {", \"parts\": [{\"file\": \"box.off\", \"place\": {\"scale\": 2, \"matrix\": [[1, 0, 0, 0], "
        "[0, 1, 0, 0], [0, 0, 1, 0]]}}]",
-       "\"matrix\" stands alone", 2},
+       "\"matrix\" takes no other keys", 2},
       {", \"parts\": [{\"file\": \"box.off\", \"place\": {\"rotate\": [1, 2]}}]", "takes [x, y, z]",
        2},
       {b + ",\n\"seed\": 1e999", ":2: a number is too large here", 3},

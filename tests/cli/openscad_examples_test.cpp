@@ -72,9 +72,9 @@ TEST_P(OpenscadSamples, AreHealed) {
   if (std::system("command -v openscad >/dev/null") != 0) GTEST_SKIP() << "openscad is missing";
   const std::string file = std::string(BURIN_SOURCE_DIR) + "/samples/" + GetParam() + ".scad";
   ASSERT_EQ(run("draw " + file + " -o @/e.svg -v"), 0) << err_;
-  EXPECT_NE(err_.find("stand for: "), std::string::npos) << err_;
+  EXPECT_NE(err_.find("approximate: "), std::string::npos) << err_;
   ASSERT_EQ(run("draw " + file + " -o @/f.svg -v --no-heal"), 0) << err_;
-  EXPECT_EQ(err_.find("stand for: "), std::string::npos) << err_;
+  EXPECT_EQ(err_.find("approximate: "), std::string::npos) << err_;
   EXPECT_NE(slurp(folder_ / "e.svg"), slurp(folder_ / "f.svg"));
 }
 

@@ -232,7 +232,7 @@ TEST_F(OpenscadInstances, WhatStandsTwiceInOnePlaceCountsOnce) {
   const std::string pin = "module pin() cylinder(d = 3, h = 9);\n";
   EXPECT_EQ(items(pin + "for (a = [0:60:360]) rotate(a) translate([20, 0, 0]) pin();"),
             (Items{{"pin", 6}}));
-  EXPECT_NE(err_.find("warning: a call of pin left out: the same stands in the same place"),
+  EXPECT_NE(err_.find("warning: a call of pin left out: an equal one is in the same place"),
             std::string::npos)
       << err_;
   EXPECT_EQ(items(pin + "pin(); pin(); pin(); translate([9, 0, 0]) pin();"), (Items{{"pin", 2}}));

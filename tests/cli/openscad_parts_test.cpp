@@ -73,7 +73,7 @@ TEST_F(OpenscadParts, FacesKnowTheirPrimitives) {
       "20, $fn = 8); "
       "translate([6, 0, 9]) sphere(2, $fn = 40); }");
   drawn("-v");
-  EXPECT_NE(err_.find("stand for: 1 cylinder, 1 sphere\n"), std::string::npos) << err_;
+  EXPECT_NE(err_.find("approximate: 1 cylinder, 1 sphere\n"), std::string::npos) << err_;
   EXPECT_EQ(err_.find("by_openscad"), std::string::npos) << err_;
 }
 

@@ -206,7 +206,7 @@ TEST_F(SheetViews, SayWhatTheyCannotDo) {
   refused("--views front,fornt", "fornt");
   refused("--views front,front", "each view once");
   refused("--views front,top --perspective 30", "orthographic");
-  refused("--views front --paper fit", "a sheet of a size");
+  refused("--views front --paper fit", "a sheet of a fixed size");
   refused("--detail nut", "nut");
   refused("--detail box=100:1", "no room");
   refused("--detail 1,2,3,0", "no part is named");

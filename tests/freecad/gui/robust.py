@@ -32,7 +32,7 @@ class Crash(support.Case):
         os.kill(worker()._process.pid, signal.SIGSEGV)
         support.drawn(obj)
         self.assertIn("ended unexpectedly", obj.Message)
-        self.assertIn("document is as it was", obj.Message)
+        self.assertIn("document is unchanged", obj.Message)
         self.assertEqual(open(obj.Drawing).read(), before)
         obj.StyleKeys = {}
         obj.recompute()

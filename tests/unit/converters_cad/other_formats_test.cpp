@@ -137,7 +137,7 @@ TEST_F(OtherFormats, WiresBesideSolidsAreLeftOutAndTold) {
     EXPECT_EQ(scene.diagnostics.entries()[0].count, count) << file;
   }
   const std::string told = read(folder_ / "a.step").diagnostics.entries()[0].message;
-  EXPECT_NE(told.find("stand in 'wire'"), told.npos) << told;
+  EXPECT_NE(told.find("are in 'wire'"), told.npos) << told;
 }
 
 TEST_F(OtherFormats, IgesThatIsPackedOrPiped) {

@@ -301,7 +301,7 @@ TEST(Gltf, DamagedFilesAreRefused) {
   expect_refused(changed([](Json& j) { j["nodes"][0]["children"] = {0}; }), "in two places");
   expect_refused(changed([](Json& j) { j["scenes"][0]["nodes"] = {5}; }), "is not there");
   expect_refused(changed([](Json& j) { j["scenes"][0]["nodes"] = Json::array(); }),
-                 "shows no triangles");
+                 "has no triangles");
   expect_refused("{\"asset\": {\"version\": \"2.0\"}, \"a\": " + std::string(100'000, '[') +
                      std::string(100'000, ']') + "}",
                  "100 deep", "a.gltf");

@@ -91,7 +91,7 @@ TEST(PatchList, IsKnownByItsContent) {
 }
 
 TEST(PatchList, Errors) {
-  expect_error(list_text(16, 1) + "3\n", 20, "stands after the end of the list", "a.txt");
+  expect_error(list_text(16, 1) + "3\n", 20, "follows the end of the list", "a.txt");
   std::string cut = list_text(16, 2);
   cut.resize(cut.size() - 8);
   expect_error(cut, 20, "the file ends", "a.txt");
@@ -112,7 +112,7 @@ TEST(PatchList, TheClassicLayoutCountsPatchesFirst) {
   ASSERT_EQ(patches.size(), 1u);
   expect_near(patches[0]->position({1.0 / 3, 1.0 / 3}), {1, 1, 9 * 16.0 / 81}, 1e-14);
   expect_error("2\n" + text.substr(2), 4, "is not the number of a point", "a.txt");
-  expect_error(text + "0 0 0\n", 20, "stands after the end", "a.txt");
+  expect_error(text + "0 0 0\n", 20, "follows the end", "a.txt");
   expect_error(text.substr(0, text.size() - 9), 19, "the file ends", "a.txt");
 }
 

@@ -272,7 +272,7 @@ TEST(IritTrimmedErrors, OfLoops) {
       "it encloses nothing");
   bad(circle(.4, .5, .3) + circle(.6, .5, .3), 3, "crosses the one of line 4");
   bad(loop(segment("[CURVE BSPLINE 4 2 E2 [KV 0 0 1 1 2 2] [0 0] [1 0] [0 1] [0 0]]")), 3,
-      "the knot 1 stands there 2 times");
+      "the knot 1 occurs 2 times");
 }
 
 TEST(IritTrimmedErrors, Limits) {

@@ -130,7 +130,7 @@ TEST(Ply, ErrorsSayWhere) {
   expect_error("ply\nelement vertex 3\nproperty real x\nend_header\n", "a.ply", 3,
                "'real' is no type");
   expect_error("ply\nfromat ascii 1.0\nend_header\n", "a.ply", 2, "'fromat' is no word");
-  expect_error("ply\nelement vertex 0\nend_header\n", "a.ply", 3, "says no format");
+  expect_error("ply\nelement vertex 0\nend_header\n", "a.ply", 3, "states no format");
   expect_error(header("ascii", "element vertex 1\nproperty float x\n") + "0\n", "a.ply", 7,
                "no coordinates x, y and z");
   expect_error(

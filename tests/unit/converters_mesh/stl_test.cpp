@@ -265,7 +265,7 @@ TEST(StlAscii, CommasForPoints) {
     EXPECT_EQ(file.objects.at(0).positions, expected) << between;
     EXPECT_TRUE(file.diagnostics.empty());
   }
-  expect_error(head + "vertex 1,5,2 0 0\n" + tail, "a.stl", 4, "'0' stands where");
+  expect_error(head + "vertex 1,5,2 0 0\n" + tail, "a.stl", 4, "'0' is where");
 }
 
 TEST(StlAscii, AByteOrderMarkIsNoWord) {
@@ -282,7 +282,7 @@ TEST(StlAscii, ErrorsNameTheLine) {
   expect_error(head + "vertex 0 0 0\nvertex 1 0.5.5 0\n", "a.stl", 5,
                "'0.5.5' is not a coordinate");
   expect_error(head + "vertex 0 0 0\nvertex 1", "a.stl", 5, "truncated");
-  expect_error(head + "vertex 0 0 0\nvortex 1 0 0\n", "a.stl", 5, "'vortex' stands where 'vertex'");
+  expect_error(head + "vertex 0 0 0\nvortex 1 0 0\n", "a.stl", 5, "'vortex' is where 'vertex'");
   expect_error("solid a\r\nfacet\r\nouter hoop\r\n", "a.stl", 3, "'loop' should follow");
   expect_error("solid a\nendsolid a\n", "a.stl", 0, "holds no triangles");
   expect_error("solid a\nfacets\n", "a.stl", 2, "'facets' is no word of an ASCII STL");
