@@ -32,7 +32,7 @@ struct IllustrationInput {
 /// What an illustration file says.
 struct IllustrationFile {
   std::vector<IllustrationInput> inputs;
-  /// All else, as a door would ask it.
+  /// All else, as a front end would ask it.
   DrawRequest request;
 };
 
