@@ -118,15 +118,15 @@ if(NOT BURIN_COMMAND)
   return()
 endif()
 # Manual pages and completions, which the command itself prints.
-set(told ${CMAKE_BINARY_DIR}/told)
-add_custom_command(OUTPUT ${told}/done
-  COMMAND ${CMAKE_COMMAND} -DBURIN=$<TARGET_FILE:burin_cli> -DFOLDER=${told} -P ${PROJECT_SOURCE_DIR}/cmake/told.cmake
-  DEPENDS burin_cli ${PROJECT_SOURCE_DIR}/cmake/told.cmake VERBATIM)
-add_custom_target(burin_told ALL DEPENDS ${told}/done)
+set(described ${CMAKE_BINARY_DIR}/described)
+add_custom_command(OUTPUT ${described}/done
+  COMMAND ${CMAKE_COMMAND} -DBURIN=$<TARGET_FILE:burin_cli> -DFOLDER=${described} -P ${PROJECT_SOURCE_DIR}/cmake/self_description.cmake
+  DEPENDS burin_cli ${PROJECT_SOURCE_DIR}/cmake/self_description.cmake VERBATIM)
+add_custom_target(burin_self_description ALL DEPENDS ${described}/done)
 # All that cmake --install copies: what `./dev build` and `./dev package` build.
-add_custom_target(burin_installed DEPENDS ${libraries} ${programs} burin_told)
+add_custom_target(burin_installed DEPENDS ${libraries} ${programs} burin_self_description)
 if(TARGET burin_python)
   add_dependencies(burin_installed burin_python burin_python_stub)
 endif()
-install(DIRECTORY ${told}/man1 DESTINATION ${CMAKE_INSTALL_MANDIR} COMPONENT command)
-install(DIRECTORY ${told}/share/ DESTINATION ${CMAKE_INSTALL_DATADIR} COMPONENT command)
+install(DIRECTORY ${described}/man1 DESTINATION ${CMAKE_INSTALL_MANDIR} COMPONENT command)
+install(DIRECTORY ${described}/share/ DESTINATION ${CMAKE_INSTALL_DATADIR} COMPONENT command)

@@ -38,7 +38,7 @@ CadFile read_brep(const Source& source, bool binary, RunContext& context) {
   if (std::vector<CadBody> bodies = bodies_of(shape); !bodies.empty()) {
     file.parts.push_back(make_part(std::move(bodies), stem));
   }
-  tell_left_out(file.parts, count_loose(shape), stem, file.diagnostics);
+  report_left_out(file.parts, count_loose(shape), stem, file.diagnostics);
   return file;
 }
 

@@ -70,11 +70,11 @@ class Models {
         });
       } catch (const GeometryError& e) {
         if (is_last(bodies, i, part)) throw;
-        tell(part.name + "/" + body.name, e);
+        report(part.name + "/" + body.name, e);
         continue;
       } catch (const InputError& e) {
         if (is_last(bodies, i, part)) throw;
-        tell(part.name + "/" + body.name, e);
+        report(part.name + "/" + body.name, e);
         continue;
       }
       const BrepCounts counts = bodies.back().model->counts();
@@ -91,7 +91,7 @@ class Models {
     return made.empty() && i + 1 == part.bodies->size();
   }
 
-  void tell(const std::string& name, const std::exception& e) {
+  void report(const std::string& name, const std::exception& e) {
     diagnostics_.add(Severity::Error, "cad.broken_part", 1,
                      fmt::format("{}: the body was left out: {}", name, e.what()));
   }

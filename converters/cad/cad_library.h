@@ -31,7 +31,7 @@ struct CadLibrary {
                                                     const RunContext& context);
 };
 
-inline constexpr const char* kCadLibraryDoor = "burin_cad_library";
-using CadLibraryDoor = const CadLibrary* (*)();
+inline constexpr const char* kCadLibraryEntry = "burin_cad_library";
+using CadLibraryEntry = const CadLibrary* (*)();
 
 }  // namespace burin

@@ -52,14 +52,14 @@ bool is_made_up(const std::string& name) {
 }
 
 /// Those, and numbers.
-bool says_nothing(const std::string& name) { return is_made_up(name) || is_count(name); }
+bool is_meaningless(const std::string& name) { return is_made_up(name) || is_count(name); }
 
 /// Those, and what any solid is called, numbered or not.
-bool says_nothing_of_solid(const std::string& name) {
+bool is_meaningless_for_solid(const std::string& name) {
   constexpr std::array<std::string_view, 12> kAny{
       "solid", "body",   "part", "shell", "brep",      "manifold_solid_brep",
       "none",  "volume", "lump", "shape", "solidbody", "unnamed"};
-  if (says_nothing(name)) return true;
+  if (is_meaningless(name)) return true;
   return std::ranges::any_of(kAny, [&](std::string_view word) {
     return equal_but_for_case(std::string_view(name).substr(0, word.size()), word) &&
            is_count(std::string_view(name).substr(std::min(word.size(), name.size())));
@@ -108,7 +108,7 @@ class Collector {
 
   /// Faces, or wires and points, that nobody gave a name or put together.
   static bool is_loose(const TDF_Label& root) {
-    if (XCAFDoc_ShapeTool::IsAssembly(root) || !says_nothing(raw_name(root))) return false;
+    if (XCAFDoc_ShapeTool::IsAssembly(root) || !is_meaningless(raw_name(root))) return false;
     const TopoDS_Shape shape = XCAFDoc_ShapeTool::GetShape(root);
     return !shape.IsNull() && shape.ShapeType() > TopAbs_SHELL;
   }
@@ -129,7 +129,7 @@ class Collector {
   const std::string* name_of_member(const TopoDS_Shape& shape) const {
     if (shape.ShapeType() > TopAbs_SOLID) return nullptr;
     const std::string* name = options_.members.Seek(shape);
-    return name != nullptr && !says_nothing(*name) ? name : nullptr;
+    return name != nullptr && !is_meaningless(*name) ? name : nullptr;
   }
 
   /// Whether a shape is a group of which members have names.
@@ -182,8 +182,8 @@ class Collector {
                       const std::vector<std::string>& assembly) const {
     std::string of_product = raw_name(product);
     std::string name = raw_name(instance);
-    if (!says_nothing(name) && !is_number_of(of_product, name)) return name;
-    if (!says_nothing(of_product)) return of_product;
+    if (!is_meaningless(name) && !is_number_of(of_product, name)) return name;
+    if (!is_meaningless(of_product)) return of_product;
     // Of one part alone the file says more; members of an assembly have their numbers.
     if (assembly.empty()) return options_.fallback;
     return is_made_up(of_product) ? assembly.back() : of_product;
@@ -233,7 +233,7 @@ class Collector {
     std::vector<CadBody> bodies = bodies_of(shape);
     for (CadBody& body : bodies) {
       const std::string* name = options_.solids.Seek(body.shape.Located(TopLoc_Location()));
-      if (name != nullptr && !says_nothing_of_solid(*name))
+      if (name != nullptr && !is_meaningless_for_solid(*name))
         body.name = piece_name(body.name, *name);
     }
     return bodies;
@@ -263,7 +263,7 @@ class Collector {
     part.name = name;
     part.assembly = place.assembly;
     part.definition = raw_name(label);
-    if (says_nothing(part.definition)) part.definition.clear();
+    if (is_meaningless(part.definition)) part.definition.clear();
     part.bodies = product.bodies;
     part.colors = product.colors;
     part.placement = placement_of(place.location);
@@ -288,7 +288,7 @@ std::vector<CadPart> collect_parts(const Handle(TDocStd_Document) & document,
                                    const RunContext& context) {
   Collector collector(document, options, context);
   collector.run();
-  tell_left_out(collector.parts, collector.left_out, collector.first_left_out, diagnostics);
+  report_left_out(collector.parts, collector.left_out, collector.first_left_out, diagnostics);
   make_names_unique(collector.parts);
   return std::move(collector.parts);
 }

@@ -37,8 +37,8 @@ struct Loose {
 Loose count_loose(const TopoDS_Shape& shape);
 /// Says that so many were left out beside parts; `first` is the name of the first member that has
 /// some.
-void tell_left_out(const std::vector<CadPart>& parts, const Loose& loose, const std::string& first,
-                   Diagnostics& diagnostics);
+void report_left_out(const std::vector<CadPart>& parts, const Loose& loose,
+                     const std::string& first, Diagnostics& diagnostics);
 
 /// Where OCCT has a shape.
 Placement placement_of(const TopLoc_Location& location);

@@ -102,7 +102,7 @@ std::vector<Number> later_ones(std::vector<Number>& entities) {
   return later;
 }
 
-void tell(const Source& source, const std::vector<Number>& later, Diagnostics& diagnostics) {
+void report(const Source& source, const std::vector<Number>& later, Diagnostics& diagnostics) {
   if (later.empty()) return;
   diagnostics.add(Severity::Warning, "step.same_number", std::ssize(later),
                   fmt::format("entities have the number of another, which is used in their place; "
@@ -116,7 +116,7 @@ std::string unique_entity_numbers(const Source& source, Diagnostics& diagnostics
   const std::string_view text = source.bytes();
   Numbers numbers(text);
   std::vector<Number> changes = later_ones(numbers.entities);
-  tell(source, changes, diagnostics);
+  report(source, changes, diagnostics);
   if (changes.empty() && numbers.large.empty()) return {};
 
   std::int64_t next = numbers.highest;

@@ -56,7 +56,7 @@ ShapeNames decode_names(const Handle(TDocStd_Document) & document,
   for (const auto& [shape, bytes] : members) {
     of_members.Bind(shape, clean_name(decoder.utf8(bytes)));
   }
-  decoder.tell(diagnostics);
+  decoder.report(diagnostics);
   return of_members;
 }
 

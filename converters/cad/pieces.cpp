@@ -133,8 +133,8 @@ Loose count_loose(const TopoDS_Shape& shape) {
           count(TopAbs_VERTEX, TopAbs_EDGE)};
 }
 
-void tell_left_out(const std::vector<CadPart>& parts, const Loose& loose, const std::string& first,
-                   Diagnostics& diagnostics) {
+void report_left_out(const std::vector<CadPart>& parts, const Loose& loose,
+                     const std::string& first, Diagnostics& diagnostics) {
   if (loose.count() == 0 || parts.empty()) return;
   // Curves may be what somebody drew.
   const Severity severity = loose.curves > 0 ? Severity::Warning : Severity::Info;

@@ -79,7 +79,7 @@ void seek_beside(STEPCAFControl_Reader& reader, const Source& source) {
   reader.Reader().WS()->SetLoadedFile((folder / "assembly.step").c_str());
 }
 
-void tell_external(STEPCAFControl_Reader& reader, const Source& source, CadFile& file) {
+void report_external(STEPCAFControl_Reader& reader, const Source& source, CadFile& file) {
   const Names missing = not_read(reader, folder_of(source));
   if (missing.empty()) return;
   const std::string what = fmt::format(

@@ -13,6 +13,6 @@ void seek_beside(STEPCAFControl_Reader& reader, const Source& source);
 
 /// To be called after the transfer. Says which files were not read; throws InputError, which names
 /// them, where nothing else is to be drawn.
-void tell_external(STEPCAFControl_Reader& reader, const Source& source, CadFile& file);
+void report_external(STEPCAFControl_Reader& reader, const Source& source, CadFile& file);
 
 }  // namespace burin

@@ -152,7 +152,7 @@ std::string protocol_of(const std::string& schema) {
 class Failures {
  public:
   void add(const Handle(Interface_Check) & check) {
-    if (check.IsNull() || !check->HasFailed() || is_told_elsewhere(check->CFail(1))) return;
+    if (check.IsNull() || !check->HasFailed() || is_reported_elsewhere(check->CFail(1))) return;
     if (count_++ == 0) first_ = clean_name(check->CFail(1));
   }
   void report(Diagnostics& diagnostics, Severity severity, const char* code,
@@ -162,8 +162,8 @@ class Failures {
   }
 
  private:
-  /// Files that are not there are named all together (tell_external).
-  static bool is_told_elsewhere(std::string_view fail) {
+  /// Files that are not there are named all together (report_external).
+  static bool is_reported_elsewhere(std::string_view fail) {
     return fail.starts_with("Can not read external file");
   }
 
@@ -225,8 +225,8 @@ CadFile read_step(const Source& source, const std::string& encoding, const OcctS
                        source.file(), cut);
     }
   }
-  tell_external(reader, source, file);
-  Tessellated(*reader.ChangeReader().StepModel()).tell(file, source);
+  report_external(reader, source, file);
+  Tessellated(*reader.ChangeReader().StepModel()).report(file, source);
   return file;
 }
 

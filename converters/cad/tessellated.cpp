@@ -46,7 +46,7 @@ Tessellated::Tessellated(const StepData_StepModel& model) {
   }
 }
 
-void Tessellated::tell(CadFile& file, const Source& source) const {
+void Tessellated::report(CadFile& file, const Source& source) const {
   if (file.parts.empty() && faces_ + bodies_ > 0) {
     source.fail(fmt::format(
         "holds tessellated geometry only (triangles of AP242: {} bodies, {} faces), which OCCT {} "

@@ -13,7 +13,7 @@ class Tessellated {
  public:
   explicit Tessellated(const StepData_StepModel& model);
   /// Says what was passed over; throws InputError where there is nothing else.
-  void tell(CadFile& file, const Source& source) const;
+  void report(CadFile& file, const Source& source) const;
 
  private:
   /// Faces, and sets of triangles without a body.

@@ -78,7 +78,7 @@ void convert_solid(const ConvertArguments& arguments, RunContext& context, Conso
   signals::finish();
   for (auto& one : outputs) one.first.commit();
   context.end_stage();
-  console.diagnostics(at_door(made.diagnostics, Spelling::Options));
+  console.diagnostics(with_spelling(made.diagnostics, Spelling::Options));
 }
 
 }  // namespace
@@ -103,9 +103,9 @@ void run_convert(const ConvertArguments& arguments, RunContext& context, Console
   WriteOptions options = write_options(style);
   options.svg.id_prefix =
       id_prefix_option("--id-prefix", asked(arguments, "id_prefix", std::string()));
-  const Diagnostics told = write_outputs(outputs, drawing, options, context);
+  const Diagnostics reported = write_outputs(outputs, drawing, options, context);
   console.diagnostics(drawing.diagnostics);
-  console.diagnostics(told);
+  console.diagnostics(reported);
 }
 
 }  // namespace burin::cli

@@ -59,13 +59,13 @@ bool draws(const std::vector<Output>& outputs) {
 
 int finish(const DiffOutcome& outcome, std::vector<Output>& outputs, const WriteOptions& options,
            bool quiet, RunContext& context, Console& console) {
-  const Diagnostics told =
+  const Diagnostics reported =
       write_outputs(outputs, options, context,
                     [&](const Output& output, const WriteOptions& how, std::ostream& out) {
                       write_difference(outcome, output.name(), output.format(), how, out, context);
                     });
   console.diagnostics(outcome.diagnostics);
-  console.diagnostics(told);
+  console.diagnostics(reported);
   if (outcome.drawing) {
     Diagnostics others;
     for (const Diagnostic& d : outcome.drawing->diagnostics.entries()) {

@@ -47,17 +47,17 @@ std::vector<ExplodeStep> steps_of(Scene scene, DrawPlan& plan, RunContext& conte
                                   Console& console) {
   select_parts(scene, plan);
   std::vector<ExplodeStep> steps = explode_steps(scene, plan, context);
-  console.diagnostics(at_door(scene.diagnostics, Spelling::Options));
+  console.diagnostics(with_spelling(scene.diagnostics, Spelling::Options));
   return steps;
 }
 
 std::string extended(const DrawArguments& arguments, const std::filesystem::path& folder,
                      RunContext& context, Console& console) {
-  const std::string& house = arguments.inputs.front();
+  const std::string& base_illustration = arguments.inputs.front();
   DrawTask task(find_inputs(arguments.inputs), arguments.request, Spelling::Options);
-  if (!task.plan.explode.wanted) refuse_illustration(house);  // --explode none
+  if (!task.plan.explode.wanted) refuse_illustration(base_illustration);  // --explode none
   Scene scene = task.follow(task.read(context));
-  return exploded_illustration(house, arguments.request, folder,
+  return exploded_illustration(base_illustration, arguments.request, folder,
                                steps_of(std::move(scene), task.plan, context, console));
 }
 

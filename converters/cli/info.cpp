@@ -10,7 +10,7 @@ int run_info(const InfoOptions& options, burin::RunContext& context) {
   for (const std::filesystem::path& path : options.inputs) {
     files.push_back(burin::inspect_file(path, options.read, context));
     burin::FileInfo& info = files.back();
-    info.diagnostics = burin::at_door(info.diagnostics, burin::Spelling::Options);
+    info.diagnostics = burin::with_spelling(info.diagnostics, burin::Spelling::Options);
     if (options.json) continue;
     fmt::print("{}{}", files.size() > 1 ? "\n" : "", burin::to_text(info));
   }

@@ -26,8 +26,8 @@ Diagnostics write_outputs(std::vector<Output>& outputs, const Drawing& drawing,
 Diagnostics write_outputs(
     std::vector<Output>& outputs, WriteOptions options, RunContext& context,
     const std::function<void(const Output&, const WriteOptions&, std::ostream&)>& write) {
-  Diagnostics told;
-  options.tell = [&](const Diagnostic& one) { told.add(one); };
+  Diagnostics reported;
+  options.report = [&](const Diagnostic& one) { reported.add(one); };
   context.begin_stage(RunStage::Write);
   for (std::size_t i = 0; i < outputs.size(); ++i) {
     const auto done = static_cast<double>(i), all = static_cast<double>(outputs.size());
@@ -39,7 +39,7 @@ Diagnostics write_outputs(
   signals::finish();
   for (Output& output : outputs) output.commit();
   context.end_stage();
-  return told;
+  return reported;
 }
 
 }  // namespace burin::cli

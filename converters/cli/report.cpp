@@ -42,7 +42,7 @@ Failure failure_of(const std::string& input) {
 
 int report(const std::string& input) {
   const Failure failure = failure_of(input);
-  if (failure.status != kStopped || signals::may_say_cancelled()) print_error(failure.message);
+  if (failure.status != kStopped || signals::may_report_cancelled()) print_error(failure.message);
   return failure.status;
 }
 

@@ -23,7 +23,7 @@ std::atomic<RunContext*> g_context{nullptr};
 std::atomic<int> g_count{0};
 std::atomic<bool> g_finished{false};
 std::atomic<bool> g_late{false};
-std::atomic<bool> g_said{false};
+std::atomic<bool> g_reported{false};
 std::atomic<bool> g_bar{false};
 std::array<std::atomic<const char*>, 64> g_files{};
 timer_t g_timer;
@@ -61,7 +61,7 @@ extern "C" void on_timer(int) {
   if (g_finished) return;
   remove_files();
   if (g_bar) write_all("\r\x1b[K");
-  if (!g_said.exchange(true)) write_all("burin: error: cancelled\n");
+  if (!g_reported.exchange(true)) write_all("burin: error: cancelled\n");
   ::_exit(kCancelledStatus);
 }
 
@@ -107,7 +107,7 @@ Turn::~Turn() {
   if (before_ != nullptr && (g_late || g_count > 0)) before_->cancel();
 }
 
-bool may_say_cancelled() { return !g_said.exchange(true); }
+bool may_report_cancelled() { return !g_reported.exchange(true); }
 
 void bar_is_drawn(bool drawn) { g_bar = drawn; }
 

@@ -34,7 +34,7 @@ class Turn {
 };
 
 /// Whether this is the first to say that the run was cancelled.
-bool may_say_cancelled();
+bool may_report_cancelled();
 
 /// Tells that a progress bar stands on the terminal's last line, or no more.
 void bar_is_drawn(bool drawn);

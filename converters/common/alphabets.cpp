@@ -159,7 +159,7 @@ double mark(std::size_t which, const std::vector<std::string>& texts) {
 
 /// Of alphabets that are not in the table, and Central Europe where the letters are as usual in
 /// Western Europe: those of other countries stand in runs of many bytes.
-std::string told_by_uchardet(const std::vector<std::string>& texts, const std::string& found) {
+std::string guess_by_uchardet(const std::vector<std::string>& texts, const std::string& found) {
   int letters = 0, runs = 0;
   bool windows = false;
   for_high_bytes(texts, [&](const Place& p) {
@@ -198,7 +198,7 @@ AlphabetGuess guess_alphabet(const std::vector<std::string>& texts) {
   const auto best = static_cast<std::size_t>(std::ranges::max_element(marks) - marks.begin());
   const auto near = [&](std::size_t k) { return marks[k] > marks[best] - kNear; };
   const std::string found = detected_encoding(texts, 1);
-  if (near(Western)) return {told_by_uchardet(texts, found), marks[best], true};
+  if (near(Western)) return {guess_by_uchardet(texts, found), marks[best], true};
   const auto is = [&](std::size_t k) {
     return AlphabetGuess{kAlphabets[k].encoding, marks[best], true};
   };
@@ -217,7 +217,7 @@ AlphabetGuess guess_alphabet(const std::vector<std::string>& texts) {
     return {found, marks[best], false};
   // What Poland and its neighbours wrote before Windows, which has other letters in two places.
   const bool iso = best == Central && found == "ISO-8859-2";
-  return iso ? AlphabetGuess{told_by_uchardet(texts, found), marks[best], true} : is(best);
+  return iso ? AlphabetGuess{guess_by_uchardet(texts, found), marks[best], true} : is(best);
 }
 
 }  // namespace burin

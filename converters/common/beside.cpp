@@ -24,7 +24,7 @@ std::filesystem::path beside_libburin(const char* file) { return library_folder(
 
 }  // namespace
 
-void* library_door(const char* file, const char* door, const LibraryWords& words) {
+void* library_entry(const char* file, const char* entry, const LibraryWords& words) {
   const std::filesystem::path path = beside_libburin(file);
   std::string why;
   void* library = platform::open_library(path, why);
@@ -34,7 +34,7 @@ void* library_door(const char* file, const char* door, const LibraryWords& words
     }
     fail(words, why);
   }
-  void* found = platform::symbol_in(library, door);
+  void* found = platform::symbol_in(library, entry);
   if (!found) fail(words, path.string() + " is no such library");
   return found;
 }

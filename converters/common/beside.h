@@ -10,9 +10,9 @@ struct LibraryWords {
   std::string purpose, remedy;
 };
 
-/// The function `door` of the library `file` that stands beside libburin, wherever that was found.
+/// The function `entry` of the library `file` that stands beside libburin, wherever that was found.
 /// Never closed: what it made may live as long as the process. Throws Error, one sentence.
-void* library_door(const char* file, const char* door, const LibraryWords& words);
+void* library_entry(const char* file, const char* entry, const LibraryWords& words);
 
 /// Throws Error where `found`, the library's version, is not this program's.
 void check_library_version(const char* file, const char* found, const LibraryWords& words);

@@ -124,7 +124,7 @@ std::string TextDecoder::utf8(std::string_view text) {
   return out;
 }
 
-void TextDecoder::tell(Diagnostics& diagnostics) {
+void TextDecoder::report(Diagnostics& diagnostics) {
   decide();
   if (wrong_ > 0) {
     diagnostics.add(Severity::Warning, "names.encoding", wrong_,
@@ -151,7 +151,7 @@ std::string utf8_text(std::string_view text, const std::string& encoding,
     from = to + 1;
   }
   std::string out = decoder.utf8(text);
-  decoder.tell(diagnostics);
+  decoder.report(diagnostics);
   return out;
 }
 

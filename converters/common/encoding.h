@@ -32,7 +32,7 @@ class TextDecoder {
   std::string utf8(std::string_view text);
   /// Says once, with code "names.encoding", where what was found out is not sure, or where `utf8`
   /// met what is no letter of the encoding.
-  void tell(Diagnostics& diagnostics);
+  void report(Diagnostics& diagnostics);
 
  private:
   void decide();

@@ -56,7 +56,7 @@ void EvenLook::add(const std::optional<Rgba>& color) {
 
 Appearance EvenLook::look() const { return several_ || !color_ ? Appearance{} : look_of(*color_); }
 
-void tell_several_colors(std::int64_t parts, Diagnostics& diagnostics) {
+void report_several_colors(std::int64_t parts, Diagnostics& diagnostics) {
   if (parts == 0) return;
   diagnostics.add(Severity::Info, "mesh.several_colors", parts,
                   "parts have faces of several colours; a part has one colour, so these have none");

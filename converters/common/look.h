@@ -55,6 +55,6 @@ class EvenLook {
 };
 
 /// Says that so many parts have no colour, since their faces have several.
-void tell_several_colors(std::int64_t parts, Diagnostics& diagnostics);
+void report_several_colors(std::int64_t parts, Diagnostics& diagnostics);
 
 }  // namespace burin

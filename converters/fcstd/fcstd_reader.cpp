@@ -79,7 +79,7 @@ class Maker {
       context_.progress(static_cast<double>(i + 1) / static_cast<double>(walk.uses.size()));
     }
     if (made_.parts.empty()) fail(root, walk.diagnostics);
-    left_out_.tell(made_.diagnostics);
+    left_out_.report(made_.diagnostics);
     name_copies();
     return std::move(made_);
   }
@@ -277,10 +277,10 @@ class Maker {
       throw InputError("holds sketches only, which have no faces; pad or extrude them in FreeCAD",
                        file);
     }
-    Diagnostics told;
-    left_out_.tell(told);
-    if (!drawings && !told.empty()) {
-      throw InputError("holds nothing to draw; " + told.entries().front().message, file);
+    Diagnostics reported;
+    left_out_.report(reported);
+    if (!drawings && !reported.empty()) {
+      throw InputError("holds nothing to draw; " + reported.entries().front().message, file);
     }
     throw InputError(drawings ? "holds Burin illustrations only, no shapes; draw the document that "
                                 "they show"

@@ -115,7 +115,7 @@ bool is_seen(const FcObject& o) {
 
 }  // namespace
 
-bool says_nothing(const FcObject& object) {
+bool is_meaningless(const FcObject& object) {
   const std::string stem = instance_stem(object.label);
   if (stem.find_first_not_of("0123456789.:_- ") == stem.npos) return true;
   // Elements of arrays are called after the array: "Row_i3".
@@ -125,7 +125,7 @@ bool says_nothing(const FcObject& object) {
 std::string given_name(const FcDocument& document, const FcObject& object) {
   const FcObject* o = &object;
   for (int depth = 0; depth < kDeepest; ++depth) {
-    if (!says_nothing(*o)) return o->label;
+    if (!is_meaningless(*o)) return o->label;
     o = document.holder(*o);
     if (o == nullptr || !shows_one(document, *o)) break;
   }

@@ -9,7 +9,7 @@ namespace burin::detail {
 
 /// Whether a label is one that FreeCAD gives to new objects of its type: "Body001", "Cut",
 /// "Würfel".
-bool says_nothing(const FcObject& object);
+bool is_meaningless(const FcObject& object);
 
 /// What a person called an object: its label, or else that of the container that shows it alone.
 /// Empty where neither says anything.

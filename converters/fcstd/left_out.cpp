@@ -59,7 +59,7 @@ void LeftOut::add(Severity severity, const char* code, const std::string& why,
   it->names.push_back(name);
 }
 
-void LeftOut::tell(Diagnostics& diagnostics) const {
+void LeftOut::report(Diagnostics& diagnostics) const {
   for (const Reason& r : reasons_) {
     std::string list;
     for (std::size_t i = 0; i < std::min(r.names.size(), kNamed); ++i) {

@@ -15,7 +15,7 @@ class LeftOut {
  public:
   /// `why` is the line without the names.
   void add(Severity severity, const char* code, const std::string& why, const std::string& name);
-  void tell(Diagnostics& diagnostics) const;
+  void report(Diagnostics& diagnostics) const;
 
  private:
   struct Reason {

@@ -82,7 +82,7 @@ void FcWalk::lost_member(const FcObject& object, const std::string& name) {
 
 void FcWalk::visible() {
   for (const std::int32_t root : roots_) visit(root_, root, {});
-  broken_links_.tell(diagnostics);
+  broken_links_.report(diagnostics);
 }
 
 void FcWalk::chosen(const std::vector<std::string>& names) {
@@ -115,7 +115,7 @@ void FcWalk::chosen(const std::vector<std::string>& names) {
       if (taken.insert(i).second) visit(root_, i, place_of(i));
     }
   }
-  broken_links_.tell(diagnostics);
+  broken_links_.report(diagnostics);
 }
 
 FcWalk::Place FcWalk::place_of(std::int32_t number) const {

@@ -85,7 +85,7 @@ class Nodes {
     walk();
     count_users();
     for (const Visit& visit : visits_) emit(visit);
-    tell();
+    report();
     file_.objects = meshes_.take();
     if (file_.uses.empty()) {
       if (missing_ > 0)
@@ -103,7 +103,7 @@ class Nodes {
   std::string name_of(const Visit& visit) const;
   std::string definition_of(const tinygltf::Node& node) const;
   void emit(const Visit& visit);
-  void tell();
+  void report();
 
   const tinygltf::Model& model_;
   const Source& source_;
@@ -270,7 +270,7 @@ void Nodes::emit(const Visit& visit) {
   }
 }
 
-void Nodes::tell() {
+void Nodes::report() {
   if (meshes_.not_drawn() > 0) {
     file_.diagnostics.add(Severity::Warning, "gltf.no_faces", meshes_.not_drawn(),
                           "lines and points of the glTF, which have no faces, were left out");
@@ -289,7 +289,7 @@ void Nodes::tell() {
     file_.diagnostics.add(Severity::Info, "gltf.hidden", hidden_,
                           "nodes that the glTF hides were left out, with all below them");
   }
-  tell_several_colors(meshes_.several_colors(), file_.diagnostics);
+  report_several_colors(meshes_.several_colors(), file_.diagnostics);
 }
 
 }  // namespace

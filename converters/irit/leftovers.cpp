@@ -77,7 +77,7 @@ void Leftovers::add_invisible(std::int64_t line) {
   count(kInvisible, "objects marked invisible", line);
 }
 
-void Leftovers::tell(Diagnostics& diagnostics) const {
+void Leftovers::report(Diagnostics& diagnostics) const {
   for (const Kind& kind : kinds_) {
     const Why& why = why_of(kind.code);
     diagnostics.add(why.severity, kind.code, kind.count,

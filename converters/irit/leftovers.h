@@ -15,7 +15,7 @@ class Leftovers {
   void add(const IritItem& item, std::int64_t object_line);
   void add_invisible(std::int64_t line);
 
-  void tell(Diagnostics& diagnostics) const;
+  void report(Diagnostics& diagnostics) const;
   /// Why the file makes no part at all, and the line of the first thing not read (0: none).
   std::string nothing_else() const;
   std::int64_t first_line() const;

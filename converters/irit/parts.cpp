@@ -291,7 +291,7 @@ Parts PartMaker::make(IritObject root) {
     made.shapes.push_back(std::move(p.shape));
   }
   made.scene.diagnostics = std::move(diagnostics_);
-  leftovers_.tell(made.scene.diagnostics);
+  leftovers_.report(made.scene.diagnostics);
   return made;
 }
 

@@ -123,7 +123,7 @@ void add_looks(const GroupedFaces& faces, std::size_t groups, MeshFile& file) {
     several += looks[g].several();
     file.uses.push_back({.object = g, .color = std::move(look.color), .opacity = look.opacity});
   }
-  tell_several_colors(several, file.diagnostics);
+  report_several_colors(several, file.diagnostics);
 }
 
 std::vector<PolygonSoup> soups_of(GroupedFaces faces, std::vector<std::string> names,
@@ -169,7 +169,7 @@ bool has_repeated(std::vector<std::string> names) {
 }  // namespace
 
 MeshUse use_with_look(const EvenLook& look, Diagnostics& diagnostics) {
-  tell_several_colors(look.several() ? 1 : 0, diagnostics);
+  report_several_colors(look.several() ? 1 : 0, diagnostics);
   Appearance one = look.look();
   return {.color = std::move(one.color), .opacity = one.opacity};
 }

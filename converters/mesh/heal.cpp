@@ -7,7 +7,7 @@
 namespace burin {
 namespace {
 
-std::string told(const RecognisedFaces& n) {
+std::string reported(const RecognisedFaces& n) {
   std::string text;
   const auto add = [&](std::int64_t count, const char* one, const char* many) {
     if (count == 0) return;
@@ -37,16 +37,16 @@ std::shared_ptr<const Form> recognised(std::shared_ptr<const Form> mesh, const s
     return mesh;
   }
   if (round->faces().total() == 0) return mesh;
-  tell_round_faces(round->faces(), name, diagnostics);
+  report_round_faces(round->faces(), name, diagnostics);
   return round;
 }
 
-void tell_round_faces(const RecognisedFaces& faces, const std::string& name,
-                      Diagnostics& diagnostics) {
+void report_round_faces(const RecognisedFaces& faces, const std::string& name,
+                        Diagnostics& diagnostics) {
   if (faces.total() == 0) return;
   diagnostics.add(Severity::Info, "mesh.healed", faces.total(),
                   fmt::format("{}: facets are drawn as the round surfaces they approximate: {}",
-                              name, told(faces)));
+                              name, reported(faces)));
 }
 
 }  // namespace burin

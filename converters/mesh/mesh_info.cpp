@@ -95,11 +95,11 @@ FileInfo inspect_mesh_file(MeshFile file, const std::filesystem::path& path, Run
   const Scene scene = repair_parts(std::move(file), path, context);
   info.diagnostics = scene.diagnostics;
   measure_mesh_parts(scene, info, context);
-  tell_self_intersections(info);
+  report_self_intersections(info);
   return info;
 }
 
-void tell_self_intersections(FileInfo& info) {
+void report_self_intersections(FileInfo& info) {
   const std::int64_t crossings = info.total().self_intersections.value_or(0);
   if (crossings == 0) return;
   info.diagnostics.add(Severity::Warning, "mesh.self_intersections", crossings,

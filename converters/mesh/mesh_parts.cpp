@@ -20,7 +20,7 @@
 namespace burin {
 namespace {
 
-void tell_partly_textured(const PolygonSoup& soup, Diagnostics& diagnostics) {
+void report_partly_textured(const PolygonSoup& soup, Diagnostics& diagnostics) {
   const std::int64_t without = polygons_without_texture(soup);
   if (without == 0) return;
   diagnostics.add(Severity::Info, "mesh.partly_textured", without,
@@ -88,7 +88,7 @@ class Parts {
     try {
       drop_empty_texture(soup);
       auto texture = texture_of(soup, context_);
-      tell_partly_textured(soup, diagnostics);
+      report_partly_textured(soup, diagnostics);
       TriMesh mesh = repair(std::move(soup), {}, diagnostics, context_);
       form = std::make_shared<MeshForm>(std::move(mesh), std::move(texture));
     } catch (const GeometryError& e) {

@@ -43,7 +43,7 @@ MeshFile read_mesh_file(const std::filesystem::path& path, const RunContext& con
       soup.name = clean_name(decoder.utf8(soup.name));
       drop_empty_texture(soup);
     }
-    decoder.tell(file.diagnostics);
+    decoder.report(file.diagnostics);
     return file;
   } catch (const std::bad_alloc&) {
     throw InputError("does not fit into the memory of this machine", path.string());

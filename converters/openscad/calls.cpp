@@ -46,20 +46,20 @@ class Marker {
     std::string text;
   };
 
-  /// One statement, to behind its end; false where it is none. `tell`: calls in it are marked.
-  bool statement(bool tell) {
+  /// One statement, to behind its end; false where it is none. `report`: calls in it are marked.
+  bool statement(bool report) {
     if (depth_ == kDeepest) return false;
     ++depth_;
-    const bool good = any(tell);
+    const bool good = any(report);
     --depth_;
     return good;
   }
 
-  bool any(bool tell) {
+  bool any(bool report) {
     name_ = {};
     text_.skip();
     if (text_.take(';')) return true;
-    if (text_.take('{')) return block(tell);
+    if (text_.take('{')) return block(report);
     text_.modifiers();
     const std::size_t start = text_.at();
     const std::string_view first = text_.word();
@@ -73,12 +73,12 @@ class Marker {
       text_.to_end(false);
       return true;
     }
-    return call(first, start, tell);
+    return call(first, start, report);
   }
 
-  bool block(bool tell) {
+  bool block(bool report) {
     for (text_.skip(); !text_.take('}'); text_.skip()) {
-      if (text_.at_end() || !statement(tell)) return false;
+      if (text_.at_end() || !statement(report)) return false;
     }
     name_ = {};
     return true;
@@ -98,19 +98,19 @@ class Marker {
     return good;
   }
 
-  bool call(std::string_view first, std::size_t start, bool tell) {
+  bool call(std::string_view first, std::size_t start, bool report) {
     const bool own = is_own_module(first);
     text_.skip();
     if (text_.here() != '(') return false;
     text_.brackets();
-    if (!statement(tell && (!own || keeps_apart(first)))) return false;
+    if (!statement(report && (!own || keeps_apart(first)))) return false;
     if (first == "if") {
       const std::string_view name = name_;
       const std::size_t end = text_.at();
       text_.skip();
       if (text_.here_word("else")) {
         text_.word();
-        if (!statement(tell)) return false;
+        if (!statement(report)) return false;
       } else {
         text_ = ProgramText(program_, end);
       }
@@ -118,7 +118,7 @@ class Marker {
     }
     if (own) return true;
     if (name_.empty()) name_ = first;
-    if (tell) mark(start, first);
+    if (report) mark(start, first);
     return true;
   }
 

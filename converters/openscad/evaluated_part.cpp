@@ -131,7 +131,7 @@ std::shared_ptr<const Form> form_of(csg::Solid solid, Facets facets, const std::
   known.of = surfaces_of(solid, mesh);
   known.surfaces = std::move(solid.surfaces);
   auto form = std::make_shared<RecognisedForm>(std::move(mesh), known, context);
-  tell_round_faces(form->faces(), name, diagnostics);
+  report_round_faces(form->faces(), name, diagnostics);
   if (form->is_mesh()) return std::make_shared<MeshForm>(form->mesh());
   return form;
 }

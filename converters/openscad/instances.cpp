@@ -105,7 +105,7 @@ class Divisions {
         finder_(tree, calls, accepted_.repeated) {
     accepted_.known = &calls;
     accepted_.repeated = repeated_calls(tree, calls);
-    tell_repeated();
+    report_repeated();
   }
 
   CallParts run() {
@@ -134,7 +134,7 @@ class Divisions {
         if (same(u, whole[u.node], parted)) {
           accept(u, next);
         } else {
-          tell(Severity::Info, u, "openscad.one_body", "they touch or run into each other");
+          report(Severity::Info, u, "openscad.one_body", "they touch or run into each other");
         }
       }
       units = std::move(next);
@@ -144,7 +144,7 @@ class Divisions {
   }
 
  private:
-  void tell_repeated() {
+  void report_repeated() {
     std::map<std::string, int> of_name;
     for (const std::uint32_t n : accepted_.repeated) ++of_name[accepted_.known->at(n)->name];
     for (const auto& [name, count] : of_name) {
@@ -183,8 +183,8 @@ class Divisions {
       count += u.pieces.size();
       if (count > kMostInstances) {
         count -= u.pieces.size();
-        tell(Severity::Warning, u, "openscad.many_instances",
-             fmt::format("more than {} parts come of loops and modules", kMostInstances));
+        report(Severity::Warning, u, "openscad.many_instances",
+               fmt::format("more than {} parts come of loops and modules", kMostInstances));
         continue;
       }
       out.push_back(std::move(u));
@@ -193,7 +193,7 @@ class Divisions {
     return !units.empty();
   }
 
-  void tell(Severity severity, const Unit& u, const char* code, const std::string& why) {
+  void report(Severity severity, const Unit& u, const char* code, const std::string& why) {
     std::vector<std::string> names;
     for (const std::uint32_t p : u.pieces) names.push_back(accepted_.known->at(p)->name);
     std::ranges::sort(names);

@@ -36,14 +36,14 @@ class Gatherer {
     }
     for (const PartCall& call : all_.calls) say(call);
     if (!all_.views.empty()) view(all_.views.back());
-    for (const auto& [what, count] : told_) {
+    for (const auto& [what, count] : reported_) {
       diagnostics_.add(Severity::Warning, "openscad.mark", count, what);
     }
     return std::move(marks_);
   }
 
  private:
-  void tell(const std::string& what) { ++told_[what]; }
+  void report(const std::string& what) { ++reported_[what]; }
 
   static std::string path_of(const TreePart& part) {
     return "/" + (part.assembly.empty() ? part.name : part.assembly + "/" + part.name);
@@ -58,8 +58,8 @@ class Gatherer {
     if (call.mark.what == "ink") return ink(call, names);
     if (call.mark.what == "explode") return explode(call, names);
     if (call.mark.what == "callout") return callout(call, names);
-    tell(fmt::format("burin.scad asks for {}, which this Burin does not know",
-                     in_quotes(call.mark.what)));
+    report(fmt::format("burin.scad asks for {}, which this Burin does not know",
+                       in_quotes(call.mark.what)));
   }
 
   void ghost(const TreePart& part) {
@@ -72,7 +72,7 @@ class Gatherer {
 
   void ink(const PartCall& call, const std::vector<std::string>& names) {
     const Json& style = call.mark.arguments.empty() ? Json() : call.mark.arguments[0];
-    if (!style.is_string()) return tell("ink() takes a style, as in ink(\"engraving\") lid();");
+    if (!style.is_string()) return report("ink() takes a style, as in ink(\"engraving\") lid();");
     for (const std::string& name : names) {
       marks_.looks.push_back({.part = name, .style = style.get<std::string>()});
     }
@@ -89,7 +89,7 @@ class Gatherer {
       for (std::size_t k = 0; k < 3; ++k) way[i] += row[k] * by[k].get<double>();
     }
     if (!(std::hypot(way.x, way.y, way.z) > 0)) {
-      return tell("explode() takes lengths in mm, as in explode([0, 0, 30]) lid();");
+      return report("explode() takes lengths in mm, as in explode([0, 0, 30]) lid();");
     }
     marks_.steps.push_back({names, way});
   }
@@ -99,7 +99,7 @@ class Gatherer {
     const Json& number = call.mark.arguments.empty() ? Json() : call.mark.arguments[0];
     if (number.is_null()) return;
     if (!number.is_number() || number != std::floor(number.get<double>())) {
-      return tell("callout() takes a whole number or nothing, as in callout(3) lid();");
+      return report("callout() takes a whole number or nothing, as in callout(3) lid();");
     }
     marks_.items.emplace_back(number.get<double>(), names.front());
   }
@@ -116,7 +116,7 @@ class Gatherer {
   const std::vector<bool>& made_;
   Diagnostics& diagnostics_;
   /// What is wrong, and how many times.
-  std::map<std::string, std::int64_t> told_;
+  std::map<std::string, std::int64_t> reported_;
   ModelMarks marks_;
 };
 

@@ -94,7 +94,7 @@ class NamedFiles {
 
 }  // namespace
 
-void tell_named_files(std::string_view program, const fs::path& folder) {
+void note_named_files(std::string_view program, const fs::path& folder) {
   NamedFiles(folder).look_into(program, folder);
 }
 

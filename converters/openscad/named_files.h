@@ -9,6 +9,6 @@ namespace burin::detail {
 /// Tells `InputFiles` of what a program in `folder` takes in by `include` and `use`, and these in
 /// turn, and of files that its texts name (`import`, `surface`). Those of OpenSCAD's own library
 /// folders are not looked for. Looks at 1,000 files at the most, of 16 MB each.
-void tell_named_files(std::string_view program, const std::filesystem::path& folder);
+void note_named_files(std::string_view program, const std::filesystem::path& folder);
 
 }  // namespace burin::detail

@@ -89,7 +89,7 @@ struct Program {
   std::string text;
   csg::Tree tree;
   detail::TreeCalls calls;
-  detail::Said said;
+  detail::ProgramOutput said;
 };
 
 /// Runs a program whose calls of modules are marked; false where that gives no tree: the program as
@@ -268,7 +268,7 @@ FileInfo inspect_openscad(const Path& path, const OpenscadOptions& options, RunC
     info.parts.push_back(measure_mesh_part(part, context));
     info.parts.back().color = part.color;
   }
-  tell_self_intersections(info);
+  report_self_intersections(info);
   return info;
 }
 

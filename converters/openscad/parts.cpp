@@ -366,7 +366,7 @@ class Divider {
 
 }  // namespace
 
-void tell_undefined_places(const csg::Tree& tree, Diagnostics& diagnostics) {
+void report_undefined_places(const csg::Tree& tree, Diagnostics& diagnostics) {
   std::int64_t count = 0;
   const auto finite = [](const csg::Value& row) {
     return std::ranges::all_of(row.list,

@@ -77,7 +77,7 @@ TreeParts parts_of(const csg::Tree& tree, std::string_view program, const std::s
 
 /// Says ("openscad.undefined_place") how many transformations by numbers that are not finite there
 /// are.
-void tell_undefined_places(const csg::Tree& tree, Diagnostics& diagnostics);
+void report_undefined_places(const csg::Tree& tree, Diagnostics& diagnostics);
 
 /// Objects at the top, or the first `!`: what is above it does not move it, OpenSCAD shows it
 /// alone.

@@ -125,8 +125,8 @@ class Verdict {
                      file_);
   }
 
-  Said said() const {
-    Said out{messages_.diagnostics(folder_)};
+  ProgramOutput said() const {
+    ProgramOutput out{messages_.diagnostics(folder_)};
     const Remark* error = messages_.first(Severity::Error);
     const Remark* warning = messages_.first(Severity::Warning);
     if (error) out.error = error->text;
@@ -168,7 +168,7 @@ std::string preview_define(const OpenscadOptions& options, Makes makes, std::str
 
 }  // namespace
 
-void Said::fail(const std::string& what, const std::string& path) const {
+void ProgramOutput::fail(const std::string& what, const std::string& path) const {
   if (!error.empty()) throw InputError(error, file, line);
   if (warning.empty()) throw InputError(what, path);
   throw InputError(what + "; its first warning: " + warning, file, line);
@@ -179,8 +179,8 @@ std::string contents(const MemoryFile& file) {
   return {std::istreambuf_iterator<char>(in), {}};
 }
 
-Said run_openscad(const Path& path, const OpenscadOptions& options, Makes makes,
-                  const MemoryFile& out, RunContext& context, const std::string* instead) {
+ProgramOutput run_openscad(const Path& path, const OpenscadOptions& options, Makes makes,
+                           const MemoryFile& out, RunContext& context, const std::string* instead) {
   check_openscad_defines(options.defines);
   std::int64_t lines = 0;
   std::vector<std::string> defines = options.defines;
@@ -188,7 +188,7 @@ Said run_openscad(const Path& path, const OpenscadOptions& options, Makes makes,
   {
     const Source source(path, context);  // refuses what is missing, a folder, unreadable or empty
     const std::string_view bytes = source.bytes();
-    tell_named_files(bytes, path.parent_path());
+    note_named_files(bytes, path.parent_path());
     lines = source.line_of(bytes.data() + bytes.find_last_not_of(" \t\r\n") + 1);
     for (const std::string& name : unused_defines(bytes, options.defines)) {
       unused.add(Severity::Warning, "openscad.unused_define", 1,
@@ -227,7 +227,7 @@ Said run_openscad(const Path& path, const OpenscadOptions& options, Makes makes,
   if (end.start_error != 0) fail_to_start(program, end.start_error);
   const Verdict verdict(path, lines, messages);
   verdict.check(end, options.timeout, out.size());
-  Said said = verdict.said();
+  ProgramOutput said = verdict.said();
   unused.append(said.diagnostics);
   said.diagnostics = std::move(unused);
   return said;

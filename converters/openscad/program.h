@@ -27,7 +27,7 @@ inline constexpr const char* kEmpty = "OpenSCAD makes nothing of it: the top lev
 std::string contents(const MemoryFile& file);
 
 /// What it said.
-struct Said {
+struct ProgramOutput {
   Diagnostics diagnostics;
   /// Its first error, else its first warning, and the place of that; empty where it has neither.
   std::string error = {}, warning = {}, file = {};
@@ -41,7 +41,8 @@ struct Said {
 /// Runs OpenSCAD on a file; what it makes (a binary STL, or the text of the evaluated tree) is left
 /// in `out`. `instead`: a text that stands for that of the file, line by line; absent: its own.
 /// Throws as `read_openscad`.
-Said run_openscad(const std::filesystem::path& path, const OpenscadOptions& options, Makes makes,
-                  const MemoryFile& out, RunContext& context, const std::string* instead = nullptr);
+ProgramOutput run_openscad(const std::filesystem::path& path, const OpenscadOptions& options,
+                           Makes makes, const MemoryFile& out, RunContext& context,
+                           const std::string* instead = nullptr);
 
 }  // namespace burin::detail

@@ -66,7 +66,7 @@ ReadResult scene_of_tree(const csg::Tree& tree, const TreeCalls& calls, std::str
                          Shapes shapes, RunContext& context) {
   ReadResult out;
   Scene& scene = out.scene;
-  tell_undefined_places(tree, scene.diagnostics);
+  report_undefined_places(tree, scene.diagnostics);
   SolidStore store(tree, path, context);
   const std::string stem = stem_of(path);
   const CallParts instances = instances_of(tree, calls, program, stem, store, scene.diagnostics);
@@ -108,7 +108,7 @@ ReadResult functions_of_tree(const csg::Tree& tree, const TreeCalls& calls,
                              RunContext& context) {
   ReadResult out;
   Scene& scene = out.scene;
-  tell_undefined_places(tree, scene.diagnostics);
+  report_undefined_places(tree, scene.diagnostics);
   const TreeParts planned = parts_of(tree, program, stem_of(path), scene.diagnostics, {&calls});
   for (const TreePart& part : planned.parts) {
     const auto fail = [&](const char* what) {
@@ -140,7 +140,7 @@ OpenscadMesh whole_of_tree(const csg::Tree& tree, const std::filesystem::path& p
   options.where = [&](std::int64_t line) {
     return of_file ? fmt::format("line {}", line) : std::string();
   };
-  tell_undefined_places(tree, out.diagnostics);
+  report_undefined_places(tree, out.diagnostics);
   csg::Solid solid = std::move(
       csg::evaluate_in_child(tree.source, {&kAll, 1}, options, context, out.diagnostics).front());
   if (solid.empty()) return out;

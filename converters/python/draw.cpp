@@ -79,7 +79,7 @@ py::dict explode_steps(const py::object& source, const py::kwargs& keywords) {
   for (const ExplodeStep& step : steps) list.append(step_of(scene, step));
   py::dict found;
   found["steps"] = list;
-  found["diagnostics"] = to_list(at_door(scene.diagnostics, Spelling::Keywords));
+  found["diagnostics"] = to_list(with_spelling(scene.diagnostics, Spelling::Keywords));
   return found;
 }
 
@@ -107,7 +107,7 @@ py::list info(const py::args& paths, const py::kwargs& options) {
     context.begin_stage(RunStage::Read);
     for (const std::string& name : names) {
       files.push_back(inspect_file(name, read, context));
-      files.back().diagnostics = at_door(files.back().diagnostics, Spelling::Keywords);
+      files.back().diagnostics = with_spelling(files.back().diagnostics, Spelling::Keywords);
     }
     context.end_stage();
   });

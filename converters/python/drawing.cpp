@@ -97,8 +97,8 @@ WriteOptions options_of(const PyDrawing& drawing, const py::kwargs& options) {
 }
 
 /// What a format cannot show of a drawing, as warnings of Python.
-void warn(const Diagnostics& told) {
-  for (const Diagnostic& one : told.entries()) {
+void warn(const Diagnostics& reported) {
+  for (const Diagnostic& one : reported.entries()) {
     if (one.severity == Severity::Info) continue;
     if (PyErr_WarnEx(PyExc_UserWarning, one.message.c_str(), 1) != 0) throw py::error_already_set();
   }
@@ -108,11 +108,11 @@ void save(const DrawingOwner& self, const py::object& path, const py::kwargs& op
   const std::string name = path_text(path);
   if (name.empty()) throw UsageError("the path of the drawing is empty");
   WriteOptions write = options_of(*self, options);
-  Diagnostics told;
-  write.tell = [&](const Diagnostic& one) { told.add(one); };
+  Diagnostics reported;
+  write.report = [&](const Diagnostic& one) { reported.add(one); };
   run(py::none(), nullptr,
       [&](RunContext& context) { write_file(self->drawing, name, write, context); });
-  warn(told);
+  warn(reported);
 }
 
 py::bytes to_bytes(const DrawingOwner& self, const std::string& format, const py::kwargs& options) {
@@ -121,12 +121,12 @@ py::bytes to_bytes(const DrawingOwner& self, const std::string& format, const py
     throw UsageError(fmt::format("argument format takes {}, not '{}'", format_list(), format));
   }
   WriteOptions write = options_of(*self, options);
-  Diagnostics told;
-  write.tell = [&](const Diagnostic& one) { told.add(one); };
+  Diagnostics reported;
+  write.report = [&](const Diagnostic& one) { reported.add(one); };
   std::ostringstream out;
   run(py::none(), nullptr,
       [&](RunContext& context) { write_drawing(self->drawing, *named, write, out, context); });
-  warn(told);
+  warn(reported);
   return {out.str()};
 }
 

@@ -62,7 +62,7 @@ py::dict dict_of(const tone::Light& light) {
 }
 
 /// A name or a file where it has one, else all keys.
-py::object style_said(const std::string& named, const std::optional<Style>& style) {
+py::object style_as_object(const std::string& named, const std::optional<Style>& style) {
   if (!named.empty()) return py::str(named);
   return style ? py::object(flat(*style)) : py::none();
 }
@@ -74,7 +74,7 @@ py::dict dict_of(const Look& look, const std::string& style_named) {
   out["hatched"] = look.hatched;
   out["transparent"] = look.transparent;
   out["listed"] = look.listed;
-  out["style"] = style_said(style_named, look.style);
+  out["style"] = style_as_object(style_named, look.style);
   return out;
 }
 
@@ -139,7 +139,7 @@ py::dict illustration(const py::object& source) {
   out["paper"] = paper_of(plan);
   out["lights"] = list_of_dicts(file.request.lights);
   out["light"] = list_of(plan.style.tone.light);
-  out["style"] = style_said(named.empty() ? "" : named.back(), plan.style);
+  out["style"] = style_as_object(named.empty() ? "" : named.back(), plan.style);
   out["looks"] = py::list();
   for (std::size_t i = 0; i < plan.looks.size(); ++i) {
     out["looks"].attr("append")(dict_of(plan.looks[i], file.request.looks[i].style));

@@ -2,7 +2,7 @@
 #include <burin/base/plugin_error.h>
 #include <burin/converters/read.h>
 #include <burin/converters/write.h>
-#include <burin/drawing/brought_formats.h>
+#include <burin/drawing/added_formats.h>
 #include <burin/field/catalogue.h>
 #include <burin/forms/implicit/implicit_form.h>
 #include <burin/plugin/plugins.h>
@@ -31,7 +31,7 @@ namespace {
 using Options = std::vector<DeclaredOption>;
 
 /// What a program registers: a function by a name, with its options.
-struct Brought {
+struct Registered {
   std::string_view name, meaning;
   std::shared_ptr<py::object> function;
   Options options;
@@ -43,8 +43,8 @@ struct Brought {
   }
 };
 
-Brought brought(const std::string& name, const py::object& function, const std::string& meaning,
-                const py::object& options) {
+Registered registered(const std::string& name, const py::object& function,
+                      const std::string& meaning, const py::object& options) {
   if (!PyCallable_Check(function.ptr())) {
     throw py::type_error(fmt::format("what is registered as '{}' is no function", name));
   }
@@ -62,7 +62,7 @@ std::string first_line(const std::exception& e) {
 /// stay what they are.
 template <class Call>
 auto guarded(PluginError::Row row, std::string_view name, const Call& call) {
-  const auto told = [&](const std::exception& e) {
+  const auto reported = [&](const std::exception& e) {
     return PluginError(row, std::string(name),
                        fmt::format("'{}' of this program fails: {}", name, first_line(e)));
   };
@@ -75,28 +75,28 @@ auto guarded(PluginError::Row row, std::string_view name, const Call& call) {
   } catch (py::error_already_set& e) {
     const py::gil_scoped_acquire gil;
     if (!e.matches(PyExc_Exception)) throw;
-    throw told(e);
+    throw reported(e);
   } catch (const std::exception& e) {
-    throw told(e);
+    throw reported(e);
   }
 }
 
 /// What fields and tones of Python look at, for as long as they live.
-struct Ground {
-  Shown shown;
+struct PluginScene {
+  VisibleSurfaces shown;
   Camera camera;
   ViewProbe probe;
   HatchScene scene;
 
-  Ground(const Shown& s, const Camera& c)
+  PluginScene(const VisibleSurfaces& s, const Camera& c)
       : shown(s),
         camera(c),
         probe(probe_of(shown)),
         scene{shown.surfaces, camera, probe, *s.context} {}
-  Ground(const Ground&) = delete;
-  Ground& operator=(const Ground&) = delete;
+  PluginScene(const PluginScene&) = delete;
+  PluginScene& operator=(const PluginScene&) = delete;
 
-  static ViewProbe probe_of(const Shown& shown) {
+  static ViewProbe probe_of(const VisibleSurfaces& shown) {
     return [shown](Vec2 paper) -> std::optional<ViewHit> {
       const auto place = shown.at(paper);
       if (!place) return std::nullopt;
@@ -107,51 +107,52 @@ struct Ground {
   }
 };
 
-std::shared_ptr<Ground> ground_of(PluginError::Row row, std::string_view name, const Shown& shown,
-                                  const Camera& camera) {
+std::shared_ptr<PluginScene> plugin_scene_of(PluginError::Row row, std::string_view name,
+                                             const VisibleSurfaces& shown, const Camera& camera) {
   if (!shown.at || shown.context == nullptr) {
     throw PluginError(row, std::string(name),
                       fmt::format("'{}' of this program is for drawings", name));
   }
-  return std::make_shared<Ground>(shown, camera);
+  return std::make_shared<PluginScene>(shown, camera);
 }
 
-Field field_of(const Brought& b, const field::FieldRequest& r) {
+Field field_of(const Registered& b, const field::FieldRequest& r) {
   constexpr auto kRow = PluginError::Row::Direction;
-  const auto ground = ground_of(kRow, b.name, r.shown, r.camera);
+  const auto plugin_scene = plugin_scene_of(kRow, b.name, r.shown, r.camera);
   return guarded(kRow, b.name, [&] {
     std::function<Field(const HatchScene&)> make;
     in_python(
         [&] { make = python_field(b.with(values_of(r.options.declared, b.name, b.options))); });
-    const Field field = make(ground->scene);
-    return Field{std::string(b.name), [ground, field, name = b.name](const FieldQuery& q) {
+    const Field field = make(plugin_scene->scene);
+    return Field{std::string(b.name), [plugin_scene, field, name = b.name](const FieldQuery& q) {
                    return guarded(kRow, name, [&] { return field.cross(q); });
                  }};
   });
 }
 
-Tone tone_of(const Brought& b, const tone::LawRequest& r) {
+Tone tone_of(const Registered& b, const tone::LawRequest& r) {
   constexpr auto kRow = PluginError::Row::Law;
-  const auto ground = ground_of(kRow, b.name, r.shown, r.camera);
+  const auto plugin_scene = plugin_scene_of(kRow, b.name, r.shown, r.camera);
   return guarded(kRow, b.name, [&]() -> Tone {
     std::function<Tone(const HatchScene&)> make;
     in_python(
         [&] { make = python_tone(b.with(values_of(r.options.declared, b.name, b.options))); });
-    return [ground, tone = make(ground->scene), name = b.name](Vec3 position, Vec3 normal) {
+    return [plugin_scene, tone = make(plugin_scene->scene), name = b.name](Vec3 position,
+                                                                           Vec3 normal) {
       return guarded(kRow, name, [&] { return tone(position, normal); });
     };
   });
 }
 
 /// What `register` says of a name that is not free, and what lists say of the rest.
-void note(const char* id, const Brought& b, const std::function<void()>& add) {
+void note(const char* id, const Registered& b, const std::function<void()>& add) {
   add();
   plugin::note("Python", {id, std::string(b.name), std::string(b.meaning)});
 }
 
 void register_direction(const std::string& name, const py::object& function,
                         const std::string& meaning, const py::object& options) {
-  const Brought b = brought(name, function, meaning, options);
+  const Registered b = registered(name, function, meaning, options);
   note(BURIN_DIRECTION_1, b, [&] {
     field::add({.name = b.name,
                 .meaning = b.meaning,
@@ -163,7 +164,7 @@ void register_direction(const std::string& name, const py::object& function,
 
 void register_law(const std::string& name, const py::object& function, const std::string& meaning,
                   const py::object& options) {
-  const Brought b = brought(name, function, meaning, options);
+  const Registered b = registered(name, function, meaning, options);
   note(BURIN_LAW_1, b, [&] {
     tone::add({.name = b.name,
                .meaning = b.meaning,
@@ -173,7 +174,7 @@ void register_law(const std::string& name, const py::object& function, const std
 }
 
 /// Of what a form's function gives: (values, bounds) or (values, bounds, gradients).
-std::shared_ptr<const Form> form_of(const Brought& b, const std::vector<OptionValue>& values,
+std::shared_ptr<const Form> form_of(const Registered& b, const std::vector<OptionValue>& values,
                                     const RunContext& context) {
   return guarded(PluginError::Row::Form, b.name, [&]() -> std::shared_ptr<const Form> {
     std::shared_ptr<const ImplicitFunction> function;
@@ -196,7 +197,7 @@ std::shared_ptr<const Form> form_of(const Brought& b, const std::vector<OptionVa
 
 void register_form(const std::string& name, const py::object& function, const std::string& meaning,
                    const py::object& options) {
-  const Brought b = brought(name, function, meaning, options);
+  const Registered b = registered(name, function, meaning, options);
   note(BURIN_FORM_1, b, [&] {
     plugin::add(
         plugin::FormKind{.name = b.name,
@@ -223,7 +224,7 @@ plugin::ReadMeshes meshes_of(const py::object& given) {
 void register_reader(const std::string& name, const std::vector<std::string>& suffixes,
                      const py::object& function, const std::string& meaning,
                      const py::object& options) {
-  const Brought b = brought(name, function, meaning, options);
+  const Registered b = registered(name, function, meaning, options);
   for (const std::string& suffix : suffixes) {
     if (suffix.size() > 1 && suffix[0] == '.' && !is_own_suffix(suffix)) continue;
     throw UsageError(
@@ -251,7 +252,7 @@ void register_reader(const std::string& name, const std::vector<std::string>& su
   });
 }
 
-void write_by(const Brought& b, const Drawing& drawing, const std::vector<OptionValue>& values,
+void write_by(const Registered& b, const Drawing& drawing, const std::vector<OptionValue>& values,
               std::ostream& out) {
   try {
     guarded(PluginError::Row::Writer, b.name, [&] {
@@ -276,10 +277,10 @@ void write_by(const Brought& b, const Drawing& drawing, const std::vector<Option
 
 void register_writer(const std::string& suffix, const py::object& function,
                      const std::string& meaning, const py::object& options) {
-  const Brought b = brought(suffix, function, meaning, options);
+  const Registered b = registered(suffix, function, meaning, options);
   if (is_own_format(suffix)) throw UsageError(fmt::format("Burin writes .{} itself", suffix));
   note(BURIN_WRITER_1, b, [&] {
-    burin::add(BroughtFormat{
+    burin::add(AddedFormat{
         .name = b.name,
         .meaning = b.meaning,
         .write = [b](const Drawing& d, const std::vector<OptionValue>& values, std::ostream& out,

@@ -76,7 +76,7 @@ class Run {
       worker.join();
     }
     // What is said last is the end of the last stage.
-    if (!stopped_ && !failed_) tell();
+    if (!stopped_ && !failed_) call_progress();
     if (stopped_) std::rethrow_exception(stopped_);
     if (failed_) std::rethrow_exception(failed_);
   }
@@ -146,14 +146,14 @@ class Run {
     if (stopped_) return;
     try {
       if (PyErr_CheckSignals() != 0) throw py::error_already_set();
-      tell();
+      call_progress();
     } catch (...) {
       stopped_ = std::current_exception();
       context_.cancel();
     }
   }
 
-  void tell() {
+  void call_progress() {
     if (progress_.is_none()) return;
     std::string stage;
     double share = 0;

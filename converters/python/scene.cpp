@@ -259,7 +259,7 @@ void add_scene(py::module_& module) {
       .def_property_readonly(
           "diagnostics",
           [](const PyScene& self) {
-            return to_list(at_door(self.scene.diagnostics, Spelling::Keywords));
+            return to_list(with_spelling(self.scene.diagnostics, Spelling::Keywords));
           },
           "What the readers mended or left out.")
       .def("__len__", [](const PyScene& self) { return self.scene.parts.size(); })

@@ -151,7 +151,7 @@ std::string joined_name(std::string_view row, const std::string& option) {
 
 /// The options of what plug-ins added. One whose name is taken keeps its fallback.
 template <class Kind>
-void append_brought(std::span<const Kind> kinds, const char* what, std::vector<ReadRow>& rows) {
+void append_added(std::span<const Kind> kinds, const char* what, std::vector<ReadRow>& rows) {
   for (const Kind& kind : kinds) {
     for (const DeclaredOption& declared : kind.options) {
       Option option = declared.option;
@@ -165,7 +165,7 @@ void append_brought(std::span<const Kind> kinds, const char* what, std::vector<R
                        [declared, row](ReadOptions& o, const Asked& a) {
                          set_value(o.declared, row, declared, a.value);
                        }},
-                      Brought,
+                      Added,
                       fmt::format("the {} '{}'", what, row),
                       row});
     }
@@ -193,8 +193,8 @@ std::vector<ReadRow> make_read_rows() {
   unsigned there = 0;
   for (const Reader* reader : own_readers()) there |= reader->family;
   std::erase_if(rows, [&](const ReadRow& row) { return (row.families & there) == 0; });
-  append_brought(plugin::readers(), "reader", rows);
-  append_brought(plugin::forms(), "form", rows);
+  append_added(plugin::readers(), "reader", rows);
+  append_added(plugin::forms(), "form", rows);
   return rows;
 }
 

@@ -19,7 +19,7 @@ enum Family : unsigned {
   OpenscadFiles = 16,
   FreecadFiles = 32,
   Volumes = 64,
-  Brought = 128,  // by plug-ins, each with a name of its own
+  Added = 128,  // by plug-ins, each with a name of its own
 };
 
 /// A row with who looks at it: `families` are those that do, `purpose` says so in a sentence.
@@ -27,8 +27,8 @@ struct ReadRow {
   RequestRow<ReadOptions> row;
   unsigned families = 0;
   std::string purpose;
-  /// Of `Brought`: the reader or form that the option belongs to.
-  std::string brought = {};
+  /// Of `Added`: the reader or form that the option belongs to.
+  std::string added = {};
 };
 
 /// Groups of help.

@@ -17,18 +17,18 @@ namespace burin::detail {
 namespace {
 
 /// Those of plug-ins.
-struct BroughtReaders {
+struct AddedReaders {
   std::vector<Reader> readers, forms;
 };
 
-const BroughtReaders& brought() {
-  static MadeOfCatalogues<BroughtReaders> all;
+const AddedReaders& added() {
+  static MadeOfCatalogues<AddedReaders> all;
   return all.get([] {
-    BroughtReaders out;
+    AddedReaders out;
     for (const plugin::ReaderKind& kind : plugin::readers()) {
-      out.readers.push_back(brought_reader(kind));
+      out.readers.push_back(added_reader(kind));
     }
-    for (const plugin::FormKind& kind : plugin::forms()) out.forms.push_back(brought_form(kind));
+    for (const plugin::FormKind& kind : plugin::forms()) out.forms.push_back(added_form(kind));
     return out;
   });
 }
@@ -36,7 +36,7 @@ const BroughtReaders& brought() {
 std::vector<const Reader*> all_readers() {
   const std::span<const Reader* const> own = own_readers();
   std::vector<const Reader*> all(own.begin(), own.end());
-  for (const Reader& reader : brought().readers) all.push_back(&reader);
+  for (const Reader& reader : added().readers) all.push_back(&reader);
   return all;
 }
 
@@ -46,8 +46,8 @@ std::string given_format(const std::filesystem::path& path, const ReadOptions& o
   if (options.input_format.empty()) return {};
   const std::vector<const Reader*> readers = all_readers();
   const auto knows = [&](const Reader* reader) { return reader->knows_suffix(path); };
-  const bool told = !is_standard_input(path) && std::ranges::any_of(readers, knows);
-  return told ? std::string() : "." + options.input_format;
+  const bool reported = !is_standard_input(path) && std::ranges::any_of(readers, knows);
+  return reported ? std::string() : "." + options.input_format;
 }
 
 namespace {
@@ -80,7 +80,7 @@ const Reader& reader_of(const std::filesystem::path& path, const ReadOptions& op
                         const RunContext& context) {
   if (plugin::names_form(path.string())) {
     const std::string name(plugin::find_form(path.string()).name);
-    return *std::ranges::find(brought().forms, name, &Reader::brought);
+    return *std::ranges::find(added().forms, name, &Reader::added);
   }
   const std::string head = head_of(path, kHeadBytes, context);
   const std::vector<const Reader*> readers = all_readers();

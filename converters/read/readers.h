@@ -31,7 +31,7 @@ struct Reader {
       inspect;
   Family family;
   /// Of `Brought`: its name.
-  std::string brought = {};
+  std::string added = {};
   /// The options that are about its files alone.
   std::vector<ReadRow> (*options)() = nullptr;
   /// Whether `knows_content` knows all of its files, so that what it does not know is another's.
@@ -46,8 +46,8 @@ std::span<const Reader* const> own_readers();
 std::string needed_for(const std::filesystem::path& path);
 
 /// The readers and the forms that plug-ins added.
-Reader brought_reader(const plugin::ReaderKind& kind);
-Reader brought_form(const plugin::FormKind& kind);
+Reader added_reader(const plugin::ReaderKind& kind);
+Reader added_form(const plugin::FormKind& kind);
 
 inline constexpr std::size_t kHeadBytes = 4096;
 

@@ -17,7 +17,7 @@ bool met(std::string_view name, const ReadOptions& options, const std::string& p
   const ReadRow* row = find_read_row(name);
   if (name == "input_format") return !given_format(path, options).empty();
   if (row == nullptr || (row->families & reader.family) == 0) return false;
-  if (row->families == Brought) return row->brought == reader.brought;
+  if (row->families == Added) return row->added == reader.added;
   if (name == "freecad_timeout") return options.recompute;
   // The layout of raw samples goes for any file that nothing else tells of.
   if (name == "raw" || name == "raw_skip") {

@@ -10,7 +10,7 @@ Book draw_book(Scene& scene, DrawPlan& plan, const BuildOptions& build, RunConte
     book.diagnostics.add(Severity::Warning, "option.unused", 1,
                          "several views and details have no effect on a step book");
   }
-  book.diagnostics = at_door(book.diagnostics, plan.spelling);
+  book.diagnostics = with_spelling(book.diagnostics, plan.spelling);
   return book;
 }
 

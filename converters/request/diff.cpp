@@ -77,13 +77,13 @@ void choose_parts(Revision& before, Revision& after) {
 
 /// What of the plan is about one model alone.
 void leave_out(DrawPlan& plan) {
-  const bool told =
+  const bool reported =
       plan.explode.wanted || plan.callouts || plan.parts_list || !plan.parts_list_files.empty();
   plan.explode = {};
   plan.callouts = plan.parts_list = plan.items = false;
   plan.parts_list_files.clear();
   plan.illustrate.annotations.reset();
-  if (!told) return;
+  if (!reported) return;
   plan.notes.add(Severity::Warning, "option.unused", 1,
                  "exploded view, callouts and parts list have no effect on a drawing of two "
                  "revisions, whose parts stay in place");
@@ -189,8 +189,8 @@ DiffOutcome diff_models(Revision before, Revision after, bool draws, RunContext&
   const auto drawn = [](const Revision& r) {
     return drawn_parts(r.scene, r.plan.illustrate.part_styles);
   };
-  tell_once(before.scene.diagnostics, outcome.diagnostics);
-  tell_once(after.scene.diagnostics, outcome.diagnostics);
+  append_new(before.scene.diagnostics, outcome.diagnostics);
+  append_new(after.scene.diagnostics, outcome.diagnostics);
   outcome.models = compare_revisions(before.scene, after.scene, drawn(before), drawn(after),
                                      outcome.diagnostics, context);
   if (const std::size_t undrawn = forget_undrawn(*outcome.models); undrawn > 0) {
@@ -203,7 +203,7 @@ DiffOutcome diff_models(Revision before, Revision after, bool draws, RunContext&
     return static_cast<std::size_t>(std::ranges::count(drawn(r), true));
   };
   outcome.counts = detail::counts_of(*outcome.models, shown(before), shown(after));
-  outcome.diagnostics = at_door(outcome.diagnostics, after.plan.spelling);
+  outcome.diagnostics = with_spelling(outcome.diagnostics, after.plan.spelling);
   if (draws) outcome.drawing = draw_both(before, after, *outcome.models, context);
   return outcome;
 }

@@ -1,7 +1,7 @@
 #include <burin/converters/load_plugins.h>
 #include <burin/converters/read.h>
 #include <burin/converters/write.h>
-#include <burin/drawing/brought_formats.h>
+#include <burin/drawing/added_formats.h>
 #include <burin/illustrate/style.h>
 #include <burin/plugin/plugins.h>
 
@@ -26,8 +26,8 @@ bool is_ours(std::string_view claim) {
                          name = claim.substr(std::min(claim.size(), what.size() + 1));
   if (what == "reads") return is_own_suffix(name);
   if (what != "writes") return false;
-  const auto brought = brought_formats();
-  const bool again = std::ranges::find(brought, name, &BroughtFormat::name) != brought.end();
+  const auto added = added_formats();
+  const bool again = std::ranges::find(added, name, &AddedFormat::name) != added.end();
   return is_own_format(name) || (!again && is_style_group(name));
 }
 

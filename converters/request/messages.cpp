@@ -6,7 +6,7 @@
 
 namespace burin {
 
-std::string at_door(std::string_view message, Spelling spelling) {
+std::string with_spelling(std::string_view message, Spelling spelling) {
   std::string out = spelled_message(message, all_options(), spelling);
   // No option of a drawing: what lists the keys.
   constexpr std::string_view kKeys = "`style_keys`";
@@ -26,7 +26,7 @@ std::string located(const std::string& file, std::int64_t line, const std::strin
 
 std::string error_message(const std::exception& error, Spelling spelling,
                           const std::string& input) {
-  const std::string what = at_door(error.what(), spelling);
+  const std::string what = with_spelling(error.what(), spelling);
   if (const auto* bad = dynamic_cast<const InputError*>(&error)) {
     return located(bad->file().empty() ? input : bad->file(), bad->line(), what);
   }
@@ -36,10 +36,10 @@ std::string error_message(const std::exception& error, Spelling spelling,
   return dynamic_cast<const UsageError*>(&error) ? what : located(input, 0, what);
 }
 
-Diagnostics at_door(const Diagnostics& diagnostics, Spelling spelling) {
+Diagnostics with_spelling(const Diagnostics& diagnostics, Spelling spelling) {
   Diagnostics out;
   for (const Diagnostic& d : diagnostics.entries()) {
-    out.add(d.severity, d.code, d.count, at_door(d.message, spelling));
+    out.add(d.severity, d.code, d.count, with_spelling(d.message, spelling));
   }
   return out;
 }

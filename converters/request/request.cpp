@@ -92,7 +92,7 @@ Drawing draw(const Scene& scene, const SheetOfViews& sheet, const DrawPlan& plan
         Severity::Warning, "plugin.refused", 1,
         fmt::format("the plug-in {} is left out: {} (burin plugins)", p.file, p.refused));
   }
-  drawing.diagnostics = at_door(drawing.diagnostics, plan.spelling);
+  drawing.diagnostics = with_spelling(drawing.diagnostics, plan.spelling);
   if (any_strokes(plan)) return drawing;
   for (const std::string& choice : plan.about_strokes) {
     drawing.diagnostics.add(Severity::Warning, "option.unused", 1,

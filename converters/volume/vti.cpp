@@ -39,7 +39,7 @@ class VtiFile {
  private:
   void parse();
   void grid(const pugi::xml_node& image);
-  void tell_others(const pugi::xml_node& data, const pugi::xml_node& shown, bool unnamed);
+  void report_others(const pugi::xml_node& data, const pugi::xml_node& shown, bool unnamed);
   pugi::xml_node scalars(const pugi::xml_node& piece);
   void array(const pugi::xml_node& array);
   void values(const pugi::xml_node& array);
@@ -116,7 +116,7 @@ void VtiFile::grid(const pugi::xml_node& image) {
 }
 
 /// Of several arrays, none of which the file names as the one to be shown.
-void VtiFile::tell_others(const pugi::xml_node& data, const pugi::xml_node& shown, bool unnamed) {
+void VtiFile::report_others(const pugi::xml_node& data, const pugi::xml_node& shown, bool unnamed) {
   const auto arrays = data.children("DataArray");
   const auto count = std::distance(arrays.begin(), arrays.end());
   if (count < 2 || !unnamed) return;
@@ -136,7 +136,7 @@ pugi::xml_node VtiFile::scalars(const pugi::xml_node& piece) {
       if (wanted.empty() || node.attribute("Name").as_string() == wanted) break;
     }
     if (!found) continue;
-    tell_others(data, found, wanted.empty());
+    report_others(data, found, wanted.empty());
     if (std::string_view(place) == "PointData") return found;
     // The middles of the cells.
     for (int k = 0; k < 3; ++k) {

@@ -7,9 +7,9 @@ namespace {
 
 const CairoLibrary& load() {
   const LibraryWords words{"writes PDF and PNG", "or write SVG"};
-  const auto door = reinterpret_cast<CairoLibraryDoor>(
-      library_door(BURIN_CAIRO_LIBRARY, kCairoLibraryDoor, words));
-  const CairoLibrary& cairo = *door();
+  const auto entry = reinterpret_cast<CairoLibraryEntry>(
+      library_entry(BURIN_CAIRO_LIBRARY, kCairoLibraryEntry, words));
+  const CairoLibrary& cairo = *entry();
   check_library_version(BURIN_CAIRO_LIBRARY, cairo.version, words);
   return cairo;
 }

@@ -176,14 +176,14 @@ class Planner {
     how.join = pens_.join;
     if (options_.progress) how.progress = [&](double share) { options_.progress(0.9 * share); };
     plan_.order = pen_order(plan_.paths, how, context_);
-    if (options_.tell) tell_all(given_order(plan_.paths, Vec2(0), context_));
+    if (options_.report) report_all(given_order(plan_.paths, Vec2(0), context_));
     return std::move(plan_);
   }
 
  private:
-  void tell(Severity severity, const char* code, std::size_t count, std::string message) {
-    if (!options_.tell) return;
-    options_.tell({severity, code, static_cast<std::int64_t>(count), std::move(message)});
+  void report(Severity severity, const char* code, std::size_t count, std::string message) {
+    if (!options_.report) return;
+    options_.report({severity, code, static_cast<std::int64_t>(count), std::move(message)});
   }
 
   std::uint32_t group_of(std::uint32_t number) const {
@@ -218,9 +218,9 @@ class Planner {
     }
     for (const auto& [number, of_pen] : colors) {
       if (of_pen.size() < 2) continue;
-      tell(Severity::Info, "pen.colors", of_pen.size(),
-           fmt::format("pen {} draws lines of {} colours in one; {}pens=auto gives each its own",
-                       number, of_pen.size(), group_));
+      report(Severity::Info, "pen.colors", of_pen.size(),
+             fmt::format("pen {} draws lines of {} colours in one; {}pens=auto gives each its own",
+                         number, of_pen.size(), group_));
     }
     for (auto& [number, pen] : pens) plan_.pens.push_back(std::move(pen));
   }
@@ -258,14 +258,15 @@ class Planner {
       pen_of_.push_back(pen.value_or(1));
     }
     if (!unnamed.empty()) {
-      tell(
+      report(
           Severity::Warning, "pen.unnamed", unnamed.size(),
           fmt::format("{}pens names no pen for {}: pen 1 draws it; add *=1, or *=0 to leave it out",
                       group_, fmt::join(unnamed, ", ")));
     }
     if (!left_out.empty()) {
-      tell(Severity::Info, "pen.left_out", left_out.size(),
-           fmt::format("{} is left out: {}pens gives it pen 0", fmt::join(left_out, ", "), group_));
+      report(
+          Severity::Info, "pen.left_out", left_out.size(),
+          fmt::format("{} is left out: {}pens gives it pen 0", fmt::join(left_out, ", "), group_));
     }
   }
 
@@ -350,33 +351,35 @@ class Planner {
     plan_.paths.push_back({plan_.points.back(), closed, group, mark});
   }
 
-  void tell_all(const PenOrder& given) {
+  void report_all(const PenOrder& given) {
     if (plan_.paths.empty()) {
-      tell(Severity::Warning, "pen.empty", 1,
-           "there is no line on the sheet that a pen could draw");
+      report(Severity::Warning, "pen.empty", 1,
+             "there is no line on the sheet that a pen could draw");
     }
     if (cut_ > 0) {
-      tell(Severity::Warning, "pen.cut", cut_,
-           fmt::format("{} lines run off the sheet and are cut at its edge", cut_));
+      report(Severity::Warning, "pen.cut", cut_,
+             fmt::format("{} lines run off the sheet and are cut at its edge", cut_));
     }
     if (swelling_ > 0) {
-      tell(Severity::Warning, "pen.width", swelling_,
-           fmt::format("a pen draws every line in one width: {} lines whose width varies are drawn "
-                       "along their middle; the style plotter shades by their distance alone",
-                       swelling_));
+      report(
+          Severity::Warning, "pen.width", swelling_,
+          fmt::format("a pen draws every line in one width: {} lines whose width varies are drawn "
+                      "along their middle; the style plotter shades by their distance alone",
+                      swelling_));
     }
     if (other_dots_ > 0) {
-      tell(Severity::Warning, "pen.dots", other_dots_,
-           fmt::format(
-               "a pen that is put down makes dots of one size: {} dots are larger or smaller "
-               "in the drawing",
-               other_dots_));
+      report(Severity::Warning, "pen.dots", other_dots_,
+             fmt::format(
+                 "a pen that is put down makes dots of one size: {} dots are larger or smaller "
+                 "in the drawing",
+                 other_dots_));
     }
-    tell(Severity::Info, "pen.travel", plan_.order.lines.size(),
-         fmt::format("{} lines of {:.2f} m; the pen travels {:.2f} m between them ({:.2f} m in the "
-                     "order of the drawing)",
-                     plan_.order.lines.size(), plan_.order.drawn / 1000, plan_.order.travel / 1000,
-                     given.travel / 1000));
+    report(
+        Severity::Info, "pen.travel", plan_.order.lines.size(),
+        fmt::format("{} lines of {:.2f} m; the pen travels {:.2f} m between them ({:.2f} m in the "
+                    "order of the drawing)",
+                    plan_.order.lines.size(), plan_.order.drawn / 1000, plan_.order.travel / 1000,
+                    given.travel / 1000));
   }
 
   const PenOptions& pens_;

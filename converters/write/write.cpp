@@ -3,7 +3,7 @@
 #include <burin/base/error.h>
 #include <burin/converters/output.h>
 #include <burin/converters/write.h>
-#include <burin/drawing/brought_formats.h>
+#include <burin/drawing/added_formats.h>
 
 #include "own_formats.h"
 
@@ -23,13 +23,12 @@ bool among(std::string_view key, const Keys& keys) {
   return std::ranges::any_of(keys, [&](std::string_view k) { return key.starts_with(k); });
 }
 
-Format made_of(const BroughtFormat& brought) {
-  return {
-      brought.name,
-      {std::string(brought.name) + "."},
-      [brought](const Drawing& d, const WriteOptions& o, std::ostream& out, const RunContext& c) {
-        brought.write(d, values_of(o.formats, brought.name, brought.options), out, c);
-      }};
+Format made_of(const AddedFormat& added) {
+  return {added.name,
+          {std::string(added.name) + "."},
+          [added](const Drawing& d, const WriteOptions& o, std::ostream& out, const RunContext& c) {
+            added.write(d, values_of(o.formats, added.name, added.options), out, c);
+          }};
 }
 
 }  // namespace
@@ -38,8 +37,8 @@ const std::vector<Format>& formats() {
   static MadeOfCatalogues<std::vector<Format>> all;
   return all.get([] {
     std::vector<Format> rows = detail::own_formats();
-    for (const BroughtFormat& brought : brought_formats()) {
-      if (!is_own_format(brought.name)) rows.push_back(made_of(brought));
+    for (const AddedFormat& added : added_formats()) {
+      if (!is_own_format(added.name)) rows.push_back(made_of(added));
     }
     return rows;
   });

@@ -4,8 +4,8 @@
 #include <burin/drawing/length.h>
 
 #include "frame_path.h"
-#include "grain.h"
 #include "list_on_sheet.h"
+#include "stroke_directions.h"
 
 #include <fmt/format.h>
 
@@ -228,7 +228,7 @@ void add_callouts(Drawing& drawing, const std::vector<const LabelMap*>& maps, co
   const CalloutSizes sizes(style, largest_number(annotations.items));
   std::vector<Vec2> points;
   for (const Anchor& anchor : anchors) points.push_back(anchor.at);
-  const detail::Grain grain(drawing);
+  const detail::StrokeDirections grain(drawing);
   const CalloutPlaces places =
       place_callouts(points, ink, frame, sizes, style.layout, context,
                      [&](Vec2 from, Vec2 to) { return grain.along(from, to); });
@@ -312,7 +312,7 @@ Margin annotation_margin(const Annotations& annotations, const CalloutOptions& s
   if (!annotations.callouts || annotations.items.empty()) return m;
   const CalloutSizes sizes(style, largest_number(annotations.items));
   const double border = sizes.diameter + sizes.gap;
-  const CalloutRoom room = callout_room(rest, rest, sizes);
+  const CalloutCapacity room = callout_capacity(rest, rest, sizes);
   const std::size_t n = annotations.items.size();
   using Layout = CalloutOptions::Layout;
   const bool rows = style.layout != Layout::Columns || n > 2 * room.column;

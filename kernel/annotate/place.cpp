@@ -57,8 +57,8 @@ struct Share {
 };
 
 /// Whether the numbers of a share stand beside the drawing, not over it.
-bool stands_clear(const Share& share, const Box2& drawing, const Box2& frame,
-                  const CalloutSizes& sizes) {
+bool has_space(const Share& share, const Box2& drawing, const Box2& frame,
+               const CalloutSizes& sizes) {
   constexpr double kRounding = 1e-6;  // paper mm
   const double r = 0.5 * sizes.diameter - kRounding;
   const Sides sides = sides_of(drawing, frame, sizes, share.corners);
@@ -107,7 +107,7 @@ std::optional<Share> any_share(std::size_t n, const Box2& drawing, const Box2& f
 std::optional<Share> share_of(std::size_t n, const Box2& drawing, const Box2& frame,
                               const CalloutSizes& sizes, CalloutOptions::Layout layout) {
   std::optional<Share> share = any_share(n, drawing, frame, sizes, layout);
-  if (share && !stands_clear(*share, drawing, frame, sizes)) share.reset();
+  if (share && !has_space(*share, drawing, frame, sizes)) share.reset();
   return share;
 }
 
@@ -345,7 +345,8 @@ std::vector<double> spread(std::span<const double> wanted, double pitch, double 
   return out;
 }
 
-CalloutRoom callout_room(const Box2& drawing, const Box2& frame, const CalloutSizes& sizes) {
+CalloutCapacity callout_capacity(const Box2& drawing, const Box2& frame,
+                                 const CalloutSizes& sizes) {
   const Sides plain = sides_of(drawing, frame, sizes, false);
   return {plain[Left].room(sizes.pitch), plain[Top].room(sizes.pitch)};
 }

@@ -105,7 +105,7 @@ std::optional<ShapeMeasure> Kinds::measured(std::size_t index) {
     if (end_of_thing(scene_, index) > index + 1) return shape_measure(together(index));
     return listed(scene_.parts[index]).form->measure(context_);
   } catch (const GeometryError& e) {
-    tell(index, e.what());
+    report(index, e.what());
     return std::nullopt;
   }
 }
@@ -120,7 +120,7 @@ std::shared_ptr<const Body> Kinds::body_of(std::size_t index) {
     return std::make_shared<const Body>(
         realised_to_compare(*listed(scene_.parts[index]).form, context_));
   } catch (const GeometryError& e) {
-    tell(index, e.what());
+    report(index, e.what());
     return nullptr;
   }
 }
@@ -144,8 +144,8 @@ ProxyMesh Kinds::together(std::size_t index) const {
   return all;
 }
 
-void Kinds::tell(std::size_t index, const char* why) {
-  if (!told_.insert(index).second) return;
+void Kinds::report(std::size_t index, const char* why) {
+  if (!reported_.insert(index).second) return;
   diagnostics_.add(Severity::Warning, "items.not_measured", 1,
                    fmt::format("{}: counts as an item of its own, as it cannot be compared with "
                                "others of its name: {}",

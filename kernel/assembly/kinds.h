@@ -57,7 +57,7 @@ class Kinds {
   std::shared_ptr<const Body> body_of(std::size_t index);
   /// The triangles of all parts of a thing, as if they were of one.
   ProxyMesh together(std::size_t index) const;
-  void tell(std::size_t index, const char* why);
+  void report(std::size_t index, const char* why);
 
   const Scene& scene_;
   Diagnostics& diagnostics_;
@@ -66,7 +66,7 @@ class Kinds {
   std::map<std::string, std::vector<std::size_t>> by_name_;
   /// The kinds of parts of which bodies were met.
   std::map<const Part*, std::size_t> of_whole_;
-  std::set<std::size_t> told_;
+  std::set<std::size_t> reported_;
 };
 
 }  // namespace burin::detail

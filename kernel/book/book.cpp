@@ -44,7 +44,7 @@ Book make_book(const Scene& scene, const ExplodeModel& model, const std::vector<
   for (const BuildStep& step : build_steps(scene, drawn, steps, item_of, book.build)) {
     context.check();
     out.pages.push_back(maker.make(step, out.pages.size() + 1));
-    tell_once(of_page(out.pages.back().drawing.diagnostics, out.pages.size()), out.diagnostics);
+    append_new(of_page(out.pages.back().drawing.diagnostics, out.pages.size()), out.diagnostics);
   }
   CalloutOptions large = style.callout;
   large.list_height *= 1.4;  // a sheet of its own has room

@@ -206,8 +206,8 @@ class Builder {
 
   void build(const Group& group, const std::string& name, std::size_t quantity) {
     std::vector<Addition> additions;
-    Parts standing = group.parts;
-    for (const ExplodeStep& step : group.steps) standing = without(standing, step.parts);
+    Parts assembled = group.parts;
+    for (const ExplodeStep& step : group.steps) assembled = without(assembled, step.parts);
     for (auto step = group.steps.rbegin(); step != group.steps.rend(); ++step) {
       for (Addition& one : parted(addition_of(*step, group.depth))) {
         if (!additions.empty() && additions.back().kinds == one.kinds) {
@@ -217,15 +217,15 @@ class Builder {
         }
       }
     }
-    build_inside(units_of(scene_, drawn_, standing, group.depth));
+    build_inside(units_of(scene_, drawn_, assembled, group.depth));
     bool begins = true;
-    if (additions.empty()) out_.push_back({{}, standing, true, name, quantity});
+    if (additions.empty()) out_.push_back({{}, assembled, true, name, quantity});
     for (Addition& addition : additions) {
       std::vector<Parts> things;
       for (const BuildMove& move : addition.moves) things.push_back(move.parts);
       build_inside(things);
-      BuildStep page{std::move(addition.moves), standing, begins, name, quantity};
-      standing = page.parts();
+      BuildStep page{std::move(addition.moves), assembled, begins, name, quantity};
+      assembled = page.parts();
       out_.push_back(std::move(page));
       begins = false;
     }
@@ -254,7 +254,7 @@ class Builder {
 }  // namespace
 
 std::vector<std::size_t> BuildStep::parts() const {
-  Parts all = standing;
+  Parts all = assembled;
   for (const BuildMove& move : moves) all.insert(all.end(), move.parts.begin(), move.parts.end());
   std::ranges::sort(all);
   return all;

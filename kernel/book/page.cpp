@@ -127,7 +127,7 @@ class Page {
     for (const std::size_t part : step_.parts()) there[part] = true;
     for (const BuildMove& move : step_.moves) {
       const double by =
-          maker_.model.way_out(move.parts, step_.standing, move.along) + kGap * box.diagonal();
+          maker_.model.way_out(move.parts, step_.assembled, move.along) + kGap * box.diagonal();
       steps.push_back({.parts = move.parts, .along = move.along, .by = by});
     }
     out.moved = moves_of(steps, maker_.scene.parts.size(), 1);
@@ -156,9 +156,9 @@ class Page {
     for (const BuildMove& move : step_.moves) add(move.parts);
     if (step_.begins) {
       const std::vector<std::size_t> things = things_of(maker_.scene);
-      std::map<std::size_t, std::vector<std::size_t>> standing;
-      for (const std::size_t part : step_.standing) standing[things[part]].push_back(part);
-      for (const auto& [first, parts] : standing) add(parts);
+      std::map<std::size_t, std::vector<std::size_t>> assembled;
+      for (const std::size_t part : step_.assembled) assembled[things[part]].push_back(part);
+      for (const auto& [first, parts] : assembled) add(parts);
     }
     return kinds;
   }
@@ -240,7 +240,7 @@ class Page {
     IllustrateOptions options = alone(step_.parts());
     options.trails = scenery.trails;
     if (!step_.begins) {
-      for (const std::size_t part : step_.standing) {
+      for (const std::size_t part : step_.assembled) {
         PartStyle& one = options.part_styles[part];
         one.hatched = false;
         one.style = light(one.style.value_or(maker_.style));
@@ -265,7 +265,7 @@ class Page {
     for (const BuildMove& move : step_.moves) {
       fresh.insert(fresh.end(), move.parts.begin(), move.parts.end());
     }
-    if (step_.begins) fresh.insert(fresh.end(), step_.standing.begin(), step_.standing.end());
+    if (step_.begins) fresh.insert(fresh.end(), step_.assembled.begin(), step_.assembled.end());
     std::ranges::sort(fresh);
     std::map<int, DrawingItem> items;
     for (const std::size_t part : fresh) {

@@ -47,7 +47,7 @@ Look best_look(std::span<const ProxyMesh* const> proxies, const BuildStep& step,
   std::set<std::size_t> before;
   least_seen(sight, step, best.direction, best.up, &before);
   for (const std::size_t part : before) {
-    if (std::ranges::binary_search(step.standing, part)) best.ghosts.push_back(part);
+    if (std::ranges::binary_search(step.assembled, part)) best.ghosts.push_back(part);
   }
   return best;
 }

@@ -22,8 +22,6 @@ PRIVATE_COMMENT = re.compile(r"\b(rooms|(the|this|that|each|every|a|other) room|
 # (part of a path, part of the text): why it may stay.
 ALLOWED = {
     ("freecad_wb/freecad/burin_wb/view/ink.py", "Stand"): "the name of a type",
-    ("kernel/docs/", "rooms.py"): "the name of the program",
-    ("kernel/docs/", "rooms.svg"): "the name of the file",
 }
 
 

@@ -101,7 +101,7 @@ class Sheet {
       return std::tie(a.begin, a.end, a.owner) < std::tie(b.begin, b.end, b.owner);
     });
     std::vector<Stretch> on = without_specks(united(found), open);
-    tell_owners(found, on, open);
+    note_owners(found, on, open);
     return on;
   }
 
@@ -166,7 +166,7 @@ class Sheet {
     return out;
   }
 
-  void tell_owners(const std::vector<Stretch>& found, const std::vector<Stretch>& on,
+  void note_owners(const std::vector<Stretch>& found, const std::vector<Stretch>& on,
                    const OpenedPath& open) {
     std::map<std::size_t, double> lengths;
     for (const Stretch& one : found) {

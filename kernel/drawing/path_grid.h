@@ -28,7 +28,7 @@ class PathGrid {
   /// Tells each stretch of the segment ab, as shares of it, that lies within reach of a segment
   /// that runs the same way (either way round), and the owner of that.
   template <class Tell>
-  void along(Vec2 a, Vec2 b, const Tell& tell) const {
+  void along(Vec2 a, Vec2 b, const Tell& report) const {
     const double length = glm::distance(a, b);
     if (!(length > 0)) return;
     const Vec2 way = (b - a) / length;
@@ -43,7 +43,7 @@ class PathGrid {
       const Segment& s = segments_[i];
       const double own = glm::distance(s.a, s.b);
       if (!(std::abs(glm::dot(way, s.b - s.a)) >= same_way(std::min(own, length)) * own)) continue;
-      if (const auto part = within(a, b, s)) tell(part->first, part->second, s.owner);
+      if (const auto part = within(a, b, s)) report(part->first, part->second, s.owner);
     }
   }
 

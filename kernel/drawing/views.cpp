@@ -52,10 +52,10 @@ void append_view(Drawing& sheet, Drawing&& view) {
   merge_layers(sheet.layers, view.layers);
   move_all(view.areas, sheet.areas);
   add(sheet.stats, view.stats);
-  tell_once(view.diagnostics, sheet.diagnostics);
+  append_new(view.diagnostics, sheet.diagnostics);
 }
 
-void tell_once(const Diagnostics& from, Diagnostics& to) {
+void append_new(const Diagnostics& from, Diagnostics& to) {
   for (const Diagnostic& said : from.entries()) {
     const auto same = [&](const Diagnostic& d) {
       return d.code == said.code && d.message == said.message;

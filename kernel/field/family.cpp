@@ -93,8 +93,8 @@ void add_flats(const std::vector<Border>& borders, const FlatPatches& flats, Lin
 // A border that has next to nothing to say, such as a fillet all round a disc, which agrees with
 // one arm as much as with the other but for chance, leaves its part the first arm: discs alike are
 // drawn alike.
-void keep_first_arms(const std::vector<Border>& borders, std::size_t wedges,
-                     std::vector<double>& sign) {
+void keep_first_directions(const std::vector<Border>& borders, std::size_t wedges,
+                           std::vector<double>& sign) {
   constexpr double kNothing = 0.1;  // of the border's length
   std::vector<double> sum(sign.size() - wedges, 0), length(sum.size(), 0);
   for (const Border& b : borders) {
@@ -218,7 +218,7 @@ std::vector<Vec2> choose_family(const ProxyMesh& proxy, const WedgeGraph& graph,
       minimise(Hierarchy<double>(signs, context), std::move(mass), pull, context);
   join_islands(signs, pull, sign);
   settle_ruled_faces(proxy, graph, kinds, signs, sign, context);
-  if (flats) keep_first_arms(borders, n, sign);
+  if (flats) keep_first_directions(borders, n, sign);
   for_wedges([&](std::size_t w) {
     if (sign[w] < 0) line[w] = -line[w];
   });

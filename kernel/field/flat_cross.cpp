@@ -91,13 +91,13 @@ bool set_round(const std::vector<OutlineEdge>& outline, const TangentBasis& basi
 
 }  // namespace
 
-std::optional<Arms> FlatPatch::at(Vec3 position) const {
+std::optional<CrossDirections> FlatPatch::at(Vec3 position) const {
   if (!center) return arms;
   const Vec3 r = reject(position - *center, normal);
   const double radius = glm::length(r);
   if (radius <= hub) return std::nullopt;
   const Vec3 ray = r / radius, circle = glm::cross(normal, ray);
-  return rays_first ? Arms{ray, circle} : Arms{circle, -ray};
+  return rays_first ? CrossDirections{ray, circle} : CrossDirections{circle, -ray};
 }
 
 void FlatPatch::swap_families() {

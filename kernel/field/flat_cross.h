@@ -9,7 +9,7 @@
 namespace burin::field {
 
 /// The unit directions of a cross; `first` belongs to family 1.
-struct Arms {
+struct CrossDirections {
   Vec3 first{1, 0, 0};
   Vec3 second{0, 1, 0};
 };
@@ -17,14 +17,14 @@ struct Arms {
 /// A flat part: a constant cross, or circles and rays about a centre.
 struct FlatPatch {
   Vec3 normal{0, 0, 1};
-  Arms arms;
+  CrossDirections arms;
   std::optional<Vec3> center;
   /// Whether family 1 is the rays'.
   bool rays_first = false;
   /// Model mm; nearer to the centre than this there is no direction.
   double hub = 0;
 
-  std::optional<Arms> at(Vec3 position) const;
+  std::optional<CrossDirections> at(Vec3 position) const;
   /// Exchanges the families.
   void swap_families();
 };

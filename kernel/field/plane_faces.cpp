@@ -72,7 +72,7 @@ class Planes {
   }
 
   // The direction that strokes have behind a smooth border.
-  Vec3 arm_behind(HalfEdge other, Vec3 otherwise) const {
+  Vec3 direction_behind(HalfEdge other, Vec3 otherwise) const {
     ProxyPoint middle{face_of(other), Vec3(0)};
     middle.bary[other % 3] = middle.bary[next_in_face(other) % 3] = 0.5;
     const Frame frame = surface_.frame(surface_.lift(middle));
@@ -92,7 +92,7 @@ class Planes {
       if (a == b) continue;
       const HalfEdge o = smooth_opposite(h);
       const bool smooth = o != kNoHalfEdge;
-      edges.push_back({0.5 * (a + b), b - a, smooth, smooth ? arm_behind(o, b - a) : b - a});
+      edges.push_back({0.5 * (a + b), b - a, smooth, smooth ? direction_behind(o, b - a) : b - a});
     }
     return flat_cross(normal, edges, options_.fallback).value_or(plain);
   }

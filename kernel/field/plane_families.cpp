@@ -19,7 +19,7 @@ constexpr int kRounds = 4;
 struct Group {
   std::vector<std::size_t> patches;
   Vec3 normal{0};
-  Arms arms;
+  CrossDirections arms;
   double area = 0;
   bool free = true;
   bool swapped = false;

@@ -27,12 +27,12 @@ double smooth_step(double from, double to, double x) {
 }
 
 // The circle of latitude on a ball and the meridian.
-std::optional<Arms> ball_arms(Vec3 normal, Vec3 axis) {
+std::optional<CrossDirections> ball_directions(Vec3 normal, Vec3 axis) {
   constexpr double kPole = 0.03;  // sine of the angle to a pole
   const Vec3 circle = glm::cross(axis, normal);
   const double sine = glm::length(circle);
   if (sine < kPole) return std::nullopt;
-  return Arms{circle / sine, glm::cross(normal, circle / sine)};
+  return CrossDirections{circle / sine, glm::cross(normal, circle / sine)};
 }
 
 // The cross of the exact lines, where there are some to follow: always on cylinders, cones and
@@ -144,7 +144,7 @@ std::optional<Cross> SmoothedField::cross(const FieldQuery& q) const {
   const double certainty = flat >= 0 ? 2 : q.frame.confidence;
   if (flat >= 0 || ball) {
     const auto arms = ball
-                          ? ball_arms(q.frame.normal, *part.ball_axis(at.face))
+                          ? ball_directions(q.frame.normal, *part.ball_axis(at.face))
                           : part.flats.patches[static_cast<std::size_t>(flat)].at(q.point.position);
     if (!arms) return std::nullopt;
     return Cross{arms->first, arms->second, certainty};

@@ -28,7 +28,7 @@ constexpr double kFlatRadius = 2000;
 
 // Strokes on levels ask for a field that has some.
 void check_levels(const HatchStyle& hatch, const IllustrateOptions& options) {
-  if (options.field || !follows_field(hatch) || !stands_on_levels(hatch)) return;
+  if (options.field || !follows_field(hatch) || !uses_level_lines(hatch)) return;
   const field::FieldKind& kind = field::find(hatch.field.name);
   if (kind.has_levels) return;
   std::vector<std::string_view> with;
@@ -76,7 +76,7 @@ HatchPlace place_of(const StrokeSet& strokes, const Camera& camera,
 }
 
 // How a user asks for what stands in.
-std::string stand_in(const PluginError& failed, const HatchRequest& request) {
+std::string fallback(const PluginError& failed, const HatchRequest& request) {
   if (failed.row() == PluginError::Row::Direction) return "hatch.field=" + request.hatch.field.name;
   if (failed.row() == PluginError::Row::Law) return "tone.law=" + request.tone.law;
   return "hatch.placing=" + request.hatch.placing;
@@ -104,10 +104,10 @@ void do_without(const PluginError& failed, const HatchStyle& hatch, HatchRequest
 
 }  // namespace
 
-class HatchGround {
+class HatchPreparation {
  public:
   /// `with_field`: else the caller brings one.
-  HatchGround(HatchPlace place, bool with_field, RunContext& context)
+  HatchPreparation(HatchPlace place, bool with_field, RunContext& context)
       : place_(std::move(place)), surfaces_(flagged(place_)) {
     if (place_.alone) {
       context.begin_stage(RunStage::Build);
@@ -118,8 +118,8 @@ class HatchGround {
         view_probe(before_ ? *before_ : place_.occluders->solid(), place_.camera, place_.parts);
     if (with_field) field_ = make_field(context);
   }
-  HatchGround(const HatchGround&) = delete;
-  HatchGround& operator=(const HatchGround&) = delete;
+  HatchPreparation(const HatchPreparation&) = delete;
+  HatchPreparation& operator=(const HatchPreparation&) = delete;
 
   /// `remembers`: for other strokes over the same surfaces and field.
   Hatching hatch(const HatchRequest& asked, const DepthCue& cue, const IllustrateOptions& options,
@@ -136,12 +136,12 @@ class HatchGround {
     return out;
   }
   Field make_field(const RunContext& context) const;
-  Shown shown(const RunContext& context) const {
+  VisibleSurfaces shown(const RunContext& context) const {
     return {surfaces_,
-            [probe = probe_](Vec2 paper) -> std::optional<ShownPlace> {
+            [probe = probe_](Vec2 paper) -> std::optional<VisiblePlace> {
               const auto hit = probe(paper);
               if (!hit || !hit->hatched) return std::nullopt;
-              return ShownPlace{hit->part, hit->point};
+              return VisiblePlace{hit->part, hit->point};
             },
             &context};
   }
@@ -154,7 +154,7 @@ class HatchGround {
   StrokeMemory memory_;
 };
 
-Field HatchGround::make_field(const RunContext& context) const {
+Field HatchPreparation::make_field(const RunContext& context) const {
   if (!place_.follows_field) {
     return {"none", [](const FieldQuery&) { return std::optional<Cross>(); }};
   }
@@ -169,8 +169,9 @@ Field HatchGround::make_field(const RunContext& context) const {
              .shown = shown(context)});
 }
 
-Hatching HatchGround::hatch(const HatchRequest& asked, const DepthCue& cue,
-                            const IllustrateOptions& options, bool remembers, RunContext& context) {
+Hatching HatchPreparation::hatch(const HatchRequest& asked, const DepthCue& cue,
+                                 const IllustrateOptions& options, bool remembers,
+                                 RunContext& context) {
   double tolerance = 0;
   for (const auto& surface : place_.occluders->surfaces()) {
     tolerance = std::max(tolerance, surface->proxy().tolerance);
@@ -195,12 +196,12 @@ Hatching HatchGround::hatch(const HatchRequest& asked, const DepthCue& cue,
   const StrokeResult& result = made.strokes;
   for (Curve3& stroke : made.strokes.strokes) stroke.stroke_kind = asked.number;
   // Where there is no level there is no line of it to be missed.
-  if (!options.field && place_.follows_field && !stands_on_levels(asked.hatch)) {
+  if (!options.field && place_.follows_field && !uses_level_lines(asked.hatch)) {
     const Tone toned = [&](Vec3 position, Vec3 normal) {
       const double wanted = std::pow(1 - tone(position, normal), result.tone_gamma);
       return 1 - (ink.fade ? ink.fade(position) : 1.0) * wanted;
     };
-    made.undirected = Undirected::look(scene, field, toned, asked.hatch);
+    made.missing_directions = MissingDirections::look(scene, field, toned, asked.hatch);
   }
   return made;
 }
@@ -219,13 +220,13 @@ HatchedParts::Hatchings HatchedParts::hatch(const std::shared_ptr<const Occluder
     return one.request.place.camera != camera || one.request.place.occluders != occluders;
   });
   std::vector<Made> made;
-  const auto ground_of = [&](const HatchPlace& place) {
-    const auto stands = [&](const Made& one) { return one.ground && one.request.place == place; };
+  const auto prepared_for = [&](const HatchPlace& place) {
+    const auto fits = [&](const Made& one) { return one.prepared && one.request.place == place; };
     for (const auto* all : {&made_, &made}) {
-      const auto known = std::ranges::find_if(*all, stands);
-      if (known != all->end()) return known->ground;
+      const auto known = std::ranges::find_if(*all, fits);
+      if (known != all->end()) return known->prepared;
     }
-    return std::make_shared<HatchGround>(place, !options.field, context);
+    return std::make_shared<HatchPreparation>(place, !options.field, context);
   };
   const auto add = [&](const StrokeSet& strokes, std::vector<bool> parts,
                        std::optional<std::size_t> alone) {
@@ -247,25 +248,25 @@ HatchedParts::Hatchings HatchedParts::hatch(const std::shared_ptr<const Occluder
     }
     // Each of the parts that are seen alone has a tree of rays, which is not to stay.
     const bool remembers = keeps && !alone && !options.field;
-    std::shared_ptr<HatchGround> ground;
+    std::shared_ptr<HatchPreparation> prepared;
     auto hatching = std::make_shared<Hatching>();
     HatchRequest tried = request;
     for (std::vector<std::string> failed;;) {
       try {
-        ground = ground_of(tried.place);
-        *hatching = ground->hatch(tried, cue, options, remembers, context);
+        prepared = prepared_for(tried.place);
+        *hatching = prepared->hatch(tried, cue, options, remembers, context);
         hatching->failed = std::move(failed);
         break;
       } catch (const PluginError& e) {
         // A row of each kind, and those that stand in for them are our own.
         do_without(e, *strokes.hatch, tried);
         failed.push_back(
-            fmt::format("{}; the strokes are those of {}", e.what(), stand_in(e, tried)));
+            fmt::format("{}; the strokes are those of {}", e.what(), fallback(e, tried)));
       }
     }
     // The fallback was drawn with another field than the request asks for.
-    if (!remembers || !hatching->failed.empty()) ground.reset();
-    made.push_back({std::move(request), std::move(ground), std::move(hatching)});
+    if (!remembers || !hatching->failed.empty()) prepared.reset();
+    made.push_back({std::move(request), std::move(prepared), std::move(hatching)});
   };
   // Functions of the caller's own cannot be told apart, nor what was added by a name that it had.
   if (options.field || options.tone || growth_ != catalogue_growth()) made_.clear();
@@ -292,7 +293,7 @@ HatchedParts::Hatchings HatchedParts::hatch(const std::shared_ptr<const Occluder
   return out;
 }
 
-StrokeResult told_of(std::span<const std::shared_ptr<const Hatching>> hatchings) {
+StrokeResult stroke_totals(std::span<const std::shared_ptr<const Hatching>> hatchings) {
   StrokeResult all;
   std::int64_t most = 0;
   for (const auto& hatching : hatchings) {
@@ -309,12 +310,12 @@ StrokeResult told_of(std::span<const std::shared_ptr<const Hatching>> hatchings)
   return all;
 }
 
-void tell_failed(const HatchedParts::Hatchings& hatchings, Diagnostics& diagnostics) {
-  std::set<std::string> told;
+void report_failed(const HatchedParts::Hatchings& hatchings, Diagnostics& diagnostics) {
+  std::set<std::string> reported;
   for (const auto& hatching : hatchings) {
-    told.insert(hatching->failed.begin(), hatching->failed.end());
+    reported.insert(hatching->failed.begin(), hatching->failed.end());
   }
-  for (const std::string& text : told) {
+  for (const std::string& text : reported) {
     diagnostics.add(Severity::Warning, "plugin.quarantined", 1, text);
   }
 }

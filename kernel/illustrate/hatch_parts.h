@@ -8,9 +8,9 @@
 #include <burin/stroke/stroke.h>
 
 #include "depth_cue.h"
+#include "missing_directions.h"
 #include "occluders.h"
 #include "part_styles.h"
-#include "undirected.h"
 
 #include <cstdint>
 #include <memory>
@@ -53,12 +53,12 @@ struct HatchRequest {
 };
 
 /// What is made for a place, for as long as strokes stand there.
-class HatchGround;
+class HatchPreparation;
 
 /// The strokes of one request, and where they would have had no direction.
 struct Hatching {
   StrokeResult strokes;
-  std::optional<Undirected::Found> undirected;
+  std::optional<MissingDirections::Found> missing_directions;
   /// Plug-ins that failed, a sentence each: the strokes are those without them.
   std::vector<std::string> failed{};
 };
@@ -77,7 +77,7 @@ class HatchedParts {
  private:
   struct Made {
     HatchRequest request;
-    std::shared_ptr<HatchGround> ground;
+    std::shared_ptr<HatchPreparation> prepared;
     std::shared_ptr<const Hatching> hatching;
   };
   std::vector<Made> made_;
@@ -86,10 +86,10 @@ class HatchedParts {
 };
 
 /// What is to be told of all of them; without the strokes themselves.
-StrokeResult told_of(std::span<const std::shared_ptr<const Hatching>> hatchings);
+StrokeResult stroke_totals(std::span<const std::shared_ptr<const Hatching>> hatchings);
 
 /// Plug-ins that failed, each once.
-void tell_failed(const HatchedParts::Hatchings& hatchings, Diagnostics& diagnostics);
+void report_failed(const HatchedParts::Hatchings& hatchings, Diagnostics& diagnostics);
 
 /// Whether the ink of the whole picture is balanced: it is light and shade that need it. A tone
 /// that a program brings, or that asks for the same ink in any light, is taken as it is.

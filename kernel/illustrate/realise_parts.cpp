@@ -25,8 +25,8 @@ constexpr double kSheetTolerance = 0.05;
 constexpr double kMostSheets = 5;
 
 // A word where a magnified drawing of curved surfaces is coarser than the sheet could show.
-void tell_magnified(const Camera& camera, const Surfaces& surfaces, double tolerance,
-                    Diagnostics& diagnostics) {
+void report_magnified(const Camera& camera, const Surfaces& surfaces, double tolerance,
+                      Diagnostics& diagnostics) {
   const double on_paper = tolerance * camera.scale(), coarser = on_paper / kSheetTolerance;
   constexpr double kRounding = 1e-9;
   if (coarser <= 1 + kRounding) return;
@@ -42,7 +42,7 @@ void tell_magnified(const Camera& camera, const Surfaces& surfaces, double toler
                               coarser * kMostSheets, on_paper));
 }
 
-void tell_left_out(const Part& part, const std::exception_ptr& failed, Diagnostics& diagnostics) {
+void report_left_out(const Part& part, const std::exception_ptr& failed, Diagnostics& diagnostics) {
   try {
     std::rethrow_exception(failed);
   } catch (const GeometryError& e) {
@@ -103,9 +103,9 @@ RealisedParts::Made RealisedParts::made(std::optional<Made> kept,
            .crease_angle = options.crease_angle,
            .curvature = options.curvature};
   if (looks) one.view = *options.view;
-  RealiseOptions told = options;
-  told.diagnostics = &one.said;
-  one.surface = form->realise(told, context);
+  RealiseOptions reported = options;
+  reported.diagnostics = &one.said;
+  one.surface = form->realise(reported, context);
   return one;
 }
 
@@ -172,11 +172,11 @@ Surfaces RealisedParts::realise(const Scene& scene, const Camera& camera,
     if (is_drawn) diagnostics.append(made_[i]->said), ++drawn;
     if (!asked[i].failed) continue;
     if (!first) first = asked[i].failed;
-    tell_left_out(scene.parts[i], asked[i].failed, diagnostics);
+    report_left_out(scene.parts[i], asked[i].failed, diagnostics);
   }
   if (drawn == 0 && first) std::rethrow_exception(first);
   if (!options.tolerance) {
-    tell_magnified(camera, surfaces, realise.tolerance, diagnostics);
+    report_magnified(camera, surfaces, realise.tolerance, diagnostics);
   }
   return surfaces;
 }

@@ -22,7 +22,7 @@ IllustrateOptions options_of(const PlacedView& view, const IllustrateOptions& al
   return options;
 }
 
-void tell_not_shown(const PlacedView& view, Drawing& drawing) {
+void report_not_shown(const PlacedView& view, Drawing& drawing) {
   if (drawing.layers.empty()) {
     drawing.diagnostics.add(Severity::Warning, "detail.empty", 1,
                             "detail " + view.name + " is empty: no line of the drawing is there");
@@ -48,7 +48,7 @@ Drawing draw_view(const Scene& scene, const PlacedView& view, const Style& style
   whole.sheet.clip = false;  // the circle cuts it
   Drawing drawing = session.draw(scene, view.camera, whole, options, context);
   clip_to(*view.within, drawing);
-  tell_not_shown(view, drawing);
+  report_not_shown(view, drawing);
   return drawing;
 }
 

@@ -66,9 +66,9 @@ VerifyOptions verify_options(const Scene& scene, const Camera& camera, const Sty
   VerifyOptions verify{.tolerance = chord_tolerance(scene, camera, options),
                        .outline = style.halo.gap <= 0 && draws_outline(part_styles)};
   for (std::size_t i = 0; i < part_styles.size(); ++i) {
-    verify.parts.push_back(!part_styles.drawn(i)        ? Standing::Absent
-                           : part_styles.transparent(i) ? Standing::Transparent
-                                                        : Standing::Solid);
+    verify.parts.push_back(!part_styles.drawn(i)        ? PartOpacity::Absent
+                           : part_styles.transparent(i) ? PartOpacity::Transparent
+                                                        : PartOpacity::Solid);
     verify.crease_angles.push_back(part_styles.style(i).feature.crease_angle);
   }
   return verify;
@@ -145,16 +145,16 @@ Drawing Stages::draw_lines(const Scene& scene, const Camera& camera, const Style
   const DepthCue cue(proxies, camera, style);
   const HatchedParts::Hatchings hatchings =
       hatched_.hatch(trees, camera, part_styles, cue, style.depth, options, keeps, context);
-  Undirected undirected(scene);
+  MissingDirections missing_directions(scene);
   for (const auto& one : hatchings) {
-    if (one->undirected) undirected.add(*one->undirected);
+    if (one->missing_directions) missing_directions.add(*one->missing_directions);
   }
-  undirected.tell(drawing.diagnostics);
-  tell_failed(hatchings, drawing.diagnostics);
-  StrokeResult told = told_of(hatchings);
-  drawing.stats.coverage_points = told.coverage_points;
-  drawing.stats.coverage_delta = told.coverage_delta;
-  if (states_gamma(part_styles)) drawing.stats.tone_gamma = told.tone_gamma;
+  missing_directions.report(drawing.diagnostics);
+  report_failed(hatchings, drawing.diagnostics);
+  StrokeResult reported = stroke_totals(hatchings);
+  drawing.stats.coverage_points = reported.coverage_points;
+  drawing.stats.coverage_delta = reported.coverage_delta;
+  if (states_gamma(part_styles)) drawing.stats.tone_gamma = reported.tone_gamma;
 
   context.begin_stage(RunStage::Features);
   const std::shared_ptr<Lines> features =
@@ -168,9 +168,9 @@ Drawing Stages::draw_lines(const Scene& scene, const Camera& camera, const Style
   const std::shared_ptr<Spans> spans = seen_.get({features, hatchings}, [&] {
     return std::make_shared<Spans>(features->sight.classify(all.strokes(), context));
   });
-  tell_bounds(told, features->sight.merged_cuts(), drawing.diagnostics);
-  tell_unmapped(scene, std::move(told.unmapped), drawing.diagnostics);
-  tell_unused(part_styles, options, drawing.diagnostics);
+  report_bounds(reported, features->sight.merged_cuts(), drawing.diagnostics);
+  report_unmapped(scene, std::move(reported.unmapped), drawing.diagnostics);
+  report_unused(part_styles, options, drawing.diagnostics);
 
   context.begin_stage(RunStage::Compose);
   const LinesToDraw to_draw{features->sight.features(), features->sight.feature_spans(),

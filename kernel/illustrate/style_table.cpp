@@ -2,7 +2,7 @@
 
 #include <burin/base/catalogue.h>
 #include <burin/base/error.h>
-#include <burin/drawing/brought_formats.h>
+#include <burin/drawing/added_formats.h>
 #include <burin/options/meant.h>
 
 #include <fmt/format.h>
@@ -160,9 +160,9 @@ std::vector<StyleRow> all_rows() {
   rows.of_whole("dxf.", &Style::dxf, dxf_option_rows());
   rows.of_whole("hpgl.", &Style::hpgl, hpgl_option_rows());
   rows.of_whole("gcode.", &Style::gcode, gcode_option_rows());
-  std::vector<OptionRow<Style>> brought;
-  options::append_declared(brought, &Style::formats, brought_formats());
-  rows.add(brought, true);
+  std::vector<OptionRow<Style>> added;
+  options::append_declared(added, &Style::formats, added_formats());
+  rows.add(added, true);
   return rows.take();
 }
 

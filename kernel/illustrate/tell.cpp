@@ -60,7 +60,7 @@ Drawing describe(const Scene& scene, std::span<const ProxyMesh* const> proxies,
   return drawing;
 }
 
-void tell_bounds(const StrokeResult& strokes, double merged_cuts, Diagnostics& diagnostics) {
+void report_bounds(const StrokeResult& strokes, double merged_cuts, Diagnostics& diagnostics) {
   if (strokes.thinned_parts > 0) {
     diagnostics.add(Severity::Warning, "stroke.many_sheets", strokes.thinned_parts,
                     "parts lie in so many sheets over each other that strokes were begun at fewer "
@@ -76,7 +76,8 @@ void tell_bounds(const StrokeResult& strokes, double merged_cuts, Diagnostics& d
   }
 }
 
-void tell_unmapped(const Scene& scene, std::vector<std::int32_t> parts, Diagnostics& diagnostics) {
+void report_unmapped(const Scene& scene, std::vector<std::int32_t> parts,
+                     Diagnostics& diagnostics) {
   std::ranges::sort(parts);
   parts.erase(std::unique(parts.begin(), parts.end()), parts.end());
   if (parts.empty()) return;
@@ -93,14 +94,15 @@ void tell_unmapped(const Scene& scene, std::vector<std::int32_t> parts, Diagnost
 namespace {
 
 // Of styles of some parts, what they have that holds for the whole drawing.
-void tell_of_whole(const PartStyles& part_styles, bool annotated, std::set<std::string>& told) {
+void report_whole_drawing_keys(const PartStyles& part_styles, bool annotated,
+                               std::set<std::string>& reported) {
   const Style& whole = *part_styles.styles().front();
   for (const Style* style : part_styles.styles()) {
     std::vector<std::string> keys = keys_without_effect(*style, whole);
     if (!annotated)
       std::erase_if(keys, [](const auto& key) { return key.starts_with("callout."); });
     if (keys.empty()) continue;
-    told.insert(
+    reported.insert(
         fmt::format("{} of style '{}', which some parts have, {} no effect: such keys hold "
                     "for the whole drawing (line.color is the colour of a part's lines)",
                     fmt::join(keys, ", "), style->name, keys.size() > 1 ? "have" : "has"));
@@ -109,30 +111,30 @@ void tell_of_whole(const PartStyles& part_styles, bool annotated, std::set<std::
 
 }  // namespace
 
-void tell_unused(const PartStyles& part_styles, const IllustrateOptions& options,
-                 Diagnostics& diagnostics) {
-  std::set<std::string> told;
-  tell_of_whole(part_styles, options.annotations.has_value(), told);
+void report_unused(const PartStyles& part_styles, const IllustrateOptions& options,
+                   Diagnostics& diagnostics) {
+  std::set<std::string> reported;
+  report_whole_drawing_keys(part_styles, options.annotations.has_value(), reported);
   for (const StrokeSet& strokes : part_styles.strokes()) {
     const HatchStyle& hatch = *strokes.hatch;
     const std::string group = kind_group(static_cast<std::size_t>(strokes.number));
     if (!takes_motif(hatch)) {
-      const auto tell = [&](const char* key) {
-        told.insert(
+      const auto report = [&](const char* key) {
+        reported.insert(
             fmt::format("{0}{1} has no effect: it is for strokes on points ({0}placing points, "
                         "discs), not {2}",
                         group, key, hatch.placing));
       };
-      if (hatch.length_law != HatchOptions().length_law) tell("length_law");
-      if (hatch.has_motif()) tell("motif");
+      if (hatch.length_law != HatchOptions().length_law) report("length_law");
+      if (hatch.has_motif()) report("motif");
     }
     const tone::ToneOptions& tone = *strokes.tone;
     if (!options.tone && tone.shadow > 0 && !tone::find(tone.law).uses_light) {
-      told.insert(fmt::format("{0}tone.shadow has no effect: {0}tone.law {1} looks at no light",
-                              strokes.number == 1 ? "" : group, tone.law));
+      reported.insert(fmt::format("{0}tone.shadow has no effect: {0}tone.law {1} looks at no light",
+                                  strokes.number == 1 ? "" : group, tone.law));
     }
   }
-  for (const std::string& text : told) {
+  for (const std::string& text : reported) {
     diagnostics.add(Severity::Warning, "option.unused", 1, text);
   }
 }

@@ -21,13 +21,13 @@ Drawing describe(const Scene& scene, std::span<const ProxyMesh* const> proxies,
                  const Camera& camera, const Style& style, std::uint64_t seed);
 
 /// What was done with less care so that the work stays bounded. `merged_cuts`: see VisibilityMap.
-void tell_bounds(const StrokeResult& strokes, double merged_cuts, Diagnostics& diagnostics);
+void report_bounds(const StrokeResult& strokes, double merged_cuts, Diagnostics& diagnostics);
 
 /// Parts on which laws of u and v say nothing.
-void tell_unmapped(const Scene& scene, std::vector<std::int32_t> parts, Diagnostics& diagnostics);
+void report_unmapped(const Scene& scene, std::vector<std::int32_t> parts, Diagnostics& diagnostics);
 
 /// Choices of strokes that nothing of the drawing looks at, each once.
-void tell_unused(const PartStyles& part_styles, const IllustrateOptions& options,
-                 Diagnostics& diagnostics);
+void report_unused(const PartStyles& part_styles, const IllustrateOptions& options,
+                   Diagnostics& diagnostics);
 
 }  // namespace burin::detail

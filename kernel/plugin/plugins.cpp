@@ -2,7 +2,7 @@
 #include <burin/base/platform.h>
 #include <burin/plugin/plugins.h>
 
-#include "brought.h"
+#include "added.h"
 #include "probe.h"
 #include "rows.h"
 #include "search.h"
@@ -107,13 +107,14 @@ const burin_plugin_table* table_of(const std::filesystem::path& file, std::strin
     fault = fmt::format("it cannot be loaded: {}", why);
     return nullptr;
   }
-  using Door = const burin_plugin_table* (*)(std::uint32_t);
-  const auto door = reinterpret_cast<Door>(platform::symbol_in(library, "burin_plugin"));
-  if (door == nullptr) {
+  using EntryPoint = const burin_plugin_table* (*)(std::uint32_t);
+  const auto entry_point =
+      reinterpret_cast<EntryPoint>(platform::symbol_in(library, "burin_plugin"));
+  if (entry_point == nullptr) {
     fault = "it has no symbol burin_plugin";
     return nullptr;
   }
-  const burin_plugin_table* const table = door(BURIN_PLUGIN_ABI);
+  const burin_plugin_table* const table = entry_point(BURIN_PLUGIN_ABI);
   fault = fault_of(table);
   return fault.empty() ? table : nullptr;
 }
@@ -191,7 +192,7 @@ void load_all(bool again) {
 }
 
 std::vector<Plugin> plugins() {
-  const std::vector<Plugin> own = brought();
+  const std::vector<Plugin> own = added();
   Loaded& all = loaded();
   const std::lock_guard lock(all.mutex);
   std::vector<Plugin> out = all.found;

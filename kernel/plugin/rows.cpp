@@ -55,7 +55,7 @@ void check(PluginError::Row row, const Source& source, std::int32_t code,
        fmt::format("{} (error {}){}{}", word_of(code), code, message.empty() ? "" : ": ", message));
 }
 
-burin_view view_of(const Camera& camera, const Shown& shown, Vec3 to_light, Vec3 axis) {
+burin_view view_of(const Camera& camera, const VisibleSurfaces& shown, Vec3 to_light, Vec3 axis) {
   burin_view view{};
   set(view.to_viewer, camera.direction());
   set(view.right, camera.right());

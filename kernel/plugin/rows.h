@@ -4,7 +4,7 @@
 #include <burin/base/plugin_error.h>
 #include <burin/camera/camera.h>
 #include <burin/plugin.h>
-#include <burin/surface/shown.h>
+#include <burin/surface/visible_surfaces.h>
 
 #include <memory>
 #include <mutex>
@@ -45,7 +45,7 @@ inline void clear(burin_error& error) {
   error.message[0] = '\0';
 }
 
-burin_view view_of(const Camera& camera, const Shown& shown, Vec3 to_light, Vec3 axis);
+burin_view view_of(const Camera& camera, const VisibleSurfaces& shown, Vec3 to_light, Vec3 axis);
 
 /// What `make` of a factory made. Shared by all threads of a drawing.
 class Self {

@@ -89,7 +89,7 @@ std::vector<burin_value> fallbacks(const burin_factory& f) {
 }
 
 /// What one function of a plug-in came to.
-std::string told(const char* what, std::int32_t code, const burin_error& error) {
+std::string reported(const char* what, std::int32_t code, const burin_error& error) {
   if (code == BURIN_OK) return {};
   const std::string_view text(error.message, ::strnlen(error.message, sizeof error.message));
   return std::string(what) + " gives error " + std::to_string(code) +
@@ -126,21 +126,23 @@ std::string try_direction(const burin_factory& f) {
   const auto& d = *static_cast<const burin_direction_1*>(f.functions);
   burin_error error{};
   Made made(d.destroy);
-  std::string fault = told("make", d.make(&kView, fallbacks(f).data(), &made.self, &error), error);
+  std::string fault =
+      reported("make", d.make(&kView, fallbacks(f).data(), &made.self, &error), error);
   if (!fault.empty()) return fault;
   made.whole = true;
   const Places places;
   Filled a(3 * kPlaces), b(3 * kPlaces), certainty(kPlaces, 0.5);
   const burin_points all = places.from(0, kPlaces);
-  fault = told("directions",
+  fault =
+      reported("directions",
                d.directions(made.self, &all, a.data(), b.data(), certainty.data(), &error), error);
   fault = first({fault, a.fault(), b.fault(), certainty.fault()});
   for (std::size_t i = 0; i < kPlaces && fault.empty(); ++i) {
     Filled one(3), second(3), sure(1, 0.5);
     const burin_points at = places.from(i, 1);
-    fault =
-        told("directions",
-             d.directions(made.self, &at, one.data(), second.data(), sure.data(), &error), error);
+    fault = reported("directions",
+                     d.directions(made.self, &at, one.data(), second.data(), sure.data(), &error),
+                     error);
     fault = first({fault, one.fault(), second.fault(), sure.fault()});
     for (std::size_t k = 0; k < 3 && fault.empty(); ++k) {
       if (one[k] != a[3 * i + k] || second[k] != b[3 * i + k]) fault = kOneByOne;
@@ -154,22 +156,22 @@ std::string try_law(const burin_factory& f) {
   burin_error error{};
   Made made(law.destroy);
   std::string fault =
-      told("make", law.make(&kView, fallbacks(f).data(), &made.self, &error), error);
+      reported("make", law.make(&kView, fallbacks(f).data(), &made.self, &error), error);
   if (!fault.empty()) return fault;
   made.whole = true;
   const Places places;
   Filled all(kPlaces);
-  fault = told("reflectances",
-               law.reflectances(made.self, kPlaces, places.position.data(), places.normal.data(),
-                                all.data(), &error),
-               error);
+  fault = reported("reflectances",
+                   law.reflectances(made.self, kPlaces, places.position.data(),
+                                    places.normal.data(), all.data(), &error),
+                   error);
   fault = first({fault, all.fault()});
   for (std::size_t i = 0; i < kPlaces && fault.empty(); ++i) {
     Filled one(1);
-    fault = told("reflectances",
-                 law.reflectances(made.self, 1, &places.position[3 * i], &places.normal[3 * i],
-                                  one.data(), &error),
-                 error);
+    fault = reported("reflectances",
+                     law.reflectances(made.self, 1, &places.position[3 * i], &places.normal[3 * i],
+                                      one.data(), &error),
+                     error);
     fault = first({fault, one.fault()});
     if (fault.empty() && one[0] != all[i]) fault = kOneByOne;
   }
@@ -180,7 +182,8 @@ std::string try_marks(const burin_factory& f) {
   const auto& k = *static_cast<const burin_stroke_kind_1*>(f.functions);
   burin_error error{};
   Made made(k.destroy);
-  std::string fault = told("make", k.make(&kView, fallbacks(f).data(), &made.self, &error), error);
+  std::string fault =
+      reported("make", k.make(&kView, fallbacks(f).data(), &made.self, &error), error);
   if (!fault.empty()) return fault;
   made.whole = true;
   const Places places;
@@ -194,8 +197,8 @@ std::string try_marks(const burin_factory& f) {
   std::vector<std::uint32_t> count(kPlaces + kBeyond, 0);
   std::vector<unsigned char> begins(k.most * kPlaces + kBeyond, 0);
   Filled points(2 * k.most * kPlaces);
-  fault = told("marks", k.marks(made.self, &at, count.data(), points.data(), begins.data(), &error),
-               error);
+  fault = reported(
+      "marks", k.marks(made.self, &at, count.data(), points.data(), begins.data(), &error), error);
   fault = first({fault, points.fault()});
   for (std::size_t i = 0; i < count.size() && fault.empty(); ++i) {
     if (count[i] > (i < kPlaces ? k.most : 0)) fault = "gives more points than a mark may have";
@@ -206,7 +209,7 @@ std::string try_marks(const burin_factory& f) {
 std::string try_function(const burin_form_1& s, const void* self) {
   burin_error error{};
   double low[3]{}, high[3]{};
-  std::string fault = told("bounds", s.bounds(self, low, high, &error), error);
+  std::string fault = reported("bounds", s.bounds(self, low, high, &error), error);
   for (int i = 0; i < 3 && fault.empty(); ++i) {
     if (!(std::isfinite(low[i]) && std::isfinite(high[i]) && low[i] < high[i])) {
       fault = "has bounds that are no box";
@@ -219,12 +222,12 @@ std::string try_function(const burin_form_1& s, const void* self) {
     at.push_back(low[i % 3] + share * (high[i % 3] - low[i % 3]));
   }
   Filled values(kPlaces), gradients(3 * kPlaces), alone(kPlaces);
-  fault = told("values",
-               s.values(self, kPlaces, at.data(), values.data(), gradients.data(), &error), error);
+  fault = reported(
+      "values", s.values(self, kPlaces, at.data(), values.data(), gradients.data(), &error), error);
   fault = first({fault, values.fault(), gradients.fault()});
   if (fault.empty()) {
-    fault =
-        told("values", s.values(self, kPlaces, at.data(), alone.data(), nullptr, &error), error);
+    fault = reported("values", s.values(self, kPlaces, at.data(), alone.data(), nullptr, &error),
+                     error);
     fault = first({fault, alone.fault()});
   }
   for (std::size_t i = 0; i < kPlaces && fault.empty(); ++i) {
@@ -237,7 +240,7 @@ std::string try_patch(const burin_form_1& s, const void* self) {
   burin_error error{};
   double domain[4]{};
   std::int32_t closed[2]{};
-  std::string fault = told("domain", s.domain(self, domain, closed, &error), error);
+  std::string fault = reported("domain", s.domain(self, domain, closed, &error), error);
   for (int i = 0; i < 4 && fault.empty(); ++i) {
     if (!std::isfinite(domain[i])) fault = "has a domain that is no rectangle";
   }
@@ -252,9 +255,9 @@ std::string try_patch(const burin_form_1& s, const void* self) {
                             : domain[2] + share * (domain[3] - domain[2]));
   }
   Filled position(3 * kPlaces), du(3 * kPlaces), dv(3 * kPlaces);
-  fault = told("points",
-               s.points(self, kPlaces, uv.data(), position.data(), du.data(), dv.data(), &error),
-               error);
+  fault = reported(
+      "points", s.points(self, kPlaces, uv.data(), position.data(), du.data(), dv.data(), &error),
+      error);
   return first({fault, position.fault(), du.fault(), dv.fault()});
 }
 
@@ -262,7 +265,7 @@ std::string try_form(const burin_factory& f) {
   const auto& s = *static_cast<const burin_form_1*>(f.functions);
   burin_error error{};
   Made made(s.destroy);
-  std::string fault = told("make", s.make(fallbacks(f).data(), &made.self, &error), error);
+  std::string fault = reported("make", s.make(fallbacks(f).data(), &made.self, &error), error);
   if (!fault.empty()) return fault;
   made.whole = true;
   return s.values != nullptr ? try_function(s, made.self) : try_patch(s, made.self);

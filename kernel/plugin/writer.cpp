@@ -1,4 +1,4 @@
-#include <burin/drawing/brought_formats.h>
+#include <burin/drawing/added_formats.h>
 
 #include "declared.h"
 #include "rows.h"
@@ -87,7 +87,7 @@ void write(const Source& source, const Drawing& drawing, const std::vector<Optio
 }  // namespace
 
 void add_writer(const Source& source) {
-  add(BroughtFormat{
+  add(AddedFormat{
       .name = source.functions<burin_writer_1>().suffix,
       .meaning = source.factory->meaning,
       .write = [source](const Drawing& d, const std::vector<OptionValue>& values, std::ostream& out,

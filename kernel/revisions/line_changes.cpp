@@ -341,7 +341,7 @@ Drawing overlay(const RevisionDrawings& drawings, const LineDifference& differen
   // Finished drawings have left no room for it.
   if (const double foot = foot_of(out); foot < top) raise(out, top - foot);
   std::ranges::move(legend.layers, std::back_inserter(out.layers));
-  tell_once(after.diagnostics, out.diagnostics);
+  append_new(after.diagnostics, out.diagnostics);
   return out;
 }
 

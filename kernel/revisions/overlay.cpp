@@ -74,7 +74,7 @@ class Overlay {
     out_.parts = after_.parts;
     out_.diagnostics = after_.diagnostics;
     out_.stats = after_.stats;
-    tell_once(before_.diagnostics, out_.diagnostics);
+    append_new(before_.diagnostics, out_.diagnostics);
     for (DrawingPart part : before_.parts) {
       part.id = id_of_before(part.id);
       out_.parts.push_back(std::move(part));

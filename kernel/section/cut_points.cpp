@@ -36,7 +36,7 @@ Vec3 Cutter::find_between(const CutTriangle& t, std::size_t low, std::size_t hig
   const auto on_border = [&](std::uint32_t v) {
     return v >= on_some_plane_.size() || on_some_plane_[v] != 0;
   };
-  if ((on_border(a) && on_border(b)) || !stands_on_surface(t)) return chord;
+  if ((on_border(a) && on_border(b)) || !is_on_surface(t)) return chord;
   // False position; it halves what the side that stays says (Illinois). Bracketed, so that it ends.
   double from = 0, to = 1, at_from = height_[a], at_to = height_[b], share = out.share;
   for (int i = 0; i < kMostSteps; ++i) {
@@ -61,7 +61,7 @@ Vec3 Cutter::find_between(const CutTriangle& t, std::size_t low, std::size_t hig
 
 /// In files whose edges and faces do not fit, corners stand off it: then nothing is moved, for what
 /// is moved must not stand beside what is not.
-bool Cutter::stands_on_surface(const CutTriangle& t) const {
+bool Cutter::is_on_surface(const CutTriangle& t) const {
   constexpr double kFits = 10;  // times what lies on the plane
   if (!lift_ || t.piece.facet == kNoFacet) return false;
   for (std::size_t k = 0; k < 3; ++k) {
@@ -75,7 +75,7 @@ bool Cutter::stands_on_surface(const CutTriangle& t) const {
 /// it moves to where both and the plane meet.
 void Cutter::move_onto_edge(const CutTriangle& t, Vec3 bary, const Between& at) {
   constexpr double kTangent = 0.05;  // sine: where faces go on into each other none says where
-  if (at.lifted.normal == Vec3(0) || !stands_on_surface(t)) return;
+  if (at.lifted.normal == Vec3(0) || !is_on_surface(t)) return;
   const Lifted other = lift_(t.piece.facet, bary);
   const Vec3 &n1 = at.lifted.normal, &n2 = other.normal;
   const double det = glm::dot(plane_.normal, glm::cross(n1, n2));

@@ -71,7 +71,7 @@ class Cutter {
   void divide(const CutTriangle& t, std::vector<CutTriangle>* near, std::vector<CutTriangle>* far);
   Corner between(const CutTriangle& t, std::size_t k, std::size_t j);
   Vec3 find_between(const CutTriangle& t, std::size_t low, std::size_t high, Between& out) const;
-  bool stands_on_surface(const CutTriangle& t) const;
+  bool is_on_surface(const CutTriangle& t) const;
   void move_onto_edge(const CutTriangle& t, Vec3 bary, const Between& at);
   void add_polygon(Polygon polygon, const FacetPiece& piece, std::vector<CutTriangle>& out) const;
   bool close(const CutPlane& plane, std::int32_t number, std::span<const CutTriangle> near,

@@ -60,8 +60,8 @@ struct Picture {
   /// How strokes stand: each keeps its distance from the next; on points, where they lie over each
   /// other as chance has it; on points that keep clear of each other; as dots on such points; or
   /// along whole steps of what the field keeps.
-  enum class Standing { Apart, Points, Discs, Dots, Levels };
-  Standing standing = Standing::Apart;
+  enum class PlacementKind { Apart, Points, Discs, Dots, Levels };
+  PlacementKind placement_kind = PlacementKind::Apart;
   /// What stands on points in the place of strokes; null: strokes.
   const Motif* motif = nullptr;
   /// Marks from elsewhere, a motif each; null: `motif` is the same on all points.
@@ -73,12 +73,14 @@ struct Picture {
 
   /// The same picture with lines that follow another field, which has to live as long.
   Picture following(const Field& other) const {
-    return {surfaces, camera,  other, tone,     probe, options, seed,   same_place,
-            balance,  shaping, laws,  standing, motif, marks,   memory, level_step};
+    return {surfaces, camera,  other, tone,           probe, options, seed,   same_place,
+            balance,  shaping, laws,  placement_kind, motif, marks,   memory, level_step};
   }
 
-  bool by_chance() const { return standing != Standing::Apart && standing != Standing::Levels; }
-  bool dots() const { return standing == Standing::Dots; }
+  bool by_chance() const {
+    return placement_kind != PlacementKind::Apart && placement_kind != PlacementKind::Levels;
+  }
+  bool dots() const { return placement_kind == PlacementKind::Dots; }
 
   /// Where strokes are laid: the sheet, and so much beside it that the strokes at its edge have
   /// neighbours on both sides.
@@ -206,10 +208,10 @@ struct Picture {
   /// mm long, pens up to 0.2 and 0.4 mm: widths that are evened out make it about 0.04 on points;
   /// on discs it is 0.09 to 0.32, by how far a stroke reaches beyond its disc; of dots 0.65.
   double clearing() const {
-    switch (standing) {
-      case Standing::Dots:
+    switch (placement_kind) {
+      case PlacementKind::Dots:
         return 0.65;
-      case Standing::Discs: {
+      case PlacementKind::Discs: {
         if (motif) return 0.5;  // next to none lies over another
         const double width = 0.5 * (options.width_min + options.width_max);
         return std::min(0.65, 0.85 * std::sqrt(width / options.length));
@@ -229,7 +231,7 @@ struct Picture {
   /// ... and nothing else does: the pen has one width, or next to.
   bool one_pen() const {
     constexpr double kSame = 1.2;
-    return standing == Standing::Apart && options.width_max <= kSame * options.width_min;
+    return placement_kind == PlacementKind::Apart && options.width_max <= kSame * options.width_min;
   }
 
   /// Distance between neighbours of a family that is to cover a share `ink` of the paper: always

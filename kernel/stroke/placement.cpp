@@ -311,7 +311,7 @@ Family place_family(const Picture& picture, const ViewRaster& raster,
 }
 
 // Whether the lines of the first family stand where they do whatever the tone is.
-bool stands_in_any_light(const Picture& picture) {
+bool ignores_light(const Picture& picture) {
   return picture.swells() && picture.laws->density.plain() && !(picture.level_step > 0);
 }
 
@@ -324,7 +324,7 @@ std::vector<Family> place_families(const Picture& picture, const ViewRaster& ras
                           Family{{}, SampleGrid({0, 0}, {0, 0}, 1)});
   SharedProgress done(static_cast<double>(families * kSteps), progress);
   Remembered mine;
-  Remembered& memory = picture.memory && stands_in_any_light(picture) ? *picture.memory : mine;
+  Remembered& memory = picture.memory && ignores_light(picture) ? *picture.memory : mine;
   // Narrow faces are found on the graph of the field as it is.
   if (!memory.graph) memory.graph = wave_graph(picture, raster, 1, context);
   FaceSet narrow;

@@ -40,13 +40,13 @@ GrowingCatalogue<Placing>& all() {
   static GrowingCatalogue<Placing> placings({
       {"even", "long lines at even distances", cover_cells, place_lines, even_load},
       {"points", "a short stroke on each of many independent random points", cover_points,
-       place_on_points, points_load, Picture::Standing::Points},
+       place_on_points, points_load, Picture::PlacementKind::Points},
       {"discs", "the same, on points that keep clear of each other", cover_discs, place_on_points,
-       points_load, Picture::Standing::Discs},
+       points_load, Picture::PlacementKind::Discs},
       {"dots", "a dot on each of points that keep clear of each other", cover_discs, place_dots,
-       dots_load, Picture::Standing::Dots},
+       dots_load, Picture::PlacementKind::Dots},
       {"levels", "a line wherever what the field keeps is a whole number of hatch.level_step",
-       cover_cells, place_levels, even_load, Picture::Standing::Levels},
+       cover_cells, place_levels, even_load, Picture::PlacementKind::Levels},
   });
   return placings;
 }
@@ -77,22 +77,25 @@ std::span<const MarkKind> mark_kinds() { return detail::all_marks().rows(); }
 
 void add(MarkKind kind) {
   detail::all().add({kind.name, kind.meaning, detail::cover_discs, detail::place_on_points,
-                     detail::points_load, detail::Picture::Standing::Discs});
+                     detail::points_load, detail::Picture::PlacementKind::Discs});
   detail::all_marks().add(std::move(kind));
 }
 
 bool follows_field(const HatchOptions& options) {
-  return detail::find_placing(options.placing).standing != detail::Picture::Standing::Dots;
+  return detail::find_placing(options.placing).placement_kind !=
+         detail::Picture::PlacementKind::Dots;
 }
 
-bool stands_on_levels(const HatchOptions& options) {
-  return detail::find_placing(options.placing).standing == detail::Picture::Standing::Levels;
+bool uses_level_lines(const HatchOptions& options) {
+  return detail::find_placing(options.placing).placement_kind ==
+         detail::Picture::PlacementKind::Levels;
 }
 
 bool takes_motif(const HatchOptions& options) {
-  using enum detail::Picture::Standing;
-  const auto standing = detail::find_placing(options.placing).standing;
-  return (standing == Points || standing == Discs) && !detail::find_mark(options.placing);
+  using enum detail::Picture::PlacementKind;
+  const auto placement_kind = detail::find_placing(options.placing).placement_kind;
+  return (placement_kind == Points || placement_kind == Discs) &&
+         !detail::find_mark(options.placing);
 }
 
 }  // namespace burin

@@ -32,7 +32,7 @@ struct Placing {
     double strokes = 0;  // how many; 0 where they are long
   };
   Load (*load)(const Picture&, double ink);
-  Picture::Standing standing = Picture::Standing::Apart;
+  Picture::PlacementKind placement_kind = Picture::PlacementKind::Apart;
 };
 
 /// All of them, the usual one first.

@@ -49,7 +49,8 @@ double density(const Picture& picture, double ink) {
     return std::min(picture.laid(ink) / dot_area(width), clear(o.spacing_min));
   }
   const double many = picture.laid(ink) / (width * mean_length(picture));
-  const bool motifs_clear = picture.motif && picture.standing == Picture::Standing::Discs;
+  const bool motifs_clear =
+      picture.motif && picture.placement_kind == Picture::PlacementKind::Discs;
   return motifs_clear ? std::min(many, clear(std::max(o.length, o.spacing_min))) : many;
 }
 
@@ -87,16 +88,17 @@ std::optional<TracedStroke> dot_at(const Picture& picture, const Seed& seed) {
 
 // What a part shows: paper mm2, the points that its strokes of one family ask for, and the most
 // that a mm2 of its surface gets, in points a paper mm2 seen square on.
-struct Shown {
+struct VisiblePart {
   double area = 0, points = 0, densest = 0;
 };
 
-std::vector<Shown> shown_by_part(const Picture& picture, const ViewRaster& raster, int family) {
-  std::vector<Shown> shown(picture.surfaces.size());
+std::vector<VisiblePart> visible_by_part(const Picture& picture, const ViewRaster& raster,
+                                         int family) {
+  std::vector<VisiblePart> shown(picture.surfaces.size());
   const double cell = raster.pitch * raster.pitch;
   for (const RasterCell& c : raster.cells) {
     if (c.part < 0) continue;
-    Shown& s = shown[static_cast<std::size_t>(c.part)];
+    VisiblePart& s = shown[static_cast<std::size_t>(c.part)];
     s.area += cell;
     const double many = c.denser * density(picture, picture.share(c.darkness, family));
     s.points += cell * many;
@@ -135,7 +137,7 @@ class PointCover {
         context_(context) {}
 
   void run() {
-    const std::vector<Shown> shown = shown_by_part(picture_, raster_, family_);
+    const std::vector<VisiblePart> shown = visible_by_part(picture_, raster_, family_);
     for (std::size_t part = 0; part < shown.size(); ++part) {
       if (shown[part].points > 0) cover(static_cast<std::int32_t>(part), shown[part]);
     }
@@ -143,7 +145,7 @@ class PointCover {
 
  private:
   // Asks the surface for so many points that enough of them are seen.
-  void cover(std::int32_t part, const Shown& shown) {
+  void cover(std::int32_t part, const VisiblePart& shown) {
     const Surface& surface = picture_.surface(part);
     const Box2 box = box_of(raster_);
     const double sheets = projected_area(surface, picture_.camera, box) / shown.area;

@@ -12,16 +12,17 @@ namespace burin::detail {
 /// must not call back.
 class SharedProgress {
  public:
-  SharedProgress(double all, const std::function<void(double)>& tell) : all_(all), tell_(tell) {}
+  SharedProgress(double all, const std::function<void(double)>& report)
+      : all_(all), report_(report) {}
 
   void add(std::size_t count) {
     const std::size_t sum = done_ += count;
-    if (std::this_thread::get_id() == caller_) tell_(static_cast<double>(sum) / all_);
+    if (std::this_thread::get_id() == caller_) report_(static_cast<double>(sum) / all_);
   }
 
  private:
   double all_;
-  const std::function<void(double)>& tell_;
+  const std::function<void(double)>& report_;
   std::thread::id caller_ = std::this_thread::get_id();
   std::atomic<std::size_t> done_{0};
 };

@@ -312,7 +312,7 @@ StrokeResult trace_strokes(std::span<const Surface* const> surfaces, const Camer
   const Laws laws(options, ink.keys, ink.image);
   HatchOptions own = options;
   if (!follows_field(options)) own.cross_from = 2;  // dots do not cross
-  if (placing.standing == Picture::Standing::Levels) own.cross_from = 2;
+  if (placing.placement_kind == Picture::PlacementKind::Levels) own.cross_from = 2;
   std::optional<Motif> motif;
   if (options.has_motif() && takes_motif(options)) {
     // Paper mm that lines may be off a motif's curves.
@@ -322,7 +322,7 @@ StrokeResult trace_strokes(std::span<const Surface* const> surfaces, const Camer
   }
   Marks marks;
   if (const MarkKind* kind = find_mark(options.placing)) {
-    marks = kind->make({camera, options, Shown{surfaces, {}, &context}});
+    marks = kind->make({camera, options, VisibleSurfaces{surfaces, {}, &context}});
     // What a point weighs: a mark in half the ink.
     constexpr double kLeast = 0.1;
     motif = motif_of(marks({.ink = 0.5, .random = 0.5}));
@@ -340,7 +340,7 @@ StrokeResult trace_strokes(std::span<const Surface* const> surfaces, const Camer
                   .options = own,
                   .seed = seed,
                   .same_place = same_place(surfaces),
-                  .standing = placing.standing,
+                  .placement_kind = placing.placement_kind,
                   .motif = motif ? &*motif : nullptr,
                   .marks = marks ? &marks : nullptr,
                   .memory = memory ? &memory->impl() : nullptr};

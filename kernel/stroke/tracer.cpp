@@ -13,12 +13,12 @@ constexpr double kHiddenReach = 15;  // paper mm: behind less a stroke comes out
 constexpr double kMinFacing = 0.02;  // cosine: the surface is seen edge-on and turns away
 constexpr double kMinRun = 0.12;     // share of its length that a step must keep on paper
 constexpr double kMaxTurn = 0.7;     // cosine of the turn in one step that still is a smooth stroke
-constexpr double kOwnArm = 0.7;      // cosine up to which a direction is that of the family
-constexpr double kForeign = 1.2;     // paper mm that a stroke may run along another family's arm
-constexpr double kAlongLevel = 0.5;  // sine of the angle to a level line up to which it is one
-constexpr double kMostOff = 0.25;    // of a step that a stroke may be off its level line
-constexpr double kLeastOff = 1e-4;   // ... that it is left off
-constexpr int kMaxSamples = 20000;   // a bound where length_max is set absurdly high
+constexpr double kOwnDirection = 0.7;  // cosine up to which a direction is that of the family
+constexpr double kForeign = 1.2;       // paper mm that a stroke may run along another family's arm
+constexpr double kAlongLevel = 0.5;    // sine of the angle to a level line up to which it is one
+constexpr double kMostOff = 0.25;      // of a step that a stroke may be off its level line
+constexpr double kLeastOff = 1e-4;     // ... that it is left off
+constexpr int kMaxSamples = 20000;     // a bound where length_max is set absurdly high
 
 // A stroke on a form whose field is exact turns off the field by no more than this to keep to its
 // level line; on a face of which everybody knows how lines run, only where it would be lost.
@@ -90,9 +90,9 @@ bool Tracer::fill(std::int32_t part, const SurfacePoint& point, Vec3 previous,
   const Frame frame = picture_.surface(part).frame(point);
   const auto cross = picture_.field.cross({part, point, frame});
   if (!cross) return false;
-  const Vec3 own = arm_of(*cross, family_);
-  const Vec3 direction = previous == Vec3(0) ? own : arm_along(*cross, previous);
-  out.own = std::abs(glm::dot(own, direction)) > kOwnArm;
+  const Vec3 own = family_direction(*cross, family_);
+  const Vec3 direction = previous == Vec3(0) ? own : direction_along(*cross, previous);
+  out.own = std::abs(glm::dot(own, direction)) > kOwnDirection;
   out.tangent = direction;
   const Vec2 v = picture_.camera.velocity(point.position, out.tangent);
   const double speed = glm::length(v);
@@ -112,9 +112,9 @@ bool Tracer::seed_along(std::int32_t part, const SurfacePoint& point, Vec2 paper
   const auto agrees = [&](const StrokeSample& s) {
     return std::abs(glm::dot(s.direction, glm::normalize(paper)));
   };
-  if (StrokeSample other; agrees(out) < kOwnArm &&
+  if (StrokeSample other; agrees(out) < kOwnDirection &&
                           seed(part, point, glm::cross(out.normal, out.tangent), other) &&
-                          agrees(other) > kOwnArm) {
+                          agrees(other) > kOwnDirection) {
     out = other;
   }
   if (glm::dot(out.direction, paper) < 0) {
@@ -273,7 +273,7 @@ StrokeEnd Tracer::advance(std::int32_t part, const StrokeSample& seed, const Str
     if (half.stop == MarchStop::Completed) {
       const Frame frame = surface.frame(half.end);
       if (const auto cross = picture_.field.cross({part, half.end, frame})) {
-        tangent = transport(arm_along(*cross, half.direction), frame.normal, at.normal);
+        tangent = transport(direction_along(*cross, half.direction), frame.normal, at.normal);
       }
     }
     Guide::Heading heading;

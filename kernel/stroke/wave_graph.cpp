@@ -62,7 +62,7 @@ std::optional<Look> look(const Picture& picture, const RasterCell& cell, int fam
   const Frame frame = surface.frame(point);
   const auto cross = picture.field.cross({cell.part, point, frame});
   if (!cross) return std::nullopt;
-  Look out{frame.normal, arm_of(*cross, family), Vec2(0)};
+  Look out{frame.normal, family_direction(*cross, family), Vec2(0)};
   const Vec2 along = camera.velocity(point.position, out.tangent);
   const Vec2 across = camera.velocity(point.position, glm::cross(out.normal, out.tangent));
   const double speed = glm::length(along), scale = camera.scale_at(point.position);

@@ -21,7 +21,7 @@ Vec2 conjugate(Vec2 a) { return {a.x, -a.y}; }
 
 // What the value of node `to` says of the value of the row's node: coupling times it, or times its
 // conjugate where the waves run against each other.
-struct Say {
+struct Vote {
   std::uint32_t to = 0;
   bool conjugated = false;
   glm::vec2 coupling{0};
@@ -29,7 +29,7 @@ struct Say {
 
 struct Level {
   std::vector<std::uint32_t> first;
-  std::vector<Say> says;
+  std::vector<Vote> votes;
   std::vector<Vec2> pull;  // of the anchors
   // Of each node in the coarser level: the group, and the number that carries the group's value.
   std::vector<std::uint32_t> parent;
@@ -41,13 +41,14 @@ struct Level {
 Level finest(const WaveGraph& graph, const std::vector<WaveAnchor>& anchors) {
   Level level;
   const std::size_t n = graph.nodes.size();
-  auto says = at_nodes(graph, [&](std::size_t k) {
+  auto votes = at_nodes(graph, [&](std::size_t k) {
     const WaveLink& l = graph.links[k];
     const Vec2 back = l.weight * unit(-turn_along(graph, l));
-    return std::array{Say{l.b, l.flips, back}, Say{l.a, l.flips, l.flips ? back : conjugate(back)}};
+    return std::array{Vote{l.b, l.flips, back},
+                      Vote{l.a, l.flips, l.flips ? back : conjugate(back)}};
   });
-  level.first = std::move(says.first);
-  level.says = std::move(says.list);
+  level.first = std::move(votes.first);
+  level.votes = std::move(votes.list);
   level.pull.assign(n, Vec2(0));
   for (const WaveAnchor& a : anchors) level.pull[a.node] += unit(a.phase);
   return level;
@@ -62,10 +63,10 @@ std::uint32_t pair_up(Level& level) {
   std::uint32_t count = 0;
   for (std::uint32_t i = 0; i < n; ++i) {
     if (level.parent[i] != kFree) continue;
-    const Say* best = nullptr;
+    const Vote* best = nullptr;
     float most = 0;
     for (std::uint32_t k = level.first[i]; k < level.first[i + 1]; ++k) {
-      const Say& s = level.says[k];
+      const Vote& s = level.votes[k];
       if (s.conjugated || level.parent[s.to] != kFree || s.to == i) continue;
       const float size = glm::dot(s.coupling, s.coupling);
       if (size <= most) continue;
@@ -94,27 +95,27 @@ Level coarser(const Level& fine, std::uint32_t count, const RunContext& context)
   level.first.push_back(0);
   for (std::uint32_t a = 0; a < count; ++a) {
     if (a % 65536 == 0) context.check();
-    const std::size_t row = level.says.size();
+    const std::size_t row = level.votes.size();
     for (std::size_t m = 2 * static_cast<std::size_t>(a); m < 2 * static_cast<std::size_t>(a) + 2;
          ++m) {
       const std::uint32_t i = member[m];
       if (i == 0xffffffffu) continue;
       for (std::uint32_t k = fine.first[i]; k < fine.first[i + 1]; ++k) {
-        const Say& s = fine.says[k];
+        const Vote& s = fine.votes[k];
         const std::uint32_t b = fine.parent[s.to];
         if (b == a && !s.conjugated) continue;
         const Vec2 carried = s.conjugated ? conjugate(fine.carry[s.to]) : fine.carry[s.to];
         const Vec2 c = times(times(conjugate(fine.carry[i]), Vec2(s.coupling)), carried);
         std::size_t at = row;
-        while (at < level.says.size() &&
-               (level.says[at].to != b || level.says[at].conjugated != s.conjugated)) {
+        while (at < level.votes.size() &&
+               (level.votes[at].to != b || level.votes[at].conjugated != s.conjugated)) {
           ++at;
         }
-        if (at == level.says.size()) level.says.push_back({b, s.conjugated, glm::vec2(0)});
-        level.says[at].coupling += glm::vec2(c);
+        if (at == level.votes.size()) level.votes.push_back({b, s.conjugated, glm::vec2(0)});
+        level.votes[at].coupling += glm::vec2(c);
       }
     }
-    level.first.push_back(static_cast<std::uint32_t>(level.says.size()));
+    level.first.push_back(static_cast<std::uint32_t>(level.votes.size()));
   }
   return level;
 }
@@ -130,7 +131,7 @@ void sweep(const Level& level, std::vector<Vec2>& psi, int sweeps, const RunCont
             const std::size_t i = pass % 2 == 0 ? step : begin + end - 1 - step;
             Vec2 sum = level.pull[i];
             for (std::uint32_t k = level.first[i]; k < level.first[i + 1]; ++k) {
-              const Say& s = level.says[k];
+              const Vote& s = level.votes[k];
               const bool inside = s.to >= begin && s.to < end;
               const Vec2 there = inside ? psi[s.to] : old[s.to];
               sum += times(Vec2(s.coupling), s.conjugated ? conjugate(there) : there);

@@ -157,7 +157,7 @@ class Instances {
   /// What a surface depends on, of the view all but where it looks from.
   struct Key {
     double tolerance, crease_angle;
-    bool curvature, told, seen;
+    bool curvature, reported, seen;
     Vec3 right, up;
     double scale;
     bool operator==(const Key&) const = default;

@@ -189,7 +189,7 @@ void add(Law law) { all().add(std::move(law)); }
 const Law& find(std::string_view name) { return find_row(catalogue(), name, "tone.law"); }
 
 Tone make(const Camera& camera, const ToneOptions& options, const Blocked& blocked,
-          const Shown& shown) {
+          const VisibleSurfaces& shown) {
   return [camera, rim = options.rim, highlight = options.highlight, ink = options.ink,
           law = find(options.law).make({camera, options, blocked, shown})](Vec3 position,
                                                                            Vec3 normal) {

@@ -157,20 +157,20 @@ void report(const Verification& v, const Scene& scene, Diagnostics& diagnostics)
   }
 }
 
-bool flagged(const VerifyOptions& options, std::size_t part, Standing standing) {
-  return (part < options.parts.size() ? options.parts[part] : Standing::Solid) == standing;
+bool flagged(const VerifyOptions& options, std::size_t part, PartOpacity standing) {
+  return (part < options.parts.size() ? options.parts[part] : PartOpacity::Solid) == standing;
 }
 
 /// The referees of a scene: one for the solid parts, one for each transparent part with them.
-class Court {
+class Referees {
  public:
-  Court(const Scene& scene, const Camera& camera, const VerifyOptions& options,
-        Diagnostics& diagnostics, RunContext& context)
+  Referees(const Scene& scene, const Camera& camera, const VerifyOptions& options,
+           Diagnostics& diagnostics, RunContext& context)
       : by_part_(scene.parts.size()) {
     const double own = kSheetTolerance / camera.scale();
     std::vector<bool> wanted;
     for (std::size_t i = 0; i < scene.parts.size(); ++i) {
-      wanted.push_back(!flagged(options, i, Standing::Absent));
+      wanted.push_back(!flagged(options, i, PartOpacity::Absent));
     }
     const double fine = kFiner * std::min(options.tolerance, own);
     const FineSurfaces all = fine_surfaces(scene, fine, wanted, options.crease_angles, context);
@@ -178,7 +178,7 @@ class Court {
     const RefereeOptions how{.radius = 2 * paper, .slack = paper + kFiner * kSheetTolerance};
     FineSurfaces solid = all;
     for (std::size_t i = 0; i < all.size(); ++i) {
-      if (flagged(options, i, Standing::Transparent)) solid[i] = nullptr;
+      if (flagged(options, i, PartOpacity::Transparent)) solid[i] = nullptr;
       if (wanted[i] && !all[i]) {
         diagnostics.add(Severity::Warning, "verify.not_tested", 1,
                         fmt::format("lines {} are not verified: it cannot be tessellated finely",
@@ -189,7 +189,7 @@ class Court {
     all_ = solid == all ? solid_ : std::make_shared<Referee>(all, camera, how, context);
     for (std::size_t i = 0; i < all.size(); ++i) {
       if (!all[i]) continue;
-      if (!flagged(options, i, Standing::Transparent)) {
+      if (!flagged(options, i, PartOpacity::Transparent)) {
         by_part_[i] = solid_;
         continue;
       }
@@ -213,7 +213,7 @@ class Court {
 };
 
 std::vector<Tested> test_lines(std::span<const Path> lines, const Camera& camera,
-                               const Court& court, RunContext& context) {
+                               const Referees& court, RunContext& context) {
   std::vector<Tested> tested(lines.size());
   const NearLines drawn = drawn_features(lines, camera);
   for (std::size_t from = 0; from < lines.size(); from += kAtOnce) {
@@ -244,7 +244,7 @@ void add_loose_ends(const Drawing& drawing, Verification& verification) {
 Verification verify(const Drawing& drawing, std::span<const Path> lines, const Scene& scene,
                     const Camera& camera, const VerifyOptions& options, Diagnostics& diagnostics,
                     RunContext& context) {
-  const Court court(scene, camera, options, diagnostics, context);
+  const Referees court(scene, camera, options, diagnostics, context);
   context.begin_stage(RunStage::Verify);
   Verification out;
   const auto add = [&](const std::vector<Contradiction>& found) {

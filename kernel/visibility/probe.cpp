@@ -153,15 +153,16 @@ bool walk_reaches(const ProxyMesh& proxy, const Origin& o, double direction, std
   return false;
 }
 
-// Whether a hit belongs to the fold that the point lies on. `told`: as clearance() has it.
-bool on_same_fold(const ProxyMesh& proxy, const Origin& o, const Hit& hit, double told) {
+// Whether a hit belongs to the fold that the point lies on. `reported`: as clearance() has it.
+bool on_same_fold(const ProxyMesh& proxy, const Origin& o, const Hit& hit, double reported) {
   const auto own = static_cast<std::uint32_t>(o.face);
   const double reach =
       kFoldReach * (longest_edge(proxy.mesh, own) + longest_edge(proxy.mesh, hit.where.face));
   if (hit.distance > reach) return false;
   // Of a rim the fold is exact but for the chord errors: what passes farther off is its other side.
-  if (o.fold == Fold::Boundary && told > kAllButOnPlane) return false;
-  const int steps = o.fold == Fold::Contour && told <= kAllButOnPlane ? kFoldLongWalk : kFoldWalk;
+  if (o.fold == Fold::Boundary && reported > kAllButOnPlane) return false;
+  const int steps =
+      o.fold == Fold::Contour && reported <= kAllButOnPlane ? kFoldLongWalk : kFoldWalk;
   return near_on_surface(proxy, own, hit.where.face) ||
          walk_reaches(proxy, o, +1, hit.where.face, steps) ||
          (o.fold == Fold::Contour &&
@@ -188,18 +189,18 @@ double clearance(const Origin& o, const Hit& hit) {
           ? 0
           : o.probe->chord_error(hit.where.part, static_cast<std::int32_t>(hit.where.face));
   const double untold = o.on_plane + o.error + error;
-  double told = distance / untold;
-  if (told <= 1 || (own_part && faired_under(proxy, o, hit, distance - untold))) {
-    return std::min(told, 1.0);
+  double reported = distance / untold;
+  if (reported <= 1 || (own_part && faired_under(proxy, o, hit, distance - untold))) {
+    return std::min(reported, 1.0);
   }
   // Edges of exact forms are drawn round, up to the sagitta of a chord beside it: there they are
   // over the next triangle, under which they lie where the surface rises.
   if (own_part && o.on_edge) {
     const double off = beside(proxy.mesh, static_cast<std::uint32_t>(o.face), o.point);
-    told = distance / (untold + std::min(off, o.probe->most_off_edge(o.point)));
-    if (told <= 1) return told;
+    reported = distance / (untold + std::min(off, o.probe->most_off_edge(o.point)));
+    if (reported <= 1) return reported;
   }
-  return !own_part || o.fold == Fold::None || !on_same_fold(proxy, o, hit, told) ? told : 0;
+  return !own_part || o.fold == Fold::None || !on_same_fold(proxy, o, hit, reported) ? reported : 0;
 }
 
 // `normal` is the curve's; `back`: an open sheet is seen from behind.

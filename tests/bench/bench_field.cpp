@@ -34,7 +34,7 @@ struct Lines {
         frames.push_back(s.frame(p));
         const auto cross = f.cross({0, p, frames.back()});
         if (!cross) break;
-        const Vec3 d = came == Vec3(0) ? cross->first : arm_along(*cross, came);
+        const Vec3 d = came == Vec3(0) ? cross->first : direction_along(*cross, came);
         const MarchStep step = s.march(p, d, 0.01);
         p = step.end;
         came = step.direction;

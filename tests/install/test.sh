@@ -9,7 +9,7 @@ fail() { printf 'install test: %s\n' "$*" >&2; exit 1; }
 
 # ./dev build builds this target, whose commands make all that is installed.
 ninja -C "$build" -t commands burin_installed >"$scratch/commands"
-for file in cmake/told.cmake $(grep -rhoE --include=cmake_install.cmake "\"$build/(bin|lib|python)/[^\"]+" "$build" | sed "s#^\"$build/##" | sort -u); do
+for file in cmake/self_description.cmake $(grep -rhoE --include=cmake_install.cmake "\"$build/(bin|lib|python)/[^\"]+" "$build" | sed "s#^\"$build/##" | sort -u); do
   [[ -L $build/$file ]] || grep -qF "$file" "$scratch/commands" || fail "./dev build does not make $file"
 done
 cmake --install "$build" --prefix "$scratch/first" >"$scratch/log" || { cat "$scratch/log"; fail "cmake --install failed"; }

@@ -10,9 +10,9 @@ namespace {
 
 const CadLibrary& load() {
   const LibraryWords words{"reads CAD files", "or export the model as STL"};
-  const auto door =
-      reinterpret_cast<CadLibraryDoor>(library_door(BURIN_CAD_LIBRARY, kCadLibraryDoor, words));
-  const CadLibrary& cad = *door();
+  const auto entry =
+      reinterpret_cast<CadLibraryEntry>(library_entry(BURIN_CAD_LIBRARY, kCadLibraryEntry, words));
+  const CadLibrary& cad = *entry();
   check_library_version(BURIN_CAD_LIBRARY, cad.version, words);
   return cad;
 }

@@ -32,7 +32,7 @@ class AmfReader {
   void walk(const Instance& use, const Placement& above, std::vector<std::string> names,
             std::size_t depth);
   void show(std::size_t object, const Placement& place, const std::vector<std::string>& above);
-  void tell();
+  void report();
 
   /// A volume that is drawn.
   struct Shape {
@@ -117,7 +117,7 @@ void AmfReader::walk(const Instance& use, const Placement& above, std::vector<st
   for (const Instance& instance : set.instances) walk(instance, place, names, depth + 1);
 }
 
-void AmfReader::tell() {
+void AmfReader::report() {
   if (supports_ > 0) {
     file_.diagnostics.add(Severity::Info, "amf.supports", supports_,
                           "support volumes, which are no part of the model, were left out");
@@ -132,7 +132,7 @@ void AmfReader::tell() {
                                       "place; the first: object {}",
                                       first_missing_));
   }
-  tell_several_colors(several_colors_, file_.diagnostics);
+  report_several_colors(several_colors_, file_.diagnostics);
 }
 
 MeshFile AmfReader::read() {
@@ -154,7 +154,7 @@ MeshFile AmfReader::read() {
   for (std::size_t i = 0; i < document_.objects.size(); ++i) {
     if (!used_.contains(document_.objects[i].id)) show(i, {}, {});
   }
-  tell();
+  report();
   return std::move(file_);
 }
 

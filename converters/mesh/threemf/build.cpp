@@ -52,7 +52,7 @@ class ThreeMfReader {
   void leaf(const ThreeMfUse& use, const ThreeMfObject& object, const Above& above,
             const SlicerPart* volume);
   void name_leaves(const SlicerObject* slicer);
-  void tell();
+  void report();
 
   const Source& source_;
   Package package_;
@@ -214,7 +214,7 @@ void ThreeMfReader::item(const ThreeMfUse& use, const std::string& root) {
   name_leaves(of_item);
 }
 
-void ThreeMfReader::tell() {
+void ThreeMfReader::report() {
   if (supports_ > 0) {
     file_.diagnostics.add(Severity::Info, "3mf.supports", supports_,
                           "support objects, which are no part of the model, were left out");
@@ -235,7 +235,7 @@ void ThreeMfReader::tell() {
                                       "what they place; the first: {}",
                                       first_missing_));
   }
-  tell_several_colors(shapes_.several_colors(), file_.diagnostics);
+  report_several_colors(shapes_.several_colors(), file_.diagnostics);
 }
 
 MeshFile ThreeMfReader::read() {
@@ -259,7 +259,7 @@ MeshFile ThreeMfReader::read() {
     source_.fail(supports_ > 0 ? "the 3MF holds support objects alone; export the model itself"
                                : "the 3MF holds no triangles; export it again");
   }
-  tell();
+  report();
   file_.objects = shapes_.take();
   return std::move(file_);
 }

@@ -26,7 +26,7 @@ auto at_node(const Evaluation& e, std::uint32_t node, Evaluate&& evaluate) {
 
 /// Something that OpenSCAD warns of and goes on without; `what` begins with a module, or is of that
 /// of the node.
-inline void tell(Evaluation& e, std::uint32_t node, std::string code, const std::string& what) {
+inline void report(Evaluation& e, std::uint32_t node, std::string code, const std::string& what) {
   const bool named = what.find("()") != std::string::npos;
   const std::string of = named ? "" : fmt::format("{}(): ", name_of(e.tree.nodes[node].module));
   e.diagnostics.add(Severity::Warning, std::move(code), 1,

@@ -105,7 +105,7 @@ std::vector<Solid> evaluate_in_child(const std::string& text, std::span<const st
   run.folder = options.folder.string();
   run.file = &file;
   run.timeout = options.timeout_seconds;
-  run.tells_progress = true;
+  run.reports_progress = true;
   run.line = [&](const std::string& line) { listener.hear(line); };
   const detail::SubprocessEnd end = run_subprocess(run, context);
   if (end.start_error != 0) {

@@ -65,8 +65,8 @@ bool finite_matrix(const Node& node) {
 
 Region moved(Evaluation& e, std::uint32_t node, const Region& region) {
   if (!finite_matrix(e.tree.nodes[node])) {
-    tell(e, node, "openscad.not_finite",
-         "a transformation with numbers that are infinite or none; what it moves is left out");
+    report(e, node, "openscad.not_finite",
+           "a transformation with numbers that are infinite or none; what it moves is left out");
     return {};
   }
   const Matrix m = matrix_of(e.tree, node);
@@ -74,7 +74,8 @@ Region moved(Evaluation& e, std::uint32_t node, const Region& region) {
       {m.row[0][0], m.row[1][0]}, {m.row[0][1], m.row[1][1]}, {m.row[0][3], m.row[1][3]}};
   if (affine.determinant() == 0) {
     if (!region.empty()) {
-      tell(e, node, "openscad.scaled_to_nothing", "a 2-D object scaled to nothing; it is left out");
+      report(e, node, "openscad.scaled_to_nothing",
+             "a 2-D object scaled to nothing; it is left out");
     }
     return {};
   }

@@ -61,7 +61,7 @@ std::vector<Vec2> along(Evaluation& e, std::uint32_t node, const Value& path,
     if (i >= 0 && i < static_cast<double>(points.size())) {
       out.push_back(points[static_cast<std::size_t>(i)]);
     } else {
-      tell(e, node, "openscad.no_point", fmt::format("polygon() has no point {:g}", i));
+      report(e, node, "openscad.no_point", fmt::format("polygon() has no point {:g}", i));
     }
   }
   return out;
@@ -74,9 +74,9 @@ Region polygon(Evaluation& e, std::uint32_t at) {
     for (const Value& value : list->list) {
       const std::optional<Vec2> p = point_of(value);
       if (!p) {
-        tell(e, at, "openscad.no_point",
-             fmt::format("point {} of polygon() is no pair of finite numbers; it draws nothing",
-                         points.size()));
+        report(e, at, "openscad.no_point",
+               fmt::format("point {} of polygon() is no pair of finite numbers; it draws nothing",
+                           points.size()));
         return {};
       }
       points.push_back(*p);

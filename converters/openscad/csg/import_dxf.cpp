@@ -62,7 +62,7 @@ class DxfReader {
       group(static_cast<int>(id), line());
     }
     finish();
-    tell_unsupported();
+    report_unsupported();
     Region region;
     region.outlines = lines_.outlines();
     region.arcs = std::move(arcs_);
@@ -81,7 +81,7 @@ class DxfReader {
   double number(std::string_view text) {
     double value = 0;
     if (!parse_double(text, value) || !std::isfinite(value)) {
-      tell(
+      report(
           e_, node_, "openscad.dxf_number",
           fmt::format("the DXF file has {} for a number; its entity is left out", in_quotes(text)));
       broken_ = true;
@@ -141,9 +141,9 @@ class DxfReader {
 
   bool has(std::size_t points) {
     if (entity_.x.size() >= points && entity_.y.size() >= points) return true;
-    tell(e_, node_, "openscad.dxf_number",
-         fmt::format("a {} of the DXF file lacks coordinates; it is left out",
-                     in_quotes(entity_.kind)));
+    report(e_, node_, "openscad.dxf_number",
+           fmt::format("a {} of the DXF file lacks coordinates; it is left out",
+                       in_quotes(entity_.kind)));
     return false;
   }
   Vec2 point(std::size_t i) const { return {entity_.x[i], entity_.y[i]}; }
@@ -255,7 +255,7 @@ class DxfReader {
     }
   }
 
-  void tell_unsupported() {
+  void report_unsupported() {
     for (const auto& [kind, count] : unsupported_) {
       e_.diagnostics.add(
           Severity::Warning, "openscad.dxf_entity", count,

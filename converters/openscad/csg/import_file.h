@@ -25,7 +25,7 @@ std::string suffix_of(const std::filesystem::path& path);
 template <typename Read>
 auto if_there(Evaluation& e, std::uint32_t node, Read&& read) -> decltype(read()) {
   const auto missing = [&](const std::string& file) -> decltype(read()) {
-    tell(e, node, "openscad.no_file", file + ": no such file; it is left out, as OpenSCAD does");
+    report(e, node, "openscad.no_file", file + ": no such file; it is left out, as OpenSCAD does");
     return {};
   };
   if (std::error_code no; std::filesystem::is_directory(file_of(e, node), no)) {

@@ -27,8 +27,8 @@ std::vector<Solid> of_file(Evaluation& e, std::uint32_t node) {
                      path.string());
   }
   if (suffix != ".amf" && suffix != ".stl" && suffix != ".off" && suffix != ".3mf") {
-    tell(e, node, "openscad.unknown_format",
-         path.string() + ": no format that import() reads; it is left out, as OpenSCAD does");
+    report(e, node, "openscad.unknown_format",
+           path.string() + ": no format that import() reads; it is left out, as OpenSCAD does");
     return {};
   }
   MeshFile file = suffix == ".amf" ? read_amf_objects(path, e.run) : read_mesh_file(path, e.run);
@@ -38,7 +38,7 @@ std::vector<Solid> of_file(Evaluation& e, std::uint32_t node) {
     try {
       solids.push_back(solid_of(repair(std::move(object), {}, e.diagnostics, e.run)));
     } catch (const GeometryError& error) {
-      tell(e, node, "openscad.empty_import", path.string() + ": " + error.what());
+      report(e, node, "openscad.empty_import", path.string() + ": " + error.what());
     }
   }
   return solids;

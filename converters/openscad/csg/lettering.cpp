@@ -253,7 +253,7 @@ class Layout {
 };
 
 /// Once, whatever texts there are: it is about the machine.
-void tell_no_font(Diagnostics& diagnostics) {
+void report_no_font(Diagnostics& diagnostics) {
   constexpr const char* kCode = "openscad.no_font";
   if (std::ranges::find(diagnostics.entries(), kCode, &Diagnostic::code) !=
       diagnostics.entries().end()) {
@@ -272,21 +272,21 @@ Region lettering(Evaluation& e, std::uint32_t node) {
   if (!e.fonts) e.fonts = std::make_shared<Fonts>();
   const Fonts::Found font = e.fonts->find(style.font);
   if (!font.face) {
-    tell_no_font(e.diagnostics);
+    report_no_font(e.diagnostics);
     return {};
   }
   if (font.replaced) {
     // OpenSCAD's own choice, where a text names none.
     const std::string name = style.font.empty() ? "Liberation Sans" : style.font;
-    tell(e, node, "openscad.font_replaced",
-         fmt::format("the font {} is missing; {} is used instead", in_quotes(name),
-                     font.face->family_name ? font.face->family_name : "another"));
+    report(e, node, "openscad.font_replaced",
+           fmt::format("the font {} is missing; {} is used instead", in_quotes(name),
+                       font.face->family_name ? font.face->family_name : "another"));
   }
   Layout layout(font.face, style);
   const std::vector<Region> glyphs = layout.outlines(e.run);
   if (layout.missing) {
-    tell(e, node, "openscad.no_glyph",
-         fmt::format("{} has letters that the font lacks", in_quotes(style.text)));
+    report(e, node, "openscad.no_glyph",
+           fmt::format("{} has letters that the font lacks", in_quotes(style.text)));
   }
   return clip(ClipOp::Union, glyphs);
 }

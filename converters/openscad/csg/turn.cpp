@@ -162,10 +162,10 @@ Solid rotate_extruded(Evaluation& e, std::uint32_t node, const Region& region) {
     }
   }
   if (low < 0 && high > 0) {
-    tell(e, node, "openscad.across_axis",
-         fmt::format("rotate_extrude() of a shape on both sides of the axis (x from {:.2f} to "
-                     "{:.2f}); it is left out: move it to one side",
-                     low, high));
+    report(e, node, "openscad.across_axis",
+           fmt::format("rotate_extrude() of a shape on both sides of the axis (x from {:.2f} to "
+                       "{:.2f}); it is left out: move it to one side",
+                       low, high));
     return {};
   }
   const double whole = angle <= -360 || angle > 360 ? 360 : angle;

@@ -19,7 +19,7 @@ struct CairoLibrary {
   Writer write_png;
 };
 
-inline constexpr const char* kCairoLibraryDoor = "burin_cairo_library";
-using CairoLibraryDoor = const CairoLibrary* (*)();
+inline constexpr const char* kCairoLibraryEntry = "burin_cairo_library";
+using CairoLibraryEntry = const CairoLibrary* (*)();
 
 }  // namespace burin

@@ -85,7 +85,7 @@ struct Progress {
   const WriteOptions& options;
   double from = 0, to = 1;
 
-  void tell(double share) const {
+  void report(double share) const {
     constexpr double kPainted = 0.8;  // the rest is writing
     if (options.progress) options.progress(kPainted * (from + share * (to - from)));
   }
@@ -106,7 +106,7 @@ void paint_page(cairo_surface_t* surface, const Drawing& drawing, const WriteOpt
     fit_ink(some, options.svg.fit_tolerance, context);
     paint_all(pen.get(), some, shapes.size() > kMany ? kTogether : 1, used);
     context.check();
-    progress.tell(static_cast<double>(begin) / static_cast<double>(shapes.size()));
+    progress.report(static_cast<double>(begin) / static_cast<double>(shapes.size()));
   }
   check(cairo_status(pen.get()));
 }

@@ -75,7 +75,7 @@ std::shared_ptr<const Surface> RevisionSurfaces::surface(std::size_t part) {
     return made;
   } catch (const GeometryError& e) {
     failed_[part] = true;
-    tell(part, e.what());
+    report(part, e.what());
     return nullptr;
   }
 }
@@ -90,13 +90,13 @@ ShapeMeasure RevisionSurfaces::measure(std::size_t part) {
   try {
     made = form.measure(context_);
   } catch (const GeometryError& e) {
-    tell(part, e.what());
+    report(part, e.what());
   }
   known.emplace_back(of, made);
   return made;
 }
 
-void RevisionSurfaces::tell(std::size_t part, const char* what) {
+void RevisionSurfaces::report(std::size_t part, const char* what) {
   diagnostics_.add(Severity::Warning, "diff.not_measured", 1,
                    fmt::format("{}: only its box is compared, as it cannot be measured: {}",
                                path_of(scene_.parts[part]), what));

@@ -34,7 +34,7 @@ class RevisionSurfaces {
 
  private:
   ShapeMeasure measure(std::size_t part);
-  void tell(std::size_t part, const char* what);
+  void report(std::size_t part, const char* what);
 
   const Scene& scene_;
   std::vector<bool> drawn_;

@@ -71,7 +71,7 @@ const Interval* of(const std::vector<Interval>& ray, std::uint32_t part) {
   return found == ray.end() ? nullptr : &*found;
 }
 
-bool stands_before(const std::vector<Interval>& ray, std::uint32_t a, std::uint32_t b, double eps) {
+bool is_in_front(const std::vector<Interval>& ray, std::uint32_t a, std::uint32_t b, double eps) {
   const Interval *one = of(ray, a), *other = of(ray, b);
   return one && other && other->to - one->from > eps;
 }
@@ -144,13 +144,13 @@ class OfPart {
 
   void look(Vec2 at, const std::vector<Interval>& ray, std::uint32_t a, std::uint32_t b) {
     const double eps = fit_of(shapes_, a, b, fit_);
-    if (!stands_before(ray, a, b, eps)) return;
+    if (!is_in_front(ray, a, b, eps)) return;
     const std::pair<std::uint32_t, std::uint32_t> pair(a, b);
     if (std::ranges::find(found_, pair) != found_.end()) return;
     for (int k = 0; k < 8; ++k) {
       const double angle = 0.25 * 3.14159265358979323846 * k;
       rays_.cast(at + eps * Vec2(std::cos(angle), std::sin(angle)), around_);
-      if (!stands_before(around_, a, b, eps)) return;
+      if (!is_in_front(around_, a, b, eps)) return;
     }
     found_.push_back(pair);
   }

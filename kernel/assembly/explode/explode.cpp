@@ -141,7 +141,7 @@ struct ExplodeModel::Impl {
     return parts.size() > kMost ? fmt::format("{} and {} more", text, parts.size() - kMost) : text;
   }
 
-  void tell(const Explosion& explosion, std::int64_t crowded, Diagnostics& diagnostics) const {
+  void report(const Explosion& explosion, std::int64_t crowded, Diagnostics& diagnostics) const {
     for (const auto& set : explosion.interlocked) {
       diagnostics.add(Severity::Warning, "explode.interlocked",
                       static_cast<std::int64_t>(set.size()),
@@ -198,7 +198,7 @@ Explosion ExplodeModel::find(const ExplodeOptions& options, Diagnostics& diagnos
   const detail::Situation situation{shapes, views, impl_->neighbours, options, context};
   Opening opening(situation, explosion);
   explosion.steps = opening.open(detail::inside({shapes.parts, 0}, shapes));
-  impl_->tell(explosion, opening.crowded(), diagnostics);
+  impl_->report(explosion, opening.crowded(), diagnostics);
   return explosion;
 }
 
@@ -213,11 +213,11 @@ std::vector<Curve3> ExplodeModel::trails(const std::vector<ExplodeStep>& steps, 
 }
 
 double ExplodeModel::way_out(const std::vector<std::size_t>& moving,
-                             const std::vector<std::size_t>& standing, Vec3 along) const {
+                             const std::vector<std::size_t>& remaining, Vec3 along) const {
   const detail::Shapes& shapes = impl_->shapes;
   const Mat3 rows = detail::rows_along(along, shapes.frame);
   std::vector<Box3> boxes;
-  for (const std::size_t part : standing) boxes.push_back(shapes.box_along(part, rows));
+  for (const std::size_t part : remaining) boxes.push_back(shapes.box_along(part, rows));
   double by = 0;
   for (const std::size_t part : moving) {
     const Box3 box = shapes.box_along(part, rows);

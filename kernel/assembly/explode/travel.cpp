@@ -15,7 +15,7 @@ Box3 moved(Box3 box, Vec3 by) {
 }
 
 /// One part among those that leave, or that are still there, seen along a direction.
-struct Standing {
+struct PlacedPart {
   std::size_t part = 0;
   /// Where it is while others leave, and over all places that it takes once the level has come
   /// apart; of what leaves both without its way along the direction.
@@ -52,11 +52,11 @@ class OneLevel {
       travel.follow.push_back(follow(node, s_.along(d)));
       for (const std::size_t part : node.parts) moves_[part] = travel.follow.back();
     }
-    const std::vector<Standing> leaving = standing(parts, d, true),
-                                there = standing(inner_, d, false);
+    const std::vector<PlacedPart> leaving = placed(parts, d, true),
+                                  there = placed(inner_, d, false);
     double by = gap_;
-    for (const Standing& a : leaving) {
-      for (const Standing& b : there) by = std::max(by, past(a, b, d));
+    for (const PlacedPart& a : leaving) {
+      for (const PlacedPart& b : there) by = std::max(by, past(a, b, d));
     }
     int tries = 0;
     while (raise(leaving, there, d, by)) {
@@ -107,12 +107,12 @@ class OneLevel {
     return glm::length(across) > kSame * s_.shapes.diagonal ? across : Vec3(0);
   }
 
-  std::vector<Standing> standing(const std::vector<std::size_t>& parts, std::size_t d,
+  std::vector<PlacedPart> placed(const std::vector<std::size_t>& parts, std::size_t d,
                                  bool leaving) const {
     const AxisView& view = s_.view(d);
-    std::vector<Standing> all;
+    std::vector<PlacedPart> all;
     for (const std::size_t part : parts) {
-      Standing one{part, {}, {}, directions_[part]};
+      PlacedPart one{part, {}, {}, directions_[part]};
       const Box3& box = view.boxes[part];
       for (const Vec3& place : ways_[part]) {
         one.rest.add(moved(box, in_rows(view.rows, place)));
@@ -125,13 +125,13 @@ class OneLevel {
     return all;
   }
 
-  double fit(const Standing& a, const Standing& b) const {
+  double fit(const PlacedPart& a, const PlacedPart& b) const {
     return fit_of(s_.shapes, a.part, b.part, s_.options.fit);
   }
 
   /// Whether both stand before each other as they did together, but for ways along a direction, and
   /// neither comes apart itself: then what rays saw of the one in the other's column holds.
-  bool as_seen(const Standing& a, const Standing& b, std::size_t d) const {
+  bool as_seen(const PlacedPart& a, const PlacedPart& b, std::size_t d) const {
     if (ways_[a.part].size() > 1 || ways_[b.part].size() > 1) return false;
     constexpr double kSame = 1e-9;
     return glm::length(reject(moves_[a.part] - moves_[b.part], s_.along(d))) <=
@@ -139,7 +139,7 @@ class OneLevel {
   }
 
   /// The way past a part in whose column another stands.
-  double past(const Standing& a, const Standing& b, std::size_t d) const {
+  double past(const PlacedPart& a, const PlacedPart& b, std::size_t d) const {
     const double from = s_.reach(d, a.later).x;
     const Column* column = s_.view(d).column(a.part, b.part);
     double by = 0;
@@ -158,11 +158,11 @@ class OneLevel {
   }
 
   /// Past what is in the way of a place; whether anything was.
-  bool raise(const std::vector<Standing>& leaving, const std::vector<Standing>& there,
+  bool raise(const std::vector<PlacedPart>& leaving, const std::vector<PlacedPart>& there,
              std::size_t d, double& by) const {
     const double before = by;
-    for (const Standing& a : leaving) {
-      for (const Standing& b : there) {
+    for (const PlacedPart& a : leaving) {
+      for (const PlacedPart& b : there) {
         if (ways_[a.part].size() > 1) clear(a.rest, b.rest, a, b, d, by);
         if (!as_seen(a, b, d)) clear(a.later, b.later, a, b, d, by);
       }
@@ -170,7 +170,7 @@ class OneLevel {
     return by > before;
   }
 
-  void clear(const Box3& one, const Box3& other, const Standing& a, const Standing& b,
+  void clear(const Box3& one, const Box3& other, const PlacedPart& a, const PlacedPart& b,
              std::size_t d, double& by) const {
     if (!overlap_across(one, other, fit(a, b))) return;
     const Vec2 own = s_.reach(d, one), box = s_.reach(d, other);

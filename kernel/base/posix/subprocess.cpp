@@ -239,7 +239,7 @@ SubprocessEnd run_subprocess(const SubprocessRun& run, RunContext& context) {
       end.timed_out = true;
       break;
     }
-    if (!run.tells_progress) {
+    if (!run.reports_progress) {
       context.progress(seconds / (seconds + kHalfway), seconds > kLong ? run.doing : std::string());
     }
     pollfd event{open ? output.read_end() : -1, POLLIN, 0};

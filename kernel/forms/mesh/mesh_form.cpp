@@ -21,7 +21,7 @@ constexpr std::size_t kMostPieces = 1'500'000;
 /// are: with the whole of it twice the length of lines is contradicted by rays.
 constexpr double kShare = 0.5;
 
-void tell_cut_short(Diagnostics& diagnostics) {
+void report_cut_short(Diagnostics& diagnostics) {
   diagnostics.add(
       Severity::Warning, "mesh.rounded_coarsely", 1,
       "facets of a mesh stay coarser than the sheet could show: an edge is halved at "
@@ -87,7 +87,7 @@ std::shared_ptr<const Surface> MeshForm::realise_mesh(const RealiseOptions& opti
 RoundedSurface make_rounded_surface(ProxyMesh proxy, std::span<const std::uint8_t> exact,
                                     const RealiseOptions& options, RunContext& context) {
   auto rounded = round_facets(proxy, kShare * options.tolerance, kMostPieces, context, exact);
-  if (rounded && rounded->cut_short && options.diagnostics) tell_cut_short(*options.diagnostics);
+  if (rounded && rounded->cut_short && options.diagnostics) report_cut_short(*options.diagnostics);
   std::vector<Curvature> curvature;
   if (options.curvature) {
     context.begin_stage(RunStage::Curvature);

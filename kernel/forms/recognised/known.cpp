@@ -88,9 +88,9 @@ bool same(const Patch& a, const Patch& b, double noise) {
   return glm::distance(a.normal, normal) <= kParallel && std::abs(a.offset - offset) <= off;
 }
 
-class Teller {
+class KnownFacetFinder {
  public:
-  Teller(const TriMesh& mesh, const KnownSurfaces& known) : mesh_(mesh), known_(known) {
+  KnownFacetFinder(const TriMesh& mesh, const KnownSurfaces& known) : mesh_(mesh), known_(known) {
     if (known.of.size() != mesh.triangles.size()) {
       throw std::invalid_argument("one surface a triangle expected");
     }
@@ -222,7 +222,7 @@ class Teller {
 
 KnownFacets known_facets(const TriMesh& mesh, const Topology& topology, const KnownSurfaces& known,
                          const RunContext& context) {
-  return Teller(mesh, known).run(topology, context);
+  return KnownFacetFinder(mesh, known).run(topology, context);
 }
 
 }  // namespace burin::recognised

@@ -76,7 +76,7 @@ class Parter {
                      grid_.cell_rows(), grid_.rows_close);
     for (const Run& r : along) {
       for (const Run& c : across) {
-        if (PointGrid p = piece(r, c); !told_otherwise(p)) add(out, r, c, std::move(p));
+        if (PointGrid p = piece(r, c); !is_known_otherwise(p)) add(out, r, c, std::move(p));
       }
     }
     return out;
@@ -172,7 +172,7 @@ class Parter {
       sum += turn;
       all += std::abs(turn);
     }
-    double told() const { return sum < -0.5 * all ? -largest : largest; }
+    double reported() const { return sum < -0.5 * all ? -largest : largest; }
   };
 
   /// For each joint its turn; `turn_at(joint, place)` is that at one of the places along it.
@@ -183,7 +183,7 @@ class Parter {
     for (std::int32_t joint = 0; joint < (close ? cells : cells - 1); ++joint) {
       JointTurn turn;
       for (std::int32_t place = 0; place < places; ++place) turn.add(turn_at(joint, place));
-      out.push_back(turn.told());
+      out.push_back(turn.reported());
     }
     return out;
   }
@@ -252,7 +252,7 @@ class Parter {
   }
 
   /// Planes, and what is recognised by its facets.
-  bool told_otherwise(const PointGrid& p) const {
+  bool is_known_otherwise(const PointGrid& p) const {
     return narrow(p) || planar(p) || arcs_and_lines(p) || turned(p);
   }
 

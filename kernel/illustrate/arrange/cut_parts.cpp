@@ -20,7 +20,7 @@ namespace {
 constexpr int kSides = 24;
 
 /// A plane where it stands, and how far what is drawn reaches along its axis.
-struct StandingPlane {
+struct PlacedPlane {
   Vec3 axis{0};
   int side = 1;
   double offset = 0, low = 0, high = 0;
@@ -38,45 +38,45 @@ class SectionRegions {
   /// What goes, one after the other; none where the section misses.
   std::vector<CutRegion> find() {
     if (section_.around) return around(*section_.around);
-    std::vector<StandingPlane> planes;
-    for (const SectionPlane& text : section_.planes) planes.push_back(standing(text));
+    std::vector<PlacedPlane> planes;
+    for (const SectionPlane& text : section_.planes) planes.push_back(placed_plane(text));
     return section_.steps ? steps(planes) : region(planes);
   }
   /// How it misses.
   const std::string& missed() const { return missed_; }
 
  private:
-  StandingPlane standing(const SectionPlane& text) const {
+  PlacedPlane placed_plane(const SectionPlane& text) const {
     const double to_viewer = glm::dot(text.axis, illustration_.view.direction);
-    StandingPlane plane = along(text.axis);
+    PlacedPlane plane = along(text.axis);
     plane.offset = text.offset.value_or(0.5 * (plane.low + plane.high));
     plane.side = text.side != 0 ? text.side : to_viewer >= 0 ? 1 : -1;
     return plane;
   }
 
-  StandingPlane along(Vec3 axis) const {
+  PlacedPlane along(Vec3 axis) const {
     Mat3 across(0);  // its first row is the axis
     for (int k = 0; k < 3; ++k) across[k][0] = axis[k];
     const Box3 box = drawn_bounds(scene_, illustration_.illustrate.part_styles, across);
     return {.axis = axis, .low = box.min.x, .high = box.max.x};
   }
 
-  std::string says(const StandingPlane& plane) const {
+  std::string says(const PlacedPlane& plane) const {
     return fmt::format("{}the section at {:.6g} mm, of a model from {:.6g} to {:.6g} mm",
                        section_.place, plane.offset, plane.low, plane.high);
   }
 
-  bool misses(const StandingPlane& plane) {
+  bool misses(const PlacedPlane& plane) {
     if (plane.misses()) missed_ = says(plane) + ", cuts nothing";
     return plane.misses();
   }
 
-  std::vector<CutRegion> region(const std::vector<StandingPlane>& planes) {
-    if (std::ranges::all_of(planes, &StandingPlane::takes_all)) {
+  std::vector<CutRegion> region(const std::vector<PlacedPlane>& planes) {
+    if (std::ranges::all_of(planes, &PlacedPlane::takes_all)) {
       throw UsageError(says(planes.front()) + ", takes all of it away");
     }
     CutRegion region;
-    for (const StandingPlane& plane : planes) {
+    for (const PlacedPlane& plane : planes) {
       if (misses(plane)) return {};
       region.push_back(plane.cut());
     }
@@ -84,19 +84,19 @@ class SectionRegions {
   }
 
   /// Each cut from where the one before ends to where it ends itself.
-  std::vector<CutRegion> steps(const std::vector<StandingPlane>& planes) {
+  std::vector<CutRegion> steps(const std::vector<PlacedPlane>& planes) {
     const std::size_t ends = planes.size() / 2;
     const auto end = [&](std::size_t i) { return planes[2 * i + 1]; };
     const bool falls = ends > 1 && end(1).offset < end(0).offset;
     const auto beside = [&](std::size_t i, bool after) {
-      StandingPlane plane = end(i);
+      PlacedPlane plane = end(i);
       plane.side = after != falls ? 1 : -1;
       return plane.cut();
     };
     std::vector<CutRegion> regions;
     bool all = true;
     for (std::size_t i = 0; i <= ends; ++i) {
-      const StandingPlane& face = planes[2 * i];
+      const PlacedPlane& face = planes[2 * i];
       all = all && face.takes_all();
       if (misses(face)) continue;
       CutRegion region{face.cut()};
@@ -111,7 +111,7 @@ class SectionRegions {
   /// From the viewer down to the place.
   std::vector<CutRegion> around(const Section::Around& around) {
     const Vec3 to_viewer = glm::normalize(illustration_.view.direction);
-    StandingPlane floor = along(to_viewer);
+    PlacedPlane floor = along(to_viewer);
     floor.offset = glm::dot(to_viewer, around.center);
     if (misses(floor)) return {};
     CutRegion region{floor.cut()};
@@ -209,7 +209,7 @@ class Custom {
       : scene_(scene),
         illustration_(illustration),
         words_(scene.parts.size()),
-        told_(scene.parts.size(), false) {
+        reported_(scene.parts.size(), false) {
     bool any_cut = false;
     for (std::size_t i = 0; i < words_.size(); ++i) {
       words_[i] = detail::left_whole_by_custom(scene.parts[i]);
@@ -226,17 +226,17 @@ class Custom {
       const Form& form = *scene_.parts[i].form;
       whole[i] = std::ranges::any_of(
           regions, [&](const CutRegion& region) { return cuts_along(region, form); });
-      told_[i] = told_[i] || (whole[i] && is_drawn(illustration_, i));
+      reported_[i] = reported_[i] || (whole[i] && is_drawn(illustration_, i));
     }
     return whole;
   }
 
-  void tell(Diagnostics& out) const {
+  void report(Diagnostics& out) const {
     constexpr std::size_t kMost = 8;
     std::int64_t count = 0;
     std::set<std::string> names;
     for (std::size_t i = 0; i < words_.size(); ++i) {
-      if (!told_[i]) continue;
+      if (!reported_[i]) continue;
       ++count;
       names.insert(*words_[i]);
     }
@@ -254,7 +254,7 @@ class Custom {
   const Scene& scene_;
   const Illustration& illustration_;
   std::vector<std::optional<std::string>> words_;
-  std::vector<bool> told_;
+  std::vector<bool> reported_;
 };
 
 }  // namespace
@@ -289,7 +289,7 @@ void cut_parts(Scene& scene, const Illustration& illustration) {
       number += static_cast<std::int32_t>(region.size());
     }
   }
-  custom.tell(scene.diagnostics);
+  custom.report(scene.diagnostics);
 }
 
 }  // namespace burin

@@ -11,7 +11,7 @@ Drawing illustrate(const Scene& scene, const SheetOfViews& sheet, const Illustra
   Drawing drawing =
       illustrate(scene, sheet, illustration.style, illustration.illustrate, context, session);
   drawing.title = illustration.title;
-  detail::tell_mostly_empty(illustration, drawing);
+  detail::report_mostly_empty(illustration, drawing);
   return drawing;
 }
 

@@ -28,7 +28,7 @@ Box2 ink_box(const Drawing& drawing) {
 }
 
 /// What is reported about the sheet already.
-bool is_told(const Drawing& drawing) {
+bool is_reported(const Drawing& drawing) {
   return std::ranges::any_of(drawing.diagnostics.entries(), [](const Diagnostic& d) {
     return d.code == "drawing.empty" || d.code == "sheet.outside" || d.code == "sheet.dot" ||
            d.code == "sheet.clipped";
@@ -37,9 +37,9 @@ bool is_told(const Drawing& drawing) {
 
 }  // namespace
 
-void tell_mostly_empty(const Illustration& illustration, Drawing& drawing) {
+void report_mostly_empty(const Illustration& illustration, Drawing& drawing) {
   const Box2 ink = ink_box(drawing);
-  if (illustration.sheet.fits || ink.empty() || is_told(drawing)) return;
+  if (illustration.sheet.fits || ink.empty() || is_reported(drawing)) return;
   const Vec2 sheet(drawing.paper_width, drawing.paper_height);
   const Margin& margin = illustration.sheet.margin;
   const Vec2 room = sheet - Vec2(margin.left + margin.right, margin.top + margin.bottom);

@@ -7,6 +7,6 @@
 namespace burin::detail {
 
 /// Reports a drawing that takes a small part of its sheet, with what would fill it.
-void tell_mostly_empty(const Illustration& illustration, Drawing& drawing);
+void report_mostly_empty(const Illustration& illustration, Drawing& drawing);
 
 }  // namespace burin::detail

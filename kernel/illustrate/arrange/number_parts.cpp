@@ -13,7 +13,8 @@ namespace burin {
 namespace {
 
 /// Numbers that the illustration keeps for names which no part has.
-void tell_holes(const ItemNumbers& kept, const std::vector<Item>& items, Diagnostics& diagnostics) {
+void report_holes(const ItemNumbers& kept, const std::vector<Item>& items,
+                  Diagnostics& diagnostics) {
   std::set<int> used;
   for (const Item& item : items) used.insert(item.number);
   std::int64_t count = 0;
@@ -49,7 +50,7 @@ void number_parts(Scene& scene, Illustration& illustration, RunContext& context)
       find_items(scene, illustration.numbers, scene.diagnostics, context,
                  unlisted_of(illustration.illustrate.part_styles));
   context.end_stage();
-  tell_holes(illustration.numbers, items, scene.diagnostics);
+  report_holes(illustration.numbers, items, scene.diagnostics);
   Annotations annotations;
   annotations.callouts = illustration.callouts;
   annotations.parts_list = illustration.parts_list;

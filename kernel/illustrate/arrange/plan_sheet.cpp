@@ -72,7 +72,7 @@ Camera lone_camera(const Scene& scene, const Illustration& illustration) {
 constexpr double kBetweenViews = 12;
 
 /// Paper mm on each side that callouts about a drawing of that size need.
-Vec2 callout_room_of(const Illustration& illustration, Vec2 size) {
+Vec2 callout_capacity_of(const Illustration& illustration, Vec2 size) {
   if (!illustration.illustrate.annotations || !illustration.illustrate.annotations->callouts)
     return Vec2(0);
   Annotations callouts = *illustration.illustrate.annotations;
@@ -116,7 +116,7 @@ class SheetPlanner {
       place_grid();
     }
     for (const detail::PlannedDetail& detail : details_) add_detail(detail);
-    tell_small_view();
+    report_small_view();
     return std::move(sheet_);
   }
 
@@ -154,7 +154,7 @@ class SheetPlanner {
   }
 
   void place_one() {
-    const Vec2 room = callout_room_of(illustration_, frame_.size());
+    const Vec2 room = callout_capacity_of(illustration_, frame_.size());
     const Box2 inner{frame_.min + room, frame_.max - room};
     sheet_.views.push_back({"", in_box(illustration_.view, inner), frame_, {}, 1, {}, true});
   }
@@ -175,7 +175,8 @@ class SheetPlanner {
       const Camera camera = in_box(options_of(name), frame);
       const Vec3 size = extent()(axes_of(camera)).size();
       GridView view{name, {size.x, size.y}, Vec2(0)};
-      if (views.size() == numbered) view.room = callout_room_of(illustration_, 0.5 * frame.size());
+      if (views.size() == numbered)
+        view.room = callout_capacity_of(illustration_, 0.5 * frame.size());
       views.push_back(std::move(view));
     }
     const ViewGrid grid = arrange_views(views, illustration_.projection, frame, kBetweenViews,
@@ -198,7 +199,7 @@ class SheetPlanner {
   }
 
   /// A view beside which a detail is half as large again says little of where it belongs.
-  void tell_small_view() {
+  void report_small_view() {
     if (details_.empty()) return;
     const Camera& main = sheet_.views.front().camera;
     const Vec3 size = extent()(axes_of(main)).size();

@@ -10,7 +10,7 @@ bool are_loaded() { return false; }
 void reserve(Reserved /*is_reserved*/) {}
 std::vector<std::filesystem::path> search_path() { return {}; }
 void load_all(bool /*again*/) {}
-std::vector<Plugin> plugins() { return brought(); }
+std::vector<Plugin> plugins() { return added(); }
 std::string probe(const std::filesystem::path& /*file*/, double /*timeout*/) {
   return "plug-ins need Burin with BURIN_PLUGINS";
 }

@@ -32,10 +32,10 @@ int main(int argc, char** argv) {
   if (argc != 2) return 2;
   void* const library = ::dlopen(argv[1], RTLD_NOW | RTLD_LOCAL | RTLD_NODELETE);
   if (library == nullptr) say(std::string("fault it cannot be loaded: ") + ::dlerror());
-  using Door = const burin_plugin_table* (*)(std::uint32_t);
-  const auto door = reinterpret_cast<Door>(::dlsym(library, "burin_plugin"));
-  if (door == nullptr) say("fault it has no symbol burin_plugin");
-  const burin_plugin_table* const table = door(BURIN_PLUGIN_ABI);
+  using EntryPoint = const burin_plugin_table* (*)(std::uint32_t);
+  const auto entry_point = reinterpret_cast<EntryPoint>(::dlsym(library, "burin_plugin"));
+  if (entry_point == nullptr) say("fault it has no symbol burin_plugin");
+  const burin_plugin_table* const table = entry_point(BURIN_PLUGIN_ABI);
   std::string fault = burin::plugin::fault_of(table);
   if (fault.empty()) fault = burin::plugin::tried(*table);
   say(fault.empty() ? "ok" : "fault " + fault);

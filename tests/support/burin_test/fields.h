@@ -27,8 +27,8 @@ template <class HasCross>
 std::optional<Vec3> direction(const HasCross& field, const Asked& asked) {
   const auto cross = field.cross(asked.query);
   if (!cross) return std::nullopt;
-  return asked.previous == Vec3(0) ? arm_of(*cross, asked.family)
-                                   : arm_along(*cross, asked.previous);
+  return asked.previous == Vec3(0) ? family_direction(*cross, asked.family)
+                                   : direction_along(*cross, asked.previous);
 }
 
 /// How clearly a field speaks; 0 where it says nothing.

@@ -112,7 +112,7 @@ TEST(Parallel, ALoopBesideOneThatThrowsEndsWhole) {
   for (int repeat = 0; repeat < 20; ++repeat) {
     std::atomic<bool> begun{false};
     std::atomic<std::size_t> ranges{0};
-    std::size_t told = 0;  // when the loop came back as if it were done
+    std::size_t reported = 0;  // when the loop came back as if it were done
     const auto throws = [&] {
       for (int i = 0; i < 1000 && !begun; ++i) {
         std::this_thread::sleep_for(std::chrono::microseconds(100));
@@ -125,10 +125,10 @@ TEST(Parallel, ALoopBesideOneThatThrowsEndsWhole) {
         std::this_thread::sleep_for(std::chrono::microseconds(20));
         ++ranges;
       });
-      told = ranges;
+      reported = ranges;
     };
     EXPECT_THROW(parallel_invoke(throws, counts), UsageError);
-    EXPECT_TRUE(told == 0 || told == 200) << told;
+    EXPECT_TRUE(reported == 0 || reported == 200) << reported;
   }
 }
 

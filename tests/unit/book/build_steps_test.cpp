@@ -57,8 +57,8 @@ std::vector<BuildStep> built(const Scene& scene, const std::vector<ExplodeStep>&
 void expect_whole(const Scene& scene, const std::vector<BuildStep>& steps) {
   Parts there;
   for (const BuildStep& step : steps) {
-    if (step.begins) there = step.standing;
-    EXPECT_EQ(there, step.standing);
+    if (step.begins) there = step.assembled;
+    EXPECT_EQ(there, step.assembled);
     there = step.parts();
     EXPECT_TRUE(std::ranges::adjacent_find(there) == there.end());
   }
@@ -70,10 +70,10 @@ TEST(BuildSteps, AreTheStepsBackwards) {
   const auto steps = built(scene, {out({2}), out({1})});
   ASSERT_EQ(steps.size(), 2U);
   EXPECT_TRUE(steps[0].begins);
-  EXPECT_EQ(steps[0].standing, (Parts{0}));
+  EXPECT_EQ(steps[0].assembled, (Parts{0}));
   EXPECT_EQ(steps[0].moves[0].parts, (Parts{1}));
   EXPECT_FALSE(steps[1].begins);
-  EXPECT_EQ(steps[1].standing, (Parts{0, 1}));
+  EXPECT_EQ(steps[1].assembled, (Parts{0, 1}));
   EXPECT_EQ(steps[1].moves[0].parts, (Parts{2}));
   expect_whole(scene, steps);
 }
@@ -93,7 +93,7 @@ TEST(BuildSteps, ASubAssemblyIsBuiltBeforeItIsAdded) {
   const auto steps = built(scene, {out({1, 2, 3}), out({2}), out({3})});
   ASSERT_EQ(steps.size(), 3U);
   EXPECT_EQ(steps[0].assembly, "drive");
-  EXPECT_EQ(steps[0].standing, (Parts{1}));
+  EXPECT_EQ(steps[0].assembled, (Parts{1}));
   EXPECT_EQ(steps[1].assembly, "drive");
   EXPECT_EQ(steps[2].assembly, "");
   ASSERT_EQ(steps[2].moves.size(), 1U);
@@ -107,7 +107,7 @@ TEST(BuildSteps, SubAssembliesAlikeAreBuiltOnce) {
   const auto steps = built(scene, {out({1, 2, 3, 4}), out({2}), out({4})});
   ASSERT_EQ(steps.size(), 2U);
   EXPECT_EQ(steps[0].quantity, 2U);
-  EXPECT_EQ(steps[0].standing, (Parts{1}));
+  EXPECT_EQ(steps[0].assembled, (Parts{1}));
   EXPECT_EQ(steps[1].moves.size(), 2U);
   EXPECT_EQ(steps[1].parts().size(), 5U);
 }
@@ -156,7 +156,7 @@ TEST(BuildSteps, WhatDoesNotComeApartIsOneStep) {
   const auto steps = built(scene, {});
   ASSERT_EQ(steps.size(), 1U);
   EXPECT_TRUE(steps[0].begins);
-  EXPECT_EQ(steps[0].standing, (Parts{0, 1}));
+  EXPECT_EQ(steps[0].assembled, (Parts{0, 1}));
 }
 
 TEST(BuildSteps, PartsThatAreNotDrawnAreNotThere) {
@@ -176,7 +176,7 @@ TEST(BuildSteps, OfFoundStepsEachPartIsNewOnce) {
   expect_whole(scene, steps);
   std::multiset<std::size_t> fresh;
   for (const BuildStep& step : steps) {
-    if (step.begins) fresh.insert(step.standing.begin(), step.standing.end());
+    if (step.begins) fresh.insert(step.assembled.begin(), step.assembled.end());
     for (const BuildMove& move : step.moves) fresh.insert(move.parts.begin(), move.parts.end());
   }
   EXPECT_EQ(fresh.size(), scene.parts.size());

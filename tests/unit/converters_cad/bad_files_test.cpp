@@ -191,11 +191,11 @@ TEST_F(BadFiles, EntitiesOfOneNumberAreTold) {
       found[1].str());
   const Scene scene = read(changed(folder_ / "box.step", "ENDSEC;\nEND-ISO", twice, "twice.step"));
   ASSERT_EQ(scene.parts.size(), 2u);
-  const auto told =
+  const auto reported =
       std::ranges::find(scene.diagnostics.entries(), "step.same_number", &Diagnostic::code);
-  ASSERT_NE(told, scene.diagnostics.entries().end());
-  EXPECT_EQ(told->count, 2);
-  EXPECT_NE(told->message.find("#" + found[1].str()), std::string::npos) << told->message;
+  ASSERT_NE(reported, scene.diagnostics.entries().end());
+  EXPECT_EQ(reported->count, 2);
+  EXPECT_NE(reported->message.find("#" + found[1].str()), std::string::npos) << reported->message;
 }
 
 TEST_F(BadFiles, NumbersInNamesAreNames) {

@@ -55,9 +55,9 @@ TEST_F(ExternalFiles, ThatAreNotThereAreNamedOnce) {
   EXPECT_EQ(scene.parts.size(), 2u);
   EXPECT_EQ(test::count_of(scene.diagnostics, "step.not_translated"), 0);
   ASSERT_EQ(test::count_of(scene.diagnostics, "step.missing_file"), 1);
-  const auto told = std::ranges::find(scene.diagnostics.entries(), "step.missing_file",
-                                      [](const Diagnostic& d) { return d.code; });
-  const std::string& message = told->message;
+  const auto reported = std::ranges::find(scene.diagnostics.entries(), "step.missing_file",
+                                          [](const Diagnostic& d) { return d.code; });
+  const std::string& message = reported->message;
   EXPECT_NE(message.find(ball_.filename().string()), std::string::npos) << message;
   EXPECT_EQ(message.find(block_.filename().string()), std::string::npos) << message;
 }

@@ -113,7 +113,7 @@ TEST(NameEncodings, Utf8AndAsciiStayAsTheyAre) {
   for (const char* name : {"Gehäuse", "轴承", "plain"}) decoder.learn(name);
   EXPECT_EQ(decoder.utf8("Gehäuse"), "Gehäuse");
   Diagnostics said;
-  decoder.tell(said);
+  decoder.report(said);
   EXPECT_TRUE(said.empty());
   EXPECT_EQ(utf8_text("#1 = PRODUCT('Gehäuse');\n", "", said), "");
   EXPECT_TRUE(said.empty());
@@ -126,17 +126,17 @@ TEST(NameEncodings, WhatIsUnsureIsSaidOnceAndTheUserDecides) {
   for (int i = 0; i < 3; ++i) decoder.learn(axis);
   EXPECT_EQ(decoder.utf8(axis), "축");
   Diagnostics said;
-  decoder.tell(said);
+  decoder.report(said);
   ASSERT_EQ(said.entries().size(), 1u);
   EXPECT_EQ(said.entries()[0].code, "names.encoding");
   EXPECT_NE(said.entries()[0].message.find("EUC-KR ('축')"), std::string::npos)
       << said.entries()[0].message;
   Diagnostics quiet;
   for (const char* name : {"GB18030", "gbk", "GB2312"}) {
-    TextDecoder told(name);
-    told.learn(axis);
-    EXPECT_EQ(told.utf8(axis), "绵") << name;
-    told.tell(quiet);
+    TextDecoder reported(name);
+    reported.learn(axis);
+    EXPECT_EQ(reported.utf8(axis), "绵") << name;
+    reported.report(quiet);
   }
   EXPECT_TRUE(quiet.empty());
 }
@@ -154,7 +154,7 @@ TEST(NameEncodings, OfWhichSomeBytesAreNoLettersAreSaidOnce) {
   wrong.utf8("F\xfchrung");
   wrong.utf8("Deckel");
   Diagnostics said;
-  wrong.tell(said);
+  wrong.report(said);
   ASSERT_EQ(said.entries().size(), 1u);
   EXPECT_EQ(said.entries()[0].code, "names.encoding");
   EXPECT_EQ(said.entries()[0].count, 2);
@@ -162,7 +162,7 @@ TEST(NameEncodings, OfWhichSomeBytesAreNoLettersAreSaidOnce) {
   TextDecoder right("latin1");
   right.utf8("Geh\xe4use");
   Diagnostics nothing;
-  right.tell(nothing);
+  right.report(nothing);
   EXPECT_TRUE(nothing.entries().empty());
 }
 

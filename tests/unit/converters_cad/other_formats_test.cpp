@@ -136,8 +136,8 @@ TEST_F(OtherFormats, WiresBesideSolidsAreLeftOutAndTold) {
     EXPECT_EQ(scene.diagnostics.entries()[0].severity, Severity::Warning);
     EXPECT_EQ(scene.diagnostics.entries()[0].count, count) << file;
   }
-  const std::string told = read(folder_ / "a.step").diagnostics.entries()[0].message;
-  EXPECT_NE(told.find("are in 'wire'"), told.npos) << told;
+  const std::string reported = read(folder_ / "a.step").diagnostics.entries()[0].message;
+  EXPECT_NE(reported.find("are in 'wire'"), reported.npos) << reported;
 }
 
 TEST_F(OtherFormats, IgesThatIsPackedOrPiped) {

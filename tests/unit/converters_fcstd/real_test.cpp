@@ -54,13 +54,13 @@ TEST_F(FcstdTest, RealDocumentsStandWhereFreecadPutsThem) {
   ::setenv("BURIN_TEST_IN", data.c_str(), 1);
   ::setenv("FREECAD_USER_HOME", folder_.path().c_str(), 1);
   std::system(("timeout 200 freecadcmd " + script + " >/dev/null 2>&1").c_str());
-  std::map<std::string, std::map<std::string, Box3>> told;
+  std::map<std::string, std::map<std::string, Box3>> reported;
   std::ifstream in(out);
   std::string line, file;
   while (std::getline(in, line)) {
     if (line.starts_with("F ")) {
       file = line.substr(2);
-      told[file];
+      reported[file];
       continue;
     }
     std::istringstream row(line.substr(2));
@@ -68,10 +68,10 @@ TEST_F(FcstdTest, RealDocumentsStandWhereFreecadPutsThem) {
     row >> box.min.x >> box.min.y >> box.min.z >> box.max.x >> box.max.y >> box.max.z >> std::ws;
     std::string label;
     std::getline(row, label);
-    told[file][label] = box;
+    reported[file][label] = box;
   }
-  EXPECT_GE(told.size(), 20u);
-  for (const auto& [path, shapes] : told) {
+  EXPECT_GE(reported.size(), 20u);
+  for (const auto& [path, shapes] : reported) {
     RunContext context;
     if (shapes.empty()) {
       EXPECT_THROW(read_fcstd(path, {}, context), InputError) << path;

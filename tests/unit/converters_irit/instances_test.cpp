@@ -111,10 +111,10 @@ TEST(IritInstances, WithoutAnOriginalAreTold) {
       test::scene_of(object("A", square({0, 0, 0})) + object("B", instance("NOBODY", kUnit)));
   ASSERT_EQ(scene.parts.size(), 1u);
   ASSERT_EQ(scene.diagnostics.entries().size(), 1u);
-  const Diagnostic& told = scene.diagnostics.entries()[0];
-  EXPECT_EQ(told.code, "irit.no_original");
-  EXPECT_EQ(told.severity, Severity::Warning);
-  EXPECT_EQ(told.message,
+  const Diagnostic& reported = scene.diagnostics.entries()[0];
+  EXPECT_EQ(reported.code, "irit.no_original");
+  EXPECT_EQ(reported.severity, Severity::Warning);
+  EXPECT_EQ(reported.message,
             "INSTANCE of NOBODY was left out: the file has no object of that name; the first on "
             "line 5");
   expect_error(object("B", instance("NOBODY", kUnit)), 2, "only 1 INSTANCE of NOBODY");

@@ -99,10 +99,10 @@ TEST(IritParts, WhatIsLeftOutIsTold) {
       object("C", "[CURVE BEZIER 2 E3 [0 0 0] [1 0 0]]") +
       object("P", "[POLYGON 2 [0 0 0] [1 0 0]]") + object("[INVISIBLE 1] I", square({0, 0, 9})));
   EXPECT_EQ(names(scene), std::vector<std::string>{"A"});
-  const auto& told = scene.diagnostics.entries();
-  ASSERT_EQ(told.size(), 4u);
+  const auto& reported = scene.diagnostics.entries();
+  ASSERT_EQ(reported.size(), 4u);
   const auto find = [&](const std::string& code) {
-    return *std::ranges::find(told, code, &Diagnostic::code);
+    return *std::ranges::find(reported, code, &Diagnostic::code);
   };
   EXPECT_EQ(find("irit.unread").count, 2);
   EXPECT_EQ(find("irit.unread").severity, Severity::Warning);
@@ -110,7 +110,7 @@ TEST(IritParts, WhatIsLeftOutIsTold) {
   EXPECT_NE(find("irit.unread").message.find("line 5"), std::string::npos);
   EXPECT_EQ(find("irit.no_surface").count, 1);
   EXPECT_EQ(find("irit.no_surface").severity, Severity::Warning);
-  EXPECT_TRUE(std::ranges::any_of(told, [](const Diagnostic& d) {
+  EXPECT_TRUE(std::ranges::any_of(reported, [](const Diagnostic& d) {
     return d.message.starts_with("POLYGON of fewer than three corners is no surface");
   }));
   EXPECT_EQ(find("irit.invisible").count, 1);

@@ -240,7 +240,7 @@ TEST(Trees, FlatChildrenOfCutsCountAsNothing) {
   EXPECT_TRUE(work_out("intersection() { " + cube(1, 1, 1) + flat + "}").solid.empty());
   const Worked w = work_out("difference() { " + cube(1, 1, 1) + flat + "}");
   EXPECT_NEAR(volume(w.solid), 1, kRelative);
-  EXPECT_TRUE(w.told("openscad.mixed_dimensions"));
+  EXPECT_TRUE(w.reported("openscad.mixed_dimensions"));
 }
 
 TEST(Trees, ResizedAsOpenScadDoes) {
@@ -262,12 +262,12 @@ TEST(Trees, WhatIsNoSolidIsLeftOutAndTold) {
       "= 1);";
   const Worked w = work_out("union() { " + moved(-1, -1, -1, cube(3, 3, 3)) + open + "}");
   EXPECT_NEAR(volume(w.solid), 27, 1e-10);
-  EXPECT_TRUE(w.told("openscad.open_solid"));
+  EXPECT_TRUE(w.reported("openscad.open_solid"));
   const Worked n =
       work_out(cube(1, 1, 1) + "multmatrix([[nan,0,0,0],[0,1,0,0],[0,0,1,0],[0,0,0,1]]) { " +
                cube(1, 1, 1) + "}");
   EXPECT_NEAR(volume(n.solid), 1, kRelative);
-  EXPECT_TRUE(n.told("openscad.not_finite"));
+  EXPECT_TRUE(n.reported("openscad.not_finite"));
 }
 
 TEST(Trees, PolyhedraThatCutThemselvesAreCutThere) {

@@ -27,7 +27,7 @@ std::map<std::pair<std::uint32_t, std::uint32_t>, std::pair<int, int>> edges(con
 
 }  // namespace
 
-bool Worked::told(const std::string& code) const {
+bool Worked::reported(const std::string& code) const {
   return std::ranges::any_of(diagnostics.entries(),
                              [&](const Diagnostic& d) { return d.code == code; });
 }

@@ -16,7 +16,7 @@ struct Worked {
   Diagnostics diagnostics;
   /// Groups of solids that touch which were cut.
   std::size_t cuts = 0;
-  bool told(const std::string& code) const;
+  bool reported(const std::string& code) const;
 };
 
 /// The text's top, or one of its nodes.

@@ -51,7 +51,7 @@ Evaluated::Evaluated(const std::string& text, const std::filesystem::path& folde
 Region Evaluated::region() { return region_of(0); }
 Solid Evaluated::solid() { return solid_of(0); }
 
-bool Evaluated::told(const std::string& code) const {
+bool Evaluated::reported(const std::string& code) const {
   return std::ranges::any_of(e_.diagnostics.entries(),
                              [&](const Diagnostic& d) { return d.code == code; });
 }

@@ -24,7 +24,7 @@ class Evaluated {
   Region region();
   Solid solid();
   const Diagnostics& diagnostics() const { return e_.diagnostics; }
-  bool told(const std::string& code) const;
+  bool reported(const std::string& code) const;
   bool is_flat() const;
 
  private:

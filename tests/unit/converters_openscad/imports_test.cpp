@@ -55,12 +55,12 @@ TEST(Imports, DxfEntitiesThatOpenScadLeavesOutAreTold) {
   folder.write("spline.dxf", dxf("0\nSPLINE\n8\n0\n10\n0\n20\n0\n"));
   Evaluated tree(import_of("spline.dxf"), folder.path());
   EXPECT_TRUE(tree.region().empty());
-  EXPECT_TRUE(tree.told("openscad.dxf_entity"));
+  EXPECT_TRUE(tree.reported("openscad.dxf_entity"));
   // The end of the file is no entity.
   folder.write("circle.dxf", dxf("0\nCIRCLE\n8\n0\n10\n5\n20\n4\n40\n2\n"));
   Evaluated circle(import_of("circle.dxf"), folder.path());
   EXPECT_FALSE(circle.region().empty());
-  EXPECT_FALSE(circle.told("openscad.dxf_entity"));
+  EXPECT_FALSE(circle.reported("openscad.dxf_entity"));
 }
 
 TEST(Imports, SvgShapesStandUprightInMillimetres) {
@@ -142,16 +142,16 @@ TEST(Imports, AMissingFileIsToldAndLeftOut) {
   for (const char* file : {"none.dxf", "none.svg"}) {
     Evaluated tree(import_of(file));
     EXPECT_TRUE(tree.region().empty()) << file;
-    EXPECT_TRUE(tree.told("openscad.no_file")) << file;
+    EXPECT_TRUE(tree.reported("openscad.no_file")) << file;
   }
   for (const char* file : {"none.stl", "none.amf", "none.3mf"}) {
     Evaluated tree(import_of(file));
     EXPECT_TRUE(tree.solid().empty()) << file;
-    EXPECT_TRUE(tree.told("openscad.no_file")) << file;
+    EXPECT_TRUE(tree.reported("openscad.no_file")) << file;
   }
   Evaluated surface("surface(file = \"none.png\", center = false, invert = false);");
   EXPECT_TRUE(surface.solid().empty());
-  EXPECT_TRUE(surface.told("openscad.no_file"));
+  EXPECT_TRUE(surface.reported("openscad.no_file"));
 }
 
 TEST(Imports, EndlessAndSpecialFilesAreRefused) {
@@ -228,7 +228,7 @@ TEST(BadInput, WhatIsNoNumberDrawsNothing) {
 TEST(BadInput, ShapesAcrossTheAxisAreToldAndLeftOut) {
   Evaluated tree("rotate_extrude(angle = 360, $fn = 20) { circle($fn = 20, r = 2); }");
   EXPECT_TRUE(tree.solid().empty());
-  EXPECT_TRUE(tree.told("openscad.across_axis"));
+  EXPECT_TRUE(tree.reported("openscad.across_axis"));
 }
 
 TEST(BadInput, TextWithoutGlyphsOrFont) {
@@ -236,7 +236,7 @@ TEST(BadInput, TextWithoutGlyphsOrFont) {
   EXPECT_TRUE(Evaluated("text(text = \"   \", size = 10);").region().empty());
   Evaluated missing("text(text = \"a\", size = 10, font = \"No Such Font At All\");");
   if (missing.region().empty()) GTEST_SKIP() << "no font is installed";
-  EXPECT_TRUE(missing.told("openscad.font_replaced"));
+  EXPECT_TRUE(missing.reported("openscad.font_replaced"));
 }
 
 }  // namespace

@@ -38,7 +38,7 @@ void expect_drilled(const std::string& box) {
   EXPECT_EQ(open_edges(alone.solid), 0U);
   const Worked cut = work_out("difference() { " + box + kPin + "}");
   EXPECT_NEAR(volume(cut.solid), kBox - 12 * polygon_area(4, 48), kDigits * kBox);
-  EXPECT_FALSE(cut.told("openscad.open_solid"));
+  EXPECT_FALSE(cut.reported("openscad.open_solid"));
   const Worked pin = work_out("union() { " + box + kPin + "}");
   EXPECT_NEAR(volume(pin.solid), kBox + 48 * polygon_area(4, 48), kDigits * kBox);
 }
@@ -66,7 +66,7 @@ TEST(Polyhedra, WithoutAFaceAreLeftOutOfCutsAndTold) {
   const std::string open = box_of_own_corners(as_it_is, 5);
   const Worked w = work_out("union() { " + open + kPin + "}");
   EXPECT_NEAR(volume(w.solid), 60 * polygon_area(4, 48), 1e-6);
-  EXPECT_TRUE(w.told("openscad.open_solid"));
+  EXPECT_TRUE(w.reported("openscad.open_solid"));
 }
 
 TEST(Polyhedra, CornersThatFallTogetherMakeNoFace) {

@@ -28,10 +28,10 @@ WriteOptions options_of(const std::vector<std::pair<std::string, std::string>>& 
   return write_options(made);
 }
 
-std::vector<std::string> told(const Drawing& drawing, std::string_view format,
-                              WriteOptions options = {}) {
+std::vector<std::string> reported(const Drawing& drawing, std::string_view format,
+                                  WriteOptions options = {}) {
   std::vector<std::string> codes;
-  options.tell = [&](const Diagnostic& one) {
+  options.report = [&](const Diagnostic& one) {
     if (one.severity != Severity::Info) codes.push_back(one.code);
   };
   written(drawing, format, options);
@@ -149,7 +149,7 @@ TEST(Pens, AreThoseOfTheLayers) {
   EXPECT_EQ(pens_of("one"), (std::vector{1, 1, 1, 1}));
   EXPECT_EQ(pens_of("outline = 5; c*=7;*=0"), (std::vector{0, 7, 7, 5}));
   EXPECT_EQ(pens_of("outline=5"), (std::vector{1, 1, 1, 5}));
-  EXPECT_EQ(told(d, "hpgl", options_of({{"hpgl.pens", "outline=5"}})),
+  EXPECT_EQ(reported(d, "hpgl", options_of({{"hpgl.pens", "outline=5"}})),
             std::vector<std::string>{"pen.unnamed"});
   const std::string gcode = written(
       d, "gcode", options_of({{"gcode.pen_change", "M5; T{pen} M6"}, {"gcode.tool", "laser"}}));
@@ -192,7 +192,7 @@ TEST(Pens, AreCutAtTheSheet) {
       {{0, 50}, {2000, 50}}, {{1990, 90}, {2000, 90}}, {{2000, 80}, {1990, 80}, {1990, 90}}};
   expect_all_once(test::read_hpgl(written(d, "hpgl")), kept, 0);
   expect_all_once(test::read_gcode(written(d, "gcode")), kept, 0);
-  EXPECT_EQ(told(d, "hpgl"), std::vector<std::string>{"pen.cut"});
+  EXPECT_EQ(reported(d, "hpgl"), std::vector<std::string>{"pen.cut"});
   const std::string middle = written(d, "gcode", options_of({{"gcode.origin", "middle"}}));
   EXPECT_NE(middle.find("X-1000 Y0"), std::string::npos);
 }
@@ -249,8 +249,8 @@ TEST(Pens, DashHiddenLinesAsTheStyleSays) {
 
 TEST(Pens, TellWhatTheyCannotShow) {
   Drawing d = test::sample_drawing();
-  EXPECT_EQ(told(d, "hpgl"), std::vector<std::string>{"pen.width"});
-  EXPECT_EQ(told(Drawing(), "gcode"), std::vector<std::string>{"pen.empty"});
+  EXPECT_EQ(reported(d, "hpgl"), std::vector<std::string>{"pen.width"});
+  EXPECT_EQ(reported(Drawing(), "gcode"), std::vector<std::string>{"pen.empty"});
   EXPECT_EQ(test::read_hpgl(written(Drawing(), "hpgl")).lines.size(), 0u);
   EXPECT_EQ(test::read_gcode(written(Drawing(), "gcode")).lines.size(), 0u);
   // Letters are outlines, the dot of a leader is a disc as large as it is.

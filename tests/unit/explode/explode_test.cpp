@@ -17,12 +17,12 @@ namespace {
 using Parts = std::vector<std::size_t>;
 
 Explosion explode(const Scene& scene, const ExplodeOptions& options = {},
-                  Diagnostics* told = nullptr) {
+                  Diagnostics* reported = nullptr) {
   RunContext context;
   Diagnostics diagnostics;
   const ExplodeModel model(scene, std::vector<bool>(scene.parts.size(), true), context);
   Explosion explosion = model.find(options, diagnostics, context);
-  if (told) *told = diagnostics;
+  if (reported) *reported = diagnostics;
   return explosion;
 }
 
@@ -97,14 +97,14 @@ TEST(Explode, InterlockedPartsAreNamedAndMoveAsOne) {
   test::add_part(
       scene, "right",
       test::moved(test::torus(10, 2, 48, 24), Mat3(1, 0, 0, 0, 0, 1, 0, -1, 0), Vec3(10, 0, 0)));
-  Diagnostics told;
-  Explosion e = explode(scene, {}, &told);
+  Diagnostics reported;
+  Explosion e = explode(scene, {}, &reported);
   EXPECT_TRUE(e.steps.empty());
   ASSERT_EQ(e.interlocked.size(), 1U);
   EXPECT_EQ(e.interlocked[0], (Parts{0, 1}));
-  ASSERT_EQ(told.entries().size(), 1U);
-  EXPECT_EQ(told.entries()[0].code, "explode.interlocked");
-  EXPECT_NE(told.entries()[0].message.find("'left', 'right'"), std::string::npos);
+  ASSERT_EQ(reported.entries().size(), 1U);
+  EXPECT_EQ(reported.entries()[0].code, "explode.interlocked");
+  EXPECT_NE(reported.entries()[0].message.find("'left', 'right'"), std::string::npos);
 
   test::add_part(scene, "table", test::box({-60, -60, -20}, {60, 60, -12}));
   e = explode(scene);
@@ -279,10 +279,10 @@ TEST(Explode, ManyPartsAreTakenApartByTheirBoxes) {
     const Vec3 at(10.0 * (i % 50), 10.0 * line, 0);
     test::add_part(scene, "cube", test::box(at, at + Vec3(6)));
   }
-  Diagnostics told;
-  const Explosion e = explode(scene, {}, &told);
-  ASSERT_EQ(told.entries().size(), 1U);
-  EXPECT_EQ(told.entries()[0].code, "explode.boxes");
+  Diagnostics reported;
+  const Explosion e = explode(scene, {}, &reported);
+  ASSERT_EQ(reported.entries().size(), 1U);
+  EXPECT_EQ(reported.entries()[0].code, "explode.boxes");
   const auto moves = moves_of(e.steps, scene.parts.size(), 1);
   for (std::size_t i = 1; i < moves.size(); ++i) ASSERT_GT(moves[i].z, 0) << i;
 }
@@ -290,13 +290,13 @@ TEST(Explode, ManyPartsAreTakenApartByTheirBoxes) {
 TEST(Explode, OnePartOrNoneMovesNothingAndSaysSo) {
   Scene scene;
   test::add_part(scene, "alone", test::box(Vec3(0), Vec3(1)));
-  Diagnostics told;
-  EXPECT_TRUE(explode(scene, {}, &told).steps.empty());
-  ASSERT_EQ(told.entries().size(), 1U);
-  EXPECT_EQ(told.entries()[0].code, "explode.alone");
+  Diagnostics reported;
+  EXPECT_TRUE(explode(scene, {}, &reported).steps.empty());
+  ASSERT_EQ(reported.entries().size(), 1U);
+  EXPECT_EQ(reported.entries()[0].code, "explode.alone");
   RunContext context;
   const ExplodeModel none(scene, {false}, context);
-  EXPECT_TRUE(none.find({}, told, context).steps.empty());
+  EXPECT_TRUE(none.find({}, reported, context).steps.empty());
 }
 
 TEST(Explode, StopsWhereItIsCancelled) {
@@ -304,8 +304,8 @@ TEST(Explode, StopsWhereItIsCancelled) {
   const Scene scene = bolt_in_plate();
   const ExplodeModel model(scene, {true, true}, context);
   context.cancel();
-  Diagnostics told;
-  EXPECT_THROW(model.find({}, told, context), Cancelled);
+  Diagnostics reported;
+  EXPECT_THROW(model.find({}, reported, context), Cancelled);
   EXPECT_THROW(ExplodeModel(scene, {true, true}, context), Cancelled);
 }
 

@@ -29,15 +29,15 @@ TEST_P(RealAssemblies, ComeApart) {
   const auto path = std::filesystem::exists(sample) ? sample : test::data(GetParam().file);
   if (!std::filesystem::exists(path)) GTEST_SKIP() << "no " << path;
   RunContext context;
-  Diagnostics told;
+  Diagnostics reported;
   Scene scene = read_scene({path.string()}, {}, context);
   // The bodies of a product that is alone, as a drawing takes them apart.
   const std::vector<std::string> bodies{"*/*"};
   if (scene.parts.size() == 1) split_pieces(scene, bodies);
   const ExplodeModel model(scene, std::vector<bool>(scene.parts.size(), true), context);
-  const Explosion explosion = model.find({}, told, context);
+  const Explosion explosion = model.find({}, reported, context);
   EXPECT_EQ(explosion.interlocked.size(), GetParam().interlocked)
-      << (told.empty() ? "" : told.entries().front().message);
+      << (reported.empty() ? "" : reported.entries().front().message);
   std::size_t held = 0;
   for (const auto& set : explosion.interlocked) held += set.size() - 1;
   EXPECT_GT(explosion.steps.size() + held, 0U);
@@ -56,13 +56,13 @@ TEST(SampleAssemblies, GiveTheSameStepsTurnedScaledAndMoved) {
   const Placement place{0.04 * test::tilted(), {30, -4, 1.7}};
   for (const char* file : {"coupling.step", "gear_pump.step"}) {
     RunContext context;
-    Diagnostics told;
+    Diagnostics reported;
     const auto path = std::filesystem::path(BURIN_SOURCE_DIR) / "samples" / file;
     Scene scene = read_scene({path.string()}, {}, context);
     const std::vector<bool> all(scene.parts.size(), true);
-    const auto a = ExplodeModel(scene, all, context).find({}, told, context).steps;
+    const auto a = ExplodeModel(scene, all, context).find({}, reported, context).steps;
     for (Part& part : scene.parts) part.form = placed(part.form, place);
-    const auto b = ExplodeModel(scene, all, context).find({}, told, context).steps;
+    const auto b = ExplodeModel(scene, all, context).find({}, reported, context).steps;
     ASSERT_EQ(a.size(), b.size()) << file;
     for (std::size_t i = 0; i < a.size(); ++i) {
       EXPECT_EQ(a[i].parts, b[i].parts) << file << " step " << i;

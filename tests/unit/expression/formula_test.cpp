@@ -97,10 +97,10 @@ TEST(Formula, RefusesWhatIsNoneInOneLine) {
       {std::string(5000, ' '), "longer"},
   };
   for (const auto& [text, part] : wrong) {
-    const std::string told = refusal(text);
-    EXPECT_NE(told.find(part), std::string::npos) << text << ": " << told;
-    EXPECT_EQ(told.find('\n'), std::string::npos) << told;
-    EXPECT_LT(told.size(), 200u) << told;
+    const std::string reported = refusal(text);
+    EXPECT_NE(reported.find(part), std::string::npos) << text << ": " << reported;
+    EXPECT_EQ(reported.find('\n'), std::string::npos) << reported;
+    EXPECT_LT(reported.size(), 200u) << reported;
   }
 }
 

@@ -90,7 +90,7 @@ TEST(TextureImage, HasNoDirectionWhereThePictureIsEvenOrThereIsNoUv) {
 }
 
 TEST(TextureImage, BlurTakesGrainAway) {
-  // Grain of single pixels on a slope along u.
+  // StrokeDirections of single pixels on a slope along u.
   const auto grainy = image(200, 200, [i = std::uint32_t{0}](double u, double) mutable {
     i = i * 1103515245u + 12345u;
     return 0.3 * std::sin(kTurn * u) + 0.1 * ((i >> 16) % 100) / 100.0 + 0.4;

@@ -97,7 +97,7 @@ TEST(Levels, ThatAFieldDoesNotHaveOrThatLieTooCloseAreRefused) {
   EXPECT_THROW(draw(ball(false), style), UsageError);
 }
 
-std::string told(const Drawing& drawing) {
+std::string reported(const Drawing& drawing) {
   std::string all;
   for (const auto& d : drawing.diagnostics.entries()) {
     if (d.code == "option.unused") all += d.message + "\n";
@@ -107,12 +107,12 @@ std::string told(const Drawing& drawing) {
 
 TEST(UnusedChoices, OfStrokesAreToldOnce) {
   Style style = builtin_style("engraving");
-  EXPECT_EQ(told(draw(ball(false), style)), "");
+  EXPECT_EQ(reported(draw(ball(false), style)), "");
   style.hatch.length_law = "2";
   style.hatch.motif = "M0 0h1";
   style.tone.shadow = 0.5;
   style.tone.law = "constant";
-  EXPECT_EQ(told(draw(ball(false), style)),
+  EXPECT_EQ(reported(draw(ball(false), style)),
             "hatch.length_law has no effect: it is for strokes on points (hatch.placing points, "
             "discs), not even\n"
             "hatch.motif has no effect: it is for strokes on points (hatch.placing points, discs), "
@@ -120,7 +120,7 @@ TEST(UnusedChoices, OfStrokesAreToldOnce) {
             "tone.shadow has no effect: tone.law constant looks at no light\n");
   style.hatch.placing = "discs";
   style.tone.law = "lambert";
-  EXPECT_EQ(told(draw(ball(false), style)), "");
+  EXPECT_EQ(reported(draw(ball(false), style)), "");
 }
 
 }  // namespace

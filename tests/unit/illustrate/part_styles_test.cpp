@@ -201,11 +201,12 @@ TEST(PartStyles, KeysThatHoldForAWholeDrawingAreTold) {
   white.style = builtin_style("scratchboard");
   const Drawing drawing = draw(scene, {{}, {}, white});
   const auto entries = drawing.diagnostics.entries();
-  const auto told = std::ranges::find(entries, "option.unused", &Diagnostic::code);
-  ASSERT_NE(told, entries.end());
-  EXPECT_NE(told->message.find("sheet.ink, sheet.paper of style 'scratchboard'"), std::string::npos)
-      << told->message;
-  EXPECT_NE(told->message.find("line.color"), std::string::npos);
+  const auto reported = std::ranges::find(entries, "option.unused", &Diagnostic::code);
+  ASSERT_NE(reported, entries.end());
+  EXPECT_NE(reported->message.find("sheet.ink, sheet.paper of style 'scratchboard'"),
+            std::string::npos)
+      << reported->message;
+  EXPECT_NE(reported->message.find("line.color"), std::string::npos);
   PartStyle plain;
   plain.style = builtin_style("outline");
   EXPECT_TRUE(draw(scene, {{}, {}, plain}).diagnostics.entries().empty());

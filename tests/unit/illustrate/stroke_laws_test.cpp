@@ -274,12 +274,12 @@ TEST(StrokeLaws, APartWithoutUAndVSaysSo) {
   const auto plain = strokes_of(draw(ball(), style));
   style.hatch.width_law = "u";
   const Drawing drawing = draw(ball(), style);
-  int told = 0;
+  int reported = 0;
   for (const auto& entry : drawing.diagnostics.entries()) {
-    told +=
+    reported +=
         entry.code == "strokes.no_parameters" && entry.message.find("'ball'") != std::string::npos;
   }
-  EXPECT_EQ(told, 1);
+  EXPECT_EQ(reported, 1);
   EXPECT_EQ(strokes_of(drawing).size(), plain.size());
 }
 
@@ -296,9 +296,9 @@ TEST(StrokeLaws, ThatAreNoneAreRefusedByTheirKeyInOneLine) {
     return std::string("it was drawn");
   };
   const auto expect = [&](const char* key, const std::string& law, const char* part) {
-    const std::string told = refused(key, law);
-    EXPECT_NE(told.find(key), std::string::npos) << told;
-    EXPECT_NE(told.find(part), std::string::npos) << told;
+    const std::string reported = refused(key, law);
+    EXPECT_NE(reported.find(key), std::string::npos) << reported;
+    EXPECT_NE(reported.find(part), std::string::npos) << reported;
   };
   for (const char* name : {"ink", "density", "width", "length", "presence"}) {
     const std::string key = std::string("hatch.") + name + "_law";

@@ -53,14 +53,14 @@ void check(const fs::path& path, const Case& what) {
     EXPECT_GT(drawing.stats.verify->length, 50);
     if (closed.empty()) closed = closed_parts(scene, 0.05 / camera.scale(), context);
     double wrong = 0;
-    std::ostringstream told;
+    std::ostringstream reported;
     for (const Contradiction& c : drawing.stats.verify->contradictions) {
       if (c.what != "loose_end" && !closed[static_cast<std::size_t>(c.source.part)]) continue;
       wrong += c.what == "loose_end" ? 1 : c.length;
-      told << c.what << ": " << c.length << " mm of a " << to_string(c.kind) << " of part "
-           << c.source.part << " at " << c.at.x << "," << c.at.y << '\n';
+      reported << c.what << ": " << c.length << " mm of a " << to_string(c.kind) << " of part "
+               << c.source.part << " at " << c.at.x << "," << c.at.y << '\n';
     }
-    EXPECT_LE(wrong, what.known) << told.str();
+    EXPECT_LE(wrong, what.known) << reported.str();
   }
 }
 

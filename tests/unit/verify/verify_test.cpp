@@ -62,7 +62,7 @@ struct Verdict {
   Verification result;
   Diagnostics diagnostics;
 };
-Verdict judge(const std::vector<Path>& lines, std::vector<Standing> parts = {}) {
+Verdict judge(const std::vector<Path>& lines, std::vector<PartOpacity> parts = {}) {
   const Scene scene = box_and_ball();
   const Camera camera = camera_of(scene);
   RunContext context;
@@ -180,11 +180,11 @@ TEST(Verify, WhatIsShorterThanHalfAMillimetreIsNoContradiction) {
 TEST(Verify, ATransparentPartHidesItselfAlone) {
   const std::vector<Path> behind{line({15, 0, -10}, {15, 0, 10}, true)};
   EXPECT_EQ(judge(behind).result.count, 1);
-  EXPECT_EQ(judge(behind, {Standing::Solid, Standing::Transparent}).result.count, 0);
-  EXPECT_EQ(judge(behind, {Standing::Solid, Standing::Absent}).result.count, 0);
+  EXPECT_EQ(judge(behind, {PartOpacity::Solid, PartOpacity::Transparent}).result.count, 0);
+  EXPECT_EQ(judge(behind, {PartOpacity::Solid, PartOpacity::Absent}).result.count, 0);
   // The far side of the transparent ball.
   const std::vector<Path> own{line({15, -8, 0}, {15.5, -8.02, 2}, true, 1)};
-  EXPECT_EQ(judge(own, {Standing::Solid, Standing::Transparent}).result.count, 1);
+  EXPECT_EQ(judge(own, {PartOpacity::Solid, PartOpacity::Transparent}).result.count, 1);
 }
 
 TEST(Verify, OurOwnDrawingsHold) {

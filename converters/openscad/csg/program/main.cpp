@@ -52,8 +52,8 @@ class Share {
   void operator()(double share, const std::string& doing) {
     const auto now = Clock::now();
     const bool other = doing != doing_ && now - said_ > kPause;
-    if (share < told_ + kStep && !other) return;
-    told_ = share;
+    if (share < reported_ + kStep && !other) return;
+    reported_ = share;
     doing_ = doing;
     said_ = now;
     say(fmt::format("share {:.4f} {}", share, doing));
@@ -63,7 +63,7 @@ class Share {
   using Clock = std::chrono::steady_clock;
   static constexpr double kStep = 0.005;
   static constexpr std::chrono::milliseconds kPause{100};
-  double told_ = 0;
+  double reported_ = 0;
   std::string doing_;
   Clock::time_point said_{};
 };

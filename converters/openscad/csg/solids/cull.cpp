@@ -15,9 +15,9 @@ constexpr std::size_t kTestsPerFacet = 2000;
 constexpr std::size_t kExactTests = 100;
 
 /// Where the meshes are in a formula.
-class Standing {
+class MeshesInFormula {
  public:
-  Standing(const Formula& formula, std::size_t meshes)
+  MeshesInFormula(const Formula& formula, std::size_t meshes)
       : nodes_(formula.nodes), parent_(nodes_.size(), 0), node_(meshes, 0), uses_(meshes, 0) {
     for (std::uint32_t n = 0; n < nodes_.size(); ++n) {
       for (const std::uint32_t c : nodes_[n].children) parent_[c] = n;
@@ -57,7 +57,7 @@ class Standing {
 class Culler {
  public:
   Culler(Space& space, std::span<const Mesh> meshes, const Formula& formula, RunContext& context)
-      : space_(space), meshes_(meshes), standing_(formula, meshes.size()), context_(context) {
+      : space_(space), meshes_(meshes), in_formula_(formula, meshes.size()), context_(context) {
     out_.gone.assign(meshes.size(), 0);
     for (const Mesh& m : meshes) {
       context.check();
@@ -143,9 +143,9 @@ class Culler {
 
   /// What of `mesh` lies in the kernel of `other`.
   void look(std::uint32_t mesh, std::uint32_t other) {
-    if (shapes_[other].radius == 0 || out_.gone[mesh] || !standing_.once(mesh)) return;
-    if (!standing_.decided_by(mesh, other)) return;
-    if (standing_.united(mesh, other) && lies_in(mesh, other) &&
+    if (shapes_[other].radius == 0 || out_.gone[mesh] || !in_formula_.once(mesh)) return;
+    if (!in_formula_.decided_by(mesh, other)) return;
+    if (in_formula_.united(mesh, other) && lies_in(mesh, other) &&
         (mesh > other || shapes_[mesh].radius == 0 || !lies_in(other, mesh))) {
       out_.gone[mesh] = 1;
       return;
@@ -214,7 +214,7 @@ class Culler {
 
   Space& space_;
   std::span<const Mesh> meshes_;
-  const Standing standing_;
+  const MeshesInFormula in_formula_;
   RunContext& context_;
   std::vector<Shape> shapes_;
   std::vector<std::int8_t> inside_;

@@ -43,7 +43,7 @@ class Evaluator {
     if (count >= kManyNodes) e_.doing = fmt::format("making the solids of {} nodes", count);
     for (std::uint32_t n = count; n-- > 0;) {
       if (!wanted_[n]) continue;
-      if (n % kPoll == 0) tell(0.5 * (1 - static_cast<double>(n) / count));
+      if (n % kPoll == 0) report(0.5 * (1 - static_cast<double>(n) / count));
       result_[n] = once(n);
     }
     std::vector<Solid> out;
@@ -58,19 +58,19 @@ class Evaluator {
                    from = 0.5 + width * static_cast<double>(k);
       out.push_back(shapes_.solid(shape, e_.run, [&](double s) {
         e_.doing = shapes_.doing;
-        tell(from + s * width);
+        report(from + s * width);
       }));
     }
     e_.cuts = shapes_.cuts;
-    say_left_out();
+    report_mixed();
     say_flat(nodes);
     return out;
   }
 
  private:
-  void tell(double share) {
+  void report(double share) {
     e_.run.check();
-    told_ = share;
+    reported_ = share;
     share_(share);
   }
   /// What is flat beside solids is seen in OpenSCAD's preview, and nowhere else.
@@ -89,7 +89,7 @@ class Evaluator {
   /// Before a node that may take long.
   void begin(std::uint32_t n, std::string_view with) {
     e_.doing = fmt::format("{}(){}", name_of(e_.tree.nodes[n].module), with);
-    tell(told_);
+    report(reported_);
   }
 
   /// What lies below the nodes asked for, but not below `%`.
@@ -140,7 +140,7 @@ class Evaluator {
     for (const std::uint32_t c : children(n)) {
       out.push_back(dimension_[c] == Dimension::Flat ? kNothing : result_[c].shape);
       if (result_[c].region && !result_[c].region->empty()) {
-        csg::tell(e_, c, "openscad.mixed_dimensions", "a 2-D object among solids is left out");
+        csg::report(e_, c, "openscad.mixed_dimensions", "a 2-D object among solids is left out");
       }
     }
     return out;
@@ -149,7 +149,7 @@ class Evaluator {
     std::vector<Region> out;
     for (const std::uint32_t c : children(n)) {
       if (dimension_[c] == Dimension::Solid) {
-        csg::tell(e_, c, "openscad.mixed_dimensions", "a solid among 2-D objects is left out");
+        csg::report(e_, c, "openscad.mixed_dimensions", "a solid among 2-D objects is left out");
         continue;
       }
       out.push_back(result_[c].region ? *result_[c].region : Region{});
@@ -224,14 +224,14 @@ class Evaluator {
     return shapes_.united(std::move(objects));
   }
 
-  void say_left_out() {
+  void report_mixed() {
     auto& list = shapes_.left_out;
     std::ranges::sort(list);
     list.erase(std::unique(list.begin(), list.end()), list.end());
     for (const std::uint32_t n : list) {
-      csg::tell(e_, n, "openscad.open_solid",
-                fmt::format("{}() is not closed: no solid to cut or unite; it is left out",
-                            name_of(e_.tree.nodes[n].module)));
+      csg::report(e_, n, "openscad.open_solid",
+                  fmt::format("{}() is not closed: no solid to cut or unite; it is left out",
+                              name_of(e_.tree.nodes[n].module)));
     }
   }
 
@@ -243,7 +243,7 @@ class Evaluator {
       for (const Value& row : a.value.list) {
         for (const Value& v : row.list) {
           if (v.kind != Value::Kind::Number || std::isfinite(v.number)) continue;
-          csg::tell(
+          csg::report(
               e_, n, "openscad.not_finite",
               "a transformation with numbers that are infinite or none; what it moves is left out");
           return kNothing;
@@ -300,8 +300,8 @@ class Evaluator {
     Solid out = shapes_.solid(
         shape, e_.run, [](double) {}, true);
     if (closed(out)) return out;
-    csg::tell(e_, n, "openscad.open_solid",
-              "minkowski() of a solid that is not closed; it is left out");
+    csg::report(e_, n, "openscad.open_solid",
+                "minkowski() of a solid that is not closed; it is left out");
     return {};
   }
 
@@ -331,7 +331,7 @@ class Evaluator {
 
   Evaluation& e_;
   const std::function<void(double)>& share_;
-  double told_ = 0;
+  double reported_ = 0;
   std::vector<Dimension> dimension_;
   std::vector<Result> result_;
   std::vector<char> wanted_;

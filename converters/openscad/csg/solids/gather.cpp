@@ -135,11 +135,11 @@ void Gather::stand(const Shapes::Shape& s, Open o) {
   formula.nodes.push_back({Formula::Kind::Mesh, at->second, {}});
   formula.nodes[o.parent].children.push_back(n);
   if (!fresh) return;
-  Standing standing{s.leaf, o.matrix, s.tangled, s.open, s.from, {}};
+  PlacedMesh placed{s.leaf, o.matrix, s.tangled, s.open, s.from, {}};
   for (const Vec3& p : shapes_.leaves_[s.leaf].positions) {
-    add_point(standing.box, matrices[o.matrix].nearest, {p.x, p.y, p.z});
+    add_point(placed.box, matrices[o.matrix].nearest, {p.x, p.y, p.z});
   }
-  leaves.push_back(standing);
+  leaves.push_back(placed);
 }
 
 void Gather::find_first() {

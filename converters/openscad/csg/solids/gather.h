@@ -16,7 +16,7 @@ class Gather {
  public:
   explicit Gather(const Shapes& shapes) : shapes_(shapes) {}
 
-  struct Standing {
+  struct PlacedMesh {
     std::uint32_t leaf = 0, matrix = 0;
     bool tangled = false, open = false;
     std::uint32_t from = kNothing;
@@ -24,7 +24,7 @@ class Gather {
   };
   /// Node 0 is a union, whose children are what may be apart.
   Formula formula;
-  std::vector<Standing> leaves;
+  std::vector<PlacedMesh> leaves;
   std::vector<ExactMatrix> matrices;
   /// What stands for each child of node 0, in their order, and the union that it is directly in.
   struct Child {

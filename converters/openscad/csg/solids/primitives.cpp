@@ -150,8 +150,8 @@ Faces faces_of(Evaluation& e, std::uint32_t node, const Value& list, std::size_t
           v.number < static_cast<double>(points)) {
         corners.push_back(static_cast<std::uint32_t>(v.number));
       } else {
-        tell(e, node, "openscad.polyhedron_point",
-             "a face of polyhedron() names a point that it does not have; the point is left out");
+        report(e, node, "openscad.polyhedron_point",
+               "a face of polyhedron() names a point that it does not have; the point is left out");
       }
     }
   }
@@ -190,17 +190,18 @@ bool cut_quad(const std::vector<Vec3>& p, const std::vector<std::uint32_t>& c,
 
 /// The solid of faces whose corners stand for others of their place, each with what it stands for.
 Solid over(const std::vector<Vec3>& points, const Faces& faces,
-           const std::vector<std::uint32_t>& number, const FaceSurfaces& told, RunContext& run) {
+           const std::vector<std::uint32_t>& number, const FaceSurfaces& reported,
+           RunContext& run) {
   Solid out;
   out.positions = points;
-  out.surfaces = told.surfaces;
+  out.surfaces = reported.surfaces;
   std::vector<Triangle> cut;
   for (std::size_t f = 0; f < faces.size(); ++f) {
     const std::vector<std::uint32_t> c = outline_of(faces[f], number);
     if (c.size() < 3) continue;
     cut.resize(c.size() - 2);
     if (!cut_quad(points, c, cut)) triangulate_polygon(points, c, cut, run);
-    for (const Triangle& t : cut) add(out, t[0], t[1], t[2], told.of[f]);
+    for (const Triangle& t : cut) add(out, t[0], t[1], t[2], reported.of[f]);
   }
   return out;
 }
@@ -208,19 +209,19 @@ Solid over(const std::vector<Vec3>& points, const Faces& faces,
 /// Faces may have corners of their own, as most libraries write them: closed is what is closed by
 /// place. Open ones stay as they are.
 Solid closed_by_place(const std::vector<Vec3>& points, const Faces& faces, RunContext& run) {
-  const FaceSurfaces told = surfaces_by_rows(points, faces, run);
+  const FaceSurfaces reported = surfaces_by_rows(points, faces, run);
   std::vector<std::uint32_t> number(points.size());
   std::iota(number.begin(), number.end(), 0U);
-  Solid given = over(points, faces, number, told, run);
+  Solid given = over(points, faces, number, reported, run);
   if (closed(given)) return given;
   number = by_place(points, kFineGrid);
-  Solid welded = over(points, faces, number, told, run);
+  Solid welded = over(points, faces, number, reported, run);
   if (closed(welded)) return welded;
   // The digits of a tree may hold apart what was one point.
   const std::vector<std::uint32_t> near =
       by_place(points, open_corners(welded), last_digit(points));
   for (std::uint32_t& n : number) n = near[n];
-  Solid joined = over(points, faces, number, told, run);
+  Solid joined = over(points, faces, number, reported, run);
   return closed(joined) ? joined : given;
 }
 
@@ -234,8 +235,8 @@ Solid polyhedron(Evaluation& e, std::uint32_t at) {
     const std::size_t n = std::min<std::size_t>(v.list.size(), 3);
     for (std::size_t i = 0; i < n; ++i) p[static_cast<int>(i)] = v.list[i].number;
     if (n < 2 || !std::isfinite(p.x + p.y + p.z)) {
-      tell(e, at, "openscad.polyhedron_point",
-           "polyhedron() with a point that is none; it is left out");
+      report(e, at, "openscad.polyhedron_point",
+             "polyhedron() with a point that is none; it is left out");
       return {};
     }
     points.push_back(p);

@@ -220,14 +220,14 @@ class WorkOut {
     std::vector<char> through_points;
     for (const Turned& t : surfaces) through_points.push_back(t.profile == Turned::Profile::Grid);
     const Mesh result = combine(space, meshes, cut.formula, through_points, context_,
-                                [&](double s) { tell(cut, s); });
+                                [&](double s) { report(cut, s); });
     cut.solid = solid_of(space, result);
     cut.solid.surfaces = std::move(surfaces);
-    tell(cut, 1);
+    report(cut, 1);
   }
 
   /// A leaf where it stands; its surfaces join those of the cut. Empty where it is open.
-  Mesh mesh_at(Space& space, const Gather::Standing& leaf, std::vector<Turned>& surfaces) const {
+  Mesh mesh_at(Space& space, const Gather::PlacedMesh& leaf, std::vector<Turned>& surfaces) const {
     if (leaf.open) return {};
     const Solid& solid = shapes_.leaves_[leaf.leaf];
     const ExactMatrix& m = all_.matrices[leaf.matrix];
@@ -242,7 +242,7 @@ class WorkOut {
   }
 
   /// From any thread.
-  void tell(Cut& cut, double share) {
+  void report(Cut& cut, double share) {
     const std::lock_guard lock(telling_);
     done_ += (share - cut.done) * static_cast<double>(cut.cost);
     cut.done = share;
@@ -263,7 +263,7 @@ class WorkOut {
     for (const Piece& piece : pieces_) {
       context_.check();
       if (piece.leaf != kNothing) {
-        const Gather::Standing& leaf = all_.leaves[piece.leaf];
+        const Gather::PlacedMesh& leaf = all_.leaves[piece.leaf];
         append(out, csg::moved(shapes_.leaves_[leaf.leaf], all_.matrices[leaf.matrix].nearest));
         continue;
       }

@@ -109,7 +109,7 @@ def _run(arguments: Any) -> int:
 
 def _report(arguments: Any) -> int:
     batch = read(arguments.jobs_file)
-    told = report.told_of(batch)
+    told = report.summary_of(batch)
     page = arguments.output or batch.out / "index.html"
     report.write_page(told, batch, page)
     print(f"{page}: {told.summary()}")

@@ -45,7 +45,7 @@ document.querySelector("input").addEventListener("input", e => {
 
 
 @dataclasses.dataclass
-class Told:
+class Summary:
     """What became of all drawings of a catalogue."""
 
     drawn: list[tuple[Job, Drawing, dict[str, Any]]]
@@ -58,11 +58,11 @@ class Told:
         return words + (f", {len(self.left)} not drawn yet" if self.left else "")
 
 
-def told_of(batch: Batch) -> Told:
+def summary_of(batch: Batch) -> Summary:
     """Looks at each record and at the bytes of each output; what does not agree counts as not drawn. Cost: reading all outputs."""
     state = State(batch.out, batch.base)
     clashes = clashing(batch)
-    told = Told([], [], [])
+    told = Summary([], [], [])
     for job, drawing in batch.drawings():
         record = state.record(drawing.id)
         if drawing.name in clashes:
@@ -81,19 +81,19 @@ def _all_there(state: State, record: dict[str, Any]) -> bool:
     return all(state.holds(name, *known) for name, known in record["outputs"].items())
 
 
-def hash_of(told: Told) -> str:
+def hash_of(told: Summary) -> str:
     """SHA-256 over a line an output, sorted: its name and the SHA-256 of its bytes, or its name and the kind of the failure."""
     lines = [json.dumps([name, known]) for _, _, record in told.drawn for name, (_, known) in record["outputs"].items()]
     lines += [json.dumps([name, "failed", record["error"]["kind"]]) for _, drawing, record in told.failed for name in drawing.files()]
     return hashlib.sha256("".join(line + "\n" for line in sorted(lines)).encode()).hexdigest()
 
 
-def write_page(told: Told, batch: Batch, path: Path) -> None:
+def write_page(told: Summary, batch: Batch, path: Path) -> None:
     """Writes the page, whole or not at all. Throws BatchError."""
     write_whole(path, page_of(told, batch, path.parent))
 
 
-def page_of(told: Told, batch: Batch, folder: Path) -> str:
+def page_of(told: Summary, batch: Batch, folder: Path) -> str:
     """The page as it stands in a folder."""
     took = sum(record["seconds"] for _, _, record in told.drawn)
     size = sum(n for _, _, record in told.drawn for n, _ in record["outputs"].values())

@@ -29,7 +29,7 @@ _SELECTING = {"part", "hide", "ghost", "look", "detail", "section_exclude"}
 
 
 @dataclasses.dataclass
-class Shown:
+class PageChange:
     """A picture in both revisions; names of files as seen from the folder of differences, empty where there is none."""
 
     # That of a step.
@@ -56,7 +56,7 @@ class Compared:
     parts: dict[str, int] = dataclasses.field(default_factory=dict)
     # All else.
     words: list[str] = dataclasses.field(default_factory=list)
-    shown: list[Shown] = dataclasses.field(default_factory=list)
+    shown: list[PageChange] = dataclasses.field(default_factory=list)
     # "old", "new" or "difference" -> what failed.
     errors: dict[str, str] = dataclasses.field(default_factory=dict)
 
@@ -157,7 +157,7 @@ class Comparer:
                 one = found.shown[0]
                 one.words, one.difference, one.page = [], models.picture, models.page
             else:
-                found.shown.insert(0, Shown(WHOLE, CHANGED, [], "", "", models.picture, models.page))
+                found.shown.insert(0, PageChange(WHOLE, CHANGED, [], "", "", models.picture, models.page))
         elif drawn:
             words.append("the models are the same, the drawing is not")
         if not found.shown[0].heading:
@@ -165,7 +165,7 @@ class Comparer:
             found.shown[0].words = []
         found.words = words
 
-    def _picture(self, name: str, old: Page | None, new: Page | None) -> Shown:
+    def _picture(self, name: str, old: Page | None, new: Page | None) -> PageChange:
         """Of a pair of pictures."""
         if old is None or new is None:
             return _both(old, new)
@@ -267,13 +267,13 @@ def _data(page: Page) -> str:
     return page.pictures[_FORMATS.index("json")]
 
 
-def _only(side: str, page: Page) -> Shown:
+def _only(side: str, page: Page) -> PageChange:
     return _both(page if side == OLD else None, page if side == NEW else None)
 
 
-def _both(old: Page | None, new: Page | None) -> Shown:
+def _both(old: Page | None, new: Page | None) -> PageChange:
     page = new or old
     assert page is not None
     status = ADDED if old is None else REMOVED if new is None else CHANGED
     names = [f"{side}/{p.pictures[0]}" if p else "" for side, p in ((OLD, old), (NEW, new))]
-    return Shown(page.heading, status, [], *names)
+    return PageChange(page.heading, status, [], *names)

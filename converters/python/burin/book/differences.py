@@ -10,7 +10,7 @@ from urllib.parse import quote
 
 from burin.batch.files import write_whole
 
-from .compare import ADDED, CHANGED, FAILED, REMOVED, SAME, WHOLE, Compared, Shown
+from .compare import ADDED, CHANGED, FAILED, REMOVED, SAME, WHOLE, Compared, PageChange
 from .markdown import plain
 
 # What a reader looks for comes first.
@@ -89,7 +89,7 @@ def _errors(figure: Compared) -> list[str]:
     return [f"{_SIDES[side]}: {what}" for side, what in figure.errors.items()]
 
 
-def _steps(figure: Compared) -> list[Shown]:
+def _steps(figure: Compared) -> list[PageChange]:
     """Those that are not the same."""
     return [s for s in figure.shown if s.heading and s.status != SAME and s.heading != WHOLE]
 
@@ -172,7 +172,7 @@ def _list(words: list[str]) -> str:
     return "<ul>" + "".join(f"<li>{html.escape(line)}</li>" for line in words) + "</ul>" if words else ""
 
 
-def _shown(shown: Shown, status: str) -> str:
+def _shown(shown: PageChange, status: str) -> str:
     """Pictures; of what is the same one, of a step its heading, too."""
     kind = f'<span class="kind {shown.status}">{shown.status}</span>' if shown.heading != WHOLE else ""
     out = f"<h3>{kind}{html.escape(shown.heading)}</h3>{_list(shown.words)}" if shown.heading else _list(shown.words)

@@ -116,7 +116,7 @@ class ExplodePanel(Panel):
             return
         self.find_button.setEnabled(False)
         scheduler.install().ask("steps", self.obj, job, lambda answer, error: self._found(job, answer, error))
-        QtCore.QTimer.singleShot(0, lambda: self.over or self._tell_state())  # Stop ends it
+        QtCore.QTimer.singleShot(0, lambda: self.over or self._report_state())  # Stop ends it
 
     def _found(self, job, answer, error):
         if self.over or not self.alive():

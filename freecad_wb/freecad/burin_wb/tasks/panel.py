@@ -54,7 +54,7 @@ class Panel:
         self.runs.undone.connect(self._undone)
         self._escape = Escape(self.document, lambda: self.over or self.reject())
         self._watch = Changes(self.document, lambda: self.over or not self.alive() or self.refresh(), obj)
-        self._tell_state()
+        self._report_state()
 
     def fill(self):
         raise NotImplementedError
@@ -93,7 +93,7 @@ class Panel:
         if self.alive():
             self.obj.touch()
             self.obj.recompute()
-            self._tell_state()
+            self._report_state()
 
     def alive(self):
         """Whether the illustration is still in its document."""
@@ -131,12 +131,12 @@ class Panel:
 
     def _ended(self, key, error):
         if self._concerns(key):
-            self._tell_state(error)
+            self._report_state(error)
             self._took = time.monotonic() - self._began if error is None else float("inf")
             if error is None:
                 self.preview.renew()
 
-    def _tell_state(self, error=None):
+    def _report_state(self, error=None):
         running = self.runs.running(self.obj)
         self.stop.setEnabled(running)
         if running:

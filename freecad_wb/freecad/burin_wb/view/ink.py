@@ -18,7 +18,7 @@ MOST_POINTS = 20_000
 
 # Where the sheet stands in the model, by FreeCAD's vectors; as `features.sheet.Sheet` has it. box: of the first of several views,
 # whose lines alone are shown.
-Stand = collections.namedtuple("Stand", "center right up direction scale offset box")
+ViewPlace = collections.namedtuple("Stand", "center right up direction scale offset box")
 
 # Lines of one width. width: in pixels; points: (n, 3), on the plane through the view's centre; counts: points of each line.
 Pen = collections.namedtuple("Pen", "width visible points counts")
@@ -36,21 +36,21 @@ def read(path):
     which Python's own reading of JSON does for as long as it takes. Throws OSError, ValueError, KeyError or the kernel's errors."""
     if not kernel.found():
         sheet = Sheet(path)
-        return stand_of(sheet), pens(sheet, [p for _, p in sheet.paths()]), _texts(sheet.texts())
+        return view_place_of(sheet), pens(sheet, [p for _, p in sheet.paths()]), _texts(sheet.texts())
     drawing = kernel.module().Drawing.load(path)
     view, lines = drawing.view, drawing.arrays()
-    stand = Stand(*(FreeCAD.Vector(*v) for v in (view.center, view.right, view.up, view.direction)), view.scale,
+    view_place = ViewPlace(*(FreeCAD.Vector(*v) for v in (view.center, view.right, view.up, view.direction)), view.scale,
                   tuple(view.offset), drawing.views[0]["box"] if drawing.views else None)
-    return (stand, _pens(stand, *(lines[name] for name in ("first", "points", "width", "visible", "closed"))),
-            _texts(t for layer in drawing.layers for t in layer.texts if holds(stand.box, t["at"])))
+    return (view_place, _pens(view_place, *(lines[name] for name in ("first", "points", "width", "visible", "closed"))),
+            _texts(t for layer in drawing.layers for t in layer.texts if holds(view_place.box, t["at"])))
 
 
 def _texts(said):
     return [Text(tuple(t["at"]), t["height"], t["anchor"], t["text"]) for t in said]
 
 
-def stand_of(sheet):
-    return Stand(*(getattr(sheet, name) for name in Stand._fields))
+def view_place_of(sheet):
+    return ViewPlace(*(getattr(sheet, name) for name in ViewPlace._fields))
 
 
 def pens(sheet, paths):
@@ -64,7 +64,7 @@ def pens(sheet, paths):
     # A line of one width may tell it once.
     widths = [w for path, count in zip(paths, counts)
               for w in (path["width"] if len(path["width"]) == count else [_mean(path["width"])] * count)]
-    return _pens(stand_of(sheet), numpy.concatenate(([0], numpy.cumsum(counts, dtype=int))), numpy.array(joined("points")),
+    return _pens(view_place_of(sheet), numpy.concatenate(([0], numpy.cumsum(counts, dtype=int))), numpy.array(joined("points")),
                  numpy.array(widths), numpy.array([path["visible"] for path in paths]),
                  numpy.array([path["closed"] for path in paths]))
 
@@ -73,7 +73,7 @@ def _mean(numbers):
     return sum(numbers) / len(numbers) if numbers else 0.1
 
 
-def _pens(stand, first, points, width, visible, closed):
+def _pens(view_place, first, points, width, visible, closed):
     """`first`: numbers of the first points of the paths, and that of all points."""
     import numpy
 
@@ -82,9 +82,9 @@ def _pens(stand, first, points, width, visible, closed):
     if not len(count):
         return []
     wide = numpy.maximum(1, numpy.rint(numpy.add.reduceat(width, first[:-1]) / count * DOTS_PER_MM)).astype(int)
-    places_ = places(stand, points).astype(numpy.float32)
+    places_ = places(view_place, points).astype(numpy.float32)
     found = []
-    shown = holds_all(stand.box, numpy.asarray(points, dtype=float).reshape(-1, 2)[first[:-1]])
+    shown = holds_all(view_place.box, numpy.asarray(points, dtype=float).reshape(-1, 2)[first[:-1]])
     for kind in numpy.unique((2 * wide + visible)[shown]):
         chosen = numpy.flatnonzero(shown & (2 * wide + visible == kind))
         total = count[chosen] + closed[chosen]
@@ -123,15 +123,15 @@ def lines_node(pen, extra=0.0):
     return part
 
 
-def texts_node(stand, texts):
+def texts_node(view_place, texts):
     """Texts on the sheet, as Coin writes them."""
     root = coin.SoSeparator()
-    turn = FreeCAD.Rotation(stand.right, stand.up, stand.direction, "ZXY").Q
+    turn = FreeCAD.Rotation(view_place.right, view_place.up, view_place.direction, "ZXY").Q
     sides = {"start": coin.SoAsciiText.LEFT, "middle": coin.SoAsciiText.CENTER, "end": coin.SoAsciiText.RIGHT}
-    for text, at in zip(texts, places(stand, [t.at for t in texts])):
+    for text, at in zip(texts, places(view_place, [t.at for t in texts])):
         one, pose, font, letters = coin.SoSeparator(), coin.SoTransform(), coin.SoFont(), coin.SoAsciiText()
         pose.translation, pose.rotation = tuple(float(x) for x in at), turn
-        font.name, font.size = "sans", text.height / CAPITALS / stand.scale
+        font.name, font.size = "sans", text.height / CAPITALS / view_place.scale
         letters.string, letters.justification = text.text, sides[text.anchor]
         for node in (pose, font, letters):
             one.addChild(node)
@@ -151,30 +151,30 @@ def colored(color):
     return root
 
 
-def lifted(stand, lift):
+def lifted(view_place, lift):
     """Moves what follows from the plane through the view's centre, `lift` mm of the model to the viewer."""
     move = coin.SoTranslation()
-    move.translation = tuple(stand.direction * lift)
+    move.translation = tuple(view_place.direction * lift)
     return move
 
 
-def places(stand, points):
+def places(view_place, points):
     """As Sheet.place, of many points at once: (n, 3)."""
     import numpy
 
-    flat = (numpy.asarray(points, dtype=float).reshape(-1, 2) - stand.offset[:2]) / stand.scale
-    frame = numpy.array([tuple(stand.right), tuple(stand.up)])
-    return flat @ frame + tuple(stand.center)
+    flat = (numpy.asarray(points, dtype=float).reshape(-1, 2) - view_place.offset[:2]) / view_place.scale
+    frame = numpy.array([tuple(view_place.right), tuple(view_place.up)])
+    return flat @ frame + tuple(view_place.center)
 
 
-def paper_node(stand, size):
+def paper_node(view_place, size):
     """A white sheet, seen from both sides, a hair behind the ink; of several views the place of the first."""
-    left, bottom, right, top = stand.box or (0, 0, *size)
+    left, bottom, right, top = view_place.box or (0, 0, *size)
     root = coin.SoSeparator()
     root.addChild(colored((1, 1, 1)))
-    root.addChild(lifted(stand, -0.1 / stand.scale))
+    root.addChild(lifted(view_place, -0.1 / view_place.scale))
     coordinates = coin.SoCoordinate3()
-    coordinates.point.setValues(0, 4, places(stand, [(left, bottom), (right, bottom), (right, top), (left, top)]))
+    coordinates.point.setValues(0, 4, places(view_place, [(left, bottom), (right, bottom), (right, top), (left, top)]))
     face = coin.SoFaceSet()
     face.numVertices.setValues(0, 1, [4])
     root.addChild(coordinates)

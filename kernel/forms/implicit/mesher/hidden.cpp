@@ -43,7 +43,7 @@ struct Cube {
 };
 
 enum class Finding : std::uint8_t { Nothing, Same, Open };  // Same: one sign, proved
-enum class Told : std::uint8_t { Explained, Hidden, Unsaid };
+enum class Answer : std::uint8_t { Explained, Hidden, Undecided };
 
 // Whether f may be level somewhere in the box, and may be zero: by its slopes, which also tell how
 // far it is from its value in the middle.
@@ -236,7 +236,7 @@ class Search {
     return true;
   }
 
-  // Returns the nanoseconds that it took, as `told` does.
+  // Returns the nanoseconds that it took, as `reported` does.
   double look_at(Cube& c, Finding& finding) const {
     const Box3 box = box_of(c);
     finding = Finding::Nothing;
@@ -272,18 +272,19 @@ class Search {
   // Cubes of one sign smaller than a cell, which may be what no sample shows; those that are not
   // asked before the budget ends are open.
   bool keep_hidden(const std::vector<Cube>& cubes, std::vector<Finding>& findings) {
-    std::vector<Told> told(cubes.size(), Told::Unsaid);
+    std::vector<Answer> reported(cubes.size(), Answer::Undecided);
     const bool all = in_turn(cubes.size(), [&](std::size_t i) {
       if (findings[i] != Finding::Same) return 0.0;
       const Vec3 p = box_of(cubes[i]).center();
       const bool sign = inside(cubes[i].function->value(p));
-      told[i] = shown(cubes[i], p, sign) ? Told::Explained : Told::Hidden;
+      reported[i] = shown(cubes[i], p, sign) ? Answer::Explained : Answer::Hidden;
       return cubes[i].function->cost() * kSamples;
     });
     for (std::size_t i = 0; i < cubes.size(); ++i) {
       if (findings[i] != Finding::Same) continue;
-      if (told[i] == Told::Hidden) found_.places.push_back({cell_of(cubes[i]), box_of(cubes[i])});
-      if (told[i] == Told::Unsaid) findings[i] = Finding::Open;
+      if (reported[i] == Answer::Hidden)
+        found_.places.push_back({cell_of(cubes[i]), box_of(cubes[i])});
+      if (reported[i] == Answer::Undecided) findings[i] = Finding::Open;
     }
     return all;
   }
@@ -293,38 +294,39 @@ class Search {
   bool settle(const std::vector<Cube>& cubes, std::vector<Finding>& findings, int side,
               std::size_t open) {
     const bool fine = side <= kSampled, last = side == 1 || open > kDoubtful;
-    std::vector<Told> told(cubes.size(), Told::Unsaid);
+    std::vector<Answer> reported(cubes.size(), Answer::Undecided);
     const bool all = in_turn(cubes.size(), [&](std::size_t i) {
       if (findings[i] != Finding::Open) return 0.0;
-      told[i] = ask(cubes[i], fine);
+      reported[i] = ask(cubes[i], fine);
       return cubes[i].function->cost() * kSamples;
     });
     for (std::size_t i = 0; i < cubes.size(); ++i) {
       if (findings[i] != Finding::Open) continue;
       const HiddenPlace place{cell_of(cubes[i]), box_of(cubes[i])};
-      if (told[i] == Told::Explained || told[i] == Told::Hidden || (fine && last)) {
+      if (reported[i] == Answer::Explained || reported[i] == Answer::Hidden || (fine && last)) {
         findings[i] = Finding::Nothing;
       }
-      if (told[i] == Told::Hidden) found_.places.push_back(place);
-      if (told[i] == Told::Unsaid && fine && last) found_.doubtful.push_back(place);
+      if (reported[i] == Answer::Hidden) found_.places.push_back(place);
+      if (reported[i] == Answer::Undecided && fine && last) found_.doubtful.push_back(place);
     }
     return all;
   }
 
   // What samples of a cube tell.
-  Told ask(const Cube& c, bool fine) const {
+  Answer ask(const Cube& c, bool fine) const {
     const std::array<Vec3, 9> points = corners_and_middle(box_of(c));
     std::array<double, 9> values;
     c.function->values(points, values);
     // No number at all: the function ends before.
-    if (std::ranges::all_of(values, [](double v) { return std::isnan(v); })) return Told::Explained;
+    if (std::ranges::all_of(values, [](double v) { return std::isnan(v); }))
+      return Answer::Explained;
     std::optional<Vec3> of[2];
     for (std::size_t k = 0; k < points.size(); ++k) of[inside(values[k]) ? 1 : 0] = points[k];
     if (!(of[0] && of[1]) && fine) beyond(c, points[8], of);
     for (const bool sign : {false, true}) {
-      if (of[sign] && !shown(c, *of[sign], sign)) return Told::Hidden;
+      if (of[sign] && !shown(c, *of[sign], sign)) return Answer::Hidden;
     }
-    return of[0] && of[1] ? Told::Explained : Told::Unsaid;
+    return of[0] && of[1] ? Answer::Explained : Answer::Undecided;
   }
 
   // Looks for the other sign by Newton's rule, which leads to where f would be zero.

@@ -196,8 +196,8 @@ typedef struct burin_scene_calls {
   int32_t (*mesh)(burin_scene* scene, const char* name, size_t points, const double* position,
                   size_t triangles, const uint32_t* corners);
   /** Something that was mended or left out: 0 information, 1 warning. `code`: "tiny.no_name". */
-  int32_t (*tell)(burin_scene* scene, int32_t severity, const char* code, int64_t count,
-                  const char* message);
+  int32_t (*report)(burin_scene* scene, int32_t severity, const char* code, int64_t count,
+                    const char* message);
   /** The share that is done, 0 to 1; now and then. */
   int32_t (*progress)(burin_scene* scene, double share);
 } burin_scene_calls;

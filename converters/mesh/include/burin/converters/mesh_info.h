@@ -24,6 +24,6 @@ PartInfo measure_mesh_part(const Part& part, RunContext& context);
 /// The same of all parts, each shared form once.
 void measure_mesh_parts(const Scene& scene, FileInfo& info, RunContext& context);
 /// Adds the diagnostic of parts whose triangles cross each other.
-void tell_self_intersections(FileInfo& info);
+void report_self_intersections(FileInfo& info);
 
 }  // namespace burin

@@ -78,7 +78,7 @@ Scene read_mesh(const std::filesystem::path& path, const RunContext& context,
 std::shared_ptr<const Form> recognised(std::shared_ptr<const Form> mesh, const std::string& name,
                                        Diagnostics& diagnostics, const RunContext& context);
 /// The diagnostic "mesh.healed", where there are any.
-void tell_round_faces(const RecognisedFaces& faces, const std::string& name,
-                      Diagnostics& diagnostics);
+void report_round_faces(const RecognisedFaces& faces, const std::string& name,
+                        Diagnostics& diagnostics);
 
 }  // namespace burin

@@ -70,8 +70,8 @@ std::string first_illustration(const std::vector<std::string>& inputs, const Dra
                                const std::filesystem::path& folder,
                                const std::vector<ExplodeStep>& steps = {});
 
-/// A file that extends an illustration, `house`, by the steps of an exploded view.
-std::string exploded_illustration(const std::string& house, const DrawRequest& request,
+/// A file that extends an illustration, `base_illustration`, by the steps of an exploded view.
+std::string exploded_illustration(const std::string& base_illustration, const DrawRequest& request,
                                   const std::filesystem::path& folder,
                                   const std::vector<ExplodeStep>& steps);
 

@@ -13,8 +13,8 @@
 namespace burin {
 
 /// The message with each option of `all_options`, and `style_keys`, as the front end spells it.
-std::string at_door(std::string_view message, Spelling spelling);
-Diagnostics at_door(const Diagnostics& diagnostics, Spelling spelling);
+std::string with_spelling(std::string_view message, Spelling spelling);
+Diagnostics with_spelling(const Diagnostics& diagnostics, Spelling spelling);
 
 /// "FILE:LINE: WHAT", without what is not known (an empty name, line 0).
 std::string located(const std::string& file, std::int64_t line, const std::string& what);

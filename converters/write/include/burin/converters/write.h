@@ -63,7 +63,7 @@ struct WriteOptions {
   /// Called now and then by the thread that writes, with the share that is done.
   std::function<void(double)> progress;
   /// Called with what the format cannot show of the drawing, in words for the user.
-  std::function<void(const Diagnostic&)> tell;
+  std::function<void(const Diagnostic&)> report;
 };
 /// What a style says about files.
 WriteOptions write_options(const Style& style);

@@ -54,10 +54,10 @@ CalloutPlaces place_callouts(std::span<const Vec2> anchors, const Box2& drawing,
                              const RunContext& context, const AlongStrokes& along = {});
 
 /// How many numbers have their pitch on each side.
-struct CalloutRoom {
+struct CalloutCapacity {
   std::size_t column = 0, row = 0;
 };
-CalloutRoom callout_room(const Box2& drawing, const Box2& frame, const CalloutSizes& sizes);
+CalloutCapacity callout_capacity(const Box2& drawing, const Box2& frame, const CalloutSizes& sizes);
 
 /// Whether all of them have their pitch.
 bool callouts_fit(std::size_t count, const Box2& drawing, const Box2& frame,

@@ -45,7 +45,7 @@ struct SubprocessRun {
   /// Whether it may have three quarters of the machine's memory at the most.
   bool bounded = true;
   /// Its lines tell how far it is: nothing else calls RunContext::progress.
-  bool tells_progress = false;
+  bool reports_progress = false;
   /// What it does, for the progress of a run that takes longer than a second.
   std::string doing = {};
   /// Each line of its output and of its errors, at most kLongestLine bytes of it.

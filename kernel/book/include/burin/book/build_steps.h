@@ -22,7 +22,7 @@ struct BuildMove {
 struct BuildStep {
   std::vector<BuildMove> moves;
   /// What stands there already, ascending; where `begins`, it is new, too.
-  std::vector<std::size_t> standing;
+  std::vector<std::size_t> assembled;
   bool begins = false;
   /// What is put together: empty for the whole, else what its parts are called together, and how
   /// many of it are needed.

@@ -12,6 +12,6 @@ namespace burin {
 void append_view(Drawing& sheet, Drawing&& view);
 
 /// Adds diagnostics that are not among the others yet.
-void tell_once(const Diagnostics& from, Diagnostics& to);
+void append_new(const Diagnostics& from, Diagnostics& to);
 
 }  // namespace burin

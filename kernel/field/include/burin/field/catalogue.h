@@ -3,7 +3,7 @@
 
 #include <burin/field/field.h>
 #include <burin/options/declared.h>
-#include <burin/surface/shown.h>
+#include <burin/surface/visible_surfaces.h>
 
 #include <functional>
 #include <span>
@@ -25,7 +25,7 @@ struct FieldRequest {
   /// The picture of the strokes, where they have one.
   std::shared_ptr<const Image> image{};
   /// What the picture shows of the surfaces.
-  Shown shown{};
+  VisibleSurfaces shown{};
 };
 
 struct FieldKind {

@@ -46,10 +46,10 @@ struct Cross {
 };
 
 /// The direction of a family, 1 or 2.
-Vec3 arm_of(const Cross& cross, int family);
+Vec3 family_direction(const Cross& cross, int family);
 /// The direction in which a stroke that comes in along `previous` (not zero) goes on, with its
 /// sign.
-Vec3 arm_along(const Cross& cross, Vec3 previous);
+Vec3 direction_along(const Cross& cross, Vec3 previous);
 
 /// A named direction field: a cross, or nothing where the field is singular. The function may be
 /// called from many threads.

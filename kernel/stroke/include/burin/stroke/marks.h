@@ -5,7 +5,7 @@
 #include <burin/camera/camera.h>
 #include <burin/options/declared.h>
 #include <burin/stroke/options.h>
-#include <burin/surface/shown.h>
+#include <burin/surface/visible_surfaces.h>
 
 #include <functional>
 #include <span>
@@ -31,7 +31,7 @@ using Marks = std::function<MarkLines(const MarkPlace&)>;
 struct MarkRequest {
   const Camera& camera;
   const HatchOptions& options;
-  const Shown& shown;
+  const VisibleSurfaces& shown;
 };
 
 struct MarkKind {

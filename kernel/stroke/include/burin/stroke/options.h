@@ -71,7 +71,7 @@ bool follows_field(const HatchOptions& options);
 
 /// Whether strokes stand along levels of their field, which then has to have some. Throws as
 /// `follows_field`.
-bool stands_on_levels(const HatchOptions& options);
+bool uses_level_lines(const HatchOptions& options);
 
 /// Whether motifs, and lengths of single strokes, mean something: strokes stand on points. Throws
 /// as `follows_field`.

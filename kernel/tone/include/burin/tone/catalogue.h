@@ -16,7 +16,7 @@ struct LawRequest {
   const ToneOptions& options;
   /// May be empty.
   const Blocked& blocked;
-  const Shown& shown;
+  const VisibleSurfaces& shown;
 };
 
 struct Law {

@@ -2,7 +2,7 @@
 /// Target tone: how light a place of the picture should be.
 
 #include <burin/camera/camera.h>
-#include <burin/surface/shown.h>
+#include <burin/surface/visible_surfaces.h>
 #include <burin/tone/options.h>
 
 #include <functional>
@@ -25,7 +25,7 @@ using Blocked = std::function<bool(Vec3 position, Vec3 normal, Vec3 towards, dou
 /// where there is no such law. `shown`: for laws from elsewhere that look at the picture as a
 /// whole.
 Tone make(const Camera& camera, const ToneOptions& options, const Blocked& blocked = {},
-          const Shown& shown = {});
+          const VisibleSurfaces& shown = {});
 
 }  // namespace tone
 }  // namespace burin

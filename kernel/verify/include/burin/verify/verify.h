@@ -12,7 +12,7 @@
 namespace burin {
 
 /// How each part stands in the picture.
-enum class Standing : std::uint8_t {
+enum class PartOpacity : std::uint8_t {
   Solid,
   /// Hidden by solid parts and by itself, hides no other.
   Transparent,
@@ -23,7 +23,7 @@ struct VerifyOptions {
   /// Model mm: the chord tolerance that the drawing's own tessellation was asked for.
   double tolerance = 0.05;
   /// One a part, in order; parts beyond its end are solid.
-  std::vector<Standing> parts{};
+  std::vector<PartOpacity> parts{};
   /// Degrees from which edges of a mesh were sharp, one a part; empty: as RealiseOptions has it.
   std::vector<double> crease_angles{};
   /// Whether the outer outline is drawn whole, so that its loose ends are defects.

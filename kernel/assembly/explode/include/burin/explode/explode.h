@@ -81,9 +81,9 @@ class ExplodeModel {
   std::vector<Curve3> trails(const std::vector<ExplodeStep>& steps, double factor,
                              const std::vector<bool>& there = {}) const;
 
-  /// Model mm that `moving` has to go along a unit vector until its box clears those of `standing`
+  /// Model mm that `moving` has to go along a unit vector until its box clears those of `remaining`
   /// which lie in its way; 0 where none does.
-  double way_out(const std::vector<std::size_t>& moving, const std::vector<std::size_t>& standing,
+  double way_out(const std::vector<std::size_t>& moving, const std::vector<std::size_t>& remaining,
                  Vec3 along) const;
 
   /// The triangles of each part, empty where it was not drawn or could not be realised; as long as

@@ -1,4 +1,4 @@
-#include "brought.h"
+#include "added.h"
 
 #include <algorithm>
 #include <mutex>
@@ -6,19 +6,19 @@
 namespace burin::plugin {
 namespace {
 
-struct Brought {
+struct Added {
   std::mutex mutex;
   std::vector<Plugin> all;
 };
 
-Brought& noted() {
-  static Brought one;
+Added& noted() {
+  static Added one;
   return one;
 }
 
 }  // namespace
 
-std::vector<Plugin> brought() {
+std::vector<Plugin> added() {
   const std::lock_guard lock(noted().mutex);
   return noted().all;
 }

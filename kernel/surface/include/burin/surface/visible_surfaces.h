@@ -11,17 +11,17 @@
 namespace burin {
 
 /// A place of a proxy that is seen.
-struct ShownPlace {
+struct VisiblePlace {
   std::int32_t part = -1;
   ProxyPoint point;
 };
 
 /// All of it lives as long as strokes are placed.
-struct Shown {
+struct VisibleSurfaces {
   /// One a part; empty ones where a part has no such strokes.
   std::span<const Surface* const> surfaces{};
   /// What is seen of them at a point of the paper; empty: nobody knows. From many threads.
-  std::function<std::optional<ShownPlace>(Vec2 paper)> at{};
+  std::function<std::optional<VisiblePlace>(Vec2 paper)> at{};
   /// The run that it is shown in; null: none that can be cancelled.
   const RunContext* context = nullptr;
 };

@@ -14,7 +14,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-class Doors : public test::CliTest {
+class DrawingOptions : public test::CliTest {
  protected:
   pugi::xml_document svg(const std::string& name) const {
     pugi::xml_document doc;
@@ -36,7 +36,7 @@ class Doors : public test::CliTest {
   }
 };
 
-TEST_F(Doors, SheetsOfEveryKind) {
+TEST_F(DrawingOptions, SheetsOfEveryKind) {
   const auto size = [&](const std::string& options) {
     EXPECT_EQ(run("draw @/box.off -o @/a.svg --quiet " + options), 0) << err_;
     const pugi::xml_document doc = svg("a.svg");
@@ -50,7 +50,7 @@ TEST_F(Doors, SheetsOfEveryKind) {
   EXPECT_NE(size("--paper fit --perspective 30 --scale 1:2"), "297mm 210mm");
 }
 
-TEST_F(Doors, ScalesAndMarginsThatAreNone) {
+TEST_F(DrawingOptions, ScalesAndMarginsThatAreNone) {
   const auto refused = [&](const std::string& options, const std::string& part) {
     EXPECT_EQ(run("draw @/box.off -o @/a.svg " + options), 2) << options;
     expect_error(part);
@@ -68,7 +68,7 @@ TEST_F(Doors, ScalesAndMarginsThatAreNone) {
   EXPECT_FALSE(fs::exists(folder_ / "a.svg"));
 }
 
-TEST_F(Doors, ALinkToNothingStaysALink) {
+TEST_F(DrawingOptions, ALinkToNothingStaysALink) {
   fs::create_directory(folder_ / "far");
   fs::create_symlink("far/real.svg", folder_ / "link.svg");
   fs::create_symlink("link.svg", folder_ / "link2.svg");
@@ -84,7 +84,7 @@ TEST_F(Doors, ALinkToNothingStaysALink) {
   expect_error("the folder does not exist");
 }
 
-TEST_F(Doors, IdsKeepTheirNamesAndHaveTheirPrefix) {
+TEST_F(DrawingOptions, IdsKeepTheirNamesAndHaveTheirPrefix) {
   folder_.write("nut.off", test::off_text(test::box({60, 0, 0}, {70, 10, 10})));
   const auto ids = [&](const std::string& line) {
     EXPECT_EQ(run("draw " + line + " -o @/a.svg --style outline"), 0) << err_;
@@ -110,7 +110,7 @@ TEST_F(Doors, IdsKeepTheirNamesAndHaveTheirPrefix) {
   EXPECT_NE(test::slurp(folder_ / "b.svg").find("id=\"p-outline\""), std::string::npos);
 }
 
-TEST_F(Doors, AnSvgTellsWhatItIsAndItsOutlineIsOnePath) {
+TEST_F(DrawingOptions, AnSvgTellsWhatItIsAndItsOutlineIsOnePath) {
   ASSERT_EQ(run("draw @/box.off -o @/a.svg -o @/a.json --style outline"), 0) << err_;
   const pugi::xml_document doc = svg("a.svg");
   const auto root = doc.child("svg");
@@ -132,7 +132,7 @@ TEST_F(Doors, AnSvgTellsWhatItIsAndItsOutlineIsOnePath) {
   EXPECT_EQ(drawing["layers"].back()["paths"].size(), 6u);
 }
 
-TEST_F(Doors, OptionsWithoutEffectAreTold) {
+TEST_F(DrawingOptions, OptionsWithoutEffectAreTold) {
   for (const std::string option :
        {"--iso 3", "--inside above", "--smooth 1", "--specks 0.1", "--volume-degree 2",
         "--interpolate", "--raw 2x2x2", "-D n=3", "--openscad-timeout 5", "--object Pad",
@@ -155,7 +155,7 @@ TEST_F(Doors, OptionsWithoutEffectAreTold) {
   expect_warning(outline + "--scale 1 --center 9999,0,0", "nothing of the drawing lies on");
 }
 
-TEST_F(Doors, OptionsWithEffectAreNot) {
+TEST_F(DrawingOptions, OptionsWithEffectAreNot) {
   folder_.write("ball.implicit", "sphere(5)\n");
   folder_.write("cube.raw", std::string(8 * 8 * 8, '\1') + std::string(4, '\0'));
   for (const std::string line :
@@ -168,7 +168,7 @@ TEST_F(Doors, OptionsWithEffectAreNot) {
   }
 }
 
-TEST_F(Doors, ASheetThatWantsTooManyStrokesIsRefusedBeforehand) {
+TEST_F(DrawingOptions, ASheetThatWantsTooManyStrokesIsRefusedBeforehand) {
   const std::string huge = "draw @/box.off -o @/a.svg --paper 4000x4000 --style engraving ";
   EXPECT_EQ(run(huge), 2);
   expect_error("set hatch.spacing_min to");
@@ -183,7 +183,7 @@ TEST_F(Doors, ASheetThatWantsTooManyStrokesIsRefusedBeforehand) {
   EXPECT_EQ(run(huge + "--view front" + advice + " --set hatch.enabled=false"), 0) << err_;
 }
 
-TEST_F(Doors, ASheetOfTenMetresTakesLittleMemory) {
+TEST_F(DrawingOptions, ASheetOfTenMetresTakesLittleMemory) {
   if (test::kSanitized) GTEST_SKIP() << "sanitizers take addresses of their own";
   for (const auto& [style, status] : {std::pair("outline", 0), std::pair("engraving", 2)}) {
     const std::string script = folder_.write(
@@ -195,7 +195,7 @@ TEST_F(Doors, ASheetOfTenMetresTakesLittleMemory) {
   }
 }
 
-TEST_F(Doors, MemoryThatRunsOutIsToldInOneLine) {
+TEST_F(DrawingOptions, MemoryThatRunsOutIsToldInOneLine) {
   if (test::kSanitized) GTEST_SKIP() << "sanitizers take addresses of their own";
   // Little more than the program itself takes: who runs out first differs from machine to machine.
   int told = 0;

@@ -11,7 +11,7 @@
 namespace burin {
 namespace {
 
-class CliTold : public test::CliTest {
+class CliSelfDescription : public test::CliTest {
  protected:
   /// What a program prints, its errors too; its status is that of the shell.
   std::string said(const std::string& line, int* status = nullptr) {
@@ -29,7 +29,7 @@ class CliTold : public test::CliTest {
   }
 };
 
-TEST_F(CliTold, TheVersionNamesTheLibraries) {
+TEST_F(CliSelfDescription, TheVersionNamesTheLibraries) {
   ASSERT_EQ(run("--version"), 0);
   EXPECT_TRUE(std::regex_match(
       out_, std::regex("burin \\d+\\.\\d+\\.\\d+\nbuilt with CGAL [\\d.]+, OpenMesh [\\d.]+, .*"
@@ -37,7 +37,7 @@ TEST_F(CliTold, TheVersionNamesTheLibraries) {
       << out_;
 }
 
-TEST_F(CliTold, EachCommandHasAPageOfTheManualWithItsOptions) {
+TEST_F(CliSelfDescription, EachCommandHasAPageOfTheManualWithItsOptions) {
   ASSERT_EQ(run("options --manual burin"), 0);
   const std::string all = out_;
   const std::regex named("\\.BR burin\\\\-(\\w+) \\(1\\)");
@@ -63,7 +63,7 @@ TEST_F(CliTold, EachCommandHasAPageOfTheManualWithItsOptions) {
   EXPECT_NE(err_.find("there is no command drow"), std::string::npos) << err_;
 }
 
-TEST_F(CliTold, ThePagesAreWellFormed) {
+TEST_F(CliSelfDescription, ThePagesAreWellFormed) {
   if (!there("groff")) GTEST_SKIP() << "groff is not there";
   for (const char* command : {"burin", "draw", "steps", "diff", "convert"}) {
     const std::string shown = said(std::string(BURIN_COMMAND) + " options --manual " + command +
@@ -73,7 +73,7 @@ TEST_F(CliTold, ThePagesAreWellFormed) {
   }
 }
 
-TEST_F(CliTold, BashCompletesCommandsOptionsAndWords) {
+TEST_F(CliSelfDescription, BashCompletesCommandsOptionsAndWords) {
   if (!there("bash")) GTEST_SKIP() << "bash is not there";
   const auto completed = [&](const std::string& words) {
     return said("bash -c 'source <(" BURIN_COMMAND " options --completion bash); COMP_WORDS=(" +
@@ -87,7 +87,7 @@ TEST_F(CliTold, BashCompletesCommandsOptionsAndWords) {
   EXPECT_EQ(completed("burin info --expl"), "\n");
 }
 
-TEST_F(CliTold, FishCompletesThem) {
+TEST_F(CliSelfDescription, FishCompletesThem) {
   if (!there("fish")) GTEST_SKIP() << "fish is not there";
   const auto completed = [&](const std::string& line) {
     return said("HOME=" + folder_.path() +
@@ -99,7 +99,7 @@ TEST_F(CliTold, FishCompletesThem) {
   EXPECT_NE(completed("burin draw --style engr").find("engraving"), std::string::npos);
 }
 
-TEST_F(CliTold, ZshCompletesThem) {
+TEST_F(CliSelfDescription, ZshCompletesThem) {
   if (!there("zsh")) GTEST_SKIP() << "zsh is not there";
   said(BURIN_COMMAND " options --completion zsh > " + folder_.path() + "/_burin");
   // A terminal in which TAB is pressed; it ends where the wanted text stands on the line.
@@ -124,7 +124,7 @@ zpty -d z
   EXPECT_TRUE(completes("burin draw --style engr", "engraving"));
 }
 
-TEST_F(CliTold, OtherShellsAreNamed) {
+TEST_F(CliSelfDescription, OtherShellsAreNamed) {
   EXPECT_EQ(run("options --completion tcsh"), 2);
   EXPECT_NE(err_.find("bash, zsh or fish"), std::string::npos) << err_;
   ASSERT_EQ(run("options --completion zsh"), 0);

@@ -82,7 +82,7 @@ FileInfo inspect(const plugin::FormKind& kind, const Path& path, const ReadOptio
 
 }  // namespace
 
-Reader brought_reader(const plugin::ReaderKind& kind) {
+Reader added_reader(const plugin::ReaderKind& kind) {
   return {.formats = std::string(kind.meaning),
           .knows_content = kind.knows,
           .knows_suffix =
@@ -94,11 +94,11 @@ Reader brought_reader(const plugin::ReaderKind& kind) {
                          RunContext& c) { return ReadResult{read(kind, path, o, c)}; },
           .inspect = [kind](const Path& path, const ReadOptions& o,
                             RunContext& c) { return inspect(kind, path, o, c); },
-          .family = Brought,
-          .brought = std::string(kind.name)};
+          .family = Added,
+          .added = std::string(kind.name)};
 }
 
-Reader brought_form(const plugin::FormKind& kind) {
+Reader added_form(const plugin::FormKind& kind) {
   return {.formats = std::string(kind.meaning),
           .knows_content = {},
           .knows_suffix = [](const Path&) { return false; },
@@ -106,8 +106,8 @@ Reader brought_form(const plugin::FormKind& kind) {
                          RunContext& c) { return ReadResult{make(kind, path, o, c)}; },
           .inspect = [kind](const Path& path, const ReadOptions& o,
                             RunContext& c) { return inspect(kind, path, o, c); },
-          .family = Brought,
-          .brought = std::string(kind.name)};
+          .family = Added,
+          .added = std::string(kind.name)};
 }
 
 }  // namespace burin::detail

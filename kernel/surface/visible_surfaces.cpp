@@ -1,4 +1,4 @@
-#include <burin/surface/shown.h>
+#include <burin/surface/visible_surfaces.h>
 
 namespace burin {
 

@@ -8,6 +8,6 @@
 namespace burin::plugin {
 
 /// All that was noted, by `note` and `note_refused`.
-std::vector<Plugin> brought();
+std::vector<Plugin> added();
 
 }  // namespace burin::plugin

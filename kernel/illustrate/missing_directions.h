@@ -10,10 +10,10 @@
 namespace burin::detail {
 
 /// Looks where ink is wanted and the field says nothing.
-class Undirected {
+class MissingDirections {
  public:
   /// `scene` must outlive it.
-  explicit Undirected(const Scene& scene) : scene_(scene) {}
+  explicit MissingDirections(const Scene& scene) : scene_(scene) {}
 
   /// What a field leaves out.
   struct Found {
@@ -31,7 +31,7 @@ class Undirected {
   /// Each once.
   void add(const Found& found);
   /// One diagnostic "strokes.no_direction" for each field that left something out.
-  void tell(Diagnostics& diagnostics) const;
+  void report(Diagnostics& diagnostics) const;
 
  private:
   std::string names(const std::vector<std::size_t>& parts) const;

@@ -1,4 +1,4 @@
-#include "undirected.h"
+#include "missing_directions.h"
 
 #include <burin/base/parallel.h>
 #include <burin/field/catalogue.h>
@@ -56,8 +56,10 @@ void count_row(const HatchScene& hatched, const Field& field, const Tone& tone, 
 
 }  // namespace
 
-std::optional<Undirected::Found> Undirected::look(const HatchScene& hatched, const Field& field,
-                                                  const Tone& tone, const HatchStyle& hatch) {
+std::optional<MissingDirections::Found> MissingDirections::look(const HatchScene& hatched,
+                                                                const Field& field,
+                                                                const Tone& tone,
+                                                                const HatchStyle& hatch) {
   const std::string& name = hatch.field.name;
   if (field::find(name).missing.empty()) return std::nullopt;
   const Box2 box = seen_box(hatched);
@@ -87,11 +89,11 @@ std::optional<Undirected::Found> Undirected::look(const HatchScene& hatched, con
   return found;
 }
 
-void Undirected::add(const Found& found) {
+void MissingDirections::add(const Found& found) {
   if (std::ranges::find(found_, found) == found_.end()) found_.push_back(found);
 }
 
-std::string Undirected::names(const std::vector<std::size_t>& parts) const {
+std::string MissingDirections::names(const std::vector<std::size_t>& parts) const {
   constexpr std::size_t kNamed = 3;
   std::string text;
   for (std::size_t i = 0; i < std::min(parts.size(), kNamed); ++i) {
@@ -102,7 +104,7 @@ std::string Undirected::names(const std::vector<std::size_t>& parts) const {
   return text + (parts.size() > kNamed ? fmt::format(" and {} more", parts.size() - kNamed) : "");
 }
 
-void Undirected::tell(Diagnostics& diagnostics) const {
+void MissingDirections::report(Diagnostics& diagnostics) const {
   for (const Found& f : found_) {
     const auto add = [&](const std::vector<std::size_t>& parts, const char* what) {
       if (parts.empty()) return;

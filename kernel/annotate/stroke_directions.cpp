@@ -1,4 +1,4 @@
-#include "grain.h"
+#include "stroke_directions.h"
 
 #include <algorithm>
 #include <cmath>
@@ -24,7 +24,7 @@ Vec2 doubled(Vec2 way) {
 
 }  // namespace
 
-Grain::Grain(const Drawing& drawing) {
+StrokeDirections::StrokeDirections(const Drawing& drawing) {
   Box2 box;
   for (const Layer& layer : drawing.layers) {
     for (const Path& path : layer.paths) {
@@ -56,7 +56,7 @@ Grain::Grain(const Drawing& drawing) {
   }
 }
 
-const Grain::Cell* Grain::at(Vec2 p) const {
+const StrokeDirections::Cell* StrokeDirections::at(Vec2 p) const {
   const Vec2 cell = glm::floor((p - origin_) / kCell);
   if (cell.x < 0 || cell.y < 0 || cell.x >= static_cast<double>(width_) ||
       cell.y >= static_cast<double>(height_)) {
@@ -65,7 +65,7 @@ const Grain::Cell* Grain::at(Vec2 p) const {
   return &cells_[static_cast<std::size_t>(cell.y) * width_ + static_cast<std::size_t>(cell.x)];
 }
 
-double Grain::along(Vec2 from, Vec2 to) const {
+double StrokeDirections::along(Vec2 from, Vec2 to) const {
   const double length = glm::distance(from, to);
   if (cells_.empty() || !(length > 0)) return 0;
   const Vec2 way = doubled(to - from);

@@ -10,9 +10,9 @@
 namespace burin::detail {
 
 /// The directions of strokes and hatching of a drawing, in cells of the sheet.
-class Grain {
+class StrokeDirections {
  public:
-  explicit Grain(const Drawing& drawing);
+  explicit StrokeDirections(const Drawing& drawing);
 
   /// Paper mm of a line that run within 12 degrees of the strokes under it.
   double along(Vec2 from, Vec2 to) const;

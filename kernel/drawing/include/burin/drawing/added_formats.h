@@ -13,7 +13,7 @@
 
 namespace burin {
 
-struct BroughtFormat {
+struct AddedFormat {
   /// The suffix without its dot; keys of styles about it begin with it ("txt.decimals").
   std::string_view name;
   std::string_view meaning;
@@ -26,10 +26,10 @@ struct BroughtFormat {
 };
 
 /// All that were added.
-std::span<const BroughtFormat> brought_formats();
+std::span<const AddedFormat> added_formats();
 
 /// Adds a format, or puts it in the place of one of its name. Its texts live as long as the
 /// program.
-void add(BroughtFormat format);
+void add(AddedFormat format);
 
 }  // namespace burin

@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
-"""Draws kernel/docs/rooms.svg, the picture of the modules, from the targets of the build.
+"""Draws kernel/docs/modules.svg, the picture of the modules, from the targets of the build.
 
-    kernel/docs/rooms.py BUILD             writes it
-    kernel/docs/rooms.py BUILD --check     compares it with the build, and counts the sources of each folder (status 1
+    kernel/docs/modules.py BUILD             writes it
+    kernel/docs/modules.py BUILD --check     compares it with the build, and counts the sources of each folder (status 1
                                            where the picture differs or a folder has too many)
 
 An arrow is what the compiler enforces: a module may include the module that it points at, and those behind that one. Arrows
@@ -178,13 +178,13 @@ def main():
     parser.add_argument("build", type=pathlib.Path)
     parser.add_argument("--check", action="store_true")
     options = parser.parse_args()
-    picture, path = draw(*graph(options.build)), HERE / "rooms.svg"
+    picture, path = draw(*graph(options.build)), HERE / "modules.svg"
     if not options.check:
         path.write_text(picture)
     elif large := too_large():
         sys.exit("\n".join(large))
     elif not path.exists() or path.read_text() != picture:
-        sys.exit(f"{path.name} differs from the build: kernel/docs/rooms.py {options.build} draws it again")
+        sys.exit(f"{path.name} differs from the build: kernel/docs/modules.py {options.build} draws it again")
 
 
 main()
