@@ -1,3 +1,3 @@
 """Burin for FreeCAD: illustrations of parts and assemblies."""
 
-__version__ = "0.1.0"
+__version__ = "0.2.0"

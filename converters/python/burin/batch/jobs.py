@@ -1,6 +1,6 @@
 """Jobs: a part and its drawings. They stand in a file of JSON lines, a head and a line a job.
 
-    {"burin": "batch", "version": 1, "base": "..", "out": "out", "program": "0.1.0", "limits": {"timeout": 120}}
+    {"burin": "batch", "version": 1, "base": "..", "out": "out", "program": "0.2.0", "limits": {"timeout": 120}}
     {"part": "parts/a.step", "inputs": ["parts/a.step"], "drawings": [{"id": "...", "name": "a-front",
      "options": {"view": ["front"]}, "outputs": ["a-front.svg"], "lists": []}]}
 

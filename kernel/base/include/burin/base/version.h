@@ -2,7 +2,7 @@
 
 namespace burin {
 
-/// The version of the library, e.g. "0.1.0".
+/// The version of the library, e.g. "0.2.0".
 const char* version();
 
 }  // namespace burin
