@@ -6,11 +6,18 @@ import os
 import sys
 import threading
 import traceback
+import types
 
 # The package is where this file lies, and this file's folder, which Python looks into first, holds no modules of others.
 _here = os.path.dirname(os.path.abspath(__file__))
 sys.path[:] = [p for p in sys.path if os.path.abspath(p or ".") != _here]
 sys.path.insert(0, os.path.normpath(os.path.join(_here, "../..")))
+
+# Debian's FreeCAD 1.0 has a package `freecad` on Python's path that imports all of FreeCAD and prints: standard output
+# is for messages. Its name leads to this folder alone.
+_package = types.ModuleType("freecad")
+_package.__path__ = [os.path.dirname(_here)]
+sys.modules["freecad"] = _package
 
 from freecad.burin_wb.errors import KernelMissing  # noqa: E402
 from freecad.burin_wb.job import answer  # noqa: E402

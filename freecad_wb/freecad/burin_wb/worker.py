@@ -12,7 +12,9 @@ import threading
 from . import kernel, preferences
 from .errors import HOW_TO_INSTALL, Crashed, Failed, KernelMissing, Stopped
 from .job import UNCHANGED, answer
-from .messages import receive, send
+from .messages import ignore_broken_pipes, receive, send
+
+ignore_broken_pipes()
 
 # Seconds that a process gets to end a cancelled job before it is ended itself: one that has the job, and one that still
 # starts.

@@ -159,7 +159,8 @@ class Room(Case):
 
     def page(self, template="A3_Landscape_blank.svg"):
         page = self.doc.addObject("TechDraw::DrawPage", "Page")
-        add_template(page, os.path.join(App.getResourceDir(), "Mod", "TechDraw", "Templates", template))
+        folder = os.path.join(App.getResourceDir(), "Mod", "TechDraw", "Templates")
+        add_template(page, glob.glob(os.path.join(folder, "**", template), recursive=True)[0])
         return page
 
     def place(self, page, **properties):

@@ -3,6 +3,7 @@
 import json
 import os
 import signal
+import subprocess
 import threading
 import time
 
@@ -23,6 +24,22 @@ def long_job():
             block = block.cut(Part.makeCylinder(4, 20, V(6 + 12 * i, 6 + 12 * k, -5)))
     options = {"style": "engraving", "paper": (1500, 1500), "margin": 5, "tolerance": 0.002}
     return Job([PartJob("Block", "Block", block.exportBrepToString().encode())], options)
+
+
+# Writes to a pipe that nobody reads, where Python was started without its signal handlers, as FreeCAD 1.0 and 1.1 do.
+BROKEN_PIPE = """
+import os, signal, sys
+signal.signal(signal.SIGPIPE, signal.SIG_DFL)
+sys.path.insert(0, sys.argv[1])
+import messages
+messages.ignore_broken_pipes()
+reads, writes = os.pipe()
+os.close(reads)
+try:
+    messages.send(os.fdopen(writes, "wb", 0), "job")
+except BrokenPipeError:
+    print("alive")
+"""
 
 
 class Killed(threading.Thread):
@@ -55,6 +72,11 @@ class Worker(Case):
             self.assertIn(f"ended unexpectedly (signal {int(number)})", str(caught.exception))
         job = Job([PartJob("Box", "Box", Part.makeBox(1, 2, 3).exportBrepToString().encode())], {"style": "outline"})
         self.assertIn(b"layers", self.worker.draw(job).drawing)
+
+    def test_a_worker_that_is_gone_does_not_end_freecad(self):
+        folder = os.path.dirname(worker.__file__)
+        done = subprocess.run([worker.interpreters()[0], "-c", BROKEN_PIPE, folder], capture_output=True, text=True, timeout=60)
+        self.assertEqual((done.returncode, done.stdout), (0, "alive\n"), done.stderr)
 
     def test_a_crash_leaves_the_document_alive(self):
         obj = self.illustration(self.box())

@@ -9,11 +9,10 @@ from PySide import QtCore
 from .. import preferences
 from ..errors import Refused
 from ..features import make_flat_edges, place_on_page
+from ..features.sheet_view import blank_template
 from ..text import tr
 from ..view import page_scale
 from .base import Command, one_illustration, selected_illustrations
-
-TEMPLATE = os.path.join("Mod", "TechDraw", "Templates", "A3_Landscape_blank.svg")
 
 
 def page_of(document):
@@ -24,7 +23,7 @@ def page_of(document):
         raise Refused(tr("this document has several pages; select one of them too"))
     if pages:
         return pages[0]
-    file = preferences.template() or os.path.join(FreeCAD.getResourceDir(), TEMPLATE)
+    file = preferences.template() or blank_template()
     if not os.path.isfile(file):
         raise Refused(tr("the template {0} is not there; choose another one in the preferences of Burin").format(file))
     page = document.addObject("TechDraw::DrawPage", "Page")

@@ -7,7 +7,7 @@ from ..tell import NOTE, tell
 from .curves import edges_of
 from .properties import FLAT_EDGES, ensure, is_newer
 from .sheet import Sheet
-from .sheet_view import add_template, sheet_center
+from .sheet_view import add_template, add_view, sheet_center
 
 # Edges stay this near to the drawn lines, in mm of paper: half the finest pen's width is 0.06.
 TOLERANCE = 0.02
@@ -90,7 +90,7 @@ def make_flat_edges(page, illustration, name="IllustrationLines"):
     view.Source = [flat]
     view.Direction, view.XDirection = FreeCAD.Vector(0, 0, 1), FreeCAD.Vector(1, 0, 0)
     view.ScaleType = "Custom"
-    page.addView(view)
+    add_view(page, view)
     flat.Proxy.execute(flat)
     if illustration.Drawing and Sheet(illustration.Drawing).box is not None:
         tell(f"{illustration.Label}: the lines of the first view are there to be measured; those of other views and of details, which have other "

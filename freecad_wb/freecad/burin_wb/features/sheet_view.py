@@ -13,7 +13,15 @@ from .symbol import Window, parted, pixels_of, symbol_size, to_symbol, window_of
 # A symbol whose scale is off by more is made anew.
 WRONG = 1e-4
 
-TEMPLATE = ("Mod", "TechDraw", "Templates", "A3_Landscape_blank.svg")
+# FreeCAD 1.1 keeps its templates in folders by standard.
+TEMPLATES = (("ISO", "A3_Landscape_blank.svg"), ("A3_Landscape_blank.svg",))
+
+
+def blank_template():
+    """FreeCAD's own template of A3 without a frame."""
+    folder = os.path.join(FreeCAD.getResourceDir(), "Mod", "TechDraw", "Templates")
+    files = [os.path.join(folder, *names) for names in TEMPLATES]
+    return next(filter(os.path.isfile, files), files[-1])
 
 
 class SheetView:
@@ -86,8 +94,16 @@ def sheet_center(view):
 def add_template(page, file=""):
     """A template for a page; A3 without a frame where no file is named."""
     template = page.Document.addObject("TechDraw::DrawSVGTemplate", "Template")
-    template.Template = file or os.path.join(FreeCAD.getResourceDir(), *TEMPLATE)
+    template.Template = file or blank_template()
     page.Template = template
+
+
+def add_view(page, view):
+    """Puts a view on a page. `addView` of FreeCAD 1.1 refuses views that are written in Python."""
+    try:
+        page.addView(view)
+    except TypeError:
+        page.Views = page.Views + [view]
 
 
 def place_on_page(page, illustration, name="IllustrationView"):
@@ -102,7 +118,7 @@ def place_on_page(page, illustration, name="IllustrationView"):
     view.ScaleType = "Custom"
     view.Scale = 1.0
     SheetView.execute(view.Proxy, view)  # an empty symbol is complained of when it comes on the page
-    page.addView(view)
+    add_view(page, view)
     size = extent(view) or (illustration.Width.Value, illustration.Height.Value)
     place = free_place(page, *size, but=view)
     view.X, view.Y = place.x, place.y

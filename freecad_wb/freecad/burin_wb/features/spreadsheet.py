@@ -2,6 +2,7 @@
 
 from ..text import tr
 from .free_place import extent, free_place
+from .sheet_view import add_view
 
 WIDTHS = {"A": 50, "B": 200, "C": 70, "D": 80, "E": 260}  # pixels
 _LINK = "Illustration"
@@ -72,7 +73,7 @@ def place_on_page(page, sheet, rows):
     view.Source = sheet
     view.TextSize = 9
     _show_all(view, rows)
-    page.addView(view)
+    add_view(page, view)
     view.recompute()
     size = extent(view)
     if size is not None:
