@@ -14,11 +14,12 @@ skip_unless_root() {
   trap 'exit 130' INT TERM
 }
 
-# bare_root VARIANT TARGET: a bare Debian 12 as a folder or a .tar, from the mirrors of this machine, where they are Debian's own.
+# bare_root VARIANT TARGET [SUITE]: a bare Debian (12 where no suite is named) as a folder or a .tar, from the mirrors of this
+# machine, where they are Debian's own and of that suite.
 bare_root() {
-  local mirrors=() file
+  local mirrors=() file suite=${3:-bookworm}
   for file in /etc/apt/sources.list /etc/apt/sources.list.d/debian.sources; do
-    [[ -s $file ]] && mirrors+=("$file")
+    [[ -s $file ]] && grep -q "$suite" "$file" && mirrors+=("$file")
   done
-  mmdebstrap --quiet --variant="$1" bookworm "$2" "${mirrors[@]}" || fail "no bare root; is there a mirror of Debian 12?"
+  mmdebstrap --quiet --variant="$1" "$suite" "$2" "${mirrors[@]}" || fail "no bare root; is there a mirror of $suite?"
 }

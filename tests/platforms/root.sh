@@ -1,0 +1,29 @@
+#!/usr/bin/env bash
+# root.sh SUITE COMMAND...: runs a command of ./dev in another Debian, e.g. `root.sh trixie test -R cli`. Its root stays in
+# build/roots/SUITE, so that the second run has its packages and its compiler cache; what is built there is in
+# build/roots/SUITE.build. Needs root, mmdebstrap and a mirror. The status is that of the command.
+set -euo pipefail
+suite=$1
+shift
+source=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
+fail() { printf 'dev: error: %s\n' "$*" >&2; exit 1; }
+((EUID == 0)) || fail "only root makes a root of $suite"
+root=$source/build/roots/$suite
+if [[ ! -e $root/made ]]; then
+  rm -rf --one-file-system "$root"
+  mkdir -p "$(dirname "$root")"
+  mmdebstrap --quiet --variant=apt "$suite" "$root" || fail "no root of $suite; is there a mirror that has it?"
+  touch "$root/made"
+fi
+mkdir -p "$root/burin" "$root.build" "$root/data"
+# Mounts of its own go with the process.
+exec unshare --mount --pid --fork bash -euo pipefail -c '
+  root=$1 source=$2
+  shift 2
+  mount --bind "$source" "$root/burin"
+  mount --bind "$root.build" "$root/burin/build"
+  mount -t proc proc "$root/proc"
+  mount --rbind /dev "$root/dev"
+  cp /etc/resolv.conf "$root/etc/resolv.conf"
+  exec chroot "$root" env -i PATH=/usr/sbin:/usr/bin:/sbin:/bin HOME=/root LC_ALL=C.UTF-8 /burin/dev "$@"
+' root.sh "$root" "$source" "$@"
