@@ -129,7 +129,7 @@ CLI::App* add_diff(CLI::App& app, DiffArguments& a, Chatter& chatter) {
       "diff", "list and draw what has changed from one revision of a model to the next");
   DrawArguments& draw = a.draw;
   draw.command = "diff";
-  diff->add_option("OLD NEW", draw.inputs,
+  diff->add_option("OLD_NEW", draw.inputs,
                    "two revisions: model files as draw takes them, or\nillustration files; or two "
                    "drawing files (.json)")
       ->type_name("")

@@ -3,11 +3,11 @@
 #include <burin/base/parallel.h>
 #include <burin/visibility/occluder.h>
 
+#include "embree.h"
 #include "flush_denormals.h"
 #include "sheared_ray.h"
 #include "triangle_runs.h"
 
-#include <embree3/rtcore.h>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -96,7 +96,7 @@ struct Query {
 
 // Embree's context comes first, so that a pointer to it is a pointer to the whole.
 struct Context {
-  RTCIntersectContext base;
+  detail::EmbreeContext base;
   const Query* query;
 };
 
@@ -119,7 +119,7 @@ void bound(const RTCBoundsFunctionArguments* args) {
   box.lower_z = static_cast<float>(low.z), box.upper_z = static_cast<float>(high.z);
 }
 
-const Query& query_of(const RTCIntersectContext* context) {
+const Query& query_of(const detail::EmbreeContext* context) {
   return *reinterpret_cast<const Context*>(context)->query;
 }
 
@@ -282,8 +282,8 @@ struct Occluder::Impl {
     if (!shorten(origin, direction, q, ray)) return false;
     const FlushDenormals flush;
     Context context{{}, &q};
-    rtcInitIntersectContext(&context.base);
-    rtcOccluded1(scene, &context.base, &ray);
+    detail::init(context.base);
+    detail::occlude(scene, context.base, ray);
     return ray.tfar < 0;
   }
 };
@@ -310,8 +310,8 @@ std::optional<Hit> Occluder::first_hit(Vec3 origin, Vec3 direction, double near,
   ray.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
   const FlushDenormals flush;
   Context context{{}, &query};
-  rtcInitIntersectContext(&context.base);
-  rtcIntersect1(impl_->scene, &context.base, &ray);
+  detail::init(context.base);
+  detail::intersect(impl_->scene, context.base, ray);
   return foremost.get();
 }
 

@@ -1,8 +1,13 @@
 #include "nearest_triangle.h"
 
-#include <CGAL/AABB_traits.h>
 #include <CGAL/AABB_tree.h>
 #include <CGAL/Simple_cartesian.h>
+#include <CGAL/version.h>
+#if CGAL_VERSION_MAJOR >= 6
+#include <CGAL/AABB_traits_3.h>
+#else
+#include <CGAL/AABB_traits.h>
+#endif
 #include <boost/iterator/counting_iterator.hpp>
 
 namespace burin::detail {
@@ -37,7 +42,11 @@ struct Primitive {
   Id number_ = 0;
 };
 
+#if CGAL_VERSION_MAJOR >= 6
+using Boxes = CGAL::AABB_tree<CGAL::AABB_traits_3<Kernel, Primitive>>;
+#else
 using Boxes = CGAL::AABB_tree<CGAL::AABB_traits<Kernel, Primitive>>;
+#endif
 
 }  // namespace
 

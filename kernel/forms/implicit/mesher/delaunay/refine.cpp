@@ -22,6 +22,21 @@
 namespace burin {
 namespace {
 
+// CGAL 5 has optional and variant of Boost in its interfaces, CGAL 6 those of the standard library.
+#if CGAL_VERSION_MAJOR >= 6
+namespace cgal_std = std;
+template <class T, class Variant>
+const T* held(const Variant& v) {
+  return std::get_if<T>(&v);
+}
+#else
+namespace cgal_std = boost;
+template <class T, class Variant>
+const T* held(const Variant& v) {
+  return cgal_std::get<T>(&v);
+}
+#endif
+
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Point = Kernel::Point_3;
 
@@ -47,8 +62,8 @@ class Body {
   using Has_features = CGAL::Tag_false;
   using Subdomain_index = int;
   using Surface_patch_index = std::pair<int, int>;
-  using Subdomain = boost::optional<Subdomain_index>;
-  using Surface_patch = boost::optional<Surface_patch_index>;
+  using Subdomain = cgal_std::optional<Subdomain_index>;
+  using Surface_patch = cgal_std::optional<Surface_patch_index>;
   using Index = CGAL::Mesh_3::internal::Index_generator<Subdomain_index, Surface_patch_index>::type;
   using Intersection = std::tuple<Point_3, Index, int>;
 
@@ -103,17 +118,19 @@ class Body {
   Index index_from_surface_patch_index(const Surface_patch_index& i) const { return Index(i); }
   Index index_from_subdomain_index(const Subdomain_index& i) const { return Index(i); }
   Surface_patch_index surface_patch_index(const Index& i) const {
-    return boost::get<Surface_patch_index>(i);
+    return cgal_std::get<Surface_patch_index>(i);
   }
-  Subdomain_index subdomain_index(const Index& i) const { return boost::get<Subdomain_index>(i); }
+  Subdomain_index subdomain_index(const Index& i) const {
+    return cgal_std::get<Subdomain_index>(i);
+  }
 
  private:
   template <class Endless>
-  boost::optional<Segment_3> clipped(const Endless& e) const {
+  cgal_std::optional<Segment_3> clipped(const Endless& e) const {
     const auto part = CGAL::intersection(e, box_);
-    if (!part) return boost::none;
-    const auto* s = boost::get<Segment_3>(&*part);
-    return s ? boost::optional<Segment_3>(*s) : boost::none;
+    if (!part) return {};
+    const auto* s = held<Segment_3>(*part);
+    return s ? cgal_std::optional<Segment_3>(*s) : cgal_std::optional<Segment_3>();
   }
 
   RefineField* field_;
@@ -157,7 +174,11 @@ void add_features(Domain& domain, const RefineInput& input) {
 void protect(Complex& complex, const Domain& domain, RefineField& field, const RefineInput& input) {
   CGAL::Mesh_error_code code = CGAL::CGAL_MESH_3_NO_ERROR;
   CGAL::Mesh_3::Protect_edges_sizing_field<Complex, Domain, Edge> balls(
-      complex, domain, Edge{&field}, input.least_edge, input.most_vertices, &code);
+      complex, domain, Edge{&field}, input.least_edge,
+#if CGAL_VERSION_MAJOR >= 6
+      {},  // how far an edge may be from its curve: no limit, as before
+#endif
+      input.most_vertices, &code);
   balls(true);
 }
 
