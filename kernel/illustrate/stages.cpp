@@ -8,10 +8,12 @@
 #include <burin/verify/verify.h>
 
 #include "compose.h"
+#include "exact_places.h"
 #include "on_sheet.h"
 #include "tell.h"
 
 #include <algorithm>
+#include <iterator>
 #include <span>
 #include <utility>
 
@@ -34,6 +36,22 @@ FeatureOptions feature_options(const PartStyles& part_styles) {
     options.seams |= style->feature.seams;
   }
   return options;
+}
+
+// Where the lines of equal light run that parts are drawn with: one a part; empty where none has
+// any.
+std::vector<Isophotes> drawn_isophotes(const PartStyles& part_styles, const Camera& camera) {
+  std::vector<Isophotes> out;
+  const auto count = [&](std::size_t part) {
+    const bool shown = part_styles.drawn(part) && part_styles.style(part).feature.isophotes > 0;
+    return shown ? part_styles.style(part).feature.isophotes : 0;
+  };
+  bool any = false;
+  for (std::size_t i = 0; i < part_styles.size(); ++i) {
+    out.push_back({tone::to_light(camera, part_styles.style(i).tone), even_levels(count(i) + 1)});
+    any = any || count(i) > 0;
+  }
+  return any ? out : std::vector<Isophotes>();
 }
 
 void name_own_field(Drawing& drawing) {
@@ -120,6 +138,12 @@ std::shared_ptr<Stages::Lines> Stages::lines_of(const View& view, RunContext& co
     for (Curve3& line : hatch_cuts(proxies, view.camera, context, view.magnified)) {
       features.push_back(std::move(line));
     }
+    for (std::size_t i = 0; i < view.isophotes.size(); ++i) {
+      std::vector<Curve3> lines =
+          trace_isophotes(*proxies[i], static_cast<std::int32_t>(i), view.isophotes[i], view.camera,
+                          context, exact_places(*view.occluders->surfaces()[i]));
+      std::ranges::move(lines, std::back_inserter(features));
+    }
     features.insert(features.end(), view.trails.begin(), view.trails.end());
     return std::make_shared<Lines>(
         Lines{Sight(view.occluders, view.camera, std::move(features), view.closes_outline),
@@ -159,7 +183,7 @@ Drawing Stages::draw_lines(const Scene& scene, const Camera& camera, const Style
   context.begin_stage(RunStage::Features);
   const std::shared_ptr<Lines> features =
       lines_of({trees, camera, feature_options(part_styles), draws_outline(part_styles),
-                options.trails, options.magnified},
+                options.trails, options.magnified, drawn_isophotes(part_styles, camera)},
                context);
   drawing.diagnostics.append(features->said);
 
