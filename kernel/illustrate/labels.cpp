@@ -59,7 +59,8 @@ std::vector<Area> areas_of(const Partition& partition) {
   std::map<std::int32_t, Area> areas;
   for (const AreaRegion& region : partition.regions) {
     if (region.label.part < 0) continue;
-    Area& area = areas.try_emplace(region.label.part, Area{region.label.part, {}}).first->second;
+    Area& area = areas.try_emplace(region.label.part, Area{.part = region.label.part, .rings = {}})
+                     .first->second;
     for (const AreaRing& ring : region.rings) {
       std::vector<Vec2> polygon = simplified(partition.polygon(ring));
       if (polygon.size() > 2) area.rings.push_back(std::move(polygon));

@@ -9,6 +9,7 @@
 
 #include "compose.h"
 #include "exact_places.h"
+#include "fills.h"
 #include "on_sheet.h"
 #include "tell.h"
 
@@ -202,7 +203,9 @@ Drawing Stages::draw_lines(const Scene& scene, const Camera& camera, const Style
   compose(to_draw, {proxies, camera, part_styles, style, options.hidden, cue}, drawing, context,
           found);
   if (options.field) name_own_field(drawing);
-  if (options.annotations) labels = label(drawing, *trees, camera, context);
+  if (options.annotations || paints(part_styles)) {
+    labels = label(drawing, *trees, camera, context);
+  }
   context.end_stage();
   return drawing;
 }
@@ -240,8 +243,9 @@ Drawing Stages::draw_all(const Scene& scene, const Camera& camera, const Style& 
                                   drawing.diagnostics, context);
   }
   settle_on_sheet(part_styles, style.sheet.clip, drawing);
+  drawing.areas = std::move(labels.areas);
+  if (paints(part_styles)) paint_areas(scene, part_styles, drawing.areas);
   if (options.annotations) {
-    drawing.areas = std::move(labels.areas);
     annotate(drawing, labels.seen, labels.glass, *options.annotations, style.callout, context);
   }
   return drawing;
