@@ -55,6 +55,19 @@ std::vector<Isophotes> drawn_isophotes(const PartStyles& part_styles, const Came
   return any ? out : std::vector<Isophotes>();
 }
 
+// What parts the sheet where parts have flat colours.
+RegionOptions region_options(const PartStyles& part_styles, const Camera& camera) {
+  RegionOptions options{.found = feature_options(part_styles)};
+  for (std::size_t i = 0; i < part_styles.size(); ++i) {
+    const FillOptions& fill = part_styles.style(i).fill;
+    const bool toned = part_styles.drawn(i) && fill.color != "none" && fill.steps > 1;
+    options.tones.push_back({tone::to_light(camera, part_styles.style(i).tone),
+                             even_levels(toned ? static_cast<std::size_t>(fill.steps) : 1)});
+    options.nested.push_back(fill.opacity >= 1);
+  }
+  return options;
+}
+
 void name_own_field(Drawing& drawing) {
   for (Layer& layer : drawing.layers) {
     for (Path& path : layer.paths) {
@@ -203,9 +216,13 @@ Drawing Stages::draw_lines(const Scene& scene, const Camera& camera, const Style
   compose(to_draw, {proxies, camera, part_styles, style, options.hidden, cue}, drawing, context,
           found);
   if (options.field) name_own_field(drawing);
-  if (options.annotations || paints(part_styles)) {
-    labels = label(drawing, *trees, camera, context);
+  LabelRequest wanted{.maps = options.annotations.has_value(),
+                      .lines = {features->sight.features(), features->sight.feature_spans()}};
+  if (options.face_areas || paints(part_styles)) {
+    wanted.regions = region_options(part_styles, camera);
+    wanted.regions->faces = options.face_areas;
   }
+  if (wanted.maps || wanted.regions) labels = label(drawing, *trees, camera, wanted, context);
   context.end_stage();
   return drawing;
 }
