@@ -164,11 +164,12 @@ LabelAt region_label(const Occluders& occluders, const Camera& camera,
     AreaLabel label{.part = hit->part};
     const auto part = static_cast<std::size_t>(hit->part);
     const ProxyMesh& proxy = *proxies[part];
-    // The face that closes a cut is none of the shape.
-    if (options.faces || proxy.is_cut(hit->point.face)) {
-      label.face = proxy.face_source(hit->point.face);
-    }
-    if (options.tones[part].levels.empty()) return label;
+    const auto steps = static_cast<std::int32_t>(options.tones[part].levels.size());
+    const bool cut = proxy.is_cut(hit->point.face);
+    if (options.faces || cut) label.face = proxy.face_source(hit->point.face);
+    // The face that closes a cut is none of the shape: in shade its hatching would be lost.
+    label.tone = cut ? steps : 0;
+    if (cut || steps == 0) return label;
     const ExactAt& exact = places[part];
     Vec3 normal = exact ? exact(hit->point.face, hit->point.bary).normal
                         : proxy.normal(hit->point.face, hit->point.bary);

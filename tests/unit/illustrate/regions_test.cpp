@@ -169,7 +169,8 @@ TEST(Regions, OfCutsAreAreasOfTheirPart) {
   constexpr double kRadius = 25;
   s.add(cut_form(std::make_shared<MeshForm>(test::ellipsoid(Vec3(kRadius), 160, 80)),
                  CutPlane{{0, -1, 0}, 15}, 0, "ball"));
-  s.fill(0);
+  s.fill(2);
+  s.style.tone.light = {0, 0, -1};  // from behind
   const Drawing d = s.draw();
   ASSERT_EQ(d.areas.size(), 2u);
   const double face = kPi * (kRadius * kRadius - 15 * 15);
@@ -179,6 +180,7 @@ TEST(Regions, OfCutsAreAreasOfTheirPart) {
     all += size_of(area);
     if (area.face >= 0) {
       EXPECT_NEAR(size_of(area), face, 1e-3 * face);
+      EXPECT_EQ(area.tone, 1) << "hatching is read on it";
     }
   }
   EXPECT_NEAR(all, kPi * kRadius * kRadius, 2);
