@@ -30,15 +30,21 @@ bool looks_at_light(const Style& style) {
   return false;
 }
 
+/// Whether the light is seen without any strokes: in flat tones, or in lines of equal light.
+bool shows_light(const Style& style) { return style.fill.steps > 1 || style.feature.isophotes > 0; }
+
 /// What is asked for of strokes alone, as messages call it.
 std::vector<std::string> about_strokes(const DrawRequest& r, const Style& named,
                                        const DrawPlan& plan) {
   std::vector<std::string> choices;
-  if (r.has("light") && plan.style.tone.light != named.tone.light) {
+  const bool light = shows_light(plan.style);
+  if (!light && r.has("light") && plan.style.tone.light != named.tone.light) {
     choices.push_back(called("light", plan.spelling));
   }
   for (const std::string& key : plan.style_keys) {
-    if (key != "hatch.enabled" &&
+    const bool of_areas =
+        key == "tone.steps" || key == "tone.darkest" || (light && key == "tone.light");
+    if (!of_areas && key != "hatch.enabled" &&
         (key.starts_with("hatch.") || key.starts_with("tone.") || key.starts_with("strokes."))) {
       choices.push_back("style key " + key);
     }

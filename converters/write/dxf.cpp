@@ -52,6 +52,7 @@ struct Item {
   const Path* path = nullptr;
   const dxf::LayerRow* layer = nullptr;
   const Text* text = nullptr;
+  const Area* area = nullptr;
   /// Of a path with arcs in it.
   std::vector<CurvePiece> pieces = {};
   /// That of its first entity; the others follow.
@@ -65,8 +66,12 @@ void append_entity(Groups& out, const char* kind, const char* type, const Item& 
                    std::uint64_t handle) {
   out.text(0, kind).handle(5, handle).handle(330, Fixed::ModelSpace).text(100, "AcDbEntity");
   out.text(8, item.layer->name);
-  const auto color = item.path ? rgb_of(item.path->color) : std::nullopt;
-  const int number = color ? dxf::nearest_color(*color) : item.layer->color;
+  const auto color = rgb_of(item.area   ? item.area->fill
+                            : item.path ? item.path->color
+                                        : std::string());
+  const int number = !color      ? item.layer->color
+                     : item.area ? dxf::nearest_of_all_colors(*color)
+                                 : dxf::nearest_color(*color);
   if (number != item.layer->color) out.whole(62, number);
   const int weight = item.path ? weight_of(*item.path) : item.layer->weight;
   if (weight != item.layer->weight) out.whole(370, weight);
@@ -275,6 +280,23 @@ void append_text(Groups& out, const Item& item, std::uint64_t handle) {
   out.text(100, "AcDbText");
 }
 
+/// HATCH, solid, with the rings as closed polylines; what is in an odd number of them is filled.
+void append_area(Groups& out, const Item& item) {
+  constexpr int kExternalPolyline = 3;
+  append_entity(out, "HATCH", "AcDbHatch", item, item.handle);
+  out.point(10, Vec3(0)).point(210, Vec3(0, 0, 1)).text(2, "SOLID").whole(70, 1).whole(71, 0);
+  out.whole(91, static_cast<std::int64_t>(item.area->rings.size()));
+  for (const std::vector<Vec2>& ring : item.area->rings) {
+    out.whole(92, kExternalPolyline).whole(72, 0).whole(73, 1);
+    out.whole(93, static_cast<std::int64_t>(ring.size()));
+    for (const Vec2& p : ring) out.point(10, p);
+    out.whole(97, 0);
+  }
+  out.whole(75, 0).whole(76, 1).whole(98, 0);
+  out.text(1001, dxf::kApplication).text(1000, "Area");
+  out.whole(1071, item.area->part).whole(1071, item.area->face).whole(1071, item.area->tone);
+}
+
 /// The weight that most paths of a layer have; the thinner one of equals.
 int common_weight(const InkLayer& layer) {
   std::map<int, std::size_t> counts;
@@ -317,6 +339,12 @@ dxf::Frame frame_of(const Drawing& drawing, const std::vector<Item>& items,
       add(box.min), add(box.max);
       continue;
     }
+    if (item.area) {
+      for (const std::vector<Vec2>& ring : item.area->rings) {
+        for (const Vec2& p : ring) add(p);
+      }
+      continue;
+    }
     for (const Vec2& p : item.path->points) add(p);
   }
   return frame;
@@ -332,8 +360,12 @@ void write_dxf(const Drawing& drawing, const WriteOptions& options, std::ostream
                const RunContext& context) {
   const std::vector<InkLayer> layers = ink_layers(drawing);
   std::vector<dxf::LayerRow> rows;
-  rows.reserve(layers.size());  // items point to them
+  rows.reserve(layers.size() + 1);  // items point to them
   std::vector<Item> items;
+  if (const std::vector<const Area*> areas = painted_areas(drawing); !areas.empty()) {
+    rows.push_back({dxf::symbol_name("areas", rows), dxf::kContinuous});
+    for (const Area* area : areas) items.push_back({.layer = &rows.back(), .area = area});
+  }
   std::deque<JoinedPaths> joined;
   Vec2 pen(0);
   for (const InkLayer& layer : layers) {
@@ -353,7 +385,9 @@ void write_dxf(const Drawing& drawing, const WriteOptions& options, std::ostream
     }
     if (travels) all = joined.emplace_back(in_travel_order(all, pen, context)).paths;
     for (const Path* path : all) items.push_back({path, &rows.back()});
-    for (const Text* text : layer.texts) items.push_back({nullptr, &rows.back(), text});
+    for (const Text* text : layer.texts) {
+      items.push_back({.layer = &rows.back(), .text = text});
+    }
   }
   dxf::Frame frame = frame_of(drawing, items, options.svg);
   constexpr std::size_t kGrain = 64;
@@ -376,6 +410,7 @@ void write_dxf(const Drawing& drawing, const WriteOptions& options, std::ostream
       [&](std::size_t i, Buffer& buffer) {
         Groups groups(buffer);
         if (items[i].text) return append_text(groups, items[i], items[i].handle);
+        if (items[i].area) return append_area(groups, items[i]);
         append_path(groups, items[i], options);
       },
       out, context);

@@ -201,6 +201,42 @@ void append_layout(Groups& out, Fixed handle, const char* name, int order, Fixed
 
 }  // namespace
 
+int nearest_of_all_colors(const Rgb& color) {
+  constexpr int kFirst = 10, kHues = 24, kFirstGray = 250;
+  constexpr std::array<double, 5> kBright{255, 165, 127, 76, 38};
+  constexpr std::array<double, 6> kGrays{51, 91, 132, 173, 214, 255};
+  int best = 0;
+  double least = std::numeric_limits<double>::infinity();
+  const auto look = [&](int number, const std::array<double, 3>& known) {
+    double off = 0;
+    for (std::size_t c = 0; c < 3; ++c) off += (color[c] - known[c]) * (color[c] - known[c]);
+    if (off >= least) return;
+    least = off;
+    best = number;
+  };
+  for (int hue = 0; hue < kHues; ++hue) {
+    std::array<double, 3> pure{};
+    for (std::size_t c = 0; c < 3; ++c) {
+      // Steps of 15 degrees from the hue of which this is the pure one, both ways.
+      const int away = std::abs((hue - 8 * static_cast<int>(c) + 36) % kHues - 12);
+      pure[c] = std::clamp((8 - away) / 4.0, 0.0, 1.0);
+    }
+    for (std::size_t k = 0; k < kBright.size(); ++k) {
+      for (int half = 0; half < 2; ++half) {
+        std::array<double, 3> known{};
+        for (std::size_t c = 0; c < 3; ++c) {
+          known[c] = kBright[k] * (half == 0 ? pure[c] : 0.5 + 0.5 * pure[c]);
+        }
+        look(kFirst + 10 * hue + 2 * static_cast<int>(k) + half, known);
+      }
+    }
+  }
+  for (std::size_t k = 0; k < kGrays.size(); ++k) {
+    look(kFirstGray + static_cast<int>(k), {kGrays[k], kGrays[k], kGrays[k]});
+  }
+  return best;
+}
+
 int nearest_color(const Rgb& color) {
   // By number; white is 7 as black is, which is what paper makes of it.
   constexpr std::array<std::array<int, 4>, 9> kKnown{{{1, 255, 0, 0},

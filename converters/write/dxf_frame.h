@@ -27,6 +27,10 @@ struct LayerRow {
 /// The nearest of AutoCAD's first nine colours.
 int nearest_color(const Rgb& color);
 
+/// The nearest of all of AutoCAD's colours but the first nine, for areas: 24 hues in five
+/// brightnesses, each whole and half as strong, and six greys.
+int nearest_of_all_colors(const Rgb& color);
+
 /// A name as any reader of DXF takes it, other than those in `taken`: printable ASCII, "_" for what
 /// is forbidden.
 std::string symbol_name(std::string_view name, const std::vector<LayerRow>& taken);

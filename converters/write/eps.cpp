@@ -23,11 +23,12 @@ constexpr double kPointsPerMm = 72 / 25.4;
 constexpr double kUnitsPerMm = 1000;
 constexpr double kStraight = 0.0005;  // paper mm; as in the other formats
 
-/// One path or text with what comes before it.
+/// One path, text or area with what comes before it.
 struct Item {
   std::string before;
   const Path* path = nullptr;
   const Text* text = nullptr;
+  const Area* area = nullptr;
 };
 
 /// Text for a comment: one line of printable ASCII, as DSC asks for.
@@ -115,10 +116,34 @@ void append_ink(Buffer& out, const Ink& ink, Vec2 first, bool closed) {
   fmt::format_to(fmt::appender(out), "{} w s\n", std::llround(ink.width * kUnitsPerMm));
 }
 
+void append_area(Buffer& out, const Area& area) {
+  EpsPen pen(out);
+  for (const std::vector<Vec2>& ring : area.rings) {
+    for (std::size_t i = 0; i < ring.size(); ++i) i == 0 ? pen.move(ring[i]) : pen.line(ring[i]);
+    append(out, "h\n");
+  }
+  if (area.opacity < 1) return append(out, "eofill\n");
+  fmt::format_to(fmt::appender(out), "gsave eofill grestore {} w s\n",
+                 std::llround(kTrap * kUnitsPerMm));
+}
+
+/// PostScript knows no opacity: what lies below is taken to be the paper.
+std::string color_of(const Area& area, const Drawing& drawing) {
+  const Rgb fill = rgb_of(area.fill).value_or(Rgb{});
+  const Rgb paper = rgb_of(drawing.paper_color).value_or(Rgb{});
+  return to_text(over(fill, area.opacity, paper));
+}
+
 std::vector<Item> items_of(const std::vector<InkLayer>& layers, std::string before,
                            const Drawing& drawing, const SvgOptions& options) {
   std::vector<Item> items;
   std::string used = drawing.ink_color;
+  for (const Area* area : painted_areas(drawing)) {
+    const std::string color = color_of(*area, drawing);
+    if (color != used) before += color_of(used = color) + "\n";
+    items.push_back({std::move(before), nullptr, nullptr, area});
+    before.clear();
+  }
   for (const InkLayer& layer : layers) {
     before += fmt::format("% layer {}\n", plain(layer.name));
     const auto use = [&](const std::string& color) {
@@ -161,6 +186,7 @@ void write_eps(const Drawing& drawing, const WriteOptions& options, std::ostream
       items.size(), [&](std::size_t i) { return items[i].path ? items[i].path->points.size() : 0; },
       [&](std::size_t i, Buffer& buffer) {
         append(buffer, items[i].before);
+        if (items[i].area) append_area(buffer, *items[i].area);
         if (const Path* path = items[i].path) {
           append_ink(buffer, ink_of(*path, options.svg.fit_tolerance), path->points.front(),
                      path->closed);

@@ -186,6 +186,13 @@ Area read_area(const JsonPlace& place) {
   place.check_object();
   Area area;
   place.required("part", [&](const JsonPlace& part) { part.set(area.part); });
+  const auto value = [&](const char* key, auto& out) {
+    place.optional(key, [&](const JsonPlace& at) { at.set(out); });
+  };
+  value("face", area.face);
+  value("tone", area.tone);
+  value("fill", area.fill);
+  value("opacity", area.opacity);
   place.optional("rings", [&](const JsonPlace& rings) {
     rings.each(
         [&](const JsonPlace& ring, std::size_t) { read_points(ring, area.rings.emplace_back()); });

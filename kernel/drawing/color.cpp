@@ -1,6 +1,10 @@
 #include <burin/drawing/color.h>
 
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <charconv>
+#include <cmath>
 #include <cstddef>
 
 namespace burin {
@@ -16,6 +20,41 @@ std::optional<Rgb> rgb_of(std::string_view text) {
     if (read.ec != std::errc{} || read.ptr != begin + 2) return std::nullopt;
   }
   return rgb;
+}
+
+std::string to_text(const Rgb& color) {
+  return fmt::format("#{:02x}{:02x}{:02x}", color[0], color[1], color[2]);
+}
+
+namespace {
+
+/// The curve of sRGB, and back.
+double linear(std::uint8_t byte) {
+  const double c = byte / 255.0;
+  return c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4);
+}
+std::uint8_t byte_of(double c) {
+  const double curved = c <= 0.0031308 ? 12.92 * c : 1.055 * std::pow(c, 1 / 2.4) - 0.055;
+  return static_cast<std::uint8_t>(std::lround(255 * std::clamp(curved, 0.0, 1.0)));
+}
+
+}  // namespace
+
+// In OKLab lightness and both opponent colours are linear in the cube roots of the cones' answers,
+// so all three times a share are those answers times its cube: light in RGB, too.
+Rgb with_lightness(const Rgb& color, double share) {
+  const double light = share * share * share;
+  Rgb out{};
+  for (std::size_t i = 0; i < out.size(); ++i) out[i] = byte_of(light * linear(color[i]));
+  return out;
+}
+
+Rgb over(const Rgb& color, double opacity, const Rgb& below) {
+  Rgb out{};
+  for (std::size_t i = 0; i < out.size(); ++i) {
+    out[i] = static_cast<std::uint8_t>(std::lround(below[i] + opacity * (color[i] - below[i])));
+  }
+  return out;
 }
 
 }  // namespace burin

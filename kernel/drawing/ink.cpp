@@ -179,4 +179,12 @@ bool has_varying_width(const Path& path) {
   return *high - *low > kVisibleWidthChange;
 }
 
+std::vector<const Area*> painted_areas(const Drawing& drawing) {
+  std::vector<const Area*> areas;
+  for (const Area& area : drawing.areas) {
+    if (!area.fill.empty() && area.opacity > 0 && !area.rings.empty()) areas.push_back(&area);
+  }
+  return areas;
+}
+
 }  // namespace burin

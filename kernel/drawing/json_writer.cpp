@@ -136,7 +136,14 @@ void append_sheet_view(Buffer& out, const SheetView& view) {
 }
 
 void append_area(Buffer& out, const Area& area) {
-  fmt::format_to(fmt::appender(out), "{{\"part\": {}, \"rings\": [", area.part);
+  fmt::format_to(fmt::appender(out), "{{\"part\": {}", area.part);
+  if (area.face >= 0) fmt::format_to(fmt::appender(out), ", \"face\": {}", area.face);
+  if (area.tone >= 0) fmt::format_to(fmt::appender(out), ", \"tone\": {}", area.tone);
+  if (!area.fill.empty()) {
+    fmt::format_to(fmt::appender(out), ", \"fill\": \"{}\", \"opacity\": ", area.fill);
+    append_exact(out, area.opacity);
+  }
+  append(out, ", \"rings\": [");
   for (std::size_t r = 0; r < area.rings.size(); ++r) {
     append(out, r == 0 ? "[" : ", [");
     for (std::size_t i = 0; i < area.rings[r].size(); ++i) {

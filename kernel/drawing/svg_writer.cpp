@@ -150,7 +150,7 @@ class Items {
     return {};
   }
 
-  /// Silhouettes without ink, below all lines, for pointing and colouring.
+  /// Silhouettes below all lines, for pointing and colouring; those that have a colour are painted.
   void add_areas(SvgIds& ids) {
     if (drawing_.areas.empty()) return;
     Buffer out;
@@ -160,6 +160,7 @@ class Items {
     for (const Area& area : drawing_.areas) {
       append(out, "<path");
       append_part_class(out, area.part, "area");
+      append_fill(out, area);
       append(out, " d=\"");
       SvgPen pen(out, drawing_.paper_height);
       for (const std::vector<Vec2>& ring : area.rings) {
@@ -176,6 +177,20 @@ class Items {
     }
     append(out, "</g>\n");
     before_ += fmt::to_string(out);
+  }
+
+  /// The colour of an area, as attributes, which style sheets of a page overrule.
+  static void append_fill(Buffer& out, const Area& area) {
+    if (area.fill.empty() || area.opacity <= 0) return;
+    append(out, fmt::format(" fill=\"{}\"", area.fill));
+    if (area.opacity < 1) {
+      append(out, fmt::format(" fill-opacity=\"{:.4g}\"", area.opacity));
+    } else {
+      append(out, fmt::format(" stroke=\"{}\" stroke-width=\"{}\" stroke-linejoin=\"round\"",
+                              area.fill, kTrap));
+    }
+    if (area.face >= 0) append(out, fmt::format(" data-face=\"{}\"", area.face));
+    if (area.tone >= 0) append(out, fmt::format(" data-tone=\"{}\"", area.tone));
   }
 
   /// Of parts that have a number: class, item and path.

@@ -22,7 +22,7 @@ constexpr double kEdge = 0.01;
 bool draws_anything(const Style& s) {
   const auto& f = s.feature;
   return has_strokes(s) || f.contours || f.creases || f.boundaries || f.smooth || f.seams ||
-         f.intersections;
+         f.intersections || f.isophotes > 0;
 }
 
 std::string why_empty(const PartStyles& part_styles) {

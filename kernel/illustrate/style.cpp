@@ -500,6 +500,10 @@ void check_style(const Style& style) {
   check_color("sheet.ink", style.sheet.ink, false);
   check_color("sheet.paper", style.sheet.paper, false);
   check_color("line.color", style.line.color, true);
+  if (style.fill.color != "part" && style.fill.color != "none" && !rgb_of(style.fill.color)) {
+    throw UsageError(fmt::format(
+        "style key 'fill.color' takes a colour #rrggbb, part or none, not '{}'", style.fill.color));
+  }
   check_texts(style.hpgl, "hpgl.");
   check_texts(style.gcode, "gcode.");
   for (std::size_t number = 1; number <= stroke_kind_count(style); ++number) {

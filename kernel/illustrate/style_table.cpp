@@ -61,6 +61,34 @@ std::vector<OptionRow<HatchStyle>> hatch_rows() {
   return rows;
 }
 
+std::vector<OptionRow<FillOptions>> fill_rows() {
+  return {
+      options::text(
+          "color", &FillOptions::color,
+          "flat colour under the lines: part = that of the part, or of a palette where it "
+          "has none",
+          "a colour #rrggbb, part or none"),
+      number("opacity", &FillOptions::opacity, {0, 1}, "opacity of that colour"),
+  };
+}
+
+/// Tones of the flat colour. They stand with those of strokes, of which they know nothing.
+std::vector<OptionRow<FillOptions>> fill_tone_rows() {
+  const std::vector<std::string> steps = {"none", "2", "3", "4", "5"};
+  return {
+      {{"steps", "flat tones that the light gives a colour of fill.color", WordList{steps}},
+       [](const FillOptions& s) {
+         return OptionValue(static_cast<std::uint64_t>(s.steps > 1 ? s.steps - 1 : 0));
+       },
+       [](FillOptions& s, const OptionValue& v) {
+         const auto at = static_cast<int>(std::get<std::uint64_t>(v));
+         s.steps = at > 0 ? at + 1 : 0;
+       }},
+      number("darkest", &FillOptions::darkest, {0, 1},
+             "lightness of the darkest of these tones, as a share of that of the colour"),
+  };
+}
+
 std::vector<OptionRow<HaloStyle>> halo_rows() {
   return {
       number("gap", &HaloStyle::gap, {0, 10, "mm"},
@@ -149,9 +177,11 @@ std::vector<StyleRow> all_rows() {
   rows.of_parts("feature.", &Style::feature, feature_option_rows());
   rows.of_parts("hatch.", &Style::hatch, hatch_rows());
   rows.of_parts("hatch.", &Style::hatch, hatch_option_rows());
+  rows.of_parts("fill.", &Style::fill, fill_rows());
   rows.of_whole("halo.", &Style::halo, halo_rows());
   rows.of_whole("depth.", &Style::depth, depth_rows());
   rows.of_parts("tone.", &Style::tone, tone::tone_option_rows());
+  rows.of_parts("tone.", &Style::fill, fill_tone_rows());
   rows.of_whole("sheet.", &Style::sheet, sheet_rows());
   rows.of_whole("callout.", &Style::callout, callout_option_rows());
   rows.of_whole("svg.", &Style::svg, svg_option_rows());
@@ -190,13 +220,17 @@ const std::vector<OtherNames>& all_other_names() {
       {"hatch.spacing_min",
        {"spacing", "density", "hatch density", "distance", "pitch", "line spacing"}},
       {"hatch.width_max", {"hatch width", "stroke weight"}},
+      {"fill.color",
+       {"fill", "fill colour", "flat color", "surface color", "part color", "colorize"}},
+      {"fill.opacity", {"transparency", "alpha"}},
+      {"tone.steps", {"tones", "cel shading", "toon", "posterize", "flat shading"}},
       {"halo.gap", {"haloes"}},
       {"tone.ambient", {"brightness", "lightness", "exposure", "gamma", "ambient light"}},
       {"tone.shadow", {"cast shadow", "no shadow"}},
       {"sheet.ink", {"ink color", "ink colour", "foreground", "fg"}},
       {"sheet.paper",
        {"background", "bg", "background color", "background colour", "paper color", "paper colour",
-        "sheet color", "fill", "white background"}},
+        "sheet color", "white background"}},
       {"png.dpi", {"resolution", "pixels", "ppi", "px", "image size", "pixel size"}},
       {"png.background", {"transparent background", "no background"}},
   };

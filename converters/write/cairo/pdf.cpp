@@ -69,6 +69,13 @@ void set_metadata(cairo_surface_t* surface, const Drawing& drawing) {
 void paint_all(cairo_t* pen, std::span<Shape> shapes, std::size_t together, Rgb& used) {
   std::size_t traced = 0;
   for (std::size_t i = 0; i < shapes.size(); ++i) {
+    if (shapes[i].area && shapes[i].area->opacity < 1) {
+      use(pen, shapes[i].color, shapes[i].area->opacity);
+      trace(pen, shapes[i]);
+      paint_traced(pen, shapes[i]);
+      use(pen, used);
+      continue;
+    }
     if (shapes[i].color != used) use(pen, used = shapes[i].color);
     trace(pen, shapes[i]);
     shapes[i].ink.chains = {};

@@ -45,7 +45,13 @@ std::vector<std::vector<std::uint32_t>> by_band(const std::vector<Shape>& shapes
   std::vector<std::vector<std::uint32_t>> bands(static_cast<std::size_t>(grid.bands));
   for (std::size_t i = 0; i < shapes.size(); ++i) {
     double low = 0, high = 0, width = 0;
-    if (const Path* path = shapes[i].path) {
+    if (const Area* area = shapes[i].area) {
+      Box2 box;
+      for (const std::vector<Vec2>& ring : area->rings) {
+        for (const Vec2& p : ring) box.add(p);
+      }
+      low = box.min.y, high = box.max.y, width = kTrap;
+    } else if (const Path* path = shapes[i].path) {
       low = high = path->points[0].y;
       for (const Vec2& p : path->points) {
         low = std::min(low, p.y);
@@ -82,7 +88,9 @@ Pixels pixels_of(const Drawing& drawing, const PngOptions& options) {
     return !layer.color.empty() ||
            std::ranges::any_of(layer.paths, [](const Path& p) { return !p.color.empty(); });
   };
-  if (std::ranges::any_of(drawing.layers, has_color)) return Pixels::Colors;
+  if (std::ranges::any_of(drawing.layers, has_color) || !painted_areas(drawing).empty()) {
+    return Pixels::Colors;
+  }
   const bool transparent = options.background == PngOptions::Background::Transparent;
   const bool plain = drawing.ink_color == Drawing().ink_color &&
                      (transparent || drawing.paper_color == Drawing().paper_color);
@@ -108,9 +116,10 @@ Surface painted(const std::vector<Shape>& shapes, const std::vector<std::uint32_
   }
   for (std::size_t k = 0; k < chosen.size(); ++k) {
     if (k % kBetweenPolls == 0) context.check();
-    if (colors) use(pen.get(), shapes[chosen[k]].color);
-    trace(pen.get(), shapes[chosen[k]]);
-    paint_traced(pen.get(), shapes[chosen[k]]);
+    const Shape& shape = shapes[chosen[k]];
+    if (colors) use(pen.get(), shape.color, shape.area ? shape.area->opacity : 1);
+    trace(pen.get(), shape);
+    paint_traced(pen.get(), shape);
   }
   check(cairo_status(pen.get()));
   cairo_surface_flush(surface.get());

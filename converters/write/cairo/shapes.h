@@ -23,17 +23,18 @@ struct PenDeleter {
 };
 using Pen = std::unique_ptr<cairo_t, PenDeleter>;
 
-/// A path, or a text, with its ink.
+/// A path, a text or an area, with its ink.
 struct Shape {
   const Path* path = nullptr;
   /// Lengths of ink and gaps in turn, mm.
-  std::vector<double> dashes;
-  Ink ink;
+  std::vector<double> dashes = {};
+  Ink ink = {};
   const Text* text = nullptr;
   Rgb color{};
+  const Area* area = nullptr;
 };
 
-/// The paths of the layers in the order of painting, their ink still to be fitted.
+/// The areas and the paths of the layers in the order of painting, their ink still to be fitted.
 std::vector<Shape> shapes_of(const std::vector<InkLayer>& layers, const Drawing& drawing,
                              const DashOptions& options);
 
@@ -41,7 +42,7 @@ std::vector<Shape> shapes_of(const std::vector<InkLayer>& layers, const Drawing&
 void fit_ink(std::span<Shape> shapes, double tolerance, const RunContext& context);
 
 /// The colour that a pen paints in from now on.
-void use(cairo_t* pen, const Rgb& color);
+void use(cairo_t* pen, const Rgb& color, double opacity = 1);
 
 /// A pen that paints black on `surface` in paper mm, `scale` units of the surface a mm; the top of
 /// the surface lies `top` units below that of the sheet.

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdint>
 #include <optional>
+#include <string>
 #include <string_view>
 
 namespace burin {
@@ -13,5 +14,15 @@ using Rgb = std::array<std::uint8_t, 3>;
 
 /// Reads "#rrggbb"; nothing where the text is none.
 std::optional<Rgb> rgb_of(std::string_view text);
+
+/// "#rrggbb".
+std::string to_text(const Rgb& color);
+
+/// The colour with `share` of its lightness and of its chroma as the eye sees them, its hue kept.
+/// `share`: 0 (black) to 1. @cite Ottosson2020
+Rgb with_lightness(const Rgb& color, double share);
+
+/// The colour that is seen where one of `opacity` (0 to 1) lies over another.
+Rgb over(const Rgb& color, double opacity, const Rgb& below);
 
 }  // namespace burin

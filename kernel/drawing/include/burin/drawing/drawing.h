@@ -110,9 +110,17 @@ struct DrawingItem {
   std::size_t quantity() const { return selectors.empty() ? parts.size() : things().size(); }
 };
 
-/// Where a part is seen, for pointing at it and colouring it; it has no ink.
+/// Where a part is seen, for pointing at it, and its colour there.
 struct Area {
   std::int32_t part = -1;
+  /// Face of the part; -1: all that are seen.
+  std::int32_t face = -1;
+  /// Step of tone, from 0, the darkest; -1: any.
+  std::int32_t tone = -1;
+  /// "#rrggbb" under the lines; empty: nothing is painted.
+  std::string fill = {};
+  /// Of the fill, from 0 to 1.
+  double opacity = 1;
   /// Closed, paper mm; what is inside an odd number of them.
   std::vector<std::vector<Vec2>> rings;
 };

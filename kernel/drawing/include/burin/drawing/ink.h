@@ -55,6 +55,14 @@ struct Ink {
   std::vector<std::vector<CubicBezier>> chains;
 };
 
+/// Paper mm: an area is painted by half of this beyond its border, under the line there, so that no
+/// paper shows between it and the next one. Areas that are looked through are not.
+inline constexpr double kTrap = 0.1;
+
+/// The areas that have a colour, in the order of painting; they lie below all layers. Points into
+/// `drawing`.
+std::vector<const Area*> painted_areas(const Drawing& drawing);
+
 /// That of the layer, or of the whole drawing: "#rrggbb".
 const std::string& ink_color(const InkLayer& layer, const Drawing& drawing);
 

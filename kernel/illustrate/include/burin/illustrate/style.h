@@ -57,6 +57,19 @@ struct StrokeKind {
   bool operator==(const StrokeKind&) const = default;
 };
 
+/// Flat colours under the lines.
+struct FillOptions {
+  /// "#rrggbb"; "part": the colour of the part, or of a palette where it has none; "none".
+  std::string color = "none";
+  double opacity = 1;
+  /// Tones of one colour, from 2 to 5, by the light; 0 = one colour whatever the light.
+  int steps = 0;
+  /// Lightness of the darkest step, as a share of that of the colour.
+  double darkest = 0.55;
+
+  bool operator==(const FillOptions&) const = default;
+};
+
 struct HaloStyle {
   /// Paper mm of white beside the ink of a line where another passes behind it; 0 = off.
   double gap = 0;
@@ -105,6 +118,7 @@ struct Style {
   /// Drawn over `hatch`, the first kind of strokes, in this order; at most `kMostStrokeKinds` with
   /// it. Keys: "strokes.2.spacing_min", "strokes.2.tone.law" and so on, from 2.
   std::vector<StrokeKind> strokes{};
+  FillOptions fill{};
   HaloStyle halo{};
   DepthOptions depth{};
   SheetStyle sheet{};
