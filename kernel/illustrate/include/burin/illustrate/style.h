@@ -158,7 +158,8 @@ void for_each_tone(Style& style, F&& change) {
 bool has_strokes(const Style& style);
 
 /// Names and one-line descriptions of the built-in styles: outline, technical, engraving, pencil,
-/// stipple, woodcut, scratchboard, contour-map, blueprint, patent, plotter, haloed, wireframe.
+/// stipple, woodcut, scratchboard, contour-map, blueprint, patent, plotter, haloed, wireframe,
+/// flat, shaded, cel, manual.
 struct StyleInfo {
   std::string name;
   std::string description;
