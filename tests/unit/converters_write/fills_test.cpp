@@ -34,9 +34,11 @@ Drawing filled(double opacity = 1) {
 
 TEST(FilledAreas, OfSvgLieBelowAllLinesWithTheirSource) {
   const std::string svg = written(filled(), "svg");
-  EXPECT_NE(svg.find("<path fill=\"#ff0000\" stroke=\"#ff0000\" stroke-width=\"0.1\""),
-            std::string::npos)
+  EXPECT_NE(
+      svg.find("<path class=\"part_0\" fill=\"#ff0000\" stroke=\"#ff0000\" stroke-width=\"0.1\""),
+      std::string::npos)
       << svg;
+  EXPECT_NE(svg.find("class=\"part_1 tone_0\" fill"), std::string::npos);
   EXPECT_NE(svg.find("data-face=\"3\" data-tone=\"0\""), std::string::npos);
   EXPECT_LT(svg.find("#0000ff"), svg.find("<g id=\"a\""));
   const std::string glass = written(filled(0.25), "svg");
