@@ -172,7 +172,7 @@ class Items {
         pen.chain(chain, true);
       }
       append(out, "\"><title>");
-      append_xml(out, part_name(area.part));
+      append_xml(out, area.part < 0 ? "shadow" : part_name(area.part));
       append(out, "</title></path>\n");
     }
     append(out, "</g>\n");
@@ -196,6 +196,7 @@ class Items {
   /// The classes by which a page gives painted areas other colours: "part_0 tone_1".
   static std::string class_of(const Area& area) {
     if (area.fill.empty()) return {};
+    if (area.part < 0) return "shadow";
     std::string name = fmt::format("part_{}", area.part);
     if (area.tone >= 0) name += fmt::format(" tone_{}", area.tone);
     return name;

@@ -8,6 +8,7 @@
 
 #include "occluders.h"
 
+#include <optional>
 #include <vector>
 
 namespace burin::detail {
@@ -19,6 +20,8 @@ struct Labels {
   std::vector<LabelMap> glass;
   /// What is seen of each part, within the drawn lines: of glass first, which lies over the rest.
   std::vector<Area> areas = {};
+  /// Below all of them.
+  std::optional<Area> shadow = {};
 };
 
 /// Of the stretch of the sheet that has ink. Cost: a ray a pixel and those of `partition`, and as

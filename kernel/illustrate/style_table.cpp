@@ -100,6 +100,14 @@ std::vector<OptionRow<FillOptions>> fill_tone_rows() {
   };
 }
 
+std::vector<OptionRow<ShadowOptions>> shadow_rows() {
+  return {
+      flag("ground", &ShadowOptions::ground,
+           "the shadow that all parts cast on an invisible ground under them, square to z"),
+      color("color", &ShadowOptions::color, "colour of that shadow", kColor),
+  };
+}
+
 std::vector<OptionRow<HaloStyle>> halo_rows() {
   return {
       number("gap", &HaloStyle::gap, {0, 10, "mm"},
@@ -189,6 +197,7 @@ std::vector<StyleRow> all_rows() {
   rows.of_parts("hatch.", &Style::hatch, hatch_rows());
   rows.of_parts("hatch.", &Style::hatch, hatch_option_rows());
   rows.of_parts("fill.", &Style::fill, fill_rows());
+  rows.of_whole("shadow.", &Style::shadow, shadow_rows());
   rows.of_whole("halo.", &Style::halo, halo_rows());
   rows.of_whole("depth.", &Style::depth, depth_rows());
   rows.of_parts("tone.", &Style::tone, tone::tone_option_rows());
@@ -235,6 +244,7 @@ const std::vector<OtherNames>& all_other_names() {
        {"fill", "fill colour", "flat color", "surface color", "part color", "colorize"}},
       {"fill.opacity", {"transparency", "alpha"}},
       {"tone.steps", {"tones", "cel shading", "toon", "posterize", "flat shading"}},
+      {"shadow.ground", {"drop shadow", "floor shadow", "contact shadow"}},
       {"halo.gap", {"haloes"}},
       {"tone.ambient", {"brightness", "lightness", "exposure", "gamma", "ambient light"}},
       {"tone.shadow", {"cast shadow", "no shadow"}},
