@@ -33,14 +33,23 @@ Corners corners_of(const SheetMesh& mesh, std::size_t t) {
 
 Vec2 middle_of(const Corners& c) { return (c[0] + c[1] + c[2]) / 3.0; }
 
+/// The share of the way to the middle at which all of it is `slack` away from the sides.
+double inset_of(const Corners& c, double slack) {
+  const Vec2 u = c[1] - c[0], v = c[2] - c[0];
+  const double longest = std::max({glm::length(u), glm::length(v), glm::distance(c[1], c[2])});
+  const double height = (u.x * v.y - u.y * v.x) / longest;
+  return height > 0 ? 3 * slack / height : 1;  // the middle is a third of each height away
+}
+
 /// Places just inside the triangle: on its sides both neighbours may be seen.
-Round around(const Corners& c) {
+Round around(const Corners& c, double slack) {
   constexpr double kInset = 0.04;
+  const double inset = std::clamp(inset_of(c, slack), kInset, 1.0);
   const Vec2 m = middle_of(c);
   Round out;
   for (std::size_t i = 0; i < 3; ++i) {
-    out[2 * i] = glm::mix(c[i], m, kInset);
-    out[2 * i + 1] = glm::mix(0.5 * (c[i] + c[(i + 1) % 3]), m, kInset);
+    out[2 * i] = glm::mix(c[i], m, inset);
+    out[2 * i + 1] = glm::mix(0.5 * (c[i] + c[(i + 1) % 3]), m, inset);
   }
   return out;
 }
@@ -70,8 +79,11 @@ using Pieces = std::vector<std::array<Vec2, 2>>;
 /// Follows them through a grid of smaller triangles.
 class TriangleBorder {
  public:
-  TriangleBorder(const Corners& corners, const LabelAt& label_at)
-      : corners_(corners), middle_(middle_of(corners)), label_at_(label_at) {
+  TriangleBorder(const Corners& corners, const LabelAt& label_at, double slack)
+      : corners_(corners),
+        middle_(middle_of(corners)),
+        inset_(std::clamp(inset_of(corners, slack), kInset, 0.5)),
+        label_at_(label_at) {
     double longest = 0;
     for (std::size_t i = 0; i < 3; ++i) {
       longest = std::max(longest, glm::distance(corners[i], corners[(i + 1) % 3]));
@@ -105,7 +117,7 @@ class TriangleBorder {
 
   Vec2 place(Node at) const {
     const double u = static_cast<double>(at.i) / n_, v = static_cast<double>(at.j) / n_;
-    return glm::mix((1 - u - v) * corners_[0] + u * corners_[1] + v * corners_[2], middle_, kInset);
+    return glm::mix((1 - u - v) * corners_[0] + u * corners_[1] + v * corners_[2], middle_, inset_);
   }
 
   const AreaLabel& label(Node at) const {
@@ -129,7 +141,7 @@ class TriangleBorder {
     }
     it->second = 0.5 * (from + to);
     if (on_side(a, b)) {  // up to the side, and a little beyond
-      const Vec2 out = middle_ + kBeyond / (1 - kInset) * (it->second - middle_);
+      const Vec2 out = middle_ + kBeyond / (1 - inset_) * (it->second - middle_);
       pieces_.push_back({it->second, out});
     }
     return it->second;
@@ -149,6 +161,7 @@ class TriangleBorder {
 
   const Corners& corners_;
   Vec2 middle_;
+  double inset_;
   const LabelAt& label_at_;
   int n_ = 0;
   std::vector<AreaLabel> labels_;
@@ -234,12 +247,13 @@ LabelledMesh label_triangles(Network& network, const LabelAt& label_at,
               Labels labels{label_at(middle_of(corners)), {}};
               labels.round.fill(labels.middle);
               if (area_of(out.mesh, t) >= kLeastDivided) {
-                std::ranges::transform(around(corners), labels.round.begin(), label_at);
+                std::ranges::transform(around(corners, options.slack), labels.round.begin(),
+                                       label_at);
               }
               found[t] = {labels.most(), labels.mixed()};
             }
             if (divides && found[t].mixed) {
-              pieces[t] = TriangleBorder(corners, label_at).find();
+              pieces[t] = TriangleBorder(corners, label_at, options.slack).find();
             }
           }
         },

@@ -5,7 +5,9 @@
 #include "network.h"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
+#include <numbers>
 #include <utility>
 
 namespace burin {
@@ -167,6 +169,53 @@ std::vector<Vec2> Partition::polygon(const AreaRing& ring) const {
   out.reserve(ring.corners.size());
   for (const std::uint32_t i : ring.corners) out.push_back(points[i]);
   return out;
+}
+
+std::vector<std::vector<Vec2>> Partition::outline(std::span<const std::uint32_t> of) const {
+  std::vector<bool> inside(regions.size(), false);
+  for (const std::uint32_t i : of) inside[i] = true;
+  struct Side {
+    std::uint32_t from, to;
+    bool walked = false;
+  };
+  std::vector<Side> sides;
+  for (const std::uint32_t i : of) {
+    for (const AreaRing& ring : regions[i].rings) {
+      for (std::size_t k = 0; k < ring.corners.size(); ++k) {
+        const std::int32_t beyond = ring.beyond[k];
+        if (beyond >= 0 && inside[static_cast<std::size_t>(beyond)]) continue;
+        sides.push_back({ring.corners[k], ring.corners[(k + 1) % ring.corners.size()]});
+      }
+    }
+  }
+  std::ranges::sort(sides, {}, [](const Side& s) { return std::pair(s.from, s.to); });
+  // The first side clockwise from the one that comes in: next to it round the corner, so that a
+  // ring which touches itself does not cross itself.
+  const auto next = [&](const Side& in) -> Side* {
+    Side* best = nullptr;
+    double least = 0;
+    const Vec2 back = points[in.from] - points[in.to];
+    const auto first = std::ranges::lower_bound(sides, in.to, {}, &Side::from);
+    for (auto it = first; it != sides.end() && it->from == in.to; ++it) {
+      Side& out = *it;
+      if (out.walked) continue;
+      const Vec2 on = points[out.to] - points[out.from];
+      double turn = std::atan2(back.y * on.x - back.x * on.y, glm::dot(back, on));
+      if (turn <= 0) turn += 2 * std::numbers::pi;
+      if (!best || turn < least) best = &out, least = turn;
+    }
+    return best;
+  };
+  std::vector<std::vector<Vec2>> rings;
+  for (Side& first : sides) {
+    if (first.walked) continue;
+    std::vector<Vec2>& ring = rings.emplace_back();
+    for (Side* at = &first; at; at = next(*at)) {
+      at->walked = true;
+      ring.push_back(points[at->from]);
+    }
+  }
+  return rings;
 }
 
 Partition partition(const Box2& sheet, std::span<const BorderLine> lines, const LabelAt& label_at,

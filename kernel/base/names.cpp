@@ -26,6 +26,8 @@ const char* to_string(LineClass kind) {
       return "valley";
     case LineClass::Suggestive:
       return "suggestive";
+    case LineClass::Isophote:
+      return "isophote";
     case LineClass::Stroke:
       return "stroke";
     case LineClass::Pattern:

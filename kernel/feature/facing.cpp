@@ -1,13 +1,11 @@
 #include "facing.h"
 
 #include <burin/base/parallel.h>
-#include <burin/base/parallel_filter.h>
 #include <burin/mesh/tips.h>
 
 #include "paper_limits.h"
 
 #include <algorithm>
-#include <utility>
 
 namespace burin {
 
@@ -20,7 +18,7 @@ constexpr std::size_t kFaceGrain = 16384;
 }  // namespace
 
 Facing::Facing(const ProxyMesh& proxy, const Camera& camera, const RunContext& context)
-    : proxy_(&proxy), camera_(&camera), surface_(proxy), g_(proxy.wedge_normal.size()) {
+    : ZeroSet(proxy, camera) {
   const FacingFunction facing(camera);
   const bool cut = !proxy.on_contour.empty();
   parallel_for(
@@ -95,44 +93,6 @@ void Facing::face_tips(const std::vector<std::uint8_t>& tips) {
     if (front > 0 && back == 0) g_[w] = std::max(g_[w], kEdgeOn);
     if (front == 0 && back > 0) g_[w] = std::min(g_[w], -kEdgeOn);
   }
-}
-
-std::vector<std::uint32_t> Facing::mixed_faces(const RunContext& context) const {
-  const std::vector<Triangle>& wedges = proxy_->wedges;
-  const auto mixed = [&](std::uint32_t f) {
-    if (decided(f)) return false;
-    const bool a = front(wedges[f][0]);
-    return a != front(wedges[f][1]) || a != front(wedges[f][2]);
-  };
-  return parallel_filter<std::uint32_t>(wedges.size(), kFaceGrain, mixed, context);
-}
-
-ZeroCrossing Facing::crossing(HalfEdge h) const {
-  std::uint32_t a = origin_wedge(h), b = target_wedge(h);
-  // The same order from both sides, so that both compute the same bits.
-  const bool swapped = proxy_->wedge_vertex[a] > proxy_->wedge_vertex[b];
-  if (swapped) std::swap(a, b);
-  const Vec3 &p = proxy_->wedge_position(a), &q = proxy_->wedge_position(b);
-  const double length = glm::length(q - p);
-  double t = g_[a] / (g_[a] - g_[b]);
-  ZeroCrossing out;
-  if (t * length * camera_->scale_at(p) < kSnapLength) {
-    t = 0;
-    out.position = p;
-  } else if ((1 - t) * length * camera_->scale_at(q) < kSnapLength) {
-    t = 1;
-    out.position = q;
-  } else {
-    out.position = surface_.on_edge(h, t);
-  }
-  out.share = swapped ? 1 - t : t;
-  return out;
-}
-
-Vec3 Facing::normal(HalfEdge h, double share) const {
-  if (decided(face_of(h))) return proxy_->mesh.normal(face_of(h));
-  const Vec3 &a = proxy_->wedge_normal[origin_wedge(h)], &b = proxy_->wedge_normal[target_wedge(h)];
-  return normalize_or((1 - share) * a + share * b, a);
 }
 
 }  // namespace burin

@@ -1,6 +1,22 @@
 #include <burin/feature/options.h>
 
+#include <cstdint>
+#include <variant>
+
 namespace burin {
+
+namespace {
+
+OptionRow<FeatureOptions> isophotes_row() {
+  return {
+      {"isophotes",
+       "lines of equal light (isophotes) on each part, so many from the dark to the light",
+       WholeRange{0, 50}},
+      [](const FeatureOptions& s) { return OptionValue(std::uint64_t{s.isophotes}); },
+      [](FeatureOptions& s, const OptionValue& v) { s.isophotes = std::get<std::uint64_t>(v); }};
+}
+
+}  // namespace
 
 const std::vector<OptionRow<FeatureOptions>>& feature_option_rows() {
   using options::flag;
@@ -12,6 +28,7 @@ const std::vector<OptionRow<FeatureOptions>>& feature_option_rows() {
            "draw the edges of CAD parts over which the surface goes on smoothly"),
       flag("seams", &FeatureOptions::seams,
            "draw the edges of CAD parts where a face meets itself"),
+      isophotes_row(),
       flag("intersections", &FeatureOptions::intersections,
            "draw the lines where parts pass through each other"),
       flag("trails", &FeatureOptions::trails,

@@ -175,8 +175,8 @@ void compose_features(const LinesToDraw& lines, const std::vector<Gaps>& gaps,
                       const Composition& how, Drawing& drawing, std::vector<Path>* found,
                       const RunContext& context) {
   std::vector<Layer> layers;
-  for (const char* name : {"hidden", "behind", "trail", "pattern", "seam", "smooth", "intersection",
-                           "crease", "section", "boundary", "contour", "outline"}) {
+  for (const char* name : {"hidden", "behind", "trail", "pattern", "isophote", "seam", "smooth",
+                           "intersection", "crease", "section", "boundary", "contour", "outline"}) {
     layers.push_back({name, {}});
   }
   for (std::size_t i = 0; i < lines.features.size(); ++i) {
@@ -184,7 +184,8 @@ void compose_features(const LinesToDraw& lines, const std::vector<Gaps>& gaps,
     if (!how.draws(curve)) continue;
     for (const Span& span : drawn_spans(curve, lines.feature_spans[i], gaps[i])) {
       // Hidden they say nothing.
-      const bool shown_alone = curve.kind == LineClass::Pattern || curve.kind == LineClass::Trail;
+      const bool shown_alone = curve.kind == LineClass::Pattern ||
+                               curve.kind == LineClass::Isophote || curve.kind == LineClass::Trail;
       if (!span.visible && (shown_alone || !how.shows_hidden())) {
         if (found) keep(to_path(piece(curve, span), how.camera), false, found);
         continue;
@@ -246,6 +247,7 @@ double Composition::feature_width(const Curve3& feature, const Span& span) const
     case LineClass::Smooth:
     case LineClass::Seam:
     case LineClass::Pattern:
+    case LineClass::Isophote:
       return line.smooth;
     case LineClass::Section:
       return line.contour;
@@ -269,6 +271,8 @@ bool Composition::draws(const Curve3& feature) const {
       return drawn.smooth;
     case LineClass::Seam:
       return drawn.seams;
+    case LineClass::Isophote:
+      return drawn.isophotes > 0;
     case LineClass::Section:
     case LineClass::Pattern:
       return true;

@@ -16,7 +16,8 @@ constexpr double kTrailGap = 0.3;
 bool casts(const Style& style, const Curve3& curve) {
   if (curve.kind == LineClass::Trail) return true;
   if (style.halo.gap <= 0) return false;
-  if (curve.kind == LineClass::Stroke) return style.halo.lines == HaloStyle::Lines::All;
+  if (curve.kind == LineClass::Stroke || curve.kind == LineClass::Isophote)
+    return style.halo.lines == HaloStyle::Lines::All;
   return style.halo.lines != HaloStyle::Lines::Occluding || curve.occluding ||
          curve.kind == LineClass::Boundary;
 }

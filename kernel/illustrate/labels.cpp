@@ -127,11 +127,12 @@ bool keep_only(LabelMap& map, std::vector<bool>& parts) {
 }  // namespace
 
 Labels label(const Drawing& drawing, const Occluders& occluders, const Camera& camera,
-             const RunContext& context) {
+             const LabelRequest& wanted, const RunContext& context) {
   const Box2 box = ink_on_sheet(drawing);
   if (box.empty() || box.min.x >= box.max.x || box.min.y >= box.max.y) return {};
   const Looker looker(drawing, box, camera, context);
-  Labels labels{looker.map(occluders.solid()), {}};
+  Labels labels;
+  if (wanted.maps) labels.seen = looker.map(occluders.solid());
   std::vector<bool> left = occluders.transparent();
   while (labels.glass.size() < kMostGlass && std::ranges::find(left, true) != left.end()) {
     const std::vector<bool> before = left;
@@ -142,7 +143,10 @@ Labels label(const Drawing& drawing, const Occluders& occluders, const Camera& c
     labels.glass.push_back(std::move(map));
     std::ranges::move(looker.areas(glass, before), std::back_inserter(labels.areas));
   }
-  std::ranges::move(looker.areas(occluders.solid()), std::back_inserter(labels.areas));
+  std::ranges::move(
+      wanted.regions ? find_regions(box, wanted.lines, occluders, camera, *wanted.regions, context)
+                     : looker.areas(occluders.solid()),
+      std::back_inserter(labels.areas));
   return labels;
 }
 

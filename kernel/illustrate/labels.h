@@ -7,6 +7,7 @@
 #include <burin/drawing/drawing.h>
 
 #include "occluders.h"
+#include "regions.h"
 
 #include <optional>
 #include <vector>
@@ -24,10 +25,19 @@ struct Labels {
   std::optional<Area> shadow = {};
 };
 
+struct LabelRequest {
+  /// Whether maps are wanted: `Labels::seen`, and `glass`.
+  bool maps = true;
+  /// What the areas of solid parts are parted by; absent: by the lines that are drawn, into parts.
+  std::optional<RegionOptions> regions{};
+  /// Of the view, for regions.
+  SeenLines lines{};
+};
+
 /// Of the stretch of the sheet that has ink. Cost: a ray a pixel and those of `partition`, and as
 /// many more for each map of what can be looked through: as many as such parts hide each other
 /// whole, one behind the other, 8 at the most. Throws Cancelled.
 Labels label(const Drawing& drawing, const Occluders& occluders, const Camera& camera,
-             const RunContext& context);
+             const LabelRequest& wanted, const RunContext& context);
 
 }  // namespace burin::detail

@@ -8,12 +8,14 @@
 #include <burin/verify/verify.h>
 
 #include "compose.h"
+#include "exact_places.h"
 #include "fills.h"
 #include "ground_shadow.h"
 #include "on_sheet.h"
 #include "tell.h"
 
 #include <algorithm>
+#include <iterator>
 #include <span>
 #include <utility>
 
@@ -34,6 +36,35 @@ FeatureOptions feature_options(const PartStyles& part_styles) {
     options.intersections |= style->feature.intersections;
     options.smooth |= style->feature.smooth;
     options.seams |= style->feature.seams;
+  }
+  return options;
+}
+
+// Where the lines of equal light run that parts are drawn with: one a part; empty where none has
+// any.
+std::vector<Isophotes> drawn_isophotes(const PartStyles& part_styles, const Camera& camera) {
+  std::vector<Isophotes> out;
+  const auto count = [&](std::size_t part) {
+    const bool shown = part_styles.drawn(part) && part_styles.style(part).feature.isophotes > 0;
+    return shown ? part_styles.style(part).feature.isophotes : 0;
+  };
+  bool any = false;
+  for (std::size_t i = 0; i < part_styles.size(); ++i) {
+    out.push_back({tone::to_light(camera, part_styles.style(i).tone), even_levels(count(i) + 1)});
+    any = any || count(i) > 0;
+  }
+  return any ? out : std::vector<Isophotes>();
+}
+
+// What parts the sheet where parts have flat colours.
+RegionOptions region_options(const PartStyles& part_styles, const Camera& camera) {
+  RegionOptions options{.found = feature_options(part_styles)};
+  for (std::size_t i = 0; i < part_styles.size(); ++i) {
+    const FillOptions& fill = part_styles.style(i).fill;
+    const bool toned = part_styles.drawn(i) && fill.color != "none" && fill.steps > 1;
+    options.tones.push_back({tone::to_light(camera, part_styles.style(i).tone),
+                             even_levels(toned ? static_cast<std::size_t>(fill.steps) : 1)});
+    options.nested.push_back(fill.opacity >= 1);
   }
   return options;
 }
@@ -122,6 +153,12 @@ std::shared_ptr<Stages::Lines> Stages::lines_of(const View& view, RunContext& co
     for (Curve3& line : hatch_cuts(proxies, view.camera, context, view.magnified)) {
       features.push_back(std::move(line));
     }
+    for (std::size_t i = 0; i < view.isophotes.size(); ++i) {
+      std::vector<Curve3> lines =
+          trace_isophotes(*proxies[i], static_cast<std::int32_t>(i), view.isophotes[i], view.camera,
+                          context, exact_places(*view.occluders->surfaces()[i]));
+      std::ranges::move(lines, std::back_inserter(features));
+    }
     features.insert(features.end(), view.trails.begin(), view.trails.end());
     return std::make_shared<Lines>(
         Lines{Sight(view.occluders, view.camera, std::move(features), view.closes_outline),
@@ -161,7 +198,7 @@ Drawing Stages::draw_lines(const Scene& scene, const Camera& camera, const Style
   context.begin_stage(RunStage::Features);
   const std::shared_ptr<Lines> features =
       lines_of({trees, camera, feature_options(part_styles), draws_outline(part_styles),
-                options.trails, options.magnified},
+                options.trails, options.magnified, drawn_isophotes(part_styles, camera)},
                context);
   drawing.diagnostics.append(features->said);
 
@@ -180,9 +217,13 @@ Drawing Stages::draw_lines(const Scene& scene, const Camera& camera, const Style
   compose(to_draw, {proxies, camera, part_styles, style, options.hidden, cue}, drawing, context,
           found);
   if (options.field) name_own_field(drawing);
-  if (options.annotations || paints(part_styles)) {
-    labels = label(drawing, *trees, camera, context);
+  LabelRequest wanted{.maps = options.annotations.has_value(),
+                      .lines = {features->sight.features(), features->sight.feature_spans()}};
+  if (options.face_areas || paints(part_styles)) {
+    wanted.regions = region_options(part_styles, camera);
+    wanted.regions->faces = options.face_areas;
   }
+  if (wanted.maps || wanted.regions) labels = label(drawing, *trees, camera, wanted, context);
   if (style.shadow.ground) {
     labels.shadow = ground_shadow(*trees, tone::to_light(camera, style.tone), camera, context);
   }

@@ -5,6 +5,7 @@
 #include <burin/base/run_context.h>
 #include <burin/camera/camera.h>
 #include <burin/drawing/drawing.h>
+#include <burin/feature/isophotes.h>
 #include <burin/feature/options.h>
 #include <burin/illustrate/illustrate.h>
 #include <burin/surface/scene.h>
@@ -47,6 +48,7 @@ class Stages {
     bool closes_outline = false;
     std::vector<Curve3> trails;
     double magnified = 1;
+    std::vector<Isophotes> isophotes;
     bool operator==(const View&) const = default;
   };
   struct Lines {

@@ -217,6 +217,7 @@ Fold fold_at(const Curve3& curve, const ProxyMesh* proxy, std::int32_t face, Vec
       return std::abs(glm::dot(normal, view)) < kGrazing ? Fold::Boundary : Fold::None;
     case LineClass::Stroke:
     case LineClass::Pattern:
+    case LineClass::Isophote:
       return glm::dot(back ? -polygon : polygon, view) < 0 ? Fold::Stroke : Fold::None;
     default:
       return Fold::None;

@@ -14,7 +14,8 @@ namespace burin {
 
 /// Whether a curve is drawn on a surface rather than where surfaces bend, end or meet.
 inline bool lies_on_surface(const Curve3& curve) {
-  return curve.kind == LineClass::Stroke || curve.kind == LineClass::Pattern;
+  return curve.kind == LineClass::Stroke || curve.kind == LineClass::Pattern ||
+         curve.kind == LineClass::Isophote;
 }
 
 /// Casts rays from points of curves to the viewer. A ray does not count

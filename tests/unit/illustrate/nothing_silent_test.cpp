@@ -100,7 +100,12 @@ TEST(NothingSilent, AnEmptyDrawingSaysWhy) {
                  "drawing.empty")
                 .find("every part is left out"),
             std::string::npos);
-  style.feature = {false, false, false, false, false, false, false, 30};
+  style.feature = {.contours = false,
+                   .creases = false,
+                   .boundaries = false,
+                   .intersections = false,
+                   .smooth = false,
+                   .trails = false};
   EXPECT_NE(said(draw(box(), style), "drawing.empty").find("neither feature lines"),
             std::string::npos);
 }

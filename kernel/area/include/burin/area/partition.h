@@ -45,6 +45,9 @@ struct PartitionOptions {
   /// Paper mm: a region narrower than this (twice its area by its border) goes to the neighbour
   /// with the longest common border.
   double least_width = 0.03;
+  /// Paper mm: how far from the sides of a triangle its label is looked for. Where lines and labels
+  /// know the same border by different approximations, triangles beside it are not divided.
+  double slack = 0;
   /// Times that triangles with labels of two kinds are divided along the border between them.
   int rounds = 3;
 };
@@ -77,6 +80,8 @@ struct Partition {
   double mixed_area = 0;
 
   std::vector<Vec2> polygon(const AreaRing& ring) const;
+  /// The rings round several regions, given by their numbers, as if they were one; paper mm.
+  std::vector<std::vector<Vec2>> outline(std::span<const std::uint32_t> of) const;
 };
 
 /// Parts the sheet along the lines. What is off the sheet is left out. A gap in a line does not

@@ -3,6 +3,7 @@
 
 #include <burin/options/row.h>
 
+#include <cstddef>
 #include <vector>
 
 namespace burin {
@@ -17,6 +18,9 @@ struct FeatureOptions {
   /// and those where a face meets itself.
   bool smooth = true;
   bool seams = false;
+  /// Lines of equal light, so many from the dark to the light: `extract_features`, which knows no
+  /// light, does not look at it (burin/feature/isophotes.h).
+  std::size_t isophotes = 0;
   /// The lines on which parts of exploded views have come: `extract_features` does not look at it.
   bool trails = true;
   /// Degrees between neighbouring triangles from which an edge is sharp: forms that have no edges

@@ -2,8 +2,8 @@
 /// The invisible ground under a scene, on which its shadow lies: the plane square to z through the
 /// lowest point of what is drawn.
 
-#include <burin/base/affine.h>
 #include <burin/base/box.h>
+#include <burin/base/placement.h>
 #include <burin/base/vec.h>
 
 #include <array>

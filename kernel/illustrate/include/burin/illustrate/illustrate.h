@@ -77,6 +77,8 @@ struct IllustrateOptions {
   /// Items of the parts that are drawn, for `Drawing::items` and `areas`, and what of them is laid
   /// over the drawing.
   std::optional<Annotations> annotations{};
+  /// Whether `Drawing::areas` tells the faces of parts apart, painted or not.
+  bool face_areas = false;
 };
 
 /// The bounds of the parts that are drawn, in axes as those of `Form::bounds`; of all where none

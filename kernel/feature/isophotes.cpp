@@ -1,0 +1,171 @@
+#include <burin/base/bracketed_zero.h>
+#include <burin/camera/facing.h>
+#include <burin/feature/isophotes.h>
+#include <burin/feature/source_faces.h>
+
+#include "fairing.h"
+#include "paper_limits.h"
+#include "zero_lines.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace burin {
+
+namespace {
+
+/// By how much levels are too high: as much as what is edge-on is turned away.
+constexpr double kAboveLevel = kEdgeOn;
+
+/// Steps towards the zero inside a triangle: each leaves a tenth of the way or less.
+constexpr int kSettlings = 3;
+
+Vec3 bary_on(HalfEdge h, double share) {
+  Vec3 bary(0);
+  bary[static_cast<int>(h % 3)] = 1 - share;
+  bary[static_cast<int>(next_in_face(h) % 3)] = share;
+  return bary;
+}
+
+/// normal . light - level; `sign` -1: of the back.
+class Isophote : public ZeroSet {
+ public:
+  Isophote(const ProxyMesh& proxy, const Camera& camera, Vec3 light, double level, double sign,
+           const ExactAt& exact)
+      : ZeroSet(proxy, camera), light_(sign * light), level_(level), exact_(exact) {
+    for (std::size_t w = 0; w < g_.size(); ++w) {
+      g_[w] = glm::dot(proxy.wedge_normal[w], light_) - level_;
+    }
+  }
+
+  bool is_straight() const override { return false; }
+  Vec3 between(const RoundedFacet& facet, Vec3 bary) const override {
+    const std::uint32_t face = facet.face();
+    const Triangle& w = proxy_->wedges[face];
+    Vec3 across(g_[w[0]], g_[w[1]], g_[w[2]]);
+    across -= (across.x + across.y + across.z) / 3;
+    const double slope = glm::dot(across, across);  // of what is linear; the rest is small
+    for (int k = 0; k < kSettlings && slope > 0; ++k) {
+      bary -= (glm::dot(normal_at(face, bary), light_) - level_) / slope * across;
+      bary = glm::max(bary, Vec3(0));
+      bary /= bary.x + bary.y + bary.z;
+    }
+    return exact_ ? exact_(face, bary).position : facet.at(bary);
+  }
+
+ protected:
+  double zero_share(std::uint32_t a, std::uint32_t b, HalfEdge h) const override {
+    const HalfEdge one = of_both(h);
+    const bool back = origin(proxy_->mesh, one) != proxy_->wedge_vertex[a];
+    const auto over = [&](double t) {
+      const Vec3 normal = normal_at(face_of(one), bary_on(one, back ? 1 - t : t));
+      return glm::dot(normal, light_) - level_;
+    };
+    return bracketed_zero(over, g_[a], g_[b], {.bracket = 1e-9, .value = 1e-12});
+  }
+  Vec3 on_edge(HalfEdge h, double t) const override {
+    if (!exact_) return ZeroSet::on_edge(h, t);
+    const HalfEdge one = of_both(h);
+    const bool back = origin(proxy_->mesh, one) > origin(proxy_->mesh, next_in_face(one));
+    return exact_(face_of(one), bary_on(one, back ? 1 - t : t)).position;
+  }
+
+ private:
+  /// The same for both triangles at an edge.
+  HalfEdge of_both(HalfEdge h) const {
+    const HalfEdge other = proxy_->topology.opposite[static_cast<std::size_t>(h)];
+    return other == kNoHalfEdge ? h : std::min(h, other);
+  }
+  Vec3 normal_at(std::uint32_t face, Vec3 bary) const {
+    return exact_ ? exact_(face, bary).normal : proxy_->normal(face, bary);
+  }
+
+  Vec3 light_;
+  double level_;
+  const ExactAt& exact_;
+};
+
+double paper_length(const Camera& camera, const Curve3& curve) {
+  double length = 0;
+  for (std::size_t i = 0; i < curve.segment_count(); ++i) {
+    length += glm::distance(camera.to_paper(curve.points[i]),
+                            camera.to_paper(curve.points[curve.next(i)]));
+  }
+  return length;
+}
+
+/// Marks what faces away, from the very points where that changes.
+void hide_far_side(const FacingFunction& facing, double sign, Curve3& curve) {
+  Curve3 out = curve;
+  out.points.clear(), out.normals.clear(), out.faces.clear(), out.self_hidden.clear();
+  const auto g = [&](std::size_t i) { return facing(curve.points[i], sign * curve.normals[i]); };
+  const auto add = [&](Vec3 point, Vec3 normal, std::size_t segment, bool hidden) {
+    out.points.push_back(point);
+    out.normals.push_back(normal);
+    out.faces.push_back(curve.faces[segment]);
+    out.self_hidden.push_back(hidden ? 1 : 0);
+  };
+  for (std::size_t i = 0; i < curve.segment_count(); ++i) {
+    const std::size_t j = curve.next(i);
+    const double a = g(i), b = g(j);
+    const bool crosses = (a > 0) != (b > 0) && a != 0 && b != 0;
+    add(curve.points[i], curve.normals[i], i, crosses ? a < 0 : a + b <= 0);
+    if (!crosses) continue;
+    const double t = a / (a - b);
+    add(glm::mix(curve.points[i], curve.points[j], t),
+        normalize_or(glm::mix(curve.normals[i], curve.normals[j], t), curve.normals[i]), i, b < 0);
+  }
+  if (!curve.closed) {
+    out.points.push_back(curve.points.back());
+    out.normals.push_back(curve.normals.back());
+  }
+  curve = std::move(out);
+}
+
+}  // namespace
+
+std::vector<double> even_levels(std::size_t steps) {
+  std::vector<double> levels;
+  for (std::size_t i = 1; i < steps; ++i) {
+    levels.push_back(static_cast<double>(i) / static_cast<double>(steps) + kAboveLevel);
+  }
+  return levels;
+}
+
+std::int32_t step_of(const Isophotes& isophotes, Vec3 normal) {
+  const double light = glm::dot(normal, isophotes.light) / glm::length(isophotes.light);
+  return static_cast<std::int32_t>(std::ranges::lower_bound(isophotes.levels, light) -
+                                   isophotes.levels.begin());
+}
+
+std::vector<Curve3> trace_isophotes(const ProxyMesh& proxy, std::int32_t part,
+                                    const Isophotes& isophotes, const Camera& camera,
+                                    const RunContext& context, const ExactAt& exact) {
+  const Vec3 light = normalize_or(isophotes.light, camera.direction());
+  const FacingFunction facing(camera);
+  const auto& closed = proxy.topology.component_closed;
+  const bool any_open = std::ranges::find(closed, 0) != closed.end();
+  std::vector<Curve3> out;
+  for (const double level : isophotes.levels) {
+    for (const double sign : {1.0, -1.0}) {
+      if (sign < 0 && !any_open) continue;
+      const Isophote zeros(proxy, camera, light, level, sign, exact);
+      trace_zeros(zeros, true, context, [&](ZeroLine&& line) {
+        if (sign < 0 && proxy.closed(line.first_face)) return;
+        Curve3 curve = line.take_curve(zeros, LineClass::Isophote, part);
+        std::vector<std::uint8_t> none(curve.faces.size(), 0);
+        follow_surface(zeros, line.chords, curve, none);
+        if (curve.closed && paper_length(camera, curve) < kSpeckLength) return;
+        if (!exact) fair(curve, camera, proxy);
+        hide_far_side(facing, sign, curve);
+        if (!proxy.source_face.empty()) {
+          curve.source.face = main_face(source_faces(curve, proxy, camera));
+        }
+        out.push_back(std::move(curve));
+      });
+    }
+  }
+  return out;
+}
+
+}  // namespace burin

@@ -1,0 +1,252 @@
+#include "regions.h"
+
+#include <burin/area/partition.h>
+#include <burin/drawing/bezier.h>
+#include <burin/feature/feature.h>
+#include <burin/illustrate/view_probe.h>
+
+#include "exact_places.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <map>
+#include <utility>
+
+namespace burin::detail {
+namespace {
+
+// Paper mm: points of lines that lie so near the line through the others are left out; and of the
+// borders made of them, where more would let those of narrow areas cross.
+constexpr double kLineTolerance = 0.003, kAreaTolerance = 1e-4;
+// Paper mm within which lines and rays agree on a border: chord errors.
+constexpr double kSlack = 0.04;
+// Paper mm between places of a line that are looked at.
+constexpr double kLookStep = 1;
+// Paper mm along the line of sight within which a place of a surface is the one that is seen.
+constexpr double kSameDepth = 0.3;
+
+bool parts_regions(LineClass kind) {
+  return kind != LineClass::Pattern && kind != LineClass::Trail && kind != LineClass::Isophote;
+}
+
+/// Lines of the sheet, as `partition` takes them.
+class Borders {
+ public:
+  explicit Borders(const Camera& camera) : camera_(camera) {}
+
+  void add(const Curve3& curve) {
+    std::vector<Vec2> line;
+    line.reserve(curve.points.size() + 1);
+    for (const Vec3& p : curve.points) line.push_back(camera_.to_paper(p));
+    if (curve.closed) line.push_back(line.front());
+    std::vector<Vec2> kept;
+    for (const std::size_t i : simplify(std::span<const Vec2>(line), kLineTolerance)) {
+      kept.push_back(line[i]);
+    }
+    lines_.push_back(std::move(kept));
+  }
+
+  std::vector<BorderLine> get() const {
+    std::vector<BorderLine> out;
+    for (std::size_t i = 0; i < lines_.size(); ++i) {
+      out.push_back({lines_[i], false, static_cast<std::int32_t>(i)});
+    }
+    return out;
+  }
+
+ private:
+  const Camera& camera_;
+  std::vector<std::vector<Vec2>> lines_;
+};
+
+/// Stretches of a line on which its surface is what is seen, and a step beyond: what is hidden may
+/// part nothing.
+class Shown {
+ public:
+  Shown(const Curve3& curve, const ViewProbe& probe, const Camera& camera)
+      : curve_(curve), probe_(probe), camera_(camera) {}
+
+  void add_to(Borders& borders) {
+    for (std::size_t i = 0; i < curve_.segment_count(); ++i) {
+      const Vec3 &a = curve_.points[i], &b = curve_.points[curve_.next(i)];
+      const bool away = !curve_.self_hidden.empty() && curve_.self_hidden[i] != 0;
+      const double length = glm::distance(camera_.to_paper(a), camera_.to_paper(b));
+      const auto pieces = static_cast<std::size_t>(std::clamp(length / kLookStep, 0.0, 1e4)) + 1;
+      bool before = !away && seen(a);
+      for (std::size_t k = 0; k < pieces; ++k) {
+        const auto at = [&](std::size_t j) {
+          return static_cast<double>(j) / static_cast<double>(pieces);
+        };
+        const bool after = !away && seen(glm::mix(a, b, at(k + 1)));
+        if (before || after) {
+          extend(glm::mix(a, b, at(k)), glm::mix(a, b, at(k + 1)));
+        } else {
+          close(borders);
+        }
+        before = after;
+      }
+    }
+    close(borders);
+  }
+
+ private:
+  bool seen(Vec3 p) const {
+    const auto hit = probe_(camera_.to_paper(p));
+    if (!hit) return true;  // beside its own outline
+    const double behind = glm::dot(hit->position - p, camera_.to_viewer(p));
+    return behind * camera_.scale_at(p) < kSameDepth;
+  }
+  void extend(Vec3 from, Vec3 to) {
+    if (run_.points.empty()) run_.points.push_back(from);
+    run_.points.push_back(to);
+  }
+  void close(Borders& borders) {
+    if (!run_.points.empty()) borders.add(run_);
+    run_.points.clear();
+  }
+
+  const Curve3& curve_;
+  const ViewProbe& probe_;
+  const Camera& camera_;
+  Curve3 run_;
+};
+
+/// Visible stretches of the lines of solid parts.
+void add_seen(const SeenLines& lines, const Occluders& occluders, Borders& borders) {
+  for (std::size_t i = 0; i < lines.curves.size(); ++i) {
+    const Curve3& curve = lines.curves[i];
+    const auto part = static_cast<std::size_t>(curve.source.part);
+    if (!parts_regions(curve.kind) || occluders.transparent(part)) continue;
+    const auto count = static_cast<double>(curve.segment_count());
+    for (const Span& span : merged(lines.spans[i], curve.closed, count)) {
+      if (!span.visible) continue;
+      const bool whole = span.begin <= 0 && span.end >= count && span.end - span.begin <= count;
+      borders.add(whole ? curve : slice(curve, span.begin, span.end));
+    }
+  }
+}
+
+/// Lines that the drawing has none of.
+std::vector<Curve3> silent_lines(const Occluders& occluders, const Camera& camera,
+                                 const RegionOptions& options, const RunContext& context) {
+  std::vector<Curve3> out;
+  const auto proxies = occluders.solid_proxies();
+  const FeatureOptions silent{.contours = false,
+                              .creases = false,
+                              .boundaries = false,
+                              .intersections = !options.found.intersections,
+                              .smooth = options.faces && !options.found.smooth,
+                              .seams = options.faces && !options.found.seams};
+  if (silent.intersections || silent.smooth || silent.seams) {
+    Diagnostics said;  // once is enough
+    out = extract_features(proxies, camera, silent, said, context);
+  }
+  for (std::size_t i = 0; i < proxies.size(); ++i) {
+    if (options.tones[i].levels.empty() || proxies[i]->mesh.triangles.empty()) continue;
+    std::vector<Curve3> more =
+        trace_isophotes(*proxies[i], static_cast<std::int32_t>(i), options.tones[i], camera,
+                        context, exact_places(*occluders.surfaces()[i]));
+    std::ranges::move(more, std::back_inserter(out));
+  }
+  return out;
+}
+
+/// What is seen at a place of the sheet. All of it must outlive that.
+LabelAt region_label(const Occluders& occluders, const Camera& camera,
+                     const RegionOptions& options) {
+  std::vector<ExactAt> places;
+  for (const auto& surface : occluders.surfaces()) places.push_back(exact_places(*surface));
+  return [probe = view_probe(occluders.solid(), camera), proxies = occluders.solid_proxies(),
+          places = std::move(places), &camera, &options](Vec2 at) {
+    const auto hit = probe(at);
+    if (!hit) return AreaLabel{};
+    AreaLabel label{.part = hit->part};
+    const auto part = static_cast<std::size_t>(hit->part);
+    const ProxyMesh& proxy = *proxies[part];
+    const auto steps = static_cast<std::int32_t>(options.tones[part].levels.size());
+    const bool cut = proxy.is_cut(hit->point.face);
+    if (options.faces || cut) label.face = proxy.face_source(hit->point.face);
+    // The face that closes a cut is none of the shape: in shade its hatching would be lost.
+    label.tone = cut ? steps : 0;
+    if (cut || steps == 0) return label;
+    const ExactAt& exact = places[part];
+    Vec3 normal = exact ? exact(hit->point.face, hit->point.bary).normal
+                        : proxy.normal(hit->point.face, hit->point.bary);
+    const bool back = glm::dot(normal, camera.to_viewer(hit->position)) < 0;
+    if (back && !proxy.closed(hit->point.face)) normal = -normal;
+    label.tone = step_of(options.tones[part], normal);
+    return label;
+  };
+}
+
+std::vector<Vec2> simplified(std::vector<Vec2> ring) {
+  ring.push_back(ring.front());
+  std::vector<Vec2> out;
+  for (const std::size_t i : simplify(std::span<const Vec2>(ring), kAreaTolerance)) {
+    out.push_back(ring[i]);
+  }
+  out.pop_back();
+  return out;
+}
+
+/// Regions of one part and face.
+using Steps = std::map<std::int32_t, std::vector<std::uint32_t>>;
+
+Area area_of(const Partition& partition, const AreaLabel& label, bool toned,
+             const std::vector<std::uint32_t>& regions) {
+  Area area;
+  area.part = label.part;
+  area.face = label.face;
+  area.tone = toned ? label.tone : -1;
+  for (std::vector<Vec2>& ring : partition.outline(regions)) {
+    std::vector<Vec2> polygon = simplified(std::move(ring));
+    if (polygon.size() > 2) area.rings.push_back(std::move(polygon));
+  }
+  return area;
+}
+
+std::vector<Area> areas_of(const Partition& partition, const RegionOptions& options) {
+  std::map<AreaLabel, Steps> faces;
+  for (std::uint32_t i = 0; i < partition.regions.size(); ++i) {
+    AreaLabel label = partition.regions[i].label;
+    if (label.part < 0) continue;
+    const std::int32_t tone = std::exchange(label.tone, 0);
+    faces[label][tone].push_back(i);
+  }
+  std::vector<Area> out;
+  for (auto& [label, steps] : faces) {
+    const auto part = static_cast<std::size_t>(label.part);
+    const bool nested = part < options.nested.size() && options.nested[part];
+    if (nested) {
+      for (auto it = steps.begin(); std::next(it) != steps.end(); ++it) {
+        auto& lighter = std::next(it)->second;
+        lighter.insert(lighter.end(), it->second.begin(), it->second.end());
+      }
+    }
+    for (auto it = steps.rbegin(); it != steps.rend(); ++it) {
+      Area area = area_of(partition, {label.part, label.face, it->first},
+                          !options.tones[part].levels.empty(), it->second);
+      if (!area.rings.empty()) out.push_back(std::move(area));
+    }
+  }
+  return out;
+}
+
+}  // namespace
+
+std::vector<Area> find_regions(const Box2& box, const SeenLines& lines, const Occluders& occluders,
+                               const Camera& camera, const RegionOptions& options,
+                               const RunContext& context) {
+  if (box.empty() || box.min.x >= box.max.x || box.min.y >= box.max.y) return {};
+  Borders borders(camera);
+  add_seen(lines, occluders, borders);
+  const ViewProbe probe = view_probe(occluders.solid(), camera);
+  const std::vector<Curve3> silent = silent_lines(occluders, camera, options, context);
+  for (const Curve3& line : silent) Shown(line, probe, camera).add_to(borders);
+  const LabelAt label_at = region_label(occluders, camera, options);
+  const PartitionOptions how{.slack = kSlack};
+  return areas_of(partition(box, borders.get(), label_at, how, context), options);
+}
+
+}  // namespace burin::detail

@@ -1,0 +1,48 @@
+#pragma once
+// The sheet parted into areas of a part, a face and a step of tone; internal to the module.
+
+#include <burin/base/curve.h>
+#include <burin/base/run_context.h>
+#include <burin/camera/camera.h>
+#include <burin/drawing/drawing.h>
+#include <burin/feature/isophotes.h>
+#include <burin/feature/options.h>
+#include <burin/visibility/visible_spans.h>
+
+#include "occluders.h"
+
+#include <span>
+#include <vector>
+
+namespace burin::detail {
+
+/// What parts the sheet, beside the parts themselves.
+struct RegionOptions {
+  /// One a part: where its tone has a step; no levels: one step all over.
+  std::vector<Isophotes> tones{};
+  /// One a part: areas of a step hold the darker ones, too, which come after: painted one over the
+  /// other, no hair of paper shows between them.
+  std::vector<bool> nested{};
+  /// Whether faces of the input are told apart.
+  bool faces = false;
+  /// The kinds of lines that were looked for; the rest is found here where it parts regions.
+  FeatureOptions found{};
+};
+
+/// The feature lines of a view and the spans of each.
+struct SeenLines {
+  std::span<const Curve3> curves;
+  std::span<const std::vector<Span>> spans;
+};
+
+/// What is seen of solid parts, by part, face and step, the darkest last; parts that can be looked
+/// through have none. Areas say a step where the part has more than one, and a face where faces are
+/// told apart, or that closes a cut. Borders are the visible lines, whatever the style draws of
+/// them, and lines that it does not draw: isophotes, smooth edges and seams between faces,
+/// intersections. They part the sheet whether hidden or not; what is seen says a ray. Cost:
+/// `partition`; a ray a mm of isophotes. Throws Cancelled.
+std::vector<Area> find_regions(const Box2& box, const SeenLines& lines, const Occluders& occluders,
+                               const Camera& camera, const RegionOptions& options,
+                               const RunContext& context);
+
+}  // namespace burin::detail
