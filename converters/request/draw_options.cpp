@@ -4,6 +4,7 @@
 #include <burin/base/catalogue.h>
 #include <burin/base/error.h>
 #include <burin/converters/values.h>
+#include <burin/drawing/color.h>
 
 #include "explode_option.h"
 #include "named_files.h"
@@ -88,6 +89,37 @@ void set_looks(Draft& draft, const Asked& asked) {
     }
     draft.looks.push_back(
         {.look = {.select = {text.substr(0, equals)}}, .style = text.substr(equals + 1)});
+  }
+}
+
+// The look of all parts but the highlighted ones: thin grey lines, no strokes.
+constexpr const char* kInBackground =
+    R"({"line.color": "#8c8c8c", "line.outer": 0.25, "line.contour": 0.15, "line.crease": 0.12,
+        "line.boundary": 0.15, "line.smooth": 0.09, "line.intersection": 0.12,
+        "fill.color": "#f4f4f4", "tone.steps": "none"})";
+constexpr const char* kHighlight = "orange";
+
+/// NAME or NAME=COLOUR; a selector may have an equals sign itself: @color=#ff0000.
+void set_highlights(Draft& draft, const Asked& asked) {
+  draft.looks.push_back({.look = {.select = {"*"}, .hatched = false},
+                         .style_text = kInBackground,
+                         .style_source = "highlight"});
+  for (const std::string& text : asked.texts) {
+    const std::size_t equals = text.rfind('=');
+    const bool is_selector =
+        equals == std::string::npos || (text.starts_with('@') && text.find('=') == equals);
+    const std::string color = without_name(is_selector ? std::string_view(kHighlight)
+                                                       : std::string_view(text).substr(equals + 1));
+    if (!rgb_of(color) || equals == 0) {
+      refuse_value(asked.spelled,
+                   fmt::format("NAME or NAME=COLOUR, a colour #rrggbb or {}",
+                               fmt::join(color_names(), ", ")),
+                   text);
+    }
+    draft.looks.push_back(
+        {.look = {.select = {is_selector ? text : text.substr(0, equals)}, .hatched = true},
+         .style_text = fmt::format(R"({{"fill.color": "{}"}})", color),
+         .style_source = "highlight"});
   }
 }
 
@@ -205,6 +237,16 @@ std::vector<RequestRow<Draft>> part_rows() {
         .also = {"transparent", "transparency", "opacity", "alpha", "glass", "xray", "x ray",
                  "see through", "translucent"}},
        [](Draft& d, const Asked& a) { add_looks(d, a, {.hatched = false, .transparent = true}); }},
+      {{.option = {.name = "highlight",
+                   .meaning = "these parts in colour (default orange), all others pale grey with "
+                              "thin lines; repeatable",
+                   .takes = FreeText{}},
+        .group = kParts,
+        .label = "NAME[=COLOUR]",
+        .many = true,
+        .python = "Mapping[str, str] | Sequence[str] | str",
+        .also = {"emphasis", "emphasize", "accent", "spotlight", "mark part", "red part", "focus"}},
+       set_highlights},
       {{.option = {.name = "look",
                    .meaning = "draw these parts in another style, a name or a file; repeatable",
                    .takes = FreeText{}},

@@ -165,6 +165,7 @@ class Planner {
     sheet_.add(Vec2(0));
     sheet_.add(Vec2(drawing.paper_width, drawing.paper_height));
     layers_ = by_color(ink_layers(drawing));
+    areas_ = painted_areas(drawing).size();
   }
 
   PenPlan run() {
@@ -356,6 +357,12 @@ class Planner {
       report(Severity::Warning, "pen.empty", 1,
              "there is no line on the sheet that a pen could draw");
     }
+    if (areas_ > 0) {
+      report(Severity::Warning, "pen.fills", areas_,
+             fmt::format("a pen draws lines alone: the colours of {} areas are left out; strokes "
+                         "(hatch.enabled) shade instead",
+                         areas_));
+    }
     if (cut_ > 0) {
       report(Severity::Warning, "pen.cut", cut_,
              fmt::format("{} lines run off the sheet and are cut at its edge", cut_));
@@ -391,7 +398,7 @@ class Planner {
   std::vector<double> widths_;         // of each layer
   std::vector<std::uint32_t> pen_of_;  // of each layer
   PenPlan plan_;
-  std::size_t cut_ = 0, swelling_ = 0, other_dots_ = 0;
+  std::size_t cut_ = 0, swelling_ = 0, other_dots_ = 0, areas_ = 0;
 };
 
 }  // namespace

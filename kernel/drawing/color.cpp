@@ -1,3 +1,4 @@
+#include <burin/base/ascii.h>
 #include <burin/drawing/color.h>
 
 #include <fmt/format.h>
@@ -20,6 +21,32 @@ std::optional<Rgb> rgb_of(std::string_view text) {
     if (read.ec != std::errc{} || read.ptr != begin + 2) return std::nullopt;
   }
   return rgb;
+}
+
+namespace {
+
+struct Named {
+  std::string_view name, color;
+};
+constexpr std::array kNamed{
+    Named{"orange", "#f28e2b"}, Named{"red", "#d62728"},    Named{"blue", "#3b7dd8"},
+    Named{"green", "#4caf50"},  Named{"yellow", "#f5d547"}, Named{"purple", "#9467bd"},
+    Named{"cyan", "#4dc4d9"},   Named{"pink", "#f4a6c0"},   Named{"brown", "#a0693d"},
+    Named{"gray", "#9e9e9e"},   Named{"grey", "#9e9e9e"},   Named{"black", "#000000"},
+    Named{"white", "#ffffff"}};
+
+}  // namespace
+
+std::vector<std::string> color_names() {
+  std::vector<std::string> names;
+  for (const Named& row : kNamed) names.emplace_back(row.name);
+  return names;
+}
+
+std::string without_name(std::string_view text) {
+  const std::string small = lowered(std::string(text));
+  const auto* row = std::ranges::find(kNamed, std::string_view(small), &Named::name);
+  return std::string(row == kNamed.end() ? text : row->color);
 }
 
 std::string to_text(const Rgb& color) {

@@ -159,7 +159,7 @@ class Items {
                             ids.make("areas")));
     for (const Area& area : drawing_.areas) {
       append(out, "<path");
-      append_part_class(out, area.part, "area");
+      append_part_class(out, area.part, "area", class_of(area));
       append_fill(out, area);
       append(out, " d=\"");
       SvgPen pen(out, drawing_.paper_height);
@@ -172,7 +172,7 @@ class Items {
         pen.chain(chain, true);
       }
       append(out, "\"><title>");
-      append_xml(out, part_name(area.part));
+      append_xml(out, area.part < 0 ? "shadow" : part_name(area.part));
       append(out, "</title></path>\n");
     }
     append(out, "</g>\n");
@@ -193,13 +193,26 @@ class Items {
     if (area.tone >= 0) append(out, fmt::format(" data-tone=\"{}\"", area.tone));
   }
 
-  /// Of parts that have a number: class, item and path.
-  void append_part_class(Buffer& out, std::int32_t part, std::string_view kind) const {
+  /// The classes by which a page gives painted areas other colours: "part_0 tone_1".
+  static std::string class_of(const Area& area) {
+    if (area.fill.empty()) return {};
+    if (area.part < 0) return "shadow";
+    std::string name = fmt::format("part_{}", area.part);
+    if (area.tone >= 0) name += fmt::format(" tone_{}", area.tone);
+    return name;
+  }
+
+  /// Of parts that have a number: class, item and path. `more`: other classes.
+  void append_part_class(Buffer& out, std::int32_t part, std::string_view kind,
+                         const std::string& more = {}) const {
     const auto it = items_of_.find(part);
-    if (it == items_of_.end()) return;
+    if (it == items_of_.end()) {
+      if (!more.empty()) append(out, fmt::format(" class=\"{}\"", more));
+      return;
+    }
     const int number = it->second->number;
-    append(out, fmt::format(" class=\"{} {}_{}\" data-item=\"{}\" data-path=\"", kind, kind, number,
-                            number));
+    append(out, fmt::format(" class=\"{} {}_{}{}{}\" data-item=\"{}\" data-path=\"", kind, kind,
+                            number, more.empty() ? "" : " ", more, number));
     append_xml(out, path_of(part));
     out.push_back('"');
   }

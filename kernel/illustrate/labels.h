@@ -21,6 +21,8 @@ struct Labels {
   std::vector<LabelMap> glass;
   /// What is seen of each part, within the drawn lines: of glass first, which lies over the rest.
   std::vector<Area> areas = {};
+  /// Below all of them.
+  std::optional<Area> shadow = {};
 };
 
 struct LabelRequest {

@@ -10,6 +10,7 @@
 #include "compose.h"
 #include "exact_places.h"
 #include "fills.h"
+#include "ground_shadow.h"
 #include "on_sheet.h"
 #include "tell.h"
 
@@ -223,6 +224,9 @@ Drawing Stages::draw_lines(const Scene& scene, const Camera& camera, const Style
     wanted.regions->faces = options.face_areas;
   }
   if (wanted.maps || wanted.regions) labels = label(drawing, *trees, camera, wanted, context);
+  if (style.shadow.ground) {
+    labels.shadow = ground_shadow(*trees, tone::to_light(camera, style.tone), camera, context);
+  }
   context.end_stage();
   return drawing;
 }
@@ -262,6 +266,10 @@ Drawing Stages::draw_all(const Scene& scene, const Camera& camera, const Style& 
   settle_on_sheet(part_styles, style.sheet.clip, drawing);
   drawing.areas = std::move(labels.areas);
   if (paints(part_styles)) paint_areas(scene, part_styles, drawing.areas);
+  if (labels.shadow) {
+    labels.shadow->fill = style.shadow.color;
+    drawing.areas.insert(drawing.areas.begin(), std::move(*labels.shadow));
+  }
   if (options.annotations) {
     annotate(drawing, labels.seen, labels.glass, *options.annotations, style.callout, context);
   }

@@ -270,6 +270,46 @@ Style wireframe() {
   return s;
 }
 
+/// Parts in their colours under lines of three widths.
+Style flat() {
+  Style s = outline();
+  s.line.outer = 0.5;
+  s.line.contour = 0.3;
+  s.line.crease = 0.2;
+  s.fill.color = "part";
+  return s;
+}
+
+/// The same with the light on them, in two tones.
+Style shaded() {
+  Style s = flat();
+  s.fill.steps = 2;
+  s.fill.darkest = 0.8;
+  s.shadow.ground = true;
+  return s;
+}
+
+/// Three tones and a bold outline, as in comics.
+Style cel() {
+  Style s = flat();
+  s.line.outer = 1;
+  s.line.contour = 0.5;
+  s.line.boundary = 0.5;
+  s.line.crease = 0.25;
+  s.fill.steps = 3;
+  s.fill.darkest = 0.6;
+  return s;
+}
+
+/// White parts with pale grey shade, which any printer and copier keeps.
+Style manual() {
+  Style s = flat();
+  s.fill.color = "#ffffff";
+  s.fill.steps = 2;
+  s.fill.darkest = 0.87;
+  return s;
+}
+
 struct Kind {
   std::string_view name, meaning;
   void (*make)(StrokeKind&);
@@ -327,6 +367,10 @@ constexpr std::array kBuiltin{
             haloed},
     Builtin{"wireframe", "all feature lines, hidden ones too: haloes and widths alone show depth",
             wireframe},
+    Builtin{"flat", "parts in their colours under the lines", flat},
+    Builtin{"shaded", "parts in their colours, two tones of each, under the lines", shaded},
+    Builtin{"cel", "parts in their colours, three tones of each, and a bold outline", cel},
+    Builtin{"manual", "white parts with pale grey shade, for printed instructions", manual},
 };
 
 // What other programs and people call such drawings.
@@ -338,7 +382,7 @@ std::vector<std::string> other_names(std::string_view style) {
   static const std::vector<Row> rows = {
       {"outline",
        {"line", "line art", "lineart", "contour", "silhouette", "plain", "ink", "clean"}},
-      {"technical", {"default", "standard", "shaded", "iso", "cad", "mechanical"}},
+      {"technical", {"default", "standard", "iso", "cad", "mechanical"}},
       {"engraving", {"engrave", "etching", "hatching", "hatched", "crosshatch", "banknote"}},
       {"pencil", {"sketch", "hand drawn", "handdrawn", "drawing", "graphite"}},
       {"stipple", {"dots", "dotted", "pointillism", "halftone"}},
@@ -349,6 +393,10 @@ std::vector<std::string> other_names(std::string_view style) {
       {"patent", {"uspto", "patent office"}},
       {"plotter", {"pen plotter", "single line", "axidraw", "laser"}},
       {"haloed", {"halo", "depth"}},
+      {"flat", {"color", "colour", "colored", "coloured", "colors", "colours"}},
+      {"shaded", {"shade", "shading", "rendered", "tones"}},
+      {"cel", {"toon", "cartoon", "comic", "cel shading"}},
+      {"manual", {"instructions", "instruction manual", "ikea", "lego"}},
       {"wireframe", {"wire", "hidden", "xray", "x-ray", "skeleton"}},
   };
   const auto row = std::ranges::find(rows, style, &Row::style);
@@ -500,6 +548,7 @@ void check_style(const Style& style) {
   check_color("sheet.ink", style.sheet.ink, false);
   check_color("sheet.paper", style.sheet.paper, false);
   check_color("line.color", style.line.color, true);
+  check_color("shadow.color", style.shadow.color, false);
   if (style.fill.color != "part" && style.fill.color != "none" && !rgb_of(style.fill.color)) {
     throw UsageError(fmt::format(
         "style key 'fill.color' takes a colour #rrggbb, part or none, not '{}'", style.fill.color));

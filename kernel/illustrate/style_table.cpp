@@ -3,6 +3,7 @@
 #include <burin/base/catalogue.h>
 #include <burin/base/error.h>
 #include <burin/drawing/added_formats.h>
+#include <burin/drawing/color.h>
 #include <burin/options/meant.h>
 
 #include <fmt/format.h>
@@ -17,6 +18,17 @@ using options::append;
 
 constexpr const char* kColor = "a colour #rrggbb";
 constexpr const char* kColorOrNone = "a colour #rrggbb or nothing";
+
+// A colour may be given by its name.
+template <class T>
+OptionRow<T> color(const std::string& name, std::string T::*member, const std::string& meaning,
+                   const std::string& phrase) {
+  OptionRow<T> row = options::text(name, member, meaning, phrase);
+  row.set = [member](T& s, const OptionValue& v) {
+    s.*member = without_name(std::get<std::string>(v));
+  };
+  return row;
+}
 
 using options::flag;
 using options::number;
@@ -38,10 +50,10 @@ std::vector<OptionRow<LineOptions>> line_rows() {
       number("trail", &LineOptions::trail, width,
              "width of the lines on which parts of exploded views have come, in mm"),
 
-      options::text("color", &LineOptions::color,
-                    "colour of the lines, of strokes too; a part in a style of its own has its "
-                    "own; empty = sheet.ink",
-                    kColorOrNone),
+      color("color", &LineOptions::color,
+            "colour of the lines, of strokes too; a part in a style of its own has its "
+            "own; empty = sheet.ink",
+            kColorOrNone),
   };
 }
 
@@ -53,8 +65,8 @@ std::vector<OptionRow<HatchStyle>> hatch_rows() {
                                "parts that have these strokes: selectors as of looks, with ; "
                                "between them; * = all",
                                "selectors"));
-  rows.push_back(options::text("color", &HatchStyle::color,
-                               "colour of these strokes; empty = line.color", kColorOrNone));
+  rows.push_back(color("color", &HatchStyle::color, "colour of these strokes; empty = line.color",
+                       kColorOrNone));
   rows.push_back(
       number("share", &HatchStyle::share, {0.01, 100},
              "share of the tone that these strokes carry, if there are several kinds of strokes"));
@@ -63,11 +75,10 @@ std::vector<OptionRow<HatchStyle>> hatch_rows() {
 
 std::vector<OptionRow<FillOptions>> fill_rows() {
   return {
-      options::text(
-          "color", &FillOptions::color,
-          "flat colour under the lines: part = that of the part, or of a palette where it "
-          "has none",
-          "a colour #rrggbb, part or none"),
+      color("color", &FillOptions::color,
+            "flat colour under the lines: part = that of the part, or of a palette where it "
+            "has none",
+            "a colour #rrggbb, part or none"),
       number("opacity", &FillOptions::opacity, {0, 1}, "opacity of that colour"),
   };
 }
@@ -86,6 +97,14 @@ std::vector<OptionRow<FillOptions>> fill_tone_rows() {
        }},
       number("darkest", &FillOptions::darkest, {0, 1},
              "lightness of the darkest of these tones, as a share of that of the colour"),
+  };
+}
+
+std::vector<OptionRow<ShadowOptions>> shadow_rows() {
+  return {
+      flag("ground", &ShadowOptions::ground,
+           "the shadow that all parts cast on an invisible ground under them, square to z"),
+      color("color", &ShadowOptions::color, "colour of that shadow", kColor),
   };
 }
 
@@ -116,10 +135,10 @@ std::vector<OptionRow<SheetStyle>> sheet_rows() {
   return {flag("clip", &SheetStyle::clip,
                "cut what runs off the sheet at its edge; strokes end a few mm beyond it either "
                "way"),
-          options::text("ink", &SheetStyle::ink, "colour of all lines", kColor),
+          color("ink", &SheetStyle::ink, "colour of all lines", kColor),
 
-          options::text("paper", &SheetStyle::paper,
-                        "colour of the sheet; white is not painted (nor is any in DXF)", kColor)};
+          color("paper", &SheetStyle::paper,
+                "colour of the sheet; white is not painted (nor is any in DXF)", kColor)};
 }
 
 std::vector<KindRow> make_kind_rows() {
@@ -178,6 +197,7 @@ std::vector<StyleRow> all_rows() {
   rows.of_parts("hatch.", &Style::hatch, hatch_rows());
   rows.of_parts("hatch.", &Style::hatch, hatch_option_rows());
   rows.of_parts("fill.", &Style::fill, fill_rows());
+  rows.of_whole("shadow.", &Style::shadow, shadow_rows());
   rows.of_whole("halo.", &Style::halo, halo_rows());
   rows.of_whole("depth.", &Style::depth, depth_rows());
   rows.of_parts("tone.", &Style::tone, tone::tone_option_rows());
@@ -224,6 +244,7 @@ const std::vector<OtherNames>& all_other_names() {
        {"fill", "fill colour", "flat color", "surface color", "part color", "colorize"}},
       {"fill.opacity", {"transparency", "alpha"}},
       {"tone.steps", {"tones", "cel shading", "toon", "posterize", "flat shading"}},
+      {"shadow.ground", {"drop shadow", "floor shadow", "contact shadow"}},
       {"halo.gap", {"haloes"}},
       {"tone.ambient", {"brightness", "lightness", "exposure", "gamma", "ambient light"}},
       {"tone.shadow", {"cast shadow", "no shadow"}},

@@ -45,6 +45,9 @@ const Case kCases[] = {
     {"pedestal_wireframe.json", "pedestal.step",
      "--style wireframe --view 1,-1.2,0.8 --paper 90x70"},
     {"pedestal_plotter.json", "pedestal.step", "--style plotter --view 1,-1.2,0.8 --paper 60x50"},
+    {"coupling_flat.json", "coupling.step", "--style flat --view 1,-1.2,0.8 --paper 50x40"},
+    {"stand_highlight.svg", "bearing_stand.obj",
+     "--style outline --highlight pulley --view 1,-1.2,0.8 --paper 60x60"},
     {"smooth_blend_isophotes.json", "smooth_blend.implicit",
      "--style engraving --set hatch.field=isophote --set hatch.cross_from=2 --set halo.gap=0.4 "
      "--view 1,-0.8,1 --paper 50x50"},

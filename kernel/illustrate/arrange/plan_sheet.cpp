@@ -1,6 +1,7 @@
 #include <burin/annotate/details.h>
 #include <burin/arrange/arrange.h>
 #include <burin/base/error.h>
+#include <burin/illustrate/ground.h>
 
 #include "details.h"
 
@@ -18,6 +19,24 @@ namespace {
 /// A perspective view knows one margin.
 Margin margin_of(const Margin& m, const Illustration& illustration) {
   return illustration.view.perspective ? Margin(std::max({m.top, m.right, m.bottom, m.left})) : m;
+}
+
+/// What is drawn, with its shadow on the ground where there is one.
+Camera::ExtentFn extent_of(const Scene& scene, const Illustration& illustration) {
+  return [&](const Mat3& axes) {
+    const auto& looks = illustration.illustrate.part_styles;
+    Box3 box = drawn_bounds(scene, looks, axes);
+    if (!illustration.style.shadow.ground || box.empty()) return box;
+    const Vec3 to_light = glm::transpose(axes) * glm::normalize(illustration.style.tone.light);
+    const Vec3 to_viewer = glm::transpose(axes)[2];
+    if (!casts_ground_shadow(to_light, to_viewer)) return box;
+    const double ground = drawn_bounds(scene, looks, Mat3(1)).min.z;
+    const Placement down = onto_ground(to_light, ground);
+    const Box3 shadow = drawn_bounds(scene, looks, axes * down.linear);
+    const Vec3 by = axes * down.offset;
+    box.add({shadow.min + by, shadow.max + by});
+    return box;
+  };
 }
 
 /// The margin with the room that callouts and the parts list need.
@@ -50,9 +69,7 @@ SheetOptions sheet_with_room(const Camera::ExtentFn& extent, const Illustration&
 
 /// The camera of a view that has the sheet for itself.
 Camera lone_camera(const Scene& scene, const Illustration& illustration) {
-  const auto extent = [&](const Mat3& axes) {
-    return drawn_bounds(scene, illustration.illustrate.part_styles, axes);
-  };
+  const Camera::ExtentFn extent = extent_of(scene, illustration);
   if (!illustration.illustrate.annotations || !illustration.view.perspective ||
       illustration.sheet.fits) {
     return Camera::fit(extent,
@@ -121,11 +138,7 @@ class SheetPlanner {
   }
 
  private:
-  Camera::ExtentFn extent() const {
-    return [this](const Mat3& axes) {
-      return drawn_bounds(scene_, illustration_.illustrate.part_styles, axes);
-    };
-  }
+  Camera::ExtentFn extent() const { return extent_of(scene_, illustration_); }
 
   ViewOptions options_of(const std::string& name) const {
     ViewOptions view = illustration_.view;

@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace burin {
 
@@ -14,6 +15,12 @@ using Rgb = std::array<std::uint8_t, 3>;
 
 /// Reads "#rrggbb"; nothing where the text is none.
 std::optional<Rgb> rgb_of(std::string_view text);
+
+/// Names that stand for colours: "orange", "red" and so on.
+std::vector<std::string> color_names();
+
+/// "#rrggbb" for a name of a colour, in letters of any case; any other text as it is.
+std::string without_name(std::string_view text);
 
 /// "#rrggbb".
 std::string to_text(const Rgb& color);

@@ -70,6 +70,15 @@ struct FillOptions {
   bool operator==(const FillOptions&) const = default;
 };
 
+struct ShadowOptions {
+  /// On an invisible ground under the scene, square to z.
+  bool ground = false;
+  /// "#rrggbb".
+  std::string color = "#d2d2d2";
+
+  bool operator==(const ShadowOptions&) const = default;
+};
+
 struct HaloStyle {
   /// Paper mm of white beside the ink of a line where another passes behind it; 0 = off.
   double gap = 0;
@@ -119,6 +128,7 @@ struct Style {
   /// it. Keys: "strokes.2.spacing_min", "strokes.2.tone.law" and so on, from 2.
   std::vector<StrokeKind> strokes{};
   FillOptions fill{};
+  ShadowOptions shadow{};
   HaloStyle halo{};
   DepthOptions depth{};
   SheetStyle sheet{};
@@ -158,7 +168,8 @@ void for_each_tone(Style& style, F&& change) {
 bool has_strokes(const Style& style);
 
 /// Names and one-line descriptions of the built-in styles: outline, technical, engraving, pencil,
-/// stipple, woodcut, scratchboard, contour-map, blueprint, patent, plotter, haloed, wireframe.
+/// stipple, woodcut, scratchboard, contour-map, blueprint, patent, plotter, haloed, wireframe,
+/// flat, shaded, cel, manual.
 struct StyleInfo {
   std::string name;
   std::string description;

@@ -1,0 +1,23 @@
+#pragma once
+/// The invisible ground under a scene, on which its shadow lies: the plane square to z through the
+/// lowest point of what is drawn.
+
+#include <burin/base/box.h>
+#include <burin/base/placement.h>
+#include <burin/base/vec.h>
+
+#include <array>
+
+namespace burin {
+
+/// Whether light and viewer (unit vectors from the model to them) are so far above the ground that
+/// a shadow on it is drawn.
+bool casts_ground_shadow(Vec3 to_light, Vec3 to_viewer);
+
+/// Takes points to where the light through them meets the ground at the height `ground`.
+/// `to_light.z` > 0.
+Placement onto_ground(Vec3 to_light, double ground);
+
+std::array<Vec3, 8> corners_of(const Box3& box);
+
+}  // namespace burin

@@ -1,0 +1,112 @@
+// Flat colours under the lines, in each format that has areas.
+#include "writing.h"
+
+#include <png.h>
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+namespace burin {
+namespace {
+
+using test::least;
+using test::parsed;
+using test::written;
+
+/// A square of 60 mm with a hole of 20, red; half of a blue one lies over its right side.
+Drawing filled(double opacity = 1) {
+  Drawing drawing = parsed(least());
+  const auto square = [](double x, double y, double size) {
+    return std::vector<Vec2>{{x, y}, {x + size, y}, {x + size, y + size}, {x, y + size}};
+  };
+  drawing.areas = {
+      {.part = 0, .fill = "#ff0000", .rings = {square(20, 60, 60), square(40, 80, 20)}},
+      {.part = 1,
+       .face = 3,
+       .tone = 0,
+       .fill = "#0000ff",
+       .opacity = opacity,
+       .rings = {square(70, 80, 20)}},
+      {.part = 2, .rings = {square(120, 60, 10)}}};
+  return drawing;
+}
+
+TEST(FilledAreas, OfSvgLieBelowAllLinesWithTheirSource) {
+  const std::string svg = written(filled(), "svg");
+  EXPECT_NE(
+      svg.find("<path class=\"part_0\" fill=\"#ff0000\" stroke=\"#ff0000\" stroke-width=\"0.1\""),
+      std::string::npos)
+      << svg;
+  EXPECT_NE(svg.find("class=\"part_1 tone_0\" fill"), std::string::npos);
+  EXPECT_NE(svg.find("data-face=\"3\" data-tone=\"0\""), std::string::npos);
+  EXPECT_LT(svg.find("#0000ff"), svg.find("<g id=\"a\""));
+  const std::string glass = written(filled(0.25), "svg");
+  EXPECT_NE(glass.find("fill=\"#0000ff\" fill-opacity=\"0.25\" data-face"), std::string::npos)
+      << glass;
+}
+
+TEST(FilledAreas, OfDrawingFilesComeBack) {
+  const std::string json = written(filled(0.25), "json");
+  const Drawing back = parsed(json);
+  ASSERT_EQ(back.areas.size(), 3u);
+  EXPECT_EQ(back.areas[1].face, 3);
+  EXPECT_EQ(back.areas[1].tone, 0);
+  EXPECT_EQ(back.areas[1].fill, "#0000ff");
+  EXPECT_EQ(back.areas[1].opacity, 0.25);
+  EXPECT_EQ(back.areas[2].fill, "");
+  EXPECT_EQ(written(back, "json"), json);
+}
+
+TEST(FilledAreas, OfPngHaveHolesAndAreSeenThrough) {
+  WriteOptions options;
+  options.png.dpi = 25.4;
+  const std::string png = written(filled(0.5), "png", options);
+  png_image image{};
+  image.version = PNG_IMAGE_VERSION;
+  ASSERT_TRUE(png_image_begin_read_from_memory(&image, png.data(), png.size()));
+  image.format = PNG_FORMAT_RGB;
+  std::vector<png_byte> rgb(PNG_IMAGE_SIZE(image));
+  ASSERT_TRUE(png_image_finish_read(&image, nullptr, rgb.data(), 0, nullptr));
+  using Color = std::vector<int>;
+  const auto at = [&](int x, int y) {
+    const png_byte* p =
+        &rgb[3 * (static_cast<std::size_t>(149 - y) * image.width + static_cast<std::size_t>(x))];
+    return Color{p[0], p[1], p[2]};
+  };
+  EXPECT_EQ(at(30, 70), (Color{255, 0, 0}));
+  EXPECT_EQ(at(50, 90), (Color{255, 255, 255})) << "the hole";
+  EXPECT_NEAR(at(75, 90)[0], 127, 1) << "blue over red";
+  EXPECT_NEAR(at(75, 90)[2], 128, 1);
+  EXPECT_NEAR(at(85, 90)[0], 127, 1) << "blue over the paper";
+  EXPECT_EQ(at(85, 90)[2], 255);
+  EXPECT_EQ(at(125, 65), (Color{255, 255, 255})) << "one without a colour";
+}
+
+TEST(FilledAreas, OfEpsAreEvenOddAndMixedWithThePaper) {
+  const std::string eps = written(filled(0.5), "eps");
+  EXPECT_NE(eps.find("1.0000 0.0000 0.0000 setrgbcolor\n20000 60000 m\n"), std::string::npos)
+      << eps;
+  EXPECT_NE(eps.find("gsave eofill grestore 100 w s"), std::string::npos);
+  EXPECT_NE(eps.find("0.5020 0.5020 1.0000 setrgbcolor"), std::string::npos);
+}
+
+TEST(FilledAreas, OfDxfAreSolidHatchesOnALayerOfTheirOwn) {
+  const std::string dxf = written(filled(), "dxf");
+  std::size_t hatches = 0;
+  for (std::size_t at = dxf.find("\nHATCH\n"); at != std::string::npos;
+       at = dxf.find("\nHATCH\n", at + 1)) {
+    ++hatches;
+  }
+  EXPECT_EQ(hatches, 2u);
+  EXPECT_NE(dxf.find("\nareas\n"), std::string::npos);
+  EXPECT_NE(dxf.find("\nSOLID\n"), std::string::npos);
+}
+
+TEST(FilledAreas, OfPdfAreFilledByTheEvenOddRule) {
+  const std::string pdf = written(filled(), "pdf");
+  EXPECT_GT(pdf.size(), written(parsed(least()), "pdf").size());
+}
+
+}  // namespace
+}  // namespace burin

@@ -1,0 +1,113 @@
+/// Flat colours: which area has which.
+
+#include <burin/drawing/color.h>
+#include <burin/forms/mesh/mesh_form.h>
+#include <burin/illustrate/illustrate.h>
+
+#include "burin_test/shapes.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace burin {
+namespace {
+
+/// A plate with a colour, two copies of a bolt without one, and a cover, in a row.
+Scene row_of_boxes() {
+  Scene scene;
+  const auto add = [&](const char* name, double x, const char* color) {
+    scene.parts.push_back(
+        {name, "a.stl", std::make_shared<MeshForm>(test::box({x, -2, -20}, {x + 15, 2, 20}))});
+    scene.parts.back().color = color;
+  };
+  add("plate", 0, "#123456");
+  add("bolt", 20, "");
+  add("bolt #2", 40, "");
+  add("cover", 60, "");
+  return scene;
+}
+
+Drawing draw(const Scene& scene, const Style& style, std::vector<PartStyle> looks = {}) {
+  RunContext context;
+  const NamedView v = named_view("front");
+  const Camera camera = Camera::fit([&](const Mat3& axes) { return scene.bounds(axes); },
+                                    {.direction = v.direction, .up = v.up, .paper = {150, 100}});
+  return illustrate(scene, camera, style, {.part_styles = std::move(looks)}, context);
+}
+
+std::vector<std::string> fills(const Drawing& drawing) {
+  std::vector<std::string> out(4);
+  for (const Area& area : drawing.areas) out.at(static_cast<std::size_t>(area.part)) = area.fill;
+  return out;
+}
+
+TEST(Fills, ThereAreNoneUnlessTheyAreAskedFor) {
+  EXPECT_TRUE(draw(row_of_boxes(), builtin_style("outline")).areas.empty());
+}
+
+TEST(Fills, OfPartsAreTheirOwnOrThoseOfAPaletteTheSameForCopies) {
+  const std::vector<std::string> all = fills(draw(row_of_boxes(), builtin_style("flat")));
+  EXPECT_EQ(all[0], "#123456");
+  EXPECT_TRUE(rgb_of(all[1]));
+  EXPECT_EQ(all[1], all[2]) << "copies of one thing";
+  EXPECT_NE(all[1], all[3]);
+}
+
+TEST(Fills, OfOneColourAreThatButWhereAPartSaysOtherwise) {
+  Style style = builtin_style("outline");
+  set_style_key(style, "fill.color", "orange");
+  std::vector<PartStyle> looks(4);
+  looks[1].style = builtin_style("outline");
+  looks[2].style = style;
+  looks[2].style->fill.color = "#00ff00";
+  const std::vector<std::string> all = fills(draw(row_of_boxes(), style, looks));
+  EXPECT_EQ(all, (std::vector<std::string>{"#f28e2b", "", "#00ff00", "#f28e2b"}));
+}
+
+TEST(Fills, OfGlassAreSeenThroughAndPaintedLast) {
+  Scene scene = row_of_boxes();
+  scene.parts.resize(2);
+  // The bolt stands behind the plate, which is of glass.
+  scene.parts[1].form = std::make_shared<MeshForm>(test::box({5, 10, -5}, {10, 12, 5}));
+  std::vector<PartStyle> looks(2);
+  looks[0].transparent = true;
+  scene.parts[0].opacity = 0.4;
+  const Drawing drawing = draw(scene, builtin_style("flat"), looks);
+  ASSERT_EQ(drawing.areas.size(), 2u);
+  EXPECT_EQ(drawing.areas[0].part, 1);
+  EXPECT_EQ(drawing.areas[0].opacity, 1);
+  EXPECT_EQ(drawing.areas[1].part, 0);
+  EXPECT_EQ(drawing.areas[1].opacity, 0.4);
+}
+
+TEST(Fills, AColourThatIsNoneIsRefused) {
+  Style style = builtin_style("flat");
+  style.fill.color = "orangge";
+  try {
+    check_style(style);
+    FAIL();
+  } catch (const std::exception& e) {
+    EXPECT_STREQ(e.what(),
+                 "style key 'fill.color' takes a colour #rrggbb, part or none, not 'orangge'");
+  }
+  EXPECT_ANY_THROW(set_style_key(style, "tone.steps", "1"));
+  EXPECT_ANY_THROW(set_style_key(style, "tone.steps", "6"));
+  set_style_key(style, "tone.steps", "5");
+  EXPECT_EQ(style.fill.steps, 5);
+}
+
+TEST(Fills, LightnessIsThatOfTheEye) {
+  // In OKLab the lightness of a grey is the cube root of its light: half as light is an eighth.
+  EXPECT_EQ(with_lightness({255, 255, 255}, 1), (Rgb{255, 255, 255}));
+  EXPECT_EQ(with_lightness({255, 255, 255}, 0), (Rgb{0, 0, 0}));
+  EXPECT_EQ(with_lightness({255, 255, 255}, 0.5), (Rgb{99, 99, 99}));
+  const Rgb red = with_lightness({200, 0, 0}, 0.7);
+  EXPECT_EQ(red[1], 0) << "its hue stays";
+}
+
+}  // namespace
+}  // namespace burin
