@@ -373,12 +373,5 @@ TEST_F(Illustrations, TakeTheTypesThatTheSchemaNames) {
   EXPECT_EQ(draw(box_part_ + R"(, "lights": [{"ambient": 0.1}, {"ambient": 0.2}])"), 0) << err_;
 }
 
-TEST_F(Illustrations, AreNotReadFromStandardInput) {
-  folder_.write("a.burin.json", R"({"burin": "illustration", "parts": [{"file": "box.off"}]})");
-  EXPECT_EQ(run("draw - -o @/b.svg < @/a.burin.json"), 3);
-  EXPECT_NE(err_.find("is an illustration, which names files beside it"), std::string::npos)
-      << err_;
-}
-
 }  // namespace
 }  // namespace burin

@@ -372,7 +372,7 @@ TEST_F(OpenscadParts, WrongMarksNameTheModelAndTheMark) {
     EXPECT_NE(err_.find(words), std::string::npos) << err_;
     EXPECT_EQ(err_.find("m.scad:1:"), std::string::npos) << err_;
   };
-  told("view(\"frnt\");", "m.scad: view(): \"from\" takes");
+  told("view(\"frnt\");", "m.scad: view(): unknown view 'frnt'");
   told("ink(\"engrving\")", "m.scad: ink(\"engrving\"): unknown style 'engrving'");
   told("callout(0)", "m.scad: callout(0): an item has a number from 1 to");
 }

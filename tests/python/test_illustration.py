@@ -204,6 +204,11 @@ class Illustrations(unittest.TestCase):
         with self.assertRaisesRegex(burin.UsageError, "argument heal is about reading"):
             burin.draw(TWO, heal=True)
 
+    def test_standard_input_is_no_illustration(self):
+        told = subprocess.run([COMMAND, "draw", "-", "-o", "-", "--format", "svg"], input=json.dumps(TWO), capture_output=True, text=True)
+        self.assertEqual(told.returncode, 3)
+        self.assertIn("standard input: is an illustration, which names files beside it", told.stderr)
+
     def test_parts_of_scenes_by_name(self):
         scene = burin.Scene.read(SAMPLES / "bracket.off", SAMPLES / "knot.ply")
         drawing = burin.draw(scene, part=["knot"], look={"knot": "outline"})
