@@ -373,5 +373,15 @@ TEST_F(Illustrations, TakeTheTypesThatTheSchemaNames) {
   EXPECT_EQ(draw(box_part_ + R"(, "lights": [{"ambient": 0.1}, {"ambient": 0.2}])"), 0) << err_;
 }
 
+// As a shell of Windows writes what a command prints.
+TEST_F(Illustrations, InUtf16AreNamedSo) {
+  std::string text = "\xff\xfe";
+  for (const char c : std::string(R"({"burin": "illustration"})")) (text += c) += '\0';
+  folder_.write("a.burin.json", text);
+  EXPECT_EQ(run("draw @/a.burin.json -o @/b.svg"), 3);
+  EXPECT_NE(err_.find("a.burin.json: is text in UTF-16; save it as UTF-8"), std::string::npos)
+      << err_;
+}
+
 }  // namespace
 }  // namespace burin
