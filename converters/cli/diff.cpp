@@ -29,12 +29,8 @@ struct Side {
       : task(find_inputs({input}), all.request, Spelling::Options) {}
 
   Revision read(RunContext& context) {
-    Revision revision;
-    revision.scene = task.follow(task.read(context));
-    revision.own_looks = task.has_own_looks();
-    revision.name = std::filesystem::path(task.inputs().files.front()).filename().string();
-    revision.plan = task.plan;
-    return revision;
+    const std::filesystem::path path = task.inputs().files.front();
+    return read_revision(task, path.filename().string(), context);
   }
 };
 

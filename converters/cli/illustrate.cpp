@@ -2,6 +2,7 @@
 
 #include <burin/base/error.h>
 #include <burin/converters/messages.h>
+#include <burin/converters/openscad_reader.h>
 #include <burin/converters/output.h>
 #include <burin/converters/plan.h>
 #include <burin/converters/read.h>
@@ -61,17 +62,27 @@ std::string extended(const DrawArguments& arguments, const std::filesystem::path
                                steps_of(std::move(scene), task.plan, context, console));
 }
 
-ItemNumbers numbers_of_models(Scene scene, RunContext& context) {
-  return numbers_of(find_items(scene, {}, scene.diagnostics, context), {});
+ItemNumbers numbers_of_models(Scene scene, const ItemNumbers& kept, RunContext& context) {
+  return numbers_of(find_items(scene, kept, scene.diagnostics, context), kept);
 }
 
 std::string first(const DrawArguments& arguments, DrawPlan& plan,
                   const std::filesystem::path& folder, RunContext& context, Console& console) {
   DrawRequest request = arguments.request;
   const bool numbers = plan.callouts || plan.parts_list || !plan.parts_list_files.empty();
+  const bool marked = std::ranges::any_of(
+      arguments.inputs, [](const std::string& input) { return is_openscad_suffix(input); });
   Scene scene;
-  if (numbers || plan.explode.wanted) scene = read_scene(arguments.inputs, plan.read, context);
-  if (numbers) request.items = numbers_of_models(scene, context);
+  if (numbers || plan.explode.wanted || marked) {
+    DrawTask task({.files = arguments.inputs}, request, Spelling::Options);
+    ReadResult read = task.read(context);
+    request = with_marks(read.marks, request);
+    scene = task.follow(std::move(read));
+    plan = std::move(task.plan);
+  }
+  if (numbers || plan.callouts) {
+    request.items = numbers_of_models(scene, request.items, context);
+  }
   std::vector<ExplodeStep> steps;
   if (plan.explode.wanted) steps = steps_of(std::move(scene), plan, context, console);
   return first_illustration(arguments.inputs, request, folder, steps);

@@ -1,6 +1,26 @@
 #include "foreign_file.h"
 
+#include <cstddef>
+
 namespace burin {
+namespace {
+
+constexpr const char* kUtf16 = "is text in UTF-16; save it as UTF-8 or ASCII";
+
+/// Whether every other byte is 0 and none between them: ASCII in UTF-16 without its mark.
+bool is_unmarked_utf16(std::string_view bytes) {
+  constexpr std::size_t kLeast = 16, kMost = 256;
+  const std::string_view begin = bytes.substr(0, kMost);
+  if (begin.size() < kLeast) return false;
+  const bool high_first = begin.front() == 0;
+  for (std::size_t i = 0; i < begin.size(); ++i) {
+    const bool high = (i % 2 == 0) == high_first;
+    if ((begin[i] == 0) != high || static_cast<signed char>(begin[i]) < 0) return false;
+  }
+  return true;
+}
+
+}  // namespace
 
 const char* foreign_file(std::string_view bytes) {
   struct Magic {
@@ -11,8 +31,8 @@ const char* foreign_file(std::string_view bytes) {
   static constexpr Magic kMagic[] = {
       {"version https://git-lfs"sv,
        "is a Git LFS pointer, not the model; fetch it with 'git lfs pull'"},
-      {"\xff\xfe"sv, "is text in UTF-16; save it as UTF-8 or ASCII"},
-      {"\xfe\xff"sv, "is text in UTF-16; save it as UTF-8 or ASCII"},
+      {"\xff\xfe"sv, kUtf16},
+      {"\xfe\xff"sv, kUtf16},
       {"ISO-10303-21"sv, "is a STEP file; give it the suffix .step"},
       {"DBRep_DrawableShape"sv, "is an OpenCASCADE BREP file; give it the suffix .brep"},
       {"CASCADE Topology"sv, "is an OpenCASCADE BREP file; give it the suffix .brep"},
@@ -30,7 +50,7 @@ const char* foreign_file(std::string_view bytes) {
   for (const Magic& m : kMagic) {
     if (bytes.starts_with(m.bytes)) return m.message;
   }
-  return nullptr;
+  return is_unmarked_utf16(bytes) ? kUtf16 : nullptr;
 }
 
 }  // namespace burin

@@ -108,8 +108,11 @@ std::optional<double> scale_option(const std::string& option, const std::string&
     const auto y = parse<double>(all.substr(colon + 1));
     x = x && y ? std::optional(*x / *y) : std::nullopt;
   }
-  if (!x || !(*x >= low && *x <= high))
+  if (!x || !std::isfinite(*x) || !(*x > 0))
     refuse_value(option, "a number over 0, or a ratio like 1:2", text);
+  if (*x < low || *x > high) {
+    refuse_value(option, fmt::format("{:g} to {:g}, or a ratio like 1:2", low, high), text);
+  }
   return x;
 }
 

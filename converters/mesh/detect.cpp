@@ -31,6 +31,12 @@ bool is_drawing(std::string_view bytes) {
          bytes.substr(0, 256).find("\"burin-drawing\"") != std::string_view::npos;
 }
 
+bool is_illustration_text(std::string_view bytes) {
+  const std::string_view begin = bytes.substr(0, 1024);
+  return begin.find('{') != std::string_view::npos &&
+         begin.find("\"burin\"") != std::string_view::npos;
+}
+
 /// Of a file of `size` bytes that begins so.
 bool is_exact_binary_stl(std::string_view head, std::uintmax_t size) {
   if (head.size() < 84) return false;
@@ -155,6 +161,11 @@ MeshFormat detect_format(const Source& source, const std::filesystem::path& path
     source.fail("is a packed program of OpenSCAD, which is read unpacked alone; unpack it first");
   }
   if (!named && is_standard_input(path) && is_text(bytes)) {
+    if (is_illustration_text(bytes)) {
+      source.fail(
+          "is an illustration, which names files beside it and is read from a file: "
+          "save it as NAME.burin.json");
+    }
     source.fail(
         "is text of an unknown format: name the format with `input_format`; a program "
         "of OpenSCAD is read from a file, as it may name others: save it with the suffix .scad");

@@ -6,6 +6,7 @@
 
 #include "calls.h"
 #include "child.h"
+#include "foreign_file.h"
 #include "parts.h"
 #include "program.h"
 #include "source.h"
@@ -68,6 +69,7 @@ std::string text_of(const Path& path, const RunContext& context) {
     throw InputError("is empty: there is no program in it", path.string());
   }
   const Source source(path, context);
+  if (const char* what = foreign_file(source.bytes())) source.fail(what);
   return std::string(source.bytes());
 }
 

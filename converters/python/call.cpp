@@ -28,11 +28,12 @@ bool is_about_reading(const std::string& name) {
 void check_place(const std::string& name, const DrawInputs& inputs) {
   if (!is_about_reading(name)) return;
   if (inputs.given) {
-    throw UsageError(
-        "arguments about reading (bounds ...) go to Scene.read, not to the scene's draw");
+    throw UsageError("argument " + name +
+                     " is about reading: give it to Scene.read, not to the scene's draw");
   }
   if (inputs.illustration) {
-    throw UsageError("arguments about reading (bounds ...) belong to a part of the illustration");
+    throw UsageError("argument " + name +
+                     " is about reading: in an illustration it belongs to a part, {\"file\": ...}");
   }
 }
 
@@ -42,12 +43,9 @@ DrawInputs inputs_of(const py::object& source) {
     return {.given = ReadResult{scene.scene, scene.marks}, .part_styles = scene.part_styles};
   }
   if (is_mapping(source)) return {.illustration = illustration_of(source)};
-  DrawInputs inputs{.files = path_list(source)};
-  if (inputs.files.empty()) throw UsageError("no input; name model files, or give a scene");
-  if (inputs.files.size() == 1 && is_illustration(inputs.files.front())) {
-    inputs.illustration = illustration_of(py::str(inputs.files.front()));
-  }
-  return inputs;
+  const std::vector<std::string> files = path_list(source);
+  if (files.empty()) throw UsageError("no input; name model files, or give a scene");
+  return find_inputs(files);
 }
 
 DrawRequest request_of(const DrawInputs& inputs, const py::kwargs& keywords, With& with) {

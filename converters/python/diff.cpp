@@ -88,15 +88,6 @@ PyDifference diff_of_drawings(const py::object& before, const py::object& after,
   return difference;
 }
 
-Revision revision_of(Call& call, const std::string& name, RunContext& context) {
-  Revision revision;
-  revision.scene = call.read(context);
-  revision.own_looks = call.task.has_own_looks();
-  revision.plan = call.plan();
-  revision.name = name;
-  return revision;
-}
-
 PyDifference diff(const py::object& before, const py::object& after, double line_tolerance,
                   const py::kwargs& keywords) {
   const bool first = is_drawing(before), second = is_drawing(after);
@@ -115,8 +106,8 @@ PyDifference diff(const py::object& before, const py::object& after, double line
   DiffOutcome outcome;
   run(new_call.with.progress, cancel_flag(new_call.with.cancel), [&](RunContext& context) {
     const ThreadLimit limit(new_call.plan().threads);
-    Revision was = revision_of(old_call, old_name, context);
-    Revision is = revision_of(new_call, new_name, context);
+    Revision was = read_revision(old_call.task, old_name, context);
+    Revision is = read_revision(new_call.task, new_name, context);
     outcome = diff_models(std::move(was), std::move(is), true, context);
   });
   PyDifference difference;

@@ -36,6 +36,8 @@ DetailView detail_option(const std::string& spelled, const std::string& text) {
     } catch (const UsageError&) {
       // A name with commas.
     }
+    double numbers[4];
+    if (parse_list(what, numbers)) refuse_value(spelled, "X,Y,Z,R with a radius R over 0", text);
   }
   if (what.empty()) refuse_value(spelled, "NAME or X,Y,Z,R, and =A:B behind it", text);
   detail.select = {what};

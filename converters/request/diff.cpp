@@ -181,6 +181,14 @@ std::size_t forget_undrawn(Difference& difference) {
 
 }  // namespace
 
+Revision read_revision(DrawTask& task, std::string name, RunContext& context) {
+  const bool callouts = task.plan.callouts;
+  Scene scene = task.follow(task.read(context));
+  Revision revision{std::move(scene), task.plan, std::move(name), task.has_own_looks()};
+  revision.plan.callouts = callouts;
+  return revision;
+}
+
 DiffOutcome diff_models(Revision before, Revision after, bool draws, RunContext& context) {
   DiffOutcome outcome;
   outcome.before = before.name;

@@ -184,7 +184,7 @@ std::vector<RequestRow<Draft>> look_rows() {
                        "chord tolerance of any tessellation, in model mm (default: less than "
                        "0.05 mm on the sheet)",
                    .takes = NumberRange{1 / kLarge, kLarge, "mm"},
-                   .phrase = "a number of mm over 0"},
+                   .phrase = "a number of mm from 1e-12 to 1e12"},
         .group = kLook,
         .label = "MM",
         .also = {"deflection", "linear deflection", "chord", "chordal tolerance", "accuracy",

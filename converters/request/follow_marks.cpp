@@ -20,21 +20,39 @@ struct Asked {
   std::optional<Vec3> up;
 };
 
+/// As an illustration file has them.
+void add_looks(const ModelMarks& marks, std::vector<LookRequest>& looks) {
+  for (const ModelMarks::Look& mark : marks.looks) {
+    LookRequest& asked = looks.emplace_back();
+    asked.look.select = {mark.part};
+    asked.look.place = marks.source + ": ";
+    if (!mark.hatched) asked.look.hatched = false;
+    if (mark.transparent) asked.look.transparent = true;
+    if (!mark.listed) asked.look.listed = false;
+    if (mark.style) {
+      const KeyedFile in =
+          KeyedFile::of_mark(marks.source, fmt::format("ink(\"{}\")", *mark.style));
+      asked.style = in.style_named(*mark.style, "/style");
+    }
+  }
+}
+
 class Follower {
  public:
   Follower(const DrawRequest& request, DrawPlan& plan) : request_(request), plan_(plan) {}
 
   void add(const ModelMarks& marks) {
-    const KeyedFile in("{}", marks.source);
-    for (const ModelMarks::Look& mark : marks.looks) asked_.looks.push_back(look(in, mark));
-    add_steps(in, marks.steps);
+    std::vector<LookRequest> looks;
+    add_looks(marks, looks);
+    for (const LookRequest& asked : looks) asked_.looks.push_back(look_of(asked, request_, plan_));
+    add_steps(KeyedFile::of_mark(marks.source, "explode()"), marks.steps);
     asked_.callouts = asked_.callouts || marks.callouts;
-    for (const auto& [number, part] : marks.items) add_item(in, marks.source, number, part);
+    for (const auto& [number, part] : marks.items) add_item(marks.source, number, part);
     if (marks.view) {
-      const ViewOptions view = view_of(in, "view", *marks.view, "view.from");
+      const ViewOptions view = view_of(of_view(marks), "view", *marks.view, "from");
       asked_.view = {view.direction, view.up};
     }
-    if (marks.up) asked_.up = view_of(in, "up", *marks.up, "view.up").up;
+    if (marks.up) asked_.up = view_of(of_view(marks), "up", *marks.up, "up").up;
   }
 
   void finish() {
@@ -57,15 +75,8 @@ class Follower {
   }
 
  private:
-  Look look(const KeyedFile& in, const ModelMarks::Look& mark) {
-    LookRequest asked;
-    asked.look.place = in.place("");
-    asked.look.select = {mark.part};
-    if (!mark.hatched) asked.look.hatched = false;
-    if (mark.transparent) asked.look.transparent = true;
-    if (!mark.listed) asked.look.listed = false;
-    if (mark.style) asked.style = in.style_named(*mark.style, "/style");
-    return look_of(asked, request_, plan_);
+  static KeyedFile of_view(const ModelMarks& marks) {
+    return KeyedFile::of_mark(marks.source, "view()");
   }
 
   void add_steps(const KeyedFile& in, const std::vector<ModelMarks::Step>& steps) {
@@ -78,9 +89,10 @@ class Follower {
     }
   }
 
-  void add_item(const KeyedFile& in, const std::string& source, double number,
-                const std::string& part) {
-    const int wanted = item_number(in, fmt::format("{:.0f}", number), "");
+  void add_item(const std::string& source, double number, const std::string& part) {
+    const std::string digits = fmt::format("{:.0f}", number);
+    const KeyedFile in = KeyedFile::of_mark(source, fmt::format("callout({})", digits));
+    const int wanted = item_number(in, digits, "");
     const auto [it, is_new] =
         asked_.items.try_emplace(wanted, KeptItem{.name = "", .select = part});
     if (is_new) numbered_by_[wanted] = source;
@@ -129,3 +141,27 @@ void follow_marks(const std::vector<ModelMarks>& marks, const DrawRequest& reque
 }
 
 }  // namespace burin::detail
+
+namespace burin {
+
+DrawRequest with_marks(const std::vector<ModelMarks>& marks, DrawRequest request) {
+  std::vector<LookRequest> looks;
+  const bool numbered = !request.items.empty(), seen = request.has("view");
+  const bool turned = request.has("up"), chosen = request.has("callouts");
+  for (const ModelMarks& one : marks) {
+    detail::add_looks(one, looks);
+    if (one.callouts && !chosen) request.options["callouts"] = {"true"};
+    if (one.view && !seen) request.options["view"] = {*one.view};
+    if (one.up && !turned && !seen) request.options["up"] = {*one.up};
+    for (const auto& [number, part] : one.items) {
+      if (numbered) break;
+      const auto in = detail::KeyedFile::of_mark(one.source, "callout()");
+      const int wanted = detail::item_number(in, fmt::format("{:.0f}", number), "");
+      request.items.try_emplace(wanted, KeptItem{.name = "", .select = part});
+    }
+  }
+  request.looks.insert(request.looks.begin(), looks.begin(), looks.end());
+  return request;
+}
+
+}  // namespace burin

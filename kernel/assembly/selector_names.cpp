@@ -3,6 +3,8 @@
 #include <burin/assembly/items.h>
 #include <burin/base/error.h>
 
+#include "composed.h"
+
 #include <algorithm>
 
 namespace burin::detail {
@@ -18,17 +20,22 @@ std::vector<std::string> parted(std::string_view path) {
   return names;
 }
 
-}  // namespace
+bool is_ascii(std::string_view text) {
+  return std::ranges::none_of(text, [](char c) { return static_cast<signed char>(c) < 0; });
+}
 
 // Bounded: a star that fails is tried again from the next letter, the stars before it never are.
-bool like(std::string_view pattern, std::string_view name) {
+bool like_composed(std::string_view pattern, std::string_view name) {
   std::size_t p = 0, n = 0, star = pattern.npos, from = 0;
   while (n < name.size()) {
     if (p < pattern.size() && pattern[p] == '*') {
       star = p++;
       from = n;
     } else if (p < pattern.size() && (pattern[p] == '?' || pattern[p] == name[n])) {
-      ++p, ++n;
+      ++n;
+      // A letter is what ends before the next byte that begins one.
+      while (pattern[p] == '?' && n < name.size() && (name[n] & 0xc0) == 0x80) ++n;
+      ++p;
     } else if (star != pattern.npos) {
       p = star + 1;
       n = ++from;
@@ -38,6 +45,14 @@ bool like(std::string_view pattern, std::string_view name) {
   }
   while (p < pattern.size() && pattern[p] == '*') ++p;
   return p == pattern.size();
+}
+
+}  // namespace
+
+bool like(std::string_view pattern, std::string_view name) {
+  // Names of ASCII, which most are, can only be met by patterns of ASCII.
+  if (is_ascii(name)) return is_ascii(pattern) && like_composed(pattern, name);
+  return like_composed(composed(pattern), composed(name));
 }
 
 std::vector<std::string> names_of(const Part& part) {

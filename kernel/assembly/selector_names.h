@@ -10,7 +10,8 @@
 
 namespace burin::detail {
 
-/// Whether a name is as the pattern says: * any text, ? any letter.
+/// Whether a name is as the pattern says: * any text, ? any letter. Either way of writing an accent
+/// (`composed`) means the other.
 bool like(std::string_view pattern, std::string_view name);
 
 /// The names from the top of the assembly down to the part.

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <set>
 #include <utility>
 #include <vector>
 
@@ -46,6 +47,7 @@ struct Level {
   bool array = false;
   std::int64_t index = -1;
   std::string key;
+  std::set<std::string> keys = {};
 };
 
 }  // namespace
@@ -70,6 +72,9 @@ JsonLines::JsonLines(std::string_view text) {
     switch (event) {
       case Json::parse_event_t::key:
         levels.back().key = parsed.get<std::string>();
+        if (!levels.back().keys.insert(levels.back().key).second && !repeated_) {
+          repeated_.emplace(levels.back().key, line);
+        }
         note();
         break;
       case Json::parse_event_t::value:
@@ -105,6 +110,11 @@ std::int64_t JsonLines::line(std::string_view path) const {
 std::int64_t line_at(std::string_view text, std::size_t position) {
   const auto end = static_cast<std::ptrdiff_t>(std::min(position, text.size()));
   return 1 + std::count(text.begin(), text.begin() + end, '\n');
+}
+
+void check_no_utf16(std::string_view text, const std::string& source) {
+  if (!text.starts_with("\xff\xfe") && !text.starts_with("\xfe\xff")) return;
+  throw InputError("is text in UTF-16; save it as UTF-8", source);
 }
 
 }  // namespace burin

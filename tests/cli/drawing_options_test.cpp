@@ -58,6 +58,9 @@ TEST_F(DrawingOptions, ScalesAndMarginsThatAreNone) {
   for (const char* scale : {"1:0", "0:1", ":2", "1:", "1:2:3", "-1:2", "nan", "1:x"}) {
     refused(std::string("--scale ") + scale, "takes a number over 0, or a ratio like 1:2");
   }
+  refused("--scale 1e30", "takes 1e-");
+  refused("--tolerance 1e-30", "takes a number of mm from 1e-12 to 1e12");
+  refused("--detail 0,0,0,0", "takes X,Y,Z,R with a radius R over 0");
   refused("--margin 1,2,3", "TOP,RIGHT,BOTTOM,LEFT");
   refused("--margin 100,0,109,0", "leave 2 mm of 297 x 210 mm");
   refused("--margin 1,2,3,-4", "TOP,RIGHT,BOTTOM,LEFT");

@@ -118,6 +118,22 @@ TEST_F(Exploded, AreWrittenForTheAuthorToEdit) {
   EXPECT_NEAR(from_file, top_of(drawing(), 1), 1e-3);
 }
 
+// Of a large assembly, a step of six digits would end tenths of a millimetre elsewhere.
+TEST_F(Exploded, StepsAreWrittenAsFarAsTheyMatter) {
+  constexpr double kSize = 1234.5678;
+  const auto write = [&](const char* name, std::vector<Vec2> outline, bool closed) {
+    for (Vec2& p : outline) p *= kSize;
+    folder_.write(name, test::off_text(test::turned(outline, 48, closed)));
+  };
+  write("plate.off", {{5, 0}, {30, 0}, {30, 10}, {5, 10}}, true);
+  write("bolt.off", {{5, 0}, {5, 10}, {9, 10}, {9, 16}}, false);
+  ASSERT_EQ(run("illustrate @/plate.off @/bolt.off -o @/b.burin.json --explode auto"), 0) << err_;
+  ASSERT_EQ(run("draw @/b.burin.json -o @/a.json --style outline"), 0) << err_;
+  const double from_file = top_of(drawing(), 1);
+  ASSERT_EQ(run("draw @/plate.off @/bolt.off --explode auto -o @/a.json --style outline"), 0);
+  EXPECT_NEAR(from_file, top_of(drawing(), 1), 1e-3);
+}
+
 // Where an illustration says which parts there are, another one extends it.
 TEST_F(Exploded, ExtendAnIllustration) {
   ASSERT_EQ(draw(R"("hidden": "none")"), 0) << err_;

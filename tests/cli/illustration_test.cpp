@@ -354,5 +354,34 @@ TEST_F(Illustrations, AFirstFileHasOptionsWhereTheyHaveAnEffect) {
   EXPECT_NE(err_.find("has no effect"), std::string::npos) << err_;
 }
 
+// What the schema refuses, the reader refuses, and the line is named; whole numbers may be 1.0.
+TEST_F(Illustrations, TakeTheTypesThatTheSchemaNames) {
+  const auto refused = [&](const std::string& members, const std::string& words) {
+    EXPECT_EQ(draw(box_part_ + members), 2) << members;
+    EXPECT_NE(err_.find(words), std::string::npos) << err_;
+  };
+  refused(",\n\"callouts\": 1", "a.burin.json:2: \"callouts\" takes true or false");
+  refused(",\n\"tolerance\": \"0.1\"", ":2: \"tolerance\" takes a number");
+  refused(",\n\"seed\": 1.5", ":2: \"seed\" takes a whole number");
+  refused(",\n\"view\": {\"up\": 5}", "\"up\" takes [x, y, z]");
+  refused(",\n\"views\": true", "\"views\" takes text, a number or a list");
+  refused(",\n\"items\": {\"01\": \"lid\"}", "an item has a number from 1 to");
+  refused(",\n\"seed\": 1,\n\"seed\": 2", ":3: the key 'seed' is here a second time");
+  EXPECT_EQ(draw(box_part_ + ", \"seed\": 3.0, \"hidden\": \"dashed\""), 0) << err_;
+  EXPECT_EQ(drawing()["seed"], 3);
+  // The same key of two objects is none that is there twice.
+  EXPECT_EQ(draw(box_part_ + R"(, "lights": [{"ambient": 0.1}, {"ambient": 0.2}])"), 0) << err_;
+}
+
+// As a shell of Windows writes what a command prints.
+TEST_F(Illustrations, InUtf16AreNamedSo) {
+  std::string text = "\xff\xfe";
+  for (const char c : std::string(R"({"burin": "illustration"})")) (text += c) += '\0';
+  folder_.write("a.burin.json", text);
+  EXPECT_EQ(run("draw @/a.burin.json -o @/b.svg"), 3);
+  EXPECT_NE(err_.find("a.burin.json: is text in UTF-16; save it as UTF-8"), std::string::npos)
+      << err_;
+}
+
 }  // namespace
 }  // namespace burin

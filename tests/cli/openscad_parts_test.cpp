@@ -342,5 +342,48 @@ TEST_F(OpenscadParts, ACancelEndsTheEvaluation) {
   EXPECT_FALSE(std::filesystem::exists(folder_ / "m.svg"));
 }
 
+// Where marks are written into an illustration, it draws what the model draws.
+TEST_F(OpenscadParts, IllustrationsHaveTheMarksOfTheModel) {
+  folder_.write(
+      "m.scad",
+      "use <burin.scad>\nview(\"front\");\n"
+      "callout(3) ink(\"engraving\") part(\"lid\") translate([0, 0, 10]) cube([9, 8, 2]);\n"
+      "explode([0, 0, 30]) part(\"pin\") translate([2, 2, 15]) cube(3);\n"
+      "part(\"base\") cube([9, 8, 10]);");
+  ASSERT_EQ(run("illustrate @/m.scad -o @/m.burin.json"), 0) << err_;
+  const Json file = Json::parse(slurp(folder_ / "m.burin.json"));
+  EXPECT_EQ(file["view"]["from"], "front") << file;
+  EXPECT_EQ(file["callouts"], true) << file;
+  EXPECT_EQ(file["looks"][0]["style"], "engraving") << file;
+  EXPECT_EQ(file["items"]["3"]["select"], "/lid") << file;
+  const std::string by_model = drawn("");
+  ASSERT_EQ(run("draw @/m.burin.json -o @/m.svg"), 0) << err_;
+  EXPECT_EQ(slurp(folder_ / "m.svg"), by_model);
+  ASSERT_EQ(run("illustrate @/m.scad -o @/e.burin.json --explode auto --view top"), 0) << err_;
+  const Json apart = Json::parse(slurp(folder_ / "e.burin.json"));
+  EXPECT_EQ(apart["view"]["from"], "top") << "what is asked for holds";
+  EXPECT_NEAR(apart["explode"]["steps"][0]["by"].get<double>(), 30, 1e-9);
+}
+
+TEST_F(OpenscadParts, WrongMarksNameTheModelAndTheMark) {
+  const auto told = [&](const std::string& mark, const std::string& words) {
+    folder_.write("m.scad", "use <burin.scad>\n" + mark + " cube(3);");
+    EXPECT_EQ(run("draw @/m.scad -o @/m.svg"), 2) << mark;
+    EXPECT_NE(err_.find(words), std::string::npos) << err_;
+    EXPECT_EQ(err_.find("m.scad:1:"), std::string::npos) << err_;
+  };
+  told("view(\"frnt\");", "m.scad: view(): unknown view 'frnt'");
+  told("ink(\"engrving\")", "m.scad: ink(\"engrving\"): unknown style 'engrving'");
+  told("callout(0)", "m.scad: callout(0): an item has a number from 1 to");
+}
+
+// A mark is no wish of the user's, so nothing is said of it where it has no effect.
+TEST_F(OpenscadParts, ADifferenceSaysNothingOfCalloutsThatMarksAskFor) {
+  folder_.write("m.scad", "use <burin.scad>\ncallout(1) part(\"lid\") cube(3);");
+  folder_.write("n.scad", "use <burin.scad>\ncallout(1) part(\"lid\") cube(4);");
+  EXPECT_EQ(run("diff @/m.scad @/n.scad -o @/d.svg"), 6) << err_;
+  EXPECT_EQ(err_.find("no effect"), std::string::npos) << err_;
+}
+
 }  // namespace
 }  // namespace burin::test

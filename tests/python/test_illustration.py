@@ -199,14 +199,53 @@ class Illustrations(unittest.TestCase):
             burin.draw({**TWO, "loks": []})
         with self.assertRaisesRegex(burin.UsageError, "no part is named 'rong'.*'ring'"):
             burin.draw(TWO, hide="rong")
-        with self.assertRaisesRegex(burin.UsageError, "belong to a part"):
+        with self.assertRaisesRegex(burin.UsageError, "argument iso is about reading.*belongs to a part"):
             burin.draw(TWO, iso=3)
+        with self.assertRaisesRegex(burin.UsageError, "argument heal is about reading"):
+            burin.draw(TWO, heal=True)
+
+    def test_standard_input_is_no_illustration(self):
+        told = subprocess.run([COMMAND, "draw", "-", "-o", "-", "--format", "svg"], input=json.dumps(TWO), capture_output=True, text=True)
+        self.assertEqual(told.returncode, 3)
+        self.assertIn("standard input: is an illustration, which names files beside it", told.stderr)
 
     def test_parts_of_scenes_by_name(self):
         scene = burin.Scene.read(SAMPLES / "bracket.off", SAMPLES / "knot.ply")
         drawing = burin.draw(scene, part=["knot"], look={"knot": "outline"})
         self.assertEqual({path.part for layer in drawing.layers for path in layer.paths}, {1})
         self.assertFalse([layer for layer in drawing.layers if layer.name == "stroke" and layer.paths])
+
+    @unittest.skipUnless(importlib.util.find_spec("jsonschema"), "python3-jsonschema is not installed")
+    def test_reader_and_schema_accept_the_same(self):
+        import jsonschema
+
+        check = jsonschema.Draft202012Validator(json.loads(burin.illustration_schema()))
+        right = (
+            {"callouts": True}, {"seed": 3.0}, {"tolerance": 0.1}, {"items": {"10": "lid"}}, {"view": {"from": [1, 2, 3], "up": [0, 0, 1]}},
+            {"paper": [100, 50]}, {"explode": {"along": "z", "fit": 0.1}}, {"details": [{"at": [1, 2, 3], "radius": 4}]},
+            {"details": [{"select": "lid", "radius": 4}]}, {"section": {"plane": "x", "exclude": []}}, {"lights": [{"ambient": 0.3}]},
+        )
+        step = {"move": "a", "along": [0, 0, 1], "by": 1}
+        wrong = (
+            {"callouts": 1}, {"callouts": "true"}, {"seed": 1.5}, {"seed": "1"}, {"tolerance": "0.1"}, {"items": {"01": "lid"}}, {"items": {"0": "lid"}},
+            {"items": {"1": ""}}, {"view": {"up": 5}}, {"view": {"up": "0,0,1"}}, {"views": True}, {"title": ""}, {"title": 3}, {"hidden": 1},
+            {"lights": 1}, {"lights": [{}]}, {"lights": [{"ambient": 0.1, "from": [1, 0, 0]}]}, {"lights": [{"ambient": 0.1, "strength": 1}]},
+            {"details": [{"at": [1, 2, 3]}]}, {"details": [{"radius": 3}]}, {"details": [{"select": "a", "at": [1, 2, 3], "radius": 3}]},
+            {"parts": [{"name": "a"}]}, {"parts": [{"file": "a.stl", "function": "sphere(1)"}]}, {"parts": [{"file": "a.stl", "bounds": True}]},
+            {"parts": [{"file": "a.stl", "place": {"scale": 2, "matrix": [[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, 0]]}}]},
+            {"explode": {"steps": []}}, {"explode": {"steps": [step], "fit": 1}}, {"explode": {"steps": [{**step, "by": 0}]}},
+            {"section": {"plane": "x", "box": [[0, 0, 0], [1, 1, 1]]}}, {"section": {}},
+        )
+        for expected, documents in ((True, right), (False, wrong)):
+            for members in documents:
+                with self.subTest(members):
+                    document = {**TWO, **members}
+                    self.assertEqual(check.is_valid(document), expected, "the schema")
+                    if expected:
+                        burin.illustration(document)
+                    else:
+                        with self.assertRaises(burin.UsageError):
+                            burin.illustration(document)
 
     @unittest.skipUnless(importlib.util.find_spec("jsonschema"), "python3-jsonschema is not installed")
     def test_schema(self):

@@ -61,7 +61,7 @@ class ThreeMfReader {
   ThreeMfShapes shapes_;
   std::vector<Leaf> leaves_;  // of the item under way
   std::size_t uses_ = 0, triangles_ = 0;
-  std::int64_t supports_ = 0, not_solid_ = 0, beams_ = 0, missing_ = 0;
+  std::int64_t supports_ = 0, not_solid_ = 0, beams_ = 0, missing_ = 0, not_printed_ = 0;
   std::string first_missing_;
   MeshFile file_;
 };
@@ -224,6 +224,10 @@ void ThreeMfReader::report() {
                           "volumes that a slicer uses to modify others, or to place supports, were "
                           "left out");
   }
+  if (not_printed_ > 0) {
+    file_.diagnostics.add(Severity::Info, "3mf.not_printable", not_printed_,
+                          "items that the file marks as not to be printed were left out");
+  }
   if (beams_ > 0) {
     file_.diagnostics.add(
         Severity::Warning, "3mf.beams", beams_,
@@ -251,7 +255,15 @@ MeshFile ThreeMfReader::read() {
                             "the build section of the 3MF is empty; all of its objects are drawn");
     }
   }
-  for (const ThreeMfUse& use : root.build) item(use, path);
+  // Where nothing is to be printed, the file was not saved for that.
+  const bool some = std::ranges::any_of(root.build, &ThreeMfUse::printable);
+  for (const ThreeMfUse& use : root.build) {
+    if (use.printable || !some) {
+      item(use, path);
+    } else {
+      ++not_printed_;
+    }
+  }
   if (shapes_.empty()) {
     if (missing_ > 0)
       source_.fail(fmt::format("the 3MF does not hold {}, which its build uses; export it again",

@@ -206,7 +206,10 @@ ThreeMfModel ModelParser::model() {
     out.order.push_back(id);
   }
   for (const pugi::xml_node& i : child(root, "build")) {
-    if (is(i, "item")) out.build.push_back(use(i));
+    if (!is(i, "item")) continue;
+    out.build.push_back(use(i));
+    const std::string printable(attribute(i, "printable"));
+    out.build.back().printable = printable != "0" && printable != "false";
   }
   return out;
 }

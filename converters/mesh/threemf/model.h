@@ -19,6 +19,7 @@ struct ThreeMfUse {
   std::string object;
   std::string path = {};  // the model part that holds it; empty = the same one
   Placement place = {};   // in the unit of the model
+  bool printable = true;  // of an item, as slicers write it
 };
 
 /// The colour of a triangle, and whether it is that of its three corners.

@@ -7,7 +7,7 @@
 
 namespace burin::detail {
 
-const Reader kMesh{"STL, OBJ, OFF, PLY, 3MF",
+const Reader kMesh{"STL, OBJ, OFF, PLY, 3MF, AMF",
                    nullptr,
                    is_mesh_suffix,
                    [](const std::filesystem::path& path, const ReadOptions& o, RunContext& c) {

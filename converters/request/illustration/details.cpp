@@ -22,7 +22,10 @@ const std::vector<KeyRow<DetailView>>& detail_rows() {
        .read = [](const KeyedFile& in, const Json& value, const std::string& path,
                   DetailView& detail) { detail.at = in.vector(value, path); }},
       {.name = "radius",
-       .schema = {{"description", "model mm"}, {"type", "number"}, {"exclusiveMinimum", 0}},
+       .schema = {{"description", "model mm"},
+                  {"type", "number"},
+                  {"minimum", 1e-9},
+                  {"maximum", kLarge}},
        .read =
            [](const KeyedFile& in, const Json& value, const std::string& path, DetailView& detail) {
              detail.radius = in.within(value, path, 1e-9, kLarge, "mm over 0");
@@ -73,7 +76,10 @@ void take_details(const KeyedFile& in, const Json& value, const std::string& pat
 
 Json details_schema() {
   const Json short_form = text("a part or an assembly, or X,Y,Z,R in mm; =A:B behind it");
-  return list_of({{"anyOf", {short_form, object_schema(detail_rows())}}});
+  Json object = object_schema(detail_rows());
+  object["oneOf"] = either({"select", "at"});
+  object["dependentRequired"]["at"] = Json::array({"radius"});
+  return list_of({{"anyOf", {short_form, std::move(object)}}});
 }
 
 }  // namespace burin::detail

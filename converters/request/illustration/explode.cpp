@@ -6,8 +6,8 @@
 namespace burin::detail {
 namespace {
 
-/// To six digits: no picture shows more, and an author reads them.
-double rounded(double value) { return std::strtod(fmt::format("{:.6g}", value).c_str(), nullptr); }
+/// To twelve digits: without the noise of sums, and nothing moves on any sheet.
+double rounded(double value) { return std::strtod(fmt::format("{:.12g}", value).c_str(), nullptr); }
 
 const std::vector<KeyRow<ExplodeStep>>& step_rows() {
   constexpr const char* kMissing = "a step has \"move\", \"along\" and \"by\"; \"{}\" is missing";
@@ -154,7 +154,13 @@ void take_explode(const KeyedFile& in, const Json& value, const std::string& pat
   read_members(explode_rows(), in, value, path, explode);
 }
 
-Json explode_schema() { return {{"anyOf", {ways(), object_schema(explode_rows())}}}; }
+Json explode_schema() {
+  Json object = object_schema(explode_rows());
+  for (const char* found : {"along", "base", "fit"}) {
+    object["dependentSchemas"]["steps"]["properties"][found] = false;
+  }
+  return {{"anyOf", {ways(), std::move(object)}}};
+}
 
 Json write_explode(const Explode& explode) { return write_object(explode_rows(), explode); }
 

@@ -42,7 +42,8 @@ int item_number(const KeyedFile& in, const std::string& text, const std::string&
   int number = 0;
   const char* const last = text.data() + text.size();
   const auto [end, error] = std::from_chars(text.data(), last, number);
-  if (error != std::errc() || end != last || number < 1 || number > kLargestItem) {
+  if (error != std::errc() || end != last || text.front() == '0' || number < 1 ||
+      number > kLargestItem) {
     in.fail(path, fmt::format("an item has a number from 1 to {}, not '{}'", kLargestItem, text));
   }
   return number;

@@ -8,7 +8,9 @@ namespace burin::detail {
 
 using Json = nlohmann::ordered_json;
 
-Json text(const char* what) { return {{"description", what}, {"type", "string"}}; }
+Json text(const char* what) {
+  return {{"description", what}, {"type", "string"}, {"minLength", 1}};
+}
 Json flag(const char* what) { return {{"description", what}, {"type", "boolean"}}; }
 
 Json vector_of(const char* what) {
@@ -22,6 +24,16 @@ Json vector_of(const char* what) {
 Json list_of(Json items) { return {{"type", "array"}, {"items", std::move(items)}}; }
 
 Json one_or_list_of(const Json& item) { return {{"anyOf", {item, list_of(item)}}}; }
+
+Json either(const std::vector<std::string>& keys) {
+  Json one = Json::array();
+  for (const std::string& key : keys) {
+    Json with;
+    with["required"] = Json::array({key});
+    one.push_back(std::move(with));
+  }
+  return one;
+}
 
 Json object_of(Json properties) {
   return {

@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include <string>
+#include <vector>
 
 namespace burin::detail {
 
@@ -14,6 +15,8 @@ nlohmann::ordered_json vector_of(const char* what);
 nlohmann::ordered_json list_of(nlohmann::ordered_json items);
 /// One, or a list of them.
 nlohmann::ordered_json one_or_list_of(const nlohmann::ordered_json& item);
+/// For "oneOf": objects that have one of these keys.
+nlohmann::ordered_json either(const std::vector<std::string>& keys);
 nlohmann::ordered_json object_of(nlohmann::ordered_json properties);
 /// What names parts.
 nlohmann::ordered_json selector();

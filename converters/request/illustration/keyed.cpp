@@ -28,6 +28,12 @@ std::string named(const std::string& path) {
 }  // namespace
 
 std::string option_text(const Json& value) {
+  // A whole number that is written 1.0.
+  constexpr double kExact = 9007199254740992;
+  if (value.is_number_float() && std::abs(value.get<double>()) < kExact &&
+      value.get<double>() == std::floor(value.get<double>())) {
+    return fmt::format("{:.0f}", value.get<double>() + 0.0);
+  }
   if (value.is_string()) return value.get<std::string>();
   if (!value.is_array()) return value.dump();
   std::vector<std::string> texts;
@@ -42,7 +48,14 @@ std::string option_text(const Json& value) {
 KeyedFile::KeyedFile(std::string_view text, std::string source)
     : source_(std::move(source)), folder_(fs::path(source_).parent_path()), lines_(text) {}
 
+KeyedFile KeyedFile::of_mark(const std::string& source, const std::string& what) {
+  KeyedFile in("{}", source);
+  in.mark_ = fmt::format("{}: {}: ", source, what);
+  return in;
+}
+
 std::string KeyedFile::place(const std::string& path) const {
+  if (!mark_.empty()) return mark_;
   return fmt::format("{}:{}: ", source_, lines_.line(path));
 }
 
@@ -105,6 +118,34 @@ double KeyedFile::within(const Json& value, const std::string& path, double leas
     fail(path, fmt::format("{} takes {}, not {}", named(path), takes, value.dump()));
   }
   return given;
+}
+
+void KeyedFile::check_type(const Json& value, const std::string& path, const Json& schema) const {
+  const Json type = schema.value("type", Json());
+  if (type == "boolean") flag(value, path);
+  if (type == "number") number(value, path);
+  if (type == "integer" && number(value, path) != std::floor(value.get<double>())) {
+    fail(path, named(path) + " takes a whole number");
+  }
+  if (type == "array") vector(value, path);
+  if (!type.is_array()) return;
+  const auto takes = [&](const char* name) {
+    return std::ranges::find(type, Json(name)) != type.end();
+  };
+  const bool right = (value.is_string() && takes("string")) ||
+                     (value.is_number() && takes("number")) ||
+                     (value.is_array() && takes("array")) || (value.is_object() && takes("object"));
+  if (right) return;
+  fail(path, fmt::format("{} takes {}", named(path),
+                         takes("object") ? "text, a list of texts, or an object"
+                                         : "text, a number or a list"));
+}
+
+void KeyedFile::check_repeated() const {
+  if (!lines_.repeated()) return;
+  const auto& [key, line] = *lines_.repeated();
+  throw UsageError(fmt::format("{}:{}: the key '{}' is here a second time; keep one of them",
+                               source_, line, key));
 }
 
 Vec3 KeyedFile::vector(const Json& value, const std::string& path) const {

@@ -32,10 +32,12 @@ std::string option_text(const Json& value);
 class KeyedFile {
  public:
   KeyedFile(std::string_view text, std::string source);
+  /// What stands in no text of a file, as a mark in a model: errors say "SOURCE: WHAT: ".
+  static KeyedFile of_mark(const std::string& source, const std::string& what);
 
   const std::string& source() const { return source_; }
   std::int64_t line(const std::string& path) const { return lines_.line(path); }
-  /// "FILE:LINE: ".
+  /// "FILE:LINE: ", or what stands for it.
   std::string place(const std::string& path) const;
   [[noreturn]] void fail(const std::string& path, const std::string& what) const;
   [[noreturn]] void unknown(const std::string& path, const std::string& key,
@@ -54,6 +56,10 @@ class KeyedFile {
   double within(const Json& value, const std::string& path, double least, double most,
                 const char* takes) const;
   Vec3 vector(const Json& value, const std::string& path) const;
+  /// Whether a value is of the types that its JSON Schema names; a whole number may be 1.0.
+  void check_type(const Json& value, const std::string& path, const Json& schema) const;
+  /// A key that an object has twice is an error.
+  void check_repeated() const;
 
   /// The text of an object whose members stand in the lines that they have in the file, so that
   /// whoever reads it names these.
@@ -89,6 +95,8 @@ class KeyedFile {
   std::string source_;
   std::filesystem::path folder_;
   JsonLines lines_;
+  /// Instead of a line.
+  std::string mark_ = {};
 };
 
 /// Which way a step goes: a unit vector.

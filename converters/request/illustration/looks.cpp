@@ -174,7 +174,12 @@ Json style_value_schema() {
 }
 
 Json looks_schema() { return list_of(object_schema(look_rows())); }
-Json lights_schema() { return list_of(object_schema(light_rows())); }
+Json lights_schema() {
+  Json light = object_schema(light_rows());
+  light["oneOf"] = either({"ambient", "from", "at"});
+  light["dependentSchemas"]["ambient"]["properties"]["strength"] = false;
+  return list_of(std::move(light));
+}
 
 Json write_looks(const std::vector<LookRequest>& looks) {
   Json list = Json::array();

@@ -108,6 +108,12 @@ const std::vector<KeyRow<Placement>>& place_rows() {
   return rows;
 }
 
+Json place_schema() {
+  Json place = object_schema(place_rows());
+  place["dependentSchemas"]["matrix"] = {{"maxProperties", 1}};
+  return place;
+}
+
 Placement placement(const KeyedFile& in, const Json& value, const std::string& path) {
   check_members(place_rows(), in, value, path);
   if (value.contains("matrix") && value.size() > 1) {
@@ -123,11 +129,12 @@ KeyRow<IllustrationInput> reading_row(const RequestRow<ReadOptions>& row) {
   Json schema = value_of_option(row.name());
   if (row.about.many) schema["type"] = {"string", "array", "object"};
   return {.name = row.name(),
-          .schema = std::move(schema),
+          .schema = schema,
           .read =
-              [about = row.about](const KeyedFile& in, const Json& value, const std::string& path,
-                                  IllustrationInput& input) {
+              [about = row.about, schema](const KeyedFile& in, const Json& value,
+                                          const std::string& path, IllustrationInput& input) {
                 const std::string& name = about.option.name;
+                in.check_type(value, path, schema);
                 const std::vector<std::string> given = texts(about, value);
                 in.check(read_option_rows(), name, given, path, name);
                 if (!given.empty()) input.read[name] = given;
@@ -148,7 +155,7 @@ std::vector<KeyRow<IllustrationInput>> input_rows() {
       text_row("name", "what the part is called, or the assembly that its parts make",
                &Input::name),
       {.name = "place",
-       .schema = object_schema(place_rows()),
+       .schema = place_schema(),
        .read = [](const KeyedFile& in, const Json& value, const std::string& path,
                   Input& input) { input.place = placement(in, value, path); }},
   };
@@ -184,7 +191,13 @@ void take_parts(const KeyedFile& in, const Json& value, const std::string& path,
   }
 }
 
-Json parts_schema() { return list_of(object_schema(input_rows())); }
+Json parts_schema() {
+  Json part = object_schema(input_rows());
+  part["oneOf"] = either({"file", "function"});
+  Json list = list_of(std::move(part));
+  list["maxItems"] = kMostInputs;
+  return list;
+}
 
 Json write_parts(const std::vector<IllustrationInput>& inputs) {
   const std::vector<KeyRow<IllustrationInput>> rows = input_rows();

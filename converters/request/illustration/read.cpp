@@ -75,6 +75,7 @@ void for_each_file(std::string_view text, const std::string& source, const F& on
   const KeyedFile in(text, source);
   const Json json = parse(text, source);
   check_kind(in, json);
+  in.check_repeated();
   if (json.contains("extends")) {
     const auto [file, base] = extended_text(in, json["extends"], extended);
     for_each_file(base, file, one, extended + 1);

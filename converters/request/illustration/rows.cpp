@@ -11,6 +11,7 @@ namespace {
 /// Sets an option of the drawing, once its row takes the value.
 void set_option(const KeyedFile& in, const std::string& option, const Json& value,
                 const std::string& path, const std::string& key, IllustrationFile& out) {
+  in.check_type(value, path, value_of_option(option));
   const bool size = option == "paper" && value.is_array() && value.size() == 2;
   const std::string given = size
                                 ? fmt::format("{}x{}", option_text(value[0]), option_text(value[1]))

@@ -71,7 +71,7 @@ const std::vector<KeyRow<Section::Around>>& around_rows() {
                   Section::Around& around) { around.center = in.vector(value, path); },
        .missing = kMissing},
       {.name = "radius",
-       .schema = {{"type", "number"}, {"exclusiveMinimum", 0}},
+       .schema = {{"type", "number"}, {"minimum", 1e-9}, {"maximum", 1e12}},
        .read =
            [](const KeyedFile& in, const Json& value, const std::string& path,
               Section::Around& around) {
@@ -192,13 +192,9 @@ void take_sections(const KeyedFile& in, const Json& value, const std::string& pa
 
 Json section_schema() {
   Json section = object_schema(section_rows_of_file());
-  section["oneOf"] = Json::array();
-  for (const KeyRow<Section>& row : section_rows_of_file()) {
-    if (row.name == "exclude") continue;
-    Json required;
-    required["required"] = Json::array({row.name});
-    section["oneOf"].push_back(std::move(required));
-  }
+  std::vector<std::string> kinds = names_of(section_rows_of_file());
+  std::erase(kinds, "exclude");
+  section["oneOf"] = either(kinds);
   return one_or_list_of({{"anyOf", {text_schema(), section}}});
 }
 

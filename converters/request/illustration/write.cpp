@@ -98,6 +98,10 @@ std::string seen_from(const fs::path& folder, const std::string& file) {
   return error || relative.empty() ? file : relative.string();
 }
 
+bool is_style_file(const std::string& style) {
+  return style.find('/') != std::string::npos || style.ends_with(".json");
+}
+
 /// Of what is asked about reading, what concerns an input; what concerns other files alone would be
 /// told as without effect on this one.
 Request reading_of(const std::string& input, const std::vector<std::string>& inputs,
@@ -153,7 +157,10 @@ std::string first_illustration(const std::vector<std::string>& inputs, const Dra
     one.file = seen_from(folder, input);
     one.read = reading_of(input, inputs, request.options);
   }
-  file.request.looks = looks_of(request.options);
+  for (LookRequest& look : file.request.looks) {
+    if (is_style_file(look.style)) look.style = seen_from(folder, look.style);
+  }
+  for (LookRequest& look : looks_of(request.options)) file.request.looks.push_back(std::move(look));
   file.request.explode.steps = steps;
   return text_of(detail::write_object(detail::rows_of_file(), file));
 }

@@ -53,6 +53,28 @@ TEST(Select, APathLeadsFromAnyDepthOrWithASlashFromTheTop) {
   EXPECT_THROW(select(s, "pump/bolt"), UsageError);
 }
 
+// Files of macOS hold accents behind their letters, keyboards type them within.
+TEST(Select, AnAccentMayStandInItsLetterOrBehindIt) {
+  const char* const kWithin[] = {"Schl\u00fcssel", "\u1ebf", "\u0439",
+                                 "\u304c",         "\uac01", "a\u00fcb"};
+  const char* const kBehind[] = {"Schlu\u0308ssel", "e\u0302\u0301",      "\u0438\u0306",
+                                 "\u304b\u3099",    "\u1100\u1161\u11a8", "au\u0308b"};
+  for (std::size_t i = 0; i < std::size(kWithin); ++i) {
+    Scene s = scene();
+    for (const char* name : {kWithin[i], kBehind[i]}) {
+      s.parts[0].name = name;
+      EXPECT_EQ(select(s, kWithin[i]), (Parts{0})) << name;
+      EXPECT_EQ(select(s, kBehind[i]), (Parts{0})) << name;
+      EXPECT_EQ(select(s, std::string(kBehind[i]) + "*"), (Parts{0})) << name;
+    }
+  }
+  Scene s = scene();
+  s.parts[0].name = "Schlu\u0308ssel";
+  EXPECT_EQ(select(s, "Schl?ssel"), (Parts{0})) << "? is a letter, of one byte or more";
+  EXPECT_THROW(select(s, "Schlussel"), UsageError);
+  EXPECT_THROW(select(s, "l\u00efd"), UsageError) << "lid";
+}
+
 TEST(Select, ANameMeansWhatReadersHaveNumbered) {
   Scene s = scene();
   s.parts[2].name = "bolt #2";

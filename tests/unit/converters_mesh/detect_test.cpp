@@ -35,6 +35,10 @@ TEST(Detect, OtherFilesUnderAMeshName) {
   const std::string zero(1, '\0');
   expect_error("\xfe\xff" + zero + "v" + zero + " " + zero + "1", "a.obj", 0, "UTF-16");
   expect_error("\xff\xfev" + zero + " " + zero + "1" + zero, "a.obj", 0, "UTF-16");
+  std::string unmarked;
+  for (const char c : std::string("v 0 0 0\nv 1 0 0\n")) unmarked += zero + c;
+  expect_error(unmarked, "a.obj", 0, "UTF-16");
+  expect_error(unmarked.substr(1) + zero, "a.obj", 0, "UTF-16");
   expect_error("ISO-10303-21;\nHEADER;\n", "a.stl", 0, "is a STEP file");
   expect_error("DBRep_DrawableShape\n", "a.stl", 0, "BREP");
   expect_error("\x1f\x8b\x08", "a.stl", 0, "compressed data: it ends too early");

@@ -462,5 +462,22 @@ TEST(ThreeMf, APartNumberNamesWhatHasNoName) {
   EXPECT_EQ(file.uses[0].name, "A-117");
 }
 
+TEST(ThreeMf, ItemsThatAreNotPrintedAreLeftOut) {
+  const std::string boxes = object(1, "a", mesh(kBox)) + object(2, "b", mesh(kBox));
+  const auto read = [&](const char* first, const char* second) {
+    return test::read_scene(
+        archive(model(boxes, fmt::format("<item objectid=\"1\" printable=\"{}\"/>"
+                                         "<item objectid=\"2\" printable=\"{}\"/>",
+                                         first, second))),
+        "a.3mf");
+  };
+  const Scene some = read("1", "0");
+  ASSERT_EQ(some.parts.size(), 1U);
+  EXPECT_EQ(some.parts[0].name, "a");
+  EXPECT_EQ(some.diagnostics.entries().front().code, "3mf.not_printable");
+  EXPECT_EQ(read("0", "0").parts.size(), 2U) << "a file that prints nothing is drawn whole";
+  EXPECT_EQ(read("1", "1").parts.size(), 2U);
+}
+
 }  // namespace
 }  // namespace burin

@@ -1,7 +1,7 @@
 #pragma once
 /// What has changed between two revisions, as front ends ask for it and report it.
 
-#include <burin/converters/request.h>
+#include <burin/converters/plan.h>
 #include <burin/converters/write_difference.h>
 #include <burin/diff/difference.h>
 #include <burin/revisions/line_changes.h>
@@ -24,6 +24,10 @@ struct Revision {
   /// selectors name its parts, else those of both revisions.
   bool own_looks = false;
 };
+
+/// Reads and follows a task. Callouts that only marks of the model ask for are not asked of a
+/// drawing of two revisions. Throws as `DrawTask`.
+Revision read_revision(DrawTask& task, std::string name, RunContext& context);
 
 /// What came out: of models `models`, of drawings `lines`.
 struct DiffOutcome {

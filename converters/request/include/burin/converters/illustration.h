@@ -4,6 +4,7 @@
 /// kernel/docs/illustrations.md explains the keys.
 
 #include <burin/base/placement.h>
+#include <burin/converters/read_result.h>
 #include <burin/converters/request.h>
 
 #include <filesystem>
@@ -63,6 +64,10 @@ Scene read_scene(const IllustrationFile& illustration, RunContext& context);
 /// What a front end asks, over what an illustration does: options that are given replace those of
 /// the file; those that may be given several times follow them.
 DrawRequest merged(const DrawRequest& file, const DrawRequest& over);
+
+/// What is asked, and below it what marks in models ask, as an illustration file says it; the steps
+/// of an exploded view are not among it. Throws UsageError that names model and mark.
+DrawRequest with_marks(const std::vector<ModelMarks>& marks, DrawRequest request);
 
 /// A first file to edit, of these inputs and of what was asked; with paths as seen from `folder`.
 /// `steps`: of an exploded view.
