@@ -49,7 +49,7 @@ TEST(Views, CountsAddUpAndThingsAreToldOnce) {
   sheet.diagnostics.add(Severity::Warning, "a", 1, "same");
   view.diagnostics.add(Severity::Warning, "a", 1, "same");
   view.diagnostics.add(Severity::Warning, "a", 1, "other");
-  view.areas.push_back({2, {}});
+  view.areas.push_back({.part = 2, .rings = {}});
   append_view(sheet, Drawing(view));
   append_view(sheet, Drawing(view));
   EXPECT_EQ(sheet.stats.strokes, 11);

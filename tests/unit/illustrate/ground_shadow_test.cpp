@@ -1,0 +1,96 @@
+/// The shadow on an invisible ground under the parts.
+
+#include <burin/forms/mesh/mesh_form.h>
+#include <burin/illustrate/illustrate.h>
+
+#include "burin_test/shapes.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+
+namespace burin {
+namespace {
+
+constexpr double kScale = 1.5;
+
+struct Seen {
+  Drawing drawing;
+  Vec3 to_light;
+  Vec3 to_viewer;
+};
+
+Seen draw(const Scene& scene, const char* view, bool glass = false) {
+  Style style = builtin_style("flat");
+  style.shadow.ground = true;
+  RunContext context;
+  const NamedView v = named_view(view);
+  const Camera camera =
+      Camera::fit([&](const Mat3& axes) { return scene.bounds(axes); },
+                  {.direction = v.direction, .up = v.up, .scale = kScale, .paper = {300, 300}});
+  IllustrateOptions options;
+  options.part_styles.resize(scene.parts.size());
+  for (PartStyle& look : options.part_styles) look.transparent = glass;
+  const Vec3 light = glm::normalize(style.tone.light);
+  return {illustrate(scene, camera, style, options, context),
+          camera.right() * light.x + camera.up() * light.y + camera.direction() * light.z,
+          camera.direction()};
+}
+
+Scene boxes(std::initializer_list<Box3> all) {
+  Scene scene;
+  for (const Box3& b : all) {
+    scene.parts.push_back({"box", "a.stl", std::make_shared<MeshForm>(test::box(b.min, b.max))});
+  }
+  return scene;
+}
+
+const Area* shadow_of(const Drawing& drawing) {
+  const auto it = std::ranges::find(drawing.areas, -1, &Area::part);
+  return it == drawing.areas.end() ? nullptr : &*it;
+}
+
+double size_of(const Area& area) {
+  double sum = 0;
+  for (const std::vector<Vec2>& ring : area.rings) {
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+      const Vec2 a = ring[i], b = ring[(i + 1) % ring.size()];
+      sum += 0.5 * (a.x * b.y - a.y * b.x);
+    }
+  }
+  return std::abs(sum);
+}
+
+TEST(GroundShadow, OfABoxIsItsFootprintSweptAlongTheLight) {
+  const double w = 20, d = 30, h = 25;
+  const Seen seen = draw(boxes({{{-10, -15, 4}, {10, 15, 4 + h}}}), "iso");
+  const Area* shadow = shadow_of(seen.drawing);
+  ASSERT_NE(shadow, nullptr);
+  EXPECT_EQ(shadow, &seen.drawing.areas.front()) << "it lies below all parts";
+  EXPECT_EQ(shadow->fill, "#d2d2d2");
+  const Vec3 l = seen.to_light;
+  const double model = w * d + h / l.z * (std::abs(l.x) * d + std::abs(l.y) * w);
+  const double paper = model * kScale * kScale * seen.to_viewer.z;
+  EXPECT_NEAR(size_of(*shadow) / paper, 1, 1e-3);
+}
+
+TEST(GroundShadow, LiesOnTheGroundOfTheLowestPart) {
+  // A second box, lower and far away, lets the shadow of the first fall farther.
+  const Seen alone = draw(boxes({{{-5, -5, 40}, {5, 5, 50}}}), "iso");
+  const Seen both =
+      draw(boxes({{{-5, -5, 40}, {5, 5, 50}}, {{-60, -60, 0}, {-55, -55, 5}}}), "iso");
+  EXPECT_EQ(shadow_of(alone.drawing)->rings.size(), 1u);
+  EXPECT_EQ(shadow_of(both.drawing)->rings.size(), 2u);
+}
+
+TEST(GroundShadow, ThereIsNoneFromBelowFromTheSideAndOfGlass) {
+  const Scene scene = boxes({{{-10, -15, 4}, {10, 15, 29}}});
+  EXPECT_EQ(shadow_of(draw(scene, "bottom").drawing), nullptr);
+  EXPECT_EQ(shadow_of(draw(scene, "front").drawing), nullptr);
+  EXPECT_EQ(shadow_of(draw(scene, "iso", true).drawing), nullptr);
+}
+
+}  // namespace
+}  // namespace burin
