@@ -7,7 +7,7 @@
 namespace burin::detail {
 
 /// UTF-8 with each accent in its letter (NFC), whether it stood there or behind it, as file systems
-/// and programs of macOS write it (NFD). Latin, Greek, Cyrillic, kana and Hangul; all else stays.
+/// and programs of macOS write it (NFD). What is no UTF-8 stays as it is.
 std::string composed(std::string_view text);
 
 }  // namespace burin::detail
