@@ -160,12 +160,13 @@ MeshFormat detect_format(const Source& source, const std::filesystem::path& path
       suffix_of == ".scad" || suffix_of == ".csg") {
     source.fail("is a packed program of OpenSCAD, which is read unpacked alone; unpack it first");
   }
+  if (!named && is_text(bytes) && is_illustration_text(bytes)) {
+    source.fail(is_standard_input(path)
+                    ? "is an illustration, which names files beside it and is read from a file: "
+                      "save it as NAME.burin.json"
+                    : "is an illustration, not a model; burin draw draws it");
+  }
   if (!named && is_standard_input(path) && is_text(bytes)) {
-    if (is_illustration_text(bytes)) {
-      source.fail(
-          "is an illustration, which names files beside it and is read from a file: "
-          "save it as NAME.burin.json");
-    }
     source.fail(
         "is text of an unknown format: name the format with `input_format`; a program "
         "of OpenSCAD is read from a file, as it may name others: save it with the suffix .scad");

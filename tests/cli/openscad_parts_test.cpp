@@ -309,6 +309,7 @@ TEST_F(OpenscadParts, NonsenseIsToldInOneLine) {
   EXPECT_EQ(run("draw @/m.scad.gz -o @/m.svg"), 3);
   expect_error("unpack it");
   refused("", "is empty: there is no program in it");
+  refused("\xff\xfe" + std::string("c\0u\0b\0e\0(\0)\0;\0", 14), "is text in UTF-16");
 }
 
 TEST_F(OpenscadParts, AModelNeedsNoCopyOfTheLibrary) {

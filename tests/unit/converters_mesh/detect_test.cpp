@@ -35,6 +35,7 @@ TEST(Detect, OtherFilesUnderAMeshName) {
   const std::string zero(1, '\0');
   expect_error("\xfe\xff" + zero + "v" + zero + " " + zero + "1", "a.obj", 0, "UTF-16");
   expect_error("\xff\xfev" + zero + " " + zero + "1" + zero, "a.obj", 0, "UTF-16");
+  expect_error("{\"burin\": \"illustration\"}", "a.burin.json", 0, "burin draw draws it");
   std::string unmarked;
   for (const char c : std::string("v 0 0 0\nv 1 0 0\n")) unmarked += zero + c;
   expect_error(unmarked, "a.obj", 0, "UTF-16");
