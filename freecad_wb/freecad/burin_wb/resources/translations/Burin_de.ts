@@ -740,6 +740,10 @@
       <translation>Richtungsfeld</translation>
     </message>
     <message>
+      <source>fill</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
       <source>full tone by dots, small where it is light, dense where it is dark</source>
       <translation>voller Ton aus Punkten, klein im Licht, dicht im Schatten</translation>
     </message>
@@ -820,6 +824,18 @@
       <translation>ein Stift: Linien einer Breite als einfache Linienzüge, dichter im Dunkeln</translation>
     </message>
     <message>
+      <source>parts in their colours under the lines</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>parts in their colours, three tones of each, and a bold outline</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>parts in their colours, two tones of each, under the lines</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
       <source>plain</source>
       <translation>schlicht</translation>
     </message>
@@ -870,6 +886,10 @@
     <message>
       <source>select two rows or more</source>
       <translation>zwei oder mehr Zeilen auswählen</translation>
+    </message>
+    <message>
+      <source>shadow</source>
+      <translation type="unfinished" />
     </message>
     <message>
       <source>sheet</source>
@@ -930,6 +950,10 @@
     <message>
       <source>white on black: strokes carry the light, as a scraper lays them</source>
       <translation>weiß auf schwarz: Striche tragen das Licht, wie ein Schabmesser sie zieht</translation>
+    </message>
+    <message>
+      <source>white parts with pale grey shade, for printed instructions</source>
+      <translation type="unfinished" />
     </message>
     <message>
       <source>write</source>
