@@ -741,7 +741,7 @@
     </message>
     <message>
       <source>fill</source>
-      <translation type="unfinished" />
+      <translation>Füllung</translation>
     </message>
     <message>
       <source>full tone by dots, small where it is light, dense where it is dark</source>
@@ -825,15 +825,15 @@
     </message>
     <message>
       <source>parts in their colours under the lines</source>
-      <translation type="unfinished" />
+      <translation>Teile in ihren Farben unter den Linien</translation>
     </message>
     <message>
       <source>parts in their colours, three tones of each, and a bold outline</source>
-      <translation type="unfinished" />
+      <translation>Teile in ihren Farben, je drei Töne, mit kräftigem Umriss</translation>
     </message>
     <message>
       <source>parts in their colours, two tones of each, under the lines</source>
-      <translation type="unfinished" />
+      <translation>Teile in ihren Farben, je zwei Töne, unter den Linien</translation>
     </message>
     <message>
       <source>plain</source>
@@ -889,7 +889,7 @@
     </message>
     <message>
       <source>shadow</source>
-      <translation type="unfinished" />
+      <translation>Schatten</translation>
     </message>
     <message>
       <source>sheet</source>
@@ -953,7 +953,7 @@
     </message>
     <message>
       <source>white parts with pale grey shade, for printed instructions</source>
-      <translation type="unfinished" />
+      <translation>weiße Teile mit hellgrauem Schatten, für gedruckte Anleitungen</translation>
     </message>
     <message>
       <source>write</source>
