@@ -107,4 +107,25 @@ py::dict flat_arrays(const Drawing& drawing) {
   return out;
 }
 
+py::list area_dicts(const Drawing& drawing) {
+  py::list areas;
+  for (const Area& area : drawing.areas) {
+    py::list rings;
+    for (const std::vector<Vec2>& ring : area.rings) {
+      std::vector<double> points;
+      append(points, ring);
+      rings.append(own(std::move(points), {static_cast<py::ssize_t>(ring.size()), 2}));
+    }
+    py::dict d;
+    d["part"] = area.part;
+    d["face"] = area.face;
+    d["tone"] = area.tone;
+    d["fill"] = area.fill;
+    d["opacity"] = area.opacity;
+    d["rings"] = rings;
+    areas.append(d);
+  }
+  return areas;
+}
+
 }  // namespace burin::python

@@ -36,6 +36,28 @@ class Verified(unittest.TestCase):
         self.assertNotIn("verify", burin.draw(scene, style="outline").stats)
 
 
+class Areas(unittest.TestCase):
+    """Flat colours under the lines."""
+
+    def test_they_are_there_where_they_are_asked_for(self):
+        scene = mesh_scene()
+        self.assertEqual(burin.draw(scene, style="outline").areas, [])
+        drawing = burin.draw(scene, style="shaded")
+        shadow, *parts = drawing.areas
+        self.assertEqual((shadow["part"], shadow["fill"]), (-1, "#d2d2d2"))
+        self.assertEqual({area["part"] for area in parts}, {0})
+        self.assertEqual({area["tone"] for area in parts}, {0, 1})
+        self.assertEqual(parts[0]["rings"][0].shape[1], 2)
+        again = burin.Drawing.from_json(drawing.to_bytes("json"))
+        self.assertEqual([a["fill"] for a in again.areas], [a["fill"] for a in drawing.areas])
+
+    def test_some_parts_are_highlighted(self):
+        drawing = burin.draw(SAMPLES / "coupling.step", style="outline", highlight={"bolt": "blue"})
+        of_bolts = {part["id"] for part in drawing.parts if part["name"].startswith("bolt")}
+        self.assertEqual({area["fill"] for area in drawing.areas if area["part"] in of_bolts}, {"#3b7dd8"})
+        self.assertEqual({area["fill"] for area in drawing.areas if area["part"] not in of_bolts}, {"#f4f4f4"})
+
+
 class Textures(unittest.TestCase):
     """u and v of a mesh."""
 

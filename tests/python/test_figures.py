@@ -138,7 +138,7 @@ class Nonsense(FigureTest):
         self.refused(one.replace("'a'", "'../a'"), "is no name of a file")
         self.refused(one + "formats = ['svg', 'svg']", "each format once")
         self.refused(one + "steps = 0", "whole number from 1")
-        self.refused(one + "options = {output = 'x.svg'}", "is said by formats")
+        self.refused(one + "options = {output = 'x.svg'}", "is set by formats")
         self.refused("out = '../x'\n" + one, "not below the folder of the book")
         self.refused(one + "options = {styl = 'outline'}", "styl", status=1)
         self.refused(one + "formats = ['bmp']", "bmp", status=1)
