@@ -28,7 +28,8 @@ std::string to_text(const Json& value) {
 Json to_json(const OptionValue& value, const Option& option) {
   const std::string text = value_text(option, value);
   if (std::holds_alternative<Vec3>(value)) return Json::parse("[" + text + "]");
-  if (std::holds_alternative<double>(value) || text == "true" || text == "false") {
+  if (std::holds_alternative<double>(value) || std::holds_alternative<WholeRange>(option.takes) ||
+      text == "true" || text == "false") {
     return Json::parse(text);
   }
   return text;
