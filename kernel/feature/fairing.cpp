@@ -95,7 +95,8 @@ class Rounder {
     // A missing end: the parabola that the other end asks for.
     const Vec3 unit = normalize_or(q - p, Vec3(1, 0, 0));
     Vec3 from = unit, to = unit;
-    const bool straight = much_finer(i, -1, length) || much_finer(j, +1, length);
+    // Two points in one place have no direction.
+    const bool straight = !(length > 0) || much_finer(i, -1, length) || much_finer(j, +1, length);
     if ((at_p || at_q) && !straight) {
       from = at_p ? *at_p : 2 * glm::dot(-*at_q, unit) * unit + *at_q;
       to = at_q ? -*at_q : 2 * glm::dot(*at_p, unit) * unit - *at_p;

@@ -19,6 +19,9 @@ constexpr double kAboveLevel = kEdgeOn;
 
 /// Steps towards the zero inside a triangle: each leaves a tenth of the way or less.
 constexpr int kSettlings = 3;
+/// Square of the cosines' difference below which a triangle is as light all over: there is nowhere
+/// to step to.
+constexpr double kLeastSlope = 1e-18;
 
 Vec3 bary_on(HalfEdge h, double share) {
   Vec3 bary(0);
@@ -45,7 +48,7 @@ class Isophote : public ZeroSet {
     Vec3 across(g_[w[0]], g_[w[1]], g_[w[2]]);
     across -= (across.x + across.y + across.z) / 3;
     const double slope = glm::dot(across, across);  // of what is linear; the rest is small
-    for (int k = 0; k < kSettlings && slope > 0; ++k) {
+    for (int k = 0; k < kSettlings && slope > kLeastSlope; ++k) {
       bary -= (glm::dot(normal_at(face, bary), light_) - level_) / slope * across;
       bary = glm::max(bary, Vec3(0));
       bary /= bary.x + bary.y + bary.z;
