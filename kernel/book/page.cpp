@@ -4,6 +4,7 @@
 #include <burin/assembly/things.h>
 #include <burin/drawing/font.h>
 #include <burin/drawing/views.h>
+#include <burin/illustrate/ground.h>
 
 #include "show.h"
 
@@ -220,7 +221,10 @@ class Page {
   Drawing draw_in(const Scene& scene, const IllustrateOptions& options, const ViewOptions& view,
                   const Box2& box) const {
     const Camera camera = Camera::fit(
-        [&](const Mat3& axes) { return drawn_bounds(scene, options.part_styles, axes); }, view);
+        [&](const Mat3& axes) {
+          return bounds_with_shadow(scene, maker_.style, options.part_styles, axes);
+        },
+        view);
     return illustrate(scene, camera.on_sheet(maker_.book.view.paper, box.min), maker_.style,
                       options, maker_.context);
   }

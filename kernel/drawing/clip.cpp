@@ -5,7 +5,9 @@
 #include <cmath>
 #include <iterator>
 #include <map>
+#include <numbers>
 #include <optional>
+#include <span>
 #include <utility>
 
 namespace burin {
@@ -187,8 +189,59 @@ std::vector<Path> clipped(const Path& path, const Disc& disc, const DrawingView*
 
 namespace {
 
+/// Counterclockwise corners of a convex polygon.
+std::vector<Vec2> polygon_of(const Box2& box) {
+  return {box.min, {box.max.x, box.min.y}, box.max, {box.min.x, box.max.y}};
+}
+std::vector<Vec2> polygon_of(const Disc& disc) {
+  constexpr double kTolerance = 0.005, kMost = 720;  // paper mm; sides
+  const double turn = std::acos(std::max(0.0, 1 - kTolerance / std::max(disc.radius, kTolerance)));
+  const double sides = std::clamp(std::ceil(std::numbers::pi / turn), 8.0, kMost);
+  std::vector<Vec2> corners;
+  for (double i = 0; i < sides; ++i) {
+    const double a = 2 * std::numbers::pi * i / sides;
+    corners.push_back(disc.center + disc.radius * Vec2(std::cos(a), std::sin(a)));
+  }
+  return corners;
+}
+
+/// What is left of a ring in a convex polygon. Where it comes in again, its pieces hang together by
+/// sides along the polygon, one over the other: the even-odd rule does not see them. @cite
+/// SutherlandHodgman1974
+std::vector<Vec2> clipped_ring(std::vector<Vec2> ring, std::span<const Vec2> polygon) {
+  for (std::size_t k = 0; k < polygon.size() && !ring.empty(); ++k) {
+    const Vec2 corner = polygon[k], side = polygon[(k + 1) % polygon.size()] - corner;
+    const auto inside = [&](Vec2 p) {
+      return side.x * (p.y - corner.y) - side.y * (p.x - corner.x);
+    };
+    std::vector<Vec2> kept;
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+      const Vec2 p = ring[i], q = ring[(i + 1) % ring.size()];
+      const double a = inside(p), b = inside(q);
+      if (a >= 0) kept.push_back(p);
+      if ((a >= 0) != (b >= 0)) kept.push_back(glm::mix(p, q, a / (a - b)));
+    }
+    ring = std::move(kept);
+  }
+  return ring;
+}
+
+template <class Window>
+void clip_areas(const Window& window, std::vector<Area>& areas) {
+  const std::vector<Vec2> polygon = polygon_of(window);
+  for (Area& area : areas) {
+    for (std::vector<Vec2>& ring : area.rings) {
+      const auto in = [&](Vec2 p) { return contains(window, p); };
+      if (!std::ranges::all_of(ring, in)) ring = clipped_ring(std::move(ring), polygon);
+    }
+    std::erase_if(area.rings, [](const std::vector<Vec2>& ring) { return ring.size() < 3; });
+  }
+  std::erase_if(areas, [](const Area& area) { return area.rings.empty(); });
+}
+
 template <class Window>
 void clip_all(const Window& window, Drawing& drawing) {
+  clip_areas(window, drawing.areas);
   drawing.stats.strokes = 0;
   for (Layer& layer : drawing.layers) {
     std::vector<Path> kept;

@@ -91,4 +91,20 @@ void paint_areas(const Scene& scene, const PartStyles& part_styles, std::vector<
   std::reverse(solid, areas.end());
 }
 
+void lay_shadow(Area shadow, const Style& style, const PartStyles& part_styles,
+                std::vector<Area>& areas) {
+  constexpr double kDarker = 0.86;  // lightness, as a share of that of the paper
+  const Rgb paper = rgb_of(style.sheet.paper).value_or(Rgb{255, 255, 255});
+  for (Area& area : areas) {
+    const bool glass = part_styles.transparent(static_cast<std::size_t>(area.part));
+    const auto fill = rgb_of(area.fill);
+    if (glass || !fill || area.opacity >= 1) continue;
+    area.fill = to_text(over(*fill, area.opacity, paper));
+    area.opacity = 1;
+  }
+  shadow.fill =
+      style.shadow.color.empty() ? to_text(with_lightness(paper, kDarker)) : style.shadow.color;
+  areas.insert(areas.begin(), std::move(shadow));
+}
+
 }  // namespace burin::detail

@@ -267,8 +267,7 @@ Drawing Stages::draw_all(const Scene& scene, const Camera& camera, const Style& 
   drawing.areas = std::move(labels.areas);
   if (paints(part_styles)) paint_areas(scene, part_styles, drawing.areas);
   if (labels.shadow) {
-    labels.shadow->fill = style.shadow.color;
-    drawing.areas.insert(drawing.areas.begin(), std::move(*labels.shadow));
+    lay_shadow(std::move(*labels.shadow), style, part_styles, drawing.areas);
   }
   if (options.annotations) {
     annotate(drawing, labels.seen, labels.glass, *options.annotations, style.callout, context);

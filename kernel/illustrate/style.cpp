@@ -548,7 +548,7 @@ void check_style(const Style& style) {
   check_color("sheet.ink", style.sheet.ink, false);
   check_color("sheet.paper", style.sheet.paper, false);
   check_color("line.color", style.line.color, true);
-  check_color("shadow.color", style.shadow.color, false);
+  check_color("shadow.color", style.shadow.color, true);
   if (style.fill.color != "part" && style.fill.color != "none" && !rgb_of(style.fill.color)) {
     throw UsageError(fmt::format(
         "style key 'fill.color' takes a colour #rrggbb, part or none, not '{}'", style.fill.color));

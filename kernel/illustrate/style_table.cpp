@@ -104,7 +104,8 @@ std::vector<OptionRow<ShadowOptions>> shadow_rows() {
   return {
       flag("ground", &ShadowOptions::ground,
            "the shadow that all parts cast on an invisible ground under them, square to z"),
-      color("color", &ShadowOptions::color, "colour of that shadow", kColor),
+      color("color", &ShadowOptions::color,
+            "colour of that shadow; empty = that of the paper, darker", kColorOrNone),
   };
 }
 

@@ -209,7 +209,7 @@ TEST_F(SheetViews, SayWhatTheyCannotDo) {
   refused("--views front --paper fit", "a sheet of a fixed size");
   refused("--detail nut", "nut");
   refused("--detail box=100:1", "no room");
-  refused("--detail 1,2,3,0", "no part is named");
+  refused("--detail 1,2,3,0", "takes X,Y,Z,R with a radius R over 0");
   refused("--projection fourth", "first or third");
   folder_.write("c.burin.json", R"json({"burin": "illustration",
     "parts": [{"file": "box.off"}],

@@ -44,7 +44,7 @@ class Areas(unittest.TestCase):
         self.assertEqual(burin.draw(scene, style="outline").areas, [])
         drawing = burin.draw(scene, style="shaded")
         shadow, *parts = drawing.areas
-        self.assertEqual((shadow["part"], shadow["fill"]), (-1, "#d2d2d2"))
+        self.assertEqual((shadow["part"], shadow["fill"]), (-1, "#d1d1d1"))
         self.assertEqual({area["part"] for area in parts}, {0})
         self.assertEqual({area["tone"] for area in parts}, {0, 1})
         self.assertEqual(parts[0]["rings"][0].shape[1], 2)

@@ -24,18 +24,7 @@ Margin margin_of(const Margin& m, const Illustration& illustration) {
 /// What is drawn, with its shadow on the ground where there is one.
 Camera::ExtentFn extent_of(const Scene& scene, const Illustration& illustration) {
   return [&](const Mat3& axes) {
-    const auto& looks = illustration.illustrate.part_styles;
-    Box3 box = drawn_bounds(scene, looks, axes);
-    if (!illustration.style.shadow.ground || box.empty()) return box;
-    const Vec3 to_light = glm::transpose(axes) * glm::normalize(illustration.style.tone.light);
-    const Vec3 to_viewer = glm::transpose(axes)[2];
-    if (!casts_ground_shadow(to_light, to_viewer)) return box;
-    const double ground = drawn_bounds(scene, looks, Mat3(1)).min.z;
-    const Placement down = onto_ground(to_light, ground);
-    const Box3 shadow = drawn_bounds(scene, looks, axes * down.linear);
-    const Vec3 by = axes * down.offset;
-    box.add({shadow.min + by, shadow.max + by});
-    return box;
+    return bounds_with_shadow(scene, illustration.style, illustration.illustrate.part_styles, axes);
   };
 }
 

@@ -143,10 +143,10 @@ TEST(Nrrd, ErrorsNameTheLine) {
   expect_error(header("dimension: 3\ndimension: 3"), 3, "second time");
   expect_error(header("dimension: 2\nsizes: 40 30"), 3, "2-D data is no volume");
   expect_error(header("dimension: 4\nsizes: 3 4 3 2"), 3, "vectors, colours or several volumes");
-  expect_error(header(sizes + "encoding: raw"), 0, "does not say 'type'");
+  expect_error(header(sizes + "encoding: raw"), 0, "has no 'type'");
   expect_error(header(sizes + "type: block\nencoding: raw"), 4, "'block' is no type");
   expect_error(header(sizes + "type: float\nencoding: bzip2"), 5, "save the file as raw or gzip");
-  expect_error(header(sizes + "type: float\nencoding: raw"), 0, "does not say 'endian'");
+  expect_error(header(sizes + "type: float\nencoding: raw"), 0, "has no 'endian'");
   expect_error(header(sizes + "type: uchar\nencoding: raw\nspace directions: (1,0,0) none (0,0,1)"),
                6, "no direction in space");
   expect_error(header(sizes + "type: uchar\nencoding: raw\nspace directions: (1,0,0) (0,1,0)"), 6,

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace burin {
 namespace {
@@ -120,6 +121,35 @@ TEST(Clip, ADiscCutsAtItsCircle) {
   for (const Path& piece : corners) {
     for (const Vec2& p : piece.points) EXPECT_LE(glm::distance(p, Vec2(5, 5)), 3.5 + 1e-9);
   }
+}
+
+double size_of(const Area& area) {
+  double sum = 0;
+  for (const std::vector<Vec2>& ring : area.rings) {
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+      const Vec2 a = ring[i], b = ring[(i + 1) % ring.size()];
+      sum += 0.5 * (a.x * b.y - a.y * b.x);
+    }
+  }
+  return sum;
+}
+
+TEST(Clip, AreasEndAtTheWindow) {
+  // A U whose legs leave the window and come back, with a hole; and one that lies beside.
+  Drawing drawing;
+  drawing.areas = {
+      {.part = 0,
+       .rings = {{{0, 0}, {30, 0}, {30, 40}, {20, 40}, {20, 10}, {10, 10}, {10, 40}, {0, 40}},
+                 {{2, 2}, {2, 4}, {4, 4}, {4, 2}}}},
+      {.part = 1, .rings = {{{100, 100}, {110, 100}, {110, 110}}}}};
+  Drawing box = drawing;
+  clip_to(Box2{{1, -5}, {29, 20}}, box);
+  ASSERT_EQ(box.areas.size(), 1u);
+  EXPECT_NEAR(size_of(box.areas[0]), 28 * 10 + 2 * 9 * 10 - 4, 1e-9);
+  Drawing disc = drawing;
+  disc.areas[0].rings = {{{0, 0}, {30, 0}, {30, 40}, {0, 40}}};
+  clip_to(Disc{{15, 20}, 10}, disc);
+  EXPECT_NEAR(size_of(disc.areas[0]) / (std::acos(-1.0) * 100), 1, 2e-3);
 }
 
 }  // namespace

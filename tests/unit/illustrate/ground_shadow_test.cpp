@@ -69,7 +69,7 @@ TEST(GroundShadow, OfABoxIsItsFootprintSweptAlongTheLight) {
   const Area* shadow = shadow_of(seen.drawing);
   ASSERT_NE(shadow, nullptr);
   EXPECT_EQ(shadow, &seen.drawing.areas.front()) << "it lies below all parts";
-  EXPECT_EQ(shadow->fill, "#d2d2d2");
+  EXPECT_EQ(shadow->fill, "#d1d1d1");
   const Vec3 l = seen.to_light;
   const double model = w * d + h / l.z * (std::abs(l.x) * d + std::abs(l.y) * w);
   const double paper = model * kScale * kScale * seen.to_viewer.z;
@@ -90,6 +90,23 @@ TEST(GroundShadow, ThereIsNoneFromBelowFromTheSideAndOfGlass) {
   EXPECT_EQ(shadow_of(draw(scene, "bottom").drawing), nullptr);
   EXPECT_EQ(shadow_of(draw(scene, "front").drawing), nullptr);
   EXPECT_EQ(shadow_of(draw(scene, "iso", true).drawing), nullptr);
+}
+
+TEST(GroundShadow, IsNotSeenThroughPartsWhoseColourIsPale) {
+  Style style = builtin_style("flat");
+  style.shadow.ground = true;
+  style.fill.color = "#000000";
+  style.fill.opacity = 0.5;
+  style.sheet.paper = "#8000ff";
+  RunContext context;
+  const Scene scene = boxes({{{-10, -15, 4}, {10, 15, 29}}});
+  const NamedView v = named_view("iso");
+  const Camera camera = Camera::fit([&](const Mat3& axes) { return scene.bounds(axes); },
+                                    {.direction = v.direction, .up = v.up, .paper = {100, 100}});
+  const Drawing drawing = illustrate(scene, camera, style, {}, context);
+  ASSERT_EQ(drawing.areas.size(), 2u);
+  EXPECT_EQ(drawing.areas[1].opacity, 1);
+  EXPECT_EQ(drawing.areas[1].fill, "#400080");
 }
 
 }  // namespace

@@ -37,13 +37,14 @@ TEST(Style, EveryMemberHasOneKey) {
     EXPECT_FALSE(key.meaning.empty());
     EXPECT_FALSE(takes_text(key).empty());
     // Commands of a machine that has none of its own; colours that are those of the sheet.
-    const std::set<std::string> empty{"gcode.down", "gcode.up", "line.color", "hatch.color"};
+    const std::set<std::string> empty{"gcode.down", "gcode.up", "line.color", "hatch.color",
+                                      "shadow.color"};
     const bool may_be_empty = empty.contains(key.name);
     EXPECT_EQ(key.value.empty(), may_be_empty) << key.name;
   }
   EXPECT_EQ(names.size(), keys.size());
-  EXPECT_EQ(keys.size(),
-            11u + 8u + 35u + 6u + 17u + 3u + 3u + 3u + 3u + 5u + 1u + 4u /*hpgl*/ + 13u /*gcode*/);
+  EXPECT_EQ(keys.size(), 11u + 9u + 35u + 6u + 17u + 2u /*tones*/ + 2u /*fill*/ + 2u /*shadow*/ +
+                             3u + 3u + 3u + 3u + 5u + 1u + 4u /*hpgl*/ + 13u /*gcode*/);
 }
 
 TEST(Style, KeysTakeTheirOwnValues) {
@@ -318,7 +319,7 @@ TEST(StyleFiles, KeysThatHoldForAWholeDrawingCannotDifferByPart) {
   for (const StyleKey& key : style_keys(Style())) {
     const bool of_part =
         key.name.starts_with("hatch.") || key.name.starts_with("tone.") ||
-        key.name.starts_with("feature.") ||
+        key.name.starts_with("feature.") || key.name.starts_with("fill.") ||
         (key.name.starts_with("line.") && key.name != "line.dash" && key.name != "line.gap");
     EXPECT_STREQ(key.scope(), of_part ? "part" : "drawing") << key.name;
   }
@@ -332,8 +333,10 @@ TEST(Style, ColorsMayBeThoseOfTheSheet) {
     set_style_key(s, key, "");
     EXPECT_NO_THROW(check_style(s));
     set_style_key(s, key, "red");
+    EXPECT_NO_THROW(check_style(s)) << "colours have names";
+    set_style_key(s, key, "reddish");
     EXPECT_TRUE(contains(usage_message([&] { check_style(s); }),
-                         "takes a colour #rrggbb or nothing, not 'red'"))
+                         "takes a colour #rrggbb or nothing, not 'reddish'"))
         << key;
   }
 }

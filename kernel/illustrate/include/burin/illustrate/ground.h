@@ -5,6 +5,7 @@
 #include <burin/base/box.h>
 #include <burin/base/placement.h>
 #include <burin/base/vec.h>
+#include <burin/illustrate/illustrate.h>
 
 #include <array>
 
@@ -19,5 +20,9 @@ bool casts_ground_shadow(Vec3 to_light, Vec3 to_viewer);
 Placement onto_ground(Vec3 to_light, double ground);
 
 std::array<Vec3, 8> corners_of(const Box3& box);
+
+/// `drawn_bounds` with the shadow on the ground, where the style has one: what a sheet has to hold.
+Box3 bounds_with_shadow(const Scene& scene, const Style& style,
+                        std::span<const PartStyle> part_styles, const Mat3& axes);
 
 }  // namespace burin

@@ -73,8 +73,8 @@ struct FillOptions {
 struct ShadowOptions {
   /// On an invisible ground under the scene, square to z.
   bool ground = false;
-  /// "#rrggbb".
-  std::string color = "#d2d2d2";
+  /// "#rrggbb"; empty: that of the paper, darker.
+  std::string color = {};
 
   bool operator==(const ShadowOptions&) const = default;
 };
