@@ -437,7 +437,8 @@ void add_drawing(py::module_& module) {
       .def_property_readonly(
           "areas", [](const PyDrawing& self) { return area_dicts(self.drawing); },
           "A dict an area under the lines, in the order of painting: part (-1: the shadow on the "
-          "ground), face, tone (from 0, the darkest; -1: any), fill (\"#rrggbb\" or \"\"), opacity, "
+          "ground), face, tone (from 0, the darkest; -1: any), fill (\"#rrggbb\" or \"\"), "
+          "opacity, "
           "rings (arrays (N, 2) in mm: inside an odd number of them).")
       .def(
           "arrays", [](const PyDrawing& self) { return flat_arrays(self.drawing); },

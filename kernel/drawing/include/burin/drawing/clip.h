@@ -28,8 +28,8 @@ std::vector<Path> clipped(const Path& path, const Box2& window, const DrawingVie
 bool lies_in(const Path& path, const Disc& disc);
 std::vector<Path> clipped(const Path& path, const Disc& disc, const DrawingView* view = nullptr);
 
-/// Cuts all paths and areas of a drawing at the sides; layers without a path left are gone, strokes are
-/// counted anew.
+/// Cuts all paths and areas of a drawing at the sides; layers without a path left are gone, strokes
+/// are counted anew.
 void clip_to(const Box2& window, Drawing& drawing);
 void clip_to(const Disc& disc, Drawing& drawing);
 
