@@ -165,11 +165,11 @@ std::string first_illustration(const std::vector<std::string>& inputs, const Dra
   return text_of(detail::write_object(detail::rows_of_file(), file));
 }
 
-std::string exploded_illustration(const std::string& house, const DrawRequest& request,
+std::string exploded_illustration(const std::string& base_illustration, const DrawRequest& request,
                                   const fs::path& folder, const std::vector<ExplodeStep>& steps) {
   IllustrationFile file{.inputs = {}, .request = request};
   file.request.explode.steps = steps;
-  Json json{{"extends", seen_from(folder, house)}};
+  Json json{{"extends", seen_from(folder, base_illustration)}};
   for (const auto& row : detail::rows_of_file()) {
     if (row.name != "burin" && row.name != "version" && row.name != "explode") continue;
     json[row.name] = row.write(file);
