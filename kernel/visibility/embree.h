@@ -1,5 +1,5 @@
 #pragma once
-/// Embree 3 and 4 under one set of names; internal to the module. @cite Embree
+/// Embree 3 and 4 under one set of names; internal to the module. @cite Wald2014
 
 #if __has_include(<embree4/rtcore.h>)
 #include <embree4/rtcore.h>

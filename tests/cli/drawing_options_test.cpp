@@ -165,8 +165,7 @@ TEST_F(DrawingOptions, OptionsWithEffectAreNot) {
        {"draw @/box.off --heal", "draw @/box.off --no-heal --style outline --hidden dashed",
         "draw @/ball.implicit --mesher delaunay --bounds -9,-9,-9,9,9,9 --tolerance 0.1",
         "draw @/ball.implicit @/box.off --mesher nets --heal --set hatch.taper=1 --light 1,1,1",
-        "draw @/ball.implicit --style outline --set fill.color=part --set tone.steps=3 --light "
-        "1,1,1",
+        "draw @/ball.implicit --style flat --set tone.steps=3 --light 1,1,1",
         "draw @/ball.implicit --style outline --set feature.isophotes=4 --set tone.light=1,0,0",
         "draw @/box.off --style engraving --up 0,1,0 --margin 0 --paper fit --scale 1:2"}) {
     ASSERT_EQ(run(line + " -o @/a.svg --no-progress"), 0) << err_;

@@ -55,17 +55,17 @@ TEST(Select, APathLeadsFromAnyDepthOrWithASlashFromTheTop) {
 
 // Files of macOS hold accents behind their letters, keyboards type them within.
 TEST(Select, AnAccentMayStandInItsLetterOrBehindIt) {
-  const char* const kWithin[] = {"Schl\u00fcssel", "\u1ebf", "\u0439",
-                                 "\u304c",         "\uac01", "a\u00fcb"};
-  const char* const kBehind[] = {"Schlu\u0308ssel", "e\u0302\u0301",      "\u0438\u0306",
-                                 "\u304b\u3099",    "\u1100\u1161\u11a8", "au\u0308b"};
-  for (std::size_t i = 0; i < std::size(kWithin); ++i) {
+  const char* const within[] = {"Schl\u00fcssel", "\u1ebf", "\u0439",
+                                "\u304c",         "\uac01", "a\u00fcb"};
+  const char* const behind[] = {"Schlu\u0308ssel", "e\u0302\u0301",      "\u0438\u0306",
+                                "\u304b\u3099",    "\u1100\u1161\u11a8", "au\u0308b"};
+  for (std::size_t i = 0; i < std::size(within); ++i) {
     Scene s = scene();
-    for (const char* name : {kWithin[i], kBehind[i]}) {
+    for (const char* name : {within[i], behind[i]}) {
       s.parts[0].name = name;
-      EXPECT_EQ(select(s, kWithin[i]), (Parts{0})) << name;
-      EXPECT_EQ(select(s, kBehind[i]), (Parts{0})) << name;
-      EXPECT_EQ(select(s, std::string(kBehind[i]) + "*"), (Parts{0})) << name;
+      EXPECT_EQ(select(s, within[i]), (Parts{0})) << name;
+      EXPECT_EQ(select(s, behind[i]), (Parts{0})) << name;
+      EXPECT_EQ(select(s, std::string(behind[i]) + "*"), (Parts{0})) << name;
     }
   }
   Scene s = scene();

@@ -31,7 +31,7 @@ TEST(Isophotes, OfASphereAreCirclesAboutTheLight) {
       ASSERT_EQ(c.normals.size(), c.points.size());
       ASSERT_EQ(c.faces.size(), c.segment_count());
       ASSERT_EQ(c.self_hidden.size(), c.segment_count());
-      const double sagitta = kBall * (1 - std::cos(kPi / (around / 2) / 2));
+      const double sagitta = kBall * (1 - std::cos(kPi / around));
       double farthest = 0;
       for (const Vec3& p : c.points) {
         const double lit = glm::dot(glm::normalize(p), light);
