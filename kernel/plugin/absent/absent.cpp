@@ -2,7 +2,7 @@
 
 #include <burin/plugin/plugins.h>
 
-#include "../brought.h"
+#include "../added.h"
 
 namespace burin::plugin {
 
