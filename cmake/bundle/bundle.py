@@ -15,7 +15,7 @@ import subprocess
 import sys
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent))
-from viewer_stub import VIEWER, replace_viewer  # noqa: E402
+from viewer_stub import VIEWER, needed, replace_viewer  # noqa: E402
 
 SOURCE = pathlib.Path(__file__).resolve().parents[2]
 # A system has these itself, and no two of them may be in one process.
@@ -148,7 +148,7 @@ def libraries_in(top):
     todo = [f for f in elves(top) if f.parent != top / "lib" or f.name.startswith(("libburin", "burin"))]
     seen = set()
     while todo:
-        for name in run("patchelf", "--print-needed", todo.pop()).split():
+        for name in needed(todo.pop()):
             if name not in seen and (top / "lib" / name).exists():
                 seen.add(name)
                 todo.append(top / "lib" / name)

@@ -1,5 +1,5 @@
 #pragma once
-// Labels that a person gave, told from those that FreeCAD makes; internal to the module.
+// Labels that a person gave, not those that FreeCAD makes; internal to the module.
 
 #include "document.h"
 

@@ -7,7 +7,7 @@
 namespace burin {
 namespace {
 
-std::string reported(const RecognisedFaces& n) {
+std::string counted(const RecognisedFaces& n) {
   std::string text;
   const auto add = [&](std::int64_t count, const char* one, const char* many) {
     if (count == 0) return;
@@ -46,7 +46,7 @@ void report_round_faces(const RecognisedFaces& faces, const std::string& name,
   if (faces.total() == 0) return;
   diagnostics.add(Severity::Info, "mesh.healed", faces.total(),
                   fmt::format("{}: facets are drawn as the round surfaces they approximate: {}",
-                              name, reported(faces)));
+                              name, counted(faces)));
 }
 
 }  // namespace burin

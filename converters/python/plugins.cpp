@@ -62,7 +62,7 @@ std::string first_line(const std::exception& e) {
 /// stay what they are.
 template <class Call>
 auto guarded(PluginError::Row row, std::string_view name, const Call& call) {
-  const auto reported = [&](const std::exception& e) {
+  const auto as_plugin_error = [&](const std::exception& e) {
     return PluginError(row, std::string(name),
                        fmt::format("'{}' of this program fails: {}", name, first_line(e)));
   };
@@ -75,9 +75,9 @@ auto guarded(PluginError::Row row, std::string_view name, const Call& call) {
   } catch (py::error_already_set& e) {
     const py::gil_scoped_acquire gil;
     if (!e.matches(PyExc_Exception)) throw;
-    throw reported(e);
+    throw as_plugin_error(e);
   } catch (const std::exception& e) {
-    throw reported(e);
+    throw as_plugin_error(e);
   }
 }
 

@@ -46,8 +46,8 @@ std::string given_format(const std::filesystem::path& path, const ReadOptions& o
   if (options.input_format.empty()) return {};
   const std::vector<const Reader*> readers = all_readers();
   const auto knows = [&](const Reader* reader) { return reader->knows_suffix(path); };
-  const bool reported = !is_standard_input(path) && std::ranges::any_of(readers, knows);
-  return reported ? std::string() : "." + options.input_format;
+  const bool is_known = !is_standard_input(path) && std::ranges::any_of(readers, knows);
+  return is_known ? std::string() : "." + options.input_format;
 }
 
 namespace {

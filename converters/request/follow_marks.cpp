@@ -20,6 +20,12 @@ struct Asked {
   std::optional<Vec3> up;
 };
 
+/// The number that a mark asks for. Throws UsageError that names model and mark.
+int item_number_of(const std::string& source, double number) {
+  const std::string digits = fmt::format("{:.0f}", number);
+  return item_number(KeyedFile::of_mark(source, fmt::format("callout({})", digits)), digits, "");
+}
+
 /// As an illustration file has them.
 void add_looks(const ModelMarks& marks, std::vector<LookRequest>& looks) {
   for (const ModelMarks::Look& mark : marks.looks) {
@@ -90,9 +96,7 @@ class Follower {
   }
 
   void add_item(const std::string& source, double number, const std::string& part) {
-    const std::string digits = fmt::format("{:.0f}", number);
-    const KeyedFile in = KeyedFile::of_mark(source, fmt::format("callout({})", digits));
-    const int wanted = item_number(in, digits, "");
+    const int wanted = item_number_of(source, number);
     const auto [it, is_new] =
         asked_.items.try_emplace(wanted, KeptItem{.name = "", .select = part});
     if (is_new) numbered_by_[wanted] = source;
@@ -155,9 +159,8 @@ DrawRequest with_marks(const std::vector<ModelMarks>& marks, DrawRequest request
     if (one.up && !turned && !seen) request.options["up"] = {*one.up};
     for (const auto& [number, part] : one.items) {
       if (numbered) break;
-      const auto in = detail::KeyedFile::of_mark(one.source, "callout()");
-      const int wanted = detail::item_number(in, fmt::format("{:.0f}", number), "");
-      request.items.try_emplace(wanted, KeptItem{.name = "", .select = part});
+      request.items.try_emplace(detail::item_number_of(one.source, number),
+                                KeptItem{.name = "", .select = part});
     }
   }
   request.looks.insert(request.looks.begin(), looks.begin(), looks.end());

@@ -74,7 +74,7 @@ class Writer {
     append(out, fmt::format("; sheet {:g} x {:g} mm, zero {}\n", drawing_.paper_width,
                             drawing_.paper_height,
                             zero_ == Vec2(0) ? "at its lower left corner" : "in its middle"));
-    for (const Pen& pen : plan_.pens) append(out, "; " + reported(pen) + "\n");
+    for (const Pen& pen : plan_.pens) append(out, "; " + described(pen) + "\n");
     append(out, fmt::format("; {} lines, {:.0f} mm drawn, {:.0f} mm of travel\n",
                             plan_.order.lines.size(), plan_.order.drawn, plan_.order.travel));
     append(out, (options_.arcs ? "G21\nG90\nG17\n" : "G21\nG90\n") + up_);
@@ -134,7 +134,7 @@ class Writer {
     return {std::llround(1000 * (p.x - zero_.x)), std::llround(1000 * (p.y - zero_.y))};
   }
 
-  static std::string reported(const Pen& pen) {
+  static std::string described(const Pen& pen) {
     return fmt::format("pen {}: {:.2f} mm, {}", pen.number, pen.width,
                        plain(fmt::format("{}", fmt::join(pen.layers, ", "))));
   }
@@ -177,7 +177,7 @@ class Writer {
 
   void change_to(std::uint32_t group, Buffer& out) const {
     const Pen& pen = plan_.pens[group];
-    append(out, "; " + reported(pen) + "\n");
+    append(out, "; " + described(pen) + "\n");
     append(out, replaced(commands(options_.pen_change), "{pen}", std::to_string(pen.number)));
   }
 

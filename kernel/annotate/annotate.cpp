@@ -228,10 +228,10 @@ void add_callouts(Drawing& drawing, const std::vector<const LabelMap*>& maps, co
   const CalloutSizes sizes(style, largest_number(annotations.items));
   std::vector<Vec2> points;
   for (const Anchor& anchor : anchors) points.push_back(anchor.at);
-  const detail::StrokeDirections grain(drawing);
+  const detail::StrokeDirections directions(drawing);
   const CalloutPlaces places =
       place_callouts(points, ink, frame, sizes, style.layout, context,
-                     [&](Vec2 from, Vec2 to) { return grain.along(from, to); });
+                     [&](Vec2 from, Vec2 to) { return directions.along(from, to); });
   if (places.unfinished) {
     drawing.diagnostics.add(Severity::Warning, "callouts.many", std::ssize(anchors),
                             fmt::format("{} callouts are too many to keep all leaders from "

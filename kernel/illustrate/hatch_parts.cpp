@@ -311,11 +311,11 @@ StrokeResult stroke_totals(std::span<const std::shared_ptr<const Hatching>> hatc
 }
 
 void report_failed(const HatchedParts::Hatchings& hatchings, Diagnostics& diagnostics) {
-  std::set<std::string> reported;
+  std::set<std::string> failures;
   for (const auto& hatching : hatchings) {
-    reported.insert(hatching->failed.begin(), hatching->failed.end());
+    failures.insert(hatching->failed.begin(), hatching->failed.end());
   }
-  for (const std::string& text : reported) {
+  for (const std::string& text : failures) {
     diagnostics.add(Severity::Warning, "plugin.quarantined", 1, text);
   }
 }

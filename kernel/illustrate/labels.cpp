@@ -1,7 +1,6 @@
 #include "labels.h"
 
 #include <burin/area/partition.h>
-#include <burin/drawing/bezier.h>
 #include <burin/illustrate/view_probe.h>
 
 #include <algorithm>
@@ -14,9 +13,6 @@ namespace {
 
 // Panes one behind the other that are looked through; items behind more are told as not seen.
 constexpr std::size_t kMostGlass = 8;
-// Paper mm: points of a border that lie so near the line through the others are left out. More
-// would let borders of narrow areas cross.
-constexpr double kAreaTolerance = 1e-4;
 
 Box2 ink_on_sheet(const Drawing& drawing) {
   Box2 box;
@@ -44,16 +40,6 @@ std::vector<BorderLine> borders_of(const Drawing& drawing) {
   return lines;
 }
 
-std::vector<Vec2> simplified(std::vector<Vec2> ring) {
-  ring.push_back(ring.front());
-  std::vector<Vec2> out;
-  for (const std::size_t i : simplify(std::span<const Vec2>(ring), kAreaTolerance)) {
-    out.push_back(ring[i]);
-  }
-  out.pop_back();
-  return out;
-}
-
 // What is seen of each part, by part.
 std::vector<Area> areas_of(const Partition& partition) {
   std::map<std::int32_t, Area> areas;
@@ -61,10 +47,7 @@ std::vector<Area> areas_of(const Partition& partition) {
     if (region.label.part < 0) continue;
     Area& area = areas.try_emplace(region.label.part, Area{.part = region.label.part, .rings = {}})
                      .first->second;
-    for (const AreaRing& ring : region.rings) {
-      std::vector<Vec2> polygon = simplified(partition.polygon(ring));
-      if (polygon.size() > 2) area.rings.push_back(std::move(polygon));
-    }
+    for (const AreaRing& ring : region.rings) add_ring(partition.polygon(ring), area);
   }
   std::vector<Area> out;
   for (auto& [part, area] : areas) {

@@ -103,9 +103,9 @@ RealisedParts::Made RealisedParts::made(std::optional<Made> kept,
            .crease_angle = options.crease_angle,
            .curvature = options.curvature};
   if (looks) one.view = *options.view;
-  RealiseOptions reported = options;
-  reported.diagnostics = &one.said;
-  one.surface = form->realise(reported, context);
+  RealiseOptions reporting = options;
+  reporting.diagnostics = &one.said;
+  one.surface = form->realise(reporting, context);
   return one;
 }
 

@@ -16,9 +16,8 @@
 namespace burin::detail {
 namespace {
 
-// Paper mm: points of lines that lie so near the line through the others are left out; and of the
-// borders made of them, where more would let those of narrow areas cross.
-constexpr double kLineTolerance = 0.003, kAreaTolerance = 1e-4;
+// Paper mm: points of lines that lie so near the line through the others are left out.
+constexpr double kLineTolerance = 0.003;
 // Paper mm within which lines and rays agree on a border: chord errors.
 constexpr double kSlack = 0.04;
 // Paper mm between places of a line that are looked at.
@@ -180,16 +179,6 @@ LabelAt region_label(const Occluders& occluders, const Camera& camera,
   };
 }
 
-std::vector<Vec2> simplified(std::vector<Vec2> ring) {
-  ring.push_back(ring.front());
-  std::vector<Vec2> out;
-  for (const std::size_t i : simplify(std::span<const Vec2>(ring), kAreaTolerance)) {
-    out.push_back(ring[i]);
-  }
-  out.pop_back();
-  return out;
-}
-
 /// Regions of one part and face.
 using Steps = std::map<std::int32_t, std::vector<std::uint32_t>>;
 
@@ -199,10 +188,7 @@ Area area_of(const Partition& partition, const AreaLabel& label, bool toned,
   area.part = label.part;
   area.face = label.face;
   area.tone = toned ? label.tone : -1;
-  for (std::vector<Vec2>& ring : partition.outline(regions)) {
-    std::vector<Vec2> polygon = simplified(std::move(ring));
-    if (polygon.size() > 2) area.rings.push_back(std::move(polygon));
-  }
+  for (std::vector<Vec2>& ring : partition.outline(regions)) add_ring(std::move(ring), area);
   return area;
 }
 
@@ -234,6 +220,18 @@ std::vector<Area> areas_of(const Partition& partition, const RegionOptions& opti
 }
 
 }  // namespace
+
+void add_ring(std::vector<Vec2> ring, Area& area) {
+  // Paper mm. More would let the borders of narrow areas cross.
+  constexpr double kTolerance = 1e-4;
+  ring.push_back(ring.front());
+  std::vector<Vec2> kept;
+  for (const std::size_t i : simplify(std::span<const Vec2>(ring), kTolerance)) {
+    kept.push_back(ring[i]);
+  }
+  kept.pop_back();
+  if (kept.size() > 2) area.rings.push_back(std::move(kept));
+}
 
 std::vector<Area> find_regions(const Box2& box, const SeenLines& lines, const Occluders& occluders,
                                const Camera& camera, const RegionOptions& options,

@@ -35,6 +35,9 @@ struct SeenLines {
   std::span<const std::vector<Span>> spans;
 };
 
+/// Adds a border of regions to an area, without the points that lie on the line through others.
+void add_ring(std::vector<Vec2> ring, Area& area);
+
 /// What is seen of solid parts, by part, face and step, the darkest last; parts that can be looked
 /// through have none. Areas say a step where the part has more than one, and a face where faces are
 /// told apart, or that closes a cut. Borders are the visible lines, whatever the style draws of

@@ -44,14 +44,12 @@ FeatureOptions feature_options(const PartStyles& part_styles) {
 // any.
 std::vector<Isophotes> drawn_isophotes(const PartStyles& part_styles, const Camera& camera) {
   std::vector<Isophotes> out;
-  const auto count = [&](std::size_t part) {
-    const bool shown = part_styles.drawn(part) && part_styles.style(part).feature.isophotes > 0;
-    return shown ? part_styles.style(part).feature.isophotes : 0;
-  };
   bool any = false;
   for (std::size_t i = 0; i < part_styles.size(); ++i) {
-    out.push_back({tone::to_light(camera, part_styles.style(i).tone), even_levels(count(i) + 1)});
-    any = any || count(i) > 0;
+    const Style& style = part_styles.style(i);
+    const auto count = part_styles.drawn(i) ? style.feature.isophotes : 0;
+    out.push_back({tone::to_light(camera, style.tone), even_levels(count + 1)});
+    any = any || count > 0;
   }
   return any ? out : std::vector<Isophotes>();
 }
@@ -190,10 +188,10 @@ Drawing Stages::draw_lines(const Scene& scene, const Camera& camera, const Style
   }
   missing_directions.report(drawing.diagnostics);
   report_failed(hatchings, drawing.diagnostics);
-  StrokeResult reported = stroke_totals(hatchings);
-  drawing.stats.coverage_points = reported.coverage_points;
-  drawing.stats.coverage_delta = reported.coverage_delta;
-  if (states_gamma(part_styles)) drawing.stats.tone_gamma = reported.tone_gamma;
+  StrokeResult totals = stroke_totals(hatchings);
+  drawing.stats.coverage_points = totals.coverage_points;
+  drawing.stats.coverage_delta = totals.coverage_delta;
+  if (states_gamma(part_styles)) drawing.stats.tone_gamma = totals.tone_gamma;
 
   context.begin_stage(RunStage::Features);
   const std::shared_ptr<Lines> features =
@@ -207,8 +205,8 @@ Drawing Stages::draw_lines(const Scene& scene, const Camera& camera, const Style
   const std::shared_ptr<Spans> spans = seen_.get({features, hatchings}, [&] {
     return std::make_shared<Spans>(features->sight.classify(all.strokes(), context));
   });
-  report_bounds(reported, features->sight.merged_cuts(), drawing.diagnostics);
-  report_unmapped(scene, std::move(reported.unmapped), drawing.diagnostics);
+  report_bounds(totals, features->sight.merged_cuts(), drawing.diagnostics);
+  report_unmapped(scene, std::move(totals.unmapped), drawing.diagnostics);
   report_unused(part_styles, options, drawing.diagnostics);
 
   context.begin_stage(RunStage::Compose);

@@ -1,4 +1,5 @@
 #include <burin/base/affine.h>
+#include <burin/base/box_corners.h>
 #include <burin/section/section.h>
 #include <burin/surface/empty_surface.h>
 
@@ -17,11 +18,7 @@ namespace {
 
 /// What is left of a box before a plane, as the corners of a polyhedron.
 void cut_box(const Box3& box, const CutPlane& plane, std::vector<Vec3>& left) {
-  std::array<Vec3, 8> corners{};
-  for (std::size_t i = 0; i < 8; ++i) {
-    corners[i] = {i & 1U ? box.max.x : box.min.x, i & 2U ? box.max.y : box.min.y,
-                  i & 4U ? box.max.z : box.min.z};
-  }
+  const std::array<Vec3, 8> corners = corners_of(box);
   const auto beyond = [&](std::size_t i) {
     return glm::dot(plane.normal, corners[i]) - plane.offset;
   };

@@ -7,12 +7,13 @@ suite=$1
 shift
 source=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
 fail() { printf 'dev: error: %s\n' "$*" >&2; exit 1; }
+. "$source/tests/install/bare_root.sh"
 ((EUID == 0)) || fail "only root makes a root of $suite"
 root=$source/build/roots/$suite
 if [[ ! -e $root/made ]]; then
   rm -rf --one-file-system "$root"
   mkdir -p "$(dirname "$root")"
-  mmdebstrap --quiet --variant=apt "$suite" "$root" || fail "no root of $suite; is there a mirror that has it?"
+  bare_root apt "$root" "$suite"
   touch "$root/made"
 fi
 mkdir -p "$root/burin" "$root.build" "$root/data"

@@ -65,7 +65,7 @@ class Matcher {
     match_nearest(stem, false);
     match_nearest(any, true);
     match_boxes();
-    return reported();
+    return matches_found();
   }
 
  private:
@@ -258,7 +258,7 @@ class Matcher {
     }
   }
 
-  std::vector<PartMatch> reported() const {
+  std::vector<PartMatch> matches_found() const {
     std::vector<PartMatch> matches;
     std::vector<bool> moved(after_.size(), false);
     for (const std::size_t a : moved_) moved[a] = true;

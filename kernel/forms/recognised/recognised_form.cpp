@@ -140,10 +140,10 @@ RecognisedForm::RecognisedForm(TriMesh mesh, const KnownSurfaces& known, const R
     : impl_(std::make_shared<Impl>(std::move(mesh), nullptr)) {
   const TriMesh& m = impl_->form.mesh();
   const Topology topology = build_topology(m, context);
-  recognised::KnownFacets reported = recognised::known_facets(m, topology, known, context);
-  impl_->facets = std::make_shared<const recognised::Facets>(std::move(reported.facets));
+  recognised::KnownFacets found = recognised::known_facets(m, topology, known, context);
+  impl_->facets = std::make_shared<const recognised::Facets>(std::move(found.facets));
   impl_->round = std::make_shared<const recognised::Recognised>(
-      recognised::join_profiles(m, *impl_->facets, std::move(reported.bands), context));
+      recognised::join_profiles(m, *impl_->facets, std::move(found.bands), context));
   impl_->faces = recognised::count_faces(m, topology, *impl_->facets, *impl_->round);
   const auto flat = [](std::int32_t s) { return s == KnownSurfaces::kMeantFlat; };
   if (impl_->faces.total() > 0 || !std::ranges::all_of(known.of, flat)) return;

@@ -172,7 +172,7 @@ class Parter {
       sum += turn;
       all += std::abs(turn);
     }
-    double reported() const { return sum < -0.5 * all ? -largest : largest; }
+    double signed_largest() const { return sum < -0.5 * all ? -largest : largest; }
   };
 
   /// For each joint its turn; `turn_at(joint, place)` is that at one of the places along it.
@@ -183,7 +183,7 @@ class Parter {
     for (std::int32_t joint = 0; joint < (close ? cells : cells - 1); ++joint) {
       JointTurn turn;
       for (std::int32_t place = 0; place < places; ++place) turn.add(turn_at(joint, place));
-      out.push_back(turn.reported());
+      out.push_back(turn.signed_largest());
     }
     return out;
   }

@@ -190,18 +190,17 @@ bool cut_quad(const std::vector<Vec3>& p, const std::vector<std::uint32_t>& c,
 
 /// The solid of faces whose corners stand for others of their place, each with what it stands for.
 Solid over(const std::vector<Vec3>& points, const Faces& faces,
-           const std::vector<std::uint32_t>& number, const FaceSurfaces& reported,
-           RunContext& run) {
+           const std::vector<std::uint32_t>& number, const FaceSurfaces& by_rows, RunContext& run) {
   Solid out;
   out.positions = points;
-  out.surfaces = reported.surfaces;
+  out.surfaces = by_rows.surfaces;
   std::vector<Triangle> cut;
   for (std::size_t f = 0; f < faces.size(); ++f) {
     const std::vector<std::uint32_t> c = outline_of(faces[f], number);
     if (c.size() < 3) continue;
     cut.resize(c.size() - 2);
     if (!cut_quad(points, c, cut)) triangulate_polygon(points, c, cut, run);
-    for (const Triangle& t : cut) add(out, t[0], t[1], t[2], reported.of[f]);
+    for (const Triangle& t : cut) add(out, t[0], t[1], t[2], by_rows.of[f]);
   }
   return out;
 }
@@ -209,19 +208,19 @@ Solid over(const std::vector<Vec3>& points, const Faces& faces,
 /// Faces may have corners of their own, as most libraries write them: closed is what is closed by
 /// place. Open ones stay as they are.
 Solid closed_by_place(const std::vector<Vec3>& points, const Faces& faces, RunContext& run) {
-  const FaceSurfaces reported = surfaces_by_rows(points, faces, run);
+  const FaceSurfaces by_rows = surfaces_by_rows(points, faces, run);
   std::vector<std::uint32_t> number(points.size());
   std::iota(number.begin(), number.end(), 0U);
-  Solid given = over(points, faces, number, reported, run);
+  Solid given = over(points, faces, number, by_rows, run);
   if (closed(given)) return given;
   number = by_place(points, kFineGrid);
-  Solid welded = over(points, faces, number, reported, run);
+  Solid welded = over(points, faces, number, by_rows, run);
   if (closed(welded)) return welded;
   // The digits of a tree may hold apart what was one point.
   const std::vector<std::uint32_t> near =
       by_place(points, open_corners(welded), last_digit(points));
   for (std::uint32_t& n : number) n = near[n];
-  Solid joined = over(points, faces, number, reported, run);
+  Solid joined = over(points, faces, number, by_rows, run);
   return closed(joined) ? joined : given;
 }
 

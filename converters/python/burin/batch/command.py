@@ -109,11 +109,11 @@ def _run(arguments: Any) -> int:
 
 def _report(arguments: Any) -> int:
     batch = read(arguments.jobs_file)
-    told = report.summary_of(batch)
+    summary = report.summary_of(batch)
     page = arguments.output or batch.out / "index.html"
-    report.write_page(told, batch, page)
-    print(f"{page}: {told.summary()}")
-    print(f"hash {told.hash}")
+    report.write_page(summary, batch, page)
+    print(f"{page}: {summary.line()}")
+    print(f"hash {summary.hash}")
     return 0
 
 

@@ -53,7 +53,7 @@ class Summary:
     left: list[tuple[Job, Drawing]]
     hash: str = ""
 
-    def summary(self) -> str:
+    def line(self) -> str:
         words = f"{len(self.drawn)} drawn, {len(self.failed)} failed"
         return words + (f", {len(self.left)} not drawn yet" if self.left else "")
 
@@ -62,60 +62,60 @@ def summary_of(batch: Batch) -> Summary:
     """Looks at each record and at the bytes of each output; what does not agree counts as not drawn. Cost: reading all outputs."""
     state = State(batch.out, batch.base)
     clashes = clashing(batch)
-    told = Summary([], [], [])
+    summary = Summary([], [], [])
     for job, drawing in batch.drawings():
         record = state.record(drawing.id)
         if drawing.name in clashes:
-            told.failed.append((job, drawing, {"error": {"kind": "clash", "message": clashes[drawing.name]}}))
+            summary.failed.append((job, drawing, {"error": {"kind": "clash", "message": clashes[drawing.name]}}))
         elif record and "error" in record:
-            told.failed.append((job, drawing, record))
+            summary.failed.append((job, drawing, record))
         elif record and sorted(record["outputs"]) == sorted(drawing.files()) and _all_there(state, record):
-            told.drawn.append((job, drawing, record))
+            summary.drawn.append((job, drawing, record))
         else:
-            told.left.append((job, drawing))
-    told.hash = hash_of(told)
-    return told
+            summary.left.append((job, drawing))
+    summary.hash = hash_of(summary)
+    return summary
 
 
 def _all_there(state: State, record: dict[str, Any]) -> bool:
     return all(state.holds(name, *known) for name, known in record["outputs"].items())
 
 
-def hash_of(told: Summary) -> str:
+def hash_of(summary: Summary) -> str:
     """SHA-256 over a line an output, sorted: its name and the SHA-256 of its bytes, or its name and the kind of the failure."""
-    lines = [json.dumps([name, known]) for _, _, record in told.drawn for name, (_, known) in record["outputs"].items()]
-    lines += [json.dumps([name, "failed", record["error"]["kind"]]) for _, drawing, record in told.failed for name in drawing.files()]
+    lines = [json.dumps([name, known]) for _, _, record in summary.drawn for name, (_, known) in record["outputs"].items()]
+    lines += [json.dumps([name, "failed", record["error"]["kind"]]) for _, drawing, record in summary.failed for name in drawing.files()]
     return hashlib.sha256("".join(line + "\n" for line in sorted(lines)).encode()).hexdigest()
 
 
-def write_page(told: Summary, batch: Batch, path: Path) -> None:
+def write_page(summary: Summary, batch: Batch, path: Path) -> None:
     """Writes the page, whole or not at all. Throws BatchError."""
-    write_whole(path, page_of(told, batch, path.parent))
+    write_whole(path, page_of(summary, batch, path.parent))
 
 
-def page_of(told: Summary, batch: Batch, folder: Path) -> str:
+def page_of(summary: Summary, batch: Batch, folder: Path) -> str:
     """The page as it stands in a folder."""
-    took = sum(record["seconds"] for _, _, record in told.drawn)
-    size = sum(n for _, _, record in told.drawn for n, _ in record["outputs"].values())
+    took = sum(record["seconds"] for _, _, record in summary.drawn)
+    size = sum(n for _, _, record in summary.drawn for n, _ in record["outputs"].values())
     out = [
         '<!DOCTYPE html>\n<html lang="en"><head><meta charset="utf-8"><meta name="viewport" content="width=device-width">',
-        f"<title>Catalogue: {html.escape(told.summary())}</title><style>{_STYLE}</style></head><body>",
-        f"<h1>{html.escape(told.summary())}</h1>",
+        f"<title>Catalogue: {html.escape(summary.line())}</title><style>{_STYLE}</style></head><body>",
+        f"<h1>{html.escape(summary.line())}</h1>",
         f"<div>{len(batch.jobs)} parts, {duration(took)} of drawing, {_size(size)}, burin {html.escape(batch.program)}</div>",
-        f"<div>hash <code>{told.hash}</code></div>",
+        f"<div>hash <code>{summary.hash}</code></div>",
         '<input type="search" placeholder="part, view, style, kind" aria-label="Find">',
     ]
-    if told.failed:
+    if summary.failed:
         out.append('<section><h2>Failed</h2><table class="failed">')
-        out += [_failure(job, drawing, record["error"]) for job, drawing, record in told.failed]
+        out += [_failure(job, drawing, record["error"]) for job, drawing, record in summary.failed]
         out.append("</table></section>")
-    if told.left:
+    if summary.left:
         out.append('<section><h2>Not drawn yet</h2><table class="failed">')
-        out += [_failure(job, drawing, {"kind": "", "message": ""}) for job, drawing in told.left]
+        out += [_failure(job, drawing, {"kind": "", "message": ""}) for job, drawing in summary.left]
         out.append("</table></section>")
-    if told.drawn:
+    if summary.drawn:
         out.append('<section><h2>Drawn</h2><div class="all">')
-        out += [_figure(job, drawing, record, batch.out, folder) for job, drawing, record in told.drawn]
+        out += [_figure(job, drawing, record, batch.out, folder) for job, drawing, record in summary.drawn]
         out.append("</div></section>")
     return "\n".join([*out, f"<script>{_SCRIPT}</script></body></html>\n"])
 
@@ -147,8 +147,8 @@ def _figure(job: Job, drawing: Drawing, record: dict[str, Any], out: Path, folde
     files = " ".join(f'<a href="{link}">{html.escape(name)}</a>' for name, link in links.items())
     warned = [d["message"] for d in record["diagnostics"] if d["severity"] != "info"]
     title = f' title="{html.escape("; ".join(warned))}"' if warned else ""
-    told = f"{record['seconds']:.2f} s" + (f", {len(warned)} warnings" if warned else "")
+    note = f"{record['seconds']:.2f} s" + (f", {len(warned)} warnings" if warned else "")
     return (
         f'<figure data-name="{_words(job, drawing)}"><a href="{links[first]}">{shown}</a>'
-        f"<figcaption{title}>{files}<br><small>{html.escape(told)}</small></figcaption></figure>"
+        f"<figcaption{title}>{files}<br><small>{html.escape(note)}</small></figcaption></figure>"
     )

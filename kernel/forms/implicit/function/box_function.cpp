@@ -1,5 +1,7 @@
 #include "box_function.h"
 
+#include <burin/base/box_corners.h>
+
 #include "clipped.h"
 
 #include <algorithm>
@@ -32,10 +34,8 @@ class BoxFunction final : public ImplicitFunction {
     beyond_ = border.min > 0 ? Beyond::Up : Beyond::Straight;
     const Box3 inside = field_->support(level_, placement.inside_above);
     if (inside.empty()) return;
-    for (int k = 0; k < 8; ++k) {
-      bounds_.add(origin_ + placement.steps * Vec3(k & 1 ? inside.max.x : inside.min.x,
-                                                   k & 2 ? inside.max.y : inside.min.y,
-                                                   k & 4 ? inside.max.z : inside.min.z));
+    for (const Vec3& corner : corners_of(inside)) {
+      bounds_.add(origin_ + placement.steps * corner);
     }
   }
 

@@ -1,5 +1,6 @@
 // The vocabulary of solids.
 
+#include <burin/base/box_corners.h>
 #include <burin/base/error.h>
 #include <burin/base/placement.h>
 
@@ -50,10 +51,7 @@ Box3 turned(const Box3& b, const Mat3& m) {
   if (!is_finite(b)) return ImplicitFunction::everywhere();
   if (b.empty()) return b;
   Box3 out;
-  for (int k = 0; k < 8; ++k) {
-    out.add(m *
-            Vec3(k & 1 ? b.max.x : b.min.x, k & 2 ? b.max.y : b.min.y, k & 4 ? b.max.z : b.min.z));
-  }
+  for (const Vec3& corner : corners_of(b)) out.add(m * corner);
   return out;
 }
 

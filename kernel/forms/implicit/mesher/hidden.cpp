@@ -1,5 +1,6 @@
 #include "hidden.h"
 
+#include <burin/base/box_corners.h>
 #include <burin/base/parallel.h>
 
 #include <algorithm>
@@ -86,10 +87,7 @@ Finding examine(const ImplicitFunction& f, const Box3& box, double& work) {
 
 std::array<Vec3, 9> corners_and_middle(const Box3& box) {
   std::array<Vec3, 9> p;
-  for (std::size_t k = 0; k < 8; ++k) {
-    p[k] = {k & 1 ? box.max.x : box.min.x, k & 2 ? box.max.y : box.min.y,
-            k & 4 ? box.max.z : box.min.z};
-  }
+  std::ranges::copy(corners_of(box), p.begin());
   p[8] = box.center();
   return p;
 }
@@ -236,7 +234,7 @@ class Search {
     return true;
   }
 
-  // Returns the nanoseconds that it took, as `reported` does.
+  // Returns the nanoseconds that it took, as those that `in_turn` calls do.
   double look_at(Cube& c, Finding& finding) const {
     const Box3 box = box_of(c);
     finding = Finding::Nothing;
@@ -272,19 +270,19 @@ class Search {
   // Cubes of one sign smaller than a cell, which may be what no sample shows; those that are not
   // asked before the budget ends are open.
   bool keep_hidden(const std::vector<Cube>& cubes, std::vector<Finding>& findings) {
-    std::vector<Answer> reported(cubes.size(), Answer::Undecided);
+    std::vector<Answer> answers(cubes.size(), Answer::Undecided);
     const bool all = in_turn(cubes.size(), [&](std::size_t i) {
       if (findings[i] != Finding::Same) return 0.0;
       const Vec3 p = box_of(cubes[i]).center();
       const bool sign = inside(cubes[i].function->value(p));
-      reported[i] = shown(cubes[i], p, sign) ? Answer::Explained : Answer::Hidden;
+      answers[i] = shown(cubes[i], p, sign) ? Answer::Explained : Answer::Hidden;
       return cubes[i].function->cost() * kSamples;
     });
     for (std::size_t i = 0; i < cubes.size(); ++i) {
       if (findings[i] != Finding::Same) continue;
-      if (reported[i] == Answer::Hidden)
+      if (answers[i] == Answer::Hidden)
         found_.places.push_back({cell_of(cubes[i]), box_of(cubes[i])});
-      if (reported[i] == Answer::Undecided) findings[i] = Finding::Open;
+      if (answers[i] == Answer::Undecided) findings[i] = Finding::Open;
     }
     return all;
   }
@@ -294,20 +292,20 @@ class Search {
   bool settle(const std::vector<Cube>& cubes, std::vector<Finding>& findings, int side,
               std::size_t open) {
     const bool fine = side <= kSampled, last = side == 1 || open > kDoubtful;
-    std::vector<Answer> reported(cubes.size(), Answer::Undecided);
+    std::vector<Answer> answers(cubes.size(), Answer::Undecided);
     const bool all = in_turn(cubes.size(), [&](std::size_t i) {
       if (findings[i] != Finding::Open) return 0.0;
-      reported[i] = ask(cubes[i], fine);
+      answers[i] = ask(cubes[i], fine);
       return cubes[i].function->cost() * kSamples;
     });
     for (std::size_t i = 0; i < cubes.size(); ++i) {
       if (findings[i] != Finding::Open) continue;
       const HiddenPlace place{cell_of(cubes[i]), box_of(cubes[i])};
-      if (reported[i] == Answer::Explained || reported[i] == Answer::Hidden || (fine && last)) {
+      if (answers[i] == Answer::Explained || answers[i] == Answer::Hidden || (fine && last)) {
         findings[i] = Finding::Nothing;
       }
-      if (reported[i] == Answer::Hidden) found_.places.push_back(place);
-      if (reported[i] == Answer::Undecided && fine && last) found_.doubtful.push_back(place);
+      if (answers[i] == Answer::Hidden) found_.places.push_back(place);
+      if (answers[i] == Answer::Undecided && fine && last) found_.doubtful.push_back(place);
     }
     return all;
   }

@@ -7,8 +7,6 @@
 #include <burin/base/vec.h>
 #include <burin/illustrate/illustrate.h>
 
-#include <array>
-
 namespace burin {
 
 /// Whether light and viewer (unit vectors from the model to them) are so far above the ground that
@@ -18,8 +16,6 @@ bool casts_ground_shadow(Vec3 to_light, Vec3 to_viewer);
 /// Takes points to where the light through them meets the ground at the height `ground`.
 /// `to_light.z` > 0.
 Placement onto_ground(Vec3 to_light, double ground);
-
-std::array<Vec3, 8> corners_of(const Box3& box);
 
 /// `drawn_bounds` with the shadow on the ground, where the style has one: what a sheet has to hold.
 Box3 bounds_with_shadow(const Scene& scene, const Style& style,

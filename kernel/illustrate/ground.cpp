@@ -1,0 +1,31 @@
+#include <burin/illustrate/ground.h>
+
+namespace burin {
+
+bool casts_ground_shadow(Vec3 to_light, Vec3 to_viewer) {
+  constexpr double kLeastLight = 0.1, kLeastView = 0.02;  // sines of their heights
+  return to_light.z > kLeastLight && to_viewer.z > kLeastView;
+}
+
+Placement onto_ground(Vec3 to_light, double ground) {
+  const Vec3 along = to_light / to_light.z;
+  Mat3 linear(1);
+  linear[2] -= along;  // the column of z
+  return {linear, along * ground};
+}
+
+Box3 bounds_with_shadow(const Scene& scene, const Style& style,
+                        std::span<const PartStyle> part_styles, const Mat3& axes) {
+  Box3 box = drawn_bounds(scene, part_styles, axes);
+  if (!style.shadow.ground || box.empty()) return box;
+  const Mat3 back = glm::transpose(axes);
+  const Vec3 to_light = back * glm::normalize(style.tone.light);
+  if (!casts_ground_shadow(to_light, back[2])) return box;
+  const Placement down = onto_ground(to_light, drawn_bounds(scene, part_styles, Mat3(1)).min.z);
+  const Box3 shadow = drawn_bounds(scene, part_styles, axes * down.linear);
+  const Vec3 by = axes * down.offset;
+  box.add({shadow.min + by, shadow.max + by});
+  return box;
+}
+
+}  // namespace burin
