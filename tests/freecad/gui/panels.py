@@ -205,9 +205,10 @@ class Editing(support.Case):
             editor, value = support.panel().editors[row["key"]], values[row["key"]]
             with self.subTest(row["key"]):
                 self.assertIn(row["meaning"], editor.toolTip())
-                if row["kind"] == "number":
+                if row["kind"] in ("number", "whole"):
                     self.assertEqual((editor.minimum(), editor.maximum()), (row["low"], row["high"]))
-                    self.assertEqual(editor.suffix().strip().replace("°", "degrees"), row["unit"])
+                    self.assertEqual(editor.decimals() == 0, row["kind"] == "whole")
+                    self.assertEqual(editor.suffix().strip().replace("°", "degrees"), row.get("unit", ""))
                     self.assertAlmostEqual(editor.value(), value)
                 elif row["kind"] == "flag":
                     self.assertIs(editor.isChecked(), value)

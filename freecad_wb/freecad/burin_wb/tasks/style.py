@@ -155,6 +155,8 @@ class StylePanel(Panel):
         if kind == "number":
             return widgets.number(float(value), tip, lambda v: self._set(key, f"{v:.6g}"), key, row["low"],
                                   row["high"], 3, _step(float(value)), row["unit"])
+        if kind == "whole":
+            return widgets.number(int(value), tip, lambda v: self._set(key, f"{v:.0f}"), key, row["low"], row["high"], 0, 1)
         if kind == "word":
             return widgets.choice(row["words"], value, tip, lambda v: self._set(key, v), key)
         line = QtGui.QLineEdit(value)
