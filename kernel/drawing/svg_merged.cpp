@@ -148,8 +148,8 @@ void append_subpath(Buffer& out, const Item& item, double paper_height) {
   if (item.ink.chains.front().empty()) pen.dot(item.first);
 }
 
-/// Left, top, right and bottom of all ink on the sheet, in mm from its top left, for programs that
-/// trim the picture; empty without ink.
+/// Left, top, right and bottom of all that is painted on the sheet, in mm from its top left, for
+/// programs that trim the picture; empty without ink.
 std::string ink_box(const Drawing& drawing, const std::vector<InkLayer>& layers) {
   Box2 box;
   for (const InkLayer& layer : layers) {
@@ -166,9 +166,30 @@ std::string ink_box(const Drawing& drawing, const std::vector<InkLayer>& layers)
       }
     }
   }
+  for (const Area& area : drawing.areas) {
+    if (area.fill.empty()) continue;
+    for (const std::vector<Vec2>& ring : area.rings) {
+      for (const Vec2 p : ring) box.add(p);
+    }
+  }
   if (box.empty()) return {};
   return fmt::format(" data-ink=\"{:.3f} {:.3f} {:.3f} {:.3f}\"", box.min.x,
                      drawing.paper_height - box.max.y, box.max.x, drawing.paper_height - box.min.y);
+}
+
+/// Areas that have a colour, below all lines.
+std::string painted_areas(const Drawing& drawing, SvgIds& ids) {
+  Buffer out;
+  for (const Area& area : drawing.areas) {
+    if (area.fill.empty()) continue;
+    append(out, "<path");
+    append_area_paint(out, area);
+    append_area_rings(out, area, drawing.paper_height);
+    append(out, "/>\n");
+  }
+  if (out.size() == 0) return {};
+  return fmt::format("<g id=\"{}\" stroke=\"none\" fill-rule=\"evenodd\">\n", ids.make("areas")) +
+         fmt::to_string(out) + "</g>\n";
 }
 
 }  // namespace
@@ -179,6 +200,7 @@ void write_merged_svg(const Drawing& drawing, const SvgOptions& options, std::os
   SvgIds ids(options.id_prefix);
   const std::vector<InkLayer> layers = ink_layers(drawing);
   std::string before = svg_head(drawing, ink_box(drawing, layers));
+  before += painted_areas(drawing, ids);
   Vec2 pen(0);
   for (const InkLayer& layer : layers) {
     const std::string ink = svg_ink(ink_color(layer, drawing));

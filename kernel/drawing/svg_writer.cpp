@@ -160,37 +160,20 @@ class Items {
     for (const Area& area : drawing_.areas) {
       append(out, "<path");
       append_part_class(out, area.part, "area", class_of(area));
-      append_fill(out, area);
-      append(out, " d=\"");
-      SvgPen pen(out, drawing_.paper_height);
-      for (const std::vector<Vec2>& ring : area.rings) {
-        std::vector<CubicBezier> chain;
-        for (std::size_t i = 0; i < ring.size(); ++i) {
-          const Vec2 a = ring[i], b = ring[(i + 1) % ring.size()];
-          chain.push_back({a, glm::mix(a, b, 1.0 / 3), glm::mix(a, b, 2.0 / 3), b});
-        }
-        pen.chain(chain, true);
+      append_area_paint(out, area);
+      if (!area.fill.empty() && area.face >= 0) {
+        append(out, fmt::format(" data-face=\"{}\"", area.face));
       }
-      append(out, "\"><title>");
+      if (!area.fill.empty() && area.tone >= 0) {
+        append(out, fmt::format(" data-tone=\"{}\"", area.tone));
+      }
+      append_area_rings(out, area, drawing_.paper_height);
+      append(out, "><title>");
       append_xml(out, area.part < 0 ? "shadow" : part_name(area.part));
       append(out, "</title></path>\n");
     }
     append(out, "</g>\n");
     before_ += fmt::to_string(out);
-  }
-
-  /// The colour of an area, as attributes, which style sheets of a page overrule.
-  static void append_fill(Buffer& out, const Area& area) {
-    if (area.fill.empty() || area.opacity <= 0) return;
-    append(out, fmt::format(" fill=\"{}\"", area.fill));
-    if (area.opacity < 1) {
-      append(out, fmt::format(" fill-opacity=\"{:.4g}\"", area.opacity));
-    } else {
-      append(out, fmt::format(" stroke=\"{}\" stroke-width=\"{}\" stroke-linejoin=\"round\"",
-                              area.fill, kTrap));
-    }
-    if (area.face >= 0) append(out, fmt::format(" data-face=\"{}\"", area.face));
-    if (area.tone >= 0) append(out, fmt::format(" data-tone=\"{}\"", area.tone));
   }
 
   /// The classes by which a page gives painted areas other colours: "part_0 tone_1".

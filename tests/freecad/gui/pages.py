@@ -108,5 +108,13 @@ class Whole(support.Case):
         self.assertGreater(sum(counts), 32_767, "the test is of a drawing that needs several paths")
         self.assertLessEqual(max(counts), 30_000)
 
+    def test_colors_of_parts_and_their_shadow(self):
+        obj = self.illustrate(*self.box_and_ball())
+        obj.Style = "shaded"
+        self.document.recompute()
+        support.drawn()
+        page = self.check(obj)
+        self.assertIn('fill="#', page.Views[0].Symbol)
+
 
 support.run(__name__)

@@ -396,5 +396,35 @@ TEST(Svg, MergedFilesTellWhereTheirInkIs) {
   EXPECT_FALSE(parsed(svg_text(drawing, {.merge = true})).child("svg").attribute("data-ink"));
 }
 
+TEST(Svg, MergedFilesHoldTheColours) {
+  Drawing drawing;
+  drawing.paper_width = 100;
+  drawing.paper_height = 50;
+  Path line;
+  line.points = {{10, 5}, {30, 5}, {30, 40}};
+  drawing.layers = {{"crease", {line}}};
+  Area red, glass, bare;
+  red.rings = {{{5, 5}, {40, 5}, {40, 45}}, {{20, 10}, {25, 10}, {25, 15}}};
+  glass.rings = bare.rings = {{{10, 5}, {30, 5}, {30, 40}}};
+  red.fill = "#ff0000";
+  glass.fill = "#0000ff";
+  glass.opacity = 0.5;
+  drawing.areas = {red, glass, bare};
+  const pugi::xml_document doc = parsed(svg_text(drawing, {.merge = true}));
+  const pugi::xml_node areas = doc.child("svg").child("g");
+  EXPECT_EQ(attribute(areas, "fill-rule"), "evenodd");
+  const auto paths = areas.select_nodes("path");
+  ASSERT_EQ(paths.size(), 2u) << "what has no colour is not painted";
+  EXPECT_EQ(attribute(paths[0].node(), "fill"), "#ff0000");
+  EXPECT_EQ(attribute(paths[0].node(), "stroke"), "#ff0000") << "seams are covered";
+  EXPECT_EQ(attribute(paths[1].node(), "fill-opacity"), "0.5");
+  const pugi::xml_document whole = parsed(svg_text(drawing));
+  for (std::size_t i = 0; i < 2; ++i) {
+    EXPECT_EQ(attribute(paths[i].node(), "d"),
+              attribute(whole.child("svg").child("g").select_nodes("path")[i].node(), "d"));
+  }
+  EXPECT_EQ(attribute(doc.child("svg"), "data-ink"), "5.000 5.000 40.000 45.000");
+}
+
 }  // namespace
 }  // namespace burin
