@@ -12,6 +12,7 @@ import FreeCAD  # noqa: E402
 import FreeCADGui as Gui  # noqa: E402
 import support  # noqa: E402
 from PySide import QtCore, QtGui  # noqa: E402
+from similarity import grey  # noqa: E402
 
 V = FreeCAD.Vector
 
@@ -226,6 +227,31 @@ class New(support.Case):
         self.assertIsInstance(obj.ViewObject.Proxy, IllustrationView)
         self.assertGreater(obj.ViewObject.Proxy._ink.getNumChildren(), 0)
 
+    def test_a_new_drawing_lies_on_its_paper_before_the_model(self):
+        from pivy import coin
+
+        box, ball = self.box_and_ball()
+        self.select(box, ball)
+        Gui.runCommand("Burin_NewIllustration")
+        obj = support.panel().obj
+        support.drawn(obj)
+        proxy = obj.ViewObject.Proxy
+        self.assertEqual(proxy._paper.getNumChildren(), 0, "the model is hidden while the panel works at it")
+        support.panel().accept()
+        support.settle()
+        self.assertEqual((obj.ViewObject.Plane, obj.ViewObject.Paper), ("Before the model", True))
+        search = coin.SoSearchAction()
+        search.setType(coin.SoTexture2.getClassTypeId())
+        search.apply(proxy._paper)
+        self.assertIsNotNone(search.getPath(), "the sheet is empty")
+        self.assertEqual(max(proxy._painted.size), 2048)
+        sheet = grey(support.picture("on-paper"))
+        obj.ViewObject.Plane = "Behind the model"
+        obj.ViewObject.Paper = False
+        self.assertEqual(proxy._paper.getNumChildren(), 0)
+        model = grey(support.picture("no-paper"))
+        self.assertGreater(((sheet > 0.97) & (model < 0.9)).mean(), 0.05, "there is no paper before the shaded model")
+
     def test_the_ink_is_made_once_for_each_drawing(self):
         from freecad.burin_wb.view import ink
 
@@ -268,7 +294,7 @@ class New(support.Case):
         sheet = Sheet(file)
         paths = [path for _, path in sheet.paths()]
         with unittest.mock.patch.object(ink, "MOST_POINTS", 500):
-            stand, found, texts = ink.read(file)
+            stand, found, texts, painted = ink.read(file)
             self.assertEqual(texts, [])
             self.assertEqual(stand.direction, sheet.direction)
             others = ink.pens(sheet, paths)

@@ -41,6 +41,7 @@ class NewIllustration(Command):
         if eye is not None:
             set_view(obj, eye)
         document.recompute([obj])
+        obj.ViewObject.Proxy.lay_before()
         Gui.Selection.clearSelection()
         Gui.Selection.addSelection(obj)
         show(IllustrationPanel(obj))
@@ -79,6 +80,7 @@ class NewFromFile(Command):
             return
         obj = illustration_file.read(document, name)
         document.recompute([obj])
+        obj.ViewObject.Proxy.lay_before()
         Gui.Selection.clearSelection()
         Gui.Selection.addSelection(obj)
 

@@ -60,9 +60,9 @@ class Picker:
     def __init__(self, obj, view):
         self.obj, self.view = obj, view
         self._names = obj.Document.Name, obj.Name
-        # Lines are clicked where they are seen: before the model as long as this lasts.
-        self._plane = obj.ViewObject.Plane
-        obj.ViewObject.Plane = BEFORE
+        # Lines are clicked where they are seen, before the model as long as this lasts; paper would hide what is selected.
+        self._shown = {name: getattr(obj.ViewObject, name) for name in ("Plane", "Paper")}
+        obj.ViewObject.Plane, obj.ViewObject.Paper = BEFORE, False
         self.sheet = Sheet(obj.Drawing)
         self._callback = view.addEventCallback("SoEvent", self._event)
         self._runs = scheduler.install()
@@ -77,7 +77,8 @@ class Picker:
         callback, self._callback = self._callback, None
         for leave in (lambda: self._runs.left.disconnect(self._left),
                       lambda: self.view.removeEventCallback("SoEvent", callback),
-                      lambda: setattr(self.obj.ViewObject, "Plane", self._plane)):
+                      *(lambda name=name, value=value: setattr(self.obj.ViewObject, name, value)
+                        for name, value in self._shown.items())):
             try:
                 leave()
             except (AttributeError, NameError, ReferenceError, RuntimeError):  # the view or the document is gone

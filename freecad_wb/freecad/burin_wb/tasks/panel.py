@@ -42,6 +42,7 @@ class Panel:
         self._pause.setSingleShot(True)
         self._pause.timeout.connect(lambda: self._paused())
         self._began, self._took = 0.0, float("inf")  # when the last run began, and seconds that it took
+        obj.ViewObject.Proxy.step_aside(True)
         self.preview = Preview(obj)
         self.column.addWidget(self.preview)
         self._add_progress()
@@ -194,6 +195,8 @@ class Panel:
             return
         self.over = True
         self.closing()
+        if self.alive():
+            self.obj.ViewObject.Proxy.step_aside(False)
         self.preview.close_large()
         self._escape.stop()
         self._watch.stop()

@@ -4,6 +4,7 @@ import collections
 
 import FreeCAD
 from pivy import coin
+from PySide import QtGui
 
 from .. import kernel
 from ..features.sheet import NEAR, Sheet, holds
@@ -31,18 +32,39 @@ Text = collections.namedtuple("Text", "at height anchor text")
 CAPITALS = 0.7
 
 
+# The sheet as the kernel paints it. size: pixels; rgb: three bytes a pixel, rows from the bottom up; corners: left, bottom, right and
+# top of what is shown of it, from 0 to 1.
+Painted = collections.namedtuple("Painted", "size rgb corners")
+
+# Pixels of the longer side of a painted sheet: any graphics card takes them.
+PIXELS = 2048
+
+
 def read(path):
-    """Stand, pens and texts of a drawing file. For threads beside the GUI: the kernel reads without holding the interpreter,
-    which Python's own reading of JSON does for as long as it takes. Throws OSError, ValueError, KeyError or the kernel's errors."""
+    """Stand, pens, texts and the painted sheet (None without the kernel) of a drawing file. For threads beside the GUI: the
+    kernel reads without holding the interpreter, which Python's own reading of JSON does for as long as it takes. Throws OSError,
+    ValueError, KeyError or the kernel's errors."""
     if not kernel.found():
         sheet = Sheet(path)
-        return view_place_of(sheet), pens(sheet, [p for _, p in sheet.paths()]), _texts(sheet.texts())
+        return view_place_of(sheet), pens(sheet, [p for _, p in sheet.paths()]), _texts(sheet.texts()), None
     drawing = kernel.module().Drawing.load(path)
     view, lines = drawing.view, drawing.arrays()
     view_place = ViewPlace(*(FreeCAD.Vector(*v) for v in (view.center, view.right, view.up, view.direction)), view.scale,
                   tuple(view.offset), drawing.views[0]["box"] if drawing.views else None)
     return (view_place, _pens(view_place, *(lines[name] for name in ("first", "points", "width", "visible", "closed"))),
-            _texts(t for layer in drawing.layers for t in layer.texts if holds(view_place.box, t["at"])))
+            _texts(t for layer in drawing.layers for t in layer.texts if holds(view_place.box, t["at"])),
+            _painted(drawing, view_place.box))
+
+
+def _painted(drawing, box):
+    width, height = drawing.paper
+    png = drawing.to_bytes("png", png_dpi=25.4 * PIXELS / max(width, height))
+    image = QtGui.QImage.fromData(png).convertToFormat(QtGui.QImage.Format_RGB888).mirrored()
+    w, h, row = image.width(), image.height(), image.bytesPerLine()
+    bytes_ = bytes(image.constBits())
+    rgb = bytes_ if row == 3 * w else b"".join(bytes_[y * row : y * row + 3 * w] for y in range(h))
+    left, bottom, right, top = box or (0, 0, width, height)
+    return Painted((w, h), rgb, (left / width, bottom / height, right / width, top / height))
 
 
 def _texts(said):
@@ -167,12 +189,19 @@ def places(view_place, points):
     return flat @ frame + tuple(view_place.center)
 
 
-def paper_node(view_place, size):
-    """A white sheet, seen from both sides, a hair behind the ink; of several views the place of the first."""
+def paper_node(view_place, size, painted=None):
+    """A sheet, seen from both sides, a hair behind the ink; of several views the place of the first. White, or with the
+    drawing on it: lines that are thinner than a pixel have their tone there."""
     left, bottom, right, top = view_place.box or (0, 0, *size)
     root = coin.SoSeparator()
     root.addChild(colored((1, 1, 1)))
     root.addChild(lifted(view_place, -0.1 / view_place.scale))
+    if painted is not None:
+        root.addChild(_texture(painted))
+        left_, bottom_, right_, top_ = painted.corners
+        corners = coin.SoTextureCoordinate2()
+        corners.point.setValues(0, 4, [(left_, bottom_), (right_, bottom_), (right_, top_), (left_, top_)])
+        root.addChild(corners)
     coordinates = coin.SoCoordinate3()
     coordinates.point.setValues(0, 4, places(view_place, [(left, bottom), (right, bottom), (right, top), (left, top)]))
     face = coin.SoFaceSet()
@@ -180,3 +209,15 @@ def paper_node(view_place, size):
     root.addChild(coordinates)
     root.addChild(face)
     return root
+
+
+def _texture(painted):
+    group = coin.SoGroup()
+    quality = coin.SoComplexity()
+    quality.textureQuality = 1.0  # smaller copies of it, so that lines do not flicker far away
+    texture = coin.SoTexture2()
+    texture.image.setValue(coin.SbVec2s(*painted.size), 3, painted.rgb)
+    texture.wrapS = texture.wrapT = coin.SoTexture2.CLAMP
+    group.addChild(quality)
+    group.addChild(texture)
+    return group

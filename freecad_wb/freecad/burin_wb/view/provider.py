@@ -26,11 +26,14 @@ class IllustrationView:
         self.Object = view.Object
         self.View = view
         self._shown, self._stand = "", None  # the file of the drawing that is shown, and where its sheet stands in the model
+        self._painted = None  # the same on paper
+        self._aside = False
         self._reading = None  # what is to be shown next
         _ensure(view)
         self._root, sheet, self._paper, self._ink, self._lit = (coin.SoSeparator() for _ in range(5))
-        self._pose = coin.SoGroup()
-        for parent, node in ((self._root, sheet), (sheet, self._pose), (sheet, self._paper), (sheet, self._ink),
+        self._pose, self._lines = coin.SoGroup(), coin.SoSwitch()
+        self._lines.addChild(self._ink)
+        for parent, node in ((self._root, sheet), (sheet, self._pose), (sheet, self._paper), (sheet, self._lines),
                              (self._root, self._lit)):
             parent.addChild(node)
         view.addDisplayMode(self._root, "Ink")
@@ -68,7 +71,16 @@ class IllustrationView:
 
     def lift(self, sheet):
         """Model mm from the view's centre to the plane of the ink, to the viewer."""
-        return plane(self.Object, sheet, getattr(self.View, "Plane", BEHIND) != BEHIND)
+        return plane(self.Object, sheet, not self._aside and getattr(self.View, "Plane", BEHIND) != BEHIND)
+
+    def lay_before(self):
+        """Shows the drawing on paper before the model, as a new one is shown: behind the model nobody sees it."""
+        self.View.Plane, self.View.Paper = BEFORE, True
+
+    def step_aside(self, on):
+        """Leaves the sight to the model while a panel works at it."""
+        self._aside = on
+        self._place()
 
     def _renew(self):
         """Reads the kept drawing beside the GUI; what is shown stays until then."""
@@ -82,24 +94,24 @@ class IllustrationView:
             reading.drop(self._reading)
         self._reading = reading.start(self.Object, path, self._read) if path else None
         if not path:
-            self._show("", None, [])
+            self._show("", None, [], None)
 
-    def _read(self, which, stand, nodes, error):
+    def _read(self, which, stand, nodes, painted, error):
         if which is not self._reading:
             return
         self._reading = None
         try:
             if error is None:
-                self._show(which.path, stand, nodes)
+                self._show(which.path, stand, nodes, painted)
                 return
-            self._show("", None, [])
+            self._show("", None, [], None)
             if self.Object.Drawing == which.path and os.path.exists(which.path):
                 tell(f"{self.Object.Label}: the kept drawing cannot be read ({error}); recompute the illustration", ERROR)
         except (NameError, ReferenceError, RuntimeError):  # the document was closed meanwhile
             pass
 
-    def _show(self, path, stand, nodes):
-        self._shown, self._stand = path, stand
+    def _show(self, path, stand, nodes, painted):
+        self._shown, self._stand, self._painted = path, stand, painted
         self._ink.removeAllChildren()
         for node in nodes:
             self._ink.addChild(node)
@@ -114,8 +126,10 @@ class IllustrationView:
             return
         self._pose.addChild(ink.lifted(self._stand, self.lift(self._stand)))
         self._pose.addChild(ink.colored(tuple(getattr(self.View, "InkColor", DARK))[:3]))
-        if getattr(self.View, "Paper", False):
-            self._paper.addChild(ink.paper_node(self._stand, (self.Object.Width.Value, self.Object.Height.Value)))
+        paper = getattr(self.View, "Paper", False) and not self._aside
+        if paper:
+            self._paper.addChild(ink.paper_node(self._stand, (self.Object.Width.Value, self.Object.Height.Value), self._painted))
+        self._lines.whichChild = coin.SO_SWITCH_NONE if paper and self._painted is not None else coin.SO_SWITCH_ALL
 
     def light(self, sheet, paths):
         """Shows some lines in colour, until the selection changes."""
@@ -157,6 +171,10 @@ class IllustrationView:
     def setupContextMenu(self, view, menu):
         action = menu.addAction(QtGui.QIcon(_ICON), tr("Edit illustration"))
         action.triggered.connect(lambda: self.doubleClicked(view))
+        action = menu.addAction(tr("Before the model"))
+        action.setCheckable(True)
+        action.setChecked(view.Plane == BEFORE)
+        action.toggled.connect(lambda on: setattr(view, "Plane", BEFORE if on else BEHIND))
         action = menu.addAction(tr("Follow the 3-D view"))
         action.setCheckable(True)
         action.setChecked(view.Follow)
@@ -198,8 +216,8 @@ def _ensure(view):
     have = set(view.PropertiesList)
     for kind, name, text, value in (
             ("App::PropertyEnumeration", "Plane", "Where the drawing lies in the 3-D view", [BEHIND, BEFORE]),
-            ("App::PropertyColor", "InkColor", "Colour of the drawing in the 3-D view", DARK),
-            ("App::PropertyBool", "Paper", "Shows a white sheet under the drawing", False),
+            ("App::PropertyColor", "InkColor", "Colour of the lines in the 3-D view, without paper", DARK),
+            ("App::PropertyBool", "Paper", "Shows the drawing on its paper, with its colours", False),
             ("App::PropertyBool", "Follow", "Draws as the 3-D view shows the model, whenever its camera stops moving", False)):
         if name not in have:
             view.addProperty(kind, name, "Ink", text)

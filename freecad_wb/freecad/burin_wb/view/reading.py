@@ -17,7 +17,7 @@ _clock = None  # one for all: who lets go of a timer in another thread may end F
 class _Reading:
     def __init__(self, obj, path, done):
         self.obj, self.path, self._done = obj, path, done
-        self._given = []  # by the thread: stand, pens and texts, or what went wrong
+        self._given = []  # by the thread: what `ink.read` gives, or what went wrong
         self._pens, self._nodes = None, []
         threading.Thread(target=self._read, daemon=True).start()
 
@@ -33,7 +33,7 @@ class _Reading:
             return True
         found, error = self._given[0]
         if error is None:
-            stand, pens, texts = found
+            stand, pens, texts, painted = found
             end = time.monotonic() + SLICE
             while len(self._nodes) < len(pens):
                 if time.monotonic() > end:
@@ -42,13 +42,13 @@ class _Reading:
             if texts:
                 self._nodes.append(ink.texts_node(stand, texts))
         else:
-            stand = None
-        self._done(self, stand, self._nodes, error)
+            stand = painted = None
+        self._done(self, stand, self._nodes, painted, error)
         return False
 
 
 def start(obj, path, done):
-    """Reads a drawing file, and calls `done(reading, stand, nodes, error)` later in the GUI's thread."""
+    """Reads a drawing file, and calls `done(reading, stand, nodes, painted, error)` later in the GUI's thread."""
     global _clock
     reading = _Reading(obj, path, done)
     _under_way.append(reading)

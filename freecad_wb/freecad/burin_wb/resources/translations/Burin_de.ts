@@ -76,6 +76,10 @@
       <translation>Hinten</translation>
     </message>
     <message>
+      <source>Before the model</source>
+      <translation>Vor dem Modell</translation>
+    </message>
+    <message>
       <source>Bottom</source>
       <translation>Unten</translation>
     </message>
