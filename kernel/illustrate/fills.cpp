@@ -67,8 +67,7 @@ std::string toned(const std::string& color, const FillOptions& fill, std::int32_
 std::string shadow_color(const Style& style) {
   constexpr double kDarker = 0.86;  // lightness, as a share of that of the paper
   if (!style.shadow.color.empty()) return style.shadow.color;
-  return to_text(
-      with_lightness(rgb_of(style.sheet.paper).value_or(Rgb{255, 255, 255}), kDarker));
+  return to_text(with_lightness(rgb_of(style.sheet.paper).value_or(Rgb{255, 255, 255}), kDarker));
 }
 
 }  // namespace

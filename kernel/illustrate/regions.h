@@ -45,8 +45,8 @@ void add_ring(std::vector<Vec2> ring, Area& area);
 /// through have none. Areas say a step where the part has more than one, and a face where faces are
 /// told apart, or that closes a cut. Borders are the visible lines, whatever the style draws of
 /// them, and lines that it does not draw: isophotes, smooth edges and seams between faces,
-/// intersections, borders of shadows. They part the sheet whether hidden or not; what is seen says a ray. Cost:
-/// `partition`; a ray a mm of isophotes. Throws Cancelled.
+/// intersections, borders of shadows. They part the sheet whether hidden or not; what is seen says
+/// a ray. Cost: `partition`; a ray a mm of isophotes. Throws Cancelled.
 std::vector<Area> find_regions(const Box2& box, const SeenLines& lines, const Occluders& occluders,
                                const Camera& camera, const RegionOptions& options,
                                const RunContext& context);

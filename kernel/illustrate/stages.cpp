@@ -67,8 +67,7 @@ RegionOptions region_options(const PartStyles& part_styles, const Camera& camera
     const bool toned = part_styles.drawn(i) && fill.color != "none" && fill.steps > 1;
     std::vector<double> levels = even_levels(toned ? static_cast<std::size_t>(fill.steps) : 1);
     if (shadows && levels.empty()) levels = {kGrazing};
-    options.tones.push_back(
-        {tone::to_light(camera, part_styles.style(i).tone), std::move(levels)});
+    options.tones.push_back({tone::to_light(camera, part_styles.style(i).tone), std::move(levels)});
     options.nested.push_back(fill.opacity >= 1);
   }
   return options;

@@ -107,9 +107,11 @@ std::vector<OptionRow<ShadowOptions>> shadow_rows() {
            "fill.color"),
       flag("ground", &ShadowOptions::ground,
            "the shadow that all parts cast on an invisible ground under them, square to z"),
-      color("color", &ShadowOptions::color,
-            "colour of shadows on the ground and on parts without a fill.color; empty = that of the "
-            "paper, darker", kColorOrNone),
+      color(
+          "color", &ShadowOptions::color,
+          "colour of shadows on the ground and on parts without a fill.color; empty = that of the "
+          "paper, darker",
+          kColorOrNone),
   };
 }
 

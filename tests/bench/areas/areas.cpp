@@ -1,6 +1,6 @@
-// burin_areas MODEL VIEW [steps=N] [cast=1] [faces=1] [paper=A4] [perspective=DEGREES] [style=NAME] [rays=N]
-// [picture=FILE.svg] draws a model with areas of flat tone and tests these by random rays, `rays` a
-// mm2 of paper: a row of numbers. cast=1: with shadows of parts on parts.
+// burin_areas MODEL VIEW [steps=N] [cast=1] [faces=1] [paper=A4] [perspective=DEGREES] [style=NAME]
+// [rays=N] [picture=FILE.svg] draws a model with areas of flat tone and tests these by random rays,
+// `rays` a mm2 of paper: a row of numbers. cast=1: with shadows of parts on parts.
 #include <burin/base/error.h>
 #include <burin/converters/read.h>
 #include <burin/feature/isophotes.h>

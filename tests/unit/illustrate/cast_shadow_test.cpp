@@ -119,8 +119,7 @@ TEST(CastShadow, IsAsExactInPerspectiveAndFromTheSide) {
   const Drawing drawing = lit.draw();
   const Area* shadow = area_of(drawing, 0, 0);
   ASSERT_NE(shadow, nullptr);
-  for (const Vec3& corner :
-       {thrown({10, 10, 20}), thrown({10, -10, 20}), thrown({-10, -10, 20})}) {
+  for (const Vec3& corner : {thrown({10, 10, 20}), thrown({10, -10, 20}), thrown({-10, -10, 20})}) {
     EXPECT_LT(nearest(*shadow, camera.to_paper(corner)), 0.02);
   }
   EXPECT_NE(area_of(drawing, 1, 0), nullptr) << "sides that face away";
