@@ -28,7 +28,7 @@ std::optional<LightView> light_view(const Occluders& occluders, Vec3 light_direc
                        .margin = kMargin,
                        .paper = {kSheet, kSheet}}),
                   {}};
-  const FeatureOptions options{.intersections = false, .smooth = false};
+  const FeatureOptions options{.creases = false, .intersections = false, .smooth = false};
   Diagnostics said;  // of a view that is not drawn
   for (Curve3& curve :
        extract_features(occluders.solid_proxies(), light.camera, options, said, context)) {
