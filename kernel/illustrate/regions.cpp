@@ -150,7 +150,7 @@ std::vector<Curve3> silent_lines(const Occluders& occluders, const Camera& camer
     std::ranges::move(more, std::back_inserter(out));
   }
   if (options.shadows) {
-    std::ranges::move(cast_shadows(occluders, *options.shadows, camera, context),
+    std::ranges::move(cast_shadows(occluders, *options.shadows, camera, options.tones, context),
                       std::back_inserter(out));
   }
   return out;

@@ -39,12 +39,14 @@ double sagitta(const ProxyMesh& proxy, std::uint32_t face) {
 /// Throws outlines.
 class Thrower {
  public:
-  Thrower(const Occluders& occluders, const LightView& light, const Camera& camera)
+  Thrower(const Occluders& occluders, const LightView& light, const Camera& camera,
+          std::span<const Isophotes> tones)
       : occluder_(occluders.solid()),
         proxies_(occluders.solid_proxies()),
         to_light_(light.camera.direction()),
         light_scale_(light.camera.scale()),
         camera_(camera),
+        tones_(tones),
         far_(2 * occluder_.diagonal()),
         least_(16 * occluder_.resolution()) {}
 
@@ -99,6 +101,8 @@ class Thrower {
   struct Thrown {
     double t;
     std::optional<Vec3> at;
+    /// Whether a shadow there is none that is seen.
+    bool lost = false;
   };
 
   void add_segment(const Curve3& outline, std::size_t i, Run& run) const {
@@ -141,22 +145,40 @@ class Thrower {
     const ProxyMesh& proxy = *proxies_[static_cast<std::size_t>(hit->where.part)];
     const Vec3 place = proxy.position(hit->where.face, hit->bary);
     const Vec3 normal = proxy.mesh.normal(hit->where.face);
+    const bool lost = is_lost(hit->where, normal);
     const double slope = glm::dot(normal, to_light_);
-    if (std::abs(slope) < kEdgeOnLight) return {t, place};
-    return {t, p - glm::dot(normal, p - place) / slope * to_light_};
+    if (std::abs(slope) < kEdgeOnLight) return {t, place, lost};
+    return {t, p - glm::dot(normal, p - place) / slope * to_light_, lost};
+  }
+
+  /// Whether a place has the darkest step all the same, or is one of a cut.
+  bool is_lost(FaceRef where, Vec3 normal) const {
+    // Of a round surface, by the cosine: how much more than its triangle a place of it may be lit.
+    constexpr double kRound = 0.25, kFlat = 1e-3;
+    const auto part = static_cast<std::size_t>(where.part);
+    if (proxies_[part]->is_cut(where.face)) return true;
+    const Isophotes& tone = tones_[part];
+    if (!proxies_[part]->closed(where.face) && glm::dot(normal, to_light_) < 0) normal = -normal;
+    const double more = sagitta(*proxies_[part], where.face) > 0 ? kRound : kFlat;
+    return glm::dot(normal, tone.light) / glm::length(tone.light) + more < tone.levels.front();
   }
 
   double on_paper(Vec3 a, Vec3 b) const { return glm::distance(a, b) * camera_.scale_at(a); }
 
+  static void extend(const Thrown& a, const Thrown& b, Run& run) {
+    if (a.lost && b.lost) return run.close();
+    run.extend(*a.at, *b.at);
+  }
+
   void join(const Side& side, const Thrown& a, const Thrown& b, int halvings, Run& run) const {
-    if (!a.at && !b.at) return run.close();
+    if ((!a.at || a.lost) && (!b.at || b.lost)) return run.close();
     if (halvings == 0) {
-      if (a.at && b.at && on_paper(*a.at, *b.at) < kJump) return run.extend(*a.at, *b.at);
+      if (a.at && b.at && on_paper(*a.at, *b.at) < kJump) return extend(a, b, run);
       return run.close();
     }
     const Thrown m = thrown(side, 0.5 * (a.t + b.t));
     if (a.at && b.at && m.at && on_paper(*m.at, 0.5 * (*a.at + *b.at)) < kStraight) {
-      return run.extend(*a.at, *b.at);
+      return extend(a, b, run);
     }
     join(side, a, m, halvings - 1, run);
     join(side, m, b, halvings - 1, run);
@@ -167,14 +189,16 @@ class Thrower {
   Vec3 to_light_;
   double light_scale_;
   const Camera& camera_;
+  std::span<const Isophotes> tones_;
   double far_, least_;
 };
 
 }  // namespace
 
 std::vector<Curve3> cast_shadows(const Occluders& occluders, const LightView& light,
-                                 const Camera& camera, const RunContext& context) {
-  const Thrower thrower(occluders, light, camera);
+                                 const Camera& camera, std::span<const Isophotes> tones,
+                                 const RunContext& context) {
+  const Thrower thrower(occluders, light, camera, tones);
   const std::size_t n = light.outlines.size();
   std::vector<std::vector<Curve3>> of_each(n);
   parallel_for(
