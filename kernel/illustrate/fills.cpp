@@ -56,11 +56,18 @@ double opacity_of(const Part& part, const FillOptions& fill, bool transparent) {
 }
 
 std::string toned(const std::string& color, const FillOptions& fill, std::int32_t tone) {
-  if (tone < 0 || fill.steps < 2) return color;
-  const double light = std::min(1.0, static_cast<double>(tone) / (fill.steps - 1));
+  if (tone < 0) return color;
+  // Without steps of their own parts have two where shadows are cast.
+  const double light = std::min(1.0, static_cast<double>(tone) / std::max(1, fill.steps - 1));
   const auto rgb = rgb_of(color);
   if (!rgb || light >= 1) return color;
   return to_text(with_lightness(*rgb, fill.darkest + (1 - fill.darkest) * light));
+}
+
+std::string shadow_color(const Style& style) {
+  constexpr double kDarker = 0.86;  // lightness, as a share of that of the paper
+  if (!style.shadow.color.empty()) return style.shadow.color;
+  return to_text(with_lightness(rgb_of(style.sheet.paper).value_or(Rgb{255, 255, 255}), kDarker));
 }
 
 }  // namespace
@@ -91,19 +98,23 @@ void paint_areas(const Scene& scene, const PartStyles& part_styles, std::vector<
   std::reverse(solid, areas.end());
 }
 
+void shade_areas(const Style& style, std::vector<Area>& areas) {
+  for (Area& area : areas) {
+    if (area.tone == 0 && area.fill.empty()) area.fill = shadow_color(style);
+  }
+}
+
 void lay_shadow(Area shadow, const Style& style, const PartStyles& part_styles,
                 std::vector<Area>& areas) {
-  constexpr double kDarker = 0.86;  // lightness, as a share of that of the paper
   const Rgb paper = rgb_of(style.sheet.paper).value_or(Rgb{255, 255, 255});
   for (Area& area : areas) {
-    const bool glass = part_styles.transparent(static_cast<std::size_t>(area.part));
+    if (part_styles.transparent(static_cast<std::size_t>(area.part))) continue;
     const auto fill = rgb_of(area.fill);
-    if (glass || !fill || area.opacity >= 1) continue;
-    area.fill = to_text(over(*fill, area.opacity, paper));
+    if (fill && area.opacity >= 1) continue;
+    area.fill = to_text(fill ? over(*fill, area.opacity, paper) : paper);
     area.opacity = 1;
   }
-  shadow.fill =
-      style.shadow.color.empty() ? to_text(with_lightness(paper, kDarker)) : style.shadow.color;
+  shadow.fill = shadow_color(style);
   areas.insert(areas.begin(), std::move(shadow));
 }
 

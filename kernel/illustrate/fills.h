@@ -19,8 +19,11 @@ bool paints(const PartStyles& part_styles);
 /// scene. @cite Tol2021
 void paint_areas(const Scene& scene, const PartStyles& part_styles, std::vector<Area>& areas);
 
+/// Gives the shade of parts without a colour the colour of shadows.
+void shade_areas(const Style& style, std::vector<Area>& areas);
+
 /// Lays a shadow below all areas, in its colour. It is not seen through parts that are opaque, even
-/// if their colour is not: that is mixed with the paper.
+/// if their colour is not, or they have none: that is mixed with the paper.
 void lay_shadow(Area shadow, const Style& style, const PartStyles& part_styles,
                 std::vector<Area>& areas);
 

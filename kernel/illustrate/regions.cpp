@@ -6,6 +6,7 @@
 #include <burin/illustrate/view_probe.h>
 
 #include "exact_places.h"
+#include "shadow/cast_shadow.h"
 
 #include <algorithm>
 #include <cmath>
@@ -148,6 +149,10 @@ std::vector<Curve3> silent_lines(const Occluders& occluders, const Camera& camer
                         context, exact_places(*occluders.surfaces()[i]));
     std::ranges::move(more, std::back_inserter(out));
   }
+  if (options.shadows) {
+    std::ranges::move(cast_shadows(occluders, *options.shadows, camera, options.tones, context),
+                      std::back_inserter(out));
+  }
   return out;
 }
 
@@ -157,7 +162,7 @@ LabelAt region_label(const Occluders& occluders, const Camera& camera,
   std::vector<ExactAt> places;
   for (const auto& surface : occluders.surfaces()) places.push_back(exact_places(*surface));
   return [probe = view_probe(occluders.solid(), camera), proxies = occluders.solid_proxies(),
-          places = std::move(places), &camera, &options](Vec2 at) {
+          places = std::move(places), &occluders, &camera, &options](Vec2 at) {
     const auto hit = probe(at);
     if (!hit) return AreaLabel{};
     AreaLabel label{.part = hit->part};
@@ -175,6 +180,11 @@ LabelAt region_label(const Occluders& occluders, const Camera& camera,
     const bool back = glm::dot(normal, camera.to_viewer(hit->position)) < 0;
     if (back && !proxy.closed(hit->point.face)) normal = -normal;
     label.tone = step_of(options.tones[part], normal);
+    if (options.shadows && label.tone > 0 &&
+        in_shadow(occluders, {hit->part, hit->point.face}, hit->position,
+                  options.shadows->camera.direction())) {
+      label.tone = 0;
+    }
     return label;
   };
 }

@@ -10,6 +10,7 @@
 #include <burin/visibility/visible_spans.h>
 
 #include "occluders.h"
+#include "shadow/light_view.h"
 
 #include <span>
 #include <vector>
@@ -27,6 +28,8 @@ struct RegionOptions {
   bool faces = false;
   /// The kinds of lines that were looked for; the rest is found here where it parts regions.
   FeatureOptions found{};
+  /// The light by which parts cast shadows on parts; null: none do. Shadows have the step 0.
+  const LightView* shadows = nullptr;
 };
 
 /// The feature lines of a view and the spans of each.
@@ -42,8 +45,8 @@ void add_ring(std::vector<Vec2> ring, Area& area);
 /// through have none. Areas say a step where the part has more than one, and a face where faces are
 /// told apart, or that closes a cut. Borders are the visible lines, whatever the style draws of
 /// them, and lines that it does not draw: isophotes, smooth edges and seams between faces,
-/// intersections. They part the sheet whether hidden or not; what is seen says a ray. Cost:
-/// `partition`; a ray a mm of isophotes. Throws Cancelled.
+/// intersections, borders of shadows. They part the sheet whether hidden or not; what is seen says
+/// a ray. Cost: `partition`; a ray a mm of isophotes. Throws Cancelled.
 std::vector<Area> find_regions(const Box2& box, const SeenLines& lines, const Occluders& occluders,
                                const Camera& camera, const RegionOptions& options,
                                const RunContext& context);

@@ -10,12 +10,14 @@
 #include "compose.h"
 #include "exact_places.h"
 #include "fills.h"
-#include "ground_shadow.h"
 #include "on_sheet.h"
+#include "shadow/ground_shadow.h"
+#include "shadow/light_view.h"
 #include "tell.h"
 
 #include <algorithm>
 #include <iterator>
+#include <optional>
 #include <span>
 #include <utility>
 
@@ -55,13 +57,17 @@ std::vector<Isophotes> drawn_isophotes(const PartStyles& part_styles, const Came
 }
 
 // What parts the sheet where parts have flat colours.
-RegionOptions region_options(const PartStyles& part_styles, const Camera& camera) {
+RegionOptions region_options(const PartStyles& part_styles, const Camera& camera, bool shadows) {
+  // Cosine to the light up to which a part of one tone counts as unlit, as the darkest of five
+  // steps does: where light only grazes, the facets of round surfaces shade each other.
+  constexpr double kGrazing = 0.2;
   RegionOptions options{.found = feature_options(part_styles)};
   for (std::size_t i = 0; i < part_styles.size(); ++i) {
     const FillOptions& fill = part_styles.style(i).fill;
     const bool toned = part_styles.drawn(i) && fill.color != "none" && fill.steps > 1;
-    options.tones.push_back({tone::to_light(camera, part_styles.style(i).tone),
-                             even_levels(toned ? static_cast<std::size_t>(fill.steps) : 1)});
+    std::vector<double> levels = even_levels(toned ? static_cast<std::size_t>(fill.steps) : 1);
+    if (shadows && levels.empty()) levels = {kGrazing};
+    options.tones.push_back({tone::to_light(camera, part_styles.style(i).tone), std::move(levels)});
     options.nested.push_back(fill.opacity >= 1);
   }
   return options;
@@ -217,13 +223,18 @@ Drawing Stages::draw_lines(const Scene& scene, const Camera& camera, const Style
   if (options.field) name_own_field(drawing);
   LabelRequest wanted{.maps = options.annotations.has_value(),
                       .lines = {features->sight.features(), features->sight.feature_spans()}};
-  if (options.face_areas || paints(part_styles)) {
-    wanted.regions = region_options(part_styles, camera);
+  std::optional<LightView> light;
+  if (style.shadow.ground || style.shadow.cast) {
+    light = light_view(*trees, tone::to_light(camera, style.tone), context);
+  }
+  if (options.face_areas || paints(part_styles) || style.shadow.cast || style.shadow.ground) {
+    wanted.regions = region_options(part_styles, camera, style.shadow.cast);
     wanted.regions->faces = options.face_areas;
+    if (style.shadow.cast && light) wanted.regions->shadows = &*light;
   }
   if (wanted.maps || wanted.regions) labels = label(drawing, *trees, camera, wanted, context);
-  if (style.shadow.ground) {
-    labels.shadow = ground_shadow(*trees, tone::to_light(camera, style.tone), camera, context);
+  if (style.shadow.ground && light) {
+    labels.shadow = ground_shadow(*trees, *light, camera, context);
   }
   context.end_stage();
   return drawing;
@@ -264,6 +275,7 @@ Drawing Stages::draw_all(const Scene& scene, const Camera& camera, const Style& 
   settle_on_sheet(part_styles, style.sheet.clip, drawing);
   drawing.areas = std::move(labels.areas);
   if (paints(part_styles)) paint_areas(scene, part_styles, drawing.areas);
+  if (style.shadow.cast) shade_areas(style, drawing.areas);
   if (labels.shadow) {
     lay_shadow(std::move(*labels.shadow), style, part_styles, drawing.areas);
   }

@@ -280,12 +280,12 @@ Style flat() {
   return s;
 }
 
-/// The same with the light on them, in two tones.
+/// The same with the light on them, in two tones, and with all shadows.
 Style shaded() {
   Style s = flat();
   s.fill.steps = 2;
   s.fill.darkest = 0.8;
-  s.shadow.ground = true;
+  s.shadow = {.cast = true, .ground = true};
   return s;
 }
 
@@ -298,6 +298,7 @@ Style cel() {
   s.line.crease = 0.25;
   s.fill.steps = 3;
   s.fill.darkest = 0.6;
+  s.shadow.cast = true;
   return s;
 }
 

@@ -102,10 +102,16 @@ std::vector<OptionRow<FillOptions>> fill_tone_rows() {
 
 std::vector<OptionRow<ShadowOptions>> shadow_rows() {
   return {
+      flag("cast", &ShadowOptions::cast,
+           "the shadows that parts cast on parts and on themselves, in the darkest tone of "
+           "fill.color"),
       flag("ground", &ShadowOptions::ground,
            "the shadow that all parts cast on an invisible ground under them, square to z"),
-      color("color", &ShadowOptions::color,
-            "colour of that shadow; empty = that of the paper, darker", kColorOrNone),
+      color(
+          "color", &ShadowOptions::color,
+          "colour of shadows on the ground and on parts without a fill.color; empty = that of the "
+          "paper, darker",
+          kColorOrNone),
   };
 }
 
@@ -245,6 +251,7 @@ const std::vector<OtherNames>& all_other_names() {
        {"fill", "fill colour", "flat color", "surface color", "part color", "colorize"}},
       {"fill.opacity", {"transparency", "alpha"}},
       {"tone.steps", {"tones", "cel shading", "toon", "posterize", "flat shading"}},
+      {"shadow.cast", {"cast shadows", "self shadow", "part shadow"}},
       {"shadow.ground", {"drop shadow", "floor shadow", "contact shadow"}},
       {"halo.gap", {"haloes"}},
       {"tone.ambient", {"brightness", "lightness", "exposure", "gamma", "ambient light"}},

@@ -1,6 +1,6 @@
-// burin_areas MODEL VIEW [steps=N] [faces=1] [paper=A4] [perspective=DEGREES] [style=NAME] [rays=N]
-// [picture=FILE.svg] draws a model with areas of flat tone and tests these by random rays, `rays` a
-// mm2 of paper: a row of numbers.
+// burin_areas MODEL VIEW [steps=N] [cast=1] [faces=1] [paper=A4] [perspective=DEGREES] [style=NAME]
+// [rays=N] [picture=FILE.svg] draws a model with areas of flat tone and tests these by random rays,
+// `rays` a mm2 of paper: a row of numbers. cast=1: with shadows of parts on parts.
 #include <burin/base/error.h>
 #include <burin/converters/read.h>
 #include <burin/feature/isophotes.h>
@@ -101,18 +101,19 @@ struct Task {
   std::string model, view;
   std::map<std::string, std::string> values{
       {"steps", "0"},       {"faces", "0"}, {"paper", "A4"}, {"perspective", "0"},
-      {"style", "outline"}, {"rays", "4"},  {"picture", ""}};
+      {"style", "outline"}, {"rays", "4"},  {"picture", ""}, {"cast", "0"}};
   double number(const char* key) const { return std::stod(values.at(key)); }
 };
 
 /// Realised once more, and what a ray meets of it.
 class Truth {
  public:
-  Truth(const Scene& scene, const Camera& camera, const Style& style, std::size_t steps, bool faces,
+  Truth(const Scene& scene, const Camera& camera, const Style& style, bool faces,
         RunContext& context)
-      : camera_(camera),
-        faces_(faces),
-        light_{tone::to_light(camera, style.tone), even_levels(std::max<std::size_t>(steps, 1))} {
+      : camera_(camera), faces_(faces), cast_(style.shadow.cast) {
+    light_.light = glm::normalize(tone::to_light(camera, style.tone));
+    light_.levels = even_levels(static_cast<std::size_t>(std::max(style.fill.steps, 1)));
+    if (cast_ && light_.levels.empty()) light_.levels = {0.2};  // as in drawings
     const RealiseOptions how{.tolerance = 0.05 / camera.scale(),
                              .crease_angle = style.feature.crease_angle,
                              .curvature = false,
@@ -142,12 +143,19 @@ class Truth {
     Vec3 n = surface->exact() ? surface->frame(surface->lift({hit->where.face, hit->bary})).normal
                               : proxy.normal(hit->where.face, hit->bary);
     if (!proxy.closed(hit->where.face) && glm::dot(n, ray.direction) > 0) n = -n;
-    return {hit->where.part, faces_ ? proxy.face_source(hit->where.face) : -1, step_of(light_, n)};
+    std::int32_t step = step_of(light_, n);
+    if (cast_ && step > 0 && shaded(ray.origin + hit->distance * ray.direction, n)) step = 0;
+    return {hit->where.part, faces_ ? proxy.face_source(hit->where.face) : -1, step};
   }
 
  private:
+  bool shaded(Vec3 p, Vec3 n) const {
+    const double off = 0.02 / camera_.scale();
+    return occluder_->occluded(p + off * n, light_.light, 0, 2 * occluder_->diagonal());
+  }
+
   const Camera& camera_;
-  bool faces_;
+  bool faces_, cast_;
   Isophotes light_;
   ProxyMesh nothing_;
   std::vector<std::shared_ptr<const Surface>> surfaces_;
@@ -224,11 +232,12 @@ void run(const Task& asked) {
   const double of_lines = now() - start;
   style.fill.color = "part";
   style.fill.steps = static_cast<int>(steps);
+  style.shadow.cast = asked.number("cast") > 0;
   start = now();
   const Drawing drawing = illustrate(scene, camera, style, {.face_areas = faces}, context);
   const double of_all = now() - start;
 
-  const Truth truth(scene, camera, style, steps, faces, context);
+  const Truth truth(scene, camera, style, faces, context);
   const Sides sides(drawing);
   Box2 box;
   std::size_t rings = 0, corners = 0;
@@ -288,7 +297,7 @@ void run(const Task& asked) {
   }
   fmt::print("\n");
   if (!asked.values.at("picture").empty())
-    paint(drawing, steps, asked.values.at("picture"), places);
+    paint(drawing, steps < 2 && style.shadow.cast ? 2 : steps, asked.values.at("picture"), places);
 }
 
 }  // namespace

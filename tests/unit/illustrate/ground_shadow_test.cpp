@@ -107,6 +107,11 @@ TEST(GroundShadow, IsNotSeenThroughPartsWhoseColourIsPale) {
   ASSERT_EQ(drawing.areas.size(), 2u);
   EXPECT_EQ(drawing.areas[1].opacity, 1);
   EXPECT_EQ(drawing.areas[1].fill, "#400080");
+
+  style.fill.color = "none";
+  const Drawing bare = illustrate(scene, camera, style, {}, context);
+  ASSERT_EQ(bare.areas.size(), 2u);
+  EXPECT_EQ(bare.areas[1].fill, "#8000ff");
 }
 
 }  // namespace

@@ -43,7 +43,7 @@ TEST(Style, EveryMemberHasOneKey) {
     EXPECT_EQ(key.value.empty(), may_be_empty) << key.name;
   }
   EXPECT_EQ(names.size(), keys.size());
-  EXPECT_EQ(keys.size(), 11u + 9u + 35u + 6u + 17u + 2u /*tones*/ + 2u /*fill*/ + 2u /*shadow*/ +
+  EXPECT_EQ(keys.size(), 11u + 9u + 35u + 6u + 17u + 2u /*tones*/ + 2u /*fill*/ + 3u /*shadow*/ +
                              3u + 3u + 3u + 3u + 5u + 1u + 4u /*hpgl*/ + 13u /*gcode*/);
 }
 

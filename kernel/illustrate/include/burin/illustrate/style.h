@@ -71,6 +71,9 @@ struct FillOptions {
 };
 
 struct ShadowOptions {
+  /// Of parts on parts: what the light does not reach has the darkest step of its colour; of parts
+  /// without a colour, `color`.
+  bool cast = false;
   /// On an invisible ground under the scene, square to z.
   bool ground = false;
   /// "#rrggbb"; empty: that of the paper, darker.

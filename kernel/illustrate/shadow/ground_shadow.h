@@ -5,6 +5,7 @@
 #include <burin/camera/camera.h>
 #include <burin/drawing/drawing.h>
 
+#include "light_view.h"
 #include "occluders.h"
 
 #include <optional>
@@ -12,11 +13,10 @@
 namespace burin::detail {
 
 /// The area that solid parts darken on the plane through their lowest point, square to z; nothing
-/// where light or viewer are not well above that plane. It lies below all
-/// parts. Its border is the outline that the light sees, thrown along the light. `light_direction`:
-/// from the model to the light, of any length. Throws Cancelled. Cost: that of the outlines and of
-/// their partition.
-std::optional<Area> ground_shadow(const Occluders& occluders, Vec3 light_direction,
+/// where light or viewer are not well above that plane. It lies below all parts. Its border is the
+/// outline that the light sees, thrown along the light. Throws Cancelled. Cost: that of the
+/// partition of the light's view.
+std::optional<Area> ground_shadow(const Occluders& occluders, const LightView& light,
                                   const Camera& camera, const RunContext& context);
 
 }  // namespace burin::detail
