@@ -192,6 +192,28 @@ bool write_nothing(std::string* /*error*/, const std::string& /*path*/,
   return false;
 }
 
+/// Since 2.9 tinygltf also asks for sizes, to refuse what is above 2 GB; no file is too large here.
+template <class Callbacks>
+void allow_all_sizes(Callbacks& callbacks) {
+  if constexpr (requires { callbacks.GetFileSizeInBytes; }) {
+    callbacks.GetFileSizeInBytes = [](std::size_t* size, auto&&...) {
+      *size = 0;
+      return true;
+    };
+  }
+}
+
+tinygltf::FsCallbacks callbacks_for(Beside& beside) {
+  tinygltf::FsCallbacks callbacks{};
+  callbacks.FileExists = exists;
+  callbacks.ExpandFilePath = as_it_is;
+  callbacks.ReadWholeFile = read_whole;
+  callbacks.WriteWholeFile = write_nothing;
+  callbacks.user_data = &beside;
+  allow_all_sizes(callbacks);
+  return callbacks;
+}
+
 /// Pictures are not looked at.
 bool no_image(tinygltf::Image* /*image*/, int /*index*/, std::string* /*error*/,
               std::string* /*warning*/, int /*width*/, int /*height*/,
@@ -216,7 +238,7 @@ tinygltf::Model load(const Source& source) {
   Beside beside = files_of(json, source);
   tinygltf::TinyGLTF reader;
   reader.SetImageLoader(no_image, nullptr);
-  reader.SetFsCallbacks({exists, as_it_is, read_whole, write_nothing, &beside});
+  reader.SetFsCallbacks(callbacks_for(beside));
   tinygltf::Model model;
   std::string error, warning;
   bool good = false;

@@ -61,8 +61,7 @@ bool concerns(const std::string& option, const std::filesystem::path& path) {
   if (row == nullptr) return false;
   // Any file may hold raw samples.
   if (option == "raw" || option == "raw_skip" || option == "input_format") return true;
-  const detail::Reader& reader = detail::reader_of(path, {}, RunContext());
-  return (row->families & reader.family) != 0;
+  return (row->families & detail::reader_of(path, {}, RunContext()).family) != 0;
 }
 
 }  // namespace burin

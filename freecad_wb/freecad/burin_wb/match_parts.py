@@ -77,7 +77,8 @@ def match(burin, document, parts):
     # Names as they stand first, so that none of them goes to a part that `distinct` has numbered; then what FreeCAD names
     # that imports the file of the part.
     for known_as in (lambda one: one.name, lambda one: unnumbered(one.name), lambda one: _name_of_file(one.part),
-                     lambda one: _internal(_name_of_file(one.part))):
+                     lambda one: _internal(_name_of_file(one.part)),
+                     lambda one: _internal(_name_of_file(one.part), keep_digit=True)):
         for one in matches:
             if one.found is None:
                 free = [c for c in by_name.get(known_as(one), ()) if not c.used]
@@ -132,10 +133,11 @@ def _name_of_file(part):
     return plain(os.path.basename(part["file"]).split(".")[0])
 
 
-def _internal(label):
-    """The internal name that FreeCAD makes of a label, byte by byte; BREP files have no other."""
+def _internal(label, keep_digit=False):
+    """The internal name that FreeCAD makes of a label, byte by byte; BREP files have no other. Names begin with no digit:
+    FreeCAD 0.20 and 1.0 have `_` for one, 1.1 has it before one."""
     name = re.sub(r"[^A-Za-z0-9_]", "_", label.encode().decode("latin-1"))
-    return "_" + name[1:] if name[0].isdigit() else name
+    return "_" + name[0 if keep_digit else 1 :] if name[0].isdigit() else name
 
 
 def _candidates(document):

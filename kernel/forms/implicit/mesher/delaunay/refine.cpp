@@ -173,12 +173,16 @@ void add_features(Domain& domain, const RefineInput& input) {
 
 void protect(Complex& complex, const Domain& domain, RefineField& field, const RefineInput& input) {
   CGAL::Mesh_error_code code = CGAL::CGAL_MESH_3_NO_ERROR;
-  CGAL::Mesh_3::Protect_edges_sizing_field<Complex, Domain, Edge> balls(
-      complex, domain, Edge{&field}, input.least_edge,
 #if CGAL_VERSION_MAJOR >= 6
-      {},  // how far an edge may be from its curve: no limit, as before
+  // With a least size CGAL 6 gives each corner a ball of just that size, and the edges of a thin
+  // plate hundreds of vertices. Without one the number of vertices ends what would not end.
+  constexpr double kLeast = 0;
+  CGAL::Mesh_3::Protect_edges_sizing_field<Complex, Domain, Edge> balls(
+      complex, domain, Edge{&field}, kLeast, {}, input.most_vertices, &code);
+#else
+  CGAL::Mesh_3::Protect_edges_sizing_field<Complex, Domain, Edge> balls(
+      complex, domain, Edge{&field}, input.least_edge, input.most_vertices, &code);
 #endif
-      input.most_vertices, &code);
   balls(true);
 }
 
