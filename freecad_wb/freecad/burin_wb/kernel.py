@@ -1,6 +1,7 @@
 """The way to the kernel: the Python module `burin`, in this process or in a worker process."""
 
 import functools
+import importlib.machinery
 import importlib.util
 import os
 import sys
@@ -38,8 +39,8 @@ def _installed(here):
 
 
 def _holds_module(folder):
-    package = os.path.join(folder, "burin")
-    return os.path.isdir(package) and any(name.startswith("_burin.") for name in os.listdir(package))
+    """Whether the module there is one for this Python."""
+    return any(os.path.isfile(os.path.join(folder, "burin", "_burin" + suffix)) for suffix in importlib.machinery.EXTENSION_SUFFIXES)
 
 
 def found():

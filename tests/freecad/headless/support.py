@@ -3,10 +3,12 @@
 import os
 import shutil
 import tempfile
+import time
 import unittest
 
 import FreeCAD as App
 import Part  # noqa: F401  documents with shapes need it
+from PySide import QtCore
 
 from freecad.burin_wb import features, kernel
 
@@ -56,6 +58,17 @@ class Case(unittest.TestCase):
     def redraw(self, obj):
         obj.touch()
         self.doc.recompute()
+
+
+def visible_edges(view, seconds=20.0):
+    """The edges that a view of TechDraw shows. FreeCAD 1.0 finds them in a thread of its own, and has them once the event
+    loop has run."""
+    loop = QtCore.QCoreApplication.instance() or QtCore.QCoreApplication([])
+    end = time.monotonic() + seconds
+    while not view.getVisibleEdges() and time.monotonic() < end:
+        loop.processEvents()
+        time.sleep(0.01)
+    return view.getVisibleEdges()
 
 
 def burin():

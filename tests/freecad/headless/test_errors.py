@@ -1,5 +1,6 @@
 """Bad input: a message that says what to do, the drawing as it was, the next run as if nothing had been."""
 
+import importlib.machinery
 import json
 import os
 import shutil
@@ -277,6 +278,19 @@ class Errors(Case):
             module._worker.stop()
             module._worker, kernel.folders, kernel.found = running, folders, found
         self.draws(obj)
+
+    def test_a_kernel_for_another_python_is_none(self):
+        package = os.path.join(self.folder, "burin")
+        os.mkdir(package)
+        before = os.environ.get("BURIN_PYTHON_PATH", "")
+        os.environ["BURIN_PYTHON_PATH"] = os.pathsep.join((self.folder, before))
+        try:
+            for suffix, fits in ((".cpython-27-x86_64-linux-gnu.so", False), (importlib.machinery.EXTENSION_SUFFIXES[0], True)):
+                with open(os.path.join(package, "_burin" + suffix), "w", encoding="utf-8"):
+                    pass
+                self.assertEqual(self.folder in kernel.folders(), fits, suffix)
+        finally:
+            os.environ["BURIN_PYTHON_PATH"] = before
 
     def test_exports_that_cannot_be(self):
         box = self.box()
