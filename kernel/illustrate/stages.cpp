@@ -9,7 +9,8 @@
 
 #include "compose.h"
 #include "exact_places.h"
-#include "fills.h"
+#include "fill/fills.h"
+#include "fill/hatch_areas.h"
 #include "ground_shadow.h"
 #include "on_sheet.h"
 #include "tell.h"
@@ -59,10 +60,11 @@ RegionOptions region_options(const PartStyles& part_styles, const Camera& camera
   RegionOptions options{.found = feature_options(part_styles)};
   for (std::size_t i = 0; i < part_styles.size(); ++i) {
     const FillOptions& fill = part_styles.style(i).fill;
-    const bool toned = part_styles.drawn(i) && fill.color != "none" && fill.steps > 1;
+    const bool shown = fill.color != "none" || fill.hatch.lines != FillHatch::Lines::None;
+    const bool toned = part_styles.drawn(i) && shown && fill.steps > 1;
     options.tones.push_back({tone::to_light(camera, part_styles.style(i).tone),
                              even_levels(toned ? static_cast<std::size_t>(fill.steps) : 1)});
-    options.nested.push_back(fill.opacity >= 1);
+    options.nested.push_back(nests(fill));
   }
   return options;
 }
@@ -217,7 +219,7 @@ Drawing Stages::draw_lines(const Scene& scene, const Camera& camera, const Style
   if (options.field) name_own_field(drawing);
   LabelRequest wanted{.maps = options.annotations.has_value(),
                       .lines = {features->sight.features(), features->sight.feature_spans()}};
-  if (options.face_areas || paints(part_styles)) {
+  if (options.face_areas || paints(part_styles) || hatches(part_styles)) {
     wanted.regions = region_options(part_styles, camera);
     wanted.regions->faces = options.face_areas;
   }
@@ -263,12 +265,14 @@ Drawing Stages::draw_all(const Scene& scene, const Camera& camera, const Style& 
   }
   settle_on_sheet(part_styles, style.sheet.clip, drawing);
   drawing.areas = std::move(labels.areas);
-  if (paints(part_styles)) paint_areas(scene, part_styles, drawing.areas);
+  if (paints(part_styles)) paint_areas(scene, part_styles, drawing);
+  hatch_areas(scene, part_styles, "", drawing, context);
   if (labels.shadow) {
     lay_shadow(std::move(*labels.shadow), style, part_styles, drawing.areas);
   }
   if (options.annotations) {
     annotate(drawing, labels.seen, labels.glass, *options.annotations, style.callout, context);
+    hatch_areas(scene, part_styles, "legend", drawing, context);
   }
   return drawing;
 }

@@ -4,6 +4,7 @@
 #include <burin/drawing/ordered_text.h>
 #include <burin/drawing/writers.h>
 
+#include "svg_areas.h"
 #include "svg_path.h"
 #include "svg_tags.h"
 
@@ -154,52 +155,23 @@ class Items {
   void add_areas(SvgIds& ids) {
     if (drawing_.areas.empty()) return;
     Buffer out;
+    const std::string id = ids.make("areas");
+    append(out, svg_area_rules(drawing_, id, svg_ink(drawing_.ink_color)));
     append(out, fmt::format("<g id=\"{}\" fill=\"none\" stroke=\"none\" fill-rule=\"evenodd\" "
                             "pointer-events=\"all\">\n",
-                            ids.make("areas")));
+                            id));
     for (const Area& area : drawing_.areas) {
       append(out, "<path");
-      append_part_class(out, area.part, "area", class_of(area));
-      append_fill(out, area);
+      append_part_class(out, area.part, "area", svg_area_classes(area));
+      append_area_fill(out, area);
       append(out, " d=\"");
-      SvgPen pen(out, drawing_.paper_height);
-      for (const std::vector<Vec2>& ring : area.rings) {
-        std::vector<CubicBezier> chain;
-        for (std::size_t i = 0; i < ring.size(); ++i) {
-          const Vec2 a = ring[i], b = ring[(i + 1) % ring.size()];
-          chain.push_back({a, glm::mix(a, b, 1.0 / 3), glm::mix(a, b, 2.0 / 3), b});
-        }
-        pen.chain(chain, true);
-      }
+      append_area_rings(out, area, drawing_.paper_height);
       append(out, "\"><title>");
       append_xml(out, area.part < 0 ? "shadow" : part_name(area.part));
       append(out, "</title></path>\n");
     }
     append(out, "</g>\n");
     before_ += fmt::to_string(out);
-  }
-
-  /// The colour of an area, as attributes, which style sheets of a page overrule.
-  static void append_fill(Buffer& out, const Area& area) {
-    if (area.fill.empty() || area.opacity <= 0) return;
-    append(out, fmt::format(" fill=\"{}\"", area.fill));
-    if (area.opacity < 1) {
-      append(out, fmt::format(" fill-opacity=\"{:.4g}\"", area.opacity));
-    } else {
-      append(out, fmt::format(" stroke=\"{}\" stroke-width=\"{}\" stroke-linejoin=\"round\"",
-                              area.fill, kTrap));
-    }
-    if (area.face >= 0) append(out, fmt::format(" data-face=\"{}\"", area.face));
-    if (area.tone >= 0) append(out, fmt::format(" data-tone=\"{}\"", area.tone));
-  }
-
-  /// The classes by which a page gives painted areas other colours: "part_0 tone_1".
-  static std::string class_of(const Area& area) {
-    if (area.fill.empty()) return {};
-    if (area.part < 0) return "shadow";
-    std::string name = fmt::format("part_{}", area.part);
-    if (area.tone >= 0) name += fmt::format(" tone_{}", area.tone);
-    return name;
   }
 
   /// Of parts that have a number: class, item and path. `more`: other classes.
